@@ -1,0 +1,13 @@
+# Warnings are errors in our own code. Fused multiply-add is left to explicit calls: contraction chosen by the compiler would make
+# the same bake differ between builds.
+add_library(sigmascape_options INTERFACE)
+target_compile_options(sigmascape_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -ffp-contract=off)
+if(SIGMASCAPE_SANITIZER)
+  target_compile_options(sigmascape_options INTERFACE -fsanitize=${SIGMASCAPE_SANITIZER} -fno-omit-frame-pointer)
+  target_link_options(sigmascape_options INTERFACE -fsanitize=${SIGMASCAPE_SANITIZER})
+  if(SIGMASCAPE_SANITIZER STREQUAL "address")
+    target_compile_options(sigmascape_options INTERFACE -fsanitize=undefined -fno-sanitize-recover=undefined)
+    target_link_options(sigmascape_options INTERFACE -fsanitize=undefined)
+  endif()
+endif()

@@ -1,0 +1,21 @@
+# sigmascape_room(NAME <room> USES <room>... LINKS <target>... PRIVATE_LINKS <target>...)
+#
+# A room is a folder of src/sigmascape and a library. USES is its row of the room table: the rooms whose headers it may include.
+# tests/architecture holds every #include against these rows.
+function(sigmascape_room)
+  cmake_parse_arguments(ROOM "" "NAME" "USES;LINKS;PRIVATE_LINKS" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${ROOM_NAME}/*.cpp)
+  file(GLOB headers CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${ROOM_NAME}/*.h)
+  list(TRANSFORM ROOM_USES PREPEND sigmascape_ OUTPUT_VARIABLE used_rooms)
+  set(library sigmascape_${ROOM_NAME})
+  if(sources)
+    add_library(${library} STATIC ${sources} ${headers})
+    target_include_directories(${library} PUBLIC ${PROJECT_SOURCE_DIR}/src)
+    target_link_libraries(${library} PUBLIC ${used_rooms} ${ROOM_LINKS} PRIVATE sigmascape_options ${ROOM_PRIVATE_LINKS})
+  else()
+    add_library(${library} INTERFACE)
+    target_include_directories(${library} INTERFACE ${PROJECT_SOURCE_DIR}/src)
+    target_link_libraries(${library} INTERFACE ${used_rooms} ${ROOM_LINKS} ${ROOM_PRIVATE_LINKS})
+  endif()
+  add_library(sigmascape::${ROOM_NAME} ALIAS ${library})
+endfunction()

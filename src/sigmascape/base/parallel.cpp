@@ -1,0 +1,41 @@
+#include "sigmascape/base/parallel.h"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace sigmascape {
+
+unsigned thread_count(unsigned wanted) {
+  return wanted != 0 ? wanted : std::max(1U, std::thread::hardware_concurrency());
+}
+
+void parallel_for(std::size_t count, unsigned threads,
+                  const std::function<void(std::size_t index, unsigned worker)>& body) {
+  std::atomic<std::size_t> next{0};
+  std::exception_ptr failure;
+  std::mutex failure_guard;
+
+  const auto work = [&](unsigned worker) {
+    try {
+      for (std::size_t index = next.fetch_add(1); index < count; index = next.fetch_add(1)) body(index, worker);
+    } catch (...) {
+      next.store(count);
+      const std::lock_guard lock(failure_guard);
+      if (!failure) failure = std::current_exception();
+    }
+  };
+
+  const auto helpers = static_cast<unsigned>(std::min<std::size_t>(thread_count(threads), std::max<std::size_t>(count, 1)));
+  {
+    std::vector<std::jthread> pool;
+    for (unsigned worker = 1; worker < helpers; ++worker) pool.emplace_back(work, worker);
+    work(0);
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace sigmascape

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+namespace sigmascape {
+
+/// Hears how far a long piece of work has come. The library only tells; who listens (a terminal, a log, a notebook) decides how to
+/// show it. Called from the thread that runs the work, at moments of the work's own choosing.
+class ProgressListener {
+ public:
+  virtual ~ProgressListener() = default;
+  /// `done` of `total` units called `unit` ("looks", "rays") of the work called `task` are finished.
+  virtual void advanced(std::string_view task, std::size_t done, std::size_t total, std::string_view unit) = 0;
+};
+
+/// Listens to nothing.
+class SilentProgress final : public ProgressListener {
+ public:
+  void advanced(std::string_view, std::size_t, std::size_t, std::string_view) override {}
+};
+
+}  // namespace sigmascape

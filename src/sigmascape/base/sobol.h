@@ -1,0 +1,71 @@
+#pragma once
+
+#include <bit>
+#include <cstdint>
+
+#include "sigmascape/base/hash.h"
+#include "sigmascape/base/vec.h"
+
+namespace sigmascape {
+
+/// Owen-scrambled Sobol points, padded in pairs.
+///
+/// Each pair of dimensions is the (0,2)-sequence of the first two Sobol dimensions, its index order and both coordinates scrambled by
+/// hash-based nested uniform scrambling (Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020; the hash is Vegdahl's 2021
+/// improvement of Laine and Karras). Different pairs are independent of one another; within a pair any 2^k consecutive
+/// indices from a multiple of 2^k are perfectly stratified.
+class SobolPoint {
+ public:
+  /// The point number `index` of the sequence named `key` (a pixel, say).
+  constexpr SobolPoint(std::uint64_t key, std::uint32_t index) : key_(key), index_(index) {}
+
+  /// Two numbers in [0, 1)² of the pair of dimensions number `pair`.
+  [[nodiscard]] constexpr Vec2f pair(std::uint32_t pair) const {
+    const std::uint64_t seeds = hashed(key_, pair);
+    const std::uint64_t more = mixed(seeds);
+    const std::uint32_t shuffled = owen_scrambled(index_, static_cast<std::uint32_t>(seeds));
+    const std::uint32_t x = owen_scrambled(reversed_bits(shuffled), static_cast<std::uint32_t>(seeds >> 32U));
+    const std::uint32_t y = owen_scrambled(second_sobol_dimension(shuffled), static_cast<std::uint32_t>(more));
+    return {as_unit(x), as_unit(y)};
+  }
+
+  /// A number in [0, 1) that depends on this point and `dimension` but is not stratified: for choices where order does not matter.
+  [[nodiscard]] constexpr float independent(std::uint32_t dimension) const {
+    return unit_float(hashed(key_, index_, 0x1d0000000ULL + dimension));
+  }
+
+ private:
+  [[nodiscard]] static constexpr float as_unit(std::uint32_t bits) { return static_cast<float>(bits >> 8U) * 0x1p-24F; }
+
+  [[nodiscard]] static constexpr std::uint32_t reversed_bits(std::uint32_t x) {
+    x = ((x >> 1U) & 0x55555555U) | ((x & 0x55555555U) << 1U);
+    x = ((x >> 2U) & 0x33333333U) | ((x & 0x33333333U) << 2U);
+    x = ((x >> 4U) & 0x0f0f0f0fU) | ((x & 0x0f0f0f0fU) << 4U);
+    x = ((x >> 8U) & 0x00ff00ffU) | ((x & 0x00ff00ffU) << 8U);
+    return std::rotl(x, 16);
+  }
+
+  /// The second Sobol dimension: its generator matrix is Pascal's triangle modulo 2.
+  [[nodiscard]] static constexpr std::uint32_t second_sobol_dimension(std::uint32_t index) {
+    std::uint32_t point = 0;
+    for (std::uint32_t direction = 1U << 31U; index != 0; index >>= 1U, direction ^= direction >> 1U) {
+      if ((index & 1U) != 0) point ^= direction;
+    }
+    return point;
+  }
+
+  [[nodiscard]] static constexpr std::uint32_t owen_scrambled(std::uint32_t x, std::uint32_t seed) {
+    x = reversed_bits(x);
+    x ^= x * 0x3d20adeaU;
+    x += seed;
+    x *= (seed >> 16U) | 1U;
+    x ^= x * 0x05526c56U;
+    x ^= x * 0x53a22864U;
+    return reversed_bits(x);
+  }
+
+  std::uint64_t key_;
+  std::uint32_t index_;
+};
+
+}  // namespace sigmascape

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cmath>
+
+#include "sigmascape/base/vec.h"
+
+namespace sigmascape::radar {
+
+/// From where a ground point is seen: the direction from the point to the radar.
+struct Aspect {
+  double azimuth_rad = 0.0;    ///< clockwise from true north
+  double elevation_rad = 0.0;  ///< grazing angle: above the horizontal
+};
+
+/// An aspect and a frequency: everything that σ0 of a place depends on besides polarization.
+struct Look {
+  Aspect aspect;
+  double frequency_hz = 0.0;
+};
+
+/// The horizontal unit vector from the ground point towards the radar.
+[[nodiscard]] inline Vec2d horizontal_direction(double azimuth_rad) { return {std::sin(azimuth_rad), std::cos(azimuth_rad)}; }
+
+/// The unit vector from the ground point to the radar.
+[[nodiscard]] inline Vec3d direction_to_radar(const Aspect& aspect) {
+  const Vec2d horizontal = horizontal_direction(aspect.azimuth_rad);
+  const double cos_elevation = std::cos(aspect.elevation_rad);
+  return {horizontal.x * cos_elevation, horizontal.y * cos_elevation, std::sin(aspect.elevation_rad)};
+}
+
+}  // namespace sigmascape::radar

@@ -1,0 +1,116 @@
+#include "sigmascape/scene/scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sigmascape/base/error.h"
+#include "sigmascape/base/sha256.h"
+
+namespace sigmascape::scene {
+namespace {
+
+void add_permittivity(Sha256& sha, const scatter::Permittivity& p) {
+  for (const double value : {p.a, p.b, p.c, p.d}) sha.add_value(value);
+}
+
+void add_depolarization(Sha256& sha, const scatter::Depolarization& d) {
+  sha.add_value(d.cross_ratio);
+  sha.add_value(d.vv_hh_correlation);
+}
+
+/// Feeds the constants of each model; a new model adds its overload here and the compiler insists on it.
+struct ModelHasher {
+  Sha256& sha;
+  void operator()(const scatter::LambertParameters& m) const {
+    sha.add_value(m.albedo);
+    add_depolarization(sha, m.depolarization);
+  }
+  void operator()(const scatter::ConstantGammaParameters& m) const {
+    sha.add_value(m.gamma);
+    add_depolarization(sha, m.depolarization);
+  }
+  void operator()(const scatter::CookTorranceParameters& m) const {
+    add_permittivity(sha, m.permittivity);
+    sha.add_value(m.alpha);
+    sha.add_value(static_cast<int>(m.distribution));
+  }
+};
+
+void add_mesh(Sha256& sha, const Mesh& mesh) {
+  sha.add_values(std::span<const Vec3f>(mesh.vertices));
+  sha.add_values(std::span<const std::array<std::uint32_t, 3>>(mesh.triangles));
+  sha.add_values(std::span<const MaterialIndex>(mesh.materials));
+}
+
+void add_grid(Sha256& sha, double west, double north, double step, std::size_t columns, std::size_t rows) {
+  for (const double value : {west, north, step}) sha.add_value(value);
+  sha.add_value(columns);
+  sha.add_value(rows);
+}
+
+float top_of(const Mesh& mesh) {
+  float top = 0.0F;
+  for (const Vec3f& vertex : mesh.vertices) top = std::max(top, vertex.z);
+  return top;
+}
+
+}  // namespace
+
+MaterialIndex MaterialMap::at(Vec2d point) const {
+  const Vec2d cells = grid.cells_from(point);
+  const auto column = static_cast<std::size_t>(std::clamp(cells.x, 0.0, static_cast<double>(grid.columns) - 0.5));
+  const auto row = static_cast<std::size_t>(std::clamp(cells.y, 0.0, static_cast<double>(grid.rows) - 0.5));
+  return material(column, row);
+}
+
+MaterialIndex Scene::material_index(const scatter::Material& material) {
+  const auto known = std::ranges::find(materials, material.name, &scatter::Material::name);
+  if (known != materials.end()) return static_cast<MaterialIndex>(known - materials.begin());
+  if (materials.size() > 255) throw Error("scene " + name, "more than 256 materials", "share materials between objects");
+  materials.push_back(material);
+  return static_cast<MaterialIndex>(materials.size() - 1);
+}
+
+double tallest_object_m(const Scene& scene) {
+  std::vector<float> prototype_top;
+  for (const Mesh& prototype : scene.prototypes) prototype_top.push_back(top_of(prototype));
+  float tallest = top_of(scene.buildings.mesh);
+  for (const Instance& instance : scene.instances) {
+    tallest = std::max(tallest, instance.lift_m + instance.scale.z * prototype_top[instance.prototype]);
+  }
+  return tallest;
+}
+
+std::string scene_hash(const Scene& scene) {
+  Sha256 sha;
+  sha.add(scene.frame.proj());
+  for (const double value : {scene.extent.west_m, scene.extent.south_m, scene.extent.east_m, scene.extent.north_m}) sha.add_value(value);
+  const auto& terrain = scene.terrain;
+  add_grid(sha, terrain.west_m, terrain.north_m, terrain.spacing_m, terrain.height_m.columns(), terrain.height_m.rows());
+  sha.add_values(terrain.height_m.values());
+  const auto& grid = scene.ground.grid;
+  add_grid(sha, grid.west_m, grid.north_m, grid.cell_m, grid.columns, grid.rows);
+  sha.add_values(scene.ground.material.values());
+  for (const auto& material : scene.materials) {
+    sha.add_value(material.model.index());
+    std::visit(ModelHasher{sha}, material.model);
+  }
+  for (const Mesh& mesh : scene.prototypes) add_mesh(sha, mesh);
+  for (const Instance& i : scene.instances) {
+    sha.add_value(i.prototype);
+    for (const float value : {i.x_m, i.y_m, i.lift_m, i.yaw_rad, i.scale.x, i.scale.y, i.scale.z, i.speed_mps}) sha.add_value(value);
+  }
+  add_mesh(sha, scene.buildings.mesh);
+  for (const Building& b : scene.buildings.items) {
+    sha.add_value(b.first_vertex);
+    sha.add_value(b.vertex_count);
+    sha.add_value(b.footing_m);
+  }
+  for (const PointTarget& t : scene.point_targets) {
+    for (const double value : {t.position.x, t.position.y, t.height_m}) sha.add_value(value);
+    for (const float value : {t.rcs_m2.vv, t.rcs_m2.hh, t.rcs_m2.hv, t.rcs_m2.re_vvhh}) sha.add_value(value);
+  }
+  return sha.hex_digest();
+}
+
+}  // namespace sigmascape::scene

@@ -1,0 +1,103 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sigmascape/base/array2d.h"
+#include "sigmascape/base/vec.h"
+#include "sigmascape/geo/local_frame.h"
+#include "sigmascape/radar/channels.h"
+#include "sigmascape/radar/ground_grid.h"
+#include "sigmascape/scatter/material.h"
+#include "sigmascape/terrain/height_field.h"
+
+namespace sigmascape::scene {
+
+/// Index into Scene::materials.
+using MaterialIndex = std::uint8_t;
+
+/// What the bare ground is made of, cell by cell.
+struct MaterialMap {
+  radar::GroundGrid grid;
+  Array2D<MaterialIndex> material;  ///< [column, row]
+
+  /// The material under a point; outside the map that of the nearest edge.
+  [[nodiscard]] MaterialIndex at(Vec2d point) const;
+};
+
+/// A surface of triangles, each of one material. Both sides scatter.
+struct Mesh {
+  std::string name;
+  std::vector<Vec3f> vertices;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<MaterialIndex> materials;  ///< one a triangle
+};
+
+/// One placement of a prototype (a tree, a vehicle, a tower). Its origin stands on the ground, wherever that is: on the terrain in a
+/// live scene, on the plane z = 0 in a bake.
+struct Instance {
+  std::uint32_t prototype = 0;
+  float x_m = 0.0F, y_m = 0.0F;
+  float lift_m = 0.0F;    ///< height of the origin above the ground
+  float yaw_rad = 0.0F;   ///< clockwise from north: where the prototype's +y axis points
+  Vec3f scale{1.0F, 1.0F, 1.0F};
+  float speed_mps = 0.0F;  ///< along the prototype's +y axis
+};
+
+/// A building among Scene::buildings: a run of vertices that share one footing.
+struct Building {
+  std::uint32_t first_vertex = 0;
+  std::uint32_t vertex_count = 0;
+  float footing_m = 0.0F;  ///< terrain height under the lowest corner: what z = 0 of its vertices stands for on the terrain
+};
+
+/// All buildings in one mesh; vertex z is the height above the building's own footing.
+struct Buildings {
+  Mesh mesh;
+  std::vector<Building> items;
+};
+
+/// An echo of known cross-section at a point, where a shape is not known or not wanted.
+struct PointTarget {
+  std::string name;
+  Vec2d position;
+  double height_m = 0.0;  ///< above the ground
+  radar::Channels rcs_m2;
+};
+
+/// Something that was left out or mended while reading a scene.
+struct Remark {
+  std::string what;   ///< "self-crossing footprints repaired"
+  std::size_t count = 0;
+  std::string first;  ///< the first one, by file and feature
+};
+
+/// What the radar looks at, in one local frame: x east, y north, z up, metres.
+struct Scene {
+  std::string name;
+  geo::LocalFrame frame;
+  radar::Rectangle extent;
+  terrain::HeightField terrain;
+  MaterialMap ground;
+  std::vector<scatter::Material> materials;
+  std::vector<Mesh> prototypes;
+  std::vector<Instance> instances;
+  Buildings buildings;
+  std::vector<PointTarget> point_targets;
+  std::vector<Remark> remarks;
+  std::string attribution;
+
+  /// Index of the material of that name, added from `material` when the scene does not have it yet.
+  MaterialIndex material_index(const scatter::Material& material);
+};
+
+/// Height of the tallest thing above its ground, in metres: what decides how far shadows and layover reach.
+[[nodiscard]] double tallest_object_m(const Scene& scene);
+
+/// A digest of everything that affects how the scene scatters: the same for equal scenes, another after any change.
+[[nodiscard]] std::string scene_hash(const Scene& scene);
+
+}  // namespace sigmascape::scene
