@@ -30,7 +30,7 @@ struct LambertParameters {
 
 /// σ0 = γ sin ψ for co-polarization (see constant_gamma.h).
 struct ConstantGammaParameters {
-  double gamma = 0.01;  ///< linear, at `reference_frequency_hz`
+  double gamma = 0.01;  ///< linear, at the frequency of use
   Depolarization depolarization;
 
   friend constexpr bool operator==(const ConstantGammaParameters&, const ConstantGammaParameters&) = default;

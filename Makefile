@@ -1,0 +1,49 @@
+# What a person types. Each target sets up what it needs: packages, configuration, build. How it works: docs/building.md.
+
+JOBS ?= $(shell nproc)
+CCACHE := $(shell command -v ccache 2> /dev/null)
+
+configure = cmake --preset $(1) $(if $(CCACHE),-DCMAKE_CXX_COMPILER_LAUNCHER=$(CCACHE))
+build = cmake --build build/$(1) --parallel $(JOBS)
+run_tests = ctest --test-dir build/$(1) --parallel $(JOBS) --output-on-failure
+sanitized = tools/with_sanitizer_options
+sources = find $(1) -name '*.cpp' -o -name '*.h'
+
+.DEFAULT_GOAL := help
+.PHONY: help packages demo test test-long test-asan test-tsan test-all lint clean
+
+help: ## Say what can be made
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-10s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
+
+packages: ## Install the Debian packages that are missing
+	@tools/install_packages
+
+demo: packages ## Build, then make the demo's maps and page under out/demo
+	$(call configure,release)
+	$(call build,release) --target sigmascape_cli
+	build/release/apps/sigmascape/sigmascape demo --out out/demo
+
+test: packages ## Build and run the tests
+	$(call configure,release)
+	$(call build,release)
+	$(call run_tests,release) --no-tests=error --label-exclude '^long$$'
+
+test-long: packages ## Run the tests that take long
+	$(call configure,release)
+	$(call build,release)
+	$(call run_tests,release) --label-regex '^long$$'
+
+test-asan test-tsan: test-%: packages
+	$(call configure,$*)
+	$(sanitized) $(call build,$*)
+	$(sanitized) $(call run_tests,$*) --no-tests=error --label-exclude '^long$$'
+
+test-all: test test-asan test-tsan test-long ## Run all tests, also under the sanitizers and those that take long
+
+lint: packages ## Check formatting and run the static analysis
+	$(call sources,src apps tests) | xargs clang-format --dry-run -Werror
+	$(call configure,release)
+	run-clang-tidy -quiet -p build/release -j $(JOBS) '^$(CURDIR)/(src|apps)/'
+
+clean: ## Remove everything that was built or made
+	rm -rf build out

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "sigmascape/bake/bake.h"
+
+namespace sigmascape::cli {
+
+/// The command-line spelling of bake::BakeSettings.
+struct BakeOptions {
+  double texel_m = 2000.0 / 1024.0;
+  std::size_t patch_texels = 512;
+  unsigned azimuths = 8;
+  std::vector<double> elevations_deg{5.0, 13.0, 21.0, 29.0, 37.0};
+  std::vector<double> frequencies_ghz{10.0};
+  std::uint32_t samples = 100;
+  int bounces = 8;
+  std::uint64_t seed = 1;
+  int mantissa_bits = 10;
+  unsigned threads = 0;
+
+  void add_to(CLI::App& command);
+  [[nodiscard]] bake::BakeSettings settings() const;
+};
+
+}  // namespace sigmascape::cli

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+namespace sigmascape::cli {
+
+/// What every subcommand offers besides its own options.
+struct Output {
+  bool json = false;  ///< print the summary as JSON on standard output instead of text
+
+  /// Prints `text`, or `summary` when JSON was asked for.
+  void finish(const std::string& text, const nlohmann::ordered_json& summary) const;
+};
+
+/// Each adds its subcommand, with examples in its help; its work runs when CLI11 has parsed the line.
+void add_scene_command(CLI::App& app, Output& output);
+void add_bake_command(CLI::App& app, Output& output);
+void add_render_command(CLI::App& app, Output& output);
+void add_compare_command(CLI::App& app, Output& output);
+void add_demo_command(CLI::App& app, Output& output);
+
+}  // namespace sigmascape::cli

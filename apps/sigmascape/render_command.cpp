@@ -1,0 +1,132 @@
+#include <fmt/format.h>
+
+#include "command.h"
+#include "map_files.h"
+#include "polarization_option.h"
+#include "sigmascape/atlas/store.h"
+#include "sigmascape/base/error.h"
+#include "sigmascape/base/units.h"
+#include "sigmascape/product/ground_map_file.h"
+#include "sigmascape/radar/radar_file.h"
+#include "sigmascape/scene/scene_file.h"
+#include "sigmascape/simulate/placement.h"
+#include "sigmascape/simulate/simulate.h"
+#include "stopwatch.h"
+
+namespace sigmascape::cli {
+namespace {
+
+struct RenderOptions {
+  std::string radar, scene, atlas, map_file, picture_file, style = "grey";
+  int level_of_detail = 0;
+  double span_db = 50.0;
+  std::optional<double> top_db;
+  simulate::TraceSettings trace;
+};
+
+/// What was rendered and at what cost.
+struct Rendered {
+  radar::RangeAzimuthImage image;
+  double seconds = 0.0;
+  nlohmann::ordered_json cost = {};
+  Provenance provenance = {};
+};
+
+Rendered traced(const RenderOptions& options, const scene::Scene& scene, const radar::Radar& radar, const radar::GroundGrid& grid) {
+  const trace::SceneGeometry geometry(scene, trace::Footing::Terrain);
+  simulate::TraceSettings settings = options.trace;
+  settings.cell_m = grid.cell_m;
+  trace::TraceCounts counts;
+  const Stopwatch watch;
+  Rendered rendered{.image = simulate::traced_image(scene, geometry, radar, grid.extent(), settings, counts)};
+  rendered.seconds = watch.seconds();
+  rendered.cost = {{"paths", counts.paths}, {"rays", counts.rays}};
+  rendered.provenance = {{"processing", "level of detail 0: path-traced"},
+                         {"seed", std::to_string(settings.seed)},
+                         {"samples_per_cell", std::to_string(settings.samples_per_cell)}};
+  return rendered;
+}
+
+Rendered baked(const RenderOptions& options, const scene::Scene& scene, const radar::Radar& radar, const radar::GroundGrid& grid) {
+  if (options.atlas.empty()) {
+    throw Error("--atlas", "is missing for level of detail " + std::to_string(options.level_of_detail), "name the atlas that `sigmascape bake` made, or use --lod 0");
+  }
+  const auto store = atlas::Store::open(options.atlas);
+  if (store.description().scene_hash != scene::scene_hash(scene)) {
+    throw Error(options.atlas, "was baked from another scene than " + options.scene, "bake this scene, or name the scene that the atlas was made from");
+  }
+  const atlas::Atlas textures = atlas::load_atlas(store);
+  render::RenderCounts counts;
+  const Stopwatch watch;
+  Rendered rendered{.image = simulate::baked_image(textures, scene.terrain, radar, grid.extent(),
+                                                   {.level_of_detail = options.level_of_detail, .threads = options.trace.threads}, counts)};
+  rendered.seconds = watch.seconds();
+  rendered.cost = {{"ground_samples", counts.ground_samples}, {"visible", counts.visible}};
+  rendered.provenance = {{"processing", fmt::format("level of detail {}: from terrain and atlas", options.level_of_detail)}};
+  return rendered;
+}
+
+void render(const RenderOptions& options, radar::Polarization polarization, bool polarization_given, const Output& output) {
+  const auto radar_file = radar::read_radar_file(options.radar);
+  const scene::Scene scene = scene::read_scene(options.scene);
+  const auto radar = simulate::placed_radar(radar_file, scene.frame, scene.terrain, scene.extent);
+  const auto grid = simulate::map_grid(radar_file.map, scene.extent);
+  Rendered rendered = options.level_of_detail == 0 ? traced(options, scene, radar, grid) : baked(options, scene, radar, grid);
+  rendered.provenance["scene"] = scene.name;
+  rendered.provenance["scene_hash"] = scene::scene_hash(scene);
+  if (!scene.attribution.empty()) rendered.provenance["attribution"] = scene.attribution;
+
+  const auto map = described_map(rendered.image, radar, scene.terrain, grid, scene.frame, rendered.provenance);
+  if (!options.map_file.empty()) product::write_ground_map(options.map_file, map);
+  if (!options.picture_file.empty()) {
+    product::PictureOptions look = options.style == "scope" ? product::scope_look() : product::PictureOptions{};
+    look.polarization = polarization_given ? polarization : radar.polarization;
+    look.span_db = options.span_db;
+    look.top_db = options.top_db;
+    write_map_picture(options.picture_file, map, look);
+  }
+  nlohmann::ordered_json summary{{"map", options.map_file},
+                                 {"picture", options.picture_file},
+                                 {"level_of_detail", options.level_of_detail},
+                                 {"columns", grid.columns},
+                                 {"rows", grid.rows},
+                                 {"seconds", rendered.seconds}};
+  summary.update(rendered.cost);
+  output.finish(fmt::format("{} x {} cells of {} m at level of detail {} in {:.3f} s", grid.columns, grid.rows, grid.cell_m, options.level_of_detail,
+                            rendered.seconds),
+                summary);
+}
+
+}  // namespace
+
+void add_render_command(CLI::App& app, Output& output) {
+  auto* command = app.add_subcommand("render", "Make the ground map that a radar sees");
+  auto options = std::make_shared<RenderOptions>();
+  auto polarization = std::make_shared<radar::Polarization>(radar::Polarization::VV);
+  command->add_option("RADAR", options->radar, "radar file (TOML)")->required();
+  command->add_option("--scene", options->scene, "scene file (TOML)")->required();
+  command->add_option("--atlas", options->atlas, "folder of the atlas, for --lod 1 and up");
+  command->add_option("--lod", options->level_of_detail, "level of detail: 0 traces the scene, 1 and up use the atlas")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 16));
+  command->add_option("--out", options->map_file, "ground map to write (GeoTIFF, linear sigma0)");
+  command->add_option("--png", options->picture_file, "picture to write");
+  command->add_option("--style", options->style, "grey or scope")->capture_default_str()->check(CLI::IsMember({"grey", "scope"}));
+  command->add_option("--span-db", options->span_db, "span of the picture from dark to bright")->capture_default_str();
+  command->add_option("--top-db", options->top_db, "sigma0 shown brightest; by default that of the brightest few cells");
+  add_polarization_option(*command, *polarization);
+  command->add_option("--samples", options->trace.samples_per_cell, "rays a map cell, at level of detail 0")->capture_default_str();
+  command->add_option("--bounces", options->trace.max_bounces, "surfaces a path may meet, at level of detail 0")->capture_default_str();
+  command->add_option("--seed", options->trace.seed, "names the random numbers, at level of detail 0")->capture_default_str();
+  command->add_option("--threads", options->trace.threads, "0: one a processor")->capture_default_str();
+  command->add_flag("--json", output.json, "print the summary as JSON");
+  command->footer(
+      "Examples:\n"
+      "  sigmascape render radar.toml --scene town.toml --out traced.tif --png traced.png\n"
+      "  sigmascape render radar.toml --scene town.toml --atlas atlas --lod 1 --out baked.tif --png baked.png --style scope");
+  command->callback([command, options, polarization, &output] {
+    render(*options, *polarization, command->get_option("--polarization")->count() > 0, output);
+  });
+}
+
+}  // namespace sigmascape::cli

@@ -1,0 +1,53 @@
+#include "terminal_progress.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace sigmascape::cli {
+namespace {
+
+constexpr auto quiet_time = std::chrono::seconds(2);
+constexpr auto refresh_time = std::chrono::milliseconds(200);
+
+std::string duration_text(double seconds) {
+  if (seconds < 90.0) return fmt::format("{:.0f} s", seconds);
+  if (seconds < 5400.0) return fmt::format("{:.0f} min", seconds / 60.0);
+  return fmt::format("{:.1f} h", seconds / 3600.0);
+}
+
+}  // namespace
+
+TerminalProgress::TerminalProgress() : is_terminal_(isatty(STDERR_FILENO) != 0) {}
+TerminalProgress::~TerminalProgress() { erase_line(); }
+
+void TerminalProgress::begin(std::string_view task, std::size_t done) {
+  erase_line();
+  task_ = task;
+  // The first report tells what was there already or took no time to speak of; rates count from there.
+  first_done_ = done > 0 ? done - 1 : 0;
+  started_ = shown_ = Clock::now();
+}
+
+void TerminalProgress::erase_line() {
+  if (line_shown_) fmt::print(stderr, "\r\033[K");
+  line_shown_ = false;
+}
+
+void TerminalProgress::advanced(std::string_view task, std::size_t done, std::size_t total, std::string_view unit) {
+  if (!is_terminal_) return;
+  if (task != task_) begin(task, done);
+  const auto now = Clock::now();
+  if (done >= total) return erase_line();
+  if (now - started_ < quiet_time || now - shown_ < refresh_time) return;
+  shown_ = now;
+  const double rate = static_cast<double>(done - first_done_) / std::chrono::duration<double>(now - started_).count();
+  if (rate <= 0.0) return;
+  fmt::print(stderr, "\r\033[K{}: {} of {} {}, {:.2f} a second, {} left", task, done, total, unit, rate,
+             duration_text(static_cast<double>(total - done) / rate));
+  std::fflush(stderr);
+  line_shown_ = true;
+}
+
+}  // namespace sigmascape::cli

@@ -1,0 +1,109 @@
+#include "sigmascape/atlas/aspect_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <functional>
+#include <string>
+
+#include "sigmascape/base/error.h"
+#include "sigmascape/base/units.h"
+
+namespace sigmascape::atlas {
+namespace {
+
+/// Two neighbours on an axis and the part of the second.
+struct Between {
+  std::size_t first = 0;
+  std::size_t second = 0;
+  double fraction = 0.0;
+};
+
+/// Neighbours of `value` on an ascending axis, held beyond its ends, linear in `scale`(value).
+template <typename Scale>
+Between between(const std::vector<double>& axis, double value, Scale scale) {
+  const auto above = std::ranges::upper_bound(axis, value);
+  if (above == axis.begin()) return {};
+  const auto first = static_cast<std::size_t>(above - axis.begin()) - 1;
+  if (above == axis.end()) return {first, first, 0.0};
+  const double start = scale(axis[first]);
+  return {first, first + 1, (scale(value) - start) / (scale(*above) - start)};
+}
+
+Between between_azimuths(const std::vector<double>& axis, double azimuth_rad) {
+  const double wrapped = wrapped_azimuth(azimuth_rad);
+  if (wrapped >= axis.front() && wrapped < axis.back()) return between(axis, wrapped, std::identity{});
+  const std::size_t last = axis.size() - 1;
+  const double gap = axis.front() + 2.0 * pi - axis.back();
+  const double past_last = wrapped >= axis.back() ? wrapped - axis.back() : wrapped + 2.0 * pi - axis.back();
+  return {last, 0, last == 0 ? 0.0 : past_last / gap};
+}
+
+double cotangent(double angle_rad) {
+  return std::cos(angle_rad) / std::sin(angle_rad);
+}
+
+void check_axis(const std::vector<double>& axis, std::string_view where, std::string_view name, double lowest,
+                double highest, bool lowest_allowed) {
+  const std::string place = fmt::format("{}, {}", where, name);
+  if (axis.empty()) throw Error(place, "has no values", "give at least one");
+  for (const double value : axis) {
+    if (value > lowest ? value <= highest : lowest_allowed && value == lowest) continue;
+    throw Error(place, fmt::format("{:g} is out of range", value),
+                fmt::format("give values {} {:g} and up to {:g}", lowest_allowed ? "from" : "above", lowest, highest));
+  }
+  if (std::ranges::adjacent_find(axis, std::greater_equal{}) != axis.end()) {
+    throw Error(place, "does not ascend", "list each value once, the smallest first");
+  }
+}
+
+}  // namespace
+
+radar::Look AspectGrid::look(LookIndex index) const {
+  const std::size_t azimuth = index % azimuths_rad.size();
+  const std::size_t elevation = index / azimuths_rad.size() % elevations_rad.size();
+  const std::size_t frequency = index / (azimuths_rad.size() * elevations_rad.size());
+  return {{azimuths_rad[azimuth], elevations_rad[elevation]}, frequencies_hz[frequency]};
+}
+
+AspectGrid paper_aspect_grid() {
+  AspectGrid grid;
+  for (int i = 0; i < 8; ++i) grid.azimuths_rad.push_back(radians_from_deg(45.0 * i));
+  for (int i = 0; i < 5; ++i) grid.elevations_rad.push_back(radians_from_deg(5.0 + 8.0 * i));
+  grid.frequencies_hz = {10e9};
+  return grid;
+}
+
+void check(const AspectGrid& grid, std::string_view where) {
+  const double full_turn = std::nextafter(2.0 * pi, 0.0);
+  check_axis(grid.azimuths_rad, where, "azimuths (radians)", 0.0, full_turn, true);
+  check_axis(grid.elevations_rad, where, "elevations (radians)", 0.0, pi / 2.0, false);
+  check_axis(grid.frequencies_hz, where, "frequencies (hertz)", 0.0, 1e12, false);
+}
+
+AspectWeights weights_for(const AspectGrid& grid, const radar::Aspect& aspect, double frequency_hz) {
+  AspectWeights weights;
+  const double lowest = grid.elevations_rad.front();
+  if (!(aspect.elevation_rad > 0.0)) return weights;
+  const double grazing_loss = aspect.elevation_rad < lowest ? std::sin(aspect.elevation_rad) / std::sin(lowest) : 1.0;
+
+  const Between azimuth = between_azimuths(grid.azimuths_rad, aspect.azimuth_rad);
+  const Between elevation = between(grid.elevations_rad, aspect.elevation_rad, cotangent);
+  const Between frequency = between(grid.frequencies_hz, frequency_hz, [](double hz) { return std::log(hz); });
+  const auto part = [](const Between& axis, int side) { return side == 0 ? 1.0 - axis.fraction : axis.fraction; };
+  const auto node = [](const Between& axis, int side) { return side == 0 ? axis.first : axis.second; };
+  for (int f = 0; f < 2; ++f) {
+    for (int e = 0; e < 2; ++e) {
+      for (int a = 0; a < 2; ++a) {
+        const double weight = part(frequency, f) * part(elevation, e) * part(azimuth, a) * grazing_loss;
+        if (weight == 0.0) continue;
+        weights.look[weights.count] = grid.index_of(node(azimuth, a), node(elevation, e), node(frequency, f));
+        weights.weight[weights.count] = static_cast<float>(weight);
+        ++weights.count;
+      }
+    }
+  }
+  return weights;
+}
+
+}  // namespace sigmascape::atlas

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "sigmascape/radar/look.h"
+
+namespace sigmascape::atlas {
+
+/// Number of a look within an AspectGrid: azimuth runs fastest, then elevation, then frequency.
+using LookIndex = std::uint32_t;
+
+/// The looks that are baked: every azimuth with every elevation at every frequency. Each axis ascends.
+struct AspectGrid {
+  std::vector<double> azimuths_rad;    ///< in [0, 2π), clockwise from true north; the axis closes on itself
+  std::vector<double> elevations_rad;  ///< in (0, π/2]
+  std::vector<double> frequencies_hz;
+
+  friend bool operator==(const AspectGrid&, const AspectGrid&) = default;
+
+  [[nodiscard]] std::size_t look_count() const {
+    return azimuths_rad.size() * elevations_rad.size() * frequencies_hz.size();
+  }
+  [[nodiscard]] LookIndex index_of(std::size_t azimuth, std::size_t elevation, std::size_t frequency) const {
+    return static_cast<LookIndex>((frequency * elevations_rad.size() + elevation) * azimuths_rad.size() + azimuth);
+  }
+  [[nodiscard]] radar::Look look(LookIndex index) const;
+};
+
+/// The looks of the paper: azimuths 0°, 45° … 315°, elevations 5°, 13°, 21°, 29°, 37°, at 10 GHz.
+[[nodiscard]] AspectGrid paper_aspect_grid();
+
+/// Throws Error, naming `where`, when an axis is empty, does not ascend or leaves its range.
+void check(const AspectGrid& grid, std::string_view where);
+
+/// Which baked looks make up one that was asked for, and in what parts: at most two neighbours on each of three axes.
+struct AspectWeights {
+  std::array<LookIndex, 8> look{};
+  std::array<float, 8> weight{};
+  std::size_t count = 0;
+};
+
+/// Multilinear weights, to be applied to linear power.
+///
+/// Azimuth is linear and periodic, frequency linear in its logarithm and held beyond the ends. Elevation ψ is linear in
+/// cot ψ, in which the lengths of shadows are linear; above the highest baked elevation the value is held; below the
+/// lowest one, ψ₁, it is scaled by sin ψ / sin ψ₁, since the power that reaches a unit of ground goes with sin ψ, down
+/// to nothing at the horizon and below. A baked look has the one weight 1.
+[[nodiscard]] AspectWeights weights_for(const AspectGrid& grid, const radar::Aspect& aspect, double frequency_hz);
+
+}  // namespace sigmascape::atlas

@@ -1,0 +1,127 @@
+#include "sigmascape/atlas/atlas.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <fmt/format.h>
+
+#include "sigmascape/base/error.h"
+
+namespace sigmascape::atlas {
+namespace {
+
+constexpr std::size_t channels = radar::Channels::count;
+using Sums = std::array<float, channels>;
+
+/// Weights of looks times the scale under which each was stored on one patch.
+std::array<float, 8> stored_weights(const AspectWeights& weights, const std::vector<float>& scales) {
+  std::array<float, 8> product{};
+  for (std::size_t i = 0; i < weights.count; ++i) product[i] = weights.weight[i] * scales[weights.look[i]];
+  return product;
+}
+
+void add_texel(const Half* looks_of_texel, const AspectWeights& weights, const std::array<float, 8>& stored, float part,
+               Sums& sums) {
+  for (std::size_t i = 0; i < weights.count; ++i) {
+    const Half* texel = looks_of_texel + weights.look[i] * channels;
+    const float weight = part * stored[i];
+    for (std::size_t channel = 0; channel < channels; ++channel) {
+      sums[channel] += weight * float_from_finite_half(texel[channel]);
+    }
+  }
+}
+
+}  // namespace
+
+std::size_t Atlas::memory_bytes() const {
+  std::size_t bytes = 0;
+  for (const Patch& patch : patch_table_) {
+    for (const std::vector<Half>& level : patch.levels) bytes += level.size() * sizeof(Half);
+  }
+  return bytes;
+}
+
+const Atlas::Patch* Atlas::patch_at(int column, int row) const {
+  if (column < 0 || column >= patch_columns_ || row < 0 || row >= patch_rows_) return nullptr;
+  return &patch_table_[static_cast<std::size_t>(row) * static_cast<std::size_t>(patch_columns_) +
+                       static_cast<std::size_t>(column)];
+}
+
+bool Atlas::covers(Vec2d point_m) const {
+  const double side_m = patches_.side_m();
+  const double columns = point_m.x / side_m - north_west_.x;
+  const double rows = (north_west_.y + 1) - point_m.y / side_m;
+  return columns >= 0.0 && columns <= patch_columns_ && rows >= 0.0 && rows <= patch_rows_;
+}
+
+void Atlas::check_frequency(double frequency_hz) const {
+  const double lowest = aspects_.frequencies_hz.front();
+  const double highest = aspects_.frequencies_hz.back();
+  if (frequency_hz >= lowest * 0.99 && frequency_hz <= highest * 1.01) return;
+  throw Error("frequency", fmt::format("{:g} GHz is not in this atlas", frequency_hz / 1e9),
+              lowest == highest ? fmt::format("it was baked at {:g} GHz: use that, or bake another", lowest / 1e9)
+                                : fmt::format("it was baked from {:g} to {:g} GHz: stay there, or bake another",
+                                              lowest / 1e9, highest / 1e9));
+}
+
+double Atlas::drawn_to_levels(double level) const {
+  // In this order NaN becomes the finest level.
+  return std::max(static_cast<double>(finest_level_), std::min(level, static_cast<double>(coarsest_level())));
+}
+
+double Atlas::level_for(double cell_side_m) const {
+  return drawn_to_levels(std::log2(cell_side_m / patches_.texel_m));
+}
+
+radar::Channels Atlas::at_level(Vec2d point_m, const AspectWeights& weights, std::size_t level) const {
+  const auto side = static_cast<int>(patches_.texels_per_side >> level);
+  const int log2_side = std::countr_zero(patches_.texels_per_side >> level);
+  const double texel_m = patches_.texel_m * static_cast<double>(std::size_t{1} << level);
+  const double side_m = patches_.side_m();
+  // Texels counted from the north-western corner of the atlas; 0 is the centre of the first.
+  const double across = (point_m.x - north_west_.x * side_m) / texel_m - 0.5;
+  const double down = ((north_west_.y + 1) * side_m - point_m.y) / texel_m - 0.5;
+  const auto column = static_cast<int>(std::floor(across));
+  const auto row = static_cast<int>(std::floor(down));
+  const auto u = static_cast<float>(across - column);
+  const auto v = static_cast<float>(down - row);
+
+  Sums sums{};
+  float total = 0.0F;
+  const Patch* scaled_for = nullptr;
+  std::array<float, 8> stored{};
+  for (int corner = 0; corner < 4; ++corner) {
+    const int right = corner & 1;
+    const int below = corner >> 1;
+    const float part = (right == 1 ? u : 1.0F - u) * (below == 1 ? v : 1.0F - v);
+    const int texel_column = column + right;
+    const int texel_row = row + below;
+    const Patch* patch = patch_at(texel_column >> log2_side, texel_row >> log2_side);
+    if (part == 0.0F || patch == nullptr) continue;
+    if (patch != scaled_for) {
+      stored = stored_weights(weights, patch->scales);
+      scaled_for = patch;
+    }
+    const auto row_in_patch = static_cast<std::size_t>(texel_row & (side - 1));
+    const auto column_in_patch = static_cast<std::size_t>(texel_column & (side - 1));
+    const std::size_t texel = (row_in_patch << log2_side) + column_in_patch;
+    const Half* looks = &patch->levels[level - finest_level_][texel * patch->scales.size() * channels];
+    add_texel(looks, weights, stored, part, sums);
+    total += part;
+  }
+  if (total == 0.0F) return {};
+  return radar::Channels{sums[0], sums[1], sums[2], sums[3]} * (1.0F / total);
+}
+
+radar::Channels Atlas::sigma0_at(Vec2d point_m, const AspectWeights& weights, double level) const {
+  if (weights.count == 0 || !covers(point_m)) return {};
+  const double within = drawn_to_levels(level);
+  const auto finer = static_cast<std::size_t>(within);
+  const auto part = static_cast<float>(within - static_cast<double>(finer));
+  const radar::Channels fine = at_level(point_m, weights, finer);
+  if (part == 0.0F) return fine;
+  return fine * (1.0F - part) + at_level(point_m, weights, finer + 1) * part;
+}
+
+}  // namespace sigmascape::atlas

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "sigmascape/atlas/aspect_grid.h"
+#include "sigmascape/atlas/half.h"
+#include "sigmascape/atlas/patch_grid.h"
+#include "sigmascape/atlas/store.h"
+#include "sigmascape/base/vec.h"
+#include "sigmascape/radar/channels.h"
+#include "sigmascape/radar/look.h"
+
+namespace sigmascape::atlas {
+
+/// Reflectivity textures in memory: σ0 (linear, per horizontal area) of any ground point from any look.
+///
+/// Level 0 is the baked resolution; each next has texels of twice the side, down to one texel a patch. Reading is
+/// const, never allocates and never throws: any number of threads may read at once.
+class Atlas {
+ public:
+  [[nodiscard]] const AspectGrid& aspects() const { return aspects_; }
+  [[nodiscard]] const PatchGrid& patches() const { return patches_; }
+  [[nodiscard]] std::size_t finest_level() const { return finest_level_; }
+  /// The last level, at which a patch is one texel.
+  [[nodiscard]] std::size_t coarsest_level() const { return finest_level_ + levels_ - 1; }
+  [[nodiscard]] std::size_t memory_bytes() const;
+
+  /// Whether a point lies on the atlas, its edges included. σ0 is zero where it does not.
+  [[nodiscard]] bool covers(Vec2d point_m) const;
+
+  /// Throws Error when the frequency lies outside the baked ones (by more than 1 %). For the door: readings do not
+  /// look.
+  void check_frequency(double frequency_hz) const;
+
+  /// The level whose texels are as large as `cell_side_m`, the smaller side of a resolution cell; fractions lie between
+  /// two levels.
+  [[nodiscard]] double level_for(double cell_side_m) const;
+
+  /// See atlas::weights_for. Do this once for all points that are seen under nearly the same aspect.
+  [[nodiscard]] AspectWeights weights_for(const radar::Aspect& aspect, double frequency_hz) const {
+    return atlas::weights_for(aspects_, aspect, frequency_hz);
+  }
+
+  /// σ0 at a point: bilinear between the centres of the four nearest texels, across the borders of patches, and linear
+  /// between two levels. `level` is drawn to the levels there are. Where a neighbouring patch is not there the other
+  /// texels stand in for its own.
+  [[nodiscard]] radar::Channels sigma0_at(Vec2d point_m, const AspectWeights& weights, double level) const;
+  [[nodiscard]] radar::Channels sigma0_at(Vec2d point_m, const radar::Aspect& aspect, double frequency_hz,
+                                          double level) const {
+    return sigma0_at(point_m, weights_for(aspect, frequency_hz), level);
+  }
+
+ private:
+  friend class AtlasLoader;
+
+  /// All looks of all channels of a texel stand together: [row][column][look][channel].
+  struct Patch {
+    std::vector<std::vector<Half>> levels;
+    std::vector<float> scales;  ///< a look: what its halves are multiplied by
+  };
+
+  Atlas() = default;
+  [[nodiscard]] const Patch* patch_at(int column, int row) const;
+  [[nodiscard]] double drawn_to_levels(double level) const;
+  [[nodiscard]] radar::Channels at_level(Vec2d point_m, const AspectWeights& weights, std::size_t level) const;
+
+  AspectGrid aspects_;
+  PatchGrid patches_;
+  std::size_t finest_level_ = 0;
+  std::size_t levels_ = 0;
+  PatchIndex north_west_;
+  int patch_columns_ = 0;
+  int patch_rows_ = 0;
+  std::vector<Patch> patch_table_;  ///< [row][column] from the north-west
+};
+
+struct LoadOptions {
+  /// Leave out the levels below: a quarter of the memory for each. A renderer that never reads finer cells than 4
+  /// texels needs 2.
+  std::size_t finest_level = 0;
+  unsigned threads = 0;  ///< 0: one a hardware thread
+};
+
+/// Reads a whole store into memory. Throws Error when a texture is not there (the bake is not finished) or is not as
+/// its item says.
+[[nodiscard]] Atlas load_atlas(const Store& store, const LoadOptions& options = {});
+
+}  // namespace sigmascape::atlas

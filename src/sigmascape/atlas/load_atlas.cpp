@@ -1,0 +1,106 @@
+#include <bit>
+#include <fmt/format.h>
+#include <iterator>
+#include <utility>
+
+#include "sigmascape/atlas/atlas.h"
+#include "sigmascape/atlas/half_texture.h"
+#include "sigmascape/base/error.h"
+#include "sigmascape/base/parallel.h"
+
+namespace sigmascape::atlas {
+namespace {
+
+constexpr std::size_t channels = radar::Channels::count;
+
+/// Goes on below the stored levels, from 256 texels a side down to one. Means are not brighter than the brightest, so
+/// the scale fits on.
+void add_levels_down_to_one(HalfTexture& texture) {
+  const HalfTexture last{texture.side >> (texture.levels.size() - 1), texture.scale, {texture.levels.back()}};
+  HalfTexture rest = encoded(mip_chain(decoded(last).front(), 1), texture.scale, 10);
+  texture.levels.insert(texture.levels.end(), std::make_move_iterator(rest.levels.begin() + 1),
+                        std::make_move_iterator(rest.levels.end()));
+}
+
+}  // namespace
+
+/// Fills an Atlas from a store, look by look.
+class AtlasLoader {
+ public:
+  AtlasLoader(const Store& store, const LoadOptions& options) : store_(store), options_(options) {
+    const AtlasDescription& description = store.description();
+    const auto patches = description.patches.covering(description.extent);
+    atlas_.aspects_ = description.aspects;
+    atlas_.patches_ = description.patches;
+    const auto all_levels = static_cast<std::size_t>(std::bit_width(description.patches.texels_per_side));
+    if (options.finest_level >= all_levels) {
+      throw Error("finest level", fmt::format("{} is not in this atlas", options.finest_level),
+                  fmt::format("give 0 to {}", all_levels - 1));
+    }
+    atlas_.finest_level_ = options.finest_level;
+    atlas_.levels_ = all_levels - options.finest_level;
+    atlas_.north_west_ = patches.front();
+    atlas_.patch_columns_ = patches.back().x - patches.front().x + 1;
+    atlas_.patch_rows_ = patches.front().y - patches.back().y + 1;
+  }
+
+  Atlas loaded() && {
+    check_whole();
+    make_room();
+    const std::vector<Unit> units = store_.units();
+    const std::size_t looks = atlas_.aspects_.look_count();
+    // Units come patch by patch in the order of the table.
+    parallel_for(units.size(), options_.threads, [&](std::size_t index, unsigned) {
+      HalfTexture texture = store_.read_halves(units[index].patch, units[index].look);
+      add_levels_down_to_one(texture);
+      place(texture, atlas_.patch_table_[index / looks], units[index].look);
+    });
+    return std::move(atlas_);
+  }
+
+ private:
+  /// Better one sentence at once than a failure after minutes of reading.
+  void check_whole() const {
+    const std::vector<StoreFault> faults = store_.verify(Scrutiny::Size);
+    if (faults.empty()) return;
+    throw Error((store_.folder() / faults.front().file).string(),
+                fmt::format("{}; {} of {} textures are not there or not whole", faults.front().what, faults.size(),
+                            store_.units().size()),
+                "finish the bake by starting it again with the same settings");
+  }
+
+  void make_room() {
+    const std::size_t looks = atlas_.aspects_.look_count();
+    atlas_.patch_table_.resize(static_cast<std::size_t>(atlas_.patch_columns_) *
+                               static_cast<std::size_t>(atlas_.patch_rows_));
+    for (Atlas::Patch& patch : atlas_.patch_table_) {
+      patch.scales.resize(looks);
+      for (std::size_t level = atlas_.finest_level_; level <= atlas_.coarsest_level(); ++level) {
+        const std::size_t side = atlas_.patches_.texels_per_side >> level;
+        patch.levels.emplace_back(side * side * looks * channels);
+      }
+    }
+  }
+
+  void place(const HalfTexture& texture, Atlas::Patch& patch, LookIndex look) const {
+    const std::size_t looks = patch.scales.size();
+    patch.scales[look] = static_cast<float>(texture.scale);
+    for (std::size_t level = 0; level < patch.levels.size(); ++level) {
+      const std::vector<Half>& source = texture.levels[level + atlas_.finest_level_];
+      std::vector<Half>& target = patch.levels[level];
+      for (std::size_t texel = 0; texel < source.size() / channels; ++texel) {
+        std::copy_n(&source[texel * channels], channels, &target[(texel * looks + look) * channels]);
+      }
+    }
+  }
+
+  const Store& store_;
+  LoadOptions options_;
+  Atlas atlas_;
+};
+
+Atlas load_atlas(const Store& store, const LoadOptions& options) {
+  return AtlasLoader(store, options).loaded();
+}
+
+}  // namespace sigmascape::atlas

@@ -1,0 +1,49 @@
+#include "sigmascape/atlas/patch_grid.h"
+
+#include <bit>
+#include <cmath>
+#include <fmt/format.h>
+#include <string>
+
+#include "sigmascape/base/error.h"
+
+namespace sigmascape::atlas {
+
+std::size_t PatchGrid::stored_levels() const {
+  return static_cast<std::size_t>(std::bit_width(texels_per_side / tile_side));
+}
+
+radar::GroundGrid PatchGrid::texels_of(PatchIndex patch) const {
+  return {patch.x * side_m(), (patch.y + 1) * side_m(), texel_m, texels_per_side, texels_per_side};
+}
+
+PatchIndex PatchGrid::patch_at(Vec2d point_m) const {
+  return {static_cast<int>(std::floor(point_m.x / side_m())), static_cast<int>(std::floor(point_m.y / side_m()))};
+}
+
+std::vector<PatchIndex> PatchGrid::covering(const radar::Rectangle& rectangle) const {
+  std::vector<PatchIndex> patches;
+  if (!(rectangle.width_m() > 0.0 && rectangle.height_m() > 0.0)) return patches;
+  const PatchIndex south_west = patch_at({rectangle.west_m, rectangle.south_m});
+  const int columns_end = static_cast<int>(std::ceil(rectangle.east_m / side_m()));
+  const int rows_end = static_cast<int>(std::ceil(rectangle.north_m / side_m()));
+  for (int y = rows_end - 1; y >= south_west.y; --y) {
+    for (int x = south_west.x; x < columns_end; ++x) patches.push_back({x, y});
+  }
+  return patches;
+}
+
+void check(const PatchGrid& grid, std::string_view where) {
+  if (!(grid.texel_m > 0.0 && grid.texel_m <= 1e6)) {
+    throw Error(fmt::format("{}, texel_m", where), fmt::format("{:g} is out of range", grid.texel_m),
+                "give the side of a texel in metres, above 0");
+  }
+  const bool fits =
+      std::has_single_bit(grid.texels_per_side) && grid.texels_per_side >= tile_side && grid.texels_per_side <= 16384;
+  if (!fits) {
+    throw Error(fmt::format("{}, texels_per_side", where), fmt::format("{} is not possible", grid.texels_per_side),
+                "give 256, 512, 1024 … up to 16384");
+  }
+}
+
+}  // namespace sigmascape::atlas

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "sigmascape/atlas/store.h"
+
+namespace sigmascape::atlas {
+
+/// The JSON side of the store: SpatioTemporal Asset Catalog (STAC 1.0.0) documents, which browsers of satellite images
+/// read, and in them, under "sigmascape:", what this library needs back. Equal input gives equal text; no clock goes
+/// in.
+
+/// What an item records of its file.
+struct TextureRecord {
+  std::uint64_t size_bytes = 0;
+  std::string sha256;
+  double scale = 1.0;
+};
+
+/// The collection.json of an atlas.
+[[nodiscard]] std::string collection_text(const AtlasDescription& description);
+
+/// What collection_text was made from. Throws Error, naming `file`, when it is not a collection of ours.
+[[nodiscard]] AtlasDescription description_from(const std::string& text, const std::filesystem::path& file);
+
+/// The first thing in which two descriptions differ, "texel_m is 1.0 there and 2.0 here", if any. The name may differ.
+[[nodiscard]] std::optional<std::string> difference(const AtlasDescription& there, const AtlasDescription& here);
+
+/// The item of one texture, to stand beside `texture_file`.
+[[nodiscard]] std::string item_text(const AtlasDescription& description, const Unit& unit,
+                                    const std::filesystem::path& texture_file, const TextureRecord& record,
+                                    const BakeFacts& facts);
+
+/// What an item records of its file; nothing when the text is not an item of ours.
+[[nodiscard]] std::optional<TextureRecord> record_from(const std::string& text);
+
+}  // namespace sigmascape::atlas

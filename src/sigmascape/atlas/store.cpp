@@ -1,0 +1,216 @@
+#include "sigmascape/atlas/store.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <set>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "sigmascape/atlas/half_cog.h"
+#include "sigmascape/atlas/half_texture.h"
+#include "sigmascape/atlas/stac.h"
+#include "sigmascape/atlas/texture_name.h"
+#include "sigmascape/base/error.h"
+#include "sigmascape/base/sha256.h"
+#include "sigmascape/geo/atomic_file.h"
+#include "sigmascape/geo/geotiff.h"
+
+namespace sigmascape::atlas {
+namespace {
+
+constexpr std::string_view collection_name = "collection.json";
+
+std::optional<std::string> text_of(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return std::nullopt;
+  return std::string{std::istreambuf_iterator<char>(file), {}};
+}
+
+std::filesystem::path item_path(std::filesystem::path texture_path) {
+  return texture_path.replace_extension(".json");
+}
+
+/// Two looks that the names of files cannot tell apart would overwrite each other.
+void check_names(const AspectGrid& aspects) {
+  std::set<std::string> names;
+  for (LookIndex look = 0; look < aspects.look_count(); ++look) {
+    const std::string name = look_name(aspects.look(look));
+    if (names.insert(name).second) continue;
+    throw Error("atlas, looks", fmt::format("two are called {}", name), "keep them 0.1 degrees and 1 MHz apart");
+  }
+}
+
+void check_extent(const AtlasDescription& description) {
+  constexpr double farthest_m = 1e6;
+  constexpr double most_patches = 1e6;
+  const radar::Rectangle& extent = description.extent;
+  for (const double edge_m : {extent.west_m, extent.south_m, extent.east_m, extent.north_m}) {
+    if (std::abs(edge_m) <= farthest_m) continue;
+    throw Error("atlas, extent", fmt::format("{:g} m is too far from the origin of the frame", edge_m),
+                fmt::format("stay within {:g} m, or move the frame", farthest_m));
+  }
+  if (!(extent.width_m() > 0.0 && extent.height_m() > 0.0)) {
+    throw Error("atlas, extent", "has no area", "give west < east and south < north, in metres");
+  }
+  const double side_m = description.patches.side_m();
+  const double patches = (extent.width_m() / side_m + 1.0) * (extent.height_m() / side_m + 1.0);
+  if (patches > most_patches) {
+    throw Error("atlas, extent", fmt::format("would need {:.0f} patches", patches),
+                "choose larger texels, larger patches or a smaller extent");
+  }
+}
+
+void check_description(const AtlasDescription& description) {
+  check(description.patches, "atlas");
+  check(description.aspects, "atlas");
+  check_names(description.aspects);
+  if (description.name.empty()) throw Error("atlas, name", "is empty", "give the atlas a name");
+  check_extent(description);
+  if (description.mantissa_bits < 1 || description.mantissa_bits > 10) {
+    throw Error("atlas, mantissa_bits", fmt::format("{} is out of range", description.mantissa_bits), "give 1 to 10");
+  }
+}
+
+void check_texels(const Array2D<radar::Channels>& texels, std::size_t side, const std::filesystem::path& file) {
+  if (texels.columns() != side || texels.rows() != side) {
+    throw Error(file.string(), fmt::format("{} x {} texels were given", texels.columns(), texels.rows()),
+                fmt::format("a patch of this atlas has {0} x {0}", side));
+  }
+  const auto is_finite = [](const radar::Channels& texel) {
+    return std::isfinite(texel.vv) && std::isfinite(texel.hh) && std::isfinite(texel.hv) &&
+           std::isfinite(texel.re_vvhh);
+  };
+  const auto fault = std::ranges::find_if_not(texels.values(), is_finite);
+  if (fault == texels.values().end()) return;
+  const auto index = static_cast<std::size_t>(fault - texels.values().begin());
+  throw Error(fmt::format("{}, column {}, row {}", file.string(), index % side, index / side), "is not a finite number",
+              "reflectivity must be finite; the bake that made it is at fault");
+}
+
+std::string cog_bytes(const HalfTexture& texture, const AtlasDescription& description, PatchIndex patch) {
+  const radar::GroundGrid grid = description.patches.texels_of(patch);
+  geo::HalfPyramid pyramid;
+  pyramid.placement = {grid.west_m, grid.north_m, grid.cell_m, description.frame.proj()};
+  pyramid.band_names = {"VV", "HH", "HV", "RE_VVHH"};
+  pyramid.scale = texture.scale;
+  pyramid.columns = pyramid.rows = texture.side;
+  pyramid.metadata = {{"SIGMASCAPE_SCENE_HASH", description.scene_hash}};
+  for (const std::vector<Half>& level : texture.levels) {
+    std::ranges::transform(level, std::back_inserter(pyramid.levels.emplace_back()), float_from_half);
+  }
+  return geo::half_cog_bytes(pyramid);
+}
+
+/// What is wrong with a texture, if anything.
+std::optional<StoreFault> fault_of(const std::filesystem::path& folder, const std::filesystem::path& texture,
+                                   Scrutiny scrutiny) {
+  const std::filesystem::path item = item_path(texture);
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(folder / texture, error);
+  const bool there = !error;
+  const std::optional<std::string> text = text_of(folder / item);
+  if (!text && !there) return StoreFault{texture, "is missing"};
+  if (!text) return StoreFault{item, "is missing, so its texture does not count"};
+  const std::optional<TextureRecord> record = record_from(*text);
+  if (!record) return StoreFault{item, "cannot be understood"};
+  if (!there) return StoreFault{texture, "is missing, though its item is there"};
+  if (size < record->size_bytes) {
+    return StoreFault{texture, fmt::format("is truncated: {} of {} bytes", size, record->size_bytes)};
+  }
+  if (size > record->size_bytes) {
+    return StoreFault{texture, fmt::format("was altered: {} bytes instead of {}", size, record->size_bytes)};
+  }
+  if (scrutiny == Scrutiny::Content && sha256_of_file(folder / texture) != record->sha256) {
+    return StoreFault{texture, "was altered: its SHA-256 is not the recorded one"};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Store Store::create(const std::filesystem::path& folder, const AtlasDescription& description) {
+  check_description(description);
+  const std::filesystem::path file = folder / collection_name;
+  if (!text_of(file)) geo::write_atomically(file, collection_text(description));
+  Store store = open(folder);
+  if (const auto differs = difference(store.description(), description)) {
+    throw Error(file.string(), fmt::format("holds another atlas: {}", *differs),
+                "choose another folder, or remove this one to bake anew");
+  }
+  return store;
+}
+
+Store Store::open(const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / collection_name;
+  const auto text = text_of(file);
+  if (!text) throw Error(file.string(), "is not there", "choose the folder of an atlas, or bake one first");
+  AtlasDescription description = description_from(*text, file);
+  check_description(description);
+  return {folder, std::move(description)};
+}
+
+std::vector<Unit> Store::units() const {
+  std::vector<Unit> all;
+  for (const PatchIndex& patch : description_.patches.covering(description_.extent)) {
+    for (LookIndex look = 0; look < description_.aspects.look_count(); ++look) all.push_back({patch, look});
+  }
+  return all;
+}
+
+std::filesystem::path Store::texture_path(PatchIndex patch, LookIndex look) const {
+  return std::filesystem::path(patch_name(patch)) / (look_name(description_.aspects.look(look)) + ".tif");
+}
+
+bool Store::is_done(PatchIndex patch, LookIndex look, Scrutiny scrutiny) const {
+  return !fault_of(folder_, texture_path(patch, look), scrutiny);
+}
+
+void Store::write(PatchIndex patch, LookIndex look, const Array2D<radar::Channels>& texels,
+                  const BakeFacts& facts) const {
+  const std::filesystem::path texture = texture_path(patch, look);
+  check_texels(texels, description_.patches.texels_per_side, folder_ / texture);
+  const HalfTexture halves = encoded(mip_chain(texels, tile_side), fitting_scale(texels), description_.mantissa_bits);
+  const std::string bytes = cog_bytes(halves, description_, patch);
+  Sha256 sha;
+  sha.add(bytes);
+  const TextureRecord record{bytes.size(), sha.hex_digest(), halves.scale};
+
+  // An item of an earlier texture must not vouch for the new one, not even for the moment between two renames.
+  std::error_code ignored;
+  std::filesystem::remove(folder_ / item_path(texture), ignored);
+  geo::write_atomically(folder_ / texture, bytes);
+  geo::write_atomically(folder_ / item_path(texture), item_text(description_, {patch, look}, texture, record, facts));
+}
+
+MipChain Store::read(PatchIndex patch, LookIndex look) const {
+  const HalfTexture halves = read_halves(patch, look);
+  return decoded(halves);
+}
+
+HalfTexture Store::read_halves(PatchIndex patch, LookIndex look) const {
+  const std::filesystem::path texture = texture_path(patch, look);
+  if (const auto fault = fault_of(folder_, texture, Scrutiny::Size)) {
+    throw Error((folder_ / fault->file).string(), fault->what, "bake this texture, resuming does so");
+  }
+  const auto text = text_of(folder_ / item_path(texture));
+  const auto record = text ? record_from(*text) : std::nullopt;
+  if (!record) throw Error((folder_ / item_path(texture)).string(), "vanished while it was read", "try again");
+  const std::size_t side = description_.patches.texels_per_side;
+  return {side, record->scale, read_half_cog(folder_ / texture, side, description_.patches.stored_levels())};
+}
+
+std::vector<StoreFault> Store::verify(Scrutiny scrutiny) const {
+  std::vector<StoreFault> faults;
+  for (const Unit& unit : units()) {
+    if (auto fault = fault_of(folder_, texture_path(unit.patch, unit.look), scrutiny))
+      faults.push_back(std::move(*fault));
+  }
+  return faults;
+}
+
+}  // namespace sigmascape::atlas

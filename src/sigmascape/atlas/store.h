@@ -1,0 +1,111 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sigmascape/atlas/aspect_grid.h"
+#include "sigmascape/atlas/half_texture.h"
+#include "sigmascape/atlas/mip_chain.h"
+#include "sigmascape/atlas/patch_grid.h"
+#include "sigmascape/base/array2d.h"
+#include "sigmascape/geo/local_frame.h"
+#include "sigmascape/radar/channels.h"
+#include "sigmascape/radar/ground_grid.h"
+
+namespace sigmascape::atlas {
+
+/// What an atlas is of: everything that all of its files have in common. Bakes with equal descriptions give equal
+/// files, so they may be spread over processes and machines, and broken off and resumed.
+struct AtlasDescription {
+  std::string name;
+  geo::LocalFrame frame;
+  radar::Rectangle extent;  ///< what the patches must cover
+  PatchGrid patches;
+  AspectGrid aspects;
+  std::string scene_hash;
+  /// Whatever else decides the texels (seed, samples, bounces, SIMD setting…), by name, in words that a person
+  /// understands.
+  std::map<std::string, std::string> settings;
+  /// Mantissa bits that are kept, 1 to 10: fewer where the bake is noisier than they are fine. 10 keeps all that a half
+  /// holds.
+  int mantissa_bits = 10;
+  std::string attribution;  ///< of the data that the scene was made from
+};
+
+/// How one (patch, look) came about: goes into its item, so that a reading can be traced back.
+struct BakeFacts {
+  std::uint64_t seed = 0;
+  std::uint64_t samples_per_texel = 0;
+  double relative_standard_error = 0.0;  ///< of the total power of a level-0 texel, root mean square over the patch
+  std::string simd;                      ///< the instruction set that the numbers were made with
+  std::map<std::string, std::uint64_t> counts;  ///< what was skipped or lost on the way, by name
+};
+
+/// One file of the store.
+struct Unit {
+  PatchIndex patch;
+  LookIndex look = 0;
+
+  friend constexpr bool operator==(const Unit&, const Unit&) = default;
+};
+
+/// How closely a file is looked at: Size compares its length with the recorded one, Content its SHA-256 too.
+enum class Scrutiny { Size, Content };
+
+/// One thing that is wrong with a store.
+struct StoreFault {
+  std::filesystem::path file;  ///< relative to the store
+  std::string what;            ///< "is missing", "is truncated", "was altered", …
+};
+
+/// Reflectivity textures at rest: a folder with a STAC collection, and for each (patch, look) a half-float
+/// cloud-optimised GeoTIFF with its STAC item beside it. docs/store.md describes the format.
+///
+/// A texture counts as there only when its item is there and its file is as the item says; all files appear whole or
+/// not at all. Any number of processes may read and write one store at once.
+class Store {
+ public:
+  /// Makes a new store, or opens the one in `folder` when its description is the same: so a bake resumes. Throws Error
+  /// when the description makes no sense, or the store there has another one, naming what differs.
+  [[nodiscard]] static Store create(const std::filesystem::path& folder, const AtlasDescription& description);
+
+  /// Opens a store that exists. Throws Error when there is none or its collection.json cannot be understood.
+  [[nodiscard]] static Store open(const std::filesystem::path& folder);
+
+  [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+  [[nodiscard]] const AtlasDescription& description() const { return description_; }
+  /// Every (patch, look) that a whole atlas has, patch by patch.
+  [[nodiscard]] std::vector<Unit> units() const;
+
+  [[nodiscard]] bool is_done(PatchIndex patch, LookIndex look, Scrutiny scrutiny = Scrutiny::Size) const;
+
+  /// Writes σ0 of one patch seen from one look, with all levels. `texels` is level 0, north up, as PatchGrid::texels_of
+  /// says. Throws Error when it has another size, holds a number that is not finite, or cannot be written.
+  void write(PatchIndex patch, LookIndex look, const Array2D<radar::Channels>& texels, const BakeFacts& facts) const;
+
+  /// All stored levels of σ0. Throws Error when the texture is not there or its file is not as its item says.
+  [[nodiscard]] MipChain read(PatchIndex patch, LookIndex look) const;
+
+  /// The same as it is stored, for readers that keep halves in memory.
+  [[nodiscard]] HalfTexture read_halves(PatchIndex patch, LookIndex look) const;
+
+  /// Everything that keeps the store from being whole, by file; empty when all is well.
+  [[nodiscard]] std::vector<StoreFault> verify(Scrutiny scrutiny = Scrutiny::Content) const;
+
+  /// Path of the texture relative to the store, "patch_+000_-001/az045.0_el13.0_f10.000GHz.tif"; its item has the
+  /// ending .json.
+  [[nodiscard]] std::filesystem::path texture_path(PatchIndex patch, LookIndex look) const;
+
+ private:
+  Store(std::filesystem::path folder, AtlasDescription description)
+      : folder_(std::move(folder)), description_(std::move(description)) {}
+
+  std::filesystem::path folder_;
+  AtlasDescription description_;
+};
+
+}  // namespace sigmascape::atlas

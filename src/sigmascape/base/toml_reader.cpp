@@ -1,0 +1,302 @@
+#include "sigmascape/base/toml_reader.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <numeric>
+#include <set>
+#include <sstream>
+#include <toml++/toml.h>
+
+namespace sigmascape {
+namespace {
+
+/// Levenshtein's distance: insertions, deletions and replacements that lead from one word to the other.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), 0U);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0]++;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0U : 1U);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+std::string as_written(const toml::node& node) {
+  std::ostringstream text;
+  node.visit([&text](const auto& value) { text << value; });
+  return text.str();
+}
+
+std::string range_text(Interval allowed) {
+  const std::string unit = allowed.unit.empty() ? "" : fmt::format(" {}", allowed.unit);
+  return fmt::format("give a number from {:g} to {:g}{}", allowed.lowest, allowed.highest, unit);
+}
+
+}  // namespace
+
+struct TomlSection::Table {
+  std::shared_ptr<const toml::table> root;  ///< keeps the whole file alive
+  const toml::table* table = nullptr;
+  std::filesystem::path file;
+  std::string place;  ///< "terrain", "buildings[2]", empty for the root
+  std::set<std::string, std::less<>> known;
+};
+
+namespace {
+
+const toml::node* find(const toml::table& table, std::string_view key) {
+  return table.get(key);
+}
+
+}  // namespace
+
+TomlSection TomlSection::read_file(const std::filesystem::path& file) {
+  if (!std::filesystem::is_regular_file(file))
+    throw Error(file.string(), "the file does not exist", "give the path of a TOML file");
+  try {
+    auto table = std::make_shared<Table>();
+    table->root = std::make_shared<const toml::table>(toml::parse_file(file.string()));
+    table->table = table->root.get();
+    table->file = file;
+    return TomlSection(table);
+  } catch (const toml::parse_error& error) {
+    throw Error(fmt::format("{}:{}", file.string(), error.source().begin.line),
+                fmt::format("is not TOML ({})", error.description()), "correct that line");
+  }
+}
+
+std::string TomlSection::where() const {
+  return table_->place.empty() ? table_->file.string() : fmt::format("{}: {}", table_->file.string(), table_->place);
+}
+
+std::string TomlSection::where(std::string_view key) const {
+  return fmt::format("{}: {}{}{}", table_->file.string(), table_->place, table_->place.empty() ? "" : ".", key);
+}
+
+Error TomlSection::fault(std::string_view key, const std::string& what, const std::string& remedy) const {
+  return Error(where(key), what, remedy);
+}
+
+bool TomlSection::has(std::string_view key) const {
+  table_->known.emplace(key);
+  return find(*table_->table, key) != nullptr;
+}
+
+bool TomlSection::is_table(std::string_view key) const {
+  return has(key) && find(*table_->table, key)->is_table();
+}
+
+std::vector<std::string> TomlSection::keys() const {
+  std::vector<std::string> names;
+  for (const auto& [key, value] : *table_->table) names.emplace_back(key.str());
+  return names;
+}
+
+std::optional<std::string> TomlSection::optional_text(std::string_view key) const {
+  if (!has(key)) return std::nullopt;
+  const toml::node& node = *find(*table_->table, key);
+  if (!node.is_string()) throw fault(key, fmt::format("is {}", as_written(node)), "give text in quotes");
+  return node.value<std::string>();
+}
+
+std::string TomlSection::text(std::string_view key) const {
+  if (auto value = optional_text(key)) return *value;
+  for (const std::string& other : keys()) {
+    if (!table_->known.contains(other) && nearest_word(other, {std::string(key)})) {
+      throw fault(other, "is not a known key", fmt::format("did you mean {}?", key));
+    }
+  }
+  throw fault(key, "is missing", "add it");
+}
+
+std::string TomlSection::text_or(std::string_view key, std::string fallback) const {
+  return optional_text(key).value_or(std::move(fallback));
+}
+
+std::string TomlSection::choice_or(std::string_view key, const std::vector<std::string>& choices,
+                                   std::string fallback) const {
+  std::string word = text_or(key, std::move(fallback));
+  if (std::ranges::find(choices, word) == choices.end()) {
+    throw fault(key, fmt::format("is \"{}\"", word), fmt::format("choose among {}", fmt::join(choices, ", ")));
+  }
+  return word;
+}
+
+std::optional<double> TomlSection::optional_number(std::string_view key, Interval allowed) const {
+  if (!has(key)) return std::nullopt;
+  const toml::node& node = *find(*table_->table, key);
+  if (!node.is_number()) throw fault(key, fmt::format("is {}", as_written(node)), range_text(allowed));
+  const double value = *node.value<double>();
+  if (!(value >= allowed.lowest && value <= allowed.highest))
+    throw fault(key, fmt::format("is {:g}", value), range_text(allowed));
+  return value;
+}
+
+double TomlSection::number(std::string_view key, Interval allowed) const {
+  if (const auto value = optional_number(key, allowed)) return *value;
+  throw fault(key, "is missing", range_text(allowed));
+}
+
+double TomlSection::number_or(std::string_view key, Interval allowed, double fallback) const {
+  return optional_number(key, allowed).value_or(fallback);
+}
+
+std::int64_t TomlSection::whole_number_or(std::string_view key, Interval allowed, std::int64_t fallback) const {
+  const auto value = optional_number(key, allowed);
+  if (!value) return fallback;
+  if (!find(*table_->table, key)->is_integer()) throw fault(key, fmt::format("is {:g}", *value), "give a whole number");
+  return *find(*table_->table, key)->value<std::int64_t>();
+}
+
+bool TomlSection::flag_or(std::string_view key, bool fallback) const {
+  if (!has(key)) return fallback;
+  const toml::node& node = *find(*table_->table, key);
+  if (!node.is_boolean()) throw fault(key, fmt::format("is {}", as_written(node)), "give true or false");
+  return *node.value<bool>();
+}
+
+std::vector<std::string> TomlSection::texts(std::string_view key) const {
+  if (!has(key)) return {};
+  const toml::node& node = *find(*table_->table, key);
+  std::vector<std::string> words;
+  const toml::array* array = node.as_array();
+  if (array == nullptr || !std::ranges::all_of(*array, [](const toml::node& n) { return n.is_string(); })) {
+    throw fault(key, fmt::format("is {}", as_written(node)), "give a list of texts in quotes");
+  }
+  for (const toml::node& element : *array) words.push_back(*element.value<std::string>());
+  return words;
+}
+
+std::vector<double> TomlSection::numbers(std::string_view key, Interval allowed) const {
+  if (!has(key)) return {};
+  const toml::node& node = *find(*table_->table, key);
+  std::vector<double> values;
+  const toml::array* array = node.as_array();
+  if (array == nullptr) throw fault(key, fmt::format("is {}", as_written(node)), "give a list of numbers");
+  for (const toml::node& element : *array) {
+    const double value = element.is_number() ? *element.value<double>() : allowed.lowest - 1.0;
+    if (!(value >= allowed.lowest && value <= allowed.highest)) {
+      throw fault(key, fmt::format("holds {}", as_written(element)), range_text(allowed));
+    }
+    values.push_back(value);
+  }
+  return values;
+}
+
+std::vector<std::array<double, 2>> TomlSection::pairs(std::string_view key) const {
+  if (!has(key)) return {};
+  const toml::node& node = *find(*table_->table, key);
+  const auto is_pair = [](const toml::node& n) {
+    return n.is_array() && n.as_array()->size() == 2 && n.as_array()->get(0)->is_number() &&
+           n.as_array()->get(1)->is_number();
+  };
+  std::vector<std::array<double, 2>> values;
+  const toml::array* array = node.as_array();
+  if (array == nullptr || !std::ranges::all_of(*array, is_pair)) {
+    throw fault(key, fmt::format("is {}", as_written(node)),
+                "give a list of pairs of numbers such as [[10, 20], [30, 40]]");
+  }
+  for (const toml::node& pair : *array) {
+    values.push_back({*pair.as_array()->get(0)->value<double>(), *pair.as_array()->get(1)->value<double>()});
+  }
+  return values;
+}
+
+std::optional<std::filesystem::path> TomlSection::optional_file(std::string_view key) const {
+  const auto written = optional_text(key);
+  if (!written) return std::nullopt;
+  auto path = expanded_path(*written, table_->file.parent_path(), where(key));
+  if (!std::filesystem::is_regular_file(path) && !std::filesystem::is_directory(path)) {
+    throw fault(key, fmt::format("the file {} does not exist", path.string()),
+                "correct the path, which is relative to the TOML file");
+  }
+  return path;
+}
+
+std::filesystem::path TomlSection::file(std::string_view key) const {
+  static_cast<void>(text(key));
+  return *optional_file(key);
+}
+
+std::optional<TomlSection> TomlSection::section(std::string_view key) const {
+  if (!has(key)) return std::nullopt;
+  const toml::node& node = *find(*table_->table, key);
+  if (!node.is_table())
+    throw fault(key, fmt::format("is {}", as_written(node)), fmt::format("write it as a table, [{}]", key));
+  auto inner = std::make_shared<Table>(*table_);
+  inner->table = node.as_table();
+  inner->place = fmt::format("{}{}{}", table_->place, table_->place.empty() ? "" : ".", key);
+  inner->known.clear();
+  return TomlSection(inner);
+}
+
+std::vector<TomlSection> TomlSection::sections(std::string_view key) const {
+  if (!has(key)) return {};
+  const toml::node& node = *find(*table_->table, key);
+  const toml::array* array = node.as_array();
+  if (array == nullptr || !std::ranges::all_of(*array, [](const toml::node& n) { return n.is_table(); })) {
+    throw fault(key, "is not a list of tables", fmt::format("begin each with [[{}]]", key));
+  }
+  std::vector<TomlSection> tables;
+  for (const toml::node& element : *array) {
+    auto inner = std::make_shared<Table>(*table_);
+    inner->table = element.as_table();
+    inner->place = fmt::format("{}[{}]", key, tables.size() + 1);
+    inner->known.clear();
+    tables.push_back(TomlSection(inner));
+  }
+  return tables;
+}
+
+void TomlSection::refuse_unknown_keys() const {
+  const std::vector<std::string> known(table_->known.begin(), table_->known.end());
+  for (const std::string& key : keys()) {
+    if (table_->known.contains(key)) continue;
+    const auto nearest = nearest_word(key, known);
+    throw fault(
+        key, "is not a known key",
+        nearest ? fmt::format("did you mean {}?", *nearest) : fmt::format("use one of {}", fmt::join(known, ", ")));
+  }
+}
+
+std::filesystem::path expanded_path(std::string_view text, const std::filesystem::path& folder,
+                                    const std::string& where) {
+  std::string expanded;
+  while (!text.empty()) {
+    const auto start = text.find("${");
+    const auto end = start == std::string_view::npos ? start : text.find('}', start);
+    expanded += text.substr(0, std::min(start, text.size()));
+    if (start == std::string_view::npos) break;
+    if (end == std::string_view::npos) throw Error(where, "opens ${ and does not close it", "write ${NAME}");
+    const std::string_view inside = text.substr(start + 2, end - start - 2);
+    const auto separator = inside.find(":-");
+    const std::string name(inside.substr(0, separator));
+    if (const char* value = std::getenv(name.c_str()); value != nullptr && *value != '\0') {
+      expanded += value;
+    } else if (separator != std::string_view::npos) {
+      expanded += inside.substr(separator + 2);
+    } else {
+      throw Error(where, fmt::format("the environment variable {} is not set", name),
+                  "set it to the folder that holds the data");
+    }
+    text.remove_prefix(end + 1);
+  }
+  const std::filesystem::path path(expanded);
+  return (path.is_absolute() ? path : folder / path).lexically_normal();
+}
+
+std::optional<std::string> nearest_word(std::string_view word, const std::vector<std::string>& known) {
+  const auto distance = [word](const std::string& other) { return edit_distance(word, other); };
+  const auto nearest = std::ranges::min_element(known, {}, distance);
+  if (nearest == known.end()) return std::nullopt;
+  if (3 * distance(*nearest) > std::max(word.size(), nearest->size())) return std::nullopt;
+  return *nearest;
+}
+
+}  // namespace sigmascape

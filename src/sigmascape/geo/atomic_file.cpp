@@ -1,0 +1,122 @@
+#include "sigmascape/geo/atomic_file.h"
+
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <string>
+#include <system_error>
+#include <unistd.h>
+
+#include "sigmascape/base/error.h"
+
+namespace sigmascape::geo {
+namespace {
+
+[[noreturn]] void fail(const std::filesystem::path& path, int error) {
+  const bool full = error == ENOSPC || error == EDQUOT || error == EFBIG;
+  throw Error(path.string(), fmt::format("cannot be written ({})", std::strerror(error)),
+              full ? "free some space or choose another disk" : "choose a folder that exists and may be written to");
+}
+
+/// Closes a file descriptor when leaving, whatever happens.
+class OpenFile {
+ public:
+  explicit OpenFile(int descriptor) : descriptor_(descriptor) {}
+  ~OpenFile() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+
+  [[nodiscard]] bool is_open() const { return descriptor_ >= 0; }
+  [[nodiscard]] bool flush_to_disk() const { return ::fsync(descriptor_) == 0; }
+  [[nodiscard]] bool write_all(std::string_view content) const {
+    while (!content.empty()) {
+      const ssize_t written = ::write(descriptor_, content.data(), content.size());
+      if (written < 0 && errno == EINTR) continue;
+      if (written < 0) return false;
+      content.remove_prefix(static_cast<std::size_t>(written));
+    }
+    return true;
+  }
+
+ private:
+  int descriptor_;
+};
+
+/// An empty file of a name that nobody else has, removed again unless it was renamed.
+class TemporaryFile {
+ public:
+  explicit TemporaryFile(const std::filesystem::path& final_path) {
+    static std::atomic<unsigned> serial{0};
+    do {
+      path_ = final_path.parent_path() /
+              fmt::format(".{}.{}-{}.tmp", final_path.filename().string(), ::getpid(), serial.fetch_add(1));
+      const int descriptor = ::open(path_.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
+      const int error = errno;
+      if (descriptor >= 0) {
+        ::close(descriptor);
+        return;
+      }
+      if (error != EEXIST) fail(final_path, error);
+    } while (true);
+  }
+  ~TemporaryFile() {
+    std::error_code ignored;
+    if (!path_.empty()) std::filesystem::remove(path_, ignored);
+  }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+  void rename_to(const std::filesystem::path& final_path) {
+    if (::rename(path_.c_str(), final_path.c_str()) != 0) fail(final_path, errno);
+    path_.clear();
+  }
+
+ private:
+  std::filesystem::path path_;
+};
+
+void flush_file(const std::filesystem::path& temporary, const std::filesystem::path& final_path) {
+  const OpenFile file(::open(temporary.c_str(), O_RDWR | O_CLOEXEC));
+  if (!file.is_open() || !file.flush_to_disk()) fail(final_path, errno);
+}
+
+/// A rename lives in the folder, so the folder must reach the disk too. Some network file systems cannot flush a
+/// folder; the file is whole all the same.
+void flush_folder(const std::filesystem::path& folder) {
+  const OpenFile opened(::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (opened.is_open()) static_cast<void>(opened.flush_to_disk());
+}
+
+void make_folder(const std::filesystem::path& path) {
+  if (path.parent_path().empty()) return;
+  std::error_code error;
+  std::filesystem::create_directories(path.parent_path(), error);
+  if (error) fail(path, error.value());
+}
+
+}  // namespace
+
+void write_atomically(const std::filesystem::path& path,
+                      const std::function<void(const std::filesystem::path& temporary)>& writer) {
+  make_folder(path);
+  TemporaryFile temporary(path);
+  writer(temporary.path());
+  flush_file(temporary.path(), path);
+  temporary.rename_to(path);
+  flush_folder(path.parent_path());
+}
+
+void write_atomically(const std::filesystem::path& path, std::string_view content) {
+  write_atomically(path, [&](const std::filesystem::path& temporary) {
+    const OpenFile file(::open(temporary.c_str(), O_WRONLY | O_CLOEXEC));
+    if (!file.is_open() || !file.write_all(content)) fail(path, errno);
+  });
+}
+
+}  // namespace sigmascape::geo

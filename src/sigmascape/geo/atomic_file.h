@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string_view>
+
+namespace sigmascape::geo {
+
+/// Puts a file under its final name only when it is whole.
+///
+/// Creates the parent folders, reserves an empty file under a name of its own in the same folder, lets `writer` fill
+/// it, flushes it to the disk, renames it over `path` and flushes the folder. When anything fails, a full disk
+/// included, the temporary file is removed, whatever stood under `path` before is untouched, and the failure is thrown:
+/// the writer's own exception, or Error. Any number of threads and processes may write the same path at once; the last
+/// rename wins.
+void write_atomically(const std::filesystem::path& path,
+                      const std::function<void(const std::filesystem::path& temporary)>& writer);
+
+/// The same for content that is at hand: text, or the bytes of a file made in memory.
+void write_atomically(const std::filesystem::path& path, std::string_view content);
+
+}  // namespace sigmascape::geo

@@ -1,0 +1,85 @@
+#include "sigmascape/geo/coordinate_transform.h"
+
+#include <cpl_error.h>
+#include <fmt/format.h>
+#include <limits>
+#include <ogr_spatialref.h>
+#include <vector>
+
+#include "sigmascape/base/error.h"
+
+namespace sigmascape::geo {
+namespace {
+
+OGRSpatialReference horizontal_reference(const std::string& crs, const std::string& where) {
+  OGRSpatialReference reference;
+  CPLPushErrorHandler(CPLQuietErrorHandler);
+  const bool known = reference.SetFromUserInput(crs.c_str()) == OGRERR_NONE;
+  CPLPopErrorHandler();
+  if (!known) {
+    throw Error(where, fmt::format("the coordinate reference system '{}' is not known", crs.substr(0, 60)),
+                "give an authority code such as EPSG:25830, a PROJ string or WKT");
+  }
+  if (reference.IsCompound()) reference.StripVertical();
+  reference.DemoteTo2D(nullptr);
+  reference.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  return reference;
+}
+
+void transform(OGRCoordinateTransformation& way, std::span<Vec2d> positions) {
+  std::vector<double> x, y;
+  x.reserve(positions.size());
+  y.reserve(positions.size());
+  for (const Vec2d& position : positions) {
+    x.push_back(position.x);
+    y.push_back(position.y);
+  }
+  std::vector<int> found(positions.size(), FALSE);
+  CPLPushErrorHandler(CPLQuietErrorHandler);
+  way.Transform(static_cast<int>(positions.size()), x.data(), y.data(), nullptr, found.data());
+  CPLPopErrorHandler();
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = found[i] != 0 ? Vec2d{x[i], y[i]} : Vec2d{nan, nan};
+}
+
+}  // namespace
+
+struct CoordinateTransform::Ways {
+  std::unique_ptr<OGRCoordinateTransformation> to_frame, to_crs;
+};
+
+CoordinateTransform::CoordinateTransform(const std::string& crs, const LocalFrame& frame, const std::string& where)
+    : ways_(std::make_unique<Ways>()) {
+  const OGRSpatialReference outside = horizontal_reference(crs, where);
+  const OGRSpatialReference inside = horizontal_reference(frame.proj(), where);
+  ways_->to_frame.reset(OGRCreateCoordinateTransformation(&outside, &inside));
+  ways_->to_crs.reset(OGRCreateCoordinateTransformation(&inside, &outside));
+  if (!ways_->to_frame || !ways_->to_crs) {
+    throw Error(where, fmt::format("no transformation is known from '{}' to the scene's frame", crs.substr(0, 60)),
+                "bring the data into a common reference such as WGS 84 (EPSG:4326) first");
+  }
+}
+
+CoordinateTransform::~CoordinateTransform() = default;
+CoordinateTransform::CoordinateTransform(CoordinateTransform&&) noexcept = default;
+CoordinateTransform& CoordinateTransform::operator=(CoordinateTransform&&) noexcept = default;
+
+void CoordinateTransform::to_frame(std::span<Vec2d> positions) const {
+  transform(*ways_->to_frame, positions);
+}
+void CoordinateTransform::to_crs(std::span<Vec2d> positions) const {
+  transform(*ways_->to_crs, positions);
+}
+
+Vec2d position_in_frame(const LocalFrame& frame, GeographicPosition place) {
+  Vec2d position{place.longitude_deg, place.latitude_deg};
+  CoordinateTransform("EPSG:4326", frame, "position").to_frame({&position, 1});
+  return position;
+}
+
+GeographicPosition place_on_globe(const LocalFrame& frame, Vec2d position) {
+  CoordinateTransform("EPSG:4326", frame, "position").to_crs({&position, 1});
+  return {position.y, position.x};
+}
+
+}  // namespace sigmascape::geo

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+
+#include "sigmascape/base/vec.h"
+#include "sigmascape/geo/local_frame.h"
+
+namespace sigmascape::geo {
+
+/// A place on the globe, WGS 84.
+struct GeographicPosition {
+  double latitude_deg = 0.0;
+  double longitude_deg = 0.0;
+};
+
+/// Carries positions between a coordinate reference system (CRS) and a local frame.
+///
+/// In the CRS, x is always the easting or longitude and y the northing or latitude, whatever order its authority states
+/// (the traditional order of GIS files). Only the horizontal part of a CRS is used: heights are never touched.
+class CoordinateTransform {
+ public:
+  /// `crs` is an authority code ("EPSG:25830"), a PROJ string or WKT. Throws Error at `where` when it is not
+  /// understood.
+  CoordinateTransform(const std::string& crs, const LocalFrame& frame, const std::string& where);
+  ~CoordinateTransform();
+  CoordinateTransform(CoordinateTransform&&) noexcept;
+  CoordinateTransform& operator=(CoordinateTransform&&) noexcept;
+
+  /// Replaces positions in the CRS by positions in the frame; those that have none become NaN.
+  void to_frame(std::span<Vec2d> positions) const;
+  /// Replaces positions in the frame by positions in the CRS; those that have none become NaN.
+  void to_crs(std::span<Vec2d> positions) const;
+
+ private:
+  struct Ways;
+  std::unique_ptr<Ways> ways_;
+};
+
+/// Where a place on the globe lies in a frame.
+[[nodiscard]] Vec2d position_in_frame(const LocalFrame& frame, GeographicPosition place);
+/// Where a point of a frame lies on the globe.
+[[nodiscard]] GeographicPosition place_on_globe(const LocalFrame& frame, Vec2d position);
+
+}  // namespace sigmascape::geo

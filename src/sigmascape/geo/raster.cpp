@@ -1,0 +1,318 @@
+#include "sigmascape/geo/raster.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cpl_error.h>
+#include <fmt/format.h>
+#include <gdal_priv.h>
+#include <ogr_spatialref.h>
+#include <vector>
+
+#include "sigmascape/base/error.h"
+
+namespace sigmascape::geo {
+namespace {
+
+constexpr float nan_height = std::numeric_limits<float>::quiet_NaN();
+
+GDALDatasetUniquePtr open_raster(const std::filesystem::path& file) {
+  if (!std::filesystem::exists(file))
+    throw Error(file.string(), "the file does not exist", "correct the path of the raster");
+  GDALAllRegister();
+  CPLPushErrorHandler(CPLQuietErrorHandler);
+  GDALDatasetUniquePtr dataset(GDALDataset::Open(file.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY));
+  CPLPopErrorHandler();
+  if (!dataset) {
+    throw Error(file.string(), "is not a raster that GDAL can read",
+                "give a GeoTIFF, DTED, HGT or another GDAL raster");
+  }
+  return dataset;
+}
+
+double metres_per_unit(const std::string& unit) {
+  if (unit == "ft" || unit == "foot" || unit == "feet") return 0.3048;
+  if (unit == "us-ft" || unit == "ftUS" || unit == "US survey foot") return 1200.0 / 3937.0;
+  return 1.0;
+}
+
+}  // namespace
+
+struct Raster::Source {
+  std::string name;
+  GDALDatasetUniquePtr dataset;
+  GDALRasterBand* band = nullptr;
+  std::string crs;
+  std::array<double, 6> crs_from_pixel{};
+  std::array<double, 6> pixel_from_crs{};
+
+  [[nodiscard]] int columns() const { return dataset->GetRasterXSize(); }
+  [[nodiscard]] int rows() const { return dataset->GetRasterYSize(); }
+  [[nodiscard]] Vec2d crs_position(double column, double row) const {
+    const auto& g = crs_from_pixel;
+    return {g[0] + column * g[1] + row * g[2], g[3] + column * g[4] + row * g[5]};
+  }
+  [[nodiscard]] Vec2d pixel_position(Vec2d p) const {
+    const auto& g = pixel_from_crs;
+    return {g[0] + p.x * g[1] + p.y * g[2], g[3] + p.x * g[4] + p.y * g[5]};
+  }
+};
+
+namespace {
+
+/// Positions in source pixels at the points of a lattice: exact on a net of at most 100 m mesh and linear between,
+/// where no projection bends by more than a millimetre.
+class PixelNet {
+ public:
+  template <typename PixelPosition>
+  PixelNet(const Lattice& lattice, const CoordinateTransform& transform, const PixelPosition& pixel_position)
+      : stride_(std::clamp<std::size_t>(static_cast<std::size_t>(100.0 / lattice.spacing_m), 1, 64)),
+        knots_(lattice.columns / stride_ + 2, lattice.rows / stride_ + 2) {
+    const double step_m = lattice.spacing_m * static_cast<double>(stride_);
+    for (std::size_t row = 0; row < knots_.rows(); ++row) {
+      for (std::size_t column = 0; column < knots_.columns(); ++column) {
+        knots_(column, row) = {lattice.west_m + static_cast<double>(column) * step_m,
+                               lattice.north_m - static_cast<double>(row) * step_m};
+      }
+    }
+    transform.to_crs(knots_.values());
+    for (Vec2d& knot : knots_.values()) knot = pixel_position(knot);
+  }
+
+  /// At a place between the lattice points, which may lie half a spacing outside them.
+  [[nodiscard]] Vec2d at(double column, double row) const {
+    const double across = column / static_cast<double>(stride_), down = row / static_cast<double>(stride_);
+    const auto i = static_cast<std::size_t>(std::clamp(across, 0.0, static_cast<double>(knots_.columns() - 2)));
+    const auto j = static_cast<std::size_t>(std::clamp(down, 0.0, static_cast<double>(knots_.rows() - 2)));
+    const double u = across - static_cast<double>(i), v = down - static_cast<double>(j);
+    const Vec2d upper = knots_(i, j) * (1.0 - u) + knots_(i + 1, j) * u;
+    const Vec2d lower = knots_(i, j + 1) * (1.0 - u) + knots_(i + 1, j + 1) * u;
+    return upper * (1.0 - v) + lower * v;
+  }
+
+  [[nodiscard]] std::span<const Vec2d> knots() const { return knots_.values(); }
+
+ private:
+  std::size_t stride_;
+  Array2D<Vec2d> knots_;
+};
+
+/// The part of a band that a lattice touches, in memory.
+template <typename T>
+struct Window {
+  int first_column = 0, first_row = 0;
+  Array2D<T> value;
+  Array2D<std::uint8_t> valid;
+
+  /// The cell holding a pixel position, drawn to the window's edge.
+  [[nodiscard]] std::size_t column_of(double x) const { return drawn_in(x - first_column, value.columns()); }
+  [[nodiscard]] std::size_t row_of(double y) const { return drawn_in(y - first_row, value.rows()); }
+
+ private:
+  [[nodiscard]] static std::size_t drawn_in(double position, std::size_t count) {
+    return static_cast<std::size_t>(std::clamp(std::floor(position), 0.0, static_cast<double>(count - 1)));
+  }
+};
+
+template <typename T>
+Window<T> read_window(GDALRasterBand& band, std::span<const Vec2d> corners, GDALDataType type,
+                      const std::string& name) {
+  const int columns = band.GetXSize(), rows = band.GetYSize();
+  double west = columns, east = 0.0, north = rows, south = 0.0;
+  for (const Vec2d& corner : corners) {
+    if (!std::isfinite(corner.x) || !std::isfinite(corner.y)) continue;
+    west = std::min(west, corner.x - 2.0);
+    east = std::max(east, corner.x + 2.0);
+    north = std::min(north, corner.y - 2.0);
+    south = std::max(south, corner.y + 2.0);
+  }
+  const int first_column = static_cast<int>(std::clamp(std::floor(west), 0.0, static_cast<double>(columns)));
+  const int first_row = static_cast<int>(std::clamp(std::floor(north), 0.0, static_cast<double>(rows)));
+  const int width = static_cast<int>(std::clamp(std::ceil(east), 0.0, static_cast<double>(columns))) - first_column;
+  const int height = static_cast<int>(std::clamp(std::ceil(south), 0.0, static_cast<double>(rows))) - first_row;
+  if (width <= 0 || height <= 0) return {};
+
+  Window<T> window;
+  window.first_column = first_column;
+  window.first_row = first_row;
+  window.value = Array2D<T>(static_cast<std::size_t>(width), static_cast<std::size_t>(height));
+  window.valid = Array2D<std::uint8_t>(static_cast<std::size_t>(width), static_cast<std::size_t>(height));
+  CPLPushErrorHandler(CPLQuietErrorHandler);
+  const CPLErr read = band.RasterIO(GF_Read, first_column, first_row, width, height, window.value.values().data(),
+                                    width, height, type, 0, 0, nullptr);
+  const CPLErr masked =
+      band.GetMaskBand()->RasterIO(GF_Read, first_column, first_row, width, height, window.valid.values().data(), width,
+                                   height, GDT_Byte, 0, 0, nullptr);
+  CPLPopErrorHandler();
+  if (read != CE_None || masked != CE_None) {
+    throw Error(name, fmt::format("its cells cannot be read ({})", CPLGetLastErrorMsg()), "replace the damaged file");
+  }
+  return window;
+}
+
+bool inside(Vec2d pixel, int columns, int rows) {
+  constexpr double slack = 1e-3;
+  return pixel.x >= -slack && pixel.y >= -slack && pixel.x <= columns + slack && pixel.y <= rows + slack;
+}
+
+/// Bilinear between cell centres. Cells without data take no part; where the nearest one has none, neither has the
+/// result.
+float bilinear(const Window<float>& window, Vec2d pixel) {
+  if (window.valid(window.column_of(pixel.x), window.row_of(pixel.y)) == 0) return nan_height;
+  const double x = pixel.x - 0.5, y = pixel.y - 0.5;
+  const double u = x - std::floor(x), v = y - std::floor(y);
+  double sum = 0.0, weight_sum = 0.0;
+  for (const int down : {0, 1}) {
+    for (const int across : {0, 1}) {
+      const std::size_t column = window.column_of(std::floor(x) + across), row = window.row_of(std::floor(y) + down);
+      if (window.valid(column, row) == 0) continue;
+      const double weight = (across != 0 ? u : 1.0 - u) * (down != 0 ? v : 1.0 - v);
+      sum += weight * static_cast<double>(window.value(column, row));
+      weight_sum += weight;
+    }
+  }
+  return weight_sum > 0.0 ? static_cast<float>(sum / weight_sum) : nan_height;
+}
+
+/// Mean of n × n bilinear samples spread over the lattice cell around a point.
+float mean_over_cell(const Window<float>& window, const PixelNet& net, std::size_t column, std::size_t row, int n,
+                     int columns, int rows) {
+  double sum = 0.0;
+  int found = 0;
+  for (int j = 0; j < n; ++j) {
+    for (int i = 0; i < n; ++i) {
+      const Vec2d pixel =
+          net.at(static_cast<double>(column) + (i + 0.5) / n - 0.5, static_cast<double>(row) + (j + 0.5) / n - 0.5);
+      if (!inside(pixel, columns, rows)) continue;
+      const float height = bilinear(window, pixel);
+      if (std::isnan(height)) continue;
+      sum += static_cast<double>(height);
+      ++found;
+    }
+  }
+  return found > 0 ? static_cast<float>(sum / found) : nan_height;
+}
+
+}  // namespace
+
+Raster::Raster(const RasterBand& wanted) : source_(std::make_unique<Source>()) {
+  Source& source = *source_;
+  source.name = wanted.file.string();
+  source.dataset = open_raster(wanted.file);
+  if (wanted.band < 1 || wanted.band > source.dataset->GetRasterCount()) {
+    throw Error(source.name, fmt::format("has no band {}", wanted.band),
+                fmt::format("choose a band from 1 to {}", source.dataset->GetRasterCount()));
+  }
+  source.band = source.dataset->GetRasterBand(wanted.band);
+  source.crs = wanted.crs;
+  if (source.crs.empty()) source.crs = source.dataset->GetProjectionRef();
+  if (source.crs.empty()) {
+    throw Error(source.name, "carries no coordinate reference system",
+                "state it with the key crs, for example crs = \"EPSG:25830\", or write it into the file with "
+                "gdal_edit.py -a_srs");
+  }
+  if (source.dataset->GetGeoTransform(source.crs_from_pixel.data()) != CE_None ||
+      GDALInvGeoTransform(source.crs_from_pixel.data(), source.pixel_from_crs.data()) == 0) {
+    throw Error(source.name, "does not say where its cells lie",
+                "georeference it, for example with gdal_translate -a_ullr");
+  }
+}
+
+Raster::~Raster() = default;
+Raster::Raster(Raster&&) noexcept = default;
+Raster& Raster::operator=(Raster&&) noexcept = default;
+
+GeographicPosition Raster::centre() const {
+  Vec2d place = source_->crs_position(source_->columns() / 2.0, source_->rows() / 2.0);
+  OGRSpatialReference globe;
+  globe.importFromEPSG(4326);
+  globe.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  OGRSpatialReference own;
+  if (own.SetFromUserInput(source_->crs.c_str()) != OGRERR_NONE) {
+    throw Error(source_->name, "its coordinate reference system is not understood", "state it with the key crs");
+  }
+  own.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  const std::unique_ptr<OGRCoordinateTransformation> way(OGRCreateCoordinateTransformation(&own, &globe));
+  if (!way || way->Transform(1, &place.x, &place.y) == 0) {
+    throw Error(source_->name, "its centre has no place on the globe",
+                "check its georeference and coordinate reference system");
+  }
+  return {place.y, place.x};
+}
+
+double Raster::cell_m() const {
+  const auto [latitude_deg, longitude_deg] = centre();
+  const CoordinateTransform transform(source_->crs, LocalFrame(latitude_deg, longitude_deg), source_->name);
+  const double column = source_->columns() / 2.0, row = source_->rows() / 2.0;
+  std::array corners{source_->crs_position(column, row), source_->crs_position(column + 1.0, row),
+                     source_->crs_position(column, row + 1.0)};
+  transform.to_frame(corners);
+  return std::min(length(corners[1] - corners[0]), length(corners[2] - corners[0]));
+}
+
+Extent Raster::extent_in(const LocalFrame& frame) const {
+  constexpr int steps = 64;
+  const double columns = source_->columns(), rows = source_->rows();
+  std::vector<Vec2d> left, right, top, bottom;
+  for (int i = 0; i <= steps; ++i) {
+    const double t = static_cast<double>(i) / steps;
+    left.push_back(source_->crs_position(0.0, t * rows));
+    right.push_back(source_->crs_position(columns, t * rows));
+    top.push_back(source_->crs_position(t * columns, 0.0));
+    bottom.push_back(source_->crs_position(t * columns, rows));
+  }
+  const CoordinateTransform transform(source_->crs, frame, source_->name);
+  for (auto* edge : {&left, &right, &top, &bottom}) transform.to_frame(*edge);
+  // A raster may be stored south up or east first: the edges are told apart by where they lie.
+  if (left[steps / 2].x > right[steps / 2].x) std::swap(left, right);
+  if (bottom[steps / 2].y > top[steps / 2].y) std::swap(bottom, top);
+  const auto by_x = [](Vec2d a, Vec2d b) { return a.x < b.x; };
+  const auto by_y = [](Vec2d a, Vec2d b) { return a.y < b.y; };
+  return {std::ranges::max_element(left, by_x)->x, std::ranges::max_element(bottom, by_y)->y,
+          std::ranges::min_element(right, by_x)->x, std::ranges::min_element(top, by_y)->y};
+}
+
+Array2D<float> Raster::heights_on(const Lattice& lattice, const LocalFrame& frame) const {
+  const CoordinateTransform transform(source_->crs, frame, source_->name);
+  const PixelNet net(lattice, transform, [this](Vec2d p) { return source_->pixel_position(p); });
+  auto window = read_window<float>(*source_->band, net.knots(), GDT_Float32, source_->name);
+  Array2D<float> heights(lattice.columns, lattice.rows, nan_height);
+  if (window.value.empty()) return heights;
+  for (std::size_t i = 0; i < window.value.size(); ++i) {
+    if (!std::isfinite(window.value.values()[i])) window.valid.values()[i] = 0;
+  }
+
+  const double to_metres = metres_per_unit(source_->band->GetUnitType());
+  const double scale = source_->band->GetScale() * to_metres, offset = source_->band->GetOffset() * to_metres;
+  const int samples = std::clamp(static_cast<int>(std::lround(lattice.spacing_m / cell_m())), 1, 16);
+  for (std::size_t row = 0; row < lattice.rows; ++row) {
+    for (std::size_t column = 0; column < lattice.columns; ++column) {
+      const Vec2d pixel = net.at(static_cast<double>(column), static_cast<double>(row));
+      if (!inside(pixel, source_->columns(), source_->rows())) continue;
+      const float value = samples == 1
+                              ? bilinear(window, pixel)
+                              : mean_over_cell(window, net, column, row, samples, source_->columns(), source_->rows());
+      heights(column, row) = static_cast<float>(static_cast<double>(value) * scale + offset);
+    }
+  }
+  return heights;
+}
+
+Array2D<std::int32_t> Raster::classes_on(const Lattice& lattice, const LocalFrame& frame) const {
+  const CoordinateTransform transform(source_->crs, frame, source_->name);
+  const PixelNet net(lattice, transform, [this](Vec2d p) { return source_->pixel_position(p); });
+  const auto window = read_window<std::int32_t>(*source_->band, net.knots(), GDT_Int32, source_->name);
+  Array2D<std::int32_t> classes(lattice.columns, lattice.rows, no_class);
+  if (window.value.empty()) return classes;
+  for (std::size_t row = 0; row < lattice.rows; ++row) {
+    for (std::size_t column = 0; column < lattice.columns; ++column) {
+      const Vec2d pixel = net.at(static_cast<double>(column), static_cast<double>(row));
+      if (!inside(pixel, source_->columns(), source_->rows())) continue;
+      const std::size_t i = window.column_of(pixel.x), j = window.row_of(pixel.y);
+      if (window.valid(i, j) != 0) classes(column, row) = window.value(i, j);
+    }
+  }
+  return classes;
+}
+
+}  // namespace sigmascape::geo

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <string>
+
+#include "sigmascape/base/array2d.h"
+#include "sigmascape/geo/coordinate_transform.h"
+#include "sigmascape/geo/lattice.h"
+#include "sigmascape/geo/local_frame.h"
+
+namespace sigmascape::geo {
+
+/// Which band of which file, and in what coordinate reference system when the file does not say.
+struct RasterBand {
+  std::filesystem::path file;
+  int band = 1;
+  std::string crs;  ///< overrides the file's own when not empty
+};
+
+/// What a class raster reads where it has no class.
+inline constexpr std::int32_t no_class = std::numeric_limits<std::int32_t>::min();
+
+/// One band of a georeferenced raster of any format that GDAL reads, open for sampling in a local frame.
+class Raster {
+ public:
+  /// Throws Error when the file is missing, no raster, lacks the band, or carries neither CRS nor georeference.
+  explicit Raster(const RasterBand& source);
+  ~Raster();
+  Raster(Raster&&) noexcept;
+  Raster& operator=(Raster&&) noexcept;
+
+  [[nodiscard]] GeographicPosition centre() const;
+  /// The shorter side of the cell at the centre, on the ground.
+  [[nodiscard]] double cell_m() const;
+  /// The largest rectangle of the frame's own directions inside the raster's four edges.
+  [[nodiscard]] Extent extent_in(const LocalFrame& frame) const;
+
+  /// Bilinear heights in metres, [column, row] of the lattice; NaN outside the raster and where it holds no data. Where
+  /// the lattice is coarser than the raster, the mean over the lattice cell. Values in feet (as the band states) become
+  /// metres; the vertical datum stays whatever it is.
+  [[nodiscard]] Array2D<float> heights_on(const Lattice& lattice, const LocalFrame& frame) const;
+  /// Class of the nearest cell, [column, row] of the lattice; `no_class` outside the raster and where it holds no data.
+  [[nodiscard]] Array2D<std::int32_t> classes_on(const Lattice& lattice, const LocalFrame& frame) const;
+
+ private:
+  struct Source;
+  std::unique_ptr<Source> source_;
+};
+
+}  // namespace sigmascape::geo

@@ -1,0 +1,233 @@
+#include "sigmascape/geo/vector_source.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cpl_error.h>
+#include <cpl_string.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <gdal_priv.h>
+#include <ogrsf_frmts.h>
+#include <set>
+
+#include "sigmascape/base/error.h"
+#include "sigmascape/geo/coordinate_transform.h"
+#include "sigmascape/geo/osm_tags.h"
+
+namespace sigmascape::geo {
+namespace {
+
+GDALDatasetUniquePtr open_vector(const VectorSource& source) {
+  const std::string name = source.file.string();
+  if (!std::filesystem::exists(source.file))
+    throw Error(name, "the file does not exist", "correct the path of the vector data");
+  GDALAllRegister();
+  CPLStringList options;
+  if (!source.x_column.empty()) {
+    options.SetNameValue("X_POSSIBLE_NAMES", source.x_column.c_str());
+    options.SetNameValue("Y_POSSIBLE_NAMES", source.y_column.c_str());
+    options.SetNameValue("KEEP_GEOM_COLUMNS", "YES");
+  }
+  CPLPushErrorHandler(CPLQuietErrorHandler);
+  GDALDatasetUniquePtr dataset(
+      GDALDataset::Open(name.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, nullptr, options.List(), nullptr));
+  CPLPopErrorHandler();
+  if (!dataset) {
+    throw Error(name, "is not vector data that OGR can read",
+                "give GeoJSON, GeoPackage, Shapefile, OSM PBF, CSV or another OGR source");
+  }
+  return dataset;
+}
+
+std::vector<std::string> column_names(OGRLayer& layer) {
+  std::vector<std::string> names;
+  for (int i = 0; i < layer.GetLayerDefn()->GetFieldCount(); ++i) {
+    names.emplace_back(layer.GetLayerDefn()->GetFieldDefn(i)->GetNameRef());
+  }
+  return names;
+}
+
+void require_columns(GDALDataset& dataset, const VectorSource& source) {
+  if (source.x_column.empty()) return;
+  for (OGRLayer* layer : dataset.GetLayers()) {
+    for (const std::string& column : {source.x_column, source.y_column}) {
+      if (layer->GetLayerDefn()->GetFieldIndex(column.c_str()) >= 0) continue;
+      throw Error(source.file.string(), fmt::format("has no column '{}'", column),
+                  fmt::format("choose among its columns {}", fmt::join(column_names(*layer), ", ")));
+    }
+  }
+}
+
+/// Leaves only the wanted layer's features to be read, and of those only the ones that meet the condition.
+void choose_layers(GDALDataset& dataset, const VectorSource& source) {
+  const std::string name = source.file.string();
+  std::vector<std::string> names, condition_faults;
+  for (OGRLayer* layer : dataset.GetLayers()) {
+    names.emplace_back(layer->GetName());
+    if (source.where.empty()) continue;
+    CPLPushErrorHandler(CPLQuietErrorHandler);
+    if (layer->SetAttributeFilter(source.where.c_str()) != OGRERR_NONE)
+      condition_faults.emplace_back(CPLGetLastErrorMsg());
+    CPLPopErrorHandler();
+  }
+  if (!source.layer.empty() && std::ranges::find(names, source.layer) == names.end()) {
+    throw Error(name, fmt::format("has no layer '{}'", source.layer),
+                fmt::format("choose among its layers {}", fmt::join(names, ", ")));
+  }
+  if (!names.empty() && condition_faults.size() == names.size()) {
+    throw Error(
+        name,
+        fmt::format("the condition '{}' does not fit its attributes ({})", source.where, condition_faults.front()),
+        "correct the key where");
+  }
+}
+
+std::vector<Vec2d> positions_of(const OGRSimpleCurve& line) {
+  std::vector<Vec2d> positions;
+  positions.reserve(static_cast<std::size_t>(line.getNumPoints()));
+  for (int i = 0; i < line.getNumPoints(); ++i) positions.push_back({line.getX(i), line.getY(i)});
+  return positions;
+}
+
+void append_geometry(const OGRGeometry& geometry, GeometryKind kind, Feature& feature) {
+  const OGRwkbGeometryType type = wkbFlatten(geometry.getGeometryType());
+  if (type == wkbPoint && kind == GeometryKind::Points) {
+    const OGRPoint& point = *geometry.toPoint();
+    if (point.IsEmpty() == FALSE) feature.points.push_back({point.getX(), point.getY()});
+  } else if (type == wkbLineString && kind == GeometryKind::Lines) {
+    feature.lines.push_back(positions_of(*geometry.toLineString()));
+  } else if (type == wkbPolygon && kind == GeometryKind::Polygons) {
+    Polygon polygon;
+    for (const OGRLinearRing* ring : geometry.toPolygon()) {
+      (ring == geometry.toPolygon()->getExteriorRing() ? polygon.outer : polygon.holes.emplace_back()) =
+          positions_of(*ring);
+    }
+    if (!polygon.outer.empty()) feature.polygons.push_back(std::move(polygon));
+  } else if (OGR_GT_IsSubClassOf(type, wkbGeometryCollection) != FALSE) {
+    for (const OGRGeometry* part : geometry.toGeometryCollection()) append_geometry(*part, kind, feature);
+  } else if (OGR_GT_IsNonLinear(type) != FALSE) {
+    const std::unique_ptr<OGRGeometry> straight(geometry.getLinearGeometry());
+    if (straight && OGR_GT_IsNonLinear(straight->getGeometryType()) == FALSE) append_geometry(*straight, kind, feature);
+  }
+}
+
+bool all_finite(const std::vector<Vec2d>& positions) {
+  return std::ranges::all_of(positions, [](Vec2d p) { return std::isfinite(p.x) && std::isfinite(p.y); });
+}
+
+/// Brings a feature into the frame; false when some of it has no place there.
+bool bring_to_frame(Feature& feature, const CoordinateTransform& transform) {
+  bool good = true;
+  const auto bring = [&](std::vector<Vec2d>& positions) {
+    good = good && all_finite(positions);
+    transform.to_frame(positions);
+    good = good && all_finite(positions);
+  };
+  bring(feature.points);
+  for (auto& line : feature.lines) bring(line);
+  for (Polygon& polygon : feature.polygons) {
+    bring(polygon.outer);
+    polygon.outer = tidy_ring(std::move(polygon.outer), true);
+    for (Ring& hole : polygon.holes) {
+      bring(hole);
+      hole = tidy_ring(std::move(hole), false);
+    }
+  }
+  return good;
+}
+
+void read_attributes(const OGRFeature& row, bool osm, Feature& feature) {
+  for (int i = 0; i < row.GetFieldCount(); ++i) {
+    if (!row.IsFieldSetAndNotNull(i)) continue;
+    const std::string name = row.GetFieldDefnRef(i)->GetNameRef();
+    // GetFieldAsString is not const only because it caches its answer.
+    std::string text = const_cast<OGRFeature&>(row).GetFieldAsString(i);
+    if (osm && name == "other_tags") {
+      feature.attributes.merge(unpacked_tags(text));
+    } else if (!text.empty()) {
+      feature.attributes[name] = std::move(text);
+    }
+  }
+}
+
+std::string wkt_of(const OGRSpatialReference& reference) {
+  char* wkt = nullptr;
+  const char* const options[] = {"FORMAT=WKT2_2019", nullptr};
+  reference.exportToWkt(&wkt, options);
+  const std::string text = wkt == nullptr ? "" : wkt;
+  CPLFree(wkt);
+  return text;
+}
+
+/// The transform of each layer, made when its first feature arrives.
+class LayerTransforms {
+ public:
+  LayerTransforms(const VectorSource& source, const LocalFrame& frame) : source_(source), frame_(frame) {}
+
+  const CoordinateTransform& of(OGRLayer& layer) {
+    const auto known = transforms_.find(&layer);
+    if (known != transforms_.end()) return known->second;
+    return transforms_.emplace(&layer, CoordinateTransform(crs_of(layer), frame_, source_.file.string())).first->second;
+  }
+
+ private:
+  [[nodiscard]] std::string crs_of(OGRLayer& layer) const {
+    if (!source_.crs.empty()) return source_.crs;
+    if (const OGRSpatialReference* reference = layer.GetSpatialRef()) return wkt_of(*reference);
+    throw Error(source_.file.string(), "carries no coordinate reference system",
+                "state it with the key crs, for example crs = \"EPSG:25830\"");
+  }
+
+  const VectorSource& source_;
+  const LocalFrame& frame_;
+  std::map<OGRLayer*, CoordinateTransform> transforms_;
+};
+
+bool has_geometry(const Feature& feature) {
+  return !feature.points.empty() || !feature.lines.empty() || !feature.polygons.empty();
+}
+
+}  // namespace
+
+std::optional<std::string> Feature::attribute(const std::string& name) const {
+  const auto found = attributes.find(name);
+  return found == attributes.end() ? std::nullopt : std::optional(found->second);
+}
+
+FeatureSet read_features(const VectorSource& source, const LocalFrame& frame) {
+  const GDALDatasetUniquePtr dataset = open_vector(source);
+  require_columns(*dataset, source);
+  choose_layers(*dataset, source);
+  const bool osm = std::string(dataset->GetDriverName()) == "OSM";
+  LayerTransforms transforms(source, frame);
+  FeatureSet result;
+  std::set<std::string> names;
+
+  OGRLayer* layer = nullptr;
+  CPLErrorReset();
+  // The data set is walked as a whole: OpenStreetMap files yield the features of all layers in one pass.
+  while (const OGRFeatureUniquePtr row{dataset->GetNextFeature(&layer, nullptr, nullptr, nullptr)}) {
+    if (!source.layer.empty() && source.layer != layer->GetName()) continue;
+    Feature feature;
+    feature.id = fmt::format("layer {}, feature {}", layer->GetName(), row->GetFID());
+    const OGRGeometry* geometry = row->GetGeometryRef();
+    if (geometry != nullptr) append_geometry(*geometry, source.kind, feature);
+    if (!has_geometry(feature) && geometry != nullptr && geometry->IsEmpty() == FALSE) continue;
+    read_attributes(*row, osm, feature);
+    if (osm && !source.osm_tag.empty() && !feature.attributes.contains(source.osm_tag)) continue;
+    for (const auto& [name, value] : feature.attributes) names.insert(name);
+    if (!has_geometry(feature) || !bring_to_frame(feature, transforms.of(*layer))) {
+      if (result.nowhere++ == 0) result.first_nowhere = feature.id;
+      continue;
+    }
+    result.features.push_back(std::move(feature));
+  }
+  if (CPLGetLastErrorType() == CE_Failure) {
+    throw Error(source.file.string(), fmt::format("cannot be read to its end ({})", CPLGetLastErrorMsg()),
+                "replace the damaged file");
+  }
+  result.attribute_names.assign(names.begin(), names.end());
+  return result;
+}
+
+}  // namespace sigmascape::geo

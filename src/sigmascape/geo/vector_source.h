@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sigmascape/base/vec.h"
+#include "sigmascape/geo/lattice.h"
+#include "sigmascape/geo/local_frame.h"
+#include "sigmascape/geo/polygon.h"
+
+namespace sigmascape::geo {
+
+enum class GeometryKind { Points, Lines, Polygons };
+
+/// What to read from a vector file of any format that OGR reads, text tables with coordinate columns among them.
+struct VectorSource {
+  std::filesystem::path file;
+  GeometryKind kind = GeometryKind::Polygons;
+  std::string layer{};                 ///< empty: every layer
+  std::string where{};                 ///< condition on attributes in OGR's SQL ("floors > 2"); empty: all
+  std::string crs{};                   ///< overrides the file's own when not empty
+  std::string x_column{}, y_column{};  ///< of a table without geometry
+  std::string osm_tag{};               ///< of an OpenStreetMap file, only what carries this tag
+};
+
+/// One thing on the map, in the local frame. Of the three geometries, only that of the kind asked for is filled.
+struct Feature {
+  std::string id;  ///< "layer buildings, feature 17"
+  std::map<std::string, std::string>
+      attributes;  ///< those that are set; of OpenStreetMap also those inside `other_tags`
+  std::vector<Vec2d> points;
+  std::vector<std::vector<Vec2d>> lines;
+  std::vector<Polygon> polygons;  ///< as found: not necessarily valid
+
+  [[nodiscard]] std::optional<std::string> attribute(const std::string& name) const;
+};
+
+struct FeatureSet {
+  std::vector<Feature> features;
+  std::vector<std::string> attribute_names;  ///< all that occur, sorted
+  std::size_t nowhere = 0;  ///< features without geometry or with coordinates that have no place in the frame
+  std::string first_nowhere;
+};
+
+/// Reads all features of the wanted kind. Throws Error when the file is missing or unreadable, names no CRS, or lacks
+/// the layer or the coordinate columns asked for.
+[[nodiscard]] FeatureSet read_features(const VectorSource& source, const LocalFrame& frame);
+
+}  // namespace sigmascape::geo

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "sigmascape/radar/ground_map.h"
+#include "sigmascape/radar/range_azimuth_image.h"
+#include "sigmascape/terrain/height_field.h"
+
+namespace sigmascape::product {
+
+/// Lays a radar image back onto the ground: every cell takes the bins at its own slant range and azimuth, as seen where
+/// the terrain puts it.
+///
+///     σ0 = σ_bin / (r Δr Δφ)                                        docs/physics/receiver.md, Eq. (2)
+///
+/// r Δr Δφ is the horizontal area of a bin over level ground. Cells outside the bins become NaN. What stands above the
+/// terrain appears where its range puts it: laid over towards the radar.
+[[nodiscard]] radar::GroundMap ground_map(const radar::RangeAzimuthImage& image, const terrain::HeightField& terrain,
+                                          const radar::GroundGrid& grid);
+
+}  // namespace sigmascape::product

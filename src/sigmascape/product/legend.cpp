@@ -1,0 +1,113 @@
+#include "sigmascape/product/legend.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <fmt/format.h>
+#include <string>
+
+#include "sigmascape/product/bitmap_font.h"
+#include "sigmascape/product/rectangle_fill.h"
+
+namespace sigmascape::product {
+namespace {
+
+constexpr Rgba background{18, 18, 18, 255};
+constexpr Rgba ink{225, 225, 225, 255};
+
+// Everything is laid out in dots of the font; a dot is one or more pixels.
+constexpr std::size_t margin = 6;
+constexpr std::size_t bar_length = 110;
+constexpr std::size_t bar_height = 8;
+constexpr std::size_t gap = 3;
+constexpr std::size_t between_parts = 24;
+constexpr std::size_t arrow_width = 9;
+constexpr std::size_t strip_height = 2 * margin + bar_height + gap + glyph_height;
+
+/// The strip below the picture and how far it is filled.
+struct Strip {
+  Array2D<Rgba>& pixels;
+  std::size_t top;  ///< its first row
+  std::size_t dot;  ///< pixels along a dot's side
+  std::size_t column;
+
+  [[nodiscard]] bool has_room_for(std::size_t width) const { return column + width + margin * dot <= pixels.columns(); }
+  [[nodiscard]] std::size_t bar_row() const { return top + margin * dot; }
+  [[nodiscard]] std::size_t text_row() const { return top + (margin + bar_height + gap) * dot; }
+};
+
+std::string db_text(double db) {
+  const double tenths = std::round(db * 10.0) / 10.0;
+  return tenths == std::round(tenths) ? fmt::format("{:.0f}", tenths + 0.0) : fmt::format("{:.1f}", tenths);
+}
+
+void draw_colour_bar(Strip& strip, const Picture& picture) {
+  const std::size_t length = bar_length * strip.dot;
+  for (std::size_t i = 0; i < length; ++i) {
+    const double position = static_cast<double>(i) / static_cast<double>(length - 1);
+    fill_rectangle(strip.pixels, {strip.column + i, strip.bar_row(), 1, bar_height * strip.dot},
+                   colour_at(picture.scale, position));
+  }
+  const std::string top = db_text(picture.top_db) + " dB";
+  draw_text(strip.pixels, strip.column, strip.text_row(), db_text(picture.bottom_db), strip.dot, ink);
+  draw_text(strip.pixels, strip.column + length - text_width(top, strip.dot), strip.text_row(), top, strip.dot, ink);
+  strip.column += length + between_parts * strip.dot;
+}
+
+void draw_scale_bar(Strip& strip, const radar::GroundGrid& grid) {
+  const double length_m = round_length_m(0.25 * grid.extent().width_m());
+  const auto length = static_cast<std::size_t>(std::lround(length_m / grid.cell_m));
+  const std::string label =
+      length_m >= 1000.0 ? fmt::format("{} km", length_m / 1000.0) : fmt::format("{} m", length_m);
+  const std::size_t label_width = text_width(label, strip.dot);
+  const std::size_t width = std::max(length, label_width);
+  if (!strip.has_room_for(width)) return;
+
+  const std::size_t left = strip.column + (width - length) / 2;
+  const std::size_t dot = strip.dot;
+  fill_rectangle(strip.pixels, {left, strip.bar_row() + (bar_height - 2) * dot, length, 2 * dot}, ink);
+  fill_rectangle(strip.pixels, {left, strip.bar_row() + 2 * dot, dot, (bar_height - 2) * dot}, ink);
+  fill_rectangle(strip.pixels,
+                 {left + length - std::min(dot, length), strip.bar_row() + 2 * dot, dot, (bar_height - 2) * dot}, ink);
+  draw_text(strip.pixels, strip.column + (width - label_width) / 2, strip.text_row(), label, dot, ink);
+  strip.column += width + between_parts * dot;
+}
+
+void draw_north_arrow(Strip& strip) {
+  const std::size_t width = arrow_width * strip.dot;
+  if (!strip.has_room_for(width)) return;
+  const std::size_t left = strip.pixels.columns() - margin * strip.dot - width;
+  const std::size_t height = bar_height * strip.dot;
+  for (std::size_t y = 0; y < height; ++y) {
+    const std::size_t span = std::max<std::size_t>(strip.dot, width * (y + 1) / height);
+    fill_rectangle(strip.pixels, {left + (width - span) / 2, strip.bar_row() + y, span, 1}, ink);
+  }
+  draw_text(strip.pixels, left + (width - text_width("N", strip.dot)) / 2, strip.text_row(), "N", strip.dot, ink);
+}
+
+}  // namespace
+
+double round_length_m(double longest_m) {
+  const double decade = std::pow(10.0, std::floor(std::log10(longest_m)));
+  for (const double step : {5.0, 2.0}) {
+    if (step * decade <= longest_m) return step * decade;
+  }
+  return decade;
+}
+
+Picture with_legend(const Picture& picture) {
+  const std::size_t columns = picture.pixels.columns();
+  const std::size_t dot = columns < 900 ? 1 : columns / 450;
+  if (columns < (bar_length + 2 * margin) * dot) return picture;
+
+  Picture framed = picture;
+  framed.pixels = Array2D<Rgba>(columns, picture.pixels.rows() + strip_height * dot, background);
+  std::copy(picture.pixels.values().begin(), picture.pixels.values().end(), framed.pixels.values().begin());
+  Strip strip{framed.pixels, picture.pixels.rows(), dot, margin * dot};
+  draw_colour_bar(strip, picture);
+  draw_scale_bar(strip, picture.grid);
+  draw_north_arrow(strip);
+  return framed;
+}
+
+}  // namespace sigmascape::product

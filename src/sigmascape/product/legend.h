@@ -1,0 +1,16 @@
+#pragma once
+
+#include "sigmascape/product/picture.h"
+
+namespace sigmascape::product {
+
+/// The picture with a strip below it: the colour scale with the decibels of its ends, a scale bar of a round length,
+/// and an arrow to true north. The ground keeps its pixels and its place. What does not fit beside one another into a
+/// narrow picture is left out from the right; a picture too narrow for the colour scale comes back as it is.
+[[nodiscard]] Picture with_legend(const Picture& picture);
+
+/// The longest of 1, 2, 5, 10, 20, … metres (and of 0.1, 0.2, 0.5, …) that is no longer than `longest_m`, which must be
+/// positive.
+[[nodiscard]] double round_length_m(double longest_m);
+
+}  // namespace sigmascape::product

@@ -1,0 +1,161 @@
+#include "sigmascape/product/map_metrics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+
+#include "sigmascape/base/error.h"
+#include "sigmascape/base/units.h"
+#include "sigmascape/product/block_mean.h"
+
+namespace sigmascape::product {
+namespace {
+
+constexpr double usual_cells_m[] = {2.0, 4.0, 8.0, 16.0, 32.0};
+constexpr double not_defined = std::numeric_limits<double>::quiet_NaN();
+
+void require_same_cells(const radar::GroundMap& tested, const radar::GroundMap& truth) {
+  const auto differ = [](const std::string& how) {
+    throw Error("maps to compare", how, "render both onto the same grid of the same frame");
+  };
+  const radar::GroundGrid& a = tested.grid;
+  const radar::GroundGrid& b = truth.grid;
+  if (a.cell_m != b.cell_m)
+    differ(fmt::format("the tested map's cells are {} m, the truth's {} m", a.cell_m, b.cell_m));
+  if (a.columns != b.columns || a.rows != b.rows) {
+    differ(fmt::format("the tested map has {} x {} cells, the truth {} x {}", a.columns, a.rows, b.columns, b.rows));
+  }
+  if (a.west_m != b.west_m || a.north_m != b.north_m) {
+    differ(fmt::format("the tested map's north-western corner is ({}, {}) m, the truth's ({}, {}) m", a.west_m,
+                       a.north_m, b.west_m, b.north_m));
+  }
+  if (tested.crs != truth.crs) {
+    differ(fmt::format("the tested map lies in the frame '{}', the truth in '{}'", tested.crs, truth.crs));
+  }
+}
+
+/// How many of the map's cells go into one of `cell_m` along each side; zero when no whole number does.
+std::size_t block_factor(double cell_m, const radar::GroundGrid& grid) {
+  const double factor = cell_m / grid.cell_m;
+  const double whole = std::round(factor);
+  return whole >= 1.0 && std::abs(factor - whole) < 1e-6 * whole ? static_cast<std::size_t>(whole) : 0;
+}
+
+/// Sums over cell pairs from which all metrics follow.
+class PairSums {
+ public:
+  PairSums(double floor_db, double shadow_db) : floor_(linear_from_db(floor_db)), shadow_(linear_from_db(shadow_db)) {}
+
+  void add(double a, double b) {
+    ++cells_;
+    total_a_ += a;
+    total_b_ += b;
+    total_error_ += std::abs(a - b);
+    both_shadow_ += a < shadow_ && b < shadow_ ? 1U : 0U;
+    any_shadow_ += a < shadow_ || b < shadow_ ? 1U : 0U;
+
+    // Welford's update: dB of a nearly constant map would lose its variance in a difference of sums of squares.
+    const double a_db = db_from_linear(std::max(a, floor_));
+    const double b_db = db_from_linear(std::max(b, floor_));
+    const double n = static_cast<double>(cells_);
+    const double step_a = a_db - mean_a_;
+    const double step_b = b_db - mean_b_;
+    mean_a_ += step_a / n;
+    mean_b_ += step_b / n;
+    variance_a_ += step_a * (a_db - mean_a_);
+    variance_b_ += step_b * (b_db - mean_b_);
+    covariance_ += step_a * (b_db - mean_b_);
+    squared_error_ += (a_db - b_db) * (a_db - b_db);
+  }
+
+  [[nodiscard]] CellComparison metrics(double cell_m) const {
+    const double spread = std::sqrt(variance_a_ * variance_b_);
+    return {.cell_m = cell_m,
+            .cells = cells_,
+            .correlation_db = spread > 0.0 ? std::clamp(covariance_ / spread, -1.0, 1.0) : not_defined,
+            .rms_db = std::sqrt(squared_error_ / static_cast<double>(cells_)),
+            .bias_db = total_a_ > 0.0 && total_b_ > 0.0 ? db_from_linear(total_a_ / total_b_) : not_defined,
+            .l1 = total_b_ > 0.0 ? total_error_ / total_b_ : not_defined,
+            .shadow_iou = any_shadow_ > 0 ? static_cast<double>(both_shadow_) / static_cast<double>(any_shadow_) : 1.0};
+  }
+
+  [[nodiscard]] std::size_t cells() const { return cells_; }
+
+ private:
+  double floor_, shadow_;
+  std::size_t cells_ = 0, both_shadow_ = 0, any_shadow_ = 0;
+  double total_a_ = 0.0, total_b_ = 0.0, total_error_ = 0.0;
+  double mean_a_ = 0.0, mean_b_ = 0.0, variance_a_ = 0.0, variance_b_ = 0.0, covariance_ = 0.0, squared_error_ = 0.0;
+};
+
+PairSums sums_over_blocks(const radar::GroundMap& tested, const radar::GroundMap& truth, const CompareOptions& options,
+                          std::size_t factor) {
+  const Array2D<double> a = block_mean(tested, options.polarization, factor);
+  const Array2D<double> b = block_mean(truth, options.polarization, factor);
+  PairSums sums(options.floor_db, options.shadow_db);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (!std::isnan(a.values()[i]) && !std::isnan(b.values()[i])) sums.add(a.values()[i], b.values()[i]);
+  }
+  return sums;
+}
+
+}  // namespace
+
+const CellComparison* MapComparison::at_cell(double cell_m) const {
+  const auto found = std::find_if(at.begin(), at.end(), [&](const CellComparison& c) { return c.cell_m == cell_m; });
+  return found == at.end() ? nullptr : &*found;
+}
+
+MapComparison compare_maps(const radar::GroundMap& tested, const radar::GroundMap& truth,
+                           const CompareOptions& options) {
+  require_same_cells(tested, truth);
+  const bool usual = options.cells_m.empty();
+  MapComparison comparison{options, {}};
+  if (usual) comparison.options.cells_m.assign(std::begin(usual_cells_m), std::end(usual_cells_m));
+
+  for (const double cell_m : comparison.options.cells_m) {
+    const std::size_t factor = block_factor(cell_m, truth.grid);
+    if (factor == 0) {
+      if (usual) continue;
+      throw Error("cell size to compare at",
+                  fmt::format("{} m is no multiple of the maps' {} m cells", cell_m, truth.grid.cell_m),
+                  "choose whole multiples of the maps' cell");
+    }
+    const PairSums sums = sums_over_blocks(tested, truth, options, factor);
+    if (sums.cells() > 0) {
+      comparison.at.push_back(sums.metrics(cell_m));
+    } else if (!usual) {
+      throw Error("maps to compare", fmt::format("no cell of {} m was seen wholly by both", cell_m),
+                  "compare maps of the same ground, or at smaller cells");
+    }
+  }
+  if (comparison.at.empty()) {
+    throw Error(
+        "maps to compare",
+        fmt::format("no cell of 2, 4, 8, 16 or 32 m is a multiple of the maps' {} m cells and seen wholly by both",
+                    truth.grid.cell_m),
+        "compare maps of the same ground, or name the cell sizes");
+  }
+  comparison.options.cells_m.clear();
+  for (const CellComparison& row : comparison.at) comparison.options.cells_m.push_back(row.cell_m);
+  return comparison;
+}
+
+std::string polarization_name(radar::Polarization polarization) {
+  switch (polarization) {
+    case radar::Polarization::VV:
+      return "VV";
+    case radar::Polarization::HH:
+      return "HH";
+    case radar::Polarization::HV:
+      return "HV";
+    case radar::Polarization::VH:
+      return "VH";
+    case radar::Polarization::Sum:
+      return "VV+HH+2HV";
+  }
+  return "";
+}
+
+}  // namespace sigmascape::product

@@ -1,0 +1,11 @@
+#include "sigmascape/radar/radar.h"
+
+#include "sigmascape/radar/look.h"
+
+namespace sigmascape::radar {
+
+Vec3d position_seeing(Vec3d target, double azimuth_rad, double elevation_rad, double slant_range_m) {
+  return target + direction_to_radar({azimuth_rad, elevation_rad}) * slant_range_m;
+}
+
+}  // namespace sigmascape::radar

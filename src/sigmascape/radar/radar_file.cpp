@@ -1,0 +1,83 @@
+#include "sigmascape/radar/radar_file.h"
+
+#include <map>
+
+#include "sigmascape/base/toml_reader.h"
+#include "sigmascape/base/units.h"
+
+namespace sigmascape::radar {
+namespace {
+
+constexpr Interval anywhere_m{-1e7, 1e7, "m"};
+
+Polarization polarization_of(const TomlSection& section) {
+  static const std::map<std::string, Polarization> words{
+      {"vv", Polarization::VV}, {"hh", Polarization::HH}, {"hv", Polarization::HV}, {"vh", Polarization::VH}, {"sum", Polarization::Sum}};
+  return words.at(section.choice_or("polarization", {"vv", "hh", "hv", "vh", "sum"}, "vv"));
+}
+
+Radar radar_of(const TomlSection& section) {
+  Radar radar;
+  radar.name = section.text_or("name", "radar");
+  radar.frequency_hz = section.number("frequency_ghz", {0.1, 300.0, "GHz"}) * 1e9;
+  radar.polarization = polarization_of(section);
+  radar.range_resolution_m = section.number("range_resolution_m", {0.05, 10'000.0, "m"});
+  radar.beam_width_rad = radians_from_deg(section.number("beam_width_deg", {1e-5, 90.0, "degrees"}));
+  section.refuse_unknown_keys();
+  return radar;
+}
+
+std::variant<SeenFrom, LocalPlace, GeographicPlace> place_of(const TomlSection& section) {
+  const auto altitude_m = [&] { return section.number("altitude_m", {1.0, 1e6, "m above mean sea level"}); };
+  std::variant<SeenFrom, LocalPlace, GeographicPlace> place;
+  if (section.has("slant_range_km")) {
+    SeenFrom seen{.azimuth_rad = radians_from_deg(section.number("azimuth_deg", {-360.0, 360.0, "degrees"})),
+                  .elevation_rad = radians_from_deg(section.number("elevation_deg", {0.5, 89.0, "degrees"})),
+                  .slant_range_m = section.number("slant_range_km", {0.1, 1000.0, "km"}) * 1e3,
+                  .target = {}};
+    const auto east = section.optional_number("target_east_m", anywhere_m), north = section.optional_number("target_north_m", anywhere_m);
+    if (east.has_value() != north.has_value()) {
+      throw section.fault(east ? "target_north_m" : "target_east_m", "is missing beside its partner",
+                          "give both target_east_m and target_north_m, or neither for the centre of the scene");
+    }
+    if (east) seen.target = Vec2d{*east, *north};
+    place = seen;
+  } else if (section.has("latitude_deg")) {
+    place = GeographicPlace{section.number("latitude_deg", {-90.0, 90.0, "degrees"}), section.number("longitude_deg", {-180.0, 180.0, "degrees"}),
+                            altitude_m()};
+  } else {
+    place = LocalPlace{{section.number("east_m", anywhere_m), section.number("north_m", anywhere_m), altitude_m()}};
+  }
+  section.refuse_unknown_keys();
+  return place;
+}
+
+MapRequest map_of(const TomlSection& section) {
+  MapRequest map;
+  map.cell_m = section.number_or("cell_m", {0.05, 10'000.0, "m"}, map.cell_m);
+  if (section.has("west_m") || section.has("east_m") || section.has("south_m") || section.has("north_m")) {
+    map.area = Rectangle{section.number("west_m", anywhere_m), section.number("south_m", anywhere_m), section.number("east_m", anywhere_m),
+                         section.number("north_m", anywhere_m)};
+    if (map.area->width_m() < map.cell_m) throw section.fault("east_m", "does not lie east of west_m by a cell", "exchange or widen the two");
+    if (map.area->height_m() < map.cell_m) throw section.fault("north_m", "does not lie north of south_m by a cell", "exchange or widen the two");
+  }
+  section.refuse_unknown_keys();
+  return map;
+}
+
+TomlSection required_section(const TomlSection& file, std::string_view key) {
+  if (auto section = file.section(key)) return *section;
+  throw file.fault(key, "is missing", "add a [" + std::string(key) + "] section");
+}
+
+}  // namespace
+
+RadarFile read_radar_file(const std::filesystem::path& path) {
+  const TomlSection file = TomlSection::read_file(path);
+  RadarFile read{.radar = radar_of(required_section(file, "radar")), .place = place_of(required_section(file, "position")), .map = {}};
+  if (const auto map = file.section("map")) read.map = map_of(*map);
+  file.refuse_unknown_keys();
+  return read;
+}
+
+}  // namespace sigmascape::radar

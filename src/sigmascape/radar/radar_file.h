@@ -1,0 +1,49 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <variant>
+
+#include "sigmascape/radar/ground_grid.h"
+#include "sigmascape/radar/radar.h"
+
+namespace sigmascape::radar {
+
+/// The radar stands where a ground point sees it under these angles.
+struct SeenFrom {
+  double azimuth_rad = 0.0;
+  double elevation_rad = 0.0;
+  double slant_range_m = 0.0;
+  std::optional<Vec2d> target;  ///< ground point in the local frame; the centre of the scene when absent
+};
+
+/// The radar's own place in the local frame, height above mean sea level.
+struct LocalPlace {
+  Vec3d position;
+};
+
+/// The radar's own place on the Earth, height above mean sea level.
+struct GeographicPlace {
+  double latitude_deg = 0.0;
+  double longitude_deg = 0.0;
+  double altitude_m = 0.0;
+};
+
+/// What the radar maps and how finely: a rectangle of the local frame (the scene's extent when absent) in square cells.
+struct MapRequest {
+  std::optional<Rectangle> area;
+  double cell_m = 2.0;
+};
+
+/// A radar file as read: everything but the scene that it will look at.
+struct RadarFile {
+  Radar radar;  ///< its position is yet to be resolved from `place`
+  std::variant<SeenFrom, LocalPlace, GeographicPlace> place;
+  MapRequest map;
+};
+
+/// Reads a radar file; docs/radar_file.md lists its keys. Throws Error, naming file and key, for what is missing, unknown or
+/// out of range.
+[[nodiscard]] RadarFile read_radar_file(const std::filesystem::path& path);
+
+}  // namespace sigmascape::radar

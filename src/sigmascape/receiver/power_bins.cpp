@@ -1,0 +1,68 @@
+#include "sigmascape/receiver/power_bins.h"
+
+#include <cmath>
+
+namespace sigmascape::receiver {
+namespace {
+
+constexpr double units_per_m2 = 0x1p36;
+constexpr double most_units = 0x1p62;
+
+}  // namespace
+
+PowerBins::PowerBins(std::size_t columns, std::size_t rows)
+    : columns_(columns), rows_(rows), units_(columns * rows * radar::Channels::count, 0) {}
+
+void PowerBins::add_units(std::int64_t& bin, float value) {
+  const double units = static_cast<double>(value) * units_per_m2;
+  if (!(std::abs(units) < most_units)) {
+    overflows_.fetch_add(1, std::memory_order_relaxed);
+    return;
+  }
+  const std::int64_t before = std::atomic_ref(bin).fetch_add(std::llrint(units), std::memory_order_relaxed);
+  if (std::abs(static_cast<double>(before)) > most_units) overflows_.fetch_add(1, std::memory_order_relaxed);
+}
+
+void PowerBins::add(std::size_t column, std::size_t row, const radar::Channels& rcs_m2) {
+  std::int64_t* bin = &units_[(row * columns_ + column) * radar::Channels::count];
+  add_units(bin[0], rcs_m2.vv);
+  add_units(bin[1], rcs_m2.hh);
+  add_units(bin[2], rcs_m2.hv);
+  add_units(bin[3], rcs_m2.re_vvhh);
+}
+
+void PowerBins::add_shared(double column, double row, const radar::Channels& rcs_m2) {
+  const double left = std::floor(column - 0.5), top = std::floor(row - 0.5);
+  const auto right_share = static_cast<float>(column - 0.5 - left);
+  const auto lower_share = static_cast<float>(row - 0.5 - top);
+  for (int down = 0; down < 2; ++down) {
+    for (int across = 0; across < 2; ++across) {
+      const double c = left + across, r = top + down;
+      if (c < 0.0 || r < 0.0 || c >= static_cast<double>(columns_) || r >= static_cast<double>(rows_)) continue;
+      const float share = (across == 1 ? right_share : 1.0F - right_share) * (down == 1 ? lower_share : 1.0F - lower_share);
+      add(static_cast<std::size_t>(c), static_cast<std::size_t>(r), rcs_m2 * share);
+    }
+  }
+}
+
+radar::Channels PowerBins::sum(std::size_t column, std::size_t row) const {
+  const std::int64_t* bin = &units_[(row * columns_ + column) * radar::Channels::count];
+  const auto m2 = [](std::int64_t units) { return static_cast<float>(static_cast<double>(units) / units_per_m2); };
+  return {m2(bin[0]), m2(bin[1]), m2(bin[2]), m2(bin[3])};
+}
+
+Array2D<radar::Channels> PowerBins::sums() const {
+  Array2D<radar::Channels> sums(columns_, rows_);
+  for (std::size_t row = 0; row < rows_; ++row) {
+    for (std::size_t column = 0; column < columns_; ++column) sums(column, row) = sum(column, row);
+  }
+  return sums;
+}
+
+std::array<double, radar::Channels::count> PowerBins::total() const {
+  std::array<double, radar::Channels::count> total{};
+  for (std::size_t i = 0; i < units_.size(); ++i) total[i % radar::Channels::count] += static_cast<double>(units_[i]) / units_per_m2;
+  return total;
+}
+
+}  // namespace sigmascape::receiver

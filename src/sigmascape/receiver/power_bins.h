@@ -1,0 +1,47 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <vector>
+
+#include "sigmascape/base/array2d.h"
+#include "sigmascape/radar/channels.h"
+
+namespace sigmascape::receiver {
+
+/// Sums cross-sections into a rectangle of bins, from any number of threads, with a result that does not depend on their order.
+///
+/// Sums are kept as 64-bit integers in units of 2⁻³⁶ m² (1.5e-11 m²), which hold up to 1.3e8 m² a bin; integer addition has no order.
+/// What does not fit is left out and counted.
+class PowerBins {
+ public:
+  PowerBins(std::size_t columns, std::size_t rows);
+
+  [[nodiscard]] std::size_t columns() const { return columns_; }
+  [[nodiscard]] std::size_t rows() const { return rows_; }
+
+  /// Adds to one bin.
+  void add(std::size_t column, std::size_t row, const radar::Channels& rcs_m2);
+
+  /// Adds at a position in units of bins, (0.5, 0.5) being the centre of bin (0, 0), shared between the four nearest bins by linear
+  /// weights that sum to one, so that where in a bin an echo lies makes itself felt and no power is lost. What falls
+  /// outside the bins is left out.
+  void add_shared(double column, double row, const radar::Channels& rcs_m2);
+
+  [[nodiscard]] radar::Channels sum(std::size_t column, std::size_t row) const;
+  /// [column, row], m².
+  [[nodiscard]] Array2D<radar::Channels> sums() const;
+  /// Over all bins, in double precision: VV, HH, HV, Re VV·HH*.
+  [[nodiscard]] std::array<double, radar::Channels::count> total() const;
+  [[nodiscard]] std::uint64_t overflows() const { return overflows_.load(); }
+
+ private:
+  void add_units(std::int64_t& bin, float value);
+
+  std::size_t columns_, rows_;
+  std::vector<std::int64_t> units_;  // [row, column, channel]
+  std::atomic<std::uint64_t> overflows_{0};
+};
+
+}  // namespace sigmascape::receiver

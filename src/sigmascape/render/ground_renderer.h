@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+
+#include "sigmascape/atlas/atlas.h"
+#include "sigmascape/radar/ground_grid.h"
+#include "sigmascape/radar/radar.h"
+#include "sigmascape/radar/range_azimuth_image.h"
+#include "sigmascape/terrain/height_field.h"
+
+namespace sigmascape::render {
+
+/// Which grazing angle and which area the reflectivity of a slope is looked up and weighted with.
+enum class SlopeModel {
+  Upright,  ///< that above the horizontal, over map area: right for walls and trees, which do not lean with their hill
+  Tilted,   ///< that above the local slope, over true area: right for bare ground
+};
+
+struct RenderSettings {
+  /// Level of detail, 1 or more: level k reads textures from mip k − 1 on.
+  int level_of_detail = 1;
+  SlopeModel slope = SlopeModel::Upright;
+  unsigned threads = 0;
+};
+
+struct RenderCounts {
+  std::size_t ground_samples = 0;  ///< points of ground in the sector
+  std::size_t visible = 0;         ///< of them not hidden by nearer ground
+};
+
+/// LOD ≥ 1: the ground map from terrain and baked reflectivity alone.
+///
+/// Sweeps outwards along every azimuth with the steepest line of sight so far; ground that rises above it is seen and sends
+/// its σ0 · dA to the receiver at its true slant range. Objects stand in the textures, so their shadows and layover come from there; the
+/// occluders here are the bare earth.
+class GroundRenderer {
+ public:
+  GroundRenderer(const atlas::Atlas& atlas, const terrain::HeightField& terrain) : atlas_(&atlas), terrain_(&terrain) {}
+
+  /// Renders what of `area` the bins of `grid` hold. Throws Error when the atlas has not been baked near the radar's frequency.
+  [[nodiscard]] radar::RangeAzimuthImage render(const radar::Radar& radar, const radar::Rectangle& area, const radar::RangeAzimuthGrid& grid,
+                                                const RenderSettings& settings, RenderCounts& counts) const;
+
+ private:
+  const atlas::Atlas* atlas_;
+  const terrain::HeightField* terrain_;
+};
+
+}  // namespace sigmascape::render

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <complex>
+
+#include "sigmascape/scatter/field.h"
+
+namespace sigmascape::scatter {
+
+/// Reflection of a plane wave by a plane mirror of relative permittivity ε:
+///
+///     r_s = (cos θ − q) / (cos θ + q),   r_p = (ε cos θ − q) / (ε cos θ + q),   q = √(ε − sin² θ)
+///
+/// s lies across the plane of incidence, p = s × k for both the incoming and the outgoing wave; with time e^{jωt}, Im ε ≤ 0. At
+/// normal incidence r_p = −r_s. docs/physics/fresnel.md, Eq. (1).
+struct FresnelCoefficients {
+  Amplitude s, p;
+};
+
+[[nodiscard]] FresnelCoefficients fresnel(std::complex<float> permittivity, float cos_incidence);
+
+/// The field after reflection by a mirror facet with unit normal m: out = r_s (E·s) s + r_p (E·p_i) p_o.
+/// `travel_in` and `travel_out` are the directions of travel, mirror images of one another in the facet.
+[[nodiscard]] FieldPair reflected(const FieldPair& in, std::complex<float> permittivity, Vec3f travel_in, Vec3f travel_out,
+                                  Vec3f facet);
+
+}  // namespace sigmascape::scatter

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <variant>
+
+#include "sigmascape/scatter/constant_gamma.h"
+#include "sigmascape/scatter/cook_torrance.h"
+#include "sigmascape/scatter/lambert.h"
+#include "sigmascape/scatter/material.h"
+
+namespace sigmascape::scatter {
+
+/// A material at one frequency, ready to scatter. All directions are unit vectors that point away from the surface, and the normal is
+/// the one on their side.
+///
+/// A new model is a class with the four members below, a parameter struct in material.h, and its place in the variant.
+class SurfaceModel {
+ public:
+  /// Throws Error when the material is not known at that frequency.
+  SurfaceModel(const Material& material, double frequency_hz);
+
+  /// BRDF towards where the wave came from, by polarization, 1/sr: exact second moments, nothing drawn.
+  [[nodiscard]] radar::Channels backscatter(Vec3f to_radar, Vec3f normal) const {
+    return std::visit([&](const auto& m) { return m.backscatter(to_radar, normal); }, model_);
+  }
+  /// A direction to carry the path on. `u` in [0,1)².
+  [[nodiscard]] DirectionSample sample(Vec3f to_source, Vec3f normal, Vec2f u) const {
+    return std::visit([&](const auto& m) { return m.sample(to_source, normal, u); }, model_);
+  }
+  /// Density of `sample`, 1/sr.
+  [[nodiscard]] float pdf(Vec3f to_source, Vec3f to_sink, Vec3f normal) const {
+    return std::visit([&](const auto& m) { return m.pdf(to_source, to_sink, normal); }, model_);
+  }
+  /// The fields that leave towards `to_sink`: their powers are the incoming ones times the BRDF, in expectation over `draw`. For the
+  /// way back (directions exchanged) the matrix is the transpose.
+  [[nodiscard]] FieldPair scatter(const FieldPair& in, Vec3f to_source, Vec3f to_sink, Vec3f normal, PhaseDraw draw) const {
+    return std::visit([&](const auto& m) { return m.scatter(in, to_source, to_sink, normal, draw); }, model_);
+  }
+
+ private:
+  using Model = std::variant<Lambert, ConstantGamma, CookTorrance>;
+  static Model model_of(const Material& material, double frequency_hz);
+  Model model_;
+};
+
+}  // namespace sigmascape::scatter

@@ -1,0 +1,149 @@
+#include "sigmascape/scene/building_reader.h"
+
+#include <fmt/format.h>
+#include <utility>
+
+#include "sigmascape/scene/attribute_number.h"
+#include "sigmascape/scene/building_extrusion.h"
+#include "sigmascape/scene/footprint.h"
+#include "sigmascape/scene/vector_section.h"
+
+namespace sigmascape::scene {
+namespace {
+
+constexpr Interval height_range{0.5, 2000.0, "m"};
+
+std::optional<double> number_in(const geo::Feature& feature, const std::optional<std::string>& attribute) {
+  if (!attribute) return std::nullopt;
+  const auto text = feature.attribute(*attribute);
+  return text ? metres_from_text(*text) : std::nullopt;
+}
+
+void refuse_negative(double value, const geo::Feature& feature, const std::string& attribute,
+                     const BuildingSource& source) {
+  if (value >= 0.0) return;
+  throw Error(fmt::format("{}: {}", source.vector.file.string(), feature.id),
+              fmt::format("its {} is {:g}", attribute, value),
+              "correct it to a height above the ground, or leave such features out with the key where");
+}
+
+/// Height from the feature itself: its height, else its levels. Zero counts as unknown.
+std::optional<double> stated_height_m(const geo::Feature& feature, const BuildingSource& source) {
+  if (const auto height = number_in(feature, source.height_attribute)) {
+    refuse_negative(*height, feature, *source.height_attribute, source);
+    if (*height >= height_range.lowest && *height <= height_range.highest) return height;
+  }
+  if (const auto levels = number_in(feature, source.levels_attribute)) {
+    refuse_negative(*levels, feature, *source.levels_attribute, source);
+    if (*levels > 0.0 && *levels * source.metres_per_level <= height_range.highest)
+      return *levels * source.metres_per_level;
+  }
+  return std::nullopt;
+}
+
+/// Height of a building, or nothing when it is to be left out.
+std::optional<double> height_m(const geo::Feature& feature, const BuildingSource& source, FlawTally& tally) {
+  if (!source.height_attribute && !source.levels_attribute) return source.default_height_m;
+  if (const auto stated = stated_height_m(feature, source)) return stated;
+  tally.flaw(source.default_height_m ? fmt::format("buildings without a height, given {:g} m", *source.default_height_m)
+                                     : "buildings without a height, left out",
+             feature.id);
+  return source.default_height_m;
+}
+
+/// The valid parts of a feature's polygons.
+geo::Polygons mended_shape(const geo::Feature& feature, const BuildingSource& source, FlawTally& tally) {
+  geo::Polygons shape;
+  bool all_valid = true;
+  for (const geo::Polygon& polygon : feature.polygons) {
+    auto [parts, was_valid] = geo::repaired(polygon);
+    all_valid = all_valid && was_valid;
+    shape.insert(shape.end(), parts.begin(), parts.end());
+  }
+  if (!all_valid) tally.flaw("self-crossing footprints, repaired", feature.id);
+  // Parts of one feature may overlap one another; the valid whole is their union.
+  if (feature.polygons.size() > 1) shape = geo::united(shape, {});
+  return geo::simplified(shape, source.simplify_m);
+}
+
+bool lies_inside(const geo::Feature& feature, const radar::Rectangle& extent) {
+  Vec2d sum;
+  double count = 0.0;
+  for (const geo::Polygon& polygon : feature.polygons) {
+    for (const Vec2d& corner : polygon.outer) {
+      sum = sum + corner;
+      count += 1.0;
+    }
+  }
+  return count > 0.0 && extent.contains(sum * (1.0 / count));
+}
+
+std::size_t collect_footprints(Scene& scene, const BuildingSource& source, std::size_t source_number, FlawTally& tally,
+                               std::vector<Footprint>& footprints) {
+  const auto found = geo::read_features(source.vector, scene.frame);
+  for (const auto& attribute : {source.height_attribute, source.levels_attribute}) {
+    if (attribute) require_attribute(found, *attribute, source.where);
+  }
+  tally.flaw("features without usable coordinates, left out", found.first_nowhere, found.nowhere);
+  const MaterialIndex wall = scene.material_index(source.wall), roof = scene.material_index(source.roof);
+  std::size_t inside = found.nowhere;
+  for (const geo::Feature& feature : found.features) {
+    if (!lies_inside(feature, scene.extent)) {
+      tally.note("buildings outside the scene, left out", feature.id);
+      continue;
+    }
+    ++inside;
+    auto shape = mended_shape(feature, source, tally);
+    if (geo::area_m2(shape) < source.min_area_m2) {
+      tally.note("buildings smaller than min_area_m2, left out", feature.id);
+      continue;
+    }
+    if (const auto height = height_m(feature, source, tally)) {
+      footprints.push_back({std::move(shape), *height, wall, roof, source_number, feature.id});
+    }
+  }
+  return inside;
+}
+
+}  // namespace
+
+BuildingSource read_building_source(const TomlSection& section, const MaterialTable& materials,
+                                    const FlawLimit& limit) {
+  BuildingSource source;
+  source.where = section.where();
+  source.vector = read_vector_source(section, geo::GeometryKind::Polygons);
+  source.vector.osm_tag = "building";
+  source.height_attribute = section.optional_text("height_attribute");
+  source.levels_attribute = section.optional_text("levels_attribute");
+  source.metres_per_level = section.number_or("metres_per_level", {1.5, 10.0, "m"}, source.metres_per_level);
+  source.default_height_m = section.optional_number("default_height_m", height_range);
+  source.min_area_m2 = section.number_or("min_area_m2", {0.0, 1e6, "m²"}, source.min_area_m2);
+  source.simplify_m = section.number_or("simplify_m", {0.0, 10.0, "m"}, source.simplify_m);
+  source.wall = materials.named_by(section, "wall_material", "concrete");
+  source.roof = materials.named_by(section, "roof_material", "concrete");
+  source.limit = read_flaw_limit(section, limit);
+  section.refuse_unknown_keys();
+  if (!source.height_attribute && !source.levels_attribute && !source.default_height_m) {
+    throw Error(section.where(), "does not say how tall the buildings are",
+                "give height_attribute, levels_attribute or default_height_m");
+  }
+  return source;
+}
+
+void add_buildings(Scene& scene, const std::vector<BuildingSource>& sources) {
+  std::vector<FlawTally> tallies(sources.size());
+  std::vector<std::size_t> inside;
+  std::vector<Footprint> footprints;
+  for (std::size_t i = 0; i < sources.size(); ++i)
+    inside.push_back(collect_footprints(scene, sources[i], i, tallies[i], footprints));
+  for (const Footprint& footprint : without_overlaps(std::move(footprints), tallies)) {
+    for (const geo::Polygon& outline : footprint.shape) {
+      append_building(scene.buildings, outline, footprint.height_m, footprint.wall, footprint.roof, scene.terrain);
+    }
+  }
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    tallies[i].settle(sources[i].vector.file.string(), inside[i], sources[i].limit, scene.remarks);
+  }
+}
+
+}  // namespace sigmascape::scene

@@ -1,0 +1,149 @@
+#include "sigmascape/scene/land_cover_reader.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fmt/format.h>
+#include <set>
+
+#include "sigmascape/scene/vector_section.h"
+
+namespace sigmascape::scene {
+namespace {
+
+/// A class of ESA WorldCover as the radar sees it: with everything that stands there, and as the bare ground beneath.
+struct WorldCoverClass {
+  std::int32_t code;
+  const char* aggregate;
+  const char* ground;
+  enum class Holds { Nothing, Trees, Buildings } holds;
+};
+
+using Holds = WorldCoverClass::Holds;
+constexpr WorldCoverClass world_cover[] = {
+    {10, "forest", "forest_floor", Holds::Trees}, {20, "shrubs", "shrubs", Holds::Nothing},
+    {30, "grass", "grass", Holds::Nothing},       {40, "crops", "crops", Holds::Nothing},
+    {50, "urban", "asphalt", Holds::Buildings},   {60, "bare_soil", "bare_soil", Holds::Nothing},
+    {70, "snow", "snow", Holds::Nothing},         {80, "water", "water", Holds::Nothing},
+    {90, "grass", "grass", Holds::Nothing},   // herbaceous wetland
+    {95, "forest", "water", Holds::Trees},    // mangroves
+    {100, "grass", "grass", Holds::Nothing},  // moss and lichen
+};
+
+const char* material_name(const WorldCoverClass& entry, const std::string& scatter_as, ExplicitObjects objects) {
+  if (scatter_as == "ground") return entry.ground;
+  if (scatter_as == "aggregate") return entry.aggregate;
+  const bool stands_there_itself =
+      (entry.holds == Holds::Trees && objects.trees) || (entry.holds == Holds::Buildings && objects.buildings);
+  return stands_there_itself ? entry.ground : entry.aggregate;
+}
+
+std::int32_t class_code(const TomlSection& classes, const std::string& key) {
+  std::int32_t code = 0;
+  const auto [end, fault] = std::from_chars(key.data(), key.data() + key.size(), code);
+  if (fault != std::errc() || end != key.data() + key.size()) {
+    throw classes.fault(key, "is not a class code", "use the whole numbers that the raster holds as keys");
+  }
+  return code;
+}
+
+constexpr double most_cells = 1e9;
+
+}  // namespace
+
+LandCoverSource read_land_cover_source(const TomlSection& section, const MaterialTable& materials,
+                                       ExplicitObjects objects, const FlawLimit& limit) {
+  LandCoverSource source;
+  if (const auto file = section.optional_file("file")) {
+    source.raster = geo::RasterBand{*file, static_cast<int>(section.whole_number_or("band", {1, 10000, ""}, 1)),
+                                    section.text_or("crs", "")};
+  }
+  source.cell_m = section.optional_number("cell_m", {0.05, 10000.0, "m"});
+  source.nodata = materials.named_by(section, "nodata_material", "grass");
+  source.limit = read_flaw_limit(section, limit);
+
+  const std::string scatter_as = section.choice_or("scatter_as", {"auto", "ground", "aggregate"}, "auto");
+  for (const WorldCoverClass& entry : world_cover) {
+    source.materials[entry.code] =
+        materials.material(material_name(entry, scatter_as, objects), "the built-in class table");
+  }
+  if (const auto classes = section.section("classes")) {
+    for (const std::string& key : classes->keys()) {
+      source.materials[class_code(*classes, key)] = materials.material(classes->text(key), classes->where(key));
+    }
+  }
+  for (const double code : section.numbers("water_classes", {-1e9, 1e9, ""})) {
+    source.water_classes.push_back(static_cast<std::int32_t>(code));
+  }
+  if (!section.has("water_classes")) source.water_classes = {80};
+  if (!source.raster && source.cell_m)
+    throw section.fault("cell_m", "stands without a file", "add file, or remove cell_m");
+  section.refuse_unknown_keys();
+  return source;
+}
+
+LandCoverSource default_land_cover(const MaterialTable& materials) {
+  LandCoverSource source;
+  source.nodata = materials.material("grass", "the ground without [land_cover]");
+  return source;
+}
+
+WaterMask add_land_cover(Scene& scene, const LandCoverSource& source) {
+  const std::string name = source.raster ? source.raster->file.string() : "";
+  std::optional<geo::Raster> raster;
+  if (source.raster) raster.emplace(*source.raster);
+  const double cell_m =
+      source.cell_m.value_or(raster ? raster->cell_m() : std::max(scene.extent.width_m(), scene.extent.height_m()));
+  const double columns = std::ceil(scene.extent.width_m() / cell_m - 1e-6),
+               rows = std::ceil(scene.extent.height_m() / cell_m - 1e-6);
+  if (columns * rows > most_cells) {
+    throw Error(name, fmt::format("would make {:.2g} cells of {:g} m", columns * rows, cell_m),
+                "choose a larger cell_m in [land_cover]");
+  }
+  const radar::GroundGrid grid{scene.extent.west_m, scene.extent.north_m, cell_m, static_cast<std::size_t>(columns),
+                               static_cast<std::size_t>(rows)};
+  scene.ground.grid = grid;
+  scene.ground.material = Array2D<MaterialIndex>(grid.columns, grid.rows, scene.material_index(source.nodata));
+  WaterMask water(grid.columns, grid.rows, 0);
+  if (!raster) return water;
+
+  const Vec2d first = grid.centre_of(0, 0);
+  const auto classes = raster->classes_on({first.x, first.y, cell_m, grid.columns, grid.rows}, scene.frame);
+  std::map<std::int32_t, std::size_t> count;
+  for (const std::int32_t code : classes.values()) ++count[code];
+  if (count[geo::no_class] == classes.size()) {
+    throw Error(name, "holds no class anywhere in the scene's extent",
+                "give a land cover raster that overlaps the terrain");
+  }
+
+  FlawTally tally;
+  tally.note("cells of land cover without data, given the nodata material", source.nodata.name, count[geo::no_class]);
+  std::map<std::int32_t, MaterialIndex> material_of;
+  for (const auto& [code, cells] : count) {
+    const auto listed = source.materials.find(code);
+    if (listed != source.materials.end()) {
+      material_of[code] = scene.material_index(listed->second);
+    } else if (code != geo::no_class) {
+      tally.flaw("cells of a class without a material, given the nodata material", fmt::format("class {}", code),
+                 cells);
+    }
+  }
+  const std::set<std::int32_t> water_classes(source.water_classes.begin(), source.water_classes.end());
+  for (std::size_t i = 0; i < classes.size(); ++i) {
+    const std::int32_t code = classes.values()[i];
+    if (const auto found = material_of.find(code); found != material_of.end())
+      scene.ground.material.values()[i] = found->second;
+    water.values()[i] = water_classes.contains(code) ? 1 : 0;
+  }
+  tally.settle(name, classes.size(), source.limit, scene.remarks);
+  return water;
+}
+
+bool in_water(const radar::GroundGrid& grid, const WaterMask& water, Vec2d point) {
+  if (water.empty() || !grid.extent().contains(point)) return false;
+  const Vec2d cells = grid.cells_from(point);
+  return water(std::min(static_cast<std::size_t>(cells.x), grid.columns - 1),
+               std::min(static_cast<std::size_t>(cells.y), grid.rows - 1)) != 0;
+}
+
+}  // namespace sigmascape::scene

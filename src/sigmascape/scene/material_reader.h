@@ -1,0 +1,29 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "sigmascape/base/toml_reader.h"
+#include "sigmascape/scatter/material.h"
+
+namespace sigmascape::scene {
+
+/// The materials a scene file may name: its own, under [materials.<name>], and behind them the library's.
+class MaterialTable {
+ public:
+  MaterialTable() = default;
+  /// Reads [materials] of a scene file's root.
+  explicit MaterialTable(const TomlSection& root);
+
+  [[nodiscard]] bool knows(const std::string& name) const;
+  /// Throws Error at `where`, with the nearest known name, when neither has it.
+  [[nodiscard]] const scatter::Material& material(const std::string& name, const std::string& where) const;
+  /// The material named by a key, or of the fallback name where the key is absent.
+  [[nodiscard]] const scatter::Material& named_by(const TomlSection& section, std::string_view key,
+                                                  const std::string& fallback) const;
+
+ private:
+  std::map<std::string, scatter::Material> own_;
+};
+
+}  // namespace sigmascape::scene

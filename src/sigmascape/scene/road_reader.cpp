@@ -1,0 +1,116 @@
+#include "sigmascape/scene/road_reader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <span>
+
+#include "sigmascape/scene/attribute_number.h"
+#include "sigmascape/scene/vector_section.h"
+
+namespace sigmascape::scene {
+namespace {
+
+constexpr Interval width_range{0.5, 100.0, "m"};
+
+/// Paved widths of OpenStreetMap's road classes: lanes of 3 to 3.5 m, as many as are usual.
+const std::map<std::string, double> usual_width_m = {
+    {"motorway", 22.0},     {"motorway_link", 7.0}, {"trunk", 14.0},      {"trunk_link", 7.0},
+    {"primary", 12.0},      {"primary_link", 6.0},  {"secondary", 9.0},   {"secondary_link", 6.0},
+    {"tertiary", 7.0},      {"tertiary_link", 5.0}, {"residential", 6.0}, {"unclassified", 6.0},
+    {"living_street", 5.0}, {"service", 4.0},       {"busway", 7.0},      {"pedestrian", 5.0},
+};
+
+std::optional<double> width_m(const geo::Feature& feature, const RoadSource& source, FlawTally& tally) {
+  if (source.width_attribute) {
+    const auto text = feature.attribute(*source.width_attribute);
+    const auto stated = text ? metres_from_text(*text) : std::nullopt;
+    if (stated && *stated >= width_range.lowest && *stated <= width_range.highest) return stated;
+  }
+  if (source.class_attribute) {
+    const auto name = feature.attribute(*source.class_attribute);
+    const auto known = name ? source.width_m_by_class.find(*name) : source.width_m_by_class.end();
+    if (known != source.width_m_by_class.end()) return known->second;
+  }
+  if (!source.width_m) tally.note("roads of a class without a width, left out", feature.id);
+  return source.width_m;
+}
+
+double distance_m(Vec2d point, Vec2d from, Vec2d to) {
+  const Vec2d along = to - from;
+  const double square = dot(along, along);
+  const double t = square > 0.0 ? std::clamp(dot(point - from, along) / square, 0.0, 1.0) : 0.0;
+  return length(point - (from + along * t));
+}
+
+/// Paints every dry cell whose centre lies within the half width of a line.
+void pave(MaterialMap& ground, const WaterMask& water, std::span<const Vec2d> line, double half_width_m,
+          MaterialIndex paving) {
+  const radar::GroundGrid& grid = ground.grid;
+  const double reach = half_width_m / grid.cell_m;
+  const auto drawn_in = [](double cells, std::size_t count) {
+    return static_cast<std::size_t>(std::clamp(cells, 0.0, static_cast<double>(count)));
+  };
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const Vec2d a = grid.cells_from(line[i]), b = grid.cells_from(line[i + 1]);
+    const std::size_t first_column = drawn_in(std::min(a.x, b.x) - reach, grid.columns);
+    const std::size_t end_column = drawn_in(std::max(a.x, b.x) + reach + 1.0, grid.columns);
+    const std::size_t first_row = drawn_in(std::min(a.y, b.y) - reach, grid.rows);
+    const std::size_t end_row = drawn_in(std::max(a.y, b.y) + reach + 1.0, grid.rows);
+    for (std::size_t row = first_row; row < end_row; ++row) {
+      for (std::size_t column = first_column; column < end_column; ++column) {
+        if (water(column, row) != 0) continue;
+        if (distance_m(grid.centre_of(column, row), line[i], line[i + 1]) <= half_width_m)
+          ground.material(column, row) = paving;
+      }
+    }
+  }
+}
+
+}  // namespace
+
+RoadSource read_road_source(const TomlSection& section, const MaterialTable& materials, const FlawLimit& limit) {
+  RoadSource source;
+  source.where = section.where();
+  source.vector = read_vector_source(section, geo::GeometryKind::Lines);
+  source.vector.osm_tag = "highway";
+  source.width_attribute = section.optional_text("width_attribute");
+  source.class_attribute = section.optional_text("class_attribute");
+  source.width_m_by_class = usual_width_m;
+  if (const auto widths = section.section("width_m_by_class")) {
+    for (const std::string& name : widths->keys()) source.width_m_by_class[name] = widths->number(name, width_range);
+  }
+  source.width_m = section.optional_number("width_m", width_range);
+  source.paving = materials.named_by(section, "material", "asphalt");
+  if (const auto traffic = section.section("traffic")) source.traffic = read_traffic(*traffic, materials);
+  source.limit = read_flaw_limit(section, limit);
+  section.refuse_unknown_keys();
+  if (!source.width_attribute && !source.class_attribute && !source.width_m) {
+    throw Error(section.where(), "does not say how wide the roads are",
+                "give width_m, width_attribute or class_attribute");
+  }
+  return source;
+}
+
+void add_roads(Scene& scene, const RoadSource& source, const WaterMask& water) {
+  const auto found = geo::read_features(source.vector, scene.frame);
+  for (const auto& attribute : {source.width_attribute, source.class_attribute}) {
+    if (attribute) require_attribute(found, *attribute, source.where);
+  }
+  FlawTally tally;
+  tally.flaw("features without usable coordinates, left out", found.first_nowhere, found.nowhere);
+  const MaterialIndex paving = scene.material_index(source.paving);
+  std::optional<TrafficFlow> flow;
+  if (source.traffic) flow.emplace(scene, *source.traffic);
+  for (const geo::Feature& feature : found.features) {
+    const auto width = width_m(feature, source, tally);
+    if (!width) continue;
+    for (const auto& line : feature.lines) {
+      pave(scene.ground, water, line, *width / 2.0, paving);
+      if (flow) flow->fill(line, *width, water);
+    }
+  }
+  tally.settle(source.vector.file.string(), found.features.size() + found.nowhere, source.limit, scene.remarks);
+}
+
+}  // namespace sigmascape::scene

@@ -1,0 +1,58 @@
+#include "sigmascape/scene/scene_extent.h"
+
+namespace sigmascape::scene {
+namespace {
+
+constexpr Interval latitudes{-89.0, 89.0, "degrees"};
+constexpr Interval longitudes{-360.0, 360.0, "degrees"};
+constexpr Interval metres{-1e6, 1e6, "m"};
+
+void read_extent(const TomlSection& section, ScenePlace& place) {
+  const bool in_degrees =
+      section.has("west_deg") || section.has("east_deg") || section.has("south_deg") || section.has("north_deg");
+  if (in_degrees) {
+    place.extent_deg = GeographicBox{section.number("west_deg", longitudes), section.number("south_deg", latitudes),
+                                     section.number("east_deg", longitudes), section.number("north_deg", latitudes)};
+  } else {
+    place.extent_m = radar::Rectangle{section.number("west_m", metres), section.number("south_m", metres),
+                                      section.number("east_m", metres), section.number("north_m", metres)};
+  }
+  section.refuse_unknown_keys();
+  const bool empty = in_degrees ? place.extent_deg->east_deg <= place.extent_deg->west_deg ||
+                                      place.extent_deg->north_deg <= place.extent_deg->south_deg
+                                : place.extent_m->width_m() <= 0.0 || place.extent_m->height_m() <= 0.0;
+  if (empty) throw Error(section.where(), "holds no area", "east must be greater than west and north than south");
+}
+
+}  // namespace
+
+ScenePlace read_scene_place(const TomlSection& section) {
+  ScenePlace place;
+  const auto latitude_deg = section.optional_number("origin_lat_deg", latitudes);
+  const auto longitude_deg = section.optional_number("origin_lon_deg", longitudes);
+  if (latitude_deg.has_value() != longitude_deg.has_value()) {
+    throw section.fault(latitude_deg ? "origin_lon_deg" : "origin_lat_deg", "is missing", "state both, or neither");
+  }
+  if (latitude_deg) place.origin = geo::GeographicPosition{*latitude_deg, *longitude_deg};
+  if (const auto extent = section.section("extent")) read_extent(*extent, place);
+  return place;
+}
+
+geo::LocalFrame frame_of(const ScenePlace& place, const geo::RasterBand& terrain) {
+  const geo::GeographicPosition origin = place.origin       ? *place.origin
+                                         : place.extent_deg ? place.extent_deg->centre()
+                                                            : geo::Raster(terrain).centre();
+  return {origin.latitude_deg, origin.longitude_deg};
+}
+
+std::optional<radar::Rectangle> extent_in(const ScenePlace& place, const geo::LocalFrame& frame) {
+  if (!place.extent_deg) return place.extent_m;
+  const GeographicBox& box = *place.extent_deg;
+  const auto [latitude_deg, longitude_deg] = box.centre();
+  return radar::Rectangle{geo::position_in_frame(frame, {latitude_deg, box.west_deg}).x,
+                          geo::position_in_frame(frame, {box.south_deg, longitude_deg}).y,
+                          geo::position_in_frame(frame, {latitude_deg, box.east_deg}).x,
+                          geo::position_in_frame(frame, {box.north_deg, longitude_deg}).y};
+}
+
+}  // namespace sigmascape::scene

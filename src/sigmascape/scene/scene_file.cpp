@@ -1,0 +1,151 @@
+#include "sigmascape/scene/scene_file.h"
+
+#include <fmt/format.h>
+#include <optional>
+#include <vector>
+
+#include "sigmascape/base/toml_reader.h"
+#include "sigmascape/scene/building_reader.h"
+#include "sigmascape/scene/land_cover_reader.h"
+#include "sigmascape/scene/material_reader.h"
+#include "sigmascape/scene/mesh_reader.h"
+#include "sigmascape/scene/point_target_reader.h"
+#include "sigmascape/scene/road_reader.h"
+#include "sigmascape/scene/scene_extent.h"
+#include "sigmascape/scene/tree_reader.h"
+#include "sigmascape/scene/vector_section.h"
+#include "sigmascape/scene/water_level.h"
+#include "sigmascape/terrain/terrain_reader.h"
+
+namespace sigmascape::scene {
+namespace {
+
+/// Where the water of the land cover is to be laid flat.
+struct WaterLevel {
+  double level_m = 0.0;
+  double within_m = 10.0;
+};
+
+struct TerrainSection {
+  terrain::TerrainSource source;
+  std::optional<WaterLevel> water;
+  FlawLimit limit;
+};
+
+/// All that a scene file says, before any of the data that it names are read.
+struct SceneDescription {
+  std::string name;
+  std::string attribution;
+  ScenePlace place;
+  MaterialTable materials;
+  TerrainSection terrain;
+  LandCoverSource land_cover;
+  std::vector<BuildingSource> buildings;
+  std::vector<TreeSource> trees;
+  std::vector<RoadSource> roads;
+  std::vector<MeshSource> meshes;
+  std::vector<PointTargetSource> point_targets;
+};
+
+TerrainSection read_terrain_section(const TomlSection& section, const FlawLimit& limit) {
+  TerrainSection terrain;
+  terrain::TerrainSource& source = terrain.source;
+  source.raster = {section.file("file"), static_cast<int>(section.whole_number_or("band", {1, 10000, ""}, 1)),
+                   section.text_or("crs", "")};
+  source.spacing_m = section.optional_number("spacing_m", {0.1, 10000.0, "m"});
+  source.smooth_within_m = section.number_or("smooth_within_m", {0.0, 100.0, "m"}, 0.0);
+  source.lowest_plausible_m =
+      section.number_or("lowest_plausible_m", {-12000.0, 9000.0, "m"}, source.lowest_plausible_m);
+  source.highest_plausible_m =
+      section.number_or("highest_plausible_m", {-12000.0, 9000.0, "m"}, source.highest_plausible_m);
+  const auto level_m = section.optional_number("water_level_m", {-500.0, 9000.0, "m"});
+  const auto within_m = section.optional_number("water_within_m", {0.0, 1000.0, "m"});
+  if (level_m) terrain.water = WaterLevel{*level_m, within_m.value_or(WaterLevel{}.within_m)};
+  terrain.limit = read_flaw_limit(section, limit);
+  source.largest_hole_share = terrain.limit.max_share;
+  section.refuse_unknown_keys();
+  if (within_m && !level_m)
+    throw section.fault("water_within_m", "stands without water_level_m", "add water_level_m or remove it");
+  return terrain;
+}
+
+template <typename Read>
+auto read_each(const TomlSection& root, std::string_view key, const Read& read) {
+  std::vector<decltype(read(root))> sources;
+  for (const TomlSection& section : root.sections(key)) sources.push_back(read(section));
+  return sources;
+}
+
+SceneDescription read_description(const std::filesystem::path& toml) {
+  const TomlSection root = TomlSection::read_file(toml);
+  SceneDescription described;
+  FlawLimit limit;
+  described.name = toml.stem().string();
+  if (const auto section = root.section("scene")) {
+    described.name = section->text_or("name", described.name);
+    described.attribution = section->text_or("attribution", "");
+    described.place = read_scene_place(*section);
+    limit.strict = section->flag_or("strict", false);
+    limit.max_share = section->number_or("max_flawed_share", {0.0, 1.0, ""}, limit.max_share);
+    section->refuse_unknown_keys();
+  }
+  const MaterialTable& materials = described.materials = MaterialTable(root);
+  described.buildings = read_each(
+      root, "buildings", [&](const TomlSection& section) { return read_building_source(section, materials, limit); });
+  described.trees =
+      read_each(root, "trees", [&](const TomlSection& section) { return read_tree_source(section, materials, limit); });
+  described.roads =
+      read_each(root, "roads", [&](const TomlSection& section) { return read_road_source(section, materials, limit); });
+  described.meshes = read_each(root, "meshes",
+                               [&](const TomlSection& section) { return read_mesh_source(section, materials, limit); });
+  described.point_targets = read_each(root, "point_targets", read_point_target_source);
+  const ExplicitObjects objects{!described.trees.empty(), !described.buildings.empty()};
+  const auto land_cover = root.section("land_cover");
+  described.land_cover =
+      land_cover ? read_land_cover_source(*land_cover, materials, objects, limit) : default_land_cover(materials);
+  const auto terrain = root.section("terrain");
+  root.refuse_unknown_keys();
+  if (!terrain)
+    throw Error(toml.string() + ": terrain", "is missing", "add [terrain] with file = the path of an elevation raster");
+  described.terrain = read_terrain_section(*terrain, limit);
+  return described;
+}
+
+void add_terrain(Scene& scene, const SceneDescription& described) {
+  const auto& [source, water, limit] = described.terrain;
+  scene.frame = frame_of(described.place, source.raster);
+  auto [field, filled, implausible] =
+      terrain::read_terrain(source, scene.frame, extent_in(described.place, scene.frame));
+  FlawTally tally;
+  tally.flaw("terrain heights out of the plausible range, interpolated", fmt::format("band {}", source.raster.band),
+             implausible);
+  tally.flaw("terrain nodes without data, interpolated", fmt::format("band {}", source.raster.band),
+             filled - implausible);
+  tally.settle(source.raster.file.string(), field.height_m.size(), limit, scene.remarks);
+  scene.terrain = std::move(field);
+  scene.extent = scene.terrain.extent();
+}
+
+}  // namespace
+
+Scene read_scene(const std::filesystem::path& toml) {
+  const SceneDescription described = read_description(toml);
+  Scene scene;
+  scene.name = described.name;
+  scene.attribution = described.attribution;
+  add_terrain(scene, described);
+  const WaterMask water = add_land_cover(scene, described.land_cover);
+  if (const auto& level = described.terrain.water) {
+    level_water(scene.terrain, scene.ground.grid, water, level->level_m, level->within_m);
+  }
+  // Objects stand on the terrain, so they come after it is finished; roads paint the ground before anything needs to
+  // know it.
+  for (const RoadSource& roads : described.roads) add_roads(scene, roads, water);
+  add_buildings(scene, described.buildings);
+  for (const TreeSource& trees : described.trees) add_trees(scene, trees, water);
+  for (const MeshSource& mesh : described.meshes) add_mesh(scene, mesh, described.materials);
+  for (const PointTargetSource& target : described.point_targets) add_point_target(scene, target);
+  return scene;
+}
+
+}  // namespace sigmascape::scene

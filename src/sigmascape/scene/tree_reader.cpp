@@ -1,0 +1,126 @@
+#include "sigmascape/scene/tree_reader.h"
+
+#include <fmt/format.h>
+
+#include "sigmascape/base/hash.h"
+#include "sigmascape/base/units.h"
+#include "sigmascape/scene/attribute_number.h"
+#include "sigmascape/scene/vector_section.h"
+
+namespace sigmascape::scene {
+namespace {
+
+/// Taller than any tree that grows (116 m), with some room for its measurement.
+constexpr double tallest_tree_m = 125.0;
+constexpr double widest_crown_m = 40.0;
+
+std::optional<double> number_in(const geo::Feature& feature, const std::optional<std::string>& attribute) {
+  if (!attribute) return std::nullopt;
+  const auto text = feature.attribute(*attribute);
+  return text ? metres_from_text(*text) : std::nullopt;
+}
+
+std::optional<double> height_m(const geo::Feature& feature, const TreeSource& source, FlawTally& tally) {
+  if (!source.height_attribute) return source.default_height_m;
+  const auto stated = number_in(feature, source.height_attribute);
+  if (stated && *stated < 0.0) {
+    throw Error(fmt::format("{}: {}", source.vector.file.string(), feature.id),
+                fmt::format("its {} is {:g}", *source.height_attribute, *stated),
+                "correct it to a height above the ground, or leave such features out with the key where");
+  }
+  if (stated && *stated > 0.0 && *stated <= tallest_tree_m) return stated;
+  tally.flaw(source.default_height_m ? fmt::format("trees without a height, given {:g} m", *source.default_height_m)
+                                     : "trees without a height, left out",
+             feature.id);
+  return source.default_height_m;
+}
+
+double crown_radius_m(const geo::Feature& feature, const TreeSource& source, double height_m, FlawTally& tally) {
+  const double usual = source.crown_radius_per_height * height_m;
+  if (!source.crown_radius_attribute) return usual;
+  const auto stated = number_in(feature, source.crown_radius_attribute);
+  if (stated && *stated > 0.0 && *stated <= widest_crown_m) return *stated;
+  tally.flaw("trees without a crown radius, given the usual one", feature.id);
+  return usual;
+}
+
+/// Adds the tree meshes that this source chooses from; returns the first one's number.
+std::uint32_t add_prototypes(Scene& scene, const TreeSource& source) {
+  const auto first = static_cast<std::uint32_t>(scene.prototypes.size());
+  const TreeMaterials materials{scene.material_index(source.bark), scene.material_index(source.leaf)};
+  for (const TreeForm form : source.forms) {
+    for (std::size_t variant = 0; variant < source.variants; ++variant) {
+      scene.prototypes.push_back(tree_mesh(form, materials, hashed(source.seed, variant)));
+    }
+  }
+  return first;
+}
+
+}  // namespace
+
+TreeSource read_tree_source(const TomlSection& section, const MaterialTable& materials, const FlawLimit& limit) {
+  TreeSource source;
+  source.where = section.where();
+  source.vector = read_vector_source(section, geo::GeometryKind::Points);
+  source.vector.osm_tag = "natural";
+  source.height_attribute = section.optional_text("height_attribute");
+  source.crown_radius_attribute = section.optional_text("crown_radius_attribute");
+  source.default_height_m = section.optional_number("default_height_m", {0.1, tallest_tree_m, "m"});
+  source.crown_radius_per_height =
+      section.number_or("crown_radius_per_height", {0.02, 2.0, ""}, source.crown_radius_per_height);
+  for (const std::string& form : section.texts("prototypes")) {
+    if (form != "broadleaf" && form != "conifer") {
+      throw section.fault("prototypes", fmt::format("names '{}'", form), "choose among broadleaf, conifer");
+    }
+    source.forms.push_back(form == "conifer" ? TreeForm::Conifer : TreeForm::Broadleaf);
+  }
+  if (source.forms.empty()) source.forms = {TreeForm::Broadleaf};
+  source.variants = static_cast<std::size_t>(section.whole_number_or("variants", {1, 64, ""}, 4));
+  source.seed = static_cast<std::uint64_t>(section.whole_number_or("seed", {0, 1e15, ""}, 1));
+  source.leaf = materials.named_by(section, "leaf_material", "leaf");
+  source.bark = materials.named_by(section, "bark_material", "bark");
+  source.limit = read_flaw_limit(section, limit);
+  section.refuse_unknown_keys();
+  if (!source.height_attribute && !source.default_height_m) {
+    throw Error(section.where(), "does not say how tall the trees are", "give height_attribute or default_height_m");
+  }
+  return source;
+}
+
+void add_trees(Scene& scene, const TreeSource& source, const WaterMask& water) {
+  const auto found = geo::read_features(source.vector, scene.frame);
+  for (const auto& attribute : {source.height_attribute, source.crown_radius_attribute}) {
+    if (attribute) require_attribute(found, *attribute, source.where);
+  }
+  const std::uint32_t first_prototype = add_prototypes(scene, source);
+  const std::uint64_t prototypes = scene.prototypes.size() - first_prototype;
+  FlawTally tally;
+  tally.flaw("features without usable coordinates, left out", found.first_nowhere, found.nowhere);
+  std::size_t inside = found.nowhere;
+  std::uint64_t number = 0;
+  for (const geo::Feature& feature : found.features) {
+    for (const Vec2d& position : feature.points) {
+      const std::uint64_t draw = hashed(source.seed, number++);
+      if (!scene.extent.contains(position)) {
+        tally.note("trees outside the scene, left out", feature.id);
+        continue;
+      }
+      ++inside;
+      if (in_water(scene.ground.grid, water, position)) {
+        tally.flaw("trees standing in water, left out", feature.id);
+        continue;
+      }
+      const auto height = height_m(feature, source, tally);
+      if (!height) continue;
+      const double crown = crown_radius_m(feature, source, *height, tally);
+      scene.instances.push_back({.prototype = first_prototype + static_cast<std::uint32_t>(draw % prototypes),
+                                 .x_m = static_cast<float>(position.x),
+                                 .y_m = static_cast<float>(position.y),
+                                 .yaw_rad = unit_float(mixed(draw)) * static_cast<float>(2.0 * pi),
+                                 .scale = tree_scale(static_cast<float>(*height), static_cast<float>(crown))});
+    }
+  }
+  tally.settle(source.vector.file.string(), inside, source.limit, scene.remarks);
+}
+
+}  // namespace sigmascape::scene

@@ -1,0 +1,37 @@
+#include "sigmascape/scene/vector_section.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace sigmascape::scene {
+
+geo::VectorSource read_vector_source(const TomlSection& section, geo::GeometryKind kind) {
+  geo::VectorSource source;
+  source.file = section.file("file");
+  source.kind = kind;
+  source.layer = section.text_or("layer", "");
+  source.where = section.text_or("where", "");
+  source.crs = section.text_or("crs", "");
+  source.x_column = section.text_or("x", "");
+  source.y_column = section.text_or("y", "");
+  if (source.x_column.empty() != source.y_column.empty()) {
+    throw section.fault(source.x_column.empty() ? "x" : "y", "is missing", "name both coordinate columns, x and y");
+  }
+  return source;
+}
+
+FlawLimit read_flaw_limit(const TomlSection& section, const FlawLimit& of_scene) {
+  return {section.number_or("max_flawed_share", {0.0, 1.0, ""}, of_scene.max_share), of_scene.strict};
+}
+
+void require_attribute(const geo::FeatureSet& features, const std::string& attribute, const std::string& where) {
+  const auto& names = features.attribute_names;
+  if (features.features.empty() || std::ranges::find(names, attribute) != names.end()) return;
+  const auto nearest = nearest_word(attribute, names);
+  throw Error(
+      where, fmt::format("no feature has the attribute '{}'", attribute),
+      nearest ? fmt::format("did you mean {}?", *nearest) : fmt::format("use one of {}", fmt::join(names, ", ")));
+}
+
+}  // namespace sigmascape::scene

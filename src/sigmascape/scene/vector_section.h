@@ -1,0 +1,18 @@
+#pragma once
+
+#include "sigmascape/base/toml_reader.h"
+#include "sigmascape/geo/vector_source.h"
+#include "sigmascape/scene/flaw_tally.h"
+
+namespace sigmascape::scene {
+
+/// The keys that every section about vector data shares: file, layer, where, crs, x, y.
+[[nodiscard]] geo::VectorSource read_vector_source(const TomlSection& section, geo::GeometryKind kind);
+
+/// The section's own max_flawed_share, or the scene's.
+[[nodiscard]] FlawLimit read_flaw_limit(const TomlSection& section, const FlawLimit& of_scene);
+
+/// Throws Error when no feature carries the attribute that a key names.
+void require_attribute(const geo::FeatureSet& features, const std::string& attribute, const std::string& where);
+
+}  // namespace sigmascape::scene

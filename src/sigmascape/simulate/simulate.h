@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+
+#include "sigmascape/atlas/atlas.h"
+#include "sigmascape/radar/radar.h"
+#include "sigmascape/radar/range_azimuth_image.h"
+#include "sigmascape/render/ground_renderer.h"
+#include "sigmascape/scene/scene.h"
+#include "sigmascape/trace/path_tracer.h"
+
+namespace sigmascape::simulate {
+
+/// How finely LOD 0 samples the scene.
+struct TraceSettings {
+  double cell_m = 2.0;                  ///< side of the squares of ground that rays are aimed at
+  std::uint32_t samples_per_cell = 64;  ///< rays a square
+  int max_bounces = 8;
+  std::uint64_t seed = 1;
+  unsigned threads = 0;
+};
+
+/// The receive bins for a radar that maps `area`.
+[[nodiscard]] radar::RangeAzimuthGrid bins_for(const radar::Radar& radar, const radar::Rectangle& area, const terrain::HeightField& terrain);
+
+/// LOD 0: the whole scene on its terrain, path-traced, into the bins. Point targets answer where the scene lets them be seen.
+[[nodiscard]] radar::RangeAzimuthImage traced_image(const scene::Scene& scene, const trace::SceneGeometry& geometry, const radar::Radar& radar,
+                                                    const radar::Rectangle& area, const TraceSettings& settings, trace::TraceCounts& counts);
+
+/// LOD ≥ 1: terrain and atlas, into the same bins.
+[[nodiscard]] radar::RangeAzimuthImage baked_image(const atlas::Atlas& atlas, const terrain::HeightField& terrain, const radar::Radar& radar,
+                                                   const radar::Rectangle& area, const render::RenderSettings& settings,
+                                                   render::RenderCounts& counts);
+
+}  // namespace sigmascape::simulate

@@ -1,0 +1,148 @@
+#include "sigmascape/terrain/terrain_reader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "sigmascape/base/error.h"
+
+namespace sigmascape::terrain {
+namespace {
+
+std::size_t discard_implausible(Array2D<float>& heights, const TerrainSource& source) {
+  std::size_t discarded = 0;
+  for (float& height : heights.values()) {
+    const auto value = static_cast<double>(height);
+    if (value < source.lowest_plausible_m || value > source.highest_plausible_m) {
+      height = std::numeric_limits<float>::quiet_NaN();
+      ++discarded;
+    }
+  }
+  return discarded;
+}
+
+std::size_t count_holes(const Array2D<float>& heights) {
+  return static_cast<std::size_t>(std::ranges::count_if(heights.values(), [](float h) { return std::isnan(h); }));
+}
+
+/// Half as many nodes a side, each the mean of the up to four it stands for that have a height.
+Array2D<float> halved(const Array2D<float>& fine) {
+  Array2D<float> coarse((fine.columns() + 1) / 2, (fine.rows() + 1) / 2);
+  for (std::size_t row = 0; row < coarse.rows(); ++row) {
+    for (std::size_t column = 0; column < coarse.columns(); ++column) {
+      float sum = 0.0F, found = 0.0F;
+      for (std::size_t j = 2 * row; j < std::min(2 * row + 2, fine.rows()); ++j) {
+        for (std::size_t i = 2 * column; i < std::min(2 * column + 2, fine.columns()); ++i) {
+          if (std::isnan(fine(i, j))) continue;
+          sum += fine(i, j);
+          found += 1.0F;
+        }
+      }
+      coarse(column, row) = sum / found;  // NaN where all four are
+    }
+  }
+  return coarse;
+}
+
+struct Node {
+  std::size_t column, row;
+};
+
+/// The mean of a node's neighbours inside the field.
+float neighbour_mean(const Array2D<float>& heights, Node node) {
+  float sum = 0.0F, found = 0.0F;
+  const auto add = [&](std::size_t column, std::size_t row) {
+    sum += heights(column, row);
+    found += 1.0F;
+  };
+  if (node.column > 0) add(node.column - 1, node.row);
+  if (node.column + 1 < heights.columns()) add(node.column + 1, node.row);
+  if (node.row > 0) add(node.column, node.row - 1);
+  if (node.row + 1 < heights.rows()) add(node.column, node.row + 1);
+  return sum / found;
+}
+
+/// One sweep of successive over-relaxation towards the surface of least squared slope.
+template <typename Limit>
+void relax(Array2D<float>& heights, Node node, const Limit& limited) {
+  constexpr float over_relaxation = 1.7F;
+  float& height = heights(node.column, node.row);
+  height = limited(height + over_relaxation * (neighbour_mean(heights, node) - height));
+}
+
+}  // namespace
+
+std::size_t fill_holes(Array2D<float>& heights) {
+  const std::size_t holes = count_holes(heights);
+  if (holes == 0 || holes == heights.size()) return holes;
+  Array2D<float> coarse = halved(heights);
+  fill_holes(coarse);
+  std::vector<Node> filled;
+  for (std::size_t row = 0; row < heights.rows(); ++row) {
+    for (std::size_t column = 0; column < heights.columns(); ++column) {
+      if (!std::isnan(heights(column, row))) continue;
+      heights(column, row) = coarse(column / 2, row / 2);
+      filled.push_back({column, row});
+    }
+  }
+  for (int sweep = 0; sweep < 30; ++sweep) {
+    for (const Node& node : filled) relax(heights, node, [](float height) { return height; });
+  }
+  return holes;
+}
+
+void smooth_within(Array2D<float>& heights, double tolerance_m) {
+  const Array2D<float> original = heights;
+  const auto tolerance = static_cast<float>(tolerance_m);
+  for (int sweep = 0; sweep < 100; ++sweep) {
+    for (std::size_t row = 0; row < heights.rows(); ++row) {
+      for (std::size_t column = 0; column < heights.columns(); ++column) {
+        const float from = original(column, row);
+        relax(heights, {column, row}, [&](float h) { return std::clamp(h, from - tolerance, from + tolerance); });
+      }
+    }
+  }
+}
+
+ReadTerrain read_terrain(const TerrainSource& source, const geo::LocalFrame& frame,
+                         std::optional<radar::Rectangle> wanted) {
+  const std::string name = source.raster.file.string();
+  const geo::Raster raster(source.raster);
+  const geo::Extent available = raster.extent_in(frame);
+  if (!wanted) wanted = radar::Rectangle{available.west_m, available.south_m, available.east_m, available.north_m};
+  const bool overlap = wanted->west_m < available.east_m && wanted->east_m > available.west_m &&
+                       wanted->south_m < available.north_m && wanted->north_m > available.south_m;
+  if (!overlap) {
+    throw Error(name, "does not overlap the scene's extent",
+                fmt::format("move the extent into {:.0f} to {:.0f} m east and {:.0f} to {:.0f} m north of the origin",
+                            available.west_m, available.east_m, available.south_m, available.north_m));
+  }
+
+  const double spacing_m = source.spacing_m.value_or(raster.cell_m());
+  const auto columns = static_cast<std::size_t>(wanted->width_m() / spacing_m + 1e-6) + 1;
+  const auto rows = static_cast<std::size_t>(wanted->height_m() / spacing_m + 1e-6) + 1;
+  if (columns < 2 || rows < 2) {
+    throw Error(name,
+                fmt::format("a spacing of {:g} m leaves no cell in an extent of {:.1f} × {:.1f} m", spacing_m,
+                            wanted->width_m(), wanted->height_m()),
+                "choose a smaller spacing_m or a larger extent");
+  }
+  ReadTerrain result;
+  Array2D<float> heights = raster.heights_on({wanted->west_m, wanted->north_m, spacing_m, columns, rows}, frame);
+  result.implausible_nodes = discard_implausible(heights, source);
+  const auto holes = count_holes(heights);
+  const double share = static_cast<double>(holes) / static_cast<double>(heights.size());
+  if (share > source.largest_hole_share || holes == heights.size()) {
+    throw Error(name, fmt::format("{:.0f} % of the scene's terrain has no data", 100.0 * share),
+                "give terrain that covers the extent, or make the extent smaller");
+  }
+  result.filled_nodes = fill_holes(heights);
+  if (source.smooth_within_m > 0.0) smooth_within(heights, source.smooth_within_m);
+  result.field = {wanted->west_m, wanted->north_m, spacing_m, std::move(heights)};
+  return result;
+}
+
+}  // namespace sigmascape::terrain

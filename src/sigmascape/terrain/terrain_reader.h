@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "sigmascape/geo/local_frame.h"
+#include "sigmascape/geo/raster.h"
+#include "sigmascape/radar/ground_grid.h"
+#include "sigmascape/terrain/height_field.h"
+
+namespace sigmascape::terrain {
+
+/// Where heights come from and what is done with them on the way.
+struct TerrainSource {
+  geo::RasterBand raster;
+  std::optional<double> spacing_m;  ///< of the height field; by default the raster's own cell
+  double smooth_within_m = 0.0;     ///< see smooth_within; 0 leaves heights alone
+  double lowest_plausible_m = -500.0, highest_plausible_m = 9000.0;  ///< heights outside count as no data
+  double largest_hole_share = 0.5;  ///< of nodes without data, beyond which the terrain is refused
+};
+
+struct ReadTerrain {
+  HeightField field;
+  std::size_t filled_nodes = 0;       ///< had no data and were interpolated
+  std::size_t implausible_nodes = 0;  ///< of those, the ones whose height was out of the plausible range
+};
+
+/// Reads heights over a rectangle of the frame, or, without one, over all of the raster. Throws Error when the
+/// rectangle and the raster do not overlap or more than the stated share of nodes has no data.
+[[nodiscard]] ReadTerrain read_terrain(const TerrainSource& source, const geo::LocalFrame& frame,
+                                       std::optional<radar::Rectangle> wanted);
+
+/// Gives nodes that are NaN the values of a smooth surface through the edge of their hole; returns how many there were.
+std::size_t fill_holes(Array2D<float>& heights);
+
+/// Removes the terraces of heights that were rounded: the smoothest surface (least squared slope) of which no node lies
+/// further than `tolerance_m` from where it was.
+void smooth_within(Array2D<float>& heights, double tolerance_m);
+
+}  // namespace sigmascape::terrain

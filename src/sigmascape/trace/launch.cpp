@@ -1,0 +1,63 @@
+#include "sigmascape/trace/launch.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sigmascape::trace {
+namespace {
+
+constexpr std::int32_t tile = 16;
+
+/// Whether the segment from `start`, `length` long in direction `direction`, meets the rectangle.
+bool segment_meets(const radar::Rectangle& r, Vec2d start, Vec2d direction, double length) {
+  double enter = 0.0, leave = length;
+  const auto clip = [&](double position, double speed, double low, double high) {
+    if (std::abs(speed) < 1e-12) return position >= low && position <= high;
+    const double a = (low - position) / speed, b = (high - position) / speed;
+    enter = std::max(enter, std::min(a, b));
+    leave = std::min(leave, std::max(a, b));
+    return enter <= leave;
+  };
+  return clip(start.x, direction.x, r.west_m, r.east_m) && clip(start.y, direction.y, r.south_m, r.north_m);
+}
+
+radar::Rectangle widened(const radar::Rectangle& r, double by) { return {r.west_m - by, r.south_m - by, r.east_m + by, r.north_m + by}; }
+
+}  // namespace
+
+bool LaunchArea::covers(Vec2d point) const {
+  // The whole cell was launched if its centre qualified.
+  const Vec2d centre{(std::floor(point.x / cell_m) + 0.5) * cell_m, (std::floor(point.y / cell_m) + 0.5) * cell_m};
+  return segment_meets(widened(target, margin_m + cell_m), centre, away * -1.0, reach_m);
+}
+
+LaunchArea launch_area(const Viewpoint& viewpoint, const radar::Rectangle& target, double cell_m, double plane_height_m,
+                       double top_height_m, double margin_m) {
+  const Vec2d centre = target.centre();
+  const Vec3d to_radar = viewpoint.direction_from({centre.x, centre.y, plane_height_m});
+  const double horizontal = std::hypot(to_radar.x, to_radar.y);
+  const double cot = horizontal / to_radar.z;
+  LaunchArea area{.cell_m = cell_m,
+                  .plane_height_m = plane_height_m,
+                  .top_height_m = top_height_m,
+                  .cells = {},
+                  .target = target,
+                  .margin_m = margin_m,
+                  .reach_m = (top_height_m - plane_height_m) * (cot + (cot > 0.0 ? 1.0 / cot : 0.0)),
+                  .away = horizontal > 0.0 ? Vec2d{-to_radar.x / horizontal, -to_radar.y / horizontal} : Vec2d{0.0, 1.0}};
+  const double spread = margin_m + area.reach_m + 2.0 * cell_m;
+  const auto lattice = [cell_m](double metres) { return static_cast<std::int32_t>(std::floor(metres / cell_m)); };
+  const auto tile_start = [](std::int32_t index) { return (index >= 0 ? index / tile : (index - tile + 1) / tile) * tile; };
+  for (std::int32_t tj = tile_start(lattice(target.south_m - spread)); tj <= lattice(target.north_m + spread); tj += tile) {
+    for (std::int32_t ti = tile_start(lattice(target.west_m - spread)); ti <= lattice(target.east_m + spread); ti += tile) {
+      for (std::int32_t j = tj; j < tj + tile; ++j) {
+        for (std::int32_t i = ti; i < ti + tile; ++i) {
+          if (area.covers({(i + 0.5) * cell_m, (j + 0.5) * cell_m})) area.cells.push_back({i, j});
+        }
+      }
+    }
+  }
+  return area;
+}
+
+}  // namespace sigmascape::trace

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "sigmascape/radar/echo.h"
+#include "sigmascape/scatter/surface_model.h"
+#include "sigmascape/trace/launch.h"
+#include "sigmascape/trace/scene_geometry.h"
+
+namespace sigmascape::trace {
+
+/// How paths are weighted that could as well have been found from their other end.
+enum class Estimator {
+  Reciprocal,  ///< by 2/(1 + q), q the density of the reversed path over its own: no extra rays, far less noise
+  OneWay,      ///< by 1: the plain estimator, against which the other is tested
+};
+
+struct PathOptions {
+  int max_bounces = 8;
+  Estimator estimator = Estimator::Reciprocal;
+  bool roulette = true;  ///< end dark paths early, without bias
+};
+
+/// Which of each cell's samples to trace; samples first … first + count − 1 of `of` share the cell's area.
+struct SampleRange {
+  std::uint32_t first = 0;
+  std::uint32_t count = 16;
+  std::uint32_t of = 16;
+};
+
+struct TraceCounts {
+  std::uint64_t paths = 0;
+  std::uint64_t rays = 0;
+  std::uint64_t echoes = 0;
+
+  TraceCounts& operator+=(const TraceCounts& other) {
+    paths += other.paths;
+    rays += other.rays;
+    echoes += other.echoes;
+    return *this;
+  }
+};
+
+/// The scattering models of all of a scene's materials at one frequency, in the scene's order.
+[[nodiscard]] std::vector<scatter::SurfaceModel> surface_models(const scene::Scene& scene, double frequency_hz);
+
+/// Takes the echoes of one tile; called from several threads at once, `worker` tells them apart.
+using EchoSink = std::function<void(std::span<const radar::Echo>, unsigned worker)>;
+
+/// Scene and viewpoint to echoes: the path tracer.
+///
+/// Rays are aimed at Owen-scrambled Sobol points of every launch cell. Where a path meets a surface that sees the radar, it
+/// returns an echo of cross-section
+///
+///     4π w |S_pq|²            first surface                         docs/physics/estimator.md, Eq. (1)
+///     4π w ½ |(S + Sᵀ)_pq|²   later ones, for the path and its reversal add coherently in monostatic geometry   Eq. (4)
+///
+/// at half the length of the way and the mean cross position of the two ends. The draw of every path depends on seed, cell and
+/// sample alone.
+class PathTracer {
+ public:
+  PathTracer(const SceneGeometry& geometry, std::vector<scatter::SurfaceModel> surfaces, const Viewpoint& viewpoint,
+             const PathOptions& options, std::uint64_t seed);
+
+  /// Traces the given samples of every cell of the area and hands the echoes to `sink`, tile by tile in any order.
+  TraceCounts trace(const LaunchArea& area, SampleRange samples, unsigned threads, const EchoSink& sink) const;
+
+ private:
+  const SceneGeometry* geometry_;
+  std::vector<scatter::SurfaceModel> surfaces_;
+  Viewpoint viewpoint_;
+  PathOptions options_;
+  std::uint64_t seed_;
+};
+
+}  // namespace sigmascape::trace

@@ -1,0 +1,260 @@
+#include "sigmascape/trace/scene_geometry.h"
+
+#include <embree3/rtcore.h>
+#include <xmmintrin.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+
+#include "sigmascape/base/error.h"
+
+namespace sigmascape::trace {
+namespace {
+
+constexpr float far_away = std::numeric_limits<float>::infinity();
+constexpr unsigned flush_to_zero = 0x8000U;
+constexpr unsigned denormals_are_zero = 0x0040U;
+
+/// What a top-level geometry of the Embree scene stands for, by its number.
+struct Part {
+  enum class Kind { Terrain, Mesh, Instance } kind;
+  const scene::Mesh* mesh = nullptr;
+  // Rotation and inverse scale that carry an instance's normals into the world.
+  float cos_yaw = 1.0F, sin_yaw = 0.0F;
+  Vec3f inverse_scale{1.0F, 1.0F, 1.0F};
+};
+
+void add_to_sum(void* sum, ssize_t bytes) { static_cast<std::atomic<std::int64_t>*>(sum)->fetch_add(bytes); }
+
+}  // namespace
+
+struct SceneGeometry::Structures {
+  std::atomic<std::int64_t> memory{0};
+  RTCDevice device = nullptr;
+  RTCScene top = nullptr;
+  std::vector<RTCScene> prototypes;
+  std::vector<Part> parts;
+  std::vector<Vec3f> building_vertices;
+  scene::MaterialMap ground;
+  std::vector<scene::Mesh> meshes;   // own copies, so that the geometry outlives the scene it came from
+  scene::Mesh buildings;
+  Vec3d origin;
+  Footing footing = Footing::LevelPlane;
+  double lowest_m = 0.0, highest_m = 0.0;
+
+  ~Structures() {
+    for (RTCScene prototype : prototypes) rtcReleaseScene(prototype);
+    if (top != nullptr) rtcReleaseScene(top);
+    if (device != nullptr) rtcReleaseDevice(device);
+  }
+
+  void check() const {
+    const RTCError error = rtcGetDeviceError(device);
+    if (error == RTC_ERROR_OUT_OF_MEMORY) throw Error("ray tracer", "ran out of memory", "use a smaller scene or a larger machine");
+    if (error != RTC_ERROR_NONE) throw Error("ray tracer", "Embree error " + std::to_string(error), "report this with the scene file");
+  }
+
+  void open_device() {
+    // One build thread: the structures are small, and parallel builds are the only part of Embree that thread sanitizers misread.
+    device = rtcNewDevice("threads=1");
+    if (device == nullptr) throw Error("ray tracer", "Embree could not be started", "check the libembree3 installation");
+    rtcSetDeviceMemoryMonitorFunction(
+        device,
+        [](void* sum, ssize_t bytes, bool) {
+          add_to_sum(sum, bytes);
+          return true;
+        },
+        &memory);
+  }
+
+  RTCGeometry triangles(const scene::Mesh& mesh, const std::vector<Vec3f>& vertices) const {
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    void* vertex_buffer =
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vec3f), vertices.size());
+    void* index_buffer = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t),
+                                                 mesh.triangles.size());
+    check();
+    std::copy(vertices.begin(), vertices.end(), static_cast<Vec3f*>(vertex_buffer));
+    std::copy(mesh.triangles.begin(), mesh.triangles.end(), static_cast<std::array<std::uint32_t, 3>*>(index_buffer));
+    rtcCommitGeometry(geometry);
+    return geometry;
+  }
+
+  void attach(RTCGeometry geometry, const Part& part) {
+    rtcAttachGeometryByID(top, geometry, static_cast<unsigned>(parts.size()));
+    rtcReleaseGeometry(geometry);
+    parts.push_back(part);
+  }
+
+  void add_terrain(const terrain::HeightField& field) {
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_GRID);
+    const std::size_t columns = field.height_m.columns(), rows = field.height_m.rows();
+    auto* vertices = static_cast<Vec3f*>(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vec3f), columns * rows));
+    auto* grid = static_cast<RTCGrid*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_GRID, 0, RTC_FORMAT_GRID, sizeof(RTCGrid), 1));
+    check();
+    for (std::size_t row = 0; row < rows; ++row) {
+      for (std::size_t column = 0; column < columns; ++column) {
+        const double x = field.west_m + static_cast<double>(column) * field.spacing_m - origin.x;
+        const double y = field.north_m - static_cast<double>(row) * field.spacing_m - origin.y;
+        vertices[row * columns + column] = {static_cast<float>(x), static_cast<float>(y), field.height_m(column, row)};
+      }
+    }
+    *grid = {0, static_cast<unsigned>(columns), static_cast<unsigned short>(columns), static_cast<unsigned short>(rows)};
+    rtcCommitGeometry(geometry);
+    attach(geometry, {.kind = Part::Kind::Terrain});
+  }
+
+  void add_buildings(const scene::Buildings& source) {
+    if (source.mesh.triangles.empty()) return;
+    buildings = source.mesh;
+    building_vertices = source.mesh.vertices;
+    for (const scene::Building& building : source.items) {
+      const float base = footing == Footing::Terrain ? building.footing_m : 0.0F;
+      for (std::uint32_t i = 0; i < building.vertex_count; ++i) {
+        Vec3f& vertex = building_vertices[building.first_vertex + i];
+        vertex = {static_cast<float>(vertex.x - origin.x), static_cast<float>(vertex.y - origin.y), vertex.z + base};
+        highest_m = std::max(highest_m, static_cast<double>(vertex.z));
+        lowest_m = std::min(lowest_m, static_cast<double>(vertex.z));
+      }
+    }
+    attach(triangles(buildings, building_vertices), {.kind = Part::Kind::Mesh, .mesh = &buildings});
+  }
+
+  void add_prototypes() {
+    for (const scene::Mesh& mesh : meshes) {
+      RTCScene prototype = rtcNewScene(device);
+      rtcSetSceneBuildQuality(prototype, RTC_BUILD_QUALITY_MEDIUM);
+      RTCGeometry geometry = triangles(mesh, mesh.vertices);
+      rtcAttachGeometry(prototype, geometry);
+      rtcReleaseGeometry(geometry);
+      rtcCommitScene(prototype);
+      prototypes.push_back(prototype);
+    }
+  }
+
+  void add_instances(const scene::Scene& scene) {
+    std::vector<float> tops;
+    for (const scene::Mesh& mesh : meshes) {
+      float top_z = 0.0F;
+      for (const Vec3f& vertex : mesh.vertices) top_z = std::max(top_z, vertex.z);
+      tops.push_back(top_z);
+    }
+    for (const scene::Instance& instance : scene.instances) {
+      const float c = std::cos(instance.yaw_rad), s = std::sin(instance.yaw_rad);
+      const double base = footing == Footing::Terrain ? scene.terrain.height_at({instance.x_m, instance.y_m}) : 0.0;
+      const float z = static_cast<float>(base) + instance.lift_m;
+      const Vec3f k = instance.scale;
+      // Column by column: where the prototype's x, y and z axes go, then its origin. Yaw turns clockwise.
+      const std::array<float, 12> transform{k.x * c, -k.x * s, 0.0F, k.y * s, k.y * c, 0.0F, 0.0F, 0.0F, k.z,
+                                            static_cast<float>(instance.x_m - origin.x), static_cast<float>(instance.y_m - origin.y), z};
+      RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
+      rtcSetGeometryInstancedScene(geometry, prototypes[instance.prototype]);
+      rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, transform.data());
+      rtcCommitGeometry(geometry);
+      attach(geometry, {.kind = Part::Kind::Instance,
+                        .mesh = &meshes[instance.prototype],
+                        .cos_yaw = c,
+                        .sin_yaw = s,
+                        .inverse_scale = {1.0F / k.x, 1.0F / k.y, 1.0F / k.z}});
+      highest_m = std::max(highest_m, static_cast<double>(z + tops[instance.prototype] * k.z));
+    }
+  }
+
+  [[nodiscard]] scene::MaterialIndex ground_material(Vec3f position) const {
+    return ground.at({position.x + origin.x, position.y + origin.y});
+  }
+
+  /// Fills in the hit on the level plane at distance t.
+  void hit_plane(Vec3f ray_origin, Vec3f direction, float t, SurfaceHit& hit) const {
+    hit.position = ray_origin + direction * t;
+    hit.position.z = 0.0F;
+    hit.normal = {0.0F, 0.0F, 1.0F};
+    hit.material = ground_material(hit.position);
+  }
+};
+
+SceneGeometry::SceneGeometry(const scene::Scene& scene, Footing footing) : structures_(std::make_unique<Structures>()) {
+  Structures& s = *structures_;
+  s.footing = footing;
+  const Vec2d centre = scene.extent.centre();
+  s.origin = {centre.x, centre.y, 0.0};
+  s.ground = scene.ground;
+  s.meshes = scene.prototypes;
+  s.open_device();
+  s.top = rtcNewScene(s.device);
+  if (footing == Footing::Terrain) {
+    s.lowest_m = scene.terrain.lowest_m();
+    s.highest_m = scene.terrain.highest_m();
+    rtcSetSceneFlags(s.top, RTC_SCENE_FLAG_ROBUST);
+    s.add_terrain(scene.terrain);
+  }
+  s.add_buildings(scene.buildings);
+  s.add_prototypes();
+  s.add_instances(scene);
+  rtcCommitScene(s.top);
+  s.check();
+}
+
+SceneGeometry::~SceneGeometry() = default;
+SceneGeometry::SceneGeometry(SceneGeometry&&) noexcept = default;
+SceneGeometry& SceneGeometry::operator=(SceneGeometry&&) noexcept = default;
+
+Vec3d SceneGeometry::origin() const { return structures_->origin; }
+double SceneGeometry::lowest_m() const { return structures_->lowest_m; }
+double SceneGeometry::highest_m() const { return structures_->highest_m; }
+std::size_t SceneGeometry::memory_bytes() const { return static_cast<std::size_t>(structures_->memory.load()); }
+
+bool SceneGeometry::intersect(Vec3f ray_origin, Vec3f direction, SurfaceHit& hit) const {
+  const Structures& s = *structures_;
+  const bool meets_plane = s.footing == Footing::LevelPlane && direction.z < 0.0F && ray_origin.z > 0.0F;
+  const float plane_distance = meets_plane ? -ray_origin.z / direction.z : far_away;
+
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  RTCRayHit query{};
+  query.ray = {ray_origin.x, ray_origin.y, ray_origin.z, 0.0F, direction.x, direction.y, direction.z, 0.0F, plane_distance, ~0U, 0, 0};
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  rtcIntersect1(s.top, &context, &query);
+
+  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) {
+    if (meets_plane) s.hit_plane(ray_origin, direction, plane_distance, hit);
+    return meets_plane;
+  }
+  const bool is_instance = query.hit.instID[0] != RTC_INVALID_GEOMETRY_ID;
+  const Part& part = s.parts[is_instance ? query.hit.instID[0] : query.hit.geomID];
+  Vec3f normal{query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z};
+  hit.position = ray_origin + direction * query.ray.tfar;
+  if (part.kind == Part::Kind::Instance) {
+    // Normals transform by the inverse transpose: divide by the scale, then turn.
+    const Vec3f n{normal.x * part.inverse_scale.x, normal.y * part.inverse_scale.y, normal.z * part.inverse_scale.z};
+    normal = {n.x * part.cos_yaw + n.y * part.sin_yaw, -n.x * part.sin_yaw + n.y * part.cos_yaw, n.z};
+  }
+  if (part.kind == Part::Kind::Terrain) {
+    if (normal.z < 0.0F) normal = -normal;
+    if (dot(normal, direction) >= 0.0F) return false;  // entered below the edge of the terrain
+    hit.material = s.ground_material(hit.position);
+  } else {
+    hit.material = part.mesh->materials[query.hit.primID];
+  }
+  const float norm = length(normal);
+  if (norm == 0.0F) return false;
+  hit.normal = normal * ((dot(normal, direction) < 0.0F ? 1.0F : -1.0F) / norm);
+  return true;
+}
+
+bool SceneGeometry::occluded(Vec3f ray_origin, Vec3f direction) const {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  RTCRay ray{ray_origin.x, ray_origin.y, ray_origin.z, 0.0F, direction.x, direction.y, direction.z, 0.0F, far_away, ~0U, 0, 0};
+  rtcOccluded1(structures_->top, &context, &ray);
+  return ray.tfar < 0.0F;
+}
+
+FlushDenormals::FlushDenormals() : saved_(_mm_getcsr()) { _mm_setcsr(saved_ | flush_to_zero | denormals_are_zero); }
+FlushDenormals::~FlushDenormals() { _mm_setcsr(saved_); }
+
+}  // namespace sigmascape::trace

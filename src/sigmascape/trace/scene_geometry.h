@@ -1,0 +1,59 @@
+#pragma once
+
+#include <memory>
+
+#include "sigmascape/scene/scene.h"
+
+namespace sigmascape::trace {
+
+/// What the objects of a scene stand on: its own terrain, or the level plane z = 0 on which reflectivity is baked.
+enum class Footing { Terrain, LevelPlane };
+
+struct SurfaceHit {
+  Vec3f position;
+  Vec3f normal;  ///< unit, on the side that the ray came from
+  scene::MaterialIndex material = 0;
+};
+
+/// A scene made ready for rays: the one place that knows Embree.
+///
+/// Everything is held relative to `origin()`, the centre of the scene's extent at height zero, so that single precision suffices.
+/// Trees, vehicles and other instances share one acceleration structure a prototype. The level plane is intersected in closed form
+/// (no cracks); terrain is a robustly traversed grid that is only hit from above.
+class SceneGeometry {
+ public:
+  SceneGeometry(const scene::Scene& scene, Footing footing);
+  ~SceneGeometry();
+  SceneGeometry(SceneGeometry&&) noexcept;
+  SceneGeometry& operator=(SceneGeometry&&) noexcept;
+
+  [[nodiscard]] Vec3d origin() const;
+  /// Heights between which everything lies.
+  [[nodiscard]] double lowest_m() const;
+  [[nodiscard]] double highest_m() const;
+
+  /// Finds the first surface along the ray; `origin` and the hit's position are relative to origin().
+  [[nodiscard]] bool intersect(Vec3f ray_origin, Vec3f direction, SurfaceHit& hit) const;
+  [[nodiscard]] bool occluded(Vec3f ray_origin, Vec3f direction) const;
+
+  /// Bytes that the acceleration structures take.
+  [[nodiscard]] std::size_t memory_bytes() const;
+
+ private:
+  struct Structures;
+  std::unique_ptr<Structures> structures_;
+};
+
+/// Rays of this thread treat denormal numbers as zero while the object lives, as Embree asks.
+class FlushDenormals {
+ public:
+  FlushDenormals();
+  ~FlushDenormals();
+  FlushDenormals(const FlushDenormals&) = delete;
+  FlushDenormals& operator=(const FlushDenormals&) = delete;
+
+ private:
+  unsigned saved_;
+};
+
+}  // namespace sigmascape::trace

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "sigmascape/base/vec.h"
+#include "sigmascape/radar/look.h"
+
+namespace sigmascape::trace {
+
+/// Where the radar stands: at a place, or infinitely far away in one direction (as for baking).
+///
+/// All that the tracer needs of the radar is answered here; see radar::Echo for the meaning of range and cross.
+class Viewpoint {
+ public:
+  [[nodiscard]] static Viewpoint distant(const radar::Aspect& aspect);
+  [[nodiscard]] static Viewpoint located(Vec3d position);
+
+  [[nodiscard]] Vec3d direction_from(Vec3d point) const;
+  [[nodiscard]] double range_of(Vec3d point) const;
+  [[nodiscard]] double cross_of(Vec3d point) const;
+  /// The point of the plane at `height_m` behind `point`, on the line from the radar through it.
+  [[nodiscard]] Vec2d shadow_on_plane(Vec3d point, double height_m) const;
+
+  /// Radar cross-section, referred to the echo's own range, that stands for unit intensity on the way out: w of
+  /// docs/physics/estimator.md, Eqs. (2), (3). `aim` is a point of the launch plane, `area_m2` the piece of plane that the ray stands
+  /// for, `echo_range_m` half the path, `last_range_m` the distance of the last vertex.
+  [[nodiscard]] double ray_weight_m2(Vec3d aim, double area_m2, double echo_range_m, double last_range_m) const;
+
+ private:
+  Viewpoint(bool is_distant, Vec3d to_radar, Vec3d position);
+
+  bool is_distant_;
+  Vec3d to_radar_;   // distant: the same for all points
+  Vec3d right_;      // distant: across the line of sight, to the right as seen from the radar
+  Vec3d position_;   // located
+};
+
+}  // namespace sigmascape::trace

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <string>
+#include <unistd.h>
+
+#include "sigmascape/base/error.h"
+
+namespace sigmascape {
+
+/// A folder of its own for one test, removed afterwards.
+class ScratchFolder {
+ public:
+  ScratchFolder() : folder_(std::filesystem::temp_directory_path() / name()) {
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+  }
+  ~ScratchFolder() { std::filesystem::remove_all(folder_); }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+  [[nodiscard]] std::filesystem::path path(const std::string& file) const { return folder_ / file; }
+  std::filesystem::path write(const std::string& file, const std::string& text) const {
+    std::ofstream(path(file), std::ios::binary) << text;
+    return path(file);
+  }
+
+ private:
+  static std::string name() {
+    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+    std::string words =
+        std::string("sigmascape_") + test->test_suite_name() + "_" + test->name() + "_" + std::to_string(getpid());
+    for (char& c : words) c = c == '/' ? '_' : c;
+    return words;
+  }
+  std::filesystem::path folder_;
+};
+
+/// The message of the Error that an action throws; empty when it throws none.
+template <typename Action>
+[[nodiscard]] std::string message_of_error(const Action& action) {
+  try {
+    action();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace sigmascape

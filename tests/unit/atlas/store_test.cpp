@@ -1,0 +1,294 @@
+#include "sigmascape/atlas/store.h"
+
+#include <cstdlib>
+#include <fstream>
+#include <functional>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <iterator>
+#include <limits>
+#include <string>
+#include <unistd.h>
+
+#include "example_texels.h"
+
+#include "sigmascape/atlas/half.h"
+#include "sigmascape/base/error.h"
+#include "sigmascape/geo/geotiff.h"
+
+namespace sigmascape::atlas {
+namespace {
+
+using testing::HasSubstr;
+
+std::string bytes_of(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::string message_of(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "nothing was thrown";
+}
+
+class StoreTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = std::filesystem::path(testing::TempDir()) /
+              (std::string("sigmascape_store_") + test->name() + "_" + std::to_string(::getpid()));
+    std::filesystem::remove_all(folder_);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  [[nodiscard]] Store filled(const std::filesystem::path& folder) const {
+    Store store = Store::create(folder, example_description());
+    for (const Unit& unit : store.units()) {
+      store.write(unit.patch, unit.look, example_texels(512, unit.look), {7, 64, 0.05, "avx2", {{"rays_lost", 3}}});
+    }
+    return store;
+  }
+
+  std::filesystem::path folder_;
+};
+
+TEST_F(StoreTest, NamesAreForPeople) {
+  const Store store = Store::create(folder_, example_description());
+  EXPECT_EQ(store.texture_path({0, -1}, 0), "patch_+000_-001/az000.0_el05.0_f10.000GHz.tif");
+  EXPECT_EQ(store.texture_path({-12, 3}, 3), "patch_-012_+003/az135.0_el13.0_f10.000GHz.tif");
+}
+
+TEST_F(StoreTest, OpensAgainWithTheSameDescription) {
+  static_cast<void>(Store::create(folder_, example_description()));
+  const Store store = Store::create(folder_, example_description());
+  const Store opened = Store::open(folder_);
+  EXPECT_EQ(opened.description().aspects, example_description().aspects);
+  EXPECT_EQ(opened.description().patches, example_description().patches);
+  EXPECT_EQ(opened.description().extent, example_description().extent);
+  EXPECT_EQ(opened.description().settings, example_description().settings);
+  EXPECT_EQ(opened.description().frame.proj(), example_description().frame.proj());
+  EXPECT_EQ(opened.units().size(), 8U);
+  EXPECT_EQ(store.units(), opened.units());
+}
+
+TEST_F(StoreTest, RefusesAnotherDescriptionAndNamesWhatDiffers) {
+  static_cast<void>(Store::create(folder_, example_description()));
+  AtlasDescription other = example_description();
+  other.settings["samples"] = "128";
+  const std::string settings = message_of([&] { static_cast<void>(Store::create(folder_, other)); });
+  EXPECT_THAT(settings, HasSubstr("collection.json"));
+  EXPECT_THAT(settings, HasSubstr("settings.samples is \"64\" there and \"128\" here"));
+
+  other = example_description();
+  other.scene_hash = "ffff";
+  EXPECT_THAT(message_of([&] { static_cast<void>(Store::create(folder_, other)); }),
+              HasSubstr("scene_hash is \"0123abcd\" there and \"ffff\" here"));
+  other = example_description();
+  other.settings["bounces"] = "3";
+  EXPECT_THAT(message_of([&] { static_cast<void>(Store::create(folder_, other)); }), HasSubstr("settings.bounces"));
+}
+
+TEST_F(StoreTest, RefusesDescriptionsThatMakeNoSense) {
+  AtlasDescription description = example_description();
+  description.aspects.azimuths_rad = {0.0, 1e-5};
+  EXPECT_THAT(message_of([&] { static_cast<void>(Store::create(folder_, description)); }), HasSubstr("two are called"));
+  description = example_description();
+  description.extent.east_m = description.extent.west_m;
+  EXPECT_THAT(message_of([&] { static_cast<void>(Store::create(folder_, description)); }), HasSubstr("no area"));
+  description.extent.east_m = 1e12;
+  EXPECT_THAT(message_of([&] { static_cast<void>(Store::create(folder_, description)); }), HasSubstr("too far"));
+  description.extent = {-9e5, -9e5, 9e5, 9e5};
+  description.patches = {1.0, 256};
+  EXPECT_THAT(message_of([&] { static_cast<void>(Store::create(folder_, description)); }), HasSubstr("patches"));
+  EXPECT_FALSE(std::filesystem::exists(folder_));
+}
+
+TEST_F(StoreTest, TextThatIsNotUtf8IsNoObstacle) {
+  AtlasDescription description = example_description();
+  description.attribution = "Diputaci\xf3n";
+  static_cast<void>(Store::create(folder_, description));
+  EXPECT_NO_THROW(static_cast<void>(Store::create(folder_, description)));
+}
+
+TEST_F(StoreTest, AFolderWithoutAtlasIsRefused) {
+  EXPECT_THAT(message_of([&] { static_cast<void>(Store::open(folder_)); }), HasSubstr("collection.json"));
+  std::filesystem::create_directories(folder_);
+  std::ofstream(folder_ / "collection.json") << "{\"type\": \"Collection\"}";
+  EXPECT_THAT(message_of([&] { static_cast<void>(Store::open(folder_)); }), HasSubstr("not the collection"));
+}
+
+TEST_F(StoreTest, ReadsBackWhatWasWrittenToTheNearestHalf) {
+  const Store store = Store::create(folder_, example_description());
+  const auto texels = example_texels(512, 5);
+  EXPECT_FALSE(store.is_done({0, 0}, 1));
+  store.write({0, 0}, 1, texels, {});
+  EXPECT_TRUE(store.is_done({0, 0}, 1, Scrutiny::Content));
+  EXPECT_FALSE(store.is_done({0, 0}, 0));
+  const MipChain chain = store.read({0, 0}, 1);
+  ASSERT_EQ(chain.size(), 2U);
+  const MipChain expected = mip_chain(texels, 256);
+  for (std::size_t level = 0; level < 2; ++level) {
+    ASSERT_EQ(chain[level].size(), expected[level].size());
+    for (std::size_t i = 0; i < chain[level].size(); ++i) {
+      const radar::Channels wanted = expected[level].values()[i];
+      const radar::Channels found = chain[level].values()[i];
+      ASSERT_NEAR(found.vv, wanted.vv, wanted.vv * 0x1p-11F + 1e-8F) << level << " " << i;
+      ASSERT_NEAR(found.hv, wanted.hv, wanted.hv * 0x1p-11F + 1e-5F) << level << " " << i;
+      ASSERT_NEAR(found.re_vvhh, wanted.re_vvhh, std::abs(wanted.re_vvhh) * 0x1p-11F + 1e-5F) << level << " " << i;
+    }
+  }
+}
+
+TEST_F(StoreTest, RowsRunSouthwardAndColumnsEastward) {
+  const Store store = Store::create(folder_, example_description());
+  Array2D<radar::Channels> texels(512, 512);
+  texels(511, 0).hh = 2.0F;
+  store.write({-1, 0}, 0, texels, {});
+  const geo::GeoRaster raster = geo::read_geotiff(folder_ / store.texture_path({-1, 0}, 0));
+  EXPECT_DOUBLE_EQ(raster.placement.west_m, -512.0);
+  EXPECT_DOUBLE_EQ(raster.placement.north_m, 512.0);
+  EXPECT_EQ(raster.bands[1].name, "HH");
+  EXPECT_EQ(raster.bands[1].values(511, 0), 2.0F);
+  EXPECT_EQ(store.read({-1, 0}, 0).front()(511, 0).hh, 2.0F);
+}
+
+TEST_F(StoreTest, PlainGdalSeesSigma0WithTheScaleOfTheBand) {
+  const Store store = Store::create(folder_, example_description());
+  store.write({0, 0}, 0, example_texels(512, 9), {});
+  const auto expected = store.read({0, 0}, 0).front();
+  const geo::GeoRaster raster = geo::read_geotiff(folder_ / store.texture_path({0, 0}, 0));
+  ASSERT_EQ(raster.bands.size(), 4U);
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    ASSERT_EQ(raster.bands[0].values.values()[i], expected.values()[i].vv) << i;
+    ASSERT_EQ(raster.bands[3].values.values()[i], expected.values()[i].re_vvhh) << i;
+  }
+}
+
+TEST_F(StoreTest, TheFileIsAValidCloudOptimisedGeoTiffWithOurOverviews) {
+  if (std::system("/usr/bin/python3 -c 'import osgeo_utils.samples.validate_cloud_optimized_geotiff' 2>/dev/null") !=
+      0) {
+    GTEST_SKIP() << "/usr/bin/python3 has no osgeo_utils (package python3-gdal): the validator was NOT run";
+  }
+  const Store store = Store::create(folder_, example_description());
+  store.write({0, 0}, 0, example_texels(512, 9), {});
+  const std::string file = (folder_ / store.texture_path({0, 0}, 0)).string();
+  const std::string validate =
+      "/usr/bin/python3 -m osgeo_utils.samples.validate_cloud_optimized_geotiff --full-check=yes " + file + " >&2";
+  EXPECT_EQ(std::system(validate.c_str()), 0);
+
+  const float wanted = store.read({0, 0}, 0)[1](100, 50).vv;
+  const std::string look = "/usr/bin/python3 -c \"from osgeo import gdal; d = gdal.Open('" + file +
+                           "'); b = d.GetRasterBand(1); o = b.GetOverview(0); v = o.ReadRaster(100, 50, 1, 1, 1, 1, "
+                           "gdal.GDT_Float32); import struct; x = struct.unpack('f', v)[0] * b.GetScale(); "
+                           "assert b.GetOverviewCount() == 1 and x == " +
+                           std::to_string(static_cast<double>(wanted) * 0x1p30) + " * 2.0**-30, (x, b.GetScale())\"";
+  EXPECT_EQ(std::system(look.c_str()), 0);
+}
+
+TEST_F(StoreTest, EqualBakesGiveEqualBytes) {
+  const Store one = filled(folder_ / "one");
+  const Store two = filled(folder_ / "two");
+  std::size_t files = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_ / "one")) {
+    if (!entry.is_regular_file()) continue;
+    const auto relative = std::filesystem::relative(entry.path(), folder_ / "one");
+    EXPECT_EQ(bytes_of(entry.path()), bytes_of(folder_ / "two" / relative)) << relative;
+    ++files;
+  }
+  EXPECT_EQ(files, 1U + 2U * one.units().size()) << "nothing but the collection, textures and items may be there";
+}
+
+TEST_F(StoreTest, WhatIsWrongIsFoundAndNamed) {
+  const Store store = filled(folder_);
+  ASSERT_TRUE(store.verify().empty());
+
+  const auto missing = store.texture_path({-1, 0}, 0);
+  const auto truncated = store.texture_path({-1, 0}, 1);
+  const auto altered = store.texture_path({0, 0}, 2);
+  const auto without_item = store.texture_path({0, 0}, 3);
+  auto item = without_item;
+  item.replace_extension(".json");
+  std::filesystem::remove(folder_ / missing);
+  std::filesystem::resize_file(folder_ / truncated, std::filesystem::file_size(folder_ / truncated) - 1);
+  {
+    std::fstream file(folder_ / altered, std::ios::binary | std::ios::in | std::ios::out);
+    file.seekp(-100, std::ios::end);
+    const auto byte = static_cast<char>(~file.peek());
+    file.seekp(-100, std::ios::end);
+    file.put(byte);
+  }
+  std::filesystem::remove(folder_ / item);
+
+  const auto faults = store.verify();
+  ASSERT_EQ(faults.size(), 4U);
+  EXPECT_EQ(faults[0].file, missing);
+  EXPECT_THAT(faults[0].what, HasSubstr("missing"));
+  EXPECT_EQ(faults[1].file, truncated);
+  EXPECT_THAT(faults[1].what, HasSubstr("truncated"));
+  EXPECT_EQ(faults[2].file, altered);
+  EXPECT_THAT(faults[2].what, HasSubstr("altered"));
+  EXPECT_EQ(faults[3].file, item);
+
+  EXPECT_FALSE(store.is_done({-1, 0}, 0));
+  EXPECT_FALSE(store.is_done({-1, 0}, 1));
+  EXPECT_TRUE(store.is_done({0, 0}, 2, Scrutiny::Size));
+  EXPECT_FALSE(store.is_done({0, 0}, 2, Scrutiny::Content));
+  EXPECT_FALSE(store.is_done({0, 0}, 3));
+  EXPECT_THAT(message_of([&] { static_cast<void>(store.read({-1, 0}, 1)); }), HasSubstr(truncated.string()));
+}
+
+TEST_F(StoreTest, AnItemThatIsNoneDoesNotCount) {
+  const Store store = Store::create(folder_, example_description());
+  store.write({0, 0}, 0, example_texels(512, 1), {});
+  auto item = folder_ / store.texture_path({0, 0}, 0);
+  item.replace_extension(".json");
+  for (const char* text :
+       {"", "{", "[]", "{\"properties\": 3}", "{\"properties\": {\"sigmascape:size_bytes\": \"x\"}}"}) {
+    std::ofstream(item) << text;
+    EXPECT_FALSE(store.is_done({0, 0}, 0)) << text;
+  }
+}
+
+TEST_F(StoreTest, TexelsThatDoNotFitOrAreNotFiniteAreRefused) {
+  const Store store = Store::create(folder_, example_description());
+  EXPECT_THAT(message_of([&] { store.write({0, 0}, 0, example_texels(256, 1), {}); }), HasSubstr("512 x 512"));
+  auto texels = example_texels(512, 1);
+  texels(3, 17).hv = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_THAT(message_of([&] { store.write({0, 0}, 0, texels, {}); }), HasSubstr("column 3, row 17"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / store.texture_path({0, 0}, 0)));
+}
+
+TEST_F(StoreTest, ItemsCarryNoClockButTheFactsOfTheBake) {
+  const Store store = filled(folder_);
+  auto item = folder_ / store.texture_path({0, 0}, 2);
+  item.replace_extension(".json");
+  const std::string text = bytes_of(item);
+  EXPECT_THAT(text, HasSubstr("\"datetime\": null"));
+  EXPECT_THAT(text, HasSubstr("\"start_datetime\": \"1970-01-01T00:00:00Z\""));
+  EXPECT_THAT(text, HasSubstr("\"sigmascape:seed\": 7"));
+  EXPECT_THAT(text, HasSubstr("\"sigmascape:simd\": \"avx2\""));
+  EXPECT_THAT(text, HasSubstr("\"rays_lost\": 3"));
+  EXPECT_THAT(text, HasSubstr("\"sar:frequency_band\": \"X\""));
+  EXPECT_THAT(text, HasSubstr("\"sigmascape:elevation_deg\": 13.0"));
+  EXPECT_THAT(text, HasSubstr("\"view:incidence_angle\": 77.0"));
+  EXPECT_THAT(text, HasSubstr("\"view:azimuth\": 180.0"));
+}
+
+TEST_F(StoreTest, FewerMantissaBitsMakeSmallerFiles) {
+  const Store fine = Store::create(folder_ / "fine", example_description());
+  AtlasDescription description = example_description();
+  description.mantissa_bits = 5;
+  const Store coarse = Store::create(folder_ / "coarse", description);
+  fine.write({0, 0}, 0, example_texels(512, 1), {});
+  coarse.write({0, 0}, 0, example_texels(512, 1), {});
+  const auto path = fine.texture_path({0, 0}, 0);
+  EXPECT_LT(std::filesystem::file_size(folder_ / "coarse" / path),
+            std::filesystem::file_size(folder_ / "fine" / path) * 7 / 10);
+}
+
+}  // namespace
+}  // namespace sigmascape::atlas

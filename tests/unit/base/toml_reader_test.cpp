@@ -1,0 +1,111 @@
+#include "sigmascape/base/toml_reader.h"
+
+#include <cstdlib>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "scratch_folder.h"
+
+namespace sigmascape {
+namespace {
+
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+
+class TomlReader : public ::testing::Test {
+ protected:
+  TomlSection section(const std::string& text) { return TomlSection::read_file(folder_.write("scene.toml", text)); }
+  ScratchFolder folder_;
+};
+
+TEST_F(TomlReader, ReadsEveryKindOfValue) {
+  const auto root = section(
+      "name = \"a\"\nn = 3\nx = 2.5\non = true\nlist = [1, 2]\npairs = [[1, 2.5]]\nwords = [\"p\"]\n[t]\ny = "
+      "1\n[[r]]\n[[r]]\nz = 2");
+  EXPECT_EQ(root.text("name"), "a");
+  EXPECT_EQ(root.whole_number_or("n", {0, 9, ""}, 1), 3);
+  EXPECT_EQ(root.number("x", {0, 9, ""}), 2.5);
+  EXPECT_TRUE(root.flag_or("on", false));
+  EXPECT_EQ(root.numbers("list", {0, 9, ""}), (std::vector<double>{1, 2}));
+  EXPECT_EQ(root.pairs("pairs")[0][1], 2.5);
+  EXPECT_EQ(root.texts("words")[0], "p");
+  EXPECT_EQ(root.section("t")->number("y", {0, 9, ""}), 1.0);
+  ASSERT_EQ(root.sections("r").size(), 2U);
+  EXPECT_EQ(root.sections("r")[1].number("z", {0, 9, ""}), 2.0);
+  EXPECT_EQ(root.number_or("absent", {0, 9, ""}, 7.0), 7.0);
+  EXPECT_NO_THROW(root.sections("r")[0].refuse_unknown_keys());
+}
+
+TEST_F(TomlReader, MissingKeyNamesFileAndKey) {
+  EXPECT_THAT(message_of_error([&] { static_cast<void>(section("[t]\n").section("t")->text("file")); }),
+              HasSubstr("scene.toml: t.file: is missing"));
+}
+
+TEST_F(TomlReader, WrongTypeSaysWhatIsThere) {
+  EXPECT_THAT(message_of_error([&] {
+                static_cast<void>(section("x = \"five\"").number("x", {0, 9, "m"}));
+              }),
+              HasSubstr("x: is 'five'; give a number from 0 to 9 m"));
+  EXPECT_THAT(message_of_error([&] { static_cast<void>(section("x = 5").text("x")); }),
+              HasSubstr("x: is 5; give text in quotes"));
+}
+
+TEST_F(TomlReader, OutOfRangeAndNaNSayTheRange) {
+  EXPECT_THAT(message_of_error([&] {
+                static_cast<void>(section("spacing_m = -5").number("spacing_m", {0.1, 1000, "m"}));
+              }),
+              EndsWith("spacing_m: is -5; give a number from 0.1 to 1000 m"));
+  EXPECT_THAT(message_of_error([&] {
+                static_cast<void>(section("x = nan").number("x", {0, 1, ""}));
+              }),
+              HasSubstr("is nan"));
+}
+
+TEST_F(TomlReader, UnknownKeySuggestsTheNearest) {
+  const auto root = section("spacng_m = 5");
+  static_cast<void>(root.optional_number("spacing_m", {0, 9, "m"}));
+  EXPECT_THAT(message_of_error([&] { root.refuse_unknown_keys(); }),
+              EndsWith("spacng_m: is not a known key; did you mean spacing_m?"));
+}
+
+TEST_F(TomlReader, MisspeltRequiredKeyIsNamedRatherThanMissed) {
+  EXPECT_THAT(message_of_error([&] { static_cast<void>(section("fille = \"a\"").text("file")); }),
+              EndsWith("fille: is not a known key; did you mean file?"));
+}
+
+TEST_F(TomlReader, SyntaxErrorNamesTheLine) {
+  EXPECT_THAT(message_of_error([&] { static_cast<void>(section("a = 1\nb = = 2")); }),
+              HasSubstr("scene.toml:2: is not TOML"));
+}
+
+TEST_F(TomlReader, MissingFileIsAnError) {
+  EXPECT_THAT(message_of_error([&] { static_cast<void>(TomlSection::read_file(folder_.path("none.toml"))); }),
+              HasSubstr("does not exist"));
+  EXPECT_THAT(message_of_error([&] { static_cast<void>(section("file = \"none.tif\"").file("file")); }),
+              HasSubstr("file: the file " + folder_.path("none.tif").string() + " does not exist"));
+}
+
+TEST_F(TomlReader, PathsAreRelativeToTheTomlFile) {
+  const auto data = folder_.write("data.csv", "x");
+  EXPECT_EQ(section("file = \"data.csv\"").file("file"), data);
+}
+
+TEST(ExpandedPath, FillsInEnvironmentVariables) {
+  setenv("SIGMASCAPE_TEST_FOLDER", "/data", 1);
+  unsetenv("SIGMASCAPE_TEST_UNSET");
+  EXPECT_EQ(expanded_path("${SIGMASCAPE_TEST_FOLDER}/a.tif", "/scenes", "w"), "/data/a.tif");
+  EXPECT_EQ(expanded_path("${SIGMASCAPE_TEST_UNSET:-../other}/a.tif", "/scenes", "w"), "/other/a.tif");
+  EXPECT_EQ(expanded_path("a.tif", "/scenes", "w"), "/scenes/a.tif");
+  EXPECT_THAT(
+      message_of_error([] { static_cast<void>(expanded_path("${SIGMASCAPE_TEST_UNSET}/a", "/", "s.toml: t.file")); }),
+      HasSubstr("s.toml: t.file: the environment variable SIGMASCAPE_TEST_UNSET is not set"));
+}
+
+TEST(NearestWord, IsSilentWhenNothingIsNear) {
+  EXPECT_EQ(nearest_word("hieght", {"width", "height"}), "height");
+  EXPECT_FALSE(nearest_word("colour", {"width", "height"}).has_value());
+  EXPECT_FALSE(nearest_word("a", {}).has_value());
+}
+
+}  // namespace
+}  // namespace sigmascape

@@ -1,0 +1,139 @@
+#include "sigmascape/geo/atomic_file.h"
+
+#include <csignal>
+#include <fstream>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+#include <sys/resource.h>
+#include <thread>
+#include <unistd.h>
+#include <vector>
+
+#include "sigmascape/base/error.h"
+
+namespace sigmascape::geo {
+namespace {
+
+std::string content_of(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// A folder of its own for each test.
+class AtomicFile : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = std::filesystem::path(testing::TempDir()) /
+              (std::string("sigmascape_atomic_") + test->name() + "_" + std::to_string(::getpid()));
+    std::filesystem::create_directories(folder_);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  [[nodiscard]] std::size_t files() const {
+    std::size_t count = 0;
+    for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder_)) ++count;
+    return count;
+  }
+
+  std::filesystem::path folder_;
+};
+
+/// No file may grow beyond `bytes` while this lives: to a writer the same as a full disk.
+class FullDisk {
+ public:
+  explicit FullDisk(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    rlimit limit = before_;
+    limit.rlim_cur = bytes;
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FullDisk() {
+    ::setrlimit(RLIMIT_FSIZE, &before_);
+    static_cast<void>(std::signal(SIGXFSZ, handler_));
+  }
+  FullDisk(const FullDisk&) = delete;
+  FullDisk& operator=(const FullDisk&) = delete;
+
+ private:
+  rlimit before_{};
+  void (*handler_)(int);
+};
+
+TEST_F(AtomicFile, HoldsWhatWasWrittenAndNothingElseIsLeft) {
+  const std::string content("one\0two\n", 8);
+  write_atomically(folder_ / "a.txt", content);
+  EXPECT_EQ(content_of(folder_ / "a.txt"), content);
+  EXPECT_EQ(files(), 1U);
+}
+
+TEST_F(AtomicFile, MakesTheFoldersOnItsWay) {
+  write_atomically(folder_ / "deep" / "er" / "a.txt", "x");
+  EXPECT_EQ(content_of(folder_ / "deep" / "er" / "a.txt"), "x");
+}
+
+TEST_F(AtomicFile, AFailingWriterLeavesTheOldFileAndNoOther) {
+  write_atomically(folder_ / "a.txt", "old");
+  const auto half_way = [](const std::filesystem::path& temporary) {
+    std::ofstream(temporary) << "ne";
+    throw std::runtime_error("interrupted");
+  };
+  EXPECT_THROW(write_atomically(folder_ / "a.txt", half_way), std::runtime_error);
+  EXPECT_EQ(content_of(folder_ / "a.txt"), "old");
+  EXPECT_EQ(files(), 1U);
+}
+
+TEST_F(AtomicFile, TheFinalNameIsNotThereWhileTheWriterWorks) {
+  bool seen_early = true;
+  write_atomically(folder_ / "a.txt", [&](const std::filesystem::path& temporary) {
+    EXPECT_EQ(temporary.parent_path(), folder_) << "another folder may be another disk, where rename fails";
+    seen_early = std::filesystem::exists(folder_ / "a.txt");
+  });
+  EXPECT_FALSE(seen_early);
+}
+
+TEST_F(AtomicFile, AFullDiskGivesOneSentenceAndLeavesNothing) {
+  std::string message;
+  {
+    const FullDisk full(1000);
+    try {
+      write_atomically(folder_ / "a.txt", std::string(5000, 'x'));
+    } catch (const Error& error) {
+      message = error.what();
+    }
+  }
+  EXPECT_THAT(message, testing::HasSubstr("a.txt"));
+  EXPECT_THAT(message, testing::HasSubstr("free some space"));
+  EXPECT_EQ(files(), 0U);
+}
+
+TEST_F(AtomicFile, AFolderThatCannotBeMadeIsNamed) {
+  write_atomically(folder_ / "file", "x");
+  try {
+    write_atomically(folder_ / "file" / "a.txt", "x");
+    FAIL() << "a file was taken for a folder";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("file/a.txt"));
+  }
+}
+
+TEST_F(AtomicFile, ManyWritersOfOneNameNeverMix) {
+  const auto path = folder_ / "a.txt";
+  std::vector<std::thread> writers;
+  for (char letter : {'a', 'b', 'c', 'd'}) {
+    writers.emplace_back([&path, letter] {
+      for (int i = 0; i < 20; ++i) write_atomically(path, std::string(20000, letter));
+    });
+  }
+  for (std::thread& writer : writers) writer.join();
+  const std::string content = content_of(path);
+  ASSERT_EQ(content.size(), 20000U);
+  EXPECT_EQ(content, std::string(20000, content.front()));
+  EXPECT_EQ(files(), 1U);
+}
+
+}  // namespace
+}  // namespace sigmascape::geo

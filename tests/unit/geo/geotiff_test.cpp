@@ -1,0 +1,183 @@
+#include "sigmascape/geo/geotiff.h"
+
+#include <cmath>
+#include <fstream>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <iterator>
+#include <limits>
+#include <string>
+#include <unistd.h>
+
+#include "sigmascape/base/error.h"
+#include "sigmascape/geo/atomic_file.h"
+#include "sigmascape/geo/local_frame.h"
+
+namespace sigmascape::geo {
+namespace {
+
+std::string bytes_of(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+class GeoTiff : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = std::filesystem::path(testing::TempDir()) /
+              (std::string("sigmascape_geotiff_") + test->name() + "_" + std::to_string(::getpid()));
+    std::filesystem::create_directories(folder_);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::filesystem::path folder_;
+};
+
+/// 300 × 270 cells, so that tiles at the edges are not full.
+GeoRaster example_raster() {
+  GeoRaster raster;
+  raster.placement = {-1234.5, 987.25, 2.5, LocalFrame(43.26, -2.93).proj()};
+  Array2D<float> ramp(300, 270);
+  Array2D<float> waves(300, 270);
+  for (std::size_t row = 0; row < 270; ++row) {
+    for (std::size_t column = 0; column < 300; ++column) {
+      ramp(column, row) = static_cast<float>(column) * 1e-3F - static_cast<float>(row) * 7.0F;
+      waves(column, row) = std::sin(static_cast<float>(column * row));
+    }
+  }
+  waves(3, 5) = std::numeric_limits<float>::quiet_NaN();
+  raster.bands = {{"ramp", ramp}, {"waves", waves}};
+  raster.nodata = std::numeric_limits<float>::quiet_NaN();
+  raster.metadata = {{"view", "azimuth 130 deg, \"quoted\" & <odd>"}, {"frequency_hz", "1e10"}};
+  return raster;
+}
+
+/// Halves of every magnitude, subnormal ones among them, in two bands that differ.
+HalfPyramid example_pyramid() {
+  HalfPyramid pyramid;
+  pyramid.placement = {512.0, 1024.0, 0.5, LocalFrame(43.26, -2.93).proj()};
+  pyramid.band_names = {"VV", "HH"};
+  pyramid.scale = 0x1p-5;
+  pyramid.columns = pyramid.rows = 1024;
+  pyramid.metadata = {{"who", "test"}};
+  for (std::size_t level = 0; level < 3; ++level) {
+    const std::size_t side = 1024U >> level;
+    std::vector<float>& values = pyramid.levels.emplace_back(side * side * 2);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const auto mantissa = static_cast<float>(1024 + (i * 7 + level) % 1024);
+      values[i] = std::ldexp(mantissa, static_cast<int>(i % 30) - 24) * (i % 2 == 0 ? 1.0F : -1.0F);
+      if (i % 11 == 0) values[i] = static_cast<float>(i % 1024) * 0x1p-24F;
+    }
+  }
+  return pyramid;
+}
+
+TEST_F(GeoTiff, ReadsBackWhatWasWritten) {
+  const GeoRaster written = example_raster();
+  write_geotiff(folder_ / "map.tif", written);
+  const GeoRaster read = read_geotiff(folder_ / "map.tif");
+  EXPECT_DOUBLE_EQ(read.placement.west_m, written.placement.west_m);
+  EXPECT_DOUBLE_EQ(read.placement.north_m, written.placement.north_m);
+  EXPECT_DOUBLE_EQ(read.placement.cell_m, written.placement.cell_m);
+  EXPECT_EQ(read.metadata, written.metadata);
+  ASSERT_TRUE(read.nodata.has_value());
+  EXPECT_TRUE(std::isnan(*read.nodata));
+  ASSERT_EQ(read.bands.size(), 2U);
+  for (std::size_t band = 0; band < 2; ++band) {
+    EXPECT_EQ(read.bands[band].name, written.bands[band].name);
+    for (std::size_t i = 0; i < written.bands[band].values.size(); ++i) {
+      const float expected = written.bands[band].values.values()[i];
+      const float value = read.bands[band].values.values()[i];
+      ASSERT_TRUE(value == expected || (std::isnan(value) && std::isnan(expected))) << band << " " << i;
+    }
+  }
+}
+
+TEST_F(GeoTiff, TheCrsIsTheLocalFrame) {
+  write_geotiff(folder_ / "map.tif", example_raster());
+  const std::string wkt = read_geotiff(folder_ / "map.tif").placement.crs;
+  EXPECT_THAT(wkt, testing::HasSubstr("Transverse Mercator"));
+  EXPECT_THAT(wkt, testing::HasSubstr("43.26"));
+  EXPECT_THAT(wkt, testing::HasSubstr("-2.93"));
+}
+
+TEST_F(GeoTiff, GeographicCornersLieAroundTheOriginOfTheFrame) {
+  // One minute of arc along the equator is 1855.3 m, along the meridian there 1842.9 m, on WGS 84.
+  const auto corners = geographic_corners({-1855.3248, 1842.9046, 10.0, LocalFrame(0.0, 10.0).proj()}, 200, 100);
+  EXPECT_NEAR(corners[3].x, 10.0 - 1.0 / 60.0, 1e-7);
+  EXPECT_NEAR(corners[3].y, 1.0 / 60.0, 1e-7);
+  EXPECT_LT(corners[0].y, corners[3].y);
+  EXPECT_LT(corners[0].x, corners[1].x);
+  EXPECT_NEAR(corners[2].y, corners[3].y, 1e-7);
+}
+
+TEST_F(GeoTiff, NothingIsLeftBesideTheFile) {
+  write_geotiff(folder_ / "map.tif", example_raster());
+  std::size_t files = 0;
+  for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder_)) ++files;
+  EXPECT_EQ(files, 1U);
+}
+
+TEST_F(GeoTiff, EqualRastersGiveEqualBytes) {
+  write_geotiff(folder_ / "a.tif", example_raster());
+  write_geotiff(folder_ / "b.tif", example_raster());
+  EXPECT_EQ(bytes_of(folder_ / "a.tif"), bytes_of(folder_ / "b.tif"));
+  EXPECT_EQ(half_cog_bytes(example_pyramid()), half_cog_bytes(example_pyramid()));
+}
+
+TEST_F(GeoTiff, BandsOfDifferentSizeAreRefusedByName) {
+  GeoRaster raster = example_raster();
+  raster.bands[1].values = Array2D<float>(10, 10);
+  try {
+    write_geotiff(folder_ / "map.tif", raster);
+    FAIL() << "written all the same";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("band waves"));
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "map.tif"));
+}
+
+TEST_F(GeoTiff, ACrsThatIsNoneIsRefused) {
+  GeoRaster raster = example_raster();
+  raster.placement.crs = "somewhere";
+  EXPECT_THROW(write_geotiff(folder_ / "map.tif", raster), Error);
+  EXPECT_THROW(static_cast<void>(wkt2_from("+proj=nonsense")), Error);
+}
+
+TEST_F(GeoTiff, AFileThatIsNoneIsRefused) {
+  write_atomically(folder_ / "map.tif", "II*");
+  EXPECT_THROW(static_cast<void>(read_geotiff(folder_ / "map.tif")), Error);
+  EXPECT_THROW(static_cast<void>(read_geotiff(folder_ / "missing.tif")), Error);
+}
+
+TEST_F(GeoTiff, ATruncatedFileIsRefused) {
+  write_geotiff(folder_ / "map.tif", example_raster());
+  std::filesystem::resize_file(folder_ / "map.tif", std::filesystem::file_size(folder_ / "map.tif") / 2);
+  EXPECT_THROW(static_cast<void>(read_geotiff(folder_ / "map.tif")), Error);
+}
+
+TEST_F(GeoTiff, HalfPyramidReadsBackExactlyTimesItsScale) {
+  const HalfPyramid pyramid = example_pyramid();
+  write_atomically(folder_ / "half.tif", half_cog_bytes(pyramid));
+  const GeoRaster read = read_geotiff(folder_ / "half.tif");
+  ASSERT_EQ(read.bands.size(), 2U);
+  EXPECT_EQ(read.bands[0].name, "VV");
+  EXPECT_EQ(read.bands[1].name, "HH");
+  EXPECT_EQ(read.metadata.at("who"), "test");
+  for (std::size_t i = 0; i < pyramid.levels[0].size(); ++i) {
+    ASSERT_EQ(read.bands[i % 2].values.values()[i / 2], pyramid.levels[0][i] * 0x1p-5F) << i;
+  }
+}
+
+TEST_F(GeoTiff, HalfPyramidOfAnotherShapeIsRefused) {
+  HalfPyramid pyramid = example_pyramid();
+  pyramid.levels.pop_back();
+  EXPECT_THROW(static_cast<void>(half_cog_bytes(pyramid)), Error);
+  pyramid = example_pyramid();
+  pyramid.levels[1].pop_back();
+  EXPECT_THROW(static_cast<void>(half_cog_bytes(pyramid)), Error);
+}
+
+}  // namespace
+}  // namespace sigmascape::geo

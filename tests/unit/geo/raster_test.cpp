@@ -1,0 +1,132 @@
+#include "sigmascape/geo/raster.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <limits>
+
+#include "scratch_folder.h"
+#include "unit/geo/ascii_grid.h"
+
+namespace sigmascape::geo {
+namespace {
+
+const LocalFrame frame(43.312, -2.986);
+constexpr AsciiGrid utm{500'600.0, 4'795'000.0, 10.0, 100, 80};
+
+Vec2d utm_position(Vec2d in_frame) {
+  CoordinateTransform("EPSG:25830", frame, "test").to_crs({&in_frame, 1});
+  return in_frame;
+}
+
+Lattice lattice_inside(const Raster& raster, double spacing_m) {
+  const Extent extent = raster.extent_in(frame);
+  return {extent.west_m, extent.north_m, spacing_m,
+          static_cast<std::size_t>((extent.east_m - extent.west_m) / spacing_m),
+          static_cast<std::size_t>((extent.north_m - extent.south_m) / spacing_m)};
+}
+
+TEST(Raster, BilinearHeightsReproduceAPlaneExactly) {
+  const ScratchFolder folder;
+  const auto plane = [](double x, double y) { return 0.02 * (x - 501'000.0) - 0.05 * (y - 4'795'400.0); };
+  const Raster raster({folder.write("plane.asc", utm.text(plane)), 1, "EPSG:25830"});
+  const Lattice lattice = lattice_inside(raster, 7.0);
+  const auto heights = raster.heights_on(lattice, frame);
+  for (std::size_t row = 2; row + 2 < lattice.rows; ++row) {
+    for (std::size_t column = 2; column + 2 < lattice.columns; ++column) {
+      const Vec2d p = utm_position(
+          {lattice.west_m + 7.0 * static_cast<double>(column), lattice.north_m - 7.0 * static_cast<double>(row)});
+      ASSERT_NEAR(static_cast<double>(heights(column, row)), plane(p.x, p.y), 1e-3) << column << " " << row;
+    }
+  }
+}
+
+TEST(Raster, GeographicRasterIsNotTransposed) {
+  const ScratchFolder folder;
+  const AsciiGrid degrees{-3.0, 43.3, 0.0002, 120, 150};
+  const Raster raster({folder.write("degrees.asc", degrees.text([](double longitude, double latitude) {
+                         return 1e5 * (longitude + 2.99) + 10.0 * 1e5 * (latitude - 43.31);
+                       })),
+                       1, "EPSG:4326"});
+  const Vec2d point{-100.0, 250.0};
+  const auto height = raster.heights_on({point.x, point.y, 1.0, 1, 1}, frame)(0, 0);
+  const auto place = place_on_globe(frame, point);
+  EXPECT_NEAR(static_cast<double>(height), 1e5 * (place.longitude_deg + 2.99) + 1e6 * (place.latitude_deg - 43.31),
+              0.1);
+  EXPECT_NEAR(raster.centre().latitude_deg, 43.315, 1e-6);
+  EXPECT_NEAR(raster.centre().longitude_deg, -2.988, 1e-6);
+  // 0.0002° is 22.2 m northward and cos 43.3° of that eastward.
+  EXPECT_NEAR(raster.cell_m(), 22.26 * std::cos(43.315 * M_PI / 180.0), 0.05);
+}
+
+TEST(Raster, CoarseLatticeTakesTheMeanOfItsCell) {
+  const ScratchFolder folder;
+  const auto stripes = [](double x, double) { return std::fmod(std::floor(x / 10.0), 2.0) == 0.0 ? 0.0 : 4.0; };
+  const Raster raster({folder.write("stripes.asc", utm.text(stripes)), 1, "EPSG:25830"});
+  const Lattice lattice = lattice_inside(raster, 40.0);
+  const auto heights = raster.heights_on(lattice, frame);
+  EXPECT_NEAR(static_cast<double>(heights(5, 5)), 2.0, 0.3);
+  EXPECT_NEAR(static_cast<double>(heights(8, 9)), 2.0, 0.3);
+}
+
+TEST(Raster, NoDataReadsAsNaNAndSpoilsNoNeighbour) {
+  const ScratchFolder folder;
+  const auto holed = [](double x, double y) { return x > 501'000.0 && y > 4'795'400.0 ? std::nan("") : 50.0; };
+  const Raster raster({folder.write("holed.asc", utm.text(holed)), 1, "EPSG:25830"});
+  const auto heights = raster.heights_on(lattice_inside(raster, 10.0), frame);
+  std::size_t holes = 0;
+  for (const float height : heights.values()) {
+    if (std::isnan(height)) {
+      ++holes;
+    } else {
+      ASSERT_NEAR(static_cast<double>(height), 50.0, 1e-4);
+    }
+  }
+  EXPECT_NEAR(static_cast<double>(holes), 60.0 * 40.0, 110.0);
+}
+
+TEST(Raster, OutsideIsNaNAndNoClass) {
+  const ScratchFolder folder;
+  const Raster raster({folder.write("flat.asc", utm.text([](double, double) { return 7.0; })), 1, "EPSG:25830"});
+  const Lattice far_away{90'000.0, 90'000.0, 10.0, 3, 3};
+  EXPECT_TRUE(std::isnan(raster.heights_on(far_away, frame)(1, 1)));
+  EXPECT_EQ(raster.classes_on(far_away, frame)(1, 1), no_class);
+}
+
+TEST(Raster, ClassesAreThoseOfTheNearestCell) {
+  const ScratchFolder folder;
+  const auto classes = [](double x, double y) { return y > 4'795'400.0 ? (x > 501'000.0 ? 10.0 : 30.0) : 80.0; };
+  const Raster raster({folder.write("classes.asc", utm.text(classes)), 1, "EPSG:25830"});
+  const Lattice lattice = lattice_inside(raster, 3.0);
+  const auto read = raster.classes_on(lattice, frame);
+  for (std::size_t row = 0; row < lattice.rows; ++row) {
+    for (std::size_t column = 0; column < lattice.columns; ++column) {
+      const Vec2d p = utm_position(
+          {lattice.west_m + 3.0 * static_cast<double>(column), lattice.north_m - 3.0 * static_cast<double>(row)});
+      if (std::abs(p.x - 501'000.0) < 0.01 || std::abs(p.y - 4'795'400.0) < 0.01) continue;
+      ASSERT_EQ(read(column, row), static_cast<std::int32_t>(classes(p.x, p.y)));
+    }
+  }
+}
+
+TEST(Raster, WithoutCrsIsAnErrorThatSaysHowToStateIt) {
+  const ScratchFolder folder;
+  const auto file = folder.write("lost.asc", utm.text([](double, double) { return 1.0; }));
+  const std::string message = message_of_error([&] { Raster({file, 1, ""}); });
+  EXPECT_NE(message.find("lost.asc: carries no coordinate reference system"), std::string::npos) << message;
+  EXPECT_NE(message.find("crs = "), std::string::npos) << message;
+}
+
+TEST(Raster, MissingFileWrongFormatAndWrongBandAreErrors) {
+  const ScratchFolder folder;
+  EXPECT_NE(message_of_error([&] {
+              Raster({folder.path("none.tif"), 1, ""});
+            }).find("does not exist"),
+            std::string::npos);
+  const auto text = folder.write("notes.txt", "no raster");
+  EXPECT_NE(message_of_error([&] { Raster({text, 1, ""}); }).find("is not a raster"), std::string::npos);
+  const auto one_band = folder.write("flat.asc", utm.text([](double, double) { return 7.0; }));
+  EXPECT_NE(message_of_error([&] { Raster({one_band, 2, "EPSG:25830"}); }).find("has no band 2"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace sigmascape::geo

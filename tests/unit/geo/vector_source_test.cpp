@@ -1,0 +1,121 @@
+#include "sigmascape/geo/vector_source.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "scratch_folder.h"
+
+#include "sigmascape/geo/coordinate_transform.h"
+#include "sigmascape/geo/osm_tags.h"
+
+namespace sigmascape::geo {
+namespace {
+
+using ::testing::HasSubstr;
+const LocalFrame frame(45.0, 7.0);
+
+TEST(VectorSource, ReadsPolygonsWithHolesAndAttributes) {
+  const ScratchFolder folder;
+  const auto file = folder.write("houses.geojson", R"({"type":"FeatureCollection","features":[{"type":"Feature",
+    "properties":{"height_m":12.5,"name":"town hall","levels":null},"geometry":{"type":"MultiPolygon","coordinates":[
+    [[[7.0,45.0],[7.001,45.0],[7.001,45.001],[7.0,45.001],[7.0,45.0]],[[7.0002,45.0002],[7.0004,45.0002],[7.0004,45.0004],[7.0002,45.0002]]],
+    [[[7.002,45.0],[7.003,45.0],[7.003,45.001],[7.002,45.0]]]]}}]})");
+  const auto found = read_features({.file = file}, frame);
+  ASSERT_EQ(found.features.size(), 1U);
+  const Feature& hall = found.features[0];
+  EXPECT_EQ(hall.attribute("height_m"), "12.5");
+  EXPECT_EQ(hall.attribute("name"), "town hall");
+  EXPECT_FALSE(hall.attribute("levels").has_value());
+  ASSERT_EQ(hall.polygons.size(), 2U);
+  EXPECT_EQ(hall.polygons[0].holes.size(), 1U);
+  // 0.001° of latitude is 111.1 m, of longitude at 45° 78.8 m.
+  EXPECT_NEAR(signed_area_m2(hall.polygons[0].outer), 111.1 * 78.8, 20.0);
+  EXPECT_LT(signed_area_m2(hall.polygons[0].holes[0]), 0.0);
+}
+
+TEST(VectorSource, TableOfCoordinatesNeedsACrsAndItsColumns) {
+  const ScratchFolder folder;
+  const auto file = folder.write("trees.csv", "east,north,height\n7.001,45.0,12\n7.0,45.001,8\n");
+  const VectorSource source{
+      .file = file, .kind = GeometryKind::Points, .crs = "EPSG:4326", .x_column = "east", .y_column = "north"};
+  const auto found = read_features(source, frame);
+  ASSERT_EQ(found.features.size(), 2U);
+  EXPECT_NEAR(found.features[0].points[0].x, 78.85, 0.1);
+  EXPECT_NEAR(found.features[1].points[0].y, 111.13, 0.1);
+  EXPECT_EQ(found.features[1].attribute("height"), "8");
+
+  VectorSource without_crs = source;
+  without_crs.crs.clear();
+  EXPECT_THAT(message_of_error([&] { static_cast<void>(read_features(without_crs, frame)); }),
+              HasSubstr("trees.csv: carries no coordinate reference system"));
+  VectorSource misnamed = source;
+  misnamed.x_column = "x";
+  EXPECT_THAT(message_of_error([&] { static_cast<void>(read_features(misnamed, frame)); }),
+              HasSubstr("has no column 'x'; choose among its columns east, north, height"));
+}
+
+TEST(VectorSource, OpenStreetMapTagsBecomeAttributes) {
+  const ScratchFolder folder;
+  const auto file = folder.write("town.osm", R"(<osm version="0.6">
+    <node id="1" lat="45.0" lon="7.0"/><node id="2" lat="45.0" lon="7.001"/><node id="3" lat="45.001" lon="7.001"/>
+    <way id="10"><nd ref="1"/><nd ref="2"/><nd ref="3"/><nd ref="1"/><tag k="building" v="yes"/><tag k="height" v="17"/><tag k="building:levels" v="5"/></way>
+    <way id="11"><nd ref="1"/><nd ref="2"/><nd ref="3"/><nd ref="1"/><tag k="landuse" v="forest"/></way>
+    <way id="12"><nd ref="1"/><nd ref="2"/><tag k="highway" v="primary"/><tag k="lanes" v="2"/></way></osm>)");
+  const auto houses = read_features({.file = file, .osm_tag = "building"}, frame);
+  ASSERT_EQ(houses.features.size(), 1U);
+  EXPECT_EQ(houses.features[0].attribute("height"), "17");
+  EXPECT_EQ(houses.features[0].attribute("building:levels"), "5");
+  const auto roads = read_features({.file = file, .kind = GeometryKind::Lines, .osm_tag = "highway"}, frame);
+  ASSERT_EQ(roads.features.size(), 1U);
+  EXPECT_EQ(roads.features[0].lines[0].size(), 2U);
+  EXPECT_EQ(roads.features[0].attribute("lanes"), "2");
+}
+
+TEST(VectorSource, ConditionChoosesFeaturesAndMustFit) {
+  const ScratchFolder folder;
+  const auto file = folder.write("t.csv", "x,y,height\n7,45,12\n7,45,-8\n");
+  VectorSource source{.file = file,
+                      .kind = GeometryKind::Points,
+                      .where = "CAST(height AS float) > 0",
+                      .crs = "EPSG:4326",
+                      .x_column = "x",
+                      .y_column = "y"};
+  EXPECT_EQ(read_features(source, frame).features.size(), 1U);
+  source.where = "hight > 0";
+  EXPECT_THAT(message_of_error([&] { static_cast<void>(read_features(source, frame)); }),
+              HasSubstr("the condition 'hight > 0'"));
+}
+
+TEST(VectorSource, FeaturesNowhereAreCounted) {
+  const ScratchFolder folder;
+  const auto file = folder.write("f.geojson", R"({"type":"FeatureCollection","features":[
+    {"type":"Feature","properties":{},"geometry":null},
+    {"type":"Feature","properties":{},"geometry":{"type":"Point","coordinates":[7.0,45.0]}}]})");
+  const auto found = read_features({.file = file, .kind = GeometryKind::Points}, frame);
+  EXPECT_EQ(found.features.size(), 1U);
+  EXPECT_EQ(found.nowhere, 1U);
+}
+
+TEST(VectorSource, MissingFileAndLayerAreErrors) {
+  const ScratchFolder folder;
+  EXPECT_THAT(message_of_error([&] { static_cast<void>(read_features({.file = folder.path("none.shp")}, frame)); }),
+              HasSubstr("none.shp: the file does not exist"));
+  const auto file = folder.write("t.csv", "x,y\n7,45\n");
+  EXPECT_THAT(message_of_error([&] { static_cast<void>(read_features({.file = file, .layer = "roads"}, frame)); }),
+              HasSubstr("has no layer 'roads'; choose among its layers t"));
+}
+
+TEST(OsmTags, QuotesAndCommasInsideValuesSurvive) {
+  const auto tags = unpacked_tags(R"("height"=>"12","name"=>"a \"b\", c=>d","x"=>"\\")");
+  ASSERT_EQ(tags.size(), 3U);
+  EXPECT_EQ(tags.at("name"), "a \"b\", c=>d");
+  EXPECT_EQ(tags.at("x"), "\\");
+}
+
+TEST(OsmTags, DamagedTextKeepsWhatCameBefore) {
+  EXPECT_EQ(unpacked_tags(R"("a"=>"1","b"=)").size(), 1U);
+  EXPECT_TRUE(unpacked_tags("nothing").empty());
+}
+
+}  // namespace
+}  // namespace sigmascape::geo

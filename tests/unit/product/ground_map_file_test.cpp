@@ -1,0 +1,122 @@
+#include "sigmascape/product/ground_map_file.h"
+
+#include <array>
+#include <bit>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "unit/product/made_up_map.h"
+
+#include "sigmascape/base/error.h"
+#include "sigmascape/base/hash.h"
+#include "sigmascape/geo/geotiff.h"
+#include "sigmascape/geo/local_frame.h"
+
+namespace sigmascape::product {
+namespace {
+
+radar::GroundMap rough_map() {
+  radar::GroundMap map;
+  map.grid = {.west_m = -150.5, .north_m = 301.25, .cell_m = 0.75, .columns = 300, .rows = 41};
+  map.crs = geo::LocalFrame(43.26, -2.93).proj();
+  map.metadata = {{"attribution", "© somebody & others"}, {"frequency_hz", "1e+10"}};
+  map.sigma0 = Array2D<radar::Channels>(300, 41);
+  for (std::size_t i = 0; i < map.sigma0.size(); ++i) {
+    const auto value = [&](int channel) { return unit_float(hashed(i, channel)); };
+    map.sigma0.values()[i] = {value(0), value(1), 1e-9F * value(2), value(3) - 0.5F};
+  }
+  map.sigma0(7, 7) = {unseen_power, unseen_power, unseen_power, unseen_power};
+  return map;
+}
+
+TEST(GroundMapFile, ReadsBackTheSameMap) {
+  const auto path = test_folder() / "map.tif";
+  const radar::GroundMap written = rough_map();
+  write_ground_map(path, written);
+  const radar::GroundMap read = read_ground_map(path);
+  EXPECT_EQ(read.grid, written.grid);
+  EXPECT_EQ(read.crs, written.crs);
+  EXPECT_EQ(read.metadata, written.metadata);
+  ASSERT_EQ(read.sigma0.size(), written.sigma0.size());
+  for (std::size_t i = 0; i < read.sigma0.size(); ++i) {
+    using Bits = std::array<std::uint32_t, 4>;
+    ASSERT_EQ(std::bit_cast<Bits>(read.sigma0.values()[i]), std::bit_cast<Bits>(written.sigma0.values()[i])) << i;
+  }
+}
+
+TEST(GroundMapFile, AFileMovedByAGisKeepsItsOwnCrs) {
+  const auto path = test_folder() / "map.tif";
+  write_ground_map(path, rough_map());
+  geo::GeoRaster raster = geo::read_geotiff(path);
+  raster.placement.west_m += 1000.0;
+  raster.placement.crs = "EPSG:25830";
+  geo::write_geotiff(path, raster);
+  const radar::GroundMap read = read_ground_map(path);
+  EXPECT_EQ(read.grid.west_m, 849.5);
+  EXPECT_THAT(read.crs, testing::HasSubstr("UTM zone 30N"));
+}
+
+TEST(GroundMapFile, BandsMayStandInAnyOrderAndNodataMayBeANumber) {
+  const auto path = test_folder() / "map.tif";
+  geo::GeoRaster raster{.placement = {0.0, 0.0, 1.0, "EPSG:25830"}, .bands = {}, .nodata = -1.0F, .metadata = {}};
+  for (const char* name : {"RE_VVHH", "HV", "HH", "VV"}) {
+    raster.bands.push_back({name, Array2D<float>(2, 1, name == std::string("VV") ? 5.0F : 1.0F)});
+    raster.bands.back().values(1, 0) = -1.0F;
+  }
+  geo::write_geotiff(path, raster);
+  const radar::GroundMap map = read_ground_map(path);
+  EXPECT_EQ(map.sigma0(0, 0).vv, 5.0F);
+  EXPECT_EQ(map.sigma0(0, 0).re_vvhh, 1.0F);
+  EXPECT_TRUE(std::isnan(map.sigma0(1, 0).vv));
+}
+
+TEST(GroundMapFile, OtherFilesAreRefusedWithTheReason) {
+  const auto folder = test_folder();
+  geo::GeoRaster heights{.placement = {0.0, 0.0, 1.0, "EPSG:25830"},
+                         .bands = {{"height", Array2D<float>(4, 4, 1.0F)}},
+                         .nodata = std::nullopt,
+                         .metadata = {}};
+  geo::write_geotiff(folder / "heights.tif", heights);
+  try {
+    (void)read_ground_map(folder / "heights.tif");
+    FAIL() << "a height raster was taken for a ground map";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("heights.tif"));
+    EXPECT_THAT(error.what(), testing::HasSubstr("not a ground map"));
+    EXPECT_THAT(error.what(), testing::HasSubstr("VV"));
+  }
+  std::ofstream(folder / "text.tif") << "no raster at all";
+  EXPECT_THROW((void)read_ground_map(folder / "text.tif"), Error);
+  EXPECT_THROW((void)read_ground_map(folder / "absent.tif"), Error);
+}
+
+TEST(GroundMapFile, AMapThatDoesNotFitItsGridIsRefused) {
+  radar::GroundMap map = rough_map();
+  map.grid.columns = 299;
+  const auto path = test_folder() / "map.tif";
+  EXPECT_THROW(write_ground_map(path, map), Error);
+  EXPECT_FALSE(std::filesystem::exists(path));
+}
+
+TEST(GroundMapFile, GdalinfoSeesBandsPlaceAndNodata) {
+  if (std::system("gdalinfo --version > /dev/null 2>&1") != 0)
+    GTEST_SKIP() << "gdalinfo (package gdal-bin) is not installed";
+  const auto path = test_folder() / "map.tif";
+  write_ground_map(path, rough_map());
+  std::string info;
+  std::FILE* pipe = popen(("gdalinfo '" + path.string() + "'").c_str(), "r");
+  std::array<char, 4096> buffer{};
+  while (std::fgets(buffer.data(), static_cast<int>(buffer.size()), pipe) != nullptr) info += buffer.data();
+  EXPECT_EQ(pclose(pipe), 0);
+  for (const char* part : {"Size is 300, 41", "Origin = (-150.500000000000000,301.250000000000000)",
+                           "Transverse Mercator", "Description = VV", "Description = HH", "Description = HV",
+                           "Description = RE_VVHH", "Type=Float32", "NoData Value=nan", "frequency_hz=1e+10"}) {
+    EXPECT_THAT(info, testing::HasSubstr(part));
+  }
+}
+
+}  // namespace
+}  // namespace sigmascape::product

@@ -1,0 +1,155 @@
+#include "sigmascape/product/picture.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "unit/product/made_up_map.h"
+
+#include "sigmascape/base/error.h"
+#include "sigmascape/product/legend.h"
+
+namespace sigmascape::product {
+namespace {
+
+using radar::GroundMap;
+using radar::Polarization;
+
+/// One row of cells at −50, −40, … 0 dB.
+GroundMap ramp() {
+  return map_of(6, 1, [](auto c, auto) { return std::pow(10.0, static_cast<double>(c) - 5.0); });
+}
+
+TEST(Picture, SpanAndTopSetTheGreyLevels) {
+  const Picture picture = picture_of(ramp(), {.span_db = 50.0, .top_db = 0.0});
+  const int levels[] = {0, 51, 102, 153, 204, 255};
+  for (std::size_t column = 0; column < 6; ++column) EXPECT_EQ(picture.pixels(column, 0).red, levels[column]);
+  EXPECT_EQ(picture.bottom_db, -50.0);
+  EXPECT_EQ(picture.top_db, 0.0);
+}
+
+TEST(Picture, WhatLiesOutsideTheSpanTakesItsEnds) {
+  const Picture picture = picture_of(ramp(), {.span_db = 25.0, .top_db = -10.0});
+  const int levels[] = {0, 0, 51, 153, 255, 255};
+  for (std::size_t column = 0; column < 6; ++column) EXPECT_EQ(picture.pixels(column, 0).red, levels[column]);
+}
+
+TEST(Picture, TopIsThePercentileOfTheCellsWithPower) {
+  GroundMap map = map_of(102, 1, [](auto c, auto) { return std::pow(10.0, static_cast<double>(c) / 100.0); });
+  map.sigma0(100, 0).vv = 0.0F;
+  map.sigma0(101, 0).vv = unseen_power;
+  // 100 cells at 0.0, 0.1, … 9.9 dB.
+  EXPECT_NEAR(percentile_top_db(map, {.top_percentile = 100.0}), 9.9, 1e-5);
+  EXPECT_NEAR(percentile_top_db(map, {.top_percentile = 50.0}), 4.9, 1e-5);
+  EXPECT_NEAR(picture_of(map, {.top_percentile = 90.0}).top_db, 8.9, 1e-5);
+}
+
+TEST(Picture, UnseenIsDarkBlueOrTransparentAndPowerlessIsBlack) {
+  GroundMap map = ramp();
+  map.sigma0(2, 0).vv = unseen_power;
+  map.sigma0(3, 0).vv = 0.0F;
+  const Picture opaque = picture_of(map, {.top_db = 0.0});
+  EXPECT_EQ(opaque.pixels(2, 0), unseen_colour);
+  EXPECT_EQ(opaque.pixels(3, 0), (Rgba{0, 0, 0, 255}));
+  const Picture clear = picture_of(map, {.top_db = 0.0, .transparent_unseen = true});
+  EXPECT_EQ(clear.pixels(2, 0).alpha, 0);
+  EXPECT_EQ(clear.pixels(3, 0).alpha, 255);
+}
+
+TEST(Picture, PolarizationIsChosen) {
+  GroundMap map = map_of(1, 1, [](auto, auto) { return 1.0; });
+  map.sigma0(0, 0).hv = 0.1F;
+  const auto grey = [&](Polarization p) {
+    return picture_of(map, {.polarization = p, .span_db = 51.0, .top_db = 1.0}).pixels(0, 0).red;
+  };
+  EXPECT_EQ(grey(Polarization::VV), 250);
+  EXPECT_EQ(grey(Polarization::HV), 200);
+  EXPECT_EQ(grey(Polarization::HH), 0);
+  EXPECT_EQ(grey(Polarization::Sum), 254);
+}
+
+TEST(Picture, ScopeLookMakesAPointBloom) {
+  const GroundMap point = map_of(21, 21, [](auto c, auto r) { return c == 10 && r == 10 ? 1.0 : 1e-6; });
+  PictureOptions options = scope_look();
+  options.top_db = 0.0;
+  const Picture bloomed = picture_of(point, options);
+  EXPECT_GT(bloomed.pixels(11, 10).green, 100);
+  EXPECT_GT(bloomed.pixels(11, 10).green, bloomed.pixels(11, 10).red);
+  options.low_pass_cells = 0.0;
+  EXPECT_EQ(picture_of(point, options).pixels(11, 10).green, 0);
+}
+
+TEST(Picture, MagnifiedCellsKeepTheirPlace) {
+  const Picture picture = picture_of(ramp(), {.span_db = 50.0, .top_db = 0.0, .magnification = 3});
+  ASSERT_EQ(picture.pixels.columns(), 18U);
+  ASSERT_EQ(picture.pixels.rows(), 3U);
+  EXPECT_EQ(picture.pixels(5, 2).red, 51);
+  EXPECT_EQ(picture.pixels(6, 0).red, 102);
+  EXPECT_EQ(picture.grid.extent(), ramp().grid.extent());
+}
+
+TEST(Picture, DifferenceIsZeroInTheMiddleRedAboveBlueBelow) {
+  const GroundMap truth = map_of(4, 1, [](auto, auto) { return 0.1; });
+  GroundMap tested = map_of(4, 1, [](auto c, auto) { return c == 0 ? 0.1 : c == 1 ? 1.0 : 0.01; });
+  tested.sigma0(3, 0).vv = unseen_power;
+  const Picture picture = difference_picture(tested, truth, {.span_db = 20.0});
+  EXPECT_EQ(picture.pixels(0, 0), colour_at(ColourScale::Diverging, 0.5));
+  EXPECT_EQ(picture.pixels(1, 0), colour_at(ColourScale::Diverging, 1.0));
+  EXPECT_EQ(picture.pixels(2, 0), colour_at(ColourScale::Diverging, 0.0));
+  EXPECT_EQ(picture.pixels(3, 0), unseen_colour);
+}
+
+TEST(Picture, BelowTheFloorNothingDiffers) {
+  const GroundMap dark = map_of(1, 1, [](auto, auto) { return 0.0; });
+  const GroundMap darker = map_of(1, 1, [](auto, auto) { return 1e-5; });
+  EXPECT_EQ(difference_picture(dark, darker).pixels(0, 0), colour_at(ColourScale::Diverging, 0.5));
+}
+
+TEST(Picture, OptionsThatCannotBeAreRefused) {
+  EXPECT_THROW((void)picture_of(ramp(), {.span_db = 0.0}), Error);
+  EXPECT_THROW((void)picture_of(ramp(), {.top_percentile = 101.0}), Error);
+  EXPECT_THROW((void)picture_of(ramp(), {.low_pass_cells = -1.0}), Error);
+  EXPECT_THROW((void)picture_of(ramp(), {.magnification = 0}), Error);
+  EXPECT_THROW((void)picture_of(GroundMap{}), Error);
+  EXPECT_THROW((void)difference_picture(ramp(), map_of(3, 3, [](auto, auto) { return 1.0; })), Error);
+}
+
+TEST(Legend, StandsBelowTheGroundAndChangesNoneOfIt) {
+  const GroundMap map = map_of(300, 40, [](auto c, auto) { return static_cast<double>(c + 1); });
+  const Picture plain = picture_of(map);
+  const Picture framed = with_legend(plain);
+  EXPECT_EQ(framed.pixels.columns(), 300U);
+  EXPECT_GT(framed.pixels.rows(), 50U);
+  EXPECT_EQ(framed.grid, plain.grid);
+  for (std::size_t i = 0; i < plain.pixels.size(); ++i) {
+    ASSERT_EQ(framed.pixels.values()[i], plain.pixels.values()[i]);
+  }
+}
+
+TEST(Legend, ScaleBarHasItsRoundLength) {
+  // 300 cells of 2 m: a quarter is 150 m, the bar 100 m = 50 pixels of solid ink in one row.
+  const Picture framed = with_legend(picture_of(map_of(300, 4, [](auto, auto) { return 1.0; })));
+  std::size_t longest = 0;
+  for (std::size_t row = 4; row < framed.pixels.rows(); ++row) {
+    std::size_t run = 0;
+    for (std::size_t column = 120; column < 280; ++column) {
+      run = framed.pixels(column, row).red > 200 ? run + 1 : 0;
+      longest = std::max(longest, run);
+    }
+  }
+  EXPECT_EQ(longest, 50U);
+}
+
+TEST(Legend, RoundLengthsAreOneTwoAndFive) {
+  EXPECT_DOUBLE_EQ(round_length_m(150.0), 100.0);
+  EXPECT_DOUBLE_EQ(round_length_m(499.0), 200.0);
+  EXPECT_DOUBLE_EQ(round_length_m(500.0), 500.0);
+  EXPECT_DOUBLE_EQ(round_length_m(1000.0), 1000.0);
+  EXPECT_DOUBLE_EQ(round_length_m(0.3), 0.2);
+}
+
+TEST(Legend, PicturesTooNarrowForItStayAsTheyAre) {
+  EXPECT_EQ(with_legend(picture_of(ramp())).pixels.rows(), 1U);
+}
+
+}  // namespace
+}  // namespace sigmascape::product
