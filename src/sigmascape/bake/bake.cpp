@@ -53,17 +53,16 @@ radar::Rectangle intersection(const radar::Rectangle& a, const radar::Rectangle&
   return {std::max(a.west_m, b.west_m), std::max(a.south_m, b.south_m), std::min(a.east_m, b.east_m), std::min(a.north_m, b.north_m)};
 }
 
-/// Relative standard error of a texel's total power from the sums over half of its samples and over all of them, root mean square
-/// over the texels that answer at all.
-double relative_error(const Array2D<radar::Channels>& half, const Array2D<radar::Channels>& whole) {
+/// Relative standard error of a texel's total power from the sums over the first `share` of its samples and over all of them, root mean
+/// square over the texels that answer at all: (S₁ − pS)² / (p (1 − p)) has the variance of S for its mean.
+double relative_error(const Array2D<radar::Channels>& first_part, const Array2D<radar::Channels>& whole, double share) {
   double sum = 0.0;
   std::size_t lit = 0;
   for (std::size_t i = 0; i < whole.size(); ++i) {
     const double total = whole.values()[i].power(radar::Polarization::Sum);
     if (total <= 0.0) continue;
-    const double first = half.values()[i].power(radar::Polarization::Sum);
-    const double deviation = (2.0 * first - total) / total;
-    sum += deviation * deviation;
+    const double deviation = first_part.values()[i].power(radar::Polarization::Sum) / total - share;
+    sum += deviation * deviation / (share * (1.0 - share));
     ++lit;
   }
   return lit > 0 ? std::sqrt(sum / static_cast<double>(lit)) : 0.0;
@@ -99,7 +98,7 @@ class Baker {
                   "use a smaller texel or a rougher material");
     }
     const auto sigma0 = accumulator.sigma0();
-    const double error = relative_error(first_half, sigma0);
+    const double error = relative_error(first_half, sigma0, static_cast<double>(half) / settings_.samples_per_texel);
     store_.write(unit.patch, unit.look, sigma0,
                  {.seed = settings_.seed,
                   .samples_per_texel = settings_.samples_per_texel,

@@ -24,7 +24,9 @@ inline constexpr double vacuum_permittivity_f_per_m = 8.8541878128e-12;
 /// The angle brought into [0, 2π).
 [[nodiscard]] inline double wrapped_azimuth(double azimuth_rad) {
   const double turned = std::fmod(azimuth_rad, 2.0 * pi);
-  return turned < 0.0 ? turned + 2.0 * pi : turned;
+  const double positive = turned < 0.0 ? turned + 2.0 * pi : turned;
+  // The least negative angles round to the full turn.
+  return positive < 2.0 * pi ? positive : 0.0;
 }
 
 }  // namespace sigmascape

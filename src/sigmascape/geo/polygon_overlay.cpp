@@ -107,6 +107,10 @@ Polygons united(const Polygons& a, const Polygons& b) {
   return polygons_of(Geometry(GEOSUnionPrec_r(geos(), geometry_of(a).get(), geometry_of(b).get(), grid_m)));
 }
 
+Polygons united_all(const Polygons& polygons) {
+  return polygons_of(Geometry(GEOSUnaryUnionPrec_r(geos(), geometry_of(polygons).get(), grid_m)));
+}
+
 Polygons subtracted(const Polygons& from, const Polygons& cut) {
   return polygons_of(Geometry(GEOSDifferencePrec_r(geos(), geometry_of(from).get(), geometry_of(cut).get(), grid_m)));
 }

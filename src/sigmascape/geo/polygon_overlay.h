@@ -24,6 +24,8 @@ struct Repaired {
 /// Removes corners that stand out by less than the tolerance, without making rings cross.
 [[nodiscard]] Polygons simplified(const Polygons& polygons, double tolerance_m);
 [[nodiscard]] Polygons united(const Polygons& a, const Polygons& b);
+/// The union of valid polygons that may overlap one another.
+[[nodiscard]] Polygons united_all(const Polygons& polygons);
 [[nodiscard]] Polygons subtracted(const Polygons& from, const Polygons& cut);
 [[nodiscard]] Polygons intersected(const Polygons& a, const Polygons& b);
 

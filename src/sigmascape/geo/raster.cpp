@@ -272,27 +272,29 @@ Extent Raster::extent_in(const LocalFrame& frame) const {
           std::ranges::min_element(right, by_x)->x, std::ranges::min_element(top, by_y)->y};
 }
 
-Array2D<float> Raster::heights_on(const Lattice& lattice, const LocalFrame& frame) const {
+Array2D<float> Raster::heights_on(const Lattice& lattice, const LocalFrame& frame, PlausibleHeights plausible) const {
   const CoordinateTransform transform(source_->crs, frame, source_->name);
   const PixelNet net(lattice, transform, [this](Vec2d p) { return source_->pixel_position(p); });
   auto window = read_window<float>(*source_->band, net.knots(), GDT_Float32, source_->name);
   Array2D<float> heights(lattice.columns, lattice.rows, nan_height);
   if (window.value.empty()) return heights;
-  for (std::size_t i = 0; i < window.value.size(); ++i) {
-    if (!std::isfinite(window.value.values()[i])) window.valid.values()[i] = 0;
-  }
-
   const double to_metres = metres_per_unit(source_->band->GetUnitType());
   const double scale = source_->band->GetScale() * to_metres, offset = source_->band->GetOffset() * to_metres;
+  for (std::size_t i = 0; i < window.value.size(); ++i) {
+    float& height = window.value.values()[i];
+    height = static_cast<float>(static_cast<double>(height) * scale + offset);
+    const bool believed =
+        height >= static_cast<float>(plausible.lowest_m) && height <= static_cast<float>(plausible.highest_m);
+    if (!believed) window.valid.values()[i] = 0;
+  }
   const int samples = std::clamp(static_cast<int>(std::lround(lattice.spacing_m / cell_m())), 1, 16);
   for (std::size_t row = 0; row < lattice.rows; ++row) {
     for (std::size_t column = 0; column < lattice.columns; ++column) {
       const Vec2d pixel = net.at(static_cast<double>(column), static_cast<double>(row));
       if (!inside(pixel, source_->columns(), source_->rows())) continue;
-      const float value = samples == 1
-                              ? bilinear(window, pixel)
-                              : mean_over_cell(window, net, column, row, samples, source_->columns(), source_->rows());
-      heights(column, row) = static_cast<float>(static_cast<double>(value) * scale + offset);
+      heights(column, row) =
+          samples == 1 ? bilinear(window, pixel)
+                       : mean_over_cell(window, net, column, row, samples, source_->columns(), source_->rows());
     }
   }
   return heights;

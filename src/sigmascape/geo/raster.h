@@ -20,6 +20,12 @@ struct RasterBand {
   std::string crs;  ///< overrides the file's own when not empty
 };
 
+/// Heights outside this range count as no data: voids that a file does not declare, spikes.
+struct PlausibleHeights {
+  double lowest_m = -500.0;
+  double highest_m = 9000.0;
+};
+
 /// What a class raster reads where it has no class.
 inline constexpr std::int32_t no_class = std::numeric_limits<std::int32_t>::min();
 
@@ -41,7 +47,8 @@ class Raster {
   /// Bilinear heights in metres, [column, row] of the lattice; NaN outside the raster and where it holds no data. Where
   /// the lattice is coarser than the raster, the mean over the lattice cell. Values in feet (as the band states) become
   /// metres; the vertical datum stays whatever it is.
-  [[nodiscard]] Array2D<float> heights_on(const Lattice& lattice, const LocalFrame& frame) const;
+  [[nodiscard]] Array2D<float> heights_on(const Lattice& lattice, const LocalFrame& frame,
+                                          PlausibleHeights plausible = {}) const;
   /// Class of the nearest cell, [column, row] of the lattice; `no_class` outside the raster and where it holds no data.
   [[nodiscard]] Array2D<std::int32_t> classes_on(const Lattice& lattice, const LocalFrame& frame) const;
 

@@ -96,7 +96,7 @@ void append_geometry(const OGRGeometry& geometry, GeometryKind kind, Feature& fe
     if (point.IsEmpty() == FALSE) feature.points.push_back({point.getX(), point.getY()});
   } else if (type == wkbLineString && kind == GeometryKind::Lines) {
     feature.lines.push_back(positions_of(*geometry.toLineString()));
-  } else if (type == wkbPolygon && kind == GeometryKind::Polygons) {
+  } else if (type == wkbPolygon && kind == GeometryKind::Areas) {
     Polygon polygon;
     for (const OGRLinearRing* ring : geometry.toPolygon()) {
       (ring == geometry.toPolygon()->getExteriorRing() ? polygon.outer : polygon.holes.emplace_back()) =
@@ -183,6 +183,13 @@ class LayerTransforms {
   std::map<OGRLayer*, CoordinateTransform> transforms_;
 };
 
+/// Whether a feature carries a tag given as "key" or "key=value".
+bool carries_tag(const Feature& feature, const std::string& tag) {
+  const auto equals = tag.find('=');
+  const auto value = feature.attribute(tag.substr(0, equals));
+  return value && (equals == std::string::npos || *value == tag.substr(equals + 1));
+}
+
 bool has_geometry(const Feature& feature) {
   return !feature.points.empty() || !feature.lines.empty() || !feature.polygons.empty();
 }
@@ -214,7 +221,7 @@ FeatureSet read_features(const VectorSource& source, const LocalFrame& frame) {
     if (geometry != nullptr) append_geometry(*geometry, source.kind, feature);
     if (!has_geometry(feature) && geometry != nullptr && geometry->IsEmpty() == FALSE) continue;
     read_attributes(*row, osm, feature);
-    if (osm && !source.osm_tag.empty() && !feature.attributes.contains(source.osm_tag)) continue;
+    if (osm && !source.osm_tag.empty() && !carries_tag(feature, source.osm_tag)) continue;
     for (const auto& [name, value] : feature.attributes) names.insert(name);
     if (!has_geometry(feature) || !bring_to_frame(feature, transforms.of(*layer))) {
       if (result.nowhere++ == 0) result.first_nowhere = feature.id;

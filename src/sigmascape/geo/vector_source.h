@@ -14,17 +14,17 @@
 
 namespace sigmascape::geo {
 
-enum class GeometryKind { Points, Lines, Polygons };
+enum class GeometryKind { Points, Lines, Areas };
 
 /// What to read from a vector file of any format that OGR reads, text tables with coordinate columns among them.
 struct VectorSource {
   std::filesystem::path file;
-  GeometryKind kind = GeometryKind::Polygons;
+  GeometryKind kind = GeometryKind::Areas;
   std::string layer{};                 ///< empty: every layer
   std::string where{};                 ///< condition on attributes in OGR's SQL ("floors > 2"); empty: all
   std::string crs{};                   ///< overrides the file's own when not empty
   std::string x_column{}, y_column{};  ///< of a table without geometry
-  std::string osm_tag{};               ///< of an OpenStreetMap file, only what carries this tag
+  std::string osm_tag{};  ///< of an OpenStreetMap file, only what carries this tag, as "key" or "key=value"
 };
 
 /// One thing on the map, in the local frame. Of the three geometries, only that of the kind asked for is filled.

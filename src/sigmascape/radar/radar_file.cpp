@@ -1,5 +1,7 @@
 #include "sigmascape/radar/radar_file.h"
 
+#include <algorithm>
+#include <initializer_list>
 #include <map>
 
 #include "sigmascape/base/toml_reader.h"
@@ -27,10 +29,14 @@ Radar radar_of(const TomlSection& section) {
   return radar;
 }
 
+bool has_any(const TomlSection& section, std::initializer_list<std::string_view> keys) {
+  return std::ranges::any_of(keys, [&](std::string_view key) { return section.has(key); });
+}
+
 std::variant<SeenFrom, LocalPlace, GeographicPlace> place_of(const TomlSection& section) {
   const auto altitude_m = [&] { return section.number("altitude_m", {1.0, 1e6, "m above mean sea level"}); };
   std::variant<SeenFrom, LocalPlace, GeographicPlace> place;
-  if (section.has("slant_range_km")) {
+  if (has_any(section, {"slant_range_km", "azimuth_deg", "elevation_deg"})) {
     SeenFrom seen{.azimuth_rad = radians_from_deg(section.number("azimuth_deg", {-360.0, 360.0, "degrees"})),
                   .elevation_rad = radians_from_deg(section.number("elevation_deg", {0.5, 89.0, "degrees"})),
                   .slant_range_m = section.number("slant_range_km", {0.1, 1000.0, "km"}) * 1e3,
@@ -42,7 +48,7 @@ std::variant<SeenFrom, LocalPlace, GeographicPlace> place_of(const TomlSection& 
     }
     if (east) seen.target = Vec2d{*east, *north};
     place = seen;
-  } else if (section.has("latitude_deg")) {
+  } else if (has_any(section, {"latitude_deg", "longitude_deg"})) {
     place = GeographicPlace{section.number("latitude_deg", {-90.0, 90.0, "degrees"}), section.number("longitude_deg", {-180.0, 180.0, "degrees"}),
                             altitude_m()};
   } else {

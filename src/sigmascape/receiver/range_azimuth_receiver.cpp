@@ -57,13 +57,13 @@ double two_way_width_rad(const radar::Radar& radar) { return radar.beam_width_ra
 
 }  // namespace
 
-radar::RangeAzimuthGrid grid_covering(const radar::Radar& radar, std::span<const Vec3d> corners, double oversampling) {
+radar::RangeAzimuthGrid grid_covering(const radar::Radar& radar, std::span<const Vec3d> points, double oversampling) {
   double nearest = 1e30, farthest = 0.0, leftmost = 1e30, rightmost = -1e30;
-  const Vec3d first = corners.front() - radar.position;
+  const Vec3d first = points.front() - radar.position;
   const double middle = std::atan2(first.x, first.y);
-  for (const Vec3d& corner : corners) {
-    const Vec3d away = corner - radar.position;
-    // Azimuths are unwrapped about the first corner's, so that a sector across south does not fall apart.
+  for (const Vec3d& point : points) {
+    const Vec3d away = point - radar.position;
+    // Azimuths are unwrapped about the first point's, so that a sector across south does not fall apart.
     const double azimuth = middle + std::remainder(std::atan2(away.x, away.y) - middle, 2.0 * pi);
     nearest = std::min(nearest, length(away));
     farthest = std::max(farthest, length(away));

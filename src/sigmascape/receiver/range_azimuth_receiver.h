@@ -9,9 +9,9 @@
 
 namespace sigmascape::receiver {
 
-/// The bins that cover the given corners of ground, finer than the radar resolves so that its responses can be laid over
+/// The bins that cover the given points of ground, finer than the radar resolves so that its responses can be laid over
 /// them: `oversampling` bins a resolution cell in range and in azimuth.
-[[nodiscard]] radar::RangeAzimuthGrid grid_covering(const radar::Radar& radar, std::span<const Vec3d> corners, double oversampling = 2.0);
+[[nodiscard]] radar::RangeAzimuthGrid grid_covering(const radar::Radar& radar, std::span<const Vec3d> points, double oversampling = 2.0);
 
 /// The weighted histogram: echoes into slant range and azimuth, then the pulse and beam response over the bins.
 ///

@@ -48,13 +48,14 @@ struct FieldPair {
 };
 
 /// The vertical and horizontal unit vectors across a direction of travel k: h = ẑ × k / |ẑ × k|, v = h × k. For a wave that
-/// travels straight up or down, where these are not defined, h is taken as north.
+/// travels straight down, where these are not defined, h is taken as north, and straight up as south: everywhere h reverses with the
+/// direction of travel and v does not. docs/physics/reciprocity.md, Eq. (1).
 struct PolarizationBasis {
   Vec3f v, h;
 
   explicit PolarizationBasis(Vec3f travel) {
     const float horizontal = std::hypot(travel.x, travel.y);
-    h = horizontal > 1e-6F ? Vec3f{-travel.y / horizontal, travel.x / horizontal, 0.0F} : Vec3f{0.0F, 1.0F, 0.0F};
+    h = horizontal > 1e-6F ? Vec3f{-travel.y / horizontal, travel.x / horizontal, 0.0F} : Vec3f{0.0F, travel.z < 0.0F ? 1.0F : -1.0F, 0.0F};
     v = cross(h, travel);
   }
 };

@@ -21,25 +21,52 @@ std::complex<float> principal_root(std::complex<float> z) {
                           : std::complex<float>{other, std::copysign(re, z.imag())};
 }
 
+/// q = √(ε − sin² θ), with Im q ≤ 0: the wave that decays into the material.
+std::complex<float> refracted_cosine(std::complex<float> permittivity, float cos_incidence) {
+  return principal_root({permittivity.real() - (1.0F - cos_incidence * cos_incidence), permittivity.imag()});
+}
+
 }  // namespace
 
 FresnelCoefficients fresnel(std::complex<float> permittivity, float cos_incidence) {
-  const float sin_squared = 1.0F - cos_incidence * cos_incidence;
-  const std::complex<float> q = principal_root({permittivity.real() - sin_squared, permittivity.imag()});
-  const std::complex<float> dense{permittivity.real() * cos_incidence, permittivity.imag() * cos_incidence};
+  const std::complex<float> q = refracted_cosine(permittivity, cos_incidence);
+  const std::complex<float> dense = permittivity * cos_incidence;
   return {ratio(cos_incidence - q, cos_incidence + q), ratio(dense - q, dense + q)};
 }
 
-FieldPair reflected(const FieldPair& in, std::complex<float> permittivity, Vec3f travel_in, Vec3f travel_out, Vec3f facet) {
-  const FresnelCoefficients r = fresnel(permittivity, std::abs(dot(travel_in, facet)));
+FieldPair reflected(const FieldPair& in, std::complex<float> permittivity, Vec3f travel_in, Vec3f travel_out,
+                    Vec3f facet) {
+  // The mean of both angles, so that the way back meets the same coefficients to the last bit.
+  const float cos_incidence = 0.5F * dot(travel_out - travel_in, facet);
+  const std::complex<float> q = refracted_cosine(permittivity, cos_incidence);
+  const std::complex<float> dense = permittivity * cos_incidence;
+  const Amplitude mirrored = ratio(cos_incidence - q, cos_incidence + q);
+  // (r_s + r_p) / sin² θ with the sine cancelled: finite at normal incidence, zero for the ideal conductor.
+  const Amplitude dense_part = ratio(-2.0F * (permittivity - 1.0F), dense + q);
+  const Amplitude in_plane = ratio({dense_part.re, dense_part.im}, cos_incidence + q);
+
   const Vec3f across = cross(travel_in, facet);
-  const float across_length = length(across);
-  // At normal incidence the plane of incidence is undefined and any s will do.
-  const Vec3f s = across_length > 1e-5F ? across * (1.0F / across_length) : Basis(travel_in).tangent;
-  const Vec3f p_in = cross(s, travel_in);
-  const Vec3f p_out = cross(s, travel_out);
-  const auto reflect = [&](const Field& e) { return field_along(s, r.s * e.along(s)) + field_along(p_out, r.p * e.along(p_in)); };
+  const Vec3f p_in = cross(across, travel_in);
+  const Vec3f p_out = cross(across, travel_out);
+  const auto reflect = [&](const Field& e) {
+    const Field image{e.re - facet * (2.0F * dot(e.re, facet)), e.im - facet * (2.0F * dot(e.im, facet))};
+    const Field s_like{image.re * mirrored.re - image.im * mirrored.im,
+                       image.re * mirrored.im + image.im * mirrored.re};
+    return s_like + field_along(p_out, in_plane * e.along(p_in));
+  };
   return {reflect(in.from_v), reflect(in.from_h)};
+}
+
+float mean_reflectivity(std::complex<float> permittivity) {
+  // Midpoints in √μ, which crowd where a good conductor has its pseudo-Brewster angle.
+  constexpr int steps = 512;
+  float sum = 0.0F;
+  for (int i = 0; i < steps; ++i) {
+    const float root = (static_cast<float>(i) + 0.5F) / steps;
+    const auto [s, p] = fresnel(permittivity, root * root);
+    sum += (power_of(s) + power_of(p)) * 2.0F * root * root * root / steps;
+  }
+  return sum;
 }
 
 }  // namespace sigmascape::scatter

@@ -5,19 +5,29 @@
 
 namespace sigmascape::scatter {
 
+/// How the facets that two directions see depend on one another.
+enum class Masking {
+  Correlated,        ///< by height and azimuth [Heitz 2014, Eq. 101]; right in backscatter
+  HeightCorrelated,  ///< by height alone [Heitz 2014, Eq. 99]: G2 = 1 / (1 + Λi + Λo). For comparison with published
+                     ///< numbers only.
+  Separable,  ///< not at all: G2 = G1 G1, up to 1.7 dB low in backscatter. For comparison with published numbers only.
+};
+
 /// The statistics of a surface made of small tilted mirrors, in a frame whose z axis is the mean normal.
 ///
-/// α is the microfacet width; for Beckmann α² = 2 s² with s the rms slope along one axis. docs/physics/cook_torrance.md.
+/// α is the microfacet width; for Beckmann α² = 2 s² with s the rms slope along one axis.
+/// docs/physics/cook_torrance.md.
 class Microfacets {
  public:
-  Microfacets(MicrofacetDistribution distribution, float alpha) : distribution_(distribution), alpha_(alpha) {}
+  Microfacets(MicrofacetDistribution distribution, float alpha, Masking masking = Masking::Correlated)
+      : distribution_(distribution), masking_(masking), alpha_(alpha) {}
 
   [[nodiscard]] float alpha() const { return alpha_; }
 
-  /// Density of facet normals, 1/sr, with ∫ D cos θ dω = 1.
+  /// Density of facets with the unit normal `facet`, 1/sr, with ∫ D cos θ dω = 1.
   ///
   ///     Beckmann  D = exp(−tan²θ/α²) / (π α² cos⁴θ),     GGX  D = 1 / (π α² cos⁴θ (1 + tan²θ/α²)²)
-  [[nodiscard]] float density(float cos_tilt) const;
+  [[nodiscard]] float density(Vec3f facet) const;
 
   /// Smith's Λ(w): the ratio of hidden to visible projected area of the facets that face w.
   [[nodiscard]] float lambda(float cos_angle) const;
@@ -37,6 +47,7 @@ class Microfacets {
 
  private:
   MicrofacetDistribution distribution_;
+  Masking masking_;
   float alpha_;
 };
 

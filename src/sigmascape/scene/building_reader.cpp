@@ -62,7 +62,7 @@ geo::Polygons mended_shape(const geo::Feature& feature, const BuildingSource& so
   }
   if (!all_valid) tally.flaw("self-crossing footprints, repaired", feature.id);
   // Parts of one feature may overlap one another; the valid whole is their union.
-  if (feature.polygons.size() > 1) shape = geo::united(shape, {});
+  if (feature.polygons.size() > 1) shape = geo::united_all(shape);
   return geo::simplified(shape, source.simplify_m);
 }
 
@@ -111,7 +111,7 @@ BuildingSource read_building_source(const TomlSection& section, const MaterialTa
                                     const FlawLimit& limit) {
   BuildingSource source;
   source.where = section.where();
-  source.vector = read_vector_source(section, geo::GeometryKind::Polygons);
+  source.vector = read_vector_source(section, geo::GeometryKind::Areas);
   source.vector.osm_tag = "building";
   source.height_attribute = section.optional_text("height_attribute");
   source.levels_attribute = section.optional_text("levels_attribute");

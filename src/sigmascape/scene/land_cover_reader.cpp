@@ -76,8 +76,6 @@ LandCoverSource read_land_cover_source(const TomlSection& section, const Materia
     source.water_classes.push_back(static_cast<std::int32_t>(code));
   }
   if (!section.has("water_classes")) source.water_classes = {80};
-  if (!source.raster && source.cell_m)
-    throw section.fault("cell_m", "stands without a file", "add file, or remove cell_m");
   section.refuse_unknown_keys();
   return source;
 }
@@ -89,11 +87,10 @@ LandCoverSource default_land_cover(const MaterialTable& materials) {
 }
 
 WaterMask add_land_cover(Scene& scene, const LandCoverSource& source) {
-  const std::string name = source.raster ? source.raster->file.string() : "";
+  const std::string name = source.raster ? source.raster->file.string() : "[land_cover]";
   std::optional<geo::Raster> raster;
   if (source.raster) raster.emplace(*source.raster);
-  const double cell_m =
-      source.cell_m.value_or(raster ? raster->cell_m() : std::max(scene.extent.width_m(), scene.extent.height_m()));
+  const double cell_m = source.cell_m.value_or(raster ? raster->cell_m() : scene.terrain.spacing_m);
   const double columns = std::ceil(scene.extent.width_m() / cell_m - 1e-6),
                rows = std::ceil(scene.extent.height_m() / cell_m - 1e-6);
   if (columns * rows > most_cells) {

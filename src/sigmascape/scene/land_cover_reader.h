@@ -22,7 +22,7 @@ struct ExplicitObjects {
 /// Where the ground's materials come from.
 struct LandCoverSource {
   std::optional<geo::RasterBand> raster;  ///< without one, all ground is of the nodata material
-  std::optional<double> cell_m;           ///< by default the raster's own cell
+  std::optional<double> cell_m;           ///< by default the raster's own cell, or the terrain's spacing
   std::map<std::int32_t, scatter::Material> materials;
   scatter::Material nodata;
   std::vector<std::int32_t> water_classes;
@@ -39,8 +39,8 @@ struct LandCoverSource {
 /// Which cells of the scene's material map are of a water class.
 using WaterMask = Array2D<std::uint8_t>;
 
-/// Fills the scene's material map over its extent and returns where the water is. Throws Error when the raster and the
-/// extent do not overlap.
+/// Fills the scene's material map over its extent, which its terrain must have given it, and returns where the water
+/// is. Throws Error when the raster and the extent do not overlap.
 [[nodiscard]] WaterMask add_land_cover(Scene& scene, const LandCoverSource& source);
 
 /// Whether a point stands in water.

@@ -34,7 +34,7 @@ ImportedMesh read_obj(const std::filesystem::path& file) {
   text << stream.rdbuf();
   if (!stream) throw Error(file.string(), "cannot be read", "check that it is a readable file");
   tinyobj::ObjReader reader;
-  if (!reader.ParseFromString(text.str(), material_file_for(text.str()))) {
+  if (!reader.ParseFromString("mtllib names\n" + text.str(), material_file_for(text.str()))) {
     throw Error(file.string(), fmt::format("is not a Wavefront OBJ file ({})", reader.Error()), "export it again");
   }
 

@@ -157,6 +157,8 @@ Scene paper_scene(const PaperSceneOptions& options) {
   scene.ground = material_map(landscape.ground, materials);
   scene.terrain = std::move(landscape.terrain);
   scene.extent = scene.terrain.extent();
+  // Laid out about the origin; patches of an atlas count from it, so a corner there lets one patch hold the scene.
+  shift(scene, {-scene.extent.west_m, -scene.extent.south_m});
   return scene;
 }
 

@@ -71,6 +71,22 @@ MaterialIndex Scene::material_index(const scatter::Material& material) {
   return static_cast<MaterialIndex>(materials.size() - 1);
 }
 
+void shift(Scene& scene, Vec2d offset) {
+  const auto east = static_cast<float>(offset.x), north = static_cast<float>(offset.y);
+  auto& extent = scene.extent;
+  extent = {extent.west_m + offset.x, extent.south_m + offset.y, extent.east_m + offset.x, extent.north_m + offset.y};
+  scene.terrain.west_m += offset.x;
+  scene.terrain.north_m += offset.y;
+  scene.ground.grid.west_m += offset.x;
+  scene.ground.grid.north_m += offset.y;
+  for (Instance& instance : scene.instances) {
+    instance.x_m += east;
+    instance.y_m += north;
+  }
+  for (Vec3f& vertex : scene.buildings.mesh.vertices) vertex += {east, north, 0.0F};
+  for (PointTarget& target : scene.point_targets) target.position = target.position + offset;
+}
+
 double tallest_object_m(const Scene& scene) {
   std::vector<float> prototype_top;
   for (const Mesh& prototype : scene.prototypes) prototype_top.push_back(top_of(prototype));

@@ -94,6 +94,9 @@ struct Scene {
   MaterialIndex material_index(const scatter::Material& material);
 };
 
+/// Moves everything in the scene east and north by `offset`, within the same frame.
+void shift(Scene& scene, Vec2d offset);
+
 /// Height of the tallest thing above its ground, in metres: what decides how far shadows and layover reach.
 [[nodiscard]] double tallest_object_m(const Scene& scene);
 

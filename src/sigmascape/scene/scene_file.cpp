@@ -54,10 +54,9 @@ TerrainSection read_terrain_section(const TomlSection& section, const FlawLimit&
                    section.text_or("crs", "")};
   source.spacing_m = section.optional_number("spacing_m", {0.1, 10000.0, "m"});
   source.smooth_within_m = section.number_or("smooth_within_m", {0.0, 100.0, "m"}, 0.0);
-  source.lowest_plausible_m =
-      section.number_or("lowest_plausible_m", {-12000.0, 9000.0, "m"}, source.lowest_plausible_m);
-  source.highest_plausible_m =
-      section.number_or("highest_plausible_m", {-12000.0, 9000.0, "m"}, source.highest_plausible_m);
+  constexpr Interval heights{-12000.0, 9000.0, "m"};
+  source.plausible.lowest_m = section.number_or("lowest_plausible_m", heights, source.plausible.lowest_m);
+  source.plausible.highest_m = section.number_or("highest_plausible_m", heights, source.plausible.highest_m);
   const auto level_m = section.optional_number("water_level_m", {-500.0, 9000.0, "m"});
   const auto within_m = section.optional_number("water_within_m", {0.0, 1000.0, "m"});
   if (level_m) terrain.water = WaterLevel{*level_m, within_m.value_or(WaterLevel{}.within_m)};
@@ -114,13 +113,10 @@ SceneDescription read_description(const std::filesystem::path& toml) {
 void add_terrain(Scene& scene, const SceneDescription& described) {
   const auto& [source, water, limit] = described.terrain;
   scene.frame = frame_of(described.place, source.raster);
-  auto [field, filled, implausible] =
-      terrain::read_terrain(source, scene.frame, extent_in(described.place, scene.frame));
+  auto [field, filled] = terrain::read_terrain(source, scene.frame, extent_in(described.place, scene.frame));
   FlawTally tally;
-  tally.flaw("terrain heights out of the plausible range, interpolated", fmt::format("band {}", source.raster.band),
-             implausible);
-  tally.flaw("terrain nodes without data, interpolated", fmt::format("band {}", source.raster.band),
-             filled - implausible);
+  tally.flaw("terrain nodes without data or with implausible heights, interpolated",
+             fmt::format("band {}", source.raster.band), filled);
   tally.settle(source.raster.file.string(), field.height_m.size(), limit, scene.remarks);
   scene.terrain = std::move(field);
   scene.extent = scene.terrain.extent();

@@ -62,7 +62,7 @@ TreeSource read_tree_source(const TomlSection& section, const MaterialTable& mat
   TreeSource source;
   source.where = section.where();
   source.vector = read_vector_source(section, geo::GeometryKind::Points);
-  source.vector.osm_tag = "natural";
+  source.vector.osm_tag = "natural=tree";
   source.height_attribute = section.optional_text("height_attribute");
   source.crown_radius_attribute = section.optional_text("crown_radius_attribute");
   source.default_height_m = section.optional_number("default_height_m", {0.1, tallest_tree_m, "m"});

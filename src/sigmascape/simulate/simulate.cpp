@@ -36,14 +36,17 @@ void add_point_targets(const scene::Scene& scene, const trace::SceneGeometry& ge
 }  // namespace
 
 radar::RangeAzimuthGrid bins_for(const radar::Radar& radar, const radar::Rectangle& area, const terrain::HeightField& terrain) {
-  std::array<Vec3d, 8> corners;
+  // Of a straight edge that faces the radar the middle is nearer than its ends.
+  const Vec2d nearest{std::clamp(radar.position.x, area.west_m, area.east_m), std::clamp(radar.position.y, area.south_m, area.north_m)};
+  std::array<Vec3d, 10> points;
   std::size_t count = 0;
   for (const double height : {static_cast<double>(terrain.lowest_m()), static_cast<double>(terrain.highest_m())}) {
     for (const double x : {area.west_m, area.east_m}) {
-      for (const double y : {area.south_m, area.north_m}) corners[count++] = {x, y, height};
+      for (const double y : {area.south_m, area.north_m}) points[count++] = {x, y, height};
     }
+    points[count++] = {nearest.x, nearest.y, height};
   }
-  return receiver::grid_covering(radar, corners);
+  return receiver::grid_covering(radar, points);
 }
 
 radar::RangeAzimuthImage traced_image(const scene::Scene& scene, const trace::SceneGeometry& geometry, const radar::Radar& radar,

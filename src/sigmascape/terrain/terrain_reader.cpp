@@ -12,18 +12,6 @@
 namespace sigmascape::terrain {
 namespace {
 
-std::size_t discard_implausible(Array2D<float>& heights, const TerrainSource& source) {
-  std::size_t discarded = 0;
-  for (float& height : heights.values()) {
-    const auto value = static_cast<double>(height);
-    if (value < source.lowest_plausible_m || value > source.highest_plausible_m) {
-      height = std::numeric_limits<float>::quiet_NaN();
-      ++discarded;
-    }
-  }
-  return discarded;
-}
-
 std::size_t count_holes(const Array2D<float>& heights) {
   return static_cast<std::size_t>(std::ranges::count_if(heights.values(), [](float h) { return std::isnan(h); }));
 }
@@ -131,8 +119,8 @@ ReadTerrain read_terrain(const TerrainSource& source, const geo::LocalFrame& fra
                 "choose a smaller spacing_m or a larger extent");
   }
   ReadTerrain result;
-  Array2D<float> heights = raster.heights_on({wanted->west_m, wanted->north_m, spacing_m, columns, rows}, frame);
-  result.implausible_nodes = discard_implausible(heights, source);
+  Array2D<float> heights =
+      raster.heights_on({wanted->west_m, wanted->north_m, spacing_m, columns, rows}, frame, source.plausible);
   const auto holes = count_holes(heights);
   const double share = static_cast<double>(holes) / static_cast<double>(heights.size());
   if (share > source.largest_hole_share || holes == heights.size()) {

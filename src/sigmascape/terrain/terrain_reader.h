@@ -16,14 +16,13 @@ struct TerrainSource {
   geo::RasterBand raster;
   std::optional<double> spacing_m;  ///< of the height field; by default the raster's own cell
   double smooth_within_m = 0.0;     ///< see smooth_within; 0 leaves heights alone
-  double lowest_plausible_m = -500.0, highest_plausible_m = 9000.0;  ///< heights outside count as no data
+  geo::PlausibleHeights plausible;
   double largest_hole_share = 0.5;  ///< of nodes without data, beyond which the terrain is refused
 };
 
 struct ReadTerrain {
   HeightField field;
-  std::size_t filled_nodes = 0;       ///< had no data and were interpolated
-  std::size_t implausible_nodes = 0;  ///< of those, the ones whose height was out of the plausible range
+  std::size_t filled_nodes = 0;  ///< had no data, or no plausible ones, and were interpolated
 };
 
 /// Reads heights over a rectangle of the frame, or, without one, over all of the raster. Throws Error when the

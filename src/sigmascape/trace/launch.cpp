@@ -23,29 +23,40 @@ bool segment_meets(const radar::Rectangle& r, Vec2d start, Vec2d direction, doub
 
 radar::Rectangle widened(const radar::Rectangle& r, double by) { return {r.west_m - by, r.south_m - by, r.east_m + by, r.north_m + by}; }
 
+/// How far behind the target the farthest aim point lies. The distance is a convex function of that to the radar, so that the
+/// nearest point of the target or a corner has the greatest.
+double greatest_reach_m(const LaunchArea& area) {
+  const radar::Rectangle r = widened(area.target, area.margin_m + area.cell_m);
+  const auto reach_of = [&](Vec2d p) { return area.viewpoint.aim_behind_landing_m({p.x, p.y, area.plane_height_m}, area.top_height_m); };
+  double reach = reach_of(area.viewpoint.nearest_point(r));
+  for (const Vec2d corner : {Vec2d{r.west_m, r.south_m}, {r.east_m, r.south_m}, {r.west_m, r.north_m}, {r.east_m, r.north_m}}) {
+    reach = std::max(reach, reach_of(corner));
+  }
+  return reach;
+}
+
 }  // namespace
 
 bool LaunchArea::covers(Vec2d point) const {
   // The whole cell was launched if its centre qualified.
   const Vec2d centre{(std::floor(point.x / cell_m) + 0.5) * cell_m, (std::floor(point.y / cell_m) + 0.5) * cell_m};
-  return segment_meets(widened(target, margin_m + cell_m), centre, away * -1.0, reach_m);
+  const Vec3d aim{centre.x, centre.y, plane_height_m};
+  const Vec3d to_radar = viewpoint.direction_from(aim);
+  const double horizontal = std::hypot(to_radar.x, to_radar.y);
+  const Vec2d towards = horizontal > 0.0 ? Vec2d{to_radar.x / horizontal, to_radar.y / horizontal} : Vec2d{};
+  return segment_meets(widened(target, margin_m + cell_m), centre, towards, viewpoint.landing_before_aim_m(aim, top_height_m));
 }
 
 LaunchArea launch_area(const Viewpoint& viewpoint, const radar::Rectangle& target, double cell_m, double plane_height_m,
                        double top_height_m, double margin_m) {
-  const Vec2d centre = target.centre();
-  const Vec3d to_radar = viewpoint.direction_from({centre.x, centre.y, plane_height_m});
-  const double horizontal = std::hypot(to_radar.x, to_radar.y);
-  const double cot = horizontal / to_radar.z;
   LaunchArea area{.cell_m = cell_m,
                   .plane_height_m = plane_height_m,
                   .top_height_m = top_height_m,
                   .cells = {},
+                  .viewpoint = viewpoint,
                   .target = target,
-                  .margin_m = margin_m,
-                  .reach_m = (top_height_m - plane_height_m) * (cot + (cot > 0.0 ? 1.0 / cot : 0.0)),
-                  .away = horizontal > 0.0 ? Vec2d{-to_radar.x / horizontal, -to_radar.y / horizontal} : Vec2d{0.0, 1.0}};
-  const double spread = margin_m + area.reach_m + 2.0 * cell_m;
+                  .margin_m = margin_m};
+  const double spread = margin_m + 2.0 * cell_m + greatest_reach_m(area);
   const auto lattice = [cell_m](double metres) { return static_cast<std::int32_t>(std::floor(metres / cell_m)); };
   const auto tile_start = [](std::int32_t index) { return (index >= 0 ? index / tile : (index - tile + 1) / tile) * tile; };
   for (std::int32_t tj = tile_start(lattice(target.south_m - spread)); tj <= lattice(target.north_m + spread); tj += tile) {

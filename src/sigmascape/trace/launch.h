@@ -25,16 +25,15 @@ struct LaunchArea {
   /// Whether a ray through that point of the plane could have been launched.
   [[nodiscard]] bool covers(Vec2d point) const;
 
-  radar::Rectangle target;    ///< the area of interest
-  double margin_m = 0.0;      ///< how far around it paths may begin
-  double reach_m = 0.0;       ///< how far behind it, seen from the radar, aim points lie of what lands in it
-  Vec2d away;                 ///< horizontal unit vector away from the radar
+  Viewpoint viewpoint;
+  radar::Rectangle target;  ///< the area of interest
+  double margin_m = 0.0;    ///< how far around it paths may begin
 };
 
 /// The launch area for echoes that land in `target`.
 ///
 /// A surface at height h above the plane is hit by rays aimed h cot ψ behind it and lands h tan ψ before it, so aim points reach
-/// (h_max)(cot ψ + tan ψ) behind the target. `margin_m` widens the target on all sides for echoes of several bounces, which land
+/// h_max (cot ψ + tan ψ) behind the target, each along its own line of sight where the radar has a place. `margin_m` widens the target on all sides for echoes of several bounces, which land
 /// midway between their ends.
 [[nodiscard]] LaunchArea launch_area(const Viewpoint& viewpoint, const radar::Rectangle& target, double cell_m, double plane_height_m,
                                      double top_height_m, double margin_m);

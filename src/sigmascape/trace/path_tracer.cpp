@@ -96,6 +96,7 @@ class TileTracer {
   void add_direct_echo(const Path& path, const SurfaceHit& hit, Vec3d position, Vec3d aim_point, double area_m2) {
     const Vec3f to_radar = -path.direction;
     const Channels brdf = surfaces_[hit.material].backscatter(to_radar, hit.normal);
+    if (brdf == Channels{}) return;
     const double weight = 4.0 * pi * viewpoint_.ray_weight_m2(aim_point, area_m2, path.first_range_m, path.first_range_m);
     append({.range_m = path.first_range_m,
             .cross = viewpoint_.cross_of(position),
@@ -121,7 +122,7 @@ class TileTracer {
     const double weight = 4.0 * pi * viewpoint_.ray_weight_m2(aim_point, area_m2, range_m, last_range_m);
     const float share = reciprocal_share(path, hit, position, to_radar, last_cosine);
     append({.range_m = range_m,
-            .cross = 0.5 * (viewpoint_.cross_of(path.first_position) + viewpoint_.cross_of(position)),
+            .cross = viewpoint_.middle_cross(viewpoint_.cross_of(path.first_position), viewpoint_.cross_of(position)),
             .rcs_m2 = paired_powers(out, PolarizationBasis(-to_radar)) * static_cast<float>(weight * last_cosine * share),
             .bounces = static_cast<std::uint8_t>(bounce)});
   }

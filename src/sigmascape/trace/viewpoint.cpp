@@ -1,8 +1,20 @@
 #include "sigmascape/trace/viewpoint.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "sigmascape/base/units.h"
+
 namespace sigmascape::trace {
+namespace {
+
+/// Shadow and layover of a height under parallel rays: h (cot ψ + tan ψ); nothing straight from above, where there is no ground range.
+double distant_landing_m(Vec3d to_radar, double rise_m) {
+  const double horizontal = std::hypot(to_radar.x, to_radar.y);
+  return horizontal > 0.0 ? rise_m * (horizontal / to_radar.z + to_radar.z / horizontal) : 0.0;
+}
+
+}  // namespace
 
 Viewpoint::Viewpoint(bool is_distant, Vec3d to_radar, Vec3d position)
     : is_distant_(is_distant), to_radar_(to_radar), position_(position) {
@@ -20,6 +32,32 @@ double Viewpoint::range_of(Vec3d point) const { return is_distant_ ? -dot(point,
 
 double Viewpoint::cross_of(Vec3d point) const {
   return is_distant_ ? dot(point, right_) : std::atan2(point.x - position_.x, point.y - position_.y);
+}
+
+double Viewpoint::middle_cross(double first, double second) const {
+  return first + 0.5 * (is_distant_ ? second - first : std::remainder(second - first, 2.0 * pi));
+}
+
+Vec2d Viewpoint::nearest_point(const radar::Rectangle& r) const {
+  if (is_distant_) return r.centre();
+  return {std::clamp(position_.x, r.west_m, r.east_m), std::clamp(position_.y, r.south_m, r.north_m)};
+}
+
+double Viewpoint::landing_before_aim_m(Vec3d aim, double height_m) const {
+  const double rise = height_m - aim.z;
+  if (is_distant_) return distant_landing_m(to_radar_, rise);
+  const double above = position_.z - aim.z, ground = std::hypot(position_.x - aim.x, position_.y - aim.y);
+  const double hit_range = std::hypot(ground, above) * (1.0 - rise / above);
+  return ground - std::sqrt(std::max(0.0, hit_range * hit_range - above * above));
+}
+
+double Viewpoint::aim_behind_landing_m(Vec3d landing, double height_m) const {
+  const double rise = height_m - landing.z;
+  if (is_distant_) return distant_landing_m(to_radar_, rise);
+  const double above = position_.z - landing.z, ground = std::hypot(position_.x - landing.x, position_.y - landing.y);
+  // The hit stands at the range of the landing, and its shadow falls from there.
+  const double hit_ground = std::sqrt(ground * ground + rise * (2.0 * above - rise));
+  return hit_ground * above / (above - rise) - ground;
 }
 
 Vec2d Viewpoint::shadow_on_plane(Vec3d point, double height_m) const {

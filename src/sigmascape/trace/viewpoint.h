@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sigmascape/base/vec.h"
+#include "sigmascape/radar/ground_grid.h"
 #include "sigmascape/radar/look.h"
 
 namespace sigmascape::trace {
@@ -16,8 +17,18 @@ class Viewpoint {
   [[nodiscard]] Vec3d direction_from(Vec3d point) const;
   [[nodiscard]] double range_of(Vec3d point) const;
   [[nodiscard]] double cross_of(Vec3d point) const;
+  /// The middle of two cross positions; of azimuths, the middle of the smaller angle between them, be it across south.
+  [[nodiscard]] double middle_cross(double first, double second) const;
+  /// The point of a level rectangle that is nearest to the radar; its centre when the radar is at infinity.
+  [[nodiscard]] Vec2d nearest_point(const radar::Rectangle& rectangle) const;
   /// The point of the plane at `height_m` behind `point`, on the line from the radar through it.
   [[nodiscard]] Vec2d shadow_on_plane(Vec3d point, double height_m) const;
+
+  /// How far before its aim point, along the level towards the radar, the echo of a ray lands that hits something at `height_m`: at the
+  /// level of the aim point, at the echo's range.
+  [[nodiscard]] double landing_before_aim_m(Vec3d aim, double height_m) const;
+  /// The same distance, but for the ray whose echo lands at `landing`: how far behind that place the ray is aimed.
+  [[nodiscard]] double aim_behind_landing_m(Vec3d landing, double height_m) const;
 
   /// Radar cross-section, referred to the echo's own range, that stands for unit intensity on the way out: w of
   /// docs/physics/estimator.md, Eqs. (2), (3). `aim` is a point of the launch plane, `area_m2` the piece of plane that the ray stands

@@ -14,7 +14,8 @@ const LocalFrame frame(43.312, -2.986);
 constexpr AsciiGrid utm{500'600.0, 4'795'000.0, 10.0, 100, 80};
 
 Vec2d utm_position(Vec2d in_frame) {
-  CoordinateTransform("EPSG:25830", frame, "test").to_crs({&in_frame, 1});
+  static const CoordinateTransform transform("EPSG:25830", frame, "test");
+  transform.to_crs({&in_frame, 1});
   return in_frame;
 }
 

@@ -69,6 +69,7 @@ TEST(VectorSource, OpenStreetMapTagsBecomeAttributes) {
   ASSERT_EQ(roads.features.size(), 1U);
   EXPECT_EQ(roads.features[0].lines[0].size(), 2U);
   EXPECT_EQ(roads.features[0].attribute("lanes"), "2");
+  EXPECT_TRUE(read_features({.file = file, .osm_tag = "building=church"}, frame).features.empty());
 }
 
 TEST(VectorSource, ConditionChoosesFeaturesAndMustFit) {

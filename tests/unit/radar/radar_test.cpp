@@ -1,0 +1,28 @@
+#include "sigmascape/radar/radar.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "sigmascape/base/units.h"
+
+namespace sigmascape::radar {
+namespace {
+
+TEST(PositionSeeing, StandsAtTheAskedRangeAndAngles) {
+  const Vec3d target{100.0, -200.0, 35.0};
+  const Vec3d position = position_seeing(target, radians_from_deg(130.0), radians_from_deg(13.0), 20e3);
+  const Vec3d away = position - target;
+  EXPECT_NEAR(length(away), 20e3, 1e-6);
+  EXPECT_NEAR(deg_from_radians(std::asin(away.z / length(away))), 13.0, 1e-9);
+  EXPECT_NEAR(deg_from_radians(std::atan2(away.x, away.y)), 130.0, 1e-9);
+}
+
+TEST(PositionSeeing, AzimuthIsWhereTheRadarStands) {
+  const auto from = [](double azimuth_deg) { return position_seeing({}, radians_from_deg(azimuth_deg), 0.0, 1000.0); };
+  EXPECT_NEAR(length(from(0.0) - Vec3d{0, 1000, 0}), 0.0, 1e-9);
+  EXPECT_NEAR(length(from(90.0) - Vec3d{1000, 0, 0}), 0.0, 1e-9);
+  EXPECT_NEAR(length(position_seeing({5, 6, 7}, 1.0, pi / 2.0, 1000.0) - Vec3d{5, 6, 1007}), 0.0, 1e-9);
+}
+
+}  // namespace
+}  // namespace sigmascape::radar

@@ -1,0 +1,132 @@
+#include "sigmascape/receiver/power_bins.h"
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <limits>
+#include <vector>
+
+#include "sigmascape/base/hash.h"
+#include "sigmascape/base/parallel.h"
+
+namespace sigmascape::receiver {
+namespace {
+
+radar::Channels all(float value) {
+  return {value, 0.5F * value, 0.25F * value, -0.5F * value};
+}
+
+/// Powers over twelve orders of magnitude, which floating-point sums would not take in any order.
+std::vector<radar::Channels> many_powers() {
+  std::vector<radar::Channels> powers;
+  for (std::uint64_t i = 0; i < 20'000; ++i)
+    powers.push_back(all(std::pow(10.0F, -8.0F + 12.0F * unit_float(hashed(i)))));
+  return powers;
+}
+
+TEST(PowerBins, SumsDoNotDependOnOrder) {
+  auto powers = many_powers();
+  PowerBins forwards(1, 1), backwards(1, 1);
+  for (const auto& power : powers) forwards.add(0, 0, power);
+  std::ranges::reverse(powers);
+  for (const auto& power : powers) backwards.add(0, 0, power);
+  EXPECT_EQ(forwards.sum(0, 0), backwards.sum(0, 0));
+  EXPECT_EQ(forwards.total(), backwards.total());
+  double exact = 0.0;
+  for (const auto& power : powers) exact += static_cast<double>(power.vv);
+  EXPECT_NEAR(forwards.total()[0] / exact, 1.0, 1e-10);
+}
+
+TEST(PowerBins, SumsDoNotDependOnThreads) {
+  const auto powers = many_powers();
+  const auto sums_with = [&](unsigned threads) {
+    PowerBins bins(7, 5);
+    parallel_for(powers.size(), threads, [&](std::size_t i, unsigned) {
+      bins.add_shared(7.0 * static_cast<double>(unit_float(hashed(i, 1))),
+                      5.0 * static_cast<double>(unit_float(hashed(i, 2))), powers[i]);
+    });
+    return bins.sums();
+  };
+  const auto one = sums_with(1), four = sums_with(4);
+  EXPECT_TRUE(std::ranges::equal(one.values(), four.values()));
+}
+
+TEST(PowerBins, AddGoesToOneBin) {
+  PowerBins bins(3, 2);
+  bins.add(2, 1, all(4.0F));
+  EXPECT_EQ(bins.sum(2, 1), all(4.0F));
+  EXPECT_EQ(bins.sums()(2, 1), all(4.0F));
+  EXPECT_EQ(bins.sum(1, 1), radar::Channels{});
+  EXPECT_EQ(bins.total()[3], -2.0);
+}
+
+TEST(PowerBins, SharingKeepsPowerAndCentroid) {
+  for (std::uint64_t k = 0; k < 200; ++k) {
+    const double column = 2.0 + 4.0 * static_cast<double>(unit_float(hashed(k, 1)));
+    const double row = 2.0 + 3.0 * static_cast<double>(unit_float(hashed(k, 2)));
+    PowerBins bins(8, 7);
+    bins.add_shared(column, row, all(3.0F));
+    double power = 0.0, across = 0.0, down = 0.0;
+    int touched = 0;
+    for (std::size_t r = 0; r < 7; ++r) {
+      for (std::size_t c = 0; c < 8; ++c) {
+        const double here = static_cast<double>(bins.sum(c, r).vv);
+        power += here;
+        across += here * (static_cast<double>(c) + 0.5);
+        down += here * (static_cast<double>(r) + 0.5);
+        touched += here > 0.0 ? 1 : 0;
+      }
+    }
+    EXPECT_NEAR(power / 3.0, 1.0, 1e-5);
+    EXPECT_NEAR(across / power, column, 1e-5);
+    EXPECT_NEAR(down / power, row, 1e-5);
+    EXPECT_LE(touched, 4);
+  }
+}
+
+TEST(PowerBins, CentreOfABinIsItsOwn) {
+  PowerBins bins(4, 4);
+  bins.add_shared(1.5, 2.5, all(1.0F));
+  EXPECT_EQ(bins.sum(1, 2), all(1.0F));
+}
+
+TEST(PowerBins, WhatFallsOutsideIsLeftOut) {
+  PowerBins bins(4, 4);
+  bins.add_shared(0.0, 2.5, all(1.0F));  // half over the left edge
+  EXPECT_NEAR(bins.total()[0], 0.5, 1e-6);
+  bins.add_shared(4.6, 1.0, all(1.0F));
+  bins.add_shared(1.0, -3.0, all(1.0F));
+  bins.add_shared(-1e12, 1e12, all(1.0F));
+  EXPECT_NEAR(bins.total()[0], 0.5, 1e-6);
+  EXPECT_EQ(bins.overflows(), 0U);
+}
+
+TEST(PowerBins, OverflowIsCountedAndLeftOut) {
+  PowerBins bins(1, 1);
+  bins.add(0, 0, {1e7F, 0.0F, 0.0F, 0.0F});
+  EXPECT_EQ(bins.overflows(), 0U);
+  bins.add(0, 0, {1e9F, 0.0F, 0.0F, 0.0F});
+  EXPECT_EQ(bins.overflows(), 1U);
+  EXPECT_EQ(bins.sum(0, 0).vv, 1e7F);
+  bins.add(0, 0, {0.0F, std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), -1e9F});
+  EXPECT_EQ(bins.overflows(), 4U);
+  EXPECT_EQ(bins.sum(0, 0).hh, 0.0F);
+}
+
+TEST(PowerBins, OverflowOfTheSumIsCounted) {
+  PowerBins bins(1, 1);
+  for (int i = 0; i < 20; ++i) bins.add(0, 0, {5e7F, 0.0F, 0.0F, -5e7F});
+  EXPECT_GT(bins.overflows(), 0U);
+  EXPECT_GT(bins.sum(0, 0).vv, 0.0F) << "the sum wrapped around";
+  EXPECT_LT(bins.sum(0, 0).re_vvhh, 0.0F) << "the sum wrapped around";
+}
+
+TEST(PowerBins, HoldsWeakEchoesBesideStrongOnes) {
+  PowerBins bins(1, 1);
+  bins.add(0, 0, all(1e4F));
+  for (int i = 0; i < 100'000; ++i) bins.add(0, 0, all(1e-5F));
+  EXPECT_NEAR(bins.total()[0], 10'001.0, 1e-3);
+}
+
+}  // namespace
+}  // namespace sigmascape::receiver

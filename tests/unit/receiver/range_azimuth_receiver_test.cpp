@@ -1,0 +1,192 @@
+#include "sigmascape/receiver/range_azimuth_receiver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numbers>
+#include <vector>
+
+#include "sigmascape/base/units.h"
+
+namespace sigmascape::receiver {
+namespace {
+
+radar::Radar example_radar(Vec3d position = {0, -10'000, 3000}) {
+  radar::Radar radar;
+  radar.position = position;
+  radar.range_resolution_m = 3.0;
+  radar.beam_width_rad = 0.002;
+  return radar;
+}
+
+/// Level ground about the origin.
+std::vector<Vec3d> square(double half_side_m) {
+  return {{-half_side_m, -half_side_m, 0},
+          {half_side_m, -half_side_m, 0},
+          {half_side_m, half_side_m, 0},
+          {-half_side_m, half_side_m, 0}};
+}
+
+radar::Echo echo_at(const radar::Radar& radar, Vec3d point) {
+  const Vec3d away = point - radar.position;
+  return {.range_m = length(away), .cross = std::atan2(away.x, away.y), .rcs_m2 = {1.0F, 2.0F, 0.5F, -1.0F}};
+}
+
+/// A response sampled at offsets from the point that answers, and its width at half of the power at no offset.
+class Response {
+ public:
+  void add(double offset, double power) { samples_.push_back({offset, power}); }
+  [[nodiscard]] double half_power_width() {
+    std::ranges::sort(samples_, {}, &Vec2d::x);
+    const double half = 0.5 * std::ranges::max(samples_, {}, &Vec2d::y).y;
+    const auto crossing = [half](Vec2d below, Vec2d above) {
+      // Of a Gaussian the logarithm is smooth.
+      const double part = std::log(half / below.y) / std::log(above.y / below.y);
+      return below.x + part * (above.x - below.x);
+    };
+    double left = 0.0, right = 0.0;
+    for (std::size_t i = 0; i + 1 < samples_.size(); ++i) {
+      if (samples_[i].y < half && samples_[i + 1].y >= half && left == 0.0)
+        left = crossing(samples_[i], samples_[i + 1]);
+      if (samples_[i].y >= half && samples_[i + 1].y < half) right = crossing(samples_[i + 1], samples_[i]);
+    }
+    return right - left;
+  }
+
+ private:
+  std::vector<Vec2d> samples_;
+};
+
+/// Mean response, over where in its bin the point lies, along range and along azimuth.
+void expect_widths(double oversampling) {
+  const radar::Radar radar = example_radar();
+  const radar::RangeAzimuthGrid grid = grid_covering(radar, square(60.0), oversampling);
+  Response in_range, in_azimuth;
+  const double range_row = std::floor(static_cast<double>(grid.ranges) / 2.0),
+               azimuth_column = std::floor(static_cast<double>(grid.azimuths) / 2.0);
+  for (int k = 0; k < 16; ++k) {
+    const double within = (k + 0.5) / 16.0 - 0.5;
+    for (const bool along_range : {true, false}) {
+      const double row = range_row + 0.5 + (along_range ? within : 0.0),
+                   column = azimuth_column + 0.5 + (along_range ? 0.0 : within);
+      const radar::Echo echo{.range_m = grid.first_range_m + row * grid.range_step_m,
+                             .cross = grid.first_azimuth_rad + column * grid.azimuth_step_rad,
+                             .rcs_m2 = {1, 1, 1, 1}};
+      RangeAzimuthReceiver receiver(radar, grid);
+      receiver.add({&echo, 1});
+      const auto image = receiver.image();
+      for (int off = -20; off <= 20; ++off) {
+        const auto c = static_cast<std::size_t>(azimuth_column) + (along_range ? 0U : static_cast<std::size_t>(off));
+        const auto r = static_cast<std::size_t>(range_row) + (along_range ? static_cast<std::size_t>(off) : 0U);
+        if (c >= grid.azimuths || r >= grid.ranges) continue;
+        const double power = static_cast<double>(image.rcs_m2(c, r).vv);
+        if (along_range) {
+          in_range.add((off - within) * grid.range_step_m, power);
+        } else {
+          in_azimuth.add((off - within) * grid.azimuth_step_rad, power);
+        }
+      }
+    }
+  }
+  EXPECT_NEAR(in_range.half_power_width() / radar.range_resolution_m, 1.0, 0.02) << oversampling << " bins a cell";
+  EXPECT_NEAR(in_azimuth.half_power_width() / (radar.beam_width_rad / std::numbers::sqrt2), 1.0, 0.02)
+      << oversampling << " bins a cell";
+}
+
+TEST(RangeAzimuthReceiver, HalfPowerWidthsAreThoseOfPulseAndTwoWayBeam) {
+  expect_widths(2.0);
+  expect_widths(4.0);
+}
+
+TEST(RangeAzimuthReceiver, ResponsesKeepPowerAndCentroid) {
+  const radar::Radar radar = example_radar();
+  const radar::RangeAzimuthGrid grid = grid_covering(radar, square(60.0));
+  for (const Vec3d point : {Vec3d{0, 0, 0}, {-31.3, 12.7, 0}, {59.0, -59.0, 0}}) {
+    const radar::Echo echo = echo_at(radar, point);
+    RangeAzimuthReceiver receiver(radar, grid);
+    receiver.add({&echo, 1});
+    const auto image = receiver.image();
+    double power = 0.0, hh = 0.0, hv = 0.0, correlation = 0.0, range = 0.0, azimuth = 0.0;
+    for (std::size_t r = 0; r < grid.ranges; ++r) {
+      for (std::size_t a = 0; a < grid.azimuths; ++a) {
+        const radar::Channels& bin = image.rcs_m2(a, r);
+        power += static_cast<double>(bin.vv);
+        hh += static_cast<double>(bin.hh);
+        hv += static_cast<double>(bin.hv);
+        correlation += static_cast<double>(bin.re_vvhh);
+        range +=
+            static_cast<double>(bin.vv) * (grid.first_range_m + (static_cast<double>(r) + 0.5) * grid.range_step_m);
+        azimuth += static_cast<double>(bin.vv) *
+                   (grid.first_azimuth_rad + (static_cast<double>(a) + 0.5) * grid.azimuth_step_rad);
+      }
+    }
+    EXPECT_NEAR(power, 1.0, 1e-5);
+    EXPECT_NEAR(hh, 2.0, 2e-5);
+    EXPECT_NEAR(hv, 0.5, 5e-6);
+    EXPECT_NEAR(correlation, -1.0, 1e-5);
+    EXPECT_NEAR(range / power, echo.range_m, 1e-3 * radar.range_resolution_m);
+    EXPECT_NEAR(azimuth / power, echo.cross, 1e-3 * radar.beam_width_rad);
+  }
+}
+
+// Whichever way the radar looks, all of the ground lies within the bins, and a small sector stays small.
+TEST(GridCovering, HoldsAllCornersFromAnyDirection) {
+  for (int degrees = 0; degrees < 360; degrees += 15) {
+    const double azimuth = radians_from_deg(degrees);
+    const radar::Radar radar = example_radar({10e3 * std::sin(azimuth), 10e3 * std::cos(azimuth), 3000});
+    const auto corners = square(100.0);
+    const radar::RangeAzimuthGrid grid = grid_covering(radar, corners);
+    EXPECT_LT(static_cast<double>(grid.azimuths) * grid.azimuth_step_rad, 0.045) << degrees << "°";
+    EXPECT_LT(static_cast<double>(grid.ranges) * grid.range_step_m, 320.0) << degrees << "°";
+    RangeAzimuthReceiver receiver(radar, grid);
+    for (const Vec3d corner : corners) {
+      const radar::Echo echo = echo_at(radar, corner);
+      receiver.add({&echo, 1});
+    }
+    EXPECT_NEAR(receiver.bins().total()[0], 4.0, 1e-5) << degrees << "°";
+  }
+}
+
+TEST(GridCovering, StepsArePartsOfAResolutionCell) {
+  const radar::Radar radar = example_radar();
+  const radar::RangeAzimuthGrid grid = grid_covering(radar, square(50.0), 4.0);
+  EXPECT_DOUBLE_EQ(grid.range_step_m, 0.75);
+  EXPECT_DOUBLE_EQ(grid.azimuth_step_rad, 0.002 / std::numbers::sqrt2 / 4.0);
+}
+
+// Echoes may name the same direction by another turn.
+TEST(RangeAzimuthReceiver, TakesAzimuthsFromAnyTurn) {
+  for (const Vec3d position : {Vec3d{0, 10e3, 3000}, {0, -10e3, 3000}}) {
+    const radar::Radar radar = example_radar(position);
+    const radar::RangeAzimuthGrid grid = grid_covering(radar, square(60.0));
+    for (const double turns : {-1.0, 0.0, 1.0}) {
+      RangeAzimuthReceiver receiver(radar, grid);
+      for (const double east : {-20.0, 20.0}) {
+        radar::Echo echo = echo_at(radar, {east, 0, 0});
+        echo.cross += turns * 2.0 * pi;
+        receiver.add({&echo, 1});
+      }
+      EXPECT_NEAR(receiver.bins().total()[0], 2.0, 1e-5);
+      // Seen from the north the east is on the left: azimuths below south.
+      const double middle = grid.first_azimuth_rad + 0.5 * static_cast<double>(grid.azimuths) * grid.azimuth_step_rad;
+      EXPECT_NEAR(std::abs(std::remainder(middle - (position.y > 0 ? pi : 0.0), 2.0 * pi)), 0.0, 1e-3);
+    }
+  }
+}
+
+TEST(RangeAzimuthReceiver, WhatLeavesTheGateIsLost) {
+  const radar::Radar radar = example_radar();
+  const radar::RangeAzimuthGrid grid = grid_covering(radar, square(60.0));
+  RangeAzimuthReceiver receiver(radar, grid);
+  radar::Echo echo = echo_at(radar, {0, 0, 0});
+  echo.range_m -= 1000.0;
+  receiver.add({&echo, 1});
+  echo.range_m += 1000.0;
+  echo.cross += 0.5;
+  receiver.add({&echo, 1});
+  EXPECT_EQ(receiver.bins().total()[0], 0.0);
+  EXPECT_EQ(receiver.bins().overflows(), 0U);
+}
+
+}  // namespace
+}  // namespace sigmascape::receiver

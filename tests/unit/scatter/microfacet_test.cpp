@@ -1,0 +1,135 @@
+#include "sigmascape/scatter/microfacet.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "sigmascape/base/hash.h"
+#include "sigmascape/base/units.h"
+
+namespace sigmascape::scatter {
+namespace {
+
+constexpr double alphas[] = {0.002, 0.01, 0.05, 0.1, 0.3, 0.6, 1.0};
+
+Vec3f direction(double incidence_deg, double azimuth_deg = 0.0) {
+  const double theta = radians_from_deg(incidence_deg);
+  const double phi = radians_from_deg(azimuth_deg);
+  return Vec3d{std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)}.to<float>();
+}
+
+/// ∫ f(m) dω over all facet normals: midpoints in azimuth and in t, where tan θ = α t / (1 − t).
+template <typename Function>
+double over_facets(double alpha, const Function& f, int rings = 2000, int sectors = 64) {
+  double sum = 0.0;
+  for (int ring = 0; ring < rings; ++ring) {
+    const double t = (ring + 0.5) / rings;
+    const double tangent = alpha * t / (1.0 - t);
+    const double cosine = 1.0 / std::sqrt(1.0 + tangent * tangent);
+    // dω = sin θ dθ dφ = tan θ cos³ θ d(tan θ) dφ
+    const double ring_weight =
+        tangent * std::pow(cosine, 3) * alpha / ((1.0 - t) * (1.0 - t)) / rings * 2.0 * pi / sectors;
+    for (int sector = 0; sector < sectors; ++sector) {
+      const double phi = 2.0 * pi * (sector + 0.5) / sectors;
+      const Vec3d m{tangent * cosine * std::cos(phi), tangent * cosine * std::sin(phi), cosine};
+      sum += ring_weight * f(m.to<float>());
+    }
+  }
+  return sum;
+}
+
+class EveryDistribution : public testing::TestWithParam<MicrofacetDistribution> {};
+
+TEST_P(EveryDistribution, ProjectedAreaOfFacetsIsOne) {
+  for (const double alpha : alphas) {
+    const Microfacets facets(GetParam(), static_cast<float>(alpha));
+    const double area = over_facets(alpha, [&](Vec3f m) { return static_cast<double>(facets.density(m) * m.z); });
+    EXPECT_NEAR(area, 1.0, 1e-4) << "α " << alpha;
+  }
+}
+
+TEST_P(EveryDistribution, VisibleFacetsFillTheView) {
+  for (const double alpha : alphas) {
+    const Microfacets facets(GetParam(), static_cast<float>(alpha));
+    for (const double incidence_deg : {0.0, 30.0, 60.0, 75.0, 85.0, 89.0}) {
+      const Vec3f w = direction(incidence_deg);
+      const double visible = over_facets(
+          alpha,
+          [&](Vec3f m) {
+            return static_cast<double>(facets.visible_part(w.z) * facets.density(m) * std::max(0.0F, dot(w, m)) / w.z);
+          },
+          1500, 360);
+      EXPECT_NEAR(visible, 1.0, 1e-3) << "α " << alpha << " at " << incidence_deg << "°";
+    }
+  }
+}
+
+TEST_P(EveryDistribution, CorrelatedMaskingIsOneWayMaskingInBackscatter) {
+  const Microfacets facets(GetParam(), 0.6F);
+  for (const double incidence_deg : {0.0, 45.0, 70.0, 85.0}) {
+    const Vec3f w = direction(incidence_deg, 33.0);
+    EXPECT_FLOAT_EQ(facets.visible_part(w, w), facets.visible_part(w.z));
+  }
+}
+
+TEST_P(EveryDistribution, MaskingLiesBetweenIndependentAndOneWay) {
+  const Microfacets correlated(GetParam(), 0.6F);
+  const Microfacets separable(GetParam(), 0.6F, Masking::Separable);
+  for (std::uint64_t i = 0; i < 1000; ++i) {
+    const Vec3f a = direction(90.0 * unit_float(hashed(i, 1)), 360.0 * unit_float(hashed(i, 2)));
+    const Vec3f b = direction(90.0 * unit_float(hashed(i, 3)), 360.0 * unit_float(hashed(i, 4)));
+    EXPECT_LE(correlated.visible_part(a, b),
+              std::min(correlated.visible_part(a.z), correlated.visible_part(b.z)) * (1.0F + 1e-6F));
+    EXPECT_GE(correlated.visible_part(a, b), separable.visible_part(a, b) * (1.0F - 1e-6F));
+    EXPECT_FLOAT_EQ(separable.visible_part(a, b), correlated.visible_part(a.z) * correlated.visible_part(b.z));
+  }
+}
+
+TEST_P(EveryDistribution, SampledFacetsFaceTheViewer) {
+  for (const double alpha : alphas) {
+    const Microfacets facets(GetParam(), static_cast<float>(alpha));
+    for (const double incidence_deg : {0.0, 45.0, 85.0, 89.9}) {
+      const Vec3f w = direction(incidence_deg, 120.0);
+      for (std::uint64_t i = 0; i < 2000; ++i) {
+        const Vec3f m = facets.visible_normal(w, {unit_float(hashed(i, 1)), unit_float(hashed(i, 2))});
+        EXPECT_NEAR(length(m), 1.0F, 1e-5F);
+        EXPECT_GE(dot(w, m), -1e-6F) << "α " << alpha << " at " << incidence_deg << "°";
+      }
+    }
+  }
+}
+
+TEST_P(EveryDistribution, SamplingSurvivesTheEndsOfTheUnitSquare) {
+  const float ends[] = {0.0F, 0x1p-24F, 0.5F, 1.0F - 0x1p-24F};
+  for (const double alpha : alphas) {
+    const Microfacets facets(GetParam(), static_cast<float>(alpha));
+    for (const double incidence_deg : {0.0, 1e-4, 60.0, 89.99}) {
+      for (const float x : ends) {
+        for (const float y : ends)
+          EXPECT_NEAR(length(facets.visible_normal(direction(incidence_deg), {x, y})), 1.0F, 1e-5F);
+      }
+    }
+  }
+}
+
+std::string distribution_name(const testing::TestParamInfo<MicrofacetDistribution>& info) {
+  return info.param == MicrofacetDistribution::Beckmann ? "Beckmann" : "Ggx";
+}
+
+INSTANTIATE_TEST_SUITE_P(Microfacets, EveryDistribution,
+                         testing::Values(MicrofacetDistribution::Beckmann, MicrofacetDistribution::Ggx),
+                         distribution_name);
+
+// The mean square slope tells α from the rms slope: α² = 2 s² per axis.
+TEST(Microfacets, BeckmannAlphaIsRootTwoTimesTheSlopeOfOneAxis) {
+  for (const double alpha : {0.05, 0.3, 1.0}) {
+    const Microfacets facets(MicrofacetDistribution::Beckmann, static_cast<float>(alpha));
+    const double mean_square = over_facets(alpha, [&](Vec3f m) {
+      const double slope = m.x / m.z;
+      return slope * slope * static_cast<double>(facets.density(m) * m.z);
+    });
+    EXPECT_NEAR(mean_square, alpha * alpha / 2.0, 1e-3 * alpha * alpha);
+  }
+}
+
+}  // namespace
+}  // namespace sigmascape::scatter

@@ -1,0 +1,66 @@
+#include "sigmascape/scene/mesh_reader.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "scratch_folder.h"
+
+namespace sigmascape::scene {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+TEST(ObjMesh, ReadsFacesAndMaterialNamesWithoutAMaterialFile) {
+  const ScratchFolder folder;
+  const auto mesh =
+      read_obj(folder.write("hut.obj",
+                            "mtllib absent.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nusemtl itu_brick\nf 1 2 3 4\n"
+                            "usemtl roof\nf 1 2 3\n"));
+  EXPECT_EQ(mesh.triangles.size(), 3U);
+  EXPECT_THAT(mesh.material_names, ElementsAre("itu_brick", "roof"));
+  EXPECT_EQ(mesh.materials[2], 1U);
+}
+
+/// One triangle (0 0 0), (1 0 0), (0 1 2) in a node moved by (10, 0, 0) and doubled, as JSON with its buffer inside.
+const char* const gltf_triangle = R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],
+"nodes":[{"mesh":0,"translation":[10,0,0],"scale":[2,2,2]}],"materials":[{"name":"metal"}],
+"meshes":[{"primitives":[{"attributes":{"POSITION":0},"material":0}]}],
+"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,2]}],
+"bufferViews":[{"buffer":0,"byteLength":36}],
+"buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAABA"}]})";
+
+TEST(GltfMesh, AppliesNodeTransforms) {
+  const ScratchFolder folder;
+  const auto mesh = read_gltf(folder.write("t.gltf", gltf_triangle));
+  ASSERT_EQ(mesh.vertices.size(), 3U);
+  EXPECT_EQ(mesh.vertices[0], (Vec3d{10, 0, 0}));
+  EXPECT_EQ(mesh.vertices[1], (Vec3d{12, 0, 0}));
+  EXPECT_EQ(mesh.vertices[2], (Vec3d{10, 2, 4}));
+  EXPECT_THAT(mesh.material_names, ElementsAre("metal"));
+}
+
+TEST(GltfMesh, RefusesDamagedFiles) {
+  const ScratchFolder folder;
+  EXPECT_THAT(message_of_error([&] { static_cast<void>(read_gltf(folder.write("bad.gltf", "{"))); }),
+              HasSubstr("bad.gltf: is not a glTF file"));
+  std::string short_buffer = gltf_triangle;
+  short_buffer.replace(short_buffer.find("\"count\":3"), 9, "\"count\":9");
+  EXPECT_THAT(message_of_error([&] { static_cast<void>(read_gltf(folder.write("short.gltf", short_buffer))); }),
+              HasSubstr("its buffer is shorter"));
+}
+
+TEST(MeshReader, ModelsWithYUpStandUprightAndLookForward) {
+  ImportedMesh mesh;
+  mesh.vertices = {{0, 5, 0}, {0, 0, 2}, {1, 0, 0}};
+  const auto vertices = vertices_in_scene_axes(mesh, UpAxis::Y, 2.0);
+  EXPECT_EQ(vertices[0], (Vec3f{0, 0, 10}));  // up
+  EXPECT_EQ(vertices[1], (Vec3f{0, 4, 0}));   // the model's front
+  // A mirror image would have a negative triple product.
+  EXPECT_GT(dot(vertices[2], cross(vertices[0], vertices[1])) *
+                dot(mesh.vertices[2], cross(mesh.vertices[0], mesh.vertices[1])),
+            0.0);
+}
+
+}  // namespace
+}  // namespace sigmascape::scene

@@ -1,0 +1,144 @@
+#include <cmath>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "unit/scene/made_up_place.h"
+
+#include "sigmascape/scene/scene_file.h"
+
+namespace sigmascape::scene {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+const std::string houses_section = "[[buildings]]\nfile = \"houses.geojson\"\nheight_attribute = \"h\"\n";
+
+class BadInput : public ::testing::Test {
+ protected:
+  [[nodiscard]] std::string fault_of(const std::string& toml) const {
+    return message_of_error([&] { static_cast<void>(read_scene(place_.write("bad.toml", toml))); });
+  }
+  MadeUpPlace place_;
+};
+
+TEST_F(BadInput, MissingSceneFileOrTerrain) {
+  EXPECT_THAT(message_of_error([&] { static_cast<void>(read_scene(place_.folder.path("none.toml"))); }),
+              HasSubstr("none.toml: the file does not exist"));
+  EXPECT_THAT(fault_of("[scene]\nname = \"x\"\n"), HasSubstr("bad.toml: terrain: is missing"));
+  EXPECT_THAT(fault_of("[terrain]\nfile = \"none.tif\"\n"),
+              AllOf(HasSubstr("bad.toml: terrain.file"), HasSubstr("none.tif does not exist")));
+}
+
+TEST_F(BadInput, UnsetEnvironmentVariable) {
+  unsetenv("SIGMASCAPE_TEST_UNSET");
+  EXPECT_THAT(fault_of("[terrain]\nfile = \"${SIGMASCAPE_TEST_UNSET}/dem.tif\"\n"),
+              HasSubstr("terrain.file: the environment variable SIGMASCAPE_TEST_UNSET is not set"));
+}
+
+TEST_F(BadInput, UnknownKeysAndSections) {
+  EXPECT_THAT(place_.fault("[teraain]\n"), HasSubstr("teraain: is not a known key; did you mean terrain?"));
+  EXPECT_THAT(place_.fault("cel_m = 5\n"), HasSubstr("land_cover.cel_m: is not a known key; did you mean cell_m?"));
+  EXPECT_THAT(place_.fault("", "[scene]\nsrict = true\n"),
+              HasSubstr("scene.srict: is not a known key; did you mean strict?"));
+}
+
+TEST_F(BadInput, ValuesOutOfRange) {
+  EXPECT_THAT(fault_of("[terrain]\nfile = \"heights.asc\"\nspacing_m = -5\n"),
+              HasSubstr("terrain.spacing_m: is -5; give a number from"));
+  place_.write_houses(MadeUpPlace::house(0, 0, 9, 9, "\"h\":5"));
+  EXPECT_THAT(place_.fault(houses_section + "default_height_m = -3\n"),
+              HasSubstr("buildings[1].default_height_m: is -3"));
+  EXPECT_THAT(place_.fault("[materials.m]\nmodel = \"lambert\"\nalbedo = 1.5\n"),
+              HasSubstr("materials.m.albedo: is 1.5"));
+}
+
+TEST_F(BadInput, RasterWithoutCrs) {
+  EXPECT_THAT(fault_of("[terrain]\nfile = \"heights.asc\"\n"),
+              HasSubstr("heights.asc: carries no coordinate reference system"));
+}
+
+TEST_F(BadInput, RastersWithoutOverlap) {
+  const std::string terrain = "[terrain]\nfile = \"heights.asc\"\ncrs = \"EPSG:25830\"\n";
+  EXPECT_THAT(
+      fault_of("[scene]\nextent = {west_deg = 10, south_deg = 50, east_deg = 10.01, north_deg = 50.01}\n" + terrain),
+      HasSubstr("heights.asc: does not overlap the scene's extent"));
+  constexpr geo::AsciiGrid elsewhere{600'000.0, 4'795'000.0, 10.0, 10, 10};
+  place_.write("far.asc", elsewhere.text([](double, double) { return 30.0; }));
+  EXPECT_THAT(fault_of(terrain + "[land_cover]\nfile = \"far.asc\"\ncrs = \"EPSG:25830\"\n"),
+              HasSubstr("far.asc: holds no class anywhere in the scene's extent"));
+}
+
+TEST_F(BadInput, HolesInTheTerrainAreFilledAndToldButNotWhenMostIsMissing) {
+  const auto holed = [](double x_to) {
+    return MadeUpPlace::grid.text([x_to](double x, double) { return x < x_to ? std::nan("") : 30.0; });
+  };
+  place_.write("heights.asc", holed(500'700.0));
+  EXPECT_GT(remark_count(place_.read(), "terrain nodes without data"), 500U);
+  EXPECT_THAT(place_.fault("", "[scene]\nstrict = true\n"),
+              HasSubstr("terrain nodes without data or with implausible heights"));
+  place_.write("heights.asc", holed(501'500.0));
+  EXPECT_THAT(place_.fault(""), HasSubstr("% of the scene's terrain has no data"));
+}
+
+TEST_F(BadInput, NegativeBuildingHeightNamesFileAndFeature) {
+  place_.write_houses(MadeUpPlace::house(0, 0, 9, 9, "\"h\":5") + "," + MadeUpPlace::house(20, 0, 29, 9, "\"h\":-4.5"));
+  EXPECT_THAT(place_.fault(houses_section),
+              AllOf(HasSubstr("houses.geojson"), HasSubstr("feature 1: its h is -4.5"), HasSubstr("where")));
+}
+
+TEST_F(BadInput, NegativeTreeHeightNamesFileAndFeature) {
+  place_.write("trees.csv", "x,y,h\n501100,4795500,-2\n");
+  EXPECT_THAT(
+      place_.fault(
+          "[[trees]]\nfile = \"trees.csv\"\ncrs = \"EPSG:25830\"\nx = \"x\"\ny = \"y\"\nheight_attribute = \"h\"\n"),
+      AllOf(HasSubstr("trees.csv"), HasSubstr("its h is -2")));
+}
+
+TEST_F(BadInput, MisspeltAttributeSuggestsTheRightOne) {
+  place_.write_houses(MadeUpPlace::house(0, 0, 9, 9, "\"height_m\":5"));
+  EXPECT_THAT(place_.fault("[[buildings]]\nfile = \"houses.geojson\"\nheight_attribute = \"hieght_m\"\n"),
+              HasSubstr("no feature has the attribute 'hieght_m'; did you mean height_m?"));
+}
+
+TEST_F(BadInput, UnknownMaterialSuggestsTheNearest) {
+  place_.write_houses(MadeUpPlace::house(0, 0, 9, 9, "\"h\":5"));
+  EXPECT_THAT(place_.fault(houses_section + "wall_material = \"concret\"\n"),
+              HasSubstr("buildings[1].wall_material: the material 'concret' is not known; did you mean concrete?"));
+}
+
+TEST_F(BadInput, MeshWithoutFacesOrMaterials) {
+  place_.write("points.obj", "v 0 0 0\nv 1 0 0\n");
+  EXPECT_THAT(place_.fault("[[meshes]]\nfile = \"points.obj\"\npositions_m = [[0, 0]]\n"),
+              HasSubstr("points.obj: has no faces"));
+  place_.write("line.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nusemtl metal\nf 1 2 3\n");
+  EXPECT_THAT(place_.fault("[[meshes]]\nfile = \"line.obj\"\npositions_m = [[0, 0]]\n"),
+              HasSubstr("line.obj: has no face with an area"));
+  place_.write("hut.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl chewing_gum\nf 1 2 3\n");
+  EXPECT_THAT(place_.fault("[[meshes]]\nfile = \"hut.obj\"\npositions_m = [[0, 0]]\n"),
+              HasSubstr("the material 'chewing_gum' of"));
+  EXPECT_THAT(place_.fault("[[meshes]]\nfile = \"hut.obj\"\nmaterial = \"metal\"\n"),
+              HasSubstr("does not say where the mesh stands"));
+}
+
+TEST_F(BadInput, FlawsAreMendedCountedAndNamedButNotWhenStrictOrCommon) {
+  const std::string bow_tie =
+      R"({"type":"Feature","properties":{"h":5},"geometry":{"type":"Polygon","coordinates":[[[501100,4795400],[501120,4795420],[501120,4795400],[501100,4795420],[501100,4795400]]]}})";
+  place_.write_houses(MadeUpPlace::house(40, 0, 49, 9, "\"h\":5") + "," + MadeUpPlace::house(60, 0, 69, 9, "\"h\":5") +
+                      "," + bow_tie);
+  const Scene scene = place_.read(houses_section);
+  EXPECT_EQ(scene.buildings.items.size(), 4U);
+  ASSERT_EQ(remark_count(scene, "self-crossing footprints"), 1U);
+  EXPECT_THAT(scene.remarks.back().first, HasSubstr("houses.geojson: layer houses, feature 2"));
+  EXPECT_THAT(place_.fault(houses_section, "[scene]\nstrict = true\n"),
+              AllOf(HasSubstr("feature 2: the first of 1 self-crossing"), HasSubstr("strict = false")));
+  EXPECT_THAT(place_.fault(houses_section + "max_flawed_share = 0.3\n"), HasSubstr("raise max_flawed_share"));
+}
+
+TEST_F(BadInput, PointTargetOutsideTheScene) {
+  EXPECT_THAT(place_.fault("[[point_targets]]\nposition_m = [9000, 0]\nrcs_dbsm = 10\n"),
+              HasSubstr("point_targets[1]: stands at (9000.0, 0.0) m, outside"));
+}
+
+}  // namespace
+}  // namespace sigmascape::scene

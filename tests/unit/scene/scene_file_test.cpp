@@ -1,0 +1,202 @@
+#include "sigmascape/scene/scene_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <variant>
+
+#include "unit/scene/made_up_place.h"
+
+#include "sigmascape/scene/tree_mesh.h"
+
+namespace sigmascape::scene {
+namespace {
+
+using ::testing::HasSubstr;
+
+const std::string houses_section = "[[buildings]]\nfile = \"houses.geojson\"\nheight_attribute = \"h\"\n";
+const std::string trees_section =
+    "[[trees]]\nfile = \"trees.csv\"\ncrs = \"EPSG:25830\"\nx = \"x\"\ny = \"y\"\nheight_attribute = \"h\"\n";
+
+TEST(SceneFile, TerrainAndLandCoverLieNorthUp) {
+  const MadeUpPlace place;
+  const Scene scene = place.read();
+  EXPECT_NEAR(scene.frame.latitude_deg(), 43.312, 0.01);
+  EXPECT_NEAR(scene.terrain.height_at({0.0, 300.0}), 0.05 * 500.0, 0.1);
+  EXPECT_EQ(material_at(scene, {0.0, -350.0}), "water");
+  EXPECT_EQ(material_at(scene, {0.0, 0.0}), "grass");
+  EXPECT_EQ(material_at(scene, {350.0, 300.0}), "forest");
+  EXPECT_EQ(material_at(scene, {-350.0, 300.0}), "grass");
+}
+
+TEST(SceneFile, WaterIsLevelUpToItsShore) {
+  const MadeUpPlace place;
+  const Scene scene = place.read();
+  const MaterialIndex water = static_cast<MaterialIndex>(
+      std::ranges::find(scene.materials, "water", &scatter::Material::name) - scene.materials.begin());
+  std::size_t cells = 0;
+  for (std::size_t row = 0; row < scene.ground.grid.rows; ++row) {
+    for (std::size_t column = 0; column < scene.ground.grid.columns; ++column) {
+      if (scene.ground.material(column, row) != water) continue;
+      const Vec2d centre = scene.ground.grid.centre_of(column, row);
+      ASSERT_DOUBLE_EQ(scene.terrain.height_at(centre), 0.0);
+      ASSERT_DOUBLE_EQ(scene.terrain.normal_at(centre).z, 1.0);
+      ++cells;
+    }
+  }
+  EXPECT_GT(cells, 1500U);
+}
+
+TEST(SceneFile, WaterFarFromTheLevelStaysWhereItIs) {
+  const MadeUpPlace place;
+  const Scene scene = place.read("water_classes = [10]\n");
+  EXPECT_NEAR(scene.terrain.height_at({350.0, 300.0}), 25.0, 0.2);
+}
+
+TEST(SceneFile, ExtentAndSpacingAreAsWanted) {
+  const MadeUpPlace place;
+  const Scene scene = place.read("", "[scene]\nextent = {west_m = -100, south_m = -50, east_m = 200, north_m = 150}\n");
+  EXPECT_NEAR(scene.extent.west_m, -100.0, 1e-9);
+  EXPECT_NEAR(scene.extent.north_m, 150.0, 1e-9);
+  EXPECT_NEAR(scene.extent.width_m(), 300.0, 10.0);
+  EXPECT_NEAR(scene.terrain.height_at({0.0, 100.0}), 0.05 * 300.0, 0.1);
+}
+
+TEST(SceneFile, BuildingsRiseToTheirHeightFromTheLowestGround) {
+  const MadeUpPlace place;
+  place.write_houses(MadeUpPlace::house(-20, 0, 20, 40, R"("h":12.5)"));
+  const Scene scene = place.read(houses_section);
+  ASSERT_EQ(scene.buildings.items.size(), 1U);
+  EXPECT_NEAR(static_cast<double>(scene.buildings.items[0].footing_m), 0.05 * 200.0, 0.1);
+  EXPECT_NEAR(tallest_object_m(scene), 12.5, 1e-5);
+  for (const Vec3f& vertex : scene.buildings.mesh.vertices) EXPECT_TRUE(vertex.z == 0.0F || vertex.z == 12.5F);
+}
+
+TEST(SceneFile, LevelsAndDefaultStandInForHeights) {
+  const MadeUpPlace place;
+  place.write_houses(MadeUpPlace::house(-20, 0, 0, 20, R"("h":null,"levels":"4")") + "," +
+                     MadeUpPlace::house(40, 0, 60, 20, R"("h":"30 ft","levels":null)") + "," +
+                     MadeUpPlace::house(80, 0, 99, 20, R"("h":null,"levels":null)"));
+  const Scene scene =
+      place.read(houses_section + "levels_attribute = \"levels\"\nmetres_per_level = 3\ndefault_height_m = 7\n");
+  ASSERT_EQ(scene.buildings.items.size(), 3U);
+  const auto top = [&](std::size_t i) {
+    return static_cast<double>(scene.buildings.mesh.vertices[scene.buildings.items[i].first_vertex + 1].z);
+  };
+  EXPECT_NEAR(top(0), 12.0, 1e-5);
+  EXPECT_NEAR(top(1), 9.144, 1e-5);
+  EXPECT_NEAR(top(2), 7.0, 1e-5);
+  EXPECT_EQ(remark_count(scene, "without a height"), 1U);
+}
+
+TEST(SceneFile, TreesStandOnTheTerrainAndNotInWater) {
+  const MadeUpPlace place;
+  place.write("trees.csv",
+              "x,y,ground,h,r\n501100,4795500,999,20,4\n501200,4795500,999,10,2\n501100,4795100,999,15,3\n");
+  const Scene scene = place.read(trees_section + "crown_radius_attribute = \"r\"\n");
+  ASSERT_EQ(scene.instances.size(), 2U);
+  EXPECT_EQ(scene.instances[0].lift_m, 0.0F);
+  EXPECT_NEAR(static_cast<double>(scene.instances[0].scale.z * tree_height_m), 20.0, 1e-4);
+  EXPECT_NEAR(static_cast<double>(scene.instances[0].scale.x * tree_crown_radius_m), 4.0, 1e-4);
+  EXPECT_NEAR(static_cast<double>(scene.instances[0].y_m), 100.0, 0.5);
+  EXPECT_EQ(remark_count(scene, "trees standing in water"), 1U);
+}
+
+TEST(SceneFile, GroundBeneathExplicitObjectsIsNotTheAggregate) {
+  const MadeUpPlace place;
+  place.write("trees.csv", "x,y,h\n501400,4795700,20\n");
+  EXPECT_EQ(material_at(place.read(trees_section), {350.0, 300.0}), "forest_floor");
+  EXPECT_EQ(material_at(place.read("scatter_as = \"aggregate\"\n" + trees_section), {350.0, 300.0}), "forest");
+  EXPECT_EQ(material_at(place.read("scatter_as = \"ground\"\n"), {350.0, 300.0}), "forest_floor");
+  EXPECT_EQ(material_at(place.read("[land_cover.classes]\n10 = \"snow\"\n"), {350.0, 300.0}), "snow");
+}
+
+const char* const one_road =
+    R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::25830"}},"features":[
+  {"type":"Feature","properties":{"highway":"primary"},"geometry":{"type":"LineString","coordinates":[[500700,4795500],[501500,4795500]]}}]})";
+
+TEST(SceneFile, RoadsArePavedStripsOfTheirWidth) {
+  const MadeUpPlace place;
+  place.write("roads.geojson", one_road);
+  const Scene scene = place.read(
+      "cell_m = 1\n[[roads]]\nfile = \"roads.geojson\"\nclass_attribute = "
+      "\"highway\"\n[roads.width_m_by_class]\nprimary = 20\n");
+  EXPECT_EQ(material_at(scene, {0.0, 100.0}), "asphalt");
+  EXPECT_EQ(material_at(scene, {0.0, 108.0}), "asphalt");
+  EXPECT_EQ(material_at(scene, {0.0, 92.0}), "asphalt");
+  EXPECT_EQ(material_at(scene, {0.0, 112.0}), "grass");
+  EXPECT_EQ(material_at(scene, {-450.0, 100.0}), "grass");
+}
+
+TEST(SceneFile, RoadsStayNarrowWithoutLandCover) {
+  const MadeUpPlace place;
+  place.write("roads.geojson", one_road);
+  const Scene scene =
+      read_scene(place.write("bare.toml",
+                             "[terrain]\nfile = \"heights.asc\"\ncrs = \"EPSG:25830\"\n[land_cover]\ncell_m = 2\n"
+                             "[[roads]]\nfile = \"roads.geojson\"\nwidth_m = 8\n"));
+  EXPECT_EQ(material_at(scene, {0.0, 100.0}), "asphalt");
+  EXPECT_EQ(material_at(scene, {0.0, 110.0}), "grass");
+}
+
+TEST(SceneFile, TrafficHasTheStatedDensityAndKeepsToItsSide) {
+  const MadeUpPlace place;
+  place.write("roads.geojson", one_road);
+  const std::string section =
+      "[[roads]]\nfile = \"roads.geojson\"\nwidth_m = 12\n[roads.traffic]\nmoving_per_km = 60\nspeed_kmh = 36\n";
+  const Scene scene = place.read(section);
+  EXPECT_NEAR(static_cast<double>(scene.instances.size()), 60.0 * 0.8, 21.0);
+  for (const Instance& vehicle : scene.instances) {
+    const bool eastward = std::abs(vehicle.yaw_rad - 1.5708F) < 0.01F;
+    // Driving on the right, eastward traffic keeps to the south of the middle line at y = 100 m.
+    EXPECT_NEAR(static_cast<double>(vehicle.y_m), eastward ? 97.0 : 103.0, 0.5);
+    EXPECT_FLOAT_EQ(vehicle.speed_mps, 10.0F);
+  }
+  EXPECT_EQ(scene_hash(scene), scene_hash(place.read(section)));
+  EXPECT_NE(scene_hash(scene), scene_hash(place.read(section + "seed = 2\n")));
+}
+
+TEST(SceneFile, MeshesStandWhereTheyShouldWithTheirMaterials) {
+  const MadeUpPlace place;
+  place.write("mast.obj", "v 0 0 0\nv 1 0 0\nv 0 0 9\nusemtl itu_metal\nf 1 2 3\nusemtl paint\nf 1 3 2\n");
+  const Scene scene = place.read(
+      "[[meshes]]\nfile = \"mast.obj\"\nscale = 2\nyaw_deg = 90\npositions_m = [[10, 20], [5000, "
+      "0]]\n[meshes.materials]\npaint = \"wood\"\n");
+  ASSERT_EQ(scene.instances.size(), 1U);
+  EXPECT_NEAR(static_cast<double>(scene.instances[0].yaw_rad), M_PI / 2.0, 1e-6);
+  EXPECT_NEAR(tallest_object_m(scene), 18.0, 1e-5);
+  const Mesh& mast = scene.prototypes[scene.instances[0].prototype];
+  EXPECT_EQ(scene.materials[mast.materials[0]].name, "metal");
+  EXPECT_EQ(scene.materials[mast.materials[1]].name, "wood");
+  EXPECT_EQ(remark_count(scene, "meshes outside the scene"), 1U);
+}
+
+TEST(SceneFile, PointTargetsCarryTheirCrossSection) {
+  const MadeUpPlace place;
+  const Scene scene = place.read(
+      "[[point_targets]]\nname = \"corner\"\nposition_m = [5, 6]\nheight_m = 2\nrcs_dbsm = 30\n"
+      "[[point_targets]]\nposition_m = [0, 0]\nrcs_dbsm = {vv = 20, hh = 10}\nbounces = \"even\"\n");
+  ASSERT_EQ(scene.point_targets.size(), 2U);
+  EXPECT_FLOAT_EQ(scene.point_targets[0].rcs_m2.vv, 1000.0F);
+  EXPECT_FLOAT_EQ(scene.point_targets[0].rcs_m2.re_vvhh, 1000.0F);
+  EXPECT_FLOAT_EQ(scene.point_targets[1].rcs_m2.hh, 10.0F);
+  EXPECT_FLOAT_EQ(scene.point_targets[1].rcs_m2.hv, 0.0F);
+  EXPECT_NEAR(static_cast<double>(scene.point_targets[1].rcs_m2.re_vvhh), -std::sqrt(1000.0), 1e-3);
+}
+
+TEST(SceneFile, OwnMaterialsComeFromAModelOrALibraryName) {
+  const MadeUpPlace place;
+  const Scene scene = place.read(
+      "[land_cover.classes]\n30 = \"heath\"\n10 = \"wet_wood\"\n[materials.heath]\nmodel = "
+      "\"constant_gamma\"\ngamma_db = -13\n"
+      "[materials.wet_wood]\nbase = \"wood\"\npermittivity = 12\n");
+  const auto of = [&](const std::string& name) {
+    return *std::ranges::find(scene.materials, name, &scatter::Material::name);
+  };
+  EXPECT_NEAR(std::get<scatter::ConstantGammaParameters>(of("heath").model).gamma, 0.0501, 1e-4);
+  EXPECT_EQ(std::get<scatter::CookTorranceParameters>(of("wet_wood").model).permittivity.a, 12.0);
+}
+
+}  // namespace
+}  // namespace sigmascape::scene

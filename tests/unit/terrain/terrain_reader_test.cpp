@@ -1,0 +1,107 @@
+#include "sigmascape/terrain/terrain_reader.h"
+
+#include <cmath>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "scratch_folder.h"
+#include "unit/geo/ascii_grid.h"
+
+namespace sigmascape::terrain {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr geo::AsciiGrid grid{500'600.0, 4'795'000.0, 10.0, 100, 80};
+const geo::LocalFrame frame(43.312, -2.986);
+
+class TerrainReader : public ::testing::Test {
+ protected:
+  template <typename Value>
+  TerrainSource source(const Value& value) {
+    TerrainSource result;
+    result.raster = {folder_.write("heights.asc", grid.text(value)), 1, "EPSG:25830"};
+    return result;
+  }
+  ScratchFolder folder_;
+};
+
+TEST_F(TerrainReader, CoversTheRasterByDefault) {
+  const auto read = read_terrain(source([](double, double) { return 12.0; }), frame, std::nullopt);
+  EXPECT_NEAR(read.field.extent().width_m(), 1000.0, 12.0);
+  EXPECT_NEAR(read.field.extent().height_m(), 800.0, 12.0);
+  EXPECT_NEAR(read.field.spacing_m, 10.0, 0.01);
+  EXPECT_EQ(read.filled_nodes, 0U);
+}
+
+TEST_F(TerrainReader, FillsAHoleFromItsEdge) {
+  const auto plane = [](double x, double y) { return 0.1 * (x - 500'600.0) + 0.05 * (y - 4'795'000.0); };
+  const auto whole = read_terrain(source(plane), frame, std::nullopt);
+  const auto holed =
+      read_terrain(source([&](double x, double y) {
+                     return std::hypot(x - 501'100.0, y - 4'795'400.0) < 60.0 ? std::nan("") : plane(x, y);
+                   }),
+                   frame, std::nullopt);
+  EXPECT_NEAR(static_cast<double>(holed.filled_nodes), M_PI * 36.0, 12.0);
+  for (std::size_t i = 0; i < whole.field.height_m.size(); ++i) {
+    ASSERT_NEAR(static_cast<double>(holed.field.height_m.values()[i]),
+                static_cast<double>(whole.field.height_m.values()[i]), 0.6);
+  }
+}
+
+TEST_F(TerrainReader, MostlyMissingTerrainIsAnError) {
+  const auto mostly = source([](double x, double) { return x < 500'800.0 ? 5.0 : std::nan(""); });
+  EXPECT_THAT(message_of_error([&] { static_cast<void>(read_terrain(mostly, frame, std::nullopt)); }),
+              HasSubstr("% of the scene's terrain has no data"));
+}
+
+TEST_F(TerrainReader, ImplausibleHeightsCountAsMissing) {
+  const auto read = read_terrain(
+      source([](double x, double y) { return x > 501'000 && x < 501'050 && y < 4'795'200 ? 25'000.0 : 40.0; }), frame,
+      std::nullopt);
+  EXPECT_GT(read.filled_nodes, 50U);
+  EXPECT_NEAR(static_cast<double>(read.field.highest_m()), 40.0, 1e-3);
+}
+
+TEST_F(TerrainReader, ExtentWithoutOverlapIsAnErrorThatSaysWhereTheTerrainIs) {
+  const auto flat = source([](double, double) { return 1.0; });
+  EXPECT_THAT(message_of_error([&] {
+                static_cast<void>(read_terrain(flat, frame, radar::Rectangle{90'000, 0, 91'000, 1'000}));
+              }),
+              HasSubstr("does not overlap the scene's extent; move the extent into"));
+}
+
+/// Whole-metre heights of a slope of 3 %, as rounding leaves them.
+Array2D<float> terraces() {
+  Array2D<float> heights(200, 40);
+  for (std::size_t row = 0; row < 40; ++row) {
+    for (std::size_t column = 0; column < 200; ++column)
+      heights(column, row) = std::round(0.15F * static_cast<float>(column));
+  }
+  return heights;
+}
+
+TEST(SmoothWithin, TurnsTerracesIntoTheSlopeTheyCameFrom) {
+  Array2D<float> heights = terraces();
+  smooth_within(heights, 0.5);
+  for (std::size_t column = 20; column < 180; ++column) {
+    const float step = heights(column + 1, 20) - heights(column, 20);
+    EXPECT_NEAR(static_cast<double>(step), 0.15, 0.03) << column;
+  }
+}
+
+TEST(SmoothWithin, MovesNoHeightFurtherThanTheTolerance) {
+  const Array2D<float> before = terraces();
+  Array2D<float> after = before;
+  smooth_within(after, 0.3);
+  double furthest = 0.0;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    furthest =
+        std::max(furthest, std::abs(static_cast<double>(after.values()[i]) - static_cast<double>(before.values()[i])));
+  }
+  EXPECT_LE(furthest, 0.3 + 1e-5);
+  EXPECT_GT(furthest, 0.2);
+}
+
+}  // namespace
+}  // namespace sigmascape::terrain

@@ -1,0 +1,138 @@
+#include "sigmascape/trace/launch.h"
+
+#include <gtest/gtest.h>
+#include <set>
+#include <vector>
+
+#include "sigmascape/base/hash.h"
+#include "sigmascape/base/units.h"
+#include "sigmascape/radar/radar.h"
+
+namespace sigmascape::trace {
+namespace {
+
+constexpr radar::Rectangle target{-310.0, -140.0, 120.0, 190.0};
+constexpr double top_m = 60.0;
+
+double radians(double degrees) {
+  return radians_from_deg(degrees);
+}
+
+/// Where on the plane z = 0 an echo of a point stands for a radar that knows nothing of heights.
+struct Landing {
+  Viewpoint viewpoint;
+  Vec3d radar;  // a located one
+  bool distant = true;
+  radar::Aspect aspect;
+
+  [[nodiscard]] Vec2d operator()(Vec3d p) const {
+    const double range = viewpoint.range_of(p), across = viewpoint.cross_of(p);
+    if (distant) {
+      const Vec2d towards = radar::horizontal_direction(aspect.azimuth_rad);
+      return towards * (-range / std::cos(aspect.elevation_rad)) + Vec2d{-towards.y, towards.x} * across;
+    }
+    const double ground = std::sqrt(range * range - radar.z * radar.z);
+    return Vec2d{radar.x, radar.y} + radar::horizontal_direction(across) * ground;
+  }
+};
+
+std::vector<Landing> viewpoints() {
+  std::vector<Landing> all;
+  for (const double elevation_deg : {5.0, 21.0, 60.0, 85.0}) {
+    for (const double azimuth_deg : {0.0, 33.0, 90.0, 215.0}) {
+      const radar::Aspect aspect{radians(azimuth_deg), radians(elevation_deg)};
+      all.push_back({Viewpoint::distant(aspect), {}, true, aspect});
+      for (const double range_m : {1500.0, 20'000.0}) {
+        const Vec3d place = radar::position_seeing({}, aspect.azimuth_rad, aspect.elevation_rad, range_m);
+        if (place.z > 2.0 * top_m) all.push_back({Viewpoint::located(place), place, false, aspect});
+      }
+    }
+  }
+  return all;
+}
+
+std::string description(const Landing& landing) {
+  return std::string(landing.distant ? "distant" : "located") + " from azimuth " +
+         std::to_string(deg_from_radians(landing.aspect.azimuth_rad)) + "°, elevation " +
+         std::to_string(deg_from_radians(landing.aspect.elevation_rad)) + "°, height " +
+         std::to_string(landing.radar.z) + " m";
+}
+
+TEST(LaunchArea, EveryRayThatLandsInTheTargetIsLaunched) {
+  for (const Landing& landing : viewpoints()) {
+    const LaunchArea area = launch_area(landing.viewpoint, target, 4.0, 0.0, top_m, 0.0);
+    const std::set<std::pair<int, int>> cells = [&] {
+      std::set<std::pair<int, int>> set;
+      for (const LaunchCell cell : area.cells) set.insert({cell.i, cell.j});
+      return set;
+    }();
+    std::size_t landed = 0;
+    for (std::uint64_t k = 0; k < 20'000; ++k) {
+      const auto draw = [k](std::uint64_t dimension) { return static_cast<double>(unit_float(hashed(k, dimension))); };
+      const Vec3d hit{-1200.0 + 2400.0 * draw(0), -1200.0 + 2400.0 * draw(1), top_m * draw(2)};
+      if (!target.contains(landing(hit))) continue;
+      ++landed;
+      const Vec2d aim = landing.viewpoint.shadow_on_plane(hit, 0.0);
+      ASSERT_TRUE(area.covers(aim)) << description(landing) << ": hit " << hit.x << " " << hit.y << " " << hit.z;
+      ASSERT_TRUE(
+          cells.contains({static_cast<int>(std::floor(aim.x / 4.0)), static_cast<int>(std::floor(aim.y / 4.0))}))
+          << description(landing) << ": hit " << hit.x << " " << hit.y << " " << hit.z;
+    }
+    EXPECT_GT(landed, 100U) << description(landing);
+  }
+}
+
+TEST(LaunchArea, CoversExactlyTheCellsListed) {
+  for (const Landing& landing : viewpoints()) {
+    const LaunchArea area = launch_area(landing.viewpoint, target, 8.0, 0.0, top_m, 16.0);
+    std::set<std::pair<int, int>> cells;
+    for (const LaunchCell cell : area.cells) cells.insert({cell.i, cell.j});
+    EXPECT_EQ(cells.size(), area.cells.size()) << "a cell is listed twice: " << description(landing);
+    std::size_t covered = 0;
+    for (int j = -300; j < 300; ++j) {
+      for (int i = -300; i < 300; ++i) {
+        const Vec2d corner{8.0 * i, 8.0 * j};
+        const bool listed = cells.contains({i, j});
+        covered += listed ? 1U : 0U;
+        EXPECT_EQ(area.covers(corner + Vec2d{0.1, 7.9}), listed);
+        EXPECT_EQ(area.covers(corner + Vec2d{7.9, 0.1}), listed);
+      }
+    }
+    EXPECT_EQ(covered, cells.size()) << description(landing);
+  }
+}
+
+TEST(LaunchArea, LaunchesNothingBeforeTheTargetAndLittleBeside) {
+  const LaunchArea area =
+      launch_area(Viewpoint::distant({radians(180.0), radians(10.0)}), target, 1.0, 0.0, top_m, 0.0);
+  const double reach_m = top_m / std::tan(radians(10.0)) + top_m * std::tan(radians(10.0));
+  EXPECT_FALSE(area.covers({0.0, target.south_m - 3.0}));
+  EXPECT_TRUE(area.covers({0.0, target.north_m + reach_m - 3.0}));
+  EXPECT_FALSE(area.covers({0.0, target.north_m + reach_m + 3.0}));
+  EXPECT_FALSE(area.covers({target.west_m - 3.0, 0.0}));
+  EXPECT_NEAR(static_cast<double>(area.cells.size()), (target.width_m() + 2.0) * (target.height_m() + 2.0 + reach_m),
+              1500.0);
+}
+
+TEST(LaunchArea, MarginWidensTheTarget) {
+  const LaunchArea area =
+      launch_area(Viewpoint::distant({radians(180.0), radians(60.0)}), target, 1.0, 0.0, top_m, 32.0);
+  EXPECT_TRUE(area.covers({target.west_m - 31.0, 0.0}));
+  EXPECT_TRUE(area.covers({0.0, target.south_m - 31.0}));
+  EXPECT_FALSE(area.covers({0.0, target.south_m - 35.0}));
+}
+
+// So that patches and shards agree on their rays: the same place has the same cell, whichever target asks.
+TEST(LaunchArea, CellsAreNumberedFromTheOriginOfTheFrame) {
+  const auto viewpoint = Viewpoint::distant({radians(180.0), radians(60.0)});
+  const LaunchArea one = launch_area(viewpoint, {100.25, 50.0, 101.0, 51.0}, 0.5, 0.0, 0.0, 0.0);
+  for (const LaunchCell cell : one.cells) {
+    EXPECT_NEAR((cell.i + 0.5) * 0.5, 100.6, 1.5);
+    EXPECT_NEAR((cell.j + 0.5) * 0.5, 50.5, 1.5);
+  }
+  const LaunchArea west = launch_area(viewpoint, {-101.0, -51.0, -100.0, -50.0}, 0.5, 0.0, 0.0, 0.0);
+  for (const LaunchCell cell : west.cells) EXPECT_LT(cell.i, -198);
+}
+
+}  // namespace
+}  // namespace sigmascape::trace

@@ -1,0 +1,200 @@
+#include "sigmascape/trace/scene_geometry.h"
+
+#include <gtest/gtest.h>
+
+#include "plain_scene.h"
+
+#include "sigmascape/base/hash.h"
+#include "sigmascape/radar/look.h"
+
+namespace sigmascape::trace {
+namespace {
+
+Vec3f towards(Vec3f from, Vec3f to) {
+  return normalized(to - from);
+}
+
+/// First surface on the way, both points in the world; no hit fails the test.
+SurfaceHit hit_between(const SceneGeometry& geometry, Vec3d from, Vec3d to) {
+  SurfaceHit hit;
+  const Vec3f start = (from - geometry.origin()).to<float>(), end = (to - geometry.origin()).to<float>();
+  EXPECT_TRUE(geometry.intersect(start, towards(start, end), hit));
+  hit.position = hit.position + geometry.origin().to<float>();
+  return hit;
+}
+
+TEST(SceneGeometry, LevelPlaneLiesAtZeroWhateverTheTerrain) {
+  const SceneGeometry geometry(plain_scene(0.5, 70.0F, {1000.0, 2000.0}), Footing::LevelPlane);
+  const SurfaceHit hit = hit_between(geometry, {1010, 2010, 50}, {1040, 2000, 0});
+  EXPECT_NEAR(length(hit.position - Vec3f{1040, 2000, 0}), 0.0F, 1e-3F);
+  EXPECT_EQ(hit.normal, (Vec3f{0, 0, 1}));
+  EXPECT_EQ(geometry.lowest_m(), 0.0);
+  EXPECT_EQ(geometry.highest_m(), 0.0);
+}
+
+TEST(SceneGeometry, LevelPlaneIsMissedFromBelowAndUpwards) {
+  const SceneGeometry geometry(plain_scene(), Footing::LevelPlane);
+  SurfaceHit hit;
+  EXPECT_FALSE(geometry.intersect({0, 0, 5}, {0, 0, 1}, hit));
+  EXPECT_FALSE(geometry.intersect({0, 0, -5}, {0, 0, 1}, hit));
+  EXPECT_FALSE(geometry.intersect({0, 0, -5}, {0, 0, -1}, hit));
+}
+
+TEST(SceneGeometry, TerrainIsHitFromAboveOnly) {
+  scene::Scene scene = plain_scene();
+  for (std::size_t row = 0; row < 21; ++row) {
+    for (std::size_t column = 0; column < 21; ++column)
+      scene.terrain.height_m(column, row) = 30.0F + 2.0F * static_cast<float>(column);
+  }
+  const SceneGeometry geometry(scene, Footing::Terrain);
+  const Vec3f uphill = normalized(Vec3f{-0.2F, 0.0F, 1.0F});
+  for (const Vec2d p : {Vec2d{3, 7}, {-99, 99}, {55.5, -62}}) {
+    const double ground = scene.terrain.height_at(p);
+    const SurfaceHit hit = hit_between(geometry, {p.x + 5, p.y - 8, 200}, {p.x, p.y, ground});
+    EXPECT_NEAR(hit.position.z, ground, 1e-3);
+    EXPECT_NEAR(length(hit.normal - uphill), 0.0F, 1e-5F);
+    SurfaceHit none;
+    EXPECT_FALSE(geometry.intersect({static_cast<float>(p.x), static_cast<float>(p.y), 10.0F}, {0, 0, 1}, none));
+  }
+  EXPECT_EQ(geometry.lowest_m(), 30.0);
+  EXPECT_EQ(geometry.highest_m(), 70.0);
+}
+
+TEST(SceneGeometry, PlusYPointsWhereYawTurnsClockwise) {
+  for (const double yaw_deg : {0.0, 90.0, 200.0}) {
+    scene::Scene scene = plain_scene();
+    // Long along +y from the origin of the prototype, so that front and back differ.
+    scene.prototypes.push_back(scene::box_mesh({2, 10, 4}, 0));
+    for (Vec3f& vertex : scene.prototypes[0].vertices) vertex.y += 5.0F;
+    scene.instances.push_back({.x_m = 30.0F, .y_m = -20.0F, .yaw_rad = static_cast<float>(radians_from_deg(yaw_deg))});
+    const SceneGeometry geometry(scene, Footing::LevelPlane);
+    const Vec2d front = radar::horizontal_direction(radians_from_deg(yaw_deg));
+    for (const double along : {1.0, 9.0}) {
+      const Vec2d p = Vec2d{30, -20} + front * along;
+      EXPECT_NEAR(hit_between(geometry, {p.x, p.y, 50}, {p.x, p.y, 0}).position.z, 4.0F, 1e-4F) << yaw_deg;
+    }
+    const Vec2d behind = Vec2d{30, -20} - front * 1.0;
+    EXPECT_NEAR(hit_between(geometry, {behind.x, behind.y, 50}, {behind.x, behind.y, 0}).position.z, 0.0F, 1e-4F)
+        << yaw_deg;
+  }
+}
+
+/// A tetrahedron without any symmetry, each face of a material of its own.
+scene::Mesh crooked_mesh() {
+  return {.name = "crooked",
+          .vertices = {{-3, -2, 0.5F}, {4, -1, 1}, {1, 5, 0}, {0.5F, 0.3F, 6}},
+          .triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}},
+          .materials = {1, 2, 3, 4}};
+}
+
+// The same shape, once as an instance and once with its vertices moved by hand.
+TEST(SceneGeometry, InstancesAreTransformedMeshes) {
+  for (std::uint64_t seed = 0; seed < 8; ++seed) {
+    const auto draw = [seed](int k) { return unit_float(hashed(seed, k)); };
+    const Vec3f scale{0.3F + 2.0F * draw(0), 0.3F + 2.0F * draw(1), 0.3F + 2.0F * draw(2)};
+    const float yaw = 6.28F * draw(3), x = -50.0F + 100.0F * draw(4), y = -50.0F + 100.0F * draw(5),
+                lift = 10.0F * draw(6);
+
+    scene::Scene as_instance = plain_scene(), as_building = plain_scene();
+    as_instance.prototypes.push_back(crooked_mesh());
+    as_instance.instances.push_back({.x_m = x, .y_m = y, .lift_m = lift, .yaw_rad = yaw, .scale = scale});
+    as_building.buildings.mesh = crooked_mesh();
+    const Vec2f front{std::sin(yaw), std::cos(yaw)}, right{std::cos(yaw), -std::sin(yaw)};
+    for (Vec3f& v : as_building.buildings.mesh.vertices) {
+      const Vec2f p = right * (v.x * scale.x) + front * (v.y * scale.y);
+      v = {p.x + x, p.y + y, v.z * scale.z + lift};
+    }
+    as_building.buildings.items = {{.first_vertex = 0, .vertex_count = 4}};
+
+    const SceneGeometry instance(as_instance, Footing::LevelPlane), building(as_building, Footing::LevelPlane);
+    EXPECT_NEAR(instance.highest_m(), building.highest_m(), 1e-4);
+    int object_hits = 0;
+    for (int k = 0; k < 400; ++k) {
+      const auto spread = [&](int dimension) { return unit_float(hashed(seed, k, dimension)) - 0.5F; };
+      const Vec3f from{x + 60.0F * spread(0), y + 60.0F * spread(1), 40.0F};
+      const Vec3f to{x + 6.0F * spread(2), y + 6.0F * spread(3), lift + 4.0F * scale.z * (spread(4) + 0.5F)};
+      const SurfaceHit a = hit_between(instance, from.to<double>(), to.to<double>());
+      const SurfaceHit b = hit_between(building, from.to<double>(), to.to<double>());
+      EXPECT_NEAR(length(a.position - b.position), 0.0F, 2e-3F);
+      EXPECT_NEAR(length(a.normal - b.normal), 0.0F, 1e-3F) << "material " << int{b.material};
+      EXPECT_EQ(a.material, b.material);
+      EXPECT_LT(dot(a.normal, towards(from, to)), 0.0F);
+      object_hits += a.material > 0 ? 1 : 0;
+    }
+    EXPECT_GT(object_hits, 50);
+  }
+}
+
+TEST(SceneGeometry, BothSidesOfAMeshFaceTheRay) {
+  scene::Scene scene = plain_scene();
+  scene.prototypes.push_back(scene::wall_mesh(10, 10, 0));
+  scene.instances.push_back({});
+  const SceneGeometry geometry(scene, Footing::LevelPlane);
+  EXPECT_NEAR(hit_between(geometry, {1, -20, 5}, {1, 0, 5}).normal.y, -1.0F, 1e-6F);
+  EXPECT_NEAR(hit_between(geometry, {1, 20, 5}, {1, 0, 5}).normal.y, 1.0F, 1e-6F);
+}
+
+TEST(SceneGeometry, ObjectsStandOnTerrainOrOnTheLevelPlane) {
+  scene::Scene scene = plain_scene(0.5, 40.0F, {500.0, 500.0});
+  add_box(scene, {10, 10, 6}, {500, 500});
+  scene.instances.back().lift_m = 1.0F;
+  scene.buildings.mesh = scene::box_mesh({10, 10, 8}, 0);
+  for (Vec3f& v : scene.buildings.mesh.vertices) v = v + Vec3f{550, 500, 0};
+  scene.buildings.items = {{.first_vertex = 0,
+                            .vertex_count = static_cast<std::uint32_t>(scene.buildings.mesh.vertices.size()),
+                            .footing_m = 37.0F}};
+  const auto top_at = [&](const SceneGeometry& geometry, double x) {
+    return hit_between(geometry, {x, 501, 200}, {x, 501, 0}).position.z;
+  };
+
+  const SceneGeometry on_terrain(scene, Footing::Terrain);
+  EXPECT_NEAR(top_at(on_terrain, 501), 47.0F, 1e-3F);
+  EXPECT_NEAR(top_at(on_terrain, 551), 45.0F, 1e-3F);
+  EXPECT_NEAR(on_terrain.highest_m(), 47.0, 1e-3);
+  const SceneGeometry on_plane(scene, Footing::LevelPlane);
+  EXPECT_NEAR(top_at(on_plane, 501), 7.0F, 1e-3F);
+  EXPECT_NEAR(top_at(on_plane, 551), 8.0F, 1e-3F);
+  EXPECT_NEAR(on_plane.highest_m(), 8.0, 1e-3);
+}
+
+TEST(SceneGeometry, GroundMaterialsFollowTheMap) {
+  scene::Scene scene = plain_scene();
+  scene.ground = {{-100, 100, 100, 2, 2}, Array2D<scene::MaterialIndex>(2, 2)};
+  scene.ground.material(0, 0) = 1;  // north-west
+  scene.ground.material(1, 0) = 2;
+  scene.ground.material(0, 1) = 3;
+  for (const Footing footing : {Footing::Terrain, Footing::LevelPlane}) {
+    const SceneGeometry geometry(scene, footing);
+    const auto at = [&](double x, double y) { return hit_between(geometry, {x, y, 50}, {x, y, 0}).material; };
+    EXPECT_EQ(at(-50, 50), 1);
+    EXPECT_EQ(at(50, 50), 2);
+    EXPECT_EQ(at(-50, -50), 3);
+    EXPECT_EQ(at(50, -50), 0);
+  }
+}
+
+TEST(SceneGeometry, OcclusionAgreesWithIntersection) {
+  scene::Scene scene = plain_scene();
+  add_box(scene, {10, 10, 10}, {0, 0});
+  const SceneGeometry geometry(scene, Footing::LevelPlane);
+  const Vec3f to_radar = normalized(Vec3f{0, -1, 1});
+  EXPECT_TRUE(geometry.occluded({0, 10, 0.01F}, to_radar));
+  EXPECT_FALSE(geometry.occluded({0, 15.2F, 0.01F}, to_radar));
+  EXPECT_TRUE(geometry.occluded({0, 14.8F, 0.01F}, to_radar));
+  EXPECT_FALSE(geometry.occluded({0, -10, 0.01F}, to_radar));
+}
+
+TEST(SceneGeometry, OutlivesTheSceneItCameFrom) {
+  auto scene = std::make_unique<scene::Scene>(plain_scene());
+  add_box(*scene, {10, 10, 10}, {0, 0});
+  SceneGeometry geometry(*scene, Footing::LevelPlane);
+  scene.reset();
+  const SceneGeometry moved = std::move(geometry);
+  const SurfaceHit hit = hit_between(moved, {0, 0, 50}, {0, 0, 0});
+  EXPECT_NEAR(hit.position.z, 10.0F, 1e-4F);
+  EXPECT_EQ(hit.material, 1);
+  EXPECT_GT(moved.memory_bytes(), 100U);
+}
+
+}  // namespace
+}  // namespace sigmascape::trace
