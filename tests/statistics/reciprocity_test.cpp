@@ -121,6 +121,17 @@ TEST(Reciprocity, EveryOptionOfCookTorrance) {
   }
 }
 
+TEST(Reciprocity, StraightDownAndUp) {
+  const Vec3f up{0.0F, 0.0F, 1.0F};
+  const Vec3f aside = normalized(Vec3f{0.3F, 0.5F, 0.6F});
+  const scatter::PhaseDraw draw{0.2F, 0.7F};
+  for (const scatter::Material& material : scatter::material_library()) {
+    const scatter::SurfaceModel model(material, frequency_within(material));
+    const Matrix there = scattering_matrix(model, up, aside, up, draw);
+    EXPECT_LT(departure_from_transpose(there, scattering_matrix(model, aside, up, up, draw)), 1e-6) << material.name;
+  }
+}
+
 // In bases that follow the wave the same matrix is diag(1, −1) Sᵀ diag(1, −1): h turns over with the direction of
 // travel.
 TEST(Reciprocity, TransposeInBasesThatFollowTheWave) {

@@ -19,8 +19,13 @@ void PowerBins::add_units(std::int64_t& bin, float value) {
     overflows_.fetch_add(1, std::memory_order_relaxed);
     return;
   }
-  const std::int64_t before = std::atomic_ref(bin).fetch_add(std::llrint(units), std::memory_order_relaxed);
-  if (std::abs(static_cast<double>(before)) > most_units) overflows_.fetch_add(1, std::memory_order_relaxed);
+  const std::int64_t added = std::llrint(units);
+  const std::atomic_ref sum(bin);
+  const std::int64_t before = sum.fetch_add(added, std::memory_order_relaxed);
+  if (std::abs(static_cast<double>(before) + static_cast<double>(added)) > most_units) {
+    sum.fetch_sub(added, std::memory_order_relaxed);
+    overflows_.fetch_add(1, std::memory_order_relaxed);
+  }
 }
 
 void PowerBins::add(std::size_t column, std::size_t row, const radar::Channels& rcs_m2) {

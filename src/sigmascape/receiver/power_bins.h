@@ -12,7 +12,7 @@ namespace sigmascape::receiver {
 
 /// Sums cross-sections into a rectangle of bins, from any number of threads, with a result that does not depend on their order.
 ///
-/// Sums are kept as 64-bit integers in units of 2⁻³⁶ m² (1.5e-11 m²), which hold up to 1.3e8 m² a bin; integer addition has no order.
+/// Sums are kept as 64-bit integers in units of 2⁻³⁶ m² (1.5e-11 m²), which hold up to 6.7e7 m² a bin; integer addition has no order.
 /// What does not fit is left out and counted.
 class PowerBins {
  public:

@@ -43,10 +43,9 @@ float gaussian_slope(float area) {
 float beckmann_visible_slope(float c, float u) {
   const float last = std::min(c, 3.7F);
   const float end = 1.0F + std::erf(last);
-  const auto distribution = [c](float area, float x) {
-    return 0.5F * c * area + 0.5F * inv_sqrt_pi * std::exp(-x * x);
-  };
-  const float goal = u * distribution(end, last);
+  const float total = 0.5F * c * end + 0.5F * inv_sqrt_pi * std::exp(-last * last);
+  const float goal = u * total;
+  const float near = std::max(1e-3F * std::min(goal, total - goal), 1e-6F * goal);
   // Seen from above all slopes are alike and A is uniform; seen at grazing A ≈ end (1 − √(1 − u)). Between the two by
   // fit.
   float area = end * (1.0F - std::pow(1.0F - u, 1.0F - 0.53F / (1.0F + 1.3F * c)));
@@ -54,10 +53,13 @@ float beckmann_visible_slope(float c, float u) {
   float x = 0.0F;
   for (int iteration = 0; iteration < 10; ++iteration) {
     x = gaussian_slope(area);
-    const float excess = distribution(area, x) - goal;
-    if (std::abs(excess) < 1e-6F * goal) break;
+    const float gauss = inv_sqrt_pi * std::exp(-x * x);
+    const float ahead = std::max(c - x, 1e-6F);
+    const float excess = 0.5F * (c * area + gauss) - goal;
+    // This near, the last step may be taken in x itself, which saves finding x for a new area.
+    if (std::abs(excess) < near) return x - excess / (ahead * gauss);
     (excess > 0.0F ? high : low) = area;
-    const float newton = area - 2.0F * excess / std::max(c - x, 1e-6F);
+    const float newton = area - 2.0F * excess / ahead;
     area = newton > low && newton < high ? newton : 0.5F * (low + high);
   }
   return x;

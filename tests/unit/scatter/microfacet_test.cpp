@@ -119,6 +119,20 @@ INSTANTIATE_TEST_SUITE_P(Microfacets, EveryDistribution,
                          testing::Values(MicrofacetDistribution::Beckmann, MicrofacetDistribution::Ggx),
                          distribution_name);
 
+// GGX of α = 1 at 45° has Λ = (√2 − 1)/2 in closed form, from which Heitz's Eq. (101) follows for any azimuth between
+// two directions.
+TEST(Microfacets, AzimuthDecorrelatesMasking) {
+  const Microfacets facets(MicrofacetDistribution::Ggx, 1.0F);
+  const double hidden = 0.5 * (std::sqrt(2.0) - 1.0);
+  for (const double azimuth_deg : {0.0, 5.0, 30.0, 90.0, 180.0, 270.0}) {
+    const double between = radians_from_deg(std::min(azimuth_deg, 360.0 - azimuth_deg));
+    const double independence = 4.41 * between / (4.41 * between + 1.0);
+    EXPECT_NEAR(facets.visible_part(direction(45.0, 10.0), direction(45.0, 10.0 + azimuth_deg)),
+                1.0 / (1.0 + hidden * (1.0 + independence)), 2e-6)
+        << azimuth_deg << "°";
+  }
+}
+
 // The mean square slope tells α from the rms slope: α² = 2 s² per axis.
 TEST(Microfacets, BeckmannAlphaIsRootTwoTimesTheSlopeOfOneAxis) {
   for (const double alpha : {0.05, 0.3, 1.0}) {

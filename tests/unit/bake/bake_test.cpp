@@ -1,0 +1,217 @@
+#include "sigmascape/bake/bake.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <iterator>
+#include <map>
+
+#include "scratch_folder.h"
+
+#include "sigmascape/atlas/store.h"
+#include "sigmascape/base/units.h"
+#include "sigmascape/scene/solid_mesh.h"
+
+namespace sigmascape::bake {
+namespace {
+
+constexpr double gamma = 0.03;
+
+/// Level ground of constant gamma, one patch of 512 m or less.
+scene::Scene bare_scene(double side_m = 512.0) {
+  scene::Scene scene;
+  scene.name = "bare";
+  scene.extent = {0, 0, side_m, side_m};
+  scene.terrain = {0, side_m, side_m, Array2D<float>(2, 2, 120.0F)};
+  const scatter::Material ground{
+      .name = "ground", .model = scatter::ConstantGammaParameters{gamma, {0.1, 0.5}}, .source = {}};
+  scene.ground = {{0, side_m, side_m, 1, 1}, Array2D<scene::MaterialIndex>(1, 1, scene.material_index(ground))};
+  return scene;
+}
+
+scene::Scene scene_with_box() {
+  scene::Scene scene = bare_scene(100.0);
+  const scatter::Material wall{.name = "wall", .model = scatter::LambertParameters{0.5, {0.1, 0.5}}, .source = {}};
+  scene.prototypes.push_back(scene::box_mesh({20, 20, 20}, scene.material_index(wall)));
+  scene.instances.push_back({.x_m = 50.0F, .y_m = 50.0F});
+  return scene;
+}
+
+BakeSettings small_bake(std::vector<double> elevations_deg = {13.0, 40.0}) {
+  BakeSettings settings;
+  settings.aspects.azimuths_rad = {0.0, radians_from_deg(130.0)};
+  settings.aspects.elevations_rad.clear();
+  for (const double degrees : elevations_deg) settings.aspects.elevations_rad.push_back(radians_from_deg(degrees));
+  settings.patches = {2.0, 256};
+  settings.samples_per_texel = 4;
+  return settings;
+}
+
+BakeReport baked(const scene::Scene& scene, const BakeSettings& settings, const std::filesystem::path& folder) {
+  SilentProgress silent;
+  return bake(scene, settings, folder, silent);
+}
+
+/// Every file of a folder with its bytes.
+std::map<std::string, std::string> files_of(const std::filesystem::path& folder) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    if (!entry.is_regular_file()) continue;
+    std::ifstream file(entry.path(), std::ios::binary);
+    files[std::filesystem::relative(entry.path(), folder).string()] = {std::istreambuf_iterator<char>(file), {}};
+  }
+  return files;
+}
+
+TEST(Bake, BareConstantGammaGroundIsGammaTimesSine) {
+  const ScratchFolder folder;
+  const BakeReport report = baked(bare_scene(), small_bake(), folder.path("a"));
+  EXPECT_EQ(report.looks, 4U);
+  EXPECT_EQ(report.already, 0U);
+  EXPECT_LT(report.relative_standard_error, 0.01);
+  const auto store = atlas::Store::open(folder.path("a"));
+  for (const atlas::Unit& unit : store.units()) {
+    const double elevation_rad = store.description().aspects.look(unit.look).aspect.elevation_rad;
+    const auto levels = store.read(unit.patch, unit.look);
+    ASSERT_FALSE(levels.empty());
+    double mean = 0.0;
+    std::size_t off = 0;
+    for (const radar::Channels& texel : levels.front().values()) {
+      const double sigma0 = static_cast<double>(texel.vv);
+      if (std::abs(db_from_linear(sigma0 / (gamma * std::sin(elevation_rad)))) > 0.05) ++off;
+      mean += sigma0 / static_cast<double>(levels.front().size());
+      EXPECT_NEAR(static_cast<double>(texel.hv) / sigma0, 0.1, 1e-3);
+    }
+    EXPECT_NEAR(db_from_linear(mean / (gamma * std::sin(elevation_rad))), 0.0, 0.01);
+    // Each texel has its four samples, but for the few on an edge that rounding puts on its other side.
+    EXPECT_LT(off, levels.front().size() / 1000);
+  }
+}
+
+// The terrain is not there in a bake: objects stand on the level plane and lie over from there.
+TEST(Bake, AWallIsBrightInItsLayoverAndDarkInItsShadow) {
+  const ScratchFolder folder;
+  BakeSettings settings = small_bake({40.0});
+  settings.aspects.azimuths_rad = {0.0};
+  settings.samples_per_texel = 16;
+  baked(scene_with_box(), settings, folder.path("a"));
+  const auto store = atlas::Store::open(folder.path("a"));
+  const auto texels = store.read({0, 0}, 0).front();
+  const radar::GroundGrid grid = settings.patches.texels_of({0, 0});
+  const auto sigma0_at = [&](Vec2d p) {
+    const Vec2d cell = grid.cells_from(p);
+    return static_cast<double>(texels(static_cast<std::size_t>(cell.x), static_cast<std::size_t>(cell.y)).vv);
+  };
+  const double open_ground = gamma * std::sin(radians_from_deg(40.0));
+  // Seen from the north: layover from y = 60 to 60 + 20 tan ψ, shadow from y = 40 down to 60 − 20 − 20 / tan ψ.
+  EXPECT_GT(sigma0_at({50, 68}), 3.0 * open_ground);
+  EXPECT_LT(sigma0_at({50, 30}), 0.1 * open_ground);
+  EXPECT_LT(sigma0_at({50, 20}), 0.1 * open_ground);
+  EXPECT_NEAR(sigma0_at({50, 13}) / open_ground, 1.0, 0.1);
+  EXPECT_NEAR(sigma0_at({20, 50}) / open_ground, 1.0, 0.1);
+}
+
+TEST(Bake, ResumesWithTheSameBytes) {
+  const ScratchFolder folder;
+  const scene::Scene scene = scene_with_box();
+  baked(scene, small_bake(), folder.path("a"));
+  const auto whole = files_of(folder.path("a"));
+
+  const auto store = atlas::Store::open(folder.path("a"));
+  const auto unit = store.units()[2];
+  std::filesystem::remove(folder.path("a") / store.texture_path(unit.patch, unit.look));
+  const BakeReport again = baked(scene, small_bake(), folder.path("a"));
+  EXPECT_EQ(again.already, 3U);
+  EXPECT_GT(again.counts.paths, 0U);
+  EXPECT_EQ(files_of(folder.path("a")), whole);
+
+  const BakeReport nothing_left = baked(scene, small_bake(), folder.path("a"));
+  EXPECT_EQ(nothing_left.already, 4U);
+  EXPECT_EQ(nothing_left.counts.paths, 0U);
+}
+
+TEST(Bake, ThreadsDoNotMatter) {
+  const ScratchFolder folder;
+  BakeSettings settings = small_bake();
+  settings.threads = 1;
+  baked(scene_with_box(), settings, folder.path("one"));
+  settings.threads = 3;
+  baked(scene_with_box(), settings, folder.path("three"));
+  const auto one = files_of(folder.path("one"));
+  EXPECT_EQ(one.size(), 9U);
+  EXPECT_EQ(one, files_of(folder.path("three")));
+  settings.seed = 2;
+  baked(scene_with_box(), settings, folder.path("other"));
+  EXPECT_NE(one, files_of(folder.path("other")));
+}
+
+TEST(Bake, OtherSettingsAreRefusedNamingTheDifference) {
+  const ScratchFolder folder;
+  const scene::Scene scene = bare_scene(20.0);
+  baked(scene, small_bake({40.0}), folder.path("a"));
+  const auto message_for = [&](const scene::Scene& other, const BakeSettings& settings) {
+    return message_of_error([&] { baked(other, settings, folder.path("a")); });
+  };
+  BakeSettings settings = small_bake({40.0});
+  settings.seed = 2;
+  EXPECT_THAT(message_for(scene, settings), ::testing::HasSubstr("seed"));
+  settings = small_bake({40.0});
+  settings.samples_per_texel = 8;
+  EXPECT_THAT(message_for(scene, settings), ::testing::HasSubstr("samples_per_texel"));
+  EXPECT_THAT(message_for(scene, small_bake({41.0})), ::testing::HasSubstr("elevation"));
+  scene::Scene changed = scene;
+  changed.materials[0].model = scatter::LambertParameters{};
+  EXPECT_THAT(message_for(changed, small_bake({40.0})), ::testing::HasSubstr("scene_hash"));
+  BakeSettings more_threads = small_bake({40.0});
+  more_threads.threads = 3;
+  EXPECT_EQ(message_for(scene, more_threads), "");
+}
+
+TEST(Bake, SettingsOutOfRangeAreRefused) {
+  const ScratchFolder folder;
+  const auto message_for = [&](const BakeSettings& settings) {
+    return message_of_error([&] { baked(bare_scene(20.0), settings, folder.path("a")); });
+  };
+  EXPECT_THAT(message_for(small_bake({0.0, 13.0})), ::testing::HasSubstr("an elevation of 0.00°; use 0.5° to 89°"));
+  EXPECT_THAT(message_for(small_bake({13.0, 90.0})), ::testing::HasSubstr("an elevation of 90.00°; use 0.5° to 89°"));
+  BakeSettings settings = small_bake();
+  settings.samples_per_texel = 1;
+  EXPECT_THAT(message_for(settings), ::testing::HasSubstr("1 samples a texel"));
+  settings = small_bake();
+  settings.max_bounces = 0;
+  EXPECT_THAT(message_for(settings), ::testing::HasSubstr("0 bounces"));
+  EXPECT_FALSE(std::filesystem::exists(folder.path("a"))) << "a refused bake leaves a folder behind";
+}
+
+// Halves of an odd number of samples are not equal, which is no error of the mean.
+TEST(Bake, StandardErrorDoesNotComeFromOddNumbersOfSamples) {
+  const ScratchFolder folder;
+  BakeSettings settings = small_bake({40.0});
+  settings.samples_per_texel = 5;
+  EXPECT_LT(baked(bare_scene(), settings, folder.path("a")).relative_standard_error, 0.01);
+}
+
+/// Takes down what it hears.
+class Listener final : public ProgressListener {
+ public:
+  void advanced(std::string_view task, std::size_t done, std::size_t total, std::string_view unit) override {
+    EXPECT_EQ(task, "bake");
+    EXPECT_EQ(unit, "looks");
+    EXPECT_EQ(total, 4U);
+    EXPECT_EQ(done, ++calls);
+  }
+  std::size_t calls = 0;
+};
+
+TEST(Bake, TellsOfEachLook) {
+  const ScratchFolder folder;
+  Listener listener;
+  bake(bare_scene(20.0), small_bake(), folder.path("a"), listener);
+  EXPECT_EQ(listener.calls, 4U);
+}
+
+}  // namespace
+}  // namespace sigmascape::bake

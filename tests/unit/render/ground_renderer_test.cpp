@@ -1,0 +1,224 @@
+#include "sigmascape/render/ground_renderer.h"
+
+#include <cmath>
+#include <functional>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "scratch_folder.h"
+
+#include "sigmascape/base/hash.h"
+#include "sigmascape/base/units.h"
+#include "sigmascape/receiver/range_azimuth_receiver.h"
+
+namespace sigmascape::render {
+namespace {
+
+constexpr radar::Rectangle extent{-256, -256, 256, 256};
+constexpr double gamma = 0.03;
+
+using Texel = std::function<double(Vec2d point, const radar::Aspect& aspect)>;
+
+double constant_gamma(Vec2d, const radar::Aspect& aspect) {
+  return gamma * std::sin(aspect.elevation_rad);
+}
+
+/// An atlas of 2 m texels about the origin, without anything baked.
+atlas::Atlas atlas_of(const ScratchFolder& folder, const std::vector<double>& elevations_deg, const Texel& texel) {
+  atlas::AtlasDescription description;
+  description.name = "made up";
+  description.extent = extent;
+  description.patches = {2.0, 256};
+  description.aspects.azimuths_rad = {0.0, pi / 2.0, pi, 1.5 * pi};
+  for (const double degrees : elevations_deg) description.aspects.elevations_rad.push_back(radians_from_deg(degrees));
+  description.aspects.frequencies_hz = {10e9};
+  description.scene_hash = "none";
+  const auto store = atlas::Store::create(folder.path("atlas"), description);
+  for (const atlas::Unit& unit : store.units()) {
+    const radar::GroundGrid grid = description.patches.texels_of(unit.patch);
+    const radar::Look look = description.aspects.look(unit.look);
+    Array2D<radar::Channels> texels(grid.columns, grid.rows);
+    for (std::size_t row = 0; row < grid.rows; ++row) {
+      for (std::size_t column = 0; column < grid.columns; ++column) {
+        const auto sigma0 = static_cast<float>(texel(grid.centre_of(column, row), look.aspect));
+        texels(column, row) = {sigma0, 0.5F * sigma0, 0.1F * sigma0, 0.2F * sigma0};
+      }
+    }
+    store.write(unit.patch, unit.look, texels, {});
+  }
+  return atlas::load_atlas(store);
+}
+
+terrain::HeightField level_terrain(std::size_t nodes = 2) {
+  return {extent.west_m, extent.north_m, 512.0 / static_cast<double>(nodes - 1), Array2D<float>(nodes, nodes, 0.0F)};
+}
+
+radar::Radar radar_seeing(double azimuth_deg, double elevation_deg, double range_m = 20e3) {
+  radar::Radar radar;
+  radar.position = radar::position_seeing({}, radians_from_deg(azimuth_deg), radians_from_deg(elevation_deg), range_m);
+  radar.range_resolution_m = 4.0;
+  radar.beam_width_rad = 4.0 * std::sqrt(2.0) / range_m;
+  return radar;
+}
+
+struct Rendered {
+  radar::RangeAzimuthImage image;
+  RenderCounts counts;
+
+  /// σ0 of a bin over level ground.
+  [[nodiscard]] double sigma0(std::size_t azimuth, std::size_t range) const {
+    const auto& grid = image.grid;
+    const double range_m = grid.first_range_m + (static_cast<double>(range) + 0.5) * grid.range_step_m;
+    return static_cast<double>(image.rcs_m2(azimuth, range).vv) / (range_m * grid.range_step_m * grid.azimuth_step_rad);
+  }
+  [[nodiscard]] double total() const {
+    double sum = 0.0;
+    for (const auto& bin : image.rcs_m2.values()) sum += static_cast<double>(bin.vv);
+    return sum;
+  }
+};
+
+Rendered rendered(const atlas::Atlas& atlas, const terrain::HeightField& terrain, const radar::Radar& radar,
+                  const RenderSettings& settings = {}, const radar::Rectangle& area = {-150, -150, 150, 150}) {
+  Rendered result;
+  const std::vector<Vec3d> corners{{area.west_m, area.south_m, 0},
+                                   {area.east_m, area.south_m, 0},
+                                   {area.west_m, area.north_m, 0},
+                                   {area.east_m, area.north_m, 0}};
+  result.image = GroundRenderer(atlas, terrain)
+                     .render(radar, area, receiver::grid_covering(radar, corners), settings, result.counts);
+  return result;
+}
+
+/// Largest deviation in decibels over the middle of the image.
+double worst_error_db(const Rendered& map, double expected) {
+  double worst = 0.0;
+  const std::size_t azimuths = map.image.grid.azimuths, ranges = map.image.grid.ranges;
+  for (std::size_t r = ranges * 2 / 5; r < ranges * 3 / 5; ++r) {
+    for (std::size_t a = azimuths * 2 / 5; a < azimuths * 3 / 5; ++a) {
+      worst = std::max(worst, std::abs(db_from_linear(map.sigma0(a, r) / expected)));
+    }
+  }
+  return worst;
+}
+
+TEST(GroundRenderer, ConstantGammaIsGammaTimesSine) {
+  const ScratchFolder folder;
+  const atlas::Atlas atlas = atlas_of(folder, {10.0, 11.0, 20.0, 22.0, 40.0, 43.0}, constant_gamma);
+  for (const double elevation_deg : {6.0, 10.0, 10.5, 20.0, 21.0, 22.0, 41.5}) {
+    for (const double azimuth_deg : {0.0, 37.0, 180.0, 300.0}) {
+      for (const int level : {1, 2, 4}) {
+        const Rendered map =
+            rendered(atlas, level_terrain(), radar_seeing(azimuth_deg, elevation_deg), {.level_of_detail = level});
+        // 60 m nearer or farther than 20 km the sine of the grazing angle is 0.3 % larger or smaller.
+        const double spread_db = db_from_linear(1.003);
+        EXPECT_LT(worst_error_db(map, gamma * std::sin(radians_from_deg(elevation_deg))), 0.05 + spread_db)
+            << azimuth_deg << "°, " << elevation_deg << "°, level " << level;
+      }
+    }
+  }
+}
+
+TEST(GroundRenderer, EveryLevelKeepsThePower) {
+  const ScratchFolder folder;
+  const atlas::Atlas atlas = atlas_of(folder, {20.0}, [](Vec2d p, const radar::Aspect&) {
+    const auto key =
+        hashed(static_cast<std::int64_t>(std::floor(p.x / 2.0)), static_cast<std::int64_t>(std::floor(p.y / 2.0)));
+    return key % 7 == 0 ? 1.0 : 0.01;
+  });
+  const double finest = rendered(atlas, level_terrain(), radar_seeing(130.0, 20.0)).total();
+  for (const int level : {2, 3, 4}) {
+    EXPECT_NEAR(
+        rendered(atlas, level_terrain(), radar_seeing(130.0, 20.0), {.level_of_detail = level}).total() / finest, 1.0,
+        0.02)
+        << level;
+  }
+}
+
+TEST(GroundRenderer, ThreadsDoNotMatter) {
+  const ScratchFolder folder;
+  const atlas::Atlas atlas = atlas_of(folder, {20.0}, constant_gamma);
+  const Rendered one = rendered(atlas, level_terrain(), radar_seeing(50.0, 20.0), {.threads = 1});
+  const Rendered three = rendered(atlas, level_terrain(), radar_seeing(50.0, 20.0), {.threads = 3});
+  EXPECT_TRUE(std::ranges::equal(one.image.rcs_m2.values(), three.image.rcs_m2.values()));
+  EXPECT_EQ(one.counts.visible, three.counts.visible);
+}
+
+/// Ground at `height_m` north of y = 0 up to 4 m on, level elsewhere: a dam, steep on both sides.
+terrain::HeightField dam(float height_m) {
+  terrain::HeightField terrain = level_terrain(513);  // nodes 1 m apart, row 0 at y = 256
+  for (std::size_t row = 252; row <= 256; ++row) {
+    for (std::size_t column = 0; column < 513; ++column) terrain.height_m(column, row) = height_m;
+  }
+  return terrain;
+}
+
+TEST(GroundRenderer, AHillHidesGroundBehindItAtTheRightLength) {
+  const ScratchFolder folder;
+  const atlas::Atlas atlas =
+      atlas_of(folder, {5.0, 13.0, 21.0, 29.0, 37.0}, [](Vec2d, const radar::Aspect&) { return 0.1; });
+  constexpr double height_m = 8.0;
+  for (const double elevation_deg : {5.0, 13.0, 29.0}) {
+    radar::Radar radar = radar_seeing(180.0, elevation_deg);
+    radar.range_resolution_m = 1.0;
+    const Rendered map = rendered(atlas, dam(height_m), radar);
+    const auto& grid = map.image.grid;
+    // The crest's northern edge, y = 4 m, throws the shadow.
+    const double crest_m = 4.0 - radar.position.y;
+    const double end_m = crest_m * radar.position.z / (radar.position.z - height_m);
+    EXPECT_NEAR((end_m - crest_m) * std::tan(radians_from_deg(elevation_deg)) / height_m, 1.0, 0.01);
+    const double first_dark_m = std::hypot(crest_m, radar.position.z - height_m),
+                 last_dark_m = std::hypot(end_m, radar.position.z);
+    std::size_t dark = 0;
+    double darkest = 1.0;
+    for (std::size_t r = 0; r < grid.ranges; ++r) {
+      const double range_m = grid.first_range_m + (static_cast<double>(r) + 0.5) * grid.range_step_m;
+      if (range_m < first_dark_m - 1.0 || range_m > last_dark_m + 10.0) continue;
+      const double sigma0 = map.sigma0(grid.azimuths / 2, r);
+      if (sigma0 < 0.05) ++dark;
+      darkest = std::min(darkest, sigma0);
+    }
+    EXPECT_NEAR(static_cast<double>(dark) * grid.range_step_m, last_dark_m - first_dark_m, 1.0) << elevation_deg << "°";
+    EXPECT_LT(darkest, 1e-4) << elevation_deg << "°";
+    EXPECT_LT(map.counts.visible, map.counts.ground_samples);
+  }
+}
+
+TEST(GroundRenderer, LevelGroundIsAllVisibleAndCountedOnce) {
+  const ScratchFolder folder;
+  const atlas::Atlas atlas = atlas_of(folder, {20.0}, [](Vec2d, const radar::Aspect&) { return 0.1; });
+  const Rendered map = rendered(atlas, level_terrain(), radar_seeing(130.0, 20.0));
+  EXPECT_EQ(map.counts.visible, map.counts.ground_samples);
+  // All of the area's cross-section arrives.
+  EXPECT_NEAR(map.total() / (0.1 * 300.0 * 300.0), 1.0, 0.005);
+}
+
+TEST(GroundRenderer, TiltedModelFollowsTheLocalSlope) {
+  const ScratchFolder folder;
+  const atlas::Atlas atlas = atlas_of(folder, {18.0, 20.0, 22.0, 28.0, 30.0, 32.0}, constant_gamma);
+  terrain::HeightField slope = level_terrain();  // rises northward by 10°, towards a radar in the south it tilts up
+  const auto rise = static_cast<float>(256.0 * std::tan(radians_from_deg(10.0)));
+  for (const std::size_t column : {0U, 1U}) {
+    slope.height_m(column, 0) = rise;
+    slope.height_m(column, 1) = -rise;
+  }
+  const auto total = [&](SlopeModel model) {
+    return rendered(atlas, slope, radar_seeing(180.0, 20.0), {.slope = model}).total();
+  };
+  // γ sin(ψ + α) over true area against γ sin ψ over map area.
+  const double expected =
+      std::sin(radians_from_deg(30.0)) / std::cos(radians_from_deg(10.0)) / std::sin(radians_from_deg(20.0));
+  EXPECT_NEAR(db_from_linear(total(SlopeModel::Tilted) / total(SlopeModel::Upright) / expected), 0.0, 0.1);
+}
+
+TEST(GroundRenderer, OtherFrequenciesAreRefused) {
+  const ScratchFolder folder;
+  const atlas::Atlas atlas = atlas_of(folder, {20.0}, constant_gamma);
+  radar::Radar radar = radar_seeing(0.0, 20.0);
+  radar.frequency_hz = 35e9;
+  EXPECT_THAT(message_of_error([&] { static_cast<void>(rendered(atlas, level_terrain(), radar)); }),
+              ::testing::HasSubstr("35 GHz is not in this atlas; it was baked at 10 GHz"));
+}
+
+}  // namespace
+}  // namespace sigmascape::render
