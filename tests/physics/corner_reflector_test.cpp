@@ -90,11 +90,10 @@ std::vector<Mirror> dihedral(double turn_rad) {
 TEST(CornerReflectors, DihedralTurnedAboutTheLineOfSight) {
   for (const double turn_deg : {0.0, 22.5, 45.0, 90.0}) {
     const double twice = 2.0 * radians_from_deg(turn_deg);
-    // Two reflections by a conductor turn the field by 180° about the edge, which is h when level: h is kept, v
-    // reversed. A clockwise turn as seen from the radar makes S_VH = S_HV = ± sin 2ψ; the sign is that of the sense of
-    // rotation.
+    // Two reflections by a conductor keep the field along the edge e and reverse it across: S = 2 e eᵀ − 1. Looking
+    // north h is west and v is down, so that the edge (cos ψ, 0, −sin ψ) has the components h = −cos ψ and v = sin ψ.
     const ScatteringMatrix measured = round_trip({0.0, 1.0, 0.0}, dihedral(radians_from_deg(turn_deg)));
-    const double cross = measured.vh.real() < 0.0 ? -std::sin(twice) : std::sin(twice);
+    const double cross = -std::sin(twice);
     expect_matrix(fmt::format("dihedral turned by {}°", turn_deg), {-std::cos(twice), cross, cross, std::cos(twice)},
                   measured);
   }

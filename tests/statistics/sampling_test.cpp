@@ -1,9 +1,9 @@
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <numbers>
-#include <optional>
+#include <string>
+#include <variant>
 
 #include "statistics/chi_square.h"
 #include "validation/validation_record.h"

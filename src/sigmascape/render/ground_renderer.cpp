@@ -13,21 +13,26 @@
 namespace sigmascape::render {
 namespace {
 
-/// Ground samples a bin along each axis: their linear sharing between bins then shows no beat between samples and bins.
-constexpr double samples_per_bin = 2.0;
+/// Ground samples a bin outwards, where samples step evenly over the ground and bins over slant range: with two, their
+/// linear sharing between bins shows no beat. Across, one sample stands on the centre of every bin.
+constexpr double samples_per_range_bin = 2.0;
+
+/// By what part the sine of the grazing angle may change before the looks are weighted anew.
+constexpr double aspect_step = 5e-4;
 
 /// One azimuth's worth of ground: which of it is seen, and what comes back.
 class AzimuthStrip {
  public:
-  AzimuthStrip(const atlas::Atlas& atlas, const terrain::HeightField& terrain, const radar::Radar& radar, const radar::Rectangle& area,
-               const RenderSettings& settings, double level)
+  AzimuthStrip(const atlas::Atlas& atlas, const terrain::HeightField& terrain, const radar::Radar& radar,
+               const radar::Rectangle& area, const RenderSettings& settings, double level)
       : atlas_(atlas), terrain_(terrain), radar_(radar), area_(area), settings_(settings), level_(level) {}
 
-  void sweep(double azimuth_rad, double azimuth_step_rad, double near_m, double far_m, double step_m, std::vector<radar::Echo>& echoes,
-             RenderCounts& counts) const {
+  void sweep(double azimuth_rad, double azimuth_step_rad, double near_m, double far_m, double step_m,
+             std::vector<radar::Echo>& echoes, RenderCounts& counts) const {
     const Vec2d direction = radar::horizontal_direction(azimuth_rad);
     const Vec2d origin{radar_.position.x, radar_.position.y};
     terrain::HorizonSweep horizon(radar_.position.z);
+    AspectCursor cursor{wrapped_azimuth(azimuth_rad + pi)};
     const auto steps = static_cast<std::size_t>((far_m - near_m) / step_m);
     for (std::size_t k = 0; k < steps; ++k) {
       const double distance_m = near_m + (static_cast<double>(k) + 0.5) * step_m;
@@ -39,12 +44,20 @@ class AzimuthStrip {
       ++counts.ground_samples;
       if (!visible) continue;
       ++counts.visible;
-      echoes.push_back(echo_from({point.x, point.y, height_m}, azimuth_rad, distance_m * azimuth_step_rad * step_m));
+      echoes.push_back(
+          echo_from({point.x, point.y, height_m}, azimuth_rad, distance_m * azimuth_step_rad * step_m, cursor));
     }
   }
 
  private:
-  [[nodiscard]] radar::Echo echo_from(Vec3d point, double azimuth_rad, double map_area_m2) const {
+  /// The looks that answer for the current stretch of the strip; looked up anew when the grazing angle has changed.
+  struct AspectCursor {
+    double azimuth_rad;
+    double sin_grazing = 2.0;  // none yet
+    atlas::AspectWeights weights = {};
+  };
+
+  [[nodiscard]] radar::Echo echo_from(Vec3d point, double azimuth_rad, double map_area_m2, AspectCursor& cursor) const {
     const Vec3d away = radar_.position - point;
     const double range_m = length(away);
     double sin_grazing = away.z / range_m;
@@ -54,8 +67,12 @@ class AzimuthStrip {
       sin_grazing = dot(normal, away) / range_m;
       area_m2 /= normal.z;
     }
-    const radar::Aspect aspect{wrapped_azimuth(azimuth_rad + pi), std::asin(std::clamp(sin_grazing, -1.0, 1.0))};
-    const radar::Channels sigma0 = atlas_.sigma0_at({point.x, point.y}, aspect, radar_.frequency_hz, level_);
+    if (std::abs(sin_grazing - cursor.sin_grazing) > aspect_step * std::abs(sin_grazing)) {
+      cursor.sin_grazing = sin_grazing;
+      cursor.weights =
+          atlas_.weights_for({cursor.azimuth_rad, std::asin(std::clamp(sin_grazing, -1.0, 1.0))}, radar_.frequency_hz);
+    }
+    const radar::Channels sigma0 = atlas_.sigma0_at({point.x, point.y}, cursor.weights, level_);
     return {.range_m = range_m, .cross = azimuth_rad, .rcs_m2 = sigma0 * static_cast<float>(area_m2), .bounces = 1};
   }
 
@@ -67,12 +84,15 @@ class AzimuthStrip {
   double level_;
 };
 
-/// Nearest and farthest horizontal distance from the radar to ground that matters: terrain nearer than the area may hide it.
+/// Nearest and farthest horizontal distance from the radar to ground that matters: terrain nearer than the area may
+/// hide it.
 std::pair<double, double> distances(const radar::Radar& radar, const radar::Rectangle& ground) {
   const Vec2d p{radar.position.x, radar.position.y};
   const Vec2d nearest{std::clamp(p.x, ground.west_m, ground.east_m), std::clamp(p.y, ground.south_m, ground.north_m)};
   double farthest = 0.0;
-  for (const Vec2d corner : {Vec2d{ground.west_m, ground.south_m}, {ground.east_m, ground.south_m}, {ground.west_m, ground.north_m},
+  for (const Vec2d corner : {Vec2d{ground.west_m, ground.south_m},
+                             {ground.east_m, ground.south_m},
+                             {ground.west_m, ground.north_m},
                              {ground.east_m, ground.north_m}}) {
     farthest = std::max(farthest, length(corner - p));
   }
@@ -86,8 +106,7 @@ radar::RangeAzimuthImage GroundRenderer::render(const radar::Radar& radar, const
                                                 RenderCounts& counts) const {
   atlas_->check_frequency(radar.frequency_hz);
   const auto [near_m, far_m] = distances(radar, terrain_->extent());
-  const double step_m = grid.range_step_m / samples_per_bin;
-  const double azimuth_step = grid.azimuth_step_rad / samples_per_bin;
+  const double step_m = grid.range_step_m / samples_per_range_bin;
   const double cell_m = std::min(radar.range_resolution_m, radar.beam_width_rad * near_m);
   // Two texels a resolution cell: what is finer the receiver would only average away.
   const double level = std::max(settings.level_of_detail - 1.0, atlas_->level_for(cell_m / 2.0));
@@ -97,13 +116,12 @@ radar::RangeAzimuthImage GroundRenderer::render(const radar::Radar& radar, const
   const unsigned workers = thread_count(settings.threads);
   std::vector<std::vector<radar::Echo>> echoes(workers);
   std::vector<RenderCounts> strip_counts(workers);
-  parallel_for(static_cast<std::size_t>(static_cast<double>(grid.azimuths) * samples_per_bin), workers,
-               [&](std::size_t index, unsigned worker) {
-                 echoes[worker].clear();
-                 const double azimuth = grid.first_azimuth_rad + (static_cast<double>(index) + 0.5) * azimuth_step;
-                 strip.sweep(azimuth, azimuth_step, near_m, far_m, step_m, echoes[worker], strip_counts[worker]);
-                 receiver.add(echoes[worker]);
-               });
+  parallel_for(grid.azimuths, workers, [&](std::size_t index, unsigned worker) {
+    echoes[worker].clear();
+    const double azimuth = grid.first_azimuth_rad + (static_cast<double>(index) + 0.5) * grid.azimuth_step_rad;
+    strip.sweep(azimuth, grid.azimuth_step_rad, near_m, far_m, step_m, echoes[worker], strip_counts[worker]);
+    receiver.add(echoes[worker]);
+  });
   for (const RenderCounts& part : strip_counts) {
     counts.ground_samples += part.ground_samples;
     counts.visible += part.visible;

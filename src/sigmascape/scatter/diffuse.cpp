@@ -7,30 +7,34 @@
 namespace sigmascape::scatter {
 
 DiffusePolarization::DiffusePolarization(const Depolarization& depolarization)
-    : cross_ratio_(static_cast<float>(depolarization.cross_ratio)),
-      correlation_(static_cast<float>(depolarization.vv_hh_correlation)),
-      cross_amplitude_(std::sqrt(cross_ratio_)),
-      phase_spread_(std::acos(std::clamp(correlation_, -1.0F, 1.0F))) {}
+    : cross_amplitude_(static_cast<float>(std::sqrt(depolarization.cross_ratio))),
+      correlation_(std::clamp(static_cast<float>(depolarization.vv_hh_correlation), -1.0F, 1.0F)),
+      quadrature_(std::sqrt(1.0F - correlation_ * correlation_)) {}
 
-radar::Channels DiffusePolarization::backscatter(float co_polarized_brdf) const {
-  return {co_polarized_brdf, co_polarized_brdf, cross_ratio_ * co_polarized_brdf, correlation_ * co_polarized_brdf};
+DiffuseAmplitudes DiffusePolarization::amplitudes(float co_polarized_brdf) const {
+  const float co = std::sqrt(co_polarized_brdf);
+  return {co, co, cross_amplitude_ * co};
 }
 
-FieldPair DiffusePolarization::scatter(const FieldPair& in, float co_polarized_brdf, Vec3f to_source, Vec3f to_sink,
-                                       PhaseDraw draw) const {
+radar::Channels DiffusePolarization::backscatter(const DiffuseAmplitudes& surface) const {
+  return {surface.vv * surface.vv, surface.hh * surface.hh, surface.hv * surface.hv,
+          correlation_ * surface.vv * surface.hh};
+}
+
+FieldPair DiffusePolarization::scatter(const FieldPair& in, const DiffuseAmplitudes& surface, Vec3f to_source,
+                                       Vec3f to_sink, PhaseDraw draw) const {
   const PolarizationBasis before(-to_source);
   const PolarizationBasis after(to_sink);
-  const Amplitude hh = unit_phasor(draw.a < 0.5F ? phase_spread_ : -phase_spread_);
-  const Amplitude x = unit_phasor(2.0F * std::numbers::pi_v<float> * draw.b) * cross_amplitude_;
-  const float amplitude = std::sqrt(co_polarized_brdf);
-  // h reverses with the direction of travel. Hence, in bases that follow the wave, the matrix that looks like diag(1, 1) to a radar
-  // is diag(1, −1), and the two cross terms have opposite signs.
+  const Amplitude hh = Amplitude{correlation_, draw.a < 0.5F ? quadrature_ : -quadrature_} * surface.hh;
+  const Amplitude hv = unit_phasor(2.0F * std::numbers::pi_v<float> * draw.b) * surface.hv;
+  // h reverses with the direction of travel. Hence, in bases that follow the wave, the matrix that looks like diag(1,
+  // 1) to a radar is diag(1, −1), and the two cross terms have opposite signs.
   const auto pass = [&](const Field& e) {
     const Amplitude v_in = e.along(before.v);
     const Amplitude h_in = e.along(before.h);
-    const Amplitude v_out = v_in + x * h_in;
-    const Amplitude h_out = (x * v_in + hh * h_in) * -1.0F;
-    return field_along(after.v, v_out * amplitude) + field_along(after.h, h_out * amplitude);
+    const Amplitude v_out = v_in * surface.vv + hv * h_in;
+    const Amplitude h_out = (hv * v_in + hh * h_in) * -1.0F;
+    return field_along(after.v, v_out) + field_along(after.h, h_out);
   };
   return {pass(in.from_v), pass(in.from_h)};
 }
@@ -43,6 +47,8 @@ DirectionSample cosine_direction(Vec3f normal, Vec2f u) {
   return {direction, z * std::numbers::inv_pi_v<float>};
 }
 
-float cosine_pdf(Vec3f direction, Vec3f normal) { return std::max(0.0F, dot(direction, normal)) * std::numbers::inv_pi_v<float>; }
+float cosine_pdf(Vec3f direction, Vec3f normal) {
+  return std::max(0.0F, dot(direction, normal)) * std::numbers::inv_pi_v<float>;
+}
 
 }  // namespace sigmascape::scatter

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <numbers>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -11,16 +12,17 @@ namespace sigmascape::scatter {
 
 /// How a diffuse surface spreads power over polarizations.
 struct Depolarization {
-  /// Cross-polarized power over co-polarized power, linear.
+  /// Cross-polarized power over co-polarized power (their geometric mean where VV and HH differ), linear. Models whose
+  /// tables hold cross-polarization do without it.
   double cross_ratio = 0.1;
-  /// Correlation ⟨S_VV S_HH*⟩ / ⟨|S_VV|²⟩ of the two co-polarized amplitudes, 0 to 1.
+  /// Correlation ⟨S_VV S_HH*⟩ / √(⟨|S_VV|²⟩ ⟨|S_HH|²⟩) of the two co-polarized amplitudes, 0 to 1.
   double vv_hh_correlation = 0.5;
 
   friend constexpr bool operator==(const Depolarization&, const Depolarization&) = default;
 };
 
-/// Reflects the same radiance into all directions: b = ρ/π, hence σ0 = 4 ρ sin²ψ (see lambert.h). `albedo` is the part of the power
-/// that leaves again, over all polarizations.
+/// Reflects the same radiance into all directions: b = ρ/π, hence σ0 = 4 ρ sin²ψ (see lambert.h). `albedo` is the part
+/// of the power that leaves again, over all polarizations.
 struct LambertParameters {
   double albedo = 0.5;
   Depolarization depolarization;
@@ -28,12 +30,61 @@ struct LambertParameters {
   friend constexpr bool operator==(const LambertParameters&, const LambertParameters&) = default;
 };
 
+enum class GammaFrequencyLaw {
+  AsStated,            ///< γ is that of the frequency of use
+  SquareRootFrom10Ghz  ///< γ is that of 10 GHz and goes with √f, 5 dB a decade. Not verified.
+};
+
 /// σ0 = γ sin ψ for co-polarization (see constant_gamma.h).
 struct ConstantGammaParameters {
-  double gamma = 0.01;  ///< linear, at the frequency of use
+  double gamma = 0.01;  ///< linear
   Depolarization depolarization;
+  GammaFrequencyLaw frequency_law = GammaFrequencyLaw::AsStated;
 
   friend constexpr bool operator==(const ConstantGammaParameters&, const ConstantGammaParameters&) = default;
+};
+
+enum class TerrainClass { Soil, Grass, Shrubs, ShortVegetation, DrySnow, WetSnow, Trees };
+
+/// Measured mean σ0 of natural ground over incidence, band and polarization (see ulaby_dobson.h).
+struct UlabyDobsonParameters {
+  TerrainClass terrain = TerrainClass::Grass;
+  /// Falls back on rows whose coefficients were never checked against the book, where there is no verified one.
+  bool unverified_rows = false;
+  /// Its cross ratio serves only where the table has no row for cross-polarization.
+  Depolarization depolarization;
+
+  friend constexpr bool operator==(const UlabyDobsonParameters&, const UlabyDobsonParameters&) = default;
+};
+
+enum class BillingsleyTerrain { GeneralRural, Forest, Desert };
+
+/// Mean strength of land clutter at low angles (see billingsley.h).
+struct BillingsleyParameters {
+  BillingsleyTerrain terrain = BillingsleyTerrain::GeneralRural;
+  Depolarization depolarization;
+
+  friend constexpr bool operator==(const BillingsleyParameters&, const BillingsleyParameters&) = default;
+};
+
+/// Mean σ0 of the sea by the Naval Research Laboratory's fit (see nrl_sea.h).
+struct NrlSeaParameters {
+  double sea_state = 3.0;  ///< Douglas, 0 to 6
+  Depolarization depolarization{0.01, 0.5};
+
+  friend constexpr bool operator==(const NrlSeaParameters&, const NrlSeaParameters&) = default;
+};
+
+/// Mean σ0 of the sea at low grazing angles by the Georgia Tech model (see git_sea.h).
+struct GitSeaParameters {
+  double sea_state = 3.0;  ///< Douglas, 1 to 6
+  /// Angle between where the wind comes from and the radar: 0 looks upwind, π/2 across.
+  double wind_angle_rad = std::numbers::pi / 2.0;
+  /// At 0, the wind of a fully risen sea.
+  double wind_speed_mps = 0.0;
+  Depolarization depolarization{0.01, 0.5};
+
+  friend constexpr bool operator==(const GitSeaParameters&, const GitSeaParameters&) = default;
 };
 
 enum class MicrofacetDistribution { Beckmann, Ggx };
@@ -41,7 +92,8 @@ enum class MicrofacetDistribution { Beckmann, Ggx };
 /// A surface of tilted mirrors (see cook_torrance.h).
 struct CookTorranceParameters {
   Permittivity permittivity;
-  /// Microfacet width: tan of the tilt at which Beckmann's density of slopes falls to 1/e; √2 times the rms slope along one axis.
+  /// Microfacet width: tan of the tilt at which Beckmann's density of slopes falls to 1/e; √2 times the rms slope along
+  /// one axis.
   double alpha = 0.1;
   MicrofacetDistribution distribution = MicrofacetDistribution::Beckmann;
 
@@ -50,8 +102,11 @@ struct CookTorranceParameters {
 
 /// What a surface is made of, as a name and one scattering model with its constants.
 struct Material {
+  using Model = std::variant<LambertParameters, ConstantGammaParameters, CookTorranceParameters, UlabyDobsonParameters,
+                             BillingsleyParameters, NrlSeaParameters, GitSeaParameters>;
+
   std::string name;
-  std::variant<LambertParameters, ConstantGammaParameters, CookTorranceParameters> model;
+  Model model;
   std::string source;    ///< where the constants come from
   bool verified = true;  ///< false where no source for the constants has been seen; carried into metadata and reports
   double lowest_frequency_hz = 0.0;

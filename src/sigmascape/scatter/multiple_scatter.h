@@ -17,7 +17,7 @@ namespace sigmascape::scatter {
 /// the material. An ideal conductor then returns all that falls on it. docs/physics/cook_torrance.md, Eqs. (10)–(12).
 class MultipleScatter {
  public:
-  /// Tabulates E by deterministic quadrature; some tens of milliseconds.
+  /// Tabulates E by deterministic quadrature, which takes a tenth of a second or two.
   MultipleScatter(const Microfacets& facets, std::complex<float> permittivity);
 
   /// E(μ): the part of power arriving at angle acos μ that leaves after one reflection by facets that reflect

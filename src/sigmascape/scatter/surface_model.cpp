@@ -1,29 +1,59 @@
 #include "sigmascape/scatter/surface_model.h"
 
+#include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
+#include <numbers>
 
 #include "sigmascape/base/error.h"
+#include "sigmascape/scatter/billingsley.h"
+#include "sigmascape/scatter/git_sea.h"
+#include "sigmascape/scatter/nrl_sea.h"
+#include "sigmascape/scatter/ulaby_dobson.h"
 
 namespace sigmascape::scatter {
 namespace {
 
 struct ModelMaker {
   double frequency_hz;
-  using Model = std::variant<Lambert, ConstantGamma, CookTorrance>;
+  using Model = std::variant<Lambert, ConstantGamma, CookTorrance, ReciprocalBackscatter>;
   Model operator()(const LambertParameters& p) const { return Lambert(p); }
-  Model operator()(const ConstantGammaParameters& p) const { return ConstantGamma(p); }
+  Model operator()(const ConstantGammaParameters& p) const { return ConstantGamma(p, frequency_hz); }
   Model operator()(const CookTorranceParameters& p) const { return CookTorrance(p, frequency_hz); }
+  Model operator()(const UlabyDobsonParameters& p) const { return ulaby_dobson(p, frequency_hz); }
+  Model operator()(const BillingsleyParameters& p) const { return billingsley(p); }
+  Model operator()(const NrlSeaParameters& p) const { return nrl_sea(p, frequency_hz); }
+  Model operator()(const GitSeaParameters& p) const { return git_sea(p, frequency_hz); }
 };
+
+/// What a surface returns of the power that arrives nearest to grazing, where diffuse models return most.
+double greatest_albedo(const Material& material,
+                       const std::variant<Lambert, ConstantGamma, CookTorrance, ReciprocalBackscatter>& model,
+                       double frequency_hz) {
+  if (const auto* p = std::get_if<ConstantGammaParameters>(&material.model))
+    return gamma_at(*p, frequency_hz) * (1.0 + p->depolarization.cross_ratio);
+  const auto* table = std::get_if<ReciprocalBackscatter>(&model);
+  if (table == nullptr) return 0.0;
+  double greatest = 0.0;
+  for (int degree = 0; degree < 90; ++degree)
+    greatest = std::max(greatest, table->albedo(std::cos(degree * std::numbers::pi / 180.0)));
+  return greatest;
+}
 
 }  // namespace
 
 SurfaceModel::Model SurfaceModel::model_of(const Material& material, double frequency_hz) {
   if (frequency_hz < material.lowest_frequency_hz || frequency_hz > material.highest_frequency_hz) {
     throw Error("material " + material.name, fmt::format("its constants do not hold at {:.3f} GHz", frequency_hz / 1e9),
-                fmt::format("use a frequency between {:.3f} and {:.3f} GHz or another material", material.lowest_frequency_hz / 1e9,
-                            material.highest_frequency_hz / 1e9));
+                fmt::format("use a frequency between {:.3f} and {:.3f} GHz or another material",
+                            material.lowest_frequency_hz / 1e9, material.highest_frequency_hz / 1e9));
   }
-  return std::visit(ModelMaker{frequency_hz}, material.model);
+  Model model = std::visit(ModelMaker{frequency_hz}, material.model);
+  if (const double albedo = greatest_albedo(material, model, frequency_hz); albedo > 1.0) {
+    throw Error("material " + material.name, fmt::format("it would return {:.2f} times the power that arrives", albedo),
+                "lower its reflectivity or its cross-polarization, or build the bright parts as geometry");
+  }
+  return model;
 }
 
 SurfaceModel::SurfaceModel(const Material& material, double frequency_hz) : model_(model_of(material, frequency_hz)) {}

@@ -6,16 +6,19 @@
 #include "sigmascape/scatter/cook_torrance.h"
 #include "sigmascape/scatter/lambert.h"
 #include "sigmascape/scatter/material.h"
+#include "sigmascape/scatter/reciprocal_backscatter.h"
 
 namespace sigmascape::scatter {
 
-/// A material at one frequency, ready to scatter. All directions are unit vectors that point away from the surface, and the normal is
-/// the one on their side.
+/// A material at one frequency, ready to scatter. All directions are unit vectors that point away from the surface, and
+/// the normal is the one on their side.
 ///
 /// A new model is a class with the four members below, a parameter struct in material.h, and its place in the variant.
+/// One of which only backscatter is known is a function that makes a ReciprocalBackscatter.
 class SurfaceModel {
  public:
-  /// Throws Error when the material is not known at that frequency.
+  /// Throws Error when the material is not known at that frequency, or when its constants would return more power than
+  /// arrives.
   SurfaceModel(const Material& material, double frequency_hz);
 
   /// BRDF towards where the wave came from, by polarization, 1/sr: exact second moments, nothing drawn.
@@ -30,14 +33,15 @@ class SurfaceModel {
   [[nodiscard]] float pdf(Vec3f to_source, Vec3f to_sink, Vec3f normal) const {
     return std::visit([&](const auto& m) { return m.pdf(to_source, to_sink, normal); }, model_);
   }
-  /// The fields that leave towards `to_sink`: their powers are the incoming ones times the BRDF, in expectation over `draw`. For the
-  /// way back (directions exchanged) the matrix is the transpose.
-  [[nodiscard]] FieldPair scatter(const FieldPair& in, Vec3f to_source, Vec3f to_sink, Vec3f normal, PhaseDraw draw) const {
+  /// The fields that leave towards `to_sink`: their powers are the incoming ones times the BRDF, in expectation over
+  /// `draw`. For the way back (directions exchanged) the matrix is the transpose.
+  [[nodiscard]] FieldPair scatter(const FieldPair& in, Vec3f to_source, Vec3f to_sink, Vec3f normal,
+                                  PhaseDraw draw) const {
     return std::visit([&](const auto& m) { return m.scatter(in, to_source, to_sink, normal, draw); }, model_);
   }
 
  private:
-  using Model = std::variant<Lambert, ConstantGamma, CookTorrance>;
+  using Model = std::variant<Lambert, ConstantGamma, CookTorrance, ReciprocalBackscatter>;
   static Model model_of(const Material& material, double frequency_hz);
   Model model_;
 };

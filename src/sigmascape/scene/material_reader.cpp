@@ -24,6 +24,18 @@ void read_depolarization(const TomlSection& section, scatter::Depolarization& de
       section.number_or("vv_hh_correlation", {0.0, 1.0, ""}, depolarization.vv_hh_correlation);
 }
 
+/// A stated relative permittivity or conductivity holds at all frequencies; of a power law the other part stays.
+void read_permittivity(const TomlSection& section, scatter::Permittivity& permittivity) {
+  const auto relative = section.optional_number("permittivity", {1.0, 1e6, ""});
+  const auto conductivity = section.optional_number("conductivity_s_per_m", {0.0, 1e9, "S/m"});
+  if (!relative && !conductivity) return;
+  const auto* stated = std::get_if<scatter::PowerLawPermittivity>(&permittivity.law());
+  scatter::PowerLawPermittivity law = stated != nullptr ? *stated : scatter::PowerLawPermittivity{};
+  if (relative) law.a = *relative, law.b = 0.0;
+  if (conductivity) law.c = *conductivity, law.d = 0.0;
+  permittivity = {law.a, law.b, law.c, law.d};
+}
+
 /// Overwrites those constants of a model that the section states.
 struct ConstantsReader {
   const TomlSection& section;
@@ -37,15 +49,21 @@ struct ConstantsReader {
       diffuse.gamma = linear_from_db(*gamma_db);
     read_depolarization(section, diffuse.depolarization);
   }
+  void operator()(scatter::UlabyDobsonParameters& land) const { read_depolarization(section, land.depolarization); }
+  void operator()(scatter::BillingsleyParameters& land) const { read_depolarization(section, land.depolarization); }
+  void operator()(scatter::NrlSeaParameters& sea) const {
+    sea.sea_state = section.number_or("sea_state", {0.0, 6.0, ""}, sea.sea_state);
+    read_depolarization(section, sea.depolarization);
+  }
+  void operator()(scatter::GitSeaParameters& sea) const {
+    sea.sea_state = section.number_or("sea_state", {1.0, 6.0, ""}, sea.sea_state);
+    sea.wind_angle_rad =
+        radians_from_deg(section.number_or("wind_angle_deg", {0.0, 180.0, "deg"}, deg_from_radians(sea.wind_angle_rad)));
+    sea.wind_speed_mps = section.number_or("wind_speed_mps", {0.0, 40.0, "m/s"}, sea.wind_speed_mps);
+    read_depolarization(section, sea.depolarization);
+  }
   void operator()(scatter::CookTorranceParameters& mirrors) const {
-    if (const auto real = section.optional_number("permittivity", {1.0, 1e6, ""})) {
-      mirrors.permittivity.a = *real;
-      mirrors.permittivity.b = 0.0;
-    }
-    if (const auto conductivity = section.optional_number("conductivity_s_per_m", {0.0, 1e9, "S/m"})) {
-      mirrors.permittivity.c = *conductivity;
-      mirrors.permittivity.d = 0.0;
-    }
+    read_permittivity(section, mirrors.permittivity);
     mirrors.alpha = section.number_or("alpha", {0.001, 2.0, ""}, mirrors.alpha);
     const bool was_ggx = mirrors.distribution == scatter::MicrofacetDistribution::Ggx;
     const std::string distribution =

@@ -9,8 +9,28 @@
 namespace sigmascape::scene {
 namespace {
 
+/// Feeds the constants of each law of permittivity.
+struct LawHasher {
+  Sha256& sha;
+  void operator()(const scatter::PowerLawPermittivity& p) const {
+    for (const double value : {p.a, p.b, p.c, p.d}) sha.add_value(value);
+  }
+  void operator()(const scatter::WaterPermittivity& p) const {
+    for (const double value : {p.temperature_c, p.salinity_g_per_kg}) sha.add_value(value);
+  }
+  void operator()(const scatter::SoilPermittivity& p) const {
+    for (const double value :
+         {p.sand_percent, p.clay_percent, p.volumetric_moisture, p.temperature_c, p.specific_gravity})
+      sha.add_value(value);
+  }
+  void operator()(const scatter::VegetationPermittivity& p) const {
+    for (const double value : {p.gravimetric_moisture, p.salinity_g_per_kg}) sha.add_value(value);
+  }
+};
+
 void add_permittivity(Sha256& sha, const scatter::Permittivity& p) {
-  for (const double value : {p.a, p.b, p.c, p.d}) sha.add_value(value);
+  sha.add_value(p.law().index());
+  std::visit(LawHasher{sha}, p.law());
 }
 
 void add_depolarization(Sha256& sha, const scatter::Depolarization& d) {
@@ -27,6 +47,24 @@ struct ModelHasher {
   }
   void operator()(const scatter::ConstantGammaParameters& m) const {
     sha.add_value(m.gamma);
+    add_depolarization(sha, m.depolarization);
+    sha.add_value(static_cast<int>(m.frequency_law));
+  }
+  void operator()(const scatter::UlabyDobsonParameters& m) const {
+    sha.add_value(static_cast<int>(m.terrain));
+    sha.add_value(static_cast<int>(m.unverified_rows));
+    add_depolarization(sha, m.depolarization);
+  }
+  void operator()(const scatter::BillingsleyParameters& m) const {
+    sha.add_value(static_cast<int>(m.terrain));
+    add_depolarization(sha, m.depolarization);
+  }
+  void operator()(const scatter::NrlSeaParameters& m) const {
+    sha.add_value(m.sea_state);
+    add_depolarization(sha, m.depolarization);
+  }
+  void operator()(const scatter::GitSeaParameters& m) const {
+    for (const double value : {m.sea_state, m.wind_angle_rad, m.wind_speed_mps}) sha.add_value(value);
     add_depolarization(sha, m.depolarization);
   }
   void operator()(const scatter::CookTorranceParameters& m) const {

@@ -9,6 +9,7 @@
 #include "sigmascape/scene/land_cover_reader.h"
 #include "sigmascape/scene/material_reader.h"
 #include "sigmascape/scene/mesh_reader.h"
+#include "sigmascape/scene/paper_scene.h"
 #include "sigmascape/scene/point_target_reader.h"
 #include "sigmascape/scene/road_reader.h"
 #include "sigmascape/scene/scene_extent.h"
@@ -110,6 +111,19 @@ SceneDescription read_description(const std::filesystem::path& toml) {
   return described;
 }
 
+/// A scene that is made up, not read: [paper] stands for the paper's example landscape and leaves no room for data.
+std::optional<PaperSceneOptions> read_paper_options(const TomlSection& root) {
+  const auto section = root.section("paper");
+  if (!section) return std::nullopt;
+  PaperSceneOptions options;
+  options.scale = section->number_or("scale", {0.1, 2.0, ""}, options.scale);
+  options.seed = static_cast<std::uint64_t>(section->whole_number_or("seed", {0, 1e15, ""}, 1));
+  options.materials = section->choice_or("materials", {"paper", "itu"}, "paper") == "itu" ? PaperMaterials::Itu : PaperMaterials::Paper;
+  section->refuse_unknown_keys();
+  root.refuse_unknown_keys();
+  return options;
+}
+
 void add_terrain(Scene& scene, const SceneDescription& described) {
   const auto& [source, water, limit] = described.terrain;
   scene.frame = frame_of(described.place, source.raster);
@@ -125,6 +139,7 @@ void add_terrain(Scene& scene, const SceneDescription& described) {
 }  // namespace
 
 Scene read_scene(const std::filesystem::path& toml) {
+  if (const auto options = read_paper_options(TomlSection::read_file(toml))) return paper_scene(*options);
   const SceneDescription described = read_description(toml);
   Scene scene;
   scene.name = described.name;

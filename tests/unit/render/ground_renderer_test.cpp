@@ -14,7 +14,8 @@
 namespace sigmascape::render {
 namespace {
 
-constexpr radar::Rectangle extent{-256, -256, 256, 256};
+/// One patch of 2 m texels.
+constexpr radar::Rectangle extent{0, 0, 512, 512};
 constexpr double gamma = 0.03;
 
 using Texel = std::function<double(Vec2d point, const radar::Aspect& aspect)>;
@@ -23,7 +24,7 @@ double constant_gamma(Vec2d, const radar::Aspect& aspect) {
   return gamma * std::sin(aspect.elevation_rad);
 }
 
-/// An atlas of 2 m texels about the origin, without anything baked.
+/// An atlas of the extent, without anything baked.
 atlas::Atlas atlas_of(const ScratchFolder& folder, const std::vector<double>& elevations_deg, const Texel& texel) {
   atlas::AtlasDescription description;
   description.name = "made up";
@@ -55,7 +56,8 @@ terrain::HeightField level_terrain(std::size_t nodes = 2) {
 
 radar::Radar radar_seeing(double azimuth_deg, double elevation_deg, double range_m = 20e3) {
   radar::Radar radar;
-  radar.position = radar::position_seeing({}, radians_from_deg(azimuth_deg), radians_from_deg(elevation_deg), range_m);
+  radar.position =
+      radar::position_seeing({256, 256, 0}, radians_from_deg(azimuth_deg), radians_from_deg(elevation_deg), range_m);
   radar.range_resolution_m = 4.0;
   radar.beam_width_rad = 4.0 * std::sqrt(2.0) / range_m;
   return radar;
@@ -79,7 +81,7 @@ struct Rendered {
 };
 
 Rendered rendered(const atlas::Atlas& atlas, const terrain::HeightField& terrain, const radar::Radar& radar,
-                  const RenderSettings& settings = {}, const radar::Rectangle& area = {-150, -150, 150, 150}) {
+                  const RenderSettings& settings = {}, const radar::Rectangle& area = {106, 106, 406, 406}) {
   Rendered result;
   const std::vector<Vec3d> corners{{area.west_m, area.south_m, 0},
                                    {area.east_m, area.south_m, 0},
@@ -119,6 +121,16 @@ TEST(GroundRenderer, ConstantGammaIsGammaTimesSine) {
   }
 }
 
+TEST(GroundRenderer, LooksUpTheAspectFromGroundToRadar) {
+  const ScratchFolder folder;
+  const atlas::Atlas atlas =
+      atlas_of(folder, {20.0}, [](Vec2d, const radar::Aspect& aspect) { return 0.1 + 0.1 * aspect.azimuth_rad; });
+  for (const double azimuth_deg : {90.0, 135.0, 270.0}) {
+    const Rendered map = rendered(atlas, level_terrain(), radar_seeing(azimuth_deg, 20.0));
+    EXPECT_NEAR(map.total() / 300.0 / 300.0, 0.1 + 0.1 * radians_from_deg(azimuth_deg), 0.01) << azimuth_deg << "°";
+  }
+}
+
 TEST(GroundRenderer, EveryLevelKeepsThePower) {
   const ScratchFolder folder;
   const atlas::Atlas atlas = atlas_of(folder, {20.0}, [](Vec2d p, const radar::Aspect&) {
@@ -144,9 +156,9 @@ TEST(GroundRenderer, ThreadsDoNotMatter) {
   EXPECT_EQ(one.counts.visible, three.counts.visible);
 }
 
-/// Ground at `height_m` north of y = 0 up to 4 m on, level elsewhere: a dam, steep on both sides.
+/// Ground at `height_m` from y = 256 m to 260 m, level elsewhere: a dam, steep on both sides.
 terrain::HeightField dam(float height_m) {
-  terrain::HeightField terrain = level_terrain(513);  // nodes 1 m apart, row 0 at y = 256
+  terrain::HeightField terrain = level_terrain(513);  // nodes 1 m apart, row 0 at y = 512
   for (std::size_t row = 252; row <= 256; ++row) {
     for (std::size_t column = 0; column < 513; ++column) terrain.height_m(column, row) = height_m;
   }
@@ -163,8 +175,8 @@ TEST(GroundRenderer, AHillHidesGroundBehindItAtTheRightLength) {
     radar.range_resolution_m = 1.0;
     const Rendered map = rendered(atlas, dam(height_m), radar);
     const auto& grid = map.image.grid;
-    // The crest's northern edge, y = 4 m, throws the shadow.
-    const double crest_m = 4.0 - radar.position.y;
+    // The crest's northern edge throws the shadow.
+    const double crest_m = 260.0 - radar.position.y;
     const double end_m = crest_m * radar.position.z / (radar.position.z - height_m);
     EXPECT_NEAR((end_m - crest_m) * std::tan(radians_from_deg(elevation_deg)) / height_m, 1.0, 0.01);
     const double first_dark_m = std::hypot(crest_m, radar.position.z - height_m),

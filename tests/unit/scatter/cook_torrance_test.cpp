@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <gtest/gtest.h>
+#include <numbers>
 
 #include "sigmascape/base/hash.h"
 #include "sigmascape/base/units.h"

@@ -1,7 +1,10 @@
 #include "sigmascape/scatter/microfacet.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <numbers>
+#include <string>
 
 #include "sigmascape/base/hash.h"
 #include "sigmascape/base/units.h"
@@ -118,6 +121,28 @@ std::string distribution_name(const testing::TestParamInfo<MicrofacetDistributio
 INSTANTIATE_TEST_SUITE_P(Microfacets, EveryDistribution,
                          testing::Values(MicrofacetDistribution::Beckmann, MicrofacetDistribution::Ggx),
                          distribution_name);
+
+// The slopes of visible Beckmann facets along the view have the distribution c (1 + erf x)/2 + exp(−x²)/(2√π) up to x =
+// c = cot θ/α, which sampling must invert to nearly single precision from above to grazing, into both tails.
+TEST(Microfacets, BeckmannSlopesInvertTheirDistribution) {
+  const auto distribution = [](double c, double x) {
+    return 0.5 * c * std::erfc(-x) + 0.5 * std::numbers::inv_sqrtpi * std::exp(-x * x);
+  };
+  for (const double alpha : {0.05, 0.3, 1.0}) {
+    const Microfacets facets(MicrofacetDistribution::Beckmann, static_cast<float>(alpha));
+    for (const double incidence_deg : {1.0, 30.0, 60.0, 85.0, 89.0, 89.9}) {
+      const Vec3f w = direction(incidence_deg);
+      const double c = w.z / (alpha * w.x);
+      const double last = std::min(c, 6.0);
+      for (const float u : {1e-4F, 0.001F, 0.02F, 0.1F, 0.3F, 0.5F, 0.7F, 0.9F, 0.98F, 0.999F}) {
+        const Vec3f m = facets.visible_normal(w, {u, 0.5F});
+        const double slope = -m.x / (m.z * alpha);
+        EXPECT_NEAR(distribution(c, slope) / distribution(c, last), u, 2e-6 + 2e-6 * u)
+            << "α " << alpha << " at " << incidence_deg << "°";
+      }
+    }
+  }
+}
 
 // GGX of α = 1 at 45° has Λ = (√2 − 1)/2 in closed form, from which Heitz's Eq. (101) follows for any azimuth between
 // two directions.

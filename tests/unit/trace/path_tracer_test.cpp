@@ -185,6 +185,29 @@ TEST(PathTracer, EchoesOfARadarInTheNorthStayInTheSouth) {
   EXPECT_GT(several, 100U);
 }
 
+// Two walls like an open book on black ground. Where only one of them is aimed at, each of its paths answers for its
+// reversal too.
+TEST(PathTracer, PathsCountTwiceWhereTheirReversalsAreNotLaunched) {
+  scene::Scene scene = plain_scene(0.0);
+  scene.prototypes.push_back(scene::wall_mesh(10, 10, scene.material_index(lambert("wall", 0.8))));
+  for (const float side : {-1.0F, 1.0F}) {
+    scene.instances.push_back({.x_m = 4.0F * side, .yaw_rad = side * static_cast<float>(radians_from_deg(45.0))});
+  }
+  const SceneGeometry geometry(scene, Footing::LevelPlane);
+  const auto double_bounce = [&](const radar::Rectangle& target) {
+    const PathTracer tracer(geometry, surface_models(scene, 10e9), from_south, {.max_bounces = 2}, 1);
+    const LaunchArea launch = launch_area(from_south, target, 0.5, 0.0, geometry.highest_m() + 1.0, 0.0);
+    double sum = 0.0;
+    tracer.trace(launch, {0, 32, 32}, 1, [&](std::span<const radar::Echo> echoes, unsigned) {
+      for (const radar::Echo& echo : echoes) sum += echo.bounces == 2 ? static_cast<double>(echo.rcs_m2.vv) : 0.0;
+    });
+    return sum;
+  };
+  const double both = double_bounce({-20, -20, 20, 20});
+  ASSERT_GT(both, 0.0);
+  EXPECT_NEAR(double_bounce({0, -20, 20, 20}) / both, 1.0, 0.02);
+}
+
 TEST(PathTracer, TerrainLiftedByAnyHeightScattersAlike) {
   scene::Scene low = plain_scene(0.4), high = plain_scene(0.4, 12.0F);
   const auto shifted_area = [](const scene::Scene& scene) { return echoes_of(scene, {.footing = Footing::Terrain}); };
