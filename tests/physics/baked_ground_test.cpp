@@ -31,8 +31,7 @@ TEST(BakedGround, BothWaysReturnGammaTimesSine) {
   const scene::Scene scene = level_scene(ground, 512.0);
   bake::BakeSettings settings;
   settings.aspects.azimuths_rad = {0.0, radians_from_deg(120.0), radians_from_deg(240.0)};
-  settings.aspects.elevations_rad = {radians_from_deg(12.0), radians_from_deg(13.0), radians_from_deg(28.0),
-                                     radians_from_deg(31.0)};
+  settings.aspects.elevations_rad = atlas::paper_aspect_grid().elevations_rad;
   settings.patches = {2.0, 256};
   settings.samples_per_texel = 4;
   const ScratchFolder folder;
@@ -42,7 +41,7 @@ TEST(BakedGround, BothWaysReturnGammaTimesSine) {
   const trace::SceneGeometry geometry(scene, trace::Footing::Terrain);
 
   for (const double azimuth_deg : {0.0, 77.0, 180.0}) {
-    for (const double elevation_deg : {8.0, 12.0, 12.5, 29.5}) {
+    for (const double elevation_deg : {3.0, 5.0, 7.2, 17.0, 33.0}) {
       radar::Radar radar;
       radar.position = radar::position_seeing({}, radians_from_deg(azimuth_deg), radians_from_deg(elevation_deg), 20e3);
       radar.range_resolution_m = 4.0;

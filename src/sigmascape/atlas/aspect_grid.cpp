@@ -83,9 +83,8 @@ void check(const AspectGrid& grid, std::string_view where) {
 
 AspectWeights weights_for(const AspectGrid& grid, const radar::Aspect& aspect, double frequency_hz) {
   AspectWeights weights;
-  const double lowest = grid.elevations_rad.front();
   if (!(aspect.elevation_rad > 0.0)) return weights;
-  const double grazing_loss = aspect.elevation_rad < lowest ? std::sin(aspect.elevation_rad) / std::sin(lowest) : 1.0;
+  const double sine = std::sin(std::min(aspect.elevation_rad, grid.elevations_rad.back()));
 
   const Between azimuth = between_azimuths(grid.azimuths_rad, aspect.azimuth_rad);
   const Between elevation = between(grid.elevations_rad, aspect.elevation_rad, cotangent);
@@ -95,8 +94,10 @@ AspectWeights weights_for(const AspectGrid& grid, const radar::Aspect& aspect, d
   for (int f = 0; f < 2; ++f) {
     for (int e = 0; e < 2; ++e) {
       for (int a = 0; a < 2; ++a) {
-        const double weight = part(frequency, f) * part(elevation, e) * part(azimuth, a) * grazing_loss;
-        if (weight == 0.0) continue;
+        const double fraction = part(frequency, f) * part(elevation, e) * part(azimuth, a);
+        if (fraction == 0.0) continue;
+        // What is blended is γ = σ0 / sin ψ.
+        const double weight = fraction * sine / std::sin(grid.elevations_rad[node(elevation, e)]);
         weights.look[weights.count] = grid.index_of(node(azimuth, a), node(elevation, e), node(frequency, f));
         weights.weight[weights.count] = static_cast<float>(weight);
         ++weights.count;

@@ -45,10 +45,11 @@ struct AspectWeights {
 
 /// Multilinear weights, to be applied to linear power.
 ///
-/// Azimuth is linear and periodic, frequency linear in its logarithm and held beyond the ends. Elevation ψ is linear in
-/// cot ψ, in which the lengths of shadows are linear; above the highest baked elevation the value is held; below the
-/// lowest one, ψ₁, it is scaled by sin ψ / sin ψ₁, since the power that reaches a unit of ground goes with sin ψ, down
-/// to nothing at the horizon and below. A baked look has the one weight 1.
+/// Azimuth is linear and periodic, frequency linear in its logarithm and held beyond the ends. Over elevation ψ it is
+/// γ = σ0 / sin ψ, power over the area that the wave meets, that is blended, linearly in cot ψ, in which the lengths of
+/// shadows are linear: natural ground, whose γ hardly changes, so comes out right between nodes however far apart. γ
+/// is held below the lowest baked elevation, so that σ0 goes to nothing at the horizon; σ0 is held above the highest.
+/// A baked look has the one weight 1. docs/decisions/0005-blend-gamma.md.
 [[nodiscard]] AspectWeights weights_for(const AspectGrid& grid, const radar::Aspect& aspect, double frequency_hz);
 
 }  // namespace sigmascape::atlas

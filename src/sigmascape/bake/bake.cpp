@@ -80,7 +80,7 @@ class Baker {
     const auto viewpoint = trace::Viewpoint::distant(look.aspect);
     const trace::PathTracer tracer(geometry_, trace::surface_models(scene_, look.frequency_hz), viewpoint,
                                    {.max_bounces = settings_.max_bounces}, settings_.seed);
-    // The scene ends where its extent does; texels beyond stay black.
+    // The scene ends where its extent does; beyond a rim about it texels stay black.
     const auto area = trace::launch_area(viewpoint, intersection(texels.extent(), scene_.extent), settings_.patches.texel_m, 0.0,
                                          geometry_.highest_m() + 1.0, multibounce_margin_m);
 

@@ -16,7 +16,8 @@ struct Placer {
 
   Vec3d operator()(const radar::SeenFrom& seen) const {
     const Vec2d target = seen.target.value_or(extent.centre());
-    return radar::position_seeing({target.x, target.y, terrain.height_at(target)}, seen.azimuth_rad, seen.elevation_rad, seen.slant_range_m);
+    return radar::position_seeing({target.x, target.y, terrain.height_at(target)}, seen.azimuth_rad, seen.elevation_rad,
+                                  seen.slant_range_m);
   }
   Vec3d operator()(const radar::LocalPlace& place) const { return place.position; }
   Vec3d operator()(const radar::GeographicPlace& place) const {
@@ -27,8 +28,8 @@ struct Placer {
 
 }  // namespace
 
-radar::Radar placed_radar(const radar::RadarFile& file, const geo::LocalFrame& frame, const terrain::HeightField& terrain,
-                          const radar::Rectangle& extent) {
+radar::Radar placed_radar(const radar::RadarFile& file, const geo::LocalFrame& frame,
+                          const terrain::HeightField& terrain, const radar::Rectangle& extent) {
   radar::Radar radar = file.radar;
   radar.position = std::visit(Placer{frame, terrain, extent}, file.place);
   return radar;
@@ -38,9 +39,11 @@ radar::GroundGrid map_grid(const radar::MapRequest& request, const radar::Rectan
   const radar::Rectangle asked = request.area.value_or(extent);
   const double west = std::max(asked.west_m, extent.west_m), east = std::min(asked.east_m, extent.east_m);
   const double south = std::max(asked.south_m, extent.south_m), north = std::min(asked.north_m, extent.north_m);
-  const double columns = std::floor((east - west) / request.cell_m + 1e-9), rows = std::floor((north - south) / request.cell_m + 1e-9);
+  const double columns = std::floor((east - west) / request.cell_m + 1e-9),
+               rows = std::floor((north - south) / request.cell_m + 1e-9);
   if (columns < 1.0 || rows < 1.0) {
-    throw Error("map area", "has no cell in common with the scene", "choose an area within the extent that `sigmascape scene info` prints");
+    throw Error("map area", "has no cell in common with the scene",
+                "choose an area within the extent that `sigmascape scene info` prints");
   }
   return {west, north, request.cell_m, static_cast<std::size_t>(columns), static_cast<std::size_t>(rows)};
 }

@@ -1,9 +1,8 @@
 #include "sigmascape/simulate/simulate.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
+#include <fmt/format.h>
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/receiver/range_azimuth_receiver.h"
@@ -14,30 +13,41 @@ namespace {
 /// How far outside the area paths of several bounces may begin that land in it.
 constexpr double multibounce_margin_m = 32.0;
 
+/// Rays start this far above the highest point, and the radar must stand above their start.
+constexpr double clearance_m = 1.0;
+
 void check_above(const radar::Radar& radar, double highest_m) {
-  if (radar.position.z <= highest_m) {
-    throw Error("radar " + radar.name, fmt::format("stands at {:.0f} m, below the highest point of the scene at {:.0f} m", radar.position.z, highest_m),
+  if (radar.position.z <= highest_m + clearance_m) {
+    throw Error("radar " + radar.name,
+                fmt::format("stands at {:.0f} m, below the highest point of the scene at {:.0f} m", radar.position.z,
+                            highest_m),
                 "place the radar above the scene");
   }
 }
 
 /// Adds the echoes of the scene's point targets that the radar can see.
-void add_point_targets(const scene::Scene& scene, const trace::SceneGeometry& geometry, const trace::Viewpoint& viewpoint,
-                       receiver::RangeAzimuthReceiver& receiver) {
+void add_point_targets(const scene::Scene& scene, const trace::SceneGeometry& geometry,
+                       const trace::Viewpoint& viewpoint, receiver::RangeAzimuthReceiver& receiver) {
   for (const scene::PointTarget& target : scene.point_targets) {
-    const Vec3d position{target.position.x, target.position.y, scene.terrain.height_at(target.position) + target.height_m};
+    const Vec3d position{target.position.x, target.position.y,
+                         scene.terrain.height_at(target.position) + target.height_m};
     const Vec3f to_radar = viewpoint.direction_from(position).to<float>();
     if (geometry.occluded((position - geometry.origin()).to<float>(), to_radar)) continue;
-    const radar::Echo echo{.range_m = viewpoint.range_of(position), .cross = viewpoint.cross_of(position), .rcs_m2 = target.rcs_m2, .bounces = 1};
+    const radar::Echo echo{.range_m = viewpoint.range_of(position),
+                           .cross = viewpoint.cross_of(position),
+                           .rcs_m2 = target.rcs_m2,
+                           .bounces = 1};
     receiver.add({&echo, 1});
   }
 }
 
 }  // namespace
 
-radar::RangeAzimuthGrid bins_for(const radar::Radar& radar, const radar::Rectangle& area, const terrain::HeightField& terrain) {
+radar::RangeAzimuthGrid bins_for(const radar::Radar& radar, const radar::Rectangle& area,
+                                 const terrain::HeightField& terrain) {
   // Of a straight edge that faces the radar the middle is nearer than its ends.
-  const Vec2d nearest{std::clamp(radar.position.x, area.west_m, area.east_m), std::clamp(radar.position.y, area.south_m, area.north_m)};
+  const Vec2d nearest{std::clamp(radar.position.x, area.west_m, area.east_m),
+                      std::clamp(radar.position.y, area.south_m, area.north_m)};
   std::array<Vec3d, 10> points;
   std::size_t count = 0;
   for (const double height : {static_cast<double>(terrain.lowest_m()), static_cast<double>(terrain.highest_m())}) {
@@ -49,22 +59,29 @@ radar::RangeAzimuthGrid bins_for(const radar::Radar& radar, const radar::Rectang
   return receiver::grid_covering(radar, points);
 }
 
-radar::RangeAzimuthImage traced_image(const scene::Scene& scene, const trace::SceneGeometry& geometry, const radar::Radar& radar,
-                                      const radar::Rectangle& area, const TraceSettings& settings, trace::TraceCounts& counts) {
+radar::RangeAzimuthImage traced_image(const scene::Scene& scene, const trace::SceneGeometry& geometry,
+                                      const radar::Radar& radar, const radar::Rectangle& area,
+                                      const TraceSettings& settings, trace::TraceCounts& counts) {
   check_above(radar, geometry.highest_m());
   const auto viewpoint = trace::Viewpoint::located(radar.position);
-  const trace::PathTracer tracer(geometry, trace::surface_models(scene, radar.frequency_hz), viewpoint, {.max_bounces = settings.max_bounces},
-                                 settings.seed);
-  const auto launch = trace::launch_area(viewpoint, area, settings.cell_m, geometry.lowest_m(), geometry.highest_m() + 1.0, multibounce_margin_m);
+  const trace::PathTracer tracer(geometry, trace::surface_models(scene, radar.frequency_hz), viewpoint,
+                                 {.max_bounces = settings.max_bounces}, settings.seed);
+  const auto launch = trace::launch_area(viewpoint, area, settings.cell_m, geometry.lowest_m(),
+                                         geometry.highest_m() + clearance_m, multibounce_margin_m);
   receiver::RangeAzimuthReceiver receiver(radar, bins_for(radar, area, scene.terrain));
   counts += tracer.trace(launch, {0, settings.samples_per_cell, settings.samples_per_cell}, settings.threads,
                          [&](std::span<const radar::Echo> echoes, unsigned) { receiver.add(echoes); });
   add_point_targets(scene, geometry, viewpoint, receiver);
+  if (receiver.bins().overflows() > 0) {
+    throw Error("map of radar " + radar.name, "a bin is brighter than the sums can hold",
+                "use finer resolution or rougher materials");
+  }
   return receiver.image();
 }
 
-radar::RangeAzimuthImage baked_image(const atlas::Atlas& atlas, const terrain::HeightField& terrain, const radar::Radar& radar,
-                                     const radar::Rectangle& area, const render::RenderSettings& settings, render::RenderCounts& counts) {
+radar::RangeAzimuthImage baked_image(const atlas::Atlas& atlas, const terrain::HeightField& terrain,
+                                     const radar::Radar& radar, const radar::Rectangle& area,
+                                     const render::RenderSettings& settings, render::RenderCounts& counts) {
   check_above(radar, terrain.highest_m());
   return render::GroundRenderer(atlas, terrain).render(radar, area, bins_for(radar, area, terrain), settings, counts);
 }

@@ -21,15 +21,20 @@ bool segment_meets(const radar::Rectangle& r, Vec2d start, Vec2d direction, doub
   return clip(start.x, direction.x, r.west_m, r.east_m) && clip(start.y, direction.y, r.south_m, r.north_m);
 }
 
-radar::Rectangle widened(const radar::Rectangle& r, double by) { return {r.west_m - by, r.south_m - by, r.east_m + by, r.north_m + by}; }
+radar::Rectangle widened(const radar::Rectangle& r, double by) {
+  return {r.west_m - by, r.south_m - by, r.east_m + by, r.north_m + by};
+}
 
-/// How far behind the target the farthest aim point lies. The distance is a convex function of that to the radar, so that the
-/// nearest point of the target or a corner has the greatest.
+/// How far behind the target the farthest aim point lies. The distance is a convex function of that to the radar, so
+/// that the nearest point of the target or a corner has the greatest.
 double greatest_reach_m(const LaunchArea& area) {
   const radar::Rectangle r = widened(area.target, area.margin_m + area.cell_m);
-  const auto reach_of = [&](Vec2d p) { return area.viewpoint.aim_behind_landing_m({p.x, p.y, area.plane_height_m}, area.top_height_m); };
+  const auto reach_of = [&](Vec2d p) {
+    return area.viewpoint.aim_behind_landing_m({p.x, p.y, area.plane_height_m}, area.top_height_m);
+  };
   double reach = reach_of(area.viewpoint.nearest_point(r));
-  for (const Vec2d corner : {Vec2d{r.west_m, r.south_m}, {r.east_m, r.south_m}, {r.west_m, r.north_m}, {r.east_m, r.north_m}}) {
+  for (const Vec2d corner :
+       {Vec2d{r.west_m, r.south_m}, {r.east_m, r.south_m}, {r.west_m, r.north_m}, {r.east_m, r.north_m}}) {
     reach = std::max(reach, reach_of(corner));
   }
   return reach;
@@ -44,7 +49,8 @@ bool LaunchArea::covers(Vec2d point) const {
   const Vec3d to_radar = viewpoint.direction_from(aim);
   const double horizontal = std::hypot(to_radar.x, to_radar.y);
   const Vec2d towards = horizontal > 0.0 ? Vec2d{to_radar.x / horizontal, to_radar.y / horizontal} : Vec2d{};
-  return segment_meets(widened(target, margin_m + cell_m), centre, towards, viewpoint.landing_before_aim_m(aim, top_height_m));
+  return segment_meets(widened(target, margin_m + cell_m), centre, towards,
+                       viewpoint.landing_before_aim_m(aim, top_height_m));
 }
 
 LaunchArea launch_area(const Viewpoint& viewpoint, const radar::Rectangle& target, double cell_m, double plane_height_m,
@@ -58,9 +64,13 @@ LaunchArea launch_area(const Viewpoint& viewpoint, const radar::Rectangle& targe
                   .margin_m = margin_m};
   const double spread = margin_m + 2.0 * cell_m + greatest_reach_m(area);
   const auto lattice = [cell_m](double metres) { return static_cast<std::int32_t>(std::floor(metres / cell_m)); };
-  const auto tile_start = [](std::int32_t index) { return (index >= 0 ? index / tile : (index - tile + 1) / tile) * tile; };
-  for (std::int32_t tj = tile_start(lattice(target.south_m - spread)); tj <= lattice(target.north_m + spread); tj += tile) {
-    for (std::int32_t ti = tile_start(lattice(target.west_m - spread)); ti <= lattice(target.east_m + spread); ti += tile) {
+  const auto tile_start = [](std::int32_t index) {
+    return (index >= 0 ? index / tile : (index - tile + 1) / tile) * tile;
+  };
+  for (std::int32_t tj = tile_start(lattice(target.south_m - spread)); tj <= lattice(target.north_m + spread);
+       tj += tile) {
+    for (std::int32_t ti = tile_start(lattice(target.west_m - spread)); ti <= lattice(target.east_m + spread);
+         ti += tile) {
       for (std::int32_t j = tj; j < tj + tile; ++j) {
         for (std::int32_t i = ti; i < ti + tile; ++i) {
           if (area.covers({(i + 0.5) * cell_m, (j + 0.5) * cell_m})) area.cells.push_back({i, j});

@@ -38,7 +38,7 @@ struct Path {
   Vec3f origin;
   Vec3f direction;
   FieldPair fields;
-  Vec3d first_position;    // of the first vertex, in the world
+  Vec3d first_position;  // of the first vertex, in the world
   double first_range_m = 0.0;
   double travelled_m = 0.0;  // between vertices
   float first_cosine = 1.0F;
@@ -49,9 +49,16 @@ struct Path {
 /// Traces the paths of one tile on one thread.
 class TileTracer {
  public:
-  TileTracer(const SceneGeometry& geometry, const std::vector<scatter::SurfaceModel>& surfaces, const Viewpoint& viewpoint,
-             const PathOptions& options, const LaunchArea& area, std::vector<Echo>& echoes, TraceCounts& counts)
-      : geometry_(geometry), surfaces_(surfaces), viewpoint_(viewpoint), options_(options), area_(area), echoes_(echoes), counts_(counts) {}
+  TileTracer(const SceneGeometry& geometry, const std::vector<scatter::SurfaceModel>& surfaces,
+             const Viewpoint& viewpoint, const PathOptions& options, const LaunchArea& area, std::vector<Echo>& echoes,
+             TraceCounts& counts)
+      : geometry_(geometry),
+        surfaces_(surfaces),
+        viewpoint_(viewpoint),
+        options_(options),
+        area_(area),
+        echoes_(echoes),
+        counts_(counts) {}
 
   void trace_path(Vec2d aim, double area_m2, const SobolPoint& point) {
     Path path = launched_towards(aim);
@@ -97,22 +104,24 @@ class TileTracer {
     const Vec3f to_radar = -path.direction;
     const Channels brdf = surfaces_[hit.material].backscatter(to_radar, hit.normal);
     if (brdf == Channels{}) return;
-    const double weight = 4.0 * pi * viewpoint_.ray_weight_m2(aim_point, area_m2, path.first_range_m, path.first_range_m);
+    const double weight =
+        4.0 * pi * viewpoint_.ray_weight_m2(aim_point, area_m2, path.first_range_m, path.first_range_m);
     append({.range_m = path.first_range_m,
             .cross = viewpoint_.cross_of(position),
             .rcs_m2 = brdf * static_cast<float>(weight * path.first_cosine),
             .bounces = 1});
   }
 
-  void add_connected_echo(const Path& path, const SurfaceHit& hit, Vec3d position, Vec3d aim_point, double area_m2, int bounce,
-                          const SobolPoint& point) {
+  void add_connected_echo(const Path& path, const SurfaceHit& hit, Vec3d position, Vec3d aim_point, double area_m2,
+                          int bounce, const SobolPoint& point) {
     const Vec3f to_radar = viewpoint_.direction_from(position).to<float>();
     const float last_cosine = dot(to_radar, hit.normal);
     if (last_cosine <= 0.0F) return;
     const auto& surface = surfaces_[hit.material];
     const auto dimension = static_cast<std::uint32_t>(bounce) * DimensionsPerVertex;
-    const FieldPair out = surface.scatter(path.fields, -path.direction, to_radar, hit.normal,
-                                          {point.independent(dimension + ConnectPhaseA), point.independent(dimension + ConnectPhaseB)});
+    const FieldPair out =
+        surface.scatter(path.fields, -path.direction, to_radar, hit.normal,
+                        {point.independent(dimension + ConnectPhaseA), point.independent(dimension + ConnectPhaseB)});
     if (out.mean_power() <= 0.0F) return;
     ++counts_.rays;
     if (geometry_.occluded(hit.position + hit.normal * surface_offset_m, to_radar)) return;
@@ -121,14 +130,16 @@ class TileTracer {
     const double range_m = 0.5 * (path.first_range_m + last_range_m + path.travelled_m);
     const double weight = 4.0 * pi * viewpoint_.ray_weight_m2(aim_point, area_m2, range_m, last_range_m);
     const float share = reciprocal_share(path, hit, position, to_radar, last_cosine);
-    append({.range_m = range_m,
-            .cross = viewpoint_.middle_cross(viewpoint_.cross_of(path.first_position), viewpoint_.cross_of(position)),
-            .rcs_m2 = paired_powers(out, PolarizationBasis(-to_radar)) * static_cast<float>(weight * last_cosine * share),
-            .bounces = static_cast<std::uint8_t>(bounce)});
+    append(
+        {.range_m = range_m,
+         .cross = viewpoint_.middle_cross(viewpoint_.cross_of(path.first_position), viewpoint_.cross_of(position)),
+         .rcs_m2 = paired_powers(out, PolarizationBasis(-to_radar)) * static_cast<float>(weight * last_cosine * share),
+         .bounces = static_cast<std::uint8_t>(bounce)});
   }
 
   /// 2/(1 + q): the part of the path and its reversal together that falls to this one of the two.
-  [[nodiscard]] float reciprocal_share(const Path& path, const SurfaceHit& hit, Vec3d position, Vec3f to_radar, float last_cosine) const {
+  [[nodiscard]] float reciprocal_share(const Path& path, const SurfaceHit& hit, Vec3d position, Vec3f to_radar,
+                                       float last_cosine) const {
     if (options_.estimator == Estimator::OneWay) return 1.0F;
     if (!area_.covers(viewpoint_.shadow_on_plane(position, area_.plane_height_m))) return 2.0F;
     const float back = surfaces_[hit.material].pdf(to_radar, -path.direction, hit.normal);
@@ -148,7 +159,8 @@ class TileTracer {
     path.fields = surface.scatter(path.fields, to_source, next.direction, hit.normal,
                                   {point.independent(dimension + PhaseA), point.independent(dimension + PhaseB)}) *
                   std::sqrt(cosine / next.pdf);
-    // The vertex's part of the reversed density: at the first vertex there is none yet, only the forward one to divide by.
+    // The vertex's part of the reversed density: at the first vertex there is none yet, only the forward one to divide
+    // by.
     if (bounce > 1) path.reverse_ratio *= surface.pdf(next.direction, to_source, hit.normal);
     path.reverse_ratio *= cosine / next.pdf;
 
@@ -191,11 +203,12 @@ std::vector<scatter::SurfaceModel> surface_models(const scene::Scene& scene, dou
   return models;
 }
 
-PathTracer::PathTracer(const SceneGeometry& geometry, std::vector<scatter::SurfaceModel> surfaces, const Viewpoint& viewpoint,
-                       const PathOptions& options, std::uint64_t seed)
+PathTracer::PathTracer(const SceneGeometry& geometry, std::vector<scatter::SurfaceModel> surfaces,
+                       const Viewpoint& viewpoint, const PathOptions& options, std::uint64_t seed)
     : geometry_(&geometry), surfaces_(std::move(surfaces)), viewpoint_(viewpoint), options_(options), seed_(seed) {}
 
-TraceCounts PathTracer::trace(const LaunchArea& area, SampleRange samples, unsigned threads, const EchoSink& sink) const {
+TraceCounts PathTracer::trace(const LaunchArea& area, SampleRange samples, unsigned threads,
+                              const EchoSink& sink) const {
   const unsigned workers = thread_count(threads);
   std::vector<std::vector<Echo>> echoes(workers);
   std::vector<TraceCounts> counts(workers);
@@ -213,7 +226,8 @@ TraceCounts PathTracer::trace(const LaunchArea& area, SampleRange samples, unsig
       for (std::uint32_t sample = samples.first; sample < samples.first + samples.count; ++sample) {
         const SobolPoint point(key, sample);
         const Vec2f within = point.pair(0);
-        tracer.trace_path({(cell.i + static_cast<double>(within.x)) * area.cell_m, (cell.j + static_cast<double>(within.y)) * area.cell_m},
+        tracer.trace_path({(cell.i + static_cast<double>(within.x)) * area.cell_m,
+                           (cell.j + static_cast<double>(within.y)) * area.cell_m},
                           sample_area_m2, point);
       }
     }

@@ -1,12 +1,11 @@
 #include "sigmascape/trace/scene_geometry.h"
 
-#include <embree3/rtcore.h>
-#include <xmmintrin.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <embree3/rtcore.h>
 #include <limits>
+#include <xmmintrin.h>
 
 #include "sigmascape/base/error.h"
 
@@ -14,6 +13,7 @@ namespace sigmascape::trace {
 namespace {
 
 constexpr float far_away = std::numeric_limits<float>::infinity();
+constexpr std::size_t most_grid_nodes = 32767;  // along a side of Embree's grids
 constexpr unsigned flush_to_zero = 0x8000U;
 constexpr unsigned denormals_are_zero = 0x0040U;
 
@@ -26,7 +26,9 @@ struct Part {
   Vec3f inverse_scale{1.0F, 1.0F, 1.0F};
 };
 
-void add_to_sum(void* sum, ssize_t bytes) { static_cast<std::atomic<std::int64_t>*>(sum)->fetch_add(bytes); }
+void add_to_sum(void* sum, ssize_t bytes) {
+  static_cast<std::atomic<std::int64_t>*>(sum)->fetch_add(bytes);
+}
 
 }  // namespace
 
@@ -38,7 +40,7 @@ struct SceneGeometry::Structures {
   std::vector<Part> parts;
   std::vector<Vec3f> building_vertices;
   scene::MaterialMap ground;
-  std::vector<scene::Mesh> meshes;   // own copies, so that the geometry outlives the scene it came from
+  std::vector<scene::Mesh> meshes;  // own copies, so that the geometry outlives the scene it came from
   scene::Mesh buildings;
   Vec3d origin;
   Footing footing = Footing::LevelPlane;
@@ -52,14 +54,18 @@ struct SceneGeometry::Structures {
 
   void check() const {
     const RTCError error = rtcGetDeviceError(device);
-    if (error == RTC_ERROR_OUT_OF_MEMORY) throw Error("ray tracer", "ran out of memory", "use a smaller scene or a larger machine");
-    if (error != RTC_ERROR_NONE) throw Error("ray tracer", "Embree error " + std::to_string(error), "report this with the scene file");
+    if (error == RTC_ERROR_OUT_OF_MEMORY)
+      throw Error("ray tracer", "ran out of memory", "use a smaller scene or a larger machine");
+    if (error != RTC_ERROR_NONE)
+      throw Error("ray tracer", "Embree error " + std::to_string(error), "report this with the scene file");
   }
 
   void open_device() {
-    // One build thread: the structures are small, and parallel builds are the only part of Embree that thread sanitizers misread.
+    // One build thread: the structures are small, and parallel builds are the only part of Embree that thread
+    // sanitizers misread.
     device = rtcNewDevice("threads=1");
-    if (device == nullptr) throw Error("ray tracer", "Embree could not be started", "check the libembree3 installation");
+    if (device == nullptr)
+      throw Error("ray tracer", "Embree could not be started", "check the libembree3 installation");
     rtcSetDeviceMemoryMonitorFunction(
         device,
         [](void* sum, ssize_t bytes, bool) {
@@ -73,8 +79,8 @@ struct SceneGeometry::Structures {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
     void* vertex_buffer =
         rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vec3f), vertices.size());
-    void* index_buffer = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t),
-                                                 mesh.triangles.size());
+    void* index_buffer = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                                 3 * sizeof(std::uint32_t), mesh.triangles.size());
     check();
     std::copy(vertices.begin(), vertices.end(), static_cast<Vec3f*>(vertex_buffer));
     std::copy(mesh.triangles.begin(), mesh.triangles.end(), static_cast<std::array<std::uint32_t, 3>*>(index_buffer));
@@ -91,9 +97,14 @@ struct SceneGeometry::Structures {
   void add_terrain(const terrain::HeightField& field) {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_GRID);
     const std::size_t columns = field.height_m.columns(), rows = field.height_m.rows();
+    if (columns > most_grid_nodes || rows > most_grid_nodes) {
+      throw Error("terrain", "has " + std::to_string(std::max(columns, rows)) + " heights along a side",
+                  "use a larger spacing or a smaller extent, for at most " + std::to_string(most_grid_nodes));
+    }
     auto* vertices = static_cast<Vec3f*>(
         rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vec3f), columns * rows));
-    auto* grid = static_cast<RTCGrid*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_GRID, 0, RTC_FORMAT_GRID, sizeof(RTCGrid), 1));
+    auto* grid = static_cast<RTCGrid*>(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_GRID, 0, RTC_FORMAT_GRID, sizeof(RTCGrid), 1));
     check();
     for (std::size_t row = 0; row < rows; ++row) {
       for (std::size_t column = 0; column < columns; ++column) {
@@ -102,7 +113,8 @@ struct SceneGeometry::Structures {
         vertices[row * columns + column] = {static_cast<float>(x), static_cast<float>(y), field.height_m(column, row)};
       }
     }
-    *grid = {0, static_cast<unsigned>(columns), static_cast<unsigned short>(columns), static_cast<unsigned short>(rows)};
+    *grid = {0, static_cast<unsigned>(columns), static_cast<unsigned short>(columns),
+             static_cast<unsigned short>(rows)};
     rtcCommitGeometry(geometry);
     attach(geometry, {.kind = Part::Kind::Terrain});
   }
@@ -148,8 +160,18 @@ struct SceneGeometry::Structures {
       const float z = static_cast<float>(base) + instance.lift_m;
       const Vec3f k = instance.scale;
       // Column by column: where the prototype's x, y and z axes go, then its origin. Yaw turns clockwise.
-      const std::array<float, 12> transform{k.x * c, -k.x * s, 0.0F, k.y * s, k.y * c, 0.0F, 0.0F, 0.0F, k.z,
-                                            static_cast<float>(instance.x_m - origin.x), static_cast<float>(instance.y_m - origin.y), z};
+      const std::array<float, 12> transform{k.x * c,
+                                            -k.x * s,
+                                            0.0F,
+                                            k.y * s,
+                                            k.y * c,
+                                            0.0F,
+                                            0.0F,
+                                            0.0F,
+                                            k.z,
+                                            static_cast<float>(instance.x_m - origin.x),
+                                            static_cast<float>(instance.y_m - origin.y),
+                                            z};
       RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
       rtcSetGeometryInstancedScene(geometry, prototypes[instance.prototype]);
       rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, transform.data());
@@ -202,10 +224,18 @@ SceneGeometry::~SceneGeometry() = default;
 SceneGeometry::SceneGeometry(SceneGeometry&&) noexcept = default;
 SceneGeometry& SceneGeometry::operator=(SceneGeometry&&) noexcept = default;
 
-Vec3d SceneGeometry::origin() const { return structures_->origin; }
-double SceneGeometry::lowest_m() const { return structures_->lowest_m; }
-double SceneGeometry::highest_m() const { return structures_->highest_m; }
-std::size_t SceneGeometry::memory_bytes() const { return static_cast<std::size_t>(structures_->memory.load()); }
+Vec3d SceneGeometry::origin() const {
+  return structures_->origin;
+}
+double SceneGeometry::lowest_m() const {
+  return structures_->lowest_m;
+}
+double SceneGeometry::highest_m() const {
+  return structures_->highest_m;
+}
+std::size_t SceneGeometry::memory_bytes() const {
+  return static_cast<std::size_t>(structures_->memory.load());
+}
 
 bool SceneGeometry::intersect(Vec3f ray_origin, Vec3f direction, SurfaceHit& hit) const {
   const Structures& s = *structures_;
@@ -215,7 +245,8 @@ bool SceneGeometry::intersect(Vec3f ray_origin, Vec3f direction, SurfaceHit& hit
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   RTCRayHit query{};
-  query.ray = {ray_origin.x, ray_origin.y, ray_origin.z, 0.0F, direction.x, direction.y, direction.z, 0.0F, plane_distance, ~0U, 0, 0};
+  query.ray = {ray_origin.x, ray_origin.y, ray_origin.z,   0.0F, direction.x, direction.y,
+               direction.z,  0.0F,         plane_distance, ~0U,  0,           0};
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   rtcIntersect1(s.top, &context, &query);
@@ -249,12 +280,17 @@ bool SceneGeometry::intersect(Vec3f ray_origin, Vec3f direction, SurfaceHit& hit
 bool SceneGeometry::occluded(Vec3f ray_origin, Vec3f direction) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  RTCRay ray{ray_origin.x, ray_origin.y, ray_origin.z, 0.0F, direction.x, direction.y, direction.z, 0.0F, far_away, ~0U, 0, 0};
+  RTCRay ray{ray_origin.x, ray_origin.y, ray_origin.z, 0.0F, direction.x, direction.y,
+             direction.z,  0.0F,         far_away,     ~0U,  0,           0};
   rtcOccluded1(structures_->top, &context, &ray);
   return ray.tfar < 0.0F;
 }
 
-FlushDenormals::FlushDenormals() : saved_(_mm_getcsr()) { _mm_setcsr(saved_ | flush_to_zero | denormals_are_zero); }
-FlushDenormals::~FlushDenormals() { _mm_setcsr(saved_); }
+FlushDenormals::FlushDenormals() : saved_(_mm_getcsr()) {
+  _mm_setcsr(saved_ | flush_to_zero | denormals_are_zero);
+}
+FlushDenormals::~FlushDenormals() {
+  _mm_setcsr(saved_);
+}
 
 }  // namespace sigmascape::trace

@@ -8,7 +8,8 @@
 namespace sigmascape::trace {
 namespace {
 
-/// Shadow and layover of a height under parallel rays: h (cot ψ + tan ψ); nothing straight from above, where there is no ground range.
+/// Shadow and layover of a height under parallel rays: h (cot ψ + tan ψ); nothing straight from above, where there is
+/// no ground range.
 double distant_landing_m(Vec3d to_radar, double rise_m) {
   const double horizontal = std::hypot(to_radar.x, to_radar.y);
   return horizontal > 0.0 ? rise_m * (horizontal / to_radar.z + to_radar.z / horizontal) : 0.0;
@@ -23,12 +24,20 @@ Viewpoint::Viewpoint(bool is_distant, Vec3d to_radar, Vec3d position)
   right_ = horizontal > 0.0 ? Vec3d{-to_radar.y / horizontal, to_radar.x / horizontal, 0.0} : Vec3d{1.0, 0.0, 0.0};
 }
 
-Viewpoint Viewpoint::distant(const radar::Aspect& aspect) { return {true, radar::direction_to_radar(aspect), {}}; }
-Viewpoint Viewpoint::located(Vec3d position) { return {false, {0.0, 0.0, 1.0}, position}; }
+Viewpoint Viewpoint::distant(const radar::Aspect& aspect) {
+  return {true, radar::direction_to_radar(aspect), {}};
+}
+Viewpoint Viewpoint::located(Vec3d position) {
+  return {false, {0.0, 0.0, 1.0}, position};
+}
 
-Vec3d Viewpoint::direction_from(Vec3d point) const { return is_distant_ ? to_radar_ : normalized(position_ - point); }
+Vec3d Viewpoint::direction_from(Vec3d point) const {
+  return is_distant_ ? to_radar_ : normalized(position_ - point);
+}
 
-double Viewpoint::range_of(Vec3d point) const { return is_distant_ ? -dot(point, to_radar_) : length(position_ - point); }
+double Viewpoint::range_of(Vec3d point) const {
+  return is_distant_ ? -dot(point, to_radar_) : length(position_ - point);
+}
 
 double Viewpoint::cross_of(Vec3d point) const {
   return is_distant_ ? dot(point, right_) : std::atan2(point.x - position_.x, point.y - position_.y);

@@ -108,14 +108,15 @@ TEST(AspectWeights, ASingleAzimuthServesAllDirections) {
   EXPECT_NEAR(as_map(weights_for(grid, aspect_deg(17.0, 5.0), 10e9)).at(0), 1.0, 1e-6);
 }
 
-TEST(AspectWeights, ElevationIsLinearInItsCotangent) {
+TEST(AspectWeights, GammaIsLinearInTheCotangentOfElevation) {
   const AspectGrid grid = paper_aspect_grid();
   const double cot_5 = 1.0 / std::tan(radians_from_deg(5.0));
   const double cot_13 = 1.0 / std::tan(radians_from_deg(13.0));
   const double half_way_rad = std::atan(2.0 / (cot_5 + cot_13));
   const auto weights = as_map(weights_for(grid, {0.0, half_way_rad}, 10e9));
-  EXPECT_NEAR(weights.at(grid.index_of(0, 0, 0)), 0.5, 1e-6);
-  EXPECT_NEAR(weights.at(grid.index_of(0, 1, 0)), 0.5, 1e-6);
+  const double sine = std::sin(half_way_rad);
+  EXPECT_NEAR(weights.at(grid.index_of(0, 0, 0)), 0.5 * sine / std::sin(radians_from_deg(5.0)), 1e-6);
+  EXPECT_NEAR(weights.at(grid.index_of(0, 1, 0)), 0.5 * sine / std::sin(radians_from_deg(13.0)), 1e-6);
 }
 
 TEST(AspectWeights, BelowTheLowestElevationPowerGoesWithTheSineAndEndsAtTheHorizon) {
@@ -141,12 +142,18 @@ TEST(AspectWeights, FrequencyIsLinearInItsLogarithm) {
   EXPECT_NEAR(weights.at(grid.index_of(0, 0, 1)), 0.5, 1e-6);
 }
 
-TEST(AspectWeights, SumToOneBetweenBakedElevations) {
+// σ0 = γ sin ψ at every node gives γ sin ψ at every elevation between them.
+TEST(AspectWeights, ConstantGammaGroundStaysSoBetweenBakedElevations) {
   const AspectGrid grid = two_frequencies();
   for (int i = 0; i < 500; ++i) {
-    const AspectWeights weights = weights_for(grid, aspect_deg(0.72 * i, 5.0 + 0.08 * i), 1e9 + 6e6 * i);
+    const radar::Aspect aspect = aspect_deg(0.72 * i, 5.0 + 0.064 * i);
+    const AspectWeights weights = weights_for(grid, aspect, 1e9 + 6e6 * i);
     EXPECT_LE(weights.count, 8U);
-    EXPECT_NEAR(sum(weights), 1.0, 1e-6) << i;
+    double sigma0 = 0.0;
+    for (std::size_t k = 0; k < weights.count; ++k) {
+      sigma0 += weights.weight[k] * 0.03 * std::sin(grid.look(weights.look[k]).aspect.elevation_rad);
+    }
+    EXPECT_NEAR(sigma0, 0.03 * std::sin(aspect.elevation_rad), 1e-7) << i;
   }
 }
 

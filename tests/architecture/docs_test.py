@@ -1,0 +1,119 @@
+#!/usr/bin/env python3
+"""Holds the documentation against the sources that cite it.
+
+Every docs/...md named in src, apps, the README or the other pages exists; every "docs/physics/<page>.md, Eq. (n)" of the sources has a numbered
+equation, a line indented by four spaces that ends in (n), on that page; every relative link in docs and the README leads somewhere; every
+source file that a page names in `room/file.h` form exists.
+"""
+import pathlib
+import re
+import sys
+
+PAGE = re.compile(r"\bdocs/[\w./-]+?\.md\b")
+NUMBERS = r"(Eqs?\.(?:\s*(?:\(\w+\)|,|–|-|and|to))+)"
+# The page, or, for a number that stands alone at the end of a formula's line, the page cited last.
+CITATION = re.compile(r"(?:\b(docs/physics/\w+\.md),?\s+|(?<=[^\s,]  )[ ]*)" + NUMBERS)
+LINK = re.compile(r"(?<!!)\[[^\]]*\]\(([^)\s]+)\)|!\[[^\]]*\]\(([^)\s]+)\)")
+SOURCE = re.compile(r"`((?:\w+/)+\w+\.(?:h|cpp|py))`")
+FENCE = re.compile(r"^```.*?^```", re.MULTILINE | re.DOTALL)
+
+
+def cited_numbers(words):
+    """The equations of "Eqs. (1), (3)–(5)": 1, 3, 4, 5."""
+    numbers = []
+    for number, joint in re.findall(r"\((\w+)\)\s*(–|-|to)?", words):
+        if numbers and numbers[-1] is None:
+            numbers.pop()
+            numbers += [str(n) for n in range(int(numbers[-1]) + 1, int(number) + 1)]
+        else:
+            numbers.append(number)
+        if joint:
+            numbers.append(None)
+    return numbers
+
+
+def numbered_equations(page):
+    found = set()
+    for line in page.read_text().splitlines():
+        equation = re.match(r" {4}.*\S\s+\((\w+)\)$", line)
+        if equation:
+            found.add(equation.group(1))
+    return found
+
+
+def without_comment_marks(text):
+    """Comments as running text of the same length, so that a citation may go over the end of a line."""
+    return re.sub(r"\n[ \t]*(?:///?<?|#)", lambda mark: "\n" + " " * (len(mark.group()) - 1), text)
+
+
+def line_of(text, offset):
+    return text.count("\n", 0, offset) + 1
+
+
+def source_files(root):
+    for folder in ("src", "apps"):
+        yield from sorted(p for p in (root / folder).rglob("*") if p.suffix in {".h", ".cpp", ".txt"})
+
+
+def pages(root):
+    yield from sorted((root / "docs").rglob("*.md"))
+    yield from sorted(root.glob("README*"))
+
+
+def missing_pages(root):
+    for path in [*source_files(root), *pages(root)]:
+        text = path.read_text()
+        for named in PAGE.finditer(text):
+            if not (root / named.group()).is_file():
+                yield f"{path.relative_to(root)}:{line_of(text, named.start())}: {named.group()} does not exist"
+
+
+def missing_equations(root):
+    citations = 0
+    for path in source_files(root):
+        text = without_comment_marks(path.read_text())
+        name = None
+        for cited in CITATION.finditer(text):
+            name = cited.group(1) or name
+            if name is None or not (root / name).is_file():
+                continue
+            page = root / name
+            there = numbered_equations(page)
+            for number in cited_numbers(cited.group(2)):
+                citations += 1
+                if number not in there:
+                    yield f"{path.relative_to(root)}:{line_of(text, cited.start())}: {name} has no Eq. ({number})"
+    if citations == 0:
+        yield "no citation of a numbered equation was found in the sources"
+
+
+def missing_sources(root):
+    for path in sorted((root / "docs").rglob("*.md")):
+        text = path.read_text()
+        for named in SOURCE.finditer(text):
+            if not any((base / named.group(1)).is_file() for base in (root, root / "src" / "sigmascape")):
+                yield f"{path.relative_to(root)}:{line_of(text, named.start())}: there is no {named.group(1)}"
+
+
+def broken_links(root):
+    for path in pages(root):
+        text = FENCE.sub(lambda block: "\n" * block.group().count("\n"), path.read_text())
+        for link in LINK.finditer(text):
+            target = (link.group(1) or link.group(2)).split("#")[0]
+            if not target or re.match(r"[a-z]+:", target):
+                continue
+            if not (path.parent / target).exists():
+                yield f"{path.relative_to(root)}:{line_of(text, link.start())}: the link to {target} leads nowhere"
+
+
+def main():
+    root = pathlib.Path(sys.argv[1])
+    found = [*missing_pages(root), *missing_equations(root), *missing_sources(root), *broken_links(root)]
+    for fault in found:
+        print(fault)
+    print(f"documentation: {len(found)} fault(s)")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,110 @@
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "validation/validation_record.h"
+
+#include "sigmascape/base/error.h"
+#include "sigmascape/base/units.h"
+#include "sigmascape/scatter/itu_p2040.h"
+#include "sigmascape/scatter/surface_model.h"
+
+namespace sigmascape::physics_test {
+namespace {
+
+std::complex<double> permittivity_of(const char* material, double frequency_hz) {
+  const auto& model = std::get<scatter::CookTorranceParameters>(scatter::library_material(material).model);
+  return model.permittivity.relative_at(frequency_hz);
+}
+
+double normal_reflectivity(const char* material, double frequency_hz) {
+  const std::complex<double> root = std::sqrt(permittivity_of(material, frequency_hz));
+  return std::norm((1.0 - root) / (1.0 + root));
+}
+
+struct Reflectivity {
+  const char* material;
+  double frequency_hz;
+  double expected;
+};
+
+TEST(Materials, NormalReflectivity) {
+  const Reflectivity rows[] = {
+      {"concrete", 10e9, 0.1549},
+      {"brick", 10e9, 0.1078},
+      {"wood", 10e9, 0.0293},
+      {"glass", 10e9, 0.1854},
+      {"metal", 10e9, 0.9993},
+      {"asphalt_concrete", 10e9, 0.1417},
+      {"marble", 10e9, 0.2057},
+      {"very_dry_ground", 10e9, 0.0719},
+      {"medium_dry_ground", 10e9, 0.3108},
+      {"wet_ground", 10e9, 0.3316},
+      {"medium_dry_ground", 1.3e9, 0.3429},
+      {"wet_ground", 1.3e9, 0.4603},
+      {"paper_building", 10e9, 0.9924},
+      {"paper_leaf", 10e9, 0.7922},
+      {"paper_bark", 10e9, 0.7533},
+      {"paper_building", 1.3e9, 0.9975},
+      {"paper_leaf", 1.3e9, 0.9255},
+      {"paper_bark", 1.3e9, 0.7533},
+      {"paper_building", 35e9, 0.9885},
+      {"paper_leaf", 35e9, 0.6466},
+      {"paper_bark", 35e9, 0.7533},
+  };
+  for (const Reflectivity& row : rows) {
+    validation::expect_close({.group = "Materials",
+                              .name = fmt::format("{}, |R(0)|² at {} GHz", row.material, row.frequency_hz / 1e9),
+                              .expected = row.expected,
+                              .measured = normal_reflectivity(row.material, row.frequency_hz),
+                              .tolerance = 6e-5,
+                              .unit = "1",
+                              .source = "constants of the source evaluated independently"});
+  }
+}
+
+TEST(Materials, LossOfThePapersMaterials) {
+  // ε'' = σ/(ω ε₀) at 10 GHz.
+  EXPECT_NEAR(-permittivity_of("paper_building", 10e9).imag(), 1.80e5, 0.005e5);
+  EXPECT_NEAR(-permittivity_of("paper_leaf", 10e9).imag(), 179.8, 0.05);
+  EXPECT_NEAR(-permittivity_of("paper_bark", 10e9).imag(), 0.009, 5e-4);
+}
+
+TEST(Materials, EveryRowOfTheRecommendationIsThere) {
+  for (const scatter::ItuMaterial& row : scatter::itu_p2040()) {
+    const scatter::Material& material = scatter::library_material(row.name);
+    const auto& mirrors = std::get<scatter::CookTorranceParameters>(material.model);
+    EXPECT_EQ(std::get<scatter::PowerLawPermittivity>(mirrors.permittivity.law()), row.law) << row.name;
+    EXPECT_EQ(material.lowest_frequency_hz, row.frequencies.lowest_hz) << row.name;
+    EXPECT_EQ(material.highest_frequency_hz, row.frequencies.highest_hz) << row.name;
+    EXPECT_EQ(material.verified, row.verified()) << row.name;
+  }
+  EXPECT_EQ(std::ranges::count_if(scatter::itu_p2040(), &scatter::ItuMaterial::verified), 16);
+}
+
+TEST(Materials, AreRefusedOutsideTheirFrequencies) {
+  for (const scatter::Material& material : scatter::material_library()) {
+    EXPECT_THROW((scatter::SurfaceModel{material, material.highest_frequency_hz * 1.01}), Error) << material.name;
+    if (material.lowest_frequency_hz > 0.0) {
+      EXPECT_THROW((scatter::SurfaceModel{material, material.lowest_frequency_hz * 0.99}), Error) << material.name;
+      EXPECT_NO_THROW((scatter::SurfaceModel{material, material.lowest_frequency_hz})) << material.name;
+    }
+    EXPECT_NO_THROW((scatter::SurfaceModel{material, material.highest_frequency_hz})) << material.name;
+  }
+}
+
+TEST(Materials, RefusalSaysWhichAndWhatWouldBeRight) {
+  try {
+    const scatter::SurfaceModel model(scatter::library_material("wet_ground"), 35e9);
+    FAIL() << "wet_ground is known from 1 to 10 GHz only";
+  } catch (const Error& error) {
+    const std::string message = error.what();
+    EXPECT_NE(message.find("wet_ground"), std::string::npos) << message;
+    EXPECT_NE(message.find("10.000 GHz"), std::string::npos) << message;
+  }
+}
+
+}  // namespace
+}  // namespace sigmascape::physics_test

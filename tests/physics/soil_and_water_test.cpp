@@ -1,0 +1,125 @@
+#include <cmath>
+#include <complex>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "validation/validation_record.h"
+
+#include "sigmascape/base/units.h"
+#include "sigmascape/scatter/permittivity.h"
+
+namespace sigmascape::physics_test {
+namespace {
+
+using scatter::Permittivity;
+using scatter::SoilPermittivity;
+using scatter::VegetationPermittivity;
+using scatter::WaterPermittivity;
+using Complex = std::complex<double>;
+
+double normal_reflectivity(Complex permittivity) {
+  const Complex root = std::sqrt(permittivity);
+  return std::norm((1.0 - root) / (1.0 + root));
+}
+
+/// Published numbers carry `digits` of half a unit in their last place.
+void expect_permittivity(const std::string& name, const Permittivity& permittivity, double f_ghz, Complex expected,
+                         double half_digit, const char* source) {
+  const Complex measured = permittivity.relative_at(f_ghz * 1e9);
+  const auto report = [&](const char* part, double wanted, double found) {
+    validation::expect_close({.group = "Permittivity",
+                              .name = fmt::format("{}, {} GHz, {}", name, f_ghz, part),
+                              .expected = wanted,
+                              .measured = found,
+                              .tolerance = half_digit * 1.02,
+                              .unit = "1",
+                              .source = source});
+  };
+  report("ε'", expected.real(), measured.real());
+  report("ε''", -expected.imag(), -measured.imag());
+}
+
+TEST(Water, PureAtTwentyDegrees) {
+  const char* source = "ITU-R P.527-4 evaluated independently";
+  const WaterPermittivity water{20.0, 0.0};
+  expect_permittivity("pure water, 20 °C", water, 1.3, {79.64, -5.70}, 0.005, source);
+  expect_permittivity("pure water, 20 °C", water, 5.405, {73.18, -21.64}, 0.005, source);
+  expect_permittivity("pure water, 20 °C", water, 10.0, {60.79, -32.72}, 0.005, source);
+  expect_permittivity("pure water, 20 °C", water, 35.0, {19.56, -29.41}, 0.005, source);
+}
+
+TEST(Water, SeaAtTwentyDegrees) {
+  const char* source = "ITU-R P.527-4 evaluated independently";
+  const WaterPermittivity sea{20.0, 35.0};
+  expect_permittivity("sea water, 20 °C, 35 g/kg", sea, 1.3, {71.33, -71.12}, 0.005, source);
+  expect_permittivity("sea water, 20 °C, 35 g/kg", sea, 5.405, {66.19, -34.29}, 0.005, source);
+  expect_permittivity("sea water, 20 °C, 35 g/kg", sea, 10.0, {56.03, -36.93}, 0.005, source);
+  validation::expect_close({.group = "Permittivity",
+                            .name = "sea water, 20 °C, 35 g/kg, conductivity",
+                            .expected = 4.791,
+                            .measured = sea.ionic_conductivity_s_per_m(),
+                            .tolerance = 5e-4,
+                            .unit = "S/m",
+                            .source = source});
+  const std::pair<double, double> reflectivities[] = {{1.3, 0.69}, {5.405, 0.64}, {10.0, 0.63}};
+  for (const auto& [f_ghz, expected] : reflectivities) {
+    validation::expect_close({.group = "Permittivity",
+                              .name = fmt::format("sea water, 20 °C, |R(0)|² at {} GHz", f_ghz),
+                              .expected = expected,
+                              .measured = normal_reflectivity(Permittivity(sea).relative_at(f_ghz * 1e9)),
+                              .tolerance = 0.005,
+                              .unit = "1",
+                              .source = source});
+  }
+}
+
+TEST(Water, WithoutSaltDoesNotConduct) {
+  EXPECT_EQ((WaterPermittivity{10.0, 0.0}.ionic_conductivity_s_per_m()), 0.0);
+}
+
+TEST(Soil, LoamByMoisture) {
+  const char* source = "ITU-R P.527-4, 40 % sand and 20 % clay at 23 °C, evaluated independently";
+  const auto loam = [](double moisture) { return SoilPermittivity{40.0, 20.0, moisture}; };
+  expect_permittivity("loam, moisture 0.1", loam(0.1), 5.405, {6.59, -0.71}, 0.005, source);
+  expect_permittivity("loam, moisture 0.2", loam(0.2), 5.405, {11.45, -1.83}, 0.005, source);
+  expect_permittivity("loam, moisture 0.3", loam(0.3), 5.405, {17.31, -3.30}, 0.005, source);
+  expect_permittivity("loam, moisture 0.1", loam(0.1), 10.0, {6.21, -0.86}, 0.005, source);
+  expect_permittivity("loam, moisture 0.2", loam(0.2), 10.0, {10.43, -2.45}, 0.005, source);
+  expect_permittivity("loam, moisture 0.3", loam(0.3), 10.0, {15.48, -4.61}, 0.005, source);
+}
+
+TEST(Vegetation, LeavesByMoisture) {
+  const char* source = "Ulaby and El-Rayes, Code 4.8, evaluated independently";
+  const VegetationPermittivity fresh{0.6};
+  expect_permittivity("leaves, moisture 0.6", fresh, 1.3, {22.9, -9.6}, 0.05, source);
+  expect_permittivity("leaves, moisture 0.6", fresh, 5.4, {19.1, -6.8}, 0.05, source);
+  expect_permittivity("leaves, moisture 0.6", fresh, 10.0, {16.6, -7.4}, 0.05, source);
+  const std::pair<double, double> reflectivities[] = {{0.6, 0.394}, {0.3, 0.185}};
+  for (const auto& [moisture, expected] : reflectivities) {
+    validation::expect_close(
+        {.group = "Permittivity",
+         .name = fmt::format("leaves, moisture {}, |R(0)|² at 10 GHz", moisture),
+         .expected = expected,
+         .measured = normal_reflectivity(Permittivity(VegetationPermittivity{moisture}).relative_at(10e9)),
+         .tolerance = 5e-4,
+         .unit = "1",
+         .source = source});
+  }
+}
+
+// Passive materials lose energy and never beat vacuum, wherever the laws are used.
+TEST(Permittivity, EveryLawIsPassive) {
+  const Permittivity laws[] = {WaterPermittivity{0.0, 0.0},       WaterPermittivity{30.0, 38.0},
+                               SoilPermittivity{90.0, 5.0, 0.03}, SoilPermittivity{20.0, 60.0, 0.4},
+                               VegetationPermittivity{0.05},      VegetationPermittivity{0.7}};
+  for (const Permittivity& law : laws) {
+    const auto [lowest_hz, highest_hz] = law.valid_frequencies();
+    for (double f = std::max(lowest_hz, 0.3e9); f <= std::min(highest_hz, 300e9); f *= 1.3) {
+      EXPECT_GE(law.relative_at(f).real(), 1.0) << f;
+      EXPECT_LE(law.relative_at(f).imag(), 0.0) << f;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace sigmascape::physics_test
