@@ -2,9 +2,10 @@
 
 #include "bake_options.h"
 #include "command.h"
-#include "sigmascape/scene/scene_file.h"
 #include "stopwatch.h"
 #include "terminal_progress.h"
+
+#include "sigmascape/scene/scene_file.h"
 
 namespace sigmascape::cli {
 
@@ -16,7 +17,8 @@ void add_bake_command(CLI::App& app, Output& output) {
   };
   auto options = std::make_shared<Options>();
   command->add_option("SCENE", options->scene, "scene file (TOML)")->required();
-  command->add_option("--out", options->folder, "folder of the atlas; a bake that was broken off goes on there")->required();
+  command->add_option("--out", options->folder, "folder of the atlas; a bake that was broken off goes on there")
+      ->required();
   options->bake.add_to(*command);
   command->add_flag("--json", output.json, "print the summary as JSON");
   command->footer(
@@ -29,17 +31,18 @@ void add_bake_command(CLI::App& app, Output& output) {
     const Stopwatch watch;
     const bake::BakeReport report = bake::bake(scene, options->bake.settings(), options->folder, progress);
     const double seconds = watch.seconds();
-    output.finish(fmt::format("{} looks in {} ({} were there already), {:.1f} s, {:.1f} million rays, texel error {:.0f} %", report.looks,
-                              options->folder, report.already, seconds, static_cast<double>(report.counts.rays) / 1e6,
-                              100.0 * report.relative_standard_error),
-                  {{"atlas", options->folder},
-                   {"looks", report.looks},
-                   {"already", report.already},
-                   {"seconds", seconds},
-                   {"paths", report.counts.paths},
-                   {"rays", report.counts.rays},
-                   {"echoes", report.counts.echoes},
-                   {"relative_standard_error", report.relative_standard_error}});
+    output.finish(
+        fmt::format("{} looks in {} ({} were there already), {:.1f} s, {:.1f} million rays, texel error {:.0f} %",
+                    report.looks, options->folder, report.already, seconds,
+                    static_cast<double>(report.counts.rays) / 1e6, 100.0 * report.relative_standard_error),
+        {{"atlas", options->folder},
+         {"looks", report.looks},
+         {"already", report.already},
+         {"seconds", seconds},
+         {"paths", report.counts.paths},
+         {"rays", report.counts.rays},
+         {"echoes", report.counts.echoes},
+         {"relative_standard_error", report.relative_standard_error}});
   });
 }
 

@@ -8,21 +8,27 @@ namespace sigmascape::cli {
 
 void BakeOptions::add_to(CLI::App& command) {
   command.add_option("--texel-m", texel_m, "side of a texel on the ground")->capture_default_str();
-  command.add_option("--patch-texels", patch_texels, "texels along a patch: 256, 512, 1024, ...")->capture_default_str();
-  command.add_option("--azimuths", azimuths, "number of azimuths, evenly spaced from north")->capture_default_str()->check(CLI::Range(1, 3600));
+  command.add_option("--patch-texels", patch_texels, "texels along a patch: 256, 512, 1024, ...")
+      ->capture_default_str();
+  command.add_option("--azimuths", azimuths, "number of azimuths, evenly spaced from north")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 3600));
   command.add_option("--elevations-deg", elevations_deg, "grazing angles")->delimiter(',')->capture_default_str();
   command.add_option("--frequencies-ghz", frequencies_ghz, "frequencies")->delimiter(',')->capture_default_str();
   command.add_option("--samples", samples, "rays a texel (N_r of the paper)")->capture_default_str();
   command.add_option("--bounces", bounces, "surfaces a path may meet (N_b of the paper)")->capture_default_str();
   command.add_option("--seed", seed, "names the random numbers")->capture_default_str();
-  command.add_option("--mantissa-bits", mantissa_bits, "bits kept of each half float, 1 to 10")->capture_default_str()->check(CLI::Range(1, 10));
+  command.add_option("--mantissa-bits", mantissa_bits, "bits kept of each half float, 1 to 10")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 10));
   command.add_option("--threads", threads, "0: one a processor")->capture_default_str();
 }
 
 bake::BakeSettings BakeOptions::settings() const {
   bake::BakeSettings settings;
   settings.aspects = {};
-  for (unsigned i = 0; i < azimuths; ++i) settings.aspects.azimuths_rad.push_back(radians_from_deg(360.0 * i / azimuths));
+  for (unsigned i = 0; i < azimuths; ++i)
+    settings.aspects.azimuths_rad.push_back(radians_from_deg(360.0 * i / azimuths));
   for (const double elevation : elevations_deg) settings.aspects.elevations_rad.push_back(radians_from_deg(elevation));
   for (const double frequency : frequencies_ghz) settings.aspects.frequencies_hz.push_back(frequency * 1e9);
   std::ranges::sort(settings.aspects.elevations_rad);

@@ -1,9 +1,9 @@
 #include <fmt/format.h>
-
 #include <optional>
 
 #include "command.h"
 #include "polarization_option.h"
+
 #include "sigmascape/product/ground_map_file.h"
 #include "sigmascape/product/map_metrics.h"
 
@@ -18,9 +18,12 @@ void add_compare_command(CLI::App& app, Output& output) {
   auto options = std::make_shared<Options>();
   command->add_option("TESTED", options->tested, "ground map (GeoTIFF from render)")->required();
   command->add_option("TRUTH", options->truth, "ground map held to be right")->required();
-  command->add_option("--noise-floor", options->repeated, "the truth traced again with another seed: how close two of them come");
-  command->add_option("--cells-m", options->compare.cells_m, "cell sizes to average to before comparing")->delimiter(',');
-  command->add_option("--floor-db", options->compare.floor_db, "darker cells count as this dark")->capture_default_str();
+  command->add_option("--noise-floor", options->repeated,
+                      "the truth traced again with another seed: how close two of them come");
+  command->add_option("--cells-m", options->compare.cells_m, "cell sizes to average to before comparing")
+      ->delimiter(',');
+  command->add_option("--floor-db", options->compare.floor_db, "darker cells count as this dark")
+      ->capture_default_str();
   command->add_option("--shadow-db", options->compare.shadow_db, "darker cells are shadow")->capture_default_str();
   add_polarization_option(*command, options->compare.polarization);
   command->add_flag("--json", output.json, "print as JSON");
@@ -29,7 +32,8 @@ void add_compare_command(CLI::App& app, Output& output) {
     const auto truth = product::read_ground_map(options->truth);
     const auto comparison = product::compare_maps(product::read_ground_map(options->tested), truth, options->compare);
     std::optional<product::MapComparison> floor;
-    if (!options->repeated.empty()) floor = product::compare_maps(product::read_ground_map(options->repeated), truth, options->compare);
+    if (!options->repeated.empty())
+      floor = product::compare_maps(product::read_ground_map(options->repeated), truth, options->compare);
     output.finish(product::comparison_table(comparison, floor),
                   nlohmann::ordered_json::parse(product::comparison_json(comparison, floor)));
   });

@@ -1,10 +1,12 @@
 #include <fmt/format.h>
-
 #include <fstream>
 
 #include "bake_options.h"
 #include "command.h"
 #include "map_files.h"
+#include "stopwatch.h"
+#include "terminal_progress.h"
+
 #include "sigmascape/atlas/store.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/geo/atomic_file.h"
@@ -16,8 +18,6 @@
 #include "sigmascape/scene/scene_file.h"
 #include "sigmascape/simulate/placement.h"
 #include "sigmascape/simulate/simulate.h"
-#include "stopwatch.h"
-#include "terminal_progress.h"
 
 namespace sigmascape::cli {
 namespace {
@@ -54,7 +54,10 @@ radar::RadarFile paper_radar(double azimuth_deg, double elevation_deg) {
 class Demo {
  public:
   Demo(const DemoOptions& options, scene::Scene scene)
-      : options_(options), folder_(options.folder), scene_(std::move(scene)), geometry_(scene_, trace::Footing::Terrain) {}
+      : options_(options),
+        folder_(options.folder),
+        scene_(std::move(scene)),
+        geometry_(scene_, trace::Footing::Terrain) {}
 
   void bake() {
     const Stopwatch watch;
@@ -78,45 +81,54 @@ class Demo {
     const auto comparison = product::compare_maps(baked, traced, compare);
     const auto floor = product::compare_maps(repeated, traced, compare);
     write_files(view, radar, traced, baked);
-    page_.sections.push_back({.heading = view.heading,
-                              .figures = {{folder_ / (view.name + "_traced.png"), "Path-traced from the full scene"},
-                                          {folder_ / (view.name + "_baked.png"), "Rendered from terrain and baked reflectivity"},
-                                          {folder_ / (view.name + "_difference.png"), "Baked over traced"}},
-                              .comparison = comparison,
-                              .noise_floor = floor,
-                              .facts = {{"Tracing", fmt::format("{:.1f} s", traced_seconds)},
-                                        {"Rendering", fmt::format("{:.0f} ms", 1e3 * baked_seconds)}}});
+    page_.sections.push_back(
+        {.heading = view.heading,
+         .figures = {{folder_ / (view.name + "_traced.png"), "Path-traced from the full scene"},
+                     {folder_ / (view.name + "_baked.png"), "Rendered from terrain and baked reflectivity"},
+                     {folder_ / (view.name + "_difference.png"), "Baked over traced"}},
+         .comparison = comparison,
+         .noise_floor = floor,
+         .facts = {{"Tracing", fmt::format("{:.1f} s", traced_seconds)},
+                   {"Rendering", fmt::format("{:.0f} ms", 1e3 * baked_seconds)}}});
     auto json = nlohmann::ordered_json::parse(product::comparison_json(comparison, floor));
     json["view"] = view.name;
     json["traced_seconds"] = traced_seconds;
     json["baked_seconds"] = baked_seconds;
     summary_["views"].push_back(json);
-    text_ += fmt::format("\n{}\ntraced in {:.1f} s, baked in {:.0f} ms; in brackets: the traced map against itself with another seed\n{}\n",
-                         view.heading, traced_seconds, 1e3 * baked_seconds, product::comparison_table(comparison, floor));
+    text_ += fmt::format(
+        "\n{}\ntraced in {:.1f} s, baked in {:.0f} ms; in brackets: the traced map against itself with another "
+        "seed\n{}\n",
+        view.heading, traced_seconds, 1e3 * baked_seconds, product::comparison_table(comparison, floor));
   }
 
   void finish(const Output& output) {
     page_.title = scene_.name;
-    page_.lead = "The same ground map made two ways: by path tracing the full scene, and from baked reflectivity textures.";
+    page_.lead =
+        "The same ground map made two ways: by path tracing the full scene, and from baked reflectivity textures.";
     page_.attribution = scene_.attribution;
-    page_.sections.push_back({.heading = "The bake",
-                              .facts = {{"Looks", std::to_string(bake_report_.looks)},
-                                        {"Time", fmt::format("{:.1f} s", bake_seconds_)},
-                                        {"Rays", fmt::format("{:.1f} million", static_cast<double>(bake_report_.counts.rays) / 1e6)},
-                                        {"Trees and vehicles", std::to_string(scene_.instances.size())},
-                                        {"Buildings", std::to_string(scene_.buildings.items.size())}}});
+    page_.sections.push_back(
+        {.heading = "The bake",
+         .facts = {{"Looks", std::to_string(bake_report_.looks)},
+                   {"Time", fmt::format("{:.1f} s", bake_seconds_)},
+                   {"Rays", fmt::format("{:.1f} million", static_cast<double>(bake_report_.counts.rays) / 1e6)},
+                   {"Trees and vehicles", std::to_string(scene_.instances.size())},
+                   {"Buildings", std::to_string(scene_.buildings.items.size())}}});
     product::write_comparison_page(folder_ / "index.html", page_);
     summary_["scene"] = scene_.name;
-    summary_["bake"] = {{"looks", bake_report_.looks}, {"already", bake_report_.already}, {"seconds", bake_seconds_}, {"rays", bake_report_.counts.rays}};
+    summary_["bake"] = {{"looks", bake_report_.looks},
+                        {"already", bake_report_.already},
+                        {"seconds", bake_seconds_},
+                        {"rays", bake_report_.counts.rays}};
     geo::write_atomically(folder_ / "comparison.json", summary_.dump(2) + "\n");
     summary_["page"] = (folder_ / "index.html").string();
-    output.finish(fmt::format("{}: {} looks baked in {:.1f} s\n{}\nOpen {}", scene_.name, bake_report_.looks, bake_seconds_, text_,
-                              (folder_ / "index.html").string()),
+    output.finish(fmt::format("{}: {} looks baked in {:.1f} s\n{}\nOpen {}", scene_.name, bake_report_.looks,
+                              bake_seconds_, text_, (folder_ / "index.html").string()),
                   summary_);
   }
 
  private:
-  [[nodiscard]] radar::GroundMap traced_map(const radar::Radar& radar, const radar::GroundGrid& grid, std::uint64_t seed) const {
+  [[nodiscard]] radar::GroundMap traced_map(const radar::Radar& radar, const radar::GroundGrid& grid,
+                                            std::uint64_t seed) const {
     trace::TraceCounts counts;
     const auto image = simulate::traced_image(scene_, geometry_, radar, grid.extent(),
                                               {.cell_m = grid.cell_m,
@@ -125,13 +137,16 @@ class Demo {
                                                .seed = seed,
                                                .threads = options_.bake.threads},
                                               counts);
-    return described_map(image, radar, scene_.terrain, grid, scene_.frame, provenance("level of detail 0: path-traced"));
+    return described_map(image, radar, scene_.terrain, grid, scene_.frame,
+                         provenance("level of detail 0: path-traced"));
   }
 
   [[nodiscard]] radar::GroundMap baked_map(const radar::Radar& radar, const radar::GroundGrid& grid) const {
     render::RenderCounts counts;
-    const auto image = simulate::baked_image(*atlas_, scene_.terrain, radar, grid.extent(), {.threads = options_.bake.threads}, counts);
-    return described_map(image, radar, scene_.terrain, grid, scene_.frame, provenance("level of detail 1: from terrain and atlas"));
+    const auto image = simulate::baked_image(*atlas_, scene_.terrain, radar, grid.extent(),
+                                             {.threads = options_.bake.threads}, counts);
+    return described_map(image, radar, scene_.terrain, grid, scene_.frame,
+                         provenance("level of detail 1: from terrain and atlas"));
   }
 
   [[nodiscard]] Provenance provenance(const std::string& processing) const {
@@ -140,7 +155,8 @@ class Demo {
     return provenance;
   }
 
-  void write_files(const View& view, const radar::Radar& radar, const radar::GroundMap& traced, const radar::GroundMap& baked) const {
+  void write_files(const View& view, const radar::Radar& radar, const radar::GroundMap& traced,
+                   const radar::GroundMap& baked) const {
     product::PictureOptions look = product::scope_look();
     look.polarization = radar.polarization;
     look.top_db = product::percentile_top_db(traced, look);
@@ -148,7 +164,8 @@ class Demo {
     write_map_picture(folder_ / (view.name + "_traced.png"), traced, look);
     write_map_picture(folder_ / (view.name + "_baked.png"), baked, look);
     product::write_png(folder_ / (view.name + "_difference.png"),
-                       product::difference_picture(baked, traced, {.polarization = radar.polarization, .magnification = look.magnification}));
+                       product::difference_picture(
+                           baked, traced, {.polarization = radar.polarization, .magnification = look.magnification}));
     product::write_ground_map(folder_ / (view.name + "_traced.tif"), traced);
     product::write_ground_map(folder_ / (view.name + "_baked.tif"), baked);
   }
@@ -171,12 +188,14 @@ std::vector<View> views_of(const DemoOptions& options) {
     const auto file = radar::read_radar_file(options.radar);
     return {{"view", file.radar.name, file}};
   }
-  return {{"paper_view", "The paper's view: 20 km away, 8.6° elevation, azimuth 130°, between the baked looks", paper_radar(130.0, 8.6)},
+  return {{"paper_view", "The paper's view: 20 km away, 8.6° elevation, azimuth 130°, between the baked looks",
+           paper_radar(130.0, 8.6)},
           {"baked_view", "A view that was baked: 20 km away, 13° elevation, azimuth 135°", paper_radar(135.0, 13.0)}};
 }
 
 void run_demo(const DemoOptions& options, const Output& output) {
-  Demo demo(options, options.scene.empty() ? scene::paper_scene({.scale = options.scale}) : scene::read_scene(options.scene));
+  Demo demo(options,
+            options.scene.empty() ? scene::paper_scene({.scale = options.scale}) : scene::read_scene(options.scene));
   demo.bake();
   for (const View& view : views_of(options)) demo.compare_at(view);
   demo.finish(output);
@@ -193,10 +212,12 @@ void add_demo_command(CLI::App& app, Output& output) {
   command->add_option("--radar", options->radar, "radar file (TOML); by default the paper's view and a baked one");
   command->add_option("--out", options->folder, "folder for pictures, maps and the page")->capture_default_str();
   command->add_option("--scale", options->scale, "size of the paper's scene, 1 being 2 km")->capture_default_str();
-  command->add_option("--traced-samples", options->traced_samples, "rays a cell of the traced map")->capture_default_str();
+  command->add_option("--traced-samples", options->traced_samples, "rays a cell of the traced map")
+      ->capture_default_str();
   options->bake.add_to(*command);
   command->add_flag("--json", output.json, "print the summary as JSON");
-  command->footer("Examples:\n  sigmascape demo\n  sigmascape demo --scene examples/bilbao/bilbao.toml --out out/bilbao");
+  command->footer(
+      "Examples:\n  sigmascape demo\n  sigmascape demo --scene examples/bilbao/bilbao.toml --out out/bilbao");
   command->callback([options, &output] { run_demo(*options, output); });
 }
 

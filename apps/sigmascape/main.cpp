@@ -1,8 +1,8 @@
+#include <exception>
 #include <fmt/format.h>
 
-#include <exception>
-
 #include "command.h"
+
 #include "sigmascape/base/error.h"
 
 namespace sigmascape::cli {
@@ -15,8 +15,10 @@ void Output::finish(const std::string& text, const nlohmann::ordered_json& summa
 
 int main(int argc, char** argv) {
   using namespace sigmascape;  // NOLINT(google-build-using-namespace)
-  CLI::App app{"Sigmascape: what a radar sees of a landscape.\n"
-               "Path-traces a scene at radio frequencies, bakes it into reflectivity textures, and renders ground maps from either."};
+  CLI::App app{
+      "Sigmascape: what a radar sees of a landscape.\n"
+      "Path-traces a scene at radio frequencies, bakes it into reflectivity textures, and renders ground maps from "
+      "either."};
   app.require_subcommand(1);
   app.set_version_flag("--version", "0.1.0");
   cli::Output output;

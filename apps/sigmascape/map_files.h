@@ -16,10 +16,12 @@ namespace sigmascape::cli {
 using Provenance = std::map<std::string, std::string>;
 
 /// Lays an image on the ground and notes radar, position and provenance with it.
-[[nodiscard]] radar::GroundMap described_map(const radar::RangeAzimuthImage& image, const radar::Radar& radar, const terrain::HeightField& terrain,
-                                             const radar::GroundGrid& grid, const geo::LocalFrame& frame, const Provenance& provenance);
+[[nodiscard]] radar::GroundMap described_map(const radar::RangeAzimuthImage& image, const radar::Radar& radar,
+                                             const terrain::HeightField& terrain, const radar::GroundGrid& grid,
+                                             const geo::LocalFrame& frame, const Provenance& provenance);
 
 /// Writes a map as a picture with its legend.
-void write_map_picture(const std::filesystem::path& path, const radar::GroundMap& map, const product::PictureOptions& options);
+void write_map_picture(const std::filesystem::path& path, const radar::GroundMap& map,
+                       const product::PictureOptions& options);
 
 }  // namespace sigmascape::cli

@@ -3,6 +3,8 @@
 #include "command.h"
 #include "map_files.h"
 #include "polarization_option.h"
+#include "stopwatch.h"
+
 #include "sigmascape/atlas/store.h"
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
@@ -11,7 +13,6 @@
 #include "sigmascape/scene/scene_file.h"
 #include "sigmascape/simulate/placement.h"
 #include "sigmascape/simulate/simulate.h"
-#include "stopwatch.h"
 
 namespace sigmascape::cli {
 namespace {
@@ -32,7 +33,8 @@ struct Rendered {
   Provenance provenance = {};
 };
 
-Rendered traced(const RenderOptions& options, const scene::Scene& scene, const radar::Radar& radar, const radar::GroundGrid& grid) {
+Rendered traced(const RenderOptions& options, const scene::Scene& scene, const radar::Radar& radar,
+                const radar::GroundGrid& grid) {
   const trace::SceneGeometry geometry(scene, trace::Footing::Terrain);
   simulate::TraceSettings settings = options.trace;
   settings.cell_m = grid.cell_m;
@@ -47,31 +49,38 @@ Rendered traced(const RenderOptions& options, const scene::Scene& scene, const r
   return rendered;
 }
 
-Rendered baked(const RenderOptions& options, const scene::Scene& scene, const radar::Radar& radar, const radar::GroundGrid& grid) {
+Rendered baked(const RenderOptions& options, const scene::Scene& scene, const radar::Radar& radar,
+               const radar::GroundGrid& grid) {
   if (options.atlas.empty()) {
-    throw Error("--atlas", "is missing for level of detail " + std::to_string(options.level_of_detail), "name the atlas that `sigmascape bake` made, or use --lod 0");
+    throw Error("--atlas", "is missing for level of detail " + std::to_string(options.level_of_detail),
+                "name the atlas that `sigmascape bake` made, or use --lod 0");
   }
   const auto store = atlas::Store::open(options.atlas);
   if (store.description().scene_hash != scene::scene_hash(scene)) {
-    throw Error(options.atlas, "was baked from another scene than " + options.scene, "bake this scene, or name the scene that the atlas was made from");
+    throw Error(options.atlas, "was baked from another scene than " + options.scene,
+                "bake this scene, or name the scene that the atlas was made from");
   }
   const atlas::Atlas textures = atlas::load_atlas(store);
   render::RenderCounts counts;
   const Stopwatch watch;
-  Rendered rendered{.image = simulate::baked_image(textures, scene.terrain, radar, grid.extent(),
-                                                   {.level_of_detail = options.level_of_detail, .threads = options.trace.threads}, counts)};
+  Rendered rendered{.image = simulate::baked_image(
+                        textures, scene.terrain, radar, grid.extent(),
+                        {.level_of_detail = options.level_of_detail, .threads = options.trace.threads}, counts)};
   rendered.seconds = watch.seconds();
   rendered.cost = {{"ground_samples", counts.ground_samples}, {"visible", counts.visible}};
-  rendered.provenance = {{"processing", fmt::format("level of detail {}: from terrain and atlas", options.level_of_detail)}};
+  rendered.provenance = {
+      {"processing", fmt::format("level of detail {}: from terrain and atlas", options.level_of_detail)}};
   return rendered;
 }
 
-void render(const RenderOptions& options, radar::Polarization polarization, bool polarization_given, const Output& output) {
+void render(const RenderOptions& options, radar::Polarization polarization, bool polarization_given,
+            const Output& output) {
   const auto radar_file = radar::read_radar_file(options.radar);
   const scene::Scene scene = scene::read_scene(options.scene);
   const auto radar = simulate::placed_radar(radar_file, scene.frame, scene.terrain, scene.extent);
   const auto grid = simulate::map_grid(radar_file.map, scene.extent);
-  Rendered rendered = options.level_of_detail == 0 ? traced(options, scene, radar, grid) : baked(options, scene, radar, grid);
+  Rendered rendered =
+      options.level_of_detail == 0 ? traced(options, scene, radar, grid) : baked(options, scene, radar, grid);
   rendered.provenance["scene"] = scene.name;
   rendered.provenance["scene_hash"] = scene::scene_hash(scene);
   if (!scene.attribution.empty()) rendered.provenance["attribution"] = scene.attribution;
@@ -92,8 +101,8 @@ void render(const RenderOptions& options, radar::Polarization polarization, bool
                                  {"rows", grid.rows},
                                  {"seconds", rendered.seconds}};
   summary.update(rendered.cost);
-  output.finish(fmt::format("{} x {} cells of {} m at level of detail {} in {:.3f} s", grid.columns, grid.rows, grid.cell_m, options.level_of_detail,
-                            rendered.seconds),
+  output.finish(fmt::format("{} x {} cells of {} m at level of detail {} in {:.3f} s", grid.columns, grid.rows,
+                            grid.cell_m, options.level_of_detail, rendered.seconds),
                 summary);
 }
 
@@ -111,19 +120,26 @@ void add_render_command(CLI::App& app, Output& output) {
       ->check(CLI::Range(0, 16));
   command->add_option("--out", options->map_file, "ground map to write (GeoTIFF, linear sigma0)");
   command->add_option("--png", options->picture_file, "picture to write");
-  command->add_option("--style", options->style, "grey or scope")->capture_default_str()->check(CLI::IsMember({"grey", "scope"}));
+  command->add_option("--style", options->style, "grey or scope")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"grey", "scope"}));
   command->add_option("--span-db", options->span_db, "span of the picture from dark to bright")->capture_default_str();
-  command->add_option("--top-db", options->top_db, "sigma0 shown brightest; by default that of the brightest few cells");
+  command->add_option("--top-db", options->top_db,
+                      "sigma0 shown brightest; by default that of the brightest few cells");
   add_polarization_option(*command, *polarization);
-  command->add_option("--samples", options->trace.samples_per_cell, "rays a map cell, at level of detail 0")->capture_default_str();
-  command->add_option("--bounces", options->trace.max_bounces, "surfaces a path may meet, at level of detail 0")->capture_default_str();
-  command->add_option("--seed", options->trace.seed, "names the random numbers, at level of detail 0")->capture_default_str();
+  command->add_option("--samples", options->trace.samples_per_cell, "rays a map cell, at level of detail 0")
+      ->capture_default_str();
+  command->add_option("--bounces", options->trace.max_bounces, "surfaces a path may meet, at level of detail 0")
+      ->capture_default_str();
+  command->add_option("--seed", options->trace.seed, "names the random numbers, at level of detail 0")
+      ->capture_default_str();
   command->add_option("--threads", options->trace.threads, "0: one a processor")->capture_default_str();
   command->add_flag("--json", output.json, "print the summary as JSON");
   command->footer(
       "Examples:\n"
       "  sigmascape render radar.toml --scene town.toml --out traced.tif --png traced.png\n"
-      "  sigmascape render radar.toml --scene town.toml --atlas atlas --lod 1 --out baked.tif --png baked.png --style scope");
+      "  sigmascape render radar.toml --scene town.toml --atlas atlas --lod 1 --out baked.tif --png baked.png --style "
+      "scope");
   command->callback([command, options, polarization, &output] {
     render(*options, *polarization, command->get_option("--polarization")->count() > 0, output);
   });

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "command.h"
+
 #include "sigmascape/scene/scene_file.h"
 #include "sigmascape/trace/scene_geometry.h"
 
@@ -45,7 +46,8 @@ nlohmann::ordered_json summary_of(const scene::Scene& scene, const SceneCounts& 
   json["geometry_mib"] = static_cast<double>(geometry_bytes) / (1024.0 * 1024.0);
   json["scene_hash"] = scene::scene_hash(scene);
   for (const auto& material : scene.materials) {
-    json["materials"].push_back({{"name", material.name}, {"verified", material.verified}, {"source", material.source}});
+    json["materials"].push_back(
+        {{"name", material.name}, {"verified", material.verified}, {"source", material.source}});
   }
   json["remarks"] = nlohmann::ordered_json::array();
   for (const auto& remark : scene.remarks) {
@@ -57,12 +59,16 @@ nlohmann::ordered_json summary_of(const scene::Scene& scene, const SceneCounts& 
 
 std::string text_of(const scene::Scene& scene, const SceneCounts& counts, std::size_t geometry_bytes) {
   std::string text = fmt::format("{}\n", scene.name);
-  const auto line = [&text](std::string_view name, const std::string& value) { text += fmt::format("  {:<16}{}\n", name, value); };
-  line("extent", fmt::format("{:.0f} m x {:.0f} m about {:.5f} N, {:.5f} E", scene.extent.width_m(), scene.extent.height_m(),
-                             scene.frame.latitude_deg(), scene.frame.longitude_deg()));
+  const auto line = [&text](std::string_view name, const std::string& value) {
+    text += fmt::format("  {:<16}{}\n", name, value);
+  };
+  line("extent", fmt::format("{:.0f} m x {:.0f} m about {:.5f} N, {:.5f} E", scene.extent.width_m(),
+                             scene.extent.height_m(), scene.frame.latitude_deg(), scene.frame.longitude_deg()));
   line("terrain", fmt::format("{} x {} heights every {:.2f} m, {:.1f} to {:.1f} m", scene.terrain.height_m.columns(),
-                              scene.terrain.height_m.rows(), scene.terrain.spacing_m, scene.terrain.lowest_m(), scene.terrain.highest_m()));
-  line("land cover", fmt::format("{} x {} cells of {:.2f} m", scene.ground.grid.columns, scene.ground.grid.rows, scene.ground.grid.cell_m));
+                              scene.terrain.height_m.rows(), scene.terrain.spacing_m, scene.terrain.lowest_m(),
+                              scene.terrain.highest_m()));
+  line("land cover", fmt::format("{} x {} cells of {:.2f} m", scene.ground.grid.columns, scene.ground.grid.rows,
+                                 scene.ground.grid.cell_m));
   line("buildings", fmt::format("{}", scene.buildings.items.size()));
   line("instances", fmt::format("{} of {} prototypes", scene.instances.size(), scene.prototypes.size()));
   line("tallest object", fmt::format("{:.1f} m", scene::tallest_object_m(scene)));
@@ -72,7 +78,8 @@ std::string text_of(const scene::Scene& scene, const SceneCounts& counts, std::s
   for (const auto& material : scene.materials) {
     line("material", fmt::format("{}{}", material.name, material.verified ? "" : " (UNVERIFIED constants)"));
   }
-  for (const auto& remark : scene.remarks) line("note", fmt::format("{}: {}, first {}", remark.what, remark.count, remark.first));
+  for (const auto& remark : scene.remarks)
+    line("note", fmt::format("{}: {}, first {}", remark.what, remark.count, remark.first));
   if (!scene.attribution.empty()) line("data", scene.attribution);
   text.pop_back();
   return text;
@@ -83,7 +90,8 @@ std::string text_of(const scene::Scene& scene, const SceneCounts& counts, std::s
 void add_scene_command(CLI::App& app, Output& output) {
   auto* command = app.add_subcommand("scene", "Look at a scene file");
   command->require_subcommand(1);
-  auto* info = command->add_subcommand("info", "Print extent, counts, memory, materials, and what was skipped or mended");
+  auto* info =
+      command->add_subcommand("info", "Print extent, counts, memory, materials, and what was skipped or mended");
   auto file = std::make_shared<std::string>();
   info->add_option("SCENE", *file, "scene file (TOML)")->required();
   info->add_flag("--json", output.json, "print as JSON");

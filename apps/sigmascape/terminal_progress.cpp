@@ -1,9 +1,8 @@
 #include "terminal_progress.h"
 
+#include <cstdio>
 #include <fmt/format.h>
 #include <unistd.h>
-
-#include <cstdio>
 
 namespace sigmascape::cli {
 namespace {
@@ -20,7 +19,9 @@ std::string duration_text(double seconds) {
 }  // namespace
 
 TerminalProgress::TerminalProgress() : is_terminal_(isatty(STDERR_FILENO) != 0) {}
-TerminalProgress::~TerminalProgress() { erase_line(); }
+TerminalProgress::~TerminalProgress() {
+  erase_line();
+}
 
 void TerminalProgress::begin(std::string_view task, std::size_t done) {
   erase_line();

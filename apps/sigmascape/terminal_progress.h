@@ -7,8 +7,8 @@
 
 namespace sigmascape::cli {
 
-/// Shows work on the terminal as one line with its rate and the time left, once it has taken longer than two seconds. Says nothing when
-/// standard error is not a terminal.
+/// Shows work on the terminal as one line with its rate and the time left, once it has taken longer than two seconds.
+/// Says nothing when standard error is not a terminal.
 class TerminalProgress final : public ProgressListener {
  public:
   TerminalProgress();

@@ -1,17 +1,17 @@
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
 #include <map>
 #include <optional>
 
 #include "end_to_end/real_data.h"
+#include "validation/validation_record.h"
+
 #include "sigmascape/base/units.h"
 #include "sigmascape/product/ground_projection.h"
 #include "sigmascape/scene/scene_file.h"
 #include "sigmascape/simulate/simulate.h"
-#include "validation/validation_record.h"
 
 namespace sigmascape::end_to_end {
 namespace {
@@ -32,17 +32,18 @@ class BilbaoMap : public ::testing::Test {
   }
 
   /// Direct echoes alone of `scene`, seen from 20 km away.
-  static GroundMap map_of(const scene::Scene& scene, const radar::Rectangle& area, double cell_m, double from_azimuth_rad,
-                          double from_elevation_rad = elevation_rad) {
+  static GroundMap map_of(const scene::Scene& scene, const radar::Rectangle& area, double cell_m,
+                          double from_azimuth_rad, double from_elevation_rad = elevation_rad) {
     const Vec2d centre = area.centre();
-    const radar::Radar radar{.position = radar::position_seeing({centre.x, centre.y, 0.0}, from_azimuth_rad, from_elevation_rad, 20e3),
-                             .frequency_hz = 10e9,
-                             .range_resolution_m = cell_m,
-                             .beam_width_rad = std::numbers::sqrt2 * cell_m / 20e3};
+    const radar::Radar radar{
+        .position = radar::position_seeing({centre.x, centre.y, 0.0}, from_azimuth_rad, from_elevation_rad, 20e3),
+        .frequency_hz = 10e9,
+        .range_resolution_m = cell_m,
+        .beam_width_rad = std::numbers::sqrt2 * cell_m / 20e3};
     const trace::SceneGeometry geometry(scene, trace::Footing::Terrain);
     trace::TraceCounts counts;
-    const auto image =
-        simulate::traced_image(scene, geometry, radar, area, {.cell_m = cell_m, .samples_per_cell = 16, .max_bounces = 1}, counts);
+    const auto image = simulate::traced_image(scene, geometry, radar, area,
+                                              {.cell_m = cell_m, .samples_per_cell = 16, .max_bounces = 1}, counts);
     return product::ground_map(image, scene.terrain,
                                {area.west_m, area.north_m, cell_m, static_cast<std::size_t>(area.width_m() / cell_m),
                                 static_cast<std::size_t>(area.height_m() / cell_m)});
@@ -63,7 +64,8 @@ std::optional<double> crossing(const std::vector<double>& values, double level) 
 }
 
 /// σ0 along a line of cells that runs from the water onto the land.
-std::vector<double> profile_of(const GroundMap& map, std::size_t column, std::size_t row, int d_column, int d_row, int reach) {
+std::vector<double> profile_of(const GroundMap& map, std::size_t column, std::size_t row, int d_column, int d_row,
+                               int reach) {
   std::vector<double> profile;
   for (int step = -reach; step <= reach; ++step) {
     const auto c = static_cast<std::size_t>(static_cast<int>(column) + step * d_column);
@@ -88,8 +90,8 @@ TEST_F(BilbaoMap, ShorelineIsWhereTheLandCoverHasIt) {
   for (std::size_t row = 10; row + 10 < map.grid.rows; ++row) {
     for (std::size_t column = 10; column + 10 < map.grid.columns; ++column) {
       for (const auto& [dc, dr] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
-        // Water on one side and open grass on the other, all along the line: no trees or walls that shadow or lie over. At 45° a bank
-        // moves by its height and shades as much, so banks taller than half a cell are left out.
+        // Water on one side and open grass on the other, all along the line: no trees or walls that shadow or lie over.
+        // At 45° a bank moves by its height and shades as much, so banks taller than half a cell are left out.
         const auto along = [&](int step) {
           return material_name(static_cast<std::size_t>(static_cast<int>(column) + step * dc),
                                static_cast<std::size_t>(static_cast<int>(row) + step * dr));
@@ -100,7 +102,8 @@ TEST_F(BilbaoMap, ShorelineIsWhereTheLandCoverHasIt) {
                                                 static_cast<std::size_t>(static_cast<int>(row) + reach * dr));
         if (!clean || scene_->terrain.height_at(inland) > 0.5 * cell_m) continue;
         const auto profile = profile_of(map, column, row, dc, dr, reach);
-        // Half of the land's power: where a symmetric response centred on the border puts it, water being all but black.
+        // Half of the land's power: where a symmetric response centred on the border puts it, water being all but
+        // black.
         const double half = 0.25 * (profile[profile.size() - 1] + profile[profile.size() - 2]);
         // The border lies half a cell beyond the last cell of water, which is the middle of the profile.
         if (const auto at = crossing(profile, half)) offsets[{dc, dr}].push_back(*at - 0.5);
@@ -111,17 +114,22 @@ TEST_F(BilbaoMap, ShorelineIsWhereTheLandCoverHasIt) {
   for (auto& [direction, found] : offsets) {
     ASSERT_GT(found.size(), 50U);
     std::ranges::nth_element(found, found.begin() + static_cast<std::ptrdiff_t>(found.size() / 2));
-    const std::string name = fmt::format("offset of the shoreline, land {} columns east and {} rows south of the water", direction.first, direction.second);
-    validation::expect_close({"Bilbao", name, 0.0, found[found.size() / 2], 0.5, "cells of 5 m", "land cover of the data"});
-    EXPECT_GT(std::ranges::count_if(found, [](double offset) { return std::abs(offset) <= 2.0; }), 0.9 * static_cast<double>(found.size()));
+    const std::string name = fmt::format("offset of the shoreline, land {} columns east and {} rows south of the water",
+                                         direction.first, direction.second);
+    validation::expect_close(
+        {"Bilbao", name, 0.0, found[found.size() / 2], 0.5, "cells of 5 m", "land cover of the data"});
+    EXPECT_GT(std::ranges::count_if(found, [](double offset) { return std::abs(offset) <= 2.0; }),
+              0.9 * static_cast<double>(found.size()));
   }
 }
 
-/// The direction in which buildings darken the ground, clockwise from each one's own line of sight from `expected_azimuth_rad`,
-/// 20 km away: how much darkness lies along each direction from a tall building's centre out to its shadow's length; then
-/// the centre of the peak.
-double shadow_off_sight_rad(const scene::Scene& scene, const GroundMap& with, const GroundMap& without, double expected_azimuth_rad) {
-  const Vec2d radar = with.grid.extent().centre() + radar::horizontal_direction(expected_azimuth_rad) * (20e3 * std::cos(elevation_rad));
+/// The direction in which buildings darken the ground, clockwise from each one's own line of sight from
+/// `expected_azimuth_rad`, 20 km away: how much darkness lies along each direction from a tall building's centre out to
+/// its shadow's length; then the centre of the peak.
+double shadow_off_sight_rad(const scene::Scene& scene, const GroundMap& with, const GroundMap& without,
+                            double expected_azimuth_rad) {
+  const Vec2d radar = with.grid.extent().centre() +
+                      radar::horizontal_direction(expected_azimuth_rad) * (20e3 * std::cos(elevation_rad));
   constexpr int directions = 720;
   std::vector<double> darkness(directions, 0.0);
   for (const scene::Building& building : scene.buildings.items) {
@@ -139,7 +147,9 @@ double shadow_off_sight_rad(const scene::Scene& scene, const GroundMap& with, co
       const Vec2d direction = radar::horizontal_direction(sight_rad + 2.0 * pi * k / directions);
       for (double part = 0.3; part < 0.95; part += 0.1) {
         const Vec2d cells = with.grid.cells_from(centre + direction * (part * length_m));
-        if (cells.x < 0.0 || cells.y < 0.0 || cells.x >= static_cast<double>(with.grid.columns) || cells.y >= static_cast<double>(with.grid.rows)) continue;
+        if (cells.x < 0.0 || cells.y < 0.0 || cells.x >= static_cast<double>(with.grid.columns) ||
+            cells.y >= static_cast<double>(with.grid.rows))
+          continue;
         const auto column = static_cast<std::size_t>(cells.x), row = static_cast<std::size_t>(cells.y);
         const float lit = without.sigma0(column, row).vv;
         if (std::isnan(lit) || lit <= 0.0F) continue;
@@ -168,8 +178,8 @@ TEST_F(BilbaoMap, BuildingShadowsPointAwayFromTheRadar) {
     const auto with = map_of(towns, area, 4.0, seen_from_rad), without = map_of(bare, area, 4.0, seen_from_rad);
     return deg_from_radians(shadow_off_sight_rad(towns, with, without, azimuth_rad));
   };
-  validation::expect_close({"Bilbao", "direction of building shadows, off the line of sight", 0.0, off_deg(azimuth_rad), 2.0, "degrees",
-                            "geometry"});
+  validation::expect_close({"Bilbao", "direction of building shadows, off the line of sight", 0.0, off_deg(azimuth_rad),
+                            2.0, "degrees", "geometry"});
   // With east and west exchanged the same check fails.
   EXPECT_GT(std::abs(off_deg(2.0 * pi - azimuth_rad)), 2.0);
 }

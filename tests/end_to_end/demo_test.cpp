@@ -1,9 +1,8 @@
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
 #include <cstdlib>
 #include <filesystem>
+#include <fmt/format.h>
 #include <fstream>
+#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "validation/validation_record.h"
@@ -15,7 +14,8 @@ namespace fs = std::filesystem;
 
 /// Runs the program and returns its exit code; what it prints goes to `output`.
 int run_program(const std::string& arguments, const fs::path& output) {
-  const int status = std::system(fmt::format("'{}' {} > '{}' 2>&1", SIGMASCAPE_CLI, arguments, output.string()).c_str());
+  const int status =
+      std::system(fmt::format("'{}' {} > '{}' 2>&1", SIGMASCAPE_CLI, arguments, output.string()).c_str());
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
@@ -30,9 +30,10 @@ class Demo : public ::testing::Test {
     folder_ = fs::temp_directory_path() / fmt::format("sigmascape_demo_test_{}", getpid());
     fs::create_directories(folder_);
     // A quarter of the demo's area and only the looks around the two views.
-    code_ = run_program(fmt::format("demo --out '{}' --scale 0.15 --azimuths 8 --elevations-deg 5,13 --samples 32 --traced-samples 128",
-                                    (folder_ / "demo").string()),
-                        folder_ / "printed.txt");
+    code_ = run_program(
+        fmt::format("demo --out '{}' --scale 0.15 --azimuths 8 --elevations-deg 5,13 --samples 32 --traced-samples 128",
+                    (folder_ / "demo").string()),
+        folder_ / "printed.txt");
   }
   static void TearDownTestSuite() { fs::remove_all(folder_); }
 
@@ -42,8 +43,8 @@ class Demo : public ::testing::Test {
 
 TEST_F(Demo, WritesPicturesMapsNumbersAndPage) {
   ASSERT_EQ(code_, 0) << text_of(folder_ / "printed.txt");
-  for (const char* name : {"paper_view_traced.png", "paper_view_baked.png", "baked_view_traced.tif", "baked_view_baked.tif", "index.html",
-                           "comparison.json", "atlas/collection.json"}) {
+  for (const char* name : {"paper_view_traced.png", "paper_view_baked.png", "baked_view_traced.tif",
+                           "baked_view_baked.tif", "index.html", "comparison.json", "atlas/collection.json"}) {
     EXPECT_TRUE(fs::exists(folder_ / "demo" / name)) << name;
   }
   EXPECT_NE(text_of(folder_ / "printed.txt").find("index.html"), std::string::npos) << "the page is not named";
@@ -61,8 +62,10 @@ TEST_F(Demo, BakedComesCloseToTracedAtABakedView) {
     throw std::runtime_error("no such cell size");
   };
   const auto row = row_at("cells", 8.0), floor = row_at("noise_floor", 8.0);
-  for (const char* key : {"cell_m", "correlation_db", "rms_db", "bias_db", "l1", "shadow_iou"}) EXPECT_TRUE(row.contains(key)) << key;
-  fmt::print("  8 m cells: correlation {:.3f}, noise floor {:.3f}\n", row.at("correlation_db").get<double>(), floor.at("correlation_db").get<double>());
+  for (const char* key : {"cell_m", "correlation_db", "rms_db", "bias_db", "l1", "shadow_iou"})
+    EXPECT_TRUE(row.contains(key)) << key;
+  fmt::print("  8 m cells: correlation {:.3f}, noise floor {:.3f}\n", row.at("correlation_db").get<double>(),
+             floor.at("correlation_db").get<double>());
   EXPECT_GE(row.at("correlation_db").get<double>(), 0.9);
   EXPECT_GT(floor.at("correlation_db").get<double>(), row.at("correlation_db").get<double>());
   EXPECT_LE(std::abs(row.at("bias_db").get<double>()), 0.5);

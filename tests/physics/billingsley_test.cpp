@@ -42,7 +42,7 @@ TEST(Billingsley, MeanStrengthByDepression) {
         row.frequency_hz);
     const double psi = radians_from_deg(row.grazing_deg);
     const Vec3f to_radar = Vec3d{std::cos(psi), 0.0, std::sin(psi)}.to<float>();
-    const radar::Channels brdf = model.backscatter(to_radar, {0.0F, 0.0F, 1.0F});
+    const radar::Channels brdf = model.backscatter(to_radar, Vec3f{0.0F, 0.0F, 1.0F});
     validation::expect_close(
         {.group = "Billingsley",
          .name = fmt::format("{}, {} GHz, depression {}°", row.name, row.frequency_hz / 1e9, row.grazing_deg),

@@ -15,9 +15,12 @@ namespace sigmascape::physics_test {
 inline constexpr double frequency_hz = 10e9;
 
 /// A perfectly reflecting rough surface.
-inline scatter::Material rough_conductor(std::string name, double alpha,
-                                         scatter::MicrofacetDistribution distribution = scatter::MicrofacetDistribution::Beckmann) {
-  return {.name = std::move(name), .model = scatter::CookTorranceParameters{{1.0, 0.0, 1e9, 0.0}, alpha, distribution}, .source = {}};
+inline scatter::Material rough_conductor(
+    std::string name, double alpha,
+    scatter::MicrofacetDistribution distribution = scatter::MicrofacetDistribution::Beckmann) {
+  return {.name = std::move(name),
+          .model = scatter::CookTorranceParameters{{1.0, 0.0, 1e9, 0.0}, alpha, distribution},
+          .source = {}};
 }
 
 /// Level ground of one material about the origin, nothing on it.
@@ -26,12 +29,14 @@ inline scene::Scene level_scene(const scatter::Material& ground, double side_m =
   scene.name = "level";
   scene.extent = {-side_m / 2, -side_m / 2, side_m / 2, side_m / 2};
   scene.terrain = {-side_m / 2, side_m / 2, side_m, Array2D<float>(2, 2, 0.0F)};
-  scene.ground = {{-side_m / 2, side_m / 2, side_m, 1, 1}, Array2D<scene::MaterialIndex>(1, 1, scene.material_index(ground))};
+  scene.ground = {{-side_m / 2, side_m / 2, side_m, 1, 1},
+                  Array2D<scene::MaterialIndex>(1, 1, scene.material_index(ground))};
   return scene;
 }
 
 /// Adds an upright wall of `length` by `height` through the origin, facing the given azimuth.
-inline void add_wall(scene::Scene& scene, const scatter::Material& material, float length_m, float height_m, double facing_rad) {
+inline void add_wall(scene::Scene& scene, const scatter::Material& material, float length_m, float height_m,
+                     double facing_rad) {
   scene.prototypes.push_back(scene::wall_mesh(length_m, height_m, scene.material_index(material)));
   // The mesh faces −y, that is south at no yaw.
   scene.instances.push_back({.prototype = static_cast<std::uint32_t>(scene.prototypes.size() - 1),
@@ -49,11 +54,15 @@ struct LookSettings {
   std::uint64_t seed = 1;
 };
 
-inline std::vector<radar::Echo> traced_echoes(const scene::Scene& scene, const radar::Aspect& aspect, const LookSettings& settings = {}) {
+inline std::vector<radar::Echo> traced_echoes(const scene::Scene& scene, const radar::Aspect& aspect,
+                                              const LookSettings& settings = {},
+                                              double at_frequency_hz = frequency_hz) {
   const trace::SceneGeometry geometry(scene, trace::Footing::LevelPlane);
   const auto viewpoint = trace::Viewpoint::distant(aspect);
-  const trace::PathTracer tracer(geometry, trace::surface_models(scene, frequency_hz), viewpoint, settings.options, settings.seed);
-  const auto launch = trace::launch_area(viewpoint, settings.area, settings.cell_m, 0.0, geometry.highest_m() + 1.0, 0.0);
+  const trace::PathTracer tracer(geometry, trace::surface_models(scene, at_frequency_hz), viewpoint, settings.options,
+                                 settings.seed);
+  const auto launch =
+      trace::launch_area(viewpoint, settings.area, settings.cell_m, 0.0, geometry.highest_m() + 1.0, 0.0);
   std::vector<radar::Echo> echoes;
   std::mutex guard;
   tracer.trace(launch, {0, settings.samples, settings.samples}, 0, [&](std::span<const radar::Echo> some, unsigned) {

@@ -26,7 +26,7 @@ scatter::SurfaceModel sea_of(const scatter::Material::Model& parameters) {
 void expect_sea(const char* group, const scatter::SurfaceModel& sea, const SeaRow& row, const char* source) {
   const double psi = radians_from_deg(row.grazing_deg);
   const Vec3f to_radar = Vec3d{std::cos(psi), 0.0, std::sin(psi)}.to<float>();
-  const radar::Channels brdf = sea.backscatter(to_radar, {0.0F, 0.0F, 1.0F});
+  const radar::Channels brdf = sea.backscatter(to_radar, Vec3f{0.0F, 0.0F, 1.0F});
   const auto report = [&](const char* polarization, double expected_db, float value) {
     validation::expect_close(
         {.group = group,

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "physics/level_scene.h"
 #include "validation/validation_record.h"
 
 #include "sigmascape/base/error.h"
@@ -117,7 +118,7 @@ const scatter::UlabyDobsonRow& row_of(const Curve& curve) {
 double seen_sigma0_db(const scatter::SurfaceModel& model, Channel channel, double incidence_deg) {
   const double theta = radians_from_deg(incidence_deg);
   const Vec3f to_radar = Vec3d{std::sin(theta), 0.0, std::cos(theta)}.to<float>();
-  const radar::Channels brdf = model.backscatter(to_radar, {0.0F, 0.0F, 1.0F});
+  const radar::Channels brdf = model.backscatter(to_radar, Vec3f{0.0F, 0.0F, 1.0F});
   const float value = channel == Channel::HH ? brdf.hh : channel == Channel::VV ? brdf.vv : brdf.hv;
   return db_from_linear(4.0 * pi * static_cast<double>(value) * std::pow(std::cos(theta), 2));
 }
@@ -190,6 +191,44 @@ TEST(UlabyDobson, PolarizationsDiffer) {
   const auto sigma0 = scatter::ulaby_dobson_sigma0({.terrain = Class::Grass}, 5.405e9, radians_from_deg(40.0));
   EXPECT_NEAR(db_from_linear(sigma0.hv / sigma0.hh), -19.123 + 13.819, 0.002);
   EXPECT_NEAR(db_from_linear(sigma0.hv / sigma0.vv), -19.123 + 12.609, 0.002);
+}
+
+/// Mean of the middle of level ground in VV and HV, by way of the texels.
+radar::Channels baked_sigma0(const scatter::Material& ground, double incidence_deg, double texel_m, double cell_m) {
+  const radar::Aspect aspect{radians_from_deg(130.0), radians_from_deg(90.0 - incidence_deg)};
+  const scene::Scene scene = level_scene(ground);
+  const radar::Rectangle area{-32, -32, 32, 32};
+  const auto texels = static_cast<std::size_t>(64 / texel_m);
+  receiver::GroundAccumulator accumulator({-32, 32, texel_m, texels, texels}, aspect);
+  accumulator.add(traced_echoes(scene, aspect, {.area = area, .cell_m = cell_m, .samples = 16}, 5.405e9));
+  const auto total = accumulator.bins().total();
+  const auto mean = [&](std::size_t channel) { return static_cast<float>(total[channel] / (64.0 * 64.0)); };
+  return {mean(0), mean(1), mean(2), mean(3)};
+}
+
+TEST(UlabyDobson, BakedFlatGround) {
+  const scatter::Material& grass = scatter::library_material("ulaby_dobson_grass");
+  const auto& parameters = std::get<scatter::UlabyDobsonParameters>(grass.model);
+  for (const double incidence_deg : {1.0, 10.0, 30.0, 50.0, 70.0}) {
+    const auto expected = scatter::ulaby_dobson_sigma0(parameters, 5.405e9, radians_from_deg(incidence_deg));
+    const radar::Channels measured = baked_sigma0(grass, incidence_deg, 2.0, 2.0);
+    const auto report = [&](const char* polarization, double wanted, float found) {
+      validation::expect_close(
+          {.group = "Ulaby–Dobson",
+           .name = fmt::format("baked flat grass, C band, incidence {}°, {}", incidence_deg, polarization),
+           .expected = db_from_linear(wanted),
+           .measured = db_from_linear(static_cast<double>(found)),
+           .tolerance = 0.05,
+           .unit = "dB",
+           .source = "Ulaby and Dobson 1989, fit of the row"});
+    };
+    report("VV", expected.vv, measured.vv);
+    report("HH", expected.hh, measured.hh);
+    report("HV", expected.hv, measured.hv);
+    EXPECT_NEAR(db_from_linear(static_cast<double>(baked_sigma0(grass, incidence_deg, 1.0, 0.5).vv / measured.vv)), 0.0,
+                0.02)
+        << incidence_deg << "°";
+  }
 }
 
 TEST(UlabyDobson, VerifiedShrubsHaveNoRowAtSBand) {

@@ -6,8 +6,8 @@ namespace sigmascape::validation {
 
 /// One comparison of the program with a closed form or a published value.
 struct Case {
-  std::string_view group;   ///< heading under which docs/physics/validation.md lists it: "Fresnel", "Wall and ground"
-  std::string_view name;    ///< "mirror wall on Beckmann ground, incidence 45°"
+  std::string_view group;  ///< heading under which docs/physics/validation.md lists it: "Fresnel", "Wall and ground"
+  std::string_view name;   ///< "mirror wall on Beckmann ground, incidence 45°"
   double expected = 0.0;
   double measured = 0.0;
   double tolerance = 0.0;   ///< greatest |measured − expected| that passes, in the same unit
@@ -16,7 +16,8 @@ struct Case {
 };
 
 /// Fails the running test when the case is out of tolerance. Prints expected, measured and error in any event, and adds
-/// them as a line of JSON to the file named by SIGMASCAPE_VALIDATION_RECORDS when that is set, from which `make validation` writes its table.
+/// them as a line of JSON to the file named by SIGMASCAPE_VALIDATION_RECORDS when that is set, from which `make
+/// validation` writes its table.
 void expect_close(const Case& validated);
 
 }  // namespace sigmascape::validation

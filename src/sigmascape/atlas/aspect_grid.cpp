@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <functional>
+#include <numeric>
 #include <string>
 
 #include "sigmascape/base/error.h"
@@ -57,7 +58,46 @@ void check_axis(const std::vector<double>& axis, std::string_view where, std::st
   }
 }
 
+/// The chosen places on an axis, all of them when none is named.
+std::vector<std::size_t> kept_places(const std::vector<std::size_t>& chosen, std::size_t axis_size,
+                                     std::string_view name) {
+  if (chosen.empty()) {
+    std::vector<std::size_t> all(axis_size);
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    return all;
+  }
+  if (chosen.back() >= axis_size || std::ranges::adjacent_find(chosen, std::greater_equal{}) != chosen.end()) {
+    throw Error(fmt::format("selected {}", name), "do not ascend or are not all on the axis",
+                fmt::format("give places from 0 to {}, each once, the smallest first", axis_size - 1));
+  }
+  return chosen;
+}
+
+std::vector<double> values_at(const std::vector<double>& axis, const std::vector<std::size_t>& places) {
+  std::vector<double> values;
+  for (const std::size_t place : places) values.push_back(axis[place]);
+  return values;
+}
+
 }  // namespace
+
+std::vector<LookIndex> selected_looks(const AspectGrid& grid, const AspectSelection& selection) {
+  const auto azimuths = kept_places(selection.azimuths, grid.azimuths_rad.size(), "azimuths");
+  const auto elevations = kept_places(selection.elevations, grid.elevations_rad.size(), "elevations");
+  std::vector<LookIndex> looks;
+  for (std::size_t frequency = 0; frequency < grid.frequencies_hz.size(); ++frequency) {
+    for (const std::size_t elevation : elevations) {
+      for (const std::size_t azimuth : azimuths) looks.push_back(grid.index_of(azimuth, elevation, frequency));
+    }
+  }
+  return looks;
+}
+
+AspectGrid selected_grid(const AspectGrid& grid, const AspectSelection& selection) {
+  return {values_at(grid.azimuths_rad, kept_places(selection.azimuths, grid.azimuths_rad.size(), "azimuths")),
+          values_at(grid.elevations_rad, kept_places(selection.elevations, grid.elevations_rad.size(), "elevations")),
+          grid.frequencies_hz};
+}
 
 radar::Look AspectGrid::look(LookIndex index) const {
   const std::size_t azimuth = index % azimuths_rad.size();

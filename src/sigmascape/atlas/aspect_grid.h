@@ -33,6 +33,19 @@ struct AspectGrid {
 /// The looks of the paper: azimuths 0°, 45° … 315°, elevations 5°, 13°, 21°, 29°, 37°, at 10 GHz.
 [[nodiscard]] AspectGrid paper_aspect_grid();
 
+/// A coarser grid within a finer one, as places on its axes, each list ascending; an empty list keeps the whole axis.
+struct AspectSelection {
+  std::vector<std::size_t> azimuths;
+  std::vector<std::size_t> elevations;
+};
+
+/// The looks of `grid` that a selection keeps, in the order of the coarser grid. Throws Error when a place is not on
+/// its axis or a list does not ascend.
+[[nodiscard]] std::vector<LookIndex> selected_looks(const AspectGrid& grid, const AspectSelection& selection);
+
+/// The grid that those looks make up. Errors as above.
+[[nodiscard]] AspectGrid selected_grid(const AspectGrid& grid, const AspectSelection& selection);
+
 /// Throws Error, naming `where`, when an axis is empty, does not ascend or leaves its range.
 void check(const AspectGrid& grid, std::string_view where);
 

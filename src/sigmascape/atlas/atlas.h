@@ -80,10 +80,12 @@ struct LoadOptions {
   /// texels needs 2.
   std::size_t finest_level = 0;
   unsigned threads = 0;  ///< 0: one a hardware thread
+  /// Leave out the other looks: the atlas is then as one baked on that coarser grid.
+  AspectSelection aspects = {};
 };
 
-/// Reads a whole store into memory. Throws Error when a texture is not there (the bake is not finished) or is not as
-/// its item says.
+/// Reads a store into memory. Throws Error when a wanted texture is not there (the bake is not finished) or is not as
+/// its item says, and when the options name levels or looks that the store does not have.
 [[nodiscard]] Atlas load_atlas(const Store& store, const LoadOptions& options = {});
 
 }  // namespace sigmascape::atlas

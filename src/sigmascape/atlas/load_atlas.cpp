@@ -1,6 +1,7 @@
 #include <bit>
 #include <fmt/format.h>
 #include <iterator>
+#include <set>
 #include <utility>
 
 #include "sigmascape/atlas/atlas.h"
@@ -30,7 +31,8 @@ class AtlasLoader {
   AtlasLoader(const Store& store, const LoadOptions& options) : store_(store), options_(options) {
     const AtlasDescription& description = store.description();
     const auto patches = description.patches.covering(description.extent);
-    atlas_.aspects_ = description.aspects;
+    atlas_.aspects_ = selected_grid(description.aspects, options.aspects);
+    stored_looks_ = selected_looks(description.aspects, options.aspects);
     atlas_.patches_ = description.patches;
     const auto all_levels = static_cast<std::size_t>(std::bit_width(description.patches.texels_per_side));
     if (options.finest_level >= all_levels) {
@@ -47,13 +49,14 @@ class AtlasLoader {
   Atlas loaded() && {
     check_whole();
     make_room();
-    const std::vector<Unit> units = store_.units();
-    const std::size_t looks = atlas_.aspects_.look_count();
-    // Units come patch by patch in the order of the table.
-    parallel_for(units.size(), options_.threads, [&](std::size_t index, unsigned) {
-      HalfTexture texture = store_.read_halves(units[index].patch, units[index].look);
+    const std::size_t looks = stored_looks_.size();
+    // Patches come in the order of the table.
+    const auto patches = atlas_.patches_.covering(store_.description().extent);
+    parallel_for(patches.size() * looks, options_.threads, [&](std::size_t index, unsigned) {
+      const auto look = static_cast<LookIndex>(index % looks);
+      HalfTexture texture = store_.read_halves(patches[index / looks], stored_looks_[look]);
       add_levels_down_to_one(texture);
-      place(texture, atlas_.patch_table_[index / looks], units[index].look);
+      place(texture, atlas_.patch_table_[index / looks], look);
     });
     return std::move(atlas_);
   }
@@ -61,12 +64,24 @@ class AtlasLoader {
  private:
   /// Better one sentence at once than a failure after minutes of reading.
   void check_whole() const {
-    const std::vector<StoreFault> faults = store_.verify(Scrutiny::Size);
+    std::vector<StoreFault> faults = store_.verify(Scrutiny::Size);
+    std::erase_if(faults, [wanted = wanted_files()](const StoreFault& fault) {
+      return !wanted.contains(std::filesystem::path(fault.file).replace_extension());
+    });
     if (faults.empty()) return;
     throw Error((store_.folder() / faults.front().file).string(),
                 fmt::format("{}; {} of {} textures are not there or not whole", faults.front().what, faults.size(),
-                            store_.units().size()),
+                            wanted_files().size()),
                 "finish the bake by starting it again with the same settings");
+  }
+
+  /// Textures and their items, without their endings.
+  [[nodiscard]] std::set<std::filesystem::path> wanted_files() const {
+    std::set<std::filesystem::path> files;
+    for (const PatchIndex& patch : atlas_.patches_.covering(store_.description().extent)) {
+      for (const LookIndex look : stored_looks_) files.insert(store_.texture_path(patch, look).replace_extension());
+    }
+    return files;
   }
 
   void make_room() {
@@ -96,6 +111,7 @@ class AtlasLoader {
 
   const Store& store_;
   LoadOptions options_;
+  std::vector<LookIndex> stored_looks_;  ///< a look of the atlas: its number in the store
   Atlas atlas_;
 };
 

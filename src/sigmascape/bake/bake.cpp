@@ -1,9 +1,8 @@
 #include "sigmascape/bake/bake.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 
 #include "sigmascape/atlas/store.h"
 #include "sigmascape/base/error.h"
@@ -50,11 +49,13 @@ atlas::AtlasDescription description_of(const scene::Scene& scene, const BakeSett
 }
 
 radar::Rectangle intersection(const radar::Rectangle& a, const radar::Rectangle& b) {
-  return {std::max(a.west_m, b.west_m), std::max(a.south_m, b.south_m), std::min(a.east_m, b.east_m), std::min(a.north_m, b.north_m)};
+  return {std::max(a.west_m, b.west_m), std::max(a.south_m, b.south_m), std::min(a.east_m, b.east_m),
+          std::min(a.north_m, b.north_m)};
 }
 
-/// Relative standard error of a texel's total power from the sums over the first `share` of its samples and over all of them, root mean
-/// square over the texels that answer at all: (S₁ − pS)² / (p (1 − p)) has the variance of S for its mean.
+/// Relative standard error of a texel's total power from the sums over the first `share` of its samples and over all of
+/// them, root mean square over the texels that answer at all: (S₁ − pS)² / (p (1 − p)) has the variance of S for its
+/// mean.
 double relative_error(const Array2D<radar::Channels>& first_part, const Array2D<radar::Channels>& whole, double share) {
   double sum = 0.0;
   std::size_t lit = 0;
@@ -81,8 +82,9 @@ class Baker {
     const trace::PathTracer tracer(geometry_, trace::surface_models(scene_, look.frequency_hz), viewpoint,
                                    {.max_bounces = settings_.max_bounces}, settings_.seed);
     // The scene ends where its extent does; beyond a rim about it texels stay black.
-    const auto area = trace::launch_area(viewpoint, intersection(texels.extent(), scene_.extent), settings_.patches.texel_m, 0.0,
-                                         geometry_.highest_m() + 1.0, multibounce_margin_m);
+    const auto area =
+        trace::launch_area(viewpoint, intersection(texels.extent(), scene_.extent), settings_.patches.texel_m, 0.0,
+                           geometry_.highest_m() + 1.0, multibounce_margin_m);
 
     receiver::GroundAccumulator accumulator(texels, look.aspect);
     const auto trace_samples = [&](std::uint32_t first, std::uint32_t count) {
@@ -94,8 +96,8 @@ class Baker {
     const auto first_half = accumulator.sigma0();
     trace_samples(half, settings_.samples_per_texel - half);
     if (accumulator.bins().overflows() > 0) {
-      throw Error("bake of patch " + store_.texture_path(unit.patch, unit.look).string(), "a texel is brighter than the sums can hold",
-                  "use a smaller texel or a rougher material");
+      throw Error("bake of patch " + store_.texture_path(unit.patch, unit.look).string(),
+                  "a texel is brighter than the sums can hold", "use a smaller texel or a rougher material");
     }
     const auto sigma0 = accumulator.sigma0();
     const double error = relative_error(first_half, sigma0, static_cast<double>(half) / settings_.samples_per_texel);
@@ -109,7 +111,9 @@ class Baker {
     ++baked_;
   }
 
-  [[nodiscard]] double mean_error() const { return baked_ > 0 ? std::sqrt(squared_errors_ / static_cast<double>(baked_)) : 0.0; }
+  [[nodiscard]] double mean_error() const {
+    return baked_ > 0 ? std::sqrt(squared_errors_ / static_cast<double>(baked_)) : 0.0;
+  }
   [[nodiscard]] std::size_t geometry_bytes() const { return geometry_.memory_bytes(); }
 
  private:
@@ -123,7 +127,8 @@ class Baker {
 
 }  // namespace
 
-BakeReport bake(const scene::Scene& scene, const BakeSettings& settings, const std::filesystem::path& folder, ProgressListener& progress) {
+BakeReport bake(const scene::Scene& scene, const BakeSettings& settings, const std::filesystem::path& folder,
+                ProgressListener& progress) {
   check(settings);
   const atlas::Store store = atlas::Store::create(folder, description_of(scene, settings));
   Baker baker(scene, settings, store);

@@ -29,7 +29,8 @@ void parallel_for(std::size_t count, unsigned threads,
     }
   };
 
-  const auto helpers = static_cast<unsigned>(std::min<std::size_t>(thread_count(threads), std::max<std::size_t>(count, 1)));
+  const auto helpers =
+      static_cast<unsigned>(std::min<std::size_t>(thread_count(threads), std::max<std::size_t>(count, 1)));
   {
     std::vector<std::jthread> pool;
     for (unsigned worker = 1; worker < helpers; ++worker) pool.emplace_back(work, worker);

@@ -8,9 +8,9 @@ namespace sigmascape {
 /// The number of threads to use when asked for `wanted`: that many, or one per hardware thread when it is zero.
 [[nodiscard]] unsigned thread_count(unsigned wanted);
 
-/// Calls `body(index, worker)` once for every index below `count`, spread over threads that take the next index when free;
-/// `worker` numbers the calling thread from 0, so that it may keep scratch space of its own. Returns when all are done. The
-/// first exception stops the handing out of indices and is thrown again here.
+/// Calls `body(index, worker)` once for every index below `count`, spread over threads that take the next index when
+/// free; `worker` numbers the calling thread from 0, so that it may keep scratch space of its own. Returns when all are
+/// done. The first exception stops the handing out of indices and is thrown again here.
 void parallel_for(std::size_t count, unsigned threads,
                   const std::function<void(std::size_t index, unsigned worker)>& body);
 

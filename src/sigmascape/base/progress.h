@@ -5,8 +5,8 @@
 
 namespace sigmascape {
 
-/// Hears how far a long piece of work has come. The library only tells; who listens (a terminal, a log, a notebook) decides how to
-/// show it. Called from the thread that runs the work, at moments of the work's own choosing.
+/// Hears how far a long piece of work has come. The library only tells; who listens (a terminal, a log, a notebook)
+/// decides how to show it. Called from the thread that runs the work, at moments of the work's own choosing.
 class ProgressListener {
  public:
   virtual ~ProgressListener() = default;

@@ -21,15 +21,11 @@ class Sha256 {
   void add(std::string_view text) { add(std::as_bytes(std::span(text))); }
   /// Feeds the bytes of values without padding in them (numbers, vectors of numbers).
   template <typename T>
-    requires std::is_trivially_copyable_v<T>
-  void add_values(std::span<const T> values) {
-    add(std::as_bytes(values));
-  }
+  requires std::is_trivially_copyable_v<T>
+  void add_values(std::span<const T> values) { add(std::as_bytes(values)); }
   template <typename T>
-    requires std::is_arithmetic_v<T>
-  void add_value(T value) {
-    add(std::as_bytes(std::span(&value, 1)));
-  }
+  requires std::is_arithmetic_v<T>
+  void add_value(T value) { add(std::as_bytes(std::span(&value, 1))); }
 
   /// The digest in lower-case hexadecimal; nothing may be added afterwards.
   [[nodiscard]] std::string hex_digest();

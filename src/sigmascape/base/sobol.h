@@ -10,10 +10,10 @@ namespace sigmascape {
 
 /// Owen-scrambled Sobol points, padded in pairs.
 ///
-/// Each pair of dimensions is the (0,2)-sequence of the first two Sobol dimensions, its index order and both coordinates scrambled by
-/// hash-based nested uniform scrambling (Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020; the hash is Vegdahl's 2021
-/// improvement of Laine and Karras). Different pairs are independent of one another; within a pair any 2^k consecutive
-/// indices from a multiple of 2^k are perfectly stratified.
+/// Each pair of dimensions is the (0,2)-sequence of the first two Sobol dimensions, its index order and both
+/// coordinates scrambled by hash-based nested uniform scrambling (Burley, "Practical Hash-based Owen Scrambling", JCGT
+/// 9(4), 2020; the hash is Vegdahl's 2021 improvement of Laine and Karras). Different pairs are independent of one
+/// another; within a pair any 2^k consecutive indices from a multiple of 2^k are perfectly stratified.
 class SobolPoint {
  public:
   /// The point number `index` of the sequence named `key` (a pixel, say).
@@ -29,7 +29,8 @@ class SobolPoint {
     return {as_unit(x), as_unit(y)};
   }
 
-  /// A number in [0, 1) that depends on this point and `dimension` but is not stratified: for choices where order does not matter.
+  /// A number in [0, 1) that depends on this point and `dimension` but is not stratified: for choices where order does
+  /// not matter.
   [[nodiscard]] constexpr float independent(std::uint32_t dimension) const {
     return unit_float(hashed(key_, index_, 0x1d0000000ULL + dimension));
   }

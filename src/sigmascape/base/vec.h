@@ -4,7 +4,8 @@
 
 namespace sigmascape {
 
-/// Plain Cartesian vectors: x east, y north, z up. Float for geometry near a local origin, double for ranges and phases.
+/// Plain Cartesian vectors: x east, y north, z up. Float for geometry near a local origin, double for ranges and
+/// phases.
 
 template <typename T>
 struct Vec2 {
@@ -68,7 +69,8 @@ using Vec2f = Vec2<float>;
 using Vec3d = Vec3<double>;
 using Vec3f = Vec3<float>;
 
-/// Two unit vectors that complete `normal` to a right-handed basis (Duff et al., "Building an Orthonormal Basis, Revisited", 2017).
+/// Two unit vectors that complete `normal` to a right-handed basis (Duff et al., "Building an Orthonormal Basis,
+/// Revisited", 2017).
 struct Basis {
   Vec3f tangent, bitangent, normal;
 

@@ -20,14 +20,17 @@ struct CompareOptions {
   double shadow_db = -35.0;  ///< σ0 below this is shadow
 };
 
-/// How close the tested map a comes to the truth b at one cell size, over the cells that both maps saw wholly.
-/// With A = max(10 lg a, floor), B = max(10 lg b, floor):
+/// How close the tested map a comes to the truth b at one cell size, over the cells that both maps saw wholly. With
+/// A = max(10 lg a, floor), B = max(10 lg b, floor):
 ///
-///     correlation_db   Pearson's correlation of A and B; NaN where one of them is constant
-///     rms_db           √⟨(A − B)²⟩
-///     bias_db          10 lg (Σa / Σb): of the total power, so that bright cells decide; positive when the tested map
-///     is brighter l1               Σ|a − b| / Σb shadow_iou       |S_a ∩ S_b| / |S_a ∪ S_b|, S the cells in shadow; 1
-///     where neither map has any
+///     correlation_db = Pearson's correlation of A and B
+///     rms_db         = √⟨(A − B)²⟩
+///     bias_db        = 10 lg (Σa / Σb)
+///     l1             = Σ|a − b| / Σb
+///     shadow_iou     = |S_a ∩ S_b| / |S_a ∪ S_b|,   S the cells in shadow
+///
+/// The correlation is NaN where one of the maps is constant. The bias is of total power, so that bright cells decide, and
+/// positive when the tested map is brighter. The overlap of shadows is 1 where neither map has any.
 struct CellComparison {
   double cell_m = 0.0;
   std::size_t cells = 0;

@@ -2,12 +2,13 @@
 
 namespace sigmascape::radar {
 
-/// Which transmit and receive polarizations a reading is for. By reciprocity HV and VH are equal in monostatic geometry; `Sum` is
-/// VV + HH + 2·HV, the total over both transmit and both receive polarizations.
+/// Which transmit and receive polarizations a reading is for. By reciprocity HV and VH are equal in monostatic
+/// geometry; `Sum` is VV + HH + 2·HV, the total over both transmit and both receive polarizations.
 enum class Polarization { VV, HH, HV, VH, Sum };
 
-/// The four numbers that every echo, texel and bin carries: three powers and the correlation that tells an odd number of bounces
-/// (positive) from an even one (negative). Linear; the unit is that of the quantity they describe (m² for cross-sections, none for σ0).
+/// The four numbers that every echo, texel and bin carries: three powers and the correlation that tells an odd number
+/// of bounces (positive) from an even one (negative). Linear; the unit is that of the quantity they describe (m² for
+/// cross-sections, none for σ0).
 struct Channels {
   float vv = 0.0F;
   float hh = 0.0F;
@@ -25,11 +26,15 @@ struct Channels {
 
   [[nodiscard]] constexpr float power(Polarization polarization) const {
     switch (polarization) {
-      case Polarization::VV: return vv;
-      case Polarization::HH: return hh;
+      case Polarization::VV:
+        return vv;
+      case Polarization::HH:
+        return hh;
       case Polarization::HV:
-      case Polarization::VH: return hv;
-      case Polarization::Sum: return vv + hh + 2.0F * hv;
+      case Polarization::VH:
+        return hv;
+      case Polarization::Sum:
+        return vv + hh + 2.0F * hv;
     }
     return 0.0F;
   }

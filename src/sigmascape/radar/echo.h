@@ -8,11 +8,11 @@ namespace sigmascape::radar {
 
 /// What one path brings back: the record that the tracer hands to the receiver.
 struct Echo {
-  /// Half the length of the way out and back, in metres: from the radar, or, when the radar is at infinity, from the plane through
-  /// the local origin that faces it (negative towards the radar).
+  /// Half the length of the way out and back, in metres: from the radar, or, when the radar is at infinity, from the
+  /// plane through the local origin that faces it (negative towards the radar).
   double range_m = 0.0;
-  /// Mean of the first and last surface point's position across the line of sight: azimuth in radians, clockwise, of the
-  /// direction from the radar; when the radar is at infinity, metres to the right as seen from it.
+  /// Mean of the first and last surface point's position across the line of sight: azimuth in radians, clockwise, of
+  /// the direction from the radar; when the radar is at infinity, metres to the right as seen from it.
   double cross = 0.0;
   /// The cross-section, in m², of a point at `range_m` that would return the same power.
   Channels rcs_m2;

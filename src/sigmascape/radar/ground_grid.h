@@ -19,7 +19,8 @@ struct Rectangle {
   }
 };
 
-/// Square cells on the ground, north up: row 0 is the northernmost, column 0 the westernmost, as in a picture or a GeoTIFF.
+/// Square cells on the ground, north up: row 0 is the northernmost, column 0 the westernmost, as in a picture or a
+/// GeoTIFF.
 struct GroundGrid {
   double west_m = 0.0;   ///< western edge of column 0
   double north_m = 0.0;  ///< northern edge of row 0
@@ -29,13 +30,16 @@ struct GroundGrid {
 
   friend constexpr bool operator==(const GroundGrid&, const GroundGrid&) = default;
   [[nodiscard]] constexpr Rectangle extent() const {
-    return {west_m, north_m - static_cast<double>(rows) * cell_m, west_m + static_cast<double>(columns) * cell_m, north_m};
+    return {west_m, north_m - static_cast<double>(rows) * cell_m, west_m + static_cast<double>(columns) * cell_m,
+            north_m};
   }
   [[nodiscard]] constexpr Vec2d centre_of(std::size_t column, std::size_t row) const {
     return {west_m + (static_cast<double>(column) + 0.5) * cell_m, north_m - (static_cast<double>(row) + 0.5) * cell_m};
   }
   /// Where a point lies in units of cells: (0, 0) is the north-western corner of cell (0, 0), (0.5, 0.5) its centre.
-  [[nodiscard]] constexpr Vec2d cells_from(Vec2d p) const { return {(p.x - west_m) / cell_m, (north_m - p.y) / cell_m}; }
+  [[nodiscard]] constexpr Vec2d cells_from(Vec2d p) const {
+    return {(p.x - west_m) / cell_m, (north_m - p.y) / cell_m};
+  }
   [[nodiscard]] constexpr double cell_area_m2() const { return cell_m * cell_m; }
 };
 

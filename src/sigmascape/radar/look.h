@@ -19,7 +19,9 @@ struct Look {
 };
 
 /// The horizontal unit vector from the ground point towards the radar.
-[[nodiscard]] inline Vec2d horizontal_direction(double azimuth_rad) { return {std::sin(azimuth_rad), std::cos(azimuth_rad)}; }
+[[nodiscard]] inline Vec2d horizontal_direction(double azimuth_rad) {
+  return {std::sin(azimuth_rad), std::cos(azimuth_rad)};
+}
 
 /// The unit vector from the ground point to the radar.
 [[nodiscard]] inline Vec3d direction_to_radar(const Aspect& aspect) {

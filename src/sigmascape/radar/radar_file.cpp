@@ -13,8 +13,11 @@ namespace {
 constexpr Interval anywhere_m{-1e7, 1e7, "m"};
 
 Polarization polarization_of(const TomlSection& section) {
-  static const std::map<std::string, Polarization> words{
-      {"vv", Polarization::VV}, {"hh", Polarization::HH}, {"hv", Polarization::HV}, {"vh", Polarization::VH}, {"sum", Polarization::Sum}};
+  static const std::map<std::string, Polarization> words{{"vv", Polarization::VV},
+                                                         {"hh", Polarization::HH},
+                                                         {"hv", Polarization::HV},
+                                                         {"vh", Polarization::VH},
+                                                         {"sum", Polarization::Sum}};
   return words.at(section.choice_or("polarization", {"vv", "hh", "hv", "vh", "sum"}, "vv"));
 }
 
@@ -41,7 +44,8 @@ std::variant<SeenFrom, LocalPlace, GeographicPlace> place_of(const TomlSection& 
                   .elevation_rad = radians_from_deg(section.number("elevation_deg", {0.5, 89.0, "degrees"})),
                   .slant_range_m = section.number("slant_range_km", {0.1, 1000.0, "km"}) * 1e3,
                   .target = {}};
-    const auto east = section.optional_number("target_east_m", anywhere_m), north = section.optional_number("target_north_m", anywhere_m);
+    const auto east = section.optional_number("target_east_m", anywhere_m),
+               north = section.optional_number("target_north_m", anywhere_m);
     if (east.has_value() != north.has_value()) {
       throw section.fault(east ? "target_north_m" : "target_east_m", "is missing beside its partner",
                           "give both target_east_m and target_north_m, or neither for the centre of the scene");
@@ -49,8 +53,8 @@ std::variant<SeenFrom, LocalPlace, GeographicPlace> place_of(const TomlSection& 
     if (east) seen.target = Vec2d{*east, *north};
     place = seen;
   } else if (has_any(section, {"latitude_deg", "longitude_deg"})) {
-    place = GeographicPlace{section.number("latitude_deg", {-90.0, 90.0, "degrees"}), section.number("longitude_deg", {-180.0, 180.0, "degrees"}),
-                            altitude_m()};
+    place = GeographicPlace{section.number("latitude_deg", {-90.0, 90.0, "degrees"}),
+                            section.number("longitude_deg", {-180.0, 180.0, "degrees"}), altitude_m()};
   } else {
     place = LocalPlace{{section.number("east_m", anywhere_m), section.number("north_m", anywhere_m), altitude_m()}};
   }
@@ -62,10 +66,12 @@ MapRequest map_of(const TomlSection& section) {
   MapRequest map;
   map.cell_m = section.number_or("cell_m", {0.05, 10'000.0, "m"}, map.cell_m);
   if (section.has("west_m") || section.has("east_m") || section.has("south_m") || section.has("north_m")) {
-    map.area = Rectangle{section.number("west_m", anywhere_m), section.number("south_m", anywhere_m), section.number("east_m", anywhere_m),
-                         section.number("north_m", anywhere_m)};
-    if (map.area->width_m() < map.cell_m) throw section.fault("east_m", "does not lie east of west_m by a cell", "exchange or widen the two");
-    if (map.area->height_m() < map.cell_m) throw section.fault("north_m", "does not lie north of south_m by a cell", "exchange or widen the two");
+    map.area = Rectangle{section.number("west_m", anywhere_m), section.number("south_m", anywhere_m),
+                         section.number("east_m", anywhere_m), section.number("north_m", anywhere_m)};
+    if (map.area->width_m() < map.cell_m)
+      throw section.fault("east_m", "does not lie east of west_m by a cell", "exchange or widen the two");
+    if (map.area->height_m() < map.cell_m)
+      throw section.fault("north_m", "does not lie north of south_m by a cell", "exchange or widen the two");
   }
   section.refuse_unknown_keys();
   return map;
@@ -80,7 +86,9 @@ TomlSection required_section(const TomlSection& file, std::string_view key) {
 
 RadarFile read_radar_file(const std::filesystem::path& path) {
   const TomlSection file = TomlSection::read_file(path);
-  RadarFile read{.radar = radar_of(required_section(file, "radar")), .place = place_of(required_section(file, "position")), .map = {}};
+  RadarFile read{.radar = radar_of(required_section(file, "radar")),
+                 .place = place_of(required_section(file, "position")),
+                 .map = {}};
   if (const auto map = file.section("map")) read.map = map_of(*map);
   file.refuse_unknown_keys();
   return read;

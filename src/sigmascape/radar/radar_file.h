@@ -42,8 +42,8 @@ struct RadarFile {
   MapRequest map;
 };
 
-/// Reads a radar file; docs/radar_file.md lists its keys. Throws Error, naming file and key, for what is missing, unknown or
-/// out of range.
+/// Reads a radar file; docs/radar_file.md lists its keys. Throws Error, naming file and key, for what is missing,
+/// unknown or out of range.
 [[nodiscard]] RadarFile read_radar_file(const std::filesystem::path& path);
 
 }  // namespace sigmascape::radar

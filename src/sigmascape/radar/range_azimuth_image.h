@@ -8,8 +8,8 @@
 
 namespace sigmascape::radar {
 
-/// The bins of a radar's receive buffer: slant range by azimuth. Azimuth is that of the direction from the radar, clockwise from
-/// north, not wrapped: it grows steadily across the sector even through north.
+/// The bins of a radar's receive buffer: slant range by azimuth. Azimuth is that of the direction from the radar,
+/// clockwise from north, not wrapped: it grows steadily across the sector even through north.
 struct RangeAzimuthGrid {
   double first_range_m = 0.0;  ///< near edge of bin row 0
   double range_step_m = 1.0;

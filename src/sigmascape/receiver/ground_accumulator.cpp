@@ -15,7 +15,8 @@ void GroundAccumulator::add(std::span<const radar::Echo> echoes) {
   for (const radar::Echo& echo : echoes) {
     const Vec2d point = towards_radar_ * (echo.range_m * ground_per_range_) + right_ * echo.cross;
     const Vec2d cells = grid_.cells_from(point);
-    if (cells.x < 0.0 || cells.y < 0.0 || cells.x >= static_cast<double>(grid_.columns) || cells.y >= static_cast<double>(grid_.rows)) {
+    if (cells.x < 0.0 || cells.y < 0.0 || cells.x >= static_cast<double>(grid_.columns) ||
+        cells.y >= static_cast<double>(grid_.rows)) {
       continue;
     }
     bins_.add(static_cast<std::size_t>(cells.x), static_cast<std::size_t>(cells.y), echo.rcs_m2);

@@ -11,13 +11,14 @@ namespace sigmascape::receiver {
 
 /// Puts echoes of an infinitely distant radar straight onto the cells of flat ground.
 ///
-/// An echo at range ρ (from the plane through the local origin that faces the radar) and cross position c stands, for a radar that
-/// knows nothing of heights, at the ground point
+/// An echo at range ρ (from the plane through the local origin that faces the radar) and cross position c stands, for a
+/// radar that knows nothing of heights, at the ground point
 ///
-///     a · (−ρ / cos ψ) + b · c            a towards the radar, b to its right           docs/physics/estimator.md, Eq. (5)
+///     a · (−ρ / cos ψ) + b · c            a towards the radar, b to its right           docs/physics/estimator.md, Eq.
+///     (5)
 ///
-/// so that what is tall lies over towards the radar by h tan ψ. Each echo goes whole into the cell where it stands: power is kept
-/// exactly and cells are area means.
+/// so that what is tall lies over towards the radar by h tan ψ. Each echo goes whole into the cell where it stands:
+/// power is kept exactly and cells are area means.
 class GroundAccumulator {
  public:
   GroundAccumulator(const radar::GroundGrid& grid, const radar::Aspect& aspect);

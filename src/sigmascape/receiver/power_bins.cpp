@@ -44,7 +44,8 @@ void PowerBins::add_shared(double column, double row, const radar::Channels& rcs
     for (int across = 0; across < 2; ++across) {
       const double c = left + across, r = top + down;
       if (c < 0.0 || r < 0.0 || c >= static_cast<double>(columns_) || r >= static_cast<double>(rows_)) continue;
-      const float share = (across == 1 ? right_share : 1.0F - right_share) * (down == 1 ? lower_share : 1.0F - lower_share);
+      const float share =
+          (across == 1 ? right_share : 1.0F - right_share) * (down == 1 ? lower_share : 1.0F - lower_share);
       add(static_cast<std::size_t>(c), static_cast<std::size_t>(r), rcs_m2 * share);
     }
   }
@@ -66,7 +67,8 @@ Array2D<radar::Channels> PowerBins::sums() const {
 
 std::array<double, radar::Channels::count> PowerBins::total() const {
   std::array<double, radar::Channels::count> total{};
-  for (std::size_t i = 0; i < units_.size(); ++i) total[i % radar::Channels::count] += static_cast<double>(units_[i]) / units_per_m2;
+  for (std::size_t i = 0; i < units_.size(); ++i)
+    total[i % radar::Channels::count] += static_cast<double>(units_[i]) / units_per_m2;
   return total;
 }
 

@@ -10,10 +10,11 @@
 
 namespace sigmascape::receiver {
 
-/// Sums cross-sections into a rectangle of bins, from any number of threads, with a result that does not depend on their order.
+/// Sums cross-sections into a rectangle of bins, from any number of threads, with a result that does not depend on
+/// their order.
 ///
-/// Sums are kept as 64-bit integers in units of 2⁻³⁶ m² (1.5e-11 m²), which hold up to 6.7e7 m² a bin; integer addition has no order.
-/// What does not fit is left out and counted.
+/// Sums are kept as 64-bit integers in units of 2⁻³⁶ m² (1.5e-11 m²), which hold up to 6.7e7 m² a bin; integer addition
+/// has no order. What does not fit is left out and counted.
 class PowerBins {
  public:
   PowerBins(std::size_t columns, std::size_t rows);
@@ -24,9 +25,9 @@ class PowerBins {
   /// Adds to one bin.
   void add(std::size_t column, std::size_t row, const radar::Channels& rcs_m2);
 
-  /// Adds at a position in units of bins, (0.5, 0.5) being the centre of bin (0, 0), shared between the four nearest bins by linear
-  /// weights that sum to one, so that where in a bin an echo lies makes itself felt and no power is lost. What falls
-  /// outside the bins is left out.
+  /// Adds at a position in units of bins, (0.5, 0.5) being the centre of bin (0, 0), shared between the four nearest
+  /// bins by linear weights that sum to one, so that where in a bin an echo lies makes itself felt and no power is
+  /// lost. What falls outside the bins is left out.
   void add_shared(double column, double row, const radar::Channels& rcs_m2);
 
   [[nodiscard]] radar::Channels sum(std::size_t column, std::size_t row) const;

@@ -10,7 +10,8 @@
 namespace sigmascape::receiver {
 namespace {
 
-/// Weights, summing to one, of a Gaussian power response of that half-power full width, in bins; odd in number, centred.
+/// Weights, summing to one, of a Gaussian power response of that half-power full width, in bins; odd in number,
+/// centred.
 std::vector<float> gaussian_response(double half_power_width_bins) {
   const double sigma = half_power_width_bins / (2.0 * std::sqrt(2.0 * std::numbers::ln2));
   const auto reach = static_cast<int>(std::ceil(4.0 * sigma));
@@ -27,7 +28,8 @@ std::vector<float> gaussian_response(double half_power_width_bins) {
 
 enum class Axis { Columns, Rows };
 
-/// Every bin spreads over its neighbours along one axis; what leaves the rectangle is lost, as it is to a receiver's gate.
+/// Every bin spreads over its neighbours along one axis; what leaves the rectangle is lost, as it is to a receiver's
+/// gate.
 Array2D<radar::Channels> spread(const Array2D<radar::Channels>& bins, const std::vector<float>& weights, Axis axis) {
   const auto reach = static_cast<std::ptrdiff_t>(weights.size() / 2);
   const auto columns = static_cast<std::ptrdiff_t>(bins.columns()), rows = static_cast<std::ptrdiff_t>(bins.rows());
@@ -43,7 +45,8 @@ Array2D<radar::Channels> spread(const Array2D<radar::Channels>& bins, const std:
       } else {
         const auto from = bins.row(static_cast<std::size_t>(row));
         const auto to = out.row(static_cast<std::size_t>(row));
-        for (std::ptrdiff_t column = std::max<std::ptrdiff_t>(0, -k); column < std::min(columns, columns - k); ++column) {
+        for (std::ptrdiff_t column = std::max<std::ptrdiff_t>(0, -k); column < std::min(columns, columns - k);
+             ++column) {
           to[static_cast<std::size_t>(column)] += from[static_cast<std::size_t>(column + k)] * weight;
         }
       }
@@ -53,7 +56,9 @@ Array2D<radar::Channels> spread(const Array2D<radar::Channels>& bins, const std:
 }
 
 /// Two-way half-power width of a Gaussian beam: the gain counts twice.
-double two_way_width_rad(const radar::Radar& radar) { return radar.beam_width_rad / std::numbers::sqrt2; }
+double two_way_width_rad(const radar::Radar& radar) {
+  return radar.beam_width_rad / std::numbers::sqrt2;
+}
 
 }  // namespace
 

@@ -11,7 +11,8 @@ namespace sigmascape::receiver {
 
 /// The bins that cover the given points of ground, finer than the radar resolves so that its responses can be laid over
 /// them: `oversampling` bins a resolution cell in range and in azimuth.
-[[nodiscard]] radar::RangeAzimuthGrid grid_covering(const radar::Radar& radar, std::span<const Vec3d> points, double oversampling = 2.0);
+[[nodiscard]] radar::RangeAzimuthGrid grid_covering(const radar::Radar& radar, std::span<const Vec3d> points,
+                                                    double oversampling = 2.0);
 
 /// The weighted histogram: echoes into slant range and azimuth, then the pulse and beam response over the bins.
 ///
@@ -24,7 +25,8 @@ class RangeAzimuthReceiver {
   void add(std::span<const radar::Echo> echoes);
 
   [[nodiscard]] const PowerBins& bins() const { return bins_; }
-  /// The bins after the responses of pulse (Gaussian of half-power width the range resolution) and beam (two-way Gaussian).
+  /// The bins after the responses of pulse (Gaussian of half-power width the range resolution) and beam (two-way
+  /// Gaussian).
   [[nodiscard]] radar::RangeAzimuthImage image() const;
 
  private:

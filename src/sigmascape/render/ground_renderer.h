@@ -31,16 +31,18 @@ struct RenderCounts {
 
 /// LOD ≥ 1: the ground map from terrain and baked reflectivity alone.
 ///
-/// Sweeps outwards along every azimuth with the steepest line of sight so far; ground that rises above it is seen and sends
-/// its σ0 · dA to the receiver at its true slant range. Objects stand in the textures, so their shadows and layover come from there; the
-/// occluders here are the bare earth.
+/// Sweeps outwards along every azimuth with the steepest line of sight so far; ground that rises above it is seen and
+/// sends its σ0 · dA to the receiver at its true slant range. Objects stand in the textures, so their shadows and
+/// layover come from there; the occluders here are the bare earth.
 class GroundRenderer {
  public:
   GroundRenderer(const atlas::Atlas& atlas, const terrain::HeightField& terrain) : atlas_(&atlas), terrain_(&terrain) {}
 
-  /// Renders what of `area` the bins of `grid` hold. Throws Error when the atlas has not been baked near the radar's frequency.
-  [[nodiscard]] radar::RangeAzimuthImage render(const radar::Radar& radar, const radar::Rectangle& area, const radar::RangeAzimuthGrid& grid,
-                                                const RenderSettings& settings, RenderCounts& counts) const;
+  /// Renders what of `area` the bins of `grid` hold. Throws Error when the atlas has not been baked near the radar's
+  /// frequency.
+  [[nodiscard]] radar::RangeAzimuthImage render(const radar::Radar& radar, const radar::Rectangle& area,
+                                                const radar::RangeAzimuthGrid& grid, const RenderSettings& settings,
+                                                RenderCounts& counts) const;
 
  private:
   const atlas::Atlas* atlas_;

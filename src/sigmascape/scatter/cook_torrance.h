@@ -3,6 +3,8 @@
 #include <complex>
 #include <optional>
 
+#include "sigmascape/scatter/diffuse.h"
+#include "sigmascape/scatter/facet.h"
 #include "sigmascape/scatter/microfacet.h"
 #include "sigmascape/scatter/multiple_scatter.h"
 #include "sigmascape/scatter/surface_sample.h"
@@ -21,21 +23,32 @@ struct CookTorranceOptions {
 ///
 ///     b = |R|² D(h) G2 / (4 cos θi cos θo),   h the half vector          docs/physics/cook_torrance.md, Eq. (1)
 ///
-/// In backscatter this is σ0 = π D |R(0)|² G1, Kirchhoff's geometric optics for Beckmann.
+/// In backscatter this is σ0 = π D |R(0)|² G1, Kirchhoff's geometric optics for Beckmann. A flat face of area A widens
+/// the lobe by diffraction, α² + λ²/(4πA), so that it peaks as high as the plate of physical optics. With a scattering
+/// coefficient S the lobe keeps 1 − S² of the power and S² leaves diffusely [Degli-Esposti et al. 2007]; Eqs. (13), (14).
 class CookTorrance {
  public:
   CookTorrance(const CookTorranceParameters& parameters, double frequency_hz, const CookTorranceOptions& options = {});
 
-  [[nodiscard]] radar::Channels backscatter(Vec3f to_radar, Vec3f normal) const;
-  [[nodiscard]] DirectionSample sample(Vec3f to_source, Vec3f normal, Vec2f u) const;
-  [[nodiscard]] float pdf(Vec3f to_source, Vec3f to_sink, Vec3f normal) const;
-  [[nodiscard]] FieldPair scatter(const FieldPair& in, Vec3f to_source, Vec3f to_sink, Vec3f normal,
+  [[nodiscard]] radar::Channels backscatter(Vec3f to_radar, const Facet& face) const;
+  [[nodiscard]] DirectionSample sample(Vec3f to_source, const Facet& face, Vec2f u) const;
+  [[nodiscard]] float pdf(Vec3f to_source, Vec3f to_sink, const Facet& face) const;
+  [[nodiscard]] FieldPair scatter(const FieldPair& in, Vec3f to_source, Vec3f to_sink, const Facet& face,
                                   PhaseDraw draw) const;
 
  private:
+  /// The mirrors as diffraction at a face of this size lets them appear.
+  [[nodiscard]] Microfacets facets_on(const Facet& face) const;
+  /// The part of the directions that is drawn diffusely.
+  [[nodiscard]] float diffuse_share(float cos_source) const;
+
   std::complex<float> permittivity_;
   float normal_reflectivity_;  // |R(0)|²
   Microfacets facets_;
+  float diffraction_m2_;  // λ²/4π
+  float scattered_part_;  // S²
+  DiffusePolarization scattered_polarization_;
+  DiffuseAmplitudes scattered_;
   std::optional<MultipleScatter> multiple_scatter_;
 };
 

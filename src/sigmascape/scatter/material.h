@@ -25,7 +25,7 @@ struct Depolarization {
 /// of the power that leaves again, over all polarizations.
 struct LambertParameters {
   double albedo = 0.5;
-  Depolarization depolarization;
+  Depolarization depolarization{};
 
   friend constexpr bool operator==(const LambertParameters&, const LambertParameters&) = default;
 };
@@ -38,7 +38,7 @@ enum class GammaFrequencyLaw {
 /// σ0 = γ sin ψ for co-polarization (see constant_gamma.h).
 struct ConstantGammaParameters {
   double gamma = 0.01;  ///< linear
-  Depolarization depolarization;
+  Depolarization depolarization{};
   GammaFrequencyLaw frequency_law = GammaFrequencyLaw::AsStated;
 
   friend constexpr bool operator==(const ConstantGammaParameters&, const ConstantGammaParameters&) = default;
@@ -52,7 +52,7 @@ struct UlabyDobsonParameters {
   /// Falls back on rows whose coefficients were never checked against the book, where there is no verified one.
   bool unverified_rows = false;
   /// Its cross ratio serves only where the table has no row for cross-polarization.
-  Depolarization depolarization;
+  Depolarization depolarization{};
 
   friend constexpr bool operator==(const UlabyDobsonParameters&, const UlabyDobsonParameters&) = default;
 };
@@ -62,7 +62,7 @@ enum class BillingsleyTerrain { GeneralRural, Forest, Desert };
 /// Mean strength of land clutter at low angles (see billingsley.h).
 struct BillingsleyParameters {
   BillingsleyTerrain terrain = BillingsleyTerrain::GeneralRural;
-  Depolarization depolarization;
+  Depolarization depolarization{};
 
   friend constexpr bool operator==(const BillingsleyParameters&, const BillingsleyParameters&) = default;
 };
@@ -96,6 +96,10 @@ struct CookTorranceParameters {
   /// one axis.
   double alpha = 0.1;
   MicrofacetDistribution distribution = MicrofacetDistribution::Beckmann;
+  /// Scattering coefficient S: the part S² of the reflected power that leaves diffusely, as from walls with windows, sills and
+  /// balconies too small to be modelled; 1 − S² stays in the lobe of the mirrors.
+  double scattering_coefficient = 0.0;
+  Depolarization depolarization{0.1, 0.5};  ///< of the diffuse part
 
   friend constexpr bool operator==(const CookTorranceParameters&, const CookTorranceParameters&) = default;
 };
@@ -112,6 +116,10 @@ struct Material {
   double lowest_frequency_hz = 0.0;
   double highest_frequency_hz = 1e12;
 };
+
+/// Where a material's constants hold: its own limits and those of its model or law of permittivity together, from low
+/// to high. More than one range where a table lacks a band between two others; none where both contradict one another.
+[[nodiscard]] std::vector<FrequencyRange> known_frequencies(const Material& material);
 
 /// The materials that are known by name; docs/physics/materials.md lists them with their constants and sources.
 [[nodiscard]] const std::vector<Material>& material_library();

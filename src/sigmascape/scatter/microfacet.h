@@ -23,6 +23,8 @@ class Microfacets {
       : distribution_(distribution), masking_(masking), alpha_(alpha) {}
 
   [[nodiscard]] float alpha() const { return alpha_; }
+  /// The same kind of surface with another width.
+  [[nodiscard]] Microfacets widened(float alpha) const { return {distribution_, alpha, masking_}; }
 
   /// Density of facets with the unit normal `facet`, 1/sr, with ∫ D cos θ dω = 1.
   ///

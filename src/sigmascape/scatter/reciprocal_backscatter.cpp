@@ -83,7 +83,8 @@ double ReciprocalBackscatter::albedo(double cos_incidence) const {
   // Each table's coordinate t has |d cos θ| = 2 t dt; the values are even enough over it for the trapezoidal rule.
   const auto add = [&](const Quartic& to, double cosine, double weight) {
     const auto exchanged = [](float a, float b) {
-      return std::pow(static_cast<double>(a) * static_cast<double>(b), 2);
+      const double root = static_cast<double>(a) * static_cast<double>(b);
+      return root * root;
     };
     const double share = weight * cosine / (cosine + cos_incidence);
     const double cross = exchanged(from.hv, to.hv);

@@ -1,5 +1,6 @@
 #include "sigmascape/scatter/soil_permittivity.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "sigmascape/scatter/water_permittivity.h"
@@ -14,7 +15,8 @@ std::complex<double> effective_conductivity(const SoilPermittivity& soil, double
   const double high = -1.645 + 1.939 * density - 0.0225622 * soil.sand_percent + 0.01594 * soil.clay_percent;
   const double x = f_ghz / 1.35;
   const double relaxing = (low - high) / (1.0 + x * x);
-  return {relaxing * x, high + relaxing};
+  // In soils of much sand the fit turns negative, which would make water a source of power.
+  return {relaxing * x, std::max(0.0, high + relaxing)};
 }
 
 }  // namespace

@@ -5,7 +5,8 @@
 namespace sigmascape::scatter {
 
 /// Moist soil as a mixture of grains, air and bound and free water [ITU-R P.527-4, Section 5.2, after Dobson et al.
-/// 1985 and Peplinski et al. 1995]. docs/physics/permittivity.md, Eqs. (7)–(10).
+/// 1985 and Peplinski et al. 1995]. docs/physics/permittivity.md, Eqs. (7)–(10). Fitted between sandy loam (51 %
+/// sand) and silty clay (47 % clay).
 struct SoilPermittivity {
   double sand_percent = 40.0;
   double clay_percent = 20.0;        ///< what is neither sand nor clay is silt

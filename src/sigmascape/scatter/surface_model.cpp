@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <numbers>
 
 #include "sigmascape/base/error.h"
@@ -26,10 +27,9 @@ struct ModelMaker {
   Model operator()(const GitSeaParameters& p) const { return git_sea(p, frequency_hz); }
 };
 
-/// What a surface returns of the power that arrives nearest to grazing, where diffuse models return most.
-double greatest_albedo(const Material& material,
-                       const std::variant<Lambert, ConstantGamma, CookTorrance, ReciprocalBackscatter>& model,
-                       double frequency_hz) {
+/// The greatest part of arriving power that a diffuse surface returns; nought for models that are passive by their
+/// form.
+double greatest_albedo(const Material& material, const ModelMaker::Model& model, double frequency_hz) {
   if (const auto* p = std::get_if<ConstantGammaParameters>(&material.model))
     return gamma_at(*p, frequency_hz) * (1.0 + p->depolarization.cross_ratio);
   const auto* table = std::get_if<ReciprocalBackscatter>(&model);
@@ -40,14 +40,21 @@ double greatest_albedo(const Material& material,
   return greatest;
 }
 
+void require_known_frequency(const Material& material, double frequency_hz) {
+  std::vector<std::string> known;
+  for (const auto& [lowest_hz, highest_hz] : known_frequencies(material)) {
+    if (frequency_hz >= lowest_hz && frequency_hz <= highest_hz) return;
+    known.push_back(fmt::format("{:g} to {:g} GHz", lowest_hz / 1e9, highest_hz / 1e9));
+  }
+  throw Error("material " + material.name, fmt::format("its constants do not hold at {:g} GHz", frequency_hz / 1e9),
+              known.empty() ? std::string("use another material, since its model knows none of its frequencies")
+                            : fmt::format("use {} or another material", fmt::join(known, " or ")));
+}
+
 }  // namespace
 
 SurfaceModel::Model SurfaceModel::model_of(const Material& material, double frequency_hz) {
-  if (frequency_hz < material.lowest_frequency_hz || frequency_hz > material.highest_frequency_hz) {
-    throw Error("material " + material.name, fmt::format("its constants do not hold at {:.3f} GHz", frequency_hz / 1e9),
-                fmt::format("use a frequency between {:.3f} and {:.3f} GHz or another material",
-                            material.lowest_frequency_hz / 1e9, material.highest_frequency_hz / 1e9));
-  }
+  require_known_frequency(material, frequency_hz);
   Model model = std::visit(ModelMaker{frequency_hz}, material.model);
   if (const double albedo = greatest_albedo(material, model, frequency_hz); albedo > 1.0) {
     throw Error("material " + material.name, fmt::format("it would return {:.2f} times the power that arrives", albedo),

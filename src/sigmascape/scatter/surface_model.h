@@ -4,6 +4,7 @@
 
 #include "sigmascape/scatter/constant_gamma.h"
 #include "sigmascape/scatter/cook_torrance.h"
+#include "sigmascape/scatter/facet.h"
 #include "sigmascape/scatter/lambert.h"
 #include "sigmascape/scatter/material.h"
 #include "sigmascape/scatter/reciprocal_backscatter.h"
@@ -11,7 +12,7 @@
 namespace sigmascape::scatter {
 
 /// A material at one frequency, ready to scatter. All directions are unit vectors that point away from the surface, and
-/// the normal is the one on their side.
+/// the face's normal is the one on their side.
 ///
 /// A new model is a class with the four members below, a parameter struct in material.h, and its place in the variant.
 /// One of which only backscatter is known is a function that makes a ReciprocalBackscatter.
@@ -22,22 +23,22 @@ class SurfaceModel {
   SurfaceModel(const Material& material, double frequency_hz);
 
   /// BRDF towards where the wave came from, by polarization, 1/sr: exact second moments, nothing drawn.
-  [[nodiscard]] radar::Channels backscatter(Vec3f to_radar, Vec3f normal) const {
-    return std::visit([&](const auto& m) { return m.backscatter(to_radar, normal); }, model_);
+  [[nodiscard]] radar::Channels backscatter(Vec3f to_radar, const Facet& face) const {
+    return std::visit([&](const auto& m) { return m.backscatter(to_radar, face); }, model_);
   }
   /// A direction to carry the path on. `u` in [0,1)².
-  [[nodiscard]] DirectionSample sample(Vec3f to_source, Vec3f normal, Vec2f u) const {
-    return std::visit([&](const auto& m) { return m.sample(to_source, normal, u); }, model_);
+  [[nodiscard]] DirectionSample sample(Vec3f to_source, const Facet& face, Vec2f u) const {
+    return std::visit([&](const auto& m) { return m.sample(to_source, face, u); }, model_);
   }
   /// Density of `sample`, 1/sr.
-  [[nodiscard]] float pdf(Vec3f to_source, Vec3f to_sink, Vec3f normal) const {
-    return std::visit([&](const auto& m) { return m.pdf(to_source, to_sink, normal); }, model_);
+  [[nodiscard]] float pdf(Vec3f to_source, Vec3f to_sink, const Facet& face) const {
+    return std::visit([&](const auto& m) { return m.pdf(to_source, to_sink, face); }, model_);
   }
   /// The fields that leave towards `to_sink`: their powers are the incoming ones times the BRDF, in expectation over
   /// `draw`. For the way back (directions exchanged) the matrix is the transpose.
-  [[nodiscard]] FieldPair scatter(const FieldPair& in, Vec3f to_source, Vec3f to_sink, Vec3f normal,
+  [[nodiscard]] FieldPair scatter(const FieldPair& in, Vec3f to_source, Vec3f to_sink, const Facet& face,
                                   PhaseDraw draw) const {
-    return std::visit([&](const auto& m) { return m.scatter(in, to_source, to_sink, normal, draw); }, model_);
+    return std::visit([&](const auto& m) { return m.scatter(in, to_source, to_sink, face, draw); }, model_);
   }
 
  private:

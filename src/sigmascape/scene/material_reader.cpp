@@ -1,11 +1,13 @@
 #include "sigmascape/scene/material_reader.h"
 
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <variant>
 
 #include "sigmascape/base/units.h"
+#include "sigmascape/scene/permittivity_reader.h"
 
 namespace sigmascape::scene {
 namespace {
@@ -24,21 +26,23 @@ void read_depolarization(const TomlSection& section, scatter::Depolarization& de
       section.number_or("vv_hh_correlation", {0.0, 1.0, ""}, depolarization.vv_hh_correlation);
 }
 
-/// A stated relative permittivity or conductivity holds at all frequencies; of a power law the other part stays.
-void read_permittivity(const TomlSection& section, scatter::Permittivity& permittivity) {
-  const auto relative = section.optional_number("permittivity", {1.0, 1e6, ""});
-  const auto conductivity = section.optional_number("conductivity_s_per_m", {0.0, 1e9, "S/m"});
-  if (!relative && !conductivity) return;
-  const auto* stated = std::get_if<scatter::PowerLawPermittivity>(&permittivity.law());
-  scatter::PowerLawPermittivity law = stated != nullptr ? *stated : scatter::PowerLawPermittivity{};
-  if (relative) law.a = *relative, law.b = 0.0;
-  if (conductivity) law.c = *conductivity, law.d = 0.0;
-  permittivity = {law.a, law.b, law.c, law.d};
+/// The place among `words` of the one that a key names, which `current` keeps when the key is absent.
+template <typename Enum, std::size_t n>
+Enum chosen(const TomlSection& section, std::string_view key, const std::array<const char*, n>& words, Enum current) {
+  const std::vector<std::string> choices(words.begin(), words.end());
+  const std::string word = section.choice_or(key, choices, choices[static_cast<std::size_t>(current)]);
+  return static_cast<Enum>(std::ranges::find(choices, word) - choices.begin());
 }
+
+constexpr std::array gamma_laws{"as_stated", "square_root_from_10_ghz"};
+constexpr std::array terrain_classes{"soil", "grass", "shrubs", "short_vegetation", "dry_snow", "wet_snow", "trees"};
+constexpr std::array billingsley_terrains{"general_rural", "forest", "desert"};
+constexpr std::array distributions{"beckmann", "ggx"};
 
 /// Overwrites those constants of a model that the section states.
 struct ConstantsReader {
   const TomlSection& section;
+  scatter::Material& material;
 
   void operator()(scatter::LambertParameters& lambert) const {
     lambert.albedo = section.number_or("albedo", {0.0, 1.0, ""}, lambert.albedo);
@@ -47,31 +51,71 @@ struct ConstantsReader {
   void operator()(scatter::ConstantGammaParameters& diffuse) const {
     if (const auto gamma_db = section.optional_number("gamma_db", {-80.0, 0.0, "dB"}))
       diffuse.gamma = linear_from_db(*gamma_db);
+    diffuse.frequency_law = chosen(section, "frequency_law", gamma_laws, diffuse.frequency_law);
+    if (diffuse.frequency_law != scatter::GammaFrequencyLaw::AsStated) material.verified = false;
     read_depolarization(section, diffuse.depolarization);
   }
-  void operator()(scatter::UlabyDobsonParameters& land) const { read_depolarization(section, land.depolarization); }
-  void operator()(scatter::BillingsleyParameters& land) const { read_depolarization(section, land.depolarization); }
+  void operator()(scatter::UlabyDobsonParameters& land) const {
+    land.terrain = chosen(section, "terrain", terrain_classes, land.terrain);
+    land.unverified_rows = section.flag_or("unverified_rows", land.unverified_rows);
+    if (land.unverified_rows) material.verified = false;
+    leave_frequencies_to_the_model();
+    read_depolarization(section, land.depolarization);
+  }
+  void operator()(scatter::BillingsleyParameters& land) const {
+    land.terrain = chosen(section, "terrain", billingsley_terrains, land.terrain);
+    leave_frequencies_to_the_model();
+    read_depolarization(section, land.depolarization);
+  }
   void operator()(scatter::NrlSeaParameters& sea) const {
     sea.sea_state = section.number_or("sea_state", {0.0, 6.0, ""}, sea.sea_state);
     read_depolarization(section, sea.depolarization);
   }
   void operator()(scatter::GitSeaParameters& sea) const {
     sea.sea_state = section.number_or("sea_state", {1.0, 6.0, ""}, sea.sea_state);
-    sea.wind_angle_rad =
-        radians_from_deg(section.number_or("wind_angle_deg", {0.0, 180.0, "deg"}, deg_from_radians(sea.wind_angle_rad)));
+    sea.wind_angle_rad = radians_from_deg(
+        section.number_or("wind_angle_deg", {0.0, 180.0, "deg"}, deg_from_radians(sea.wind_angle_rad)));
     sea.wind_speed_mps = section.number_or("wind_speed_mps", {0.0, 40.0, "m/s"}, sea.wind_speed_mps);
     read_depolarization(section, sea.depolarization);
   }
   void operator()(scatter::CookTorranceParameters& mirrors) const {
-    read_permittivity(section, mirrors.permittivity);
+    if (read_permittivity(section, mirrors.permittivity)) leave_frequencies_to_the_model();
     mirrors.alpha = section.number_or("alpha", {0.001, 2.0, ""}, mirrors.alpha);
-    const bool was_ggx = mirrors.distribution == scatter::MicrofacetDistribution::Ggx;
-    const std::string distribution =
-        section.choice_or("distribution", {"beckmann", "ggx"}, was_ggx ? "ggx" : "beckmann");
-    mirrors.distribution =
-        distribution == "ggx" ? scatter::MicrofacetDistribution::Ggx : scatter::MicrofacetDistribution::Beckmann;
+    mirrors.scattering_coefficient =
+        section.number_or("scattering_coefficient", {0.0, 1.0, ""}, mirrors.scattering_coefficient);
+    read_depolarization(section, mirrors.depolarization);
+    mirrors.distribution = chosen(section, "distribution", distributions, mirrors.distribution);
+  }
+
+ private:
+  /// What is stated anew is known where its law or table is, not where the base material was.
+  void leave_frequencies_to_the_model() const {
+    material.lowest_frequency_hz = scatter::FrequencyRange{}.lowest_hz;
+    material.highest_frequency_hz = scatter::FrequencyRange{}.highest_hz;
   }
 };
+
+struct NamedModel {
+  const char* name;
+  scatter::Material::Model model;
+};
+
+const std::vector<NamedModel>& models() {
+  static const std::vector<NamedModel> all{{"lambert", scatter::LambertParameters{}},
+                                           {"constant_gamma", scatter::ConstantGammaParameters{}},
+                                           {"cook_torrance", scatter::CookTorranceParameters{}},
+                                           {"ulaby_dobson", scatter::UlabyDobsonParameters{}},
+                                           {"billingsley", scatter::BillingsleyParameters{}},
+                                           {"nrl_sea", scatter::NrlSeaParameters{}},
+                                           {"git_sea", scatter::GitSeaParameters{}}};
+  return all;
+}
+
+std::vector<std::string> model_names() {
+  std::vector<std::string> names;
+  for (const NamedModel& model : models()) names.emplace_back(model.name);
+  return names;
+}
 
 scatter::Material read_material(const TomlSection& section, const std::string& name) {
   const auto base = section.optional_text("base");
@@ -79,19 +123,18 @@ scatter::Material read_material(const TomlSection& section, const std::string& n
   if (base.has_value() == has_model) {
     throw Error(
         section.where(), base ? "states both base and model" : "states neither base nor model",
-        "give base = a library name to start from, or model = \"lambert\", \"constant_gamma\" or \"cook_torrance\"");
+        fmt::format("give base = a library name to start from, or model = one of {}", fmt::join(model_names(), ", ")));
   }
   scatter::Material material;
   if (base) {
     material = MaterialTable().material(*base, section.where("base"));
   } else {
-    const std::string model = section.choice_or("model", {"lambert", "constant_gamma", "cook_torrance"}, "");
-    if (model == "constant_gamma") material.model = scatter::ConstantGammaParameters{};
-    if (model == "cook_torrance") material.model = scatter::CookTorranceParameters{};
+    const std::string model = section.choice_or("model", model_names(), "");
+    material.model = std::ranges::find(models(), model, &NamedModel::name)->model;
   }
   material.name = name;
   material.source = section.text_or("source", fmt::format("scene file, {}", section.where()));
-  std::visit(ConstantsReader{section}, material.model);
+  std::visit(ConstantsReader{section, material}, material.model);
   section.refuse_unknown_keys();
   return material;
 }

@@ -71,6 +71,8 @@ struct ModelHasher {
     add_permittivity(sha, m.permittivity);
     sha.add_value(m.alpha);
     sha.add_value(static_cast<int>(m.distribution));
+    sha.add_value(m.scattering_coefficient);
+    add_depolarization(sha, m.depolarization);
   }
 };
 

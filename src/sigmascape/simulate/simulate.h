@@ -21,15 +21,19 @@ struct TraceSettings {
 };
 
 /// The receive bins for a radar that maps `area`.
-[[nodiscard]] radar::RangeAzimuthGrid bins_for(const radar::Radar& radar, const radar::Rectangle& area, const terrain::HeightField& terrain);
+[[nodiscard]] radar::RangeAzimuthGrid bins_for(const radar::Radar& radar, const radar::Rectangle& area,
+                                               const terrain::HeightField& terrain);
 
-/// LOD 0: the whole scene on its terrain, path-traced, into the bins. Point targets answer where the scene lets them be seen.
-[[nodiscard]] radar::RangeAzimuthImage traced_image(const scene::Scene& scene, const trace::SceneGeometry& geometry, const radar::Radar& radar,
-                                                    const radar::Rectangle& area, const TraceSettings& settings, trace::TraceCounts& counts);
+/// LOD 0: the whole scene on its terrain, path-traced, into the bins. Point targets answer where the scene lets them be
+/// seen.
+[[nodiscard]] radar::RangeAzimuthImage traced_image(const scene::Scene& scene, const trace::SceneGeometry& geometry,
+                                                    const radar::Radar& radar, const radar::Rectangle& area,
+                                                    const TraceSettings& settings, trace::TraceCounts& counts);
 
 /// LOD ≥ 1: terrain and atlas, into the same bins.
-[[nodiscard]] radar::RangeAzimuthImage baked_image(const atlas::Atlas& atlas, const terrain::HeightField& terrain, const radar::Radar& radar,
-                                                   const radar::Rectangle& area, const render::RenderSettings& settings,
+[[nodiscard]] radar::RangeAzimuthImage baked_image(const atlas::Atlas& atlas, const terrain::HeightField& terrain,
+                                                   const radar::Radar& radar, const radar::Rectangle& area,
+                                                   const render::RenderSettings& settings,
                                                    render::RenderCounts& counts);
 
 }  // namespace sigmascape::simulate

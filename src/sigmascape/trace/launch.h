@@ -8,8 +8,8 @@
 
 namespace sigmascape::trace {
 
-/// A cell of the launch lattice: squares of the plane that rays are aimed at, numbered from the origin of the local frame, so that
-/// the same place always has the same rays, whichever patch or shard asks.
+/// A cell of the launch lattice: squares of the plane that rays are aimed at, numbered from the origin of the local
+/// frame, so that the same place always has the same rays, whichever patch or shard asks.
 struct LaunchCell {
   std::int32_t i = 0;  ///< eastward: covers x from i · cell to (i + 1) · cell
   std::int32_t j = 0;  ///< northward
@@ -18,9 +18,9 @@ struct LaunchCell {
 /// From which cells echoes can come that land in an area of interest.
 struct LaunchArea {
   double cell_m = 1.0;
-  double plane_height_m = 0.0;          ///< height of the plane aimed at
-  double top_height_m = 0.0;            ///< rays start at this height, above everything
-  std::vector<LaunchCell> cells;        ///< in tiles of 16 × 16, for the sake of caches
+  double plane_height_m = 0.0;    ///< height of the plane aimed at
+  double top_height_m = 0.0;      ///< rays start at this height, above everything
+  std::vector<LaunchCell> cells;  ///< in tiles of 16 × 16, for the sake of caches
 
   /// Whether a ray through that point of the plane could have been launched.
   [[nodiscard]] bool covers(Vec2d point) const;
@@ -32,10 +32,10 @@ struct LaunchArea {
 
 /// The launch area for echoes that land in `target`.
 ///
-/// A surface at height h above the plane is hit by rays aimed h cot ψ behind it and lands h tan ψ before it, so aim points reach
-/// h_max (cot ψ + tan ψ) behind the target, each along its own line of sight where the radar has a place. `margin_m` widens the target on all sides for echoes of several bounces, which land
-/// midway between their ends.
-[[nodiscard]] LaunchArea launch_area(const Viewpoint& viewpoint, const radar::Rectangle& target, double cell_m, double plane_height_m,
-                                     double top_height_m, double margin_m);
+/// A surface at height h above the plane is hit by rays aimed h cot ψ behind it and lands h tan ψ before it, so aim
+/// points reach h_max (cot ψ + tan ψ) behind the target, each along its own line of sight where the radar has a place.
+/// `margin_m` widens the target on all sides for echoes of several bounces, which land midway between their ends.
+[[nodiscard]] LaunchArea launch_area(const Viewpoint& viewpoint, const radar::Rectangle& target, double cell_m,
+                                     double plane_height_m, double top_height_m, double margin_m);
 
 }  // namespace sigmascape::trace

@@ -33,6 +33,10 @@ Channels paired_powers(const FieldPair& out, const PolarizationBasis& receive) {
   return Channels{power_of(vv), power_of(hh), power_of(hv), correlation_of(vv, hh)} * 0.5F;
 }
 
+scatter::Facet face_of(const SurfaceHit& hit) {
+  return {hit.normal, hit.inverse_facet_area_per_m2};
+}
+
 /// One path on its way through the scene.
 struct Path {
   Vec3f origin;
@@ -102,7 +106,7 @@ class TileTracer {
 
   void add_direct_echo(const Path& path, const SurfaceHit& hit, Vec3d position, Vec3d aim_point, double area_m2) {
     const Vec3f to_radar = -path.direction;
-    const Channels brdf = surfaces_[hit.material].backscatter(to_radar, hit.normal);
+    const Channels brdf = surfaces_[hit.material].backscatter(to_radar, face_of(hit));
     if (brdf == Channels{}) return;
     const double weight =
         4.0 * pi * viewpoint_.ray_weight_m2(aim_point, area_m2, path.first_range_m, path.first_range_m);
@@ -120,7 +124,7 @@ class TileTracer {
     const auto& surface = surfaces_[hit.material];
     const auto dimension = static_cast<std::uint32_t>(bounce) * DimensionsPerVertex;
     const FieldPair out =
-        surface.scatter(path.fields, -path.direction, to_radar, hit.normal,
+        surface.scatter(path.fields, -path.direction, to_radar, face_of(hit),
                         {point.independent(dimension + ConnectPhaseA), point.independent(dimension + ConnectPhaseB)});
     if (out.mean_power() <= 0.0F) return;
     ++counts_.rays;
@@ -142,7 +146,7 @@ class TileTracer {
                                        float last_cosine) const {
     if (options_.estimator == Estimator::OneWay) return 1.0F;
     if (!area_.covers(viewpoint_.shadow_on_plane(position, area_.plane_height_m))) return 2.0F;
-    const float back = surfaces_[hit.material].pdf(to_radar, -path.direction, hit.normal);
+    const float back = surfaces_[hit.material].pdf(to_radar, -path.direction, face_of(hit));
     const float q = path.reverse_ratio * back * last_cosine / path.first_cosine;
     return 2.0F / (1.0F + q);
   }
@@ -151,17 +155,17 @@ class TileTracer {
   [[nodiscard]] bool carry_on(Path& path, const SurfaceHit& hit, int bounce, const SobolPoint& point) const {
     const auto& surface = surfaces_[hit.material];
     const Vec3f to_source = -path.direction;
-    const auto next = surface.sample(to_source, hit.normal, point.pair(static_cast<std::uint32_t>(bounce)));
+    const auto next = surface.sample(to_source, face_of(hit), point.pair(static_cast<std::uint32_t>(bounce)));
     const float cosine = dot(next.direction, hit.normal);
     if (next.pdf <= 0.0F || cosine <= 1e-6F) return false;
 
     const auto dimension = static_cast<std::uint32_t>(bounce) * DimensionsPerVertex;
-    path.fields = surface.scatter(path.fields, to_source, next.direction, hit.normal,
+    path.fields = surface.scatter(path.fields, to_source, next.direction, face_of(hit),
                                   {point.independent(dimension + PhaseA), point.independent(dimension + PhaseB)}) *
                   std::sqrt(cosine / next.pdf);
     // The vertex's part of the reversed density: at the first vertex there is none yet, only the forward one to divide
     // by.
-    if (bounce > 1) path.reverse_ratio *= surface.pdf(next.direction, to_source, hit.normal);
+    if (bounce > 1) path.reverse_ratio *= surface.pdf(next.direction, to_source, face_of(hit));
     path.reverse_ratio *= cosine / next.pdf;
 
     if (!survives_roulette(path, point.independent(dimension + RouletteChoice))) return false;

@@ -52,14 +52,15 @@ using EchoSink = std::function<void(std::span<const radar::Echo>, unsigned worke
 
 /// Scene and viewpoint to echoes: the path tracer.
 ///
-/// Rays are aimed at Owen-scrambled Sobol points of every launch cell. Where a path meets a surface that sees the radar, it
-/// returns an echo of cross-section
+/// Rays are aimed at Owen-scrambled Sobol points of every launch cell. Where a path meets a surface that sees the
+/// radar, it returns an echo of cross-section
 ///
 ///     4π w |S_pq|²            first surface                         docs/physics/estimator.md, Eq. (1)
-///     4π w ½ |(S + Sᵀ)_pq|²   later ones, for the path and its reversal add coherently in monostatic geometry   Eq. (4)
+///     4π w ½ |(S + Sᵀ)_pq|²   later ones, for the path and its reversal add coherently in monostatic geometry   Eq.
+///     (4)
 ///
-/// at half the length of the way and the mean cross position of the two ends. The draw of every path depends on seed, cell and
-/// sample alone.
+/// at half the length of the way and the mean cross position of the two ends. The draw of every path depends on seed,
+/// cell and sample alone.
 class PathTracer {
  public:
   PathTracer(const SceneGeometry& geometry, std::vector<scatter::SurfaceModel> surfaces, const Viewpoint& viewpoint,

@@ -8,6 +8,7 @@
 #include <xmmintrin.h>
 
 #include "sigmascape/base/error.h"
+#include "sigmascape/scene/facet_area.h"
 
 namespace sigmascape::trace {
 namespace {
@@ -21,10 +22,18 @@ constexpr unsigned denormals_are_zero = 0x0040U;
 struct Part {
   enum class Kind { Terrain, Mesh, Instance } kind;
   const scene::Mesh* mesh = nullptr;
+  const std::vector<float>* inverse_facet_areas = nullptr;  // one a triangle, before scaling
   // Rotation and inverse scale that carry an instance's normals into the world.
   float cos_yaw = 1.0F, sin_yaw = 0.0F;
   Vec3f inverse_scale{1.0F, 1.0F, 1.0F};
+  float inverse_volume_scale = 1.0F;
 };
+
+std::vector<float> inverse_facet_areas(const scene::Mesh& mesh) {
+  std::vector<float> inverse = scene::facet_areas_m2(mesh);
+  for (float& area : inverse) area = area > 0.0F ? 1.0F / area : 0.0F;
+  return inverse;
+}
 
 void add_to_sum(void* sum, ssize_t bytes) {
   static_cast<std::atomic<std::int64_t>*>(sum)->fetch_add(bytes);
@@ -41,7 +50,9 @@ struct SceneGeometry::Structures {
   std::vector<Vec3f> building_vertices;
   scene::MaterialMap ground;
   std::vector<scene::Mesh> meshes;  // own copies, so that the geometry outlives the scene it came from
+  std::vector<std::vector<float>> mesh_facets;
   scene::Mesh buildings;
+  std::vector<float> building_facets;
   Vec3d origin;
   Footing footing = Footing::LevelPlane;
   double lowest_m = 0.0, highest_m = 0.0;
@@ -132,7 +143,9 @@ struct SceneGeometry::Structures {
         lowest_m = std::min(lowest_m, static_cast<double>(vertex.z));
       }
     }
-    attach(triangles(buildings, building_vertices), {.kind = Part::Kind::Mesh, .mesh = &buildings});
+    building_facets = inverse_facet_areas(buildings);
+    attach(triangles(buildings, building_vertices),
+           {.kind = Part::Kind::Mesh, .mesh = &buildings, .inverse_facet_areas = &building_facets});
   }
 
   void add_prototypes() {
@@ -144,6 +157,7 @@ struct SceneGeometry::Structures {
       rtcReleaseGeometry(geometry);
       rtcCommitScene(prototype);
       prototypes.push_back(prototype);
+      mesh_facets.push_back(inverse_facet_areas(mesh));
     }
   }
 
@@ -178,9 +192,11 @@ struct SceneGeometry::Structures {
       rtcCommitGeometry(geometry);
       attach(geometry, {.kind = Part::Kind::Instance,
                         .mesh = &meshes[instance.prototype],
+                        .inverse_facet_areas = &mesh_facets[instance.prototype],
                         .cos_yaw = c,
                         .sin_yaw = s,
-                        .inverse_scale = {1.0F / k.x, 1.0F / k.y, 1.0F / k.z}});
+                        .inverse_scale = {1.0F / k.x, 1.0F / k.y, 1.0F / k.z},
+                        .inverse_volume_scale = 1.0F / (k.x * k.y * k.z)});
       highest_m = std::max(highest_m, static_cast<double>(z + tops[instance.prototype] * k.z));
     }
   }
@@ -194,6 +210,7 @@ struct SceneGeometry::Structures {
     hit.position = ray_origin + direction * t;
     hit.position.z = 0.0F;
     hit.normal = {0.0F, 0.0F, 1.0F};
+    hit.inverse_facet_area_per_m2 = 0.0F;
     hit.material = ground_material(hit.position);
   }
 };
@@ -259,9 +276,13 @@ bool SceneGeometry::intersect(Vec3f ray_origin, Vec3f direction, SurfaceHit& hit
   const Part& part = s.parts[is_instance ? query.hit.instID[0] : query.hit.geomID];
   Vec3f normal{query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z};
   hit.position = ray_origin + direction * query.ray.tfar;
+  hit.inverse_facet_area_per_m2 =
+      part.kind == Part::Kind::Terrain ? 0.0F : (*part.inverse_facet_areas)[query.hit.primID];
   if (part.kind == Part::Kind::Instance) {
-    // Normals transform by the inverse transpose: divide by the scale, then turn.
+    // Normals transform by the inverse transpose: divide by the scale, then turn. Areas grow by how much that shortens
+    // them, times the growth of volumes.
     const Vec3f n{normal.x * part.inverse_scale.x, normal.y * part.inverse_scale.y, normal.z * part.inverse_scale.z};
+    hit.inverse_facet_area_per_m2 *= part.inverse_volume_scale * length(normal) / length(n);
     normal = {n.x * part.cos_yaw + n.y * part.sin_yaw, -n.x * part.sin_yaw + n.y * part.cos_yaw, n.z};
   }
   if (part.kind == Part::Kind::Terrain) {

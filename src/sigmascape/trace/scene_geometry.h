@@ -11,15 +11,16 @@ enum class Footing { Terrain, LevelPlane };
 
 struct SurfaceHit {
   Vec3f position;
-  Vec3f normal;  ///< unit, on the side that the ray came from
+  Vec3f normal;                            ///< unit, on the side that the ray came from
+  float inverse_facet_area_per_m2 = 0.0F;  ///< of the flat face that was hit, 0 on the ground
   scene::MaterialIndex material = 0;
 };
 
 /// A scene made ready for rays: the one place that knows Embree.
 ///
-/// Everything is held relative to `origin()`, the centre of the scene's extent at height zero, so that single precision suffices.
-/// Trees, vehicles and other instances share one acceleration structure a prototype. The level plane is intersected in closed form
-/// (no cracks); terrain is a robustly traversed grid that is only hit from above.
+/// Everything is held relative to `origin()`, the centre of the scene's extent at height zero, so that single precision
+/// suffices. Trees, vehicles and other instances share one acceleration structure a prototype. The level plane is
+/// intersected in closed form (no cracks); terrain is a robustly traversed grid that is only hit from above.
 class SceneGeometry {
  public:
   SceneGeometry(const scene::Scene& scene, Footing footing);

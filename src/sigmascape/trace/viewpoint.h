@@ -24,24 +24,24 @@ class Viewpoint {
   /// The point of the plane at `height_m` behind `point`, on the line from the radar through it.
   [[nodiscard]] Vec2d shadow_on_plane(Vec3d point, double height_m) const;
 
-  /// How far before its aim point, along the level towards the radar, the echo of a ray lands that hits something at `height_m`: at the
-  /// level of the aim point, at the echo's range.
+  /// How far before its aim point, along the level towards the radar, the echo of a ray lands that hits something at
+  /// `height_m`: at the level of the aim point, at the echo's range.
   [[nodiscard]] double landing_before_aim_m(Vec3d aim, double height_m) const;
   /// The same distance, but for the ray whose echo lands at `landing`: how far behind that place the ray is aimed.
   [[nodiscard]] double aim_behind_landing_m(Vec3d landing, double height_m) const;
 
   /// Radar cross-section, referred to the echo's own range, that stands for unit intensity on the way out: w of
-  /// docs/physics/estimator.md, Eqs. (2), (3). `aim` is a point of the launch plane, `area_m2` the piece of plane that the ray stands
-  /// for, `echo_range_m` half the path, `last_range_m` the distance of the last vertex.
+  /// docs/physics/estimator.md, Eqs. (2), (3). `aim` is a point of the launch plane, `area_m2` the piece of plane that
+  /// the ray stands for, `echo_range_m` half the path, `last_range_m` the distance of the last vertex.
   [[nodiscard]] double ray_weight_m2(Vec3d aim, double area_m2, double echo_range_m, double last_range_m) const;
 
  private:
   Viewpoint(bool is_distant, Vec3d to_radar, Vec3d position);
 
   bool is_distant_;
-  Vec3d to_radar_;   // distant: the same for all points
-  Vec3d right_;      // distant: across the line of sight, to the right as seen from the radar
-  Vec3d position_;   // located
+  Vec3d to_radar_;  // distant: the same for all points
+  Vec3d right_;     // distant: across the line of sight, to the right as seen from the radar
+  Vec3d position_;  // located
 };
 
 }  // namespace sigmascape::trace

@@ -232,5 +232,52 @@ TEST_F(AtlasTest, AnUnfinishedBakeIsRefusedByName) {
   }
 }
 
+/// A coarser grid read out of a finer store is the store that would have been baked on it.
+TEST_F(AtlasTest, SelectedLooksMakeTheAtlasOfTheCoarserGrid) {
+  const auto texel = [](Vec2d point, const radar::Look& look) {
+    const double angle_deg = deg_from_radians(look.aspect.azimuth_rad + 3.0 * look.aspect.elevation_rad);
+    return exact(static_cast<std::size_t>(1000.5 + point.x + 7.0 * point.y + angle_deg));
+  };
+  AtlasDescription fine = four_patches();
+  fine.extent = {-256.0, 0.0, 256.0, 256.0};
+  fine.aspects.azimuths_rad = {0.0, 0.5 * pi, pi, 1.5 * pi};
+  fine.aspects.elevations_rad = {radians_from_deg(5.0), radians_from_deg(13.0), radians_from_deg(21.0)};
+  const Store fine_store = store_of(fine, texel);
+  const Atlas selected = load_atlas(fine_store, {.aspects = {.azimuths = {0, 2}, .elevations = {1, 2}}});
+
+  AtlasDescription coarse = fine;
+  coarse.aspects.azimuths_rad = {0.0, pi};
+  coarse.aspects.elevations_rad = {radians_from_deg(13.0), radians_from_deg(21.0)};
+  std::filesystem::remove_all(folder_);
+  const Atlas baked = load_atlas(store_of(coarse, texel));
+
+  EXPECT_EQ(selected.aspects(), coarse.aspects);
+  EXPECT_EQ(selected.memory_bytes(), baked.memory_bytes());
+  for (int i = 0; i < 500; ++i) {
+    const Vec2d point{-250.0 + i, 1.0 + 0.5 * i};
+    const radar::Aspect aspect{0.013 * i, radians_from_deg(3.0 + 0.05 * i)};
+    const double level = 0.003 * i;
+    ASSERT_EQ(selected.sigma0_at(point, aspect, 10e9, level), baked.sigma0_at(point, aspect, 10e9, level)) << i;
+  }
+}
+
+TEST_F(AtlasTest, OnlySelectedLooksNeedToBeThere) {
+  const AtlasDescription description = four_patches();
+  const Store store = store_of(description, [](Vec2d, const radar::Look&) {
+    return radar::Channels{1.0F, 1.0F, 1.0F, 1.0F};
+  });
+  std::filesystem::remove(folder_ / store.texture_path({-1, -1}, description.aspects.index_of(1, 0, 0)));
+  EXPECT_NO_THROW(static_cast<void>(load_atlas(store, {.aspects = {.azimuths = {0}, .elevations = {}}})));
+  EXPECT_THROW(static_cast<void>(load_atlas(store, {.aspects = {.azimuths = {1}, .elevations = {}}})), Error);
+}
+
+TEST_F(AtlasTest, SelectionsThatAreNotOnTheAxesAreRefused) {
+  const AspectGrid grid = paper_aspect_grid();
+  EXPECT_THROW(static_cast<void>(selected_grid(grid, {.azimuths = {8}, .elevations = {}})), Error);
+  EXPECT_THROW(static_cast<void>(selected_looks(grid, {.azimuths = {}, .elevations = {2, 1}})), Error);
+  EXPECT_THROW(static_cast<void>(selected_looks(grid, {.azimuths = {3, 3}, .elevations = {}})), Error);
+  EXPECT_EQ(selected_looks(grid, {}).size(), grid.look_count());
+}
+
 }  // namespace
 }  // namespace sigmascape::atlas

@@ -1,0 +1,65 @@
+#include "results_bake.h"
+
+#include <algorithm>
+#include <fstream>
+
+#include "results_processor_time.h"
+
+#include "sigmascape/geo/atomic_file.h"
+
+namespace sigmascape::cli {
+namespace {
+
+/// Notes how long each texture took and passes the progress on.
+class BakeTimer final : public ProgressListener {
+ public:
+  BakeTimer(std::filesystem::path file, ProgressListener& next) : file_(std::move(file)), next_(next) {
+    std::ifstream stream(file_);
+    if (stream) seconds_ = nlohmann::json::parse(stream).get<std::vector<double>>();
+  }
+
+  void advanced(std::string_view task, std::size_t done, std::size_t total, std::string_view unit) override {
+    // Textures come in order; those that an earlier run baked are passed over at once and keep their time.
+    if (done > seconds_.size()) {
+      seconds_.push_back(watch_.seconds());
+      geo::write_atomically(file_, nlohmann::json(seconds_).dump());
+    }
+    watch_ = {};
+    next_.advanced(task, done, total, unit);
+  }
+
+  [[nodiscard]] const std::vector<double>& seconds() const { return seconds_; }
+
+ private:
+  std::filesystem::path file_;
+  ProgressListener& next_;
+  ProcessorStopwatch watch_;
+  std::vector<double> seconds_;
+};
+
+std::vector<double> timed_bake(const scene::Scene& scene, const bake::BakeSettings& settings,
+                               const std::filesystem::path& folder, ProgressListener& progress) {
+  BakeTimer timer(folder / "bake_seconds.json", progress);
+  bake::bake(scene, settings, folder, timer);
+  return timer.seconds();
+}
+
+}  // namespace
+
+TimedBake::TimedBake(const scene::Scene& scene, const bake::BakeSettings& settings, const std::filesystem::path& folder,
+                     ProgressListener& progress)
+    : unit_seconds_(timed_bake(scene, settings, folder, progress)), store_(atlas::Store::open(folder)) {}
+
+AtlasCost TimedBake::cost_of(const atlas::AspectSelection& selection, const atlas::Atlas& atlas) const {
+  const auto looks = atlas::selected_looks(store_.description().aspects, selection);
+  AtlasCost cost{.looks = looks.size(), .store_bytes = 0, .memory_bytes = atlas.memory_bytes()};
+  const auto units = store_.units();
+  for (std::size_t i = 0; i < units.size(); ++i) {
+    if (std::ranges::find(looks, units[i].look) == looks.end()) continue;
+    cost.store_bytes += std::filesystem::file_size(store_.folder() / store_.texture_path(units[i].patch, units[i].look));
+    cost.bake_seconds += unit_seconds_[i];
+  }
+  return cost;
+}
+
+}  // namespace sigmascape::cli

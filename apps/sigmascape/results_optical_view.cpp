@@ -1,0 +1,99 @@
+#include "results_optical_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "sigmascape/base/parallel.h"
+#include "sigmascape/base/units.h"
+#include "sigmascape/radar/look.h"
+
+namespace sigmascape::cli {
+namespace {
+
+/// Light, linear in power, red, green and blue.
+using Light = Vec3f;
+
+struct MaterialColour {
+  std::string_view name;  ///< or the beginning of it
+  Light colour;
+};
+
+constexpr Light unknown_colour{0.35F, 0.35F, 0.35F};
+constexpr MaterialColour material_colours[] = {
+    {"water", {0.03F, 0.09F, 0.16F}},          {"fresh_water", {0.03F, 0.09F, 0.16F}},
+    {"grass", {0.17F, 0.30F, 0.08F}},          {"crops", {0.33F, 0.35F, 0.12F}},
+    {"forest_floor", {0.12F, 0.11F, 0.06F}},   {"bare_soil", {0.36F, 0.24F, 0.14F}},
+    {"asphalt", {0.12F, 0.12F, 0.13F}},        {"concrete", {0.42F, 0.41F, 0.39F}},
+    {"paper_building", {0.60F, 0.30F, 0.22F}}, {"brick", {0.50F, 0.20F, 0.13F}},
+    {"metal", {0.70F, 0.72F, 0.75F}},          {"paper_bark", {0.16F, 0.10F, 0.06F}},
+    {"bark", {0.16F, 0.10F, 0.06F}},           {"paper_leaf", {0.06F, 0.17F, 0.04F}},
+    {"leaf", {0.06F, 0.17F, 0.04F}},
+};
+
+std::vector<Light> colours_of(const scene::Scene& scene) {
+  std::vector<Light> colours;
+  for (const scatter::Material& material : scene.materials) {
+    const auto known = std::ranges::find(material_colours, material.name, &MaterialColour::name);
+    colours.push_back(known == std::end(material_colours) ? unknown_colour : known->colour);
+  }
+  return colours;
+}
+
+std::uint8_t srgb_level(float power) {
+  const double linear = std::clamp(static_cast<double>(power), 0.0, 1.0);
+  const double coded = linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
+  return static_cast<std::uint8_t>(std::lround(255.0 * coded));
+}
+
+/// Looks down on the scene, one vertical ray at a time.
+class View {
+ public:
+  View(const scene::Scene& scene, const trace::SceneGeometry& geometry)
+      : geometry_(geometry),
+        colours_(colours_of(scene)),
+        to_sun_(radar::direction_to_radar({radians_from_deg(315.0), radians_from_deg(40.0)}).to<float>()) {}
+
+  [[nodiscard]] Light at(Vec2d point) const {
+    const Vec3d start = Vec3d{point.x, point.y, geometry_.highest_m() + 10.0} - geometry_.origin();
+    trace::SurfaceHit hit;
+    if (!geometry_.intersect(start.to<float>(), {0.0F, 0.0F, -1.0F}, hit)) return {};
+    constexpr float sky = 0.35F, sun = 1.3F, clear_of_surface_m = 0.02F;
+    const Vec3f above = hit.position + hit.normal * clear_of_surface_m;
+    const float facing = std::max(0.0F, dot(hit.normal, to_sun_));
+    const bool sunlit = facing > 0.0F && !geometry_.occluded(above, to_sun_);
+    return colours_[hit.material] * (sky + (sunlit ? sun * facing : 0.0F));
+  }
+
+ private:
+  const trace::SceneGeometry& geometry_;
+  std::vector<Light> colours_;
+  Vec3f to_sun_;
+};
+
+}  // namespace
+
+product::Picture optical_view(const scene::Scene& scene, const trace::SceneGeometry& geometry, std::size_t pixels_wide,
+                              unsigned threads) {
+  const double pixel_m = scene.extent.width_m() / static_cast<double>(pixels_wide);
+  product::Picture picture;
+  picture.grid = {scene.extent.west_m, scene.extent.north_m, pixel_m, pixels_wide,
+                  static_cast<std::size_t>(scene.extent.height_m() / pixel_m)};
+  picture.pixels = Array2D<product::Rgba>(picture.grid.columns, picture.grid.rows);
+  const View view(scene, geometry);
+  parallel_for(picture.grid.rows, threads, [&](std::size_t row, unsigned) {
+    const trace::FlushDenormals flush;
+    for (std::size_t column = 0; column < picture.grid.columns; ++column) {
+      const Vec2d centre = picture.grid.centre_of(column, row);
+      Light sum{};
+      for (const double east : {-0.25, 0.25}) {
+        for (const double north : {-0.25, 0.25}) sum += view.at(centre + Vec2d{east * pixel_m, north * pixel_m});
+      }
+      const Light light = sum * 0.25F;
+      picture.pixels(column, row) = {srgb_level(light.x), srgb_level(light.y), srgb_level(light.z)};
+    }
+  });
+  return picture;
+}
+
+}  // namespace sigmascape::cli

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "sigmascape/product/picture.h"
+#include "sigmascape/scene/scene.h"
+#include "sigmascape/trace/scene_geometry.h"
+
+namespace sigmascape::cli {
+
+/// The scene from straight above as an eye would see it: every surface in a colour of its material, in the light of a
+/// sun 40° high in the north-west, with shadows. `geometry` is that of the scene on its terrain.
+[[nodiscard]] product::Picture optical_view(const scene::Scene& scene, const trace::SceneGeometry& geometry,
+                                            std::size_t pixels_wide, unsigned threads);
+
+}  // namespace sigmascape::cli

@@ -1,0 +1,135 @@
+#include "results_plan.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <numbers>
+
+#include "sigmascape/base/hash.h"
+#include "sigmascape/base/units.h"
+
+namespace sigmascape::cli {
+namespace {
+
+constexpr double slant_range_m = 20e3;
+constexpr double resolution_m = 2.0;
+constexpr double lowest_elevation_deg = 3.0, highest_elevation_deg = 40.0;
+constexpr std::uint64_t held_out_stream = 0x76696577;  // keeps the views' numbers apart from those of the rays
+
+/// A view on the first grid, so that all grids hold it; neighbours in the list differ in both angles.
+PlannedView view_on(const LookGrid& grid, std::size_t index) {
+  const std::size_t azimuth = (3 + 5 * index) % grid.azimuths;
+  return {.kind = ViewKind::OnGrid,
+          .azimuth_deg = 360.0 * static_cast<double>(azimuth) / grid.azimuths,
+          .elevation_deg = grid.elevations_deg[index % grid.elevations_deg.size()]};
+}
+
+PlannedView held_out_view(std::uint64_t seed, std::size_t index) {
+  const auto uniform = [&](std::uint64_t dimension) {
+    return static_cast<double>(unit_float(hashed(seed, held_out_stream, index, dimension)));
+  };
+  return {.kind = ViewKind::HeldOut,
+          .azimuth_deg = 360.0 * uniform(0),
+          .elevation_deg = lowest_elevation_deg + (highest_elevation_deg - lowest_elevation_deg) * uniform(1)};
+}
+
+/// Places of `values` on `axis`, which holds them all.
+std::vector<std::size_t> places_on(const std::vector<double>& axis, const std::vector<double>& values) {
+  std::vector<std::size_t> places;
+  for (const double value : values) {
+    const auto nearest = std::ranges::min_element(axis, {}, [&](double node) { return std::abs(node - value); });
+    places.push_back(static_cast<std::size_t>(nearest - axis.begin()));
+  }
+  return places;
+}
+
+}  // namespace
+
+std::string LookGrid::name() const {
+  return fmt::format("{} × {}", azimuths, elevations_deg.size());
+}
+
+atlas::AspectGrid LookGrid::aspects() const {
+  atlas::AspectGrid grid;
+  for (unsigned i = 0; i < azimuths; ++i) grid.azimuths_rad.push_back(radians_from_deg(360.0 * i / azimuths));
+  for (const double elevation : elevations_deg) grid.elevations_rad.push_back(radians_from_deg(elevation));
+  grid.frequencies_hz = {10e9};
+  return grid;
+}
+
+std::string text_of(ViewKind kind) {
+  switch (kind) {
+    case ViewKind::OnGrid:
+      return "on grid";
+    case ViewKind::HeldOut:
+      return "held out";
+    case ViewKind::Paper:
+      return "paper";
+  }
+  return "";
+}
+
+std::string PlannedView::file_name() const {
+  return fmt::format("az{:06.2f}_el{:05.2f}", azimuth_deg, elevation_deg);
+}
+
+std::string PlannedView::description() const {
+  return fmt::format("azimuth {:.1f}°, elevation {:.1f}°", azimuth_deg, elevation_deg);
+}
+
+radar::RadarFile PlannedView::radar() const {
+  return {.radar = {.name = "20 km, " + description(),
+                    .position = {},
+                    .frequency_hz = 10e9,
+                    .polarization = radar::Polarization::Sum,
+                    .range_resolution_m = resolution_m,
+                    // The two-way beam is √2 narrower than the one-way beam that a radar is described by.
+                    .beam_width_rad = resolution_m * std::numbers::sqrt2 / slant_range_m},
+          .place = radar::SeenFrom{.azimuth_rad = radians_from_deg(azimuth_deg),
+                                   .elevation_rad = radians_from_deg(elevation_deg),
+                                   .slant_range_m = slant_range_m,
+                                   .target = {}},
+          .map = {}};
+}
+
+bake::BakeSettings ResultsPlan::bake_settings() const {
+  return {.aspects = grids.back().aspects(),
+          .patches = {.texel_m = 2000.0 / 1024.0, .texels_per_side = 256},
+          .samples_per_texel = baked_samples,
+          .max_bounces = bounces,
+          .seed = seed,
+          .mantissa_bits = 10,
+          .threads = threads};
+}
+
+atlas::AspectSelection ResultsPlan::selection_of(const LookGrid& grid) const {
+  const atlas::AspectGrid finest = grids.back().aspects(), wanted = grid.aspects();
+  return {places_on(finest.azimuths_rad, wanted.azimuths_rad), places_on(finest.elevations_rad, wanted.elevations_rad)};
+}
+
+atlas::AspectSelection ResultsPlan::selection_of(const PlannedView& view) const {
+  const atlas::AspectGrid finest = grids.back().aspects();
+  return {places_on(finest.azimuths_rad, {radians_from_deg(view.azimuth_deg)}),
+          places_on(finest.elevations_rad, {radians_from_deg(view.elevation_deg)})};
+}
+
+ResultsPlan results_plan(const ResultsOptions& options) {
+  ResultsPlan plan;
+  plan.scale = options.scale.value_or(options.small ? 0.25 : 0.5);
+  plan.grids = {{8, {5, 13, 21, 29}}, {8, {5, 13, 21, 29, 37}}, {16, {5, 9, 13, 21, 29, 37}}};
+  if (!options.small) plan.grids.push_back({32, {3, 5, 7, 9, 13, 21, 29, 37}});
+  plan.baked_samples = options.baked_samples.value_or(options.small ? 16 : 100);
+  plan.finer_samples = 4 * plan.baked_samples;
+  plan.traced_samples = options.traced_samples.value_or(options.small ? 64 : 256);
+  plan.bounces = options.bounces;
+  plan.seed = options.seed;
+  plan.threads = options.threads;
+
+  plan.views = {{ViewKind::Paper, 130.0, 8.6}};
+  for (std::size_t i = 0; i < options.on_grid.value_or(options.small ? 3 : 8); ++i)
+    plan.views.push_back(view_on(plan.grids.front(), i));
+  for (std::size_t i = 0; i < options.held_out.value_or(options.small ? 4 : 24); ++i)
+    plan.views.push_back(held_out_view(options.seed, i));
+  return plan;
+}
+
+}  // namespace sigmascape::cli

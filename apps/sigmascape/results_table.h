@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "results_plan.h"
+
+#include "sigmascape/product/map_metrics.h"
+
+namespace sigmascape::cli {
+
+/// What is measured together: all views of one kind of one scene, made in one way.
+struct ResultsCase {
+  std::string scene;  ///< "hills" or "level"
+  std::string grid;   ///< "8 × 5", or "look alone" for atlases of the one look that the view is on
+  std::uint32_t baked_samples = 0;
+  int level_of_detail = 1;
+  ViewKind kind = ViewKind::HeldOut;
+
+  friend bool operator==(const ResultsCase&, const ResultsCase&) = default;
+};
+
+/// The atlas that a map was rendered from.
+struct AtlasCost {
+  std::size_t looks = 0;
+  std::uintmax_t store_bytes = 0;
+  std::size_t memory_bytes = 0;
+  double bake_seconds = 0.0;  ///< of processor time
+};
+
+/// One baked map against the truth.
+struct ViewResult {
+  ResultsCase of;
+  PlannedView view;
+  AtlasCost atlas;
+  product::MapComparison comparison;
+  product::MapComparison noise_floor;  ///< one traced map against another
+  double trace_seconds = 0.0;          ///< of processor time, for one traced map
+  double render_ms = 0.0;              ///< on the wall
+};
+
+/// A case at one cell size. Medians and worst values are taken over the views, each number by itself; the worst bias is
+/// the one farthest from zero.
+struct ResultsCell {
+  product::CellComparison median, worst;
+  product::CellComparison floor_median, floor_worst;
+};
+
+struct ResultsRow {
+  ResultsCase of;
+  std::size_t views = 0;
+  AtlasCost atlas;  ///< mean over the views
+  double trace_seconds = 0.0, render_ms = 0.0;  ///< medians over the views
+  std::vector<ResultsCell> cells;
+
+  /// The entry of that cell size; nullptr when the maps were too small for it.
+  [[nodiscard]] const ResultsCell* at_cell(double cell_m) const;
+};
+
+/// One row a case, in the order in which the cases first appear.
+[[nodiscard]] std::vector<ResultsRow> rows_of(const std::vector<ViewResult>& views);
+
+/// The row of a case, or nullptr.
+[[nodiscard]] const ResultsRow* find_row(const std::vector<ResultsRow>& rows, const ResultsCase& of);
+
+/// {"settings": …, "rows": one entry a case and cell, "views": one entry a map and cell}.
+[[nodiscard]] nlohmann::ordered_json results_json(const ResultsPlan& plan, const std::vector<ResultsRow>& rows,
+                                                  const std::vector<ViewResult>& views);
+
+}  // namespace sigmascape::cli

@@ -1,0 +1,81 @@
+#include "sigmascape/scene/facet_area.h"
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <unordered_map>
+
+#include "sigmascape/base/hash.h"
+
+namespace sigmascape::scene {
+namespace {
+
+/// Groups of triangles that only ever grow together.
+class Groups {
+ public:
+  explicit Groups(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0U); }
+
+  std::uint32_t representative(std::uint32_t member) {
+    while (parent_[member] != member) member = parent_[member] = parent_[parent_[member]];
+    return member;
+  }
+  void join(std::uint32_t a, std::uint32_t b) { parent_[representative(a)] = representative(b); }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+};
+
+/// The place of a vertex in whole millimetres, as one word.
+std::uint64_t place_of(Vec3f vertex) {
+  const auto millimetres = [](float metres) {
+    return static_cast<std::uint64_t>(std::llround(static_cast<double>(metres) * 1e3));
+  };
+  return hashed(millimetres(vertex.x), millimetres(vertex.y), millimetres(vertex.z));
+}
+
+std::uint64_t edge_between(std::uint64_t a, std::uint64_t b) {
+  return a < b ? hashed(a, b) : hashed(b, a);
+}
+
+/// Twice the area times the unit normal.
+Vec3f doubled_area(const Mesh& mesh, const std::array<std::uint32_t, 3>& triangle) {
+  const Vec3f a = mesh.vertices[triangle[0]];
+  return cross(mesh.vertices[triangle[1]] - a, mesh.vertices[triangle[2]] - a);
+}
+
+bool are_parallel(Vec3f a, Vec3f b) {
+  const float product = dot(a, b);
+  return product * product > 0.99999F * dot(a, a) * dot(b, b);
+}
+
+}  // namespace
+
+std::vector<float> facet_areas_m2(const Mesh& mesh) {
+  const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
+  std::vector<Vec3f> doubled(count);
+  for (std::uint32_t t = 0; t < count; ++t) doubled[t] = doubled_area(mesh, mesh.triangles[t]);
+
+  Groups faces(count);
+  std::unordered_multimap<std::uint64_t, std::uint32_t> at_edge;
+  for (std::uint32_t t = 0; t < count; ++t) {
+    std::array<std::uint64_t, 3> corner{};
+    for (std::size_t i = 0; i < 3; ++i) corner[i] = place_of(mesh.vertices[mesh.triangles[t][i]]);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint64_t edge = edge_between(corner[i], corner[(i + 1) % 3]);
+      const auto [first, last] = at_edge.equal_range(edge);
+      for (auto neighbour = first; neighbour != last; ++neighbour) {
+        // Triangles that share an edge and a normal share a plane.
+        if (are_parallel(doubled[t], doubled[neighbour->second])) faces.join(t, neighbour->second);
+      }
+      at_edge.emplace(edge, t);
+    }
+  }
+  std::vector<float> face_area(count, 0.0F);
+  for (std::uint32_t t = 0; t < count; ++t) face_area[faces.representative(t)] += 0.5F * length(doubled[t]);
+  std::vector<float> areas(count);
+  for (std::uint32_t t = 0; t < count; ++t) areas[t] = face_area[faces.representative(t)];
+  return areas;
+}
+
+}  // namespace sigmascape::scene

@@ -1,0 +1,44 @@
+#include "sigmascape/scene/facet_area.h"
+
+#include <gtest/gtest.h>
+
+#include "sigmascape/scene/solid_mesh.h"
+
+namespace sigmascape::scene {
+namespace {
+
+TEST(FacetArea, ABoxHasItsSixFaces) {
+  const Mesh box = box_mesh({2.0F, 3.0F, 5.0F}, 0);
+  const auto areas = facet_areas_m2(box);
+  for (std::size_t t = 0; t < areas.size(); ++t) {
+    const Vec3f a = box.vertices[box.triangles[t][0]];
+    const Vec3f n = normalized(cross(box.vertices[box.triangles[t][1]] - a, box.vertices[box.triangles[t][2]] - a));
+    const float expected = std::abs(n.x) > 0.5F ? 15.0F : std::abs(n.y) > 0.5F ? 10.0F : 6.0F;
+    EXPECT_NEAR(areas[t], expected, 1e-4F);
+  }
+}
+
+// However finely a wall is cut, and with vertices of their own for every triangle, it is one face.
+TEST(FacetArea, DoesNotDependOnTheTriangulation) {
+  Mesh wall;
+  for (int i = 0; i < 8; ++i) {
+    const auto x = static_cast<float>(i);
+    const std::array<Vec3f, 4> corners{{{x, 0, 0}, {x + 1, 0, 0}, {x + 1, 0, 4}, {x, 0, 4}}};
+    append_facet(wall, corners, 0);
+  }
+  for (const float area : facet_areas_m2(wall)) EXPECT_NEAR(area, 32.0F, 1e-3F);
+}
+
+TEST(FacetArea, FacesOfOnePlaneThatDoNotTouchStayApart) {
+  Mesh tiles;
+  const std::array<Vec3f, 4> here{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}},
+      there{{{5, 0, 0}, {7, 0, 0}, {7, 1, 0}, {5, 1, 0}}};
+  append_facet(tiles, here, 0);
+  append_facet(tiles, there, 0);
+  const auto areas = facet_areas_m2(tiles);
+  EXPECT_NEAR(areas.front(), 1.0F, 1e-5F);
+  EXPECT_NEAR(areas.back(), 2.0F, 1e-5F);
+}
+
+}  // namespace
+}  // namespace sigmascape::scene

@@ -1,0 +1,89 @@
+#include "sigmascape/scene/material_reader.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "scratch_folder.h"
+
+#include "sigmascape/base/units.h"
+
+namespace sigmascape::scene {
+namespace {
+
+class MaterialReader : public testing::Test {
+ protected:
+  /// The material `own` of a scene file with these lines in its section.
+  scatter::Material read(const std::string& lines) {
+    const auto file = folder_.write("scene.toml", "[materials.own]\n" + lines);
+    return MaterialTable(TomlSection::read_file(file)).material("own", "test");
+  }
+
+  template <typename Parameters>
+  Parameters model(const std::string& lines) {
+    return std::get<Parameters>(read(lines).model);
+  }
+
+  ScratchFolder folder_;
+};
+
+TEST_F(MaterialReader, UlabyDobson) {
+  const auto land = model<scatter::UlabyDobsonParameters>(
+      "model = \"ulaby_dobson\"\nterrain = \"dry_snow\"\nvv_hh_correlation = 0.6\n");
+  EXPECT_EQ(land.terrain, scatter::TerrainClass::DrySnow);
+  EXPECT_FALSE(land.unverified_rows);
+  EXPECT_EQ(land.depolarization.vv_hh_correlation, 0.6);
+}
+
+TEST_F(MaterialReader, UnverifiedCoefficientsMarkTheMaterial) {
+  EXPECT_TRUE(read("model = \"ulaby_dobson\"\nterrain = \"grass\"\n").verified);
+  EXPECT_FALSE(read("model = \"ulaby_dobson\"\nterrain = \"grass\"\nunverified_rows = true\n").verified);
+  EXPECT_FALSE(read("base = \"flatland\"\nfrequency_law = \"square_root_from_10_ghz\"\n").verified);
+  EXPECT_TRUE(read("base = \"flatland\"\n").verified);
+}
+
+// The base knows C band at most; with unverified rows the material reaches as far as they do.
+TEST_F(MaterialReader, FrequenciesFollowTheRows) {
+  const auto own = read("base = \"ulaby_dobson_grass\"\nunverified_rows = true\n");
+  EXPECT_EQ(scatter::known_frequencies(own).back().highest_hz, 40e9);
+}
+
+TEST_F(MaterialReader, BillingsleyAndSeas) {
+  EXPECT_EQ(model<scatter::BillingsleyParameters>("model = \"billingsley\"\nterrain = \"desert\"\n").terrain,
+            scatter::BillingsleyTerrain::Desert);
+  EXPECT_EQ(model<scatter::NrlSeaParameters>("model = \"nrl_sea\"\nsea_state = 4.5\n").sea_state, 4.5);
+  const auto sea = model<scatter::GitSeaParameters>(
+      "model = \"git_sea\"\nsea_state = 2\nwind_angle_deg = 180\nwind_speed_mps = 9\n");
+  EXPECT_EQ(sea.sea_state, 2.0);
+  EXPECT_NEAR(sea.wind_angle_rad, pi, 1e-12);
+  EXPECT_EQ(sea.wind_speed_mps, 9.0);
+  EXPECT_THROW(read("model = \"git_sea\"\nsea_state = 0\n"), Error);
+  EXPECT_THROW(read("model = \"nrl_sea\"\nterrain = \"soil\"\n"), Error);
+}
+
+TEST_F(MaterialReader, PermittivityInEveryWay) {
+  const auto at_10_ghz = [&](const std::string& lines) {
+    return model<scatter::CookTorranceParameters>("model = \"cook_torrance\"\n" + lines).permittivity.relative_at(10e9);
+  };
+  EXPECT_NEAR(at_10_ghz("permittivity = 4\nconductivity_s_per_m = 0.5\n").imag(), -0.899, 1e-3);
+  EXPECT_NEAR(at_10_ghz("permittivity_law = [15, -0.1, 0.035, 1.63]\n").real(), 15.0 * std::pow(10.0, -0.1), 1e-9);
+  EXPECT_NEAR(at_10_ghz("water = {temperature_c = 20, salinity_g_per_kg = 35}\n").real(), 56.03, 0.005);
+  EXPECT_NEAR(at_10_ghz("soil = {sand_percent = 40, clay_percent = 20, moisture = 0.2}\n").real(), 10.43, 0.005);
+  EXPECT_NEAR(at_10_ghz("plant = {moisture = 0.6}\n").real(), 16.6, 0.05);
+}
+
+TEST_F(MaterialReader, PermittivityIsStatedOnce) {
+  EXPECT_THROW(read("model = \"cook_torrance\"\npermittivity = 4\nwater = {}\n"), Error);
+  EXPECT_THROW(read("model = \"cook_torrance\"\npermittivity_law = [1, 2, 3]\n"), Error);
+  EXPECT_THROW(read("model = \"cook_torrance\"\nsoil = {sand_percent = 60, clay_percent = 40}\n"), Error);
+  EXPECT_THROW(read("model = \"cook_torrance\"\nplant = {humidity = 0.6}\n"), Error);
+}
+
+// A permittivity of one's own is not bound by where the base was measured.
+TEST_F(MaterialReader, NewPermittivityDropsTheBasesFrequencies) {
+  EXPECT_EQ(read("base = \"wet_ground\"\n").highest_frequency_hz, 10e9);
+  EXPECT_EQ(scatter::known_frequencies(read("base = \"wet_ground\"\nsoil = {moisture = 0.4}\n")).front().highest_hz,
+            37e9);
+}
+
+}  // namespace
+}  // namespace sigmascape::scene
