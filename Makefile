@@ -10,10 +10,10 @@ sanitized = tools/with_sanitizer_options
 sources = find $(1) -name '*.cpp' -o -name '*.h'
 
 .DEFAULT_GOAL := help
-.PHONY: help packages demo test test-long test-asan test-tsan test-all lint clean
+.PHONY: help packages demo results-small test test-long test-asan test-tsan test-all lint clean
 
 help: ## Say what can be made
-	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-10s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-14s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
 
 packages: ## Install the Debian packages that are missing
 	@tools/install_packages
@@ -22,6 +22,11 @@ demo: packages ## Build, then make the demo's maps and page under out/demo
 	$(call configure,release)
 	$(call build,release) --target sigmascape_cli
 	build/release/apps/sigmascape/sigmascape demo --out out/demo
+
+results-small: packages ## Measure how close baked maps come to traced ones, small: minutes. Writes docs/results
+	$(call configure,release)
+	$(call build,release) --target sigmascape_cli
+	build/release/apps/sigmascape/sigmascape results --small --out out/results --page docs/results/README.md
 
 test: packages ## Build and run the tests
 	$(call configure,release)

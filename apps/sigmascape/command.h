@@ -21,5 +21,6 @@ void add_bake_command(CLI::App& app, Output& output);
 void add_render_command(CLI::App& app, Output& output);
 void add_compare_command(CLI::App& app, Output& output);
 void add_demo_command(CLI::App& app, Output& output);
+void add_results_command(CLI::App& app, Output& output);
 
 }  // namespace sigmascape::cli

@@ -27,6 +27,7 @@ int main(int argc, char** argv) {
   cli::add_render_command(app, output);
   cli::add_compare_command(app, output);
   cli::add_demo_command(app, output);
+  cli::add_results_command(app, output);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& wrong_use) {

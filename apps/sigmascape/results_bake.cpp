@@ -56,7 +56,8 @@ AtlasCost TimedBake::cost_of(const atlas::AspectSelection& selection, const atla
   const auto units = store_.units();
   for (std::size_t i = 0; i < units.size(); ++i) {
     if (std::ranges::find(looks, units[i].look) == looks.end()) continue;
-    cost.store_bytes += std::filesystem::file_size(store_.folder() / store_.texture_path(units[i].patch, units[i].look));
+    cost.store_bytes +=
+        std::filesystem::file_size(store_.folder() / store_.texture_path(units[i].patch, units[i].look));
     cost.bake_seconds += unit_seconds_[i];
   }
   return cost;

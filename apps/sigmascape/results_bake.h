@@ -6,8 +6,8 @@
 
 #include "sigmascape/atlas/atlas.h"
 #include "sigmascape/atlas/store.h"
-#include "sigmascape/base/progress.h"
 #include "sigmascape/bake/bake.h"
+#include "sigmascape/base/progress.h"
 
 namespace sigmascape::cli {
 

@@ -25,10 +25,8 @@ constexpr Badness high_is_bad = [](double value) { return value; };
 constexpr Badness far_from_zero_is_bad = [](double value) { return std::abs(value); };
 
 constexpr Metric metrics[] = {
-    {"correlation_db", &CellComparison::correlation_db, low_is_bad},
-    {"rms_db", &CellComparison::rms_db, high_is_bad},
-    {"bias_db", &CellComparison::bias_db, far_from_zero_is_bad},
-    {"l1", &CellComparison::l1, high_is_bad},
+    {"correlation_db", &CellComparison::correlation_db, low_is_bad}, {"rms_db", &CellComparison::rms_db, high_is_bad},
+    {"bias_db", &CellComparison::bias_db, far_from_zero_is_bad},     {"l1", &CellComparison::l1, high_is_bad},
     {"shadow_iou", &CellComparison::shadow_iou, low_is_bad},
 };
 
@@ -129,9 +127,8 @@ nlohmann::ordered_json settings_json(const ResultsPlan& plan) {
   for (const LookGrid& grid : plan.grids)
     grids.push_back({{"name", grid.name()}, {"azimuths", grid.azimuths}, {"elevations_deg", grid.elevations_deg}});
   for (const PlannedView& view : plan.views) {
-    views.push_back({{"kind", text_of(view.kind)},
-                     {"azimuth_deg", view.azimuth_deg},
-                     {"elevation_deg", view.elevation_deg}});
+    views.push_back(
+        {{"kind", text_of(view.kind)}, {"azimuth_deg", view.azimuth_deg}, {"elevation_deg", view.elevation_deg}});
   }
   const product::CompareOptions compare;
   return {{"scale", plan.scale},

@@ -51,7 +51,7 @@ struct ResultsCell {
 struct ResultsRow {
   ResultsCase of;
   std::size_t views = 0;
-  AtlasCost atlas;  ///< mean over the views
+  AtlasCost atlas;                              ///< mean over the views
   double trace_seconds = 0.0, render_ms = 0.0;  ///< medians over the views
   std::vector<ResultsCell> cells;
 

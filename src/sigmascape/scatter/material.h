@@ -96,8 +96,8 @@ struct CookTorranceParameters {
   /// one axis.
   double alpha = 0.1;
   MicrofacetDistribution distribution = MicrofacetDistribution::Beckmann;
-  /// Scattering coefficient S: the part S² of the reflected power that leaves diffusely, as from walls with windows, sills and
-  /// balconies too small to be modelled; 1 − S² stays in the lobe of the mirrors.
+  /// Scattering coefficient S: the part S² of the reflected power that leaves diffusely, as from walls with windows,
+  /// sills and balconies too small to be modelled; 1 − S² stays in the lobe of the mirrors.
   double scattering_coefficient = 0.0;
   Depolarization depolarization{0.1, 0.5};  ///< of the diffuse part
 

@@ -75,10 +75,9 @@ TEST(GroundMapFile, BandsMayStandInAnyOrderAndNodataMayBeANumber) {
 
 TEST(GroundMapFile, OtherFilesAreRefusedWithTheReason) {
   const auto folder = test_folder();
-  geo::GeoRaster heights{.placement = {0.0, 0.0, 1.0, "EPSG:25830"},
-                         .bands = {{"height", Array2D<float>(4, 4, 1.0F)}},
-                         .nodata = std::nullopt,
-                         .metadata = {}};
+  geo::GeoRaster heights;
+  heights.placement = {0.0, 0.0, 1.0, "EPSG:25830"};
+  heights.bands.push_back({"height", Array2D<float>(4, 4, 1.0F)});
   geo::write_geotiff(folder / "heights.tif", heights);
   try {
     (void)read_ground_map(folder / "heights.tif");

@@ -1,0 +1,104 @@
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fmt/format.h>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <map>
+#include <nlohmann/json.hpp>
+
+namespace sigmascape::end_to_end {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string text_of(const fs::path& file) {
+  std::ifstream stream(file);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// A measurement of the smallest scene with hardly any rays, made twice into the same folder.
+class Results : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = fs::temp_directory_path() / fmt::format("sigmascape_results_test_{}", getpid());
+    fs::create_directories(folder_);
+    first_code_ = run("first.md");
+    if (first_code_ != 0) return;
+    first_ = nlohmann::json::parse(text_of(folder_ / "out/results.json"));
+    for (const auto& file : fs::recursive_directory_iterator(folder_ / "out")) {
+      if (file.path().extension() == ".tif") written_[file.path()] = file.last_write_time();
+    }
+    second_code_ = run("second.md");
+    second_ = nlohmann::json::parse(text_of(folder_ / "out/results.json"));
+  }
+  static void TearDownTestSuite() { fs::remove_all(folder_); }
+
+  static int run(const char* page) {
+    const std::string line = fmt::format(
+        "'{}' results --small --scale 0.1 --samples 2 --traced-samples 4 --held-out 2 --on-grid 1 --out '{}' --page "
+        "'{}' > '{}' 2>&1",
+        SIGMASCAPE_CLI, (folder_ / "out").string(), (folder_ / page).string(), (folder_ / "printed.txt").string());
+    const int status = std::system(line.c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+
+  static inline fs::path folder_;
+  static inline int first_code_ = -1, second_code_ = -1;
+  static inline nlohmann::json first_, second_;
+  static inline std::map<fs::path, fs::file_time_type> written_;
+};
+
+TEST_F(Results, WritesNumbersPagesAndPictures) {
+  ASSERT_EQ(first_code_, 0) << text_of(folder_ / "printed.txt");
+  for (const char* name : {"results.json", "index.html", "scene.png", "texture_az135_el05.png", "paper_view_baked.png",
+                           "worst_view_difference.png"}) {
+    EXPECT_TRUE(fs::exists(folder_ / "out" / name)) << name;
+  }
+  EXPECT_NE(text_of(folder_ / "first.md").find("## What limits it"), std::string::npos);
+  EXPECT_EQ(text_of(folder_ / "first.md").find(folder_.string()), std::string::npos) << "the page names a folder";
+}
+
+TEST_F(Results, FinerGridsHoldMoreLooksAndBytes) {
+  ASSERT_EQ(first_code_, 0);
+  std::map<std::string, std::pair<int, std::uintmax_t>> cost;
+  for (const auto& row : first_.at("rows")) cost[row.at("grid")] = {row.at("looks"), row.at("bytes")};
+  EXPECT_EQ(cost.at("8 × 4").first, 32);
+  EXPECT_EQ(cost.at("8 × 5").first, 40);
+  EXPECT_EQ(cost.at("16 × 6").first, 96);
+  EXPECT_EQ(cost.at("look alone").first, 1);
+  EXPECT_LT(cost.at("8 × 4").second, cost.at("8 × 5").second);
+  EXPECT_LT(cost.at("8 × 5").second, cost.at("16 × 6").second);
+}
+
+TEST_F(Results, WorstIsNoBetterThanTheMedian) {
+  ASSERT_EQ(first_code_, 0);
+  std::size_t compared = 0;
+  for (const auto& row : first_.at("rows")) {
+    for (const auto& [median, worst] : {std::pair("median", "worst"), {"noise_floor_median", "noise_floor_worst"}}) {
+      if (row.at(median).at("correlation_db").is_null()) continue;
+      EXPECT_LE(row.at(worst).at("correlation_db"), row.at(median).at("correlation_db"));
+      EXPECT_GE(row.at(worst).at("rms_db"), row.at(median).at("rms_db"));
+      EXPECT_GE(std::abs(row.at(worst).at("bias_db").get<double>()) + 1e-12,
+                std::abs(row.at(median).at("bias_db").get<double>()));
+      EXPECT_LE(row.at(worst).at("shadow_iou"), row.at(median).at("shadow_iou"));
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 100U);
+}
+
+TEST_F(Results, ASecondRunUsesWhatIsThereAndSaysTheSame) {
+  ASSERT_EQ(first_code_, 0);
+  ASSERT_EQ(second_code_, 0);
+  ASSERT_GT(written_.size(), 100U);
+  for (const auto& [path, when] : written_) EXPECT_EQ(fs::last_write_time(path), when) << path << " was made again";
+  ASSERT_EQ(second_.at("rows").size(), first_.at("rows").size());
+  for (std::size_t i = 0; i < first_.at("rows").size(); ++i) {
+    for (const char* same : {"median", "worst", "noise_floor_median", "bytes", "bake_s", "trace_s"})
+      EXPECT_EQ(second_.at("rows").at(i).at(same), first_.at("rows").at(i).at(same)) << i << " " << same;
+  }
+}
+
+}  // namespace
+}  // namespace sigmascape::end_to_end
