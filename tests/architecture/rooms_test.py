@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Holds every #include under src/sigmascape against the room table in src/sigmascape/CMakeLists.txt.
 
-Also holds that GDAL, GEOS and PROJ are known in geo alone, Embree in trace alone, and that no file or folder is a drawer
-without a meaning.
+Also holds that GDAL, GEOS and PROJ are known in geo alone and Embree in trace alone, that no type is defined twice in a room, and
+that no file or folder is a drawer without a meaning.
 """
 import pathlib
 import re
@@ -24,6 +24,16 @@ def room_table(cmake_file):
     return table
 
 
+def types_defined_twice(sources, table):
+    """Two types of one name in one namespace link into each other's place without a word from the compiler."""
+    for room in table:
+        where = {}
+        for header in sorted((sources / room).glob("*.h")):
+            for name in re.findall(r"^(?:class|struct|enum class) (\w+)[^;]*?\{", header.read_text(), re.MULTILINE):
+                if where.setdefault(name, header.name) != header.name:
+                    yield f"{room}: {name} is defined in {where[name]} and in {header.name}"
+
+
 def faults(root):
     sources = root / "src" / "sigmascape"
     table = room_table(sources / "CMakeLists.txt")
@@ -37,6 +47,7 @@ def faults(root):
     for folder in sorted(p.name for p in sources.iterdir() if p.is_dir()):
         if folder not in table:
             yield f"folder {folder} is not in the room table"
+    yield from types_defined_twice(sources, table)
     for path in sorted(sources.rglob("*")):
         if DRAWERS.match(path.stem):
             yield f"{path.relative_to(root)}: a drawer without a meaning"

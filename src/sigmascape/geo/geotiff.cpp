@@ -117,7 +117,7 @@ void check_bands(const std::filesystem::path& path, const GeoRaster& raster) {
   if (raster.bands.empty()) throw Error(path.string(), "the raster has no bands", "give at least one");
   const Array2D<float>& first = raster.bands.front().values;
   if (first.empty()) throw Error(path.string(), "the raster has no cells", "give at least one column and row");
-  for (const RasterBand& band : raster.bands) {
+  for (const NamedBand& band : raster.bands) {
     if (band.values.columns() == first.columns() && band.values.rows() == first.rows()) continue;
     throw Error(fmt::format("{}, band {}", path.string(), band.name),
                 fmt::format("has {} x {} cells", band.values.columns(), band.values.rows()),
@@ -126,7 +126,7 @@ void check_bands(const std::filesystem::path& path, const GeoRaster& raster) {
   }
 }
 
-void fill_band(GDALRasterBand& target, const RasterBand& source, std::optional<float> nodata) {
+void fill_band(GDALRasterBand& target, const NamedBand& source, std::optional<float> nodata) {
   const auto columns = static_cast<int>(source.values.columns());
   const auto rows = static_cast<int>(source.values.rows());
   target.SetDescription(source.name.c_str());
@@ -154,10 +154,10 @@ RasterPlacement placement_of(const std::filesystem::path& path, GDALDataset& dat
   return {transform[0], transform[3], cell_m, wkt2_from(*reference)};
 }
 
-RasterBand read_band(const std::filesystem::path& path, GDALRasterBand& source) {
+NamedBand read_band(const std::filesystem::path& path, GDALRasterBand& source) {
   const int columns = source.GetXSize();
   const int rows = source.GetYSize();
-  RasterBand band{source.GetDescription(),
+  NamedBand band{source.GetDescription(),
                   Array2D<float>(static_cast<std::size_t>(columns), static_cast<std::size_t>(rows))};
   if (source.RasterIO(GF_Read, 0, 0, columns, rows, band.values.values().data(), columns, rows, GDT_Float32, 0, 0,
                       nullptr) != CE_None) {

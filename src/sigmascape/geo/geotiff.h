@@ -23,7 +23,7 @@ struct RasterPlacement {
   friend bool operator==(const RasterPlacement&, const RasterPlacement&) = default;
 };
 
-struct RasterBand {
+struct NamedBand {
   std::string name;
   Array2D<float> values;  ///< [column, row]; all bands of a raster have the same size
 };
@@ -31,7 +31,7 @@ struct RasterBand {
 /// Several named layers of numbers over the same cells.
 struct GeoRaster {
   RasterPlacement placement;
-  std::vector<RasterBand> bands;
+  std::vector<NamedBand> bands;
   std::optional<float> nodata;  ///< the value that means "nothing known here"; NaN is allowed
   std::map<std::string, std::string> metadata;
 };

@@ -35,22 +35,22 @@ std::string grid_text(const radar::GroundGrid& grid) {
                      grid.columns, grid.rows);
 }
 
-geo::RasterBand band_of(const radar::GroundMap& map, const ChannelBand& channel) {
-  geo::RasterBand band{channel.name, Array2D<float>(map.sigma0.columns(), map.sigma0.rows())};
+geo::NamedBand band_of(const radar::GroundMap& map, const ChannelBand& channel) {
+  geo::NamedBand band{channel.name, Array2D<float>(map.sigma0.columns(), map.sigma0.rows())};
   std::transform(map.sigma0.values().begin(), map.sigma0.values().end(), band.values.values().begin(),
                  [&](const radar::Channels& cell) { return cell.*channel.value; });
   return band;
 }
 
-const geo::RasterBand& band_named(const geo::GeoRaster& raster, const char* name, const std::filesystem::path& path) {
+const geo::NamedBand& band_named(const geo::GeoRaster& raster, const char* name, const std::filesystem::path& path) {
   const auto found =
-      std::find_if(raster.bands.begin(), raster.bands.end(), [&](const geo::RasterBand& b) { return b.name == name; });
+      std::find_if(raster.bands.begin(), raster.bands.end(), [&](const geo::NamedBand& b) { return b.name == name; });
   if (found != raster.bands.end()) return *found;
   throw Error(path.string(), fmt::format("is not a ground map: it has no band named {}", name),
               "give a GeoTIFF that sigmascape render wrote, with bands VV, HH, HV and RE_VVHH");
 }
 
-void fill_channel(radar::GroundMap& map, const ChannelBand& channel, const geo::RasterBand& band,
+void fill_channel(radar::GroundMap& map, const ChannelBand& channel, const geo::NamedBand& band,
                   std::optional<float> nodata) {
   for (std::size_t i = 0; i < map.sigma0.size(); ++i) {
     const float value = band.values.values()[i];
@@ -86,7 +86,7 @@ void write_ground_map(const std::filesystem::path& path, const radar::GroundMap&
 
 radar::GroundMap read_ground_map(const std::filesystem::path& path) {
   geo::GeoRaster raster = geo::read_geotiff(path);
-  const geo::RasterBand& first = band_named(raster, channel_bands[0].name, path);
+  const geo::NamedBand& first = band_named(raster, channel_bands[0].name, path);
   radar::GroundMap map;
   map.grid = {raster.placement.west_m, raster.placement.north_m, raster.placement.cell_m, first.values.columns(),
               first.values.rows()};
