@@ -10,7 +10,7 @@ sanitized = tools/with_sanitizer_options
 sources = find $(1) -name '*.cpp' -o -name '*.h'
 
 .DEFAULT_GOAL := help
-.PHONY: help packages demo results-small test test-long test-asan test-tsan test-all lint clean
+.PHONY: help packages demo results-small test test-long test-asan test-tsan test-all validation lint clean
 
 help: ## Say what can be made
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-14s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -44,6 +44,13 @@ test-asan test-tsan: test-%: packages
 	$(sanitized) $(call run_tests,$*) --no-tests=error --label-exclude '^long$$'
 
 test-all: test test-asan test-tsan test-long ## Run all tests, also under the sanitizers and those that take long
+
+validation: packages ## Write docs/physics/validation.md: every case, expected and measured
+	$(call configure,release)
+	$(call build,release)
+	mkdir -p out && rm -f out/validation.jsonl
+	SIGMASCAPE_VALIDATION_RECORDS=$(CURDIR)/out/validation.jsonl $(call run_tests,release) --label-regex 'physics|statistics|end_to_end'
+	tools/validation_table out/validation.jsonl docs/physics/validation.md
 
 lint: packages ## Check formatting and run the static analysis
 	$(call sources,src apps tests) | xargs clang-format --dry-run -Werror

@@ -25,7 +25,7 @@ namespace {
 struct DemoOptions {
   std::string scene, radar, folder = "out/demo";
   double scale = 0.25;
-  std::uint32_t traced_samples = 128;
+  std::uint32_t traced_samples = 64;
   BakeOptions bake;
 };
 
@@ -206,7 +206,7 @@ void run_demo(const DemoOptions& options, const Output& output) {
 void add_demo_command(CLI::App& app, Output& output) {
   auto* command = app.add_subcommand("demo", "Bake a scene, map it both ways, and show how close they are");
   auto options = std::make_shared<DemoOptions>();
-  options->bake.samples = 16;
+  options->bake.samples = 12;
   options->bake.patch_texels = 256;
   command->add_option("--scene", options->scene, "scene file (TOML); by default a small version of the paper's scene");
   command->add_option("--radar", options->radar, "radar file (TOML); by default the paper's view and a baked one");

@@ -15,7 +15,9 @@ constexpr double frequency_hz = speed_of_light_mps / wavelength;
 const Vec3f up{0.0F, 0.0F, 1.0F};
 
 /// A perfectly conducting, all but smooth plate.
-CookTorrance plate() { return {{{1.0, 0.0, 1e9, 0.0}, 1e-4}, frequency_hz}; }
+CookTorrance plate() {
+  return {{{1.0, 0.0, 1e9, 0.0}, 1e-4}, frequency_hz};
+}
 
 double cross_section_m2(const CookTorrance& surface, double incidence_rad, double area_m2) {
   const Vec3f to_radar = Vec3d{std::sin(incidence_rad), 0.0, std::cos(incidence_rad)}.to<float>();

@@ -158,7 +158,7 @@ NamedBand read_band(const std::filesystem::path& path, GDALRasterBand& source) {
   const int columns = source.GetXSize();
   const int rows = source.GetYSize();
   NamedBand band{source.GetDescription(),
-                  Array2D<float>(static_cast<std::size_t>(columns), static_cast<std::size_t>(rows))};
+                 Array2D<float>(static_cast<std::size_t>(columns), static_cast<std::size_t>(rows))};
   if (source.RasterIO(GF_Read, 0, 0, columns, rows, band.values.values().data(), columns, rows, GDT_Float32, 0, 0,
                       nullptr) != CE_None) {
     throw Error(fmt::format("{}, band {}", path.string(), source.GetBand()),

@@ -6,8 +6,8 @@
 
 namespace sigmascape::geo {
 
-/// The frame that everything in a scene lives in: transverse Mercator about an origin on the WGS 84 ellipsoid, with scale 1 and true
-/// north there. x is east, y north, in metres; heights are orthometric and pass through unchanged.
+/// The frame that everything in a scene lives in: transverse Mercator about an origin on the WGS 84 ellipsoid, with
+/// scale 1 and true north there. x is east, y north, in metres; heights are orthometric and pass through unchanged.
 class LocalFrame {
  public:
   /// A frame about 0° N, 0° E, for made-up landscapes that lie nowhere.

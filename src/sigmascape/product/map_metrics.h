@@ -29,8 +29,8 @@ struct CompareOptions {
 ///     l1             = Σ|a − b| / Σb
 ///     shadow_iou     = |S_a ∩ S_b| / |S_a ∪ S_b|,   S the cells in shadow
 ///
-/// The correlation is NaN where one of the maps is constant. The bias is of total power, so that bright cells decide, and
-/// positive when the tested map is brighter. The overlap of shadows is 1 where neither map has any.
+/// The correlation is NaN where one of the maps is constant. The bias is of total power, so that bright cells decide,
+/// and positive when the tested map is brighter. The overlap of shadows is 1 where neither map has any.
 struct CellComparison {
   double cell_m = 0.0;
   std::size_t cells = 0;

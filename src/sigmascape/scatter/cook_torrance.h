@@ -25,7 +25,8 @@ struct CookTorranceOptions {
 ///
 /// In backscatter this is σ0 = π D |R(0)|² G1, Kirchhoff's geometric optics for Beckmann. A flat face of area A widens
 /// the lobe by diffraction, α² + λ²/(4πA), so that it peaks as high as the plate of physical optics. With a scattering
-/// coefficient S the lobe keeps 1 − S² of the power and S² leaves diffusely [Degli-Esposti et al. 2007]; Eqs. (13), (14).
+/// coefficient S the lobe keeps 1 − S² of the power and S² leaves diffusely [Degli-Esposti et al. 2007]; Eqs. (13),
+/// (14).
 class CookTorrance {
  public:
   CookTorrance(const CookTorranceParameters& parameters, double frequency_hz, const CookTorranceOptions& options = {});

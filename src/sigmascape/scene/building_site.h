@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "sigmascape/scene/roofed_building.h"
 #include "sigmascape/scene/painted_ground.h"
+#include "sigmascape/scene/roofed_building.h"
 
 namespace sigmascape::scene {
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "sigmascape/scene/roofed_building.h"
 #include "sigmascape/scene/paper_landscape.h"
+#include "sigmascape/scene/roofed_building.h"
 
 namespace sigmascape::scene {
 

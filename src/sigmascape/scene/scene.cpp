@@ -106,7 +106,8 @@ MaterialIndex MaterialMap::at(Vec2d point) const {
 MaterialIndex Scene::material_index(const scatter::Material& material) {
   const auto known = std::ranges::find(materials, material.name, &scatter::Material::name);
   if (known != materials.end()) return static_cast<MaterialIndex>(known - materials.begin());
-  if (materials.size() > 255) throw Error("scene " + name, "more than 256 materials", "share materials between objects");
+  if (materials.size() > 255)
+    throw Error("scene " + name, "more than 256 materials", "share materials between objects");
   materials.push_back(material);
   return static_cast<MaterialIndex>(materials.size() - 1);
 }
@@ -140,9 +141,11 @@ double tallest_object_m(const Scene& scene) {
 std::string scene_hash(const Scene& scene) {
   Sha256 sha;
   sha.add(scene.frame.proj());
-  for (const double value : {scene.extent.west_m, scene.extent.south_m, scene.extent.east_m, scene.extent.north_m}) sha.add_value(value);
+  for (const double value : {scene.extent.west_m, scene.extent.south_m, scene.extent.east_m, scene.extent.north_m})
+    sha.add_value(value);
   const auto& terrain = scene.terrain;
-  add_grid(sha, terrain.west_m, terrain.north_m, terrain.spacing_m, terrain.height_m.columns(), terrain.height_m.rows());
+  add_grid(sha, terrain.west_m, terrain.north_m, terrain.spacing_m, terrain.height_m.columns(),
+           terrain.height_m.rows());
   sha.add_values(terrain.height_m.values());
   const auto& grid = scene.ground.grid;
   add_grid(sha, grid.west_m, grid.north_m, grid.cell_m, grid.columns, grid.rows);
@@ -154,7 +157,8 @@ std::string scene_hash(const Scene& scene) {
   for (const Mesh& mesh : scene.prototypes) add_mesh(sha, mesh);
   for (const Instance& i : scene.instances) {
     sha.add_value(i.prototype);
-    for (const float value : {i.x_m, i.y_m, i.lift_m, i.yaw_rad, i.scale.x, i.scale.y, i.scale.z, i.speed_mps}) sha.add_value(value);
+    for (const float value : {i.x_m, i.y_m, i.lift_m, i.yaw_rad, i.scale.x, i.scale.y, i.scale.z, i.speed_mps})
+      sha.add_value(value);
   }
   add_mesh(sha, scene.buildings.mesh);
   for (const Building& b : scene.buildings.items) {

@@ -36,13 +36,13 @@ struct Mesh {
   std::vector<MaterialIndex> materials;  ///< one a triangle
 };
 
-/// One placement of a prototype (a tree, a vehicle, a tower). Its origin stands on the ground, wherever that is: on the terrain in a
-/// live scene, on the plane z = 0 in a bake.
+/// One placement of a prototype (a tree, a vehicle, a tower). Its origin stands on the ground, wherever that is: on the
+/// terrain in a live scene, on the plane z = 0 in a bake.
 struct Instance {
   std::uint32_t prototype = 0;
   float x_m = 0.0F, y_m = 0.0F;
-  float lift_m = 0.0F;    ///< height of the origin above the ground
-  float yaw_rad = 0.0F;   ///< clockwise from north: where the prototype's +y axis points
+  float lift_m = 0.0F;   ///< height of the origin above the ground
+  float yaw_rad = 0.0F;  ///< clockwise from north: where the prototype's +y axis points
   Vec3f scale{1.0F, 1.0F, 1.0F};
   float speed_mps = 0.0F;  ///< along the prototype's +y axis
 };
@@ -51,7 +51,8 @@ struct Instance {
 struct Building {
   std::uint32_t first_vertex = 0;
   std::uint32_t vertex_count = 0;
-  float footing_m = 0.0F;  ///< terrain height under the lowest corner: what z = 0 of its vertices stands for on the terrain
+  float footing_m =
+      0.0F;  ///< terrain height under the lowest corner: what z = 0 of its vertices stands for on the terrain
 };
 
 /// All buildings in one mesh; vertex z is the height above the building's own footing.
@@ -70,7 +71,7 @@ struct PointTarget {
 
 /// Something that was left out or mended while reading a scene.
 struct Remark {
-  std::string what;   ///< "self-crossing footprints repaired"
+  std::string what;  ///< "self-crossing footprints repaired"
   std::size_t count = 0;
   std::string first;  ///< the first one, by file and feature
 };

@@ -118,7 +118,8 @@ std::optional<PaperSceneOptions> read_paper_options(const TomlSection& root) {
   PaperSceneOptions options;
   options.scale = section->number_or("scale", {0.1, 2.0, ""}, options.scale);
   options.seed = static_cast<std::uint64_t>(section->whole_number_or("seed", {0, 1e15, ""}, 1));
-  options.materials = section->choice_or("materials", {"paper", "itu"}, "paper") == "itu" ? PaperMaterials::Itu : PaperMaterials::Paper;
+  options.materials =
+      section->choice_or("materials", {"paper", "itu"}, "paper") == "itu" ? PaperMaterials::Itu : PaperMaterials::Paper;
   section->refuse_unknown_keys();
   root.refuse_unknown_keys();
   return options;

@@ -12,8 +12,10 @@ struct CellPosition {
 };
 
 CellPosition locate(const HeightField& field, Vec2d point) {
-  const double across = std::clamp((point.x - field.west_m) / field.spacing_m, 0.0, static_cast<double>(field.height_m.columns() - 1));
-  const double down = std::clamp((field.north_m - point.y) / field.spacing_m, 0.0, static_cast<double>(field.height_m.rows() - 1));
+  const double across =
+      std::clamp((point.x - field.west_m) / field.spacing_m, 0.0, static_cast<double>(field.height_m.columns() - 1));
+  const double down =
+      std::clamp((field.north_m - point.y) / field.spacing_m, 0.0, static_cast<double>(field.height_m.rows() - 1));
   const auto column = std::min(static_cast<std::size_t>(across), field.height_m.columns() - 2);
   const auto row = std::min(static_cast<std::size_t>(down), field.height_m.rows() - 2);
   return {column, row, across - static_cast<double>(column), down - static_cast<double>(row)};
@@ -42,7 +44,11 @@ Vec3d HeightField::normal_at(Vec2d point) const {
   return normalized(Vec3d{-slope_east, -slope_north, 1.0});
 }
 
-float HeightField::lowest_m() const { return *std::ranges::min_element(height_m.values()); }
-float HeightField::highest_m() const { return *std::ranges::max_element(height_m.values()); }
+float HeightField::lowest_m() const {
+  return *std::ranges::min_element(height_m.values());
+}
+float HeightField::highest_m() const {
+  return *std::ranges::max_element(height_m.values());
+}
 
 }  // namespace sigmascape::terrain

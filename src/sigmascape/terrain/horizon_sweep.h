@@ -6,8 +6,8 @@ namespace sigmascape::terrain {
 
 /// Walks outwards from an observer along one azimuth and tells which ground rises above all nearer ground.
 ///
-/// Keeps the steepest slope of a line of sight met so far; a point is seen when its own is not below it. Exact along the walked
-/// line, in time proportional to its length.
+/// Keeps the steepest slope of a line of sight met so far; a point is seen when its own is not below it. Exact along
+/// the walked line, in time proportional to its length.
 class HorizonSweep {
  public:
   explicit HorizonSweep(double observer_height_m) : observer_height_m_(observer_height_m) {}

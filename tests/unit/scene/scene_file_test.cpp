@@ -195,7 +195,8 @@ TEST(SceneFile, OwnMaterialsComeFromAModelOrALibraryName) {
     return *std::ranges::find(scene.materials, name, &scatter::Material::name);
   };
   EXPECT_NEAR(std::get<scatter::ConstantGammaParameters>(of("heath").model).gamma, 0.0501, 1e-4);
-  EXPECT_EQ(std::get<scatter::CookTorranceParameters>(of("wet_wood").model).permittivity.relative_at(10e9).real(), 12.0);
+  EXPECT_EQ(std::get<scatter::CookTorranceParameters>(of("wet_wood").model).permittivity.relative_at(10e9).real(),
+            12.0);
 }
 
 }  // namespace
