@@ -161,6 +161,16 @@ std::string view_table(const ResultsPlan& plan) {
   return text;
 }
 
+/// Grids that differ above all views alone cannot be told apart.
+std::string elevation_remark(const ResultsPlan& plan) {
+  double highest_deg = 0.0;
+  for (const PlannedView& view : plan.views) highest_deg = std::max(highest_deg, view.elevation_deg);
+  const double first_grid_deg = plan.grids.front().elevations_deg.back();
+  if (highest_deg > first_grid_deg) return {};
+  return fmt::format("No view lies above {:.1f}°: what a grid holds beyond {:g}° is not put to the test. ", highest_deg,
+                     first_grid_deg);
+}
+
 std::string grid_list(const ResultsPlan& plan) {
   std::string text;
   for (const LookGrid& grid : plan.grids)
@@ -234,7 +244,7 @@ std::string results_markdown(const ResultsPlan& plan, const std::vector<ResultsR
   return lead + fmt::format("## At {:.0f} m cells\n\n", summary_cell_m) + summary_table(plan, rows) +
          "\nThe rows *truth* hold one traced map against another that differs in its seed alone. Baked maps are held "
          "against the mean of the two, whose noise has half the variance of either's. " +
-         ceiling_text(plan, rows) +
+         ceiling_text(plan, rows) + elevation_remark(plan) +
          "Bake times are seconds of processor time.\n\n"
          "## What limits it\n\n"
          "From the best case to the usual one, one thing after another, at " +

@@ -137,9 +137,10 @@ double footing_m(const terrain::HeightField& terrain, const RoofedBuilding& buil
   double lowest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const Vec2d from = outline[i], side = outline[(i + 1) % outline.size()] - from;
-    const double samples = std::ceil(length(side) / sample_spacing_m);
-    for (double n = 0.0; n < samples; n += 1.0)
-      lowest = std::min(lowest, terrain.height_at(from + side * (n / samples)));
+    const auto samples = static_cast<int>(std::ceil(length(side) / sample_spacing_m));
+    for (int n = 0; n < samples; ++n) {
+      lowest = std::min(lowest, terrain.height_at(from + side * (static_cast<double>(n) / samples)));
+    }
   }
   return lowest;
 }
