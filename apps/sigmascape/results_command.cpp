@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <fmt/format.h>
+#include <limits>
 
 #include "command.h"
 #include "map_files.h"
@@ -38,6 +39,19 @@ struct RenderedMap {
   radar::GroundMap map;
   double milliseconds = 0.0;
 };
+
+/// The map with its rim unseen.
+radar::GroundMap without_rim(radar::GroundMap map, double rim_m) {
+  const radar::Rectangle all = map.grid.extent();
+  const radar::Rectangle middle{all.west_m + rim_m, all.south_m + rim_m, all.east_m - rim_m, all.north_m - rim_m};
+  constexpr float unseen = std::numeric_limits<float>::quiet_NaN();
+  for (std::size_t row = 0; row < map.grid.rows; ++row) {
+    for (std::size_t column = 0; column < map.grid.columns; ++column) {
+      if (!middle.contains(map.grid.centre_of(column, row))) map.sigma0(column, row) = {unseen, unseen, unseen, unseen};
+    }
+  }
+  return map;
+}
 
 /// Bakes, traces, renders and compares everything that a plan asks for.
 class Measurement {
@@ -102,14 +116,18 @@ class Measurement {
   void hold_against(const Truth& truth, const MeasuredScene& measured, const PlannedView& view,
                     const MeasuredAtlas& from, int level_of_detail) {
     const RenderedMap rendered = rendered_map(measured, view, from.atlas, level_of_detail);
-    const product::CompareOptions options{.polarization = radar::Polarization::Sum};
     results_.push_back({.of = {measured.name, from.grid, from.baked_samples, level_of_detail, view.kind},
                         .view = view,
                         .atlas = from.cost,
-                        .comparison = product::compare_maps(rendered.map, truth.mean, options),
-                        .noise_floor = product::compare_maps(truth.second, truth.first, options),
+                        .comparison = compared(rendered.map, truth.mean),
+                        .noise_floor = compared(truth.second, truth.first),
                         .trace_seconds = truth.trace_seconds,
                         .render_ms = rendered.milliseconds});
+  }
+
+  [[nodiscard]] product::MapComparison compared(const radar::GroundMap& tested, const radar::GroundMap& truth) const {
+    return product::compare_maps(without_rim(tested, plan_.rim_m()), without_rim(truth, plan_.rim_m()),
+                                 {.polarization = radar::Polarization::Sum});
   }
 
   [[nodiscard]] RenderedMap rendered_map(const MeasuredScene& measured, const PlannedView& view,
@@ -204,13 +222,12 @@ class Measurement {
     product::write_png(path("difference"), product::difference_picture(baked, truth.mean,
                                                                        {.polarization = radar::Polarization::Sum,
                                                                         .magnification = look.magnification}));
-    const product::CompareOptions options{.polarization = radar::Polarization::Sum};
     return {.heading = heading,
             .figures = {{path("traced"), "Path-traced from the full scene"},
                         {path("baked"), "Rendered from terrain and baked reflectivity, " + grids_[paper_grid].grid},
                         {path("difference"), "Baked over traced, −10 dB (blue) to +10 dB (red)"}},
-            .comparison = product::compare_maps(baked, truth.mean, options),
-            .noise_floor = product::compare_maps(truth.second, truth.first, options)};
+            .comparison = compared(baked, truth.mean),
+            .noise_floor = compared(truth.second, truth.first)};
   }
 
   const ResultsPlan& plan_;

@@ -232,8 +232,10 @@ std::string results_markdown(const ResultsPlan& plan, const std::vector<ResultsR
       "lower than {:g} dB; a cell is in shadow below {:g} dB. `product/map_metrics.h` defines the five numbers.\n\n"
       "*hills* is the scene as it is; *level* the same with its ground at height zero. Textures are baked on level "
       "ground, so one store serves both. The radar stands 20 km from the middle of the scene, resolution 2 m in range "
-      "and across.\n\n",
-      plan.scale, 2000.0 * plan.scale, compare.floor_db, compare.shadow_db);
+      "and across. A rim of {:.0f} m along the edges is left out: walls there mirror ground beyond the scene, which is "
+      "there "
+      "in a bake but not in a traced map.\n\n",
+      plan.scale, 2000.0 * plan.scale, compare.floor_db, compare.shadow_db, plan.rim_m());
   const std::string settings = fmt::format(
       "\n## Settings\n\n"
       "- {} rays a texel of {:.2f} m in the store, out of which coarser grids are read too; {} where stated\n"

@@ -91,6 +91,11 @@ radar::RadarFile PlannedView::radar() const {
           .map = {}};
 }
 
+double ResultsPlan::rim_m() const {
+  constexpr double widest_m = 64.0, largest_share = 0.128;  // of the side, so that small scenes keep a middle
+  return std::min(widest_m, largest_share * 2000.0 * scale);
+}
+
 bake::BakeSettings ResultsPlan::bake_settings() const {
   return {.aspects = grids.back().aspects(),
           .patches = {.texel_m = 2000.0 / 1024.0, .texels_per_side = 256},

@@ -61,6 +61,9 @@ struct ResultsPlan {
   std::uint64_t seed = 1;
   unsigned threads = 0;
 
+  /// Width of the rim along the scene's edges that is not compared. A wall near the edge mirrors ground beyond it,
+  /// which goes on in a bake and ends where the terrain does in a traced map: that would be held against the method.
+  [[nodiscard]] double rim_m() const;
   [[nodiscard]] bake::BakeSettings bake_settings() const;  ///< of the finest grid
   /// The places of a coarser grid within the last.
   [[nodiscard]] atlas::AspectSelection selection_of(const LookGrid& grid) const;

@@ -136,6 +136,7 @@ nlohmann::ordered_json settings_json(const ResultsPlan& plan) {
           {"finer_samples", plan.finer_samples},
           {"traced_samples", plan.traced_samples},
           {"traced_maps_a_truth", 2},
+          {"rim_m", plan.rim_m()},
           {"bounces", plan.bounces},
           {"seed", plan.seed},
           {"polarization", product::polarization_name(radar::Polarization::Sum)},
