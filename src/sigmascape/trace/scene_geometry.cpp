@@ -14,6 +14,8 @@ namespace sigmascape::trace {
 namespace {
 
 constexpr float far_away = std::numeric_limits<float>::infinity();
+/// How far the ground goes on beyond the edge of the terrain, level outwards.
+constexpr double rim_m = 300.0;
 constexpr std::size_t most_grid_nodes = 32767;  // along a side of Embree's grids
 constexpr unsigned flush_to_zero = 0x8000U;
 constexpr unsigned denormals_are_zero = 0x0040U;
@@ -107,21 +109,29 @@ struct SceneGeometry::Structures {
 
   void add_terrain(const terrain::HeightField& field) {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_GRID);
-    const std::size_t columns = field.height_m.columns(), rows = field.height_m.rows();
+    // One ring of nodes more than the field has carries its edge outwards, so that walls there have ground before them.
+    const std::size_t columns = field.height_m.columns() + 2, rows = field.height_m.rows() + 2;
     if (columns > most_grid_nodes || rows > most_grid_nodes) {
-      throw Error("terrain", "has " + std::to_string(std::max(columns, rows)) + " heights along a side",
-                  "use a larger spacing or a smaller extent, for at most " + std::to_string(most_grid_nodes));
+      throw Error("terrain", "has " + std::to_string(std::max(columns, rows) - 2) + " heights along a side",
+                  "use a larger spacing or a smaller extent, for at most " + std::to_string(most_grid_nodes - 2));
     }
     auto* vertices = static_cast<Vec3f*>(
         rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vec3f), columns * rows));
     auto* grid = static_cast<RTCGrid*>(
         rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_GRID, 0, RTC_FORMAT_GRID, sizeof(RTCGrid), 1));
     check();
+    // How far the ring at either end lies beyond the field, in metres eastward or southward.
+    const auto beyond = [](std::size_t index, std::size_t count) {
+      return index == 0 ? -rim_m : index + 1 == count ? rim_m : 0.0;
+    };
     for (std::size_t row = 0; row < rows; ++row) {
       for (std::size_t column = 0; column < columns; ++column) {
-        const double x = field.west_m + static_cast<double>(column) * field.spacing_m - origin.x;
-        const double y = field.north_m - static_cast<double>(row) * field.spacing_m - origin.y;
-        vertices[row * columns + column] = {static_cast<float>(x), static_cast<float>(y), field.height_m(column, row)};
+        const std::size_t from_column = std::clamp<std::size_t>(column, 1, columns - 2) - 1;
+        const std::size_t from_row = std::clamp<std::size_t>(row, 1, rows - 2) - 1;
+        const double x = field.west_m + static_cast<double>(from_column) * field.spacing_m + beyond(column, columns);
+        const double y = field.north_m - static_cast<double>(from_row) * field.spacing_m - beyond(row, rows);
+        vertices[row * columns + column] = {static_cast<float>(x - origin.x), static_cast<float>(y - origin.y),
+                                            field.height_m(from_column, from_row)};
       }
     }
     *grid = {0, static_cast<unsigned>(columns), static_cast<unsigned short>(columns),

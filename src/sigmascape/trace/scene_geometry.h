@@ -20,7 +20,8 @@ struct SurfaceHit {
 ///
 /// Everything is held relative to `origin()`, the centre of the scene's extent at height zero, so that single precision
 /// suffices. Trees, vehicles and other instances share one acceleration structure a prototype. The level plane is
-/// intersected in closed form (no cracks); terrain is a robustly traversed grid that is only hit from above.
+/// intersected in closed form (no cracks); terrain is a robustly traversed grid that is only hit from above and goes on
+/// for 300 m beyond its edges.
 class SceneGeometry {
  public:
   SceneGeometry(const scene::Scene& scene, Footing footing);

@@ -157,6 +157,13 @@ TEST(SceneGeometry, ObjectsStandOnTerrainOrOnTheLevelPlane) {
   EXPECT_NEAR(on_plane.highest_m(), 8.0, 1e-3);
 }
 
+// Walls at the edge of the terrain have ground before them.
+TEST(SceneGeometry, GroundGoesOnBeyondTheEdge) {
+  const SceneGeometry geometry(plain_scene(0.5, 12.0F), Footing::Terrain);
+  EXPECT_NEAR(hit_between(geometry, {250, 0, 50}, {250, 0, 0}).position.z, 12.0F, 1e-4F);
+  EXPECT_NEAR(hit_between(geometry, {-180, -300, 50}, {-180, -300, 0}).position.z, 12.0F, 1e-4F);
+}
+
 TEST(SceneGeometry, GroundMaterialsFollowTheMap) {
   scene::Scene scene = plain_scene();
   scene.ground = {{-100, 100, 100, 2, 2}, Array2D<scene::MaterialIndex>(2, 2)};
