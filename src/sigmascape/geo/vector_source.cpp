@@ -154,7 +154,7 @@ std::string wkt_of(const OGRSpatialReference& reference) {
   char* wkt = nullptr;
   const char* const options[] = {"FORMAT=WKT2_2019", nullptr};
   reference.exportToWkt(&wkt, options);
-  const std::string text = wkt == nullptr ? "" : wkt;
+  std::string text = wkt == nullptr ? "" : wkt;
   CPLFree(wkt);
   return text;
 }

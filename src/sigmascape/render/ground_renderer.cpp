@@ -84,9 +84,13 @@ class AzimuthStrip {
   double level_;
 };
 
+struct Reach {
+  double near_m, far_m;
+};
+
 /// Nearest and farthest horizontal distance from the radar to ground that matters: terrain nearer than the area may
 /// hide it.
-std::pair<double, double> distances(const radar::Radar& radar, const radar::Rectangle& ground) {
+Reach distances_to(const radar::Radar& radar, const radar::Rectangle& ground) {
   const Vec2d p{radar.position.x, radar.position.y};
   const Vec2d nearest{std::clamp(p.x, ground.west_m, ground.east_m), std::clamp(p.y, ground.south_m, ground.north_m)};
   double farthest = 0.0;
@@ -105,9 +109,9 @@ radar::RangeAzimuthImage GroundRenderer::render(const radar::Radar& radar, const
                                                 const radar::RangeAzimuthGrid& grid, const RenderSettings& settings,
                                                 RenderCounts& counts) const {
   atlas_->check_frequency(radar.frequency_hz);
-  const auto [near_m, far_m] = distances(radar, terrain_->extent());
+  const Reach reach = distances_to(radar, terrain_->extent());
   const double step_m = grid.range_step_m / samples_per_range_bin;
-  const double cell_m = std::min(radar.range_resolution_m, radar.beam_width_rad * near_m);
+  const double cell_m = std::min(radar.range_resolution_m, radar.beam_width_rad * reach.near_m);
   // Two texels a resolution cell: what is finer the receiver would only average away.
   const double level = std::max(settings.level_of_detail - 1.0, atlas_->level_for(cell_m / 2.0));
 
@@ -119,7 +123,8 @@ radar::RangeAzimuthImage GroundRenderer::render(const radar::Radar& radar, const
   parallel_for(grid.azimuths, workers, [&](std::size_t index, unsigned worker) {
     echoes[worker].clear();
     const double azimuth = grid.first_azimuth_rad + (static_cast<double>(index) + 0.5) * grid.azimuth_step_rad;
-    strip.sweep(azimuth, grid.azimuth_step_rad, near_m, far_m, step_m, echoes[worker], strip_counts[worker]);
+    strip.sweep(azimuth, grid.azimuth_step_rad, reach.near_m, reach.far_m, step_m, echoes[worker],
+                strip_counts[worker]);
     receiver.add(echoes[worker]);
   });
   for (const RenderCounts& part : strip_counts) {
