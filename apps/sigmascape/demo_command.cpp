@@ -128,7 +128,7 @@ class Demo {
 
  private:
   [[nodiscard]] radar::GroundMap traced_map(const radar::Radar& radar, const radar::GroundGrid& grid,
-                                            std::uint64_t seed) const {
+                                            std::uint64_t seed) {
     trace::TraceCounts counts;
     const auto image = simulate::traced_image(scene_, geometry_, radar, grid.extent(),
                                               {.cell_m = grid.cell_m,
@@ -136,7 +136,7 @@ class Demo {
                                                .max_bounces = options_.bake.bounces,
                                                .seed = seed,
                                                .threads = options_.bake.threads},
-                                              counts);
+                                              counts, &progress_);
     return described_map(image, radar, scene_.terrain, grid, scene_.frame,
                          provenance("level of detail 0: path-traced"));
   }

@@ -1,3 +1,4 @@
+#include <cstdio>
 #include <exception>
 #include <fmt/format.h>
 
@@ -11,30 +12,41 @@ void Output::finish(const std::string& text, const nlohmann::ordered_json& summa
   fmt::print("{}\n", json ? summary.dump(2) : text);
 }
 
-}  // namespace sigmascape::cli
+namespace {
 
-int main(int argc, char** argv) {
-  using namespace sigmascape;  // NOLINT(google-build-using-namespace)
+/// Does what the command line asks; 2 when it is not understood.
+int run(int argc, char** argv) {
   CLI::App app{
       "Sigmascape: what a radar sees of a landscape.\n"
       "Path-traces a scene at radio frequencies, bakes it into reflectivity textures, and renders ground maps from "
       "either."};
   app.require_subcommand(1);
   app.set_version_flag("--version", "0.1.0");
-  cli::Output output;
-  cli::add_scene_command(app, output);
-  cli::add_bake_command(app, output);
-  cli::add_render_command(app, output);
-  cli::add_compare_command(app, output);
-  cli::add_demo_command(app, output);
-  cli::add_results_command(app, output);
+  Output output;
+  add_scene_command(app, output);
+  add_bake_command(app, output);
+  add_render_command(app, output);
+  add_compare_command(app, output);
+  add_demo_command(app, output);
+  add_results_command(app, output);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& wrong_use) {
     return app.exit(wrong_use) == 0 ? 0 : 2;
-  } catch (const std::exception& failure) {
-    fmt::print(stderr, "sigmascape: {}\n", failure.what());
-    return 1;
   }
   return 0;
+}
+
+}  // namespace
+}  // namespace sigmascape::cli
+
+int main(int argc, char** argv) {
+  try {
+    return sigmascape::cli::run(argc, argv);
+  } catch (const std::exception& failure) {
+    std::fputs("sigmascape: ", stderr);
+    std::fputs(failure.what(), stderr);
+    std::fputs("\n", stderr);
+    return 1;
+  }
 }

@@ -4,6 +4,7 @@
 #include "map_files.h"
 #include "polarization_option.h"
 #include "stopwatch.h"
+#include "terminal_progress.h"
 
 #include "sigmascape/atlas/store.h"
 #include "sigmascape/base/error.h"
@@ -39,8 +40,10 @@ Rendered traced(const RenderOptions& options, const scene::Scene& scene, const r
   simulate::TraceSettings settings = options.trace;
   settings.cell_m = grid.cell_m;
   trace::TraceCounts counts;
+  TerminalProgress progress;
   const Stopwatch watch;
-  Rendered rendered{.image = simulate::traced_image(scene, geometry, radar, grid.extent(), settings, counts)};
+  Rendered rendered{.image =
+                        simulate::traced_image(scene, geometry, radar, grid.extent(), settings, counts, &progress)};
   rendered.seconds = watch.seconds();
   rendered.cost = {{"paths", counts.paths}, {"rays", counts.rays}};
   rendered.provenance = {{"processing", "level of detail 0: path-traced"},

@@ -1,6 +1,7 @@
 #include "results_bake.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 
 #include "results_processor_time.h"
@@ -18,13 +19,14 @@ class BakeTimer final : public ProgressListener {
     if (stream) seconds_ = nlohmann::json::parse(stream).get<std::vector<double>>();
   }
 
-  void advanced(std::string_view task, std::size_t done, std::size_t total, std::string_view unit) override {
+  void advanced(std::string_view task, double done, double total, std::string_view unit) override {
     // Textures come in order; those that an earlier run baked are passed over at once and keep their time.
-    if (done > seconds_.size()) {
+    const bool is_whole = done == std::floor(done);
+    if (is_whole && done > static_cast<double>(seconds_.size())) {
       seconds_.push_back(watch_.seconds());
       geo::write_atomically(file_, nlohmann::json(seconds_).dump());
     }
-    watch_ = {};
+    if (is_whole) watch_ = {};
     next_.advanced(task, done, total, unit);
   }
 

@@ -71,7 +71,8 @@ class Measurement {
     for (const MeasuredScene* measured : {&hills_, &level_}) {
       for (const PlannedView& view : plan_.views) {
         if (measured == &hills_ || view.kind != ViewKind::Paper) compare(*measured, view);
-        progress_.advanced("compare", ++done, 2 * plan_.views.size(), "views");
+        progress_.advanced("compare", static_cast<double>(++done), 2.0 * static_cast<double>(plan_.views.size()),
+                           "views");
       }
     }
     std::ranges::stable_sort(results_, {}, [](const ViewResult& result) {

@@ -23,11 +23,11 @@ TerminalProgress::~TerminalProgress() {
   erase_line();
 }
 
-void TerminalProgress::begin(std::string_view task, std::size_t done) {
+void TerminalProgress::begin(std::string_view task, double done) {
   erase_line();
   task_ = task;
-  // The first report tells what was there already or took no time to speak of; rates count from there.
-  first_done_ = done > 0 ? done - 1 : 0;
+  // What the first report tells was there already or took no time to speak of; rates count from there.
+  first_done_ = done;
   started_ = shown_ = Clock::now();
 }
 
@@ -36,17 +36,17 @@ void TerminalProgress::erase_line() {
   line_shown_ = false;
 }
 
-void TerminalProgress::advanced(std::string_view task, std::size_t done, std::size_t total, std::string_view unit) {
+void TerminalProgress::advanced(std::string_view task, double done, double total, std::string_view unit) {
   if (!is_terminal_) return;
   if (task != task_) begin(task, done);
   const auto now = Clock::now();
   if (done >= total) return erase_line();
   if (now - started_ < quiet_time || now - shown_ < refresh_time) return;
   shown_ = now;
-  const double rate = static_cast<double>(done - first_done_) / std::chrono::duration<double>(now - started_).count();
+  const double rate = (done - first_done_) / std::chrono::duration<double>(now - started_).count();
   if (rate <= 0.0) return;
-  fmt::print(stderr, "\r\033[K{}: {} of {} {}, {:.2f} a second, {} left", task, done, total, unit, rate,
-             duration_text(static_cast<double>(total - done) / rate));
+  fmt::print(stderr, "\r\033[K{}: {:.1f} of {:.0f} {}, {:.3g} a second, {} left", task, done, total, unit, rate,
+             duration_text((total - done) / rate));
   std::fflush(stderr);
   line_shown_ = true;
 }

@@ -16,18 +16,18 @@ class TerminalProgress final : public ProgressListener {
   TerminalProgress(const TerminalProgress&) = delete;
   TerminalProgress& operator=(const TerminalProgress&) = delete;
 
-  void advanced(std::string_view task, std::size_t done, std::size_t total, std::string_view unit) override;
+  void advanced(std::string_view task, double done, double total, std::string_view unit) override;
 
  private:
   using Clock = std::chrono::steady_clock;
 
-  void begin(std::string_view task, std::size_t done);
+  void begin(std::string_view task, double done);
   void erase_line();
 
   bool is_terminal_;
   bool line_shown_ = false;
   std::string task_;
-  std::size_t first_done_ = 0;
+  double first_done_ = 0.0;
   Clock::time_point started_;
   Clock::time_point shown_;
 };

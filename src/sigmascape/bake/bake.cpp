@@ -9,6 +9,7 @@
 #include "sigmascape/base/units.h"
 #include "sigmascape/receiver/ground_accumulator.h"
 #include "sigmascape/trace/simd_setting.h"
+#include "sigmascape/trace/tile_progress.h"
 
 namespace sigmascape::bake {
 namespace {
@@ -75,7 +76,9 @@ class Baker {
   Baker(const scene::Scene& scene, const BakeSettings& settings, const atlas::Store& store)
       : scene_(scene), settings_(settings), store_(store), geometry_(scene, trace::Footing::LevelPlane) {}
 
-  void bake_unit(const atlas::Unit& unit, BakeReport& report) {
+  /// Bakes look number `index` of `count`.
+  void bake_unit(const atlas::Unit& unit, std::size_t index, std::size_t count, BakeReport& report,
+                 ProgressListener& progress) {
     const radar::Look look = settings_.aspects.look(unit.look);
     const radar::GroundGrid texels = settings_.patches.texels_of(unit.patch);
     const auto viewpoint = trace::Viewpoint::distant(look.aspect);
@@ -87,9 +90,15 @@ class Baker {
                            geometry_.highest_m() + 1.0, multibounce_margin_m);
 
     receiver::GroundAccumulator accumulator(texels, look.aspect);
-    const auto trace_samples = [&](std::uint32_t first, std::uint32_t count) {
-      report.counts += tracer.trace(area, {first, count, settings_.samples_per_texel}, settings_.threads,
-                                    [&](std::span<const radar::Echo> echoes, unsigned) { accumulator.add(echoes); });
+    // Every tile is traced twice, half of its samples at a time.
+    trace::TileProgress tiles(progress, "bake", "looks", static_cast<double>(index), static_cast<double>(index + 1),
+                              static_cast<double>(count), 2 * area.tiles());
+    const auto trace_samples = [&](std::uint32_t first, std::uint32_t samples) {
+      report.counts += tracer.trace(area, {first, samples, settings_.samples_per_texel}, settings_.threads,
+                                    [&](std::span<const radar::Echo> echoes, unsigned worker) {
+                                      accumulator.add(echoes);
+                                      tiles.tile_done(worker);
+                                    });
     };
     const std::uint32_t half = settings_.samples_per_texel / 2;
     trace_samples(0, half);
@@ -141,9 +150,9 @@ BakeReport bake(const scene::Scene& scene, const BakeSettings& settings, const s
     if (store.is_done(units[i].patch, units[i].look)) {
       ++report.already;
     } else {
-      baker.bake_unit(units[i], report);
+      baker.bake_unit(units[i], i, units.size(), report, progress);
     }
-    progress.advanced("bake", i + 1, units.size(), "looks");
+    progress.advanced("bake", static_cast<double>(i + 1), static_cast<double>(units.size()), "looks");
   }
   report.relative_standard_error = baker.mean_error();
   return report;

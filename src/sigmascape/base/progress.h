@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <string_view>
 
 namespace sigmascape {
@@ -10,14 +9,15 @@ namespace sigmascape {
 class ProgressListener {
  public:
   virtual ~ProgressListener() = default;
-  /// `done` of `total` units called `unit` ("looks", "rays") of the work called `task` are finished.
-  virtual void advanced(std::string_view task, std::size_t done, std::size_t total, std::string_view unit) = 0;
+  /// `done` of `total` units called `unit` ("looks", "rays") of the work called `task` are finished; parts of a unit
+  /// count.
+  virtual void advanced(std::string_view task, double done, double total, std::string_view unit) = 0;
 };
 
 /// Listens to nothing.
 class SilentProgress final : public ProgressListener {
  public:
-  void advanced(std::string_view, std::size_t, std::size_t, std::string_view) override {}
+  void advanced(std::string_view, double, double, std::string_view) override {}
 };
 
 }  // namespace sigmascape

@@ -6,6 +6,7 @@
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/receiver/range_azimuth_receiver.h"
+#include "sigmascape/trace/tile_progress.h"
 
 namespace sigmascape::simulate {
 namespace {
@@ -61,7 +62,8 @@ radar::RangeAzimuthGrid bins_for(const radar::Radar& radar, const radar::Rectang
 
 radar::RangeAzimuthImage traced_image(const scene::Scene& scene, const trace::SceneGeometry& geometry,
                                       const radar::Radar& radar, const radar::Rectangle& area,
-                                      const TraceSettings& settings, trace::TraceCounts& counts) {
+                                      const TraceSettings& settings, trace::TraceCounts& counts,
+                                      ProgressListener* progress) {
   check_above(radar, geometry.highest_m());
   const auto viewpoint = trace::Viewpoint::located(radar.position);
   const trace::PathTracer tracer(geometry, trace::surface_models(scene, radar.frequency_hz), viewpoint,
@@ -69,8 +71,14 @@ radar::RangeAzimuthImage traced_image(const scene::Scene& scene, const trace::Sc
   const auto launch = trace::launch_area(viewpoint, area, settings.cell_m, geometry.lowest_m(),
                                          geometry.highest_m() + clearance_m, multibounce_margin_m);
   receiver::RangeAzimuthReceiver receiver(radar, bins_for(radar, area, scene.terrain));
+  SilentProgress silent;
+  trace::TileProgress tiles(progress != nullptr ? *progress : silent, "trace", "% of the map", 0.0, 100.0, 100.0,
+                            launch.tiles());
   counts += tracer.trace(launch, {0, settings.samples_per_cell, settings.samples_per_cell}, settings.threads,
-                         [&](std::span<const radar::Echo> echoes, unsigned) { receiver.add(echoes); });
+                         [&](std::span<const radar::Echo> echoes, unsigned worker) {
+                           receiver.add(echoes);
+                           tiles.tile_done(worker);
+                         });
   add_point_targets(scene, geometry, viewpoint, receiver);
   if (receiver.bins().overflows() > 0) {
     throw Error("map of radar " + radar.name, "a bin is brighter than the sums can hold",

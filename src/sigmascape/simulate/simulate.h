@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "sigmascape/atlas/atlas.h"
+#include "sigmascape/base/progress.h"
 #include "sigmascape/radar/radar.h"
 #include "sigmascape/radar/range_azimuth_image.h"
 #include "sigmascape/render/ground_renderer.h"
@@ -28,7 +29,8 @@ struct TraceSettings {
 /// seen.
 [[nodiscard]] radar::RangeAzimuthImage traced_image(const scene::Scene& scene, const trace::SceneGeometry& geometry,
                                                     const radar::Radar& radar, const radar::Rectangle& area,
-                                                    const TraceSettings& settings, trace::TraceCounts& counts);
+                                                    const TraceSettings& settings, trace::TraceCounts& counts,
+                                                    ProgressListener* progress = nullptr);
 
 /// LOD ≥ 1: terrain and atlas, into the same bins.
 [[nodiscard]] radar::RangeAzimuthImage baked_image(const atlas::Atlas& atlas, const terrain::HeightField& terrain,

@@ -15,12 +15,18 @@ struct LaunchCell {
   std::int32_t j = 0;  ///< northward
 };
 
+/// Cells whose echoes travel to the receiver together.
+inline constexpr std::size_t cells_per_tile = 256;
+
 /// From which cells echoes can come that land in an area of interest.
 struct LaunchArea {
   double cell_m = 1.0;
   double plane_height_m = 0.0;    ///< height of the plane aimed at
   double top_height_m = 0.0;      ///< rays start at this height, above everything
   std::vector<LaunchCell> cells;  ///< in tiles of 16 × 16, for the sake of caches
+
+  /// Number of tiles that the tracer hands to its sink, one by one.
+  [[nodiscard]] std::size_t tiles() const { return (cells.size() + cells_per_tile - 1) / cells_per_tile; }
 
   /// Whether a ray through that point of the plane could have been launched.
   [[nodiscard]] bool covers(Vec2d point) const;

@@ -36,8 +36,6 @@ constexpr float faint_connection = 2.5e-4F;
 /// Surfaces are left by this much along the normal, so that a ray does not meet again what it starts from.
 constexpr float surface_offset_m = 2e-3F;
 
-constexpr std::size_t cells_per_tile = 256;
-
 /// S + Sᵀ of the path and its reversal, as powers: ½|(S + Sᵀ)_pq|².
 Channels paired_powers(const FieldPair& out, const PolarizationBasis& receive) {
   const Amplitude vv = out.from_v.along(receive.v) * 2.0F;
@@ -230,10 +228,9 @@ TraceCounts PathTracer::trace(const LaunchArea& area, SampleRange samples, unsig
   const unsigned workers = thread_count(threads);
   std::vector<std::vector<Echo>> echoes(workers);
   std::vector<TraceCounts> counts(workers);
-  const std::size_t tiles = (area.cells.size() + cells_per_tile - 1) / cells_per_tile;
   const double sample_area_m2 = area.cell_m * area.cell_m / samples.of;
 
-  parallel_for(tiles, workers, [&](std::size_t tile, unsigned worker) {
+  parallel_for(area.tiles(), workers, [&](std::size_t tile, unsigned worker) {
     const FlushDenormals flush;
     echoes[worker].clear();
     TileTracer tracer(*geometry_, surfaces_, viewpoint_, options_, area, echoes[worker], counts[worker]);
