@@ -52,14 +52,14 @@ Rendered traced(const RenderOptions& options, const scene::Scene& scene, const r
   return rendered;
 }
 
-Rendered baked(const RenderOptions& options, const scene::Scene& scene, const radar::Radar& radar,
-               const radar::GroundGrid& grid) {
+Rendered baked(const RenderOptions& options, const scene::Scene& scene, const std::string& hash,
+               const radar::Radar& radar, const radar::GroundGrid& grid) {
   if (options.atlas.empty()) {
     throw Error("--atlas", "is missing for level of detail " + std::to_string(options.level_of_detail),
                 "name the atlas that `sigmascape bake` made, or use --lod 0");
   }
   const auto store = atlas::Store::open(options.atlas);
-  if (store.description().scene_hash != scene::scene_hash(scene)) {
+  if (store.description().scene_hash != hash) {
     throw Error(options.atlas, "was baked from another scene than " + options.scene,
                 "bake this scene, or name the scene that the atlas was made from");
   }
@@ -82,10 +82,11 @@ void render(const RenderOptions& options, radar::Polarization polarization, bool
   const scene::Scene scene = scene::read_scene(options.scene);
   const auto radar = simulate::placed_radar(radar_file, scene.frame, scene.terrain, scene.extent);
   const auto grid = simulate::map_grid(radar_file.map, scene.extent);
+  const std::string hash = scene::scene_hash(scene);
   Rendered rendered =
-      options.level_of_detail == 0 ? traced(options, scene, radar, grid) : baked(options, scene, radar, grid);
+      options.level_of_detail == 0 ? traced(options, scene, radar, grid) : baked(options, scene, hash, radar, grid);
   rendered.provenance["scene"] = scene.name;
-  rendered.provenance["scene_hash"] = scene::scene_hash(scene);
+  rendered.provenance["scene_hash"] = hash;
   if (!scene.attribution.empty()) rendered.provenance["attribution"] = scene.attribution;
 
   const auto map = described_map(rendered.image, radar, scene.terrain, grid, scene.frame, rendered.provenance);

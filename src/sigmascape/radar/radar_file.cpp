@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <initializer_list>
-#include <map>
 
 #include "sigmascape/base/toml_reader.h"
 #include "sigmascape/base/units.h"
+#include "sigmascape/radar/polarization_words.h"
 
 namespace sigmascape::radar {
 namespace {
@@ -13,12 +13,7 @@ namespace {
 constexpr Interval anywhere_m{-1e7, 1e7, "m"};
 
 Polarization polarization_of(const TomlSection& section) {
-  static const std::map<std::string, Polarization> words{{"vv", Polarization::VV},
-                                                         {"hh", Polarization::HH},
-                                                         {"hv", Polarization::HV},
-                                                         {"vh", Polarization::VH},
-                                                         {"sum", Polarization::Sum}};
-  return words.at(section.choice_or("polarization", {"vv", "hh", "hv", "vh", "sum"}, "vv"));
+  return polarization_words().at(section.choice_or("polarization", {"vv", "hh", "hv", "vh", "sum"}, "vv"));
 }
 
 Radar radar_of(const TomlSection& section) {

@@ -88,12 +88,6 @@ void add_grid(Sha256& sha, double west, double north, double step, std::size_t c
   sha.add_value(rows);
 }
 
-float top_of(const Mesh& mesh) {
-  float top = 0.0F;
-  for (const Vec3f& vertex : mesh.vertices) top = std::max(top, vertex.z);
-  return top;
-}
-
 }  // namespace
 
 MaterialIndex MaterialMap::at(Vec2d point) const {
@@ -128,10 +122,16 @@ void shift(Scene& scene, Vec2d offset) {
   for (PointTarget& target : scene.point_targets) target.position = target.position + offset;
 }
 
+float top_m(const Mesh& mesh) {
+  float top = 0.0F;
+  for (const Vec3f& vertex : mesh.vertices) top = std::max(top, vertex.z);
+  return top;
+}
+
 double tallest_object_m(const Scene& scene) {
   std::vector<float> prototype_top;
-  for (const Mesh& prototype : scene.prototypes) prototype_top.push_back(top_of(prototype));
-  float tallest = top_of(scene.buildings.mesh);
+  for (const Mesh& prototype : scene.prototypes) prototype_top.push_back(top_m(prototype));
+  float tallest = top_m(scene.buildings.mesh);
   for (const Instance& instance : scene.instances) {
     tallest = std::max(tallest, instance.lift_m + instance.scale.z * prototype_top[instance.prototype]);
   }

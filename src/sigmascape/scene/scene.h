@@ -98,6 +98,9 @@ struct Scene {
 /// Moves everything in the scene east and north by `offset`, within the same frame.
 void shift(Scene& scene, Vec2d offset);
 
+/// Height of the highest vertex of a mesh above its origin, 0 when none stands above it.
+[[nodiscard]] float top_m(const Mesh& mesh);
+
 /// Height of the tallest thing above its ground, in metres: what decides how far shadows and layover reach.
 [[nodiscard]] double tallest_object_m(const Scene& scene);
 

@@ -173,11 +173,7 @@ struct SceneGeometry::Structures {
 
   void add_instances(const scene::Scene& scene) {
     std::vector<float> tops;
-    for (const scene::Mesh& mesh : meshes) {
-      float top_z = 0.0F;
-      for (const Vec3f& vertex : mesh.vertices) top_z = std::max(top_z, vertex.z);
-      tops.push_back(top_z);
-    }
+    for (const scene::Mesh& mesh : meshes) tops.push_back(scene::top_m(mesh));
     for (const scene::Instance& instance : scene.instances) {
       const float c = std::cos(instance.yaw_rad), s = std::sin(instance.yaw_rad);
       const double base = footing == Footing::Terrain ? scene.terrain.height_at({instance.x_m, instance.y_m}) : 0.0;
