@@ -40,6 +40,9 @@ class SurfaceModel {
                                   PhaseDraw draw) const {
     return std::visit([&](const auto& m) { return m.scatter(in, to_source, to_sink, face, draw); }, model_);
   }
+  /// Whether unresolved roughness gives what it scatters a phase that nothing tells: of all diffuse surfaces. Mirrors
+  /// keep the phase of their place, and their diffuse part draws its own in `scatter`.
+  [[nodiscard]] bool phase_is_random() const { return !std::holds_alternative<CookTorrance>(model_); }
 
  private:
   using Model = std::variant<Lambert, ConstantGamma, CookTorrance, ReciprocalBackscatter>;

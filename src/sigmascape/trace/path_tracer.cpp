@@ -38,14 +38,13 @@ TraceCounts PathTracer::trace(const LaunchArea& area, SampleRange samples, unsig
 TraceCounts PathTracer::trace(const LaunchArea& area, SampleRange samples, unsigned threads,
                               const TileSink& sink) const {
   const unsigned workers = thread_count(threads);
-  std::vector<std::vector<std::vector<radar::Echo>>> echoes(workers);
-  for (auto& of_worker : echoes) of_worker.resize(surfaces_.size());
+  std::vector<std::vector<EchoList>> echoes(workers, std::vector<EchoList>(surfaces_.size()));
   std::vector<TraceCounts> counts(workers);
   const double sample_area_m2 = area.cell_m * area.cell_m / samples.of;
 
   parallel_for(area.tiles(), workers, [&](std::size_t tile, unsigned worker) {
     const FlushDenormals flush;
-    for (auto& of_frequency : echoes[worker]) of_frequency.clear();
+    for (EchoList& list : echoes[worker]) list.clear();
     TileTracer tracer(*geometry_, surfaces_, viewpoint_, options_, area, echoes[worker], counts[worker]);
     const std::size_t end = std::min(area.cells.size(), (tile + 1) * cells_per_tile);
     for (std::size_t index = tile * cells_per_tile; index < end; ++index) {
@@ -60,7 +59,8 @@ TraceCounts PathTracer::trace(const LaunchArea& area, SampleRange samples, unsig
       }
     }
     for (std::size_t f = 0; f < surfaces_.size(); ++f) {
-      sink({.echoes = echoes[worker][f], .frequency = f, .worker = worker});
+      const EchoList& list = echoes[worker][f];
+      sink({.echoes = list.echoes, .amplitudes_m = list.amplitudes_m, .frequency = f, .worker = worker});
     }
   });
 

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "sigmascape/radar/complex_channels.h"
 #include "sigmascape/radar/echo.h"
 #include "sigmascape/scatter/surface_model.h"
 #include "sigmascape/trace/launch.h"
@@ -21,7 +22,8 @@ enum class Estimator {
 struct PathOptions {
   int max_bounces = 8;
   Estimator estimator = Estimator::Reciprocal;
-  bool roulette = true;  ///< end dark paths early, without bias
+  bool roulette = true;   ///< end dark paths early, without bias
+  bool coherent = false;  ///< hand out amplitudes with the echoes: TileEchoes::amplitudes_m
 };
 
 /// Which of each cell's samples to trace; samples first … first + count − 1 of `of` share the cell's area.
@@ -54,6 +56,11 @@ using SpectralSurfaces = std::vector<std::vector<scatter::SurfaceModel>>;
 /// What the paths of one tile bring back at one frequency.
 struct TileEchoes {
   std::span<const radar::Echo> echoes;
+  /// The square roots of the echoes' cross-sections with their phases, one an echo; none unless PathOptions::coherent.
+  /// The phase of the way, exp(−j 4π range / λ), is left to the receiver. Every echo is one sample of many: those whose
+  /// phases differ at random add up to the right mean power, those in step (a smooth mirror) do not, for their sum
+  /// grows with the number of samples. docs/physics/estimator.md, Eq. (10).
+  std::span<const radar::ComplexChannels> amplitudes_m;
   std::size_t frequency = 0;  ///< its place in the tracer's surfaces
   unsigned worker = 0;        ///< number of the calling thread
 };

@@ -25,6 +25,8 @@ enum Dimension : std::uint32_t {
 };
 /// From the block before the first vertex, which has no other use for it.
 constexpr std::uint32_t hero_choice = 0;
+/// Far from the blocks of all vertices.
+constexpr std::uint32_t first_roughness_phase = 0x10000;
 
 /// Connections to the radar that return less than this, |S|² a steradian, are made only now and then and count for
 /// more: most directions off a glossy surface return next to nothing, and it is not worth a ray to learn whether the
@@ -34,12 +36,18 @@ constexpr float faint_connection = 2.5e-4F;
 /// Surfaces are left by this much along the normal, so that a ray does not meet again what it starts from.
 constexpr float surface_offset_m = 2e-3F;
 
-/// S + Sᵀ of the path and its reversal, as powers: ½|(S + Sᵀ)_pq|².
-Channels paired_powers(const FieldPair& out, const PolarizationBasis& receive) {
-  const Amplitude vv = out.from_v.along(receive.v) * 2.0F;
-  const Amplitude hh = out.from_h.along(receive.h) * 2.0F;
-  const Amplitude hv = out.from_v.along(receive.h) + out.from_h.along(receive.v);
-  return Channels{power_of(vv), power_of(hh), power_of(hv), correlation_of(vv, hh)} * 0.5F;
+/// A scattering matrix that is its own transpose, in the bases of the antenna.
+struct ScatteringMatrix {
+  Amplitude vv, hh, hv;
+
+  [[nodiscard]] Channels powers() const { return {power_of(vv), power_of(hh), power_of(hv), correlation_of(vv, hh)}; }
+  [[nodiscard]] radar::ComplexChannels amplitudes() const { return {{vv.re, vv.im}, {hh.re, hh.im}, {hv.re, hv.im}}; }
+};
+
+/// S + Sᵀ of the path and its reversal.
+ScatteringMatrix paired(const FieldPair& out, const PolarizationBasis& receive) {
+  return {out.from_v.along(receive.v) * 2.0F, out.from_h.along(receive.h) * 2.0F,
+          out.from_v.along(receive.h) + out.from_h.along(receive.v)};
 }
 
 scatter::Facet face_of(const SurfaceHit& hit) {
@@ -49,8 +57,8 @@ scatter::Facet face_of(const SurfaceHit& hit) {
 }  // namespace
 
 TileTracer::TileTracer(const SceneGeometry& geometry, const SpectralSurfaces& surfaces, const Viewpoint& viewpoint,
-                       const PathOptions& options, const LaunchArea& area,
-                       std::vector<std::vector<radar::Echo>>& echoes, TraceCounts& counts)
+                       const PathOptions& options, const LaunchArea& area, std::vector<EchoList>& echoes,
+                       TraceCounts& counts)
     : geometry_(geometry),
       surfaces_(surfaces),
       viewpoint_(viewpoint),
@@ -71,7 +79,7 @@ void TileTracer::trace_path(Vec2d aim, double area_m2, const SobolPoint& point) 
     const Vec3d position = hit.position.to<double>() + geometry_.origin();
     if (bounce == 1) {
       begin_at(position, hit.normal);
-      add_direct_echoes(hit, position, aim_point, area_m2);
+      add_direct_echoes(hit, position, aim_point, area_m2, point);
     } else {
       path_.travelled_m += length(hit.position - path_.origin);
       for (Wave& wave : path_.waves) wave.reverse /= std::abs(dot(path_.direction, hit.normal));
@@ -100,19 +108,48 @@ void TileTracer::begin_at(Vec3d position, Vec3f normal) {
   path_.first_cosine = -dot(path_.direction, normal);
 }
 
-void TileTracer::add_direct_echoes(const SurfaceHit& hit, Vec3d position, Vec3d aim_point, double area_m2) {
-  const Vec3f to_radar = -path_.direction;
+void TileTracer::add_direct_echoes(const SurfaceHit& hit, Vec3d position, Vec3d aim_point, double area_m2,
+                                   const SobolPoint& point) {
   const double weight =
       4.0 * pi * viewpoint_.ray_weight_m2(aim_point, area_m2, path_.first_range_m, path_.first_range_m);
   const double cross = viewpoint_.cross_of(position);
+  const auto sin_depression = static_cast<float>(viewpoint_.sin_depression_of(position, position));
   for (std::size_t f = 0; f < surfaces_.size(); ++f) {
-    const Channels brdf = surfaces_[f][hit.material].backscatter(to_radar, face_of(hit));
-    if (brdf == Channels{}) continue;
+    const Channels rcs_m2 = direct_powers(f, hit, weight * path_.first_cosine, point);
+    if (rcs_m2 == Channels{}) continue;
     append(f, {.range_m = path_.first_range_m,
                .cross = cross,
-               .rcs_m2 = brdf * static_cast<float>(weight * path_.first_cosine),
-               .bounces = 1});
+               .rcs_m2 = rcs_m2,
+               .bounces = 1,
+               .sin_depression = sin_depression});
   }
+}
+
+Channels TileTracer::direct_powers(std::size_t frequency, const SurfaceHit& hit, double weight,
+                                   const SobolPoint& point) {
+  const Vec3f to_radar = -path_.direction;
+  const auto& surface = surfaces_[frequency][hit.material];
+  if (!options_.coherent) return surface.backscatter(to_radar, face_of(hit)) * static_cast<float>(weight);
+
+  const std::uint32_t dimension = DimensionsPerVertex;
+  const FieldPair out =
+      surface
+          .scatter(path_.waves[frequency].fields, to_radar, to_radar, face_of(hit),
+                   {point.independent(dimension + ConnectPhaseA), point.independent(dimension + ConnectPhaseB)})
+          .turned(roughness_phasor(surface, 1, point));
+  // A direct path is its own reversal: its matrix is symmetric, and the mean of both is itself.
+  const ScatteringMatrix matrix =
+      paired(out * (0.5F * static_cast<float>(std::sqrt(weight))), PolarizationBasis(path_.direction));
+  const Channels powers = matrix.powers();
+  if (!(powers == Channels{})) echoes_[frequency].amplitudes_m.push_back(matrix.amplitudes());
+  return powers;
+}
+
+Amplitude TileTracer::roughness_phasor(const scatter::SurfaceModel& surface, int bounce,
+                                       const SobolPoint& point) const {
+  if (!surface.phase_is_random()) return {1.0F, 0.0F};
+  const float u = point.independent(first_roughness_phase + static_cast<std::uint32_t>(bounce));
+  return scatter::unit_phasor(static_cast<float>(2.0 * pi) * u);
 }
 
 void TileTracer::add_connected_echoes(const SurfaceHit& hit, Vec3d position, Vec3d aim_point, double area_m2,
@@ -142,12 +179,19 @@ void TileTracer::add_connected_echoes(const SurfaceHit& hit, Vec3d position, Vec
   const float strength = last_cosine * share / std::min(chance, 1.0F) / density;
   const double cross =
       viewpoint_.middle_cross(viewpoint_.cross_of(path_.first_position), viewpoint_.cross_of(position));
+  const auto sin_depression = static_cast<float>(viewpoint_.sin_depression_of(path_.first_position, position));
   const PolarizationBasis receive(-to_radar);
   for (std::size_t f = 0; f < surfaces_.size(); ++f) {
+    const ScatteringMatrix matrix = paired(out_[f], receive);
     append(f, {.range_m = range_m,
                .cross = cross,
-               .rcs_m2 = paired_powers(out_[f], receive) * static_cast<float>(weight * strength),
-               .bounces = static_cast<std::uint8_t>(bounce)});
+               .rcs_m2 = matrix.powers() * 0.5F * static_cast<float>(weight * strength),
+               .bounces = static_cast<std::uint8_t>(bounce),
+               .sin_depression = sin_depression});
+    if (!options_.coherent) continue;
+    const Amplitude phasor = roughness_phasor(surfaces_[f][hit.material], bounce, point);
+    const ScatteringMatrix turned{matrix.vv * phasor, matrix.hh * phasor, matrix.hv * phasor};
+    echoes_[f].amplitudes_m.push_back(turned.amplitudes() * static_cast<float>(std::sqrt(0.5 * weight * strength)));
   }
 }
 
@@ -179,6 +223,7 @@ bool TileTracer::carry_on(const SurfaceHit& hit, int bounce, const SobolPoint& p
     Wave& wave = path_.waves[f];
     wave.fields =
         surface.scatter(wave.fields, to_source, next.direction, face_of(hit), draw) * std::sqrt(cosine / next.pdf);
+    if (options_.coherent) wave.fields = wave.fields.turned(roughness_phasor(surface, bounce, point));
     if (f != path_.hero) wave.forward *= surface.pdf(to_source, next.direction, face_of(hit)) / next.pdf;
     // The vertex's part of the reversed density: at the first vertex there is none yet, only the forward one to divide
     // by.
@@ -202,7 +247,7 @@ bool TileTracer::survives_roulette(float u) {
 }
 
 void TileTracer::append(std::size_t frequency, const radar::Echo& echo) {
-  echoes_[frequency].push_back(echo);
+  echoes_[frequency].echoes.push_back(echo);
   ++counts_.echoes;
 }
 

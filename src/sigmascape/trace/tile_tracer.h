@@ -13,13 +13,23 @@
 
 namespace sigmascape::trace {
 
+/// What the paths of a tile bring back at one frequency.
+struct EchoList {
+  std::vector<radar::Echo> echoes;
+  std::vector<radar::ComplexChannels> amplitudes_m;  ///< one an echo where they are asked for, else none
+
+  void clear() {
+    echoes.clear();
+    amplitudes_m.clear();
+  }
+};
+
 /// Follows the paths of a tile, one by one, on one thread.
 class TileTracer {
  public:
   /// Everything is held by reference and has to outlive the tracer; `echoes` has a list for each frequency.
   TileTracer(const SceneGeometry& geometry, const SpectralSurfaces& surfaces, const Viewpoint& viewpoint,
-             const PathOptions& options, const LaunchArea& area, std::vector<std::vector<radar::Echo>>& echoes,
-             TraceCounts& counts);
+             const PathOptions& options, const LaunchArea& area, std::vector<EchoList>& echoes, TraceCounts& counts);
 
   /// Follows the path that is aimed at `aim` and stands for `area_m2` of the launch plane.
   void trace_path(Vec2d aim, double area_m2, const SobolPoint& point);
@@ -27,12 +37,19 @@ class TileTracer {
  private:
   void launch_towards(Vec3d aim_point, const SobolPoint& point);
   void begin_at(Vec3d position, Vec3f normal);
-  void add_direct_echoes(const SurfaceHit& hit, Vec3d position, Vec3d aim_point, double area_m2);
+  void add_direct_echoes(const SurfaceHit& hit, Vec3d position, Vec3d aim_point, double area_m2,
+                         const SobolPoint& point);
+  /// What a surface returns at once: its mean powers, or, of coherent tracing, the powers of a draw and its amplitudes.
+  [[nodiscard]] radar::Channels direct_powers(std::size_t frequency, const SurfaceHit& hit, double weight,
+                                              const SobolPoint& point);
   void add_connected_echoes(const SurfaceHit& hit, Vec3d position, Vec3d aim_point, double area_m2, int bounce,
                             const SobolPoint& point);
   [[nodiscard]] float reciprocal_share(const SurfaceHit& hit, Vec3d position, Vec3f to_radar, float last_cosine) const;
   [[nodiscard]] bool carry_on(const SurfaceHit& hit, int bounce, const SobolPoint& point);
   [[nodiscard]] bool survives_roulette(float u);
+  /// The phase that the unresolved roughness of vertex number `bounce` gives to all fields alike.
+  [[nodiscard]] scatter::Amplitude roughness_phasor(const scatter::SurfaceModel& surface, int bounce,
+                                                    const SobolPoint& point) const;
   void append(std::size_t frequency, const radar::Echo& echo);
 
   const SceneGeometry& geometry_;
@@ -40,7 +57,7 @@ class TileTracer {
   const Viewpoint& viewpoint_;
   const PathOptions& options_;
   const LaunchArea& area_;
-  std::vector<std::vector<radar::Echo>>& echoes_;
+  std::vector<EchoList>& echoes_;
   TraceCounts& counts_;
   Path path_;
   std::vector<scatter::FieldPair> out_;  // towards the radar, one a frequency

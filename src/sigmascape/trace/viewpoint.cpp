@@ -47,6 +47,11 @@ double Viewpoint::middle_cross(double first, double second) const {
   return first + 0.5 * (is_distant_ ? second - first : std::remainder(second - first, 2.0 * pi));
 }
 
+double Viewpoint::sin_depression_of(Vec3d first, Vec3d last) const {
+  if (is_distant_) return 0.0;
+  return (2.0 * position_.z - first.z - last.z) / (range_of(first) + range_of(last));
+}
+
 Vec2d Viewpoint::nearest_point(const radar::Rectangle& r) const {
   if (is_distant_) return r.centre();
   return {std::clamp(position_.x, r.west_m, r.east_m), std::clamp(position_.y, r.south_m, r.north_m)};

@@ -19,6 +19,9 @@ class Viewpoint {
   [[nodiscard]] double cross_of(Vec3d point) const;
   /// The middle of two cross positions; of azimuths, the middle of the smaller angle between them, be it across south.
   [[nodiscard]] double middle_cross(double first, double second) const;
+  /// Sine of the angle below the radar's horizontal from which an echo between two surface points arrives; 0 when the
+  /// radar is at infinity. See radar::Echo::sin_depression.
+  [[nodiscard]] double sin_depression_of(Vec3d first, Vec3d last) const;
   /// The point of a level rectangle that is nearest to the radar; its centre when the radar is at infinity.
   [[nodiscard]] Vec2d nearest_point(const radar::Rectangle& rectangle) const;
   /// The point of the plane at `height_m` behind `point`, on the line from the radar through it.
