@@ -31,6 +31,11 @@ SceneCounts counts_of(const scene::Scene& scene) {
   return counts;
 }
 
+bool has_multiple_scatter(const scatter::Material& material) {
+  const auto* mirrors = std::get_if<scatter::CookTorranceParameters>(&material.model);
+  return mirrors != nullptr && mirrors->multiple_scatter;
+}
+
 nlohmann::ordered_json summary_of(const scene::Scene& scene, const SceneCounts& counts, std::size_t geometry_bytes) {
   nlohmann::ordered_json json;
   json["name"] = scene.name;
@@ -48,6 +53,7 @@ nlohmann::ordered_json summary_of(const scene::Scene& scene, const SceneCounts& 
   for (const auto& material : scene.materials) {
     json["materials"].push_back(
         {{"name", material.name}, {"verified", material.verified}, {"source", material.source}});
+    if (has_multiple_scatter(material)) json["materials"].back()["multi_scatter"] = true;
   }
   json["remarks"] = nlohmann::ordered_json::array();
   for (const auto& remark : scene.remarks) {
@@ -76,7 +82,8 @@ std::string text_of(const scene::Scene& scene, const SceneCounts& counts, std::s
   line("triangles", fmt::format("{} unique, {} instanced", counts.unique_triangles, counts.instanced_triangles));
   line("ray structures", fmt::format("{:.1f} MiB", static_cast<double>(geometry_bytes) / (1024.0 * 1024.0)));
   for (const auto& material : scene.materials) {
-    line("material", fmt::format("{}{}", material.name, material.verified ? "" : " (UNVERIFIED constants)"));
+    line("material", fmt::format("{}{}{}", material.name, has_multiple_scatter(material) ? " (with multi_scatter)" : "",
+                                 material.verified ? "" : " (UNVERIFIED constants)"));
   }
   for (const auto& remark : scene.remarks)
     line("note", fmt::format("{}: {}, first {}", remark.what, remark.count, remark.first));

@@ -11,11 +11,9 @@
 
 namespace sigmascape::scatter {
 
-/// How much of the physics of a facet surface is taken along.
+/// How much of the physics of a facet surface is taken along: see CookTorranceParameters.
 struct CookTorranceOptions {
   Masking masking = Masking::Correlated;
-  /// Adds what facets pass on to one another (see multiple_scatter.h). Off by default: it raises single-bounce σ0 above
-  /// geometric optics.
   bool multiple_scatter = false;
 };
 
@@ -29,7 +27,11 @@ struct CookTorranceOptions {
 /// (14).
 class CookTorrance {
  public:
-  CookTorrance(const CookTorranceParameters& parameters, double frequency_hz, const CookTorranceOptions& options = {});
+  /// With the masking and multiple scattering that the parameters state.
+  CookTorrance(const CookTorranceParameters& parameters, double frequency_hz)
+      : CookTorrance(parameters, frequency_hz, {parameters.masking, parameters.multiple_scatter}) {}
+  /// With those of `options` instead.
+  CookTorrance(const CookTorranceParameters& parameters, double frequency_hz, const CookTorranceOptions& options);
 
   [[nodiscard]] radar::Channels backscatter(Vec3f to_radar, const Facet& face) const;
   [[nodiscard]] DirectionSample sample(Vec3f to_source, const Facet& face, Vec2f u) const;

@@ -89,6 +89,14 @@ struct GitSeaParameters {
 
 enum class MicrofacetDistribution { Beckmann, Ggx };
 
+/// How the facets that two directions see depend on one another.
+enum class Masking {
+  Correlated,        ///< by height and azimuth [Heitz 2014, Eq. 101]; right in backscatter
+  HeightCorrelated,  ///< by height alone [Heitz 2014, Eq. 99]: G2 = 1 / (1 + Λi + Λo). For comparison with published
+                     ///< numbers only.
+  Separable,  ///< not at all: G2 = G1 G1, up to 1.7 dB low in backscatter. For comparison with published numbers only.
+};
+
 /// A surface of tilted mirrors (see cook_torrance.h).
 struct CookTorranceParameters {
   Permittivity permittivity;
@@ -100,6 +108,10 @@ struct CookTorranceParameters {
   /// sills and balconies too small to be modelled; 1 − S² stays in the lobe of the mirrors.
   double scattering_coefficient = 0.0;
   Depolarization depolarization{0.1, 0.5};  ///< of the diffuse part
+  Masking masking = Masking::Correlated;
+  /// Adds what facets pass on to one another (see multiple_scatter.h). Off by default: it raises single-bounce σ0 above
+  /// geometric optics.
+  bool multiple_scatter = false;
 
   friend constexpr bool operator==(const CookTorranceParameters&, const CookTorranceParameters&) = default;
 };

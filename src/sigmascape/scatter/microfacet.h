@@ -5,14 +5,6 @@
 
 namespace sigmascape::scatter {
 
-/// How the facets that two directions see depend on one another.
-enum class Masking {
-  Correlated,        ///< by height and azimuth [Heitz 2014, Eq. 101]; right in backscatter
-  HeightCorrelated,  ///< by height alone [Heitz 2014, Eq. 99]: G2 = 1 / (1 + Λi + Λo). For comparison with published
-                     ///< numbers only.
-  Separable,  ///< not at all: G2 = G1 G1, up to 1.7 dB low in backscatter. For comparison with published numbers only.
-};
-
 /// The statistics of a surface made of small tilted mirrors, in a frame whose z axis is the mean normal.
 ///
 /// α is the microfacet width; for Beckmann α² = 2 s² with s the rms slope along one axis.

@@ -38,6 +38,7 @@ constexpr std::array gamma_laws{"as_stated", "square_root_from_10_ghz"};
 constexpr std::array terrain_classes{"soil", "grass", "shrubs", "short_vegetation", "dry_snow", "wet_snow", "trees"};
 constexpr std::array billingsley_terrains{"general_rural", "forest", "desert"};
 constexpr std::array distributions{"beckmann", "ggx"};
+constexpr std::array maskings{"correlated", "height_correlated", "separable"};
 
 /// Overwrites those constants of a model that the section states.
 struct ConstantsReader {
@@ -85,6 +86,8 @@ struct ConstantsReader {
         section.number_or("scattering_coefficient", {0.0, 1.0, ""}, mirrors.scattering_coefficient);
     read_depolarization(section, mirrors.depolarization);
     mirrors.distribution = chosen(section, "distribution", distributions, mirrors.distribution);
+    mirrors.masking = chosen(section, "masking", maskings, mirrors.masking);
+    mirrors.multiple_scatter = section.flag_or("multi_scatter", mirrors.multiple_scatter);
   }
 
  private:

@@ -73,6 +73,8 @@ struct ModelHasher {
     sha.add_value(static_cast<int>(m.distribution));
     sha.add_value(m.scattering_coefficient);
     add_depolarization(sha, m.depolarization);
+    sha.add_value(static_cast<int>(m.masking));
+    sha.add_value(static_cast<int>(m.multiple_scatter));
   }
 };
 

@@ -5,7 +5,9 @@
 
 #include "scratch_folder.h"
 
+#include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
+#include "sigmascape/scatter/surface_model.h"
 
 namespace sigmascape::scene {
 namespace {
@@ -45,6 +47,30 @@ TEST_F(MaterialReader, UnverifiedCoefficientsMarkTheMaterial) {
 TEST_F(MaterialReader, FrequenciesFollowTheRows) {
   const auto own = read("base = \"ulaby_dobson_grass\"\nunverified_rows = true\n");
   EXPECT_EQ(scatter::known_frequencies(own).back().highest_hz, 40e9);
+}
+
+TEST_F(MaterialReader, MaskingAndMultipleScatterOfMirrors) {
+  const std::string mirrors = "model = \"cook_torrance\"\npermittivity = 5\nalpha = 0.6\n";
+  const auto plain = model<scatter::CookTorranceParameters>(mirrors);
+  EXPECT_EQ(plain.masking, scatter::Masking::Correlated);
+  EXPECT_FALSE(plain.multiple_scatter);
+  const auto own = model<scatter::CookTorranceParameters>(mirrors + "masking = \"separable\"\nmulti_scatter = true\n");
+  EXPECT_EQ(own.masking, scatter::Masking::Separable);
+  EXPECT_TRUE(own.multiple_scatter);
+  EXPECT_THROW(read(mirrors + "masking = \"tall\"\n"), Error);
+}
+
+// What the keys state arrives in the model: separable masking takes power from slanting backscatter, multiple
+// scattering brings cross-polarization that single reflection lacks.
+TEST_F(MaterialReader, MaskingAndMultipleScatterReachTheModel) {
+  const std::string mirrors = "model = \"cook_torrance\"\ndistribution = \"ggx\"\npermittivity = 50\nalpha = 0.6\n";
+  const auto backscatter = [&](const std::string& lines) {
+    return scatter::SurfaceModel(read(mirrors + lines), 10e9).backscatter({0.8F, 0.0F, 0.6F}, Vec3f{0.0F, 0.0F, 1.0F});
+  };
+  const radar::Channels plain = backscatter("");
+  EXPECT_LT(backscatter("masking = \"separable\"\n").vv, 0.95F * plain.vv);
+  EXPECT_EQ(plain.hv, 0.0F);
+  EXPECT_GT(backscatter("multi_scatter = true\n").hv, 0.0F);
 }
 
 TEST_F(MaterialReader, BillingsleyAndSeas) {
