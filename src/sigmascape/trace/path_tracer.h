@@ -9,6 +9,7 @@
 #include "sigmascape/radar/echo.h"
 #include "sigmascape/scatter/surface_model.h"
 #include "sigmascape/trace/launch.h"
+#include "sigmascape/trace/power_books.h"
 #include "sigmascape/trace/scene_geometry.h"
 
 namespace sigmascape::trace {
@@ -22,8 +23,9 @@ enum class Estimator {
 struct PathOptions {
   int max_bounces = 8;
   Estimator estimator = Estimator::Reciprocal;
-  bool roulette = true;   ///< end dark paths early, without bias
-  bool coherent = false;  ///< hand out amplitudes with the echoes: TileEchoes::amplitudes_m
+  bool roulette = true;      ///< end dark paths early, without bias
+  bool power_books = false;  ///< keep account of what becomes of the power: TraceCounts::power
+  bool coherent = false;     ///< hand out amplitudes with the echoes: TileEchoes::amplitudes_m
 };
 
 /// Which of each cell's samples to trace; samples first … first + count − 1 of `of` share the cell's area.
@@ -37,11 +39,13 @@ struct TraceCounts {
   std::uint64_t paths = 0;
   std::uint64_t rays = 0;
   std::uint64_t echoes = 0;
+  PowerBooks power;  ///< empty unless PathOptions::power_books; the same for any threads but for rounding
 
   TraceCounts& operator+=(const TraceCounts& other) {
     paths += other.paths;
     rays += other.rays;
     echoes += other.echoes;
+    power += other.power;
     return *this;
   }
 };

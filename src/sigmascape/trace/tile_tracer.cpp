@@ -66,16 +66,26 @@ TileTracer::TileTracer(const SceneGeometry& geometry, const SpectralSurfaces& su
       area_(area),
       echoes_(echoes),
       counts_(counts),
+      books_(surfaces, options.power_books, counts.power),
       out_(surfaces.size()) {}
 
 void TileTracer::trace_path(Vec2d aim, double area_m2, const SobolPoint& point) {
   const Vec3d aim_point{aim.x, aim.y, area_.plane_height_m};
   launch_towards(aim_point, point);
   ++counts_.paths;
+  books_.path_begins();
+  follow(aim_point, area_m2, point);
+  books_.path_ends();
+}
+
+void TileTracer::follow(Vec3d aim_point, double area_m2, const SobolPoint& point) {
   for (int bounce = 1; bounce <= options_.max_bounces; ++bounce) {
     SurfaceHit hit;
     ++counts_.rays;
-    if (!geometry_.intersect(path_.origin, path_.direction, hit)) return;
+    if (!geometry_.intersect(path_.origin, path_.direction, hit)) {
+      books_.escapes(path_);
+      return;
+    }
     const Vec3d position = hit.position.to<double>() + geometry_.origin();
     if (bounce == 1) {
       begin_at(position, hit.normal);
@@ -85,7 +95,10 @@ void TileTracer::trace_path(Vec2d aim, double area_m2, const SobolPoint& point) 
       for (Wave& wave : path_.waves) wave.reverse /= std::abs(dot(path_.direction, hit.normal));
       add_connected_echoes(hit, position, aim_point, area_m2, bounce, point);
     }
-    if (bounce == options_.max_bounces || !carry_on(hit, bounce, point)) return;
+    books_.is_scattered(path_, hit, bounce, point);
+    const bool is_last = bounce == options_.max_bounces;
+    if ((is_last && !books_.keeps_books()) || !carry_on(hit, bounce, point)) return;
+    if (is_last) books_.is_cut(path_);
   }
 }
 
@@ -241,9 +254,13 @@ bool TileTracer::survives_roulette(float u) {
   if (power <= 0.0F) return false;
   if (!options_.roulette) return true;
   const float survival = std::clamp(power * 4.0F, 0.1F, 1.0F);
-  if (u >= survival) return false;
-  for (Wave& wave : path_.waves) wave.fields = wave.fields * (1.0F / std::sqrt(survival));
-  return true;
+  const double before = books_.keeps_books() ? Bookkeeper::carried(path_) : 0.0;
+  const bool survives = u < survival;
+  if (survives) {
+    for (Wave& wave : path_.waves) wave.fields = wave.fields * (1.0F / std::sqrt(survival));
+  }
+  if (books_.keeps_books()) books_.meets_roulette(before, survives ? Bookkeeper::carried(path_) : 0.0);
+  return survives;
 }
 
 void TileTracer::append(std::size_t frequency, const radar::Echo& echo) {

@@ -6,6 +6,7 @@
 #include "sigmascape/base/sobol.h"
 #include "sigmascape/radar/echo.h"
 #include "sigmascape/scatter/surface_model.h"
+#include "sigmascape/trace/bookkeeper.h"
 #include "sigmascape/trace/launch.h"
 #include "sigmascape/trace/path.h"
 #include "sigmascape/trace/path_tracer.h"
@@ -35,6 +36,7 @@ class TileTracer {
   void trace_path(Vec2d aim, double area_m2, const SobolPoint& point);
 
  private:
+  void follow(Vec3d aim_point, double area_m2, const SobolPoint& point);
   void launch_towards(Vec3d aim_point, const SobolPoint& point);
   void begin_at(Vec3d position, Vec3f normal);
   void add_direct_echoes(const SurfaceHit& hit, Vec3d position, Vec3d aim_point, double area_m2,
@@ -59,6 +61,7 @@ class TileTracer {
   const LaunchArea& area_;
   std::vector<EchoList>& echoes_;
   TraceCounts& counts_;
+  Bookkeeper books_;
   Path path_;
   std::vector<scatter::FieldPair> out_;  // towards the radar, one a frequency
 };
