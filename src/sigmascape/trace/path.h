@@ -32,6 +32,7 @@ struct Path {
 
   /// Density of the path, whichever frequency were its hero, over the hero's own. One for a single frequency.
   [[nodiscard]] float mean_forward() const {
+    if (waves.size() == 1) return 1.0F;
     float sum = 0.0F;
     for (const Wave& wave : waves) sum += wave.forward;
     return sum / static_cast<float>(waves.size());
@@ -40,7 +41,10 @@ struct Path {
   /// The power that it carries at the frequency where that is greatest, over the power sent.
   [[nodiscard]] float greatest_power() const {
     float greatest = 0.0F;
-    for (const Wave& wave : waves) greatest = wave.fields.mean_power() > greatest ? wave.fields.mean_power() : greatest;
+    for (const Wave& wave : waves) {
+      const float power = wave.fields.mean_power();
+      if (power > greatest) greatest = power;
+    }
     return greatest / mean_forward();
   }
 };

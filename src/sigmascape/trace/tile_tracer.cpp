@@ -61,6 +61,7 @@ TileTracer::TileTracer(const SceneGeometry& geometry, const SpectralSurfaces& su
                        TraceCounts& counts)
     : geometry_(geometry),
       surfaces_(surfaces),
+      frequencies_(surfaces.size()),
       viewpoint_(viewpoint),
       options_(options),
       area_(area),
@@ -108,11 +109,11 @@ void TileTracer::launch_towards(Vec3d aim_point, const SobolPoint& point) {
   path_.origin = (aim_point + to_radar * back - geometry_.origin()).to<float>();
   path_.direction = (-to_radar).to<float>();
   path_.travelled_m = 0.0;
-  const std::size_t frequencies = surfaces_.size();
-  path_.hero =
-      frequencies == 1 ? 0 : static_cast<std::size_t>(point.independent(hero_choice) * static_cast<float>(frequencies));
+  path_.hero = frequencies_ == 1
+                   ? 0
+                   : static_cast<std::size_t>(point.independent(hero_choice) * static_cast<float>(frequencies_));
   const PolarizationBasis transmit(path_.direction);
-  path_.waves.assign(frequencies, {{{transmit.v, {}}, {transmit.h, {}}}, 1.0F, 1.0F});
+  path_.waves.assign(frequencies_, {{{transmit.v, {}}, {transmit.h, {}}}, 1.0F, 1.0F});
 }
 
 void TileTracer::begin_at(Vec3d position, Vec3f normal) {
@@ -127,7 +128,7 @@ void TileTracer::add_direct_echoes(const SurfaceHit& hit, Vec3d position, Vec3d 
       4.0 * pi * viewpoint_.ray_weight_m2(aim_point, area_m2, path_.first_range_m, path_.first_range_m);
   const double cross = viewpoint_.cross_of(position);
   const auto sin_depression = static_cast<float>(viewpoint_.sin_depression_of(position, position));
-  for (std::size_t f = 0; f < surfaces_.size(); ++f) {
+  for (std::size_t f = 0; f < frequencies_; ++f) {
     const Channels rcs_m2 = direct_powers(f, hit, weight * path_.first_cosine, point);
     if (rcs_m2 == Channels{}) continue;
     append(f, {.range_m = path_.first_range_m,
@@ -174,7 +175,7 @@ void TileTracer::add_connected_echoes(const SurfaceHit& hit, Vec3d position, Vec
   const scatter::PhaseDraw draw{point.independent(dimension + ConnectPhaseA),
                                 point.independent(dimension + ConnectPhaseB)};
   float power = 0.0F;
-  for (std::size_t f = 0; f < surfaces_.size(); ++f) {
+  for (std::size_t f = 0; f < frequencies_; ++f) {
     out_[f] = surfaces_[f][hit.material].scatter(path_.waves[f].fields, -path_.direction, to_radar, face_of(hit), draw);
     power = std::max(power, out_[f].mean_power());
   }
@@ -194,7 +195,7 @@ void TileTracer::add_connected_echoes(const SurfaceHit& hit, Vec3d position, Vec
       viewpoint_.middle_cross(viewpoint_.cross_of(path_.first_position), viewpoint_.cross_of(position));
   const auto sin_depression = static_cast<float>(viewpoint_.sin_depression_of(path_.first_position, position));
   const PolarizationBasis receive(-to_radar);
-  for (std::size_t f = 0; f < surfaces_.size(); ++f) {
+  for (std::size_t f = 0; f < frequencies_; ++f) {
     const ScatteringMatrix matrix = paired(out_[f], receive);
     append(f, {.range_m = range_m,
                .cross = cross,
@@ -213,7 +214,7 @@ float TileTracer::reciprocal_share(const SurfaceHit& hit, Vec3d position, Vec3f 
   if (options_.estimator == Estimator::OneWay) return 1.0F;
   if (!area_.covers(viewpoint_.shadow_on_plane(position, area_.plane_height_m))) return 2.0F;
   float back = 0.0F, forth = 0.0F;
-  for (std::size_t f = 0; f < surfaces_.size(); ++f) {
+  for (std::size_t f = 0; f < frequencies_; ++f) {
     back += path_.waves[f].reverse * surfaces_[f][hit.material].pdf(to_radar, -path_.direction, face_of(hit));
     forth += path_.waves[f].forward;
   }
@@ -231,7 +232,7 @@ bool TileTracer::carry_on(const SurfaceHit& hit, int bounce, const SobolPoint& p
 
   const auto dimension = static_cast<std::uint32_t>(bounce) * DimensionsPerVertex;
   const scatter::PhaseDraw draw{point.independent(dimension + PhaseA), point.independent(dimension + PhaseB)};
-  for (std::size_t f = 0; f < surfaces_.size(); ++f) {
+  for (std::size_t f = 0; f < frequencies_; ++f) {
     const auto& surface = surfaces_[f][hit.material];
     Wave& wave = path_.waves[f];
     wave.fields =

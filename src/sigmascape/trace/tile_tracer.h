@@ -56,6 +56,7 @@ class TileTracer {
 
   const SceneGeometry& geometry_;
   const SpectralSurfaces& surfaces_;
+  const std::size_t frequencies_;
   const Viewpoint& viewpoint_;
   const PathOptions& options_;
   const LaunchArea& area_;
