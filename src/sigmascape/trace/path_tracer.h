@@ -47,7 +47,20 @@ struct TraceCounts {
 /// The scattering models of all of a scene's materials at one frequency, in the scene's order.
 [[nodiscard]] std::vector<scatter::SurfaceModel> surface_models(const scene::Scene& scene, double frequency_hz);
 
-/// Takes the echoes of one tile; called from several threads at once, `worker` tells them apart.
+/// The scattering models of a scene's materials at several frequencies: [frequency][material].
+using SpectralSurfaces = std::vector<std::vector<scatter::SurfaceModel>>;
+[[nodiscard]] SpectralSurfaces surface_models(const scene::Scene& scene, std::span<const double> frequencies_hz);
+
+/// What the paths of one tile bring back at one frequency.
+struct TileEchoes {
+  std::span<const radar::Echo> echoes;
+  std::size_t frequency = 0;  ///< its place in the tracer's surfaces
+  unsigned worker = 0;        ///< number of the calling thread
+};
+
+/// Takes the echoes of one tile, one frequency after another; called from several threads at once.
+using TileSink = std::function<void(const TileEchoes& tile)>;
+/// The same for a tracer of one frequency; one of several gives their echoes without telling them apart.
 using EchoSink = std::function<void(std::span<const radar::Echo>, unsigned worker)>;
 
 /// Scene and viewpoint to echoes: the path tracer.
@@ -61,17 +74,25 @@ using EchoSink = std::function<void(std::span<const radar::Echo>, unsigned worke
 ///
 /// at half the length of the way and the mean cross position of the two ends. The draw of every path depends on seed,
 /// cell and sample alone.
+///
+/// Several frequencies share one set of paths: each path is drawn from the densities of one of them and weighted by the
+/// mean density of all, so that each frequency has the mean that it has alone (Eq. 9). The rays are those of one.
 class PathTracer {
  public:
+  /// For one frequency.
   PathTracer(const SceneGeometry& geometry, std::vector<scatter::SurfaceModel> surfaces, const Viewpoint& viewpoint,
+             const PathOptions& options, std::uint64_t seed);
+  /// For all frequencies of `surfaces`, of which there is one at least.
+  PathTracer(const SceneGeometry& geometry, SpectralSurfaces surfaces, const Viewpoint& viewpoint,
              const PathOptions& options, std::uint64_t seed);
 
   /// Traces the given samples of every cell of the area and hands the echoes to `sink`, tile by tile in any order.
   TraceCounts trace(const LaunchArea& area, SampleRange samples, unsigned threads, const EchoSink& sink) const;
+  TraceCounts trace(const LaunchArea& area, SampleRange samples, unsigned threads, const TileSink& sink) const;
 
  private:
   const SceneGeometry* geometry_;
-  std::vector<scatter::SurfaceModel> surfaces_;
+  SpectralSurfaces surfaces_;
   Viewpoint viewpoint_;
   PathOptions options_;
   std::uint64_t seed_;
