@@ -1,9 +1,9 @@
 #include "sigmascape/trace/path_tracer.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "sigmascape/base/parallel.h"
-#include "sigmascape/base/sobol.h"
 #include "sigmascape/trace/tile_tracer.h"
 
 namespace sigmascape::trace {
@@ -37,31 +37,44 @@ TraceCounts PathTracer::trace(const LaunchArea& area, SampleRange samples, unsig
 
 TraceCounts PathTracer::trace(const LaunchArea& area, SampleRange samples, unsigned threads,
                               const TileSink& sink) const {
-  const unsigned workers = thread_count(threads);
-  std::vector<std::vector<EchoList>> echoes(workers, std::vector<EchoList>(surfaces_.size()));
-  std::vector<TraceCounts> counts(workers);
-  const double sample_area_m2 = area.cell_m * area.cell_m / samples.of;
+  std::vector<std::vector<EchoList>> echoes(thread_count(threads), std::vector<EchoList>(surfaces_.size()));
+  const auto share = static_cast<float>(1.0 / samples.of);
+  const float root_share = std::sqrt(share);
 
-  parallel_for(area.tiles(), workers, [&](std::size_t tile, unsigned worker) {
-    const FlushDenormals flush;
+  return trace_tiles(area, threads, [&](TilePaths& tile, unsigned worker) {
     for (EchoList& list : echoes[worker]) list.clear();
-    TileTracer tracer(*geometry_, surfaces_, viewpoint_, options_, area, echoes[worker], counts[worker]);
-    const std::size_t end = std::min(area.cells.size(), (tile + 1) * cells_per_tile);
-    for (std::size_t index = tile * cells_per_tile; index < end; ++index) {
-      const LaunchCell cell = area.cells[index];
-      const std::uint64_t key = hashed(seed_, static_cast<std::uint32_t>(cell.i), static_cast<std::uint32_t>(cell.j));
+    for (const LaunchCell& cell : tile.cells()) {
       for (std::uint32_t sample = samples.first; sample < samples.first + samples.count; ++sample) {
-        const SobolPoint point(key, sample);
-        const Vec2f within = point.pair(0);
-        tracer.trace_path({(cell.i + static_cast<double>(within.x)) * area.cell_m,
-                           (cell.j + static_cast<double>(within.y)) * area.cell_m},
-                          sample_area_m2, point);
+        tile.follow(cell, 0, sample);
+        for (std::size_t f = 0; f < surfaces_.size(); ++f) {
+          EchoList& list = echoes[worker][f];
+          for (radar::Echo echo : tile.echoes(f)) {
+            echo.rcs_m2 = echo.rcs_m2 * share;
+            list.echoes.push_back(echo);
+          }
+          for (const radar::ComplexChannels& amplitude : tile.amplitudes_m(f)) {
+            list.amplitudes_m.push_back(amplitude * root_share);
+          }
+        }
       }
     }
     for (std::size_t f = 0; f < surfaces_.size(); ++f) {
       const EchoList& list = echoes[worker][f];
       sink({.echoes = list.echoes, .amplitudes_m = list.amplitudes_m, .frequency = f, .worker = worker});
     }
+  });
+}
+
+TraceCounts PathTracer::trace_tiles(const LaunchArea& area, unsigned threads, const TileBody& body) const {
+  const unsigned workers = thread_count(threads);
+  std::vector<TraceCounts> counts(workers);
+  parallel_for(area.tiles(), workers, [&](std::size_t tile, unsigned worker) {
+    const FlushDenormals flush;
+    const std::size_t first = tile * cells_per_tile;
+    const auto cells = std::span(area.cells).subspan(first, std::min(cells_per_tile, area.cells.size() - first));
+    TileTracer tracer(*geometry_, surfaces_, viewpoint_, options_, area, cells, seed_);
+    body(tracer, worker);
+    counts[worker] += tracer.counts();
   });
 
   TraceCounts total;

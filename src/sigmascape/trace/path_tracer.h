@@ -20,10 +20,17 @@ enum class Estimator {
   OneWay,      ///< by 1: the plain estimator, against which the other is tested
 };
 
+/// Where the numbers come from that places and directions are drawn with.
+enum class Sampler {
+  OwenSobol,    ///< Owen-scrambled Sobol points of every cell
+  Independent,  ///< every number by itself: plain sampling, against which the other is measured
+};
+
 struct PathOptions {
   int max_bounces = 8;
   Estimator estimator = Estimator::Reciprocal;
-  bool roulette = true;      ///< end dark paths early, without bias
+  bool roulette = true;  ///< end dark paths early, without bias
+  Sampler sampler = Sampler::OwenSobol;
   bool power_books = false;  ///< keep account of what becomes of the power: TraceCounts::power
   bool coherent = false;     ///< hand out amplitudes with the echoes: TileEchoes::amplitudes_m
 };
@@ -74,6 +81,22 @@ using TileSink = std::function<void(const TileEchoes& tile)>;
 /// The same for a tracer of one frequency; one of several gives their echoes without telling them apart.
 using EchoSink = std::function<void(std::span<const radar::Echo>, unsigned worker)>;
 
+/// One tile for the user to trace as he sees fit: as many samples of each cell as it turns out to need.
+class TilePaths {
+ public:
+  virtual ~TilePaths() = default;
+  [[nodiscard]] virtual std::span<const LaunchCell> cells() const = 0;
+  /// Follows sample number `sample` of the sequence `sequence` of one cell. Its echoes, each as though the sample stood
+  /// for the whole cell, take the place of those of the one before. Sequences of a cell are scrambled independently.
+  virtual void follow(const LaunchCell& cell, std::uint32_t sequence, std::uint32_t sample) = 0;
+  [[nodiscard]] virtual std::span<const radar::Echo> echoes(std::size_t frequency) const = 0;
+  /// As TileEchoes::amplitudes_m, of the same sample.
+  [[nodiscard]] virtual std::span<const radar::ComplexChannels> amplitudes_m(std::size_t frequency) const = 0;
+};
+
+/// What is done with a tile; called from several threads at once, `worker` tells them apart.
+using TileBody = std::function<void(TilePaths& tile, unsigned worker)>;
+
 /// Scene and viewpoint to echoes: the path tracer.
 ///
 /// Rays are aimed at Owen-scrambled Sobol points of every launch cell. Where a path meets a surface that sees the
@@ -100,6 +123,10 @@ class PathTracer {
   /// Traces the given samples of every cell of the area and hands the echoes to `sink`, tile by tile in any order.
   TraceCounts trace(const LaunchArea& area, SampleRange samples, unsigned threads, const EchoSink& sink) const;
   TraceCounts trace(const LaunchArea& area, SampleRange samples, unsigned threads, const TileSink& sink) const;
+  /// Calls `body` for every tile of the area.
+  TraceCounts trace_tiles(const LaunchArea& area, unsigned threads, const TileBody& body) const;
+
+  [[nodiscard]] std::size_t frequencies() const { return surfaces_.size(); }
 
  private:
   const SceneGeometry* geometry_;

@@ -21,6 +21,8 @@ enum Dimension : std::uint32_t {
   ConnectPhaseA,
   ConnectPhaseB,
   ConnectRoulette,
+  PairX,  // of the plain sampler
+  PairY,
   DimensionsPerVertex
 };
 /// From the block before the first vertex, which has no other use for it.
@@ -57,29 +59,47 @@ scatter::Facet face_of(const SurfaceHit& hit) {
 }  // namespace
 
 TileTracer::TileTracer(const SceneGeometry& geometry, const SpectralSurfaces& surfaces, const Viewpoint& viewpoint,
-                       const PathOptions& options, const LaunchArea& area, std::vector<EchoList>& echoes,
-                       TraceCounts& counts)
+                       const PathOptions& options, const LaunchArea& area, std::span<const LaunchCell> cells,
+                       std::uint64_t seed)
     : geometry_(geometry),
       surfaces_(surfaces),
       frequencies_(surfaces.size()),
       viewpoint_(viewpoint),
       options_(options),
       area_(area),
-      echoes_(echoes),
-      counts_(counts),
-      books_(surfaces, options.power_books, counts.power),
+      cells_(cells),
+      seed_(seed),
+      echoes_(surfaces.size()),
+      books_(surfaces, options.power_books, counts_.power),
       out_(surfaces.size()) {}
+
+void TileTracer::follow(const LaunchCell& cell, std::uint32_t sequence, std::uint32_t sample) {
+  for (EchoList& list : echoes_) list.clear();
+  const std::uint64_t key =
+      hashed(seed_, static_cast<std::uint32_t>(cell.i), static_cast<std::uint32_t>(cell.j), sequence);
+  const SobolPoint point(key, sample);
+  const Vec2f within = drawn_pair(point, 0);
+  trace_path({(cell.i + static_cast<double>(within.x)) * area_.cell_m,
+              (cell.j + static_cast<double>(within.y)) * area_.cell_m},
+             area_.cell_m * area_.cell_m, point);
+}
+
+Vec2f TileTracer::drawn_pair(const SobolPoint& point, std::uint32_t bounce) const {
+  if (options_.sampler == Sampler::OwenSobol) return point.pair(bounce);
+  const std::uint32_t dimension = bounce * DimensionsPerVertex;
+  return {point.independent(dimension + PairX), point.independent(dimension + PairY)};
+}
 
 void TileTracer::trace_path(Vec2d aim, double area_m2, const SobolPoint& point) {
   const Vec3d aim_point{aim.x, aim.y, area_.plane_height_m};
   launch_towards(aim_point, point);
   ++counts_.paths;
   books_.path_begins();
-  follow(aim_point, area_m2, point);
+  go_on_from_launch(aim_point, area_m2, point);
   books_.path_ends();
 }
 
-void TileTracer::follow(Vec3d aim_point, double area_m2, const SobolPoint& point) {
+void TileTracer::go_on_from_launch(Vec3d aim_point, double area_m2, const SobolPoint& point) {
   for (int bounce = 1; bounce <= options_.max_bounces; ++bounce) {
     SurfaceHit hit;
     ++counts_.rays;
@@ -226,7 +246,7 @@ float TileTracer::reciprocal_share(const SurfaceHit& hit, Vec3d position, Vec3f 
 bool TileTracer::carry_on(const SurfaceHit& hit, int bounce, const SobolPoint& point) {
   const Vec3f to_source = -path_.direction;
   const auto next = surfaces_[path_.hero][hit.material].sample(to_source, face_of(hit),
-                                                               point.pair(static_cast<std::uint32_t>(bounce)));
+                                                               drawn_pair(point, static_cast<std::uint32_t>(bounce)));
   const float cosine = dot(next.direction, hit.normal);
   if (next.pdf <= 0.0F || cosine <= 1e-6F) return false;
 

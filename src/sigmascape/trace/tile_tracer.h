@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "sigmascape/base/sobol.h"
@@ -26,17 +27,28 @@ struct EchoList {
 };
 
 /// Follows the paths of a tile, one by one, on one thread.
-class TileTracer {
+class TileTracer final : public TilePaths {
  public:
-  /// Everything is held by reference and has to outlive the tracer; `echoes` has a list for each frequency.
+  /// Everything is held by reference and has to outlive the tracer.
   TileTracer(const SceneGeometry& geometry, const SpectralSurfaces& surfaces, const Viewpoint& viewpoint,
-             const PathOptions& options, const LaunchArea& area, std::vector<EchoList>& echoes, TraceCounts& counts);
+             const PathOptions& options, const LaunchArea& area, std::span<const LaunchCell> cells, std::uint64_t seed);
 
-  /// Follows the path that is aimed at `aim` and stands for `area_m2` of the launch plane.
-  void trace_path(Vec2d aim, double area_m2, const SobolPoint& point);
+  [[nodiscard]] std::span<const LaunchCell> cells() const override { return cells_; }
+  void follow(const LaunchCell& cell, std::uint32_t sequence, std::uint32_t sample) override;
+  [[nodiscard]] std::span<const radar::Echo> echoes(std::size_t frequency) const override {
+    return echoes_[frequency].echoes;
+  }
+  [[nodiscard]] std::span<const radar::ComplexChannels> amplitudes_m(std::size_t frequency) const override {
+    return echoes_[frequency].amplitudes_m;
+  }
+  [[nodiscard]] const TraceCounts& counts() const { return counts_; }
 
  private:
-  void follow(Vec3d aim_point, double area_m2, const SobolPoint& point);
+  /// Follows the path that is aimed at `aim` and stands for `area_m2` of the launch plane.
+  void trace_path(Vec2d aim, double area_m2, const SobolPoint& point);
+  void go_on_from_launch(Vec3d aim_point, double area_m2, const SobolPoint& point);
+  /// Two numbers in [0, 1) that belong together: where in the cell, or the direction after a bounce.
+  [[nodiscard]] Vec2f drawn_pair(const SobolPoint& point, std::uint32_t bounce) const;
   void launch_towards(Vec3d aim_point, const SobolPoint& point);
   void begin_at(Vec3d position, Vec3f normal);
   void add_direct_echoes(const SurfaceHit& hit, Vec3d position, Vec3d aim_point, double area_m2,
@@ -60,8 +72,10 @@ class TileTracer {
   const Viewpoint& viewpoint_;
   const PathOptions& options_;
   const LaunchArea& area_;
-  std::vector<EchoList>& echoes_;
-  TraceCounts& counts_;
+  std::span<const LaunchCell> cells_;
+  std::uint64_t seed_;
+  std::vector<EchoList> echoes_;  // of the path at hand, [frequency]
+  TraceCounts counts_;
   Bookkeeper books_;
   Path path_;
   std::vector<scatter::FieldPair> out_;  // towards the radar, one a frequency

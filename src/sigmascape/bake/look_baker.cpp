@@ -1,0 +1,83 @@
+#include "sigmascape/bake/look_baker.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+#include "sigmascape/bake/tile_sampler.h"
+#include "sigmascape/base/error.h"
+#include "sigmascape/base/parallel.h"
+#include "sigmascape/base/units.h"
+#include "sigmascape/receiver/ground_accumulator.h"
+#include "sigmascape/trace/tile_progress.h"
+
+namespace sigmascape::bake {
+namespace {
+
+/// How far around a patch paths of several bounces may begin that land in it: between their ends.
+constexpr double multibounce_margin_m = 32.0;
+
+radar::Rectangle intersection(const radar::Rectangle& a, const radar::Rectangle& b) {
+  return {std::max(a.west_m, b.west_m), std::max(a.south_m, b.south_m), std::min(a.east_m, b.east_m),
+          std::min(a.north_m, b.north_m)};
+}
+
+double root_mean_square_of_lit(const Array2D<float>& errors, const Array2D<radar::Channels>& sigma0) {
+  double sum = 0.0;
+  std::size_t lit = 0;
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    if (sigma0.values()[i].power(radar::Polarization::Sum) <= 0.0F) continue;
+    sum += static_cast<double>(errors.values()[i]) * static_cast<double>(errors.values()[i]);
+    ++lit;
+  }
+  return lit > 0 ? std::sqrt(sum / static_cast<double>(lit)) : 0.0;
+}
+
+}  // namespace
+
+LookBaker::LookBaker(const scene::Scene& scene, const BakeSettings& settings)
+    : scene_(scene),
+      settings_(settings),
+      geometry_(scene, trace::Footing::LevelPlane),
+      surfaces_(trace::surface_models(scene, settings.aspects.frequencies_hz)) {}
+
+std::vector<BakedLook> LookBaker::bake(atlas::PatchIndex patch, const radar::Aspect& aspect,
+                                       ProgressListener& progress) const {
+  const radar::GroundGrid texels = settings_.patches.texels_of(patch);
+  const auto viewpoint = trace::Viewpoint::distant(aspect);
+  const trace::PathTracer tracer(geometry_, surfaces_, viewpoint, {.max_bounces = settings_.max_bounces},
+                                 settings_.seed);
+  // The scene ends where its extent does; beyond a rim about it texels stay black.
+  const auto area =
+      trace::launch_area(viewpoint, intersection(texels.extent(), scene_.extent), settings_.patches.texel_m, 0.0,
+                         geometry_.highest_m() + 1.0, multibounce_margin_m, trace::tile_side_cells);
+
+  std::vector<receiver::GroundAccumulator> accumulators;
+  for (std::size_t f = 0; f < surfaces_.size(); ++f) accumulators.emplace_back(texels, aspect);
+  const unsigned workers = thread_count(settings_.threads);
+  std::vector<TileSampler> samplers(workers, TileSampler(settings_.sampling, accumulators));
+  trace::TileProgress tiles(progress, "bake", "look", 0.0, 1.0, 1.0, area.tiles());
+  const auto counts = tracer.trace_tiles(area, workers, [&](trace::TilePaths& tile, unsigned worker) {
+    samplers[worker].sample(tile, texels.cell_area_m2());
+    tiles.tile_done(worker);
+  });
+
+  std::vector<BakedLook> looks;
+  for (const receiver::GroundAccumulator& accumulator : accumulators) {
+    if (accumulator.bins().overflows() > 0) {
+      throw Error(fmt::format("bake of patch ({}, {}), azimuth {:.1f}°, elevation {:.1f}°", patch.x, patch.y,
+                              deg_from_radians(aspect.azimuth_rad), deg_from_radians(aspect.elevation_rad)),
+                  "a texel is brighter than the sums can hold", "use a smaller texel or a rougher material");
+    }
+    BakedLook& look = looks.emplace_back();
+    look.sigma0 = accumulator.sigma0();
+    look.relative_errors = accumulator.relative_errors();
+    look.relative_standard_error = root_mean_square_of_lit(look.relative_errors, look.sigma0);
+    look.samples_per_texel =
+        area.cells.empty() ? 0.0 : static_cast<double>(counts.paths) / static_cast<double>(area.cells.size());
+  }
+  looks.front().counts = counts;
+  return looks;
+}
+
+}  // namespace sigmascape::bake
