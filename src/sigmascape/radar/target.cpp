@@ -1,0 +1,39 @@
+#include "sigmascape/radar/target.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sigmascape/base/units.h"
+
+namespace sigmascape::radar {
+namespace {
+
+double heading_of(const Target& target, double time_s) {
+  const Vec3d velocity = target.track.velocity_at(time_s);
+  const bool moves = velocity.x != 0.0 || velocity.y != 0.0;
+  return moves ? std::atan2(velocity.x, velocity.y) : target.heading_rad;
+}
+
+}  // namespace
+
+Motion motion_of(const Target& target, double time_s) {
+  return {target.track.position_at(time_s), target.track.velocity_at(time_s)};
+}
+
+Channels rcs_of(const Target& target, Vec3d seen_from, double frequency_hz, const Moment& moment) {
+  const auto factor = static_cast<float>(fluctuation(target.fluctuation, target.seed, moment.dwell, moment.pulse));
+  if (const auto* const constant = std::get_if<Channels>(&target.rcs_m2)) return *constant * factor;
+  const Vec3d away = seen_from - target.track.position_at(moment.time_s);
+  const double azimuth = std::atan2(away.x, away.y) - heading_of(target, moment.time_s);
+  const double elevation = std::atan2(away.z, std::hypot(away.x, away.y));
+  return std::get<RcsTable>(target.rcs_m2).at({{azimuth, elevation}, frequency_hz}) * factor;
+}
+
+ComplexChannels steady_amplitude(const Channels& rcs_m2) {
+  const float vv = std::sqrt(rcs_m2.vv), hh = std::sqrt(rcs_m2.hh);
+  const float correlation = vv * hh > 0.0F ? std::clamp(rcs_m2.re_vvhh / (vv * hh), -1.0F, 1.0F) : 1.0F;
+  const float rest = std::sqrt(1.0F - correlation * correlation);
+  return {{vv, 0.0F}, {hh * correlation, hh * rest}, {std::sqrt(rcs_m2.hv), 0.0F}};
+}
+
+}  // namespace sigmascape::radar
