@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -9,18 +8,11 @@
 #include "sigmascape/radar/scatterer.h"
 #include "sigmascape/radar/target.h"
 #include "sigmascape/radar/track.h"
-#include "sigmascape/receiver/response_axis.h"
+#include "sigmascape/receiver/range_gate.h"
 #include "sigmascape/receiver/spreading_kernel.h"
+#include "sigmascape/receiver/voltage_gain.h"
 
 namespace sigmascape::receiver {
-
-/// Of what slant ranges samples are taken, and how densely.
-struct RangeGate {
-  double first_range_m = 0.0;
-  double last_range_m = 0.0;
-  double oversampling =
-      1.2;  ///< samples a resolution c/2B, at least 1; made a little larger where that transforms fast
-};
 
 /// The pulses of a coherent interval: `count` of them, evenly from `first_time_s` on.
 struct PulseTrain {
@@ -29,10 +21,6 @@ struct PulseTrain {
   double repetition_hz = 1000.0;
   std::uint64_t dwell = 0;  ///< number of the interval, by which fluctuating targets are drawn
 };
-
-/// What a point at `position` is multiplied by, in voltage and both ways, when it is seen from `platform`: the
-/// antenna's pattern, the radar equation, or one.
-using VoltageGain = std::function<float(const radar::Pulse& pulse, Vec3d position, double range_m)>;
 
 /// Makes the phase history of points: every pulse sees every point at its exact range, with the carrier's exact phase
 /// and the band's exact response, at twice the band spread and transformed. Stop and go: the platform stands still
@@ -54,10 +42,8 @@ class PulseReceiver {
   void add(Line& line, const radar::Pulse& pulse, Vec3d position, const radar::ComplexChannels& amplitude,
            double unambiguous_range_m, const VoltageGain& gain) const;
 
-  double frequency_hz_, bandwidth_hz_;
-  double period_m_ = 0.0, start_m_ = 0.0;  // of the transform, gate and guards
-  std::size_t guard_ = 0, samples_ = 0;
-  ResponseAxis axis_;
+  double frequency_hz_;
+  GatedAxis range_;
   ResponseTransform transform_;
   SpreadingKernel kernel_;
 };

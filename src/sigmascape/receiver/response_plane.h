@@ -20,6 +20,8 @@ class ResponsePlane {
  public:
   ResponsePlane(const ResponseAxis& columns, const ResponseAxis& rows);
 
+  [[nodiscard]] const ResponseAxis& columns() const { return columns_; }
+
   /// Adds amplitudes at places in units of bins.
   void add(std::span<const PlacedAmplitude> placed, unsigned threads = 0);
 
