@@ -76,6 +76,7 @@ double AntennaCut::voltage(double offset_rad) const {
 }
 
 double AntennaCut::two_way_width_rad() const {
+  if (std::holds_alternative<GaussianBeam>(shape_)) return width_rad_ / std::numbers::sqrt2;
   const double limit = std::min(pi, 2.0 * width_rad_);
   const auto towards = [&](double side) {
     return falling_through(0.5, limit, [&](double offset) { return two_way_power(side * offset); });
