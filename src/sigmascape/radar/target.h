@@ -22,6 +22,9 @@ struct Target {
   Swerling fluctuation = Swerling::Case0;
   double heading_rad = 0.0;  ///< clockwise from true north
   std::uint64_t seed = 0;    ///< of its fluctuation; give every target its own
+  /// Length along its heading, width and height of a box about its foot that keeps the radar from seeing the ground
+  /// behind it; without, it casts no shadow. Its foot is half the height below the phase centre.
+  Vec3d size_m = {};
 };
 
 /// When a target is looked at: fluctuation of cases 1 and 3 goes by dwells, that of 2 and 4 by pulses within them.
@@ -35,6 +38,10 @@ struct Moment {
 
 /// Cross-section as seen from a place at a moment, fluctuation included.
 [[nodiscard]] Channels rcs_of(const Target& target, Vec3d seen_from, double frequency_hz, const Moment& moment);
+
+/// Whether the target stands between a place and the radar. In Doppler modes its echo is moved by its velocity, but not
+/// its shadow: that is ground which does not answer.
+[[nodiscard]] bool hides(const Target& target, double time_s, Vec3d radar_position, Vec3d place);
 
 /// Amplitude in metres with |a|² that cross-section: VV real, HH as far out of phase with it as the correlation says,
 /// HV real.                                                                      docs/physics/targets.md, Eq. (3)

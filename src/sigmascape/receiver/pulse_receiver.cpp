@@ -52,7 +52,7 @@ radar::PhaseHistory PulseReceiver::receive(const radar::Track& platform, const P
                               .range_step_m = step_m,
                               .pulses = {},
                               .samples = Array2D<radar::ComplexChannels>(range_.samples, train.count),
-                              .unit = "m"};
+                              .unit = gain ? "V" : "m"};
   for (std::size_t n = 0; n < train.count; ++n) {
     const double time_s = train.first_time_s + static_cast<double>(n) / train.repetition_hz;
     history.pulses.push_back({time_s, {platform.position_at(time_s), platform.velocity_at(time_s)}});

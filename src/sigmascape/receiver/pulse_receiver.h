@@ -31,7 +31,7 @@ class PulseReceiver {
   PulseReceiver(const radar::Radar& radar, const RangeGate& gate);
 
   /// The record of pulses from a platform on a track. Same numbers for any number of threads. Amplitudes are metres,
-  /// the square root of cross-sections, unless `gain` gives them another unit.
+  /// the square root of cross-sections, or, with a gain, volts.
   [[nodiscard]] radar::PhaseHistory receive(const radar::Track& platform, const PulseTrain& train,
                                             std::span<const radar::Scatterer> ground,
                                             std::span<const radar::Target> targets, const VoltageGain& gain = {},
