@@ -6,28 +6,12 @@
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/parallel.h"
+#include "sigmascape/render/line_of_sight.h"
 
 namespace sigmascape::render {
 namespace {
 
 constexpr double most_cells = 0x1p27;
-
-/// Marches from the point towards the radar until the line is above all terrain.
-bool sees(const terrain::HeightField& terrain, double highest_m, Vec3d radar, Vec3d point) {
-  const Vec3d way = radar - point;
-  const double distance_m = std::hypot(way.x, way.y);
-  if (distance_m == 0.0) return true;
-  const double rise = way.z / distance_m;
-  const Vec2d direction{way.x / distance_m, way.y / distance_m};
-  for (double d = terrain.spacing_m; d < distance_m; d += terrain.spacing_m) {
-    const double height_m = point.z + d * rise;
-    if (height_m > highest_m) return true;
-    const Vec2d under = Vec2d{point.x, point.y} + direction * d;
-    if (!terrain.extent().contains(under)) return true;
-    if (terrain.height_at(under) > height_m) return false;
-  }
-  return true;
-}
 
 bool hidden_by_any(std::span<const radar::Target> targets, double time_s, Vec3d radar, Vec3d point) {
   return std::ranges::any_of(targets,
@@ -69,7 +53,7 @@ std::vector<radar::Scatterer> ground_scatterers(const terrain::HeightField& terr
       const Vec2d place = lattice.position_in({column, row}, request.level);
       if (!terrain.extent().contains(place)) continue;
       const Vec3d point{place.x, place.y, terrain.height_at(place)};
-      if (!sees(terrain, highest_m, request.radar_position, point)) continue;
+      if (!line_of_sight(terrain, highest_m, request.radar_position, point)) continue;
       if (hidden_by_any(targets, request.time_s, request.radar_position, point)) continue;
       const Vec3d away = request.radar_position - point;
       const radar::Aspect aspect{std::atan2(away.x, away.y), std::atan2(away.z, std::hypot(away.x, away.y))};
