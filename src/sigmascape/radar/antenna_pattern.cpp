@@ -46,6 +46,20 @@ double falling_through(double level, double limit_rad, F&& f) {
   return limit_rad;
 }
 
+/// ∫ f over an interval, finely within twenty widths of the peak.
+template <typename F>
+double integral_about(double peak, double width, Vec2d interval, F&& f) {
+  const double left = std::clamp(peak - 20.0 * width, interval.x, interval.y),
+               right = std::clamp(peak + 20.0 * width, interval.x, interval.y);
+  double sum = 0.0;
+  for (const Vec2d part : {Vec2d{interval.x, left}, {left, right}, {right, interval.y}}) {
+    constexpr int steps = 20'000;
+    const double step = (part.y - part.x) / steps;
+    for (int k = 0; k < steps; ++k) sum += f(part.x + (k + 0.5) * step) * step;
+  }
+  return sum;
+}
+
 }  // namespace
 
 AntennaCut::AntennaCut(const BeamShape& shape, double half_power_width_rad, double side_lobe_floor, double peak_rad)
@@ -76,6 +90,7 @@ double AntennaCut::voltage(double offset_rad) const {
 }
 
 double AntennaCut::two_way_width_rad() const {
+  if (std::holds_alternative<GaussianBeam>(shape_)) return width_rad_ / std::numbers::sqrt2;
   const double limit = std::min(pi, 2.0 * width_rad_);
   const auto towards = [&](double side) {
     return falling_through(0.5, limit, [&](double offset) { return two_way_power(side * offset); });
@@ -100,15 +115,12 @@ double AntennaPattern::gain(double azimuth_offset_rad, double elevation_rad) con
 
 double directivity(const Antenna& antenna, double beam_width_rad) {
   const AntennaPattern pattern(antenna, beam_width_rad);
-  constexpr int steps = 200'000;
-  double over_azimuth = 0.0, over_elevation = 0.0;
-  for (int k = 0; k < steps; ++k) {
-    const double part = (k + 0.5) / steps;
-    over_azimuth += pattern.azimuth().power((part - 0.5) * 2.0 * pi);
-    const double elevation = (part - 0.5) * pi;
-    over_elevation += pattern.elevation().power(elevation - antenna.tilt_rad) * std::cos(elevation);
-  }
-  return 4.0 * pi / ((over_azimuth * 2.0 * pi / steps) * (over_elevation * pi / steps));
+  const double over_azimuth =
+      integral_about(0.0, beam_width_rad, {-pi, pi}, [&](double azimuth) { return pattern.azimuth().power(azimuth); });
+  const double over_elevation = integral_about(
+      antenna.tilt_rad, antenna.elevation_width_rad, {-0.5 * pi, 0.5 * pi},
+      [&](double elevation) { return pattern.elevation().power(elevation - antenna.tilt_rad) * std::cos(elevation); });
+  return 4.0 * pi / (over_azimuth * over_elevation);
 }
 
 }  // namespace sigmascape::radar

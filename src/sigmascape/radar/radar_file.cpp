@@ -6,6 +6,8 @@
 #include "sigmascape/base/toml_reader.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/polarization_words.h"
+#include "sigmascape/radar/radar_file_sections.h"
+#include "sigmascape/radar/range_response.h"
 
 namespace sigmascape::radar {
 namespace {
@@ -16,14 +18,37 @@ Polarization polarization_of(const TomlSection& section) {
   return polarization_words().at(section.choice_or("polarization", {"vv", "hh", "hv", "vh", "sum"}, "vv"));
 }
 
-Radar radar_of(const TomlSection& section) {
+/// Whether a section below [radar] states what would otherwise be required there.
+bool states(const TomlSection& file, std::string_view section, std::string_view key) {
+  const auto found = file.section(section);
+  return found && found->has(key);
+}
+
+Radar radar_of(const TomlSection& file, const TomlSection& section) {
   Radar radar;
   radar.name = section.text_or("name", "radar");
   radar.frequency_hz = section.number("frequency_ghz", {0.1, 300.0, "GHz"}) * 1e9;
   radar.polarization = polarization_of(section);
-  radar.range_resolution_m = section.number("range_resolution_m", {0.05, 10'000.0, "m"});
-  radar.beam_width_rad = radians_from_deg(section.number("beam_width_deg", {1e-5, 90.0, "degrees"}));
+  constexpr Interval resolutions_m{0.005, 10'000.0, "m"};
+  constexpr Interval widths_deg{1e-5, 90.0, "degrees"};
+  radar.range_resolution_m = states(file, "waveform", "bandwidth_mhz")
+                                 ? section.number_or("range_resolution_m", resolutions_m, 0.0)
+                                 : section.number("range_resolution_m", resolutions_m);
+  radar.beam_width_rad =
+      radians_from_deg(states(file, "antenna", "azimuth_csv") ? section.number_or("beam_width_deg", widths_deg, 0.0)
+                                                              : section.number("beam_width_deg", widths_deg));
   section.refuse_unknown_keys();
+
+  if (const auto waveform = file.section("waveform")) {
+    read_waveform(*waveform, radar);
+  } else {
+    radar.waveform.pulse_length_s = 1.0 / bandwidth_of(radar.range_resolution_m, radar.waveform.window);
+  }
+  read_antenna(file.section("antenna"), radar);
+  if (const auto platform = file.section("platform")) read_platform(*platform, radar);
+  if (const auto receiver = file.section("receiver")) read_receiver(*receiver, radar);
+  if (const auto scan = file.section("scan")) read_scan(*scan, radar);
+  if (const auto mode = file.section("mode")) read_mode(*mode, radar);
   return radar;
 }
 
@@ -81,7 +106,7 @@ TomlSection required_section(const TomlSection& file, std::string_view key) {
 
 RadarFile read_radar_file(const std::filesystem::path& path) {
   const TomlSection file = TomlSection::read_file(path);
-  RadarFile read{.radar = radar_of(required_section(file, "radar")),
+  RadarFile read{.radar = radar_of(file, required_section(file, "radar")),
                  .place = place_of(required_section(file, "position")),
                  .map = {}};
   if (const auto map = file.section("map")) read.map = map_of(*map);

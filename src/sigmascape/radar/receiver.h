@@ -26,10 +26,12 @@ struct Receiver {
   double noise_figure = 2.0;    ///< noise factor F: power, ≥ 1
   double gain = 1.0;            ///< from the antenna's terminals to the detector or converter: power
   double impedance_ohm = 50.0;  ///< that voltages refer to
-  double first_range_m = 0.0;   ///< the range gate opens
-  std::optional<double> last_range_m;  ///< and closes; absent: at the end of what is mapped
+  /// The range gate opens and closes; absent: with what is mapped. Echoes from beyond an unambiguous range after the
+  /// gate's opening fold back into it.
+  std::optional<double> first_range_m, last_range_m;
   std::optional<SensitivityTimeControl> sensitivity_time_control;
   Detector detector = Detector::SquareLaw;
+  int pulses_integrated = 1;  ///< detector outputs averaged to one
   std::optional<AnalogToDigital> analog_to_digital;
 };
 

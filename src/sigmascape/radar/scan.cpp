@@ -1,5 +1,6 @@
 #include "sigmascape/radar/scan.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -54,10 +55,11 @@ int hits_per_dwell(const Scan& scan, double beam_width_rad, double pulse_repetit
   return static_cast<int>(std::min(hits * (1.0 + 1e-12), most));
 }
 
-bool reaches(const Scan& scan, double azimuth_rad) {
-  if (scan.kind == ScanKind::Rotating) return true;
+bool reaches(const Scan& scan, double azimuth_rad, double tolerance_rad) {
+  if (scan.kind == ScanKind::Rotating || !scan.azimuth_rad) return true;
   const double half_width = scan.kind == ScanKind::Sector ? 0.5 * scan.sector_width_rad : 0.0;
-  return !scan.azimuth_rad || std::abs(std::remainder(azimuth_rad - *scan.azimuth_rad, 2.0 * pi)) <= half_width + 1e-12;
+  constexpr double rounding = 1e-12;
+  return std::abs(std::remainder(azimuth_rad - *scan.azimuth_rad, 2.0 * pi)) <= half_width + tolerance_rad + rounding;
 }
 
 }  // namespace sigmascape::radar

@@ -25,7 +25,7 @@ struct Scan {
 [[nodiscard]] double dwell_s(const Scan& scan, double beam_width_rad);
 /// Whole pulses that meet a point while the beam goes over it: n = θ f_p / ω.
 [[nodiscard]] int hits_per_dwell(const Scan& scan, double beam_width_rad, double pulse_repetition_hz);
-/// Whether the beam's axis ever comes to this azimuth.
-[[nodiscard]] bool reaches(const Scan& scan, double azimuth_rad);
+/// Whether the beam's axis ever comes within `tolerance_rad` of this azimuth.
+[[nodiscard]] bool reaches(const Scan& scan, double azimuth_rad, double tolerance_rad = 0.0);
 
 }  // namespace sigmascape::radar

@@ -10,11 +10,11 @@ enum class WindowShape { Rectangular, Cosine, Hamming, Taylor };
 /// main lobe against the height of the side lobes.
 struct Window {
   WindowShape shape = WindowShape::Taylor;
-  /// Taylor: the design level of the side lobes, power relative to the peak (3.2e-4: −35 dB).
-  double taylor_side_lobe = 3.1622776601683795e-4;
+  /// Taylor: the design level of the side lobes, power relative to the peak (1e-4: −40 dB).
+  double taylor_side_lobe = 1e-4;
   /// Taylor: n̄, the number of the first zero that is left where the rectangular window has it; n̄ − 1 side lobes on each
   /// side are held at the design level.
-  int taylor_terms = 5;
+  int taylor_terms = 6;
 
   friend constexpr bool operator==(const Window&, const Window&) = default;
 };

@@ -2,29 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <vector>
+#include <fmt/format.h>
+#include <limits>
 
+#include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
+#include "sigmascape/radar/range_ambiguity.h"
+#include "sigmascape/receiver/bin_response.h"
 
 namespace sigmascape::receiver {
 namespace {
 
-/// Weights, summing to one, of a Gaussian power response of that half-power full width, in bins; odd in number,
-/// centred.
-std::vector<float> gaussian_response(double half_power_width_bins) {
-  const double sigma = half_power_width_bins / (2.0 * std::sqrt(2.0 * std::numbers::ln2));
-  const auto reach = static_cast<int>(std::ceil(4.0 * sigma));
-  std::vector<double> weights;
-  double sum = 0.0;
-  for (int k = -reach; k <= reach; ++k) {
-    weights.push_back(std::exp(-0.5 * (k / sigma) * (k / sigma)));
-    sum += weights.back();
-  }
-  std::vector<float> normalised;
-  for (const double weight : weights) normalised.push_back(static_cast<float>(weight / sum));
-  return normalised;
-}
+constexpr int depression_steps = 1 << 14;
+constexpr double most_bins = 0x1p27;
 
 enum class Axis { Columns, Rows };
 
@@ -55,9 +45,52 @@ Array2D<radar::Channels> spread(const Array2D<radar::Channels>& bins, const std:
   return out;
 }
 
-/// Two-way half-power width of a Gaussian beam: the gain counts twice.
-double two_way_width_rad(const radar::Radar& radar) {
-  return radar.beam_width_rad / std::numbers::sqrt2;
+/// Two-way relative gain at evenly spaced sines of the depression angle; empty for an antenna that does not tell
+/// elevations apart.
+std::vector<float> gain_over_depression(const radar::Radar& radar) {
+  const auto pattern = radar::antenna_pattern(radar);
+  if (pattern.elevation().even()) return {};
+  std::vector<float> gain;
+  for (int k = 0; k <= depression_steps; ++k) {
+    const double elevation = -std::asin(2.0 * k / depression_steps - 1.0);
+    gain.push_back(static_cast<float>(pattern.elevation().two_way_power(elevation - pattern.tilt_rad())));
+  }
+  return gain;
+}
+
+float interpolated(const std::vector<float>& gain, float sin_depression) {
+  const float place = (std::clamp(sin_depression, -1.0F, 1.0F) + 1.0F) * (0.5F * depression_steps);
+  const auto left = std::min(static_cast<std::size_t>(place), gain.size() - 2);
+  return std::lerp(gain[left], gain[left + 1], place - static_cast<float>(left));
+}
+
+/// Whether the beam's axis comes to this column. The other modes make their own azimuths.
+bool looked_at(const radar::Radar& radar, const radar::RangeAzimuthGrid& grid, std::size_t column) {
+  if (radar.mode != radar::Mode::RealBeam) return true;
+  const double left = grid.first_azimuth_rad + static_cast<double>(column) * grid.azimuth_step_rad;
+  return radar::reaches(radar.scan, left + 0.5 * grid.azimuth_step_rad, 0.5 * grid.azimuth_step_rad);
+}
+
+/// Bins to spare at the edges of what is mapped, so that responses fit: 4 to 16 resolution cells.
+double room_for(const BinResponse& response, double oversampling) {
+  return std::clamp(std::floor(static_cast<double>(response.weights.size()) / 2.0) + 1.0, 4.0 * oversampling,
+                    16.0 * oversampling);
+}
+
+void check(const radar::Radar& radar, const radar::RangeAzimuthGrid& grid) {
+  if (static_cast<double>(grid.ranges) * static_cast<double>(grid.azimuths) > most_bins) {
+    throw Error(
+        "radar " + radar.name,
+        fmt::format("resolves {:.3g} m by {:.3g}°, which over the mapped area makes {} by {} bins",
+                    radar.range_resolution_m, deg_from_radians(radar.beam_width_rad), grid.ranges, grid.azimuths),
+        fmt::format("widen the pulse or the beam, or map less, for at most {:.1e} bins", most_bins));
+  }
+  for (std::size_t column = 0; column < grid.azimuths; ++column) {
+    if (looked_at(radar, grid, column)) return;
+  }
+  const double middle = grid.first_azimuth_rad + 0.5 * static_cast<double>(grid.azimuths) * grid.azimuth_step_rad;
+  throw Error("radar " + radar.name, "never points to what is to be mapped",
+              fmt::format("let its scan take in azimuth {:.1f}°", deg_from_radians(wrapped_azimuth(middle))));
 }
 
 }  // namespace
@@ -75,34 +108,61 @@ radar::RangeAzimuthGrid grid_covering(const radar::Radar& radar, std::span<const
     leftmost = std::min(leftmost, azimuth);
     rightmost = std::max(rightmost, azimuth);
   }
+  const double beam_rad = radar::antenna_pattern(radar).azimuth().two_way_width_rad();
   const double range_step = radar.range_resolution_m / oversampling;
-  const double azimuth_step = two_way_width_rad(radar) / oversampling;
-  // Room for the responses at the edges.
-  const double spare_range = 4.0 * radar.range_resolution_m, spare_azimuth = 4.0 * two_way_width_rad(radar);
-  return {.first_range_m = nearest - spare_range,
-          .range_step_m = range_step,
-          .ranges = static_cast<std::size_t>(std::ceil((farthest - nearest + 2.0 * spare_range) / range_step)),
-          .first_azimuth_rad = leftmost - spare_azimuth,
-          .azimuth_step_rad = azimuth_step,
-          .azimuths = static_cast<std::size_t>(std::ceil((rightmost - leftmost + 2.0 * spare_azimuth) / azimuth_step))};
+  const double azimuth_step = beam_rad / oversampling;
+  const double spare_range = room_for(range_response(radar, range_step), oversampling) * range_step;
+  const double spare_azimuth = room_for(azimuth_response(radar, azimuth_step), oversampling) * azimuth_step;
+  const radar::RangeAzimuthGrid grid{
+      .first_range_m = nearest - spare_range,
+      .range_step_m = range_step,
+      .ranges = static_cast<std::size_t>(std::ceil((farthest - nearest + 2.0 * spare_range) / range_step)),
+      .first_azimuth_rad = leftmost - spare_azimuth,
+      .azimuth_step_rad = azimuth_step,
+      .azimuths = static_cast<std::size_t>(std::ceil((rightmost - leftmost + 2.0 * spare_azimuth) / azimuth_step))};
+  check(radar, grid);
+  return grid;
 }
 
 RangeAzimuthReceiver::RangeAzimuthReceiver(const radar::Radar& radar, const radar::RangeAzimuthGrid& grid)
-    : radar_(radar), grid_(grid), bins_(grid.azimuths, grid.ranges) {}
+    : radar_(radar),
+      grid_(grid),
+      gain_over_depression_(gain_over_depression(radar)),
+      gate_start_m_(radar.receiver.first_range_m.value_or(grid.first_range_m)),
+      gate_end_m_(radar.receiver.last_range_m.value_or(std::numeric_limits<double>::infinity())),
+      bins_(grid.azimuths, grid.ranges) {}
 
 void RangeAzimuthReceiver::add(std::span<const radar::Echo> echoes) {
   const double middle = grid_.first_azimuth_rad + 0.5 * static_cast<double>(grid_.azimuths) * grid_.azimuth_step_rad;
+  const double prf_hz = radar_.waveform.pulse_repetition_hz;
+  const double unambiguous_m = radar::unambiguous_range_m(prf_hz);
   for (const radar::Echo& echo : echoes) {
+    double range_m = echo.range_m;
+    radar::Channels rcs_m2 = echo.rcs_m2;
+    if (range_m < gate_start_m_ || range_m >= gate_start_m_ + unambiguous_m) {
+      range_m = radar::apparent_range_m(echo.range_m, gate_start_m_, prf_hz);
+      const double nearer = range_m / echo.range_m;
+      rcs_m2 = rcs_m2 * static_cast<float>(nearer * nearer * nearer * nearer);
+    }
+    if (range_m > gate_end_m_) continue;
+    if (!gain_over_depression_.empty()) rcs_m2 = rcs_m2 * interpolated(gain_over_depression_, echo.sin_depression);
     const double azimuth = middle + std::remainder(echo.cross - middle, 2.0 * pi);
     bins_.add_shared((azimuth - grid_.first_azimuth_rad) / grid_.azimuth_step_rad,
-                     (echo.range_m - grid_.first_range_m) / grid_.range_step_m, echo.rcs_m2);
+                     (range_m - grid_.first_range_m) / grid_.range_step_m, rcs_m2);
   }
 }
 
 radar::RangeAzimuthImage RangeAzimuthReceiver::image() const {
-  const auto pulse = gaussian_response(radar_.range_resolution_m / grid_.range_step_m);
-  const auto beam = gaussian_response(two_way_width_rad(radar_) / grid_.azimuth_step_rad);
-  return {grid_, radar_.position, spread(spread(bins_.sums(), beam, Axis::Columns), pulse, Axis::Rows)};
+  const auto pulse = range_response(radar_, grid_.range_step_m).weights;
+  const auto beam = azimuth_response(radar_, grid_.azimuth_step_rad).weights;
+  radar::RangeAzimuthImage image{grid_, radar_.position,
+                                 spread(spread(bins_.sums(), beam, Axis::Columns), pulse, Axis::Rows)};
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  for (std::size_t column = 0; column < grid_.azimuths; ++column) {
+    if (looked_at(radar_, grid_, column)) continue;
+    for (std::size_t row = 0; row < grid_.ranges; ++row) image.rcs_m2(column, row) = {nan, nan, nan, nan};
+  }
+  return image;
 }
 
 }  // namespace sigmascape::receiver

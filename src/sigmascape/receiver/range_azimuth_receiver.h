@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "sigmascape/radar/echo.h"
 #include "sigmascape/radar/radar.h"
@@ -10,13 +11,17 @@
 namespace sigmascape::receiver {
 
 /// The bins that cover the given points of ground, finer than the radar resolves so that its responses can be laid over
-/// them: `oversampling` bins a resolution cell in range and in azimuth.
+/// them: `oversampling` bins a resolution cell in range and in two-way azimuth. Throws Error when they are too many to
+/// hold, or when the radar's scan never comes to them.
 [[nodiscard]] radar::RangeAzimuthGrid grid_covering(const radar::Radar& radar, std::span<const Vec3d> points,
                                                     double oversampling = 2.0);
 
 /// The weighted histogram: echoes into slant range and azimuth, then the pulse and beam response over the bins.
 ///
-/// In this power mode all weights sum to one, so that total power is kept; see docs/physics/receiver.md, Eq. (1).
+/// Power mode: the weights of pulse, beam and place within a bin sum to one, so that total power is kept; see
+/// docs/physics/receiver.md, Eq. (1). Before that an echo is weighted by the antenna's two-way gain in elevation
+/// relative to its peak, and one from outside the unambiguous range after the gate's opening folds into it as the
+/// cross-section that would return its power from there.
 class RangeAzimuthReceiver {
  public:
   RangeAzimuthReceiver(const radar::Radar& radar, const radar::RangeAzimuthGrid& grid);
@@ -25,13 +30,15 @@ class RangeAzimuthReceiver {
   void add(std::span<const radar::Echo> echoes);
 
   [[nodiscard]] const PowerBins& bins() const { return bins_; }
-  /// The bins after the responses of pulse (Gaussian of half-power width the range resolution) and beam (two-way
-  /// Gaussian).
+  /// The bins after the responses of the compressed pulse and of the two-way beam; NaN in azimuths that the beam's axis
+  /// never comes to.
   [[nodiscard]] radar::RangeAzimuthImage image() const;
 
  private:
   radar::Radar radar_;
   radar::RangeAzimuthGrid grid_;
+  std::vector<float> gain_over_depression_;
+  double gate_start_m_, gate_end_m_;
   PowerBins bins_;
 };
 

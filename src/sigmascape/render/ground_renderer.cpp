@@ -73,7 +73,11 @@ class AzimuthStrip {
           atlas_.weights_for({cursor.azimuth_rad, std::asin(std::clamp(sin_grazing, -1.0, 1.0))}, radar_.frequency_hz);
     }
     const radar::Channels sigma0 = atlas_.sigma0_at({point.x, point.y}, cursor.weights, level_);
-    return {.range_m = range_m, .cross = azimuth_rad, .rcs_m2 = sigma0 * static_cast<float>(area_m2), .bounces = 1};
+    return {.range_m = range_m,
+            .cross = azimuth_rad,
+            .rcs_m2 = sigma0 * static_cast<float>(area_m2),
+            .bounces = 1,
+            .sin_depression = static_cast<float>(away.z / range_m)};
   }
 
   const atlas::Atlas& atlas_;

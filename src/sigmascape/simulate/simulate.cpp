@@ -37,7 +37,8 @@ void add_point_targets(const scene::Scene& scene, const trace::SceneGeometry& ge
     const radar::Echo echo{.range_m = viewpoint.range_of(position),
                            .cross = viewpoint.cross_of(position),
                            .rcs_m2 = target.rcs_m2,
-                           .bounces = 1};
+                           .bounces = 1,
+                           .sin_depression = to_radar.z};
     receiver.add({&echo, 1});
   }
 }

@@ -1,0 +1,70 @@
+#include "sigmascape/radar/pattern_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "sigmascape/base/error.h"
+#include "sigmascape/base/units.h"
+
+namespace sigmascape::radar {
+namespace {
+
+struct Row {
+  double offset_deg = 0.0, gain_db = 0.0;
+};
+
+std::vector<Row> rows_of(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  if (!stream) throw Error(file.string(), "cannot be read", "name a CSV file of offset_deg,gain_db");
+  std::vector<Row> rows;
+  std::string line;
+  for (int number = 1; std::getline(stream, line); ++number) {
+    if (line.empty() || line.starts_with('#') || (number == 1 && line.starts_with("offset_deg"))) continue;
+    std::istringstream words(line);
+    Row row;
+    char comma = 0;
+    const std::string where = fmt::format("{}:{}", file.string(), number);
+    if (!(words >> row.offset_deg >> comma >> row.gain_db) || comma != ',')
+      throw Error(where, fmt::format("\"{}\" is not a pair of numbers", line), "give offset_deg,gain_db");
+    if (!rows.empty() && row.offset_deg <= rows.back().offset_deg)
+      throw Error(where, "does not lie beyond the line before it", "sort the lines by increasing offset_deg");
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+/// The offset at which the gain, linear in decibels between rows, has fallen to `level_db`, from the peak on.
+template <typename Iterator>
+double crossing_deg(Iterator from, Iterator end, double level_db, const std::filesystem::path& file) {
+  const auto below = std::find_if(from, end, [level_db](const Row& row) { return row.gain_db <= level_db; });
+  if (below == end) {
+    throw Error(file.string(), "does not fall to half of its peak on both sides",
+                "give the cut out to where the gain is at least 3.02 dB below its peak");
+  }
+  const Row inner = *(below - 1), outer = *below;
+  return std::lerp(inner.offset_deg, outer.offset_deg, (level_db - inner.gain_db) / (outer.gain_db - inner.gain_db));
+}
+
+}  // namespace
+
+PatternTable read_pattern_table(const std::filesystem::path& file) {
+  const std::vector<Row> rows = rows_of(file);
+  if (rows.size() < 3)
+    throw Error(file.string(), "holds fewer than three lines", "give offset_deg,gain_db over the beam");
+  const auto peak = std::ranges::max_element(rows, {}, &Row::gain_db);
+  const double half_db = peak->gain_db + db_from_linear(0.5);
+  const double right_deg = crossing_deg(peak, rows.end(), half_db, file);
+  const double left_deg = crossing_deg(std::make_reverse_iterator(peak + 1), rows.rend(), half_db, file);
+
+  const double width_deg = right_deg - left_deg;
+  PatternTable table{.beam = {}, .half_power_width_rad = radians_from_deg(width_deg)};
+  for (const Row& row : rows)
+    table.beam.samples.push_back({row.offset_deg / width_deg, linear_from_db(row.gain_db - peak->gain_db)});
+  return table;
+}
+
+}  // namespace sigmascape::radar

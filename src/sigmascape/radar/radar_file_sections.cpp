@@ -1,0 +1,188 @@
+#include "sigmascape/radar/radar_file_sections.h"
+
+#include <cmath>
+#include <fmt/format.h>
+
+#include "sigmascape/base/units.h"
+#include "sigmascape/radar/pattern_table.h"
+#include "sigmascape/radar/range_response.h"
+
+namespace sigmascape::radar {
+namespace {
+
+constexpr Interval below_peak_db{-100.0, -10.0, "dB below the peak"};
+
+/// The window of keys that begin with `prefix`, of a shape already known by its word.
+Window window_of(const TomlSection& section, const std::string& prefix, const std::string& shape) {
+  if (shape == "rectangular" || shape == "uniform") return {.shape = WindowShape::Rectangular};
+  if (shape == "cosine") return {.shape = WindowShape::Cosine};
+  if (shape == "hamming") return {.shape = WindowShape::Hamming};
+  const Window defaults;
+  return {.shape = WindowShape::Taylor,
+          .taylor_side_lobe = linear_from_db(
+              section.number_or(prefix + "side_lobe_db", below_peak_db, db_from_linear(defaults.taylor_side_lobe))),
+          .taylor_terms = static_cast<int>(
+              section.whole_number_or(prefix + "taylor_terms", {2.0, 20.0, "terms"}, defaults.taylor_terms))};
+}
+
+/// A cut of the antenna; `width_rad` becomes that of the table when there is one.
+BeamShape beam_of(const TomlSection& section, const std::string& plane, const std::string& shape, double& width_rad) {
+  if (shape == "even") return EvenBeam{};
+  if (shape == "gaussian") return GaussianBeam{};
+  if (shape == "table") {
+    auto table = read_pattern_table(section.file(plane + "_csv"));
+    width_rad = table.half_power_width_rad;
+    return std::move(table.beam);
+  }
+  return ApertureBeam{window_of(section, plane + "_", shape)};
+}
+
+CosecantSquaredBeam cosecant_of(const TomlSection& section, double tilt_rad) {
+  if (tilt_rad >= 0.0) {
+    throw section.fault("tilt_deg", "does not point below the horizontal, as a cosecant-squared beam must",
+                        "give a negative angle");
+  }
+  const CosecantSquaredBeam beam{
+      radians_from_deg(section.number("steepest_depression_deg", {0.1, 90.0, "degrees below the horizontal"}))};
+  if (beam.steepest_depression_rad <= -tilt_rad) {
+    throw section.fault("steepest_depression_deg", "is not steeper than the peak of the beam",
+                        fmt::format("give more than {:g}", deg_from_radians(-tilt_rad)));
+  }
+  return beam;
+}
+
+void read_elevation(const TomlSection& section, Antenna& antenna) {
+  const std::string shape = section.choice_or(
+      "elevation_shape", {"even", "gaussian", "uniform", "cosine", "taylor", "cosecant-squared", "table"}, "even");
+  antenna.tilt_rad =
+      radians_from_deg(section.number_or("tilt_deg", {-90.0, 90.0, "degrees above the horizontal"}, 0.0));
+  if (shape != "even" && shape != "table")
+    antenna.elevation_width_rad = radians_from_deg(section.number("elevation_width_deg", {1e-3, 90.0, "degrees"}));
+  antenna.elevation = shape == "cosecant-squared" ? BeamShape{cosecant_of(section, antenna.tilt_rad)}
+                                                  : beam_of(section, "elevation", shape, antenna.elevation_width_rad);
+}
+
+double power_of_db(const TomlSection& section, std::string_view key, Interval allowed, double fallback) {
+  return linear_from_db(section.number_or(key, allowed, db_from_linear(fallback)));
+}
+
+std::optional<double> metres_of_km(const TomlSection& section, std::string_view key) {
+  const auto km = section.optional_number(key, {0.0, 10'000.0, "km"});
+  return km ? std::optional(*km * 1e3) : std::nullopt;
+}
+
+}  // namespace
+
+void read_platform(const TomlSection& section, Radar& radar) {
+  const double speed_mps = section.number_or("speed_mps", {0.0, 20'000.0, "m/s"}, 0.0);
+  radar.heading_rad = radians_from_deg(section.number_or("heading_deg", {-360.0, 360.0, "degrees"}, 0.0));
+  const double course_rad = radians_from_deg(
+      section.number_or("course_deg", {-360.0, 360.0, "degrees"}, deg_from_radians(radar.heading_rad)));
+  radar.velocity_mps = {speed_mps * std::sin(course_rad), speed_mps * std::cos(course_rad),
+                        section.number_or("climb_mps", {-1000.0, 1000.0, "m/s"}, 0.0)};
+  section.refuse_unknown_keys();
+}
+
+void read_antenna(const std::optional<TomlSection>& section, Radar& radar) {
+  Antenna& antenna = radar.antenna;
+  if (!section) {
+    antenna.gain = directivity(antenna, radar.beam_width_rad);
+    return;
+  }
+  const std::string shape =
+      section->choice_or("azimuth_shape", {"gaussian", "uniform", "cosine", "hamming", "taylor", "table"}, "gaussian");
+  if (shape == "table" && radar.beam_width_rad > 0.0)
+    throw section->fault("azimuth_csv", "and radar.beam_width_deg both give the beam its width",
+                         "leave out one of them");
+  antenna.azimuth = beam_of(*section, "azimuth", shape, radar.beam_width_rad);
+  read_elevation(*section, antenna);
+  if (const auto floor_db = section->optional_number("side_lobe_floor_db", {-200.0, -10.0, "dB below the peak"}))
+    antenna.side_lobe_floor = linear_from_db(*floor_db);
+  if (const auto gain_dbi = section->optional_number("gain_dbi", {-10.0, 80.0, "dB over isotropic"})) {
+    antenna.gain = linear_from_db(*gain_dbi);
+  } else {
+    const double efficiency = section->number_or("efficiency", {0.01, 1.0, "of the power"}, 1.0);
+    antenna.gain = efficiency * directivity(antenna, radar.beam_width_rad);
+  }
+  section->refuse_unknown_keys();
+}
+
+void read_waveform(const TomlSection& section, Radar& radar) {
+  Waveform& waveform = radar.waveform;
+  waveform.window =
+      window_of(section, "", section.choice_or("window", {"rectangular", "cosine", "hamming", "taylor"}, "taylor"));
+  if (const auto bandwidth_mhz = section.optional_number("bandwidth_mhz", {1e-3, 20'000.0, "MHz"})) {
+    if (radar.range_resolution_m > 0.0) {
+      throw section.fault("bandwidth_mhz", "and radar.range_resolution_m say the same thing", "leave out one of them");
+    }
+    radar.range_resolution_m = range_resolution_of(*bandwidth_mhz * 1e6, waveform.window);
+  }
+  const double bandwidth_hz = bandwidth_of(radar.range_resolution_m, waveform.window);
+  waveform.peak_power_w = section.number_or("peak_power_w", {1e-6, 1e9, "W"}, waveform.peak_power_w);
+  waveform.pulse_repetition_hz =
+      section.number_or("pulse_repetition_hz", {1.0, 1e6, "Hz"}, waveform.pulse_repetition_hz);
+  waveform.pulse_length_s = section.number_or("pulse_length_us", {1e-4, 1e5, "µs"}, 1e6 / bandwidth_hz) * 1e-6;
+  if (waveform.pulse_length_s * bandwidth_hz < 1.0 - 1e-9) {
+    throw section.fault("pulse_length_us",
+                        fmt::format("is {:g}, too short a pulse to have its bandwidth of {:g} MHz",
+                                    waveform.pulse_length_s * 1e6, bandwidth_hz / 1e6),
+                        fmt::format("give at least {:.6g}", 1e6 / bandwidth_hz));
+  }
+  if (waveform.pulse_length_s * waveform.pulse_repetition_hz > 0.5) {
+    throw section.fault("pulse_length_us", "leaves the receiver less than half of the time between pulses",
+                        fmt::format("give at most {:g}", 0.5e6 / waveform.pulse_repetition_hz));
+  }
+  section.refuse_unknown_keys();
+}
+
+void read_receiver(const TomlSection& section, Radar& radar) {
+  Receiver& receiver = radar.receiver;
+  receiver.losses = power_of_db(section, "losses_db", {0.0, 60.0, "dB"}, receiver.losses);
+  receiver.noise_figure = power_of_db(section, "noise_figure_db", {0.0, 40.0, "dB"}, receiver.noise_figure);
+  receiver.gain = power_of_db(section, "gain_db", {-60.0, 200.0, "dB"}, receiver.gain);
+  receiver.impedance_ohm = section.number_or("impedance_ohm", {1.0, 1e4, "Ω"}, receiver.impedance_ohm);
+  receiver.first_range_m = metres_of_km(section, "first_range_km");
+  receiver.last_range_m = metres_of_km(section, "last_range_km");
+  if (receiver.last_range_m && *receiver.last_range_m <= receiver.first_range_m.value_or(0.0))
+    throw section.fault("last_range_km", "does not lie beyond the gate's opening",
+                        "exchange the two, or leave one out");
+  if (section.has("stc_full_gain_range_km")) {
+    receiver.sensitivity_time_control =
+        SensitivityTimeControl{section.number("stc_full_gain_range_km", {1e-3, 10'000.0, "km"}) * 1e3,
+                               section.number_or("stc_exponent", {0.1, 8.0, "powers of range"}, 3.0)};
+  }
+  const std::string detector = section.choice_or("detector", {"linear", "square-law", "log"}, "square-law");
+  receiver.detector = detector == "linear" ? Detector::Linear : detector == "log" ? Detector::Log : Detector::SquareLaw;
+  receiver.pulses_integrated = static_cast<int>(section.whole_number_or("pulses_integrated", {1.0, 1e4, "pulses"}, 1));
+  if (section.has("adc_bits")) {
+    receiver.analog_to_digital =
+        AnalogToDigital{static_cast<int>(section.whole_number_or("adc_bits", {1.0, 24.0, "bits"}, 12)),
+                        section.number("adc_full_scale_v", {1e-9, 1e4, "V"})};
+  }
+  section.refuse_unknown_keys();
+}
+
+void read_scan(const TomlSection& section, Radar& radar) {
+  const std::string kind = section.choice_or("kind", {"fixed", "sector", "rotating"}, "rotating");
+  Scan& scan = radar.scan;
+  scan.kind = kind == "fixed" ? ScanKind::Fixed : kind == "sector" ? ScanKind::Sector : ScanKind::Rotating;
+  if (const auto azimuth_deg = section.optional_number("azimuth_deg", {-360.0, 360.0, "degrees"}))
+    scan.azimuth_rad = radians_from_deg(*azimuth_deg);
+  if (scan.kind == ScanKind::Sector)
+    scan.sector_width_rad = radians_from_deg(section.number("sector_deg", {0.01, 360.0, "degrees"}));
+  if (scan.kind != ScanKind::Fixed)
+    scan.rate_rad_per_s = radians_from_deg(section.number("rate_deg_per_s", {0.01, 1e5, "degrees per second"}));
+  section.refuse_unknown_keys();
+}
+
+void read_mode(const TomlSection& section, Radar& radar) {
+  const std::string kind =
+      section.choice_or("kind", {"real-beam", "doppler-beam-sharpening", "stripmap", "spotlight"}, "real-beam");
+  radar.mode = kind == "real-beam"                 ? Mode::RealBeam
+               : kind == "doppler-beam-sharpening" ? Mode::DopplerBeamSharpening
+               : kind == "stripmap"                ? Mode::Stripmap
+                                                   : Mode::Spotlight;
+  section.refuse_unknown_keys();
+}
+
+}  // namespace sigmascape::radar

@@ -1,0 +1,79 @@
+#include "sigmascape/radar/radar_warnings.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "sigmascape/base/units.h"
+#include "sigmascape/radar/range_ambiguity.h"
+
+namespace sigmascape::radar {
+namespace {
+
+struct Swath {
+  double near_m, far_m;
+};
+
+void check_unambiguous(const Radar& radar, Swath swath, std::vector<std::string>& warnings) {
+  const double prf_hz = radar.waveform.pulse_repetition_hz;
+  const double unambiguous_m = unambiguous_range_m(prf_hz), length_m = swath.far_m - swath.near_m;
+  if (length_m > unambiguous_m) {
+    warnings.push_back(
+        fmt::format("the swath of {:.4g} km is longer than the unambiguous range of {:.4g} km at a pulse repetition "
+                    "frequency of {:g} Hz, and folds over; use at most {:.4g} Hz",
+                    length_m / 1e3, unambiguous_m / 1e3, prf_hz, speed_of_light_mps / (2.0 * length_m)));
+  }
+}
+
+void check_gate(const Radar& radar, Swath swath, std::vector<std::string>& warnings) {
+  const double opens_m = radar.receiver.first_range_m.value_or(swath.near_m);
+  const double closes_m = std::min(radar.receiver.last_range_m.value_or(swath.far_m),
+                                   opens_m + unambiguous_range_m(radar.waveform.pulse_repetition_hz));
+  if (opens_m > swath.far_m || closes_m < swath.near_m) {
+    warnings.push_back(
+        fmt::format("the range gate from {:.4g} to {:.4g} km holds nothing of what is mapped, {:.4g} to "
+                    "{:.4g} km away",
+                    opens_m / 1e3, closes_m / 1e3, swath.near_m / 1e3, swath.far_m / 1e3));
+  }
+}
+
+void check_eclipsing(const Radar& radar, Swath swath, std::vector<std::string>& warnings) {
+  constexpr int places = 400;
+  int deaf = 0;
+  for (int k = 0; k < places; ++k) {
+    const double range_m = swath.near_m + (swath.far_m - swath.near_m) * (k + 0.5) / places;
+    if (uneclipsed_part(range_m, radar.waveform.pulse_length_s, radar.waveform.pulse_repetition_hz) < 0.5) ++deaf;
+  }
+  if (deaf > 0) {
+    warnings.push_back(
+        fmt::format("over {:.0f} % of the swath the receiver is deaf for more than half of the echo "
+                    "while the next pulse is sent; use another pulse repetition frequency or a shorter "
+                    "pulse",
+                    100.0 * deaf / places));
+  }
+}
+
+void check_cells(const Radar& radar, Swath swath, double cell_m, std::vector<std::string>& warnings) {
+  const double beam_m = antenna_pattern(radar).azimuth().two_way_width_rad() * swath.near_m;
+  const double finest_m = std::min(beam_m, radar.range_resolution_m);
+  if (finest_m < 0.5 * cell_m) {
+    warnings.push_back(
+        fmt::format("{} of {:.3g} m is narrower than half a map cell of {:g} m, and the map skips what "
+                    "lies between; use cells of at most {:.3g} m",
+                    beam_m < radar.range_resolution_m ? "the beam" : "the pulse", finest_m, cell_m, 2.0 * finest_m));
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> radar_warnings(const Radar& radar, const RangeAzimuthGrid& bins, double cell_m) {
+  const Swath swath{std::max(0.0, bins.first_range_m),
+                    bins.first_range_m + static_cast<double>(bins.ranges) * bins.range_step_m};
+  std::vector<std::string> warnings;
+  check_unambiguous(radar, swath, warnings);
+  check_gate(radar, swath, warnings);
+  check_eclipsing(radar, swath, warnings);
+  check_cells(radar, swath, cell_m, warnings);
+  return warnings;
+}
+
+}  // namespace sigmascape::radar

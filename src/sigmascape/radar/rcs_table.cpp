@@ -1,0 +1,178 @@
+#include "sigmascape/radar/rcs_table.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <fmt/format.h>
+#include <fstream>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "sigmascape/base/error.h"
+#include "sigmascape/base/units.h"
+
+namespace sigmascape::radar {
+namespace {
+
+struct Part {
+  std::size_t lower, upper;
+  float upper_weight;
+};
+
+Part part_of(const std::vector<double>& axis, double value) {
+  const auto above = std::upper_bound(axis.begin(), axis.end(), value);
+  if (above == axis.begin()) return {0, 0, 0.0F};
+  if (above == axis.end()) return {axis.size() - 1, axis.size() - 1, 0.0F};
+  const auto upper = static_cast<std::size_t>(above - axis.begin());
+  return {upper - 1, upper, static_cast<float>((value - axis[upper - 1]) / (axis[upper] - axis[upper - 1]))};
+}
+
+Part part_of_circle(const std::vector<double>& axis, double value) {
+  const double turn = 2.0 * pi, azimuth = wrapped_azimuth(value);
+  if (azimuth >= axis.front() && azimuth < axis.back()) return part_of(axis, azimuth);
+  const double gap = axis.front() + turn - axis.back();
+  const double into = azimuth >= axis.back() ? azimuth - axis.back() : azimuth + turn - axis.back();
+  return {axis.size() - 1, 0, static_cast<float>(into / gap)};
+}
+
+std::vector<std::string> fields_of(const std::string& line) {
+  std::vector<std::string> fields;
+  std::size_t begin = 0;
+  while (begin <= line.size()) {
+    const std::size_t comma = std::min(line.find(',', begin), line.size());
+    const std::string field = line.substr(begin, comma - begin);
+    const std::size_t first = field.find_first_not_of(" \t\r"), last = field.find_last_not_of(" \t\r");
+    fields.push_back(first == std::string::npos ? "" : field.substr(first, last - first + 1));
+    begin = comma + 1;
+  }
+  return fields;
+}
+
+constexpr const char* names[] = {"azimuth_deg", "elevation_deg", "frequency_ghz",    "vv_dbsm",
+                                 "hh_dbsm",     "hv_dbsm",       "vv_hh_correlation"};
+enum Column : std::size_t { Azimuth, Elevation, Frequency, Vv, Hh, Hv, Correlation, Columns };
+
+using Row = std::array<std::optional<double>, Columns>;
+
+struct Reader {
+  const std::filesystem::path& path;
+  std::vector<std::size_t> columns = {};
+
+  [[nodiscard]] std::string at_line(std::size_t line) const { return fmt::format("{}, line {}", path.string(), line); }
+
+  void read_names(const std::string& line, std::size_t number) {
+    for (const std::string& field : fields_of(line)) {
+      const auto* const found = std::find(std::begin(names), std::end(names), field);
+      if (found == std::end(names)) {
+        throw Error(at_line(number), "has an unknown column \"" + field + "\"",
+                    fmt::format("name columns {}", fmt::join(names, ", ")));
+      }
+      columns.push_back(static_cast<std::size_t>(found - std::begin(names)));
+    }
+    for (const std::size_t needed : {Azimuth, Vv, Hh}) {
+      if (std::count(columns.begin(), columns.end(), needed) != 1) {
+        throw Error(at_line(number), fmt::format("must have one column {}", names[needed]), "add it once");
+      }
+    }
+  }
+
+  [[nodiscard]] Row read_row(const std::string& line, std::size_t number) const {
+    const auto fields = fields_of(line);
+    if (fields.size() != columns.size()) {
+      throw Error(at_line(number), fmt::format("has {} fields", fields.size()),
+                  fmt::format("give {}, one a column", columns.size()));
+    }
+    Row row;
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+      double value = 0.0;
+      const char* const end = fields[i].data() + fields[i].size();
+      const auto [stopped, fault] = std::from_chars(fields[i].data(), end, value);
+      if (fault != std::errc{} || stopped != end || !std::isfinite(value)) {
+        throw Error(at_line(number), fmt::format("{} is \"{}\"", names[columns[i]], fields[i]), "give a number");
+      }
+      row[columns[i]] = value;
+    }
+    return row;
+  }
+};
+
+Channels channels_of(const Row& row, const std::string& where) {
+  const double vv = linear_from_db(*row[Vv]), hh = linear_from_db(*row[Hh]);
+  const double correlation = row[Correlation].value_or(1.0);
+  if (std::abs(correlation) > 1.0) {
+    throw Error(where, fmt::format("vv_hh_correlation is {}", correlation), "give a number from -1 to 1");
+  }
+  return {static_cast<float>(vv), static_cast<float>(hh), row[Hv] ? static_cast<float>(linear_from_db(*row[Hv])) : 0.0F,
+          static_cast<float>(correlation * std::sqrt(vv * hh))};
+}
+
+}  // namespace
+
+Channels RcsTable::at(const Look& look) const {
+  const Part azimuth = part_of_circle(azimuths_rad, look.aspect.azimuth_rad);
+  const Part elevation = part_of(elevations_rad, look.aspect.elevation_rad);
+  const Part frequency = part_of(frequencies_hz, look.frequency_hz);
+  Channels sum;
+  for (const int f : {0, 1}) {
+    for (const int e : {0, 1}) {
+      for (const int a : {0, 1}) {
+        const auto weight = [](const Part& part, int upper) {
+          return upper == 1 ? part.upper_weight : 1.0F - part.upper_weight;
+        };
+        const auto place = [](const Part& part, int upper) { return upper == 1 ? part.upper : part.lower; };
+        const std::size_t index =
+            (place(frequency, f) * elevations_rad.size() + place(elevation, e)) * azimuths_rad.size() +
+            place(azimuth, a);
+        sum += rcs_m2[index] * (weight(frequency, f) * weight(elevation, e) * weight(azimuth, a));
+      }
+    }
+  }
+  return sum;
+}
+
+RcsTable read_rcs_table(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  if (!file) throw Error(path.string(), "cannot be read", "name a file of comma-separated values");
+  Reader reader{path};
+  // Ordered as the table is: frequency, elevation, azimuth.
+  std::map<std::array<double, 3>, Channels> entries;
+  std::string line;
+  for (std::size_t number = 1; std::getline(file, line); ++number) {
+    const std::size_t first = line.find_first_not_of(" \t\r");
+    if (first == std::string::npos || line[first] == '#') continue;
+    if (reader.columns.empty()) {
+      reader.read_names(line, number);
+      continue;
+    }
+    const Row row = reader.read_row(line, number);
+    const std::array<double, 3> key{row[Frequency].value_or(0.0) * 1e9, radians_from_deg(row[Elevation].value_or(0.0)),
+                                    wrapped_azimuth(radians_from_deg(*row[Azimuth]))};
+    if (!entries.emplace(key, channels_of(row, reader.at_line(number))).second) {
+      throw Error(reader.at_line(number), "repeats an azimuth, elevation and frequency", "give each once");
+    }
+  }
+  if (entries.empty()) throw Error(path.string(), "holds no cross-sections", "give at least one line of numbers");
+
+  RcsTable table;
+  const auto insert = [](std::vector<double>& axis, double value) {
+    const auto place = std::lower_bound(axis.begin(), axis.end(), value);
+    if (place == axis.end() || *place != value) axis.insert(place, value);
+  };
+  for (const auto& [key, rcs] : entries) {
+    insert(table.frequencies_hz, key[0]);
+    insert(table.elevations_rad, key[1]);
+    insert(table.azimuths_rad, key[2]);
+    table.rcs_m2.push_back(rcs);
+  }
+  const std::size_t whole = table.frequencies_hz.size() * table.elevations_rad.size() * table.azimuths_rad.size();
+  if (whole != entries.size()) {
+    throw Error(path.string(),
+                fmt::format("holds {} of the {} combinations of its angles and frequencies", entries.size(), whole),
+                "give every azimuth with every elevation and frequency");
+  }
+  return table;
+}
+
+}  // namespace sigmascape::radar

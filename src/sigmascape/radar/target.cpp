@@ -1,0 +1,62 @@
+#include "sigmascape/radar/target.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sigmascape/base/units.h"
+
+namespace sigmascape::radar {
+namespace {
+
+double heading_of(const Target& target, double time_s) {
+  const Vec3d velocity = target.track.velocity_at(time_s);
+  const bool moves = velocity.x != 0.0 || velocity.y != 0.0;
+  return moves ? std::atan2(velocity.x, velocity.y) : target.heading_rad;
+}
+
+}  // namespace
+
+Motion motion_of(const Target& target, double time_s) {
+  return {target.track.position_at(time_s), target.track.velocity_at(time_s)};
+}
+
+Channels rcs_of(const Target& target, Vec3d seen_from, double frequency_hz, const Moment& moment) {
+  const auto factor = static_cast<float>(fluctuation(target.fluctuation, target.seed, moment.dwell, moment.pulse));
+  if (const auto* const constant = std::get_if<Channels>(&target.rcs_m2)) return *constant * factor;
+  const Vec3d away = seen_from - target.track.position_at(moment.time_s);
+  const double azimuth = std::atan2(away.x, away.y) - heading_of(target, moment.time_s);
+  const double elevation = std::atan2(away.z, std::hypot(away.x, away.y));
+  return std::get<RcsTable>(target.rcs_m2).at({{azimuth, elevation}, frequency_hz}) * factor;
+}
+
+bool hides(const Target& target, double time_s, Vec3d radar_position, Vec3d place) {
+  if (!(target.size_m.x > 0.0 && target.size_m.y > 0.0 && target.size_m.z > 0.0)) return false;
+  const Vec3d centre = target.track.position_at(time_s);
+  const double heading = heading_of(target, time_s), sine = std::sin(heading), cosine = std::cos(heading);
+  const auto in_box = [&](Vec3d v) { return Vec3d{v.x * sine + v.y * cosine, v.x * cosine - v.y * sine, v.z}; };
+  // The part of the line from the place to the radar that lies within all three pairs of faces.
+  const Vec3d from = in_box(place - centre), way = in_box(radar_position - place);
+  double enters = 0.0, leaves = 1.0;
+  const auto clip = [&](double start, double step, double size) {
+    if (step == 0.0) {
+      if (std::abs(start) > size / 2.0) leaves = -1.0;
+      return;
+    }
+    const double one = (-size / 2.0 - start) / step, other = (size / 2.0 - start) / step;
+    enters = std::max(enters, std::min(one, other));
+    leaves = std::min(leaves, std::max(one, other));
+  };
+  clip(from.x, way.x, target.size_m.x);
+  clip(from.y, way.y, target.size_m.y);
+  clip(from.z, way.z, target.size_m.z);
+  return enters < leaves;
+}
+
+ComplexChannels steady_amplitude(const Channels& rcs_m2) {
+  const float vv = std::sqrt(rcs_m2.vv), hh = std::sqrt(rcs_m2.hh);
+  const float correlation = vv * hh > 0.0F ? std::clamp(rcs_m2.re_vvhh / (vv * hh), -1.0F, 1.0F) : 1.0F;
+  const float rest = std::sqrt(1.0F - correlation * correlation);
+  return {{vv, 0.0F}, {hh * correlation, hh * rest}, {std::sqrt(rcs_m2.hv), 0.0F}};
+}
+
+}  // namespace sigmascape::radar

@@ -1,0 +1,46 @@
+#include "sigmascape/receiver/bin_response.h"
+
+#include <cmath>
+#include <cstddef>
+
+#include "sigmascape/base/units.h"
+#include "sigmascape/radar/range_response.h"
+
+namespace sigmascape::receiver {
+namespace {
+
+/// `power(k)` for bins k = −reach … reach, cut where no more than `left_out` of the sum lies beyond on both sides.
+template <typename Power>
+BinResponse sampled(int reach, double left_out, Power&& power) {
+  std::vector<double> at_least(static_cast<std::size_t>(reach) + 2, 0.0);  // of |k| ≥ index
+  for (int k = reach; k >= 1; --k)
+    at_least[static_cast<std::size_t>(k)] = at_least[static_cast<std::size_t>(k) + 1] + power(k) + power(-k);
+  const double total = at_least[1] + power(0);
+  int kept = 0;
+  while (kept < reach && at_least[static_cast<std::size_t>(kept) + 1] > left_out * total) ++kept;
+
+  const double sum = total - at_least[static_cast<std::size_t>(kept) + 1];
+  BinResponse response;
+  for (int k = -kept; k <= kept; ++k) response.weights.push_back(static_cast<float>(power(k) / sum));
+  response.peak_bins = sum / power(0);
+  return response;
+}
+
+/// How far responses are followed at most, in resolution cells.
+constexpr double farthest_cells = 64.0;
+
+}  // namespace
+
+BinResponse range_response(const radar::Radar& radar, double range_step_m) {
+  const auto pulse = radar::RangeResponse::of_width(radar.range_resolution_m, radar.waveform.window);
+  const int reach = static_cast<int>(std::ceil(farthest_cells * radar.range_resolution_m / range_step_m));
+  return sampled(reach, 3e-4, [&](int k) { return pulse.power(k * range_step_m); });
+}
+
+BinResponse azimuth_response(const radar::Radar& radar, double azimuth_step_rad) {
+  const auto pattern = radar::antenna_pattern(radar);
+  const int reach = static_cast<int>(pi / azimuth_step_rad);
+  return sampled(reach, 1e-5, [&](int k) { return pattern.azimuth().two_way_power(k * azimuth_step_rad); });
+}
+
+}  // namespace sigmascape::receiver

@@ -1,0 +1,100 @@
+#include "sigmascape/receiver/doppler_imager.h"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <utility>
+#include <vector>
+
+#include "sigmascape/base/error.h"
+#include "sigmascape/base/parallel.h"
+#include "sigmascape/base/units.h"
+#include "sigmascape/receiver/carrier_phase.h"
+#include "sigmascape/receiver/multilook.h"
+#include "sigmascape/receiver/smear.h"
+
+namespace sigmascape::receiver {
+namespace {
+
+ResponseAxis doppler_axis(const CoherentInterval& interval) {
+  if (interval.pulses < 2 || !(interval.repetition_hz > 0.0) || !(interval.oversampling >= 1.0)) {
+    throw Error("coherent interval",
+                fmt::format("has {} pulses at {} Hz and {} bins a cell", interval.pulses, interval.repetition_hz,
+                            interval.oversampling),
+                "give at least two pulses, a positive repetition frequency and at least one bin a cell");
+  }
+  const auto bins = static_cast<std::size_t>(std::ceil(static_cast<double>(interval.pulses) * interval.oversampling));
+  return {.bins = fast_length(bins), .band = interval.pulses, .window = interval.window, .periodic = true};
+}
+
+}  // namespace
+
+DopplerImager::DopplerImager(const radar::Radar& radar, const radar::Track& platform, const CoherentInterval& interval,
+                             const RangeGate& gate, Vec3d aim, VoltageGain gain)
+    : interval_(interval),
+      range_(gated_axis(radar, gate)),
+      gain_(std::move(gain)),
+      plane_(doppler_axis(interval), range_.axis) {
+  frame_.platform = {platform.position_at(interval.middle_time_s), platform.velocity_at(interval.middle_time_s)};
+  frame_.frequency_hz = radar.frequency_hz;
+  frame_.pulse_repetition_hz = interval.repetition_hz;
+  frame_.interval_s = static_cast<double>(interval.pulses) / interval.repetition_hz;
+  const std::size_t bins = doppler_axis(interval).bins;
+  const double step_hz = interval.repetition_hz / static_cast<double>(bins);
+  const double centre_hz =
+      radar::doppler_hz(radar::range_rate_mps(frame_.platform, {aim}), wavelength_m(radar.frequency_hz));
+  frame_.doppler_hz = {centre_hz - static_cast<double>(bins / 2) * step_hz, step_hz, bins};
+  frame_.range_m = {range_.start_m + static_cast<double>(range_.guard) * range_.step_m, range_.step_m, range_.samples};
+}
+
+PlacedAmplitude DopplerImager::placed(const radar::Motion& seen, const radar::ComplexChannels& amplitude) const {
+  const double range_m = length(seen.position - frame_.platform.position);
+  const double wavelength = wavelength_m(frame_.frequency_hz);
+  const double frequency = radar::doppler_hz(radar::range_rate_mps(frame_.platform, seen), wavelength);
+  const float voltage = gain_ ? gain_({interval_.middle_time_s, frame_.platform}, seen.position, range_m) : 1.0F;
+  return {frame_.doppler_hz.place_of(frequency), frame_.range_m.place_of(range_m) + static_cast<double>(range_.guard),
+          amplitude * (carrier_phase(range_m, wavelength) * voltage)};
+}
+
+void DopplerImager::add(std::span<const radar::Scatterer> ground, unsigned threads) {
+  std::vector<PlacedAmplitude> places(ground.size());
+  constexpr std::size_t chunk = 4096;
+  parallel_for((ground.size() + chunk - 1) / chunk, threads, [&](std::size_t part, unsigned) {
+    for (std::size_t i = part * chunk; i < std::min(ground.size(), (part + 1) * chunk); ++i) {
+      places[i] = placed({ground[i].position}, ground[i].amplitude_m);
+    }
+  });
+  plane_.add(places, threads);
+}
+
+void DopplerImager::add(std::span<const radar::Target> targets) {
+  std::vector<PlacedAmplitude> places;
+  const double bins_a_cell = static_cast<double>(frame_.doppler_hz.bins) / static_cast<double>(interval_.pulses);
+  const double wavelength = wavelength_m(frame_.frequency_hz);
+  const double speed2 = dot(frame_.platform.velocity_mps, frame_.platform.velocity_mps);
+  for (const radar::Target& target : targets) {
+    const radar::Motion motion = radar::motion_of(target, interval_.middle_time_s);
+    const radar::Channels rcs = radar::rcs_of(target, frame_.platform.position, frame_.frequency_hz,
+                                              {interval_.middle_time_s, interval_.dwell, 0});
+    const PlacedAmplitude whole = placed(motion, radar::steady_amplitude(rcs));
+    // Ground at the same range and Doppler, which is in focus, differs in Doppler rate by the relative speed alone.
+    const Vec3d relative = motion.velocity_mps - frame_.platform.velocity_mps;
+    const double range_m = length(motion.position - frame_.platform.position);
+    const double rate_error = -2.0 * (dot(relative, relative) - speed2) / (range_m * wavelength);
+    for (const SmearedPart& part : smeared(rate_error, frame_.interval_s)) {
+      places.push_back({whole.column + part.cells * bins_a_cell, whole.row, whole.amplitude * part.amplitude});
+    }
+  }
+  plane_.add(places);
+}
+
+radar::RangeDopplerImage DopplerImager::image(unsigned threads) const {
+  radar::RangeDopplerImage image = frame_;
+  image.amplitude_m = rows_from(plane_.bins({}, threads), range_.guard, range_.samples);
+  return image;
+}
+
+Array2D<radar::Channels> DopplerImager::power(std::size_t looks, unsigned threads) const {
+  return multilooked(plane_, looks, range_.guard, range_.samples, threads);
+}
+
+}  // namespace sigmascape::receiver

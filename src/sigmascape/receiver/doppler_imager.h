@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "sigmascape/radar/radar.h"
+#include "sigmascape/radar/scatterer.h"
+#include "sigmascape/radar/slant_image.h"
+#include "sigmascape/radar/target.h"
+#include "sigmascape/radar/track.h"
+#include "sigmascape/receiver/range_gate.h"
+#include "sigmascape/receiver/response_plane.h"
+#include "sigmascape/receiver/voltage_gain.h"
+
+namespace sigmascape::receiver {
+
+/// The pulses that one image is made of.
+struct CoherentInterval {
+  double middle_time_s = 0.0;
+  std::size_t pulses = 64;
+  double repetition_hz = 1000.0;
+  radar::Window window = {};  ///< over the pulses
+  double oversampling = 2.0;  ///< Doppler bins a resolution cell, at least 1
+  std::uint64_t dwell = 0;    ///< number of the interval, by which fluctuating targets are drawn
+};
+
+/// Range–Doppler imaging of a straight flight, in the image domain: Doppler beam sharpening with few pulses, spotlight
+/// SAR with many, at any squint.
+///
+/// Every point answers at its slant range and Doppler in the middle of the interval, with the exact responses of band
+/// and pulses; Doppler folds at the pulse repetition frequency. The ground is taken to be in focus over the whole
+/// interval, as after a processor that corrects range walk and Doppler rate for points at rest; what moves is shifted
+/// and smeared by what it differs. docs/physics/doppler.md, Eqs. (1)–(8).
+class DopplerImager {
+ public:
+  /// `aim`: the ground point whose Doppler stands in the middle of the image. Throws Error when the gate or the
+  /// interval make no sense.
+  DopplerImager(const radar::Radar& radar, const radar::Track& platform, const CoherentInterval& interval,
+                const RangeGate& gate, Vec3d aim, VoltageGain gain = {});
+
+  void add(std::span<const radar::Scatterer> ground, unsigned threads = 0);
+  void add(std::span<const radar::Target> targets);
+
+  [[nodiscard]] radar::RangeDopplerImage image(unsigned threads = 0) const;
+  /// Multilook: mean power of so many images, each from a part of the pulses: finer in grey values, coarser in Doppler
+  /// by as much. [Doppler, range], m².
+  [[nodiscard]] Array2D<radar::Channels> power(std::size_t looks, unsigned threads = 0) const;
+
+ private:
+  [[nodiscard]] PlacedAmplitude placed(const radar::Motion& seen, const radar::ComplexChannels& amplitude) const;
+
+  CoherentInterval interval_;
+  GatedAxis range_;
+  VoltageGain gain_;
+  radar::RangeDopplerImage frame_;  // without bins
+  ResponsePlane plane_;
+};
+
+}  // namespace sigmascape::receiver

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <complex>
+#include <cstdint>
+#include <span>
+
+#include "sigmascape/base/array2d.h"
+#include "sigmascape/radar/radar.h"
+#include "sigmascape/radar/range_azimuth_image.h"
+
+namespace sigmascape::receiver {
+
+/// Mean power in every bin, without speckle, as it reaches the antenna's terminals, and that of the noise beside it.
+struct ReceivedPower {
+  radar::RangeAzimuthGrid grid;
+  /// [azimuth, range], W: a compressed pulse with the beam's axis in the bin's middle and the receiver sampling there.
+  Array2D<float> signal_w;
+  double noise_w = 0.0;  ///< k T₀ B F, the same in every bin
+};
+
+/// The radar equation, laid over bins of cross-section. docs/physics/receiver.md, Eq. (3).
+///
+/// A lone point of cross-section σ in the middle of a bin gives that bin the power P_t G² λ² σ / ((4π)³ r⁴ L) times the
+/// compression gain. Ranges at which the transmitter deafens the receiver are darkened. What the signal falls short of
+/// the noise, `signal_w / noise_w`, is the signal-to-noise ratio of one pulse.
+[[nodiscard]] ReceivedPower received_power(const radar::Radar& radar, const radar::RangeAzimuthImage& image,
+                                           radar::Polarization polarization);
+
+/// Adds complex Gaussian noise of mean power `noise_w` in `impedance_ohm` to voltages (root mean square), the real and
+/// imaginary part having half of it each. Independent from sample to sample; sample i of the span has the number
+/// `first + i` under `seed`, and always the same noise.
+void add_noise(std::span<std::complex<float>> volts, double noise_w, double impedance_ohm, std::uint64_t seed,
+               std::uint64_t first = 0);
+
+/// Real and imaginary part after the converter: in steps, and saturated. Counts the samples that saturate.
+std::uint64_t digitise(std::span<std::complex<float>> volts, const radar::AnalogToDigital& converter);
+
+/// The detector's answer to a voltage: |V|, |V|² in V², or 10 log₁₀ of |V|² in dB over one V².
+[[nodiscard]] float detected(std::complex<float> volts, radar::Detector detector);
+
+/// What leaves the receiver for one realisation of the noise.
+struct DetectedImage {
+  radar::RangeAzimuthGrid grid;
+  Array2D<float> video;  ///< [azimuth, range]; V, V² or dB over one V², by the detector
+  std::uint64_t saturated = 0;
+};
+
+/// Signal plus noise through gain, sensitivity time control, converter and detector, each pulse with its own noise; the
+/// mean of `pulses_integrated` outputs. The signal is its mean power at constant phase, without speckle. Noise is white
+/// over the band, so it is correlated over range as the compressed pulse is; from azimuth to azimuth it is independent.
+[[nodiscard]] DetectedImage detected_image(const radar::Radar& radar, const ReceivedPower& power, std::uint64_t seed,
+                                           unsigned threads = 0);
+
+}  // namespace sigmascape::receiver

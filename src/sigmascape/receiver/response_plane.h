@@ -1,0 +1,39 @@
+#pragma once
+
+#include <span>
+
+#include "sigmascape/base/array2d.h"
+#include "sigmascape/radar/complex_channels.h"
+#include "sigmascape/receiver/response_axis.h"
+#include "sigmascape/receiver/row_bands.h"
+#include "sigmascape/receiver/spreading_kernel.h"
+
+namespace sigmascape::receiver {
+
+/// Bins in which every amplitude answers with the exact two-dimensional response of a coherent receiver, at its exact
+/// place: what a processor would make of the pulses, without making the pulses. The brightest bin of a lone point that
+/// lies on a bin's centre holds its amplitude.
+///
+/// Amplitudes are spread over samples at twice the band, and the responses laid over all of them at once by Fourier
+/// transforms. The result does not depend on the number of threads.
+class ResponsePlane {
+ public:
+  ResponsePlane(const ResponseAxis& columns, const ResponseAxis& rows);
+
+  [[nodiscard]] const ResponseAxis& columns() const { return columns_; }
+
+  /// Adds amplitudes at places in units of bins.
+  void add(std::span<const PlacedAmplitude> placed, unsigned threads = 0);
+
+  /// [column, row]. With `subband`, that part of the band over columns alone: looks of different parts see independent
+  /// speckle.
+  [[nodiscard]] Array2D<radar::ComplexChannels> bins(const Subband& subband = {}, unsigned threads = 0) const;
+
+ private:
+  ResponseAxis columns_, rows_;
+  std::size_t fine_columns_, fine_rows_;
+  SpreadingKernel kernel_;
+  Array2D<radar::ComplexChannels> fine_;  // with a margin of the kernel's reach on all sides
+};
+
+}  // namespace sigmascape::receiver

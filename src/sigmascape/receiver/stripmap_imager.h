@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "sigmascape/radar/radar.h"
+#include "sigmascape/radar/scatterer.h"
+#include "sigmascape/radar/slant_image.h"
+#include "sigmascape/radar/target.h"
+#include "sigmascape/receiver/range_gate.h"
+#include "sigmascape/receiver/response_plane.h"
+#include "sigmascape/receiver/voltage_gain.h"
+
+namespace sigmascape::receiver {
+
+/// A strip along a straight flight.
+struct Strip {
+  double first_along_m = 0.0;  ///< from where the platform is at time zero, along its velocity
+  double last_along_m = 0.0;
+  double resolution_m = 1.0;  ///< half-power width along the flight: half the antenna's length at best
+  radar::Window window = {};  ///< over the processed Doppler band
+  double oversampling = 1.5;  ///< bins a resolution cell, at least 1
+  double squint_rad = 0.0;    ///< of the beam, ahead of broadside
+  std::uint64_t dwell = 0;    ///< by which fluctuating targets are drawn
+};
+
+/// Stripmap SAR in the image domain: every point answers at its closest slant range and its place along the flight,
+/// with the exact responses of band and processed Doppler; movers stand where a point at rest would have their range
+/// and Doppler as the beam passes them, and are smeared over what its Doppler rate differs. Slant geometry; the
+/// antenna's gain is that on the axis of the beam unless `gain` says otherwise. docs/physics/doppler.md, Eqs. (5), (6).
+class StripmapImager {
+ public:
+  /// `platform`: at time zero. Throws Error when gate or strip make no sense or the platform stands still.
+  StripmapImager(const radar::Radar& radar, const radar::Motion& platform, const Strip& strip, const RangeGate& gate,
+                 VoltageGain gain = {});
+
+  void add(std::span<const radar::Scatterer> ground, unsigned threads = 0);
+  void add(std::span<const radar::Target> targets);
+
+  [[nodiscard]] radar::StripmapImage image(unsigned threads = 0) const;
+  /// See DopplerImager::power. [along, closest range], m².
+  [[nodiscard]] Array2D<radar::Channels> power(std::size_t looks, unsigned threads = 0) const;
+
+ private:
+  struct Seen;
+  [[nodiscard]] Seen seen_from(double time_s, const radar::Motion& target) const;
+  [[nodiscard]] PlacedAmplitude placed(const Seen& seen, Vec3d position, const radar::ComplexChannels& amplitude) const;
+
+  Strip strip_;
+  GatedAxis range_, along_;
+  VoltageGain gain_;
+  radar::StripmapImage frame_;  // without bins
+  double speed_mps_;
+  Vec3d direction_;
+  ResponsePlane plane_;
+};
+
+}  // namespace sigmascape::receiver

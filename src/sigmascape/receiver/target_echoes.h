@@ -1,0 +1,18 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "sigmascape/radar/echo.h"
+#include "sigmascape/radar/radar.h"
+#include "sigmascape/radar/target.h"
+
+namespace sigmascape::receiver {
+
+/// What targets return to a radar at one moment, for the power mode: an echo each, at its own range, azimuth and
+/// height, whatever the level of detail of the ground around it. None is left out for being small, far or many.
+/// Whether something stands between is not asked here.
+[[nodiscard]] std::vector<radar::Echo> target_echoes(std::span<const radar::Target> targets, const radar::Radar& radar,
+                                                     const radar::Moment& moment);
+
+}  // namespace sigmascape::receiver

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "sigmascape/atlas/atlas.h"
+#include "sigmascape/radar/ground_grid.h"
+#include "sigmascape/radar/look.h"
+#include "sigmascape/radar/scatterer.h"
+#include "sigmascape/radar/scatterer_lattice.h"
+#include "sigmascape/radar/target.h"
+#include "sigmascape/terrain/height_field.h"
+
+namespace sigmascape::render {
+
+/// σ0 of a point of the ground, linear and per horizontal area, as seen under an aspect. Called from several threads.
+using Reflectivity = std::function<radar::Channels(Vec2d point, const radar::Aspect& aspect)>;
+
+/// What an atlas says, at the level whose texels are as large as `cell_m`. The atlas must outlive it. Throws Error when
+/// the atlas has not been baked near this frequency.
+[[nodiscard]] Reflectivity reflectivity_of(const atlas::Atlas& atlas, double frequency_hz, double cell_m);
+
+struct ScattererRequest {
+  Vec3d radar_position;  ///< from where visibility and aspect are reckoned: the middle of the flight
+  radar::Rectangle area;
+  int level = 0;        ///< of the lattice; its cells should be no larger than half the finest resolution
+  double time_s = 0.0;  ///< when targets cast their shadows
+  unsigned threads = 0;
+};
+
+/// The scatterers of all ground in the area that the radar sees over the terrain: one a cell of the lattice, with the
+/// cross-section σ0 · (area of the cell) in the mean. Ordered by rows from the south. Ground behind a target's box is
+/// left out: its shadow, which stays where it is however the target's echo is moved.
+///
+/// Throws Error when the area has more than 2²⁷ cells.
+[[nodiscard]] std::vector<radar::Scatterer> ground_scatterers(const terrain::HeightField& terrain,
+                                                              const Reflectivity& sigma0,
+                                                              const radar::ScattererLattice& lattice,
+                                                              const ScattererRequest& request,
+                                                              std::span<const radar::Target> targets = {});
+
+}  // namespace sigmascape::render

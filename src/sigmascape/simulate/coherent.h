@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "sigmascape/radar/ground_grid.h"
+#include "sigmascape/radar/phase_history.h"
+#include "sigmascape/radar/radar.h"
+#include "sigmascape/radar/range_azimuth_image.h"
+#include "sigmascape/radar/slant_image.h"
+#include "sigmascape/radar/target.h"
+#include "sigmascape/render/ground_scatterers.h"
+#include "sigmascape/terrain/height_field.h"
+
+namespace sigmascape::simulate {
+
+/// What a coherent mode looks at: ground by its shape and σ0, and targets. All must outlive the call.
+struct CoherentScene {
+  const terrain::HeightField* terrain = nullptr;
+  render::Reflectivity sigma0;  ///< `render::reflectivity_of` an atlas, or any field
+  std::span<const radar::Target> targets = {};
+};
+
+struct CoherentSettings {
+  /// Time over which pulses are added up, about time zero, when the radar is at its position.
+  double interval_s = 0.1;
+  /// Half-power width along the flight that stripmap processes to.
+  double along_resolution_m = 1.0;
+  /// Side of the cells that hold a scatterer each; 0 for half the range resolution.
+  double scatterer_spacing_m = 0.0;
+  std::uint64_t seed = 1;   ///< of speckle and noise
+  std::uint64_t dwell = 0;  ///< by which fluctuating targets are drawn
+  /// Volts behind the receiver, with antenna, radar equation and thermal noise, instead of metres without.
+  bool calibrated = false;
+  unsigned threads = 0;
+};
+
+/// The pulses of one interval, before any processing: I and Q, at the radar's pulse repetition frequency, over the gate
+/// that `area` or the radar file asks for. The beam follows the middle of the area, or with Mode::Stripmap keeps the
+/// direction that it has at time zero. Targets are seen over the bare terrain. Cost goes with pulses × scatterers.
+///
+/// Throws Error when the radar does not move, the gate is longer than the unambiguous range, or the area is too large.
+[[nodiscard]] radar::PhaseHistory phase_history(const CoherentScene& scene, const radar::Radar& radar,
+                                                const radar::Rectangle& area, const CoherentSettings& settings);
+
+/// Doppler beam sharpening or spotlight SAR of the area as a focused image in slant range and Doppler, in metres.
+[[nodiscard]] radar::RangeDopplerImage range_doppler_image(const CoherentScene& scene, const radar::Radar& radar,
+                                                           const radar::Rectangle& area,
+                                                           const CoherentSettings& settings);
+
+/// Stripmap SAR of the area, at the squint under which the radar sees its middle at time zero, in metres.
+[[nodiscard]] radar::StripmapImage stripmap_image(const CoherentScene& scene, const radar::Radar& radar,
+                                                  const radar::Rectangle& area, const CoherentSettings& settings);
+
+/// Adds the targets that the radar sees over the bare terrain to an image of the power mode, of whatever level of
+/// detail.
+void add_targets(radar::RangeAzimuthImage& image, const radar::Radar& radar, const terrain::HeightField& terrain,
+                 std::span<const radar::Target> targets, const radar::Moment& moment);
+
+}  // namespace sigmascape::simulate

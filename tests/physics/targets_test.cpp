@@ -1,0 +1,209 @@
+#include <cmath>
+#include <complex>
+#include <gtest/gtest.h>
+#include <vector>
+
+#include "validation/validation_record.h"
+
+#include "sigmascape/base/units.h"
+#include "sigmascape/radar/noise.h"
+#include "sigmascape/radar/radar_equation.h"
+#include "sigmascape/radar/range_response.h"
+#include "sigmascape/receiver/calibrated_voltage.h"
+#include "sigmascape/receiver/pulse_receiver.h"
+#include "sigmascape/receiver/target_echoes.h"
+#include "sigmascape/simulate/coherent.h"
+#include "sigmascape/simulate/simulate.h"
+
+namespace sigmascape {
+namespace {
+
+constexpr std::string_view group = "Targets";
+
+terrain::HeightField level_ground() {
+  return {.west_m = -1000.0, .north_m = 1000.0, .spacing_m = 50.0, .height_m = Array2D<float>(41, 41, 0.0F)};
+}
+
+/// Looks north from the south, 20° down on the middle of the terrain, and flies east.
+radar::Radar looking_north(double range_resolution_m) {
+  radar::Radar radar;
+  radar.position = radar::position_seeing({0.0, 0.0, 0.0}, pi, radians_from_deg(20.0), 8000.0);
+  radar.velocity_mps = {100.0, 0.0, 0.0};
+  radar.range_resolution_m = range_resolution_m;
+  radar.waveform.pulse_repetition_hz = 2000.0;
+  radar.mode = radar::Mode::Spotlight;
+  return radar;
+}
+
+render::Reflectivity even(float sigma0) {
+  return [sigma0](Vec2d, const radar::Aspect&) { return radar::Channels{sigma0, sigma0, sigma0 / 10.0F, 0.0F}; };
+}
+
+radar::Target target_of(float rcs_m2, Vec3d position, Vec3d velocity_mps = {}) {
+  radar::Target target;
+  target.track = radar::Track::straight(position, velocity_mps);
+  target.rcs_m2 = radar::Channels{rcs_m2, rcs_m2, 0.0F, rcs_m2};
+  return target;
+}
+
+double total(const radar::RangeAzimuthImage& image) {
+  double sum = 0.0;
+  for (const radar::Channels& bin : image.rcs_m2.values()) sum += std::isnan(bin.vv) ? 0.0 : bin.vv;
+  return sum;
+}
+
+/// Whatever the bins: from metres to half a kilometre, as the levels of detail have them.
+TEST(Target, of_ten_square_metres_returns_them_at_every_resolution) {
+  const auto terrain = level_ground();
+  const radar::Rectangle area{-400.0, -400.0, 400.0, 400.0};
+  for (const double resolution_m : {2.0, 8.0, 32.0, 128.0, 512.0}) {
+    auto radar = looking_north(resolution_m);
+    radar.mode = radar::Mode::RealBeam;
+    radar.beam_width_rad = 0.01;
+    const auto grid = simulate::bins_for(radar, area, terrain);
+    radar::RangeAzimuthImage image{grid, radar.position, Array2D<radar::Channels>(grid.azimuths, grid.ranges)};
+    const std::vector<radar::Target> targets{target_of(10.0F, {13.0, -27.0, 1.0})};
+    simulate::add_targets(image, radar, terrain, targets, {});
+    validation::expect_close(
+        {group, "10 m² in the power mode, cells of " + std::to_string(static_cast<int>(resolution_m)) + " m", 10.0,
+         db_from_linear(total(image)), 0.1, "dBm²", "weights sum to one"});
+  }
+}
+
+TEST(Target, of_ten_square_metres_returns_them_in_coherent_modes) {
+  const auto terrain = level_ground();
+  const radar::Rectangle area{-60.0, -60.0, 60.0, 60.0};
+  const std::vector<radar::Target> targets{target_of(10.0F, {3.0, -2.0, 1.0})};
+  const simulate::CoherentScene scene{&terrain, even(0.0F), targets};
+  const auto brightest = [](const Array2D<radar::ComplexChannels>& bins) {
+    double best = 0.0;
+    for (const auto& bin : bins.values()) best = std::max<double>(best, std::norm(bin.vv));
+    return best;
+  };
+  for (const double resolution_m : {1.0, 4.0, 16.0}) {
+    const auto radar = looking_north(resolution_m);
+    // Bins are finer than cells, yet a target may fall between them; energy over the response's own does not.
+    const auto image = simulate::range_doppler_image(scene, radar, area, {.interval_s = 0.05});
+    double energy = 0.0;
+    for (const auto& bin : image.amplitude_m.values()) energy += std::norm(bin.vv);
+    const double noise_width = radar::WindowResponse(radar.waveform.window).noise_bandwidth();
+    const double bins_a_cell = speed_of_light_mps /
+                               (2.0 * radar::bandwidth_of(resolution_m, radar.waveform.window) * image.range_m.step) *
+                               (static_cast<double>(image.doppler_hz.bins) / 100.0);
+    validation::expect_close(
+        {group, "10 m² in a range–Doppler image, cells of " + std::to_string(static_cast<int>(resolution_m)) + " m",
+         10.0, db_from_linear(energy / (bins_a_cell * noise_width * noise_width)), 0.1, "dBm²",
+         "energy of the response"});
+    EXPECT_NEAR(db_from_linear(brightest(image.amplitude_m)), 10.0, 1.5);
+    const auto strip = simulate::stripmap_image(scene, radar, area, {.along_resolution_m = resolution_m});
+    EXPECT_NEAR(db_from_linear(brightest(strip.amplitude_m)), 10.0, 1.5);
+  }
+}
+
+TEST(CoherentGround, returns_sigma0_times_the_area_of_a_cell) {
+  const auto terrain = level_ground();
+  auto radar = looking_north(5.0);
+  radar.waveform.window = {.shape = radar::WindowShape::Rectangular};
+  const float sigma0 = 0.05F;
+  const auto image = simulate::range_doppler_image({&terrain, even(sigma0)}, radar, {-400.0, -400.0, 400.0, 400.0},
+                                                   {.interval_s = 0.3, .scatterer_spacing_m = 2.0, .seed = 4});
+  double mean = 0.0, count = 0.0;
+  for (std::size_t row = 0; row < image.range_m.bins; ++row) {
+    const double range_m = image.range_m.middle_of(static_cast<double>(row) + 0.5);
+    for (std::size_t column = 0; column < image.doppler_hz.bins; ++column) {
+      const double frequency = image.doppler_hz.middle_of(static_cast<double>(column) + 0.5);
+      // Well within the area.
+      if (std::abs(frequency) > 80.0 || std::abs(range_m - 8000.0) > 250.0) continue;
+      mean += std::norm(image.amplitude_m(column, row).vv);
+      count += 1.0;
+    }
+  }
+  mean /= count;
+  // Doppler is that across the flight, so its cell is λr/2vT whatever the grazing angle; c/2B on the ground is longer.
+  const double cell_m2 = 5.0 / 0.8859 / std::cos(radians_from_deg(20.0)) *
+                         radar::cross_range_resolution_m(8000.0, wavelength_m(10e9), 100.0, 0.3, pi / 2.0);
+  validation::expect_close({group, "mean power of even ground, focused", 0.0, db_from_linear(mean / (sigma0 * cell_m2)),
+                            0.25, "dB", "σ0 · cell area"});
+}
+
+TEST(CoherentGround, is_dark_behind_a_mover_where_it_really_is) {
+  const auto terrain = level_ground();
+  const auto radar = looking_north(2.0);
+  // A moving wall, 40 m long across the line of sight and 15 m tall: its shadow on level ground is 15/tan 20° = 41 m.
+  auto wall = target_of(1000.0F, {0.0, 0.0, 7.5}, {0.0, -3.0, 0.0});
+  wall.size_m = {2.0, 40.0, 15.0};
+  const std::vector<radar::Target> targets{wall};
+  const radar::Rectangle area{-120.0, -120.0, 120.0, 120.0};
+  const auto image = simulate::range_doppler_image({&terrain, even(0.1F), targets}, radar, area, {.interval_s = 0.4});
+  const auto mean_around = [&](Vec3d ground) {
+    const Vec2d bin = image.place_of({ground});
+    double sum = 0.0;
+    for (int r = -3; r <= 3; ++r) {
+      for (int c = -2; c <= 2; ++c) {
+        sum +=
+            std::norm(image.amplitude_m(static_cast<std::size_t>(bin.x + c), static_cast<std::size_t>(bin.y + r)).vv);
+      }
+    }
+    return sum / 35.0;
+  };
+  const double lit = mean_around({-70.0, 20.0, 0.0}) / 2.0 + mean_around({70.0, 20.0, 0.0}) / 2.0;
+  EXPECT_LT(db_from_linear(mean_around({0.0, 20.0, 0.0}) / lit), -10.0);  // behind the wall
+  EXPECT_GT(db_from_linear(mean_around({0.0, 60.0, 0.0}) / lit), -4.0);   // beyond its shadow
+  // The echo itself is a hundred metres off: r v_r/V with v_r = −3 cos 20°.
+  std::size_t best = 0;
+  for (std::size_t i = 0; i < image.amplitude_m.size(); ++i) {
+    if (std::norm(image.amplitude_m.values()[i].vv) > std::norm(image.amplitude_m.values()[best].vv)) best = i;
+  }
+  const double seen_hz = image.doppler_hz.middle_of(static_cast<double>(best % image.doppler_hz.bins) + 0.5);
+  const double shift_m = seen_hz * wavelength_m(10e9) / 200.0 * 8000.0;
+  EXPECT_NEAR(shift_m, radar::mover_shift_m(8000.0, -3.0 * std::cos(radians_from_deg(20.0)), 100.0), 5.0);
+}
+
+TEST(CalibratedPulses, return_the_radar_equation_in_volts) {
+  const auto radar = looking_north(3.0);
+  const Vec3d place{0.0, 0.0, 0.0};
+  const std::vector<radar::Target> targets{target_of(10.0F, place)};
+  const receiver::PulseReceiver receiver(radar, {7900.0, 8100.0, 4.0});
+  const auto history = receiver.receive(radar::Track::straight(radar.position, radar.velocity_mps), {.count = 1}, {},
+                                        targets, receiver::calibrated_voltage(radar, receiver::towards(place)));
+  EXPECT_EQ(history.unit, "V");
+  double best = 0.0;
+  for (const auto& sample : history.samples.values()) best = std::max<double>(best, std::norm(sample.vv));
+  const double expected_w =
+      radar::signal_to_noise(radar, 10.0, 8000.0) * radar::noise_power_w(radar) * radar.receiver.gain;
+  validation::expect_close({group, "peak power of 10 m² at 8 km over the radar equation's", 0.0,
+                            db_from_linear(best / radar.receiver.impedance_ohm / expected_w), 0.1, "dB",
+                            "P_t G² λ² σ/((4π)³ r⁴ L) · G_c"});
+}
+
+TEST(CalibratedPulses, carry_noise_of_kTBF_with_the_band_of_the_pulse) {
+  const auto radar = looking_north(3.0);
+  const receiver::PulseReceiver receiver(radar, {7000.0, 9000.0, 2.0});
+  auto history = receiver.receive(radar::Track::straight(radar.position, radar.velocity_mps), {.count = 64}, {}, {},
+                                  receiver::calibrated_voltage(radar, receiver::towards({})));
+  receiver::add_thermal_noise(history, radar, 5);
+  double power = 0.0;
+  std::complex<double> next;
+  for (std::size_t pulse = 0; pulse < 64; ++pulse) {
+    const auto row = history.samples.row(pulse);
+    for (std::size_t m = 0; m + 1 < row.size(); ++m) {
+      power += std::norm(row[m].hh);
+      next += std::complex<double>(row[m].hh * std::conj(row[m + 1].hh));
+    }
+  }
+  const double samples = 64.0 * static_cast<double>(history.samples.columns() - 1);
+  const double expected = radar::noise_power_w(radar) * radar.receiver.gain * radar.receiver.impedance_ohm;
+  validation::expect_close({group, "thermal noise of pulses over kTBF", 0.0, db_from_linear(power / samples / expected),
+                            0.1, "dB", "k T₀ B F"});
+  // Half a sample a resolution: neighbours are alike, as the band is half of what is sampled.
+  EXPECT_GT(next.real() / power, 0.5);
+  EXPECT_THROW(
+      {
+        auto metres = receiver.receive(radar::Track::straight({}, {}), {.count = 1}, {}, {});
+        receiver::add_thermal_noise(metres, radar, 5);
+      },
+      std::exception);
+}
+
+}  // namespace
+}  // namespace sigmascape
