@@ -32,6 +32,7 @@ struct Radar {
   Waveform waveform = {};
   Receiver receiver = {};
   Mode mode = Mode::RealBeam;
+  double atmosphere_per_m = 0.0;  ///< what air and rain take on the way, one way: power falls as exp(−α r)
 };
 
 [[nodiscard]] AntennaPattern antenna_pattern(const Radar& radar);
