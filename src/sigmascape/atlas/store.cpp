@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "sigmascape/atlas/half_texture.h"
+#include "sigmascape/atlas/pyramid.h"
 #include "sigmascape/atlas/stac.h"
 #include "sigmascape/atlas/texture_file.h"
 #include "sigmascape/atlas/texture_name.h"
@@ -134,6 +135,15 @@ MipChain Store::read(PatchIndex patch, LookIndex look) const {
 HalfTexture Store::read_halves(PatchIndex patch, LookIndex look) const {
   return read_texture(folder_, texture_path(patch, look), description_.patches.texels_per_side,
                       description_.patches.stored_levels(), "bake this texture, resuming does so");
+}
+
+HalfTexture Store::read_halves(std::size_t level, PatchIndex patch, LookIndex look) const {
+  const Pyramid pyramid(*this);
+  if (level < 1 || level > pyramid.levels()) {
+    throw Error(folder_.string(), fmt::format("has no level {} above its patches", level),
+                fmt::format("there are {}, counted from 1", pyramid.levels()));
+  }
+  return pyramid.read_halves(pyramid.tile_over(patch, level), look);
 }
 
 std::vector<StoreFault> Store::verify(Scrutiny scrutiny) const {

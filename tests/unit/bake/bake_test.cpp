@@ -3,11 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <iterator>
-#include <map>
 
 #include "scratch_folder.h"
 
@@ -53,17 +50,6 @@ BakeSettings small_bake(std::vector<double> elevations_deg = {13.0, 40.0}) {
 BakeReport baked(const scene::Scene& scene, const BakeSettings& settings, const std::filesystem::path& folder) {
   SilentProgress silent;
   return bake(scene, settings, folder, silent);
-}
-
-/// Every file of a folder with its bytes.
-std::map<std::string, std::string> files_of(const std::filesystem::path& folder) {
-  std::map<std::string, std::string> files;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
-    if (!entry.is_regular_file()) continue;
-    std::ifstream file(entry.path(), std::ios::binary);
-    files[std::filesystem::relative(entry.path(), folder).string()] = {std::istreambuf_iterator<char>(file), {}};
-  }
-  return files;
 }
 
 TEST(Bake, BareConstantGammaGroundIsGammaTimesSine) {
