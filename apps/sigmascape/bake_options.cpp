@@ -15,7 +15,9 @@ void BakeOptions::add_to(CLI::App& command) {
       ->check(CLI::Range(1, 3600));
   command.add_option("--elevations-deg", elevations_deg, "grazing angles")->delimiter(',')->capture_default_str();
   command.add_option("--frequencies-ghz", frequencies_ghz, "frequencies")->delimiter(',')->capture_default_str();
-  command.add_option("--samples", samples, "rays a texel (N_r of the paper)")->capture_default_str();
+  command.add_option("--samples", samples, "rays a texel (N_r of the paper)")
+      ->capture_default_str()
+      ->check(CLI::Range(2, 1 << 24));
   command.add_option("--bounces", bounces, "surfaces a path may meet (N_b of the paper)")->capture_default_str();
   command.add_option("--seed", seed, "names the random numbers")->capture_default_str();
   command.add_option("--mantissa-bits", mantissa_bits, "bits kept of each half float, 1 to 10")

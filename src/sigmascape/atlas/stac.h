@@ -20,7 +20,8 @@ struct TextureRecord {
   std::uint64_t size_bytes = 0;
   std::string sha256;
   double scale = 1.0;
-  std::string made_from = {};  ///< of a file of the pyramid: names the content of those below; else empty
+  std::string made_from = {};            ///< of a file of the pyramid: names the content of those below; else empty
+  double relative_standard_error = 0.0;  ///< of a patch, as in BakeFacts; read only
 };
 
 /// The collection.json of an atlas.

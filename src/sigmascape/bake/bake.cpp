@@ -22,6 +22,8 @@ class JobProgress final : public ProgressListener {
       : whole_(whole), before_(before), looks_(looks), total_(total) {}
 
   void advanced(std::string_view task, double done, double of, std::string_view) override {
+    // Looks are only told as done when they are written.
+    if (done >= of) return;
     whole_.advanced(task, static_cast<double>(before_) + done / of * static_cast<double>(looks_),
                     static_cast<double>(total_), "looks");
   }
