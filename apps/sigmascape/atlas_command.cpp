@@ -1,6 +1,9 @@
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <iterator>
 #include <vector>
 
 #include "command.h"
@@ -69,7 +72,7 @@ nlohmann::ordered_json summary_of(const atlas::AtlasDescription& atlas, const at
 std::string text_of(const atlas::AtlasDescription& atlas, const atlas::AtlasSummary& summary) {
   std::string text = fmt::format("{}\n", atlas.name);
   const auto line = [&text](std::string_view name, const std::string& value) {
-    text += fmt::format("  {:<16}{}\n", name, value);
+    text += fmt::format("  {:<18}{}\n", name, value);
   };
   line("extent", fmt::format("{:.0f} m x {:.0f} m about {:.5f} N, {:.5f} E", atlas.extent.width_m(),
                              atlas.extent.height_m(), atlas.frame.latitude_deg(), atlas.frame.longitude_deg()));

@@ -348,11 +348,16 @@ std::optional<TextureRecord> record_from(const std::string& text) {
       !is("sigmascape:scale", &Json::is_number)) {
     return std::nullopt;
   }
-  return TextureRecord{
-      properties.at("sigmascape:size_bytes").get<std::uint64_t>(),
-      properties.at("sigmascape:sha256").get<std::string>(), properties.at("sigmascape:scale").get<double>(),
-      is("sigmascape:made_from", &Json::is_string) ? properties.at("sigmascape:made_from").get<std::string>()
-                                                   : std::string{}};
+  TextureRecord record{properties.at("sigmascape:size_bytes").get<std::uint64_t>(),
+                       properties.at("sigmascape:sha256").get<std::string>(),
+                       properties.at("sigmascape:scale").get<double>()};
+  if (is("sigmascape:made_from", &Json::is_string)) {
+    record.made_from = properties.at("sigmascape:made_from").get<std::string>();
+  }
+  if (is("sigmascape:relative_standard_error", &Json::is_number)) {
+    record.relative_standard_error = properties.at("sigmascape:relative_standard_error").get<double>();
+  }
+  return record;
 }
 
 }  // namespace sigmascape::atlas
