@@ -93,7 +93,11 @@ class Store {
   /// The same as it is stored, for readers that keep halves in memory.
   [[nodiscard]] HalfTexture read_halves(PatchIndex patch, LookIndex look) const;
 
-  /// Everything that keeps the store from being whole, by file; empty when all is well.
+  /// A texture of the pyramid above the patches (atlas/pyramid.h): of its level `level`, 1 and up, the one that covers
+  /// `patch`; one level of 256² texels. Throws Error when it is not there or not as its item says.
+  [[nodiscard]] HalfTexture read_halves(std::size_t level, PatchIndex patch, LookIndex look) const;
+
+  /// Everything that keeps the patches from being whole, by file; empty when all is well.
   [[nodiscard]] std::vector<StoreFault> verify(Scrutiny scrutiny = Scrutiny::Content) const;
 
   /// Path of the texture relative to the store, "patch_+000_-001/az045.0_el13.0_f10.000GHz.tif"; its item has the
