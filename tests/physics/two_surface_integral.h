@@ -30,7 +30,7 @@ inline Estimate two_surface_integral(const scatter::CookTorrance& wall, const sc
                                      const WallGroundView& view, std::uint32_t points_per_batch = 1U << 17U) {
   constexpr double side_m = 10.0;
   constexpr int batches = 8;
-  const Vec3f wall_normal{0.0F, -1.0F, 0.0F}, up{0.0F, 0.0F, 1.0F};
+  const Vec3f wall_normal{0.0F, -1.0F, 0.0F}, ground_normal{0.0F, 0.0F, 1.0F};
   const Vec3f to_radar =
       Vec3d{std::sin(view.incidence_rad) * std::sin(view.azimuth_off_rad),
             -std::sin(view.incidence_rad) * std::cos(view.azimuth_off_rad), std::cos(view.incidence_rad)}
@@ -50,7 +50,7 @@ inline Estimate two_surface_integral(const scatter::CookTorrance& wall, const sc
       const float x = static_cast<float>(side_m) * (place.x - 0.5F) + d.x * flight_m;
       if (-d.y * flight_m > 60.0F || std::abs(x) > 65.0F) continue;
       const scatter::FieldPair at_ground = wall.scatter(in, to_radar, d, wall_normal, {}) * std::sqrt(-d.y / drawn.pdf);
-      const scatter::FieldPair back = ground.scatter(at_ground, -d, to_radar, up, {});
+      const scatter::FieldPair back = ground.scatter(at_ground, -d, to_radar, ground_normal, {});
       mean += static_cast<double>(back.mean_power() * to_radar.z * -to_radar.y) / points_per_batch;
     }
     const double sigma = 4.0 * pi * side_m * side_m * mean;
