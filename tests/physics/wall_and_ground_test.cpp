@@ -76,7 +76,7 @@ TEST(WallAndGround, MirrorWallOnRoughGroundIsTheClosedForm) {
               {{0.002, 0.6, 60.0}, 454.074}};
   for (const auto& row : rows) {
     expect_db(name_of(row.corner) + ", traced, both orders", 4.0 * row.one_order_m2, all_receive(traced(row.corner)[2]),
-              "closed form, reference/physics.md 6.5 (a), times four");
+              "closed form of one order, times four");
   }
 }
 
@@ -89,9 +89,9 @@ TEST(WallAndGround, BothSlightlyRoughIsTheClosedForm) {
     const Corner corner{0.03, 0.03, row.incidence_deg};
     const double measured = all_receive(traced(corner)[2]);
     expect_db(name_of(corner) + ", traced, against the closed form", 4.0 * row.closed_m2, measured,
-              "closed form of small slopes, reference/physics.md 6.5 (b), times four");
+              "closed form of one order for small slopes, times four");
     expect_db(name_of(corner) + ", traced, both orders", 4.0 * row.monte_carlo_m2, measured,
-              "Monte Carlo, reference/physics.md 6.5 (b), times four");
+              "separate Monte Carlo integral of one order, times four");
   }
 }
 
@@ -114,10 +114,10 @@ TEST(WallAndGround, FinitelyRoughAgreesWithTheMonteCarloReferences) {
                               .measured = integral.mean,
                               .tolerance = 3.0 * std::hypot(row.standard_error_m2, integral.standard_error),
                               .unit = "m²",
-                              .source = "Monte Carlo, reference/physics.md 6.5 (c), separable masking"});
+                              .source = "separate Monte Carlo integral, separable masking"});
     const double measured = all_receive(traced(row.corner)[2]);
     expect_db(name_of(row.corner) + ", traced, both orders", 4.0 * row.one_order_m2, measured,
-              "Monte Carlo, reference/physics.md 6.5 (c), times four");
+              "separate Monte Carlo integral of one order, times four");
   }
 }
 
@@ -145,7 +145,7 @@ TEST(WallAndGround, CrossPolarizationOfATurnedWall) {
                               .measured = db_from_linear(sums[2][2] / sums[2][1]),
                               .tolerance = 0.05,
                               .unit = "dB",
-                              .source = "Jones matrices, reference/physics.md 5.2"});
+                              .source = "separate Jones-matrix calculation"});
   }
 }
 
@@ -190,7 +190,7 @@ TEST(WallAndGround, ConcreteWallOnMediumDryGround) {
          .measured = db_from_linear(real[channel] / ideal[channel]),
          .tolerance = 0.1,
          .unit = "dB over conductors",
-         .source = "Jones matrices, reference/physics.md 5.2"});
+         .source = "separate Jones-matrix calculation"});
   };
   report("HH", 1, -9.44);
   report("VV", 0, -18.88);
@@ -213,7 +213,7 @@ TEST(WallAndGround, LambertWallOnLambertGround) {
   const auto sums =
       bounce_sums(traced_echoes(scene, {pi, radians_from_deg(45.0)}, {.samples = 256, .options = {.max_bounces = 2}}));
   expect_db("Lambert wall and ground of 10 m × 10 m, incidence 45°, both orders", 2.0 * 80.0175, sums[2][0],
-            "view factor, reference/physics.md 6.5 (d), times two");
+            "view factor of perpendicular squares, times two");
 }
 
 // For a mirror wall every way over ground and wall is as long as to the wall's foot and back, and lands there.
