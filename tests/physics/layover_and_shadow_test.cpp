@@ -38,6 +38,27 @@ std::vector<double> baked_profile(const scene::Scene& scene, double elevation_ra
   return profile;
 }
 
+/// The same for a radar at a place, over the scene's terrain, between two values of y.
+std::vector<double> traced_profile(const scene::Scene& scene, double elevation_rad, double south_m, double north_m) {
+  const trace::SceneGeometry geometry(scene, trace::Footing::Terrain);
+  radar::Radar radar;
+  radar.position = radar::position_seeing({}, pi, elevation_rad, 200e3);
+  radar.range_resolution_m = 0.5;
+  radar.beam_width_rad = 4.0 / 200e3;
+  trace::TraceCounts counts;
+  const auto image = simulate::traced_image(scene, geometry, radar, {-8.0, south_m, 8.0, north_m},
+                                            {.cell_m = 1.0, .samples_per_cell = 16, .max_bounces = 1}, counts);
+  const auto map = product::ground_map(image, scene.terrain,
+                                       {-2.0, north_m, texel_m, 4, static_cast<std::size_t>(north_m - south_m)});
+  std::vector<double> profile;
+  for (std::size_t row = map.grid.rows; row-- > 0;) {
+    double mean = 0.0;
+    for (const radar::Channels& cell : map.sigma0.row(row)) mean += static_cast<double>(cell.vv) / 4.0;
+    profile.push_back(mean);
+  }
+  return profile;
+}
+
 /// Metres of the profile behind the origin, `south_m` before it, that lie in shadow; parts of a metre count as parts.
 double shadow_m(const std::vector<double>& profile, double south_m) {
   const auto origin = static_cast<std::size_t>(-south_m);
@@ -101,22 +122,75 @@ TEST(LayoverAndShadow, ABoxThrowsItsShadowFromTheFarEdge) {
   }
 }
 
-TEST(LayoverAndShadow, ABoxIsBrightFromItsFacingDirections) {
-  scene::Scene scene = level_scene(rough_conductor("ground", 0.3));
+/// A box of nearly smooth conductor, turned by 20°.
+scene::Scene box_scene(const scatter::Material& ground, double alpha) {
+  scene::Scene scene = level_scene(ground);
   scene.prototypes.push_back(
-      scene::box_mesh({12.0F, 12.0F, 10.0F}, scene.material_index(rough_conductor("wall", 0.05))));
+      scene::box_mesh({12.0F, 10.0F, 8.0F}, scene.material_index(rough_conductor("face", alpha))));
   scene.instances.push_back({.yaw_rad = static_cast<float>(radians_from_deg(20.0))});
+  return scene;
+}
+
+void expect_contrast(const char* name, double bright, double dark, double least_db) {
+  validation::expect_at_least({.group = "Layover and shadow",
+                               .name = name,
+                               .limit = least_db,
+                               .measured = db_from_linear(bright / dark),
+                               .unit = "dB",
+                               .source = "a corner of two faces needs the radar across one of them"});
+}
+
+// By its double bounces with the ground a box is seen from the four directions its sides face.
+TEST(LayoverAndShadow, ABoxOnTheGroundIsBrightFromFourSides) {
+  const scene::Scene scene = box_scene(rough_conductor("ground", 0.3), 0.05);
   const auto double_bounce = [&](double azimuth_deg) {
     const auto echoes =
         traced_echoes(scene, {radians_from_deg(azimuth_deg), radians_from_deg(30.0)}, {.area = {-30, -30, 30, 30}});
     return bounce_sums(echoes)[2][0];
   };
-  double weakest_face = 1e30, brightest_edge = 0.0;
+  double weakest_side = 1e30, brightest_edge = 0.0;
   for (int side = 0; side < 4; ++side) {
-    weakest_face = std::min(weakest_face, double_bounce(20.0 + 90.0 * side));
+    weakest_side = std::min(weakest_side, double_bounce(20.0 + 90.0 * side));
     brightest_edge = std::max(brightest_edge, double_bounce(65.0 + 90.0 * side));
   }
-  EXPECT_GT(db_from_linear(weakest_face / brightest_edge), 15.0);
+  expect_contrast("box on the ground, weakest side over brightest edge, two bounces", weakest_side, brightest_edge,
+                  15.0);
+}
+
+// Alone, each of its five faces is a lobe about its normal: σ = A σ0(θ), seen 2° off.
+TEST(LayoverAndShadow, ABoxAloneIsBrightFromFiveDirections) {
+  constexpr double alpha = 0.05;
+  const scene::Scene scene = box_scene(lambert("black", 0.0), alpha);
+  const auto seen = [&](double azimuth_deg, double elevation_deg) {
+    const auto echoes = traced_echoes(scene, {radians_from_deg(azimuth_deg), radians_from_deg(elevation_deg)},
+                                      {.area = {-14, -14, 14, 14}, .cell_m = 0.5, .samples = 4});
+    return bounce_sums(echoes)[1][0];
+  };
+  const double two = radians_from_deg(2.0);
+  const double per_area = std::exp(-std::pow(std::tan(two) / alpha, 2)) / (alpha * alpha * std::pow(std::cos(two), 4));
+  double weakest = 1e30;
+  const auto expect_face = [&](const std::string& name, double azimuth_deg, double elevation_deg, double area_m2) {
+    const double sigma = seen(azimuth_deg, elevation_deg);
+    weakest = std::min(weakest, sigma);
+    validation::expect_close({.group = "Layover and shadow",
+                              .name = "box alone, 2° off the normal of its " + name,
+                              .expected = db_from_linear(area_m2 * per_area),
+                              .measured = db_from_linear(sigma),
+                              .tolerance = 0.1,
+                              .unit = "dBsm",
+                              .source = "geometric optics, A exp(−tan²θ/α²) / (α² cos⁴θ)"});
+  };
+  for (int side = 0; side < 4; ++side) {
+    expect_face(fmt::format("side towards {}°", 20 + 90 * side), 20.0 + 90.0 * side, 2.0, side % 2 == 0 ? 96.0 : 80.0);
+  }
+  expect_face("roof", 137.0, 88.0, 120.0);
+  double brightest_between = 1e-12;
+  for (int edge = 0; edge < 4; ++edge) {
+    brightest_between = std::max({brightest_between, seen(65.0 + 90.0 * edge, 2.0), seen(65.0 + 90.0 * edge, 45.0),
+                                  seen(20.0 + 90.0 * edge, 45.0)});
+  }
+  expect_contrast("box alone, weakest face over the brightest of twelve directions between", weakest, brightest_between,
+                  60.0);
 }
 
 /// Ground that rises northward by `slope_deg`, at height 0 along y = 0.
@@ -142,26 +216,43 @@ TEST(LayoverAndShadow, OnAHillsideTheShadowIsHeightOverSumOfTangents) {
       scene::Scene scene = level_scene(lambert("ground", 0.5), 800.0);
       scene.terrain = slope(slope_deg, 400.0);
       add_wall(scene, lambert("black", 0.0), 60.0F, height_m, pi);
-      const trace::SceneGeometry geometry(scene, trace::Footing::Terrain);
-      radar::Radar radar;
-      radar.position = radar::position_seeing({}, pi, elevation_rad, 200e3);
-      radar.range_resolution_m = 0.5;
-      radar.beam_width_rad = 4.0 / 200e3;
-      const radar::Rectangle area{-8.0, -30.0, 8.0, std::ceil(expected) + 30.0};
-      trace::TraceCounts counts;
-      const auto image = simulate::traced_image(scene, geometry, radar, area,
-                                                {.cell_m = 1.0, .samples_per_cell = 16, .max_bounces = 1}, counts);
-      const auto map = product::ground_map(image, scene.terrain,
-                                           {-2.0, area.north_m, texel_m, 4, static_cast<std::size_t>(area.height_m())});
-      std::vector<double> profile;
-      for (std::size_t row = map.grid.rows; row-- > 0;) {
-        double mean = 0.0;
-        for (const radar::Channels& cell : map.sigma0.row(row)) mean += static_cast<double>(cell.vv) / 4.0;
-        profile.push_back(mean);
-      }
+      const auto profile = traced_profile(scene, elevation_rad, -30.0, std::ceil(expected) + 30.0);
       // At the ends of the area the pulse takes in ground that was not traced.
       expect_metres(fmt::format("shadow of a 20 m wall on ground rising by {:+.0f}°", slope_deg).c_str(), elevation_deg,
                     expected, shadow_m({profile.begin() + 5, profile.end() - 5}, -25.0));
+    }
+  }
+}
+
+// LOD 0: the top of a wall lies as far before its foot as the plane of equal range through it meets the hillside.
+TEST(LayoverAndShadow, OnAHillsideTheLayoverFollowsTheSlope) {
+  for (const double slope_deg : {-10.0, -5.0, 0.0, 5.0, 10.0}) {
+    for (const double elevation_deg : {13.0, 21.0, 29.0, 37.0, 50.0}) {
+      const double elevation_rad = radians_from_deg(elevation_deg);
+      const double slope_rad = radians_from_deg(slope_deg);
+      const double expected =
+          height_m * std::tan(elevation_rad) / (1.0 - std::tan(elevation_rad) * std::tan(slope_rad));
+
+      scene::Scene scene = level_scene(lambert("black", 0.0), 800.0);
+      scene.terrain = slope(slope_deg, 400.0);
+      add_wall(scene, lambert("white", 0.5), 60.0F, height_m, pi);
+      const auto profile = traced_profile(scene, elevation_rad, -std::ceil(expected) - 10.0, 10.0);
+      const double brightest = *std::ranges::max_element(profile);
+      // Evenly bright from the foot to the top: the sum over the brightness is the length. The pulse rounds both ends
+      // alike.
+      double power = 0.0, middle = 0.0;
+      std::vector<double> lit;
+      for (std::size_t i = 0; i < profile.size(); ++i) {
+        power += profile[i];
+        middle += profile[i] * (static_cast<double>(i) + 0.5 - std::ceil(expected) - 10.0);
+        if (profile[i] > 0.5 * brightest) lit.push_back(profile[i]);
+      }
+      std::ranges::nth_element(lit, lit.begin() + static_cast<std::ptrdiff_t>(lit.size() / 2));
+      const double level = lit[lit.size() / 2];
+      expect_metres(fmt::format("layover of a 20 m wall on ground rising by {:+.0f}°", slope_deg).c_str(),
+                    elevation_deg, expected, power / level);
+      expect_metres(fmt::format("middle of the layover on ground rising by {:+.0f}°", slope_deg).c_str(), elevation_deg,
+                    -expected / 2.0, middle / power);
     }
   }
 }

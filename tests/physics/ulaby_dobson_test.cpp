@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "physics/level_scene.h"
+#include "physics/ulaby_dobson_curves.h"
 #include "validation/validation_record.h"
 
 #include "sigmascape/base/error.h"
@@ -16,104 +16,6 @@
 
 namespace sigmascape::physics_test {
 namespace {
-
-using Class = scatter::TerrainClass;
-using Band = scatter::UlabyDobsonBand;
-using Channel = scatter::UlabyDobsonChannel;
-
-constexpr std::array incidences_deg{10.0, 20.0, 30.0, 40.0, 50.0, 60.0, 70.0};
-
-struct Curve {
-  Class terrain;
-  Band band;
-  Channel channel;
-  std::array<double, 7> sigma0_db;  // over incidences_deg
-};
-
-// Evaluated from the coefficients by an independent program and rounded to 0.001 dB.
-constexpr Curve curves[] = {
-    {Class::Soil, Band::L, Channel::HH, {-2.501, -7.622, -11.769, -15.501, -19.642, -25.402, -34.553}},
-    {Class::Soil, Band::L, Channel::HV, {-22.425, -26.220, -28.258, -29.353, -29.941, -30.257, -30.427}},
-    {Class::Soil, Band::L, Channel::VV, {-3.671, -10.601, -14.750, -17.018, -19.412, -23.623, -29.836}},
-    {Class::Soil, Band::S, Channel::HH, {-3.818, -8.710, -12.441, -15.680, -19.105, -23.238, -28.314}},
-    {Class::Soil, Band::S, Channel::HV, {-20.391, -23.355, -24.584, -24.962, -25.117, -25.482, -26.341}},
-    {Class::Soil, Band::S, Channel::VV, {-3.881, -8.976, -12.403, -14.684, -17.026, -20.460, -25.113}},
-    {Class::Soil, Band::C, Channel::HH, {-3.077, -6.988, -10.190, -12.811, -14.958, -16.715, -18.154}},
-    {Class::Soil, Band::C, Channel::HV, {-16.233, -19.212, -21.382, -22.962, -24.113, -24.951, -25.562}},
-    {Class::Soil, Band::C, Channel::VV, {-2.674, -6.661, -9.985, -12.755, -15.065, -16.990, -18.595}},
-    {Class::Grass, Band::L, Channel::HH, {-6.256, -15.281, -19.659, -21.171, -22.004, -23.737, -26.581}},
-    {Class::Grass, Band::L, Channel::HV, {-22.488, -28.423, -32.079, -34.072, -35.070, -35.706, -36.451}},
-    {Class::Grass, Band::L, Channel::VV, {-5.721, -14.382, -18.981, -21.161, -22.534, -24.157, -26.181}},
-    {Class::Grass, Band::S, Channel::HH, {-5.634, -12.380, -15.817, -17.142, -17.581, -18.112, -19.124}},
-    {Class::Grass, Band::S, Channel::HV, {-19.431, -22.911, -24.334, -25.062, -26.015, -27.456, -29.033}},
-    {Class::Grass, Band::S, Channel::VV, {-5.121, -11.829, -15.651, -17.588, -18.535, -19.205, -19.969}},
-    {Class::Grass, Band::C, Channel::HH, {-2.846, -7.955, -11.675, -13.819, -14.455, -14.106, -13.584}},
-    {Class::Grass, Band::C, Channel::HV, {-12.127, -15.078, -17.471, -19.123, -20.003, -20.315, -20.426}},
-    {Class::Grass, Band::C, Channel::VV, {-2.291, -7.259, -10.694, -12.609, -13.375, -13.635, -14.130}},
-    {Class::ShortVegetation, Band::L, Channel::HH, {-6.069, -12.207, -16.047, -18.668, -20.825, -22.886, -24.855}},
-    {Class::ShortVegetation, Band::L, Channel::HV, {-22.557, -24.855, -26.893, -28.700, -30.301, -31.722, -32.981}},
-    {Class::ShortVegetation, Band::L, Channel::VV, {-6.627, -13.233, -17.125, -19.063, -20.048, -20.983, -22.280}},
-    {Class::ShortVegetation, Band::S, Channel::HH, {-6.160, -11.109, -14.346, -16.462, -17.846, -18.751, -19.343}},
-    {Class::ShortVegetation, Band::S, Channel::HV, {-19.226, -21.071, -22.468, -23.566, -24.546, -25.591, -26.870}},
-    {Class::ShortVegetation, Band::S, Channel::VV, {-6.104, -11.267, -14.235, -15.610, -16.279, -17.049, -18.252}},
-    {Class::ShortVegetation, Band::C, Channel::HH, {-3.860, -7.612, -10.313, -12.176, -13.464, -14.472, -15.495}},
-    {Class::ShortVegetation, Band::C, Channel::HV, {-13.661, -15.587, -16.949, -17.905, -18.650, -19.394, -20.339}},
-    {Class::ShortVegetation, Band::C, Channel::VV, {-4.084, -7.644, -10.052, -11.614, -12.703, -13.713, -15.024}},
-    {Class::Shrubs, Band::L, Channel::HH, {-5.883, -11.163, -14.806, -17.542, -19.860, -21.955, -23.767}},
-    {Class::Shrubs, Band::L, Channel::HV, {-22.773, -24.226, -25.657, -27.067, -28.456, -29.824, -31.172}},
-    {Class::Shrubs, Band::L, Channel::VV, {-6.974, -12.749, -16.285, -18.129, -18.932, -19.380, -20.131}},
-    {Class::Shrubs, Band::C, Channel::HH, {-4.099, -7.323, -9.738, -11.545, -12.993, -14.350, -15.873}},
-    {Class::Shrubs, Band::C, Channel::HV, {-14.092, -15.623, -16.668, -17.419, -18.105, -18.955, -20.162}},
-    {Class::Shrubs, Band::C, Channel::VV, {-4.648, -7.793, -9.896, -11.286, -12.359, -13.523, -15.146}},
-    {Class::DrySnow, Band::L, Channel::HH, {-8.737, -17.010, -20.895, -22.571, -23.832, -26.037, -30.075}},
-    {Class::DrySnow, Band::L, Channel::HV, {-23.331, -29.511, -32.502, -33.752, -34.546, -35.949, -38.750}},
-    {Class::DrySnow, Band::L, Channel::VV, {-7.802, -15.822, -20.210, -22.566, -24.236, -26.288, -29.487}},
-    {Class::DrySnow, Band::S, Channel::HH, {-8.698, -13.741, -15.599, -17.125, -19.321, -22.483, -26.616}},
-    {Class::DrySnow, Band::S, Channel::HV, {-22.201, -24.811, -26.293, -27.932, -29.933, -32.305, -35.017}},
-    {Class::DrySnow, Band::S, Channel::VV, {-8.542, -12.946, -15.329, -17.594, -20.095, -22.874, -25.907}},
-    {Class::DrySnow, Band::C, Channel::HH, {-9.242, -12.445, -13.705, -15.048, -16.809, -19.017, -21.646}},
-    {Class::DrySnow, Band::C, Channel::HV, {-20.059, -22.078, -22.971, -24.235, -25.812, -27.299, -28.278}},
-    {Class::DrySnow, Band::C, Channel::VV, {-9.446, -13.028, -14.692, -16.300, -18.084, -19.976, -21.851}},
-    {Class::WetSnow, Band::L, Channel::HH, {-7.579, -15.459, -19.474, -21.476, -22.981, -25.150, -28.769}},
-    {Class::WetSnow, Band::L, Channel::HV, {-21.873, -27.204, -29.635, -30.588, -31.339, -32.936, -36.143}},
-    {Class::WetSnow, Band::L, Channel::VV, {-6.967, -14.864, -18.985, -21.079, -22.612, -24.731, -28.238}},
-    {Class::WetSnow, Band::S, Channel::HH, {-7.075, -12.635, -15.264, -17.346, -19.697, -22.563, -25.977}},
-    {Class::WetSnow, Band::S, Channel::HV, {-21.067, -23.425, -25.275, -27.182, -29.178, -31.254, -33.398}},
-    {Class::WetSnow, Band::S, Channel::VV, {-6.961, -11.901, -14.597, -16.984, -19.516, -22.277, -25.258}},
-    {Class::WetSnow, Band::C, Channel::HH, {-9.059, -12.674, -14.679, -16.562, -18.500, -20.506, -22.574}},
-    {Class::WetSnow, Band::C, Channel::HV, {-20.421, -22.294, -23.619, -25.052, -26.403, -27.438, -27.973}},
-    {Class::WetSnow, Band::C, Channel::VV, {-9.388, -12.814, -15.109, -17.163, -19.026, -20.684, -22.126}},
-};
-
-constexpr const char* source = "Ulaby and Dobson 1989, rows transcribed in DartsTST.jl, evaluated independently";
-
-double frequency_in(Band band) {
-  switch (band) {
-    case Band::L:
-      return 1.3e9;
-    case Band::S:
-      return 3.0e9;
-    case Band::C:
-      return 5.405e9;
-    default:
-      return 10e9;
-  }
-}
-
-std::string name_of(const Curve& curve) {
-  constexpr const char* terrains[] = {"soil", "grass", "shrubs", "short vegetation", "dry snow", "wet snow"};
-  constexpr const char* bands[] = {"L", "S", "C"};
-  constexpr const char* channels[] = {"HH", "HV", "VV"};
-  return fmt::format("{} {} {}", terrains[static_cast<int>(curve.terrain)], bands[static_cast<int>(curve.band)],
-                     channels[static_cast<int>(curve.channel)]);
-}
-
-const scatter::UlabyDobsonRow& row_of(const Curve& curve) {
-  const auto& rows = scatter::ulaby_dobson_table();
-  return *std::ranges::find_if(rows, [&](const scatter::UlabyDobsonRow& row) {
-    return row.verified && row.terrain == curve.terrain && row.band == curve.band && row.channel == curve.channel;
-  });
-}
 
 double seen_sigma0_db(const scatter::SurfaceModel& model, Channel channel, double incidence_deg) {
   const double theta = radians_from_deg(incidence_deg);
@@ -136,7 +38,7 @@ TEST(UlabyDobson, FitsOfAllVerifiedRows) {
                               .measured = worst,
                               .tolerance = 0.01,
                               .unit = "dB",
-                              .source = source});
+                              .source = ulaby_dobson_source});
   }
 }
 
@@ -156,7 +58,7 @@ TEST(UlabyDobson, BackscatterOfAllVerifiedRows) {
                               .measured = worst,
                               .tolerance = 0.05,
                               .unit = "dB",
-                              .source = source});
+                              .source = ulaby_dobson_source});
   }
 }
 
@@ -191,44 +93,6 @@ TEST(UlabyDobson, PolarizationsDiffer) {
   const auto sigma0 = scatter::ulaby_dobson_sigma0({.terrain = Class::Grass}, 5.405e9, radians_from_deg(40.0));
   EXPECT_NEAR(db_from_linear(sigma0.hv / sigma0.hh), -19.123 + 13.819, 0.002);
   EXPECT_NEAR(db_from_linear(sigma0.hv / sigma0.vv), -19.123 + 12.609, 0.002);
-}
-
-/// Mean of the middle of level ground in VV and HV, by way of the texels.
-radar::Channels baked_sigma0(const scatter::Material& ground, double incidence_deg, double texel_m, double cell_m) {
-  const radar::Aspect aspect{radians_from_deg(130.0), radians_from_deg(90.0 - incidence_deg)};
-  const scene::Scene scene = level_scene(ground);
-  const radar::Rectangle area{-32, -32, 32, 32};
-  const auto texels = static_cast<std::size_t>(64 / texel_m);
-  receiver::GroundAccumulator accumulator({-32, 32, texel_m, texels, texels}, aspect);
-  accumulator.add(traced_echoes(scene, aspect, {.area = area, .cell_m = cell_m, .samples = 16}, 5.405e9));
-  const auto total = accumulator.bins().total();
-  const auto mean = [&](std::size_t channel) { return static_cast<float>(total[channel] / (64.0 * 64.0)); };
-  return {mean(0), mean(1), mean(2), mean(3)};
-}
-
-TEST(UlabyDobson, BakedFlatGround) {
-  const scatter::Material& grass = scatter::library_material("ulaby_dobson_grass");
-  const auto& parameters = std::get<scatter::UlabyDobsonParameters>(grass.model);
-  for (const double incidence_deg : {1.0, 10.0, 30.0, 50.0, 70.0}) {
-    const auto expected = scatter::ulaby_dobson_sigma0(parameters, 5.405e9, radians_from_deg(incidence_deg));
-    const radar::Channels measured = baked_sigma0(grass, incidence_deg, 2.0, 2.0);
-    const auto report = [&](const char* polarization, double wanted, float found) {
-      validation::expect_close(
-          {.group = "Ulaby–Dobson",
-           .name = fmt::format("baked flat grass, C band, incidence {}°, {}", incidence_deg, polarization),
-           .expected = db_from_linear(wanted),
-           .measured = db_from_linear(static_cast<double>(found)),
-           .tolerance = 0.05,
-           .unit = "dB",
-           .source = "Ulaby and Dobson 1989, fit of the row"});
-    };
-    report("VV", expected.vv, measured.vv);
-    report("HH", expected.hh, measured.hh);
-    report("HV", expected.hv, measured.hv);
-    EXPECT_NEAR(db_from_linear(static_cast<double>(baked_sigma0(grass, incidence_deg, 1.0, 0.5).vv / measured.vv)), 0.0,
-                0.02)
-        << incidence_deg << "°";
-  }
 }
 
 TEST(UlabyDobson, VerifiedShrubsHaveNoRowAtSBand) {

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "statistics/chi_square.h"
+#include "statistics/every_material.h"
 #include "validation/validation_record.h"
 
 #include "sigmascape/base/units.h"
@@ -122,13 +123,9 @@ Sampler sampler_of(const Model& model, Vec3f to_source) {
           .pdf = [&model, to_source](Vec3f to_sink) { return static_cast<double>(model.pdf(to_source, to_sink, up)); }};
 }
 
-double frequency_within(const scatter::Material& material) {
-  return std::clamp(10e9, material.lowest_frequency_hz, material.highest_frequency_hz);
-}
-
-TEST(Sampling, EveryMaterialOfTheLibrary) {
+TEST(Sampling, EveryMaterial) {
   Battery battery;
-  for (const scatter::Material& material : scatter::material_library()) {
+  for (const scatter::Material& material : every_material()) {
     const scatter::SurfaceModel model(material, frequency_within(material));
     const auto* facets = std::get_if<scatter::CookTorranceParameters>(&material.model);
     for (const double incidence_deg : {0.0, 45.0, 85.0}) {
@@ -139,7 +136,7 @@ TEST(Sampling, EveryMaterialOfTheLibrary) {
                   tested(sampler_of(model, to_source), chart, 200'000, static_cast<std::uint64_t>(incidence_deg)));
     }
   }
-  battery.conclude("SurfaceModel::sample, all library materials");
+  battery.conclude("SurfaceModel::sample, all materials and models");
 }
 
 TEST(Sampling, MirrorsAndMultipleScatterTogether) {

@@ -8,6 +8,29 @@
 #include <nlohmann/json.hpp>
 
 namespace sigmascape::validation {
+namespace {
+
+void record(const nlohmann::ordered_json& line) {
+  if (const char* file = std::getenv("SIGMASCAPE_VALIDATION_RECORDS")) {
+    std::ofstream(file, std::ios::app) << line.dump() + "\n";
+  }
+}
+
+void expect_within(const BoundedCase& validated, bool holds, const char* bound) {
+  fmt::print("  {}: expected {} {:.6g}, measured {:.6g} {}\n", validated.name, bound, validated.limit,
+             validated.measured, validated.unit);
+  EXPECT_TRUE(holds) << validated.group << ", " << validated.name << ": expected " << bound << " " << validated.limit
+                     << " " << validated.unit << " [" << validated.source << "], measured " << validated.measured;
+  record({{"group", validated.group},
+          {"name", validated.name},
+          {"bound", bound},
+          {"expected", validated.limit},
+          {"measured", validated.measured},
+          {"unit", validated.unit},
+          {"source", validated.source}});
+}
+
+}  // namespace
 
 void expect_close(const Case& validated) {
   const double error = validated.measured - validated.expected;
@@ -16,13 +39,21 @@ void expect_close(const Case& validated) {
   EXPECT_TRUE(std::abs(error) <= validated.tolerance)
       << validated.group << ", " << validated.name << ": expected " << validated.expected << " " << validated.unit
       << " [" << validated.source << "], measured " << validated.measured << ", allowed error " << validated.tolerance;
-  if (const char* file = std::getenv("SIGMASCAPE_VALIDATION_RECORDS")) {
-    const nlohmann::ordered_json line{{"group", validated.group},         {"name", validated.name},
-                                      {"expected", validated.expected},   {"measured", validated.measured},
-                                      {"tolerance", validated.tolerance}, {"unit", validated.unit},
-                                      {"source", validated.source}};
-    std::ofstream(file, std::ios::app) << line.dump() + "\n";
-  }
+  record({{"group", validated.group},
+          {"name", validated.name},
+          {"expected", validated.expected},
+          {"measured", validated.measured},
+          {"tolerance", validated.tolerance},
+          {"unit", validated.unit},
+          {"source", validated.source}});
+}
+
+void expect_at_least(const BoundedCase& validated) {
+  expect_within(validated, validated.measured >= validated.limit, "at least");
+}
+
+void expect_at_most(const BoundedCase& validated) {
+  expect_within(validated, validated.measured <= validated.limit, "at most");
 }
 
 }  // namespace sigmascape::validation

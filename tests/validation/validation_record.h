@@ -20,4 +20,19 @@ struct Case {
 /// validation` writes its table.
 void expect_close(const Case& validated);
 
+/// One figure of which only a bound is known: a gain that must be reached, a bias that must not show.
+struct BoundedCase {
+  std::string_view group;
+  std::string_view name;
+  double limit = 0.0;
+  double measured = 0.0;
+  std::string_view unit;
+  std::string_view source;  ///< what the limit rests on
+};
+
+/// As expect_close, for figures that must not fall below the limit.
+void expect_at_least(const BoundedCase& validated);
+/// As expect_close, for figures that must not rise above the limit.
+void expect_at_most(const BoundedCase& validated);
+
 }  // namespace sigmascape::validation
