@@ -114,8 +114,8 @@ void draw_blocks(const RasterMesh& mesh, std::span<const std::uint32_t> blocks, 
         const Corner nw = corner(node), ne = corner(node + 1), sw = corner(node + mesh.columns),
                      se = corner(node + mesh.columns + 1);
         if (!(std::min({nw.nearness, ne.nearness, sw.nearness, se.nearness}) > 0.0F)) continue;
-        draw(tile, nw, sw, se, static_cast<std::uint32_t>(2 * node));
-        draw(tile, nw, se, ne, static_cast<std::uint32_t>(2 * node + 1));
+        draw(tile, nw, sw, ne, static_cast<std::uint32_t>(2 * node));
+        draw(tile, ne, sw, se, static_cast<std::uint32_t>(2 * node + 1));
       }
     }
   }

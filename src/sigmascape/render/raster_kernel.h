@@ -22,14 +22,14 @@ struct RasterMesh {
 };
 
 /// Nodes of a triangle, counter-clockwise from above. Triangles 2·n and 2·n + 1 halve the cell whose north-western node
-/// is n.
+/// is n, from north-east to south-west, as the path tracer's terrain is.
 struct TriangleNodes {
   std::size_t a, b, c;
 };
 [[nodiscard]] constexpr TriangleNodes nodes_of(std::uint32_t triangle, std::size_t columns) {
-  const std::size_t north_west = triangle / 2, south_east = north_west + columns + 1;
-  return triangle % 2 == 0 ? TriangleNodes{north_west, north_west + columns, south_east}
-                           : TriangleNodes{north_west, south_east, north_west + 1};
+  const std::size_t north_west = triangle / 2, north_east = north_west + 1, south_west = north_west + columns;
+  return triangle % 2 == 0 ? TriangleNodes{north_west, south_west, north_east}
+                           : TriangleNodes{north_east, south_west, south_west + 1};
 }
 
 /// Draws the listed blocks into one tile of `side` pixels whose first pixel is (left, top): the nearest triangle of

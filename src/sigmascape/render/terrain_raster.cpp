@@ -66,10 +66,11 @@ OnTriangle on_triangle(const terrain::TerrainView& view, const CellPlace& place)
   const float* const nw = view.height_m.data() + place.node;
   const float north_west = nw[0], north_east = nw[1], south_west = nw[view.columns], south_east = nw[view.columns + 1];
   const auto first = static_cast<std::uint32_t>(2 * place.node);
-  if (place.v >= place.u) {
-    return {first, north_west + place.v * (south_west - north_west) + place.u * (south_east - south_west)};
+  if (place.u + place.v < 1.0F) {
+    return {first, north_west + place.u * (north_east - north_west) + place.v * (south_west - north_west)};
   }
-  return {first + 1, north_west + place.u * (north_east - north_west) + place.v * (south_east - north_east)};
+  return {first + 1,
+          south_east + (1.0F - place.u) * (south_west - south_east) + (1.0F - place.v) * (north_east - south_east)};
 }
 
 /// The drawn triangles.

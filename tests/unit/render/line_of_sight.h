@@ -45,7 +45,7 @@ std::vector<double> walked_lines_of_sight(const terrain::HeightField& terrain, c
   return clearance_m;
 }
 
-/// The surface of two triangles a cell, parted from north-west to south-east, that rasterization draws.
+/// The surface of two triangles a cell, parted from north-east to south-west, that rasterization draws.
 inline double height_of_triangles(const terrain::HeightField& terrain, Vec2d point) {
   const double across = (point.x - terrain.west_m) / terrain.spacing_m;
   const double down = (terrain.north_m - point.y) / terrain.spacing_m;
@@ -55,8 +55,8 @@ inline double height_of_triangles(const terrain::HeightField& terrain, Vec2d poi
   const auto height = [&](std::size_t i, std::size_t j) {
     return static_cast<double>(terrain.height_m(column + i, row + j));
   };
-  const double corner = v >= u ? height(0, 1) : height(1, 0);
-  return height(0, 0) + std::max(u, v) * (corner - height(0, 0)) + std::min(u, v) * (height(1, 1) - corner);
+  if (u + v < 1.0) return height(0, 0) + u * (height(1, 0) - height(0, 0)) + v * (height(0, 1) - height(0, 0));
+  return height(1, 1) + (1.0 - u) * (height(0, 1) - height(1, 1)) + (1.0 - v) * (height(1, 0) - height(1, 1));
 }
 
 /// How two answers differ.
