@@ -1,3 +1,5 @@
+#include <bit>
+#include <cmath>
 #include <fmt/format.h>
 
 #include "command.h"
@@ -11,6 +13,7 @@
 #include "sigmascape/base/units.h"
 #include "sigmascape/product/ground_map_file.h"
 #include "sigmascape/radar/radar_file.h"
+#include "sigmascape/render/level_of_detail.h"
 #include "sigmascape/scene/scene_file.h"
 #include "sigmascape/simulate/placement.h"
 #include "sigmascape/simulate/simulate.h"
@@ -21,6 +24,7 @@ namespace {
 struct RenderOptions {
   std::string radar, scene, atlas, map_file, picture_file, style = "grey";
   int level_of_detail = 0;
+  bool explain = false;
   double span_db = 50.0;
   std::optional<double> top_db;
   simulate::TraceSettings trace;
@@ -76,6 +80,26 @@ Rendered baked(const RenderOptions& options, const scene::Scene& scene, const st
   return rendered;
 }
 
+/// The level of detail that the resolution cell asks for, in words.
+std::string advised_detail(const RenderOptions& options, const scene::Scene& scene, const radar::Radar& radar,
+                           const radar::GroundGrid& grid) {
+  const Vec2d centre = grid.extent().centre();
+  const Vec3d away = radar.position - Vec3d{centre.x, centre.y, scene.terrain.height_at(centre)};
+  render::DetailQuestion question{.range_resolution_m = radar.range_resolution_m,
+                                  .cross_range_m = radar.beam_width_rad * length(away),
+                                  .grazing_rad = std::asin(away.z / length(away)),
+                                  .tallest_object_m = scene::tallest_object_m(scene),
+                                  .area_m2 = grid.extent().width_m() * grid.extent().height_m(),
+                                  .terrain_spacing_m = scene.terrain.spacing_m,
+                                  .texel_m = grid.cell_m};
+  if (!options.atlas.empty()) {
+    const auto store = atlas::Store::open(options.atlas);
+    question.texel_m = store.description().patches.texel_m;
+    question.mips = static_cast<int>(std::countr_zero(store.description().patches.texels_per_side)) + 1;
+  }
+  return render::explained(render::choose_detail(question));
+}
+
 void render(const RenderOptions& options, radar::Polarization polarization, bool polarization_given,
             const Output& output) {
   const auto radar_file = radar::read_radar_file(options.radar);
@@ -83,6 +107,7 @@ void render(const RenderOptions& options, radar::Polarization polarization, bool
   const auto radar = simulate::placed_radar(radar_file, scene.frame, scene.terrain, scene.extent);
   const auto grid = simulate::map_grid(radar_file.map, scene.extent);
   const std::string hash = scene::scene_hash(scene);
+  const std::string advice = options.explain ? advised_detail(options, scene, radar, grid) : "";
   Rendered rendered =
       options.level_of_detail == 0 ? traced(options, scene, radar, grid) : baked(options, scene, hash, radar, grid);
   rendered.provenance["scene"] = scene.name;
@@ -105,7 +130,9 @@ void render(const RenderOptions& options, radar::Polarization polarization, bool
                                  {"rows", grid.rows},
                                  {"seconds", rendered.seconds}};
   summary.update(rendered.cost);
-  output.finish(fmt::format("{} x {} cells of {} m at level of detail {} in {:.3f} s", grid.columns, grid.rows,
+  if (options.explain) summary["advised_detail"] = advice;
+  output.finish(fmt::format("{}{} x {} cells of {} m at level of detail {} in {:.3f} s",
+                            options.explain ? "The resolution cell asks for " + advice : "", grid.columns, grid.rows,
                             grid.cell_m, options.level_of_detail, rendered.seconds),
                 summary);
 }
@@ -122,6 +149,7 @@ void add_render_command(CLI::App& app, Output& output) {
   command->add_option("--lod", options->level_of_detail, "level of detail: 0 traces the scene, 1 and up use the atlas")
       ->capture_default_str()
       ->check(CLI::Range(0, 16));
+  command->add_flag("--explain", options->explain, "say which level of detail the resolution cell asks for, and why");
   command->add_option("--out", options->map_file, "ground map to write (GeoTIFF, linear sigma0)");
   command->add_option("--png", options->picture_file, "picture to write");
   command->add_option("--style", options->style, "grey or scope")

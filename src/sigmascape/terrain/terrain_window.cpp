@@ -1,0 +1,172 @@
+#include "sigmascape/terrain/terrain_window.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sigmascape::terrain {
+namespace {
+
+struct Distances {
+  double nearest_m, farthest_m;
+};
+
+Distances distances_to(const radar::Rectangle& ground, Vec2d point) {
+  const Vec2d nearest{std::clamp(point.x, ground.west_m, ground.east_m),
+                      std::clamp(point.y, ground.south_m, ground.north_m)};
+  const Vec2d farthest{std::max(std::abs(ground.west_m - point.x), std::abs(ground.east_m - point.x)),
+                       std::max(std::abs(ground.south_m - point.y), std::abs(ground.north_m - point.y))};
+  return {length(nearest - point), length(farthest)};
+}
+
+bool overlap(const radar::Rectangle& a, const radar::Rectangle& b) {
+  return a.west_m < b.east_m && a.east_m > b.west_m && a.south_m < b.north_m && a.north_m > b.south_m;
+}
+
+std::int16_t packed(float slope) {
+  constexpr float most = 32767.0F;
+  return static_cast<std::int16_t>(std::lround(std::clamp(slope * PackedSlope::steps_per_unit, -most, most)));
+}
+
+}  // namespace
+
+bool exact_enough(const TileSummary& summary, const radar::Rectangle& extent, const Refinement& refinement) {
+  const auto error_m = static_cast<double>(summary.error_m);
+  const auto lowest_m = static_cast<double>(summary.lowest_m), highest_m = static_cast<double>(summary.highest_m);
+  const Distances away = distances_to(extent, {refinement.radar.x, refinement.radar.y});
+  const double radar_m = refinement.radar.z;
+  const double steepest = refinement.earth.sin_grazing(radar_m, lowest_m, std::max(away.nearest_m, 1e-3));
+  // Beyond the horizon and beneath a mountain there is no grazing angle; a tenth of a degree stands in.
+  const double flattest =
+      std::clamp(refinement.earth.sin_grazing(radar_m, highest_m, std::max(away.farthest_m, 1e-3)), 1.7e-3, 1.0);
+  const double cotangent = std::sqrt(1.0 - flattest * flattest) / flattest;
+  return error_m * std::max(steepest, 0.0) <= refinement.range_resolution_m / 4.0 &&
+         error_m * cotangent <= refinement.cell_m / 2.0;
+}
+
+std::vector<TileKey> tiles_for(const TerrainPyramid& pyramid, const radar::Rectangle& area, int finest_level,
+                               const std::optional<Refinement>& refinement) {
+  const PyramidLayout& layout = pyramid.layout();
+  std::vector<TileKey> chosen, open{{layout.levels() - 1, 0, 0}};
+  // Level by level from the coarsest, so that the result is in that order.
+  for (std::size_t next = 0; next < open.size(); ++next) {
+    const TileKey key = open[next];
+    const radar::Rectangle extent = layout.extent_of(key);
+    if (!overlap(extent, area)) continue;
+    const bool enough = refinement && exact_enough(pyramid.summary(key), extent, *refinement);
+    if (enough || key.level <= finest_level) {
+      chosen.push_back(key);
+      continue;
+    }
+    for (std::uint32_t row = 2 * key.row; row < 2 * key.row + 2; ++row) {
+      for (std::uint32_t column = 2 * key.column; column < 2 * key.column + 2; ++column) {
+        if (const TileKey child{key.level - 1, column, row}; layout.has(child)) open.push_back(child);
+      }
+    }
+  }
+  return chosen;
+}
+
+TerrainWindow::TerrainWindow(std::size_t most_nodes_per_side)
+    : most_nodes_(most_nodes_per_side),
+      height_m_(most_nodes_per_side * most_nodes_per_side),
+      slope_(most_nodes_per_side * most_nodes_per_side) {}
+
+std::optional<TerrainWindow::Placement> TerrainWindow::placed(const PyramidLayout& layout, const radar::Rectangle& area,
+                                                              int level) const {
+  const double spacing_m = layout.spacing_at(level);
+  const auto nodes_across = static_cast<double>(layout.across(level) * HeightTile::cells);
+  const auto nodes_down = static_cast<double>(layout.down(level) * HeightTile::cells);
+  const double west = std::clamp(std::floor((area.west_m - layout.west_m) / spacing_m), 0.0, nodes_across - 1.0);
+  const double east = std::clamp(std::ceil((area.east_m - layout.west_m) / spacing_m), west + 1.0, nodes_across);
+  const double north = std::clamp(std::floor((layout.north_m - area.north_m) / spacing_m), 0.0, nodes_down - 1.0);
+  const double south = std::clamp(std::ceil((layout.north_m - area.south_m) / spacing_m), north + 1.0, nodes_down);
+  const auto columns = static_cast<std::size_t>(east - west) + 1, rows = static_cast<std::size_t>(south - north) + 1;
+  if (columns > most_nodes_ || rows > most_nodes_) return std::nullopt;
+  return Placement{static_cast<std::int64_t>(west),  static_cast<std::int64_t>(north),   columns,  rows,
+                   layout.west_m + west * spacing_m, layout.north_m - north * spacing_m, spacing_m};
+}
+
+void TerrainWindow::copy(int level, TileKey part, TileKey source, const HeightTile& tile) {
+  // In nodes of the window's level: where the part lies, and where the tile begins.
+  const auto cells = static_cast<std::int64_t>(HeightTile::cells);
+  const std::int64_t part_side = cells << (part.level - level), source_side = cells << (source.level - level);
+  const std::int64_t part_column = part_side * part.column, part_row = part_side * part.row;
+  const auto begin = [](std::int64_t from, std::int64_t first) { return std::max<std::int64_t>(from - first, 0); };
+  const auto end = [](std::int64_t to, std::int64_t first, std::size_t count) {
+    return std::min<std::int64_t>(to - first + 1, static_cast<std::int64_t>(count));
+  };
+  const double scale = 1.0 / static_cast<double>(std::int64_t{1} << (source.level - level));
+  for (std::int64_t row = begin(part_row, placement_.first_row);
+       row < end(part_row + part_side, placement_.first_row, placement_.rows); ++row) {
+    const double tile_row = scale * static_cast<double>(placement_.first_row + row - source_side * source.row);
+    for (std::int64_t column = begin(part_column, placement_.first_column);
+         column < end(part_column + part_side, placement_.first_column, placement_.columns); ++column) {
+      const double tile_column =
+          scale * static_cast<double>(placement_.first_column + column - source_side * source.column);
+      height_m_[static_cast<std::size_t>(row) * placement_.columns + static_cast<std::size_t>(column)] =
+          tile.at(tile_column, tile_row);
+    }
+  }
+}
+
+void TerrainWindow::form_slopes() {
+  const std::size_t columns = placement_.columns, rows = placement_.rows;
+  const auto spacing_m = static_cast<float>(placement_.spacing_m);
+  for (std::size_t row = 0; row < rows; ++row) {
+    const std::size_t north = row > 0 ? row - 1 : row, south = std::min(row + 1, rows - 1);
+    for (std::size_t column = 0; column < columns; ++column) {
+      const std::size_t west = column > 0 ? column - 1 : column, east = std::min(column + 1, columns - 1);
+      const float eastward = (height_m_[row * columns + east] - height_m_[row * columns + west]) /
+                             (spacing_m * static_cast<float>(east - west));
+      const float northward = (height_m_[north * columns + column] - height_m_[south * columns + column]) /
+                              (spacing_m * static_cast<float>(south - north));
+      slope_[row * columns + column] = {packed(eastward), packed(northward)};
+    }
+  }
+}
+
+WindowReport TerrainWindow::fill(TerrainPyramid& pyramid, const radar::Rectangle& area, int level,
+                                 const std::optional<Refinement>& refinement, TileWait wait) {
+  const PyramidLayout& layout = pyramid.layout();
+  const int last = layout.levels() - 1;
+  WindowReport report{.level = std::clamp(level, 0, last)};
+  std::optional<Placement> placement = placed(layout, area, report.level);
+  while (!placement && report.level < last) placement = placed(layout, area, ++report.level);
+  if (!placement) return report;
+  placement_ = *placement;
+
+  const std::vector<TileKey> wanted = tiles_for(pyramid, area, report.level, refinement);
+  report.tiles = wanted.size();
+  for (const TileKey& key : wanted) {
+    const auto get = [&](TileKey k) { return wait == TileWait::Load ? pyramid.load(k) : pyramid.resident(k); };
+    TileKey source = key;
+    auto tile = get(source);
+    if (!tile) report.lacking.push_back(key);
+    while (!tile && source.level < last) {
+      source = source.parent();
+      tile = get(source);
+    }
+    if (tile) copy(report.level, key, source, *tile);
+  }
+  const auto filled = std::span(height_m_).first(placement_.columns * placement_.rows);
+  const auto [lowest, highest] = std::ranges::minmax_element(filled);
+  lowest_m_ = *lowest;
+  highest_m_ = *highest;
+  form_slopes();
+  return report;
+}
+
+TerrainView TerrainWindow::view() const {
+  const std::size_t count = placement_.columns * placement_.rows;
+  return {.west_m = placement_.west_m,
+          .north_m = placement_.north_m,
+          .spacing_m = placement_.spacing_m,
+          .columns = placement_.columns,
+          .rows = placement_.rows,
+          .height_m = std::span(height_m_).first(count),
+          .slope = std::span(slope_).first(count),
+          .lowest_m = lowest_m_,
+          .highest_m = highest_m_};
+}
+
+}  // namespace sigmascape::terrain

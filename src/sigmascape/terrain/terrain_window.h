@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "sigmascape/base/vec.h"
+#include "sigmascape/radar/curved_earth.h"
+#include "sigmascape/terrain/terrain_pyramid.h"
+#include "sigmascape/terrain/terrain_view.h"
+
+namespace sigmascape::terrain {
+
+/// How exact the terrain must be for a radar: what is wrong with a height must not show.
+struct Refinement {
+  Vec3d radar;  ///< height above sea level
+  radar::CurvedEarth earth = {};
+  double range_resolution_m = 1.0;  ///< δr: an error shifts range by err·sin ψ, which may be a quarter of it
+  double cell_m = 1.0;              ///< an error shifts a shadow's edge by err·cot ψ, which may be half of it
+};
+
+/// Whether a tile's surface is exact enough over its extent: err·sin ψ ≤ δr/4 at its steepest and err·cot ψ ≤ cell/2 at
+/// its flattest.
+[[nodiscard]] bool exact_enough(const TileSummary& summary, const radar::Rectangle& extent,
+                                const Refinement& refinement);
+
+/// The fewest tiles that cover `area` exactly enough, none finer than `finest_level`; coarsest first.
+[[nodiscard]] std::vector<TileKey> tiles_for(const TerrainPyramid& pyramid, const radar::Rectangle& area,
+                                             int finest_level, const std::optional<Refinement>& refinement);
+
+/// What a window was made from.
+struct WindowReport {
+  int level = 0;          ///< whose nodes the window has: coarser than asked for when it would not fit otherwise
+  std::size_t tiles = 0;  ///< that were wanted
+  std::vector<TileKey> lacking = {};  ///< of them those for which a coarser one stands in
+};
+
+enum class TileWait {
+  Load,          ///< read what is not in memory
+  ResidentOnly,  ///< never wait: take the finest that is there
+};
+
+/// The terrain of one frame at one spacing: a fixed number of nodes, whatever their spacing.
+///
+/// Tiles of several levels go into one lattice, whose nodes are those of the window's level; a coarser tile is
+/// interpolated where it stands in. What comes out is one bilinear surface: levels meet without cracks. Slopes are
+/// those between neighbouring nodes on either side, to be interpolated.
+class TerrainWindow {
+ public:
+  /// `most_nodes_per_side`: memory is 8 bytes times its square, taken once.
+  explicit TerrainWindow(std::size_t most_nodes_per_side);
+
+  /// Fills the window with the terrain over `area`, of `level` or the finest that fits. Tiles that cannot be had are
+  /// replaced by their parents. Without a refinement all tiles are of the window's level.
+  WindowReport fill(TerrainPyramid& pyramid, const radar::Rectangle& area, int level,
+                    const std::optional<Refinement>& refinement, TileWait wait);
+
+  /// Valid until the next `fill`. Before the first it is empty.
+  [[nodiscard]] TerrainView view() const;
+
+ private:
+  struct Placement {
+    std::int64_t first_column = 0, first_row = 0;  ///< node of the window's level that stands north-western
+    std::size_t columns = 0, rows = 0;
+    double west_m = 0.0, north_m = 0.0, spacing_m = 1.0;
+  };
+  [[nodiscard]] std::optional<Placement> placed(const PyramidLayout& layout, const radar::Rectangle& area,
+                                                int level) const;
+  /// Writes the nodes of the window within `part`'s extent from a tile that covers it.
+  void copy(int level, TileKey part, TileKey source, const HeightTile& tile);
+  void form_slopes();
+
+  std::size_t most_nodes_;
+  Placement placement_;
+  std::vector<float> height_m_;
+  std::vector<PackedSlope> slope_;
+  float lowest_m_ = 0.0F, highest_m_ = 0.0F;
+};
+
+}  // namespace sigmascape::terrain

@@ -1,0 +1,67 @@
+#include <atomic>
+#include <cstdlib>
+#include <gtest/gtest.h>
+#include <new>
+
+#include "sigmascape/render/visible_ground.h"
+
+namespace {
+
+std::atomic<std::size_t> allocations{0};
+
+void* counted(std::size_t bytes) {
+  ++allocations;
+  if (void* memory = std::malloc(bytes != 0 ? bytes : 1)) return memory;
+  throw std::bad_alloc();
+}
+
+}  // namespace
+
+// The whole program counts what it takes.
+void* operator new(std::size_t bytes) {
+  return counted(bytes);
+}
+void* operator new[](std::size_t bytes) {
+  return counted(bytes);
+}
+void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+void operator delete[](void* memory) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+void operator delete[](void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+
+namespace sigmascape::render {
+namespace {
+
+TEST(SteadyMemory, VisibleGroundTakesNoneOnceItHasWorked) {
+  terrain::HeightField field{
+      .west_m = -500.0, .north_m = 500.0, .spacing_m = 10.0, .height_m = Array2D<float>(101, 101)};
+  for (std::size_t i = 0; i < field.height_m.size(); ++i) field.height_m.values()[i] = static_cast<float>(i % 37);
+  const terrain::TerrainView view = terrain::view_of(field);
+  for (const auto method : {VisibilityMethod::HorizonSweep, VisibilityMethod::Rasterization}) {
+    VisibleGround visible_ground({.method = method, .threads = 1});
+    GroundSamples samples;
+    GroundSector sector{.azimuth_step_rad = 0.005,
+                        .azimuths = 64,
+                        .first_distance_m = 2600.0,
+                        .distance_step_m = 10.0,
+                        .distances = 80};
+    visible_ground.find({0.0, -3000.0, 700.0}, sector, view, samples);
+    sector.azimuths = 60;
+    const std::size_t before = allocations;
+    for (int frame = 0; frame < 10; ++frame) {
+      visible_ground.find({1.0 * frame, -3000.0, 700.0}, sector, view, samples);
+    }
+    EXPECT_EQ(allocations, before);
+  }
+}
+
+}  // namespace
+}  // namespace sigmascape::render

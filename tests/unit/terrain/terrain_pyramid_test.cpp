@@ -1,0 +1,307 @@
+#include "sigmascape/terrain/terrain_pyramid.h"
+
+#include <atomic>
+#include <cmath>
+#include <fstream>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <thread>
+
+#include "scratch_folder.h"
+#include "unit/geo/ascii_grid.h"
+
+#include "sigmascape/terrain/pyramid_builder.h"
+#include "sigmascape/terrain/terrain_window.h"
+
+namespace sigmascape::terrain {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// 5 × 3 tiles of rough hills, 5 m apart.
+HeightField rough(std::size_t columns = 1100, std::size_t rows = 700) {
+  HeightField field{.west_m = -1000.0, .north_m = 2000.0, .spacing_m = 5.0, .height_m = Array2D<float>(columns, rows)};
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (std::size_t column = 0; column < columns; ++column) {
+      const double x = static_cast<double>(column), y = static_cast<double>(row);
+      field.height_m(column, row) =
+          static_cast<float>(200.0 + 90.0 * std::sin(0.011 * x + 0.004 * y) + 8.0 * std::cos(0.17 * y - 0.13 * x) +
+                             2.0 * std::sin(1.3 * x * y));
+    }
+  }
+  return field;
+}
+
+/// The window's surface as a field, to be asked anywhere.
+HeightField field_of(const TerrainView& view) {
+  HeightField field{.west_m = view.west_m,
+                    .north_m = view.north_m,
+                    .spacing_m = view.spacing_m,
+                    .height_m = Array2D<float>(view.columns, view.rows)};
+  std::ranges::copy(view.height_m, field.height_m.values().begin());
+  return field;
+}
+
+TEST(TerrainPyramid, LevelZeroIsTheFieldItself) {
+  const HeightField field = rough();
+  TerrainPyramid pyramid = pyramid_in_memory(field);
+  EXPECT_EQ(pyramid.layout().tiles_across, 5U);
+  EXPECT_EQ(pyramid.layout().tiles_down, 3U);
+  EXPECT_EQ(pyramid.levels(), 4);
+  TerrainWindow window(1500);
+  const auto report = window.fill(pyramid, field.extent(), 0, std::nullopt, TileWait::Load);
+  EXPECT_EQ(report.level, 0);
+  EXPECT_EQ(report.tiles, 15U);
+  const HeightField seen = field_of(window.view());
+  for (double x = -990.0; x < 4400.0; x += 37.3) {
+    for (double y = -1400.0; y < 1990.0; y += 41.7)
+      ASSERT_FLOAT_EQ(static_cast<float>(seen.height_at({x, y})), static_cast<float>(field.height_at({x, y})));
+  }
+}
+
+TEST(TerrainPyramid, NoPointLiesFurtherFromATileThanItsError) {
+  const HeightField field = rough();
+  TerrainPyramid pyramid = pyramid_in_memory(field);
+  for (int level = 1; level < pyramid.levels(); ++level) {
+    float furthest = 0.0F, stated = 0.0F;
+    const TileKey key{level, 0, 0};
+    const auto tile = pyramid.load(key);
+    stated = pyramid.summary(key).error_m;
+    const double nodes = static_cast<double>(1U << static_cast<unsigned>(level));
+    for (std::size_t row = 0; row < std::min<std::size_t>(700, 256U << static_cast<unsigned>(level)); ++row) {
+      for (std::size_t column = 0; column < std::min<std::size_t>(1100, 256U << static_cast<unsigned>(level));
+           ++column) {
+        const float surface = tile->at(static_cast<double>(column) / nodes, static_cast<double>(row) / nodes);
+        furthest = std::max(furthest, std::abs(surface - field.height_m(column, row)));
+      }
+    }
+    EXPECT_LE(furthest, stated + 1e-3F);
+    EXPECT_GT(furthest, 0.2F * stated) << "the bound is idle";
+  }
+}
+
+TEST(TerrainPyramid, NeighboursShareTheirEdges) {
+  TerrainPyramid pyramid = pyramid_in_memory(rough());
+  for (int level = 0; level < pyramid.levels(); ++level) {
+    for (std::uint32_t column = 0; column + 1 < pyramid.layout().across(level); ++column) {
+      const auto west = pyramid.load({level, column, 0}), east = pyramid.load({level, column + 1, 0});
+      for (std::size_t row = 0; row < HeightTile::nodes; ++row) {
+        ASSERT_EQ(west->height_m[row * HeightTile::nodes + HeightTile::cells], east->height_m[row * HeightTile::nodes]);
+      }
+    }
+  }
+}
+
+/// A radar so near that tiles at its side are refined and those far off are not.
+Refinement near_by() {
+  return {.radar = {-3000.0, 1500.0, 1500.0}, .range_resolution_m = 40.0, .cell_m = 40.0};
+}
+
+TEST(TerrainWindow, IsRefinedWhereAnErrorWouldShow) {
+  TerrainPyramid pyramid = pyramid_in_memory(rough());
+  const auto tiles = tiles_for(pyramid, {-1000.0, -1400.0, 4400.0, 2000.0}, 0, near_by());
+  int finest = 9, coarsest = 0;
+  for (const TileKey& key : tiles) {
+    finest = std::min(finest, key.level);
+    coarsest = std::max(coarsest, key.level);
+    EXPECT_TRUE(key.level == 0 || exact_enough(pyramid.summary(key), pyramid.layout().extent_of(key), near_by()));
+  }
+  EXPECT_LT(finest, coarsest);
+}
+
+TEST(TerrainWindow, AnErrorShowsInRangeWhenSteepAndInShadowsWhenFlat) {
+  const radar::Rectangle tile{0.0, 0.0, 10.0, 10.0};
+  // Nearly from above: err·sin ψ against δr/4 = 1 m.
+  Refinement above{
+      .radar = {5.0, 5.0, 10e3}, .earth = radar::CurvedEarth::flat(), .range_resolution_m = 4.0, .cell_m = 4.0};
+  EXPECT_TRUE(exact_enough({0.0F, 0.0F, 0.99F}, tile, above));
+  EXPECT_FALSE(exact_enough({0.0F, 0.0F, 1.01F}, tile, above));
+  // At 1 in 10: err·cot ψ against cell/2 = 2 m.
+  Refinement aside{
+      .radar = {10e3, 5.0, 1e3}, .earth = radar::CurvedEarth::flat(), .range_resolution_m = 4.0, .cell_m = 4.0};
+  EXPECT_TRUE(exact_enough({0.0F, 0.0F, 0.198F}, tile, aside));
+  EXPECT_FALSE(exact_enough({0.0F, 0.0F, 0.202F}, tile, aside));
+}
+
+TEST(TerrainWindow, LevelsMeetWithoutCracks) {
+  TerrainPyramid pyramid = pyramid_in_memory(rough());
+  const radar::Rectangle area{-1000.0, -1400.0, 4400.0, 2000.0};
+  TerrainWindow window(1500);
+  window.fill(pyramid, area, 0, near_by(), TileWait::Load);
+  const HeightField surface = field_of(window.view());
+  std::size_t borders = 0;
+  const auto tiles = tiles_for(pyramid, area, 0, near_by());
+  for (const TileKey& key : tiles) {
+    const radar::Rectangle extent = pyramid.layout().extent_of(key);
+    for (double along = 0.0; along < 1.0; along += 0.003) {
+      const double y = extent.south_m + along * extent.height_m();
+      if (extent.east_m > 4390.0 || y < -1390.0) continue;
+      ++borders;
+      const double west = surface.height_at({extent.east_m - 1e-4, y}),
+                   east = surface.height_at({extent.east_m + 1e-4, y});
+      ASSERT_NEAR(west, east, 1e-2);
+    }
+  }
+  EXPECT_GT(borders, 1000U);
+}
+
+TEST(TerrainWindow, TakesTheFinestLevelThatFits) {
+  TerrainPyramid pyramid = pyramid_in_memory(rough());
+  TerrainWindow window(300);
+  const auto report = window.fill(pyramid, {-1000.0, -1400.0, 4400.0, 2000.0}, 0, std::nullopt, TileWait::Load);
+  EXPECT_EQ(report.level, 2);
+  EXPECT_LE(window.view().columns, 300U);
+}
+
+TEST(TerrainWindow, SlopesAreThoseOfThePlane) {
+  HeightField plane = rough();
+  for (std::size_t row = 0; row < plane.height_m.rows(); ++row) {
+    for (std::size_t column = 0; column < plane.height_m.columns(); ++column) {
+      plane.height_m(column, row) = 0.5F * static_cast<float>(column) - 1.25F * static_cast<float>(row);
+    }
+  }
+  TerrainPyramid pyramid = pyramid_in_memory(plane);
+  TerrainWindow window(500);
+  window.fill(pyramid, {0.0, 0.0, 2000.0, 1000.0}, 1, std::nullopt, TileWait::Load);
+  const TerrainView view = window.view();
+  const PackedSlope slope = view.slope[40 * view.columns + 50];
+  EXPECT_NEAR(slope.east / PackedSlope::steps_per_unit, 0.1F, 1e-3F);
+  EXPECT_NEAR(slope.north / PackedSlope::steps_per_unit, 0.25F, 1e-3F);
+}
+
+class PyramidOnDisk : public ::testing::Test {
+ protected:
+  PyramidOnDisk() { build_pyramid(folder_.path("pyramid"), field_, {43.0, -3.0}); }
+
+  [[nodiscard]] std::filesystem::path tile(const std::string& name) const { return folder_.path("pyramid") / name; }
+
+  ScratchFolder folder_;
+  HeightField field_ = rough();
+  radar::Rectangle area_{-1000.0, -1400.0, 4400.0, 2000.0};
+};
+
+TEST_F(PyramidOnDisk, IsTheOneInMemory) {
+  TerrainPyramid stored = open_pyramid(folder_.path("pyramid"), 100 * HeightTile::bytes);
+  TerrainPyramid held = pyramid_in_memory(field_);
+  for (int level = 0; level < held.levels(); ++level) {
+    for (std::uint32_t row = 0; row < held.layout().down(level); ++row) {
+      const TileKey key{level, 0, row};
+      ASSERT_EQ(stored.load(key)->height_m, held.load(key)->height_m);
+      EXPECT_EQ(stored.summary(key).error_m, held.summary(key).error_m);
+    }
+  }
+  EXPECT_TRUE(stored.faults().empty());
+}
+
+TEST_F(PyramidOnDisk, KeepsWithinItsBudget) {
+  constexpr std::size_t budget = 5 * HeightTile::bytes;
+  TerrainPyramid pyramid = open_pyramid(folder_.path("pyramid"), budget);
+  TerrainWindow window(1500);
+  for (int level = 3; level >= 0; --level) {
+    window.fill(pyramid, area_, level, std::nullopt, TileWait::Load);
+    EXPECT_LE(pyramid.resident_bytes(), budget);
+  }
+  EXPECT_NE(pyramid.resident({3, 0, 0}), nullptr) << "the last level is never forgotten";
+}
+
+TEST_F(PyramidOnDisk, AMissingTileGivesItsParentAndAReport) {
+  std::filesystem::remove(tile("level_0/1_1.tif"));
+  TerrainPyramid pyramid = open_pyramid(folder_.path("pyramid"), 100 * HeightTile::bytes);
+  TerrainWindow window(1500);
+  const auto report = window.fill(pyramid, area_, 0, std::nullopt, TileWait::Load);
+  ASSERT_EQ(report.lacking, (std::vector<TileKey>{{0, 1, 1}}));
+  ASSERT_EQ(pyramid.faults().size(), 1U);
+  EXPECT_THAT(pyramid.faults()[0].message, HasSubstr("1_1.tif"));
+  const HeightField surface = field_of(window.view());
+  const Vec2d inside{-1000.0 + 5.0 * 380, 2000.0 - 5.0 * 380};
+  const double error_m = static_cast<double>(pyramid.summary({1, 0, 0}).error_m);
+  EXPECT_NEAR(surface.height_at(inside), field_.height_at(inside), error_m);
+  EXPECT_GT(surface.height_at(inside), 50.0);
+}
+
+TEST_F(PyramidOnDisk, TruncatedAndAlteredTilesAreNotTaken) {
+  std::filesystem::resize_file(tile("level_0/0_0.tif"), 900);
+  std::filesystem::copy_file(tile("level_0/2_1.tif"), tile("level_0/3_1.tif"),
+                             std::filesystem::copy_options::overwrite_existing);
+  {
+    std::fstream file(tile("level_0/2_0.tif"), std::ios::in | std::ios::out | std::ios::binary);
+    file.seekp(-3000, std::ios::end);
+    file.put('x').put('y').put('z');
+  }
+  TerrainPyramid pyramid = open_pyramid(folder_.path("pyramid"), 100 * HeightTile::bytes);
+  TerrainWindow window(1500);
+  const auto report = window.fill(pyramid, area_, 0, std::nullopt, TileWait::Load);
+  EXPECT_THAT(report.lacking, ::testing::UnorderedElementsAre(TileKey{0, 0, 0}, TileKey{0, 2, 0}, TileKey{0, 3, 1}));
+  EXPECT_EQ(pyramid.faults().size(), report.lacking.size());
+}
+
+TEST_F(PyramidOnDisk, WithoutWaitingTheCoarsestStandsIn) {
+  TerrainPyramid pyramid = open_pyramid(folder_.path("pyramid"), 100 * HeightTile::bytes);
+  TerrainWindow window(1500);
+  const auto first = window.fill(pyramid, area_, 0, std::nullopt, TileWait::ResidentOnly);
+  EXPECT_EQ(first.lacking.size(), first.tiles);
+  EXPECT_GT(field_of(window.view()).height_at({0.0, 0.0}), 50.0);
+  for (const TileKey& key : first.lacking) EXPECT_NE(pyramid.load(key), nullptr);
+  EXPECT_TRUE(window.fill(pyramid, area_, 0, std::nullopt, TileWait::ResidentOnly).lacking.empty());
+}
+
+TEST_F(PyramidOnDisk, IsNotBuiltTwiceNorTakenForAnother) {
+  const auto when = std::filesystem::last_write_time(tile("level_0/0_0.tif"));
+  build_pyramid(folder_.path("pyramid"), field_, {43.0, -3.0});
+  EXPECT_EQ(std::filesystem::last_write_time(tile("level_0/0_0.tif")), when);
+  field_.height_m(10, 10) += 5.0F;
+  build_pyramid(folder_.path("pyramid"), field_, {43.0, -3.0});
+  TerrainPyramid pyramid = open_pyramid(folder_.path("pyramid"), 100 * HeightTile::bytes);
+  EXPECT_EQ(pyramid.load({0, 0, 0})->height_m[10 * HeightTile::nodes + 10], field_.height_m(10, 10));
+}
+
+TEST_F(PyramidOnDisk, AnUnfinishedOneIsRefused) {
+  std::filesystem::remove(tile("pyramid.toml"));
+  EXPECT_THAT(message_of_error([&] { static_cast<void>(open_pyramid(folder_.path("pyramid"), 1U << 20U).levels()); }),
+              HasSubstr("pyramid.toml"));
+}
+
+TEST_F(PyramidOnDisk, ManyThreadsMayAsk) {
+  TerrainPyramid pyramid = open_pyramid(folder_.path("pyramid"), 4 * HeightTile::bytes);
+  std::atomic<int> wrong{0};
+  {
+    std::vector<std::jthread> threads;
+    for (unsigned t = 0; t < 4; ++t) {
+      threads.emplace_back([&, t] {
+        for (unsigned i = 0; i < 20; ++i) {
+          const TileKey key{0, (i + t) % 4, (i / 4) % 2};
+          const auto held = pyramid.load(key);
+          const float expected = field_.height_m(256 * key.column, 256 * key.row);
+          if (!held || held->height_m[0] != expected) ++wrong;
+        }
+      });
+    }
+  }
+  EXPECT_EQ(wrong, 0);
+  EXPECT_LE(pyramid.resident_bytes(), 4 * HeightTile::bytes);
+}
+
+TEST(PyramidFromRaster, ReadsATileAtATime) {
+  const ScratchFolder folder;
+  const geo::AsciiGrid grid{500'600.0, 4'795'000.0, 10.0, 100, 80};
+  TerrainSource source;
+  source.raster = {folder.write("heights.asc", grid.text([](double x, double) { return 0.1 * (x - 500'000.0); })), 1,
+                   "EPSG:25830"};
+  const geo::LocalFrame frame(43.312, -2.986);
+  const auto whole = read_terrain(source, frame, std::nullopt);
+  const radar::Rectangle extent = whole.field.extent();
+  source.spacing_m = 2.0;
+  build_pyramid(folder.path("pyramid"), source, frame, extent);
+  TerrainPyramid pyramid = open_pyramid(folder.path("pyramid"), 100 * HeightTile::bytes);
+  EXPECT_GE(pyramid.levels(), 2);
+  TerrainWindow window(600);
+  window.fill(pyramid, extent, 0, std::nullopt, TileWait::Load);
+  const HeightField surface = field_of(window.view());
+  const Vec2d middle = extent.centre();
+  for (const Vec2d p : {middle, middle + Vec2d{200.0, -100.0}, middle + Vec2d{-321.0, 222.0}}) {
+    EXPECT_NEAR(surface.height_at(p), whole.field.height_at(p), 0.02);
+  }
+}
+
+}  // namespace
+}  // namespace sigmascape::terrain
