@@ -38,7 +38,11 @@ class TileTracer {
  private:
   void follow(Vec3d aim_point, double area_m2, const SobolPoint& point);
   void launch_towards(Vec3d aim_point, const SobolPoint& point);
-  void begin_at(Vec3d position, Vec3f normal);
+  /// Finds the next vertex: a surface, or a place in a crown before it.
+  [[nodiscard]] bool find_vertex(SurfaceHit& hit, int bounce, const SobolPoint& point);
+  void begin_at(Vec3d position, const SurfaceHit& hit);
+  /// What crowns let pass from the vertex to the radar, 0 when a surface stands in the way.
+  [[nodiscard]] float transmittance(const SurfaceHit& hit, Vec3f to_radar);
   void add_direct_echoes(const SurfaceHit& hit, Vec3d position, Vec3d aim_point, double area_m2,
                          const SobolPoint& point);
   /// What a surface returns at once: its mean powers, or, of coherent tracing, the powers of a draw and its amplitudes.
@@ -46,7 +50,7 @@ class TileTracer {
                                               const SobolPoint& point);
   void add_connected_echoes(const SurfaceHit& hit, Vec3d position, Vec3d aim_point, double area_m2, int bounce,
                             const SobolPoint& point);
-  [[nodiscard]] float reciprocal_share(const SurfaceHit& hit, Vec3d position, Vec3f to_radar, float last_cosine) const;
+  [[nodiscard]] float reciprocal_share(const SurfaceHit& hit, Vec3d position, Vec3f to_radar, float last_density) const;
   [[nodiscard]] bool carry_on(const SurfaceHit& hit, int bounce, const SobolPoint& point);
   [[nodiscard]] bool survives_roulette(float u);
   /// The phase that the unresolved roughness of vertex number `bounce` gives to all fields alike.
@@ -63,6 +67,7 @@ class TileTracer {
   std::vector<EchoList>& echoes_;
   TraceCounts& counts_;
   Bookkeeper books_;
+  CrownCrossings crowns_;
   Path path_;
   std::vector<scatter::FieldPair> out_;  // towards the radar, one a frequency
 };
