@@ -18,6 +18,9 @@ struct ModelFrequencies {
   Ranges operator()(const BillingsleyParameters& p) const { return {billingsley_frequencies(p.terrain)}; }
   Ranges operator()(const NrlSeaParameters&) const { return {nrl_sea_frequencies}; }
   Ranges operator()(const GitSeaParameters&) const { return {git_sea_frequencies}; }
+  Ranges operator()(const CrownParameters& p) const {
+    return {p.leaf ? p.leaf->valid_frequencies() : FrequencyRange{}};
+  }
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <numbers>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -116,10 +117,24 @@ struct CookTorranceParameters {
   friend constexpr bool operator==(const CookTorranceParameters&, const CookTorranceParameters&) = default;
 };
 
+/// The leaves of a tree crown as a medium (see crown_medium.h). No surface is made of it.
+struct CrownParameters {
+  double extinction_per_m = 0.5;  ///< κ: the part of power that is intercepted along one metre, at all frequencies
+  double albedo = 0.5;  ///< part of what is intercepted that leaves again; not that of `leaf` when that is stated
+  /// When stated, leaves are flat mirrors of this permittivity turned every way.
+  std::optional<Permittivity> leaf;
+  /// What passes between the leaves on its way in comes back the same way, as between leaves of a mesh. Without it, the
+  /// way back weakens a direct echo once more, as in media of scatterers smaller than a wavelength.
+  bool shares_gaps = true;
+  Depolarization depolarization{0.1, 0.5};  ///< of leaves that are not stated as mirrors
+
+  friend constexpr bool operator==(const CrownParameters&, const CrownParameters&) = default;
+};
+
 /// What a surface is made of, as a name and one scattering model with its constants.
 struct Material {
   using Model = std::variant<LambertParameters, ConstantGammaParameters, CookTorranceParameters, UlabyDobsonParameters,
-                             BillingsleyParameters, NrlSeaParameters, GitSeaParameters>;
+                             BillingsleyParameters, NrlSeaParameters, GitSeaParameters, CrownParameters>;
 
   std::string name;
   Model model;

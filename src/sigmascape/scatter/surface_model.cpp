@@ -17,7 +17,7 @@ namespace {
 
 struct ModelMaker {
   double frequency_hz;
-  using Model = std::variant<Lambert, ConstantGamma, CookTorrance, ReciprocalBackscatter>;
+  using Model = std::variant<Lambert, ConstantGamma, CookTorrance, ReciprocalBackscatter, CrownMedium>;
   Model operator()(const LambertParameters& p) const { return Lambert(p); }
   Model operator()(const ConstantGammaParameters& p) const { return ConstantGamma(p, frequency_hz); }
   Model operator()(const CookTorranceParameters& p) const { return CookTorrance(p, frequency_hz); }
@@ -25,6 +25,7 @@ struct ModelMaker {
   Model operator()(const BillingsleyParameters& p) const { return billingsley(p); }
   Model operator()(const NrlSeaParameters& p) const { return nrl_sea(p, frequency_hz); }
   Model operator()(const GitSeaParameters& p) const { return git_sea(p, frequency_hz); }
+  Model operator()(const CrownParameters& p) const { return CrownMedium(p, frequency_hz); }
 };
 
 /// The greatest part of arriving power that a diffuse surface returns; nought for models that are passive by their

@@ -4,6 +4,7 @@
 
 #include "sigmascape/scatter/constant_gamma.h"
 #include "sigmascape/scatter/cook_torrance.h"
+#include "sigmascape/scatter/crown_medium.h"
 #include "sigmascape/scatter/facet.h"
 #include "sigmascape/scatter/lambert.h"
 #include "sigmascape/scatter/material.h"
@@ -43,9 +44,11 @@ class SurfaceModel {
   /// Whether unresolved roughness gives what it scatters a phase that nothing tells: of all diffuse surfaces. Mirrors
   /// keep the phase of their place, and their diffuse part draws its own in `scatter`.
   [[nodiscard]] bool phase_is_random() const { return !std::holds_alternative<CookTorrance>(model_); }
+  /// The medium when the material is that of a crown, else null.
+  [[nodiscard]] const CrownMedium* medium() const { return std::get_if<CrownMedium>(&model_); }
 
  private:
-  using Model = std::variant<Lambert, ConstantGamma, CookTorrance, ReciprocalBackscatter>;
+  using Model = std::variant<Lambert, ConstantGamma, CookTorrance, ReciprocalBackscatter, CrownMedium>;
   static Model model_of(const Material& material, double frequency_hz);
   Model model_;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <variant>
@@ -89,6 +90,20 @@ struct ConstantsReader {
     mirrors.masking = chosen(section, "masking", maskings, mirrors.masking);
     mirrors.multiple_scatter = section.flag_or("multi_scatter", mirrors.multiple_scatter);
   }
+  void operator()(scatter::CrownParameters& crown) const {
+    if (const auto db_per_m = section.optional_number("extinction_db_per_m", {0.0, 100.0, "dB/m"}))
+      crown.extinction_per_m = std::log(linear_from_db(*db_per_m));
+    crown.albedo = section.number_or("albedo", {0.0, 1.0, ""}, crown.albedo);
+    scatter::Permittivity leaf;
+    if (read_permittivity(section, leaf)) {
+      if (section.has("albedo"))
+        throw Error(section.where("albedo"), "is stated beside the permittivity of the leaves, which decides it",
+                    "leave one of them out");
+      crown.leaf = leaf;
+    }
+    crown.shares_gaps = section.flag_or("shares_gaps", crown.shares_gaps);
+    read_depolarization(section, crown.depolarization);
+  }
 
  private:
   /// What is stated anew is known where its law or table is, not where the base material was.
@@ -110,7 +125,8 @@ const std::vector<NamedModel>& models() {
                                            {"ulaby_dobson", scatter::UlabyDobsonParameters{}},
                                            {"billingsley", scatter::BillingsleyParameters{}},
                                            {"nrl_sea", scatter::NrlSeaParameters{}},
-                                           {"git_sea", scatter::GitSeaParameters{}}};
+                                           {"git_sea", scatter::GitSeaParameters{}},
+                                           {"crown", scatter::CrownParameters{}}};
   return all;
 }
 
@@ -155,6 +171,22 @@ bool MaterialTable::knows(const std::string& name) const {
 }
 
 const scatter::Material& MaterialTable::material(const std::string& name, const std::string& where) const {
+  const scatter::Material& surface = found(name, where);
+  if (std::holds_alternative<scatter::CrownParameters>(surface.model))
+    throw Error(where, fmt::format("'{}' is the medium of a tree's crown, of which no surface is made", name),
+                "name it with crown_material in [[trees]], or give another material here");
+  return surface;
+}
+
+const scatter::Material& MaterialTable::crown(const std::string& name, const std::string& where) const {
+  const scatter::Material& medium = found(name, where);
+  if (!std::holds_alternative<scatter::CrownParameters>(medium.model))
+    throw Error(where, fmt::format("'{}' is the material of a surface, not the medium of a crown", name),
+                "name a material of model crown");
+  return medium;
+}
+
+const scatter::Material& MaterialTable::found(const std::string& name, const std::string& where) const {
   if (const auto own = own_.find(name); own != own_.end()) return own->second;
   if (const scatter::Material* known = find_in_library(name)) return *known;
   std::vector<std::string> names;

@@ -18,11 +18,15 @@ class MaterialTable {
   [[nodiscard]] bool knows(const std::string& name) const;
   /// Throws Error at `where`, with the nearest known name, when neither has it.
   [[nodiscard]] const scatter::Material& material(const std::string& name, const std::string& where) const;
+  /// The same for the medium of a tree's crown, which `material` refuses.
+  [[nodiscard]] const scatter::Material& crown(const std::string& name, const std::string& where) const;
   /// The material named by a key, or of the fallback name where the key is absent.
   [[nodiscard]] const scatter::Material& named_by(const TomlSection& section, std::string_view key,
                                                   const std::string& fallback) const;
 
  private:
+  [[nodiscard]] const scatter::Material& found(const std::string& name, const std::string& where) const;
+
   std::map<std::string, scatter::Material> own_;
 };
 

@@ -76,6 +76,14 @@ struct ModelHasher {
     sha.add_value(static_cast<int>(m.masking));
     sha.add_value(static_cast<int>(m.multiple_scatter));
   }
+  void operator()(const scatter::CrownParameters& m) const {
+    sha.add_value(m.extinction_per_m);
+    sha.add_value(m.albedo);
+    sha.add_value(static_cast<int>(m.shares_gaps));
+    sha.add_value(static_cast<int>(m.leaf.has_value()));
+    if (m.leaf) add_permittivity(sha, *m.leaf);
+    add_depolarization(sha, m.depolarization);
+  }
 };
 
 void add_mesh(Sha256& sha, const Mesh& mesh) {
@@ -130,9 +138,17 @@ float top_m(const Mesh& mesh) {
   return top;
 }
 
+std::vector<float> prototype_tops_m(const Scene& scene) {
+  std::vector<float> tops;
+  for (const Mesh& prototype : scene.prototypes) tops.push_back(top_m(prototype));
+  for (const Crown& crown : scene.crowns) {
+    tops[crown.prototype] = std::max(tops[crown.prototype], crown.shape.centre.z + crown.shape.radii_m.z);
+  }
+  return tops;
+}
+
 double tallest_object_m(const Scene& scene) {
-  std::vector<float> prototype_top;
-  for (const Mesh& prototype : scene.prototypes) prototype_top.push_back(top_m(prototype));
+  const std::vector<float> prototype_top = prototype_tops_m(scene);
   float tallest = top_m(scene.buildings.mesh);
   for (const Instance& instance : scene.instances) {
     tallest = std::max(tallest, instance.lift_m + instance.scale.z * prototype_top[instance.prototype]);
@@ -157,6 +173,13 @@ std::string scene_hash(const Scene& scene) {
     std::visit(ModelHasher{sha}, material.model);
   }
   for (const Mesh& mesh : scene.prototypes) add_mesh(sha, mesh);
+  for (const Crown& crown : scene.crowns) {
+    sha.add_value(crown.prototype);
+    sha.add_value(crown.medium);
+    for (const Vec3f v : {crown.shape.centre, crown.shape.radii_m}) {
+      for (const float value : {v.x, v.y, v.z}) sha.add_value(value);
+    }
+  }
   for (const Instance& i : scene.instances) {
     sha.add_value(i.prototype);
     for (const float value : {i.x_m, i.y_m, i.lift_m, i.yaw_rad, i.scale.x, i.scale.y, i.scale.z, i.speed_mps})

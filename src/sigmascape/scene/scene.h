@@ -36,6 +36,18 @@ struct Mesh {
   std::vector<MaterialIndex> materials;  ///< one a triangle
 };
 
+struct Ellipsoid {
+  Vec3f centre;
+  Vec3f radii_m{1.0F, 1.0F, 1.0F};
+};
+
+/// Leaves as a medium within an ellipsoid, about the branches of a prototype: every instance of the prototype has it.
+struct Crown {
+  std::uint32_t prototype = 0;
+  Ellipsoid shape;           ///< in the prototype's frame
+  MaterialIndex medium = 0;  ///< a material of CrownParameters; its extinction is by metres in the world
+};
+
 /// One placement of a prototype (a tree, a vehicle, a tower). Its origin stands on the ground, wherever that is: on the
 /// terrain in a live scene, on the plane z = 0 in a bake.
 struct Instance {
@@ -85,6 +97,7 @@ struct Scene {
   MaterialMap ground;
   std::vector<scatter::Material> materials;
   std::vector<Mesh> prototypes;
+  std::vector<Crown> crowns;
   std::vector<Instance> instances;
   Buildings buildings;
   std::vector<PointTarget> point_targets;
@@ -100,6 +113,9 @@ void shift(Scene& scene, Vec2d offset);
 
 /// Height of the highest vertex of a mesh above its origin, 0 when none stands above it.
 [[nodiscard]] float top_m(const Mesh& mesh);
+
+/// The same of each prototype of a scene, its crown included.
+[[nodiscard]] std::vector<float> prototype_tops_m(const Scene& scene);
 
 /// Height of the tallest thing above its ground, in metres: what decides how far shadows and layover reach.
 [[nodiscard]] double tallest_object_m(const Scene& scene);

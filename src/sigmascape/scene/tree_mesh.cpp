@@ -6,6 +6,7 @@
 
 #include "sigmascape/base/hash.h"
 #include "sigmascape/base/units.h"
+#include "sigmascape/scene/crown.h"
 #include "sigmascape/scene/solid_mesh.h"
 
 namespace sigmascape::scene {
@@ -57,7 +58,7 @@ void append_limb(Mesh& mesh, Vec3f foot, Vec3f tip, float foot_radius_m, unsigne
 
 /// Crown radius at a height given as a fraction of the crown, 0 at its base, 1 at the top; and the share of the tree
 /// that is bare trunk.
-struct Crown {
+struct CrownHull {
   TreeForm form;
   [[nodiscard]] float base_m() const { return form == TreeForm::Broadleaf ? 1.9F : 0.9F; }
   [[nodiscard]] float z_at(float fraction) const { return std::lerp(base_m(), tree_height_m, fraction); }
@@ -68,7 +69,7 @@ struct Crown {
   }
 };
 
-void append_trunk_and_branches(Mesh& mesh, const Crown& crown, MaterialIndex bark, std::uint64_t seed) {
+void append_trunk_and_branches(Mesh& mesh, const CrownHull& crown, MaterialIndex bark, std::uint64_t seed) {
   const float lean = 0.15F * uniform(seed, 0);
   append_limb(mesh, {}, around(static_cast<float>(2.0 * pi) * uniform(seed, 1), lean, 0.92F * tree_height_m), 0.19F,
               trunk_sides, trunk_rings, bark);
@@ -85,7 +86,7 @@ void append_trunk_and_branches(Mesh& mesh, const Crown& crown, MaterialIndex bar
 }
 
 /// A place in the crown, drawn so that leaves are denser toward its hull, as where the light falls.
-Vec3f leaf_place(const Crown& crown, unsigned card, std::uint64_t key) {
+Vec3f leaf_place(const CrownHull& crown, unsigned card, std::uint64_t key) {
   float fraction = (static_cast<float>(card) + uniform(key, 0)) / static_cast<float>(leaf_cards);
   if (crown.form == TreeForm::Conifer) fraction = 1.0F - std::sqrt(fraction);
   const float outward = std::pow(uniform(key, 1), 0.4F);
@@ -119,13 +120,29 @@ void fit_crown(std::span<Vec3f> crown) {
 
 }  // namespace
 
-Mesh tree_mesh(TreeForm form, TreeMaterials materials, std::uint64_t seed) {
-  const Crown crown{form};
+Mesh bare_tree_mesh(TreeForm form, MaterialIndex bark, std::uint64_t seed) {
   Mesh mesh{.name = form == TreeForm::Broadleaf ? "broadleaf tree" : "conifer",
             .vertices = {},
             .triangles = {},
             .materials = {}};
-  append_trunk_and_branches(mesh, crown, materials.bark, hashed(seed, 1));
+  append_trunk_and_branches(mesh, CrownHull{form}, bark, hashed(seed, 1));
+  return mesh;
+}
+
+Ellipsoid crown_ellipsoid(TreeForm form) {
+  const CrownHull hull{form};
+  if (form == TreeForm::Conifer) {
+    const float half = 0.5F * (tree_height_m - hull.base_m());
+    const float across = tree_crown_radius_m / std::sqrt(2.0F);
+    return {{0.0F, 0.0F, hull.base_m() + half}, {across, across, half}};
+  }
+  const float middle = hull.z_at(0.45F);
+  return {{0.0F, 0.0F, middle}, {tree_crown_radius_m, tree_crown_radius_m, tree_height_m - middle}};
+}
+
+Mesh tree_mesh(TreeForm form, TreeMaterials materials, std::uint64_t seed) {
+  const CrownHull crown{form};
+  Mesh mesh = bare_tree_mesh(form, materials.bark, seed);
   const std::size_t bark_vertices = mesh.vertices.size();
   for (unsigned card = 0; card < leaf_cards; ++card) {
     const std::uint64_t key = hashed(seed, 2, card);

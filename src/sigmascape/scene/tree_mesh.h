@@ -24,6 +24,9 @@ inline constexpr float tree_crown_radius_m = 2.9F;
 /// `tree_crown_radius_m`. Trees of different seeds differ in the arrangement of their leaves and branches.
 [[nodiscard]] Mesh tree_mesh(TreeForm form, TreeMaterials materials, std::uint64_t seed);
 
+/// The trunk and branches of such a tree alone, as they stand within a crown of another kind.
+[[nodiscard]] Mesh bare_tree_mesh(TreeForm form, MaterialIndex bark, std::uint64_t seed);
+
 /// The instance scale that makes a tree mesh as tall and wide as wanted.
 [[nodiscard]] constexpr Vec3f tree_scale(float height_m, float crown_radius_m) {
   const float across = crown_radius_m / tree_crown_radius_m;

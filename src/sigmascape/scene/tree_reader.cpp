@@ -5,6 +5,7 @@
 #include "sigmascape/base/hash.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/scene/attribute_number.h"
+#include "sigmascape/scene/crown.h"
 #include "sigmascape/scene/vector_section.h"
 
 namespace sigmascape::scene {
@@ -44,13 +45,30 @@ double crown_radius_m(const geo::Feature& feature, const TreeSource& source, dou
   return usual;
 }
 
+scatter::Material medium_of(const TreeSource& source, TreeForm form) {
+  if (source.crown) return *source.crown;
+  constexpr MaterialIndex bark = 0, leaf = 1;
+  const double leaf_area_m2 = surface_area_m2(tree_mesh(form, {bark, leaf}, source.seed), leaf);
+  scatter::Material medium = crown_material(source.leaf, leaf_area_m2, volume_m3(crown_ellipsoid(form)));
+  medium.name += form == TreeForm::Conifer ? ", conifer" : ", broadleaf";
+  return medium;
+}
+
 /// Adds the tree meshes that this source chooses from; returns the first one's number.
 std::uint32_t add_prototypes(Scene& scene, const TreeSource& source) {
   const auto first = static_cast<std::uint32_t>(scene.prototypes.size());
-  const TreeMaterials materials{scene.material_index(source.bark), scene.material_index(source.leaf)};
+  const MaterialIndex bark = scene.material_index(source.bark);
   for (const TreeForm form : source.forms) {
     for (std::size_t variant = 0; variant < source.variants; ++variant) {
-      scene.prototypes.push_back(tree_mesh(form, materials, hashed(source.seed, variant)));
+      const std::uint64_t seed = hashed(source.seed, variant);
+      if (source.kind == CrownKind::Leaves) {
+        scene.prototypes.push_back(tree_mesh(form, {bark, scene.material_index(source.leaf)}, seed));
+      } else {
+        scene.crowns.push_back({.prototype = static_cast<std::uint32_t>(scene.prototypes.size()),
+                                .shape = crown_ellipsoid(form),
+                                .medium = scene.material_index(medium_of(source, form))});
+        scene.prototypes.push_back(bare_tree_mesh(form, bark, seed));
+      }
     }
   }
   return first;
@@ -78,6 +96,11 @@ TreeSource read_tree_source(const TomlSection& section, const MaterialTable& mat
   source.variants = static_cast<std::size_t>(section.whole_number_or("variants", {1, 64, ""}, 4));
   source.seed = static_cast<std::uint64_t>(section.whole_number_or("seed", {0, 1e15, ""}, 1));
   source.leaf = materials.named_by(section, "leaf_material", "leaf");
+  if (section.choice_or("kind", {"leaves", "crowns"}, "leaves") == "crowns") {
+    source.kind = CrownKind::Medium;
+    if (const auto crown = section.optional_text("crown_material"))
+      source.crown = materials.crown(*crown, section.where("crown_material"));
+  }
   source.bark = materials.named_by(section, "bark_material", "bark");
   source.limit = read_flaw_limit(section, limit);
   section.refuse_unknown_keys();

@@ -15,6 +15,12 @@
 
 namespace sigmascape::scene {
 
+/// What the crowns of trees are made of.
+enum class CrownKind {
+  Leaves,  ///< triangles
+  Medium,  ///< an ellipsoid that weakens and scatters, about the same branches
+};
+
 /// Tree positions in a file and what grows there.
 struct TreeSource {
   geo::VectorSource vector;
@@ -22,10 +28,12 @@ struct TreeSource {
   std::optional<std::string> height_attribute, crown_radius_attribute;
   std::optional<double> default_height_m;  ///< of those without; when absent they are left out
   double crown_radius_per_height = 0.3;    ///< of those without a crown radius
+  CrownKind kind = CrownKind::Leaves;
   std::vector<TreeForm> forms;
   std::size_t variants = 4;  ///< different trees of each form
   std::uint64_t seed = 1;
   scatter::Material leaf, bark;
+  std::optional<scatter::Material> crown;  ///< of crowns that are media; when absent, what follows from the leaves
   FlawLimit limit;
 };
 

@@ -1,5 +1,6 @@
 #include "sigmascape/trace/bookkeeper.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -41,6 +42,12 @@ Probe probe(Vec3f to_source, Vec3f normal, float choice, Vec2f u) {
   return {direction, density / static_cast<float>(exponents.size())};
 }
 
+Probe evenly(Vec2f u) {
+  const float z = 1.0F - 2.0F * u.x, radius = std::sqrt(std::max(0.0F, 1.0F - z * z));
+  const float phi = static_cast<float>(2.0 * pi) * u.y;
+  return {{radius * std::cos(phi), radius * std::sin(phi), z}, static_cast<float>(0.25 / pi)};
+}
+
 }  // namespace
 
 double Bookkeeper::carried(const Path& path) {
@@ -56,9 +63,11 @@ void Bookkeeper::is_scattered(const Path& path, const SurfaceHit& hit, int bounc
   if (!keeps_books_) return;
   const auto vertex = static_cast<std::uint32_t>(bounce);
   const Vec3f to_source = -path.direction;
+  // A medium scatters all around, not into a half space alone.
+  const Vec2f u = point.pair(first_pair + vertex);
   const Probe to =
-      probe(to_source, hit.normal, point.independent(first_choice + 3 * vertex), point.pair(first_pair + vertex));
-  const float cosine = dot(to.direction, hit.normal);
+      hit.is_in_crown() ? evenly(u) : probe(to_source, hit.normal, point.independent(first_choice + 3 * vertex), u);
+  const float cosine = hit.is_in_crown() ? 1.0F : dot(to.direction, hit.normal);
   double scattered = 0.0;
   if (cosine > 0.0F) {
     const scatter::PhaseDraw draw{point.independent(first_choice + 3 * vertex + 1),

@@ -28,7 +28,11 @@ struct Path {
   Vec3d first_position;     ///< of the first vertex, in the world
   double first_range_m = 0.0;
   double travelled_m = 0.0;  ///< between vertices
-  float first_cosine = 1.0F;
+  /// How densely first vertices lie where it is, over the density of rays: the cosine at a surface, the extinction in a
+  /// crown, times what the crowns before it let pass.
+  float first_density = 1.0F;
+  /// What crowns let pass of a direct echo on its way back.
+  float direct_return = 1.0F;
 
   /// Density of the path, whichever frequency were its hero, over the hero's own. One for a single frequency.
   [[nodiscard]] float mean_forward() const {

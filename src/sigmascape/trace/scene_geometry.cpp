@@ -37,6 +37,40 @@ std::vector<float> inverse_facet_areas(const scene::Mesh& mesh) {
   return inverse;
 }
 
+/// What Embree hands on to the crowns that a ray passes.
+struct RayContext {
+  RTCIntersectContext embree;  // first, since Embree knows no more of it
+  CrownCrossings* crowns;
+};
+
+/// Crowns are never hit: a ray that crosses one is told so and goes on. Embree gives it in the prototype's frame, where
+/// distances along the ray are what they are outside.
+void cross_crown(const scene::Crown& crown, const RTCRay& ray, RTCIntersectContext* context) {
+  CrownCrossings* crowns = reinterpret_cast<RayContext*>(context)->crowns;
+  if (crowns == nullptr) return;
+  const Vec3f r = crown.shape.radii_m, c = crown.shape.centre;
+  const Vec3d o = Vec3f{(ray.org_x - c.x) / r.x, (ray.org_y - c.y) / r.y, (ray.org_z - c.z) / r.z}.to<double>();
+  const Vec3d d = Vec3f{ray.dir_x / r.x, ray.dir_y / r.y, ray.dir_z / r.z}.to<double>();
+  const double d2 = dot(d, d), nearest = -dot(o, d) / d2;
+  const Vec3d closest = o + d * nearest;
+  const double half2 = (1.0 - dot(closest, closest)) / d2;
+  if (half2 <= 0.0) return;
+  const double half = std::sqrt(half2);
+  if (nearest + half <= 0.0) return;
+  crowns->add({static_cast<float>(std::max(0.0, nearest - half)), static_cast<float>(nearest + half), crown.medium,
+               context->instID[0]});
+}
+
+const scene::Crown& crown_of(void* user_data) {
+  return *static_cast<const scene::Crown*>(user_data);
+}
+
+void bound_crown(const RTCBoundsFunctionArguments* arguments) {
+  const scene::Ellipsoid& shape = crown_of(arguments->geometryUserPtr).shape;
+  const Vec3f low = shape.centre - shape.radii_m, high = shape.centre + shape.radii_m;
+  *arguments->bounds_o = {low.x, low.y, low.z, 0.0F, high.x, high.y, high.z, 0.0F};
+}
+
 void add_to_sum(void* sum, ssize_t bytes) {
   static_cast<std::atomic<std::int64_t>*>(sum)->fetch_add(bytes);
 }
@@ -49,6 +83,7 @@ struct SceneGeometry::Structures {
   RTCScene top = nullptr;
   std::vector<RTCScene> prototypes;
   std::vector<Part> parts;
+  std::vector<scene::Crown> crowns;
   std::vector<Vec3f> building_vertices;
   scene::MaterialMap ground;
   std::vector<scene::Mesh> meshes;  // own copies, so that the geometry outlives the scene it came from
@@ -165,15 +200,35 @@ struct SceneGeometry::Structures {
       RTCGeometry geometry = triangles(mesh, mesh.vertices);
       rtcAttachGeometry(prototype, geometry);
       rtcReleaseGeometry(geometry);
+      for (scene::Crown& crown : crowns) {
+        if (crown.prototype == prototypes.size()) attach_crown(prototype, crown);
+      }
       rtcCommitScene(prototype);
       prototypes.push_back(prototype);
       mesh_facets.push_back(inverse_facet_areas(mesh));
     }
   }
 
+  void attach_crown(RTCScene prototype, scene::Crown& crown) {
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
+    rtcSetGeometryUserPrimitiveCount(geometry, 1);
+    rtcSetGeometryUserData(geometry, &crown);
+    rtcSetGeometryBoundsFunction(geometry, bound_crown, nullptr);
+    // Rays come one by one, so that the packets that Embree speaks of hold one each.
+    rtcSetGeometryIntersectFunction(geometry, [](const RTCIntersectFunctionNArguments* a) {
+      if (a->valid[0] != 0)
+        cross_crown(crown_of(a->geometryUserPtr), reinterpret_cast<RTCRayHit*>(a->rayhit)->ray, a->context);
+    });
+    rtcSetGeometryOccludedFunction(geometry, [](const RTCOccludedFunctionNArguments* a) {
+      if (a->valid[0] != 0) cross_crown(crown_of(a->geometryUserPtr), *reinterpret_cast<RTCRay*>(a->ray), a->context);
+    });
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(prototype, geometry);
+    rtcReleaseGeometry(geometry);
+  }
+
   void add_instances(const scene::Scene& scene) {
-    std::vector<float> tops;
-    for (const scene::Mesh& mesh : meshes) tops.push_back(scene::top_m(mesh));
+    const std::vector<float> tops = scene::prototype_tops_m(scene);
     for (const scene::Instance& instance : scene.instances) {
       const float c = std::cos(instance.yaw_rad), s = std::sin(instance.yaw_rad);
       const double base = footing == Footing::Terrain ? scene.terrain.height_at({instance.x_m, instance.y_m}) : 0.0;
@@ -228,6 +283,7 @@ SceneGeometry::SceneGeometry(const scene::Scene& scene, Footing footing) : struc
   s.origin = {centre.x, centre.y, 0.0};
   s.ground = scene.ground;
   s.meshes = scene.prototypes;
+  s.crowns = scene.crowns;
   s.open_device();
   s.top = rtcNewScene(s.device);
   if (footing == Footing::Terrain) {
@@ -260,19 +316,35 @@ std::size_t SceneGeometry::memory_bytes() const {
   return static_cast<std::size_t>(structures_->memory.load());
 }
 
+bool SceneGeometry::has_crowns() const {
+  return !structures_->crowns.empty();
+}
 bool SceneGeometry::intersect(Vec3f ray_origin, Vec3f direction, SurfaceHit& hit) const {
+  return intersect(ray_origin, direction, hit, nullptr);
+}
+bool SceneGeometry::intersect(Vec3f ray_origin, Vec3f direction, SurfaceHit& hit, CrownCrossings& crowns) const {
+  return intersect(ray_origin, direction, hit, &crowns);
+}
+bool SceneGeometry::occluded(Vec3f ray_origin, Vec3f direction) const {
+  return occluded(ray_origin, direction, nullptr);
+}
+bool SceneGeometry::occluded(Vec3f ray_origin, Vec3f direction, CrownCrossings& crowns) const {
+  return occluded(ray_origin, direction, &crowns);
+}
+
+bool SceneGeometry::intersect(Vec3f ray_origin, Vec3f direction, SurfaceHit& hit, CrownCrossings* crowns) const {
   const Structures& s = *structures_;
   const bool meets_plane = s.footing == Footing::LevelPlane && direction.z < 0.0F && ray_origin.z > 0.0F;
   const float plane_distance = meets_plane ? -ray_origin.z / direction.z : far_away;
 
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
+  RayContext context{{}, crowns};
+  rtcInitIntersectContext(&context.embree);
   RTCRayHit query{};
   query.ray = {ray_origin.x, ray_origin.y, ray_origin.z,   0.0F, direction.x, direction.y,
                direction.z,  0.0F,         plane_distance, ~0U,  0,           0};
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-  rtcIntersect1(s.top, &context, &query);
+  rtcIntersect1(s.top, &context.embree, &query);
 
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) {
     if (meets_plane) s.hit_plane(ray_origin, direction, plane_distance, hit);
@@ -304,12 +376,12 @@ bool SceneGeometry::intersect(Vec3f ray_origin, Vec3f direction, SurfaceHit& hit
   return true;
 }
 
-bool SceneGeometry::occluded(Vec3f ray_origin, Vec3f direction) const {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
+bool SceneGeometry::occluded(Vec3f ray_origin, Vec3f direction, CrownCrossings* crowns) const {
+  RayContext context{{}, crowns};
+  rtcInitIntersectContext(&context.embree);
   RTCRay ray{ray_origin.x, ray_origin.y, ray_origin.z, 0.0F, direction.x, direction.y,
              direction.z,  0.0F,         far_away,     ~0U,  0,           0};
-  rtcOccluded1(structures_->top, &context, &ray);
+  rtcOccluded1(structures_->top, &context.embree, &ray);
   return ray.tfar < 0.0F;
 }
 

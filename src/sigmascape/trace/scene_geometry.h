@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "sigmascape/scene/scene.h"
+#include "sigmascape/trace/crown_crossings.h"
 
 namespace sigmascape::trace {
 
@@ -14,6 +15,10 @@ struct SurfaceHit {
   Vec3f normal;                            ///< unit, on the side that the ray came from
   float inverse_facet_area_per_m2 = 0.0F;  ///< of the flat face that was hit, 0 on the ground
   scene::MaterialIndex material = 0;
+  /// Of the crown within which a path was intercepted: no surface, and without a normal. Zero on surfaces.
+  float extinction_per_m = 0.0F;
+
+  [[nodiscard]] bool is_in_crown() const { return extinction_per_m > 0.0F; }
 };
 
 /// A scene made ready for rays: the one place that knows Embree.
@@ -38,11 +43,18 @@ class SceneGeometry {
   [[nodiscard]] bool intersect(Vec3f ray_origin, Vec3f direction, SurfaceHit& hit) const;
   [[nodiscard]] bool occluded(Vec3f ray_origin, Vec3f direction) const;
 
+  [[nodiscard]] bool has_crowns() const;
+  /// The same two, adding to `crowns` those that the ray crosses, be it behind the surface.
+  [[nodiscard]] bool intersect(Vec3f ray_origin, Vec3f direction, SurfaceHit& hit, CrownCrossings& crowns) const;
+  [[nodiscard]] bool occluded(Vec3f ray_origin, Vec3f direction, CrownCrossings& crowns) const;
+
   /// Bytes that the acceleration structures take.
   [[nodiscard]] std::size_t memory_bytes() const;
 
  private:
   struct Structures;
+  [[nodiscard]] bool intersect(Vec3f ray_origin, Vec3f direction, SurfaceHit& hit, CrownCrossings* crowns) const;
+  [[nodiscard]] bool occluded(Vec3f ray_origin, Vec3f direction, CrownCrossings* crowns) const;
   std::unique_ptr<Structures> structures_;
 };
 

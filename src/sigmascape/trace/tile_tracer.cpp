@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "sigmascape/base/units.h"
 
@@ -29,6 +30,7 @@ enum Dimension : std::uint32_t {
 constexpr std::uint32_t hero_choice = 0;
 /// Far from the blocks of all vertices.
 constexpr std::uint32_t first_roughness_phase = 0x10000;
+constexpr std::uint32_t first_crown = 0x18000;
 
 /// Connections to the radar that return less than this, |S|² a steradian, are made only now and then and count for
 /// more: most directions off a glossy surface return next to nothing, and it is not worth a ray to learn whether the
@@ -50,6 +52,21 @@ struct ScatteringMatrix {
 ScatteringMatrix paired(const FieldPair& out, const PolarizationBasis& receive) {
   return {out.from_v.along(receive.v) * 2.0F, out.from_h.along(receive.h) * 2.0F,
           out.from_v.along(receive.h) + out.from_h.along(receive.v)};
+}
+
+/// The cosine between a direction and the normal; in a crown, which has none, one.
+float cosine_at(const SurfaceHit& hit, Vec3f direction) {
+  return hit.is_in_crown() ? 1.0F : dot(direction, hit.normal);
+}
+
+/// How densely vertices lie along rays of that direction: cosine or extinction. docs/physics/vegetation.md, Eq. (6).
+float density_at(const SurfaceHit& hit, Vec3f direction) {
+  return hit.is_in_crown() ? hit.extinction_per_m : dot(direction, hit.normal);
+}
+
+/// Where rays that leave a vertex start.
+Vec3f start_from(const SurfaceHit& hit) {
+  return hit.is_in_crown() ? hit.position : hit.position + hit.normal * surface_offset_m;
 }
 
 scatter::Facet face_of(const SurfaceHit& hit) {
@@ -102,18 +119,17 @@ void TileTracer::trace_path(Vec2d aim, double area_m2, const SobolPoint& point) 
 void TileTracer::go_on_from_launch(Vec3d aim_point, double area_m2, const SobolPoint& point) {
   for (int bounce = 1; bounce <= options_.max_bounces; ++bounce) {
     SurfaceHit hit;
-    ++counts_.rays;
-    if (!geometry_.intersect(path_.origin, path_.direction, hit)) {
+    if (!find_vertex(hit, bounce, point)) {
       books_.escapes(path_);
       return;
     }
     const Vec3d position = hit.position.to<double>() + geometry_.origin();
     if (bounce == 1) {
-      begin_at(position, hit.normal);
+      begin_at(position, hit);
       add_direct_echoes(hit, position, aim_point, area_m2, point);
     } else {
       path_.travelled_m += length(hit.position - path_.origin);
-      for (Wave& wave : path_.waves) wave.reverse /= std::abs(dot(path_.direction, hit.normal));
+      for (Wave& wave : path_.waves) wave.reverse /= std::abs(density_at(hit, path_.direction));
       add_connected_echoes(hit, position, aim_point, area_m2, bounce, point);
     }
     books_.is_scattered(path_, hit, bounce, point);
@@ -129,6 +145,8 @@ void TileTracer::launch_towards(Vec3d aim_point, const SobolPoint& point) {
   path_.origin = (aim_point + to_radar * back - geometry_.origin()).to<float>();
   path_.direction = (-to_radar).to<float>();
   path_.travelled_m = 0.0;
+  path_.first_density = 1.0F;
+  path_.direct_return = 1.0F;
   path_.hero = frequencies_ == 1
                    ? 0
                    : static_cast<std::size_t>(point.independent(hero_choice) * static_cast<float>(frequencies_));
@@ -136,10 +154,43 @@ void TileTracer::launch_towards(Vec3d aim_point, const SobolPoint& point) {
   path_.waves.assign(frequencies_, {{{transmit.v, {}}, {transmit.h, {}}}, 1.0F, 1.0F});
 }
 
-void TileTracer::begin_at(Vec3d position, Vec3f normal) {
+bool TileTracer::find_vertex(SurfaceHit& hit, int bounce, const SobolPoint& point) {
+  ++counts_.rays;
+  if (!geometry_.has_crowns()) return geometry_.intersect(path_.origin, path_.direction, hit);
+
+  crowns_.begin(surfaces_.front());
+  const bool meets_surface = geometry_.intersect(path_.origin, path_.direction, hit, crowns_);
+  float distance_m = meets_surface ? length(hit.position - path_.origin) : std::numeric_limits<float>::infinity();
+  const std::uint32_t dimension = first_crown + 2 * static_cast<std::uint32_t>(bounce);
+  const float depth = -std::log1p(-point.independent(dimension));
+  const auto intercepted = crowns_.interception(depth, distance_m, point.independent(dimension + 1));
+  if (intercepted) {
+    distance_m = intercepted->distance_m;
+    hit = {.position = path_.origin + path_.direction * distance_m,
+           .normal = -path_.direction,
+           .inverse_facet_area_per_m2 = 0.0F,
+           .material = intercepted->medium,
+           .extinction_per_m = intercepted->extinction_per_m};
+  }
+  if (bounce == 1) {
+    path_.first_density = std::exp(-crowns_.optical_depth(distance_m));
+    path_.direct_return = std::exp(-crowns_.return_depth(distance_m));
+  }
+  return meets_surface || intercepted.has_value();
+}
+
+float TileTracer::transmittance(const SurfaceHit& hit, Vec3f to_radar) {
+  ++counts_.rays;
+  if (!geometry_.has_crowns()) return geometry_.occluded(start_from(hit), to_radar) ? 0.0F : 1.0F;
+  crowns_.begin(surfaces_.front());
+  if (geometry_.occluded(start_from(hit), to_radar, crowns_)) return 0.0F;
+  return std::exp(-crowns_.optical_depth());
+}
+
+void TileTracer::begin_at(Vec3d position, const SurfaceHit& hit) {
   path_.first_position = position;
   path_.first_range_m = viewpoint_.range_of(position);
-  path_.first_cosine = -dot(path_.direction, normal);
+  path_.first_density *= density_at(hit, -path_.direction);
 }
 
 void TileTracer::add_direct_echoes(const SurfaceHit& hit, Vec3d position, Vec3d aim_point, double area_m2,
@@ -148,8 +199,9 @@ void TileTracer::add_direct_echoes(const SurfaceHit& hit, Vec3d position, Vec3d 
       4.0 * pi * viewpoint_.ray_weight_m2(aim_point, area_m2, path_.first_range_m, path_.first_range_m);
   const double cross = viewpoint_.cross_of(position);
   const auto sin_depression = static_cast<float>(viewpoint_.sin_depression_of(position, position));
+  const float returned = cosine_at(hit, -path_.direction) * path_.direct_return;
   for (std::size_t f = 0; f < frequencies_; ++f) {
-    const Channels rcs_m2 = direct_powers(f, hit, weight * path_.first_cosine, point);
+    const Channels rcs_m2 = direct_powers(f, hit, weight * returned, point);
     if (rcs_m2 == Channels{}) continue;
     append(f, {.range_m = path_.first_range_m,
                .cross = cross,
@@ -189,7 +241,7 @@ Amplitude TileTracer::roughness_phasor(const scatter::SurfaceModel& surface, int
 void TileTracer::add_connected_echoes(const SurfaceHit& hit, Vec3d position, Vec3d aim_point, double area_m2,
                                       int bounce, const SobolPoint& point) {
   const Vec3f to_radar = viewpoint_.direction_from(position).to<float>();
-  const float last_cosine = dot(to_radar, hit.normal);
+  const float last_cosine = cosine_at(hit, to_radar);
   if (last_cosine <= 0.0F) return;
   const auto dimension = static_cast<std::uint32_t>(bounce) * DimensionsPerVertex;
   const scatter::PhaseDraw draw{point.independent(dimension + ConnectPhaseA),
@@ -200,12 +252,15 @@ void TileTracer::add_connected_echoes(const SurfaceHit& hit, Vec3d position, Vec
     power = std::max(power, out_[f].mean_power());
   }
   if (power <= 0.0F) return;
-  const float share = reciprocal_share(hit, position, to_radar, last_cosine);
+  // Crowns on the way to the radar have a part in the share, which then has to wait for the ray.
+  const bool has_crowns = geometry_.has_crowns();
+  float share = has_crowns ? 1.0F : reciprocal_share(hit, position, to_radar, last_cosine);
   const float density = path_.mean_forward();
   const float chance = options_.roulette ? power * last_cosine * share / faint_connection / density : 1.0F;
   if (chance <= point.independent(dimension + ConnectRoulette)) return;
-  ++counts_.rays;
-  if (geometry_.occluded(hit.position + hit.normal * surface_offset_m, to_radar)) return;
+  const float passed = transmittance(hit, to_radar);
+  if (passed <= 0.0F) return;
+  if (has_crowns) share = passed * reciprocal_share(hit, position, to_radar, passed * density_at(hit, to_radar));
 
   const double last_range_m = viewpoint_.range_of(position);
   const double range_m = 0.5 * (path_.first_range_m + last_range_m + path_.travelled_m);
@@ -230,7 +285,7 @@ void TileTracer::add_connected_echoes(const SurfaceHit& hit, Vec3d position, Vec
 }
 
 /// 2/(1 + q): the part of the path and its reversal together that falls to this one of the two.
-float TileTracer::reciprocal_share(const SurfaceHit& hit, Vec3d position, Vec3f to_radar, float last_cosine) const {
+float TileTracer::reciprocal_share(const SurfaceHit& hit, Vec3d position, Vec3f to_radar, float last_density) const {
   if (options_.estimator == Estimator::OneWay) return 1.0F;
   if (!area_.covers(viewpoint_.shadow_on_plane(position, area_.plane_height_m))) return 2.0F;
   float back = 0.0F, forth = 0.0F;
@@ -238,7 +293,7 @@ float TileTracer::reciprocal_share(const SurfaceHit& hit, Vec3d position, Vec3f 
     back += path_.waves[f].reverse * surfaces_[f][hit.material].pdf(to_radar, -path_.direction, face_of(hit));
     forth += path_.waves[f].forward;
   }
-  const float q = back * last_cosine / path_.first_cosine / forth;
+  const float q = back * last_density / path_.first_density / forth;
   return 2.0F / (1.0F + q);
 }
 
@@ -247,7 +302,7 @@ bool TileTracer::carry_on(const SurfaceHit& hit, int bounce, const SobolPoint& p
   const Vec3f to_source = -path_.direction;
   const auto next = surfaces_[path_.hero][hit.material].sample(to_source, face_of(hit),
                                                                drawn_pair(point, static_cast<std::uint32_t>(bounce)));
-  const float cosine = dot(next.direction, hit.normal);
+  const float cosine = cosine_at(hit, next.direction);
   if (next.pdf <= 0.0F || cosine <= 1e-6F) return false;
 
   const auto dimension = static_cast<std::uint32_t>(bounce) * DimensionsPerVertex;
@@ -262,11 +317,11 @@ bool TileTracer::carry_on(const SurfaceHit& hit, int bounce, const SobolPoint& p
     // The vertex's part of the reversed density: at the first vertex there is none yet, only the forward one to divide
     // by.
     if (bounce > 1) wave.reverse *= surface.pdf(next.direction, to_source, face_of(hit));
-    wave.reverse *= cosine / next.pdf;
+    wave.reverse *= density_at(hit, next.direction) / next.pdf;
   }
   if (!survives_roulette(point.independent(dimension + RouletteChoice))) return false;
   path_.direction = next.direction;
-  path_.origin = hit.position + hit.normal * surface_offset_m;
+  path_.origin = start_from(hit);
   return true;
 }
 

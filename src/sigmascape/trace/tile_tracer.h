@@ -50,7 +50,11 @@ class TileTracer final : public TilePaths {
   /// Two numbers in [0, 1) that belong together: where in the cell, or the direction after a bounce.
   [[nodiscard]] Vec2f drawn_pair(const SobolPoint& point, std::uint32_t bounce) const;
   void launch_towards(Vec3d aim_point, const SobolPoint& point);
-  void begin_at(Vec3d position, Vec3f normal);
+  /// Finds the next vertex: a surface, or a place in a crown before it.
+  [[nodiscard]] bool find_vertex(SurfaceHit& hit, int bounce, const SobolPoint& point);
+  void begin_at(Vec3d position, const SurfaceHit& hit);
+  /// What crowns let pass from the vertex to the radar, 0 when a surface stands in the way.
+  [[nodiscard]] float transmittance(const SurfaceHit& hit, Vec3f to_radar);
   void add_direct_echoes(const SurfaceHit& hit, Vec3d position, Vec3d aim_point, double area_m2,
                          const SobolPoint& point);
   /// What a surface returns at once: its mean powers, or, of coherent tracing, the powers of a draw and its amplitudes.
@@ -58,7 +62,7 @@ class TileTracer final : public TilePaths {
                                               const SobolPoint& point);
   void add_connected_echoes(const SurfaceHit& hit, Vec3d position, Vec3d aim_point, double area_m2, int bounce,
                             const SobolPoint& point);
-  [[nodiscard]] float reciprocal_share(const SurfaceHit& hit, Vec3d position, Vec3f to_radar, float last_cosine) const;
+  [[nodiscard]] float reciprocal_share(const SurfaceHit& hit, Vec3d position, Vec3f to_radar, float last_density) const;
   [[nodiscard]] bool carry_on(const SurfaceHit& hit, int bounce, const SobolPoint& point);
   [[nodiscard]] bool survives_roulette(float u);
   /// The phase that the unresolved roughness of vertex number `bounce` gives to all fields alike.
@@ -77,6 +81,7 @@ class TileTracer final : public TilePaths {
   std::vector<EchoList> echoes_;  // of the path at hand, [frequency]
   TraceCounts counts_;
   Bookkeeper books_;
+  CrownCrossings crowns_;
   Path path_;
   std::vector<scatter::FieldPair> out_;  // towards the radar, one a frequency
 };

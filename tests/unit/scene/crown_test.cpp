@@ -1,0 +1,90 @@
+#include "sigmascape/scene/crown.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "made_up_place.h"
+
+#include "sigmascape/base/error.h"
+#include "sigmascape/base/units.h"
+#include "sigmascape/scatter/crown_medium.h"
+
+namespace sigmascape::scene {
+namespace {
+
+const std::string trees =
+    "[[trees]]\nfile = \"trees.csv\"\ncrs = \"EPSG:25830\"\nx = \"x\"\ny = \"y\"\nheight_attribute = \"h\"\nvariants = "
+    "2\n";
+
+Scene read(const std::string& more) {
+  const MadeUpPlace place;
+  place.write("trees.csv", "x,y,h\n501200,4795500,10\n501210,4795500,12\n");
+  return place.read(trees + more);
+}
+
+const scatter::CrownParameters& medium_of(const Scene& scene, const Crown& crown) {
+  return std::get<scatter::CrownParameters>(scene.materials[crown.medium].model);
+}
+
+TEST(Crown, OfTreesStandsAboutTheirBranches) {
+  const Scene leaves = read(""), media = read("kind = \"crowns\"\n");
+  EXPECT_TRUE(leaves.crowns.empty());
+  ASSERT_EQ(media.crowns.size(), 2U);
+  EXPECT_EQ(media.prototypes.size(), leaves.prototypes.size());
+  EXPECT_LT(media.prototypes[0].vertices.size(), leaves.prototypes[0].vertices.size());
+  EXPECT_NEAR(tallest_object_m(media), 12.0, 1e-4);
+  EXPECT_NE(scene_hash(leaves), scene_hash(media));
+}
+
+TEST(Crown, FollowsFromTheLeaves) {
+  const Scene scene = read("kind = \"crowns\"\n");
+  const Mesh tree = tree_mesh(TreeForm::Broadleaf, {.bark = 0, .leaf = 1}, 1);
+  const double density = surface_area_m2(tree, 1) / volume_m3(crown_ellipsoid(TreeForm::Broadleaf));
+  const auto& medium = medium_of(scene, scene.crowns[0]);
+  EXPECT_NEAR(medium.extinction_per_m / (density / 2.0), 1.0, 1e-6);
+  // Leaves scatter what a mirror of their permittivity reflects in the mean.
+  const auto& leaf = std::get<scatter::CookTorranceParameters>(scatter::library_material("leaf").model);
+  EXPECT_EQ(medium.leaf, leaf.permittivity);
+}
+
+TEST(Crown, IsAsTheSceneFileStates) {
+  const std::string own =
+      "kind = \"crowns\"\ncrown_material = \"mist\"\n[materials.mist]\nmodel = \"crown\"\nextinction_db_per_m = 2\n"
+      "albedo = 0.3\nshares_gaps = false\ncross_ratio_db = -10\n";
+  const Scene scene = read(own);
+  const auto& medium = medium_of(scene, scene.crowns[0]);
+  EXPECT_NEAR(std::exp(-medium.extinction_per_m * 5.0), std::pow(10.0, -1.0), 1e-9) << "10 dB in five metres";
+  EXPECT_EQ(medium.albedo, 0.3);
+  EXPECT_FALSE(medium.shares_gaps);
+  EXPECT_NEAR(medium.depolarization.cross_ratio, 0.1, 1e-12);
+  std::string denser = own;
+  denser.replace(denser.find("per_m = 2"), 9, "per_m = 3");
+  EXPECT_NE(scene_hash(read(denser)), scene_hash(scene));
+}
+
+TEST(Crown, IsNoSurfaceAndSurfacesAreNoCrowns) {
+  EXPECT_THROW(read("bark_material = \"mist\"\n[materials.mist]\nmodel = \"crown\"\n"), Error);
+  EXPECT_THROW(read("kind = \"crowns\"\ncrown_material = \"leaf\"\n"), Error);
+  EXPECT_THROW(read("kind = \"balloons\"\n"), Error);
+  EXPECT_THROW(read("crown_material = \"leaf\"\n"), Error) << "of trees with leaves";
+}
+
+TEST(Crown, MaterialNeedsAnAlbedo) {
+  EXPECT_THROW(static_cast<void>(crown_material(scatter::library_material("grass"), 50.0, 100.0)), Error);
+  const scatter::Material lambert{.name = "l", .model = scatter::LambertParameters{0.4, {}}, .source = {}};
+  const auto crown = std::get<scatter::CrownParameters>(crown_material(lambert, 50.0, 100.0).model);
+  EXPECT_DOUBLE_EQ(crown.extinction_per_m, 0.25);
+  EXPECT_DOUBLE_EQ(crown.albedo, 0.4);
+}
+
+TEST(Crown, EllipsoidsHoldTheirTrees) {
+  const Ellipsoid broadleaf = crown_ellipsoid(TreeForm::Broadleaf), conifer = crown_ellipsoid(TreeForm::Conifer);
+  for (const Ellipsoid& shape : {broadleaf, conifer}) EXPECT_FLOAT_EQ(shape.centre.z + shape.radii_m.z, tree_height_m);
+  // As much as the cone that the conifer is.
+  const double cone =
+      pi * std::pow(static_cast<double>(tree_crown_radius_m), 2) * static_cast<double>(2.0F * conifer.radii_m.z) / 3.0;
+  EXPECT_NEAR(volume_m3(conifer) / cone, 1.0, 1e-5);
+}
+
+}  // namespace
+}  // namespace sigmascape::scene
