@@ -1,0 +1,123 @@
+// What the coherent half costs, in processor time of one thread: 10,000 targets a frame in the power mode, scatterers
+// of the lattice, complex bins beside the fixed-point bins of the power mode, and focused images.
+#include <ctime>
+#include <fmt/format.h>
+#include <string_view>
+#include <vector>
+
+#include "sigmascape/base/hash.h"
+#include "sigmascape/radar/scatterer_lattice.h"
+#include "sigmascape/receiver/coherent_bins.h"
+#include "sigmascape/receiver/power_bins.h"
+#include "sigmascape/receiver/range_azimuth_receiver.h"
+#include "sigmascape/receiver/response_plane.h"
+#include "sigmascape/receiver/target_echoes.h"
+
+namespace {
+
+using namespace sigmascape;  // NOLINT: a program of its own
+
+/// Best processor time of several runs, in seconds.
+template <typename Work>
+double seconds_of(const Work& work) {
+  double best = 1e30;
+  for (int run = 0; run < 7; ++run) {
+    const std::clock_t start = std::clock();
+    work();
+    best = std::min(best, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+  }
+  return best;
+}
+
+void print(std::string_view name, double value, std::string_view unit) {
+  fmt::print("{{\"name\": \"{}\", \"value\": {:.4g}, \"unit\": \"{}\"}}\n", name, value, unit);
+}
+
+double unit(std::uint64_t i, int dimension) {
+  return unit_float(hashed(i, dimension));
+}
+
+void measure_targets() {
+  radar::Radar radar;
+  radar.position = {0.0, -20'000.0, 5000.0};
+  // A frame of about 1000 ranges by 500 azimuths.
+  radar.range_resolution_m = 20.0;
+  radar.beam_width_rad = 0.003;
+  std::vector<radar::Target> targets;
+  for (std::uint64_t i = 0; i < 10'000; ++i) {
+    radar::Target target;
+    target.track = radar::Track::straight({unit(i, 0) * 10'000.0 - 5000.0, unit(i, 1) * 10'000.0, 0.0},
+                                          {unit(i, 2) * 20.0, unit(i, 3) * 20.0, 0.0});
+    target.rcs_m2 = radar::Channels{10.0F, 10.0F, 0.0F, 10.0F};
+    target.fluctuation = i % 2 == 0 ? radar::Swerling::Case1 : radar::Swerling::Case0;
+    target.seed = i;
+    targets.push_back(target);
+  }
+  const std::vector<Vec3d> corners{
+      {-5000.0, 0.0, 0.0}, {5000.0, 0.0, 0.0}, {-5000.0, 10'000.0, 0.0}, {5000.0, 10'000.0, 0.0}};
+  receiver::RangeAzimuthReceiver receiver(radar, receiver::grid_covering(radar, corners));
+  std::uint64_t frame = 0;
+  print("10,000 targets to echoes",
+        1e3 * seconds_of([&] {
+          (void)receiver::target_echoes(targets, radar, {0.1 * static_cast<double>(frame), frame++, 0});
+        }),
+        "ms");
+  print("10,000 targets to echoes and into the bins",
+        1e3 * seconds_of([&] {
+          receiver.add(receiver::target_echoes(targets, radar, {0.1, frame++, 0}));
+        }),
+        "ms");
+}
+
+void measure_lattice() {
+  constexpr std::size_t count = 1 << 20, row = 1024;
+  std::vector<std::int32_t> columns(count), rows(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    columns[i] = static_cast<std::int32_t>(i % row);
+    rows[i] = static_cast<std::int32_t>(i / row);
+  }
+  std::vector<float> re(row), im(row);
+  for (const int levels : {1, 2, 4, 8}) {
+    const radar::ScattererLattice lattice({.seed = 1, .cell_m = 1.0, .levels = levels});
+    const double seconds = seconds_of([&] {
+      for (std::size_t i = 0; i < count; i += row) {
+        lattice.values_of({&columns[i], row}, {&rows[i], row}, 0, radar::Draw::First, re, im);
+      }
+    });
+    print(fmt::format("scatterer, {} levels tied, scattered cells", levels), 1e9 * seconds / count, "ns");
+  }
+  const radar::ScattererLattice lattice({.seed = 1, .cell_m = 1.0, .levels = 8});
+  std::vector<radar::ComplexPair> block;
+  print("scatterer, 8 levels tied, whole blocks", 1e9 * seconds_of([&] {
+                                                    lattice.block({0, 0}, 0, 7, radar::Draw::First, block);
+                                                  }) / (128.0 * 128.0),
+        "ns");
+}
+
+void measure_bins() {
+  constexpr std::size_t count = 1 << 19, side = 1024;
+  std::vector<receiver::PlacedAmplitude> placed;
+  for (std::uint64_t i = 0; i < count; ++i) {
+    placed.push_back({unit(i, 0) * side, unit(i, 1) * side, {{1.0F, 0.5F}, {0.3F, 0.1F}, {0.1F, 0.0F}}});
+  }
+  receiver::CoherentBins coherent(side, side);
+  print("complex bins, an echo", 1e9 * seconds_of([&] { coherent.add(placed, 1); }) / count, "ns");
+  receiver::PowerBins power(side, side);
+  print("fixed-point bins, an echo", 1e9 * seconds_of([&] {
+                                       for (const auto& echo : placed)
+                                         power.add_shared(echo.column, echo.row, radar::power_of(echo.amplitude));
+                                     }) / count,
+        "ns");
+  const receiver::ResponseAxis axis{.bins = side, .band = 511, .window = {}, .periodic = true};
+  receiver::ResponsePlane plane(axis, axis);
+  print("exact responses, a point", 1e9 * seconds_of([&] { plane.add(placed, 1); }) / count, "ns");
+  print("image of 1024 by 1024 bins, three polarizations", 1e3 * seconds_of([&] { (void)plane.bins({}, 1); }), "ms");
+}
+
+}  // namespace
+
+int main() {
+  measure_targets();
+  measure_lattice();
+  measure_bins();
+}

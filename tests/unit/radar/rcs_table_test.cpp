@@ -1,0 +1,75 @@
+#include "sigmascape/radar/rcs_table.h"
+
+#include <fstream>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <string>
+
+#include "scratch_folder.h"
+
+#include "sigmascape/base/error.h"
+#include "sigmascape/base/units.h"
+
+namespace sigmascape::radar {
+namespace {
+
+class RcsTableFile : public testing::Test {
+ protected:
+  std::filesystem::path written(const std::string& text) {
+    std::ofstream(path_) << text;
+    return path_;
+  }
+  std::string fault_of(const std::string& text) {
+    try {
+      (void)read_rcs_table(written(text));
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  }
+  ScratchFolder folder_;
+  std::filesystem::path path_ = folder_.path("ship.csv");
+};
+
+constexpr const char* two_frequencies =
+    "# a ship\n"
+    "frequency_ghz, azimuth_deg, vv_dbsm, hh_dbsm, hv_dbsm, vv_hh_correlation\n"
+    "9, 0, 10, 13, 0, -1\n"
+    "9, 180, 20, 20, 10, 1\n"
+    "10, 180, 30, 30, 10, 1\n"
+    "10, 0, 0, 0, 0, 1\n";
+
+TEST_F(RcsTableFile, is_read_in_any_order_and_interpolated_in_power) {
+  const RcsTable table = read_rcs_table(written(two_frequencies));
+  const auto at = [&](double azimuth_deg, double ghz) {
+    return table.at({{radians_from_deg(azimuth_deg), 0.3}, ghz * 1e9});
+  };
+  EXPECT_NEAR(at(0.0, 9.0).vv, 10.0, 1e-3);
+  EXPECT_NEAR(at(0.0, 9.0).hh, 19.953, 1e-3);
+  EXPECT_NEAR(at(0.0, 9.0).hv, 1.0, 1e-4);
+  EXPECT_NEAR(at(0.0, 9.0).re_vvhh, -14.125, 1e-3);
+  EXPECT_NEAR(at(90.0, 9.0).vv, 55.0, 1e-2);
+  EXPECT_NEAR(at(270.0, 9.0).vv, 55.0, 1e-2);  // around the back
+  EXPECT_NEAR(at(-90.0, 9.0).vv, 55.0, 1e-2);
+  EXPECT_NEAR(at(180.0, 9.5).vv, 550.0, 1e-1);
+  EXPECT_NEAR(at(180.0, 20.0).vv, 1000.0, 1e-1);  // held
+}
+
+TEST_F(RcsTableFile, says_in_which_line_it_is_wrong) {
+  using testing::HasSubstr;
+  EXPECT_THAT(fault_of("azimuth_deg, vv_dbsm, hh_dbsm\n0, 1, two\n"),
+              HasSubstr("ship.csv, line 2: hh_dbsm is \"two\""));
+  EXPECT_THAT(fault_of("azimuth_deg, vv, hh_dbsm\n0, 1, 2\n"), HasSubstr("line 1: has an unknown column \"vv\""));
+  EXPECT_THAT(fault_of("azimuth_deg, vv_dbsm\n0, 1\n"), HasSubstr("must have one column hh_dbsm"));
+  EXPECT_THAT(fault_of("azimuth_deg, vv_dbsm, hh_dbsm\n0, 1\n"), HasSubstr("line 2: has 2 fields"));
+  EXPECT_THAT(fault_of("azimuth_deg, vv_dbsm, hh_dbsm\n0, 1, 2\n0, 1, 2\n"), HasSubstr("line 3: repeats"));
+  EXPECT_THAT(fault_of("azimuth_deg, vv_dbsm, hh_dbsm\n"), HasSubstr("holds no cross-sections"));
+  EXPECT_THAT(fault_of("azimuth_deg, elevation_deg, vv_dbsm, hh_dbsm\n0, 0, 1, 2\n90, 10, 1, 2\n"),
+              HasSubstr("holds 2 of the 4 combinations"));
+  EXPECT_THAT(fault_of("azimuth_deg, vv_dbsm, hh_dbsm, vv_hh_correlation\n0, 1, 2, 1.5\n"),
+              HasSubstr("vv_hh_correlation is 1.5"));
+  EXPECT_THROW((void)read_rcs_table(folder_.path("nowhere.csv")), Error);
+}
+
+}  // namespace
+}  // namespace sigmascape::radar

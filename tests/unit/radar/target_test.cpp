@@ -1,0 +1,81 @@
+#include "sigmascape/radar/target.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "sigmascape/base/error.h"
+#include "sigmascape/base/units.h"
+
+namespace sigmascape::radar {
+namespace {
+
+TEST(Track, goes_from_way_point_to_way_point_at_even_speed) {
+  const Track track =
+      Track::through({{10.0, {0.0, 0.0, 0.0}}, {20.0, {100.0, 0.0, 10.0}}, {30.0, {100.0, 50.0, 10.0}}});
+  EXPECT_EQ(track.position_at(15.0), (Vec3d{50.0, 0.0, 5.0}));
+  EXPECT_EQ(track.velocity_at(15.0), (Vec3d{10.0, 0.0, 1.0}));
+  EXPECT_EQ(track.position_at(25.0), (Vec3d{100.0, 25.0, 10.0}));
+  EXPECT_EQ(track.velocity_at(25.0), (Vec3d{0.0, 5.0, 0.0}));
+  EXPECT_EQ(track.position_at(0.0), (Vec3d{0.0, 0.0, 0.0}));
+  EXPECT_EQ(track.position_at(99.0), (Vec3d{100.0, 50.0, 10.0}));
+  EXPECT_EQ(track.velocity_at(99.0), (Vec3d{}));
+}
+
+TEST(Track, that_is_straight_never_ends) {
+  const Track track = Track::straight({1.0, 2.0, 3.0}, {10.0, 0.0, -1.0});
+  EXPECT_EQ(track.position_at(-2.0), (Vec3d{-19.0, 2.0, 5.0}));
+  EXPECT_EQ(track.velocity_at(1e6), (Vec3d{10.0, 0.0, -1.0}));
+}
+
+TEST(Track, refuses_way_points_out_of_order) {
+  EXPECT_THROW((void)Track::through({}), Error);
+  EXPECT_THROW((void)Track::through({{1.0, {}}, {1.0, {1.0, 0.0, 0.0}}}), Error);
+}
+
+TEST(Target, answers_by_the_aspect_from_its_nose) {
+  RcsTable table;
+  table.azimuths_rad = {0.0, pi / 2.0, pi, 1.5 * pi};
+  table.elevations_rad = {0.0};
+  table.frequencies_hz = {10e9};
+  table.rcs_m2 = {
+      {1.0F, 1.0F, 0.0F, 1.0F}, {100.0F, 100.0F, 0.0F, 100.0F}, {4.0F, 4.0F, 0.0F, 4.0F}, {9.0F, 9.0F, 0.0F, 9.0F}};
+  Target target;
+  target.rcs_m2 = table;
+  target.track = Track::straight({}, {5.0, 0.0, 0.0});                         // eastward
+  EXPECT_NEAR(rcs_of(target, {1000.0, 0.0, 0.0}, 10e9, {}).vv, 1.0, 1e-4);     // from ahead
+  EXPECT_NEAR(rcs_of(target, {0.0, -1000.0, 0.0}, 10e9, {}).vv, 100.0, 1e-2);  // from its right
+  EXPECT_NEAR(rcs_of(target, {-1000.0, 0.0, 0.0}, 10e9, {}).vv, 4.0, 1e-3);
+  EXPECT_NEAR(rcs_of(target, {1000.0, -1000.0, 0.0}, 10e9, {}).vv, 50.5, 1e-2);
+  target.track = Track::straight({});
+  target.heading_rad = 0.0;
+  EXPECT_NEAR(rcs_of(target, {0.0, 1000.0, 0.0}, 10e9, {}).vv, 1.0, 1e-4);
+}
+
+TEST(Target, keeps_power_and_correlation_in_its_amplitude) {
+  const auto amplitude = steady_amplitude({4.0F, 9.0F, 0.25F, -6.0F});
+  EXPECT_NEAR(std::norm(amplitude.vv), 4.0, 1e-5);
+  EXPECT_NEAR(std::norm(amplitude.hh), 9.0, 1e-5);
+  EXPECT_NEAR(std::norm(amplitude.hv), 0.25, 1e-6);
+  EXPECT_NEAR((amplitude.vv * std::conj(amplitude.hh)).real(), -6.0, 1e-5);
+  const auto half = steady_amplitude({1.0F, 1.0F, 0.0F, 0.5F});
+  EXPECT_NEAR((half.vv * std::conj(half.hh)).real(), 0.5, 1e-6);
+  EXPECT_NEAR(std::norm(half.hh), 1.0, 1e-6);
+}
+
+TEST(Target, hides_what_its_box_covers) {
+  Target target;
+  target.track = Track::straight({0.0, 0.0, 5.0});
+  const Vec3d radar{0.0, -1000.0, 1005.0};                   // 45° above the horizon, from the south
+  EXPECT_FALSE(hides(target, 0.0, radar, {0.0, 5.0, 0.0}));  // no size
+  target.size_m = {20.0, 4.0, 10.0};                         // heads north: 20 m north–south, 4 m east–west
+  EXPECT_TRUE(hides(target, 0.0, radar, {0.0, 15.0, 0.0}));
+  EXPECT_FALSE(hides(target, 0.0, radar, {0.0, 21.0, 0.0}));
+  EXPECT_FALSE(hides(target, 0.0, radar, {0.0, -11.0, 0.0}));
+  EXPECT_FALSE(hides(target, 0.0, radar, {3.0, 15.0, 0.0}));
+  target.heading_rad = pi / 2.0;
+  EXPECT_TRUE(hides(target, 0.0, radar, {8.0, 11.0, 0.0}));
+  EXPECT_FALSE(hides(target, 0.0, radar, {0.0, 15.0, 0.0}));
+}
+
+}  // namespace
+}  // namespace sigmascape::radar
