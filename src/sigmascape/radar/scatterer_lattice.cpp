@@ -6,6 +6,7 @@
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/hash.h"
+#include "sigmascape/base/vector_targets.h"
 
 namespace sigmascape::radar {
 namespace {
@@ -39,16 +40,8 @@ struct Values {
   float* im;
 };
 
-// One source, several instruction sets: the loader takes the widest that the machine has. All round alike, operation by
-// operation, so the numbers do not depend on which.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__SANITIZE_THREAD__) && !defined(__SANITIZE_ADDRESS__)
-#define SIGMASCAPE_VECTOR_CLONES __attribute__((target_clones("avx512f", "avx2", "default")))
-#else
-#define SIGMASCAPE_VECTOR_CLONES
-#endif
-
 /// Values of the cells `shift` levels above the given ones.
-SIGMASCAPE_VECTOR_CLONES void draw_cells(Cells cells, int shift, std::uint64_t key, Values out) {
+SIGMASCAPE_VECTOR_TARGETS void draw_cells(Cells cells, int shift, std::uint64_t key, Values out) {
   for (std::size_t i = 0; i < cells.count; ++i) {
     const ComplexPair value = complex_gaussian(hashed_cell(key, cells.column[i] >> shift, cells.row[i] >> shift));
     out.re[i] = value.re;
@@ -57,7 +50,7 @@ SIGMASCAPE_VECTOR_CLONES void draw_cells(Cells cells, int shift, std::uint64_t k
 }
 
 /// From values of parents to those of their children, which are `shift` levels above the given cells.
-SIGMASCAPE_VECTOR_CLONES void split_cells(Cells cells, int shift, SplitKeys keys, Values values) {
+SIGMASCAPE_VECTOR_TARGETS void split_cells(Cells cells, int shift, SplitKeys keys, Values values) {
   for (std::size_t i = 0; i < cells.count; ++i) {
     const std::int32_t column = cells.column[i] >> shift, row = cells.row[i] >> shift;
     const std::int32_t east = column & 1, north = row & 1;
@@ -72,8 +65,8 @@ SIGMASCAPE_VECTOR_CLONES void split_cells(Cells cells, int shift, SplitKeys keys
 }
 
 /// A row of parents into two rows of children, the southern and the northern.
-SIGMASCAPE_VECTOR_CLONES void split_row(const ComplexPair* parents, std::size_t count, LatticeCell first,
-                                        SplitKeys keys, ComplexPair* south, ComplexPair* north) {
+SIGMASCAPE_VECTOR_TARGETS void split_row(const ComplexPair* parents, std::size_t count, LatticeCell first,
+                                         SplitKeys keys, ComplexPair* south, ComplexPair* north) {
   for (std::size_t x = 0; x < count; ++x) {
     const std::int32_t column = first.column + static_cast<std::int32_t>(x);
     const ComplexPair difference = complex_gaussian(hashed_cell(keys.west_east, column, first.row));
@@ -87,7 +80,16 @@ SIGMASCAPE_VECTOR_CLONES void split_row(const ComplexPair* parents, std::size_t 
   }
 }
 
-#undef SIGMASCAPE_VECTOR_CLONES
+/// Places of the scatterers of a row of cells.
+SIGMASCAPE_VECTOR_TARGETS void place_row(std::uint64_t key, LatticeCell first, double side_m, std::size_t count,
+                                         double* x_m, double* y_m) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::int32_t column = first.column + static_cast<std::int32_t>(i);
+    const HashedWords words = hashed_cell(key, column, first.row);
+    x_m[i] = (column + (words.first + 0.5) * 0x1p-32) * side_m;
+    y_m[i] = (first.row + (words.second + 0.5) * 0x1p-32) * side_m;
+  }
+}
 
 }  // namespace
 
@@ -125,6 +127,10 @@ Vec2d ScattererLattice::position_in(LatticeCell cell, int level) const {
   const HashedWords words = hashed_cell(key(level, Draw::First, Place), cell.column, cell.row);
   const double side = cell_m(level);
   return {(cell.column + (words.first + 0.5) * 0x1p-32) * side, (cell.row + (words.second + 0.5) * 0x1p-32) * side};
+}
+
+void ScattererLattice::positions_of(LatticeCell first, int level, std::span<double> x_m, std::span<double> y_m) const {
+  place_row(key(level, Draw::First, Place), first, cell_m(level), x_m.size(), x_m.data(), y_m.data());
 }
 
 ComplexPair ScattererLattice::value_of(LatticeCell cell, int level, Draw draw) const {

@@ -59,6 +59,9 @@ class ScattererLattice {
   /// Where in the cell its scatterer stands, evenly distributed over the cell. Levels have places of their own.
   [[nodiscard]] Vec2d position_in(LatticeCell cell, int level) const;
 
+  /// The same for `x_m.size()` cells of a row, from `first` eastwards.
+  void positions_of(LatticeCell first, int level, std::span<double> x_m, std::span<double> y_m) const;
+
   [[nodiscard]] ComplexPair value_of(LatticeCell cell, int level, Draw draw) const;
   [[nodiscard]] DrawnCell drawn(LatticeCell cell, int level) const;
 
