@@ -49,6 +49,9 @@ struct AspectSelection {
 /// Throws Error, naming `where`, when an axis is empty, does not ascend or leaves its range.
 void check(const AspectGrid& grid, std::string_view where);
 
+/// Throws Error when a frequency lies outside the baked ones by more than 1 %, saying which were baked.
+void check_frequency(const AspectGrid& grid, double frequency_hz);
+
 /// Which baked looks make up one that was asked for, and in what parts: at most two neighbours on each of three axes.
 struct AspectWeights {
   std::array<LookIndex, 8> look{};

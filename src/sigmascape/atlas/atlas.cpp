@@ -56,13 +56,7 @@ bool Atlas::covers(Vec2d point_m) const {
 }
 
 void Atlas::check_frequency(double frequency_hz) const {
-  const double lowest = aspects_.frequencies_hz.front();
-  const double highest = aspects_.frequencies_hz.back();
-  if (frequency_hz >= lowest * 0.99 && frequency_hz <= highest * 1.01) return;
-  throw Error("frequency", fmt::format("{:g} GHz is not in this atlas", frequency_hz / 1e9),
-              lowest == highest ? fmt::format("it was baked at {:g} GHz: use that, or bake another", lowest / 1e9)
-                                : fmt::format("it was baked from {:g} to {:g} GHz: stay there, or bake another",
-                                              lowest / 1e9, highest / 1e9));
+  atlas::check_frequency(aspects_, frequency_hz);
 }
 
 double Atlas::drawn_to_levels(double level) const {

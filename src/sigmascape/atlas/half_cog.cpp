@@ -88,4 +88,14 @@ std::vector<std::vector<Half>> read_half_cog(const std::filesystem::path& path, 
   return halves;
 }
 
+bool read_half_tile(const std::filesystem::path& path, std::size_t level, std::size_t tile, std::span<Half> halves) {
+  const Tiff tiff = opened(path);
+  if (!tiff || halves.size() != tile_halves) return false;
+  if (TIFFSetDirectory(tiff.get(), static_cast<tdir_t>(level)) != 1) return false;
+  if (!is_level_of_side(*tiff, tag<std::uint32_t>(*tiff, TIFFTAG_IMAGEWIDTH))) return false;
+  if (tile >= TIFFNumberOfTiles(tiff.get())) return false;
+  const auto bytes = static_cast<tmsize_t>(halves.size_bytes());
+  return TIFFReadEncodedTile(tiff.get(), static_cast<std::uint32_t>(tile), halves.data(), bytes) == bytes;
+}
+
 }  // namespace sigmascape::atlas
