@@ -12,7 +12,7 @@
 
 namespace sigmascape {
 
-/// A folder of its own for one test, removed afterwards.
+/// A folder of its own for one test, or for a whole suite when made while that is set up; removed afterwards.
 class ScratchFolder {
  public:
   ScratchFolder() : folder_(std::filesystem::temp_directory_path() / name()) {
@@ -31,9 +31,10 @@ class ScratchFolder {
 
  private:
   static std::string name() {
-    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    std::string words =
-        std::string("sigmascape_") + test->test_suite_name() + "_" + test->name() + "_" + std::to_string(getpid());
+    const auto* unit = ::testing::UnitTest::GetInstance();
+    const auto* test = unit->current_test_info();
+    std::string words = std::string("sigmascape_") + unit->current_test_suite()->name() + "_" +
+                        (test != nullptr ? test->name() : "suite") + "_" + std::to_string(getpid());
     for (char& c : words) c = c == '/' ? '_' : c;
     return words;
   }

@@ -1,0 +1,297 @@
+#include "sigmascape/render/lattice_row.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "sigmascape/base/vector_targets.h"
+#include "sigmascape/radar/complex_gaussian.h"
+
+namespace sigmascape::render {
+namespace {
+
+using atlas::Half;
+constexpr std::size_t most = LatticeRow::most;
+constexpr std::size_t plane = atlas::tile_side;
+
+/// A finite half, subnormal ones included: its bits at the place of a float's, and the difference of the exponents'
+/// offsets put right by one multiplication.
+float number_of(Half half) {
+  const std::uint32_t bits = ((half & 0x7fffU) << 13U) | ((half & 0x8000U) << 16U);
+  return std::bit_cast<float>(bits) * 0x1p112F;
+}
+
+/// arctan for |u| ≤ 1, by half the angle and the power series; error below 1e-7.
+float small_arc(float u) {
+  const float t = u / (1.0F + std::sqrt(1.0F + u * u));
+  const float s = t * t;
+  const float series =
+      1.0F -
+      s * (1.0F / 3 - s * (1.0F / 5 - s * (1.0F / 7 - s * (1.0F / 9 - s * (1.0F / 11 - s * (1.0F / 13 - s / 15))))));
+  return 2.0F * t * series;
+}
+
+/// The smaller, and the greater, of two numbers: by value, as vector units do it.
+float lesser(float a, float b) {
+  return a < b ? a : b;
+}
+float greater(float a, float b) {
+  return a > b ? a : b;
+}
+
+struct Weights {
+  LatticeRow::Of<float> of;
+};
+
+/// Parts of the looks of one (frequency, elevation, azimuth) corner of the aspect cell.
+SIGMASCAPE_VECTOR_TARGETS
+void corner_weights(const LatticeRow& row, std::size_t first, std::size_t count, const BlendOf& looks, std::size_t e,
+                    std::size_t a, float factor, Weights& weights) {
+  const float* const beam = row.beam.data() + first;
+  const float* const cotangent = row.cotangent.data() + first;
+  const float* const sine = row.sine.data() + first;
+  float* const out = weights.of.data();
+  const float span = looks.cotangent[0] - looks.cotangent[1];
+  const float per_cotangent = span > 0.0F ? 1.0F / span : 0.0F;
+  const float gain = factor / looks.sine[e];
+  const float azimuth_offset = looks.azimuth_offset, azimuth_per_beam = looks.azimuth_per_beam;
+  const float lowest = looks.cotangent[0], highest_sine = looks.sine[1];
+  // The part of the second neighbour, or 1 less it.
+  const float first_azimuth = a == 0 ? 1.0F : 0.0F, azimuth_sign = a == 0 ? -1.0F : 1.0F;
+  const float first_elevation = e == 0 ? 1.0F : 0.0F, elevation_sign = e == 0 ? -1.0F : 1.0F;
+  for (std::size_t i = 0; i < count; ++i) {
+    const float azimuth_part = lesser(greater(azimuth_offset + azimuth_per_beam * beam[i], 0.0F), 1.0F);
+    const float elevation_part = lesser(greater((lowest - cotangent[i]) * per_cotangent, 0.0F), 1.0F);
+    // Above the highest baked elevation σ0 is held, below the lowest γ = σ0 / sin ψ.
+    out[i] = gain * lesser(sine[i], highest_sine) * (first_elevation + elevation_sign * elevation_part) *
+             (first_azimuth + azimuth_sign * azimuth_part);
+  }
+}
+
+SIGMASCAPE_VECTOR_TARGETS
+void add_look(const Half* __restrict planes, const Weights& weights, std::size_t count, float* __restrict vv,
+              float* __restrict hh, float* __restrict hv, float* __restrict re) {
+  const float* __restrict weight = weights.of.data();
+  for (std::size_t i = 0; i < count; ++i) {
+    vv[i] += weight[i] * number_of(planes[i]);
+    hh[i] += weight[i] * number_of(planes[plane + i]);
+    hv[i] += weight[i] * number_of(planes[2 * plane + i]);
+    re[i] += weight[i] * number_of(planes[3 * plane + i]);
+  }
+}
+
+/// Bins' centres lie at halves: the last one before a position, and what of it goes there and what to the next.
+SIGMASCAPE_VECTOR_TARGETS
+void split_positions(const float* position, std::size_t count, bool amplitudes, std::int32_t* bin, float* here,
+                     float* next) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const float from_centre = position[i] - 0.5F;
+    const float whole = std::floor(from_centre);
+    bin[i] = static_cast<std::int32_t>(whole);
+    next[i] = from_centre - whole;
+    here[i] = 1.0F - next[i];
+  }
+  if (!amplitudes) return;
+  for (std::size_t i = 0; i < count; ++i) {
+    here[i] = std::sqrt(here[i]);
+    next[i] = std::sqrt(next[i]);
+  }
+}
+
+void find_shares(LatticeRow& row, bool amplitudes) {
+  BinShares& shares = row.shares;
+  split_positions(row.beam.data(), row.count, amplitudes, shares.beam.data(), shares.beam_here.data(),
+                  shares.beam_next.data());
+  split_positions(row.range_bin.data(), row.count, amplitudes, shares.range.data(), shares.range_here.data(),
+                  shares.range_next.data());
+}
+
+// All numbers of a bin, added in one go.
+using FourNumbers = float __attribute__((vector_size(16), aligned(4)));
+using EightNumbers = float __attribute__((vector_size(32), aligned(4)));
+
+/// Adds one texel's numbers to the four bins about it; what lies outside the sector falls away.
+template <typename Numbers>
+inline void share(const SectorBins& sector, const BinShares& shares, std::size_t i, const Numbers& numbers) {
+  constexpr std::size_t count = sizeof(Numbers) / sizeof(float);
+  const std::int32_t beam = shares.beam[i], range = shares.range[i];
+  const auto beams = static_cast<std::int32_t>(sector.beams), ranges = static_cast<std::int32_t>(sector.ranges);
+  const auto bin = [&](std::int32_t b, std::int32_t r) {
+    return reinterpret_cast<Numbers*>(sector.bins +
+                                      static_cast<std::ptrdiff_t>(b * ranges + r) * static_cast<std::ptrdiff_t>(count));
+  };
+  const Numbers here = numbers * shares.beam_here[i], next = numbers * shares.beam_next[i];
+  if (beam >= 0 && beam + 1 < beams && range >= 0 && range + 1 < ranges) {
+    Numbers* const first = bin(beam, range);
+    Numbers* const second = bin(beam + 1, range);
+    first[0] += here * shares.range_here[i];
+    first[1] += here * shares.range_next[i];
+    second[0] += next * shares.range_here[i];
+    second[1] += next * shares.range_next[i];
+    return;
+  }
+  const auto add_within = [&](std::int32_t b, std::int32_t r, const Numbers& part) {
+    if (b >= 0 && b < beams && r >= 0 && r < ranges) *bin(b, r) += part;
+  };
+  add_within(beam, range, here * shares.range_here[i]);
+  add_within(beam, range + 1, here * shares.range_next[i]);
+  add_within(beam + 1, range, next * shares.range_here[i]);
+  add_within(beam + 1, range + 1, next * shares.range_next[i]);
+}
+
+SIGMASCAPE_VECTOR_TARGETS
+void find_ranges(LatticeRow& row, const RowGeometry& geometry) {
+  const double* const east = row.east_m.data();
+  const double* const north = row.north_m.data();
+  const float* const height = row.height_m.data();
+  double* const range_m = row.range_m.data();
+  float* const range_bin = row.range_bin.data();
+  float* const ground = row.ground_m.data();
+  float* const below = row.below_m.data();
+  const double radar_height = geometry.radar_height_m, drop = geometry.drop_per_square_m;
+  const double first_range = geometry.first_range_m, ranges_per_m = geometry.ranges_per_m;
+  const std::size_t count = row.count;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double square = east[i] * east[i] + north[i] * north[i];
+    const double under = radar_height - static_cast<double>(height[i]) + drop * square;
+    const double range = std::sqrt(square + under * under);
+    range_m[i] = range;
+    range_bin[i] = static_cast<float>((range - first_range) * ranges_per_m);
+    ground[i] = static_cast<float>(std::sqrt(square));
+    below[i] = static_cast<float>(under);
+  }
+}
+
+SIGMASCAPE_VECTOR_TARGETS
+void find_angles(LatticeRow& row, const RowGeometry& geometry) {
+  const double* const east = row.east_m.data();
+  const double* const north = row.north_m.data();
+  const auto s = static_cast<float>(geometry.sin_middle), c = static_cast<float>(geometry.cos_middle);
+  const auto middle_beam = static_cast<float>(geometry.middle_beam);
+  const auto beams_per_rad = static_cast<float>(geometry.beams_per_rad);
+  const auto tilt = static_cast<float>(2.0 * geometry.drop_per_square_m);
+  const std::size_t count = row.count;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto x = static_cast<float>(east[i]), y = static_cast<float>(north[i]);
+    row.beam[i] = middle_beam + small_arc((x * c - y * s) / (x * s + y * c)) * beams_per_rad;
+    const float fall = row.below_m[i] / row.ground_m[i];
+    row.slope[i] = -fall;
+    // The horizontal at the texel is tilted away from the radar's by the angle between their verticals.
+    const float dip = tilt * row.ground_m[i];
+    const float tangent = greater((fall - dip) / (1.0F + fall * dip), 1e-6F);
+    row.cotangent[i] = 1.0F / tangent;
+    row.sine[i] = tangent / std::sqrt(1.0F + tangent * tangent);
+  }
+}
+
+}  // namespace
+
+void locate(LatticeRow& row, const RowGeometry& geometry) {
+  find_ranges(row, geometry);
+  find_angles(row, geometry);
+}
+
+SIGMASCAPE_VECTOR_TARGETS
+std::size_t light(LatticeRow& row, const Horizon& horizon) {
+  // Single precision leaves this much doubt in a slope; level ground must not hide itself.
+  constexpr float doubt = 1e-6F;
+  const float* const slopes = horizon.slopes;
+  const auto distances = static_cast<std::int32_t>(horizon.distances);
+  const auto last_left = static_cast<float>(horizon.azimuths) - 2.0F, last_node = static_cast<float>(distances - 1);
+  const float first_beam = horizon.first_beam, near_m = horizon.near_m, per_step = horizon.per_step;
+  const std::size_t count = row.count;
+  float lit = 0.0F;
+  for (std::size_t i = 0; i < count; ++i) {
+    const float across = row.beam[i] + first_beam;
+    const auto left = static_cast<std::int32_t>(lesser(greater(across, 0.0F), last_left));
+    const float part = lesser(greater(across - static_cast<float>(left), 0.0F), 1.0F);
+    const auto node =
+        static_cast<std::int32_t>(lesser(greater((row.ground_m[i] - near_m) * per_step, 0.0F), last_node));
+    const std::int32_t index = left * distances + node;
+    const float steepest = (1.0F - part) * slopes[index] + part * slopes[index + distances];
+    const float seen = row.slope[i] >= steepest - doubt ? 1.0F : 0.0F;
+    row.lit[i] = seen;
+  }
+  for (std::size_t i = 0; i < count; ++i) lit += row.lit[i];
+  return static_cast<std::size_t>(lit);
+}
+
+Extremes cotangent_extremes(const LatticeRow& row) {
+  Extremes found{row.cotangent[0], row.cotangent[0]};
+  for (std::size_t i = 1; i < row.count; ++i) {
+    found.least = lesser(found.least, row.cotangent[i]);
+    found.greatest = greater(found.greatest, row.cotangent[i]);
+  }
+  return found;
+}
+
+void blend(LatticeRow& row, std::size_t first, std::size_t count, const BlendOf& looks) {
+  Weights weights;
+  for (std::size_t look = 0; look < looks.looks; ++look) {
+    const std::size_t a = look % 2, e = look / 2 % 2, f = look / 4;
+    const float factor = looks.scale[look] * looks.frequency_part[f];
+    if (factor == 0.0F) continue;
+    corner_weights(row, first, count, looks, e, a, factor, weights);
+    add_look(looks.planes + look * GroundPage::channels * plane, weights, count, row.returned[0].data() + first,
+             row.returned[1].data() + first, row.returned[2].data() + first, row.returned[3].data() + first);
+  }
+}
+
+SIGMASCAPE_VECTOR_TARGETS
+void weigh(LatticeRow& row, float area_m2) {
+  for (auto& channel : row.returned) {
+    for (std::size_t i = 0; i < row.count; ++i) channel[i] *= area_m2 * row.lit[i];
+  }
+}
+
+SIGMASCAPE_VECTOR_TARGETS
+void scatter(LatticeRow& row, const std::array<LatticeRow::Of<float>, 6>& gaussians, double turns_per_m) {
+  const double* const range = row.range_m.data();
+  const std::size_t count = row.count;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double turns = range[i] * turns_per_m;
+    // The phase falls with range; of it only the broken part of a turn matters.
+    const double rest_of_turn = std::floor(turns) - turns + 0.5;
+    const auto phase = static_cast<std::uint32_t>(static_cast<std::int32_t>(rest_of_turn * 0x1p32)) + 0x80000000U;
+    const radar::ComplexPair phasor = radar::unit_phasor(phase);
+    row.phasor[0][i] = phasor.re;
+    row.phasor[1][i] = phasor.im;
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const float re = row.phasor[0][i], im = row.phasor[1][i];
+    const float vv = std::sqrt(row.returned[0][i]), hh = std::sqrt(row.returned[1][i]);
+    const float hv = std::sqrt(row.returned[2][i]);
+    const float correlation = lesser(greater(row.returned[3][i] / greater(vv * hh, 1e-30F), -1.0F), 1.0F);
+    const float rest = std::sqrt(1.0F - correlation * correlation);
+    const float first_re = gaussians[0][i], first_im = gaussians[1][i];
+    const float other_re = correlation * first_re + rest * gaussians[2][i];
+    const float other_im = correlation * first_im + rest * gaussians[3][i];
+    const float third_re = gaussians[4][i], third_im = gaussians[5][i];
+    row.amplitude[0][i] = vv * (first_re * re - first_im * im);
+    row.amplitude[1][i] = vv * (first_re * im + first_im * re);
+    row.amplitude[2][i] = hh * (other_re * re - other_im * im);
+    row.amplitude[3][i] = hh * (other_re * im + other_im * re);
+    row.amplitude[4][i] = hv * (third_re * re - third_im * im);
+    row.amplitude[5][i] = hv * (third_re * im + third_im * re);
+  }
+}
+
+void deposit_amplitudes(LatticeRow& row, const SectorBins& sector) {
+  find_shares(row, true);
+  const auto& a = row.amplitude;
+  for (std::size_t i = 0; i < row.count; ++i) {
+    if (row.lit[i] == 0.0F) continue;
+    share(sector, row.shares, i, EightNumbers{a[0][i], a[1][i], a[2][i], a[3][i], a[4][i], a[5][i], a[4][i], a[5][i]});
+  }
+}
+
+void deposit_powers(LatticeRow& row, const SectorBins& sector) {
+  find_shares(row, false);
+  const auto& p = row.returned;
+  for (std::size_t i = 0; i < row.count; ++i) {
+    if (row.lit[i] == 0.0F) continue;
+    share(sector, row.shares, i, FourNumbers{p[0][i], p[1][i], p[2][i], p[3][i]});
+  }
+}
+
+}  // namespace sigmascape::render

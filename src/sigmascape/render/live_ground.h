@@ -1,0 +1,49 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string_view>
+
+#include "sigmascape/atlas/store.h"
+#include "sigmascape/render/ground_page.h"
+#include "sigmascape/render/page_cache.h"
+#include "sigmascape/terrain/height_field.h"
+
+namespace sigmascape::render {
+
+/// The ground as live renderers share it: pages of reflectivity that come and go, those of the coarsest level that
+/// stay, and the terrain. One for each frequency; safe to use from any number of renderers at once.
+class LiveGround {
+ public:
+  /// Reads the coarsest level at once if half the budget holds it for all aspects, the rest when frames ask. Throws
+  /// Error when the atlas was not baked
+  /// near the frequency or the budget does not hold a single page.
+  LiveGround(const atlas::Store& store, terrain::HeightField terrain, double frequency_hz,
+             const CacheOptions& options = {});
+
+  /// The atlas in a folder with the terrain that its bake put beside it (`terrain_name`). Throws Error when one of them
+  /// cannot be read.
+  [[nodiscard]] static std::shared_ptr<LiveGround> open(const std::filesystem::path& atlas_folder, double frequency_hz,
+                                                        const CacheOptions& options = {});
+  static constexpr std::string_view terrain_name = "terrain.tif";
+
+  [[nodiscard]] double frequency_hz() const { return frequency_hz_; }
+  [[nodiscard]] PageCache& pages() { return pages_; }
+  [[nodiscard]] const terrain::HeightField& terrain() const { return terrain_; }
+  [[nodiscard]] const atlas::AspectCells& aspects() const { return pages_.source().aspects(); }
+  [[nodiscard]] const atlas::AtlasDescription& description() const { return pages_.source().description(); }
+  /// Of the levels that the store has.
+  [[nodiscard]] std::size_t coarsest_level() const { return pages_.source().levels() - 1; }
+  [[nodiscard]] float lowest_m() const { return lowest_m_; }
+  [[nodiscard]] float highest_m() const { return highest_m_; }
+
+ private:
+  void load_coarsest_level();
+
+  double frequency_hz_;
+  terrain::HeightField terrain_;
+  float lowest_m_, highest_m_;
+  PageCache pages_;
+};
+
+}  // namespace sigmascape::render

@@ -1,0 +1,401 @@
+#include "sigmascape/render/live_renderer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <string>
+
+#include "sigmascape/base/error.h"
+#include "sigmascape/base/units.h"
+#include "sigmascape/radar/propagation.h"
+#include "sigmascape/render/lattice_row.h"
+#include "sigmascape/render/sector.h"
+
+namespace sigmascape::render {
+namespace {
+
+/// Beams that one task fills; it works on their texels and on those of half a beam on either side.
+constexpr std::size_t beams_a_task = 16;
+
+std::size_t numbers_a_bin(FrameContent content) {
+  return content == FrameContent::Amplitudes ? 8 : 4;
+}
+
+const LiveSettings& checked(const LiveSettings& settings) {
+  const std::string where = "live renderer";
+  constexpr std::size_t most_bins = 1U << 26U;
+  if (settings.beams == 0 || settings.ranges == 0 || settings.beams * settings.ranges > most_bins) {
+    throw Error(where, fmt::format("has {} beams of {} ranges", settings.beams, settings.ranges),
+                fmt::format("give at least one of each and no more than {} bins", most_bins));
+  }
+  if (!(settings.beam_step_rad > 0.0 && static_cast<double>(settings.beams) * settings.beam_step_rad <= 2.0 * pi)) {
+    throw Error(where, fmt::format("has beams {} rad apart", settings.beam_step_rad),
+                "give a positive step; all beams together go round once at most");
+  }
+  if (!(settings.range_step_m > 0.0)) {
+    throw Error(where, fmt::format("has ranges {} m apart", settings.range_step_m), "give a positive step");
+  }
+  if (!(settings.cells_per_bin >= 0.25 && settings.cells_per_bin <= 64.0)) {
+    throw Error(where, fmt::format("has {} lattice cells a bin", settings.cells_per_bin), "give 0.25 to 64");
+  }
+  if (!(settings.refraction > 0.0)) {
+    throw Error(where, fmt::format("has a refraction of {}", settings.refraction),
+                "give 4/3, or more for a flatter Earth");
+  }
+  return settings;
+}
+
+/// Distance over the ground to something at `below_m` under the radar whose slant range is known.
+double ground_distance(double range_m, double below_m) {
+  return std::sqrt(std::max(range_m * range_m - below_m * below_m, 0.0));
+}
+
+}  // namespace
+
+/// Fills some beams of a frame: goes over the lattice cells of their sector, row by row.
+class LiveRenderer::SectorTask {
+ public:
+  struct Beams {
+    std::size_t first = 0, count = 0;
+  };
+
+  explicit SectorTask(LiveRenderer& renderer) : renderer_(renderer) { wanted_.reserve(4096); }
+
+  void begin_frame(const PageCache::View& view) {
+    view_ = view;
+    report_ = {};
+    wanted_.clear();
+  }
+  void end_frame() { view_ = {}; }
+  [[nodiscard]] const FrameReport& report() const { return report_; }
+  [[nodiscard]] std::span<const PageKey> wanted() const { return wanted_; }
+
+  void fill(const Pose& pose, Beams beams, std::size_t level) {
+    start(pose, beams, level);
+    const double texel_m = atlas::texel_side_m(renderer_.ground_->description().patches, level);
+    const double tile_m = texel_m * static_cast<double>(atlas::tile_side);
+    const radar::Rectangle box = sector_.bounds();
+    const auto tile_at = [tile_m](double position) { return static_cast<int>(std::floor(position / tile_m)); };
+    for (int y = tile_at(pose.position.y + box.south_m); y <= tile_at(pose.position.y + box.north_m); ++y) {
+      for (int x = tile_at(pose.position.x + box.west_m); x <= tile_at(pose.position.x + box.east_m); ++x) {
+        fill_tile({level, x, y}, texel_m);
+      }
+    }
+  }
+
+ private:
+  void start(const Pose& pose, Beams beams, std::size_t level) {
+    const LiveSettings& settings = renderer_.settings_;
+    pose_ = &pose;
+    level_ = level;
+    const double first_azimuth = pose.first_azimuth_rad + static_cast<double>(beams.first) * settings.beam_step_rad;
+    const double width = static_cast<double>(beams.count) * settings.beam_step_rad;
+    const HorizonGrid& horizon = renderer_.horizon_.grid();
+    sector_ = Sector(first_azimuth - settings.beam_step_rad, width + 2.0 * settings.beam_step_rad, horizon.near_m,
+                     horizon.near_m + horizon.step_m * static_cast<double>(horizon.distances));
+    first_beam_ = beams.first;
+    const double middle = first_azimuth + width / 2.0;
+    geometry_ = {.radar_height_m = pose.position.z,
+                 .drop_per_square_m = horizon.drop_per_square_m,
+                 .sin_middle = std::sin(middle),
+                 .cos_middle = std::cos(middle),
+                 .middle_beam = static_cast<double>(beams.count) / 2.0,
+                 .beams_per_rad = 1.0 / settings.beam_step_rad,
+                 .first_range_m = pose.first_range_m,
+                 .ranges_per_m = 1.0 / settings.range_step_m};
+    const std::size_t numbers = numbers_a_bin(settings.content);
+    bins_ = {renderer_.bins_.data() + beams.first * settings.ranges * numbers, beams.count, settings.ranges};
+    std::fill_n(bins_.bins, beams.count * settings.ranges * numbers, 0.0F);
+    first_azimuth_rad_ = first_azimuth;
+  }
+
+  void fill_tile(const atlas::TileAddress& tile, double texel_m) {
+    const radar::GroundGrid texels = atlas::texels_of(renderer_.ground_->description().patches, tile);
+    const double west = texels.west_m - pose_->position.x;
+    for (std::size_t row = 0; row < atlas::tile_side; ++row) {
+      const double north = texels.centre_of(0, row).y - pose_->position.y;
+      const Sector::Stretches stretches = sector_.along_row(north);
+      for (std::size_t s = 0; s < stretches.count; ++s) {
+        const double from = std::ceil((stretches.of[s].west_m - west) / texel_m - 0.5);
+        const double to = std::floor((stretches.of[s].east_m - west) / texel_m - 0.5) + 1.0;
+        const auto first = static_cast<std::size_t>(std::max(from, 0.0));
+        const double end = std::min(to, static_cast<double>(atlas::tile_side));
+        if (end > static_cast<double>(first)) {
+          fill_stretch(tile, row, first, static_cast<std::size_t>(end) - first, texel_m);
+        }
+      }
+    }
+  }
+
+  /// A stretch of texels of one row of a tile.
+  void fill_stretch(const atlas::TileAddress& tile, std::size_t tile_row, std::size_t first_column, std::size_t count,
+                    double texel_m) {
+    row_.count = count;
+    report_.cells += count;
+    place(tile, tile_row, first_column);
+    const PageRow ground = row_of({tile, aspects_near()}, tile_row, first_column);
+    if (ground.page == nullptr) {
+      report_.dark += count;
+      return;
+    }
+    const float* const heights = ground.page->row_heights(ground.row);
+    for (std::size_t i = 0; i < count; ++i) row_.height_m[i] = heights[ground.column_of(i)];
+    locate(row_, geometry_);
+    light();
+    for (auto& channel : row_.returned) std::fill_n(channel.begin(), count, 0.0F);
+    blend_by_aspect(tile, tile_row, first_column);
+    weigh(row_, static_cast<float>(texel_m * texel_m));
+    if (renderer_.settings_.content == FrameContent::Powers) {
+      deposit_powers(row_, bins_);
+    } else {
+      draw();
+      scatter(row_, gaussians_, 2.0 * renderer_.ground_->frequency_hz() / speed_of_light_mps);
+      deposit_amplitudes(row_, bins_);
+    }
+  }
+
+  /// Puts the scatterers of the stretch in their places.
+  void place(const atlas::TileAddress& tile, std::size_t tile_row, std::size_t first_column) {
+    const auto side = static_cast<int>(atlas::tile_side);
+    first_cell_ = {tile.x * side + static_cast<int>(first_column),
+                   (tile.y + 1) * side - 1 - static_cast<int>(tile_row)};
+    renderer_.lattice_.positions_of(first_cell_, static_cast<int>(level_), {row_.east_m.data(), row_.count},
+                                    {row_.north_m.data(), row_.count});
+    for (std::size_t i = 0; i < row_.count; ++i) {
+      row_.east_m[i] -= pose_->position.x;
+      row_.north_m[i] -= pose_->position.y;
+    }
+  }
+
+  void light() {
+    const HorizonMap& horizon = renderer_.horizon_;
+    report_.lit += render::light(row_, {.slopes = horizon.slopes(0),
+                                        .azimuths = horizon.grid().azimuths,
+                                        .distances = horizon.grid().distances,
+                                        .first_beam = static_cast<float>(first_beam_),
+                                        .near_m = static_cast<float>(horizon.grid().near_m),
+                                        .per_step = static_cast<float>(1.0 / horizon.grid().step_m)});
+  }
+
+  [[nodiscard]] std::uint32_t azimuth_cell_at(float beam) const {
+    return aspects().azimuth_cell(first_azimuth_rad_ + static_cast<double>(beam) * renderer_.settings_.beam_step_rad +
+                                  pi);
+  }
+
+  /// The aspect cell of a stretch's first texel, before it is located: good enough to find heights.
+  [[nodiscard]] atlas::AspectCell aspects_near() const {
+    const double x = row_.east_m[0], y = row_.north_m[0];
+    const double below = pose_->position.z - 0.5 * (renderer_.ground_->lowest_m() + renderer_.ground_->highest_m());
+    return {aspects().azimuth_cell(std::atan2(x, y) + pi),
+            aspects().elevation_cell(static_cast<float>(std::hypot(x, y) / std::max(below, 1.0)))};
+  }
+
+  /// Cuts the stretch where the aspect passes from one cell to the next, and blends each piece from its own page.
+  void blend_by_aspect(const atlas::TileAddress& tile, std::size_t tile_row, std::size_t first_column) {
+    const Extremes cotangent = cotangent_extremes(row_);
+    const bool one_elevation =
+        aspects().elevation_cell(cotangent.least) == aspects().elevation_cell(cotangent.greatest);
+    std::size_t begin = 0;
+    while (begin < row_.count) {
+      const atlas::AspectCell cell{azimuth_cell_at(row_.beam[begin]), aspects().elevation_cell(row_.cotangent[begin])};
+      const double start = aspects().azimuth_start(cell.azimuth), width = aspects().azimuth_width(cell.azimuth);
+      const double offset = wrapped_azimuth(first_azimuth_rad_ + pi - start + pi) - pi;
+      const auto per_beam = static_cast<float>(renderer_.settings_.beam_step_rad / width);
+      const auto at_zero = static_cast<float>(offset / width);
+      const auto& cotangents = aspects().cotangents();
+      std::size_t end = row_.count;
+      const auto within = [&](std::size_t i) {
+        const float part = at_zero + per_beam * row_.beam[i];
+        return part >= 0.0F && part < 1.0F && aspects().elevation_cell(row_.cotangent[i]) == cell.elevation;
+      };
+      // Azimuth goes one way along a row. Most rows lie in one cell from end to end.
+      if (!one_elevation || !within(row_.count - 1)) {
+        end = begin + 1;
+        while (end < row_.count && within(end)) ++end;
+      }
+      const PageRow source = row_of({tile, cell}, tile_row, first_column + begin);
+      if (source.page != nullptr) {
+        blend(row_, begin, end - begin,
+              {.planes = planes_of(source, end - begin),
+               .scale = source.page->scale.data(),
+               .looks = source.page->looks,
+               .azimuth_offset = at_zero,
+               .azimuth_per_beam = per_beam,
+               .cotangent = {cotangents[cell.elevation], cotangents[cell.elevation + 1U]},
+               .sine = {aspects().sine(cell.elevation), aspects().sine(cell.elevation + 1U)},
+               .frequency_part = {aspects().frequency_part(0), aspects().frequency_part(1)}});
+      }
+      if (source.page == nullptr) report_.dark += end - begin;
+      if (source.levels_up > 0) report_.coarse += end - begin;
+      begin = end;
+    }
+  }
+
+  void draw() {
+    for (std::size_t i = 0; i < row_.count; ++i) {
+      columns_[i] = first_cell_.column + static_cast<int>(i);
+      rows_[i] = first_cell_.row;
+    }
+    using radar::Draw;
+    std::size_t k = 0;
+    for (const Draw which : {Draw::First, Draw::Second, Draw::Third}) {
+      renderer_.lattice_.values_of({columns_.data(), row_.count}, {rows_.data(), row_.count}, static_cast<int>(level_),
+                                   which, {gaussians_[k].data(), row_.count}, {gaussians_[k + 1].data(), row_.count});
+      k += 2;
+    }
+  }
+
+  /// A row of the best page there is for a place: the page itself or, until that is there, one of its ancestors.
+  struct PageRow {
+    const GroundPage* page = nullptr;
+    std::size_t row = 0, first_column = 0;  ///< within the page; of the ancestor's texels the first is cut in halves
+    std::size_t levels_up = 0;
+
+    /// Column in the page of texel `i` of the stretch.
+    [[nodiscard]] std::size_t column_of(std::size_t i) const { return (first_column + i) >> levels_up; }
+  };
+
+  PageRow row_of(const PageKey& key, std::size_t row, std::size_t column) {
+    if (last_page_ != nullptr && last_page_->key == key) return {last_page_, row, column, 0};
+    if (const GroundPage* page = view_.find(key)) {
+      last_page_ = page;
+      return {page, row, column, 0};
+    }
+    PageRow found;
+    PageKey above = key;
+    for (std::size_t up = 1; above.tile.level < renderer_.ground_->coarsest_level() && found.page == nullptr; ++up) {
+      // Which quarter of its parent the tile is: rows count from the north, tiles from the south.
+      const bool east = (above.tile.x & 1) != 0, south = (above.tile.y & 1) == 0;
+      column += east ? atlas::tile_side << (up - 1) : 0;
+      row += south ? atlas::tile_side << (up - 1) : 0;
+      above.tile = above.tile.parent();
+      found = {view_.find(above), row >> up, column, up};
+    }
+    // A coarse page covers much ground: where there is nothing yet it comes first.
+    if (found.page == nullptr) miss(above);
+    miss(key);
+    return found;
+  }
+
+  void miss(const PageKey& key) {
+    if (!wanted_.empty() && wanted_.back() == key) return;
+    const auto same = [&key](const PageKey& other) { return other == key; };
+    if (wanted_.size() < wanted_.capacity() && std::ranges::none_of(wanted_, same)) wanted_.push_back(key);
+  }
+
+  /// The planes of a stretch; those of an ancestor are drawn out, each of its texels over those that it stands for.
+  const atlas::Half* planes_of(const PageRow& source, std::size_t count) {
+    const atlas::Half* const planes = source.page->row_planes(source.row);
+    if (source.levels_up == 0) return planes + source.first_column;
+    for (std::size_t plane = 0; plane < source.page->looks * GroundPage::channels; ++plane) {
+      for (std::size_t i = 0; i < count; ++i) {
+        drawn_out_[plane * atlas::tile_side + i] = planes[plane * atlas::tile_side + source.column_of(i)];
+      }
+    }
+    return drawn_out_.data();
+  }
+
+  [[nodiscard]] const atlas::AspectCells& aspects() const { return renderer_.ground_->aspects(); }
+
+  LiveRenderer& renderer_;
+  PageCache::View view_;
+  FrameReport report_;
+  std::vector<PageKey> wanted_;
+
+  const Pose* pose_ = nullptr;
+  std::size_t level_ = 0, first_beam_ = 0;
+  double first_azimuth_rad_ = 0.0;
+  Sector sector_;
+  RowGeometry geometry_;
+  SectorBins bins_;
+  const GroundPage* last_page_ = nullptr;
+
+  radar::LatticeCell first_cell_;
+  LatticeRow row_;
+  std::array<LatticeRow::Of<float>, 6> gaussians_;
+  std::array<std::int32_t, LatticeRow::most> columns_, rows_;
+  std::array<atlas::Half, atlas::AspectCells::most_looks * GroundPage::channels * atlas::tile_side> drawn_out_;
+};
+
+LiveRenderer::LiveRenderer(std::shared_ptr<LiveGround> ground, const LiveSettings& settings)
+    : ground_(std::move(ground)),
+      settings_(checked(settings)),
+      lattice_({.seed = settings.seed, .cell_m = ground_->description().patches.texel_m, .levels = 1}),
+      team_(settings.threads),
+      horizon_(HorizonGrid{}) {
+  bins_.resize(settings.beams * settings.ranges * numbers_a_bin(settings.content));
+  for (unsigned worker = 0; worker < team_.size(); ++worker) tasks_.push_back(std::make_unique<SectorTask>(*this));
+}
+
+LiveRenderer::~LiveRenderer() = default;
+
+const Frame& LiveRenderer::render(const Pose& pose) {
+  return scan(pose, 0, settings_.beams);
+}
+
+const Frame& LiveRenderer::scan(const Pose& pose, std::size_t first_beam, std::size_t count) {
+  prepare(pose);
+  const std::size_t last_beam = std::min(first_beam + count, settings_.beams);
+  const PageCache::View view = ground_->pages().view();
+  for (const auto& task : tasks_) task->begin_frame(view);
+
+  // Tasks look half a beam beyond their own.
+  const std::size_t first_edge = first_beam - std::min<std::size_t>(first_beam, 1);
+  const std::size_t last_edge = std::min(last_beam + 1, settings_.beams);
+  team_.run(last_edge - first_edge + 1, [&](std::size_t index, unsigned) {
+    horizon_.sweep(first_edge + index, pose.position, ground_->terrain());
+  });
+  const std::size_t level = level_for(pose);
+  const std::size_t tasks = (last_beam - first_beam + beams_a_task - 1) / beams_a_task;
+  team_.run(tasks, [&](std::size_t index, unsigned worker) {
+    const std::size_t first = first_beam + index * beams_a_task;
+    tasks_[worker]->fill(pose, {first, std::min(beams_a_task, last_beam - first)}, level);
+  });
+
+  frame_.report = {.level = level};
+  for (const auto& task : tasks_) {
+    frame_.report.cells += task->report().cells;
+    frame_.report.lit += task->report().lit;
+    frame_.report.coarse += task->report().coarse;
+    frame_.report.dark += task->report().dark;
+    if (!task->wanted().empty()) ground_->pages().request(task->wanted());
+    task->end_frame();
+  }
+  return frame_;
+}
+
+void LiveRenderer::prepare(const Pose& pose) {
+  const double far_range_m = pose.first_range_m + static_cast<double>(settings_.ranges) * settings_.range_step_m;
+  const double highest_below = pose.position.z - ground_->highest_m(),
+               lowest_below = pose.position.z - ground_->lowest_m();
+  const double near_m = ground_distance(pose.first_range_m, lowest_below);
+  const double far_m = ground_distance(far_range_m, std::max(highest_below, 0.0));
+  HorizonGrid grid;
+  grid.first_azimuth_rad = pose.first_azimuth_rad;
+  grid.azimuth_step_rad = settings_.beam_step_rad;
+  grid.azimuths = settings_.beams + 1;
+  grid.near_m = near_m;
+  grid.distances = 2 * settings_.ranges;
+  grid.step_m = (far_m - near_m) / static_cast<double>(grid.distances);
+  grid.drop_per_square_m = 1.0 / (2.0 * settings_.refraction * radar::earth_radius_m);
+  horizon_.reset(grid);
+
+  frame_.grid = {pose.first_range_m,     settings_.range_step_m,  settings_.ranges,
+                 pose.first_azimuth_rad, settings_.beam_step_rad, settings_.beams};
+  if (settings_.content == FrameContent::Amplitudes) {
+    frame_.amplitudes_m = {reinterpret_cast<const std::complex<float>*>(bins_.data()), bins_.size() / 2};
+  } else {
+    frame_.powers_m2 = bins_;
+  }
+}
+
+std::size_t LiveRenderer::level_for(const Pose& pose) const {
+  const HorizonGrid& grid = horizon_.grid();
+  const double middle_m = grid.near_m + grid.step_m * static_cast<double>(grid.distances) / 2.0;
+  const double cell_m = std::min(settings_.range_step_m, middle_m * settings_.beam_step_rad) / settings_.cells_per_bin;
+  const double finer = std::log2(cell_m / ground_->description().patches.texel_m);
+  (void)pose;
+  return static_cast<std::size_t>(std::clamp(std::floor(finer), 0.0, static_cast<double>(ground_->coarsest_level())));
+}
+
+}  // namespace sigmascape::render

@@ -1,0 +1,93 @@
+#pragma once
+
+#include <complex>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "sigmascape/base/vec.h"
+#include "sigmascape/base/worker_team.h"
+#include "sigmascape/radar/range_azimuth_image.h"
+#include "sigmascape/radar/scatterer_lattice.h"
+#include "sigmascape/render/horizon_map.h"
+#include "sigmascape/render/live_ground.h"
+
+namespace sigmascape::render {
+
+/// What a frame is made of.
+enum class FrameContent {
+  Amplitudes,  ///< I/Q: one hashed complex Gaussian scatterer a lattice cell, with its travel phase
+  Powers,      ///< what that is on average, without speckle
+};
+
+struct LiveSettings {
+  FrameContent content = FrameContent::Amplitudes;
+  /// The bins: as many beams and ranges as `bins` says. Where they begin is said by each pose.
+  std::size_t beams = 512, ranges = 512;
+  double beam_step_rad = 2e-3, range_step_m = 15.0;
+  double cells_per_bin = 2.0;     ///< lattice cells along the smaller side of a bin on the ground
+  std::uint64_t seed = 1;         ///< names the scatterers
+  unsigned threads = 0;           ///< 0: one a hardware thread; has no effect on the result
+  double refraction = 4.0 / 3.0;  ///< k of the k-Earth; infinite for a flat one
+};
+
+/// Where the radar is and where its bins begin.
+struct Pose {
+  Vec3d position;                  ///< local frame, height above mean sea level
+  double first_azimuth_rad = 0.0;  ///< left edge of beam 0, clockwise from north
+  double first_range_m = 1000.0;   ///< near edge of range bin 0
+  Vec3d velocity_mps = {};         ///< says which ground to fetch ahead of time
+};
+
+/// What a frame cost and what it lacked.
+struct FrameReport {
+  std::size_t cells = 0;   ///< lattice cells looked at
+  std::size_t lit = 0;     ///< of them seen by the radar
+  std::size_t coarse = 0;  ///< of them shown from a coarser level than wanted, for the finer was not there yet
+  std::size_t dark = 0;    ///< for which there was nothing at all
+  std::size_t level = 0;   ///< of the textures, 0 the finest
+};
+
+/// A frame, valid until the next one.
+struct Frame {
+  radar::RangeAzimuthGrid grid;
+  /// [beam][range][VV, HH, HV, VH], metres: |a|² is a cross-section in m². Empty when powers were asked for.
+  std::span<const std::complex<float>> amplitudes_m;
+  /// [beam][range][VV, HH, HV, Re VV·HH*], m². Empty when amplitudes were asked for.
+  std::span<const float> powers_m2;
+  FrameReport report;
+};
+
+/// The live radar picture of a wide area: hand it a pose, get what the receiver has in its bins.
+///
+/// Every lattice cell of the sector answers once, at its own place and with its own phase; cells are as large as the
+/// bins can tell apart, so that their number does not depend on how far the radar sees. Nothing is allocated and
+/// nothing waited for once the first frame is done. The result does not depend on the number of threads.
+class LiveRenderer {
+ public:
+  LiveRenderer(std::shared_ptr<LiveGround> ground, const LiveSettings& settings);
+  ~LiveRenderer();
+
+  /// All beams.
+  const Frame& render(const Pose& pose);
+  /// Beams first … first + count − 1 anew, the others as they were: one step of a scanning antenna.
+  const Frame& scan(const Pose& pose, std::size_t first_beam, std::size_t count);
+
+ private:
+  class SectorTask;
+
+  void prepare(const Pose& pose);
+  [[nodiscard]] std::size_t level_for(const Pose& pose) const;
+
+  std::shared_ptr<LiveGround> ground_;
+  LiveSettings settings_;
+  radar::ScattererLattice lattice_;
+  WorkerTeam team_;
+  HorizonMap horizon_;
+  std::vector<float> bins_;                         // [beam][range][number]
+  std::vector<std::unique_ptr<SectorTask>> tasks_;  // one a worker
+  Frame frame_;
+};
+
+}  // namespace sigmascape::render

@@ -1,0 +1,112 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <memory>
+
+#include "scratch_folder.h"
+
+#include "sigmascape/atlas/store.h"
+#include "sigmascape/base/units.h"
+#include "sigmascape/radar/look.h"
+#include "sigmascape/render/live_renderer.h"
+
+namespace sigmascape::render {
+
+/// A baked square of so many patches a side, north-east of the origin; each texel is what `sigma0` says of its look,
+/// the height of the ground what `height_m` says of the way from the middle.
+struct ExampleGround {
+  double texel_m = 4.0;
+  int patches_a_side = 2;
+  std::function<radar::Channels(const radar::Look&)> sigma0;
+  std::function<double(Vec2d)> height_m = [](Vec2d) { return 0.0; };
+  double terrain_spacing_m = 8.0;
+  CacheOptions cache = {};
+
+  [[nodiscard]] double side_m() const { return 256.0 * texel_m * patches_a_side; }
+  [[nodiscard]] Vec2d middle() const { return {side_m() / 2.0, side_m() / 2.0}; }
+
+  [[nodiscard]] atlas::Store store(const std::filesystem::path& folder) const {
+    atlas::AtlasDescription description;
+    description.name = "example";
+    description.extent = {0.0, 0.0, side_m(), side_m()};
+    description.patches = {texel_m, atlas::tile_side};
+    description.scene_hash = "none";
+    for (const double azimuth : {0.0, 90.0, 180.0, 270.0}) {
+      description.aspects.azimuths_rad.push_back(radians_from_deg(azimuth));
+    }
+    for (const double elevation : {5.0, 13.0, 37.0}) {
+      description.aspects.elevations_rad.push_back(radians_from_deg(elevation));
+    }
+    description.aspects.frequencies_hz = {10e9};
+    atlas::Store store = atlas::Store::create(folder, description);
+    for (const atlas::Unit& unit : store.units()) {
+      const radar::GroundGrid grid = description.patches.texels_of(unit.patch);
+      Array2D<radar::Channels> texels(grid.columns, grid.rows);
+      std::ranges::fill(texels.values(), sigma0(description.aspects.look(unit.look)));
+      store.write(unit.patch, unit.look, texels, {});
+    }
+    return store;
+  }
+
+  [[nodiscard]] terrain::HeightField terrain() const {
+    constexpr double margin_m = 100.0;
+    terrain::HeightField field;
+    field.west_m = -margin_m;
+    field.north_m = side_m() + margin_m;
+    field.spacing_m = terrain_spacing_m;
+    const auto nodes = static_cast<std::size_t>((side_m() + 2.0 * margin_m) / terrain_spacing_m) + 1;
+    field.height_m = Array2D<float>(nodes, nodes);
+    for (std::size_t row = 0; row < nodes; ++row) {
+      for (std::size_t column = 0; column < nodes; ++column) {
+        const Vec2d node{field.west_m + static_cast<double>(column) * terrain_spacing_m,
+                         field.north_m - static_cast<double>(row) * terrain_spacing_m};
+        field.height_m(column, row) = static_cast<float>(height_m(node - middle()));
+      }
+    }
+    return field;
+  }
+
+  [[nodiscard]] std::shared_ptr<LiveGround> over(const atlas::Store& store) const {
+    return std::make_shared<LiveGround>(store, terrain(), 10e9, cache);
+  }
+};
+
+/// γ sin ψ in VV, a half of it in HH, a tenth in HV, VV and HH correlated by 0.6.
+inline radar::Channels constant_gamma(double gamma, const radar::Look& look) {
+  const auto vv = static_cast<float>(gamma * std::sin(look.aspect.elevation_rad));
+  return {vv, 0.5F * vv, 0.1F * vv, 0.6F * std::sqrt(0.5F) * vv};
+}
+
+/// A radar that sees a place from an azimuth and elevation, its bins about it.
+struct ExampleView {
+  Vec2d target = ExampleGround{}.middle();
+  double azimuth_deg = 30.0, elevation_deg = 13.0, slant_range_m = 4000.0;
+  std::size_t beams = 48, ranges = 64;
+  double bin_m = 12.0;  ///< along and, at the origin, across
+
+  [[nodiscard]] LiveSettings settings(FrameContent content, unsigned threads = 2) const {
+    LiveSettings settings;
+    settings.content = content;
+    settings.beams = beams;
+    settings.ranges = ranges;
+    settings.range_step_m = bin_m * std::cos(radians_from_deg(elevation_deg));
+    settings.beam_step_rad = bin_m / (slant_range_m * std::cos(radians_from_deg(elevation_deg)));
+    settings.threads = threads;
+    settings.refraction = 1e9;
+    return settings;
+  }
+  [[nodiscard]] Pose pose() const {
+    const LiveSettings bins = settings(FrameContent::Powers);
+    const double azimuth = radians_from_deg(azimuth_deg), elevation = radians_from_deg(elevation_deg);
+    const radar::Aspect aspect{azimuth, elevation};
+    Pose pose;
+    pose.position = Vec3d{target.x, target.y, 0.0} + radar::direction_to_radar(aspect) * slant_range_m;
+    pose.first_azimuth_rad = azimuth + pi - bins.beam_step_rad * static_cast<double>(beams) / 2.0;
+    pose.first_range_m = slant_range_m - bins.range_step_m * static_cast<double>(ranges) / 2.0;
+    return pose;
+  }
+};
+
+}  // namespace sigmascape::render

@@ -1,0 +1,217 @@
+#include "sigmascape/render/live_renderer.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <vector>
+
+#include "live_ground_example.h"
+
+#include "sigmascape/atlas/pyramid.h"
+
+namespace sigmascape::render {
+namespace {
+
+constexpr double gamma = 0.1;
+
+ExampleGround level_ground() {
+  ExampleGround ground;
+  ground.sigma0 = [](const radar::Look& look) { return constant_gamma(gamma, look); };
+  return ground;
+}
+
+const Frame& settled_frame(LiveRenderer& renderer, LiveGround& ground, const Pose& pose) {
+  renderer.render(pose);
+  ground.pages().wait_until_loaded();
+  return renderer.render(pose);
+}
+
+/// Cross-section of a bin on level ground: σ0 times the area between two ranges and two azimuths.
+double expected_rcs(const radar::RangeAzimuthGrid& grid, std::size_t range, double height_m, double gamma_vv) {
+  const double near = grid.first_range_m + static_cast<double>(range) * grid.range_step_m;
+  const double far = near + grid.range_step_m, middle = near + grid.range_step_m / 2.0;
+  const double area = (far * far - near * near) / 2.0 * grid.azimuth_step_rad;
+  return gamma_vv * height_m / middle * area;
+}
+
+/// All tests look at one atlas, of level ground.
+class LiveRendererTest : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = std::make_unique<ScratchFolder>();
+    store_ = std::make_unique<atlas::Store>(level_ground().store(folder_->path("atlas")));
+    atlas::Pyramid(*store_).make_above(store_->units());
+  }
+  static void TearDownTestSuite() {
+    store_.reset();
+    folder_.reset();
+  }
+  static inline std::unique_ptr<ScratchFolder> folder_;
+  static inline std::unique_ptr<atlas::Store> store_;
+};
+
+TEST_F(LiveRendererTest, PowerIsThatOfTheRadarEquationAtEveryRange) {
+  const auto ground = level_ground().over(*store_);
+  for (const double elevation_deg : {5.0, 8.6, 13.0, 21.0, 30.0}) {
+    ExampleView view;
+    view.elevation_deg = elevation_deg;
+    LiveRenderer renderer(ground, view.settings(FrameContent::Powers));
+    const Frame& frame = settled_frame(renderer, *ground, view.pose());
+    ASSERT_EQ(frame.report.dark, 0U);
+    // Rows of bins, away from the ends that have no ground beyond.
+    for (std::size_t range = 4; range + 12 <= view.ranges; range += 8) {
+      double sum = 0.0, expected = 0.0;
+      for (std::size_t r = range; r < range + 8; ++r) {
+        for (std::size_t beam = 2; beam + 2 < view.beams; ++beam) {
+          sum += frame.powers_m2[(beam * view.ranges + r) * 4];
+          expected += expected_rcs(frame.grid, r, view.pose().position.z, gamma);
+        }
+      }
+      EXPECT_NEAR(10.0 * std::log10(sum / expected), 0.0, 0.05) << elevation_deg << "°, range bin " << range;
+    }
+  }
+}
+
+TEST_F(LiveRendererTest, ChannelsComeBackInTheirOwnParts) {
+  const auto ground = level_ground().over(*store_);
+  const ExampleView view;
+  LiveRenderer renderer(ground, view.settings(FrameContent::Powers));
+  const Frame& frame = settled_frame(renderer, *ground, view.pose());
+  const std::size_t middle = ((view.beams / 2) * view.ranges + view.ranges / 2) * 4;
+  EXPECT_NEAR(frame.powers_m2[middle + 1] / frame.powers_m2[middle], 0.5, 1e-3);
+  EXPECT_NEAR(frame.powers_m2[middle + 2] / frame.powers_m2[middle], 0.1, 1e-3);
+  EXPECT_NEAR(frame.powers_m2[middle + 3] / frame.powers_m2[middle], 0.6 * std::sqrt(0.5), 1e-3);
+}
+
+TEST_F(LiveRendererTest, AmplitudesAreSpeckleOfThatPower) {
+  const auto ground = level_ground().over(*store_);
+  const ExampleView view;
+  LiveRenderer powers(ground, view.settings(FrameContent::Powers));
+  LiveRenderer amplitudes(ground, view.settings(FrameContent::Amplitudes));
+  const Frame& mean = settled_frame(powers, *ground, view.pose());
+  const Frame& drawn = amplitudes.render(view.pose());
+  double sum = 0.0, squares = 0.0, cross = 0.0;
+  std::size_t count = 0;
+  for (std::size_t beam = 2; beam + 2 < view.beams; ++beam) {
+    for (std::size_t range = 4; range + 4 < view.ranges; ++range) {
+      const std::size_t bin = (beam * view.ranges + range) * 4;
+      const double intensity = std::norm(drawn.amplitudes_m[bin]) / mean.powers_m2[bin];
+      sum += intensity;
+      squares += intensity * intensity;
+      cross += (drawn.amplitudes_m[bin] * std::conj(drawn.amplitudes_m[bin + 1])).real() / mean.powers_m2[bin];
+      EXPECT_EQ(drawn.amplitudes_m[bin + 2], drawn.amplitudes_m[bin + 3]);
+      ++count;
+    }
+  }
+  const auto n = static_cast<double>(count);
+  // Neighbouring bins share scatterers, so that fewer than all of them are independent: five standard errors of a
+  // quarter of them.
+  EXPECT_NEAR(sum / n, 1.0, 5.0 / std::sqrt(n / 4.0));
+  EXPECT_NEAR(squares / n / (sum * sum / n / n), 2.0, 5.0 * std::sqrt(20.0 / (n / 4.0)));
+  EXPECT_NEAR(cross / n, 0.6 * std::sqrt(0.5), 5.0 / std::sqrt(n / 4.0));
+}
+
+TEST_F(LiveRendererTest, GivesTheSameBytesForAnyNumberOfThreads) {
+  const auto ground = level_ground().over(*store_);
+  const ExampleView view;
+  LiveRenderer one(ground, view.settings(FrameContent::Amplitudes, 1));
+  LiveRenderer three(ground, view.settings(FrameContent::Amplitudes, 3));
+  const Frame& first = settled_frame(one, *ground, view.pose());
+  const Frame& second = settled_frame(three, *ground, view.pose());
+  EXPECT_TRUE(std::ranges::equal(first.amplitudes_m, second.amplitudes_m));
+}
+
+TEST_F(LiveRendererTest, AScanFillsTheFrameBeamByBeam) {
+  const auto ground = level_ground().over(*store_);
+  const ExampleView view;
+  LiveRenderer at_once(ground, view.settings(FrameContent::Amplitudes));
+  LiveRenderer scanning(ground, view.settings(FrameContent::Amplitudes));
+  const Frame& whole = settled_frame(at_once, *ground, view.pose());
+  for (std::size_t beam = 0; beam < view.beams; beam += 16) scanning.scan(view.pose(), beam, 16);
+  const Frame& swept = scanning.scan(view.pose(), 0, 16);
+  EXPECT_TRUE(std::ranges::equal(whole.amplitudes_m, swept.amplitudes_m));
+}
+
+TEST_F(LiveRendererTest, TheSameGroundAnswersWithTheSamePhase) {
+  const auto ground = level_ground().over(*store_);
+  const ExampleView view;
+  LiveRenderer renderer(ground, view.settings(FrameContent::Amplitudes));
+  const Frame& frame = settled_frame(renderer, *ground, view.pose());
+  const std::vector<std::complex<float>> before(frame.amplitudes_m.begin(), frame.amplitudes_m.end());
+  // The radar comes nearer by a wavelength along its line of sight, bins with it: a whole number of turns for ground
+  // straight ahead.
+  Pose moved = view.pose();
+  const double wavelength = wavelength_m(10e9);
+  const Vec3d target{view.target.x, view.target.y, 0.0};
+  moved.position = target + (moved.position - target) * (1.0 - wavelength / view.slant_range_m);
+  moved.first_range_m -= wavelength;
+  const Frame& after = renderer.render(moved);
+  std::complex<double> cross;
+  double power = 0.0;
+  const std::size_t beam = view.beams / 2;
+  for (std::size_t range = view.ranges / 2 - 4; range < view.ranges / 2 + 4; ++range) {
+    const std::size_t bin = (beam * view.ranges + range) * 4;
+    cross += std::complex<double>(before[bin]) * std::conj(std::complex<double>(after.amplitudes_m[bin]));
+    power += std::norm(before[bin]);
+  }
+  EXPECT_GT(std::abs(cross) / power, 0.95);
+  EXPECT_NEAR(std::arg(cross), 0.0, 0.3);
+}
+
+TEST_F(LiveRendererTest, AHillHidesWhatLiesBehindIt) {
+  ExampleGround ridge = level_ground();
+  ridge.height_m = [](Vec2d p) { return std::abs(p.y) < 8.0 ? 30.0 : 0.0; };
+  const auto ground = ridge.over(*store_);
+  ExampleView view;
+  view.azimuth_deg = 0.0;
+  LiveRenderer renderer(ground, view.settings(FrameContent::Powers));
+  const Frame& frame = settled_frame(renderer, *ground, view.pose());
+  // Seen from the north under 13°, a ridge of 30 m through the origin throws a shadow of 30 / tan 13° = 130 m
+  // southwards.
+  const auto power_at = [&](double south_m) {
+    const double range = length(Vec3d{view.target.x, view.target.y - south_m, 0.0} - view.pose().position);
+    const auto r = static_cast<std::size_t>((range - frame.grid.first_range_m) / frame.grid.range_step_m);
+    double sum = 0.0;
+    for (std::size_t beam = 8; beam + 8 < view.beams; ++beam) sum += frame.powers_m2[(beam * view.ranges + r) * 4];
+    return sum;
+  };
+  const double open = power_at(-200.0);
+  EXPECT_LT(power_at(30.0), 1e-3 * open);
+  EXPECT_LT(power_at(100.0), 1e-3 * open);
+  EXPECT_GT(power_at(180.0), 0.8 * open);
+}
+
+TEST_F(LiveRendererTest, ShowsCoarserGroundUntilTheFinerIsThere) {
+  const auto ground = level_ground().over(*store_);
+  const ExampleView view;
+  LiveRenderer renderer(ground, view.settings(FrameContent::Powers));
+  const Frame& frame = renderer.render(view.pose());
+  ASSERT_EQ(frame.report.dark, 0U);
+  ASSERT_GT(frame.report.coarse, 0U);
+  const auto total = [](const Frame& f) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < f.powers_m2.size(); i += 4) sum += f.powers_m2[i];
+    return sum;
+  };
+  const double coarse = total(frame);
+  ground->pages().wait_until_loaded();
+  const Frame& fine = renderer.render(view.pose());
+  EXPECT_EQ(fine.report.coarse, 0U);
+  EXPECT_NEAR(10.0 * std::log10(coarse / total(fine)), 0.0, 0.01);
+}
+
+TEST_F(LiveRendererTest, MemoryStaysWithinTheBudget) {
+  ExampleGround small = level_ground();
+  small.cache.budget_bytes = std::size_t{16} << 20U;
+  const auto ground = small.over(*store_);
+  ExampleView view;
+  LiveRenderer renderer(ground, view.settings(FrameContent::Powers));
+  for (double azimuth = 0.0; azimuth < 360.0; azimuth += 20.0) {
+    view.azimuth_deg = azimuth;
+    settled_frame(renderer, *ground, view.pose());
+    EXPECT_LE(ground->pages().report().bytes, small.cache.budget_bytes);
+  }
+  EXPECT_GT(ground->pages().report().evicted, 0U);
+}
+
+}  // namespace
+}  // namespace sigmascape::render
