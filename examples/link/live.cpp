@@ -1,0 +1,51 @@
+// Renders one frame of an atlas and prints its mean power: what a program that links the library does.
+//
+//   live ATLAS EAST NORTH     the atlas that `sigmascape bake` wrote, and the place to look at, metres of its frame
+
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+
+#include "sigmascape/radar/radar.h"
+#include "sigmascape/render/live_renderer.h"
+
+namespace {
+
+void render_once(const char* atlas, sigmascape::Vec3d target) {
+  using namespace sigmascape::render;
+  const auto ground = LiveGround::open(atlas, 10e9);
+  const LiveSettings settings{.beams = 64, .ranges = 64, .beam_step_rad = 4.0 / 5000.0, .range_step_m = 4.0};
+  LiveRenderer renderer(ground, settings);
+
+  const double south_rad = 3.14159265, elevation_rad = 0.245, slant_range_m = 5154.0;
+  const Pose pose{.position = sigmascape::radar::position_seeing(target, south_rad, elevation_rad, slant_range_m),
+                  .first_azimuth_rad = -0.5 * static_cast<double>(settings.beams) * settings.beam_step_rad,
+                  .first_range_m = slant_range_m - 0.5 * static_cast<double>(settings.ranges) * settings.range_step_m};
+  renderer.render(pose);
+  // A simulator would go on with what is there and have the rest a frame later.
+  ground->pages().wait_until_loaded();
+  const Frame& frame = renderer.render(pose);
+
+  double power = 0.0;
+  for (std::size_t bin = 0; bin < settings.beams * settings.ranges; ++bin) {
+    power += std::norm(frame.amplitudes_m[bin * 4]);
+  }
+  std::cout << frame.report.cells << " cells, " << frame.report.lit << " lit, mean cross-section of a bin in VV "
+            << power / static_cast<double>(settings.beams * settings.ranges) << " m2\n";
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 4) {
+    std::cerr << "usage: " << argv[0] << " ATLAS EAST NORTH\n";
+    return 2;
+  }
+  try {
+    render_once(argv[1], {std::atof(argv[2]), std::atof(argv[3]), 0.0});
+  } catch (const std::exception& failure) {
+    std::cerr << failure.what() << '\n';
+    return 1;
+  }
+  return 0;
+}
