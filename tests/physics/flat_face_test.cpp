@@ -1,4 +1,5 @@
 #include <cmath>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "validation/validation_record.h"
@@ -29,7 +30,7 @@ TEST(FlatFace, PeaksLikeThePlateOfPhysicalOptics) {
   for (const double area_m2 : {0.02, 0.25, 1.0, 100.0}) {
     const double expected = 4.0 * pi * area_m2 * area_m2 / (wavelength * wavelength);
     validation::expect_close({.group = "Flat faces",
-                              .name = "peak of a plate, " + std::to_string(area_m2) + " m², 3 cm",
+                              .name = fmt::format("peak of a plate, {} m², 3 cm", area_m2),
                               .expected = db_from_linear(expected),
                               .measured = db_from_linear(cross_section_m2(plate(), 0.0, area_m2)),
                               .tolerance = 0.1,
@@ -47,7 +48,7 @@ TEST(FlatFace, ReturnsThePlatesPowerOverAllAngles) {
       integral += cross_section_m2(plate(), theta, area_m2) * 2.0 * pi * std::sin(theta) * step;
     }
     validation::expect_close({.group = "Flat faces",
-                              .name = "angular integral of a plate, " + std::to_string(area_m2) + " m²",
+                              .name = fmt::format("angular integral of a plate, {} m²", area_m2),
                               .expected = pi * area_m2,
                               .measured = integral,
                               .tolerance = 0.01 * pi * area_m2,

@@ -123,21 +123,24 @@ Sampler sampler_of(const Model& model, Vec3f to_source) {
           .pdf = [&model, to_source](Vec3f to_sink) { return static_cast<double>(model.pdf(to_source, to_sink, up)); }};
 }
 
-TEST(Sampling, EveryMaterial) {
+class EveryMaterialSampled : public testing::TestWithParam<double> {};
+
+TEST_P(EveryMaterialSampled, HasItsDensity) {
   Battery battery;
+  const double incidence_deg = GetParam();
   for (const scatter::Material& material : every_material()) {
     const scatter::SurfaceModel model(material, frequency_within(material));
     const auto* facets = std::get_if<scatter::CookTorranceParameters>(&material.model);
-    for (const double incidence_deg : {0.0, 45.0, 85.0}) {
-      const Vec3f to_source = direction(incidence_deg, 200.0);
-      const bool narrow = facets != nullptr && facets->alpha < 0.25;
-      const DirectionChart chart = narrow ? mirror_chart(to_source.to<double>(), facets->alpha) : height_chart();
-      battery.add(fmt::format("{}, incidence {}°", material.name, incidence_deg),
-                  tested(sampler_of(model, to_source), chart, 200'000, static_cast<std::uint64_t>(incidence_deg)));
-    }
+    const Vec3f to_source = direction(incidence_deg, 200.0);
+    const bool narrow = facets != nullptr && facets->alpha < 0.25;
+    const DirectionChart chart = narrow ? mirror_chart(to_source.to<double>(), facets->alpha) : height_chart();
+    battery.add(material.name,
+                tested(sampler_of(model, to_source), chart, 200'000, static_cast<std::uint64_t>(incidence_deg)));
   }
-  battery.conclude("SurfaceModel::sample, all materials and models");
+  battery.conclude(fmt::format("SurfaceModel::sample, all materials and models, incidence {}°", incidence_deg));
 }
+
+INSTANTIATE_TEST_SUITE_P(Sampling, EveryMaterialSampled, testing::Values(0.0, 45.0, 85.0));
 
 TEST(Sampling, MirrorsAndMultipleScatterTogether) {
   Battery battery;
