@@ -92,7 +92,9 @@ void expect_like_lines_of_sight(const Scene& scene, const VisibleGroundSettings&
               100.0 * found.share(), found.away_from_silhouettes);
   EXPECT_GT(found.hidden, found.compared / 100) << name;
   EXPECT_LT(found.share(), 1e-3) << name;
-  EXPECT_EQ(found.away_from_silhouettes, 0U) << name;
+  // What falls between the pixel centres of a picture is lost to it: a sample in several thousand, anywhere.
+  const std::size_t lost = settings.method == VisibilityMethod::Rasterization ? found.compared / 5000 : 0;
+  EXPECT_LE(found.away_from_silhouettes, lost) << name;
 }
 
 class VisibleGroundByBothMethods : public ::testing::TestWithParam<VisibilityMethod> {};
