@@ -225,8 +225,8 @@ std::size_t TerrainRaster::mark_visible(const Vec3d& radar, const radar::CurvedE
     if (!extent.contains(point)) return false;
     const OnTriangle own = on_triangle(view, cell_at(view, point));
     const Projected at = project(radar, earth, point, static_cast<double>(own.height_m));
-    const double last_x = static_cast<double>(columns()) - 1.0, last_y = static_cast<double>(rows()) - 1.0;
-    if (at.nearness <= 0.0F || at.x < 0.0F || at.y < 0.0F || static_cast<double>(at.x) >= last_x ||
+    const double last_x = static_cast<double>(columns()) - 2.0, last_y = static_cast<double>(rows()) - 2.0;
+    if (at.nearness <= 0.0F || at.x < 1.0F || at.y < 1.0F || static_cast<double>(at.x) >= last_x ||
         static_cast<double>(at.y) >= last_y) {
       return false;
     }
@@ -239,8 +239,8 @@ std::size_t TerrainRaster::mark_visible(const Vec3d& radar, const radar::CurvedE
     if (nearest == own.triangle) return true;
     const float limit = at.nearness * (1.0F + nearness_tolerance);
     bool known = nearest == no_triangle, all_over_it = true;
-    for (const float dx : {-0.5F, 0.5F}) {
-      for (const float dy : {-0.5F, 0.5F}) {
+    for (const float dx : {-1.0F, 0.0F, 1.0F}) {
+      for (const float dy : {-1.0F, 0.0F, 1.0F}) {
         const std::uint32_t other = drawn_at(at.x + dx, at.y + dy);
         if (other == no_triangle) continue;
         bool inside = other == own.triangle;

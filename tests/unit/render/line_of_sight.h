@@ -66,11 +66,10 @@ struct Disagreement {
   [[nodiscard]] double share() const { return static_cast<double>(different) / static_cast<double>(compared); }
 };
 
-/// Compares samples with the long way. A silhouette is where ground comes within 30 cm of the lowest line of sight, or
-/// where the answer changes within two samples.
+/// Compares samples with the long way. A silhouette is where ground comes within `silhouette_m` of the lowest line of
+/// sight, or where the answer changes within two samples.
 inline Disagreement disagreement(const std::vector<double>& clearance_m, const GroundSector& sector,
-                                 const GroundSamples& samples, std::size_t every) {
-  constexpr double silhouette_m = 0.3;
+                                 const GroundSamples& samples, std::size_t every, double silhouette_m) {
   Disagreement result;
   for (std::size_t azimuth = 0; azimuth < sector.azimuths; azimuth += every) {
     const auto clearance_at = [&](std::size_t k) { return clearance_m[k * sector.azimuths + azimuth]; };
