@@ -15,9 +15,13 @@ void BakeOptions::add_to(CLI::App& command) {
       ->check(CLI::Range(1, 3600));
   command.add_option("--elevations-deg", elevations_deg, "grazing angles")->delimiter(',')->capture_default_str();
   command.add_option("--frequencies-ghz", frequencies_ghz, "frequencies")->delimiter(',')->capture_default_str();
-  command.add_option("--samples", samples, "rays a texel (N_r of the paper)")
-      ->capture_default_str()
+  command.add_option("--target-db", target_db, "standard error of a texel that is aimed at")->capture_default_str();
+  command.add_option("--most-samples", most_samples, "rays a texel at most, however noisy it is")
+      ->capture_default_str();
+  command.add_option("--samples", samples, "rays a texel everywhere (N_r of the paper) instead of a target")
       ->check(CLI::Range(2, 1 << 24));
+  command.add_option("--preset", preset, "paper: 100 rays a texel everywhere, 8 bounces")
+      ->check(CLI::IsMember({"paper"}));
   command.add_option("--bounces", bounces, "surfaces a path may meet (N_b of the paper)")->capture_default_str();
   command.add_option("--seed", seed, "names the random numbers")->capture_default_str();
   command.add_option("--mantissa-bits", mantissa_bits, "bits kept of each half float, 1 to 10")
@@ -36,8 +40,14 @@ bake::BakeSettings BakeOptions::settings() const {
   std::ranges::sort(settings.aspects.elevations_rad);
   std::ranges::sort(settings.aspects.frequencies_hz);
   settings.patches = {.texel_m = texel_m, .texels_per_side = patch_texels};
-  settings.samples_per_texel = samples;
+  settings.sampling.samples_per_texel = samples;
+  settings.sampling.target_db = target_db;
+  settings.sampling.most_samples = most_samples;
   settings.max_bounces = bounces;
+  if (preset == "paper") {
+    settings.sampling.samples_per_texel = 100;
+    settings.max_bounces = 8;
+  }
   settings.seed = seed;
   settings.mantissa_bits = mantissa_bits;
   settings.threads = threads;

@@ -15,7 +15,10 @@ struct BakeOptions {
   unsigned azimuths = 8;
   std::vector<double> elevations_deg{5.0, 13.0, 21.0, 29.0, 37.0};
   std::vector<double> frequencies_ghz{10.0};
-  std::uint32_t samples = 100;
+  std::uint32_t samples = 0;
+  double target_db = bake::Sampling{}.target_db;
+  std::uint32_t most_samples = bake::Sampling{}.most_samples;
+  std::string preset;
   int bounces = 8;
   std::uint64_t seed = 1;
   int mantissa_bits = 10;

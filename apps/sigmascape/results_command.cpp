@@ -98,7 +98,7 @@ class Measurement {
   [[nodiscard]] MeasuredAtlas finer_look(const PlannedView& view) {
     bake::BakeSettings settings = plan_.bake_settings();
     settings.aspects = selected_grid(settings.aspects, plan_.selection_of(view));
-    settings.samples_per_texel = plan_.finer_samples;
+    settings.sampling.samples_per_texel = plan_.finer_samples;
     const TimedBake bake(hills_.scene, settings, folder_ / "finer" / view.file_name(), progress_);
     return loaded(bake, "look alone", plan_.finer_samples, {});
   }

@@ -99,7 +99,7 @@ double ResultsPlan::rim_m() const {
 bake::BakeSettings ResultsPlan::bake_settings() const {
   return {.aspects = grids.back().aspects(),
           .patches = {.texel_m = 2000.0 / 1024.0, .texels_per_side = 256},
-          .samples_per_texel = baked_samples,
+          .sampling = {.samples_per_texel = baked_samples},
           .max_bounces = bounces,
           .seed = seed,
           .mantissa_bits = 10,

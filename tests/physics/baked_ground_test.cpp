@@ -33,7 +33,7 @@ TEST(BakedGround, BothWaysReturnGammaTimesSine) {
   settings.aspects.azimuths_rad = {0.0, radians_from_deg(120.0), radians_from_deg(240.0)};
   settings.aspects.elevations_rad = atlas::paper_aspect_grid().elevations_rad;
   settings.patches = {2.0, 256};
-  settings.samples_per_texel = 4;
+  settings.sampling.samples_per_texel = 4;
   const ScratchFolder folder;
   SilentProgress silent;
   bake::bake(scene, settings, folder.path("atlas"), silent);

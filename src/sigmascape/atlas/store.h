@@ -39,7 +39,7 @@ struct AtlasDescription {
 /// How one (patch, look) came about: goes into its item, so that a reading can be traced back.
 struct BakeFacts {
   std::uint64_t seed = 0;
-  std::uint64_t samples_per_texel = 0;
+  double samples_per_texel = 0.0;  ///< mean
   double relative_standard_error = 0.0;  ///< of the total power of a level-0 texel, root mean square over the patch
   std::string simd;                      ///< the instruction set that the numbers were made with
   std::map<std::string, std::uint64_t> counts;  ///< what was skipped or lost on the way, by name

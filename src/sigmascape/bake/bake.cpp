@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -14,6 +16,21 @@
 
 namespace sigmascape::bake {
 namespace {
+
+std::map<std::string, std::string> settings_in_words(const BakeSettings& settings) {
+  const Sampling& sampling = settings.sampling;
+  std::map<std::string, std::string> words = {{"max_bounces", std::to_string(settings.max_bounces)},
+                                              {"seed", std::to_string(settings.seed)},
+                                              {"simd", trace::simd_setting()}};
+  if (sampling.is_adaptive()) {
+    words["samples_per_texel"] = fmt::format("{} to {}", pilot_samples, sampling.most_samples);
+    words["target_db"] = fmt::format("{:g}", sampling.target_db);
+    words["floor_db"] = fmt::format("{:g}", sampling.floor_db);
+  } else {
+    words["samples_per_texel"] = std::to_string(sampling.samples_per_texel);
+  }
+  return words;
+}
 
 /// Tells of the part of one job as part of all.
 class JobProgress final : public ProgressListener {
@@ -114,7 +131,7 @@ class BakeRun {
       const double error = looks[i].relative_standard_error;
       store_.write(job.patch, job.looks[i], looks[i].sigma0,
                    {.seed = settings_.seed,
-                    .samples_per_texel = settings_.samples_per_texel,
+                    .samples_per_texel = looks[i].samples_per_texel,
                     .relative_standard_error = error,
                     .simd = trace::simd_setting(),
                     .counts = {}});
@@ -173,10 +190,7 @@ atlas::AtlasDescription description_of(const scene::Scene& scene, const BakeSett
           .patches = settings.patches,
           .aspects = settings.aspects,
           .scene_hash = scene::scene_hash(scene),
-          .settings = {{"samples_per_texel", std::to_string(settings.samples_per_texel)},
-                       {"max_bounces", std::to_string(settings.max_bounces)},
-                       {"seed", std::to_string(settings.seed)},
-                       {"simd", trace::simd_setting()}},
+          .settings = settings_in_words(settings),
           .mantissa_bits = settings.mantissa_bits,
           .attribution = scene.attribution};
 }

@@ -8,11 +8,31 @@
 
 namespace sigmascape::bake {
 
+namespace {
+
+constexpr std::uint32_t most_samples = 1U << 24U;
+
+void check(const Sampling& sampling, const std::string& where) {
+  if (!sampling.is_adaptive()) {
+    if (sampling.samples_per_texel >= 2 && sampling.samples_per_texel <= most_samples) return;
+    throw Error(where, fmt::format("{} samples a texel", sampling.samples_per_texel), "use 2 to 16777216");
+  }
+  if (!(sampling.target_db >= 0.01 && sampling.target_db <= 10.0)) {
+    throw Error(where, fmt::format("a target of {:g} dB", sampling.target_db), "use 0.01 to 10");
+  }
+  if (!(sampling.floor_db >= -120.0 && sampling.floor_db <= 60.0)) {
+    throw Error(where, fmt::format("a floor of {:g} dB", sampling.floor_db), "use -120 to 60");
+  }
+  if (sampling.most_samples < pilot_samples || sampling.most_samples > most_samples) {
+    throw Error(where, fmt::format("at most {} samples a texel", sampling.most_samples), "use 8 to 16777216");
+  }
+}
+
+}  // namespace
+
 void check(const BakeSettings& settings) {
   const std::string where = "bake settings";
-  if (settings.samples_per_texel < 2 || settings.samples_per_texel > (1U << 24U)) {
-    throw Error(where, fmt::format("{} samples a texel", settings.samples_per_texel), "use 2 to 16777216");
-  }
+  check(settings.sampling, where);
   if (settings.max_bounces < 1 || settings.max_bounces > 64) {
     throw Error(where, fmt::format("{} bounces", settings.max_bounces), "use 1 to 64");
   }

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "sigmascape/bake/tile_sampler.h"
 #include "sigmascape/base/error.h"
+#include "sigmascape/base/parallel.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/receiver/ground_accumulator.h"
 #include "sigmascape/trace/tile_progress.h"
@@ -20,17 +22,12 @@ radar::Rectangle intersection(const radar::Rectangle& a, const radar::Rectangle&
           std::min(a.north_m, b.north_m)};
 }
 
-/// Relative standard error of a texel's total power from the sums over the first `share` of its samples and over all of
-/// them, root mean square over the texels that answer at all: (S₁ − pS)² / (p (1 − p)) has the variance of S for its
-/// mean.
-double relative_error(const Array2D<radar::Channels>& first_part, const Array2D<radar::Channels>& whole, double share) {
+double root_mean_square_of_lit(const Array2D<float>& errors, const Array2D<radar::Channels>& sigma0) {
   double sum = 0.0;
   std::size_t lit = 0;
-  for (std::size_t i = 0; i < whole.size(); ++i) {
-    const double total = whole.values()[i].power(radar::Polarization::Sum);
-    if (total <= 0.0) continue;
-    const double deviation = first_part.values()[i].power(radar::Polarization::Sum) / total - share;
-    sum += deviation * deviation / (share * (1.0 - share));
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    if (sigma0.values()[i].power(radar::Polarization::Sum) <= 0.0F) continue;
+    sum += static_cast<double>(errors.values()[i]) * static_cast<double>(errors.values()[i]);
     ++lit;
   }
   return lit > 0 ? std::sqrt(sum / static_cast<double>(lit)) : 0.0;
@@ -39,58 +36,48 @@ double relative_error(const Array2D<radar::Channels>& first_part, const Array2D<
 }  // namespace
 
 LookBaker::LookBaker(const scene::Scene& scene, const BakeSettings& settings)
-    : scene_(scene), settings_(settings), geometry_(scene, trace::Footing::LevelPlane) {
-  for (const double frequency_hz : settings.aspects.frequencies_hz) {
-    surfaces_.push_back(trace::surface_models(scene, frequency_hz));
-  }
-}
+    : scene_(scene),
+      settings_(settings),
+      geometry_(scene, trace::Footing::LevelPlane),
+      surfaces_(trace::surface_models(scene, settings.aspects.frequencies_hz)) {}
 
 std::vector<BakedLook> LookBaker::bake(atlas::PatchIndex patch, const radar::Aspect& aspect,
                                        ProgressListener& progress) const {
-  std::vector<BakedLook> looks;
-  for (std::size_t frequency = 0; frequency < surfaces_.size(); ++frequency) {
-    looks.push_back(bake_frequency(patch, aspect, frequency, progress));
-  }
-  return looks;
-}
-
-BakedLook LookBaker::bake_frequency(atlas::PatchIndex patch, const radar::Aspect& aspect, std::size_t frequency,
-                                    ProgressListener& progress) const {
   const radar::GroundGrid texels = settings_.patches.texels_of(patch);
   const auto viewpoint = trace::Viewpoint::distant(aspect);
-  const trace::PathTracer tracer(geometry_, surfaces_[frequency], viewpoint, {.max_bounces = settings_.max_bounces},
+  const trace::PathTracer tracer(geometry_, surfaces_, viewpoint, {.max_bounces = settings_.max_bounces},
                                  settings_.seed);
   // The scene ends where its extent does; beyond a rim about it texels stay black.
   const auto area =
       trace::launch_area(viewpoint, intersection(texels.extent(), scene_.extent), settings_.patches.texel_m, 0.0,
-                         geometry_.highest_m() + 1.0, multibounce_margin_m);
+                         geometry_.highest_m() + 1.0, multibounce_margin_m, trace::tile_side_cells);
 
-  BakedLook look;
-  receiver::GroundAccumulator accumulator(texels, aspect);
-  // Every tile is traced twice, half of its samples at a time.
-  const auto frequencies = static_cast<double>(surfaces_.size());
-  trace::TileProgress tiles(progress, "bake", "look", static_cast<double>(frequency) / frequencies,
-                            static_cast<double>(frequency + 1) / frequencies, 1.0, 2 * area.tiles());
-  const auto trace_samples = [&](std::uint32_t first, std::uint32_t samples) {
-    look.counts += tracer.trace(area, {first, samples, settings_.samples_per_texel}, settings_.threads,
-                                [&](std::span<const radar::Echo> echoes, unsigned worker) {
-                                  accumulator.add(echoes);
-                                  tiles.tile_done(worker);
-                                });
-  };
-  const std::uint32_t half = settings_.samples_per_texel / 2;
-  trace_samples(0, half);
-  const auto first_half = accumulator.sigma0();
-  trace_samples(half, settings_.samples_per_texel - half);
-  if (accumulator.bins().overflows() > 0) {
-    throw Error(fmt::format("bake of patch ({}, {}), azimuth {:.1f}°, elevation {:.1f}°", patch.x, patch.y,
-                            deg_from_radians(aspect.azimuth_rad), deg_from_radians(aspect.elevation_rad)),
-                "a texel is brighter than the sums can hold", "use a smaller texel or a rougher material");
+  std::vector<receiver::GroundAccumulator> accumulators;
+  for (std::size_t f = 0; f < surfaces_.size(); ++f) accumulators.emplace_back(texels, aspect);
+  const unsigned workers = thread_count(settings_.threads);
+  std::vector<TileSampler> samplers(workers, TileSampler(settings_.sampling, accumulators));
+  trace::TileProgress tiles(progress, "bake", "look", 0.0, 1.0, 1.0, area.tiles());
+  const auto counts = tracer.trace_tiles(area, workers, [&](trace::TilePaths& tile, unsigned worker) {
+    samplers[worker].sample(tile, texels.cell_area_m2());
+    tiles.tile_done(worker);
+  });
+
+  std::vector<BakedLook> looks;
+  for (const receiver::GroundAccumulator& accumulator : accumulators) {
+    if (accumulator.bins().overflows() > 0) {
+      throw Error(fmt::format("bake of patch ({}, {}), azimuth {:.1f}°, elevation {:.1f}°", patch.x, patch.y,
+                              deg_from_radians(aspect.azimuth_rad), deg_from_radians(aspect.elevation_rad)),
+                  "a texel is brighter than the sums can hold", "use a smaller texel or a rougher material");
+    }
+    BakedLook& look = looks.emplace_back();
+    look.sigma0 = accumulator.sigma0();
+    look.relative_errors = accumulator.relative_errors();
+    look.relative_standard_error = root_mean_square_of_lit(look.relative_errors, look.sigma0);
+    look.samples_per_texel =
+        area.cells.empty() ? 0.0 : static_cast<double>(counts.paths) / static_cast<double>(area.cells.size());
   }
-  look.sigma0 = accumulator.sigma0();
-  look.relative_standard_error =
-      relative_error(first_half, look.sigma0, static_cast<double>(half) / settings_.samples_per_texel);
-  return look;
+  looks.front().counts = counts;
+  return looks;
 }
 
 }  // namespace sigmascape::bake

@@ -7,7 +7,6 @@
 #include "sigmascape/base/array2d.h"
 #include "sigmascape/base/progress.h"
 #include "sigmascape/radar/channels.h"
-#include "sigmascape/scatter/surface_model.h"
 #include "sigmascape/scene/scene.h"
 #include "sigmascape/trace/path_tracer.h"
 #include "sigmascape/trace/scene_geometry.h"
@@ -17,8 +16,10 @@ namespace sigmascape::bake {
 /// What was baked of one patch from one look.
 struct BakedLook {
   Array2D<radar::Channels> sigma0;       ///< [column, row], north up, as PatchGrid::texels_of says
-  double relative_standard_error = 0.0;  ///< of a texel's total power, root mean square over the lit texels
-  trace::TraceCounts counts;
+  Array2D<float> relative_errors;        ///< standard error of a texel's total power over that power; 0 where dark
+  double relative_standard_error = 0.0;  ///< their root mean square over the lit texels
+  double samples_per_texel = 0.0;        ///< mean over the launch cells
+  trace::TraceCounts counts;             ///< of all frequencies together, with the first of them
 };
 
 /// Bakes single looks of one scene, its objects set on level ground. What all looks share is made once: the structures
@@ -36,13 +37,10 @@ class LookBaker {
   [[nodiscard]] std::size_t geometry_bytes() const { return geometry_.memory_bytes(); }
 
  private:
-  [[nodiscard]] BakedLook bake_frequency(atlas::PatchIndex patch, const radar::Aspect& aspect, std::size_t frequency,
-                                         ProgressListener& progress) const;
-
   const scene::Scene& scene_;
   const BakeSettings& settings_;
   trace::SceneGeometry geometry_;
-  std::vector<std::vector<scatter::SurfaceModel>> surfaces_;  // [frequency, material]
+  trace::SpectralSurfaces surfaces_;
 };
 
 }  // namespace sigmascape::bake

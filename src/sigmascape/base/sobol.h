@@ -46,13 +46,16 @@ class SobolPoint {
     return std::rotl(x, 16);
   }
 
-  /// The second Sobol dimension: its generator matrix is Pascal's triangle modulo 2.
+  /// The second Sobol dimension: its generator matrix is Pascal's triangle modulo 2. By Lucas' theorem the binomial of
+  /// (k, j) is odd when the binary digits of k contain those of j, so that bit j of the point is the parity of all
+  /// index bits k above j in that sense: a sum that halves itself five times.
   [[nodiscard]] static constexpr std::uint32_t second_sobol_dimension(std::uint32_t index) {
-    std::uint32_t point = 0;
-    for (std::uint32_t direction = 1U << 31U; index != 0; index >>= 1U, direction ^= direction >> 1U) {
-      if ((index & 1U) != 0) point ^= direction;
-    }
-    return point;
+    index ^= (index >> 1U) & 0x55555555U;
+    index ^= (index >> 2U) & 0x33333333U;
+    index ^= (index >> 4U) & 0x0f0f0f0fU;
+    index ^= (index >> 8U) & 0x00ff00ffU;
+    index ^= index >> 16U;
+    return reversed_bits(index);
   }
 
   [[nodiscard]] static constexpr std::uint32_t owen_scrambled(std::uint32_t x, std::uint32_t seed) {

@@ -300,6 +300,30 @@ std::string half_cog_bytes(const HalfPyramid& pyramid) {
   return std::string(file.bytes());
 }
 
+std::string byte_geotiff_bytes(const RasterPlacement& placement, const std::string& band,
+                               const Array2D<std::uint8_t>& values) {
+  const QuietGdal quiet;
+  const MemoryFile file;
+  Options options;
+  for (const char* option : {"TILED=YES", "BLOCKXSIZE=256", "BLOCKYSIZE=256", "COMPRESS=ZSTD", "ZSTD_LEVEL=9"}) {
+    options.AddString(option);
+  }
+  const auto columns = static_cast<int>(values.columns()), rows = static_cast<int>(values.rows());
+  GDALDatasetUniquePtr dataset(driver("GTiff").Create(file.name(), columns, rows, 1, GDT_Byte, options.List()));
+  if (!dataset) fail_to_encode(band);
+  place(*dataset, placement);
+  dataset->GetRasterBand(1)->SetDescription(band.c_str());
+  // As in fill_band: GDAL asks for a pointer that it could write through.
+  auto* bytes = const_cast<std::uint8_t*>(values.values().data());
+  if (dataset->RasterIO(GF_Write, 0, 0, columns, rows, bytes, columns, rows, GDT_Byte, 1, nullptr, 0, 0, 0, nullptr) !=
+      CE_None) {
+    fail_to_encode(band);
+  }
+  dataset.reset();
+  if (QuietGdal::failed()) fail_to_encode(band);
+  return std::string(file.bytes());
+}
+
 std::array<Vec2d, 4> geographic_corners(const RasterPlacement& placement, std::size_t columns, std::size_t rows) {
   const QuietGdal quiet;
   const double east_m = placement.west_m + placement.cell_m * static_cast<double>(columns);

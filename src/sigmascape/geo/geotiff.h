@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -63,6 +64,10 @@ struct HalfPyramid {
 /// A cloud-optimised GeoTIFF as bytes: half floats (NBITS = 16), tiles of 256², pixel-interleaved, ZSTD, with the given
 /// levels as its overviews. Equal pyramids give equal bytes. Throws Error when the shape is not as HalfPyramid says.
 [[nodiscard]] std::string half_cog_bytes(const HalfPyramid& pyramid);
+
+/// One band of bytes as a tiled, ZSTD-compressed GeoTIFF. Equal input gives equal bytes.
+[[nodiscard]] std::string byte_geotiff_bytes(const RasterPlacement& placement, const std::string& band,
+                                             const Array2D<std::uint8_t>& values);
 
 /// Corners of a raster as longitude (x) and latitude (y) in degrees on WGS 84: south-west, south-east, north-east,
 /// north-west. Throws Error when the CRS is not understood or does not reach there.

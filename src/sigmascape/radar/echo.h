@@ -18,6 +18,10 @@ struct Echo {
   Channels rcs_m2;
   /// Number of surfaces on the way: 1 is a direct echo.
   std::uint8_t bounces = 1;
+  /// Sine of the angle below the radar's horizontal from which it arrives, for the antenna's elevation pattern: the
+  /// mean height of first and last surface point below the radar over their mean distance. Zero when the radar is at
+  /// infinity.
+  float sin_depression = 0.0F;
 };
 
 }  // namespace sigmascape::radar

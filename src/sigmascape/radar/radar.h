@@ -3,19 +3,38 @@
 #include <string>
 
 #include "sigmascape/base/vec.h"
+#include "sigmascape/radar/antenna_pattern.h"
 #include "sigmascape/radar/channels.h"
+#include "sigmascape/radar/receiver.h"
+#include "sigmascape/radar/scan.h"
+#include "sigmascape/radar/waveform.h"
 
 namespace sigmascape::radar {
 
-/// A mapping radar: what of it shapes a ground map.
+/// What is made of the echoes. RealBeam: a map as sharp across as the beam. The others use the platform's motion.
+enum class Mode { RealBeam, DopplerBeamSharpening, Stripmap, Spotlight };
+
+/// A mapping radar as one value: where it is and how it goes, and all that shapes what it receives.
+///
+/// Widths are half-power widths: `range_resolution_m` and the waveform's window give the bandwidth (`bandwidth_of`),
+/// `beam_width_rad` and the antenna's shapes give the pattern (`antenna_pattern`).
 struct Radar {
   std::string name = "radar";
   Vec3d position;  ///< local frame, height above mean sea level
   double frequency_hz = 10e9;
   Polarization polarization = Polarization::VV;  ///< what pictures and comparisons show; maps hold all
   double range_resolution_m = 2.0;               ///< half-power width of the pulse after compression
-  double beam_width_rad = 0.01;  ///< one-way half-power width in azimuth, of the real or the sharpened beam
+  double beam_width_rad = 0.01;                  ///< one-way half-power width of the real beam in azimuth
+  Vec3d velocity_mps = {};                       ///< local frame
+  double heading_rad = 0.0;                      ///< where the platform's nose points, clockwise from true north
+  Antenna antenna = {};
+  Scan scan = {};
+  Waveform waveform = {};
+  Receiver receiver = {};
+  Mode mode = Mode::RealBeam;
 };
+
+[[nodiscard]] AntennaPattern antenna_pattern(const Radar& radar);
 
 /// Where a radar stands that sees `target` from `azimuth_rad`, `elevation_rad` above the horizontal, at
 /// `slant_range_m`.

@@ -9,18 +9,29 @@ GroundAccumulator::GroundAccumulator(const radar::GroundGrid& grid, const radar:
       towards_radar_(radar::horizontal_direction(aspect.azimuth_rad)),
       right_{-towards_radar_.y, towards_radar_.x},
       ground_per_range_(-1.0 / std::cos(aspect.elevation_rad)),
-      bins_(grid.columns, grid.rows) {}
+      bins_(grid.columns, grid.rows),
+      variances_(grid.columns * grid.rows) {}
+
+std::optional<std::uint32_t> GroundAccumulator::cell_of(const radar::Echo& echo) const {
+  const Vec2d point = towards_radar_ * (echo.range_m * ground_per_range_) + right_ * echo.cross;
+  const Vec2d cells = grid_.cells_from(point);
+  if (cells.x < 0.0 || cells.y < 0.0 || cells.x >= static_cast<double>(grid_.columns) ||
+      cells.y >= static_cast<double>(grid_.rows)) {
+    return std::nullopt;
+  }
+  return static_cast<std::uint32_t>(static_cast<std::size_t>(cells.y) * grid_.columns +
+                                    static_cast<std::size_t>(cells.x));
+}
 
 void GroundAccumulator::add(std::span<const radar::Echo> echoes) {
   for (const radar::Echo& echo : echoes) {
-    const Vec2d point = towards_radar_ * (echo.range_m * ground_per_range_) + right_ * echo.cross;
-    const Vec2d cells = grid_.cells_from(point);
-    if (cells.x < 0.0 || cells.y < 0.0 || cells.x >= static_cast<double>(grid_.columns) ||
-        cells.y >= static_cast<double>(grid_.rows)) {
-      continue;
-    }
-    bins_.add(static_cast<std::size_t>(cells.x), static_cast<std::size_t>(cells.y), echo.rcs_m2);
+    if (const auto cell = cell_of(echo)) bins_.add(*cell % grid_.columns, *cell / grid_.columns, echo.rcs_m2);
   }
+}
+
+void GroundAccumulator::add(std::uint32_t cell, const radar::Channels& rcs_m2, double variance_m4) {
+  bins_.add(cell % grid_.columns, cell / grid_.columns, rcs_m2);
+  if (variance_m4 > 0.0) variances_.add(cell, variance_m4);
 }
 
 Array2D<radar::Channels> GroundAccumulator::sigma0() const {
@@ -28,6 +39,16 @@ Array2D<radar::Channels> GroundAccumulator::sigma0() const {
   const auto per_area = static_cast<float>(1.0 / grid_.cell_area_m2());
   for (radar::Channels& cell : sigma0.values()) cell = cell * per_area;
   return sigma0;
+}
+
+Array2D<float> GroundAccumulator::relative_errors() const {
+  Array2D<float> errors(grid_.columns, grid_.rows);
+  const Array2D<radar::Channels> sums = bins_.sums();
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    const double power = static_cast<double>(sums.values()[i].power(radar::Polarization::Sum));
+    if (power > 0.0) errors.values()[i] = static_cast<float>(std::sqrt(variances_.sum(i)) / power);
+  }
+  return errors;
 }
 
 }  // namespace sigmascape::receiver

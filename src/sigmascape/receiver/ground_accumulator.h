@@ -1,11 +1,14 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <span>
 
 #include "sigmascape/radar/echo.h"
 #include "sigmascape/radar/ground_grid.h"
 #include "sigmascape/radar/look.h"
 #include "sigmascape/receiver/power_bins.h"
+#include "sigmascape/receiver/variance_bins.h"
 
 namespace sigmascape::receiver {
 
@@ -26,9 +29,18 @@ class GroundAccumulator {
   /// May be called from several threads at once.
   void add(std::span<const radar::Echo> echoes);
 
+  /// The cell where an echo stands, row by row from the north-west; nothing when that is outside the grid.
+  [[nodiscard]] std::optional<std::uint32_t> cell_of(const radar::Echo& echo) const;
+  /// Adds to a cell what is the estimate of a part of it, and the variance of its total power. Independent parts add
+  /// up. May be called from several threads at once.
+  void add(std::uint32_t cell, const radar::Channels& rcs_m2, double variance_m4);
+
   [[nodiscard]] const PowerBins& bins() const { return bins_; }
   /// [column, row]: cross-section over cell area.
   [[nodiscard]] Array2D<radar::Channels> sigma0() const;
+  /// [column, row]: standard error of the total power (radar::Polarization::Sum) over that power; 0 where there is
+  /// none.
+  [[nodiscard]] Array2D<float> relative_errors() const;
 
  private:
   radar::GroundGrid grid_;
@@ -36,6 +48,7 @@ class GroundAccumulator {
   Vec2d right_;
   double ground_per_range_;
   PowerBins bins_;
+  VarianceBins variances_;
 };
 
 }  // namespace sigmascape::receiver

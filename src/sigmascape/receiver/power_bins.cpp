@@ -1,5 +1,6 @@
 #include "sigmascape/receiver/power_bins.h"
 
+#include <atomic>
 #include <cmath>
 
 namespace sigmascape::receiver {
@@ -16,7 +17,7 @@ PowerBins::PowerBins(std::size_t columns, std::size_t rows)
 void PowerBins::add_units(std::int64_t& bin, float value) {
   const double units = static_cast<double>(value) * units_per_m2;
   if (!(std::abs(units) < most_units)) {
-    overflows_.fetch_add(1, std::memory_order_relaxed);
+    std::atomic_ref(overflows_).fetch_add(1, std::memory_order_relaxed);
     return;
   }
   const std::int64_t added = std::llrint(units);
@@ -24,7 +25,7 @@ void PowerBins::add_units(std::int64_t& bin, float value) {
   const std::int64_t before = sum.fetch_add(added, std::memory_order_relaxed);
   if (std::abs(static_cast<double>(before) + static_cast<double>(added)) > most_units) {
     sum.fetch_sub(added, std::memory_order_relaxed);
-    overflows_.fetch_add(1, std::memory_order_relaxed);
+    std::atomic_ref(overflows_).fetch_add(1, std::memory_order_relaxed);
   }
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <atomic>
 #include <cstdint>
 #include <vector>
 
@@ -35,14 +34,14 @@ class PowerBins {
   [[nodiscard]] Array2D<radar::Channels> sums() const;
   /// Over all bins, in double precision: VV, HH, HV, Re VV·HH*.
   [[nodiscard]] std::array<double, radar::Channels::count> total() const;
-  [[nodiscard]] std::uint64_t overflows() const { return overflows_.load(); }
+  [[nodiscard]] std::uint64_t overflows() const { return overflows_; }
 
  private:
   void add_units(std::int64_t& bin, float value);
 
   std::size_t columns_, rows_;
   std::vector<std::int64_t> units_;  // [row, column, channel]
-  std::atomic<std::uint64_t> overflows_{0};
+  std::uint64_t overflows_ = 0;
 };
 
 }  // namespace sigmascape::receiver

@@ -6,7 +6,7 @@
 namespace sigmascape::trace {
 namespace {
 
-constexpr std::int32_t tile = 16;
+constexpr std::int32_t tile = tile_side_cells;
 
 /// Whether the segment from `start`, `length` long in direction `direction`, meets the rectangle.
 bool segment_meets(const radar::Rectangle& r, Vec2d start, Vec2d direction, double length) {
@@ -28,7 +28,7 @@ radar::Rectangle widened(const radar::Rectangle& r, double by) {
 /// How far behind the target the farthest aim point lies. The distance is a convex function of that to the radar, so
 /// that the nearest point of the target or a corner has the greatest.
 double greatest_reach_m(const LaunchArea& area) {
-  const radar::Rectangle r = widened(area.target, area.margin_m + area.cell_m);
+  const radar::Rectangle r = widened(area.target, area.rim_m());
   const auto reach_of = [&](Vec2d p) {
     return area.viewpoint.aim_behind_landing_m({p.x, p.y, area.plane_height_m}, area.top_height_m);
   };
@@ -43,26 +43,27 @@ double greatest_reach_m(const LaunchArea& area) {
 }  // namespace
 
 bool LaunchArea::covers(Vec2d point) const {
-  // The whole cell was launched if its centre qualified.
-  const Vec2d centre{(std::floor(point.x / cell_m) + 0.5) * cell_m, (std::floor(point.y / cell_m) + 0.5) * cell_m};
+  // All of the grain was launched if its centre qualified.
+  const double grain_m = cell_m * grain;
+  const Vec2d centre{(std::floor(point.x / grain_m) + 0.5) * grain_m, (std::floor(point.y / grain_m) + 0.5) * grain_m};
   const Vec3d aim{centre.x, centre.y, plane_height_m};
   const Vec3d to_radar = viewpoint.direction_from(aim);
   const double horizontal = std::hypot(to_radar.x, to_radar.y);
   const Vec2d towards = horizontal > 0.0 ? Vec2d{to_radar.x / horizontal, to_radar.y / horizontal} : Vec2d{};
-  return segment_meets(widened(target, margin_m + cell_m), centre, towards,
-                       viewpoint.landing_before_aim_m(aim, top_height_m));
+  return segment_meets(widened(target, rim_m()), centre, towards, viewpoint.landing_before_aim_m(aim, top_height_m));
 }
 
 LaunchArea launch_area(const Viewpoint& viewpoint, const radar::Rectangle& target, double cell_m, double plane_height_m,
-                       double top_height_m, double margin_m) {
+                       double top_height_m, double margin_m, int grain) {
   LaunchArea area{.cell_m = cell_m,
                   .plane_height_m = plane_height_m,
                   .top_height_m = top_height_m,
+                  .grain = grain,
                   .cells = {},
                   .viewpoint = viewpoint,
                   .target = target,
                   .margin_m = margin_m};
-  const double spread = margin_m + 2.0 * cell_m + greatest_reach_m(area);
+  const double spread = area.rim_m() + cell_m * grain + greatest_reach_m(area);
   const auto lattice = [cell_m](double metres) { return static_cast<std::int32_t>(std::floor(metres / cell_m)); };
   const auto tile_start = [](std::int32_t index) {
     return (index >= 0 ? index / tile : (index - tile + 1) / tile) * tile;

@@ -15,18 +15,24 @@ struct LaunchCell {
   std::int32_t j = 0;  ///< northward
 };
 
-/// Cells whose echoes travel to the receiver together.
-inline constexpr std::size_t cells_per_tile = 256;
+/// Cells whose echoes travel to the receiver together: squares of the lattice, or what an area has of them.
+inline constexpr int tile_side_cells = 16;
+inline constexpr std::size_t cells_per_tile = tile_side_cells * tile_side_cells;
 
 /// From which cells echoes can come that land in an area of interest.
 struct LaunchArea {
   double cell_m = 1.0;
   double plane_height_m = 0.0;    ///< height of the plane aimed at
   double top_height_m = 0.0;      ///< rays start at this height, above everything
+  int grain = 1;                  ///< squares of so many cells a side are launched all or not at all
   std::vector<LaunchCell> cells;  ///< in tiles of 16 × 16, for the sake of caches
 
   /// Number of tiles that the tracer hands to its sink, one by one.
   [[nodiscard]] std::size_t tiles() const { return (cells.size() + cells_per_tile - 1) / cells_per_tile; }
+
+  /// How far from the target the line of sight through a grain's centre may pass: where the centre stays out of the
+  /// target its cells may not.
+  [[nodiscard]] double rim_m() const { return margin_m + (grain == 1 ? cell_m : 0.5 * cell_m * grain); }
 
   /// Whether a ray through that point of the plane could have been launched.
   [[nodiscard]] bool covers(Vec2d point) const;
@@ -41,7 +47,8 @@ struct LaunchArea {
 /// A surface at height h above the plane is hit by rays aimed h cot ψ behind it and lands h tan ψ before it, so aim
 /// points reach h_max (cot ψ + tan ψ) behind the target, each along its own line of sight where the radar has a place.
 /// `margin_m` widens the target on all sides for echoes of several bounces, which land midway between their ends.
+/// `grain` is 1, or tile_side_cells where every tile is to be whole.
 [[nodiscard]] LaunchArea launch_area(const Viewpoint& viewpoint, const radar::Rectangle& target, double cell_m,
-                                     double plane_height_m, double top_height_m, double margin_m);
+                                     double plane_height_m, double top_height_m, double margin_m, int grain = 1);
 
 }  // namespace sigmascape::trace

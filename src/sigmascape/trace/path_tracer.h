@@ -18,10 +18,17 @@ enum class Estimator {
   OneWay,      ///< by 1: the plain estimator, against which the other is tested
 };
 
+/// Where the numbers come from that places and directions are drawn with.
+enum class Sampler {
+  OwenSobol,    ///< Owen-scrambled Sobol points of every cell
+  Independent,  ///< every number by itself: plain sampling, against which the other is measured
+};
+
 struct PathOptions {
   int max_bounces = 8;
   Estimator estimator = Estimator::Reciprocal;
   bool roulette = true;  ///< end dark paths early, without bias
+  Sampler sampler = Sampler::OwenSobol;
 };
 
 /// Which of each cell's samples to trace; samples first … first + count − 1 of `of` share the cell's area.
@@ -47,8 +54,35 @@ struct TraceCounts {
 /// The scattering models of all of a scene's materials at one frequency, in the scene's order.
 [[nodiscard]] std::vector<scatter::SurfaceModel> surface_models(const scene::Scene& scene, double frequency_hz);
 
-/// Takes the echoes of one tile; called from several threads at once, `worker` tells them apart.
+/// The scattering models of a scene's materials at several frequencies: [frequency][material].
+using SpectralSurfaces = std::vector<std::vector<scatter::SurfaceModel>>;
+[[nodiscard]] SpectralSurfaces surface_models(const scene::Scene& scene, std::span<const double> frequencies_hz);
+
+/// What the paths of one tile bring back at one frequency.
+struct TileEchoes {
+  std::span<const radar::Echo> echoes;
+  std::size_t frequency = 0;  ///< its place in the tracer's surfaces
+  unsigned worker = 0;        ///< number of the calling thread
+};
+
+/// Takes the echoes of one tile, one frequency after another; called from several threads at once.
+using TileSink = std::function<void(const TileEchoes& tile)>;
+/// The same for a tracer of one frequency; one of several gives their echoes without telling them apart.
 using EchoSink = std::function<void(std::span<const radar::Echo>, unsigned worker)>;
+
+/// One tile for the user to trace as he sees fit: as many samples of each cell as it turns out to need.
+class TilePaths {
+ public:
+  virtual ~TilePaths() = default;
+  [[nodiscard]] virtual std::span<const LaunchCell> cells() const = 0;
+  /// Follows sample number `sample` of the sequence `sequence` of one cell. Its echoes, each as though the sample stood
+  /// for the whole cell, take the place of those of the one before. Sequences of a cell are scrambled independently.
+  virtual void follow(const LaunchCell& cell, std::uint32_t sequence, std::uint32_t sample) = 0;
+  [[nodiscard]] virtual std::span<const radar::Echo> echoes(std::size_t frequency) const = 0;
+};
+
+/// What is done with a tile; called from several threads at once, `worker` tells them apart.
+using TileBody = std::function<void(TilePaths& tile, unsigned worker)>;
 
 /// Scene and viewpoint to echoes: the path tracer.
 ///
@@ -61,17 +95,29 @@ using EchoSink = std::function<void(std::span<const radar::Echo>, unsigned worke
 ///
 /// at half the length of the way and the mean cross position of the two ends. The draw of every path depends on seed,
 /// cell and sample alone.
+///
+/// Several frequencies share one set of paths: each path is drawn from the densities of one of them and weighted by the
+/// mean density of all, so that each frequency has the mean that it has alone (Eq. 9). The rays are those of one.
 class PathTracer {
  public:
+  /// For one frequency.
   PathTracer(const SceneGeometry& geometry, std::vector<scatter::SurfaceModel> surfaces, const Viewpoint& viewpoint,
+             const PathOptions& options, std::uint64_t seed);
+  /// For all frequencies of `surfaces`, of which there is one at least.
+  PathTracer(const SceneGeometry& geometry, SpectralSurfaces surfaces, const Viewpoint& viewpoint,
              const PathOptions& options, std::uint64_t seed);
 
   /// Traces the given samples of every cell of the area and hands the echoes to `sink`, tile by tile in any order.
   TraceCounts trace(const LaunchArea& area, SampleRange samples, unsigned threads, const EchoSink& sink) const;
+  TraceCounts trace(const LaunchArea& area, SampleRange samples, unsigned threads, const TileSink& sink) const;
+  /// Calls `body` for every tile of the area.
+  TraceCounts trace_tiles(const LaunchArea& area, unsigned threads, const TileBody& body) const;
+
+  [[nodiscard]] std::size_t frequencies() const { return surfaces_.size(); }
 
  private:
   const SceneGeometry* geometry_;
-  std::vector<scatter::SurfaceModel> surfaces_;
+  SpectralSurfaces surfaces_;
   Viewpoint viewpoint_;
   PathOptions options_;
   std::uint64_t seed_;

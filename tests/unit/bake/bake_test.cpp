@@ -45,7 +45,7 @@ BakeSettings small_bake(std::vector<double> elevations_deg = {13.0, 40.0}) {
   settings.aspects.elevations_rad.clear();
   for (const double degrees : elevations_deg) settings.aspects.elevations_rad.push_back(radians_from_deg(degrees));
   settings.patches = {2.0, 256};
-  settings.samples_per_texel = 4;
+  settings.sampling.samples_per_texel = 4;
   return settings;
 }
 
@@ -84,7 +84,7 @@ TEST(Bake, AWallIsBrightInItsLayoverAndDarkInItsShadow) {
   const ScratchFolder folder;
   BakeSettings settings = small_bake({40.0});
   settings.aspects.azimuths_rad = {0.0};
-  settings.samples_per_texel = 16;
+  settings.sampling.samples_per_texel = 16;
   baked(scene_with_box(), settings, folder.path("a"));
   const auto store = atlas::Store::open(folder.path("a"));
   const auto texels = store.read({0, 0}, 0).front();
@@ -220,7 +220,7 @@ TEST(Bake, OtherSettingsAreRefusedNamingTheDifference) {
   settings.seed = 2;
   EXPECT_THAT(message_for(scene, settings), ::testing::HasSubstr("seed"));
   settings = small_bake({40.0});
-  settings.samples_per_texel = 8;
+  settings.sampling.samples_per_texel = 8;
   EXPECT_THAT(message_for(scene, settings), ::testing::HasSubstr("samples_per_texel"));
   EXPECT_THAT(message_for(scene, small_bake({41.0})), ::testing::HasSubstr("elevation"));
   scene::Scene changed = scene;
@@ -239,7 +239,7 @@ TEST(Bake, SettingsOutOfRangeAreRefused) {
   EXPECT_THAT(message_for(small_bake({0.0, 13.0})), ::testing::HasSubstr("an elevation of 0.00°; use 0.5° to 89°"));
   EXPECT_THAT(message_for(small_bake({13.0, 90.0})), ::testing::HasSubstr("an elevation of 90.00°; use 0.5° to 89°"));
   BakeSettings settings = small_bake();
-  settings.samples_per_texel = 1;
+  settings.sampling.samples_per_texel = 1;
   EXPECT_THAT(message_for(settings), ::testing::HasSubstr("1 samples a texel"));
   settings = small_bake();
   settings.max_bounces = 0;
@@ -251,7 +251,7 @@ TEST(Bake, SettingsOutOfRangeAreRefused) {
 TEST(Bake, StandardErrorDoesNotComeFromOddNumbersOfSamples) {
   const ScratchFolder folder;
   BakeSettings settings = small_bake({40.0});
-  settings.samples_per_texel = 5;
+  settings.sampling.samples_per_texel = 5;
   EXPECT_LT(baked(bare_scene(), settings, folder.path("a")).relative_standard_error, 0.01);
 }
 

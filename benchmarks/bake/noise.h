@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace sigmascape::bench {
+
+/// Noise of a map, from two independent ones of it: half the squared difference of a pair has the variance for its
+/// mean.
+struct Noise {
+  double median_relative = 0.0;  ///< of standard deviation over mean, over the texels that are looked at
+  double l1 = 0.0;               ///< sum of the standard deviations over the sum of the means, all texels
+};
+
+/// Texels in which sampling has anything to do: where the pair differs by more than a thousandth. On open level ground
+/// every sample returns the same.
+[[nodiscard]] std::vector<std::size_t> noisy_texels(const std::vector<float>& one, const std::vector<float>& other);
+
+[[nodiscard]] Noise noise_of(const std::vector<float>& one, const std::vector<float>& other,
+                             const std::vector<std::size_t>& texels);
+
+}  // namespace sigmascape::bench

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstdint>
+
+#include "sigmascape/base/array2d.h"
+
+namespace sigmascape::atlas {
+
+/// Relative standard errors as they are stored, one byte a texel: 0 where nothing returns, else code c for
+///
+///     10^((c − 1)/50) / 1000          steps of 0.2 dB from 0.001 (or less) to 120
+///
+/// Rounded to the nearest step.
+[[nodiscard]] std::uint8_t error_code(float relative_error, bool is_lit);
+/// 0 for code 0.
+[[nodiscard]] float error_of(std::uint8_t code);
+
+}  // namespace sigmascape::atlas

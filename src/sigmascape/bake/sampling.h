@@ -1,0 +1,48 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace sigmascape::bake {
+
+/// How many rays each launch cell gets.
+///
+/// Adaptive: every cell starts with a few pilot rays, and gets as many in all as the pilots of the cells around it say
+/// are needed. A cell's own pilots have no say in its number, so that the mean over its rays stays unbiased
+/// (docs/decisions/0015-adaptive-sampling.md).
+struct Sampling {
+  /// Rays a cell, everywhere the same; 0: adaptive, by what follows.
+  std::uint32_t samples_per_texel = 0;
+  /// Relative standard error of the power that a cell returns which is aimed at.
+  double target_db = 0.4;
+  /// Cells that return less than this σ0 need only be as exact as this one.
+  double floor_db = -45.0;
+  /// No cell gets more rays.
+  std::uint32_t most_samples = 512;
+
+  friend bool operator==(const Sampling&, const Sampling&) = default;
+  [[nodiscard]] bool is_adaptive() const { return samples_per_texel == 0; }
+};
+
+/// Rays that adaptive sampling starts with, each of a sequence of its own.
+inline constexpr std::uint32_t pilot_samples = 8;
+
+/// A number of rays split into batches, each of which is a scrambled sequence of its own: so batches are independent of
+/// one another, and their scatter tells the error of the mean, whatever the points within a sequence do for each other.
+struct Batches {
+  std::uint32_t samples = 0;
+  std::uint32_t count = 1;
+
+  /// Batch number `batch` has this many samples.
+  [[nodiscard]] std::uint32_t size(std::uint32_t batch) const { return samples / count + (batch < samples % count); }
+
+  /// About as many batches as each has samples, 2 to 16: many give a sure error, large ones a small one.
+  [[nodiscard]] static Batches of(std::uint32_t samples, std::uint32_t fewest = 2) {
+    const auto root =
+        static_cast<std::uint32_t>(std::exp2(std::floor(0.5 * std::log2(static_cast<double>(samples)) + 0.5)));
+    return {samples, std::clamp(root, fewest, std::max(fewest, 16U))};
+  }
+};
+
+}  // namespace sigmascape::bake
