@@ -230,6 +230,27 @@ TEST_F(Shards, ADiskThatFillsUpMidwayKeepsWhatWasWhole) {
   EXPECT_EQ(difference_of(files_of(folder_ / "rescued"), whole_), "");
 }
 
+// The piece that is tried is of the scene itself, so that counts are exact and sizes of the right order.
+TEST_F(Shards, APlanWritesNothingAndCountsRight) {
+  const Ended planned = baked("planned", "--plan");
+  ASSERT_EQ(planned.code, 0) << planned.printed;
+  const nlohmann::json plan = planned.json();
+  EXPECT_FALSE(fs::exists(folder_ / "planned"));
+  EXPECT_EQ(plan.at("patches"), 8);
+  EXPECT_EQ(plan.at("jobs"), 16);
+  EXPECT_EQ(plan.at("looks"), 16);
+  EXPECT_EQ(plan.at("already"), 0);
+  EXPECT_GT(plan.at("seconds").get<double>(), 0.0);
+  double bytes = 0.0;
+  for (const auto& [name, content] : whole_) {
+    if (name.starts_with("patch") && name.ends_with(".tif")) bytes += static_cast<double>(content.size());
+  }
+  EXPECT_GT(plan.at("bytes").get<double>(), 0.5 * bytes);
+  EXPECT_LT(plan.at("bytes").get<double>(), 5.0 * bytes);
+  EXPECT_EQ(baked("whole", "--plan").json().at("already"), 16);
+  EXPECT_EQ(baked("planned", "--plan --shard 0/4").json().at("looks"), 4);
+}
+
 TEST_F(Shards, TheLogTellsOfEveryLook) {
   const Ended ended = baked("logged", fmt::format("--json-log '{}'", path_of("log.jsonl")));
   ASSERT_EQ(ended.code, 0) << ended.printed;
