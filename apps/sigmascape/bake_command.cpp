@@ -5,7 +5,9 @@
 #include "progress_log.h"
 #include "stopwatch.h"
 #include "terminal_progress.h"
+#include "words.h"
 
+#include "sigmascape/bake/plan.h"
 #include "sigmascape/scene/scene_file.h"
 
 namespace sigmascape::cli {
@@ -35,13 +37,33 @@ nlohmann::ordered_json summary_of(const bake::BakeReport& report, const bake::Sh
           {"relative_standard_error", report.relative_standard_error}};
 }
 
+void show_plan(const bake::BakePlan& plan, const Output& output) {
+  const std::size_t left = plan.looks - plan.already;
+  output.finish(fmt::format("{} patches, {} jobs of a patch and an aspect each\n"
+                            "{} looks to bake, {} are there already\n"
+                            "{:.1f} million cells to send rays to, gutters around the patches included\n"
+                            "about {} on this machine, about {} for the whole atlas\n"
+                            "(from {} looks at a piece of 256 x 256 texels in the middle, baked in {})",
+                            plan.patches, plan.jobs, left, plan.already, plan.cells / 1e6, duration_text(plan.seconds),
+                            size_text(plan.bytes), plan.probe_looks, duration_text(plan.probe_seconds)),
+                {{"patches", plan.patches},
+                 {"jobs", plan.jobs},
+                 {"looks", plan.looks},
+                 {"already", plan.already},
+                 {"cells", plan.cells},
+                 {"seconds", plan.seconds},
+                 {"bytes", plan.bytes},
+                 {"probe_looks", plan.probe_looks},
+                 {"probe_seconds", plan.probe_seconds}});
+}
+
 }  // namespace
 
 void add_bake_command(CLI::App& app, Output& output) {
   auto* command = app.add_subcommand("bake", "Path-trace a scene into an atlas of reflectivity textures");
   struct Options {
     std::string scene, folder, log, shard = "0/1";
-    bool verify = false;
+    bool verify = false, plan = false;
     BakeOptions bake;
   };
   auto options = std::make_shared<Options>();
@@ -55,6 +77,8 @@ void add_bake_command(CLI::App& app, Output& output) {
       ->capture_default_str();
   command->add_flag("--verify", options->verify,
                     "compare the SHA-256 of looks that are there already, and bake altered ones again");
+  command->add_flag("--plan", options->plan,
+                    "write nothing; bake a small piece at each elevation and tell what the whole would take");
   command->add_option("--json-log", options->log, "write progress to this file, a JSON object a line");
   command->add_flag("--json", output.json, "print the summary as JSON");
   command->footer(
@@ -66,6 +90,8 @@ void add_bake_command(CLI::App& app, Output& output) {
     const bake::BakeShare share{bake::shard_from(options->shard),
                                 options->verify ? atlas::Scrutiny::Content : atlas::Scrutiny::Size};
     const scene::Scene scene = scene::read_scene(options->scene);
+    if (options->plan)
+      return show_plan(bake::plan(scene, options->bake.settings(), options->folder, share.shard), output);
     TerminalProgress terminal;
     const Stopwatch watch;
     const bake::BakeReport report = [&] {

@@ -14,9 +14,9 @@
 #include "sigmascape/geo/geotiff.h"
 
 namespace sigmascape::atlas {
-namespace {
 
-std::string cog_bytes(const HalfTexture& texture, const radar::GroundGrid& grid, const AtlasDescription& description) {
+std::string texture_bytes(const HalfTexture& texture, const radar::GroundGrid& grid,
+                          const AtlasDescription& description) {
   geo::HalfPyramid pyramid;
   pyramid.placement = {grid.west_m, grid.north_m, grid.cell_m, description.frame.proj()};
   pyramid.band_names = {"VV", "HH", "HV", "RE_VVHH"};
@@ -28,8 +28,6 @@ std::string cog_bytes(const HalfTexture& texture, const radar::GroundGrid& grid,
   }
   return geo::half_cog_bytes(pyramid);
 }
-
-}  // namespace
 
 std::optional<std::string> text_of(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
@@ -73,7 +71,7 @@ std::optional<TextureRecord> texture_record(const std::filesystem::path& folder,
 void write_texture(const std::filesystem::path& folder, const std::filesystem::path& texture, const HalfTexture& halves,
                    const radar::GroundGrid& grid, const AtlasDescription& description,
                    const std::function<std::string(const TextureRecord&)>& item_for) {
-  const std::string bytes = cog_bytes(halves, grid, description);
+  const std::string bytes = texture_bytes(halves, grid, description);
   Sha256 sha;
   sha.add(bytes);
   const TextureRecord record{bytes.size(), sha.hex_digest(), halves.scale};

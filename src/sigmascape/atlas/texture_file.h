@@ -29,6 +29,10 @@ namespace sigmascape::atlas {
 [[nodiscard]] std::optional<TextureRecord> texture_record(const std::filesystem::path& folder,
                                                           const std::filesystem::path& texture);
 
+/// The file of a texture whose level 0 lies on `grid`.
+[[nodiscard]] std::string texture_bytes(const HalfTexture& halves, const radar::GroundGrid& grid,
+                                        const AtlasDescription& description);
+
 /// Writes a texture whose level 0 lies on `grid`, then the item that `item_for` makes of its record.
 void write_texture(const std::filesystem::path& folder, const std::filesystem::path& texture, const HalfTexture& halves,
                    const radar::GroundGrid& grid, const AtlasDescription& description,

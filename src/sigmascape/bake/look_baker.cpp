@@ -41,16 +41,20 @@ LookBaker::LookBaker(const scene::Scene& scene, const BakeSettings& settings)
       geometry_(scene, trace::Footing::LevelPlane),
       surfaces_(trace::surface_models(scene, settings.aspects.frequencies_hz)) {}
 
+trace::LaunchArea LookBaker::area_of(const radar::GroundGrid& texels, const radar::Aspect& aspect) const {
+  // The scene ends where its extent does; beyond a rim about it texels stay black.
+  return trace::launch_area(trace::Viewpoint::distant(aspect), intersection(texels.extent(), scene_.extent),
+                            settings_.patches.texel_m, 0.0, geometry_.highest_m() + 1.0, multibounce_margin_m,
+                            trace::tile_side_cells);
+}
+
 std::vector<BakedLook> LookBaker::bake(atlas::PatchIndex patch, const radar::Aspect& aspect,
                                        ProgressListener& progress) const {
   const radar::GroundGrid texels = settings_.patches.texels_of(patch);
   const auto viewpoint = trace::Viewpoint::distant(aspect);
   const trace::PathTracer tracer(geometry_, surfaces_, viewpoint, {.max_bounces = settings_.max_bounces},
                                  settings_.seed);
-  // The scene ends where its extent does; beyond a rim about it texels stay black.
-  const auto area =
-      trace::launch_area(viewpoint, intersection(texels.extent(), scene_.extent), settings_.patches.texel_m, 0.0,
-                         geometry_.highest_m() + 1.0, multibounce_margin_m, trace::tile_side_cells);
+  const trace::LaunchArea area = area_of(texels, aspect);
 
   std::vector<receiver::GroundAccumulator> accumulators;
   for (std::size_t f = 0; f < surfaces_.size(); ++f) accumulators.emplace_back(texels, aspect);

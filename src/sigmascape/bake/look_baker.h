@@ -8,6 +8,7 @@
 #include "sigmascape/base/progress.h"
 #include "sigmascape/radar/channels.h"
 #include "sigmascape/scene/scene.h"
+#include "sigmascape/trace/launch.h"
 #include "sigmascape/trace/path_tracer.h"
 #include "sigmascape/trace/scene_geometry.h"
 
@@ -33,6 +34,10 @@ class LookBaker {
   /// Throws Error when a texel is brighter than sums can hold.
   [[nodiscard]] std::vector<BakedLook> bake(atlas::PatchIndex patch, const radar::Aspect& aspect,
                                             ProgressListener& progress) const;
+
+  /// Where rays are aimed for such texels: around them as well, as far as objects can shadow them, lie over into them
+  /// or bounce into them.
+  [[nodiscard]] trace::LaunchArea area_of(const radar::GroundGrid& texels, const radar::Aspect& aspect) const;
 
   [[nodiscard]] std::size_t geometry_bytes() const { return geometry_.memory_bytes(); }
 

@@ -1,0 +1,111 @@
+#include "sigmascape/bake/plan.h"
+
+#include <algorithm>
+#include <chrono>
+#include <vector>
+
+#include "sigmascape/atlas/texture_file.h"
+#include "sigmascape/atlas/texture_name.h"
+#include "sigmascape/bake/bake.h"
+#include "sigmascape/bake/job.h"
+#include "sigmascape/bake/look_baker.h"
+
+namespace sigmascape::bake {
+namespace {
+
+/// What a trial at one elevation gave.
+struct Trial {
+  double seconds_per_cell = 0.0;  // of all frequencies together
+  double bytes_per_texel = 0.0;   // of one
+};
+
+/// The trials of a plan: bakes pieces of the scene into memory.
+class Trials {
+ public:
+  Trials(const scene::Scene& scene, const BakeSettings& settings)
+      : scene_(scene), settings_(settings), piece_(piece_of(settings)), baker_(scene, piece_) {}
+
+  [[nodiscard]] std::vector<Trial> at_all_elevations() const {
+    std::vector<Trial> trials;
+    for (std::size_t i = 0; i < settings_.aspects.elevations_rad.size(); ++i) trials.push_back(at_elevation(i));
+    return trials;
+  }
+  [[nodiscard]] std::size_t cells_of(atlas::PatchIndex patch, const radar::Aspect& aspect) const {
+    return baker_.area_of(settings_.patches.texels_of(patch), aspect).cells.size();
+  }
+
+ private:
+  static BakeSettings piece_of(BakeSettings settings) {
+    settings.patches.texels_per_side = atlas::tile_side;
+    return settings;
+  }
+
+  [[nodiscard]] Trial at_elevation(std::size_t elevation) const {
+    const auto& azimuths = settings_.aspects.azimuths_rad;
+    const radar::Aspect aspect{azimuths[3 * elevation % azimuths.size()], settings_.aspects.elevations_rad[elevation]};
+    const radar::Rectangle& extent = scene_.extent;
+    const atlas::PatchIndex patch =
+        piece_.patches.patch_at({0.5 * (extent.west_m + extent.east_m), 0.5 * (extent.south_m + extent.north_m)});
+    const auto begin = std::chrono::steady_clock::now();
+    SilentProgress silent;
+    const BakedLook look = baker_.bake(patch, aspect, silent).front();
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+    const auto texels = piece_.patches.texels_of(patch);
+    const auto cells = static_cast<double>(baker_.area_of(texels, aspect).cells.size());
+    const auto halves = atlas::encoded({look.sigma0}, atlas::fitting_scale(look.sigma0), settings_.mantissa_bits);
+    const auto bytes = atlas::texture_bytes(halves, texels, description_of(scene_, piece_)).size();
+    return {taken.count() / std::max(cells, 1.0), static_cast<double>(bytes) / static_cast<double>(look.sigma0.size())};
+  }
+
+  const scene::Scene& scene_;
+  const BakeSettings& settings_;
+  BakeSettings piece_;
+  LookBaker baker_;
+};
+
+/// Looks of a folder count as there when the atlas in it is the same; a bake into another one will be refused anyway.
+bool is_there(const std::filesystem::path& folder, const atlas::AtlasDescription& description, const Job& job,
+              atlas::LookIndex look) {
+  const auto texture =
+      std::filesystem::path(atlas::patch_name(job.patch)) / (atlas::look_name(description.aspects.look(look)) + ".tif");
+  return !atlas::texture_fault(folder, texture, atlas::Scrutiny::Size);
+}
+
+}  // namespace
+
+BakePlan plan(const scene::Scene& scene, const BakeSettings& settings, const std::filesystem::path& folder,
+              const Shard& shard) {
+  check(settings);
+  check(shard);
+  const atlas::AtlasDescription description = description_of(scene, settings);
+  const auto begin = std::chrono::steady_clock::now();
+  const Trials trials(scene, settings);
+  const std::vector<Trial> found = trials.at_all_elevations();
+  BakePlan plan;
+  plan.probe_looks = found.size();
+  plan.probe_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  // Each coarser level has a quarter of the texels of the one before it.
+  const double texels = 4.0 / 3.0 * static_cast<double>(settings.patches.texels_per_side) *
+                        static_cast<double>(settings.patches.texels_per_side);
+  const JobList jobs(description);
+  const std::size_t azimuths = settings.aspects.azimuths_rad.size();
+  plan.jobs = jobs.size();
+  plan.patches = plan.jobs / (azimuths * found.size());
+  for (std::size_t number = 0; number < jobs.size(); ++number) {
+    const Trial& trial = found[number / azimuths % found.size()];
+    plan.bytes += trial.bytes_per_texel * texels * static_cast<double>(jobs.looks_per_job());
+    if (!shard.has(number)) continue;
+    const Job job = jobs[number];
+    const auto there = static_cast<std::size_t>(std::ranges::count_if(
+        job.looks, [&](atlas::LookIndex look) { return is_there(folder, description, job, look); }));
+    plan.looks += job.looks.size();
+    plan.already += there;
+    if (there == job.looks.size()) continue;
+    const auto cells = static_cast<double>(trials.cells_of(job.patch, job.aspect));
+    plan.cells += cells;
+    plan.seconds += trial.seconds_per_cell * cells;
+  }
+  return plan;
+}
+
+}  // namespace sigmascape::bake
