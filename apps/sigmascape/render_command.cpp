@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <fmt/format.h>
 
 #include "command.h"
 #include "map_files.h"
 #include "polarization_option.h"
+#include "received_files.h"
 #include "stopwatch.h"
 #include "terminal_progress.h"
 
@@ -23,6 +25,8 @@ struct RenderOptions {
   int level_of_detail = 0;
   double span_db = 50.0;
   std::optional<double> top_db;
+  bool extrapolate = false;
+  ReceivedFiles received;
   simulate::TraceSettings trace;
 };
 
@@ -52,6 +56,13 @@ Rendered traced(const RenderOptions& options, const scene::Scene& scene, const r
   return rendered;
 }
 
+/// The radar as the atlas is asked for it: at a frequency that was baked, when extrapolation is wanted.
+radar::Radar looked_up(const RenderOptions& options, const atlas::Atlas& textures, radar::Radar radar) {
+  const auto& baked_hz = textures.aspects().frequencies_hz;
+  if (options.extrapolate) radar.frequency_hz = std::clamp(radar.frequency_hz, baked_hz.front(), baked_hz.back());
+  return radar;
+}
+
 Rendered baked(const RenderOptions& options, const scene::Scene& scene, const std::string& hash,
                const radar::Radar& radar, const radar::GroundGrid& grid) {
   if (options.atlas.empty()) {
@@ -67,7 +78,7 @@ Rendered baked(const RenderOptions& options, const scene::Scene& scene, const st
   render::RenderCounts counts;
   const Stopwatch watch;
   Rendered rendered{.image = simulate::baked_image(
-                        textures, scene.terrain, radar, grid.extent(),
+                        textures, scene.terrain, looked_up(options, textures, radar), grid.extent(),
                         {.level_of_detail = options.level_of_detail, .threads = options.trace.threads}, counts)};
   rendered.seconds = watch.seconds();
   rendered.cost = {{"ground_samples", counts.ground_samples}, {"visible", counts.visible}};
@@ -82,6 +93,7 @@ void render(const RenderOptions& options, radar::Polarization polarization, bool
   const scene::Scene scene = scene::read_scene(options.scene);
   const auto radar = simulate::placed_radar(radar_file, scene.frame, scene.terrain, scene.extent);
   const auto grid = simulate::map_grid(radar_file.map, scene.extent);
+  warn_of(radar, simulate::bins_for(radar, grid.extent(), scene.terrain), grid.cell_m);
   const std::string hash = scene::scene_hash(scene);
   Rendered rendered =
       options.level_of_detail == 0 ? traced(options, scene, radar, grid) : baked(options, scene, hash, radar, grid);
@@ -89,6 +101,8 @@ void render(const RenderOptions& options, radar::Polarization polarization, bool
   rendered.provenance["scene_hash"] = hash;
   if (!scene.attribution.empty()) rendered.provenance["attribution"] = scene.attribution;
 
+  write_received(options.received, radar, rendered.image, polarization_given ? polarization : radar.polarization,
+                 options.trace.seed, options.trace.threads, rendered.provenance);
   const auto map = described_map(rendered.image, radar, scene.terrain, grid, scene.frame, rendered.provenance);
   if (!options.map_file.empty()) product::write_ground_map(options.map_file, map);
   if (!options.picture_file.empty()) {
@@ -131,6 +145,9 @@ void add_render_command(CLI::App& app, Output& output) {
   command->add_option("--top-db", options->top_db,
                       "sigma0 shown brightest; by default that of the brightest few cells");
   add_polarization_option(*command, *polarization);
+  add_received_options(*command, options->received);
+  command->add_flag("--extrapolate", options->extrapolate,
+                    "at a frequency that was not baked, use the nearest that was");
   command->add_option("--samples", options->trace.samples_per_cell, "rays a map cell, at level of detail 0")
       ->capture_default_str();
   command->add_option("--bounces", options->trace.max_bounces, "surfaces a path may meet, at level of detail 0")

@@ -18,7 +18,7 @@ struct GaussianBeam {};
 /// A line aperture under this taper: Window{Rectangular} is the uniform aperture with sinc side lobes, Cosine and
 /// Taylor have lower ones.
 struct ApertureBeam {
-  Window taper;
+  Window taper = {};
 };
 /// In elevation: from the peak downwards the gain goes as csc² of the depression angle, so that level ground returns
 /// the same from all ranges; above the peak, and below the steepest angle, it falls like a Gaussian of the half-power

@@ -20,7 +20,7 @@ enum class Mode { RealBeam, DopplerBeamSharpening, Stripmap, Spotlight };
 /// `beam_width_rad` and the antenna's shapes give the pattern (`antenna_pattern`).
 struct Radar {
   std::string name = "radar";
-  Vec3d position;  ///< local frame, height above mean sea level
+  Vec3d position = {};  ///< local frame, height above mean sea level
   double frequency_hz = 10e9;
   Polarization polarization = Polarization::VV;  ///< what pictures and comparisons show; maps hold all
   double range_resolution_m = 2.0;               ///< half-power width of the pulse after compression
@@ -32,6 +32,7 @@ struct Radar {
   Waveform waveform = {};
   Receiver receiver = {};
   Mode mode = Mode::RealBeam;
+  double atmosphere_per_m = 0.0;  ///< what air and rain take on the way, one way: power falls as exp(−α r)
 };
 
 [[nodiscard]] AntennaPattern antenna_pattern(const Radar& radar);

@@ -11,7 +11,8 @@ namespace sigmascape::radar {
 double received_power_w(const Radar& radar, double rcs_m2, double slant_range_m) {
   const double gain_wavelength = radar.antenna.gain * wavelength_m(radar.frequency_hz);
   const double r2 = slant_range_m * slant_range_m;
-  return radar.waveform.peak_power_w * gain_wavelength * gain_wavelength * rcs_m2 /
+  return radar.waveform.peak_power_w * gain_wavelength * gain_wavelength * rcs_m2 *
+         std::exp(-2.0 * radar.atmosphere_per_m * slant_range_m) /
          (std::pow(4.0 * pi, 3.0) * r2 * r2 * radar.receiver.losses);
 }
 

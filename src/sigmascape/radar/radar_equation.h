@@ -7,9 +7,9 @@ namespace sigmascape::radar {
 /// Power at the antenna's terminals from a cross-section σ at slant range r, at the peak of the beam and before pulse
 /// compression:
 ///
-///     P = P_t G₀² λ² σ / ((4π)³ r⁴ L)                                    docs/physics/radar_equation.md, Eq. (1)
+///     P = P_t G₀² λ² σ exp(−2αr) / ((4π)³ r⁴ L)                                docs/physics/radar_equation.md, Eq. (1)
 ///
-/// P_t peak power, G₀ the antenna's peak gain, λ wavelength, L all system losses.
+/// P_t peak power, G₀ the antenna's peak gain, λ wavelength, L all system losses, α the atmosphere's.
 [[nodiscard]] double received_power_w(const Radar& radar, double rcs_m2, double slant_range_m);
 
 /// By how much pulse compression lifts the signal above noise of bandwidth B: B τ over the window's noise bandwidth.

@@ -1,6 +1,7 @@
 #include "sigmascape/radar/radar_file.h"
 
 #include <algorithm>
+#include <cmath>
 #include <initializer_list>
 
 #include "sigmascape/base/toml_reader.h"
@@ -37,6 +38,8 @@ Radar radar_of(const TomlSection& file, const TomlSection& section) {
   radar.beam_width_rad =
       radians_from_deg(states(file, "antenna", "azimuth_csv") ? section.number_or("beam_width_deg", widths_deg, 0.0)
                                                               : section.number("beam_width_deg", widths_deg));
+  radar.atmosphere_per_m =
+      std::log(linear_from_db(section.number_or("atmosphere_db_per_km", {0.0, 50.0, "dB/km, one way"}, 0.0))) / 1e3;
   section.refuse_unknown_keys();
 
   if (const auto waveform = file.section("waveform")) {

@@ -28,11 +28,11 @@ struct Receiver {
   double impedance_ohm = 50.0;  ///< that voltages refer to
   /// The range gate opens and closes; absent: with what is mapped. Echoes from beyond an unambiguous range after the
   /// gate's opening fold back into it.
-  std::optional<double> first_range_m, last_range_m;
-  std::optional<SensitivityTimeControl> sensitivity_time_control;
+  std::optional<double> first_range_m = {}, last_range_m = {};
+  std::optional<SensitivityTimeControl> sensitivity_time_control = {};
   Detector detector = Detector::SquareLaw;
   int pulses_integrated = 1;  ///< detector outputs averaged to one
-  std::optional<AnalogToDigital> analog_to_digital;
+  std::optional<AnalogToDigital> analog_to_digital = {};
 };
 
 }  // namespace sigmascape::radar

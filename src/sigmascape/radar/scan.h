@@ -11,7 +11,7 @@ struct Scan {
   ScanKind kind = ScanKind::Rotating;
   /// Fixed: where it points. Sector: its middle. Rotating: where it points at time zero. Absent: at the middle of what
   /// is mapped.
-  std::optional<double> azimuth_rad;
+  std::optional<double> azimuth_rad = {};
   double sector_width_rad = 0.0;  ///< Sector: from one end to the other
   double rate_rad_per_s = 1.0;    ///< Sector and Rotating; clockwise
 };

@@ -3,11 +3,14 @@
 #include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <numbers>
 #include <sstream>
 
 #include "scratch_folder.h"
 
 #include "sigmascape/base/units.h"
+#include "sigmascape/radar/radar_equation.h"
+#include "sigmascape/radar/radar_warnings.h"
 
 namespace sigmascape::radar {
 namespace {
@@ -151,6 +154,159 @@ TEST_F(RadarFileTest, TheDocumentedExampleIsRead) {
   EXPECT_DOUBLE_EQ(file.radar.frequency_hz, 10e9);
   EXPECT_EQ(file.radar.name, "side-looking X band");
   EXPECT_EQ(std::get<SeenFrom>(file.place).slant_range_m, 20e3);
+}
+
+const std::string simple = radar_section + position_section;
+const std::string without_resolution = "[radar]\nfrequency_ghz = 9.6\nbeam_width_deg = 1.0\n" + position_section;
+
+TEST_F(RadarFileTest, ReadsHowTheRadarIsMade) {
+  const Radar radar =
+      read(without_resolution +
+           "[platform]\nspeed_mps = 100\nheading_deg = 80\ncourse_deg = 90\nclimb_mps = 5\n"
+           "[antenna]\nazimuth_shape = \"taylor\"\nazimuth_side_lobe_db = -30\nazimuth_taylor_terms = 4\n"
+           "elevation_shape = \"cosecant-squared\"\nelevation_width_deg = 4\ntilt_deg = -5\n"
+           "steepest_depression_deg = 40\ngain_dbi = 33\nside_lobe_floor_db = -50\n"
+           "[waveform]\nbandwidth_mhz = 10\nwindow = \"hamming\"\npeak_power_w = 5000\npulse_length_us = 2\n"
+           "pulse_repetition_hz = 2000\n"
+           "[receiver]\nlosses_db = 3\nnoise_figure_db = 4\ngain_db = 60\nimpedance_ohm = 75\nfirst_range_km = 10\n"
+           "last_range_km = 30\nstc_full_gain_range_km = 25\nstc_exponent = 4\ndetector = \"log\"\n"
+           "pulses_integrated = 8\nadc_bits = 10\nadc_full_scale_v = 2\n"
+           "[scan]\nkind = \"sector\"\nazimuth_deg = 310\nsector_deg = 60\nrate_deg_per_s = 45\n"
+           "[mode]\nkind = \"stripmap\"\n")
+          .radar;
+  EXPECT_NEAR(radar.velocity_mps.x, 100.0, 1e-9);
+  EXPECT_NEAR(radar.velocity_mps.y, 0.0, 1e-9);
+  EXPECT_EQ(radar.velocity_mps.z, 5.0);
+  EXPECT_DOUBLE_EQ(radar.heading_rad, radians_from_deg(80.0));
+  const Window taper = std::get<ApertureBeam>(radar.antenna.azimuth).taper;
+  EXPECT_EQ(taper.shape, WindowShape::Taylor);
+  EXPECT_DOUBLE_EQ(taper.taylor_side_lobe, 1e-3);
+  EXPECT_EQ(taper.taylor_terms, 4);
+  EXPECT_DOUBLE_EQ(std::get<CosecantSquaredBeam>(radar.antenna.elevation).steepest_depression_rad,
+                   radians_from_deg(40.0));
+  EXPECT_DOUBLE_EQ(radar.antenna.elevation_width_rad, radians_from_deg(4.0));
+  EXPECT_DOUBLE_EQ(radar.antenna.tilt_rad, radians_from_deg(-5.0));
+  EXPECT_DOUBLE_EQ(radar.antenna.gain, linear_from_db(33.0));
+  EXPECT_DOUBLE_EQ(radar.antenna.side_lobe_floor, 1e-5);
+  EXPECT_EQ(radar.waveform.window.shape, WindowShape::Hamming);
+  EXPECT_NEAR(radar.range_resolution_m, 1.303 * 299.792458 / 20.0, 1e-3);
+  EXPECT_EQ(radar.waveform.peak_power_w, 5000.0);
+  EXPECT_DOUBLE_EQ(radar.waveform.pulse_length_s, 2e-6);
+  EXPECT_EQ(radar.waveform.pulse_repetition_hz, 2000.0);
+  const Receiver& receiver = radar.receiver;
+  EXPECT_DOUBLE_EQ(receiver.losses, linear_from_db(3.0));
+  EXPECT_DOUBLE_EQ(receiver.noise_figure, linear_from_db(4.0));
+  EXPECT_DOUBLE_EQ(receiver.gain, 1e6);
+  EXPECT_EQ(receiver.impedance_ohm, 75.0);
+  EXPECT_EQ(receiver.first_range_m, 10e3);
+  EXPECT_EQ(receiver.last_range_m, 30e3);
+  EXPECT_EQ(receiver.sensitivity_time_control->full_gain_range_m, 25e3);
+  EXPECT_EQ(receiver.sensitivity_time_control->exponent, 4.0);
+  EXPECT_EQ(receiver.detector, Detector::Log);
+  EXPECT_EQ(receiver.pulses_integrated, 8);
+  EXPECT_EQ(receiver.analog_to_digital->bits, 10);
+  EXPECT_EQ(receiver.analog_to_digital->full_scale_v, 2.0);
+  EXPECT_EQ(radar.scan.kind, ScanKind::Sector);
+  EXPECT_DOUBLE_EQ(*radar.scan.azimuth_rad, radians_from_deg(310.0));
+  EXPECT_DOUBLE_EQ(radar.scan.sector_width_rad, radians_from_deg(60.0));
+  EXPECT_DOUBLE_EQ(radar.scan.rate_rad_per_s, radians_from_deg(45.0));
+  EXPECT_EQ(radar.mode, Mode::Stripmap);
+}
+
+TEST_F(RadarFileTest, TakesTheWidthOfAMeasuredBeam) {
+  folder_.write("cut.csv", "offset_deg,gain_db\n-4,10\n-2,26.98970004336\n0,30\n2,26.98970004336\n4,10\n");
+  const Radar radar = read("[radar]\nfrequency_ghz = 9.6\nrange_resolution_m = 3\n" + position_section +
+                           "[antenna]\nazimuth_shape = \"table\"\nazimuth_csv = \"cut.csv\"\n")
+                          .radar;
+  EXPECT_NEAR(deg_from_radians(radar.beam_width_rad), 4.0, 1e-6);
+  EXPECT_THAT(fault_of(simple + "[antenna]\nazimuth_shape = \"table\"\nazimuth_csv = \"cut.csv\"\n"),
+              HasSubstr(": antenna.azimuth_csv: and radar.beam_width_deg both give the beam its width"));
+}
+
+TEST_F(RadarFileTest, BadWaveformsAreRefused) {
+  EXPECT_THAT(fault_of(without_resolution + "[waveform]\nbandwidth_mhz = -10\n"),
+              HasSubstr(": waveform.bandwidth_mhz: is -10; give a number from 0.001 to 20000 MHz"));
+  EXPECT_THAT(fault_of(without_resolution + "[waveform]\nwindow = \"taylor\"\n"),
+              HasSubstr(": radar.range_resolution_m: is missing;"));
+  EXPECT_THAT(fault_of(simple + "[waveform]\nbandwidth_mhz = 10\n"),
+              HasSubstr(": waveform.bandwidth_mhz: and radar.range_resolution_m say the same thing"));
+  EXPECT_THAT(fault_of(without_resolution + "[waveform]\nbandwidth_mhz = 10\npulse_length_us = 0.05\n"),
+              HasSubstr(": waveform.pulse_length_us: is 0.05, too short a pulse to have its bandwidth of 10 MHz"));
+  EXPECT_THAT(fault_of(simple + "[waveform]\npulse_length_us = 600\npulse_repetition_hz = 1000\n"),
+              HasSubstr("give at most 500"));
+  EXPECT_THAT(fault_of(simple + "[waveform]\nwindow = \"kaiser\"\n"), HasSubstr("choose among rectangular"));
+}
+
+TEST_F(RadarFileTest, BadAntennasAndScansAreRefused) {
+  const std::string cosecant = simple + "[antenna]\nelevation_shape = \"cosecant-squared\"\nelevation_width_deg = 4\n";
+  EXPECT_THAT(fault_of(cosecant + "steepest_depression_deg = 40\n"),
+              HasSubstr(": antenna.tilt_deg: does not point below"));
+  EXPECT_THAT(fault_of(cosecant + "steepest_depression_deg = 4\ntilt_deg = -5\n"), HasSubstr("give more than 5"));
+  EXPECT_THAT(fault_of(simple + "[antenna]\nelevation_shape = \"gaussian\"\n"),
+              HasSubstr(": antenna.elevation_width_deg: is missing"));
+  EXPECT_THAT(fault_of(simple + "[scan]\nkind = \"sector\"\nrate_deg_per_s = 3\n"),
+              HasSubstr(": scan.sector_deg: is missing"));
+  EXPECT_THAT(fault_of(simple + "[receiver]\nfirst_range_km = 20\nlast_range_km = 10\n"),
+              HasSubstr(": receiver.last_range_km: does not lie beyond"));
+  EXPECT_THAT(fault_of(simple + "[receiver]\nadc_bits = 12\n"), HasSubstr(": receiver.adc_full_scale_v: is missing"));
+}
+
+// A radar that states no gain has that of its beam: 4π over the solid angle of an even fan is 2π/θ, about.
+TEST_F(RadarFileTest, GainFollowsFromTheBeam) {
+  const Radar radar = read("[radar]\nfrequency_ghz = 9.6\nrange_resolution_m = 3\nbeam_width_deg = 1\n" +
+                           position_section + "[antenna]\nelevation_shape = \"gaussian\"\nelevation_width_deg = 2\n")
+                          .radar;
+  const double theta = radians_from_deg(1.0), phi = radians_from_deg(2.0);
+  EXPECT_NEAR(radar.antenna.gain / (16.0 * std::numbers::ln2 / (theta * phi)), 1.0, 0.002);
+}
+
+TEST(ExampleRadars, AreReadAndHearTheGround) {
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(SIGMASCAPE_SOURCE_DIR "/examples/radars")) {
+    if (entry.path().extension() != ".toml") continue;
+    ++count;
+    const RadarFile file = read_radar_file(entry.path());
+    const auto& seen = std::get<SeenFrom>(file.place);
+    // Ground of −20 dB over the cell of a compressed pulse and a two-way beam.
+    const double cell_m2 = file.radar.range_resolution_m / std::cos(seen.elevation_rad) * seen.slant_range_m *
+                           antenna_pattern(file.radar).azimuth().two_way_width_rad();
+    EXPECT_GT(db_from_linear(signal_to_noise(file.radar, 0.01 * cell_m2, seen.slant_range_m)), 3.0) << entry.path();
+    const double step_m = file.radar.range_resolution_m / 2.0;
+    const RangeAzimuthGrid bins{.first_range_m = 0.8 * seen.slant_range_m,
+                                .range_step_m = step_m,
+                                .ranges = static_cast<std::size_t>(0.4 * seen.slant_range_m / step_m)};
+    EXPECT_THAT(radar_warnings(file.radar, bins, file.map.cell_m), ::testing::IsEmpty()) << entry.path();
+  }
+  EXPECT_EQ(count, 5);
+}
+
+class RadarWarnings : public ::testing::Test {
+ protected:
+  static RangeAzimuthGrid swath(double near_m, double far_m) {
+    return {.first_range_m = near_m, .range_step_m = 10.0, .ranges = static_cast<std::size_t>((far_m - near_m) / 10.0)};
+  }
+  Radar radar_{.range_resolution_m = 20.0, .waveform = {.pulse_length_s = 1e-6, .pulse_repetition_hz = 5000.0}};
+};
+
+TEST_F(RadarWarnings, NameTheUnambiguousRange) {
+  const auto warnings = radar_warnings(radar_, swath(31e3, 71e3), 10.0);
+  ASSERT_FALSE(warnings.empty());
+  EXPECT_THAT(warnings.front(), HasSubstr("the swath of 40 km is longer than the unambiguous range of 29.98 km"));
+  EXPECT_THAT(warnings.front(), HasSubstr("use at most 3747 Hz"));
+  EXPECT_THAT(radar_warnings(radar_, swath(31e3, 51e3), 10.0), ::testing::IsEmpty());
+}
+
+TEST_F(RadarWarnings, TellOfDeafRangesGatesAndCells) {
+  radar_.waveform.pulse_length_s = 40e-6;
+  EXPECT_THAT(radar_warnings(radar_, swath(20e3, 40e3), 10.0),
+              ::testing::ElementsAre(HasSubstr("the receiver is deaf")));
+  radar_.waveform.pulse_length_s = 1e-6;
+  radar_.receiver.last_range_m = 18e3;
+  EXPECT_THAT(radar_warnings(radar_, swath(20e3, 25e3), 10.0), ::testing::ElementsAre(HasSubstr("holds nothing")));
+  radar_.receiver.last_range_m.reset();
+  radar_.beam_width_rad = 1e-4;
+  EXPECT_THAT(radar_warnings(radar_, swath(20e3, 25e3), 10.0),
+              ::testing::ElementsAre(HasSubstr("the beam of 1.41 m is narrower than half a map cell")));
 }
 
 }  // namespace

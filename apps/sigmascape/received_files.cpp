@@ -1,0 +1,68 @@
+#include "received_files.h"
+
+#include <fmt/format.h>
+
+#include "sigmascape/base/error.h"
+#include "sigmascape/product/range_azimuth_file.h"
+#include "sigmascape/radar/radar_warnings.h"
+#include "sigmascape/receiver/receive_chain.h"
+
+namespace sigmascape::cli {
+namespace {
+
+const char* video_quantity(radar::Detector detector) {
+  switch (detector) {
+    case radar::Detector::Linear:
+      return "detected voltage, V";
+    case radar::Detector::SquareLaw:
+      return "detected voltage squared, V²";
+    case radar::Detector::Log:
+      return "detected voltage squared, dB over 1 V²";
+  }
+  return "";
+}
+
+}  // namespace
+
+void add_received_options(CLI::App& command, ReceivedFiles& files) {
+  command.add_option(
+      "--snr", files.snr,
+      "signal-to-noise ratio of one pulse over range and azimuth to write (.npy, with a .json beside it)");
+  command.add_option("--video", files.video,
+                     "output of the detector, with noise, over range and azimuth to write (.npy, with a .json)");
+}
+
+void write_received(const ReceivedFiles& files, const radar::Radar& radar, const radar::RangeAzimuthImage& image,
+                    radar::Polarization polarization, std::uint64_t seed, unsigned threads,
+                    const Provenance& provenance) {
+  if (files.snr.empty() && files.video.empty()) return;
+  if (polarization == radar::Polarization::Sum) {
+    throw Error("--snr and --video", "cannot give the sum of polarizations, which no receiver has",
+                "choose with --polarization vv, hh, hv or vh");
+  }
+  auto received = receiver::received_power(radar, image, polarization);
+  product::RangeAzimuthLabel label{.quantity = "signal-to-noise ratio of one pulse, linear power",
+                                   .numbers = {{"noise_w", received.noise_w},
+                                               {"frequency_hz", radar.frequency_hz},
+                                               {"impedance_ohm", radar.receiver.impedance_ohm}},
+                                   .words = provenance};
+  label.words["radar"] = radar.name;
+  if (!files.video.empty()) {
+    const auto detected = receiver::detected_image(radar, received, seed, threads);
+    product::RangeAzimuthLabel video = label;
+    video.quantity = video_quantity(radar.receiver.detector);
+    video.numbers["saturated_samples"] = static_cast<double>(detected.saturated);
+    product::write_range_azimuth(files.video, detected.grid, detected.video, video);
+  }
+  if (!files.snr.empty()) {
+    for (float& bin : received.signal_w.values()) bin = static_cast<float>(static_cast<double>(bin) / received.noise_w);
+    product::write_range_azimuth(files.snr, received.grid, received.signal_w, label);
+  }
+}
+
+void warn_of(const radar::Radar& radar, const radar::RangeAzimuthGrid& bins, double cell_m) {
+  for (const std::string& warning : radar::radar_warnings(radar, bins, cell_m))
+    fmt::print(stderr, "warning: radar {}: {}\n", radar.name, warning);
+}
+
+}  // namespace sigmascape::cli
