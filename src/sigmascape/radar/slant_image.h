@@ -31,9 +31,12 @@ struct RangeDopplerImage {
   double frequency_hz = 0.0;
   double interval_s = 0.0;
   double pulse_repetition_hz = 0.0;
+  /// ∫|h|² of the two responses: even ground has σ0 times the area of this cell in a bin, in the mean.
+  double range_cell_m = 0.0, doppler_cell_hz = 0.0;
 
   /// Where something is to be found, in bins: {Doppler, range}. Works for ground (at rest) as for movers.
   [[nodiscard]] Vec2d place_of(const Motion& seen) const;
+  [[nodiscard]] Vec2d place_of(Vec3d point) const { return place_of(Motion{point}); }
 };
 
 /// An image in closest slant range and place along a straight flight path, as stripmap SAR makes it. Amplitudes as
@@ -45,6 +48,7 @@ struct StripmapImage {
   Motion platform;
   double squint_rad = 0.0;  ///< of the beam, ahead of broadside
   double frequency_hz = 0.0;
+  double closest_range_cell_m = 0.0, along_cell_m = 0.0;  ///< as above
 
   /// Where a point at rest is to be found, in bins: {along, closest range}.
   [[nodiscard]] Vec2d place_of(Vec3d point) const;

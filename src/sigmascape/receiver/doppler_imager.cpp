@@ -8,6 +8,7 @@
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/parallel.h"
 #include "sigmascape/base/units.h"
+#include "sigmascape/radar/window_response.h"
 #include "sigmascape/receiver/carrier_phase.h"
 #include "sigmascape/receiver/multilook.h"
 #include "sigmascape/receiver/smear.h"
@@ -24,6 +25,10 @@ ResponseAxis doppler_axis(const CoherentInterval& interval) {
   }
   const auto bins = static_cast<std::size_t>(std::ceil(static_cast<double>(interval.pulses) * interval.oversampling));
   return {.bins = fast_length(bins), .band = interval.pulses, .window = interval.window, .periodic = true};
+}
+
+double noise_bandwidth(const radar::Window& window) {
+  return radar::WindowResponse(window).noise_bandwidth();
 }
 
 }  // namespace
@@ -43,6 +48,8 @@ DopplerImager::DopplerImager(const radar::Radar& radar, const radar::Track& plat
   const double centre_hz =
       radar::doppler_hz(radar::range_rate_mps(frame_.platform, {aim}), wavelength_m(radar.frequency_hz));
   frame_.doppler_hz = {centre_hz - static_cast<double>(bins / 2) * step_hz, step_hz, bins};
+  frame_.range_cell_m = speed_of_light_mps / (2.0 * range_.bandwidth_hz) * noise_bandwidth(radar.waveform.window);
+  frame_.doppler_cell_hz = noise_bandwidth(interval.window) / frame_.interval_s;
   frame_.range_m = {range_.start_m + static_cast<double>(range_.guard) * range_.step_m, range_.step_m, range_.samples};
 }
 

@@ -68,6 +68,9 @@ StripmapImager::StripmapImager(const radar::Radar& radar, const radar::Motion& p
   frame_.frequency_hz = radar.frequency_hz;
   frame_.along_m = image_axis(along_);
   frame_.closest_range_m = image_axis(range_);
+  frame_.closest_range_cell_m =
+      speed_of_light_mps / (2.0 * range_.bandwidth_hz) * radar::WindowResponse(radar.waveform.window).noise_bandwidth();
+  frame_.along_cell_m = radar::WindowResponse(strip.window).noise_bandwidth() / band_per_m(strip);
 }
 
 /// At the time when the line of sight stands at the squint.

@@ -5,6 +5,7 @@
 
 #include "sigmascape/radar/echo.h"
 #include "sigmascape/radar/radar.h"
+#include "sigmascape/radar/scatterer.h"
 #include "sigmascape/radar/target.h"
 
 namespace sigmascape::receiver {
@@ -14,5 +15,9 @@ namespace sigmascape::receiver {
 /// Whether something stands between is not asked here.
 [[nodiscard]] std::vector<radar::Echo> target_echoes(std::span<const radar::Target> targets, const radar::Radar& radar,
                                                      const radar::Moment& moment);
+
+/// The same for modes that keep phase: a scatterer each, to be given the phase of its way like those of the ground.
+[[nodiscard]] std::vector<radar::Scatterer> target_scatterers(std::span<const radar::Target> targets,
+                                                              const radar::Radar& radar, const radar::Moment& moment);
 
 }  // namespace sigmascape::receiver
