@@ -122,7 +122,7 @@ struct CrownParameters {
   double extinction_per_m = 0.5;  ///< κ: the part of power that is intercepted along one metre, at all frequencies
   double albedo = 0.5;  ///< part of what is intercepted that leaves again; not that of `leaf` when that is stated
   /// When stated, leaves are flat mirrors of this permittivity turned every way.
-  std::optional<Permittivity> leaf;
+  std::optional<Permittivity> leaf = {};
   /// What passes between the leaves on its way in comes back the same way, as between leaves of a mesh. Without it, the
   /// way back weakens a direct echo once more, as in media of scatterers smaller than a wavelength.
   bool shares_gaps = true;

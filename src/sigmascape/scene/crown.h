@@ -14,10 +14,16 @@ namespace sigmascape::scene {
 /// One side of all triangles of a material, m².
 [[nodiscard]] double surface_area_m2(const Mesh& mesh, MaterialIndex material);
 
-/// The medium that intercepts and scatters as those leaves would if they were spread evenly over the crown and turned
-/// every way: flat opaque leaves hide half their area, κ = LAD / 2, and the albedo is that of their material, which is
-/// a facet surface or Lambert's. docs/physics/vegetation.md, Eq. (1). Throws Error for other materials.
-[[nodiscard]] scatter::Material crown_material(const scatter::Material& leaf, double leaf_area_m2,
-                                               double crown_volume_m3);
+/// κ of flat opaque leaves that are spread evenly and turned every way: half their area density.
+/// docs/physics/vegetation.md, Eq. (1).
+[[nodiscard]] double even_extinction_per_m(double leaf_area_m2, double crown_volume_m3);
+
+/// κ with which the ellipsoid lets as much pass, in the mean over rays from all sides, as do the triangles of the leaf
+/// material: less than the even one where leaves crowd. docs/physics/vegetation.md, Eq. (9).
+[[nodiscard]] double effective_extinction_per_m(const Mesh& mesh, MaterialIndex leaf, const Ellipsoid& crown);
+
+/// The medium of that extinction which scatters as leaves of a material do, a facet surface or Lambert's. Throws Error
+/// for other materials.
+[[nodiscard]] scatter::Material crown_material(const scatter::Material& leaf, double extinction_per_m);
 
 }  // namespace sigmascape::scene

@@ -48,8 +48,8 @@ double crown_radius_m(const geo::Feature& feature, const TreeSource& source, dou
 scatter::Material medium_of(const TreeSource& source, TreeForm form) {
   if (source.crown) return *source.crown;
   constexpr MaterialIndex bark = 0, leaf = 1;
-  const double leaf_area_m2 = surface_area_m2(tree_mesh(form, {bark, leaf}, source.seed), leaf);
-  scatter::Material medium = crown_material(source.leaf, leaf_area_m2, volume_m3(crown_ellipsoid(form)));
+  const Mesh tree = tree_mesh(form, {bark, leaf}, source.seed);
+  scatter::Material medium = crown_material(source.leaf, effective_extinction_per_m(tree, leaf, crown_ellipsoid(form)));
   medium.name += form == TreeForm::Conifer ? ", conifer" : ", broadleaf";
   return medium;
 }

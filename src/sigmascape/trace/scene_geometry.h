@@ -24,9 +24,9 @@ struct SurfaceHit {
 /// A scene made ready for rays: the one place that knows Embree.
 ///
 /// Everything is held relative to `origin()`, the centre of the scene's extent at height zero, so that single precision
-/// suffices. Trees, vehicles and other instances share one acceleration structure a prototype. The level plane is
-/// intersected in closed form (no cracks); terrain is a robustly traversed grid that is only hit from above and goes on
-/// for 300 m beyond its edges.
+/// suffices. Trees, vehicles and other instances share one acceleration structure a prototype. Crowns that are media
+/// are crossed, never hit. The level plane is intersected in closed form (no cracks); terrain is a robustly traversed
+/// grid that is only hit from above and goes on for 300 m beyond its edges.
 class SceneGeometry {
  public:
   SceneGeometry(const scene::Scene& scene, Footing footing);

@@ -37,6 +37,9 @@ struct ConstantsCell {
   std::string operator()(const GitSeaParameters& m) const {
     return fmt::format("`git_sea`, sea state {:g}, {}", m.sea_state, spread(m.depolarization));
   }
+  std::string operator()(const CrownParameters& m) const {
+    return fmt::format("`crown`, {:g} a metre, {}", m.extinction_per_m, spread(m.depolarization));
+  }
   std::string operator()(const PowerLawPermittivity& p) const {
     return fmt::format("a {:g}, b {:g}, c {:g}, d {:g}", p.a, p.b, p.c, p.d);
   }

@@ -75,7 +75,7 @@ void expect_db(std::string_view name, double expected, double measured, double t
 }
 
 TEST(Crown, RaysCrossScaledEllipsoidsAlongTheirChords) {
-  scene::Scene scene = crown_scene({{400.0F, 400.0F, 4.0F}, {2.0F, 2.0F, 3.0F}}, {.extinction_per_m = 0.5, .leaf = {}});
+  scene::Scene scene = crown_scene({{400.0F, 400.0F, 4.0F}, {2.0F, 2.0F, 3.0F}}, {.extinction_per_m = 0.5});
   scene.instances[0] = {.x_m = -795.0F, .y_m = 0.0F, .yaw_rad = 0.0F, .scale = {2.0F, 1.0F, 1.0F}};
   scene.crowns[0].shape.centre = {400.0F, 0.0F, 4.0F};  // at x = 5, with radii of 4, 2 and 3
   const SceneGeometry geometry(scene, Footing::LevelPlane);
@@ -98,10 +98,8 @@ TEST(Crown, GroundBeneathIsWeakenedByTheWayThrough) {
   for (const bool shares_gaps : {true, false}) {
     for (const double elevation_deg : {30.0, 60.0}) {
       const double length_m = 4.0 / std::sin(radians_from_deg(elevation_deg));
-      const scatter::CrownParameters leaves{
-          .extinction_per_m = 0.2, .albedo = 0.0, .leaf = {}, .shares_gaps = shares_gaps};
-      const double open =
-          sigma0(crown_scene(slab(4.0F), {.extinction_per_m = 0.0, .leaf = {}}, 0.5), elevation_deg, {}).vv;
+      const scatter::CrownParameters leaves{.extinction_per_m = 0.2, .albedo = 0.0, .shares_gaps = shares_gaps};
+      const double open = sigma0(crown_scene(slab(4.0F), {.extinction_per_m = 0.0}, 0.5), elevation_deg, {}).vv;
       const double beneath = sigma0(crown_scene(slab(4.0F), leaves, 0.5), elevation_deg, {}).vv;
       expect_db(fmt::format("ground beneath a slab of κ = 0.2/m and 4 m at {:.0f}°, {}", elevation_deg,
                             shares_gaps ? "one way" : "both ways"),
@@ -156,7 +154,7 @@ TEST(Crown, HalfSpaceScattersManyTimesAsChandrasekharSays) {
     for (const double elevation_deg : {20.0, 60.0}) {
       const double mu = std::sin(radians_from_deg(elevation_deg)), albedo = 0.7;
       const scatter::CrownParameters leaves{
-          .extinction_per_m = 3.0, .albedo = albedo, .leaf = {}, .shares_gaps = false, .depolarization = none};
+          .extinction_per_m = 3.0, .albedo = albedo, .shares_gaps = false, .depolarization = none};
       const auto measured =
           sigma0(crown_scene(slab(20.0F), leaves), elevation_deg, {.max_bounces = 60, .estimator = estimator});
       const double h = chandrasekhar_h(albedo, mu);
@@ -169,9 +167,8 @@ TEST(Crown, HalfSpaceScattersManyTimesAsChandrasekharSays) {
 
 TEST(Crown, KeepsAllPowerThatItDoesNotAbsorb) {
   const auto books = [](double albedo) {
-    const scene::Scene scene =
-        crown_scene({{0.0F, 0.0F, 6.0F}, {5.0F, 5.0F, 5.0F}},
-                    {.extinction_per_m = 1.0, .albedo = albedo, .leaf = {}, .depolarization = {0.3, 0.2}});
+    const scene::Scene scene = crown_scene({{0.0F, 0.0F, 6.0F}, {5.0F, 5.0F, 5.0F}},
+                                           {.extinction_per_m = 1.0, .albedo = albedo, .depolarization = {0.3, 0.2}});
     const auto viewpoint = Viewpoint::distant({pi, 0.7});
     const SceneGeometry geometry(scene, Footing::LevelPlane);
     const PathTracer tracer(geometry, surface_models(scene, frequency_hz), viewpoint,
@@ -214,18 +211,8 @@ scene::Mesh cards(const scene::Ellipsoid& shape, int count, float side_m, scene:
 struct Stand {
   scene::Scene leaves, media;
 };
-Stand stand(int trees_a_side) {
-  const scene::Ellipsoid shape{{0.0F, 0.0F, 4.6F}, {2.9F, 2.9F, 3.2F}};
-  Stand stand{plain_scene(0.1), plain_scene(0.1)};
-  const scatter::Material& leaf = scatter::library_material("leaf");
-  const scene::MaterialIndex material = stand.leaves.material_index(leaf);
-  const scene::Mesh mesh = cards(shape, 6000, 0.12F, material);
-  stand.leaves.prototypes.push_back(mesh);
-  stand.media.prototypes.push_back(scene::wall_mesh(0.001F, 0.001F, 0));
-  stand.media.crowns.push_back({.prototype = 0,
-                                .shape = shape,
-                                .medium = stand.media.material_index(scene::crown_material(
-                                    leaf, scene::surface_area_m2(mesh, material), scene::volume_m3(shape)))});
+
+void plant(Stand& stand, int trees_a_side) {
   for (int i = 0; i < trees_a_side; ++i) {
     for (int j = 0; j < trees_a_side; ++j) {
       const auto place = [&](int n) {
@@ -236,11 +223,54 @@ Stand stand(int trees_a_side) {
       stand.media.instances.push_back(tree);
     }
   }
+}
+
+void give_crown(scene::Scene& scene, const scene::Ellipsoid& shape, double extinction_per_m) {
+  const auto material = scene::crown_material(scatter::library_material("leaf"), extinction_per_m);
+  scene.crowns.push_back({.prototype = 0, .shape = shape, .medium = scene.material_index(material)});
+}
+
+constexpr scene::Ellipsoid even_shape{{0.0F, 0.0F, 4.6F}, {2.9F, 2.9F, 3.2F}};
+
+/// Of cards spread as evenly as the medium takes them to be.
+Stand stand(int trees_a_side) {
+  Stand stand{plain_scene(0.1), plain_scene(0.1)};
+  const scene::MaterialIndex leaf = stand.leaves.material_index(scatter::library_material("leaf"));
+  const scene::Mesh mesh = cards(even_shape, 6000, 0.12F, leaf);
+  stand.leaves.prototypes.push_back(mesh);
+  stand.media.prototypes.push_back(scene::wall_mesh(0.001F, 0.001F, 0));
+  give_crown(stand.media, even_shape,
+             scene::even_extinction_per_m(scene::surface_area_m2(mesh, leaf), scene::volume_m3(even_shape)));
+  plant(stand, trees_a_side);
   return stand;
 }
 
-TEST(Crown, LetsPassWhatItsLeavesLetPass) {
-  const Stand tree = stand(1);
+/// Of the trees that scene files plant.
+Stand built_in_stand(int trees_a_side) {
+  Stand stand{plain_scene(0.1), plain_scene(0.1)};
+  const scatter::Material bark = scatter::library_material("bark");
+  const scene::TreeMaterials materials{stand.leaves.material_index(bark),
+                                       stand.leaves.material_index(scatter::library_material("leaf"))};
+  constexpr auto form = scene::TreeForm::Broadleaf;
+  const scene::Mesh tree = scene::tree_mesh(form, materials, 1);
+  stand.leaves.prototypes.push_back(tree);
+  stand.media.prototypes.push_back(scene::bare_tree_mesh(form, stand.media.material_index(bark), 1));
+  const scene::Ellipsoid shape = scene::crown_ellipsoid(form);
+  give_crown(stand.media, shape, scene::effective_extinction_per_m(tree, materials.leaf, shape));
+  plant(stand, trees_a_side);
+  return stand;
+}
+
+/// Shrinks the branches to nothing, so that leaves alone stand in the way.
+void without_bark(scene::Mesh& mesh) {
+  const scene::MaterialIndex bark = mesh.materials.front();
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    if (mesh.materials[i] == bark) mesh.triangles[i] = {0, 0, 0};
+  }
+}
+
+void expect_equal_passage(const Stand& tree, const scene::Ellipsoid& shape, std::string_view name,
+                          std::string_view source) {
   const SceneGeometry leaves(tree.leaves, Footing::LevelPlane), media(tree.media, Footing::LevelPlane);
   const auto surfaces = surface_models(tree.media, frequency_hz);
   for (const double elevation_deg : {0.0, 45.0}) {
@@ -251,7 +281,7 @@ TEST(Crown, LetsPassWhatItsLeavesLetPass) {
     int rays = 0;
     for (float x = -2.85F; x < 2.9F; x += 0.05F) {
       for (float y = -3.2F; y < 3.2F; y += 0.05F) {
-        const Vec3f start = Vec3f{0.0F, 0.0F, 4.6F} + Vec3f{x, 0.0F, 0.0F} + up * y - direction * 20.0F;
+        const Vec3f start = shape.centre + Vec3f{x, 0.0F, 0.0F} + up * y - direction * 20.0F;
         CrownCrossings crowns;
         crowns.begin(surfaces);
         EXPECT_FALSE(media.occluded(start, direction, crowns));
@@ -261,30 +291,41 @@ TEST(Crown, LetsPassWhatItsLeavesLetPass) {
         ++rays;
       }
     }
-    validation::expect_close(
-        {.group = "Vegetation",
-         .name = fmt::format("part that passes through a crown of leaves at {:.0f}°", elevation_deg),
-         .expected = through_medium / rays,
-         .measured = through_leaves / rays,
-         .tolerance = 0.1 * through_medium / rays,
-         .unit = "1",
-         .source = "exp(−κd), κ half the leaf area density"});
+    validation::expect_close({.group = "Vegetation",
+                              .name = fmt::format("part that passes through {} at {:.0f}°", name, elevation_deg),
+                              .expected = through_medium / rays,
+                              .measured = through_leaves / rays,
+                              .tolerance = 0.1 * through_medium / rays,
+                              .unit = "1",
+                              .source = source});
+  }
+}
+
+TEST(Crown, LetsPassWhatItsLeavesLetPass) {
+  expect_equal_passage(stand(1), even_shape, "evenly spread leaves", "exp(−κd), κ half the leaf area density");
+  Stand built_in = built_in_stand(1);
+  for (scene::Mesh* mesh : {&built_in.leaves.prototypes[0], &built_in.media.prototypes[0]}) without_bark(*mesh);
+  expect_equal_passage(built_in, scene::crown_ellipsoid(scene::TreeForm::Broadleaf), "a broadleaf tree's leaves",
+                       "exp(−κd), κ the effective one over all sides");
+}
+
+void expect_equal_brightness(const Stand& trees, std::string_view name) {
+  for (const double elevation_deg : {25.0, 50.0}) {
+    const auto of_leaves = sigma0(trees.leaves, elevation_deg, {}, 10.0, 32);
+    const auto of_media = sigma0(trees.media, elevation_deg, {}, 10.0, 32);
+    const auto report = [&](const char* channel, float leaves, float media, double tolerance_db) {
+      expect_db(fmt::format("stand of {} at {:.0f}°, {}: media against leaves", name, elevation_deg, channel), leaves,
+                media, tolerance_db, "the same stand traced through its leaves");
+    };
+    report("VV", of_leaves.vv, of_media.vv, 1.0);
+    report("HH", of_leaves.hh, of_media.hh, 1.0);
+    report("HV", of_leaves.hv, of_media.hv, 1.5);
   }
 }
 
 TEST(Crown, StandOfMediaIsAsBrightAsOneOfLeaves) {
-  const Stand trees = stand(9);
-  for (const double elevation_deg : {25.0, 50.0}) {
-    const auto of_leaves = sigma0(trees.leaves, elevation_deg, {}, 10.0, 32);
-    const auto of_media = sigma0(trees.media, elevation_deg, {}, 10.0, 32);
-    const auto report = [&](const char* channel, float leaves, float media) {
-      expect_db(fmt::format("forest stand at {:.0f}°, {}: media against leaves", elevation_deg, channel), leaves, media,
-                1.0, "the same stand traced through its leaves");
-    };
-    report("VV", of_leaves.vv, of_media.vv);
-    report("HH", of_leaves.hh, of_media.hh);
-    report("HV", of_leaves.hv, of_media.hv);
-  }
+  expect_equal_brightness(stand(9), "evenly spread leaves");
+  expect_equal_brightness(built_in_stand(9), "broadleaf trees");
 }
 
 }  // namespace
