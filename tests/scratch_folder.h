@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <iterator>
+#include <map>
 #include <string>
 #include <unistd.h>
 
@@ -37,6 +39,17 @@ class ScratchFolder {
   }
   std::filesystem::path folder_;
 };
+
+/// Every file of a folder and those below with its bytes.
+[[nodiscard]] inline std::map<std::string, std::string> files_of(const std::filesystem::path& folder) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    if (!entry.is_regular_file()) continue;
+    std::ifstream file(entry.path(), std::ios::binary);
+    files[std::filesystem::relative(entry.path(), folder).string()] = {std::istreambuf_iterator<char>(file), {}};
+  }
+  return files;
+}
 
 /// The message of the Error that an action throws; empty when it throws none.
 template <typename Action>

@@ -18,7 +18,8 @@ void BakeOptions::add_to(CLI::App& command) {
   command.add_option("--target-db", target_db, "standard error of a texel that is aimed at")->capture_default_str();
   command.add_option("--most-samples", most_samples, "rays a texel at most, however noisy it is")
       ->capture_default_str();
-  command.add_option("--samples", samples, "rays a texel everywhere (N_r of the paper) instead of a target");
+  command.add_option("--samples", samples, "rays a texel everywhere (N_r of the paper) instead of a target")
+      ->check(CLI::Range(2, 1 << 24));
   command.add_option("--preset", preset, "paper: 100 rays a texel everywhere, 8 bounces")
       ->check(CLI::IsMember({"paper"}));
   command.add_option("--bounces", bounces, "surfaces a path may meet (N_b of the paper)")->capture_default_str();

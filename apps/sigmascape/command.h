@@ -18,6 +18,7 @@ struct Output {
 /// Each adds its subcommand, with examples in its help; its work runs when CLI11 has parsed the line.
 void add_scene_command(CLI::App& app, Output& output);
 void add_bake_command(CLI::App& app, Output& output);
+void add_atlas_command(CLI::App& app, Output& output);
 void add_render_command(CLI::App& app, Output& output);
 void add_compare_command(CLI::App& app, Output& output);
 void add_demo_command(CLI::App& app, Output& output);

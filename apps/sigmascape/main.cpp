@@ -25,12 +25,15 @@ int run(int argc, char** argv) {
   Output output;
   add_scene_command(app, output);
   add_bake_command(app, output);
+  add_atlas_command(app, output);
   add_render_command(app, output);
   add_compare_command(app, output);
   add_demo_command(app, output);
   add_results_command(app, output);
   try {
     app.parse(argc, argv);
+  } catch (const CLI::RuntimeError& ended) {
+    return ended.get_exit_code();
   } catch (const CLI::ParseError& wrong_use) {
     return app.exit(wrong_use) == 0 ? 0 : 2;
   }

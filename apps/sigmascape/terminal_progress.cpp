@@ -4,31 +4,19 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "words.h"
+
 namespace sigmascape::cli {
 namespace {
 
-constexpr auto quiet_time = std::chrono::seconds(2);
+constexpr double quiet_seconds = 2.0;
 constexpr auto refresh_time = std::chrono::milliseconds(200);
-
-std::string duration_text(double seconds) {
-  if (seconds < 90.0) return fmt::format("{:.0f} s", seconds);
-  if (seconds < 5400.0) return fmt::format("{:.0f} min", seconds / 60.0);
-  return fmt::format("{:.1f} h", seconds / 3600.0);
-}
 
 }  // namespace
 
 TerminalProgress::TerminalProgress() : is_terminal_(isatty(STDERR_FILENO) != 0) {}
 TerminalProgress::~TerminalProgress() {
   erase_line();
-}
-
-void TerminalProgress::begin(std::string_view task, double done) {
-  erase_line();
-  task_ = task;
-  // What the first report tells was there already or took no time to speak of; rates count from there.
-  first_done_ = done;
-  started_ = shown_ = Clock::now();
 }
 
 void TerminalProgress::erase_line() {
@@ -38,17 +26,31 @@ void TerminalProgress::erase_line() {
 
 void TerminalProgress::advanced(std::string_view task, double done, double total, std::string_view unit) {
   if (!is_terminal_) return;
-  if (task != task_) begin(task, done);
-  const auto now = Clock::now();
+  if (task != task_) {
+    erase_line();
+    task_ = task;
+    shown_ = Clock::now();
+  }
+  rate_.advanced(task, done, total);
   if (done >= total) return erase_line();
-  if (now - started_ < quiet_time || now - shown_ < refresh_time) return;
+  const auto now = Clock::now();
+  const auto left = rate_.seconds_left();
+  if (rate_.seconds() < quiet_seconds || now - shown_ < refresh_time || !left) return;
   shown_ = now;
-  const double rate = (done - first_done_) / std::chrono::duration<double>(now - started_).count();
-  if (rate <= 0.0) return;
-  fmt::print(stderr, "\r\033[K{}: {:.1f} of {:.0f} {}, {:.3g} a second, {} left", task, done, total, unit, rate,
-             duration_text((total - done) / rate));
+  fmt::print(stderr, "\r\033[K{}: {:.1f} of {:.0f} {}", task, done, total, unit);
+  if (const auto rays = rate_.rays_a_second()) {
+    fmt::print(stderr, ", {:.2f} million rays a second", *rays / 1e6);
+  } else {
+    fmt::print(stderr, ", {:.3g} a second", rate_.rate());
+  }
+  if (const auto error = rate_.relative_standard_error()) fmt::print(stderr, ", error {:.0f} %", 100.0 * *error);
+  fmt::print(stderr, ", {} left", duration_text(*left));
   std::fflush(stderr);
   line_shown_ = true;
+}
+
+void TerminalProgress::measured(std::string_view, std::string_view quantity, double value) {
+  rate_.measured(quantity, value);
 }
 
 }  // namespace sigmascape::cli

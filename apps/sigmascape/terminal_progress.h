@@ -3,11 +3,14 @@
 #include <chrono>
 #include <string>
 
+#include "progress_rate.h"
+
 #include "sigmascape/base/progress.h"
 
 namespace sigmascape::cli {
 
-/// Shows work on the terminal as one line with its rate and the time left, once it has taken longer than two seconds.
+/// Shows work on the terminal as one line with its rate and the time left, for a bake also rays a second and the mean
+/// error so far, once it has taken longer than two seconds.
 /// Says nothing when standard error is not a terminal.
 class TerminalProgress final : public ProgressListener {
  public:
@@ -17,18 +20,17 @@ class TerminalProgress final : public ProgressListener {
   TerminalProgress& operator=(const TerminalProgress&) = delete;
 
   void advanced(std::string_view task, double done, double total, std::string_view unit) override;
+  void measured(std::string_view task, std::string_view quantity, double value) override;
 
  private:
   using Clock = std::chrono::steady_clock;
 
-  void begin(std::string_view task, double done);
   void erase_line();
 
   bool is_terminal_;
   bool line_shown_ = false;
   std::string task_;
-  double first_done_ = 0.0;
-  Clock::time_point started_;
+  ProgressRate rate_;
   Clock::time_point shown_;
 };
 

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "sigmascape/atlas/error_texture.h"
 #include "sigmascape/atlas/texture_name.h"
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
@@ -158,9 +159,9 @@ Json link(const char* relation, const std::string& target) {
   return {{"rel", relation}, {"href", target}, {"type", "application/json"}};
 }
 
-Json look_properties(const AtlasDescription& description, const radar::Look& look) {
+Json look_properties(double texel_m, const radar::Look& look) {
   Json properties = {
-      {"gsd", description.patches.texel_m},
+      {"gsd", texel_m},
       {"view:azimuth", tidy_deg(wrapped_azimuth(look.aspect.azimuth_rad + pi))},
       {"view:incidence_angle", rounded(90.0 - tidy_deg(look.aspect.elevation_rad), 1e-9)},
       {"sigmascape:azimuth_deg", tidy_deg(look.aspect.azimuth_rad)},
@@ -198,11 +199,9 @@ Json place_properties(const AtlasDescription& description, const radar::GroundGr
   };
 }
 
-Json asset(const AtlasDescription& description, const std::filesystem::path& file, const TextureRecord& record) {
-  const Json band = {{"data_type", "float16"},
-                     {"scale", record.scale},
-                     {"offset", 0.0},
-                     {"spatial_resolution", description.patches.texel_m}};
+Json asset(double texel_m, const std::filesystem::path& file, const TextureRecord& record) {
+  const Json band = {
+      {"data_type", "float16"}, {"scale", record.scale}, {"offset", 0.0}, {"spatial_resolution", texel_m}};
   // A multihash: 0x12 is SHA-256, 0x20 its length in bytes.
   return {{"href", "./" + file.filename().string()},
           {"title", "Area reflectivity, bands VV, HH, HV (= VH) and Re<S_VV S_HH*>"},
@@ -211,6 +210,43 @@ Json asset(const AtlasDescription& description, const std::filesystem::path& fil
           {"file:size", record.size_bytes},
           {"file:checksum", "1220" + record.sha256},
           {"raster:bands", {band, band, band, band}}};
+}
+
+Json errors_asset(const std::filesystem::path& texture_file, const ErrorsRecord& record) {
+  return {{"href", "./" + errors_path(texture_file).filename().string()},
+          {"title",
+           "Relative standard error of VV + HH + 2 HV: 0.001 * 10^((code - 1) / 50), code 0 where nothing returns"},
+          {"type", "image/tiff; application=geotiff"},
+          {"roles", {"metadata"}},
+          {"file:size", record.size_bytes},
+          {"file:checksum", "1220" + record.sha256}};
+}
+
+/// What items of patches and of the pyramid say alike.
+Json common_properties(const AtlasDescription& description, const radar::GroundGrid& grid, const radar::Look& look) {
+  Json properties = {{"datetime", nullptr}, {"start_datetime", no_time}, {"end_datetime", no_time}};
+  properties.update(look_properties(grid.cell_m, look));
+  properties.update(place_properties(description, grid));
+  return properties;
+}
+
+std::string item_of(const std::string& id, const AtlasDescription& description, const radar::GroundGrid& grid,
+                    const radar::Look& look, const Json& properties, const Json& assets,
+                    const std::string& collection) {
+  const Footprint footprint(description, grid);
+  const Json item = {
+      {"type", "Feature"},
+      {"stac_version", stac_version},
+      {"stac_extensions", extensions(look)},
+      {"id", id},
+      {"collection", description.name},
+      {"geometry", footprint.polygon},
+      {"bbox", footprint.box},
+      {"properties", properties},
+      {"assets", assets},
+      {"links", Json::array({link("root", collection), link("parent", collection), link("collection", collection)})},
+  };
+  return written(item, 2) + "\n";
 }
 
 }  // namespace
@@ -272,10 +308,7 @@ std::string item_text(const AtlasDescription& description, const Unit& unit, con
                       const TextureRecord& record, const BakeFacts& facts) {
   const radar::GroundGrid grid = description.patches.texels_of(unit.patch);
   const radar::Look look = description.aspects.look(unit.look);
-  const Footprint footprint(description, grid);
-  Json properties = {{"datetime", nullptr}, {"start_datetime", no_time}, {"end_datetime", no_time}};
-  properties.update(look_properties(description, look));
-  properties.update(place_properties(description, grid));
+  Json properties = common_properties(description, grid, look);
   properties.update(Json{
       {"sigmascape:patch", {unit.patch.x, unit.patch.y}},
       {"sigmascape:scene_hash", description.scene_hash},
@@ -290,20 +323,35 @@ std::string item_text(const AtlasDescription& description, const Unit& unit, con
       {"sigmascape:sha256", record.sha256},
       {"sigmascape:attribution", description.attribution},
   });
-  const Json item = {
-      {"type", "Feature"},
-      {"stac_version", stac_version},
-      {"stac_extensions", extensions(look)},
-      {"id", patch_name(unit.patch) + "_" + look_name(look)},
-      {"collection", description.name},
-      {"geometry", footprint.polygon},
-      {"bbox", footprint.box},
-      {"properties", properties},
-      {"assets", {{"sigma0", asset(description, texture_file, record)}}},
-      {"links", Json::array({link("root", "../collection.json"), link("parent", "../collection.json"),
-                             link("collection", "../collection.json")})},
-  };
-  return written(item, 2) + "\n";
+  Json assets = {{"sigma0", asset(grid.cell_m, texture_file, record)}};
+  if (record.errors) {
+    properties["sigmascape:errors_size_bytes"] = record.errors->size_bytes;
+    properties["sigmascape:errors_sha256"] = record.errors->sha256;
+    assets["errors"] = errors_asset(texture_file, *record.errors);
+  }
+  return item_of(patch_name(unit.patch) + "_" + look_name(look), description, grid, look, properties, assets,
+                 "../collection.json");
+}
+
+std::string pyramid_item_text(const AtlasDescription& description, const PyramidTile& tile,
+                              const radar::GroundGrid& grid, LookIndex look_index,
+                              const std::filesystem::path& texture_file, const TextureRecord& record) {
+  const radar::Look look = description.aspects.look(look_index);
+  Json properties = common_properties(description, grid, look);
+  properties.update(Json{
+      {"sigmascape:pyramid_level", tile.level},
+      {"sigmascape:patch", {tile.south_west.x, tile.south_west.y}},
+      {"sigmascape:patches_per_side", 1 << tile.level},
+      {"sigmascape:scene_hash", description.scene_hash},
+      {"sigmascape:made_from", record.made_from},
+      {"sigmascape:scale", record.scale},
+      {"sigmascape:size_bytes", record.size_bytes},
+      {"sigmascape:sha256", record.sha256},
+      {"sigmascape:attribution", description.attribution},
+  });
+  const std::string id = fmt::format("pyramid_{}_{}_{}", tile.level, patch_name(tile.south_west), look_name(look));
+  return item_of(id, description, grid, look, properties, {{"sigma0", asset(grid.cell_m, texture_file, record)}},
+                 "../../collection.json");
 }
 
 std::optional<TextureRecord> record_from(const std::string& text) {
@@ -317,9 +365,21 @@ std::optional<TextureRecord> record_from(const std::string& text) {
       !is("sigmascape:scale", &Json::is_number)) {
     return std::nullopt;
   }
-  return TextureRecord{properties.at("sigmascape:size_bytes").get<std::uint64_t>(),
+  TextureRecord record{properties.at("sigmascape:size_bytes").get<std::uint64_t>(),
                        properties.at("sigmascape:sha256").get<std::string>(),
                        properties.at("sigmascape:scale").get<double>()};
+  if (is("sigmascape:made_from", &Json::is_string)) {
+    record.made_from = properties.at("sigmascape:made_from").get<std::string>();
+  }
+  if (is("sigmascape:relative_standard_error", &Json::is_number)) {
+    record.relative_standard_error = properties.at("sigmascape:relative_standard_error").get<double>();
+  }
+  if (is("sigmascape:errors_size_bytes", &Json::is_number_unsigned) &&
+      is("sigmascape:errors_sha256", &Json::is_string)) {
+    record.errors = {properties.at("sigmascape:errors_size_bytes").get<std::uint64_t>(),
+                     properties.at("sigmascape:errors_sha256").get<std::string>()};
+  }
+  return record;
 }
 
 }  // namespace sigmascape::atlas

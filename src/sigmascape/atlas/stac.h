@@ -5,7 +5,9 @@
 #include <optional>
 #include <string>
 
+#include "sigmascape/atlas/pyramid.h"
 #include "sigmascape/atlas/store.h"
+#include "sigmascape/radar/ground_grid.h"
 
 namespace sigmascape::atlas {
 
@@ -13,11 +15,20 @@ namespace sigmascape::atlas {
 /// read, and in them, under "sigmascape:", what this library needs back. Equal input gives equal text; no clock goes
 /// in.
 
+/// What an item records of the file of standard errors beside its texture.
+struct ErrorsRecord {
+  std::uint64_t size_bytes = 0;
+  std::string sha256;
+};
+
 /// What an item records of its file.
 struct TextureRecord {
   std::uint64_t size_bytes = 0;
   std::string sha256;
   double scale = 1.0;
+  std::string made_from = {};               ///< of a file of the pyramid: names the content of those below; else empty
+  double relative_standard_error = 0.0;     ///< of a patch, as in BakeFacts; read only
+  std::optional<ErrorsRecord> errors = {};  ///< where there is such a file
 };
 
 /// The collection.json of an atlas.
@@ -33,6 +44,11 @@ struct TextureRecord {
 [[nodiscard]] std::string item_text(const AtlasDescription& description, const Unit& unit,
                                     const std::filesystem::path& texture_file, const TextureRecord& record,
                                     const BakeFacts& facts);
+
+/// The item of one texture of the pyramid, whose texels are `grid`.
+[[nodiscard]] std::string pyramid_item_text(const AtlasDescription& description, const PyramidTile& tile,
+                                            const radar::GroundGrid& grid, LookIndex look,
+                                            const std::filesystem::path& texture_file, const TextureRecord& record);
 
 /// What an item records of its file; nothing when the text is not an item of ours.
 [[nodiscard]] std::optional<TextureRecord> record_from(const std::string& text);

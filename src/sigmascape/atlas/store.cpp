@@ -3,20 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <fstream>
-#include <iterator>
-#include <optional>
 #include <set>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
-#include "sigmascape/atlas/half_cog.h"
+#include "sigmascape/atlas/error_texture.h"
 #include "sigmascape/atlas/half_texture.h"
+#include "sigmascape/atlas/pyramid.h"
 #include "sigmascape/atlas/stac.h"
+#include "sigmascape/atlas/texture_file.h"
 #include "sigmascape/atlas/texture_name.h"
 #include "sigmascape/base/error.h"
-#include "sigmascape/base/sha256.h"
 #include "sigmascape/geo/atomic_file.h"
 #include "sigmascape/geo/geotiff.h"
 
@@ -24,16 +21,6 @@ namespace sigmascape::atlas {
 namespace {
 
 constexpr std::string_view collection_name = "collection.json";
-
-std::optional<std::string> text_of(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return std::nullopt;
-  return std::string{std::istreambuf_iterator<char>(file), {}};
-}
-
-std::filesystem::path item_path(std::filesystem::path texture_path) {
-  return texture_path.replace_extension(".json");
-}
 
 /// Two looks that the names of files cannot tell apart would overwrite each other.
 void check_names(const AspectGrid& aspects) {
@@ -92,43 +79,18 @@ void check_texels(const Array2D<radar::Channels>& texels, std::size_t side, cons
               "reflectivity must be finite; the bake that made it is at fault");
 }
 
-std::string cog_bytes(const HalfTexture& texture, const AtlasDescription& description, PatchIndex patch) {
-  const radar::GroundGrid grid = description.patches.texels_of(patch);
-  geo::HalfPyramid pyramid;
-  pyramid.placement = {grid.west_m, grid.north_m, grid.cell_m, description.frame.proj()};
-  pyramid.band_names = {"VV", "HH", "HV", "RE_VVHH"};
-  pyramid.scale = texture.scale;
-  pyramid.columns = pyramid.rows = texture.side;
-  pyramid.metadata = {{"SIGMASCAPE_SCENE_HASH", description.scene_hash}};
-  for (const std::vector<Half>& level : texture.levels) {
-    std::ranges::transform(level, std::back_inserter(pyramid.levels.emplace_back()), float_from_half);
+std::string errors_bytes(const Array2D<float>& errors, const Array2D<radar::Channels>& texels,
+                         const radar::GroundGrid& grid, const AtlasDescription& description,
+                         const std::filesystem::path& file) {
+  Array2D<std::uint8_t> codes(texels.columns(), texels.rows());
+  for (std::size_t i = 0; i < codes.size(); ++i) {
+    if (errors.size() != codes.size() || !std::isfinite(errors.values()[i])) {
+      throw Error(file.string(), "its standard errors are not finite numbers, one a texel",
+                  "the bake that made them is at fault");
+    }
+    codes.values()[i] = error_code(errors.values()[i], texels.values()[i].power(radar::Polarization::Sum) > 0.0F);
   }
-  return geo::half_cog_bytes(pyramid);
-}
-
-/// What is wrong with a texture, if anything.
-std::optional<StoreFault> fault_of(const std::filesystem::path& folder, const std::filesystem::path& texture,
-                                   Scrutiny scrutiny) {
-  const std::filesystem::path item = item_path(texture);
-  std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(folder / texture, error);
-  const bool there = !error;
-  const std::optional<std::string> text = text_of(folder / item);
-  if (!text && !there) return StoreFault{texture, "is missing"};
-  if (!text) return StoreFault{item, "is missing, so its texture does not count"};
-  const std::optional<TextureRecord> record = record_from(*text);
-  if (!record) return StoreFault{item, "cannot be understood"};
-  if (!there) return StoreFault{texture, "is missing, though its item is there"};
-  if (size < record->size_bytes) {
-    return StoreFault{texture, fmt::format("is truncated: {} of {} bytes", size, record->size_bytes)};
-  }
-  if (size > record->size_bytes) {
-    return StoreFault{texture, fmt::format("was altered: {} bytes instead of {}", size, record->size_bytes)};
-  }
-  if (scrutiny == Scrutiny::Content && sha256_of_file(folder / texture) != record->sha256) {
-    return StoreFault{texture, "was altered: its SHA-256 is not the recorded one"};
-  }
-  return std::nullopt;
+  return geo::byte_geotiff_bytes({grid.west_m, grid.north_m, grid.cell_m, description.frame.proj()}, "ERROR", codes);
 }
 
 }  // namespace
@@ -167,24 +129,38 @@ std::filesystem::path Store::texture_path(PatchIndex patch, LookIndex look) cons
 }
 
 bool Store::is_done(PatchIndex patch, LookIndex look, Scrutiny scrutiny) const {
-  return !fault_of(folder_, texture_path(patch, look), scrutiny);
+  return !texture_fault(folder_, texture_path(patch, look), scrutiny);
 }
 
-void Store::write(PatchIndex patch, LookIndex look, const Array2D<radar::Channels>& texels,
-                  const BakeFacts& facts) const {
+void Store::write(PatchIndex patch, LookIndex look, const Array2D<radar::Channels>& texels, const BakeFacts& facts,
+                  const Array2D<float>& relative_errors) const {
   const std::filesystem::path texture = texture_path(patch, look);
   check_texels(texels, description_.patches.texels_per_side, folder_ / texture);
   const HalfTexture halves = encoded(mip_chain(texels, tile_side), fitting_scale(texels), description_.mantissa_bits);
-  const std::string bytes = cog_bytes(halves, description_, patch);
-  Sha256 sha;
-  sha.add(bytes);
-  const TextureRecord record{bytes.size(), sha.hex_digest(), halves.scale};
+  const radar::GroundGrid grid = description_.patches.texels_of(patch);
+  const std::string errors =
+      relative_errors.empty() ? "" : errors_bytes(relative_errors, texels, grid, description_, folder_ / texture);
+  write_texture(
+      folder_, texture, halves, grid, description_,
+      [&](const TextureRecord& record) {
+        return item_text(description_, {patch, look}, texture, record, facts);
+      },
+      errors);
+}
 
-  // An item of an earlier texture must not vouch for the new one, not even for the moment between two renames.
-  std::error_code ignored;
-  std::filesystem::remove(folder_ / item_path(texture), ignored);
-  geo::write_atomically(folder_ / texture, bytes);
-  geo::write_atomically(folder_ / item_path(texture), item_text(description_, {patch, look}, texture, record, facts));
+Array2D<float> Store::read_errors(PatchIndex patch, LookIndex look) const {
+  const std::filesystem::path texture = texture_path(patch, look);
+  if (const auto fault = texture_fault(folder_, texture, Scrutiny::Size)) {
+    throw Error((folder_ / fault->file).string(), fault->what, "bake this texture, resuming does so");
+  }
+  const auto record = texture_record(folder_, texture);
+  const std::filesystem::path file = folder_ / errors_path(texture);
+  if (!record || !record->errors) {
+    throw Error(file.string(), "was not baked: the texture came without standard errors", "bake the atlas anew");
+  }
+  Array2D<float> values = std::move(geo::read_geotiff(file).bands.front().values);
+  for (float& value : values.values()) value = error_of(static_cast<std::uint8_t>(value));
+  return values;
 }
 
 MipChain Store::read(PatchIndex patch, LookIndex look) const {
@@ -193,21 +169,23 @@ MipChain Store::read(PatchIndex patch, LookIndex look) const {
 }
 
 HalfTexture Store::read_halves(PatchIndex patch, LookIndex look) const {
-  const std::filesystem::path texture = texture_path(patch, look);
-  if (const auto fault = fault_of(folder_, texture, Scrutiny::Size)) {
-    throw Error((folder_ / fault->file).string(), fault->what, "bake this texture, resuming does so");
+  return read_texture(folder_, texture_path(patch, look), description_.patches.texels_per_side,
+                      description_.patches.stored_levels(), "bake this texture, resuming does so");
+}
+
+HalfTexture Store::read_halves(std::size_t level, PatchIndex patch, LookIndex look) const {
+  const Pyramid pyramid(*this);
+  if (level < 1 || level > pyramid.levels()) {
+    throw Error(folder_.string(), fmt::format("has no level {} above its patches", level),
+                fmt::format("there are {}, counted from 1", pyramid.levels()));
   }
-  const auto text = text_of(folder_ / item_path(texture));
-  const auto record = text ? record_from(*text) : std::nullopt;
-  if (!record) throw Error((folder_ / item_path(texture)).string(), "vanished while it was read", "try again");
-  const std::size_t side = description_.patches.texels_per_side;
-  return {side, record->scale, read_half_cog(folder_ / texture, side, description_.patches.stored_levels())};
+  return pyramid.read_halves(pyramid.tile_over(patch, level), look);
 }
 
 std::vector<StoreFault> Store::verify(Scrutiny scrutiny) const {
   std::vector<StoreFault> faults;
   for (const Unit& unit : units()) {
-    if (auto fault = fault_of(folder_, texture_path(unit.patch, unit.look), scrutiny))
+    if (auto fault = texture_fault(folder_, texture_path(unit.patch, unit.look), scrutiny))
       faults.push_back(std::move(*fault));
   }
   return faults;

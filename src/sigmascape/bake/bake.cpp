@@ -7,8 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "sigmascape/atlas/store.h"
+#include "sigmascape/atlas/pyramid.h"
+#include "sigmascape/bake/claims.h"
+#include "sigmascape/bake/job.h"
 #include "sigmascape/bake/look_baker.h"
+#include "sigmascape/geo/atomic_file.h"
 #include "sigmascape/trace/simd_setting.h"
 
 namespace sigmascape::bake {
@@ -29,6 +32,158 @@ std::map<std::string, std::string> settings_in_words(const BakeSettings& setting
   return words;
 }
 
+/// Tells of the part of one job as part of all.
+class JobProgress final : public ProgressListener {
+ public:
+  JobProgress(ProgressListener& whole, std::size_t before, std::size_t looks, std::size_t total)
+      : whole_(whole), before_(before), looks_(looks), total_(total) {}
+
+  void advanced(std::string_view task, double done, double of, std::string_view) override {
+    // Looks are only told as done when they are written.
+    if (done >= of) return;
+    whole_.advanced(task, static_cast<double>(before_) + done / of * static_cast<double>(looks_),
+                    static_cast<double>(total_), "looks");
+  }
+
+ private:
+  ProgressListener& whole_;
+  std::size_t before_, looks_, total_;
+};
+
+/// One process's way through its share.
+class BakeRun {
+ public:
+  BakeRun(const LookBaker& baker, const BakeSettings& settings, const atlas::Store& store, const BakeShare& share,
+          ProgressListener& progress)
+      : baker_(baker),
+        settings_(settings),
+        store_(store),
+        share_(share),
+        progress_(progress),
+        jobs_(store.description()),
+        claims_(store.folder()) {}
+
+  BakeReport report() {
+    report_.geometry_bytes = baker_.geometry_bytes();
+    const std::vector<OpenJob> open = open_jobs();
+    std::vector<OpenJob> held_by_others;
+    tell_progress();
+    for (const OpenJob& job : open) {
+      if (!bake_job(job, Claims::Wait::No)) held_by_others.push_back(job);
+    }
+    for (const OpenJob& job : held_by_others) bake_job(job, Claims::Wait::UntilFree);
+    report_.pyramid = atlas::Pyramid(store_).make_above(units_of_share(), share_.scrutiny);
+    report_.relative_standard_error = mean_error();
+    return report_;
+  }
+
+ private:
+  struct OpenJob {
+    std::size_t number = 0;
+    std::size_t missing = 0;  // of its looks
+  };
+
+  [[nodiscard]] bool is_done(const Job& job, atlas::LookIndex look) const {
+    return store_.is_done(job.patch, look, share_.scrutiny);
+  }
+
+  /// Jobs of the share of which some look is not there. Counts the looks that are.
+  [[nodiscard]] std::vector<OpenJob> open_jobs() {
+    std::vector<OpenJob> open;
+    for (std::size_t number = 0; number < jobs_.size(); ++number) {
+      if (!share_.shard.has(number)) continue;
+      const std::size_t missing = missing_looks(jobs_[number]);
+      report_.looks += jobs_.looks_per_job();
+      report_.already += jobs_.looks_per_job() - missing;
+      if (missing > 0) open.push_back({number, missing});
+    }
+    done_ = report_.already;
+    return open;
+  }
+
+  [[nodiscard]] std::size_t missing_looks(const Job& job) const {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(job.looks, [&](atlas::LookIndex look) { return !is_done(job, look); }));
+  }
+
+  /// False when another process is at it.
+  bool bake_job(const OpenJob& open, Claims::Wait wait) {
+    const auto claim = claims_.take(open.number, wait);
+    if (!claim) return false;
+    const Job job = jobs_[open.number];
+    const std::size_t missing = missing_looks(job);
+    if (missing > 0) {
+      if (claim->is_exclusive()) remove_leftovers(job);
+      bake_and_write(job, open.missing);
+    }
+    report_.elsewhere += open.missing - std::min(missing, open.missing);
+    done_ += open.missing;
+    tell_progress();
+    return true;
+  }
+
+  void bake_and_write(const Job& job, std::size_t counting_for) {
+    JobProgress part(progress_, done_, counting_for, report_.looks);
+    const std::vector<BakedLook> looks = baker_.bake(job.patch, job.aspect, part);
+    for (std::size_t i = 0; i < looks.size(); ++i) {
+      report_.counts += looks[i].counts;
+      if (is_done(job, job.looks[i])) continue;
+      const double error = looks[i].relative_standard_error;
+      store_.write(job.patch, job.looks[i], looks[i].sigma0,
+                   {.seed = settings_.seed,
+                    .samples_per_texel = looks[i].samples_per_texel,
+                    .relative_standard_error = error,
+                    .simd = trace::simd_setting(),
+                    .counts = {}},
+                   looks[i].relative_errors);
+      squared_errors_ += error * error;
+      ++baked_;
+    }
+  }
+
+  void remove_leftovers(const Job& job) const {
+    for (const atlas::LookIndex look : job.looks) {
+      const std::filesystem::path texture = store_.folder() / store_.texture_path(job.patch, look);
+      geo::remove_leftovers(texture.parent_path(), texture.stem().string());
+    }
+  }
+
+  void tell_progress() {
+    if (baked_ > 0) {
+      progress_.measured("bake", "rays", static_cast<double>(report_.counts.rays));
+      progress_.measured("bake", "relative_standard_error", mean_error());
+    }
+    progress_.advanced("bake", static_cast<double>(done_), static_cast<double>(report_.looks), "looks");
+  }
+
+  [[nodiscard]] std::vector<atlas::Unit> units_of_share() const {
+    std::vector<atlas::Unit> units;
+    for (std::size_t number = 0; number < jobs_.size(); ++number) {
+      if (!share_.shard.has(number)) continue;
+      const Job job = jobs_[number];
+      for (const atlas::LookIndex look : job.looks) units.push_back({job.patch, look});
+    }
+    return units;
+  }
+
+  [[nodiscard]] double mean_error() const {
+    return baked_ > 0 ? std::sqrt(squared_errors_ / static_cast<double>(baked_)) : 0.0;
+  }
+
+  const LookBaker& baker_;
+  const BakeSettings& settings_;
+  const atlas::Store& store_;
+  const BakeShare& share_;
+  ProgressListener& progress_;
+  JobList jobs_;
+  Claims claims_;
+  BakeReport report_;
+  std::size_t done_ = 0, baked_ = 0;
+  double squared_errors_ = 0.0;
+};
+
+}  // namespace
+
 atlas::AtlasDescription description_of(const scene::Scene& scene, const BakeSettings& settings) {
   return {.name = scene.name,
           .frame = scene.frame,
@@ -41,84 +196,13 @@ atlas::AtlasDescription description_of(const scene::Scene& scene, const BakeSett
           .attribution = scene.attribution};
 }
 
-/// All looks of an atlas that one set of paths serves: one patch from one aspect, at every frequency.
-struct Job {
-  atlas::PatchIndex patch;
-  radar::Aspect aspect;
-  std::vector<atlas::LookIndex> looks;  // in the order of frequencies
-};
-
-std::vector<Job> jobs_of(const atlas::AtlasDescription& atlas) {
-  const atlas::AspectGrid& axes = atlas.aspects;
-  std::vector<Job> jobs;
-  for (const atlas::PatchIndex& patch : atlas.patches.covering(atlas.extent)) {
-    for (std::size_t elevation = 0; elevation < axes.elevations_rad.size(); ++elevation) {
-      for (std::size_t azimuth = 0; azimuth < axes.azimuths_rad.size(); ++azimuth) {
-        Job& job = jobs.emplace_back(Job{patch, axes.look(axes.index_of(azimuth, elevation, 0)).aspect, {}});
-        for (std::size_t frequency = 0; frequency < axes.frequencies_hz.size(); ++frequency) {
-          job.looks.push_back(axes.index_of(azimuth, elevation, frequency));
-        }
-      }
-    }
-  }
-  return jobs;
-}
-
-/// Tells of the part of one job as part of all.
-class JobProgress final : public ProgressListener {
- public:
-  JobProgress(ProgressListener& whole, std::size_t before, std::size_t looks, std::size_t total)
-      : whole_(whole), before_(before), looks_(looks), total_(total) {}
-
-  void advanced(std::string_view task, double done, double of, std::string_view) override {
-    whole_.advanced(task, static_cast<double>(before_) + done / of * static_cast<double>(looks_),
-                    static_cast<double>(total_), "looks");
-  }
-
- private:
-  ProgressListener& whole_;
-  std::size_t before_, looks_, total_;
-};
-
-}  // namespace
-
 BakeReport bake(const scene::Scene& scene, const BakeSettings& settings, const std::filesystem::path& folder,
-                ProgressListener& progress) {
+                ProgressListener& progress, const BakeShare& share) {
   check(settings);
+  check(share.shard);
   const atlas::Store store = atlas::Store::create(folder, description_of(scene, settings));
   const LookBaker baker(scene, settings);
-
-  BakeReport report;
-  report.looks = store.units().size();
-  report.geometry_bytes = baker.geometry_bytes();
-  std::size_t done = 0, baked = 0;
-  double squared_errors = 0.0;
-  for (const Job& job : jobs_of(store.description())) {
-    const auto is_done = [&](atlas::LookIndex look) { return store.is_done(job.patch, look); };
-    const auto there = static_cast<std::size_t>(std::ranges::count_if(job.looks, is_done));
-    report.already += there;
-    if (there < job.looks.size()) {
-      JobProgress part(progress, done, job.looks.size(), report.looks);
-      const std::vector<BakedLook> looks = baker.bake(job.patch, job.aspect, part);
-      for (std::size_t i = 0; i < looks.size(); ++i) {
-        report.counts += looks[i].counts;
-        if (is_done(job.looks[i])) continue;
-        const double error = looks[i].relative_standard_error;
-        store.write(job.patch, job.looks[i], looks[i].sigma0,
-                    {.seed = settings.seed,
-                     .samples_per_texel = looks[i].samples_per_texel,
-                     .relative_standard_error = error,
-                     .simd = trace::simd_setting(),
-                     .counts = {}});
-        squared_errors += error * error;
-        ++baked;
-      }
-    }
-    done += job.looks.size();
-    progress.advanced("bake", static_cast<double>(done), static_cast<double>(report.looks), "looks");
-  }
-  report.relative_standard_error = baked > 0 ? std::sqrt(squared_errors / static_cast<double>(baked)) : 0.0;
-  return report;
+  return BakeRun(baker, settings, store, share, progress).report();
 }
 
 }  // namespace sigmascape::bake

@@ -12,6 +12,9 @@ class ProgressListener {
   /// `done` of `total` units called `unit` ("looks", "rays") of the work called `task` are finished; parts of a unit
   /// count.
   virtual void advanced(std::string_view task, double done, double total, std::string_view unit) = 0;
+  /// How the work called `task` goes beside that: `quantity` is now `value`. A bake tells of "rays" traced so far and
+  /// of the "relative_standard_error" of a texel, root mean square over what it has baked.
+  virtual void measured(std::string_view /*task*/, std::string_view /*quantity*/, double /*value*/) {}
 };
 
 /// Listens to nothing.

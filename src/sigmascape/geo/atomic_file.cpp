@@ -8,6 +8,7 @@
 #include <string>
 #include <system_error>
 #include <unistd.h>
+#include <vector>
 
 #include "sigmascape/base/error.h"
 
@@ -117,6 +118,17 @@ void write_atomically(const std::filesystem::path& path, std::string_view conten
     const OpenFile file(::open(temporary.c_str(), O_WRONLY | O_CLOEXEC));
     if (!file.is_open() || !file.write_all(content)) fail(path, errno);
   });
+}
+
+void remove_leftovers(const std::filesystem::path& folder, std::string_view beginning) {
+  const std::string prefix = fmt::format(".{}", beginning);
+  std::error_code ignored;
+  std::vector<std::filesystem::path> leftovers;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with(prefix) && name.ends_with(".tmp")) leftovers.push_back(entry.path());
+  }
+  for (const std::filesystem::path& leftover : leftovers) std::filesystem::remove(leftover, ignored);
 }
 
 }  // namespace sigmascape::geo

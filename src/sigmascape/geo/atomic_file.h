@@ -19,4 +19,8 @@ void write_atomically(const std::filesystem::path& path,
 /// The same for content that is at hand: text, or the bytes of a file made in memory.
 void write_atomically(const std::filesystem::path& path, std::string_view content);
 
+/// Removes from `folder` the temporary files that killed writers left of files whose names begin with `beginning`. Only
+/// for those who know that nobody is writing such a file now: his would vanish under him, and he would fail.
+void remove_leftovers(const std::filesystem::path& folder, std::string_view beginning);
+
 }  // namespace sigmascape::geo

@@ -6,8 +6,7 @@
 #include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <iterator>
-#include <map>
+#include <thread>
 
 #include "scratch_folder.h"
 
@@ -53,17 +52,6 @@ BakeSettings small_bake(std::vector<double> elevations_deg = {13.0, 40.0}) {
 BakeReport baked(const scene::Scene& scene, const BakeSettings& settings, const std::filesystem::path& folder) {
   SilentProgress silent;
   return bake(scene, settings, folder, silent);
-}
-
-/// Every file of a folder with its bytes.
-std::map<std::string, std::string> files_of(const std::filesystem::path& folder) {
-  std::map<std::string, std::string> files;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
-    if (!entry.is_regular_file()) continue;
-    std::ifstream file(entry.path(), std::ios::binary);
-    files[std::filesystem::relative(entry.path(), folder).string()] = {std::istreambuf_iterator<char>(file), {}};
-  }
-  return files;
 }
 
 TEST(Bake, BareConstantGammaGroundIsGammaTimesSine) {
@@ -141,11 +129,84 @@ TEST(Bake, ThreadsDoNotMatter) {
   settings.threads = 3;
   baked(scene_with_box(), settings, folder.path("three"));
   const auto one = files_of(folder.path("one"));
-  EXPECT_EQ(one.size(), 9U);
+  EXPECT_EQ(one.size(), 14U) << "collection, claims, and three files a look";
   EXPECT_EQ(one, files_of(folder.path("three")));
   settings.seed = 2;
   baked(scene_with_box(), settings, folder.path("other"));
   EXPECT_NE(one, files_of(folder.path("other")));
+}
+
+TEST(Bake, SharesMakeTheSameFilesAsOneRun) {
+  const ScratchFolder folder;
+  const scene::Scene scene = scene_with_box();
+  BakeSettings settings = small_bake();
+  settings.aspects.frequencies_hz = {9e9, 10e9};
+  baked(scene, settings, folder.path("one"));
+  SilentProgress silent;
+  std::size_t looks = 0;
+  for (const std::size_t index : {2U, 0U, 1U}) {
+    const BakeReport report = bake(scene, settings, folder.path("three"), silent, {{index, 3}});
+    EXPECT_EQ(report.already + report.elsewhere, 0U);
+    looks += report.looks;
+  }
+  EXPECT_EQ(looks, 8U);
+  EXPECT_EQ(files_of(folder.path("one")), files_of(folder.path("three")));
+}
+
+TEST(Bake, AlteredLooksAreFoundWhenAsked) {
+  const ScratchFolder folder;
+  const scene::Scene scene = scene_with_box();
+  baked(scene, small_bake(), folder.path("a"));
+  const auto whole = files_of(folder.path("a"));
+  const auto store = atlas::Store::open(folder.path("a"));
+  {
+    std::fstream file(store.folder() / store.texture_path({0, 0}, 1), std::ios::binary | std::ios::in | std::ios::out);
+    file.seekp(-1, std::ios::end);
+    file.put('?');
+  }
+  EXPECT_EQ(baked(scene, small_bake(), folder.path("a")).already, 4U);
+  SilentProgress silent;
+  EXPECT_EQ(bake(scene, small_bake(), folder.path("a"), silent, {{}, atlas::Scrutiny::Content}).already, 3U);
+  EXPECT_EQ(files_of(folder.path("a")), whole);
+}
+
+// Whoever comes to a look that another process is at leaves it to that one and waits at the end.
+TEST(Bake, TwoAtOnceShareTheWork) {
+  const ScratchFolder folder;
+  const scene::Scene scene = scene_with_box();
+  baked(scene, small_bake(), folder.path("one"));
+  BakeReport first, second;
+  {
+    const std::jthread other([&] { first = baked(scene, small_bake(), folder.path("both")); });
+    second = baked(scene, small_bake(), folder.path("both"));
+  }
+  EXPECT_EQ(first.looks - first.already - first.elsewhere + second.looks - second.already - second.elsewhere, 4U);
+  EXPECT_EQ(files_of(folder.path("one")), files_of(folder.path("both")));
+}
+
+// What a killed writer left is cleared away when its look is baked again.
+TEST(Bake, LeftoversOfKilledWritersGo) {
+  const ScratchFolder folder;
+  const scene::Scene scene = scene_with_box();
+  baked(scene, small_bake(), folder.path("a"));
+  const auto whole = files_of(folder.path("a"));
+  const auto store = atlas::Store::open(folder.path("a"));
+  const auto texture = folder.path("a") / store.texture_path({0, 0}, 2);
+  std::filesystem::rename(texture, texture.parent_path() / ("." + texture.filename().string() + ".99-0.tmp"));
+  EXPECT_EQ(baked(scene, small_bake(), folder.path("a")).already, 3U);
+  EXPECT_EQ(files_of(folder.path("a")), whole);
+}
+
+// A sliver of the extent may reach into a patch without holding the middle of a texel.
+TEST(Bake, APatchWithNothingInItIsBlackAndDone) {
+  const ScratchFolder folder;
+  const BakeReport report = baked(bare_scene(512.001), small_bake({40.0}), folder.path("a"));
+  EXPECT_EQ(report.looks, 8U);
+  const auto store = atlas::Store::open(folder.path("a"));
+  EXPECT_TRUE(store.verify().empty());
+  const auto corner = store.read({1, 1}, 0).front();
+  for (const radar::Channels& texel : corner.values()) ASSERT_LT(texel.vv, 1e-3F);
+  EXPECT_TRUE(std::isfinite(report.relative_standard_error));
 }
 
 TEST(Bake, OtherSettingsAreRefusedNamingTheDifference) {

@@ -1,0 +1,132 @@
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <iterator>
+#include <vector>
+
+#include "command.h"
+#include "words.h"
+
+#include "sigmascape/atlas/atlas_summary.h"
+#include "sigmascape/atlas/pyramid.h"
+#include "sigmascape/atlas/store.h"
+#include "sigmascape/base/units.h"
+
+namespace sigmascape::cli {
+namespace {
+
+std::vector<double> degrees(const std::vector<double>& angles_rad) {
+  std::vector<double> angles_deg(angles_rad.size());
+  std::ranges::transform(angles_rad, angles_deg.begin(),
+                         [](double angle_rad) { return std::round(deg_from_radians(angle_rad) * 1e9) / 1e9; });
+  return angles_deg;
+}
+
+void verify(const std::string& folder, const Output& output) {
+  const atlas::Store store = atlas::Store::open(folder);
+  std::vector<atlas::StoreFault> faults = store.verify();
+  std::ranges::move(atlas::Pyramid(store).verify(), std::back_inserter(faults));
+  std::string text;
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const atlas::StoreFault& fault : faults) {
+    text += fmt::format("{} {}\n", fault.file.string(), fault.what);
+    list.push_back({{"file", fault.file.string()}, {"fault", fault.what}});
+  }
+  const std::size_t looks = store.units().size();
+  text += faults.empty()
+              ? fmt::format("{} looks, all whole and as recorded", looks)
+              : fmt::format("{} faults in {}; 'sigmascape bake … --verify' mends them", faults.size(), folder);
+  output.finish(text, {{"atlas", folder}, {"looks", looks}, {"faults", list}});
+  if (!faults.empty()) throw CLI::RuntimeError(1);
+}
+
+nlohmann::ordered_json summary_of(const atlas::AtlasDescription& atlas, const atlas::AtlasSummary& summary) {
+  return {
+      {"name", atlas.name},
+      {"crs", atlas.frame.proj()},
+      {"extent_m", {atlas.extent.west_m, atlas.extent.south_m, atlas.extent.east_m, atlas.extent.north_m}},
+      {"texel_m", atlas.patches.texel_m},
+      {"texels_per_side", atlas.patches.texels_per_side},
+      {"patches", summary.patches},
+      {"azimuths_deg", degrees(atlas.aspects.azimuths_rad)},
+      {"elevations_deg", degrees(atlas.aspects.elevations_rad)},
+      {"frequencies_hz", atlas.aspects.frequencies_hz},
+      {"looks", summary.looks},
+      {"looks_done", summary.looks_done},
+      {"pyramid",
+       {{"levels", summary.pyramid_levels},
+        {"textures", summary.pyramid_textures},
+        {"textures_done", summary.pyramid_done}}},
+      {"bytes", summary.bytes},
+      {"bytes_per_look", summary.bytes_per_look},
+      {"relative_standard_error",
+       {{"smallest", summary.error.smallest}, {"median", summary.error.median}, {"largest", summary.error.largest}}},
+      {"mantissa_bits", atlas.mantissa_bits},
+      {"settings", atlas.settings},
+      {"scene_hash", atlas.scene_hash},
+      {"attribution", atlas.attribution}};
+}
+
+std::string text_of(const atlas::AtlasDescription& atlas, const atlas::AtlasSummary& summary) {
+  std::string text = fmt::format("{}\n", atlas.name);
+  const auto line = [&text](std::string_view name, const std::string& value) {
+    text += fmt::format("  {:<18}{}\n", name, value);
+  };
+  line("extent", fmt::format("{:.0f} m x {:.0f} m about {:.5f} N, {:.5f} E", atlas.extent.width_m(),
+                             atlas.extent.height_m(), atlas.frame.latitude_deg(), atlas.frame.longitude_deg()));
+  line("patches", fmt::format("{} of {} x {} texels of {:g} m", summary.patches, atlas.patches.texels_per_side,
+                              atlas.patches.texels_per_side, atlas.patches.texel_m));
+  line("azimuths", fmt::format("{:g}°", fmt::join(degrees(atlas.aspects.azimuths_rad), "°, ")));
+  line("elevations", fmt::format("{:g}°", fmt::join(degrees(atlas.aspects.elevations_rad), "°, ")));
+  std::vector<double> frequencies_ghz = atlas.aspects.frequencies_hz;
+  for (double& frequency : frequencies_ghz) frequency /= 1e9;
+  line("frequencies", fmt::format("{:g} GHz", fmt::join(frequencies_ghz, ", ")));
+  line("looks done", fmt::format("{} of {}", summary.looks_done, summary.looks));
+  line("pyramid", fmt::format("{} levels above the patches, {} of {} textures", summary.pyramid_levels,
+                              summary.pyramid_done, summary.pyramid_textures));
+  line("size",
+       fmt::format("{}, {} a look", size_text(static_cast<double>(summary.bytes)), size_text(summary.bytes_per_look)));
+  line("texel error", fmt::format("{:.1f} % in the median look, {:.1f} % to {:.1f} %", 100 * summary.error.median,
+                                  100 * summary.error.smallest, 100 * summary.error.largest));
+  for (const auto& [name, value] : atlas.settings) line(name, value);
+  line("mantissa bits", fmt::format("{}", atlas.mantissa_bits));
+  line("scene hash", atlas.scene_hash);
+  if (!atlas.attribution.empty()) line("data", atlas.attribution);
+  text.pop_back();
+  return text;
+}
+
+}  // namespace
+
+void add_atlas_command(CLI::App& app, Output& output) {
+  auto* command = app.add_subcommand("atlas", "Look after an atlas of baked textures");
+  command->require_subcommand(1);
+  auto folder = std::make_shared<std::string>();
+  const auto subcommand = [&](const char* name, const char* description, const char* example) {
+    auto* added = command->add_subcommand(name, description);
+    added->add_option("FOLDER", *folder, "folder of the atlas")->required();
+    added->add_flag("--json", output.json, "print as JSON");
+    added->footer(fmt::format("Example:\n  sigmascape atlas {}", example));
+    return added;
+  };
+  subcommand("info", "Print axes, patches, looks done, size, errors, settings and sources", "info out/bilbao_atlas")
+      ->callback([folder, &output] {
+        const atlas::Store store = atlas::Store::open(*folder);
+        const atlas::AtlasSummary summary = atlas::summary_of(store);
+        output.finish(text_of(store.description(), summary), summary_of(store.description(), summary));
+      });
+  subcommand("verify", "Compare every file with its recorded SHA-256; ends with 1 when one is missing or differs",
+             "verify out/bilbao_atlas")
+      ->callback([folder, &output] { verify(*folder, output); });
+  subcommand("pyramid", "Make what is missing of the levels above the patches, from the patches that are there",
+             "pyramid out/bilbao_atlas")
+      ->callback([folder, &output] {
+        const atlas::Store store = atlas::Store::open(*folder);
+        const std::size_t written = atlas::Pyramid(store).make_above(store.units(), atlas::Scrutiny::Content);
+        output.finish(fmt::format("{} textures written", written), {{"atlas", *folder}, {"written", written}});
+      });
+}
+
+}  // namespace sigmascape::cli

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdio>
+#include <filesystem>
+#include <string>
+
+#include "progress_rate.h"
+
+#include "sigmascape/base/progress.h"
+
+namespace sigmascape::cli {
+
+/// Writes the progress of a bake for machines: a JSON object a line, flushed line by line, when it begins, at each look
+/// that is finished, and every ten seconds within long ones.
+class ProgressLog final : public ProgressListener {
+ public:
+  /// Begins the file anew. Throws Error when it cannot be written.
+  explicit ProgressLog(const std::filesystem::path& file);
+  ~ProgressLog() override;
+  ProgressLog(const ProgressLog&) = delete;
+  ProgressLog& operator=(const ProgressLog&) = delete;
+
+  void advanced(std::string_view task, double done, double total, std::string_view unit) override;
+  void measured(std::string_view task, std::string_view quantity, double value) override;
+
+ private:
+  void write_line(std::string_view task);
+
+  std::FILE* file_;
+  ProgressRate rate_;
+  double last_done_ = -1.0, last_seconds_ = 0.0;
+};
+
+/// Tells two listeners.
+class ProgressToTwo final : public ProgressListener {
+ public:
+  ProgressToTwo(ProgressListener& first, ProgressListener& second) : first_(first), second_(second) {}
+  void advanced(std::string_view task, double done, double total, std::string_view unit) override {
+    first_.advanced(task, done, total, unit);
+    second_.advanced(task, done, total, unit);
+  }
+  void measured(std::string_view task, std::string_view quantity, double value) override {
+    first_.measured(task, quantity, value);
+    second_.measured(task, quantity, value);
+  }
+
+ private:
+  ProgressListener& first_;
+  ProgressListener& second_;
+};
+
+}  // namespace sigmascape::cli

@@ -1,0 +1,64 @@
+#include "sigmascape/atlas/atlas_summary.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+#include <vector>
+
+#include "sigmascape/atlas/pyramid.h"
+#include "sigmascape/atlas/stac.h"
+#include "sigmascape/atlas/texture_file.h"
+
+namespace sigmascape::atlas {
+namespace {
+
+std::uint64_t bytes_in(const std::filesystem::path& folder) {
+  std::uint64_t bytes = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    std::error_code vanished;
+    const auto size = entry.is_regular_file(vanished) ? entry.file_size(vanished) : 0;
+    if (!vanished) bytes += size;
+  }
+  return bytes;
+}
+
+AtlasSummary::Spread spread_of(std::vector<double> errors) {
+  if (errors.empty()) return {};
+  std::ranges::sort(errors);
+  return {errors.front(), errors[errors.size() / 2], errors.back()};
+}
+
+}  // namespace
+
+AtlasSummary summary_of(const Store& store) {
+  const AtlasDescription& description = store.description();
+  AtlasSummary summary;
+  summary.patches = description.patches.covering(description.extent).size();
+  summary.bytes = bytes_in(store.folder());
+  std::vector<double> errors;
+  for (const Unit& unit : store.units()) {
+    ++summary.looks;
+    if (!store.is_done(unit.patch, unit.look)) continue;
+    const auto record = texture_record(store.folder(), store.texture_path(unit.patch, unit.look));
+    if (!record) continue;
+    ++summary.looks_done;
+    summary.bytes_per_look += static_cast<double>(record->size_bytes);
+    errors.push_back(record->relative_standard_error);
+  }
+  summary.bytes_per_look /= static_cast<double>(std::max<std::size_t>(summary.looks_done, 1));
+  summary.error = spread_of(std::move(errors));
+
+  const Pyramid pyramid(store);
+  summary.pyramid_levels = pyramid.levels();
+  for (std::size_t level = 1; level <= pyramid.levels(); ++level) {
+    for (const PyramidTile& tile : pyramid.tiles(level)) {
+      for (LookIndex look = 0; look < description.aspects.look_count(); ++look) {
+        ++summary.pyramid_textures;
+        summary.pyramid_done += pyramid.is_done(tile, look) ? 1 : 0;
+      }
+    }
+  }
+  return summary;
+}
+
+}  // namespace sigmascape::atlas

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "sigmascape/atlas/store.h"
+
+namespace sigmascape::atlas {
+
+/// What is there of an atlas on the disk, told from its items without opening a texture.
+struct AtlasSummary {
+  std::size_t patches = 0;
+  std::size_t looks = 0;       ///< (patch, look) pairs that a whole atlas has
+  std::size_t looks_done = 0;  ///< of these
+  std::size_t pyramid_levels = 0;
+  std::size_t pyramid_textures = 0;  ///< that a whole atlas has above its patches
+  std::size_t pyramid_done = 0;      ///< of these
+  std::uint64_t bytes = 0;           ///< of everything in the folder
+  double bytes_per_look = 0.0;       ///< mean size of the textures of patches
+  /// Relative standard error of a level-0 texel's total power, root mean square over a patch: over all looks done.
+  struct Spread {
+    double smallest = 0.0, median = 0.0, largest = 0.0;
+  } error;
+};
+
+[[nodiscard]] AtlasSummary summary_of(const Store& store);
+
+}  // namespace sigmascape::atlas

@@ -1,0 +1,119 @@
+#include "sigmascape/atlas/texture_file.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+#include <utility>
+
+#include "sigmascape/atlas/error_texture.h"
+#include "sigmascape/atlas/half_cog.h"
+#include "sigmascape/base/error.h"
+#include "sigmascape/base/sha256.h"
+#include "sigmascape/geo/atomic_file.h"
+#include "sigmascape/geo/geotiff.h"
+
+namespace sigmascape::atlas {
+namespace {
+
+std::string cog_bytes(const HalfTexture& texture, const radar::GroundGrid& grid, const AtlasDescription& description) {
+  geo::HalfPyramid pyramid;
+  pyramid.placement = {grid.west_m, grid.north_m, grid.cell_m, description.frame.proj()};
+  pyramid.band_names = {"VV", "HH", "HV", "RE_VVHH"};
+  pyramid.scale = texture.scale;
+  pyramid.columns = pyramid.rows = texture.side;
+  pyramid.metadata = {{"SIGMASCAPE_SCENE_HASH", description.scene_hash}};
+  for (const std::vector<Half>& level : texture.levels) {
+    std::ranges::transform(level, std::back_inserter(pyramid.levels.emplace_back()), float_from_half);
+  }
+  return geo::half_cog_bytes(pyramid);
+}
+
+/// What is wrong with a file that is there, if anything.
+std::optional<StoreFault> file_fault(const std::filesystem::path& folder, const std::filesystem::path& file,
+                                     std::uintmax_t size, std::uint64_t recorded_size, const std::string& sha256,
+                                     Scrutiny scrutiny) {
+  if (size < recorded_size) {
+    return StoreFault{file, fmt::format("is truncated: {} of {} bytes", size, recorded_size)};
+  }
+  if (size > recorded_size) {
+    return StoreFault{file, fmt::format("was altered: {} bytes instead of {}", size, recorded_size)};
+  }
+  if (scrutiny == Scrutiny::Content && sha256_of_file(folder / file) != sha256) {
+    return StoreFault{file, "was altered: its SHA-256 is not the recorded one"};
+  }
+  return std::nullopt;
+}
+
+std::string sha256_of(const std::string& bytes) {
+  Sha256 sha;
+  sha.add(bytes);
+  return sha.hex_digest();
+}
+
+}  // namespace
+
+std::optional<std::string> text_of(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) return std::nullopt;
+  return std::string{std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::filesystem::path item_path(std::filesystem::path texture) {
+  return texture.replace_extension(".json");
+}
+
+std::optional<StoreFault> texture_fault(const std::filesystem::path& folder, const std::filesystem::path& texture,
+                                        Scrutiny scrutiny) {
+  const std::filesystem::path item = item_path(texture);
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(folder / texture, error);
+  const bool there = !error;
+  const std::optional<std::string> text = text_of(folder / item);
+  if (!text && !there) return StoreFault{texture, "is missing"};
+  if (!text) return StoreFault{item, "is missing, so its texture does not count"};
+  const std::optional<TextureRecord> record = record_from(*text);
+  if (!record) return StoreFault{item, "cannot be understood"};
+  if (!there) return StoreFault{texture, "is missing, though its item is there"};
+  if (auto fault = file_fault(folder, texture, size, record->size_bytes, record->sha256, scrutiny)) return fault;
+  if (record->errors) {
+    const std::filesystem::path errors = errors_path(texture);
+    const std::uintmax_t errors_size = std::filesystem::file_size(folder / errors, error);
+    if (error) return StoreFault{errors, "is missing, though its item is there"};
+    return file_fault(folder, errors, errors_size, record->errors->size_bytes, record->errors->sha256, scrutiny);
+  }
+  return std::nullopt;
+}
+
+std::optional<TextureRecord> texture_record(const std::filesystem::path& folder, const std::filesystem::path& texture) {
+  const std::optional<std::string> text = text_of(folder / item_path(texture));
+  return text ? record_from(*text) : std::nullopt;
+}
+
+void write_texture(const std::filesystem::path& folder, const std::filesystem::path& texture, const HalfTexture& halves,
+                   const radar::GroundGrid& grid, const AtlasDescription& description,
+                   const std::function<std::string(const TextureRecord&)>& item_for, const std::string& errors) {
+  const std::string bytes = cog_bytes(halves, grid, description);
+  TextureRecord record{bytes.size(), sha256_of(bytes), halves.scale};
+  if (!errors.empty()) record.errors = {errors.size(), sha256_of(errors)};
+
+  // An item of an earlier texture must not vouch for the new one, not even for the moment between two renames.
+  std::error_code ignored;
+  std::filesystem::remove(folder / item_path(texture), ignored);
+  geo::write_atomically(folder / texture, bytes);
+  if (!errors.empty()) geo::write_atomically(folder / errors_path(texture), errors);
+  geo::write_atomically(folder / item_path(texture), item_for(record));
+}
+
+HalfTexture read_texture(const std::filesystem::path& folder, const std::filesystem::path& texture, std::size_t side,
+                         std::size_t levels, const std::string& remedy) {
+  if (const auto fault = texture_fault(folder, texture, Scrutiny::Size)) {
+    throw Error((folder / fault->file).string(), fault->what, remedy);
+  }
+  const auto record = texture_record(folder, texture);
+  if (!record) throw Error((folder / item_path(texture)).string(), "vanished while it was read", "try again");
+  return {side, record->scale, read_half_cog(folder / texture, side, levels)};
+}
+
+}  // namespace sigmascape::atlas

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "sigmascape/atlas/half_texture.h"
+#include "sigmascape/atlas/stac.h"
+#include "sigmascape/atlas/store.h"
+#include "sigmascape/radar/ground_grid.h"
+
+namespace sigmascape::atlas {
+
+/// A texture of a store as two files: a GeoTIFF and, beside it, the item that vouches for it. Paths of textures are
+/// relative to the folder of the store.
+
+/// Everything in a file; nothing when it cannot be read.
+[[nodiscard]] std::optional<std::string> text_of(const std::filesystem::path& file);
+
+/// The item beside a texture: the same name with the ending .json.
+[[nodiscard]] std::filesystem::path item_path(std::filesystem::path texture);
+
+/// What is wrong with a texture, if anything.
+[[nodiscard]] std::optional<StoreFault> texture_fault(const std::filesystem::path& folder,
+                                                      const std::filesystem::path& texture, Scrutiny scrutiny);
+
+/// What the item of a texture records; nothing when there is none that can be understood.
+[[nodiscard]] std::optional<TextureRecord> texture_record(const std::filesystem::path& folder,
+                                                          const std::filesystem::path& texture);
+
+/// Writes a texture whose level 0 lies on `grid`, its standard errors beside it (as GeoTIFF; none when empty), then the
+/// item that `item_for` makes of their record.
+void write_texture(const std::filesystem::path& folder, const std::filesystem::path& texture, const HalfTexture& halves,
+                   const radar::GroundGrid& grid, const AtlasDescription& description,
+                   const std::function<std::string(const TextureRecord&)>& item_for, const std::string& errors = {});
+
+/// Reads a texture of so many levels, the first of so many texels a side. Throws Error when it is not there or not as
+/// its item says; `remedy` is what would mend it.
+[[nodiscard]] HalfTexture read_texture(const std::filesystem::path& folder, const std::filesystem::path& texture,
+                                       std::size_t side, std::size_t levels, const std::string& remedy);
+
+}  // namespace sigmascape::atlas

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+namespace sigmascape::bake {
+
+/// Keeps processes that bake into one folder at once from doing the same job twice.
+///
+/// Each job is a byte of the empty file ".claims" in that folder, and whoever bakes it holds a lock on that byte. Locks
+/// end with the process that holds them, however it ends, so none can be left behind. Nothing depends on them but time:
+/// where a file system cannot lock, a job may be baked twice, to the same bytes.
+class Claims {
+ public:
+  enum class Wait { No, UntilFree };
+
+  /// The right to do one job, given back when it goes out of scope.
+  class Claim {
+   public:
+    Claim(Claim&& other) noexcept : claims_(std::exchange(other.claims_, nullptr)), job_(other.job_) {}
+    Claim& operator=(Claim&&) = delete;
+    Claim(const Claim&) = delete;
+    Claim& operator=(const Claim&) = delete;
+    ~Claim();
+    /// Whether nobody else can be doing the job; false where the file system cannot lock.
+    [[nodiscard]] bool is_exclusive() const { return claims_ != nullptr; }
+
+   private:
+    friend class Claims;
+    Claim(const Claims* claims, std::size_t job) : claims_(claims), job_(job) {}
+    const Claims* claims_;
+    std::size_t job_;
+  };
+
+  explicit Claims(const std::filesystem::path& folder);
+  ~Claims();
+  Claims(const Claims&) = delete;
+  Claims& operator=(const Claims&) = delete;
+
+  /// Claims job number `job`; nothing when another has it and waiting is not wanted.
+  [[nodiscard]] std::optional<Claim> take(std::size_t job, Wait wait) const;
+
+ private:
+  int descriptor_;
+};
+
+}  // namespace sigmascape::bake

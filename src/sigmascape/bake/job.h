@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "sigmascape/atlas/store.h"
+#include "sigmascape/radar/look.h"
+
+namespace sigmascape::bake {
+
+/// What is baked in one go, since one set of paths serves it: one patch from one aspect at every frequency.
+struct Job {
+  atlas::PatchIndex patch;
+  radar::Aspect aspect;
+  std::vector<atlas::LookIndex> looks;  ///< in the order of the frequencies
+};
+
+/// All jobs of an atlas, numbered patch by patch, within a patch elevation by elevation. They are made when asked for,
+/// so that an atlas of many patches needs no list of them.
+class JobList {
+ public:
+  explicit JobList(const atlas::AtlasDescription& atlas);
+
+  [[nodiscard]] std::size_t size() const { return patches_.size() * aspects(); }
+  [[nodiscard]] std::size_t looks_per_job() const { return axes_.frequencies_hz.size(); }
+  [[nodiscard]] Job operator[](std::size_t number) const;
+
+ private:
+  [[nodiscard]] std::size_t aspects() const { return axes_.azimuths_rad.size() * axes_.elevations_rad.size(); }
+
+  atlas::AspectGrid axes_;
+  std::vector<atlas::PatchIndex> patches_;
+};
+
+}  // namespace sigmascape::bake

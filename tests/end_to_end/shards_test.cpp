@@ -1,0 +1,278 @@
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <sys/mount.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+
+#include "end_to_end/made_scene.h"
+#include "scratch_folder.h"
+
+namespace sigmascape::end_to_end {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+struct Ended {
+  int code = -1;  ///< −1: killed
+  std::string printed;
+  long peak_memory_kib = 0;
+  [[nodiscard]] nlohmann::json json() const { return nlohmann::json::parse(printed); }
+};
+
+/// A command line run by a shell of its own, its output in a file.
+class Process {
+ public:
+  Process(const std::string& line, fs::path output) : output_(std::move(output)), pid_(::fork()) {
+    if (pid_ != 0) return;
+    const std::string whole = fmt::format("exec > '{}' 2>&1; {}", output_.string(), line);
+    ::execl("/bin/bash", "bash", "-c", whole.c_str(), nullptr);
+    ::_exit(127);
+  }
+  void kill() const { ::kill(pid_, SIGKILL); }
+  [[nodiscard]] Ended ended() const {
+    int status = 0;
+    struct rusage usage {};
+    ::wait4(pid_, &status, 0, &usage);
+    std::ifstream file(output_, std::ios::binary);
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, {std::istreambuf_iterator<char>(file), {}}, usage.ru_maxrss};
+  }
+
+ private:
+  fs::path output_;
+  pid_t pid_;
+};
+
+/// Sixteen looks of eight patches, baked once by one process; other tests must come to the same bytes.
+class Shards : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = fs::temp_directory_path() / fmt::format("sigmascape_shards_test_{}", getpid());
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    scene_ = write_made_scene(folder_ / "scene", 700.0, 200.0);
+    const Ended whole = baked("whole", "--threads 2");
+    ASSERT_EQ(whole.code, 0) << whole.printed;
+    whole_ = files_of(folder_ / "whole");
+    ASSERT_EQ(whole_.size(), 2U + 2U * 16U + 2U * 8U) << "two files of the atlas, 16 looks, 8 textures above them";
+  }
+  static void TearDownTestSuite() { fs::remove_all(folder_); }
+
+  /// `exec` makes the process that is killed the program itself.
+  static std::string bake_line(const std::string& atlas, const std::string& options) {
+    return fmt::format(
+        "exec '{}' bake '{}' --out '{}' --texel-m 1 --patch-texels 256 --azimuths 2 --elevations-deg 30 --samples 4 "
+        "--bounces 2 --json {}",
+        SIGMASCAPE_CLI, scene_.string(), (folder_ / atlas).string(), options);
+  }
+  static Process start(const std::string& line) {
+    static int serial = 0;
+    return {line, folder_ / fmt::format("printed_{}.txt", ++serial)};
+  }
+  static Ended run(const std::string& line) { return start(line).ended(); }
+  static Ended run_cli(const std::string& arguments) { return run(fmt::format("'{}' {}", SIGMASCAPE_CLI, arguments)); }
+  static Ended baked(const std::string& atlas, const std::string& options = "") {
+    return run(bake_line(atlas, options));
+  }
+  static std::string path_of(const std::string& atlas) { return (folder_ / atlas).string(); }
+
+  static inline fs::path folder_, scene_;
+  static inline std::map<std::string, std::string> whole_;
+};
+
+constexpr const char* a_texture = "patch_-001_+000/az180.0_el30.0_f10.000GHz.tif";
+
+TEST_F(Shards, ThreeProcessesWithDifferentThreadsMakeTheBytesOfOne) {
+  std::vector<Process> shards;
+  for (int i = 0; i < 3; ++i) {
+    shards.push_back(start(bake_line("three", fmt::format("--shard {}/3 --threads {}", i, i + 1))));
+  }
+  std::size_t looks = 0, pyramid = 0;
+  for (const Process& shard : shards) {
+    const Ended ended = shard.ended();
+    ASSERT_EQ(ended.code, 0) << ended.printed;
+    looks += ended.json().at("looks").get<std::size_t>();
+    pyramid += ended.json().at("pyramid").get<std::size_t>();
+  }
+  EXPECT_EQ(looks, 16U);
+  EXPECT_GE(pyramid, 8U) << "two shards that end at once may both write a texture";
+  EXPECT_EQ(files_of(folder_ / "three"), whole_);
+}
+
+TEST_F(Shards, KilledAtAnyMomentItGoesOnToTheSameBytes) {
+  std::size_t killed = 0;
+  for (const int milliseconds : {350, 90, 700, 40, 520, 250, 610, 130}) {
+    const Process process = start(bake_line("killed", "--threads 1"));
+    std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+    process.kill();
+    killed += process.ended().code == -1 ? 1 : 0;
+  }
+  EXPECT_GT(killed, 0U);
+  const Ended last = baked("killed");
+  ASSERT_EQ(last.code, 0) << last.printed;
+  EXPECT_EQ(files_of(folder_ / "killed"), whole_);
+}
+
+TEST_F(Shards, TwoProcessesInOneFolderShareTheWork) {
+  const Process one = start(bake_line("two", "--threads 1")), other = start(bake_line("two", "--threads 1"));
+  const nlohmann::json first = one.ended().json(), second = other.ended().json();
+  const auto baked_by = [](const nlohmann::json& report) {
+    return report.at("looks").get<int>() - report.at("already").get<int>() - report.at("elsewhere").get<int>();
+  };
+  EXPECT_EQ(baked_by(first) + baked_by(second), 16) << "no look is baked twice";
+  EXPECT_EQ(files_of(folder_ / "two"), whole_);
+}
+
+TEST_F(Shards, DamageIsFoundNamedAndMended) {
+  fs::copy(folder_ / "whole", folder_ / "damaged", fs::copy_options::recursive);
+  ASSERT_EQ(run_cli(fmt::format("atlas verify '{}'", path_of("damaged"))).code, 0);
+  const std::string truncated = "patch_+000_+000/az000.0_el30.0_f10.000GHz.tif";
+  const std::string above = "pyramid_1/patch_+000_+000/az000.0_el30.0_f10.000GHz.tif";
+  fs::resize_file(folder_ / "damaged" / truncated, 1000);
+  fs::remove(folder_ / "damaged" / above);
+  {
+    std::fstream file(folder_ / "damaged" / a_texture, std::ios::binary | std::ios::in | std::ios::out);
+    file.seekp(-1, std::ios::end);
+    file.put('?');
+  }
+  const Ended verified = run_cli(fmt::format("atlas verify '{}'", path_of("damaged")));
+  EXPECT_EQ(verified.code, 1);
+  EXPECT_THAT(verified.printed, HasSubstr(truncated + " is truncated: 1000 of"));
+  EXPECT_THAT(verified.printed, HasSubstr(a_texture + std::string(" was altered")));
+  EXPECT_THAT(verified.printed, HasSubstr(above + " is missing"));
+  const Ended as_json = run_cli(fmt::format("atlas verify --json '{}'", path_of("damaged")));
+  EXPECT_EQ(as_json.code, 1);
+  EXPECT_EQ(as_json.json().at("faults").size(), 3U);
+
+  const Ended by_size = baked("damaged");
+  EXPECT_EQ(by_size.json().at("already"), 15) << "a file of the right size is only found with --verify";
+  const Ended by_content = baked("damaged", "--verify");
+  EXPECT_EQ(by_content.json().at("already"), 15);
+  EXPECT_EQ(run_cli(fmt::format("atlas verify '{}'", path_of("damaged"))).code, 0);
+  EXPECT_EQ(files_of(folder_ / "damaged"), whole_);
+}
+
+TEST_F(Shards, ThePyramidIsMadeAnewByItself) {
+  fs::copy(folder_ / "whole", folder_ / "bare", fs::copy_options::recursive);
+  fs::remove_all(folder_ / "bare/pyramid_1");
+  const Ended made = run_cli(fmt::format("atlas pyramid --json '{}'", path_of("bare")));
+  ASSERT_EQ(made.code, 0) << made.printed;
+  EXPECT_EQ(made.json().at("written"), 8);
+  EXPECT_EQ(files_of(folder_ / "bare"), whole_);
+}
+
+TEST_F(Shards, InfoTellsWhatIsThereAndWhatIsNot) {
+  const Ended info = run_cli(fmt::format("atlas info --json '{}'", path_of("whole")));
+  ASSERT_EQ(info.code, 0) << info.printed;
+  const nlohmann::json json = info.json();
+  std::size_t bytes = 0;
+  for (const auto& [name, content] : whole_) bytes += content.size();
+  EXPECT_EQ(json.at("bytes"), bytes);
+  EXPECT_EQ(json.at("patches"), 8);
+  EXPECT_EQ(json.at("looks"), 16);
+  EXPECT_EQ(json.at("looks_done"), 16);
+  EXPECT_EQ(json.at("azimuths_deg").size(), 2U);
+  EXPECT_GT(json.at("relative_standard_error").at("median").get<double>(), 0.0);
+  EXPECT_LE(json.at("relative_standard_error").at("median"), json.at("relative_standard_error").at("largest"));
+  EXPECT_EQ(json.at("settings").at("max_bounces"), "2");
+  const Ended text = run_cli(fmt::format("atlas info '{}'", path_of("whole")));
+  EXPECT_THAT(text.printed, HasSubstr("16 of 16"));
+  EXPECT_EQ(run_cli(fmt::format("atlas info '{}'", path_of("nothing"))).code, 1);
+}
+
+TEST_F(Shards, AFullDiskLeavesNothingHalfWritten) {
+  // Files may grow to 20 blocks of 1024 bytes: less than a texture.
+  const Ended full = run("trap '' XFSZ; ulimit -f 20; " + bake_line("full", "--threads 1"));
+  EXPECT_EQ(full.code, 1);
+  EXPECT_THAT(full.printed, HasSubstr("free some space"));
+  for (const auto& [name, content] : files_of(folder_ / "full")) {
+    EXPECT_TRUE(name == "collection.json" || name == ".claims") << name;
+  }
+  EXPECT_EQ(baked("full").code, 0);
+  EXPECT_EQ(files_of(folder_ / "full"), whole_);
+}
+
+TEST_F(Shards, ADiskThatFillsUpMidwayKeepsWhatWasWhole) {
+  const fs::path disk = folder_ / "disk";
+  fs::create_directories(disk);
+  if (::mount("tmpfs", disk.c_str(), "tmpfs", 0, "size=600k") != 0) {
+    GTEST_SKIP() << "a small disk of its own cannot be mounted here: a disk that fills up was NOT tried";
+  }
+  const Ended full = run(bake_line("disk/atlas", "--threads 1"));
+  fs::copy(disk / "atlas", folder_ / "rescued", fs::copy_options::recursive);
+  ::umount(disk.c_str());
+  EXPECT_EQ(full.code, 1);
+  EXPECT_THAT(full.printed, HasSubstr("No space left on device"));
+  EXPECT_THAT(full.printed, HasSubstr("free some space"));
+  const Ended rest = baked("rescued");
+  EXPECT_GT(rest.json().at("already"), 0);
+  EXPECT_LT(rest.json().at("already"), 16);
+  EXPECT_EQ(files_of(folder_ / "rescued"), whole_);
+}
+
+TEST_F(Shards, TheLogTellsOfEveryLook) {
+  const Ended ended = baked("logged", fmt::format("--json-log '{}'", path_of("log.jsonl")));
+  ASSERT_EQ(ended.code, 0) << ended.printed;
+  std::ifstream log(folder_ / "log.jsonl");
+  std::string line;
+  double done = -1.0;
+  std::size_t lines = 0;
+  nlohmann::json json;
+  while (std::getline(log, line)) {
+    json = nlohmann::json::parse(line);
+    EXPECT_GT(json.at("looks_done").get<double>(), done);
+    EXPECT_EQ(json.at("looks_total"), 16);
+    done = json.at("looks_done");
+    ++lines;
+  }
+  EXPECT_GE(lines, 17U) << "at the start and after each look";
+  EXPECT_EQ(done, 16.0);
+  EXPECT_GT(json.at("rays_per_second").get<double>(), 0.0);
+  EXPECT_GT(json.at("relative_standard_error").get<double>(), 0.0);
+  EXPECT_EQ(json.at("seconds_left"), 0.0);
+}
+
+TEST_F(Shards, NonsenseIsRefusedBeforeAnythingIsWritten) {
+  const auto refused = [](const std::string& options) {
+    const Ended ended = baked("refused", options);
+    EXPECT_NE(ended.code, 0) << options;
+    return ended.printed;
+  };
+  EXPECT_THAT(refused("--shard 5/3"), HasSubstr("give 0/3 to 2/3"));
+  EXPECT_THAT(refused("--shard 0/0"), HasSubstr("there are no shards"));
+  EXPECT_THAT(refused("--samples 4294967297"), HasSubstr("4294967297 not in range"));
+  EXPECT_THAT(refused("--elevations-deg 0,30"), HasSubstr("use 0.5° to 89°"));
+  EXPECT_THAT(refused("--elevations-deg 90"), HasSubstr("use 0.5° to 89°"));
+  EXPECT_THAT(refused("--json-log /nowhere/log"), HasSubstr("/nowhere/log"));
+  EXPECT_FALSE(fs::exists(folder_ / "refused"));
+  const Ended other = baked("whole", "--seed 2");
+  EXPECT_EQ(other.code, 1);
+  EXPECT_THAT(other.printed, HasSubstr("seed is \"1\" there and \"2\" here"));
+}
+
+// Four patches, or thirty-two: only the one being baked is in memory.
+TEST_F(Shards, MemoryDoesNotGrowWithTheNumberOfPatches) {
+  const auto peak_kib = [](double width_m, double height_m) {
+    const fs::path scene = write_made_scene(folder_ / fmt::format("scene_{}", width_m), width_m, height_m);
+    const Ended ended =
+        run(fmt::format("exec '{}' bake '{}' --out '{}' --texel-m 0.5 --patch-texels 256 --azimuths 1 --elevations-deg "
+                        "45 --samples 2 --bounces 1 --threads 2",
+                        SIGMASCAPE_CLI, scene.string(), path_of(fmt::format("atlas_{}", width_m))));
+    EXPECT_EQ(ended.code, 0) << ended.printed;
+    return static_cast<double>(ended.peak_memory_kib);
+  };
+  const double few = peak_kib(200.0, 200.0), many = peak_kib(1000.0, 500.0);
+  EXPECT_LT(many, 1.15 * few);
+}
+
+}  // namespace
+}  // namespace sigmascape::end_to_end

@@ -1,0 +1,58 @@
+#include "sigmascape/bake/claims.h"
+
+#include <csignal>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "scratch_folder.h"
+
+namespace sigmascape::bake {
+namespace {
+
+TEST(Claims, AJobIsClaimedOnceUntilGivenBack) {
+  const ScratchFolder folder;
+  const Claims one(folder.path("")), two(folder.path(""));
+  {
+    const auto claim = one.take(5, Claims::Wait::No);
+    ASSERT_TRUE(claim);
+    EXPECT_TRUE(claim->is_exclusive());
+    EXPECT_FALSE(two.take(5, Claims::Wait::No));
+    EXPECT_TRUE(two.take(6, Claims::Wait::No));
+  }
+  EXPECT_TRUE(two.take(5, Claims::Wait::No));
+  EXPECT_EQ(std::filesystem::file_size(folder.path(".claims")), 0U);
+}
+
+TEST(Claims, EndWithAKilledProcess) {
+  const ScratchFolder folder;
+  int ready[2];
+  ASSERT_EQ(::pipe(ready), 0);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const Claims claims(folder.path(""));
+    const auto claim = claims.take(0, Claims::Wait::No);
+    static_cast<void>(::write(ready[1], "x", 1) == 1);
+    while (true) ::pause();
+  }
+  char byte = 0;
+  ASSERT_EQ(::read(ready[0], &byte, 1), 1);
+  const Claims claims(folder.path(""));
+  EXPECT_FALSE(claims.take(0, Claims::Wait::No));
+  ::kill(child, SIGKILL);
+  EXPECT_TRUE(claims.take(0, Claims::Wait::UntilFree));
+  ::waitpid(child, nullptr, 0);
+  ::close(ready[0]);
+  ::close(ready[1]);
+}
+
+// A folder that cannot be written to stands for a file system that cannot lock.
+TEST(Claims, WhereThereAreNoLocksWorkGoesOn) {
+  const Claims claims("/nowhere");
+  const auto claim = claims.take(0, Claims::Wait::No);
+  ASSERT_TRUE(claim);
+  EXPECT_FALSE(claim->is_exclusive());
+}
+
+}  // namespace
+}  // namespace sigmascape::bake
