@@ -10,7 +10,7 @@ sanitized = tools/with_sanitizer_options
 sources = find $(1) -name '*.cpp' -o -name '*.h'
 
 .DEFAULT_GOAL := help
-.PHONY: help packages demo results-small test test-long test-asan test-tsan test-all validation lint clean
+.PHONY: help packages demo results-small test test-long test-asan test-tsan test-all validation bench lint clean
 
 help: ## Say what can be made
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-14s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -51,6 +51,11 @@ validation: packages ## Write docs/physics/validation.md: every case, expected a
 	mkdir -p out && rm -f out/validation.jsonl
 	SIGMASCAPE_VALIDATION_RECORDS=$(CURDIR)/out/validation.jsonl $(call run_tests,release) --label-regex 'physics|statistics|end_to_end'
 	tools/validation_table out/validation.jsonl docs/physics/validation.md
+
+bench: packages ## Measure on this machine, on the paper's scene: tens of minutes. JSON lines under out/bench
+	$(call configure,release) -DSIGMASCAPE_BENCHMARKS=ON
+	$(call build,release) --target benchmarks
+	for program in build/release/benchmarks/bench_*; do $$program --out out/bench/$${program##*bench_}.jsonl || exit 1; done
 
 lint: packages ## Check formatting and run the static analysis
 	$(call sources,src apps tests) | xargs clang-format --dry-run -Werror

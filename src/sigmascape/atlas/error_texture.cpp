@@ -21,4 +21,10 @@ float error_of(std::uint8_t code) {
   return code == 0 ? 0.0F : static_cast<float>(smallest * std::pow(10.0, (code - 1) / steps_per_decade));
 }
 
+std::filesystem::path errors_path(const std::filesystem::path& texture) {
+  std::filesystem::path name = texture.stem();
+  name += "_error.tif";
+  return texture.parent_path() / name;
+}
+
 }  // namespace sigmascape::atlas

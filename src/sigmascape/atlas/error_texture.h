@@ -1,8 +1,7 @@
 #pragma once
 
 #include <cstdint>
-
-#include "sigmascape/base/array2d.h"
+#include <filesystem>
 
 namespace sigmascape::atlas {
 
@@ -14,5 +13,8 @@ namespace sigmascape::atlas {
 [[nodiscard]] std::uint8_t error_code(float relative_error, bool is_lit);
 /// 0 for code 0.
 [[nodiscard]] float error_of(std::uint8_t code);
+
+/// The file beside a texture that holds them: the same name with the ending _error.tif.
+[[nodiscard]] std::filesystem::path errors_path(const std::filesystem::path& texture);
 
 }  // namespace sigmascape::atlas

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "sigmascape/atlas/error_texture.h"
 #include "sigmascape/atlas/texture_name.h"
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
@@ -211,6 +212,16 @@ Json asset(double texel_m, const std::filesystem::path& file, const TextureRecor
           {"raster:bands", {band, band, band, band}}};
 }
 
+Json errors_asset(const std::filesystem::path& texture_file, const ErrorsRecord& record) {
+  return {{"href", "./" + errors_path(texture_file).filename().string()},
+          {"title",
+           "Relative standard error of VV + HH + 2 HV: 0.001 * 10^((code - 1) / 50), code 0 where nothing returns"},
+          {"type", "image/tiff; application=geotiff"},
+          {"roles", {"metadata"}},
+          {"file:size", record.size_bytes},
+          {"file:checksum", "1220" + record.sha256}};
+}
+
 /// What items of patches and of the pyramid say alike.
 Json common_properties(const AtlasDescription& description, const radar::GroundGrid& grid, const radar::Look& look) {
   Json properties = {{"datetime", nullptr}, {"start_datetime", no_time}, {"end_datetime", no_time}};
@@ -220,7 +231,7 @@ Json common_properties(const AtlasDescription& description, const radar::GroundG
 }
 
 std::string item_of(const std::string& id, const AtlasDescription& description, const radar::GroundGrid& grid,
-                    const radar::Look& look, const Json& properties, const Json& sigma0,
+                    const radar::Look& look, const Json& properties, const Json& assets,
                     const std::string& collection) {
   const Footprint footprint(description, grid);
   const Json item = {
@@ -232,7 +243,7 @@ std::string item_of(const std::string& id, const AtlasDescription& description, 
       {"geometry", footprint.polygon},
       {"bbox", footprint.box},
       {"properties", properties},
-      {"assets", {{"sigma0", sigma0}}},
+      {"assets", assets},
       {"links", Json::array({link("root", collection), link("parent", collection), link("collection", collection)})},
   };
   return written(item, 2) + "\n";
@@ -312,8 +323,14 @@ std::string item_text(const AtlasDescription& description, const Unit& unit, con
       {"sigmascape:sha256", record.sha256},
       {"sigmascape:attribution", description.attribution},
   });
-  return item_of(patch_name(unit.patch) + "_" + look_name(look), description, grid, look, properties,
-                 asset(grid.cell_m, texture_file, record), "../collection.json");
+  Json assets = {{"sigma0", asset(grid.cell_m, texture_file, record)}};
+  if (record.errors) {
+    properties["sigmascape:errors_size_bytes"] = record.errors->size_bytes;
+    properties["sigmascape:errors_sha256"] = record.errors->sha256;
+    assets["errors"] = errors_asset(texture_file, *record.errors);
+  }
+  return item_of(patch_name(unit.patch) + "_" + look_name(look), description, grid, look, properties, assets,
+                 "../collection.json");
 }
 
 std::string pyramid_item_text(const AtlasDescription& description, const PyramidTile& tile,
@@ -333,7 +350,7 @@ std::string pyramid_item_text(const AtlasDescription& description, const Pyramid
       {"sigmascape:attribution", description.attribution},
   });
   const std::string id = fmt::format("pyramid_{}_{}_{}", tile.level, patch_name(tile.south_west), look_name(look));
-  return item_of(id, description, grid, look, properties, asset(grid.cell_m, texture_file, record),
+  return item_of(id, description, grid, look, properties, {{"sigma0", asset(grid.cell_m, texture_file, record)}},
                  "../../collection.json");
 }
 
@@ -356,6 +373,11 @@ std::optional<TextureRecord> record_from(const std::string& text) {
   }
   if (is("sigmascape:relative_standard_error", &Json::is_number)) {
     record.relative_standard_error = properties.at("sigmascape:relative_standard_error").get<double>();
+  }
+  if (is("sigmascape:errors_size_bytes", &Json::is_number_unsigned) &&
+      is("sigmascape:errors_sha256", &Json::is_string)) {
+    record.errors = {properties.at("sigmascape:errors_size_bytes").get<std::uint64_t>(),
+                     properties.at("sigmascape:errors_sha256").get<std::string>()};
   }
   return record;
 }

@@ -15,13 +15,20 @@ namespace sigmascape::atlas {
 /// read, and in them, under "sigmascape:", what this library needs back. Equal input gives equal text; no clock goes
 /// in.
 
+/// What an item records of the file of standard errors beside its texture.
+struct ErrorsRecord {
+  std::uint64_t size_bytes = 0;
+  std::string sha256;
+};
+
 /// What an item records of its file.
 struct TextureRecord {
   std::uint64_t size_bytes = 0;
   std::string sha256;
   double scale = 1.0;
-  std::string made_from = {};            ///< of a file of the pyramid: names the content of those below; else empty
-  double relative_standard_error = 0.0;  ///< of a patch, as in BakeFacts; read only
+  std::string made_from = {};               ///< of a file of the pyramid: names the content of those below; else empty
+  double relative_standard_error = 0.0;     ///< of a patch, as in BakeFacts; read only
+  std::optional<ErrorsRecord> errors = {};  ///< where there is such a file
 };
 
 /// The collection.json of an atlas.

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "sigmascape/atlas/error_texture.h"
 #include "sigmascape/atlas/half_texture.h"
 #include "sigmascape/atlas/pyramid.h"
 #include "sigmascape/atlas/stac.h"
@@ -14,6 +15,7 @@
 #include "sigmascape/atlas/texture_name.h"
 #include "sigmascape/base/error.h"
 #include "sigmascape/geo/atomic_file.h"
+#include "sigmascape/geo/geotiff.h"
 
 namespace sigmascape::atlas {
 namespace {
@@ -77,6 +79,20 @@ void check_texels(const Array2D<radar::Channels>& texels, std::size_t side, cons
               "reflectivity must be finite; the bake that made it is at fault");
 }
 
+std::string errors_bytes(const Array2D<float>& errors, const Array2D<radar::Channels>& texels,
+                         const radar::GroundGrid& grid, const AtlasDescription& description,
+                         const std::filesystem::path& file) {
+  Array2D<std::uint8_t> codes(texels.columns(), texels.rows());
+  for (std::size_t i = 0; i < codes.size(); ++i) {
+    if (errors.size() != codes.size() || !std::isfinite(errors.values()[i])) {
+      throw Error(file.string(), "its standard errors are not finite numbers, one a texel",
+                  "the bake that made them is at fault");
+    }
+    codes.values()[i] = error_code(errors.values()[i], texels.values()[i].power(radar::Polarization::Sum) > 0.0F);
+  }
+  return geo::byte_geotiff_bytes({grid.west_m, grid.north_m, grid.cell_m, description.frame.proj()}, "ERROR", codes);
+}
+
 }  // namespace
 
 Store Store::create(const std::filesystem::path& folder, const AtlasDescription& description) {
@@ -116,15 +132,35 @@ bool Store::is_done(PatchIndex patch, LookIndex look, Scrutiny scrutiny) const {
   return !texture_fault(folder_, texture_path(patch, look), scrutiny);
 }
 
-void Store::write(PatchIndex patch, LookIndex look, const Array2D<radar::Channels>& texels,
-                  const BakeFacts& facts) const {
+void Store::write(PatchIndex patch, LookIndex look, const Array2D<radar::Channels>& texels, const BakeFacts& facts,
+                  const Array2D<float>& relative_errors) const {
   const std::filesystem::path texture = texture_path(patch, look);
   check_texels(texels, description_.patches.texels_per_side, folder_ / texture);
   const HalfTexture halves = encoded(mip_chain(texels, tile_side), fitting_scale(texels), description_.mantissa_bits);
-  write_texture(folder_, texture, halves, description_.patches.texels_of(patch), description_,
-                [&](const TextureRecord& record) {
-                  return item_text(description_, {patch, look}, texture, record, facts);
-                });
+  const radar::GroundGrid grid = description_.patches.texels_of(patch);
+  const std::string errors =
+      relative_errors.empty() ? "" : errors_bytes(relative_errors, texels, grid, description_, folder_ / texture);
+  write_texture(
+      folder_, texture, halves, grid, description_,
+      [&](const TextureRecord& record) {
+        return item_text(description_, {patch, look}, texture, record, facts);
+      },
+      errors);
+}
+
+Array2D<float> Store::read_errors(PatchIndex patch, LookIndex look) const {
+  const std::filesystem::path texture = texture_path(patch, look);
+  if (const auto fault = texture_fault(folder_, texture, Scrutiny::Size)) {
+    throw Error((folder_ / fault->file).string(), fault->what, "bake this texture, resuming does so");
+  }
+  const auto record = texture_record(folder_, texture);
+  const std::filesystem::path file = folder_ / errors_path(texture);
+  if (!record || !record->errors) {
+    throw Error(file.string(), "was not baked: the texture came without standard errors", "bake the atlas anew");
+  }
+  Array2D<float> values = std::move(geo::read_geotiff(file).bands.front().values);
+  for (float& value : values.values()) value = error_of(static_cast<std::uint8_t>(value));
+  return values;
 }
 
 MipChain Store::read(PatchIndex patch, LookIndex look) const {

@@ -39,7 +39,7 @@ struct AtlasDescription {
 /// How one (patch, look) came about: goes into its item, so that a reading can be traced back.
 struct BakeFacts {
   std::uint64_t seed = 0;
-  double samples_per_texel = 0.0;  ///< mean
+  double samples_per_texel = 0.0;        ///< mean
   double relative_standard_error = 0.0;  ///< of the total power of a level-0 texel, root mean square over the patch
   std::string simd;                      ///< the instruction set that the numbers were made with
   std::map<std::string, std::uint64_t> counts;  ///< what was skipped or lost on the way, by name
@@ -84,11 +84,18 @@ class Store {
   [[nodiscard]] bool is_done(PatchIndex patch, LookIndex look, Scrutiny scrutiny = Scrutiny::Size) const;
 
   /// Writes σ0 of one patch seen from one look, with all levels. `texels` is level 0, north up, as PatchGrid::texels_of
-  /// says. Throws Error when it has another size, holds a number that is not finite, or cannot be written.
-  void write(PatchIndex patch, LookIndex look, const Array2D<radar::Channels>& texels, const BakeFacts& facts) const;
+  /// says. `relative_errors`, if not empty, is the standard error of each texel's total power over that power and is
+  /// stored beside it in steps of 0.2 dB. Throws Error when one has another size, holds a number that is not finite, or
+  /// cannot be written.
+  void write(PatchIndex patch, LookIndex look, const Array2D<radar::Channels>& texels, const BakeFacts& facts,
+             const Array2D<float>& relative_errors = {}) const;
 
   /// All stored levels of σ0. Throws Error when the texture is not there or its file is not as its item says.
   [[nodiscard]] MipChain read(PatchIndex patch, LookIndex look) const;
+
+  /// The relative standard errors of level 0, [column, row]; 0 where nothing returns. Throws Error when the texture is
+  /// not there, was baked without them, or a file is not as its item says.
+  [[nodiscard]] Array2D<float> read_errors(PatchIndex patch, LookIndex look) const;
 
   /// The same as it is stored, for readers that keep halves in memory.
   [[nodiscard]] HalfTexture read_halves(PatchIndex patch, LookIndex look) const;

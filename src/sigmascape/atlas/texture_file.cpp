@@ -7,6 +7,7 @@
 #include <system_error>
 #include <utility>
 
+#include "sigmascape/atlas/error_texture.h"
 #include "sigmascape/atlas/half_cog.h"
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/sha256.h"
@@ -28,6 +29,32 @@ std::string texture_bytes(const HalfTexture& texture, const radar::GroundGrid& g
   }
   return geo::half_cog_bytes(pyramid);
 }
+
+namespace {
+
+/// What is wrong with a file that is there, if anything.
+std::optional<StoreFault> file_fault(const std::filesystem::path& folder, const std::filesystem::path& file,
+                                     std::uintmax_t size, std::uint64_t recorded_size, const std::string& sha256,
+                                     Scrutiny scrutiny) {
+  if (size < recorded_size) {
+    return StoreFault{file, fmt::format("is truncated: {} of {} bytes", size, recorded_size)};
+  }
+  if (size > recorded_size) {
+    return StoreFault{file, fmt::format("was altered: {} bytes instead of {}", size, recorded_size)};
+  }
+  if (scrutiny == Scrutiny::Content && sha256_of_file(folder / file) != sha256) {
+    return StoreFault{file, "was altered: its SHA-256 is not the recorded one"};
+  }
+  return std::nullopt;
+}
+
+std::string sha256_of(const std::string& bytes) {
+  Sha256 sha;
+  sha.add(bytes);
+  return sha.hex_digest();
+}
+
+}  // namespace
 
 std::optional<std::string> text_of(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
@@ -51,14 +78,12 @@ std::optional<StoreFault> texture_fault(const std::filesystem::path& folder, con
   const std::optional<TextureRecord> record = record_from(*text);
   if (!record) return StoreFault{item, "cannot be understood"};
   if (!there) return StoreFault{texture, "is missing, though its item is there"};
-  if (size < record->size_bytes) {
-    return StoreFault{texture, fmt::format("is truncated: {} of {} bytes", size, record->size_bytes)};
-  }
-  if (size > record->size_bytes) {
-    return StoreFault{texture, fmt::format("was altered: {} bytes instead of {}", size, record->size_bytes)};
-  }
-  if (scrutiny == Scrutiny::Content && sha256_of_file(folder / texture) != record->sha256) {
-    return StoreFault{texture, "was altered: its SHA-256 is not the recorded one"};
+  if (auto fault = file_fault(folder, texture, size, record->size_bytes, record->sha256, scrutiny)) return fault;
+  if (record->errors) {
+    const std::filesystem::path errors = errors_path(texture);
+    const std::uintmax_t errors_size = std::filesystem::file_size(folder / errors, error);
+    if (error) return StoreFault{errors, "is missing, though its item is there"};
+    return file_fault(folder, errors, errors_size, record->errors->size_bytes, record->errors->sha256, scrutiny);
   }
   return std::nullopt;
 }
@@ -70,16 +95,16 @@ std::optional<TextureRecord> texture_record(const std::filesystem::path& folder,
 
 void write_texture(const std::filesystem::path& folder, const std::filesystem::path& texture, const HalfTexture& halves,
                    const radar::GroundGrid& grid, const AtlasDescription& description,
-                   const std::function<std::string(const TextureRecord&)>& item_for) {
+                   const std::function<std::string(const TextureRecord&)>& item_for, const std::string& errors) {
   const std::string bytes = texture_bytes(halves, grid, description);
-  Sha256 sha;
-  sha.add(bytes);
-  const TextureRecord record{bytes.size(), sha.hex_digest(), halves.scale};
+  TextureRecord record{bytes.size(), sha256_of(bytes), halves.scale};
+  if (!errors.empty()) record.errors = {errors.size(), sha256_of(errors)};
 
   // An item of an earlier texture must not vouch for the new one, not even for the moment between two renames.
   std::error_code ignored;
   std::filesystem::remove(folder / item_path(texture), ignored);
   geo::write_atomically(folder / texture, bytes);
+  if (!errors.empty()) geo::write_atomically(folder / errors_path(texture), errors);
   geo::write_atomically(folder / item_path(texture), item_for(record));
 }
 

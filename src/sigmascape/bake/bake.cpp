@@ -134,7 +134,8 @@ class BakeRun {
                     .samples_per_texel = looks[i].samples_per_texel,
                     .relative_standard_error = error,
                     .simd = trace::simd_setting(),
-                    .counts = {}});
+                    .counts = {}},
+                   looks[i].relative_errors);
       squared_errors_ += error * error;
       ++baked_;
     }

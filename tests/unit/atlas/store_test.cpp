@@ -143,6 +143,34 @@ TEST_F(StoreTest, ReadsBackWhatWasWrittenToTheNearestHalf) {
   }
 }
 
+TEST_F(StoreTest, ErrorsComeBackToATenthOfADecibelAndAreVouchedFor) {
+  const Store store = Store::create(folder_, example_description());
+  Array2D<float> errors(512, 512, 0.25F);
+  errors(3, 200) = 0.01F;
+  errors(200, 3) = 12.0F;
+  store.write({0, 0}, 0, example_texels(512, 0), {}, errors);
+  const Array2D<float> read = store.read_errors({0, 0}, 0);
+  ASSERT_EQ(read.columns(), 512U);
+  EXPECT_NEAR(read(100, 100), 0.25F, 0.25F * 0.024F);
+  EXPECT_NEAR(read(3, 200), 0.01F, 0.01F * 0.024F);
+  EXPECT_NEAR(read(200, 3), 12.0F, 12.0F * 0.024F);
+
+  const auto file = folder_ / "patch_+000_+000/az000.0_el05.0_f10.000GHz_error.tif";
+  std::string altered = bytes_of(file);
+  altered.back() = static_cast<char>(altered.back() ^ 1);
+  std::ofstream(file, std::ios::binary) << altered;
+  EXPECT_TRUE(store.is_done({0, 0}, 0));
+  EXPECT_FALSE(store.is_done({0, 0}, 0, Scrutiny::Content));
+  std::filesystem::remove(file);
+  EXPECT_FALSE(store.is_done({0, 0}, 0));
+  EXPECT_THAT(message_of([&] { static_cast<void>(store.read_errors({0, 0}, 0)); }), HasSubstr("is missing"));
+
+  store.write({0, 0}, 1, example_texels(512, 1), {});
+  EXPECT_THAT(message_of([&] { static_cast<void>(store.read_errors({0, 0}, 1)); }), HasSubstr("was not baked"));
+  EXPECT_THAT(message_of([&] { store.write({0, 0}, 1, example_texels(512, 1), {}, Array2D<float>(3, 3)); }),
+              HasSubstr("one a texel"));
+}
+
 TEST_F(StoreTest, RowsRunSouthwardAndColumnsEastward) {
   const Store store = Store::create(folder_, example_description());
   Array2D<radar::Channels> texels(512, 512);

@@ -2,31 +2,34 @@
 
 #include <cmath>
 #include <gtest/gtest.h>
+#include <utility>
 #include <vector>
+
+#include "validation/validation_record.h"
 
 #include "sigmascape/base/units.h"
 #include "sigmascape/scene/solid_mesh.h"
-#include "validation/validation_record.h"
 
 namespace sigmascape::bake {
 namespace {
 
-constexpr double side_m = 128.0;
+constexpr double side_m = 64.0;
 
-/// Level grass with a block of glossy walls in the middle: edges, layover, shadow and paths of several bounces.
+/// Level ground with two blocks side by side: edges, layover, shadow and paths of several bounces.
 scene::Scene scene_with_block() {
   scene::Scene scene;
   scene.name = "block";
   scene.extent = {0, 0, side_m, side_m};
   scene.terrain = {0, side_m, side_m, Array2D<float>(2, 2, 0.0F)};
-  const scatter::Material ground{
-      .name = "ground", .model = scatter::LambertParameters{0.3, {0.1, 0.5}}, .source = {}};
+  const scatter::Material ground{.name = "ground", .model = scatter::LambertParameters{0.3, {0.1, 0.5}}, .source = {}};
   const scatter::Material wall{.name = "wall", .model = scatter::LambertParameters{0.7, {0.1, 0.5}}, .source = {}};
   scene.ground = {{0, side_m, side_m, 1, 1}, Array2D<scene::MaterialIndex>(1, 1, scene.material_index(ground))};
-  for (const float x : {40.0F, 70.0F}) {
-    scene.prototypes.push_back(scene::box_mesh({12, 31, 14}, scene.material_index(wall)));
-    scene.instances.push_back(
-        {.prototype = static_cast<std::uint32_t>(scene.prototypes.size() - 1), .x_m = x, .y_m = 60.0F, .yaw_rad = 0.3F});
+  for (const float x : {20.0F, 42.0F}) {
+    scene.prototypes.push_back(scene::box_mesh({8, 20, 9}, scene.material_index(wall)));
+    scene.instances.push_back({.prototype = static_cast<std::uint32_t>(scene.prototypes.size() - 1),
+                               .x_m = x,
+                               .y_m = 32.0F,
+                               .yaw_rad = 0.3F});
   }
   return scene;
 }
@@ -54,76 +57,148 @@ double squared_error(const BakedLook& look, std::size_t texel) {
   return std::pow(static_cast<double>(look.relative_errors.values()[texel]) * power(look, texel), 2.0);
 }
 
-/// Mean and scatter of bakes with independent scrambles against what each said of its own error.
+/// Bakes with independent scrambles against what each said of its own error.
 struct Honesty {
-  double predicted_over_actual = 0.0;  ///< root mean square of the predicted over that of the actual errors
-  double covered = 0.0;                ///< part of the texels whose truth the 95 % interval holds
+  double predicted_over_actual = 0.0;  ///< root mean square of the predicted over that of the actual relative errors
+  double covered = 0.0;  ///< part of the 95 % intervals that hold the truth, of texels that most of their samples light
   std::size_t texels = 0;
 };
 
-Honesty honesty_of(const scene::Scene& scene, const Sampling& sampling, int repetitions) {
-  std::vector<BakedLook> looks;
-  for (int i = 0; i < repetitions; ++i) looks.push_back(baked(scene, settings_with(sampling), 1000U + unsigned(i)));
-  Honesty honesty;
-  double predicted = 0.0, actual = 0.0;
-  std::size_t covered = 0, intervals = 0;
-  const double count = repetitions;
-  for (std::size_t texel = 0; texel < looks.front().sigma0.size(); ++texel) {
+class HonestyTally {
+ public:
+  HonestyTally(const std::vector<BakedLook>& looks, double samples) : looks_(looks), samples_(samples) {
+    for (std::size_t texel = 0; texel < looks.front().sigma0.size(); ++texel) add(texel);
+  }
+
+  [[nodiscard]] Honesty result() const {
+    return {std::sqrt(predicted_ / actual_), static_cast<double>(covered_) / static_cast<double>(intervals_), texels_};
+  }
+
+ private:
+  void add(std::size_t texel) {
+    const auto count = static_cast<double>(looks_.size());
     double sum = 0.0, squares = 0.0, errors = 0.0;
-    for (const BakedLook& look : looks) {
+    for (const BakedLook& look : looks_) {
       sum += power(look, texel);
       squares += power(look, texel) * power(look, texel);
       errors += squared_error(look, texel);
     }
-    const double mean = sum / count;
-    const double variance = (squares - sum * mean) / (count - 1.0);
+    const double mean = sum / count, variance = (squares - sum * mean) / (count - 1.0);
     // Texels that vary at all, and not so seldom that a few bakes cannot tell how much.
-    if (!(variance > 1e-6 * mean * mean) || errors / count > mean * mean) continue;
-    predicted += errors / count / (mean * mean);
-    actual += variance / (mean * mean);
-    ++honesty.texels;
-    for (const BakedLook& look : looks) {
+    if (!(variance > 1e-6 * mean * mean) || errors / count > mean * mean) return;
+    predicted_ += errors / count / (mean * mean);
+    actual_ += variance / (mean * mean);
+    ++texels_;
+    // Where the scatter of single samples is about as large as their mean, most of them contribute.
+    const double of_one_sample = std::sqrt(variance * samples_) / mean;
+    if (of_one_sample < 0.5 || of_one_sample > 1.5) return;
+    for (const BakedLook& look : looks_) {
       // The mean of the others stands for the truth; its own error widens the interval.
       const double others = (sum - power(look, texel)) / (count - 1.0);
-      const double error = std::sqrt(squared_error(look, texel) + variance / (count - 1.0));
-      covered += std::abs(power(look, texel) - others) <= 1.96 * error ? 1U : 0U;
-      ++intervals;
+      const double error = std::sqrt(squared_error(look, texel) * count / (count - 1.0));
+      covered_ += std::abs(power(look, texel) - others) <= interval * error ? 1U : 0U;
+      ++intervals_;
     }
   }
-  honesty.predicted_over_actual = std::sqrt(predicted / actual);
-  honesty.covered = static_cast<double>(covered) / static_cast<double>(intervals);
-  return honesty;
+
+  /// Student's t for 95 % and the 15 degrees of freedom that 16 batches have.
+  static constexpr double interval = 2.131;
+
+  const std::vector<BakedLook>& looks_;
+  double samples_;
+  double predicted_ = 0.0, actual_ = 0.0;
+  std::size_t covered_ = 0, intervals_ = 0, texels_ = 0;
+};
+
+Honesty honesty_of(const Sampling& sampling, int repetitions, double samples) {
+  const scene::Scene scene = scene_with_block();
+  std::vector<BakedLook> looks;
+  for (int i = 0; i < repetitions; ++i) looks.push_back(baked(scene, settings_with(sampling), 1000U + unsigned(i)));
+  return HonestyTally(looks, samples).result();
 }
 
 TEST(LookBaker, ErrorsAreHonestWithAFixedNumberOfSamples) {
-  const Honesty honesty = honesty_of(scene_with_block(), {.samples_per_texel = 256}, 12);
-  std::printf("fixed: ratio %.3f covered %.3f texels %zu\n", honesty.predicted_over_actual, honesty.covered, honesty.texels);
+  const Honesty honesty = honesty_of({.samples_per_texel = 256}, 8, 256);
+  validation::expect_close({.group = "Error of a bake",
+                            .name = "standard error of a texel, predicted over actual, fixed sampling",
+                            .expected = 1.0,
+                            .measured = honesty.predicted_over_actual,
+                            .tolerance = 0.1,
+                            .unit = "1",
+                            .source = "estimator.md, Eq. (10)"});
+  validation::expect_close({.group = "Error of a bake",
+                            .name = "part of the 95 % intervals that hold the truth",
+                            .expected = 0.95,
+                            .measured = honesty.covered,
+                            .tolerance = 0.02,
+                            .unit = "1",
+                            .source = "estimator.md, Eq. (10)"});
 }
 
 TEST(LookBaker, ErrorsAreHonestWithAnAdaptiveNumberOfSamples) {
-  const Honesty honesty = honesty_of(scene_with_block(), {.target_db = 0.2, .most_samples = 512}, 12);
-  std::printf("adaptive: ratio %.3f covered %.3f texels %zu\n", honesty.predicted_over_actual, honesty.covered, honesty.texels);
+  const Honesty honesty = honesty_of({.target_db = 0.2, .most_samples = 512}, 12, 8);
+  validation::expect_close({.group = "Error of a bake",
+                            .name = "standard error of a texel, predicted over actual, adaptive sampling",
+                            .expected = 1.0,
+                            .measured = honesty.predicted_over_actual,
+                            .tolerance = 0.1,
+                            .unit = "1",
+                            .source = "estimator.md, Eq. (10)"});
 }
 
-TEST(LookBaker, AdaptiveSamplingHasTheMeanOfFixedSampling) {
+/// Mean over bakes of what a whole patch returns, and the standard error of that.
+std::pair<double, double> total_of(const Sampling& sampling, int repetitions) {
   const scene::Scene scene = scene_with_block();
-  const auto mean_of = [&](const Sampling& sampling, int repetitions, double& standard_error) {
-    double sum = 0.0, squares = 0.0;
-    for (int i = 0; i < repetitions; ++i) {
-      const BakedLook look = baked(scene, settings_with(sampling), 50U + unsigned(i));
-      double total = 0.0;
-      for (std::size_t texel = 0; texel < look.sigma0.size(); ++texel) total += power(look, texel);
-      sum += total;
-      squares += total * total;
+  double sum = 0.0, squares = 0.0;
+  for (int i = 0; i < repetitions; ++i) {
+    const BakedLook look = baked(scene, settings_with(sampling), 50U + unsigned(i));
+    double total = 0.0;
+    for (std::size_t texel = 0; texel < look.sigma0.size(); ++texel) total += power(look, texel);
+    sum += total;
+    squares += total * total;
+  }
+  const double mean = sum / repetitions;
+  return {mean, std::sqrt((squares / repetitions - mean * mean) / (repetitions - 1))};
+}
+
+// Cells that their pilots call quiet must not be darker for it: so a cell's own pilots have no say.
+TEST(LookBaker, AdaptiveSamplingHasTheMeanOfFixedSampling) {
+  const auto [fixed, fixed_error] = total_of({.samples_per_texel = 64}, 8);
+  const auto [adaptive, adaptive_error] = total_of({.target_db = 1.0, .most_samples = 64}, 24);
+  EXPECT_NEAR(adaptive, fixed, 3.0 * std::hypot(fixed_error, adaptive_error));
+  EXPECT_LT(adaptive_error, 0.002 * fixed) << "too rough to tell";
+}
+
+TEST(LookBaker, AdaptiveSamplingSparesOpenGround) {
+  const BakedLook look = baked(scene_with_block(), settings_with({.target_db = 0.4}), 1);
+  EXPECT_GT(look.samples_per_texel, pilot_samples);
+  EXPECT_LT(look.samples_per_texel, 4.0 * pilot_samples);
+}
+
+// A cell has the same number of samples, and the same rays, whichever patch asks.
+TEST(LookBaker, PatchesOfAMosaicAgreeWithOnePatchOverAll) {
+  const scene::Scene scene = scene_with_block();
+  BakeSettings settings = settings_with({.target_db = 0.5});
+  settings.max_bounces = 1;
+  settings.patches = {0.125, 512};
+  const LookBaker whole(scene, settings);
+  BakeSettings quarters = settings;
+  quarters.patches.texels_per_side = 256;
+  const LookBaker part(scene, quarters);
+  SilentProgress silent;
+  const auto aspect = settings.aspects.look(0).aspect;
+  const BakedLook all = whole.bake({0, 0}, aspect, silent).front();
+  for (const atlas::PatchIndex patch : {atlas::PatchIndex{0, 0}, {1, 0}, {0, 1}, {1, 1}}) {
+    const BakedLook quarter = part.bake(patch, aspect, silent).front();
+    const std::size_t left = patch.x == 0 ? 0 : 256, top = patch.y == 0 ? 256 : 0;
+    std::size_t differing = 0;
+    for (std::size_t row = 0; row < 256; ++row) {
+      for (std::size_t column = 0; column < 256; ++column) {
+        differing += quarter.sigma0(column, row) == all.sigma0(left + column, top + row) ? 0U : 1U;
+      }
     }
-    const double mean = sum / repetitions;
-    standard_error = std::sqrt((squares / repetitions - mean * mean) / (repetitions - 1));
-    return mean;
-  };
-  double fixed_error = 0.0, adaptive_error = 0.0;
-  const double fixed = mean_of({.samples_per_texel = 128}, 16, fixed_error);
-  const double adaptive = mean_of({.target_db = 1.0, .most_samples = 64}, 16, adaptive_error);
-  std::printf("fixed %.5f +- %.5f adaptive %.5f +- %.5f\n", fixed, fixed_error, adaptive, adaptive_error);
+    EXPECT_EQ(differing, 0U) << "patch " << patch.x << " " << patch.y;
+  }
 }
 
 }  // namespace

@@ -1,0 +1,70 @@
+#include "equal_noise.h"
+
+#include <cmath>
+#include <numeric>
+
+namespace sigmascape::bench {
+namespace {
+
+struct Rung {
+  double seconds = 0.0;
+  Noise noise;
+};
+
+double total(const std::vector<float>& power) {
+  return std::accumulate(power.begin(), power.end(), 0.0);
+}
+
+/// The time at which the ladder reaches `wanted`; beyond its ends as though error fell with the root of time.
+template <typename Error>
+double seconds_for(const std::vector<Rung>& ladder, double wanted, Error error) {
+  std::size_t upper = 1;
+  while (upper + 1 < ladder.size() && error(ladder[upper]) > wanted) ++upper;
+  const Rung& a = ladder[upper - 1];
+  const Rung& b = ladder[upper];
+  const bool is_between = error(a) >= wanted && error(b) <= wanted && error(a) > error(b);
+  if (!is_between) {
+    const Rung& nearest = error(a) < wanted ? a : b;
+    return nearest.seconds * std::pow(error(nearest) / wanted, 2.0);
+  }
+  const double part = std::log(error(a) / wanted) / std::log(error(a) / error(b));
+  return a.seconds * std::pow(b.seconds / a.seconds, part);
+}
+
+}  // namespace
+
+EqualNoise equal_noise(const PaperLooks& looks, const radar::Aspect& aspect, std::uint32_t plain_samples) {
+  constexpr std::uint64_t seed = 100;
+  const TimedLook one = looks.plain(aspect, plain_samples, seed);
+  const TimedLook other = looks.plain(aspect, plain_samples, seed + 1);
+  const auto texels = noisy_texels(one.power, other.power);
+  const double plain_total = 0.5 * (total(one.power) + total(other.power));
+
+  EqualNoise result;
+  result.plain = noise_of(one.power, other.power, texels);
+  result.plain_seconds = 0.5 * (one.processor_seconds + other.processor_seconds);
+  result.noisy_share = static_cast<double>(texels.size()) / static_cast<double>(one.power.size());
+
+  std::vector<Rung> ladder;
+  std::uint32_t most = 16;
+  for (const double target_db : {3.0, 2.0, 1.4, 1.0, 0.7, 0.5}) {
+    const bake::Sampling sampling{.target_db = target_db, .most_samples = most *= 2};
+    const TimedLook ours = looks.ours(aspect, sampling, seed + 2), again = looks.ours(aspect, sampling, seed + 3);
+    ladder.push_back(
+        {0.5 * (ours.processor_seconds + again.processor_seconds), noise_of(ours.power, again.power, texels)});
+    result.mean_ratio = 0.5 * (total(ours.power) + total(again.power)) / plain_total;
+    const Noise& reached = ladder.back().noise;
+    if (ladder.size() > 1 && reached.median_relative < result.plain.median_relative && reached.l1 < result.plain.l1) {
+      break;
+    }
+  }
+  double variance = 0.0;
+  for (std::size_t i = 0; i < one.power.size(); ++i) variance += 0.5 * std::pow(one.power[i] - other.power[i], 2.0);
+  result.mean_ratio_error = std::sqrt(variance) / plain_total;
+  result.median_seconds =
+      seconds_for(ladder, result.plain.median_relative, [](const Rung& rung) { return rung.noise.median_relative; });
+  result.l1_seconds = seconds_for(ladder, result.plain.l1, [](const Rung& rung) { return rung.noise.l1; });
+  return result;
+}
+
+}  // namespace sigmascape::bench
