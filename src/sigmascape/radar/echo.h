@@ -18,6 +18,8 @@ struct Echo {
   Channels rcs_m2;
   /// Number of surfaces on the way: 1 is a direct echo.
   std::uint8_t bounces = 1;
+  /// Whether this is the ground's direct echo: no surface but the bare ground had a part in it.
+  bool from_ground = false;
 };
 
 }  // namespace sigmascape::radar

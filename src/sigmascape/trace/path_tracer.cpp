@@ -124,7 +124,8 @@ class TileTracer {
     append({.range_m = path.first_range_m,
             .cross = viewpoint_.cross_of(position),
             .rcs_m2 = brdf * static_cast<float>(weight * path.first_cosine),
-            .bounces = 1});
+            .bounces = 1,
+            .from_ground = hit.is_ground});
   }
 
   void add_connected_echo(const Path& path, const SurfaceHit& hit, Vec3d position, Vec3d aim_point, double area_m2,

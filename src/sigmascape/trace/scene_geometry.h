@@ -14,6 +14,7 @@ struct SurfaceHit {
   Vec3f normal;                            ///< unit, on the side that the ray came from
   float inverse_facet_area_per_m2 = 0.0F;  ///< of the flat face that was hit, 0 on the ground
   scene::MaterialIndex material = 0;
+  bool is_ground = false;  ///< whether the terrain or the level plane was hit
 };
 
 /// A scene made ready for rays: the one place that knows Embree.
