@@ -2,37 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
+#include <string>
+#include <vector>
 
 #include "sigmascape/atlas/store.h"
-#include "sigmascape/base/error.h"
-#include "sigmascape/base/units.h"
-#include "sigmascape/receiver/ground_accumulator.h"
+#include "sigmascape/bake/look_baker.h"
 #include "sigmascape/trace/simd_setting.h"
-#include "sigmascape/trace/tile_progress.h"
 
 namespace sigmascape::bake {
 namespace {
-
-/// How far around a patch paths of several bounces may begin that land in it: between their ends.
-constexpr double multibounce_margin_m = 32.0;
-
-void check(const BakeSettings& settings) {
-  const std::string where = "bake settings";
-  if (settings.samples_per_texel < 2 || settings.samples_per_texel > (1U << 24U)) {
-    throw Error(where, fmt::format("{} samples a texel", settings.samples_per_texel), "use 2 to 16777216");
-  }
-  if (settings.max_bounces < 1 || settings.max_bounces > 64) {
-    throw Error(where, fmt::format("{} bounces", settings.max_bounces), "use 1 to 64");
-  }
-  for (const double elevation : settings.aspects.elevations_rad) {
-    const double degrees = deg_from_radians(elevation);
-    if (!(degrees >= 0.5 && degrees <= 89.0)) {
-      throw Error(where, fmt::format("an elevation of {:.2f}°", degrees),
-                  "use 0.5° to 89°: a level plane is not lit at 0° and has no ground range at 90°");
-    }
-  }
-}
 
 atlas::AtlasDescription description_of(const scene::Scene& scene, const BakeSettings& settings) {
   return {.name = scene.name,
@@ -49,89 +27,43 @@ atlas::AtlasDescription description_of(const scene::Scene& scene, const BakeSett
           .attribution = scene.attribution};
 }
 
-radar::Rectangle intersection(const radar::Rectangle& a, const radar::Rectangle& b) {
-  return {std::max(a.west_m, b.west_m), std::max(a.south_m, b.south_m), std::min(a.east_m, b.east_m),
-          std::min(a.north_m, b.north_m)};
-}
+/// All looks of an atlas that one set of paths serves: one patch from one aspect, at every frequency.
+struct Job {
+  atlas::PatchIndex patch;
+  radar::Aspect aspect;
+  std::vector<atlas::LookIndex> looks;  // in the order of frequencies
+};
 
-/// Relative standard error of a texel's total power from the sums over the first `share` of its samples and over all of
-/// them, root mean square over the texels that answer at all: (S₁ − pS)² / (p (1 − p)) has the variance of S for its
-/// mean.
-double relative_error(const Array2D<radar::Channels>& first_part, const Array2D<radar::Channels>& whole, double share) {
-  double sum = 0.0;
-  std::size_t lit = 0;
-  for (std::size_t i = 0; i < whole.size(); ++i) {
-    const double total = whole.values()[i].power(radar::Polarization::Sum);
-    if (total <= 0.0) continue;
-    const double deviation = first_part.values()[i].power(radar::Polarization::Sum) / total - share;
-    sum += deviation * deviation / (share * (1.0 - share));
-    ++lit;
-  }
-  return lit > 0 ? std::sqrt(sum / static_cast<double>(lit)) : 0.0;
-}
-
-/// Bakes the looks of one scene, one (patch, look) at a time.
-class Baker {
- public:
-  Baker(const scene::Scene& scene, const BakeSettings& settings, const atlas::Store& store)
-      : scene_(scene), settings_(settings), store_(store), geometry_(scene, trace::Footing::LevelPlane) {}
-
-  /// Bakes look number `index` of `count`.
-  void bake_unit(const atlas::Unit& unit, std::size_t index, std::size_t count, BakeReport& report,
-                 ProgressListener& progress) {
-    const radar::Look look = settings_.aspects.look(unit.look);
-    const radar::GroundGrid texels = settings_.patches.texels_of(unit.patch);
-    const auto viewpoint = trace::Viewpoint::distant(look.aspect);
-    const trace::PathTracer tracer(geometry_, trace::surface_models(scene_, look.frequency_hz), viewpoint,
-                                   {.max_bounces = settings_.max_bounces}, settings_.seed);
-    // The scene ends where its extent does; beyond a rim about it texels stay black.
-    const auto area =
-        trace::launch_area(viewpoint, intersection(texels.extent(), scene_.extent), settings_.patches.texel_m, 0.0,
-                           geometry_.highest_m() + 1.0, multibounce_margin_m);
-
-    receiver::GroundAccumulator accumulator(texels, look.aspect);
-    // Every tile is traced twice, half of its samples at a time.
-    trace::TileProgress tiles(progress, "bake", "looks", static_cast<double>(index), static_cast<double>(index + 1),
-                              static_cast<double>(count), 2 * area.tiles());
-    const auto trace_samples = [&](std::uint32_t first, std::uint32_t samples) {
-      report.counts += tracer.trace(area, {first, samples, settings_.samples_per_texel}, settings_.threads,
-                                    [&](std::span<const radar::Echo> echoes, unsigned worker) {
-                                      accumulator.add(echoes);
-                                      tiles.tile_done(worker);
-                                    });
-    };
-    const std::uint32_t half = settings_.samples_per_texel / 2;
-    trace_samples(0, half);
-    const auto first_half = accumulator.sigma0();
-    trace_samples(half, settings_.samples_per_texel - half);
-    if (accumulator.bins().overflows() > 0) {
-      throw Error("bake of patch " + store_.texture_path(unit.patch, unit.look).string(),
-                  "a texel is brighter than the sums can hold", "use a smaller texel or a rougher material");
+std::vector<Job> jobs_of(const atlas::AtlasDescription& atlas) {
+  const atlas::AspectGrid& axes = atlas.aspects;
+  std::vector<Job> jobs;
+  for (const atlas::PatchIndex& patch : atlas.patches.covering(atlas.extent)) {
+    for (std::size_t elevation = 0; elevation < axes.elevations_rad.size(); ++elevation) {
+      for (std::size_t azimuth = 0; azimuth < axes.azimuths_rad.size(); ++azimuth) {
+        Job& job = jobs.emplace_back(Job{patch, axes.look(axes.index_of(azimuth, elevation, 0)).aspect, {}});
+        for (std::size_t frequency = 0; frequency < axes.frequencies_hz.size(); ++frequency) {
+          job.looks.push_back(axes.index_of(azimuth, elevation, frequency));
+        }
+      }
     }
-    const auto sigma0 = accumulator.sigma0();
-    const double error = relative_error(first_half, sigma0, static_cast<double>(half) / settings_.samples_per_texel);
-    store_.write(unit.patch, unit.look, sigma0,
-                 {.seed = settings_.seed,
-                  .samples_per_texel = settings_.samples_per_texel,
-                  .relative_standard_error = error,
-                  .simd = trace::simd_setting(),
-                  .counts = {}});
-    squared_errors_ += error * error;
-    ++baked_;
   }
+  return jobs;
+}
 
-  [[nodiscard]] double mean_error() const {
-    return baked_ > 0 ? std::sqrt(squared_errors_ / static_cast<double>(baked_)) : 0.0;
+/// Tells of the part of one job as part of all.
+class JobProgress final : public ProgressListener {
+ public:
+  JobProgress(ProgressListener& whole, std::size_t before, std::size_t looks, std::size_t total)
+      : whole_(whole), before_(before), looks_(looks), total_(total) {}
+
+  void advanced(std::string_view task, double done, double of, std::string_view) override {
+    whole_.advanced(task, static_cast<double>(before_) + done / of * static_cast<double>(looks_),
+                    static_cast<double>(total_), "looks");
   }
-  [[nodiscard]] std::size_t geometry_bytes() const { return geometry_.memory_bytes(); }
 
  private:
-  const scene::Scene& scene_;
-  const BakeSettings& settings_;
-  const atlas::Store& store_;
-  trace::SceneGeometry geometry_;
-  double squared_errors_ = 0.0;
-  std::size_t baked_ = 0;
+  ProgressListener& whole_;
+  std::size_t before_, looks_, total_;
 };
 
 }  // namespace
@@ -140,21 +72,38 @@ BakeReport bake(const scene::Scene& scene, const BakeSettings& settings, const s
                 ProgressListener& progress) {
   check(settings);
   const atlas::Store store = atlas::Store::create(folder, description_of(scene, settings));
-  Baker baker(scene, settings, store);
+  const LookBaker baker(scene, settings);
 
   BakeReport report;
-  const auto units = store.units();
-  report.looks = units.size();
+  report.looks = store.units().size();
   report.geometry_bytes = baker.geometry_bytes();
-  for (std::size_t i = 0; i < units.size(); ++i) {
-    if (store.is_done(units[i].patch, units[i].look)) {
-      ++report.already;
-    } else {
-      baker.bake_unit(units[i], i, units.size(), report, progress);
+  std::size_t done = 0, baked = 0;
+  double squared_errors = 0.0;
+  for (const Job& job : jobs_of(store.description())) {
+    const auto is_done = [&](atlas::LookIndex look) { return store.is_done(job.patch, look); };
+    const auto there = static_cast<std::size_t>(std::ranges::count_if(job.looks, is_done));
+    report.already += there;
+    if (there < job.looks.size()) {
+      JobProgress part(progress, done, job.looks.size(), report.looks);
+      const std::vector<BakedLook> looks = baker.bake(job.patch, job.aspect, part);
+      for (std::size_t i = 0; i < looks.size(); ++i) {
+        report.counts += looks[i].counts;
+        if (is_done(job.looks[i])) continue;
+        const double error = looks[i].relative_standard_error;
+        store.write(job.patch, job.looks[i], looks[i].sigma0,
+                    {.seed = settings.seed,
+                     .samples_per_texel = settings.samples_per_texel,
+                     .relative_standard_error = error,
+                     .simd = trace::simd_setting(),
+                     .counts = {}});
+        squared_errors += error * error;
+        ++baked;
+      }
     }
-    progress.advanced("bake", static_cast<double>(i + 1), static_cast<double>(units.size()), "looks");
+    done += job.looks.size();
+    progress.advanced("bake", static_cast<double>(done), static_cast<double>(report.looks), "looks");
   }
-  report.relative_standard_error = baker.mean_error();
+  report.relative_standard_error = baked > 0 ? std::sqrt(squared_errors / static_cast<double>(baked)) : 0.0;
   return report;
 }
 

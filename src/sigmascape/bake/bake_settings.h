@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+
+#include "sigmascape/atlas/aspect_grid.h"
+#include "sigmascape/atlas/patch_grid.h"
+
+namespace sigmascape::bake {
+
+/// What to bake and how finely.
+struct BakeSettings {
+  atlas::AspectGrid aspects = atlas::paper_aspect_grid();
+  /// The paper's texel (2 km over 1024); the side is a power of two of them.
+  atlas::PatchGrid patches{.texel_m = 2000.0 / 1024.0, .texels_per_side = 512};
+  std::uint32_t samples_per_texel = 100;  ///< N_r of the paper
+  int max_bounces = 8;                    ///< N_b of the paper
+  std::uint64_t seed = 1;
+  int mantissa_bits = 10;  ///< of the stored half floats, see atlas::AtlasDescription
+  unsigned threads = 0;    ///< 0: one a hardware thread; has no effect on the result
+};
+
+/// Throws Error, naming the setting, when one is out of range.
+void check(const BakeSettings& settings);
+
+}  // namespace sigmascape::bake
