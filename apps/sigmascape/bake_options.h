@@ -18,6 +18,7 @@ struct BakeOptions {
   std::uint32_t samples = 100;
   int bounces = 8;
   std::uint64_t seed = 1;
+  bake::Shadows shadows = bake::Shadows::RunTime;
   int mantissa_bits = 10;
   unsigned threads = 0;
 

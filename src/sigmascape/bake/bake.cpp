@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/atlas/store.h"
+#include "sigmascape/bake/ground_baker.h"
 #include "sigmascape/bake/look_baker.h"
 #include "sigmascape/trace/simd_setting.h"
 
@@ -22,6 +24,8 @@ atlas::AtlasDescription description_of(const scene::Scene& scene, const BakeSett
           .settings = {{"samples_per_texel", std::to_string(settings.samples_per_texel)},
                        {"max_bounces", std::to_string(settings.max_bounces)},
                        {"seed", std::to_string(settings.seed)},
+                       {atlas::shadows_setting,
+                        settings.shadows == Shadows::RunTime ? atlas::shadows_at_run_time : "baked"},
                        {"simd", trace::simd_setting()}},
           .mantissa_bits = settings.mantissa_bits,
           .attribution = scene.attribution};
@@ -72,6 +76,7 @@ BakeReport bake(const scene::Scene& scene, const BakeSettings& settings, const s
                 ProgressListener& progress) {
   check(settings);
   const atlas::Store store = atlas::Store::create(folder, description_of(scene, settings));
+  if (settings.shadows == Shadows::RunTime) bake_ground(scene, store);
   const LookBaker baker(scene, settings);
 
   BakeReport report;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <iterator>
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
@@ -34,6 +35,13 @@ double relative_error(const Array2D<radar::Channels>& first_part, const Array2D<
     ++lit;
   }
   return lit > 0 ? std::sqrt(sum / static_cast<double>(lit)) : 0.0;
+}
+
+/// All echoes but the ground's direct ones.
+std::vector<radar::Echo> without_ground(std::span<const radar::Echo> echoes) {
+  std::vector<radar::Echo> kept;
+  std::ranges::copy_if(echoes, std::back_inserter(kept), [](const radar::Echo& echo) { return !echo.from_ground; });
+  return kept;
 }
 
 }  // namespace
@@ -74,7 +82,11 @@ BakedLook LookBaker::bake_frequency(atlas::PatchIndex patch, const radar::Aspect
   const auto trace_samples = [&](std::uint32_t first, std::uint32_t samples) {
     look.counts += tracer.trace(area, {first, samples, settings_.samples_per_texel}, settings_.threads,
                                 [&](std::span<const radar::Echo> echoes, unsigned worker) {
-                                  accumulator.add(echoes);
+                                  if (settings_.shadows == Shadows::RunTime) {
+                                    accumulator.add(without_ground(echoes));
+                                  } else {
+                                    accumulator.add(echoes);
+                                  }
                                   tiles.tile_done(worker);
                                 });
   };
