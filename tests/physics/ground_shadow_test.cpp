@@ -87,7 +87,7 @@ TEST(GroundShadow, BareSlopesReturnTheirOwnAngleAndArea) {
          .name = fmt::format("constant-gamma ground that rises away from the radar by {:.0f}°", slope_deg),
          .expected = 0.0,
          .measured = db_from_linear(total_rcs_m2(image_of(scene, bake::Shadows::RunTime)) / expected),
-         .tolerance = 0.1,
+         .tolerance = 0.03,
          .unit = "dB over γ sin(ψ + β) of the true area",
          .source = "definition of constant gamma"});
   }
