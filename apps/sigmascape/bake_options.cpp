@@ -1,6 +1,8 @@
 #include "bake_options.h"
 
 #include <algorithm>
+#include <map>
+#include <string>
 
 #include "sigmascape/base/units.h"
 
@@ -24,6 +26,12 @@ void BakeOptions::add_to(CLI::App& command) {
       ->check(CLI::IsMember({"paper"}));
   command.add_option("--bounces", bounces, "surfaces a path may meet (N_b of the paper)")->capture_default_str();
   command.add_option("--seed", seed, "names the random numbers")->capture_default_str();
+  command
+      .add_option("--shadows", shadows,
+                  "of objects on the ground: made at run time from stored obstacles, or baked as on level ground")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, bake::Shadows>{{"run-time", bake::Shadows::RunTime}, {"baked", bake::Shadows::Baked}}))
+      ->default_str("run-time");
   command.add_option("--mantissa-bits", mantissa_bits, "bits kept of each half float, 1 to 10")
       ->capture_default_str()
       ->check(CLI::Range(1, 10));
@@ -49,6 +57,7 @@ bake::BakeSettings BakeOptions::settings() const {
     settings.max_bounces = 8;
   }
   settings.seed = seed;
+  settings.shadows = shadows;
   settings.mantissa_bits = mantissa_bits;
   settings.threads = threads;
   return settings;

@@ -21,6 +21,7 @@ struct BakeOptions {
   std::string preset;
   int bounces = 8;
   std::uint64_t seed = 1;
+  bake::Shadows shadows = bake::Shadows::RunTime;
   int mantissa_bits = 10;
   unsigned threads = 0;
 

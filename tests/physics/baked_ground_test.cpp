@@ -35,9 +35,14 @@ TEST(BakedGround, BothWaysReturnGammaTimesSine) {
   settings.patches = {2.0, 256};
   settings.sampling.samples_per_texel = 4;
   const ScratchFolder folder;
-  SilentProgress silent;
-  bake::bake(scene, settings, folder.path("atlas"), silent);
-  const atlas::Atlas atlas = atlas::load_atlas(atlas::Store::open(folder.path("atlas")));
+  const auto baked_atlas = [&](bake::Shadows shadows, const char* name) {
+    settings.shadows = shadows;
+    SilentProgress silent;
+    bake::bake(scene, settings, folder.path(name), silent);
+    return atlas::load_atlas(atlas::Store::open(folder.path(name)));
+  };
+  const atlas::Atlas atlas = baked_atlas(bake::Shadows::Baked, "baked");
+  const atlas::Atlas apart = baked_atlas(bake::Shadows::RunTime, "apart");
   const trace::SceneGeometry geometry(scene, trace::Footing::Terrain);
 
   for (const double azimuth_deg : {0.0, 77.0, 180.0}) {
@@ -62,6 +67,8 @@ TEST(BakedGround, BothWaysReturnGammaTimesSine) {
         render::RenderCounts counts;
         expect(level == 1 ? "baked" : "baked, from mip 2",
                simulate::baked_image(atlas, scene.terrain, radar, area, {.level_of_detail = level}, counts));
+        expect(level == 1 ? "kept apart" : "kept apart, from mip 2",
+               simulate::baked_image(apart, scene.terrain, radar, area, {.level_of_detail = level}, counts));
       }
       if (azimuth_deg != 77.0) continue;
       trace::TraceCounts counts;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/base/error.h"
 
 namespace sigmascape::atlas {
@@ -38,6 +39,10 @@ std::size_t Atlas::memory_bytes() const {
   std::size_t bytes = 0;
   for (const Patch& patch : patch_table_) {
     for (const std::vector<Half>& level : patch.levels) bytes += level.size() * sizeof(Half);
+  }
+  if (ground_layers_) {
+    bytes +=
+        ground_layers_->sigma0.memory_bytes() + ground_layers_->obstacles.obstacles.size() * sizeof(radar::Obstacle);
   }
   return bytes;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "sigmascape/atlas/aspect_grid.h"
@@ -12,6 +13,8 @@
 #include "sigmascape/radar/look.h"
 
 namespace sigmascape::atlas {
+
+struct GroundLayers;
 
 /// Reflectivity textures in memory: σ0 (linear, per horizontal area) of any ground point from any look.
 ///
@@ -25,6 +28,9 @@ class Atlas {
   /// The last level, at which a patch is one texel.
   [[nodiscard]] std::size_t coarsest_level() const { return finest_level_ + levels_ - 1; }
   [[nodiscard]] std::size_t memory_bytes() const;
+
+  /// The ground that the textures do not hold, or nullptr when they hold it with its shadows.
+  [[nodiscard]] const GroundLayers* ground_layers() const { return ground_layers_.get(); }
 
   /// Whether a point lies on the atlas, its edges included. σ0 is zero where it does not.
   [[nodiscard]] bool covers(Vec2d point_m) const;
@@ -73,6 +79,7 @@ class Atlas {
   int patch_columns_ = 0;
   int patch_rows_ = 0;
   std::vector<Patch> patch_table_;  ///< [row][column] from the north-west
+  std::shared_ptr<const GroundLayers> ground_layers_;
 };
 
 struct LoadOptions {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "sigmascape/atlas/atlas.h"
+#include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/atlas/half_texture.h"
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/parallel.h"
@@ -58,6 +59,9 @@ class AtlasLoader {
       add_levels_down_to_one(texture);
       place(texture, atlas_.patch_table_[index / looks], look);
     });
+    if (keeps_ground_apart(store_)) {
+      atlas_.ground_layers_ = std::make_shared<const GroundLayers>(load_ground_layers(store_, options_));
+    }
     return std::move(atlas_);
   }
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -61,6 +62,9 @@ struct StoreFault {
   std::filesystem::path file;  ///< relative to the store
   std::string what;            ///< "is missing", "is truncated", "was altered", …
 };
+
+/// The terrain that the scene stands on, in the folder of the atlas, so that maps can be rendered without the scene.
+inline constexpr std::string_view terrain_name = "terrain.tif";
 
 /// Reflectivity textures at rest: a folder with a STAC collection, and for each (patch, look) a half-float
 /// cloud-optimised GeoTIFF with its STAC item beside it. docs/store.md describes the format.

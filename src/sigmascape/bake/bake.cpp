@@ -7,11 +7,14 @@
 #include <string>
 #include <vector>
 
+#include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/atlas/pyramid.h"
 #include "sigmascape/bake/claims.h"
+#include "sigmascape/bake/ground_baker.h"
 #include "sigmascape/bake/job.h"
 #include "sigmascape/bake/look_baker.h"
 #include "sigmascape/geo/atomic_file.h"
+#include "sigmascape/terrain/height_field_file.h"
 #include "sigmascape/trace/simd_setting.h"
 
 namespace sigmascape::bake {
@@ -19,9 +22,11 @@ namespace {
 
 std::map<std::string, std::string> settings_in_words(const BakeSettings& settings) {
   const Sampling& sampling = settings.sampling;
-  std::map<std::string, std::string> words = {{"max_bounces", std::to_string(settings.max_bounces)},
-                                              {"seed", std::to_string(settings.seed)},
-                                              {"simd", trace::simd_setting()}};
+  std::map<std::string, std::string> words = {
+      {"max_bounces", std::to_string(settings.max_bounces)},
+      {"seed", std::to_string(settings.seed)},
+      {atlas::shadows_setting, settings.shadows == Shadows::RunTime ? atlas::shadows_at_run_time : "baked"},
+      {"simd", trace::simd_setting()}};
   if (sampling.is_adaptive()) {
     words["samples_per_texel"] = fmt::format("{} to {}", pilot_samples, sampling.most_samples);
     words["target_db"] = fmt::format("{:g}", sampling.target_db);
@@ -201,6 +206,11 @@ BakeReport bake(const scene::Scene& scene, const BakeSettings& settings, const s
   check(settings);
   check(share.shard);
   const atlas::Store store = atlas::Store::create(folder, description_of(scene, settings));
+  const std::filesystem::path terrain = folder / atlas::terrain_name;
+  if (!std::filesystem::exists(terrain)) {
+    terrain::write_height_field(terrain, scene.terrain, store.description().frame.proj());
+  }
+  if (settings.shadows == Shadows::RunTime) bake_ground(scene, store);
   const LookBaker baker(scene, settings);
   return BakeRun(baker, settings, store, share, progress).report();
 }

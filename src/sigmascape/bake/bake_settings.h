@@ -8,6 +8,12 @@
 
 namespace sigmascape::bake {
 
+/// Where the shadows come from that objects throw on the ground.
+enum class Shadows {
+  RunTime,  ///< made when a map is rendered: ground and obstacles are stored apart from the echoes of objects
+  Baked,    ///< in the textures, with the length they have on level ground: the paper's way
+};
+
 /// What to bake and how finely.
 struct BakeSettings {
   atlas::AspectGrid aspects = atlas::paper_aspect_grid();
@@ -16,6 +22,7 @@ struct BakeSettings {
   Sampling sampling;
   int max_bounces = 8;  ///< N_b of the paper
   std::uint64_t seed = 1;
+  Shadows shadows = Shadows::RunTime;
   int mantissa_bits = 10;  ///< of the stored half floats, see atlas::AtlasDescription
   unsigned threads = 0;    ///< 0: one a hardware thread; has no effect on the result
 };

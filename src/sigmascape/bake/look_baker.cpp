@@ -59,7 +59,7 @@ std::vector<BakedLook> LookBaker::bake(atlas::PatchIndex patch, const radar::Asp
   std::vector<receiver::GroundAccumulator> accumulators;
   for (std::size_t f = 0; f < surfaces_.size(); ++f) accumulators.emplace_back(texels, aspect);
   const unsigned workers = thread_count(settings_.threads);
-  std::vector<TileSampler> samplers(workers, TileSampler(settings_.sampling, accumulators));
+  std::vector<TileSampler> samplers(workers, TileSampler(settings_.sampling, settings_.shadows, accumulators));
   trace::TileProgress tiles(progress, "bake", "look", 0.0, 1.0, 1.0, area.tiles());
   const auto counts = tracer.trace_tiles(area, workers, [&](trace::TilePaths& tile, unsigned worker) {
     samplers[worker].sample(tile, texels.cell_area_m2());

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "sigmascape/bake/bake_settings.h"
 #include "sigmascape/bake/cell_sum.h"
 #include "sigmascape/bake/sampling.h"
 #include "sigmascape/receiver/ground_accumulator.h"
@@ -17,7 +18,7 @@ namespace sigmascape::bake {
 class TileSampler {
  public:
   /// `patch` has one accumulator a frequency; both are held by reference.
-  TileSampler(const Sampling& sampling, std::vector<receiver::GroundAccumulator>& patch);
+  TileSampler(const Sampling& sampling, Shadows shadows, std::vector<receiver::GroundAccumulator>& patch);
 
   void sample(trace::TilePaths& tile, double cell_area_m2);
 
@@ -37,6 +38,7 @@ class TileSampler {
               std::vector<std::vector<Landed>>& landed);
 
   const Sampling& sampling_;
+  bool ground_apart_;
   std::vector<receiver::GroundAccumulator>& patch_;
   double target_;                                       // relative standard error
   double floor_;                                        // σ0

@@ -22,6 +22,8 @@ struct Echo {
   /// mean height of first and last surface point below the radar over their mean distance. Zero when the radar is at
   /// infinity.
   float sin_depression = 0.0F;
+  /// Whether this is the ground's direct echo: no surface but the bare ground had a part in it.
+  bool from_ground = false;
 };
 
 }  // namespace sigmascape::radar

@@ -19,21 +19,25 @@ enum class SlopeModel {
 struct RenderSettings {
   /// Level of detail, 1 or more: level k reads textures from mip k − 1 on.
   int level_of_detail = 1;
-  SlopeModel slope = SlopeModel::Upright;
+  SlopeModel slope = SlopeModel::Upright;  ///< of the textures; ground that is kept apart is Tilted always
   unsigned threads = 0;
 };
 
 struct RenderCounts {
   std::size_t ground_samples = 0;  ///< points of ground in the sector
-  std::size_t visible = 0;         ///< of them not hidden by nearer ground
+  std::size_t visible = 0;         ///< of them not wholly hidden
   std::size_t overflows = 0;       ///< echoes left out because their bin was full
 };
 
 /// LOD ≥ 1: the ground map from terrain and baked reflectivity alone.
 ///
 /// Sweeps outwards along every azimuth with the steepest line of sight so far; ground that rises above it is seen and
-/// sends its σ0 · dA to the receiver at its true slant range. Objects stand in the textures, so their shadows and
-/// layover come from there; the occluders here are the bare earth.
+/// sends its σ0 · dA to the receiver at its true slant range. Objects and their layover stand in the textures.
+///
+/// Where the atlas keeps the ground apart (atlas::GroundLayers), the ground answers with its grazing angle above the
+/// local slope and its true area, behind terrain and obstacles as they stand here; objects answer with the part of
+/// their height that rises above the terrain's horizon, and hide one another as they were baked. Otherwise the shadows
+/// of objects too are those of the textures, and what hides here is the bare earth.
 class GroundRenderer {
  public:
   GroundRenderer(const atlas::Atlas& atlas, const terrain::HeightField& terrain) : atlas_(&atlas), terrain_(&terrain) {}

@@ -35,7 +35,7 @@ LiveGround::LiveGround(const atlas::Store& store, terrain::HeightField terrain, 
 std::shared_ptr<LiveGround> LiveGround::open(const std::filesystem::path& atlas_folder, double frequency_hz,
                                              const CacheOptions& options) {
   const atlas::Store store = atlas::Store::open(atlas_folder);
-  return std::make_shared<LiveGround>(store, terrain::read_height_field(atlas_folder / terrain_name), frequency_hz,
+  return std::make_shared<LiveGround>(store, terrain::read_height_field(atlas_folder / atlas::terrain_name), frequency_hz,
                                       options);
 }
 

@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <memory>
-#include <string_view>
 
 #include "sigmascape/atlas/store.h"
 #include "sigmascape/render/ground_page.h"
@@ -21,11 +20,10 @@ class LiveGround {
   LiveGround(const atlas::Store& store, terrain::HeightField terrain, double frequency_hz,
              const CacheOptions& options = {});
 
-  /// The atlas in a folder with the terrain that its bake put beside it (`terrain_name`). Throws Error when one of them
+  /// The atlas in a folder with the terrain that its bake put beside it (atlas::terrain_name). Throws Error when one of them
   /// cannot be read.
   [[nodiscard]] static std::shared_ptr<LiveGround> open(const std::filesystem::path& atlas_folder, double frequency_hz,
                                                         const CacheOptions& options = {});
-  static constexpr std::string_view terrain_name = "terrain.tif";
 
   [[nodiscard]] double frequency_hz() const { return frequency_hz_; }
   [[nodiscard]] PageCache& pages() { return pages_; }

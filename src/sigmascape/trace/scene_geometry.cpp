@@ -273,6 +273,7 @@ struct SceneGeometry::Structures {
     hit.normal = {0.0F, 0.0F, 1.0F};
     hit.inverse_facet_area_per_m2 = 0.0F;
     hit.material = ground_material(hit.position);
+    hit.is_ground = true;
   }
 };
 
@@ -367,6 +368,7 @@ bool SceneGeometry::intersect(Vec3f ray_origin, Vec3f direction, SurfaceHit& hit
     if (normal.z < 0.0F) normal = -normal;
     if (dot(normal, direction) >= 0.0F) return false;  // entered below the edge of the terrain
     hit.material = s.ground_material(hit.position);
+    hit.is_ground = true;
   } else {
     hit.material = part.mesh->materials[query.hit.primID];
   }

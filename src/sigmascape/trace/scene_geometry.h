@@ -19,6 +19,7 @@ struct SurfaceHit {
   float extinction_per_m = 0.0F;
 
   [[nodiscard]] bool is_in_crown() const { return extinction_per_m > 0.0F; }
+  bool is_ground = false;  ///< whether the terrain or the level plane was hit
 };
 
 /// A scene made ready for rays: the one place that knows Embree.

@@ -207,7 +207,8 @@ void TileTracer::add_direct_echoes(const SurfaceHit& hit, Vec3d position, Vec3d 
                .cross = cross,
                .rcs_m2 = rcs_m2,
                .bounces = 1,
-               .sin_depression = sin_depression});
+               .sin_depression = sin_depression,
+               .from_ground = hit.is_ground});
   }
 }
 

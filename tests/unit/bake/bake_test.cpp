@@ -46,6 +46,7 @@ BakeSettings small_bake(std::vector<double> elevations_deg = {13.0, 40.0}) {
   for (const double degrees : elevations_deg) settings.aspects.elevations_rad.push_back(radians_from_deg(degrees));
   settings.patches = {2.0, 256};
   settings.sampling.samples_per_texel = 4;
+  settings.shadows = Shadows::Baked;
   return settings;
 }
 

@@ -19,7 +19,7 @@ class LiveFromC : public testing::Test {
     render::ExampleGround example;
     example.sigma0 = [](const radar::Look& look) { return render::constant_gamma(0.1, look); };
     const auto store = example.store(folder_->path("atlas"));
-    terrain::write_height_field(folder_->path("atlas") / render::LiveGround::terrain_name, example.terrain(),
+    terrain::write_height_field(folder_->path("atlas") / atlas::terrain_name, example.terrain(),
                                 store.description().frame.proj());
   }
   static void TearDownTestSuite() { folder_.reset(); }

@@ -1,0 +1,88 @@
+#include "sigmascape/bake/ground_baker.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "sigmascape/atlas/ground_layers.h"
+#include "sigmascape/base/units.h"
+#include "sigmascape/scene/obstacle_raster.h"
+#include "sigmascape/trace/path_tracer.h"
+
+namespace sigmascape::bake {
+namespace {
+
+/// Elevations of the ground's σ0. Between them γ is blended, of which that of natural ground hardly changes; what is
+/// smooth and answers at steep incidence alone is met on slopes.
+std::vector<double> ground_elevations_rad() {
+  std::vector<double> elevations;
+  for (const double degrees : {2.0, 5.0, 10.0, 20.0, 30.0, 45.0, 60.0, 75.0, 88.0}) {
+    elevations.push_back(radians_from_deg(degrees));
+  }
+  return elevations;
+}
+
+/// σ0 = 4π f sin² ψ of every material, lying level: docs/physics/estimator.md, Eq. (1) over the area of the ground.
+std::vector<radar::Channels> sigma0_of(const std::vector<scatter::SurfaceModel>& surfaces, double elevation_rad) {
+  const Vec3f to_radar = radar::direction_to_radar({0.0, elevation_rad}).to<float>();
+  const double sine = std::sin(elevation_rad);
+  std::vector<radar::Channels> sigma0;
+  for (const scatter::SurfaceModel& surface : surfaces) {
+    sigma0.push_back(surface.backscatter(to_radar, {{0.0F, 0.0F, 1.0F}, 0.0F}) *
+                     static_cast<float>(4.0 * pi * sine * sine));
+  }
+  return sigma0;
+}
+
+/// What part of each texel is made of each material: [texel][material].
+std::vector<std::vector<float>> shares_of(const scene::MaterialMap& ground, std::size_t materials,
+                                          const radar::GroundGrid& texels) {
+  // A point a material cell, but no more than tell a share to a few percent.
+  const auto points = static_cast<std::size_t>(std::clamp(std::ceil(texels.cell_m / ground.grid.cell_m), 1.0, 8.0));
+  const double spacing_m = texels.cell_m / static_cast<double>(points);
+  const float share = 1.0F / static_cast<float>(points * points);
+  std::vector<std::vector<float>> shares(texels.columns * texels.rows, std::vector<float>(materials, 0.0F));
+  for (std::size_t j = 0; j < texels.rows * points; ++j) {
+    for (std::size_t i = 0; i < texels.columns * points; ++i) {
+      const Vec2d point{texels.west_m + (static_cast<double>(i) + 0.5) * spacing_m,
+                        texels.north_m - (static_cast<double>(j) + 0.5) * spacing_m};
+      shares[j / points * texels.columns + i / points][ground.at(point)] += share;
+    }
+  }
+  return shares;
+}
+
+Array2D<radar::Channels> mixed(const std::vector<std::vector<float>>& shares,
+                               const std::vector<radar::Channels>& sigma0, const radar::GroundGrid& texels) {
+  Array2D<radar::Channels> mixture(texels.columns, texels.rows);
+  for (std::size_t texel = 0; texel < mixture.size(); ++texel) {
+    for (std::size_t material = 0; material < sigma0.size(); ++material) {
+      if (shares[texel][material] > 0.0F) mixture.values()[texel] += sigma0[material] * shares[texel][material];
+    }
+  }
+  return mixture;
+}
+
+}  // namespace
+
+void bake_ground(const scene::Scene& scene, const atlas::Store& store) {
+  const atlas::Store ground = atlas::create_ground_store(store, ground_elevations_rad());
+  const atlas::AtlasDescription& description = ground.description();
+  for (const atlas::PatchIndex& patch : description.patches.covering(description.extent)) {
+    const radar::GroundGrid texels = description.patches.texels_of(patch);
+    if (!atlas::has_obstacles(store, patch)) {
+      atlas::write_obstacles(store, patch, scene::obstacles_of(scene, texels));
+    }
+    std::vector<std::vector<float>> shares;
+    for (atlas::LookIndex index = 0; index < description.aspects.look_count(); ++index) {
+      if (ground.is_done(patch, index)) continue;
+      if (shares.empty()) shares = shares_of(scene.ground, scene.materials.size(), texels);
+      const radar::Look look = description.aspects.look(index);
+      const auto surfaces = trace::surface_models(scene, look.frequency_hz);
+      ground.write(patch, index, mixed(shares, sigma0_of(surfaces, look.aspect.elevation_rad), texels),
+                   {.seed = 0, .samples_per_texel = 0, .relative_standard_error = 0.0, .simd = "none", .counts = {}});
+    }
+  }
+}
+
+}  // namespace sigmascape::bake

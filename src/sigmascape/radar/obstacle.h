@@ -1,0 +1,39 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+
+#include "sigmascape/base/array2d.h"
+#include "sigmascape/base/vec.h"
+#include "sigmascape/radar/ground_grid.h"
+
+namespace sigmascape::radar {
+
+/// What stands on a square of ground, as far as it hides what is behind it. Heights are above that ground.
+struct Obstacle {
+  float solid_top_m = 0.0F;  ///< of what lets nothing through; 0 where there is none
+  float crown_base_m = 0.0F;
+  float crown_top_m = 0.0F;             ///< of what lets a part through, from its base up; 0 where there is none
+  float crown_extinction_per_m = 0.0F;  ///< optical depth of a metre of line of sight within: e^−depth is not hidden
+
+  friend constexpr bool operator==(const Obstacle&, const Obstacle&) = default;
+  [[nodiscard]] constexpr float top_m() const { return std::max(solid_top_m, crown_top_m); }
+};
+
+/// The obstacles of an area, square by square.
+struct ObstacleMap {
+  GroundGrid grid;
+  Array2D<Obstacle> obstacles;  ///< [column, row]
+
+  /// What stands at a point; nothing outside the grid.
+  [[nodiscard]] Obstacle at(Vec2d point) const {
+    const Vec2d cell = grid.cells_from(point);
+    if (!(cell.x >= 0.0 && cell.y >= 0.0 && cell.x < static_cast<double>(grid.columns) &&
+          cell.y < static_cast<double>(grid.rows))) {
+      return {};
+    }
+    return obstacles(static_cast<std::size_t>(cell.x), static_cast<std::size_t>(cell.y));
+  }
+};
+
+}  // namespace sigmascape::radar

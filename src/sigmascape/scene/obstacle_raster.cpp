@@ -1,0 +1,225 @@
+#include "sigmascape/scene/obstacle_raster.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace sigmascape::scene {
+namespace {
+
+using Corners = std::array<Vec3d, 3>;
+
+/// Points along a cell's side at which it is asked whether a roof covers it.
+constexpr std::size_t points_per_side = 5;
+
+/// Twice the area of the triangle's shadow at noon, positive when it runs anticlockwise from above.
+double twice_plan_area(Vec3d a, Vec3d b, Vec3d c) {
+  return (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
+}
+
+/// Buildings seen from above on points finer than the cells.
+class RoofRaster {
+ public:
+  explicit RoofRaster(const radar::GroundGrid& cells)
+      : points_{cells.west_m, cells.north_m, cells.cell_m / static_cast<double>(points_per_side),
+                cells.columns * points_per_side, cells.rows * points_per_side},
+        height_m_(points_.columns, points_.rows) {}
+
+  void add(const Corners& triangle, const terrain::HeightField& ground) {
+    const auto [a, b, c] = triangle;
+    const double whole = twice_plan_area(a, b, c);
+    if (std::abs(whole) < 1e-9) return;  // a wall
+    const auto [west, east] = std::minmax({a.x, b.x, c.x});
+    const auto [south, north] = std::minmax({a.y, b.y, c.y});
+    const Vec2d first = points_.cells_from({west, north}), last = points_.cells_from({east, south});
+    for (std::size_t row = index_from(first.y, points_.rows); row < index_from(last.y + 1.0, points_.rows); ++row) {
+      for (std::size_t column = index_from(first.x, points_.columns);
+           column < index_from(last.x + 1.0, points_.columns); ++column) {
+        const Vec2d p = points_.centre_of(column, row);
+        const Vec3d at{p.x, p.y, 0.0};
+        const double of_b = twice_plan_area(a, at, c) / whole, of_c = twice_plan_area(a, b, at) / whole;
+        if (of_b < 0.0 || of_c < 0.0 || of_b + of_c > 1.0) continue;
+        const double height = a.z + of_b * (b.z - a.z) + of_c * (c.z - a.z) - ground.height_at(p);
+        height_m_(column, row) = std::max(height_m_(column, row), static_cast<float>(height));
+      }
+    }
+  }
+
+  /// The highest roof over a cell that is at least half covered, else 0.
+  [[nodiscard]] float solid_top_m(std::size_t column, std::size_t row) const {
+    float highest = 0.0F;
+    std::size_t covered = 0;
+    for (std::size_t j = 0; j < points_per_side; ++j) {
+      for (std::size_t i = 0; i < points_per_side; ++i) {
+        const float height = height_m_(column * points_per_side + i, row * points_per_side + j);
+        highest = std::max(highest, height);
+        if (height > 0.0F) ++covered;
+      }
+    }
+    return 2 * covered >= points_per_side * points_per_side ? highest : 0.0F;
+  }
+
+ private:
+  static std::size_t index_from(double cells, std::size_t count) {
+    return static_cast<std::size_t>(std::clamp(std::floor(cells), 0.0, static_cast<double>(count)));
+  }
+
+  radar::GroundGrid points_;
+  Array2D<float> height_m_;
+};
+
+/// The surface that stands over one cell.
+struct Foliage {
+  double area_m2 = 0.0, base_m = 0.0, top_m = 0.0;
+};
+
+class FoliageRaster {
+ public:
+  explicit FoliageRaster(const radar::GroundGrid& cells) : cells_(cells), foliage_(cells.columns, cells.rows) {}
+
+  /// Adds a triangle, cut until its pieces are small against the cells.
+  void add(const Corners& triangle, const terrain::HeightField& ground) {
+    const auto [a, b, c] = triangle;
+    const std::array<double, 3> sides{plan_distance(a, b), plan_distance(b, c), plan_distance(c, a)};
+    const auto longest = std::ranges::max_element(sides);
+    if (*longest <= cells_.cell_m / 2.0) {
+      add_piece(triangle, ground);
+      return;
+    }
+    const auto first = static_cast<std::size_t>(longest - sides.begin());
+    const Vec3d from = triangle[first], to = triangle[(first + 1) % 3], opposite = triangle[(first + 2) % 3];
+    const Vec3d middle = (from + to) * 0.5;
+    add({from, middle, opposite}, ground);
+    add({middle, to, opposite}, ground);
+  }
+
+  void write_to(radar::Obstacle& obstacle, std::size_t column, std::size_t row) const {
+    const Foliage& foliage = foliage_(column, row);
+    if (!(foliage.top_m > foliage.base_m)) return;
+    obstacle.crown_base_m = static_cast<float>(foliage.base_m);
+    obstacle.crown_top_m = static_cast<float>(foliage.top_m);
+    obstacle.crown_extinction_per_m =
+        static_cast<float>(foliage.area_m2 / (2.0 * cells_.cell_area_m2() * (foliage.top_m - foliage.base_m)));
+  }
+
+ private:
+  static double plan_distance(Vec3d a, Vec3d b) { return std::hypot(a.x - b.x, a.y - b.y); }
+
+  void add_piece(const Corners& piece, const terrain::HeightField& ground) {
+    const auto [a, b, c] = piece;
+    const Vec2d middle{(a.x + b.x + c.x) / 3.0, (a.y + b.y + c.y) / 3.0};
+    const Vec2d cell = cells_.cells_from(middle);
+    if (cell.x < 0.0 || cell.y < 0.0 || cell.x >= static_cast<double>(cells_.columns) ||
+        cell.y >= static_cast<double>(cells_.rows)) {
+      return;
+    }
+    const double ground_m = ground.height_at(middle);
+    const auto [lowest, highest] = std::minmax({a.z, b.z, c.z});
+    Foliage& foliage = foliage_(static_cast<std::size_t>(cell.x), static_cast<std::size_t>(cell.y));
+    const double base_m = std::max(0.0, lowest - ground_m);
+    foliage.base_m = foliage.area_m2 == 0.0 ? base_m : std::min(foliage.base_m, base_m);
+    foliage.top_m = std::max(foliage.top_m, highest - ground_m);
+    foliage.area_m2 += length(cross(b - a, c - a)) / 2.0;
+  }
+
+  radar::GroundGrid cells_;
+  Array2D<Foliage> foliage_;
+};
+
+Corners corners_of(const std::array<std::uint32_t, 3>& triangle, const std::vector<Vec3d>& vertices) {
+  return {vertices[triangle[0]], vertices[triangle[1]], vertices[triangle[2]]};
+}
+
+/// Whether a mesh encloses what is inside it: each edge belongs to an even number of triangles.
+bool is_closed(const Mesh& mesh) {
+  using Point = std::array<float, 3>;
+  std::map<std::pair<Point, Point>, std::size_t> triangles_of_edge;
+  const auto point = [&](std::uint32_t index) {
+    const Vec3f& vertex = mesh.vertices[index];
+    return Point{vertex.x, vertex.y, vertex.z};
+  };
+  for (const auto& triangle : mesh.triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Point a = point(triangle[i]), b = point(triangle[(i + 1) % 3]);
+      ++triangles_of_edge[std::minmax(a, b)];
+    }
+  }
+  return std::ranges::all_of(triangles_of_edge, [](const auto& edge) { return edge.second % 2 == 0; });
+}
+
+void add_buildings(const Scene& scene, RoofRaster& roofs) {
+  std::vector<Vec3d> vertices;
+  for (const Vec3f& vertex : scene.buildings.mesh.vertices) vertices.push_back(vertex.to<double>());
+  for (const Building& building : scene.buildings.items) {
+    for (std::uint32_t i = 0; i < building.vertex_count; ++i) {
+      vertices[building.first_vertex + i].z += static_cast<double>(building.footing_m);
+    }
+  }
+  for (const auto& triangle : scene.buildings.mesh.triangles) roofs.add(corners_of(triangle, vertices), scene.terrain);
+}
+
+/// Distance of a mesh's farthest vertex from the upright line through its origin.
+double reach_m(const Mesh& mesh) {
+  double reach = 0.0;
+  for (const Vec3f& vertex : mesh.vertices) {
+    reach = std::max(reach, std::hypot(static_cast<double>(vertex.x), static_cast<double>(vertex.y)));
+  }
+  return reach;
+}
+
+void add_instances(const Scene& scene, const radar::Rectangle& area, RoofRaster& roofs, FoliageRaster& foliage) {
+  std::vector<bool> is_solid;
+  std::vector<double> reaches_m;
+  for (const Mesh& mesh : scene.prototypes) {
+    is_solid.push_back(is_closed(mesh));
+    reaches_m.push_back(reach_m(mesh));
+  }
+  std::vector<Vec3d> vertices;
+  for (const Instance& instance : scene.instances) {
+    const Mesh& mesh = scene.prototypes[instance.prototype];
+    const double reach =
+        reaches_m[instance.prototype] * static_cast<double>(std::max(instance.scale.x, instance.scale.y));
+    const radar::Rectangle near{area.west_m - reach, area.south_m - reach, area.east_m + reach, area.north_m + reach};
+    if (!near.contains({instance.x_m, instance.y_m})) continue;
+    const Vec3d origin{static_cast<double>(instance.x_m), static_cast<double>(instance.y_m),
+                       scene.terrain.height_at({instance.x_m, instance.y_m}) + static_cast<double>(instance.lift_m)};
+    const double c = std::cos(static_cast<double>(instance.yaw_rad)),
+                 s = std::sin(static_cast<double>(instance.yaw_rad));
+    vertices.clear();
+    for (const Vec3f& vertex : mesh.vertices) {
+      const Vec3d scaled =
+          Vec3f{vertex.x * instance.scale.x, vertex.y * instance.scale.y, vertex.z * instance.scale.z}.to<double>();
+      vertices.push_back(origin + Vec3d{scaled.x * c + scaled.y * s, scaled.y * c - scaled.x * s, scaled.z});
+    }
+    for (const auto& triangle : mesh.triangles) {
+      const Corners corners = corners_of(triangle, vertices);
+      if (is_solid[instance.prototype]) {
+        roofs.add(corners, scene.terrain);
+      } else {
+        foliage.add(corners, scene.terrain);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+radar::ObstacleMap obstacles_of(const Scene& scene, const radar::GroundGrid& grid) {
+  RoofRaster roofs(grid);
+  add_buildings(scene, roofs);
+  FoliageRaster foliage(grid);
+  add_instances(scene, grid.extent(), roofs, foliage);
+  radar::ObstacleMap map{grid, Array2D<radar::Obstacle>(grid.columns, grid.rows)};
+  for (std::size_t row = 0; row < grid.rows; ++row) {
+    for (std::size_t column = 0; column < grid.columns; ++column) {
+      map.obstacles(column, row).solid_top_m = roofs.solid_top_m(column, row);
+      foliage.write_to(map.obstacles(column, row), column, row);
+    }
+  }
+  return map;
+}
+
+}  // namespace sigmascape::scene

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "sigmascape/radar/obstacle.h"
+#include "sigmascape/scene/scene.h"
+
+namespace sigmascape::scene {
+
+/// What of the scene stands on each cell of `grid`, its heights above the scene's own terrain.
+///
+/// Buildings and instances of closed meshes are solid: a cell of which they cover half or more has the height of their
+/// highest roof there. Instances of open meshes, such as trees with their leaves, are porous: their surface, spread
+/// evenly over the space between the lowest and the highest of it that stands over the cell, gives an extinction of
+///
+///     κ = A / (2 · cell area · (top − base))
+///
+/// for surfaces of all orientations alike show half their area on the mean of all directions (Cauchy).
+[[nodiscard]] radar::ObstacleMap obstacles_of(const Scene& scene, const radar::GroundGrid& grid);
+
+}  // namespace sigmascape::scene

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <vector>
+
+#include "sigmascape/radar/obstacle.h"
+
+namespace sigmascape::terrain {
+
+/// How much of a place is seen, each from 0 to 1.
+struct Sight {
+  double ground = 0.0;   ///< of the bare ground, behind terrain, solid things and what comes through crowns
+  double objects = 0.0;  ///< of what stands on it, by height, above the terrain's horizon alone
+};
+
+/// Walks outwards from an observer along one azimuth over ground with obstacles and tells what is seen of each place.
+///
+/// A line of sight is named by its slope. Ground is hidden by terrain and solid things whose slope is steeper; through
+/// a crown that reaches from one slope to another, e^−κs of it is seen, s the way of the line of sight within. As only
+/// ground at or above the horizon is seen at all, slopes of interest only rise: each crown enters and leaves the sum of
+/// optical depths once, so that a walk takes time in proportion to its length times the logarithm of the crowns that
+/// are in the way at once.
+class ObstacleSweep {
+ public:
+  explicit ObstacleSweep(double observer_height_m) : observer_height_m_(observer_height_m) {}
+
+  /// Takes the next piece of the way, `step_m` long, around the distance `distance_m`. An obstacle hides the ground
+  /// that it stands on as well.
+  Sight advance(double distance_m, double ground_m, const radar::Obstacle& obstacle, double step_m) {
+    const double slope = (ground_m - observer_height_m_) / distance_m;
+    if (slope > horizon_) horizon_ = slope;
+    const bool is_hidden = slope < horizon_;
+    if (obstacle.solid_top_m > 0.0F) {
+      solid_horizon_ = std::max(solid_horizon_, slope + static_cast<double>(obstacle.solid_top_m) / distance_m);
+    }
+    if (obstacle.crown_top_m > 0.0F) add_crown(distance_m, slope, obstacle, step_m);
+    if (is_hidden) return {0.0, part_above_horizon(distance_m, slope, obstacle)};
+    return {slope < solid_horizon_ ? 0.0 : transmission_at(slope), 1.0};
+  }
+
+ private:
+  /// Optical depths are whole multiples of this, so that what a crown adds it takes away again.
+  static constexpr double depth_unit = 1e-6;
+
+  struct Edge {
+    double slope;
+    std::int64_t depth;
+    friend bool operator>(const Edge& a, const Edge& b) { return a.slope > b.slope; }
+  };
+  using Edges = std::priority_queue<Edge, std::vector<Edge>, std::greater<>>;
+
+  void add_crown(double distance_m, double slope, const radar::Obstacle& obstacle, double step_m) {
+    const double base = slope + static_cast<double>(obstacle.crown_base_m) / distance_m;
+    const double top = slope + static_cast<double>(obstacle.crown_top_m) / distance_m;
+    if (top <= horizon_) return;
+    const double way_m = step_m * std::sqrt(1.0 + slope * slope);
+    const auto depth = std::llround(static_cast<double>(obstacle.crown_extinction_per_m) * way_m / depth_unit);
+    bases_.push({base, depth});
+    tops_.push({top, depth});
+  }
+
+  double transmission_at(double slope) {
+    for (; !bases_.empty() && bases_.top().slope <= slope; bases_.pop()) depth_ += bases_.top().depth;
+    for (; !tops_.empty() && tops_.top().slope <= slope; tops_.pop()) depth_ -= tops_.top().depth;
+    return depth_ == 0 ? 1.0 : std::exp(-depth_unit * static_cast<double>(depth_));
+  }
+
+  [[nodiscard]] double part_above_horizon(double distance_m, double slope, const radar::Obstacle& obstacle) const {
+    const auto top_m = static_cast<double>(obstacle.top_m());
+    const double hidden_m = (horizon_ - slope) * distance_m;
+    return hidden_m < top_m ? 1.0 - hidden_m / top_m : 0.0;
+  }
+
+  double observer_height_m_;
+  double horizon_ = -std::numeric_limits<double>::infinity();  // steepest slope to terrain so far
+  double solid_horizon_ = -std::numeric_limits<double>::infinity();
+  std::int64_t depth_ = 0;
+  Edges bases_, tops_;  // edges of crowns that no line of sight has reached yet
+};
+
+}  // namespace sigmascape::terrain

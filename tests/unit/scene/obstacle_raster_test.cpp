@@ -1,0 +1,62 @@
+#include "sigmascape/scene/obstacle_raster.h"
+
+#include <gtest/gtest.h>
+
+#include "sigmascape/scene/solid_mesh.h"
+
+namespace sigmascape::scene {
+namespace {
+
+constexpr radar::GroundGrid cells{-10.0, 10.0, 2.0, 10, 10};
+
+Scene empty_scene(float west_m = 0.0F, float east_m = 0.0F) {
+  Scene scene;
+  scene.extent = cells.extent();
+  scene.terrain = {-10.0, 10.0, 20.0, Array2D<float>(2, 2)};
+  for (const std::size_t row : {0U, 1U}) {
+    scene.terrain.height_m(0, row) = west_m;
+    scene.terrain.height_m(1, row) = east_m;
+  }
+  return scene;
+}
+
+TEST(ObstacleRaster, ClosedMeshesAreSolidWhereTheyCoverHalfACell) {
+  Scene scene = empty_scene();
+  scene.prototypes.push_back(box_mesh({4.0F, 4.8F, 7.0F}, 0));
+  scene.instances.push_back({.x_m = 0.0F, .y_m = 0.0F});
+  const auto map = obstacles_of(scene, cells);
+  EXPECT_FLOAT_EQ(map.at({1.0, 1.0}).solid_top_m, 7.0F);
+  EXPECT_FLOAT_EQ(map.at({-1.9, -1.9}).solid_top_m, 7.0F);
+  EXPECT_EQ(map.at({0.5, 2.1}), radar::Obstacle{});  // a fifth of the cell
+  EXPECT_EQ(map.at({2.1, 0.5}), radar::Obstacle{});
+  EXPECT_EQ(map.at({50.0, 0.0}), radar::Obstacle{});
+}
+
+TEST(ObstacleRaster, HeightsAreAboveTheGroundBelow) {
+  Scene scene = empty_scene(0.0F, 4.0F);  // rises eastward by 0.2
+  scene.prototypes.push_back(box_mesh({8.0F, 8.0F, 10.0F}, 0));
+  scene.instances.push_back({.x_m = 0.0F, .y_m = 0.0F});
+  const auto map = obstacles_of(scene, cells);
+  // The highest of five points across the cell stands 0.2 m from its western edge.
+  EXPECT_NEAR(map.at({-3.0, 0.0}).solid_top_m, 10.0 + 0.2 * 3.8, 1e-4);
+  EXPECT_NEAR(map.at({3.0, 0.0}).solid_top_m, 10.0 - 0.2 * 2.2, 1e-4);
+}
+
+// A sheet of 8 m² in a cell of 4 m² between 3 m and 7 m: 8 / (2 · 4 · 4).
+TEST(ObstacleRaster, OpenMeshesArePorousByTheirArea) {
+  Scene scene = empty_scene();
+  scene.prototypes.push_back({.name = "sheet",
+                              .vertices = {{-1, 0, 3}, {1, 0, 3}, {1, 0, 7}, {-1, 0, 7}},
+                              .triangles = {{0, 1, 2}, {0, 2, 3}},
+                              .materials = {0, 0}});
+  scene.instances.push_back({.x_m = 5.0F, .y_m = 5.0F});
+  const auto map = obstacles_of(scene, cells);
+  const radar::Obstacle sheet = map.at({5.0, 5.0});
+  EXPECT_EQ(sheet.solid_top_m, 0.0F);
+  EXPECT_FLOAT_EQ(sheet.crown_base_m, 3.0F);
+  EXPECT_FLOAT_EQ(sheet.crown_top_m, 7.0F);
+  EXPECT_NEAR(sheet.crown_extinction_per_m, 0.25, 1e-5);
+}
+
+}  // namespace
+}  // namespace sigmascape::scene
