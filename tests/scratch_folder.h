@@ -51,6 +51,22 @@ class ScratchFolder {
   return files;
 }
 
+/// Names the files in which two folders differ, or that only one has; empty when they are equal byte for byte.
+[[nodiscard]] inline std::string difference_of(const std::map<std::string, std::string>& found,
+                                               const std::map<std::string, std::string>& expected) {
+  std::string words;
+  for (const auto& [name, content] : expected) {
+    const auto other = found.find(name);
+    if (other == found.end()) {
+      words += name + " is missing; ";
+    } else if (other->second != content) {
+      words += name + " differs; ";
+    }
+  }
+  for (const auto& [name, content] : found) words += expected.contains(name) ? "" : name + " is too many; ";
+  return words;
+}
+
 /// The message of the Error that an action throws; empty when it throws none.
 template <typename Action>
 [[nodiscard]] std::string message_of_error(const Action& action) {

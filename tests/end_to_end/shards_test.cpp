@@ -105,7 +105,7 @@ TEST_F(Shards, ThreeProcessesWithDifferentThreadsMakeTheBytesOfOne) {
   }
   EXPECT_EQ(looks, 16U);
   EXPECT_GE(pyramid, 8U) << "two shards that end at once may both write a texture";
-  EXPECT_EQ(files_of(folder_ / "three"), whole_);
+  EXPECT_EQ(difference_of(files_of(folder_ / "three"), whole_), "");
 }
 
 TEST_F(Shards, KilledAtAnyMomentItGoesOnToTheSameBytes) {
@@ -119,7 +119,11 @@ TEST_F(Shards, KilledAtAnyMomentItGoesOnToTheSameBytes) {
   EXPECT_GT(killed, 0U);
   const Ended last = baked("killed");
   ASSERT_EQ(last.code, 0) << last.printed;
-  EXPECT_EQ(files_of(folder_ / "killed"), whole_);
+  // A temporary file of the collection or the pyramid may stay, since another process might be writing it.
+  auto found = files_of(folder_ / "killed");
+  std::erase_if(found,
+                [](const auto& file) { return file.first.ends_with(".tmp") && !file.first.starts_with("patch"); });
+  EXPECT_EQ(difference_of(found, whole_), "");
 }
 
 TEST_F(Shards, TwoProcessesInOneFolderShareTheWork) {
@@ -129,7 +133,7 @@ TEST_F(Shards, TwoProcessesInOneFolderShareTheWork) {
     return report.at("looks").get<int>() - report.at("already").get<int>() - report.at("elsewhere").get<int>();
   };
   EXPECT_EQ(baked_by(first) + baked_by(second), 16) << "no look is baked twice";
-  EXPECT_EQ(files_of(folder_ / "two"), whole_);
+  EXPECT_EQ(difference_of(files_of(folder_ / "two"), whole_), "");
 }
 
 TEST_F(Shards, DamageIsFoundNamedAndMended) {
@@ -158,7 +162,7 @@ TEST_F(Shards, DamageIsFoundNamedAndMended) {
   const Ended by_content = baked("damaged", "--verify");
   EXPECT_EQ(by_content.json().at("already"), 15);
   EXPECT_EQ(run_cli(fmt::format("atlas verify '{}'", path_of("damaged"))).code, 0);
-  EXPECT_EQ(files_of(folder_ / "damaged"), whole_);
+  EXPECT_EQ(difference_of(files_of(folder_ / "damaged"), whole_), "");
 }
 
 TEST_F(Shards, ThePyramidIsMadeAnewByItself) {
@@ -167,7 +171,7 @@ TEST_F(Shards, ThePyramidIsMadeAnewByItself) {
   const Ended made = run_cli(fmt::format("atlas pyramid --json '{}'", path_of("bare")));
   ASSERT_EQ(made.code, 0) << made.printed;
   EXPECT_EQ(made.json().at("written"), 8);
-  EXPECT_EQ(files_of(folder_ / "bare"), whole_);
+  EXPECT_EQ(difference_of(files_of(folder_ / "bare"), whole_), "");
 }
 
 TEST_F(Shards, InfoTellsWhatIsThereAndWhatIsNot) {
@@ -190,21 +194,28 @@ TEST_F(Shards, InfoTellsWhatIsThereAndWhatIsNot) {
 }
 
 TEST_F(Shards, AFullDiskLeavesNothingHalfWritten) {
-  // Files may grow to 20 blocks of 1024 bytes: less than a texture.
-  const Ended full = run("trap '' XFSZ; ulimit -f 20; " + bake_line("full", "--threads 1"));
+  // Files may grow to so many blocks of 1024 bytes: enough for the collection, too few for the largest texture.
+  std::size_t largest = 0;
+  for (const auto& [name, content] : whole_) largest = std::max(largest, content.size());
+  const std::size_t blocks = (largest - 1) / 1024;
+  ASSERT_GT(blocks * 1024, whole_.at("collection.json").size());
+  const Ended full = run(fmt::format("trap '' XFSZ; ulimit -f {}; {}", blocks, bake_line("full", "--threads 1")));
   EXPECT_EQ(full.code, 1);
   EXPECT_THAT(full.printed, HasSubstr("free some space"));
-  for (const auto& [name, content] : files_of(folder_ / "full")) {
-    EXPECT_TRUE(name == "collection.json" || name == ".claims") << name;
-  }
+  const auto left = files_of(folder_ / "full");
+  EXPECT_LT(left.size(), whole_.size());
+  for (const auto& [name, content] : left) EXPECT_EQ(content, whole_[name]) << name;
   EXPECT_EQ(baked("full").code, 0);
-  EXPECT_EQ(files_of(folder_ / "full"), whole_);
+  EXPECT_EQ(difference_of(files_of(folder_ / "full"), whole_), "");
 }
 
 TEST_F(Shards, ADiskThatFillsUpMidwayKeepsWhatWasWhole) {
   const fs::path disk = folder_ / "disk";
   fs::create_directories(disk);
-  if (::mount("tmpfs", disk.c_str(), "tmpfs", 0, "size=600k") != 0) {
+  std::size_t pages = 0;
+  for (const auto& [name, content] : whole_) pages += content.size() / 4096 + 1;
+  const std::string half = fmt::format("size={}k", 4 * pages / 2);
+  if (::mount("tmpfs", disk.c_str(), "tmpfs", 0, half.c_str()) != 0) {
     GTEST_SKIP() << "a small disk of its own cannot be mounted here: a disk that fills up was NOT tried";
   }
   const Ended full = run(bake_line("disk/atlas", "--threads 1"));
@@ -216,7 +227,7 @@ TEST_F(Shards, ADiskThatFillsUpMidwayKeepsWhatWasWhole) {
   const Ended rest = baked("rescued");
   EXPECT_GT(rest.json().at("already"), 0);
   EXPECT_LT(rest.json().at("already"), 16);
-  EXPECT_EQ(files_of(folder_ / "rescued"), whole_);
+  EXPECT_EQ(difference_of(files_of(folder_ / "rescued"), whole_), "");
 }
 
 TEST_F(Shards, TheLogTellsOfEveryLook) {

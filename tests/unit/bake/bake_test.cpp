@@ -114,7 +114,7 @@ TEST(Bake, ResumesWithTheSameBytes) {
   const BakeReport again = baked(scene, small_bake(), folder.path("a"));
   EXPECT_EQ(again.already, 3U);
   EXPECT_GT(again.counts.paths, 0U);
-  EXPECT_EQ(files_of(folder.path("a")), whole);
+  EXPECT_EQ(difference_of(files_of(folder.path("a")), whole), "");
 
   const BakeReport nothing_left = baked(scene, small_bake(), folder.path("a"));
   EXPECT_EQ(nothing_left.already, 4U);
@@ -130,7 +130,7 @@ TEST(Bake, ThreadsDoNotMatter) {
   baked(scene_with_box(), settings, folder.path("three"));
   const auto one = files_of(folder.path("one"));
   EXPECT_EQ(one.size(), 14U) << "collection, claims, and three files a look";
-  EXPECT_EQ(one, files_of(folder.path("three")));
+  EXPECT_EQ(difference_of(one, files_of(folder.path("three"))), "");
   settings.seed = 2;
   baked(scene_with_box(), settings, folder.path("other"));
   EXPECT_NE(one, files_of(folder.path("other")));
@@ -150,7 +150,7 @@ TEST(Bake, SharesMakeTheSameFilesAsOneRun) {
     looks += report.looks;
   }
   EXPECT_EQ(looks, 8U);
-  EXPECT_EQ(files_of(folder.path("one")), files_of(folder.path("three")));
+  EXPECT_EQ(difference_of(files_of(folder.path("one")), files_of(folder.path("three"))), "");
 }
 
 TEST(Bake, AlteredLooksAreFoundWhenAsked) {
@@ -167,7 +167,7 @@ TEST(Bake, AlteredLooksAreFoundWhenAsked) {
   EXPECT_EQ(baked(scene, small_bake(), folder.path("a")).already, 4U);
   SilentProgress silent;
   EXPECT_EQ(bake(scene, small_bake(), folder.path("a"), silent, {{}, atlas::Scrutiny::Content}).already, 3U);
-  EXPECT_EQ(files_of(folder.path("a")), whole);
+  EXPECT_EQ(difference_of(files_of(folder.path("a")), whole), "");
 }
 
 // Whoever comes to a look that another process is at leaves it to that one and waits at the end.
@@ -181,7 +181,7 @@ TEST(Bake, TwoAtOnceShareTheWork) {
     second = baked(scene, small_bake(), folder.path("both"));
   }
   EXPECT_EQ(first.looks - first.already - first.elsewhere + second.looks - second.already - second.elsewhere, 4U);
-  EXPECT_EQ(files_of(folder.path("one")), files_of(folder.path("both")));
+  EXPECT_EQ(difference_of(files_of(folder.path("one")), files_of(folder.path("both"))), "");
 }
 
 // What a killed writer left is cleared away when its look is baked again.
@@ -194,7 +194,7 @@ TEST(Bake, LeftoversOfKilledWritersGo) {
   const auto texture = folder.path("a") / store.texture_path({0, 0}, 2);
   std::filesystem::rename(texture, texture.parent_path() / ("." + texture.filename().string() + ".99-0.tmp"));
   EXPECT_EQ(baked(scene, small_bake(), folder.path("a")).already, 3U);
-  EXPECT_EQ(files_of(folder.path("a")), whole);
+  EXPECT_EQ(difference_of(files_of(folder.path("a")), whole), "");
 }
 
 // A sliver of the extent may reach into a patch without holding the middle of a texel.
@@ -204,8 +204,11 @@ TEST(Bake, APatchWithNothingInItIsBlackAndDone) {
   EXPECT_EQ(report.looks, 8U);
   const auto store = atlas::Store::open(folder.path("a"));
   EXPECT_TRUE(store.verify().empty());
-  const auto corner = store.read({1, 1}, 0).front();
-  for (const radar::Channels& texel : corner.values()) ASSERT_LT(texel.vv, 1e-3F);
+  // But for a rim about its south-western corner, to which rays are sent for paths of several bounces.
+  const auto texels = store.read({1, 1}, 0).front();
+  for (std::size_t row = 0; row < 128; ++row) {
+    for (std::size_t column = 128; column < 256; ++column) ASSERT_EQ(texels(column, row).vv, 0.0F);
+  }
   EXPECT_TRUE(std::isfinite(report.relative_standard_error));
 }
 

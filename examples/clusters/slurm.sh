@@ -1,0 +1,19 @@
+#!/usr/bin/env bash
+# Bakes one share of an atlas as a task of a Slurm array. docs/clusters.md tells how to use it:
+#
+#   sbatch --array=0-7 examples/clusters/slurm.sh town.toml --out /shared/atlas --samples 64
+#
+# Everything after the name of this file goes to `sigmascape bake` as it is.
+#SBATCH --job-name=sigmascape-bake
+#SBATCH --ntasks=1
+#SBATCH --cpus-per-task=8
+#SBATCH --mem=4G
+#SBATCH --output=bake-%A_%a.log
+set -euo pipefail
+
+# The number of shares. When only some tasks are submitted again, Slurm counts those alone: give the first count in SHARES.
+shares="${SHARES:-$SLURM_ARRAY_TASK_COUNT}"
+
+exec "${SIGMASCAPE:-sigmascape}" bake "$@" \
+  --shard "$SLURM_ARRAY_TASK_ID/$shares" \
+  --threads "${SLURM_CPUS_PER_TASK:-0}"
