@@ -4,23 +4,31 @@
 
 namespace sigmascape::receiver {
 
+GroundAccumulator::Axis::Axis(double start_m, double cell_m)
+    : cell_m_(cell_m), first_(std::floor(start_m / cell_m)), offset_(start_m / cell_m - first_) {}
+
+double GroundAccumulator::Axis::cell_of(double position_m) const {
+  return std::floor(position_m / cell_m_ - offset_) - first_;
+}
+
 GroundAccumulator::GroundAccumulator(const radar::GroundGrid& grid, const radar::Aspect& aspect)
     : grid_(grid),
       towards_radar_(radar::horizontal_direction(aspect.azimuth_rad)),
       right_{-towards_radar_.y, towards_radar_.x},
+      eastward_(grid.west_m, grid.cell_m),
+      southward_(-grid.north_m, grid.cell_m),
       ground_per_range_(-1.0 / std::cos(aspect.elevation_rad)),
       bins_(grid.columns, grid.rows),
       variances_(grid.columns * grid.rows) {}
 
 std::optional<std::uint32_t> GroundAccumulator::cell_of(const radar::Echo& echo) const {
   const Vec2d point = towards_radar_ * (echo.range_m * ground_per_range_) + right_ * echo.cross;
-  const Vec2d cells = grid_.cells_from(point);
-  if (cells.x < 0.0 || cells.y < 0.0 || cells.x >= static_cast<double>(grid_.columns) ||
-      cells.y >= static_cast<double>(grid_.rows)) {
+  const double column = eastward_.cell_of(point.x), row = southward_.cell_of(-point.y);
+  if (column < 0.0 || row < 0.0 || column >= static_cast<double>(grid_.columns) ||
+      row >= static_cast<double>(grid_.rows)) {
     return std::nullopt;
   }
-  return static_cast<std::uint32_t>(static_cast<std::size_t>(cells.y) * grid_.columns +
-                                    static_cast<std::size_t>(cells.x));
+  return static_cast<std::uint32_t>(static_cast<std::size_t>(row) * grid_.columns + static_cast<std::size_t>(column));
 }
 
 void GroundAccumulator::add(std::span<const radar::Echo> echoes) {

@@ -43,9 +43,21 @@ class GroundAccumulator {
   [[nodiscard]] Array2D<float> relative_errors() const;
 
  private:
+  /// Cells along one axis, counted so that grids which are parts of one lattice agree to the last bit on where each
+  /// cell ends.
+  class Axis {
+   public:
+    Axis(double start_m, double cell_m);
+    [[nodiscard]] double cell_of(double position_m) const;
+
+   private:
+    double cell_m_, first_, offset_;
+  };
+
   radar::GroundGrid grid_;
   Vec2d towards_radar_;
   Vec2d right_;
+  Axis eastward_, southward_;
   double ground_per_range_;
   PowerBins bins_;
   VarianceBins variances_;
