@@ -68,7 +68,8 @@ class SampleCard {
     for (std::size_t i = 0; i < count; ++i) scene.ground.material(i, 0) = scene.material_index(grounds[i]);
     settings_.aspects = {{radians_from_deg(130.0)}, std::move(elevations_rad), {at_frequency_hz}};
     settings_.patches = {texel_m, 256};
-    settings_.samples_per_texel = 4;
+    settings_.sampling.samples_per_texel = 4;
+    settings_.shadows = bake::Shadows::Baked;
     SilentProgress silent;
     bake::bake(scene, settings_, folder_, silent);
   }

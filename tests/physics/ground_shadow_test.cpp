@@ -41,7 +41,7 @@ radar::RangeAzimuthImage image_of(const scene::Scene& scene, bake::Shadows shado
   bake::BakeSettings settings;
   settings.aspects = {{pi}, {radians_from_deg(elevation_deg)}, {frequency_hz}};
   settings.patches = {2.0, 256};
-  settings.samples_per_texel = 8;
+  settings.sampling.samples_per_texel = 8;
   settings.shadows = shadows;
   const ScratchFolder folder;
   SilentProgress silent;
@@ -123,7 +123,7 @@ TEST(GroundShadow, ALostLayerIsToldAndMadeAgain) {
   bake::BakeSettings settings;
   settings.aspects = {{pi}, {radians_from_deg(elevation_deg)}, {frequency_hz}};
   settings.patches = {2.0, 256};
-  settings.samples_per_texel = 2;
+  settings.sampling.samples_per_texel = 2;
   const ScratchFolder folder;
   SilentProgress silent;
   bake::bake(scene, settings, folder.path("atlas"), silent);

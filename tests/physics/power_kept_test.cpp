@@ -146,7 +146,7 @@ TwoBakes both_ways(int max_bounces) {
   const scene::Scene scene = boxes_across_seams(256.0);
   bake::BakeSettings settings;
   settings.aspects = {{radians_from_deg(130.0)}, {radians_from_deg(21.0)}, {frequency_hz}};
-  settings.samples_per_texel = 2;
+  settings.sampling.samples_per_texel = 2;
   settings.max_bounces = max_bounces;
   const ScratchFolder folder;
   TwoBakes bakes;

@@ -19,7 +19,7 @@ struct Sampling {
   /// Cells that return less than this σ0 need only be as exact as this one.
   double floor_db = -45.0;
   /// No cell gets more rays.
-  std::uint32_t most_samples = 512;
+  std::uint32_t most_samples = 128;
 
   friend bool operator==(const Sampling&, const Sampling&) = default;
   [[nodiscard]] bool is_adaptive() const { return samples_per_texel == 0; }
