@@ -120,7 +120,7 @@ class PixelColumn {
     // The mip follows the longer side of the pixel's footprint, as derivatives on the screen do.
     const double along_m = range_m * angles.upright_rad / facing * normal.z;
     const double level = std::log2(std::max(range_m * angles.across_rad, along_m) / textures_.grid().cell_m);
-    const radar::Channels sigma0 = textures_.sigma0_at(place, aspect.weights, level);
+    const radar::Channels sigma0 = textures_.sigma0_at(place, aspect.weights, look_up_.finest_only ? 0.0 : level);
     const double solid_angle_sr = angles.across_rad * angles.upright_rad;
     double rcs_per_sigma0_m2 = rcs_of_radiance(radiance_of(1.0, range_m, facing), range_m, solid_angle_sr);
     if (look_up_.by_map_area) rcs_per_sigma0_m2 *= normal.z;

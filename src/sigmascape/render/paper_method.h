@@ -23,6 +23,8 @@ struct PaperLookUp {
   bool blends_gamma = false;
   /// A sample stands for its area on the map instead of that of its slope, which is what Eq. (5) comes to.
   bool by_map_area = false;
+  /// Textures are read at their finest level, however coarse the pixels.
+  bool finest_only = false;
 };
 
 /// The paper's textures in memory: one for each look over one patch of ground, in single precision, with mips that are
