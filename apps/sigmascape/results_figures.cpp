@@ -27,9 +27,9 @@ struct Label {
   Vec2d place, at;
 };
 
-void draw(product::Picture& picture, const Label& label, double pixels_per_cell) {
-  const Vec2d from = picture.grid.cells_from(label.place) * pixels_per_cell;
-  const Vec2d to = picture.grid.cells_from(label.at) * pixels_per_cell;
+void draw(product::Picture& picture, const Label& label) {
+  const Vec2d from = picture.grid.cells_from(label.place);
+  const Vec2d to = picture.grid.cells_from(label.at);
   const auto pixel = [&](Vec2d p) {
     return std::pair(static_cast<std::size_t>(std::clamp(p.x, 0.0, static_cast<double>(picture.pixels.columns() - 1))),
                      static_cast<std::size_t>(std::clamp(p.y, 0.0, static_cast<double>(picture.pixels.rows() - 1))));
@@ -87,14 +87,14 @@ product::PageSection simple_section(const ResultsPlan& plan, const std::filesyst
                                             counts);
   const auto map = described_map(image, radar, scene.terrain, grid, scene.frame, {{"scene", scene.name}});
   product::PictureOptions look{.polarization = radar::Polarization::Sum};
-  look.top_percentile = 99.5;
+  look.top_percentile = 99.95;
   look.magnification = 2;
   product::Picture picture = product::picture_of(map, look);
   const std::vector<SimpleObject> objects{
       {options.box_centre, 8.0, static_cast<double>(options.box_size_m.z)},
       {options.cylinder_centre, options.cylinder_radius_m, options.cylinder_height_m}};
   for (const SimpleObject& object : objects) {
-    for (const Label& label : labels_of(object, aspect)) draw(picture, label, look.magnification);
+    for (const Label& label : labels_of(object, aspect)) draw(picture, label);
   }
   const auto optical = folder / "figure_1_optical.png", radar_map = folder / "figure_1_radar.png";
   product::write_png(optical, optical_view(scene, geometry, pixels_wide, plan.threads));

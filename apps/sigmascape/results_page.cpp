@@ -200,12 +200,12 @@ std::string lead(const ResultsReport& report) {
       "traced map.\n\n",
       compare.floor_db, compare.shadow_db, plan.rim_m());
   text +=
-      "- **paper**: the paper to the letter ([decision 0050](../decisions/0050-the-paper-literally.md)); its store is "
+      "- **paper**: the paper to the letter (docs/decisions/0050-the-paper-literally.md); its store is "
       "counted as the paper counts, four floats a texel and look\n"
       "- **ours, shadows baked**: echoes straight into texels, γ blended over cot ψ "
-      "([decision 0005](../decisions/0005-blend-gamma.md)), half floats, compressed\n"
+      "(docs/decisions/0005-blend-gamma.md), half floats, compressed\n"
       "- **ours, shadows at run time**: the ground apart from what stands on it "
-      "([decision 0006](../decisions/0006-ground-apart.md)), which its bytes include; what `sigmascape bake` does by "
+      "(docs/decisions/0006-ground-apart.md), which its bytes include; what `sigmascape bake` does by "
       "itself\n\n";
   if (plan.scene_file.empty()) {
     text +=
@@ -216,12 +216,22 @@ std::string lead(const ResultsReport& report) {
   return text;
 }
 
-std::string figures_text(const std::vector<product::PageSection>& figures) {
+/// The figures of a section beside one another, at most three in a row.
+std::string figures_text(const std::vector<product::PageSection>& sections) {
+  constexpr std::size_t in_a_row = 3;
   std::string text;
-  for (const product::PageSection& section : figures) {
+  for (const product::PageSection& section : sections) {
     text += "## " + section.heading + "\n\n";
-    for (const product::PageFigure& figure : section.figures)
-      text += fmt::format("![{}]({})\n*{}*\n\n", figure.caption, figure.png.filename().string(), figure.caption);
+    for (std::size_t first = 0; first < section.figures.size(); first += in_a_row) {
+      std::string captions = "|", rules = "|", pictures = "|";
+      for (std::size_t i = first; i < std::min(first + in_a_row, section.figures.size()); ++i) {
+        const product::PageFigure& figure = section.figures[i];
+        captions += fmt::format(" {} |", figure.caption);
+        rules += "---|";
+        pictures += fmt::format(" ![{}]({}) |", figure.caption, figure.png.filename().string());
+      }
+      text += captions + "\n" + rules + "\n" + pictures + "\n\n";
+    }
   }
   return text;
 }
