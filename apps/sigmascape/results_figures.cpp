@@ -137,7 +137,7 @@ radar::GroundMap texture_map(const Measurement& measurement, const radar::Aspect
 }
 
 unsigned magnification_of(const radar::GroundMap& map) {
-  return map.grid.columns < 400 ? 2 : 1;
+  return static_cast<unsigned>(std::clamp<std::size_t>(pixels_wide / map.grid.columns, 1, 4));
 }
 
 product::PageSection texture_section(const Measurement& measurement, const std::filesystem::path& folder) {

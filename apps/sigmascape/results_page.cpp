@@ -178,6 +178,29 @@ std::string ceiling_text(const ResultsReport& report) {
   return text;
 }
 
+/// What was asked for at views that were baked, and what came out.
+std::string aims_text(const ResultsReport& report) {
+  const ResultsPlan& plan = report.plan;
+  std::string text;
+  for (const auto& [scene, least] : {std::pair(plan.scene_name(), 0.95), {std::string("level"), 0.99}}) {
+    for (const Method method : {Method::Paper, Method::RunTimeShadows}) {
+      const ResultsRow* row = find_row(report.rows, {.scene = scene,
+                                                     .method = method,
+                                                     .grid = plan.paper_grid().name(),
+                                                     .baked_samples = plan.baked_samples,
+                                                     .kind = ViewKind::OnGrid});
+      const ResultsCell* cell = row != nullptr ? row->at_cell(summary_cell_m) : nullptr;
+      if (cell == nullptr) continue;
+      const product::CellComparison& median = cell->median;
+      text += fmt::format("- {}, {}: correlation {:.3f} of the {:.2f} aimed at ({}), bias {:+.2f} dB of ±0.3 dB ({})\n",
+                          scene, text_of(method), median.correlation_db, least,
+                          median.correlation_db >= least ? "reached" : "missed", median.bias_db,
+                          std::abs(median.bias_db) <= 0.3 ? "reached" : "missed");
+    }
+  }
+  return "Aims for views that were baked, medians:\n\n" + text + "\n";
+}
+
 std::string lead(const ResultsReport& report) {
   const ResultsPlan& plan = report.plan;
   const product::CompareOptions compare;
@@ -259,7 +282,8 @@ std::string results_markdown(const ResultsReport& report) {
   text +=
       "\nThe rows *truth* hold one traced map against another that differs in its seed alone. Baked maps are held "
       "against the mean of the two, whose noise has half the variance of either's. " +
-      ceiling_text(report) + elevation_remark(plan) + "Bake times are seconds of processor time.\n\n";
+      ceiling_text(report) + elevation_remark(plan) + "Bake times are seconds of processor time.\n\n" +
+      aims_text(report);
   text += fmt::format(
       "## Why\n\nWhat the error is made of: each cause switched off alone, medians over the held-out views at {:.0f} m "
       "cells where nothing else is said.\n\n",

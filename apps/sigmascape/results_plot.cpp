@@ -109,7 +109,8 @@ std::string svg_of(const Plot& plot) {
       "font-family=\"sans-serif\" font-size=\"12\">\n<rect width=\"{0}\" height=\"{1}\" fill=\"#fff\"/>\n",
       width, height);
   svg += frame_of(plot, x, y);
-  double legend_y = top + 14;
+  // Below the points, which seldom come near zero.
+  double legend_y = height - bottom - 16.0 * static_cast<double>(plot.series.size()) + 6;
   std::size_t index = 0;
   for (const PlotSeries& series : plot.series) {
     const char* colour = colours[index++ % std::size(colours)];
