@@ -10,7 +10,7 @@ sanitized = tools/with_sanitizer_options
 sources = find $(1) -name '*.cpp' -o -name '*.h'
 
 .DEFAULT_GOAL := help
-.PHONY: help packages demo results-small test test-long test-asan test-tsan test-all validation bench lint clean
+.PHONY: help packages demo results results-small test test-long test-asan test-tsan test-all validation bench lint clean
 
 help: ## Say what can be made
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-14s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -27,6 +27,17 @@ results-small: packages ## Measure how close baked maps come to traced ones, sma
 	$(call configure,release)
 	$(call build,release) --target sigmascape_cli
 	build/release/apps/sigmascape/sigmascape results --small --out out/results --page docs/results/README.md
+
+# The paper's scene with the paper's materials and with real ones, then real places, whose data SIGMASCAPE_DATA names.
+measure = build/release/apps/sigmascape/sigmascape results
+
+results: packages ## The same at full size, on real places too: many hours, goes on where it was broken off
+	$(call configure,release)
+	$(call build,release) --target sigmascape_cli
+	$(measure) --out out/results_full/paper --page docs/results/full/README.md
+	$(measure) --itu-materials --out out/results_full/itu --page docs/results/full_itu/README.md
+	$(measure) --scene examples/bilbao/bilbao.toml --out out/results_full/bilbao --page docs/results/bilbao/README.md
+	$(measure) --scene examples/san_francisco/san_francisco.toml --out out/results_full/san_francisco --page docs/results/san_francisco/README.md
 
 test: packages ## Build and run the tests
 	$(call configure,release)

@@ -6,6 +6,7 @@
 
 #include "results_processor_time.h"
 
+#include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/geo/atomic_file.h"
 
 namespace sigmascape::cli {
@@ -46,6 +47,22 @@ std::vector<double> timed_bake(const scene::Scene& scene, const bake::BakeSettin
   return timer.seconds();
 }
 
+/// What a store holds of the ground apart from what stands on it; it serves every look.
+std::uintmax_t ground_bytes(const atlas::Store& store) {
+  if (!atlas::keeps_ground_apart(store)) return 0;
+  std::uintmax_t bytes = 0;
+  for (const auto& file : std::filesystem::recursive_directory_iterator(store.folder() / "ground")) {
+    if (file.path().extension() == ".tif") bytes += file.file_size();
+  }
+  std::filesystem::path last_patch;
+  for (const atlas::Unit& unit : store.units()) {
+    const auto patch = (store.folder() / store.texture_path(unit.patch, unit.look)).parent_path();
+    if (patch != last_patch) bytes += std::filesystem::file_size(patch / "obstacles.tif");
+    last_patch = patch;
+  }
+  return bytes;
+}
+
 }  // namespace
 
 TimedBake::TimedBake(const scene::Scene& scene, const bake::BakeSettings& settings, const std::filesystem::path& folder,
@@ -62,6 +79,7 @@ AtlasCost TimedBake::cost_of(const atlas::AspectSelection& selection, const atla
         std::filesystem::file_size(store_.folder() / store_.texture_path(units[i].patch, units[i].look));
     cost.bake_seconds += unit_seconds_[i];
   }
+  cost.store_bytes += ground_bytes(store_);
   return cost;
 }
 

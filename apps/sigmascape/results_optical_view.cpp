@@ -31,6 +31,18 @@ constexpr MaterialColour material_colours[] = {
     {"leaf", {0.06F, 0.17F, 0.04F}},
 };
 
+/// The colours of the paper's Figure 6: concrete black, trees green, grass red, water white, dirt blue.
+constexpr MaterialColour class_colours[] = {
+    {"water", {1, 1, 1}},
+    {"fresh_water", {1, 1, 1}},
+    {"grass", {0.8F, 0, 0}},
+    {"crops", {0.8F, 0.35F, 0}},
+    {"forest_floor", {0, 0.5F, 0}},
+    {"bare_soil", {0, 0, 0.8F}},
+    {"asphalt", {0.03F, 0.03F, 0.03F}},
+    {"concrete", {0, 0, 0}},
+};
+
 std::vector<Light> colours_of(const scene::Scene& scene) {
   std::vector<Light> colours;
   for (const scatter::Material& material : scene.materials) {
@@ -93,6 +105,23 @@ product::Picture optical_view(const scene::Scene& scene, const trace::SceneGeome
       picture.pixels(column, row) = {srgb_level(light.x), srgb_level(light.y), srgb_level(light.z)};
     }
   });
+  return picture;
+}
+
+product::Picture material_view(const scene::Scene& scene, std::size_t pixels_wide) {
+  const double pixel_m = scene.extent.width_m() / static_cast<double>(pixels_wide);
+  product::Picture picture;
+  picture.grid = {scene.extent.west_m, scene.extent.north_m, pixel_m, pixels_wide,
+                  static_cast<std::size_t>(scene.extent.height_m() / pixel_m)};
+  picture.pixels = Array2D<product::Rgba>(picture.grid.columns, picture.grid.rows);
+  for (std::size_t row = 0; row < picture.grid.rows; ++row) {
+    for (std::size_t column = 0; column < picture.grid.columns; ++column) {
+      const scatter::Material& material = scene.materials[scene.ground.at(picture.grid.centre_of(column, row))];
+      const auto known = std::ranges::find(class_colours, material.name, &MaterialColour::name);
+      const Light light = known == std::end(class_colours) ? unknown_colour : known->colour;
+      picture.pixels(column, row) = {srgb_level(light.x), srgb_level(light.y), srgb_level(light.z)};
+    }
+  }
   return picture;
 }
 

@@ -11,4 +11,8 @@ namespace sigmascape::cli {
 [[nodiscard]] product::Picture optical_view(const scene::Scene& scene, const trace::SceneGeometry& geometry,
                                             std::size_t pixels_wide, unsigned threads);
 
+/// What the bare ground is made of, in the colours of the paper's Figure 6: concrete black, trees green, grass red,
+/// water white, soil blue; grey what the paper does not have.
+[[nodiscard]] product::Picture material_view(const scene::Scene& scene, std::size_t pixels_wide);
+
 }  // namespace sigmascape::cli

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <optional>
+
+#include "results_causes.h"
 
 namespace sigmascape::cli {
 namespace {
 
 constexpr double summary_cell_m = 8.0;
-const std::string paper_grid = "8 × 5";
 
 /// "0.834 (0.791)": median and worst, or the median alone where there is only one view.
 std::string pair(double median, double worst, const char* format, std::size_t views) {
@@ -36,85 +36,54 @@ std::string megabytes(std::uintmax_t bytes) {
   return fmt::format("{:.2f}", static_cast<double>(bytes) / 1e6);
 }
 
-/// One step on the way from the truth to what a user gets.
-struct Rung {
-  std::string name;
-  std::string cause;  ///< what this step adds to the error
-  ResultsCase of;
-};
-
-std::vector<Rung> ladder(const ResultsPlan& plan) {
-  const std::string finest = plan.grids.back().name();
-  const std::uint32_t samples = plan.baked_samples;
-  return {{fmt::format("level ground, the view's own look alone, {} rays a texel", plan.finer_samples),
-           "what textures keep of the scene and how they are laid out again",
-           {"level", "look alone", plan.finer_samples, 1, ViewKind::OnGrid}},
-          {fmt::format("the same, {} rays a texel", samples),
-           "noise of the bake",
-           {"level", "look alone", samples, 1, ViewKind::OnGrid}},
-          {"the same from the " + paper_grid + " grid",
-           "neighbouring looks blended in towards the edges of the map",
-           {"level", paper_grid, samples, 1, ViewKind::OnGrid}},
-          {"the same on hills",
-           "textures of level ground laid over hills",
-           {"hills", paper_grid, samples, 1, ViewKind::OnGrid}},
-          {"held-out views on hills, " + finest + " grid",
-           "views between the baked looks",
-           {"hills", finest, samples, 1, ViewKind::HeldOut}},
-          {"the same from the " + paper_grid + " grid",
-           "fewer looks",
-           {"hills", paper_grid, samples, 1, ViewKind::HeldOut}}};
+/// Whether a row is of a whole grid, as it is by itself.
+bool is_plain(const ResultsRow& row, const ResultsPlan& plan) {
+  return row.of.change.empty() && row.of.level_of_detail == 1 && row.of.grid != own_look &&
+         row.of.baked_samples == plan.baked_samples;
 }
 
-std::string ladder_table(const ResultsPlan& plan, const std::vector<ResultsRow>& rows) {
-  std::string text = fmt::format("| maps | adds | {} |\n|---|---|{}|\n", metric_heads, metric_rules);
-  bool floor_shown = false;
-  for (const Rung& rung : ladder(plan)) {
-    const ResultsRow* row = find_row(rows, rung.of);
-    const ResultsCell* cell = row != nullptr ? row->at_cell(summary_cell_m) : nullptr;
-    if (cell == nullptr) continue;
-    if (!floor_shown) {
-      text += fmt::format("| truth against truth, level ground | noise of the truth | {} |\n",
-                          metrics_text(cell->floor_median, cell->floor_worst, row->views));
-      floor_shown = true;
-    }
-    text +=
-        fmt::format("| {} | {} | {} |\n", rung.name, rung.cause, metrics_text(cell->median, cell->worst, row->views));
-  }
-  return text;
+bool is_side_grid(const ResultsRow& row, const ResultsPlan& plan) {
+  return row.of.grid == plan.more_elevations().name() || row.of.grid == plan.more_azimuths().name();
 }
 
-std::string summary_table(const ResultsPlan& plan, const std::vector<ResultsRow>& rows) {
-  std::string text = fmt::format("| scene | views | grid | {} | store [MB] | bake [s] |\n|---|---|---|{}|---:|---:|\n",
-                                 metric_heads, metric_rules);
+std::string summary_table(const ResultsReport& report) {
+  const ResultsPlan& plan = report.plan;
+  std::string text =
+      fmt::format("| scene | views | method | grid | {} | store [MB] | bake [s] |\n|---|---|---|---|{}|---:|---:|\n",
+                  metric_heads, metric_rules);
   std::string last;
-  for (const ResultsRow& row : rows) {
+  for (const ResultsRow& row : report.rows) {
     const ResultsCell* cell = row.at_cell(summary_cell_m);
-    if (cell == nullptr || row.of.level_of_detail != 1 || row.of.grid == "look alone") continue;
-    if (row.of.baked_samples != plan.baked_samples) continue;
+    if (cell == nullptr || !is_plain(row, plan) || is_side_grid(row, plan)) continue;
     const std::string group = row.of.scene + text_of(row.of.kind);
     if (group != last) {
-      text += fmt::format("| {} | {} ({}) | *truth* | {} | | |\n", row.of.scene, text_of(row.of.kind), row.views,
+      text += fmt::format("| {} | {} ({}) | *truth* | | {} | | |\n", row.of.scene, text_of(row.of.kind), row.views,
                           metrics_text(cell->floor_median, cell->floor_worst, row.views));
     }
     last = group;
-    text += fmt::format("| {} | {} ({}) | {} | {} | {} | {:.0f} |\n", row.of.scene, text_of(row.of.kind), row.views,
-                        row.of.grid, metrics_text(cell->median, cell->worst, row.views),
-                        megabytes(row.atlas.store_bytes), row.atlas.bake_seconds);
+    text +=
+        fmt::format("| {} | {} ({}) | {} | {} | {} | {} | {:.0f} |\n", row.of.scene, text_of(row.of.kind), row.views,
+                    text_of(row.of.method), row.of.grid, metrics_text(cell->median, cell->worst, row.views),
+                    megabytes(row.atlas.store_bytes), row.atlas.bake_seconds);
   }
   return text;
 }
 
-std::string cell_table(const ResultsPlan& plan, const std::vector<ResultsRow>& rows) {
+std::string cell_table(const ResultsReport& report) {
+  const ResultsPlan& plan = report.plan;
   std::string text =
-      fmt::format("| scene | views | cell [m] | {} | truth: correlation, RMS [dB], IoU |\n|---|---|---:|{}|---|\n",
+      fmt::format("| views | method | cell [m] | {} | truth: correlation, RMS [dB], IoU |\n|---|---|---:|{}|---|\n",
                   metric_heads, metric_rules);
-  for (const char* scene : {"hills", "level"}) {
-    for (const ViewKind kind : {ViewKind::OnGrid, ViewKind::HeldOut, ViewKind::Paper}) {
-      const ResultsRow* row = find_row(rows, {scene, paper_grid, plan.baked_samples, 1, kind});
+  for (const ViewKind kind : {ViewKind::OnGrid, ViewKind::HeldOut, ViewKind::Paper}) {
+    for (const Method method : {Method::Paper, Method::RunTimeShadows}) {
+      const ResultsRow* row = find_row(report.rows, {.scene = plan.scene_name(),
+                                                     .method = method,
+                                                     .grid = plan.paper_grid().name(),
+                                                     .baked_samples = plan.baked_samples,
+                                                     .kind = kind});
       if (row == nullptr) continue;
       for (const ResultsCell& cell : row->cells) {
-        text += fmt::format("| {} | {} | {:.0f} | {} | {:.3f}, {:.2f}, {:.2f} |\n", scene, text_of(kind),
+        text += fmt::format("| {} | {} | {:.0f} | {} | {:.3f}, {:.2f}, {:.2f} |\n", text_of(kind), text_of(method),
                             cell.median.cell_m, metrics_text(cell.median, cell.worst, row->views),
                             cell.floor_median.correlation_db, cell.floor_median.rms_db, cell.floor_median.shadow_iou);
       }
@@ -123,11 +92,17 @@ std::string cell_table(const ResultsPlan& plan, const std::vector<ResultsRow>& r
   return text;
 }
 
-std::string level_table(const ResultsPlan& plan, const std::vector<ResultsRow>& rows) {
+std::string level_table(const ResultsReport& report) {
+  const ResultsPlan& plan = report.plan;
   std::string text = fmt::format("| LOD | views | cell [m] | {} |\n|---:|---|---:|{}|\n", metric_heads, metric_rules);
   for (const ViewKind kind : {ViewKind::OnGrid, ViewKind::HeldOut}) {
     for (int level = 1; level <= 3; ++level) {
-      const ResultsRow* row = find_row(rows, {"hills", paper_grid, plan.baked_samples, level, kind});
+      const ResultsRow* row = find_row(report.rows, {.scene = plan.scene_name(),
+                                                     .method = Method::RunTimeShadows,
+                                                     .grid = plan.paper_grid().name(),
+                                                     .baked_samples = plan.baked_samples,
+                                                     .kind = kind,
+                                                     .level_of_detail = level});
       if (row == nullptr) continue;
       for (const double cell_m : {2.0, 8.0, 32.0}) {
         const ResultsCell* cell = row->at_cell(cell_m);
@@ -140,24 +115,26 @@ std::string level_table(const ResultsPlan& plan, const std::vector<ResultsRow>& 
   return text;
 }
 
-std::string time_table(const ResultsPlan& plan, const std::vector<ResultsRow>& rows) {
+std::string time_table(const ResultsReport& report) {
   std::string text =
-      "| grid | looks | store [MB] | in memory [MB] | bake [s] | render [ms] | trace [s] |\n"
-      "|---|---:|---:|---:|---:|---:|---:|\n";
-  for (const LookGrid& grid : plan.grids) {
-    const ResultsRow* row = find_row(rows, {"hills", grid.name(), plan.baked_samples, 1, ViewKind::HeldOut});
-    if (row == nullptr) continue;
-    text += fmt::format("| {} | {} | {} | {} | {:.0f} | {:.0f} | {:.1f} |\n", grid.name(), row->atlas.looks,
-                        megabytes(row->atlas.store_bytes), megabytes(row->atlas.memory_bytes), row->atlas.bake_seconds,
-                        row->render_ms, row->trace_seconds);
+      "| method | grid | looks | store [MB] | in memory [MB] | bake [s] | frame [ms] | trace [s] |\n"
+      "|---|---|---:|---:|---:|---:|---:|---:|\n";
+  for (const ResultsRow& row : report.rows) {
+    if (row.of.scene != report.plan.scene_name() || row.of.kind != ViewKind::HeldOut || !is_plain(row, report.plan))
+      continue;
+    text += fmt::format("| {} | {} | {} | {} | {} | {:.0f} | {:.0f} | {:.1f} |\n", text_of(row.of.method), row.of.grid,
+                        row.atlas.looks, megabytes(row.atlas.store_bytes), megabytes(row.atlas.memory_bytes),
+                        row.atlas.bake_seconds, row.render_ms, row.trace_seconds);
   }
   return text;
 }
 
 std::string view_table(const ResultsPlan& plan) {
-  std::string text = "| view | azimuth [°] | elevation [°] |\n|---|---:|---:|\n";
-  for (const PlannedView& view : plan.views)
-    text += fmt::format("| {} | {:.1f} | {:.1f} |\n", text_of(view.kind), view.azimuth_deg, view.elevation_deg);
+  std::string text = "| view | azimuth [°] | elevation [°] | from the nearest look [°] |\n|---|---:|---:|---:|\n";
+  for (const PlannedView& view : plan.views) {
+    text += fmt::format("| {} | {:.1f} | {:.1f} | {:.1f} |\n", text_of(view.kind), view.azimuth_deg, view.elevation_deg,
+                        ResultsPlan::distance_deg(view, plan.paper_grid()));
+  }
   return text;
 }
 
@@ -181,91 +158,153 @@ std::string grid_list(const ResultsPlan& plan) {
 
 /// How well two traced maps agree, and what that leaves a baked map to reach: with the noise of both alike and
 /// independent, a map without any correlates with their mean by √(2ρ / (1 + ρ)) of their own correlation ρ.
-std::string ceiling_text(const ResultsPlan& plan, const std::vector<ResultsRow>& rows) {
+std::string ceiling_text(const ResultsReport& report) {
   std::string text;
   for (const ViewKind kind : {ViewKind::OnGrid, ViewKind::HeldOut}) {
-    const ResultsRow* row = find_row(rows, {"hills", paper_grid, plan.baked_samples, 1, kind});
+    const ResultsRow* row = find_row(report.rows, {.scene = report.plan.scene_name(),
+                                                   .method = Method::Paper,
+                                                   .grid = report.plan.paper_grid().name(),
+                                                   .baked_samples = report.plan.baked_samples,
+                                                   .kind = kind});
     const ResultsCell* cell = row != nullptr ? row->at_cell(summary_cell_m) : nullptr;
     if (cell == nullptr) continue;
     const double correlation = cell->floor_median.correlation_db;
     text += fmt::format(
-        "Two traced maps of one {} view on hills correlate by {:.3f} at {:.0f} m cells, so that a baked map without "
-        "fault would reach about {:.3f} against their mean. ",
+        "Two traced maps of one {} view correlate by {:.3f} at {:.0f} m cells, so that a baked map without fault would "
+        "reach about {:.3f} against their mean. ",
         kind == ViewKind::OnGrid ? "on-grid" : "held-out", correlation, summary_cell_m,
         std::sqrt(2.0 * correlation / (1.0 + correlation)));
   }
   return text;
 }
 
-}  // namespace
-
-std::string what_limits(const ResultsPlan& plan, const std::vector<ResultsRow>& rows) {
-  std::string cause;
-  double largest_step = 0.0, from = 0.0, to = 0.0;
-  std::optional<double> before;
-  for (const Rung& rung : ladder(plan)) {
-    const ResultsRow* row = find_row(rows, rung.of);
-    const ResultsCell* cell = row != nullptr ? row->at_cell(summary_cell_m) : nullptr;
-    if (cell == nullptr) continue;
-    const double here = cell->median.l1, last = before.value_or(cell->floor_median.l1);
-    if (here - last > largest_step) {
-      largest_step = here - last;
-      cause = rung.cause;
-      from = last;
-      to = here;
+/// What was asked for at views that were baked, and what came out.
+std::string aims_text(const ResultsReport& report) {
+  const ResultsPlan& plan = report.plan;
+  std::string text;
+  for (const auto& [scene, least] : {std::pair(plan.scene_name(), 0.95), {std::string("level"), 0.99}}) {
+    for (const Method method : {Method::Paper, Method::RunTimeShadows}) {
+      const ResultsRow* row = find_row(report.rows, {.scene = scene,
+                                                     .method = method,
+                                                     .grid = plan.paper_grid().name(),
+                                                     .baked_samples = plan.baked_samples,
+                                                     .kind = ViewKind::OnGrid});
+      const ResultsCell* cell = row != nullptr ? row->at_cell(summary_cell_m) : nullptr;
+      if (cell == nullptr) continue;
+      const product::CellComparison& median = cell->median;
+      text += fmt::format("- {}, {}: correlation {:.3f} of the {:.2f} aimed at ({}), bias {:+.2f} dB of ±0.3 dB ({})\n",
+                          scene, text_of(method), median.correlation_db, least,
+                          median.correlation_db >= least ? "reached" : "missed", median.bias_db,
+                          std::abs(median.bias_db) <= 0.3 ? "reached" : "missed");
     }
-    before = here;
   }
-  if (cause.empty()) return "No step adds error.";
-  return fmt::format("By relative L1 at {:.0f} m cells the largest step is: {} ({:.2f} to {:.2f}).", summary_cell_m,
-                     cause, from, to);
+  return "Aims for views that were baked, medians:\n\n" + text + "\n";
 }
 
-std::string results_markdown(const ResultsPlan& plan, const std::vector<ResultsRow>& rows) {
+std::string lead(const ResultsReport& report) {
+  const ResultsPlan& plan = report.plan;
   const product::CompareOptions compare;
-  const std::string lead = fmt::format(
-      "# How close the baked map is\n\n"
-      "Ground maps of the paper's scene at scale {:g} ({:.0f} m a side), rendered from terrain and baked reflectivity, "
-      "held against path-traced maps of the full scene. The program writes this page: `sigmascape results --help`.\n\n"
+  std::string text = "# How close the baked map is\n\n";
+  if (plan.scene_file.empty()) {
+    text +=
+        fmt::format("Ground maps of the paper's scene, made up, at scale {:g} ({:.0f} m a side), with {} materials",
+                    plan.scale, plan.side_m(),
+                    plan.materials == scene::PaperMaterials::Paper ? "the paper's" : "real buildings' (ITU-R P.2040)");
+  } else {
+    text += fmt::format("Ground maps of the middle {:.0f} m of a real place", plan.side_m());
+  }
+  text += fmt::format(
+      ", rendered from terrain and baked reflectivity and held against path-traced maps of the full scene. The "
+      "program writes this page: `sigmascape results --help`.\n\n"
       "Numbers are medians over the views, in brackets the worst view. Sum of polarizations VV + HH + 2·HV; dB of σ0 "
-      "no "
-      "lower than {:g} dB; a cell is in shadow below {:g} dB. `product/map_metrics.h` defines the five numbers.\n\n"
-      "*hills* is the scene as it is; *level* the same with its ground at height zero. Textures are baked on level "
-      "ground, so one store serves both. The radar stands 20 km from the middle of the scene, resolution 2 m in range "
-      "and across. A rim of {:.0f} m along the edges is left out: walls there mirror ground beyond the scene, which is "
-      "there "
-      "in a bake but not in a traced map.\n\n",
-      plan.scale, 2000.0 * plan.scale, compare.floor_db, compare.shadow_db, plan.rim_m());
-  const std::string settings = fmt::format(
-      "\n## Settings\n\n"
-      "- {} rays a texel of {:.2f} m in the store, out of which coarser grids are read too; {} where stated\n"
-      "- {} rays a 2 m cell in each of the two traced maps of a view\n"
-      "- {} bounces, seed {}, 10 GHz, the paper's materials\n",
-      plan.baked_samples, plan.bake_settings().patches.texel_m, plan.finer_samples, plan.traced_samples, plan.bounces,
-      plan.seed);
-  return lead + fmt::format("## At {:.0f} m cells\n\n", summary_cell_m) + summary_table(plan, rows) +
-         "\nThe rows *truth* hold one traced map against another that differs in its seed alone. Baked maps are held "
-         "against the mean of the two, whose noise has half the variance of either's. " +
-         ceiling_text(plan, rows) + elevation_remark(plan) +
-         "Bake times are seconds of processor time.\n\n"
-         "## What limits it\n\n"
-         "From the best case to the usual one, one thing after another, at " +
-         fmt::format("{:.0f} m cells:\n\n", summary_cell_m) + ladder_table(plan, rows) + "\n" +
-         what_limits(plan, rows) +
-         " Held-out views are other views than those on the grid, so the step between them holds the difference of the "
-         "views as well.\n\n"
-         "## By cell size\n\nThe " +
-         paper_grid + " grid.\n\n" + cell_table(plan, rows) + "\n## By level of detail\n\nThe " + paper_grid +
-         " grid on hills. LOD 1 reads textures from their finest level, each next one from the level above.\n\n" +
-         level_table(plan, rows) +
-         "\n## Bytes and time\n\nSeconds of processor time for the bake and for one traced map, milliseconds on the "
-         "wall "
-         "for a rendered one: these depend on the machine. Medians over the held-out views on hills.\n\n" +
-         time_table(plan, rows) + settings + grid_list(plan) +
+      "no lower than {:g} dB; a cell is in shadow below {:g} dB. `product/map_metrics.h` defines the five numbers.\n\n"
+      "The radar stands 20 km from the middle of the scene, resolution 2 m in range and across. A rim of {:.0f} m "
+      "along the edges is left out: walls there mirror ground beyond the scene, which is there in a bake but not in a "
+      "traced map.\n\n",
+      compare.floor_db, compare.shadow_db, plan.rim_m());
+  text +=
+      "- **paper**: the paper to the letter (docs/decisions/0050-the-paper-literally.md); its store is "
+      "counted as the paper counts, four floats a texel and look\n"
+      "- **ours, shadows baked**: echoes straight into texels, γ blended over cot ψ "
+      "(docs/decisions/0005-blend-gamma.md), half floats, compressed\n"
+      "- **ours, shadows at run time**: the ground apart from what stands on it "
+      "(docs/decisions/0006-ground-apart.md), which its bytes include; what `sigmascape bake` does by "
+      "itself\n\n";
+  if (plan.scene_file.empty()) {
+    text +=
+        "*hills* is the scene as it is; *level* the same with its ground at height zero. Textures are baked on level "
+        "ground, so one store serves both.\n\n";
+  }
+  if (!report.attribution.empty()) text += "Data: " + report.attribution + "\n\n";
+  return text;
+}
+
+/// The figures of a section beside one another, at most three in a row.
+std::string figures_text(const std::vector<product::PageSection>& sections) {
+  constexpr std::size_t in_a_row = 3;
+  std::string text;
+  for (const product::PageSection& section : sections) {
+    text += "## " + section.heading + "\n\n";
+    for (std::size_t first = 0; first < section.figures.size(); first += in_a_row) {
+      std::string captions = "|", rules = "|", pictures = "|";
+      for (std::size_t i = first; i < std::min(first + in_a_row, section.figures.size()); ++i) {
+        const product::PageFigure& figure = section.figures[i];
+        captions += fmt::format(" {} |", figure.caption);
+        rules += "---|";
+        pictures += fmt::format(" ![{}]({}) |", figure.caption, figure.png.filename().string());
+      }
+      text += captions + "\n" + rules + "\n" + pictures + "\n\n";
+    }
+  }
+  return text;
+}
+
+std::string settings_text(const ResultsPlan& plan) {
+  return fmt::format(
+             "## Settings\n\n"
+             "- {} rays a texel of {:.2f} m; each method has a bake of its own, out of whose looks coarser grids are "
+             "read too; {} rays where stated\n"
+             "- {} rays a 2 m cell in each of the two traced maps of a view\n"
+             "- {} bounces, seed {}, 10 GHz\n",
+             plan.baked_samples, plan.bake_settings(bake::Shadows::Baked).patches.texel_m, plan.finer_samples,
+             plan.traced_samples, plan.bounces, plan.seed) +
+         grid_list(plan) +
          "\nHeld-out views are drawn from the seed, azimuth evenly over the circle and elevation evenly over 3° to "
-         "40°; "
-         "the view of the paper's picture stands by itself.\n\n" +
+         "40°; the view of the paper's picture stands by itself.\n\n" +
          view_table(plan);
+}
+
+}  // namespace
+
+std::string results_markdown(const ResultsReport& report) {
+  const ResultsPlan& plan = report.plan;
+  std::string text = lead(report) + fmt::format("## At {:.0f} m cells\n\n", summary_cell_m) + summary_table(report);
+  text +=
+      "\nThe rows *truth* hold one traced map against another that differs in its seed alone. Baked maps are held "
+      "against the mean of the two, whose noise has half the variance of either's. " +
+      ceiling_text(report) + elevation_remark(plan) + "Bake times are seconds of processor time.\n\n" +
+      aims_text(report);
+  text += fmt::format(
+      "## Why\n\nWhat the error is made of: each cause switched off alone, medians over the held-out views at {:.0f} m "
+      "cells where nothing else is said.\n\n",
+      summary_cell_m);
+  text += causes_table(plan, report.rows) + "\n" + largest_cause(plan, report.rows) + "\n\n";
+  text += fmt::format(
+      "## Cheap wins\n\nEach change made alone to the method named beside it, held-out views at {:.0f} m cells. Frame "
+      "times are milliseconds on the wall.\n\n",
+      summary_cell_m);
+  text += changes_table(plan, report.rows) + "\n";
+  for (const auto& [name, plot] : plots_of(report)) text += fmt::format("![{}]({})\n\n", plot.title, name);
+  text += "## By cell size\n\nThe " + plan.paper_grid().name() + " grid.\n\n" + cell_table(report);
+  text += "\n## By level of detail\n\nThe " + plan.paper_grid().name() +
+          " grid, ours with shadows at run time. LOD 1 reads textures from their finest level, each next one from the "
+          "level above.\n\n" +
+          level_table(report);
+  text +=
+      "\n## Bytes and time\n\nSeconds of processor time for the bake and for one traced map, milliseconds on the wall "
+      "for a rendered one: these depend on the machine. Medians over the held-out views.\n\n" +
+      time_table(report) + "\n";
+  return text + figures_text(report.figures) + settings_text(plan);
 }
 
 std::vector<product::PageSection> results_sections(const std::vector<ResultsRow>& rows) {
@@ -283,7 +322,8 @@ std::vector<product::PageSection> results_sections(const std::vector<ResultsRow>
           {"truth against truth", metrics_text(cell->floor_median, cell->floor_worst, row.views)});
     }
     sections.back().facts.push_back(
-        {fmt::format("{}, {} rays, LOD {}", row.of.grid, row.of.baked_samples, row.of.level_of_detail),
+        {fmt::format("{}{}{}, {}, {} rays, LOD {}", text_of(row.of.method), row.of.change.empty() ? "" : ", ",
+                     row.of.change, row.of.grid, row.of.baked_samples, row.of.level_of_detail),
          fmt::format("{}; {} MB, {:.0f} s", metrics_text(cell->median, cell->worst, row.views),
                      megabytes(row.atlas.store_bytes), row.atlas.bake_seconds)});
   }

@@ -1,21 +1,33 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "results_plan.h"
+#include "results_plot.h"
 #include "results_table.h"
 
 #include "sigmascape/product/comparison_page.h"
 
 namespace sigmascape::cli {
 
-/// The measurement as a Markdown page. Besides the times it depends on the plan alone, not on machine or day.
-[[nodiscard]] std::string results_markdown(const ResultsPlan& plan, const std::vector<ResultsRow>& rows);
+/// Everything that a page is made of.
+struct ResultsReport {
+  ResultsPlan plan;
+  std::string attribution;  ///< of the scene's data
+  std::vector<ViewResult> views;
+  std::vector<ResultsRow> rows;
+  std::vector<product::PageSection> figures;
+};
 
-/// The measurement's numbers as sections of a page with pictures.
+/// The page as Markdown. Figures are shown by the names of their files, which are to lie beside it, like the plots.
+[[nodiscard]] std::string results_markdown(const ResultsReport& report);
+
+/// The plots of the page by the names of their files.
+[[nodiscard]] std::vector<std::pair<std::string, Plot>> plots_of(const ResultsReport& report);
+
+/// The numbers at 8 m cells as sections of a page with pictures.
 [[nodiscard]] std::vector<product::PageSection> results_sections(const std::vector<ResultsRow>& rows);
-
-/// What separates the baked maps from the truth, in a sentence, from the numbers.
-[[nodiscard]] std::string what_limits(const ResultsPlan& plan, const std::vector<ResultsRow>& rows);
 
 }  // namespace sigmascape::cli

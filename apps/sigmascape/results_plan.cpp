@@ -93,33 +93,57 @@ radar::RadarFile PlannedView::radar() const {
 
 double ResultsPlan::rim_m() const {
   constexpr double widest_m = 64.0, largest_share = 0.128;  // of the side, so that small scenes keep a middle
-  return std::min(widest_m, largest_share * 2000.0 * scale);
+  return std::min(widest_m, largest_share * side_m());
 }
 
-bake::BakeSettings ResultsPlan::bake_settings() const {
-  return {.aspects = grids.back().aspects(),
+std::string text_of(Method method) {
+  switch (method) {
+    case Method::Paper:
+      return "paper";
+    case Method::BakedShadows:
+      return "ours, shadows baked";
+    case Method::RunTimeShadows:
+      return "ours, shadows at run time";
+  }
+  return "";
+}
+
+bake::BakeSettings ResultsPlan::bake_settings(bake::Shadows shadows) const {
+  return {.aspects = shadows == bake::Shadows::RunTime ? grids.back().aspects() : paper_grid().aspects(),
           .patches = {.texel_m = 2000.0 / 1024.0, .texels_per_side = 256},
           .sampling = {.samples_per_texel = baked_samples},
           .max_bounces = bounces,
           .seed = seed,
+          .shadows = shadows,
           .mantissa_bits = 10,
           .threads = threads};
 }
 
-atlas::AspectSelection ResultsPlan::selection_of(const LookGrid& grid) const {
-  const atlas::AspectGrid finest = grids.back().aspects(), wanted = grid.aspects();
-  return {places_on(finest.azimuths_rad, wanted.azimuths_rad), places_on(finest.elevations_rad, wanted.elevations_rad)};
+atlas::AspectSelection ResultsPlan::selection_of(const LookGrid& grid, const atlas::AspectGrid& within) {
+  const atlas::AspectGrid wanted = grid.aspects();
+  return {places_on(within.azimuths_rad, wanted.azimuths_rad), places_on(within.elevations_rad, wanted.elevations_rad)};
 }
 
-atlas::AspectSelection ResultsPlan::selection_of(const PlannedView& view) const {
-  const atlas::AspectGrid finest = grids.back().aspects();
-  return {places_on(finest.azimuths_rad, {radians_from_deg(view.azimuth_deg)}),
-          places_on(finest.elevations_rad, {radians_from_deg(view.elevation_deg)})};
+double ResultsPlan::distance_deg(const PlannedView& view, const LookGrid& grid) {
+  const auto direction = [](double azimuth_deg, double elevation_deg) {
+    return radar::direction_to_radar({radians_from_deg(azimuth_deg), radians_from_deg(elevation_deg)});
+  };
+  const Vec3d seen = direction(view.azimuth_deg, view.elevation_deg);
+  double nearest_rad = pi;
+  for (unsigned i = 0; i < grid.azimuths; ++i) {
+    for (const double elevation_deg : grid.elevations_deg) {
+      const Vec3d baked = direction(360.0 * i / grid.azimuths, elevation_deg);
+      nearest_rad = std::min(nearest_rad, std::acos(std::clamp(dot(seen, baked), -1.0, 1.0)));
+    }
+  }
+  return deg_from_radians(nearest_rad);
 }
 
 ResultsPlan results_plan(const ResultsOptions& options) {
   ResultsPlan plan;
-  plan.scale = options.scale.value_or(options.small ? 0.25 : 0.5);
+  plan.scale = options.scale.value_or(options.small ? 0.2 : 0.5);
+  plan.materials = options.itu_materials ? scene::PaperMaterials::Itu : scene::PaperMaterials::Paper;
+  plan.scene_file = options.scene_file;
   plan.grids = {{8, {5, 13, 21, 29}}, {8, {5, 13, 21, 29, 37}}, {16, {5, 9, 13, 21, 29, 37}}};
   if (!options.small) plan.grids.push_back({32, {3, 5, 7, 9, 13, 21, 29, 37}});
   plan.baked_samples = options.baked_samples.value_or(options.small ? 16 : 100);

@@ -8,6 +8,7 @@
 #include "sigmascape/atlas/aspect_grid.h"
 #include "sigmascape/bake/bake.h"
 #include "sigmascape/radar/radar_file.h"
+#include "sigmascape/scene/paper_scene.h"
 
 namespace sigmascape::cli {
 
@@ -15,7 +16,9 @@ namespace sigmascape::cli {
 struct ResultsOptions {
   bool small = false;
   std::string folder = "out/results";
-  std::string page;  ///< Markdown page to write; empty for none
+  std::string page;        ///< Markdown page to write, its pictures beside it; empty for none
+  std::string scene_file;  ///< a landscape to measure on instead of the paper's
+  bool itu_materials = false;
   std::optional<double> scale;
   std::optional<std::uint32_t> held_out, on_grid, baked_samples, traced_samples;
   int bounces = 8;
@@ -49,9 +52,20 @@ struct PlannedView {
   [[nodiscard]] radar::RadarFile radar() const;
 };
 
+/// The ways from a scene to a ground map that are held against one another.
+enum class Method {
+  Paper,           ///< the paper to the letter: render/paper_method.h
+  BakedShadows,    ///< Shadows::Baked
+  RunTimeShadows,  ///< Shadows::RunTime
+};
+
+[[nodiscard]] std::string text_of(Method method);
+
 /// Everything that decides the numbers.
 struct ResultsPlan {
-  double scale = 0.25;                ///< of the paper's scene
+  double scale = 0.25;  ///< side of what is measured over the paper's 2 km
+  scene::PaperMaterials materials = scene::PaperMaterials::Paper;
+  std::string scene_file = {};        ///< in place of the paper's scene
   std::vector<LookGrid> grids;        ///< each within the next; only the last is baked
   std::vector<PlannedView> views;     ///< the paper's first
   std::uint32_t baked_samples = 16;   ///< rays a texel
@@ -64,11 +78,20 @@ struct ResultsPlan {
   /// Width of the rim along the scene's edges that is not compared. A wall near the edge mirrors ground beyond it,
   /// which goes on in a bake and ends where the terrain does in a traced map: that would be held against the method.
   [[nodiscard]] double rim_m() const;
-  [[nodiscard]] bake::BakeSettings bake_settings() const;  ///< of the finest grid
-  /// The places of a coarser grid within the last.
-  [[nodiscard]] atlas::AspectSelection selection_of(const LookGrid& grid) const;
-  /// The place of one view on the grid within the last.
-  [[nodiscard]] atlas::AspectSelection selection_of(const PlannedView& view) const;
+  [[nodiscard]] double side_m() const { return 2000.0 * scale; }
+  /// "hills" for the paper's scene, "place" for another.
+  [[nodiscard]] std::string scene_name() const { return scene_file.empty() ? "hills" : "place"; }
+  /// The grid that all methods have and most tables are about: the paper's with five elevations.
+  [[nodiscard]] const LookGrid& paper_grid() const { return grids[1]; }
+  /// The paper's grid with the elevations, or the azimuths, of the one after it.
+  [[nodiscard]] LookGrid more_elevations() const { return {paper_grid().azimuths, grids[2].elevations_deg}; }
+  [[nodiscard]] LookGrid more_azimuths() const { return {grids[2].azimuths, paper_grid().elevations_deg}; }
+  /// Of the finest grid for shadows at run time, of the paper's otherwise.
+  [[nodiscard]] bake::BakeSettings bake_settings(bake::Shadows shadows) const;
+  /// The places of a coarser grid within a finer one.
+  [[nodiscard]] static atlas::AspectSelection selection_of(const LookGrid& grid, const atlas::AspectGrid& within);
+  /// The angle between the line of sight and that of the nearest look of a grid, degrees.
+  [[nodiscard]] static double distance_deg(const PlannedView& view, const LookGrid& grid);
 };
 
 [[nodiscard]] ResultsPlan results_plan(const ResultsOptions& options);

@@ -112,6 +112,8 @@ nlohmann::ordered_json json_of(const CellComparison& cell) {
 
 nlohmann::ordered_json json_of(const ResultsCase& of, const AtlasCost& atlas) {
   return {{"scene", of.scene},
+          {"method", text_of(of.method)},
+          {"change", of.change},
           {"grid", of.grid},
           {"baked_samples", of.baked_samples},
           {"lod", of.level_of_detail},

@@ -11,13 +11,25 @@
 
 namespace sigmascape::cli {
 
+inline constexpr const char* own_look = "own look";
+
+/// Changes of the paper's method.
+inline constexpr const char* cotangent_change = "elevations blended in cot ψ";
+inline constexpr const char* gamma_change = "γ blended instead of σ0";
+inline constexpr const char* cotangent_gamma_change = "γ blended in cot ψ";
+inline constexpr const char* map_area_change = "map area instead of the slope's";
+inline constexpr const char* finest_change = "no mips";
+inline constexpr const char* halves_change = "half floats";
+
 /// What is measured together: all views of one kind of one scene, made in one way.
 struct ResultsCase {
-  std::string scene;  ///< "hills" or "level"
-  std::string grid;   ///< "8 × 5", or "look alone" for atlases of the one look that the view is on
+  std::string scene;  ///< "hills", "level" or "place"
+  Method method = Method::RunTimeShadows;
+  std::string grid;  ///< "8 × 5", or own_look for the one look that is the view's own
   std::uint32_t baked_samples = 0;
-  int level_of_detail = 1;
   ViewKind kind = ViewKind::HeldOut;
+  std::string change = {};  ///< what of the method is otherwise, one of the names below; empty for nothing
+  int level_of_detail = 1;
 
   friend bool operator==(const ResultsCase&, const ResultsCase&) = default;
 };

@@ -1,0 +1,141 @@
+#include "results_causes.h"
+
+#include <fmt/format.h>
+#include <optional>
+
+namespace sigmascape::cli {
+namespace {
+
+constexpr double cell_m = 8.0;
+
+/// Two rows of measurements that both exist.
+struct Found {
+  const ResultsRow *with, *without;
+  const ResultsCell *with_cell, *without_cell;
+};
+
+std::optional<Found> found(const Contrast& contrast, const std::vector<ResultsRow>& rows) {
+  const Found both{find_row(rows, contrast.with), find_row(rows, contrast.without), nullptr, nullptr};
+  if (both.with == nullptr || both.without == nullptr) return std::nullopt;
+  const Found cells{both.with, both.without, both.with->at_cell(cell_m), both.without->at_cell(cell_m)};
+  if (cells.with_cell == nullptr || cells.without_cell == nullptr) return std::nullopt;
+  return cells;
+}
+
+std::string metrics(const product::CellComparison& cell) {
+  return fmt::format("{:.3f} | {:.2f} | {:.3f} | {:.2f}", cell.correlation_db, cell.rms_db, cell.l1, cell.shadow_iou);
+}
+
+}  // namespace
+
+std::vector<Contrast> causes(const ResultsPlan& plan) {
+  const std::string place = plan.scene_name(), grid = plan.paper_grid().name();
+  const std::uint32_t samples = plan.baked_samples;
+  const ResultsCase paper{.scene = place, .method = Method::Paper, .grid = grid, .baked_samples = samples};
+  const auto changed = [](ResultsCase of, auto change) {
+    change(of);
+    return of;
+  };
+  const auto method = [&](ResultsCase of, Method which) {
+    of.method = which;
+    return of;
+  };
+  const auto level = [&](ResultsCase of) {
+    of.scene = "level";
+    return of;
+  };
+  const ResultsCase own = changed(paper, [](ResultsCase& of) { of.grid = own_look; });
+  const ResultsCase own_on_grid = changed(own, [](ResultsCase& of) { of.kind = ViewKind::OnGrid; });
+  const ResultsCase finer_on_grid =
+      changed(own_on_grid, [&](ResultsCase& of) { of.baked_samples = plan.finer_samples; });
+  const ResultsCase run_time = method(paper, Method::RunTimeShadows);
+  return {{"missing angles", "the paper's method: its grid against the view's own look", paper, own},
+          {"shadows and layover of level ground laid on slopes", "the paper's method: hills against level ground",
+           paper, level(paper)},
+          {"of this, shadows on the ground", "ours: baked against made at run time",
+           method(paper, Method::BakedShadows), run_time},
+          {"of this, layover of objects and how they shade each other",
+           "ours with shadows at run time: hills against level ground", run_time, level(run_time)},
+          {"mips", "the paper's method: mips against the finest level alone", paper,
+           changed(paper, [](ResultsCase& of) { of.change = finest_change; })},
+          {"half floats", "the paper's method: halves against floats",
+           changed(paper, [](ResultsCase& of) { of.change = halves_change; }), paper},
+          {"noise of the bake",
+           fmt::format("the paper's method, on-grid views, own look: {} rays a texel against {}", samples,
+                       plan.finer_samples),
+           own_on_grid, finer_on_grid}};
+}
+
+std::vector<Contrast> changes(const ResultsPlan& plan) {
+  const std::string place = plan.scene_name(), grid = plan.paper_grid().name();
+  const ResultsCase paper{.scene = place, .method = Method::Paper, .grid = grid, .baked_samples = plan.baked_samples};
+  std::vector<Contrast> list;
+  for (const char* change : {cotangent_change, gamma_change, cotangent_gamma_change, map_area_change}) {
+    ResultsCase changed = paper;
+    changed.change = change;
+    list.push_back({change, "paper", changed, paper});
+  }
+  ResultsCase baked = paper, run_time = paper, elevations = paper, azimuths = paper, both = paper;
+  baked.method = Method::BakedShadows;
+  run_time.method = elevations.method = azimuths.method = both.method = Method::RunTimeShadows;
+  elevations.grid = plan.more_elevations().name();
+  azimuths.grid = plan.more_azimuths().name();
+  both.grid = plan.grids[2].name();
+  list.push_back({"ours: echoes straight into texels, γ in cot ψ, map area, half floats", "paper", baked, paper});
+  list.push_back({"shadows made at run time", "ours, shadows baked", run_time, baked});
+  list.push_back({"more elevations, " + elevations.grid, "shadows at run time", elevations, run_time});
+  list.push_back({"more azimuths, " + azimuths.grid, "shadows at run time", azimuths, run_time});
+  list.push_back({"both, " + both.grid, "shadows at run time", both, run_time});
+  return list;
+}
+
+std::string causes_table(const ResultsPlan& plan, const std::vector<ResultsRow>& rows) {
+  std::string text =
+      "| cause | with against without it | with: correlation | RMS [dB] | L1 | IoU | without: correlation | RMS [dB] | "
+      "L1 | IoU |\n|---|---|---:|---:|---:|---:|---:|---:|---:|---:|\n";
+  for (const Contrast& cause : causes(plan)) {
+    if (const auto both = found(cause, rows)) {
+      text += fmt::format("| {} | {} | {} | {} |\n", cause.name, cause.how, metrics(both->with_cell->median),
+                          metrics(both->without_cell->median));
+    }
+  }
+  return text;
+}
+
+std::string changes_table(const ResultsPlan& plan, const std::vector<ResultsRow>& rows) {
+  std::string text =
+      "| change | to | before: correlation | RMS [dB] | L1 | IoU | MB | frame [ms] | after: correlation | RMS [dB] | "
+      "L1 "
+      "| IoU | MB | frame [ms] |\n|---|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n";
+  for (const Contrast& change : changes(plan)) {
+    const auto both = found(change, rows);
+    if (!both) continue;
+    const auto side = [](const ResultsRow& row, const ResultsCell& cell) {
+      return fmt::format("{} | {:.2f} | {:.0f}", metrics(cell.median), static_cast<double>(row.atlas.store_bytes) / 1e6,
+                         row.render_ms);
+    };
+    text += fmt::format("| {} | {} | {} | {} |\n", change.name, change.how, side(*both->without, *both->without_cell),
+                        side(*both->with, *both->with_cell));
+  }
+  return text;
+}
+
+std::string largest_cause(const ResultsPlan& plan, const std::vector<ResultsRow>& rows) {
+  std::string name;
+  double largest_db = 0.0, with_db = 0.0, without_db = 0.0;
+  for (const Contrast& cause : causes(plan)) {
+    const auto both = found(cause, rows);
+    if (!both) continue;
+    const double here_db = both->with_cell->median.rms_db - both->without_cell->median.rms_db;
+    if (here_db <= largest_db) continue;
+    largest_db = here_db;
+    with_db = both->with_cell->median.rms_db;
+    without_db = both->without_cell->median.rms_db;
+    name = cause.name;
+  }
+  if (name.empty()) return "No cause adds error.";
+  return fmt::format("The largest is: {}. Without it the RMS error at {:.0f} m cells falls from {:.2f} to {:.2f} dB.",
+                     name, cell_m, with_db, without_db);
+}
+
+}  // namespace sigmascape::cli

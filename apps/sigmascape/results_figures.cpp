@@ -1,0 +1,209 @@
+#include "results_figures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+#include "map_files.h"
+#include "results_optical_view.h"
+
+#include "sigmascape/base/units.h"
+#include "sigmascape/product/bitmap_font.h"
+#include "sigmascape/product/legend.h"
+#include "sigmascape/product/png_file.h"
+#include "sigmascape/scene/simple_scene.h"
+#include "sigmascape/simulate/placement.h"
+#include "sigmascape/simulate/simulate.h"
+
+namespace sigmascape::cli {
+namespace {
+
+constexpr std::size_t pixels_wide = 512;
+constexpr product::Rgba ink{255, 190, 40};
+
+/// A number beside a place of a picture, and a line between them.
+struct Label {
+  std::string text;
+  Vec2d place, at;
+};
+
+void draw(product::Picture& picture, const Label& label) {
+  const Vec2d from = picture.grid.cells_from(label.place);
+  const Vec2d to = picture.grid.cells_from(label.at);
+  const auto pixel = [&](Vec2d p) {
+    return std::pair(static_cast<std::size_t>(std::clamp(p.x, 0.0, static_cast<double>(picture.pixels.columns() - 1))),
+                     static_cast<std::size_t>(std::clamp(p.y, 0.0, static_cast<double>(picture.pixels.rows() - 1))));
+  };
+  constexpr int dots = 200;
+  for (int i = 0; i <= dots; ++i) {
+    const auto [column, row] = pixel(from + (to - from) * (static_cast<double>(i) / dots));
+    picture.pixels(column, row) = ink;
+  }
+  constexpr std::size_t dot_size = 2;
+  const auto [column, row] = pixel(to);
+  product::draw_text(picture.pixels, column + 4, row > 8 ? row - 8 : 0, label.text, dot_size, ink);
+}
+
+/// What stands on the plane of Figure 1, seen from the south-east.
+struct SimpleObject {
+  Vec2d centre;
+  double depth_m, height_m;  ///< from the centre to the side that faces the radar
+};
+
+/// 1 at the shadow, 2 at the layover, 3 at the dihedral.
+std::vector<Label> labels_of(const SimpleObject& object, const radar::Aspect& aspect) {
+  const Vec2d towards = radar::horizontal_direction(aspect.azimuth_rad), right{-towards.y, towards.x};
+  const double tangent = std::tan(aspect.elevation_rad);
+  const auto label = [&](const char* text, double before_m) {
+    const Vec2d place = object.centre + towards * before_m;
+    return Label{text, place, place + right * 20.0};
+  };
+  return {label("1", -object.depth_m - object.height_m / tangent / 2.0),
+          label("2", object.depth_m + object.height_m * tangent * 0.6), label("3", object.depth_m)};
+}
+
+product::PageSection simple_section(const ResultsPlan& plan, const std::filesystem::path& folder) {
+  const radar::Aspect aspect{radians_from_deg(135.0), radians_from_deg(30.0)};
+  const scene::SimpleSceneOptions options{.box_centre = {-22.0, 6.0},
+                                          .box_size_m = {16.0F, 24.0F, 12.0F},
+                                          .box_yaw_rad = radians_from_deg(45.0),
+                                          .cylinder_centre = {24.0, -4.0},
+                                          .ground_material = "grass"};
+  const scene::Scene scene = scene::simple_scene(options);
+  const trace::SceneGeometry geometry(scene, trace::Footing::Terrain);
+  radar::Radar radar{.name = "20 km, from the south-east"};
+  radar.position = radar::position_seeing({}, aspect.azimuth_rad, aspect.elevation_rad, 20e3);
+  radar.polarization = radar::Polarization::Sum;
+  radar.range_resolution_m = 0.5;
+  radar.beam_width_rad = 0.5 * std::sqrt(2.0) / 20e3;
+  const radar::GroundGrid grid{scene.extent.west_m, scene.extent.north_m, 0.5, 256, 256};
+  trace::TraceCounts counts;
+  const auto image = simulate::traced_image(scene, geometry, radar, grid.extent(),
+                                            {.cell_m = 0.5,
+                                             .samples_per_cell = std::min(plan.traced_samples, 64U),
+                                             .max_bounces = 4,
+                                             .seed = plan.seed,
+                                             .threads = plan.threads},
+                                            counts);
+  const auto map = described_map(image, radar, scene.terrain, grid, scene.frame, {{"scene", scene.name}});
+  product::PictureOptions look{.polarization = radar::Polarization::Sum};
+  look.top_percentile = 99.95;
+  look.magnification = 2;
+  product::Picture picture = product::picture_of(map, look);
+  const std::vector<SimpleObject> objects{
+      {options.box_centre, 8.0, static_cast<double>(options.box_size_m.z)},
+      {options.cylinder_centre, options.cylinder_radius_m, options.cylinder_height_m}};
+  for (const SimpleObject& object : objects) {
+    for (const Label& label : labels_of(object, aspect)) draw(picture, label);
+  }
+  const auto optical = folder / "figure_1_optical.png", radar_map = folder / "figure_1_radar.png";
+  product::write_png(optical, optical_view(scene, geometry, pixels_wide, plan.threads));
+  product::write_png(radar_map, product::with_legend(picture));
+  return {.heading = "Figure 1: what a radar shows of simple things",
+          .figures = {{optical, "A prism and a cylinder on a plane, from above, the sun in the north-west"},
+                      {radar_map,
+                       "The same path-traced for a radar in the south-east, 30° high: 1 shadow, 2 layover, "
+                       "3 dihedral line where wall and ground meet"}}};
+}
+
+product::PageSection scene_section(const Measurement& measurement, const ResultsPlan& plan,
+                                   const std::filesystem::path& folder) {
+  const MeasuredScene& measured = measurement.scene();
+  const auto optical = folder / "figure_5_scene.png", materials = folder / "figure_6_materials.png";
+  product::write_png(optical, optical_view(measured.scene, measured.geometry, pixels_wide, plan.threads));
+  product::write_png(materials, material_view(measured.scene, pixels_wide));
+  return {.heading = "Figures 5 and 6: the scene",
+          .figures = {{optical, "Surfaces in the colours of their materials, from above"},
+                      {materials,
+                       "Materials of the ground: black concrete, green forest floor, red grass, white water, "
+                       "blue soil, grey others"}}};
+}
+
+/// A baked texture by itself.
+radar::GroundMap texture_map(const Measurement& measurement, const radar::Aspect& aspect) {
+  const scene::Scene& scene = measurement.scene().scene;
+  const render::PaperTextures& textures = measurement.paper_textures();
+  radar::GroundMap map{.grid = simulate::map_grid({.area = {}, .cell_m = textures.grid().cell_m}, scene.extent),
+                       .sigma0 = {},
+                       .crs = scene.frame.proj(),
+                       .metadata = {{"scene", scene.name}, {"attribution", scene.attribution}}};
+  map.sigma0 = Array2D<radar::Channels>(map.grid.columns, map.grid.rows);
+  const auto weights = textures.weights_for(aspect, {});
+  for (std::size_t row = 0; row < map.grid.rows; ++row) {
+    for (std::size_t column = 0; column < map.grid.columns; ++column)
+      map.sigma0(column, row) = textures.sigma0_at(map.grid.centre_of(column, row), weights, 0.0);
+  }
+  return map;
+}
+
+unsigned magnification_of(const radar::GroundMap& map) {
+  return static_cast<unsigned>(std::clamp<std::size_t>(pixels_wide / map.grid.columns, 1, 4));
+}
+
+product::PageSection texture_section(const Measurement& measurement, const std::filesystem::path& folder) {
+  product::PageSection section{.heading = "Figure 7: baked reflectivity, seen from the south-east (azimuth 135°)"};
+  for (const double elevation_deg : {5.0, 13.0, 21.0, 29.0}) {
+    const auto map = texture_map(measurement, {radians_from_deg(135.0), radians_from_deg(elevation_deg)});
+    const auto path = folder / fmt::format("figure_7_el{:02.0f}.png", elevation_deg);
+    product::PictureOptions look{.polarization = radar::Polarization::Sum};
+    look.magnification = magnification_of(map);
+    write_map_picture(path, map, look);
+    section.figures.push_back({path, fmt::format("{:.0f}° elevation", elevation_deg)});
+  }
+  return section;
+}
+
+/// One view traced and rendered in two ways, on one scale, and the differences.
+product::PageSection pictured(const Measurement& measurement, const PlannedView& view, const std::string& name,
+                              const std::string& heading, const std::filesystem::path& folder) {
+  const Truth truth = measurement.truth_of(view);
+  product::PictureOptions look = product::scope_look();
+  look.polarization = radar::Polarization::Sum;
+  look.top_db = product::percentile_top_db(truth.mean, look);
+  look.magnification = magnification_of(truth.mean);
+  const auto path = [&](const char* what) { return folder / fmt::format("{}_{}.png", name, what); };
+  write_map_picture(path("traced"), truth.mean, look);
+  product::PageSection section{.heading = heading, .figures = {{path("traced"), "Path-traced from the full scene"}}};
+  for (const auto& [method, key] : {std::pair(Method::Paper, "paper"), std::pair(Method::RunTimeShadows, "ours")}) {
+    const radar::GroundMap map = measurement.map_of(view, method);
+    write_map_picture(path(key), map, look);
+    section.figures.push_back({path(key), "From the 8 × 5 looks: " + text_of(method)});
+    const auto difference = folder / fmt::format("{}_{}_difference.png", name, key);
+    product::write_png(difference, product::difference_picture(map, truth.mean,
+                                                               {.polarization = radar::Polarization::Sum,
+                                                                .magnification = look.magnification}));
+    section.figures.push_back({difference, text_of(method) + " over traced: −10 dB blue, +10 dB red"});
+  }
+  return section;
+}
+
+PlannedView worst_view(const Measurement& measurement, const ResultsPlan& plan) {
+  const ResultsCase wanted{.scene = plan.scene_name(),
+                           .method = Method::Paper,
+                           .grid = plan.paper_grid().name(),
+                           .baked_samples = plan.baked_samples,
+                           .kind = ViewKind::HeldOut};
+  PlannedView worst = plan.views.front();
+  double lowest = 2.0;
+  for (const ViewResult& result : measurement.results()) {
+    const product::CellComparison* cell = result.comparison.at_cell(8.0);
+    if (result.of != wanted || cell == nullptr || !(cell->correlation_db < lowest)) continue;
+    lowest = cell->correlation_db;
+    worst = result.view;
+  }
+  return worst;
+}
+
+}  // namespace
+
+std::vector<product::PageSection> paper_figures(const Measurement& measurement, const ResultsPlan& plan,
+                                                const std::filesystem::path& folder) {
+  const PlannedView worst = worst_view(measurement, plan);
+  return {simple_section(plan, folder), scene_section(measurement, plan, folder), texture_section(measurement, folder),
+          pictured(measurement, plan.views.front(), "figure_8",
+                   "Figure 8: the paper's view, 20 km away, azimuth 130°, elevation 8.6°, 50 dB", folder),
+          pictured(measurement, worst, "worst",
+                   "The held-out view that the paper's method does worst on: " + worst.description(), folder)};
+}
+
+}  // namespace sigmascape::cli

@@ -1,0 +1,229 @@
+#include "results_measurement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+
+#include "map_files.h"
+#include "stopwatch.h"
+
+#include "sigmascape/base/units.h"
+#include "sigmascape/scene/scene_file.h"
+#include "sigmascape/simulate/placement.h"
+#include "sigmascape/simulate/simulate.h"
+
+namespace sigmascape::cli {
+namespace {
+
+constexpr int coarsest_level_of_detail = 3;
+
+struct PaperChange {
+  const char* name;
+  render::PaperLookUp look_up;
+};
+
+constexpr PaperChange paper_changes[] = {
+    {cotangent_change, {.by_cotangent = true}},
+    {gamma_change, {.blends_gamma = true}},
+    {cotangent_gamma_change, {.by_cotangent = true, .blends_gamma = true}},
+    {map_area_change, {.by_map_area = true}},
+    {finest_change, {.finest_only = true}},
+};
+
+/// The paper's scene, or the middle of another.
+scene::Scene scene_of(const ResultsPlan& plan) {
+  if (plan.scene_file.empty()) return scene::paper_scene({.scale = plan.scale, .materials = plan.materials});
+  scene::Scene scene = scene::read_scene(plan.scene_file);
+  const Vec2d centre = scene.extent.centre();
+  const double half_m = std::min({plan.side_m(), scene.extent.width_m(), scene.extent.height_m()}) / 2.0;
+  scene.extent = {centre.x - half_m, centre.y - half_m, centre.x + half_m, centre.y + half_m};
+  return scene;
+}
+
+/// The map with its rim unseen.
+radar::GroundMap without_rim(radar::GroundMap map, double rim_m) {
+  const radar::Rectangle all = map.grid.extent();
+  const radar::Rectangle middle{all.west_m + rim_m, all.south_m + rim_m, all.east_m - rim_m, all.north_m - rim_m};
+  constexpr float unseen = std::numeric_limits<float>::quiet_NaN();
+  for (std::size_t row = 0; row < map.grid.rows; ++row) {
+    for (std::size_t column = 0; column < map.grid.columns; ++column) {
+      if (!middle.contains(map.grid.centre_of(column, row))) map.sigma0(column, row) = {unseen, unseen, unseen, unseen};
+    }
+  }
+  return map;
+}
+
+atlas::AspectGrid grid_of_view(const PlannedView& view) {
+  return {{radians_from_deg(view.azimuth_deg)}, {radians_from_deg(view.elevation_deg)}, {10e9}};
+}
+
+}  // namespace
+
+Measurement::Measurement(const ResultsPlan& plan, const std::filesystem::path& folder)
+    : plan_(plan),
+      folder_(folder),
+      scene_(plan.scene_name(), scene_of(plan)),
+      paper_bake_(plan, scene_.scene, folder / "paper"),
+      baked_shadows_(scene_.scene, plan.bake_settings(bake::Shadows::Baked), folder / "atlas_baked_shadows", progress_),
+      run_time_shadows_(scene_.scene, plan.bake_settings(bake::Shadows::RunTime), folder / "atlas_run_time_shadows",
+                        progress_) {
+  if (plan.scene_file.empty()) level_.emplace("level", levelled(scene_.scene));
+  make_ready();
+}
+
+ReadyMethod Measurement::from_store(Method method, const std::string& grid, std::uint32_t samples,
+                                    const TimedBake& bake, const atlas::AspectSelection& selection) const {
+  const auto atlas = std::make_shared<const atlas::Atlas>(atlas::load_atlas(bake.store(), {.aspects = selection}));
+  const unsigned threads = plan_.threads;
+  return {.method = method,
+          .grid = grid,
+          .baked_samples = samples,
+          .cost = bake.cost_of(selection, *atlas),
+          .render = [atlas, threads](const Seen& seen, int level_of_detail) {
+            render::RenderCounts counts;
+            return simulate::baked_image(*atlas, seen.scene.terrain, seen.radar, seen.grid.extent(),
+                                         {.level_of_detail = level_of_detail, .threads = threads}, counts);
+          }};
+}
+
+ReadyMethod Measurement::from_paper_textures(const std::string& grid, std::uint32_t samples, const std::string& change,
+                                             const AtlasCost& cost,
+                                             std::shared_ptr<const render::PaperTextures> textures,
+                                             const render::PaperLookUp& look_up) const {
+  const unsigned threads = plan_.threads;
+  return {.method = Method::Paper,
+          .grid = grid,
+          .baked_samples = samples,
+          .change = change,
+          .cost = cost,
+          .render = [textures, look_up, threads](const Seen& seen, int) {
+            const auto bins = simulate::bins_for(seen.radar, seen.grid.extent(), seen.scene.terrain);
+            return render::paper_image(*textures, seen.scene.terrain, seen.radar, seen.grid.extent(), bins, look_up,
+                                       threads);
+          }};
+}
+
+void Measurement::make_ready() {
+  const auto paper = [&](const LookGrid& grid, const std::string& change, bool in_halves) {
+    PaperAtlas made = paper_bake_.atlas_of(grid.aspects(), plan_.baked_samples, progress_, in_halves);
+    auto textures = std::make_shared<const render::PaperTextures>(std::move(made.textures));
+    methods_.push_back(from_paper_textures(grid.name(), plan_.baked_samples, change, made.cost, textures, {}));
+    return std::pair(textures, made.cost);
+  };
+  const LookGrid& grid = plan_.paper_grid();
+  paper(plan_.grids.front(), "", false);
+  const auto [textures, cost] = paper(grid, "", false);
+  paper_textures_ = textures;
+  for (const PaperChange& change : paper_changes) {
+    methods_.push_back(
+        from_paper_textures(grid.name(), plan_.baked_samples, change.name, cost, textures, change.look_up));
+  }
+  paper(grid, halves_change, true);
+
+  const auto ours = [&](Method method, const LookGrid& looks, const TimedBake& bake) {
+    const auto selection = ResultsPlan::selection_of(looks, bake.store().description().aspects);
+    methods_.push_back(from_store(method, looks.name(), plan_.baked_samples, bake, selection));
+  };
+  ours(Method::BakedShadows, plan_.grids.front(), baked_shadows_);
+  ours(Method::BakedShadows, grid, baked_shadows_);
+  for (const LookGrid& looks : plan_.grids) ours(Method::RunTimeShadows, looks, run_time_shadows_);
+  ours(Method::RunTimeShadows, plan_.more_elevations(), run_time_shadows_);
+  ours(Method::RunTimeShadows, plan_.more_azimuths(), run_time_shadows_);
+}
+
+void Measurement::compare_all() {
+  std::size_t done = 0;
+  const double views = static_cast<double>(plan_.views.size()) * (level_ ? 2.0 : 1.0);
+  for (const PlannedView& view : plan_.views) {
+    compare(scene_, view);
+    progress_.advanced("compare", static_cast<double>(++done), views, "views");
+    if (!level_) continue;
+    if (view.kind != ViewKind::Paper) compare(*level_, view);
+    progress_.advanced("compare", static_cast<double>(++done), views, "views");
+  }
+  std::ranges::stable_sort(results_, {}, [](const ViewResult& result) {
+    return std::tuple(result.of.scene, static_cast<int>(result.of.kind), static_cast<int>(result.of.method));
+  });
+}
+
+void Measurement::compare(const MeasuredScene& measured, const PlannedView& view) {
+  const Truth truth = traced_truth(measured, view, plan_, folder_ / "truth");
+  const bool is_main = &measured == &scene_;
+  for (const ReadyMethod& method : methods_) {
+    if (!is_main && !method.change.empty()) continue;
+    const bool by_level =
+        is_main && method.method == Method::RunTimeShadows && method.grid == plan_.paper_grid().name();
+    for (int level = 1; level <= (by_level ? coarsest_level_of_detail : 1); ++level)
+      hold_against(truth, measured, view, method, level);
+  }
+  if (is_main) compare_own_looks(truth, view);
+}
+
+/// The view's own look, baked for it: without an angle missing.
+void Measurement::compare_own_looks(const Truth& truth, const PlannedView& view) {
+  const auto paper = [&](std::uint32_t samples) {
+    PaperAtlas made = paper_bake_.atlas_of(grid_of_view(view), samples, progress_);
+    auto textures = std::make_shared<const render::PaperTextures>(std::move(made.textures));
+    hold_against(truth, scene_, view, from_paper_textures(own_look, samples, "", made.cost, textures, {}));
+  };
+  paper(plan_.baked_samples);
+  if (view.kind == ViewKind::OnGrid) paper(plan_.finer_samples);
+
+  bake::BakeSettings settings = plan_.bake_settings(bake::Shadows::RunTime);
+  settings.aspects = grid_of_view(view);
+  const TimedBake bake(scene_.scene, settings, folder_ / "own_look" / view.file_name(), progress_);
+  hold_against(truth, scene_, view, from_store(Method::RunTimeShadows, own_look, plan_.baked_samples, bake, {}));
+}
+
+void Measurement::hold_against(const Truth& truth, const MeasuredScene& measured, const PlannedView& view,
+                               const ReadyMethod& method, int level_of_detail) {
+  const RenderedMap rendered = rendered_map(measured, view, method, level_of_detail);
+  results_.push_back({.of = {.scene = measured.name,
+                             .method = method.method,
+                             .grid = method.grid,
+                             .baked_samples = method.baked_samples,
+                             .kind = view.kind,
+                             .change = method.change,
+                             .level_of_detail = level_of_detail},
+                      .view = view,
+                      .atlas = method.cost,
+                      .comparison = compared(rendered.map, truth.mean),
+                      .noise_floor = compared(truth.second, truth.first),
+                      .trace_seconds = truth.trace_seconds,
+                      .render_ms = rendered.milliseconds});
+}
+
+product::MapComparison Measurement::compared(const radar::GroundMap& tested, const radar::GroundMap& truth) const {
+  return product::compare_maps(without_rim(tested, plan_.rim_m()), without_rim(truth, plan_.rim_m()),
+                               {.polarization = radar::Polarization::Sum});
+}
+
+RenderedMap Measurement::rendered_map(const MeasuredScene& measured, const PlannedView& view, const ReadyMethod& method,
+                                      int level_of_detail) const {
+  const scene::Scene& scene = measured.scene;
+  const radar::RadarFile file = view.radar();
+  const Seen seen{scene, simulate::placed_radar(file, scene.frame, scene.terrain, scene.extent),
+                  simulate::map_grid(file.map, scene.extent)};
+  const Stopwatch watch;
+  const auto image = method.render(seen, level_of_detail);
+  const double milliseconds = 1e3 * watch.seconds();
+  return {described_map(image, seen.radar, scene.terrain, seen.grid, scene.frame,
+                        {{"scene", scene.name},
+                         {"attribution", scene.attribution},
+                         {"processing", text_of(method.method) + ", " + method.grid}}),
+          milliseconds};
+}
+
+Truth Measurement::truth_of(const PlannedView& view) const {
+  return traced_truth(scene_, view, plan_, folder_ / "truth");
+}
+
+radar::GroundMap Measurement::map_of(const PlannedView& view, Method method) const {
+  const auto ready = std::ranges::find_if(methods_, [&](const ReadyMethod& candidate) {
+    return candidate.method == method && candidate.grid == plan_.paper_grid().name() && candidate.change.empty();
+  });
+  return rendered_map(scene_, view, *ready, 1).map;
+}
+
+}  // namespace sigmascape::cli

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "results_bake.h"
+#include "results_paper_bake.h"
+#include "results_plan.h"
+#include "results_table.h"
+#include "results_truth.h"
+#include "terminal_progress.h"
+
+#include "sigmascape/render/ground_renderer.h"
+
+namespace sigmascape::cli {
+
+/// What is seen of a scene: where the radar stands and what it maps.
+struct Seen {
+  const scene::Scene& scene;
+  radar::Radar radar;
+  radar::GroundGrid grid;
+};
+
+/// One way to a map, ready to be used: an atlas in memory and how maps are rendered from it.
+struct ReadyMethod {
+  Method method = Method::RunTimeShadows;
+  std::string grid;
+  std::uint32_t baked_samples = 0;
+  std::string change = {};
+  AtlasCost cost;
+  std::function<radar::RangeAzimuthImage(const Seen& seen, int level_of_detail)> render;
+};
+
+struct RenderedMap {
+  radar::GroundMap map;
+  double milliseconds = 0.0;
+};
+
+/// Bakes, traces, renders and compares everything that a plan asks for.
+class Measurement {
+ public:
+  /// Bakes. What lies in `folder` from an earlier run is used again.
+  Measurement(const ResultsPlan& plan, const std::filesystem::path& folder);
+
+  void compare_all();
+
+  [[nodiscard]] const std::vector<ViewResult>& results() const { return results_; }
+  [[nodiscard]] const MeasuredScene& scene() const { return scene_; }
+
+  [[nodiscard]] Truth truth_of(const PlannedView& view) const;
+  /// The scene as it is, from the paper's grid.
+  [[nodiscard]] radar::GroundMap map_of(const PlannedView& view, Method method) const;
+  /// The textures of the paper's grid by themselves, texel by texel, with all that they hold.
+  [[nodiscard]] const render::PaperTextures& paper_textures() const { return *paper_textures_; }
+
+ private:
+  [[nodiscard]] ReadyMethod from_store(Method method, const std::string& grid, std::uint32_t samples,
+                                       const TimedBake& bake, const atlas::AspectSelection& selection) const;
+  [[nodiscard]] ReadyMethod from_paper_textures(const std::string& grid, std::uint32_t samples,
+                                                const std::string& change, const AtlasCost& cost,
+                                                std::shared_ptr<const render::PaperTextures> textures,
+                                                const render::PaperLookUp& look_up) const;
+  void make_ready();
+  void compare(const MeasuredScene& measured, const PlannedView& view);
+  void compare_own_looks(const Truth& truth, const PlannedView& view);
+  void hold_against(const Truth& truth, const MeasuredScene& measured, const PlannedView& view,
+                    const ReadyMethod& method, int level_of_detail = 1);
+  [[nodiscard]] product::MapComparison compared(const radar::GroundMap& tested, const radar::GroundMap& truth) const;
+  [[nodiscard]] RenderedMap rendered_map(const MeasuredScene& measured, const PlannedView& view,
+                                         const ReadyMethod& method, int level_of_detail) const;
+
+  const ResultsPlan& plan_;
+  std::filesystem::path folder_;
+  TerminalProgress progress_;
+  MeasuredScene scene_;
+  std::optional<MeasuredScene> level_;
+  PaperBake paper_bake_;
+  TimedBake baked_shadows_, run_time_shadows_;
+  std::shared_ptr<const render::PaperTextures> paper_textures_;
+  std::vector<ReadyMethod> methods_;
+  std::vector<ViewResult> results_;
+};
+
+}  // namespace sigmascape::cli
