@@ -27,6 +27,7 @@ int run(int argc, char** argv) {
   add_bake_command(app, output);
   add_atlas_command(app, output);
   add_render_command(app, output);
+  add_dataset_command(app, output);
   add_compare_command(app, output);
   add_demo_command(app, output);
   add_results_command(app, output);

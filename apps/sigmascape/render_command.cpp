@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "command.h"
+#include "layer_files.h"
 #include "map_files.h"
 #include "polarization_option.h"
 #include "received_files.h"
@@ -35,6 +36,7 @@ struct RenderOptions {
   ReceivedFiles received;
   ScopeFiles scopes;
   std::string crs;
+  LayerFiles layers;
   simulate::TraceSettings trace;
 };
 
@@ -117,6 +119,7 @@ std::string advised_detail(const RenderOptions& options, const scene::Scene& sce
 
 void render(const RenderOptions& options, radar::Polarization polarization, bool polarization_given,
             const Output& output) {
+  check(options.layers, options.level_of_detail);
   const auto radar_file = radar::read_radar_file(options.radar);
   const scene::Scene scene = scene::read_scene(options.scene);
   const auto radar = simulate::placed_radar(radar_file, scene.frame, scene.terrain, scene.extent);
@@ -135,6 +138,8 @@ void render(const RenderOptions& options, radar::Polarization polarization, bool
   auto map = described_map(rendered.image, radar, scene.terrain, grid, scene.frame, rendered.provenance);
   if (!options.crs.empty()) map = product::reprojected(map, scene.frame, options.crs);
   if (!options.map_file.empty()) product::write_ground_map(options.map_file, map);
+  write_layers(options.layers, scene, radar, grid, map.metadata,
+               {.atlas = options.level_of_detail == 0 ? "" : options.atlas, .trace = options.trace});
   product::PictureOptions look = options.style == "scope" ? product::scope_look() : product::PictureOptions{};
   look.polarization = polarization_given ? polarization : radar.polarization;
   look.span_db = options.span_db;
@@ -180,6 +185,7 @@ void add_render_command(CLI::App& app, Output& output) {
   command->add_option("--crs", options->crs, "coordinate system of the map: EPSG code, PROJ string or WKT");
   add_scope_options(*command, options->scopes);
   add_received_options(*command, options->received);
+  add_layer_options(*command, options->layers);
   command->add_flag("--extrapolate", options->extrapolate,
                     "at a frequency that was not baked, use the nearest that was");
   command->add_option("--samples", options->trace.samples_per_cell, "rays a map cell, at level of detail 0")
@@ -194,7 +200,9 @@ void add_render_command(CLI::App& app, Output& output) {
       "Examples:\n"
       "  sigmascape render radar.toml --scene town.toml --out traced.tif --png traced.png\n"
       "  sigmascape render radar.toml --scene town.toml --atlas atlas --lod 1 --out baked.tif --png baked.png --style "
-      "scope");
+      "scope\n"
+      "  sigmascape render radar.toml --scene town.toml --layers shadow,layover,bounce1,bounce2 --layers-out "
+      "layers.tif");
   command->callback([command, options, polarization, &output] {
     render(*options, *polarization, command->get_option("--polarization")->count() > 0, output);
   });

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
+#include <memory>
+#include <utility>
+#include <vector>
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/receiver/range_azimuth_receiver.h"
@@ -43,6 +46,42 @@ void add_point_targets(const scene::Scene& scene, const trace::SceneGeometry& ge
   }
 }
 
+/// A receiver for each number of bounces, the last for more of them as well.
+class BounceReceivers {
+ public:
+  BounceReceivers(const radar::Radar& radar, const radar::RangeAzimuthGrid& grid, std::size_t orders) : radar_(radar) {
+    for (std::size_t order = 0; order < orders; ++order)
+      receivers_.push_back(std::make_unique<receiver::RangeAzimuthReceiver>(radar, grid));
+  }
+
+  /// May be called from several threads at once.
+  void add(std::span<const radar::Echo> echoes) {
+    if (receivers_.size() == 1) return first().add(echoes);
+    for (const radar::Echo& echo : echoes) {
+      const std::size_t order = std::min<std::size_t>(echo.bounces, receivers_.size());
+      receivers_[order - 1]->add({&echo, 1});
+    }
+  }
+
+  [[nodiscard]] receiver::RangeAzimuthReceiver& first() { return *receivers_.front(); }
+
+  [[nodiscard]] std::vector<radar::RangeAzimuthImage> images() const {
+    std::vector<radar::RangeAzimuthImage> images;
+    for (const auto& receiver : receivers_) {
+      if (receiver->bins().overflows() > 0) {
+        throw Error("map of radar " + radar_.name, "a bin is brighter than the sums can hold",
+                    "use finer resolution or rougher materials");
+      }
+      images.push_back(receiver->image());
+    }
+    return images;
+  }
+
+ private:
+  const radar::Radar& radar_;
+  std::vector<std::unique_ptr<receiver::RangeAzimuthReceiver>> receivers_;
+};
+
 }  // namespace
 
 radar::RangeAzimuthGrid bins_for(const radar::Radar& radar, const radar::Rectangle& area,
@@ -65,27 +104,30 @@ radar::RangeAzimuthImage traced_image(const scene::Scene& scene, const trace::Sc
                                       const radar::Radar& radar, const radar::Rectangle& area,
                                       const TraceSettings& settings, trace::TraceCounts& counts,
                                       ProgressListener* progress) {
+  return std::move(traced_bounces(scene, geometry, radar, area, settings, 1, counts, progress).front());
+}
+
+std::vector<radar::RangeAzimuthImage> traced_bounces(const scene::Scene& scene, const trace::SceneGeometry& geometry,
+                                                     const radar::Radar& radar, const radar::Rectangle& area,
+                                                     const TraceSettings& settings, std::size_t orders,
+                                                     trace::TraceCounts& counts, ProgressListener* progress) {
   check_above(radar, geometry.highest_m());
   const auto viewpoint = trace::Viewpoint::located(radar.position);
   const trace::PathTracer tracer(geometry, trace::surface_models(scene, radar.frequency_hz), viewpoint,
                                  {.max_bounces = settings.max_bounces}, settings.seed);
   const auto launch = trace::launch_area(viewpoint, area, settings.cell_m, geometry.lowest_m(),
                                          geometry.highest_m() + clearance_m, multibounce_margin_m);
-  receiver::RangeAzimuthReceiver receiver(radar, bins_for(radar, area, scene.terrain));
+  BounceReceivers receivers(radar, bins_for(radar, area, scene.terrain), orders);
   SilentProgress silent;
   trace::TileProgress tiles(progress != nullptr ? *progress : silent, "trace", "% of the map", 0.0, 100.0, 100.0,
                             launch.tiles());
   counts += tracer.trace(launch, {0, settings.samples_per_cell, settings.samples_per_cell}, settings.threads,
                          [&](std::span<const radar::Echo> echoes, unsigned worker) {
-                           receiver.add(echoes);
+                           receivers.add(echoes);
                            tiles.tile_done(worker);
                          });
-  add_point_targets(scene, geometry, viewpoint, receiver);
-  if (receiver.bins().overflows() > 0) {
-    throw Error("map of radar " + radar.name, "a bin is brighter than the sums can hold",
-                "use finer resolution or rougher materials");
-  }
-  return receiver.image();
+  add_point_targets(scene, geometry, viewpoint, receivers.first());
+  return receivers.images();
 }
 
 radar::RangeAzimuthImage baked_image(const atlas::Atlas& atlas, const terrain::HeightField& terrain,

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "sigmascape/atlas/atlas.h"
 #include "sigmascape/base/progress.h"
@@ -31,6 +33,13 @@ struct TraceSettings {
                                                     const radar::Radar& radar, const radar::Rectangle& area,
                                                     const TraceSettings& settings, trace::TraceCounts& counts,
                                                     ProgressListener* progress = nullptr);
+
+/// The same apart by number of bounces: image k holds what came back over k + 1 surfaces, the last of the `orders`
+/// images also what came back over more. They add up to traced_image. Point targets are in the first.
+[[nodiscard]] std::vector<radar::RangeAzimuthImage> traced_bounces(
+    const scene::Scene& scene, const trace::SceneGeometry& geometry, const radar::Radar& radar,
+    const radar::Rectangle& area, const TraceSettings& settings, std::size_t orders, trace::TraceCounts& counts,
+    ProgressListener* progress = nullptr);
 
 /// LOD ≥ 1: terrain and atlas, into the same bins.
 [[nodiscard]] radar::RangeAzimuthImage baked_image(const atlas::Atlas& atlas, const terrain::HeightField& terrain,

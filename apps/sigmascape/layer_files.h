@@ -1,0 +1,36 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "sigmascape/radar/radar.h"
+#include "sigmascape/scene/scene.h"
+#include "sigmascape/simulate/simulate.h"
+
+namespace sigmascape::cli {
+
+/// What `render --layers` asks for.
+struct LayerFiles {
+  std::vector<std::string> names;
+  std::string file;
+};
+
+void add_layer_options(CLI::App& command, LayerFiles& files);
+
+/// Throws Error when a layer is not known or not to be had at this level of detail, or when file or names are missing.
+void check(const LayerFiles& files, int level_of_detail);
+
+/// Where layers come from: rays over the full scene, or with an atlas what levels of detail from 1 on know.
+struct LayerSource {
+  std::string atlas = {};
+  simulate::TraceSettings trace = {};
+};
+
+/// Writes the layers asked for, if any, over the cells of the map. `metadata` goes with them.
+void write_layers(const LayerFiles& files, const scene::Scene& scene, const radar::Radar& radar,
+                  const radar::GroundGrid& grid, const std::map<std::string, std::string>& metadata,
+                  const LayerSource& source);
+
+}  // namespace sigmascape::cli

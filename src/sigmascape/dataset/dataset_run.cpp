@@ -1,0 +1,168 @@
+#include "sigmascape/dataset/dataset_run.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "sigmascape/base/error.h"
+#include "sigmascape/base/parallel.h"
+#include "sigmascape/base/sha256.h"
+#include "sigmascape/dataset/dataset_summary.h"
+#include "sigmascape/dataset/sample_files.h"
+#include "sigmascape/geo/atomic_file.h"
+#include "sigmascape/product/contact_sheet.h"
+#include "sigmascape/product/tar_archive.h"
+
+namespace sigmascape::dataset {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+std::string sha256_of(std::string_view bytes) {
+  Sha256 digest;
+  digest.add(bytes);
+  return digest.hex_digest();
+}
+
+Json file_json(const std::string& name, std::string_view bytes) {
+  return {{"name", name}, {"bytes", bytes.size()}, {"sha256", sha256_of(bytes)}};
+}
+
+/// The numbers as text: two digits a pixel.
+std::string hex_of(const Array2D<std::uint8_t>& pixels) {
+  std::string text;
+  for (const std::uint8_t pixel : pixels.values()) text += fmt::format("{:02x}", pixel);
+  return text;
+}
+
+/// What a dataset is told apart by.
+Json identity_of(const SampleMaker& maker) {
+  return {{"format", "sigmascape dataset 1"},
+          {"spec_sha256", sha256_of(maker.spec().text)},
+          {"scene_hash", maker.scene_hash()},
+          {"samples", maker.spec().count},
+          {"spec", maker.spec().text}};
+}
+
+void claim_folder(const SampleMaker& maker, const fs::path& folder) {
+  const fs::path file = folder / "dataset.json";
+  const std::string mine = identity_of(maker).dump(1) + "\n";
+  if (!fs::exists(file)) return geo::write_atomically(file, mine);
+  std::ifstream stream(file, std::ios::binary);
+  const std::string found{std::istreambuf_iterator<char>(stream), {}};
+  if (found != mine) {
+    throw Error(folder.string(), "holds another dataset, or one of another scene or specification",
+                "choose an empty folder, or the specification that it was begun with");
+  }
+}
+
+/// One lot of samples on its way into files.
+class Lot {
+ public:
+  Lot(const SampleMaker& maker, const fs::path& folder, std::size_t number)
+      : maker_(maker),
+        folder_(folder),
+        number_(number),
+        first_(number * maker.spec().samples_per_shard),
+        count_(std::min(maker.spec().samples_per_shard, maker.spec().count - first_)) {}
+
+  [[nodiscard]] std::size_t count() const { return count_; }
+  [[nodiscard]] bool is_there() const { return fs::exists(index_path(folder_, number_)); }
+
+  void make(unsigned threads) {
+    entries_.assign(count_, Json{});
+    contents_.assign(count_, {});
+    parallel_for(count_, threads, [&](std::size_t k, unsigned) { make_sample(k); });
+    Json index{{"samples", entries_}};
+    if (maker_.spec().arrangement == Arrangement::WebDataset) index["tar"] = write_tar();
+    geo::write_atomically(index_path(folder_, number_), index.dump(1) + "\n");
+  }
+
+ private:
+  void make_sample(std::size_t k) {
+    const std::size_t sample_number = first_ + k;
+    const Sample sample = maker_.make(sample_number);
+    std::vector<SampleFile> files = sample_files(maker_.spec(), sample);
+    Json listed = Json::array(), boxes = Json::array();
+    for (const SampleFile& file : files) listed.push_back(file_json(file.name, file.bytes));
+    for (const SampleTarget& target : sample.targets) {
+      if (!target.is_seen) continue;
+      const product::TargetBox& box = target.box;
+      boxes.push_back({box.category, box.x, box.y, box.width, box.height});
+    }
+    entries_[k] = {{"sample", sample_number}, {"files", listed}, {"boxes", boxes}};
+    if (sample_number < sheet_samples) {
+      const auto picture = product::picture_of(sample.map, {.polarization = maker_.spec().polarizations.front()});
+      entries_[k]["thumbnail"] = hex_of(product::thumbnail(picture, sheet_side));
+    }
+    if (maker_.spec().arrangement == Arrangement::WebDataset) {
+      contents_[k] = std::move(files);
+    } else {
+      write_folder(sample_number, files);
+    }
+  }
+
+  void write_folder(std::size_t sample_number, const std::vector<SampleFile>& files) const {
+    const fs::path folder = folder_ / "samples" / sample_name(sample_number);
+    // What a killed run of this share may have left; nobody else writes here.
+    if (fs::exists(folder)) geo::remove_leftovers(folder, "");
+    for (const SampleFile& file : files) geo::write_atomically(folder / file.name, file.bytes);
+  }
+
+  Json write_tar() {
+    product::TarArchive tar;
+    for (std::size_t k = 0; k < count_; ++k) {
+      for (const SampleFile& file : contents_[k]) tar.add(sample_name(first_ + k) + "." + file.name, file.bytes);
+      contents_[k].clear();
+    }
+    const std::string name = tar_name(number_), bytes = tar.bytes();
+    geo::remove_leftovers(folder_, name);
+    geo::write_atomically(folder_ / name, bytes);
+    return file_json(name, bytes);
+  }
+
+  const SampleMaker& maker_;
+  const fs::path& folder_;
+  std::size_t number_, first_, count_;
+  std::vector<Json> entries_;
+  std::vector<std::vector<SampleFile>> contents_;
+};
+
+void check(const DatasetShare& share) {
+  if (share.index < share.count) return;
+  throw Error(fmt::format("shard {}/{}", share.index, share.count), "is not one of the shards",
+              "count them from 0: the last of eight is 7/8");
+}
+
+}  // namespace
+
+DatasetReport make_dataset(const SampleMaker& maker, const fs::path& folder, const DatasetShare& share,
+                           ProgressListener& progress) {
+  check(share);
+  claim_folder(maker, folder);
+  const std::size_t size = maker.spec().samples_per_shard, lots = (maker.spec().count + size - 1) / size;
+  DatasetReport report;
+  for (std::size_t number = share.index; number < lots; number += share.count)
+    report.samples += Lot(maker, folder, number).count();
+  std::size_t done = 0;
+  for (std::size_t number = share.index; number < lots; number += share.count) {
+    Lot lot(maker, folder, number);
+    if (lot.is_there()) {
+      report.already += lot.count();
+    } else {
+      lot.make(share.threads);
+    }
+    done += lot.count();
+    progress.advanced("dataset", static_cast<double>(done), static_cast<double>(report.samples), "samples");
+  }
+  report.is_complete = true;
+  for (std::size_t number = 0; number < lots; ++number)
+    report.is_complete = report.is_complete && fs::exists(index_path(folder, number));
+  if (report.is_complete) write_summary(maker, folder, lots);
+  return report;
+}
+
+}  // namespace sigmascape::dataset

@@ -1,0 +1,132 @@
+#include "sigmascape/dataset/dataset_spec.h"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <fstream>
+#include <iterator>
+
+#include "sigmascape/base/toml_reader.h"
+#include "sigmascape/base/units.h"
+
+namespace sigmascape::dataset {
+namespace {
+
+constexpr Interval anywhere_m{-1e7, 1e7, "m"};
+
+Range range_of(const TomlSection& section, std::string_view key, Interval allowed) {
+  const auto ends = section.numbers(key, allowed);
+  if (ends.size() != 2)
+    throw section.fault(key, "is not a range", "give its least and its greatest number, as in [10, 20]");
+  if (ends[0] > ends[1])
+    throw section.fault(key, fmt::format("begins at {} and ends before that, at {}", ends[0], ends[1]),
+                        "put the smaller number first");
+  return {ends[0], ends[1]};
+}
+
+Range scaled(Range range, double factor) {
+  return {range.lowest * factor, range.highest * factor};
+}
+
+radar::Polarization polarization_of(const TomlSection& section, const std::string& word) {
+  using enum radar::Polarization;
+  for (const auto& [name, value] : {std::pair{"VV", VV}, {"HH", HH}, {"HV", HV}, {"sum", Sum}}) {
+    if (word == name) return value;
+  }
+  throw section.fault("polarizations", "names \"" + word + "\"", "choose among VV, HH, HV and sum");
+}
+
+void read_products(const TomlSection& section, DatasetSpec& spec) {
+  spec.cells = static_cast<std::size_t>(section.whole_number_or("cells", {8, 8192, "cells"}, 256));
+  spec.cell_m = section.number_or("cell_m", {0.05, 10'000.0, "m"}, 2.0);
+  auto words = section.texts("polarizations");
+  if (words.empty()) words = {"VV"};
+  for (const std::string& word : words) spec.polarizations.push_back(polarization_of(section, word));
+  spec.is_half = section.choice_or("numbers", {"float32", "float16"}, "float32") == "float16";
+  spec.in_decibels = section.choice_or("scale", {"linear", "db"}, "linear") == "db";
+  spec.with_preview = section.flag_or("preview", true);
+  for (const std::string& name : section.texts("layers")) {
+    try {
+      spec.layers.push_back(simulate::layer_kind(name));
+    } catch (const Error& unknown) {
+      throw Error(section.where("layers"), unknown.what(), "correct the word");
+    }
+  }
+  spec.arrangement = section.choice_or("files", {"folders", "webdataset"}, "folders") == "folders"
+                         ? Arrangement::Folders
+                         : Arrangement::WebDataset;
+  spec.samples_per_shard =
+      static_cast<std::size_t>(section.whole_number_or("samples_per_shard", {1, 100'000, "samples"}, 50));
+}
+
+void read_view(const TomlSection& section, DatasetSpec& spec) {
+  spec.azimuth_rad = scaled(range_of(section, "azimuth_deg", {-360.0, 720.0, "degrees"}), radians_from_deg(1.0));
+  spec.elevation_rad = scaled(range_of(section, "elevation_deg", {0.5, 89.0, "degrees"}), radians_from_deg(1.0));
+  spec.slant_range_m = scaled(range_of(section, "slant_range_km", {0.1, 1000.0, "km"}), 1e3);
+  if (section.has("target_east_m")) spec.target_east_m = range_of(section, "target_east_m", anywhere_m);
+  if (section.has("target_north_m")) spec.target_north_m = range_of(section, "target_north_m", anywhere_m);
+  section.refuse_unknown_keys();
+}
+
+TargetClass target_class(const TomlSection& section) {
+  TargetClass target{.name = section.text("name"),
+                     .number = range_of(section, "number", {0.0, 10'000.0, "targets"}),
+                     .rcs_db = range_of(section, "rcs_dbsm", {-60.0, 100.0, "dB over 1 m²"}),
+                     .size_m = section.number_or("size_m", {0.0, 1000.0, "m"}, 0.0),
+                     .height_m = section.number_or("height_m", {0.0, 1000.0, "m"}, 1.0)};
+  if (target.number.lowest != std::floor(target.number.lowest) ||
+      target.number.highest != std::floor(target.number.highest)) {
+    throw section.fault("number", "is not in whole targets", "give two whole numbers");
+  }
+  section.refuse_unknown_keys();
+  return target;
+}
+
+TomlSection required_section(const TomlSection& file, std::string_view key) {
+  if (auto section = file.section(key)) return *section;
+  throw file.fault(key, "is missing", fmt::format("add a [{}] section", key));
+}
+
+std::string text_of(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+}  // namespace
+
+DatasetSpec read_dataset_spec(const std::filesystem::path& path) {
+  const TomlSection file = TomlSection::read_file(path);
+  const TomlSection section = required_section(file, "dataset");
+  DatasetSpec spec;
+  spec.file = path;
+  spec.text = text_of(path);
+  spec.scene = section.file("scene");
+  spec.atlas = section.optional_file("atlas");
+  spec.radar = radar::read_radar_file(section.file("radar"));
+  spec.count = static_cast<std::size_t>(section.number("count", {1.0, 1e8, "samples"}));
+  spec.seed = static_cast<std::uint64_t>(section.whole_number_or("seed", {0.0, 1e15, ""}, 1));
+  spec.level_of_detail =
+      static_cast<int>(section.whole_number_or("level_of_detail", {0.0, 16.0, ""}, spec.atlas ? 1 : 0));
+  if ((spec.level_of_detail == 0) == spec.atlas.has_value()) {
+    throw spec.atlas ? section.fault("level_of_detail", "is 0, which reads no atlas", "leave out one of the two")
+                     : section.fault("atlas", "is missing for a level of detail of 1 or more",
+                                     "name the atlas that `sigmascape bake` made, or trace with level_of_detail = 0");
+  }
+  spec.samples_per_cell =
+      static_cast<std::uint32_t>(section.whole_number_or("samples_per_cell", {1.0, 65536.0, "rays"}, 16));
+  read_products(section, spec);
+  section.refuse_unknown_keys();
+  read_view(required_section(file, "view"), spec);
+  if (const auto speckle = file.section("speckle")) {
+    spec.looks = static_cast<std::size_t>(speckle->whole_number_or("looks", {0.0, 1000.0, "looks"}, 1));
+    speckle->refuse_unknown_keys();
+  }
+  if (const auto noise = file.section("noise")) {
+    spec.snr_db = range_of(*noise, "snr_db", {-60.0, 120.0, "dB"});
+    noise->refuse_unknown_keys();
+  }
+  for (const TomlSection& target : file.sections("targets")) spec.targets.push_back(target_class(target));
+  file.refuse_unknown_keys();
+  return spec;
+}
+
+}  // namespace sigmascape::dataset

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sigmascape/radar/channels.h"
+#include "sigmascape/radar/radar_file.h"
+#include "sigmascape/simulate/layers.h"
+
+namespace sigmascape::dataset {
+
+/// Numbers are drawn evenly between the two ends.
+struct Range {
+  double lowest = 0.0, highest = 0.0;
+};
+
+/// Point targets of one class.
+struct TargetClass {
+  std::string name;
+  Range number;  ///< of targets a sample; whole numbers, both ends are drawn
+  Range rcs_db;  ///< over a square metre, in every polarization but HV, which has none
+  double size_m = 0.0;
+  double height_m = 0.0;  ///< of the phase centre above the ground
+};
+
+enum class Arrangement {
+  Folders,     ///< a folder for each sample
+  WebDataset,  ///< tar files of many samples
+};
+
+/// A dataset as its file describes it; docs/datasets.md lists the keys.
+struct DatasetSpec {
+  std::filesystem::path file;  ///< where it was read from, for messages
+  std::filesystem::path scene;
+  std::optional<std::filesystem::path> atlas;  ///< without one, samples are traced at level of detail 0
+  radar::RadarFile radar;
+  std::size_t count = 0;
+  std::uint64_t seed = 1;
+  int level_of_detail = 1;
+  std::uint32_t samples_per_cell = 16;  ///< rays, at level of detail 0
+  std::size_t cells = 256;              ///< along a side of each map
+  double cell_m = 2.0;
+  std::vector<radar::Polarization> polarizations;
+  bool is_half = false;      ///< 16-bit floats instead of 32
+  bool in_decibels = false;  ///< instead of linear power
+  bool with_preview = true;
+  std::vector<simulate::LayerKind> layers;
+  Arrangement arrangement = Arrangement::Folders;
+  std::size_t samples_per_shard = 50;
+
+  Range azimuth_rad, elevation_rad, slant_range_m;
+  std::optional<Range> target_east_m, target_north_m;  ///< of the map's middle; without, wherever the map fits
+
+  std::size_t looks = 1;  ///< of speckle; 0 keeps the mean
+  std::optional<Range> snr_db;
+  std::vector<TargetClass> targets;
+
+  std::string text;  ///< the file's own text: what two datasets are told apart by
+};
+
+/// Reads and checks a dataset file. Throws Error, naming file and key, for what is missing, unknown, out of range or
+/// impossible by itself: a range that ends before it begins.
+[[nodiscard]] DatasetSpec read_dataset_spec(const std::filesystem::path& path);
+
+}  // namespace sigmascape::dataset

@@ -1,0 +1,100 @@
+#include "sigmascape/dataset/dataset_summary.h"
+
+#include <fmt/format.h>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "sigmascape/base/error.h"
+#include "sigmascape/dataset/sample_files.h"
+#include "sigmascape/geo/atomic_file.h"
+#include "sigmascape/product/contact_sheet.h"
+#include "sigmascape/product/png_file.h"
+
+namespace sigmascape::dataset {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+Json index_of(const fs::path& folder, std::size_t lot) {
+  const fs::path path = index_path(folder, lot);
+  std::ifstream stream(path);
+  Json json = Json::parse(stream, nullptr, false);
+  if (json.is_discarded() || !json.contains("samples"))
+    throw Error(path.string(), "cannot be read", "remove the file: its samples will be made again");
+  return json;
+}
+
+Array2D<std::uint8_t> pixels_of(const std::string& hex) {
+  Array2D<std::uint8_t> pixels(sheet_side, sheet_side);
+  for (std::size_t i = 0; i < pixels.size() && 2 * i + 1 < hex.size(); ++i)
+    pixels.values()[i] = static_cast<std::uint8_t>(std::stoul(hex.substr(2 * i, 2), nullptr, 16));
+  return pixels;
+}
+
+/// The picture that boxes are about: the preview, or the map itself when there is none.
+std::string pictured_file(const DatasetSpec& spec, std::size_t sample) {
+  const std::string file = spec.with_preview ? "preview.png" : "map.npy";
+  return spec.arrangement == Arrangement::Folders ? "samples/" + sample_name(sample) + "/" + file
+                                                  : sample_name(sample) + "." + file;
+}
+
+product::CocoImage image_of(const DatasetSpec& spec, const Json& entry) {
+  const auto sample = entry.at("sample").get<std::size_t>();
+  product::CocoImage image{
+      .id = sample, .file_name = pictured_file(spec, sample), .columns = spec.cells, .rows = spec.cells, .boxes = {}};
+  for (const Json& box : entry.at("boxes"))
+    image.boxes.push_back({box[0].get<std::size_t>(), box[1], box[2], box[3], box[4]});
+  return image;
+}
+
+}  // namespace
+
+std::string sample_name(std::size_t sample) {
+  return fmt::format("{:06}", sample);
+}
+
+std::string tar_name(std::size_t lot) {
+  return fmt::format("shard-{:06}.tar", lot);
+}
+
+fs::path index_path(const fs::path& folder, std::size_t lot) {
+  return folder / "index" / fmt::format("{:06}.json", lot);
+}
+
+void write_summary(const SampleMaker& maker, const fs::path& folder, std::size_t lots) {
+  const DatasetSpec& spec = maker.spec();
+  product::CocoBoxes boxes;
+  for (const TargetClass& target : spec.targets) boxes.categories.push_back(target.name);
+  std::vector<Array2D<std::uint8_t>> thumbnails;
+  Json samples = Json::array(), tars = Json::array();
+  std::size_t bytes = 0;
+  for (std::size_t lot = 0; lot < lots; ++lot) {
+    const Json index = index_of(folder, lot);
+    for (const Json& entry : index.at("samples")) {
+      boxes.images.push_back(image_of(spec, entry));
+      if (entry.contains("thumbnail")) thumbnails.push_back(pixels_of(entry.at("thumbnail")));
+      for (const Json& file : entry.at("files")) bytes += file.at("bytes").get<std::size_t>();
+      samples.push_back({{"sample", entry.at("sample")}, {"files", entry.at("files")}});
+    }
+    if (index.contains("tar")) tars.push_back(index.at("tar"));
+  }
+  std::size_t annotations = 0;
+  for (const product::CocoImage& image : boxes.images) annotations += image.boxes.size();
+  Json manifest{{"format", "sigmascape dataset 1"},
+                {"scene", maker.scene().name},
+                {"scene_hash", maker.scene_hash()},
+                {"attribution", maker.scene().attribution},
+                {"count", spec.count},
+                {"seed", spec.seed},
+                {"bytes", bytes},
+                {"boxes", annotations},
+                {"classes", simulate::class_names(maker.scene())}};
+  if (!tars.empty()) manifest["tars"] = tars;
+  manifest["samples"] = samples;
+  geo::write_atomically(folder / "annotations.json", product::coco_json(boxes));
+  geo::write_atomically(folder / "contact_sheet.png", product::png_bytes(product::contact_sheet(thumbnails)));
+  geo::write_atomically(folder / "manifest.json", manifest.dump(1) + "\n");
+}
+
+}  // namespace sigmascape::dataset

@@ -1,0 +1,132 @@
+#include "sigmascape/dataset/sample_files.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <span>
+
+#include "sigmascape/atlas/half.h"
+#include "sigmascape/base/units.h"
+#include "sigmascape/product/npy_bytes.h"
+#include "sigmascape/product/picture.h"
+#include "sigmascape/product/png_file.h"
+
+namespace sigmascape::dataset {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Powers below this are this in decibels: the logarithm of nothing is of no use to anyone.
+constexpr float least_power = 1e-10F;
+
+std::string map_bytes(const DatasetSpec& spec, const radar::GroundMap& map) {
+  std::vector<float> numbers;
+  for (const radar::Polarization polarization : spec.polarizations) {
+    for (const radar::Channels& cell : map.sigma0.values()) {
+      const float power = cell.power(polarization);
+      numbers.push_back(spec.in_decibels ? 10.0F * std::log10(std::max(power, least_power)) : power);
+    }
+  }
+  const std::array<std::size_t, 3> shape{spec.polarizations.size(), map.grid.rows, map.grid.columns};
+  if (!spec.is_half) return product::npy_bytes("<f4", shape, std::as_bytes(std::span(numbers)));
+  std::vector<atlas::Half> halves(numbers.size());
+  std::ranges::transform(numbers, halves.begin(), [](float v) { return atlas::half_from_float(v); });
+  return product::npy_bytes("<f2", shape, std::as_bytes(std::span(halves)));
+}
+
+std::string label_bytes(const radar::Layer& layer) {
+  const std::array<std::size_t, 2> shape{layer.values.rows(), layer.values.columns()};
+  if (layer.unit.empty()) {
+    std::vector<std::uint8_t> numbers(layer.values.size());
+    std::ranges::transform(layer.values.values(), numbers.begin(),
+                           [](float v) { return static_cast<std::uint8_t>(v); });
+    return product::npy_bytes("|u1", shape, std::as_bytes(std::span(numbers)));
+  }
+  Array2D<float> numbers = layer.values;
+  if (layer.unit == "rad") {
+    for (float& value : numbers.values()) value = static_cast<float>(deg_from_radians(value));
+  }
+  return product::npy_bytes("<f4", shape, std::as_bytes(numbers.values()));
+}
+
+/// To the given number of decimals, so that the text does not hang on a machine's last bit.
+double rounded(double value, double step) {
+  return std::round(value / step) * step;
+}
+
+Json target_json(const DatasetSpec& spec, const SampleTarget& target) {
+  return {{"class", spec.targets[target.planned.target_class].name},
+          {"east_m", target.planned.position.x},
+          {"north_m", target.planned.position.y},
+          {"rcs_dbsm", rounded(db_from_linear(target.planned.rcs_m2), 1e-6)},
+          {"is_seen", target.is_seen},
+          {"bbox", {target.box.x, target.box.y, target.box.width, target.box.height}}};
+}
+
+Json metadata_of(const DatasetSpec& spec, const Sample& sample) {
+  const SamplePlan& plan = sample.plan;
+  Json polarizations = Json::array(), targets = Json::array(), layers = Json::object();
+  for (const radar::Polarization polarization : spec.polarizations) polarizations.push_back(word_of(polarization));
+  for (const SampleTarget& target : sample.targets) targets.push_back(target_json(spec, target));
+  for (const radar::Layer& layer : sample.labels.layers) layers[layer.name] = layer.unit == "rad" ? "deg" : layer.unit;
+  Json json{{"sample", plan.index},
+            {"quantity", spec.in_decibels ? "sigma0 in dB" : "sigma0, linear"},
+            {"polarizations", polarizations},
+            {"rows", plan.grid.rows},
+            {"columns", plan.grid.columns},
+            {"cell_m", plan.grid.cell_m},
+            {"west_m", plan.grid.west_m},
+            {"north_m", plan.grid.north_m},
+            {"crs", sample.map.crs},
+            {"azimuth_deg", deg_from_radians(plan.azimuth_rad)},
+            {"elevation_deg", deg_from_radians(plan.elevation_rad)},
+            {"slant_range_m", plan.slant_range_m},
+            {"radar_position_m", {sample.radar_position.x, sample.radar_position.y, sample.radar_position.z}},
+            {"frequency_hz", spec.radar.radar.frequency_hz},
+            {"range_resolution_m", spec.radar.radar.range_resolution_m},
+            {"beam_width_deg", deg_from_radians(spec.radar.radar.beam_width_rad)},
+            {"level_of_detail", spec.level_of_detail},
+            {"speckle", spec.looks == 0 ? "none: mean power"
+                                        : fmt::format("{} look{}, independent from cell to cell", spec.looks,
+                                                      spec.looks == 1 ? "" : "s")},
+            {"seed", plan.seed},
+            {"layers", layers},
+            {"targets", targets}};
+  if (plan.snr_db) {
+    json["snr_db"] = *plan.snr_db;
+    json["noise_sigma0"] = sample.noise_sigma0;
+  }
+  return json;
+}
+
+}  // namespace
+
+std::string_view word_of(radar::Polarization polarization) {
+  switch (polarization) {
+    case radar::Polarization::VV:
+      return "VV";
+    case radar::Polarization::HH:
+      return "HH";
+    case radar::Polarization::HV:
+    case radar::Polarization::VH:
+      return "HV";
+    case radar::Polarization::Sum:
+      break;
+  }
+  return "sum";
+}
+
+std::vector<SampleFile> sample_files(const DatasetSpec& spec, const Sample& sample) {
+  std::vector<SampleFile> files{{"map.npy", map_bytes(spec, sample.map)}};
+  for (const radar::Layer& layer : sample.labels.layers) files.push_back({layer.name + ".npy", label_bytes(layer)});
+  files.push_back({"metadata.json", metadata_of(spec, sample).dump(1) + "\n"});
+  if (spec.with_preview) {
+    files.push_back({"preview.png", product::png_bytes(product::picture_of(
+                                        sample.map, {.polarization = spec.polarizations.front()}))});
+  }
+  return files;
+}
+
+}  // namespace sigmascape::dataset

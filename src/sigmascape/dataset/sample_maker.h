@@ -1,0 +1,69 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sigmascape/atlas/atlas.h"
+#include "sigmascape/dataset/dataset_spec.h"
+#include "sigmascape/dataset/sample_plan.h"
+#include "sigmascape/product/coco.h"
+#include "sigmascape/radar/ground_map.h"
+#include "sigmascape/radar/layer_stack.h"
+#include "sigmascape/radar/range_azimuth_image.h"
+#include "sigmascape/scene/scene.h"
+#include "sigmascape/trace/scene_geometry.h"
+
+namespace sigmascape::dataset {
+
+/// A target as it came out: where its echo lies, if the radar sees it.
+struct SampleTarget {
+  PlannedTarget planned;
+  bool is_seen = false;
+  product::TargetBox box;  ///< cut to the map
+};
+
+/// A map with its labels, cell for cell.
+struct Sample {
+  SamplePlan plan;
+  Vec3d radar_position;
+  radar::GroundMap map;
+  radar::LayerStack labels;
+  std::vector<SampleTarget> targets;
+  double noise_sigma0 = 0.0;
+};
+
+/// Scene and atlas made ready for the samples of one spec. Threads may make samples at once.
+class SampleMaker {
+ public:
+  /// Throws Error when a file cannot be read, the atlas is of another scene, or the spec's ranges are impossible with
+  /// them: elevations or frequency that were not baked, maps larger than the scene, a radar that would stand in the
+  /// scene or over the map.
+  explicit SampleMaker(const DatasetSpec& spec);
+
+  [[nodiscard]] const DatasetSpec& spec() const { return spec_; }
+  [[nodiscard]] const scene::Scene& scene() const { return scene_; }
+  [[nodiscard]] const std::string& scene_hash() const { return scene_hash_; }
+
+  /// Sample number `index`, a pure function of spec and index. Uses the calling thread alone.
+  ///
+  /// Targets stand on the ground wherever the spec lets them; those whose ground the radar does not see do not answer.
+  /// A box holds the target's size and the half-power widths of its response, where its range lays them.
+  [[nodiscard]] Sample make(std::size_t index) const;
+
+ private:
+  void check_views() const;
+  [[nodiscard]] radar::RangeAzimuthImage ground_image(const radar::Radar& radar, const SamplePlan& plan) const;
+  [[nodiscard]] radar::LayerStack labels(const radar::Radar& radar, const radar::GroundGrid& grid) const;
+
+  DatasetSpec spec_;
+  scene::Scene scene_;
+  std::string scene_hash_;
+  radar::Rectangle centres_;
+  std::optional<atlas::Atlas> atlas_;
+  std::shared_ptr<const radar::ObstacleMap> obstacles_;  // of levels of detail from 1 on
+  std::optional<trace::SceneGeometry> geometry_;         // of level of detail 0
+};
+
+}  // namespace sigmascape::dataset

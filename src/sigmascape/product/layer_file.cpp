@@ -1,0 +1,27 @@
+#include "sigmascape/product/layer_file.h"
+
+#include <limits>
+
+#include "sigmascape/base/units.h"
+#include "sigmascape/geo/geotiff.h"
+
+namespace sigmascape::product {
+
+void write_layers(const std::filesystem::path& path, const radar::LayerStack& stack) {
+  geo::GeoRaster raster{.placement = {stack.grid.west_m, stack.grid.north_m, stack.grid.cell_m, stack.crs},
+                        .bands = {},
+                        .nodata = std::numeric_limits<float>::quiet_NaN(),
+                        .metadata = stack.metadata};
+  for (const radar::Layer& layer : stack.layers) {
+    const bool is_angle = layer.unit == "rad";
+    geo::NamedBand band{layer.name, layer.values};
+    if (is_angle) {
+      for (float& value : band.values.values()) value = static_cast<float>(deg_from_radians(value));
+    }
+    if (!layer.unit.empty()) raster.metadata["UNIT_" + layer.name] = is_angle ? "deg" : layer.unit;
+    raster.bands.push_back(std::move(band));
+  }
+  geo::write_geotiff(path, raster);
+}
+
+}  // namespace sigmascape::product

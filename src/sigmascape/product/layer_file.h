@@ -1,0 +1,14 @@
+#pragma once
+
+#include <filesystem>
+
+#include "sigmascape/radar/layer_stack.h"
+
+namespace sigmascape::product {
+
+/// Writes layers as one float32 GeoTIFF, atomically: a band for each layer that is named after it, angles in degrees,
+/// NaN where nothing is known; tags UNIT_<layer> tell the units. Throws Error when layers do not fit the grid or the
+/// file cannot be written.
+void write_layers(const std::filesystem::path& path, const radar::LayerStack& stack);
+
+}  // namespace sigmascape::product

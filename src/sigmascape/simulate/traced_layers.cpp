@@ -1,0 +1,161 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "sigmascape/base/parallel.h"
+#include "sigmascape/simulate/layer_place.h"
+#include "sigmascape/simulate/layers.h"
+#include "sigmascape/trace/path_tracer.h"
+
+namespace sigmascape::simulate {
+namespace {
+
+/// Rays leave a surface this far above it.
+constexpr double lift_m = 0.02;
+/// Arcs and rays from above reach this far over the highest thing.
+constexpr double clearance_m = 1.0;
+/// Pieces of an arc bulge from their chords by no more than this part of a cell.
+constexpr double bulge_cells = 0.05;
+
+/// Asks rays about one cell after the other; one a thread.
+class CellProbe {
+ public:
+  CellProbe(const scene::Scene& scene, const trace::SceneGeometry& geometry, const radar::Radar& radar, double cell_m,
+            const std::vector<scatter::SurfaceModel>& surfaces)
+      : scene_(scene), geometry_(geometry), radar_(radar), cell_m_(cell_m), surfaces_(surfaces) {}
+
+  float value(LayerKind kind, Vec2d point) {
+    const LayerPlace place(scene_.terrain, radar_, point);
+    switch (kind) {
+      case LayerKind::Shadow:
+        return is_seen(place.ground) ? 0.0F : 1.0F;
+      case LayerKind::Layover:
+        return is_lain_over(place) ? 1.0F : 0.0F;
+      case LayerKind::Incidence:
+        return place.incidence_rad(scene_.terrain);
+      case LayerKind::Range:
+        return static_cast<float>(place.range_m);
+      case LayerKind::Class:
+        return seen_from_above(place).material;
+      case LayerKind::Height:
+        return seen_from_above(place).height_m;
+    }
+    return 0.0F;
+  }
+
+ private:
+  struct Top {
+    float height_m, material;
+  };
+
+  /// Where a ray meets a surface or is more than half intercepted by crowns.
+  bool meets(Vec3d from, Vec3d direction, double depth, double& distance_m, scene::MaterialIndex& material) {
+    trace::SurfaceHit hit;
+    crowns_.begin(surfaces_);
+    const Vec3f start = (from - geometry_.origin()).to<float>();
+    const bool is_hit = geometry_.intersect(start, direction.to<float>(), hit, crowns_);
+    distance_m = is_hit ? static_cast<double>(length(hit.position - start)) : std::numeric_limits<double>::infinity();
+    material = hit.material;
+    if (const auto crown = crowns_.interception(static_cast<float>(depth), static_cast<float>(distance_m), 0.5F)) {
+      distance_m = static_cast<double>(crown->distance_m);
+      material = crown->medium;
+      return true;
+    }
+    return is_hit;
+  }
+
+  bool is_seen(Vec3d point) {
+    const Vec3d to_radar = normalized(radar_.position - point);
+    const Vec3f start = (point + to_radar * lift_m - geometry_.origin()).to<float>();
+    crowns_.begin(surfaces_);
+    return !geometry_.occluded(start, to_radar.to<float>(), crowns_) &&
+           std::exp(-crowns_.optical_depth()) >= static_cast<float>(crown_hides_below);
+  }
+
+  Top seen_from_above(const LayerPlace& place) {
+    const double top_m = geometry_.highest_m() + clearance_m;
+    double distance_m = 0.0;
+    scene::MaterialIndex material = 0;
+    const Vec3d from{place.ground.x, place.ground.y, top_m};
+    if (!meets(from, {0.0, 0.0, -1.0}, -std::log(crown_hides_below), distance_m, material)) {
+      return {static_cast<float>(place.ground.z), 0.0F};
+    }
+    return {static_cast<float>(top_m - distance_m), static_cast<float>(material)};
+  }
+
+  /// Follows the arc of equal range and azimuth from the ground to the height of the highest thing.
+  bool is_lain_over(const LayerPlace& place) {
+    const Vec3d radar = radar_.position;
+    const double range_m = place.range_m;
+    const Vec2d away{place.ground.x - radar.x, place.ground.y - radar.y};
+    const double distance_m = length(away);
+    if (distance_m == 0.0) return false;
+    const Vec2d outwards = away * (1.0 / distance_m);
+    const double lowest = std::asin(std::min(1.0, (radar.z - geometry_.highest_m() - clearance_m) / range_m));
+    const double first = std::atan2(radar.z - place.ground.z, distance_m);
+    const double step = std::sqrt(8.0 * bulge_cells * cell_m_ / range_m);
+    const auto at = [&](double depression) {
+      return Vec3d{radar.x + outwards.x * range_m * std::cos(depression),
+                   radar.y + outwards.y * range_m * std::cos(depression), radar.z - range_m * std::sin(depression)};
+    };
+    Vec3d from = place.ground;
+    for (double depression = first; depression > lowest;) {
+      depression = std::max(lowest, depression - step);
+      const Vec3d to = at(depression);
+      if (is_visible_between(from, to)) return true;
+      from = to;
+    }
+    return false;
+  }
+
+  /// Whether a piece of the arc meets something that the radar sees.
+  bool is_visible_between(Vec3d from, Vec3d to) {
+    const double whole_m = length(to - from);
+    if (whole_m == 0.0) return false;
+    const Vec3d direction = (to - from) * (1.0 / whole_m);
+    double travelled_m = lift_m;
+    while (travelled_m < whole_m) {
+      double distance_m = 0.0;
+      scene::MaterialIndex material = 0;
+      if (!meets(from + direction * travelled_m, direction, crown_edge_depth, distance_m, material)) return false;
+      travelled_m += distance_m;
+      if (travelled_m > whole_m) return false;
+      if (is_seen(from + direction * travelled_m)) return true;
+      travelled_m += onward_m;
+    }
+    return false;
+  }
+
+  /// Of a wave along the arc, not towards the radar: where the arc has entered a crown.
+  static constexpr double crown_edge_depth = 1e-4;
+  /// Behind a surface that the radar does not see the arc is taken up again this much further.
+  static constexpr double onward_m = 0.25;
+
+  const scene::Scene& scene_;
+  const trace::SceneGeometry& geometry_;
+  const radar::Radar& radar_;
+  double cell_m_;
+  const std::vector<scatter::SurfaceModel>& surfaces_;
+  trace::CrownCrossings crowns_;
+};
+
+}  // namespace
+
+radar::LayerStack traced_layers(const scene::Scene& scene, const trace::SceneGeometry& geometry,
+                                const radar::Radar& radar, const radar::GroundGrid& grid,
+                                std::span<const LayerKind> kinds, unsigned threads) {
+  radar::LayerStack stack = empty_layers(grid, kinds);
+  const auto surfaces = trace::surface_models(scene, radar.frequency_hz);
+  parallel_for(grid.rows, threads, [&](std::size_t row, unsigned) {
+    const trace::FlushDenormals flush;
+    CellProbe probe(scene, geometry, radar, grid.cell_m, surfaces);
+    for (std::size_t layer = 0; layer < kinds.size(); ++layer) {
+      for (std::size_t column = 0; column < grid.columns; ++column) {
+        stack.layers[layer].values(column, row) = probe.value(kinds[layer], grid.centre_of(column, row));
+      }
+    }
+  });
+  return stack;
+}
+
+}  // namespace sigmascape::simulate

@@ -1,0 +1,184 @@
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "scratch_folder.h"
+
+#include "sigmascape/bake/bake.h"
+#include "sigmascape/base/sha256.h"
+#include "sigmascape/base/units.h"
+#include "sigmascape/dataset/dataset_run.h"
+#include "sigmascape/scene/scene_file.h"
+
+namespace sigmascape::end_to_end {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t count = 20, cells = 48;
+
+/// The paper's landscape at a tenth of its size, baked coarsely once, and specifications of datasets of it.
+class Dataset : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = new ScratchFolder;
+    folder_->write("scene.toml", "[paper]\nscale = 0.1\nseed = 1\nmaterials = \"paper\"\n");
+    folder_->write("radar.toml",
+                   "[radar]\nfrequency_ghz = 10.0\nrange_resolution_m = 4.0\nbeam_width_deg = 0.023\n"
+                   "[position]\nslant_range_km = 15.0\nazimuth_deg = 130.0\nelevation_deg = 13.0\n");
+    bake::BakeSettings settings;
+    settings.aspects.azimuths_rad = {0.0, pi};
+    settings.aspects.elevations_rad = {radians_from_deg(8.0), radians_from_deg(21.0)};
+    settings.patches = {.texel_m = 4.0, .texels_per_side = 256};
+    settings.sampling.samples_per_texel = 2;
+    SilentProgress silent;
+    bake::bake(scene::read_scene(folder_->path("scene.toml")), settings, folder_->path("atlas"), silent);
+  }
+  static void TearDownTestSuite() {
+    delete folder_;
+    folder_ = nullptr;
+  }
+
+  struct Wish {
+    std::string files = "folders", elevation = "[8, 21]", snr = "[60, 60]", more = "";
+    std::size_t looks = 0;
+    double rcs_db = 45.0;
+    std::size_t cells = end_to_end::cells;
+  };
+
+  static dataset::DatasetSpec spec(const Wish& wish) {
+    const auto file = folder_->write(
+        "spec.toml",
+        fmt::format(
+            "[dataset]\nscene = \"scene.toml\"\natlas = \"atlas\"\nradar = \"radar.toml\"\ncount = {}\nseed = 7\n"
+            "cells = {}\ncell_m = 4.0\nfiles = \"{}\"\nsamples_per_shard = 3\n"
+            "layers = [\"shadow\", \"layover\", \"incidence\", \"range\", \"class\", \"height\"]\n{}"
+            "[view]\nazimuth_deg = [0, 360]\nelevation_deg = {}\nslant_range_km = [14, 15]\n"
+            "[speckle]\nlooks = {}\n[noise]\nsnr_db = {}\n"
+            "[[targets]]\nname = \"reflector\"\nnumber = [1, 1]\nrcs_dbsm = [{}, {}]\nheight_m = 2.0\n",
+            count, wish.cells, wish.files, wish.more, wish.elevation, wish.looks, wish.snr, wish.rcs_db, wish.rcs_db));
+    return dataset::read_dataset_spec(file);
+  }
+
+  static dataset::DatasetReport made(const dataset::SampleMaker& maker, const fs::path& folder,
+                                     dataset::DatasetShare share = {}) {
+    SilentProgress silent;
+    return dataset::make_dataset(maker, folder, share, silent);
+  }
+
+  static ScratchFolder* folder_;
+};
+ScratchFolder* Dataset::folder_ = nullptr;
+
+// One suite, for its atlas takes the longest; tests run as processes of their own.
+TEST_F(Dataset, HasTheSameBytesForAnyThreadsSharesAndInterruptions) {
+  for (const char* files : {"folders", "webdataset"}) {
+    const dataset::SampleMaker maker(spec({.files = files, .looks = 1}));
+    const fs::path one = folder_->path(std::string("one_") + files), two = folder_->path(std::string("two_") + files),
+                   shared = folder_->path(std::string("shared_") + files);
+    EXPECT_TRUE(made(maker, one, {.threads = 1}).is_complete);
+    const auto expected = files_of(one);
+    EXPECT_GT(expected.size(), 9U);
+    made(maker, two, {.threads = 2});
+    EXPECT_EQ(difference_of(files_of(two), expected), "") << files << ", two threads";
+
+    EXPECT_FALSE(made(maker, shared, {.index = 1, .count = 2}).is_complete);
+    EXPECT_TRUE(made(maker, shared, {.index = 0, .count = 2}).is_complete);
+    EXPECT_EQ(difference_of(files_of(shared), expected), "") << files << ", two shares";
+
+    // As a kill leaves it: a lot without its index, and half a file under a name of its own.
+    fs::remove(shared / "index/000002.json");
+    fs::remove(shared / "manifest.json");
+    const auto report = made(maker, shared);
+    EXPECT_EQ(report.already, count - 3);
+    EXPECT_EQ(difference_of(files_of(shared), expected), "") << files << ", gone on with";
+  }
+}
+
+TEST_F(Dataset, ManifestTellsTheSha256OfEveryFile) {
+  const dataset::SampleMaker maker(spec({.looks = 4}));
+  const fs::path folder = folder_->path("told");
+  made(maker, folder);
+  std::ifstream stream(folder / "manifest.json");
+  const auto manifest = nlohmann::json::parse(stream);
+  ASSERT_EQ(manifest.at("samples").size(), count);
+  for (const auto& sample : manifest.at("samples")) {
+    for (const auto& file : sample.at("files")) {
+      const fs::path path = folder / "samples" / fmt::format("{:06}", sample.at("sample").get<int>()) /
+                            file.at("name").get<std::string>();
+      EXPECT_EQ(fs::file_size(path), file.at("bytes").get<std::size_t>()) << path;
+      EXPECT_EQ(sha256_of_file(path), file.at("sha256").get<std::string>()) << path;
+    }
+  }
+  const std::string message = message_of_error([&] { made(dataset::SampleMaker(spec({.looks = 5})), folder); });
+  EXPECT_NE(message.find("another dataset"), std::string::npos) << message;
+}
+
+TEST_F(Dataset, AStrongTargetIsTheBrightestCellAndLiesInItsBox) {
+  const dataset::SampleMaker maker(spec({.rcs_db = 70.0}));
+  std::size_t seen = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const dataset::Sample sample = maker.make(i);
+    const auto& target = sample.targets.at(0);
+    if (!target.is_seen) continue;
+    ++seen;
+    std::size_t column = 0, row = 0;
+    float brightest = 0.0F;
+    for (std::size_t y = 0; y < cells; ++y) {
+      for (std::size_t x = 0; x < cells; ++x) {
+        if (sample.map.sigma0(x, y).vv > brightest) brightest = sample.map.sigma0(x, y).vv, column = x, row = y;
+      }
+    }
+    const double x = static_cast<double>(column) + 0.5, y = static_cast<double>(row) + 0.5;
+    EXPECT_GE(x, target.box.x) << i;
+    EXPECT_LE(x, target.box.x + target.box.width) << i;
+    EXPECT_GE(y, target.box.y) << i;
+    EXPECT_LE(y, target.box.y + target.box.height) << i;
+    EXPECT_LT(target.box.width, 8.0) << "a box that holds everything says nothing";
+  }
+  EXPECT_GT(seen, count / 4);
+}
+
+TEST_F(Dataset, CellsInShadowThatNothingLiesOverAreDark) {
+  const dataset::SampleMaker maker(spec({.snr = "[120, 120]", .rcs_db = -60.0}));
+  std::array<double, 2> sum{}, cells_of{};
+  for (std::size_t i = 0; i < count; ++i) {
+    const dataset::Sample sample = maker.make(i);
+    const auto& shadow = sample.labels.layers.at(0).values;
+    const auto& layover = sample.labels.layers.at(1).values;
+    // A cell at the edge gets its neighbour's power through the response, so that whole neighbourhoods count.
+    for (std::size_t y = 1; y + 1 < cells; ++y) {
+      for (std::size_t x = 1; x + 1 < cells; ++x) {
+        float shadows = 0.0F, overs = 0.0F;
+        for (std::size_t k = 0; k < 9; ++k) {
+          shadows += shadow(x + k % 3 - 1, y + k / 3 - 1);
+          overs += layover(x + k % 3 - 1, y + k / 3 - 1);
+        }
+        if (overs > 0.0F || (shadows > 0.0F && shadows < 9.0F)) continue;
+        const std::size_t kind = shadows > 0.0F ? 1 : 0;
+        sum[kind] += static_cast<double>(sample.map.sigma0(x, y).vv);
+        cells_of[kind] += 1.0;
+      }
+    }
+  }
+  ASSERT_GT(cells_of[0], 100.0);
+  ASSERT_GT(cells_of[1], 100.0);
+  EXPECT_LT(sum[1] / cells_of[1], 0.1 * sum[0] / cells_of[0]);
+}
+
+TEST_F(Dataset, RefusesWhatCannotBeWithTheReason) {
+  const auto message = [&](const Wish& wish) {
+    return message_of_error([&] { dataset::SampleMaker maker(spec(wish)); });
+  };
+  EXPECT_EQ(message({}), "");
+  EXPECT_NE(message({.elevation = "[21, 8]"}).find("view.elevation_deg: begins at 21"), std::string::npos);
+  EXPECT_NE(message({.elevation = "[5, 21]"}).find("from 8.0 to 21.0"), std::string::npos);
+  EXPECT_NE(message({.cells = 4096}).find("larger than the scene"), std::string::npos);
+  EXPECT_NE(message({.more = "level_of_detial = 1\n"}).find("level_of_detail"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace sigmascape::end_to_end

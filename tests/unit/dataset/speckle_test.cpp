@@ -1,0 +1,46 @@
+#include "sigmascape/dataset/speckle.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace sigmascape::dataset {
+namespace {
+
+struct Moments {
+  double mean = 0.0, variance = 0.0;
+};
+
+Moments moments_of(float power, float noise, std::size_t looks) {
+  const std::size_t side = 256;
+  radar::GroundMap map{.grid = {0.0, 0.0, 1.0, side, side},
+                       .sigma0 = Array2D<radar::Channels>(side, side, {power, power, power, 0.0F}),
+                       .crs = {},
+                       .metadata = {}};
+  draw_speckle(map, {}, {.looks = looks, .noise = noise, .seed = 3});
+  Moments moments;
+  for (const radar::Channels& cell : map.sigma0.values()) moments.mean += static_cast<double>(cell.vv) / (side * side);
+  for (const radar::Channels& cell : map.sigma0.values())
+    moments.variance += std::pow(static_cast<double>(cell.vv) - moments.mean, 2) / (side * side);
+  return moments;
+}
+
+// Of power P, noise N and L looks: mean P + N, variance (P + N)² / L. The mean of 65,536 cells is good to 0.4 %, their
+// variance to about 1 %.
+TEST(Speckle, HasTheMeanAndVarianceOfItsLooks) {
+  for (const std::size_t looks : {1, 4}) {
+    const Moments moments = moments_of(2.0F, 0.5F, looks);
+    EXPECT_NEAR(moments.mean, 2.5, 0.04);
+    EXPECT_NEAR(moments.variance, 2.5 * 2.5 / static_cast<double>(looks), 0.3 / static_cast<double>(looks));
+  }
+}
+
+// A steady amplitude √P in noise N: mean P + N, variance N² + 2PN (Rice).
+TEST(Speckle, WithoutLooksIsNoiseAboutASteadyEcho) {
+  const Moments moments = moments_of(2.0F, 0.5F, 0);
+  EXPECT_NEAR(moments.mean, 2.5, 0.03);
+  EXPECT_NEAR(moments.variance, 0.25 + 2.0, 0.08);
+  EXPECT_EQ(moments_of(2.0F, 0.0F, 0).variance, 0.0);
+}
+
+}  // namespace
+}  // namespace sigmascape::dataset

@@ -1,0 +1,160 @@
+#include "sigmascape/simulate/layers.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "physics/level_scene.h"
+#include "scratch_folder.h"
+
+#include "sigmascape/scene/obstacle_raster.h"
+#include "sigmascape/simulate/simulate.h"
+
+namespace sigmascape::simulate {
+namespace {
+
+constexpr double cell_m = 1.0;
+constexpr float height_m = 20.0F, depth_m = 12.0F, width_m = 40.0F;
+const radar::GroundGrid grid{-4.0, 160.0, cell_m, 8, 220};
+
+scatter::Material lambert(std::string name, double albedo = 0.5) {
+  return {.name = std::move(name), .model = scatter::LambertParameters{albedo, {0.0, 1.0}}, .source = {}};
+}
+
+/// A box whose near side stands at y = 0, on level ground.
+scene::Scene box_scene() {
+  scene::Scene scene = physics_test::level_scene(lambert("ground"), 512.0);
+  scene.prototypes.push_back(scene::box_mesh({width_m, depth_m, height_m}, scene.material_index(lambert("box"))));
+  scene.instances.push_back({.y_m = depth_m / 2.0F});
+  return scene;
+}
+
+radar::Radar radar_in_the_south(double elevation_deg) {
+  radar::Radar radar;
+  radar.position = radar::position_seeing({}, pi, radians_from_deg(elevation_deg), 20e3);
+  return radar;
+}
+
+struct Stretch {
+  double south_m = 0.0, north_m = 0.0;
+};
+
+/// Where, along the middle of the map, a mask is set: from the southern edge of its first cell to the northern of its
+/// last, all between being set.
+Stretch stretch_of(const Array2D<float>& mask) {
+  const std::size_t column = mask.columns() / 2;
+  std::size_t first = mask.rows(), last = 0, count = 0;
+  for (std::size_t row = 0; row < mask.rows(); ++row) {
+    if (mask(column, row) == 0.0F) continue;
+    first = std::min(first, row);
+    last = row;
+    ++count;
+  }
+  EXPECT_EQ(count, last - first + 1) << "the mask has gaps";
+  return {grid.north_m - static_cast<double>(last + 1) * cell_m, grid.north_m - static_cast<double>(first) * cell_m};
+}
+
+enum class Way { Traced, Swept };
+
+radar::LayerStack layers_of(Way way, const scene::Scene& scene, const radar::Radar& radar,
+                            const std::vector<LayerKind>& kinds, const radar::GroundGrid& map = grid,
+                            unsigned threads = 1) {
+  if (way == Way::Traced) {
+    return traced_layers(scene, trace::SceneGeometry(scene, trace::Footing::Terrain), radar, map, kinds, threads);
+  }
+  const auto obstacles = scene::obstacles_of(scene, {-256.0, 256.0, 0.5, 1024, 1024});
+  return swept_layers({&scene.terrain, &obstacles, &scene.ground, scene.materials.size()}, radar, map, kinds, threads);
+}
+
+class Layers : public ::testing::TestWithParam<Way> {};
+
+// The far edge of the roof throws the shadow; beneath the box the ground is hidden as well.
+TEST_P(Layers, ABoxHidesItsFootprintAndHeightOverTangent) {
+  for (const double elevation_deg : {13.0, 29.0, 45.0}) {
+    const auto stack = layers_of(GetParam(), box_scene(), radar_in_the_south(elevation_deg), {LayerKind::Shadow});
+    const Stretch shadow = stretch_of(stack.layers[0].values);
+    EXPECT_NEAR(shadow.south_m, 0.0, cell_m) << elevation_deg;
+    EXPECT_NEAR(shadow.north_m, depth_m + height_m / std::tan(radians_from_deg(elevation_deg)), cell_m)
+        << elevation_deg;
+  }
+}
+
+// Wall and roof lie over by height times tangent, the roof's far edge from the other end of the box.
+TEST_P(Layers, ABoxLiesOverByHeightTimesTangent) {
+  for (const double elevation_deg : {13.0, 29.0, 45.0}) {
+    const auto stack = layers_of(GetParam(), box_scene(), radar_in_the_south(elevation_deg), {LayerKind::Layover});
+    const Stretch layover = stretch_of(stack.layers[0].values);
+    const double over_m = height_m * std::tan(radians_from_deg(elevation_deg));
+    EXPECT_NEAR(layover.south_m, -over_m, cell_m) << elevation_deg;
+    EXPECT_NEAR(layover.north_m, std::max(0.0, depth_m - over_m), cell_m) << elevation_deg;
+  }
+}
+
+TEST_P(Layers, GroundThatLeansTowardsTheRadarIsMetMoreSteeply) {
+  const double slope_rad = radians_from_deg(10.0), elevation_deg = 20.0;
+  scene::Scene scene = physics_test::level_scene(lambert("ground"), 512.0);
+  for (std::size_t row = 0; row < 2; ++row) {
+    for (std::size_t column = 0; column < 2; ++column)
+      scene.terrain.height_m(column, row) = static_cast<float>((row == 0 ? 256.0 : -256.0) * std::tan(slope_rad));
+  }
+  const radar::Radar radar = radar_in_the_south(elevation_deg);
+  const auto stack =
+      layers_of(GetParam(), scene, radar, {LayerKind::Incidence, LayerKind::Range}, {-0.5, 0.5, 1.0, 1, 1});
+  EXPECT_NEAR(stack.layers[0].values(0, 0), radians_from_deg(90.0 - elevation_deg) - slope_rad, 1e-4);
+  EXPECT_EQ(stack.layers[0].unit, "rad");
+  EXPECT_NEAR(stack.layers[1].values(0, 0), 20e3, 0.01);
+}
+
+TEST_P(Layers, FromAboveTheRoofIsSeenAndTheGroundAroundIt) {
+  const scene::Scene scene = box_scene();
+  const auto stack = layers_of(GetParam(), scene, radar_in_the_south(20.0), {LayerKind::Height, LayerKind::Class});
+  const std::size_t on_roof = 160 - 6, on_ground = 160 + 20;
+  EXPECT_NEAR(stack.layers[0].values(4, on_roof), height_m, 1e-3);
+  EXPECT_NEAR(stack.layers[0].values(4, on_ground), 0.0, 1e-3);
+  const auto names = class_names(scene);
+  EXPECT_EQ(names.at(static_cast<std::size_t>(stack.layers[1].values(4, on_ground))), "ground");
+  EXPECT_EQ(names.at(static_cast<std::size_t>(stack.layers[1].values(4, on_roof))),
+            GetParam() == Way::Traced ? "box" : "solid object");
+}
+
+TEST_P(Layers, AreTheSameForAnyThreads) {
+  const std::vector<LayerKind> kinds{LayerKind::Shadow, LayerKind::Layover, LayerKind::Height};
+  const auto one = layers_of(GetParam(), box_scene(), radar_in_the_south(20.0), kinds, grid, 1);
+  const auto three = layers_of(GetParam(), box_scene(), radar_in_the_south(20.0), kinds, grid, 3);
+  for (std::size_t k = 0; k < kinds.size(); ++k) {
+    EXPECT_TRUE(std::ranges::equal(one.layers[k].values.values(), three.layers[k].values.values()));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(BothWays, Layers, ::testing::Values(Way::Traced, Way::Swept),
+                         [](const auto& way) { return way.param == Way::Traced ? "Traced" : "Swept"; });
+
+TEST(LayerKinds, AnUnknownWordIsToldTheKnownOnes) {
+  EXPECT_EQ(layer_kind("layover"), LayerKind::Layover);
+  const std::string message = message_of_error([] { (void)layer_kind("shade"); });
+  EXPECT_NE(message.find("shade"), std::string::npos);
+  EXPECT_NE(message.find("shadow"), std::string::npos);
+}
+
+TEST(TracedBounces, AddUpToTheMap) {
+  const scene::Scene scene = box_scene();
+  const trace::SceneGeometry geometry(scene, trace::Footing::Terrain);
+  radar::Radar radar = radar_in_the_south(30.0);
+  radar.beam_width_rad = 4.0 / 20e3;
+  const radar::Rectangle area{-8.0, -24.0, 8.0, 24.0};
+  const TraceSettings settings{.cell_m = 1.0, .samples_per_cell = 16};
+  trace::TraceCounts counts;
+  const auto whole = traced_image(scene, geometry, radar, area, settings, counts);
+  const auto parts = traced_bounces(scene, geometry, radar, area, settings, 3, counts);
+  ASSERT_EQ(parts.size(), 3U);
+  double multiple = 0.0, brightest = 0.0;
+  for (const radar::Channels& bin : whole.rcs_m2.values()) brightest = std::max(brightest, static_cast<double>(bin.vv));
+  for (std::size_t i = 0; i < whole.rcs_m2.size(); ++i) {
+    const auto vv = [&](std::size_t k) { return static_cast<double>(parts[k].rcs_m2.values()[i].vv); };
+    EXPECT_NEAR(vv(0) + vv(1) + vv(2), static_cast<double>(whole.rcs_m2.values()[i].vv), 1e-5 * brightest);
+    multiple += vv(1);
+  }
+  EXPECT_GT(multiple, 0.0) << "wall and ground make double bounces";
+}
+
+}  // namespace
+}  // namespace sigmascape::simulate
