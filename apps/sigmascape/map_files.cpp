@@ -8,10 +8,8 @@
 
 namespace sigmascape::cli {
 
-radar::GroundMap described_map(const radar::RangeAzimuthImage& image, const radar::Radar& radar,
-                               const terrain::HeightField& terrain, const radar::GroundGrid& grid,
-                               const geo::LocalFrame& frame, const Provenance& provenance) {
-  radar::GroundMap map = product::ground_map(image, terrain, grid);
+radar::GroundMap described_map(radar::GroundMap map, const radar::Radar& radar, const geo::LocalFrame& frame,
+                               const Provenance& provenance) {
   map.crs = frame.proj();
   map.metadata = provenance;
   map.metadata["radar"] = radar.name;
@@ -22,6 +20,12 @@ radar::GroundMap described_map(const radar::RangeAzimuthImage& image, const rada
   map.metadata["beam_width_rad"] = fmt::format("{:.6g}", radar.beam_width_rad);
   map.metadata["quantity"] = "sigma0, linear, with respect to horizontal area";
   return map;
+}
+
+radar::GroundMap described_map(const radar::RangeAzimuthImage& image, const radar::Radar& radar,
+                               const terrain::HeightField& terrain, const radar::GroundGrid& grid,
+                               const geo::LocalFrame& frame, const Provenance& provenance) {
+  return described_map(product::ground_map(image, terrain, grid), radar, frame, provenance);
 }
 
 void write_map_picture(const std::filesystem::path& path, const radar::GroundMap& map,

@@ -15,6 +15,10 @@ namespace sigmascape::cli {
 /// Where a map comes from, as it goes into its metadata.
 using Provenance = std::map<std::string, std::string>;
 
+/// Notes radar, position and provenance with a map.
+[[nodiscard]] radar::GroundMap described_map(radar::GroundMap map, const radar::Radar& radar,
+                                             const geo::LocalFrame& frame, const Provenance& provenance);
+
 /// Lays an image on the ground and notes radar, position and provenance with it.
 [[nodiscard]] radar::GroundMap described_map(const radar::RangeAzimuthImage& image, const radar::Radar& radar,
                                              const terrain::HeightField& terrain, const radar::GroundGrid& grid,

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "coherent_render.h"
 #include "command.h"
 #include "layer_files.h"
 #include "map_files.h"
@@ -20,6 +21,7 @@
 #include "sigmascape/radar/radar_file.h"
 #include "sigmascape/render/level_of_detail.h"
 #include "sigmascape/scene/scene_file.h"
+#include "sigmascape/simulate/coherent.h"
 #include "sigmascape/simulate/placement.h"
 #include "sigmascape/simulate/simulate.h"
 
@@ -27,7 +29,7 @@ namespace sigmascape::cli {
 namespace {
 
 struct RenderOptions {
-  std::string radar, scene, atlas, map_file, picture_file, style = "grey";
+  std::string radar, scene, atlas, targets, map_file, picture_file, style = "grey";
   int level_of_detail = 0;
   bool explain = false;
   double span_db = 50.0;
@@ -42,7 +44,8 @@ struct RenderOptions {
 
 /// What was rendered and at what cost.
 struct Rendered {
-  radar::RangeAzimuthImage image;
+  radar::RangeAzimuthImage image = {};            ///< of the real beam
+  std::optional<radar::GroundMap> coherent = {};  ///< of the other modes, instead
   double seconds = 0.0;
   nlohmann::ordered_json cost = {};
   Provenance provenance = {};
@@ -58,6 +61,10 @@ Rendered traced(const RenderOptions& options, const scene::Scene& scene, const r
   const Stopwatch watch;
   Rendered rendered{.image =
                         simulate::traced_image(scene, geometry, radar, grid.extent(), settings, counts, &progress)};
+  if (!options.targets.empty()) {
+    const auto targets = placed_targets(scene, options.targets);
+    simulate::add_targets(rendered.image, radar, scene.terrain, targets, {});
+  }
   rendered.seconds = watch.seconds();
   rendered.cost = {{"paths", counts.paths}, {"rays", counts.rays}};
   rendered.provenance = {{"processing", "level of detail 0: path-traced"},
@@ -85,16 +92,45 @@ Rendered baked(const RenderOptions& options, const scene::Scene& scene, const st
                 "bake this scene, or name the scene that the atlas was made from");
   }
   const atlas::Atlas textures = atlas::load_atlas(store);
+  const auto targets = all_targets(scene, options.targets);
+  if (radar.mode != radar::Mode::RealBeam) {
+    auto made = coherent_map({scene, textures, looked_up(options, textures, radar), grid, options.level_of_detail,
+                              targets, options.trace.seed, options.trace.threads});
+    return {.coherent = std::move(made.map),
+            .seconds = made.seconds,
+            .cost = std::move(made.cost),
+            .provenance = std::move(made.provenance)};
+  }
   render::RenderCounts counts;
   const Stopwatch watch;
   Rendered rendered{.image = simulate::baked_image(
                         textures, scene.terrain, looked_up(options, textures, radar), grid.extent(),
                         {.level_of_detail = options.level_of_detail, .threads = options.trace.threads}, counts)};
+  simulate::add_targets(rendered.image, radar, scene.terrain, targets, {});
   rendered.seconds = watch.seconds();
   rendered.cost = {{"ground_samples", counts.ground_samples}, {"visible", counts.visible}};
   rendered.provenance = {
       {"processing", fmt::format("level of detail {}: from terrain and atlas", options.level_of_detail)}};
   return rendered;
+}
+
+/// What only the real beam has is refused in the other modes.
+void check_coherent(const RenderOptions& options, const radar::Radar& radar) {
+  if (radar.mode == radar::Mode::RealBeam) return;
+  if (options.level_of_detail == 0) {
+    throw Error(
+        "--lod", fmt::format("0 traces power alone, and {} needs amplitudes", word_for(radar.mode)),
+        "bake the scene and give --lod 1 and --atlas, or take the [mode] out of the radar file for a real beam");
+  }
+  const auto refuse = [&](const char* option, const std::string& file) {
+    if (file.empty()) return;
+    throw Error(option, fmt::format("is of range and azimuth, which {} does not have", word_for(radar.mode)),
+                "leave it out, or take the [mode] out of the radar file for a real beam");
+  };
+  refuse("--snr", options.received.snr);
+  refuse("--video", options.received.video);
+  refuse("--ppi", options.scopes.ppi);
+  refuse("--b-scope", options.scopes.b_scope);
 }
 
 /// The level of detail that the resolution cell asks for, in words.
@@ -124,6 +160,7 @@ void render(const RenderOptions& options, radar::Polarization polarization, bool
   const scene::Scene scene = scene::read_scene(options.scene);
   const auto radar = simulate::placed_radar(radar_file, scene.frame, scene.terrain, scene.extent);
   const auto grid = simulate::map_grid(radar_file.map, scene.extent);
+  check_coherent(options, radar);
   warn_of(radar, simulate::bins_for(radar, grid.extent(), scene.terrain), grid.cell_m);
   const std::string hash = scene::scene_hash(scene);
   const std::string advice = options.explain ? advised_detail(options, scene, radar, grid) : "";
@@ -133,9 +170,12 @@ void render(const RenderOptions& options, radar::Polarization polarization, bool
   rendered.provenance["scene_hash"] = hash;
   if (!scene.attribution.empty()) rendered.provenance["attribution"] = scene.attribution;
 
-  write_received(options.received, radar, rendered.image, polarization_given ? polarization : radar.polarization,
-                 options.trace.seed, options.trace.threads, rendered.provenance);
-  auto map = described_map(rendered.image, radar, scene.terrain, grid, scene.frame, rendered.provenance);
+  if (!rendered.coherent)
+    write_received(options.received, radar, rendered.image, polarization_given ? polarization : radar.polarization,
+                   options.trace.seed, options.trace.threads, rendered.provenance);
+  auto map = rendered.coherent
+                 ? described_map(std::move(*rendered.coherent), radar, scene.frame, rendered.provenance)
+                 : described_map(rendered.image, radar, scene.terrain, grid, scene.frame, rendered.provenance);
   if (!options.crs.empty()) map = product::reprojected(map, scene.frame, options.crs);
   if (!options.map_file.empty()) product::write_ground_map(options.map_file, map);
   write_layers(options.layers, scene, radar, grid, map.metadata,
@@ -145,7 +185,7 @@ void render(const RenderOptions& options, radar::Polarization polarization, bool
   look.span_db = options.span_db;
   look.top_db = options.top_db;
   if (!options.picture_file.empty()) write_map_picture(options.picture_file, map, look);
-  write_scopes(options.scopes, radar, rendered.image, look);
+  if (!rendered.coherent) write_scopes(options.scopes, radar, rendered.image, look);
   nlohmann::ordered_json summary{{"map", options.map_file},
                                  {"picture", options.picture_file},
                                  {"level_of_detail", options.level_of_detail},
@@ -169,6 +209,7 @@ void add_render_command(CLI::App& app, Output& output) {
   command->add_option("RADAR", options->radar, "radar file (TOML)")->required();
   command->add_option("--scene", options->scene, "scene file (TOML)")->required();
   command->add_option("--atlas", options->atlas, "folder of the atlas, for --lod 1 and up");
+  command->add_option("--targets", options->targets, "targets and movers to add (TOML); see docs/target_file.md");
   command->add_option("--lod", options->level_of_detail, "level of detail: 0 traces the scene, 1 and up use the atlas")
       ->capture_default_str()
       ->check(CLI::Range(0, 16));
@@ -192,7 +233,9 @@ void add_render_command(CLI::App& app, Output& output) {
       ->capture_default_str();
   command->add_option("--bounces", options->trace.max_bounces, "surfaces a path may meet, at level of detail 0")
       ->capture_default_str();
-  command->add_option("--seed", options->trace.seed, "names the random numbers, at level of detail 0")
+  command
+      ->add_option("--seed", options->trace.seed,
+                   "names the random numbers: rays at level of detail 0, speckle of coherent modes")
       ->capture_default_str();
   command->add_option("--threads", options->trace.threads, "0: one a processor")->capture_default_str();
   command->add_flag("--json", output.json, "print the summary as JSON");

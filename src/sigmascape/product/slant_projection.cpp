@@ -20,7 +20,15 @@ double bin_area_m2(const Image& image, Vec3d point) {
   return 1.0 / std::abs(cross(east - west, north - south));
 }
 
-radar::Channels power_at(const Array2D<radar::ComplexChannels>& bins, Vec2d place) {
+radar::Channels power(const radar::ComplexChannels& bin) {
+  return radar::power_of(bin);
+}
+radar::Channels power(const radar::Channels& bin) {
+  return bin;
+}
+
+template <typename Bin>
+radar::Channels power_at(const Array2D<Bin>& bins, Vec2d place) {
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   const double column = place.x - 0.5, row = place.y - 0.5;
   if (!(column >= 0.0 && row >= 0.0 && column < static_cast<double>(bins.columns()) - 1.0 &&
@@ -35,23 +43,32 @@ radar::Channels power_at(const Array2D<radar::ComplexChannels>& bins, Vec2d plac
     for (const std::size_t across : {0U, 1U}) {
       const float share =
           (across == 1 ? right_share : 1.0F - right_share) * (down == 1 ? lower_share : 1.0F - lower_share);
-      sum += radar::power_of(bins(left + across, top + down)) * share;
+      sum += power(bins(left + across, top + down)) * share;
     }
   }
   return sum;
 }
 
-template <typename Image>
-radar::GroundMap projected(const Image& image, double bins_a_cell, const terrain::HeightField& terrain,
+/// Bins a resolution cell.
+double cell_of(const radar::RangeDopplerImage& image) {
+  return image.range_cell_m / image.range_m.step * (image.doppler_cell_hz / image.doppler_hz.step);
+}
+double cell_of(const radar::StripmapImage& image) {
+  return image.closest_range_cell_m / image.closest_range_m.step * (image.along_cell_m / image.along_m.step);
+}
+
+template <typename Image, typename Bin>
+radar::GroundMap projected(const Image& image, const Array2D<Bin>& bins, const terrain::HeightField& terrain,
                            const radar::GroundGrid& grid) {
   radar::GroundMap map{
       .grid = grid, .sigma0 = Array2D<radar::Channels>(grid.columns, grid.rows), .crs = {}, .metadata = {}};
+  const double bins_a_cell = cell_of(image);
   for (std::size_t row = 0; row < grid.rows; ++row) {
     for (std::size_t column = 0; column < grid.columns; ++column) {
       const Vec2d centre = grid.centre_of(column, row);
       const Vec3d point{centre.x, centre.y, terrain.height_at(centre)};
       const double area_m2 = bin_area_m2(image, point) * bins_a_cell;
-      map.sigma0(column, row) = power_at(image.amplitude_m, image.place_of(point)) * static_cast<float>(1.0 / area_m2);
+      map.sigma0(column, row) = power_at(bins, image.place_of(point)) * static_cast<float>(1.0 / area_m2);
     }
   }
   return map;
@@ -61,15 +78,22 @@ radar::GroundMap projected(const Image& image, double bins_a_cell, const terrain
 
 radar::GroundMap projected_to_ground(const radar::RangeDopplerImage& image, const terrain::HeightField& terrain,
                                      const radar::GroundGrid& grid) {
-  return projected(image, image.range_cell_m / image.range_m.step * (image.doppler_cell_hz / image.doppler_hz.step),
-                   terrain, grid);
+  return projected(image, image.amplitude_m, terrain, grid);
 }
 
 radar::GroundMap projected_to_ground(const radar::StripmapImage& image, const terrain::HeightField& terrain,
                                      const radar::GroundGrid& grid) {
-  return projected(image,
-                   image.closest_range_cell_m / image.closest_range_m.step * (image.along_cell_m / image.along_m.step),
-                   terrain, grid);
+  return projected(image, image.amplitude_m, terrain, grid);
+}
+
+radar::GroundMap projected_to_ground(const radar::PowerImage<radar::RangeDopplerImage>& image,
+                                     const terrain::HeightField& terrain, const radar::GroundGrid& grid) {
+  return projected(image.frame, image.power_m2, terrain, grid);
+}
+
+radar::GroundMap projected_to_ground(const radar::PowerImage<radar::StripmapImage>& image,
+                                     const terrain::HeightField& terrain, const radar::GroundGrid& grid) {
+  return projected(image.frame, image.power_m2, terrain, grid);
 }
 
 }  // namespace sigmascape::product

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "sigmascape/base/vec.h"
@@ -13,6 +14,17 @@ namespace sigmascape::radar {
 
 /// What is made of the echoes. RealBeam: a map as sharp across as the beam. The others use the platform's motion.
 enum class Mode { RealBeam, DopplerBeamSharpening, Stripmap, Spotlight };
+
+/// What a coherent mode makes of its pulses. What is left open follows from the mode, the radar and the geometry:
+/// `coherent_plan`.
+struct Processing {
+  std::optional<double> interval_s;          ///< time over which pulses are added up, all looks together
+  std::optional<double> along_resolution_m;  ///< half-power width across range on the finished map
+  std::optional<double> sharpening;          ///< by what factor that is narrower than the real beam
+  int looks = 1;                             ///< images whose powers are averaged, each of a part of the pulses
+
+  friend bool operator==(const Processing&, const Processing&) = default;
+};
 
 /// A mapping radar as one value: where it is and how it goes, and all that shapes what it receives.
 ///
@@ -32,6 +44,7 @@ struct Radar {
   Waveform waveform = {};
   Receiver receiver = {};
   Mode mode = Mode::RealBeam;
+  Processing processing = {};
   double atmosphere_per_m = 0.0;  ///< what air and rain take on the way, one way: power falls as exp(−α r)
 };
 

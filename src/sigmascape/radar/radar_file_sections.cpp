@@ -1,7 +1,11 @@
 #include "sigmascape/radar/radar_file_sections.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <initializer_list>
 
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/pattern_table.h"
@@ -69,6 +73,46 @@ double power_of_db(const TomlSection& section, std::string_view key, Interval al
 std::optional<double> metres_of_km(const TomlSection& section, std::string_view key) {
   const auto km = section.optional_number(key, {0.0, 10'000.0, "km"});
   return km ? std::optional(*km * 1e3) : std::nullopt;
+}
+
+struct KeyOfModes {
+  std::string_view key;
+  std::initializer_list<std::string_view> kinds;
+};
+const std::array<KeyOfModes, 4> processing_keys{{
+    {"interval_s", {"doppler-beam-sharpening", "spotlight"}},
+    {"along_resolution_m", {"stripmap", "spotlight"}},
+    {"sharpening", {"doppler-beam-sharpening"}},
+    {"looks", {"doppler-beam-sharpening", "stripmap", "spotlight"}},
+}};
+
+/// Keys that are right in another mode and would do nothing in this.
+void refuse_idle_keys(const TomlSection& section, std::string_view kind) {
+  for (const auto& [key, kinds] : processing_keys) {
+    if (section.has(key) && std::ranges::find(kinds, kind) == kinds.end()) {
+      throw section.fault(key, fmt::format("means nothing in a {} mode", kind),
+                          fmt::format("leave it out, or use it with {}", fmt::join(kinds, " or ")));
+    }
+  }
+}
+
+void read_processing(const TomlSection& section, const std::string& kind, Radar& radar) {
+  if (!(length(radar.velocity_mps) > 0.0)) {
+    throw section.fault("kind", fmt::format("is {}, and the platform stands still", kind),
+                        "give platform.speed_mps: these modes live from motion");
+  }
+  refuse_idle_keys(section, kind);
+  Processing& processing = radar.processing;
+  processing.interval_s = section.optional_number("interval_s", {1e-4, 1e3, "s"});
+  processing.along_resolution_m = section.optional_number("along_resolution_m", {0.01, 10'000.0, "m"});
+  processing.sharpening = section.optional_number("sharpening", {1.0, 1e4, "times narrower than the beam"});
+  processing.looks = static_cast<int>(section.whole_number_or("looks", {1.0, 1000.0, "looks"}, 1));
+  if (processing.interval_s && (processing.along_resolution_m || processing.sharpening)) {
+    throw section.fault(
+        "interval_s",
+        fmt::format("and {} say the same thing", processing.sharpening ? "sharpening" : "along_resolution_m"),
+        "leave out one of them");
+  }
 }
 
 }  // namespace
@@ -182,6 +226,8 @@ void read_mode(const TomlSection& section, Radar& radar) {
                : kind == "doppler-beam-sharpening" ? Mode::DopplerBeamSharpening
                : kind == "stripmap"                ? Mode::Stripmap
                                                    : Mode::Spotlight;
+  if (radar.mode != Mode::RealBeam) read_processing(section, kind, radar);
+  refuse_idle_keys(section, kind);
   section.refuse_unknown_keys();
 }
 

@@ -16,6 +16,7 @@ void read_antenna(const std::optional<TomlSection>& section, Radar& radar);
 void read_waveform(const TomlSection& section, Radar& radar);
 void read_receiver(const TomlSection& section, Radar& radar);
 void read_scan(const TomlSection& section, Radar& radar);
+/// [mode]; after the platform, whose motion some modes need.
 void read_mode(const TomlSection& section, Radar& radar);
 
 }  // namespace sigmascape::radar

@@ -42,6 +42,8 @@ class DopplerImager {
   void add(std::span<const radar::Target> targets);
 
   [[nodiscard]] radar::RangeDopplerImage image(unsigned threads = 0) const;
+  /// An image without amplitudes: where bins lie and how large cells are.
+  [[nodiscard]] const radar::RangeDopplerImage& frame() const { return frame_; }
   /// Multilook: mean power of so many images, each from a part of the pulses: finer in grey values, coarser in Doppler
   /// by as much. [Doppler, range], m².
   [[nodiscard]] Array2D<radar::Channels> power(std::size_t looks, unsigned threads = 0) const;

@@ -38,6 +38,8 @@ class StripmapImager {
   void add(std::span<const radar::Target> targets);
 
   [[nodiscard]] radar::StripmapImage image(unsigned threads = 0) const;
+  /// An image without amplitudes: where bins lie and how large cells are.
+  [[nodiscard]] const radar::StripmapImage& frame() const { return frame_; }
   /// See DopplerImager::power. [along, closest range], m².
   [[nodiscard]] Array2D<radar::Channels> power(std::size_t looks, unsigned threads = 0) const;
 

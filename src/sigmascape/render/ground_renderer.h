@@ -6,15 +6,10 @@
 #include "sigmascape/radar/ground_grid.h"
 #include "sigmascape/radar/radar.h"
 #include "sigmascape/radar/range_azimuth_image.h"
+#include "sigmascape/render/reflecting_ground.h"
 #include "sigmascape/terrain/height_field.h"
 
 namespace sigmascape::render {
-
-/// Which grazing angle and which area the reflectivity of a slope is looked up and weighted with.
-enum class SlopeModel {
-  Upright,  ///< that above the horizontal, over map area: right for walls and trees, which do not lean with their hill
-  Tilted,   ///< that above the local slope, over true area: right for bare ground
-};
 
 struct RenderSettings {
   /// Level of detail, 1 or more: level k reads textures from mip k − 1 on.

@@ -3,10 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <memory>
+#include <utility>
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/parallel.h"
+#include "sigmascape/base/units.h"
 #include "sigmascape/render/line_of_sight.h"
+#include "sigmascape/render/reflecting_ground.h"
+#include "sigmascape/render/sight_map.h"
 
 namespace sigmascape::render {
 namespace {
@@ -18,13 +23,42 @@ bool hidden_by_any(std::span<const radar::Target> targets, double time_s, Vec3d 
                              [&](const radar::Target& target) { return radar::hides(target, time_s, radar, point); });
 }
 
+double azimuth_to(Vec3d radar, Vec3d point) {
+  return std::atan2(radar.x - point.x, radar.y - point.y);
+}
+
+/// σ0 of a point on the terrain as the radar sees it: nothing where it is hidden.
+using SeenSigma0 = std::function<radar::Channels(Vec3d point, ReflectingGround::Looks& looks)>;
+
+SeenSigma0 seen(const ReflectivityField& field, const terrain::HeightField& terrain, const ScattererRequest& request,
+                double) {
+  return [&, highest_m = terrain.highest_m()](Vec3d point, ReflectingGround::Looks&) {
+    if (!line_of_sight(terrain, highest_m, request.radar_position, point)) return radar::Channels{};
+    const Vec3d away = request.radar_position - point;
+    return field({point.x, point.y},
+                 {azimuth_to(request.radar_position, point), std::atan2(away.z, std::hypot(away.x, away.y))});
+  };
+}
+
+SeenSigma0 seen(const AtlasReflectivity& textures, const terrain::HeightField& terrain, const ScattererRequest& request,
+                double side_m) {
+  const ReflectingGround ground(*textures.atlas, terrain, request.radar_position, textures.frequency_hz,
+                                textures.level);
+  // What hides is known no finer than its cells: two steps a cell find its edges.
+  const double step_m = std::max(side_m, ground.told_cell_m() / 2.0);
+  auto sights = std::make_shared<const SightMap>(ground, request.radar_position, terrain.extent(), request.area, step_m,
+                                                 request.threads);
+  return [&, ground, sights = std::move(sights)](Vec3d point, ReflectingGround::Looks& looks) {
+    const double to_radar_rad = wrapped_azimuth(azimuth_to(request.radar_position, point));
+    return ground.sigma0(point, to_radar_rad, sights->at({point.x, point.y}), looks);
+  };
+}
+
 }  // namespace
 
 Reflectivity reflectivity_of(const atlas::Atlas& atlas, double frequency_hz, double cell_m) {
   atlas.check_frequency(frequency_hz);
-  return [&atlas, frequency_hz, level = atlas.level_for(cell_m)](Vec2d point, const radar::Aspect& aspect) {
-    return atlas.sigma0_at(point, aspect, frequency_hz, level);
-  };
+  return AtlasReflectivity{&atlas, frequency_hz, atlas.level_for(cell_m)};
 }
 
 std::vector<radar::Scatterer> ground_scatterers(const terrain::HeightField& terrain, const Reflectivity& sigma0,
@@ -43,21 +77,21 @@ std::vector<radar::Scatterer> ground_scatterers(const terrain::HeightField& terr
   const auto first_of = [side_m](double edge_m) { return static_cast<std::int32_t>(std::ceil(edge_m / side_m - 0.5)); };
   const std::int32_t west = first_of(area.west_m), east = first_of(area.east_m);
   const std::int32_t south = first_of(area.south_m), north = first_of(area.north_m);
-  const double highest_m = terrain.highest_m();
+  const SeenSigma0 sigma0_seen =
+      std::visit([&](const auto& source) { return seen(source, terrain, request, side_m); }, sigma0);
   const auto cell_area = static_cast<float>(side_m * side_m);
 
   std::vector<std::vector<radar::Scatterer>> rows(static_cast<std::size_t>(std::max(0, north - south)));
   parallel_for(rows.size(), request.threads, [&](std::size_t index, unsigned) {
     const std::int32_t row = south + static_cast<std::int32_t>(index);
+    ReflectingGround::Looks looks;
     for (std::int32_t column = west; column < east; ++column) {
       const Vec2d place = lattice.position_in({column, row}, request.level);
       if (!terrain.extent().contains(place)) continue;
       const Vec3d point{place.x, place.y, terrain.height_at(place)};
-      if (!line_of_sight(terrain, highest_m, request.radar_position, point)) continue;
       if (hidden_by_any(targets, request.time_s, request.radar_position, point)) continue;
-      const Vec3d away = request.radar_position - point;
-      const radar::Aspect aspect{std::atan2(away.x, away.y), std::atan2(away.z, std::hypot(away.x, away.y))};
-      const radar::Channels mean = sigma0(place, aspect) * cell_area;
+      const radar::Channels mean = sigma0_seen(point, looks) * cell_area;
+      if (mean == radar::Channels{}) continue;
       rows[index].push_back({point, polarized(lattice.drawn({column, row}, request.level), mean)});
     }
   });

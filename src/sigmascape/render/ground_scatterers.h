@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <span>
+#include <variant>
 #include <vector>
 
 #include "sigmascape/atlas/atlas.h"
@@ -15,9 +16,18 @@
 namespace sigmascape::render {
 
 /// σ0 of a point of the ground, linear and per horizontal area, as seen under an aspect. Called from several threads.
-using Reflectivity = std::function<radar::Channels(Vec2d point, const radar::Aspect& aspect)>;
+using ReflectivityField = std::function<radar::Channels(Vec2d point, const radar::Aspect& aspect)>;
 
-/// What an atlas says, at the level whose texels are as large as `cell_m`. The atlas must outlive it. Throws Error when
+/// What an atlas says: textures and, where it is kept apart, the bare ground behind what stands on it.
+struct AtlasReflectivity {
+  const atlas::Atlas* atlas = nullptr;
+  double frequency_hz = 0.0;
+  double level = 0.0;
+};
+
+using Reflectivity = std::variant<ReflectivityField, AtlasReflectivity>;
+
+/// What an atlas says at the level whose texels are as large as `cell_m`. The atlas must outlive it. Throws Error when
 /// the atlas has not been baked near this frequency.
 [[nodiscard]] Reflectivity reflectivity_of(const atlas::Atlas& atlas, double frequency_hz, double cell_m);
 
@@ -30,8 +40,9 @@ struct ScattererRequest {
 };
 
 /// The scatterers of all ground in the area that the radar sees over the terrain: one a cell of the lattice, with the
-/// cross-section σ0 · (area of the cell) in the mean. Ordered by rows from the south. Ground behind a target's box is
-/// left out: its shadow, which stays where it is however the target's echo is moved.
+/// cross-section σ0 · (area of the cell) in the mean, as the power mode has it (ReflectingGround). Ordered by rows from
+/// the south. Ground behind a target's box is left out: its shadow, which stays where it is however the target's echo
+/// is moved.
 ///
 /// Throws Error when the area has more than 2²⁷ cells.
 [[nodiscard]] std::vector<radar::Scatterer> ground_scatterers(const terrain::HeightField& terrain,

@@ -107,6 +107,55 @@ std::size_t pulses_in(const radar::Radar& radar, const CoherentSettings& setting
   return static_cast<std::size_t>(std::max(2.0, std::round(settings.interval_s * radar.waveform.pulse_repetition_hz)));
 }
 
+receiver::DopplerImager doppler_imager(const CoherentScene& scene, const radar::Radar& radar,
+                                       const radar::Rectangle& area, const CoherentSettings& settings) {
+  check_moves(radar);
+  receiver::DopplerImager imager(radar, radar::Track::straight(radar.position, radar.velocity_mps),
+                                 {.middle_time_s = 0.0,
+                                  .pulses = pulses_in(radar, settings),
+                                  .repetition_hz = radar.waveform.pulse_repetition_hz,
+                                  .window = radar.waveform.window,
+                                  .oversampling = image_oversampling,
+                                  .dwell = settings.dwell},
+                                 gate_over(radar, area, *scene.terrain, image_oversampling),
+                                 middle_of(area, *scene.terrain));
+  imager.add(scatterers_of(scene, radar, area, settings), settings.threads);
+  imager.add(seen_targets(scene.targets, *scene.terrain, radar.position, 0.0));
+  return imager;
+}
+
+receiver::StripmapImager stripmap_imager(const CoherentScene& scene, const radar::Radar& radar,
+                                         const radar::Rectangle& area, const CoherentSettings& settings) {
+  check_moves(radar);
+  const Vec3d direction = normalized(radar.velocity_mps);
+  const auto along = [&](Vec3d point) { return dot(point - radar.position, direction); };
+  const auto closest = [&](Vec3d point) { return length(point - radar.position - direction * along(point)); };
+  const Vec2d here{radar.position.x, radar.position.y};
+  const auto along_m = span_of(area, *scene.terrain, here, along);
+  receiver::StripmapImager imager(radar, {radar.position, radar.velocity_mps},
+                                  {.first_along_m = along_m[0],
+                                   .last_along_m = along_m[1],
+                                   .resolution_m = settings.along_resolution_m,
+                                   .window = radar.waveform.window,
+                                   .oversampling = image_oversampling,
+                                   .squint_rad = squint_of(radar, middle_of(area, *scene.terrain)),
+                                   .dwell = settings.dwell},
+                                  gate_over(radar, span_of(area, *scene.terrain, here, closest), image_oversampling));
+  imager.add(scatterers_of(scene, radar, area, settings), settings.threads);
+  imager.add(seen_targets(scene.targets, *scene.terrain, radar.position, 0.0));
+  return imager;
+}
+
+/// The frame of an image in cells of one look.
+radar::RangeDopplerImage frame_of(radar::RangeDopplerImage image, std::size_t looks) {
+  image.doppler_cell_hz *= static_cast<double>(looks);
+  return image;
+}
+radar::StripmapImage frame_of(radar::StripmapImage image, std::size_t looks) {
+  image.along_cell_m *= static_cast<double>(looks);
+  return image;
+}
+
 }  // namespace
 
 radar::PhaseHistory phase_history(const CoherentScene& scene, const radar::Radar& radar, const radar::Rectangle& area,
@@ -132,41 +181,26 @@ radar::PhaseHistory phase_history(const CoherentScene& scene, const radar::Radar
 
 radar::RangeDopplerImage range_doppler_image(const CoherentScene& scene, const radar::Radar& radar,
                                              const radar::Rectangle& area, const CoherentSettings& settings) {
-  check_moves(radar);
-  receiver::DopplerImager imager(radar, radar::Track::straight(radar.position, radar.velocity_mps),
-                                 {.middle_time_s = 0.0,
-                                  .pulses = pulses_in(radar, settings),
-                                  .repetition_hz = radar.waveform.pulse_repetition_hz,
-                                  .window = radar.waveform.window,
-                                  .oversampling = image_oversampling,
-                                  .dwell = settings.dwell},
-                                 gate_over(radar, area, *scene.terrain, image_oversampling),
-                                 middle_of(area, *scene.terrain));
-  imager.add(scatterers_of(scene, radar, area, settings), settings.threads);
-  imager.add(seen_targets(scene.targets, *scene.terrain, radar.position, 0.0));
-  return imager.image(settings.threads);
+  return doppler_imager(scene, radar, area, settings).image(settings.threads);
 }
 
 radar::StripmapImage stripmap_image(const CoherentScene& scene, const radar::Radar& radar, const radar::Rectangle& area,
                                     const CoherentSettings& settings) {
-  check_moves(radar);
-  const Vec3d direction = normalized(radar.velocity_mps);
-  const auto along = [&](Vec3d point) { return dot(point - radar.position, direction); };
-  const auto closest = [&](Vec3d point) { return length(point - radar.position - direction * along(point)); };
-  const Vec2d here{radar.position.x, radar.position.y};
-  const auto along_m = span_of(area, *scene.terrain, here, along);
-  receiver::StripmapImager imager(radar, {radar.position, radar.velocity_mps},
-                                  {.first_along_m = along_m[0],
-                                   .last_along_m = along_m[1],
-                                   .resolution_m = settings.along_resolution_m,
-                                   .window = radar.waveform.window,
-                                   .oversampling = image_oversampling,
-                                   .squint_rad = squint_of(radar, middle_of(area, *scene.terrain)),
-                                   .dwell = settings.dwell},
-                                  gate_over(radar, span_of(area, *scene.terrain, here, closest), image_oversampling));
-  imager.add(scatterers_of(scene, radar, area, settings), settings.threads);
-  imager.add(seen_targets(scene.targets, *scene.terrain, radar.position, 0.0));
-  return imager.image(settings.threads);
+  return stripmap_imager(scene, radar, area, settings).image(settings.threads);
+}
+
+radar::PowerImage<radar::RangeDopplerImage> range_doppler_power(const CoherentScene& scene, const radar::Radar& radar,
+                                                                const radar::Rectangle& area,
+                                                                const CoherentSettings& settings, std::size_t looks) {
+  const auto imager = doppler_imager(scene, radar, area, settings);
+  return {frame_of(imager.frame(), looks), imager.power(looks, settings.threads)};
+}
+
+radar::PowerImage<radar::StripmapImage> stripmap_power(const CoherentScene& scene, const radar::Radar& radar,
+                                                       const radar::Rectangle& area, const CoherentSettings& settings,
+                                                       std::size_t looks) {
+  const auto imager = stripmap_imager(scene, radar, area, settings);
+  return {frame_of(imager.frame(), looks), imager.power(looks, settings.threads)};
 }
 
 void add_targets(radar::RangeAzimuthImage& image, const radar::Radar& radar, const terrain::HeightField& terrain,

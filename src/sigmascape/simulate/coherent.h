@@ -24,7 +24,7 @@ struct CoherentScene {
 struct CoherentSettings {
   /// Time over which pulses are added up, about time zero, when the radar is at its position.
   double interval_s = 0.1;
-  /// Half-power width along the flight that stripmap processes to.
+  /// Half-power width along the flight that stripmap processes to, with all looks together.
   double along_resolution_m = 1.0;
   /// Side of the cells that hold a scatterer each; 0 for half the range resolution.
   double scatterer_spacing_m = 0.0;
@@ -51,6 +51,18 @@ struct CoherentSettings {
 /// Stripmap SAR of the area, at the squint under which the radar sees its middle at time zero, in metres.
 [[nodiscard]] radar::StripmapImage stripmap_image(const CoherentScene& scene, const radar::Radar& radar,
                                                   const radar::Rectangle& area, const CoherentSettings& settings);
+
+/// The same as power, the mean of `looks` images from equal parts of the pulses, each coarser across range by as much.
+[[nodiscard]] radar::PowerImage<radar::RangeDopplerImage> range_doppler_power(const CoherentScene& scene,
+                                                                              const radar::Radar& radar,
+                                                                              const radar::Rectangle& area,
+                                                                              const CoherentSettings& settings,
+                                                                              std::size_t looks);
+[[nodiscard]] radar::PowerImage<radar::StripmapImage> stripmap_power(const CoherentScene& scene,
+                                                                     const radar::Radar& radar,
+                                                                     const radar::Rectangle& area,
+                                                                     const CoherentSettings& settings,
+                                                                     std::size_t looks);
 
 /// Adds the targets that the radar sees over the bare terrain to an image of the power mode, of whatever level of
 /// detail.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
+#include <utility>
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/geo/coordinate_transform.h"
@@ -26,6 +28,27 @@ struct Placer {
   }
 };
 
+/// Puts the places of one target where they are.
+struct TargetPlacer {
+  const geo::LocalFrame& frame;
+  const terrain::HeightField& terrain;
+  const std::string& where;
+
+  Vec2d operator()(Vec2d place) const { return place; }
+  Vec2d operator()(const radar::LatitudeLongitude& place) const {
+    return geo::position_in_frame(frame, {place.latitude_deg, place.longitude_deg});
+  }
+  [[nodiscard]] radar::WayPoint way_point(const radar::TargetPlace& source) const {
+    const Vec2d place = std::visit(*this, source.place);
+    if (source.above_ground && !terrain.extent().contains(place)) {
+      throw Error(where, fmt::format("has a place at ({:.1f}, {:.1f}) m, outside the terrain", place.x, place.y),
+                  "move it inside, or state altitude_m instead of height_m");
+    }
+    const double ground_m = source.above_ground ? terrain.height_at(place) : 0.0;
+    return {source.time_s, {place.x, place.y, ground_m + source.height_m}};
+  }
+};
+
 }  // namespace
 
 radar::Radar placed_radar(const radar::RadarFile& file, const geo::LocalFrame& frame,
@@ -46,6 +69,32 @@ radar::GroundGrid map_grid(const radar::MapRequest& request, const radar::Rectan
                 "choose an area within the extent that `sigmascape scene info` prints");
   }
   return {west, north, request.cell_m, static_cast<std::size_t>(columns), static_cast<std::size_t>(rows)};
+}
+
+std::vector<radar::Target> placed_targets(std::span<const radar::TargetSource> sources, const geo::LocalFrame& frame,
+                                          const terrain::HeightField& terrain) {
+  std::vector<radar::Target> targets;
+  for (const radar::TargetSource& source : sources) {
+    const TargetPlacer placer{frame, terrain, source.where};
+    std::vector<radar::WayPoint> way_points;
+    for (const radar::TargetPlace& place : source.places) way_points.push_back(placer.way_point(place));
+    radar::Target target = source.target;
+    target.track = way_points.size() == 1 ? radar::Track::straight(way_points.front().position, source.velocity_mps)
+                                          : radar::Track::through(std::move(way_points), source.where);
+    targets.push_back(std::move(target));
+  }
+  return targets;
+}
+
+std::vector<radar::Target> targets_of(const scene::Scene& scene) {
+  std::vector<radar::Target> targets;
+  for (const scene::PointTarget& point : scene.point_targets) {
+    const double height_m = scene.terrain.height_at(point.position) + point.height_m;
+    targets.push_back({.name = point.name,
+                       .track = radar::Track::straight({point.position.x, point.position.y, height_m}),
+                       .rcs_m2 = point.rcs_m2});
+  }
+  return targets;
 }
 
 }  // namespace sigmascape::simulate

@@ -1,7 +1,12 @@
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "sigmascape/geo/local_frame.h"
 #include "sigmascape/radar/radar_file.h"
+#include "sigmascape/radar/target_file.h"
+#include "sigmascape/scene/scene.h"
 #include "sigmascape/terrain/height_field.h"
 
 namespace sigmascape::simulate {
@@ -13,5 +18,14 @@ namespace sigmascape::simulate {
 /// The cells of the map that the file asks for, whole cells within the extent. Throws Error when the area and the
 /// extent have nothing in common.
 [[nodiscard]] radar::GroundGrid map_grid(const radar::MapRequest& request, const radar::Rectangle& extent);
+
+/// The targets of a file on this terrain. What moves at an even velocity keeps the altitude that it has at time zero;
+/// between way-points it climbs evenly. Throws Error for a place above ground that lies outside the terrain.
+[[nodiscard]] std::vector<radar::Target> placed_targets(std::span<const radar::TargetSource> sources,
+                                                        const geo::LocalFrame& frame,
+                                                        const terrain::HeightField& terrain);
+
+/// The point targets of a scene, as targets at rest.
+[[nodiscard]] std::vector<radar::Target> targets_of(const scene::Scene& scene);
 
 }  // namespace sigmascape::simulate

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "map_files.h"
+
+#include "sigmascape/atlas/atlas.h"
+#include "sigmascape/radar/ground_map.h"
+#include "sigmascape/radar/radar.h"
+#include "sigmascape/radar/target.h"
+#include "sigmascape/scene/scene.h"
+
+namespace sigmascape::cli {
+
+/// What a coherent mode is to map.
+struct CoherentRequest {
+  const scene::Scene& scene;
+  const atlas::Atlas& atlas;
+  const radar::Radar& radar;  ///< placed, at a frequency that was baked
+  const radar::GroundGrid& grid;
+  int level_of_detail = 1;
+  const std::vector<radar::Target>& targets;
+  std::uint64_t seed = 1;
+  unsigned threads = 0;
+};
+
+struct CoherentMap {
+  radar::GroundMap map;  ///< not yet described
+  double seconds = 0.0;
+  nlohmann::ordered_json cost = {};
+  Provenance provenance = {};
+};
+
+/// The map of the radar's mode, doppler-beam-sharpening, spotlight or stripmap, on the ground. Says on standard error
+/// what `radar::plan_warnings` finds.
+[[nodiscard]] CoherentMap coherent_map(const CoherentRequest& request);
+
+/// The targets of a file, placed in the scene.
+[[nodiscard]] std::vector<radar::Target> placed_targets(const scene::Scene& scene, const std::string& file);
+/// The targets of the scene and, when it is named, of a file.
+[[nodiscard]] std::vector<radar::Target> all_targets(const scene::Scene& scene, const std::string& file);
+
+/// The mode as radar files spell it.
+[[nodiscard]] const char* word_for(radar::Mode mode);
+
+}  // namespace sigmascape::cli

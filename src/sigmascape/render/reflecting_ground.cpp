@@ -1,0 +1,56 @@
+#include "sigmascape/render/reflecting_ground.h"
+
+#include <algorithm>
+
+namespace sigmascape::render {
+namespace {
+
+/// By what part the sine of the grazing angle may change, and by how much the azimuth, before the looks are weighted
+/// anew.
+constexpr double aspect_step = 5e-4;
+
+}  // namespace
+
+void ReflectingGround::Looks::Cursor::turn_to(const atlas::Atlas& atlas, double new_azimuth_rad, double new_sin_grazing,
+                                              double frequency_hz) {
+  if (std::abs(new_sin_grazing - sin_grazing) <= aspect_step * std::abs(new_sin_grazing) &&
+      std::abs(new_azimuth_rad - azimuth_rad) <= aspect_step) {
+    return;
+  }
+  azimuth_rad = new_azimuth_rad;
+  sin_grazing = new_sin_grazing;
+  weights = atlas.weights_for({azimuth_rad, std::asin(std::clamp(sin_grazing, -1.0, 1.0))}, frequency_hz);
+}
+
+radar::Channels ReflectingGround::sigma0(Vec3d point, double to_radar_rad, const terrain::Sight& sight,
+                                         Looks& looks) const {
+  if (ground_ == nullptr)
+    return sight.ground > 0.0 ? of_textures(point, to_radar_rad, looks.textures_) : radar::Channels{};
+  radar::Channels sum;
+  if (sight.objects > 0.0) sum = of_textures(point, to_radar_rad, looks.textures_) * static_cast<float>(sight.objects);
+  if (sight.ground > 0.0) sum += of_bare_ground(point, looks.ground_) * static_cast<float>(sight.ground);
+  return sum;
+}
+
+radar::Channels ReflectingGround::of_textures(Vec3d point, double to_radar_rad, Looks::Cursor& cursor) const {
+  const Vec2d place{point.x, point.y};
+  const Vec3d towards = normalized(radar_position_ - point);
+  if (slope_ == SlopeModel::Upright) {
+    cursor.turn_to(*atlas_, to_radar_rad, towards.z, frequency_hz_);
+    return atlas_->sigma0_at(place, cursor.weights, level_);
+  }
+  const Vec3d normal = terrain_->normal_at(place);
+  cursor.turn_to(*atlas_, to_radar_rad, dot(normal, towards), frequency_hz_);
+  return atlas_->sigma0_at(place, cursor.weights, level_) * static_cast<float>(1.0 / normal.z);
+}
+
+radar::Channels ReflectingGround::of_bare_ground(Vec3d point, Looks::Cursor& cursor) const {
+  const Vec2d place{point.x, point.y};
+  const Vec3d normal = terrain_->normal_at(place);
+  const double sin_grazing = dot(normal, normalized(radar_position_ - point));
+  if (sin_grazing <= 0.0) return {};
+  cursor.turn_to(ground_->sigma0, 0.0, sin_grazing, frequency_hz_);
+  return ground_->sigma0.sigma0_at(place, cursor.weights, level_) * static_cast<float>(1.0 / normal.z);
+}
+
+}  // namespace sigmascape::render

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+
+#include "sigmascape/atlas/atlas.h"
+#include "sigmascape/atlas/ground_layers.h"
+#include "sigmascape/radar/look.h"
+#include "sigmascape/terrain/height_field.h"
+#include "sigmascape/terrain/obstacle_sweep.h"
+
+namespace sigmascape::render {
+
+/// Which grazing angle and which area the reflectivity of a slope is looked up and weighted with.
+enum class SlopeModel {
+  Upright,  ///< that above the horizontal, over map area: right for walls and trees, which do not lean with their hill
+  Tilted,   ///< that above the local slope, over true area: right for bare ground
+};
+
+/// Terrain and atlas as a radar at one place meets them: what of a place is seen, and what of that comes back.
+/// docs/decisions/0006-ground-apart.md.
+class ReflectingGround {
+ public:
+  /// The looks that answer for a stretch of ground; looked up anew when the aspect has changed.
+  class Looks {
+   private:
+    friend class ReflectingGround;
+    struct Cursor {
+      double azimuth_rad = 0.0;
+      double sin_grazing = 2.0;  // none yet
+      atlas::AspectWeights weights = {};
+      void turn_to(const atlas::Atlas& atlas, double new_azimuth_rad, double new_sin_grazing, double frequency_hz);
+    };
+    Cursor textures_, ground_;
+  };
+
+  /// `slope` is that of the textures; ground that is kept apart is Tilted always. Both must outlive this.
+  ReflectingGround(const atlas::Atlas& atlas, const terrain::HeightField& terrain, Vec3d radar_position,
+                   double frequency_hz, double level, SlopeModel slope = SlopeModel::Upright)
+      : atlas_(&atlas),
+        ground_(atlas.ground_layers()),
+        terrain_(&terrain),
+        radar_position_(radar_position),
+        frequency_hz_(frequency_hz),
+        level_(level),
+        slope_(slope) {}
+
+  /// Side of the squares in which is told what hides and what answers.
+  [[nodiscard]] double told_cell_m() const {
+    return ground_ != nullptr ? ground_->obstacles.grid.cell_m : atlas_->patches().texel_m;
+  }
+
+  /// Walks outwards along an azimuth, from one distance over the ground to another, and calls `visit(step, distance_m,
+  /// point, sight)` in the middle of every step that lies on the terrain.
+  template <typename Visit>
+  void walk(double azimuth_rad, double near_m, double far_m, double step_m, const Visit& visit) const {
+    const Vec2d direction = radar::horizontal_direction(azimuth_rad);
+    const Vec2d origin{radar_position_.x, radar_position_.y};
+    terrain::ObstacleSweep line_of_sight(radar_position_.z);
+    // What hides is looked at in strides that no obstacle is narrower than; every so many a place is visited.
+    const std::size_t strides = strides_in(step_m);
+    const double stride_m = step_m / static_cast<double>(strides);
+    const auto count = static_cast<std::size_t>((far_m - near_m) / step_m) * strides;
+    for (std::size_t k = 0; k < count; ++k) {
+      const double distance_m = near_m + (static_cast<double>(k) + 0.5) * stride_m;
+      const Vec2d place = origin + direction * distance_m;
+      if (!terrain_->extent().contains(place)) continue;
+      const Vec3d point{place.x, place.y, terrain_->height_at(place)};
+      const terrain::Sight sight = line_of_sight.advance(distance_m, point.z, obstacle_at(place), stride_m);
+      if (k % strides == strides / 2) visit(k / strides, distance_m, point, sight);
+    }
+  }
+
+  /// σ0 over map area of a point on the terrain of which so much is seen: textures for what stands there, scaled by
+  /// what of them is seen, and the bare ground where it is kept apart, with its grazing angle above the local slope and
+  /// its true area. `to_radar_rad`: azimuth from the point to the radar.
+  [[nodiscard]] radar::Channels sigma0(Vec3d point, double to_radar_rad, const terrain::Sight& sight,
+                                       Looks& looks) const;
+
+ private:
+  /// An odd number, so that one of them is the middle.
+  [[nodiscard]] std::size_t strides_in(double step_m) const {
+    if (ground_ == nullptr) return 1;
+    return 2 * static_cast<std::size_t>(step_m / ground_->obstacles.grid.cell_m) + 1;
+  }
+  [[nodiscard]] radar::Obstacle obstacle_at(Vec2d point) const {
+    return ground_ != nullptr ? ground_->obstacles.at(point) : radar::Obstacle{};
+  }
+  [[nodiscard]] radar::Channels of_textures(Vec3d point, double to_radar_rad, Looks::Cursor& cursor) const;
+  [[nodiscard]] radar::Channels of_bare_ground(Vec3d point, Looks::Cursor& cursor) const;
+
+  const atlas::Atlas* atlas_;
+  const atlas::GroundLayers* ground_;
+  const terrain::HeightField* terrain_;
+  Vec3d radar_position_;
+  double frequency_hz_, level_;
+  SlopeModel slope_;
+};
+
+}  // namespace sigmascape::render

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "sigmascape/base/array2d.h"
+#include "sigmascape/radar/ground_grid.h"
+#include "sigmascape/render/reflecting_ground.h"
+#include "sigmascape/terrain/obstacle_sweep.h"
+
+namespace sigmascape::render {
+
+/// What of every place of an area a radar sees, reckoned once along azimuths for places in any order.
+class SightMap {
+ public:
+  /// Azimuths and steps are `step_m` apart at the far end of the area. The radar may not stand above the area.
+  SightMap(const ReflectingGround& ground, Vec3d radar_position, const radar::Rectangle& terrain_extent,
+           const radar::Rectangle& area, double step_m, unsigned threads);
+
+  /// That of the nearest place that was reckoned.
+  [[nodiscard]] terrain::Sight at(Vec2d point) const;
+
+ private:
+  struct Parts {
+    float ground = 0.0F, objects = 0.0F;
+  };
+  [[nodiscard]] double azimuth_of(Vec2d point) const;
+
+  Vec2d origin_;
+  double middle_rad_ = 0.0, first_azimuth_rad_ = 0.0, azimuth_step_rad_ = 0.0, near_m_ = 0.0, step_m_ = 1.0;
+  Array2D<Parts> parts_;  // [distance, azimuth]
+};
+
+}  // namespace sigmascape::render

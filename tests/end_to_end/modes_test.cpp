@@ -1,0 +1,116 @@
+#include <cmath>
+#include <cstdlib>
+#include <fmt/format.h>
+#include <fstream>
+#include <gtest/gtest.h>
+
+#include "end_to_end/made_scene.h"
+#include "scratch_folder.h"
+
+#include "sigmascape/base/units.h"
+#include "sigmascape/product/ground_map_file.h"
+
+namespace sigmascape::end_to_end {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A radar 5 km to the south and 20° up that flies to the east at 100 m/s.
+std::string radar_text(const std::string& mode) {
+  return "[radar]\nname = \"test\"\nfrequency_ghz = 10\nrange_resolution_m = 2\nbeam_width_deg = 1\n"
+         "[position]\nazimuth_deg = 180\nelevation_deg = 20\nslant_range_km = 5\n"
+         "[map]\ncell_m = 1\nwest_m = -60\nsouth_m = -60\neast_m = 60\nnorth_m = 60\n"
+         "[platform]\nspeed_mps = 100\nheading_deg = 90\n[waveform]\npulse_repetition_hz = 2000\n" +
+         mode;
+}
+
+/// One bake for all, and the program run on it.
+class Modes : public ::testing::Test {
+ protected:
+  int run(const std::string& arguments) const {
+    const int status = std::system(
+        fmt::format("'{}' {} > '{}' 2>&1", SIGMASCAPE_CLI, arguments, folder_.path("printed.txt").string()).c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+  [[nodiscard]] std::string printed() const {
+    std::ifstream stream(folder_.path("printed.txt"));
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
+  int render(const std::string& mode, const std::string& options) const {
+    folder_.write("radar.toml", radar_text(mode));
+    return run(fmt::format("render '{}' --scene '{}' --out '{}' --png '{}' --atlas '{}' --targets '{}' {}",
+                           folder_.path("radar.toml").string(), scene_.string(), folder_.path("map.tif").string(),
+                           folder_.path("map.png").string(), folder_.path("atlas").string(),
+                           folder_.path("targets.toml").string(), options));
+  }
+  [[nodiscard]] radar::GroundMap map() const { return product::read_ground_map(folder_.path("map.tif")); }
+
+  static Vec2d brightest(const radar::GroundMap& map) {
+    std::size_t best_column = 0, best_row = 0;
+    for (std::size_t row = 0; row < map.grid.rows; ++row) {
+      for (std::size_t column = 0; column < map.grid.columns; ++column) {
+        if (map.sigma0(column, row).vv > map.sigma0(best_column, best_row).vv) {
+          best_column = column;
+          best_row = row;
+        }
+      }
+    }
+    return map.grid.centre_of(best_column, best_row);
+  }
+
+  ScratchFolder folder_;
+  fs::path scene_ = write_made_scene(folder_.path("scene"), 160, 160);
+};
+
+/// From files to maps: every mode puts what stands where it is and shifts what moves by −r ṙ/V along the flight.
+TEST_F(Modes, MapTheGroundAndTheTargets) {
+  ASSERT_EQ(run(fmt::format("bake '{}' --out '{}' --azimuths 2 --elevations-deg 20 --samples 4", scene_.string(),
+                            folder_.path("atlas").string())),
+            0)
+      << printed();
+  struct Case {
+    std::string mode, name, looks;
+    bool shifts;
+    double cell_m;
+  };
+  const std::vector<Case> cases{{"", "", "", false, 90.0},
+                                {"[mode]\nkind = \"spotlight\"\nlooks = 2\n", "spotlight", "2", true, 2.0},
+                                {"[mode]\nkind = \"stripmap\"\n", "stripmap", "1", true, 2.0},
+                                {"[mode]\nkind = \"doppler-beam-sharpening\"\nsharpening = 12\nlooks = 3\n",
+                                 "doppler-beam-sharpening", "3", true, 8.0}};
+  const Vec2d place{-20.0, 10.0};
+  // Towards the radar: it seems to lie ahead, to the east.
+  const double shift_m = 5e3 * 0.8 * std::cos(radians_from_deg(20.0)) / 100.0;
+  for (const auto& [mode, name, looks, shifts, cell_m] : cases) {
+    SCOPED_TRACE(mode);
+    for (const double speed_mps : {0.0, 0.8}) {
+      folder_.write("targets.toml",
+                    fmt::format("[[targets]]\nposition_m = [{}, {}]\nheight_m = 0\nheading_deg = 180\nspeed_mps = {}\n"
+                                "rcs_dbsm = 60\n",
+                                place.x, place.y, speed_mps));
+      ASSERT_EQ(render(mode, "--lod 1"), 0) << printed();
+      const auto made = map();
+      const Vec2d found = brightest(made);
+      EXPECT_NEAR(found.x, place.x + (shifts && speed_mps > 0.0 ? shift_m : 0.0), 0.5 * cell_m + 1.0);
+      EXPECT_NEAR(found.y, place.y, 3.0);
+      EXPECT_TRUE(fs::exists(folder_.path("map.png")));
+      if (name.empty()) continue;
+      EXPECT_EQ(made.metadata.at("mode"), name);
+      EXPECT_EQ(made.metadata.at("looks"), looks);
+      EXPECT_EQ(made.metadata.at("seed"), "1");
+      EXPECT_GT(std::stod(made.metadata.at("interval_s")), 0.0);
+    }
+  }
+
+  EXPECT_EQ(render("[mode]\nkind = \"spotlight\"\n", "--lod 0"), 1);
+  EXPECT_NE(printed().find("--lod: 0 traces power alone, and spotlight needs amplitudes"), std::string::npos)
+      << printed();
+  EXPECT_EQ(render("[mode]\nkind = \"spotlight\"\n", "--lod 1 --ppi x.png"), 1);
+  EXPECT_NE(printed().find("--ppi: is of range and azimuth"), std::string::npos) << printed();
+  folder_.write("targets.toml", "[[targets]]\nposition_m = [9000, 0]\nrcs_dbsm = 20\n");
+  EXPECT_EQ(render("", "--lod 1"), 1);
+  EXPECT_NE(printed().find("outside the terrain"), std::string::npos) << printed();
+}
+
+}  // namespace
+}  // namespace sigmascape::end_to_end

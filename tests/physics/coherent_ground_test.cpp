@@ -1,0 +1,95 @@
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "physics/level_scene.h"
+#include "scratch_folder.h"
+#include "validation/validation_record.h"
+
+#include "sigmascape/atlas/store.h"
+#include "sigmascape/bake/bake.h"
+#include "sigmascape/product/slant_projection.h"
+#include "sigmascape/simulate/coherent.h"
+
+namespace sigmascape::physics_test {
+namespace {
+
+constexpr double gamma = 0.03, elevation_deg = 20.0;
+constexpr double box_height_m = 12.0, half_box_m = 6.0;
+
+/// Level ground of constant gamma, 512 m square, with a box in its middle.
+scene::Scene ground_with_box(bool with_box) {
+  scene::Scene scene =
+      level_scene({.name = "gamma", .model = scatter::ConstantGammaParameters{gamma, {0.1, 0.5}}, .source = {}}, 512.0);
+  if (!with_box) return scene;
+  const scatter::Material wall{.name = "wall", .model = scatter::LambertParameters{0.1, {0.1, 0.5}}, .source = {}};
+  const auto side = static_cast<float>(2.0 * half_box_m);
+  scene.prototypes.push_back(
+      scene::box_mesh({side, side, static_cast<float>(box_height_m)}, scene.material_index(wall)));
+  scene.instances.push_back({.x_m = 0.0F, .y_m = 0.0F});
+  return scene;
+}
+
+/// Spotlight SAR with cells of 1.5 m, from the south on a flight to the east, on cells of `cell_m`.
+radar::GroundMap spotlight(const scene::Scene& scene, double cell_m) {
+  bake::BakeSettings settings;
+  settings.aspects = {{pi}, {radians_from_deg(elevation_deg)}, {frequency_hz}};
+  settings.patches = {2.0, 256};
+  settings.sampling.samples_per_texel = 8;
+  settings.shadows = bake::Shadows::RunTime;
+  const ScratchFolder folder;
+  SilentProgress silent;
+  bake::bake(scene, settings, folder.path("atlas"), silent);
+  const atlas::Atlas atlas = atlas::load_atlas(atlas::Store::open(folder.path("atlas")));
+  radar::Radar radar;
+  radar.mode = radar::Mode::Spotlight;
+  radar.frequency_hz = frequency_hz;
+  radar.position = radar::position_seeing({}, pi, radians_from_deg(elevation_deg), 5e3);
+  radar.velocity_mps = {100.0, 0.0, 0.0};
+  radar.range_resolution_m = 1.5;
+  radar.waveform.pulse_repetition_hz = 2000.0;
+  const double interval_s = wavelength_m(frequency_hz) * 5e3 / (2.0 * 100.0 * 1.5);
+  const simulate::CoherentScene seen{&scene.terrain, render::reflectivity_of(atlas, frequency_hz, 2.0)};
+  const auto side = static_cast<std::size_t>(240.0 / cell_m);
+  return product::projected_to_ground(
+      simulate::range_doppler_image(seen, radar, {-150.0, -150.0, 150.0, 150.0}, {.interval_s = interval_s}),
+      scene.terrain, {-120.0, 120.0, cell_m, side, side});
+}
+
+double mean_over(const radar::GroundMap& map, const radar::Rectangle& part) {
+  double sum = 0.0, count = 0.0;
+  for (std::size_t row = 0; row < map.grid.rows; ++row) {
+    for (std::size_t column = 0; column < map.grid.columns; ++column) {
+      if (!part.contains(map.grid.centre_of(column, row))) continue;
+      sum += static_cast<double>(map.sigma0(column, row).vv);
+      count += 1.0;
+    }
+  }
+  return sum / count;
+}
+
+const double open_ground = gamma * std::sin(radians_from_deg(elevation_deg));
+
+/// An atlas that keeps the ground apart has nothing of it in its textures; a coherent image shows it all the same.
+TEST(CoherentGroundApart, bare_ground_kept_apart_has_its_sigma0) {
+  const auto map = spotlight(ground_with_box(false), 1.0);
+  validation::expect_close({"Coherent maps", "σ0 of bare ground of an atlas that keeps it apart", 0.0,
+                            db_from_linear(mean_over(map, {-120.0, -120.0, 120.0, 120.0}) / open_ground), 0.1,
+                            "dB over γ sin ψ", "definition of constant gamma"});
+}
+
+/// The shadow of the roof's far edge is dark for h / tan ψ behind the box, and the ground beyond it is not.
+TEST(CoherentGroundApart, a_box_casts_its_shadow) {
+  const auto map = spotlight(ground_with_box(true), 1.0);
+  constexpr double half_m = 4.0, from_m = 10.0, to_m = 80.0;
+  // Length without power between two edges, as the power that is missing: a blurred edge leaves it as it is.
+  const double missing_m =
+      from_m - half_box_m + (to_m - from_m) * (1.0 - mean_over(map, {-half_m, from_m, half_m, to_m}) / open_ground);
+  validation::expect_close({"Coherent maps", "shadow of a 12 m box in a spotlight image",
+                            box_height_m / std::tan(radians_from_deg(elevation_deg)), missing_m, 4.0, "m",
+                            "h / tan ψ"});
+  EXPECT_LT(mean_over(map, {-half_m, from_m, half_m, 30.0}) / open_ground, 0.03);
+  EXPECT_NEAR(mean_over(map, {-110.0, from_m, -20.0, 30.0}) / open_ground, 1.0, 0.1);
+}
+
+}  // namespace
+}  // namespace sigmascape::physics_test
