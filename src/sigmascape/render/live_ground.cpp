@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "sigmascape/atlas/ground_layers.h"
+#include "sigmascape/base/error.h"
 #include "sigmascape/terrain/height_field_file.h"
 
 namespace sigmascape::render {
@@ -29,14 +31,18 @@ LiveGround::LiveGround(const atlas::Store& store, terrain::HeightField terrain, 
       highest_m_(terrain_.highest_m()),
       pages_(std::make_shared<const PageSource>(store, heights_of(terrain_), frequency_hz), options) {
   atlas::check_frequency(store.description().aspects, frequency_hz);
+  if (atlas::keeps_ground_apart(store)) {
+    throw Error(store.folder().string(), "keeps the ground apart from what stands on it, which live frames cannot show",
+                "bake it with --shadows baked");
+  }
   load_coarsest_level();
 }
 
 std::shared_ptr<LiveGround> LiveGround::open(const std::filesystem::path& atlas_folder, double frequency_hz,
                                              const CacheOptions& options) {
   const atlas::Store store = atlas::Store::open(atlas_folder);
-  return std::make_shared<LiveGround>(store, terrain::read_height_field(atlas_folder / atlas::terrain_name), frequency_hz,
-                                      options);
+  return std::make_shared<LiveGround>(store, terrain::read_height_field(atlas_folder / atlas::terrain_name),
+                                      frequency_hz, options);
 }
 
 void LiveGround::load_coarsest_level() {
