@@ -186,15 +186,38 @@ void find_angles(LatticeRow& row, const RowGeometry& geometry) {
 
 }  // namespace
 
+SIGMASCAPE_VECTOR_TARGETS
+void stand_on(LatticeRow& row, const PageHeights& heights) {
+  const auto per_texel = static_cast<float>(1.0 / heights.texel_m);
+  const float per_rows = heights.north_row != heights.row && heights.south_row != heights.row ? 0.5F : 1.0F;
+  const double west_m = heights.west_m, north_m = heights.north_m, texel_m = heights.texel_m;
+  const auto first = static_cast<std::int32_t>(heights.first_column);
+  const auto up = static_cast<std::int32_t>(heights.levels_up);
+  constexpr auto last = static_cast<std::int32_t>(atlas::tile_side) - 1;
+  for (std::size_t i = 0; i < row.count; ++i) {
+    const std::int32_t column = (first + static_cast<std::int32_t>(i)) >> up;
+    const std::int32_t left = column > 0 ? column - 1 : 0, right = column < last ? column + 1 : last;
+    const float rise_east = (heights.row[right] - heights.row[left]) / static_cast<float>(right - left);
+    const float rise_north = (heights.north_row[column] - heights.south_row[column]) * per_rows;
+    const auto east =
+        static_cast<float>(row.east_m[i] - west_m - (static_cast<double>(column) + 0.5) * texel_m) * per_texel;
+    const auto north = static_cast<float>(row.north_m[i] - north_m) * per_texel;
+    row.height_m[i] = heights.row[column] + rise_east * east + rise_north * north;
+  }
+}
+
 void locate(LatticeRow& row, const RowGeometry& geometry) {
   find_ranges(row, geometry);
   find_angles(row, geometry);
 }
 
+namespace {
+/// Single precision leaves this much doubt in a slope; level ground must not hide itself.
+constexpr float doubt = 1e-6F;
+}  // namespace
+
 SIGMASCAPE_VECTOR_TARGETS
 std::size_t light(LatticeRow& row, const Horizon& horizon) {
-  // Single precision leaves this much doubt in a slope; level ground must not hide itself.
-  constexpr float doubt = 1e-6F;
   const float* const slopes = horizon.slopes;
   const auto distances = static_cast<std::int32_t>(horizon.distances);
   const auto last_left = static_cast<float>(horizon.azimuths) - 2.0F, last_node = static_cast<float>(distances - 1);
@@ -210,10 +233,98 @@ std::size_t light(LatticeRow& row, const Horizon& horizon) {
     const std::int32_t index = left * distances + node;
     const float steepest = (1.0F - part) * slopes[index] + part * slopes[index + distances];
     const float seen = row.slope[i] >= steepest - doubt ? 1.0F : 0.0F;
+    row.horizon[i] = steepest;
     row.lit[i] = seen;
   }
   for (std::size_t i = 0; i < count; ++i) lit += row.lit[i];
   return static_cast<std::size_t>(lit);
+}
+
+SIGMASCAPE_VECTOR_TARGETS
+void light_apart(LatticeRow& row, const Horizon& horizon) {
+  const float* const solid_slopes = horizon.solid_slopes;
+  const float* const through = horizon.through;
+  const auto distances = static_cast<std::int32_t>(horizon.distances);
+  const auto last_left = static_cast<float>(horizon.azimuths) - 2.0F, last_node = static_cast<float>(distances - 1);
+  const float first_beam = horizon.first_beam, near_m = horizon.near_m, per_step = horizon.per_step;
+  for (std::size_t i = 0; i < row.count; ++i) {
+    const float across = row.beam[i] + first_beam;
+    const auto left = static_cast<std::int32_t>(lesser(greater(across, 0.0F), last_left));
+    const float part = lesser(greater(across - static_cast<float>(left), 0.0F), 1.0F);
+    const auto node =
+        static_cast<std::int32_t>(lesser(greater((row.ground_m[i] - near_m) * per_step + 0.5F, 0.0F), last_node));
+    const std::int32_t index = left * distances + node;
+    // Obstacles are narrower than terrain: their shadows, not their slopes, are shared between azimuths.
+    const float slope = row.slope[i] + doubt;
+    const float on_left = slope >= solid_slopes[index] ? through[index] : 0.0F;
+    const float on_right = slope >= solid_slopes[index + distances] ? through[index + distances] : 0.0F;
+    row.ground_lit[i] = row.lit[i] * (on_left + part * (on_right - on_left));
+    const float hidden_m = (row.horizon[i] - row.slope[i]) * row.ground_m[i];
+    const float above = greater(1.0F - hidden_m / greater(row.top_m[i], 1e-3F), 0.0F);
+    row.lit[i] = row.lit[i] > 0.0F ? 1.0F : above;
+  }
+}
+
+SIGMASCAPE_VECTOR_TARGETS
+Extremes face(LatticeRow& row, const RowGeometry& geometry, float area_m2) {
+  const auto tilt = static_cast<float>(2.0 * geometry.drop_per_square_m);
+  constexpr float none = 1e30F;
+  for (std::size_t i = 0; i < row.count; ++i) {
+    const float east = row.slope_east[i], north = row.slope_north[i];
+    const auto x = static_cast<float>(row.east_m[i]), y = static_cast<float>(row.north_m[i]);
+    const float square = 1.0F + east * east + north * north;
+    // The horizontal at the texel is tilted away from the radar's by the angle between their verticals.
+    const float rise = row.below_m[i] - tilt * row.ground_m[i] * row.ground_m[i] + x * east + y * north;
+    const float stretch = std::sqrt(square);
+    const float sine = rise / (stretch * static_cast<float>(row.range_m[i]));
+    const bool faces = sine > 1e-6F;
+    const float held = lesser(greater(sine, 1e-6F), 1.0F);
+    row.local_sine[i] = held;
+    row.local_cotangent[i] = std::sqrt(1.0F - held * held) / held;
+    row.ground_area_m2[i] = faces ? area_m2 * stretch * row.ground_lit[i] : 0.0F;
+  }
+  Extremes found{none, -none};
+  for (std::size_t i = 0; i < row.count; ++i) {
+    const bool counts = row.ground_area_m2[i] > 0.0F;
+    found.least = lesser(found.least, counts ? row.local_cotangent[i] : none);
+    found.greatest = greater(found.greatest, counts ? row.local_cotangent[i] : -none);
+  }
+  return found;
+}
+
+namespace {
+
+SIGMASCAPE_VECTOR_TARGETS
+void ground_weights(const LatticeRow& row, const GroundLook& look, Weights& weights) {
+  const float gain = look.factor / look.sine, highest_sine = look.highest_sine;
+  const float below = look.below, above = look.above;
+  // Without a neighbour the part is held at one.
+  const float per_below = below > look.own ? 1.0F / (below - look.own) : 0.0F;
+  const float per_above = look.own > above ? 1.0F / (look.own - above) : 0.0F;
+  const float held_below = below > look.own ? 0.0F : 1.0F, held_above = look.own > above ? 0.0F : 1.0F;
+  for (std::size_t i = 0; i < row.count; ++i) {
+    const float cotangent = row.local_cotangent[i];
+    const float from_below = held_below + (below - cotangent) * per_below;
+    const float from_above = held_above + (cotangent - above) * per_above;
+    const float part = greater(lesser(lesser(from_below, from_above), 1.0F), 0.0F);
+    weights.of[i] = gain * part * lesser(row.local_sine[i], highest_sine) * row.ground_area_m2[i];
+  }
+}
+
+}  // namespace
+
+void add_ground(LatticeRow& row, const GroundLook& look) {
+  Weights weights;
+  ground_weights(row, look, weights);
+  add_look(look.planes, weights, row.count, row.returned[0].data(), row.returned[1].data(), row.returned[2].data(),
+           row.returned[3].data());
+}
+
+SIGMASCAPE_VECTOR_TARGETS
+void join_lights(LatticeRow& row) {
+  for (std::size_t i = 0; i < row.count; ++i) {
+    row.lit[i] = row.lit[i] + row.ground_area_m2[i] > 0.0F ? 1.0F : 0.0F;
+  }
 }
 
 Extremes cotangent_extremes(const LatticeRow& row) {
