@@ -147,10 +147,11 @@ void join_lights(LatticeRow& row);
 /// stored correlation. `gaussians` are three complex numbers a texel, real and imaginary parts in arrays of their own.
 void scatter(LatticeRow& row, const std::array<LatticeRow::Of<float>, 6>& gaussians, double turns_per_m);
 
-/// Bins of a sector: [beam][range][number], numbers of a bin side by side.
+/// Bins of a sector: [beam][range][number], numbers of a bin side by side. Only beams from the first up to the end are
+/// added to.
 struct SectorBins {
   float* bins = nullptr;
-  std::size_t beams = 0, ranges = 0;
+  std::size_t first_beam = 0, end_beam = 0, ranges = 0;
 };
 
 /// Adds the amplitudes, eight numbers a bin (VV, HH, HV, VH, real and imaginary), shared between the four nearest bins

@@ -14,8 +14,11 @@
 namespace sigmascape::render {
 namespace {
 
-/// Beams that one task fills; it works on their texels and on those of half a beam on either side.
-constexpr std::size_t beams_a_task = 16;
+/// Beams that are reckoned from one middle direction, and filled by one task unless a scan asks for fewer. Wide enough
+/// that rows of texels are read in long stretches, narrow enough to find an azimuth by a short series.
+std::size_t beams_together(double beam_step_rad) {
+  return static_cast<std::size_t>(std::clamp(0.75 / beam_step_rad, 1.0, 64.0));
+}
 
 std::size_t numbers_a_bin(FrameContent content) {
   return content == FrameContent::Amplitudes ? 8 : 4;
@@ -98,24 +101,33 @@ class LiveRenderer::SectorTask {
     const LiveSettings& settings = renderer_.settings_;
     pose_ = &pose;
     level_ = level;
-    const double first_azimuth = pose.first_azimuth_rad + static_cast<double>(beams.first) * settings.beam_step_rad;
-    const double width = static_cast<double>(beams.count) * settings.beam_step_rad;
+    const double step = settings.beam_step_rad;
+    // Reckoned from the whole group of beams, so that a scan in pieces gives the bytes of a frame.
+    const std::size_t group = beams_together(step);
+    first_beam_ = beams.first / group * group;
+    const double first_azimuth = pose.first_azimuth_rad + static_cast<double>(first_beam_) * step;
+    const double middle = first_azimuth + static_cast<double>(group) * step / 2.0;
     const HorizonGrid& horizon = renderer_.horizon_.grid();
-    sector_ = Sector(first_azimuth - settings.beam_step_rad, width + 2.0 * settings.beam_step_rad, horizon.near_m,
+    // A scatterer is shared with bins half a beam away, and stands up to half a texel's diagonal from its middle.
+    const double texel_m = atlas::texel_side_m(renderer_.ground_->description().patches, level);
+    const double margin = std::min(0.5 * settings.beam_step_rad + 0.75 * texel_m / std::max(horizon.near_m, texel_m),
+                                   1.5 * settings.beam_step_rad);
+    sector_ = Sector(pose.first_azimuth_rad + static_cast<double>(beams.first) * step - margin,
+                     static_cast<double>(beams.count) * step + 2.0 * margin, horizon.near_m,
                      horizon.near_m + horizon.step_m * static_cast<double>(horizon.distances));
-    first_beam_ = beams.first;
-    const double middle = first_azimuth + width / 2.0;
     geometry_ = {.radar_height_m = pose.position.z,
                  .drop_per_square_m = horizon.drop_per_square_m,
                  .sin_middle = std::sin(middle),
                  .cos_middle = std::cos(middle),
-                 .middle_beam = static_cast<double>(beams.count) / 2.0,
+                 .middle_beam = static_cast<double>(group) / 2.0,
                  .beams_per_rad = 1.0 / settings.beam_step_rad,
                  .first_range_m = pose.first_range_m,
                  .ranges_per_m = 1.0 / settings.range_step_m};
     const std::size_t numbers = numbers_a_bin(settings.content);
-    bins_ = {renderer_.bins_.data() + beams.first * settings.ranges * numbers, beams.count, settings.ranges};
-    std::fill_n(bins_.bins, beams.count * settings.ranges * numbers, 0.0F);
+    bins_ = {renderer_.bins_.data() + first_beam_ * settings.ranges * numbers, beams.first - first_beam_,
+             beams.first - first_beam_ + beams.count, settings.ranges};
+    std::fill_n(bins_.bins + bins_.first_beam * settings.ranges * numbers, beams.count * settings.ranges * numbers,
+                0.0F);
     first_azimuth_rad_ = first_azimuth;
   }
 
@@ -426,10 +438,12 @@ const Frame& LiveRenderer::scan(const Pose& pose, std::size_t first_beam, std::s
     horizon_.sweep(first_edge + index, pose.position, occluders, worker);
   });
   const std::size_t level = level_for(pose);
-  const std::size_t tasks = (last_beam - first_beam + beams_a_task - 1) / beams_a_task;
+  const std::size_t group = beams_together(settings_.beam_step_rad), first_group = first_beam / group;
+  const std::size_t tasks = last_beam > first_beam ? (last_beam - 1) / group + 1 - first_group : 0;
   team_.run(tasks, [&](std::size_t index, unsigned worker) {
-    const std::size_t first = first_beam + index * beams_a_task;
-    tasks_[worker]->fill(pose, {first, std::min(beams_a_task, last_beam - first)}, level);
+    const std::size_t first = std::max(first_beam, (first_group + index) * group);
+    const std::size_t end = std::min(last_beam, (first_group + index + 1) * group);
+    tasks_[worker]->fill(pose, {first, end - first}, level);
   });
 
   frame_.report = {.level = level};
