@@ -30,6 +30,7 @@ class AspectCells {
 
   [[nodiscard]] std::size_t looks_a_cell() const { return frequency_count_ * 4; }
   [[nodiscard]] std::size_t azimuth_cells() const { return azimuths_rad_.size(); }
+  [[nodiscard]] std::size_t elevation_count() const { return grid_.elevations_rad.size(); }
   [[nodiscard]] std::size_t elevation_cells() const { return cotangents_.size() - 1; }
   [[nodiscard]] std::array<LookIndex, most_looks> looks_of(AspectCell cell) const;
 

@@ -26,30 +26,6 @@ std::filesystem::path obstacles_path(const Store& atlas, PatchIndex patch) {
   return atlas.folder() / patch_name(patch) / "obstacles.tif";
 }
 
-/// Puts one patch's obstacles in their place on the map of all.
-void read_obstacles(const Store& atlas, PatchIndex patch, radar::ObstacleMap& map) {
-  const auto path = obstacles_path(atlas, patch);
-  if (!has_obstacles(atlas, patch)) {
-    throw Error(path.string(), "is missing", "finish the bake by starting it again with the same settings");
-  }
-  const geo::GeoRaster raster = geo::read_geotiff(path);
-  const radar::GroundGrid texels = atlas.description().patches.texels_of(patch);
-  const Vec2d corner = map.grid.cells_from({texels.west_m + texels.cell_m / 2.0, texels.north_m - texels.cell_m / 2.0});
-  const auto first_column = static_cast<std::size_t>(corner.x), first_row = static_cast<std::size_t>(corner.y);
-  if (raster.bands.size() != layers.size() || raster.bands.front().values.columns() != texels.columns ||
-      raster.bands.front().values.rows() != texels.rows) {
-    throw Error(path.string(), "does not have four bands of the patch's texels", "remove it and bake again");
-  }
-  for (std::size_t layer = 0; layer < layers.size(); ++layer) {
-    const Array2D<float>& values = raster.bands[layer].values;
-    for (std::size_t row = 0; row < texels.rows; ++row) {
-      for (std::size_t column = 0; column < texels.columns; ++column) {
-        map.obstacles(first_column + column, first_row + row).*layers[layer].value = values(column, row);
-      }
-    }
-  }
-}
-
 radar::ObstacleMap load_obstacles(const Store& atlas) {
   const PatchGrid& grid = atlas.description().patches;
   const auto patches = grid.covering(atlas.description().extent);
@@ -58,7 +34,16 @@ radar::ObstacleMap load_obstacles(const Store& atlas) {
   map.grid.columns *= static_cast<std::size_t>(patches.back().x - patches.front().x + 1);
   map.grid.rows *= static_cast<std::size_t>(patches.front().y - patches.back().y + 1);
   map.obstacles = Array2D<radar::Obstacle>(map.grid.columns, map.grid.rows);
-  for (const PatchIndex& patch : patches) read_obstacles(atlas, patch, map);
+  for (const PatchIndex& patch : patches) {
+    const Array2D<radar::Obstacle> obstacles = read_obstacles(atlas, patch);
+    const auto first_column = static_cast<std::size_t>(patch.x - patches.front().x) * first.columns;
+    const auto first_row = static_cast<std::size_t>(patches.front().y - patch.y) * first.rows;
+    for (std::size_t row = 0; row < first.rows; ++row) {
+      for (std::size_t column = 0; column < first.columns; ++column) {
+        map.obstacles(first_column + column, first_row + row) = obstacles(column, row);
+      }
+    }
+  }
   return map;
 }
 
@@ -101,8 +86,31 @@ void write_obstacles(const Store& atlas, PatchIndex patch, const radar::Obstacle
   geo::write_geotiff(path, raster);
 }
 
+Array2D<radar::Obstacle> read_obstacles(const Store& atlas, PatchIndex patch) {
+  const auto path = obstacles_path(atlas, patch);
+  if (!has_obstacles(atlas, patch)) {
+    throw Error(path.string(), "is missing", "finish the bake by starting it again with the same settings");
+  }
+  const geo::GeoRaster raster = geo::read_geotiff(path);
+  const std::size_t side = atlas.description().patches.texels_per_side;
+  if (raster.bands.size() != layers.size() || raster.bands.front().values.columns() != side ||
+      raster.bands.front().values.rows() != side) {
+    throw Error(path.string(), "does not have four bands of the patch's texels", "remove it and bake again");
+  }
+  Array2D<radar::Obstacle> obstacles(side, side);
+  for (std::size_t layer = 0; layer < layers.size(); ++layer) {
+    const auto values = raster.bands[layer].values.values();
+    for (std::size_t i = 0; i < obstacles.size(); ++i) obstacles.values()[i].*layers[layer].value = values[i];
+  }
+  return obstacles;
+}
+
+Store open_ground_store(const Store& atlas) {
+  return Store::open(atlas.folder() / ground_folder);
+}
+
 GroundLayers load_ground_layers(const Store& atlas, const LoadOptions& options) {
-  const Store ground = Store::open(atlas.folder() / ground_folder);
+  const Store ground = open_ground_store(atlas);
   return {load_atlas(ground, {.finest_level = options.finest_level, .threads = options.threads, .aspects = {}}),
           load_obstacles(atlas)};
 }

@@ -28,6 +28,13 @@ inline constexpr const char* shadows_at_run_time = "run-time";
 /// when the raster has another size or cannot be written.
 void write_obstacles(const Store& atlas, PatchIndex patch, const radar::ObstacleMap& map);
 
+/// What stands on a patch, [column, row] of its level 0, north up. Throws Error when the file is missing or not as it
+/// should be.
+[[nodiscard]] Array2D<radar::Obstacle> read_obstacles(const Store& atlas, PatchIndex patch);
+
+/// Throws Error when there is none.
+[[nodiscard]] Store open_ground_store(const Store& atlas);
+
 /// Throws Error when a part is missing or not as it should be.
 [[nodiscard]] GroundLayers load_ground_layers(const Store& atlas, const LoadOptions& options);
 

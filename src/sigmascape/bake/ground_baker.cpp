@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sigmascape/atlas/ground_layers.h"
+#include "sigmascape/atlas/pyramid.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/scene/obstacle_raster.h"
 #include "sigmascape/trace/path_tracer.h"
@@ -83,6 +84,7 @@ void bake_ground(const scene::Scene& scene, const atlas::Store& store) {
                    {.seed = 0, .samples_per_texel = 0, .relative_standard_error = 0.0, .simd = "none", .counts = {}});
     }
   }
+  atlas::Pyramid(ground).make_above(ground.units());
 }
 
 }  // namespace sigmascape::bake

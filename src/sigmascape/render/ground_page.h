@@ -9,13 +9,24 @@
 #include "sigmascape/atlas/half.h"
 #include "sigmascape/atlas/tile_reader.h"
 #include "sigmascape/radar/channels.h"
+#include "sigmascape/terrain/terrain_view.h"
 
 namespace sigmascape::render {
 
 /// Which piece of ground, how finely, and between which looks.
+///
+/// Where the atlas keeps the ground apart (atlas::GroundLayers), the ground has pages of its own. They hold so many
+/// elevations of it, one after the other, which stand in `aspects.elevation` as the number of the page.
 struct PageKey {
+  static constexpr std::uint32_t of_bare_ground = 0xffffffffU;  ///< instead of a cell of azimuth
+
   atlas::TileAddress tile;
   atlas::AspectCell aspects;
+
+  [[nodiscard]] static constexpr PageKey bare_ground(const atlas::TileAddress& tile, std::uint32_t number) {
+    return {tile, {of_bare_ground, number}};
+  }
+  [[nodiscard]] constexpr bool is_bare_ground() const { return aspects.azimuth == of_bare_ground; }
 
   friend constexpr bool operator==(const PageKey&, const PageKey&) = default;
   friend constexpr auto operator<=>(const PageKey&, const PageKey&) = default;
@@ -25,12 +36,17 @@ struct PageKey {
 /// a row of texels is read from one end to the other.
 struct GroundPage {
   PageKey key;
-  std::size_t looks = 0;                                      ///< 4 or 8, see atlas::AspectCells::looks_of
+  /// 4 or 8, see atlas::AspectCells::looks_of. Of bare ground [elevation][frequency].
+  std::size_t looks = 0;
   std::vector<atlas::Half> planes;                            ///< [row][look][channel][column], north up
   std::array<float, atlas::AspectCells::most_looks> scale{};  ///< σ0 of a stored 1, a look
   std::vector<float> height_m;                                ///< [row][column], of the texel's centre, orthometric
-  mutable std::atomic<std::uint64_t> last_wanted{0};          ///< number of the frame that last read it
+  // Of bare ground alone:
+  std::vector<terrain::PackedSlope> slope;            ///< [row][column]
+  std::vector<float> top_m;                           ///< [row][column], of what stands there, above the ground
+  mutable std::atomic<std::uint64_t> last_wanted{0};  ///< number of the frame that last read it
 
+  static constexpr std::size_t elevations = 4;  ///< of a page of bare ground
   static constexpr std::size_t channels = radar::Channels::count;
 
   [[nodiscard]] const atlas::Half* row_planes(std::size_t row) const {
@@ -38,7 +54,8 @@ struct GroundPage {
   }
   [[nodiscard]] const float* row_heights(std::size_t row) const { return height_m.data() + row * atlas::tile_side; }
   [[nodiscard]] std::size_t bytes() const {
-    return planes.capacity() * sizeof(atlas::Half) + height_m.capacity() * sizeof(float) + sizeof(*this);
+    return planes.capacity() * sizeof(atlas::Half) + (height_m.capacity() + top_m.capacity()) * sizeof(float) +
+           slope.capacity() * sizeof(terrain::PackedSlope) + sizeof(*this);
   }
 };
 

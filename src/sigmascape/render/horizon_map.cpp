@@ -1,41 +1,221 @@
 #include "sigmascape/render/horizon_map.h"
 
 #include <algorithm>
-#include <limits>
+#include <array>
+#include <cmath>
 
+#include "sigmascape/base/vector_targets.h"
 #include "sigmascape/radar/look.h"
+#include "sigmascape/render/crown_depth.h"
 
 namespace sigmascape::render {
+namespace {
 
-HorizonMap::HorizonMap(const HorizonGrid& grid) {
-  reset(grid);
+/// Steps that are looked up together.
+constexpr std::size_t together = 256;
+constexpr float no_ground = -1e30F;
+
+/// Some steps along a direction, on the lattice of the terrain and on that of obstacles.
+struct Steps {
+  std::size_t count = 0;
+  float first_m = 0.0F, step_m = 1.0F;
+  float first_column = 0.0F, first_row = 0.0F, columns_a_step = 0.0F, rows_a_step = 0.0F;
+  alignas(64) std::array<float, together> distance_m, slope;
+  alignas(64) std::array<std::int32_t, together> square;  // of the obstacles; −1 outside
+};
+
+float lesser(float a, float b) {
+  return a < b ? a : b;
+}
+float greater(float a, float b) {
+  return a > b ? a : b;
 }
 
-void HorizonMap::reset(const HorizonGrid& grid) {
-  grid_ = grid;
-  if (slopes_.size() < grid.azimuths * grid.distances) slopes_.resize(grid.azimuths * grid.distances);
+/// Slopes of the lines of sight to the bilinear ground under the steps.
+SIGMASCAPE_VECTOR_TARGETS
+void look_up_ground(Steps& steps, const float* height_m, std::int32_t columns, std::int32_t rows, float radar_height_m,
+                    float drop_per_square_m) {
+  const float last_column = static_cast<float>(columns - 1), last_row = static_cast<float>(rows - 1);
+  for (std::size_t i = 0; i < steps.count; ++i) {
+    const auto k = static_cast<float>(static_cast<std::int32_t>(i));
+    const float distance = steps.first_m + k * steps.step_m;
+    const float across = steps.first_column + k * steps.columns_a_step;
+    const float down = steps.first_row + k * steps.rows_a_step;
+    const float x = lesser(greater(across, 0.0F), last_column), y = lesser(greater(down, 0.0F), last_row);
+    const auto left = static_cast<std::int32_t>(lesser(x, last_column - 1.0F));
+    const auto upper = static_cast<std::int32_t>(lesser(y, last_row - 1.0F));
+    const float u = x - static_cast<float>(left), v = y - static_cast<float>(upper);
+    const std::int32_t index = upper * columns + left;
+    const float north = height_m[index] + u * (height_m[index + 1] - height_m[index]);
+    const float south = height_m[index + columns] + u * (height_m[index + columns + 1] - height_m[index + columns]);
+    const float height = north + v * (south - north);
+    const float slope = (height - radar_height_m) / distance - drop_per_square_m * distance;
+    // A hair's breadth outside is inside: rounding must not tear the edge.
+    const bool inside =
+        (across >= -1e-3F) & (down >= -1e-3F) & (across <= last_column + 1e-3F) & (down <= last_row + 1e-3F);
+    steps.distance_m[i] = distance;
+    steps.slope[i] = inside ? slope : no_ground;
+  }
 }
 
-void HorizonMap::sweep(std::size_t azimuth, Vec3d radar, const terrain::HeightField& ground) {
-  const Vec2d direction =
-      radar::horizontal_direction(grid_.first_azimuth_rad + static_cast<double>(azimuth) * grid_.azimuth_step_rad);
-  const radar::Rectangle extent = ground.extent();
-  const auto slope_at = [&](double distance) {
-    const Vec2d point = Vec2d{radar.x, radar.y} + direction * distance;
-    if (!extent.contains(point)) return -std::numeric_limits<double>::infinity();
-    const double height = ground.height_at(point) - grid_.drop_per_square_m * distance * distance;
-    return (height - radar.z) / distance;
+/// The squares of obstacles that the steps fall into.
+SIGMASCAPE_VECTOR_TARGETS
+void look_up_squares(Steps& steps, float first_column, float first_row, float columns_a_step, float rows_a_step,
+                     std::int32_t columns, std::int32_t rows) {
+  const auto width = static_cast<float>(columns), height = static_cast<float>(rows);
+  for (std::size_t i = 0; i < steps.count; ++i) {
+    const auto k = static_cast<float>(static_cast<std::int32_t>(i));
+    const float across = first_column + k * columns_a_step, down = first_row + k * rows_a_step;
+    const bool inside = (across >= 0.0F) & (down >= 0.0F) & (across < width) & (down < height);
+    const auto column = static_cast<std::int32_t>(lesser(greater(across, 0.0F), width - 1.0F));
+    const auto row = static_cast<std::int32_t>(lesser(greater(down, 0.0F), height - 1.0F));
+    steps.square[i] = inside ? row * columns + column : -1;
+  }
+}
+
+/// No ground nearer than this can hide what lies at `near_m` or beyond: up to there lines of sight run above
+/// everything.
+double clear_until_m(double radar_height_m, double lowest_m, double highest_m, double near_m, double far_m,
+                     double drop_per_square_m) {
+  const auto clear_of = [&](double distance_m) {
+    // A chord runs below the ground's level by no more than its sagitta.
+    const double margin_m = radar_height_m - highest_m - 0.25 * drop_per_square_m * distance_m * distance_m;
+    return margin_m <= 0.0 ? 0.0 : distance_m * margin_m / (radar_height_m - lowest_m);
   };
-  double steepest = -std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < grid_.before_near; ++k) {
-    const double part = (static_cast<double>(k) + 0.5) / static_cast<double>(grid_.before_near);
-    steepest = std::max(steepest, slope_at(part * grid_.near_m));
+  return std::min(clear_of(near_m), clear_of(far_m));
+}
+
+}  // namespace
+
+/// One direction, from the first thing that can hide anything to the last node.
+class HorizonMap::Walk {
+ public:
+  Walk(const HorizonGrid& grid, std::size_t azimuth, Vec3d radar, const Occluders& occluders)
+      : grid_(grid),
+        radar_(radar),
+        occluders_(occluders),
+        direction_(radar::horizontal_direction(grid.first_azimuth_rad +
+                                               static_cast<double>(azimuth) * grid.azimuth_step_rad)) {}
+
+  /// Calls `step(distance, slope, square)` outwards for `count` steps.
+  template <typename Step>
+  void over(double first_m, double step_m, std::size_t count, Step step) {
+    const terrain::TerrainView& ground = occluders_.terrain;
+    const ObstacleLevel* const obstacles = occluders_.obstacles;
+    for (std::size_t first = 0; first < count; first += together) {
+      steps_.count = std::min(together, count - first);
+      const double distance_m = first_m + static_cast<double>(first) * step_m;
+      const Vec2d from = Vec2d{radar_.x, radar_.y} + direction_ * distance_m;
+      steps_.first_m = static_cast<float>(distance_m);
+      steps_.step_m = static_cast<float>(step_m);
+      steps_.first_column = static_cast<float>((from.x - ground.west_m) / ground.spacing_m);
+      steps_.first_row = static_cast<float>((ground.north_m - from.y) / ground.spacing_m);
+      steps_.columns_a_step = static_cast<float>(direction_.x * step_m / ground.spacing_m);
+      steps_.rows_a_step = static_cast<float>(-direction_.y * step_m / ground.spacing_m);
+      look_up_ground(steps_, ground.height_m.data(), static_cast<std::int32_t>(ground.columns),
+                     static_cast<std::int32_t>(ground.rows), static_cast<float>(radar_.z),
+                     static_cast<float>(grid_.drop_per_square_m));
+      if (obstacles != nullptr) {
+        const Vec2d cell = obstacles->grid.cells_from(from);
+        const double cells_a_step = step_m / obstacles->grid.cell_m;
+        look_up_squares(
+            steps_, static_cast<float>(cell.x), static_cast<float>(cell.y),
+            static_cast<float>(direction_.x * cells_a_step), static_cast<float>(-direction_.y * cells_a_step),
+            static_cast<std::int32_t>(obstacles->grid.columns), static_cast<std::int32_t>(obstacles->grid.rows));
+      }
+      for (std::size_t i = 0; i < steps_.count; ++i) step(first + i, i);
+    }
   }
+
+  [[nodiscard]] const Steps& steps() const { return steps_; }
+
+ private:
+  const HorizonGrid& grid_;
+  Vec3d radar_;
+  const Occluders& occluders_;
+  Vec2d direction_;
+  Steps steps_;
+};
+
+HorizonMap::HorizonMap(const HorizonGrid& grid, unsigned workers) : depths_(workers) {
+  reset(grid, false);
+}
+
+void HorizonMap::reset(const HorizonGrid& grid, bool with_obstacles) {
+  grid_ = grid;
+  with_obstacles_ = with_obstacles;
+  const std::size_t nodes = grid.azimuths * grid.distances;
+  if (slopes_.size() < nodes) slopes_.resize(nodes);
+  if (!with_obstacles) return;
+  if (solid_slopes_.size() < nodes) solid_slopes_.resize(nodes);
+  if (through_.size() < nodes) through_.resize(nodes);
+  for (auto& depths : depths_) depths.resize(std::max<std::size_t>(depths.size(), 2 * grid.distances));
+}
+
+void HorizonMap::sweep(std::size_t azimuth, Vec3d radar, const Occluders& occluders, unsigned worker) {
+  const terrain::TerrainView& ground = occluders.terrain;
+  const double far_m = grid_.near_m + static_cast<double>(grid_.distances) * grid_.step_m;
+  const double lowest_m = static_cast<double>(ground.lowest_m), highest_m = static_cast<double>(ground.highest_m);
+  const double clear_m = clear_until_m(radar.z, lowest_m, highest_m + static_cast<double>(occluders.tallest_m),
+                                       grid_.near_m, far_m, grid_.drop_per_square_m);
+  const double lead_step_m = std::max((grid_.near_m - clear_m) / static_cast<double>(grid_.before_near), grid_.step_m);
+  const auto lead = static_cast<std::size_t>((grid_.near_m - clear_m) / lead_step_m);
+  const double lead_from_m = grid_.near_m - (static_cast<double>(lead) - 0.5) * lead_step_m;
+
+  Walk walk(grid_, azimuth, radar, occluders);
+  const Steps& steps = walk.steps();
   float* const slopes = slopes_.data() + azimuth * grid_.distances;
-  for (std::size_t k = 0; k < grid_.distances; ++k) {
-    steepest = std::max(steepest, slope_at(grid_.near_m + static_cast<double>(k) * grid_.step_m));
-    slopes[k] = static_cast<float>(steepest);
+  float steepest = no_ground;
+  if (occluders.obstacles == nullptr || !with_obstacles_) {
+    walk.over(lead_from_m, lead_step_m, lead,
+              [&](std::size_t, std::size_t i) { steepest = greater(steepest, steps.slope[i]); });
+    walk.over(grid_.near_m, grid_.step_m, grid_.distances, [&](std::size_t k, std::size_t i) {
+      steepest = greater(steepest, steps.slope[i]);
+      slopes[k] = steepest;
+    });
+    return;
   }
+
+  const ObstacleLevel& obstacles = *occluders.obstacles;
+  float* const solid_slopes = solid_slopes_.data() + azimuth * grid_.distances;
+  float* const through = through_.data() + azimuth * grid_.distances;
+  float solid = no_ground;
+  const double nearest_m = std::max(std::min(lead_from_m, grid_.near_m), 1.0);
+  const double over_highest_m = highest_m - radar.z;
+  CrownDepth crowns(std::span(depths_[worker]).first(2 * grid_.distances),
+                    {.lowest_slope = (lowest_m - radar.z) / nearest_m - grid_.drop_per_square_m * far_m,
+                     .highest_slope = over_highest_m / (over_highest_m > 0.0 ? nearest_m : far_m)});
+  const auto pass = [&](std::size_t i, double step_m) {
+    const float slope = steps.slope[i];
+    steepest = greater(steepest, slope);
+    if (steps.square[i] < 0 || slope == no_ground) return;
+    const PackedObstacle packed = obstacles.of[static_cast<std::size_t>(steps.square[i])];
+    if (packed.solid_top == 0 && packed.crown_top == 0) return;
+    const radar::Obstacle obstacle = packed.unpacked();
+    const float per_distance = 1.0F / steps.distance_m[i];
+    if (packed.solid_top > 0) solid = greater(solid, slope + obstacle.solid_top_m * per_distance);
+    const float top = slope + obstacle.crown_top_m * per_distance;
+    if (packed.crown_top == 0 || top <= steepest) return;
+    const float way_m = static_cast<float>(step_m) * std::sqrt(1.0F + slope * slope);
+    crowns.add(slope + obstacle.crown_base_m * per_distance, top, obstacle.crown_extinction_per_m * way_m);
+  };
+  walk.over(lead_from_m, lead_step_m, lead, [&](std::size_t, std::size_t i) { pass(i, lead_step_m); });
+
+  // Steps no wider than the squares that obstacles stand on: what is narrower than a node must not slip through.
+  const auto strides = static_cast<std::size_t>(std::max(std::ceil(grid_.step_m / obstacles.grid.cell_m), 1.0));
+  const double stride_m = grid_.step_m / static_cast<double>(strides);
+  float transmission = 1.0F;
+  const double first_m = grid_.near_m - static_cast<double>(strides - 1) * stride_m;
+  walk.over(first_m, stride_m, grid_.distances * strides, [&](std::size_t step, std::size_t i) {
+    pass(i, stride_m);
+    if (step % strides != strides - 1) return;
+    const std::size_t k = step / strides;
+    // Ground behind a ridge is not seen whatever stands in between.
+    if (steps.slope[i] >= steepest) transmission = crowns.transmission_at(steepest);
+    slopes[k] = steepest;
+    solid_slopes[k] = solid;
+    through[k] = transmission;
+  });
 }
 
 }  // namespace sigmascape::render

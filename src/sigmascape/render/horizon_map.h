@@ -4,7 +4,8 @@
 #include <vector>
 
 #include "sigmascape/base/vec.h"
-#include "sigmascape/terrain/height_field.h"
+#include "sigmascape/render/obstacle_levels.h"
+#include "sigmascape/terrain/terrain_view.h"
 
 namespace sigmascape::render {
 
@@ -16,30 +17,52 @@ struct HorizonGrid {
   double near_m = 0.0;
   double step_m = 1.0;
   std::size_t distances = 0;
-  /// Nodes between the radar and `near_m`: what stands there hides the ground beyond, though it is not mapped.
+  /// Most steps between the radar and `near_m`: what stands there hides the ground beyond, though it is not mapped.
   std::size_t before_near = 256;
   double drop_per_square_m = 0.0;  ///< 1/(2 k R), see radar/propagation.h
+
+  friend bool operator==(const HorizonGrid&, const HorizonGrid&) = default;
+};
+
+/// What hides ground.
+struct Occluders {
+  terrain::TerrainView terrain;
+  const ObstacleLevel* obstacles = nullptr;  ///< null where none stand apart from the textures
+  float tallest_m = 0.0F;                    ///< of the obstacles
 };
 
 /// The steepest line of sight to the ground met so far, for every direction and distance: what a point must rise above
-/// to be seen.
+/// to be seen. Where obstacles stand on the ground, the steepest to solid tops besides, and what part of the ground's
+/// echo comes through crowns: walked once for every node, and then good for any number of texels about it.
 class HorizonMap {
  public:
-  explicit HorizonMap(const HorizonGrid& grid);
+  explicit HorizonMap(const HorizonGrid& grid, unsigned workers = 1);
 
   /// Keeps its memory as long as the new grid needs no more of it.
-  void reset(const HorizonGrid& grid);
+  void reset(const HorizonGrid& grid, bool with_obstacles);
   [[nodiscard]] const HorizonGrid& grid() const { return grid_; }
 
-  /// Sweeps outwards along one direction. Directions may be swept by different threads.
-  void sweep(std::size_t azimuth, Vec3d radar, const terrain::HeightField& ground);
+  /// Sweeps outwards along one direction. Directions may be swept by different threads, each with a number of its own.
+  void sweep(std::size_t azimuth, Vec3d radar, const Occluders& occluders, unsigned worker = 0);
 
   /// Slopes (rise over distance) along one direction: of the steepest line of sight to all ground up to each node.
   [[nodiscard]] const float* slopes(std::size_t azimuth) const { return slopes_.data() + azimuth * grid_.distances; }
+  /// The same for the tops of solid obstacles; null without obstacles.
+  [[nodiscard]] const float* solid_slopes(std::size_t azimuth) const { return row_of(solid_slopes_, azimuth); }
+  /// What comes through crowns from the ground of each node, 0 to 1; null without obstacles.
+  [[nodiscard]] const float* through(std::size_t azimuth) const { return row_of(through_, azimuth); }
 
  private:
+  class Walk;
+
+  [[nodiscard]] const float* row_of(const std::vector<float>& of, std::size_t azimuth) const {
+    return with_obstacles_ ? of.data() + azimuth * grid_.distances : nullptr;
+  }
+
   HorizonGrid grid_;
-  std::vector<float> slopes_;  // [azimuth][distance]
+  bool with_obstacles_ = false;
+  std::vector<float> slopes_, solid_slopes_, through_;  // [azimuth][distance]
+  std::vector<std::vector<float>> depths_;              // one a worker, see CrownDepth
 };
 
 }  // namespace sigmascape::render

@@ -14,12 +14,18 @@ using atlas::Half;
 constexpr std::size_t most = LatticeRow::most;
 constexpr std::size_t plane = atlas::tile_side;
 
-/// A finite half, subnormal ones included: its bits at the place of a float's, and the difference of the exponents'
-/// offsets put right by one multiplication.
-float number_of(Half half) {
-  const std::uint32_t bits = ((half & 0x7fffU) << 13U) | ((half & 0x8000U) << 16U);
-  return std::bit_cast<float>(bits) * 0x1p112F;
+/// A finite half, subnormal ones included, times 2⁻¹¹²: its bits at the place of a float's.
+float tiny_number_of(Half half) {
+  return std::bit_cast<float>(((half & 0x7fffU) << 13U) | ((half & 0x8000U) << 16U));
 }
+/// The same for one that is not negative.
+float tiny_power_of(Half half) {
+  return std::bit_cast<float>(static_cast<std::uint32_t>(half) << 13U);
+}
+
+// What puts the difference of the exponents' offsets right, in two parts: one goes into the weights, so that products
+// stay clear of the smallest floats, and one into the sum.
+constexpr float into_weights = 0x1p40F, into_sum = 0x1p72F;
 
 /// arctan for |u| ≤ 1, by half the angle and the power series; error below 1e-7.
 float small_arc(float u) {
@@ -68,15 +74,55 @@ void corner_weights(const LatticeRow& row, std::size_t first, std::size_t count,
   }
 }
 
+/// The four numbers that texels return, to be added to.
+struct Returned {
+  float* vv;
+  float* hh;
+  float* hv;
+  float* re;
+};
+
+/// Adds one look. Powers are never negative; Re VV·HH* may be.
 SIGMASCAPE_VECTOR_TARGETS
-void add_look(const Half* __restrict planes, const Weights& weights, std::size_t count, float* __restrict vv,
-              float* __restrict hh, float* __restrict hv, float* __restrict re) {
+void add_look(const Half* __restrict planes, const Weights& weights, std::size_t count, const Returned& to) {
   const float* __restrict weight = weights.of.data();
+  float* __restrict vv = to.vv;
+  float* __restrict hh = to.hh;
+  float* __restrict hv = to.hv;
+  float* __restrict re = to.re;
   for (std::size_t i = 0; i < count; ++i) {
-    vv[i] += weight[i] * number_of(planes[i]);
-    hh[i] += weight[i] * number_of(planes[plane + i]);
-    hv[i] += weight[i] * number_of(planes[2 * plane + i]);
-    re[i] += weight[i] * number_of(planes[3 * plane + i]);
+    vv[i] += weight[i] * tiny_power_of(planes[i]) * into_sum;
+    hh[i] += weight[i] * tiny_power_of(planes[plane + i]) * into_sum;
+    hv[i] += weight[i] * tiny_power_of(planes[2 * plane + i]) * into_sum;
+    re[i] += weight[i] * tiny_number_of(planes[3 * plane + i]) * into_sum;
+  }
+}
+
+/// Adds four looks that lie one after the other.
+SIGMASCAPE_VECTOR_TARGETS
+void add_four_looks(const Half* __restrict planes, const std::array<Weights, 4>& weights, std::size_t count,
+                    const Returned& to) {
+  constexpr std::size_t look = GroundPage::channels * plane;
+  const float* __restrict a = weights[0].of.data();
+  const float* __restrict b = weights[1].of.data();
+  const float* __restrict c = weights[2].of.data();
+  const float* __restrict d = weights[3].of.data();
+  float* const powers[3] = {to.vv, to.hh, to.hv};
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    float* __restrict power = powers[channel];
+    const Half* __restrict from = planes + channel * plane;
+    for (std::size_t i = 0; i < count; ++i) {
+      power[i] += ((a[i] * tiny_power_of(from[i]) + b[i] * tiny_power_of(from[look + i])) +
+                   (c[i] * tiny_power_of(from[2 * look + i]) + d[i] * tiny_power_of(from[3 * look + i]))) *
+                  into_sum;
+    }
+  }
+  float* __restrict re = to.re;
+  const Half* __restrict from = planes + 3 * plane;
+  for (std::size_t i = 0; i < count; ++i) {
+    re[i] += ((a[i] * tiny_number_of(from[i]) + b[i] * tiny_number_of(from[look + i])) +
+              (c[i] * tiny_number_of(from[2 * look + i]) + d[i] * tiny_number_of(from[3 * look + i]))) *
+             into_sum;
   }
 }
 
@@ -115,13 +161,14 @@ template <typename Numbers>
 inline void share(const SectorBins& sector, const BinShares& shares, std::size_t i, const Numbers& numbers) {
   constexpr std::size_t count = sizeof(Numbers) / sizeof(float);
   const std::int32_t beam = shares.beam[i], range = shares.range[i];
-  const auto beams = static_cast<std::int32_t>(sector.beams), ranges = static_cast<std::int32_t>(sector.ranges);
+  const auto first_beam = static_cast<std::int32_t>(sector.first_beam);
+  const auto beams = static_cast<std::int32_t>(sector.end_beam), ranges = static_cast<std::int32_t>(sector.ranges);
   const auto bin = [&](std::int32_t b, std::int32_t r) {
     return reinterpret_cast<Numbers*>(sector.bins +
                                       static_cast<std::ptrdiff_t>(b * ranges + r) * static_cast<std::ptrdiff_t>(count));
   };
   const Numbers here = numbers * shares.beam_here[i], next = numbers * shares.beam_next[i];
-  if (beam >= 0 && beam + 1 < beams && range >= 0 && range + 1 < ranges) {
+  if (beam >= first_beam && beam + 1 < beams && range >= 0 && range + 1 < ranges) {
     Numbers* const first = bin(beam, range);
     Numbers* const second = bin(beam + 1, range);
     first[0] += here * shares.range_here[i];
@@ -131,7 +178,7 @@ inline void share(const SectorBins& sector, const BinShares& shares, std::size_t
     return;
   }
   const auto add_within = [&](std::int32_t b, std::int32_t r, const Numbers& part) {
-    if (b >= 0 && b < beams && r >= 0 && r < ranges) *bin(b, r) += part;
+    if (b >= first_beam && b < beams && r >= 0 && r < ranges) *bin(b, r) += part;
   };
   add_within(beam, range, here * shares.range_here[i]);
   add_within(beam, range + 1, here * shares.range_next[i]);
@@ -186,15 +233,65 @@ void find_angles(LatticeRow& row, const RowGeometry& geometry) {
 
 }  // namespace
 
+namespace {
+
+constexpr std::size_t last_column = atlas::tile_side - 1;
+
+void stand_one_on(LatticeRow& row, const PageHeights& heights, std::size_t i, float per_rows) {
+  const std::size_t column = (heights.first_column + i) >> heights.levels_up;
+  const std::size_t left = std::max<std::size_t>(column, 1) - 1, right = std::min(column + 1, last_column);
+  const float rise_east = (heights.row[right] - heights.row[left]) / static_cast<float>(right - left);
+  const float rise_north = (heights.north_row[column] - heights.south_row[column]) * per_rows;
+  const double middle_m = heights.west_m + (static_cast<double>(column) + 0.5) * heights.texel_m;
+  const auto east = static_cast<float>((row.east_m[i] - middle_m) / heights.texel_m);
+  const auto north = static_cast<float>((row.north_m[i] - heights.north_m) / heights.texel_m);
+  row.height_m[i] = heights.row[column] + rise_east * east + rise_north * north;
+}
+
+/// Texels whose page is their own and that have neighbours on both sides.
+SIGMASCAPE_VECTOR_TARGETS
+void stand_many_on(LatticeRow& row, const PageHeights& heights, std::size_t first, std::size_t end, float per_rows) {
+  const float* const here = heights.row + heights.first_column;
+  const float* const north_of = heights.north_row + heights.first_column;
+  const float* const south_of = heights.south_row + heights.first_column;
+  const double per_texel = 1.0 / heights.texel_m;
+  const double west = heights.west_m * per_texel + static_cast<double>(heights.first_column) + 0.5;
+  const double north_m = heights.north_m * per_texel;
+  for (std::size_t i = first; i < end; ++i) {
+    const double middle = west + static_cast<double>(static_cast<std::int32_t>(i));
+    const auto east = static_cast<float>(row.east_m[i] * per_texel - middle);
+    const auto north = static_cast<float>(row.north_m[i] * per_texel - north_m);
+    row.height_m[i] =
+        here[i] + (here[i + 1] - here[i - 1]) * 0.5F * east + (north_of[i] - south_of[i]) * per_rows * north;
+  }
+}
+
+}  // namespace
+
+void stand_on(LatticeRow& row, const PageHeights& heights) {
+  const float per_rows = heights.north_row != heights.row && heights.south_row != heights.row ? 0.5F : 1.0F;
+  const bool many = heights.levels_up == 0 && row.count > 2;
+  if (!many) {
+    for (std::size_t i = 0; i < row.count; ++i) stand_one_on(row, heights, i, per_rows);
+    return;
+  }
+  stand_one_on(row, heights, 0, per_rows);
+  stand_many_on(row, heights, 1, row.count - 1, per_rows);
+  stand_one_on(row, heights, row.count - 1, per_rows);
+}
+
 void locate(LatticeRow& row, const RowGeometry& geometry) {
   find_ranges(row, geometry);
   find_angles(row, geometry);
 }
 
+namespace {
+/// Single precision leaves this much doubt in a slope; level ground must not hide itself.
+constexpr float doubt = 1e-6F;
+}  // namespace
+
 SIGMASCAPE_VECTOR_TARGETS
 std::size_t light(LatticeRow& row, const Horizon& horizon) {
-  // Single precision leaves this much doubt in a slope; level ground must not hide itself.
-  constexpr float doubt = 1e-6F;
   const float* const slopes = horizon.slopes;
   const auto distances = static_cast<std::int32_t>(horizon.distances);
   const auto last_left = static_cast<float>(horizon.azimuths) - 2.0F, last_node = static_cast<float>(distances - 1);
@@ -210,10 +307,98 @@ std::size_t light(LatticeRow& row, const Horizon& horizon) {
     const std::int32_t index = left * distances + node;
     const float steepest = (1.0F - part) * slopes[index] + part * slopes[index + distances];
     const float seen = row.slope[i] >= steepest - doubt ? 1.0F : 0.0F;
+    row.horizon[i] = steepest;
     row.lit[i] = seen;
   }
   for (std::size_t i = 0; i < count; ++i) lit += row.lit[i];
   return static_cast<std::size_t>(lit);
+}
+
+SIGMASCAPE_VECTOR_TARGETS
+void light_apart(LatticeRow& row, const Horizon& horizon) {
+  const float* const solid_slopes = horizon.solid_slopes;
+  const float* const through = horizon.through;
+  const auto distances = static_cast<std::int32_t>(horizon.distances);
+  const auto last_left = static_cast<float>(horizon.azimuths) - 2.0F, last_node = static_cast<float>(distances - 1);
+  const float first_beam = horizon.first_beam, near_m = horizon.near_m, per_step = horizon.per_step;
+  for (std::size_t i = 0; i < row.count; ++i) {
+    const float across = row.beam[i] + first_beam;
+    const auto left = static_cast<std::int32_t>(lesser(greater(across, 0.0F), last_left));
+    const float part = lesser(greater(across - static_cast<float>(left), 0.0F), 1.0F);
+    const auto node =
+        static_cast<std::int32_t>(lesser(greater((row.ground_m[i] - near_m) * per_step + 0.5F, 0.0F), last_node));
+    const std::int32_t index = left * distances + node;
+    // Obstacles are narrower than terrain: their shadows, not their slopes, are shared between azimuths.
+    const float slope = row.slope[i] + doubt;
+    const float on_left = slope >= solid_slopes[index] ? through[index] : 0.0F;
+    const float on_right = slope >= solid_slopes[index + distances] ? through[index + distances] : 0.0F;
+    row.ground_lit[i] = row.lit[i] * (on_left + part * (on_right - on_left));
+    const float hidden_m = (row.horizon[i] - row.slope[i]) * row.ground_m[i];
+    const float above = greater(1.0F - hidden_m / greater(row.top_m[i], 1e-3F), 0.0F);
+    row.lit[i] = row.lit[i] > 0.0F ? 1.0F : above;
+  }
+}
+
+SIGMASCAPE_VECTOR_TARGETS
+Extremes face(LatticeRow& row, const RowGeometry& geometry, float area_m2) {
+  const auto tilt = static_cast<float>(2.0 * geometry.drop_per_square_m);
+  constexpr float none = 1e30F;
+  for (std::size_t i = 0; i < row.count; ++i) {
+    const float east = row.slope_east[i], north = row.slope_north[i];
+    const auto x = static_cast<float>(row.east_m[i]), y = static_cast<float>(row.north_m[i]);
+    const float square = 1.0F + east * east + north * north;
+    // The horizontal at the texel is tilted away from the radar's by the angle between their verticals.
+    const float rise = row.below_m[i] - tilt * row.ground_m[i] * row.ground_m[i] + x * east + y * north;
+    const float stretch = std::sqrt(square);
+    const float sine = rise / (stretch * static_cast<float>(row.range_m[i]));
+    const bool faces = sine > 1e-6F;
+    const float held = lesser(greater(sine, 1e-6F), 1.0F);
+    row.local_sine[i] = held;
+    row.local_cotangent[i] = std::sqrt(1.0F - held * held) / held;
+    row.ground_area_m2[i] = faces ? area_m2 * stretch * row.ground_lit[i] : 0.0F;
+  }
+  Extremes found{none, -none};
+  for (std::size_t i = 0; i < row.count; ++i) {
+    const bool counts = row.ground_area_m2[i] > 0.0F;
+    found.least = lesser(found.least, counts ? row.local_cotangent[i] : none);
+    found.greatest = greater(found.greatest, counts ? row.local_cotangent[i] : -none);
+  }
+  return found;
+}
+
+namespace {
+
+SIGMASCAPE_VECTOR_TARGETS
+void ground_weights(const LatticeRow& row, const GroundLook& look, Weights& weights) {
+  const float gain = look.factor * into_weights / look.sine, highest_sine = look.highest_sine;
+  const float below = look.below, above = look.above;
+  // Without a neighbour the part is held at one.
+  const float per_below = below > look.own ? 1.0F / (below - look.own) : 0.0F;
+  const float per_above = look.own > above ? 1.0F / (look.own - above) : 0.0F;
+  const float held_below = below > look.own ? 0.0F : 1.0F, held_above = look.own > above ? 0.0F : 1.0F;
+  for (std::size_t i = 0; i < row.count; ++i) {
+    const float cotangent = row.local_cotangent[i];
+    const float from_below = held_below + (below - cotangent) * per_below;
+    const float from_above = held_above + (cotangent - above) * per_above;
+    const float part = greater(lesser(lesser(from_below, from_above), 1.0F), 0.0F);
+    weights.of[i] = gain * part * lesser(row.local_sine[i], highest_sine) * row.ground_area_m2[i];
+  }
+}
+
+}  // namespace
+
+void add_ground(LatticeRow& row, const GroundLook& look) {
+  Weights weights;
+  ground_weights(row, look, weights);
+  add_look(look.planes, weights, row.count,
+           {row.returned[0].data(), row.returned[1].data(), row.returned[2].data(), row.returned[3].data()});
+}
+
+SIGMASCAPE_VECTOR_TARGETS
+void join_lights(LatticeRow& row) {
+  for (std::size_t i = 0; i < row.count; ++i) {
+    row.lit[i] = row.lit[i] + row.ground_area_m2[i] > 0.0F ? 1.0F : 0.0F;
+  }
 }
 
 Extremes cotangent_extremes(const LatticeRow& row) {
@@ -226,14 +411,16 @@ Extremes cotangent_extremes(const LatticeRow& row) {
 }
 
 void blend(LatticeRow& row, std::size_t first, std::size_t count, const BlendOf& looks) {
-  Weights weights;
-  for (std::size_t look = 0; look < looks.looks; ++look) {
-    const std::size_t a = look % 2, e = look / 2 % 2, f = look / 4;
-    const float factor = looks.scale[look] * looks.frequency_part[f];
-    if (factor == 0.0F) continue;
-    corner_weights(row, first, count, looks, e, a, factor, weights);
-    add_look(looks.planes + look * GroundPage::channels * plane, weights, count, row.returned[0].data() + first,
-             row.returned[1].data() + first, row.returned[2].data() + first, row.returned[3].data() + first);
+  const Returned returned{row.returned[0].data() + first, row.returned[1].data() + first,
+                          row.returned[2].data() + first, row.returned[3].data() + first};
+  // Of each frequency four looks, [elevation][azimuth].
+  std::array<Weights, 4> weights;
+  for (std::size_t f = 0; f < looks.looks / 4; ++f) {
+    for (std::size_t corner = 0; corner < 4; ++corner) {
+      const float factor = looks.scale[4 * f + corner] * looks.frequency_part[f] * into_weights;
+      corner_weights(row, first, count, looks, corner / 2, corner % 2, factor, weights[corner]);
+    }
+    add_four_looks(looks.planes + 4 * f * GroundPage::channels * plane, weights, count, returned);
   }
 }
 

@@ -1,9 +1,11 @@
 #include "sigmascape/render/live_ground.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
 
+#include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/terrain/height_field_file.h"
 
 namespace sigmascape::render {
@@ -19,6 +21,41 @@ HeightSource heights_of(const terrain::HeightField& terrain) {
   };
 }
 
+ReliefSource relief_of(const terrain::HeightField& terrain, const ObstacleLevels& obstacles) {
+  return [&](const radar::GroundGrid& cells, std::span<terrain::PackedSlope> slope, std::span<float> top_m) {
+    const ObstacleLevel& level = obstacles.level_for(cells.cell_m);
+    const auto packed = [](double rise) {
+      const double steps = rise * static_cast<double>(terrain::PackedSlope::steps_per_unit);
+      return static_cast<std::int16_t>(std::lround(std::clamp(steps, -32767.0, 32767.0)));
+    };
+    for (std::size_t row = 0; row < cells.rows; ++row) {
+      for (std::size_t column = 0; column < cells.columns; ++column) {
+        const Vec2d point = cells.centre_of(column, row);
+        const Vec3d normal = terrain.normal_at(point);
+        slope[row * cells.columns + column] = {packed(-normal.x / normal.z), packed(-normal.y / normal.z)};
+        top_m[row * cells.columns + column] = level.at(point).unpacked().top_m();
+      }
+    }
+  };
+}
+
+ObstacleLevels obstacles_of(const atlas::Store& store, const CacheOptions& options) {
+  return atlas::keeps_ground_apart(store) ? ObstacleLevels(store, options.budget_bytes / 8) : ObstacleLevels();
+}
+
+CacheOptions less(CacheOptions options, std::size_t bytes) {
+  options.budget_bytes -= std::min(bytes, options.budget_bytes);
+  return options;
+}
+
+std::shared_ptr<const PageSource> source_of(const atlas::Store& store, const terrain::HeightField& terrain,
+                                            const ObstacleLevels& obstacles, double frequency_hz) {
+  if (obstacles.empty()) return std::make_shared<const PageSource>(store, heights_of(terrain), frequency_hz);
+  const atlas::Store ground = atlas::open_ground_store(store);
+  return std::make_shared<const PageSource>(store, heights_of(terrain), frequency_hz,
+                                            BareGround{ground, relief_of(terrain, obstacles)});
+}
+
 }  // namespace
 
 LiveGround::LiveGround(const atlas::Store& store, terrain::HeightField terrain, double frequency_hz,
@@ -27,7 +64,8 @@ LiveGround::LiveGround(const atlas::Store& store, terrain::HeightField terrain, 
       terrain_(std::move(terrain)),
       lowest_m_(terrain_.lowest_m()),
       highest_m_(terrain_.highest_m()),
-      pages_(std::make_shared<const PageSource>(store, heights_of(terrain_), frequency_hz), options) {
+      obstacles_(obstacles_of(store, options)),
+      pages_(source_of(store, terrain_, obstacles_, frequency_hz), less(options, obstacles_.bytes())) {
   atlas::check_frequency(store.description().aspects, frequency_hz);
   load_coarsest_level();
 }
@@ -35,8 +73,8 @@ LiveGround::LiveGround(const atlas::Store& store, terrain::HeightField terrain, 
 std::shared_ptr<LiveGround> LiveGround::open(const std::filesystem::path& atlas_folder, double frequency_hz,
                                              const CacheOptions& options) {
   const atlas::Store store = atlas::Store::open(atlas_folder);
-  return std::make_shared<LiveGround>(store, terrain::read_height_field(atlas_folder / atlas::terrain_name), frequency_hz,
-                                      options);
+  return std::make_shared<LiveGround>(store, terrain::read_height_field(atlas_folder / atlas::terrain_name),
+                                      frequency_hz, options);
 }
 
 void LiveGround::load_coarsest_level() {
@@ -52,6 +90,9 @@ void LiveGround::load_coarsest_level() {
         for (std::uint32_t elevation = 0; elevation < aspects().elevation_cells(); ++elevation) {
           all.push_back({{level, x, y}, {azimuth, elevation}});
         }
+      }
+      for (std::uint32_t page = 0; page < pages_.source().ground_pages(); ++page) {
+        all.push_back(PageKey::bare_ground({level, x, y}, page));
       }
     }
   }

@@ -14,8 +14,11 @@
 namespace sigmascape::render {
 namespace {
 
-/// Beams that one task fills; it works on their texels and on those of half a beam on either side.
-constexpr std::size_t beams_a_task = 16;
+/// Beams that are reckoned from one middle direction, and filled by one task unless a scan asks for fewer. Wide enough
+/// that rows of texels are read in long stretches, narrow enough to find an azimuth by a short series.
+std::size_t beams_together(double beam_step_rad) {
+  return static_cast<std::size_t>(std::clamp(0.75 / beam_step_rad, 1.0, 64.0));
+}
 
 /// Missing pages that one task remembers; the next frame will see the rest.
 constexpr std::size_t most_wanted = 4096;
@@ -87,28 +90,47 @@ class LiveRenderer::SectorTask {
   }
 
  private:
+  /// A row of the best page there is for a place: the page itself or, until that is there, one of its ancestors.
+  struct PageRow {
+    const GroundPage* page = nullptr;
+    std::size_t row = 0, first_column = 0;  ///< within the page; of the ancestor's texels the first is cut in halves
+    std::size_t levels_up = 0;
+
+    /// Column in the page of texel `i` of the stretch.
+    [[nodiscard]] std::size_t column_of(std::size_t i) const { return (first_column + i) >> levels_up; }
+  };
+
   void start(const Pose& pose, Beams beams, std::size_t level) {
     const LiveSettings& settings = renderer_.settings_;
     pose_ = &pose;
     level_ = level;
-    const double first_azimuth = pose.first_azimuth_rad + static_cast<double>(beams.first) * settings.beam_step_rad;
-    const double width = static_cast<double>(beams.count) * settings.beam_step_rad;
+    const double step = settings.beam_step_rad;
+    // Reckoned from the whole group of beams, so that a scan in pieces gives the bytes of a frame.
+    const std::size_t group = beams_together(step);
+    first_beam_ = beams.first / group * group;
+    const double first_azimuth = pose.first_azimuth_rad + static_cast<double>(first_beam_) * step;
+    const double middle = first_azimuth + static_cast<double>(group) * step / 2.0;
     const HorizonGrid& horizon = renderer_.horizon_.grid();
-    sector_ = Sector(first_azimuth - settings.beam_step_rad, width + 2.0 * settings.beam_step_rad, horizon.near_m,
+    // A scatterer is shared with bins half a beam away, and stands up to half a texel's diagonal from its middle.
+    const double texel_m = atlas::texel_side_m(renderer_.ground_->description().patches, level);
+    const double margin = std::min(0.5 * settings.beam_step_rad + 0.75 * texel_m / std::max(horizon.near_m, texel_m),
+                                   1.5 * settings.beam_step_rad);
+    sector_ = Sector(pose.first_azimuth_rad + static_cast<double>(beams.first) * step - margin,
+                     static_cast<double>(beams.count) * step + 2.0 * margin, horizon.near_m,
                      horizon.near_m + horizon.step_m * static_cast<double>(horizon.distances));
-    first_beam_ = beams.first;
-    const double middle = first_azimuth + width / 2.0;
     geometry_ = {.radar_height_m = pose.position.z,
                  .drop_per_square_m = horizon.drop_per_square_m,
                  .sin_middle = std::sin(middle),
                  .cos_middle = std::cos(middle),
-                 .middle_beam = static_cast<double>(beams.count) / 2.0,
+                 .middle_beam = static_cast<double>(group) / 2.0,
                  .beams_per_rad = 1.0 / settings.beam_step_rad,
                  .first_range_m = pose.first_range_m,
                  .ranges_per_m = 1.0 / settings.range_step_m};
     const std::size_t numbers = numbers_a_bin(settings.content);
-    bins_ = {renderer_.bins_.data() + beams.first * settings.ranges * numbers, beams.count, settings.ranges};
-    std::fill_n(bins_.bins, beams.count * settings.ranges * numbers, 0.0F);
+    bins_ = {renderer_.bins_.data() + first_beam_ * settings.ranges * numbers, beams.first - first_beam_,
+             beams.first - first_beam_ + beams.count, settings.ranges};
+    std::fill_n(bins_.bins + bins_.first_beam * settings.ranges * numbers, beams.count * settings.ranges * numbers,
+                0.0F);
     first_azimuth_rad_ = first_azimuth;
   }
 
@@ -136,18 +158,22 @@ class LiveRenderer::SectorTask {
     row_.count = count;
     report_.cells += count;
     place(tile, tile_row, first_column);
-    const PageRow ground = row_of({tile, aspects_near()}, tile_row, first_column);
+    const bool apart = ground_aspects() != nullptr;
+    const PageRow ground = row_of(
+        apart ? PageKey::bare_ground(tile, ground_page_near()) : PageKey{tile, aspects_near()}, tile_row, first_column);
     if (ground.page == nullptr) {
       report_.dark += count;
       return;
     }
-    const float* const heights = ground.page->row_heights(ground.row);
-    for (std::size_t i = 0; i < count; ++i) row_.height_m[i] = heights[ground.column_of(i)];
+    stand_on(row_, heights_of(ground));
     locate(row_, geometry_);
     light();
+    if (apart) light_apart_from(ground);
     for (auto& channel : row_.returned) std::fill_n(channel.begin(), count, 0.0F);
     blend_by_aspect(tile, tile_row, first_column);
-    weigh(row_, static_cast<float>(texel_m * texel_m));
+    const auto area_m2 = static_cast<float>(texel_m * texel_m);
+    weigh(row_, area_m2);
+    if (apart) add_bare_ground(tile, tile_row, first_column, area_m2);
     if (renderer_.settings_.content == FrameContent::Powers) {
       deposit_powers(row_, bins_);
     } else {
@@ -170,14 +196,89 @@ class LiveRenderer::SectorTask {
     }
   }
 
-  void light() {
+  [[nodiscard]] PageHeights heights_of(const PageRow& ground) const {
+    const GroundPage& page = *ground.page;
+    const radar::GroundGrid texels = atlas::texels_of(renderer_.ground_->description().patches, page.key.tile);
+    return {.row = page.row_heights(ground.row),
+            .north_row = page.row_heights(ground.row > 0 ? ground.row - 1 : 0),
+            .south_row = page.row_heights(std::min(ground.row + 1, atlas::tile_side - 1)),
+            .texel_m = texels.cell_m,
+            .west_m = texels.west_m - pose_->position.x,
+            .north_m = texels.centre_of(0, ground.row).y - pose_->position.y,
+            .first_column = ground.first_column,
+            .levels_up = ground.levels_up};
+  }
+
+  [[nodiscard]] Horizon horizon() const {
     const HorizonMap& horizon = renderer_.horizon_;
-    report_.lit += render::light(row_, {.slopes = horizon.slopes(0),
-                                        .azimuths = horizon.grid().azimuths,
-                                        .distances = horizon.grid().distances,
-                                        .first_beam = static_cast<float>(first_beam_),
-                                        .near_m = static_cast<float>(horizon.grid().near_m),
-                                        .per_step = static_cast<float>(1.0 / horizon.grid().step_m)});
+    return {.slopes = horizon.slopes(0),
+            .solid_slopes = horizon.solid_slopes(0),
+            .through = horizon.through(0),
+            .azimuths = horizon.grid().azimuths,
+            .distances = horizon.grid().distances,
+            .first_beam = static_cast<float>(first_beam_),
+            .near_m = static_cast<float>(horizon.grid().near_m),
+            .per_step = static_cast<float>(1.0 / horizon.grid().step_m)};
+  }
+
+  void light() { report_.lit += render::light(row_, horizon()); }
+
+  /// Tells what is seen of the ground from what is seen of the things on it.
+  void light_apart_from(const PageRow& ground) {
+    constexpr float per_step = 1.0F / terrain::PackedSlope::steps_per_unit;
+    const std::size_t row = ground.row * atlas::tile_side;
+    for (std::size_t i = 0; i < row_.count; ++i) {
+      const std::size_t texel = row + ground.column_of(i);
+      row_.slope_east[i] = static_cast<float>(ground.page->slope[texel].east) * per_step;
+      row_.slope_north[i] = static_cast<float>(ground.page->slope[texel].north) * per_step;
+      row_.top_m[i] = ground.page->top_m[texel];
+    }
+    light_apart(row_, horizon());
+  }
+
+  /// Adds the bare ground of the stretch: each texel by the elevations about its own local grazing angle.
+  void add_bare_ground(const atlas::TileAddress& tile, std::size_t tile_row, std::size_t first_column, float area_m2) {
+    const Extremes cotangent = face(row_, geometry_, area_m2);
+    if (cotangent.least <= cotangent.greatest) {
+      const atlas::AspectCells& elevations = *ground_aspects();
+      const auto& cotangents = elevations.cotangents();
+      const std::uint32_t first = elevations.elevation_cell(cotangent.greatest);
+      const std::uint32_t last = elevations.elevation_cell(cotangent.least) + (ground_elevations() > 1 ? 1U : 0U);
+      PageRow source;
+      for (std::uint32_t e = first; e <= last; ++e) {
+        const std::uint32_t number = e / GroundPage::elevations;
+        if (e == first || e % GroundPage::elevations == 0) {
+          source = row_of(PageKey::bare_ground(tile, number), tile_row, first_column);
+          if (source.page == nullptr) report_.dark += row_.count;
+          if (source.levels_up > 0) report_.coarse += row_.count;
+        }
+        if (source.page == nullptr) continue;
+        const std::size_t frequencies = source.page->looks / GroundPage::elevations;
+        const atlas::Half* const planes = planes_of(source, row_.count);
+        for (std::size_t f = 0; f < frequencies; ++f) {
+          const std::size_t look = e % GroundPage::elevations * frequencies + f;
+          add_ground(row_, {.planes = planes + look * GroundPage::channels * atlas::tile_side,
+                            .factor = source.page->scale[look] * elevations.frequency_part(f),
+                            .below = cotangents[e > 0 ? e - 1 : 0],
+                            .own = cotangents[e],
+                            .above = cotangents[std::min<std::size_t>(e + 1, ground_elevations() - 1)],
+                            .sine = elevations.sine(e),
+                            .highest_sine = elevations.sine(ground_elevations() - 1)});
+        }
+      }
+    }
+    join_lights(row_);
+  }
+
+  [[nodiscard]] const atlas::AspectCells* ground_aspects() const {
+    return renderer_.ground_->pages().source().ground_aspects();
+  }
+  [[nodiscard]] std::size_t ground_elevations() const { return ground_aspects()->elevation_count(); }
+  /// The page of bare ground that answers for level ground at a stretch's first texel, before it is located.
+  [[nodiscard]] std::uint32_t ground_page_near() const {
+    const double below = pose_->position.z - 0.5 * (renderer_.ground_->lowest_m() + renderer_.ground_->highest_m());
+    const auto cotangent = static_cast<float>(std::hypot(row_.east_m[0], row_.north_m[0]) / std::max(below, 1.0));
+    return ground_aspects()->elevation_cell(cotangent) / GroundPage::elevations;
   }
 
   [[nodiscard]] std::uint32_t azimuth_cell_at(float beam) const {
@@ -248,16 +349,6 @@ class LiveRenderer::SectorTask {
     }
   }
 
-  /// A row of the best page there is for a place: the page itself or, until that is there, one of its ancestors.
-  struct PageRow {
-    const GroundPage* page = nullptr;
-    std::size_t row = 0, first_column = 0;  ///< within the page; of the ancestor's texels the first is cut in halves
-    std::size_t levels_up = 0;
-
-    /// Column in the page of texel `i` of the stretch.
-    [[nodiscard]] std::size_t column_of(std::size_t i) const { return (first_column + i) >> levels_up; }
-  };
-
   PageRow row_of(const PageKey& key, std::size_t row, std::size_t column) {
     if (last_page_ != nullptr && last_page_->key == key) return {last_page_, row, column, 0};
     if (const GroundPage* page = view_.find(key)) {
@@ -325,7 +416,7 @@ LiveRenderer::LiveRenderer(std::shared_ptr<LiveGround> ground, const LiveSetting
       settings_(checked(settings)),
       lattice_({.seed = settings.seed, .cell_m = ground_->description().patches.texel_m, .levels = 1}),
       team_(settings.threads),
-      horizon_(HorizonGrid{}) {
+      horizon_(HorizonGrid{}, team_.size()) {
   bins_.resize(settings.beams * settings.ranges * numbers_a_bin(settings.content));
   for (unsigned worker = 0; worker < team_.size(); ++worker) tasks_.push_back(std::make_unique<SectorTask>(*this));
   wanted_.reserve(most_wanted * team_.size());
@@ -346,14 +437,17 @@ const Frame& LiveRenderer::scan(const Pose& pose, std::size_t first_beam, std::s
   // Tasks look half a beam beyond their own.
   const std::size_t first_edge = first_beam - std::min<std::size_t>(first_beam, 1);
   const std::size_t last_edge = std::min(last_beam + 1, settings_.beams);
-  team_.run(last_edge - first_edge + 1, [&](std::size_t index, unsigned) {
-    horizon_.sweep(first_edge + index, pose.position, ground_->terrain());
+  const Occluders occluders = occluders_for(horizon_.grid());
+  team_.run(last_edge - first_edge + 1, [&](std::size_t index, unsigned worker) {
+    horizon_.sweep(first_edge + index, pose.position, occluders, worker);
   });
   const std::size_t level = level_for(pose);
-  const std::size_t tasks = (last_beam - first_beam + beams_a_task - 1) / beams_a_task;
+  const std::size_t group = beams_together(settings_.beam_step_rad), first_group = first_beam / group;
+  const std::size_t tasks = last_beam > first_beam ? (last_beam - 1) / group + 1 - first_group : 0;
   team_.run(tasks, [&](std::size_t index, unsigned worker) {
-    const std::size_t first = first_beam + index * beams_a_task;
-    tasks_[worker]->fill(pose, {first, std::min(beams_a_task, last_beam - first)}, level);
+    const std::size_t first = std::max(first_beam, (first_group + index) * group);
+    const std::size_t end = std::min(last_beam, (first_group + index + 1) * group);
+    tasks_[worker]->fill(pose, {first, end - first}, level);
   });
 
   frame_.report = {.level = level};
@@ -384,7 +478,7 @@ void LiveRenderer::prepare(const Pose& pose) {
   grid.distances = 2 * settings_.ranges;
   grid.step_m = (far_m - near_m) / static_cast<double>(grid.distances);
   grid.drop_per_square_m = 1.0 / (2.0 * settings_.refraction * radar::earth_radius_m);
-  horizon_.reset(grid);
+  horizon_.reset(grid, !ground_->obstacles().empty());
 
   frame_.grid = {pose.first_range_m,     settings_.range_step_m,  settings_.ranges,
                  pose.first_azimuth_rad, settings_.beam_step_rad, settings_.beams};
@@ -393,6 +487,21 @@ void LiveRenderer::prepare(const Pose& pose) {
   } else {
     frame_.powers_m2 = bins_;
   }
+}
+
+Occluders LiveRenderer::occluders_for(const HorizonGrid& grid) const {
+  const ObstacleLevels& obstacles = ground_->obstacles();
+  const terrain::HeightField& field = ground_->terrain();
+  return {.terrain = {.west_m = field.west_m,
+                      .north_m = field.north_m,
+                      .spacing_m = field.spacing_m,
+                      .columns = field.height_m.columns(),
+                      .rows = field.height_m.rows(),
+                      .height_m = field.height_m.values(),
+                      .lowest_m = ground_->lowest_m(),
+                      .highest_m = ground_->highest_m()},
+          .obstacles = obstacles.empty() ? nullptr : &obstacles.level_for(grid.step_m),
+          .tallest_m = obstacles.tallest_m()};
 }
 
 std::size_t LiveRenderer::level_for(const Pose& pose) const {

@@ -79,6 +79,7 @@ class LiveRenderer {
 
   void prepare(const Pose& pose);
   [[nodiscard]] std::size_t level_for(const Pose& pose) const;
+  [[nodiscard]] Occluders occluders_for(const HorizonGrid& grid) const;
 
   std::shared_ptr<LiveGround> ground_;
   LiveSettings settings_;

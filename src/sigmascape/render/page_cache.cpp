@@ -24,11 +24,7 @@ bool holds(const std::vector<PageKey>& keys, const PageKey& key) {
 
 PageCache::PageCache(std::shared_ptr<const PageSource> source, const CacheOptions& options)
     : source_(std::move(source)), options_(options), entries_(std::make_shared<const Entries>()) {
-  GroundPage example;
-  example.planes.reserve(atlas::tile_side * atlas::tile_side * source_->aspects().looks_a_cell() *
-                         GroundPage::channels);
-  example.height_m.reserve(atlas::tile_side * atlas::tile_side);
-  page_bytes_ = example.bytes();
+  page_bytes_ = source_->most_bytes();
   if (most_pages() == 0) {
     throw Error("page cache", fmt::format("has a budget of {} bytes", options_.budget_bytes),
                 fmt::format("a page of ground takes {} bytes; give some tens of them", page_bytes_));

@@ -7,6 +7,8 @@
 
 #include "scratch_folder.h"
 
+#include "sigmascape/atlas/ground_layers.h"
+#include "sigmascape/atlas/pyramid.h"
 #include "sigmascape/atlas/store.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/look.h"
@@ -23,6 +25,10 @@ struct ExampleGround {
   std::function<double(Vec2d)> height_m = [](Vec2d) { return 0.0; };
   double terrain_spacing_m = 8.0;
   CacheOptions cache = {};
+  /// Set: the atlas keeps the ground apart; its textures hold objects alone, `bare_sigma0` is the ground's own σ0 and
+  /// what stands on it is what `obstacle` says of the way from the middle.
+  std::function<radar::Channels(const radar::Look&)> bare_sigma0 = nullptr;
+  std::function<radar::Obstacle(Vec2d)> obstacle = [](Vec2d) { return radar::Obstacle{}; };
 
   [[nodiscard]] double side_m() const { return 256.0 * texel_m * patches_a_side; }
   [[nodiscard]] Vec2d middle() const { return {side_m() / 2.0, side_m() / 2.0}; }
@@ -40,14 +46,38 @@ struct ExampleGround {
       description.aspects.elevations_rad.push_back(radians_from_deg(elevation));
     }
     description.aspects.frequencies_hz = {10e9};
+    if (bare_sigma0) description.settings[atlas::shadows_setting] = atlas::shadows_at_run_time;
     atlas::Store store = atlas::Store::create(folder, description);
+    write(store, sigma0);
+    if (bare_sigma0) write_ground(store);
+    return store;
+  }
+
+  static void write(const atlas::Store& store, const std::function<radar::Channels(const radar::Look&)>& sigma0) {
     for (const atlas::Unit& unit : store.units()) {
-      const radar::GroundGrid grid = description.patches.texels_of(unit.patch);
+      const radar::GroundGrid grid = store.description().patches.texels_of(unit.patch);
       Array2D<radar::Channels> texels(grid.columns, grid.rows);
-      std::ranges::fill(texels.values(), sigma0(description.aspects.look(unit.look)));
+      std::ranges::fill(texels.values(), sigma0(store.description().aspects.look(unit.look)));
       store.write(unit.patch, unit.look, texels, {});
     }
-    return store;
+  }
+
+  void write_ground(const atlas::Store& store) const {
+    std::vector<double> elevations;
+    for (const double degrees : {2.0, 5.0, 10.0, 20.0, 45.0, 88.0}) elevations.push_back(radians_from_deg(degrees));
+    const atlas::Store ground = atlas::create_ground_store(store, elevations);
+    write(ground, bare_sigma0);
+    atlas::Pyramid(ground).make_above(ground.units());
+    for (const atlas::PatchIndex& patch : store.description().patches.covering(store.description().extent)) {
+      radar::ObstacleMap map{store.description().patches.texels_of(patch), {}};
+      map.obstacles = Array2D<radar::Obstacle>(map.grid.columns, map.grid.rows);
+      for (std::size_t row = 0; row < map.grid.rows; ++row) {
+        for (std::size_t column = 0; column < map.grid.columns; ++column) {
+          map.obstacles(column, row) = obstacle(map.grid.centre_of(column, row) - middle());
+        }
+      }
+      atlas::write_obstacles(store, patch, map);
+    }
   }
 
   [[nodiscard]] terrain::HeightField terrain() const {
@@ -72,6 +102,15 @@ struct ExampleGround {
     return std::make_shared<LiveGround>(store, terrain(), 10e9, cache);
   }
 };
+
+/// A frame after all pages that it wants are there.
+inline const Frame& settled_frame(LiveRenderer& renderer, LiveGround& ground, const Pose& pose) {
+  renderer.render(pose);
+  ground.pages().wait_until_loaded();
+  renderer.render(pose);
+  ground.pages().wait_until_loaded();
+  return renderer.render(pose);
+}
 
 /// γ sin ψ in VV, a half of it in HH, a tenth in HV, VV and HH correlated by 0.6.
 inline radar::Channels constant_gamma(double gamma, const radar::Look& look) {

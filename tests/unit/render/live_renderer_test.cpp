@@ -19,12 +19,6 @@ ExampleGround level_ground() {
   return ground;
 }
 
-const Frame& settled_frame(LiveRenderer& renderer, LiveGround& ground, const Pose& pose) {
-  renderer.render(pose);
-  ground.pages().wait_until_loaded();
-  return renderer.render(pose);
-}
-
 /// Cross-section of a bin on level ground: σ0 times the area between two ranges and two azimuths.
 double expected_rcs(const radar::RangeAzimuthGrid& grid, std::size_t range, double height_m, double gamma_vv) {
   const double near = grid.first_range_m + static_cast<double>(range) * grid.range_step_m;

@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 #include <new>
 
+#include "live_ground_example.h"
+
+#include "sigmascape/render/live_renderer.h"
 #include "sigmascape/render/visible_ground.h"
 
 namespace {
@@ -60,6 +63,34 @@ TEST(SteadyMemory, VisibleGroundTakesNoneOnceItHasWorked) {
       visible_ground.find({1.0 * frame, -3000.0, 700.0}, sector, view, samples);
     }
     EXPECT_EQ(allocations, before);
+  }
+}
+
+TEST(SteadyMemory, LiveFramesTakeNoneOnceTheirPagesAreThere) {
+  for (const bool apart : {false, true}) {
+    const ScratchFolder folder;
+    ExampleGround example;
+    example.patches_a_side = 1;
+    example.sigma0 = [](const radar::Look& look) { return constant_gamma(0.1, look); };
+    if (apart) {
+      example.bare_sigma0 = example.sigma0;
+      example.obstacle = [](Vec2d) {
+        return radar::Obstacle{
+            .solid_top_m = 0.0F, .crown_base_m = 2.0F, .crown_top_m = 9.0F, .crown_extinction_per_m = 0.01F};
+      };
+    }
+    const auto ground = example.over(example.store(folder.path("atlas")));
+    const ExampleView view{.target = example.middle()};
+    LiveRenderer renderer(ground, view.settings(FrameContent::Amplitudes));
+    Pose pose = view.pose();
+    settled_frame(renderer, *ground, pose);
+    const std::size_t before = allocations;
+    for (int frame = 0; frame < 10; ++frame) {
+      pose.position.x += 0.5;
+      EXPECT_EQ(renderer.render(pose).report.coarse, 0U);
+      renderer.scan(pose, 16, 16);
+    }
+    EXPECT_EQ(allocations, before) << (apart ? "ground apart" : "ground in the textures");
   }
 }
 

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "sigmascape/atlas/store.h"
+#include "sigmascape/radar/look.h"
+#include "sigmascape/render/live_ground.h"
+
+namespace sigmascape::bench {
+
+/// A folder that is gone when the program ends.
+class ScratchStore {
+ public:
+  ScratchStore();
+  ~ScratchStore();
+  ScratchStore(const ScratchStore&) = delete;
+  ScratchStore& operator=(const ScratchStore&) = delete;
+
+  [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+inline constexpr double frequency_hz = 10e9, texel_m = 2.0, gamma_vv = 0.1;
+
+/// A square of so many patches of 1024² texels a side, two azimuths × two elevations × two frequencies, γ the same
+/// everywhere but for a grain from texel to texel. One patch is written; the others, and the levels above them, are
+/// links to it: as large to whoever reads it as it is small on disk.
+[[nodiscard]] atlas::Store made_store(const std::filesystem::path& folder, int patches_a_side);
+
+/// Level ground under such a store.
+[[nodiscard]] std::shared_ptr<render::LiveGround> made_ground(const atlas::Store& store, std::size_t budget_bytes);
+
+}  // namespace sigmascape::bench

@@ -1,0 +1,216 @@
+// What does a live frame cost, against the least that its parts can cost, and does it cost more when it shows 260 km
+// instead of 2 km?
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <fstream>
+#include <string>
+#include <unistd.h>
+#include <vector>
+
+#include "figures.h"
+#include "floors.h"
+#include "made_ground.h"
+
+#include "sigmascape/base/units.h"
+#include "sigmascape/render/live_renderer.h"
+
+namespace {
+
+using namespace sigmascape;         // NOLINT: a program of its own
+using namespace sigmascape::bench;  // NOLINT
+using render::FrameContent;
+using render::LiveGround;
+using render::LiveRenderer;
+using render::LiveSettings;
+using render::Pose;
+
+constexpr std::size_t budget_bytes = std::size_t{512} << 20U;
+
+/// 512 × 512 bins over a square of ground, two texels a side each on some level of the store: seen from the south.
+struct View {
+  double bin_m = 4.0;
+  double first_ground_m = 19.5e3;  ///< from the radar's foot to the middle of the square's southern side
+  double height_m = 6000.0;
+  Vec2d south_middle{1024.0, 0.0};
+
+  [[nodiscard]] double side_m() const { return 512.0 * bin_m; }
+  [[nodiscard]] LiveSettings settings(FrameContent content) const {
+    LiveSettings settings;
+    settings.content = content;
+    settings.beam_step_rad = bin_m / (first_ground_m + side_m() / 2.0);
+    const double near_m = std::hypot(first_ground_m, height_m), far_m = std::hypot(first_ground_m + side_m(), height_m);
+    settings.range_step_m = (far_m - near_m) / 512.0;
+    settings.cells_per_bin = 1.8;
+    return settings;
+  }
+  [[nodiscard]] Pose pose() const {
+    const LiveSettings bins = settings(FrameContent::Powers);
+    Pose pose;
+    pose.position = {south_middle.x, south_middle.y - first_ground_m, height_m};
+    pose.first_azimuth_rad = -256.0 * bins.beam_step_rad;
+    pose.first_range_m = std::hypot(first_ground_m, height_m);
+    return pose;
+  }
+};
+
+/// Some megabytes that this process holds now.
+double resident_mib() {
+  std::ifstream file("/proc/self/statm");
+  double pages = 0.0, resident = 0.0;
+  file >> pages >> resident;
+  return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1048576.0;
+}
+
+const render::Frame& settled(LiveRenderer& renderer, LiveGround& ground, const Pose& pose) {
+  const render::Frame* frame = &renderer.render(pose);
+  for (int again = 0; again < 50 && frame->report.coarse + frame->report.dark > 0; ++again) {
+    ground.pages().wait_until_loaded();
+    frame = &renderer.render(pose);
+  }
+  return *frame;
+}
+
+double vv_power(const render::Frame& frame) {
+  double sum = 0.0;
+  for (std::size_t beam = 16; beam + 16 < frame.grid.azimuths; ++beam) {
+    for (std::size_t range = 16; range + 16 < frame.grid.ranges; ++range) {
+      const std::size_t bin = (beam * frame.grid.ranges + range) * 4;
+      sum += frame.powers_m2.empty() ? static_cast<double>(std::norm(frame.amplitudes_m[bin]))
+                                     : static_cast<double>(frame.powers_m2[bin]);
+    }
+  }
+  return sum;
+}
+
+/// Of the same bins: γ sin ψ of level ground, near enough to the radar for a flat Earth.
+double expected_power(const render::Frame& frame, double height_m) {
+  double sum = 0.0;
+  for (std::size_t range = 16; range + 16 < frame.grid.ranges; ++range) {
+    const double middle_m = frame.grid.first_range_m + (static_cast<double>(range) + 0.5) * frame.grid.range_step_m;
+    sum += gamma_vv * height_m / middle_m * middle_m * frame.grid.range_step_m * frame.grid.azimuth_step_rad;
+  }
+  return sum * static_cast<double>(frame.grid.azimuths - 32);
+}
+
+void prove_power(const std::shared_ptr<LiveGround>& ground, const View& view) {
+  for (const FrameContent content : {FrameContent::Powers, FrameContent::Amplitudes}) {
+    LiveSettings settings = view.settings(content);
+    settings.refraction = 1e9;
+    LiveRenderer renderer(ground, settings);
+    const render::Frame& frame = settled(renderer, *ground, view.pose());
+    prove(frame.report.dark == 0 && frame.report.coarse == 0, "a settled frame lacks nothing");
+    const double error_db = db_from_linear(vv_power(frame) / expected_power(frame, view.height_m));
+    prove(std::abs(error_db) < 0.05,
+          fmt::format("the power of a frame is that of the radar equation ({:.3f} dB off)", error_db));
+  }
+}
+
+struct Cost {
+  double wall = 1e30, processor = 1e30;
+  std::size_t cells = 0;
+};
+
+Cost frame_cost(const std::shared_ptr<LiveGround>& ground, const View& view, int repetitions) {
+  LiveRenderer renderer(ground, view.settings(FrameContent::Amplitudes));
+  Cost cost;
+  cost.cells = settled(renderer, *ground, view.pose()).report.cells;
+  for (int run = 0; run < repetitions; ++run) {
+    const double wall = wall_seconds(), processor = processor_seconds();
+    (void)renderer.render(view.pose());
+    cost.wall = std::min(cost.wall, wall_seconds() - wall);
+    cost.processor = std::min(cost.processor, processor_seconds() - processor);
+  }
+  return cost;
+}
+
+double cold_frame_seconds(const atlas::Store& store, const View& view) {
+  const auto ground = made_ground(store, budget_bytes);
+  LiveRenderer renderer(ground, view.settings(FrameContent::Amplitudes));
+  Pose elsewhere = view.pose();
+  elsewhere.position.x += 50e3;
+  (void)renderer.render(elsewhere);
+  ground->pages().wait_until_loaded();
+  const double start = wall_seconds();
+  (void)renderer.render(view.pose());
+  return wall_seconds() - start;
+}
+
+struct Scan {
+  double p99 = 0.0, processor = 0.0;
+  double coarse_part = 0.0;
+};
+
+/// An antenna that turns once in about two seconds, carried northwards at 250 m/s.
+Scan scanned(const std::shared_ptr<LiveGround>& ground, double seconds) {
+  LiveSettings settings;
+  settings.beam_step_rad = 2.0 * pi / 512.0;
+  settings.range_step_m = 24.0;
+  settings.cells_per_bin = 1.0;
+  LiveRenderer renderer(ground, settings);
+  const radar::Rectangle& extent = ground->description().extent;
+  Pose pose;
+  pose.velocity_mps = {0.0, 250.0, 0.0};
+  pose.first_range_m = 4000.0;
+  constexpr std::size_t beams_a_step = 4;
+  std::vector<double> steps;
+  std::size_t coarse = 0, cells = 0;
+  const double start_processor = processor_seconds();
+  for (std::size_t step = 0; static_cast<double>(step) < 60.0 * seconds; ++step) {
+    pose.position = {extent.width_m() / 2.0, extent.height_m() / 4.0 + 250.0 / 60.0 * static_cast<double>(step),
+                     3000.0};
+    const double start = wall_seconds();
+    const render::Frame& frame = renderer.scan(pose, step * beams_a_step % 512, beams_a_step);
+    steps.push_back(wall_seconds() - start);
+    coarse += frame.report.coarse + frame.report.dark;
+    cells += frame.report.cells;
+  }
+  const double processor = (processor_seconds() - start_processor) / static_cast<double>(steps.size());
+  std::ranges::sort(steps);
+  return {steps[steps.size() * 99 / 100], processor, static_cast<double>(coarse) / static_cast<double>(cells)};
+}
+
+void measure(const Arguments& arguments) {
+  Figures figures(arguments.out);
+  const int repetitions = arguments.quick ? 5 : 40;
+  const ScratchStore scratch;
+  // Patches of 2 km: 262 km a side, of which the store holds one patch and one tile of each coarser level.
+  const atlas::Store store = made_store(scratch.folder(), 128);
+  const View near{.south_middle = {100e3 + 24.0, 100e3}};
+  const View wide{.bin_m = 512.0, .first_ground_m = 20e3, .height_m = 12e3, .south_middle = {131e3, 0.0}};
+
+  figures.add("render.cold_frame_ms", 1e3 * cold_frame_seconds(store, near), "ms");
+  const auto ground = made_ground(store, budget_bytes);
+  prove_power(ground, near);
+
+  const Floors floors = measured_floors(repetitions);
+  figures.add("render.floor.sweep_ms", 1e3 * floors.sweep, "ms", "processor time");
+  figures.add("render.floor.look_up_ms", 1e3 * floors.look_up, "ms", "processor time");
+  figures.add("render.floor.speckle_ms", 1e3 * floors.speckle, "ms", "processor time");
+  figures.add("render.floor.histogram_ms", 1e3 * floors.histogram, "ms", "processor time");
+
+  const Cost small = frame_cost(ground, near, repetitions);
+  const double per_sample = 1048576.0 / static_cast<double>(small.cells);
+  figures.add("render.cells", static_cast<double>(small.cells), "cells", "that the frame looked at");
+  figures.add("render.frame_ms", 1e3 * small.wall * per_sample, "ms", "for 1,048,576 samples");
+  figures.add("render.frame_processor_ms", 1e3 * small.processor * per_sample, "ms", "all threads together");
+  figures.add("render.floor_ratio", small.processor * per_sample / floors.sum(), "", "of processor times");
+
+  const Cost large = frame_cost(ground, wide, repetitions);
+  figures.add("render.scale_ratio", large.processor / small.processor, "",
+              fmt::format("262 km over 2 km, processor times; {} cells over {}", large.cells, small.cells));
+
+  const Scan scan = scanned(ground, arguments.quick ? 5.0 : 60.0);
+  figures.add("render.scan_p99_ms", 1e3 * scan.p99, "ms", "4 of 512 beams of a rotating antenna");
+  figures.add("render.scan_processor_ms", 1e3 * scan.processor, "ms", "mean of a step, decoding of pages included");
+  figures.add("render.scan_coarse", scan.coarse_part, "", "part of the cells shown more coarsely than wanted");
+  figures.add("render.memory_mib", resident_mib(), "MiB", "resident, 512 MiB for pages");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  measure(Arguments::parsed(argc, argv));
+  return 0;
+}

@@ -1,0 +1,242 @@
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "live_ground_example.h"
+
+#include "sigmascape/base/hash.h"
+#include "sigmascape/render/horizon_map.h"
+#include "sigmascape/render/lattice_row.h"
+#include "sigmascape/terrain/obstacle_sweep.h"
+
+namespace sigmascape::render {
+namespace {
+
+constexpr double gamma = 0.1;
+
+radar::Channels black(const radar::Look&) {
+  return {};
+}
+
+ExampleGround bare_ground(double slope_deg = 0.0) {
+  ExampleGround ground;
+  ground.sigma0 = black;
+  ground.bare_sigma0 = [](const radar::Look& look) { return constant_gamma(gamma, look); };
+  const double rise = std::tan(radians_from_deg(slope_deg));
+  ground.height_m = [rise](Vec2d p) { return rise * p.y; };
+  return ground;
+}
+
+/// What a plane that rises northward returns to each range of the middle beams: γ sin ψ′ of its true area, ψ′ above the
+/// plane, summed over points a quarter of a texel apart.
+std::vector<double> expected_rcs(const ExampleView& view, const radar::RangeAzimuthGrid& grid, double rise,
+                                 std::size_t margin) {
+  std::vector<double> rcs(grid.ranges, 0.0);
+  const Vec3d radar = view.pose().position;
+  const Vec3d normal = normalized(Vec3d{0.0, -rise, 1.0});
+  const double first = grid.first_azimuth_rad + static_cast<double>(margin) * grid.azimuth_step_rad;
+  const double width = static_cast<double>(grid.azimuths - 2 * margin) * grid.azimuth_step_rad;
+  constexpr double spacing_m = 1.0;
+  for (double x = -500.0 + spacing_m / 2.0; x < 500.0; x += spacing_m) {
+    for (double y = -500.0 + spacing_m / 2.0; y < 500.0; y += spacing_m) {
+      const Vec3d point{view.target.x + x, view.target.y + y, rise * y};
+      const Vec3d away = radar - point;
+      const double azimuth = wrapped_azimuth(std::atan2(-away.x, -away.y) - first + pi) - pi;
+      const double range = (length(away) - grid.first_range_m) / grid.range_step_m;
+      if (azimuth < 0.0 || azimuth >= width || range < 0.0 || range >= static_cast<double>(grid.ranges)) continue;
+      rcs[static_cast<std::size_t>(range)] +=
+          gamma * dot(normal, away) / length(away) * spacing_m * spacing_m / normal.z;
+    }
+  }
+  return rcs;
+}
+
+TEST(LiveGroundApart, BareGroundAnswersWithItsOwnAngleAndAreaAtEveryRange) {
+  for (const double slope_deg : {-6.0, 0.0, 10.0}) {
+    const ScratchFolder folder;
+    const ExampleGround example = bare_ground(slope_deg);
+    const auto ground = example.over(example.store(folder.path("atlas")));
+    for (const double elevation_deg : {8.6, 21.0}) {
+      ExampleView view;
+      view.azimuth_deg = 180.0;
+      view.elevation_deg = elevation_deg;
+      LiveRenderer renderer(ground, view.settings(FrameContent::Powers));
+      const Frame& frame = settled_frame(renderer, *ground, view.pose());
+      ASSERT_EQ(frame.report.dark, 0U);
+      ASSERT_EQ(frame.report.coarse, 0U);
+      const auto expected = expected_rcs(view, frame.grid, std::tan(radians_from_deg(slope_deg)), 2);
+      for (std::size_t range = 4; range + 12 <= view.ranges; range += 8) {
+        double sum = 0.0, wanted = 0.0;
+        for (std::size_t r = range; r < range + 8; ++r) {
+          wanted += expected[r];
+          for (std::size_t beam = 2; beam + 2 < view.beams; ++beam) {
+            sum += static_cast<double>(frame.powers_m2[(beam * view.ranges + r) * 4]);
+          }
+        }
+        EXPECT_NEAR(db_from_linear(sum / wanted), 0.0, 0.05)
+            << "slope " << slope_deg << "°, elevation " << elevation_deg << "°, range bin " << range;
+      }
+    }
+  }
+}
+
+TEST(LiveGroundApart, AWallThrowsAShadowOfItsLength) {
+  const ScratchFolder folder;
+  ExampleGround example = bare_ground();
+  constexpr double height_m = 20.0, thickness_m = 16.0;
+  example.obstacle = [](Vec2d p) {
+    return std::abs(p.y) < thickness_m / 2.0 ? radar::Obstacle{.solid_top_m = height_m} : radar::Obstacle{};
+  };
+  const auto ground = example.over(example.store(folder.path("atlas")));
+  for (const double elevation_deg : {8.6, 13.0, 21.0}) {
+    ExampleView view;
+    view.azimuth_deg = 180.0;
+    view.elevation_deg = elevation_deg;
+    LiveRenderer renderer(ground, view.settings(FrameContent::Powers));
+    const Frame& frame = settled_frame(renderer, *ground, view.pose());
+    const auto expected = expected_rcs(view, frame.grid, 0.0, 2);
+    double missing_m = 0.0;
+    for (std::size_t r = 4; r + 4 < view.ranges; ++r) {
+      double sum = 0.0;
+      for (std::size_t beam = 2; beam + 2 < view.beams; ++beam) {
+        sum += static_cast<double>(frame.powers_m2[(beam * view.ranges + r) * 4]);
+      }
+      missing_m += view.bin_m * (1.0 - sum / expected[r]);
+    }
+    // The ground under the wall is hidden as well.
+    const double shadow_m = thickness_m + height_m / std::tan(radians_from_deg(elevation_deg));
+    EXPECT_NEAR(missing_m, shadow_m, view.bin_m / 2.0) << elevation_deg;
+  }
+}
+
+TEST(LiveGroundApart, ObjectsKeepTheirEcho) {
+  const ScratchFolder folder;
+  ExampleGround example = bare_ground();
+  example.sigma0 = [](const radar::Look& look) { return constant_gamma(3.0 * gamma, look); };
+  const auto ground = example.over(example.store(folder.path("atlas")));
+  ExampleView view;
+  view.azimuth_deg = 180.0;
+  LiveRenderer renderer(ground, view.settings(FrameContent::Powers));
+  const Frame& frame = settled_frame(renderer, *ground, view.pose());
+  const auto expected = expected_rcs(view, frame.grid, 0.0, 2);
+  double sum = 0.0, wanted = 0.0;
+  for (std::size_t r = 4; r + 4 < view.ranges; ++r) {
+    wanted += 4.0 * expected[r];
+    for (std::size_t beam = 2; beam + 2 < view.beams; ++beam) {
+      sum += static_cast<double>(frame.powers_m2[(beam * view.ranges + r) * 4]);
+    }
+  }
+  EXPECT_NEAR(db_from_linear(sum / wanted), 0.0, 0.05);
+}
+
+TEST(LiveGroundApart, WhatRisesAboveARidgeIsSeen) {
+  auto row = std::make_unique<LatticeRow>();
+  row->count = 3;
+  const std::array<float, 4> terrain{-0.1F, -0.1F, -0.1F, -0.1F}, solid{-1e30F, -1e30F, -1e30F, -1e30F},
+      through{1.0F, 1.0F, 1.0F, 1.0F};
+  const Horizon horizon{.slopes = terrain.data(),
+                        .solid_slopes = solid.data(),
+                        .through = through.data(),
+                        .azimuths = 2,
+                        .distances = 2,
+                        .near_m = 500.0F};
+  // 1000 m away and 10 m below the line of sight over the ridge: things 0, 5 and 40 m high.
+  for (std::size_t i = 0; i < 3; ++i) {
+    row->beam[i] = 0.5F;
+    row->ground_m[i] = 1000.0F;
+    row->slope[i] = -0.11F;
+    row->top_m[i] = std::array{0.0F, 5.0F, 40.0F}[i];
+  }
+  EXPECT_EQ(light(*row, horizon), 0U);
+  light_apart(*row, horizon);
+  EXPECT_EQ(row->lit[0], 0.0F);
+  EXPECT_EQ(row->lit[1], 0.0F);
+  EXPECT_NEAR(row->lit[2], 0.75F, 1e-3F);
+  EXPECT_EQ(row->ground_lit[2], 0.0F);
+}
+
+/// Trees and houses on hills, texels of 4 m.
+struct Landscape {
+  terrain::HeightField field{
+      .west_m = -2000.0, .north_m = 2000.0, .spacing_m = 20.0, .height_m = Array2D<float>(201, 201)};
+  ObstacleLevel obstacles{{-2000.0, 2000.0, 4.0, 1000, 1000}, std::vector<PackedObstacle>(1000 * 1000)};
+
+  Landscape() {
+    for (std::size_t row = 0; row < 201; ++row) {
+      for (std::size_t column = 0; column < 201; ++column) {
+        field.height_m(column, row) = static_cast<float>(30.0 * std::sin(static_cast<double>(column) * 0.21) *
+                                                         std::cos(static_cast<double>(row) * 0.17));
+      }
+    }
+    for (std::size_t i = 0; i < obstacles.of.size(); ++i) {
+      const auto key = hashed(static_cast<std::int64_t>(i / 1000 / 4), static_cast<std::int64_t>(i % 1000 / 4)) % 16;
+      if (key == 0) obstacles.of[i] = PackedObstacle::packed({.solid_top_m = 9.0F});
+      if (key > 10) {
+        obstacles.of[i] = PackedObstacle::packed(
+            {.crown_base_m = 3.0F, .crown_top_m = 12.0F + static_cast<float>(key), .crown_extinction_per_m = 0.05F});
+      }
+    }
+  }
+};
+
+TEST(LiveGroundApart, TheHorizonMapSeesWhatAnExactWalkSees) {
+  const Landscape land;
+  for (const double radar_height_m : {150.0, 400.0, 1200.0}) {
+    const Vec3d radar{0.0, -1900.0, radar_height_m};
+    HorizonGrid grid;
+    grid.first_azimuth_rad = -0.3;
+    grid.azimuth_step_rad = 0.6 / 63.0;
+    grid.azimuths = 64;
+    grid.near_m = 500.0;
+    grid.step_m = 4.0;
+    grid.distances = 800;
+    const Occluders occluders{terrain::view_of(land.field), &land.obstacles, 27.0F};
+    HorizonMap map(grid);
+    map.reset(grid, true);
+    double error = 0.0, seen = 0.0, exactly_seen = 0.0;
+    for (std::size_t azimuth = 0; azimuth < grid.azimuths; ++azimuth) {
+      map.sweep(azimuth, radar, occluders);
+      const Vec2d direction =
+          radar::horizontal_direction(grid.first_azimuth_rad + static_cast<double>(azimuth) * grid.azimuth_step_rad);
+      terrain::ObstacleSweep exact(radar.z);
+      for (std::size_t k = 0; k < 125; ++k) {
+        const double distance = 2.0 + 4.0 * static_cast<double>(k);
+        if (distance >= grid.near_m - 1.0) break;
+        const Vec2d point = Vec2d{radar.x, radar.y} + direction * distance;
+        exact.advance(distance, land.field.height_at(point), land.obstacles.at(point).unpacked(), 4.0);
+      }
+      for (std::size_t k = 0; k < grid.distances; ++k) {
+        const double distance = grid.near_m + grid.step_m * static_cast<double>(k);
+        const Vec2d point = Vec2d{radar.x, radar.y} + direction * distance;
+        const double height = land.field.height_at(point);
+        const auto sight = exact.advance(distance, height, land.obstacles.at(point).unpacked(), grid.step_m);
+        const double slope = (height - radar.z) / distance + 1e-6;
+        const bool open = slope >= static_cast<double>(map.slopes(azimuth)[k]) &&
+                          slope >= static_cast<double>(map.solid_slopes(azimuth)[k]);
+        const double here = open ? static_cast<double>(map.through(azimuth)[k]) : 0.0;
+        error += std::abs(here - sight.ground);
+        seen += here;
+        exactly_seen += sight.ground;
+      }
+    }
+    EXPECT_GT(exactly_seen, 2000.0) << radar_height_m;
+    EXPECT_NEAR(seen / exactly_seen, 1.0, 0.01) << radar_height_m;
+    EXPECT_LT(error / exactly_seen, 0.03) << radar_height_m;
+  }
+}
+
+TEST(LiveGroundApart, CoarserObstaclesKeepTheShadowedArea) {
+  const radar::Obstacle wall{.solid_top_m = 8.0F}, none{};
+  // Alone: half as wide as the square, so half as high. A row along one way of looking: as it is from the side, half
+  // as wide from its end.
+  EXPECT_FLOAT_EQ(merged(wall, none, none, none).solid_top_m, 4.0F);
+  EXPECT_FLOAT_EQ(merged(wall, wall, none, none).solid_top_m, 6.0F);
+  EXPECT_FLOAT_EQ(merged(wall, wall, wall, wall).solid_top_m, 8.0F);
+  const radar::Obstacle tree{.crown_base_m = 2.0F, .crown_top_m = 10.0F, .crown_extinction_per_m = 0.2F};
+  const radar::Obstacle grove = merged(tree, none, none, tree);
+  EXPECT_FLOAT_EQ(grove.crown_extinction_per_m, 0.1F);
+  EXPECT_FLOAT_EQ(grove.crown_base_m, 2.0F);
+  EXPECT_FLOAT_EQ(grove.crown_top_m, 10.0F);
+}
+
+}  // namespace
+}  // namespace sigmascape::render
