@@ -74,7 +74,8 @@ std::vector<BakedLook> LookBaker::bake(const radar::GroundGrid& texels, const tr
   for (const receiver::GroundAccumulator& accumulator : accumulators) {
     if (accumulator.bins().overflows() > 0) {
       throw Error(fmt::format("bake of the patch at ({:.0f}, {:.0f}) m, azimuth {:.1f}°, elevation {:.1f}°",
-                              texels.extent().west_m, texels.extent().south_m, deg_from_radians(aspect.azimuth_rad), deg_from_radians(aspect.elevation_rad)),
+                              texels.extent().west_m, texels.extent().south_m, deg_from_radians(aspect.azimuth_rad),
+                              deg_from_radians(aspect.elevation_rad)),
                   "a texel is brighter than the sums can hold", "use a smaller texel or a rougher material");
     }
     BakedLook& look = looks.emplace_back();
