@@ -1,5 +1,6 @@
 #include "equal_noise.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -13,6 +14,15 @@ struct Rung {
 
 double total(const std::vector<float>& power) {
   return std::accumulate(power.begin(), power.end(), 0.0);
+}
+
+/// Of the total of the mean of two maps, whose texels' errors are independent.
+double variance_of_mean(const std::vector<float>& one, const std::vector<float>& other) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    sum += 0.25 * std::pow(static_cast<double>(one[i]) - static_cast<double>(other[i]), 2.0);
+  }
+  return sum;
 }
 
 /// The time at which the ladder reaches `wanted`; beyond its ends as though error fell with the root of time.
@@ -33,34 +43,35 @@ double seconds_for(const std::vector<Rung>& ladder, double wanted, Error error) 
 
 }  // namespace
 
-EqualNoise equal_noise(const PaperLooks& looks, const radar::Aspect& aspect, std::uint32_t plain_samples) {
+EqualNoise equal_noise(PaperLooks& looks, const radar::Aspect& aspect, std::uint32_t plain_samples,
+                       std::span<const bake::Sampling> samplings) {
   constexpr std::uint64_t seed = 100;
   const TimedLook one = looks.plain(aspect, plain_samples, seed);
   const TimedLook other = looks.plain(aspect, plain_samples, seed + 1);
-  const auto texels = noisy_texels(one.power, other.power);
+  const TimedLook direct = looks.direct(aspect, 4, seed);
+  const auto texels = noisy_texels(one.power, other.power, direct.power);
   const double plain_total = 0.5 * (total(one.power) + total(other.power));
 
   EqualNoise result;
   result.plain = noise_of(one.power, other.power, texels);
   result.plain_seconds = 0.5 * (one.processor_seconds + other.processor_seconds);
-  result.noisy_share = static_cast<double>(texels.size()) / static_cast<double>(one.power.size());
+  result.noisy_share = static_cast<double>(texels.size()) /
+                       static_cast<double>(std::ranges::count_if(direct.power, [](float p) { return p > 0.0F; }));
 
   std::vector<Rung> ladder;
-  std::uint32_t most = 16;
-  for (const double target_db : {3.0, 2.0, 1.4, 1.0, 0.7, 0.5}) {
-    const bake::Sampling sampling{.target_db = target_db, .most_samples = most *= 2};
+  double ours_variance = 0.0;
+  for (const bake::Sampling& sampling : samplings) {
     const TimedLook ours = looks.ours(aspect, sampling, seed + 2), again = looks.ours(aspect, sampling, seed + 3);
     ladder.push_back(
         {0.5 * (ours.processor_seconds + again.processor_seconds), noise_of(ours.power, again.power, texels)});
     result.mean_ratio = 0.5 * (total(ours.power) + total(again.power)) / plain_total;
+    ours_variance = variance_of_mean(ours.power, again.power);
     const Noise& reached = ladder.back().noise;
     if (ladder.size() > 1 && reached.median_relative < result.plain.median_relative && reached.l1 < result.plain.l1) {
       break;
     }
   }
-  double variance = 0.0;
-  for (std::size_t i = 0; i < one.power.size(); ++i) variance += 0.5 * std::pow(one.power[i] - other.power[i], 2.0);
-  result.mean_ratio_error = std::sqrt(variance) / plain_total;
+  result.mean_ratio_error = std::sqrt(ours_variance + variance_of_mean(one.power, other.power)) / plain_total;
   result.median_seconds =
       seconds_for(ladder, result.plain.median_relative, [](const Rung& rung) { return rung.noise.median_relative; });
   result.l1_seconds = seconds_for(ladder, result.plain.l1, [](const Rung& rung) { return rung.noise.l1; });

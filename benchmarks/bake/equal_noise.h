@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "noise.h"
@@ -13,13 +14,15 @@ struct EqualNoise {
   double plain_seconds = 0.0;     ///< processor time of a look
   double median_seconds = 0.0;    ///< of ours, for the same median relative error over the texels that are noisy at all
   double l1_seconds = 0.0;        ///< of ours, for the same L1
-  double noisy_share = 0.0;       ///< part of the texels that are noisy at all
+  double noisy_share = 0.0;       ///< part of the lit texels that are noisy at all
   double mean_ratio = 0.0;        ///< total power of ours over that of plain sampling
   double mean_ratio_error = 0.0;  ///< standard error of that, as the two plain maps tell it
 };
 
-/// Traces pairs of maps with independent scrambles: plain ones of so many rays, and ours with ever finer targets until
-/// both noises are below those of the plain pair. Times between targets are interpolated, logarithm over logarithm.
-[[nodiscard]] EqualNoise equal_noise(const PaperLooks& looks, const radar::Aspect& aspect, std::uint32_t plain_samples);
+/// Traces pairs of maps with independent scrambles: plain ones of so many rays, and ours with one sampling after the
+/// other, from coarse to fine, until both noises are below those of the plain pair. Times between them are
+/// interpolated, logarithm over logarithm.
+[[nodiscard]] EqualNoise equal_noise(PaperLooks& looks, const radar::Aspect& aspect, std::uint32_t plain_samples,
+                                     std::span<const bake::Sampling> samplings);
 
 }  // namespace sigmascape::bench

@@ -2,7 +2,10 @@
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
+#include <span>
+#include <string>
 #include <unistd.h>
+#include <vector>
 
 #include "equal_noise.h"
 #include "figures.h"
@@ -21,56 +24,95 @@ using bench::Figures;
 constexpr std::uint32_t paper_samples = 100;
 constexpr double texels_of_the_paper = 1024.0 * 1024.0;
 
+/// From coarse to fine; the first that is as good as plain sampling decides.
+std::vector<bake::Sampling> ladder() {
+  std::vector<bake::Sampling> samplings;
+  for (const std::uint32_t samples : {16U, 32U, 64U, 128U, 256U}) samplings.push_back({.samples_per_texel = samples});
+  return samplings;
+}
+
 /// Time and noise of a look, mean over elevations.
-void measure_equal_noise(const bench::PaperLooks& looks, bool whole, Figures& figures) {
-  const auto& elevations = looks.settings().aspects.elevations_rad;
-  const std::size_t count = whole ? elevations.size() : 1;
-  double plain = 0.0, median = 0.0, l1 = 0.0;
-  for (std::size_t i = 0; i < count; ++i) {
-    const double elevation_rad = elevations[whole ? i : elevations.size() / 2];
-    const auto noise = bench::equal_noise(looks, {radians_from_deg(45.0), elevation_rad}, paper_samples);
+void measure_equal_noise(bench::PaperLooks& looks, std::span<const double> elevations_rad, const std::string& place,
+                         Figures& figures) {
+  const auto samplings = ladder();
+  const auto count = static_cast<double>(elevations_rad.size());
+  double plain = 0.0, slower = 0.0;
+  for (const double elevation_rad : elevations_rad) {
+    const radar::Aspect aspect{radians_from_deg(45.0), elevation_rad};
+    const auto noise = bench::equal_noise(looks, aspect, paper_samples, samplings);
     bench::prove(std::abs(noise.mean_ratio - 1.0) < 4.0 * noise.mean_ratio_error + 1e-3,
                  fmt::format("our map holds the power of the plain one: ratio {:.4f} ± {:.4f}", noise.mean_ratio,
                              noise.mean_ratio_error));
     const std::string note = fmt::format(
-        "elevation {:.0f}°; plain: L1 {:.3f}, median {:.3f} over the {:.0f} % of texels that are noisy",
-        deg_from_radians(elevation_rad), noise.plain.l1, noise.plain.median_relative, 100.0 * noise.noisy_share);
+        "elevation {:.0f}°; plain: {:.0f} s, L1 {:.3f}, median {:.3f} over the {:.0f} % of lit texels that are noisy; "
+        "power of ours over plain {:.3f} ± {:.3f}",
+        deg_from_radians(elevation_rad), noise.plain_seconds / looks.part_of(aspect), noise.plain.l1,
+        noise.plain.median_relative, 100.0 * noise.noisy_share, noise.mean_ratio, noise.mean_ratio_error);
     figures.add("bake.equal_noise_gain.median", noise.plain_seconds / noise.median_seconds, "1", note);
     figures.add("bake.equal_noise_gain.l1", noise.plain_seconds / noise.l1_seconds, "1", note);
-    plain += noise.plain_seconds / static_cast<double>(count);
-    median += noise.median_seconds / static_cast<double>(count);
-    l1 += noise.l1_seconds / static_cast<double>(count);
+    plain += noise.plain_seconds / looks.part_of(aspect) / count;
+    slower += std::max(noise.median_seconds, noise.l1_seconds) / looks.part_of(aspect) / count;
   }
-  const double slower = std::max(median, l1);
-  const std::string place = whole ? "the whole scene, mean over the five elevations"
-                                  : "a crop of 256 x 256 texels with houses and trees, 21°, scaled by area";
-  const double texels = whole ? texels_of_the_paper : 256.0 * 256.0;
   figures.add("bake.equal_noise_gain", plain / slower, "1", place + "; the lesser of median and L1");
-  figures.add("bake.seconds_per_look", 0.5 * slower * texels_of_the_paper / texels, "s",
+  figures.add("bake.seconds_per_look", 0.5 * slower, "s",
               place + "; processor time over two cores, at the noise of 100 plain rays and 8 bounces");
 }
 
+/// What part of a look's time its rays take when nothing is done but trace them.
+void measure_embree_share(const scene::Scene& scene, Figures& figures) {
+  bake::BakeSettings settings;
+  settings.threads = 1;
+  settings.shadows = bake::Shadows::Baked;
+  settings.sampling = {.samples_per_texel = 16};
+  bake::LookBaker baker(scene, settings);
+  // A square in the middle of the scene.
+  settings.patches.texels_per_side = 256;
+  const auto texels = settings.patches.texels_of(settings.patches.patch_at(scene.extent.centre()));
+  const radar::Aspect aspect{radians_from_deg(45.0), radians_from_deg(21.0)};
+  const auto area = baker.area_of(texels, aspect);
+  SilentProgress silent;
+  const double start = bench::processor_seconds();
+  const auto look = baker.bake(texels, area, aspect, silent).front();
+  const double whole = bench::processor_seconds() - start;
+
+  trace::RayLog log;
+  log.reserve(look.counts.rays);
+  baker.geometry().log_to(&log);
+  const auto logged = baker.bake(texels, area, aspect, silent).front();
+  baker.geometry().log_to(nullptr);
+  bench::prove(log.size() == logged.counts.rays && look.counts.rays == logged.counts.rays, "every ray is in the log");
+  const double replay = bench::processor_seconds();
+  const std::size_t met = baker.geometry().replay(log);
+  const double bare = bench::processor_seconds() - replay;
+  figures.add(
+      "bake.embree_share", bare / whole, "1",
+      fmt::format(
+          "{} rays of 256² texels, 21°, 16 rays a texel, {:.0f} % of which meet something, traced again one by one",
+          log.size(), 100.0 * static_cast<double>(met) / static_cast<double>(log.size())));
+}
+
 /// Bytes of a look, and whether many looks take as long as single ones.
-void measure_looks(const scene::Scene& scene, const bench::PaperLooks& looks, bool quick, Figures& figures) {
+void measure_looks(const scene::Scene& scene, bool quick, Figures& figures) {
   const auto folder = std::filesystem::temp_directory_path() / fmt::format("sigmascape_bench_bake_{}", getpid());
-  bake::BakeSettings settings = looks.settings();
-  settings.sampling = {.target_db = 1.0, .most_samples = 32};
+  bake::BakeSettings settings;
+  settings.patches.texels_per_side = quick ? 256 : 512;
+  settings.threads = 2;
+  settings.sampling = {.samples_per_texel = quick ? 8U : 50U};
   settings.mantissa_bits = 6;
   const std::size_t azimuths = quick ? 2 : settings.aspects.azimuths_rad.size();
   settings.aspects.azimuths_rad.resize(azimuths);
 
   const bake::LookBaker baker(scene, settings);
   SilentProgress silent;
-  double single = 0.0;
+  double single = 0.0, bytes = 0.0;
+  // In the middle of the scene; of a quick run a quarter of it.
+  const atlas::PatchIndex patch = settings.patches.patch_at(scene.extent.centre());
   const atlas::Store store = atlas::Store::create(folder, bake::description_of(scene, settings));
-  double bytes = 0.0;
   const double start = bench::processor_seconds();
   for (atlas::LookIndex look = 0; look < settings.aspects.look_count(); ++look) {
     const double before = bench::processor_seconds();
-    for (const atlas::PatchIndex patch : looks.patches()) {
-      const auto baked = baker.bake(patch, settings.aspects.look(look).aspect, silent).front();
-      store.write(patch, look, baked.sigma0, {}, baked.relative_errors);
-    }
+    const auto baked = baker.bake(patch, settings.aspects.look(look).aspect, silent).front();
+    store.write(patch, look, baked.sigma0, {}, baked.relative_errors);
     if (look % azimuths == 0) single += bench::processor_seconds() - before;
   }
   const double all = bench::processor_seconds() - start;
@@ -80,17 +122,17 @@ void measure_looks(const scene::Scene& scene, const bench::PaperLooks& looks, bo
   std::filesystem::remove_all(folder);
   const auto count = static_cast<double>(settings.aspects.look_count());
   figures.add("bake.looks_linearity", all / (count * single / (count / static_cast<double>(azimuths))), "1",
-              fmt::format("{} looks over as many times the mean of one at each elevation", count));
-  const double side = static_cast<double>(settings.patches.texels_per_side);
-  const double texels = static_cast<double>(looks.patches().size()) * side * side;
-  figures.add("bake.bytes_per_look", bytes / count * texels_of_the_paper / texels / 1e6, "MB",
-              "four channels and the standard errors, 6 mantissa bits (0.03 dB)");
+              fmt::format("{} looks of a patch over as many times the mean of one at each elevation", count));
+  const auto side = static_cast<double>(settings.patches.texels_per_side);
+  figures.add(
+      "bake.bytes_per_look", bytes / count * texels_of_the_paper / (side * side) / 1e6, "MB",
+      "a patch in the middle, scaled by area; four channels and the standard errors, 6 mantissa bits (0.03 dB)");
 }
 
-void measure_threads(const scene::Scene& scene, Figures& figures) {
-  const bench::PaperLooks one(scene, false, 1), two(scene, false, 2);
+void measure_threads(const scene::Scene& scene, bool quick, Figures& figures) {
+  bench::PaperLooks one(scene, quick ? 12 : 4, 1), two(scene, quick ? 12 : 4, 2);
   const radar::Aspect aspect{radians_from_deg(45.0), radians_from_deg(21.0)};
-  const bake::Sampling sampling{.samples_per_texel = 32};
+  const bake::Sampling sampling{.samples_per_texel = 100};
   const auto single = one.ours(aspect, sampling, 1), both = two.ours(aspect, sampling, 1);
   bench::prove(single.power == both.power, "two threads bake what one does");
   figures.add("bake.thread_efficiency", single.wall_seconds / (2.0 * both.wall_seconds), "1", "needs two idle cores");
@@ -100,15 +142,24 @@ void measure_threads(const scene::Scene& scene, Figures& figures) {
 
 int main(int count, char** words) {
   const auto arguments = bench::Arguments::parsed(count, words);
+  const bool quick = arguments.quick;
   Figures figures(arguments.out);
   const double start = bench::wall_seconds();
   const scene::Scene scene = scene::paper_scene();
-  const bench::PaperLooks looks(scene, !arguments.quick, 2);
+  const int thinning = quick ? 10 : 1;
+  bench::PaperLooks looks(scene, thinning, 2);
   figures.add("bake.scene_load_seconds", bench::wall_seconds() - start, "s",
               "the paper's scene made up and ready for rays");
-  measure_equal_noise(looks, !arguments.quick, figures);
-  measure_looks(scene, looks, arguments.quick, figures);
-  measure_threads(scene, figures);
+  const auto& elevations = looks.settings().aspects.elevations_rad;
+  const std::span all(elevations);
+  measure_equal_noise(looks, quick ? all.subspan(elevations.size() / 2, 1) : all,
+                      quick ? "one tile in a hundred of the whole scene, 21°, scaled by the number of cells"
+                            : "the whole scene, mean over the five elevations",
+                      figures);
+  // Before the log of rays, which is none of a bake's memory.
   figures.add("bake.peak_memory_mib", bench::peak_memory_mib(), "MiB", "of this program, the paper's whole scene");
+  measure_looks(scene, quick, figures);
+  measure_threads(scene, quick, figures);
+  measure_embree_share(scene, figures);
   return 0;
 }

@@ -5,10 +5,11 @@
 
 namespace sigmascape::bench {
 
-std::vector<std::size_t> noisy_texels(const std::vector<float>& one, const std::vector<float>& other) {
+std::vector<std::size_t> noisy_texels(const std::vector<float>& one, const std::vector<float>& other,
+                                      const std::vector<float>& direct) {
   std::vector<std::size_t> texels;
   for (std::size_t i = 0; i < one.size(); ++i) {
-    if (std::abs(one[i] - other[i]) > 1e-3F * 0.5F * (one[i] + other[i])) texels.push_back(i);
+    if (direct[i] > 0.0F && std::abs(one[i] - other[i]) > 1e-3F * 0.5F * (one[i] + other[i])) texels.push_back(i);
   }
   return texels;
 }

@@ -12,9 +12,10 @@ struct Noise {
   double l1 = 0.0;               ///< sum of the standard deviations over the sum of the means, all texels
 };
 
-/// Texels in which sampling has anything to do: where the pair differs by more than a thousandth. On open level ground
-/// every sample returns the same.
-[[nodiscard]] std::vector<std::size_t> noisy_texels(const std::vector<float>& one, const std::vector<float>& other);
+/// Texels that first surfaces light, as `direct` says, and in which sampling has anything to do: where the pair differs
+/// by more than a thousandth. On open level ground every sample returns the same.
+[[nodiscard]] std::vector<std::size_t> noisy_texels(const std::vector<float>& one, const std::vector<float>& other,
+                                                    const std::vector<float>& direct);
 
 [[nodiscard]] Noise noise_of(const std::vector<float>& one, const std::vector<float>& other,
                              const std::vector<std::size_t>& texels);

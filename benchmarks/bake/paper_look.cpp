@@ -1,17 +1,40 @@
 #include "paper_look.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "figures.h"
 
+#include "sigmascape/base/hash.h"
 #include "sigmascape/receiver/ground_accumulator.h"
 
 namespace sigmascape::bench {
 namespace {
 
-bake::BakeSettings settings_for(bool whole, unsigned threads) {
+bake::BakeSettings settings_for(unsigned threads) {
   bake::BakeSettings settings;
-  settings.patches.texels_per_side = whole ? 512 : 256;
   settings.threads = threads;
+  settings.shadows = bake::Shadows::Baked;
   return settings;
+}
+
+/// The textures of the paper: 1024² texels over the whole scene, whose corner lies on the lattice.
+radar::GroundGrid texels_over(const radar::Rectangle& extent, double texel_m) {
+  const auto columns = static_cast<std::size_t>(std::round(extent.width_m() / texel_m));
+  const auto rows = static_cast<std::size_t>(std::round(extent.height_m() / texel_m));
+  return {extent.west_m, extent.north_m, texel_m, columns, rows};
+}
+
+/// Whether the lot of its block fell on the tile that begins with this cell.
+bool is_drawn(const trace::LaunchCell& first, int thinning) {
+  const auto tile_of = [](std::int32_t cell) {
+    return (cell - (cell & (trace::tile_side_cells - 1))) / trace::tile_side_cells;
+  };
+  const int i = tile_of(first.i) + 4096 * thinning, j = tile_of(first.j) + 4096 * thinning;
+  const std::uint64_t lot =
+      hashed(11, static_cast<std::uint32_t>(i / thinning), static_cast<std::uint32_t>(j / thinning)) %
+      static_cast<std::uint64_t>(thinning * thinning);
+  return static_cast<std::uint64_t>((j % thinning) * thinning + i % thinning) == lot;
 }
 
 void append_power(const Array2D<radar::Channels>& sigma0, std::vector<float>& power) {
@@ -33,50 +56,85 @@ class Watch {
 
 }  // namespace
 
-PaperLooks::PaperLooks(const scene::Scene& scene, bool whole, unsigned threads)
-    : scene_(scene),
-      settings_(settings_for(whole, threads)),
-      patches_(whole ? settings_.patches.covering(scene.extent) : std::vector<atlas::PatchIndex>{{0, 0}}),
-      geometry_(scene, trace::Footing::LevelPlane),
+PaperLooks::PaperLooks(const scene::Scene& scene, int thinning, unsigned threads)
+    : settings_(settings_for(threads)),
+      thinning_(thinning),
+      texels_(texels_over(scene.extent, settings_.patches.texel_m)),
+      baker_(std::make_unique<bake::LookBaker>(scene, settings_)),
       surfaces_(trace::surface_models(scene, settings_.aspects.frequencies_hz)) {}
 
-TimedLook PaperLooks::plain(const radar::Aspect& aspect, std::uint32_t samples, std::uint64_t seed) const {
-  constexpr double margin_m = 32.0;
-  TimedLook look;
-  for (const atlas::PatchIndex patch : patches_) {
-    const Watch watch;
-    const radar::GroundGrid texels = settings_.patches.texels_of(patch);
-    const auto viewpoint = trace::Viewpoint::distant(aspect);
-    const trace::PathTracer tracer(
-        geometry_, surfaces_, viewpoint,
-        {.estimator = trace::Estimator::OneWay, .roulette = false, .sampler = trace::Sampler::Independent}, seed);
-    const auto area =
-        trace::launch_area(viewpoint, texels.extent(), texels.cell_m, 0.0, geometry_.highest_m() + 1.0, margin_m);
-    receiver::GroundAccumulator accumulator(texels, aspect);
-    look.counts += tracer.trace(area, {0, samples, samples}, settings_.threads,
-                                [&](std::span<const radar::Echo> echoes, unsigned) { accumulator.add(echoes); });
-    const auto sigma0 = accumulator.sigma0();
-    watch.stop(look);
-    append_power(sigma0, look.power);
+trace::LaunchArea PaperLooks::area_of(const radar::Aspect& aspect) const {
+  trace::LaunchArea area = baker_->area_of(texels_, aspect);
+  std::vector<trace::LaunchCell> drawn;
+  for (std::size_t first = 0; first < area.cells.size(); first += trace::cells_per_tile) {
+    if (!is_drawn(area.cells[first], thinning_)) continue;
+    const auto begin = area.cells.begin() + static_cast<std::ptrdiff_t>(first);
+    drawn.insert(drawn.end(), begin, begin + static_cast<std::ptrdiff_t>(trace::cells_per_tile));
   }
+  area.cells = std::move(drawn);
+  return area;
+}
+
+double PaperLooks::part_of(const radar::Aspect& aspect) const {
+  return static_cast<double>(area_of(aspect).cells.size()) /
+         static_cast<double>(baker_->area_of(texels_, aspect).cells.size());
+}
+
+TimedLook PaperLooks::plain(const radar::Aspect& aspect, std::uint32_t samples, std::uint64_t seed) {
+  return plain(aspect, samples, seed, settings_.max_bounces);
+}
+
+TimedLook PaperLooks::direct(const radar::Aspect& aspect, std::uint32_t samples, std::uint64_t seed) {
+  return plain(aspect, samples, seed, 1);
+}
+
+TimedLook PaperLooks::plain(const radar::Aspect& aspect, std::uint32_t samples, std::uint64_t seed, int bounces) {
+  TimedLook look;
+  const auto area = area_of(aspect);
+  const Watch watch;
+  const trace::PathTracer tracer(baker_->geometry(), surfaces_, trace::Viewpoint::distant(aspect),
+                                 {.max_bounces = bounces,
+                                  .estimator = trace::Estimator::OneWay,
+                                  .roulette = false,
+                                  .sampler = trace::Sampler::Independent},
+                                 seed);
+  receiver::GroundAccumulator accumulator(texels_, aspect);
+  look.counts = tracer.trace(area, {0, samples, samples}, settings_.threads,
+                             [&](std::span<const radar::Echo> echoes, unsigned) { accumulator.add(echoes); });
+  const auto sigma0 = accumulator.sigma0();
+  watch.stop(look);
+  look.processor_seconds -= (1.0 - part_of(aspect)) * seconds_without_rays(aspect);
+  append_power(sigma0, look.power);
   return look;
 }
 
-TimedLook PaperLooks::ours(const radar::Aspect& aspect, const bake::Sampling& sampling, std::uint64_t seed) const {
-  bake::BakeSettings settings = settings_;
-  settings.sampling = sampling;
-  settings.seed = seed;
-  const bake::LookBaker baker(scene_, settings);
-  TimedLook look;
+TimedLook PaperLooks::ours(const radar::Aspect& aspect, const bake::Sampling& sampling, std::uint64_t seed) {
+  settings_.sampling = sampling;
+  settings_.seed = seed;
   SilentProgress silent;
-  for (const atlas::PatchIndex patch : patches_) {
-    const Watch watch;
-    const auto baked = baker.bake(patch, aspect, silent);
-    watch.stop(look);
-    look.counts += baked.front().counts;
-    append_power(baked.front().sigma0, look.power);
-  }
+  TimedLook look;
+  const auto area = area_of(aspect);
+  const Watch watch;
+  const auto baked = baker_->bake(texels_, area, aspect, silent);
+  watch.stop(look);
+  look.processor_seconds -= (1.0 - part_of(aspect)) * seconds_without_rays(aspect);
+  look.counts = baked.front().counts;
+  append_power(baked.front().sigma0, look.power);
+  const auto errors = baked.front().relative_errors.values();
+  look.errors.assign(errors.begin(), errors.end());
   return look;
+}
+
+double PaperLooks::seconds_without_rays(const radar::Aspect& aspect) {
+  if (thinning_ == 1) return 0.0;
+  auto area = area_of(aspect);
+  area.cells.clear();
+  SilentProgress silent;
+  TimedLook look;
+  const Watch watch;
+  const auto baked = baker_->bake(texels_, area, aspect, silent);
+  watch.stop(look);
+  return look.processor_seconds;
 }
 
 }  // namespace sigmascape::bench

@@ -1,44 +1,55 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "sigmascape/bake/look_baker.h"
-#include "sigmascape/base/array2d.h"
-#include "sigmascape/radar/channels.h"
+#include "sigmascape/radar/ground_grid.h"
 #include "sigmascape/scene/scene.h"
+#include "sigmascape/trace/launch.h"
 #include "sigmascape/trace/path_tracer.h"
-#include "sigmascape/trace/scene_geometry.h"
 
 namespace sigmascape::bench {
 
-/// One look of the paper's scene, or of a crop of it, and the processor time that it took.
+/// One look of the paper's scene and the processor time that it took.
 struct TimedLook {
-  std::vector<float> power;  ///< VV + HH + 2 HV, texel by texel
+  std::vector<float> power;   ///< VV + HH + 2 HV, texel by texel
+  std::vector<float> errors;  ///< relative standard errors of that as the bake tells them; none of plain sampling
   double processor_seconds = 0.0;
   double wall_seconds = 0.0;
   trace::TraceCounts counts;
 };
 
-/// Bakes the paper's scene over and over, in the ways that are to be compared.
+/// Bakes the paper's scene over and over, in the ways that are to be compared, shadows in the textures as in the paper.
 class PaperLooks {
  public:
-  /// The whole scene, or a crop of 256² texels with houses, trees and fields.
-  PaperLooks(const scene::Scene& scene, bool whole, unsigned threads);
+  /// Rays go to one tile of 16 × 16 cells, chosen by lot, of every block of `thinning`² tiles, so that forest, fields
+  /// and town keep their shares; 1: to all.
+  PaperLooks(const scene::Scene& scene, int thinning, unsigned threads);
 
   /// Independent random numbers, no reciprocal weighting, no roulette, everywhere as many rays.
-  [[nodiscard]] TimedLook plain(const radar::Aspect& aspect, std::uint32_t samples, std::uint64_t seed) const;
+  [[nodiscard]] TimedLook plain(const radar::Aspect& aspect, std::uint32_t samples, std::uint64_t seed);
+  /// The echoes of first surfaces alone, as plain sampling has them.
+  [[nodiscard]] TimedLook direct(const radar::Aspect& aspect, std::uint32_t samples, std::uint64_t seed);
   /// As LookBaker does it.
-  [[nodiscard]] TimedLook ours(const radar::Aspect& aspect, const bake::Sampling& sampling, std::uint64_t seed) const;
+  [[nodiscard]] TimedLook ours(const radar::Aspect& aspect, const bake::Sampling& sampling, std::uint64_t seed);
 
-  [[nodiscard]] const std::vector<atlas::PatchIndex>& patches() const { return patches_; }
+  [[nodiscard]] trace::LaunchArea area_of(const radar::Aspect& aspect) const;
+  /// Number of launch cells over those of the whole look.
+  [[nodiscard]] double part_of(const radar::Aspect& aspect) const;
+  [[nodiscard]] bake::LookBaker& baker() { return *baker_; }
   [[nodiscard]] const bake::BakeSettings& settings() const { return settings_; }
+  [[nodiscard]] const radar::GroundGrid& texels() const { return texels_; }
 
  private:
-  const scene::Scene& scene_;
+  /// What a look's textures take that get no rays: of a thinned look only the part that its rays are of all is due.
+  [[nodiscard]] double seconds_without_rays(const radar::Aspect& aspect);
+  [[nodiscard]] TimedLook plain(const radar::Aspect& aspect, std::uint32_t samples, std::uint64_t seed, int bounces);
   bake::BakeSettings settings_;
-  std::vector<atlas::PatchIndex> patches_;
-  trace::SceneGeometry geometry_;
+  int thinning_;
+  radar::GroundGrid texels_;
+  std::unique_ptr<bake::LookBaker> baker_;
   trace::SpectralSurfaces surfaces_;
 };
 

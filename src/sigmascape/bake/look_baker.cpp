@@ -51,10 +51,14 @@ trace::LaunchArea LookBaker::area_of(const radar::GroundGrid& texels, const rada
 std::vector<BakedLook> LookBaker::bake(atlas::PatchIndex patch, const radar::Aspect& aspect,
                                        ProgressListener& progress) const {
   const radar::GroundGrid texels = settings_.patches.texels_of(patch);
+  return bake(texels, area_of(texels, aspect), aspect, progress);
+}
+
+std::vector<BakedLook> LookBaker::bake(const radar::GroundGrid& texels, const trace::LaunchArea& area,
+                                       const radar::Aspect& aspect, ProgressListener& progress) const {
   const auto viewpoint = trace::Viewpoint::distant(aspect);
   const trace::PathTracer tracer(geometry_, surfaces_, viewpoint, {.max_bounces = settings_.max_bounces},
                                  settings_.seed);
-  const trace::LaunchArea area = area_of(texels, aspect);
 
   std::vector<receiver::GroundAccumulator> accumulators;
   for (std::size_t f = 0; f < surfaces_.size(); ++f) accumulators.emplace_back(texels, aspect);
@@ -69,8 +73,9 @@ std::vector<BakedLook> LookBaker::bake(atlas::PatchIndex patch, const radar::Asp
   std::vector<BakedLook> looks;
   for (const receiver::GroundAccumulator& accumulator : accumulators) {
     if (accumulator.bins().overflows() > 0) {
-      throw Error(fmt::format("bake of patch ({}, {}), azimuth {:.1f}°, elevation {:.1f}°", patch.x, patch.y,
-                              deg_from_radians(aspect.azimuth_rad), deg_from_radians(aspect.elevation_rad)),
+      throw Error(fmt::format("bake of the patch at ({:.0f}, {:.0f}) m, azimuth {:.1f}°, elevation {:.1f}°",
+                              texels.extent().west_m, texels.extent().south_m, deg_from_radians(aspect.azimuth_rad),
+                              deg_from_radians(aspect.elevation_rad)),
                   "a texel is brighter than the sums can hold", "use a smaller texel or a rougher material");
     }
     BakedLook& look = looks.emplace_back();

@@ -34,11 +34,15 @@ class LookBaker {
   /// Throws Error when a texel is brighter than sums can hold.
   [[nodiscard]] std::vector<BakedLook> bake(atlas::PatchIndex patch, const radar::Aspect& aspect,
                                             ProgressListener& progress) const;
+  /// The same with rays at the cells of `area` alone, which are whole tiles of `area_of(texels, aspect)`.
+  [[nodiscard]] std::vector<BakedLook> bake(const radar::GroundGrid& texels, const trace::LaunchArea& area,
+                                            const radar::Aspect& aspect, ProgressListener& progress) const;
 
   /// Where rays are aimed for such texels: around them as well, as far as objects can shadow them, lie over into them
   /// or bounce into them.
   [[nodiscard]] trace::LaunchArea area_of(const radar::GroundGrid& texels, const radar::Aspect& aspect) const;
 
+  [[nodiscard]] trace::SceneGeometry& geometry() { return geometry_; }
   [[nodiscard]] std::size_t geometry_bytes() const { return geometry_.memory_bytes(); }
 
  private:

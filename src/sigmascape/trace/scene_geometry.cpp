@@ -71,6 +71,14 @@ void bound_crown(const RTCBoundsFunctionArguments* arguments) {
   *arguments->bounds_o = {low.x, low.y, low.z, 0.0F, high.x, high.y, high.z, 0.0F};
 }
 
+RTCRayHit query_along(Vec3f origin, Vec3f direction, float length_m) {
+  RTCRayHit query{};
+  query.ray = {origin.x, origin.y, origin.z, 0.0F, direction.x, direction.y, direction.z, 0.0F, length_m, ~0U, 0, 0};
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  return query;
+}
+
 void add_to_sum(void* sum, ssize_t bytes) {
   static_cast<std::atomic<std::int64_t>*>(sum)->fetch_add(bytes);
 }
@@ -93,6 +101,7 @@ struct SceneGeometry::Structures {
   Vec3d origin;
   Footing footing = Footing::LevelPlane;
   double lowest_m = 0.0, highest_m = 0.0;
+  RayLog* log = nullptr;
 
   ~Structures() {
     for (RTCScene prototype : prototypes) rtcReleaseScene(prototype);
@@ -340,11 +349,8 @@ bool SceneGeometry::intersect(Vec3f ray_origin, Vec3f direction, SurfaceHit& hit
 
   RayContext context{{}, crowns};
   rtcInitIntersectContext(&context.embree);
-  RTCRayHit query{};
-  query.ray = {ray_origin.x, ray_origin.y, ray_origin.z,   0.0F, direction.x, direction.y,
-               direction.z,  0.0F,         plane_distance, ~0U,  0,           0};
-  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  RTCRayHit query = query_along(ray_origin, direction, plane_distance);
+  if (s.log != nullptr) s.log->push_back({ray_origin, direction, plane_distance, true});
   rtcIntersect1(s.top, &context.embree, &query);
 
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) {
@@ -381,10 +387,31 @@ bool SceneGeometry::intersect(Vec3f ray_origin, Vec3f direction, SurfaceHit& hit
 bool SceneGeometry::occluded(Vec3f ray_origin, Vec3f direction, CrownCrossings* crowns) const {
   RayContext context{{}, crowns};
   rtcInitIntersectContext(&context.embree);
-  RTCRay ray{ray_origin.x, ray_origin.y, ray_origin.z, 0.0F, direction.x, direction.y,
-             direction.z,  0.0F,         far_away,     ~0U,  0,           0};
+  RTCRay ray = query_along(ray_origin, direction, far_away).ray;
+  if (structures_->log != nullptr) structures_->log->push_back({ray_origin, direction, far_away, false});
   rtcOccluded1(structures_->top, &context.embree, &ray);
   return ray.tfar < 0.0F;
+}
+
+void SceneGeometry::log_to(RayLog* log) {
+  structures_->log = log;
+}
+
+std::size_t SceneGeometry::replay(const RayLog& log) const {
+  std::size_t met = 0;
+  for (const LoggedRay& ray : log) {
+    RayContext context{{}, nullptr};
+    rtcInitIntersectContext(&context.embree);
+    RTCRayHit query = query_along(ray.origin, ray.direction, ray.length_m);
+    if (ray.asks_first) {
+      rtcIntersect1(structures_->top, &context.embree, &query);
+      met += query.hit.geomID != RTC_INVALID_GEOMETRY_ID ? 1U : 0U;
+    } else {
+      rtcOccluded1(structures_->top, &context.embree, &query.ray);
+      met += query.ray.tfar < 0.0F ? 1U : 0U;
+    }
+  }
+  return met;
 }
 
 FlushDenormals::FlushDenormals() : saved_(_mm_getcsr()) {

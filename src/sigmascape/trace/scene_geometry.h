@@ -4,6 +4,7 @@
 
 #include "sigmascape/scene/scene.h"
 #include "sigmascape/trace/crown_crossings.h"
+#include "sigmascape/trace/ray_log.h"
 
 namespace sigmascape::trace {
 
@@ -48,6 +49,11 @@ class SceneGeometry {
   /// The same two, adding to `crowns` those that the ray crosses, be it behind the surface.
   [[nodiscard]] bool intersect(Vec3f ray_origin, Vec3f direction, SurfaceHit& hit, CrownCrossings& crowns) const;
   [[nodiscard]] bool occluded(Vec3f ray_origin, Vec3f direction, CrownCrossings& crowns) const;
+
+  /// Notes every ray from now on, until it is given null. Not for several threads at once.
+  void log_to(RayLog* log);
+  /// Traces such rays and nothing else. Returns how many met something, so that the work cannot be left out.
+  [[nodiscard]] std::size_t replay(const RayLog& log) const;
 
   /// Bytes that the acceleration structures take.
   [[nodiscard]] std::size_t memory_bytes() const;

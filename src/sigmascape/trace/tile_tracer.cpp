@@ -37,6 +37,10 @@ constexpr std::uint32_t first_crown = 0x18000;
 /// radar is in sight. A ground of γ = −25 dB returns 0.00025.
 constexpr float faint_connection = 2.5e-4F;
 
+/// A path goes on with the chance of the part of the power sent that it still carries, but with no less than this. On
+/// the paper's scene that gives a fifth more for the time than four times the part and a tenth.
+constexpr float least_survival = 0.05F;
+
 /// Surfaces are left by this much along the normal, so that a ray does not meet again what it starts from.
 constexpr float surface_offset_m = 2e-3F;
 
@@ -330,7 +334,7 @@ bool TileTracer::survives_roulette(float u) {
   const float power = path_.greatest_power();
   if (power <= 0.0F) return false;
   if (!options_.roulette) return true;
-  const float survival = std::clamp(power * 4.0F, 0.1F, 1.0F);
+  const float survival = std::clamp(power, least_survival, 1.0F);
   const double before = books_.keeps_books() ? Bookkeeper::carried(path_) : 0.0;
   const bool survives = u < survival;
   if (survives) {

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "sigmascape/base/vec.h"
+
+namespace sigmascape::trace {
+
+/// A ray as it was put to the scene's structures.
+struct LoggedRay {
+  Vec3f origin;  ///< relative to the geometry's origin
+  Vec3f direction;
+  float length_m = 0.0F;    ///< how far it was looked along
+  bool asks_first = false;  ///< for the first surface, not merely whether there is any
+};
+
+/// Rays in the order in which they were asked for, to be traced again with nothing else in between.
+using RayLog = std::vector<LoggedRay>;
+
+}  // namespace sigmascape::trace
