@@ -4,6 +4,9 @@
 
 PYBIND11_MODULE(_native, module) {
   namespace python = sigmascape::python;
+  // Classes and signatures name the package, not the file that holds them.
+  const pybind11::object file_name = module.attr("__name__");
+  module.attr("__name__") = "sigmascape";
   module.attr("__version__") = SIGMASCAPE_VERSION;
   auto& error = pybind11::register_exception<sigmascape::Error>(module, "Error", PyExc_ValueError);
   error.doc() =
@@ -17,4 +20,5 @@ PYBIND11_MODULE(_native, module) {
   python::add_atlas(module);
   python::add_render(module);
   python::add_live(module);
+  module.attr("__name__") = file_name;
 }

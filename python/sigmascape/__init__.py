@@ -53,7 +53,3 @@ __all__ = [
     "compare",
     "render",
 ]
-
-for _name in __all__:
-    globals()[_name].__module__ = "sigmascape"
-del _name
