@@ -19,5 +19,5 @@ def atlas(scene, tmp_path_factory):
 @pytest.fixture
 def radar():
     radar = sigmascape.Radar(range_resolution_m=2.0, beam_width_deg=0.05, cell_m=2.0)
-    radar.see_from(azimuth_deg=170.0, elevation_deg=20.0, slant_range_m=2500.0)
+    radar.see_from(azimuth_deg=180.0, elevation_deg=15.0, slant_range_m=2500.0)
     return radar

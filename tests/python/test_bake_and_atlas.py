@@ -28,7 +28,7 @@ def test_textures_are_half_floats_without_a_copy(atlas):
     sigma0 = texture.sigma0()
     assert sigma0.dtype == np.float32
     assert np.array_equal(sigma0, level.astype(np.float32) * np.float32(texture.scale))
-    assert sigma0[..., 0].max() > 1.0  # the wall that faces the radar and the ground before it
+    assert sigma0[..., 0].max() > 0.1  # the side of the cylinder that faces the radar
     level[0, 0, 0] = 7.0
     assert texture.levels[0][0, 0, 0] == 7.0
     del texture
@@ -93,7 +93,7 @@ scene = sigmascape.Scene.simple()
 def told(task, done, total, unit):
     print("baking", flush=True)
 try:
-    sigmascape.bake(scene, sys.argv[1], azimuths=8, texel_m=0.05, patch_texels=1024, samples=4096, progress=told)
+    sigmascape.bake(scene, sys.argv[1], azimuths=8, texel_m=0.25, patch_texels=512, samples=64, progress=told)
 except KeyboardInterrupt:
     print("interrupted", flush=True)
 """
