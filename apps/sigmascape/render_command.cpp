@@ -7,6 +7,7 @@
 #include "map_files.h"
 #include "polarization_option.h"
 #include "received_files.h"
+#include "scope_files.h"
 #include "stopwatch.h"
 #include "terminal_progress.h"
 
@@ -14,6 +15,7 @@
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/product/ground_map_file.h"
+#include "sigmascape/product/reprojection.h"
 #include "sigmascape/radar/radar_file.h"
 #include "sigmascape/render/level_of_detail.h"
 #include "sigmascape/scene/scene_file.h"
@@ -31,6 +33,8 @@ struct RenderOptions {
   std::optional<double> top_db;
   bool extrapolate = false;
   ReceivedFiles received;
+  ScopeFiles scopes;
+  std::string crs;
   simulate::TraceSettings trace;
 };
 
@@ -128,15 +132,15 @@ void render(const RenderOptions& options, radar::Polarization polarization, bool
 
   write_received(options.received, radar, rendered.image, polarization_given ? polarization : radar.polarization,
                  options.trace.seed, options.trace.threads, rendered.provenance);
-  const auto map = described_map(rendered.image, radar, scene.terrain, grid, scene.frame, rendered.provenance);
+  auto map = described_map(rendered.image, radar, scene.terrain, grid, scene.frame, rendered.provenance);
+  if (!options.crs.empty()) map = product::reprojected(map, scene.frame, options.crs);
   if (!options.map_file.empty()) product::write_ground_map(options.map_file, map);
-  if (!options.picture_file.empty()) {
-    product::PictureOptions look = options.style == "scope" ? product::scope_look() : product::PictureOptions{};
-    look.polarization = polarization_given ? polarization : radar.polarization;
-    look.span_db = options.span_db;
-    look.top_db = options.top_db;
-    write_map_picture(options.picture_file, map, look);
-  }
+  product::PictureOptions look = options.style == "scope" ? product::scope_look() : product::PictureOptions{};
+  look.polarization = polarization_given ? polarization : radar.polarization;
+  look.span_db = options.span_db;
+  look.top_db = options.top_db;
+  if (!options.picture_file.empty()) write_map_picture(options.picture_file, map, look);
+  write_scopes(options.scopes, radar, rendered.image, look);
   nlohmann::ordered_json summary{{"map", options.map_file},
                                  {"picture", options.picture_file},
                                  {"level_of_detail", options.level_of_detail},
@@ -173,6 +177,8 @@ void add_render_command(CLI::App& app, Output& output) {
   command->add_option("--top-db", options->top_db,
                       "sigma0 shown brightest; by default that of the brightest few cells");
   add_polarization_option(*command, *polarization);
+  command->add_option("--crs", options->crs, "coordinate system of the map: EPSG code, PROJ string or WKT");
+  add_scope_options(*command, options->scopes);
   add_received_options(*command, options->received);
   command->add_flag("--extrapolate", options->extrapolate,
                     "at a frequency that was not baked, use the nearest that was");

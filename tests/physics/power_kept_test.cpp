@@ -148,6 +148,7 @@ TwoBakes both_ways(int max_bounces) {
   settings.aspects = {{radians_from_deg(130.0)}, {radians_from_deg(21.0)}, {frequency_hz}};
   settings.sampling.samples_per_texel = 2;
   settings.max_bounces = max_bounces;
+  settings.shadows = bake::Shadows::Baked;
   const ScratchFolder folder;
   TwoBakes bakes;
   settings.patches = {1.0, 1024};

@@ -183,6 +183,7 @@ TEST(Estimators, ErrorFallsWithTheRootOfTheNumberOfPoints) {
 /// above; a path has one such echo or none.
 struct Moments {
   double mean = 0.0, variance = 0.0;
+  double relative_standard_error = 0.0;  // of the mean
 };
 
 Moments double_bounce(double alpha, Estimator estimator, std::uint32_t samples) {
@@ -209,7 +210,7 @@ Moments double_bounce(double alpha, Estimator estimator, std::uint32_t samples) 
         }
       });
   const auto paths = static_cast<double>(counts.paths);
-  return {sum, paths * squares - sum * sum};
+  return {sum, paths * squares - sum * sum, std::sqrt(squares - sum * sum / paths) / sum};
 }
 
 TEST(ReciprocalWeighting, KeepsTheMeanAndLowersTheVariance) {
@@ -222,7 +223,8 @@ TEST(ReciprocalWeighting, KeepsTheMeanAndLowersTheVariance) {
                               .name = name + ", reciprocal mean over one-way mean",
                               .expected = 0.0,
                               .measured = db_from_linear(reciprocal.mean / one_way.mean),
-                              .tolerance = 0.1,
+                              // What little noise the plain estimator leaves at 0.01 comes on top.
+                              .tolerance = std::max(0.1, 3.0 * db_from_linear(1.0 + one_way.relative_standard_error)),
                               .unit = "dB",
                               .source = "both estimate the same integral"});
     validation::expect_at_least({.group = "Reciprocal weighting",

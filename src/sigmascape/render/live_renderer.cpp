@@ -17,6 +17,9 @@ namespace {
 /// Beams that one task fills; it works on their texels and on those of half a beam on either side.
 constexpr std::size_t beams_a_task = 16;
 
+/// Missing pages that one task remembers; the next frame will see the rest.
+constexpr std::size_t most_wanted = 4096;
+
 std::size_t numbers_a_bin(FrameContent content) {
   return content == FrameContent::Amplitudes ? 8 : 4;
 }
@@ -59,7 +62,7 @@ class LiveRenderer::SectorTask {
     std::size_t first = 0, count = 0;
   };
 
-  explicit SectorTask(LiveRenderer& renderer) : renderer_(renderer) { wanted_.reserve(4096); }
+  explicit SectorTask(LiveRenderer& renderer) : renderer_(renderer) { wanted_.reserve(most_wanted); }
 
   void begin_frame(const PageCache::View& view) {
     view_ = view;
@@ -325,6 +328,7 @@ LiveRenderer::LiveRenderer(std::shared_ptr<LiveGround> ground, const LiveSetting
       horizon_(HorizonGrid{}) {
   bins_.resize(settings.beams * settings.ranges * numbers_a_bin(settings.content));
   for (unsigned worker = 0; worker < team_.size(); ++worker) tasks_.push_back(std::make_unique<SectorTask>(*this));
+  wanted_.reserve(most_wanted * team_.size());
 }
 
 LiveRenderer::~LiveRenderer() = default;
@@ -353,14 +357,16 @@ const Frame& LiveRenderer::scan(const Pose& pose, std::size_t first_beam, std::s
   });
 
   frame_.report = {.level = level};
+  wanted_.clear();
   for (const auto& task : tasks_) {
     frame_.report.cells += task->report().cells;
     frame_.report.lit += task->report().lit;
     frame_.report.coarse += task->report().coarse;
     frame_.report.dark += task->report().dark;
-    if (!task->wanted().empty()) ground_->pages().request(task->wanted());
+    wanted_.insert(wanted_.end(), task->wanted().begin(), task->wanted().end());
     task->end_frame();
   }
+  if (!wanted_.empty()) ground_->pages().request(wanted_);
   return frame_;
 }
 

@@ -87,6 +87,7 @@ class LiveRenderer {
   HorizonMap horizon_;
   std::vector<float> bins_;                         // [beam][range][number]
   std::vector<std::unique_ptr<SectorTask>> tasks_;  // one a worker
+  std::vector<PageKey> wanted_;                     // by all of them
   Frame frame_;
 };
 

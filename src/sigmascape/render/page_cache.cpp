@@ -61,8 +61,7 @@ const GroundPage* PageCache::View::find(const PageKey& key) const {
 }
 
 void PageCache::request(std::span<const PageKey> wanted) {
-  const std::unique_lock lock(guard_, std::try_to_lock);
-  if (!lock) return;
+  const std::lock_guard lock(guard_);
   wanted_.assign(wanted.rbegin(), wanted.rend());
   if (!wanted_.empty()) request_came_.notify_all();
 }

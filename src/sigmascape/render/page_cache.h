@@ -59,8 +59,8 @@ class PageCache {
   /// Call at the start of a frame; drop it at its end, for pages live while a view holds them.
   [[nodiscard]] View view();
 
-  /// Pages to load, the dearest first, in place of those asked for before. Does nothing when a loader has its hand on
-  /// the list just now: the next frame will ask again.
+  /// Pages to load, the dearest first, in place of those asked for before. For the end of a frame: the list is locked
+  /// while it is handed over, never while pages are read.
   void request(std::span<const PageKey> wanted);
 
   /// Returns when all that was asked for is there or cannot be: for callers who would rather wait than see less.

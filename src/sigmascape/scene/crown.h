@@ -6,7 +6,8 @@
 namespace sigmascape::scene {
 
 /// The ellipsoid that stands for the crown of a tree mesh of that form: the hull of a broadleaf, and for the cone of a
-/// conifer the upright ellipsoid of its height and volume.
+/// conifer, whose leaves crowd at its foot, the upright one in which even leaves would have the same mean place and
+/// spread.
 [[nodiscard]] Ellipsoid crown_ellipsoid(TreeForm form);
 
 [[nodiscard]] double volume_m3(const Ellipsoid& ellipsoid);

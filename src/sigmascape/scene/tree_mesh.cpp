@@ -132,9 +132,12 @@ Mesh bare_tree_mesh(TreeForm form, MaterialIndex bark, std::uint64_t seed) {
 Ellipsoid crown_ellipsoid(TreeForm form) {
   const CrownHull hull{form};
   if (form == TreeForm::Conifer) {
-    const float half = 0.5F * (tree_height_m - hull.base_m());
-    const float across = tree_crown_radius_m / std::sqrt(2.0F);
-    return {{0.0F, 0.0F, hull.base_m() + half}, {across, across, half}};
+    // The first and second moments of its leaves, see leaf_place: heights have the mean ⅓ and the variance 1/18,
+    // squares of distances from the axis the mean ½ · 5/9. An even ellipsoid has a fifth of the squares of its radii.
+    const float height = tree_height_m - hull.base_m();
+    const float centre = hull.base_m() + height / 3.0F;
+    const float across = tree_crown_radius_m * std::sqrt(5.0F * 0.5F * (5.0F / 18.0F));
+    return {{0.0F, 0.0F, centre}, {across, across, std::min(height * std::sqrt(5.0F / 18.0F), centre)}};
   }
   const float middle = hull.z_at(0.45F);
   return {{0.0F, 0.0F, middle}, {tree_crown_radius_m, tree_crown_radius_m, tree_height_m - middle}};

@@ -55,6 +55,7 @@ BakeSettings settings_with(const Sampling& sampling) {
   settings.aspects = {{radians_from_deg(60.0)}, {radians_from_deg(30.0)}, {10e9}};
   settings.patches = {2.0, 256};
   settings.sampling = sampling;
+  settings.shadows = Shadows::Baked;
   return settings;
 }
 

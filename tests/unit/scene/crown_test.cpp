@@ -82,13 +82,29 @@ TEST(Crown, MaterialNeedsAnAlbedo) {
   EXPECT_DOUBLE_EQ(crown.albedo, 0.4);
 }
 
-TEST(Crown, EllipsoidsHoldTheirTrees) {
-  const Ellipsoid broadleaf = crown_ellipsoid(TreeForm::Broadleaf), conifer = crown_ellipsoid(TreeForm::Conifer);
-  for (const Ellipsoid& shape : {broadleaf, conifer}) EXPECT_FLOAT_EQ(shape.centre.z + shape.radii_m.z, tree_height_m);
-  // As much as the cone that the conifer is.
-  const double cone =
-      pi * std::pow(static_cast<double>(tree_crown_radius_m), 2) * static_cast<double>(2.0F * conifer.radii_m.z) / 3.0;
-  EXPECT_NEAR(volume_m3(conifer) / cone, 1.0, 1e-5);
+TEST(Crown, OfABroadleafHoldsItsTree) {
+  const Ellipsoid crown = crown_ellipsoid(TreeForm::Broadleaf);
+  EXPECT_FLOAT_EQ(crown.centre.z + crown.radii_m.z, tree_height_m);
+  EXPECT_FLOAT_EQ(crown.radii_m.x, tree_crown_radius_m);
+}
+
+TEST(Crown, OfAConiferLiesAsItsLeavesDo) {
+  const Ellipsoid crown = crown_ellipsoid(TreeForm::Conifer);
+  const Mesh tree = tree_mesh(TreeForm::Conifer, {.bark = 0, .leaf = 1}, 1);
+  double count = 0.0, height = 0.0, from_axis2 = 0.0;
+  for (std::size_t i = 0; i < tree.triangles.size(); ++i) {
+    if (tree.materials[i] != 1) continue;
+    for (const auto vertex : tree.triangles[i]) {
+      const Vec3d leaf = tree.vertices[vertex].to<double>();
+      count += 1.0;
+      height += leaf.z;
+      from_axis2 += leaf.x * leaf.x + leaf.y * leaf.y;
+    }
+  }
+  // The mesh is stretched to its nominal height and radius afterwards, and its leaves are squares with corners.
+  EXPECT_NEAR(height / count / static_cast<double>(crown.centre.z), 1.0, 0.05);
+  const double across = static_cast<double>(crown.radii_m.x);
+  EXPECT_NEAR(from_axis2 / count / (2.0 / 5.0 * across * across), 1.0, 0.15);
 }
 
 }  // namespace

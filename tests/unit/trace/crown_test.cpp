@@ -246,12 +246,11 @@ Stand stand(int trees_a_side) {
 }
 
 /// Of the trees that scene files plant.
-Stand built_in_stand(int trees_a_side) {
+Stand built_in_stand(scene::TreeForm form, int trees_a_side) {
   Stand stand{plain_scene(0.1), plain_scene(0.1)};
   const scatter::Material bark = scatter::library_material("bark");
   const scene::TreeMaterials materials{stand.leaves.material_index(bark),
                                        stand.leaves.material_index(scatter::library_material("leaf"))};
-  constexpr auto form = scene::TreeForm::Broadleaf;
   const scene::Mesh tree = scene::tree_mesh(form, materials, 1);
   stand.leaves.prototypes.push_back(tree);
   stand.media.prototypes.push_back(scene::bare_tree_mesh(form, stand.media.material_index(bark), 1));
@@ -260,6 +259,9 @@ Stand built_in_stand(int trees_a_side) {
   plant(stand, trees_a_side);
   return stand;
 }
+
+constexpr std::pair<scene::TreeForm, const char*> tree_forms[] = {{scene::TreeForm::Broadleaf, "broadleaf"},
+                                                                  {scene::TreeForm::Conifer, "conifer"}};
 
 /// Shrinks the branches to nothing, so that leaves alone stand in the way.
 void without_bark(scene::Mesh& mesh) {
@@ -303,29 +305,35 @@ void expect_equal_passage(const Stand& tree, const scene::Ellipsoid& shape, std:
 
 TEST(Crown, LetsPassWhatItsLeavesLetPass) {
   expect_equal_passage(stand(1), even_shape, "evenly spread leaves", "exp(−κd), κ half the leaf area density");
-  Stand built_in = built_in_stand(1);
-  for (scene::Mesh* mesh : {&built_in.leaves.prototypes[0], &built_in.media.prototypes[0]}) without_bark(*mesh);
-  expect_equal_passage(built_in, scene::crown_ellipsoid(scene::TreeForm::Broadleaf), "a broadleaf tree's leaves",
-                       "exp(−κd), κ the effective one over all sides");
+  for (const auto& [form, name] : tree_forms) {
+    Stand built_in = built_in_stand(form, 1);
+    for (scene::Mesh* mesh : {&built_in.leaves.prototypes[0], &built_in.media.prototypes[0]}) without_bark(*mesh);
+    expect_equal_passage(built_in, scene::crown_ellipsoid(form), fmt::format("a {} tree's leaves", name),
+                         "exp(−κd), κ the effective one over all sides");
+  }
 }
 
 void expect_equal_brightness(const Stand& trees, std::string_view name) {
   for (const double elevation_deg : {25.0, 50.0}) {
-    const auto of_leaves = sigma0(trees.leaves, elevation_deg, {}, 10.0, 32);
-    const auto of_media = sigma0(trees.media, elevation_deg, {}, 10.0, 32);
+    const auto of_leaves = sigma0(trees.leaves, elevation_deg, {}, 10.0, 64);
+    const auto of_media = sigma0(trees.media, elevation_deg, {}, 10.0, 64);
     const auto report = [&](const char* channel, float leaves, float media, double tolerance_db) {
       expect_db(fmt::format("stand of {} at {:.0f}°, {}: media against leaves", name, elevation_deg, channel), leaves,
                 media, tolerance_db, "the same stand traced through its leaves");
     };
-    report("VV", of_leaves.vv, of_media.vv, 1.0);
-    report("HH", of_leaves.hh, of_media.hh, 1.0);
+    report("VV + HH + 2·HV", of_leaves.power(radar::Polarization::Sum), of_media.power(radar::Polarization::Sum), 1.0);
+    // Cards stand in each other's way in pairs, which a medium knows nothing of: single polarizations may differ more.
+    report("VV", of_leaves.vv, of_media.vv, 1.5);
+    report("HH", of_leaves.hh, of_media.hh, 1.5);
     report("HV", of_leaves.hv, of_media.hv, 1.5);
   }
 }
 
 TEST(Crown, StandOfMediaIsAsBrightAsOneOfLeaves) {
   expect_equal_brightness(stand(9), "evenly spread leaves");
-  expect_equal_brightness(built_in_stand(9), "broadleaf trees");
+  for (const auto& [form, name] : tree_forms) {
+    expect_equal_brightness(built_in_stand(form, 9), fmt::format("{} trees", name));
+  }
 }
 
 }  // namespace

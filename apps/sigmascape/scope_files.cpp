@@ -1,0 +1,28 @@
+#include "scope_files.h"
+
+#include "sigmascape/product/legend.h"
+#include "sigmascape/product/png_file.h"
+#include "sigmascape/product/scope_layout.h"
+
+namespace sigmascape::cli {
+
+void add_scope_options(CLI::App& command, ScopeFiles& files) {
+  command.add_option("--ppi", files.ppi, "picture of the sector as a plan position indicator shows it");
+  command.add_option("--b-scope", files.b_scope, "picture of range over azimuth");
+  command.add_option("--up", files.up, "what is at the top of the plan position indicator: north or heading")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"north", "heading"}));
+}
+
+void write_scopes(const ScopeFiles& files, const radar::Radar& radar, const radar::RangeAzimuthImage& image,
+                  const product::PictureOptions& look) {
+  if (!files.ppi.empty()) {
+    const double up_rad = files.up == "heading" ? radar.heading_rad : 0.0;
+    const auto picture = product::picture_of(product::ppi(image, {.up_rad = up_rad}), look);
+    // A legend's north arrow would lie.
+    product::write_png(files.ppi, files.up == "heading" ? picture : product::with_legend(picture));
+  }
+  if (!files.b_scope.empty()) product::write_png(files.b_scope, product::picture_of(product::b_scope(image), look));
+}
+
+}  // namespace sigmascape::cli

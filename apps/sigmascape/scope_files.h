@@ -1,0 +1,23 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "sigmascape/product/picture.h"
+#include "sigmascape/radar/radar.h"
+#include "sigmascape/radar/range_azimuth_image.h"
+
+namespace sigmascape::cli {
+
+/// Pictures of the bins as a scope shows them, before any terrain comes in.
+struct ScopeFiles {
+  std::string ppi, b_scope, up = "north";
+};
+
+void add_scope_options(CLI::App& command, ScopeFiles& files);
+
+/// Writes the pictures that were asked for, painted as `look` says.
+void write_scopes(const ScopeFiles& files, const radar::Radar& radar, const radar::RangeAzimuthImage& image,
+                  const product::PictureOptions& look);
+
+}  // namespace sigmascape::cli

@@ -1,0 +1,99 @@
+#include "sigmascape/product/reprojection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+#include <vector>
+
+#include "sigmascape/base/error.h"
+#include "sigmascape/geo/coordinate_transform.h"
+
+namespace sigmascape::product {
+namespace {
+
+using radar::Channels;
+
+constexpr float unseen = std::numeric_limits<float>::quiet_NaN();
+
+/// Points along the four sides of a rectangle: a straight side may become a bow.
+std::vector<Vec2d> outline_of(const radar::Rectangle& area) {
+  constexpr int pieces = 32;
+  std::vector<Vec2d> points;
+  for (int i = 0; i <= pieces; ++i) {
+    const double part = static_cast<double>(i) / pieces;
+    const double x = std::lerp(area.west_m, area.east_m, part), y = std::lerp(area.south_m, area.north_m, part);
+    points.insert(points.end(), {{x, area.south_m}, {x, area.north_m}, {area.west_m, y}, {area.east_m, y}});
+  }
+  return points;
+}
+
+radar::Rectangle box_about(const std::vector<Vec2d>& points) {
+  radar::Rectangle box{points[0].x, points[0].y, points[0].x, points[0].y};
+  for (const Vec2d& p : points) {
+    box = {std::min(box.west_m, p.x), std::min(box.south_m, p.y), std::max(box.east_m, p.x),
+           std::max(box.north_m, p.y)};
+  }
+  return box;
+}
+
+/// Side of a square that is as large, in the units of the system, as a cell in the middle of the map.
+double equal_cell(const geo::CoordinateTransform& transform, const radar::GroundGrid& grid) {
+  const Vec2d middle = grid.extent().centre();
+  std::vector<Vec2d> corner{middle, middle + Vec2d{grid.cell_m, 0.0}, middle + Vec2d{0.0, grid.cell_m}};
+  transform.to_crs(corner);
+  const Vec2d east = corner[1] - corner[0], north = corner[2] - corner[0];
+  return std::sqrt(std::abs(east.x * north.y - east.y * north.x));
+}
+
+/// NaN where one of the four cells about the point is missing or unseen.
+Channels sigma0_at(const radar::GroundMap& map, Vec2d point) {
+  const Vec2d cells = map.grid.cells_from(point);
+  const double column = cells.x - 0.5, row = cells.y - 0.5;
+  const bool inside = cells.x >= 0.0 && cells.y >= 0.0 && cells.x <= static_cast<double>(map.grid.columns) &&
+                      cells.y <= static_cast<double>(map.grid.rows);
+  if (!inside) return {unseen, unseen, unseen, unseen};
+  const auto first = [](double position, std::size_t count) {
+    return static_cast<std::size_t>(std::clamp(std::floor(position), 0.0, static_cast<double>(count - 1)));
+  };
+  const std::size_t c = first(column, map.grid.columns), r = first(row, map.grid.rows);
+  const std::size_t next_c = std::min(c + 1, map.grid.columns - 1), next_r = std::min(r + 1, map.grid.rows - 1);
+  const auto u = static_cast<float>(std::clamp(column - static_cast<double>(c), 0.0, 1.0));
+  const auto v = static_cast<float>(std::clamp(row - static_cast<double>(r), 0.0, 1.0));
+  return map.sigma0(c, r) * ((1.0F - u) * (1.0F - v)) + map.sigma0(next_c, r) * (u * (1.0F - v)) +
+         map.sigma0(c, next_r) * ((1.0F - u) * v) + map.sigma0(next_c, next_r) * (u * v);
+}
+
+}  // namespace
+
+radar::GroundMap reprojected(const radar::GroundMap& map, const geo::LocalFrame& frame, const std::string& crs,
+                             std::optional<double> cell) {
+  const geo::CoordinateTransform transform(crs, frame, "coordinate system of the map");
+  std::vector<Vec2d> outline = outline_of(map.grid.extent());
+  transform.to_crs(outline);
+  if (std::ranges::any_of(outline, [](Vec2d p) { return std::isnan(p.x) || std::isnan(p.y); })) {
+    throw Error("coordinate system of the map", fmt::format("{} does not reach there", crs),
+                "choose one that is made for the place");
+  }
+  const radar::Rectangle box = box_about(outline);
+  const double side = cell.value_or(equal_cell(transform, map.grid));
+  if (!(side > 0.0)) throw Error("cell of the map", fmt::format("{} is no size", side), "give a positive one");
+
+  radar::GroundMap turned;
+  turned.crs = crs;
+  turned.metadata = map.metadata;
+  turned.grid = {box.west_m, box.north_m, side, static_cast<std::size_t>(std::ceil(box.width_m() / side)),
+                 static_cast<std::size_t>(std::ceil(box.height_m() / side))};
+  turned.sigma0 = Array2D<Channels>(turned.grid.columns, turned.grid.rows);
+  std::vector<Vec2d> places(turned.grid.columns);
+  for (std::size_t row = 0; row < turned.grid.rows; ++row) {
+    for (std::size_t column = 0; column < places.size(); ++column) places[column] = turned.grid.centre_of(column, row);
+    transform.to_frame(places);
+    for (std::size_t column = 0; column < places.size(); ++column) {
+      turned.sigma0(column, row) = sigma0_at(map, places[column]);
+    }
+  }
+  return turned;
+}
+
+}  // namespace sigmascape::product

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "sigmascape/geo/local_frame.h"
+#include "sigmascape/radar/ground_map.h"
+
+namespace sigmascape::product {
+
+/// The same map, north up, in another coordinate system: "EPSG:25830", a PROJ string or WKT.
+///
+/// Cells are squares of `cell` units of that system; by default as large as those of the map, in degrees where the
+/// system counts in them. σ0 is bilinear between the map's cells, in linear power, and NaN beyond them. Throws Error
+/// when the system is not understood or does not reach there.
+[[nodiscard]] radar::GroundMap reprojected(const radar::GroundMap& map, const geo::LocalFrame& frame,
+                                           const std::string& crs, std::optional<double> cell = {});
+
+}  // namespace sigmascape::product
