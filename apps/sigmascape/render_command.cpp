@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "command.h"
+#include "iq_files.h"
 #include "map_files.h"
 #include "polarization_option.h"
 #include "received_files.h"
@@ -33,6 +34,7 @@ struct RenderOptions {
   std::optional<double> top_db;
   bool extrapolate = false;
   ReceivedFiles received;
+  IqFiles iq;
   ScopeFiles scopes;
   std::string crs;
   simulate::TraceSettings trace;
@@ -132,6 +134,8 @@ void render(const RenderOptions& options, radar::Polarization polarization, bool
 
   write_received(options.received, radar, rendered.image, polarization_given ? polarization : radar.polarization,
                  options.trace.seed, options.trace.threads, rendered.provenance);
+  write_iq_files(options.iq, {options.atlas, scene, radar, grid.extent(), options.trace.seed, options.trace.threads},
+                 rendered.provenance);
   auto map = described_map(rendered.image, radar, scene.terrain, grid, scene.frame, rendered.provenance);
   if (!options.crs.empty()) map = product::reprojected(map, scene.frame, options.crs);
   if (!options.map_file.empty()) product::write_ground_map(options.map_file, map);
@@ -180,6 +184,7 @@ void add_render_command(CLI::App& app, Output& output) {
   command->add_option("--crs", options->crs, "coordinate system of the map: EPSG code, PROJ string or WKT");
   add_scope_options(*command, options->scopes);
   add_received_options(*command, options->received);
+  add_iq_options(*command, options->iq);
   command->add_flag("--extrapolate", options->extrapolate,
                     "at a frequency that was not baked, use the nearest that was");
   command->add_option("--samples", options->trace.samples_per_cell, "rays a map cell, at level of detail 0")

@@ -5,6 +5,7 @@
 #include "parts.h"
 
 #include "sigmascape/base/error.h"
+#include "sigmascape/product/iq_file.h"
 #include "sigmascape/render/live_renderer.h"
 
 namespace sigmascape::python {
@@ -19,6 +20,7 @@ using Release = py::call_guard<py::gil_scoped_release>;
 /// A frame and the renderer in whose memory it lies.
 struct HeldFrame {
   render::Frame frame;
+  render::Pose pose;
   py::object renderer;
 };
 
@@ -39,7 +41,7 @@ HeldFrame rendered(const py::object& self, const Triple& position_m, double firs
     const py::gil_scoped_release release;
     frame = &renderer.render(pose);
   }
-  return {*frame, self};
+  return {*frame, pose, self};
 }
 
 HeldFrame scanned(const py::object& self, const Triple& position_m, double first_azimuth_rad, double first_range_m,
@@ -51,7 +53,7 @@ HeldFrame scanned(const py::object& self, const Triple& position_m, double first
     const py::gil_scoped_release release;
     frame = &renderer.scan(pose, first_beam, count);
   }
-  return {*frame, self};
+  return {*frame, pose, self};
 }
 
 std::unique_ptr<LiveRenderer> made_renderer(const std::shared_ptr<LiveGround>& ground, const std::string& content,
@@ -81,6 +83,13 @@ py::object numbers_of(const HeldFrame& held, std::span<const Number> numbers) {
   return array_view(numbers.data(), {beams, ranges, 4}, held.renderer, Access::ReadOnly);
 }
 
+void save(const HeldFrame& held, const std::filesystem::path& path, double frequency_ghz) {
+  if (held.frame.amplitudes_m.empty())
+    throw Error(path.string(), "cannot hold powers", "make the renderer with content='amplitudes'");
+  product::write_iq(path, product::iq_record(held.frame.grid, held.frame.amplitudes_m,
+                                             {held.pose.position, held.pose.velocity_mps}, frequency_ghz * 1e9));
+}
+
 template <typename Class>
 void count(Class& binding, const char* name, std::size_t render::FrameReport::*member, const char* doc) {
   binding.def_property_readonly(
@@ -100,6 +109,9 @@ void add_frame(py::module_& module) {
       .def_property_readonly(
           "powers_m2", [](const HeldFrame& f) { return numbers_of(f, f.frame.powers_m2); },
           "float32 [beam, range, 4]: VV, HH, HV, Re VV HH* in m^2. None when amplitudes were asked for.")
+      .def("save", &save, py::arg("path"), py::kw_only(), py::arg("frequency_ghz"),
+           py::call_guard<py::gil_scoped_release>(),
+           "Writes the amplitudes as .npy (with .json), .npz, .h5 or .sigmf-meta; docs/iq_files.md.")
       .def_property_readonly("first_range_m", [](const HeldFrame& f) { return f.frame.grid.first_range_m; })
       .def_property_readonly("range_step_m", [](const HeldFrame& f) { return f.frame.grid.range_step_m; })
       .def_property_readonly("first_azimuth_rad", [](const HeldFrame& f) { return f.frame.grid.first_azimuth_rad; })

@@ -19,6 +19,7 @@ PYBIND11_MODULE(_native, module) {
   python::add_bake(module);
   python::add_atlas(module);
   python::add_render(module);
+  python::add_iq(module);
   python::add_live(module);
   module.attr("__name__") = file_name;
 }

@@ -11,6 +11,7 @@ void add_ground_map(pybind11::module_& module);
 void add_bake(pybind11::module_& module);
 void add_atlas(pybind11::module_& module);
 void add_render(pybind11::module_& module);
+void add_iq(pybind11::module_& module);
 void add_live(pybind11::module_& module);
 
 }  // namespace sigmascape::python

@@ -13,6 +13,10 @@
     baked.vv                                                   # float32 [row, column], linear sigma0
     print(sigmascape.compare(baked, traced))
 
+    radar.velocity_mps = (150, 0, 0)
+    pulses = sigmascape.phase_history(atlas, radar)            # I/Q: complex64 [pulse, range, polarization]
+    pulses.save("pulses.h5")
+
 Scenes come from scene files, or are made up (Scene.simple, Scene.paper). LiveGround and LiveRenderer make radar frames for
 simulators as I/Q. The local frame has x east and y north in metres; heights are above mean sea level; azimuths count clockwise
 from true north; maps are [row, column] with row 0 the northernmost; sigma0 is linear. Names say their unit. Long calls let
@@ -28,12 +32,16 @@ from ._native import (
     GroundMap,
     LiveGround,
     LiveRenderer,
+    PhaseHistory,
     Radar,
+    RangeDopplerImage,
     Scene,
     Texture,
     __version__,
     bake,
     compare,
+    phase_history,
+    range_doppler,
     render,
 )
 
@@ -46,10 +54,14 @@ __all__ = [
     "GroundMap",
     "LiveGround",
     "LiveRenderer",
+    "PhaseHistory",
     "Radar",
+    "RangeDopplerImage",
     "Scene",
     "Texture",
     "bake",
     "compare",
+    "phase_history",
+    "range_doppler",
     "render",
 ]

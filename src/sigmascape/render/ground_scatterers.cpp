@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/parallel.h"
 #include "sigmascape/render/line_of_sight.h"
@@ -18,12 +19,50 @@ bool hidden_by_any(std::span<const radar::Target> targets, double time_s, Vec3d 
                              [&](const radar::Target& target) { return radar::hides(target, time_s, radar, point); });
 }
 
+double tallest_of(const radar::ObstacleMap& map) {
+  double tallest_m = 0.0;
+  for (const radar::Obstacle& obstacle : map.obstacles.values())
+    tallest_m = std::max(tallest_m, static_cast<double>(obstacle.top_m()));
+  return tallest_m;
+}
+
+/// The part of the bare ground at a point that obstacles let be seen, as though all stood at the point's own height.
+double seen_ground(const radar::ObstacleMap& map, double tallest_m, Vec2d point, const radar::Aspect& aspect) {
+  if (map.at(point).solid_top_m > 0.0F) return 0.0;
+  const Vec2d towards = radar::horizontal_direction(aspect.azimuth_rad);
+  const double rise = std::tan(aspect.elevation_rad), step_m = map.grid.cell_m;
+  const double way_m = step_m / std::cos(aspect.elevation_rad);
+  const radar::Rectangle extent = map.grid.extent();
+  double depth = 0.0;
+  for (double distance_m = step_m; distance_m * rise < tallest_m; distance_m += step_m) {
+    const Vec2d before = point + towards * distance_m;
+    if (!extent.contains(before)) break;
+    const radar::Obstacle obstacle = map.at(before);
+    const double height_m = distance_m * rise;
+    if (height_m < static_cast<double>(obstacle.solid_top_m)) return 0.0;
+    if (height_m >= static_cast<double>(obstacle.crown_base_m) && height_m < static_cast<double>(obstacle.crown_top_m))
+      depth += static_cast<double>(obstacle.crown_extinction_per_m) * way_m;
+  }
+  return std::exp(-depth);
+}
+
 }  // namespace
 
 Reflectivity reflectivity_of(const atlas::Atlas& atlas, double frequency_hz, double cell_m) {
   atlas.check_frequency(frequency_hz);
-  return [&atlas, frequency_hz, level = atlas.level_for(cell_m)](Vec2d point, const radar::Aspect& aspect) {
-    return atlas.sigma0_at(point, aspect, frequency_hz, level);
+  const double level = atlas.level_for(cell_m);
+  const atlas::GroundLayers* ground = atlas.ground_layers();
+  if (ground == nullptr) {
+    return [&atlas, frequency_hz, level](Vec2d point, const radar::Aspect& aspect) {
+      return atlas.sigma0_at(point, aspect, frequency_hz, level);
+    };
+  }
+  const double tallest_m = tallest_of(ground->obstacles);
+  return [&atlas, ground, frequency_hz, level, tallest_m](Vec2d point, const radar::Aspect& aspect) {
+    const double seen = seen_ground(ground->obstacles, tallest_m, point, aspect);
+    radar::Channels sigma0 = atlas.sigma0_at(point, aspect, frequency_hz, level);
+    if (seen > 0.0) sigma0 += ground->sigma0.sigma0_at(point, aspect, frequency_hz, level) * static_cast<float>(seen);
+    return sigma0;
   };
 }
 

@@ -17,8 +17,9 @@ namespace sigmascape::render {
 /// σ0 of a point of the ground, linear and per horizontal area, as seen under an aspect. Called from several threads.
 using Reflectivity = std::function<radar::Channels(Vec2d point, const radar::Aspect& aspect)>;
 
-/// What an atlas says, at the level whose texels are as large as `cell_m`. The atlas must outlive it. Throws Error when
-/// the atlas has not been baked near this frequency.
+/// What an atlas says, at the level whose texels are as large as `cell_m`; where it keeps the ground apart, with the
+/// ground's own σ0 where no obstacle stands on it or before it (reckoned on level ground). The atlas must outlive it.
+/// Throws Error when the atlas has not been baked near this frequency.
 [[nodiscard]] Reflectivity reflectivity_of(const atlas::Atlas& atlas, double frequency_hz, double cell_m);
 
 struct ScattererRequest {

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace sigmascape::product {
+
+/// A NumPy file (.npy, format 1.0, C order) as bytes. `type` is NumPy's word for the numbers: "<f4", "<f2", "|u1";
+/// `shape` counts them along each axis, the slowest first. Assumes as many numbers as the shape says.
+[[nodiscard]] std::string npy_bytes(std::string_view type, std::span<const std::size_t> shape,
+                                    std::span<const std::byte> numbers);
+
+}  // namespace sigmascape::product
