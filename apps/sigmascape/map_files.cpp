@@ -1,32 +1,9 @@
 #include "map_files.h"
 
-#include <fmt/format.h>
-
-#include "sigmascape/product/ground_projection.h"
 #include "sigmascape/product/legend.h"
 #include "sigmascape/product/png_file.h"
 
 namespace sigmascape::cli {
-
-radar::GroundMap described_map(radar::GroundMap map, const radar::Radar& radar, const geo::LocalFrame& frame,
-                               const Provenance& provenance) {
-  map.crs = frame.proj();
-  map.metadata = provenance;
-  map.metadata["radar"] = radar.name;
-  map.metadata["radar_position_m"] =
-      fmt::format("{:.2f} {:.2f} {:.2f}", radar.position.x, radar.position.y, radar.position.z);
-  map.metadata["frequency_hz"] = fmt::format("{:.0f}", radar.frequency_hz);
-  map.metadata["range_resolution_m"] = fmt::format("{}", radar.range_resolution_m);
-  map.metadata["beam_width_rad"] = fmt::format("{:.6g}", radar.beam_width_rad);
-  map.metadata["quantity"] = "sigma0, linear, with respect to horizontal area";
-  return map;
-}
-
-radar::GroundMap described_map(const radar::RangeAzimuthImage& image, const radar::Radar& radar,
-                               const terrain::HeightField& terrain, const radar::GroundGrid& grid,
-                               const geo::LocalFrame& frame, const Provenance& provenance) {
-  return described_map(product::ground_map(image, terrain, grid), radar, frame, provenance);
-}
 
 void write_map_picture(const std::filesystem::path& path, const radar::GroundMap& map,
                        const product::PictureOptions& options) {

@@ -5,6 +5,7 @@
 
 #include "coherent_render.h"
 #include "command.h"
+#include "iq_files.h"
 #include "layer_files.h"
 #include "map_files.h"
 #include "polarization_option.h"
@@ -36,6 +37,7 @@ struct RenderOptions {
   std::optional<double> top_db;
   bool extrapolate = false;
   ReceivedFiles received;
+  IqFiles iq;
   ScopeFiles scopes;
   std::string crs;
   LayerFiles layers;
@@ -173,6 +175,8 @@ void render(const RenderOptions& options, radar::Polarization polarization, bool
   if (!rendered.coherent)
     write_received(options.received, radar, rendered.image, polarization_given ? polarization : radar.polarization,
                    options.trace.seed, options.trace.threads, rendered.provenance);
+  write_iq_files(options.iq, {options.atlas, scene, radar, grid.extent(), options.trace.seed, options.trace.threads},
+                 rendered.provenance);
   auto map = rendered.coherent
                  ? described_map(std::move(*rendered.coherent), radar, scene.frame, rendered.provenance)
                  : described_map(rendered.image, radar, scene.terrain, grid, scene.frame, rendered.provenance);
@@ -227,6 +231,7 @@ void add_render_command(CLI::App& app, Output& output) {
   add_scope_options(*command, options->scopes);
   add_received_options(*command, options->received);
   add_layer_options(*command, options->layers);
+  add_iq_options(*command, options->iq);
   command->add_flag("--extrapolate", options->extrapolate,
                     "at a frequency that was not baked, use the nearest that was");
   command->add_option("--samples", options->trace.samples_per_cell, "rays a map cell, at level of detail 0")

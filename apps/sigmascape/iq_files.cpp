@@ -1,0 +1,39 @@
+#include "iq_files.h"
+
+#include <utility>
+
+#include "sigmascape/atlas/atlas.h"
+#include "sigmascape/base/error.h"
+#include "sigmascape/product/iq_file.h"
+#include "sigmascape/simulate/coherent.h"
+
+namespace sigmascape::cli {
+
+void add_iq_options(CLI::App& command, IqFiles& files) {
+  command.add_option("--iq", files.file,
+                     "pulses as complex numbers to write, from the atlas (.npy, .npz, .h5 or .sigmf-meta)");
+  command.add_option("--interval-s", files.interval_s, "time over which --iq records pulses")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber);
+}
+
+void write_iq_files(const IqFiles& files, const IqRequest& request, Provenance provenance) {
+  if (files.file.empty()) return;
+  product::check_iq_name(files.file);
+  if (request.atlas.empty())
+    throw Error("--iq", "needs an atlas", "name with --atlas the one that `sigmascape bake` made");
+  const atlas::Atlas textures = atlas::load_atlas(atlas::Store::open(request.atlas));
+  const simulate::CoherentScene scene{
+      &request.scene.terrain,
+      render::reflectivity_of(textures, request.radar.frequency_hz, request.radar.range_resolution_m),
+      {}};
+  const auto history =
+      simulate::phase_history(scene, request.radar, request.area,
+                              {.interval_s = files.interval_s, .seed = request.seed, .threads = request.threads});
+  provenance["processing"] = "scatterers from terrain and atlas";
+  provenance["crs"] = request.scene.frame.proj();
+  provenance["seed"] = std::to_string(request.seed);
+  product::write_iq(files.file, product::iq_record(history, request.radar, std::move(provenance)));
+}
+
+}  // namespace sigmascape::cli

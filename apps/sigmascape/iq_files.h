@@ -1,0 +1,35 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <string>
+
+#include "map_files.h"
+
+#include "sigmascape/radar/radar.h"
+#include "sigmascape/scene/scene.h"
+
+namespace sigmascape::cli {
+
+/// Which I/Q is to be written; an empty name asks for none.
+struct IqFiles {
+  std::string file;
+  double interval_s = 0.1;
+};
+
+void add_iq_options(CLI::App& command, IqFiles& files);
+
+/// What the atlas, the scene's terrain and the radar make of it.
+struct IqRequest {
+  const std::string& atlas;
+  const scene::Scene& scene;
+  const radar::Radar& radar;
+  const radar::Rectangle& area;
+  std::uint64_t seed = 1;
+  unsigned threads = 0;
+};
+
+/// Writes the pulses that the radar records of the area, if they were asked for. Throws Error without an atlas.
+void write_iq_files(const IqFiles& files, const IqRequest& request, Provenance provenance);
+
+}  // namespace sigmascape::cli

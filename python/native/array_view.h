@@ -1,0 +1,56 @@
+#pragma once
+
+#include <pybind11/complex.h>
+#include <pybind11/numpy.h>
+#include <span>
+#include <vector>
+
+#include "sigmascape/base/array2d.h"
+
+namespace sigmascape::python {
+
+/// Whether whoever gets the array may write into it.
+enum class Access { ReadOnly, ReadWrite };
+
+/// A NumPy array over memory that `owner` keeps alive: no number is copied. Strides are in bytes; empty: C order.
+inline pybind11::array array_view(const pybind11::dtype& type, const void* numbers,
+                                  std::vector<pybind11::ssize_t> shape, std::vector<pybind11::ssize_t> strides,
+                                  pybind11::handle owner, Access access) {
+  pybind11::array array(type, std::move(shape), std::move(strides), numbers, owner);
+  if (access == Access::ReadOnly) array.attr("setflags")(pybind11::arg("write") = false);
+  return array;
+}
+
+template <typename T>
+pybind11::array array_view(const T* numbers, std::vector<pybind11::ssize_t> shape, pybind11::handle owner,
+                           Access access) {
+  return array_view(pybind11::dtype::of<T>(), numbers, std::move(shape), {}, owner, access);
+}
+
+/// [row, column] of one number of each element of an Array2D, the number `offset` bytes into the element.
+template <typename Number, typename Element>
+pybind11::array layer_view(const Array2D<Element>& array, std::size_t offset, pybind11::handle owner, Access access) {
+  constexpr auto step = static_cast<pybind11::ssize_t>(sizeof(Element));
+  const auto rows = static_cast<pybind11::ssize_t>(array.rows());
+  const auto columns = static_cast<pybind11::ssize_t>(array.columns());
+  const auto* first = reinterpret_cast<const std::byte*>(array.values().data()) + offset;
+  return array_view(pybind11::dtype::of<Number>(), first, {rows, columns}, {columns * step, step}, owner, access);
+}
+
+/// [row, column, number] of all numbers of each element of an Array2D.
+template <typename Number, typename Element>
+pybind11::array layers_view(const Array2D<Element>& array, pybind11::handle owner, Access access) {
+  static_assert(sizeof(Element) % sizeof(Number) == 0);
+  return array_view(reinterpret_cast<const Number*>(array.values().data()),
+                    {static_cast<pybind11::ssize_t>(array.rows()), static_cast<pybind11::ssize_t>(array.columns()),
+                     static_cast<pybind11::ssize_t>(sizeof(Element) / sizeof(Number))},
+                    owner, access);
+}
+
+/// A small array of its own.
+template <typename T>
+pybind11::array_t<T> copied_array(const std::vector<T>& numbers) {
+  return pybind11::array_t<T>(static_cast<pybind11::ssize_t>(numbers.size()), numbers.data());
+}
+
+}  // namespace sigmascape::python

@@ -1,0 +1,175 @@
+#include <cmath>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include "array_view.h"
+#include "loaded_atlas.h"
+#include "parts.h"
+
+#include "sigmascape/atlas/atlas_summary.h"
+#include "sigmascape/base/error.h"
+#include "sigmascape/base/units.h"
+
+namespace sigmascape::python {
+namespace {
+
+namespace py = pybind11;
+
+py::array_t<double> degrees(std::vector<double> angles) {
+  // Nine decimals: what a person wrote as 45 is to be 45 again.
+  for (double& angle : angles) angle = std::round(deg_from_radians(angle) * 1e9) / 1e9;
+  return copied_array(angles);
+}
+
+py::array_t<double> gigahertz(std::vector<double> frequencies) {
+  for (double& frequency : frequencies) frequency /= 1e9;
+  return copied_array(frequencies);
+}
+
+/// The place of a value on an axis on which it must stand.
+std::size_t place_on(const std::vector<double>& axis, double value, const char* name) {
+  for (std::size_t i = 0; i < axis.size(); ++i) {
+    if (std::abs(axis[i] - value) <= 1e-7 * std::max(1.0, std::abs(value))) return i;
+  }
+  throw Error(name, "was not baked", "choose from the axes of the atlas");
+}
+
+std::shared_ptr<atlas::HalfTexture> texture(const LoadedAtlas& loaded, std::array<int, 2> patch, double azimuth_deg,
+                                            double elevation_deg, double frequency_ghz) {
+  const atlas::AspectGrid& axes = loaded.description().aspects;
+  const auto look =
+      axes.index_of(place_on(axes.azimuths_rad, wrapped_azimuth(radians_from_deg(azimuth_deg)), "azimuth_deg"),
+                    place_on(axes.elevations_rad, radians_from_deg(elevation_deg), "elevation_deg"),
+                    place_on(axes.frequencies_hz, frequency_ghz * 1e9, "frequency_ghz"));
+  return std::make_shared<atlas::HalfTexture>(loaded.store().read_halves({patch[0], patch[1]}, look));
+}
+
+py::list levels_of(const py::object& self) {
+  const auto& halves = self.cast<const atlas::HalfTexture&>();
+  py::list levels;
+  for (std::size_t level = 0; level < halves.levels.size(); ++level) {
+    const auto side = static_cast<py::ssize_t>(halves.side >> level);
+    levels.append(array_view(py::dtype("float16"), halves.levels[level].data(), {side, side, radar::Channels::count},
+                             {}, self, Access::ReadWrite));
+  }
+  return levels;
+}
+
+using Points = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+py::array_t<float> sigma0_at(const LoadedAtlas& loaded, const Points& x_m, const Points& y_m, double azimuth_deg,
+                             double elevation_deg, double frequency_ghz, double level) {
+  if (x_m.ndim() != y_m.ndim() || !std::equal(x_m.shape(), x_m.shape() + x_m.ndim(), y_m.shape()))
+    throw Error("x_m and y_m", "differ in shape", "give as many eastings as northings");
+  std::vector<py::ssize_t> shape(x_m.shape(), x_m.shape() + x_m.ndim());
+  shape.push_back(radar::Channels::count);
+  py::array_t<float> result(shape);
+  const auto count = static_cast<std::size_t>(x_m.size());
+  const double *x = x_m.data(), *y = y_m.data();
+  auto* out = reinterpret_cast<radar::Channels*>(result.mutable_data());
+  const py::gil_scoped_release release;
+  const atlas::Atlas& textures = loaded.textures();
+  textures.check_frequency(frequency_ghz * 1e9);
+  const auto weights =
+      textures.weights_for({radians_from_deg(azimuth_deg), radians_from_deg(elevation_deg)}, frequency_ghz * 1e9);
+  for (std::size_t i = 0; i < count; ++i) out[i] = textures.sigma0_at({x[i], y[i]}, weights, level);
+  return result;
+}
+
+py::dict info_of(const LoadedAtlas& loaded) {
+  const atlas::AtlasDescription& description = loaded.description();
+  const atlas::AtlasSummary summary = atlas::summary_of(loaded.store());
+  py::dict info;
+  info["name"] = description.name;
+  info["crs"] = description.frame.proj();
+  info["texel_m"] = description.patches.texel_m;
+  info["texels_per_side"] = description.patches.texels_per_side;
+  info["patches"] = summary.patches;
+  info["looks"] = summary.looks;
+  info["looks_done"] = summary.looks_done;
+  info["bytes"] = summary.bytes;
+  info["relative_standard_error"] = summary.error.median;
+  info["settings"] = description.settings;
+  info["scene_hash"] = description.scene_hash;
+  info["attribution"] = description.attribution;
+  return info;
+}
+
+std::vector<std::array<int, 2>> patches_of(const LoadedAtlas& loaded) {
+  std::vector<std::array<int, 2>> patches;
+  for (const auto& patch : loaded.description().patches.covering(loaded.description().extent))
+    patches.push_back({patch.x, patch.y});
+  return patches;
+}
+
+void add_texture(py::module_& module) {
+  py::class_<atlas::HalfTexture, std::shared_ptr<atlas::HalfTexture>>(
+      module, "Texture", "The stored sigma0 of one patch from one look: half floats times `scale`.")
+      .def_property_readonly("levels", &levels_of,
+                             "float16 [row, column, 4] of each level, the finest first, north up: VV, HH, HV,\n"
+                             "Re<S_VV S_HH*>. Share the texture's memory.")
+      .def_readonly("scale", &atlas::HalfTexture::scale, "sigma0, linear, of a stored 1: a power of two.")
+      .def(
+          "sigma0",
+          [](const py::object& self, std::size_t level) {
+            const py::list levels = levels_of(self);
+            if (level >= levels.size()) throw Error("level", "is not stored", "choose one of `levels`");
+            return levels[level].attr("astype")("float32") * py::float_(self.cast<const atlas::HalfTexture&>().scale);
+          },
+          py::arg("level") = 0, "A level in float32, scaled: sigma0, linear. A copy.");
+}
+
+}  // namespace
+
+void add_atlas(py::module_& module) {
+  add_texture(module);
+  py::class_<LoadedAtlas, std::shared_ptr<LoadedAtlas>>(
+      module, "Atlas",
+      "Baked reflectivity: sigma0 of every texel over azimuth, elevation and frequency. Opening reads its description\n"
+      "only; textures come into memory when a map or sigma0_at first needs them, and stay.")
+      .def(py::init<const std::filesystem::path&>(), py::arg("folder"),
+           "Opens the folder that bake() or `sigmascape bake` wrote.")
+      .def_property_readonly("folder", [](const LoadedAtlas& a) { return a.store().folder(); })
+      .def_property_readonly("name", [](const LoadedAtlas& a) { return a.description().name; })
+      .def_property_readonly("azimuths_deg",
+                             [](const LoadedAtlas& a) { return degrees(a.description().aspects.azimuths_rad); })
+      .def_property_readonly("elevations_deg",
+                             [](const LoadedAtlas& a) { return degrees(a.description().aspects.elevations_rad); })
+      .def_property_readonly("frequencies_ghz",
+                             [](const LoadedAtlas& a) { return gigahertz(a.description().aspects.frequencies_hz); })
+      .def_property_readonly("texel_m", [](const LoadedAtlas& a) { return a.description().patches.texel_m; })
+      .def_property_readonly(
+          "extent_m",
+          [](const LoadedAtlas& a) {
+            const auto& e = a.description().extent;
+            return py::make_tuple(e.west_m, e.south_m, e.east_m, e.north_m);
+          },
+          "West, south, east, north.")
+      .def_property_readonly("crs", [](const LoadedAtlas& a) { return a.description().frame.proj(); })
+      .def_property_readonly("scene_hash", [](const LoadedAtlas& a) { return a.description().scene_hash; })
+      .def_property_readonly("patches", &patches_of,
+                             "(x, y) of every patch; patch (0, 0) has its south-western corner at the frame's origin.")
+      .def_property_readonly(
+          "terrain_m",
+          [](const py::object& self) {
+            return layer_view<float>(self.cast<const LoadedAtlas&>().terrain().height_m, 0, self, Access::ReadOnly);
+          },
+          "Heights under the scene, float32 [row, column], north up; no copy.")
+      .def("texture", &texture, py::arg("patch"), py::kw_only(), py::arg("azimuth_deg"), py::arg("elevation_deg"),
+           py::arg("frequency_ghz"), py::call_guard<py::gil_scoped_release>(),
+           "The stored Texture of one patch from one baked look. Where shadows are made at run time it holds all "
+           "echoes\n"
+           "but the bare ground's own.")
+      .def("sigma0_at", &sigma0_at, py::arg("x_m"), py::arg("y_m"), py::kw_only(), py::arg("azimuth_deg"),
+           py::arg("elevation_deg"), py::arg("frequency_ghz"), py::arg("level") = 0.0,
+           "sigma0 of the textures at points, interpolated in place, level and look (linear power): float32 [..., 4] "
+           "for\n"
+           "x_m and y_m of shape [...]. 0 outside the atlas.")
+      .def(
+          "load", [](const LoadedAtlas& a) { (void)a.textures(); }, py::call_guard<py::gil_scoped_release>(),
+          "Reads all textures now rather than when first needed.")
+      .def("info", &info_of, "What is there, how large and how noisy it is, as a dict.")
+      .def("__repr__", [](const LoadedAtlas& a) { return "<sigmascape.Atlas '" + a.store().folder().string() + "'>"; });
+}
+
+}  // namespace sigmascape::python

@@ -1,0 +1,99 @@
+#include "sigmascape/bake/bake.h"
+
+#include <algorithm>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include "loaded_scene.h"
+#include "parts.h"
+#include "python_progress.h"
+
+#include "sigmascape/base/error.h"
+#include "sigmascape/base/units.h"
+
+namespace sigmascape::python {
+namespace {
+
+namespace py = pybind11;
+
+struct BakeArguments {
+  unsigned azimuths = 8;
+  std::vector<double> elevations_deg, frequencies_ghz;
+  std::string shadows;
+};
+
+bake::BakeSettings with_axes(bake::BakeSettings settings, const BakeArguments& arguments) {
+  settings.aspects = {};
+  for (unsigned i = 0; i < arguments.azimuths; ++i)
+    settings.aspects.azimuths_rad.push_back(radians_from_deg(360.0 * i / arguments.azimuths));
+  for (const double elevation : arguments.elevations_deg)
+    settings.aspects.elevations_rad.push_back(radians_from_deg(elevation));
+  for (const double frequency : arguments.frequencies_ghz) settings.aspects.frequencies_hz.push_back(frequency * 1e9);
+  std::ranges::sort(settings.aspects.elevations_rad);
+  std::ranges::sort(settings.aspects.frequencies_hz);
+  if (arguments.shadows != "run-time" && arguments.shadows != "baked")
+    throw Error("shadows", "is '" + arguments.shadows + "'", "give 'run-time' or 'baked'");
+  settings.shadows = arguments.shadows == "baked" ? bake::Shadows::Baked : bake::Shadows::RunTime;
+  return settings;
+}
+
+bake::BakeReport baked(const LoadedScene& scene, const std::filesystem::path& folder, unsigned azimuths,
+                       const std::vector<double>& elevations_deg, const std::vector<double>& frequencies_ghz,
+                       double texel_m, std::size_t patch_texels, std::uint32_t samples, double target_db,
+                       std::uint32_t most_samples, int bounces, std::uint64_t seed, const std::string& shadows,
+                       int mantissa_bits, const std::string& shard, unsigned threads, const py::object& progress) {
+  bake::BakeSettings settings;
+  settings.patches = {.texel_m = texel_m, .texels_per_side = patch_texels};
+  settings.sampling.samples_per_texel = samples;
+  settings.sampling.target_db = target_db;
+  settings.sampling.most_samples = most_samples;
+  settings.max_bounces = bounces;
+  settings.seed = seed;
+  settings.mantissa_bits = mantissa_bits;
+  settings.threads = threads;
+  settings = with_axes(settings, {azimuths, elevations_deg, frequencies_ghz, shadows});
+  const bake::BakeShare share{bake::shard_from(shard)};
+  PythonProgress listener(progress);
+  const py::gil_scoped_release release;
+  return bake::bake(scene.scene(), settings, folder, listener, share);
+}
+
+}  // namespace
+
+void add_bake(py::module_& module) {
+  using bake::BakeReport;
+  py::class_<BakeReport>(module, "BakeReport", "What a bake did.")
+      .def_readonly("looks", &BakeReport::looks, "(patch, look) pairs of the share.")
+      .def_readonly("already", &BakeReport::already, "Of them those that were there before.")
+      .def_readonly("elsewhere", &BakeReport::elsewhere, "Of them those that another process baked meanwhile.")
+      .def_property_readonly("rays", [](const BakeReport& r) { return r.counts.rays; })
+      .def_property_readonly("paths", [](const BakeReport& r) { return r.counts.paths; })
+      .def_readonly("relative_standard_error", &BakeReport::relative_standard_error,
+                    "Of a texel, root mean square over what was baked.")
+      .def("__repr__", [](const BakeReport& r) {
+        return py::str("<sigmascape.BakeReport looks={} already={} rays={}>").format(r.looks, r.already, r.counts.rays);
+      });
+
+  const bake::Sampling sampling;
+  const bake::BakeSettings settings;
+  module.def(
+      "bake", &baked, py::arg("scene"), py::arg("folder"), py::kw_only(), py::arg("azimuths") = 8,
+      py::arg("elevations_deg") = std::vector<double>{5.0, 13.0, 21.0, 29.0, 37.0},
+      py::arg("frequencies_ghz") = std::vector<double>{10.0}, py::arg("texel_m") = settings.patches.texel_m,
+      py::arg("patch_texels") = settings.patches.texels_per_side, py::arg("samples") = 0,
+      py::arg("target_db") = sampling.target_db, py::arg("most_samples") = sampling.most_samples,
+      py::arg("bounces") = settings.max_bounces, py::arg("seed") = settings.seed, py::arg("shadows") = "run-time",
+      py::arg("mantissa_bits") = settings.mantissa_bits, py::arg("shard") = "0/1", py::arg("threads") = 0,
+      py::arg("progress") = py::none(),
+      "Path-traces a scene into the atlas at `folder`. A bake that was broken off (Ctrl-C does so within a second) "
+      "goes\n"
+      "on where it stopped.\n\n"
+      "azimuths: how many, evenly spaced from north. texel_m: side of a texel. patch_texels: 256, 512, 1024, ...\n"
+      "samples: rays a texel everywhere; 0: as many as bring its standard error to target_db, most_samples at most.\n"
+      "bounces: surfaces a path may meet. shadows: of objects on the ground, made at 'run-time' or 'baked'.\n"
+      "shard: '2/8' bakes the third of eight equal shares. threads: 0 for one a processor.\n"
+      "progress: None for a bar by tqdm where that is installed, False for silence, or a callable\n"
+      "(task, done, total, unit).");
+}
+
+}  // namespace sigmascape::python

@@ -1,0 +1,137 @@
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include "array_view.h"
+#include "parts.h"
+#include "polarization.h"
+
+#include "sigmascape/product/ground_map_file.h"
+#include "sigmascape/product/legend.h"
+#include "sigmascape/product/map_metrics.h"
+#include "sigmascape/product/picture.h"
+#include "sigmascape/product/png_file.h"
+
+namespace sigmascape::python {
+namespace {
+
+namespace py = pybind11;
+using radar::Channels;
+using radar::GroundMap;
+
+void save(const GroundMap& map, const std::filesystem::path& path, const std::string& polarization, double span_db,
+          const std::optional<double>& top_db) {
+  if (path.extension() == ".tif") return product::write_ground_map(path, map);
+  if (path.extension() != ".png")
+    throw Error(path.string(), "is no kind of file that maps are saved as", "end the name in .tif or .png");
+  auto picture = product::with_legend(product::picture_of(
+      map, {.polarization = polarization_from(polarization), .span_db = span_db, .top_db = top_db}));
+  picture.metadata = map.metadata;
+  product::write_png(path, picture);
+}
+
+py::array_t<float> decibels(const GroundMap& map, const std::string& polarization, double floor_db) {
+  const radar::Polarization wanted = polarization_from(polarization);
+  py::array_t<float> result({map.grid.rows, map.grid.columns});
+  float* db = result.mutable_data();
+  for (const Channels& cell : map.sigma0.values()) {
+    const float power = cell.power(wanted);
+    *db++ = power != power ? power : std::max(static_cast<float>(floor_db), 10.0F * std::log10(power));
+  }
+  return result;
+}
+
+std::vector<product::CellComparison> compared(const GroundMap& tested, const GroundMap& truth,
+                                              const std::vector<double>& cells_m, const std::string& polarization,
+                                              double floor_db, double shadow_db) {
+  const product::CompareOptions options{cells_m, polarization_from(polarization), floor_db, shadow_db};
+  const py::gil_scoped_release release;
+  return product::compare_maps(tested, truth, options).at;
+}
+
+template <typename Class>
+void layer(Class& binding, const char* name, std::size_t offset, const char* doc) {
+  binding.def_property_readonly(
+      name,
+      [offset](const py::object& self) {
+        return layer_view<float>(self.cast<const GroundMap&>().sigma0, offset, self, Access::ReadWrite);
+      },
+      doc);
+}
+
+void add_comparison(py::module_& module) {
+  using product::CellComparison;
+  py::class_<CellComparison>(module, "CellComparison", "How close one map comes to another at one cell size.")
+      .def_readonly("cell_m", &CellComparison::cell_m)
+      .def_readonly("cells", &CellComparison::cells, "Number of cells that both maps saw wholly.")
+      .def_readonly("correlation_db", &CellComparison::correlation_db, "Pearson's correlation of decibels.")
+      .def_readonly("rms_db", &CellComparison::rms_db, "Root mean square difference of decibels.")
+      .def_readonly("bias_db", &CellComparison::bias_db, "10 lg of the ratio of total powers.")
+      .def_readonly("l1", &CellComparison::l1, "Sum of absolute differences over the sum of the truth.")
+      .def_readonly("shadow_iou", &CellComparison::shadow_iou, "Intersection over union of shadows.")
+      .def("__repr__", [](const CellComparison& c) {
+        return py::str("<cell_m={:g} correlation_db={:.3f} rms_db={:.2f} bias_db={:+.2f} l1={:.3f} shadow_iou={:.2f}>")
+            .format(c.cell_m, c.correlation_db, c.rms_db, c.bias_db, c.l1, c.shadow_iou);
+      });
+  module.def(
+      "compare", &compared, py::arg("tested"), py::arg("truth"), py::kw_only(),
+      py::arg("cells_m") = std::vector<double>{}, py::arg("polarization") = "sum", py::arg("floor_db") = -45.0,
+      py::arg("shadow_db") = -35.0,
+      "How close the map `tested` comes to `truth`, at each of `cells_m` (empty: 2, 4, 8, 16, 32 where they can\n"
+      "be): a list of CellComparison.");
+}
+
+}  // namespace
+
+void add_ground_map(py::module_& module) {
+  py::class_<GroundMap, std::shared_ptr<GroundMap>> binding(
+      module, "GroundMap",
+      "The ground as a radar measures it: sigma0, linear, with respect to horizontal area; NaN where the radar did "
+      "not\n"
+      "look. Arrays are [row, column], north up, and share the map's memory.");
+  binding
+      .def_static(
+          "read", [](const std::filesystem::path& path) { return product::read_ground_map(path); }, py::arg("path"),
+          py::call_guard<py::gil_scoped_release>(), "Reads a GeoTIFF that save() or `sigmascape render` wrote.")
+      .def_property_readonly(
+          "sigma0",
+          [](const py::object& self) {
+            return layers_view<float>(self.cast<const GroundMap&>().sigma0, self, Access::ReadWrite);
+          },
+          "float32 [row, column, 4]: VV, HH, HV (= VH), Re<S_VV S_HH*>.")
+      .def_property_readonly(
+          "west_m", [](const GroundMap& m) { return m.grid.west_m; }, "Western edge of column 0.")
+      .def_property_readonly(
+          "north_m", [](const GroundMap& m) { return m.grid.north_m; }, "Northern edge of row 0.")
+      .def_property_readonly(
+          "cell_m", [](const GroundMap& m) { return m.grid.cell_m; }, "Side of a cell.")
+      .def_property_readonly(
+          "shape", [](const GroundMap& m) { return py::make_tuple(m.grid.rows, m.grid.columns); }, "Rows, columns.")
+      .def_property_readonly(
+          "extent_m",
+          [](const GroundMap& m) {
+            const auto e = m.grid.extent();
+            return py::make_tuple(e.west_m, e.south_m, e.east_m, e.north_m);
+          },
+          "West, south, east, north.")
+      .def_readonly("crs", &GroundMap::crs, "The local frame, as PROJ understands it.")
+      .def_readwrite("metadata", &GroundMap::metadata,
+                     "Where the map comes from, text by name. Assign a dict to change it.")
+      .def("db", &decibels, py::arg("polarization") = "vv", py::kw_only(), py::arg("floor_db") = -60.0,
+           "10 lg sigma0, float32 [row, column]; not darker than `floor_db`, NaN where the radar did not look.")
+      .def("save", &save, py::arg("path"), py::kw_only(), py::arg("polarization") = "vv", py::arg("span_db") = 50.0,
+           py::arg("top_db") = py::none(), py::call_guard<py::gil_scoped_release>(),
+           "Writes a GeoTIFF (.tif: linear sigma0, CRS, metadata) or a picture with its legend and world file (.png),\n"
+           "to which the other arguments apply.")
+      .def("__repr__", [](const GroundMap& m) {
+        return py::str("<sigmascape.GroundMap {} x {} cells of {:g} m>")
+            .format(m.grid.rows, m.grid.columns, m.grid.cell_m);
+      });
+  layer(binding, "vv", offsetof(Channels, vv), "float32 [row, column].");
+  layer(binding, "hh", offsetof(Channels, hh), "float32 [row, column].");
+  layer(binding, "hv", offsetof(Channels, hv), "float32 [row, column]; equal to VH.");
+  layer(binding, "re_vvhh", offsetof(Channels, re_vvhh),
+        "float32 [row, column]: Re<S_VV S_HH*>, negative where an even number of bounces prevails.");
+  add_comparison(module);
+}
+
+}  // namespace sigmascape::python

@@ -1,0 +1,131 @@
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include "array_view.h"
+#include "loaded_atlas.h"
+#include "parts.h"
+
+#include "sigmascape/base/error.h"
+#include "sigmascape/product/iq_file.h"
+#include "sigmascape/radar/radar_file.h"
+#include "sigmascape/simulate/coherent.h"
+#include "sigmascape/simulate/placement.h"
+
+namespace sigmascape::python {
+namespace {
+
+namespace py = pybind11;
+
+/// A recording or an image with what its file says about where it comes from.
+template <typename Signal>
+struct Described {
+  Signal signal;
+  radar::Radar radar;
+  std::map<std::string, std::string> words;
+
+  [[nodiscard]] product::IqRecord record() const { return product::iq_record(signal, radar, words); }
+};
+
+template <typename Signal>
+using Maker = Signal (*)(const simulate::CoherentScene&, const radar::Radar&, const radar::Rectangle&,
+                         const simulate::CoherentSettings&);
+
+template <typename Signal>
+Described<Signal> made(Maker<Signal> make, const LoadedAtlas& atlas, const radar::RadarFile& asked,
+                       const simulate::CoherentSettings& settings) {
+  const py::gil_scoped_release release;
+  const atlas::AtlasDescription& description = atlas.description();
+  const auto radar = simulate::placed_radar(asked, description.frame, atlas.terrain(), description.extent);
+  const auto area = simulate::map_grid(asked.map, description.extent).extent();
+  const simulate::CoherentScene scene{
+      &atlas.terrain(), render::reflectivity_of(atlas.textures(), radar.frequency_hz, radar.range_resolution_m), {}};
+  return {make(scene, radar, area, settings),
+          radar,
+          {{"processing", "scatterers from terrain and atlas"},
+           {"crs", description.frame.proj()},
+           {"scene", description.name},
+           {"scene_hash", description.scene_hash},
+           {"seed", std::to_string(settings.seed)}}};
+}
+
+Described<radar::PhaseHistory> phase_history(const LoadedAtlas& atlas, const radar::RadarFile& radar, double interval_s,
+                                             bool calibrated, double scatterer_spacing_m, std::uint64_t seed,
+                                             unsigned threads) {
+  return made(&simulate::phase_history, atlas, radar,
+              {.interval_s = interval_s,
+               .scatterer_spacing_m = scatterer_spacing_m,
+               .seed = seed,
+               .calibrated = calibrated,
+               .threads = threads});
+}
+
+Described<radar::RangeDopplerImage> range_doppler(const LoadedAtlas& atlas, const radar::RadarFile& radar,
+                                                  double interval_s, double scatterer_spacing_m, std::uint64_t seed,
+                                                  unsigned threads) {
+  return made(&simulate::range_doppler_image, atlas, radar,
+              {.interval_s = interval_s, .scatterer_spacing_m = scatterer_spacing_m, .seed = seed, .threads = threads});
+}
+
+/// What both kinds have in common; `samples` finds the array in the signal.
+template <typename Signal>
+void add_signal(py::module_& module, const char* name, const char* doc, const char* samples_doc,
+                Array2D<radar::ComplexChannels> Signal::*samples) {
+  using Held = Described<Signal>;
+  py::class_<Held, std::shared_ptr<Held>>(module, name, doc)
+      .def_property_readonly(
+          "samples",
+          [samples](const py::object& self) {
+            return layers_view<std::complex<float>>(self.cast<const Held&>().signal.*samples, self, Access::ReadWrite);
+          },
+          samples_doc)
+      .def_property_readonly(
+          "axes",
+          [](const Held& held) {
+            const auto record = held.record();
+            py::dict axes;
+            for (const product::IqAxis& axis : {record.slow, record.fast})
+              axes[py::str(axis.name + "_" + axis.unit)] = copied_array(axis.values);
+            return axes;
+          },
+          "Where the samples stand along the first two axes: float64 arrays by name and unit, in order.")
+      .def_property_readonly(
+          "metadata",
+          [](const Held& held) {
+            const auto record = held.record();
+            py::dict metadata = py::cast(record.words);
+            for (const auto& [key, number] : record.numbers) metadata[py::str(key)] = number;
+            return metadata;
+          },
+          "What the file says beside samples and axes, as a dict.")
+      .def(
+          "save", [](const Held& held, const std::filesystem::path& path) { product::write_iq(path, held.record()); },
+          py::arg("path"), py::call_guard<py::gil_scoped_release>(),
+          "Writes .npy (with .json), .npz, .h5 or .sigmf-meta (with .sigmf-data); docs/iq_files.md.");
+}
+
+}  // namespace
+
+void add_iq(py::module_& module) {
+  add_signal(module, "PhaseHistory",
+             "What a pulse radar records: compressed pulses before any processing, the carrier's phase kept.",
+             "complex64 [pulse, range, 3]: VV, HH, HV (= VH); shares the recording's memory.",
+             &radar::PhaseHistory::samples);
+  add_signal(module, "RangeDopplerImage",
+             "A focused image in slant range and Doppler; |a|^2 is a cross-section in m^2.",
+             "complex64 [range, Doppler, 3]: VV, HH, HV (= VH); shares the image's memory.",
+             &radar::RangeDopplerImage::amplitude_m);
+  module.def(
+      "phase_history", &phase_history, py::arg("atlas"), py::arg("radar"), py::kw_only(), py::arg("interval_s") = 0.1,
+      py::arg("calibrated") = false, py::arg("scatterer_spacing_m") = 0.0, py::arg("seed") = 1, py::arg("threads") = 0,
+      "The pulses of one interval over the radar's area: a PhaseHistory. The radar must move (velocity_mps).\n\n"
+      "interval_s: about time zero, when the radar is at its position. calibrated: volts behind the receiver with\n"
+      "thermal noise, instead of metres. scatterer_spacing_m: side of the cells that hold a scatterer each; 0 for\n"
+      "half the range resolution. seed: of speckle and noise.");
+  module.def("range_doppler", &range_doppler, py::arg("atlas"), py::arg("radar"), py::kw_only(),
+             py::arg("interval_s") = 0.1, py::arg("scatterer_spacing_m") = 0.0, py::arg("seed") = 1,
+             py::arg("threads") = 0,
+             "Doppler beam sharpening or spotlight SAR of the radar's area: a RangeDopplerImage. Arguments as for\n"
+             "phase_history().");
+}
+
+}  // namespace sigmascape::python

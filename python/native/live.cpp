@@ -1,0 +1,175 @@
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include "array_view.h"
+#include "parts.h"
+
+#include "sigmascape/base/error.h"
+#include "sigmascape/product/iq_file.h"
+#include "sigmascape/render/live_renderer.h"
+
+namespace sigmascape::python {
+namespace {
+
+namespace py = pybind11;
+using render::LiveGround;
+using render::LiveRenderer;
+using Triple = std::array<double, 3>;
+using Release = py::call_guard<py::gil_scoped_release>;
+
+/// A frame and the renderer in whose memory it lies.
+struct HeldFrame {
+  render::Frame frame;
+  render::Pose pose;
+  py::object renderer;
+};
+
+render::Pose pose_from(const Triple& position_m, double first_azimuth_rad, double first_range_m,
+                       const Triple& velocity_mps) {
+  return {.position = {position_m[0], position_m[1], position_m[2]},
+          .first_azimuth_rad = first_azimuth_rad,
+          .first_range_m = first_range_m,
+          .velocity_mps = {velocity_mps[0], velocity_mps[1], velocity_mps[2]}};
+}
+
+HeldFrame rendered(const py::object& self, const Triple& position_m, double first_azimuth_rad, double first_range_m,
+                   const Triple& velocity_mps) {
+  auto& renderer = self.cast<LiveRenderer&>();
+  const auto pose = pose_from(position_m, first_azimuth_rad, first_range_m, velocity_mps);
+  const render::Frame* frame = nullptr;
+  {
+    const py::gil_scoped_release release;
+    frame = &renderer.render(pose);
+  }
+  return {*frame, pose, self};
+}
+
+HeldFrame scanned(const py::object& self, const Triple& position_m, double first_azimuth_rad, double first_range_m,
+                  std::size_t first_beam, std::size_t count, const Triple& velocity_mps) {
+  auto& renderer = self.cast<LiveRenderer&>();
+  const auto pose = pose_from(position_m, first_azimuth_rad, first_range_m, velocity_mps);
+  const render::Frame* frame = nullptr;
+  {
+    const py::gil_scoped_release release;
+    frame = &renderer.scan(pose, first_beam, count);
+  }
+  return {*frame, pose, self};
+}
+
+std::unique_ptr<LiveRenderer> made_renderer(const std::shared_ptr<LiveGround>& ground, const std::string& content,
+                                            std::size_t beams, std::size_t ranges, double beam_step_rad,
+                                            double range_step_m, double cells_per_bin, std::uint64_t seed,
+                                            unsigned threads, double refraction) {
+  if (content != "amplitudes" && content != "powers")
+    throw Error("content", "is '" + content + "'", "give 'amplitudes' or 'powers'");
+  const render::LiveSettings settings{
+      .content = content == "powers" ? render::FrameContent::Powers : render::FrameContent::Amplitudes,
+      .beams = beams,
+      .ranges = ranges,
+      .beam_step_rad = beam_step_rad,
+      .range_step_m = range_step_m,
+      .cells_per_bin = cells_per_bin,
+      .seed = seed,
+      .threads = threads,
+      .refraction = refraction};
+  return std::make_unique<LiveRenderer>(ground, settings);
+}
+
+template <typename Number>
+py::object numbers_of(const HeldFrame& held, std::span<const Number> numbers) {
+  if (numbers.empty()) return py::none();
+  const auto beams = static_cast<py::ssize_t>(held.frame.grid.azimuths);
+  const auto ranges = static_cast<py::ssize_t>(held.frame.grid.ranges);
+  return array_view(numbers.data(), {beams, ranges, 4}, held.renderer, Access::ReadOnly);
+}
+
+void save(const HeldFrame& held, const std::filesystem::path& path, double frequency_ghz) {
+  if (held.frame.amplitudes_m.empty())
+    throw Error(path.string(), "cannot hold powers", "make the renderer with content='amplitudes'");
+  product::write_iq(path, product::iq_record(held.frame.grid, held.frame.amplitudes_m,
+                                             {held.pose.position, held.pose.velocity_mps}, frequency_ghz * 1e9));
+}
+
+template <typename Class>
+void count(Class& binding, const char* name, std::size_t render::FrameReport::*member, const char* doc) {
+  binding.def_property_readonly(
+      name, [member](const HeldFrame& f) { return f.frame.report.*member; }, doc);
+}
+
+void add_frame(py::module_& module) {
+  py::class_<HeldFrame> binding(
+      module, "Frame",
+      "What the receiver has in its bins. The arrays share the renderer's memory and change with\n"
+      "its next frame: copy what is to be kept.");
+  binding
+      .def_property_readonly(
+          "amplitudes_m", [](const HeldFrame& f) { return numbers_of(f, f.frame.amplitudes_m); },
+          "complex64 [beam, range, 4]: VV, HH, HV, VH in metres; |a|^2 is a cross-section in m^2. None when powers\n"
+          "were asked for.")
+      .def_property_readonly(
+          "powers_m2", [](const HeldFrame& f) { return numbers_of(f, f.frame.powers_m2); },
+          "float32 [beam, range, 4]: VV, HH, HV, Re VV HH* in m^2. None when amplitudes were asked for.")
+      .def("save", &save, py::arg("path"), py::kw_only(), py::arg("frequency_ghz"),
+           py::call_guard<py::gil_scoped_release>(),
+           "Writes the amplitudes as .npy (with .json), .npz, .h5 or .sigmf-meta; docs/iq_files.md.")
+      .def_property_readonly("first_range_m", [](const HeldFrame& f) { return f.frame.grid.first_range_m; })
+      .def_property_readonly("range_step_m", [](const HeldFrame& f) { return f.frame.grid.range_step_m; })
+      .def_property_readonly("first_azimuth_rad", [](const HeldFrame& f) { return f.frame.grid.first_azimuth_rad; })
+      .def_property_readonly("beam_step_rad", [](const HeldFrame& f) { return f.frame.grid.azimuth_step_rad; });
+  using Report = render::FrameReport;
+  count(binding, "cells", &Report::cells, "Lattice cells looked at.");
+  count(binding, "lit", &Report::lit, "Of them seen by the radar.");
+  count(binding, "coarse", &Report::coarse,
+        "Of them shown more coarsely than wanted, for the finer was not there yet.");
+  count(binding, "dark", &Report::dark, "Cells for which there was nothing at all.");
+  count(binding, "level", &Report::level, "Of the textures, 0 the finest.");
+}
+
+}  // namespace
+
+void add_live(py::module_& module) {
+  py::class_<LiveGround, std::shared_ptr<LiveGround>>(
+      module, "LiveGround",
+      "An atlas with its terrain as live renderers share it: pages come and go within a bound on memory.")
+      .def(py::init(
+               [](const std::filesystem::path& folder, double frequency_ghz, std::size_t cache_mib, unsigned loaders) {
+                 return LiveGround::open(folder, frequency_ghz * 1e9,
+                                         {.budget_bytes = cache_mib << 20U, .loaders = loaders});
+               }),
+           py::arg("folder"), py::kw_only(), py::arg("frequency_ghz") = 10.0, py::arg("cache_mib") = 512,
+           py::arg("loaders") = 1, Release())
+      .def(
+          "wait", [](LiveGround& ground) { ground.pages().wait_until_loaded(); }, Release(),
+          "Returns when all pages that frames have asked for are there.")
+      .def_property_readonly("frequency_ghz", [](const LiveGround& g) { return g.frequency_hz() / 1e9; })
+      .def(
+          "height_at",
+          [](const LiveGround& g, double x, double y) {
+            return g.terrain().height_at({x, y});
+          },
+          py::arg("x_m"), py::arg("y_m"));
+
+  add_frame(module);
+
+  const render::LiveSettings settings;
+  py::class_<LiveRenderer>(
+      module, "LiveRenderer",
+      "The live radar picture of a wide area: hand it a pose, get what the receiver has in its bins.\n"
+      "It never waits for pages; what was not there in time is shown from a coarser level.")
+      .def(py::init(&made_renderer), py::arg("ground"), py::kw_only(), py::arg("content") = "amplitudes",
+           py::arg("beams") = settings.beams, py::arg("ranges") = settings.ranges,
+           py::arg("beam_step_rad") = settings.beam_step_rad, py::arg("range_step_m") = settings.range_step_m,
+           py::arg("cells_per_bin") = settings.cells_per_bin, py::arg("seed") = settings.seed, py::arg("threads") = 0,
+           py::arg("refraction") = settings.refraction, Release(),
+           "content: 'amplitudes' (I/Q with speckle) or 'powers' (their mean). refraction: k of the k-Earth.")
+      .def("render", &rendered, py::arg("position_m"), py::kw_only(), py::arg("first_azimuth_rad"),
+           py::arg("first_range_m"), py::arg("velocity_mps") = Triple{},
+           "A Frame of all beams. position_m: x, y of the local frame, altitude above mean sea level.\n"
+           "first_azimuth_rad: left edge of beam 0, clockwise from north. first_range_m: near edge of range bin 0.\n"
+           "velocity_mps: says which ground to fetch ahead of time.")
+      .def("scan", &scanned, py::arg("position_m"), py::kw_only(), py::arg("first_azimuth_rad"),
+           py::arg("first_range_m"), py::arg("first_beam"), py::arg("count"), py::arg("velocity_mps") = Triple{},
+           "Renders `count` beams from `first_beam` anew and leaves the others: one step of a scanning antenna.");
+}
+
+}  // namespace sigmascape::python

@@ -1,0 +1,67 @@
+"""What a radar sees of a landscape.
+
+    import sigmascape
+
+    scene = sigmascape.Scene.read("town.toml")
+    radar = sigmascape.Radar.read("radar.toml")
+    traced = sigmascape.render(scene, radar)                   # path-traced: minutes
+
+    sigmascape.bake(scene, "atlas")                            # once
+    atlas = sigmascape.Atlas("atlas")
+    baked = sigmascape.render(scene, radar, atlas=atlas)       # milliseconds
+    baked.save("map.tif")                                      # or baked.save("map.png")
+    baked.vv                                                   # float32 [row, column], linear sigma0
+    print(sigmascape.compare(baked, traced))
+
+    radar.velocity_mps = (150, 0, 0)
+    pulses = sigmascape.phase_history(atlas, radar)            # I/Q: complex64 [pulse, range, polarization]
+    pulses.save("pulses.h5")
+
+Scenes come from scene files, or are made up (Scene.simple, Scene.paper). LiveGround and LiveRenderer make radar frames for
+simulators as I/Q. The local frame has x east and y north in metres; heights are above mean sea level; azimuths count clockwise
+from true north; maps are [row, column] with row 0 the northernmost; sigma0 is linear. Names say their unit. Long calls let
+other Python threads run and end on Ctrl-C. What cannot be used raises sigmascape.Error, which says why.
+"""
+
+from ._native import (
+    Atlas,
+    BakeReport,
+    CellComparison,
+    Error,
+    Frame,
+    GroundMap,
+    LiveGround,
+    LiveRenderer,
+    PhaseHistory,
+    Radar,
+    RangeDopplerImage,
+    Scene,
+    Texture,
+    __version__,
+    bake,
+    compare,
+    phase_history,
+    range_doppler,
+    render,
+)
+
+__all__ = [
+    "Atlas",
+    "BakeReport",
+    "CellComparison",
+    "Error",
+    "Frame",
+    "GroundMap",
+    "LiveGround",
+    "LiveRenderer",
+    "PhaseHistory",
+    "Radar",
+    "RangeDopplerImage",
+    "Scene",
+    "Texture",
+    "bake",
+    "compare",
+    "phase_history",
+    "range_doppler",
+    "render",
+]

@@ -1,0 +1,35 @@
+"""Who listens to long calls."""
+
+
+class _Bar:
+    """A bar by tqdm, shown on terminals only."""
+
+    def __init__(self, tqdm):
+        self._tqdm = tqdm
+        self._bar = None
+        self._task = None
+
+    def __call__(self, task, done, total, unit):
+        if task != self._task:
+            self.close()
+            self._task = task
+            self._bar = self._tqdm(desc=task, total=total, unit=" " + unit, leave=False, disable=None, bar_format="{l_bar}{bar}| {n:.1f}/{total:.0f}{unit} [{elapsed}<{remaining}]")
+        self._bar.update(done - self._bar.n)
+
+    def close(self):
+        if self._bar is not None:
+            self._bar.close()
+        self._bar = self._task = None
+
+
+def listener(progress):
+    """The callable (task, done, total, unit) that `progress` asks for, or None for silence."""
+    if progress is False:
+        return None
+    if progress is not None and progress is not True:
+        return progress
+    try:
+        from tqdm.auto import tqdm
+    except ImportError:
+        return None
+    return _Bar(tqdm)

@@ -1,0 +1,73 @@
+#include "sigmascape/product/iq_file.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "sigmascape/base/error.h"
+#include "sigmascape/product/iq_formats.h"
+
+namespace sigmascape::product {
+namespace {
+
+using Writer = void (*)(const std::filesystem::path&, const IqRecord&);
+
+const std::map<std::string, Writer>& writers() {
+  static const std::map<std::string, Writer> by_ending{{".npy", write_iq_npy},
+                                                       {".npz", write_iq_npz},
+                                                       {".h5", write_iq_hdf5},
+                                                       {".hdf5", write_iq_hdf5},
+                                                       {".sigmf-meta", write_iq_sigmf}};
+  return by_ending;
+}
+
+void check(const std::filesystem::path& path, const IqRecord& record) {
+  const std::size_t expected = record.slow.values.size() * record.fast.values.size() * record.polarizations.size();
+  if (record.samples.size() != expected || record.samples.empty()) {
+    throw Error(path.string(),
+                fmt::format("{} samples do not fill {} x {} places in {} polarizations", record.samples.size(),
+                            record.slow.values.size(), record.fast.values.size(), record.polarizations.size()),
+                "give one sample a place and polarization");
+  }
+  if (record.platform.size() != 1 && record.platform.size() != record.slow.values.size()) {
+    throw Error(path.string(), fmt::format("{} motions of the platform were given", record.platform.size()),
+                "give one, or one for each place on the slow axis");
+  }
+}
+
+}  // namespace
+
+void check_iq_name(const std::filesystem::path& path) {
+  if (!writers().contains(path.extension().string())) {
+    throw Error(path.string(), "is no kind of file that I/Q is written as",
+                "end the name in .npy, .npz, .h5 or .sigmf-meta");
+  }
+}
+
+void write_iq(const std::filesystem::path& path, const IqRecord& record) {
+  check_iq_name(path);
+  check(path, record);
+  writers().at(path.extension().string())(path, record);
+}
+
+std::vector<double> platform_numbers(const IqRecord& record, Vec3d radar::Motion::*member) {
+  std::vector<double> numbers;
+  for (const radar::Motion& motion : record.platform) {
+    const Vec3d& v = motion.*member;
+    numbers.insert(numbers.end(), {v.x, v.y, v.z});
+  }
+  return numbers;
+}
+
+std::string iq_description(const IqRecord& record) {
+  nlohmann::ordered_json json{{"kind", record.kind},
+                              {"quantity", record.quantity},
+                              {"unit", record.unit},
+                              {"axes", {record.slow.name, record.fast.name, "polarization"}},
+                              {"units", {record.slow.unit, record.fast.unit, ""}},
+                              {"polarizations", record.polarizations}};
+  for (const auto& [key, number] : record.numbers) json[key] = number;
+  for (const auto& [key, word] : record.words) json[key] = word;
+  return json.dump(2) + "\n";
+}
+
+}  // namespace sigmascape::product

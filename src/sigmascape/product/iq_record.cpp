@@ -1,0 +1,96 @@
+#include "sigmascape/product/iq_record.h"
+
+namespace sigmascape::product {
+namespace {
+
+constexpr const char* amplitude_words = "|a|^2 is a cross-section in m^2; the phase of the way is in it";
+
+constexpr const char* software = "Sigmascape " SIGMASCAPE_VERSION;
+
+std::vector<double> evenly(double first, double step, std::size_t count) {
+  std::vector<double> values(count);
+  for (std::size_t i = 0; i < count; ++i) values[i] = first + step * static_cast<double>(i);
+  return values;
+}
+
+std::vector<double> middles(const radar::ImageAxis& axis) {
+  return evenly(axis.first, axis.step, axis.bins);
+}
+
+std::span<const std::complex<float>> numbers_of(const Array2D<radar::ComplexChannels>& samples) {
+  static_assert(sizeof(radar::ComplexChannels) == radar::ComplexChannels::count * sizeof(std::complex<float>));
+  return {reinterpret_cast<const std::complex<float>*>(samples.values().data()),
+          samples.size() * radar::ComplexChannels::count};
+}
+
+void describe(IqRecord& record, const radar::Radar& radar) {
+  record.words["software"] = software;
+  record.words["radar"] = radar.name;
+  record.numbers["range_resolution_m"] = radar.range_resolution_m;
+  record.numbers["beam_width_rad"] = radar.beam_width_rad;
+  record.numbers["pulse_repetition_hz"] = radar.waveform.pulse_repetition_hz;
+}
+
+}  // namespace
+
+IqRecord iq_record(const radar::PhaseHistory& history, const radar::Radar& radar,
+                   std::map<std::string, std::string> words) {
+  IqRecord record{
+      .kind = "phase history",
+      .unit = history.unit,
+      .quantity = "compressed pulses before any processing; a point at range r answers with exp(-4 pi i r f / c)",
+      .slow = {"pulse_time", "s", {}},
+      .fast = {"slant_range", "m", evenly(history.first_range_m, history.range_step_m, history.samples.columns())},
+      .polarizations = {"VV", "HH", "HV"},
+      .samples = numbers_of(history.samples),
+      .platform = {},
+      .numbers = {{"frequency_hz", history.frequency_hz},
+                  {"bandwidth_hz", history.bandwidth_hz},
+                  {"first_range_m", history.first_range_m},
+                  {"range_step_m", history.range_step_m}},
+      .words = std::move(words)};
+  for (const radar::Pulse& pulse : history.pulses) {
+    record.slow.values.push_back(pulse.time_s);
+    record.platform.push_back(pulse.platform);
+  }
+  describe(record, radar);
+  return record;
+}
+
+IqRecord iq_record(const radar::RangeDopplerImage& image, const radar::Radar& radar,
+                   std::map<std::string, std::string> words) {
+  IqRecord record{.kind = "range-Doppler image",
+                  .unit = "m",
+                  .quantity = amplitude_words,
+                  .slow = {"slant_range", "m", middles(image.range_m)},
+                  .fast = {"doppler", "Hz", middles(image.doppler_hz)},
+                  .polarizations = {"VV", "HH", "HV"},
+                  .samples = numbers_of(image.amplitude_m),
+                  .platform = {image.platform},
+                  .numbers = {{"frequency_hz", image.frequency_hz},
+                              {"interval_s", image.interval_s},
+                              {"range_cell_m", image.range_cell_m},
+                              {"doppler_cell_hz", image.doppler_cell_hz}},
+                  .words = std::move(words)};
+  describe(record, radar);
+  return record;
+}
+
+IqRecord iq_record(const radar::RangeAzimuthGrid& grid, std::span<const std::complex<float>> amplitudes_m,
+                   const radar::Motion& platform, double frequency_hz, std::map<std::string, std::string> words) {
+  words["software"] = software;
+  return {.kind = "live frame",
+          .unit = "m",
+          .quantity = amplitude_words,
+          .slow = {"azimuth", "rad",
+                   evenly(grid.first_azimuth_rad + grid.azimuth_step_rad / 2.0, grid.azimuth_step_rad, grid.azimuths)},
+          .fast = {"slant_range", "m",
+                   evenly(grid.first_range_m + grid.range_step_m / 2.0, grid.range_step_m, grid.ranges)},
+          .polarizations = {"VV", "HH", "HV", "VH"},
+          .samples = amplitudes_m,
+          .platform = {platform},
+          .numbers = {{"frequency_hz", frequency_hz}, {"range_step_m", grid.range_step_m}},
+          .words = std::move(words)};
+}
+
+}  // namespace sigmascape::product

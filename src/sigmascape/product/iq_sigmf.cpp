@@ -1,0 +1,55 @@
+#include <nlohmann/json.hpp>
+
+#include "sigmascape/base/units.h"
+#include "sigmascape/geo/atomic_file.h"
+#include "sigmascape/product/iq_file.h"
+#include "sigmascape/product/iq_formats.h"
+
+namespace sigmascape::product {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json global_of(const IqRecord& record) {
+  Json global{{"core:datatype", "cf32_le"},
+              {"core:version", "1.0.0"},
+              {"core:num_channels", record.polarizations.size()},
+              {"core:description", record.kind + ": " + record.quantity},
+              {"core:recorder", "Sigmascape"},
+              {"core:extensions", Json::array({{{"name", "sigmascape"}, {"version", "1.0.0"}, {"optional", true}}})}};
+  if (record.fast.unit == "m" && record.fast.values.size() > 1) {
+    // Samples over slant range follow one another in time by 2 Δr / c.
+    global["core:sample_rate"] = speed_of_light_mps / (2.0 * (record.fast.values[1] - record.fast.values[0]));
+  }
+  for (const auto& [key, value] : Json::parse(iq_description(record)).items()) global["sigmascape:" + key] = value;
+  global["sigmascape:fast_first"] = record.fast.values.front();
+  global["sigmascape:fast_count"] = record.fast.values.size();
+  return global;
+}
+
+/// One for each place on the slow axis: where its samples begin, and where the platform then was.
+Json captures_of(const IqRecord& record) {
+  Json captures = Json::array();
+  for (std::size_t i = 0; i < record.slow.values.size(); ++i) {
+    const radar::Motion& motion = record.platform[record.platform.size() == 1 ? 0 : i];
+    captures.push_back(
+        {{"core:sample_start", i * record.fast.values.size()},
+         {"core:frequency", record.numbers.at("frequency_hz")},
+         {"sigmascape:" + record.slow.name + "_" + record.slow.unit, record.slow.values[i]},
+         {"sigmascape:position_m", {motion.position.x, motion.position.y, motion.position.z}},
+         {"sigmascape:velocity_mps", {motion.velocity_mps.x, motion.velocity_mps.y, motion.velocity_mps.z}}});
+  }
+  return captures;
+}
+
+}  // namespace
+
+void write_iq_sigmf(const std::filesystem::path& path, const IqRecord& record) {
+  const Json meta{{"global", global_of(record)}, {"captures", captures_of(record)}, {"annotations", Json::array()}};
+  const auto bytes = std::as_bytes(record.samples);
+  geo::write_atomically(std::filesystem::path(path).replace_extension(".sigmf-data"),
+                        std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+  geo::write_atomically(path, meta.dump(2) + "\n");
+}
+
+}  // namespace sigmascape::product

@@ -1,0 +1,110 @@
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+
+import numpy as np
+import pytest
+
+import sigmascape
+
+
+def test_the_atlas_has_the_axes_that_were_baked(atlas, scene):
+    assert list(atlas.azimuths_deg) == [0.0, 90.0, 180.0, 270.0]
+    assert list(atlas.elevations_deg) == [15.0, 35.0]
+    assert list(atlas.frequencies_ghz) == [10.0]
+    assert atlas.texel_m == 1.0 and atlas.scene_hash == scene.hash
+    assert atlas.info()["looks_done"] == atlas.info()["looks"] == len(atlas.patches) * 8
+    assert atlas.terrain_m.dtype == np.float32 and not atlas.terrain_m.flags.owndata
+
+
+def test_textures_are_half_floats_without_a_copy(atlas):
+    texture = atlas.texture((0, 0), azimuth_deg=180.0, elevation_deg=15.0, frequency_ghz=10.0)
+    level = texture.levels[0]
+    assert level.dtype == np.float16 and level.shape == (256, 256, 4)
+    assert not level.flags.owndata and np.shares_memory(level, texture.levels[0])
+    sigma0 = texture.sigma0()
+    assert sigma0.dtype == np.float32
+    assert np.array_equal(sigma0, level.astype(np.float32) * np.float32(texture.scale))
+    assert sigma0[..., 0].max() > 0.1  # the side of the cylinder that faces the radar
+    level[0, 0, 0] = 7.0
+    assert texture.levels[0][0, 0, 0] == 7.0
+    del texture
+    assert level[0, 0, 0] == 7.0  # the array keeps its memory alive
+
+
+def test_sigma0_at_the_middle_of_a_texel_is_the_texel(atlas):
+    look = dict(azimuth_deg=90.0, elevation_deg=35.0, frequency_ghz=10.0)
+    texels = atlas.texture((0, 0), **look).sigma0()
+    # Patch (0, 0) has its south-western corner at the origin; row 0 is the northernmost.
+    rows, columns = np.mgrid[246:256, 10:40]
+    found = atlas.sigma0_at(columns + 0.5, 256.0 - (rows + 0.5), **look)
+    assert found.shape == (10, 30, 4) and found.dtype == np.float32
+    assert np.allclose(found, texels[246:256, 10:40], rtol=1e-5, atol=1e-9)
+    assert found.any()
+
+
+def test_a_look_that_was_not_baked_is_refused(atlas):
+    with pytest.raises(sigmascape.Error, match="elevation_deg"):
+        atlas.texture((0, 0), azimuth_deg=0.0, elevation_deg=20.0, frequency_ghz=10.0)
+    with pytest.raises(sigmascape.Error):
+        atlas.sigma0_at([0.0], [0.0], azimuth_deg=0.0, elevation_deg=20.0, frequency_ghz=35.0)
+
+
+def test_a_bake_goes_on_where_it_stopped_and_tells_its_progress(scene, tmp_path):
+    options = dict(azimuths=2, elevations_deg=[30.0], texel_m=2.0, patch_texels=256, samples=2)
+    told = []
+    first = sigmascape.bake(scene, tmp_path, **options, progress=lambda *report: told.append(report))
+    assert told[-1][:1] + told[-1][2:] == ("bake", float(first.looks), "looks") and told[-1][1] == first.looks
+    again = sigmascape.bake(scene, tmp_path, **options, progress=False)
+    assert (first.already, again.already) == (0, first.looks)
+
+
+def test_what_a_progress_listener_raises_ends_the_bake(scene, tmp_path):
+    def refuse(*_):
+        raise LookupError("enough")
+
+    with pytest.raises(LookupError, match="enough"):
+        sigmascape.bake(scene, tmp_path, azimuths=2, elevations_deg=[30.0], texel_m=2.0, patch_texels=256, samples=2, progress=refuse)
+
+
+def test_other_threads_run_during_a_bake(scene, tmp_path):
+    ticks, done = [], threading.Event()
+
+    def tick():
+        while not done.wait(0.005):
+            ticks.append(time.monotonic())
+
+    thread = threading.Thread(target=tick)
+    thread.start()
+    before = time.monotonic()
+    sigmascape.bake(scene, tmp_path, azimuths=2, elevations_deg=[30.0], texel_m=1.0, patch_texels=256, samples=16, progress=False)
+    after = time.monotonic()
+    done.set()
+    thread.join()
+    assert len([t for t in ticks if before < t < after]) > 5
+
+
+ENDLESS = """
+import sys, sigmascape
+scene = sigmascape.Scene.simple()
+def told(task, done, total, unit):
+    print("baking", flush=True)
+try:
+    sigmascape.bake(scene, sys.argv[1], azimuths=8, texel_m=0.25, patch_texels=512, samples=64, progress=told)
+except KeyboardInterrupt:
+    print("interrupted", flush=True)
+"""
+
+
+def test_ctrl_c_ends_a_bake(tmp_path):
+    process = subprocess.Popen([sys.executable, "-c", ENDLESS, tmp_path / "atlas"], stdout=subprocess.PIPE, text=True, env=os.environ)
+    try:
+        assert process.stdout.readline() == "baking\n"
+        process.send_signal(signal.SIGINT)
+        rest, _ = process.communicate(timeout=60.0)
+    finally:
+        process.kill()
+    assert rest.endswith("interrupted\n") and process.returncode == 0

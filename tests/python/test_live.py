@@ -1,0 +1,53 @@
+import numpy as np
+import pytest
+
+import sigmascape
+
+POSE = dict(first_azimuth_rad=-0.03, first_range_m=2960.0)
+PLACE = (0.0, -2900.0, 800.0)
+
+
+def renderer_of(atlas, **settings):
+    ground = sigmascape.LiveGround(atlas.folder, cache_mib=64)
+    renderer = sigmascape.LiveRenderer(ground, beams=30, ranges=40, beam_step_rad=2e-3, range_step_m=3.0, **settings)
+    renderer.render(PLACE, **POSE)
+    ground.wait()
+    return renderer
+
+
+def test_a_frame_is_a_view_of_the_renderers_memory(atlas):
+    renderer = renderer_of(atlas)
+    frame = renderer.render(PLACE, **POSE)
+    bins = frame.amplitudes_m
+    assert bins.shape == (30, 40, 4) and bins.dtype == np.complex64 and frame.powers_m2 is None
+    assert not bins.flags.owndata and not bins.flags.writeable and np.shares_memory(bins, frame.amplitudes_m)
+    assert frame.lit > 0 and frame.dark == 0 and np.abs(bins[..., 0]).max() > 0.0
+    kept = bins.copy()
+    assert np.shares_memory(renderer.render((0.0, -2900.0, 500.0), **POSE).amplitudes_m, bins)
+    assert not np.array_equal(kept, bins)  # the next frame takes the place of the last
+    del renderer, frame
+    assert np.isfinite(bins).all()  # the array keeps the renderer alive
+
+
+def test_powers_are_the_mean_of_amplitudes(atlas):
+    powers = renderer_of(atlas, content="powers").render(PLACE, **POSE).powers_m2
+    assert powers.dtype == np.float32 and powers.shape == (30, 40, 4)
+    seeds = [renderer_of(atlas, seed=seed).render(PLACE, **POSE).amplitudes_m[..., 0].copy() for seed in range(24)]
+    mean = np.mean(np.abs(seeds) ** 2, axis=0)
+    assert mean.sum() == pytest.approx(powers[..., 0].sum(), rel=0.2)
+
+
+def test_a_scan_renders_its_beams_alone(atlas):
+    renderer = renderer_of(atlas)
+    before = renderer.render(PLACE, **POSE).amplitudes_m.copy()
+    after = renderer.scan((0.0, -2900.0, 700.0), **POSE, first_beam=10, count=5).amplitudes_m
+    changed = (after != before).any(axis=(1, 2))
+    assert changed[10:15].any() and not changed[:10].any() and not changed[15:].any()
+
+
+def test_wrong_settings_are_refused(atlas):
+    ground = sigmascape.LiveGround(atlas.folder, cache_mib=64)
+    with pytest.raises(sigmascape.Error, match="content"):
+        sigmascape.LiveRenderer(ground, content="colours")
+    with pytest.raises(sigmascape.Error):
+        sigmascape.LiveGround(atlas.folder, frequency_ghz=94.0)

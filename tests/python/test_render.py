@@ -1,0 +1,90 @@
+import os
+import subprocess
+
+import numpy as np
+import pytest
+
+import sigmascape
+
+
+def test_a_map_has_layers_that_share_its_memory(scene, atlas, radar):
+    ground_map = sigmascape.render(scene, radar, atlas=atlas)
+    assert ground_map.shape == ground_map.vv.shape == (48, 48)
+    assert ground_map.sigma0.shape == (48, 48, 4) and ground_map.sigma0.dtype == np.float32
+    for number, name in enumerate(["vv", "hh", "hv", "re_vvhh"]):
+        layer = getattr(ground_map, name)
+        assert np.shares_memory(layer, ground_map.sigma0) and not layer.flags.owndata
+        assert np.array_equal(layer, ground_map.sigma0[..., number], equal_nan=True)
+    assert ground_map.extent_m == (-48.0, -48.0, 48.0, 48.0) and ground_map.cell_m == 2.0
+    assert ground_map.metadata["scene_hash"] == scene.hash
+    expected_db = 10 * np.log10(np.maximum(ground_map.hh, 1e-3))
+    assert np.allclose(ground_map.db("hh", floor_db=-30.0), expected_db, equal_nan=True, atol=1e-4)
+
+
+def test_the_scene_is_not_needed_where_there_is_an_atlas(scene, atlas, radar):
+    with_scene, without = sigmascape.render(scene, radar, atlas=atlas), sigmascape.render(None, radar, atlas=atlas)
+    assert np.array_equal(with_scene.sigma0, without.sigma0, equal_nan=True)
+    assert with_scene.metadata == without.metadata
+
+
+def test_a_baked_map_comes_near_the_traced_one(scene, atlas, radar):
+    traced = sigmascape.render(scene, radar, samples=64, progress=False)
+    near = sigmascape.compare(sigmascape.render(scene, radar, atlas=atlas), traced, cells_m=[8.0])
+    assert [row.cell_m for row in near] == [8.0]
+    assert near[0].correlation_db > 0.8 and abs(near[0].bias_db) < 3.0
+    same = sigmascape.compare(traced, traced, cells_m=[2.0, 4.0])
+    assert [(row.correlation_db, row.rms_db, row.l1) for row in same] == pytest.approx([(1.0, 0.0, 0.0)] * 2)
+
+
+def test_a_saved_map_reads_back_the_same(atlas, radar, tmp_path):
+    ground_map = sigmascape.render(None, radar, atlas=atlas)
+    ground_map.save(tmp_path / "map.tif")
+    again = sigmascape.GroundMap.read(tmp_path / "map.tif")
+    assert np.array_equal(again.sigma0, ground_map.sigma0, equal_nan=True)
+    assert (again.metadata, again.crs, again.extent_m) == (ground_map.metadata, ground_map.crs, ground_map.extent_m)
+    ground_map.save(tmp_path / "map.png", polarization="sum")
+    assert (tmp_path / "map.png").read_bytes().startswith(b"\x89PNG") and (tmp_path / "map.pgw").exists()
+    with pytest.raises(sigmascape.Error, match="map.jpg"):
+        ground_map.save(tmp_path / "map.jpg")
+
+
+def test_wrong_arguments_are_refused(scene, atlas, radar):
+    with pytest.raises(sigmascape.Error, match="atlas"):
+        sigmascape.render(scene, radar, lod=1)
+    with pytest.raises(sigmascape.Error, match="another scene"):
+        sigmascape.render(sigmascape.Scene.simple(side_m=100.0), radar, atlas=atlas)
+    radar.area_m = (1e6, 1e6, 1.1e6, 1.1e6)
+    with pytest.raises(sigmascape.Error, match="map area"):
+        sigmascape.render(scene, radar, atlas=atlas)
+
+
+def test_maps_equal_those_of_the_command_line(tmp_path):
+    """The same files, once through the program and once through the module: the same numbers and metadata."""
+    scene_file, radar_file = tmp_path / "scene.toml", tmp_path / "radar.toml"
+    scene_file.write_text("[paper]\nscale = 0.1\n")
+    radar_file.write_text("""
+[radar]
+name = "mapper"
+frequency_ghz = 10.0
+range_resolution_m = 4.0
+beam_width_deg = 0.05
+[position]
+azimuth_deg = 130.0
+elevation_deg = 20.0
+slant_range_km = 5.0
+[map]
+cell_m = 4.0
+""")
+    files = [os.environ["SIGMASCAPE_CLI"], "render", radar_file, "--scene", scene_file]
+    subprocess.run([*files, "--out", tmp_path / "traced.tif", "--samples", "2"], check=True)
+    subprocess.run([files[0], "bake", scene_file, "--out", tmp_path / "atlas", "--azimuths", "2", "--elevations-deg", "20", "--samples",
+                    "2", "--texel-m", "4", "--patch-texels", "256"], check=True)
+    subprocess.run([*files, "--atlas", tmp_path / "atlas", "--lod", "1", "--out", tmp_path / "baked.tif"], check=True)
+
+    scene, radar = sigmascape.Scene.read(scene_file), sigmascape.Radar.read(radar_file)
+    ours = {"traced": sigmascape.render(scene, radar, samples=2, progress=False),
+            "baked": sigmascape.render(scene, radar, atlas=sigmascape.Atlas(tmp_path / "atlas"))}
+    for name, ground_map in ours.items():
+        written = sigmascape.GroundMap.read(tmp_path / f"{name}.tif")
+        assert np.array_equal(written.sigma0, ground_map.sigma0, equal_nan=True), name
+        assert (written.metadata, written.crs, written.extent_m) == (ground_map.metadata, ground_map.crs, ground_map.extent_m)

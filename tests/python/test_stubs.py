@@ -1,0 +1,47 @@
+"""The type stubs and the documentation name what the module has, and nothing else."""
+
+import ast
+import inspect
+import pathlib
+
+import pytest
+
+import sigmascape
+
+STUB = ast.parse(pathlib.Path(sigmascape.__file__).with_suffix(".pyi").read_text())
+INHERITED = set(dir(ValueError)) | {"__init__", "__module__", "__weakref__"}
+
+
+def names_in(body):
+    names = set()
+    for node in body:
+        if isinstance(node, (ast.FunctionDef, ast.ClassDef)):
+            names.add(node.name)
+        elif isinstance(node, ast.AnnAssign):
+            names.add(node.target.id)
+    return {name for name in names if not name.startswith("_")}
+
+
+def test_stubs_name_what_the_module_has():
+    assert names_in(STUB.body) == set(sigmascape.__all__)
+
+
+@pytest.mark.parametrize("name", [name for name in sigmascape.__all__ if inspect.isclass(getattr(sigmascape, name)) and name != "Error"])
+def test_stubs_name_what_a_class_has(name):
+    stub = next(node for node in STUB.body if isinstance(node, ast.ClassDef) and node.name == name)
+    assert names_in(stub.body) == {member for member in dir(getattr(sigmascape, name)) if not member.startswith("_")}
+
+
+@pytest.mark.parametrize("name", ["bake", "render", "compare"])
+def test_stubs_name_the_arguments_of_functions(name):
+    arguments = next(node for node in STUB.body if isinstance(node, ast.FunctionDef) and node.name == name).args
+    signature = getattr(sigmascape, name).__doc__.splitlines()[0]
+    for argument in arguments.args + arguments.kwonlyargs:
+        assert f"{argument.arg}:" in signature
+    assert signature.count(": ") == len(arguments.args + arguments.kwonlyargs)
+
+
+def test_everything_is_documented():
+    for name in sigmascape.__all__:
+        assert getattr(sigmascape, name).__doc__, name
+    assert "Scene.read" in sigmascape.__doc__
