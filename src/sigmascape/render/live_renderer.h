@@ -27,10 +27,12 @@ struct LiveSettings {
   /// The bins: as many beams and ranges as `bins` says. Where they begin is said by each pose.
   std::size_t beams = 512, ranges = 512;
   double beam_step_rad = 2e-3, range_step_m = 15.0;
-  double cells_per_bin = 2.0;     ///< lattice cells along the smaller side of a bin on the ground
-  std::uint64_t seed = 1;         ///< names the scatterers
-  unsigned threads = 0;           ///< 0: one a hardware thread; has no effect on the result
-  double refraction = 4.0 / 3.0;  ///< k of the k-Earth; infinite for a flat one
+  double cells_per_bin = 2.0;  ///< lattice cells along the smaller side of a bin on the ground
+  std::uint64_t seed = 1;      ///< names the scatterers
+  unsigned threads = 0;        ///< 0: one a hardware thread; has no effect on the result
+  /// k of the k-Earth, by which ground at distance d lies d²/(2 k R) lower: for horizons, ranges and grazing angles
+  /// alike. A great number makes it flat.
+  double refraction = 4.0 / 3.0;
 };
 
 /// Where the radar is and where its bins begin.
