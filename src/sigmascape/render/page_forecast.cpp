@@ -71,9 +71,11 @@ void add_forecast(const PageCache::View& there, const PageSource& source, const 
   const radar::Rectangle box = view.sector.bounds();
   const auto tile_at = [tile_m](double position) { return static_cast<int>(std::floor(position / tile_m)); };
   const int south = tile_at(std::max(view.radar.y + box.south_m, extent.south_m));
-  const int north = tile_at(std::min(view.radar.y + box.north_m, extent.north_m));
+  // A tile that only touches the edge of the atlas is not there.
+  const auto tile_before = [tile_m](double edge) { return static_cast<int>(std::ceil(edge / tile_m)) - 1; };
+  const int north = tile_before(std::min(view.radar.y + box.north_m, extent.north_m));
   const int west = tile_at(std::max(view.radar.x + box.west_m, extent.west_m));
-  const int east = tile_at(std::min(view.radar.x + box.east_m, extent.east_m));
+  const int east = tile_before(std::min(view.radar.x + box.east_m, extent.east_m));
   Forecast forecast(there, source, view.radar.z - view.ground_height_m, wanted);
   for (int y = south; y <= north; ++y) {
     for (int x = west; x <= east; ++x) {
