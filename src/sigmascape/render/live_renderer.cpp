@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 #include <string>
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/propagation.h"
 #include "sigmascape/render/lattice_row.h"
+#include "sigmascape/render/page_forecast.h"
 #include "sigmascape/render/sector.h"
 
 namespace sigmascape::render {
@@ -51,6 +53,13 @@ const LiveSettings& checked(const LiveSettings& settings) {
   return settings;
 }
 
+/// How far ahead pages are asked for, and how many steps of a scan that is.
+constexpr double seconds_ahead = 1.0;
+constexpr std::size_t steps_ahead = 60;
+
+/// Pages that one frame can ask for.
+constexpr std::size_t most_wanted = 8192;
+
 /// Distance over the ground to something at `below_m` under the radar whose slant range is known.
 double ground_distance(double range_m, double below_m) {
   return std::sqrt(std::max(range_m * range_m - below_m * below_m, 0.0));
@@ -71,13 +80,31 @@ class LiveRenderer::SectorTask {
     view_ = view;
     report_ = {};
     wanted_.clear();
+    last_page_ = nullptr;  // of an older view: its memory may hold another page by now
   }
   void end_frame() { view_ = {}; }
   [[nodiscard]] const FrameReport& report() const { return report_; }
   [[nodiscard]] std::span<const PageKey> wanted() const { return wanted_; }
 
-  void fill(const Pose& pose, Beams beams, std::size_t level) {
+  /// Clears the beams and adds one level of the ground, or two with their shares of the power.
+  void fill(const Pose& pose, Beams beams, const DetailBlend& levels) {
+    clear(beams);
+    const auto level = static_cast<std::size_t>(levels.level - 1), next = static_cast<std::size_t>(levels.next - 1);
+    const auto next_share = static_cast<float>(levels.next_share);
+    if (level == next || next_share < 1.0F) add_level(pose, beams, level, level == next ? 1.0F : 1.0F - next_share);
+    if (level != next && next_share > 0.0F) add_level(pose, beams, next, next_share);
+  }
+
+ private:
+  void clear(Beams beams) {
+    const LiveSettings& settings = renderer_.settings_;
+    const std::size_t a_beam = settings.ranges * numbers_a_bin(settings.content);
+    std::fill_n(renderer_.bins_.data() + beams.first * a_beam, beams.count * a_beam, 0.0F);
+  }
+
+  void add_level(const Pose& pose, Beams beams, std::size_t level, float share) {
     start(pose, beams, level);
+    share_ = share;
     const double texel_m = atlas::texel_side_m(renderer_.ground_->description().patches, level);
     const double tile_m = texel_m * static_cast<double>(atlas::tile_side);
     const radar::Rectangle box = sector_.bounds();
@@ -89,7 +116,6 @@ class LiveRenderer::SectorTask {
     }
   }
 
- private:
   /// A row of the best page there is for a place: the page itself or, until that is there, one of its ancestors.
   struct PageRow {
     const GroundPage* page = nullptr;
@@ -129,8 +155,6 @@ class LiveRenderer::SectorTask {
     const std::size_t numbers = numbers_a_bin(settings.content);
     bins_ = {renderer_.bins_.data() + first_beam_ * settings.ranges * numbers, beams.first - first_beam_,
              beams.first - first_beam_ + beams.count, settings.ranges};
-    std::fill_n(bins_.bins + bins_.first_beam * settings.ranges * numbers, beams.count * settings.ranges * numbers,
-                0.0F);
     first_azimuth_rad_ = first_azimuth;
   }
 
@@ -171,7 +195,7 @@ class LiveRenderer::SectorTask {
     if (apart) light_apart_from(ground);
     for (auto& channel : row_.returned) std::fill_n(channel.begin(), count, 0.0F);
     blend_by_aspect(tile, tile_row, first_column);
-    const auto area_m2 = static_cast<float>(texel_m * texel_m);
+    const auto area_m2 = static_cast<float>(texel_m * texel_m) * share_;
     weigh(row_, area_m2);
     if (apart) add_bare_ground(tile, tile_row, first_column, area_m2);
     if (renderer_.settings_.content == FrameContent::Powers) {
@@ -399,6 +423,7 @@ class LiveRenderer::SectorTask {
   const Pose* pose_ = nullptr;
   std::size_t level_ = 0, first_beam_ = 0;
   double first_azimuth_rad_ = 0.0;
+  float share_ = 1.0F;  // of the level's power
   Sector sector_;
   RowGeometry geometry_;
   SectorBins bins_;
@@ -441,25 +466,28 @@ const Frame& LiveRenderer::scan(const Pose& pose, std::size_t first_beam, std::s
   team_.run(last_edge - first_edge + 1, [&](std::size_t index, unsigned worker) {
     horizon_.sweep(first_edge + index, pose.position, occluders, worker);
   });
-  const std::size_t level = level_for(pose);
+  const DetailBlend levels = next_levels();
   const std::size_t group = beams_together(settings_.beam_step_rad), first_group = first_beam / group;
   const std::size_t tasks = last_beam > first_beam ? (last_beam - 1) / group + 1 - first_group : 0;
   team_.run(tasks, [&](std::size_t index, unsigned worker) {
     const std::size_t first = std::max(first_beam, (first_group + index) * group);
     const std::size_t end = std::min(last_beam, (first_group + index + 1) * group);
-    tasks_[worker]->fill(pose, {first, end - first}, level);
+    tasks_[worker]->fill(pose, {first, end - first}, levels);
   });
 
-  frame_.report = {.level = level};
+  frame_.report = {.level = static_cast<std::size_t>((levels.next_share > 0.5 ? levels.next : levels.level) - 1)};
   wanted_.clear();
   for (const auto& task : tasks_) {
     frame_.report.cells += task->report().cells;
     frame_.report.lit += task->report().lit;
     frame_.report.coarse += task->report().coarse;
     frame_.report.dark += task->report().dark;
-    wanted_.insert(wanted_.end(), task->wanted().begin(), task->wanted().end());
+    const std::size_t room = wanted_.capacity() - wanted_.size();
+    const auto wanted = task->wanted().first(std::min(task->wanted().size(), room));
+    wanted_.insert(wanted_.end(), wanted.begin(), wanted.end());
     task->end_frame();
   }
+  look_ahead(view, pose, {first_beam, last_beam}, static_cast<std::size_t>(levels.next - 1));
   if (!wanted_.empty()) ground_->pages().request(wanted_);
   return frame_;
 }
@@ -504,13 +532,47 @@ Occluders LiveRenderer::occluders_for(const HorizonGrid& grid) const {
           .tallest_m = obstacles.tallest_m()};
 }
 
-std::size_t LiveRenderer::level_for(const Pose& pose) const {
+void LiveRenderer::look_ahead(const PageCache::View& view, const Pose& pose, Beams beams, std::size_t level) {
+  const std::size_t count = beams.end - beams.first;
+  if (count == 0) return;
+  const bool scans = count < settings_.beams;
+  const std::size_t group = beams_together(settings_.beam_step_rad);
+  // A scan goes on at the pace of this step; a whole frame looks at all beams again.
+  const std::size_t first = scans ? beams.end : beams.first;
+  const std::size_t ahead = scans ? std::min(count * steps_ahead, settings_.beams) : count;
   const HorizonGrid& grid = horizon_.grid();
-  const double middle_m = grid.near_m + grid.step_m * static_cast<double>(grid.distances) / 2.0;
-  const double cell_m = std::min(settings_.range_step_m, middle_m * settings_.beam_step_rad) / settings_.cells_per_bin;
-  const double finer = std::log2(cell_m / ground_->description().patches.texel_m);
-  (void)pose;
-  return static_cast<std::size_t>(std::clamp(std::floor(finer), 0.0, static_cast<double>(ground_->coarsest_level())));
+  const Vec3d radar = pose.position + pose.velocity_mps * seconds_ahead;
+  const double ground_m = 0.5 * static_cast<double>(ground_->lowest_m() + ground_->highest_m());
+  for (std::size_t done = 0; done < ahead; done += group) {
+    const std::size_t here = std::min(group, ahead - done);
+    const double azimuth =
+        pose.first_azimuth_rad + static_cast<double>((first + done) % settings_.beams) * settings_.beam_step_rad;
+    const Sector sector(azimuth, static_cast<double>(here) * settings_.beam_step_rad, grid.near_m,
+                        grid.near_m + grid.step_m * static_cast<double>(grid.distances));
+    add_forecast(view, ground_->pages().source(), {radar, sector, level, ground_m}, wanted_);
+  }
+}
+
+DetailBlend LiveRenderer::next_levels() {
+  const HorizonGrid& grid = horizon_.grid();
+  const double reach_m = grid.step_m * static_cast<double>(grid.distances), middle_m = grid.near_m + reach_m / 2.0;
+  DetailQuestion question;
+  // Bins lie along the slant range; what they are on the ground follows from where they begin and end.
+  question.range_resolution_m = reach_m / static_cast<double>(settings_.ranges);
+  question.grazing_rad = 0.0;
+  question.cross_range_m = middle_m * settings_.beam_step_rad;
+  question.samples_per_cell = settings_.cells_per_bin;
+  question.texel_m = ground_->description().patches.texel_m;
+  question.mips = static_cast<int>(ground_->coarsest_level()) + 1;
+  // Live frames come from the atlas however small they are.
+  question.tallest_object_m = 0.0;
+  question.area_m2 = std::numeric_limits<double>::infinity();
+  const DetailChoice choice = choose_detail(question);
+  // To blend over a leap would mean to draw a wide view in fine texels.
+  if (std::abs(choice.level - last_level_) > 1) transition_ = DetailTransition();
+  const DetailBlend blend = transition_.advance(choice);
+  last_level_ = blend.next;
+  return blend;
 }
 
 }  // namespace sigmascape::render

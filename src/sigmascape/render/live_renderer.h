@@ -11,6 +11,7 @@
 #include "sigmascape/radar/range_azimuth_image.h"
 #include "sigmascape/radar/scatterer_lattice.h"
 #include "sigmascape/render/horizon_map.h"
+#include "sigmascape/render/level_of_detail.h"
 #include "sigmascape/render/live_ground.h"
 
 namespace sigmascape::render {
@@ -26,10 +27,12 @@ struct LiveSettings {
   /// The bins: as many beams and ranges as `bins` says. Where they begin is said by each pose.
   std::size_t beams = 512, ranges = 512;
   double beam_step_rad = 2e-3, range_step_m = 15.0;
-  double cells_per_bin = 2.0;     ///< lattice cells along the smaller side of a bin on the ground
-  std::uint64_t seed = 1;         ///< names the scatterers
-  unsigned threads = 0;           ///< 0: one a hardware thread; has no effect on the result
-  double refraction = 4.0 / 3.0;  ///< k of the k-Earth; infinite for a flat one
+  double cells_per_bin = 2.0;  ///< lattice cells along the smaller side of a bin on the ground
+  std::uint64_t seed = 1;      ///< names the scatterers
+  unsigned threads = 0;        ///< 0: one a hardware thread; has no effect on the result
+  /// k of the k-Earth, by which ground at distance d lies d²/(2 k R) lower: for horizons, ranges and grazing angles
+  /// alike. A great number makes it flat.
+  double refraction = 4.0 / 3.0;
 };
 
 /// Where the radar is and where its bins begin.
@@ -46,7 +49,7 @@ struct FrameReport {
   std::size_t lit = 0;     ///< of them seen by the radar
   std::size_t coarse = 0;  ///< of them shown from a coarser level than wanted, for the finer was not there yet
   std::size_t dark = 0;    ///< for which there was nothing at all
-  std::size_t level = 0;   ///< of the textures, 0 the finest
+  std::size_t level = 0;   ///< of the textures, 0 the finest; of two in use that with more of the power
 };
 
 /// A frame, valid until the next one.
@@ -62,8 +65,10 @@ struct Frame {
 /// The live radar picture of a wide area: hand it a pose, get what the receiver has in its bins.
 ///
 /// Every lattice cell of the sector answers once, at its own place and with its own phase; cells are as large as the
-/// bins can tell apart, so that their number does not depend on how far the radar sees. Nothing is allocated and
-/// nothing waited for once the first frame is done. The result does not depend on the number of threads.
+/// bins can tell apart, so that their number does not depend on how far the radar sees. When the level that this asks
+/// for changes along a flight path, the two are drawn together for 30 frames, each with its share of the power. Nothing
+/// is allocated and nothing waited for once the first frame is done. The result does not depend on the number of
+/// threads.
 class LiveRenderer {
  public:
   LiveRenderer(std::shared_ptr<LiveGround> ground, const LiveSettings& settings);
@@ -78,7 +83,14 @@ class LiveRenderer {
   class SectorTask;
 
   void prepare(const Pose& pose);
-  [[nodiscard]] std::size_t level_for(const Pose& pose) const;
+  struct Beams {
+    std::size_t first = 0, end = 0;
+  };
+
+  /// The level of detail, or two while one gives way to the next.
+  [[nodiscard]] DetailBlend next_levels();
+  /// Asks for what the radar will see a second later, and for the beams that a scan comes to until then.
+  void look_ahead(const PageCache::View& view, const Pose& pose, Beams beams, std::size_t level);
   [[nodiscard]] Occluders occluders_for(const HorizonGrid& grid) const;
 
   std::shared_ptr<LiveGround> ground_;
@@ -86,6 +98,9 @@ class LiveRenderer {
   radar::ScattererLattice lattice_;
   WorkerTeam team_;
   HorizonMap horizon_;
+  DetailTransition transition_;
+  int last_level_ = 0;
+  std::vector<PageKey> wanted_;
   std::vector<float> bins_;                         // [beam][range][number]
   std::vector<std::unique_ptr<SectorTask>> tasks_;  // one a worker
   std::vector<PageKey> wanted_;                     // by all of them

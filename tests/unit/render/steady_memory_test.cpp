@@ -84,6 +84,15 @@ TEST(SteadyMemory, LiveFramesTakeNoneOnceTheirPagesAreThere) {
     LiveRenderer renderer(ground, view.settings(FrameContent::Amplitudes));
     Pose pose = view.pose();
     settled_frame(renderer, *ground, pose);
+    // What lies ahead of the scan and of the small way below is asked for as well.
+    for (const double ahead_m : {0.0, 5.0}) {
+      pose.position.x = view.pose().position.x + ahead_m;
+      renderer.scan(pose, 16, 16);
+      ground->pages().wait_until_loaded();
+      renderer.render(pose);
+      ground->pages().wait_until_loaded();
+    }
+    pose = view.pose();
     const std::size_t before = allocations;
     for (int frame = 0; frame < 10; ++frame) {
       pose.position.x += 0.5;

@@ -1,0 +1,88 @@
+#include "sigmascape/render/page_forecast.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sigmascape/base/units.h"
+
+namespace sigmascape::render {
+namespace {
+
+/// Whether a square of ground, from the radar, shares area with the sector; looked at along a few lines.
+bool meets(const Sector& sector, double west_m, double south_m, double side_m) {
+  for (const double part : {0.001, 0.25, 0.5, 0.75, 0.999}) {
+    const Sector::Stretches stretches = sector.along_row(south_m + part * side_m);
+    for (std::size_t s = 0; s < stretches.count; ++s) {
+      if (stretches.of[s].west_m < west_m + side_m && stretches.of[s].east_m > west_m) return true;
+    }
+  }
+  return false;
+}
+
+class Forecast {
+ public:
+  Forecast(const PageCache::View& there, const PageSource& source, double below_m, std::vector<PageKey>& wanted)
+      : there_(there), source_(source), below_m_(std::max(below_m, 1.0)), wanted_(wanted) {}
+
+  /// The pages of a tile whose south-western corner lies there from the radar.
+  void add_tile(const atlas::TileAddress& tile, Vec2d corner, double side_m) {
+    // Near the radar a tile spans many aspects.
+    const Vec2d nearest{std::clamp(0.0, corner.x, corner.x + side_m), std::clamp(0.0, corner.y, corner.y + side_m)};
+    const double aspects_across = 4.0 * side_m / std::max(length(nearest), side_m / 4.0);
+    const auto steps = static_cast<int>(std::clamp(aspects_across, 1.0, 8.0));
+    for (int j = 0; j <= steps; ++j) {
+      for (int i = 0; i <= steps; ++i) add_aspect(tile, corner + Vec2d{1.0 * i, 1.0 * j} * (side_m / steps));
+    }
+  }
+
+ private:
+  void add_aspect(const atlas::TileAddress& tile, Vec2d point) {
+    const auto cotangent = static_cast<float>(length(point) / below_m_);
+    const atlas::AspectCells& aspects = source_.aspects();
+    add({tile, {aspects.azimuth_cell(std::atan2(point.x, point.y) + pi), aspects.elevation_cell(cotangent)}});
+    const atlas::AspectCells* const ground = source_.ground_aspects();
+    if (ground == nullptr) return;
+    const std::uint32_t elevation = ground->elevation_cell(cotangent);
+    for (const std::uint32_t e : {elevation, elevation + 1U}) {
+      const std::uint32_t page = e / static_cast<std::uint32_t>(GroundPage::elevations);
+      if (page < source_.ground_pages()) add(PageKey::bare_ground(tile, page));
+    }
+  }
+
+  void add(const PageKey& key) {
+    if (wanted_.size() == wanted_.capacity() || there_.find(key) != nullptr) return;
+    const auto same = [&key](const PageKey& other) { return other == key; };
+    if (std::ranges::none_of(wanted_, same)) wanted_.push_back(key);
+  }
+
+  const PageCache::View& there_;
+  const PageSource& source_;
+  double below_m_;
+  std::vector<PageKey>& wanted_;
+};
+
+}  // namespace
+
+void add_forecast(const PageCache::View& there, const PageSource& source, const ForecastView& view,
+                  std::vector<PageKey>& wanted) {
+  const double tile_m =
+      atlas::texel_side_m(source.description().patches, view.level) * static_cast<double>(atlas::tile_side);
+  const radar::Rectangle& extent = source.description().extent;
+  const radar::Rectangle box = view.sector.bounds();
+  const auto tile_at = [tile_m](double position) { return static_cast<int>(std::floor(position / tile_m)); };
+  const int south = tile_at(std::max(view.radar.y + box.south_m, extent.south_m));
+  // A tile that only touches the edge of the atlas is not there.
+  const auto tile_before = [tile_m](double edge) { return static_cast<int>(std::ceil(edge / tile_m)) - 1; };
+  const int north = tile_before(std::min(view.radar.y + box.north_m, extent.north_m));
+  const int west = tile_at(std::max(view.radar.x + box.west_m, extent.west_m));
+  const int east = tile_before(std::min(view.radar.x + box.east_m, extent.east_m));
+  Forecast forecast(there, source, view.radar.z - view.ground_height_m, wanted);
+  for (int y = south; y <= north; ++y) {
+    for (int x = west; x <= east; ++x) {
+      const Vec2d corner{x * tile_m - view.radar.x, y * tile_m - view.radar.y};
+      if (meets(view.sector, corner.x, corner.y, tile_m)) forecast.add_tile({view.level, x, y}, corner, tile_m);
+    }
+  }
+}
+
+}  // namespace sigmascape::render
