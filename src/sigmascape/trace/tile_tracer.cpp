@@ -38,7 +38,8 @@ constexpr std::uint32_t first_crown = 0x18000;
 constexpr float faint_connection = 2.5e-4F;
 
 /// A path goes on with the chance of the part of the power sent that it still carries, but with no less than this. On
-/// the paper's scene that gives a fifth more for the time than four times the part and a tenth.
+/// the paper's scene four times the part and no less than a tenth took up to half more time for hardly less noise in
+/// the median texel, and about the same in L1 at equal time.
 constexpr float least_survival = 0.05F;
 
 /// Surfaces are left by this much along the normal, so that a ray does not meet again what it starts from.
