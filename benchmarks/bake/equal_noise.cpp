@@ -66,6 +66,7 @@ EqualNoise equal_noise(PaperLooks& looks, const radar::Aspect& aspect, std::uint
         {0.5 * (ours.processor_seconds + again.processor_seconds), noise_of(ours.power, again.power, texels)});
     result.mean_ratio = 0.5 * (total(ours.power) + total(again.power)) / plain_total;
     ours_variance = variance_of_mean(ours.power, again.power);
+    result.honesty = honesty_of({ours.power, ours.errors}, {again.power, again.errors}, texels);
     const Noise& reached = ladder.back().noise;
     if (ladder.size() > 1 && reached.median_relative < result.plain.median_relative && reached.l1 < result.plain.l1) {
       break;

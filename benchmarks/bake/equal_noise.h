@@ -15,6 +15,7 @@ struct EqualNoise {
   double median_seconds = 0.0;    ///< of ours, for the same median relative error over the texels that are noisy at all
   double l1_seconds = 0.0;        ///< of ours, for the same L1
   double noisy_share = 0.0;       ///< part of the lit texels that are noisy at all
+  Honesty honesty;                ///< of ours, at the finest sampling that was tried
   double mean_ratio = 0.0;        ///< total power of ours over that of plain sampling
   double mean_ratio_error = 0.0;  ///< standard error of that, as the two plain maps tell it
 };

@@ -37,4 +37,22 @@ Noise noise_of(const std::vector<float>& one, const std::vector<float>& other, c
   return noise;
 }
 
+Honesty honesty_of(const MapWithErrors& one, const MapWithErrors& other, const std::vector<std::size_t>& texels) {
+  constexpr double interval = 2.042;
+  double predicted = 0.0, actual = 0.0;
+  std::size_t covered = 0, counted = 0;
+  for (const std::size_t i : texels) {
+    const double a = static_cast<double>(one.power[i]), b = static_cast<double>(other.power[i]), mean = 0.5 * (a + b);
+    if (mean <= 0.0) continue;
+    const double variance = std::pow(a * static_cast<double>(one.relative_errors[i]), 2.0) +
+                            std::pow(b * static_cast<double>(other.relative_errors[i]), 2.0);
+    const double square = (a - b) * (a - b);
+    predicted += variance / (mean * mean);
+    actual += square / (mean * mean);
+    covered += square <= interval * interval * variance ? 1U : 0U;
+    ++counted;
+  }
+  return {std::sqrt(predicted / actual), static_cast<double>(covered) / static_cast<double>(counted)};
+}
+
 }  // namespace sigmascape::bench

@@ -20,4 +20,20 @@ struct Noise {
 [[nodiscard]] Noise noise_of(const std::vector<float>& one, const std::vector<float>& other,
                              const std::vector<std::size_t>& texels);
 
+/// What two independent maps say of their own errors against what they differ by.
+struct Honesty {
+  double predicted_over_actual = 0.0;  ///< root mean squares over the texels, relative to their mean power
+  double covered = 0.0;                ///< part of the texels whose difference keeps within its 95 % interval
+};
+
+/// A map and the relative standard errors that it tells of itself.
+struct MapWithErrors {
+  const std::vector<float>& power;
+  const std::vector<float>& relative_errors;
+};
+
+/// The interval is Student's t for the 30 degrees of freedom of two times 16 batches.
+[[nodiscard]] Honesty honesty_of(const MapWithErrors& one, const MapWithErrors& other,
+                                 const std::vector<std::size_t>& texels);
+
 }  // namespace sigmascape::bench

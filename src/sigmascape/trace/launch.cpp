@@ -46,11 +46,14 @@ bool LaunchArea::covers(Vec2d point) const {
   // All of the grain was launched if its centre qualified.
   const double grain_m = cell_m * grain;
   const Vec2d centre{(std::floor(point.x / grain_m) + 0.5) * grain_m, (std::floor(point.y / grain_m) + 0.5) * grain_m};
+  const radar::Rectangle reached = widened(target, rim_m());
+  if (reached.contains(centre)) return true;
   const Vec3d aim{centre.x, centre.y, plane_height_m};
   const Vec3d to_radar = viewpoint.direction_from(aim);
-  const double horizontal = std::hypot(to_radar.x, to_radar.y);
+  // Asked once a connection: std::hypot would take several times as long to no gain, all being of order one.
+  const double horizontal = std::sqrt(to_radar.x * to_radar.x + to_radar.y * to_radar.y);
   const Vec2d towards = horizontal > 0.0 ? Vec2d{to_radar.x / horizontal, to_radar.y / horizontal} : Vec2d{};
-  return segment_meets(widened(target, rim_m()), centre, towards, viewpoint.landing_before_aim_m(aim, top_height_m));
+  return segment_meets(reached, centre, towards, viewpoint.landing_before_aim_m(aim, top_height_m));
 }
 
 LaunchArea launch_area(const Viewpoint& viewpoint, const radar::Rectangle& target, double cell_m, double plane_height_m,

@@ -220,5 +220,33 @@ TEST(LookBaker, PatchesOfAMosaicAgreeWithOnePatchOverAll) {
   }
 }
 
+// Of single bounces, whose weights do not ask where else rays are aimed.
+TEST(LookBaker, PartsOfALaunchAreaAddUpToTheWhole) {
+  const scene::Scene scene = scene_with_block();
+  BakeSettings settings = settings_with({.samples_per_texel = 8});
+  settings.max_bounces = 1;
+  const LookBaker baker(scene, settings);
+  const auto aspect = settings.aspects.look(0).aspect;
+  const auto texels = settings.patches.texels_of({0, 0});
+  const auto whole = baker.area_of(texels, aspect);
+  trace::LaunchArea first = whole, second = whole;
+  const auto middle = static_cast<std::ptrdiff_t>(whole.tiles() / 2 * trace::cells_per_tile);
+  first.cells.erase(first.cells.begin() + middle, first.cells.end());
+  second.cells.erase(second.cells.begin(), second.cells.begin() + middle);
+  SilentProgress silent;
+  const BakedLook all = baker.bake(texels, whole, aspect, silent).front();
+  const BakedLook one = baker.bake(texels, first, aspect, silent).front();
+  const BakedLook other = baker.bake(texels, second, aspect, silent).front();
+  EXPECT_EQ(one.counts.paths + other.counts.paths, all.counts.paths);
+  double ones = 0.0, others = 0.0;
+  for (std::size_t texel = 0; texel < all.sigma0.size(); ++texel) {
+    ASSERT_NEAR(power(one, texel) + power(other, texel), power(all, texel), 1e-6 * power(all, texel));
+    ones += power(one, texel);
+    others += power(other, texel);
+  }
+  EXPECT_GT(ones, 0.0);
+  EXPECT_GT(others, 0.0);
+}
+
 }  // namespace
 }  // namespace sigmascape::bake

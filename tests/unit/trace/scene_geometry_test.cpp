@@ -6,6 +6,7 @@
 
 #include "sigmascape/base/hash.h"
 #include "sigmascape/radar/look.h"
+#include "sigmascape/scene/solid_mesh.h"
 
 namespace sigmascape::trace {
 namespace {
@@ -201,6 +202,30 @@ TEST(SceneGeometry, OutlivesTheSceneItCameFrom) {
   EXPECT_NEAR(hit.position.z, 10.0F, 1e-4F);
   EXPECT_EQ(hit.material, 1);
   EXPECT_GT(moved.memory_bytes(), 100U);
+}
+
+// A box of 8 m, so that some rays meet it and others the plane, which no structure knows of.
+TEST(SceneGeometry, ReplaysTheRaysThatItWasAsked) {
+  scene::Scene scene = plain_scene();
+  scene.prototypes.push_back(scene::box_mesh({8, 8, 8}, 0));
+  scene.instances.push_back({.prototype = static_cast<std::uint32_t>(scene.prototypes.size() - 1)});
+  SceneGeometry geometry(scene, Footing::LevelPlane);
+  RayLog log;
+  geometry.log_to(&log);
+  std::size_t meet_box = 0;
+  for (int i = 0; i < 20; ++i) {
+    const Vec3f from{static_cast<float>(i) - 10.0F, 0.0F, 40.0F};
+    SurfaceHit hit;
+    EXPECT_TRUE(geometry.intersect(from, {0, 0, -1}, hit));
+    meet_box += hit.is_ground ? 0U : 1U;
+    meet_box += geometry.occluded({from.x, 0.0F, 20.0F}, {0, 0, -1}) ? 1U : 0U;
+  }
+  geometry.log_to(nullptr);
+  EXPECT_FALSE(geometry.occluded({0, 0, 20}, {0, 0, 1}));
+  EXPECT_EQ(log.size(), 40U);
+  EXPECT_GT(meet_box, 0U);
+  EXPECT_LT(meet_box, 40U);
+  EXPECT_EQ(geometry.replay(log), meet_box);
 }
 
 }  // namespace
