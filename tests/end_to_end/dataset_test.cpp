@@ -90,7 +90,7 @@ TEST_F(Dataset, HasTheSameBytesForAnyThreadsSharesAndInterruptions) {
     EXPECT_TRUE(made(maker, shared, {.index = 0, .count = 2}).is_complete);
     EXPECT_EQ(difference_of(files_of(shared), expected), "") << files << ", two shares";
 
-    // As a kill leaves it: a lot without its index, and half a file under a name of its own.
+    // As a kill leaves it: a lot without its index, and nothing told of the whole.
     fs::remove(shared / "index/000002.json");
     fs::remove(shared / "manifest.json");
     const auto report = made(maker, shared);
