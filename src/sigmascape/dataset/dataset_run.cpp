@@ -78,7 +78,9 @@ class Lot {
     parallel_for(count_, threads, [&](std::size_t k, unsigned) { make_sample(k); });
     Json index{{"samples", entries_}};
     if (maker_.spec().arrangement == Arrangement::WebDataset) index["tar"] = write_tar();
-    geo::write_atomically(index_path(folder_, number_), index.dump(1) + "\n");
+    const fs::path path = index_path(folder_, number_);
+    if (fs::exists(path.parent_path())) geo::remove_leftovers(path.parent_path(), path.filename().string());
+    geo::write_atomically(path, index.dump(1) + "\n");
   }
 
  private:

@@ -1,5 +1,6 @@
 #include "sigmascape/geo/geotiff.h"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cmath>
@@ -15,6 +16,7 @@
 #include <ogr_spatialref.h>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/geo/atomic_file.h"
@@ -126,16 +128,74 @@ void check_bands(const std::filesystem::path& path, const GeoRaster& raster) {
   }
 }
 
-void fill_band(GDALRasterBand& target, const NamedBand& source, std::optional<float> nodata) {
-  const auto columns = static_cast<int>(source.values.columns());
-  const auto rows = static_cast<int>(source.values.rows());
-  target.SetDescription(source.name.c_str());
-  if (nodata) target.SetNoDataValue(*nodata);
+void write_cells(GDALRasterBand& target, const Array2D<float>& cells) {
+  const auto columns = static_cast<int>(cells.columns());
+  const auto rows = static_cast<int>(cells.rows());
   // GDAL's interface serves reading and writing alike, hence the cast; writing leaves the values as they are.
-  auto* values = const_cast<float*>(source.values.values().data());
+  auto* values = const_cast<float*>(cells.values().data());
   if (target.RasterIO(GF_Write, 0, 0, columns, rows, values, columns, rows, GDT_Float32, 0, 0, nullptr) != CE_None) {
-    fail_to_encode(fmt::format("band {}", source.name));
+    fail_to_encode(fmt::format("band {}", target.GetDescription()));
   }
+}
+
+/// Overview cells cover `factor` × `factor` cells, at the southern and eastern edge what there is of them.
+Array2D<float> overview_of(const NamedBand& band, std::size_t factor, std::optional<float> nodata) {
+  const Array2D<float>& fine = band.values;
+  Array2D<float> coarse((fine.columns() + factor - 1) / factor, (fine.rows() + factor - 1) / factor);
+  for (std::size_t row = 0; row < coarse.rows(); ++row) {
+    for (std::size_t column = 0; column < coarse.columns(); ++column) {
+      const std::size_t left = column * factor, top = row * factor;
+      coarse(column, row) = fine(left, top);
+      if (band.is_classes) continue;
+      double sum = 0.0;
+      std::size_t known = 0;
+      for (std::size_t y = top; y < std::min(top + factor, fine.rows()); ++y) {
+        for (std::size_t x = left; x < std::min(left + factor, fine.columns()); ++x) {
+          if (std::isnan(fine(x, y)) || fine(x, y) == nodata) continue;
+          sum += static_cast<double>(fine(x, y));
+          ++known;
+        }
+      }
+      if (known > 0) coarse(column, row) = static_cast<float>(sum / static_cast<double>(known));
+    }
+  }
+  return coarse;
+}
+
+/// 2, 4, …: the last overview fits one tile.
+std::vector<int> overview_factors(const Array2D<float>& cells) {
+  std::vector<int> factors;
+  for (std::size_t side = std::max(cells.columns(), cells.rows()); side > tile_side; side = (side + 1) / 2)
+    factors.push_back(factors.empty() ? 2 : 2 * factors.back());
+  return factors;
+}
+
+/// All bands with their overviews, which GDAL takes over as they are.
+GDALDatasetUniquePtr raster_in_memory(const GeoRaster& raster) {
+  const Array2D<float>& first = raster.bands.front().values;
+  GDALDatasetUniquePtr dataset(driver("MEM").Create("", static_cast<int>(first.columns()),
+                                                    static_cast<int>(first.rows()),
+                                                    static_cast<int>(raster.bands.size()), GDT_Float32, nullptr));
+  if (!dataset) fail_to_encode("raster");
+  place(*dataset, raster.placement);
+  describe(*dataset, raster.metadata);
+  const std::vector<int> factors = overview_factors(first);
+  if (!factors.empty() && dataset->BuildOverviews("NONE", static_cast<int>(factors.size()), factors.data(), 0, nullptr,
+                                                  nullptr, nullptr) != CE_None) {
+    fail_to_encode("raster");
+  }
+  for (std::size_t k = 0; k < raster.bands.size(); ++k) {
+    const NamedBand& source = raster.bands[k];
+    GDALRasterBand& target = *dataset->GetRasterBand(static_cast<int>(k) + 1);
+    target.SetDescription(source.name.c_str());
+    if (raster.nodata) target.SetNoDataValue(*raster.nodata);
+    write_cells(target, source.values);
+    for (std::size_t level = 0; level < factors.size(); ++level) {
+      write_cells(*target.GetOverview(static_cast<int>(level)),
+                  overview_of(source, static_cast<std::size_t>(factors[level]), raster.nodata));
+    }
+  }
+  return dataset;
 }
 
 /// Fails unless the raster is north up with square cells.
@@ -240,21 +300,15 @@ void write_geotiff(const std::filesystem::path& path, const GeoRaster& raster) {
   const QuietGdal quiet;
   const MemoryFile file;
   Options options;
-  // One band after the other, so that writing band by band never touches a compressed tile twice.
+  // Bands apart, for whoever reads but one of them.
   for (const char* option : {"TILED=YES", "BLOCKXSIZE=256", "BLOCKYSIZE=256", "COMPRESS=ZSTD", "PREDICTOR=3",
-                             "INTERLEAVE=BAND", "BIGTIFF=IF_SAFER", "NUM_THREADS=1"}) {
+                             "INTERLEAVE=BAND", "BIGTIFF=IF_SAFER", "COPY_SRC_OVERVIEWS=YES", "NUM_THREADS=1"}) {
     options.AddString(option);
   }
-  const Array2D<float>& first = raster.bands.front().values;
+  const GDALDatasetUniquePtr source = raster_in_memory(raster);
   GDALDatasetUniquePtr dataset(
-      driver("GTiff").Create(file.name(), static_cast<int>(first.columns()), static_cast<int>(first.rows()),
-                             static_cast<int>(raster.bands.size()), GDT_Float32, options.List()));
+      driver("GTiff").CreateCopy(file.name(), source.get(), FALSE, options.List(), nullptr, nullptr));
   if (!dataset) fail_to_encode(path.string());
-  place(*dataset, raster.placement);
-  describe(*dataset, raster.metadata);
-  for (std::size_t band = 0; band < raster.bands.size(); ++band) {
-    fill_band(*dataset->GetRasterBand(static_cast<int>(band) + 1), raster.bands[band], raster.nodata);
-  }
   dataset.reset();
   if (QuietGdal::failed()) fail_to_encode(path.string());
   write_atomically(path, file.bytes());

@@ -26,7 +26,8 @@ struct RasterPlacement {
 
 struct NamedBand {
   std::string name;
-  Array2D<float> values;  ///< [column, row]; all bands of a raster have the same size
+  Array2D<float> values;    ///< [column, row]; all bands of a raster have the same size
+  bool is_classes = false;  ///< numbers that stand for names, of which there is no mean
 };
 
 /// Several named layers of numbers over the same cells.
@@ -37,7 +38,9 @@ struct GeoRaster {
   std::map<std::string, std::string> metadata;
 };
 
-/// Writes a tiled, ZSTD-compressed float32 GeoTIFF, atomically. Equal rasters give equal bytes.
+/// Writes a cloud-optimised float32 GeoTIFF (tiles of 256², ZSTD), atomically. Overviews go down to one tile; their
+/// cells are the means of what is known of those that they cover, of classes the north-western one. Equal rasters give
+/// equal bytes.
 /// Throws Error when the raster has no bands or bands of different size, the CRS is not understood, or the disk is
 /// full.
 void write_geotiff(const std::filesystem::path& path, const GeoRaster& raster);

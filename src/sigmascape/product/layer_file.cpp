@@ -14,7 +14,7 @@ void write_layers(const std::filesystem::path& path, const radar::LayerStack& st
                         .metadata = stack.metadata};
   for (const radar::Layer& layer : stack.layers) {
     const bool is_angle = layer.unit == "rad";
-    geo::NamedBand band{layer.name, layer.values};
+    geo::NamedBand band{layer.name, layer.values, layer.is_classes};
     if (is_angle) {
       for (float& value : band.values.values()) value = static_cast<float>(deg_from_radians(value));
     }

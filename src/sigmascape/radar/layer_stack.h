@@ -12,8 +12,9 @@ namespace sigmascape::radar {
 /// One number for every cell of a map. Angles are radians.
 struct Layer {
   std::string name;
-  std::string unit;       ///< "m", "rad", "m2/m2"; empty for masks and classes
-  Array2D<float> values;  ///< [column, row]; NaN where nothing is known
+  std::string unit;         ///< "m", "rad", "m2/m2"; empty for masks and classes
+  Array2D<float> values;    ///< [column, row]; NaN where nothing is known
+  bool is_classes = false;  ///< numbers that stand for names, of which there is no mean
 };
 
 /// Layers over the cells of one map: what lies where in the picture.

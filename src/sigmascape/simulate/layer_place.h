@@ -45,8 +45,8 @@ struct LayerPlace {
 [[nodiscard]] inline radar::LayerStack empty_layers(const radar::GroundGrid& grid, std::span<const LayerKind> kinds) {
   radar::LayerStack stack{.grid = grid, .layers = {}, .crs = {}, .metadata = {}};
   for (const LayerKind kind : kinds) {
-    stack.layers.push_back(
-        {std::string(name_of(kind)), std::string(unit_of(kind)), Array2D<float>(grid.columns, grid.rows)});
+    stack.layers.push_back({std::string(name_of(kind)), std::string(unit_of(kind)),
+                            Array2D<float>(grid.columns, grid.rows), kind == LayerKind::Class});
   }
   return stack;
 }

@@ -1,6 +1,7 @@
 #include "sigmascape/geo/geotiff.h"
 
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -124,6 +125,44 @@ TEST_F(GeoTiff, EqualRastersGiveEqualBytes) {
   write_geotiff(folder_ / "b.tif", example_raster());
   EXPECT_EQ(bytes_of(folder_ / "a.tif"), bytes_of(folder_ / "b.tif"));
   EXPECT_EQ(half_cog_bytes(example_pyramid()), half_cog_bytes(example_pyramid()));
+}
+
+// GDAL's own script; it comes with GDAL's Python, which the library does not need.
+TEST_F(GeoTiff, IsCloudOptimisedInTheEyesOfGdal) {
+  const auto validates = [](const std::string& file) {
+    return std::system(
+        ("/usr/bin/python3 -m osgeo_utils.samples.validate_cloud_optimized_geotiff '" + file + "' > /dev/null 2>&1")
+            .c_str());
+  };
+  if (std::system("/usr/bin/python3 -c 'import osgeo_utils.samples.validate_cloud_optimized_geotiff' 2> /dev/null") !=
+      0)
+    GTEST_SKIP() << "GDAL's Python scripts are not installed (python3-gdal)";
+  const auto path = folder_ / "cog.tif";
+  GeoRaster large = example_raster();
+  for (NamedBand& band : large.bands) band.values = Array2D<float>(1100, 700, 2.5F);
+  write_geotiff(path, large);
+  EXPECT_EQ(validates(path.string()), 0);
+  write_geotiff(path, example_raster());
+  EXPECT_EQ(validates(path.string()), 0);
+}
+
+// 300 columns: 2 × 2 cells make one of the overview; the cell that is not known counts for nothing.
+TEST_F(GeoTiff, OverviewsAreMeansAndOfClassesTheCornerCell) {
+  GeoRaster raster = example_raster();
+  raster.bands[0].values = Array2D<float>(300, 270, 7.0F);
+  raster.bands[0].values(1, 0) = 3.0F;
+  raster.bands[0].values(1, 1) = std::numeric_limits<float>::quiet_NaN();
+  raster.bands[1].values = raster.bands[0].values;
+  raster.bands[1].is_classes = true;
+  write_geotiff(folder_ / "o.tif", raster);
+  const std::string command = "gdal_translate -q -oo OVERVIEW_LEVEL=0 -co TILED=NO '" + (folder_ / "o.tif").string() +
+                              "' '" + (folder_ / "half.tif").string() + "' 2> /dev/null";
+  if (std::system(command.c_str()) != 0) GTEST_SKIP() << "gdal_translate is not installed";
+  const GeoRaster half = read_geotiff(folder_ / "half.tif");
+  EXPECT_EQ(half.bands.at(0).values.columns(), 150U);
+  EXPECT_NEAR(half.bands[0].values(0, 0), (7.0 + 3.0 + 7.0) / 3.0, 1e-6);
+  EXPECT_EQ(half.bands[0].values(1, 0), 7.0F);
+  EXPECT_EQ(half.bands[1].values(0, 0), 7.0F);
 }
 
 TEST_F(GeoTiff, BandsOfDifferentSizeAreRefusedByName) {
