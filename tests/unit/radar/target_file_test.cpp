@@ -63,6 +63,10 @@ TEST_F(TargetFile, ReadsWayPointsAndTables) {
   EXPECT_NEAR(std::get<RcsTable>(targets[0].target.rcs_m2).rcs_m2.at(1).vv, 100.0F, 1e-3F);
 }
 
+TEST_F(TargetFile, TheExampleIsRead) {
+  EXPECT_EQ(read_target_file(SIGMASCAPE_SOURCE_DIR "/examples/targets/reflector_and_movers.toml").size(), 3U);
+}
+
 TEST_F(TargetFile, FaultsNameFileAndKey) {
   EXPECT_THAT(fault_of("# nothing\n"), HasSubstr("x.toml: targets: is missing; add a [[targets]] table"));
   EXPECT_THAT(fault_of("[[targets]]\nrcs_dbsm = 10\n"), HasSubstr("position_m: is missing; give either"));
