@@ -29,8 +29,8 @@ scene::Scene ground_with_box(bool with_box) {
   return scene;
 }
 
-/// Spotlight SAR with cells of 1.5 m, from the south on a flight to the east, on cells of `cell_m`.
-radar::GroundMap spotlight(const scene::Scene& scene, double cell_m) {
+/// Spotlight SAR with cells of 1.5 m times the looks along, from the south on a flight to the east, on cells of 1 m.
+radar::GroundMap spotlight(const scene::Scene& scene, std::size_t looks) {
   bake::BakeSettings settings;
   settings.aspects = {{pi}, {radians_from_deg(elevation_deg)}, {frequency_hz}};
   settings.patches = {2.0, 256};
@@ -49,10 +49,10 @@ radar::GroundMap spotlight(const scene::Scene& scene, double cell_m) {
   radar.waveform.pulse_repetition_hz = 2000.0;
   const double interval_s = wavelength_m(frequency_hz) * 5e3 / (2.0 * 100.0 * 1.5);
   const simulate::CoherentScene seen{&scene.terrain, render::reflectivity_of(atlas, frequency_hz, 2.0)};
-  const auto side = static_cast<std::size_t>(240.0 / cell_m);
   return product::projected_to_ground(
-      simulate::range_doppler_image(seen, radar, {-150.0, -150.0, 150.0, 150.0}, {.interval_s = interval_s}),
-      scene.terrain, {-120.0, 120.0, cell_m, side, side});
+      simulate::range_doppler_power(seen, radar, {-150.0, -150.0, 150.0, 150.0},
+                                    {.interval_s = interval_s, .scatterer_spacing_m = 0.5, .seed = 7}, looks),
+      scene.terrain, {-120.0, 120.0, 1.0, 240, 240});
 }
 
 double mean_over(const radar::GroundMap& map, const radar::Rectangle& part) {
@@ -67,19 +67,37 @@ double mean_over(const radar::GroundMap& map, const radar::Rectangle& part) {
   return sum / count;
 }
 
+/// Variance over mean².
+double spread_of(const radar::GroundMap& map) {
+  double sum = 0.0, squares = 0.0;
+  for (const radar::Channels& cell : map.sigma0.values()) {
+    const auto value = static_cast<double>(cell.vv);
+    sum += value;
+    squares += value * value;
+  }
+  return squares * static_cast<double>(map.sigma0.size()) / (sum * sum) - 1.0;
+}
+
 const double open_ground = gamma * std::sin(radians_from_deg(elevation_deg));
 
 /// An atlas that keeps the ground apart has nothing of it in its textures; a coherent image shows it all the same.
 TEST(CoherentGroundApart, bare_ground_kept_apart_has_its_sigma0) {
-  const auto map = spotlight(ground_with_box(false), 1.0);
+  const auto map = spotlight(ground_with_box(false), 1);
   validation::expect_close({"Coherent maps", "σ0 of bare ground of an atlas that keeps it apart", 0.0,
                             db_from_linear(mean_over(map, {-120.0, -120.0, 120.0, 120.0}) / open_ground), 0.1,
                             "dB over γ sin ψ", "definition of constant gamma"});
+  const auto looked = spotlight(ground_with_box(false), 4);
+  validation::expect_close({"Coherent maps", "the same in four looks", 0.0,
+                            db_from_linear(mean_over(looked, {-120.0, -120.0, 120.0, 120.0}) / open_ground), 0.1,
+                            "dB over γ sin ψ", "definition of constant gamma"});
+  // Interpolation between bins evens out the finer image a little more.
+  validation::expect_close({"Coherent maps", "variance over mean² of one look over that of four", 4.0,
+                            spread_of(map) / spread_of(looked), 0.8, "", "independent looks"});
 }
 
 /// The shadow of the roof's far edge is dark for h / tan ψ behind the box, and the ground beyond it is not.
 TEST(CoherentGroundApart, a_box_casts_its_shadow) {
-  const auto map = spotlight(ground_with_box(true), 1.0);
+  const auto map = spotlight(ground_with_box(true), 1);
   constexpr double half_m = 4.0, from_m = 10.0, to_m = 80.0;
   // Length without power between two edges, as the power that is missing: a blurred edge leaves it as it is.
   const double missing_m =

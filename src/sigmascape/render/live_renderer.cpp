@@ -57,9 +57,6 @@ const LiveSettings& checked(const LiveSettings& settings) {
 constexpr double seconds_ahead = 1.0;
 constexpr std::size_t steps_ahead = 60;
 
-/// Pages that one frame can ask for.
-constexpr std::size_t most_wanted = 8192;
-
 /// Distance over the ground to something at `below_m` under the radar whose slant range is known.
 double ground_distance(double range_m, double below_m) {
   return std::sqrt(std::max(range_m * range_m - below_m * below_m, 0.0));
@@ -444,7 +441,8 @@ LiveRenderer::LiveRenderer(std::shared_ptr<LiveGround> ground, const LiveSetting
       horizon_(HorizonGrid{}, team_.size()) {
   bins_.resize(settings.beams * settings.ranges * numbers_a_bin(settings.content));
   for (unsigned worker = 0; worker < team_.size(); ++worker) tasks_.push_back(std::make_unique<SectorTask>(*this));
-  wanted_.reserve(most_wanted * team_.size());
+  // The tasks' and, after them, what lies ahead.
+  wanted_.reserve(most_wanted * (team_.size() + 1));
 }
 
 LiveRenderer::~LiveRenderer() = default;

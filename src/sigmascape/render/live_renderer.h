@@ -100,7 +100,6 @@ class LiveRenderer {
   HorizonMap horizon_;
   DetailTransition transition_;
   int last_level_ = 0;
-  std::vector<PageKey> wanted_;
   std::vector<float> bins_;                         // [beam][range][number]
   std::vector<std::unique_ptr<SectorTask>> tasks_;  // one a worker
   std::vector<PageKey> wanted_;                     // by all of them

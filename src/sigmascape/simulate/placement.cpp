@@ -40,9 +40,12 @@ struct TargetPlacer {
   }
   [[nodiscard]] radar::WayPoint way_point(const radar::TargetPlace& source) const {
     const Vec2d place = std::visit(*this, source.place);
-    if (source.above_ground && !terrain.extent().contains(place)) {
-      throw Error(where, fmt::format("has a place at ({:.1f}, {:.1f}) m, outside the terrain", place.x, place.y),
-                  "move it inside, or state altitude_m instead of height_m");
+    const radar::Rectangle extent = terrain.extent();
+    if (source.above_ground && !extent.contains(place)) {
+      throw Error(
+          where, fmt::format("has a place at ({:.1f}, {:.1f}) m, outside the terrain", place.x, place.y),
+          fmt::format("move it to between {:.0f} and {:.0f} m east, {:.0f} and {:.0f} m north, or state altitude_m",
+                      extent.west_m, extent.east_m, extent.south_m, extent.north_m));
     }
     const double ground_m = source.above_ground ? terrain.height_at(place) : 0.0;
     return {source.time_s, {place.x, place.y, ground_m + source.height_m}};

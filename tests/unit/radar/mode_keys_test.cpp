@@ -29,7 +29,7 @@ class ModeKeys : public ::testing::Test {
 TEST_F(ModeKeys, SayHowPulsesAreAddedUp) {
   const Radar spot = read("kind = \"spotlight\"\nalong_resolution_m = 0.5\nlooks = 3\n");
   EXPECT_EQ(spot.mode, Mode::Spotlight);
-  EXPECT_EQ(spot.processing, (Processing{.along_resolution_m = 0.5, .looks = 3}));
+  EXPECT_EQ(spot.processing, (Processing{{}, 0.5, {}, 3}));
   EXPECT_EQ(read("kind = \"doppler-beam-sharpening\"\nsharpening = 20\n").processing.sharpening, 20.0);
   EXPECT_EQ(read("kind = \"doppler-beam-sharpening\"\ninterval_s = 0.2\n").processing.interval_s, 0.2);
   EXPECT_EQ(read("kind = \"stripmap\"\n").processing, Processing{});

@@ -277,7 +277,7 @@ TEST(ExampleRadars, AreReadAndHearTheGround) {
                                 .ranges = static_cast<std::size_t>(0.4 * seen.slant_range_m / step_m)};
     EXPECT_THAT(radar_warnings(file.radar, bins, file.map.cell_m), ::testing::IsEmpty()) << entry.path();
   }
-  EXPECT_EQ(count, 5);
+  EXPECT_EQ(count, 7);
 }
 
 class RadarWarnings : public ::testing::Test {

@@ -43,7 +43,7 @@ TEST_F(TargetFile, ReadsWhatStandsAndWhatMoves) {
   EXPECT_NEAR(rcs.vv, 100.0F, 1e-3F);
   EXPECT_NEAR(rcs.hh, 10.0F, 1e-4F);
   EXPECT_EQ(rcs.hv, 0.0F);
-  EXPECT_LT(rcs.vv_hh, 0.0F);
+  EXPECT_LT(rcs.re_vvhh, 0.0F);
   EXPECT_EQ(lorry.target.fluctuation, Swerling::Case3);
   EXPECT_EQ(lorry.target.size_m, (Vec3d{9.0, 2.5, 4.0}));
   EXPECT_EQ(targets[1].target.name, "target 2");
@@ -63,6 +63,10 @@ TEST_F(TargetFile, ReadsWayPointsAndTables) {
   EXPECT_NEAR(std::get<RcsTable>(targets[0].target.rcs_m2).rcs_m2.at(1).vv, 100.0F, 1e-3F);
 }
 
+TEST_F(TargetFile, TheExampleIsRead) {
+  EXPECT_EQ(read_target_file(SIGMASCAPE_SOURCE_DIR "/examples/targets/reflector_and_movers.toml").size(), 3U);
+}
+
 TEST_F(TargetFile, FaultsNameFileAndKey) {
   EXPECT_THAT(fault_of("# nothing\n"), HasSubstr("x.toml: targets: is missing; add a [[targets]] table"));
   EXPECT_THAT(fault_of("[[targets]]\nrcs_dbsm = 10\n"), HasSubstr("position_m: is missing; give either"));
@@ -71,7 +75,7 @@ TEST_F(TargetFile, FaultsNameFileAndKey) {
   EXPECT_THAT(fault_of(plain + "height_m = 1\naltitude_m = 1\n"), HasSubstr("altitude_m: and height_m both"));
   EXPECT_THAT(fault_of(plain + "swerling = 5\n"), HasSubstr("swerling: is 5; give"));
   EXPECT_THAT(fault_of(plain + "size_m = [1, 2]\n"), HasSubstr("size_m: holds 2 numbers; give 3"));
-  EXPECT_THAT(fault_of(plain + "speed = 2\n"), HasSubstr("did you mean speed_mps?"));
+  EXPECT_THAT(fault_of(plain + "speed_mp = 2\n"), HasSubstr("did you mean speed_mps?"));
   EXPECT_THAT(fault_of(plain + "rcs_csv = \"car.csv\"\n"), HasSubstr("both give the cross-section"));
   EXPECT_THAT(fault_of("[[targets]]\nposition_lat_lon_deg = [143, 3]\nrcs_dbsm = 0\n"), HasSubstr("latitude first"));
   EXPECT_THAT(fault_of(plain + "[[targets.way_points]]\ntime_s = 0\nposition_m = [0, 0]\n"),
