@@ -43,6 +43,7 @@ void run_results(const ResultsOptions& options, const Output& output) {
   measurement.compare_all();
 
   const ResultsReport report{.plan = plan,
+                             .scene = measurement.scene().scene.name,
                              .attribution = measurement.scene().scene.attribution,
                              .views = measurement.results(),
                              .rows = rows_of(measurement.results()),

@@ -69,7 +69,12 @@ product::PageSection simple_section(const ResultsPlan& plan, const std::filesyst
                                           .box_yaw_rad = radians_from_deg(45.0),
                                           .cylinder_centre = {24.0, -4.0},
                                           .ground_material = "grass"};
-  const scene::Scene scene = scene::simple_scene(options);
+  scene::Scene scene = scene::simple_scene(options);
+  // Smooth walls would show no layover: all that they return comes by way of the ground.
+  for (scatter::Material& material : scene.materials) {
+    if (auto* walls = std::get_if<scatter::CookTorranceParameters>(&material.model))
+      walls->scattering_coefficient = 0.15;
+  }
   const trace::SceneGeometry geometry(scene, trace::Footing::Terrain);
   radar::Radar radar{.name = "20 km, from the south-east"};
   radar.position = radar::position_seeing({}, aspect.azimuth_rad, aspect.elevation_rad, 20e3);
@@ -100,10 +105,11 @@ product::PageSection simple_section(const ResultsPlan& plan, const std::filesyst
   product::write_png(optical, optical_view(scene, geometry, pixels_wide, plan.threads));
   product::write_png(radar_map, product::with_legend(picture));
   return {.heading = "Figure 1: what a radar shows of simple things",
-          .figures = {{optical, "A prism and a cylinder on a plane, from above, the sun in the north-west"},
-                      {radar_map,
-                       "The same path-traced for a radar in the south-east, 30° high: 1 shadow, 2 layover, "
-                       "3 dihedral line where wall and ground meet"}}};
+          .figures = {
+              {optical, "A prism and a cylinder on a plane, from above, the sun in the north-west"},
+              {radar_map,
+               "The same path-traced for a radar in the south-east, 30° high: 1 shadow, 2 layover, "
+               "3 dihedral line where wall and ground meet. A fiftieth of what the walls reflect leaves diffusely"}}};
 }
 
 product::PageSection scene_section(const Measurement& measurement, const ResultsPlan& plan,

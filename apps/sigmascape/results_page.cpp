@@ -211,7 +211,7 @@ std::string lead(const ResultsReport& report) {
                     plan.scale, plan.side_m(),
                     plan.materials == scene::PaperMaterials::Paper ? "the paper's" : "real buildings' (ITU-R P.2040)");
   } else {
-    text += fmt::format("Ground maps of the middle {:.0f} m of a real place", plan.side_m());
+    text += fmt::format("Ground maps of the middle {:.0f} m of {}", plan.side_m(), report.scene);
   }
   text += fmt::format(
       ", rendered from terrain and baked reflectivity and held against path-traced maps of the full scene. The "

@@ -15,7 +15,8 @@ namespace sigmascape::cli {
 /// Everything that a page is made of.
 struct ResultsReport {
   ResultsPlan plan;
-  std::string attribution;  ///< of the scene's data
+  std::string scene;        ///< the scene's own name
+  std::string attribution;  ///< of its data
   std::vector<ViewResult> views;
   std::vector<ResultsRow> rows;
   std::vector<product::PageSection> figures;
