@@ -21,7 +21,8 @@ Json global_of(const IqRecord& record) {
     // Samples over slant range follow one another in time by 2 Δr / c.
     global["core:sample_rate"] = speed_of_light_mps / (2.0 * (record.fast.values[1] - record.fast.values[0]));
   }
-  for (const auto& [key, value] : Json::parse(iq_description(record)).items()) global["sigmascape:" + key] = value;
+  const Json description = Json::parse(iq_description(record));
+  for (const auto& [key, value] : description.items()) global["sigmascape:" + key] = value;
   global["sigmascape:fast_first"] = record.fast.values.front();
   global["sigmascape:fast_count"] = record.fast.values.size();
   return global;

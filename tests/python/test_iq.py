@@ -1,0 +1,160 @@
+import hashlib
+import json
+import os
+import subprocess
+
+import numpy as np
+import pytest
+
+import sigmascape
+
+h5py = pytest.importorskip("h5py")
+
+
+@pytest.fixture(scope="module")
+def moving_radar():
+    radar = sigmascape.Radar(name="mover", range_resolution_m=3.0, beam_width_deg=1.0, cell_m=2.0)
+    radar.see_from(azimuth_deg=180.0, elevation_deg=15.0, slant_range_m=2500.0)
+    radar.velocity_mps = (120.0, 5.0, 0.0)
+    radar.pulse_repetition_hz = 2000.0
+    return radar
+
+
+@pytest.fixture(scope="module")
+def pulses(atlas, moving_radar):
+    return sigmascape.phase_history(atlas, moving_radar, interval_s=0.02, seed=7)
+
+
+def test_pulses_are_a_view_with_axes(pulses):
+    samples, axes = pulses.samples, pulses.axes
+    assert samples.dtype == np.complex64 and samples.shape[0] == 40 and samples.shape[2] == 3
+    assert not samples.flags.owndata and np.shares_memory(samples, pulses.samples)
+    assert list(axes) == ["pulse_time_s", "slant_range_m"]
+    assert [len(values) for values in axes.values()] == list(samples.shape[:2])
+    assert np.allclose(np.diff(axes["pulse_time_s"]), 1.0 / 2000.0)
+    assert axes["slant_range_m"][0] < 2500.0 < axes["slant_range_m"][-1]
+    metadata = pulses.metadata
+    assert metadata["radar"] == "mover" and metadata["seed"] == "7" and metadata["frequency_hz"] == 10e9
+    assert metadata["software"] == f"Sigmascape {sigmascape.__version__}" and "tmerc" in metadata["crs"]
+
+
+def test_bare_ground_that_is_kept_apart_is_in_the_pulses(tmp_path_factory, moving_radar):
+    """Rough ground with a hardly visible box: nearly all the power is the ground's, which the textures do not hold."""
+    scene = sigmascape.Scene.simple(side_m=96.0, ground_material="grass")
+    mean = {}
+    for shadows in ["run-time", "baked"]:
+        folder = tmp_path_factory.mktemp("rough")
+        sigmascape.bake(scene, folder, azimuths=2, elevations_deg=[15.0], texel_m=1.0, patch_texels=256, samples=8, shadows=shadows,
+                        progress=False)
+        atlas = sigmascape.Atlas(folder)
+        looks = [sigmascape.phase_history(atlas, moving_radar, interval_s=0.001, seed=seed).samples[..., 0] for seed in range(40)]
+        mean[shadows] = np.mean(np.abs(looks) ** 2, axis=(0, 1))
+    # Before the objects, and behind them where their shadows lie.
+    for part in [slice(4, 18), slice(-18, -4)]:
+        assert mean["run-time"][part].sum() == pytest.approx(mean["baked"][part].sum(), rel=0.1)
+
+
+def test_numpy_files_read_back_the_same(pulses, tmp_path):
+    pulses.save(tmp_path / "pulses.npy")
+    assert np.array_equal(np.load(tmp_path / "pulses.npy"), pulses.samples)
+    described = json.loads((tmp_path / "pulses.json").read_text())
+    assert described["axes"] == ["pulse_time", "slant_range", "polarization"] and described["unit"] == "m"
+    pulses.save(tmp_path / "pulses.npz")
+    archive = np.load(tmp_path / "pulses.npz")
+    assert np.array_equal(archive["samples"], pulses.samples)
+    for name, values in pulses.axes.items():
+        assert np.array_equal(archive[name], values)
+    assert archive["platform_velocity_mps"].tolist() == [[120.0, 5.0, 0.0]] * 40
+    travelled = archive["platform_position_m"][-1] - archive["platform_position_m"][0]
+    assert travelled == pytest.approx(np.array([120.0, 5.0, 0.0]) * np.ptp(archive["pulse_time_s"]))
+    assert json.loads(archive["description_json"].tobytes())["radar"] == "mover"
+
+
+def test_hdf5_opens_with_plain_h5py(pulses, tmp_path):
+    pulses.save(tmp_path / "pulses.h5")
+    with h5py.File(tmp_path / "pulses.h5") as file:
+        for number, name in enumerate(["VV", "HH", "HV"]):
+            assert file[name].dtype == np.complex64
+            assert np.array_equal(file[name][:], pulses.samples[..., number])
+            assert file[name].attrs["units"].decode() == "m"
+            assert file[name].dims[0][0].name == "/pulse_time" and file[name].dims[1][0].name == "/slant_range"
+        assert np.array_equal(file["slant_range"], pulses.axes["slant_range_m"])
+        assert file["pulse_time"].attrs["units"].decode() == "s"
+        assert file["platform_position"].shape == (40, 3)
+        assert file.attrs["frequency_hz"] == 10e9 and file.attrs["radar"].decode() == "mover"
+        assert file.attrs["scene_hash"].decode() == pulses.metadata["scene_hash"]
+
+
+def test_sigmf_has_a_channel_a_polarization_and_a_capture_a_pulse(pulses, tmp_path):
+    pulses.save(tmp_path / "pulses.sigmf-meta")
+    meta = json.loads((tmp_path / "pulses.sigmf-meta").read_text())
+    assert meta["global"]["core:datatype"] == "cf32_le" and meta["global"]["core:num_channels"] == 3
+    ranges = pulses.axes["slant_range_m"]
+    assert meta["global"]["core:sample_rate"] == pytest.approx(299_792_458.0 / (2.0 * (ranges[1] - ranges[0])))
+    assert [c["core:sample_start"] for c in meta["captures"]] == [i * len(ranges) for i in range(40)]
+    assert all(c["core:frequency"] == 10e9 for c in meta["captures"])
+    data = np.fromfile(tmp_path / "pulses.sigmf-data", dtype="<c8")
+    assert np.array_equal(data.reshape(pulses.samples.shape), pulses.samples)
+
+
+@pytest.mark.parametrize("ending", ["npy", "npz", "h5", "sigmf-meta"])
+def test_equal_recordings_give_equal_bytes(pulses, tmp_path, ending):
+    digests = []
+    for folder in ["a", "b"]:
+        pulses.save(tmp_path / folder / f"pulses.{ending}")
+        digests.append([hashlib.sha256(f.read_bytes()).digest() for f in sorted((tmp_path / folder).iterdir())])
+    assert digests[0] == digests[1]
+
+
+def test_focused_images_and_live_frames_are_written_too(atlas, moving_radar, tmp_path):
+    image = sigmascape.range_doppler(atlas, moving_radar, interval_s=0.05)
+    image.save(tmp_path / "image.h5")
+    with h5py.File(tmp_path / "image.h5") as file:
+        assert np.array_equal(file["HH"][:], image.samples[..., 1])
+        assert list(image.axes) == ["slant_range_m", "doppler_Hz"] and file["doppler"].attrs["units"].decode() == "Hz"
+    renderer = sigmascape.LiveRenderer(sigmascape.LiveGround(atlas.folder), beams=8, ranges=16, beam_step_rad=5e-3, range_step_m=6.0)
+    frame = renderer.render((0.0, -2900.0, 800.0), first_azimuth_rad=-0.02, first_range_m=2960.0)
+    frame.save(tmp_path / "frame.npz", frequency_ghz=10.0)
+    archive = np.load(tmp_path / "frame.npz")
+    assert np.array_equal(archive["samples"], frame.amplitudes_m)
+    assert archive["slant_range_m"][0] == 2963.0 and archive["platform_position_m"].tolist() == [[0.0, -2900.0, 800.0]]
+
+
+def test_what_cannot_be_written_is_refused(atlas, pulses, moving_radar, tmp_path):
+    with pytest.raises(sigmascape.Error, match="pulses.wav: is no kind of file"):
+        pulses.save(tmp_path / "pulses.wav")
+    still = sigmascape.Radar()
+    still.stand_at((0.0, -2000.0, 500.0))
+    with pytest.raises(sigmascape.Error, match="stands still"):
+        sigmascape.phase_history(atlas, still)
+    (tmp_path / "file").write_text("")
+    with pytest.raises(Exception):
+        pulses.save(tmp_path / "file" / "pulses.h5")
+
+
+def test_the_command_line_writes_the_same_pulses(tmp_path):
+    (tmp_path / "scene.toml").write_text("[paper]\nscale = 0.1\n")
+    (tmp_path / "radar.toml").write_text("""
+[radar]
+frequency_ghz = 10.0
+range_resolution_m = 5.0
+beam_width_deg = 1.0
+[position]
+azimuth_deg = 130.0
+elevation_deg = 20.0
+slant_range_km = 5.0
+[platform]
+speed_mps = 100.0
+heading_deg = 40.0
+[map]
+cell_m = 5.0
+""")
+    program = os.environ["SIGMASCAPE_CLI"]
+    subprocess.run([program, "bake", tmp_path / "scene.toml", "--out", tmp_path / "atlas", "--azimuths", "2", "--elevations-deg", "20",
+                    "--samples", "2", "--texel-m", "4", "--patch-texels", "256"], check=True)
+    subprocess.run([program, "render", tmp_path / "radar.toml", "--scene", tmp_path / "scene.toml", "--atlas", tmp_path / "atlas",
+                    "--lod", "1", "--iq", tmp_path / "pulses.npy", "--interval-s", "0.01"], check=True)
+    radar = sigmascape.Radar.read(tmp_path / "radar.toml")
+    ours = sigmascape.phase_history(sigmascape.Atlas(tmp_path / "atlas"), radar, interval_s=0.01)
+    assert ours.samples.any()
+    assert np.array_equal(np.load(tmp_path / "pulses.npy"), ours.samples)
