@@ -63,7 +63,8 @@ class Shards : public ::testing::Test {
     const Ended whole = baked("whole", "--threads 2");
     ASSERT_EQ(whole.code, 0) << whole.printed;
     whole_ = files_of(folder_ / "whole");
-    ASSERT_EQ(whole_.size(), 2U + 2U * 16U + 2U * 8U) << "two files of the atlas, 16 looks, 8 textures above them";
+    // 16 looks of three files and 8 textures above them of two; the ground's own store, obstacles and terrain besides.
+    ASSERT_GT(whole_.size(), 3U * 16U + 2U * 8U);
   }
   static void TearDownTestSuite() { fs::remove_all(folder_); }
 
@@ -214,8 +215,9 @@ TEST_F(Shards, ADiskThatFillsUpMidwayKeepsWhatWasWhole) {
   fs::create_directories(disk);
   std::size_t pages = 0;
   for (const auto& [name, content] : whole_) pages += content.size() / 4096 + 1;
-  const std::string half = fmt::format("size={}k", 4 * pages / 2);
-  if (::mount("tmpfs", disk.c_str(), "tmpfs", 0, half.c_str()) != 0) {
+  // The ground comes first: most of the room, so that some looks follow it.
+  const std::string most = fmt::format("size={}k", 4 * pages * 9 / 10);
+  if (::mount("tmpfs", disk.c_str(), "tmpfs", 0, most.c_str()) != 0) {
     GTEST_SKIP() << "a small disk of its own cannot be mounted here: a disk that fills up was NOT tried";
   }
   const Ended full = run(bake_line("disk/atlas", "--threads 1"));
