@@ -158,7 +158,7 @@ using EightNumbers = float __attribute__((vector_size(32), aligned(4)));
 
 /// Adds one texel's numbers to the four bins about it; what lies outside the sector falls away.
 template <typename Numbers>
-inline void share(const SectorBins& sector, const BinShares& shares, std::size_t i, const Numbers& numbers) {
+[[gnu::always_inline]] inline void share(const SectorBins& sector, const BinShares& shares, std::size_t i, const Numbers& numbers) {
   constexpr std::size_t count = sizeof(Numbers) / sizeof(float);
   const std::int32_t beam = shares.beam[i], range = shares.range[i];
   const auto first_beam = static_cast<std::int32_t>(sector.first_beam);
@@ -463,6 +463,7 @@ void scatter(LatticeRow& row, const std::array<LatticeRow::Of<float>, 6>& gaussi
   }
 }
 
+SIGMASCAPE_VECTOR_TARGETS
 void deposit_amplitudes(LatticeRow& row, const SectorBins& sector) {
   find_shares(row, true);
   const auto& a = row.amplitude;
