@@ -5,6 +5,7 @@
 #include "validation/validation_record.h"
 
 #include "sigmascape/base/units.h"
+#include "sigmascape/scatter/cmod5.h"
 #include "sigmascape/scatter/git_sea.h"
 #include "sigmascape/scatter/nrl_sea.h"
 #include "sigmascape/scatter/surface_model.h"
@@ -39,6 +40,27 @@ void expect_sea(const char* group, const scatter::SurfaceModel& sea, const SeaRo
   };
   report("HH", row.hh_db, brdf.hh);
   report("VV", row.vv_db, brdf.vv);
+}
+
+TEST(Cmod5, BackscatterByWind) {
+  struct Row {
+    double wind_mps, incidence_deg, upwind_db, crosswind_db, downwind_db;
+  };
+  for (const Row& row : {Row{5, 30, -12.18, -14.28, -12.45}, Row{5, 40, -17.72, -20.99, -18.41},
+                         Row{10, 30, -8.03, -11.62, -8.40}, Row{10, 40, -12.35, -17.53, -13.13}}) {
+    const double expected_db[] = {row.upwind_db, row.crosswind_db, row.downwind_db};
+    for (const int quarter : {0, 1, 2}) {
+      validation::expect_close({.group = "CMOD5",
+                                .name = fmt::format("wind {} m/s, {}° off it, incidence {}°, VV", row.wind_mps,
+                                                    90 * quarter, row.incidence_deg),
+                                .expected = expected_db[quarter],
+                                .measured = db_from_linear(scatter::cmod5_sigma0(row.wind_mps, quarter * pi / 2.0,
+                                                                                 radians_from_deg(row.incidence_deg))),
+                                .tolerance = 0.006,
+                                .unit = "dB",
+                                .source = "coefficients of Hersbach 2003 evaluated independently"});
+    }
+  }
 }
 
 TEST(NrlSea, BackscatterAtTenGigahertz) {

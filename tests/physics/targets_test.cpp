@@ -6,6 +6,7 @@
 #include "validation/validation_record.h"
 
 #include "sigmascape/base/units.h"
+#include "sigmascape/radar/corner_reflector.h"
 #include "sigmascape/radar/noise.h"
 #include "sigmascape/radar/radar_equation.h"
 #include "sigmascape/radar/range_response.h"
@@ -203,6 +204,19 @@ TEST(CalibratedPulses, carry_noise_of_kTBF_with_the_band_of_the_pulse) {
         receiver::add_thermal_noise(metres, radar, 5);
       },
       std::exception);
+}
+
+TEST(CornerReflectors, AreWhatSentinel1IsCalibratedWith) {
+  const double wavelength = wavelength_m(5.405e9);
+  const auto expect_dbsm = [](const char* name, double expected, double rcs_m2) {
+    validation::expect_close({group, name, expected, db_from_linear(rcs_m2), 0.01, "dBsm", "ESA STEP forum"});
+  };
+  expect_dbsm("dihedral of 1.5 m at 5.405 GHz", 46.17, radar::dihedral_rcs_m2(1.5, 1.5, wavelength));
+  expect_dbsm("trihedral of triangles of 2.5 m at 5.405 GHz", 47.26,
+              radar::triangular_trihedral_rcs_m2(2.5, wavelength));
+  // A triangular trihedral shows the area of a hexagon, a square one three times as much.
+  EXPECT_NEAR(radar::square_trihedral_rcs_m2(1.0, wavelength) / radar::triangular_trihedral_rcs_m2(1.0, wavelength),
+              9.0, 1e-12);
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ struct HorizonGrid {
   std::size_t distances = 0;
   /// Most steps between the radar and `near_m`: what stands there hides the ground beyond, though it is not mapped.
   std::size_t before_near = 256;
-  double drop_per_square_m = 0.0;  ///< 1/(2 k R), see radar/propagation.h
+  double drop_per_square_m = 0.0;  ///< 1/(2 k R), see radar::CurvedEarth
 
   friend bool operator==(const HorizonGrid&, const HorizonGrid&) = default;
 };

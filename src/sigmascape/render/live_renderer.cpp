@@ -8,7 +8,7 @@
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
-#include "sigmascape/radar/propagation.h"
+#include "sigmascape/radar/curved_earth.h"
 #include "sigmascape/render/lattice_row.h"
 #include "sigmascape/render/page_forecast.h"
 #include "sigmascape/render/sector.h"
@@ -503,7 +503,7 @@ void LiveRenderer::prepare(const Pose& pose) {
   grid.near_m = near_m;
   grid.distances = 2 * settings_.ranges;
   grid.step_m = (far_m - near_m) / static_cast<double>(grid.distances);
-  grid.drop_per_square_m = 1.0 / (2.0 * settings_.refraction * radar::earth_radius_m);
+  grid.drop_per_square_m = 0.5 * radar::CurvedEarth{.refraction = settings_.refraction}.curvature_per_m();
   horizon_.reset(grid, !ground_->obstacles().empty());
 
   frame_.grid = {pose.first_range_m,     settings_.range_step_m,  settings_.ranges,
