@@ -221,6 +221,8 @@ TEST(Mover, is_shifted_by_r_vr_over_V) {
     validation::expect_close({group, "shift of a mover, stripmap", 1000.0, along_m, 5.0, "m", "r v_r/V"});
     validation::expect_close({group, "closed formula of the shift", 1000.0,
                               radar::mover_shift_m(range_m, -5.0, speed_mps), 1e-9, "m", "r v_r/V"});
+    validation::expect_close({group, "shift of a mover of 5 m/s, 50 km away, seen from 150 m/s", 1666.7,
+                              radar::mover_shift_m(50e3, -5.0, 150.0), 0.05, "m", "r v/V"});
   }
 }
 

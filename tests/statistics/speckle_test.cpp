@@ -48,18 +48,20 @@ std::vector<double> bin_powers(std::size_t bins, std::size_t scatterers_a_bin, s
 }
 
 struct Statistics {
-  double mean = 0.0, second_moment = 0.0, mean_of_db = 0.0, looks = 0.0;
+  double mean = 0.0, second_moment = 0.0, mean_of_db = 0.0, deviation_db = 0.0, looks = 0.0;
 };
 
 Statistics statistics_of(const std::vector<double>& powers) {
   Statistics s;
-  double squares = 0.0;
+  double squares = 0.0, squares_of_db = 0.0;
   for (const double power : powers) {
     s.mean += power;
     squares += power * power;
     s.mean_of_db += db_from_linear(power);
+    squares_of_db += db_from_linear(power) * db_from_linear(power);
   }
   const auto count = static_cast<double>(powers.size());
+  s.deviation_db = std::sqrt(squares_of_db / count - std::pow(s.mean_of_db / count, 2));
   s.mean /= count;
   squares /= count;
   s.mean_of_db = s.mean_of_db / count - db_from_linear(s.mean);
@@ -77,6 +79,8 @@ TEST_P(SpeckleOfSoManyScatterers, is_fully_developed) {
   validation::expect_close({group, "second moment" + with, 2.0, s.second_moment, 0.02, "1", "exponential power"});
   validation::expect_close(
       {group, "mean of dB below dB of mean" + with, -2.507, s.mean_of_db, 0.02, "dB", "Euler's constant, −10 γ/ln 10"});
+  validation::expect_close(
+      {group, "standard deviation of dB" + with, 5.57, s.deviation_db, 0.05, "dB", "trigamma, (10/ln 10) π/√6"});
   validation::expect_close({group, "equivalent number of looks" + with, 1.0, s.looks, 0.02, "1", "exponential power"});
   validation::expect_close({group, "mean power" + with, 1.0, s.mean, 0.01, "1", "cross-sections add"});
 }
