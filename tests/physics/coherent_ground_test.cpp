@@ -1,8 +1,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "physics/level_scene.h"
-#include "scratch_folder.h"
+#include "physics/ground_with_box.h"
 #include "validation/validation_record.h"
 
 #include "sigmascape/atlas/store.h"
@@ -13,37 +12,13 @@
 namespace sigmascape::physics_test {
 namespace {
 
-constexpr double gamma = 0.03, elevation_deg = 20.0;
-constexpr double box_height_m = 12.0, half_box_m = 6.0;
-
-/// Level ground of constant gamma, 512 m square, with a box in its middle.
-scene::Scene ground_with_box(bool with_box) {
-  scene::Scene scene =
-      level_scene({.name = "gamma", .model = scatter::ConstantGammaParameters{gamma, {0.1, 0.5}}, .source = {}}, 512.0);
-  if (!with_box) return scene;
-  const scatter::Material wall{.name = "wall", .model = scatter::LambertParameters{0.1, {0.1, 0.5}}, .source = {}};
-  const auto side = static_cast<float>(2.0 * half_box_m);
-  scene.prototypes.push_back(
-      scene::box_mesh({side, side, static_cast<float>(box_height_m)}, scene.material_index(wall)));
-  scene.instances.push_back({.x_m = 0.0F, .y_m = 0.0F});
-  return scene;
-}
-
 /// Spotlight SAR with cells of 1.5 m times the looks along, from the south on a flight to the east, on cells of 1 m.
 radar::GroundMap spotlight(const scene::Scene& scene, std::size_t looks) {
-  bake::BakeSettings settings;
-  settings.aspects = {{pi}, {radians_from_deg(elevation_deg)}, {frequency_hz}};
-  settings.patches = {2.0, 256};
-  settings.sampling.samples_per_texel = 8;
-  settings.shadows = bake::Shadows::RunTime;
-  const ScratchFolder folder;
-  SilentProgress silent;
-  bake::bake(scene, settings, folder.path("atlas"), silent);
-  const atlas::Atlas atlas = atlas::load_atlas(atlas::Store::open(folder.path("atlas")));
+  const atlas::Atlas atlas = baked_from_south(scene, bake::Shadows::RunTime);
   radar::Radar radar;
   radar.mode = radar::Mode::Spotlight;
   radar.frequency_hz = frequency_hz;
-  radar.position = radar::position_seeing({}, pi, radians_from_deg(elevation_deg), 5e3);
+  radar.position = radar::position_seeing({}, pi, radians_from_deg(seen_elevation_deg), 5e3);
   radar.velocity_mps = {100.0, 0.0, 0.0};
   radar.range_resolution_m = 1.5;
   radar.waveform.pulse_repetition_hz = 2000.0;
@@ -78,15 +53,15 @@ double spread_of(const radar::GroundMap& map) {
   return squares * static_cast<double>(map.sigma0.size()) / (sum * sum) - 1.0;
 }
 
-const double open_ground = gamma * std::sin(radians_from_deg(elevation_deg));
+const double open_ground = ground_gamma * std::sin(radians_from_deg(seen_elevation_deg));
 
 /// An atlas that keeps the ground apart has nothing of it in its textures; a coherent image shows it all the same.
 TEST(CoherentGroundApart, bare_ground_kept_apart_has_its_sigma0) {
-  const auto map = spotlight(ground_with_box(false), 1);
+  const auto map = spotlight(ground_with_box(0.0, false), 1);
   validation::expect_close({"Coherent maps", "σ0 of bare ground of an atlas that keeps it apart", 0.0,
                             db_from_linear(mean_over(map, {-120.0, -120.0, 120.0, 120.0}) / open_ground), 0.1,
                             "dB over γ sin ψ", "definition of constant gamma"});
-  const auto looked = spotlight(ground_with_box(false), 4);
+  const auto looked = spotlight(ground_with_box(0.0, false), 4);
   validation::expect_close({"Coherent maps", "the same in four looks", 0.0,
                             db_from_linear(mean_over(looked, {-120.0, -120.0, 120.0, 120.0}) / open_ground), 0.1,
                             "dB over γ sin ψ", "definition of constant gamma"});
@@ -97,13 +72,13 @@ TEST(CoherentGroundApart, bare_ground_kept_apart_has_its_sigma0) {
 
 /// The shadow of the roof's far edge is dark for h / tan ψ behind the box, and the ground beyond it is not.
 TEST(CoherentGroundApart, a_box_casts_its_shadow) {
-  const auto map = spotlight(ground_with_box(true), 1);
+  const auto map = spotlight(ground_with_box(0.0, true), 1);
   constexpr double half_m = 4.0, from_m = 10.0, to_m = 80.0;
   // Length without power between two edges, as the power that is missing: a blurred edge leaves it as it is.
   const double missing_m =
       from_m - half_box_m + (to_m - from_m) * (1.0 - mean_over(map, {-half_m, from_m, half_m, to_m}) / open_ground);
   validation::expect_close({"Coherent maps", "shadow of a 12 m box in a spotlight image",
-                            box_height_m / std::tan(radians_from_deg(elevation_deg)), missing_m, 4.0, "m",
+                            box_height_m / std::tan(radians_from_deg(seen_elevation_deg)), missing_m, 4.0, "m",
                             "h / tan ψ"});
   EXPECT_LT(mean_over(map, {-half_m, from_m, half_m, 30.0}) / open_ground, 0.03);
   EXPECT_NEAR(mean_over(map, {-110.0, from_m, -20.0, 30.0}) / open_ground, 1.0, 0.1);

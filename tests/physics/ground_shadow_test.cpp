@@ -4,8 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "physics/level_scene.h"
-#include "scratch_folder.h"
+#include "physics/ground_with_box.h"
 #include "validation/validation_record.h"
 
 #include "sigmascape/atlas/store.h"
@@ -16,39 +15,11 @@
 namespace sigmascape::physics_test {
 namespace {
 
-constexpr double gamma = 0.03, elevation_deg = 20.0;
-constexpr double box_height_m = 12.0, half_box_m = 6.0;
-
-/// Ground of constant gamma that rises northward by `rise`.
-scene::Scene sloping_scene(double rise, bool with_box) {
-  scene::Scene scene =
-      level_scene({.name = "gamma", .model = scatter::ConstantGammaParameters{gamma, {0.1, 0.5}}, .source = {}}, 512.0);
-  for (const std::size_t column : {0U, 1U}) {
-    scene.terrain.height_m(column, 0) = static_cast<float>(256.0 * rise);
-    scene.terrain.height_m(column, 1) = static_cast<float>(-256.0 * rise);
-  }
-  if (!with_box) return scene;
-  const scatter::Material wall{.name = "wall", .model = scatter::LambertParameters{0.1, {0.1, 0.5}}, .source = {}};
-  const auto side = static_cast<float>(2.0 * half_box_m);
-  scene.prototypes.push_back(
-      scene::box_mesh({side, side, static_cast<float>(box_height_m)}, scene.material_index(wall)));
-  scene.instances.push_back({.x_m = 0.0F, .y_m = 0.0F});
-  return scene;
-}
-
 /// The scene baked from the south at one elevation and seen from there, 20 km away.
 radar::RangeAzimuthImage image_of(const scene::Scene& scene, bake::Shadows shadows) {
-  bake::BakeSettings settings;
-  settings.aspects = {{pi}, {radians_from_deg(elevation_deg)}, {frequency_hz}};
-  settings.patches = {2.0, 256};
-  settings.sampling.samples_per_texel = 8;
-  settings.shadows = shadows;
-  const ScratchFolder folder;
-  SilentProgress silent;
-  bake::bake(scene, settings, folder.path("atlas"), silent);
-  const atlas::Atlas atlas = atlas::load_atlas(atlas::Store::open(folder.path("atlas")));
+  const atlas::Atlas atlas = baked_from_south(scene, shadows);
   radar::Radar radar;
-  radar.position = radar::position_seeing({}, pi, radians_from_deg(elevation_deg), 20e3);
+  radar.position = radar::position_seeing({}, pi, radians_from_deg(seen_elevation_deg), 20e3);
   radar.range_resolution_m = 2.0;
   radar.beam_width_rad = 2.0 * std::sqrt(2.0) / 20e3;
   render::RenderCounts counts;
@@ -80,8 +51,9 @@ double shadow_length_m(const radar::RangeAzimuthImage& image, const scene::Scene
 TEST(GroundShadow, BareSlopesReturnTheirOwnAngleAndArea) {
   for (const double slope_deg : {-10.0, 0.0, 10.0}) {
     const double slope = radians_from_deg(slope_deg);
-    const scene::Scene scene = sloping_scene(std::tan(slope), false);
-    const double expected = gamma * std::sin(radians_from_deg(elevation_deg) + slope) / std::cos(slope) * 300.0 * 300.0;
+    const scene::Scene scene = ground_with_box(std::tan(slope), false);
+    const double expected =
+        ground_gamma * std::sin(radians_from_deg(seen_elevation_deg) + slope) / std::cos(slope) * 300.0 * 300.0;
     validation::expect_close(
         {.group = "Ground apart",
          .name = fmt::format("constant-gamma ground that rises away from the radar by {:.0f}°", slope_deg),
@@ -95,8 +67,8 @@ TEST(GroundShadow, BareSlopesReturnTheirOwnAngleAndArea) {
 
 TEST(GroundShadow, ABoxThrowsTheShadowOfItsSlope) {
   for (const double slope_deg : {-10.0, 0.0, 10.0}) {
-    const double rise = std::tan(radians_from_deg(slope_deg)), tangent = std::tan(radians_from_deg(elevation_deg));
-    const scene::Scene scene = sloping_scene(rise, true);
+    const double rise = std::tan(radians_from_deg(slope_deg)), tangent = std::tan(radians_from_deg(seen_elevation_deg));
+    const scene::Scene scene = ground_with_box(rise, true);
     // From the far edge of the roof, which stands this much above the ground below it.
     const double expected_m = (box_height_m - half_box_m * rise) / (tangent + rise);
     validation::expect_close({.group = "Ground apart",
@@ -111,7 +83,7 @@ TEST(GroundShadow, ABoxThrowsTheShadowOfItsSlope) {
 
 // On level ground, from a baked look, it makes no difference where the shadow is made: each echo is there once.
 TEST(GroundShadow, NothingIsHiddenOrCountedTwice) {
-  const scene::Scene scene = sloping_scene(0.0, true);
+  const scene::Scene scene = ground_with_box(0.0, true);
   const auto at_run_time = image_of(scene, bake::Shadows::RunTime), baked = image_of(scene, bake::Shadows::Baked);
   EXPECT_NEAR(total_rcs_m2(at_run_time) / total_rcs_m2(baked), 1.0, 0.003);
   EXPECT_NEAR(shadow_length_m(at_run_time, scene), shadow_length_m(baked, scene), 2.0);
@@ -119,9 +91,9 @@ TEST(GroundShadow, NothingIsHiddenOrCountedTwice) {
 
 // What was lost of the ground's layers is told, and made again by a bake that goes on.
 TEST(GroundShadow, ALostLayerIsToldAndMadeAgain) {
-  const scene::Scene scene = sloping_scene(0.0, true);
+  const scene::Scene scene = ground_with_box(0.0, true);
   bake::BakeSettings settings;
-  settings.aspects = {{pi}, {radians_from_deg(elevation_deg)}, {frequency_hz}};
+  settings.aspects = {{pi}, {radians_from_deg(seen_elevation_deg)}, {frequency_hz}};
   settings.patches = {2.0, 256};
   settings.sampling.samples_per_texel = 2;
   const ScratchFolder folder;
