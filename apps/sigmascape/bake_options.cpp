@@ -32,6 +32,13 @@ void BakeOptions::add_to(CLI::App& command) {
       ->transform(CLI::CheckedTransformer(
           std::map<std::string, bake::Shadows>{{"run-time", bake::Shadows::RunTime}, {"baked", bake::Shadows::Baked}}))
       ->default_str("run-time");
+  command
+      .add_option("--footing", footing,
+                  "what objects stand on while they are baked: their own terrain, or level ground; always level with "
+                  "--shadows baked")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, trace::Footing>{{"terrain", trace::Footing::Terrain},
+                                                                                {"level", trace::Footing::LevelPlane}}))
+      ->default_str("terrain");
   command.add_option("--mantissa-bits", mantissa_bits, "bits kept of each half float, 1 to 10")
       ->capture_default_str()
       ->check(CLI::Range(1, 10));
@@ -58,6 +65,7 @@ bake::BakeSettings BakeOptions::settings() const {
   }
   settings.seed = seed;
   settings.shadows = shadows;
+  settings.footing = footing;
   settings.mantissa_bits = mantissa_bits;
   settings.threads = threads;
   return settings;

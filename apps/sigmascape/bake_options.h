@@ -22,6 +22,7 @@ struct BakeOptions {
   int bounces = 8;
   std::uint64_t seed = 1;
   bake::Shadows shadows = bake::Shadows::RunTime;
+  trace::Footing footing = trace::Footing::Terrain;
   int mantissa_bits = 10;
   unsigned threads = 0;
 

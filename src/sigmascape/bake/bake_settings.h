@@ -5,6 +5,7 @@
 #include "sigmascape/atlas/aspect_grid.h"
 #include "sigmascape/atlas/patch_grid.h"
 #include "sigmascape/bake/sampling.h"
+#include "sigmascape/trace/scene_geometry.h"
 
 namespace sigmascape::bake {
 
@@ -23,6 +24,8 @@ struct BakeSettings {
   int max_bounces = 8;  ///< N_b of the paper
   std::uint64_t seed = 1;
   Shadows shadows = Shadows::RunTime;
+  /// What objects stand on while they are baked. With Shadows::Baked it is the level plane always.
+  trace::Footing footing = trace::Footing::Terrain;
   int mantissa_bits = 10;  ///< of the stored half floats, see atlas::AtlasDescription
   unsigned threads = 0;    ///< 0: one a hardware thread; has no effect on the result
 };

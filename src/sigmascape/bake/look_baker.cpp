@@ -4,11 +4,14 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "sigmascape/bake/echo_landing.h"
+#include "sigmascape/bake/terrain_horizon.h"
 #include "sigmascape/bake/tile_sampler.h"
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/parallel.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/receiver/ground_accumulator.h"
+#include "sigmascape/scene/obstacle_raster.h"
 #include "sigmascape/trace/tile_progress.h"
 
 namespace sigmascape::bake {
@@ -17,9 +20,22 @@ namespace {
 /// How far around a patch paths of several bounces may begin that land in it: between their ends.
 constexpr double multibounce_margin_m = 32.0;
 
+/// What a texel is multiplied by of which terrain leaves that part to be seen. Of little seen the shadow is not taken
+/// out whole: what few paths bring of the rest would be multiplied with all its noise.
+double gain_of(double part_seen) {
+  constexpr double least = 0.2;
+  return part_seen > 0.0 ? 1.0 / std::max(part_seen, least) : 1.0;
+}
+
 radar::Rectangle intersection(const radar::Rectangle& a, const radar::Rectangle& b) {
   return {std::max(a.west_m, b.west_m), std::max(a.south_m, b.south_m), std::min(a.east_m, b.east_m),
           std::min(a.north_m, b.north_m)};
+}
+
+/// Ground without relief is the level plane, which rays meet in closed form.
+trace::Footing footing_of(const scene::Scene& scene, const BakeSettings& settings) {
+  const bool is_level = scene.terrain.lowest_m() == scene.terrain.highest_m();
+  return is_level || settings.shadows == Shadows::Baked ? trace::Footing::LevelPlane : settings.footing;
 }
 
 double root_mean_square_of_lit(const Array2D<float>& errors, const Array2D<radar::Channels>& sigma0) {
@@ -38,14 +54,28 @@ double root_mean_square_of_lit(const Array2D<float>& errors, const Array2D<radar
 LookBaker::LookBaker(const scene::Scene& scene, const BakeSettings& settings)
     : scene_(scene),
       settings_(settings),
-      geometry_(scene, trace::Footing::LevelPlane),
+      geometry_(scene, footing_of(scene, settings)),
       surfaces_(trace::surface_models(scene, settings.aspects.frequencies_hz)) {}
+
+Array2D<float> LookBaker::terrain_gains(const radar::GroundGrid& texels, const radar::Aspect& aspect) const {
+  const TerrainHorizon horizon(aspect, scene_.terrain, std::min(texels.cell_m, scene_.terrain.spacing_m));
+  const radar::ObstacleMap obstacles = scene::obstacles_of(scene_, texels);
+  Array2D<float> gains(texels.columns, texels.rows);
+  parallel_for(texels.rows, thread_count(settings_.threads), [&](std::size_t row, unsigned) {
+    for (std::size_t column = 0; column < texels.columns; ++column) {
+      const Vec2d place = texels.centre_of(column, row);
+      const double seen = horizon.part_seen(place, obstacles.obstacles(column, row));
+      gains(column, row) = static_cast<float>(gain_of(seen));
+    }
+  });
+  return gains;
+}
 
 trace::LaunchArea LookBaker::area_of(const radar::GroundGrid& texels, const radar::Aspect& aspect) const {
   // The scene ends where its extent does; beyond a rim about it texels stay black.
   return trace::launch_area(trace::Viewpoint::distant(aspect), intersection(texels.extent(), scene_.extent),
-                            settings_.patches.texel_m, 0.0, geometry_.highest_m() + 1.0, multibounce_margin_m,
-                            trace::tile_side_cells);
+                            settings_.patches.texel_m, geometry_.lowest_m(), geometry_.highest_m() + 1.0,
+                            multibounce_margin_m, trace::tile_side_cells);
 }
 
 std::vector<BakedLook> LookBaker::bake(atlas::PatchIndex patch, const radar::Aspect& aspect,
@@ -63,7 +93,9 @@ std::vector<BakedLook> LookBaker::bake(const radar::GroundGrid& texels, const tr
   std::vector<receiver::GroundAccumulator> accumulators;
   for (std::size_t f = 0; f < surfaces_.size(); ++f) accumulators.emplace_back(texels, aspect);
   const unsigned workers = thread_count(settings_.threads);
-  std::vector<TileSampler> samplers(workers, TileSampler(settings_.sampling, settings_.shadows, accumulators));
+  const bool has_relief = footing_of(scene_, settings_) == trace::Footing::Terrain;
+  const EchoLanding landing = has_relief ? EchoLanding(aspect, scene_.terrain) : EchoLanding(aspect);
+  std::vector<TileSampler> samplers(workers, TileSampler(settings_.sampling, settings_.shadows, landing, accumulators));
   trace::TileProgress tiles(progress, "bake", "look", 0.0, 1.0, 1.0, area.tiles());
   const auto counts = tracer.trace_tiles(area, workers, [&](trace::TilePaths& tile, unsigned worker) {
     samplers[worker].sample(tile, texels.cell_area_m2());
@@ -71,6 +103,7 @@ std::vector<BakedLook> LookBaker::bake(const radar::GroundGrid& texels, const tr
   });
 
   std::vector<BakedLook> looks;
+  const Array2D<float> gains = has_relief ? terrain_gains(texels, aspect) : Array2D<float>();
   for (const receiver::GroundAccumulator& accumulator : accumulators) {
     if (accumulator.bins().overflows() > 0) {
       throw Error(fmt::format("bake of the patch at ({:.0f}, {:.0f}) m, azimuth {:.1f}°, elevation {:.1f}°",
@@ -80,6 +113,8 @@ std::vector<BakedLook> LookBaker::bake(const radar::GroundGrid& texels, const tr
     }
     BakedLook& look = looks.emplace_back();
     look.sigma0 = accumulator.sigma0();
+    for (std::size_t i = 0; i < gains.size(); ++i)
+      look.sigma0.values()[i] = look.sigma0.values()[i] * gains.values()[i];
     look.relative_errors = accumulator.relative_errors();
     look.relative_standard_error = root_mean_square_of_lit(look.relative_errors, look.sigma0);
     look.samples_per_texel =

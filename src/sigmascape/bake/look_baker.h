@@ -23,8 +23,12 @@ struct BakedLook {
   trace::TraceCounts counts;             ///< of all frequencies together, with the first of them
 };
 
-/// Bakes single looks of one scene, its objects set on level ground. What all looks share is made once: the structures
-/// for rays, and the surface models of every frequency.
+/// Bakes single looks of one scene. What all looks share is made once: the structures for rays, and the surface models
+/// of every frequency.
+///
+/// Objects that stand on their own terrain are baked with its slopes and ridges, but without its shadows, which are
+/// made when a map is rendered (render::GroundRenderer): what a texel returns is divided by the part of it that the
+/// terrain leaves to be seen. docs/decisions/0051-baked-on-its-own-ground.md.
 class LookBaker {
  public:
   /// Keeps references to both.
@@ -46,6 +50,9 @@ class LookBaker {
   [[nodiscard]] std::size_t geometry_bytes() const { return geometry_.memory_bytes(); }
 
  private:
+  /// What each texel is multiplied by to take the terrain's shadow on it out.
+  [[nodiscard]] Array2D<float> terrain_gains(const radar::GroundGrid& texels, const radar::Aspect& aspect) const;
+
   const scene::Scene& scene_;
   const BakeSettings& settings_;
   trace::SceneGeometry geometry_;

@@ -14,9 +14,11 @@ constexpr int neighbourhood = 2;
 
 }  // namespace
 
-TileSampler::TileSampler(const Sampling& sampling, Shadows shadows, std::vector<receiver::GroundAccumulator>& patch)
+TileSampler::TileSampler(const Sampling& sampling, Shadows shadows, const EchoLanding& landing,
+                         std::vector<receiver::GroundAccumulator>& patch)
     : sampling_(sampling),
       ground_apart_(shadows == Shadows::RunTime),
+      landing_(landing),
       patch_(patch),
       target_(linear_from_db(sampling.target_db) - 1.0),
       floor_(linear_from_db(sampling.floor_db)),
@@ -47,7 +49,8 @@ void TileSampler::follow(trace::TilePaths& tile, std::size_t cell, std::uint32_t
     for (const radar::Echo& echo : tile.echoes(f)) {
       if (ground_apart_ && echo.from_ground) continue;
       powers_[f] += static_cast<double>(echo.rcs_m2.power(radar::Polarization::Sum));
-      if (const auto texel = patch_[f].cell_of(echo)) landed[f].push_back({*texel, batch, echo.rcs_m2});
+      if (const auto texel = patch_[f].cell_at(landing_.place_of(echo)))
+        landed[f].push_back({*texel, batch, echo.rcs_m2});
     }
   }
 }

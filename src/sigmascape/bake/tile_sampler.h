@@ -7,6 +7,7 @@
 
 #include "sigmascape/bake/bake_settings.h"
 #include "sigmascape/bake/cell_sum.h"
+#include "sigmascape/bake/echo_landing.h"
 #include "sigmascape/bake/sampling.h"
 #include "sigmascape/receiver/ground_accumulator.h"
 #include "sigmascape/trace/path_tracer.h"
@@ -17,8 +18,9 @@ namespace sigmascape::bake {
 /// scratch space.
 class TileSampler {
  public:
-  /// `patch` has one accumulator a frequency; both are held by reference.
-  TileSampler(const Sampling& sampling, Shadows shadows, std::vector<receiver::GroundAccumulator>& patch);
+  /// `patch` has one accumulator a frequency; all are held by reference.
+  TileSampler(const Sampling& sampling, Shadows shadows, const EchoLanding& landing,
+              std::vector<receiver::GroundAccumulator>& patch);
 
   void sample(trace::TilePaths& tile, double cell_area_m2);
 
@@ -39,6 +41,7 @@ class TileSampler {
 
   const Sampling& sampling_;
   bool ground_apart_;
+  const EchoLanding& landing_;
   std::vector<receiver::GroundAccumulator>& patch_;
   double target_;                                       // relative standard error
   double floor_;                                        // σ0

@@ -22,7 +22,10 @@ GroundAccumulator::GroundAccumulator(const radar::GroundGrid& grid, const radar:
       variances_(grid.columns * grid.rows) {}
 
 std::optional<std::uint32_t> GroundAccumulator::cell_of(const radar::Echo& echo) const {
-  const Vec2d point = towards_radar_ * (echo.range_m * ground_per_range_) + right_ * echo.cross;
+  return cell_at(towards_radar_ * (echo.range_m * ground_per_range_) + right_ * echo.cross);
+}
+
+std::optional<std::uint32_t> GroundAccumulator::cell_at(Vec2d point) const {
   const double column = eastward_.cell_of(point.x), row = southward_.cell_of(-point.y);
   if (column < 0.0 || row < 0.0 || column >= static_cast<double>(grid_.columns) ||
       row >= static_cast<double>(grid_.rows)) {

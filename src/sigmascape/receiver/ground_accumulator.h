@@ -31,6 +31,8 @@ class GroundAccumulator {
 
   /// The cell where an echo stands, row by row from the north-west; nothing when that is outside the grid.
   [[nodiscard]] std::optional<std::uint32_t> cell_of(const radar::Echo& echo) const;
+  /// The cell around a point of the ground, numbered likewise.
+  [[nodiscard]] std::optional<std::uint32_t> cell_at(Vec2d point) const;
   /// Adds to a cell what is the estimate of a part of it, and the variance of its total power. Independent parts add
   /// up. May be called from several threads at once.
   void add(std::uint32_t cell, const radar::Channels& rcs_m2, double variance_m4);
