@@ -170,7 +170,7 @@ product::PageSection pictured(const Measurement& measurement, const PlannedView&
   const auto path = [&](const char* what) { return folder / fmt::format("{}_{}.png", name, what); };
   write_map_picture(path("traced"), truth.mean, look);
   product::PageSection section{.heading = heading, .figures = {{path("traced"), "Path-traced from the full scene"}}};
-  for (const auto& [method, key] : {std::pair(Method::Paper, "paper"), std::pair(Method::RunTimeShadows, "ours")}) {
+  for (const auto& [method, key] : {std::pair(Method::Paper, "paper"), std::pair(Method::OwnGround, "ours")}) {
     const radar::GroundMap map = measurement.map_of(view, method);
     write_map_picture(path(key), map, look);
     section.figures.push_back({path(key), "From the 8 × 5 looks: " + text_of(method)});

@@ -65,9 +65,9 @@ Measurement::Measurement(const ResultsPlan& plan, const std::filesystem::path& f
       folder_(folder),
       scene_(plan.scene_name(), scene_of(plan)),
       paper_bake_(plan, scene_.scene, folder / "paper"),
-      baked_shadows_(scene_.scene, plan.bake_settings(bake::Shadows::Baked), folder / "atlas_baked_shadows", progress_),
-      run_time_shadows_(scene_.scene, plan.bake_settings(bake::Shadows::RunTime), folder / "atlas_run_time_shadows",
-                        progress_) {
+      baked_shadows_(scene_.scene, plan.bake_settings(Method::BakedShadows), folder / "atlas_baked_shadows", progress_),
+      level_ground_(scene_.scene, plan.bake_settings(Method::LevelGround), folder / "atlas_level_ground", progress_),
+      own_ground_(scene_.scene, plan.bake_settings(Method::OwnGround), folder / "atlas_own_ground", progress_) {
   if (plan.scene_file.empty()) level_.emplace("level", levelled(scene_.scene));
   make_ready();
 }
@@ -127,9 +127,11 @@ void Measurement::make_ready() {
   };
   ours(Method::BakedShadows, plan_.grids.front(), baked_shadows_);
   ours(Method::BakedShadows, grid, baked_shadows_);
-  for (const LookGrid& looks : plan_.grids) ours(Method::RunTimeShadows, looks, run_time_shadows_);
-  ours(Method::RunTimeShadows, plan_.more_elevations(), run_time_shadows_);
-  ours(Method::RunTimeShadows, plan_.more_azimuths(), run_time_shadows_);
+  ours(Method::LevelGround, plan_.grids.front(), level_ground_);
+  ours(Method::LevelGround, grid, level_ground_);
+  for (const LookGrid& looks : plan_.grids) ours(Method::OwnGround, looks, own_ground_);
+  ours(Method::OwnGround, plan_.more_elevations(), own_ground_);
+  ours(Method::OwnGround, plan_.more_azimuths(), own_ground_);
 }
 
 void Measurement::compare_all() {
@@ -151,9 +153,9 @@ void Measurement::compare(const MeasuredScene& measured, const PlannedView& view
   const Truth truth = traced_truth(measured, view, plan_, folder_ / "truth");
   const bool is_main = &measured == &scene_;
   for (const ReadyMethod& method : methods_) {
-    if (!is_main && !method.change.empty()) continue;
-    const bool by_level =
-        is_main && method.method == Method::RunTimeShadows && method.grid == plan_.paper_grid().name();
+    // What was baked on hills does not stand on level ground.
+    if (!is_main && (!method.change.empty() || method.method == Method::OwnGround)) continue;
+    const bool by_level = is_main && method.method == Method::OwnGround && method.grid == plan_.paper_grid().name();
     for (int level = 1; level <= (by_level ? coarsest_level_of_detail : 1); ++level)
       hold_against(truth, measured, view, method, level);
   }
@@ -170,10 +172,16 @@ void Measurement::compare_own_looks(const Truth& truth, const PlannedView& view)
   paper(plan_.baked_samples);
   if (view.kind == ViewKind::OnGrid) paper(plan_.finer_samples);
 
-  bake::BakeSettings settings = plan_.bake_settings(bake::Shadows::RunTime);
-  settings.aspects = grid_of_view(view);
-  const TimedBake bake(scene_.scene, settings, folder_ / "own_look" / view.file_name(), progress_);
-  hold_against(truth, scene_, view, from_store(Method::RunTimeShadows, own_look, plan_.baked_samples, bake, {}));
+  const auto ours = [&](std::uint32_t samples) {
+    bake::BakeSettings settings = plan_.bake_settings(Method::OwnGround);
+    settings.aspects = grid_of_view(view);
+    settings.sampling.samples_per_texel = samples;
+    const auto store = folder_ / "own_look" / fmt::format("{}_{}", view.file_name(), samples);
+    const TimedBake bake(scene_.scene, settings, store, progress_);
+    hold_against(truth, scene_, view, from_store(Method::OwnGround, own_look, samples, bake, {}));
+  };
+  ours(plan_.baked_samples);
+  if (view.kind == ViewKind::OnGrid) ours(plan_.finer_samples);
 }
 
 void Measurement::hold_against(const Truth& truth, const MeasuredScene& measured, const PlannedView& view,

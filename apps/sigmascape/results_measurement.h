@@ -23,7 +23,7 @@ struct Seen {
 
 /// One way to a map, ready to be used: an atlas in memory and how maps are rendered from it.
 struct ReadyMethod {
-  Method method = Method::RunTimeShadows;
+  Method method = Method::OwnGround;
   std::string grid;
   std::uint32_t baked_samples = 0;
   std::string change = {};
@@ -75,7 +75,7 @@ class Measurement {
   MeasuredScene scene_;
   std::optional<MeasuredScene> level_;
   PaperBake paper_bake_;
-  TimedBake baked_shadows_, run_time_shadows_;
+  TimedBake baked_shadows_, level_ground_, own_ground_;
   std::shared_ptr<const render::PaperTextures> paper_textures_;
   std::vector<ReadyMethod> methods_;
   std::vector<ViewResult> results_;

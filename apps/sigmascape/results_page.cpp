@@ -75,7 +75,7 @@ std::string cell_table(const ResultsReport& report) {
       fmt::format("| views | method | cell [m] | {} | truth: correlation, RMS [dB], IoU |\n|---|---|---:|{}|---|\n",
                   metric_heads, metric_rules);
   for (const ViewKind kind : {ViewKind::OnGrid, ViewKind::HeldOut, ViewKind::Paper}) {
-    for (const Method method : {Method::Paper, Method::RunTimeShadows}) {
+    for (const Method method : {Method::Paper, Method::LevelGround, Method::OwnGround}) {
       const ResultsRow* row = find_row(report.rows, {.scene = plan.scene_name(),
                                                      .method = method,
                                                      .grid = plan.paper_grid().name(),
@@ -98,7 +98,7 @@ std::string level_table(const ResultsReport& report) {
   for (const ViewKind kind : {ViewKind::OnGrid, ViewKind::HeldOut}) {
     for (int level = 1; level <= 3; ++level) {
       const ResultsRow* row = find_row(report.rows, {.scene = plan.scene_name(),
-                                                     .method = Method::RunTimeShadows,
+                                                     .method = Method::OwnGround,
                                                      .grid = plan.paper_grid().name(),
                                                      .baked_samples = plan.baked_samples,
                                                      .kind = kind,
@@ -183,7 +183,7 @@ std::string aims_text(const ResultsReport& report) {
   const ResultsPlan& plan = report.plan;
   std::string text;
   for (const auto& [scene, least] : {std::pair(plan.scene_name(), 0.95), {std::string("level"), 0.99}}) {
-    for (const Method method : {Method::Paper, Method::RunTimeShadows}) {
+    for (const Method method : {Method::Paper, Method::LevelGround, Method::OwnGround}) {
       const ResultsRow* row = find_row(report.rows, {.scene = scene,
                                                      .method = method,
                                                      .grid = plan.paper_grid().name(),
@@ -227,13 +227,14 @@ std::string lead(const ResultsReport& report) {
       "counted as the paper counts, four floats a texel and look\n"
       "- **ours, shadows baked**: echoes straight into texels, γ blended over cot ψ "
       "(docs/decisions/0005-blend-gamma.md), half floats, compressed\n"
-      "- **ours, shadows at run time**: the ground apart from what stands on it "
-      "(docs/decisions/0006-ground-apart.md), which its bytes include; what `sigmascape bake` does by "
-      "itself\n\n";
+      "- **ours, on level ground**: the ground apart from what stands on it, its shadows made at run time "
+      "(docs/decisions/0006-ground-apart.md); its bytes include the ground\n"
+      "- **ours, on its own ground**: objects baked on the terrain that they stand on as well "
+      "(docs/decisions/0051-baked-on-its-own-ground.md); what `sigmascape bake` does by itself\n\n";
   if (plan.scene_file.empty()) {
     text +=
-        "*hills* is the scene as it is; *level* the same with its ground at height zero. Textures are baked on level "
-        "ground, so one store serves both.\n\n";
+        "*hills* is the scene as it is; *level* the same with its ground at height zero. What is baked on level ground "
+        "serves both.\n\n";
   }
   if (!report.attribution.empty()) text += "Data: " + report.attribution + "\n\n";
   return text;
@@ -266,7 +267,7 @@ std::string settings_text(const ResultsPlan& plan) {
              "read too; {} rays where stated\n"
              "- {} rays a 2 m cell in each of the two traced maps of a view\n"
              "- {} bounces, seed {}, 10 GHz\n",
-             plan.baked_samples, plan.bake_settings(bake::Shadows::Baked).patches.texel_m, plan.finer_samples,
+             plan.baked_samples, plan.bake_settings(Method::BakedShadows).patches.texel_m, plan.finer_samples,
              plan.traced_samples, plan.bounces, plan.seed) +
          grid_list(plan) +
          "\nHeld-out views are drawn from the seed, azimuth evenly over the circle and elevation evenly over 3° to "
@@ -297,7 +298,7 @@ std::string results_markdown(const ResultsReport& report) {
   for (const auto& [name, plot] : plots_of(report)) text += fmt::format("![{}]({})\n\n", plot.title, name);
   text += "## By cell size\n\nThe " + plan.paper_grid().name() + " grid.\n\n" + cell_table(report);
   text += "\n## By level of detail\n\nThe " + plan.paper_grid().name() +
-          " grid, ours with shadows at run time. LOD 1 reads textures from their finest level, each next one from the "
+          " grid, ours on its own ground. LOD 1 reads textures from their finest level, each next one from the "
           "level above.\n\n" +
           level_table(report);
   text +=

@@ -38,7 +38,7 @@ PaperBake::PaperBake(const ResultsPlan& plan, const scene::Scene& scene, std::fi
       scene_(scene),
       folder_(std::move(folder)),
       scene_hash_(scene::scene_hash(scene)),
-      texels_(patch_over(scene.extent, plan.bake_settings(bake::Shadows::Baked).patches.texel_m)) {}
+      texels_(patch_over(scene.extent, plan.bake_settings(Method::Paper).patches.texel_m)) {}
 
 radar::GroundMap PaperBake::baked_or_kept(const radar::Aspect& aspect, std::uint32_t samples) {
   const double azimuth_deg = deg_from_radians(aspect.azimuth_rad),
@@ -52,7 +52,7 @@ radar::GroundMap PaperBake::baked_or_kept(const radar::Aspect& aspect, std::uint
     if (kept.metadata[settings_key] == settings) return kept;
   }
   if (!baker_ || baker_samples_ != samples) {
-    bake::BakeSettings bake = plan_.bake_settings(bake::Shadows::Baked);
+    bake::BakeSettings bake = plan_.bake_settings(Method::Paper);
     bake.sampling.samples_per_texel = samples;
     baker_.emplace(scene_, bake);
     baker_samples_ = samples;

@@ -102,19 +102,24 @@ std::string text_of(Method method) {
       return "paper";
     case Method::BakedShadows:
       return "ours, shadows baked";
-    case Method::RunTimeShadows:
-      return "ours, shadows at run time";
+    case Method::LevelGround:
+      return "ours, on level ground";
+    case Method::OwnGround:
+      return "ours, on its own ground";
   }
   return "";
 }
 
-bake::BakeSettings ResultsPlan::bake_settings(bake::Shadows shadows) const {
-  return {.aspects = shadows == bake::Shadows::RunTime ? grids.back().aspects() : paper_grid().aspects(),
+bake::BakeSettings ResultsPlan::bake_settings(Method method) const {
+  const bool on_own_ground = method == Method::OwnGround;
+  const bool shadows_at_run_time = on_own_ground || method == Method::LevelGround;
+  return {.aspects = on_own_ground ? grids.back().aspects() : paper_grid().aspects(),
           .patches = {.texel_m = 2000.0 / 1024.0, .texels_per_side = 256},
           .sampling = {.samples_per_texel = baked_samples},
           .max_bounces = bounces,
           .seed = seed,
-          .shadows = shadows,
+          .shadows = shadows_at_run_time ? bake::Shadows::RunTime : bake::Shadows::Baked,
+          .footing = on_own_ground ? trace::Footing::Terrain : trace::Footing::LevelPlane,
           .mantissa_bits = 10,
           .threads = threads};
 }

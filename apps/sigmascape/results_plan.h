@@ -54,9 +54,10 @@ struct PlannedView {
 
 /// The ways from a scene to a ground map that are held against one another.
 enum class Method {
-  Paper,           ///< the paper to the letter: render/paper_method.h
-  BakedShadows,    ///< Shadows::Baked
-  RunTimeShadows,  ///< Shadows::RunTime
+  Paper,         ///< the paper to the letter: render/paper_method.h
+  BakedShadows,  ///< Shadows::Baked
+  LevelGround,   ///< Shadows::RunTime, objects baked on level ground
+  OwnGround,     ///< the same, objects baked on their own terrain
 };
 
 [[nodiscard]] std::string text_of(Method method);
@@ -86,8 +87,8 @@ struct ResultsPlan {
   /// The paper's grid with the elevations, or the azimuths, of the one after it.
   [[nodiscard]] LookGrid more_elevations() const { return {paper_grid().azimuths, grids[2].elevations_deg}; }
   [[nodiscard]] LookGrid more_azimuths() const { return {grids[2].azimuths, paper_grid().elevations_deg}; }
-  /// Of the finest grid for shadows at run time, of the paper's otherwise.
-  [[nodiscard]] bake::BakeSettings bake_settings(bake::Shadows shadows) const;
+  /// Of the finest grid for objects on their own ground, of the paper's otherwise.
+  [[nodiscard]] bake::BakeSettings bake_settings(Method method) const;
   /// The places of a coarser grid within a finer one.
   [[nodiscard]] static atlas::AspectSelection selection_of(const LookGrid& grid, const atlas::AspectGrid& within);
   /// The angle between the line of sight and that of the nearest look of a grid, degrees.

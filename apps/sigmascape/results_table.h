@@ -24,7 +24,7 @@ inline constexpr const char* halves_change = "half floats";
 /// What is measured together: all views of one kind of one scene, made in one way.
 struct ResultsCase {
   std::string scene;  ///< "hills", "level" or "place"
-  Method method = Method::RunTimeShadows;
+  Method method = Method::OwnGround;
   std::string grid;  ///< "8 × 5", or own_look for the one look that is the view's own
   std::uint32_t baked_samples = 0;
   ViewKind kind = ViewKind::HeldOut;
