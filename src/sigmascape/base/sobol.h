@@ -17,7 +17,7 @@ namespace sigmascape {
 class SobolPoint {
  public:
   /// The point number `index` of the sequence named `key` (a pixel, say).
-  constexpr SobolPoint(std::uint64_t key, std::uint32_t index) : key_(key), index_(index) {}
+  constexpr SobolPoint(std::uint64_t key, std::uint32_t index) : key_(key), stem_(hashed(key, index)), index_(index) {}
 
   /// Two numbers in [0, 1)² of the pair of dimensions number `pair`.
   [[nodiscard]] constexpr Vec2f pair(std::uint32_t pair) const {
@@ -32,7 +32,7 @@ class SobolPoint {
   /// A number in [0, 1) that depends on this point and `dimension` but is not stratified: for choices where order does
   /// not matter.
   [[nodiscard]] constexpr float independent(std::uint32_t dimension) const {
-    return unit_float(hashed(key_, index_, 0x1d0000000ULL + dimension));
+    return unit_float(mixed(stem_ ^ (0x1d0000000ULL + dimension)));
   }
 
  private:
@@ -69,6 +69,7 @@ class SobolPoint {
   }
 
   std::uint64_t key_;
+  std::uint64_t stem_;  // of the hashes of all independent numbers
   std::uint32_t index_;
 };
 

@@ -39,6 +39,9 @@ class CookTorrance {
   [[nodiscard]] FieldPair scatter(const FieldPair& in, Vec3f to_source, Vec3f to_sink, const Facet& face,
                                   PhaseDraw draw) const;
 
+  /// Whether `scatter` makes use of its draw: mirrors do not.
+  [[nodiscard]] bool draws_phases() const { return scattered_part_ > 0.0F || multiple_scatter_.has_value(); }
+
  private:
   /// The mirrors as diffraction at a face of this size lets them appear.
   [[nodiscard]] Microfacets facets_on(const Facet& face) const;
