@@ -1,4 +1,5 @@
 #include "sigmascape/scatter/lanes.h"
+#include "sigmascape/scatter/mirror_lanes.h"
 #include "sigmascape/scatter/surface_model.h"
 
 namespace sigmascape::scatter {
@@ -11,6 +12,11 @@ Passage passage(const Model& model, const FieldPair& in, Vec3f to_source, Vec3f 
           model.pdf(to_sink, to_source, face)};
 }
 
+Passage passage(const CookTorrance& model, const FieldPair& in, Vec3f to_source, Vec3f to_sink, const Facet& face,
+                PhaseDraw draw) {
+  return model.pass_on(in, to_source, to_sink, face, draw);
+}
+
 template <typename Model>
 void backscatter_lanes(const Model& model, const ArrivalLanes& at, ChannelLanes& out) {
   for (std::size_t i = 0; i < at.count; ++i) out.set(i, model.backscatter(at.to_source[i], at.face(i)));
@@ -18,8 +24,7 @@ void backscatter_lanes(const Model& model, const ArrivalLanes& at, ChannelLanes&
 
 template <typename Model>
 void sample_lanes(const Model& model, const ArrivalLanes& at, const PairLanes& u, VectorLanes& to_sink) {
-  for (std::size_t i = 0; i < at.count; ++i)
-    to_sink.set(i, model.sample(at.to_source[i], at.face(i), u[i]).direction);
+  for (std::size_t i = 0; i < at.count; ++i) to_sink.set(i, model.sample(at.to_source[i], at.face(i), u[i]).direction);
 }
 
 template <typename Model>
@@ -28,6 +33,28 @@ void pass_on_lanes(const Model& model, const FieldPairLanes& in, const ArrivalLa
   for (std::size_t i = 0; i < at.count; ++i) {
     out.set(i, passage(model, in[i], at.to_source[i], to_sink[i], at.face(i), {draw.x[i], draw.y[i]}));
   }
+}
+
+void backscatter_lanes(const CookTorrance& model, const ArrivalLanes& at, ChannelLanes& out) {
+  if (const Mirrors* mirrors = model.beckmann_mirrors())
+    backscatter_all(*mirrors, at, out);
+  else
+    backscatter_lanes<CookTorrance>(model, at, out);
+}
+
+void sample_lanes(const CookTorrance& model, const ArrivalLanes& at, const PairLanes& u, VectorLanes& to_sink) {
+  if (const Mirrors* mirrors = model.beckmann_mirrors())
+    sample_all(*mirrors, at, u, to_sink);
+  else
+    sample_lanes<CookTorrance>(model, at, u, to_sink);
+}
+
+void pass_on_lanes(const CookTorrance& model, const FieldPairLanes& in, const ArrivalLanes& at,
+                   const VectorLanes& to_sink, const PairLanes& draw, PassageLanes& out) {
+  if (const Mirrors* mirrors = model.beckmann_mirrors())
+    pass_on_all(*mirrors, in, at, to_sink, out);
+  else
+    pass_on_lanes<CookTorrance>(model, in, at, to_sink, draw, out);
 }
 
 }  // namespace
