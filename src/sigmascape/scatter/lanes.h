@@ -2,6 +2,7 @@
 
 #include <cstddef>
 
+#include "sigmascape/base/lanes.h"
 #include "sigmascape/radar/channels.h"
 #include "sigmascape/scatter/facet.h"
 #include "sigmascape/scatter/field.h"
@@ -9,26 +10,7 @@
 
 namespace sigmascape::scatter {
 
-/// How many waves a surface answers at once, number by number beside one another, as vector units like them.
-inline constexpr std::size_t lane_count = 16;
-
-struct alignas(64) FloatLanes {
-  float lane[lane_count]{};
-
-  [[nodiscard]] float operator[](std::size_t i) const { return lane[i]; }
-  float& operator[](std::size_t i) { return lane[i]; }
-};
-
-struct VectorLanes {
-  FloatLanes x, y, z;
-
-  [[nodiscard]] Vec3f operator[](std::size_t i) const { return {x[i], y[i], z[i]}; }
-  void set(std::size_t i, Vec3f v) {
-    x[i] = v.x;
-    y[i] = v.y;
-    z[i] = v.z;
-  }
-};
+/// What sixteen waves and the surfaces that they meet say to one another.
 
 struct FieldPairLanes {
   VectorLanes v_re, v_im, h_re, h_im;
@@ -39,17 +21,6 @@ struct FieldPairLanes {
     v_im.set(i, pair.from_v.im);
     h_re.set(i, pair.from_h.re);
     h_im.set(i, pair.from_h.im);
-  }
-};
-
-/// Two uniform numbers a lane.
-struct PairLanes {
-  FloatLanes x, y;
-
-  [[nodiscard]] Vec2f operator[](std::size_t i) const { return {x[i], y[i]}; }
-  void set(std::size_t i, Vec2f u) {
-    x[i] = u.x;
-    y[i] = u.y;
   }
 };
 

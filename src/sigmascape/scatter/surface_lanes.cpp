@@ -1,6 +1,6 @@
 #include "sigmascape/scatter/lanes.h"
-#include "sigmascape/scatter/mirror_lanes.h"
 #include "sigmascape/scatter/surface_model.h"
+#include "sigmascape/scatter/vector_models.h"
 
 namespace sigmascape::scatter {
 namespace {
@@ -55,6 +55,28 @@ void pass_on_lanes(const CookTorrance& model, const FieldPairLanes& in, const Ar
     pass_on_all(*mirrors, in, at, to_sink, out);
   else
     pass_on_lanes<CookTorrance>(model, in, at, to_sink, draw, out);
+}
+
+void backscatter_lanes(const ConstantGamma& model, const ArrivalLanes& at, ChannelLanes& out) {
+  backscatter_all(model, at, out);
+}
+void sample_lanes(const ConstantGamma& model, const ArrivalLanes& at, const PairLanes& u, VectorLanes& to_sink) {
+  sample_all(model, at, u, to_sink);
+}
+void pass_on_lanes(const ConstantGamma& model, const FieldPairLanes& in, const ArrivalLanes& at,
+                   const VectorLanes& to_sink, const PairLanes& draw, PassageLanes& out) {
+  pass_on_all(model, in, at, to_sink, draw, out);
+}
+
+void backscatter_lanes(const Lambert& model, const ArrivalLanes& at, ChannelLanes& out) {
+  backscatter_all(model, at, out);
+}
+void sample_lanes(const Lambert& model, const ArrivalLanes& at, const PairLanes& u, VectorLanes& to_sink) {
+  sample_all(model, at, u, to_sink);
+}
+void pass_on_lanes(const Lambert& model, const FieldPairLanes& in, const ArrivalLanes& at, const VectorLanes& to_sink,
+                   const PairLanes& draw, PassageLanes& out) {
+  pass_on_all(model, in, at, to_sink, draw, out);
 }
 
 }  // namespace

@@ -30,21 +30,24 @@ void TileTracer::add_connected_echoes(int bounce) {
 }
 
 void TileTracer::consider_connections(const Company& company, int bounce) {
-  scatter::VectorLanes to_radar;
-  for (std::size_t lane = 0; lane < scatter::lane_count; ++lane) {
+  VectorLanes to_radar;
+  for (std::size_t lane = 0; lane < lane_count; ++lane) {
     const Path& path = paths_[company.paths[std::min(lane, company.paths.size() - 1)]];
     to_radar.set(lane, viewpoint_.direction_from(position_of(path)).to<float>());
   }
-  const auto draws = phase_draws(company, static_cast<std::uint32_t>(bounce) * DimensionsPerVertex + ConnectPhaseA);
+  const auto first_dimension = static_cast<std::uint32_t>(bounce) * DimensionsPerVertex;
+  const PairLanes draws = phase_draws(company, first_dimension + ConnectPhaseA);
   for (std::size_t f = 0; f < frequencies_; ++f) {
     gather_fields(company, f);
     surfaces_[f][company.material].pass_on(fields_, company.at, to_radar, draws, passages_[f]);
   }
+  FloatLanes lots;
+  draw_independent(company.points, first_dimension + ConnectRoulette, lots);
   for (std::size_t lane = 0; lane < company.paths.size(); ++lane)
-    consider_connection(company.paths[lane], lane, to_radar[lane], bounce);
+    consider_connection(company.paths[lane], lane, to_radar[lane], lots[lane]);
 }
 
-void TileTracer::consider_connection(std::uint32_t number, std::size_t lane, Vec3f to_radar, int bounce) {
+void TileTracer::consider_connection(std::uint32_t number, std::size_t lane, Vec3f to_radar, float lot) {
   const Path& path = paths_[number];
   const float cosine = cosine_at(path.hit, to_radar);
   if (cosine <= 0.0F) return;
@@ -53,8 +56,6 @@ void TileTracer::consider_connection(std::uint32_t number, std::size_t lane, Vec
   if (power <= 0.0F) return;
 
   Connection connection{.path = number, .to_radar = to_radar, .density = mean_forward(waves_of(path))};
-  const auto dimension = static_cast<std::uint32_t>(bounce) * DimensionsPerVertex + ConnectRoulette;
-  const float lot = path.point.independent(dimension);
   const auto chance_of = [&](float share) {
     return options_.roulette ? power * cosine * share / faint_connection / connection.density : 1.0F;
   };

@@ -33,7 +33,7 @@ void TileTracer::add_direct_echoes(const Company& company, std::size_t frequency
 /// Instead of mean powers those of a draw, with its amplitudes.
 void TileTracer::add_coherent_direct_echoes(const Company& company, std::size_t frequency) {
   const auto& surface = surfaces_[frequency][company.material];
-  const scatter::PairLanes draws = phase_draws(company, DimensionsPerVertex + ConnectPhaseA);
+  const PairLanes draws = phase_draws(company, DimensionsPerVertex + ConnectPhaseA);
   for (std::size_t lane = 0; lane < company.paths.size(); ++lane) {
     const Path& path = paths_[company.paths[lane]];
     const Vec3f to_radar = -path.ray.direction;

@@ -22,23 +22,24 @@ void TileTracer::carry_on(int bounce) {
 }
 
 void TileTracer::carry_on(const Company& company, int bounce) {
-  scatter::PairLanes u;
-  for (std::size_t lane = 0; lane < company.paths.size(); ++lane)
-    u.set(lane, drawn_pair(paths_[company.paths[lane]].point, static_cast<std::uint32_t>(bounce)));
-  scatter::VectorLanes directions;
-  surfaces_[company.hero][company.material].sample(company.at, u, directions);
-  const auto draws = phase_draws(company, static_cast<std::uint32_t>(bounce) * DimensionsPerVertex + PhaseA);
+  VectorLanes directions;
+  surfaces_[company.hero][company.material].sample(
+      company.at, drawn_pairs(company.points, static_cast<std::uint32_t>(bounce)), directions);
+  const auto first_dimension = static_cast<std::uint32_t>(bounce) * DimensionsPerVertex;
+  const PairLanes draws = phase_draws(company, first_dimension + PhaseA);
   for (std::size_t f = 0; f < frequencies_; ++f) {
     gather_fields(company, f);
     surfaces_[f][company.material].pass_on(fields_, company.at, directions, draws, passages_[f]);
   }
+  FloatLanes lots;
+  draw_independent(company.points, first_dimension + RouletteChoice, lots);
   for (std::size_t lane = 0; lane < company.paths.size(); ++lane) {
     Path& path = paths_[company.paths[lane]];
-    path.is_alive = carry_on(path, lane, directions[lane], bounce);
+    path.is_alive = carry_on(path, lane, directions[lane], lots[lane], bounce);
   }
 }
 
-bool TileTracer::carry_on(Path& path, std::size_t lane, Vec3f direction, int bounce) {
+bool TileTracer::carry_on(Path& path, std::size_t lane, Vec3f direction, float lot, int bounce) {
   const float pdf = passages_[path.hero].pdf[lane], cosine = cosine_at(path.hit, direction);
   if (pdf <= 0.0F || cosine <= least_cosine) return false;
   const std::span<Wave> waves = waves_of(path);
@@ -48,8 +49,7 @@ bool TileTracer::carry_on(Path& path, std::size_t lane, Vec3f direction, int bou
     if (options_.coherent) wave.fields = wave.fields.turned(roughness_phasor(path, f, bounce));
     if (f != path.hero) wave.forward *= passages_[f].pdf[lane] / pdf;
   }
-  const auto dimension = static_cast<std::uint32_t>(bounce) * DimensionsPerVertex + RouletteChoice;
-  if (!survives_roulette(waves, path.point.independent(dimension))) return false;
+  if (!survives_roulette(waves, lot)) return false;
   for (std::size_t f = 0; f < frequencies_; ++f) {
     // The vertex's part of the reversed density: at the first vertex there is none yet, only the forward one to divide
     // by.

@@ -200,6 +200,11 @@ void SceneGeometry::intersect(std::span<const Ray> rays, std::span<SurfaceHit> h
   in_packets(rays.size(), ray_at, length_at,
              [&](Packet& packet, std::size_t lanes, const int* valid, std::size_t first) {
                rtcIntersect16(valid, s.top, &context.embree, &packet);
+               // They lie all over memory: all are asked for before the first is waited for.
+               for (std::size_t lane = 0; lane < lanes; ++lane) {
+                 const Found found = found_by(packet, lane);
+                 if (!found.nothing()) __builtin_prefetch(&s.parts[found.part()]);
+               }
                for (std::size_t lane = 0; lane < lanes; ++lane) {
                  const std::size_t i = first + lane;
                  meets[i] = s.meet(rays[i], found_by(packet, lane), hits[i]) ? 1 : 0;

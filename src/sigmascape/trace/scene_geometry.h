@@ -47,8 +47,9 @@ class SceneGeometry {
   [[nodiscard]] bool intersect(Vec3f ray_origin, Vec3f direction, SurfaceHit& hit) const;
   [[nodiscard]] bool occluded(Vec3f ray_origin, Vec3f direction) const;
 
-  /// The same for many rays at once, which is faster, with the same answers to the bit. `meets` and `is_occluded` get 1
-  /// for yes, 0 for no. Not for scenes with crowns.
+  /// The same for many rays at once, which is faster, with the same answers to the bit; only where faces of several
+  /// objects coincide, another one of them may be met. `meets` and `is_occluded` get 1 for yes, 0 for no. Not for
+  /// scenes with crowns.
   void intersect(std::span<const Ray> rays, std::span<SurfaceHit> hits, std::span<std::uint8_t> meets) const;
   void occluded(std::span<const Ray> rays, std::span<std::uint8_t> is_occluded) const;
 

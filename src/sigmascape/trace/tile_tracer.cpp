@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "sigmascape/base/units.h"
 #include "sigmascape/trace/vertex.h"
@@ -72,29 +73,40 @@ void TileTracer::launch(std::span<const PathStart> starts, std::size_t first) {
   counts_.paths += starts.size();
   paths_.assign(starts.size(), {});
   waves_.resize(starts.size() * frequencies_);
-  living_.clear();
-  for (std::uint32_t i = 0; i < starts.size(); ++i) {
-    const auto& [cell, sequence, sample] = starts[i];
-    const std::uint64_t key =
-        hashed(seed_, static_cast<std::uint32_t>(cell.i), static_cast<std::uint32_t>(cell.j), sequence);
-    Path& path = paths_[i];
-    path.start = static_cast<std::uint32_t>(first + i);
-    path.point = SobolPoint(key, sample);
-    const Vec2f within = drawn_pair(path.point, 0);
-    path.aim = {(cell.i + static_cast<double>(within.x)) * area_.cell_m,
-                (cell.j + static_cast<double>(within.y)) * area_.cell_m, area_.plane_height_m};
-    launch_towards(path, waves_of(path));
-    living_.push_back(i);
+  living_.resize(starts.size());
+  std::iota(living_.begin(), living_.end(), 0U);
+  for (std::size_t begin = 0; begin < starts.size(); begin += lane_count) {
+    const std::size_t count = std::min(lane_count, starts.size() - begin);
+    SobolLanes points;
+    for (std::size_t lane = 0; lane < count; ++lane) {
+      const auto& [cell, sequence, sample] = starts[begin + lane];
+      const std::uint64_t key =
+          hashed(seed_, static_cast<std::uint32_t>(cell.i), static_cast<std::uint32_t>(cell.j), sequence);
+      Path& path = paths_[begin + lane];
+      path.start = static_cast<std::uint32_t>(first + begin + lane);
+      path.point = SobolPoint(key, sample);
+      points.set(lane, path.point);
+    }
+    const PairLanes within = drawn_pairs(points, 0);
+    for (std::size_t lane = 0; lane < count; ++lane)
+      launch_towards(paths_[begin + lane], within[lane], starts[begin + lane].cell);
   }
 }
 
-Vec2f TileTracer::drawn_pair(const SobolPoint& point, std::uint32_t bounce) const {
-  if (options_.sampler == Sampler::OwenSobol) return point.pair(bounce);
-  const std::uint32_t dimension = bounce * DimensionsPerVertex;
-  return {point.independent(dimension + PairX), point.independent(dimension + PairY)};
+PairLanes TileTracer::drawn_pairs(const SobolLanes& points, std::uint32_t bounce) const {
+  PairLanes pairs;
+  if (options_.sampler == Sampler::OwenSobol) {
+    draw_pairs(points, bounce, pairs);
+  } else {
+    draw_independent(points, bounce * DimensionsPerVertex + PairX, pairs.x);
+    draw_independent(points, bounce * DimensionsPerVertex + PairY, pairs.y);
+  }
+  return pairs;
 }
 
-void TileTracer::launch_towards(Path& path, std::span<Wave> waves) const {
+void TileTracer::launch_towards(Path& path, Vec2f within_cell, const LaunchCell& cell) {
+  path.aim = {(cell.i + static_cast<double>(within_cell.x)) * area_.cell_m,
+              (cell.j + static_cast<double>(within_cell.y)) * area_.cell_m, area_.plane_height_m};
   const Vec3d to_radar = viewpoint_.direction_from(path.aim);
   const double back = (area_.top_height_m - area_.plane_height_m) / to_radar.z;
   path.ray = {(path.aim + to_radar * back - geometry_.origin()).to<float>(), (-to_radar).to<float>()};
@@ -103,7 +115,7 @@ void TileTracer::launch_towards(Path& path, std::span<Wave> waves) const {
     path.hero = static_cast<std::size_t>(path.point.independent(hero_choice) * static_cast<float>(frequencies_));
   }
   const PolarizationBasis transmit(path.ray.direction);
-  std::ranges::fill(waves, Wave{{{transmit.v, {}}, {transmit.h, {}}}, 1.0F, 1.0F});
+  std::ranges::fill(waves_of(path), Wave{{{transmit.v, {}}, {transmit.h, {}}}, 1.0F, 1.0F});
 }
 
 void TileTracer::find_vertices(int bounce) {
@@ -179,19 +191,17 @@ void TileTracer::group_by_surface() {
 }
 
 void TileTracer::gather_fields(const Company& company, std::size_t frequency) {
-  for (std::size_t lane = 0; lane < scatter::lane_count; ++lane) {
+  for (std::size_t lane = 0; lane < lane_count; ++lane) {
     const std::size_t path = company.paths[std::min(lane, company.paths.size() - 1)];
     fields_.set(lane, waves_[path * frequencies_ + frequency].fields);
   }
 }
 
-scatter::PairLanes TileTracer::phase_draws(const Company& company, std::uint32_t first_dimension) const {
-  scatter::PairLanes draws;
+PairLanes TileTracer::phase_draws(const Company& company, std::uint32_t first_dimension) const {
+  PairLanes draws;
   if (!surfaces_.front()[company.material].draws_phases()) return draws;
-  for (std::size_t lane = 0; lane < company.paths.size(); ++lane) {
-    const SobolPoint& point = paths_[company.paths[lane]].point;
-    draws.set(lane, {point.independent(first_dimension), point.independent(first_dimension + 1)});
-  }
+  draw_independent(company.points, first_dimension, draws.x);
+  draw_independent(company.points, first_dimension + 1, draws.y);
   return draws;
 }
 

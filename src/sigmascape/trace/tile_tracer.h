@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "sigmascape/base/sobol_lanes.h"
 #include "sigmascape/scatter/lanes.h"
 #include "sigmascape/scatter/surface_model.h"
 #include "sigmascape/trace/bookkeeper.h"
@@ -42,6 +43,7 @@ class TileTracer final : public TilePaths {
     std::size_t hero = 0;
     scene::MaterialIndex material = 0;
     scatter::ArrivalLanes at;
+    SobolLanes points;
   };
   /// A last vertex that may return an echo, as far as that can be told without asking whether it sees the radar.
   struct Connection {
@@ -56,9 +58,9 @@ class TileTracer final : public TilePaths {
   // tile_tracer.cpp: the way of the paths
   void follow_together(std::span<const PathStart> starts, std::size_t first);
   void launch(std::span<const PathStart> starts, std::size_t first);
-  void launch_towards(Path& path, std::span<Wave> waves) const;
-  /// Two numbers in [0, 1) that belong together: where in the cell, or the direction after a bounce.
-  [[nodiscard]] Vec2f drawn_pair(const SobolPoint& point, std::uint32_t bounce) const;
+  void launch_towards(Path& path, Vec2f within_cell, const LaunchCell& cell);
+  /// Two numbers in [0, 1) a lane that belong together: where in the cell, or the direction after a bounce.
+  [[nodiscard]] PairLanes drawn_pairs(const SobolLanes& points, std::uint32_t bounce) const;
   /// Finds the next vertex of each path, a surface or a place in a crown before it, and ends those that have none.
   void find_vertices(int bounce);
   void find_vertices_among_crowns(int bounce);
@@ -81,7 +83,7 @@ class TileTracer final : public TilePaths {
   // connected_echoes.cpp
   void add_connected_echoes(int bounce);
   void consider_connections(const Company& company, int bounce);
-  void consider_connection(std::uint32_t path, std::size_t lane, Vec3f to_radar, int bounce);
+  void consider_connection(std::uint32_t path, std::size_t lane, Vec3f to_radar, float lot);
   [[nodiscard]] float reverse_odds(const Path& path, std::size_t lane) const;
   [[nodiscard]] float reciprocal_share(const Connection& connection, float last_density) const;
   /// What crowns let pass from the vertices to the radar, 0 where a surface stands in the way.
@@ -92,7 +94,7 @@ class TileTracer final : public TilePaths {
   /// Draws the next directions and ends paths that have become dark.
   void carry_on(int bounce);
   void carry_on(const Company& company, int bounce);
-  [[nodiscard]] bool carry_on(Path& path, std::size_t lane, Vec3f direction, int bounce);
+  [[nodiscard]] bool carry_on(Path& path, std::size_t lane, Vec3f direction, float lot, int bounce);
   [[nodiscard]] bool survives_roulette(std::span<Wave> waves, float u);
 
   [[nodiscard]] std::span<Wave> waves_of(const Path& path) {
@@ -107,7 +109,7 @@ class TileTracer final : public TilePaths {
   /// What the company's paths carry at one frequency, by lane.
   void gather_fields(const Company& company, std::size_t frequency);
   /// Numbers for the phases of unresolved roughness, by lane, where the surface makes use of them.
-  [[nodiscard]] scatter::PairLanes phase_draws(const Company& company, std::uint32_t first_dimension) const;
+  [[nodiscard]] PairLanes phase_draws(const Company& company, std::uint32_t first_dimension) const;
   /// The phase that the unresolved roughness of vertex number `bounce` gives to all fields alike.
   [[nodiscard]] scatter::Amplitude roughness_phasor(const Path& path, std::size_t frequency, int bounce) const;
   void append(const Path& path, std::size_t frequency, const radar::Echo& echo);
@@ -158,14 +160,16 @@ void TileTracer::for_each_company(const Body& body) {
   const std::size_t materials = surfaces_.front().size();
   for (std::size_t group = 0; group < groups_.size(); ++group) {
     const std::span<const std::uint32_t> paths(groups_[group]);
-    for (std::size_t first = 0; first < paths.size(); first += scatter::lane_count) {
-      Company company{.paths = paths.subspan(first, std::min(scatter::lane_count, paths.size() - first)),
+    for (std::size_t first = 0; first < paths.size(); first += lane_count) {
+      Company company{.paths = paths.subspan(first, std::min(lane_count, paths.size() - first)),
                       .hero = group / materials,
                       .material = static_cast<scene::MaterialIndex>(group % materials),
-                      .at = {}};
+                      .at = {},
+                      .points = {}};
       company.at.count = company.paths.size();
-      for (std::size_t lane = 0; lane < scatter::lane_count; ++lane) {
+      for (std::size_t lane = 0; lane < lane_count; ++lane) {
         const Path& path = paths_[company.paths[std::min(lane, company.paths.size() - 1)]];
+        company.points.set(lane, path.point);
         company.at.to_source.set(lane, -path.ray.direction);
         company.at.normal.set(lane, path.hit.normal);
         company.at.inverse_area_per_m2[lane] = path.hit.inverse_facet_area_per_m2;
