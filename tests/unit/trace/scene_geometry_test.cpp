@@ -239,7 +239,7 @@ std::vector<Ray> rays_through_a_town(std::size_t count) {
   return rays;
 }
 
-// What a path brings back must not depend on which others share its packets. No two roofs are equally high, for where
+// What a path brings back must not depend on which others share its packets. No two boxes are equally high, for where
 // faces coincide either may be met.
 TEST(SceneGeometry, ManyRaysAtOnceHaveTheAnswersOfSingleOnes) {
   scene::Scene scene = plain_scene();
@@ -248,8 +248,9 @@ TEST(SceneGeometry, ManyRaysAtOnceHaveTheAnswersOfSingleOnes) {
     scene.instances.push_back({.prototype = 0,
                                .x_m = -80.0F + 160.0F * unit_float(hashed(i, 1)),
                                .y_m = -80.0F + 160.0F * unit_float(hashed(i, 2)),
+                               .lift_m = 0.02F * static_cast<float>(i),
                                .yaw_rad = 6.0F * unit_float(hashed(i, 3)),
-                               .scale = {0.5F + unit_float(hashed(i, 4)), 1.0F, 0.8F + 0.01F * static_cast<float>(i)}});
+                               .scale = {0.5F + unit_float(hashed(i, 4)), 1.0F, 0.8F}});
   }
   for (const Footing footing : {Footing::LevelPlane, Footing::Terrain}) {
     const SceneGeometry geometry(scene, footing);
