@@ -18,12 +18,12 @@ class Mirrors {
   /// `diffraction_m2` is λ²/4π.
   Mirrors(const Microfacets& facets, std::complex<float> permittivity, float diffraction_m2)
       : facets_(facets),
-        permittivity_(permittivity),
+        permittivity_{permittivity.real(), permittivity.imag()},
         normal_reflectivity_(power_of(fresnel(permittivity, 1.0F).s)),
         diffraction_m2_(diffraction_m2) {}
 
   [[nodiscard]] const Microfacets& facets() const { return facets_; }
-  [[nodiscard]] std::complex<float> permittivity() const { return permittivity_; }
+  [[nodiscard]] std::complex<float> permittivity() const { return {permittivity_.re, permittivity_.im}; }
   /// The same mirrors with other facets.
   [[nodiscard]] Mirrors with(const Microfacets& facets) const {
     Mirrors others = *this;
@@ -64,7 +64,7 @@ class Mirrors {
     const float visible = facets.visible_part(to_source, to_sink, face.normal, lambda_source, lambda_sink);
     const bool is_seen = cos_source > 0.0F && cos_sink > 0.0F;
     const float brdf = density * visible / (4.0F * cos_source * cos_sink);
-    return {reflected(in, permittivity_, -to_source, to_sink, half) * std::sqrt(is_seen ? brdf : 0.0F),
+    return {reflected(in, permittivity(), -to_source, to_sink, half) * std::sqrt(is_seen ? brdf : 0.0F),
             is_seen ? density / ((1.0F + lambda_source) * (4.0F * cos_source)) : 0.0F,
             is_seen ? density / ((1.0F + lambda_sink) * (4.0F * cos_sink)) : 0.0F};
   }
@@ -76,7 +76,7 @@ class Mirrors {
   }
 
   Microfacets facets_;
-  std::complex<float> permittivity_;
+  Amplitude permittivity_;
   float normal_reflectivity_;  // |R(0)|²
   float diffraction_m2_;
 };
