@@ -202,7 +202,8 @@ TEST(Reciprocity, OfTwoBouncesOffAnyTwoMaterials) {
                                     "reversals over the largest element",
                             .expected = 0.0,
                             .measured = worst,
-                            .tolerance = 1e-6,
+                            // The rounding of two reflections, the worst of thousands.
+                            .tolerance = 2e-6,
                             .unit = "1",
                             .source = "Lorentz reciprocity: VH of a path is HV of its reversal"});
   EXPECT_GT(answered, 5000);

@@ -12,6 +12,10 @@ namespace {
 /// Cells whose pilots have a say in a cell's number of samples are at most this many away along either axis.
 constexpr int neighbourhood = 2;
 
+/// Cells are traced together until they have so many paths: enough to keep the tracer's packets full, few enough to
+/// stay in the caches.
+constexpr std::size_t paths_at_once = 2048;
+
 }  // namespace
 
 TileSampler::TileSampler(const Sampling& sampling, Shadows shadows, const EchoLanding& landing,
@@ -24,59 +28,60 @@ TileSampler::TileSampler(const Sampling& sampling, Shadows shadows, const EchoLa
       floor_(linear_from_db(sampling.floor_db)),
       pilots_(patch.size()),
       pilot_echoes_(patch.size()),
-      pilot_starts_(patch.size()),
-      cell_echoes_(patch.size()),
-      powers_(patch.size()) {}
+      pilot_ends_(patch.size()) {}
 
 void TileSampler::sample(trace::TilePaths& tile, double cell_area_m2) {
+  const std::size_t cells = tile.cells().size();
   if (!sampling_.is_adaptive()) {
-    const Batches batches = Batches::of(sampling_.samples_per_texel);
-    for (std::size_t cell = 0; cell < tile.cells().size(); ++cell) trace_cell(tile, cell, batches, 0);
+    batches_.assign(cells, Batches::of(sampling_.samples_per_texel));
+    trace_cells(tile, 0);
     return;
   }
   trace_pilots(tile);
-  for (std::size_t cell = 0; cell < tile.cells().size(); ++cell) {
-    const std::uint32_t samples = samples_needed(tile.cells(), cell, cell_area_m2);
-    trace_cell(tile, cell, Batches::of(samples, pilot_samples), 1);
-  }
+  batches_.clear();
+  for (std::size_t cell = 0; cell < cells; ++cell)
+    batches_.push_back(Batches::of(samples_needed(tile.cells(), cell, cell_area_m2), pilot_samples));
+  trace_cells(tile, pilot_samples);
 }
 
-void TileSampler::follow(trace::TilePaths& tile, std::size_t cell, std::uint32_t batch, std::uint32_t sample,
-                         std::vector<std::vector<Landed>>& landed) {
-  tile.follow(tile.cells()[cell], batch, sample);
-  for (std::size_t f = 0; f < patch_.size(); ++f) {
-    powers_[f] = 0.0;
-    for (const radar::Echo& echo : tile.echoes(f)) {
-      if (ground_apart_ && echo.from_ground) continue;
-      powers_[f] += static_cast<double>(echo.rcs_m2.power(radar::Polarization::Sum));
-      if (const auto texel = patch_[f].cell_at(landing_.place_of(echo)))
-        landed[f].push_back({*texel, batch, echo.rcs_m2});
-    }
+double TileSampler::keep_landed(const trace::TilePaths& tile, std::size_t frequency, std::size_t start,
+                                std::vector<Landed>& landed) const {
+  double power = 0.0;
+  for (const radar::Echo& echo : tile.echoes(frequency, start)) {
+    if (ground_apart_ && echo.from_ground) continue;
+    power += static_cast<double>(echo.rcs_m2.power(radar::Polarization::Sum));
+    if (const auto texel = patch_[frequency].cell_at(landing_.place_of(echo)))
+      landed.push_back({*texel, starts_[start].sequence, echo.rcs_m2});
   }
+  return power;
 }
 
 void TileSampler::trace_pilots(trace::TilePaths& tile) {
-  const std::size_t cells = tile.cells().size(), frequencies = patch_.size();
-  for (std::size_t f = 0; f < frequencies; ++f) {
-    pilots_[f].assign(cells, {});
+  starts_.clear();
+  for (const trace::LaunchCell& cell : tile.cells()) {
+    for (std::uint32_t batch = 0; batch < pilot_samples; ++batch) starts_.push_back({cell, batch, 0});
+  }
+  tile.follow(starts_);
+  for (std::size_t f = 0; f < patch_.size(); ++f) {
+    pilots_[f].clear();
     pilot_echoes_[f].clear();
-    pilot_starts_[f].clear();
+    pilot_ends_[f].clear();
+    for (std::size_t cell = 0; cell < tile.cells().size(); ++cell) note_pilots(tile, f, cell);
   }
-  for (std::size_t cell = 0; cell < cells; ++cell) {
-    for (std::size_t f = 0; f < frequencies; ++f) pilot_starts_[f].push_back(pilot_echoes_[f].size());
-    for (std::uint32_t batch = 0; batch < pilot_samples; ++batch) {
-      follow(tile, cell, batch, 0, pilot_echoes_);
-      for (std::size_t f = 0; f < frequencies; ++f) {
-        // Mean and sum of squares about it, updated sample by sample.
-        Pilot& pilot = pilots_[f][cell];
-        const double before = powers_[f] - pilot.mean_m2;
-        pilot.mean_m2 += before / (batch + 1);
-        pilot.variance_m4 += before * (powers_[f] - pilot.mean_m2);
-      }
-    }
-    for (std::size_t f = 0; f < frequencies; ++f) pilots_[f][cell].variance_m4 /= pilot_samples - 1;
+}
+
+void TileSampler::note_pilots(const trace::TilePaths& tile, std::size_t frequency, std::size_t cell) {
+  Pilot pilot;
+  for (std::uint32_t batch = 0; batch < pilot_samples; ++batch) {
+    // Mean and sum of squares about it, updated sample by sample.
+    const double power = keep_landed(tile, frequency, cell * pilot_samples + batch, pilot_echoes_[frequency]);
+    const double before = power - pilot.mean_m2;
+    pilot.mean_m2 += before / (batch + 1);
+    pilot.variance_m4 += before * (power - pilot.mean_m2);
   }
-  for (std::size_t f = 0; f < frequencies; ++f) pilot_starts_[f].push_back(pilot_echoes_[f].size());
+  pilot.variance_m4 /= pilot_samples - 1;
+  pilots_[frequency].push_back(pilot);
+  pilot_ends_[frequency].push_back(pilot_echoes_[frequency].size());
 }
 
 std::uint32_t TileSampler::samples_needed(std::span<const trace::LaunchCell> cells, std::size_t cell,
@@ -101,20 +106,41 @@ std::uint32_t TileSampler::samples_needed(std::span<const trace::LaunchCell> cel
   return std::max(static_cast<std::uint32_t>(samples), pilot_samples);
 }
 
-void TileSampler::trace_cell(trace::TilePaths& tile, std::size_t cell, const Batches& batches, std::uint32_t pilots) {
-  for (std::size_t f = 0; f < patch_.size(); ++f) {
-    cell_echoes_[f].clear();
-    if (pilots == 0) continue;
-    const auto first = pilot_echoes_[f].begin();
-    cell_echoes_[f].assign(first + static_cast<std::ptrdiff_t>(pilot_starts_[f][cell]),
-                           first + static_cast<std::ptrdiff_t>(pilot_starts_[f][cell + 1]));
-  }
-  for (std::uint32_t batch = 0; batch < batches.count; ++batch) {
-    for (std::uint32_t sample = batch < pilots * pilot_samples ? 1 : 0; sample < batches.size(batch); ++sample) {
-      follow(tile, cell, batch, sample, cell_echoes_);
+void TileSampler::trace_cells(trace::TilePaths& tile, std::uint32_t pilots) {
+  const auto cells = tile.cells();
+  std::vector<std::size_t> ends;  // of each cell's starts
+  for (std::size_t first = 0; first < cells.size(); first += ends.size()) {
+    starts_.clear();
+    ends.clear();
+    while (first + ends.size() < cells.size() && starts_.size() < paths_at_once) {
+      const std::size_t cell = first + ends.size();
+      ask_for(cells[cell], batches_[cell], pilots);
+      ends.push_back(starts_.size());
     }
+    tile.follow(starts_);
+    for (std::size_t i = 0; i < ends.size(); ++i)
+      add_to_patch(tile, first + i, {i == 0 ? 0 : ends[i - 1], ends[i]}, pilots > 0);
   }
-  for (std::size_t f = 0; f < patch_.size(); ++f) add_cell(cell_echoes_[f], batches, patch_[f]);
+}
+
+void TileSampler::ask_for(const trace::LaunchCell& cell, const Batches& batches, std::uint32_t pilots) {
+  for (std::uint32_t batch = 0; batch < batches.count; ++batch) {
+    for (std::uint32_t sample = batch < pilots ? 1 : 0; sample < batches.size(batch); ++sample)
+      starts_.push_back({cell, batch, sample});
+  }
+}
+
+void TileSampler::add_to_patch(const trace::TilePaths& tile, std::size_t cell, Range starts, bool has_pilots) {
+  for (std::size_t f = 0; f < patch_.size(); ++f) {
+    cell_echoes_.clear();
+    if (has_pilots) {
+      const auto begin = pilot_echoes_[f].begin();
+      cell_echoes_.assign(begin + static_cast<std::ptrdiff_t>(cell == 0 ? 0 : pilot_ends_[f][cell - 1]),
+                          begin + static_cast<std::ptrdiff_t>(pilot_ends_[f][cell]));
+    }
+    for (std::size_t start = starts.first; start < starts.end; ++start) keep_landed(tile, f, start, cell_echoes_);
+    add_cell(cell_echoes_, batches_[cell], patch_[f]);
+  }
 }
 
 }  // namespace sigmascape::bake

@@ -31,25 +31,37 @@ class TileSampler {
     double variance_m4 = 0.0;
   };
 
+  /// Numbers from `first` up to before `end`.
+  struct Range {
+    std::size_t first = 0;
+    std::size_t end = 0;
+  };
+
   void trace_pilots(trace::TilePaths& tile);
+  void note_pilots(const trace::TilePaths& tile, std::size_t frequency, std::size_t cell);
   [[nodiscard]] std::uint32_t samples_needed(std::span<const trace::LaunchCell> cells, std::size_t cell,
                                              double cell_area_m2) const;
-  void trace_cell(trace::TilePaths& tile, std::size_t cell, const Batches& batches, std::uint32_t pilots);
-  /// Follows a sample, keeps what lands in the patch, and returns the power of all echoes by frequency in `powers_`.
-  void follow(trace::TilePaths& tile, std::size_t cell, std::uint32_t batch, std::uint32_t sample,
-              std::vector<std::vector<Landed>>& landed);
+  /// Traces what each cell's batches ask for beyond its pilots, which are the first sample of as many batches, and adds
+  /// all of it to the patch.
+  void trace_cells(trace::TilePaths& tile, std::uint32_t pilots);
+  void ask_for(const trace::LaunchCell& cell, const Batches& batches, std::uint32_t pilots);
+  void add_to_patch(const trace::TilePaths& tile, std::size_t cell, Range starts, bool has_pilots);
+  /// Keeps what a start brought that lands in the patch, and returns the power of all of it.
+  double keep_landed(const trace::TilePaths& tile, std::size_t frequency, std::size_t start,
+                     std::vector<Landed>& landed) const;
 
   const Sampling& sampling_;
   bool ground_apart_;
   const EchoLanding& landing_;
   std::vector<receiver::GroundAccumulator>& patch_;
-  double target_;                                       // relative standard error
-  double floor_;                                        // σ0
-  std::vector<std::vector<Pilot>> pilots_;              // [frequency][cell]
-  std::vector<std::vector<Landed>> pilot_echoes_;       // [frequency], cell by cell
-  std::vector<std::vector<std::size_t>> pilot_starts_;  // [frequency][cell]: the cell's first
-  std::vector<std::vector<Landed>> cell_echoes_;        // [frequency]
-  std::vector<double> powers_;
+  double target_;                                     // relative standard error
+  double floor_;                                      // σ0
+  std::vector<Batches> batches_;                      // [cell]
+  std::vector<trace::PathStart> starts_;              // asked for and not yet traced
+  std::vector<std::vector<Pilot>> pilots_;            // [frequency][cell]
+  std::vector<std::vector<Landed>> pilot_echoes_;     // [frequency], cell by cell
+  std::vector<std::vector<std::size_t>> pilot_ends_;  // [frequency][cell]: one past the cell's last
+  std::vector<Landed> cell_echoes_;
 };
 
 }  // namespace sigmascape::bake

@@ -17,7 +17,7 @@ namespace sigmascape {
 class SobolPoint {
  public:
   /// The point number `index` of the sequence named `key` (a pixel, say).
-  constexpr SobolPoint(std::uint64_t key, std::uint32_t index) : key_(key), index_(index) {}
+  constexpr SobolPoint(std::uint64_t key, std::uint32_t index) : key_(key), stem_(hashed(key, index)), index_(index) {}
 
   /// Two numbers in [0, 1)² of the pair of dimensions number `pair`.
   [[nodiscard]] constexpr Vec2f pair(std::uint32_t pair) const {
@@ -31,9 +31,16 @@ class SobolPoint {
 
   /// A number in [0, 1) that depends on this point and `dimension` but is not stratified: for choices where order does
   /// not matter.
-  [[nodiscard]] constexpr float independent(std::uint32_t dimension) const {
-    return unit_float(hashed(key_, index_, 0x1d0000000ULL + dimension));
+  [[nodiscard]] constexpr float independent(std::uint32_t dimension) const { return independent(stem_, dimension); }
+  /// The same by the point's stem.
+  [[nodiscard]] static constexpr float independent(std::uint64_t stem, std::uint32_t dimension) {
+    return unit_float(mixed(stem ^ (0x1d0000000ULL + dimension)));
   }
+
+  [[nodiscard]] constexpr std::uint64_t key() const { return key_; }
+  [[nodiscard]] constexpr std::uint32_t index() const { return index_; }
+  /// What all its independent numbers are hashed from.
+  [[nodiscard]] constexpr std::uint64_t stem() const { return stem_; }
 
  private:
   [[nodiscard]] static constexpr float as_unit(std::uint32_t bits) { return static_cast<float>(bits >> 8U) * 0x1p-24F; }
@@ -69,6 +76,7 @@ class SobolPoint {
   }
 
   std::uint64_t key_;
+  std::uint64_t stem_;
   std::uint32_t index_;
 };
 

@@ -16,14 +16,22 @@ class ConstantGamma {
  public:
   ConstantGamma(const ConstantGammaParameters& parameters, double frequency_hz);
 
-  [[nodiscard]] radar::Channels backscatter(Vec3f to_radar, Vec3f normal) const;
-  [[nodiscard]] DirectionSample sample(Vec3f to_source, Vec3f normal, Vec2f u) const;
-  [[nodiscard]] float pdf(Vec3f to_source, Vec3f to_sink, Vec3f normal) const;
+  [[nodiscard]] radar::Channels backscatter(Vec3f to_radar, Vec3f normal) const {
+    const float cos_angle = dot(to_radar, normal);
+    return polarization_.backscatter(polarization_.amplitudes(brdf(cos_angle, cos_angle)));
+  }
+  [[nodiscard]] DirectionSample sample(Vec3f, Vec3f normal, Vec2f u) const { return cosine_direction(normal, u); }
+  [[nodiscard]] float pdf(Vec3f, Vec3f to_sink, Vec3f normal) const { return cosine_pdf(to_sink, normal); }
   [[nodiscard]] FieldPair scatter(const FieldPair& in, Vec3f to_source, Vec3f to_sink, Vec3f normal,
-                                  PhaseDraw draw) const;
+                                  PhaseDraw draw) const {
+    const float co_polarized = brdf(dot(to_source, normal), dot(to_sink, normal));
+    return polarization_.scatter(in, polarization_.amplitudes(co_polarized), to_source, to_sink, draw);
+  }
 
  private:
-  [[nodiscard]] float brdf(float cos_source, float cos_sink) const;
+  [[nodiscard]] float brdf(float cos_source, float cos_sink) const {
+    return gamma_over_two_pi_ / (cos_source + cos_sink);
+  }
 
   float gamma_over_two_pi_;
   DiffusePolarization polarization_;

@@ -1,11 +1,10 @@
 #pragma once
 
-#include <complex>
 #include <optional>
 
 #include "sigmascape/scatter/diffuse.h"
 #include "sigmascape/scatter/facet.h"
-#include "sigmascape/scatter/microfacet.h"
+#include "sigmascape/scatter/mirrors.h"
 #include "sigmascape/scatter/multiple_scatter.h"
 #include "sigmascape/scatter/surface_sample.h"
 
@@ -37,18 +36,25 @@ class CookTorrance {
   [[nodiscard]] DirectionSample sample(Vec3f to_source, const Facet& face, Vec2f u) const;
   [[nodiscard]] float pdf(Vec3f to_source, Vec3f to_sink, const Facet& face) const;
   [[nodiscard]] FieldPair scatter(const FieldPair& in, Vec3f to_source, Vec3f to_sink, const Facet& face,
-                                  PhaseDraw draw) const;
+                                  PhaseDraw draw) const {
+    return pass_on(in, to_source, to_sink, face, draw).fields;
+  }
+  [[nodiscard]] Passage pass_on(const FieldPair& in, Vec3f to_source, Vec3f to_sink, const Facet& face,
+                                PhaseDraw draw) const;
+
+  /// The mirrors when there is nothing else to the surface and they are Beckmann's with correlated masking; null
+  /// otherwise.
+  [[nodiscard]] const Mirrors* beckmann_mirrors() const;
+
+  /// Whether `scatter` makes use of its draw: mirrors do not.
+  [[nodiscard]] bool draws_phases() const { return scattered_part_ > 0.0F || multiple_scatter_.has_value(); }
 
  private:
-  /// The mirrors as diffraction at a face of this size lets them appear.
-  [[nodiscard]] Microfacets facets_on(const Facet& face) const;
   /// The part of the directions that is drawn diffusely.
   [[nodiscard]] float diffuse_share(float cos_source) const;
+  [[nodiscard]] float with_diffuse_part(float mirrored, Vec3f to_source, Vec3f to_sink, Vec3f normal) const;
 
-  std::complex<float> permittivity_;
-  float normal_reflectivity_;  // |R(0)|²
-  Microfacets facets_;
-  float diffraction_m2_;  // λ²/4π
+  Mirrors mirrors_;
   float scattered_part_;  // S²
   DiffusePolarization scattered_polarization_;
   DiffuseAmplitudes scattered_;

@@ -1,5 +1,10 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "sigmascape/base/elementary.h"
 #include "sigmascape/scatter/material.h"
 #include "sigmascape/scatter/surface_sample.h"
 
@@ -25,11 +30,34 @@ class DiffusePolarization {
   explicit DiffusePolarization(const Depolarization& depolarization);
 
   /// Both co-polarized powers alike and the cross-polarized one the stated ratio of them.
-  [[nodiscard]] DiffuseAmplitudes amplitudes(float co_polarized_brdf) const;
+  [[nodiscard]] DiffuseAmplitudes amplitudes(float co_polarized_brdf) const {
+    const float co = std::sqrt(co_polarized_brdf);
+    return {co, co, cross_amplitude_ * co};
+  }
 
-  [[nodiscard]] radar::Channels backscatter(const DiffuseAmplitudes& surface) const;
+  [[nodiscard]] radar::Channels backscatter(const DiffuseAmplitudes& surface) const {
+    return {surface.vv * surface.vv, surface.hh * surface.hh, surface.hv * surface.hv,
+            correlation_ * surface.vv * surface.hh};
+  }
+
   [[nodiscard]] FieldPair scatter(const FieldPair& in, const DiffuseAmplitudes& surface, Vec3f to_source, Vec3f to_sink,
-                                  PhaseDraw draw) const;
+                                  PhaseDraw draw) const {
+    const PolarizationBasis before(-to_source);
+    const PolarizationBasis after(to_sink);
+    const Amplitude hh = Amplitude{correlation_, draw.a < 0.5F ? quadrature_ : -quadrature_} * surface.hh;
+    const Vec2f phasor = fast_phasor(draw.b);
+    const Amplitude hv = Amplitude{phasor.x, phasor.y} * surface.hv;
+    // h reverses with the direction of travel. Hence, in bases that follow the wave, the matrix that looks like diag(1,
+    // 1) to a radar is diag(1, −1), and the two cross terms have opposite signs.
+    const auto pass = [&](const Field& e) {
+      const Amplitude v_in = e.along(before.v);
+      const Amplitude h_in = e.along(before.h);
+      const Amplitude v_out = v_in * surface.vv + hv * h_in;
+      const Amplitude h_out = (hv * v_in + hh * h_in) * -1.0F;
+      return field_along(after.v, v_out) + field_along(after.h, h_out);
+    };
+    return {pass(in.from_v), pass(in.from_h)};
+  }
 
  private:
   float cross_amplitude_;  // √x
@@ -38,7 +66,16 @@ class DiffusePolarization {
 };
 
 /// Directions with density cos θ / π about the normal.
-[[nodiscard]] DirectionSample cosine_direction(Vec3f normal, Vec2f u);
-[[nodiscard]] float cosine_pdf(Vec3f direction, Vec3f normal);
+[[nodiscard]] inline DirectionSample cosine_direction(Vec3f normal, Vec2f u) {
+  const float radius = std::sqrt(u.x);
+  const Vec2f phasor = fast_phasor(u.y);
+  const float z = std::sqrt(std::max(0.0F, 1.0F - u.x));
+  const Vec3f direction = Basis(normal).world_from_local({radius * phasor.x, radius * phasor.y, z});
+  return {direction, z * std::numbers::inv_pi_v<float>};
+}
+
+[[nodiscard]] inline float cosine_pdf(Vec3f direction, Vec3f normal) {
+  return std::max(0.0F, dot(direction, normal)) * std::numbers::inv_pi_v<float>;
+}
 
 }  // namespace sigmascape::scatter

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "sigmascape/base/vec.h"
@@ -71,9 +72,15 @@ struct PolarizationBasis {
   Vec3f v, h;
 
   explicit PolarizationBasis(Vec3f travel) {
-    const float horizontal = std::hypot(travel.x, travel.y);
-    h = horizontal > 1e-6F ? Vec3f{-travel.y / horizontal, travel.x / horizontal, 0.0F}
-                           : Vec3f{0.0F, travel.z < 0.0F ? 1.0F : -1.0F, 0.0F};
+    // Without a branch, so that loops over many waves become vector code.
+    const float horizontal = std::sqrt(travel.x * travel.x + travel.y * travel.y);
+    const bool is_oblique = horizontal > 1e-6F;
+    const float inverse = 1.0F / std::max(horizontal, 1e-6F);
+    h = {is_oblique ? -travel.y * inverse : 0.0F,
+         is_oblique        ? travel.x * inverse
+         : travel.z < 0.0F ? 1.0F
+                           : -1.0F,
+         0.0F};
     v = cross(h, travel);
   }
 };

@@ -11,11 +11,12 @@ class Lambert {
  public:
   explicit Lambert(const LambertParameters& parameters);
 
-  [[nodiscard]] radar::Channels backscatter(Vec3f to_radar, Vec3f normal) const;
-  [[nodiscard]] DirectionSample sample(Vec3f to_source, Vec3f normal, Vec2f u) const;
-  [[nodiscard]] float pdf(Vec3f to_source, Vec3f to_sink, Vec3f normal) const;
-  [[nodiscard]] FieldPair scatter(const FieldPair& in, Vec3f to_source, Vec3f to_sink, Vec3f normal,
-                                  PhaseDraw draw) const;
+  [[nodiscard]] radar::Channels backscatter(Vec3f, Vec3f) const { return polarization_.backscatter(amplitudes_); }
+  [[nodiscard]] DirectionSample sample(Vec3f, Vec3f normal, Vec2f u) const { return cosine_direction(normal, u); }
+  [[nodiscard]] float pdf(Vec3f, Vec3f to_sink, Vec3f normal) const { return cosine_pdf(to_sink, normal); }
+  [[nodiscard]] FieldPair scatter(const FieldPair& in, Vec3f to_source, Vec3f to_sink, Vec3f, PhaseDraw draw) const {
+    return polarization_.scatter(in, amplitudes_, to_source, to_sink, draw);
+  }
 
  private:
   DiffusePolarization polarization_;

@@ -7,6 +7,7 @@
 #include "sigmascape/scatter/crown_medium.h"
 #include "sigmascape/scatter/facet.h"
 #include "sigmascape/scatter/lambert.h"
+#include "sigmascape/scatter/lanes.h"
 #include "sigmascape/scatter/material.h"
 #include "sigmascape/scatter/reciprocal_backscatter.h"
 
@@ -41,6 +42,20 @@ class SurfaceModel {
                                   PhaseDraw draw) const {
     return std::visit([&](const auto& m) { return m.scatter(in, to_source, to_sink, face, draw); }, model_);
   }
+  /// Scatter and both densities together, which share most of their work.
+  [[nodiscard]] Passage pass_on(const FieldPair& in, Vec3f to_source, Vec3f to_sink, const Facet& face,
+                                PhaseDraw draw) const;
+
+  /// The same questions, sixteen at a time. Each lane has the answer, to the bit, that it has by itself; lanes that are
+  /// not needed may hold any face and direction.
+  void backscatter(const ArrivalLanes& at, ChannelLanes& out) const;
+  /// Directions alone, without their densities.
+  void sample(const ArrivalLanes& at, const PairLanes& u, VectorLanes& to_sink) const;
+  void pass_on(const FieldPairLanes& in, const ArrivalLanes& at, const VectorLanes& to_sink, const PairLanes& draw,
+               PassageLanes& out) const;
+
+  /// Whether `scatter` makes use of its draw.
+  [[nodiscard]] bool draws_phases() const;
   /// Whether unresolved roughness gives what it scatters a phase that nothing tells: of all diffuse surfaces. Mirrors
   /// keep the phase of their place, and their diffuse part draws its own in `scatter`.
   [[nodiscard]] bool phase_is_random() const { return !std::holds_alternative<CookTorrance>(model_); }

@@ -17,4 +17,11 @@ struct PhaseDraw {
   float b = 0.0F;
 };
 
+/// All that a tracer asks about a wave that leaves in a given direction.
+struct Passage {
+  FieldPair fields;          ///< that leave; see SurfaceModel::scatter
+  float pdf = 0.0F;          ///< density with which the direction would have been drawn, 1/sr
+  float reverse_pdf = 0.0F;  ///< the same for the way back
+};
+
 }  // namespace sigmascape::scatter

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "sigmascape/base/units.h"
 
@@ -50,36 +51,38 @@ Probe evenly(Vec2f u) {
 
 }  // namespace
 
-double Bookkeeper::carried(const Path& path) {
+double Bookkeeper::carried(std::span<const Wave> waves) {
   double power = 0.0, density = 0.0;
-  for (const Wave& wave : path.waves) {
+  for (const Wave& wave : waves) {
     power += static_cast<double>(wave.fields.mean_power());
     density += static_cast<double>(wave.forward);
   }
   return power / density;
 }
 
-void Bookkeeper::is_scattered(const Path& path, const SurfaceHit& hit, int bounce, const SobolPoint& point) {
+void Bookkeeper::is_scattered(Path& path, std::span<const Wave> waves, int bounce) {
   if (!keeps_books_) return;
   const auto vertex = static_cast<std::uint32_t>(bounce);
-  const Vec3f to_source = -path.direction;
+  const SurfaceHit& hit = path.hit;
+  const Vec3f to_source = -path.ray.direction;
   // A medium scatters all around, not into a half space alone.
-  const Vec2f u = point.pair(first_pair + vertex);
-  const Probe to =
-      hit.is_in_crown() ? evenly(u) : probe(to_source, hit.normal, point.independent(first_choice + 3 * vertex), u);
+  const Vec2f u = path.point.pair(first_pair + vertex);
+  const Probe to = hit.is_in_crown()
+                       ? evenly(u)
+                       : probe(to_source, hit.normal, path.point.independent(first_choice + 3 * vertex), u);
   const float cosine = hit.is_in_crown() ? 1.0F : dot(to.direction, hit.normal);
   double scattered = 0.0;
   if (cosine > 0.0F) {
-    const scatter::PhaseDraw draw{point.independent(first_choice + 3 * vertex + 1),
-                                  point.independent(first_choice + 3 * vertex + 2)};
-    Path onwards = path;
+    const scatter::PhaseDraw draw{path.point.independent(first_choice + 3 * vertex + 1),
+                                  path.point.independent(first_choice + 3 * vertex + 2)};
+    std::vector<Wave> onwards(waves.begin(), waves.end());
     for (std::size_t f = 0; f < surfaces_.size(); ++f) {
-      onwards.waves[f].fields = surfaces_[f][hit.material].scatter(path.waves[f].fields, to_source, to.direction,
-                                                                   {hit.normal, hit.inverse_facet_area_per_m2}, draw);
+      onwards[f].fields = surfaces_[f][hit.material].scatter(waves[f].fields, to_source, to.direction,
+                                                             {hit.normal, hit.inverse_facet_area_per_m2}, draw);
     }
     scattered = carried(onwards) * static_cast<double>(cosine / to.pdf);
   }
-  add(books_.absorbed, carried(path) - scattered);
+  add(books_.absorbed, path, carried(waves) - scattered);
 }
 
 }  // namespace sigmascape::trace

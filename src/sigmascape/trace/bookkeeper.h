@@ -1,6 +1,7 @@
 #pragma once
 
-#include "sigmascape/base/sobol.h"
+#include <span>
+
 #include "sigmascape/trace/path.h"
 #include "sigmascape/trace/path_tracer.h"
 #include "sigmascape/trace/power_books.h"
@@ -16,36 +17,34 @@ class Bookkeeper {
 
   [[nodiscard]] bool keeps_books() const { return keeps_books_; }
 
-  void path_begins() { balance_ = -1.0; }
-  void path_ends() {
+  void path_ends(const Path& path) {
     if (!keeps_books_) return;
     ++books_.paths;
-    books_.squared_imbalance += balance_ * balance_;
+    books_.squared_imbalance += path.imbalance * path.imbalance;
   }
-  void escapes(const Path& path) { enter(books_.escaped, path); }
-  void is_cut(const Path& path) { enter(books_.cut, path); }
+  void escapes(Path& path, std::span<const Wave> waves) { enter(books_.escaped, path, waves); }
+  void is_cut(Path& path, std::span<const Wave> waves) { enter(books_.cut, path, waves); }
   void meets_roulette(double power_before, double power_after) {
     if (keeps_books_) books_.roulette += power_before - power_after;
   }
   /// What the surface takes of the power that arrives: the rest of what it sends into all directions.
-  void is_scattered(const Path& path, const SurfaceHit& hit, int bounce, const SobolPoint& point);
+  void is_scattered(Path& path, std::span<const Wave> waves, int bounce);
 
   /// The mean over transmit polarizations and frequencies of the power that a path carries.
-  [[nodiscard]] static double carried(const Path& path);
+  [[nodiscard]] static double carried(std::span<const Wave> waves);
 
  private:
-  void enter(double& account, const Path& path) {
-    if (keeps_books_) add(account, carried(path));
+  void enter(double& account, Path& path, std::span<const Wave> waves) {
+    if (keeps_books_) add(account, path, carried(waves));
   }
-  void add(double& account, double power) {
+  static void add(double& account, Path& path, double power) {
     account += power;
-    balance_ += power;
+    path.imbalance += power;
   }
 
   const SpectralSurfaces& surfaces_;
   bool keeps_books_;
   PowerBooks& books_;
-  double balance_ = 0.0;  // of the path at hand
 };
 
 }  // namespace sigmascape::trace

@@ -75,9 +75,15 @@ LaunchArea launch_area(const Viewpoint& viewpoint, const radar::Rectangle& targe
        tj += tile) {
     for (std::int32_t ti = tile_start(lattice(target.west_m - spread)); ti <= lattice(target.east_m + spread);
          ti += tile) {
+      const auto covers = [&](std::int32_t i, std::int32_t j) {
+        return area.covers({(i + 0.5) * cell_m, (j + 0.5) * cell_m});
+      };
+      // All cells of a grain get the same answer.
+      const bool is_whole = grain == tile;
+      if (is_whole && !covers(ti, tj)) continue;
       for (std::int32_t j = tj; j < tj + tile; ++j) {
         for (std::int32_t i = ti; i < ti + tile; ++i) {
-          if (area.covers({(i + 0.5) * cell_m, (j + 0.5) * cell_m})) area.cells.push_back({i, j});
+          if (is_whole || covers(i, j)) area.cells.push_back({i, j});
         }
       }
     }

@@ -1,10 +1,14 @@
 #pragma once
 
 #include <cstddef>
-#include <vector>
+#include <cstdint>
+#include <span>
 
+#include "sigmascape/base/sobol.h"
 #include "sigmascape/base/vec.h"
 #include "sigmascape/scatter/field.h"
+#include "sigmascape/trace/ray.h"
+#include "sigmascape/trace/scene_geometry.h"
 
 namespace sigmascape::trace {
 
@@ -19,13 +23,16 @@ struct Wave {
   float reverse = 1.0F;
 };
 
-/// One path on its way through the scene.
+/// One path on its way through the scene. The waves that it carries, one a frequency, are kept beside it.
 struct Path {
-  Vec3f origin;
-  Vec3f direction;
+  std::uint32_t start = 0;  ///< its number among those that are followed together
+  SobolPoint point{0, 0};   ///< the numbers that it is drawn from
   std::size_t hero = 0;     ///< the frequency whose densities draw the directions
-  std::vector<Wave> waves;  ///< one a frequency
-  Vec3d first_position;     ///< of the first vertex, in the world
+  bool is_alive = true;
+  Vec3d aim;  ///< where on the launch plane it was aimed
+  Ray ray;    ///< the one that it follows
+  SurfaceHit hit;
+  Vec3d first_position;  ///< of the first vertex, in the world
   double first_range_m = 0.0;
   double travelled_m = 0.0;  ///< between vertices
   /// How densely first vertices lie where it is, over the density of rays: the cosine at a surface, the extinction in a
@@ -33,24 +40,26 @@ struct Path {
   float first_density = 1.0F;
   /// What crowns let pass of a direct echo on its way back.
   float direct_return = 1.0F;
-
-  /// Density of the path, whichever frequency were its hero, over the hero's own. One for a single frequency.
-  [[nodiscard]] float mean_forward() const {
-    if (waves.size() == 1) return 1.0F;
-    float sum = 0.0F;
-    for (const Wave& wave : waves) sum += wave.forward;
-    return sum / static_cast<float>(waves.size());
-  }
-
-  /// The power that it carries at the frequency where that is greatest, over the power sent.
-  [[nodiscard]] float greatest_power() const {
-    float greatest = 0.0F;
-    for (const Wave& wave : waves) {
-      const float power = wave.fields.mean_power();
-      if (power > greatest) greatest = power;
-    }
-    return greatest / mean_forward();
-  }
+  double imbalance = 0.0;  ///< of its books of power
 };
+
+/// Density of the path that carries these waves, whichever frequency were its hero, over the hero's own. One for a
+/// single frequency.
+[[nodiscard]] inline float mean_forward(std::span<const Wave> waves) {
+  if (waves.size() == 1) return 1.0F;
+  float sum = 0.0F;
+  for (const Wave& wave : waves) sum += wave.forward;
+  return sum / static_cast<float>(waves.size());
+}
+
+/// The power that they carry at the frequency where that is greatest, over the power sent.
+[[nodiscard]] inline float greatest_power(std::span<const Wave> waves) {
+  float greatest = 0.0F;
+  for (const Wave& wave : waves) {
+    const float power = wave.fields.mean_power();
+    if (power > greatest) greatest = power;
+  }
+  return greatest / mean_forward(waves);
+}
 
 }  // namespace sigmascape::trace

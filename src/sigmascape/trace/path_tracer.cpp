@@ -7,6 +7,31 @@
 #include "sigmascape/trace/tile_tracer.h"
 
 namespace sigmascape::trace {
+namespace {
+
+/// What the paths of a tile bring back at one frequency.
+struct EchoList {
+  std::vector<radar::Echo> echoes;
+  std::vector<radar::ComplexChannels> amplitudes_m;
+
+  /// Takes the place of what was there; every start stands for the part `share` of its cell.
+  void take(const TilePaths& tile, std::size_t frequency, std::size_t starts, double share) {
+    const auto power_share = static_cast<float>(share);
+    const float root_share = std::sqrt(power_share);
+    echoes.clear();
+    amplitudes_m.clear();
+    for (std::size_t start = 0; start < starts; ++start) {
+      for (radar::Echo echo : tile.echoes(frequency, start)) {
+        echo.rcs_m2 = echo.rcs_m2 * power_share;
+        echoes.push_back(echo);
+      }
+      for (const radar::ComplexChannels& amplitude : tile.amplitudes_m(frequency, start))
+        amplitudes_m.push_back(amplitude * root_share);
+    }
+  }
+};
+
+}  // namespace
 
 std::vector<scatter::SurfaceModel> surface_models(const scene::Scene& scene, double frequency_hz) {
   std::vector<scatter::SurfaceModel> models;
@@ -37,29 +62,17 @@ TraceCounts PathTracer::trace(const LaunchArea& area, SampleRange samples, unsig
 
 TraceCounts PathTracer::trace(const LaunchArea& area, SampleRange samples, unsigned threads,
                               const TileSink& sink) const {
-  std::vector<std::vector<EchoList>> echoes(thread_count(threads), std::vector<EchoList>(surfaces_.size()));
-  const auto share = static_cast<float>(1.0 / samples.of);
-  const float root_share = std::sqrt(share);
-
+  std::vector<std::vector<EchoList>> lists(thread_count(threads), std::vector<EchoList>(surfaces_.size()));
   return trace_tiles(area, threads, [&](TilePaths& tile, unsigned worker) {
-    for (EchoList& list : echoes[worker]) list.clear();
+    std::vector<PathStart> starts;
     for (const LaunchCell& cell : tile.cells()) {
-      for (std::uint32_t sample = samples.first; sample < samples.first + samples.count; ++sample) {
-        tile.follow(cell, 0, sample);
-        for (std::size_t f = 0; f < surfaces_.size(); ++f) {
-          EchoList& list = echoes[worker][f];
-          for (radar::Echo echo : tile.echoes(f)) {
-            echo.rcs_m2 = echo.rcs_m2 * share;
-            list.echoes.push_back(echo);
-          }
-          for (const radar::ComplexChannels& amplitude : tile.amplitudes_m(f)) {
-            list.amplitudes_m.push_back(amplitude * root_share);
-          }
-        }
-      }
+      for (std::uint32_t sample = 0; sample < samples.count; ++sample)
+        starts.push_back({.cell = cell, .sequence = 0, .sample = samples.first + sample});
     }
+    tile.follow(starts);
     for (std::size_t f = 0; f < surfaces_.size(); ++f) {
-      const EchoList& list = echoes[worker][f];
+      EchoList& list = lists[worker][f];
+      list.take(tile, f, starts.size(), 1.0 / samples.of);
       sink({.echoes = list.echoes, .amplitudes_m = list.amplitudes_m, .frequency = f, .worker = worker});
     }
   });

@@ -81,17 +81,27 @@ using TileSink = std::function<void(const TileEchoes& tile)>;
 /// The same for a tracer of one frequency; one of several gives their echoes without telling them apart.
 using EchoSink = std::function<void(std::span<const radar::Echo>, unsigned worker)>;
 
+/// A sample to follow: number `sample` of the sequence `sequence` of a cell. Sequences of a cell are scrambled
+/// independently of one another.
+struct PathStart {
+  LaunchCell cell;
+  std::uint32_t sequence = 0;
+  std::uint32_t sample = 0;
+};
+
 /// One tile for the user to trace as he sees fit: as many samples of each cell as it turns out to need.
 class TilePaths {
  public:
   virtual ~TilePaths() = default;
   [[nodiscard]] virtual std::span<const LaunchCell> cells() const = 0;
-  /// Follows sample number `sample` of the sequence `sequence` of one cell. Its echoes, each as though the sample stood
-  /// for the whole cell, take the place of those of the one before. Sequences of a cell are scrambled independently.
-  virtual void follow(const LaunchCell& cell, std::uint32_t sequence, std::uint32_t sample) = 0;
-  [[nodiscard]] virtual std::span<const radar::Echo> echoes(std::size_t frequency) const = 0;
-  /// As TileEchoes::amplitudes_m, of the same sample.
-  [[nodiscard]] virtual std::span<const radar::ComplexChannels> amplitudes_m(std::size_t frequency) const = 0;
+  /// Follows all these paths; many together are faster than one by one. What they bring takes the place of what those
+  /// before brought.
+  virtual void follow(std::span<const PathStart> starts) = 0;
+  /// The echoes of start number `start` of those followed, each as though its sample stood for the whole cell.
+  [[nodiscard]] virtual std::span<const radar::Echo> echoes(std::size_t frequency, std::size_t start) const = 0;
+  /// As TileEchoes::amplitudes_m, of the same start.
+  [[nodiscard]] virtual std::span<const radar::ComplexChannels> amplitudes_m(std::size_t frequency,
+                                                                             std::size_t start) const = 0;
 };
 
 /// What is done with a tile; called from several threads at once, `worker` tells them apart.

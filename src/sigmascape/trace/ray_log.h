@@ -2,14 +2,13 @@
 
 #include <vector>
 
-#include "sigmascape/base/vec.h"
+#include "sigmascape/trace/ray.h"
 
 namespace sigmascape::trace {
 
 /// A ray as it was put to the scene's structures.
 struct LoggedRay {
-  Vec3f origin;  ///< relative to the geometry's origin
-  Vec3f direction;
+  Ray ray;
   float length_m = 0.0F;    ///< how far it was looked along
   bool asks_first = false;  ///< for the first surface, not merely whether there is any
 };

@@ -1,312 +1,99 @@
 #include "sigmascape/trace/scene_geometry.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <embree3/rtcore.h>
 #include <limits>
 #include <xmmintrin.h>
 
-#include "sigmascape/base/error.h"
-#include "sigmascape/scene/facet_area.h"
+#include "sigmascape/trace/scene_structures.h"
 
 namespace sigmascape::trace {
 namespace {
 
 constexpr float far_away = std::numeric_limits<float>::infinity();
-/// How far the ground goes on beyond the edge of the terrain, level outwards.
-constexpr double rim_m = 300.0;
-constexpr std::size_t most_grid_nodes = 32767;  // along a side of Embree's grids
 constexpr unsigned flush_to_zero = 0x8000U;
 constexpr unsigned denormals_are_zero = 0x0040U;
 
-/// What a top-level geometry of the Embree scene stands for, by its number.
-struct Part {
-  enum class Kind { Terrain, Mesh, Instance } kind;
-  const scene::Mesh* mesh = nullptr;
-  const std::vector<float>* inverse_facet_areas = nullptr;  // one a triangle, before scaling
-  // Rotation and inverse scale that carry an instance's normals into the world.
-  float cos_yaw = 1.0F, sin_yaw = 0.0F;
-  Vec3f inverse_scale{1.0F, 1.0F, 1.0F};
-  float inverse_volume_scale = 1.0F;
-};
+/// Rays in the forest have little in common: Embree is told so, lest it follow sixteen where one goes.
+constexpr std::size_t packet_size = 16;
+using Packet = RTCRayHit16;
 
-std::vector<float> inverse_facet_areas(const scene::Mesh& mesh) {
-  std::vector<float> inverse = scene::facet_areas_m2(mesh);
-  for (float& area : inverse) area = area > 0.0F ? 1.0F / area : 0.0F;
-  return inverse;
-}
-
-/// What Embree hands on to the crowns that a ray passes.
-struct RayContext {
-  RTCIntersectContext embree;  // first, since Embree knows no more of it
-  CrownCrossings* crowns;
-};
-
-/// Crowns are never hit: a ray that crosses one is told so and goes on. Embree gives it in the prototype's frame, where
-/// distances along the ray are what they are outside.
-void cross_crown(const scene::Crown& crown, const RTCRay& ray, RTCIntersectContext* context) {
-  CrownCrossings* crowns = reinterpret_cast<RayContext*>(context)->crowns;
-  if (crowns == nullptr) return;
-  const Vec3f r = crown.shape.radii_m, c = crown.shape.centre;
-  const Vec3d o = Vec3f{(ray.org_x - c.x) / r.x, (ray.org_y - c.y) / r.y, (ray.org_z - c.z) / r.z}.to<double>();
-  const Vec3d d = Vec3f{ray.dir_x / r.x, ray.dir_y / r.y, ray.dir_z / r.z}.to<double>();
-  const double d2 = dot(d, d), nearest = -dot(o, d) / d2;
-  const Vec3d closest = o + d * nearest;
-  const double half2 = (1.0 - dot(closest, closest)) / d2;
-  if (half2 <= 0.0) return;
-  const double half = std::sqrt(half2);
-  if (nearest + half <= 0.0) return;
-  crowns->add({static_cast<float>(std::max(0.0, nearest - half)), static_cast<float>(nearest + half), crown.medium,
-               context->instID[0]});
-}
-
-const scene::Crown& crown_of(void* user_data) {
-  return *static_cast<const scene::Crown*>(user_data);
-}
-
-void bound_crown(const RTCBoundsFunctionArguments* arguments) {
-  const scene::Ellipsoid& shape = crown_of(arguments->geometryUserPtr).shape;
-  const Vec3f low = shape.centre - shape.radii_m, high = shape.centre + shape.radii_m;
-  *arguments->bounds_o = {low.x, low.y, low.z, 0.0F, high.x, high.y, high.z, 0.0F};
-}
-
-RTCRayHit query_along(Vec3f origin, Vec3f direction, float length_m) {
+RTCRayHit query_along(const Ray& ray, float length_m) {
   RTCRayHit query{};
-  query.ray = {origin.x, origin.y, origin.z, 0.0F, direction.x, direction.y, direction.z, 0.0F, length_m, ~0U, 0, 0};
+  const Vec3f o = ray.origin, d = ray.direction;
+  query.ray = {o.x, o.y, o.z, 0.0F, d.x, d.y, d.z, 0.0F, length_m, ~0U, 0, 0};
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   return query;
 }
 
-void add_to_sum(void* sum, ssize_t bytes) {
-  static_cast<std::atomic<std::int64_t>*>(sum)->fetch_add(bytes);
+RayContext context_for(CrownCrossings* crowns) {
+  RayContext context{{}, crowns};
+  rtcInitIntersectContext(&context.embree);
+  context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+  return context;
+}
+
+void put(Packet& packet, std::size_t lane, const Ray& ray, float length_m) {
+  packet.ray.org_x[lane] = ray.origin.x;
+  packet.ray.org_y[lane] = ray.origin.y;
+  packet.ray.org_z[lane] = ray.origin.z;
+  packet.ray.dir_x[lane] = ray.direction.x;
+  packet.ray.dir_y[lane] = ray.direction.y;
+  packet.ray.dir_z[lane] = ray.direction.z;
+  packet.ray.tnear[lane] = 0.0F;
+  packet.ray.tfar[lane] = length_m;
+  packet.ray.time[lane] = 0.0F;
+  packet.ray.mask[lane] = ~0U;
+  packet.ray.id[lane] = 0;
+  packet.ray.flags[lane] = 0;
+  packet.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
+  packet.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
+}
+
+Found found_by(const RTCRayHit& query) {
+  const RTCHit& hit = query.hit;
+  return {query.ray.tfar, {hit.Ng_x, hit.Ng_y, hit.Ng_z}, hit.geomID, hit.primID, hit.instID[0]};
+}
+
+Found found_by(const Packet& packet, std::size_t lane) {
+  const RTCHit16& hit = packet.hit;
+  return {packet.ray.tfar[lane],
+          {hit.Ng_x[lane], hit.Ng_y[lane], hit.Ng_z[lane]},
+          hit.geomID[lane],
+          hit.primID[lane],
+          hit.instID[0][lane]};
+}
+
+/// Normals transform by the inverse transpose: divide by the scale, then turn. Areas grow by how much that shortens
+/// them, times the growth of volumes.
+void bring_into_world(const Part& part, Vec3f& normal, float& inverse_area) {
+  const Vec3f n{normal.x * part.inverse_scale.x, normal.y * part.inverse_scale.y, normal.z * part.inverse_scale.z};
+  inverse_area *= part.inverse_volume_scale * length(normal) / length(n);
+  normal = {n.x * part.cos_yaw + n.y * part.sin_yaw, -n.x * part.sin_yaw + n.y * part.cos_yaw, n.z};
+}
+
+/// Calls `trace(packet, lanes, valid, first)` for packet after packet of `count` rays, `ray_at(i)` and `length_at(i)`
+/// being the i-th.
+template <typename RayAt, typename LengthAt, typename Trace>
+void in_packets(std::size_t count, const RayAt& ray_at, const LengthAt& length_at, const Trace& trace) {
+  Packet packet;
+  alignas(64) int valid[packet_size];
+  for (std::size_t first = 0; first < count; first += packet_size) {
+    const std::size_t lanes = std::min(packet_size, count - first);
+    for (std::size_t lane = 0; lane < packet_size; ++lane) {
+      valid[lane] = lane < lanes ? -1 : 0;
+      const std::size_t i = first + std::min(lane, lanes - 1);
+      put(packet, lane, ray_at(i), length_at(i));
+    }
+    trace(packet, lanes, valid, first);
+  }
 }
 
 }  // namespace
 
-struct SceneGeometry::Structures {
-  std::atomic<std::int64_t> memory{0};
-  RTCDevice device = nullptr;
-  RTCScene top = nullptr;
-  std::vector<RTCScene> prototypes;
-  std::vector<Part> parts;
-  std::vector<scene::Crown> crowns;
-  std::vector<Vec3f> building_vertices;
-  scene::MaterialMap ground;
-  std::vector<scene::Mesh> meshes;  // own copies, so that the geometry outlives the scene it came from
-  std::vector<std::vector<float>> mesh_facets;
-  scene::Mesh buildings;
-  std::vector<float> building_facets;
-  Vec3d origin;
-  Footing footing = Footing::LevelPlane;
-  double lowest_m = 0.0, highest_m = 0.0;
-  RayLog* log = nullptr;
-
-  ~Structures() {
-    for (RTCScene prototype : prototypes) rtcReleaseScene(prototype);
-    if (top != nullptr) rtcReleaseScene(top);
-    if (device != nullptr) rtcReleaseDevice(device);
-  }
-
-  void check() const {
-    const RTCError error = rtcGetDeviceError(device);
-    if (error == RTC_ERROR_OUT_OF_MEMORY)
-      throw Error("ray tracer", "ran out of memory", "use a smaller scene or a larger machine");
-    if (error != RTC_ERROR_NONE)
-      throw Error("ray tracer", "Embree error " + std::to_string(error), "report this with the scene file");
-  }
-
-  void open_device() {
-    // One build thread: the structures are small, and parallel builds are the only part of Embree that thread
-    // sanitizers misread.
-    device = rtcNewDevice("threads=1");
-    if (device == nullptr)
-      throw Error("ray tracer", "Embree could not be started", "check the libembree3 installation");
-    rtcSetDeviceMemoryMonitorFunction(
-        device,
-        [](void* sum, ssize_t bytes, bool) {
-          add_to_sum(sum, bytes);
-          return true;
-        },
-        &memory);
-  }
-
-  RTCGeometry triangles(const scene::Mesh& mesh, const std::vector<Vec3f>& vertices) const {
-    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    void* vertex_buffer =
-        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vec3f), vertices.size());
-    void* index_buffer = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                                 3 * sizeof(std::uint32_t), mesh.triangles.size());
-    check();
-    std::copy(vertices.begin(), vertices.end(), static_cast<Vec3f*>(vertex_buffer));
-    std::copy(mesh.triangles.begin(), mesh.triangles.end(), static_cast<std::array<std::uint32_t, 3>*>(index_buffer));
-    rtcCommitGeometry(geometry);
-    return geometry;
-  }
-
-  void attach(RTCGeometry geometry, const Part& part) {
-    rtcAttachGeometryByID(top, geometry, static_cast<unsigned>(parts.size()));
-    rtcReleaseGeometry(geometry);
-    parts.push_back(part);
-  }
-
-  void add_terrain(const terrain::HeightField& field) {
-    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_GRID);
-    // One ring of nodes more than the field has carries its edge outwards, so that walls there have ground before them.
-    const std::size_t columns = field.height_m.columns() + 2, rows = field.height_m.rows() + 2;
-    if (columns > most_grid_nodes || rows > most_grid_nodes) {
-      throw Error("terrain", "has " + std::to_string(std::max(columns, rows) - 2) + " heights along a side",
-                  "use a larger spacing or a smaller extent, for at most " + std::to_string(most_grid_nodes - 2));
-    }
-    auto* vertices = static_cast<Vec3f*>(
-        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vec3f), columns * rows));
-    auto* grid = static_cast<RTCGrid*>(
-        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_GRID, 0, RTC_FORMAT_GRID, sizeof(RTCGrid), 1));
-    check();
-    // How far the ring at either end lies beyond the field, in metres eastward or southward.
-    const auto beyond = [](std::size_t index, std::size_t count) {
-      return index == 0 ? -rim_m : index + 1 == count ? rim_m : 0.0;
-    };
-    for (std::size_t row = 0; row < rows; ++row) {
-      for (std::size_t column = 0; column < columns; ++column) {
-        const std::size_t from_column = std::clamp<std::size_t>(column, 1, columns - 2) - 1;
-        const std::size_t from_row = std::clamp<std::size_t>(row, 1, rows - 2) - 1;
-        const double x = field.west_m + static_cast<double>(from_column) * field.spacing_m + beyond(column, columns);
-        const double y = field.north_m - static_cast<double>(from_row) * field.spacing_m - beyond(row, rows);
-        vertices[row * columns + column] = {static_cast<float>(x - origin.x), static_cast<float>(y - origin.y),
-                                            field.height_m(from_column, from_row)};
-      }
-    }
-    *grid = {0, static_cast<unsigned>(columns), static_cast<unsigned short>(columns),
-             static_cast<unsigned short>(rows)};
-    rtcCommitGeometry(geometry);
-    attach(geometry, {.kind = Part::Kind::Terrain});
-  }
-
-  void add_buildings(const scene::Buildings& source) {
-    if (source.mesh.triangles.empty()) return;
-    buildings = source.mesh;
-    building_vertices = source.mesh.vertices;
-    for (const scene::Building& building : source.items) {
-      const float base = footing == Footing::Terrain ? building.footing_m : 0.0F;
-      for (std::uint32_t i = 0; i < building.vertex_count; ++i) {
-        Vec3f& vertex = building_vertices[building.first_vertex + i];
-        vertex = {static_cast<float>(vertex.x - origin.x), static_cast<float>(vertex.y - origin.y), vertex.z + base};
-        highest_m = std::max(highest_m, static_cast<double>(vertex.z));
-        lowest_m = std::min(lowest_m, static_cast<double>(vertex.z));
-      }
-    }
-    building_facets = inverse_facet_areas(buildings);
-    attach(triangles(buildings, building_vertices),
-           {.kind = Part::Kind::Mesh, .mesh = &buildings, .inverse_facet_areas = &building_facets});
-  }
-
-  void add_prototypes() {
-    for (const scene::Mesh& mesh : meshes) {
-      RTCScene prototype = rtcNewScene(device);
-      rtcSetSceneBuildQuality(prototype, RTC_BUILD_QUALITY_MEDIUM);
-      RTCGeometry geometry = triangles(mesh, mesh.vertices);
-      rtcAttachGeometry(prototype, geometry);
-      rtcReleaseGeometry(geometry);
-      for (scene::Crown& crown : crowns) {
-        if (crown.prototype == prototypes.size()) attach_crown(prototype, crown);
-      }
-      rtcCommitScene(prototype);
-      prototypes.push_back(prototype);
-      mesh_facets.push_back(inverse_facet_areas(mesh));
-    }
-  }
-
-  void attach_crown(RTCScene prototype, scene::Crown& crown) {
-    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
-    rtcSetGeometryUserPrimitiveCount(geometry, 1);
-    rtcSetGeometryUserData(geometry, &crown);
-    rtcSetGeometryBoundsFunction(geometry, bound_crown, nullptr);
-    // Rays come one by one, so that the packets that Embree speaks of hold one each.
-    rtcSetGeometryIntersectFunction(geometry, [](const RTCIntersectFunctionNArguments* a) {
-      if (a->valid[0] != 0)
-        cross_crown(crown_of(a->geometryUserPtr), reinterpret_cast<RTCRayHit*>(a->rayhit)->ray, a->context);
-    });
-    rtcSetGeometryOccludedFunction(geometry, [](const RTCOccludedFunctionNArguments* a) {
-      if (a->valid[0] != 0) cross_crown(crown_of(a->geometryUserPtr), *reinterpret_cast<RTCRay*>(a->ray), a->context);
-    });
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(prototype, geometry);
-    rtcReleaseGeometry(geometry);
-  }
-
-  void add_instances(const scene::Scene& scene) {
-    const std::vector<float> tops = scene::prototype_tops_m(scene);
-    for (const scene::Instance& instance : scene.instances) {
-      const float c = std::cos(instance.yaw_rad), s = std::sin(instance.yaw_rad);
-      const double base = footing == Footing::Terrain ? scene.terrain.height_at({instance.x_m, instance.y_m}) : 0.0;
-      const float z = static_cast<float>(base) + instance.lift_m;
-      const Vec3f k = instance.scale;
-      // Column by column: where the prototype's x, y and z axes go, then its origin. Yaw turns clockwise.
-      const std::array<float, 12> transform{k.x * c,
-                                            -k.x * s,
-                                            0.0F,
-                                            k.y * s,
-                                            k.y * c,
-                                            0.0F,
-                                            0.0F,
-                                            0.0F,
-                                            k.z,
-                                            static_cast<float>(instance.x_m - origin.x),
-                                            static_cast<float>(instance.y_m - origin.y),
-                                            z};
-      RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
-      rtcSetGeometryInstancedScene(geometry, prototypes[instance.prototype]);
-      rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, transform.data());
-      rtcCommitGeometry(geometry);
-      attach(geometry, {.kind = Part::Kind::Instance,
-                        .mesh = &meshes[instance.prototype],
-                        .inverse_facet_areas = &mesh_facets[instance.prototype],
-                        .cos_yaw = c,
-                        .sin_yaw = s,
-                        .inverse_scale = {1.0F / k.x, 1.0F / k.y, 1.0F / k.z},
-                        .inverse_volume_scale = 1.0F / (k.x * k.y * k.z)});
-      highest_m = std::max(highest_m, static_cast<double>(z + tops[instance.prototype] * k.z));
-    }
-  }
-
-  [[nodiscard]] scene::MaterialIndex ground_material(Vec3f position) const {
-    return ground.at({position.x + origin.x, position.y + origin.y});
-  }
-
-  /// Fills in the hit on the level plane at distance t.
-  void hit_plane(Vec3f ray_origin, Vec3f direction, float t, SurfaceHit& hit) const {
-    hit.position = ray_origin + direction * t;
-    hit.position.z = 0.0F;
-    hit.normal = {0.0F, 0.0F, 1.0F};
-    hit.inverse_facet_area_per_m2 = 0.0F;
-    hit.material = ground_material(hit.position);
-    hit.is_ground = true;
-  }
-};
-
 SceneGeometry::SceneGeometry(const scene::Scene& scene, Footing footing) : structures_(std::make_unique<Structures>()) {
-  Structures& s = *structures_;
-  s.footing = footing;
-  const Vec2d centre = scene.extent.centre();
-  s.origin = {centre.x, centre.y, 0.0};
-  s.ground = scene.ground;
-  s.meshes = scene.prototypes;
-  s.crowns = scene.crowns;
-  s.open_device();
-  s.top = rtcNewScene(s.device);
-  if (footing == Footing::Terrain) {
-    s.lowest_m = scene.terrain.lowest_m();
-    s.highest_m = scene.terrain.highest_m();
-    rtcSetSceneFlags(s.top, RTC_SCENE_FLAG_ROBUST);
-    s.add_terrain(scene.terrain);
-  }
-  s.add_buildings(scene.buildings);
-  s.add_prototypes();
-  s.add_instances(scene);
-  rtcCommitScene(s.top);
-  s.check();
+  structures_->build(scene, footing);
 }
 
 SceneGeometry::~SceneGeometry() = default;
@@ -330,67 +117,113 @@ bool SceneGeometry::has_crowns() const {
   return !structures_->crowns.empty();
 }
 bool SceneGeometry::intersect(Vec3f ray_origin, Vec3f direction, SurfaceHit& hit) const {
-  return intersect(ray_origin, direction, hit, nullptr);
+  return intersect(Ray{ray_origin, direction}, hit, nullptr);
 }
 bool SceneGeometry::intersect(Vec3f ray_origin, Vec3f direction, SurfaceHit& hit, CrownCrossings& crowns) const {
-  return intersect(ray_origin, direction, hit, &crowns);
+  return intersect(Ray{ray_origin, direction}, hit, &crowns);
 }
 bool SceneGeometry::occluded(Vec3f ray_origin, Vec3f direction) const {
-  return occluded(ray_origin, direction, nullptr);
+  return occluded(Ray{ray_origin, direction}, nullptr);
 }
 bool SceneGeometry::occluded(Vec3f ray_origin, Vec3f direction, CrownCrossings& crowns) const {
-  return occluded(ray_origin, direction, &crowns);
+  return occluded(Ray{ray_origin, direction}, &crowns);
 }
 
-bool SceneGeometry::intersect(Vec3f ray_origin, Vec3f direction, SurfaceHit& hit, CrownCrossings* crowns) const {
-  const Structures& s = *structures_;
-  const bool meets_plane = s.footing == Footing::LevelPlane && direction.z < 0.0F && ray_origin.z > 0.0F;
-  const float plane_distance = meets_plane ? -ray_origin.z / direction.z : far_away;
+float SceneGeometry::Structures::plane_distance_m(const Ray& ray) const {
+  const bool meets_plane = footing == Footing::LevelPlane && ray.direction.z < 0.0F && ray.origin.z > 0.0F;
+  return meets_plane ? -ray.origin.z / ray.direction.z : far_away;
+}
 
-  RayContext context{{}, crowns};
-  rtcInitIntersectContext(&context.embree);
-  RTCRayHit query = query_along(ray_origin, direction, plane_distance);
-  if (s.log != nullptr) s.log->push_back({ray_origin, direction, plane_distance, true});
-  rtcIntersect1(s.top, &context.embree, &query);
+void SceneGeometry::Structures::hit_plane(const Ray& ray, float distance_m, SurfaceHit& hit) const {
+  hit.position = ray.origin + ray.direction * distance_m;
+  hit.position.z = 0.0F;
+  hit.normal = {0.0F, 0.0F, 1.0F};
+  hit.inverse_facet_area_per_m2 = 0.0F;
+  hit.material = ground_material(hit.position);
+  hit.is_ground = true;
+}
 
-  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) {
-    if (meets_plane) s.hit_plane(ray_origin, direction, plane_distance, hit);
-    return meets_plane;
+bool SceneGeometry::Structures::meet(const Ray& ray, const Found& found, SurfaceHit& hit) const {
+  hit = {};
+  if (found.nothing()) {
+    const float distance_m = plane_distance_m(ray);
+    if (distance_m == far_away) return false;
+    hit_plane(ray, distance_m, hit);
+    return true;
   }
-  const bool is_instance = query.hit.instID[0] != RTC_INVALID_GEOMETRY_ID;
-  const Part& part = s.parts[is_instance ? query.hit.instID[0] : query.hit.geomID];
-  Vec3f normal{query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z};
-  hit.position = ray_origin + direction * query.ray.tfar;
-  hit.inverse_facet_area_per_m2 =
-      part.kind == Part::Kind::Terrain ? 0.0F : (*part.inverse_facet_areas)[query.hit.primID];
-  if (part.kind == Part::Kind::Instance) {
-    // Normals transform by the inverse transpose: divide by the scale, then turn. Areas grow by how much that shortens
-    // them, times the growth of volumes.
-    const Vec3f n{normal.x * part.inverse_scale.x, normal.y * part.inverse_scale.y, normal.z * part.inverse_scale.z};
-    hit.inverse_facet_area_per_m2 *= part.inverse_volume_scale * length(normal) / length(n);
-    normal = {n.x * part.cos_yaw + n.y * part.sin_yaw, -n.x * part.sin_yaw + n.y * part.cos_yaw, n.z};
-  }
-  if (part.kind == Part::Kind::Terrain) {
+  const Part& part = parts[found.part()];
+  Vec3f normal = found.normal;
+  hit.position = ray.origin + ray.direction * found.distance_m;
+  if (part.is_terrain()) {
     if (normal.z < 0.0F) normal = -normal;
-    if (dot(normal, direction) >= 0.0F) return false;  // entered below the edge of the terrain
-    hit.material = s.ground_material(hit.position);
+    if (dot(normal, ray.direction) >= 0.0F) return false;  // entered below the edge of the terrain
+    hit.material = ground_material(hit.position);
     hit.is_ground = true;
   } else {
-    hit.material = part.mesh->materials[query.hit.primID];
+    hit.material = part.materials[found.primitive];
+    hit.inverse_facet_area_per_m2 = part.inverse_facet_areas[found.primitive];
+    if (found.instance != RTC_INVALID_GEOMETRY_ID) bring_into_world(part, normal, hit.inverse_facet_area_per_m2);
   }
   const float norm = length(normal);
   if (norm == 0.0F) return false;
-  hit.normal = normal * ((dot(normal, direction) < 0.0F ? 1.0F : -1.0F) / norm);
+  hit.normal = normal * ((dot(normal, ray.direction) < 0.0F ? 1.0F : -1.0F) / norm);
   return true;
 }
 
-bool SceneGeometry::occluded(Vec3f ray_origin, Vec3f direction, CrownCrossings* crowns) const {
-  RayContext context{{}, crowns};
-  rtcInitIntersectContext(&context.embree);
-  RTCRay ray = query_along(ray_origin, direction, far_away).ray;
-  if (structures_->log != nullptr) structures_->log->push_back({ray_origin, direction, far_away, false});
-  rtcOccluded1(structures_->top, &context.embree, &ray);
-  return ray.tfar < 0.0F;
+bool SceneGeometry::intersect(const Ray& ray, SurfaceHit& hit, CrownCrossings* crowns) const {
+  const Structures& s = *structures_;
+  const float length_m = s.plane_distance_m(ray);
+  if (s.log != nullptr) s.log->push_back({ray, length_m, true});
+  RayContext context = context_for(crowns);
+  RTCRayHit query = query_along(ray, length_m);
+  rtcIntersect1(s.top, &context.embree, &query);
+  return s.meet(ray, found_by(query), hit);
+}
+
+bool SceneGeometry::occluded(const Ray& ray, CrownCrossings* crowns) const {
+  if (structures_->log != nullptr) structures_->log->push_back({ray, far_away, false});
+  RayContext context = context_for(crowns);
+  RTCRay query = query_along(ray, far_away).ray;
+  rtcOccluded1(structures_->top, &context.embree, &query);
+  return query.tfar < 0.0F;
+}
+
+void SceneGeometry::intersect(std::span<const Ray> rays, std::span<SurfaceHit> hits,
+                              std::span<std::uint8_t> meets) const {
+  const Structures& s = *structures_;
+  const auto ray_at = [&](std::size_t i) { return rays[i]; };
+  const auto length_at = [&](std::size_t i) { return s.plane_distance_m(rays[i]); };
+  if (s.log != nullptr) {
+    for (std::size_t i = 0; i < rays.size(); ++i) s.log->push_back({rays[i], length_at(i), true});
+  }
+  RayContext context = context_for(nullptr);
+  in_packets(rays.size(), ray_at, length_at,
+             [&](Packet& packet, std::size_t lanes, const int* valid, std::size_t first) {
+               rtcIntersect16(valid, s.top, &context.embree, &packet);
+               // They lie all over memory: all are asked for before the first is waited for.
+               for (std::size_t lane = 0; lane < lanes; ++lane) {
+                 const Found found = found_by(packet, lane);
+                 if (!found.nothing()) __builtin_prefetch(&s.parts[found.part()]);
+               }
+               for (std::size_t lane = 0; lane < lanes; ++lane) {
+                 const std::size_t i = first + lane;
+                 meets[i] = s.meet(rays[i], found_by(packet, lane), hits[i]) ? 1 : 0;
+               }
+             });
+}
+
+void SceneGeometry::occluded(std::span<const Ray> rays, std::span<std::uint8_t> is_occluded) const {
+  const Structures& s = *structures_;
+  if (s.log != nullptr) {
+    for (const Ray& ray : rays) s.log->push_back({ray, far_away, false});
+  }
+  RayContext context = context_for(nullptr);
+  in_packets(
+      rays.size(), [&](std::size_t i) { return rays[i]; }, [](std::size_t) { return far_away; },
+      [&](Packet& packet, std::size_t lanes, const int* valid, std::size_t first) {
+        rtcOccluded16(valid, s.top, &context.embree, &packet.ray);
+        for (std::size_t lane = 0; lane < lanes; ++lane) is_occluded[first + lane] = packet.ray.tfar[lane] < 0.0F;
+      });
 }
 
 void SceneGeometry::log_to(RayLog* log) {
@@ -398,18 +231,25 @@ void SceneGeometry::log_to(RayLog* log) {
 }
 
 std::size_t SceneGeometry::replay(const RayLog& log) const {
+  const FlushDenormals flush;
+  RayContext context = context_for(nullptr);
   std::size_t met = 0;
-  for (const LoggedRay& ray : log) {
-    RayContext context{{}, nullptr};
-    rtcInitIntersectContext(&context.embree);
-    RTCRayHit query = query_along(ray.origin, ray.direction, ray.length_m);
-    if (ray.asks_first) {
-      rtcIntersect1(structures_->top, &context.embree, &query);
-      met += query.hit.geomID != RTC_INVALID_GEOMETRY_ID ? 1U : 0U;
-    } else {
-      rtcOccluded1(structures_->top, &context.embree, &query.ray);
-      met += query.ray.tfar < 0.0F ? 1U : 0U;
-    }
+  for (auto begin = log.begin(); begin != log.end();) {
+    const bool asks_first = begin->asks_first;
+    const auto end = std::find_if(begin, log.end(), [&](const LoggedRay& r) { return r.asks_first != asks_first; });
+    const std::span rays(begin, end);
+    in_packets(
+        rays.size(), [&](std::size_t i) { return rays[i].ray; }, [&](std::size_t i) { return rays[i].length_m; },
+        [&](Packet& packet, std::size_t lanes, const int* valid, std::size_t) {
+          if (asks_first)
+            rtcIntersect16(valid, structures_->top, &context.embree, &packet);
+          else
+            rtcOccluded16(valid, structures_->top, &context.embree, &packet.ray);
+          for (std::size_t lane = 0; lane < lanes; ++lane) {
+            met += asks_first ? packet.hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID : packet.ray.tfar[lane] < 0.0F;
+          }
+        });
+    begin = end;
   }
   return met;
 }

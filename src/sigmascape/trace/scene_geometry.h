@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <span>
 
 #include "sigmascape/scene/scene.h"
 #include "sigmascape/trace/crown_crossings.h"
@@ -45,6 +47,12 @@ class SceneGeometry {
   [[nodiscard]] bool intersect(Vec3f ray_origin, Vec3f direction, SurfaceHit& hit) const;
   [[nodiscard]] bool occluded(Vec3f ray_origin, Vec3f direction) const;
 
+  /// The same for many rays at once, which is faster, with the same answers to the bit; only where faces of several
+  /// objects coincide, another one of them may be met. `meets` and `is_occluded` get 1 for yes, 0 for no. Not for
+  /// scenes with crowns.
+  void intersect(std::span<const Ray> rays, std::span<SurfaceHit> hits, std::span<std::uint8_t> meets) const;
+  void occluded(std::span<const Ray> rays, std::span<std::uint8_t> is_occluded) const;
+
   [[nodiscard]] bool has_crowns() const;
   /// The same two, adding to `crowns` those that the ray crosses, be it behind the surface.
   [[nodiscard]] bool intersect(Vec3f ray_origin, Vec3f direction, SurfaceHit& hit, CrownCrossings& crowns) const;
@@ -52,7 +60,8 @@ class SceneGeometry {
 
   /// Notes every ray from now on, until it is given null. Not for several threads at once.
   void log_to(RayLog* log);
-  /// Traces such rays and nothing else. Returns how many met something, so that the work cannot be left out.
+  /// Traces such rays and nothing else, in packets where neighbours ask alike. Returns how many met something, so that
+  /// the work cannot be left out.
   [[nodiscard]] std::size_t replay(const RayLog& log) const;
 
   /// Bytes that the acceleration structures take.
@@ -60,8 +69,8 @@ class SceneGeometry {
 
  private:
   struct Structures;
-  [[nodiscard]] bool intersect(Vec3f ray_origin, Vec3f direction, SurfaceHit& hit, CrownCrossings* crowns) const;
-  [[nodiscard]] bool occluded(Vec3f ray_origin, Vec3f direction, CrownCrossings* crowns) const;
+  [[nodiscard]] bool intersect(const Ray& ray, SurfaceHit& hit, CrownCrossings* crowns) const;
+  [[nodiscard]] bool occluded(const Ray& ray, CrownCrossings* crowns) const;
   std::unique_ptr<Structures> structures_;
 };
 

@@ -4,10 +4,11 @@
 #include <span>
 #include <vector>
 
-#include "sigmascape/base/sobol.h"
-#include "sigmascape/radar/echo.h"
+#include "sigmascape/base/sobol_lanes.h"
+#include "sigmascape/scatter/lanes.h"
 #include "sigmascape/scatter/surface_model.h"
 #include "sigmascape/trace/bookkeeper.h"
+#include "sigmascape/trace/echoes_by_start.h"
 #include "sigmascape/trace/launch.h"
 #include "sigmascape/trace/path.h"
 #include "sigmascape/trace/path_tracer.h"
@@ -15,18 +16,9 @@
 
 namespace sigmascape::trace {
 
-/// What the paths of a tile bring back at one frequency.
-struct EchoList {
-  std::vector<radar::Echo> echoes;
-  std::vector<radar::ComplexChannels> amplitudes_m;  ///< one an echo where they are asked for, else none
-
-  void clear() {
-    echoes.clear();
-    amplitudes_m.clear();
-  }
-};
-
-/// Follows the paths of a tile, one by one, on one thread.
+/// Follows the paths of a tile on one thread, many at a time: all go from vertex to vertex together, so that rays are
+/// traced in packets and surfaces answer sixteen waves at once. What a path brings back does not depend on its company.
+/// docs/decisions/0060-paths-in-waves.md.
 class TileTracer final : public TilePaths {
  public:
   /// Everything is held by reference and has to outlive the tracer.
@@ -34,41 +26,93 @@ class TileTracer final : public TilePaths {
              const PathOptions& options, const LaunchArea& area, std::span<const LaunchCell> cells, std::uint64_t seed);
 
   [[nodiscard]] std::span<const LaunchCell> cells() const override { return cells_; }
-  void follow(const LaunchCell& cell, std::uint32_t sequence, std::uint32_t sample) override;
-  [[nodiscard]] std::span<const radar::Echo> echoes(std::size_t frequency) const override {
-    return echoes_[frequency].echoes;
+  void follow(std::span<const PathStart> starts) override;
+  [[nodiscard]] std::span<const radar::Echo> echoes(std::size_t frequency, std::size_t start) const override {
+    return echoes_[frequency].echoes(start);
   }
-  [[nodiscard]] std::span<const radar::ComplexChannels> amplitudes_m(std::size_t frequency) const override {
-    return echoes_[frequency].amplitudes_m;
+  [[nodiscard]] std::span<const radar::ComplexChannels> amplitudes_m(std::size_t frequency,
+                                                                     std::size_t start) const override {
+    return echoes_[frequency].amplitudes_m(start);
   }
   [[nodiscard]] const TraceCounts& counts() const { return counts_; }
 
  private:
-  /// Follows the path that is aimed at `aim` and stands for `area_m2` of the launch plane.
-  void trace_path(Vec2d aim, double area_m2, const SobolPoint& point);
-  void go_on_from_launch(Vec3d aim_point, double area_m2, const SobolPoint& point);
-  /// Two numbers in [0, 1) that belong together: where in the cell, or the direction after a bounce.
-  [[nodiscard]] Vec2f drawn_pair(const SobolPoint& point, std::uint32_t bounce) const;
-  void launch_towards(Vec3d aim_point, const SobolPoint& point);
-  /// Finds the next vertex: a surface, or a place in a crown before it.
-  [[nodiscard]] bool find_vertex(SurfaceHit& hit, int bounce, const SobolPoint& point);
-  void begin_at(Vec3d position, const SurfaceHit& hit);
-  /// What crowns let pass from the vertex to the radar, 0 when a surface stands in the way.
-  [[nodiscard]] float transmittance(const SurfaceHit& hit, Vec3f to_radar);
-  void add_direct_echoes(const SurfaceHit& hit, Vec3d position, Vec3d aim_point, double area_m2,
-                         const SobolPoint& point);
-  /// What a surface returns at once: its mean powers, or, of coherent tracing, the powers of a draw and its amplitudes.
-  [[nodiscard]] radar::Channels direct_powers(std::size_t frequency, const SurfaceHit& hit, double weight,
-                                              const SobolPoint& point);
-  void add_connected_echoes(const SurfaceHit& hit, Vec3d position, Vec3d aim_point, double area_m2, int bounce,
-                            const SobolPoint& point);
-  [[nodiscard]] float reciprocal_share(const SurfaceHit& hit, Vec3d position, Vec3f to_radar, float last_density) const;
-  [[nodiscard]] bool carry_on(const SurfaceHit& hit, int bounce, const SobolPoint& point);
-  [[nodiscard]] bool survives_roulette(float u);
+  /// Up to sixteen paths that have come to faces of one material and whose directions the same frequency draws.
+  struct Company {
+    std::span<const std::uint32_t> paths;
+    std::size_t hero = 0;
+    scene::MaterialIndex material = 0;
+    scatter::ArrivalLanes at;
+    SobolLanes points;
+  };
+  /// A last vertex that may return an echo, as far as that can be told without asking whether it sees the radar.
+  struct Connection {
+    std::uint32_t path = 0;
+    Vec3f to_radar;
+    float density = 1.0F;       // of the path, whichever frequency were its hero
+    float chance = 1.0F;        // with which it is made, but for the reciprocal share
+    float reverse_odds = 0.0F;  // density of the reversed path over that of the path, but for that of the last vertex
+    bool reverse_is_launched = false;
+  };
+
+  // tile_tracer.cpp: the way of the paths
+  void follow_together(std::span<const PathStart> starts, std::size_t first);
+  void launch(std::span<const PathStart> starts, std::size_t first);
+  void launch_towards(Path& path, Vec2f within_cell, const LaunchCell& cell);
+  /// Two numbers in [0, 1) a lane that belong together: where in the cell, or the direction after a bounce.
+  [[nodiscard]] PairLanes drawn_pairs(const SobolLanes& points, std::uint32_t bounce) const;
+  /// Finds the next vertex of each path, a surface or a place in a crown before it, and ends those that have none.
+  void find_vertices(int bounce);
+  void find_vertices_among_crowns(int bounce);
+  [[nodiscard]] bool find_vertex_among_crowns(Path& path, int bounce);
+  void arrive(Path& path, int bounce);
+  void keep_living();
+  void group_by_surface();
+  template <typename Body>
+  void for_each_company(const Body& body);
+
+  // direct_echoes.cpp
+  void add_direct_echoes();
+  void add_direct_echoes(const Company& company, std::size_t frequency);
+  void add_coherent_direct_echoes(const Company& company, std::size_t frequency);
+  /// What a direct echo's BRDF counts for, 4π w cos θ.
+  [[nodiscard]] double direct_weight_m2(const Path& path) const;
+  /// False when there is nothing to add.
+  bool add_direct_echo(const Path& path, std::size_t frequency, const radar::Channels& rcs_m2);
+
+  // connected_echoes.cpp
+  void add_connected_echoes(int bounce);
+  void consider_connections(const Company& company, int bounce);
+  void consider_connection(std::uint32_t path, std::size_t lane, Vec3f to_radar, float lot);
+  [[nodiscard]] float reverse_odds(const Path& path, std::size_t lane) const;
+  [[nodiscard]] float reciprocal_share(const Connection& connection, float last_density) const;
+  /// What crowns let pass from the vertices to the radar, 0 where a surface stands in the way.
+  void find_transmittances();
+  void add_connected_echo(const Connection& connection, std::size_t number, int bounce);
+
+  // next_directions.cpp
+  /// Draws the next directions and ends paths that have become dark.
+  void carry_on(int bounce);
+  void carry_on(const Company& company, int bounce);
+  [[nodiscard]] bool carry_on(Path& path, std::size_t lane, Vec3f direction, float lot, int bounce);
+  [[nodiscard]] bool survives_roulette(std::span<Wave> waves, float u);
+
+  [[nodiscard]] std::span<Wave> waves_of(const Path& path) {
+    return std::span(waves_).subspan(static_cast<std::size_t>(&path - paths_.data()) * frequencies_, frequencies_);
+  }
+  [[nodiscard]] std::span<const Wave> waves_of(const Path& path) const {
+    return std::span(waves_).subspan(static_cast<std::size_t>(&path - paths_.data()) * frequencies_, frequencies_);
+  }
+  [[nodiscard]] Vec3d position_of(const Path& path) const {
+    return path.hit.position.to<double>() + geometry_.origin();
+  }
+  /// What the company's paths carry at one frequency, by lane.
+  void gather_fields(const Company& company, std::size_t frequency);
+  /// Numbers for the phases of unresolved roughness, by lane, where the surface makes use of them.
+  [[nodiscard]] PairLanes phase_draws(const Company& company, std::uint32_t first_dimension) const;
   /// The phase that the unresolved roughness of vertex number `bounce` gives to all fields alike.
-  [[nodiscard]] scatter::Amplitude roughness_phasor(const scatter::SurfaceModel& surface, int bounce,
-                                                    const SobolPoint& point) const;
-  void append(std::size_t frequency, const radar::Echo& echo);
+  [[nodiscard]] scatter::Amplitude roughness_phasor(const Path& path, std::size_t frequency, int bounce) const;
+  void append(const Path& path, std::size_t frequency, const radar::Echo& echo);
 
   const SceneGeometry& geometry_;
   const SpectralSurfaces& surfaces_;
@@ -78,12 +122,61 @@ class TileTracer final : public TilePaths {
   const LaunchArea& area_;
   std::span<const LaunchCell> cells_;
   std::uint64_t seed_;
-  std::vector<EchoList> echoes_;  // of the path at hand, [frequency]
   TraceCounts counts_;
   Bookkeeper books_;
+  std::vector<EchoesByStart> echoes_;  // [frequency]
   CrownCrossings crowns_;
-  Path path_;
-  std::vector<scatter::FieldPair> out_;  // towards the radar, one a frequency
+
+  std::vector<Path> paths_;  // that go together
+  std::vector<Wave> waves_;  // [path, frequency]
+  std::vector<std::uint32_t> living_;
+  std::vector<std::vector<std::uint32_t>> groups_;  // [hero, material]
+  // Scratch space.
+  std::vector<Ray> rays_;
+  std::vector<SurfaceHit> hits_;
+  std::vector<std::uint8_t> answers_;
+  std::vector<Connection> connections_;
+  std::vector<scatter::FieldPair> connected_fields_;  // [connection, frequency]
+  std::vector<float> transmittances_;                 // [connection]
+  scatter::FieldPairLanes fields_;
+  std::vector<scatter::PassageLanes> passages_;  // [frequency]
 };
+
+/// Which numbers of a path's sample serve what; one block of dimensions a vertex.
+enum Dimension : std::uint32_t {
+  RouletteChoice,
+  PhaseA,
+  PhaseB,
+  ConnectPhaseA,
+  ConnectPhaseB,
+  ConnectRoulette,
+  PairX,  // of the plain sampler
+  PairY,
+  DimensionsPerVertex
+};
+
+template <typename Body>
+void TileTracer::for_each_company(const Body& body) {
+  const std::size_t materials = surfaces_.front().size();
+  for (std::size_t group = 0; group < groups_.size(); ++group) {
+    const std::span<const std::uint32_t> paths(groups_[group]);
+    for (std::size_t first = 0; first < paths.size(); first += lane_count) {
+      Company company{.paths = paths.subspan(first, std::min(lane_count, paths.size() - first)),
+                      .hero = group / materials,
+                      .material = static_cast<scene::MaterialIndex>(group % materials),
+                      .at = {},
+                      .points = {}};
+      company.at.count = company.paths.size();
+      for (std::size_t lane = 0; lane < lane_count; ++lane) {
+        const Path& path = paths_[company.paths[std::min(lane, company.paths.size() - 1)]];
+        company.points.set(lane, path.point);
+        company.at.to_source.set(lane, -path.ray.direction);
+        company.at.normal.set(lane, path.hit.normal);
+        company.at.inverse_area_per_m2[lane] = path.hit.inverse_facet_area_per_m2;
+      }
+      body(company);
+    }
+  }
+}
 
 }  // namespace sigmascape::trace

@@ -228,5 +228,55 @@ TEST(SceneGeometry, ReplaysTheRaysThatItWasAsked) {
   EXPECT_EQ(geometry.replay(log), meet_box);
 }
 
+/// Rays that start within the scene and fly every way.
+std::vector<Ray> rays_through_a_town(std::size_t count) {
+  std::vector<Ray> rays;
+  for (std::uint64_t i = 0; i < count; ++i) {
+    const auto drawn = [i](int n, float low, float high) { return low + (high - low) * unit_float(hashed(i, n)); };
+    rays.push_back({{drawn(1, -90.0F, 90.0F), drawn(2, -90.0F, 90.0F), drawn(3, 0.1F, 30.0F)},
+                    normalized(Vec3f{drawn(4, -1.0F, 1.0F), drawn(5, -1.0F, 1.0F), drawn(6, -1.0F, 0.3F)})});
+  }
+  return rays;
+}
+
+// What a path brings back must not depend on which others share its packets. No two boxes are equally high, for where
+// faces coincide either may be met.
+TEST(SceneGeometry, ManyRaysAtOnceHaveTheAnswersOfSingleOnes) {
+  scene::Scene scene = plain_scene();
+  scene.prototypes.push_back(scene::box_mesh({7, 9, 12}, 0));
+  for (std::uint64_t i = 0; i < 60; ++i) {
+    scene.instances.push_back({.prototype = 0,
+                               .x_m = -80.0F + 160.0F * unit_float(hashed(i, 1)),
+                               .y_m = -80.0F + 160.0F * unit_float(hashed(i, 2)),
+                               .lift_m = 0.02F * static_cast<float>(i),
+                               .yaw_rad = 6.0F * unit_float(hashed(i, 3)),
+                               .scale = {0.5F + unit_float(hashed(i, 4)), 1.0F, 0.8F}});
+  }
+  for (const Footing footing : {Footing::LevelPlane, Footing::Terrain}) {
+    const SceneGeometry geometry(scene, footing);
+    const FlushDenormals flush;
+    // No multiple of a packet.
+    const std::vector<Ray> rays = rays_through_a_town(20'011);
+    std::vector<SurfaceHit> hits(rays.size());
+    std::vector<std::uint8_t> meets(rays.size()), is_occluded(rays.size());
+    geometry.intersect(rays, hits, meets);
+    geometry.occluded(rays, is_occluded);
+    std::size_t on_boxes = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      SurfaceHit hit;
+      ASSERT_EQ(geometry.intersect(rays[i].origin, rays[i].direction, hit), meets[i] != 0);
+      ASSERT_EQ(geometry.occluded(rays[i].origin, rays[i].direction), is_occluded[i] != 0);
+      if (meets[i] == 0) continue;
+      ASSERT_EQ(hit.position, hits[i].position);
+      ASSERT_EQ(hit.normal, hits[i].normal);
+      ASSERT_EQ(hit.inverse_facet_area_per_m2, hits[i].inverse_facet_area_per_m2);
+      ASSERT_EQ(hit.material, hits[i].material);
+      ASSERT_EQ(hit.is_ground, hits[i].is_ground);
+      on_boxes += hit.is_ground ? 0U : 1U;
+    }
+    EXPECT_GT(on_boxes, 2000U);
+  }
+}
+
 }  // namespace
 }  // namespace sigmascape::trace

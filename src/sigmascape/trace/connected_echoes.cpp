@@ -1,0 +1,140 @@
+#include <algorithm>
+#include <cmath>
+
+#include "sigmascape/base/units.h"
+#include "sigmascape/trace/scattering_matrix.h"
+#include "sigmascape/trace/tile_tracer.h"
+#include "sigmascape/trace/vertex.h"
+
+namespace sigmascape::trace {
+namespace {
+
+/// Connections to the radar that return less than this, |S|² a steradian, are made only now and then and count for
+/// more: most directions off a glossy surface return next to nothing, and it is not worth a ray to learn whether the
+/// radar is in sight. A ground of γ = −25 dB returns 0.00025.
+constexpr float faint_connection = 2.5e-4F;
+
+/// Shares of a path and its reversal are two at most.
+constexpr float greatest_share = 2.0F;
+
+}  // namespace
+
+void TileTracer::add_connected_echoes(int bounce) {
+  connections_.clear();
+  connected_fields_.clear();
+  for_each_company([&](const Company& company) { consider_connections(company, bounce); });
+  find_transmittances();
+  for (std::size_t i = 0; i < connections_.size(); ++i) {
+    if (transmittances_[i] > 0.0F) add_connected_echo(connections_[i], i, bounce);
+  }
+}
+
+void TileTracer::consider_connections(const Company& company, int bounce) {
+  VectorLanes to_radar;
+  for (std::size_t lane = 0; lane < lane_count; ++lane) {
+    const Path& path = paths_[company.paths[std::min(lane, company.paths.size() - 1)]];
+    to_radar.set(lane, viewpoint_.direction_from(position_of(path)).to<float>());
+  }
+  const auto first_dimension = static_cast<std::uint32_t>(bounce) * DimensionsPerVertex;
+  const PairLanes draws = phase_draws(company, first_dimension + ConnectPhaseA);
+  for (std::size_t f = 0; f < frequencies_; ++f) {
+    gather_fields(company, f);
+    surfaces_[f][company.material].pass_on(fields_, company.at, to_radar, draws, passages_[f]);
+  }
+  FloatLanes lots;
+  draw_independent(company.points, first_dimension + ConnectRoulette, lots);
+  for (std::size_t lane = 0; lane < company.paths.size(); ++lane)
+    consider_connection(company.paths[lane], lane, to_radar[lane], lots[lane]);
+}
+
+void TileTracer::consider_connection(std::uint32_t number, std::size_t lane, Vec3f to_radar, float lot) {
+  const Path& path = paths_[number];
+  const float cosine = cosine_at(path.hit, to_radar);
+  if (cosine <= 0.0F) return;
+  float power = 0.0F;
+  for (std::size_t f = 0; f < frequencies_; ++f) power = std::max(power, passages_[f].fields[lane].mean_power());
+  if (power <= 0.0F) return;
+
+  Connection connection{.path = number, .to_radar = to_radar, .density = mean_forward(waves_of(path))};
+  const auto chance_of = [&](float share) {
+    return options_.roulette ? power * cosine * share / faint_connection / connection.density : 1.0F;
+  };
+  // Most connections are so faint that it does not matter how much their share is.
+  if (chance_of(greatest_share) <= lot) return;
+  connection.reverse_odds = reverse_odds(path, lane);
+  connection.reverse_is_launched = area_.covers(viewpoint_.shadow_on_plane(position_of(path), area_.plane_height_m));
+  // Crowns on the way to the radar have a part in the share, which then has to wait for the ray.
+  connection.chance = chance_of(geometry_.has_crowns() ? 1.0F : reciprocal_share(connection, cosine));
+  if (connection.chance <= lot) return;
+  connections_.push_back(connection);
+  for (std::size_t f = 0; f < frequencies_; ++f) connected_fields_.push_back(passages_[f].fields[lane]);
+}
+
+float TileTracer::reverse_odds(const Path& path, std::size_t lane) const {
+  const std::span<const Wave> waves = waves_of(path);
+  float back = 0.0F, forth = 0.0F;
+  for (std::size_t f = 0; f < frequencies_; ++f) {
+    back += waves[f].reverse * passages_[f].reverse_pdf[lane];
+    forth += waves[f].forward;
+  }
+  return back / path.first_density / forth;
+}
+
+/// 2/(1 + q): the part of the path and its reversal together that falls to this one of the two.
+float TileTracer::reciprocal_share(const Connection& connection, float last_density) const {
+  if (options_.estimator == Estimator::OneWay) return 1.0F;
+  if (!connection.reverse_is_launched) return greatest_share;
+  return 2.0F / (1.0F + connection.reverse_odds * last_density);
+}
+
+void TileTracer::find_transmittances() {
+  counts_.rays += connections_.size();
+  transmittances_.clear();
+  rays_.clear();
+  for (const Connection& connection : connections_)
+    rays_.push_back({start_from(paths_[connection.path].hit), connection.to_radar});
+  if (geometry_.has_crowns()) {
+    for (const auto& [origin, direction] : rays_) {
+      crowns_.begin(surfaces_.front());
+      const bool is_occluded = geometry_.occluded(origin, direction, crowns_);
+      transmittances_.push_back(is_occluded ? 0.0F : std::exp(-crowns_.optical_depth()));
+    }
+    return;
+  }
+  answers_.resize(rays_.size());
+  geometry_.occluded(rays_, answers_);
+  for (const std::uint8_t is_occluded : answers_) transmittances_.push_back(is_occluded != 0 ? 0.0F : 1.0F);
+}
+
+void TileTracer::add_connected_echo(const Connection& connection, std::size_t number, int bounce) {
+  const Path& path = paths_[connection.path];
+  const Vec3f to_radar = connection.to_radar;
+  const float passed = transmittances_[number];
+  const float share = passed * reciprocal_share(connection, passed * density_at(path.hit, to_radar));
+  const float strength = cosine_at(path.hit, to_radar) * share / std::min(connection.chance, 1.0F) / connection.density;
+
+  const Vec3d first = path.first_position, last = position_of(path);
+  const double last_range_m = viewpoint_.range_of(last);
+  const double range_m = 0.5 * (path.first_range_m + last_range_m + path.travelled_m);
+  const double weight = 4.0 * pi *
+                        viewpoint_.ray_weight_m2(path.aim, area_.cell_m * area_.cell_m, range_m, last_range_m) *
+                        static_cast<double>(strength);
+  const double cross = viewpoint_.middle_cross(viewpoint_.cross_of(first), viewpoint_.cross_of(last));
+  const auto sin_depression = static_cast<float>(viewpoint_.sin_depression_of(first, last));
+  const scatter::PolarizationBasis receive(-to_radar);
+  for (std::size_t f = 0; f < frequencies_; ++f) {
+    const ScatteringMatrix matrix = paired(connected_fields_[number * frequencies_ + f], receive);
+    append(path, f,
+           {.range_m = range_m,
+            .cross = cross,
+            .rcs_m2 = matrix.powers() * 0.5F * static_cast<float>(weight),
+            .bounces = static_cast<std::uint8_t>(bounce),
+            .sin_depression = sin_depression});
+    if (!options_.coherent) continue;
+    const scatter::Amplitude phasor = roughness_phasor(path, f, bounce);
+    const ScatteringMatrix turned{matrix.vv * phasor, matrix.hh * phasor, matrix.hv * phasor};
+    echoes_[f].add_amplitude(turned.amplitudes() * static_cast<float>(std::sqrt(0.5 * weight)));
+  }
+}
+
+}  // namespace sigmascape::trace

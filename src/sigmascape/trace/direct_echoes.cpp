@@ -1,0 +1,71 @@
+#include <cmath>
+
+#include "sigmascape/base/units.h"
+#include "sigmascape/trace/scattering_matrix.h"
+#include "sigmascape/trace/tile_tracer.h"
+#include "sigmascape/trace/vertex.h"
+
+namespace sigmascape::trace {
+
+using radar::Channels;
+using scatter::PolarizationBasis;
+
+void TileTracer::add_direct_echoes() {
+  for_each_company([&](const Company& company) {
+    for (std::size_t f = 0; f < frequencies_; ++f) {
+      if (options_.coherent)
+        add_coherent_direct_echoes(company, f);
+      else
+        add_direct_echoes(company, f);
+    }
+  });
+}
+
+void TileTracer::add_direct_echoes(const Company& company, std::size_t frequency) {
+  scatter::ChannelLanes brdf;
+  surfaces_[frequency][company.material].backscatter(company.at, brdf);
+  for (std::size_t lane = 0; lane < company.paths.size(); ++lane) {
+    const Path& path = paths_[company.paths[lane]];
+    add_direct_echo(path, frequency, brdf[lane] * static_cast<float>(direct_weight_m2(path)));
+  }
+}
+
+/// Instead of mean powers those of a draw, with its amplitudes.
+void TileTracer::add_coherent_direct_echoes(const Company& company, std::size_t frequency) {
+  const auto& surface = surfaces_[frequency][company.material];
+  const PairLanes draws = phase_draws(company, DimensionsPerVertex + ConnectPhaseA);
+  for (std::size_t lane = 0; lane < company.paths.size(); ++lane) {
+    const Path& path = paths_[company.paths[lane]];
+    const Vec3f to_radar = -path.ray.direction;
+    const auto out = surface
+                         .scatter(waves_of(path)[frequency].fields, to_radar, to_radar, face_of(path.hit),
+                                  {draws.x[lane], draws.y[lane]})
+                         .turned(roughness_phasor(path, frequency, 1));
+    // A direct path is its own reversal: its matrix is symmetric, and the mean of both is itself.
+    const float half_root = 0.5F * static_cast<float>(std::sqrt(direct_weight_m2(path)));
+    const ScatteringMatrix matrix = paired(out * half_root, PolarizationBasis(path.ray.direction));
+    if (add_direct_echo(path, frequency, matrix.powers())) echoes_[frequency].add_amplitude(matrix.amplitudes());
+  }
+}
+
+double TileTracer::direct_weight_m2(const Path& path) const {
+  const float returned = cosine_at(path.hit, -path.ray.direction) * path.direct_return;
+  return 4.0 * pi *
+         viewpoint_.ray_weight_m2(path.aim, area_.cell_m * area_.cell_m, path.first_range_m, path.first_range_m) *
+         static_cast<double>(returned);
+}
+
+bool TileTracer::add_direct_echo(const Path& path, std::size_t frequency, const Channels& rcs_m2) {
+  if (rcs_m2 == Channels{}) return false;
+  const Vec3d position = path.first_position;
+  append(path, frequency,
+         {.range_m = path.first_range_m,
+          .cross = viewpoint_.cross_of(position),
+          .rcs_m2 = rcs_m2,
+          .bounces = 1,
+          .sin_depression = static_cast<float>(viewpoint_.sin_depression_of(position, position)),
+          .from_ground = path.hit.is_ground});
+  return true;
+}
+
+}  // namespace sigmascape::trace

@@ -1,0 +1,243 @@
+#include "sigmascape/trace/scene_structures.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sigmascape/base/error.h"
+#include "sigmascape/scene/facet_area.h"
+
+namespace sigmascape::trace {
+namespace {
+
+/// How far the ground goes on beyond the edge of the terrain, level outwards.
+constexpr double rim_m = 300.0;
+constexpr std::size_t most_grid_nodes = 32767;  // along a side of Embree's grids
+
+std::vector<float> inverse_facet_areas(const scene::Mesh& mesh) {
+  std::vector<float> inverse = scene::facet_areas_m2(mesh);
+  for (float& area : inverse) area = area > 0.0F ? 1.0F / area : 0.0F;
+  return inverse;
+}
+
+/// Crowns are never hit: a ray that crosses one is told so and goes on. Embree gives it in the prototype's frame, where
+/// distances along the ray are what they are outside.
+void cross_crown(const scene::Crown& crown, const RTCRay& ray, RTCIntersectContext* context) {
+  CrownCrossings* crowns = reinterpret_cast<RayContext*>(context)->crowns;
+  if (crowns == nullptr) return;
+  const Vec3f r = crown.shape.radii_m, c = crown.shape.centre;
+  const Vec3d o = Vec3f{(ray.org_x - c.x) / r.x, (ray.org_y - c.y) / r.y, (ray.org_z - c.z) / r.z}.to<double>();
+  const Vec3d d = Vec3f{ray.dir_x / r.x, ray.dir_y / r.y, ray.dir_z / r.z}.to<double>();
+  const double d2 = dot(d, d), nearest = -dot(o, d) / d2;
+  const Vec3d closest = o + d * nearest;
+  const double half2 = (1.0 - dot(closest, closest)) / d2;
+  if (half2 <= 0.0) return;
+  const double half = std::sqrt(half2);
+  if (nearest + half <= 0.0) return;
+  crowns->add({static_cast<float>(std::max(0.0, nearest - half)), static_cast<float>(nearest + half), crown.medium,
+               context->instID[0]});
+}
+
+const scene::Crown& crown_of(void* user_data) {
+  return *static_cast<const scene::Crown*>(user_data);
+}
+
+void bound_crown(const RTCBoundsFunctionArguments* arguments) {
+  const scene::Ellipsoid& shape = crown_of(arguments->geometryUserPtr).shape;
+  const Vec3f low = shape.centre - shape.radii_m, high = shape.centre + shape.radii_m;
+  *arguments->bounds_o = {low.x, low.y, low.z, 0.0F, high.x, high.y, high.z, 0.0F};
+}
+
+void add_to_sum(void* sum, ssize_t bytes) {
+  static_cast<std::atomic<std::int64_t>*>(sum)->fetch_add(bytes);
+}
+
+}  // namespace
+
+void SceneGeometry::Structures::build(const scene::Scene& scene, Footing on) {
+  footing = on;
+  crowns = scene.crowns;
+  ground = scene.ground;
+  meshes = scene.prototypes;
+  const Vec2d centre = scene.extent.centre();
+  origin = {centre.x, centre.y, 0.0};
+  open_device();
+  top = rtcNewScene(device);
+  if (footing == Footing::Terrain) {
+    lowest_m = scene.terrain.lowest_m();
+    highest_m = scene.terrain.highest_m();
+    rtcSetSceneFlags(top, RTC_SCENE_FLAG_ROBUST);
+    add_terrain(scene.terrain);
+  }
+  add_buildings(scene.buildings);
+  add_prototypes();
+  add_instances(scene);
+  rtcCommitScene(top);
+  check();
+}
+
+SceneGeometry::Structures::~Structures() {
+  for (RTCScene prototype : prototypes) rtcReleaseScene(prototype);
+  if (top != nullptr) rtcReleaseScene(top);
+  if (device != nullptr) rtcReleaseDevice(device);
+}
+
+void SceneGeometry::Structures::check() const {
+  const RTCError error = rtcGetDeviceError(device);
+  if (error == RTC_ERROR_OUT_OF_MEMORY)
+    throw Error("ray tracer", "ran out of memory", "use a smaller scene or a larger machine");
+  if (error != RTC_ERROR_NONE)
+    throw Error("ray tracer", "Embree error " + std::to_string(error), "report this with the scene file");
+}
+
+void SceneGeometry::Structures::open_device() {
+  // One build thread: the structures are small, and parallel builds are the only part of Embree that thread
+  // sanitizers misread.
+  device = rtcNewDevice("threads=1");
+  if (device == nullptr) throw Error("ray tracer", "Embree could not be started", "check the libembree3 installation");
+  rtcSetDeviceMemoryMonitorFunction(
+      device,
+      [](void* sum, ssize_t bytes, bool) {
+        add_to_sum(sum, bytes);
+        return true;
+      },
+      &memory);
+}
+
+RTCGeometry SceneGeometry::Structures::triangles(const scene::Mesh& mesh, const std::vector<Vec3f>& vertices) const {
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  void* vertex_buffer =
+      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vec3f), vertices.size());
+  void* index_buffer = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                               3 * sizeof(std::uint32_t), mesh.triangles.size());
+  check();
+  std::copy(vertices.begin(), vertices.end(), static_cast<Vec3f*>(vertex_buffer));
+  std::copy(mesh.triangles.begin(), mesh.triangles.end(), static_cast<std::array<std::uint32_t, 3>*>(index_buffer));
+  rtcCommitGeometry(geometry);
+  return geometry;
+}
+
+void SceneGeometry::Structures::attach(RTCGeometry geometry, const Part& part) {
+  rtcAttachGeometryByID(top, geometry, static_cast<unsigned>(parts.size()));
+  rtcReleaseGeometry(geometry);
+  parts.push_back(part);
+}
+
+void SceneGeometry::Structures::add_terrain(const terrain::HeightField& field) {
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_GRID);
+  // One ring of nodes more than the field has carries its edge outwards, so that walls there have ground before them.
+  const std::size_t columns = field.height_m.columns() + 2, rows = field.height_m.rows() + 2;
+  if (columns > most_grid_nodes || rows > most_grid_nodes) {
+    throw Error("terrain", "has " + std::to_string(std::max(columns, rows) - 2) + " heights along a side",
+                "use a larger spacing or a smaller extent, for at most " + std::to_string(most_grid_nodes - 2));
+  }
+  auto* vertices = static_cast<Vec3f*>(
+      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vec3f), columns * rows));
+  auto* grid = static_cast<RTCGrid*>(
+      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_GRID, 0, RTC_FORMAT_GRID, sizeof(RTCGrid), 1));
+  check();
+  // How far the ring at either end lies beyond the field, in metres eastward or southward.
+  const auto beyond = [](std::size_t index, std::size_t count) {
+    return index == 0 ? -rim_m : index + 1 == count ? rim_m : 0.0;
+  };
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (std::size_t column = 0; column < columns; ++column) {
+      const std::size_t from_column = std::clamp<std::size_t>(column, 1, columns - 2) - 1;
+      const std::size_t from_row = std::clamp<std::size_t>(row, 1, rows - 2) - 1;
+      const double x = field.west_m + static_cast<double>(from_column) * field.spacing_m + beyond(column, columns);
+      const double y = field.north_m - static_cast<double>(from_row) * field.spacing_m - beyond(row, rows);
+      vertices[row * columns + column] = {static_cast<float>(x - origin.x), static_cast<float>(y - origin.y),
+                                          field.height_m(from_column, from_row)};
+    }
+  }
+  *grid = {0, static_cast<unsigned>(columns), static_cast<unsigned short>(columns), static_cast<unsigned short>(rows)};
+  rtcCommitGeometry(geometry);
+  attach(geometry, {});
+}
+
+void SceneGeometry::Structures::add_buildings(const scene::Buildings& source) {
+  if (source.mesh.triangles.empty()) return;
+  buildings = source.mesh;
+  std::vector<Vec3f> vertices = source.mesh.vertices;
+  for (const scene::Building& building : source.items) {
+    const float base = footing == Footing::Terrain ? building.footing_m : 0.0F;
+    for (std::uint32_t i = 0; i < building.vertex_count; ++i) {
+      Vec3f& vertex = vertices[building.first_vertex + i];
+      vertex = {static_cast<float>(vertex.x - origin.x), static_cast<float>(vertex.y - origin.y), vertex.z + base};
+      highest_m = std::max(highest_m, static_cast<double>(vertex.z));
+      lowest_m = std::min(lowest_m, static_cast<double>(vertex.z));
+    }
+  }
+  building_facets = inverse_facet_areas(buildings);
+  attach(triangles(buildings, vertices),
+         {.materials = buildings.materials.data(), .inverse_facet_areas = building_facets.data()});
+}
+
+void SceneGeometry::Structures::add_prototypes() {
+  for (const scene::Mesh& mesh : meshes) {
+    RTCScene prototype = rtcNewScene(device);
+    rtcSetSceneBuildQuality(prototype, RTC_BUILD_QUALITY_MEDIUM);
+    RTCGeometry geometry = triangles(mesh, mesh.vertices);
+    rtcAttachGeometry(prototype, geometry);
+    rtcReleaseGeometry(geometry);
+    for (scene::Crown& crown : crowns) {
+      if (crown.prototype == prototypes.size()) attach_crown(prototype, crown);
+    }
+    rtcCommitScene(prototype);
+    prototypes.push_back(prototype);
+    mesh_facets.push_back(inverse_facet_areas(mesh));
+  }
+}
+
+void SceneGeometry::Structures::attach_crown(RTCScene prototype, scene::Crown& crown) {
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
+  rtcSetGeometryUserPrimitiveCount(geometry, 1);
+  rtcSetGeometryUserData(geometry, &crown);
+  rtcSetGeometryBoundsFunction(geometry, bound_crown, nullptr);
+  // Rays that can meet crowns come one by one, so that the packets that Embree speaks of hold one each.
+  rtcSetGeometryIntersectFunction(geometry, [](const RTCIntersectFunctionNArguments* a) {
+    if (a->valid[0] != 0)
+      cross_crown(crown_of(a->geometryUserPtr), reinterpret_cast<RTCRayHit*>(a->rayhit)->ray, a->context);
+  });
+  rtcSetGeometryOccludedFunction(geometry, [](const RTCOccludedFunctionNArguments* a) {
+    if (a->valid[0] != 0) cross_crown(crown_of(a->geometryUserPtr), *reinterpret_cast<RTCRay*>(a->ray), a->context);
+  });
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometry(prototype, geometry);
+  rtcReleaseGeometry(geometry);
+}
+
+void SceneGeometry::Structures::add_instances(const scene::Scene& scene) {
+  const std::vector<float> tops = scene::prototype_tops_m(scene);
+  for (const scene::Instance& instance : scene.instances) {
+    const float c = std::cos(instance.yaw_rad), s = std::sin(instance.yaw_rad);
+    const double base = footing == Footing::Terrain ? scene.terrain.height_at({instance.x_m, instance.y_m}) : 0.0;
+    const float z = static_cast<float>(base) + instance.lift_m;
+    const Vec3f k = instance.scale;
+    // Column by column: where the prototype's x, y and z axes go, then its origin. Yaw turns clockwise.
+    const std::array<float, 12> transform{k.x * c,
+                                          -k.x * s,
+                                          0.0F,
+                                          k.y * s,
+                                          k.y * c,
+                                          0.0F,
+                                          0.0F,
+                                          0.0F,
+                                          k.z,
+                                          static_cast<float>(instance.x_m - origin.x),
+                                          static_cast<float>(instance.y_m - origin.y),
+                                          z};
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
+    rtcSetGeometryInstancedScene(geometry, prototypes[instance.prototype]);
+    rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, transform.data());
+    rtcCommitGeometry(geometry);
+    attach(geometry, {.materials = meshes[instance.prototype].materials.data(),
+                      .inverse_facet_areas = mesh_facets[instance.prototype].data(),
+                      .cos_yaw = c,
+                      .sin_yaw = s,
+                      .inverse_scale = {1.0F / k.x, 1.0F / k.y, 1.0F / k.z},
+                      .inverse_volume_scale = 1.0F / (k.x * k.y * k.z)});
+    highest_m = std::max(highest_m, static_cast<double>(z + tops[instance.prototype] * k.z));
+  }
+}
+
+}  // namespace sigmascape::trace

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <atomic>
+#include <embree3/rtcore.h>
+#include <vector>
+
+#include "sigmascape/trace/scene_geometry.h"
+
+namespace sigmascape::trace {
+
+/// What Embree hands on to the crowns that a ray passes.
+struct RayContext {
+  RTCIntersectContext embree;  // first, since Embree knows no more of it
+  CrownCrossings* crowns;
+};
+
+/// What a top-level geometry of the Embree scene stands for, by its number.
+struct Part {
+  const scene::MaterialIndex* materials = nullptr;  ///< one a triangle; null: the terrain
+  const float* inverse_facet_areas = nullptr;       ///< one a triangle, before scaling
+  // Rotation and inverse scale that carry an instance's normals into the world.
+  float cos_yaw = 1.0F, sin_yaw = 0.0F;
+  Vec3f inverse_scale{1.0F, 1.0F, 1.0F};
+  float inverse_volume_scale = 1.0F;
+
+  [[nodiscard]] bool is_terrain() const { return materials == nullptr; }
+};
+
+/// What Embree found at the end of a ray.
+struct Found {
+  float distance_m;
+  Vec3f normal;  ///< of any length and side, in the prototype's frame
+  unsigned geometry, primitive, instance;
+
+  [[nodiscard]] bool nothing() const { return geometry == RTC_INVALID_GEOMETRY_ID; }
+  [[nodiscard]] unsigned part() const { return instance != RTC_INVALID_GEOMETRY_ID ? instance : geometry; }
+};
+
+/// Embree's scene and what its numbers mean.
+struct SceneGeometry::Structures {
+  Structures() = default;
+  ~Structures();
+  Structures(const Structures&) = delete;
+  Structures& operator=(const Structures&) = delete;
+
+  void build(const scene::Scene& scene, Footing on);
+
+  std::atomic<std::int64_t> memory{0};
+  RTCDevice device = nullptr;
+  RTCScene top = nullptr;
+  std::vector<RTCScene> prototypes;
+  std::vector<Part> parts;
+  std::vector<scene::Crown> crowns;
+  scene::MaterialMap ground;
+  std::vector<scene::Mesh> meshes;  // own copies, so that the geometry outlives the scene it came from
+  std::vector<std::vector<float>> mesh_facets;
+  scene::Mesh buildings;
+  std::vector<float> building_facets;
+  Vec3d origin;
+  Footing footing = Footing::LevelPlane;
+  double lowest_m = 0.0, highest_m = 0.0;
+  RayLog* log = nullptr;
+
+  [[nodiscard]] scene::MaterialIndex ground_material(Vec3f position) const {
+    return ground.at({position.x + origin.x, position.y + origin.y});
+  }
+  /// Where a ray meets the level plane; far away where it does not.
+  [[nodiscard]] float plane_distance_m(const Ray& ray) const;
+  [[nodiscard]] bool meet(const Ray& ray, const Found& found, SurfaceHit& hit) const;
+  void hit_plane(const Ray& ray, float distance_m, SurfaceHit& hit) const;
+
+ private:
+  void check() const;
+  void open_device();
+  [[nodiscard]] RTCGeometry triangles(const scene::Mesh& mesh, const std::vector<Vec3f>& vertices) const;
+  void attach(RTCGeometry geometry, const Part& part);
+  void add_terrain(const terrain::HeightField& field);
+  void add_buildings(const scene::Buildings& source);
+  void add_prototypes();
+  void attach_crown(RTCScene prototype, scene::Crown& crown);
+  void add_instances(const scene::Scene& scene);
+};
+
+}  // namespace sigmascape::trace

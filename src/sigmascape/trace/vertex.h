@@ -1,0 +1,32 @@
+#pragma once
+
+#include "sigmascape/scatter/facet.h"
+#include "sigmascape/trace/scene_geometry.h"
+
+namespace sigmascape::trace {
+
+/// What a vertex of a path is to waves, be it on a surface or within a crown.
+
+/// Surfaces are left by this much along the normal, so that a ray does not meet again what it starts from.
+inline constexpr float surface_offset_m = 2e-3F;
+
+/// The cosine between a direction and the normal; in a crown, which has none, one.
+[[nodiscard]] inline float cosine_at(const SurfaceHit& hit, Vec3f direction) {
+  return hit.is_in_crown() ? 1.0F : dot(direction, hit.normal);
+}
+
+/// How densely vertices lie along rays of that direction: cosine or extinction. docs/physics/vegetation.md, Eq. (6).
+[[nodiscard]] inline float density_at(const SurfaceHit& hit, Vec3f direction) {
+  return hit.is_in_crown() ? hit.extinction_per_m : dot(direction, hit.normal);
+}
+
+/// Where rays that leave a vertex start.
+[[nodiscard]] inline Vec3f start_from(const SurfaceHit& hit) {
+  return hit.is_in_crown() ? hit.position : hit.position + hit.normal * surface_offset_m;
+}
+
+[[nodiscard]] inline scatter::Facet face_of(const SurfaceHit& hit) {
+  return {hit.normal, hit.inverse_facet_area_per_m2};
+}
+
+}  // namespace sigmascape::trace
