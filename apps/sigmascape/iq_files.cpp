@@ -15,6 +15,12 @@ void add_iq_options(CLI::App& command, IqFiles& files) {
   command.add_option("--interval-s", files.interval_s, "time over which --iq records pulses")
       ->capture_default_str()
       ->check(CLI::PositiveNumber);
+  command
+      .add_option(
+          "--iq-unit", files.unit,
+          "of --iq: V, behind antenna, receiver and with thermal noise, or m, the root of cross-sections without")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"m", "V"}));
 }
 
 void write_iq_files(const IqFiles& files, const IqRequest& request, Provenance provenance) {
@@ -25,11 +31,13 @@ void write_iq_files(const IqFiles& files, const IqRequest& request, Provenance p
   const atlas::Atlas textures = atlas::load_atlas(atlas::Store::open(request.atlas));
   const simulate::CoherentScene scene{
       &request.scene.terrain,
-      render::reflectivity_of(textures, request.radar.frequency_hz, request.radar.range_resolution_m),
-      {}};
-  const auto history =
-      simulate::phase_history(scene, request.radar, request.area,
-                              {.interval_s = files.interval_s, .seed = request.seed, .threads = request.threads});
+      render::reflectivity_of(textures, request.radar.frequency_hz, request.radar.range_resolution_m), request.targets,
+      request.radar.wind_mps > 0.0 ? simulate::windblown_of(request.scene, request.area) : simulate::Windblown{}};
+  const auto history = simulate::phase_history(scene, request.radar, request.area,
+                                               {.interval_s = files.interval_s,
+                                                .seed = request.seed,
+                                                .calibrated = files.unit == "V",
+                                                .threads = request.threads});
   provenance["processing"] = "scatterers from terrain and atlas";
   provenance["crs"] = request.scene.frame.proj();
   provenance["seed"] = std::to_string(request.seed);

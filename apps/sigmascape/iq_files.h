@@ -3,10 +3,12 @@
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "map_files.h"
 
 #include "sigmascape/radar/radar.h"
+#include "sigmascape/radar/target.h"
 #include "sigmascape/scene/scene.h"
 
 namespace sigmascape::cli {
@@ -15,6 +17,7 @@ namespace sigmascape::cli {
 struct IqFiles {
   std::string file;
   double interval_s = 0.1;
+  std::string unit = "m";
 };
 
 void add_iq_options(CLI::App& command, IqFiles& files);
@@ -23,6 +26,7 @@ void add_iq_options(CLI::App& command, IqFiles& files);
 struct IqRequest {
   const std::string& atlas;
   const scene::Scene& scene;
+  const std::vector<radar::Target>& targets;
   const radar::Radar& radar;
   const radar::Rectangle& area;
   std::uint64_t seed = 1;

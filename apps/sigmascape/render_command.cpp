@@ -174,7 +174,9 @@ void render(const RenderOptions& options, radar::Polarization polarization, bool
   if (!rendered.coherent)
     write_received(options.received, radar, rendered.image, polarization_given ? polarization : radar.polarization,
                    options.trace.seed, options.trace.threads, rendered.provenance);
-  write_iq_files(options.iq, {options.atlas, scene, radar, grid.extent(), options.trace.seed, options.trace.threads},
+  write_iq_files(options.iq,
+                 {options.atlas, scene, all_targets(scene, options.targets), radar, grid.extent(), options.trace.seed,
+                  options.trace.threads},
                  rendered.provenance);
   auto map = rendered.coherent
                  ? described_map(std::move(*rendered.coherent), radar, scene.frame, rendered.provenance)

@@ -11,6 +11,7 @@
 #include "sigmascape/radar/target.h"
 #include "sigmascape/render/ground_scatterers.h"
 #include "sigmascape/simulate/target_sight.h"
+#include "sigmascape/simulate/windblown.h"
 #include "sigmascape/terrain/height_field.h"
 
 namespace sigmascape::simulate {
@@ -20,6 +21,7 @@ struct CoherentScene {
   const terrain::HeightField* terrain = nullptr;
   render::Reflectivity sigma0;  ///< `render::reflectivity_of` an atlas, or any field
   std::span<const radar::Target> targets = {};
+  Windblown windblown = {};  ///< where leaves move when the radar's file knows of wind; nowhere without
 };
 
 struct CoherentSettings {
@@ -46,11 +48,14 @@ struct CoherentSettings {
                                                 const radar::Rectangle& area, const CoherentSettings& settings);
 
 /// Doppler beam sharpening or spotlight SAR of the area as a focused image in slant range and Doppler, in metres.
+/// `radar.processing` says whether with the antenna's pattern and with noise. The beam of a spotlight, and that of a
+/// scan of one direction, points to the middle of the area; a scanning one is taken to pass over every place.
 [[nodiscard]] radar::RangeDopplerImage range_doppler_image(const CoherentScene& scene, const radar::Radar& radar,
                                                            const radar::Rectangle& area,
                                                            const CoherentSettings& settings);
 
-/// Stripmap SAR of the area, at the squint under which the radar sees its middle at time zero, in metres.
+/// Stripmap SAR of the area, at the squint under which the radar sees its middle at time zero, in metres. Ground beyond
+/// the area takes part where its azimuth ambiguities fall into it.
 [[nodiscard]] radar::StripmapImage stripmap_image(const CoherentScene& scene, const radar::Radar& radar,
                                                   const radar::Rectangle& area, const CoherentSettings& settings);
 
