@@ -1,5 +1,6 @@
 #include "iq_files.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "sigmascape/atlas/atlas.h"
@@ -23,6 +24,11 @@ void add_iq_options(CLI::App& command, IqFiles& files) {
       ->check(CLI::IsMember({"m", "V"}));
 }
 
+double texture_frequency_hz(const atlas::Atlas& textures, const radar::Radar& radar, bool extrapolate) {
+  const auto& baked_hz = textures.aspects().frequencies_hz;
+  return extrapolate ? std::clamp(radar.frequency_hz, baked_hz.front(), baked_hz.back()) : radar.frequency_hz;
+}
+
 void write_iq_files(const IqFiles& files, const IqRequest& request, Provenance provenance) {
   if (files.file.empty()) return;
   product::check_iq_name(files.file);
@@ -31,7 +37,9 @@ void write_iq_files(const IqFiles& files, const IqRequest& request, Provenance p
   const atlas::Atlas textures = atlas::load_atlas(atlas::Store::open(request.atlas));
   const simulate::CoherentScene scene{
       &request.scene.terrain,
-      render::reflectivity_of(textures, request.radar.frequency_hz, request.radar.range_resolution_m), request.targets,
+      render::reflectivity_of(textures, texture_frequency_hz(textures, request.radar, request.extrapolate),
+                              request.radar.range_resolution_m),
+      request.targets,
       request.radar.wind_mps > 0.0 ? simulate::windblown_of(request.scene, request.area) : simulate::Windblown{}};
   const auto history = simulate::phase_history(scene, request.radar, request.area,
                                                {.interval_s = files.interval_s,

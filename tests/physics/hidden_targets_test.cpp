@@ -53,9 +53,10 @@ class BothLevels {
     return simulate::traced_image(scene_, geometry_, real_beam(), area,
                                   {.cell_m = 2.0, .samples_per_cell = 16, .targets = targets}, counts);
   }
-  [[nodiscard]] radar::RangeAzimuthImage baked(std::span<const radar::Target> targets) const {
+  [[nodiscard]] radar::RangeAzimuthImage baked(std::span<const radar::Target> targets, int level = 1) const {
     render::RenderCounts counts;
-    return simulate::baked_image(atlas_, scene_.terrain, real_beam(), area, {.targets = targets}, counts);
+    return simulate::baked_image(atlas_, scene_.terrain, real_beam(), area,
+                                 {.level_of_detail = level, .targets = targets}, counts);
   }
   [[nodiscard]] const scene::Scene& scene() const { return scene_; }
   [[nodiscard]] const atlas::Atlas& atlas() const { return atlas_; }
@@ -99,6 +100,22 @@ TEST(HiddenTargets, behind_a_box_do_not_answer) {
     for (const auto& bin : image.amplitude_m.values())
       brightest = std::max(brightest, static_cast<double>(std::norm(bin.vv)));
     EXPECT_EQ(brightest > rcs_m2 / 4.0, seen);
+  }
+}
+
+/// From the path tracer to the coarsest texture that the atlas holds a target of 10 m² adds 10 m² to the bins.
+TEST(HiddenTargets, in_the_open_return_the_same_from_level_0_to_the_coarsest) {
+  const scene::Scene scene = ground_with_box(0.0, true);
+  const BothLevels levels(scene);
+  const std::vector<radar::Target> targets{target_at({20.0, 14.0, 1.0}, 10.0F)};
+  validation::expect_close({group, "10 m² beside a box, traced", 10.0,
+                            db_from_linear(total(levels.traced(targets)) - total(levels.traced({}))), 0.1, "dBm²",
+                            "what was put in"});
+  const int coarsest = static_cast<int>(levels.atlas().coarsest_level()) + 1;
+  for (const int level : {1, 3, coarsest}) {
+    validation::expect_close({group, "10 m² beside a box, level of detail " + std::to_string(level), 10.0,
+                              db_from_linear(total(levels.baked(targets, level)) - total(levels.baked({}, level))), 0.1,
+                              "dBm²", "what was put in"});
   }
 }
 

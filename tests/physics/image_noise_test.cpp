@@ -123,6 +123,34 @@ TEST(ImageNoise, of_a_strip_goes_with_the_third_power_of_range) {
                             0.3, "dBm²", "as above"});
 }
 
+/// With all that an image can have in it, the bytes are those of one thread for any number of them.
+TEST(ImageNoise, and_all_else_does_not_depend_on_threads) {
+  const auto terrain = level_ground(1000.0);
+  radar::Target mover;
+  mover.track = radar::Track::straight({10.0, 20.0, 2.0}, {3.0, 4.0, 0.0});
+  mover.rcs_m2 = radar::Channels{50.0F, 40.0F, 3.0F, 20.0F};
+  mover.size_m = {6.0, 3.0, 4.0};
+  const std::vector<radar::Target> targets{mover};
+  const simulate::CoherentScene scene{&terrain, even(0.1F), targets, [](Vec2d place) { return place.x > 0.0; }};
+  for (const radar::Mode mode : {radar::Mode::Spotlight, radar::Mode::Stripmap}) {
+    auto radar = looking_north(mode);
+    radar.wind_mps = 7.0;
+    radar.antenna.azimuth = radar::ApertureBeam{{.shape = radar::WindowShape::Rectangular}};
+    radar.waveform.pulse_repetition_hz = 400.0;
+    radar.processing.antenna_pattern = radar.processing.thermal_noise = true;
+    const radar::Rectangle area{-100.0, -100.0, 100.0, 100.0};
+    const auto image_by = [&](unsigned threads) {
+      const simulate::CoherentSettings settings{
+          .interval_s = 0.2, .along_resolution_m = 3.0, .seed = 11, .threads = threads};
+      return mode == radar::Mode::Stripmap ? simulate::stripmap_image(scene, radar, area, settings).amplitude_m
+                                           : simulate::range_doppler_image(scene, radar, area, settings).amplitude_m;
+    };
+    const auto one = image_by(1), many = image_by(5);
+    ASSERT_EQ(one.size(), many.size());
+    for (std::size_t i = 0; i < one.size(); ++i) ASSERT_EQ(one.values()[i], many.values()[i]) << i;
+  }
+}
+
 /// Half a beam off the axis a point has lost 3 dB out and 3 dB back. Where the antenna scans it has not, and elevation
 /// counts in all modes.
 TEST(ImagePattern, darkens_what_the_beam_looks_past) {

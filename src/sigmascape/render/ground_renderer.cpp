@@ -78,7 +78,8 @@ Reach distances_to(const radar::Radar& radar, const radar::Rectangle& ground) {
 radar::RangeAzimuthImage GroundRenderer::render(const radar::Radar& radar, const radar::Rectangle& area,
                                                 const radar::RangeAzimuthGrid& grid, const RenderSettings& settings,
                                                 RenderCounts& counts) const {
-  atlas_->check_frequency(radar.frequency_hz);
+  const double frequency_hz = settings.texture_frequency_hz.value_or(radar.frequency_hz);
+  atlas_->check_frequency(frequency_hz);
   const Reach reach = distances_to(radar, terrain_->extent());
   const double step_m = grid.range_step_m / samples_per_range_bin;
   const double cell_m = std::min(radar.range_resolution_m, radar.beam_width_rad * reach.near_m);
@@ -86,7 +87,7 @@ radar::RangeAzimuthImage GroundRenderer::render(const radar::Radar& radar, const
   const double level = std::max(settings.level_of_detail - 1.0, atlas_->level_for(cell_m / 2.0));
 
   receiver::RangeAzimuthReceiver receiver(radar, grid);
-  const ReflectingGround ground(*atlas_, *terrain_, radar.position, radar.frequency_hz, level, settings.slope);
+  const ReflectingGround ground(*atlas_, *terrain_, radar.position, frequency_hz, level, settings.slope);
   const radar::TargetShadows shadows(settings.targets, 0.0, radar.position);
   const AzimuthStrip strip(ground, shadows, radar.position, area);
   const unsigned workers = thread_count(settings.threads);

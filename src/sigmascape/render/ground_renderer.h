@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 
 #include "sigmascape/atlas/atlas.h"
@@ -18,6 +19,8 @@ struct RenderSettings {
   int level_of_detail = 1;
   SlopeModel slope = SlopeModel::Upright;  ///< of the textures; ground that is kept apart is Tilted always
   unsigned threads = 0;
+  /// At which the textures are looked up; that of the radar when it is not said.
+  std::optional<double> texture_frequency_hz = {};
   /// Targets whose boxes hide what stands behind them, at time zero. Their echoes are added by others.
   std::span<const radar::Target> targets = {};
 };
