@@ -34,6 +34,9 @@ Provenance provenance_of(const CoherentRequest& request, const radar::CoherentPl
           {"looks", std::to_string(plan.looks)},
           {"along_resolution_m", fmt::format("{:.4g}", plan.along_resolution_m)},
           {"squint_deg", fmt::format("{:.4g}", deg_from_radians(plan.squint_rad))},
+          {"antenna_pattern", request.radar.processing.antenna_pattern ? "left in" : "none"},
+          {"thermal_noise", request.radar.processing.thermal_noise ? "in it" : "none"},
+          {"wind_mps", fmt::format("{:g}", request.radar.wind_mps)},
           {"targets", std::to_string(request.targets.size())},
           {"seed", std::to_string(request.seed)}};
 }
@@ -73,13 +76,14 @@ CoherentMap coherent_map(const CoherentRequest& request) {
   for (const std::string& warning : radar::plan_warnings(radar, plan, request.grid.extent(), aim.z))
     fmt::print(stderr, "warning: radar {}: {}\n", radar.name, warning);
 
-  request.atlas.check_frequency(radar.frequency_hz);
+  request.atlas.check_frequency(request.texture_frequency_hz);
   const auto looks = static_cast<std::size_t>(plan.looks);
   const double of_all_looks_m = plan.along_resolution_m / plan.looks;
   const double finest_m = std::min(radar.range_resolution_m, of_all_looks_m);
   const double level = std::max(request.level_of_detail - 1.0, request.atlas.level_for(finest_m / 2.0));
-  const simulate::CoherentScene seen{&terrain, render::AtlasReflectivity{&request.atlas, radar.frequency_hz, level},
-                                     request.targets};
+  const simulate::CoherentScene seen{
+      &terrain, render::AtlasReflectivity{&request.atlas, request.texture_frequency_hz, level}, request.targets,
+      radar.wind_mps > 0.0 ? simulate::windblown_of(request.scene, request.grid.extent()) : simulate::Windblown{}};
   const simulate::CoherentSettings settings{.interval_s = plan.interval_s,
                                             .along_resolution_m = of_all_looks_m,
                                             .scatterer_spacing_m = finest_m / 2.0,
