@@ -79,7 +79,7 @@ dataset::DatasetSpec made_spec(const Scratch& scratch, std::size_t count) {
   settings.aspects.azimuths_rad = {0.0, 0.5 * pi, pi, 1.5 * pi};
   settings.aspects.elevations_rad = {radians_from_deg(8.0), radians_from_deg(21.0)};
   settings.patches = {.texel_m = 1.0, .texels_per_side = 512};
-  settings.sampling.samples_per_texel = 1;
+  settings.sampling.samples_per_texel = 2;
   SilentProgress silent;
   bake::bake(scene::read_scene(scratch.path("scene.toml")), settings, scratch.path("atlas"), silent);
   return dataset::read_dataset_spec(scratch.path("spec.toml"));

@@ -32,7 +32,7 @@ def seconds_a_frame(ground, bins, place, frames):
 
 def made_atlas(folder):
     """500 m of the paper's landscape, rays few: what stands in the texels has no bearing on the cost of a call."""
-    sigmascape.bake(sigmascape.Scene.paper(scale=0.25), folder, azimuths=2, elevations_deg=[10.0, 20.0], texel_m=2.0, patch_texels=256, samples=1,
+    sigmascape.bake(sigmascape.Scene.paper(scale=0.25), folder, azimuths=2, elevations_deg=[10.0, 20.0], texel_m=2.0, patch_texels=256, samples=2,
                     progress=False)
     return folder
 

@@ -28,8 +28,8 @@ radar.velocity_mps, radar.pulse_repetition_hz = (100.0, 80.0, 0.0), 2000.0
 
 # %% Two vehicles in a spotlight image: the one that drives is not where it is seen.
 radar.mode, radar.looks = "spotlight", 2
-vehicles = [sigmascape.Target((20.0, -40.0), name="parked", rcs_dbsm=30.0, size_m=(6.0, 2.5, 3.0)),
-            sigmascape.Target((-30.0, 20.0), name="driving", rcs_dbsm=30.0, heading_deg=130.0, speed_mps=0.5)]
+vehicles = [sigmascape.Target((120.0, 60.0), name="parked", rcs_dbsm=30.0, size_m=(6.0, 2.5, 3.0)),
+            sigmascape.Target((70.0, 120.0), name="driving", rcs_dbsm=30.0, heading_deg=130.0, speed_mps=0.5)]
 sharp = sigmascape.render(scene, radar, atlas=atlas, targets=vehicles)
 sharp.save(folder / "spotlight.png")
 print("mode:", sharp.metadata["mode"], "resolution:", sharp.metadata["along_resolution_m"], "m")

@@ -182,8 +182,8 @@ TEST_F(Dataset, CellsInShadowThatNothingLiesOverAreDark) {
 TEST_F(Dataset, TracksFollowTargetsFromFrameToFrame) {
   const dataset::SampleMaker maker(
       spec({.sections = "[sequence]\nframes = 5\ninterval_s = 2.0\nspeed_mps = [100, 100]\n",
-            .rcs_db = 70.0,
-            .target = "speed_mps = [4, 4]\n"}));
+            .target = "speed_mps = [4, 4]\n",
+            .rcs_db = 70.0}));
   const fs::path folder = folder_->path("tracks");
   made(maker, folder);
   std::ifstream stream(folder / "annotations.json");
@@ -216,7 +216,7 @@ TEST_F(Dataset, TracksFollowTargetsFromFrameToFrame) {
 // Where walls stand on the ground, echoes come back over both; open fields answer at once.
 TEST_F(Dataset, KnowsWhatPartOfACellCameOverSeveralSurfaces) {
   const dataset::SampleMaker maker(spec(
-      {.more = "first_bounce_atlas = \"first_bounce\"\n", .snr = "[120, 120]", .rcs_db = -60.0}, "\"multibounce\""));
+      {.snr = "[120, 120]", .more = "first_bounce_atlas = \"first_bounce\"\n", .rcs_db = -60.0}, "\"multibounce\""));
   std::array<double, 2> sum{}, cells_of{};
   for (std::size_t i = 0; i < count; ++i) {
     const dataset::Sample sample = maker.make(i);

@@ -29,8 +29,8 @@ except KeyboardInterrupt:
 
 CALLS = {
     "trace": "radar.cell_m = 0.1; sigmascape.render(scene, radar, samples=400, progress=False)",
-    "baked": "radar.cell_m = 0.01; sigmascape.render(scene, radar, atlas=atlas, threads=1)",
-    "spotlight": "radar.range_resolution_m = 0.1; radar.mode = 'spotlight'; radar.beam_width_deg = 1.0; sigmascape.render(None, radar, atlas=atlas, threads=1)",
+    "baked": "radar.cell_m = 0.02; sigmascape.render(scene, radar, atlas=atlas, threads=1)",
+    "focused": "sigmascape.range_doppler(atlas, radar, interval_s=0.05, scatterer_spacing_m=0.03, threads=1)",
     "pulses": "radar.range_resolution_m = 0.2; sigmascape.phase_history(atlas, radar, interval_s=10.0)",
     "layers": "radar.cell_m = 0.1; sigmascape.layers(scene, radar, ['bounce1'], samples=400, progress=False)",
     "dataset": "sigmascape.make_dataset(sys.argv[2], sys.argv[3], progress=False)",
@@ -61,7 +61,7 @@ def test_ctrl_c_ends(name, atlas, tmp_path):
                                 tmp_path / "samples"], stdout=subprocess.PIPE, text=True, env=os.environ)
     try:
         assert process.stdout.readline() == "ready\n"
-        time.sleep(1.0)  # into the work
+        time.sleep(0.5)  # into the work
         process.send_signal(signal.SIGINT)
         begin = time.monotonic()
         told, _ = process.communicate(timeout=60.0)
