@@ -30,6 +30,9 @@ CoherentMap coherent_map(const CoherentRequest& request) {
                                      .radar = request.radar,
                                      .grid = request.grid,
                                      .targets = request.targets,
+                                     .windblown = request.radar.wind_mps > 0.0
+                                                      ? simulate::windblown_of(request.scene, request.grid.extent())
+                                                      : simulate::Windblown{},
                                      .level_of_detail = request.level_of_detail,
                                      .seed = request.seed,
                                      .threads = request.threads};

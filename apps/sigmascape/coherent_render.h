@@ -19,7 +19,8 @@ namespace sigmascape::cli {
 struct CoherentRequest {
   const scene::Scene& scene;
   const atlas::Atlas& atlas;
-  const radar::Radar& radar;  ///< placed, at a frequency that was baked
+  const radar::Radar& radar;          ///< placed
+  double texture_frequency_hz = 0.0;  ///< one that was baked
   const radar::GroundGrid& grid;
   int level_of_detail = 1;
   const std::vector<radar::Target>& targets;

@@ -1,5 +1,6 @@
 #include "iq_files.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "sigmascape/atlas/atlas.h"
@@ -15,6 +16,17 @@ void add_iq_options(CLI::App& command, IqFiles& files) {
   command.add_option("--interval-s", files.interval_s, "time over which --iq records pulses")
       ->capture_default_str()
       ->check(CLI::PositiveNumber);
+  command
+      .add_option(
+          "--iq-unit", files.unit,
+          "of --iq: V, behind antenna, receiver and with thermal noise, or m, the root of cross-sections without")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"m", "V"}));
+}
+
+double texture_frequency_hz(const atlas::Atlas& textures, const radar::Radar& radar, bool extrapolate) {
+  const auto& baked_hz = textures.aspects().frequencies_hz;
+  return extrapolate ? std::clamp(radar.frequency_hz, baked_hz.front(), baked_hz.back()) : radar.frequency_hz;
 }
 
 void write_iq_files(const IqFiles& files, const IqRequest& request, Provenance provenance) {
@@ -25,11 +37,15 @@ void write_iq_files(const IqFiles& files, const IqRequest& request, Provenance p
   const atlas::Atlas textures = atlas::load_atlas(atlas::Store::open(request.atlas));
   const simulate::CoherentScene scene{
       &request.scene.terrain,
-      render::reflectivity_of(textures, request.radar.frequency_hz, request.radar.range_resolution_m),
-      {}};
-  const auto history =
-      simulate::phase_history(scene, request.radar, request.area,
-                              {.interval_s = files.interval_s, .seed = request.seed, .threads = request.threads});
+      render::reflectivity_of(textures, texture_frequency_hz(textures, request.radar, request.extrapolate),
+                              request.radar.range_resolution_m),
+      request.targets,
+      request.radar.wind_mps > 0.0 ? simulate::windblown_of(request.scene, request.area) : simulate::Windblown{}};
+  const auto history = simulate::phase_history(scene, request.radar, request.area,
+                                               {.interval_s = files.interval_s,
+                                                .seed = request.seed,
+                                                .calibrated = files.unit == "V",
+                                                .threads = request.threads});
   provenance["processing"] = "scatterers from terrain and atlas";
   provenance["crs"] = request.scene.frame.proj();
   provenance["seed"] = std::to_string(request.seed);

@@ -3,10 +3,13 @@
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "map_files.h"
 
+#include "sigmascape/atlas/atlas.h"
 #include "sigmascape/radar/radar.h"
+#include "sigmascape/radar/target.h"
 #include "sigmascape/scene/scene.h"
 
 namespace sigmascape::cli {
@@ -15,6 +18,7 @@ namespace sigmascape::cli {
 struct IqFiles {
   std::string file;
   double interval_s = 0.1;
+  std::string unit = "m";
 };
 
 void add_iq_options(CLI::App& command, IqFiles& files);
@@ -23,11 +27,17 @@ void add_iq_options(CLI::App& command, IqFiles& files);
 struct IqRequest {
   const std::string& atlas;
   const scene::Scene& scene;
+  const std::vector<radar::Target>& targets;
   const radar::Radar& radar;
   const radar::Rectangle& area;
+  bool extrapolate = false;
   std::uint64_t seed = 1;
   unsigned threads = 0;
 };
+
+/// The frequency at which the atlas is asked for this radar: the radar's own or, when extrapolation is wanted, the
+/// nearest that was baked.
+[[nodiscard]] double texture_frequency_hz(const atlas::Atlas& textures, const radar::Radar& radar, bool extrapolate);
 
 /// Writes the pulses that the radar records of the area, if they were asked for. Throws Error without an atlas.
 void write_iq_files(const IqFiles& files, const IqRequest& request, Provenance provenance);

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <fmt/format.h>
@@ -60,28 +59,20 @@ Rendered traced(const RenderOptions& options, const scene::Scene& scene, const r
   const trace::SceneGeometry geometry(scene, trace::Footing::Terrain);
   simulate::TraceSettings settings = options.trace;
   settings.cell_m = grid.cell_m;
+  std::vector<radar::Target> targets;
+  if (!options.targets.empty()) targets = placed_targets(scene, options.targets);
+  settings.targets = targets;
   trace::TraceCounts counts;
   TerminalProgress progress;
   const Stopwatch watch;
   Rendered rendered{.image =
                         simulate::traced_image(scene, geometry, radar, grid.extent(), settings, counts, &progress)};
-  if (!options.targets.empty()) {
-    const auto targets = placed_targets(scene, options.targets);
-    simulate::add_targets(rendered.image, radar, scene.terrain, targets, {});
-  }
   rendered.seconds = watch.seconds();
   rendered.cost = {{"paths", counts.paths}, {"rays", counts.rays}};
   rendered.provenance = {{"processing", "level of detail 0: path-traced"},
                          {"seed", std::to_string(settings.seed)},
                          {"samples_per_cell", std::to_string(settings.samples_per_cell)}};
   return rendered;
-}
-
-/// The radar as the atlas is asked for it: at a frequency that was baked, when extrapolation is wanted.
-radar::Radar looked_up(const RenderOptions& options, const atlas::Atlas& textures, radar::Radar radar) {
-  const auto& baked_hz = textures.aspects().frequencies_hz;
-  if (options.extrapolate) radar.frequency_hz = std::clamp(radar.frequency_hz, baked_hz.front(), baked_hz.back());
-  return radar;
 }
 
 Rendered baked(const RenderOptions& options, const scene::Scene& scene, const std::string& hash,
@@ -98,8 +89,8 @@ Rendered baked(const RenderOptions& options, const scene::Scene& scene, const st
   const atlas::Atlas textures = atlas::load_atlas(store);
   const auto targets = all_targets(scene, options.targets);
   if (radar.mode != radar::Mode::RealBeam) {
-    auto made = coherent_map({scene, textures, looked_up(options, textures, radar), grid, options.level_of_detail,
-                              targets, options.trace.seed, options.trace.threads});
+    auto made = coherent_map({scene, textures, radar, texture_frequency_hz(textures, radar, options.extrapolate), grid,
+                              options.level_of_detail, targets, options.trace.seed, options.trace.threads});
     return {.coherent = std::move(made.map),
             .seconds = made.seconds,
             .cost = std::move(made.cost),
@@ -108,9 +99,12 @@ Rendered baked(const RenderOptions& options, const scene::Scene& scene, const st
   render::RenderCounts counts;
   const Stopwatch watch;
   Rendered rendered{.image = simulate::baked_image(
-                        textures, scene.terrain, looked_up(options, textures, radar), grid.extent(),
-                        {.level_of_detail = options.level_of_detail, .threads = options.trace.threads}, counts)};
-  simulate::add_targets(rendered.image, radar, scene.terrain, targets, {});
+                        textures, scene.terrain, radar, grid.extent(),
+                        {.level_of_detail = options.level_of_detail,
+                         .threads = options.trace.threads,
+                         .texture_frequency_hz = texture_frequency_hz(textures, radar, options.extrapolate),
+                         .targets = targets},
+                        counts)};
   rendered.seconds = watch.seconds();
   rendered.cost = {{"ground_samples", counts.ground_samples}, {"visible", counts.visible}};
   rendered.provenance = {
@@ -180,7 +174,9 @@ void render(const RenderOptions& options, radar::Polarization polarization, bool
   if (!rendered.coherent)
     write_received(options.received, radar, rendered.image, polarization_given ? polarization : radar.polarization,
                    options.trace.seed, options.trace.threads, rendered.provenance);
-  write_iq_files(options.iq, {options.atlas, scene, radar, grid.extent(), options.trace.seed, options.trace.threads},
+  write_iq_files(options.iq,
+                 {options.atlas, scene, all_targets(scene, options.targets), radar, grid.extent(), options.extrapolate,
+                  options.trace.seed, options.trace.threads},
                  rendered.provenance);
   auto map = rendered.coherent
                  ? described_map(std::move(*rendered.coherent), radar, scene.frame, rendered.provenance)

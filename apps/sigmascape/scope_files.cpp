@@ -1,10 +1,31 @@
 #include "scope_files.h"
 
+#include <algorithm>
+
 #include "sigmascape/product/legend.h"
 #include "sigmascape/product/png_file.h"
 #include "sigmascape/product/scope_layout.h"
 
 namespace sigmascape::cli {
+namespace {
+
+/// The bins of a narrow sector are a hundred times as many in range as in azimuth: each is drawn so wide that the
+/// picture is half as wide as it is tall, and the other way round.
+radar::GroundMap drawn_out(const radar::GroundMap& bins) {
+  const std::size_t across = std::max<std::size_t>(1, bins.grid.rows / (2 * bins.grid.columns)),
+                    down = std::max<std::size_t>(1, bins.grid.columns / (2 * bins.grid.rows));
+  radar::GroundMap wide = bins;
+  wide.grid.columns *= across;
+  wide.grid.rows *= down;
+  wide.sigma0 = Array2D<radar::Channels>(wide.grid.columns, wide.grid.rows);
+  for (std::size_t row = 0; row < wide.grid.rows; ++row) {
+    for (std::size_t column = 0; column < wide.grid.columns; ++column)
+      wide.sigma0(column, row) = bins.sigma0(column / across, row / down);
+  }
+  return wide;
+}
+
+}  // namespace
 
 void add_scope_options(CLI::App& command, ScopeFiles& files) {
   command.add_option("--ppi", files.ppi, "picture of the sector as a plan position indicator shows it");
@@ -22,7 +43,8 @@ void write_scopes(const ScopeFiles& files, const radar::Radar& radar, const rada
     // A legend's north arrow would lie.
     product::write_png(files.ppi, files.up == "heading" ? picture : product::with_legend(picture));
   }
-  if (!files.b_scope.empty()) product::write_png(files.b_scope, product::picture_of(product::b_scope(image), look));
+  if (!files.b_scope.empty())
+    product::write_png(files.b_scope, product::picture_of(drawn_out(product::b_scope(image)), look));
 }
 
 }  // namespace sigmascape::cli

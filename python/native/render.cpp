@@ -77,22 +77,24 @@ Rendered traced(const LoadedScene* scene, const Wish& wish, const simulate::Trac
                 "give the atlas that bake() made, or set the radar's mode to 'real-beam'");
   }
   trace::TraceCounts counts;
-  auto image = simulate::traced_image(scene->scene(), scene->geometry(), wish.radar, wish.grid.extent(), settings,
-                                      counts, &progress);
-  simulate::add_targets(image, wish.radar, *wish.ground.terrain, wish.targets, {});
+  const auto image = simulate::traced_image(scene->scene(), scene->geometry(), wish.radar, wish.grid.extent(), settings,
+                                            counts, &progress);
   return {product::ground_map(image, *wish.ground.terrain, wish.grid, settings.threads),
           {{"processing", "level of detail 0: path-traced"},
            {"seed", std::to_string(settings.seed)},
            {"samples_per_cell", std::to_string(settings.samples_per_cell)}}};
 }
 
-Rendered coherent(const atlas::Atlas& textures, const Wish& wish, int level_of_detail, std::uint64_t seed,
-                  unsigned threads) {
+Rendered coherent(const atlas::Atlas& textures, const Wish& wish, const LoadedScene* scene, int level_of_detail,
+                  std::uint64_t seed, unsigned threads) {
   const simulate::ModeRequest request{.atlas = textures,
                                       .terrain = *wish.ground.terrain,
                                       .radar = wish.radar,
                                       .grid = wish.grid,
                                       .targets = wish.targets,
+                                      .windblown = scene != nullptr && wish.radar.wind_mps > 0.0
+                                                       ? simulate::windblown_of(scene->scene(), wish.grid.extent())
+                                                       : simulate::Windblown{},
                                       .level_of_detail = level_of_detail,
                                       .seed = seed,
                                       .threads = threads};
@@ -110,13 +112,15 @@ Rendered baked(const LoadedAtlas* atlas, const Wish& wish, const render::RenderS
                 "give the Atlas that bake() made, or lod=0");
   }
   if (wish.radar.mode != radar::Mode::RealBeam)
-    return coherent(atlas->textures(), wish, settings.level_of_detail, seed, settings.threads);
+    return coherent(atlas->textures(), wish, scene, settings.level_of_detail, seed, settings.threads);
   render::RenderCounts counts;
-  auto image =
+  const auto image =
       simulate::baked_image(atlas->textures(), *wish.ground.terrain, wish.radar, wish.grid.extent(), settings, counts);
-  simulate::add_targets(image, wish.radar, *wish.ground.terrain, wish.targets, {});
-  return {product::ground_map(image, *wish.ground.terrain, wish.grid, settings.threads),
-          {{"processing", fmt::format("level of detail {}: from terrain and atlas", settings.level_of_detail)}}};
+  product::Provenance provenance{
+      {"processing", fmt::format("level of detail {}: from terrain and atlas", settings.level_of_detail)}};
+  const auto& baked_with = atlas->description().settings;
+  if (const auto found = baked_with.find("seed"); found != baked_with.end()) provenance["atlas_seed"] = found->second;
+  return {product::ground_map(image, *wish.ground.terrain, wish.grid, settings.threads), std::move(provenance)};
 }
 
 radar::GroundMap rendered(const std::shared_ptr<LoadedScene>& scene, const radar::RadarFile& radar_file,
@@ -136,15 +140,18 @@ radar::GroundMap rendered(const std::shared_ptr<LoadedScene>& scene, const radar
     const scene::Scene* owner = scene && level_of_detail > 0 ? &scene->scene() : nullptr;
     const auto targets = all_targets(owner, given, *ground.frame, *ground.terrain);
     const Wish wish{ground, radar, grid, targets};
-    Rendered result = level_of_detail == 0
-                          ? traced(scene.get(), wish,
-                                   {.cell_m = grid.cell_m,
-                                    .samples_per_cell = samples,
-                                    .max_bounces = bounces,
-                                    .seed = seed,
-                                    .threads = threads},
-                                   listener)
-                          : baked(atlas.get(), wish, {.level_of_detail = level_of_detail, .threads = threads}, seed);
+    Rendered result =
+        level_of_detail == 0
+            ? traced(scene.get(), wish,
+                     {.cell_m = grid.cell_m,
+                      .samples_per_cell = samples,
+                      .max_bounces = bounces,
+                      .seed = seed,
+                      .threads = threads,
+                      .targets = targets},
+                     listener)
+            : baked(atlas.get(), wish, {.level_of_detail = level_of_detail, .threads = threads, .targets = targets},
+                    seed, scene.get());
     result.provenance["scene"] = ground.name;
     result.provenance["scene_hash"] = ground.hash;
     if (!ground.attribution.empty()) result.provenance["attribution"] = ground.attribution;

@@ -1,5 +1,6 @@
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <fmt/format.h>
 #include <fstream>
 #include <gtest/gtest.h>
@@ -16,8 +17,9 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A radar 5 km to the south and 20° up that flies to the east at 100 m/s.
-std::string radar_text(const std::string& mode) {
-  return "[radar]\nname = \"test\"\nfrequency_ghz = 10\nrange_resolution_m = 2\nbeam_width_deg = 1\n"
+std::string radar_text(const std::string& mode, const std::string& frequency_ghz = "10") {
+  return "[radar]\nname = \"test\"\nfrequency_ghz = " + frequency_ghz +
+         "\nrange_resolution_m = 2\nbeam_width_deg = 1\n"
          "[position]\nazimuth_deg = 180\nelevation_deg = 20\nslant_range_km = 5\n"
          "[map]\ncell_m = 1\nwest_m = -60\nsouth_m = -60\neast_m = 60\nnorth_m = 60\n"
          "[platform]\nspeed_mps = 100\nheading_deg = 90\n[waveform]\npulse_repetition_hz = 2000\n" +
@@ -44,6 +46,66 @@ class Modes : public ::testing::Test {
                            folder_.path("targets.toml").string(), options));
   }
   [[nodiscard]] radar::GroundMap map() const { return product::read_ground_map(folder_.path("map.tif")); }
+
+  /// At a frequency that was not baked the atlas is refused with those that were, and the nearest is taken when asked
+  /// for; geometry and Doppler are the radar's own in any case.
+  void expect_extrapolation_on_request() const {
+    folder_.write(
+        "targets.toml",
+        "[[targets]]\nposition_m = [-20, 10]\nheight_m = 0\nheading_deg = 180\nspeed_mps = 0.8\nrcs_dbsm = 60\n");
+    const std::string arguments =
+        fmt::format("render '{}' --scene '{}' --out '{}' --atlas '{}' --targets '{}' --lod 1",
+                    folder_.path("ka.toml").string(), scene_.string(), folder_.path("map.tif").string(),
+                    folder_.path("atlas").string(), folder_.path("targets.toml").string());
+    for (const std::string& mode : {std::string(), std::string("[mode]\nkind = \"spotlight\"\n")}) {
+      folder_.write("ka.toml", radar_text(mode, "34"));
+      EXPECT_EQ(run(arguments), 1);
+      EXPECT_NE(printed().find("34"), std::string::npos) << printed();
+      EXPECT_NE(printed().find("10"), std::string::npos) << printed();
+      ASSERT_EQ(run(arguments + " --extrapolate"), 0) << printed();
+    }
+    // A mover's shift does not know of wavelength, the interval of a resolution does.
+    const auto ka = map();
+    EXPECT_NEAR(brightest(ka).x, -20.0 + 5e3 * 0.8 * std::cos(radians_from_deg(20.0)) / 100.0, 2.0);
+    folder_.write("ka.toml", radar_text("[mode]\nkind = \"spotlight\"\n"));
+    ASSERT_EQ(run(arguments), 0) << printed();
+    EXPECT_NEAR(std::stod(map().metadata.at("interval_s")) / std::stod(ka.metadata.at("interval_s")), 3.4, 0.01);
+  }
+
+  /// Pulses on the command line have the targets in them, in metres or in volts with noise.
+  void expect_volts_of_targets() const {
+    folder_.write("radar.toml", radar_text(""));
+    folder_.write("targets.toml", "[[targets]]\nposition_m = [-20, 10]\nheight_m = 0\nrcs_dbsm = 80\n");
+    for (const std::string unit : {"m", "V"}) {
+      const auto file = folder_.path("pulses_" + unit + ".npy");
+      ASSERT_EQ(
+          run(fmt::format(
+              "render '{}' --scene '{}' --atlas '{}' --targets '{}' --lod 1 --iq '{}' --interval-s 0.002 --iq-unit {}",
+              folder_.path("radar.toml").string(), scene_.string(), folder_.path("atlas").string(),
+              folder_.path("targets.toml").string(), file.string(), unit)),
+          0)
+          << printed();
+      std::ifstream stream(file, std::ios::binary);
+      const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+      const std::size_t header =
+          10 + static_cast<unsigned char>(bytes[8]) + 256U * static_cast<unsigned char>(bytes[9]);
+      float most = 0.0F;
+      for (std::size_t at = header; at + 4 <= bytes.size(); at += 4) {
+        float number = 0.0F;
+        std::memcpy(&number, &bytes[at], 4);
+        most = std::max(most, std::abs(number));
+      }
+      // 80 dBsm are 10⁴ m, of which the larger of I and Q is 0.7 at least and the place between samples takes a little;
+      // in volts of the default radar it is a thousandth of that.
+      if (unit == "m") {
+        EXPECT_GT(most, 5e3F);
+        EXPECT_LT(most, 1.1e4F);
+      } else {
+        EXPECT_GT(most, 0.0F);
+        EXPECT_LT(most, 100.0F);
+      }
+    }
+  }
 
   static Vec2d brightest(const radar::GroundMap& map) {
     std::size_t best_column = 0, best_row = 0;
@@ -107,6 +169,8 @@ TEST_F(Modes, MapTheGroundAndTheTargets) {
       << printed();
   EXPECT_EQ(render("[mode]\nkind = \"spotlight\"\n", "--lod 1 --ppi x.png"), 1);
   EXPECT_NE(printed().find("--ppi: is of range and azimuth"), std::string::npos) << printed();
+  expect_extrapolation_on_request();
+  expect_volts_of_targets();
   folder_.write("targets.toml", "[[targets]]\nposition_m = [9000, 0]\nrcs_dbsm = 20\n");
   EXPECT_EQ(render("", "--lod 1"), 1);
   EXPECT_NE(printed().find("outside the terrain"), std::string::npos) << printed();

@@ -117,7 +117,7 @@ std::vector<std::string> plan_warnings(const Radar& radar, const CoherentPlan& p
     if (band_hz > prf_hz) {
       warnings.push_back(
           fmt::format("the processed Doppler band of {:.4g} Hz is wider than the pulse repetition "
-                      "frequency of {:g} Hz; a real radar would fold it, and this map does not show that",
+                      "frequency of {:g} Hz and folds over; send more pulses or ask for a coarser mode.along_resolution_m",
                       band_hz, prf_hz));
     }
   } else if (most_hz - least_hz > prf_hz) {

@@ -22,6 +22,9 @@ struct Processing {
   std::optional<double> along_resolution_m;  ///< half-power width across range on the finished map
   std::optional<double> sharpening;          ///< by what factor that is narrower than the real beam
   int looks = 1;                             ///< images whose powers are averaged, each of a part of the pulses
+  bool ambiguities = true;                   ///< stripmap: what folds over azimuth is shown, where it is within 60 dB
+  bool antenna_pattern = false;              ///< images keep what the beam's pattern does to them, relative to its peak
+  bool thermal_noise = false;  ///< images have the receiver's noise, as the cross-section that would return as much
 
   friend bool operator==(const Processing&, const Processing&) = default;
 };
@@ -45,6 +48,7 @@ struct Radar {
   Receiver receiver = {};
   Mode mode = Mode::RealBeam;
   Processing processing = {};
+  double wind_mps = 0.0;          ///< that moves leaves, as pulses and images with Doppler see; 0: none
   double atmosphere_per_m = 0.0;  ///< what air and rain take on the way, one way: power falls as exp(−α r)
 };
 

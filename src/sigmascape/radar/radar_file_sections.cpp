@@ -79,11 +79,14 @@ struct KeyOfModes {
   std::string_view key;
   std::initializer_list<std::string_view> kinds;
 };
-const std::array<KeyOfModes, 4> processing_keys{{
+const std::array<KeyOfModes, 7> processing_keys{{
     {"interval_s", {"doppler-beam-sharpening", "spotlight"}},
     {"along_resolution_m", {"stripmap", "spotlight"}},
     {"sharpening", {"doppler-beam-sharpening"}},
     {"looks", {"doppler-beam-sharpening", "stripmap", "spotlight"}},
+    {"ambiguities", {"stripmap"}},
+    {"antenna_pattern", {"doppler-beam-sharpening", "stripmap", "spotlight"}},
+    {"thermal_noise", {"doppler-beam-sharpening", "stripmap", "spotlight"}},
 }};
 
 /// Keys that are right in another mode and would do nothing in this.
@@ -107,6 +110,9 @@ void read_processing(const TomlSection& section, const std::string& kind, Radar&
   processing.along_resolution_m = section.optional_number("along_resolution_m", {0.01, 10'000.0, "m"});
   processing.sharpening = section.optional_number("sharpening", {1.0, 1e4, "times narrower than the beam"});
   processing.looks = static_cast<int>(section.whole_number_or("looks", {1.0, 1000.0, "looks"}, 1));
+  processing.ambiguities = section.flag_or("ambiguities", processing.ambiguities);
+  processing.antenna_pattern = section.flag_or("antenna_pattern", processing.antenna_pattern);
+  processing.thermal_noise = section.flag_or("thermal_noise", processing.thermal_noise);
   if (processing.interval_s && (processing.along_resolution_m || processing.sharpening)) {
     throw section.fault(
         "interval_s",

@@ -10,7 +10,6 @@
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/window_response.h"
 #include "sigmascape/receiver/carrier_phase.h"
-#include "sigmascape/receiver/multilook.h"
 #include "sigmascape/receiver/smear.h"
 
 namespace sigmascape::receiver {
@@ -53,10 +52,12 @@ DopplerImager::DopplerImager(const radar::Radar& radar, const radar::Track& plat
   frame_.range_m = {range_.start_m + static_cast<double>(range_.guard) * range_.step_m, range_.step_m, range_.samples};
 }
 
-PlacedAmplitude DopplerImager::placed(const radar::Motion& seen, const radar::ComplexChannels& amplitude) const {
+PlacedAmplitude DopplerImager::placed(const radar::Motion& seen, double own_range_rate_mps,
+                                      const radar::ComplexChannels& amplitude) const {
   const double range_m = length(seen.position - frame_.platform.position);
   const double wavelength = wavelength_m(frame_.frequency_hz);
-  const double frequency = radar::doppler_hz(radar::range_rate_mps(frame_.platform, seen), wavelength);
+  const double frequency =
+      radar::doppler_hz(radar::range_rate_mps(frame_.platform, seen) + own_range_rate_mps, wavelength);
   const float voltage = gain_ ? gain_({interval_.middle_time_s, frame_.platform}, seen.position, range_m) : 1.0F;
   return {frame_.doppler_hz.place_of(frequency), frame_.range_m.place_of(range_m) + static_cast<double>(range_.guard),
           amplitude * (carrier_phase(range_m, wavelength) * voltage)};
@@ -67,7 +68,7 @@ void DopplerImager::add(std::span<const radar::Scatterer> ground, unsigned threa
   constexpr std::size_t chunk = 4096;
   parallel_for((ground.size() + chunk - 1) / chunk, threads, [&](std::size_t part, unsigned) {
     for (std::size_t i = part * chunk; i < std::min(ground.size(), (part + 1) * chunk); ++i) {
-      places[i] = placed({ground[i].position}, ground[i].amplitude_m);
+      places[i] = placed({ground[i].position}, ground[i].range_rate_mps, ground[i].amplitude_m);
     }
   });
   plane_.add(places, threads);
@@ -82,7 +83,7 @@ void DopplerImager::add(std::span<const radar::Target> targets) {
     const radar::Motion motion = radar::motion_of(target, interval_.middle_time_s);
     const radar::Channels rcs = radar::rcs_of(target, frame_.platform.position, frame_.frequency_hz,
                                               {interval_.middle_time_s, interval_.dwell, 0});
-    const PlacedAmplitude whole = placed(motion, radar::steady_amplitude(rcs));
+    const PlacedAmplitude whole = placed(motion, 0.0, radar::steady_amplitude(rcs));
     // Ground at the same range and Doppler, which is in focus, differs in Doppler rate by the relative speed alone.
     const Vec3d relative = motion.velocity_mps - frame_.platform.velocity_mps;
     const double range_m = length(motion.position - frame_.platform.position);
@@ -94,14 +95,23 @@ void DopplerImager::add(std::span<const radar::Target> targets) {
   plane_.add(places);
 }
 
+void DopplerImager::add(const EquivalentNoise& noise) {
+  noise_ = {.power =
+                [noise, range_m = frame_.range_m, pulses = static_cast<double>(interval_.pulses),
+                 bandwidth = noise_bandwidth(interval_.window)](std::size_t row) {
+                  return noise.rcs_m2(range_m.middle_of(static_cast<double>(row) + 0.5), pulses, bandwidth);
+                },
+            .seed = noise.seed()};
+}
+
 radar::RangeDopplerImage DopplerImager::image(unsigned threads) const {
   radar::RangeDopplerImage image = frame_;
-  image.amplitude_m = rows_from(plane_.bins({}, threads), range_.guard, range_.samples);
+  image.amplitude_m = noisy_rows(plane_, noise_, range_.guard, range_.samples, {}, threads);
   return image;
 }
 
 Array2D<radar::Channels> DopplerImager::power(std::size_t looks, unsigned threads) const {
-  return multilooked(plane_, looks, range_.guard, range_.samples, threads);
+  return multilooked(plane_, noise_, looks, range_.guard, range_.samples, threads);
 }
 
 }  // namespace sigmascape::receiver

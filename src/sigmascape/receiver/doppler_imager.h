@@ -8,6 +8,8 @@
 #include "sigmascape/radar/slant_image.h"
 #include "sigmascape/radar/target.h"
 #include "sigmascape/radar/track.h"
+#include "sigmascape/receiver/equivalent_noise.h"
+#include "sigmascape/receiver/multilook.h"
 #include "sigmascape/receiver/range_gate.h"
 #include "sigmascape/receiver/response_plane.h"
 #include "sigmascape/receiver/voltage_gain.h"
@@ -40,6 +42,8 @@ class DopplerImager {
 
   void add(std::span<const radar::Scatterer> ground, unsigned threads = 0);
   void add(std::span<const radar::Target> targets);
+  /// Thermal noise, in place of what there was of it.
+  void add(const EquivalentNoise& noise);
 
   [[nodiscard]] radar::RangeDopplerImage image(unsigned threads = 0) const;
   /// An image without amplitudes: where bins lie and how large cells are.
@@ -49,13 +53,15 @@ class DopplerImager {
   [[nodiscard]] Array2D<radar::Channels> power(std::size_t looks, unsigned threads = 0) const;
 
  private:
-  [[nodiscard]] PlacedAmplitude placed(const radar::Motion& seen, const radar::ComplexChannels& amplitude) const;
+  [[nodiscard]] PlacedAmplitude placed(const radar::Motion& seen, double own_range_rate_mps,
+                                       const radar::ComplexChannels& amplitude) const;
 
   CoherentInterval interval_;
   GatedAxis range_;
   VoltageGain gain_;
   radar::RangeDopplerImage frame_;  // without bins
   ResponsePlane plane_;
+  RowNoise noise_;
 };
 
 }  // namespace sigmascape::receiver

@@ -19,9 +19,9 @@ struct PulseReceiver::Line {
 PulseReceiver::PulseReceiver(const radar::Radar& radar, const RangeGate& gate)
     : frequency_hz_(radar.frequency_hz), range_(gated_axis(radar, gate)), transform_(range_.axis) {}
 
-void PulseReceiver::add(Line& line, const radar::Pulse& pulse, Vec3d position, const radar::ComplexChannels& amplitude,
-                        double unambiguous_range_m, const VoltageGain& gain) const {
-  const double range_m = length(position - pulse.platform.position);
+void PulseReceiver::add(Line& line, const radar::Pulse& pulse, Vec3d position, double range_m,
+                        const radar::ComplexChannels& amplitude, double unambiguous_range_m,
+                        const VoltageGain& gain) const {
   double delay_m = range_m - range_.start_m;
   delay_m -= unambiguous_range_m * std::floor(delay_m / unambiguous_range_m);
   if (!(delay_m < range_.period_m)) return;
@@ -63,12 +63,16 @@ radar::PhaseHistory PulseReceiver::receive(const radar::Track& platform, const P
     const std::size_t fine = transform_.fine_samples();
     Line line{std::vector<radar::ComplexChannels>(fine + 2 * Line::margin)};
     for (const radar::Scatterer& point : ground) {
-      add(line, pulse, point.position, point.amplitude_m, unambiguous_m, gain);
+      // What moves of itself is where it stands at time zero, and a fraction of a wavelength off at other times.
+      const double range_m =
+          length(point.position - pulse.platform.position) + static_cast<double>(point.range_rate_mps) * pulse.time_s;
+      add(line, pulse, point.position, range_m, point.amplitude_m, unambiguous_m, gain);
     }
     for (const radar::Target& target : targets) {
       const Vec3d seen_from = pulse.platform.position;
       const radar::Channels rcs = radar::rcs_of(target, seen_from, frequency_hz_, {pulse.time_s, train.dwell, n});
-      add(line, pulse, target.track.position_at(pulse.time_s), radar::steady_amplitude(rcs), unambiguous_m, gain);
+      const Vec3d position = target.track.position_at(pulse.time_s);
+      add(line, pulse, position, length(position - seen_from), radar::steady_amplitude(rcs), unambiguous_m, gain);
     }
     std::vector<std::complex<float>> fine_line(fine), band(transform_.kept()), bins(range_.axis.bins);
     for (std::size_t p = 0; p < radar::ComplexChannels::count; ++p) {

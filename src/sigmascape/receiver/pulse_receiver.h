@@ -39,8 +39,8 @@ class PulseReceiver {
 
  private:
   struct Line;
-  void add(Line& line, const radar::Pulse& pulse, Vec3d position, const radar::ComplexChannels& amplitude,
-           double unambiguous_range_m, const VoltageGain& gain) const;
+  void add(Line& line, const radar::Pulse& pulse, Vec3d position, double range_m,
+           const radar::ComplexChannels& amplitude, double unambiguous_range_m, const VoltageGain& gain) const;
 
   double frequency_hz_;
   GatedAxis range_;

@@ -1,6 +1,7 @@
 #include "sigmascape/receiver/response_axis.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "sigmascape/receiver/spreading_kernel.h"
@@ -28,6 +29,8 @@ ResponseTransform::ResponseTransform(const ResponseAxis& axis, const Subband& su
   first_ = -static_cast<std::ptrdiff_t>(axis.band / 2) + static_cast<std::ptrdiff_t>(subband.look * width);
   const std::vector<double> window = radar::window_weights(axis.window, width);
   const double sum = std::accumulate(window.begin(), window.end(), 0.0);
+  const double power = std::inner_product(window.begin(), window.end(), window.begin(), 0.0);
+  for (const double weight : window) noise_window_.push_back(static_cast<float>(weight / std::sqrt(power)));
   for (std::size_t k = 0; k < width; ++k) {
     const double frequency = static_cast<double>(first_ + static_cast<std::ptrdiff_t>(k)) / static_cast<double>(fine_);
     weights_.push_back(static_cast<float>(window[k] / (sum * SpreadingKernel::spectrum(frequency))));

@@ -43,13 +43,18 @@ class ResponseTransform {
 
   /// Weighted spectrum, of `kept()` frequencies, of `fine_samples()` samples.
   void to_band(std::span<const std::complex<float>> fine, std::span<std::complex<float>> band) const;
+  /// The window over the band, its squares summing to one: by it noise that is white over the band gets power one a
+  /// bin.
+  [[nodiscard]] std::span<const float> noise_window() const { return noise_window_; }
+  /// The lowest frequency kept, in cycles a period.
+  [[nodiscard]] std::ptrdiff_t first_frequency() const { return first_; }
   /// Bins from that spectrum.
   void to_bins(std::span<const std::complex<float>> band, std::span<std::complex<float>> bins) const;
 
  private:
   std::size_t fine_, bins_;
-  std::ptrdiff_t first_ = 0;  // the lowest frequency kept, in cycles a period
-  std::vector<float> weights_;
+  std::ptrdiff_t first_ = 0;
+  std::vector<float> weights_, noise_window_;
   Fourier forward_, backward_;
 };
 

@@ -5,7 +5,9 @@
 #include <complex>
 #include <vector>
 
+#include "sigmascape/base/hash.h"
 #include "sigmascape/base/parallel.h"
+#include "sigmascape/radar/complex_gaussian.h"
 
 namespace sigmascape::receiver {
 namespace {
@@ -85,6 +87,34 @@ Array2D<radar::ComplexChannels> ResponsePlane::bins(const Subband& subband, unsi
     parallel_for(across.kept(), threads, [&](std::size_t k, unsigned) {
       Line band(down.kept()), line(rows_.bins);
       down.to_band(half_way.row(k), band);
+      down.to_bins(band, line);
+      for (std::size_t row = 0; row < line.size(); ++row) spectra(k, row) = line[row];
+    });
+    parallel_for(rows_.bins, threads, [&](std::size_t row, unsigned) {
+      Line line(columns_.bins);
+      across.to_bins(spectra.row(row), line);
+      for (std::size_t c = 0; c < line.size(); ++c) polarization(out(c, row), p) = line[c];
+    });
+  }
+  return out;
+}
+
+Array2D<radar::ComplexChannels> ResponsePlane::noise(std::uint64_t seed, const Subband& subband,
+                                                     unsigned threads) const {
+  const ResponseTransform across(columns_, subband), down(rows_);
+  Array2D<radar::ComplexChannels> out(columns_.bins, rows_.bins);
+  Array2D<std::complex<float>> spectra(across.kept(), rows_.bins);
+  for (std::size_t p = 0; p < radar::ComplexChannels::count; ++p) {
+    parallel_for(across.kept(), threads, [&](std::size_t k, unsigned) {
+      const std::uint64_t key = hashed(seed, p, across.first_frequency() + static_cast<std::ptrdiff_t>(k));
+      Line band(down.kept()), line(rows_.bins);
+      for (std::size_t l = 0; l < band.size(); ++l) {
+        const std::uint64_t words = hashed(key, l);
+        const radar::ComplexPair draw =
+            radar::complex_gaussian({static_cast<std::uint32_t>(words), static_cast<std::uint32_t>(words >> 32U)});
+        const float weight = across.noise_window()[k] * down.noise_window()[l];
+        band[l] = {draw.re * weight, draw.im * weight};
+      }
       down.to_bins(band, line);
       for (std::size_t row = 0; row < line.size(); ++row) spectra(k, row) = line[row];
     });

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 
 #include "sigmascape/base/array2d.h"
@@ -28,6 +29,11 @@ class ResponsePlane {
   /// [column, row]. With `subband`, that part of the band over columns alone: looks of different parts see independent
   /// speckle.
   [[nodiscard]] Array2D<radar::ComplexChannels> bins(const Subband& subband = {}, unsigned threads = 0) const;
+  /// The same bins of nothing but noise: complex Gaussian, white over both bands, shaped by both windows, of power one
+  /// in the mean and independent between polarizations. A pure function of the seed; looks of different parts of the
+  /// band have independent noise.
+  [[nodiscard]] Array2D<radar::ComplexChannels> noise(std::uint64_t seed, const Subband& subband = {},
+                                                      unsigned threads = 0) const;
 
  private:
   ResponseAxis columns_, rows_;

@@ -1,17 +1,18 @@
 #include "sigmascape/receiver/stripmap_imager.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <fmt/format.h>
 #include <utility>
 #include <vector>
 
 #include "sigmascape/base/error.h"
+#include "sigmascape/base/hash.h"
 #include "sigmascape/base/parallel.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/window_response.h"
 #include "sigmascape/receiver/carrier_phase.h"
-#include "sigmascape/receiver/multilook.h"
 #include "sigmascape/receiver/smear.h"
 
 namespace sigmascape::receiver {
@@ -54,6 +55,12 @@ struct StripmapImager::Seen {
   double time_s = 0.0, range_m = 0.0, along_m = 0.0, closest_range_m = 0.0;
 };
 
+/// Sines of the angle ahead of broadside at which a point is seen and of that at which its folded Doppler makes the
+/// processor believe it, and the window there over its r.m.s. value.
+struct StripmapImager::Fold {
+  double observed = 0.0, processed = 0.0, window = 1.0;
+};
+
 StripmapImager::StripmapImager(const radar::Radar& radar, const radar::Motion& platform, const Strip& strip,
                                const RangeGate& gate, VoltageGain gain)
     : strip_(strip),
@@ -61,7 +68,10 @@ StripmapImager::StripmapImager(const radar::Radar& radar, const radar::Motion& p
       along_(along_axis(strip)),
       gain_(std::move(gain)),
       speed_mps_(length(moving(platform).velocity_mps)),
+      repetition_hz_(radar.waveform.pulse_repetition_hz),
       direction_(normalized(platform.velocity_mps)),
+      azimuth_(radar::antenna_pattern(radar).azimuth()),
+      response_(strip.window),
       plane_(along_.axis, range_.axis) {
   frame_.platform = platform;
   frame_.squint_rad = strip.squint_rad;
@@ -73,12 +83,79 @@ StripmapImager::StripmapImager(const radar::Radar& radar, const radar::Motion& p
   frame_.along_cell_m = radar::WindowResponse(strip.window).noise_bandwidth() / band_per_m(strip);
 }
 
-/// At the time when the line of sight stands at the squint.
-StripmapImager::Seen StripmapImager::seen_from(double time_s, const radar::Motion& target) const {
+StripmapImager::Fold StripmapImager::unfolded() const {
+  const double sine = std::sin(strip_.squint_rad);
+  return {sine, sine, 1.0};
+}
+
+/// `part_of_band`: from −½ to ½ of the processed Doppler band. docs/physics/doppler.md, Eq. (13).
+StripmapImager::Fold StripmapImager::fold_of(int order, double part_of_band) const {
+  const double wavelength = wavelength_m(frame_.frequency_hz);
+  const double processed = std::sin(strip_.squint_rad) + 0.5 * wavelength * band_per_m(strip_) * part_of_band;
+  const double folded = order * wavelength * repetition_hz_ / (2.0 * speed_mps_);
+  double window = 0.0;
+  for (const radar::CosineTerm& term : radar::cosine_terms(strip_.window))
+    window += term.amplitude * std::cos(2.0 * pi * term.cycles * part_of_band);
+  // The window has a mean of one, so that its mean square is its noise bandwidth.
+  return {processed + folded, processed, window / std::sqrt(response_.noise_bandwidth())};
+}
+
+/// The two-way pattern where the point is seen over that where the processor believes it, under the window; nothing
+/// where there is no ground with that Doppler. docs/physics/doppler.md, Eq. (14).
+double StripmapImager::ghost_voltage(const Fold& fold, double sine_depression) const {
+  const double cosine = std::sqrt(1.0 - sine_depression * sine_depression);
+  if (std::abs(fold.observed) >= cosine || std::abs(fold.processed) >= cosine) return 0.0;
+  const double axis = std::asin(std::clamp(std::sin(strip_.squint_rad) / cosine, -1.0, 1.0));
+  const double there = azimuth_.power(std::asin(fold.observed / cosine) - axis);
+  const double here = azimuth_.power(std::asin(fold.processed / cosine) - axis);
+  return here > 0.0 ? fold.window * there / here : 0.0;
+}
+
+std::vector<AzimuthAmbiguity> StripmapImager::ambiguities() const {
+  constexpr double least_power = 1e-6;
+  constexpr int parts = 64;
+  const double near_m = frame_.closest_range_m.first,
+               far_m = frame_.closest_range_m.middle_of(static_cast<double>(range_.samples));
+  const double sine_depression = std::min(0.99, std::abs(frame_.platform.position.z) / (0.5 * (near_m + far_m)));
+  const int most = static_cast<int>(4.0 * speed_mps_ / (wavelength_m(frame_.frequency_hz) * repetition_hz_)) + 1;
+  std::vector<AzimuthAmbiguity> found;
+  for (int order = -most; order <= most; ++order) {
+    if (order == 0) continue;
+    AzimuthAmbiguity ambiguity{.order = order, .least_shift_m = 1e300, .most_shift_m = -1e300};
+    for (int part = 0; part < parts; ++part) {
+      const Fold fold = fold_of(order, (part + 0.5) / parts - 0.5);
+      const double voltage = ghost_voltage(fold, sine_depression);
+      ambiguity.power += voltage * voltage / parts;
+      if (std::abs(fold.observed) >= 1.0) continue;
+      for (const double closest_m : {near_m, far_m}) {
+        const double shift_m =
+            closest_m / std::sqrt(1.0 - fold.observed * fold.observed) * (fold.processed - fold.observed);
+        ambiguity.least_shift_m = std::min(ambiguity.least_shift_m, shift_m);
+        ambiguity.most_shift_m = std::max(ambiguity.most_shift_m, shift_m);
+      }
+    }
+    if (ambiguity.power > least_power) found.push_back(ambiguity);
+  }
+  return found;
+}
+
+/// A point at rest but for a range rate of its own, at the time when the line of sight stands where the fold says.
+StripmapImager::Seen StripmapImager::seen(Vec3d position, double own_range_rate_mps, const Fold& fold) const {
+  const Vec3d away = position - frame_.platform.position;
+  const double along_m = dot(away, direction_), closest_m = length(away - direction_ * along_m);
+  const double cosine = std::sqrt(1.0 - fold.observed * fold.observed), range_m = closest_m / cosine;
+  const double way_m = along_m - closest_m * fold.observed / cosine;
+  const double sine = std::clamp(fold.processed - own_range_rate_mps / speed_mps_, -1.0, 1.0);
+  return {way_m / speed_mps_, range_m, way_m + range_m * sine, range_m * std::sqrt(1.0 - sine * sine)};
+}
+
+/// What moves, at the time when the line of sight stands there.
+StripmapImager::Seen StripmapImager::seen_from(double time_s, const radar::Motion& target, const Fold& fold) const {
   const Vec3d away = target.position - (frame_.platform.position + frame_.platform.velocity_mps * time_s);
   const double range_m = length(away);
   const double own_rate = dot(target.velocity_mps, away) / range_m;
-  const double sine = std::clamp(dot(away, direction_) / range_m - own_rate / speed_mps_, -1.0, 1.0);
+  const double seen_at = dot(away, direction_) / range_m - (fold.observed - fold.processed);
+  const double sine = std::clamp(seen_at - own_rate / speed_mps_, -1.0, 1.0);
   return {time_s, range_m, speed_mps_ * time_s + range_m * sine, range_m * std::sqrt(1.0 - sine * sine)};
 }
 
@@ -95,54 +172,104 @@ PlacedAmplitude StripmapImager::placed(const Seen& seen, Vec3d position,
           amplitude * (carrier_phase(seen.closest_range_m, wavelength_m(frame_.frequency_hz)) * voltage)};
 }
 
-void StripmapImager::add(std::span<const radar::Scatterer> ground, unsigned threads) {
+void StripmapImager::add(std::span<const radar::Scatterer> ground, unsigned threads, int order) {
   std::vector<PlacedAmplitude> places(ground.size());
-  const double tangent = std::tan(strip_.squint_rad);
+  const Fold plain = unfolded();
   constexpr std::size_t chunk = 4096;
   parallel_for((ground.size() + chunk - 1) / chunk, threads, [&](std::size_t part, unsigned) {
     for (std::size_t i = part * chunk; i < std::min(ground.size(), (part + 1) * chunk); ++i) {
-      const Vec3d away = ground[i].position - frame_.platform.position;
-      const double along_m = dot(away, direction_), closest_m = length(away - direction_ * along_m);
-      const Seen seen{(along_m - closest_m * tangent) / speed_mps_, closest_m / std::cos(strip_.squint_rad), along_m,
-                      closest_m};
-      places[i] = placed(seen, ground[i].position, ground[i].amplitude_m);
+      const radar::Scatterer& point = ground[i];
+      if (order == 0) {
+        places[i] = placed(seen(point.position, point.range_rate_mps, plain), point.position, point.amplitude_m);
+        continue;
+      }
+      const std::uint64_t key =
+          hashed(std::bit_cast<std::uint64_t>(point.position.x), std::bit_cast<std::uint64_t>(point.position.y), order);
+      const Fold fold = fold_of(order, static_cast<double>(unit_float(key)) - 0.5);
+      const Vec3d away = point.position - frame_.platform.position;
+      const double voltage = ghost_voltage(fold, away.z / length(away - direction_ * dot(away, direction_)));
+      if (voltage == 0.0) {
+        places[i].column = places[i].row = std::nan("");
+        continue;
+      }
+      places[i] = placed(seen(point.position, point.range_rate_mps, fold), point.position,
+                         point.amplitude_m * static_cast<float>(voltage));
     }
   });
   plane_.add(places, threads);
 }
 
-void StripmapImager::add(std::span<const radar::Target> targets) {
-  std::vector<PlacedAmplitude> places;
+/// The part of a target that one fold shows.
+void StripmapImager::add_part(const radar::Target& target, const Fold& fold, float share,
+                              std::vector<PlacedAmplitude>& places) const {
   const double wavelength = wavelength_m(frame_.frequency_hz);
   const double bins_a_cell = 1.0 / (band_per_m(strip_) * along_.step_m);
-  const double sine = std::sin(strip_.squint_rad), cosine = std::cos(strip_.squint_rad);
+  const double sine = fold.observed, cosine = std::sqrt(1.0 - sine * sine);
+  // The beam reaches a slower mover after few steps of: where it is then, when the beam gets there.
+  double time_s = 0.0;
+  for (int step = 0; step < 20; ++step) {
+    const Vec3d away = target.track.position_at(time_s) - frame_.platform.position;
+    const double along_m = dot(away, direction_);
+    time_s = (along_m - length(away - direction_ * along_m) * sine / cosine) / speed_mps_;
+  }
+  const radar::Motion motion = radar::motion_of(target, time_s);
+  const Seen seen = seen_from(time_s, motion, fold);
+  const Vec3d seen_at = frame_.platform.position + frame_.platform.velocity_mps * time_s;
+  const radar::Channels rcs = radar::rcs_of(target, seen_at, frame_.frequency_hz, {time_s, strip_.dwell, 0});
+  const PlacedAmplitude whole = placed(seen, motion.position, radar::steady_amplitude(rcs) * share);
+  if (fold.observed != fold.processed) {
+    places.push_back(whole);
+    return;
+  }
+  const Vec3d relative = motion.velocity_mps - frame_.platform.velocity_mps;
+  const double rate_error = -2.0 * (dot(relative, relative) - speed_mps_ * speed_mps_) / (seen.range_m * wavelength);
+  // The time for which the processed band sees a point: band over Doppler rate.
+  const double interval_s = band_per_m(strip_) * wavelength * seen.range_m / (2.0 * speed_mps_ * cosine * cosine);
+  for (const SmearedPart& part : smeared(rate_error, interval_s)) {
+    places.push_back({whole.column + part.cells * bins_a_cell, whole.row, whole.amplitude * part.amplitude});
+  }
+}
+
+void StripmapImager::add(std::span<const radar::Target> targets, int order) {
+  std::vector<PlacedAmplitude> places;
   for (const radar::Target& target : targets) {
-    // The beam reaches a slower mover after few steps of: where it is then, when the beam gets there.
-    double time_s = 0.0;
-    for (int step = 0; step < 20; ++step) {
-      const Vec3d away = target.track.position_at(time_s) - frame_.platform.position;
-      const double along_m = dot(away, direction_);
-      time_s = (along_m - length(away - direction_ * along_m) * sine / cosine) / speed_mps_;
+    if (order == 0) {
+      add_part(target, unfolded(), 1.0F, places);
+      continue;
     }
-    const radar::Motion motion = radar::motion_of(target, time_s);
-    const Seen seen = seen_from(time_s, motion);
-    const Vec3d seen_at = frame_.platform.position + frame_.platform.velocity_mps * time_s;
-    const radar::Channels rcs = radar::rcs_of(target, seen_at, frame_.frequency_hz, {time_s, strip_.dwell, 0});
-    const PlacedAmplitude whole = placed(seen, motion.position, radar::steady_amplitude(rcs));
-    const Vec3d relative = motion.velocity_mps - frame_.platform.velocity_mps;
-    const double rate_error = -2.0 * (dot(relative, relative) - speed_mps_ * speed_mps_) / (seen.range_m * wavelength);
-    // The time for which the processed band sees a point: band over Doppler rate.
-    const double interval_s = band_per_m(strip_) * wavelength * seen.range_m / (2.0 * speed_mps_ * cosine * cosine);
-    for (const SmearedPart& part : smeared(rate_error, interval_s)) {
-      places.push_back({whole.column + part.cells * bins_a_cell, whole.row, whole.amplitude * part.amplitude});
+    // As many parts as range cells through which the processor lets the ghost wander.
+    const Vec3d position = target.track.position_at(0.0), away = position - frame_.platform.position;
+    const double sine_depression = away.z / length(away - direction_ * dot(away, direction_));
+    const Fold first = fold_of(order, -0.5), last = fold_of(order, 0.5);
+    if (std::max(std::abs(first.observed), std::abs(last.observed)) >= 1.0) continue;
+    const double wander_m =
+        std::abs(seen(position, 0.0, first).closest_range_m - seen(position, 0.0, last).closest_range_m);
+    const int parts = static_cast<int>(std::clamp(std::round(wander_m / frame_.closest_range_cell_m), 1.0, 256.0));
+    for (int part = 0; part < parts; ++part) {
+      const Fold fold = fold_of(order, (part + 0.5) / parts - 0.5);
+      const double voltage = ghost_voltage(fold, sine_depression) / std::sqrt(parts);
+      if (voltage != 0.0) add_part(target, fold, static_cast<float>(voltage), places);
     }
   }
   plane_.add(places);
 }
 
+void StripmapImager::add(const EquivalentNoise& noise) {
+  const double cosine = std::cos(strip_.squint_rad);
+  const double pulses_a_metre =
+      repetition_hz_ * band_per_m(strip_) * wavelength_m(frame_.frequency_hz) / (2.0 * speed_mps_ * cosine * cosine);
+  noise_ = {.power =
+                [noise, cosine, pulses_a_metre, closest_m = frame_.closest_range_m,
+                 bandwidth = response_.noise_bandwidth()](std::size_t row) {
+                  const double range_m = closest_m.middle_of(static_cast<double>(row) + 0.5) / cosine;
+                  return noise.rcs_m2(range_m, pulses_a_metre * range_m, bandwidth);
+                },
+            .seed = noise.seed()};
+}
+
 radar::StripmapImage StripmapImager::image(unsigned threads) const {
   radar::StripmapImage image = frame_;
-  const auto rows = rows_from(plane_.bins({}, threads), range_.guard, range_.samples);
+  const auto rows = noisy_rows(plane_, noise_, range_.guard, range_.samples, {}, threads);
   image.amplitude_m = Array2D<radar::ComplexChannels>(along_.samples, range_.samples);
   for (std::size_t row = 0; row < rows.rows(); ++row) {
     std::ranges::copy(rows.row(row).subspan(along_.guard, along_.samples), image.amplitude_m.row(row).begin());
@@ -151,7 +278,7 @@ radar::StripmapImage StripmapImager::image(unsigned threads) const {
 }
 
 Array2D<radar::Channels> StripmapImager::power(std::size_t looks, unsigned threads) const {
-  const auto all = multilooked(plane_, looks, range_.guard, range_.samples, threads);
+  const auto all = multilooked(plane_, noise_, looks, range_.guard, range_.samples, threads);
   Array2D<radar::Channels> strip(along_.samples, range_.samples);
   for (std::size_t row = 0; row < all.rows(); ++row) {
     std::ranges::copy(all.row(row).subspan(along_.guard, along_.samples), strip.row(row).begin());

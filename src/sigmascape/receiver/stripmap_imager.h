@@ -2,11 +2,14 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "sigmascape/radar/radar.h"
 #include "sigmascape/radar/scatterer.h"
 #include "sigmascape/radar/slant_image.h"
 #include "sigmascape/radar/target.h"
+#include "sigmascape/receiver/equivalent_noise.h"
+#include "sigmascape/receiver/multilook.h"
 #include "sigmascape/receiver/range_gate.h"
 #include "sigmascape/receiver/response_plane.h"
 #include "sigmascape/receiver/voltage_gain.h"
@@ -24,18 +27,36 @@ struct Strip {
   std::uint64_t dwell = 0;    ///< by which fluctuating targets are drawn
 };
 
+/// An azimuth ambiguity of a strip: what the pulses fold into the processed band from this number of repetition
+/// frequencies away.
+struct AzimuthAmbiguity {
+  int order = 0;
+  double power = 0.0;          ///< of the ghost over that of the point itself
+  double least_shift_m = 0.0;  ///< along the flight, from a point to its ghost, over the range gate
+  double most_shift_m = 0.0;
+};
+
 /// Stripmap SAR in the image domain: every point answers at its closest slant range and its place along the flight,
 /// with the exact responses of band and processed Doppler; movers stand where a point at rest would have their range
 /// and Doppler as the beam passes them, and are smeared over what its Doppler rate differs. Slant geometry; the
-/// antenna's gain is that on the axis of the beam unless `gain` says otherwise. docs/physics/doppler.md, Eqs. (5), (6).
+/// antenna's gain is that on the axis of the beam unless `gain` says otherwise. Ghosts are added on request, one order
+/// after the other. docs/physics/doppler.md, Eqs. (5), (6), (13), (14).
 class StripmapImager {
  public:
   /// `platform`: at time zero. Throws Error when gate or strip make no sense or the platform stands still.
   StripmapImager(const radar::Radar& radar, const radar::Motion& platform, const Strip& strip, const RangeGate& gate,
                  VoltageGain gain = {});
 
-  void add(std::span<const radar::Scatterer> ground, unsigned threads = 0);
-  void add(std::span<const radar::Target> targets);
+  /// The orders of which ghosts are within 60 dB of the point itself, by the antenna's pattern in azimuth and the pulse
+  /// repetition frequency. docs/physics/doppler.md, Eq. (14).
+  [[nodiscard]] std::vector<AzimuthAmbiguity> ambiguities() const;
+
+  /// Points where they are or, of an order other than 0, their ghosts. A ghost of ground is put in one place of the
+  /// patch over which the processor smears it, drawn for each scatterer, that of a target in many.
+  void add(std::span<const radar::Scatterer> ground, unsigned threads = 0, int order = 0);
+  void add(std::span<const radar::Target> targets, int order = 0);
+  /// Thermal noise, in place of what there was of it.
+  void add(const EquivalentNoise& noise);
 
   [[nodiscard]] radar::StripmapImage image(unsigned threads = 0) const;
   /// An image without amplitudes: where bins lie and how large cells are.
@@ -45,16 +66,25 @@ class StripmapImager {
 
  private:
   struct Seen;
-  [[nodiscard]] Seen seen_from(double time_s, const radar::Motion& target) const;
+  struct Fold;
+  [[nodiscard]] Fold unfolded() const;
+  [[nodiscard]] Fold fold_of(int order, double part_of_band) const;
+  [[nodiscard]] double ghost_voltage(const Fold& fold, double sine_depression) const;
+  [[nodiscard]] Seen seen(Vec3d position, double own_range_rate_mps, const Fold& fold) const;
+  [[nodiscard]] Seen seen_from(double time_s, const radar::Motion& target, const Fold& fold) const;
   [[nodiscard]] PlacedAmplitude placed(const Seen& seen, Vec3d position, const radar::ComplexChannels& amplitude) const;
+  void add_part(const radar::Target& target, const Fold& fold, float share, std::vector<PlacedAmplitude>& places) const;
 
   Strip strip_;
   GatedAxis range_, along_;
   VoltageGain gain_;
   radar::StripmapImage frame_;  // without bins
-  double speed_mps_;
+  double speed_mps_, repetition_hz_;
   Vec3d direction_;
+  radar::AntennaCut azimuth_;
+  radar::WindowResponse response_;
   ResponsePlane plane_;
+  RowNoise noise_;
 };
 
 }  // namespace sigmascape::receiver

@@ -2,19 +2,23 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <vector>
 
 #include "sigmascape/base/error.h"
+#include "sigmascape/base/hash.h"
+#include "sigmascape/base/parallel.h"
 #include "sigmascape/base/units.h"
+#include "sigmascape/radar/windblown_vegetation.h"
 #include "sigmascape/receiver/calibrated_voltage.h"
 #include "sigmascape/receiver/doppler_imager.h"
+#include "sigmascape/receiver/pattern_gain.h"
 #include "sigmascape/receiver/pulse_receiver.h"
 #include "sigmascape/receiver/range_azimuth_receiver.h"
 #include "sigmascape/receiver/stripmap_imager.h"
 #include "sigmascape/receiver/target_echoes.h"
-#include "sigmascape/render/line_of_sight.h"
 
 namespace sigmascape::simulate {
 namespace {
@@ -69,27 +73,39 @@ receiver::RangeGate gate_over(const radar::Radar& radar, const radar::Rectangle&
                    oversampling);
 }
 
+/// Gives each scatterer of a plant the velocity that is drawn for its place.
+void blow_on(std::vector<radar::Scatterer>& scatterers, const Windblown& windblown, const radar::Radar& radar,
+             const CoherentSettings& settings) {
+  const radar::WindblownVegetation leaves(radar.wind_mps, radar.frequency_hz);
+  constexpr std::size_t chunk = 4096;
+  parallel_for((scatterers.size() + chunk - 1) / chunk, settings.threads, [&](std::size_t part, unsigned) {
+    for (std::size_t i = part * chunk; i < std::min(scatterers.size(), (part + 1) * chunk); ++i) {
+      const Vec3d place = scatterers[i].position;
+      if (!windblown({place.x, place.y})) continue;
+      scatterers[i].range_rate_mps = leaves.range_rate_mps(
+          hashed(settings.seed, std::bit_cast<std::uint64_t>(place.x), std::bit_cast<std::uint64_t>(place.y)));
+    }
+  });
+}
+
 std::vector<radar::Scatterer> scatterers_of(const CoherentScene& scene, const radar::Radar& radar,
                                             const radar::Rectangle& area, const CoherentSettings& settings) {
   const double spacing_m =
       settings.scatterer_spacing_m > 0.0 ? settings.scatterer_spacing_m : radar.range_resolution_m / 2.0;
   const radar::ScattererLattice lattice({.seed = settings.seed, .cell_m = spacing_m, .levels = 1});
-  return render::ground_scatterers(
+  auto scatterers = render::ground_scatterers(
       *scene.terrain, scene.sigma0, lattice,
       {.radar_position = radar.position, .area = area, .level = 0, .time_s = 0.0, .threads = settings.threads},
       scene.targets);
+  if (radar.wind_mps > 0.0 && scene.windblown) blow_on(scatterers, scene.windblown, radar, settings);
+  return scatterers;
 }
 
-std::vector<radar::Target> seen_targets(std::span<const radar::Target> targets, const terrain::HeightField& terrain,
-                                        Vec3d radar_position, double time_s) {
-  const double highest_m = terrain.highest_m();
-  std::vector<radar::Target> seen;
-  for (const radar::Target& target : targets) {
-    if (render::line_of_sight(terrain, highest_m, radar_position, target.track.position_at(time_s))) {
-      seen.push_back(target);
-    }
-  }
-  return seen;
+/// Those that are seen at time zero.
+std::vector<radar::Target> targets_seen(const CoherentScene& scene, Vec3d radar_position) {
+  const Surroundings surroundings{*scene.terrain, obstacles_of(scene.sigma0)};
+  return seen_targets(scene.targets, 0.0,
+                      [&](Vec3d position) { return part_seen(surroundings, radar_position, position); });
 }
 
 /// The angle of the middle of the area ahead of broadside, at time zero.
@@ -103,6 +119,30 @@ receiver::BeamAzimuth beam_of(const radar::Radar& radar, Vec3d aim) {
   return receiver::abeam(std::atan2(away.x, away.y) - std::atan2(radar.velocity_mps.x, radar.velocity_mps.y));
 }
 
+/// What the pattern leaves of an image made in metres, or nothing where that is not asked for.
+receiver::VoltageGain image_gain(const radar::Radar& radar, Vec3d aim) {
+  if (!radar.processing.antenna_pattern) return {};
+  if (radar.mode == radar::Mode::Stripmap) return receiver::pattern_gain(radar);
+  const bool scans = radar.scan.kind != radar::ScanKind::Fixed;
+  if (radar.mode == radar::Mode::DopplerBeamSharpening && scans) return receiver::pattern_gain(radar);
+  return receiver::pattern_gain(radar, receiver::towards(aim));
+}
+
+/// The ground whose ghosts fall into an area.
+radar::Rectangle seen_as(const radar::Rectangle& area, const receiver::AzimuthAmbiguity& ambiguity, Vec3d direction) {
+  const auto spread = [&](double west_or_south, double east_or_north, double along) {
+    const double one = -along * ambiguity.least_shift_m, other = -along * ambiguity.most_shift_m;
+    return std::array{west_or_south + std::min(one, other), east_or_north + std::max(one, other)};
+  };
+  const auto x = spread(area.west_m, area.east_m, direction.x), y = spread(area.south_m, area.north_m, direction.y);
+  return {x[0], y[0], x[1], y[1]};
+}
+
+radar::Rectangle common_part(const radar::Rectangle& a, const radar::Rectangle& b) {
+  return {std::max(a.west_m, b.west_m), std::max(a.south_m, b.south_m), std::min(a.east_m, b.east_m),
+          std::min(a.north_m, b.north_m)};
+}
+
 std::size_t pulses_in(const radar::Radar& radar, const CoherentSettings& settings) {
   return static_cast<std::size_t>(std::max(2.0, std::round(settings.interval_s * radar.waveform.pulse_repetition_hz)));
 }
@@ -110,6 +150,7 @@ std::size_t pulses_in(const radar::Radar& radar, const CoherentSettings& setting
 receiver::DopplerImager doppler_imager(const CoherentScene& scene, const radar::Radar& radar,
                                        const radar::Rectangle& area, const CoherentSettings& settings) {
   check_moves(radar);
+  const Vec3d aim = middle_of(area, *scene.terrain);
   receiver::DopplerImager imager(radar, radar::Track::straight(radar.position, radar.velocity_mps),
                                  {.middle_time_s = 0.0,
                                   .pulses = pulses_in(radar, settings),
@@ -117,10 +158,11 @@ receiver::DopplerImager doppler_imager(const CoherentScene& scene, const radar::
                                   .window = radar.waveform.window,
                                   .oversampling = image_oversampling,
                                   .dwell = settings.dwell},
-                                 gate_over(radar, area, *scene.terrain, image_oversampling),
-                                 middle_of(area, *scene.terrain));
+                                 gate_over(radar, area, *scene.terrain, image_oversampling), aim,
+                                 image_gain(radar, aim));
+  if (radar.processing.thermal_noise) imager.add(receiver::EquivalentNoise(radar, settings.seed));
   imager.add(scatterers_of(scene, radar, area, settings), settings.threads);
-  imager.add(seen_targets(scene.targets, *scene.terrain, radar.position, 0.0));
+  imager.add(targets_seen(scene, radar.position));
   return imager;
 }
 
@@ -132,17 +174,28 @@ receiver::StripmapImager stripmap_imager(const CoherentScene& scene, const radar
   const auto closest = [&](Vec3d point) { return length(point - radar.position - direction * along(point)); };
   const Vec2d here{radar.position.x, radar.position.y};
   const auto along_m = span_of(area, *scene.terrain, here, along);
+  const Vec3d aim = middle_of(area, *scene.terrain);
   receiver::StripmapImager imager(radar, {radar.position, radar.velocity_mps},
                                   {.first_along_m = along_m[0],
                                    .last_along_m = along_m[1],
                                    .resolution_m = settings.along_resolution_m,
                                    .window = radar.waveform.window,
                                    .oversampling = image_oversampling,
-                                   .squint_rad = squint_of(radar, middle_of(area, *scene.terrain)),
+                                   .squint_rad = squint_of(radar, aim),
                                    .dwell = settings.dwell},
-                                  gate_over(radar, span_of(area, *scene.terrain, here, closest), image_oversampling));
+                                  gate_over(radar, span_of(area, *scene.terrain, here, closest), image_oversampling),
+                                  image_gain(radar, aim));
+  if (radar.processing.thermal_noise) imager.add(receiver::EquivalentNoise(radar, settings.seed));
+  const auto targets = targets_seen(scene, radar.position);
   imager.add(scatterers_of(scene, radar, area, settings), settings.threads);
-  imager.add(seen_targets(scene.targets, *scene.terrain, radar.position, 0.0));
+  imager.add(targets);
+  if (!radar.processing.ambiguities) return imager;
+  for (const receiver::AzimuthAmbiguity& ambiguity : imager.ambiguities()) {
+    imager.add(targets, ambiguity.order);
+    const radar::Rectangle there = common_part(seen_as(area, ambiguity, direction), scene.terrain->extent());
+    if (!(there.width_m() > 0.0 && there.height_m() > 0.0)) continue;
+    imager.add(scatterers_of(scene, radar, there, settings), settings.threads, ambiguity.order);
+  }
   return imager;
 }
 
@@ -165,7 +218,7 @@ radar::PhaseHistory phase_history(const CoherentScene& scene, const radar::Radar
   const std::size_t count = pulses_in(radar, settings);
   const receiver::PulseReceiver receiver(radar, gate_over(radar, area, *scene.terrain, pulse_oversampling));
   const auto ground = scatterers_of(scene, radar, area, settings);
-  const auto targets = seen_targets(scene.targets, *scene.terrain, radar.position, 0.0);
+  const auto targets = targets_seen(scene, radar.position);
   const receiver::VoltageGain gain =
       settings.calibrated ? receiver::calibrated_voltage(radar, beam_of(radar, middle_of(area, *scene.terrain)))
                           : receiver::VoltageGain{};
@@ -203,9 +256,11 @@ radar::PowerImage<radar::StripmapImage> stripmap_power(const CoherentScene& scen
   return {frame_of(imager.frame(), looks), imager.power(looks, settings.threads)};
 }
 
-void add_targets(radar::RangeAzimuthImage& image, const radar::Radar& radar, const terrain::HeightField& terrain,
+void add_targets(radar::RangeAzimuthImage& image, const radar::Radar& radar, const Surroundings& surroundings,
                  std::span<const radar::Target> targets, const radar::Moment& moment) {
-  const auto seen = seen_targets(targets, terrain, radar.position, moment.time_s);
+  if (targets.empty()) return;
+  const auto seen = seen_targets(targets, moment.time_s,
+                                 [&](Vec3d position) { return part_seen(surroundings, radar.position, position); });
   receiver::RangeAzimuthReceiver receiver(radar, image.grid);
   receiver.add(receiver::target_echoes(seen, radar, moment));
   const auto answers = receiver.image();

@@ -10,6 +10,8 @@
 #include "sigmascape/radar/slant_image.h"
 #include "sigmascape/radar/target.h"
 #include "sigmascape/render/ground_scatterers.h"
+#include "sigmascape/simulate/target_sight.h"
+#include "sigmascape/simulate/windblown.h"
 #include "sigmascape/terrain/height_field.h"
 
 namespace sigmascape::simulate {
@@ -19,6 +21,7 @@ struct CoherentScene {
   const terrain::HeightField* terrain = nullptr;
   render::Reflectivity sigma0;  ///< `render::reflectivity_of` an atlas, or any field
   std::span<const radar::Target> targets = {};
+  Windblown windblown = {};  ///< where leaves move when the radar's file knows of wind; nowhere without
 };
 
 struct CoherentSettings {
@@ -37,18 +40,22 @@ struct CoherentSettings {
 
 /// The pulses of one interval, before any processing: I and Q, at the radar's pulse repetition frequency, over the gate
 /// that `area` or the radar file asks for. The beam follows the middle of the area, or with Mode::Stripmap keeps the
-/// direction that it has at time zero. Targets are seen over the bare terrain. Cost goes with pulses × scatterers.
+/// direction that it has at time zero. Targets are seen where terrain and what the atlas knows to stand there let them,
+/// as at time zero. Cost goes with pulses × scatterers.
 ///
 /// Throws Error when the radar does not move, the gate is longer than the unambiguous range, or the area is too large.
 [[nodiscard]] radar::PhaseHistory phase_history(const CoherentScene& scene, const radar::Radar& radar,
                                                 const radar::Rectangle& area, const CoherentSettings& settings);
 
 /// Doppler beam sharpening or spotlight SAR of the area as a focused image in slant range and Doppler, in metres.
+/// `radar.processing` says whether with the antenna's pattern and with noise. The beam of a spotlight, and that of a
+/// scan of one direction, points to the middle of the area; a scanning one is taken to pass over every place.
 [[nodiscard]] radar::RangeDopplerImage range_doppler_image(const CoherentScene& scene, const radar::Radar& radar,
                                                            const radar::Rectangle& area,
                                                            const CoherentSettings& settings);
 
-/// Stripmap SAR of the area, at the squint under which the radar sees its middle at time zero, in metres.
+/// Stripmap SAR of the area, at the squint under which the radar sees its middle at time zero, in metres. Ground beyond
+/// the area takes part where its azimuth ambiguities fall into it.
 [[nodiscard]] radar::StripmapImage stripmap_image(const CoherentScene& scene, const radar::Radar& radar,
                                                   const radar::Rectangle& area, const CoherentSettings& settings);
 
@@ -64,9 +71,9 @@ struct CoherentSettings {
                                                                      const CoherentSettings& settings,
                                                                      std::size_t looks);
 
-/// Adds the targets that the radar sees over the bare terrain to an image of the power mode, of whatever level of
+/// Adds the targets that the radar sees in these surroundings to an image of the power mode, of whatever level of
 /// detail.
-void add_targets(radar::RangeAzimuthImage& image, const radar::Radar& radar, const terrain::HeightField& terrain,
+void add_targets(radar::RangeAzimuthImage& image, const radar::Radar& radar, const Surroundings& surroundings,
                  std::span<const radar::Target> targets, const radar::Moment& moment);
 
 }  // namespace sigmascape::simulate

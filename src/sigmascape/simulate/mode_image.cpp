@@ -49,7 +49,7 @@ ModeImage mode_image(const ModeRequest& request, const radar::CoherentPlan& plan
   const double finest_m = std::min(radar.range_resolution_m, of_all_looks_m);
   const double level = std::max(request.level_of_detail - 1.0, request.atlas.level_for(finest_m / 2.0));
   const CoherentScene seen{&request.terrain, render::AtlasReflectivity{&request.atlas, radar.frequency_hz, level},
-                           request.targets};
+                           request.targets, request.windblown};
   const CoherentSettings settings{.interval_s = plan.interval_s,
                                   .along_resolution_m = of_all_looks_m,
                                   .scatterer_spacing_m = finest_m / 2.0,
@@ -68,6 +68,9 @@ std::map<std::string, std::string> provenance_of(const ModeRequest& request, con
           {"looks", std::to_string(plan.looks)},
           {"along_resolution_m", fmt::format("{:.4g}", plan.along_resolution_m)},
           {"squint_deg", fmt::format("{:.4g}", deg_from_radians(plan.squint_rad))},
+          {"antenna_pattern", request.radar.processing.antenna_pattern ? "left in" : "none"},
+          {"thermal_noise", request.radar.processing.thermal_noise ? "in it" : "none"},
+          {"wind_mps", fmt::format("{:g}", request.radar.wind_mps)},
           {"targets", std::to_string(request.targets.size())},
           {"seed", std::to_string(request.seed)}};
 }

@@ -21,6 +21,7 @@ struct ModeRequest {
   const radar::Radar& radar;  ///< placed, at a frequency that was baked
   const radar::GroundGrid& grid;
   std::span<const radar::Target> targets = {};
+  Windblown windblown = {};  ///< where leaves move, see CoherentScene
   int level_of_detail = 1;
   std::uint64_t seed = 1;
   unsigned threads = 0;

@@ -35,6 +35,21 @@ TEST_F(ModeKeys, SayHowPulsesAreAddedUp) {
   EXPECT_EQ(read("kind = \"stripmap\"\n").processing, Processing{});
 }
 
+TEST_F(ModeKeys, SayWhatIsLeftInAnImage) {
+  const Processing plain = read("kind = \"stripmap\"\n").processing;
+  EXPECT_TRUE(plain.ambiguities);
+  EXPECT_FALSE(plain.antenna_pattern);
+  EXPECT_FALSE(plain.thermal_noise);
+  const Processing all =
+      read("kind = \"stripmap\"\nambiguities = false\nantenna_pattern = true\nthermal_noise = true\n").processing;
+  EXPECT_FALSE(all.ambiguities);
+  EXPECT_TRUE(all.antenna_pattern);
+  EXPECT_TRUE(all.thermal_noise);
+  EXPECT_THAT(fault_of("kind = \"spotlight\"\nambiguities = true\n"),
+              HasSubstr("mode.ambiguities: means nothing in a spotlight mode; leave it out, or use it with stripmap"));
+  EXPECT_THAT(fault_of("thermal_noise = true\n"), HasSubstr("mode.thermal_noise: means nothing in a real-beam mode"));
+}
+
 TEST_F(ModeKeys, NonsenseIsRefused) {
   EXPECT_THAT(fault_of("kind = \"stripmap\"\n", "heading_deg = 40\n"),
               HasSubstr("x.toml: mode.kind: is stripmap, and the platform stands still; give platform.speed_mps"));

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <functional>
+#include <string_view>
+
+#include "sigmascape/scene/scene.h"
+
+namespace sigmascape::simulate {
+
+/// Whether what grows at a point moves in the wind. Called from several threads at once.
+using Windblown = std::function<bool(Vec2d point)>;
+
+/// By the scene: under crowns of trees and on ground whose material is a plant cover. The scene must outlive it.
+[[nodiscard]] Windblown windblown_of(const scene::Scene& scene, const radar::Rectangle& area);
+
+/// Whether a material of this name stands for plants: grass, crops, shrubs, forest and farmland of any model, but not
+/// what lies beneath trees.
+[[nodiscard]] bool is_plant_cover(std::string_view material);
+
+}  // namespace sigmascape::simulate

@@ -1,0 +1,212 @@
+#include <cmath>
+#include <complex>
+#include <gtest/gtest.h>
+#include <vector>
+
+#include "validation/validation_record.h"
+
+#include "sigmascape/base/units.h"
+#include "sigmascape/product/slant_projection.h"
+#include "sigmascape/receiver/pulse_receiver.h"
+#include "sigmascape/receiver/stripmap_imager.h"
+#include "sigmascape/simulate/coherent.h"
+
+namespace sigmascape {
+namespace {
+
+constexpr std::string_view group = "Azimuth ambiguities";
+constexpr double wavelength = 0.03, speed_mps = 100.0, range_m = 10e3, resolution_m = 1.0;
+const Vec3d point{range_m, 0.0, 0.0};
+
+/// Flies north and looks east, with a uniform aperture of two degrees and far too few pulses: the first ambiguity is in
+/// the first side lobe.
+radar::Radar thin_radar() {
+  radar::Radar radar;
+  radar.frequency_hz = speed_of_light_mps / wavelength;
+  radar.range_resolution_m = resolution_m;
+  radar.beam_width_rad = radians_from_deg(2.0);
+  radar.antenna.azimuth = radar::ApertureBeam{{.shape = radar::WindowShape::Rectangular}};
+  radar.waveform.window = {.shape = radar::WindowShape::Rectangular};
+  radar.waveform.pulse_repetition_hz = 300.0;
+  radar.velocity_mps = {0.0, speed_mps, 0.0};
+  radar.mode = radar::Mode::Stripmap;
+  return radar;
+}
+
+const double processed_hz = 0.8859 * speed_mps / resolution_m;  // of the even window
+
+/// Energy and middle of what a patch of an image holds.
+struct Patch {
+  double energy = 0.0, along_m = 0.0, across_m = 0.0;
+  void add(double power, double s, double r) {
+    energy += power;
+    along_m += power * s;
+    across_m += power * r;
+  }
+  [[nodiscard]] Patch over(double cells) const { return {energy * cells, along_m / energy, across_m / energy}; }
+};
+
+/// The pulses, focused at a place of the strip by turning back those under which its Doppler lies in the processed
+/// band, with the pattern undone: what a strip-map processor of the textbook makes, written for this test alone.
+std::complex<double> focused(const radar::PhaseHistory& history, const radar::AntennaCut& beam, double s, double r) {
+  std::complex<double> sum;
+  double count = 0.0;
+  for (std::size_t n = 0; n < history.pulses.size(); ++n) {
+    const double along = s - history.pulses[n].platform.position.y, distance = std::hypot(along, r);
+    const double doppler_hz = 2.0 * speed_mps * along / (wavelength * distance);
+    if (std::abs(doppler_hz) > processed_hz / 2.0) continue;
+    const double place = (distance - history.first_range_m) / history.range_step_m;
+    const auto m = static_cast<std::size_t>(place);
+    const double part = place - static_cast<double>(m);
+    const std::complex<double> sample = std::complex<double>(history.samples(m, n).vv) * (1.0 - part) +
+                                        std::complex<double>(history.samples(m + 1, n).vv) * part;
+    sum += sample * std::polar(1.0 / beam.power(std::asin(along / distance)),
+                               std::remainder(4.0 * pi * distance / wavelength, 2.0 * pi));
+    count += 1.0;
+  }
+  return sum / count;
+}
+
+Patch from_pulses(const radar::PhaseHistory& history, const radar::AntennaCut& beam, double middle_m,
+                  double half_along_m, double half_across_m) {
+  constexpr double step_m = 0.6;
+  Patch patch;
+  for (double r = range_m - half_across_m; r <= range_m + half_across_m; r += step_m) {
+    for (double s = middle_m - half_along_m; s <= middle_m + half_along_m; s += step_m)
+      patch.add(std::norm(focused(history, beam, s, r)), s, r);
+  }
+  return patch.over(step_m * step_m);
+}
+
+Patch from_image(const radar::StripmapImage& image, double middle_m, double half_along_m) {
+  Patch patch;
+  for (std::size_t row = 0; row < image.closest_range_m.bins; ++row) {
+    for (std::size_t column = 0; column < image.along_m.bins; ++column) {
+      const double s = image.along_m.middle_of(static_cast<double>(column) + 0.5);
+      if (std::abs(s - middle_m) > half_along_m) continue;
+      patch.add(std::norm(image.amplitude_m(column, row).vv), s,
+                image.closest_range_m.middle_of(static_cast<double>(row) + 0.5));
+    }
+  }
+  return patch.over(image.along_m.step * image.closest_range_m.step);
+}
+
+/// A ghost of a point has the place, the extent and the energy that a processor makes of the pulses themselves.
+TEST(AzimuthAmbiguity, is_where_and_what_a_processor_makes_of_thin_pulses) {
+  const auto radar = thin_radar();
+  const radar::AntennaCut beam = radar::antenna_pattern(radar).azimuth();
+  radar::Target target;
+  target.track = radar::Track::straight(point);
+  target.rcs_m2 = radar::Channels{1.0F, 1.0F, 0.0F, 1.0F};
+  const std::vector<radar::Target> targets{target};
+  // A ghost lies λ r f_p/2V = 450 m off; the pulses that show it are sent from there.
+  const double shift_m = wavelength * range_m * 300.0 / (2.0 * speed_mps);
+  const auto pulses_about = [&](double along_m) {
+    const receiver::PulseReceiver receiver(radar, {range_m - 40.0, range_m + 60.0, 8.0});
+    const auto voltage = [&beam](const radar::Pulse& pulse, Vec3d position, double) {
+      const Vec3d away = position - pulse.platform.position;
+      return static_cast<float>(beam.power(std::atan2(away.y, away.x)));
+    };
+    return receiver.receive(radar::Track::straight({}, radar.velocity_mps),
+                            {.first_time_s = along_m / speed_mps - 1.2, .count = 721, .repetition_hz = 300.0}, {},
+                            targets, voltage);
+  };
+  receiver::StripmapImager alone(
+      radar, {{}, radar.velocity_mps},
+      {.first_along_m = -600.0, .last_along_m = 600.0, .resolution_m = resolution_m, .window = radar.waveform.window},
+      {range_m - 60.0, range_m + 60.0, 1.5});
+  // Side lobes of the point itself are as strong as its ghosts: they are looked at apart.
+  receiver::StripmapImager ghosts = alone;
+  alone.add(targets);
+  for (const auto& ambiguity : ghosts.ambiguities()) ghosts.add(targets, ambiguity.order);
+  const auto image = ghosts.image();
+
+  const Patch main_pulses = from_pulses(pulses_about(0.0), beam, 0.0, 12.0, 12.0),
+              main_image = from_image(alone.image(), 0.0, 40.0);
+  EXPECT_NEAR(db_from_linear(main_image.energy / main_pulses.energy), 0.0, 0.4);
+  for (const int side : {-1, 1}) {
+    const double there_m = side * shift_m;
+    const Patch of_pulses = from_pulses(pulses_about(there_m), beam, there_m, 40.0, 20.0);
+    const Patch of_image = from_image(image, there_m, 60.0);
+    const std::string name = side < 0 ? ", behind" : ", ahead";
+    validation::expect_close({group, "energy of the first ghost over the point's" + name,
+                              db_from_linear(of_pulses.energy / main_pulses.energy),
+                              db_from_linear(of_image.energy / main_image.energy), 0.5, "dB",
+                              "back-projected pulses, pattern undone"});
+    validation::expect_close({group, "place of the first ghost" + name, of_pulses.along_m, of_image.along_m, 1.5, "m",
+                              "back-projected pulses"});
+    validation::expect_close({group, "closest range of the first ghost" + name, of_pulses.across_m, of_image.across_m,
+                              1.0, "m", "back-projected pulses"});
+    EXPECT_NEAR(of_pulses.along_m, there_m, 10.0);
+  }
+}
+
+/// Of even ground the ghosts have what the integral of the pattern says: the azimuth ambiguity ratio of the textbook.
+TEST(AzimuthAmbiguity, of_even_ground_is_the_integral_of_the_pattern) {
+  constexpr double along_resolution_m = 4.0, depression = 0.3;
+  const double cosine = std::cos(depression);
+  auto radar = thin_radar();
+  radar.position = {0.0, 0.0, range_m * std::sin(depression)};
+  const terrain::HeightField terrain{
+      .west_m = 9000.0, .north_m = 6000.0, .spacing_m = 100.0, .height_m = Array2D<float>(11, 121, 0.0F)};
+  const render::Reflectivity even = [](Vec2d, const radar::Aspect&) { return radar::Channels{0.1F, 0.1F, 0.0F, 0.0F}; };
+  const double ground_m = range_m * cosine;
+  // A strip so long that ghosts of the first orders fall into its middle third from both sides.
+  const auto scatterers = render::ground_scatterers(
+      terrain, even, radar::ScattererLattice({.seed = 5, .cell_m = 2.0}),
+      {.radar_position = radar.position, .area = {ground_m - 90.0, -1150.0, ground_m + 60.0, 1150.0}});
+  const auto power_of = [&](bool ghosts) {
+    receiver::StripmapImager imager(radar, {radar.position, radar.velocity_mps},
+                                    {.first_along_m = -100.0,
+                                     .last_along_m = 100.0,
+                                     .resolution_m = along_resolution_m,
+                                     .window = radar.waveform.window},
+                                    {range_m - 20.0, range_m + 20.0, 1.5});
+    if (!ghosts) imager.add(scatterers);
+    for (const auto& ambiguity : imager.ambiguities()) {
+      if (ghosts && std::abs(ambiguity.order) <= 2) imager.add(scatterers, 0, ambiguity.order);
+    }
+    double sum = 0.0;
+    for (const auto& bin : imager.image().amplitude_m.values()) sum += static_cast<double>(std::norm(bin.vv));
+    return sum;
+  };
+  const radar::AntennaCut beam = radar::antenna_pattern(radar).azimuth();
+  const double band_hz = 0.8859 * speed_mps / along_resolution_m;
+  const auto angle = [&](double hz) { return std::asin(wavelength * hz / (2.0 * speed_mps * cosine)); };
+  double ratio = 0.0;
+  constexpr int parts = 200;
+  for (const int order : {-2, -1, 1, 2}) {
+    for (int k = 0; k < parts; ++k) {
+      const double f = ((k + 0.5) / parts - 0.5) * band_hz;
+      ratio += std::pow(beam.power(angle(f + order * 300.0)) / beam.power(angle(f)), 2.0) / parts;
+    }
+  }
+  validation::expect_close({group, "ghosts over ground, even ground", db_from_linear(ratio),
+                            db_from_linear(power_of(true) / power_of(false)), 0.5, "dB", "∫ g⁴(f + k f_p)/g⁴(f) df"});
+}
+
+/// The map of a mode shows ghosts of what lies beside it, unless they are refused.
+TEST(AzimuthAmbiguity, falls_into_maps_from_beside_them) {
+  auto radar = thin_radar();
+  radar.position = {-range_m * std::cos(0.3), 0.0, range_m * std::sin(0.3)};
+  const terrain::HeightField terrain{
+      .west_m = -300.0, .north_m = 1000.0, .spacing_m = 100.0, .height_m = Array2D<float>(7, 21, 0.0F)};
+  // Bright ground from 400 m north on, and none in the map, which ends 300 m before it.
+  const render::Reflectivity far_off = [](Vec2d place, const radar::Aspect&) {
+    const float sigma0 = place.y > 400.0 && place.y < 500.0 ? 1.0F : 0.0F;
+    return radar::Channels{sigma0, sigma0, 0.0F, 0.0F};
+  };
+  const auto power = [&](bool ambiguities) {
+    radar.processing.ambiguities = ambiguities;
+    const auto image = simulate::stripmap_image({&terrain, far_off}, radar, {-50.0, -60.0, 50.0, 60.0},
+                                                {.along_resolution_m = 4.0, .scatterer_spacing_m = 2.0});
+    double sum = 0.0;
+    for (const auto& bin : image.amplitude_m.values()) sum += static_cast<double>(std::norm(bin.vv));
+    return sum;
+  };
+  EXPECT_EQ(power(false), 0.0);
+  EXPECT_GT(power(true), 0.0);
+}
+
+}  // namespace
+}  // namespace sigmascape

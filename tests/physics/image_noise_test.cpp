@@ -1,0 +1,189 @@
+#include <cmath>
+#include <gtest/gtest.h>
+#include <vector>
+
+#include "validation/validation_record.h"
+
+#include "sigmascape/base/units.h"
+#include "sigmascape/product/slant_projection.h"
+#include "sigmascape/radar/noise.h"
+#include "sigmascape/radar/radar_equation.h"
+#include "sigmascape/simulate/coherent.h"
+
+namespace sigmascape {
+namespace {
+
+constexpr std::string_view group = "Noise and pattern of images";
+
+terrain::HeightField level_ground(double half_side_m) {
+  return {.west_m = -half_side_m,
+          .north_m = half_side_m,
+          .spacing_m = half_side_m / 20.0,
+          .height_m = Array2D<float>(41, 41, 0.0F)};
+}
+
+render::Reflectivity even(float sigma0) {
+  return [sigma0](Vec2d, const radar::Aspect&) { return radar::Channels{sigma0, sigma0, sigma0, sigma0}; };
+}
+
+/// Looks north on the middle of the terrain and flies east.
+radar::Radar looking_north(radar::Mode mode) {
+  radar::Radar radar;
+  radar.mode = mode;
+  radar.position = radar::position_seeing({0.0, 0.0, 0.0}, pi, radians_from_deg(20.0), 8000.0);
+  radar.velocity_mps = {100.0, 0.0, 0.0};
+  radar.range_resolution_m = 5.0;
+  radar.beam_width_rad = 0.05;
+  radar.antenna.gain = 1000.0;
+  radar.waveform.pulse_repetition_hz = 1000.0;
+  radar.waveform.peak_power_w = 100.0;
+  return radar;
+}
+
+/// Mean power of some rows, over all columns and the three independent polarizations.
+double mean_of_rows(const Array2D<radar::ComplexChannels>& bins, std::size_t first, std::size_t end) {
+  double sum = 0.0;
+  for (std::size_t row = first; row < end; ++row) {
+    for (const auto& bin : bins.row(row)) sum += std::norm(bin.vv) + std::norm(bin.hh) + std::norm(bin.hv);
+  }
+  return sum / (3.0 * static_cast<double>((end - first) * bins.columns()));
+}
+
+/// Pulses that are added up lift a target above the noise N/n_w times: in an image in square metres the noise is what
+/// one pulse has, as a cross-section, over that.
+TEST(ImageNoise, is_what_one_pulse_has_over_the_pulses) {
+  const auto terrain = level_ground(1000.0);
+  auto radar = looking_north(radar::Mode::Spotlight);
+  radar.processing.thermal_noise = true;
+  const auto image = simulate::range_doppler_image({&terrain, even(0.0F)}, radar, {-500.0, -500.0, 500.0, 500.0},
+                                                   {.interval_s = 0.2, .seed = 3});
+  const auto middle = static_cast<std::size_t>(image.range_m.place_of(8000.0));
+  // kT₀BF (4π)³ r⁴ L/(P_t G² λ² G_c) · n_w/N, in decibels one by one.
+  const double n_w = radar::WindowResponse(radar.waveform.window).noise_bandwidth();
+  const double noise_dbw = db_from_linear(radar::noise_power_w(radar));
+  const double signal_of_1_m2_dbw = 20.0 + 30.0 + 30.0 + 2.0 * db_from_linear(wavelength_m(radar.frequency_hz)) -
+                                    db_from_linear(std::pow(4.0 * pi, 3.0)) - 4.0 * db_from_linear(8000.0) -
+                                    db_from_linear(radar.receiver.losses);
+  const double expected_db =
+      noise_dbw - signal_of_1_m2_dbw - db_from_linear(radar::compression_gain(radar)) + db_from_linear(n_w / 200.0);
+  validation::expect_close({group, "noise-equivalent cross-section of 200 pulses at 8 km", expected_db,
+                            db_from_linear(mean_of_rows(image.amplitude_m, middle - 40, middle + 40)), 0.1, "dBm²",
+                            "k T₀ B F over the radar equation, N/n_w pulses"});
+  // Noise has the band of the image: neighbours at two thirds of a cell are alike, and bins three cells off are not.
+  std::complex<double> near, far;
+  double power = 0.0;
+  for (std::size_t row = middle - 40; row < middle + 40; ++row) {
+    const auto bins = image.amplitude_m.row(row);
+    for (std::size_t c = 0; c + 5 < bins.size(); ++c) {
+      near += std::complex<double>(bins[c].vv * std::conj(bins[c + 1].vv));
+      far += std::complex<double>(bins[c].vv * std::conj(bins[c + 5].vv));
+      power += static_cast<double>(std::norm(bins[c].vv));
+    }
+  }
+  EXPECT_GT(std::abs(near) / power, 0.5);
+  EXPECT_LT(std::abs(far) / power, 0.1);
+  // Looks: each adds up a quarter of the pulses, and four of them are averaged.
+  const auto looks = simulate::range_doppler_power({&terrain, even(0.0F)}, radar, {-500.0, -500.0, 500.0, 500.0},
+                                                   {.interval_s = 0.2, .seed = 3}, 4);
+  double mean = 0.0, square = 0.0, count = 0.0;
+  for (std::size_t row = middle - 40; row < middle + 40; ++row) {
+    for (const auto& bin : looks.power_m2.row(row)) {
+      mean += static_cast<double>(bin.vv);
+      square += static_cast<double>(bin.vv * bin.vv);
+      count += 1.0;
+    }
+  }
+  mean /= count;
+  validation::expect_close({group, "the same in four looks", expected_db + 6.02, db_from_linear(mean), 0.2, "dBm²",
+                            "a quarter of the pulses each"});
+  validation::expect_close(
+      {group, "looks of the noise", 4.0, mean * mean / (square / count - mean * mean), 0.6, "", "independent looks"});
+}
+
+/// A strip adds up pulses in proportion to range, so that its noise goes with r³.
+TEST(ImageNoise, of_a_strip_goes_with_the_third_power_of_range) {
+  const auto terrain = level_ground(4000.0);
+  auto radar = looking_north(radar::Mode::Stripmap);
+  radar.processing.thermal_noise = true;
+  radar.range_resolution_m = 20.0;
+  const auto image = simulate::stripmap_image({&terrain, even(0.0F)}, radar, {-600.0, -3500.0, 600.0, 3500.0},
+                                              {.along_resolution_m = 4.0, .scatterer_spacing_m = 20.0});
+  const auto rows_at = [&](double range_m) {
+    const auto row = static_cast<std::size_t>(image.closest_range_m.place_of(range_m));
+    return db_from_linear(mean_of_rows(image.amplitude_m, row - 8, row + 8));
+  };
+  validation::expect_close({group, "noise of a strip at 10 km over that at 6 km", 30.0 * std::log10(10.0 / 6.0),
+                            rows_at(10e3) - rows_at(6e3), 0.3, "dB", "r⁴ over pulses that go with r"});
+  // B_s λ r f_p/2V pulses, and the r.m.s. of the window that they have.
+  const double n_w = radar::WindowResponse(radar.waveform.window).noise_bandwidth();
+  const double band_per_m = radar::WindowResponse(radar.waveform.window).half_power_width() / 4.0;
+  const double pulses = band_per_m * wavelength_m(radar.frequency_hz) * 8000.0 * 1000.0 / 200.0;
+  validation::expect_close({group, "noise-equivalent cross-section of a strip at 8 km",
+                            -db_from_linear(radar::signal_to_noise(radar, 1.0, 8000.0) * pulses / n_w), rows_at(8e3),
+                            0.3, "dBm²", "as above"});
+}
+
+/// With all that an image can have in it, the bytes are those of one thread for any number of them.
+TEST(ImageNoise, and_all_else_does_not_depend_on_threads) {
+  const auto terrain = level_ground(1000.0);
+  radar::Target mover;
+  mover.track = radar::Track::straight({10.0, 20.0, 2.0}, {3.0, 4.0, 0.0});
+  mover.rcs_m2 = radar::Channels{50.0F, 40.0F, 3.0F, 20.0F};
+  mover.size_m = {6.0, 3.0, 4.0};
+  const std::vector<radar::Target> targets{mover};
+  const simulate::CoherentScene scene{&terrain, even(0.1F), targets, [](Vec2d place) { return place.x > 0.0; }};
+  for (const radar::Mode mode : {radar::Mode::Spotlight, radar::Mode::Stripmap}) {
+    auto radar = looking_north(mode);
+    radar.wind_mps = 7.0;
+    radar.antenna.azimuth = radar::ApertureBeam{{.shape = radar::WindowShape::Rectangular}};
+    radar.waveform.pulse_repetition_hz = 400.0;
+    radar.processing.antenna_pattern = radar.processing.thermal_noise = true;
+    const radar::Rectangle area{-100.0, -100.0, 100.0, 100.0};
+    const auto image_by = [&](unsigned threads) {
+      const simulate::CoherentSettings settings{
+          .interval_s = 0.2, .along_resolution_m = 3.0, .seed = 11, .threads = threads};
+      return mode == radar::Mode::Stripmap ? simulate::stripmap_image(scene, radar, area, settings).amplitude_m
+                                           : simulate::range_doppler_image(scene, radar, area, settings).amplitude_m;
+    };
+    const auto one = image_by(1), many = image_by(5);
+    ASSERT_EQ(one.size(), many.size());
+    for (std::size_t i = 0; i < one.size(); ++i) ASSERT_EQ(one.values()[i], many.values()[i]) << i;
+  }
+}
+
+/// Half a beam off the axis a point has lost 3 dB out and 3 dB back. Where the antenna scans it has not, and elevation
+/// counts in all modes.
+TEST(ImagePattern, darkens_what_the_beam_looks_past) {
+  const auto terrain = level_ground(1000.0);
+  const double half_beam_m = 8000.0 * std::cos(radians_from_deg(20.0)) * std::tan(0.025);
+  const auto fall_db = [&](radar::Radar radar) {
+    radar.processing.antenna_pattern = true;
+    const radar::GroundGrid grid{-half_beam_m - 20.0, 60.0, 2.0, static_cast<std::size_t>(half_beam_m) + 20, 60};
+    const simulate::CoherentScene scene{&terrain, even(0.1F)};
+    const radar::Rectangle area{-300.0, -100.0, 300.0, 100.0};
+    const auto map = product::projected_to_ground(
+        simulate::range_doppler_image(scene, radar, area, {.interval_s = 0.5}), terrain, grid);
+    const auto around = [&](double east_m) {
+      double sum = 0.0, count = 0.0;
+      for (std::size_t row = 0; row < grid.rows; ++row) {
+        for (std::size_t column = 0; column < grid.columns; ++column) {
+          if (std::abs(grid.centre_of(column, row).x - east_m) > 10.0) continue;
+          sum += static_cast<double>(map.sigma0(column, row).vv);
+          count += 1.0;
+        }
+      }
+      return sum / count;
+    };
+    return db_from_linear(around(-half_beam_m) / around(0.0));
+  };
+  radar::Radar spotlight = looking_north(radar::Mode::Spotlight);
+  validation::expect_close({group, "even ground half a beam off the axis of a spotlight", -6.02, fall_db(spotlight),
+                            0.7, "dB", "half power, out and back"});
+  EXPECT_NEAR(fall_db(looking_north(radar::Mode::DopplerBeamSharpening)), 0.0, 0.7);
+  radar::Radar fixed = looking_north(radar::Mode::DopplerBeamSharpening);
+  fixed.scan.kind = radar::ScanKind::Fixed;
+  EXPECT_NEAR(fall_db(fixed), -6.02, 0.7);
+}
+
+}  // namespace
+}  // namespace sigmascape
