@@ -106,7 +106,8 @@ Rendered coherent(const atlas::Atlas& textures, const Wish& wish, const LoadedSc
   return {std::visit(project, simulate::mode_image(request, plan)), simulate::provenance_of(request, plan)};
 }
 
-Rendered baked(const LoadedAtlas* atlas, const Wish& wish, const render::RenderSettings& settings, std::uint64_t seed) {
+Rendered baked(const LoadedAtlas* atlas, const Wish& wish, const render::RenderSettings& settings, std::uint64_t seed,
+               const LoadedScene* scene) {
   if (atlas == nullptr) {
     throw Error("atlas", fmt::format("is None at level of detail {}", settings.level_of_detail),
                 "give the Atlas that bake() made, or lod=0");
