@@ -16,6 +16,8 @@ namespace {
 using product::Plot;
 using product::PlotSeries;
 
+/// σ0 of no more than this, −80 dB, is none.
+constexpr double least_power = 1e-8;
 /// What lies deeper is not drawn: zeros of a response have no decibels.
 constexpr double deepest_db = 80.0;
 
@@ -87,7 +89,7 @@ double sigma0_db(const atlas::Atlas& atlas, Vec2d point, const radar::Aspect& as
   if (const atlas::GroundLayers* ground = atlas.ground_layers())
     sigma0 += ground->sigma0.sigma0_at(point, aspect, frequency_hz, 0.0);
   const auto power = static_cast<double>(sigma0.power(polarization));
-  return power > 0.0 ? db_from_linear(power) : std::nan("");
+  return power > least_power ? db_from_linear(power) : std::nan("");
 }
 
 }  // namespace
@@ -101,7 +103,7 @@ Plot sigma0_plot(std::span<const scatter::Material> materials, double frequency_
     for (double grazing_deg = 0.5; grazing_deg < 90.0; grazing_deg += 0.5) {
       const auto power =
           static_cast<double>(scatter::surface_sigma0(surface, radians_from_deg(grazing_deg)).power(polarization));
-      series.points.emplace_back(grazing_deg, power > 1e-12 ? db_from_linear(power) : std::nan(""));
+      series.points.emplace_back(grazing_deg, power > least_power ? db_from_linear(power) : std::nan(""));
     }
   }
   return plot;

@@ -67,7 +67,7 @@ class Axis {
     std::vector<double> marks;
     const double rough = (high_ - low_) / 5.0, magnitude = std::pow(10.0, std::floor(std::log10(rough)));
     const double step = rough / magnitude < 1.5 ? magnitude : rough / magnitude < 3.5 ? 2 * magnitude : 5 * magnitude;
-    for (double k = std::ceil(low_ / step); k * step <= high_; k += 1.0) marks.push_back(k * step);
+    for (double k = std::ceil(low_ / step); k * step <= high_; k += 1.0) marks.push_back(k * step + 0.0);  // and no −0
     return marks;
   }
 
