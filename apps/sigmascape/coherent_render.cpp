@@ -29,6 +29,7 @@ CoherentMap coherent_map(const CoherentRequest& request) {
                                      .terrain = request.scene.terrain,
                                      .radar = request.radar,
                                      .grid = request.grid,
+                                     .texture_frequency_hz = request.texture_frequency_hz,
                                      .targets = request.targets,
                                      .windblown = request.radar.wind_mps > 0.0
                                                       ? simulate::windblown_of(request.scene, request.grid.extent())

@@ -107,8 +107,8 @@ void plot_aspects(const PlotOptions& options, const Output& output) {
   const Vec2d point = options.is_latitude_longitude
                           ? geo::position_in_frame(store.description().frame, {options.at[0], options.at[1]})
                           : Vec2d{options.at[0], options.at[1]};
-  if (!textures.covers(point)) {
-    const radar::Rectangle& all = store.description().extent;
+  const radar::Rectangle& all = store.description().extent;
+  if (!all.contains(point)) {
     throw Error(
         "--at", fmt::format("{:g},{:g} m lies outside the atlas", point.x, point.y),
         fmt::format("stay within x {:g} to {:g} and y {:g} to {:g}", all.west_m, all.east_m, all.south_m, all.north_m));

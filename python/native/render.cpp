@@ -91,6 +91,7 @@ Rendered coherent(const atlas::Atlas& textures, const Wish& wish, const LoadedSc
                                       .terrain = *wish.ground.terrain,
                                       .radar = wish.radar,
                                       .grid = wish.grid,
+                                      .texture_frequency_hz = wish.radar.frequency_hz,
                                       .targets = wish.targets,
                                       .windblown = scene != nullptr && wish.radar.wind_mps > 0.0
                                                        ? simulate::windblown_of(scene->scene(), wish.grid.extent())

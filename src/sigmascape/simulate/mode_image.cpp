@@ -43,12 +43,13 @@ ModePlan mode_plan(const ModeRequest& request) {
 
 ModeImage mode_image(const ModeRequest& request, const radar::CoherentPlan& plan) {
   const radar::Radar& radar = request.radar;
-  request.atlas.check_frequency(radar.frequency_hz);
+  request.atlas.check_frequency(request.texture_frequency_hz);
   const auto looks = static_cast<std::size_t>(plan.looks);
   const double of_all_looks_m = plan.along_resolution_m / plan.looks;
   const double finest_m = std::min(radar.range_resolution_m, of_all_looks_m);
   const double level = std::max(request.level_of_detail - 1.0, request.atlas.level_for(finest_m / 2.0));
-  const CoherentScene seen{&request.terrain, render::AtlasReflectivity{&request.atlas, radar.frequency_hz, level},
+  const CoherentScene seen{&request.terrain,
+                           render::AtlasReflectivity{&request.atlas, request.texture_frequency_hz, level},
                            request.targets, request.windblown};
   const CoherentSettings settings{.interval_s = plan.interval_s,
                                   .along_resolution_m = of_all_looks_m,

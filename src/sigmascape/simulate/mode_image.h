@@ -18,8 +18,9 @@ namespace sigmascape::simulate {
 struct ModeRequest {
   const atlas::Atlas& atlas;
   const terrain::HeightField& terrain;
-  const radar::Radar& radar;  ///< placed, at a frequency that was baked
+  const radar::Radar& radar;  ///< placed
   const radar::GroundGrid& grid;
+  double texture_frequency_hz = 0.0;  ///< at which the atlas is asked
   std::span<const radar::Target> targets = {};
   Windblown windblown = {};  ///< where leaves move, see CoherentScene
   int level_of_detail = 1;
@@ -40,7 +41,7 @@ struct ModePlan {
 using ModeImage = std::variant<radar::PowerImage<radar::RangeDopplerImage>, radar::PowerImage<radar::StripmapImage>>;
 
 /// The image of the radar's mode, doppler-beam-sharpening, spotlight or stripmap, that covers the grid and what answers
-/// in its outermost cells. Throws Error when the atlas was not baked at the radar's frequency.
+/// in its outermost cells. Throws Error when the atlas was not baked at the frequency at which it is asked.
 [[nodiscard]] ModeImage mode_image(const ModeRequest& request, const radar::CoherentPlan& plan);
 
 /// Where a map of it comes from: mode, interval, looks, resolution, squint, targets, seed.
