@@ -116,7 +116,11 @@ Rendered baked(const RenderOptions& options, const scene::Scene& scene, const st
 
 /// What only the real beam has is refused in the other modes.
 void check_coherent(const RenderOptions& options, const radar::Radar& radar) {
-  if (radar.mode == radar::Mode::RealBeam) return;
+  if (radar.mode == radar::Mode::RealBeam) {
+    if (!radar.earth_refraction) return;
+    throw Error(options.radar + ": radar.earth_refraction", "is given, and real-beam maps are made over a flat Earth",
+                "leave it out, or choose another [mode]");
+  }
   if (options.level_of_detail == 0) {
     throw Error(
         "--lod", fmt::format("0 traces power alone, and {} needs amplitudes", simulate::word_for(radar.mode)),

@@ -167,6 +167,22 @@ TEST_F(Modes, MapTheGroundAndTheTargets) {
   EXPECT_EQ(render("[mode]\nkind = \"spotlight\"\n", "--lod 0"), 1);
   EXPECT_NE(printed().find("--lod: 0 traces power alone, and spotlight needs amplitudes"), std::string::npos)
       << printed();
+  const std::string bend = "[mode]\nkind = \"spotlight\"\n";
+  folder_.write(
+      "bent.toml",
+      std::string(radar_text(bend)).replace(radar_text(bend).find("[position]"), 0, "earth_refraction = 1.3333\n"));
+  const auto bent = [&](const std::string& file) {
+    return run(fmt::format("render '{}' --scene '{}' --atlas '{}' --lod 1 --png '{}'", folder_.path(file).string(),
+                           scene_.string(), folder_.path("atlas").string(), folder_.path("map.png").string()));
+  };
+  EXPECT_EQ(bent("bent.toml"), 0) << printed();
+  folder_.write(
+      "bent_beam.toml",
+      std::string(radar_text("")).replace(radar_text("").find("[position]"), 0, "earth_refraction = 1.3333\n"));
+  EXPECT_EQ(bent("bent_beam.toml"), 1);
+  EXPECT_NE(printed().find("radar.earth_refraction: is given, and real-beam maps are made over a flat Earth"),
+            std::string::npos)
+      << printed();
   EXPECT_EQ(render("[mode]\nkind = \"spotlight\"\n", "--lod 1 --ppi x.png"), 1);
   EXPECT_NE(printed().find("--ppi: is of range and azimuth"), std::string::npos) << printed();
   expect_extrapolation_on_request();

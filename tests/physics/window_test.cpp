@@ -67,7 +67,7 @@ TEST(Window, IntegratedSideLobesAreThoseOfTheTransformedWeights) {
     const auto weights = window_weights(window, count);
     const double null = WindowResponse(window).first_null(), step = 0.01;
     double within = 0.0, beyond = 0.0;
-    for (double t = step / 2.0; t < 60.0; t += step) {
+    for (double t = step / 2.0; t < count / 2.0; t += step) {
       double sum = 0.0;
       for (std::size_t k = 0; k < count / 2; ++k) {
         const double x = (static_cast<double>(k) + 0.5) / count - 0.5;

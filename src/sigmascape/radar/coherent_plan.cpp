@@ -115,10 +115,10 @@ std::vector<std::string> plan_warnings(const Radar& radar, const CoherentPlan& p
     const double width = WindowResponse(radar.waveform.window).half_power_width();
     const double band_hz = plan.looks * width * length(radar.velocity_mps) / plan.along_resolution_m;
     if (band_hz > prf_hz) {
-      warnings.push_back(
-          fmt::format("the processed Doppler band of {:.4g} Hz is wider than the pulse repetition "
-                      "frequency of {:g} Hz and folds over; send more pulses or ask for a coarser mode.along_resolution_m",
-                      band_hz, prf_hz));
+      warnings.push_back(fmt::format(
+          "the processed Doppler band of {:.4g} Hz is wider than the pulse repetition "
+          "frequency of {:g} Hz and folds over; send more pulses or ask for a coarser mode.along_resolution_m",
+          band_hz, prf_hz));
     }
   } else if (most_hz - least_hz > prf_hz) {
     warnings.push_back(

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "sigmascape/base/vec.h"
+
 namespace sigmascape::radar {
 
 /// The Earth as rays know it: where the refractive index of air falls evenly with height, rays are circles, and they
@@ -50,6 +52,21 @@ struct CurvedEarth {
     const double climb_m = radar_height_m - point_height_m;
     return std::sqrt(climb_m * climb_m +
                      stretched_chord_m2(radar_height_m, distance_m) * (1.0 + curvature_per_m() * point_height_m));
+  }
+
+  /// Where a point stands in the straight space in which rays are straight lines: the local frame bent down about a
+  /// foot, where it keeps its directions. `slant_range_m` is the distance from (foot, radar height) to it.
+  [[nodiscard]] Vec3d bent(Vec3d point, Vec2d foot) const {
+    const double c = curvature_per_m();
+    if (c == 0.0) return point;
+    const Vec2d away{point.x - foot.x, point.y - foot.y};
+    const double distance_m = std::sqrt(away.x * away.x + away.y * away.y), half = 0.5 * c * distance_m;
+    const double sine = std::sin(half), cosine = std::cos(half);
+    const double half_sinc = half < 1e-9 ? 1.0 : sine / half;
+    // d sin(cd)/(cd) · (1 + ch) over the plane, and h cos(cd) − 2/c sin²(cd/2) above it.
+    const double stretch = half_sinc * cosine * (1.0 + c * point.z);
+    return {foot.x + away.x * stretch, foot.y + away.y * stretch,
+            point.z * (1.0 - 2.0 * sine * sine) - distance_m * sine * half_sinc};
   }
 
   /// Sine of the grazing angle: of the ray's angle above the horizontal at the point, not of the depression angle at

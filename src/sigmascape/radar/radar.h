@@ -6,6 +6,7 @@
 #include "sigmascape/base/vec.h"
 #include "sigmascape/radar/antenna_pattern.h"
 #include "sigmascape/radar/channels.h"
+#include "sigmascape/radar/curved_earth.h"
 #include "sigmascape/radar/receiver.h"
 #include "sigmascape/radar/scan.h"
 #include "sigmascape/radar/waveform.h"
@@ -48,11 +49,16 @@ struct Radar {
   Receiver receiver = {};
   Mode mode = Mode::RealBeam;
   Processing processing = {};
+  /// k of the k-Earth that falls away under pulses and coherent images; without it they are of a flat one.
+  std::optional<double> earth_refraction = {};
   double wind_mps = 0.0;          ///< that moves leaves, as pulses and images with Doppler see; 0: none
   double atmosphere_per_m = 0.0;  ///< what air and rain take on the way, one way: power falls as exp(−α r)
 };
 
 [[nodiscard]] AntennaPattern antenna_pattern(const Radar& radar);
+
+/// What `earth_refraction` says.
+[[nodiscard]] CurvedEarth earth_of(const Radar& radar);
 
 /// Where a radar stands that sees `target` from `azimuth_rad`, `elevation_rad` above the horizontal, at
 /// `slant_range_m`.

@@ -38,6 +38,7 @@ Radar radar_of(const TomlSection& file, const TomlSection& section) {
   radar.beam_width_rad =
       radians_from_deg(states(file, "antenna", "azimuth_csv") ? section.number_or("beam_width_deg", widths_deg, 0.0)
                                                               : section.number("beam_width_deg", widths_deg));
+  radar.earth_refraction = section.optional_number("earth_refraction", {0.1, 1e3, ": k of the k-Earth, 4/3 as a rule"});
   radar.wind_mps = section.number_or("wind_mps", {0.0, 40.0, "m/s"}, 0.0);
   radar.atmosphere_per_m =
       std::log(linear_from_db(section.number_or("atmosphere_db_per_km", {0.0, 50.0, "dB/km, one way"}, 0.0))) / 1e3;

@@ -4,7 +4,8 @@
 
 namespace sigmascape::radar {
 
-Vec2d RangeDopplerImage::place_of(const Motion& seen) const {
+Vec2d RangeDopplerImage::place_of(const Motion& in_frame) const {
+  const Motion seen{earth.bent(in_frame.position, {platform.position.x, platform.position.y}), in_frame.velocity_mps};
   const double frequency = radar::doppler_hz(range_rate_mps(platform, seen), wavelength_m(frequency_hz));
   const double half_bin = 0.5 * doppler_hz.step;
   const double folded = folded_hz(frequency, doppler_hz.first - half_bin, pulse_repetition_hz);
@@ -12,7 +13,8 @@ Vec2d RangeDopplerImage::place_of(const Motion& seen) const {
 }
 
 Vec2d StripmapImage::place_of(Vec3d point) const {
-  const Vec3d direction = normalized(platform.velocity_mps), away = point - platform.position;
+  const Vec3d direction = normalized(platform.velocity_mps),
+              away = earth.bent(point, {platform.position.x, platform.position.y}) - platform.position;
   const double along = dot(away, direction);
   return {along_m.place_of(along), closest_range_m.place_of(length(away - direction * along))};
 }

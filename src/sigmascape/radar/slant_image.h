@@ -4,6 +4,7 @@
 
 #include "sigmascape/base/array2d.h"
 #include "sigmascape/radar/complex_channels.h"
+#include "sigmascape/radar/curved_earth.h"
 #include "sigmascape/radar/doppler.h"
 
 namespace sigmascape::radar {
@@ -33,9 +34,10 @@ struct RangeDopplerImage {
   double pulse_repetition_hz = 0.0;
   /// ∫|h|² of the two responses: even ground has σ0 times the area of this cell in a bin, in the mean.
   double range_cell_m = 0.0, doppler_cell_hz = 0.0;
+  CurvedEarth earth = CurvedEarth::flat();  ///< under the platform
 
   /// Where something is to be found, in bins: {Doppler, range}. Works for ground (at rest) as for movers.
-  [[nodiscard]] Vec2d place_of(const Motion& seen) const;
+  [[nodiscard]] Vec2d place_of(const Motion& in_frame) const;
   [[nodiscard]] Vec2d place_of(Vec3d point) const { return place_of(Motion{point}); }
 };
 
@@ -49,6 +51,7 @@ struct StripmapImage {
   double squint_rad = 0.0;  ///< of the beam, ahead of broadside
   double frequency_hz = 0.0;
   double closest_range_cell_m = 0.0, along_cell_m = 0.0;  ///< as above
+  CurvedEarth earth = CurvedEarth::flat();                ///< under the platform
 
   /// Where a point at rest is to be found, in bins: {along, closest range}.
   [[nodiscard]] Vec2d place_of(Vec3d point) const;

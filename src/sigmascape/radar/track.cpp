@@ -29,6 +29,12 @@ Track Track::through(std::vector<WayPoint> way_points, std::string_view where) {
   return track;
 }
 
+Track Track::shifted(Vec3d by_m) const {
+  Track track = *this;
+  for (WayPoint& point : track.way_points_) point.position = point.position + by_m;
+  return track;
+}
+
 Vec3d Track::position_at(double time_s) const {
   if (way_points_.size() == 1) {
     return way_points_[0].position + velocity_mps_ * (time_s - way_points_[0].time_s);

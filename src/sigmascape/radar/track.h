@@ -24,6 +24,9 @@ class Track {
   /// Throws Error, naming `where`, when there is no way-point or times do not increase.
   [[nodiscard]] static Track through(std::vector<WayPoint> way_points, std::string_view where = "track");
 
+  /// The same way, elsewhere.
+  [[nodiscard]] Track shifted(Vec3d by_m) const;
+
   [[nodiscard]] Vec3d position_at(double time_s) const;
   [[nodiscard]] Vec3d velocity_at(double time_s) const;
 

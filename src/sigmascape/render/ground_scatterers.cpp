@@ -29,17 +29,18 @@ using SeenSigma0 = std::function<radar::Channels(Vec3d point, ReflectingGround::
 SeenSigma0 seen(const ReflectivityField& field, const terrain::HeightField& terrain, const ScattererRequest& request,
                 double) {
   return [&, highest_m = terrain.highest_m()](Vec3d point, ReflectingGround::Looks&) {
-    if (!line_of_sight(terrain, highest_m, request.radar_position, point)) return radar::Channels{};
+    if (!line_of_sight(terrain, highest_m, request.radar_position, point, request.earth)) return radar::Channels{};
     const Vec3d away = request.radar_position - point;
-    return field({point.x, point.y},
-                 {azimuth_to(request.radar_position, point), std::atan2(away.z, std::hypot(away.x, away.y))});
+    const double distance_m = std::hypot(away.x, away.y);
+    return field({point.x, point.y}, {azimuth_to(request.radar_position, point),
+                                      std::atan2(away.z - request.earth.drop_m(distance_m), distance_m)});
   };
 }
 
 SeenSigma0 seen(const AtlasReflectivity& textures, const terrain::HeightField& terrain, const ScattererRequest& request,
                 double side_m) {
-  const ReflectingGround ground(*textures.atlas, terrain, request.radar_position, textures.frequency_hz,
-                                textures.level);
+  const ReflectingGround ground(*textures.atlas, terrain, request.radar_position, textures.frequency_hz, textures.level,
+                                SlopeModel::Upright, request.earth);
   // What hides is known no finer than its cells: two steps a cell find its edges.
   const double step_m = std::max(side_m, ground.told_cell_m() / 2.0);
   auto sights = std::make_shared<const SightMap>(ground, request.radar_position, terrain.extent(), request.area, step_m,

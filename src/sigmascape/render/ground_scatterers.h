@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sigmascape/atlas/atlas.h"
+#include "sigmascape/radar/curved_earth.h"
 #include "sigmascape/radar/ground_grid.h"
 #include "sigmascape/radar/look.h"
 #include "sigmascape/radar/scatterer.h"
@@ -37,6 +38,7 @@ struct ScattererRequest {
   int level = 0;        ///< of the lattice; its cells should be no larger than half the finest resolution
   double time_s = 0.0;  ///< when targets cast their shadows
   unsigned threads = 0;
+  radar::CurvedEarth earth = radar::CurvedEarth::flat();  ///< for sight and aspect; places are in the local frame
 };
 
 /// The scatterers of all ground in the area that the radar sees over the terrain: one a cell of the lattice, with the

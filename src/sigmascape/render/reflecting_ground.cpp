@@ -32,9 +32,15 @@ radar::Channels ReflectingGround::sigma0(Vec3d point, double to_radar_rad, const
   return sum;
 }
 
+Vec3d ReflectingGround::towards_radar(Vec3d point) const {
+  Vec3d away = radar_position_ - point;
+  away.z -= earth_.drop_m(std::hypot(away.x, away.y));
+  return normalized(away);
+}
+
 radar::Channels ReflectingGround::of_textures(Vec3d point, double to_radar_rad, Looks::Cursor& cursor) const {
   const Vec2d place{point.x, point.y};
-  const Vec3d towards = normalized(radar_position_ - point);
+  const Vec3d towards = towards_radar(point);
   if (slope_ == SlopeModel::Upright) {
     cursor.turn_to(*atlas_, to_radar_rad, towards.z, frequency_hz_);
     return atlas_->sigma0_at(place, cursor.weights, level_);
@@ -47,7 +53,7 @@ radar::Channels ReflectingGround::of_textures(Vec3d point, double to_radar_rad, 
 radar::Channels ReflectingGround::of_bare_ground(Vec3d point, Looks::Cursor& cursor) const {
   const Vec2d place{point.x, point.y};
   const Vec3d normal = terrain_->normal_at(place);
-  const double sin_grazing = dot(normal, normalized(radar_position_ - point));
+  const double sin_grazing = dot(normal, towards_radar(point));
   if (sin_grazing <= 0.0) return {};
   cursor.turn_to(ground_->sigma0, 0.0, sin_grazing, frequency_hz_);
   return ground_->sigma0.sigma0_at(place, cursor.weights, level_) * static_cast<float>(1.0 / normal.z);

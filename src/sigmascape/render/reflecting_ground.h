@@ -5,6 +5,7 @@
 
 #include "sigmascape/atlas/atlas.h"
 #include "sigmascape/atlas/ground_layers.h"
+#include "sigmascape/radar/curved_earth.h"
 #include "sigmascape/radar/look.h"
 #include "sigmascape/terrain/height_field.h"
 #include "sigmascape/terrain/obstacle_sweep.h"
@@ -36,14 +37,16 @@ class ReflectingGround {
 
   /// `slope` is that of the textures; ground that is kept apart is Tilted always. Both must outlive this.
   ReflectingGround(const atlas::Atlas& atlas, const terrain::HeightField& terrain, Vec3d radar_position,
-                   double frequency_hz, double level, SlopeModel slope = SlopeModel::Upright)
+                   double frequency_hz, double level, SlopeModel slope = SlopeModel::Upright,
+                   const radar::CurvedEarth& earth = radar::CurvedEarth::flat())
       : atlas_(&atlas),
         ground_(atlas.ground_layers()),
         terrain_(&terrain),
         radar_position_(radar_position),
         frequency_hz_(frequency_hz),
         level_(level),
-        slope_(slope) {}
+        slope_(slope),
+        earth_(earth) {}
 
   /// Side of the squares in which is told what hides and what answers.
   [[nodiscard]] double told_cell_m() const {
@@ -66,7 +69,8 @@ class ReflectingGround {
       const Vec2d place = origin + direction * distance_m;
       if (!terrain_->extent().contains(place)) continue;
       const Vec3d point{place.x, place.y, terrain_->height_at(place)};
-      const terrain::Sight sight = line_of_sight.advance(distance_m, point.z, obstacle_at(place), stride_m);
+      const terrain::Sight sight =
+          line_of_sight.advance(distance_m, point.z - earth_.drop_m(distance_m), obstacle_at(place), stride_m);
       if (k % strides == strides / 2) visit(k / strides, distance_m, point, sight);
     }
   }
@@ -86,6 +90,8 @@ class ReflectingGround {
   [[nodiscard]] radar::Obstacle obstacle_at(Vec2d point) const {
     return ground_ != nullptr ? ground_->obstacles.at(point) : radar::Obstacle{};
   }
+  /// Unit vector to the radar from a point, above the horizontal that the point has on the curved Earth.
+  [[nodiscard]] Vec3d towards_radar(Vec3d point) const;
   [[nodiscard]] radar::Channels of_textures(Vec3d point, double to_radar_rad, Looks::Cursor& cursor) const;
   [[nodiscard]] radar::Channels of_bare_ground(Vec3d point, Looks::Cursor& cursor) const;
 
@@ -95,6 +101,7 @@ class ReflectingGround {
   Vec3d radar_position_;
   double frequency_hz_, level_;
   SlopeModel slope_;
+  radar::CurvedEarth earth_;
 };
 
 }  // namespace sigmascape::render

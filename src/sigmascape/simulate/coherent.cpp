@@ -33,9 +33,15 @@ void check_moves(const radar::Radar& radar) {
   }
 }
 
-Vec3d middle_of(const radar::Rectangle& area, const terrain::HeightField& terrain) {
+/// A point of the local frame in the straight space under this radar.
+Vec3d bent(const radar::Radar& radar, Vec3d point) {
+  return radar::earth_of(radar).bent(point, {radar.position.x, radar.position.y});
+}
+
+/// The middle of the area, likewise.
+Vec3d middle_of(const radar::Rectangle& area, const terrain::HeightField& terrain, const radar::Radar& radar) {
   const Vec2d middle = area.centre();
-  return {middle.x, middle.y, terrain.height_at(middle)};
+  return bent(radar, {middle.x, middle.y, terrain.height_at(middle)});
 }
 
 /// The ranges, or what else `measure` gives, that the area spans between its lowest and highest ground.
@@ -69,7 +75,7 @@ receiver::RangeGate gate_over(const radar::Radar& radar, const radar::Rectangle&
                               const terrain::HeightField& terrain, double oversampling) {
   return gate_over(radar,
                    span_of(area, terrain, {radar.position.x, radar.position.y},
-                           [&](Vec3d point) { return length(point - radar.position); }),
+                           [&](Vec3d point) { return length(bent(radar, point) - radar.position); }),
                    oversampling);
 }
 
@@ -93,19 +99,31 @@ std::vector<radar::Scatterer> scatterers_of(const CoherentScene& scene, const ra
   const double spacing_m =
       settings.scatterer_spacing_m > 0.0 ? settings.scatterer_spacing_m : radar.range_resolution_m / 2.0;
   const radar::ScattererLattice lattice({.seed = settings.seed, .cell_m = spacing_m, .levels = 1});
-  auto scatterers = render::ground_scatterers(
-      *scene.terrain, scene.sigma0, lattice,
-      {.radar_position = radar.position, .area = area, .level = 0, .time_s = 0.0, .threads = settings.threads},
-      scene.targets);
+  auto scatterers = render::ground_scatterers(*scene.terrain, scene.sigma0, lattice,
+                                              {.radar_position = radar.position,
+                                               .area = area,
+                                               .level = 0,
+                                               .time_s = 0.0,
+                                               .threads = settings.threads,
+                                               .earth = radar::earth_of(radar)},
+                                              scene.targets);
   if (radar.wind_mps > 0.0 && scene.windblown) blow_on(scatterers, scene.windblown, radar, settings);
+  if (radar.earth_refraction) {
+    for (radar::Scatterer& scatterer : scatterers) scatterer.position = bent(radar, scatterer.position);
+  }
   return scatterers;
 }
 
-/// Those that are seen at time zero.
-std::vector<radar::Target> targets_seen(const CoherentScene& scene, Vec3d radar_position) {
-  const Surroundings surroundings{*scene.terrain, obstacles_of(scene.sigma0)};
-  return seen_targets(scene.targets, 0.0,
-                      [&](Vec3d position) { return part_seen(surroundings, radar_position, position); });
+/// Those that are seen at time zero, in the straight space under the radar.
+std::vector<radar::Target> targets_seen(const CoherentScene& scene, const radar::Radar& radar) {
+  const Surroundings surroundings{*scene.terrain, obstacles_of(scene.sigma0), radar::earth_of(radar)};
+  auto seen = seen_targets(scene.targets, 0.0,
+                           [&](Vec3d position) { return part_seen(surroundings, radar.position, position); });
+  for (radar::Target& target : seen) {
+    const Vec3d position = target.track.position_at(0.0);
+    target.track = target.track.shifted(bent(radar, position) - position);
+  }
+  return seen;
 }
 
 /// The angle of the middle of the area ahead of broadside, at time zero.
@@ -150,7 +168,7 @@ std::size_t pulses_in(const radar::Radar& radar, const CoherentSettings& setting
 receiver::DopplerImager doppler_imager(const CoherentScene& scene, const radar::Radar& radar,
                                        const radar::Rectangle& area, const CoherentSettings& settings) {
   check_moves(radar);
-  const Vec3d aim = middle_of(area, *scene.terrain);
+  const Vec3d aim = middle_of(area, *scene.terrain, radar);
   receiver::DopplerImager imager(radar, radar::Track::straight(radar.position, radar.velocity_mps),
                                  {.middle_time_s = 0.0,
                                   .pulses = pulses_in(radar, settings),
@@ -162,7 +180,7 @@ receiver::DopplerImager doppler_imager(const CoherentScene& scene, const radar::
                                  image_gain(radar, aim));
   if (radar.processing.thermal_noise) imager.add(receiver::EquivalentNoise(radar, settings.seed));
   imager.add(scatterers_of(scene, radar, area, settings), settings.threads);
-  imager.add(targets_seen(scene, radar.position));
+  imager.add(targets_seen(scene, radar));
   return imager;
 }
 
@@ -170,11 +188,13 @@ receiver::StripmapImager stripmap_imager(const CoherentScene& scene, const radar
                                          const radar::Rectangle& area, const CoherentSettings& settings) {
   check_moves(radar);
   const Vec3d direction = normalized(radar.velocity_mps);
-  const auto along = [&](Vec3d point) { return dot(point - radar.position, direction); };
-  const auto closest = [&](Vec3d point) { return length(point - radar.position - direction * along(point)); };
+  const auto along = [&](Vec3d point) { return dot(bent(radar, point) - radar.position, direction); };
+  const auto closest = [&](Vec3d point) {
+    return length(bent(radar, point) - radar.position - direction * along(point));
+  };
   const Vec2d here{radar.position.x, radar.position.y};
   const auto along_m = span_of(area, *scene.terrain, here, along);
-  const Vec3d aim = middle_of(area, *scene.terrain);
+  const Vec3d aim = middle_of(area, *scene.terrain, radar);
   receiver::StripmapImager imager(radar, {radar.position, radar.velocity_mps},
                                   {.first_along_m = along_m[0],
                                    .last_along_m = along_m[1],
@@ -186,7 +206,7 @@ receiver::StripmapImager stripmap_imager(const CoherentScene& scene, const radar
                                   gate_over(radar, span_of(area, *scene.terrain, here, closest), image_oversampling),
                                   image_gain(radar, aim));
   if (radar.processing.thermal_noise) imager.add(receiver::EquivalentNoise(radar, settings.seed));
-  const auto targets = targets_seen(scene, radar.position);
+  const auto targets = targets_seen(scene, radar);
   imager.add(scatterers_of(scene, radar, area, settings), settings.threads);
   imager.add(targets);
   if (!radar.processing.ambiguities) return imager;
@@ -200,11 +220,13 @@ receiver::StripmapImager stripmap_imager(const CoherentScene& scene, const radar
 }
 
 /// The frame of an image in cells of one look.
-radar::RangeDopplerImage frame_of(radar::RangeDopplerImage image, std::size_t looks) {
+radar::RangeDopplerImage frame_of(radar::RangeDopplerImage image, const radar::Radar& radar, std::size_t looks) {
+  image.earth = radar::earth_of(radar);
   image.doppler_cell_hz *= static_cast<double>(looks);
   return image;
 }
-radar::StripmapImage frame_of(radar::StripmapImage image, std::size_t looks) {
+radar::StripmapImage frame_of(radar::StripmapImage image, const radar::Radar& radar, std::size_t looks) {
+  image.earth = radar::earth_of(radar);
   image.along_cell_m *= static_cast<double>(looks);
   return image;
 }
@@ -218,9 +240,9 @@ radar::PhaseHistory phase_history(const CoherentScene& scene, const radar::Radar
   const std::size_t count = pulses_in(radar, settings);
   const receiver::PulseReceiver receiver(radar, gate_over(radar, area, *scene.terrain, pulse_oversampling));
   const auto ground = scatterers_of(scene, radar, area, settings);
-  const auto targets = targets_seen(scene, radar.position);
+  const auto targets = targets_seen(scene, radar);
   const receiver::VoltageGain gain =
-      settings.calibrated ? receiver::calibrated_voltage(radar, beam_of(radar, middle_of(area, *scene.terrain)))
+      settings.calibrated ? receiver::calibrated_voltage(radar, beam_of(radar, middle_of(area, *scene.terrain, radar)))
                           : receiver::VoltageGain{};
   auto history = receiver.receive(radar::Track::straight(radar.position, radar.velocity_mps),
                                   {.first_time_s = -static_cast<double>(count / 2) / repetition_hz,
@@ -234,26 +256,30 @@ radar::PhaseHistory phase_history(const CoherentScene& scene, const radar::Radar
 
 radar::RangeDopplerImage range_doppler_image(const CoherentScene& scene, const radar::Radar& radar,
                                              const radar::Rectangle& area, const CoherentSettings& settings) {
-  return doppler_imager(scene, radar, area, settings).image(settings.threads);
+  auto image = doppler_imager(scene, radar, area, settings).image(settings.threads);
+  image.earth = radar::earth_of(radar);
+  return image;
 }
 
 radar::StripmapImage stripmap_image(const CoherentScene& scene, const radar::Radar& radar, const radar::Rectangle& area,
                                     const CoherentSettings& settings) {
-  return stripmap_imager(scene, radar, area, settings).image(settings.threads);
+  auto image = stripmap_imager(scene, radar, area, settings).image(settings.threads);
+  image.earth = radar::earth_of(radar);
+  return image;
 }
 
 radar::PowerImage<radar::RangeDopplerImage> range_doppler_power(const CoherentScene& scene, const radar::Radar& radar,
                                                                 const radar::Rectangle& area,
                                                                 const CoherentSettings& settings, std::size_t looks) {
   const auto imager = doppler_imager(scene, radar, area, settings);
-  return {frame_of(imager.frame(), looks), imager.power(looks, settings.threads)};
+  return {frame_of(imager.frame(), radar, looks), imager.power(looks, settings.threads)};
 }
 
 radar::PowerImage<radar::StripmapImage> stripmap_power(const CoherentScene& scene, const radar::Radar& radar,
                                                        const radar::Rectangle& area, const CoherentSettings& settings,
                                                        std::size_t looks) {
   const auto imager = stripmap_imager(scene, radar, area, settings);
-  return {frame_of(imager.frame(), looks), imager.power(looks, settings.threads)};
+  return {frame_of(imager.frame(), radar, looks), imager.power(looks, settings.threads)};
 }
 
 void add_targets(radar::RangeAzimuthImage& image, const radar::Radar& radar, const Surroundings& surroundings,

@@ -27,7 +27,7 @@ const radar::ObstacleMap* obstacles_of(const render::Reflectivity& sigma0) {
 }
 
 double part_seen(const Surroundings& surroundings, Vec3d radar_position, Vec3d point) {
-  const auto& [terrain, obstacles] = surroundings;
+  const auto& [terrain, obstacles, earth] = surroundings;
   const Vec3d way = radar_position - point;
   const double distance_m = std::hypot(way.x, way.y);
   if (distance_m == 0.0) return 1.0;
@@ -37,8 +37,8 @@ double part_seen(const Surroundings& surroundings, Vec3d radar_position, Vec3d p
   const double highest_m = static_cast<double>(terrain.highest_m()) + tallest_m(obstacles);
   double depth = 0.0;
   for (double d = step_m; d < distance_m; d += step_m) {
-    const double height_m = point.z + d * rise;
-    if (rise >= 0.0 && height_m > highest_m) break;
+    const double height_m = point.z + d * rise - 0.5 * earth.curvature_per_m() * d * (distance_m - d);
+    if (rise >= 0.0 && height_m > highest_m && earth.curvature_per_m() == 0.0) break;
     const Vec2d under = Vec2d{point.x, point.y} + direction * d;
     if (!terrain.extent().contains(under)) {
       if (terrain.extent().contains({point.x, point.y})) break;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sigmascape/base/vec.h"
+#include "sigmascape/radar/curved_earth.h"
 #include "sigmascape/radar/obstacle.h"
 #include "sigmascape/radar/target.h"
 #include "sigmascape/render/ground_scatterers.h"
@@ -17,6 +18,7 @@ struct Surroundings {
   const terrain::HeightField& terrain;
   /// What stands on the ground, of an atlas that keeps it apart; without it only the terrain hides.
   const radar::ObstacleMap* obstacles = nullptr;
+  radar::CurvedEarth earth = radar::CurvedEarth::flat();
 };
 
 /// The obstacles that a reflectivity knows of, or none.
