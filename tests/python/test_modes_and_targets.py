@@ -26,10 +26,10 @@ def test_every_mode_puts_a_target_where_it_stands(atlas, flying, mode):
         flying.sharpening = 16.0
     if mode == "real-beam":
         flying.beam_width_deg = 0.05
-    target = sigmascape.Target((-20.0, 30.0), name="reflector", rcs_dbsm=60.0, height_m=0.0)
+    target = sigmascape.Target((-20.0, -30.0), name="reflector", rcs_dbsm=60.0, height_m=0.0)
     ground_map = sigmascape.render(None, flying, atlas=atlas, targets=[target])
     # The sharpened beam is still 2.7 m wide there.
-    assert brightest(ground_map) == pytest.approx((-20.0, 30.0), abs=3.0)
+    assert brightest(ground_map) == pytest.approx((-20.0, -30.0), abs=3.0)
     assert ("mode" in ground_map.metadata) == (mode != "real-beam")
     if mode != "real-beam":
         assert ground_map.metadata["mode"] == mode and ground_map.metadata["seed"] == "1"
@@ -37,14 +37,23 @@ def test_every_mode_puts_a_target_where_it_stands(atlas, flying, mode):
         assert not np.array_equal(other.sigma0, ground_map.sigma0, equal_nan=True)
 
 
+def test_a_house_hides_what_stands_behind_it(scene, atlas, radar):
+    height = sigmascape.layers(scene, radar, ["height"])["height"]
+    row, column = np.argwhere(height > 1.0)[0]
+    behind = (-48.0 + 2.0 * column + 1.0, 48.0 - 2.0 * row + 1.0)
+    without = sigmascape.render(None, radar, atlas=atlas)
+    with_it = sigmascape.render(None, radar, atlas=atlas, targets=[sigmascape.Target(behind, rcs_dbsm=60.0, height_m=0.5)])
+    assert np.array_equal(with_it.sigma0, without.sigma0, equal_nan=True)
+
+
 def test_what_moves_towards_the_radar_seems_to_lie_ahead(atlas, flying):
     """Displaced along the flight by r times the speed of approach over that of the platform."""
     flying.mode = "spotlight"
     speed = 0.4
-    target = sigmascape.Target((-20.0, 30.0), rcs_dbsm=60.0, height_m=0.0, heading_deg=180.0, speed_mps=speed)
+    target = sigmascape.Target((-20.0, -30.0), rcs_dbsm=60.0, height_m=0.0, heading_deg=180.0, speed_mps=speed)
     x, y = brightest(sigmascape.render(None, flying, atlas=atlas, targets=[target]))
-    assert x == pytest.approx(-20.0 + 2520.0 * speed * np.cos(np.radians(15.0)) / 100.0, abs=2.0)
-    assert y == pytest.approx(30.0, abs=3.0)
+    assert x == pytest.approx(-20.0 + 2480.0 * speed * np.cos(np.radians(15.0)) / 100.0, abs=2.0)
+    assert y == pytest.approx(-30.0, abs=3.0)
 
 
 def test_pulses_hold_the_targets(atlas, flying):
@@ -60,13 +69,13 @@ def test_pulses_hold_the_targets(atlas, flying):
 
 def test_a_stripmap_image_has_its_axes(atlas, flying, tmp_path):
     flying.mode = "stripmap"
-    target = sigmascape.Target((-20.0, 30.0), rcs_dbsm=70.0, height_m=0.0)
+    target = sigmascape.Target((-20.0, -30.0), rcs_dbsm=70.0, height_m=0.0)
     image = sigmascape.stripmap(atlas, flying, along_resolution_m=2.0, targets=[target])
     assert list(image.axes) == ["closest_range_m", "along_track_m"]
     assert [len(axis) for axis in image.axes.values()] == list(image.samples.shape[:2])
     row, column = np.unravel_index(np.abs(image.samples[..., 0]).argmax(), image.samples.shape[:2])
-    # Closest when the platform passes x = -20; then it is 30 m further north than the scene's middle.
-    east, height = 2500.0 * np.cos(np.radians(15.0)) + 30.0, 2500.0 * np.sin(np.radians(15.0))
+    # Closest when the platform passes x = -20; then it is 30 m further south than the scene's middle.
+    east, height = 2500.0 * np.cos(np.radians(15.0)) - 30.0, 2500.0 * np.sin(np.radians(15.0))
     assert image.axes["along_track_m"][column] == pytest.approx(-20.0, abs=1.5)
     assert image.axes["closest_range_m"][row] == pytest.approx(np.hypot(east, height), abs=1.5)
     image.save(tmp_path / "image.npy")
