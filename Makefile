@@ -65,8 +65,9 @@ validation: packages ## Write docs/physics/validation.md: every case, expected a
 
 bench: packages ## Measure on this machine, on the paper's scene: tens of minutes. JSON lines under out/bench
 	$(call configure,release) -DSIGMASCAPE_BENCHMARKS=ON
-	$(call build,release) --target benchmarks
+	$(call build,release) --target benchmarks --target sigmascape_python_package
 	for program in build/release/benchmarks/bench_*; do $$program --out out/bench/$${program##*bench_}.jsonl || exit 1; done
+	PYTHONPATH=build/release/python /usr/bin/python3 benchmarks/python/overhead.py --out out/bench/python.jsonl
 
 lint: packages ## Check formatting and run the static analysis
 	$(call sources,src apps tests) | xargs clang-format --dry-run -Werror

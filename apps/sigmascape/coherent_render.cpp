@@ -1,61 +1,17 @@
 #include "coherent_render.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <fmt/format.h>
 #include <utility>
 
 #include "stopwatch.h"
 
-#include "sigmascape/base/units.h"
 #include "sigmascape/product/slant_projection.h"
-#include "sigmascape/radar/coherent_plan.h"
 #include "sigmascape/radar/target_file.h"
-#include "sigmascape/simulate/coherent.h"
+#include "sigmascape/simulate/mode_image.h"
 #include "sigmascape/simulate/placement.h"
 
 namespace sigmascape::cli {
-namespace {
-
-Vec3d middle_of(const radar::GroundGrid& grid, const terrain::HeightField& terrain) {
-  const Vec2d centre = grid.extent().centre();
-  return {centre.x, centre.y, terrain.height_at(centre)};
-}
-
-/// The map's area and what beside it answers in its outermost cells.
-radar::Rectangle with_rim(const radar::Rectangle& area, double rim_m) {
-  return {area.west_m - rim_m, area.south_m - rim_m, area.east_m + rim_m, area.north_m + rim_m};
-}
-
-Provenance provenance_of(const CoherentRequest& request, const radar::CoherentPlan& plan) {
-  return {{"processing", fmt::format("level of detail {}: coherent, from terrain and atlas", request.level_of_detail)},
-          {"mode", word_for(request.radar.mode)},
-          {"interval_s", fmt::format("{:.6g}", plan.interval_s)},
-          {"looks", std::to_string(plan.looks)},
-          {"along_resolution_m", fmt::format("{:.4g}", plan.along_resolution_m)},
-          {"squint_deg", fmt::format("{:.4g}", deg_from_radians(plan.squint_rad))},
-          {"antenna_pattern", request.radar.processing.antenna_pattern ? "left in" : "none"},
-          {"thermal_noise", request.radar.processing.thermal_noise ? "in it" : "none"},
-          {"wind_mps", fmt::format("{:g}", request.radar.wind_mps)},
-          {"targets", std::to_string(request.targets.size())},
-          {"seed", std::to_string(request.seed)}};
-}
-
-}  // namespace
-
-const char* word_for(radar::Mode mode) {
-  switch (mode) {
-    case radar::Mode::RealBeam:
-      return "real-beam";
-    case radar::Mode::DopplerBeamSharpening:
-      return "doppler-beam-sharpening";
-    case radar::Mode::Stripmap:
-      return "stripmap";
-    case radar::Mode::Spotlight:
-      return "spotlight";
-  }
-  return "";
-}
 
 std::vector<radar::Target> placed_targets(const scene::Scene& scene, const std::string& file) {
   return simulate::placed_targets(radar::read_target_file(file), scene.frame, scene.terrain);
@@ -69,38 +25,29 @@ std::vector<radar::Target> all_targets(const scene::Scene& scene, const std::str
 }
 
 CoherentMap coherent_map(const CoherentRequest& request) {
-  const radar::Radar& radar = request.radar;
-  const terrain::HeightField& terrain = request.scene.terrain;
-  const Vec3d aim = middle_of(request.grid, terrain);
-  const radar::CoherentPlan plan = radar::coherent_plan(radar, aim);
-  for (const std::string& warning : radar::plan_warnings(radar, plan, request.grid.extent(), aim.z))
-    fmt::print(stderr, "warning: radar {}: {}\n", radar.name, warning);
-
-  request.atlas.check_frequency(request.texture_frequency_hz);
-  const auto looks = static_cast<std::size_t>(plan.looks);
-  const double of_all_looks_m = plan.along_resolution_m / plan.looks;
-  const double finest_m = std::min(radar.range_resolution_m, of_all_looks_m);
-  const double level = std::max(request.level_of_detail - 1.0, request.atlas.level_for(finest_m / 2.0));
-  const simulate::CoherentScene seen{
-      &terrain, render::AtlasReflectivity{&request.atlas, request.texture_frequency_hz, level}, request.targets,
-      radar.wind_mps > 0.0 ? simulate::windblown_of(request.scene, request.grid.extent()) : simulate::Windblown{}};
-  const simulate::CoherentSettings settings{.interval_s = plan.interval_s,
-                                            .along_resolution_m = of_all_looks_m,
-                                            .scatterer_spacing_m = finest_m / 2.0,
-                                            .seed = request.seed,
-                                            .threads = request.threads};
-  const radar::Rectangle area =
-      with_rim(request.grid.extent(), 2.0 * std::max(radar.range_resolution_m, plan.along_resolution_m));
+  const simulate::ModeRequest wanted{.atlas = request.atlas,
+                                     .terrain = request.scene.terrain,
+                                     .radar = request.radar,
+                                     .grid = request.grid,
+                                     .texture_frequency_hz = request.texture_frequency_hz,
+                                     .targets = request.targets,
+                                     .windblown = request.radar.wind_mps > 0.0
+                                                      ? simulate::windblown_of(request.scene, request.grid.extent())
+                                                      : simulate::Windblown{},
+                                     .level_of_detail = request.level_of_detail,
+                                     .seed = request.seed,
+                                     .threads = request.threads};
+  const auto [plan, warnings] = simulate::mode_plan(wanted);
+  for (const std::string& warning : warnings)
+    fmt::print(stderr, "warning: radar {}: {}\n", request.radar.name, warning);
   const Stopwatch watch;
-  CoherentMap made{
-      .map = radar.mode == radar::Mode::Stripmap
-                 ? product::projected_to_ground(simulate::stripmap_power(seen, radar, area, settings, looks), terrain,
-                                                request.grid)
-                 : product::projected_to_ground(simulate::range_doppler_power(seen, radar, area, settings, looks),
-                                                terrain, request.grid)};
+  const auto project = [&](const auto& image) {
+    return product::projected_to_ground(image, request.scene.terrain, request.grid);
+  };
+  CoherentMap made{.map = std::visit(project, simulate::mode_image(wanted, plan))};
   made.seconds = watch.seconds();
-  made.provenance = provenance_of(request, plan);
-  made.cost = {{"mode", word_for(radar.mode)},
+  made.provenance = simulate::provenance_of(wanted, plan);
+  made.cost = {{"mode", simulate::word_for(request.radar.mode)},
                {"interval_s", plan.interval_s},
                {"looks", plan.looks},
                {"along_resolution_m", plan.along_resolution_m}};

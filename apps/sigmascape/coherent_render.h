@@ -44,7 +44,4 @@ struct CoherentMap {
 /// The targets of the scene and, when it is named, of a file.
 [[nodiscard]] std::vector<radar::Target> all_targets(const scene::Scene& scene, const std::string& file);
 
-/// The mode as radar files spell it.
-[[nodiscard]] const char* word_for(radar::Mode mode);
-
 }  // namespace sigmascape::cli

@@ -22,6 +22,7 @@ void add_atlas_command(CLI::App& app, Output& output);
 void add_render_command(CLI::App& app, Output& output);
 void add_dataset_command(CLI::App& app, Output& output);
 void add_compare_command(CLI::App& app, Output& output);
+void add_plot_command(CLI::App& app, Output& output);
 void add_demo_command(CLI::App& app, Output& output);
 void add_results_command(CLI::App& app, Output& output);
 

@@ -5,6 +5,7 @@
 #include "command.h"
 
 #include "sigmascape/base/error.h"
+#include "sigmascape/product/software.h"
 
 namespace sigmascape::cli {
 
@@ -21,7 +22,7 @@ int run(int argc, char** argv) {
       "Path-traces a scene at radio frequencies, bakes it into reflectivity textures, and renders ground maps from "
       "either."};
   app.require_subcommand(1);
-  app.set_version_flag("--version", "0.1.0");
+  app.set_version_flag("--version", product::software_version());
   Output output;
   add_scene_command(app, output);
   add_bake_command(app, output);
@@ -29,6 +30,7 @@ int run(int argc, char** argv) {
   add_render_command(app, output);
   add_dataset_command(app, output);
   add_compare_command(app, output);
+  add_plot_command(app, output);
   add_demo_command(app, output);
   add_results_command(app, output);
   try {

@@ -16,12 +16,13 @@
 #include "sigmascape/atlas/store.h"
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
-#include "sigmascape/product/ground_map_file.h"
+#include "sigmascape/product/map_file.h"
 #include "sigmascape/product/reprojection.h"
 #include "sigmascape/radar/radar_file.h"
 #include "sigmascape/render/level_of_detail.h"
 #include "sigmascape/scene/scene_file.h"
 #include "sigmascape/simulate/coherent.h"
+#include "sigmascape/simulate/mode_image.h"
 #include "sigmascape/simulate/placement.h"
 #include "sigmascape/simulate/simulate.h"
 
@@ -39,6 +40,7 @@ struct RenderOptions {
   IqFiles iq;
   ScopeFiles scopes;
   std::string crs;
+  bool in_decibels = false;
   LayerFiles layers;
   simulate::TraceSettings trace;
 };
@@ -107,6 +109,8 @@ Rendered baked(const RenderOptions& options, const scene::Scene& scene, const st
   rendered.cost = {{"ground_samples", counts.ground_samples}, {"visible", counts.visible}};
   rendered.provenance = {
       {"processing", fmt::format("level of detail {}: from terrain and atlas", options.level_of_detail)}};
+  if (const auto seed = store.description().settings.find("seed"); seed != store.description().settings.end())
+    rendered.provenance["atlas_seed"] = seed->second;
   return rendered;
 }
 
@@ -119,12 +123,12 @@ void check_coherent(const RenderOptions& options, const radar::Radar& radar) {
   }
   if (options.level_of_detail == 0) {
     throw Error(
-        "--lod", fmt::format("0 traces power alone, and {} needs amplitudes", word_for(radar.mode)),
+        "--lod", fmt::format("0 traces power alone, and {} needs amplitudes", simulate::word_for(radar.mode)),
         "bake the scene and give --lod 1 and --atlas, or take the [mode] out of the radar file for a real beam");
   }
   const auto refuse = [&](const char* option, const std::string& file) {
     if (file.empty()) return;
-    throw Error(option, fmt::format("is of range and azimuth, which {} does not have", word_for(radar.mode)),
+    throw Error(option, fmt::format("is of range and azimuth, which {} does not have", simulate::word_for(radar.mode)),
                 "leave it out, or take the [mode] out of the radar file for a real beam");
   };
   refuse("--snr", options.received.snr);
@@ -156,6 +160,7 @@ std::string advised_detail(const RenderOptions& options, const scene::Scene& sce
 void render(const RenderOptions& options, radar::Polarization polarization, bool polarization_given,
             const Output& output) {
   check(options.layers, options.level_of_detail);
+  if (!options.map_file.empty()) product::check_map_name(options.map_file);
   const auto radar_file = radar::read_radar_file(options.radar);
   const scene::Scene scene = scene::read_scene(options.scene);
   const auto radar = simulate::placed_radar(radar_file, scene.frame, scene.terrain, scene.extent);
@@ -181,7 +186,8 @@ void render(const RenderOptions& options, radar::Polarization polarization, bool
                  ? described_map(std::move(*rendered.coherent), radar, scene.frame, rendered.provenance)
                  : described_map(rendered.image, radar, scene.terrain, grid, scene.frame, rendered.provenance);
   if (!options.crs.empty()) map = product::reprojected(map, scene.frame, options.crs);
-  if (!options.map_file.empty()) product::write_ground_map(options.map_file, map);
+  const auto scale = options.in_decibels ? product::MapScale::Decibels : product::MapScale::Linear;
+  if (!options.map_file.empty()) product::write_map(options.map_file, map, scale);
   write_layers(options.layers, scene, radar, grid, map.metadata,
                {.atlas = options.level_of_detail == 0 ? "" : options.atlas, .trace = options.trace});
   product::PictureOptions look = options.style == "scope" ? product::scope_look() : product::PictureOptions{};
@@ -218,7 +224,9 @@ void add_render_command(CLI::App& app, Output& output) {
       ->capture_default_str()
       ->check(CLI::Range(0, 16));
   command->add_flag("--explain", options->explain, "say which level of detail the resolution cell asks for, and why");
-  command->add_option("--out", options->map_file, "ground map to write (GeoTIFF, linear sigma0)");
+  command->add_option("--out", options->map_file,
+                      "ground map to write: sigma0 as cloud-optimised GeoTIFF (.tif) or for NumPy (.npy, .npz)");
+  command->add_flag("--db", options->in_decibels, "write the ground map in dB instead of linear");
   command->add_option("--png", options->picture_file, "picture to write");
   command->add_option("--style", options->style, "grey or scope")
       ->capture_default_str()

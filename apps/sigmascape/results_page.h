@@ -5,12 +5,15 @@
 #include <vector>
 
 #include "results_plan.h"
-#include "results_plot.h"
 #include "results_table.h"
 
 #include "sigmascape/product/comparison_page.h"
+#include "sigmascape/product/plot.h"
 
 namespace sigmascape::cli {
+
+using product::Plot;
+using product::PlotSeries;
 
 /// Everything that a page is made of.
 struct ResultsReport {

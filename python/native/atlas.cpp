@@ -4,6 +4,7 @@
 
 #include "array_view.h"
 #include "loaded_atlas.h"
+#include "long_call.h"
 #include "parts.h"
 
 #include "sigmascape/atlas/atlas_summary.h"
@@ -67,12 +68,13 @@ py::array_t<float> sigma0_at(const LoadedAtlas& loaded, const Points& x_m, const
   const auto count = static_cast<std::size_t>(x_m.size());
   const double *x = x_m.data(), *y = y_m.data();
   auto* out = reinterpret_cast<radar::Channels*>(result.mutable_data());
-  const py::gil_scoped_release release;
-  const atlas::Atlas& textures = loaded.textures();
-  textures.check_frequency(frequency_ghz * 1e9);
-  const auto weights =
-      textures.weights_for({radians_from_deg(azimuth_deg), radians_from_deg(elevation_deg)}, frequency_ghz * 1e9);
-  for (std::size_t i = 0; i < count; ++i) out[i] = textures.sigma0_at({x[i], y[i]}, weights, level);
+  long_call([&] {
+    const atlas::Atlas& textures = loaded.textures();
+    textures.check_frequency(frequency_ghz * 1e9);
+    const auto weights =
+        textures.weights_for({radians_from_deg(azimuth_deg), radians_from_deg(elevation_deg)}, frequency_ghz * 1e9);
+    for (std::size_t i = 0; i < count; ++i) out[i] = textures.sigma0_at({x[i], y[i]}, weights, level);
+  });
   return result;
 }
 
@@ -166,7 +168,7 @@ void add_atlas(py::module_& module) {
            "for\n"
            "x_m and y_m of shape [...]. 0 outside the atlas.")
       .def(
-          "load", [](const LoadedAtlas& a) { (void)a.textures(); }, py::call_guard<py::gil_scoped_release>(),
+          "load", [](const LoadedAtlas& a) { long_call([&a] { (void)a.textures(); }); },
           "Reads all textures now rather than when first needed.")
       .def("info", &info_of, "What is there, how large and how noisy it is, as a dict.")
       .def("__repr__", [](const LoadedAtlas& a) { return "<sigmascape.Atlas '" + a.store().folder().string() + "'>"; });

@@ -5,6 +5,7 @@
 #include <pybind11/stl/filesystem.h>
 
 #include "loaded_scene.h"
+#include "long_call.h"
 #include "parts.h"
 #include "python_progress.h"
 
@@ -54,8 +55,7 @@ bake::BakeReport baked(const LoadedScene& scene, const std::filesystem::path& fo
   settings = with_axes(settings, {azimuths, elevations_deg, frequencies_ghz, shadows});
   const bake::BakeShare share{bake::shard_from(shard)};
   PythonProgress listener(progress);
-  const py::gil_scoped_release release;
-  return bake::bake(scene.scene(), settings, folder, listener, share);
+  return long_call([&] { return bake::bake(scene.scene(), settings, folder, listener, share); });
 }
 
 }  // namespace

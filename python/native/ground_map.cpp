@@ -7,6 +7,7 @@
 
 #include "sigmascape/product/ground_map_file.h"
 #include "sigmascape/product/legend.h"
+#include "sigmascape/product/map_file.h"
 #include "sigmascape/product/map_metrics.h"
 #include "sigmascape/product/picture.h"
 #include "sigmascape/product/png_file.h"
@@ -18,11 +19,10 @@ namespace py = pybind11;
 using radar::Channels;
 using radar::GroundMap;
 
-void save(const GroundMap& map, const std::filesystem::path& path, const std::string& polarization, double span_db,
-          const std::optional<double>& top_db) {
-  if (path.extension() == ".tif") return product::write_ground_map(path, map);
+void save(const GroundMap& map, const std::filesystem::path& path, bool db, const std::string& polarization,
+          double span_db, const std::optional<double>& top_db) {
   if (path.extension() != ".png")
-    throw Error(path.string(), "is no kind of file that maps are saved as", "end the name in .tif or .png");
+    return product::write_map(path, map, db ? product::MapScale::Decibels : product::MapScale::Linear);
   auto picture = product::with_legend(product::picture_of(
       map, {.polarization = polarization_from(polarization), .span_db = span_db, .top_db = top_db}));
   picture.metadata = map.metadata;
@@ -118,10 +118,11 @@ void add_ground_map(py::module_& module) {
                      "Where the map comes from, text by name. Assign a dict to change it.")
       .def("db", &decibels, py::arg("polarization") = "vv", py::kw_only(), py::arg("floor_db") = -60.0,
            "10 lg sigma0, float32 [row, column]; not darker than `floor_db`, NaN where the radar did not look.")
-      .def("save", &save, py::arg("path"), py::kw_only(), py::arg("polarization") = "vv", py::arg("span_db") = 50.0,
-           py::arg("top_db") = py::none(), py::call_guard<py::gil_scoped_release>(),
-           "Writes a GeoTIFF (.tif: linear sigma0, CRS, metadata) or a picture with its legend and world file (.png),\n"
-           "to which the other arguments apply.")
+      .def("save", &save, py::arg("path"), py::kw_only(), py::arg("db") = false, py::arg("polarization") = "vv",
+           py::arg("span_db") = 50.0, py::arg("top_db") = py::none(), py::call_guard<py::gil_scoped_release>(),
+           "Writes a cloud-optimised GeoTIFF (.tif: sigma0, CRS, metadata), NumPy files (.npy with .json, .npz), or a\n"
+           "picture with its legend and world file (.png). db: sigma0 in decibels instead of linear; the other\n"
+           "arguments are for pictures.")
       .def("__repr__", [](const GroundMap& m) {
         return py::str("<sigmascape.GroundMap {} x {} cells of {:g} m>")
             .format(m.grid.rows, m.grid.columns, m.grid.cell_m);

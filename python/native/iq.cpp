@@ -3,7 +3,9 @@
 
 #include "array_view.h"
 #include "loaded_atlas.h"
+#include "long_call.h"
 #include "parts.h"
+#include "targets.h"
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/product/iq_file.h"
@@ -15,6 +17,7 @@ namespace sigmascape::python {
 namespace {
 
 namespace py = pybind11;
+using Targets = std::vector<radar::TargetSource>;
 
 /// A recording or an image with what its file says about where it comes from.
 template <typename Signal>
@@ -31,27 +34,31 @@ using Maker = Signal (*)(const simulate::CoherentScene&, const radar::Radar&, co
                          const simulate::CoherentSettings&);
 
 template <typename Signal>
-Described<Signal> made(Maker<Signal> make, const LoadedAtlas& atlas, const radar::RadarFile& asked,
-                       const simulate::CoherentSettings& settings) {
-  const py::gil_scoped_release release;
-  const atlas::AtlasDescription& description = atlas.description();
-  const auto radar = simulate::placed_radar(asked, description.frame, atlas.terrain(), description.extent);
-  const auto area = simulate::map_grid(asked.map, description.extent).extent();
-  const simulate::CoherentScene scene{
-      &atlas.terrain(), render::reflectivity_of(atlas.textures(), radar.frequency_hz, radar.range_resolution_m), {}};
-  return {make(scene, radar, area, settings),
-          radar,
-          {{"processing", "scatterers from terrain and atlas"},
-           {"crs", description.frame.proj()},
-           {"scene", description.name},
-           {"scene_hash", description.scene_hash},
-           {"seed", std::to_string(settings.seed)}}};
+Described<Signal> made(Maker<Signal> make, const LoadedAtlas& atlas, const radar::RadarFile& radar_file,
+                       const Targets& given, const simulate::CoherentSettings& settings) {
+  const radar::RadarFile asked = radar_file;
+  return long_call([&]() -> Described<Signal> {
+    const atlas::AtlasDescription& description = atlas.description();
+    const auto radar = simulate::placed_radar(asked, description.frame, atlas.terrain(), description.extent);
+    const auto area = simulate::map_grid(asked.map, description.extent).extent();
+    const auto targets = all_targets(nullptr, given, description.frame, atlas.terrain());
+    const simulate::CoherentScene scene{
+        &atlas.terrain(), render::reflectivity_of(atlas.textures(), radar.frequency_hz, radar.range_resolution_m),
+        targets};
+    return {make(scene, radar, area, settings),
+            radar,
+            {{"processing", "scatterers from terrain and atlas"},
+             {"crs", description.frame.proj()},
+             {"scene", description.name},
+             {"scene_hash", description.scene_hash},
+             {"seed", std::to_string(settings.seed)}}};
+  });
 }
 
 Described<radar::PhaseHistory> phase_history(const LoadedAtlas& atlas, const radar::RadarFile& radar, double interval_s,
-                                             bool calibrated, double scatterer_spacing_m, std::uint64_t seed,
-                                             unsigned threads) {
-  return made(&simulate::phase_history, atlas, radar,
+                                             const Targets& targets, bool calibrated, double scatterer_spacing_m,
+                                             std::uint64_t seed, unsigned threads) {
+  return made(&simulate::phase_history, atlas, radar, targets,
               {.interval_s = interval_s,
                .scatterer_spacing_m = scatterer_spacing_m,
                .seed = seed,
@@ -60,13 +67,23 @@ Described<radar::PhaseHistory> phase_history(const LoadedAtlas& atlas, const rad
 }
 
 Described<radar::RangeDopplerImage> range_doppler(const LoadedAtlas& atlas, const radar::RadarFile& radar,
-                                                  double interval_s, double scatterer_spacing_m, std::uint64_t seed,
-                                                  unsigned threads) {
-  return made(&simulate::range_doppler_image, atlas, radar,
+                                                  double interval_s, const Targets& targets, double scatterer_spacing_m,
+                                                  std::uint64_t seed, unsigned threads) {
+  return made(&simulate::range_doppler_image, atlas, radar, targets,
               {.interval_s = interval_s, .scatterer_spacing_m = scatterer_spacing_m, .seed = seed, .threads = threads});
 }
 
-/// What both kinds have in common; `samples` finds the array in the signal.
+Described<radar::StripmapImage> stripmap(const LoadedAtlas& atlas, const radar::RadarFile& radar,
+                                         double along_resolution_m, const Targets& targets, double scatterer_spacing_m,
+                                         std::uint64_t seed, unsigned threads) {
+  return made(&simulate::stripmap_image, atlas, radar, targets,
+              {.along_resolution_m = along_resolution_m,
+               .scatterer_spacing_m = scatterer_spacing_m,
+               .seed = seed,
+               .threads = threads});
+}
+
+/// What all kinds have in common; `samples` finds the array in the signal.
 template <typename Signal>
 void add_signal(py::module_& module, const char* name, const char* doc, const char* samples_doc,
                 Array2D<radar::ComplexChannels> Signal::*samples) {
@@ -114,18 +131,28 @@ void add_iq(py::module_& module) {
              "A focused image in slant range and Doppler; |a|^2 is a cross-section in m^2.",
              "complex64 [range, Doppler, 3]: VV, HH, HV (= VH); shares the image's memory.",
              &radar::RangeDopplerImage::amplitude_m);
+  add_signal(module, "StripmapImage",
+             "A focused image in closest slant range and place along the track; |a|^2 is a cross-section in m^2.",
+             "complex64 [closest range, along track, 3]: VV, HH, HV (= VH); shares the image's memory.",
+             &radar::StripmapImage::amplitude_m);
   module.def(
       "phase_history", &phase_history, py::arg("atlas"), py::arg("radar"), py::kw_only(), py::arg("interval_s") = 0.1,
-      py::arg("calibrated") = false, py::arg("scatterer_spacing_m") = 0.0, py::arg("seed") = 1, py::arg("threads") = 0,
+      py::arg("targets") = Targets{}, py::arg("calibrated") = false, py::arg("scatterer_spacing_m") = 0.0,
+      py::arg("seed") = 1, py::arg("threads") = 0,
       "The pulses of one interval over the radar's area: a PhaseHistory. The radar must move (velocity_mps).\n\n"
-      "interval_s: about time zero, when the radar is at its position. calibrated: volts behind the receiver with\n"
-      "thermal noise, instead of metres. scatterer_spacing_m: side of the cells that hold a scatterer each; 0 for\n"
-      "half the range resolution. seed: of speckle and noise.");
+      "interval_s: about time zero, when the radar is at its position. targets: of Target. calibrated: volts behind\n"
+      "the receiver with thermal noise, instead of metres. scatterer_spacing_m: side of the cells that hold a\n"
+      "scatterer each; 0 for half the range resolution. seed: of speckle and noise.");
   module.def("range_doppler", &range_doppler, py::arg("atlas"), py::arg("radar"), py::kw_only(),
-             py::arg("interval_s") = 0.1, py::arg("scatterer_spacing_m") = 0.0, py::arg("seed") = 1,
-             py::arg("threads") = 0,
+             py::arg("interval_s") = 0.1, py::arg("targets") = Targets{}, py::arg("scatterer_spacing_m") = 0.0,
+             py::arg("seed") = 1, py::arg("threads") = 0,
              "Doppler beam sharpening or spotlight SAR of the radar's area: a RangeDopplerImage. Arguments as for\n"
-             "phase_history().");
+             "phase_history(). render() with the radar's mode set lays such an image onto the ground.");
+  module.def("stripmap", &stripmap, py::arg("atlas"), py::arg("radar"), py::kw_only(),
+             py::arg("along_resolution_m") = 1.0, py::arg("targets") = Targets{}, py::arg("scatterer_spacing_m") = 0.0,
+             py::arg("seed") = 1, py::arg("threads") = 0,
+             "Stripmap SAR of the radar's area: a StripmapImage. along_resolution_m: half-power width along the\n"
+             "flight. Other arguments as for phase_history().");
 }
 
 }  // namespace sigmascape::python

@@ -14,12 +14,16 @@ PYBIND11_MODULE(_native, module) {
       "wrong,\n"
       "and what would be right.";
   python::add_scene(module);
+  python::add_targets(module);
   python::add_radar(module);
   python::add_ground_map(module);
   python::add_bake(module);
   python::add_atlas(module);
   python::add_render(module);
   python::add_iq(module);
+  python::add_layers(module);
+  python::add_dataset(module);
+  python::add_curves(module);
   python::add_live(module);
   module.attr("__name__") = file_name;
 }

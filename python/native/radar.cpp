@@ -88,6 +88,18 @@ void number(Class& binding, const char* name, double radar::Radar::*member, cons
       doc);
 }
 
+template <typename Class>
+void optional_number(Class& binding, const char* name, std::optional<double> radar::Processing::*member,
+                     const char* doc) {
+  binding.def_property(
+      name, [member](const RadarFile& f) { return f.radar.processing.*member; },
+      [member, name](RadarFile& f, const std::optional<double>& value) {
+        if (value) require_positive(name, *value);
+        f.radar.processing.*member = value;
+      },
+      doc);
+}
+
 }  // namespace
 
 void add_radar(py::module_& module) {
@@ -160,6 +172,19 @@ void add_radar(py::module_& module) {
           py::arg("scene"), "Where the radar stands over a scene: x, y, altitude in metres.")
       .def("__copy__", [](const RadarFile& f) { return RadarFile(f); })
       .def("__repr__", [](const RadarFile& f) { return "<sigmascape.Radar '" + f.radar.name + "'>"; });
+  optional_number(binding, "interval_s", &radar::Processing::interval_s,
+                  "Time over which coherent modes add up pulses; None: what the resolution asks for.");
+  optional_number(binding, "along_resolution_m", &radar::Processing::along_resolution_m,
+                  "Half-power width across range that spotlight and stripmap process to; None: as fine as in range.");
+  optional_number(binding, "sharpening", &radar::Processing::sharpening,
+                  "By what factor Doppler beam sharpening narrows the beam; None: 16.");
+  binding.def_property(
+      "looks", [](const RadarFile& f) { return f.radar.processing.looks; },
+      [](RadarFile& f, int looks) {
+        require_positive("looks", looks);
+        f.radar.processing.looks = looks;
+      },
+      "Images of coherent modes whose powers are averaged.");
   number(binding, "frequency_hz", &radar::Radar::frequency_hz, "Carrier frequency.");
   number(binding, "range_resolution_m", &radar::Radar::range_resolution_m,
          "Half-power width of the pulse after compression.");

@@ -3,13 +3,18 @@
 
 #include "loaded_atlas.h"
 #include "loaded_scene.h"
+#include "long_call.h"
 #include "parts.h"
 #include "python_progress.h"
+#include "targets.h"
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/product/described_map.h"
+#include "sigmascape/product/ground_projection.h"
+#include "sigmascape/product/slant_projection.h"
 #include "sigmascape/radar/radar_file.h"
 #include "sigmascape/radar/radar_warnings.h"
+#include "sigmascape/simulate/mode_image.h"
 #include "sigmascape/simulate/placement.h"
 #include "sigmascape/simulate/simulate.h"
 
@@ -41,65 +46,119 @@ Ground ground_of(const LoadedScene* loaded, const LoadedAtlas* atlas) {
           &description.frame, &atlas->terrain(),      description.extent};
 }
 
+/// A map that is not yet described.
 struct Rendered {
-  radar::RangeAzimuthImage image;
+  radar::GroundMap map;
   product::Provenance provenance;
 };
 
-Rendered traced(const LoadedScene* scene, const radar::Radar& radar, const radar::Rectangle& area,
-                const simulate::TraceSettings& settings, ProgressListener& progress) {
-  if (scene == nullptr) throw Error("scene", "is None at level of detail 0", "give the Scene that is to be traced");
-  trace::TraceCounts counts;
-  return {simulate::traced_image(scene->scene(), scene->geometry(), radar, area, settings, counts, &progress),
-          {{"processing", "level of detail 0: path-traced"},
-           {"seed", std::to_string(settings.seed)},
-           {"samples_per_cell", std::to_string(settings.samples_per_cell)}}};
-}
+/// What is asked of either way to a map.
+struct Wish {
+  const Ground& ground;
+  const radar::Radar& radar;
+  const radar::GroundGrid& grid;
+  const std::vector<radar::Target>& targets;
+};
 
-Rendered baked(const LoadedAtlas* atlas, const Ground& ground, const radar::Radar& radar, const radar::Rectangle& area,
-               const render::RenderSettings& settings) {
-  if (atlas == nullptr) {
-    throw Error("atlas", fmt::format("is None at level of detail {}", settings.level_of_detail),
-                "give the Atlas that bake() made, or lod=0");
-  }
-  render::RenderCounts counts;
-  return {simulate::baked_image(atlas->textures(), *ground.terrain, radar, area, settings, counts),
-          {{"processing", fmt::format("level of detail {}: from terrain and atlas", settings.level_of_detail)}}};
-}
-
-void warn_of(const radar::Radar& radar, const radar::RangeAzimuthGrid& bins, double cell_m) {
-  for (const std::string& warning : radar::radar_warnings(radar, bins, cell_m)) {
+void tell(const std::vector<std::string>& warnings, const radar::Radar& radar) {
+  for (const std::string& warning : warnings) {
     const std::string text = fmt::format("radar {}: {}", radar.name, warning);
     const py::gil_scoped_acquire gil;
     if (PyErr_WarnEx(PyExc_UserWarning, text.c_str(), 1) != 0) throw py::error_already_set();
   }
 }
 
+Rendered traced(const LoadedScene* scene, const Wish& wish, const simulate::TraceSettings& settings,
+                ProgressListener& progress) {
+  if (scene == nullptr) throw Error("scene", "is None at level of detail 0", "give the Scene that is to be traced");
+  if (wish.radar.mode != radar::Mode::RealBeam) {
+    throw Error("lod",
+                fmt::format("0 traces power alone, and {} needs amplitudes", simulate::word_for(wish.radar.mode)),
+                "give the atlas that bake() made, or set the radar's mode to 'real-beam'");
+  }
+  trace::TraceCounts counts;
+  const auto image = simulate::traced_image(scene->scene(), scene->geometry(), wish.radar, wish.grid.extent(), settings,
+                                            counts, &progress);
+  return {product::ground_map(image, *wish.ground.terrain, wish.grid, settings.threads),
+          {{"processing", "level of detail 0: path-traced"},
+           {"seed", std::to_string(settings.seed)},
+           {"samples_per_cell", std::to_string(settings.samples_per_cell)}}};
+}
+
+Rendered coherent(const atlas::Atlas& textures, const Wish& wish, const LoadedScene* scene, int level_of_detail,
+                  std::uint64_t seed, unsigned threads) {
+  const simulate::ModeRequest request{.atlas = textures,
+                                      .terrain = *wish.ground.terrain,
+                                      .radar = wish.radar,
+                                      .grid = wish.grid,
+                                      .texture_frequency_hz = wish.radar.frequency_hz,
+                                      .targets = wish.targets,
+                                      .windblown = scene != nullptr && wish.radar.wind_mps > 0.0
+                                                       ? simulate::windblown_of(scene->scene(), wish.grid.extent())
+                                                       : simulate::Windblown{},
+                                      .level_of_detail = level_of_detail,
+                                      .seed = seed,
+                                      .threads = threads};
+  const auto [plan, warnings] = simulate::mode_plan(request);
+  tell(warnings, wish.radar);
+  const auto project = [&](const auto& image) {
+    return product::projected_to_ground(image, *wish.ground.terrain, wish.grid);
+  };
+  return {std::visit(project, simulate::mode_image(request, plan)), simulate::provenance_of(request, plan)};
+}
+
+Rendered baked(const LoadedAtlas* atlas, const Wish& wish, const render::RenderSettings& settings, std::uint64_t seed,
+               const LoadedScene* scene) {
+  if (atlas == nullptr) {
+    throw Error("atlas", fmt::format("is None at level of detail {}", settings.level_of_detail),
+                "give the Atlas that bake() made, or lod=0");
+  }
+  if (wish.radar.mode != radar::Mode::RealBeam)
+    return coherent(atlas->textures(), wish, scene, settings.level_of_detail, seed, settings.threads);
+  render::RenderCounts counts;
+  const auto image =
+      simulate::baked_image(atlas->textures(), *wish.ground.terrain, wish.radar, wish.grid.extent(), settings, counts);
+  product::Provenance provenance{
+      {"processing", fmt::format("level of detail {}: from terrain and atlas", settings.level_of_detail)}};
+  const auto& baked_with = atlas->description().settings;
+  if (const auto found = baked_with.find("seed"); found != baked_with.end()) provenance["atlas_seed"] = found->second;
+  return {product::ground_map(image, *wish.ground.terrain, wish.grid, settings.threads), std::move(provenance)};
+}
+
 radar::GroundMap rendered(const std::shared_ptr<LoadedScene>& scene, const radar::RadarFile& radar_file,
-                          std::optional<int> lod, const std::shared_ptr<LoadedAtlas>& atlas, std::uint32_t samples,
-                          int bounces, std::uint64_t seed, unsigned threads, const py::object& progress) {
+                          std::optional<int> lod, const std::shared_ptr<LoadedAtlas>& atlas,
+                          const std::vector<radar::TargetSource>& given, std::uint32_t samples, int bounces,
+                          std::uint64_t seed, unsigned threads, const py::object& progress) {
   const radar::RadarFile asked = radar_file;
   const int level_of_detail = lod.value_or(atlas ? 1 : 0);
   if (level_of_detail < 0) throw Error("lod", "is negative", "give 0 to trace the scene, 1 and up to use the atlas");
   PythonProgress listener(progress);
-  const py::gil_scoped_release release;
-  const Ground ground = ground_of(scene.get(), level_of_detail > 0 ? atlas.get() : nullptr);
-  const auto radar = simulate::placed_radar(asked, *ground.frame, *ground.terrain, ground.extent);
-  const auto grid = simulate::map_grid(asked.map, ground.extent);
-  warn_of(radar, simulate::bins_for(radar, grid.extent(), *ground.terrain), grid.cell_m);
-  Rendered result = level_of_detail == 0 ? traced(scene.get(), radar, grid.extent(),
-                                                  {.cell_m = grid.cell_m,
-                                                   .samples_per_cell = samples,
-                                                   .max_bounces = bounces,
-                                                   .seed = seed,
-                                                   .threads = threads},
-                                                  listener)
-                                         : baked(atlas.get(), ground, radar, grid.extent(),
-                                                 {.level_of_detail = level_of_detail, .threads = threads});
-  result.provenance["scene"] = ground.name;
-  result.provenance["scene_hash"] = ground.hash;
-  if (!ground.attribution.empty()) result.provenance["attribution"] = ground.attribution;
-  return product::described_map(result.image, radar, *ground.terrain, grid, *ground.frame, result.provenance);
+  return long_call([&] {
+    const Ground ground = ground_of(scene.get(), level_of_detail > 0 ? atlas.get() : nullptr);
+    const auto radar = simulate::placed_radar(asked, *ground.frame, *ground.terrain, ground.extent);
+    const auto grid = simulate::map_grid(asked.map, ground.extent);
+    tell(radar::radar_warnings(radar, simulate::bins_for(radar, grid.extent(), *ground.terrain), grid.cell_m), radar);
+    // Those of the scene answer to rays by themselves.
+    const scene::Scene* owner = scene && level_of_detail > 0 ? &scene->scene() : nullptr;
+    const auto targets = all_targets(owner, given, *ground.frame, *ground.terrain);
+    const Wish wish{ground, radar, grid, targets};
+    Rendered result =
+        level_of_detail == 0
+            ? traced(scene.get(), wish,
+                     {.cell_m = grid.cell_m,
+                      .samples_per_cell = samples,
+                      .max_bounces = bounces,
+                      .seed = seed,
+                      .threads = threads,
+                      .targets = targets},
+                     listener)
+            : baked(atlas.get(), wish, {.level_of_detail = level_of_detail, .threads = threads, .targets = targets},
+                    seed, scene.get());
+    result.provenance["scene"] = ground.name;
+    result.provenance["scene_hash"] = ground.hash;
+    if (!ground.attribution.empty()) result.provenance["attribution"] = ground.attribution;
+    return product::described_map(std::move(result.map), radar, *ground.frame, result.provenance);
+  });
 }
 
 }  // namespace
@@ -108,13 +167,17 @@ void add_render(py::module_& module) {
   const simulate::TraceSettings settings;
   module.def(
       "render", &rendered, py::arg("scene").none(true), py::arg("radar"), py::kw_only(), py::arg("lod") = py::none(),
-      py::arg("atlas") = py::none(), py::arg("samples") = settings.samples_per_cell,
-      py::arg("bounces") = settings.max_bounces, py::arg("seed") = settings.seed, py::arg("threads") = 0,
-      py::arg("progress") = py::none(),
+      py::arg("atlas") = py::none(), py::arg("targets") = std::vector<radar::TargetSource>{},
+      py::arg("samples") = settings.samples_per_cell, py::arg("bounces") = settings.max_bounces,
+      py::arg("seed") = settings.seed, py::arg("threads") = 0, py::arg("progress") = py::none(),
       "The GroundMap that `radar` sees.\n\n"
       "lod: level of detail; 0 path-traces the scene with `samples` rays a cell, 1 and up use `atlas`. Without it,\n"
-      "1 where an atlas is given, else 0. With an atlas `scene` may be None: the atlas knows its terrain.\n"
-      "samples, bounces, seed: at level of detail 0. threads: 0 for one a processor; has no effect on the result.\n"
+      "1 where an atlas is given, else 0. With an atlas `scene` may be None: the atlas knows its terrain, but not the\n"
+      "point targets of the scene. The radar's mode decides what is made of the echoes; others than 'real-beam' need "
+      "an\n"
+      "atlas and a radar that moves. targets: of Target, to add.\n"
+      "samples, bounces: at level of detail 0. seed: of the rays there, else of speckle. threads: 0 for one a\n"
+      "processor; has no effect on the result.\n"
       "progress: as for bake().");
 }
 

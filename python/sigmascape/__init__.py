@@ -17,6 +17,11 @@
     pulses = sigmascape.phase_history(atlas, radar)            # I/Q: complex64 [pulse, range, polarization]
     pulses.save("pulses.h5")
 
+    radar.mode = "spotlight"
+    sharp = sigmascape.render(None, radar, atlas=atlas, targets=[sigmascape.Target((10, 20), rcs_dbsm=30)])
+    sigmascape.layers(scene, radar, ["shadow", "layover"])["shadow"]   # float32 [row, column]
+    sigmascape.make_dataset("spec.toml", "samples")            # labelled images by the thousand
+
 Scenes come from scene files, or are made up (Scene.simple, Scene.paper). LiveGround and LiveRenderer make radar frames for
 simulators as I/Q. The local frame has x east and y north in metres; heights are above mean sea level; azimuths count clockwise
 from true north; maps are [row, column] with row 0 the northernmost; sigma0 is linear. Names say their unit. Long calls let
@@ -27,41 +32,69 @@ from ._native import (
     Atlas,
     BakeReport,
     CellComparison,
+    DatasetReport,
     Error,
     Frame,
     GroundMap,
+    Layers,
     LiveGround,
     LiveRenderer,
     PhaseHistory,
     Radar,
     RangeDopplerImage,
     Scene,
+    StripmapImage,
+    Target,
     Texture,
     __version__,
+    antenna_gain_db,
     bake,
+    class_names,
     compare,
+    layers,
+    make_dataset,
+    material_names,
+    material_sigma0,
     phase_history,
+    plot,
     range_doppler,
+    range_response_db,
+    read_targets,
     render,
+    stripmap,
 )
 
 __all__ = [
     "Atlas",
     "BakeReport",
     "CellComparison",
+    "DatasetReport",
     "Error",
     "Frame",
     "GroundMap",
+    "Layers",
     "LiveGround",
     "LiveRenderer",
     "PhaseHistory",
     "Radar",
     "RangeDopplerImage",
     "Scene",
+    "StripmapImage",
+    "Target",
     "Texture",
+    "antenna_gain_db",
     "bake",
+    "class_names",
     "compare",
+    "layers",
+    "make_dataset",
+    "material_names",
+    "material_sigma0",
     "phase_history",
+    "plot",
     "range_doppler",
+    "range_response_db",
+    "read_targets",
     "render",
+    "stripmap",
 ]

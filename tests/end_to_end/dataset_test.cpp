@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "scratch_folder.h"
@@ -35,7 +36,10 @@ class Dataset : public ::testing::Test {
     settings.patches = {.texel_m = 4.0, .texels_per_side = 256};
     settings.sampling.samples_per_texel = 2;
     SilentProgress silent;
-    bake::bake(scene::read_scene(folder_->path("scene.toml")), settings, folder_->path("atlas"), silent);
+    const scene::Scene scene = scene::read_scene(folder_->path("scene.toml"));
+    bake::bake(scene, settings, folder_->path("atlas"), silent);
+    settings.max_bounces = 1;
+    bake::bake(scene, settings, folder_->path("first_bounce"), silent);
   }
   static void TearDownTestSuite() {
     delete folder_;
@@ -44,23 +48,24 @@ class Dataset : public ::testing::Test {
 
   struct Wish {
     std::string files = "folders", azimuth = "[0, 360]", elevation = "[8, 21]", snr = "[60, 60]", more = "";
+    std::string atlas = "atlas = \"atlas\"\n", sections = "", target = "", number = "[1, 1]";
     std::size_t looks = 0;
     double rcs_db = 45.0;
     std::size_t cells = end_to_end::cells;
   };
 
-  static dataset::DatasetSpec spec(const Wish& wish) {
+  static dataset::DatasetSpec spec(const Wish& wish, const std::string& layer = "") {
     const auto file = folder_->write(
         "spec.toml",
-        fmt::format(
-            "[dataset]\nscene = \"scene.toml\"\natlas = \"atlas\"\nradar = \"radar.toml\"\ncount = {}\nseed = 7\n"
-            "cells = {}\ncell_m = 4.0\nfiles = \"{}\"\nsamples_per_shard = 3\n"
-            "layers = [\"shadow\", \"layover\", \"incidence\", \"range\", \"class\", \"height\"]\n{}"
-            "[view]\nazimuth_deg = {}\nelevation_deg = {}\nslant_range_km = [14, 15]\n"
-            "[speckle]\nlooks = {}\n[noise]\nsnr_db = {}\n"
-            "[[targets]]\nname = \"reflector\"\nnumber = [1, 1]\nrcs_dbsm = [{}, {}]\nheight_m = 2.0\n",
-            count, wish.cells, wish.files, wish.more, wish.azimuth, wish.elevation, wish.looks, wish.snr, wish.rcs_db,
-            wish.rcs_db));
+        fmt::format("[dataset]\nscene = \"scene.toml\"\n{}radar = \"radar.toml\"\ncount = {}\nseed = 7\n"
+                    "cells = {}\ncell_m = 4.0\nfiles = \"{}\"\nsamples_per_shard = 3\n"
+                    "layers = [\"shadow\", \"layover\", \"incidence\", \"range\", \"class\", \"height\"{}]\n{}"
+                    "[view]\nazimuth_deg = {}\nelevation_deg = {}\nslant_range_km = [14, 15]\n"
+                    "[speckle]\nlooks = {}\n[noise]\nsnr_db = {}\n"
+                    "{}[[targets]]\nname = \"reflector\"\nnumber = {}\nrcs_dbsm = [{}, {}]\nheight_m = 2.0\n{}",
+                    wish.atlas, count, wish.cells, wish.files, layer.empty() ? "" : ", " + layer, wish.more,
+                    wish.azimuth, wish.elevation, wish.looks, wish.snr, wish.sections, wish.number, wish.rcs_db,
+                    wish.rcs_db, wish.target));
     return dataset::read_dataset_spec(file);
   }
 
@@ -174,15 +179,113 @@ TEST_F(Dataset, CellsInShadowThatNothingLiesOverAreDark) {
   EXPECT_LT(sum[1] / cells_of[1], 0.15 * sum[0] / cells_of[0]);
 }
 
+TEST_F(Dataset, TracksFollowTargetsFromFrameToFrame) {
+  const dataset::SampleMaker maker(
+      spec({.sections = "[sequence]\nframes = 5\ninterval_s = 2.0\nspeed_mps = [100, 100]\n",
+            .target = "speed_mps = [4, 4]\n",
+            .number = "[8, 8]",
+            .rcs_db = 70.0}));
+  const fs::path folder = folder_->path("tracks");
+  made(maker, folder);
+  std::ifstream stream(folder / "annotations.json");
+  const auto labels = nlohmann::json::parse(stream);
+  EXPECT_EQ(labels.at("videos").size(), count / 5);
+  std::map<int, std::map<int, std::array<double, 2>>> middles;  // by track and image
+  for (const auto& box : labels.at("annotations")) {
+    const auto& b = box.at("bbox");
+    middles[box.at("track_id").get<int>()][box.at("image_id").get<int>()] = {
+        b[0].get<double>() + b[2].get<double>() / 2.0, b[1].get<double>() + b[3].get<double>() / 2.0};
+  }
+  std::size_t steps = 0;
+  for (const auto& [track, places] : middles) {
+    EXPECT_EQ(places.begin()->first / 5, places.rbegin()->first / 5) << "a track stays in its video";
+    for (auto it = places.begin(); it != places.end(); ++it) {
+      const auto next = std::next(it);
+      if (next == places.end() || next->first != it->first + 1) continue;
+      ++steps;
+      // 8 m at cells of 4 m; boxes at the rim are cut, and ground that slopes moves what stands above it.
+      const double moved = std::hypot(next->second[0] - it->second[0], next->second[1] - it->second[1]);
+      EXPECT_NEAR(moved, 2.0, 1.2) << "track " << track << ", image " << it->first;
+    }
+  }
+  EXPECT_GE(steps, 4U);
+  const dataset::Sample first = maker.make(5), last = maker.make(9);
+  EXPECT_NEAR(length(last.radar_position - first.radar_position), 800.0, 1e-6);
+  EXPECT_EQ(first.plan.targets[0].rcs_m2, last.plan.targets[0].rcs_m2);
+}
+
+// The part of several bounces from two bakes comes near that from paths traced through the same scene, over blocks of
+// cells, for the bakes' rays are few.
+TEST_F(Dataset, KnowsWhatPartCameOverSeveralSurfaces) {
+  const Wish quiet{.azimuth = "[0, 0]", .elevation = "[21, 21]", .snr = "[120, 120]", .rcs_db = -60.0};
+  Wish baked = quiet, traced = quiet;
+  baked.more = "first_bounce_atlas = \"first_bounce\"\n";
+  traced.atlas = "";
+  const dataset::SampleMaker from_atlas(spec(baked, "\"multibounce\"")), from_rays(spec(traced, "\"multibounce\""));
+  constexpr std::size_t block = 8;
+  std::vector<double> told, truth;
+  for (const std::size_t i : {0U, 1U, 2U}) {
+    const dataset::Sample one = from_atlas.make(i), other = from_rays.make(i);
+    const auto &part = one.labels.layers.back(), &true_part = other.labels.layers.back();
+    ASSERT_EQ(part.name, "multibounce");
+    ASSERT_EQ(one.plan.centre, other.plan.centre);
+    for (const float value : part.values.values()) ASSERT_TRUE(value >= 0.0F && value <= 1.0F);
+    // Of the power of a block, not the mean of its parts: bright cells count.
+    for (std::size_t top = 0; top + block <= cells; top += block) {
+      for (std::size_t left = 0; left + block <= cells; left += block) {
+        std::array<double, 2> several{}, all{};
+        for (std::size_t k = 0; k < block * block; ++k) {
+          const std::size_t x = left + k % block, y = top + k / block;
+          const auto power = static_cast<double>(one.map.sigma0(x, y).vv),
+                     rays = static_cast<double>(other.map.sigma0(x, y).vv);
+          several[0] += power * static_cast<double>(part.values(x, y));
+          several[1] += rays * static_cast<double>(true_part.values(x, y));
+          all[0] += power;
+          all[1] += rays;
+        }
+        if (all[0] < 1e-3 || all[1] < 1e-3) continue;
+        told.push_back(several[0] / all[0]);
+        truth.push_back(several[1] / all[1]);
+      }
+    }
+  }
+  ASSERT_GT(told.size(), 30U);
+  double mean_told = 0.0, mean_truth = 0.0, products = 0.0, squares_told = 0.0, squares_truth = 0.0;
+  for (std::size_t i = 0; i < told.size(); ++i) {
+    mean_told += told[i] / static_cast<double>(told.size());
+    mean_truth += truth[i] / static_cast<double>(told.size());
+  }
+  for (std::size_t i = 0; i < told.size(); ++i) {
+    products += (told[i] - mean_told) * (truth[i] - mean_truth);
+    squares_told += std::pow(told[i] - mean_told, 2);
+    squares_truth += std::pow(truth[i] - mean_truth, 2);
+  }
+  const double correlation = products / std::sqrt(squares_told * squares_truth);
+  fmt::print("  part of several bounces: {:.3f} from two bakes, {:.3f} from rays; correlation of {} blocks {:.2f}\n",
+             mean_told, mean_truth, told.size(), correlation);
+  EXPECT_NEAR(mean_told, mean_truth, 0.1);
+  EXPECT_GT(correlation, 0.4);
+}
+
 TEST_F(Dataset, RefusesWhatCannotBeWithTheReason) {
-  const auto message = [&](const Wish& wish) {
-    return message_of_error([&] { dataset::SampleMaker maker(spec(wish)); });
+  const auto message = [&](const Wish& wish, const std::string& layer = "") {
+    return message_of_error([&] { dataset::SampleMaker maker(spec(wish, layer)); });
   };
   EXPECT_EQ(message({}), "");
   EXPECT_NE(message({.elevation = "[21, 8]"}).find("view.elevation_deg: begins at 21"), std::string::npos);
   EXPECT_NE(message({.elevation = "[5, 21]"}).find("from 8.0 to 21.0"), std::string::npos);
   EXPECT_NE(message({.cells = 4096}).find("larger than the scene"), std::string::npos);
   EXPECT_NE(message({.more = "level_of_detial = 1\n"}).find("level_of_detail"), std::string::npos);
+  EXPECT_NE(message({.more = "first_bounce_atlas = \"atlas\"\n"}, "\"multibounce\"").find("--bounces 1"),
+            std::string::npos);
+  EXPECT_NE(message({}, "\"multibounce\"").find("does not tell bounces apart"), std::string::npos);
+  EXPECT_NE(message({}, "\"bounce2\"").find("level_of_detail = 0"), std::string::npos);
+  EXPECT_NE(message({.sections = "[sequence]\nframes = 3\n"}).find("sequence.frames: is 3, of which 20"),
+            std::string::npos);
+  EXPECT_NE(message({.sections = "[radar]\nfrequency_ghz = [5, 10]\n"}).find("radar.frequency_ghz: leads outside"),
+            std::string::npos);
+  EXPECT_NE(message({.snr = "[5, 5]\nnoise_sigma0_db = [-40, -30]"}).find("both say"), std::string::npos);
+  EXPECT_NE(message({.target = "east_m = [0, 500]\n"}).find("leads out of the map"), std::string::npos);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 import hashlib
 import json
 import os
+import re
 import subprocess
 
 import numpy as np
@@ -83,6 +84,26 @@ def test_hdf5_opens_with_plain_h5py(pulses, tmp_path):
         assert file["platform_position"].shape == (40, 3)
         assert file.attrs["frequency_hz"] == 10e9 and file.attrs["radar"].decode() == "mover"
         assert file.attrs["scene_hash"].decode() == pulses.metadata["scene_hash"]
+
+
+def test_hdf5_keeps_to_what_matlab_reads(pulses, tmp_path):
+    """Names are identifiers of at most 63 letters, texts have a fixed length, numbers are doubles: h5readatt and h5read know no more."""
+    pulses.save(tmp_path / "pulses.h5")
+    with h5py.File(tmp_path / "pulses.h5") as file:
+        for name in file:
+            assert re.fullmatch(r"[A-Za-z]\w{0,62}", name)
+        for place in [file, *file.values()]:
+            for name in place.attrs:
+                if name in ("CLASS", "NAME", "REFERENCE_LIST", "DIMENSION_LIST"):
+                    continue  # of dimension scales, HDF5's own
+                assert re.fullmatch(r"[A-Za-z]\w{0,62}", name)
+                kind = place.attrs.get_id(name)
+                assert kind.shape == ()
+                assert kind.dtype == np.float64 or (kind.dtype.kind == "S" and kind.get_type().get_strpad() in (0, 1))
+        assert file["VV"].dtype.kind == "c" and file["VV"].id.get_type().get_nmembers() == 2
+        assert [file["VV"].id.get_type().get_member_name(i) for i in range(2)] == [b"r", b"i"]
+        for axis in ["pulse_time", "slant_range", "platform_position", "platform_velocity"]:
+            assert file[axis].dtype == np.float64 and "units" in file[axis].attrs
 
 
 def test_sigmf_has_a_channel_a_polarization_and_a_capture_a_pulse(pulses, tmp_path):

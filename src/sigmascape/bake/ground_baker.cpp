@@ -7,6 +7,7 @@
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/atlas/pyramid.h"
 #include "sigmascape/base/units.h"
+#include "sigmascape/scatter/surface_sigma0.h"
 #include "sigmascape/scene/obstacle_raster.h"
 #include "sigmascape/trace/path_tracer.h"
 
@@ -23,15 +24,11 @@ std::vector<double> ground_elevations_rad() {
   return elevations;
 }
 
-/// σ0 = 4π f sin² ψ of every material, lying level: docs/physics/estimator.md, Eq. (1) over the area of the ground.
+/// σ0 of every material, lying level.
 std::vector<radar::Channels> sigma0_of(const std::vector<scatter::SurfaceModel>& surfaces, double elevation_rad) {
-  const Vec3f to_radar = radar::direction_to_radar({0.0, elevation_rad}).to<float>();
-  const double sine = std::sin(elevation_rad);
   std::vector<radar::Channels> sigma0;
-  for (const scatter::SurfaceModel& surface : surfaces) {
-    sigma0.push_back(surface.backscatter(to_radar, {{0.0F, 0.0F, 1.0F}, 0.0F}) *
-                     static_cast<float>(4.0 * pi * sine * sine));
-  }
+  for (const scatter::SurfaceModel& surface : surfaces)
+    sigma0.push_back(scatter::surface_sigma0(surface, elevation_rad));
   return sigma0;
 }
 

@@ -7,6 +7,8 @@
 #include <thread>
 #include <vector>
 
+#include "sigmascape/base/interruption.h"
+
 namespace sigmascape {
 
 unsigned thread_count(unsigned wanted) {
@@ -19,9 +21,15 @@ void parallel_for(std::size_t count, unsigned threads,
   std::exception_ptr failure;
   std::mutex failure_guard;
 
+  Interruption* const interruption = Interruption::current();
+
   const auto work = [&](unsigned worker) {
+    const Interruption::Membership membership(interruption);
     try {
-      for (std::size_t index = next.fetch_add(1); index < count; index = next.fetch_add(1)) body(index, worker);
+      for (std::size_t index = next.fetch_add(1); index < count; index = next.fetch_add(1)) {
+        if (interruption != nullptr) interruption->poll();
+        body(index, worker);
+      }
     } catch (...) {
       next.store(count);
       const std::lock_guard lock(failure_guard);

@@ -93,7 +93,7 @@ class Lot {
     for (const SampleTarget& target : sample.targets) {
       if (!target.is_seen) continue;
       const product::TargetBox& box = target.box;
-      boxes.push_back({box.category, box.x, box.y, box.width, box.height});
+      boxes.push_back({box.category, box.x, box.y, box.width, box.height, box.track});
     }
     entries_[k] = {{"sample", sample_number}, {"files", listed}, {"boxes", boxes}};
     if (sample_number < sheet_samples) {

@@ -7,6 +7,7 @@
 
 #include "sigmascape/base/toml_reader.h"
 #include "sigmascape/base/units.h"
+#include "sigmascape/dataset/bounce_labels.h"
 
 namespace sigmascape::dataset {
 namespace {
@@ -45,6 +46,10 @@ void read_products(const TomlSection& section, DatasetSpec& spec) {
   spec.in_decibels = section.choice_or("scale", {"linear", "db"}, "linear") == "db";
   spec.with_preview = section.flag_or("preview", true);
   for (const std::string& name : section.texts("layers")) {
+    if (tells_bounces(name)) {
+      spec.bounce_layers.push_back(name);
+      continue;
+    }
     try {
       spec.layers.push_back(simulate::layer_kind(name));
     } catch (const Error& unknown) {
@@ -67,18 +72,85 @@ void read_view(const TomlSection& section, DatasetSpec& spec) {
   section.refuse_unknown_keys();
 }
 
+std::optional<Range> optional_range(const TomlSection& section, std::string_view key, Interval allowed) {
+  if (!section.has(key)) return std::nullopt;
+  return range_of(section, key, allowed);
+}
+
+void read_sequence(const TomlSection& section, DatasetSpec& spec) {
+  Sequence& sequence = spec.sequence;
+  sequence.frames = static_cast<std::size_t>(section.whole_number_or("frames", {1.0, 10'000.0, "frames"}, 1));
+  sequence.interval_s = section.number_or("interval_s", {1e-3, 1e4, "s"}, 1.0);
+  sequence.speed_mps = optional_range(section, "speed_mps", {0.0, 20'000.0, "m/s"}).value_or(Range{});
+  sequence.course_rad =
+      scaled(optional_range(section, "course_deg", {-360.0, 720.0, "degrees clockwise from north"}).value_or(Range{}),
+             radians_from_deg(1.0));
+  if (spec.count % sequence.frames != 0) {
+    throw section.fault("frames",
+                        fmt::format("is {}, of which {} samples are no multiple", sequence.frames, spec.count),
+                        "change dataset.count or the number of frames");
+  }
+  section.refuse_unknown_keys();
+}
+
+void read_radar_ranges(const TomlSection& section, DatasetSpec& spec) {
+  const auto range = [&](std::string_view key, Interval allowed, double factor) -> std::optional<Range> {
+    if (const auto found = optional_range(section, key, allowed)) return scaled(*found, factor);
+    return std::nullopt;
+  };
+  spec.radar_ranges = {.frequency_hz = range("frequency_ghz", {0.1, 300.0, "GHz"}, 1e9),
+                       .range_resolution_m = range("range_resolution_m", {0.005, 10'000.0, "m"}, 1.0),
+                       .beam_width_rad = range("beam_width_deg", {1e-5, 90.0, "degrees"}, radians_from_deg(1.0))};
+  section.refuse_unknown_keys();
+}
+
+void read_noise(const TomlSection& section, DatasetSpec& spec) {
+  spec.snr_db = optional_range(section, "snr_db", {-60.0, 120.0, "dB"});
+  spec.noise_sigma0_db = optional_range(section, "noise_sigma0_db", {-120.0, 40.0, "dB"});
+  if (spec.snr_db.has_value() == spec.noise_sigma0_db.has_value()) {
+    throw section.fault("snr_db", spec.snr_db ? "and noise_sigma0_db both say how strong the noise is" : "is missing",
+                        "give one of snr_db and noise_sigma0_db, or leave the section out");
+  }
+  section.refuse_unknown_keys();
+}
+
 TargetClass target_class(const TomlSection& section) {
   TargetClass target{.name = section.text("name"),
                      .number = range_of(section, "number", {0.0, 10'000.0, "targets"}),
                      .rcs_db = range_of(section, "rcs_dbsm", {-60.0, 100.0, "dB over 1 m²"}),
                      .size_m = section.number_or("size_m", {0.0, 1000.0, "m"}, 0.0),
-                     .height_m = section.number_or("height_m", {0.0, 1000.0, "m"}, 1.0)};
+                     .height_m = section.number_or("height_m", {0.0, 1000.0, "m"}, 1.0),
+                     .speed_mps = optional_range(section, "speed_mps", {0.0, 20'000.0, "m/s"}).value_or(Range{}),
+                     .heading_rad = scaled(
+                         optional_range(section, "heading_deg", {-360.0, 720.0, "degrees"}).value_or(Range{0.0, 360.0}),
+                         radians_from_deg(1.0)),
+                     .east_m = optional_range(section, "east_m", anywhere_m),
+                     .north_m = optional_range(section, "north_m", anywhere_m)};
   if (target.number.lowest != std::floor(target.number.lowest) ||
       target.number.highest != std::floor(target.number.highest)) {
     throw section.fault("number", "is not in whole targets", "give two whole numbers");
   }
   section.refuse_unknown_keys();
   return target;
+}
+
+/// Targets that the map could not show.
+void check_places(const TomlSection& section, const TargetClass& target, const DatasetSpec& spec) {
+  const double half_m = static_cast<double>(spec.cells) * spec.cell_m / 2.0;
+  for (const auto& [key, range] : {std::pair{"east_m", target.east_m}, {"north_m", target.north_m}}) {
+    if (range && (range->lowest < -half_m || range->highest > half_m))
+      throw section.fault(key, "leads out of the map", fmt::format("stay within {:g} and {:g}", -half_m, half_m));
+  }
+}
+
+void check_bounces(const TomlSection& section, const DatasetSpec& spec) {
+  const bool is_traced = spec.level_of_detail == 0;
+  for (const std::string& name : spec.bounce_layers) {
+    if (is_traced || (name == multibounce && spec.first_bounce_atlas)) continue;
+    throw section.fault("layers", fmt::format("asks for {}, and an atlas does not tell bounces apart", name),
+                        name == multibounce ? "name as first_bounce_atlas the same bake with --bounces 1, or trace"
+                                            : "trace with level_of_detail = 0");
+  }
 }
 
 TomlSection required_section(const TomlSection& file, std::string_view key) {
@@ -111,9 +183,11 @@ DatasetSpec read_dataset_spec(const std::filesystem::path& path) {
                      : section.fault("atlas", "is missing for a level of detail of 1 or more",
                                      "name the atlas that `sigmascape bake` made, or trace with level_of_detail = 0");
   }
+  spec.first_bounce_atlas = section.optional_file("first_bounce_atlas");
   spec.samples_per_cell =
       static_cast<std::uint32_t>(section.whole_number_or("samples_per_cell", {1.0, 65536.0, "rays"}, 16));
   read_products(section, spec);
+  check_bounces(section, spec);
   section.refuse_unknown_keys();
   read_view(required_section(file, "view"), spec);
   if (const auto speckle = file.section("speckle")) {
@@ -121,10 +195,14 @@ DatasetSpec read_dataset_spec(const std::filesystem::path& path) {
     speckle->refuse_unknown_keys();
   }
   if (const auto noise = file.section("noise")) {
-    spec.snr_db = range_of(*noise, "snr_db", {-60.0, 120.0, "dB"});
-    noise->refuse_unknown_keys();
+    read_noise(*noise, spec);
   }
-  for (const TomlSection& target : file.sections("targets")) spec.targets.push_back(target_class(target));
+  if (const auto radar = file.section("radar")) read_radar_ranges(*radar, spec);
+  if (const auto sequence = file.section("sequence")) read_sequence(*sequence, spec);
+  for (const TomlSection& target : file.sections("targets")) {
+    spec.targets.push_back(target_class(target));
+    check_places(target, spec.targets.back(), spec);
+  }
   file.refuse_unknown_keys();
   return spec;
 }

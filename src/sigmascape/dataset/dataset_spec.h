@@ -24,7 +24,22 @@ struct TargetClass {
   Range number;  ///< of targets a sample; whole numbers, both ends are drawn
   Range rcs_db;  ///< over a square metre, in every polarization but HV, which has none
   double size_m = 0.0;
-  double height_m = 0.0;  ///< of the phase centre above the ground
+  double height_m = 0.0;                   ///< of the phase centre above the ground
+  Range speed_mps = {}, heading_rad = {};  ///< how it drives, on an even course
+  std::optional<Range> east_m = {},
+                       north_m = {};  ///< from the middle of the map, at the beginning; without, all over it
+};
+
+/// Samples that follow one another in time: the radar flies on and targets drive on.
+struct Sequence {
+  std::size_t frames = 1;
+  double interval_s = 1.0;
+  Range speed_mps = {}, course_rad = {};  ///< of the radar, which keeps its altitude
+};
+
+/// What of the radar is drawn anew for every sample; the rest stands in the radar's file.
+struct RadarRanges {
+  std::optional<Range> frequency_hz = {}, range_resolution_m = {}, beam_width_rad = {};
 };
 
 enum class Arrangement {
@@ -49,14 +64,20 @@ struct DatasetSpec {
   bool in_decibels = false;  ///< instead of linear power
   bool with_preview = true;
   std::vector<simulate::LayerKind> layers;
+  std::vector<std::string> bounce_layers;  ///< those that tell bounces apart, see bounce_labels.h
+  /// From level of detail 1 on what "multibounce" needs: an atlas of the same looks, baked with one bounce alone.
+  std::optional<std::filesystem::path> first_bounce_atlas;
   Arrangement arrangement = Arrangement::Folders;
   std::size_t samples_per_shard = 50;
 
   Range azimuth_rad, elevation_rad, slant_range_m;
   std::optional<Range> target_east_m, target_north_m;  ///< of the map's middle; without, wherever the map fits
 
-  std::size_t looks = 1;  ///< of speckle; 0 keeps the mean
-  std::optional<Range> snr_db;
+  std::size_t looks = 1;                 ///< of speckle; 0 keeps the mean
+  std::optional<Range> snr_db;           ///< of the map's mean power in VV over the noise
+  std::optional<Range> noise_sigma0_db;  ///< the noise itself as σ0, instead
+  RadarRanges radar_ranges;
+  Sequence sequence;
   std::vector<TargetClass> targets;
 
   std::string text;  ///< the file's own text: what two datasets are told apart by

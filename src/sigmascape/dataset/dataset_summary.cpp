@@ -41,10 +41,15 @@ std::string pictured_file(const DatasetSpec& spec, std::size_t sample) {
 
 product::CocoImage image_of(const DatasetSpec& spec, const Json& entry) {
   const auto sample = entry.at("sample").get<std::size_t>();
-  product::CocoImage image{
-      .id = sample, .file_name = pictured_file(spec, sample), .columns = spec.cells, .rows = spec.cells, .boxes = {}};
+  product::CocoImage image{.id = sample,
+                           .file_name = pictured_file(spec, sample),
+                           .columns = spec.cells,
+                           .rows = spec.cells,
+                           .boxes = {},
+                           .video = sample / spec.sequence.frames,
+                           .frame = sample % spec.sequence.frames};
   for (const Json& box : entry.at("boxes"))
-    image.boxes.push_back({box[0].get<std::size_t>(), box[1], box[2], box[3], box[4]});
+    image.boxes.push_back({box[0].get<std::size_t>(), box[1], box[2], box[3], box[4], box[5].get<std::size_t>()});
   return image;
 }
 
@@ -65,6 +70,7 @@ fs::path index_path(const fs::path& folder, std::size_t lot) {
 void write_summary(const SampleMaker& maker, const fs::path& folder, std::size_t lots) {
   const DatasetSpec& spec = maker.spec();
   product::CocoBoxes boxes;
+  boxes.has_videos = spec.sequence.frames > 1;
   for (const TargetClass& target : spec.targets) boxes.categories.push_back(target.name);
   std::vector<Array2D<std::uint8_t>> thumbnails;
   Json samples = Json::array(), tars = Json::array();

@@ -12,6 +12,7 @@
 #include "sigmascape/product/npy_bytes.h"
 #include "sigmascape/product/picture.h"
 #include "sigmascape/product/png_file.h"
+#include "sigmascape/product/software.h"
 
 namespace sigmascape::dataset {
 namespace {
@@ -60,6 +61,8 @@ Json target_json(const DatasetSpec& spec, const SampleTarget& target) {
   return {{"class", spec.targets[target.planned.target_class].name},
           {"east_m", target.planned.position.x},
           {"north_m", target.planned.position.y},
+          {"velocity_mps", {target.planned.velocity_mps.x, target.planned.velocity_mps.y}},
+          {"track", target.planned.track},
           {"rcs_dbsm", rounded(db_from_linear(target.planned.rcs_m2), 1e-6)},
           {"is_seen", target.is_seen},
           {"bbox", {target.box.x, target.box.y, target.box.width, target.box.height}}};
@@ -67,6 +70,7 @@ Json target_json(const DatasetSpec& spec, const SampleTarget& target) {
 
 Json metadata_of(const DatasetSpec& spec, const Sample& sample) {
   const SamplePlan& plan = sample.plan;
+  const radar::Aspect& seen = sample.aspect;
   Json polarizations = Json::array(), targets = Json::array(), layers = Json::object();
   for (const radar::Polarization polarization : spec.polarizations) polarizations.push_back(word_of(polarization));
   for (const SampleTarget& target : sample.targets) targets.push_back(target_json(spec, target));
@@ -80,24 +84,28 @@ Json metadata_of(const DatasetSpec& spec, const Sample& sample) {
             {"west_m", plan.grid.west_m},
             {"north_m", plan.grid.north_m},
             {"crs", sample.map.crs},
-            {"azimuth_deg", deg_from_radians(plan.azimuth_rad)},
-            {"elevation_deg", deg_from_radians(plan.elevation_rad)},
-            {"slant_range_m", plan.slant_range_m},
+            {"sequence", plan.sequence},
+            {"frame", plan.frame},
+            {"time_s", plan.time_s},
+            {"azimuth_deg", rounded(deg_from_radians(seen.azimuth_rad), 1e-9)},
+            {"elevation_deg", rounded(deg_from_radians(seen.elevation_rad), 1e-9)},
+            {"slant_range_m", rounded(sample.slant_range_m, 1e-6)},
             {"radar_position_m", {sample.radar_position.x, sample.radar_position.y, sample.radar_position.z}},
-            {"frequency_hz", spec.radar.radar.frequency_hz},
-            {"range_resolution_m", spec.radar.radar.range_resolution_m},
-            {"beam_width_deg", deg_from_radians(spec.radar.radar.beam_width_rad)},
+            {"radar_velocity_mps", {plan.flight_mps.x, plan.flight_mps.y, 0.0}},
+            {"frequency_hz", plan.frequency_hz},
+            {"range_resolution_m", plan.range_resolution_m},
+            {"beam_width_deg", deg_from_radians(plan.beam_width_rad)},
             {"level_of_detail", spec.level_of_detail},
             {"speckle", spec.looks == 0 ? "none: mean power"
                                         : fmt::format("{} look{}, independent from cell to cell", spec.looks,
                                                       spec.looks == 1 ? "" : "s")},
             {"seed", plan.seed},
+            {"software", product::software_name()},
+            {"scene_hash", sample.scene_hash},
             {"layers", layers},
             {"targets", targets}};
-  if (plan.snr_db) {
-    json["snr_db"] = *plan.snr_db;
-    json["noise_sigma0"] = sample.noise_sigma0;
-  }
+  if (plan.snr_db) json["snr_db"] = *plan.snr_db;
+  if (plan.snr_db || plan.noise_sigma0_db) json["noise_sigma0"] = sample.noise_sigma0;
   return json;
 }
 

@@ -7,6 +7,7 @@
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
+#include "sigmascape/dataset/bounce_labels.h"
 #include "sigmascape/dataset/speckle.h"
 #include "sigmascape/product/ground_projection.h"
 #include "sigmascape/receiver/range_azimuth_receiver.h"
@@ -21,12 +22,26 @@ namespace {
 /// How far above the highest thing the radar must stand.
 constexpr double clearance_m = 2.0;
 
-atlas::Atlas loaded_atlas(const DatasetSpec& spec, const std::string& scene_hash) {
-  const auto store = atlas::Store::open(*spec.atlas);
+atlas::Store opened_store(const DatasetSpec& spec, const std::filesystem::path& folder, const char* key,
+                          const std::string& scene_hash) {
+  auto store = atlas::Store::open(folder);
   if (store.description().scene_hash != scene_hash) {
-    throw Error(fmt::format("{}: dataset.atlas", spec.file.string()), "was baked from another scene",
+    throw Error(fmt::format("{}: dataset.{}", spec.file.string(), key), "was baked from another scene",
                 "bake this scene, or name the scene that the atlas was made from");
   }
+  return store;
+}
+
+/// The atlas of echoes over one surface alone, which must differ from the other in nothing else that shows.
+atlas::Atlas loaded_first_bounces(const DatasetSpec& spec, const std::string& scene_hash, const atlas::Atlas& all) {
+  const auto store = opened_store(spec, *spec.first_bounce_atlas, "first_bounce_atlas", scene_hash);
+  const auto& settings = store.description().settings;
+  const auto bounces = settings.find("max_bounces");
+  const std::string where = fmt::format("{}: dataset.first_bounce_atlas", spec.file.string());
+  if (bounces == settings.end() || bounces->second != "1")
+    throw Error(where, "holds more than echoes over one surface", "bake it with --bounces 1");
+  if (store.description().aspects != all.aspects())
+    throw Error(where, "has other looks than the atlas", "bake it with the same azimuths, elevations and frequencies");
   return atlas::load_atlas(store);
 }
 
@@ -45,7 +60,8 @@ radar::Target target_of(const PlannedTarget& planned, const TargetClass& kind, c
   const auto rcs = static_cast<float>(planned.rcs_m2);
   return {.name = kind.name,
           .track = radar::Track::straight(
-              {planned.position.x, planned.position.y, terrain.height_at(planned.position) + kind.height_m}),
+              {planned.position.x, planned.position.y, terrain.height_at(planned.position) + kind.height_m},
+              {planned.velocity_mps.x, planned.velocity_mps.y, 0.0}),
           .rcs_m2 = radar::Channels{rcs, rcs, 0.0F, rcs}};
 }
 
@@ -104,16 +120,31 @@ SampleMaker::SampleMaker(const DatasetSpec& spec)
   if (spec_.level_of_detail == 0) {
     geometry_.emplace(scene_, trace::Footing::Terrain);
   } else {
-    atlas_ = loaded_atlas(spec_, scene_hash_);
+    atlas_ = atlas::load_atlas(opened_store(spec_, *spec_.atlas, "atlas", scene_hash_));
+    if (!spec_.bounce_layers.empty()) first_bounce_atlas_ = loaded_first_bounces(spec_, scene_hash_, *atlas_);
     obstacles_ = obstacles_for(*atlas_, scene_, spec_.cell_m);
   }
+  check_radars();
   check_views();
+}
+
+void SampleMaker::check_radars() const {
+  if (!atlas_) return;
+  const auto& drawn = spec_.radar_ranges.frequency_hz;
+  if (!drawn) return atlas_->check_frequency(spec_.radar.radar.frequency_hz);
+  const auto& baked = atlas_->aspects().frequencies_hz;
+  constexpr double slack = 1.01;
+  if (drawn->lowest * slack < baked.front() || drawn->highest > baked.back() * slack) {
+    throw Error(spec_.file.string() + ": radar.frequency_ghz",
+                fmt::format("leads outside the atlas, which was baked from {:g} to {:g} GHz", baked.front() / 1e9,
+                            baked.back() / 1e9),
+                "stay within these, or bake more frequencies");
+  }
 }
 
 void SampleMaker::check_views() const {
   const std::string file = spec_.file.string();
   if (atlas_) {
-    atlas_->check_frequency(spec_.radar.radar.frequency_hz);
     const auto& baked = atlas_->aspects().elevations_rad;
     constexpr double slack_rad = 1e-9;
     if (spec_.elevation_rad.lowest < baked.front() - slack_rad ||
@@ -139,16 +170,45 @@ void SampleMaker::check_views() const {
   }
 }
 
-radar::RangeAzimuthImage SampleMaker::ground_image(const radar::Radar& radar, const SamplePlan& plan) const {
+radar::Radar SampleMaker::radar_of(const SamplePlan& plan) const {
+  radar::Radar radar = spec_.radar.radar;
+  radar.frequency_hz = plan.frequency_hz;
+  radar.range_resolution_m = plan.range_resolution_m;
+  radar.beam_width_rad = plan.beam_width_rad;
+  radar.velocity_mps = {plan.flight_mps.x, plan.flight_mps.y, 0.0};
+  radar.position = radar::position_seeing({plan.centre.x, plan.centre.y, scene_.terrain.height_at(plan.centre)},
+                                          plan.azimuth_rad, plan.elevation_rad, plan.slant_range_m) +
+                   radar.velocity_mps * plan.time_s;
+  return radar;
+}
+
+radar::RangeAzimuthImage SampleMaker::ground_image(const radar::Radar& radar, const SamplePlan& plan,
+                                                   std::vector<radar::Layer>& bounces) const {
   if (atlas_) {
     render::RenderCounts counts;
-    return simulate::baked_image(*atlas_, scene_.terrain, radar, plan.grid.extent(),
-                                 {.level_of_detail = spec_.level_of_detail, .threads = 1}, counts);
+    const auto image_from = [&](const atlas::Atlas& atlas) {
+      return simulate::baked_image(atlas, scene_.terrain, radar, plan.grid.extent(),
+                                   {.level_of_detail = spec_.level_of_detail, .threads = 1}, counts);
+    };
+    auto image = image_from(*atlas_);
+    if (first_bounce_atlas_) {
+      bounces.push_back(multibounce_layer(image, image_from(*first_bounce_atlas_), scene_.terrain, plan.grid,
+                                          spec_.polarizations.front()));
+    }
+    return image;
+  }
+  const simulate::TraceSettings settings{
+      .cell_m = spec_.cell_m, .samples_per_cell = spec_.samples_per_cell, .seed = plan.seed, .threads = 1};
+  if (!spec_.bounce_layers.empty()) {
+    radar::Radar shown = radar;
+    shown.polarization = spec_.polarizations.front();
+    radar::RangeAzimuthImage image;
+    bounces =
+        traced_bounce_layers(spec_.bounce_layers, scene_, *geometry_, shown, plan.grid, settings, nullptr, &image);
+    return image;
   }
   trace::TraceCounts counts;
-  return simulate::traced_image(
-      scene_, *geometry_, radar, plan.grid.extent(),
-      {.cell_m = spec_.cell_m, .samples_per_cell = spec_.samples_per_cell, .seed = plan.seed, .threads = 1}, counts);
+  return simulate::traced_image(scene_, *geometry_, radar, plan.grid.extent(), settings, counts);
 }
 
 radar::LayerStack SampleMaker::labels(const radar::Radar& radar, const radar::GroundGrid& grid) const {
@@ -166,11 +226,14 @@ Sample SampleMaker::make(std::size_t index) const {
   Sample sample;
   sample.plan = plan_of(spec_, centres_, index);
   const SamplePlan& plan = sample.plan;
-  radar::Radar radar = spec_.radar.radar;
-  radar.position = radar::position_seeing({plan.centre.x, plan.centre.y, scene_.terrain.height_at(plan.centre)},
-                                          plan.azimuth_rad, plan.elevation_rad, plan.slant_range_m);
+  const radar::Radar radar = radar_of(plan);
   sample.radar_position = radar.position;
-  const auto image = ground_image(radar, plan);
+  sample.scene_hash = scene_hash_;
+  const Vec3d to_radar = radar.position - Vec3d{plan.centre.x, plan.centre.y, scene_.terrain.height_at(plan.centre)};
+  sample.slant_range_m = length(to_radar);
+  sample.aspect = {wrapped_azimuth(std::atan2(to_radar.x, to_radar.y)), std::asin(to_radar.z / sample.slant_range_m)};
+  std::vector<radar::Layer> bounces;
+  const auto image = ground_image(radar, plan, bounces);
   sample.map = product::ground_map(image, scene_.terrain, plan.grid);
   sample.map.crs = scene_.frame.proj();
   sample.labels = labels(radar, plan.grid);
@@ -181,12 +244,17 @@ Sample SampleMaker::make(std::size_t index) const {
   for (const PlannedTarget& planned : plan.targets) {
     const TargetClass& kind = spec_.targets[planned.target_class];
     const Vec2d cell = plan.grid.cells_from(planned.position);
+    const bool is_on_map = plan.grid.extent().contains(planned.position);
     const radar::Target target = target_of(planned, kind, scene_.terrain);
-    const auto column = std::min(static_cast<std::size_t>(cell.x), spec_.cells - 1);
-    const auto row = std::min(static_cast<std::size_t>(cell.y), spec_.cells - 1);
-    SampleTarget out{.planned = planned, .is_seen = shadow->values(column, row) == 0.0F, .box = {}};
+    SampleTarget out{.planned = planned, .is_seen = is_on_map, .box = {}};
+    if (is_on_map) {
+      const auto column = std::min(static_cast<std::size_t>(cell.x), spec_.cells - 1);
+      const auto row = std::min(static_cast<std::size_t>(cell.y), spec_.cells - 1);
+      out.is_seen = shadow->values(column, row) == 0.0F;
+    }
     out.box = box_about(shown_at(target.track.position_at(0.0), radar.position, scene_.terrain), radar, kind,
                         planned.target_class, plan.grid);
+    out.box.track = planned.track;
     out.is_seen = out.is_seen && out.box.width > 0.0 && out.box.height > 0.0;
     if (out.is_seen) seen.push_back(target);
     sample.targets.push_back(out);
@@ -198,11 +266,13 @@ Sample SampleMaker::make(std::size_t index) const {
     steady = product::ground_map(receiver.image(), scene_.terrain, plan.grid).sigma0;
   }
   if (plan.snr_db) sample.noise_sigma0 = mean_vv(sample.map) / linear_from_db(*plan.snr_db);
+  if (plan.noise_sigma0_db) sample.noise_sigma0 = linear_from_db(*plan.noise_sigma0_db);
   draw_speckle(sample.map, steady,
                {.looks = spec_.looks, .noise = static_cast<float>(sample.noise_sigma0), .seed = plan.seed});
   if (std::ranges::find(spec_.layers, simulate::LayerKind::Shadow) == spec_.layers.end()) {
     sample.labels.layers.erase(shadow);
   }
+  for (radar::Layer& layer : bounces) sample.labels.layers.push_back(std::move(layer));
   return sample;
 }
 

@@ -11,6 +11,7 @@
 #include "sigmascape/product/coco.h"
 #include "sigmascape/radar/ground_map.h"
 #include "sigmascape/radar/layer_stack.h"
+#include "sigmascape/radar/look.h"
 #include "sigmascape/radar/range_azimuth_image.h"
 #include "sigmascape/scene/scene.h"
 #include "sigmascape/trace/scene_geometry.h"
@@ -28,6 +29,9 @@ struct SampleTarget {
 struct Sample {
   SamplePlan plan;
   Vec3d radar_position;
+  radar::Aspect aspect;        ///< under which the middle of the map is seen
+  double slant_range_m = 0.0;  ///< of it
+  std::string scene_hash;
   radar::GroundMap map;
   radar::LayerStack labels;
   std::vector<SampleTarget> targets;
@@ -54,14 +58,18 @@ class SampleMaker {
 
  private:
   void check_views() const;
-  [[nodiscard]] radar::RangeAzimuthImage ground_image(const radar::Radar& radar, const SamplePlan& plan) const;
+  void check_radars() const;
+  [[nodiscard]] radar::Radar radar_of(const SamplePlan& plan) const;
+  /// The image of the ground; layers that tell bounces apart are added to `bounces`.
+  [[nodiscard]] radar::RangeAzimuthImage ground_image(const radar::Radar& radar, const SamplePlan& plan,
+                                                      std::vector<radar::Layer>& bounces) const;
   [[nodiscard]] radar::LayerStack labels(const radar::Radar& radar, const radar::GroundGrid& grid) const;
 
   DatasetSpec spec_;
   scene::Scene scene_;
   std::string scene_hash_;
   radar::Rectangle centres_;
-  std::optional<atlas::Atlas> atlas_;
+  std::optional<atlas::Atlas> atlas_, first_bounce_atlas_;
   std::shared_ptr<const radar::ObstacleMap> obstacles_;  // of levels of detail from 1 on
   std::optional<trace::SceneGeometry> geometry_;         // of level of detail 0
 };

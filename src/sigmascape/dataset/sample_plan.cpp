@@ -22,7 +22,14 @@ enum class Question : std::uint64_t {
   TargetEast,
   TargetNorth,
   Rcs,
-  Realisation
+  Realisation,
+  Frequency,
+  RangeResolution,
+  BeamWidth,
+  FlightSpeed,
+  FlightCourse,
+  TargetSpeed,
+  TargetHeading
 };
 
 class Draws {
@@ -44,6 +51,10 @@ class Draws {
   std::uint64_t key_;
 };
 
+Vec2d velocity_of(double speed_mps, double heading_rad) {
+  return {speed_mps * std::sin(heading_rad), speed_mps * std::cos(heading_rad)};
+}
+
 Range within(const std::optional<Range>& asked, Range possible, const DatasetSpec& spec, const char* key) {
   if (!asked) return possible;
   if (asked->lowest >= possible.lowest && asked->highest <= possible.highest) return *asked;
@@ -51,6 +62,23 @@ Range within(const std::optional<Range>& asked, Range possible, const DatasetSpe
       fmt::format("{}: view.{}", spec.file.string(), key),
       fmt::format("puts maps of {:.0f} m a side beyond the scene", static_cast<double>(spec.cells) * spec.cell_m),
       fmt::format("stay within {:.1f} and {:.1f}", possible.lowest, possible.highest));
+}
+
+Range about(double middle, const std::optional<Range>& asked, Range all) {
+  return asked ? Range{middle + asked->lowest, middle + asked->highest} : all;
+}
+
+void draw_radar(SamplePlan& plan, const DatasetSpec& spec, const Draws& draws) {
+  const radar::Radar& radar = spec.radar.radar;
+  const auto drawn = [&](const std::optional<Range>& range, Question question, double stated) {
+    return range ? draws.in(*range, question) : stated;
+  };
+  plan.frequency_hz = drawn(spec.radar_ranges.frequency_hz, Question::Frequency, radar.frequency_hz);
+  plan.range_resolution_m =
+      drawn(spec.radar_ranges.range_resolution_m, Question::RangeResolution, radar.range_resolution_m);
+  plan.beam_width_rad = drawn(spec.radar_ranges.beam_width_rad, Question::BeamWidth, radar.beam_width_rad);
+  plan.flight_mps = velocity_of(draws.in(spec.sequence.speed_mps, Question::FlightSpeed),
+                                draws.in(spec.sequence.course_rad, Question::FlightCourse));
 }
 
 }  // namespace
@@ -72,10 +100,15 @@ radar::Rectangle centres_of(const DatasetSpec& spec, const radar::Rectangle& sce
 }
 
 SamplePlan plan_of(const DatasetSpec& spec, const radar::Rectangle& centres, std::size_t index) {
-  const Draws draws(spec.seed, index);
   SamplePlan plan;
   plan.index = index;
+  plan.sequence = index / spec.sequence.frames;
+  plan.frame = index % spec.sequence.frames;
+  plan.time_s = static_cast<double>(plan.frame) * spec.sequence.interval_s;
+  const Draws draws(spec.seed, plan.sequence);
   plan.seed = draws.word(Question::Realisation);
+  if (plan.frame > 0) plan.seed = hashed(plan.seed, plan.frame);
+  draw_radar(plan, spec, draws);
   plan.azimuth_rad = wrapped_azimuth(draws.in(spec.azimuth_rad, Question::Azimuth));
   plan.elevation_rad = draws.in(spec.elevation_rad, Question::Elevation);
   plan.slant_range_m = draws.in(spec.slant_range_m, Question::SlantRange);
@@ -84,15 +117,22 @@ SamplePlan plan_of(const DatasetSpec& spec, const radar::Rectangle& centres, std
   const double side_m = static_cast<double>(spec.cells) * spec.cell_m;
   plan.grid = {plan.centre.x - side_m / 2.0, plan.centre.y + side_m / 2.0, spec.cell_m, spec.cells, spec.cells};
   if (spec.snr_db) plan.snr_db = draws.in(*spec.snr_db, Question::Snr);
+  if (spec.noise_sigma0_db) plan.noise_sigma0_db = draws.in(*spec.noise_sigma0_db, Question::Snr);
   const radar::Rectangle area = plan.grid.extent();
   for (std::size_t k = 0; k < spec.targets.size(); ++k) {
     const TargetClass& target = spec.targets[k];
     const auto count = static_cast<std::size_t>(
         std::floor(draws.in({target.number.lowest, target.number.highest + 1.0}, Question::Number, k)));
+    const Range east = about(plan.centre.x, target.east_m, {area.west_m, area.east_m});
+    const Range north = about(plan.centre.y, target.north_m, {area.south_m, area.north_m});
     for (std::size_t n = 0; n < count; ++n) {
+      const Vec2d velocity = velocity_of(draws.in(target.speed_mps, Question::TargetSpeed, k, n),
+                                         draws.in(target.heading_rad, Question::TargetHeading, k, n));
+      const Vec2d begin{draws.in(east, Question::TargetEast, k, n), draws.in(north, Question::TargetNorth, k, n)};
       plan.targets.push_back({.target_class = k,
-                              .position = {draws.in({area.west_m, area.east_m}, Question::TargetEast, k, n),
-                                           draws.in({area.south_m, area.north_m}, Question::TargetNorth, k, n)},
+                              .track = plan.targets.size(),
+                              .position = begin + velocity * plan.time_s,
+                              .velocity_mps = velocity,
                               .rcs_m2 = linear_from_db(draws.in(target.rcs_db, Question::Rcs, k, n))});
     }
   }

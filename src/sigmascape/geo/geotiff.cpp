@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "sigmascape/base/error.h"
+#include "sigmascape/base/units.h"
 #include "sigmascape/geo/atomic_file.h"
 
 namespace sigmascape::geo {
@@ -152,11 +153,13 @@ Array2D<float> overview_of(const NamedBand& band, std::size_t factor, std::optio
       for (std::size_t y = top; y < std::min(top + factor, fine.rows()); ++y) {
         for (std::size_t x = left; x < std::min(left + factor, fine.columns()); ++x) {
           if (std::isnan(fine(x, y)) || fine(x, y) == nodata) continue;
-          sum += static_cast<double>(fine(x, y));
+          sum += band.is_decibels ? linear_from_db(fine(x, y)) : static_cast<double>(fine(x, y));
           ++known;
         }
       }
-      if (known > 0) coarse(column, row) = static_cast<float>(sum / static_cast<double>(known));
+      if (known == 0) continue;
+      const double mean = sum / static_cast<double>(known);
+      coarse(column, row) = static_cast<float>(band.is_decibels ? db_from_linear(mean) : mean);
     }
   }
   return coarse;

@@ -26,8 +26,9 @@ struct RasterPlacement {
 
 struct NamedBand {
   std::string name;
-  Array2D<float> values;    ///< [column, row]; all bands of a raster have the same size
-  bool is_classes = false;  ///< numbers that stand for names, of which there is no mean
+  Array2D<float> values;     ///< [column, row]; all bands of a raster have the same size
+  bool is_classes = false;   ///< numbers that stand for names, of which there is no mean
+  bool is_decibels = false;  ///< means are those of the powers that they stand for
 };
 
 /// Several named layers of numbers over the same cells.

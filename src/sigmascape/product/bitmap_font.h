@@ -8,8 +8,8 @@
 
 namespace sigmascape::product {
 
-/// Letters of 5 × 7 dots for the few words on a legend: digits, + - . and the letters of dB, m, km, N. Other characters
-/// are blank.
+/// Letters of 5 × 7 dots for the few words on legends and plots: digits, the Latin alphabet, common signs and σ, ψ, λ,
+/// °, ². Text is UTF-8; other characters are blank.
 
 inline constexpr std::size_t glyph_height = 7;
 

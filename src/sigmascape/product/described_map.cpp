@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "sigmascape/product/ground_projection.h"
+#include "sigmascape/product/software.h"
 
 namespace sigmascape::product {
 
@@ -13,6 +14,10 @@ radar::GroundMap described_map(radar::GroundMap map, const radar::Radar& radar, 
   map.metadata["radar"] = radar.name;
   map.metadata["radar_position_m"] =
       fmt::format("{:.2f} {:.2f} {:.2f}", radar.position.x, radar.position.y, radar.position.z);
+  map.metadata["radar_velocity_mps"] =
+      fmt::format("{:.2f} {:.2f} {:.2f}", radar.velocity_mps.x, radar.velocity_mps.y, radar.velocity_mps.z);
+  map.metadata["time_s"] = std::to_string(0);
+  map.metadata["software"] = software_name();
   map.metadata["frequency_hz"] = fmt::format("{:.0f}", radar.frequency_hz);
   map.metadata["range_resolution_m"] = fmt::format("{}", radar.range_resolution_m);
   map.metadata["beam_width_rad"] = fmt::format("{:.6g}", radar.beam_width_rad);

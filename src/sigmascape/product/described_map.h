@@ -14,7 +14,8 @@ namespace sigmascape::product {
 /// Where a product comes from, as it goes into its metadata.
 using Provenance = std::map<std::string, std::string>;
 
-/// Notes radar, position and provenance with a map.
+/// Notes radar, pose, time and provenance with a map. Time zero is the moment at which radar and targets are where they
+/// are said to be; no clock goes in.
 [[nodiscard]] radar::GroundMap described_map(radar::GroundMap map, const radar::Radar& radar,
                                              const geo::LocalFrame& frame, const Provenance& provenance);
 

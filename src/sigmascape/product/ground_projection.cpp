@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "sigmascape/base/parallel.h"
 #include "sigmascape/base/units.h"
 
 namespace sigmascape::product {
@@ -26,12 +27,12 @@ radar::Channels bins_at(const Array2D<radar::Channels>& bins, double column, dou
 }  // namespace
 
 radar::GroundMap ground_map(const radar::RangeAzimuthImage& image, const terrain::HeightField& terrain,
-                            const radar::GroundGrid& grid) {
+                            const radar::GroundGrid& grid, unsigned threads) {
   const radar::RangeAzimuthGrid& bins = image.grid;
   const double middle = bins.first_azimuth_rad + 0.5 * static_cast<double>(bins.azimuths) * bins.azimuth_step_rad;
   radar::GroundMap map{
       .grid = grid, .sigma0 = Array2D<radar::Channels>(grid.columns, grid.rows), .crs = {}, .metadata = {}};
-  for (std::size_t row = 0; row < grid.rows; ++row) {
+  parallel_for(grid.rows, threads, [&](std::size_t row, unsigned) {
     for (std::size_t column = 0; column < grid.columns; ++column) {
       const Vec2d point = grid.centre_of(column, row);
       const Vec3d away = Vec3d{point.x, point.y, terrain.height_at(point)} - image.radar_position;
@@ -41,7 +42,7 @@ radar::GroundMap ground_map(const radar::RangeAzimuthImage& image, const terrain
                                           (range_m - bins.first_range_m) / bins.range_step_m);
       map.sigma0(column, row) = rcs * static_cast<float>(1.0 / (range_m * bins.range_step_m * bins.azimuth_step_rad));
     }
-  }
+  });
   return map;
 }
 

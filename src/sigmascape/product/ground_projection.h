@@ -12,8 +12,8 @@ namespace sigmascape::product {
 ///     σ0 = σ_bin / (r Δr Δφ)                                        docs/physics/receiver.md, Eq. (2)
 ///
 /// r Δr Δφ is the horizontal area of a bin over level ground. Cells outside the bins become NaN. What stands above the
-/// terrain appears where its range puts it: laid over towards the radar.
+/// terrain appears where its range puts it: laid over towards the radar. `threads` is 0 for one a hardware thread.
 [[nodiscard]] radar::GroundMap ground_map(const radar::RangeAzimuthImage& image, const terrain::HeightField& terrain,
-                                          const radar::GroundGrid& grid);
+                                          const radar::GroundGrid& grid, unsigned threads = 1);
 
 }  // namespace sigmascape::product

@@ -1,11 +1,11 @@
 #include "sigmascape/product/iq_record.h"
 
+#include "sigmascape/product/software.h"
+
 namespace sigmascape::product {
 namespace {
 
 constexpr const char* amplitude_words = "|a|^2 is a cross-section in m^2; the phase of the way is in it";
-
-constexpr const char* software = "Sigmascape " SIGMASCAPE_VERSION;
 
 std::vector<double> evenly(double first, double step, std::size_t count) {
   std::vector<double> values(count);
@@ -24,7 +24,7 @@ std::span<const std::complex<float>> numbers_of(const Array2D<radar::ComplexChan
 }
 
 void describe(IqRecord& record, const radar::Radar& radar) {
-  record.words["software"] = software;
+  record.words["software"] = software_name();
   record.words["radar"] = radar.name;
   record.numbers["range_resolution_m"] = radar.range_resolution_m;
   record.numbers["beam_width_rad"] = radar.beam_width_rad;
@@ -76,9 +76,28 @@ IqRecord iq_record(const radar::RangeDopplerImage& image, const radar::Radar& ra
   return record;
 }
 
+IqRecord iq_record(const radar::StripmapImage& image, const radar::Radar& radar,
+                   std::map<std::string, std::string> words) {
+  IqRecord record{.kind = "stripmap image",
+                  .unit = "m",
+                  .quantity = amplitude_words,
+                  .slow = {"closest_range", "m", middles(image.closest_range_m)},
+                  .fast = {"along_track", "m", middles(image.along_m)},
+                  .polarizations = {"VV", "HH", "HV"},
+                  .samples = numbers_of(image.amplitude_m),
+                  .platform = {image.platform},
+                  .numbers = {{"frequency_hz", image.frequency_hz},
+                              {"squint_rad", image.squint_rad},
+                              {"closest_range_cell_m", image.closest_range_cell_m},
+                              {"along_cell_m", image.along_cell_m}},
+                  .words = std::move(words)};
+  describe(record, radar);
+  return record;
+}
+
 IqRecord iq_record(const radar::RangeAzimuthGrid& grid, std::span<const std::complex<float>> amplitudes_m,
                    const radar::Motion& platform, double frequency_hz, std::map<std::string, std::string> words) {
-  words["software"] = software;
+  words["software"] = software_name();
   return {.kind = "live frame",
           .unit = "m",
           .quantity = amplitude_words,

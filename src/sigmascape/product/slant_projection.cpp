@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "sigmascape/base/parallel.h"
+
 namespace sigmascape::product {
 namespace {
 
@@ -63,14 +65,14 @@ radar::GroundMap projected(const Image& image, const Array2D<Bin>& bins, const t
   radar::GroundMap map{
       .grid = grid, .sigma0 = Array2D<radar::Channels>(grid.columns, grid.rows), .crs = {}, .metadata = {}};
   const double bins_a_cell = cell_of(image);
-  for (std::size_t row = 0; row < grid.rows; ++row) {
+  parallel_for(grid.rows, 1, [&](std::size_t row, unsigned) {
     for (std::size_t column = 0; column < grid.columns; ++column) {
       const Vec2d centre = grid.centre_of(column, row);
       const Vec3d point{centre.x, centre.y, terrain.height_at(centre)};
       const double area_m2 = bin_area_m2(image, point) * bins_a_cell;
       map.sigma0(column, row) = power_at(bins, image.place_of(point)) * static_cast<float>(1.0 / area_m2);
     }
-  }
+  });
   return map;
 }
 

@@ -1,6 +1,8 @@
 #include "sigmascape/dataset/sample_plan.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <gtest/gtest.h>
 
 #include "scratch_folder.h"
@@ -55,6 +57,58 @@ TEST(SamplePlan, DependsOnSeedAndNumberAlone) {
   EXPECT_EQ(plan_of(spec, centres, 5).azimuth_rad, before) << "fewer targets move the radar";
   spec.seed = 2;
   EXPECT_NE(plan_of(spec, centres, 5).azimuth_rad, before);
+}
+
+TEST(SamplePlan, FramesOfASequenceShareWhatIsDrawnAndTargetsDriveOn) {
+  DatasetSpec spec = example();
+  spec.sequence = {.frames = 4, .interval_s = 2.0, .speed_mps = {100.0, 150.0}, .course_rad = {0.0, 6.0}};
+  spec.targets[0].number = {3.0, 3.0};
+  spec.targets[0].speed_mps = {5.0, 10.0};
+  spec.targets[0].heading_rad = {0.0, 6.0};
+  const radar::Rectangle centres = centres_of(spec, extent);
+  const SamplePlan first = plan_of(spec, centres, 4), third = plan_of(spec, centres, 6),
+                   other = plan_of(spec, centres, 8);
+  EXPECT_EQ(first.sequence, 1U);
+  EXPECT_EQ(third.frame, 2U);
+  EXPECT_EQ(third.time_s, 4.0);
+  EXPECT_EQ(third.azimuth_rad, first.azimuth_rad);
+  EXPECT_EQ(third.centre, first.centre);
+  EXPECT_NE(other.azimuth_rad, first.azimuth_rad);
+  EXPECT_NE(third.seed, first.seed) << "speckle and noise are drawn anew";
+  EXPECT_GE(std::hypot(first.flight_mps.x, first.flight_mps.y), 100.0);
+  ASSERT_EQ(third.targets.size(), 3U);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const PlannedTarget &before = first.targets[k], &after = third.targets[k];
+    EXPECT_EQ(after.track, before.track);
+    EXPECT_EQ(after.rcs_m2, before.rcs_m2);
+    const Vec2d way = after.position - before.position;
+    EXPECT_NEAR(length(way), 4.0 * length(before.velocity_mps), 1e-9);
+    EXPECT_GE(length(way), 20.0);
+    EXPECT_LE(length(way), 40.0);
+  }
+}
+
+TEST(SamplePlan, DrawsRadarsNoiseAndPlacesOfTargets) {
+  DatasetSpec spec = example();
+  spec.radar_ranges.range_resolution_m = Range{2.0, 4.0};
+  spec.noise_sigma0_db = Range{-40.0, -30.0};
+  spec.targets[0].number = {2.0, 2.0};
+  spec.targets[0].east_m = Range{-10.0, 10.0};
+  spec.targets[0].north_m = Range{20.0, 30.0};
+  const radar::Rectangle centres = centres_of(spec, extent);
+  double finest = 9.0, coarsest = 0.0;
+  for (std::size_t i = 0; i < 500; ++i) {
+    const SamplePlan plan = plan_of(spec, centres, i);
+    finest = std::min(finest, plan.range_resolution_m);
+    coarsest = std::max(coarsest, plan.range_resolution_m);
+    EXPECT_EQ(plan.frequency_hz, spec.radar.radar.frequency_hz) << "what is not drawn is the file's";
+    EXPECT_TRUE(*plan.noise_sigma0_db >= -40.0 && *plan.noise_sigma0_db <= -30.0);
+    for (const PlannedTarget& target : plan.targets) {
+      const Vec2d off = target.position - plan.centre;
+      EXPECT_TRUE(std::abs(off.x) <= 10.0 && off.y >= 20.0 && off.y <= 30.0);
+    }
+  }
+  EXPECT_TRUE(finest >= 2.0 && finest < 2.1 && coarsest <= 4.0 && coarsest > 3.9);
 }
 
 TEST(SamplePlan, RefusesMapsThatDoNotFit) {

@@ -1,0 +1,211 @@
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "command.h"
+#include "plot_curves.h"
+#include "polarization_option.h"
+
+#include "sigmascape/base/error.h"
+#include "sigmascape/base/units.h"
+#include "sigmascape/geo/coordinate_transform.h"
+#include "sigmascape/product/ground_map_file.h"
+#include "sigmascape/product/npy_file.h"
+#include "sigmascape/product/plot_file.h"
+#include "sigmascape/radar/radar_file.h"
+#include "sigmascape/scene/scene_file.h"
+
+namespace sigmascape::cli {
+namespace {
+
+struct PlotOptions {
+  std::string out, input, scene;
+  std::vector<std::string> materials;
+  std::vector<double> area_m;
+  std::array<double, 2> at{};
+  double frequency_ghz = 10.0, looks = 1.0, reach_deg = 10.0, widths = 8.0;
+  std::size_t bins = 50;
+  std::string along = "range", over = "azimuth";
+  bool is_latitude_longitude = false;
+  radar::Polarization polarization = radar::Polarization::VV;
+};
+
+void finish(const PlotOptions& options, const product::Plot& plot, const Output& output,
+            nlohmann::ordered_json summary = {}) {
+  product::write_plot(options.out, plot);
+  summary["plot"] = options.out;
+  summary["x"] = plot.x_label;
+  summary["y"] = plot.y_label;
+  summary["series"] = nlohmann::ordered_json::array();
+  for (const product::PlotSeries& series : plot.series) {
+    std::vector<double> x, y;
+    for (const auto& point : series.points) {
+      x.push_back(point.first);
+      y.push_back(point.second);
+    }
+    summary["series"].push_back({{"name", series.name}, {"x", x}, {"y", y}});
+  }
+  output.finish(fmt::format("{}: {}", options.out, plot.title), summary);
+}
+
+std::vector<scatter::Material> wanted_materials(const PlotOptions& options) {
+  std::vector<scatter::Material> materials, known;
+  if (!options.scene.empty()) known = scene::read_scene(options.scene).materials;
+  for (const std::string& name : options.materials) {
+    const auto of_scene = std::ranges::find(known, name, &scatter::Material::name);
+    materials.push_back(of_scene != known.end() ? *of_scene : scatter::library_material(name));
+  }
+  return materials.empty() ? known : materials;
+}
+
+std::vector<double> powers_of(const PlotOptions& options) {
+  const radar::GroundMap map = product::read_ground_map(options.input);
+  const radar::Rectangle all = map.grid.extent();
+  const auto& a = options.area_m;
+  const radar::Rectangle area = a.empty() ? all : radar::Rectangle{a[0], a[1], a[2], a[3]};
+  std::vector<double> powers;
+  for (std::size_t row = 0; row < map.grid.rows; ++row) {
+    for (std::size_t column = 0; column < map.grid.columns; ++column) {
+      const float power = map.sigma0(column, row).power(options.polarization);
+      if (!std::isnan(power) && area.contains(map.grid.centre_of(column, row)))
+        powers.push_back(static_cast<double>(power));
+    }
+  }
+  return powers;
+}
+
+std::vector<double> amplitudes_of(const PlotOptions& options) {
+  const auto array = product::read_complex_npy(options.input);
+  const std::size_t channels = array.shape.size() == 3 ? array.shape[2] : 1;
+  const auto channel = static_cast<std::size_t>(options.polarization);
+  if (channel >= channels)
+    throw Error("--polarization", "is none that the recording has", "choose among its first, VV, HH and HV");
+  std::vector<double> amplitudes;
+  for (std::size_t i = channel; i < array.numbers.size(); i += channels) {
+    const auto amplitude = static_cast<double>(std::abs(array.numbers[i]));
+    if (amplitude > 0.0) amplitudes.push_back(amplitude);
+  }
+  return amplitudes;
+}
+
+void plot_histogram(const PlotOptions& options, const Output& output) {
+  const bool is_iq = options.input.ends_with(".npy");
+  const std::vector<double> values = is_iq ? amplitudes_of(options) : powers_of(options);
+  if (values.empty()) throw Error(options.input, "has no cells with power there", "choose another --area");
+  const Histogram histogram =
+      is_iq ? amplitude_histogram(values, options.bins) : power_histogram(values, options.looks, options.bins);
+  finish(options, histogram.plot, output,
+         {{"samples", histogram.samples},
+          {"mean", histogram.mean},
+          {"deviation_over_mean", histogram.deviation_over_mean}});
+}
+
+void plot_aspects(const PlotOptions& options, const Output& output) {
+  const auto store = atlas::Store::open(options.input);
+  const atlas::Atlas textures = atlas::load_atlas(store);
+  const Vec2d point = options.is_latitude_longitude
+                          ? geo::position_in_frame(store.description().frame, {options.at[0], options.at[1]})
+                          : Vec2d{options.at[0], options.at[1]};
+  const radar::Rectangle& all = store.description().extent;
+  if (!all.contains(point)) {
+    throw Error(
+        "--at", fmt::format("{:g},{:g} m lies outside the atlas", point.x, point.y),
+        fmt::format("stay within x {:g} to {:g} and y {:g} to {:g}", all.west_m, all.east_m, all.south_m, all.north_m));
+  }
+  const double frequency_hz = options.frequency_ghz * 1e9;
+  textures.check_frequency(frequency_hz);
+  finish(options, aspect_plot(textures, point, frequency_hz, options.polarization, options.over == "elevation"), output,
+         {{"x_m", point.x}, {"y_m", point.y}});
+}
+
+}  // namespace
+
+void add_plot_command(CLI::App& app, Output& output) {
+  auto* command = app.add_subcommand("plot", "Draw what materials, radars, maps and atlases do, as SVG or PNG");
+  command->require_subcommand(1);
+  auto options = std::make_shared<PlotOptions>();
+  const auto subcommand = [&](const char* name, const char* description, const char* example) {
+    auto* added = command->add_subcommand(name, description);
+    added->add_option("--out", options->out, "picture to draw (.svg or .png)")
+        ->required()
+        ->check(
+            CLI::Validator([](std::string& file) { return product::check_plot_name(file), std::string(); }, "FILE"));
+    added->add_flag("--json", output.json, "print the numbers as JSON");
+    added->footer(fmt::format("Example:\n  sigmascape plot {}", example));
+    return added;
+  };
+
+  auto* sigma0 = subcommand("sigma0", "sigma0 of materials over grazing angle",
+                            "sigma0 grass concrete --frequency-ghz 10 --out sigma0.svg");
+  sigma0->add_option("MATERIAL", options->materials, "names of materials; all of --scene when there are none");
+  sigma0->add_option("--scene", options->scene, "scene file whose materials are known too");
+  sigma0->add_option("--frequency-ghz", options->frequency_ghz)->capture_default_str()->check(CLI::Range(0.1, 300.0));
+  add_polarization_option(*sigma0, options->polarization);
+  sigma0->callback([options, &output] {
+    const auto materials = wanted_materials(*options);
+    if (materials.empty()) throw Error("MATERIAL", "is missing", "name a material, or a scene with --scene");
+    finish(*options, sigma0_plot(materials, options->frequency_ghz * 1e9, options->polarization), output);
+  });
+
+  auto* antenna = subcommand("antenna", "One-way antenna pattern in azimuth and elevation",
+                             "antenna examples/radars/fighter_ground_map.toml --reach-deg 20 --out antenna.svg");
+  antenna->add_option("RADAR", options->input, "radar file (TOML)")->required();
+  antenna->add_option("--reach-deg", options->reach_deg, "angle to either side of the axis")
+      ->capture_default_str()
+      ->check(CLI::Range(1e-5, 90.0));
+  antenna->callback([options, &output] {
+    const auto radar = radar::read_radar_file(options->input).radar;
+    finish(*options, antenna_plot(radar, radians_from_deg(options->reach_deg)), output);
+  });
+
+  auto* response = subcommand("response", "Answer to a point: the compressed pulse, or the two-way beam",
+                              "response examples/radars/fighter_ground_map.toml --along range --out pulse.svg");
+  response->add_option("RADAR", options->input, "radar file (TOML)")->required();
+  response->add_option("--along", options->along, "range or azimuth")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"range", "azimuth"}));
+  response->add_option("--widths", options->widths, "half-power widths to either side")
+      ->capture_default_str()
+      ->check(CLI::Range(0.5, 200.0));
+  response->callback([options, &output] {
+    const auto radar = radar::read_radar_file(options->input).radar;
+    finish(*options,
+           options->along == "range" ? range_response_plot(radar, options->widths)
+                                     : azimuth_response_plot(radar, options->widths),
+           output);
+  });
+
+  auto* histogram =
+      subcommand("histogram", "Spread of a map's powers beside the exponential density, or of I/Q beside Rayleigh's",
+                 "histogram map.tif --area=-200,-200,0,0 --out histogram.svg");
+  histogram->add_option("FILE", options->input, "ground map (GeoTIFF from render) or pulses (.npy from render --iq)")
+      ->required();
+  histogram->add_option("--area", options->area_m, "part of a map: west, south, east, north in metres of its frame")
+      ->delimiter(',')
+      ->expected(4);
+  histogram->add_option("--looks", options->looks, "looks of the map: more than one follow Gamma")
+      ->capture_default_str()
+      ->check(CLI::Range(0.5, 1000.0));
+  histogram->add_option("--bins", options->bins, "bars of the histogram")
+      ->capture_default_str()
+      ->check(CLI::Range(5, 500));
+  add_polarization_option(*histogram, options->polarization);
+  histogram->callback([options, &output] { plot_histogram(*options, output); });
+
+  auto* aspects = subcommand("aspects", "sigma0 of one place of an atlas by the direction it is seen from",
+                             "aspects out/bilbao_atlas --at 120,-340 --out aspects.svg");
+  aspects->add_option("ATLAS", options->input, "folder of the atlas")->required();
+  aspects->add_option("--at", options->at, "x,y of the place in metres of the atlas' frame")
+      ->delimiter(',')
+      ->required();
+  aspects->add_flag("--lat-lon", options->is_latitude_longitude, "--at is latitude and longitude in degrees");
+  aspects->add_option("--over", options->over, "azimuth or elevation")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"azimuth", "elevation"}));
+  aspects->add_option("--frequency-ghz", options->frequency_ghz)->capture_default_str();
+  add_polarization_option(*aspects, options->polarization);
+  aspects->callback([options, &output] { plot_aspects(*options, output); });
+}
+
+}  // namespace sigmascape::cli

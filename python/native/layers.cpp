@@ -1,0 +1,132 @@
+#include "sigmascape/simulate/layers.h"
+
+#include <algorithm>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include "array_view.h"
+#include "loaded_atlas.h"
+#include "loaded_scene.h"
+#include "long_call.h"
+#include "parts.h"
+#include "python_progress.h"
+
+#include "sigmascape/atlas/ground_layers.h"
+#include "sigmascape/base/error.h"
+#include "sigmascape/dataset/bounce_labels.h"
+#include "sigmascape/product/layer_file.h"
+#include "sigmascape/radar/radar_file.h"
+#include "sigmascape/scene/obstacle_raster.h"
+#include "sigmascape/simulate/placement.h"
+
+namespace sigmascape::python {
+namespace {
+
+namespace py = pybind11;
+using radar::LayerStack;
+
+std::vector<simulate::LayerKind> shapes_in(const std::vector<std::string>& names) {
+  std::vector<simulate::LayerKind> kinds;
+  for (const std::string& name : names) {
+    if (!dataset::tells_bounces(name)) kinds.push_back(simulate::layer_kind(name));
+  }
+  return kinds;
+}
+
+LayerStack traced(const LoadedScene& scene, const std::vector<std::string>& names, const radar::Radar& radar,
+                  const radar::GroundGrid& grid, const simulate::TraceSettings& settings, ProgressListener& progress) {
+  LayerStack stack =
+      simulate::traced_layers(scene.scene(), scene.geometry(), radar, grid, shapes_in(names), settings.threads);
+  if (std::ranges::none_of(names, dataset::tells_bounces)) return stack;
+  for (radar::Layer& layer :
+       dataset::traced_bounce_layers(names, scene.scene(), scene.geometry(), radar, grid, settings, &progress))
+    stack.layers.push_back(std::move(layer));
+  return stack;
+}
+
+LayerStack swept(const LoadedScene& loaded, const std::vector<std::string>& names, const radar::Radar& radar,
+                 const radar::GroundGrid& grid, unsigned threads) {
+  for (const std::string& name : names) {
+    if (dataset::tells_bounces(name))
+      throw Error("layer '" + name + "'", "is not known without rays, where all bounces are one sum", "use lod=0");
+  }
+  const scene::Scene& scene = loaded.scene();
+  const auto cells = [&](double length_m) { return static_cast<std::size_t>(length_m / grid.cell_m); };
+  const auto obstacles = scene::obstacles_of(scene, {scene.extent.west_m, scene.extent.north_m, grid.cell_m,
+                                                     cells(scene.extent.width_m()), cells(scene.extent.height_m())});
+  return simulate::swept_layers({&scene.terrain, &obstacles, &scene.ground, scene.materials.size()}, radar, grid,
+                                shapes_in(names), threads);
+}
+
+LayerStack layers(const LoadedScene& scene, const radar::RadarFile& radar_file, const std::vector<std::string>& names,
+                  int lod, std::uint32_t samples, int bounces, std::uint64_t seed, unsigned threads,
+                  const py::object& progress) {
+  if (names.empty()) throw Error("names", "is empty", "name the layers that are wanted");
+  const radar::RadarFile asked = radar_file;
+  PythonProgress listener(progress);
+  return long_call([&] {
+    const scene::Scene& ground = scene.scene();
+    const auto radar = simulate::placed_radar(asked, ground.frame, ground.terrain, ground.extent);
+    const auto grid = simulate::map_grid(asked.map, ground.extent);
+    const simulate::TraceSettings settings{
+        .cell_m = grid.cell_m, .samples_per_cell = samples, .max_bounces = bounces, .seed = seed, .threads = threads};
+    LayerStack stack =
+        lod == 0 ? traced(scene, names, radar, grid, settings, listener) : swept(scene, names, radar, grid, threads);
+    std::ranges::stable_sort(stack.layers, {},
+                             [&](const radar::Layer& layer) { return std::ranges::find(names, layer.name); });
+    stack.crs = ground.frame.proj();
+    stack.metadata = {{"radar", radar.name}, {"scene", ground.name}, {"scene_hash", scene.hash()}};
+    return stack;
+  });
+}
+
+const radar::Layer& layer_of(const LayerStack& stack, const std::string& name) {
+  for (const radar::Layer& layer : stack.layers) {
+    if (layer.name == name) return layer;
+  }
+  throw py::key_error(name);
+}
+
+}  // namespace
+
+void add_layers(py::module_& module) {
+  py::class_<LayerStack, std::shared_ptr<LayerStack>>(
+      module, "Layers", "What lies where in a map, cell for cell; layers[name] is float32 [row, column], north up.")
+      .def(
+          "__getitem__",
+          [](const py::object& self, const std::string& name) {
+            return layer_view<float>(layer_of(self.cast<const LayerStack&>(), name).values, 0, self, Access::ReadWrite);
+          },
+          py::arg("name"), "float32 [row, column], sharing the stack's memory; angles in radians.")
+      .def_property_readonly("names",
+                             [](const LayerStack& stack) {
+                               std::vector<std::string> names;
+                               for (const radar::Layer& layer : stack.layers) names.push_back(layer.name);
+                               return names;
+                             })
+      .def_property_readonly(
+          "units",
+          [](const LayerStack& stack) {
+            py::dict units;
+            for (const radar::Layer& layer : stack.layers) units[py::str(layer.name)] = layer.unit;
+            return units;
+          },
+          "By name; empty for masks and classes.")
+      .def(
+          "save",
+          [](const LayerStack& stack, const std::filesystem::path& path) { product::write_layers(path, stack); },
+          py::arg("path"), py::call_guard<py::gil_scoped_release>(),
+          "Writes a GeoTIFF with a band a layer, angles in degrees.");
+  module.def("layers", &layers, py::arg("scene"), py::arg("radar"), py::arg("names"), py::kw_only(), py::arg("lod") = 0,
+             py::arg("samples") = 16, py::arg("bounces") = 8, py::arg("seed") = 1, py::arg("threads") = 0,
+             py::arg("progress") = py::none(),
+             "The Layers called `names` over the cells of the radar's map: 'shadow', 'layover', 'incidence', 'range',\n"
+             "'class', 'height', and at level of detail 0 'bounce1', 'bounce2', ... (sigma0 by number of bounces) and\n"
+             "'multibounce' (the part that came over more than one). lod: 0 asks rays over the full scene, 1 terrain\n"
+             "and obstacles. Other arguments as for render(); docs/datasets.md says what each layer is.");
+  module.def(
+      "class_names", [](const LoadedScene& scene) { return simulate::class_names(scene.scene()); }, py::arg("scene"),
+      "Names of the numbers in the layer 'class', as a list.");
+}
+
+}  // namespace sigmascape::python

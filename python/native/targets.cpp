@@ -1,0 +1,102 @@
+#include "targets.h"
+
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+#include <optional>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include "parts.h"
+
+#include "sigmascape/base/error.h"
+#include "sigmascape/base/units.h"
+
+namespace sigmascape::python {
+namespace {
+
+namespace py = pybind11;
+using radar::TargetSource;
+using Pair = std::array<double, 2>;
+using Triple = std::array<double, 3>;
+using WayPoint = std::array<double, 4>;
+
+struct TargetArguments {
+  Pair position_m{};
+  std::optional<double> height_m, altitude_m;
+  double speed_mps = 0.0, heading_deg = 0.0, climb_mps = 0.0;
+  std::vector<WayPoint> way_points;
+};
+
+radar::Channels rcs_of(double rcs_dbsm, const std::optional<double>& hv_dbsm, const std::string& bounces) {
+  if (bounces != "odd" && bounces != "even") throw Error("bounces", "is '" + bounces + "'", "give 'odd' or 'even'");
+  const auto co = static_cast<float>(linear_from_db(rcs_dbsm));
+  return {co, co, hv_dbsm ? static_cast<float>(linear_from_db(*hv_dbsm)) : 0.0F, bounces == "odd" ? co : -co};
+}
+
+void place(TargetSource& source, const TargetArguments& arguments) {
+  if (arguments.height_m && arguments.altitude_m)
+    throw Error("altitude_m", "and height_m both say how high the target is", "leave out one of them");
+  const double height_m = arguments.altitude_m.value_or(arguments.height_m.value_or(source.target.size_m.z / 2.0));
+  const bool above_ground = !arguments.altitude_m;
+  source.target.heading_rad = radians_from_deg(arguments.heading_deg);
+  if (arguments.way_points.empty()) {
+    const double heading_rad = source.target.heading_rad;
+    source.places = {{.time_s = 0.0,
+                      .place = Vec2d{arguments.position_m[0], arguments.position_m[1]},
+                      .height_m = height_m,
+                      .above_ground = above_ground}};
+    source.velocity_mps = {arguments.speed_mps * std::sin(heading_rad), arguments.speed_mps * std::cos(heading_rad),
+                           arguments.climb_mps};
+    return;
+  }
+  for (const WayPoint& point : arguments.way_points) {
+    if (!source.places.empty() && point[0] <= source.places.back().time_s)
+      throw Error("way_points", "do not follow one another in time", "put them in the order of time");
+    source.places.push_back(
+        {.time_s = point[0], .place = Vec2d{point[1], point[2]}, .height_m = point[3], .above_ground = above_ground});
+  }
+}
+
+TargetSource made(const Pair& position_m, const std::string& name, double rcs_dbsm,
+                  const std::optional<double>& hv_dbsm, const std::string& bounces,
+                  const std::optional<double>& height_m, const std::optional<double>& altitude_m, double speed_mps,
+                  double heading_deg, double climb_mps, const std::vector<WayPoint>& way_points, int swerling,
+                  const Triple& size_m, std::uint64_t seed) {
+  if (swerling < 0 || swerling > 4)
+    throw Error("swerling", fmt::format("is {}", swerling), "give a case from 0 (steady) to 4");
+  TargetSource source;
+  source.where = name;
+  source.target.name = name;
+  source.target.rcs_m2 = rcs_of(rcs_dbsm, hv_dbsm, bounces);
+  source.target.fluctuation = static_cast<radar::Swerling>(swerling);
+  source.target.seed = seed;
+  source.target.size_m = {size_m[0], size_m[1], size_m[2]};
+  place(source, {position_m, height_m, altitude_m, speed_mps, heading_deg, climb_mps, way_points});
+  return source;
+}
+
+}  // namespace
+
+void add_targets(py::module_& module) {
+  py::class_<TargetSource>(module, "Target",
+                           "A point that answers on its own: a vehicle, a ship, a reflector. Maps are of time zero.")
+      .def(py::init(&made), py::arg("position_m") = Pair{}, py::kw_only(), py::arg("name") = "target",
+           py::arg("rcs_dbsm") = 10.0, py::arg("hv_dbsm") = py::none(), py::arg("bounces") = "odd",
+           py::arg("height_m") = py::none(), py::arg("altitude_m") = py::none(), py::arg("speed_mps") = 0.0,
+           py::arg("heading_deg") = 0.0, py::arg("climb_mps") = 0.0, py::arg("way_points") = std::vector<WayPoint>{},
+           py::arg("swerling") = 0, py::arg("size_m") = Triple{}, py::arg("seed") = 0,
+           "position_m: x, y in the local frame at time zero. rcs_dbsm: cross-section in VV and HH, dB over 1 m^2;\n"
+           "hv_dbsm: in HV, none when None. bounces: 'odd' or 'even', VV and HH in or out of phase.\n"
+           "height_m: of the phase centre above the ground (half of size_m's height when None), or altitude_m above\n"
+           "mean sea level. heading_deg: clockwise from north, of nose and motion. way_points: (time_s, x_m, y_m,\n"
+           "height_m) each, instead of position and speed. swerling: case of fluctuation, 0 steady; seed: of it.\n"
+           "size_m: length, width, height of what casts a shadow in coherent modes.")
+      .def_property_readonly("name", [](const TargetSource& t) { return t.target.name; })
+      .def("__repr__", [](const TargetSource& t) { return "<sigmascape.Target '" + t.target.name + "'>"; });
+  module.def(
+      "read_targets", [](const std::filesystem::path& path) { return radar::read_target_file(path); }, py::arg("path"),
+      "The Targets of a targets file (TOML, docs/target_file.md), as a list.");
+}
+
+}  // namespace sigmascape::python

@@ -1,0 +1,73 @@
+#include "sigmascape/dataset/bounce_labels.h"
+
+#include <algorithm>
+
+#include "sigmascape/product/ground_projection.h"
+
+namespace sigmascape::dataset {
+namespace {
+
+Array2D<float> power_on_ground(const radar::RangeAzimuthImage& image, const terrain::HeightField& terrain,
+                               const radar::GroundGrid& grid, radar::Polarization polarization) {
+  const auto map = product::ground_map(image, terrain, grid);
+  Array2D<float> power(grid.columns, grid.rows);
+  std::ranges::transform(map.sigma0.values(), power.values().begin(),
+                         [&](const radar::Channels& cell) { return cell.power(polarization); });
+  return power;
+}
+
+/// 1 − first/all, drawn into [0, 1]: two bakes differ by their noise.
+radar::Layer part_beyond(const Array2D<float>& first, const Array2D<float>& all) {
+  radar::Layer layer{
+      .name = std::string(multibounce), .unit = "1", .values = Array2D<float>(all.columns(), all.rows())};
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const float whole = all.values()[i];
+    layer.values.values()[i] = whole > 0.0F ? std::clamp(1.0F - first.values()[i] / whole, 0.0F, 1.0F) : 0.0F;
+  }
+  return layer;
+}
+
+}  // namespace
+
+std::size_t bounce_order(std::string_view name) {
+  const bool is_bounce = name.size() == 7 && name.starts_with("bounce") && name[6] >= '1' && name[6] <= '9';
+  return is_bounce ? static_cast<std::size_t>(name[6] - '0') : 0;
+}
+
+bool tells_bounces(std::string_view name) {
+  return bounce_order(name) > 0 || name == multibounce;
+}
+
+std::vector<radar::Layer> traced_bounce_layers(std::span<const std::string> names, const scene::Scene& scene,
+                                               const trace::SceneGeometry& geometry, const radar::Radar& radar,
+                                               const radar::GroundGrid& grid, const simulate::TraceSettings& settings,
+                                               ProgressListener* progress, radar::RangeAzimuthImage* image) {
+  std::size_t orders = 2;
+  for (const std::string& name : names) orders = std::max(orders, bounce_order(name) + 1);
+  trace::TraceCounts counts;
+  const auto images =
+      simulate::traced_bounces(scene, geometry, radar, grid.extent(), settings, orders, counts, progress);
+  radar::RangeAzimuthImage sum = images.front();
+  for (std::size_t order = 1; order < images.size(); ++order) {
+    for (std::size_t i = 0; i < sum.rcs_m2.size(); ++i) sum.rcs_m2.values()[i] += images[order].rcs_m2.values()[i];
+  }
+  std::vector<radar::Layer> layers;
+  for (const std::string& name : names) {
+    if (const std::size_t order = bounce_order(name)) {
+      layers.push_back({name, "m2/m2", power_on_ground(images[order - 1], scene.terrain, grid, radar.polarization)});
+    } else if (name == multibounce) {
+      layers.push_back(multibounce_layer(sum, images.front(), scene.terrain, grid, radar.polarization));
+    }
+  }
+  if (image != nullptr) *image = std::move(sum);
+  return layers;
+}
+
+radar::Layer multibounce_layer(const radar::RangeAzimuthImage& all, const radar::RangeAzimuthImage& first,
+                               const terrain::HeightField& terrain, const radar::GroundGrid& grid,
+                               radar::Polarization polarization) {
+  return part_beyond(power_on_ground(first, terrain, grid, polarization),
+                     power_on_ground(all, terrain, grid, polarization));
+}
+
+}  // namespace sigmascape::dataset

@@ -1,0 +1,89 @@
+#include "sigmascape/product/map_file.h"
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <vector>
+
+#include "sigmascape/base/error.h"
+#include "sigmascape/geo/atomic_file.h"
+#include "sigmascape/product/decibels.h"
+#include "sigmascape/product/ground_map_file.h"
+#include "sigmascape/product/npy_bytes.h"
+#include "sigmascape/product/zip_bytes.h"
+
+namespace sigmascape::product {
+namespace {
+
+bool is_geotiff(const std::filesystem::path& path) {
+  return path.extension() == ".tif" || path.extension() == ".tiff";
+}
+
+std::string numbers_bytes(const radar::GroundMap& map, MapScale scale) {
+  const bool is_linear = scale == MapScale::Linear;
+  std::vector<float> numbers;
+  for (const radar::Channels& cell : map.sigma0.values()) {
+    for (const float power : {cell.vv, cell.hh, cell.hv}) numbers.push_back(is_linear ? power : decibels_of(power));
+    if (is_linear) numbers.push_back(cell.re_vvhh);
+  }
+  const std::array<std::size_t, 3> shape{map.grid.rows, map.grid.columns, is_linear ? 4U : 3U};
+  return npy_bytes("<f4", shape, std::as_bytes(std::span(numbers)));
+}
+
+std::string description_of(const radar::GroundMap& map, MapScale scale) {
+  const bool is_linear = scale == MapScale::Linear;
+  nlohmann::ordered_json json{{"quantity", is_linear ? "sigma0, linear, with respect to horizontal area"
+                                                     : "sigma0 in dB, with respect to horizontal area"},
+                              {"axes", {"row", "column", "channel"}},
+                              {"channels", {"VV", "HH", "HV"}},
+                              {"west_m", map.grid.west_m},
+                              {"north_m", map.grid.north_m},
+                              {"cell_m", map.grid.cell_m},
+                              {"rows", map.grid.rows},
+                              {"columns", map.grid.columns},
+                              {"crs", map.crs}};
+  if (is_linear) json["channels"].push_back("RE_VVHH");
+  for (const auto& [key, word] : map.metadata) {
+    if (!json.contains(key)) json[key] = word;
+  }
+  return json.dump(1) + "\n";
+}
+
+ZipEntry axis_entry(const std::string& name, double first, double step, std::size_t count) {
+  std::vector<double> places(count);
+  for (std::size_t i = 0; i < count; ++i) places[i] = first + step * static_cast<double>(i);
+  const std::array shape{count};
+  return {name + ".npy", npy_bytes("<f8", shape, std::as_bytes(std::span(places)))};
+}
+
+ZipEntry words_entry(const std::string& name, const std::string& words) {
+  const std::array shape{words.size()};
+  return {name + ".npy", npy_bytes("|u1", shape, std::as_bytes(std::span(words)))};
+}
+
+std::string archive_of(const radar::GroundMap& map, MapScale scale, const std::string& where) {
+  const Vec2d corner = map.grid.centre_of(0, 0);
+  return zip_bytes({{scale == MapScale::Linear ? "sigma0.npy" : "sigma0_db.npy", numbers_bytes(map, scale)},
+                    axis_entry("x_m", corner.x, map.grid.cell_m, map.grid.columns),
+                    axis_entry("y_m", corner.y, -map.grid.cell_m, map.grid.rows),
+                    words_entry("description_json", description_of(map, scale))},
+                   where);
+}
+
+}  // namespace
+
+void check_map_name(const std::filesystem::path& path) {
+  if (is_geotiff(path) || path.extension() == ".npy" || path.extension() == ".npz") return;
+  throw Error(path.string(), "is no kind of file that maps are written as", "end the name in .tif, .npy or .npz");
+}
+
+void write_map(const std::filesystem::path& path, const radar::GroundMap& map, MapScale scale) {
+  check_map_name(path);
+  if (is_geotiff(path)) return write_ground_map(path, map, scale);
+  if (path.extension() == ".npz") return geo::write_atomically(path, archive_of(map, scale, path.string()));
+  geo::write_atomically(std::filesystem::path(path).replace_extension(".json"), description_of(map, scale));
+  geo::write_atomically(path, numbers_bytes(map, scale));
+}
+
+}  // namespace sigmascape::product

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+
+#include "sigmascape/radar/ground_map.h"
+
+namespace sigmascape::product {
+
+/// In which numbers a map is written.
+enum class MapScale { Linear, Decibels };
+
+/// Cells that are darker, those without any power included, are written as this many decibels: the logarithm of nothing
+/// is of no use to anyone.
+inline constexpr double darkest_db = -100.0;
+
+/// Writes a ground map as the kind of file that its name asks for, atomically:
+///
+///     .tif .tiff   cloud-optimised GeoTIFF, as write_ground_map; in decibels without the band RE_VVHH
+///     .npy         float32 [row, column, channel], and beside it .json with grid and metadata
+///     .npz         the same as `sigma0` or `sigma0_db`, with `x_m` and `y_m` of the cells' middles and
+///                  `description_json`
+///
+/// Channels are VV, HH, HV and, when linear, Re VV·HH*. Throws Error for another ending and when the file cannot be
+/// written.
+void write_map(const std::filesystem::path& path, const radar::GroundMap& map, MapScale scale = MapScale::Linear);
+
+/// Throws Error when `write_map` would not know what to write under this name: for asking before the work.
+void check_map_name(const std::filesystem::path& path);
+
+}  // namespace sigmascape::product

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sigmascape/product/drawing.h"
+
+namespace sigmascape::product {
+
+struct PlotSeries {
+  std::string name;
+  std::vector<std::pair<double, double>> points = {};
+  bool joined = false;  ///< a line through the points, in their order
+  bool dots = true;     ///< a dot on each point
+};
+
+struct Plot {
+  std::string title = {}, x_label = {}, y_label = {};
+  bool x_is_logarithmic = false;
+  bool y_is_logarithmic = false;
+  bool x_from_zero = true;  ///< the axis begins at zero even when no point comes near it; not when logarithmic
+  bool y_from_zero = true;
+  std::vector<PlotSeries> series = {};
+};
+
+/// A picture of 640 × 400 units. Points with a number that is not finite are left out, and break lines.
+[[nodiscard]] Drawing drawing_of(const Plot& plot);
+
+/// The plot as an SVG picture that stands alone.
+[[nodiscard]] std::string svg_of(const Plot& plot);
+
+}  // namespace sigmascape::product

@@ -1,0 +1,79 @@
+#include "sigmascape/simulate/mode_image.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "sigmascape/base/units.h"
+
+namespace sigmascape::simulate {
+namespace {
+
+Vec3d middle_of(const radar::GroundGrid& grid, const terrain::HeightField& terrain) {
+  const Vec2d centre = grid.extent().centre();
+  return {centre.x, centre.y, terrain.height_at(centre)};
+}
+
+/// The map's area and what beside it answers in its outermost cells.
+radar::Rectangle with_rim(const radar::Rectangle& area, double rim_m) {
+  return {area.west_m - rim_m, area.south_m - rim_m, area.east_m + rim_m, area.north_m + rim_m};
+}
+
+}  // namespace
+
+const char* word_for(radar::Mode mode) {
+  switch (mode) {
+    case radar::Mode::RealBeam:
+      return "real-beam";
+    case radar::Mode::DopplerBeamSharpening:
+      return "doppler-beam-sharpening";
+    case radar::Mode::Stripmap:
+      return "stripmap";
+    case radar::Mode::Spotlight:
+      return "spotlight";
+  }
+  return "";
+}
+
+ModePlan mode_plan(const ModeRequest& request) {
+  const Vec3d aim = middle_of(request.grid, request.terrain);
+  ModePlan planned{.plan = radar::coherent_plan(request.radar, aim), .warnings = {}};
+  planned.warnings = radar::plan_warnings(request.radar, planned.plan, request.grid.extent(), aim.z);
+  return planned;
+}
+
+ModeImage mode_image(const ModeRequest& request, const radar::CoherentPlan& plan) {
+  const radar::Radar& radar = request.radar;
+  request.atlas.check_frequency(request.texture_frequency_hz);
+  const auto looks = static_cast<std::size_t>(plan.looks);
+  const double of_all_looks_m = plan.along_resolution_m / plan.looks;
+  const double finest_m = std::min(radar.range_resolution_m, of_all_looks_m);
+  const double level = std::max(request.level_of_detail - 1.0, request.atlas.level_for(finest_m / 2.0));
+  const CoherentScene seen{&request.terrain,
+                           render::AtlasReflectivity{&request.atlas, request.texture_frequency_hz, level},
+                           request.targets, request.windblown};
+  const CoherentSettings settings{.interval_s = plan.interval_s,
+                                  .along_resolution_m = of_all_looks_m,
+                                  .scatterer_spacing_m = finest_m / 2.0,
+                                  .seed = request.seed,
+                                  .threads = request.threads};
+  const radar::Rectangle area =
+      with_rim(request.grid.extent(), 2.0 * std::max(radar.range_resolution_m, plan.along_resolution_m));
+  if (radar.mode == radar::Mode::Stripmap) return stripmap_power(seen, radar, area, settings, looks);
+  return range_doppler_power(seen, radar, area, settings, looks);
+}
+
+std::map<std::string, std::string> provenance_of(const ModeRequest& request, const radar::CoherentPlan& plan) {
+  return {{"processing", fmt::format("level of detail {}: coherent, from terrain and atlas", request.level_of_detail)},
+          {"mode", word_for(request.radar.mode)},
+          {"interval_s", fmt::format("{:.6g}", plan.interval_s)},
+          {"looks", std::to_string(plan.looks)},
+          {"along_resolution_m", fmt::format("{:.4g}", plan.along_resolution_m)},
+          {"squint_deg", fmt::format("{:.4g}", deg_from_radians(plan.squint_rad))},
+          {"antenna_pattern", request.radar.processing.antenna_pattern ? "left in" : "none"},
+          {"thermal_noise", request.radar.processing.thermal_noise ? "in it" : "none"},
+          {"wind_mps", fmt::format("{:g}", request.radar.wind_mps)},
+          {"targets", std::to_string(request.targets.size())},
+          {"seed", std::to_string(request.seed)}};
+}
+
+}  // namespace sigmascape::simulate

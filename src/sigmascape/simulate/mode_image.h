@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "sigmascape/atlas/atlas.h"
+#include "sigmascape/radar/coherent_plan.h"
+#include "sigmascape/radar/slant_image.h"
+#include "sigmascape/simulate/coherent.h"
+
+namespace sigmascape::simulate {
+
+/// What a coherent mode is to map. All must outlive the call.
+struct ModeRequest {
+  const atlas::Atlas& atlas;
+  const terrain::HeightField& terrain;
+  const radar::Radar& radar;  ///< placed
+  const radar::GroundGrid& grid;
+  double texture_frequency_hz = 0.0;  ///< at which the atlas is asked
+  std::span<const radar::Target> targets = {};
+  Windblown windblown = {};  ///< where leaves move, see CoherentScene
+  int level_of_detail = 1;
+  std::uint64_t seed = 1;
+  unsigned threads = 0;
+};
+
+/// What the radar's mode needs to map an area, and what it thinks of that: `plan` fills in what the radar leaves open.
+struct ModePlan {
+  radar::CoherentPlan plan;
+  std::vector<std::string> warnings;  ///< sentences for the user
+};
+
+/// Throws Error as coherent_plan does.
+[[nodiscard]] ModePlan mode_plan(const ModeRequest& request);
+
+/// Power in slant range and Doppler, or along the track for stripmap.
+using ModeImage = std::variant<radar::PowerImage<radar::RangeDopplerImage>, radar::PowerImage<radar::StripmapImage>>;
+
+/// The image of the radar's mode, doppler-beam-sharpening, spotlight or stripmap, that covers the grid and what answers
+/// in its outermost cells. Throws Error when the atlas was not baked at the frequency at which it is asked.
+[[nodiscard]] ModeImage mode_image(const ModeRequest& request, const radar::CoherentPlan& plan);
+
+/// Where a map of it comes from: mode, interval, looks, resolution, squint, targets, seed.
+[[nodiscard]] std::map<std::string, std::string> provenance_of(const ModeRequest& request,
+                                                               const radar::CoherentPlan& plan);
+
+/// The mode as radar files spell it.
+[[nodiscard]] const char* word_for(radar::Mode mode);
+
+}  // namespace sigmascape::simulate

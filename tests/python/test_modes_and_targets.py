@@ -1,0 +1,136 @@
+"""Modes, targets and layers from Python: where things lie is known beforehand."""
+
+import numpy as np
+import pytest
+
+import sigmascape
+
+
+@pytest.fixture
+def flying(radar):
+    radar.beam_width_deg = 1.0
+    radar.velocity_mps = (100.0, 0.0, 0.0)
+    radar.pulse_repetition_hz = 4000.0
+    return radar
+
+
+def brightest(ground_map):
+    row, column = np.unravel_index(np.nanargmax(ground_map.vv), ground_map.shape)
+    return (ground_map.west_m + (column + 0.5) * ground_map.cell_m, ground_map.north_m - (row + 0.5) * ground_map.cell_m)
+
+
+@pytest.mark.parametrize("mode", ["real-beam", "spotlight", "stripmap", "doppler-beam-sharpening"])
+def test_every_mode_puts_a_target_where_it_stands(atlas, flying, mode):
+    flying.mode = mode
+    if mode == "doppler-beam-sharpening":
+        flying.sharpening = 16.0
+    if mode == "real-beam":
+        flying.beam_width_deg = 0.05
+    target = sigmascape.Target((-20.0, -30.0), name="reflector", rcs_dbsm=60.0, height_m=0.0)
+    ground_map = sigmascape.render(None, flying, atlas=atlas, targets=[target])
+    # The sharpened beam is still 2.7 m wide there.
+    assert brightest(ground_map) == pytest.approx((-20.0, -30.0), abs=3.0)
+    assert ("mode" in ground_map.metadata) == (mode != "real-beam")
+    if mode != "real-beam":
+        assert ground_map.metadata["mode"] == mode and ground_map.metadata["seed"] == "1"
+        other = sigmascape.render(None, flying, atlas=atlas, targets=[target], seed=2)
+        assert not np.array_equal(other.sigma0, ground_map.sigma0, equal_nan=True)
+
+
+def test_a_house_hides_what_stands_behind_it(scene, atlas, radar):
+    height = sigmascape.layers(scene, radar, ["height"])["height"]
+    row, column = np.argwhere(height > 1.0)[0]
+    behind = (-48.0 + 2.0 * column + 1.0, 48.0 - 2.0 * row + 1.0)
+    without = sigmascape.render(None, radar, atlas=atlas)
+    with_it = sigmascape.render(None, radar, atlas=atlas, targets=[sigmascape.Target(behind, rcs_dbsm=60.0, height_m=0.5)])
+    assert np.array_equal(with_it.sigma0, without.sigma0, equal_nan=True)
+
+
+def test_what_moves_towards_the_radar_seems_to_lie_ahead(atlas, flying):
+    """Displaced along the flight by r times the speed of approach over that of the platform."""
+    flying.mode = "spotlight"
+    speed = 0.4
+    target = sigmascape.Target((-20.0, -30.0), rcs_dbsm=60.0, height_m=0.0, heading_deg=180.0, speed_mps=speed)
+    x, y = brightest(sigmascape.render(None, flying, atlas=atlas, targets=[target]))
+    assert x == pytest.approx(-20.0 + 2480.0 * speed * np.cos(np.radians(15.0)) / 100.0, abs=2.0)
+    assert y == pytest.approx(-30.0, abs=3.0)
+
+
+def test_pulses_hold_the_targets(atlas, flying):
+    quiet = sigmascape.phase_history(atlas, flying, interval_s=0.005)
+    target = sigmascape.Target((0.0, 0.0), rcs_dbsm=70.0, height_m=0.0)
+    pulses = sigmascape.phase_history(atlas, flying, interval_s=0.005, targets=[target])
+    power = np.abs(pulses.samples[..., 0] - quiet.samples[..., 0]) ** 2
+    middle = pulses.samples.shape[0] // 2
+    # The platform is at its place in the middle pulse: 2,500 m from the target.
+    assert pulses.axes["slant_range_m"][power[middle].argmax()] == pytest.approx(2500.0, abs=1.0)
+    assert 10 * np.log10(power[middle].max()) == pytest.approx(70.0, abs=1.5)
+
+
+def test_a_stripmap_image_has_its_axes(atlas, flying, tmp_path):
+    flying.mode = "stripmap"
+    target = sigmascape.Target((-20.0, -30.0), rcs_dbsm=70.0, height_m=0.0)
+    image = sigmascape.stripmap(atlas, flying, along_resolution_m=2.0, targets=[target])
+    assert list(image.axes) == ["closest_range_m", "along_track_m"]
+    assert [len(axis) for axis in image.axes.values()] == list(image.samples.shape[:2])
+    row, column = np.unravel_index(np.abs(image.samples[..., 0]).argmax(), image.samples.shape[:2])
+    # Closest when the platform passes x = -20; then it is 30 m further south than the scene's middle.
+    east, height = 2500.0 * np.cos(np.radians(15.0)) - 30.0, 2500.0 * np.sin(np.radians(15.0))
+    assert image.axes["along_track_m"][column] == pytest.approx(-20.0, abs=1.5)
+    assert image.axes["closest_range_m"][row] == pytest.approx(np.hypot(east, height), abs=1.5)
+    image.save(tmp_path / "image.npy")
+    assert np.array_equal(np.load(tmp_path / "image.npy"), image.samples)
+
+
+def test_targets_come_from_files_too(tmp_path, atlas, radar):
+    (tmp_path / "targets.toml").write_text('[[targets]]\nname = "car"\nposition_m = [12, -8]\nheight_m = 0\nrcs_dbsm = 60\n')
+    targets = sigmascape.read_targets(tmp_path / "targets.toml")
+    assert [target.name for target in targets] == ["car"]
+    assert brightest(sigmascape.render(None, radar, atlas=atlas, targets=targets)) == pytest.approx((12.0, -8.0), abs=2.1)
+    moving = sigmascape.Target(way_points=[(-10.0, 0.0, 0.0, 0.0), (10.0, 40.0, -20.0, 0.0)], rcs_dbsm=60.0)
+    assert brightest(sigmascape.render(None, radar, atlas=atlas, targets=[moving])) == pytest.approx((20.0, -10.0), abs=2.1)
+
+
+@pytest.mark.parametrize("lod", [0, 1])
+def test_layers_lie_on_the_map(scene, radar, lod, tmp_path):
+    names = ["height", "shadow", "incidence", "range", "class"]
+    layers = sigmascape.layers(scene, radar, names, lod=lod)
+    assert layers.names == names and layers.units["incidence"] == "rad" and layers.units["shadow"] == ""
+    shadow, height = layers["shadow"], layers["height"]
+    assert shadow.shape == (48, 48) and shadow.dtype == np.float32 and not shadow.flags.owndata
+    assert set(np.unique(shadow)) == {0.0, 1.0} and height.max() > 1.0
+    # Seen from the south at 15 degrees over level ground.
+    open_ground = (shadow == 0.0) & (height == 0.0)
+    assert np.degrees(layers["incidence"][open_ground]).mean() == pytest.approx(75.0, abs=1.0)
+    assert layers["range"][0].mean() > layers["range"][-1].mean() + 80.0
+    assert len(sigmascape.class_names(scene)) > layers["class"].max()
+    layers.save(tmp_path / "layers.tif")
+    with pytest.raises(KeyError):
+        layers["layover"]
+
+
+def test_orders_of_bounces_add_up_to_the_map(scene, radar):
+    names = ["bounce1", "bounce2", "bounce3", "bounce4", "bounce5", "multibounce"]
+    layers = sigmascape.layers(scene, radar, names, samples=16, bounces=5, progress=False)
+    whole = sigmascape.render(scene, radar, samples=16, bounces=5, progress=False).vv
+    total = sum(layers[name] for name in names[:5])
+    assert np.allclose(total, whole, rtol=1e-3, atol=1e-6, equal_nan=True)
+    assert np.nansum(layers["bounce2"]) > 0.01 * np.nansum(whole)
+    bright = whole > 1e-4
+    assert np.allclose(layers["multibounce"][bright], 1.0 - layers["bounce1"][bright] / total[bright], atol=1e-3)
+    with pytest.raises(sigmascape.Error, match="lod=0"):
+        sigmascape.layers(scene, radar, ["bounce1"], lod=1)
+    with pytest.raises(sigmascape.Error, match="shadow"):
+        sigmascape.layers(scene, radar, ["shadows"])
+
+
+def test_what_cannot_be_is_refused(scene, atlas, flying):
+    flying.mode = "spotlight"
+    with pytest.raises(sigmascape.Error, match="0 traces power alone"):
+        sigmascape.render(scene, flying)
+    with pytest.raises(sigmascape.Error, match="leave out one of them"):
+        sigmascape.Target((0.0, 0.0), height_m=1.0, altitude_m=2.0)
+    with pytest.raises(sigmascape.Error, match="swerling"):
+        sigmascape.Target((0.0, 0.0), swerling=7)
+    with pytest.raises(sigmascape.Error, match="outside the terrain"):
+        sigmascape.render(None, flying, atlas=atlas, targets=[sigmascape.Target((9e5, 0.0), name="far")])

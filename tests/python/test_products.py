@@ -1,0 +1,124 @@
+"""What the command line writes, read by others: GDAL with its validator of cloud-optimised files, NumPy."""
+
+import json
+import os
+import pathlib
+import subprocess
+
+import numpy as np
+import pytest
+
+import sigmascape
+
+gdal = pytest.importorskip("osgeo.gdal")
+validator = pytest.importorskip("osgeo_utils.samples.validate_cloud_optimized_geotiff")
+osr = pytest.importorskip("osgeo.osr")
+gdal.UseExceptions()
+
+RADAR = """
+[radar]
+name = "mapper"
+frequency_ghz = 10.0
+range_resolution_m = 2.0
+beam_width_deg = 0.02
+[position]
+azimuth_deg = 130.0
+elevation_deg = 20.0
+slant_range_km = 5.0
+[platform]
+speed_mps = 120.0
+heading_deg = 40.0
+[map]
+cell_m = 0.5
+"""
+
+
+def sigmascape_cli(*words):
+    subprocess.run([os.environ["SIGMASCAPE_CLI"], *map(str, words)], check=True, capture_output=True, text=True)
+
+
+@pytest.fixture(scope="module")
+def made(tmp_path_factory):
+    """One map of 400 x 400 cells in every form that render writes."""
+    folder = tmp_path_factory.mktemp("products")
+    (folder / "scene.toml").write_text("[paper]\nscale = 0.1\n")
+    (folder / "radar.toml").write_text(RADAR)
+    for name, options in [("map.tif", []), ("map_db.tif", ["--db"]), ("map.npz", []), ("map.npy", []), ("utm.tif", ["--crs", "EPSG:32631"]),
+                          ("map_db.npz", ["--db"])]:
+        sigmascape_cli("render", folder / "radar.toml", "--scene", folder / "scene.toml", "--samples", 1, "--bounces", 2, "--out",
+                       folder / name, *options)
+    sigmascape_cli("render", folder / "radar.toml", "--scene", folder / "scene.toml", "--samples", 1, "--bounces", 2, "--png",
+                   folder / "map.png", "--layers", "shadow,class,bounce1,bounce2,multibounce", "--layers-out", folder / "layers.tif")
+    return folder
+
+
+@pytest.mark.parametrize("name", ["map.tif", "map_db.tif", "utm.tif", "layers.tif"])
+def test_gdal_finds_no_fault_with_cloud_optimised_files(made, name):
+    warnings, errors, _ = validator.validate(str(made / name), full_check=True)
+    assert errors == [] and warnings == []
+    assert gdal.Open(str(made / name)).GetRasterBand(1).GetOverviewCount() >= 1
+
+
+def test_decibels_are_those_of_the_linear_map(made):
+    linear, db = gdal.Open(str(made / "map.tif")), gdal.Open(str(made / "map_db.tif"))
+    assert [linear.GetRasterBand(b + 1).GetDescription() for b in range(4)] == ["VV", "HH", "HV", "RE_VVHH"]
+    assert [db.GetRasterBand(b + 1).GetDescription() for b in range(3)] == ["VV", "HH", "HV"] and db.RasterCount == 3
+    for band in [1, 2, 3]:
+        power = linear.GetRasterBand(band).ReadAsArray()
+        expected = 10.0 * np.log10(np.maximum(power, 1e-10))
+        assert np.allclose(db.GetRasterBand(band).ReadAsArray(), expected, atol=1e-4, equal_nan=True)
+        # Overviews show the mean power, not the mean of decibels.
+        fine, coarse = linear.GetRasterBand(band), db.GetRasterBand(band).GetOverview(0).ReadAsArray()
+        assert np.allclose(10.0 ** (coarse / 10.0), fine.GetOverview(0).ReadAsArray(), rtol=1e-3, atol=1e-9, equal_nan=True)
+    read = sigmascape.GroundMap.read(made / "map_db.tif")
+    assert np.allclose(read.vv, np.maximum(linear.GetRasterBand(1).ReadAsArray(), 1e-10), rtol=1e-5, equal_nan=True)
+
+
+def test_numpy_files_have_the_numbers_of_the_geotiff(made):
+    tif = sigmascape.GroundMap.read(made / "map.tif")
+    archive = np.load(made / "map.npz")
+    assert np.array_equal(archive["sigma0"], tif.sigma0, equal_nan=True)
+    assert np.array_equal(np.load(made / "map.npy"), tif.sigma0, equal_nan=True)
+    assert archive["x_m"][0] == tif.west_m + 0.25 and archive["y_m"][-1] == tif.extent_m[1] + 0.25
+    assert np.allclose(np.load(made / "map_db.npz")["sigma0_db"][..., 1], tif.db("hh", floor_db=-100.0), atol=1e-4, equal_nan=True)
+    described = json.loads((made / "map.json").read_text())
+    assert described == json.loads(archive["description_json"].tobytes())
+    assert described["channels"] == ["VV", "HH", "HV", "RE_VVHH"] and described["crs"] == tif.crs
+    again = sigmascape.GroundMap.read(made / "map.tif")
+    again.save(made / "again.tif")
+    assert (made / "again.tif").read_bytes() == (made / "map.tif").read_bytes()
+
+
+@pytest.mark.parametrize("name", ["map.tif", "map_db.tif", "utm.tif", "layers.tif", "map.npz", "map.png"])
+def test_metadata_tell_where_a_product_comes_from(made, name):
+    if name.endswith(".npz"):
+        told = json.loads(np.load(made / name)["description_json"].tobytes())
+    else:
+        dataset = gdal.Open(str(made / name))
+        told = dataset.GetMetadata()
+        if name != "map.png":
+            assert osr.SpatialReference(wkt=dataset.GetProjection()).IsProjected()
+    scene = sigmascape.Scene.read(made / "scene.toml")
+    assert told["radar"] == "mapper" and told["scene_hash"] == scene.hash and told["software"] == f"Sigmascape {sigmascape.__version__}"
+    assert told["seed"] == "1" and "path-traced" in told["processing"] and told["time_s"] == "0"
+    radar = sigmascape.Radar.read(made / "radar.toml")
+    assert [float(word) for word in told["radar_position_m"].split()] == pytest.approx(radar.position_over(scene), abs=0.01)
+    assert [float(word) for word in told["radar_velocity_mps"].split()] == pytest.approx([77.13, 91.93, 0.0], abs=0.01)
+
+
+def test_orders_of_bounces_are_layers_of_the_command_line_too(made):
+    layers, whole = gdal.Open(str(made / "layers.tif")), sigmascape.GroundMap.read(made / "map.tif").vv
+    names = [layers.GetRasterBand(b + 1).GetDescription() for b in range(layers.RasterCount)]
+    assert names == ["shadow", "class", "bounce1", "bounce2", "multibounce"]
+    bands = {name: layers.GetRasterBand(b + 1).ReadAsArray() for b, name in enumerate(names)}
+    # With --bounces 2 there is nothing else.
+    assert np.allclose(bands["bounce1"] + bands["bounce2"], whole, rtol=1e-3, atol=1e-7, equal_nan=True)
+    assert set(np.unique(bands["shadow"])) == {0.0, 1.0}
+
+
+def test_a_picture_lies_where_its_world_file_says(made):
+    lines = [float(line) for line in (made / "map.pgw").read_text().split()]
+    tif = sigmascape.GroundMap.read(made / "map.tif")
+    assert lines == [0.5, 0.0, 0.0, -0.5, tif.west_m + 0.25, tif.north_m - 0.25]
+    picture = gdal.Open(str(made / "map.png"))
+    assert picture.RasterXSize == 400 and picture.RasterYSize > 410  # the colour bar is below the ground

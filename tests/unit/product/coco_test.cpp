@@ -1,0 +1,49 @@
+#include "sigmascape/product/coco.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace sigmascape::product {
+namespace {
+
+/// Two videos of two frames; a target of the first leaves, and another stays.
+CocoBoxes example() {
+  return {
+      .categories = {"car", "ship"},
+      .images =
+          {{.id = 0,
+            .file_name = "a",
+            .columns = 8,
+            .rows = 8,
+            .boxes = {{0, 1, 2, 3, 4, 0}, {1, 0, 0, 2, 2, 1}},
+            .video = 0,
+            .frame = 0},
+           {.id = 1, .file_name = "b", .columns = 8, .rows = 8, .boxes = {{1, 1, 0, 2, 2, 1}}, .video = 0, .frame = 1},
+           {.id = 2, .file_name = "c", .columns = 8, .rows = 8, .boxes = {{0, 5, 5, 1, 1, 0}}, .video = 1, .frame = 0}},
+      .has_videos = true};
+}
+
+TEST(Coco, TracksAreOneNumberThroughAVideoAndAnotherInTheNext) {
+  const auto json = nlohmann::json::parse(coco_json(example()));
+  ASSERT_EQ(json.at("videos").size(), 2U);
+  EXPECT_EQ(json.at("images")[1].at("video_id"), 0);
+  EXPECT_EQ(json.at("images")[1].at("frame_id"), 1);
+  const auto& boxes = json.at("annotations");
+  ASSERT_EQ(boxes.size(), 4U);
+  EXPECT_EQ(boxes[1].at("track_id"), boxes[2].at("track_id"));
+  EXPECT_NE(boxes[0].at("track_id"), boxes[1].at("track_id"));
+  EXPECT_NE(boxes[0].at("track_id"), boxes[3].at("track_id")) << "the same number in another video is another target";
+  EXPECT_EQ(boxes[2].at("category_id"), 2);
+  EXPECT_EQ(boxes[0].at("area"), 12.0);
+}
+
+TEST(Coco, WithoutVideosThereAreNoTracks) {
+  CocoBoxes boxes = example();
+  boxes.has_videos = false;
+  const auto json = nlohmann::json::parse(coco_json(boxes));
+  EXPECT_FALSE(json.contains("videos"));
+  EXPECT_FALSE(json.at("annotations")[0].contains("track_id"));
+}
+
+}  // namespace
+}  // namespace sigmascape::product

@@ -1,0 +1,73 @@
+#include "sigmascape/product/map_file.h"
+
+#include <array>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <limits>
+
+#include "scratch_folder.h"
+
+#include "sigmascape/geo/geotiff.h"
+#include "sigmascape/geo/local_frame.h"
+#include "sigmascape/product/ground_map_file.h"
+#include "sigmascape/product/npy_bytes.h"
+#include "sigmascape/product/npy_file.h"
+
+namespace sigmascape::product {
+namespace {
+
+radar::GroundMap small_map() {
+  radar::GroundMap map{.grid = {10.0, 20.0, 2.0, 3, 2},
+                       .sigma0 = Array2D<radar::Channels>(3, 2, {0.5F, 0.25F, 0.125F, 0.1F}),
+                       .crs = geo::LocalFrame().proj(),
+                       .metadata = {{"radar", "test"}}};
+  map.sigma0(1, 0) = {};
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  map.sigma0(2, 1) = {nan, nan, nan, nan};
+  return map;
+}
+
+TEST(MapFile, HoldsDecibelsWhereTheyAreAskedFor) {
+  const ScratchFolder folder;
+  write_map(folder.path("map.tif"), small_map(), MapScale::Decibels);
+  const auto raster = geo::read_geotiff(folder.path("map.tif"));
+  ASSERT_EQ(raster.bands.size(), 3U);
+  EXPECT_EQ(raster.bands[1].name, "HH");
+  EXPECT_NEAR(raster.bands[0].values(0, 0), -3.0103, 1e-4);
+  EXPECT_NEAR(raster.bands[1].values(0, 0), -6.0206, 1e-4);
+  EXPECT_EQ(raster.bands[0].values(1, 0), -100.0F);
+  EXPECT_TRUE(std::isnan(raster.bands[0].values(2, 1)));
+
+  const auto again = read_ground_map(folder.path("map.tif"));
+  EXPECT_NEAR(again.sigma0(0, 0).hv, 0.125, 1e-6);
+  EXPECT_TRUE(std::isnan(again.sigma0(0, 0).re_vvhh));
+  EXPECT_TRUE(std::isnan(again.sigma0(2, 1).vv));
+  EXPECT_EQ(again.metadata, small_map().metadata);
+}
+
+TEST(MapFile, RefusesOtherEndings) {
+  EXPECT_NE(message_of_error([] { check_map_name("map.jpg"); }).find(".tif, .npy or .npz"), std::string::npos);
+  for (const char* name : {"a.tif", "a.npy", "a.npz"}) check_map_name(name);
+}
+
+TEST(NpyFile, ReadsWhatWasWrittenAndRefusesElse) {
+  const ScratchFolder folder;
+  const std::vector<std::complex<float>> numbers{{1.0F, 2.0F}, {3.0F, 4.0F}, {5.0F, 6.0F}, {7.0F, 8.0F}};
+  const std::array<std::size_t, 3> shape{2, 1, 2};
+  folder.write("a.npy", npy_bytes("<c8", shape, std::as_bytes(std::span(numbers))));
+  const ComplexArray array = read_complex_npy(folder.path("a.npy"));
+  EXPECT_EQ(array.shape, (std::vector<std::size_t>{2, 1, 2}));
+  EXPECT_EQ(array.numbers, numbers);
+  const auto told = [&](const std::string& bytes) {
+    folder.write("b.npy", bytes);
+    return message_of_error([&] { (void)read_complex_npy(folder.path("b.npy")); });
+  };
+  const std::string whole = npy_bytes("<c8", shape, std::as_bytes(std::span(numbers)));
+  EXPECT_NE(told(whole.substr(0, whole.size() - 4)).find("cut off"), std::string::npos);
+  EXPECT_NE(told(npy_bytes("<f4", shape, std::as_bytes(std::span(numbers)).first(16))).find("something else"),
+            std::string::npos);
+  EXPECT_NE(told("hello").find("no NumPy file"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace sigmascape::product

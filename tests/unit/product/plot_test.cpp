@@ -1,0 +1,122 @@
+#include "sigmascape/product/plot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "scratch_folder.h"
+
+#include "sigmascape/product/bitmap_font.h"
+#include "sigmascape/product/plot_file.h"
+
+namespace sigmascape::product {
+namespace {
+
+template <typename Mark>
+std::vector<Mark> marks_of(const Drawing& drawing) {
+  std::vector<Mark> found;
+  for (const auto& mark : drawing.marks) {
+    if (const Mark* one = std::get_if<Mark>(&mark)) found.push_back(*one);
+  }
+  return found;
+}
+
+Plot with_points(std::vector<std::pair<double, double>> points) {
+  Plot plot;
+  plot.series = {{.name = "", .points = std::move(points), .joined = true}};
+  return plot;
+}
+
+TEST(Plot, PlacesAreInProportionToNumbers) {
+  const auto dots = marks_of<Dot>(drawing_of(with_points({{0.0, 0.0}, {5.0, 30.0}, {10.0, 40.0}})));
+  ASSERT_EQ(dots.size(), 3U);
+  EXPECT_NEAR(dots[1].centre.x, (dots[0].centre.x + dots[2].centre.x) / 2.0, 1e-9);
+  EXPECT_NEAR(dots[0].centre.y - dots[1].centre.y, 0.75 * (dots[0].centre.y - dots[2].centre.y), 1e-9);
+  EXPECT_LT(dots[2].centre.y, dots[0].centre.y) << "more is higher up";
+}
+
+TEST(Plot, LogarithmicAxesPutEqualRatiosAtEqualDistances) {
+  Plot plot = with_points({{1.0, 0.01}, {10.0, 0.1}, {100.0, 1.0}});
+  plot.x_is_logarithmic = plot.y_is_logarithmic = true;
+  const auto dots = marks_of<Dot>(drawing_of(plot));
+  EXPECT_NEAR(dots[1].centre.x - dots[0].centre.x, dots[2].centre.x - dots[1].centre.x, 1e-9);
+  EXPECT_NEAR(dots[1].centre.y - dots[0].centre.y, dots[2].centre.y - dots[1].centre.y, 1e-9);
+}
+
+TEST(Plot, AxesOfDecibelsNeedNotHoldZero) {
+  const auto zero_y = [](const Plot& plot) {
+    for (const Words& words : marks_of<Words>(drawing_of(plot))) {
+      if (words.text == "0" && words.anchor == Anchor::End) return true;
+    }
+    return false;
+  };
+  Plot plot = with_points({{1.0, 20.0}, {2.0, 25.0}});
+  EXPECT_TRUE(zero_y(plot));
+  plot.y_from_zero = false;
+  EXPECT_FALSE(zero_y(plot));
+  EXPECT_FALSE(zero_y(with_points({{1.0, -20.0}, {2.0, -25.0}})));
+}
+
+TEST(Plot, NumbersThatAreNotFiniteBreakTheLine) {
+  Plot plot = with_points({{0.0, 1.0}, {1.0, 2.0}, {2.0, std::nan("")}, {3.0, 2.0}, {4.0, 1.0}});
+  plot.series[0].dots = false;
+  std::size_t curves = 0;
+  for (const Stroke& stroke : marks_of<Stroke>(drawing_of(plot))) curves += stroke.width > 1.0 ? 1 : 0;
+  EXPECT_EQ(curves, 2U);
+}
+
+TEST(Drawing, ShowsInkWhereAMarkIsAndPaperElsewhere) {
+  Drawing drawing{.width = 40.0, .height = 20.0, .marks = {}};
+  const Rgba ink{200, 0, 0, 255}, white{255, 255, 255, 255};
+  drawing.marks.emplace_back(Stroke{{{5.0, 10.0}, {35.0, 10.0}}, ink, 2.0});
+  const Picture picture = picture_of(drawing, 2);
+  ASSERT_EQ(picture.pixels.columns(), 80U);
+  EXPECT_EQ(picture.pixels(40, 20), ink);
+  EXPECT_EQ(picture.pixels(40, 25), white);
+  EXPECT_EQ(picture.pixels(40, 14), white);
+  EXPECT_EQ(picture.pixels(2, 20), white);
+}
+
+TEST(Drawing, WordsStandWhereTheirAnchorSays) {
+  // The columns that have ink, of "H" written about x = 20 of 40.
+  const auto columns_with_ink = [](Anchor anchor) {
+    Drawing drawing{.width = 40.0, .height = 20.0, .marks = {}};
+    drawing.marks.emplace_back(Words{{20.0, 15.0}, anchor, "H", false});
+    const Picture picture = picture_of(drawing, 1);
+    std::pair<std::size_t, std::size_t> found{99, 0};
+    for (std::size_t column = 0; column < 40; ++column) {
+      for (std::size_t row = 0; row < 20; ++row) {
+        if (picture.pixels(column, row).red > 100) continue;
+        found = {std::min(found.first, column), std::max(found.second, column)};
+      }
+    }
+    return found;
+  };
+  EXPECT_EQ(columns_with_ink(Anchor::Start), std::pair(std::size_t{20}, std::size_t{24}));
+  EXPECT_EQ(columns_with_ink(Anchor::End), std::pair(std::size_t{15}, std::size_t{19}));
+}
+
+TEST(BitmapFont, HasEveryLetterThatPlotsUse) {
+  const std::string words = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+-.,:/()[]_=*%'|<>";
+  for (const char letter : words) {
+    Array2D<Rgba> pixels(5, 7, {255, 255, 255, 255});
+    draw_text(pixels, 0, 0, std::string(1, letter), 1, {0, 0, 0, 255});
+    const auto inked = std::ranges::count_if(pixels.values(), [](Rgba pixel) { return pixel.red == 0; });
+    EXPECT_GT(inked, 1) << letter;
+  }
+  EXPECT_EQ(text_width("σ0 [°]", 1), text_width("s0 [o]", 1)) << "letters, not bytes, take room";
+}
+
+TEST(PlotFile, IsSvgOrPngByItsName) {
+  const ScratchFolder folder;
+  const Plot plot = with_points({{0.0, 1.0}, {1.0, 2.0}});
+  write_plot(folder.path("a.svg"), plot);
+  write_plot(folder.path("a.png"), plot);
+  const auto files = files_of(folder.path(""));
+  EXPECT_EQ(files.at("a.svg").substr(0, 4), "<svg");
+  EXPECT_EQ(files.at("a.png").substr(1, 3), "PNG");
+  EXPECT_NE(message_of_error([&] { write_plot(folder.path("a.pdf"), plot); }).find(".svg or .png"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace sigmascape::product
