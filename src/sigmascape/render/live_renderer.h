@@ -16,6 +16,8 @@
 
 namespace sigmascape::render {
 
+class SectorTask;
+
 /// What a frame is made of.
 enum class FrameContent {
   Amplitudes,  ///< I/Q: one hashed complex Gaussian scatterer a lattice cell, with its travel phase
@@ -80,8 +82,6 @@ class LiveRenderer {
   const Frame& scan(const Pose& pose, std::size_t first_beam, std::size_t count);
 
  private:
-  class SectorTask;
-
   void prepare(const Pose& pose);
   struct Beams {
     std::size_t first = 0, end = 0;

@@ -5,7 +5,7 @@
 
 #include "sigmascape/base/hash.h"
 #include "sigmascape/render/horizon_map.h"
-#include "sigmascape/render/lattice_row.h"
+#include "sigmascape/render/row_light.h"
 #include "sigmascape/terrain/obstacle_sweep.h"
 
 namespace sigmascape::render {
