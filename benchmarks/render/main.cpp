@@ -66,7 +66,7 @@ double resident_mib() {
 const render::Frame& settled(LiveRenderer& renderer, LiveGround& ground, const Pose& pose) {
   const render::Frame* frame = &renderer.render(pose);
   for (int again = 0; again < 50 && frame->report.coarse + frame->report.dark > 0; ++again) {
-    ground.pages().wait_until_loaded();
+    ground.wait_until_loaded();
     frame = &renderer.render(pose);
   }
   return *frame;
@@ -131,7 +131,7 @@ double cold_frame_seconds(const atlas::Store& store, const View& view) {
   Pose elsewhere = view.pose();
   elsewhere.position.x += 50e3;
   (void)renderer.render(elsewhere);
-  ground->pages().wait_until_loaded();
+  ground->wait_until_loaded();
   const double start = wall_seconds();
   (void)renderer.render(view.pose());
   return wall_seconds() - start;

@@ -83,7 +83,7 @@ void sigmascape_close_ground(sigmascape_ground* ground) {
 }
 
 void sigmascape_wait_for_pages(sigmascape_ground* ground) {
-  if (ground != nullptr) ground->ground->pages().wait_until_loaded();
+  if (ground != nullptr) ground->ground->wait_until_loaded();
 }
 
 sigmascape_settings sigmascape_default_settings(void) {

@@ -58,6 +58,9 @@ struct DetailChoice {
   DetailRule rule = DetailRule::LayoverAndShadow;
 };
 
+/// The level of terrain whose nodes stand no more than two samples apart: what lies between them no sample would show.
+[[nodiscard]] int terrain_level_for(double sample_m, double spacing_m, int levels);
+
 /// Chooses the level of detail for a question. A pure function.
 ///
 /// The smaller side of the cell decides, never derivatives on a screen: a beam 1.4 km wide must not blur a range

@@ -33,7 +33,7 @@ TEST_F(LiveFromC, GivesTheFrameOfTheCppInterface) {
   const auto shared = render::LiveGround::open(atlas(), 10e9);
   render::LiveRenderer expected(shared, wanted);
   expected.render(view.pose());
-  shared->pages().wait_until_loaded();
+  shared->wait_until_loaded();
   const render::Frame& cpp = expected.render(view.pose());
 
   sigmascape_ground* ground = sigmascape_open_ground(atlas().c_str(), 10e9, 0);

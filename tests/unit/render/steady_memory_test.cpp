@@ -88,9 +88,9 @@ TEST(SteadyMemory, LiveFramesTakeNoneOnceTheirPagesAreThere) {
     for (const double ahead_m : {0.0, 5.0}) {
       pose.position.x = view.pose().position.x + ahead_m;
       renderer.scan(pose, 16, 16);
-      ground->pages().wait_until_loaded();
+      ground->wait_until_loaded();
       renderer.render(pose);
-      ground->pages().wait_until_loaded();
+      ground->wait_until_loaded();
     }
     pose = view.pose();
     const std::size_t before = allocations;
