@@ -41,7 +41,7 @@ DetailChoice choose_detail(const DetailQuestion& question, const DetailSettings&
   choice.terrain_level = terrain_level_for(choice.sample_m, question.terrain_spacing_m, question.terrain_levels);
 
   const bool traced = choice.traced_for_size && !choice.geometry_may_go;
-  choice.wanted_level = traced ? std::min(0.0, finest) : 1.0 + choice.mip;
+  choice.wanted_level = traced ? std::min(0.0, finest) : 1.0 + std::max(finest, 0.0);
   choice.level = traced ? 0 : 1 + static_cast<int>(std::floor(choice.mip));
   return choice;
 }

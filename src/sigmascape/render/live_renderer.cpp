@@ -170,16 +170,19 @@ Occluders LiveRenderer::occluders_for(const TerrainWindows::View& terrain, Vec3d
   Occluders occluders{.terrain = within.view,
                       .obstacles = obstacles.empty() ? nullptr : &obstacles.level_for(grid().step_m),
                       .tallest_m = obstacles.tallest_m(),
-                      .lowered_m = within.error_m};
+                      .lowered_m = within.above_pages_m};
+  float error_m = within.error_m;
   if (grid().near_m > grid().step_m) {
-    // Nearer ground is walked over in longer steps.
+    // Nearer ground is walked over in longer steps; nodes half as far apart keep its ridges.
     const double step_m = grid().near_m / static_cast<double>(grid().before_near);
     const LiveTerrain::Surface before =
-        ground_->terrain().surface(terrain, std::max(level_within, ground_->terrain().level_for(step_m)),
+        ground_->terrain().surface(terrain, std::max(level_within, ground_->terrain().level_for(step_m / 4.0)),
                                    under_beams(radar, 0.0, grid().near_m), wanted_terrain_);
     occluders.before_near = before.view;
-    occluders.lowered_m = std::max(occluders.lowered_m, before.error_m);
+    occluders.lowered_m = std::max(occluders.lowered_m, before.above_pages_m);
+    error_m = std::max(error_m, before.error_m);
   }
+  frame_.report.terrain_error_m = std::max(frame_.report.terrain_error_m, static_cast<double>(error_m));
   return occluders;
 }
 
@@ -193,7 +196,6 @@ void LiveRenderer::sweep_horizons(const TerrainWindows::View& terrain, const Pos
   const std::size_t edges = std::min(beams.end + 1, settings_.beams) - first_edge + 1;
   for (std::size_t which = 0; which < (alike ? 1 : 2); ++which) {
     const Occluders occluders = occluders_for(terrain, pose.position, which == 0 ? level : next);
-    frame_.report.terrain_error_m = std::max(frame_.report.terrain_error_m, static_cast<double>(occluders.lowered_m));
     team_.run(edges, [&](std::size_t index, unsigned worker) {
       horizons_[which].sweep(first_edge + index, pose.position, occluders, worker);
     });

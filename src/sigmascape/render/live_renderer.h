@@ -53,8 +53,8 @@ struct FrameReport {
   std::size_t coarse = 0;  ///< of them shown from a coarser level than wanted, for the finer was not there yet
   std::size_t dark = 0;    ///< for which there was nothing at all
   std::size_t level = 0;   ///< of the textures, 0 the finest; of two in use that with more of the power
-  /// By how much the terrain that hides may be wrong, for tiles of it were not there yet or cannot be had; as much
-  /// lower it is taken, so that no ground is hidden by what is not there. 0 when nothing was lacking.
+  /// By how much the terrain that hides may be wrong, for tiles of it cannot be had, or were not there yet: then it is
+  /// taken to lie so much lower that no ground is hidden by what is not there. 0 when nothing was lacking.
   double terrain_error_m = 0.0;
 };
 
@@ -98,7 +98,7 @@ class LiveRenderer {
   void look_ahead(const PageCache::View& view, const Pose& pose, Beams beams, std::size_t level);
   /// Sweeps the beams, and their edges, over the terrain of each level of detail in use.
   void sweep_horizons(const TerrainWindows::View& terrain, const Pose& pose, Beams beams, const DetailBlend& levels);
-  /// What hides ground at a level of detail, as far as it is there; asks for the rest.
+  /// What hides ground at a level of detail, as far as it is there; reports what it lacks and asks for it.
   [[nodiscard]] Occluders occluders_for(const TerrainWindows::View& terrain, Vec3d radar, std::size_t level);
   [[nodiscard]] const HorizonGrid& grid() const { return horizons_[0].grid(); }
   /// Of the terrain, for a level of the textures.

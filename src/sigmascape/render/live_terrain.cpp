@@ -93,12 +93,13 @@ LiveTerrain::Surface LiveTerrain::surface(const TerrainWindows::View& there, int
                      .height_m = coarsest_->height_m,
                      .lowest_m = coarsest_->summary.lowest_m,
                      .highest_m = coarsest_->summary.highest_m},
-            .error_m = last == level ? 0.0F : coarsest_->summary.error_m};
+            .error_m = last == level ? 0.0F : coarsest_->summary.error_m,
+            .above_pages_m = last == level ? 0.0F : coarsest_->summary.error_m};
   }
   // A level's error is that of all finer ones together.
   const int coarser = std::max(window->level, level);
   const float of_level = window->level == level ? 0.0F : pyramid_->summary_over(wish.area, coarser).error_m;
-  return {.view = window->nodes.view(), .error_m = std::max(of_level, window->error_m)};
+  return {.view = window->nodes.view(), .error_m = std::max(of_level, window->error_m), .above_pages_m = of_level};
 }
 
 }  // namespace sigmascape::render

@@ -37,6 +37,9 @@ class LiveTerrain {
   struct Surface {
     terrain::TerrainView view;
     float error_m = 0.0F;  ///< by how much it may lie above or below the ground of the level asked for
+    /// And as much above or below that which pages of the level stand on: where a tile cannot be had at all, they stand
+    /// on its parent as well.
+    float above_pages_m = 0.0F;
   };
   /// The best there is of an area. What would have been better is added to `wanted`, as far as its memory goes. The
   /// surface lives as long as `there`.

@@ -226,7 +226,9 @@ void build_on_disk(const std::filesystem::path& folder, const PyramidLayout& lay
   if (std::filesystem::exists(folder / "pyramid.toml")) {
     const Heading there = read_heading(folder);
     if (there.layout == layout && there.source_hash == source_hash) return;
+    // First what makes it count, then what is left of it.
     std::filesystem::remove(folder / "pyramid.toml");
+    std::filesystem::remove_all(folder);
   }
   const std::string crs = frame.proj();
   const auto summaries = build_tiles(
