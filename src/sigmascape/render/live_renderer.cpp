@@ -12,6 +12,7 @@
 #include "sigmascape/render/page_forecast.h"
 #include "sigmascape/render/sector.h"
 #include "sigmascape/render/sector_task.h"
+#include "sigmascape/render/target_sight.h"
 
 namespace sigmascape::render {
 namespace {
@@ -60,7 +61,12 @@ LiveRenderer::LiveRenderer(std::shared_ptr<LiveGround> ground, const LiveSetting
       lattice_({.seed = settings.seed, .cell_m = ground_->description().patches.texel_m, .levels = 1}),
       team_(settings.threads),
       horizons_{HorizonMap(HorizonGrid{}, team_.size()), HorizonMap(HorizonGrid{}, team_.size())},
-      horizon_of_{&horizons_[0], &horizons_[0]} {
+      horizon_of_{&horizons_[0], &horizons_[0]},
+      targets_({.frequency_hz = ground_->frequency_hz(),
+                .beams = settings.beams,
+                .ranges = settings.ranges,
+                .beam_step_rad = settings.beam_step_rad,
+                .range_step_m = settings.range_step_m}) {
   bins_.resize(settings.beams * settings.ranges * numbers_a_bin(settings.content));
   for (unsigned worker = 0; worker < team_.size(); ++worker)
     tasks_.push_back(
@@ -86,12 +92,14 @@ const Frame& LiveRenderer::scan(const Pose& pose, std::size_t first_beam, std::s
   wanted_terrain_.clear();
   const TerrainWindows::View terrain = ground_->terrain().windows().view();
   sweep_horizons(terrain, pose, {first_beam, last_beam}, levels);
+  look_at_targets(pose, levels);
   const std::size_t group = beams_together(settings_.beam_step_rad), first_group = first_beam / group;
   const std::size_t tasks = last_beam > first_beam ? (last_beam - 1) / group + 1 - first_group : 0;
   team_.run(tasks, [&](std::size_t index, unsigned worker) {
     const std::size_t first = std::max(first_beam, (first_group + index) * group);
     const std::size_t end = std::min(last_beam, (first_group + index + 1) * group);
     tasks_[worker]->fill(pose, {first, end - first}, levels);
+    add_targets(first, end - first);
   });
 
   wanted_.clear();
@@ -195,10 +203,36 @@ void LiveRenderer::sweep_horizons(const TerrainWindows::View& terrain, const Pos
   const std::size_t first_edge = beams.first - std::min<std::size_t>(beams.first, 1);
   const std::size_t edges = std::min(beams.end + 1, settings_.beams) - first_edge + 1;
   for (std::size_t which = 0; which < (alike ? 1 : 2); ++which) {
-    const Occluders occluders = occluders_for(terrain, pose.position, which == 0 ? level : next);
+    occluders_[which] = occluders_for(terrain, pose.position, which == 0 ? level : next);
     team_.run(edges, [&](std::size_t index, unsigned worker) {
-      horizons_[which].sweep(first_edge + index, pose.position, occluders, worker);
+      horizons_[which].sweep(first_edge + index, pose.position, occluders_[which], worker);
     });
+  }
+}
+
+void LiveRenderer::look_at_targets(const Pose& pose, const DetailBlend& levels) {
+  const bool alike = horizon_of_[0] == horizon_of_[1];
+  const auto next_share = alike ? 0.0F : static_cast<float>(levels.next_share);
+  const TargetSight sight{
+      .levels = {{{horizon_of_[0], &occluders_[0], 1.0F - next_share}, {horizon_of_[1], &occluders_[1], next_share}}},
+      .radar_height_m = pose.position.z};
+  targets_.look(
+      pose.targets,
+      {.position = pose.position,
+       .first_azimuth_rad = pose.first_azimuth_rad,
+       .first_range_m = pose.first_range_m,
+       .earth = {.refraction = settings_.refraction}},
+      pose.moment, [&sight](const receiver::TargetFrame::Seen& target) { return sight.part_seen(target); }, &team_);
+  frame_.report.targets = targets_.seen();
+}
+
+void LiveRenderer::add_targets(std::size_t first_beam, std::size_t count) {
+  if (targets_.seen() == 0) return;
+  if (settings_.content == FrameContent::Powers) {
+    targets_.add_powers(first_beam, count, bins_);
+  } else {
+    targets_.add_amplitudes(first_beam, count,
+                            {reinterpret_cast<std::complex<float>*>(bins_.data()), bins_.size() / 2});
   }
 }
 

@@ -11,6 +11,8 @@
 #include "sigmascape/base/worker_team.h"
 #include "sigmascape/radar/range_azimuth_image.h"
 #include "sigmascape/radar/scatterer_lattice.h"
+#include "sigmascape/radar/target.h"
+#include "sigmascape/receiver/target_frame.h"
 #include "sigmascape/render/horizon_map.h"
 #include "sigmascape/render/level_of_detail.h"
 #include "sigmascape/render/live_ground.h"
@@ -44,6 +46,10 @@ struct Pose {
   double first_azimuth_rad = 0.0;  ///< left edge of beam 0, clockwise from north
   double first_range_m = 1000.0;   ///< near edge of range bin 0
   Vec3d velocity_mps = {};         ///< says which ground to fetch ahead of time
+  /// Targets and movers that answer besides the ground, at every level of detail, wherever nothing stands before them;
+  /// they must live until the frame is done.
+  std::span<const radar::Target> targets = {};
+  radar::Moment moment = {};  ///< of the targets' tracks and of their fluctuation
 };
 
 /// What a frame cost and what it lacked.
@@ -56,6 +62,7 @@ struct FrameReport {
   /// By how much the terrain that hides may be wrong, for tiles of it cannot be had, or were not there yet: then it is
   /// taken to lie so much lower that no ground is hidden by what is not there. 0 when nothing was lacking.
   double terrain_error_m = 0.0;
+  std::size_t targets = 0;  ///< of those of the pose that stand in the bins and are seen
 };
 
 /// A frame, valid until the next one.
@@ -96,6 +103,8 @@ class LiveRenderer {
   [[nodiscard]] DetailBlend next_levels();
   /// Asks for what the radar will see a second later, and for the beams that a scan comes to until then.
   void look_ahead(const PageCache::View& view, const Pose& pose, Beams beams, std::size_t level);
+  void look_at_targets(const Pose& pose, const DetailBlend& levels);
+  void add_targets(std::size_t first_beam, std::size_t count);
   /// Sweeps the beams, and their edges, over the terrain of each level of detail in use.
   void sweep_horizons(const TerrainWindows::View& terrain, const Pose& pose, Beams beams, const DetailBlend& levels);
   /// What hides ground at a level of detail, as far as it is there; reports what it lacks and asks for it.
@@ -112,7 +121,9 @@ class LiveRenderer {
   WorkerTeam team_;
   terrain::HeightBounds bounds_;  // of the ground that the frame looks at
   std::array<HorizonMap, 2> horizons_;
+  std::array<Occluders, 2> occluders_;
   std::array<const HorizonMap*, 2> horizon_of_;  // of the two levels of detail; the same when so is their terrain
+  receiver::TargetFrame targets_;
   DetailTransition transition_;
   int last_level_ = 0;
   std::vector<float> bins_;                         // [beam][range][number]
