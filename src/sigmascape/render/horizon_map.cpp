@@ -143,7 +143,10 @@ HorizonMap::HorizonMap(const HorizonGrid& grid, unsigned workers) : depths_(work
 void HorizonMap::reset(const HorizonGrid& grid, bool with_obstacles) {
   grid_ = grid;
   with_obstacles_ = with_obstacles;
-  const std::size_t nodes = grid.azimuths * grid.distances;
+  // Whole lines of 64 bytes, an odd number of them.
+  constexpr std::size_t line = 16;
+  stride_ = ((grid.distances + line - 1) / line | 1U) * line;
+  const std::size_t nodes = grid.azimuths * stride_;
   if (slopes_.size() < nodes) slopes_.resize(nodes);
   if (!with_obstacles) return;
   if (solid_slopes_.size() < nodes) solid_slopes_.resize(nodes);
@@ -165,7 +168,7 @@ void HorizonMap::sweep(std::size_t azimuth, Vec3d radar, const Occluders& occlud
 
   Walk walk(grid_, azimuth, radar, occluders);
   const Steps& steps = walk.steps();
-  float* const slopes = slopes_.data() + azimuth * grid_.distances;
+  float* const slopes = slopes_.data() + azimuth * stride_;
   float steepest = no_ground;
   if (occluders.obstacles == nullptr || !with_obstacles_) {
     walk.over(before, lead_from_m, lead_step_m, lead,
@@ -178,8 +181,8 @@ void HorizonMap::sweep(std::size_t azimuth, Vec3d radar, const Occluders& occlud
   }
 
   const ObstacleLevel& obstacles = *occluders.obstacles;
-  float* const solid_slopes = solid_slopes_.data() + azimuth * grid_.distances;
-  float* const through = through_.data() + azimuth * grid_.distances;
+  float* const solid_slopes = solid_slopes_.data() + azimuth * stride_;
+  float* const through = through_.data() + azimuth * stride_;
   float solid = no_ground;
   const double nearest_m = std::max(std::min(lead_from_m, grid_.near_m), 1.0);
   const double over_highest_m = highest_m - radar.z;

@@ -12,19 +12,26 @@ namespace sigmascape::render {
 /// Between which bins texels are shared, and in what parts.
 struct BinShares {
   template <typename T>
-  using Of = std::array<T, atlas::tile_side>;
+  using Of = std::array<T, atlas::tile_side + GroundPage::vector>;
   alignas(64) Of<std::int32_t> beam, range;  ///< the first of the two
   alignas(64) Of<float> beam_here, beam_next, range_here, range_next;
 };
 
 /// Up to a tile's row of neighbouring texels on their way through a frame: what is known of each, a plain array a
 /// quantity, so that every step is a loop over numbers that stand side by side.
+///
+/// Steps may go on to the end of a vector: what they leave beyond the last texel means nothing.
 struct LatticeRow {
   static constexpr std::size_t most = atlas::tile_side;
   template <typename T>
-  using Of = std::array<T, most>;
+  using Of = std::array<T, most + GroundPage::vector>;
 
   std::size_t count = 0;
+  [[nodiscard]] std::size_t whole_vectors() const { return whole_vectors(count); }
+  /// A number of texels rounded up.
+  [[nodiscard]] static constexpr std::size_t whole_vectors(std::size_t texels) {
+    return (texels + GroundPage::vector - 1) / GroundPage::vector * GroundPage::vector;
+  }
 
   // Where: from the radar, each texel's scatterer at its own place within it.
   alignas(64) Of<double> east_m, north_m;

@@ -76,7 +76,18 @@ LiveRenderer::LiveRenderer(std::shared_ptr<LiveGround> ground, const LiveSetting
   wanted_terrain_.reserve(most_wanted_terrain);
 }
 
-LiveRenderer::~LiveRenderer() = default;
+LiveRenderer::~LiveRenderer() {
+  wanted_.clear();
+  wanted_terrain_.clear();
+  request();
+}
+
+void LiveRenderer::request() {
+  // A list that was empty and stays so needs no lock.
+  if (!wanted_.empty() || has_asked_) ground_->pages().request(wanted_, this);
+  if (!wanted_terrain_.empty() || has_asked_) ground_->terrain().windows().request(wanted_terrain_, this);
+  has_asked_ = !wanted_.empty() || !wanted_terrain_.empty();
+}
 
 const Frame& LiveRenderer::render(const Pose& pose) {
   return scan(pose, 0, settings_.beams);
@@ -114,13 +125,12 @@ const Frame& LiveRenderer::scan(const Pose& pose, std::size_t first_beam, std::s
     task->end_frame();
   }
   look_ahead(view, pose, {first_beam, last_beam}, static_cast<std::size_t>(levels.next - 1));
-  if (!wanted_.empty()) ground_->pages().request(wanted_);
   const double far_m = grid().near_m + grid().step_m * static_cast<double>(grid().distances);
   // Only wished for: what comes back is looked at by the frames to come.
   (void)ground_->terrain().surface(terrain, terrain_level(static_cast<std::size_t>(levels.next - 1)),
                                    under_beams(pose.position + pose.velocity_mps * seconds_ahead, grid().near_m, far_m),
                                    wanted_terrain_);
-  if (!wanted_terrain_.empty()) ground_->terrain().windows().request(wanted_terrain_);
+  request();
   return frame_;
 }
 

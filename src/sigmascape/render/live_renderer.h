@@ -109,6 +109,8 @@ class LiveRenderer {
   void sweep_horizons(const TerrainWindows::View& terrain, const Pose& pose, Beams beams, const DetailBlend& levels);
   /// What hides ground at a level of detail, as far as it is there; reports what it lacks and asks for it.
   [[nodiscard]] Occluders occluders_for(const TerrainWindows::View& terrain, Vec3d radar, std::size_t level);
+  /// Asks for what is wanted, instead of what was.
+  void request();
   [[nodiscard]] const HorizonGrid& grid() const { return horizons_[0].grid(); }
   /// Of the terrain, for a level of the textures.
   [[nodiscard]] int terrain_level(std::size_t level) const;
@@ -130,6 +132,7 @@ class LiveRenderer {
   std::vector<std::unique_ptr<SectorTask>> tasks_;  // one a worker
   std::vector<PageKey> wanted_;                     // by all of them
   std::vector<WindowWish> wanted_terrain_;
+  bool has_asked_ = false;  // for something, after the last frame
   Frame frame_;
 };
 

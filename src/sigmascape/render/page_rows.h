@@ -17,6 +17,10 @@ struct PageRow {
 
   /// Column in the page of texel `i` of the stretch.
   [[nodiscard]] std::size_t column_of(std::size_t i) const { return (first_column + i) >> levels_up; }
+  /// Of the row further south, from the first texel's column on; null where the page ends or is an ancestor.
+  [[nodiscard]] const atlas::Half* next_planes() const {
+    return levels_up == 0 && row + 1 < atlas::tile_side ? page->row_planes(row + 1) + first_column : nullptr;
+  }
 };
 
 /// Finds rows of pages for one task of a frame, and remembers which pages were missing.
@@ -44,7 +48,8 @@ class PageRows {
   PageCache::View view_;
   std::vector<PageKey> wanted_;
   const GroundPage* last_page_ = nullptr;
-  std::array<atlas::Half, atlas::AspectCells::most_looks * GroundPage::channels * atlas::tile_side> drawn_out_;
+  std::array<atlas::Half, atlas::AspectCells::most_looks * GroundPage::channels * atlas::tile_side + GroundPage::vector>
+      drawn_out_;
 };
 
 }  // namespace sigmascape::render

@@ -28,9 +28,9 @@ void split_positions(const float* position, std::size_t count, bool amplitudes, 
 
 void find_shares(LatticeRow& row, bool amplitudes) {
   BinShares& shares = row.shares;
-  split_positions(row.beam.data(), row.count, amplitudes, shares.beam.data(), shares.beam_here.data(),
+  split_positions(row.beam.data(), row.whole_vectors(), amplitudes, shares.beam.data(), shares.beam_here.data(),
                   shares.beam_next.data());
-  split_positions(row.range_bin.data(), row.count, amplitudes, shares.range.data(), shares.range_here.data(),
+  split_positions(row.range_bin.data(), row.whole_vectors(), amplitudes, shares.range.data(), shares.range_here.data(),
                   shares.range_next.data());
 }
 

@@ -12,6 +12,7 @@ struct Horizon {
   const float* solid_slopes = nullptr;  ///< of the tops of solid obstacles; null where none stand apart
   const float* through = nullptr;       ///< what comes through crowns
   std::size_t azimuths = 0, distances = 0;
+  std::size_t stride = 0;   ///< from one azimuth to the next
   float first_beam = 0.0F;  ///< of the row's sector
   float near_m = 0.0F, per_step = 1.0F;
 };

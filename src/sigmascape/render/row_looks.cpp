@@ -1,5 +1,6 @@
 #include "sigmascape/render/row_looks.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -26,31 +27,38 @@ float tiny_power_of(Half half) {
 constexpr float into_weights = 0x1p40F, into_sum = 0x1p72F;
 
 struct Weights {
-  LatticeRow::Of<float> of;
+  alignas(64) LatticeRow::Of<float> of;
 };
 
-/// Parts of the looks of one (frequency, elevation, azimuth) corner of the aspect cell.
+/// What falls to the four corners [elevation][azimuth] of an aspect cell, but for what is the same for all texels.
+using CornerWeights = std::array<Weights, 4>;
+
 SIGMASCAPE_VECTOR_TARGETS
-void corner_weights(const LatticeRow& row, std::size_t first, std::size_t count, const BlendOf& looks, std::size_t e,
-                    std::size_t a, float factor, Weights& weights) {
+void find_corner_weights(const LatticeRow& row, std::size_t first, std::size_t count, const BlendOf& looks,
+                         CornerWeights& weights) {
   const float* const beam = row.beam.data() + first;
   const float* const cotangent = row.cotangent.data() + first;
   const float* const sine = row.sine.data() + first;
-  float* const out = weights.of.data();
+  const float* const lit = row.lit.data() + first;
+  float* const low_left = weights[0].of.data();
+  float* const low_right = weights[1].of.data();
+  float* const high_left = weights[2].of.data();
+  float* const high_right = weights[3].of.data();
   const float span = looks.cotangent[0] - looks.cotangent[1];
   const float per_cotangent = span > 0.0F ? 1.0F / span : 0.0F;
-  const float gain = factor / looks.sine[e];
   const float azimuth_offset = looks.azimuth_offset, azimuth_per_beam = looks.azimuth_per_beam;
   const float lowest = looks.cotangent[0], highest_sine = looks.sine[1];
-  // The part of the second neighbour, or 1 less it.
-  const float first_azimuth = a == 0 ? 1.0F : 0.0F, azimuth_sign = a == 0 ? -1.0F : 1.0F;
-  const float first_elevation = e == 0 ? 1.0F : 0.0F, elevation_sign = e == 0 ? -1.0F : 1.0F;
+  SIGMASCAPE_INDEPENDENT_TURNS
   for (std::size_t i = 0; i < count; ++i) {
-    const float azimuth_part = lesser(greater(azimuth_offset + azimuth_per_beam * beam[i], 0.0F), 1.0F);
-    const float elevation_part = lesser(greater((lowest - cotangent[i]) * per_cotangent, 0.0F), 1.0F);
+    const float right = lesser(greater(azimuth_offset + azimuth_per_beam * beam[i], 0.0F), 1.0F);
+    const float high = lesser(greater((lowest - cotangent[i]) * per_cotangent, 0.0F), 1.0F);
     // Above the highest baked elevation σ0 is held, below the lowest γ = σ0 / sin ψ.
-    out[i] = gain * lesser(sine[i], highest_sine) * (first_elevation + elevation_sign * elevation_part) *
-             (first_azimuth + azimuth_sign * azimuth_part);
+    const float whole = lesser(sine[i], highest_sine) * lit[i];
+    const float of_high = whole * high, of_low = whole - of_high;
+    low_right[i] = of_low * right;
+    low_left[i] = of_low - low_right[i];
+    high_right[i] = of_high * right;
+    high_left[i] = of_high - high_right[i];
   }
 }
 
@@ -78,31 +86,67 @@ void add_look(const Half* __restrict planes, const Weights& weights, std::size_t
   }
 }
 
-/// Adds four looks that lie one after the other.
-SIGMASCAPE_VECTOR_TARGETS
-void add_four_looks(const Half* __restrict planes, const std::array<Weights, 4>& weights, std::size_t count,
-                    const Returned& to) {
-  constexpr std::size_t look = GroundPage::channels * plane;
+constexpr std::size_t look_stride = GroundPage::channels * plane;
+
+/// Asks for `looks` stretches of a channel that will be wanted soon.
+void fetch(const Half* from, std::size_t looks, std::size_t count) {
+  constexpr std::size_t line = 64 / sizeof(Half);
+  for (std::size_t look = 0; look < looks; ++look) {
+    for (std::size_t i = 0; i < count + line - 1; i += line) __builtin_prefetch(from + look * look_stride + i, 0, 2);
+  }
+}
+
+/// Blends one channel of four looks that lie one after the other, `gain` of each.
+template <float number_of(Half)>
+[[gnu::always_inline]] inline void blend_four(const Half* __restrict from, const CornerWeights& weights,
+                                              const float* gain, std::size_t count, float* __restrict to) {
   const float* __restrict a = weights[0].of.data();
   const float* __restrict b = weights[1].of.data();
   const float* __restrict c = weights[2].of.data();
   const float* __restrict d = weights[3].of.data();
-  float* const powers[3] = {to.vv, to.hh, to.hv};
-  for (std::size_t channel = 0; channel < 3; ++channel) {
-    float* __restrict power = powers[channel];
-    const Half* __restrict from = planes + channel * plane;
-    for (std::size_t i = 0; i < count; ++i) {
-      power[i] += ((a[i] * tiny_power_of(from[i]) + b[i] * tiny_power_of(from[look + i])) +
-                   (c[i] * tiny_power_of(from[2 * look + i]) + d[i] * tiny_power_of(from[3 * look + i]))) *
-                  into_sum;
-    }
-  }
-  float* __restrict re = to.re;
-  const Half* __restrict from = planes + 3 * plane;
+  const float gain_a = gain[0], gain_b = gain[1], gain_c = gain[2], gain_d = gain[3];
   for (std::size_t i = 0; i < count; ++i) {
-    re[i] += ((a[i] * tiny_number_of(from[i]) + b[i] * tiny_number_of(from[look + i])) +
-              (c[i] * tiny_number_of(from[2 * look + i]) + d[i] * tiny_number_of(from[3 * look + i]))) *
-             into_sum;
+    to[i] = ((a[i] * (gain_a * number_of(from[i])) + b[i] * (gain_b * number_of(from[look_stride + i]))) +
+             (c[i] * (gain_c * number_of(from[2 * look_stride + i])) +
+              d[i] * (gain_d * number_of(from[3 * look_stride + i])))) *
+            into_sum;
+  }
+}
+
+/// The same of eight looks, those of a second frequency after those of the first.
+template <float number_of(Half)>
+[[gnu::always_inline]] inline void blend_eight(const Half* __restrict from, const CornerWeights& weights,
+                                               const float* gain, std::size_t count, float* __restrict to) {
+  const float* __restrict a = weights[0].of.data();
+  const float* __restrict b = weights[1].of.data();
+  const float* __restrict c = weights[2].of.data();
+  const float* __restrict d = weights[3].of.data();
+  const float gain_a = gain[0], gain_b = gain[1], gain_c = gain[2], gain_d = gain[3];
+  const float next_a = gain[4], next_b = gain[5], next_c = gain[6], next_d = gain[7];
+  const Half* __restrict next = from + 4 * look_stride;
+  for (std::size_t i = 0; i < count; ++i) {
+    const float of_a = gain_a * number_of(from[i]) + next_a * number_of(next[i]);
+    const float of_b = gain_b * number_of(from[look_stride + i]) + next_b * number_of(next[look_stride + i]);
+    const float of_c = gain_c * number_of(from[2 * look_stride + i]) + next_c * number_of(next[2 * look_stride + i]);
+    const float of_d = gain_d * number_of(from[3 * look_stride + i]) + next_d * number_of(next[3 * look_stride + i]);
+    to[i] = ((a[i] * of_a + b[i] * of_b) + (c[i] * of_c + d[i] * of_d)) * into_sum;
+  }
+}
+
+/// Blends all channels, fetching those of the next row meanwhile.
+SIGMASCAPE_VECTOR_TARGETS
+void blend_channels(const BlendOf& looks, const CornerWeights& weights, const float* gain, std::size_t count,
+                    const Returned& to) {
+  float* const channels[] = {to.vv, to.hh, to.hv, to.re};
+  for (std::size_t channel = 0; channel < GroundPage::channels; ++channel) {
+    const Half* const from = looks.planes + channel * plane;
+    if (looks.next_planes != nullptr) fetch(looks.next_planes + channel * plane, looks.looks, count);
+    // Powers are never negative; Re VV·HH*, the last, may be.
+    const bool is_power = channel + 1 < GroundPage::channels;
+    if (looks.looks == 8 && is_power) blend_eight<tiny_power_of>(from, weights, gain, count, channels[channel]);
+    if (looks.looks == 8 && !is_power) blend_eight<tiny_number_of>(from, weights, gain, count, channels[channel]);
+    if (looks.looks == 4 && is_power) blend_four<tiny_power_of>(from, weights, gain, count, channels[channel]);
+    if (looks.looks == 4 && !is_power) blend_four<tiny_number_of>(from, weights, gain, count, channels[channel]);
   }
 }
 
@@ -171,22 +215,20 @@ Extremes cotangent_extremes(const LatticeRow& row) {
 void blend(LatticeRow& row, std::size_t first, std::size_t count, const BlendOf& looks) {
   const Returned returned{row.returned[0].data() + first, row.returned[1].data() + first,
                           row.returned[2].data() + first, row.returned[3].data() + first};
+  CornerWeights weights;
+  const std::size_t reckoned = LatticeRow::whole_vectors(count);
+  find_corner_weights(row, first, reckoned, looks, weights);
   // Of each frequency four looks, [elevation][azimuth].
-  std::array<Weights, 4> weights;
-  for (std::size_t f = 0; f < looks.looks / 4; ++f) {
-    for (std::size_t corner = 0; corner < 4; ++corner) {
-      const float factor = looks.scale[4 * f + corner] * looks.frequency_part[f] * into_weights;
-      corner_weights(row, first, count, looks, corner / 2, corner % 2, factor, weights[corner]);
-    }
-    add_four_looks(looks.planes + 4 * f * GroundPage::channels * plane, weights, count, returned);
+  std::array<float, atlas::AspectCells::most_looks> gain;
+  for (std::size_t look = 0; look < looks.looks; ++look) {
+    gain[look] =
+        looks.area_m2 * looks.scale[look] * looks.frequency_part[look / 4] * into_weights / looks.sine[look % 4 / 2];
   }
+  blend_channels(looks, weights, gain.data(), reckoned, returned);
 }
 
-SIGMASCAPE_VECTOR_TARGETS
-void weigh(LatticeRow& row, float area_m2) {
-  for (auto& channel : row.returned) {
-    for (std::size_t i = 0; i < row.count; ++i) channel[i] *= area_m2 * row.lit[i];
-  }
+void blend_nothing(LatticeRow& row, std::size_t first, std::size_t count) {
+  for (auto& channel : row.returned) std::fill_n(channel.begin() + static_cast<std::ptrdiff_t>(first), count, 0.0F);
 }
 
 }  // namespace sigmascape::render

@@ -13,22 +13,24 @@ struct Extremes {
 };
 [[nodiscard]] Extremes cotangent_extremes(const LatticeRow& row);
 
-/// Adds σ0 to the texels from `first` on, `count` of them, which lie in one aspect cell: the looks of `planes`
-/// ([look][channel][column], the first texel's column first), blended as atlas::weights_for says.
+/// Looks that lie about the aspect of a stretch of texels.
 struct BlendOf {
-  const atlas::Half* planes = nullptr;
+  const atlas::Half* planes = nullptr;       ///< [look][channel][column], the first texel's column first
+  const atlas::Half* next_planes = nullptr;  ///< of the row that comes next, to be fetched meanwhile; may be null
   const float* scale = nullptr;
-  std::size_t looks = 4;
+  std::size_t looks = 4;           ///< or 8, see GroundPage
+  float area_m2 = 1.0F;            ///< of a texel
   float azimuth_offset = 0.0F;     ///< part of the cell of azimuth at beam 0
   float azimuth_per_beam = 0.0F;   ///< and its growth with beams
   std::array<float, 2> cotangent;  ///< of the two elevations
   std::array<float, 2> sine;
   std::array<float, 2> frequency_part;
 };
+/// Fills `returned` of the texels from `first` on, `count` of them, which lie in one aspect cell, with the
+/// cross-section of what is seen of them: σ0 blended as atlas::weights_for says, times area and `lit`.
 void blend(LatticeRow& row, std::size_t first, std::size_t count, const BlendOf& looks);
-
-/// σ0 to mean cross-section: times the area of a texel and whether it is seen.
-void weigh(LatticeRow& row, float area_m2);
+/// The same where there is nothing.
+void blend_nothing(LatticeRow& row, std::size_t first, std::size_t count);
 
 /// Fills local_cotangent, local_sine and ground_area_m2: what bare ground is looked up and weighted with. Ground that
 /// faces away has no area. Returns the extremes of local_cotangent where there is any.

@@ -30,14 +30,15 @@ void find_ranges(LatticeRow& row, const RowGeometry& geometry) {
   float* const below = row.below_m.data();
   const double radar_height = geometry.radar_height_m, drop = geometry.drop_per_square_m;
   const double first_range = geometry.first_range_m, ranges_per_m = geometry.ranges_per_m;
-  const std::size_t count = row.count;
+  const std::size_t count = row.whole_vectors();
+  SIGMASCAPE_INDEPENDENT_TURNS
   for (std::size_t i = 0; i < count; ++i) {
     const double square = east[i] * east[i] + north[i] * north[i];
     const double under = radar_height - static_cast<double>(height[i]) + drop * square;
     const double range = std::sqrt(square + under * under);
     range_m[i] = range;
     range_bin[i] = static_cast<float>((range - first_range) * ranges_per_m);
-    ground[i] = static_cast<float>(std::sqrt(square));
+    ground[i] = std::sqrt(static_cast<float>(square));
     below[i] = static_cast<float>(under);
   }
 }
@@ -50,7 +51,7 @@ void find_angles(LatticeRow& row, const RowGeometry& geometry) {
   const auto middle_beam = static_cast<float>(geometry.middle_beam);
   const auto beams_per_rad = static_cast<float>(geometry.beams_per_rad);
   const auto tilt = static_cast<float>(2.0 * geometry.drop_per_square_m);
-  const std::size_t count = row.count;
+  const std::size_t count = row.whole_vectors();
   for (std::size_t i = 0; i < count; ++i) {
     const auto x = static_cast<float>(east[i]), y = static_cast<float>(north[i]);
     row.beam[i] = middle_beam + small_arc((x * c - y * s) / (x * s + y * c)) * beams_per_rad;
@@ -95,18 +96,25 @@ void stand_many_on(LatticeRow& row, const PageHeights& heights, std::size_t firs
   }
 }
 
-}  // namespace
-
-void stand_on(LatticeRow& row, const PageHeights& heights) {
+void stand_all_on(LatticeRow& row, const PageHeights& heights) {
   const float per_rows = heights.north_row != heights.row && heights.south_row != heights.row ? 0.5F : 1.0F;
-  const bool many = heights.levels_up == 0 && row.count > 2;
-  if (!many) {
+  if (heights.levels_up > 0) {
     for (std::size_t i = 0; i < row.count; ++i) stand_one_on(row, heights, i, per_rows);
     return;
   }
-  stand_one_on(row, heights, 0, per_rows);
-  stand_many_on(row, heights, 1, row.count - 1, per_rows);
-  stand_one_on(row, heights, row.count - 1, per_rows);
+  const std::size_t first = heights.first_column == 0 ? 1 : 0;
+  const std::size_t end = heights.first_column + row.count > last_column ? row.count - 1 : row.count;
+  if (first == 1) stand_one_on(row, heights, 0, per_rows);
+  if (first < end) stand_many_on(row, heights, first, end, per_rows);
+  if (end < row.count) stand_one_on(row, heights, end, per_rows);
+}
+
+}  // namespace
+
+void stand_on(LatticeRow& row, const PageHeights& heights) {
+  stand_all_on(row, heights);
+  std::fill_n(row.height_m.begin() + static_cast<std::ptrdiff_t>(row.count), row.whole_vectors() - row.count,
+              row.height_m[row.count - 1]);
 }
 
 void locate(LatticeRow& row, const RowGeometry& geometry) {

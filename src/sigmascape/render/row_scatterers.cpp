@@ -12,7 +12,7 @@ namespace sigmascape::render {
 SIGMASCAPE_VECTOR_TARGETS
 void scatter(LatticeRow& row, const std::array<LatticeRow::Of<float>, 6>& gaussians, double turns_per_m) {
   const double* const range = row.range_m.data();
-  const std::size_t count = row.count;
+  const std::size_t count = row.whole_vectors();
   for (std::size_t i = 0; i < count; ++i) {
     const double turns = range[i] * turns_per_m;
     // The phase falls with range; of it only the broken part of a turn matters.

@@ -109,10 +109,8 @@ void SectorTask::fill_stretch(const Place& place, std::size_t count) {
   locate(row_, geometry_);
   report_.lit += light(row_, horizon());
   if (apart) light_apart_from(ground);
-  for (auto& channel : row_.returned) std::fill_n(channel.begin(), count, 0.0F);
-  blend_by_aspect(place);
   const auto area_m2 = static_cast<float>(texel_m_ * texel_m_) * share_;
-  weigh(row_, area_m2);
+  blend_by_aspect(place, area_m2);
   if (apart) add_bare_ground(place, area_m2);
   if (parts_.settings.content == FrameContent::Powers) {
     deposit_powers(row_, bins_);
@@ -127,9 +125,10 @@ void SectorTask::place_scatterers(const Place& place) {
   const auto side = static_cast<int>(atlas::tile_side);
   first_cell_ = {place.tile.x * side + static_cast<int>(place.first_column),
                  (place.tile.y + 1) * side - 1 - static_cast<int>(place.row)};
-  parts_.lattice.positions_of(first_cell_, static_cast<int>(level_), {row_.east_m.data(), row_.count},
-                              {row_.north_m.data(), row_.count});
-  for (std::size_t i = 0; i < row_.count; ++i) {
+  const std::size_t reckoned = row_.whole_vectors();
+  parts_.lattice.positions_of(first_cell_, static_cast<int>(level_), {row_.east_m.data(), reckoned},
+                              {row_.north_m.data(), reckoned});
+  for (std::size_t i = 0; i < reckoned; ++i) {
     row_.east_m[i] -= pose_->position.x;
     row_.north_m[i] -= pose_->position.y;
   }
@@ -155,6 +154,7 @@ Horizon SectorTask::horizon() const {
           .through = horizon_->through(0),
           .azimuths = grid.azimuths,
           .distances = grid.distances,
+          .stride = horizon_->stride(),
           .first_beam = static_cast<float>(first_beam_),
           .near_m = static_cast<float>(grid.near_m),
           .per_step = static_cast<float>(1.0 / grid.step_m)};
@@ -232,7 +232,7 @@ std::uint32_t SectorTask::azimuth_cell_at(float beam) const {
   return aspects().azimuth_cell(first_azimuth_rad_ + static_cast<double>(beam) * parts_.settings.beam_step_rad + pi);
 }
 
-void SectorTask::blend_by_aspect(const Place& place) {
+void SectorTask::blend_by_aspect(const Place& place, float area_m2) {
   const Extremes cotangent = cotangent_extremes(row_);
   const bool one_elevation = aspects().elevation_cell(cotangent.least) == aspects().elevation_cell(cotangent.greatest);
   std::size_t begin = 0;
@@ -257,30 +257,36 @@ void SectorTask::blend_by_aspect(const Place& place) {
     if (source.page != nullptr) {
       blend(row_, begin, end - begin,
             {.planes = pages_.planes_of(source, end - begin),
+             .next_planes = source.next_planes(),
              .scale = source.page->scale.data(),
              .looks = source.page->looks,
+             .area_m2 = area_m2,
              .azimuth_offset = at_zero,
              .azimuth_per_beam = per_beam,
              .cotangent = {cotangents[cell.elevation], cotangents[cell.elevation + 1U]},
              .sine = {aspects().sine(cell.elevation), aspects().sine(cell.elevation + 1U)},
              .frequency_part = {aspects().frequency_part(0), aspects().frequency_part(1)}});
     }
-    if (source.page == nullptr) report_.dark += end - begin;
+    if (source.page == nullptr) {
+      blend_nothing(row_, begin, end - begin);
+      report_.dark += end - begin;
+    }
     if (source.levels_up > 0) report_.coarse += end - begin;
     begin = end;
   }
 }
 
 void SectorTask::draw() {
-  for (std::size_t i = 0; i < row_.count; ++i) {
+  const std::size_t reckoned = row_.whole_vectors();
+  for (std::size_t i = 0; i < reckoned; ++i) {
     columns_[i] = first_cell_.column + static_cast<int>(i);
     rows_[i] = first_cell_.row;
   }
   using radar::Draw;
   std::size_t k = 0;
   for (const Draw which : {Draw::First, Draw::Second, Draw::Third}) {
-    parts_.lattice.values_of({columns_.data(), row_.count}, {rows_.data(), row_.count}, static_cast<int>(level_), which,
-                             {gaussians_[k].data(), row_.count}, {gaussians_[k + 1].data(), row_.count});
+    parts_.lattice.values_of({columns_.data(), reckoned}, {rows_.data(), reckoned}, static_cast<int>(level_), which,
+                             {gaussians_[k].data(), reckoned}, {gaussians_[k + 1].data(), reckoned});
     k += 2;
   }
 }

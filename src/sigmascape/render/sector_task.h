@@ -74,7 +74,7 @@ class SectorTask {
   void add_bare_ground(const Place& place, float area_m2);
   void add_bare_elevations(const Place& place, std::uint32_t first, std::uint32_t last);
   /// Cuts the stretch where the aspect passes from one cell to the next, and blends each piece from its own page.
-  void blend_by_aspect(const Place& place);
+  void blend_by_aspect(const Place& place, float area_m2);
   /// Draws the scatterers' values.
   void draw();
 
@@ -107,8 +107,8 @@ class SectorTask {
 
   // Of the stretch in hand.
   radar::LatticeCell first_cell_;
-  LatticeRow row_;
-  std::array<LatticeRow::Of<float>, 6> gaussians_;
+  LatticeRow row_{};
+  std::array<LatticeRow::Of<float>, 6> gaussians_{};
   std::array<std::int32_t, LatticeRow::most> columns_, rows_;
 };
 

@@ -83,10 +83,11 @@ WindowWish TerrainWindows::wish_for(int level, const radar::Rectangle& area) con
   return wish;
 }
 
-void TerrainWindows::request(std::span<const WindowWish> wishes) {
+void TerrainWindows::request(std::span<const WindowWish> wishes, const void* asker) {
   const std::lock_guard lock(guard_);
-  wishes_.assign(wishes.rbegin(), wishes.rend());
-  if (!wishes_.empty()) request_came_.notify_all();
+  std::erase_if(wishes_, [asker](const Asked& asked) { return asked.asker == asker; });
+  for (auto wish = wishes.rbegin(); wish != wishes.rend(); ++wish) wishes_.push_back({*wish, asker});
+  (wishes_.empty() ? request_done_ : request_came_).notify_all();
 }
 
 void TerrainWindows::wait_until_loaded() {
@@ -121,7 +122,7 @@ void TerrainWindows::make_windows() {
 bool TerrainWindows::next_wish(WindowWish& wish) {
   const auto entries = entries_.load();
   while (!wishes_.empty()) {
-    wish = wishes_.back();
+    wish = wishes_.back().wish;
     wishes_.pop_back();
     const bool there = std::ranges::any_of(
         *entries, [&wish](const auto& window) { return window->level == wish.level && window->covers(wish.area); });

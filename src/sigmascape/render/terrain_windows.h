@@ -67,8 +67,9 @@ class TerrainWindows {
   /// holds it.
   [[nodiscard]] WindowWish wish_for(int level, const radar::Rectangle& area) const;
 
-  /// Windows to make, the dearest first, in place of those asked for before. For the end of a frame.
-  void request(std::span<const WindowWish> wishes);
+  /// Windows to make, the dearest first, in place of those that the same asker wished for before. For the end of a
+  /// frame.
+  void request(std::span<const WindowWish> wishes, const void* asker = nullptr);
 
   /// Returns when all that was asked for is there.
   void wait_until_loaded();
@@ -91,7 +92,11 @@ class TerrainWindows {
   std::condition_variable request_came_, request_done_;
   std::atomic<std::shared_ptr<const Entries>> entries_;
   std::vector<std::shared_ptr<const GroundWindow>> retired_;  // no longer found, perhaps still read by a frame
-  std::vector<WindowWish> wishes_;                            // from its end
+  struct Asked {
+    WindowWish wish;
+    const void* asker;
+  };
+  std::vector<Asked> wishes_;  // from its end: whoever asked last comes first
   bool busy_ = false, stopping_ = false;
   std::atomic<std::uint64_t> frame_{0};
   std::jthread maker_;
