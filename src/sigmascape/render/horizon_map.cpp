@@ -7,6 +7,7 @@
 #include "sigmascape/base/vector_targets.h"
 #include "sigmascape/radar/look.h"
 #include "sigmascape/render/crown_depth.h"
+#include "sigmascape/render/lesser_greater.h"
 
 namespace sigmascape::render {
 namespace {
@@ -24,26 +25,20 @@ struct Steps {
   alignas(64) std::array<std::int32_t, together> square;  // of the obstacles; −1 outside
 };
 
-float lesser(float a, float b) {
-  return a < b ? a : b;
-}
-float greater(float a, float b) {
-  return a > b ? a : b;
-}
-
 /// Slopes of the lines of sight to the bilinear ground under the steps.
 SIGMASCAPE_VECTOR_TARGETS
 void look_up_ground(Steps& steps, const float* height_m, std::int32_t columns, std::int32_t rows, float radar_height_m,
                     float drop_per_square_m) {
   const float last_column = static_cast<float>(columns - 1), last_row = static_cast<float>(rows - 1);
+  SIGMASCAPE_INDEPENDENT_TURNS
   for (std::size_t i = 0; i < steps.count; ++i) {
     const auto k = static_cast<float>(static_cast<std::int32_t>(i));
     const float distance = steps.first_m + k * steps.step_m;
     const float across = steps.first_column + k * steps.columns_a_step;
     const float down = steps.first_row + k * steps.rows_a_step;
     const float x = lesser(greater(across, 0.0F), last_column), y = lesser(greater(down, 0.0F), last_row);
-    const auto left = static_cast<std::int32_t>(lesser(x, last_column - 1.0F));
-    const auto upper = static_cast<std::int32_t>(lesser(y, last_row - 1.0F));
+    const auto left = std::min(static_cast<std::int32_t>(x), columns - 2);
+    const auto upper = std::min(static_cast<std::int32_t>(y), rows - 2);
     const float u = x - static_cast<float>(left), v = y - static_cast<float>(upper);
     const std::int32_t index = upper * columns + left;
     const float north = height_m[index] + u * (height_m[index + 1] - height_m[index]);
@@ -51,10 +46,9 @@ void look_up_ground(Steps& steps, const float* height_m, std::int32_t columns, s
     const float height = north + v * (south - north);
     const float slope = (height - radar_height_m) / distance - drop_per_square_m * distance;
     // A hair's breadth outside is inside: rounding must not tear the edge.
-    const bool inside =
-        (across >= -1e-3F) & (down >= -1e-3F) & (across <= last_column + 1e-3F) & (down <= last_row + 1e-3F);
+    const float outside = greater(std::abs(across - x), std::abs(down - y));
     steps.distance_m[i] = distance;
-    steps.slope[i] = inside ? slope : no_ground;
+    steps.slope[i] = outside <= 1e-3F ? slope : no_ground;
   }
 }
 
@@ -63,6 +57,7 @@ SIGMASCAPE_VECTOR_TARGETS
 void look_up_squares(Steps& steps, float first_column, float first_row, float columns_a_step, float rows_a_step,
                      std::int32_t columns, std::int32_t rows) {
   const auto width = static_cast<float>(columns), height = static_cast<float>(rows);
+  SIGMASCAPE_INDEPENDENT_TURNS
   for (std::size_t i = 0; i < steps.count; ++i) {
     const auto k = static_cast<float>(static_cast<std::int32_t>(i));
     const float across = first_column + k * columns_a_step, down = first_row + k * rows_a_step;

@@ -46,9 +46,10 @@ template <typename Numbers>
   const std::int32_t beam = shares.beam[i], range = shares.range[i];
   const auto first_beam = static_cast<std::int32_t>(sector.first_beam);
   const auto beams = static_cast<std::int32_t>(sector.end_beam), ranges = static_cast<std::int32_t>(sector.ranges);
+  const auto stride = static_cast<std::int32_t>(sector.stride);
   const auto bin = [&](std::int32_t b, std::int32_t r) {
     return reinterpret_cast<Numbers*>(sector.bins +
-                                      static_cast<std::ptrdiff_t>(b * ranges + r) * static_cast<std::ptrdiff_t>(count));
+                                      static_cast<std::ptrdiff_t>(b * stride + r) * static_cast<std::ptrdiff_t>(count));
   };
   const Numbers here = numbers * shares.beam_here[i], next = numbers * shares.beam_next[i];
   if (beam >= first_beam && beam + 1 < beams && range >= 0 && range + 1 < ranges) {

@@ -11,6 +11,7 @@ namespace sigmascape::render {
 struct SectorBins {
   float* bins = nullptr;
   std::size_t first_beam = 0, end_beam = 0, ranges = 0;
+  std::size_t stride = 0;  ///< bins from one beam to the next
 };
 
 /// Adds the amplitudes, eight numbers a bin (VV, HH, HV, VH, real and imaginary), shared between the four nearest bins

@@ -98,6 +98,10 @@ void stand_many_on(LatticeRow& row, const PageHeights& heights, std::size_t firs
 
 void stand_all_on(LatticeRow& row, const PageHeights& heights) {
   const float per_rows = heights.north_row != heights.row && heights.south_row != heights.row ? 0.5F : 1.0F;
+  // The row after next, for the two to come.
+  for (std::size_t i = 0; i < row.count; i += 64 / sizeof(float)) {
+    __builtin_prefetch(heights.south_row + heights.first_column + i + atlas::tile_side, 0, 2);
+  }
   if (heights.levels_up > 0) {
     for (std::size_t i = 0; i < row.count; ++i) stand_one_on(row, heights, i, per_rows);
     return;

@@ -27,11 +27,38 @@ void SectorTask::fill(const Pose& pose, Beams beams, const DetailBlend& levels) 
     add_level(pose, beams, level, *horizon, level == next ? 1.0F : 1.0F - next_share);
   }
   if (level != next && next_share > 0.0F) add_level(pose, beams, next, *next_horizon, next_share);
+  hand_over(beams);
 }
 
+namespace {
+
+/// Bins that the ranges of a beam take: whole lines of 64 bytes, an odd number of them.
+std::size_t odd_lines(const LiveSettings& settings) {
+  const std::size_t a_line = 16 / numbers_a_bin(settings.content);
+  return ((settings.ranges + a_line - 1) / a_line | 1U) * a_line;
+}
+
+}  // namespace
+
+SectorTask::SectorTask(const FrameParts& parts)
+    : parts_(parts),
+      pages_(parts.ground.coarsest_level()),
+      stride_(odd_lines(parts.settings)),
+      own_bins_(beams_together(parts.settings.beam_step_rad) * stride_ * numbers_a_bin(parts.settings.content) / 16) {}
+
 void SectorTask::clear(Beams beams) {
-  const std::size_t a_beam = parts_.settings.ranges * numbers_a_bin(parts_.settings.content);
-  std::fill_n(parts_.bins.data() + beams.first * a_beam, beams.count * a_beam, 0.0F);
+  const std::size_t group = beams_together(parts_.settings.beam_step_rad);
+  const std::size_t a_beam = stride_ * numbers_a_bin(parts_.settings.content);
+  std::fill_n(own_bins() + beams.first % group * a_beam, beams.count * a_beam, 0.0F);
+}
+
+void SectorTask::hand_over(Beams beams) {
+  const std::size_t group = beams_together(parts_.settings.beam_step_rad);
+  const std::size_t numbers = numbers_a_bin(parts_.settings.content);
+  for (std::size_t beam = beams.first; beam < beams.first + beams.count; ++beam) {
+    std::copy_n(own_bins() + beam % group * stride_ * numbers, parts_.settings.ranges * numbers,
+                parts_.bins.data() + beam * parts_.settings.ranges * numbers);
+  }
 }
 
 void SectorTask::add_level(const Pose& pose, Beams beams, std::size_t level, const HorizonMap& horizon, float share) {
@@ -73,8 +100,7 @@ void SectorTask::start(const Pose& pose, Beams beams, std::size_t level) {
                .beams_per_rad = 1.0 / step,
                .first_range_m = pose.first_range_m,
                .ranges_per_m = 1.0 / settings.range_step_m};
-  bins_ = {parts_.bins.data() + first_beam_ * settings.ranges * numbers_a_bin(settings.content),
-           beams.first - first_beam_, beams.first - first_beam_ + beams.count, settings.ranges};
+  bins_ = {own_bins(), beams.first - first_beam_, beams.first - first_beam_ + beams.count, settings.ranges, stride_};
 }
 
 void SectorTask::fill_tile(const atlas::TileAddress& tile) {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "sigmascape/radar/scatterer_lattice.h"
 #include "sigmascape/render/lattice_row.h"
@@ -44,7 +45,7 @@ class SectorTask {
     std::size_t first = 0, count = 0;
   };
 
-  explicit SectorTask(const FrameParts& parts) : parts_(parts), pages_(parts.ground.coarsest_level()) {}
+  explicit SectorTask(const FrameParts& parts);
 
   void begin_frame(const PageCache::View& view);
   void end_frame() { pages_.end_frame(); }
@@ -62,6 +63,8 @@ class SectorTask {
   };
 
   void clear(Beams beams);
+  void hand_over(Beams beams);
+  [[nodiscard]] float* own_bins() { return own_bins_.data()->of.data(); }
   void add_level(const Pose& pose, Beams beams, std::size_t level, const HorizonMap& horizon, float share);
   void start(const Pose& pose, Beams beams, std::size_t level);
   void fill_tile(const atlas::TileAddress& tile);
@@ -93,6 +96,12 @@ class SectorTask {
   FrameParts parts_;
   PageRows pages_;
   FrameReport report_;
+
+  std::size_t stride_;  // bins between beams: a row across the beams must fit the caches
+  struct alignas(64) Line {
+    std::array<float, 16> of;
+  };
+  std::vector<Line> own_bins_;  // [beam][range][number] of a group of beams
 
   // Of the level in hand.
   const Pose* pose_ = nullptr;
