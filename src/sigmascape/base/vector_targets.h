@@ -8,3 +8,11 @@
 #else
 #define SIGMASCAPE_VECTOR_TARGETS
 #endif
+
+/// Put before a loop whose turns do not touch what others write, where there are too many arrays for the compiler to
+/// find that out.
+#if defined(__GNUC__) && !defined(__clang__)
+#define SIGMASCAPE_INDEPENDENT_TURNS _Pragma("GCC ivdep")
+#else
+#define SIGMASCAPE_INDEPENDENT_TURNS
+#endif

@@ -47,6 +47,8 @@ struct GroundPage {
   mutable std::atomic<std::uint64_t> last_wanted{0};  ///< number of the frame that last read it
 
   static constexpr std::size_t elevations = 4;  ///< of a page of bare ground
+  /// Numbers that a row is read by: `planes` goes on for so many, so that the last ones can be read as well.
+  static constexpr std::size_t vector = 16;
   static constexpr std::size_t channels = radar::Channels::count;
 
   [[nodiscard]] const atlas::Half* row_planes(std::size_t row) const {

@@ -7,6 +7,7 @@
 #include "sigmascape/base/vector_targets.h"
 #include "sigmascape/radar/look.h"
 #include "sigmascape/render/crown_depth.h"
+#include "sigmascape/render/lesser_greater.h"
 
 namespace sigmascape::render {
 namespace {
@@ -24,26 +25,20 @@ struct Steps {
   alignas(64) std::array<std::int32_t, together> square;  // of the obstacles; −1 outside
 };
 
-float lesser(float a, float b) {
-  return a < b ? a : b;
-}
-float greater(float a, float b) {
-  return a > b ? a : b;
-}
-
 /// Slopes of the lines of sight to the bilinear ground under the steps.
 SIGMASCAPE_VECTOR_TARGETS
 void look_up_ground(Steps& steps, const float* height_m, std::int32_t columns, std::int32_t rows, float radar_height_m,
                     float drop_per_square_m) {
   const float last_column = static_cast<float>(columns - 1), last_row = static_cast<float>(rows - 1);
+  SIGMASCAPE_INDEPENDENT_TURNS
   for (std::size_t i = 0; i < steps.count; ++i) {
     const auto k = static_cast<float>(static_cast<std::int32_t>(i));
     const float distance = steps.first_m + k * steps.step_m;
     const float across = steps.first_column + k * steps.columns_a_step;
     const float down = steps.first_row + k * steps.rows_a_step;
     const float x = lesser(greater(across, 0.0F), last_column), y = lesser(greater(down, 0.0F), last_row);
-    const auto left = static_cast<std::int32_t>(lesser(x, last_column - 1.0F));
-    const auto upper = static_cast<std::int32_t>(lesser(y, last_row - 1.0F));
+    const auto left = std::min(static_cast<std::int32_t>(x), columns - 2);
+    const auto upper = std::min(static_cast<std::int32_t>(y), rows - 2);
     const float u = x - static_cast<float>(left), v = y - static_cast<float>(upper);
     const std::int32_t index = upper * columns + left;
     const float north = height_m[index] + u * (height_m[index + 1] - height_m[index]);
@@ -51,10 +46,9 @@ void look_up_ground(Steps& steps, const float* height_m, std::int32_t columns, s
     const float height = north + v * (south - north);
     const float slope = (height - radar_height_m) / distance - drop_per_square_m * distance;
     // A hair's breadth outside is inside: rounding must not tear the edge.
-    const bool inside =
-        (across >= -1e-3F) & (down >= -1e-3F) & (across <= last_column + 1e-3F) & (down <= last_row + 1e-3F);
+    const float outside = greater(std::abs(across - x), std::abs(down - y));
     steps.distance_m[i] = distance;
-    steps.slope[i] = inside ? slope : no_ground;
+    steps.slope[i] = outside <= 1e-3F ? slope : no_ground;
   }
 }
 
@@ -63,6 +57,7 @@ SIGMASCAPE_VECTOR_TARGETS
 void look_up_squares(Steps& steps, float first_column, float first_row, float columns_a_step, float rows_a_step,
                      std::int32_t columns, std::int32_t rows) {
   const auto width = static_cast<float>(columns), height = static_cast<float>(rows);
+  SIGMASCAPE_INDEPENDENT_TURNS
   for (std::size_t i = 0; i < steps.count; ++i) {
     const auto k = static_cast<float>(static_cast<std::int32_t>(i));
     const float across = first_column + k * columns_a_step, down = first_row + k * rows_a_step;
@@ -99,8 +94,7 @@ class HorizonMap::Walk {
 
   /// Calls `step(distance, slope, square)` outwards for `count` steps.
   template <typename Step>
-  void over(double first_m, double step_m, std::size_t count, Step step) {
-    const terrain::TerrainView& ground = occluders_.terrain;
+  void over(const terrain::TerrainView& ground, double first_m, double step_m, std::size_t count, Step step) {
     const ObstacleLevel* const obstacles = occluders_.obstacles;
     for (std::size_t first = 0; first < count; first += together) {
       steps_.count = std::min(together, count - first);
@@ -113,7 +107,7 @@ class HorizonMap::Walk {
       steps_.columns_a_step = static_cast<float>(direction_.x * step_m / ground.spacing_m);
       steps_.rows_a_step = static_cast<float>(-direction_.y * step_m / ground.spacing_m);
       look_up_ground(steps_, ground.height_m.data(), static_cast<std::int32_t>(ground.columns),
-                     static_cast<std::int32_t>(ground.rows), static_cast<float>(radar_.z),
+                     static_cast<std::int32_t>(ground.rows), static_cast<float>(radar_.z) + occluders_.lowered_m,
                      static_cast<float>(grid_.drop_per_square_m));
       if (obstacles != nullptr) {
         const Vec2d cell = obstacles->grid.cells_from(from);
@@ -144,7 +138,10 @@ HorizonMap::HorizonMap(const HorizonGrid& grid, unsigned workers) : depths_(work
 void HorizonMap::reset(const HorizonGrid& grid, bool with_obstacles) {
   grid_ = grid;
   with_obstacles_ = with_obstacles;
-  const std::size_t nodes = grid.azimuths * grid.distances;
+  // Whole lines of 64 bytes, an odd number of them.
+  constexpr std::size_t line = 16;
+  stride_ = ((grid.distances + line - 1) / line | 1U) * line;
+  const std::size_t nodes = grid.azimuths * stride_;
   if (slopes_.size() < nodes) slopes_.resize(nodes);
   if (!with_obstacles) return;
   if (solid_slopes_.size() < nodes) solid_slopes_.resize(nodes);
@@ -154,8 +151,10 @@ void HorizonMap::reset(const HorizonGrid& grid, bool with_obstacles) {
 
 void HorizonMap::sweep(std::size_t azimuth, Vec3d radar, const Occluders& occluders, unsigned worker) {
   const terrain::TerrainView& ground = occluders.terrain;
+  const terrain::TerrainView& before = occluders.before_near.columns > 0 ? occluders.before_near : ground;
   const double far_m = grid_.near_m + static_cast<double>(grid_.distances) * grid_.step_m;
-  const double lowest_m = static_cast<double>(ground.lowest_m), highest_m = static_cast<double>(ground.highest_m);
+  const auto lowest_m = static_cast<double>(std::min(ground.lowest_m, before.lowest_m) - occluders.lowered_m);
+  const auto highest_m = static_cast<double>(std::max(ground.highest_m, before.highest_m));
   const double clear_m = clear_until_m(radar.z, lowest_m, highest_m + static_cast<double>(occluders.tallest_m),
                                        grid_.near_m, far_m, grid_.drop_per_square_m);
   const double lead_step_m = std::max((grid_.near_m - clear_m) / static_cast<double>(grid_.before_near), grid_.step_m);
@@ -164,12 +163,12 @@ void HorizonMap::sweep(std::size_t azimuth, Vec3d radar, const Occluders& occlud
 
   Walk walk(grid_, azimuth, radar, occluders);
   const Steps& steps = walk.steps();
-  float* const slopes = slopes_.data() + azimuth * grid_.distances;
+  float* const slopes = slopes_.data() + azimuth * stride_;
   float steepest = no_ground;
   if (occluders.obstacles == nullptr || !with_obstacles_) {
-    walk.over(lead_from_m, lead_step_m, lead,
+    walk.over(before, lead_from_m, lead_step_m, lead,
               [&](std::size_t, std::size_t i) { steepest = greater(steepest, steps.slope[i]); });
-    walk.over(grid_.near_m, grid_.step_m, grid_.distances, [&](std::size_t k, std::size_t i) {
+    walk.over(ground, grid_.near_m, grid_.step_m, grid_.distances, [&](std::size_t k, std::size_t i) {
       steepest = greater(steepest, steps.slope[i]);
       slopes[k] = steepest;
     });
@@ -177,8 +176,8 @@ void HorizonMap::sweep(std::size_t azimuth, Vec3d radar, const Occluders& occlud
   }
 
   const ObstacleLevel& obstacles = *occluders.obstacles;
-  float* const solid_slopes = solid_slopes_.data() + azimuth * grid_.distances;
-  float* const through = through_.data() + azimuth * grid_.distances;
+  float* const solid_slopes = solid_slopes_.data() + azimuth * stride_;
+  float* const through = through_.data() + azimuth * stride_;
   float solid = no_ground;
   const double nearest_m = std::max(std::min(lead_from_m, grid_.near_m), 1.0);
   const double over_highest_m = highest_m - radar.z;
@@ -199,14 +198,14 @@ void HorizonMap::sweep(std::size_t azimuth, Vec3d radar, const Occluders& occlud
     const float way_m = static_cast<float>(step_m) * std::sqrt(1.0F + slope * slope);
     crowns.add(slope + obstacle.crown_base_m * per_distance, top, obstacle.crown_extinction_per_m * way_m);
   };
-  walk.over(lead_from_m, lead_step_m, lead, [&](std::size_t, std::size_t i) { pass(i, lead_step_m); });
+  walk.over(before, lead_from_m, lead_step_m, lead, [&](std::size_t, std::size_t i) { pass(i, lead_step_m); });
 
   // Steps no wider than the squares that obstacles stand on: what is narrower than a node must not slip through.
   const auto strides = static_cast<std::size_t>(std::max(std::ceil(grid_.step_m / obstacles.grid.cell_m), 1.0));
   const double stride_m = grid_.step_m / static_cast<double>(strides);
   float transmission = 1.0F;
   const double first_m = grid_.near_m - static_cast<double>(strides - 1) * stride_m;
-  walk.over(first_m, stride_m, grid_.distances * strides, [&](std::size_t step, std::size_t i) {
+  walk.over(ground, first_m, stride_m, grid_.distances * strides, [&](std::size_t step, std::size_t i) {
     pass(i, stride_m);
     if (step % strides != strides - 1) return;
     const std::size_t k = step / strides;

@@ -29,6 +29,10 @@ struct Occluders {
   terrain::TerrainView terrain;
   const ObstacleLevel* obstacles = nullptr;  ///< null where none stand apart from the textures
   float tallest_m = 0.0F;                    ///< of the obstacles
+  terrain::TerrainView before_near = {};     ///< the terrain before the map's first node; empty: the same
+  /// Terrain is taken to lie this much lower than it says: by how much it may be wrong, so that ground is not hidden
+  /// by what is not there.
+  float lowered_m = 0.0F;
 };
 
 /// The steepest line of sight to the ground met so far, for every direction and distance: what a point must rise above
@@ -45,8 +49,10 @@ class HorizonMap {
   /// Sweeps outwards along one direction. Directions may be swept by different threads, each with a number of its own.
   void sweep(std::size_t azimuth, Vec3d radar, const Occluders& occluders, unsigned worker = 0);
 
+  /// How far apart in memory the directions lie. No power of two: what lies across them must fit the caches.
+  [[nodiscard]] std::size_t stride() const { return stride_; }
   /// Slopes (rise over distance) along one direction: of the steepest line of sight to all ground up to each node.
-  [[nodiscard]] const float* slopes(std::size_t azimuth) const { return slopes_.data() + azimuth * grid_.distances; }
+  [[nodiscard]] const float* slopes(std::size_t azimuth) const { return slopes_.data() + azimuth * stride_; }
   /// The same for the tops of solid obstacles; null without obstacles.
   [[nodiscard]] const float* solid_slopes(std::size_t azimuth) const { return row_of(solid_slopes_, azimuth); }
   /// What comes through crowns from the ground of each node, 0 to 1; null without obstacles.
@@ -56,12 +62,13 @@ class HorizonMap {
   class Walk;
 
   [[nodiscard]] const float* row_of(const std::vector<float>& of, std::size_t azimuth) const {
-    return with_obstacles_ ? of.data() + azimuth * grid_.distances : nullptr;
+    return with_obstacles_ ? of.data() + azimuth * stride_ : nullptr;
   }
 
   HorizonGrid grid_;
+  std::size_t stride_ = 0;
   bool with_obstacles_ = false;
-  std::vector<float> slopes_, solid_slopes_, through_;  // [azimuth][distance]
+  std::vector<float> slopes_, solid_slopes_, through_;  // [azimuth][distance], by strides
   std::vector<std::vector<float>> depths_;              // one a worker, see CrownDepth
 };
 

@@ -39,7 +39,7 @@ std::uint32_t PageSource::ground_pages() const {
 std::size_t PageSource::most_bytes() const {
   GroundPage example;
   constexpr std::size_t texels = tile_side * tile_side;
-  example.planes.reserve(texels * aspects_.looks_a_cell() * GroundPage::channels);
+  example.planes.reserve(texels * aspects_.looks_a_cell() * GroundPage::channels + GroundPage::vector);
   example.height_m.reserve(texels);
   if (bare_ground_) {
     example.slope.reserve(texels);
@@ -50,7 +50,7 @@ std::size_t PageSource::most_bytes() const {
 
 bool PageSource::fill(GroundPage& page) const {
   page.looks = aspects_.looks_a_cell();
-  page.planes.resize(tile_side * tile_side * page.looks * GroundPage::channels);
+  page.planes.resize(tile_side * tile_side * page.looks * GroundPage::channels + GroundPage::vector);
   page.height_m.resize(tile_side * tile_side);
   if (page.key.is_bare_ground()) return fill_ground(page);
   const auto looks = aspects_.looks_of(page.key.aspects);

@@ -5,7 +5,7 @@
 
 #include "sigmascape/base/hash.h"
 #include "sigmascape/render/horizon_map.h"
-#include "sigmascape/render/lattice_row.h"
+#include "sigmascape/render/row_light.h"
 #include "sigmascape/terrain/obstacle_sweep.h"
 
 namespace sigmascape::render {
@@ -138,6 +138,7 @@ TEST(LiveGroundApart, WhatRisesAboveARidgeIsSeen) {
                         .through = through.data(),
                         .azimuths = 2,
                         .distances = 2,
+                        .stride = 2,
                         .near_m = 500.0F};
   // 1000 m away and 10 m below the line of sight over the ridge: things 0, 5 and 40 m high.
   for (std::size_t i = 0; i < 3; ++i) {

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+
+#include "sigmascape/render/live_renderer.h"
+#include "sigmascape/scene/scene.h"
+
+namespace sigmascape::bench {
+
+/// What a frame reads and writes, counted once however often it does so.
+struct Touched {
+  std::size_t terrain_nodes = 0;   ///< between the first and the last beam, from the radar to the last range
+  std::size_t obstacle_cells = 0;  ///< likewise; none where the textures hold the shadows
+  double bytes = 0.0;              ///< of both, of texels, of the horizon map and of the bins
+};
+
+[[nodiscard]] Touched touched_by(const render::Frame& frame, const render::LiveSettings& settings,
+                                 const render::Pose& pose, const render::LiveGround& ground);
+
+/// Vertices of the whole scene with each instance's own, as a renderer of the full scene has them.
+[[nodiscard]] std::size_t vertices_of(const scene::Scene& scene);
+
+}  // namespace sigmascape::bench

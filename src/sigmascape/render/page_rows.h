@@ -1,0 +1,55 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "sigmascape/render/page_cache.h"
+
+namespace sigmascape::render {
+
+/// A row of the best page there is for a place: the page itself or, until that is there, one of its ancestors.
+struct PageRow {
+  const GroundPage* page = nullptr;
+  std::size_t row = 0, first_column = 0;  ///< within the page; of the ancestor's texels the first is cut in halves
+  std::size_t levels_up = 0;
+
+  /// Column in the page of texel `i` of the stretch.
+  [[nodiscard]] std::size_t column_of(std::size_t i) const { return (first_column + i) >> levels_up; }
+  /// Of the row further south, from the first texel's column on; null where the page ends or is an ancestor.
+  [[nodiscard]] const atlas::Half* next_planes() const {
+    return levels_up == 0 && row + 1 < atlas::tile_side ? page->row_planes(row + 1) + first_column : nullptr;
+  }
+};
+
+/// Finds rows of pages for one task of a frame, and remembers which pages were missing.
+class PageRows {
+ public:
+  /// Missing pages that one task remembers; the next frame will see the rest.
+  static constexpr std::size_t most_wanted = 4096;
+
+  explicit PageRows(std::size_t coarsest_level);
+
+  void begin_frame(const PageCache::View& view);
+  void end_frame() { view_ = {}; }
+  [[nodiscard]] std::span<const PageKey> wanted() const { return wanted_; }
+
+  /// From `column` of `row` of the tile on.
+  PageRow row_of(const PageKey& key, std::size_t row, std::size_t column);
+  /// Planes of `count` texels; those of an ancestor are drawn out, each of its texels over those that it stands for,
+  /// and are good until the next call.
+  const atlas::Half* planes_of(const PageRow& source, std::size_t count);
+
+ private:
+  void miss(const PageKey& key);
+
+  std::size_t coarsest_level_;
+  PageCache::View view_;
+  std::vector<PageKey> wanted_;
+  const GroundPage* last_page_ = nullptr;
+  std::array<atlas::Half, atlas::AspectCells::most_looks * GroundPage::channels * atlas::tile_side + GroundPage::vector>
+      drawn_out_;
+};
+
+}  // namespace sigmascape::render

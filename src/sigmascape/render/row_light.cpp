@@ -1,0 +1,77 @@
+#include "sigmascape/render/row_light.h"
+
+#include "sigmascape/base/vector_targets.h"
+#include "sigmascape/render/lesser_greater.h"
+
+namespace sigmascape::render {
+namespace {
+
+/// Single precision leaves this much doubt in a slope; level ground must not hide itself.
+constexpr float doubt = 1e-6F;
+
+}  // namespace
+
+SIGMASCAPE_VECTOR_TARGETS
+std::size_t light(LatticeRow& row, const Horizon& horizon) {
+  const float* const slopes = horizon.slopes;
+  const auto distances = static_cast<std::int32_t>(horizon.distances),
+             stride = static_cast<std::int32_t>(horizon.stride);
+  const auto last_left = static_cast<float>(horizon.azimuths) - 2.0F, last_node = static_cast<float>(distances - 1);
+  const float first_beam = horizon.first_beam, near_m = horizon.near_m, per_step = horizon.per_step;
+  const float* const beam = row.beam.data();
+  const float* const ground = row.ground_m.data();
+  const float* const slope = row.slope.data();
+  float* const steepest_of = row.horizon.data();
+  float* const lit_of = row.lit.data();
+  const std::size_t count = row.whole_vectors();
+  SIGMASCAPE_INDEPENDENT_TURNS
+  for (std::size_t i = 0; i < count; ++i) {
+    const float across = beam[i] + first_beam;
+    const auto left = static_cast<std::int32_t>(lesser(greater(across, 0.0F), last_left));
+    const float part = lesser(greater(across - static_cast<float>(left), 0.0F), 1.0F);
+    const auto node = static_cast<std::int32_t>(lesser(greater((ground[i] - near_m) * per_step, 0.0F), last_node));
+    const std::int32_t index = left * stride + node;
+    const float steepest = (1.0F - part) * slopes[index] + part * slopes[index + stride];
+    steepest_of[i] = steepest;
+    lit_of[i] = slope[i] >= steepest - doubt ? 1.0F : 0.0F;
+  }
+  float lit = 0.0F;
+  for (std::size_t i = 0; i < row.count; ++i) lit += lit_of[i];
+  return static_cast<std::size_t>(lit);
+}
+
+SIGMASCAPE_VECTOR_TARGETS
+void light_apart(LatticeRow& row, const Horizon& horizon) {
+  const float* const solid_slopes = horizon.solid_slopes;
+  const float* const through = horizon.through;
+  const auto distances = static_cast<std::int32_t>(horizon.distances),
+             stride = static_cast<std::int32_t>(horizon.stride);
+  const auto last_left = static_cast<float>(horizon.azimuths) - 2.0F, last_node = static_cast<float>(distances - 1);
+  const float first_beam = horizon.first_beam, near_m = horizon.near_m, per_step = horizon.per_step;
+  SIGMASCAPE_INDEPENDENT_TURNS
+  for (std::size_t i = 0; i < row.count; ++i) {
+    const float across = row.beam[i] + first_beam;
+    const auto left = static_cast<std::int32_t>(lesser(greater(across, 0.0F), last_left));
+    const float part = lesser(greater(across - static_cast<float>(left), 0.0F), 1.0F);
+    const auto node =
+        static_cast<std::int32_t>(lesser(greater((row.ground_m[i] - near_m) * per_step + 0.5F, 0.0F), last_node));
+    const std::int32_t index = left * stride + node;
+    // Obstacles are narrower than terrain: their shadows, not their slopes, are shared between azimuths.
+    const float slope = row.slope[i] + doubt;
+    const float on_left = slope >= solid_slopes[index] ? through[index] : 0.0F;
+    const float on_right = slope >= solid_slopes[index + stride] ? through[index + stride] : 0.0F;
+    row.ground_lit[i] = row.lit[i] * (on_left + part * (on_right - on_left));
+    const float hidden_m = (row.horizon[i] - row.slope[i]) * row.ground_m[i];
+    const float above = greater(1.0F - hidden_m / greater(row.top_m[i], 1e-3F), 0.0F);
+    row.lit[i] = row.lit[i] > 0.0F ? 1.0F : above;
+  }
+}
+
+SIGMASCAPE_VECTOR_TARGETS
+void join_lights(LatticeRow& row) {
+  for (std::size_t i = 0; i < row.count; ++i) {
+    row.lit[i] = row.lit[i] + row.ground_area_m2[i] > 0.0F ? 1.0F : 0.0F;
+  }
+}
+
+}  // namespace sigmascape::render

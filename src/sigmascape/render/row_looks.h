@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "sigmascape/atlas/half.h"
+#include "sigmascape/render/lattice_row.h"
+
+namespace sigmascape::render {
+
+struct Extremes {
+  float least, greatest;
+};
+[[nodiscard]] Extremes cotangent_extremes(const LatticeRow& row);
+
+/// Looks that lie about the aspect of a stretch of texels.
+struct BlendOf {
+  const atlas::Half* planes = nullptr;       ///< [look][channel][column], the first texel's column first
+  const atlas::Half* next_planes = nullptr;  ///< of the row that comes next, to be fetched meanwhile; may be null
+  const float* scale = nullptr;
+  std::size_t looks = 4;           ///< or 8, see GroundPage
+  float area_m2 = 1.0F;            ///< of a texel
+  float azimuth_offset = 0.0F;     ///< part of the cell of azimuth at beam 0
+  float azimuth_per_beam = 0.0F;   ///< and its growth with beams
+  std::array<float, 2> cotangent;  ///< of the two elevations
+  std::array<float, 2> sine;
+  std::array<float, 2> frequency_part;
+};
+/// Fills `returned` of the texels from `first` on, `count` of them, which lie in one aspect cell, with the
+/// cross-section of what is seen of them: σ0 blended as atlas::weights_for says, times area and `lit`.
+void blend(LatticeRow& row, std::size_t first, std::size_t count, const BlendOf& looks);
+/// The same where there is nothing.
+void blend_nothing(LatticeRow& row, std::size_t first, std::size_t count);
+
+/// Fills local_cotangent, local_sine and ground_area_m2: what bare ground is looked up and weighted with. Ground that
+/// faces away has no area. Returns the extremes of local_cotangent where there is any.
+[[nodiscard]] Extremes face(LatticeRow& row, const RowGeometry& geometry, float area_m2);
+
+/// One elevation of bare ground among others: `cotangent` of the one below it, its own and the one above; where it has
+/// no neighbour its own again.
+struct GroundLook {
+  const atlas::Half* planes = nullptr;  ///< [channel][column]
+  float factor = 0.0F;                  ///< σ0 of a stored 1 times the part of its frequency
+  float below = 0.0F, own = 0.0F, above = 0.0F;
+  float sine = 1.0F;          ///< of its elevation
+  float highest_sine = 1.0F;  ///< of the highest
+};
+/// Adds what the ground of all texels returns as seen by this elevation's part: γ is linear in the cotangent between
+/// elevations and held below the lowest; above the highest σ0 is held.
+void add_ground(LatticeRow& row, const GroundLook& look);
+
+}  // namespace sigmascape::render

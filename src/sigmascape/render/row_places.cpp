@@ -1,0 +1,129 @@
+#include "sigmascape/render/row_places.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sigmascape/base/vector_targets.h"
+#include "sigmascape/render/lesser_greater.h"
+
+namespace sigmascape::render {
+namespace {
+
+/// arctan for |u| ≤ 1, by half the angle and the power series; error below 1e-7.
+float small_arc(float u) {
+  const float t = u / (1.0F + std::sqrt(1.0F + u * u));
+  const float s = t * t;
+  const float series =
+      1.0F -
+      s * (1.0F / 3 - s * (1.0F / 5 - s * (1.0F / 7 - s * (1.0F / 9 - s * (1.0F / 11 - s * (1.0F / 13 - s / 15))))));
+  return 2.0F * t * series;
+}
+
+SIGMASCAPE_VECTOR_TARGETS
+void find_ranges(LatticeRow& row, const RowGeometry& geometry) {
+  const double* const east = row.east_m.data();
+  const double* const north = row.north_m.data();
+  const float* const height = row.height_m.data();
+  double* const range_m = row.range_m.data();
+  float* const range_bin = row.range_bin.data();
+  float* const ground = row.ground_m.data();
+  float* const below = row.below_m.data();
+  const double radar_height = geometry.radar_height_m, drop = geometry.drop_per_square_m;
+  const double first_range = geometry.first_range_m, ranges_per_m = geometry.ranges_per_m;
+  const std::size_t count = row.whole_vectors();
+  SIGMASCAPE_INDEPENDENT_TURNS
+  for (std::size_t i = 0; i < count; ++i) {
+    const double square = east[i] * east[i] + north[i] * north[i];
+    const double under = radar_height - static_cast<double>(height[i]) + drop * square;
+    const double range = std::sqrt(square + under * under);
+    range_m[i] = range;
+    range_bin[i] = static_cast<float>((range - first_range) * ranges_per_m);
+    ground[i] = std::sqrt(static_cast<float>(square));
+    below[i] = static_cast<float>(under);
+  }
+}
+
+SIGMASCAPE_VECTOR_TARGETS
+void find_angles(LatticeRow& row, const RowGeometry& geometry) {
+  const double* const east = row.east_m.data();
+  const double* const north = row.north_m.data();
+  const auto s = static_cast<float>(geometry.sin_middle), c = static_cast<float>(geometry.cos_middle);
+  const auto middle_beam = static_cast<float>(geometry.middle_beam);
+  const auto beams_per_rad = static_cast<float>(geometry.beams_per_rad);
+  const auto tilt = static_cast<float>(2.0 * geometry.drop_per_square_m);
+  const std::size_t count = row.whole_vectors();
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto x = static_cast<float>(east[i]), y = static_cast<float>(north[i]);
+    row.beam[i] = middle_beam + small_arc((x * c - y * s) / (x * s + y * c)) * beams_per_rad;
+    const float fall = row.below_m[i] / row.ground_m[i];
+    row.slope[i] = -fall;
+    // The horizontal at the texel is tilted away from the radar's by the angle between their verticals.
+    const float dip = tilt * row.ground_m[i];
+    const float tangent = greater((fall - dip) / (1.0F + fall * dip), 1e-6F);
+    row.cotangent[i] = 1.0F / tangent;
+    row.sine[i] = tangent / std::sqrt(1.0F + tangent * tangent);
+  }
+}
+
+constexpr std::size_t last_column = atlas::tile_side - 1;
+
+void stand_one_on(LatticeRow& row, const PageHeights& heights, std::size_t i, float per_rows) {
+  const std::size_t column = (heights.first_column + i) >> heights.levels_up;
+  const std::size_t left = std::max<std::size_t>(column, 1) - 1, right = std::min(column + 1, last_column);
+  const float rise_east = (heights.row[right] - heights.row[left]) / static_cast<float>(right - left);
+  const float rise_north = (heights.north_row[column] - heights.south_row[column]) * per_rows;
+  const double middle_m = heights.west_m + (static_cast<double>(column) + 0.5) * heights.texel_m;
+  const auto east = static_cast<float>((row.east_m[i] - middle_m) / heights.texel_m);
+  const auto north = static_cast<float>((row.north_m[i] - heights.north_m) / heights.texel_m);
+  row.height_m[i] = heights.row[column] + rise_east * east + rise_north * north;
+}
+
+/// Texels whose page is their own and that have neighbours on both sides.
+SIGMASCAPE_VECTOR_TARGETS
+void stand_many_on(LatticeRow& row, const PageHeights& heights, std::size_t first, std::size_t end, float per_rows) {
+  const float* const here = heights.row + heights.first_column;
+  const float* const north_of = heights.north_row + heights.first_column;
+  const float* const south_of = heights.south_row + heights.first_column;
+  const double per_texel = 1.0 / heights.texel_m;
+  const double west = heights.west_m * per_texel + static_cast<double>(heights.first_column) + 0.5;
+  const double north_m = heights.north_m * per_texel;
+  for (std::size_t i = first; i < end; ++i) {
+    const double middle = west + static_cast<double>(static_cast<std::int32_t>(i));
+    const auto east = static_cast<float>(row.east_m[i] * per_texel - middle);
+    const auto north = static_cast<float>(row.north_m[i] * per_texel - north_m);
+    row.height_m[i] =
+        here[i] + (here[i + 1] - here[i - 1]) * 0.5F * east + (north_of[i] - south_of[i]) * per_rows * north;
+  }
+}
+
+void stand_all_on(LatticeRow& row, const PageHeights& heights) {
+  const float per_rows = heights.north_row != heights.row && heights.south_row != heights.row ? 0.5F : 1.0F;
+  // The row after next, for the two to come.
+  for (std::size_t i = 0; i < row.count; i += 64 / sizeof(float)) {
+    __builtin_prefetch(heights.south_row + heights.first_column + i + atlas::tile_side, 0, 2);
+  }
+  if (heights.levels_up > 0) {
+    for (std::size_t i = 0; i < row.count; ++i) stand_one_on(row, heights, i, per_rows);
+    return;
+  }
+  const std::size_t first = heights.first_column == 0 ? 1 : 0;
+  const std::size_t end = heights.first_column + row.count > last_column ? row.count - 1 : row.count;
+  if (first == 1) stand_one_on(row, heights, 0, per_rows);
+  if (first < end) stand_many_on(row, heights, first, end, per_rows);
+  if (end < row.count) stand_one_on(row, heights, end, per_rows);
+}
+
+}  // namespace
+
+void stand_on(LatticeRow& row, const PageHeights& heights) {
+  stand_all_on(row, heights);
+  std::fill_n(row.height_m.begin() + static_cast<std::ptrdiff_t>(row.count), row.whole_vectors() - row.count,
+              row.height_m[row.count - 1]);
+}
+
+void locate(LatticeRow& row, const RowGeometry& geometry) {
+  find_ranges(row, geometry);
+  find_angles(row, geometry);
+}
+
+}  // namespace sigmascape::render

@@ -1,0 +1,320 @@
+#include "sigmascape/render/sector_task.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sigmascape/base/units.h"
+#include "sigmascape/render/row_looks.h"
+#include "sigmascape/render/row_scatterers.h"
+
+namespace sigmascape::render {
+
+std::size_t beams_together(double beam_step_rad) {
+  return static_cast<std::size_t>(std::clamp(0.75 / beam_step_rad, 1.0, 64.0));
+}
+
+void SectorTask::begin_frame(const PageCache::View& view) {
+  pages_.begin_frame(view);
+  report_ = {};
+}
+
+void SectorTask::fill(const Pose& pose, Beams beams, const DetailBlend& levels) {
+  clear(beams);
+  const auto level = static_cast<std::size_t>(levels.level - 1), next = static_cast<std::size_t>(levels.next - 1);
+  const auto next_share = static_cast<float>(levels.next_share);
+  const auto& [horizon, next_horizon] = parts_.horizons;
+  if (level == next || next_share < 1.0F) {
+    add_level(pose, beams, level, *horizon, level == next ? 1.0F : 1.0F - next_share);
+  }
+  if (level != next && next_share > 0.0F) add_level(pose, beams, next, *next_horizon, next_share);
+  hand_over(beams);
+}
+
+namespace {
+
+/// Bins that the ranges of a beam take: whole lines of 64 bytes, an odd number of them.
+std::size_t odd_lines(const LiveSettings& settings) {
+  const std::size_t a_line = 16 / numbers_a_bin(settings.content);
+  return ((settings.ranges + a_line - 1) / a_line | 1U) * a_line;
+}
+
+}  // namespace
+
+SectorTask::SectorTask(const FrameParts& parts)
+    : parts_(parts),
+      pages_(parts.ground.coarsest_level()),
+      stride_(odd_lines(parts.settings)),
+      own_bins_(beams_together(parts.settings.beam_step_rad) * stride_ * numbers_a_bin(parts.settings.content) / 16) {}
+
+void SectorTask::clear(Beams beams) {
+  const std::size_t group = beams_together(parts_.settings.beam_step_rad);
+  const std::size_t a_beam = stride_ * numbers_a_bin(parts_.settings.content);
+  std::fill_n(own_bins() + beams.first % group * a_beam, beams.count * a_beam, 0.0F);
+}
+
+void SectorTask::hand_over(Beams beams) {
+  const std::size_t group = beams_together(parts_.settings.beam_step_rad);
+  const std::size_t numbers = numbers_a_bin(parts_.settings.content);
+  for (std::size_t beam = beams.first; beam < beams.first + beams.count; ++beam) {
+    std::copy_n(own_bins() + beam % group * stride_ * numbers, parts_.settings.ranges * numbers,
+                parts_.bins.data() + beam * parts_.settings.ranges * numbers);
+  }
+}
+
+void SectorTask::add_level(const Pose& pose, Beams beams, std::size_t level, const HorizonMap& horizon, float share) {
+  horizon_ = &horizon;
+  start(pose, beams, level);
+  share_ = share;
+  const double tile_m = texel_m_ * static_cast<double>(atlas::tile_side);
+  const radar::Rectangle box = sector_.bounds();
+  const auto tile_at = [tile_m](double position) { return static_cast<int>(std::floor(position / tile_m)); };
+  for (int y = tile_at(pose.position.y + box.south_m); y <= tile_at(pose.position.y + box.north_m); ++y) {
+    for (int x = tile_at(pose.position.x + box.west_m); x <= tile_at(pose.position.x + box.east_m); ++x) {
+      fill_tile({level, x, y});
+    }
+  }
+}
+
+void SectorTask::start(const Pose& pose, Beams beams, std::size_t level) {
+  const LiveSettings& settings = parts_.settings;
+  pose_ = &pose;
+  level_ = level;
+  texel_m_ = atlas::texel_side_m(patches(), level);
+  const double step = settings.beam_step_rad;
+  // Reckoned from the whole group of beams, so that a scan in pieces gives the bytes of a frame.
+  const std::size_t group = beams_together(step);
+  first_beam_ = beams.first / group * group;
+  first_azimuth_rad_ = pose.first_azimuth_rad + static_cast<double>(first_beam_) * step;
+  const double middle = first_azimuth_rad_ + static_cast<double>(group) * step / 2.0;
+  const HorizonGrid& horizon = horizon_->grid();
+  // A scatterer is shared with bins half a beam away, and stands up to half a texel's diagonal from its middle.
+  const double margin = std::min(0.5 * step + 0.75 * texel_m_ / std::max(horizon.near_m, texel_m_), 1.5 * step);
+  sector_ = Sector(pose.first_azimuth_rad + static_cast<double>(beams.first) * step - margin,
+                   static_cast<double>(beams.count) * step + 2.0 * margin, horizon.near_m,
+                   horizon.near_m + horizon.step_m * static_cast<double>(horizon.distances));
+  geometry_ = {.radar_height_m = pose.position.z,
+               .drop_per_square_m = horizon.drop_per_square_m,
+               .sin_middle = std::sin(middle),
+               .cos_middle = std::cos(middle),
+               .middle_beam = static_cast<double>(group) / 2.0,
+               .beams_per_rad = 1.0 / step,
+               .first_range_m = pose.first_range_m,
+               .ranges_per_m = 1.0 / settings.range_step_m};
+  bins_ = {own_bins(), beams.first - first_beam_, beams.first - first_beam_ + beams.count, settings.ranges, stride_};
+}
+
+void SectorTask::fill_tile(const atlas::TileAddress& tile) {
+  const radar::GroundGrid texels = atlas::texels_of(patches(), tile);
+  const double west = texels.west_m - pose_->position.x;
+  for (std::size_t row = 0; row < atlas::tile_side; ++row) {
+    const double north = texels.centre_of(0, row).y - pose_->position.y;
+    const Sector::Stretches stretches = sector_.along_row(north);
+    for (std::size_t s = 0; s < stretches.count; ++s) {
+      const double from = std::ceil((stretches.of[s].west_m - west) / texel_m_ - 0.5);
+      const double to = std::floor((stretches.of[s].east_m - west) / texel_m_ - 0.5) + 1.0;
+      const auto first = static_cast<std::size_t>(std::max(from, 0.0));
+      const double end = std::min(to, static_cast<double>(atlas::tile_side));
+      if (end > static_cast<double>(first)) fill_stretch({tile, row, first}, static_cast<std::size_t>(end) - first);
+    }
+  }
+}
+
+void SectorTask::fill_stretch(const Place& place, std::size_t count) {
+  row_.count = count;
+  report_.cells += count;
+  place_scatterers(place);
+  const bool apart = ground_aspects() != nullptr;
+  const PageRow ground =
+      pages_.row_of(apart ? PageKey::bare_ground(place.tile, ground_page_near()) : PageKey{place.tile, aspects_near()},
+                    place.row, place.first_column);
+  if (ground.page == nullptr) {
+    report_.dark += count;
+    return;
+  }
+  stand_on(row_, heights_of(ground));
+  locate(row_, geometry_);
+  report_.lit += light(row_, horizon());
+  if (apart) light_apart_from(ground);
+  const auto area_m2 = static_cast<float>(texel_m_ * texel_m_) * share_;
+  blend_by_aspect(place, area_m2);
+  if (apart) add_bare_ground(place, area_m2);
+  if (parts_.settings.content == FrameContent::Powers) {
+    deposit_powers(row_, bins_);
+  } else {
+    draw();
+    scatter(row_, gaussians_, 2.0 * parts_.ground.frequency_hz() / speed_of_light_mps);
+    deposit_amplitudes(row_, bins_);
+  }
+}
+
+void SectorTask::place_scatterers(const Place& place) {
+  const auto side = static_cast<int>(atlas::tile_side);
+  first_cell_ = {place.tile.x * side + static_cast<int>(place.first_column),
+                 (place.tile.y + 1) * side - 1 - static_cast<int>(place.row)};
+  const std::size_t reckoned = row_.whole_vectors();
+  parts_.lattice.positions_of(first_cell_, static_cast<int>(level_), {row_.east_m.data(), reckoned},
+                              {row_.north_m.data(), reckoned});
+  for (std::size_t i = 0; i < reckoned; ++i) {
+    row_.east_m[i] -= pose_->position.x;
+    row_.north_m[i] -= pose_->position.y;
+  }
+}
+
+PageHeights SectorTask::heights_of(const PageRow& ground) const {
+  const GroundPage& page = *ground.page;
+  const radar::GroundGrid texels = atlas::texels_of(patches(), page.key.tile);
+  return {.row = page.row_heights(ground.row),
+          .north_row = page.row_heights(ground.row > 0 ? ground.row - 1 : 0),
+          .south_row = page.row_heights(std::min(ground.row + 1, atlas::tile_side - 1)),
+          .texel_m = texels.cell_m,
+          .west_m = texels.west_m - pose_->position.x,
+          .north_m = texels.centre_of(0, ground.row).y - pose_->position.y,
+          .first_column = ground.first_column,
+          .levels_up = ground.levels_up};
+}
+
+Horizon SectorTask::horizon() const {
+  const HorizonGrid& grid = horizon_->grid();
+  return {.slopes = horizon_->slopes(0),
+          .solid_slopes = horizon_->solid_slopes(0),
+          .through = horizon_->through(0),
+          .azimuths = grid.azimuths,
+          .distances = grid.distances,
+          .stride = horizon_->stride(),
+          .first_beam = static_cast<float>(first_beam_),
+          .near_m = static_cast<float>(grid.near_m),
+          .per_step = static_cast<float>(1.0 / grid.step_m)};
+}
+
+void SectorTask::light_apart_from(const PageRow& ground) {
+  constexpr float per_step = 1.0F / terrain::PackedSlope::steps_per_unit;
+  const std::size_t row = ground.row * atlas::tile_side;
+  for (std::size_t i = 0; i < row_.count; ++i) {
+    const std::size_t texel = row + ground.column_of(i);
+    row_.slope_east[i] = static_cast<float>(ground.page->slope[texel].east) * per_step;
+    row_.slope_north[i] = static_cast<float>(ground.page->slope[texel].north) * per_step;
+    row_.top_m[i] = ground.page->top_m[texel];
+  }
+  light_apart(row_, horizon());
+}
+
+void SectorTask::add_bare_ground(const Place& place, float area_m2) {
+  const Extremes cotangent = face(row_, geometry_, area_m2);
+  if (cotangent.least <= cotangent.greatest) {
+    const atlas::AspectCells& elevations = *ground_aspects();
+    add_bare_elevations(place, elevations.elevation_cell(cotangent.greatest),
+                        elevations.elevation_cell(cotangent.least) + (elevations.elevation_count() > 1 ? 1U : 0U));
+  }
+  join_lights(row_);
+}
+
+void SectorTask::add_bare_elevations(const Place& place, std::uint32_t first, std::uint32_t last) {
+  const atlas::AspectCells& elevations = *ground_aspects();
+  const auto& cotangents = elevations.cotangents();
+  const std::size_t highest = elevations.elevation_count() - 1;
+  PageRow source;
+  for (std::uint32_t e = first; e <= last; ++e) {
+    if (e == first || e % GroundPage::elevations == 0) {
+      const std::uint32_t number = e / GroundPage::elevations;
+      source = pages_.row_of(PageKey::bare_ground(place.tile, number), place.row, place.first_column);
+      if (source.page == nullptr) report_.dark += row_.count;
+      if (source.levels_up > 0) report_.coarse += row_.count;
+    }
+    if (source.page == nullptr) continue;
+    const std::size_t frequencies = source.page->looks / GroundPage::elevations;
+    const atlas::Half* const planes = pages_.planes_of(source, row_.count);
+    for (std::size_t f = 0; f < frequencies; ++f) {
+      const std::size_t look = e % GroundPage::elevations * frequencies + f;
+      add_ground(row_, {.planes = planes + look * GroundPage::channels * atlas::tile_side,
+                        .factor = source.page->scale[look] * elevations.frequency_part(f),
+                        .below = cotangents[e > 0 ? e - 1 : 0],
+                        .own = cotangents[e],
+                        .above = cotangents[std::min<std::size_t>(e + 1, highest)],
+                        .sine = elevations.sine(e),
+                        .highest_sine = elevations.sine(highest)});
+    }
+  }
+}
+
+const atlas::AspectCells* SectorTask::ground_aspects() const {
+  return parts_.ground.pages().source().ground_aspects();
+}
+
+float SectorTask::cotangent_near() const {
+  const double below = pose_->position.z - 0.5 * static_cast<double>(parts_.bounds.lowest_m + parts_.bounds.highest_m);
+  return static_cast<float>(std::hypot(row_.east_m[0], row_.north_m[0]) / std::max(below, 1.0));
+}
+
+std::uint32_t SectorTask::ground_page_near() const {
+  return ground_aspects()->elevation_cell(cotangent_near()) / GroundPage::elevations;
+}
+
+atlas::AspectCell SectorTask::aspects_near() const {
+  return {aspects().azimuth_cell(std::atan2(row_.east_m[0], row_.north_m[0]) + pi),
+          aspects().elevation_cell(cotangent_near())};
+}
+
+std::uint32_t SectorTask::azimuth_cell_at(float beam) const {
+  return aspects().azimuth_cell(first_azimuth_rad_ + static_cast<double>(beam) * parts_.settings.beam_step_rad + pi);
+}
+
+void SectorTask::blend_by_aspect(const Place& place, float area_m2) {
+  const Extremes cotangent = cotangent_extremes(row_);
+  const bool one_elevation = aspects().elevation_cell(cotangent.least) == aspects().elevation_cell(cotangent.greatest);
+  std::size_t begin = 0;
+  while (begin < row_.count) {
+    const atlas::AspectCell cell{azimuth_cell_at(row_.beam[begin]), aspects().elevation_cell(row_.cotangent[begin])};
+    const double start = aspects().azimuth_start(cell.azimuth), width = aspects().azimuth_width(cell.azimuth);
+    const double offset = wrapped_azimuth(first_azimuth_rad_ + pi - start + pi) - pi;
+    const auto per_beam = static_cast<float>(parts_.settings.beam_step_rad / width);
+    const auto at_zero = static_cast<float>(offset / width);
+    const auto& cotangents = aspects().cotangents();
+    std::size_t end = row_.count;
+    const auto within = [&](std::size_t i) {
+      const float part = at_zero + per_beam * row_.beam[i];
+      return part >= 0.0F && part < 1.0F && aspects().elevation_cell(row_.cotangent[i]) == cell.elevation;
+    };
+    // Azimuth goes one way along a row. Most rows lie in one cell from end to end.
+    if (!one_elevation || !within(row_.count - 1)) {
+      end = begin + 1;
+      while (end < row_.count && within(end)) ++end;
+    }
+    const PageRow source = pages_.row_of({place.tile, cell}, place.row, place.first_column + begin);
+    if (source.page != nullptr) {
+      blend(row_, begin, end - begin,
+            {.planes = pages_.planes_of(source, end - begin),
+             .next_planes = source.next_planes(),
+             .scale = source.page->scale.data(),
+             .looks = source.page->looks,
+             .area_m2 = area_m2,
+             .azimuth_offset = at_zero,
+             .azimuth_per_beam = per_beam,
+             .cotangent = {cotangents[cell.elevation], cotangents[cell.elevation + 1U]},
+             .sine = {aspects().sine(cell.elevation), aspects().sine(cell.elevation + 1U)},
+             .frequency_part = {aspects().frequency_part(0), aspects().frequency_part(1)}});
+    }
+    if (source.page == nullptr) {
+      blend_nothing(row_, begin, end - begin);
+      report_.dark += end - begin;
+    }
+    if (source.levels_up > 0) report_.coarse += end - begin;
+    begin = end;
+  }
+}
+
+void SectorTask::draw() {
+  const std::size_t reckoned = row_.whole_vectors();
+  for (std::size_t i = 0; i < reckoned; ++i) {
+    columns_[i] = first_cell_.column + static_cast<int>(i);
+    rows_[i] = first_cell_.row;
+  }
+  using radar::Draw;
+  std::size_t k = 0;
+  for (const Draw which : {Draw::First, Draw::Second, Draw::Third}) {
+    parts_.lattice.values_of({columns_.data(), reckoned}, {rows_.data(), reckoned}, static_cast<int>(level_), which,
+                             {gaussians_[k].data(), reckoned}, {gaussians_[k + 1].data(), reckoned});
+    k += 2;
+  }
+}
+
+}  // namespace sigmascape::render

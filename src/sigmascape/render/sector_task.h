@@ -1,0 +1,124 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "sigmascape/radar/scatterer_lattice.h"
+#include "sigmascape/render/lattice_row.h"
+#include "sigmascape/render/live_renderer.h"
+#include "sigmascape/render/page_rows.h"
+#include "sigmascape/render/row_bins.h"
+#include "sigmascape/render/row_light.h"
+#include "sigmascape/render/row_places.h"
+#include "sigmascape/render/sector.h"
+
+namespace sigmascape::render {
+
+/// Beams that are reckoned from one middle direction, and filled by one task unless a scan asks for fewer. Wide enough
+/// that rows of texels are read in long stretches, narrow enough to find an azimuth by a short series.
+[[nodiscard]] std::size_t beams_together(double beam_step_rad);
+
+/// Of a bin, in the order of row_bins.h.
+[[nodiscard]] constexpr std::size_t numbers_a_bin(FrameContent content) {
+  return content == FrameContent::Amplitudes ? 8 : 4;
+}
+
+/// What the tasks of a renderer share; it outlives them.
+struct FrameParts {
+  LiveGround& ground;
+  const LiveSettings& settings;
+  const radar::ScattererLattice& lattice;
+  /// Of this frame, swept already: over the terrain of the level of detail in use and, while it gives way to the next,
+  /// over that of the next.
+  const std::array<const HorizonMap*, 2>& horizons;
+  const terrain::HeightBounds& bounds;  ///< of the ground that this frame looks at
+  std::span<float> bins;                ///< [beam][range][number]
+};
+
+/// Fills some beams of a frame: goes over the lattice cells of their sector, row by row.
+class SectorTask {
+ public:
+  struct Beams {
+    std::size_t first = 0, count = 0;
+  };
+
+  explicit SectorTask(const FrameParts& parts);
+
+  void begin_frame(const PageCache::View& view);
+  void end_frame() { pages_.end_frame(); }
+  [[nodiscard]] const FrameReport& report() const { return report_; }
+  [[nodiscard]] std::span<const PageKey> wanted() const { return pages_.wanted(); }
+
+  /// Clears the beams and adds one level of the ground, or two with their shares of the power.
+  void fill(const Pose& pose, Beams beams, const DetailBlend& levels);
+
+ private:
+  /// A stretch of texels of one row of a tile.
+  struct Place {
+    atlas::TileAddress tile;
+    std::size_t row = 0, first_column = 0;
+  };
+
+  void clear(Beams beams);
+  void hand_over(Beams beams);
+  [[nodiscard]] float* own_bins() { return own_bins_.data()->of.data(); }
+  void add_level(const Pose& pose, Beams beams, std::size_t level, const HorizonMap& horizon, float share);
+  void start(const Pose& pose, Beams beams, std::size_t level);
+  void fill_tile(const atlas::TileAddress& tile);
+  void fill_stretch(const Place& place, std::size_t count);
+  /// Puts the scatterers of the stretch in their places.
+  void place_scatterers(const Place& place);
+  /// Tells what is seen of the ground from what is seen of the things on it.
+  void light_apart_from(const PageRow& ground);
+  /// Adds the bare ground of the stretch: each texel by the elevations about its own local grazing angle.
+  void add_bare_ground(const Place& place, float area_m2);
+  void add_bare_elevations(const Place& place, std::uint32_t first, std::uint32_t last);
+  /// Cuts the stretch where the aspect passes from one cell to the next, and blends each piece from its own page.
+  void blend_by_aspect(const Place& place, float area_m2);
+  /// Draws the scatterers' values.
+  void draw();
+
+  [[nodiscard]] PageHeights heights_of(const PageRow& ground) const;
+  [[nodiscard]] Horizon horizon() const;
+  [[nodiscard]] const atlas::AspectCells* ground_aspects() const;
+  /// The cotangent of the grazing angle at a stretch's first texel, before it is located: good enough to find heights.
+  [[nodiscard]] float cotangent_near() const;
+  /// The page of bare ground that answers for level ground there.
+  [[nodiscard]] std::uint32_t ground_page_near() const;
+  [[nodiscard]] atlas::AspectCell aspects_near() const;
+  [[nodiscard]] std::uint32_t azimuth_cell_at(float beam) const;
+  [[nodiscard]] const atlas::AspectCells& aspects() const { return parts_.ground.aspects(); }
+  [[nodiscard]] const atlas::PatchGrid& patches() const { return parts_.ground.description().patches; }
+
+  FrameParts parts_;
+  PageRows pages_;
+  FrameReport report_;
+
+  std::size_t stride_;  // bins between beams: a row across the beams must fit the caches
+  struct alignas(64) Line {
+    std::array<float, 16> of;
+  };
+  std::vector<Line> own_bins_;  // [beam][range][number] of a group of beams
+
+  // Of the level in hand.
+  const Pose* pose_ = nullptr;
+  const HorizonMap* horizon_ = nullptr;
+  std::size_t level_ = 0, first_beam_ = 0;
+  double texel_m_ = 1.0;
+  double first_azimuth_rad_ = 0.0;
+  float share_ = 1.0F;  // of the level's power
+  Sector sector_;
+  RowGeometry geometry_;
+  SectorBins bins_;
+
+  // Of the stretch in hand.
+  radar::LatticeCell first_cell_;
+  LatticeRow row_{};
+  std::array<LatticeRow::Of<float>, 6> gaussians_{};
+  std::array<std::int32_t, LatticeRow::most> columns_, rows_;
+};
+
+}  // namespace sigmascape::render

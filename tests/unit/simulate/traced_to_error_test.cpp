@@ -1,0 +1,106 @@
+#include "sigmascape/simulate/traced_to_error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <vector>
+
+#include "physics/level_scene.h"
+
+#include "sigmascape/base/error.h"
+
+namespace sigmascape::simulate {
+namespace {
+
+scatter::Material lambert(std::string name, double albedo = 0.5) {
+  return {.name = std::move(name), .model = scatter::LambertParameters{albedo, {0.0, 1.0}}, .source = {}};
+}
+
+/// Houses in rows, close enough for several bounces.
+scene::Scene street_scene() {
+  scene::Scene scene = physics_test::level_scene(lambert("ground"), 256.0);
+  scene.prototypes.push_back(scene::box_mesh({8.0F, 6.0F, 7.0F}, scene.material_index(lambert("box", 0.8))));
+  for (int row = -3; row <= 3; ++row) {
+    for (int column = -3; column <= 3; ++column) {
+      scene.instances.push_back({.x_m = 12.0F * static_cast<float>(column), .y_m = 10.0F * static_cast<float>(row)});
+    }
+  }
+  return scene;
+}
+
+class TracedToErrorTest : public testing::Test {
+ protected:
+  TracedToErrorTest() {
+    radar_.position = radar::position_seeing({}, pi, radians_from_deg(30.0), 20e3);
+    radar_.range_resolution_m = 3.0;
+    radar_.beam_width_rad = 3.0 / 20e3;
+  }
+
+  [[nodiscard]] TracedToError traced(double goal_db, std::uint64_t seed = 1, unsigned threads = 2) const {
+    trace::TraceCounts counts;
+    return traced_to_error(scene_, geometry_, radar_, area_, {.cell_m = 2.0, .seed = seed, .threads = threads},
+                           {.median_error_db = goal_db}, counts);
+  }
+
+  scene::Scene scene_ = street_scene();
+  trace::SceneGeometry geometry_{scene_, trace::Footing::Terrain};
+  radar::Radar radar_;
+  radar::Rectangle area_{-40.0, -40.0, 40.0, 40.0};
+};
+
+double total(const radar::RangeAzimuthImage& image) {
+  double sum = 0.0;
+  for (const radar::Channels& bin : image.rcs_m2.values()) sum += bin.power(radar::Polarization::Sum);
+  return sum;
+}
+
+TEST_F(TracedToErrorTest, StopsOnceTheErrorIsThatOfTheGoal) {
+  const TracedToError rough = traced(0.2), fine = traced(0.1);
+  EXPECT_LE(rough.median_error_db, 0.2);
+  EXPECT_LE(fine.median_error_db, 0.1);
+  // Half the error takes some four times the rays, and no pass more is made than it takes.
+  EXPECT_GT(fine.samples_per_cell, 2 * rough.samples_per_cell);
+  EXPECT_GT(fine.median_error_db, 0.09);
+}
+
+TEST_F(TracedToErrorTest, TheErrorIsWhatTwoMapsDifferBy) {
+  const TracedToError one = traced(0.2, 1), other = traced(0.2, 2);
+  ASSERT_EQ(one.image.grid, other.image.grid);
+  std::vector<double> in_errors;
+  for (std::size_t bin = 0; bin < one.image.rcs_m2.size(); ++bin) {
+    const auto power = [bin](const TracedToError& map) {
+      return static_cast<double>(map.image.rcs_m2.values()[bin].power(radar::Polarization::Sum));
+    };
+    const double a = power(one), b = power(other);
+    const double error = std::hypot(a * static_cast<double>(one.relative_errors.values()[bin]),
+                                    b * static_cast<double>(other.relative_errors.values()[bin]));
+    // The flanks of the responses around the area are the area's own noise over again.
+    if (a > 1e-3 * total(one.image) / static_cast<double>(one.image.rcs_m2.size()) && error > 0.0) {
+      in_errors.push_back(std::abs(a - b) / error);
+    }
+  }
+  std::ranges::sort(in_errors);
+  ASSERT_GT(in_errors.size(), 1000U);
+  // Half of normal deviations are below 0.674 standard errors; of Student's t for few passes a little more.
+  EXPECT_NEAR(in_errors[in_errors.size() / 2], 0.69, 0.08);
+}
+
+TEST_F(TracedToErrorTest, HoldsThePowerOfAMapThatIsTracedAtOnce) {
+  trace::TraceCounts counts;
+  const auto at_once =
+      traced_image(scene_, geometry_, radar_, area_, {.cell_m = 2.0, .samples_per_cell = 128, .threads = 2}, counts);
+  EXPECT_NEAR(10.0 * std::log10(total(traced(0.1).image) / total(at_once)), 0.0, 0.05);
+}
+
+TEST_F(TracedToErrorTest, ThreadsDoNotMatter) {
+  const TracedToError one = traced(1.0, 1, 1), three = traced(1.0, 1, 3);
+  EXPECT_TRUE(std::ranges::equal(one.image.rcs_m2.values(), three.image.rcs_m2.values()));
+  EXPECT_TRUE(std::ranges::equal(one.relative_errors.values(), three.relative_errors.values()));
+}
+
+TEST_F(TracedToErrorTest, AGoalThatCannotBeIsRefused) {
+  EXPECT_THROW(traced(0.0), Error);
+}
+
+}  // namespace
+}  // namespace sigmascape::simulate
