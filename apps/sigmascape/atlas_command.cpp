@@ -13,6 +13,8 @@
 #include "sigmascape/atlas/pyramid.h"
 #include "sigmascape/atlas/store.h"
 #include "sigmascape/base/units.h"
+#include "sigmascape/geo/raster.h"
+#include "sigmascape/terrain/pyramid_builder.h"
 
 namespace sigmascape::cli {
 namespace {
@@ -98,6 +100,45 @@ std::string text_of(const atlas::AtlasDescription& atlas, const atlas::AtlasSumm
   return text;
 }
 
+/// Heights from a raster that reach as far as it does, in tiles beside the atlas.
+void build_terrain(const std::string& folder, const terrain::TerrainSource& source, double no_data_height_m,
+                   const Output& output) {
+  const atlas::Store store = atlas::Store::open(folder);
+  const geo::LocalFrame& frame = store.description().frame;
+  const geo::Extent raster = geo::Raster(source.raster).extent_in(frame);
+  const auto pyramid = std::filesystem::path(folder) / atlas::terrain_pyramid_name;
+  terrain::build_pyramid(pyramid, source, frame, {raster.west_m, raster.south_m, raster.east_m, raster.north_m},
+                         no_data_height_m);
+  const terrain::TerrainPyramid built = terrain::open_pyramid(pyramid, 0);
+  const terrain::PyramidLayout& layout = built.layout();
+  const radar::Rectangle extent = layout.extent();
+  output.finish(fmt::format("{} levels, {} x {} tiles of {} cells of {:g} m: {:.0f} m x {:.0f} m", layout.levels(),
+                            layout.tiles_across, layout.tiles_down, terrain::HeightTile::cells, layout.spacing_m,
+                            extent.width_m(), extent.height_m()),
+                {{"atlas", folder},
+                 {"levels", layout.levels()},
+                 {"tiles", {layout.tiles_across, layout.tiles_down}},
+                 {"spacing_m", layout.spacing_m},
+                 {"extent_m", {extent.west_m, extent.south_m, extent.east_m, extent.north_m}}});
+}
+
+void add_terrain_command(CLI::App& added, const std::shared_ptr<std::string>& folder, Output& output) {
+  const auto source = std::make_shared<terrain::TerrainSource>();
+  const auto spacing_m = std::make_shared<double>(0.0);
+  const auto no_data_height_m = std::make_shared<double>(0.0);
+  added.add_option("RASTER", source->raster.file, "elevation in any format that GDAL reads")->required();
+  added.add_option("--band", source->raster.band, "band of the raster")->capture_default_str();
+  added.add_option("--crs", source->raster.crs, "instead of the raster's own coordinate system");
+  added.add_option("--spacing", *spacing_m, "metres between heights; the raster's own cell if not given")
+      ->check(CLI::PositiveNumber);
+  added.add_option("--no-data-height", *no_data_height_m, "height in metres where the raster has none")
+      ->capture_default_str();
+  added.callback([folder, source, spacing_m, no_data_height_m, &output] {
+    if (*spacing_m > 0.0) source->spacing_m = *spacing_m;
+    build_terrain(*folder, *source, *no_data_height_m, output);
+  });
+}
+
 }  // namespace
 
 void add_atlas_command(CLI::App& app, Output& output) {
@@ -127,6 +168,12 @@ void add_atlas_command(CLI::App& app, Output& output) {
         const std::size_t written = atlas::Pyramid(store).make_above(store.units(), atlas::Scrutiny::Content);
         output.finish(fmt::format("{} textures written", written), {{"atlas", *folder}, {"written", written}});
       });
+  add_terrain_command(
+      *subcommand("terrain",
+                  "Put terrain of any size beside the atlas, in tiles, for live frames that look beyond "
+                  "the scene",
+                  "terrain out/bilbao_atlas dem.tif --spacing 10"),
+      folder, output);
 }
 
 }  // namespace sigmascape::cli

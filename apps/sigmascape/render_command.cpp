@@ -58,15 +58,14 @@ Rendered traced(const RenderOptions& options, const scene::Scene& scene, const r
   const trace::SceneGeometry geometry(scene, trace::Footing::Terrain);
   simulate::TraceSettings settings = options.trace;
   settings.cell_m = grid.cell_m;
+  std::vector<radar::Target> targets;
+  if (!options.targets.empty()) targets = placed_targets(scene, options.targets);
+  settings.targets = targets;
   trace::TraceCounts counts;
   TerminalProgress progress;
   const Stopwatch watch;
   Rendered rendered{.image =
                         simulate::traced_image(scene, geometry, radar, grid.extent(), settings, counts, &progress)};
-  if (!options.targets.empty()) {
-    const auto targets = placed_targets(scene, options.targets);
-    simulate::add_targets(rendered.image, radar, scene.terrain, targets, {});
-  }
   rendered.seconds = watch.seconds();
   rendered.cost = {{"paths", counts.paths}, {"rays", counts.rays}};
   rendered.provenance = {{"processing", "level of detail 0: path-traced"},
@@ -105,10 +104,10 @@ Rendered baked(const RenderOptions& options, const scene::Scene& scene, const st
   }
   render::RenderCounts counts;
   const Stopwatch watch;
-  Rendered rendered{.image = simulate::baked_image(
-                        textures, scene.terrain, looked_up(options, textures, radar), grid.extent(),
-                        {.level_of_detail = options.level_of_detail, .threads = options.trace.threads}, counts)};
-  simulate::add_targets(rendered.image, radar, scene.terrain, targets, {});
+  Rendered rendered{
+      .image = simulate::baked_image(
+          textures, scene.terrain, looked_up(options, textures, radar), grid.extent(),
+          {.level_of_detail = options.level_of_detail, .threads = options.trace.threads, .targets = targets}, counts)};
   rendered.seconds = watch.seconds();
   rendered.cost = {{"ground_samples", counts.ground_samples}, {"visible", counts.visible}};
   rendered.provenance = {

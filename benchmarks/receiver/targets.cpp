@@ -1,17 +1,22 @@
 // What the coherent half costs, in processor time of one thread: 10,000 targets a frame in the power mode, scatterers
 // of the lattice, complex bins beside the fixed-point bins of the power mode, and focused images.
+#include <cmath>
+#include <complex>
 #include <ctime>
 #include <fmt/format.h>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "sigmascape/base/hash.h"
 #include "sigmascape/radar/scatterer_lattice.h"
+#include "sigmascape/radar/window_response.h"
 #include "sigmascape/receiver/coherent_bins.h"
 #include "sigmascape/receiver/power_bins.h"
 #include "sigmascape/receiver/range_azimuth_receiver.h"
 #include "sigmascape/receiver/response_plane.h"
 #include "sigmascape/receiver/target_echoes.h"
+#include "sigmascape/receiver/target_frame.h"
 
 namespace {
 
@@ -37,12 +42,7 @@ double unit(std::uint64_t i, int dimension) {
   return unit_float(hashed(i, dimension));
 }
 
-void measure_targets() {
-  radar::Radar radar;
-  radar.position = {0.0, -20'000.0, 5000.0};
-  // A frame of about 1000 ranges by 500 azimuths.
-  radar.range_resolution_m = 20.0;
-  radar.beam_width_rad = 0.003;
+std::vector<radar::Target> moving_targets() {
   std::vector<radar::Target> targets;
   for (std::uint64_t i = 0; i < 10'000; ++i) {
     radar::Target target;
@@ -53,6 +53,16 @@ void measure_targets() {
     target.seed = i;
     targets.push_back(target);
   }
+  return targets;
+}
+
+void measure_targets() {
+  radar::Radar radar;
+  radar.position = {0.0, -20'000.0, 5000.0};
+  // A frame of about 1000 ranges by 500 azimuths.
+  radar.range_resolution_m = 20.0;
+  radar.beam_width_rad = 0.003;
+  const std::vector<radar::Target> targets = moving_targets();
   const std::vector<Vec3d> corners{
       {-5000.0, 0.0, 0.0}, {5000.0, 0.0, 0.0}, {-5000.0, 10'000.0, 0.0}, {5000.0, 10'000.0, 0.0}};
   receiver::RangeAzimuthReceiver receiver(radar, receiver::grid_covering(radar, corners));
@@ -67,6 +77,44 @@ void measure_targets() {
           receiver.add(receiver::target_echoes(targets, radar, {0.1, frame++, 0}));
         }),
         "ms");
+}
+
+/// A response of Taylor's window at two bins a cell in range, and of a Gaussian beam across.
+receiver::TargetFrameBins with_responses(receiver::TargetFrameBins bins) {
+  const radar::WindowResponse pulse(radar::Window{});
+  const double cells_a_bin = pulse.half_power_width() / 2.0;
+  bins.along = receiver::PointResponse::of([&](double offset) { return pulse.voltage(offset * cells_a_bin); });
+  bins.across = receiver::PointResponse::of([](double offset) { return std::exp2(-0.25 * offset * offset); });
+  return bins;
+}
+
+void measure_live_targets() {
+  const std::vector<radar::Target> targets = moving_targets();
+  const receiver::TargetFrameBins plain{.beams = 512, .ranges = 512, .beam_step_rad = 1e-3, .range_step_m = 20.0};
+  const receiver::TargetFramePose pose{
+      .position = {0.0, -20'000.0, 5000.0}, .first_azimuth_rad = -0.256, .first_range_m = 20'400.0};
+  for (const bool responses : {false, true}) {
+    const receiver::TargetFrameBins bins = responses ? with_responses(plain) : plain;
+    const std::string how = responses
+                                ? fmt::format("with a response of {} by {} bins", bins.across.taps(), bins.along.taps())
+                                : "shared between four bins";
+    receiver::TargetFrame frame(bins);
+    std::vector<float> powers(4 * bins.beams * bins.ranges);
+    std::vector<std::complex<float>> amplitudes(4 * bins.beams * bins.ranges);
+    std::uint64_t number = 0;
+    const auto look = [&] { frame.look(targets, pose, {0.1 * static_cast<double>(number), number++, 0}); };
+    print("10,000 targets looked at for a live frame", 1e3 * seconds_of(look), "ms");
+    print("10,000 targets into a live frame of powers, " + how, 1e3 * seconds_of([&] {
+                                                                  look();
+                                                                  frame.add_powers(0, bins.beams, powers);
+                                                                }),
+          "ms");
+    print("10,000 targets into a live frame of I/Q, " + how, 1e3 * seconds_of([&] {
+                                                               look();
+                                                               frame.add_amplitudes(0, bins.beams, amplitudes);
+                                                             }),
+          "ms");
+  }
 }
 
 void measure_lattice() {
@@ -118,6 +166,7 @@ void measure_bins() {
 
 int main() {
   measure_targets();
+  measure_live_targets();
   measure_lattice();
   measure_bins();
 }

@@ -6,10 +6,18 @@
 
 namespace sigmascape::bench {
 
+namespace {
+
+bool lacks(const render::FrameReport& report) {
+  return report.coarse + report.dark > 0 || report.terrain_error_m > 0.0;
+}
+
+}  // namespace
+
 const render::Frame& settled(render::LiveRenderer& renderer, render::LiveGround& ground, const render::Pose& pose) {
   const render::Frame* frame = &renderer.render(pose);
-  for (int again = 0; again < 50 && frame->report.coarse + frame->report.dark > 0; ++again) {
-    ground.pages().wait_until_loaded();
+  for (int again = 0; again < 50 && lacks(frame->report); ++again) {
+    ground.wait_until_loaded();
     frame = &renderer.render(pose);
   }
   return *frame;

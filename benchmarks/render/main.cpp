@@ -114,7 +114,7 @@ double cold_frame_seconds(const atlas::Store& store, const View& view) {
   Pose elsewhere = view.pose();
   elsewhere.position.x += 50e3;
   (void)renderer.render(elsewhere);
-  ground->pages().wait_until_loaded();
+  ground->wait_until_loaded();
   const double start = wall_seconds();
   (void)renderer.render(view.pose());
   return wall_seconds() - start;

@@ -67,7 +67,7 @@ void prove_power(const std::shared_ptr<render::LiveGround>& ground, const atlas:
   radar.beam_width_rad = 2.0 * view.settings.beam_step_rad;
   const atlas::Atlas atlas = atlas::load_atlas(store);
   render::RenderCounts counts;
-  const auto map = render::GroundRenderer(atlas, ground->terrain()).render(radar, scene.extent, view.grid, {}, counts);
+  const auto map = render::GroundRenderer(atlas, scene.terrain).render(radar, scene.extent, view.grid, {}, counts);
   double expected = 0.0, shown = 0.0;
   for (const radar::Channels& bin : map.rcs_m2.values()) expected += static_cast<double>(bin.vv);
   view.settings.content = render::FrameContent::Powers;

@@ -32,9 +32,12 @@ std::size_t nodes_in_view(Vec2d north_west, double spacing_m, std::size_t column
 Touched touched_by(const render::Frame& frame, const render::LiveSettings& settings, const render::Pose& pose,
                    const render::LiveGround& ground) {
   Touched touched;
-  const terrain::HeightField& field = ground.terrain();
-  touched.terrain_nodes = nodes_in_view({field.west_m, field.north_m}, field.spacing_m, field.height_m.columns(),
-                                        field.height_m.rows(), frame, pose);
+  const render::LiveTerrain& terrain = ground.terrain();
+  const terrain::PyramidLayout& layout = terrain.pyramid().layout();
+  const int level = terrain.level_for(atlas::texel_side_m(ground.description().patches, frame.report.level));
+  const auto side = static_cast<std::size_t>(terrain::HeightTile::cells);
+  touched.terrain_nodes = nodes_in_view({layout.west_m, layout.north_m}, layout.spacing_at(level),
+                                        side * layout.across(level) + 1, side * layout.down(level) + 1, frame, pose);
   const bool apart = !ground.obstacles().empty();
   if (apart) {
     const double step_m = settings.range_step_m / 2.0;

@@ -32,9 +32,16 @@ int main(int argc, char** argv) {
 
   /* The radar is 5 km south of the place, a quarter of that high, and looks north. */
   const double east = atof(argv[2]), north = atof(argv[3]), away = 5000.0, height = 1250.0;
-  sigmascape_pose pose = {{east, north - away, height}, 0.0, 0.0, {0.0, 0.0, 0.0}};
+  sigmascape_pose pose = {.position_m = {east, north - away, height}};
   pose.first_azimuth_rad = -0.5 * (double)settings.beams * settings.beam_step_rad;
   pose.first_range_m = sqrt(away * away + height * height) - 0.5 * (double)settings.ranges * settings.range_step_m;
+
+  /* A reflector of 1000 m2 on the place, a hundred metres up. */
+  sigmascape_target reflector = {.position_m = {east, north, 100.0}, .rcs_m2 = {1000.0F, 1000.0F, 0.0F, 1000.0F}};
+  if (sigmascape_set_targets(renderer, &reflector, 1) != 0) {
+    fprintf(stderr, "%s\n", sigmascape_last_error());
+    return 1;
+  }
 
   sigmascape_frame frame;
   int failed = sigmascape_render(renderer, &pose, &frame);
@@ -51,8 +58,8 @@ int main(int argc, char** argv) {
     const float* vv = frame.amplitudes_m + bin * 8;
     power += (double)vv[0] * vv[0] + (double)vv[1] * vv[1];
   }
-  printf("%zu cells, %zu lit, mean cross-section of a bin in VV %.3g m2\n", frame.cells, frame.lit,
-         power / (double)(frame.beams * frame.ranges));
+  printf("%zu cells, %zu lit, %zu targets seen, terrain good to %.3g m, mean cross-section of a bin in VV %.3g m2\n",
+         frame.cells, frame.lit, frame.targets, frame.terrain_error_m, power / (double)(frame.beams * frame.ranges));
 
   sigmascape_free_renderer(renderer);
   sigmascape_close_ground(ground);

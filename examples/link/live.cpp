@@ -23,7 +23,7 @@ void render_once(const char* atlas, sigmascape::Vec3d target) {
                   .first_range_m = slant_range_m - 0.5 * static_cast<double>(settings.ranges) * settings.range_step_m};
   renderer.render(pose);
   // A simulator would go on with what is there and have the rest a frame later.
-  ground->pages().wait_until_loaded();
+  ground->wait_until_loaded();
   const Frame& frame = renderer.render(pose);
 
   double power = 0.0;

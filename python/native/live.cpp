@@ -139,7 +139,7 @@ void add_live(py::module_& module) {
            py::arg("folder"), py::kw_only(), py::arg("frequency_ghz") = 10.0, py::arg("cache_mib") = 512,
            py::arg("loaders") = 1, Release())
       .def(
-          "wait", [](LiveGround& ground) { ground.pages().wait_until_loaded(); }, Release(),
+          "wait", [](LiveGround& ground) { ground.wait_until_loaded(); }, Release(),
           "Returns when all pages that frames have asked for are there.")
       .def_property_readonly("frequency_ghz", [](const LiveGround& g) { return g.frequency_hz() / 1e9; })
       .def(

@@ -64,7 +64,7 @@ TEST(Target, of_ten_square_metres_returns_them_at_every_resolution) {
     const auto grid = simulate::bins_for(radar, area, terrain);
     radar::RangeAzimuthImage image{grid, radar.position, Array2D<radar::Channels>(grid.azimuths, grid.ranges)};
     const std::vector<radar::Target> targets{target_of(10.0F, {13.0, -27.0, 1.0})};
-    simulate::add_targets(image, radar, terrain, targets, {});
+    simulate::add_targets(image, radar, {terrain}, targets, {});
     validation::expect_close(
         {group, "10 m² in the power mode, cells of " + std::to_string(static_cast<int>(resolution_m)) + " m", 10.0,
          db_from_linear(total(image)), 0.1, "dBm²", "weights sum to one"});

@@ -65,6 +65,8 @@ struct StoreFault {
 
 /// The terrain that the scene stands on, in the folder of the atlas, so that maps can be rendered without the scene.
 inline constexpr std::string_view terrain_name = "terrain.tif";
+/// The same as tiles of all levels of detail, for terrain of any size; a folder.
+inline constexpr std::string_view terrain_pyramid_name = "terrain";
 
 /// Reflectivity textures at rest: a folder with a STAC collection, and for each (patch, look) a half-float
 /// cloud-optimised GeoTIFF with its STAC item beside it. docs/store.md describes the format.

@@ -15,6 +15,7 @@
 #include "sigmascape/bake/look_baker.h"
 #include "sigmascape/geo/atomic_file.h"
 #include "sigmascape/terrain/height_field_file.h"
+#include "sigmascape/terrain/pyramid_builder.h"
 #include "sigmascape/trace/simd_setting.h"
 
 namespace sigmascape::bake {
@@ -209,6 +210,9 @@ BakeReport bake(const scene::Scene& scene, const BakeSettings& settings, const s
   const std::filesystem::path terrain = folder / atlas::terrain_name;
   if (!std::filesystem::exists(terrain)) {
     terrain::write_height_field(terrain, scene.terrain, store.description().frame.proj());
+  }
+  if (const auto pyramid = folder / atlas::terrain_pyramid_name; !terrain::holds_pyramid(pyramid)) {
+    terrain::build_pyramid(pyramid, scene.terrain, store.description().frame);
   }
   if (settings.shadows == Shadows::RunTime) bake_ground(scene, store);
   const LookBaker baker(scene, settings);

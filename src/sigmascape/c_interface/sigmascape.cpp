@@ -2,11 +2,18 @@
 
 #include <exception>
 #include <memory>
+#include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "sigmascape/base/error.h"
+#include "sigmascape/radar/rcs_table.h"
+#include "sigmascape/radar/target.h"
 #include "sigmascape/render/live_renderer.h"
 
+using sigmascape::radar::Target;
+using sigmascape::radar::Track;
 using sigmascape::render::FrameContent;
 using sigmascape::render::LiveGround;
 using sigmascape::render::LiveRenderer;
@@ -18,6 +25,7 @@ struct sigmascape_ground {
 
 struct sigmascape_renderer {
   LiveRenderer renderer;
+  std::vector<sigmascape::radar::Target> targets = {};
 };
 
 namespace {
@@ -45,11 +53,46 @@ const T& given(const T* pointer, const char* name) {
   return *pointer;
 }
 
-sigmascape::render::Pose pose_from(const sigmascape_pose& pose) {
-  return {.position = {pose.position_m[0], pose.position_m[1], pose.position_m[2]},
+sigmascape::Vec3d vector_from(const double (&numbers)[3]) {
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
+sigmascape::render::Pose pose_from(const sigmascape_pose& pose, const sigmascape_renderer& renderer) {
+  return {.position = vector_from(pose.position_m),
           .first_azimuth_rad = pose.first_azimuth_rad,
           .first_range_m = pose.first_range_m,
-          .velocity_mps = {pose.velocity_mps[0], pose.velocity_mps[1], pose.velocity_mps[2]}};
+          .velocity_mps = vector_from(pose.velocity_mps),
+          .targets = renderer.targets,
+          .moment = {pose.time_s, pose.dwell, pose.pulse}};
+}
+
+Track track_from(const sigmascape_target& target, const std::string& where) {
+  if (target.way_points == nullptr) {
+    return Track::straight(vector_from(target.position_m), vector_from(target.velocity_mps));
+  }
+  std::vector<sigmascape::radar::WayPoint> way_points;
+  for (const sigmascape_way_point& point : std::span(target.way_points, target.way_point_count)) {
+    way_points.push_back({point.time_s, vector_from(point.position_m)});
+  }
+  return Track::through(std::move(way_points), where);
+}
+
+Target target_from(const sigmascape_target& from, std::size_t number) {
+  const std::string where = "target " + std::to_string(number);
+  if (from.swerling < 0 || from.swerling > 4) {
+    throw sigmascape::Error(where, "has a Swerling case of " + std::to_string(from.swerling), "give 0 to 4");
+  }
+  Target target;
+  target.track = track_from(from, where);
+  if (from.rcs_table != nullptr) {
+    target.rcs_m2 = sigmascape::radar::read_rcs_table(from.rcs_table);
+  } else {
+    target.rcs_m2 = sigmascape::radar::Channels{from.rcs_m2[0], from.rcs_m2[1], from.rcs_m2[2], from.rcs_m2[3]};
+  }
+  target.fluctuation = static_cast<sigmascape::radar::Swerling>(from.swerling);
+  target.heading_rad = from.heading_rad;
+  target.seed = from.seed;
+  return target;
 }
 
 void copy(const sigmascape::render::Frame& from, sigmascape_frame& to) {
@@ -61,6 +104,9 @@ void copy(const sigmascape::render::Frame& from, sigmascape_frame& to) {
   to.lit = from.report.lit;
   to.coarse = from.report.coarse;
   to.dark = from.report.dark;
+  to.level = from.report.level;
+  to.terrain_error_m = from.report.terrain_error_m;
+  to.targets = from.report.targets;
 }
 
 }  // namespace
@@ -83,7 +129,10 @@ void sigmascape_close_ground(sigmascape_ground* ground) {
 }
 
 void sigmascape_wait_for_pages(sigmascape_ground* ground) {
-  if (ground != nullptr) ground->ground->pages().wait_until_loaded();
+  (void)guarded(1, [&] {
+    given(ground, "ground").ground->wait_until_loaded();
+    return 0;
+  });
 }
 
 sigmascape_settings sigmascape_default_settings(void) {
@@ -120,11 +169,23 @@ void sigmascape_free_renderer(sigmascape_renderer* renderer) {
   delete renderer;
 }
 
+int sigmascape_set_targets(sigmascape_renderer* renderer, const sigmascape_target* targets, size_t count) {
+  return guarded(1, [&] {
+    (void)given(renderer, "renderer");
+    if (count > 0) (void)given(targets, "targets");
+    std::vector<Target> made;
+    made.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) made.push_back(target_from(targets[i], i));
+    renderer->targets = std::move(made);
+    return 0;
+  });
+}
+
 int sigmascape_render(sigmascape_renderer* renderer, const sigmascape_pose* pose, sigmascape_frame* frame) {
   return guarded(1, [&] {
     (void)given(renderer, "renderer");
     (void)given(frame, "frame");
-    copy(renderer->renderer.render(pose_from(given(pose, "pose"))), *frame);
+    copy(renderer->renderer.render(pose_from(given(pose, "pose"), *renderer)), *frame);
     return 0;
   });
 }
@@ -134,7 +195,7 @@ int sigmascape_scan(sigmascape_renderer* renderer, const sigmascape_pose* pose, 
   return guarded(1, [&] {
     (void)given(renderer, "renderer");
     (void)given(frame, "frame");
-    copy(renderer->renderer.scan(pose_from(given(pose, "pose")), first_beam, count), *frame);
+    copy(renderer->renderer.scan(pose_from(given(pose, "pose"), *renderer), first_beam, count), *frame);
     return 0;
   });
 }

@@ -2,9 +2,12 @@
 #define SIGMASCAPE_C_INTERFACE_SIGMASCAPE_H
 
 /* The live renderer for programs written in C, or in anything that calls C: open the ground, make a renderer, hand it
- * poses, read frames. Angles are radians, azimuth clockwise from true north; positions are metres of the atlas' local
- * frame (x east, y north, z above mean sea level). No exception crosses this interface: what fails returns null or a
- * number other than 0, and sigmascape_last_error says why. */
+ * poses and targets, read frames. Angles are radians, azimuth clockwise from true north; positions are metres of the
+ * atlas' local frame (x east, y north, z above mean sea level). No exception crosses this interface: what fails returns
+ * null or a number other than 0, and sigmascape_last_error says why.
+ *
+ * The ground may be shared by any number of renderers on any threads at once; a renderer is for one caller at a time.
+ * Structs that are handed in are best begun with zeros, `= {0}`, so that what a later version adds has its default. */
 
 #include <stddef.h>
 #include <stdint.h>
@@ -16,15 +19,16 @@ extern "C" {
 /* Why the last call on this thread failed, in one sentence; empty when none has. Valid until the next failure. */
 const char* sigmascape_last_error(void);
 
-/* Baked reflectivity with its terrain, shared by any number of renderers. */
+/* Baked reflectivity with its terrain, which may be far larger than memory. */
 typedef struct sigmascape_ground sigmascape_ground;
 
-/* Opens the folder that `sigmascape bake` wrote. `cache_bytes` bounds the memory of all pages together; 0: 512 MiB.
- * Null when it cannot be opened. */
+/* Opens the folder that `sigmascape bake` wrote. `cache_bytes` bounds the memory of pages, obstacles and terrain
+ * together; 0: 512 MiB. Null when it cannot be opened. */
 sigmascape_ground* sigmascape_open_ground(const char* atlas_folder, double frequency_hz, size_t cache_bytes);
 /* Renderers that still use the ground keep it. Null is allowed. */
 void sigmascape_close_ground(sigmascape_ground* ground);
-/* Returns when all pages that frames have asked for are there. For whoever would rather wait than see less. */
+/* Returns when all pages and all terrain that frames have asked for are there. For whoever would rather wait than see
+ * less. */
 void sigmascape_wait_for_pages(sigmascape_ground* ground);
 
 enum sigmascape_content {
@@ -51,7 +55,27 @@ typedef struct sigmascape_pose {
   double first_azimuth_rad; /* left edge of beam 0 */
   double first_range_m;     /* near edge of range bin 0 */
   double velocity_mps[3];   /* says which ground to fetch ahead of time */
+  double time_s;            /* where movers are on their tracks */
+  uint64_t dwell, pulse;    /* fluctuation of cases 1 and 3 goes by dwells, that of 2 and 4 by pulses within them */
 } sigmascape_pose;
+
+typedef struct sigmascape_way_point {
+  double time_s;
+  double position_m[3];
+} sigmascape_way_point;
+
+/* A point that answers besides the ground, at every level of detail. */
+typedef struct sigmascape_target {
+  double position_m[3]; /* of its phase centre at time 0 */
+  double velocity_mps[3];
+  const sigmascape_way_point* way_points; /* instead of both: times increase; null: none */
+  size_t way_point_count;
+  float rcs_m2[4];       /* VV, HH, HV, Re VV HH* */
+  const char* rcs_table; /* instead of rcs_m2: a file of cross-sections by aspect (docs/target_file.md); null: none */
+  double heading_rad;    /* of the table's nose while the target stands, clockwise from true north */
+  int swerling;          /* 0 steady, 1 to 4 fluctuating */
+  uint64_t seed;         /* of its fluctuation; give every target its own */
+} sigmascape_target;
 
 typedef struct sigmascape_frame {
   size_t beams, ranges;
@@ -59,6 +83,9 @@ typedef struct sigmascape_frame {
   const float* powers_m2;    /* [beam][range][VV, HH, HV, Re VV HH*]; one of the two is null */
   size_t cells, lit;         /* lattice cells looked at, and seen by the radar */
   size_t coarse, dark;       /* cells shown more coarsely than wanted, and not at all, for pages were not there yet */
+  size_t level;              /* of the textures, 0 the finest */
+  double terrain_error_m;    /* by how much the terrain that hides may be wrong, for finer tiles were not there */
+  size_t targets;            /* that stand in the bins and are seen */
 } sigmascape_frame;
 
 typedef struct sigmascape_renderer sigmascape_renderer;
@@ -66,6 +93,10 @@ typedef struct sigmascape_renderer sigmascape_renderer;
 /* Null when the settings make no sense. */
 sigmascape_renderer* sigmascape_make_renderer(sigmascape_ground* ground, const sigmascape_settings* settings);
 void sigmascape_free_renderer(sigmascape_renderer* renderer);
+
+/* The targets of all frames from now on, in place of those before; copied, tables read. Returns 0 when all went well,
+ * and otherwise leaves those before. */
+int sigmascape_set_targets(sigmascape_renderer* renderer, const sigmascape_target* targets, size_t count);
 
 /* Renders all beams, or beams first ... first + count - 1 anew. The frame's arrays live until the next call with this
  * renderer. Returns 0 when all went well. */

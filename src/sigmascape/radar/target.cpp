@@ -29,6 +29,16 @@ Channels rcs_of(const Target& target, Vec3d seen_from, double frequency_hz, cons
   return std::get<RcsTable>(target.rcs_m2).at({{azimuth, elevation}, frequency_hz}) * factor;
 }
 
+Target weakened(Target target, double part) {
+  if (part == 1.0) return target;
+  if (auto* const constant = std::get_if<Channels>(&target.rcs_m2)) {
+    *constant = *constant * static_cast<float>(part);
+  } else {
+    for (Channels& rcs : std::get<RcsTable>(target.rcs_m2).rcs_m2) rcs = rcs * static_cast<float>(part);
+  }
+  return target;
+}
+
 bool hides(const Target& target, double time_s, Vec3d radar_position, Vec3d place) {
   if (!(target.size_m.x > 0.0 && target.size_m.y > 0.0 && target.size_m.z > 0.0)) return false;
   const Vec3d centre = target.track.position_at(time_s);

@@ -39,6 +39,9 @@ struct Moment {
 /// Cross-section as seen from a place at a moment, fluctuation included.
 [[nodiscard]] Channels rcs_of(const Target& target, Vec3d seen_from, double frequency_hz, const Moment& moment);
 
+/// The same target with so small a part of its cross-section, however that is given.
+[[nodiscard]] Target weakened(Target target, double part);
+
 /// Whether the target stands between a place and the radar. In Doppler modes its echo is moved by its velocity, but not
 /// its shadow: that is ground which does not answer.
 [[nodiscard]] bool hides(const Target& target, double time_s, Vec3d radar_position, Vec3d place);

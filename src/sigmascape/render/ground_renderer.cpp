@@ -7,6 +7,7 @@
 #include "sigmascape/base/parallel.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/echo.h"
+#include "sigmascape/radar/target_shadows.h"
 #include "sigmascape/receiver/range_azimuth_receiver.h"
 
 namespace sigmascape::render {
@@ -19,8 +20,9 @@ constexpr double samples_per_range_bin = 2.0;
 /// One azimuth's worth of ground: which of it is seen, and what comes back.
 class AzimuthStrip {
  public:
-  AzimuthStrip(const ReflectingGround& ground, Vec3d radar_position, const radar::Rectangle& area)
-      : ground_(ground), radar_position_(radar_position), area_(area) {}
+  AzimuthStrip(const ReflectingGround& ground, const radar::TargetShadows& shadows, Vec3d radar_position,
+               const radar::Rectangle& area)
+      : ground_(ground), shadows_(shadows), radar_position_(radar_position), area_(area) {}
 
   void sweep(double azimuth_rad, double azimuth_step_rad, double near_m, double far_m, double step_m,
              std::vector<radar::Echo>& echoes, RenderCounts& counts) const {
@@ -31,6 +33,7 @@ class AzimuthStrip {
                    if (!area_.contains({point.x, point.y})) return;
                    ++counts.ground_samples;
                    if (sight.ground == 0.0 && sight.objects == 0.0) return;
+                   if (shadows_.hide(point)) return;
                    ++counts.visible;
                    const Vec3d away = radar_position_ - point;
                    const double range_m = length(away);
@@ -46,6 +49,7 @@ class AzimuthStrip {
 
  private:
   const ReflectingGround& ground_;
+  const radar::TargetShadows& shadows_;
   Vec3d radar_position_;
   const radar::Rectangle& area_;
 };
@@ -83,7 +87,8 @@ radar::RangeAzimuthImage GroundRenderer::render(const radar::Radar& radar, const
 
   receiver::RangeAzimuthReceiver receiver(radar, grid);
   const ReflectingGround ground(*atlas_, *terrain_, radar.position, radar.frequency_hz, level, settings.slope);
-  const AzimuthStrip strip(ground, radar.position, area);
+  const radar::TargetShadows shadows(settings.targets, 0.0, radar.position);
+  const AzimuthStrip strip(ground, shadows, radar.position, area);
   const unsigned workers = thread_count(settings.threads);
   std::vector<std::vector<radar::Echo>> echoes(workers);
   std::vector<RenderCounts> strip_counts(workers);

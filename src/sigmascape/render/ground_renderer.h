@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 
 #include "sigmascape/atlas/atlas.h"
 #include "sigmascape/radar/ground_grid.h"
 #include "sigmascape/radar/radar.h"
 #include "sigmascape/radar/range_azimuth_image.h"
+#include "sigmascape/radar/target.h"
 #include "sigmascape/render/reflecting_ground.h"
 #include "sigmascape/terrain/height_field.h"
 
@@ -16,6 +18,8 @@ struct RenderSettings {
   int level_of_detail = 1;
   SlopeModel slope = SlopeModel::Upright;  ///< of the textures; ground that is kept apart is Tilted always
   unsigned threads = 0;
+  /// Targets whose boxes hide what stands behind them, at time zero. Their echoes are added by others.
+  std::span<const radar::Target> targets = {};
 };
 
 struct RenderCounts {

@@ -9,6 +9,7 @@
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/parallel.h"
 #include "sigmascape/base/units.h"
+#include "sigmascape/radar/target_shadows.h"
 #include "sigmascape/render/line_of_sight.h"
 #include "sigmascape/render/reflecting_ground.h"
 #include "sigmascape/render/sight_map.h"
@@ -17,11 +18,6 @@ namespace sigmascape::render {
 namespace {
 
 constexpr double most_cells = 0x1p27;
-
-bool hidden_by_any(std::span<const radar::Target> targets, double time_s, Vec3d radar, Vec3d point) {
-  return std::ranges::any_of(targets,
-                             [&](const radar::Target& target) { return radar::hides(target, time_s, radar, point); });
-}
 
 double azimuth_to(Vec3d radar, Vec3d point) {
   return std::atan2(radar.x - point.x, radar.y - point.y);
@@ -79,6 +75,7 @@ std::vector<radar::Scatterer> ground_scatterers(const terrain::HeightField& terr
   const std::int32_t south = first_of(area.south_m), north = first_of(area.north_m);
   const SeenSigma0 sigma0_seen =
       std::visit([&](const auto& source) { return seen(source, terrain, request, side_m); }, sigma0);
+  const radar::TargetShadows shadows(targets, request.time_s, request.radar_position);
   const auto cell_area = static_cast<float>(side_m * side_m);
 
   std::vector<std::vector<radar::Scatterer>> rows(static_cast<std::size_t>(std::max(0, north - south)));
@@ -89,7 +86,7 @@ std::vector<radar::Scatterer> ground_scatterers(const terrain::HeightField& terr
       const Vec2d place = lattice.position_in({column, row}, request.level);
       if (!terrain.extent().contains(place)) continue;
       const Vec3d point{place.x, place.y, terrain.height_at(place)};
-      if (hidden_by_any(targets, request.time_s, request.radar_position, point)) continue;
+      if (shadows.hide(point)) continue;
       const radar::Channels mean = sigma0_seen(point, looks) * cell_area;
       if (mean == radar::Channels{}) continue;
       rows[index].push_back({point, polarized(lattice.drawn({column, row}, request.level), mean)});

@@ -94,8 +94,7 @@ class HorizonMap::Walk {
 
   /// Calls `step(distance, slope, square)` outwards for `count` steps.
   template <typename Step>
-  void over(double first_m, double step_m, std::size_t count, Step step) {
-    const terrain::TerrainView& ground = occluders_.terrain;
+  void over(const terrain::TerrainView& ground, double first_m, double step_m, std::size_t count, Step step) {
     const ObstacleLevel* const obstacles = occluders_.obstacles;
     for (std::size_t first = 0; first < count; first += together) {
       steps_.count = std::min(together, count - first);
@@ -108,7 +107,7 @@ class HorizonMap::Walk {
       steps_.columns_a_step = static_cast<float>(direction_.x * step_m / ground.spacing_m);
       steps_.rows_a_step = static_cast<float>(-direction_.y * step_m / ground.spacing_m);
       look_up_ground(steps_, ground.height_m.data(), static_cast<std::int32_t>(ground.columns),
-                     static_cast<std::int32_t>(ground.rows), static_cast<float>(radar_.z),
+                     static_cast<std::int32_t>(ground.rows), static_cast<float>(radar_.z) + occluders_.lowered_m,
                      static_cast<float>(grid_.drop_per_square_m));
       if (obstacles != nullptr) {
         const Vec2d cell = obstacles->grid.cells_from(from);
@@ -152,8 +151,10 @@ void HorizonMap::reset(const HorizonGrid& grid, bool with_obstacles) {
 
 void HorizonMap::sweep(std::size_t azimuth, Vec3d radar, const Occluders& occluders, unsigned worker) {
   const terrain::TerrainView& ground = occluders.terrain;
+  const terrain::TerrainView& before = occluders.before_near.columns > 0 ? occluders.before_near : ground;
   const double far_m = grid_.near_m + static_cast<double>(grid_.distances) * grid_.step_m;
-  const double lowest_m = static_cast<double>(ground.lowest_m), highest_m = static_cast<double>(ground.highest_m);
+  const auto lowest_m = static_cast<double>(std::min(ground.lowest_m, before.lowest_m) - occluders.lowered_m);
+  const auto highest_m = static_cast<double>(std::max(ground.highest_m, before.highest_m));
   const double clear_m = clear_until_m(radar.z, lowest_m, highest_m + static_cast<double>(occluders.tallest_m),
                                        grid_.near_m, far_m, grid_.drop_per_square_m);
   const double lead_step_m = std::max((grid_.near_m - clear_m) / static_cast<double>(grid_.before_near), grid_.step_m);
@@ -165,9 +166,9 @@ void HorizonMap::sweep(std::size_t azimuth, Vec3d radar, const Occluders& occlud
   float* const slopes = slopes_.data() + azimuth * stride_;
   float steepest = no_ground;
   if (occluders.obstacles == nullptr || !with_obstacles_) {
-    walk.over(lead_from_m, lead_step_m, lead,
+    walk.over(before, lead_from_m, lead_step_m, lead,
               [&](std::size_t, std::size_t i) { steepest = greater(steepest, steps.slope[i]); });
-    walk.over(grid_.near_m, grid_.step_m, grid_.distances, [&](std::size_t k, std::size_t i) {
+    walk.over(ground, grid_.near_m, grid_.step_m, grid_.distances, [&](std::size_t k, std::size_t i) {
       steepest = greater(steepest, steps.slope[i]);
       slopes[k] = steepest;
     });
@@ -197,14 +198,14 @@ void HorizonMap::sweep(std::size_t azimuth, Vec3d radar, const Occluders& occlud
     const float way_m = static_cast<float>(step_m) * std::sqrt(1.0F + slope * slope);
     crowns.add(slope + obstacle.crown_base_m * per_distance, top, obstacle.crown_extinction_per_m * way_m);
   };
-  walk.over(lead_from_m, lead_step_m, lead, [&](std::size_t, std::size_t i) { pass(i, lead_step_m); });
+  walk.over(before, lead_from_m, lead_step_m, lead, [&](std::size_t, std::size_t i) { pass(i, lead_step_m); });
 
   // Steps no wider than the squares that obstacles stand on: what is narrower than a node must not slip through.
   const auto strides = static_cast<std::size_t>(std::max(std::ceil(grid_.step_m / obstacles.grid.cell_m), 1.0));
   const double stride_m = grid_.step_m / static_cast<double>(strides);
   float transmission = 1.0F;
   const double first_m = grid_.near_m - static_cast<double>(strides - 1) * stride_m;
-  walk.over(first_m, stride_m, grid_.distances * strides, [&](std::size_t step, std::size_t i) {
+  walk.over(ground, first_m, stride_m, grid_.distances * strides, [&](std::size_t step, std::size_t i) {
     pass(i, stride_m);
     if (step % strides != strides - 1) return;
     const std::size_t k = step / strides;

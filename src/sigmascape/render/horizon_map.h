@@ -29,6 +29,10 @@ struct Occluders {
   terrain::TerrainView terrain;
   const ObstacleLevel* obstacles = nullptr;  ///< null where none stand apart from the textures
   float tallest_m = 0.0F;                    ///< of the obstacles
+  terrain::TerrainView before_near = {};     ///< the terrain before the map's first node; empty: the same
+  /// Terrain is taken to lie this much lower than it says: by how much it may be wrong, so that ground is not hidden
+  /// by what is not there.
+  float lowered_m = 0.0F;
 };
 
 /// The steepest line of sight to the ground met so far, for every direction and distance: what a point must rise above

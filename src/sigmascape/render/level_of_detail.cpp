@@ -18,6 +18,11 @@ bool may_go(const DetailChoice& choice, const DetailSettings& settings) {
 
 }  // namespace
 
+int terrain_level_for(double sample_m, double spacing_m, int levels) {
+  const double nodes = std::log2(2.0 * sample_m / spacing_m);
+  return static_cast<int>(std::clamp(std::floor(nodes), 0.0, static_cast<double>(levels - 1)));
+}
+
 DetailChoice choose_detail(const DetailQuestion& question, const DetailSettings& settings) {
   DetailChoice choice{.rule = settings.rule};
   const double grazing = std::clamp(question.grazing_rad, 1e-4, 0.5 * pi - 1e-4);
@@ -33,13 +38,10 @@ DetailChoice choose_detail(const DetailQuestion& question, const DetailSettings&
   const double finest = std::log2(choice.sample_m / question.texel_m);
   choice.finer_than_atlas = finest < 0.0;
   choice.mip = std::clamp(finest, 0.0, static_cast<double>(question.mips - 1));
-  // Nodes twice as far apart as samples: what lies between them no sample would show.
-  const double nodes = std::log2(2.0 * choice.sample_m / question.terrain_spacing_m);
-  choice.terrain_level =
-      static_cast<int>(std::clamp(std::floor(nodes), 0.0, static_cast<double>(question.terrain_levels - 1)));
+  choice.terrain_level = terrain_level_for(choice.sample_m, question.terrain_spacing_m, question.terrain_levels);
 
   const bool traced = choice.traced_for_size && !choice.geometry_may_go;
-  choice.wanted_level = traced ? std::min(0.0, finest) : 1.0 + choice.mip;
+  choice.wanted_level = traced ? std::min(0.0, finest) : 1.0 + std::max(finest, 0.0);
   choice.level = traced ? 0 : 1 + static_cast<int>(std::floor(choice.mip));
   return choice;
 }

@@ -43,7 +43,8 @@ struct DetailSettings {
 struct DetailChoice {
   /// 0 traces the full scene; from 1 on, coarse terrain and mip `mip` of the atlas.
   int level = 1;
-  double wanted_level = 1.0;  ///< before rounding: 1 + mip, or below 1 where geometry should stay
+  double wanted_level = 1.0;  ///< before rounding: 1 + mip, whether there is one so coarse or not, or below 1 where
+                              ///< geometry should stay
   double mip = 0.0;           ///< fractional: the texture is blended between two
   int terrain_level = 0;
   double cell_m = 0.0;           ///< smaller side of the resolution cell on the ground
@@ -57,6 +58,9 @@ struct DetailChoice {
   bool finer_than_atlas = false;  ///< samples lie closer than texels: the atlas blurs
   DetailRule rule = DetailRule::LayoverAndShadow;
 };
+
+/// The level of terrain whose nodes stand no more than two samples apart: what lies between them no sample would show.
+[[nodiscard]] int terrain_level_for(double sample_m, double spacing_m, int levels);
 
 /// Chooses the level of detail for a question. A pure function.
 ///

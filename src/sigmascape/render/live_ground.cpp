@@ -1,39 +1,26 @@
 #include "sigmascape/render/live_ground.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 #include <vector>
 
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/terrain/height_field_file.h"
+#include "sigmascape/terrain/pyramid_builder.h"
 
 namespace sigmascape::render {
 namespace {
 
-HeightSource heights_of(const terrain::HeightField& terrain) {
-  return [&terrain](const radar::GroundGrid& cells, std::span<float> height_m) {
-    for (std::size_t row = 0; row < cells.rows; ++row) {
-      for (std::size_t column = 0; column < cells.columns; ++column) {
-        height_m[row * cells.columns + column] = static_cast<float>(terrain.height_at(cells.centre_of(column, row)));
-      }
-    }
-  };
-}
+/// Of the budget, the parts that tiles of terrain and windows of them may take.
+constexpr std::size_t tile_part = 32, window_part = 11;
 
-ReliefSource relief_of(const terrain::HeightField& terrain, const ObstacleLevels& obstacles) {
+ReliefSource relief_of(const LiveTerrain& terrain, const ObstacleLevels& obstacles) {
   return [&](const radar::GroundGrid& cells, std::span<terrain::PackedSlope> slope, std::span<float> top_m) {
+    terrain.fill_slopes(cells, slope);
     const ObstacleLevel& level = obstacles.level_for(cells.cell_m);
-    const auto packed = [](double rise) {
-      const double steps = rise * static_cast<double>(terrain::PackedSlope::steps_per_unit);
-      return static_cast<std::int16_t>(std::lround(std::clamp(steps, -32767.0, 32767.0)));
-    };
     for (std::size_t row = 0; row < cells.rows; ++row) {
       for (std::size_t column = 0; column < cells.columns; ++column) {
-        const Vec2d point = cells.centre_of(column, row);
-        const Vec3d normal = terrain.normal_at(point);
-        slope[row * cells.columns + column] = {packed(-normal.x / normal.z), packed(-normal.y / normal.z)};
-        top_m[row * cells.columns + column] = level.at(point).unpacked().top_m();
+        top_m[row * cells.columns + column] = level.at(cells.centre_of(column, row)).unpacked().top_m();
       }
     }
   };
@@ -48,33 +35,58 @@ CacheOptions less(CacheOptions options, std::size_t bytes) {
   return options;
 }
 
-std::shared_ptr<const PageSource> source_of(const atlas::Store& store, const terrain::HeightField& terrain,
+std::shared_ptr<const PageSource> source_of(const atlas::Store& store, const LiveTerrain& terrain,
                                             const ObstacleLevels& obstacles, double frequency_hz) {
-  if (obstacles.empty()) return std::make_shared<const PageSource>(store, heights_of(terrain), frequency_hz);
+  const HeightSource heights = [&terrain](const radar::GroundGrid& cells, std::span<float> height_m) {
+    terrain.fill_heights(cells, height_m);
+  };
+  if (obstacles.empty()) return std::make_shared<const PageSource>(store, heights, frequency_hz);
   const atlas::Store ground = atlas::open_ground_store(store);
-  return std::make_shared<const PageSource>(store, heights_of(terrain), frequency_hz,
+  return std::make_shared<const PageSource>(store, heights, frequency_hz,
                                             BareGround{ground, relief_of(terrain, obstacles)});
+}
+
+std::shared_ptr<terrain::TerrainPyramid> terrain_beside(const std::filesystem::path& atlas_folder,
+                                                        const CacheOptions& options) {
+  const std::filesystem::path folder = atlas_folder / atlas::terrain_pyramid_name;
+  if (!terrain::holds_pyramid(folder)) {
+    const terrain::HeightField field = terrain::read_height_field(atlas_folder / atlas::terrain_name);
+    return std::shared_ptr<terrain::TerrainPyramid>(new terrain::TerrainPyramid(terrain::pyramid_in_memory(field)));
+  }
+  return std::shared_ptr<terrain::TerrainPyramid>(
+      new terrain::TerrainPyramid(terrain::open_pyramid(folder, options.budget_bytes / tile_part)));
 }
 
 }  // namespace
 
-LiveGround::LiveGround(const atlas::Store& store, terrain::HeightField terrain, double frequency_hz,
+LiveGround::LiveGround(const atlas::Store& store, std::shared_ptr<terrain::TerrainPyramid> terrain, double frequency_hz,
                        const CacheOptions& options)
     : frequency_hz_(frequency_hz),
-      terrain_(std::move(terrain)),
-      lowest_m_(terrain_.lowest_m()),
-      highest_m_(terrain_.highest_m()),
+      terrain_(std::move(terrain), options.budget_bytes / window_part),
       obstacles_(obstacles_of(store, options)),
-      pages_(source_of(store, terrain_, obstacles_, frequency_hz), less(options, obstacles_.bytes())) {
+      pages_(
+          source_of(store, terrain_, obstacles_, frequency_hz),
+          less(options, obstacles_.bytes() + options.budget_bytes / tile_part + options.budget_bytes / window_part)) {
   atlas::check_frequency(store.description().aspects, frequency_hz);
   load_coarsest_level();
 }
 
+LiveGround::LiveGround(const atlas::Store& store, const terrain::HeightField& terrain, double frequency_hz,
+                       const CacheOptions& options)
+    : LiveGround(
+          store,
+          std::shared_ptr<terrain::TerrainPyramid>(new terrain::TerrainPyramid(terrain::pyramid_in_memory(terrain))),
+          frequency_hz, options) {}
+
 std::shared_ptr<LiveGround> LiveGround::open(const std::filesystem::path& atlas_folder, double frequency_hz,
                                              const CacheOptions& options) {
   const atlas::Store store = atlas::Store::open(atlas_folder);
-  return std::make_shared<LiveGround>(store, terrain::read_height_field(atlas_folder / atlas::terrain_name),
-                                      frequency_hz, options);
+  return std::make_shared<LiveGround>(store, terrain_beside(atlas_folder, options), frequency_hz, options);
+}
+
+void LiveGround::wait_until_loaded() {
+  pages_.wait_until_loaded();
+  terrain_.windows().wait_until_loaded();
 }
 
 void LiveGround::load_coarsest_level() {

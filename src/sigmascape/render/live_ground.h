@@ -5,6 +5,7 @@
 
 #include "sigmascape/atlas/store.h"
 #include "sigmascape/render/ground_page.h"
+#include "sigmascape/render/live_terrain.h"
 #include "sigmascape/render/obstacle_levels.h"
 #include "sigmascape/render/page_cache.h"
 #include "sigmascape/terrain/height_field.h"
@@ -12,39 +13,43 @@
 namespace sigmascape::render {
 
 /// The ground as live renderers share it: pages of reflectivity that come and go, those of the coarsest level that
-/// stay, and the terrain. One for each frequency; safe to use from any number of renderers at once.
+/// stay, and the terrain, of any size. One for each frequency; safe to use from any number of renderers at once.
 class LiveGround {
  public:
   /// Reads the coarsest level at once if half the budget holds it for all aspects, the rest when frames ask. Of an
   /// atlas that keeps the ground apart the obstacles too, as finely as an eighth of the budget holds, which is taken
-  /// from it. Throws Error when the atlas was not baked near the frequency, its layers of bare ground are not there or
-  /// the budget does not hold a single page.
-  LiveGround(const atlas::Store& store, terrain::HeightField terrain, double frequency_hz,
+  /// from it; terrain in use takes another. Throws Error when the atlas was not baked near the frequency, its layers of
+  /// bare ground are not there or the budget does not hold a single page.
+  LiveGround(const atlas::Store& store, std::shared_ptr<terrain::TerrainPyramid> terrain, double frequency_hz,
+             const CacheOptions& options = {});
+  /// The same over terrain in memory.
+  LiveGround(const atlas::Store& store, const terrain::HeightField& terrain, double frequency_hz,
              const CacheOptions& options = {});
 
-  /// The atlas in a folder with the terrain that its bake put beside it (atlas::terrain_name). Throws Error when one of
-  /// them cannot be read.
+  /// The atlas in a folder with the terrain beside it: the pyramid (atlas::terrain_pyramid_name) where there is one, in
+  /// pieces as frames want them, else the whole of atlas::terrain_name. Throws Error when one of them cannot be read.
   [[nodiscard]] static std::shared_ptr<LiveGround> open(const std::filesystem::path& atlas_folder, double frequency_hz,
                                                         const CacheOptions& options = {});
 
   [[nodiscard]] double frequency_hz() const { return frequency_hz_; }
   [[nodiscard]] PageCache& pages() { return pages_; }
-  [[nodiscard]] const terrain::HeightField& terrain() const { return terrain_; }
+  [[nodiscard]] LiveTerrain& terrain() { return terrain_; }
+  [[nodiscard]] const LiveTerrain& terrain() const { return terrain_; }
   /// What stands on the ground; empty where the textures hold its shadows.
   [[nodiscard]] const ObstacleLevels& obstacles() const { return obstacles_; }
   [[nodiscard]] const atlas::AspectCells& aspects() const { return pages_.source().aspects(); }
   [[nodiscard]] const atlas::AtlasDescription& description() const { return pages_.source().description(); }
   /// Of the levels that the store has.
   [[nodiscard]] std::size_t coarsest_level() const { return pages_.source().levels() - 1; }
-  [[nodiscard]] float lowest_m() const { return lowest_m_; }
-  [[nodiscard]] float highest_m() const { return highest_m_; }
+  /// Returns when everything that frames have asked for is there or cannot be: for callers who would rather wait than
+  /// see less.
+  void wait_until_loaded();
 
  private:
   void load_coarsest_level();
 
   double frequency_hz_;
-  terrain::HeightField terrain_;
-  float lowest_m_, highest_m_;
+  LiveTerrain terrain_;
   ObstacleLevels obstacles_;
   PageCache pages_;
 };

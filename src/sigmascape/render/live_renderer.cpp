@@ -12,6 +12,7 @@
 #include "sigmascape/render/page_forecast.h"
 #include "sigmascape/render/sector.h"
 #include "sigmascape/render/sector_task.h"
+#include "sigmascape/render/target_sight.h"
 
 namespace sigmascape::render {
 namespace {
@@ -44,6 +45,9 @@ const LiveSettings& checked(const LiveSettings& settings) {
 constexpr double seconds_ahead = 1.0;
 constexpr std::size_t steps_ahead = 60;
 
+/// Pieces of terrain that a frame may wish for: nearer ground and that in view, of two levels, and what lies ahead.
+constexpr std::size_t most_wanted_terrain = 5;
+
 /// Distance over the ground to something at `below_m` under the radar whose slant range is known.
 double ground_distance(double range_m, double below_m) {
   return std::sqrt(std::max(range_m * range_m - below_m * below_m, 0.0));
@@ -56,15 +60,34 @@ LiveRenderer::LiveRenderer(std::shared_ptr<LiveGround> ground, const LiveSetting
       settings_(checked(settings)),
       lattice_({.seed = settings.seed, .cell_m = ground_->description().patches.texel_m, .levels = 1}),
       team_(settings.threads),
-      horizon_(HorizonGrid{}, team_.size()) {
+      horizons_{HorizonMap(HorizonGrid{}, team_.size()), HorizonMap(HorizonGrid{}, team_.size())},
+      horizon_of_{&horizons_[0], &horizons_[0]},
+      targets_({.frequency_hz = ground_->frequency_hz(),
+                .beams = settings.beams,
+                .ranges = settings.ranges,
+                .beam_step_rad = settings.beam_step_rad,
+                .range_step_m = settings.range_step_m}) {
   bins_.resize(settings.beams * settings.ranges * numbers_a_bin(settings.content));
   for (unsigned worker = 0; worker < team_.size(); ++worker)
-    tasks_.push_back(std::make_unique<SectorTask>(FrameParts{*ground_, settings_, lattice_, horizon_, bins_}));
+    tasks_.push_back(
+        std::make_unique<SectorTask>(FrameParts{*ground_, settings_, lattice_, horizon_of_, bounds_, bins_}));
   // The tasks' and, after them, what lies ahead.
   wanted_.reserve(PageRows::most_wanted * (team_.size() + 1));
+  wanted_terrain_.reserve(most_wanted_terrain);
 }
 
-LiveRenderer::~LiveRenderer() = default;
+LiveRenderer::~LiveRenderer() {
+  wanted_.clear();
+  wanted_terrain_.clear();
+  request();
+}
+
+void LiveRenderer::request() {
+  // A list that was empty and stays so needs no lock.
+  if (!wanted_.empty() || has_asked_) ground_->pages().request(wanted_, this);
+  if (!wanted_terrain_.empty() || has_asked_) ground_->terrain().windows().request(wanted_terrain_, this);
+  has_asked_ = !wanted_.empty() || !wanted_terrain_.empty();
+}
 
 const Frame& LiveRenderer::render(const Pose& pose) {
   return scan(pose, 0, settings_.beams);
@@ -75,24 +98,21 @@ const Frame& LiveRenderer::scan(const Pose& pose, std::size_t first_beam, std::s
   const std::size_t last_beam = std::min(first_beam + count, settings_.beams);
   const PageCache::View view = ground_->pages().view();
   for (const auto& task : tasks_) task->begin_frame(view);
-
-  // Tasks look half a beam beyond their own.
-  const std::size_t first_edge = first_beam - std::min<std::size_t>(first_beam, 1);
-  const std::size_t last_edge = std::min(last_beam + 1, settings_.beams);
-  const Occluders occluders = occluders_for(horizon_.grid());
-  team_.run(last_edge - first_edge + 1, [&](std::size_t index, unsigned worker) {
-    horizon_.sweep(first_edge + index, pose.position, occluders, worker);
-  });
   const DetailBlend levels = next_levels();
+  frame_.report = {.level = static_cast<std::size_t>((levels.next_share > 0.5 ? levels.next : levels.level) - 1)};
+  wanted_terrain_.clear();
+  const TerrainWindows::View terrain = ground_->terrain().windows().view();
+  sweep_horizons(terrain, pose, {first_beam, last_beam}, levels);
+  look_at_targets(pose, levels);
   const std::size_t group = beams_together(settings_.beam_step_rad), first_group = first_beam / group;
   const std::size_t tasks = last_beam > first_beam ? (last_beam - 1) / group + 1 - first_group : 0;
   team_.run(tasks, [&](std::size_t index, unsigned worker) {
     const std::size_t first = std::max(first_beam, (first_group + index) * group);
     const std::size_t end = std::min(last_beam, (first_group + index + 1) * group);
     tasks_[worker]->fill(pose, {first, end - first}, levels);
+    add_targets(first, end - first);
   });
 
-  frame_.report = {.level = static_cast<std::size_t>((levels.next_share > 0.5 ? levels.next : levels.level) - 1)};
   wanted_.clear();
   for (const auto& task : tasks_) {
     frame_.report.cells += task->report().cells;
@@ -105,14 +125,20 @@ const Frame& LiveRenderer::scan(const Pose& pose, std::size_t first_beam, std::s
     task->end_frame();
   }
   look_ahead(view, pose, {first_beam, last_beam}, static_cast<std::size_t>(levels.next - 1));
-  if (!wanted_.empty()) ground_->pages().request(wanted_);
+  const double far_m = grid().near_m + grid().step_m * static_cast<double>(grid().distances);
+  // Only wished for: what comes back is looked at by the frames to come.
+  (void)ground_->terrain().surface(terrain, terrain_level(static_cast<std::size_t>(levels.next - 1)),
+                                   under_beams(pose.position + pose.velocity_mps * seconds_ahead, grid().near_m, far_m),
+                                   wanted_terrain_);
+  request();
   return frame_;
 }
 
 void LiveRenderer::prepare(const Pose& pose) {
   const double far_range_m = pose.first_range_m + static_cast<double>(settings_.ranges) * settings_.range_step_m;
-  const double highest_below = pose.position.z - ground_->highest_m(),
-               lowest_below = pose.position.z - ground_->lowest_m();
+  bounds_ = ground_->terrain().bounds_over(under_beams(pose.position, 0.0, far_range_m));
+  const double highest_below = pose.position.z - static_cast<double>(bounds_.highest_m),
+               lowest_below = pose.position.z - static_cast<double>(bounds_.lowest_m);
   const double near_m = ground_distance(pose.first_range_m, lowest_below);
   const double far_m = ground_distance(far_range_m, std::max(highest_below, 0.0));
   HorizonGrid grid;
@@ -123,7 +149,7 @@ void LiveRenderer::prepare(const Pose& pose) {
   grid.distances = 2 * settings_.ranges;
   grid.step_m = (far_m - near_m) / static_cast<double>(grid.distances);
   grid.drop_per_square_m = 0.5 * radar::CurvedEarth{.refraction = settings_.refraction}.curvature_per_m();
-  horizon_.reset(grid, !ground_->obstacles().empty());
+  for (HorizonMap& horizon : horizons_) horizon.reset(grid, !ground_->obstacles().empty());
 
   frame_.grid = {pose.first_range_m,     settings_.range_step_m,  settings_.ranges,
                  pose.first_azimuth_rad, settings_.beam_step_rad, settings_.beams};
@@ -134,19 +160,90 @@ void LiveRenderer::prepare(const Pose& pose) {
   }
 }
 
-Occluders LiveRenderer::occluders_for(const HorizonGrid& grid) const {
+radar::Rectangle LiveRenderer::under_beams(Vec3d radar, double near_m, double far_m) const {
+  const HorizonGrid& beams = grid();
+  const double width = beams.azimuth_step_rad * static_cast<double>(settings_.beams);
+  // A sector is less than half a turn wide.
+  const int parts = static_cast<int>(width / (pi / 2.0)) + 1;
+  radar::Rectangle box{1e300, 1e300, -1e300, -1e300};
+  for (int part = 0; part < parts; ++part) {
+    const Sector sector(beams.first_azimuth_rad + width * part / parts, width / parts, near_m, far_m);
+    const radar::Rectangle bounds = sector.bounds();
+    box = {std::min(box.west_m, bounds.west_m), std::min(box.south_m, bounds.south_m),
+           std::max(box.east_m, bounds.east_m), std::max(box.north_m, bounds.north_m)};
+  }
+  return {radar.x + box.west_m, radar.y + box.south_m, radar.x + box.east_m, radar.y + box.north_m};
+}
+
+int LiveRenderer::terrain_level(std::size_t level) const {
+  return ground_->terrain().level_for(atlas::texel_side_m(ground_->description().patches, level));
+}
+
+Occluders LiveRenderer::occluders_for(const TerrainWindows::View& terrain, Vec3d radar, std::size_t level) {
   const ObstacleLevels& obstacles = ground_->obstacles();
-  const terrain::HeightField& field = ground_->terrain();
-  return {.terrain = {.west_m = field.west_m,
-                      .north_m = field.north_m,
-                      .spacing_m = field.spacing_m,
-                      .columns = field.height_m.columns(),
-                      .rows = field.height_m.rows(),
-                      .height_m = field.height_m.values(),
-                      .lowest_m = ground_->lowest_m(),
-                      .highest_m = ground_->highest_m()},
-          .obstacles = obstacles.empty() ? nullptr : &obstacles.level_for(grid.step_m),
-          .tallest_m = obstacles.tallest_m()};
+  const double far_m = grid().near_m + grid().step_m * static_cast<double>(grid().distances);
+  const int level_within = terrain_level(level);
+  const LiveTerrain::Surface within =
+      ground_->terrain().surface(terrain, level_within, under_beams(radar, grid().near_m, far_m), wanted_terrain_);
+  Occluders occluders{.terrain = within.view,
+                      .obstacles = obstacles.empty() ? nullptr : &obstacles.level_for(grid().step_m),
+                      .tallest_m = obstacles.tallest_m(),
+                      .lowered_m = within.above_pages_m};
+  float error_m = within.error_m;
+  if (grid().near_m > grid().step_m) {
+    // Nearer ground is walked over in longer steps; nodes half as far apart keep its ridges.
+    const double step_m = grid().near_m / static_cast<double>(grid().before_near);
+    const LiveTerrain::Surface before =
+        ground_->terrain().surface(terrain, std::max(level_within, ground_->terrain().level_for(step_m / 4.0)),
+                                   under_beams(radar, 0.0, grid().near_m), wanted_terrain_);
+    occluders.before_near = before.view;
+    occluders.lowered_m = std::max(occluders.lowered_m, before.above_pages_m);
+    error_m = std::max(error_m, before.error_m);
+  }
+  frame_.report.terrain_error_m = std::max(frame_.report.terrain_error_m, static_cast<double>(error_m));
+  return occluders;
+}
+
+void LiveRenderer::sweep_horizons(const TerrainWindows::View& terrain, const Pose& pose, Beams beams,
+                                  const DetailBlend& levels) {
+  const auto level = static_cast<std::size_t>(levels.level - 1), next = static_cast<std::size_t>(levels.next - 1);
+  const bool alike = terrain_level(level) == terrain_level(next);
+  horizon_of_ = {&horizons_[0], &horizons_[alike ? 0 : 1]};
+  // Tasks look half a beam beyond their own.
+  const std::size_t first_edge = beams.first - std::min<std::size_t>(beams.first, 1);
+  const std::size_t edges = std::min(beams.end + 1, settings_.beams) - first_edge + 1;
+  for (std::size_t which = 0; which < (alike ? 1 : 2); ++which) {
+    occluders_[which] = occluders_for(terrain, pose.position, which == 0 ? level : next);
+    team_.run(edges, [&](std::size_t index, unsigned worker) {
+      horizons_[which].sweep(first_edge + index, pose.position, occluders_[which], worker);
+    });
+  }
+}
+
+void LiveRenderer::look_at_targets(const Pose& pose, const DetailBlend& levels) {
+  const bool alike = horizon_of_[0] == horizon_of_[1];
+  const auto next_share = alike ? 0.0F : static_cast<float>(levels.next_share);
+  const TargetSight sight{
+      .levels = {{{horizon_of_[0], &occluders_[0], 1.0F - next_share}, {horizon_of_[1], &occluders_[1], next_share}}},
+      .radar_height_m = pose.position.z};
+  targets_.look(
+      pose.targets,
+      {.position = pose.position,
+       .first_azimuth_rad = pose.first_azimuth_rad,
+       .first_range_m = pose.first_range_m,
+       .earth = {.refraction = settings_.refraction}},
+      pose.moment, [&sight](const receiver::TargetFrame::Seen& target) { return sight.part_seen(target); }, &team_);
+  frame_.report.targets = targets_.seen();
+}
+
+void LiveRenderer::add_targets(std::size_t first_beam, std::size_t count) {
+  if (targets_.seen() == 0) return;
+  if (settings_.content == FrameContent::Powers) {
+    targets_.add_powers(first_beam, count, bins_);
+  } else {
+    targets_.add_amplitudes(first_beam, count,
+                            {reinterpret_cast<std::complex<float>*>(bins_.data()), bins_.size() / 2});
+  }
 }
 
 void LiveRenderer::look_ahead(const PageCache::View& view, const Pose& pose, Beams beams, std::size_t level) {
@@ -157,9 +254,9 @@ void LiveRenderer::look_ahead(const PageCache::View& view, const Pose& pose, Bea
   // A scan goes on at the pace of this step; a whole frame looks at all beams again.
   const std::size_t first = scans ? beams.end : beams.first;
   const std::size_t ahead = scans ? std::min(count * steps_ahead, settings_.beams) : count;
-  const HorizonGrid& grid = horizon_.grid();
+  const HorizonGrid& grid = this->grid();
   const Vec3d radar = pose.position + pose.velocity_mps * seconds_ahead;
-  const double ground_m = 0.5 * static_cast<double>(ground_->lowest_m() + ground_->highest_m());
+  const double ground_m = 0.5 * static_cast<double>(bounds_.lowest_m + bounds_.highest_m);
   for (std::size_t done = 0; done < ahead; done += group) {
     const std::size_t here = std::min(group, ahead - done);
     const double azimuth =
@@ -171,7 +268,7 @@ void LiveRenderer::look_ahead(const PageCache::View& view, const Pose& pose, Bea
 }
 
 DetailBlend LiveRenderer::next_levels() {
-  const HorizonGrid& grid = horizon_.grid();
+  const HorizonGrid& grid = this->grid();
   const double reach_m = grid.step_m * static_cast<double>(grid.distances), middle_m = grid.near_m + reach_m / 2.0;
   DetailQuestion question;
   // Bins lie along the slant range; what they are on the ground follows from where they begin and end.

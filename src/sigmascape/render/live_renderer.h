@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <complex>
 #include <cstdint>
 #include <memory>
@@ -10,6 +11,8 @@
 #include "sigmascape/base/worker_team.h"
 #include "sigmascape/radar/range_azimuth_image.h"
 #include "sigmascape/radar/scatterer_lattice.h"
+#include "sigmascape/radar/target.h"
+#include "sigmascape/receiver/target_frame.h"
 #include "sigmascape/render/horizon_map.h"
 #include "sigmascape/render/level_of_detail.h"
 #include "sigmascape/render/live_ground.h"
@@ -43,6 +46,10 @@ struct Pose {
   double first_azimuth_rad = 0.0;  ///< left edge of beam 0, clockwise from north
   double first_range_m = 1000.0;   ///< near edge of range bin 0
   Vec3d velocity_mps = {};         ///< says which ground to fetch ahead of time
+  /// Targets and movers that answer besides the ground, at every level of detail, wherever nothing stands before them;
+  /// they must live until the frame is done.
+  std::span<const radar::Target> targets = {};
+  radar::Moment moment = {};  ///< of the targets' tracks and of their fluctuation
 };
 
 /// What a frame cost and what it lacked.
@@ -52,6 +59,10 @@ struct FrameReport {
   std::size_t coarse = 0;  ///< of them shown from a coarser level than wanted, for the finer was not there yet
   std::size_t dark = 0;    ///< for which there was nothing at all
   std::size_t level = 0;   ///< of the textures, 0 the finest; of two in use that with more of the power
+  /// By how much the terrain that hides may be wrong, for tiles of it cannot be had, or were not there yet: then it is
+  /// taken to lie so much lower that no ground is hidden by what is not there. 0 when nothing was lacking.
+  double terrain_error_m = 0.0;
+  std::size_t targets = 0;  ///< of those of the pose that stand in the bins and are seen
 };
 
 /// A frame, valid until the next one.
@@ -68,7 +79,8 @@ struct Frame {
 ///
 /// Every lattice cell of the sector answers once, at its own place and with its own phase; cells are as large as the
 /// bins can tell apart, so that their number does not depend on how far the radar sees. When the level that this asks
-/// for changes along a flight path, the two are drawn together for 30 frames, each with its share of the power. Nothing
+/// for changes along a flight path, the two are drawn together for 30 frames, textures over the terrain that belongs to
+/// them, each with its share of the power. Nothing
 /// is allocated and nothing waited for once the first frame is done. The result does not depend on the number of
 /// threads.
 class LiveRenderer {
@@ -91,18 +103,36 @@ class LiveRenderer {
   [[nodiscard]] DetailBlend next_levels();
   /// Asks for what the radar will see a second later, and for the beams that a scan comes to until then.
   void look_ahead(const PageCache::View& view, const Pose& pose, Beams beams, std::size_t level);
-  [[nodiscard]] Occluders occluders_for(const HorizonGrid& grid) const;
+  void look_at_targets(const Pose& pose, const DetailBlend& levels);
+  void add_targets(std::size_t first_beam, std::size_t count);
+  /// Sweeps the beams, and their edges, over the terrain of each level of detail in use.
+  void sweep_horizons(const TerrainWindows::View& terrain, const Pose& pose, Beams beams, const DetailBlend& levels);
+  /// What hides ground at a level of detail, as far as it is there; reports what it lacks and asks for it.
+  [[nodiscard]] Occluders occluders_for(const TerrainWindows::View& terrain, Vec3d radar, std::size_t level);
+  /// Asks for what is wanted, instead of what was.
+  void request();
+  [[nodiscard]] const HorizonGrid& grid() const { return horizons_[0].grid(); }
+  /// Of the terrain, for a level of the textures.
+  [[nodiscard]] int terrain_level(std::size_t level) const;
+  /// The ground between two distances under all beams.
+  [[nodiscard]] radar::Rectangle under_beams(Vec3d radar, double near_m, double far_m) const;
 
   std::shared_ptr<LiveGround> ground_;
   LiveSettings settings_;
   radar::ScattererLattice lattice_;
   WorkerTeam team_;
-  HorizonMap horizon_;
+  terrain::HeightBounds bounds_;  // of the ground that the frame looks at
+  std::array<HorizonMap, 2> horizons_;
+  std::array<Occluders, 2> occluders_;
+  std::array<const HorizonMap*, 2> horizon_of_;  // of the two levels of detail; the same when so is their terrain
+  receiver::TargetFrame targets_;
   DetailTransition transition_;
   int last_level_ = 0;
   std::vector<float> bins_;                         // [beam][range][number]
   std::vector<std::unique_ptr<SectorTask>> tasks_;  // one a worker
   std::vector<PageKey> wanted_;                     // by all of them
+  std::vector<WindowWish> wanted_terrain_;
+  bool has_asked_ = false;  // for something, after the last frame
   Frame frame_;
 };
 

@@ -56,10 +56,11 @@ const GroundPage* PageCache::View::find(const PageKey& key) const {
   return found->get();
 }
 
-void PageCache::request(std::span<const PageKey> wanted) {
+void PageCache::request(std::span<const PageKey> wanted, const void* asker) {
   const std::lock_guard lock(guard_);
-  wanted_.assign(wanted.rbegin(), wanted.rend());
-  if (!wanted_.empty()) request_came_.notify_all();
+  std::erase_if(wanted_, [asker](const Wish& wish) { return wish.asker == asker; });
+  for (auto key = wanted.rbegin(); key != wanted.rend(); ++key) wanted_.push_back({*key, asker});
+  (wanted_.empty() ? request_done_ : request_came_).notify_all();
 }
 
 void PageCache::wait_until_loaded() {
@@ -111,7 +112,7 @@ void PageCache::load_pages() {
 bool PageCache::next_wanted(PageKey& key) {
   const auto entries = entries_.load();
   while (!wanted_.empty()) {
-    key = wanted_.back();
+    key = wanted_.back().key;
     wanted_.pop_back();
     const bool there = std::ranges::binary_search(*entries, key, {}, key_of);
     if (!there && !holds(loading_, key) && !holds(absent_, key)) return true;

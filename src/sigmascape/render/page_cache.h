@@ -59,9 +59,9 @@ class PageCache {
   /// Call at the start of a frame; drop it at its end, for pages live while a view holds them.
   [[nodiscard]] View view();
 
-  /// Pages to load, the dearest first, in place of those asked for before. For the end of a frame: the list is locked
-  /// while it is handed over, never while pages are read.
-  void request(std::span<const PageKey> wanted);
+  /// Pages to load, the dearest first, in place of those that the same asker wanted before. For the end of a frame: the
+  /// list is locked while it is handed over, never while pages are read.
+  void request(std::span<const PageKey> wanted, const void* asker = nullptr);
 
   /// Returns when all that was asked for is there or cannot be: for callers who would rather wait than see less.
   void wait_until_loaded();
@@ -86,7 +86,12 @@ class PageCache {
   std::condition_variable request_came_, request_done_;
   std::atomic<std::shared_ptr<const Entries>> entries_;
   std::vector<std::shared_ptr<GroundPage>> retired_;  // no longer found, perhaps still read by a frame
-  std::vector<PageKey> wanted_, loading_, absent_;    // `wanted_` from its end
+  struct Wish {
+    PageKey key;
+    const void* asker;
+  };
+  std::vector<Wish> wanted_;  // from its end: whoever asked last comes first
+  std::vector<PageKey> loading_, absent_;
   std::atomic<std::uint64_t> frame_{0};
   std::size_t page_bytes_ = 0;  // of one
   CacheReport report_;

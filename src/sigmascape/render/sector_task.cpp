@@ -22,8 +22,11 @@ void SectorTask::fill(const Pose& pose, Beams beams, const DetailBlend& levels) 
   clear(beams);
   const auto level = static_cast<std::size_t>(levels.level - 1), next = static_cast<std::size_t>(levels.next - 1);
   const auto next_share = static_cast<float>(levels.next_share);
-  if (level == next || next_share < 1.0F) add_level(pose, beams, level, level == next ? 1.0F : 1.0F - next_share);
-  if (level != next && next_share > 0.0F) add_level(pose, beams, next, next_share);
+  const auto& [horizon, next_horizon] = parts_.horizons;
+  if (level == next || next_share < 1.0F) {
+    add_level(pose, beams, level, *horizon, level == next ? 1.0F : 1.0F - next_share);
+  }
+  if (level != next && next_share > 0.0F) add_level(pose, beams, next, *next_horizon, next_share);
   hand_over(beams);
 }
 
@@ -58,7 +61,8 @@ void SectorTask::hand_over(Beams beams) {
   }
 }
 
-void SectorTask::add_level(const Pose& pose, Beams beams, std::size_t level, float share) {
+void SectorTask::add_level(const Pose& pose, Beams beams, std::size_t level, const HorizonMap& horizon, float share) {
+  horizon_ = &horizon;
   start(pose, beams, level);
   share_ = share;
   const double tile_m = texel_m_ * static_cast<double>(atlas::tile_side);
@@ -82,7 +86,7 @@ void SectorTask::start(const Pose& pose, Beams beams, std::size_t level) {
   first_beam_ = beams.first / group * group;
   first_azimuth_rad_ = pose.first_azimuth_rad + static_cast<double>(first_beam_) * step;
   const double middle = first_azimuth_rad_ + static_cast<double>(group) * step / 2.0;
-  const HorizonGrid& horizon = parts_.horizon.grid();
+  const HorizonGrid& horizon = horizon_->grid();
   // A scatterer is shared with bins half a beam away, and stands up to half a texel's diagonal from its middle.
   const double margin = std::min(0.5 * step + 0.75 * texel_m_ / std::max(horizon.near_m, texel_m_), 1.5 * step);
   sector_ = Sector(pose.first_azimuth_rad + static_cast<double>(beams.first) * step - margin,
@@ -170,16 +174,16 @@ PageHeights SectorTask::heights_of(const PageRow& ground) const {
 }
 
 Horizon SectorTask::horizon() const {
-  const HorizonMap& horizon = parts_.horizon;
-  return {.slopes = horizon.slopes(0),
-          .solid_slopes = horizon.solid_slopes(0),
-          .through = horizon.through(0),
-          .azimuths = horizon.grid().azimuths,
-          .distances = horizon.grid().distances,
-          .stride = horizon.stride(),
+  const HorizonGrid& grid = horizon_->grid();
+  return {.slopes = horizon_->slopes(0),
+          .solid_slopes = horizon_->solid_slopes(0),
+          .through = horizon_->through(0),
+          .azimuths = grid.azimuths,
+          .distances = grid.distances,
+          .stride = horizon_->stride(),
           .first_beam = static_cast<float>(first_beam_),
-          .near_m = static_cast<float>(horizon.grid().near_m),
-          .per_step = static_cast<float>(1.0 / horizon.grid().step_m)};
+          .near_m = static_cast<float>(grid.near_m),
+          .per_step = static_cast<float>(1.0 / grid.step_m)};
 }
 
 void SectorTask::light_apart_from(const PageRow& ground) {
@@ -237,7 +241,7 @@ const atlas::AspectCells* SectorTask::ground_aspects() const {
 }
 
 float SectorTask::cotangent_near() const {
-  const double below = pose_->position.z - 0.5 * (parts_.ground.lowest_m() + parts_.ground.highest_m());
+  const double below = pose_->position.z - 0.5 * static_cast<double>(parts_.bounds.lowest_m + parts_.bounds.highest_m);
   return static_cast<float>(std::hypot(row_.east_m[0], row_.north_m[0]) / std::max(below, 1.0));
 }
 

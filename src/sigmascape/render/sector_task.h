@@ -31,8 +31,11 @@ struct FrameParts {
   LiveGround& ground;
   const LiveSettings& settings;
   const radar::ScattererLattice& lattice;
-  const HorizonMap& horizon;  ///< of this frame, swept already
-  std::span<float> bins;      ///< [beam][range][number]
+  /// Of this frame, swept already: over the terrain of the level of detail in use and, while it gives way to the next,
+  /// over that of the next.
+  const std::array<const HorizonMap*, 2>& horizons;
+  const terrain::HeightBounds& bounds;  ///< of the ground that this frame looks at
+  std::span<float> bins;                ///< [beam][range][number]
 };
 
 /// Fills some beams of a frame: goes over the lattice cells of their sector, row by row.
@@ -62,7 +65,7 @@ class SectorTask {
   void clear(Beams beams);
   void hand_over(Beams beams);
   [[nodiscard]] float* own_bins() { return own_bins_.data()->of.data(); }
-  void add_level(const Pose& pose, Beams beams, std::size_t level, float share);
+  void add_level(const Pose& pose, Beams beams, std::size_t level, const HorizonMap& horizon, float share);
   void start(const Pose& pose, Beams beams, std::size_t level);
   void fill_tile(const atlas::TileAddress& tile);
   void fill_stretch(const Place& place, std::size_t count);
@@ -102,6 +105,7 @@ class SectorTask {
 
   // Of the level in hand.
   const Pose* pose_ = nullptr;
+  const HorizonMap* horizon_ = nullptr;
   std::size_t level_ = 0, first_beam_ = 0;
   double texel_m_ = 1.0;
   double first_azimuth_rad_ = 0.0;

@@ -14,7 +14,6 @@
 #include "sigmascape/receiver/range_azimuth_receiver.h"
 #include "sigmascape/receiver/stripmap_imager.h"
 #include "sigmascape/receiver/target_echoes.h"
-#include "sigmascape/render/line_of_sight.h"
 
 namespace sigmascape::simulate {
 namespace {
@@ -80,16 +79,11 @@ std::vector<radar::Scatterer> scatterers_of(const CoherentScene& scene, const ra
       scene.targets);
 }
 
-std::vector<radar::Target> seen_targets(std::span<const radar::Target> targets, const terrain::HeightField& terrain,
-                                        Vec3d radar_position, double time_s) {
-  const double highest_m = terrain.highest_m();
-  std::vector<radar::Target> seen;
-  for (const radar::Target& target : targets) {
-    if (render::line_of_sight(terrain, highest_m, radar_position, target.track.position_at(time_s))) {
-      seen.push_back(target);
-    }
-  }
-  return seen;
+/// Those that are seen at time zero.
+std::vector<radar::Target> targets_seen(const CoherentScene& scene, Vec3d radar_position) {
+  const Surroundings surroundings{*scene.terrain, obstacles_of(scene.sigma0)};
+  return seen_targets(scene.targets, 0.0,
+                      [&](Vec3d position) { return part_seen(surroundings, radar_position, position); });
 }
 
 /// The angle of the middle of the area ahead of broadside, at time zero.
@@ -120,7 +114,7 @@ receiver::DopplerImager doppler_imager(const CoherentScene& scene, const radar::
                                  gate_over(radar, area, *scene.terrain, image_oversampling),
                                  middle_of(area, *scene.terrain));
   imager.add(scatterers_of(scene, radar, area, settings), settings.threads);
-  imager.add(seen_targets(scene.targets, *scene.terrain, radar.position, 0.0));
+  imager.add(targets_seen(scene, radar.position));
   return imager;
 }
 
@@ -142,7 +136,7 @@ receiver::StripmapImager stripmap_imager(const CoherentScene& scene, const radar
                                    .dwell = settings.dwell},
                                   gate_over(radar, span_of(area, *scene.terrain, here, closest), image_oversampling));
   imager.add(scatterers_of(scene, radar, area, settings), settings.threads);
-  imager.add(seen_targets(scene.targets, *scene.terrain, radar.position, 0.0));
+  imager.add(targets_seen(scene, radar.position));
   return imager;
 }
 
@@ -165,7 +159,7 @@ radar::PhaseHistory phase_history(const CoherentScene& scene, const radar::Radar
   const std::size_t count = pulses_in(radar, settings);
   const receiver::PulseReceiver receiver(radar, gate_over(radar, area, *scene.terrain, pulse_oversampling));
   const auto ground = scatterers_of(scene, radar, area, settings);
-  const auto targets = seen_targets(scene.targets, *scene.terrain, radar.position, 0.0);
+  const auto targets = targets_seen(scene, radar.position);
   const receiver::VoltageGain gain =
       settings.calibrated ? receiver::calibrated_voltage(radar, beam_of(radar, middle_of(area, *scene.terrain)))
                           : receiver::VoltageGain{};
@@ -203,9 +197,11 @@ radar::PowerImage<radar::StripmapImage> stripmap_power(const CoherentScene& scen
   return {frame_of(imager.frame(), looks), imager.power(looks, settings.threads)};
 }
 
-void add_targets(radar::RangeAzimuthImage& image, const radar::Radar& radar, const terrain::HeightField& terrain,
+void add_targets(radar::RangeAzimuthImage& image, const radar::Radar& radar, const Surroundings& surroundings,
                  std::span<const radar::Target> targets, const radar::Moment& moment) {
-  const auto seen = seen_targets(targets, terrain, radar.position, moment.time_s);
+  if (targets.empty()) return;
+  const auto seen = seen_targets(targets, moment.time_s,
+                                 [&](Vec3d position) { return part_seen(surroundings, radar.position, position); });
   receiver::RangeAzimuthReceiver receiver(radar, image.grid);
   receiver.add(receiver::target_echoes(seen, radar, moment));
   const auto answers = receiver.image();

@@ -10,6 +10,7 @@
 #include "sigmascape/radar/slant_image.h"
 #include "sigmascape/radar/target.h"
 #include "sigmascape/render/ground_scatterers.h"
+#include "sigmascape/simulate/target_sight.h"
 #include "sigmascape/terrain/height_field.h"
 
 namespace sigmascape::simulate {
@@ -37,7 +38,8 @@ struct CoherentSettings {
 
 /// The pulses of one interval, before any processing: I and Q, at the radar's pulse repetition frequency, over the gate
 /// that `area` or the radar file asks for. The beam follows the middle of the area, or with Mode::Stripmap keeps the
-/// direction that it has at time zero. Targets are seen over the bare terrain. Cost goes with pulses × scatterers.
+/// direction that it has at time zero. Targets are seen where terrain and what the atlas knows to stand there let them,
+/// as at time zero. Cost goes with pulses × scatterers.
 ///
 /// Throws Error when the radar does not move, the gate is longer than the unambiguous range, or the area is too large.
 [[nodiscard]] radar::PhaseHistory phase_history(const CoherentScene& scene, const radar::Radar& radar,
@@ -64,9 +66,9 @@ struct CoherentSettings {
                                                                      const CoherentSettings& settings,
                                                                      std::size_t looks);
 
-/// Adds the targets that the radar sees over the bare terrain to an image of the power mode, of whatever level of
+/// Adds the targets that the radar sees in these surroundings to an image of the power mode, of whatever level of
 /// detail.
-void add_targets(radar::RangeAzimuthImage& image, const radar::Radar& radar, const terrain::HeightField& terrain,
+void add_targets(radar::RangeAzimuthImage& image, const radar::Radar& radar, const Surroundings& surroundings,
                  std::span<const radar::Target> targets, const radar::Moment& moment);
 
 }  // namespace sigmascape::simulate

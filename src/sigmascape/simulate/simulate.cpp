@@ -2,13 +2,20 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <fmt/format.h>
 #include <memory>
 #include <utility>
 #include <vector>
 
+#include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/base/error.h"
+#include "sigmascape/base/parallel.h"
+#include "sigmascape/radar/target_shadows.h"
 #include "sigmascape/receiver/range_azimuth_receiver.h"
+#include "sigmascape/receiver/target_echoes.h"
+#include "sigmascape/simulate/coherent.h"
+#include "sigmascape/simulate/target_sight.h"
 #include "sigmascape/trace/tile_progress.h"
 
 namespace sigmascape::simulate {
@@ -28,6 +35,36 @@ void check_above(const radar::Radar& radar, double highest_m) {
                 "place the radar above the scene");
   }
 }
+
+/// Where a direct echo comes from.
+Vec3d place_of(const radar::Echo& echo, Vec3d radar_position) {
+  const auto down = static_cast<double>(echo.sin_depression);
+  const double over_ground_m = echo.range_m * std::sqrt(std::max(0.0, 1.0 - down * down));
+  return radar_position +
+         Vec3d{over_ground_m * std::sin(echo.cross), over_ground_m * std::cos(echo.cross), -echo.range_m * down};
+}
+
+/// The echoes that no target's box keeps from the radar. One of several bounces is judged by where it seems to stand.
+class UnhiddenEchoes {
+ public:
+  UnhiddenEchoes(std::span<const radar::Target> targets, Vec3d radar_position, unsigned workers)
+      : shadows_(targets, 0.0, radar_position), radar_position_(radar_position), kept_(workers) {}
+
+  std::span<const radar::Echo> among(std::span<const radar::Echo> echoes, unsigned worker) {
+    if (shadows_.empty()) return echoes;
+    std::vector<radar::Echo>& kept = kept_[worker];
+    kept.clear();
+    for (const radar::Echo& echo : echoes) {
+      if (!shadows_.hide(place_of(echo, radar_position_))) kept.push_back(echo);
+    }
+    return kept;
+  }
+
+ private:
+  radar::TargetShadows shadows_;
+  Vec3d radar_position_;
+  std::vector<std::vector<radar::Echo>> kept_;
+};
 
 /// Adds the echoes of the scene's point targets that the radar can see.
 void add_point_targets(const scene::Scene& scene, const trace::SceneGeometry& geometry,
@@ -113,20 +150,24 @@ std::vector<radar::RangeAzimuthImage> traced_bounces(const scene::Scene& scene, 
                                                      trace::TraceCounts& counts, ProgressListener* progress) {
   check_above(radar, geometry.highest_m());
   const auto viewpoint = trace::Viewpoint::located(radar.position);
-  const trace::PathTracer tracer(geometry, trace::surface_models(scene, radar.frequency_hz), viewpoint,
-                                 {.max_bounces = settings.max_bounces}, settings.seed);
+  const auto surfaces = trace::surface_models(scene, radar.frequency_hz);
+  const trace::PathTracer tracer(geometry, surfaces, viewpoint, {.max_bounces = settings.max_bounces}, settings.seed);
   const auto launch = trace::launch_area(viewpoint, area, settings.cell_m, geometry.lowest_m(),
                                          geometry.highest_m() + clearance_m, multibounce_margin_m);
   BounceReceivers receivers(radar, bins_for(radar, area, scene.terrain), orders);
   SilentProgress silent;
   trace::TileProgress tiles(progress != nullptr ? *progress : silent, "trace", "% of the map", 0.0, 100.0, 100.0,
                             launch.tiles());
+  UnhiddenEchoes unhidden(settings.targets, radar.position, thread_count(settings.threads));
   counts += tracer.trace(launch, {0, settings.samples_per_cell, settings.samples_per_cell}, settings.threads,
                          [&](std::span<const radar::Echo> echoes, unsigned worker) {
-                           receivers.add(echoes);
+                           receivers.add(unhidden.among(echoes, worker));
                            tiles.tile_done(worker);
                          });
   add_point_targets(scene, geometry, viewpoint, receivers.first());
+  const auto seen = seen_targets(
+      settings.targets, 0.0, [&](Vec3d position) { return part_seen(geometry, surfaces, radar.position, position); });
+  receivers.first().add(receiver::target_echoes(seen, radar, {}));
   return receivers.images();
 }
 
@@ -134,7 +175,11 @@ radar::RangeAzimuthImage baked_image(const atlas::Atlas& atlas, const terrain::H
                                      const radar::Radar& radar, const radar::Rectangle& area,
                                      const render::RenderSettings& settings, render::RenderCounts& counts) {
   check_above(radar, terrain.highest_m());
-  return render::GroundRenderer(atlas, terrain).render(radar, area, bins_for(radar, area, terrain), settings, counts);
+  auto image =
+      render::GroundRenderer(atlas, terrain).render(radar, area, bins_for(radar, area, terrain), settings, counts);
+  const auto* const apart = atlas.ground_layers();
+  add_targets(image, radar, {terrain, apart != nullptr ? &apart->obstacles : nullptr}, settings.targets, {});
+  return image;
 }
 
 }  // namespace sigmascape::simulate

@@ -2,12 +2,14 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "sigmascape/atlas/atlas.h"
 #include "sigmascape/base/progress.h"
 #include "sigmascape/radar/radar.h"
 #include "sigmascape/radar/range_azimuth_image.h"
+#include "sigmascape/radar/target.h"
 #include "sigmascape/render/ground_renderer.h"
 #include "sigmascape/scene/scene.h"
 #include "sigmascape/trace/path_tracer.h"
@@ -21,6 +23,9 @@ struct TraceSettings {
   int max_bounces = 8;
   std::uint64_t seed = 1;
   unsigned threads = 0;
+  /// Beside the scene's own: they answer where the scene lets them be seen, and their boxes hide what stands behind,
+  /// at time zero.
+  std::span<const radar::Target> targets = {};
 };
 
 /// The receive bins for a radar that maps `area`.
@@ -41,7 +46,8 @@ struct TraceSettings {
     const radar::Rectangle& area, const TraceSettings& settings, std::size_t orders, trace::TraceCounts& counts,
     ProgressListener* progress = nullptr);
 
-/// LOD ≥ 1: terrain and atlas, into the same bins.
+/// LOD ≥ 1: terrain and atlas, into the same bins. The targets of the settings answer where terrain and, of an atlas
+/// that keeps the ground apart, houses and crowns let them be seen.
 [[nodiscard]] radar::RangeAzimuthImage baked_image(const atlas::Atlas& atlas, const terrain::HeightField& terrain,
                                                    const radar::Radar& radar, const radar::Rectangle& area,
                                                    const render::RenderSettings& settings,

@@ -35,6 +35,11 @@ bool PyramidLayout::has(TileKey key) const {
   return key.level >= 0 && key.level < levels() && key.column < across(key.level) && key.row < down(key.level);
 }
 
+radar::Rectangle PyramidLayout::extent() const {
+  const double side_m = spacing_m * static_cast<double>(HeightTile::cells);
+  return {west_m, north_m - side_m * tiles_down, west_m + side_m * tiles_across, north_m};
+}
+
 radar::Rectangle PyramidLayout::extent_of(TileKey key) const {
   const double side_m = spacing_at(key.level) * static_cast<double>(HeightTile::cells);
   const double west = west_m + side_m * key.column, north = north_m - side_m * key.row;

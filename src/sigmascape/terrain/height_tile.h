@@ -20,7 +20,7 @@ struct TileKey {
 
 /// What is known of a tile without opening it.
 struct TileSummary {
-  float lowest_m = 0.0F, highest_m = 0.0F;
+  float lowest_m = 0.0F, highest_m = 0.0F;  ///< of the tile and of all finer ones beneath it
   /// No point of level 0 lies further than this above or below the tile's own surface.
   float error_m = 0.0F;
 };
@@ -56,6 +56,8 @@ struct PyramidLayout {
   [[nodiscard]] std::uint32_t down(int level) const { return ((tiles_down - 1) >> level) + 1; }
   [[nodiscard]] bool has(TileKey key) const;
   [[nodiscard]] radar::Rectangle extent_of(TileKey key) const;
+  /// Of all tiles of level 0; those of other levels may reach beyond it.
+  [[nodiscard]] radar::Rectangle extent() const;
 };
 
 }  // namespace sigmascape::terrain

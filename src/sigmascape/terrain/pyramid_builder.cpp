@@ -1,6 +1,7 @@
 #include "sigmascape/terrain/pyramid_builder.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
@@ -54,14 +55,14 @@ class LevelNodes {
       found = tiles_.emplace(key, read_(key)).first;
     }
     latest_key_ = key;
-    latest_ = &found->second;
+    latest_ = found->second.get();
     return *latest_;
   }
 
   const PyramidLayout& layout_;
   int level_;
   const TerrainPyramid::Reader& read_;
-  std::map<TileKey, HeightTile> tiles_;
+  std::map<TileKey, std::shared_ptr<const HeightTile>> tiles_;
   TileKey latest_key_;
   const HeightTile* latest_ = nullptr;
 };
@@ -104,15 +105,17 @@ float distance_between(const HeightTile& tile, const Array2D<float>& finer) {
   return furthest;
 }
 
-float greatest_error_of_children(TileKey key, const Array2D<TileSummary>& finer) {
-  float greatest = 0.0F;
+/// Bounds and greatest error of a tile's children, and its own bounds.
+TileSummary joined_with_children(TileKey key, TileSummary joined, const Array2D<TileSummary>& finer) {
   for (std::size_t row = 2 * key.row; row < std::min<std::size_t>(2 * key.row + 2, finer.rows()); ++row) {
     for (std::size_t column = 2 * key.column; column < std::min<std::size_t>(2 * key.column + 2, finer.columns());
          ++column) {
-      greatest = std::max(greatest, finer(column, row).error_m);
+      const TileSummary& child = finer(column, row);
+      joined = {std::min(joined.lowest_m, child.lowest_m), std::max(joined.highest_m, child.highest_m),
+                std::max(joined.error_m, child.error_m)};
     }
   }
-  return greatest;
+  return joined;
 }
 
 std::filesystem::path tile_path(const std::filesystem::path& folder, TileKey key) {
@@ -138,13 +141,15 @@ void write_tile(const std::filesystem::path& folder, const PyramidLayout& layout
       .placement = {extent.west_m - 0.5 * spacing_m, extent.north_m + 0.5 * spacing_m, spacing_m, crs},
       .bands = {{"height_m", Array2D<float>(HeightTile::nodes, HeightTile::nodes)}},
       .nodata = std::nullopt,
-      .metadata = {{"error_m", fmt::format("{}", tile.summary.error_m)},
+      .metadata = {{"lowest_m", fmt::format("{}", tile.summary.lowest_m)},
+                   {"highest_m", fmt::format("{}", tile.summary.highest_m)},
+                   {"error_m", fmt::format("{}", tile.summary.error_m)},
                    {"heights_sha256", digest_of(key, tile.height_m)}}};
   std::ranges::copy(tile.height_m, raster.bands[0].values.values().begin());
   geo::write_geotiff(tile_path(folder, key), raster);
 }
 
-HeightTile read_tile(const std::filesystem::path& folder, TileKey key) {
+std::shared_ptr<const HeightTile> read_tile(const std::filesystem::path& folder, TileKey key) {
   const std::filesystem::path path = tile_path(folder, key);
   const geo::GeoRaster raster = geo::read_geotiff(path);
   const Array2D<float>& heights = raster.bands.at(0).values;
@@ -156,9 +161,17 @@ HeightTile read_tile(const std::filesystem::path& folder, TileKey key) {
   if (digest == raster.metadata.end() || digest->second != digest_of(key, tile.height_m)) {
     throw Error(path.string(), "has been altered since it was written", "build the pyramid again");
   }
-  note_bounds(tile);
-  tile.summary.error_m = std::stof(raster.metadata.at("error_m"));
-  return tile;
+  const auto number = [&](const char* name) {
+    const auto found = raster.metadata.find(name);
+    float value = 0.0F;
+    if (found == raster.metadata.end() ||
+        std::from_chars(found->second.data(), found->second.data() + found->second.size(), value).ec != std::errc()) {
+      throw Error(path.string(), fmt::format("does not say its {}", name), "build the pyramid again");
+    }
+    return value;
+  };
+  tile.summary = {number("lowest_m"), number("highest_m"), number("error_m")};
+  return std::make_shared<const HeightTile>(std::move(tile));
 }
 
 void write_index(const std::filesystem::path& folder, const PyramidLayout& layout, const std::string& crs, int level,
@@ -213,7 +226,9 @@ void build_on_disk(const std::filesystem::path& folder, const PyramidLayout& lay
   if (std::filesystem::exists(folder / "pyramid.toml")) {
     const Heading there = read_heading(folder);
     if (there.layout == layout && there.source_hash == source_hash) return;
+    // First what makes it count, then what is left of it.
     std::filesystem::remove(folder / "pyramid.toml");
+    std::filesystem::remove_all(folder);
   }
   const std::string crs = frame.proj();
   const auto summaries = build_tiles(
@@ -261,7 +276,8 @@ std::vector<Array2D<TileSummary>> build_tiles(const PyramidLayout& layout, const
         } else {
           const auto finer = nodes.block(2 * cells * column - 1, 2 * cells * row - 1, 2 * HeightTile::cells + 3);
           tile = coarser(finer);
-          tile.summary.error_m = greatest_error_of_children(key, summaries.back()) + distance_between(tile, finer);
+          tile.summary = joined_with_children(key, tile.summary, summaries.back());
+          tile.summary.error_m += distance_between(tile, finer);
         }
         keep(key, tile);
         of_level(column, row) = tile.summary;
@@ -274,11 +290,12 @@ std::vector<Array2D<TileSummary>> build_tiles(const PyramidLayout& layout, const
 
 TerrainPyramid pyramid_in_memory(const HeightField& field) {
   const auto layout = PyramidLayout::covering(field.extent(), field.spacing_m);
-  const auto tiles = std::make_shared<std::map<TileKey, HeightTile>>();
+  const auto tiles = std::make_shared<std::map<TileKey, std::shared_ptr<const HeightTile>>>();
   const TerrainPyramid::Reader read = [tiles](TileKey key) { return tiles->at(key); };
   auto summaries = build_tiles(
       layout, [&](TileKey key) { return nodes_of_field(field, key); },
-      [&](TileKey key, const HeightTile& tile) { tiles->emplace(key, tile); }, read);
+      [&](TileKey key, const HeightTile& tile) { tiles->emplace(key, std::make_shared<const HeightTile>(tile)); },
+      read);
   return {layout, std::move(summaries), read, tiles->size() * HeightTile::bytes};
 }
 
@@ -307,6 +324,10 @@ void build_pyramid(const std::filesystem::path& folder, const HeightField& field
   hash.add(fmt::format("{} {} {} {}", field.west_m, field.north_m, field.spacing_m, frame.proj()));
   build_on_disk(folder, PyramidLayout::covering(field.extent(), field.spacing_m), frame, hash.hex_digest(),
                 [&](TileKey key) { return nodes_of_field(field, key); });
+}
+
+bool holds_pyramid(const std::filesystem::path& folder) {
+  return std::filesystem::exists(folder / "pyramid.toml");
 }
 
 TerrainPyramid open_pyramid(const std::filesystem::path& folder, std::size_t budget_bytes) {

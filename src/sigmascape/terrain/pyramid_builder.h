@@ -39,6 +39,9 @@ void build_pyramid(const std::filesystem::path& folder, const TerrainSource& sou
 /// The same from a field in memory.
 void build_pyramid(const std::filesystem::path& folder, const HeightField& field, const geo::LocalFrame& frame);
 
+/// Whether a folder holds a finished pyramid.
+[[nodiscard]] bool holds_pyramid(const std::filesystem::path& folder);
+
 /// Opens a pyramid on disk. Throws Error when it is not there, not finished, or lacks its coarsest tile.
 [[nodiscard]] TerrainPyramid open_pyramid(const std::filesystem::path& folder, std::size_t budget_bytes);
 

@@ -1,6 +1,7 @@
 #include "sigmascape/terrain/terrain_pyramid.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -15,7 +16,42 @@ TerrainPyramid::TerrainPyramid(const PyramidLayout& layout, std::vector<Array2D<
       reader_(std::move(reader)),
       budget_bytes_(std::max(budget_bytes, 2 * HeightTile::bytes)) {
   const TileKey top{layout_.levels() - 1, 0, 0};
-  held_[top] = {std::make_shared<const HeightTile>(reader_(top)), std::numeric_limits<std::uint64_t>::max()};
+  held_[top] = {reader_(top), std::numeric_limits<std::uint64_t>::max()};
+}
+
+TileSummary TerrainPyramid::summary_over(const radar::Rectangle& ground, int level) const {
+  const double tile_m = layout_.spacing_at(level) * static_cast<double>(HeightTile::cells);
+  const auto tile_at = [tile_m](double from_edge_m, std::uint32_t count) {
+    const double last = static_cast<double>(count - 1);
+    return static_cast<std::uint32_t>(std::clamp(std::floor(from_edge_m / tile_m), 0.0, last));
+  };
+  const std::uint32_t across = layout_.across(level), down = layout_.down(level);
+  const std::uint32_t west = tile_at(ground.west_m - layout_.west_m, across),
+                      east = tile_at(ground.east_m - layout_.west_m, across),
+                      north = tile_at(layout_.north_m - ground.north_m, down),
+                      south = tile_at(layout_.north_m - ground.south_m, down);
+  TileSummary all = summary({level, west, north});
+  for (std::uint32_t row = north; row <= south; ++row) {
+    for (std::uint32_t column = west; column <= east; ++column) {
+      const TileSummary& tile = summary({level, column, row});
+      all = {std::min(all.lowest_m, tile.lowest_m), std::max(all.highest_m, tile.highest_m),
+             std::max(all.error_m, tile.error_m)};
+    }
+  }
+  return all;
+}
+
+HeightBounds TerrainPyramid::bounds_over(const radar::Rectangle& ground) const {
+  // The finest level of which few tiles cover the ground.
+  constexpr double most_tiles_a_side = 6.0;
+  const double side_m = std::max(ground.width_m(), ground.height_m());
+  int level = 0;
+  while (level + 1 < levels() &&
+         side_m > most_tiles_a_side * layout_.spacing_at(level) * static_cast<double>(HeightTile::cells)) {
+    ++level;
+  }
+  const TileSummary summary = summary_over(ground, level);
+  return {summary.lowest_m, summary.highest_m};
 }
 
 std::shared_ptr<const HeightTile> TerrainPyramid::resident(TileKey key) {
@@ -37,7 +73,7 @@ std::shared_ptr<const HeightTile> TerrainPyramid::load(TileKey key) {
   std::shared_ptr<const HeightTile> tile;
   std::string fault;
   try {
-    tile = std::make_shared<const HeightTile>(reader_(key));
+    tile = reader_(key);
   } catch (const Error& error) {
     fault = error.what();
   }

@@ -19,6 +19,11 @@ struct TileFault {
   std::string message;
 };
 
+/// Between which heights ground lies.
+struct HeightBounds {
+  float lowest_m = 0.0F, highest_m = 0.0F;
+};
+
 /// Terrain of any size in bounded memory: tiles at all levels, read when wanted and forgotten when others need the
 /// room.
 ///
@@ -28,7 +33,7 @@ struct TileFault {
 class TerrainPyramid {
  public:
   /// Reads one tile; throws Error when it is missing or damaged.
-  using Reader = std::function<HeightTile(TileKey)>;
+  using Reader = std::function<std::shared_ptr<const HeightTile>(TileKey)>;
 
   /// `summaries` holds one array a level, [column, row]. Throws what `reader` throws for the last level's tile.
   TerrainPyramid(const PyramidLayout& layout, std::vector<Array2D<TileSummary>> summaries, Reader reader,
@@ -39,6 +44,11 @@ class TerrainPyramid {
   [[nodiscard]] const TileSummary& summary(TileKey key) const {
     return summaries_[static_cast<std::size_t>(key.level)](key.column, key.row);
   }
+
+  /// Of the ground of all levels under a rectangle and somewhat around it.
+  [[nodiscard]] HeightBounds bounds_over(const radar::Rectangle& ground) const;
+  /// What holds for all tiles of a level under a rectangle; for the nearest ones where there are none.
+  [[nodiscard]] TileSummary summary_over(const radar::Rectangle& ground, int level) const;
 
   /// The tile if it is in memory, else nothing; never waits for a disk.
   [[nodiscard]] std::shared_ptr<const HeightTile> resident(TileKey key);

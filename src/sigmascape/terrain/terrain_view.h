@@ -40,6 +40,12 @@ struct TerrainView {
   }
 };
 
+/// Height of the ground at a point; beyond the outer nodes that of the nearest edge.
+[[nodiscard]] double height_at(const TerrainView& view, Vec2d point);
+
+/// How steeply it rises there, east and north.
+[[nodiscard]] Vec2d slope_at(const TerrainView& view, Vec2d point);
+
 /// A look at all of a field, which must live as long.
 [[nodiscard]] TerrainView view_of(const HeightField& field);
 

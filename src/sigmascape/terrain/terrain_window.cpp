@@ -66,10 +66,8 @@ std::vector<TileKey> tiles_for(const TerrainPyramid& pyramid, const radar::Recta
   return chosen;
 }
 
-TerrainWindow::TerrainWindow(std::size_t most_nodes_per_side)
-    : most_nodes_(most_nodes_per_side),
-      height_m_(most_nodes_per_side * most_nodes_per_side),
-      slope_(most_nodes_per_side * most_nodes_per_side) {}
+TerrainWindow::TerrainWindow(std::size_t most_nodes_per_side, WindowSlopes slopes)
+    : most_nodes_(most_nodes_per_side * most_nodes_per_side), slopes_(slopes) {}
 
 std::optional<TerrainWindow::Placement> TerrainWindow::placed(const PyramidLayout& layout, const radar::Rectangle& area,
                                                               int level) const {
@@ -81,7 +79,7 @@ std::optional<TerrainWindow::Placement> TerrainWindow::placed(const PyramidLayou
   const double north = std::clamp(std::floor((layout.north_m - area.north_m) / spacing_m), 0.0, nodes_down - 1.0);
   const double south = std::clamp(std::ceil((layout.north_m - area.south_m) / spacing_m), north + 1.0, nodes_down);
   const auto columns = static_cast<std::size_t>(east - west) + 1, rows = static_cast<std::size_t>(south - north) + 1;
-  if (columns > most_nodes_ || rows > most_nodes_) return std::nullopt;
+  if (columns * rows > most_nodes_) return std::nullopt;
   return Placement{static_cast<std::int64_t>(west),  static_cast<std::int64_t>(north),   columns,  rows,
                    layout.west_m + west * spacing_m, layout.north_m - north * spacing_m, spacing_m};
 }
@@ -95,16 +93,22 @@ void TerrainWindow::copy(int level, TileKey part, TileKey source, const HeightTi
   const auto end = [](std::int64_t to, std::int64_t first, std::size_t count) {
     return std::min<std::int64_t>(to - first + 1, static_cast<std::int64_t>(count));
   };
+  const std::int64_t first_column = begin(part_column, placement_.first_column);
+  const std::int64_t column_end = end(part_column + part_side, placement_.first_column, placement_.columns);
   const double scale = 1.0 / static_cast<double>(std::int64_t{1} << (source.level - level));
   for (std::int64_t row = begin(part_row, placement_.first_row);
        row < end(part_row + part_side, placement_.first_row, placement_.rows); ++row) {
-    const double tile_row = scale * static_cast<double>(placement_.first_row + row - source_side * source.row);
-    for (std::int64_t column = begin(part_column, placement_.first_column);
-         column < end(part_column + part_side, placement_.first_column, placement_.columns); ++column) {
-      const double tile_column =
-          scale * static_cast<double>(placement_.first_column + column - source_side * source.column);
-      height_m_[static_cast<std::size_t>(row) * placement_.columns + static_cast<std::size_t>(column)] =
-          tile.at(tile_column, tile_row);
+    const std::int64_t row_in_tile = placement_.first_row + row - source_side * source.row;
+    const std::int64_t column_in_tile = placement_.first_column + first_column - source_side * source.column;
+    float* const to = height_m_.data() + static_cast<std::size_t>(row) * placement_.columns + first_column;
+    if (source.level == level) {
+      const auto from =
+          static_cast<std::size_t>(row_in_tile) * HeightTile::nodes + static_cast<std::size_t>(column_in_tile);
+      std::copy_n(tile.height_m.data() + from, std::max<std::int64_t>(column_end - first_column, 0), to);
+      continue;
+    }
+    for (std::int64_t i = 0; i < column_end - first_column; ++i) {
+      to[i] = tile.at(scale * static_cast<double>(column_in_tile + i), scale * static_cast<double>(row_in_tile));
     }
   }
 }
@@ -134,6 +138,9 @@ WindowReport TerrainWindow::fill(TerrainPyramid& pyramid, const radar::Rectangle
   while (!placement && report.level < last) placement = placed(layout, area, ++report.level);
   if (!placement) return report;
   placement_ = *placement;
+  const std::size_t nodes = placement_.columns * placement_.rows;
+  if (height_m_.size() < nodes) height_m_.resize(nodes);
+  if (slopes_ == WindowSlopes::Formed && slope_.size() < nodes) slope_.resize(nodes);
 
   const std::vector<TileKey> wanted = tiles_for(pyramid, area, report.level, refinement);
   report.tiles = wanted.size();
@@ -147,12 +154,13 @@ WindowReport TerrainWindow::fill(TerrainPyramid& pyramid, const radar::Rectangle
       tile = get(source);
     }
     if (tile) copy(report.level, key, source, *tile);
+    if (source != key) report.error_m = std::max(report.error_m, pyramid.summary(source).error_m);
   }
-  const auto filled = std::span(height_m_).first(placement_.columns * placement_.rows);
+  const auto filled = std::span(height_m_).first(nodes);
   const auto [lowest, highest] = std::ranges::minmax_element(filled);
   lowest_m_ = *lowest;
   highest_m_ = *highest;
-  form_slopes();
+  if (slopes_ == WindowSlopes::Formed) form_slopes();
   return report;
 }
 
@@ -164,7 +172,7 @@ TerrainView TerrainWindow::view() const {
           .columns = placement_.columns,
           .rows = placement_.rows,
           .height_m = std::span(height_m_).first(count),
-          .slope = std::span(slope_).first(count),
+          .slope = slopes_ == WindowSlopes::Formed ? std::span(slope_).first(count) : std::span<const PackedSlope>(),
           .lowest_m = lowest_m_,
           .highest_m = highest_m_};
 }

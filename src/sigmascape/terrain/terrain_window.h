@@ -33,11 +33,17 @@ struct WindowReport {
   int level = 0;          ///< whose nodes the window has: coarser than asked for when it would not fit otherwise
   std::size_t tiles = 0;  ///< that were wanted
   std::vector<TileKey> lacking = {};  ///< of them those for which a coarser one stands in
+  float error_m = 0.0F;               ///< the greatest error of those that stand in
 };
 
 enum class TileWait {
   Load,          ///< read what is not in memory
   ResidentOnly,  ///< never wait: take the finest that is there
+};
+
+enum class WindowSlopes {
+  Formed,  ///< as TerrainView::slope
+  None,    ///< the view has heights alone, in half the memory
 };
 
 /// The terrain of one frame at one spacing: a fixed number of nodes, whatever their spacing.
@@ -47,8 +53,9 @@ enum class TileWait {
 /// those between neighbouring nodes on either side, to be interpolated.
 class TerrainWindow {
  public:
-  /// `most_nodes_per_side`: memory is 8 bytes times its square, taken once.
-  explicit TerrainWindow(std::size_t most_nodes_per_side);
+  /// Holds up to the square of `most_nodes_per_side`, whatever their proportions. A node takes 8 bytes, or 4 without
+  /// slopes; memory is taken when an area needs more of it than any before.
+  explicit TerrainWindow(std::size_t most_nodes_per_side, WindowSlopes slopes = WindowSlopes::Formed);
 
   /// Fills the window with the terrain over `area`, of `level` or the finest that fits. Tiles that cannot be had are
   /// replaced by their parents. Without a refinement all tiles are of the window's level.
@@ -57,6 +64,9 @@ class TerrainWindow {
 
   /// Valid until the next `fill`. Before the first it is empty.
   [[nodiscard]] TerrainView view() const;
+  [[nodiscard]] std::size_t bytes() const {
+    return height_m_.capacity() * sizeof(float) + slope_.capacity() * sizeof(PackedSlope);
+  }
 
  private:
   struct Placement {
@@ -70,7 +80,8 @@ class TerrainWindow {
   void copy(int level, TileKey part, TileKey source, const HeightTile& tile);
   void form_slopes();
 
-  std::size_t most_nodes_;
+  std::size_t most_nodes_;  // in all
+  WindowSlopes slopes_;
   Placement placement_;
   std::vector<float> height_m_;
   std::vector<PackedSlope> slope_;

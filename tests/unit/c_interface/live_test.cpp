@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <gtest/gtest.h>
 
 #include "scratch_folder.h"
@@ -8,6 +10,7 @@
 
 #include "sigmascape/c_interface/sigmascape.h"
 #include "sigmascape/terrain/height_field_file.h"
+#include "sigmascape/terrain/pyramid_builder.h"
 
 namespace sigmascape {
 namespace {
@@ -27,13 +30,24 @@ class LiveFromC : public testing::Test {
   static inline std::unique_ptr<ScratchFolder> folder_;
 };
 
+sigmascape_pose pose_of(const render::ExampleView& view) {
+  const render::Pose at = view.pose();
+  sigmascape_pose pose = {};
+  pose.position_m[0] = at.position.x;
+  pose.position_m[1] = at.position.y;
+  pose.position_m[2] = at.position.z;
+  pose.first_azimuth_rad = at.first_azimuth_rad;
+  pose.first_range_m = at.first_range_m;
+  return pose;
+}
+
 TEST_F(LiveFromC, GivesTheFrameOfTheCppInterface) {
   const render::ExampleView view;
   const render::LiveSettings wanted = view.settings(render::FrameContent::Amplitudes);
   const auto shared = render::LiveGround::open(atlas(), 10e9);
   render::LiveRenderer expected(shared, wanted);
   expected.render(view.pose());
-  shared->pages().wait_until_loaded();
+  shared->wait_until_loaded();
   const render::Frame& cpp = expected.render(view.pose());
 
   sigmascape_ground* ground = sigmascape_open_ground(atlas().c_str(), 10e9, 0);
@@ -47,8 +61,7 @@ TEST_F(LiveFromC, GivesTheFrameOfTheCppInterface) {
   sigmascape_renderer* renderer = sigmascape_make_renderer(ground, &settings);
   ASSERT_NE(renderer, nullptr) << sigmascape_last_error();
   // The renderer keeps the ground.
-  const render::Pose at = view.pose();
-  const sigmascape_pose pose{{at.position.x, at.position.y, at.position.z}, at.first_azimuth_rad, at.first_range_m, {}};
+  const sigmascape_pose pose = pose_of(view);
   sigmascape_frame frame;
   ASSERT_EQ(sigmascape_render(renderer, &pose, &frame), 0);
   sigmascape_wait_for_pages(ground);
@@ -59,6 +72,71 @@ TEST_F(LiveFromC, GivesTheFrameOfTheCppInterface) {
   EXPECT_EQ(frame.lit, cpp.report.lit);
   EXPECT_EQ(std::memcmp(frame.amplitudes_m, cpp.amplitudes_m.data(), cpp.amplitudes_m.size_bytes()), 0);
   sigmascape_free_renderer(renderer);
+}
+
+TEST_F(LiveFromC, TargetsAnswer) {
+  const std::string table = folder_->path("nose.csv").string();
+  std::ofstream(table) << "azimuth_deg, vv_dbsm, hh_dbsm\n0, 20, 20\n180, 20, 20\n";
+  const render::ExampleView view;
+  const render::LiveSettings wanted = view.settings(render::FrameContent::Powers);
+  sigmascape_ground* ground = sigmascape_open_ground(atlas().c_str(), 10e9, 0);
+  ASSERT_NE(ground, nullptr) << sigmascape_last_error();
+  sigmascape_settings settings = sigmascape_default_settings();
+  settings.content = SIGMASCAPE_POWERS;
+  settings.beams = wanted.beams;
+  settings.ranges = wanted.ranges;
+  settings.beam_step_rad = wanted.beam_step_rad;
+  settings.range_step_m = wanted.range_step_m;
+  settings.refraction = wanted.refraction;
+  sigmascape_renderer* renderer = sigmascape_make_renderer(ground, &settings);
+  ASSERT_NE(renderer, nullptr) << sigmascape_last_error();
+  sigmascape_pose pose = pose_of(view);
+  const auto power = [&](std::size_t* seen) {
+    sigmascape_frame frame;
+    EXPECT_EQ(sigmascape_render(renderer, &pose, &frame), 0) << sigmascape_last_error();
+    sigmascape_wait_for_pages(ground);
+    EXPECT_EQ(sigmascape_render(renderer, &pose, &frame), 0) << sigmascape_last_error();
+    *seen = frame.targets;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < frame.beams * frame.ranges; ++i) sum += static_cast<double>(frame.powers_m2[4 * i]);
+    return sum;
+  };
+  std::size_t seen = 0;
+  const double alone = power(&seen);
+  EXPECT_EQ(seen, 0U);
+
+  // One stands, one is carried out of the bins between two moments, one has a table of 20 dB m².
+  const Vec2d middle = view.target;
+  const sigmascape_way_point way[2] = {{0.0, {middle.x + 20.0, middle.y, 2.0}},
+                                       {10.0, {middle.x + 9e3, middle.y, 2.0}}};
+  sigmascape_target targets[3] = {};
+  targets[0].position_m[0] = middle.x;
+  targets[0].position_m[1] = middle.y;
+  targets[0].position_m[2] = 2.0;
+  targets[0].rcs_m2[0] = 50.0F;
+  targets[1] = targets[0];
+  targets[1].way_points = way;
+  targets[1].way_point_count = 2;
+  targets[2] = targets[0];
+  targets[2].rcs_table = table.c_str();
+  ASSERT_EQ(sigmascape_set_targets(renderer, targets, 3), 0) << sigmascape_last_error();
+  EXPECT_NEAR(power(&seen) - alone, 200.0, 0.5);
+  EXPECT_EQ(seen, 3U);
+  pose.time_s = 10.0;
+  EXPECT_NEAR(power(&seen) - alone, 150.0, 0.5);
+  EXPECT_EQ(seen, 2U);
+
+  targets[2].rcs_table = "/nowhere.csv";
+  EXPECT_NE(sigmascape_set_targets(renderer, targets, 3), 0);
+  EXPECT_NE(std::string(sigmascape_last_error()).find("/nowhere.csv"), std::string::npos);
+  targets[0].swerling = 7;
+  EXPECT_NE(sigmascape_set_targets(renderer, targets, 1), 0);
+  EXPECT_NE(sigmascape_set_targets(renderer, nullptr, 1), 0);
+  EXPECT_NEAR(power(&seen) - alone, 150.0, 0.5) << "those before stay";
+  ASSERT_EQ(sigmascape_set_targets(renderer, nullptr, 0), 0);
+  EXPECT_EQ(power(&seen), alone);
+  sigmascape_free_renderer(renderer);
+  sigmascape_close_ground(ground);
 }
 
 TEST_F(LiveFromC, SaysWhatIsWrong) {
@@ -77,17 +155,28 @@ TEST_F(LiveFromC, SaysWhatIsWrong) {
   sigmascape_close_ground(ground);
 }
 
-TEST_F(LiveFromC, TheExamplesRun) {
+/// What an example prints over an atlas.
+std::string printed_by(const char* example, const std::string& atlas, const std::string& output) {
   const Vec2d middle = render::ExampleGround{}.middle();
+  const std::string command = std::string(example) + " " + atlas + " " + std::to_string(middle.x) + " " +
+                              std::to_string(middle.y) + " > " + output;
+  EXPECT_EQ(std::system(command.c_str()), 0) << command;
+  std::ifstream file(output);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+TEST_F(LiveFromC, TheExamplesRunOverTerrainInOneFileAndInTiles) {
+  const std::string tiled = folder_->path("tiled").string();
+  std::filesystem::copy(atlas(), tiled, std::filesystem::copy_options::recursive);
+  std::filesystem::remove(std::filesystem::path(tiled) / atlas::terrain_name);
+  terrain::build_pyramid(std::filesystem::path(tiled) / atlas::terrain_pyramid_name, render::ExampleGround{}.terrain(),
+                         atlas::Store::open(tiled).description().frame);
   for (const char* example : {SIGMASCAPE_EXAMPLE_C, SIGMASCAPE_EXAMPLE_CPP}) {
     const std::string output = folder_->path("output.txt").string();
-    const std::string command = std::string(example) + " " + atlas() + " " + std::to_string(middle.x) + " " +
-                                std::to_string(middle.y) + " > " + output;
-    ASSERT_EQ(std::system(command.c_str()), 0) << command;
-    std::ifstream file(output);
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
-    EXPECT_NE(text.find("lit"), std::string::npos) << text;
-    EXPECT_EQ(text.find("0 lit"), std::string::npos) << text;
+    const std::string whole = printed_by(example, atlas(), output);
+    EXPECT_NE(whole.find("lit"), std::string::npos) << whole;
+    EXPECT_EQ(whole.find(" 0 lit"), std::string::npos) << whole;
+    EXPECT_EQ(printed_by(example, tiled, output), whole);
   }
 }
 

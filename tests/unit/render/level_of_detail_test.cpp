@@ -142,5 +142,20 @@ TEST(DetailTransition, ChangesOnceEachWayAndWithoutAStep) {
   EXPECT_NEAR(greatest_step, 1.0 / 20.0, 1e-9);
 }
 
+TEST(DetailTransition, ReachesTheCoarsestLevelThatThereIs) {
+  DetailQuestion question = town();
+  question.area_m2 = 1e10;
+  question.mips = 3;
+  question.cross_range_m = 1e6;
+  DetailTransition transition(5);
+  DetailBlend blend;
+  for (int frame = 0; frame < 100; ++frame) {
+    question.range_resolution_m = 4.0 * question.texel_m * std::exp2(0.1 * frame);
+    blend = transition.advance(choose_detail(question));
+  }
+  EXPECT_EQ(blend.level, 3);
+  EXPECT_EQ(blend.next, 3);
+}
+
 }  // namespace
 }  // namespace sigmascape::render

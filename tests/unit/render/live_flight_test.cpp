@@ -51,7 +51,7 @@ TEST(LiveFlight, NoStepShowsWhereTheLevelOfDetailChanges) {
                     (first.position - Vec3d{view.target.x, view.target.y, 0.0}) * (1.0 + 60.0 * step / 4000.0);
     pose.velocity_mps = normalized(first.position - Vec3d{view.target.x, view.target.y, 0.0}) * 250.0;
     const Frame& frame = renderer.render(pose);
-    ground->pages().wait_until_loaded();
+    ground->wait_until_loaded();
     const double error = error_db(frame, pose.position.z);
     EXPECT_NEAR(error, 0.0, 0.05) << "step " << step;
     if (step > 0) {
@@ -77,7 +77,7 @@ TEST(LiveFlight, WhatLiesAheadIsThereWhenItComesIntoView) {
     pose.velocity_mps = velocity_mps;
     for (int frame = 0; frame < 3; ++frame) {
       renderer.render(pose);
-      fresh->pages().wait_until_loaded();
+      fresh->wait_until_loaded();
     }
     pose.position.y += 1200.0;
     const FrameReport& report = renderer.render(pose).report;
@@ -102,7 +102,7 @@ TEST(LiveFlight, AScanAsksForTheBeamsToCome) {
   LiveRenderer renderer(ground, settings);
   const Pose pose{.position = {example.middle().x, example.middle().y, 300.0}, .first_range_m = 500.0};
   renderer.scan(pose, 0, 1);
-  ground->pages().wait_until_loaded();
+  ground->wait_until_loaded();
   // Half a turn, at sixty steps a second.
   for (std::size_t beam = 1; beam < 32; ++beam) {
     const FrameReport& report = renderer.scan(pose, beam, 1).report;

@@ -106,9 +106,9 @@ struct ExampleGround {
 /// A frame after all pages that it wants are there.
 inline const Frame& settled_frame(LiveRenderer& renderer, LiveGround& ground, const Pose& pose) {
   renderer.render(pose);
-  ground.pages().wait_until_loaded();
+  ground.wait_until_loaded();
   renderer.render(pose);
-  ground.pages().wait_until_loaded();
+  ground.wait_until_loaded();
   return renderer.render(pose);
 }
 

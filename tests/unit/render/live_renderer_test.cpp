@@ -187,7 +187,7 @@ TEST_F(LiveRendererTest, ShowsCoarserGroundUntilTheFinerIsThere) {
     return sum;
   };
   const double coarse = total(frame);
-  ground->pages().wait_until_loaded();
+  ground->wait_until_loaded();
   const Frame& fine = renderer.render(view.pose());
   EXPECT_EQ(fine.report.coarse, 0U);
   EXPECT_NEAR(10.0 * std::log10(coarse / total(fine)), 0.0, 0.01);

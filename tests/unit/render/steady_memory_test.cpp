@@ -2,6 +2,7 @@
 #include <cstdlib>
 #include <gtest/gtest.h>
 #include <new>
+#include <vector>
 
 #include "live_ground_example.h"
 
@@ -83,20 +84,31 @@ TEST(SteadyMemory, LiveFramesTakeNoneOnceTheirPagesAreThere) {
     const ExampleView view{.target = example.middle()};
     LiveRenderer renderer(ground, view.settings(FrameContent::Amplitudes));
     Pose pose = view.pose();
+    std::vector<radar::Target> targets(200);
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+      const double x = static_cast<double>(i % 20) * 20.0 - 200.0, y = static_cast<double>(i / 20) * 20.0 - 100.0;
+      targets[i].track = radar::Track::straight(Vec3d{view.target.x + x, view.target.y + y, 2.0});
+      targets[i].rcs_m2 = radar::Channels{1.0F, 1.0F, 0.0F, 1.0F};
+      targets[i].fluctuation = radar::Swerling::Case1;
+    }
+    pose.targets = targets;
     settled_frame(renderer, *ground, pose);
     // What lies ahead of the scan and of the small way below is asked for as well.
     for (const double ahead_m : {0.0, 5.0}) {
       pose.position.x = view.pose().position.x + ahead_m;
       renderer.scan(pose, 16, 16);
-      ground->pages().wait_until_loaded();
+      ground->wait_until_loaded();
       renderer.render(pose);
-      ground->pages().wait_until_loaded();
+      ground->wait_until_loaded();
     }
-    pose = view.pose();
+    pose.position = view.pose().position;
     const std::size_t before = allocations;
     for (int frame = 0; frame < 10; ++frame) {
       pose.position.x += 0.5;
-      EXPECT_EQ(renderer.render(pose).report.coarse, 0U);
+      const FrameReport& report = renderer.render(pose).report;
+      EXPECT_EQ(report.coarse, 0U);
+      EXPECT_EQ(report.terrain_error_m, 0.0);
+      EXPECT_GT(report.targets, 100U);
       renderer.scan(pose, 16, 16);
     }
     EXPECT_EQ(allocations, before) << (apart ? "ground apart" : "ground in the textures");

@@ -210,6 +210,7 @@ TEST_F(PyramidOnDisk, AMissingTileGivesItsParentAndAReport) {
   TerrainWindow window(1500);
   const auto report = window.fill(pyramid, area_, 0, std::nullopt, TileWait::Load);
   ASSERT_EQ(report.lacking, (std::vector<TileKey>{{0, 1, 1}}));
+  EXPECT_EQ(report.error_m, pyramid.summary({1, 0, 0}).error_m);
   ASSERT_EQ(pyramid.faults().size(), 1U);
   EXPECT_THAT(pyramid.faults()[0].message, HasSubstr("1_1.tif"));
   const HeightField surface = field_of(window.view());
@@ -253,6 +254,22 @@ TEST_F(PyramidOnDisk, IsNotBuiltTwiceNorTakenForAnother) {
   build_pyramid(folder_.path("pyramid"), field_, {43.0, -3.0});
   TerrainPyramid pyramid = open_pyramid(folder_.path("pyramid"), 100 * HeightTile::bytes);
   EXPECT_EQ(pyramid.load({0, 0, 0})->height_m[10 * HeightTile::nodes + 10], field_.height_m(10, 10));
+}
+
+TEST_F(PyramidOnDisk, BoundsHoldForAllLevelsOfTheGroundBeneath) {
+  TerrainPyramid pyramid = open_pyramid(folder_.path("pyramid"), 100 * HeightTile::bytes);
+  const auto whole = pyramid.bounds_over(area_);
+  EXPECT_EQ(whole.lowest_m, field_.lowest_m());
+  EXPECT_EQ(whole.highest_m, field_.highest_m());
+  // One tile of level 0 lies under this.
+  const auto here = pyramid.bounds_over({300.0, 100.0, 600.0, 600.0});
+  const HeightTile& tile = *pyramid.load({0, 1, 1});
+  EXPECT_EQ(here.lowest_m, *std::ranges::min_element(tile.height_m));
+  EXPECT_EQ(here.highest_m, *std::ranges::max_element(tile.height_m));
+  for (int level = 0; level < pyramid.levels(); ++level) {
+    EXPECT_EQ(pyramid.load({level, 0, 0})->summary.lowest_m, pyramid.summary({level, 0, 0}).lowest_m);
+    EXPECT_LE(pyramid.summary({level, 0, 0}).lowest_m, pyramid.summary({0, 0, 0}).lowest_m);
+  }
 }
 
 TEST_F(PyramidOnDisk, AnUnfinishedOneIsRefused) {

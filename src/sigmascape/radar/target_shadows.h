@@ -1,0 +1,33 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "sigmascape/radar/target.h"
+
+namespace sigmascape::radar {
+
+/// The shadows that targets with a size cast on what stands behind them, at one moment and as seen from one place:
+/// `hides` for many places and many targets. Where no shadow can lie is told from azimuth and distance alone.
+class TargetShadows {
+ public:
+  TargetShadows(std::span<const Target> targets, double time_s, Vec3d radar_position);
+
+  [[nodiscard]] bool empty() const { return casting_.empty(); }
+  /// Whether a target stands between a place and the radar.
+  [[nodiscard]] bool hide(Vec3d place) const;
+
+ private:
+  struct Casting {
+    const Target* target;
+    Vec2d towards;              ///< unit vector over the ground from the radar to the target
+    double nearest_m = 0.0;     ///< over the ground
+    double half_width_m = 0.0;  ///< across that direction, at the target
+  };
+
+  double time_s_;
+  Vec3d radar_position_;
+  std::vector<Casting> casting_;
+};
+
+}  // namespace sigmascape::radar

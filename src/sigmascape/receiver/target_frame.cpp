@@ -1,0 +1,172 @@
+#include "sigmascape/receiver/target_frame.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "sigmascape/base/units.h"
+#include "sigmascape/receiver/carrier_phase.h"
+
+namespace sigmascape::receiver {
+namespace {
+
+/// Targets that one thread looks at before it takes more.
+constexpr std::size_t chunk = 256;
+/// How many targets ahead bins are fetched from memory.
+constexpr std::uint32_t ahead = 16;
+
+/// What a bin of a frame holds, and what a target brings to it.
+struct Amplitudes {
+  static constexpr std::size_t numbers = 8;
+  template <typename Placed>
+  static std::array<float, numbers> of(const Placed& point, float weight) {
+    const auto& a = point.amplitude_m;
+    return {a[0] * weight, a[1] * weight, a[2] * weight, a[3] * weight,
+            a[4] * weight, a[5] * weight, a[4] * weight, a[5] * weight};
+  }
+  static std::span<const float> weights(const PointResponse& response, std::size_t row) {
+    return response.amplitude(row);
+  }
+};
+struct Powers {
+  static constexpr std::size_t numbers = 4;
+  template <typename Placed>
+  static std::array<float, numbers> of(const Placed& point, float weight) {
+    const auto& p = point.power_m2;
+    return {p[0] * weight, p[1] * weight, p[2] * weight, p[3] * weight};
+  }
+  static std::span<const float> weights(const PointResponse& response, std::size_t row) { return response.power(row); }
+};
+
+bool all_round(const TargetFrameBins& bins) {
+  return std::abs(static_cast<double>(bins.beams) * bins.beam_step_rad - 2.0 * pi) < 1e-6;
+}
+
+}  // namespace
+
+TargetFrame::TargetFrame(TargetFrameBins bins)
+    : bins_(std::move(bins)), goes_round_(all_round(bins_)), starts_(bins_.beams + bins_.across.taps()) {}
+
+TargetFrame::Placed TargetFrame::placed(const radar::Target& target, const TargetFramePose& pose,
+                                        const radar::Moment& moment, const Sight& sight) const {
+  Placed found{};
+  const Vec3d position = target.track.position_at(moment.time_s);
+  const Vec3d away = position - pose.position;
+  const double distance_m = std::sqrt(away.x * away.x + away.y * away.y);
+  const double range_m = pose.earth.slant_range_m(pose.position.z, position.z, distance_m);
+  const double range = (range_m - pose.first_range_m) / bins_.range_step_m;
+  const double most_taps = static_cast<double>(PointResponse::most_taps);
+  if (!(range > -most_taps && range < static_cast<double>(bins_.ranges) + most_taps)) return found;
+
+  // Azimuths are counted from the middle of the frame, so that one on its left edge is not a turn away.
+  const double half = 0.5 * static_cast<double>(bins_.beams);
+  const double middle_rad = pose.first_azimuth_rad + half * bins_.beam_step_rad;
+  const double beam = half + std::remainder(std::atan2(away.x, away.y) - middle_rad, 2.0 * pi) / bins_.beam_step_rad;
+  const PointResponse::Place across = bins_.across.place_of(beam), along = bins_.along.place_of(range);
+  const auto taps = static_cast<std::ptrdiff_t>(bins_.across.taps());
+  if (across.first_bin <= -taps || across.first_bin >= static_cast<std::ptrdiff_t>(bins_.beams)) return found;
+
+  const float seen = sight ? sight({position, distance_m, beam}) : 1.0F;
+  if (!(seen > 0.0F)) return found;
+  const radar::Channels rcs = radar::rcs_of(target, pose.position, bins_.frequency_hz, moment) * seen;
+  const radar::ComplexChannels amplitude =
+      radar::steady_amplitude(rcs) * carrier_phase(range_m, wavelength_m(bins_.frequency_hz));
+  return {.amplitude_m = {amplitude.vv.real(), amplitude.vv.imag(), amplitude.hh.real(), amplitude.hh.imag(),
+                          amplitude.hv.real(), amplitude.hv.imag()},
+          .power_m2 = {rcs.vv, rcs.hh, rcs.hv, rcs.re_vvhh},
+          .first_beam = static_cast<std::int32_t>(across.first_bin),
+          .first_range = static_cast<std::int32_t>(along.first_bin),
+          .beam_row = static_cast<std::uint16_t>(across.row),
+          .range_row = static_cast<std::uint16_t>(along.row),
+          .is_seen = true};
+}
+
+void TargetFrame::look(std::span<const radar::Target> targets, const TargetFramePose& pose, const radar::Moment& moment,
+                       const Sight& sight, WorkerTeam* team) {
+  found_.resize(targets.size());
+  const auto look_at = [&](std::size_t part, unsigned) {
+    const std::size_t end = std::min(targets.size(), (part + 1) * chunk);
+    for (std::size_t i = part * chunk; i < end; ++i) found_[i] = placed(targets[i], pose, moment, sight);
+  };
+  const std::size_t parts = (targets.size() + chunk - 1) / chunk;
+  if (team != nullptr) {
+    team->run(parts, look_at);
+  } else {
+    for (std::size_t part = 0; part < parts; ++part) look_at(part, 0);
+  }
+  sort();
+}
+
+void TargetFrame::sort() {
+  const auto slot_of = [before = static_cast<std::ptrdiff_t>(bins_.across.taps()) - 1](const Placed& point) {
+    return static_cast<std::size_t>(point.first_beam + before);
+  };
+  std::ranges::fill(starts_, 0U);
+  for (const Placed& point : found_) {
+    if (point.is_seen) ++starts_[slot_of(point) + 1];
+  }
+  for (std::size_t slot = 1; slot < starts_.size(); ++slot) starts_[slot] += starts_[slot - 1];
+  sorted_.resize(starts_.back());
+  // Filling moves every start to the next one's place; the last step moves them back.
+  for (const Placed& point : found_) {
+    if (point.is_seen) sorted_[starts_[slot_of(point)]++] = point;
+  }
+  std::shift_right(starts_.begin(), starts_.end(), 1);
+  starts_.front() = 0;
+}
+
+template <typename Content>
+void TargetFrame::add(std::size_t first_beam, std::size_t count, float* frame) const {
+  const auto taps = static_cast<std::ptrdiff_t>(bins_.across.taps()), beams = static_cast<std::ptrdiff_t>(bins_.beams);
+  const auto range_taps = static_cast<std::ptrdiff_t>(bins_.along.taps());
+  const auto ranges = static_cast<std::ptrdiff_t>(bins_.ranges);
+  constexpr auto numbers = static_cast<std::ptrdiff_t>(Content::numbers);
+  const auto begin = static_cast<std::ptrdiff_t>(first_beam), end = static_cast<std::ptrdiff_t>(first_beam + count);
+
+  // Those of one beam after the other, each into its rows from `first` on.
+  const auto add_from = [&](std::size_t slot, std::ptrdiff_t first) {
+    const std::ptrdiff_t from = std::max<std::ptrdiff_t>(0, begin - first), to = std::min(taps, end - first);
+    if (from >= to) return;
+    for (std::uint32_t i = starts_[slot]; i < starts_[slot + 1]; ++i) {
+      const Placed& point = sorted_[i];
+      const Placed& next = sorted_[std::min<std::size_t>(i + ahead, sorted_.size() - 1)];
+      const std::ptrdiff_t next_range = std::clamp<std::ptrdiff_t>(next.first_range, 0, ranges - 1);
+      const std::span<const float> across = Content::weights(bins_.across, point.beam_row);
+      const std::span<const float> along = Content::weights(bins_.along, point.range_row);
+      const std::ptrdiff_t near = std::max<std::ptrdiff_t>(0, -point.first_range);
+      const std::ptrdiff_t far = std::min<std::ptrdiff_t>(range_taps, ranges - point.first_range);
+      for (std::ptrdiff_t tap = from; tap < to; ++tap) {
+        float* const row = frame + (first + tap) * ranges * numbers;
+        const std::ptrdiff_t next_row = std::clamp<std::ptrdiff_t>(next.first_beam + tap, 0, beams - 1);
+        const float* const soon = frame + (next_row * ranges + next_range) * numbers;
+        __builtin_prefetch(soon, 1);
+        __builtin_prefetch(soon + 16, 1);
+        const auto shares = Content::of(point, across[static_cast<std::size_t>(tap)]);
+        for (std::ptrdiff_t k = near; k < far; ++k) {
+          float* const bin = row + (point.first_range + k) * numbers;
+          const float weight = along[static_cast<std::size_t>(k)];
+          for (std::size_t n = 0; n < Content::numbers; ++n) bin[n] += shares[n] * weight;
+        }
+      }
+    }
+  };
+  for (std::ptrdiff_t first = 1 - taps; first < beams; ++first) {
+    const auto slot = static_cast<std::size_t>(first + taps - 1);
+    add_from(slot, first);
+    if (!goes_round_) continue;
+    // What begins before the first beam ends in the last ones, and what begins in the last ones ends in the first.
+    if (first < 0) add_from(slot, first + beams);
+    if (first + taps > beams) add_from(slot, first - beams);
+  }
+}
+
+void TargetFrame::add_amplitudes(std::size_t first_beam, std::size_t count,
+                                 std::span<std::complex<float>> amplitudes_m) const {
+  add<Amplitudes>(first_beam, count, reinterpret_cast<float*>(amplitudes_m.data()));
+}
+
+void TargetFrame::add_powers(std::size_t first_beam, std::size_t count, std::span<float> powers_m2) const {
+  add<Powers>(first_beam, count, powers_m2.data());
+}
+
+}  // namespace sigmascape::receiver

@@ -1,0 +1,50 @@
+#include "sigmascape/render/target_sight.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sigmascape::render {
+namespace {
+
+/// Single precision leaves this much doubt in a slope.
+constexpr double doubt = 1e-6;
+
+double part_seen_at(const TargetSight::Level& level, double radar_height_m, const receiver::TargetFrame::Seen& target) {
+  const HorizonGrid& grid = level.horizon->grid();
+  const double ground_m = terrain::height_at(level.occluders->terrain, {target.position.x, target.position.y}) -
+                          static_cast<double>(level.occluders->lowered_m);
+  const double height_m = std::max(target.position.z, ground_m);
+  const double slope = (height_m - radar_height_m) / target.distance_m - grid.drop_per_square_m * target.distance_m;
+
+  const auto last_left = static_cast<double>(grid.azimuths - 2), last_node = static_cast<double>(grid.distances - 1);
+  const double across = std::clamp(target.beam, 0.0, last_left + 1.0);
+  const double left = std::min(std::floor(across), last_left), part = across - left;
+  // Ground under the target itself hides it no more than ground hides itself.
+  const auto node =
+      static_cast<std::size_t>(std::clamp((target.distance_m - grid.near_m) / grid.step_m, 0.0, last_node));
+  const auto azimuth = static_cast<std::size_t>(left);
+  const auto between = [part](float on_left, float on_right) {
+    return (1.0 - part) * static_cast<double>(on_left) + part * static_cast<double>(on_right);
+  };
+  const HorizonMap& horizon = *level.horizon;
+  if (slope < between(horizon.slopes(azimuth)[node], horizon.slopes(azimuth + 1)[node]) - doubt) return 0.0;
+  if (horizon.solid_slopes(azimuth) == nullptr) return 1.0;
+  const auto through = [&](std::size_t at) {
+    return slope + doubt >= static_cast<double>(horizon.solid_slopes(at)[node]) ? horizon.through(at)[node] : 0.0F;
+  };
+  return between(through(azimuth), through(azimuth + 1));
+}
+
+}  // namespace
+
+float TargetSight::part_seen(const receiver::TargetFrame::Seen& target) const {
+  double seen = 0.0;
+  for (const Level& level : levels) {
+    if (level.share > 0.0F && level.horizon != nullptr) {
+      seen += static_cast<double>(level.share) * part_seen_at(level, radar_height_m, target);
+    }
+  }
+  return static_cast<float>(seen);
+}
+
+}  // namespace sigmascape::render

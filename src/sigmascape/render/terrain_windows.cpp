@@ -1,0 +1,177 @@
+#include "sigmascape/render/terrain_windows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <tuple>
+#include <utility>
+
+namespace sigmascape::render {
+namespace {
+
+constexpr std::size_t windows_in_budget = 6;
+/// A window this small holds the last level of any pyramid.
+constexpr std::size_t least_nodes_per_side = terrain::HeightTile::nodes + 2;
+
+radar::Rectangle clipped(const radar::Rectangle& area, const radar::Rectangle& to) {
+  const double west = std::clamp(area.west_m, to.west_m, to.east_m), east = std::clamp(area.east_m, west, to.east_m);
+  const double south = std::clamp(area.south_m, to.south_m, to.north_m);
+  return {west, south, east, std::clamp(area.north_m, south, to.north_m)};
+}
+
+radar::Rectangle grown(const radar::Rectangle& area, double by_m) {
+  return {area.west_m - by_m, area.south_m - by_m, area.east_m + by_m, area.north_m + by_m};
+}
+
+/// Nodes that a lattice over an area has at most, wherever the area lies between them.
+double nodes_over(const radar::Rectangle& area, double spacing_m) {
+  return (area.width_m() / spacing_m + 3.0) * (area.height_m() / spacing_m + 3.0);
+}
+
+}  // namespace
+
+bool GroundWindow::covers(const radar::Rectangle& area) const {
+  constexpr double rounding_m = 1e-6;
+  const radar::Rectangle extent = grown(nodes.view().extent(), rounding_m);
+  return area.west_m >= extent.west_m && area.east_m <= extent.east_m && area.south_m >= extent.south_m &&
+         area.north_m <= extent.north_m;
+}
+
+TerrainWindows::TerrainWindows(std::shared_ptr<terrain::TerrainPyramid> pyramid, std::size_t budget_bytes)
+    : pyramid_(std::move(pyramid)),
+      budget_bytes_(budget_bytes),
+      most_nodes_per_side_(std::max(
+          least_nodes_per_side, static_cast<std::size_t>(std::sqrt(static_cast<double>(budget_bytes / sizeof(float)) /
+                                                                   static_cast<double>(windows_in_budget))))),
+      entries_(std::make_shared<const Entries>()),
+      maker_([this] { make_windows(); }) {}
+
+TerrainWindows::~TerrainWindows() {
+  {
+    const std::lock_guard lock(guard_);
+    stopping_ = true;
+  }
+  request_came_.notify_all();
+}
+
+TerrainWindows::View TerrainWindows::view() {
+  View view;
+  view.entries_ = entries_.load();
+  view.frame_ = frame_.fetch_add(1) + 1;
+  return view;
+}
+
+const GroundWindow* TerrainWindows::View::find(const WindowWish& wish) const {
+  const GroundWindow* best = nullptr;
+  const auto distance = [&wish](const GroundWindow& window) {
+    return std::pair(std::abs(window.level - wish.level), window.level);
+  };
+  for (const auto& window : *entries_) {
+    if (window->covers(wish.area) && (best == nullptr || distance(*window) < distance(*best))) best = window.get();
+  }
+  if (best != nullptr) best->last_wanted.store(frame_, std::memory_order_relaxed);
+  return best;
+}
+
+WindowWish TerrainWindows::wish_for(int level, const radar::Rectangle& area) const {
+  const auto most = static_cast<double>(most_nodes_per_side_ * most_nodes_per_side_);
+  WindowWish wish{std::clamp(level, 0, pyramid_->levels() - 1), clipped(area, pyramid_->layout().extent())};
+  while (wish.level + 1 < pyramid_->levels() &&
+         nodes_over(wish.area, pyramid_->layout().spacing_at(wish.level)) > most) {
+    ++wish.level;
+  }
+  return wish;
+}
+
+void TerrainWindows::request(std::span<const WindowWish> wishes, const void* asker) {
+  const std::lock_guard lock(guard_);
+  std::erase_if(wishes_, [asker](const Asked& asked) { return asked.asker == asker; });
+  for (auto wish = wishes.rbegin(); wish != wishes.rend(); ++wish) wishes_.push_back({*wish, asker});
+  (wishes_.empty() ? request_done_ : request_came_).notify_all();
+}
+
+void TerrainWindows::wait_until_loaded() {
+  std::unique_lock lock(guard_);
+  request_done_.wait(lock, [this] { return wishes_.empty() && !busy_; });
+}
+
+std::size_t TerrainWindows::bytes() const {
+  const std::lock_guard lock(guard_);
+  std::size_t sum = 0;
+  for (const auto& window : *entries_.load()) sum += window->nodes.bytes();
+  for (const auto& window : retired_) sum += window->nodes.bytes();
+  return sum;
+}
+
+void TerrainWindows::make_windows() {
+  std::unique_lock lock(guard_);
+  while (true) {
+    WindowWish wish;
+    request_came_.wait(lock, [&] { return stopping_ || next_wish(wish); });
+    if (stopping_) return;
+    busy_ = true;
+    lock.unlock();
+    auto window = made(wish);
+    lock.lock();
+    publish(std::move(window));
+    busy_ = false;
+    request_done_.notify_all();
+  }
+}
+
+bool TerrainWindows::next_wish(WindowWish& wish) {
+  const auto entries = entries_.load();
+  while (!wishes_.empty()) {
+    wish = wishes_.back().wish;
+    wishes_.pop_back();
+    const bool there = std::ranges::any_of(
+        *entries, [&wish](const auto& window) { return window->level == wish.level && window->covers(wish.area); });
+    if (!there) return true;
+  }
+  request_done_.notify_all();
+  return false;
+}
+
+std::shared_ptr<const GroundWindow> TerrainWindows::made(const WindowWish& wish) {
+  auto window = std::make_shared<GroundWindow>(most_nodes_per_side_);
+  const terrain::WindowReport report =
+      window->nodes.fill(*pyramid_, with_margin(wish), wish.level, std::nullopt, terrain::TileWait::Load);
+  window->level = report.level;
+  window->error_m = report.error_m;
+  window->last_wanted = frame_.load();
+  return window;
+}
+
+radar::Rectangle TerrainWindows::with_margin(const WindowWish& wish) const {
+  const auto most = static_cast<double>(most_nodes_per_side_ * most_nodes_per_side_);
+  const double spacing_m = pyramid_->layout().spacing_at(wish.level);
+  const radar::Rectangle whole = pyramid_->layout().extent();
+  double margin_m = std::max(0.25 * std::max(wish.area.width_m(), wish.area.height_m()), 8.0 * spacing_m);
+  radar::Rectangle area = clipped(grown(wish.area, margin_m), whole);
+  while (nodes_over(area, spacing_m) > most && margin_m > spacing_m) {
+    margin_m *= 0.5;
+    area = clipped(grown(wish.area, margin_m), whole);
+  }
+  return nodes_over(area, spacing_m) > most ? wish.area : area;
+}
+
+void TerrainWindows::publish(std::shared_ptr<const GroundWindow> window) {
+  std::erase_if(retired_, [](const auto& old) { return old.use_count() == 1; });
+  auto entries = std::make_shared<Entries>(*entries_.load());
+  entries->push_back(std::move(window));
+  const auto bytes = [&entries] {
+    std::size_t sum = 0;
+    for (const auto& entry : *entries) sum += entry->nodes.bytes();
+    return sum;
+  };
+  while (entries->size() > 1 && bytes() > budget_bytes_) {
+    const auto oldest =
+        std::ranges::min_element(entries->begin(), std::prev(entries->end()), {},
+                                 [](const auto& entry) { return entry->last_wanted.load(std::memory_order_relaxed); });
+    retired_.push_back(std::move(*oldest));
+    entries->erase(oldest);
+  }
+  entries_.store(std::move(entries));
+}
+
+}  // namespace sigmascape::render

@@ -1,0 +1,105 @@
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <thread>
+#include <vector>
+
+#include "sigmascape/terrain/terrain_pyramid.h"
+#include "sigmascape/terrain/terrain_window.h"
+
+namespace sigmascape::render {
+
+/// A piece of terrain that a frame needs, and of which level.
+struct WindowWish {
+  int level = 0;
+  radar::Rectangle area;
+};
+
+/// A piece of terrain in one lattice; once it can be found it never changes.
+struct GroundWindow {
+  GroundWindow(std::size_t most_nodes_per_side) : nodes(most_nodes_per_side, terrain::WindowSlopes::None) {}
+
+  terrain::TerrainWindow nodes;
+  int level = 0;
+  float error_m = 0.0F;  ///< by how much it may differ from that level, where tiles could not be had
+  mutable std::atomic<std::uint64_t> last_wanted{0};
+
+  [[nodiscard]] bool covers(const radar::Rectangle& area) const;
+};
+
+/// Terrain as frames want it, joined in lattices behind the back of whoever renders.
+///
+/// A frame takes a view, which never changes under its hands, finds in it the terrain that covers what it looks at, and
+/// afterwards says what it would have liked. It never waits. Windows are somewhat larger than what was asked for, so
+/// that a radar that moves needs a new one only now and then. Any number of renderers may share them.
+class TerrainWindows {
+  using Entries = std::vector<std::shared_ptr<const GroundWindow>>;
+
+ public:
+  /// The budget is that of all windows together; one holds a sixth of it at most.
+  TerrainWindows(std::shared_ptr<terrain::TerrainPyramid> pyramid, std::size_t budget_bytes);
+  ~TerrainWindows();
+  TerrainWindows(const TerrainWindows&) = delete;
+  TerrainWindows& operator=(const TerrainWindows&) = delete;
+
+  /// What was there at one moment.
+  class View {
+   public:
+    /// Of the windows that cover the area the one whose level comes nearest to the wish, the finer of two; null when
+    /// there is none. Marks it as wanted by this view's frame.
+    [[nodiscard]] const GroundWindow* find(const WindowWish& wish) const;
+
+   private:
+    friend class TerrainWindows;
+    std::shared_ptr<const Entries> entries_;
+    std::uint64_t frame_ = 0;
+  };
+
+  /// Call at the start of a frame; drop it at its end, for windows live while a view holds them.
+  [[nodiscard]] View view();
+
+  /// What to wish for: of the area what there is terrain of, at the given level or the next coarser at which a window
+  /// holds it.
+  [[nodiscard]] WindowWish wish_for(int level, const radar::Rectangle& area) const;
+
+  /// Windows to make, the dearest first, in place of those that the same asker wished for before. For the end of a
+  /// frame.
+  void request(std::span<const WindowWish> wishes, const void* asker = nullptr);
+
+  /// Returns when all that was asked for is there.
+  void wait_until_loaded();
+
+  /// Of all windows that are there.
+  [[nodiscard]] std::size_t bytes() const;
+
+ private:
+  void make_windows();
+  [[nodiscard]] std::shared_ptr<const GroundWindow> made(const WindowWish& wish);
+  [[nodiscard]] radar::Rectangle with_margin(const WindowWish& wish) const;
+  // All of these with the guard held.
+  [[nodiscard]] bool next_wish(WindowWish& wish);
+  void publish(std::shared_ptr<const GroundWindow> window);
+
+  std::shared_ptr<terrain::TerrainPyramid> pyramid_;
+  std::size_t budget_bytes_, most_nodes_per_side_;
+
+  mutable std::mutex guard_;
+  std::condition_variable request_came_, request_done_;
+  std::atomic<std::shared_ptr<const Entries>> entries_;
+  std::vector<std::shared_ptr<const GroundWindow>> retired_;  // no longer found, perhaps still read by a frame
+  struct Asked {
+    WindowWish wish;
+    const void* asker;
+  };
+  std::vector<Asked> wishes_;  // from its end: whoever asked last comes first
+  bool busy_ = false, stopping_ = false;
+  std::atomic<std::uint64_t> frame_{0};
+  std::jthread maker_;
+};
+
+}  // namespace sigmascape::render

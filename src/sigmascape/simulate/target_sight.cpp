@@ -1,0 +1,68 @@
+#include "sigmascape/simulate/target_sight.h"
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+#include "sigmascape/atlas/ground_layers.h"
+#include "sigmascape/trace/crown_crossings.h"
+
+namespace sigmascape::simulate {
+namespace {
+
+double tallest_m(const radar::ObstacleMap* obstacles) {
+  float tallest = 0.0F;
+  if (obstacles != nullptr) {
+    for (const radar::Obstacle& obstacle : obstacles->obstacles.values()) tallest = std::max(tallest, obstacle.top_m());
+  }
+  return static_cast<double>(tallest);
+}
+
+}  // namespace
+
+const radar::ObstacleMap* obstacles_of(const render::Reflectivity& sigma0) {
+  const auto* const textures = std::get_if<render::AtlasReflectivity>(&sigma0);
+  if (textures == nullptr || textures->atlas->ground_layers() == nullptr) return nullptr;
+  return &textures->atlas->ground_layers()->obstacles;
+}
+
+double part_seen(const Surroundings& surroundings, Vec3d radar_position, Vec3d point) {
+  const auto& [terrain, obstacles] = surroundings;
+  const Vec3d way = radar_position - point;
+  const double distance_m = std::hypot(way.x, way.y);
+  if (distance_m == 0.0) return 1.0;
+  const double rise = way.z / distance_m;
+  const Vec2d direction{way.x / distance_m, way.y / distance_m};
+  const double step_m = obstacles != nullptr ? std::min(obstacles->grid.cell_m, terrain.spacing_m) : terrain.spacing_m;
+  const double highest_m = static_cast<double>(terrain.highest_m()) + tallest_m(obstacles);
+  double depth = 0.0;
+  for (double d = step_m; d < distance_m; d += step_m) {
+    const double height_m = point.z + d * rise;
+    if (rise >= 0.0 && height_m > highest_m) break;
+    const Vec2d under = Vec2d{point.x, point.y} + direction * d;
+    if (!terrain.extent().contains(under)) {
+      if (terrain.extent().contains({point.x, point.y})) break;
+      continue;
+    }
+    const double above_m = height_m - terrain.height_at(under);
+    if (above_m < 0.0) return 0.0;
+    if (obstacles == nullptr) continue;
+    const radar::Obstacle obstacle = obstacles->at(under);
+    if (above_m < static_cast<double>(obstacle.solid_top_m)) return 0.0;
+    if (above_m < static_cast<double>(obstacle.crown_top_m) && above_m > static_cast<double>(obstacle.crown_base_m))
+      depth += static_cast<double>(obstacle.crown_extinction_per_m) * step_m * std::hypot(1.0, rise);
+  }
+  return std::exp(-depth);
+}
+
+double part_seen(const trace::SceneGeometry& geometry, const std::vector<scatter::SurfaceModel>& surfaces,
+                 Vec3d radar_position, Vec3d point) {
+  const Vec3f from = (point - geometry.origin()).to<float>(), to_radar = normalized(radar_position - point).to<float>();
+  if (!geometry.has_crowns()) return geometry.occluded(from, to_radar) ? 0.0 : 1.0;
+  trace::CrownCrossings crowns;
+  crowns.begin(surfaces);
+  if (geometry.occluded(from, to_radar, crowns)) return 0.0;
+  return std::exp(-static_cast<double>(crowns.optical_depth()));
+}
+
+}  // namespace sigmascape::simulate

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "sigmascape/base/vec.h"
+#include "sigmascape/radar/obstacle.h"
+#include "sigmascape/radar/target.h"
+#include "sigmascape/render/ground_scatterers.h"
+#include "sigmascape/terrain/height_field.h"
+#include "sigmascape/trace/scene_geometry.h"
+
+namespace sigmascape::simulate {
+
+/// What may stand between a target and the radar where there are only terrain and an atlas.
+struct Surroundings {
+  const terrain::HeightField& terrain;
+  /// What stands on the ground, of an atlas that keeps it apart; without it only the terrain hides.
+  const radar::ObstacleMap* obstacles = nullptr;
+};
+
+/// The obstacles that a reflectivity knows of, or none.
+[[nodiscard]] const radar::ObstacleMap* obstacles_of(const render::Reflectivity& sigma0);
+
+/// The part of a point's power that the radar sees: none behind a hill or a house, e^−κs through crowns, once for both
+/// ways, for they share their gaps (docs/physics/vegetation.md). By a march along the straight line between them, in
+/// steps of the obstacles or the terrain.
+[[nodiscard]] double part_seen(const Surroundings& surroundings, Vec3d radar_position, Vec3d point);
+/// The same by a ray through the whole scene, on its terrain. `surfaces`: those of the scene at the radar's frequency.
+[[nodiscard]] double part_seen(const trace::SceneGeometry& geometry, const std::vector<scatter::SurfaceModel>& surfaces,
+                               Vec3d radar_position, Vec3d point);
+
+/// The targets of which something is seen, their cross-sections weakened by what stands in the way at that time.
+template <typename PartSeen>
+[[nodiscard]] std::vector<radar::Target> seen_targets(std::span<const radar::Target> targets, double time_s,
+                                                      const PartSeen& part_seen_of) {
+  std::vector<radar::Target> seen;
+  for (const radar::Target& target : targets) {
+    const double part = part_seen_of(target.track.position_at(time_s));
+    if (part > 0.0) seen.push_back(radar::weakened(target, part));
+  }
+  return seen;
+}
+
+}  // namespace sigmascape::simulate

@@ -1,0 +1,195 @@
+#include "sigmascape/render/live_terrain.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <gtest/gtest.h>
+#include <numeric>
+
+#include "live_ground_example.h"
+
+#include "sigmascape/atlas/pyramid.h"
+#include "sigmascape/terrain/pyramid_builder.h"
+
+namespace sigmascape::render {
+namespace {
+
+double hills(Vec2d p) {
+  return 40.0 + 30.0 * std::sin(0.012 * p.x + 0.005 * p.y) + 12.0 * std::cos(0.031 * p.y - 0.013 * p.x) +
+         3.0 * std::sin(0.17 * p.x) * std::cos(0.11 * p.y);
+}
+
+ExampleGround hilly() {
+  ExampleGround ground;
+  ground.sigma0 = [](const radar::Look& look) { return constant_gamma(0.1, look); };
+  ground.height_m = hills;
+  return ground;
+}
+
+std::shared_ptr<terrain::TerrainPyramid> opened(const std::filesystem::path& folder, std::size_t budget_bytes) {
+  return std::shared_ptr<terrain::TerrainPyramid>(
+      new terrain::TerrainPyramid(terrain::open_pyramid(folder, budget_bytes)));
+}
+
+double total(const Frame& frame) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < frame.powers_m2.size(); i += 4) sum += static_cast<double>(frame.powers_m2[i]);
+  return sum;
+}
+
+/// All tests look at one atlas; its own ground is hilly.
+class LiveTerrainTest : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = std::make_unique<ScratchFolder>();
+    store_ = std::make_unique<atlas::Store>(example_.store(folder_->path("atlas")));
+    atlas::Pyramid(*store_).make_above(store_->units());
+    terrain::build_pyramid(folder_->path("terrain"), example_.terrain(), {43.0, -3.0});
+  }
+  static void TearDownTestSuite() {
+    store_.reset();
+    folder_.reset();
+  }
+  [[nodiscard]] static std::filesystem::path terrain_folder() { return folder_->path("terrain"); }
+  static inline const ExampleGround example_ = hilly();
+  static inline std::unique_ptr<ScratchFolder> folder_;
+  static inline std::unique_ptr<atlas::Store> store_;
+};
+
+TEST_F(LiveTerrainTest, APyramidOnDiskGivesTheFrameOfTheTerrainInMemory) {
+  const auto whole = example_.over(*store_);
+  const auto in_pieces = std::make_shared<LiveGround>(*store_, opened(terrain_folder(), 1U << 20U), 10e9);
+  for (const double bin_m : {12.0, 40.0}) {
+    ExampleView view;
+    view.bin_m = bin_m;
+    LiveRenderer expected(whole, view.settings(FrameContent::Amplitudes));
+    LiveRenderer renderer(in_pieces, view.settings(FrameContent::Amplitudes));
+    const Frame& there = settled_frame(expected, *whole, view.pose());
+    const Frame& here = settled_frame(renderer, *in_pieces, view.pose());
+    EXPECT_EQ(here.report.terrain_error_m, 0.0);
+    EXPECT_LT(here.report.lit, here.report.cells) << "hills hide ground";
+    EXPECT_TRUE(std::ranges::equal(here.amplitudes_m, there.amplitudes_m)) << bin_m;
+  }
+}
+
+/// Tiles of level ground with a wall every 4 km, made when they are asked for: as much of it as one likes.
+std::shared_ptr<terrain::TerrainPyramid> walls(std::uint32_t tiles_a_side, std::size_t budget_bytes,
+                                               const std::shared_ptr<std::size_t>& made) {
+  const double spacing_m = 8.0, side_m = spacing_m * terrain::HeightTile::cells * tiles_a_side;
+  const terrain::PyramidLayout layout{-side_m / 2.0, side_m / 2.0, spacing_m, tiles_a_side, tiles_a_side};
+  std::vector<Array2D<terrain::TileSummary>> summaries;
+  for (int level = 0; level < layout.levels(); ++level) {
+    summaries.emplace_back(layout.across(level), layout.down(level),
+                           terrain::TileSummary{0.0F, 30.0F, level == 0 ? 0.0F : 30.0F});
+  }
+  return std::make_shared<terrain::TerrainPyramid>(
+      layout, std::move(summaries),
+      [layout, made](terrain::TileKey key) {
+        ++*made;
+        auto tile = std::make_shared<terrain::HeightTile>();
+        tile->summary = {0.0F, 30.0F, key.level == 0 ? 0.0F : 30.0F};
+        const radar::Rectangle extent = layout.extent_of(key);
+        for (std::size_t row = 0; row < terrain::HeightTile::nodes; ++row) {
+          const double north_m = extent.north_m - layout.spacing_at(key.level) * static_cast<double>(row);
+          const float height_m = std::abs(std::remainder(north_m, 4096.0)) < 20.0 ? 30.0F : 0.0F;
+          tile->height_m.insert(tile->height_m.end(), terrain::HeightTile::nodes, height_m);
+        }
+        return std::shared_ptr<const terrain::HeightTile>(tile);
+      },
+      budget_bytes);
+}
+
+TEST_F(LiveTerrainTest, MayBeFarLargerThanMemory) {
+  const auto made = std::make_shared<std::size_t>(0);
+  // 1,049 km a side, 69 GB of heights.
+  constexpr std::size_t tile_budget = std::size_t{8} << 20U;
+  const auto pyramid = walls(512, tile_budget, made);
+  const auto ground = std::make_shared<LiveGround>(*store_, pyramid, 10e9, CacheOptions{.budget_bytes = 64U << 20U});
+  const ExampleView view;
+  LiveRenderer renderer(ground, view.settings(FrameContent::Powers));
+  const Frame& frame = settled_frame(renderer, *ground, view.pose());
+  EXPECT_EQ(frame.report.terrain_error_m, 0.0);
+  EXPECT_EQ(frame.report.dark, 0U);
+  EXPECT_LT(*made, 500U);
+  EXPECT_LE(pyramid->resident_bytes(), tile_budget);
+  EXPECT_LE(ground->terrain().windows().bytes(), std::size_t{64} << 20U);
+}
+
+TEST_F(LiveTerrainTest, AWallBeforeTheBinsHidesThem) {
+  const auto ground =
+      std::make_shared<LiveGround>(*store_, walls(8, std::size_t{8} << 20U, std::make_shared<std::size_t>(0)), 10e9);
+  // The wall stands at y = 0 and a radar 105 m high, 2.4 km south of it, sees no ground nearer than 940 m behind it.
+  ExampleView view{.target = {1024.0, 600.0}, .azimuth_deg = 180.0, .elevation_deg = 2.0, .slant_range_m = 3000.0};
+  view.ranges = 32;
+  LiveRenderer renderer(ground, view.settings(FrameContent::Powers));
+  const Frame& frame = settled_frame(renderer, *ground, view.pose());
+  EXPECT_EQ(frame.report.terrain_error_m, 0.0);
+  EXPECT_EQ(frame.report.dark, 0U);
+  EXPECT_EQ(frame.report.lit, 0U);
+}
+
+TEST_F(LiveTerrainTest, HidesNothingByWhatItDoesNotKnowYet) {
+  const auto ground = std::make_shared<LiveGround>(*store_, opened(terrain_folder(), 8U << 20U), 10e9);
+  const ExampleView view{.target = example_.middle(), .elevation_deg = 5.0};
+  LiveRenderer renderer(ground, view.settings(FrameContent::Powers));
+  const FrameReport first = renderer.render(view.pose()).report;
+  EXPECT_GT(first.terrain_error_m, 1.0);
+  ground->wait_until_loaded();
+  const FrameReport second = renderer.render(view.pose()).report;
+  EXPECT_EQ(second.terrain_error_m, 0.0);
+  EXPECT_GE(first.lit, second.lit);
+  EXPECT_LT(second.lit, second.cells);
+}
+
+TEST_F(LiveTerrainTest, ATileThatIsNotThereCostsItsPlaceAndIsReported) {
+  const auto altered = folder_->path("altered");
+  std::filesystem::copy(terrain_folder(), altered, std::filesystem::copy_options::recursive);
+  std::filesystem::resize_file(altered / "level_0/0_0.tif", 1000);
+  const auto ground = std::make_shared<LiveGround>(*store_, opened(altered, 8U << 20U), 10e9);
+  const ExampleView view{.target = example_.middle(), .elevation_deg = 13.0};
+  LiveRenderer renderer(ground, view.settings(FrameContent::Powers));
+  const Frame& frame = settled_frame(renderer, *ground, view.pose());
+  EXPECT_GT(frame.report.terrain_error_m, 0.0);
+  EXPECT_EQ(frame.report.dark, 0U);
+  EXPECT_EQ(ground->terrain().pyramid().faults().size(), 1U);
+  const double with_fault = total(frame);
+  const auto sound = example_.over(*store_);
+  LiveRenderer expected(sound, view.settings(FrameContent::Powers));
+  EXPECT_NEAR(db_from_linear(with_fault / total(settled_frame(expected, *sound, view.pose()))), 0.0, 1.0);
+}
+
+TEST_F(LiveTerrainTest, NoStepShowsOverHillsWhereTheLevelsChange) {
+  const auto ground = example_.over(*store_);
+  ExampleView view{.target = example_.middle()};
+  view.bin_m = 30.0;
+  view.beams = 40;
+  view.ranges = 40;
+  LiveSettings settings = view.settings(FrameContent::Powers);
+  settings.beam_step_rad *= 0.4;
+  LiveRenderer renderer(ground, settings);
+  const Pose first = view.pose();
+  const Vec3d target{view.target.x, view.target.y, 0.0};
+  std::size_t first_level = 0, last_level = 0;
+  double last = 0.0;
+  for (int step = 0; step < 42; ++step) {
+    Pose pose = first;
+    pose.first_range_m += 120.0 * step;
+    pose.position = target + (first.position - target) * (1.0 + 120.0 * step / 4000.0);
+    renderer.render(pose);
+    ground->wait_until_loaded();
+    const Frame& frame = renderer.render(pose);
+    EXPECT_EQ(frame.report.terrain_error_m, 0.0) << step;
+    const double sum = total(frame);
+    // What a step makes of grazing angles and of the width of the beams is less than this.
+    if (step > 0) {
+      EXPECT_NEAR(db_from_linear(sum / last), 0.0, 0.2) << step;
+    }
+    last = sum;
+    if (step == 0) first_level = frame.report.level;
+    last_level = frame.report.level;
+  }
+  EXPECT_GT(last_level, first_level);
+}
+
+}  // namespace
+}  // namespace sigmascape::render

@@ -1,0 +1,88 @@
+#include "sigmascape/simulate/target_sight.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "sigmascape/base/units.h"
+
+namespace sigmascape::simulate {
+namespace {
+
+/// Level, but for a ridge of 30 m that runs from west to east 100 m north of the middle when asked for.
+terrain::HeightField ground(bool with_ridge) {
+  terrain::HeightField terrain{
+      .west_m = -500.0, .north_m = 500.0, .spacing_m = 10.0, .height_m = Array2D<float>(101, 101, 5.0F)};
+  for (std::size_t column = 0; with_ridge && column < 101; ++column) terrain.height_m(column, 40) = 35.0F;
+  return terrain;
+}
+
+/// One kind of obstacle over a block from 20 to 40 m north of the middle.
+radar::ObstacleMap block_of(const radar::Obstacle& obstacle) {
+  radar::ObstacleMap map{.grid = {-100.0, 100.0, 2.0, 100, 100}, .obstacles = Array2D<radar::Obstacle>(100, 100)};
+  for (std::size_t row = 0; row < 100; ++row) {
+    for (std::size_t column = 0; column < 100; ++column) {
+      const double north_m = map.grid.centre_of(column, row).y;
+      if (north_m > 20.0 && north_m < 40.0) map.obstacles(column, row) = obstacle;
+    }
+  }
+  return map;
+}
+
+/// To the north, so high above the middle.
+Vec3d radar_at(double elevation_deg) {
+  return {0.0, 5000.0 * std::cos(radians_from_deg(elevation_deg)),
+          5.0 + 5000.0 * std::sin(radians_from_deg(elevation_deg))};
+}
+
+TEST(TargetSight, ends_at_a_ridge) {
+  const auto ridge = ground(true), level = ground(false);
+  // The ridge stands 100 m off: it hides what lies lower than 30 m − 100 m · tan ψ.
+  const double hidden_below_m = 30.0 - 100.0 * std::tan(radians_from_deg(10.0));
+  for (const double height_m : {1.0, hidden_below_m - 0.8, hidden_below_m + 0.8, 40.0}) {
+    const Vec3d point{0.0, 0.0, 5.0 + height_m};
+    EXPECT_EQ(part_seen({ridge}, radar_at(10.0) + Vec3d{0.0, 0.0, height_m}, point),
+              height_m > hidden_below_m ? 1.0 : 0.0)
+        << height_m;
+    EXPECT_EQ(part_seen({level}, radar_at(10.0), point), 1.0);
+  }
+}
+
+TEST(TargetSight, ends_at_a_house_that_is_taller_than_the_line) {
+  const auto level = ground(false);
+  // At 45° the line has risen to 20 … 40 m over the block.
+  const Vec3d radar = radar_at(45.0), point{0.0, 0.0, 5.0};
+  const auto tall = block_of({.solid_top_m = 30.0F}), low = block_of({.solid_top_m = 15.0F});
+  EXPECT_EQ(part_seen({level, &tall}, radar, point), 0.0);
+  EXPECT_EQ(part_seen({level, &low}, radar, point), 1.0);
+  // Beside the houses, and in front of them as seen from the radar.
+  EXPECT_EQ(part_seen({level, &tall}, radar, {150.0, 0.0, 5.0}), 1.0);
+  EXPECT_EQ(part_seen({level, &tall}, radar, {0.0, 50.0, 5.0}), 1.0);
+}
+
+/// The line crosses 20 m of crowns: e^(−κ · 20 m / cos ψ).
+TEST(TargetSight, fades_in_crowns) {
+  const auto level = ground(false);
+  const double elevation_deg = 10.0, kappa = 0.05;
+  const auto crowns =
+      block_of({.crown_base_m = 0.5F, .crown_top_m = 20.0F, .crown_extinction_per_m = static_cast<float>(kappa)});
+  EXPECT_NEAR(part_seen({level, &crowns}, radar_at(elevation_deg), {0.0, 0.0, 5.5}),
+              std::exp(-kappa * 20.0 / std::cos(radians_from_deg(elevation_deg))), 1e-3);
+  // At 60° the line is above them all.
+  EXPECT_EQ(part_seen({level, &crowns}, radar_at(60.0), {0.0, 0.0, 5.5}), 1.0);
+}
+
+TEST(SeenTargets, leave_out_what_is_hidden_and_weaken_what_fades) {
+  std::vector<radar::Target> targets(3);
+  targets[0].rcs_m2 = radar::Channels{8.0F, 4.0F, 2.0F, 1.0F};
+  targets[1].rcs_m2 = targets[0].rcs_m2;
+  targets[2].rcs_m2 = radar::RcsTable{{0.0}, {0.0}, {1e10}, {{8.0F, 4.0F, 2.0F, 1.0F}}};
+  targets[1].track = radar::Track::straight({1.0, 0.0, 0.0});
+  targets[2].track = radar::Track::straight({0.0, 0.0, 0.0}, {0.5, 0.0, 0.0});
+  const auto seen = seen_targets(targets, 1.0, [](Vec3d position) { return position.x; });
+  ASSERT_EQ(seen.size(), 2U);
+  EXPECT_EQ(std::get<radar::Channels>(seen[0].rcs_m2), (radar::Channels{8.0F, 4.0F, 2.0F, 1.0F}));
+  EXPECT_EQ(radar::rcs_of(seen[1], {0.0, 0.0, 100.0}, 1e10, {}), (radar::Channels{4.0F, 2.0F, 1.0F, 0.5F}));
+}
+
+}  // namespace
+}  // namespace sigmascape::simulate
