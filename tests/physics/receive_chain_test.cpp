@@ -300,7 +300,8 @@ TEST(SensitivityTimeControl, LevelsGroundOfConstantGamma) {
   radar::Radar radar = plain_radar();
   radar.receiver.sensitivity_time_control = radar::SensitivityTimeControl{40e3, 4.0};
   const auto [lowest, highest] = std::ranges::minmax(ground_profile_db(radar, 2e3));
-  expect_case("spread of constant-γ ground, 5.75 to 34.2 km, with time control", 0.0, highest - lowest, 0.5, "dB", "n = 4");
+  expect_case("spread of constant-γ ground, 5.75 to 34.2 km, with time control", 0.0, highest - lowest, 0.5, "dB",
+              "n = 4");
   radar.receiver.sensitivity_time_control.reset();
   const auto falling = ground_profile_db(radar, 2e3);
   expect_case("fall of constant-γ ground, 5.75 to 34.2 km, without", -40.0 * std::log10(34.24 / 5.76),

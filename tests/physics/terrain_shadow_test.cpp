@@ -5,11 +5,13 @@
 #include <optional>
 
 #include "end_to_end/real_data.h"
+#include "unit/render/live_ground_example.h"
 #include "validation/validation_record.h"
 
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/look.h"
 #include "sigmascape/radar/radar.h"
+#include "sigmascape/radar/scatterer_lattice.h"
 #include "sigmascape/render/visible_ground.h"
 #include "sigmascape/scene/scene.h"
 #include "sigmascape/terrain/terrain_reader.h"
@@ -111,6 +113,134 @@ TEST(TerrainShadow, OfBilbaoIsThatOfThePathTracer) {
 
 TEST(TerrainShadow, OfSanFranciscoIsThatOfThePathTracer) {
   expect_like_shadow_rays(san_francisco, 4.0, render::VisibilityMethod::HorizonSweep);
+}
+
+/// An atlas of constant-gamma ground, the same in all looks, about the origin.
+atlas::Store gamma_store(const std::filesystem::path& folder, double gamma, double texel_m, double half_m) {
+  atlas::AtlasDescription description;
+  description.name = "level reflectivity";
+  description.patches = {.texel_m = texel_m, .texels_per_side = atlas::tile_side};
+  const double side_m = description.patches.side_m(), reach_m = std::ceil(half_m / side_m) * side_m;
+  description.extent = {-reach_m, -reach_m, reach_m, reach_m};
+  description.aspects.azimuths_rad = {0.0};
+  description.aspects.elevations_rad = {radians_from_deg(2.0), radians_from_deg(30.0)};
+  description.aspects.frequencies_hz = {10e9};
+  description.scene_hash = "none";
+  atlas::Store store = atlas::Store::create(folder, description);
+  render::ExampleGround::write(store, [gamma](const radar::Look& look) { return render::constant_gamma(gamma, look); });
+  atlas::Pyramid(store).make_above(store.units());
+  return store;
+}
+
+/// A live frame over real terrain against the same sum over the same scatterers, each of which a shadow ray of the path
+/// tracer lets pass or not.
+void expect_frame_like_shadow_rays(const Place& place, double elevation_deg) {
+  const auto path = end_to_end::data_folder() / place.file;
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is not there; set SIGMASCAPE_DATA";
+  terrain::TerrainSource source;
+  source.raster = {path, 1, ""};
+  source.spacing_m = place.spacing_m;
+  source.smooth_within_m = place.smooth_within_m;
+  const radar::Rectangle wanted{-place.half_m, -place.half_m, place.half_m, place.half_m};
+  const scene::Scene scene = bare(terrain::read_terrain(source, place.frame, wanted).field);
+  const trace::SceneGeometry geometry(scene, trace::Footing::Terrain);
+  const trace::FlushDenormals flush;
+
+  // Texels that tell the terrain's own shape.
+  const double gamma = 0.1, texel_m = place.spacing_m < 8.0 ? 4.0 : 8.0;
+  const ScratchFolder folder;
+  const atlas::Store store = gamma_store(folder.path("atlas"), gamma, texel_m, place.half_m);
+  const auto ground = std::make_shared<render::LiveGround>(store, scene.terrain, 10e9);
+  const double ground_m = scene.terrain.height_at({0.0, 0.0});
+  render::ExampleView view;
+  view.target = {};
+  view.azimuth_deg = 130.0;
+  view.elevation_deg = elevation_deg;
+  view.slant_range_m = 12e3;
+  view.bin_m = 16.0;
+  view.beams = view.ranges = static_cast<std::size_t>(place.half_m / view.bin_m);
+  render::LiveSettings settings = view.settings(render::FrameContent::Powers);
+  settings.cells_per_bin = 0.9 * view.bin_m / texel_m;
+  render::Pose pose = view.pose();
+  pose.position.z += ground_m;
+  render::LiveRenderer renderer(ground, settings);
+  const render::Frame& frame = render::settled_frame(renderer, *ground, pose);
+  ASSERT_EQ(frame.report.coarse, 0U);
+  ASSERT_EQ(frame.report.level, 0U);
+
+  // Every scatterer of the lattice that the bins may hold, shared between bins as the frame shares them.
+  const radar::ScattererLattice lattice({.seed = settings.seed, .cell_m = texel_m, .levels = 1});
+  const radar::RangeAzimuthGrid& grid = frame.grid;
+  Array2D<double> expected(grid.ranges, grid.azimuths, 0.0);
+  std::size_t hidden = 0, looked_at = 0;
+  const auto cells = static_cast<std::int32_t>(place.half_m / texel_m);
+  for (std::int32_t row = -cells; row < cells; ++row) {
+    for (std::int32_t column = -cells; column < cells; ++column) {
+      const Vec2d at = lattice.position_in({column, row}, 0);
+      const Vec3d foot{at.x, at.y, scene.terrain.height_at(at)};
+      const Vec3d away = pose.position - foot;
+      const double range_m = length(away);
+      const double beam = wrapped_azimuth(std::atan2(-away.x, -away.y) - grid.first_azimuth_rad + pi) - pi;
+      const double b = beam / grid.azimuth_step_rad - 0.5, r = (range_m - grid.first_range_m) / grid.range_step_m - 0.5;
+      if (!(b >= 0.0 && r >= 0.0 && b < static_cast<double>(grid.azimuths) - 1.0 &&
+            r < static_cast<double>(grid.ranges) - 1.0)) {
+        continue;
+      }
+      trace::SurfaceHit hit;
+      const Vec3d above{at.x, at.y, geometry.highest_m() + 1.0};
+      ASSERT_TRUE(geometry.intersect((above - geometry.origin()).to<float>(), {0.0F, 0.0F, -1.0F}, hit));
+      const Vec3f start = hit.position + Vec3f{0.0F, 0.0F, 0.02F};
+      ++looked_at;
+      if (geometry.occluded(start, normalized(pose.position - geometry.origin() - start.to<double>()).to<float>())) {
+        ++hidden;
+        continue;
+      }
+      const double power = gamma * away.z / range_m * texel_m * texel_m;
+      const auto first_b = static_cast<std::size_t>(b), first_r = static_cast<std::size_t>(r);
+      const double next_b = b - std::floor(b), next_r = r - std::floor(r);
+      expected(first_r, first_b) += power * (1.0 - next_b) * (1.0 - next_r);
+      expected(first_r + 1, first_b) += power * (1.0 - next_b) * next_r;
+      expected(first_r, first_b + 1) += power * next_b * (1.0 - next_r);
+      expected(first_r + 1, first_b + 1) += power * next_b * next_r;
+    }
+  }
+  EXPECT_GT(hidden, looked_at / 50);
+  double total = 0.0, shown = 0.0, different = 0.0;
+  for (std::size_t beam = 1; beam + 1 < grid.azimuths; ++beam) {
+    for (std::size_t range = 1; range + 1 < grid.ranges; ++range) {
+      const auto power = static_cast<double>(frame.powers_m2[(beam * grid.ranges + range) * 4]);
+      total += expected(range, beam);
+      shown += power;
+      different += std::abs(power - expected(range, beam));
+    }
+  }
+  const std::string name =
+      fmt::format("live frame, {}, {}° ({:.1f} % of the scatterers are hidden)", place.name, elevation_deg,
+                  100.0 * static_cast<double>(hidden) / static_cast<double>(looked_at));
+  validation::expect_close({.group = "Terrain shadows",
+                            .name = name + ", whole power",
+                            .expected = 0.0,
+                            .measured = db_from_linear(shown / total),
+                            .tolerance = 0.1,
+                            .unit = "dB",
+                            .source = "occlusion by the path tracer's rays"});
+  // A frame knows its horizon at the edges of beams and twice a bin of range: what lies within half of that of a
+  // silhouette may be shown or hidden.
+  validation::expect_close({.group = "Terrain shadows",
+                            .name = name + ", power that lies in other bins",
+                            .expected = 0.0,
+                            .measured = 100.0 * different / total,
+                            .tolerance = 4.0,
+                            .unit = "%",
+                            .source = "occlusion by the path tracer's rays"});
+}
+
+TEST(TerrainShadow, OfLiveFramesOverBilbaoIsThatOfThePathTracer) {
+  expect_frame_like_shadow_rays(bilbao, 8.6);
+}
+
+TEST(TerrainShadow, OfLiveFramesOverSanFranciscoIsThatOfThePathTracer) {
+  expect_frame_like_shadow_rays(san_francisco, 4.0);
 }
 
 TEST(TerrainShadow, ByRasterizationIsThatOfThePathTracer) {

@@ -88,6 +88,13 @@ std::optional<StoreFault> texture_fault(const std::filesystem::path& folder, con
   return std::nullopt;
 }
 
+bool is_as_recorded(const std::filesystem::path& folder, const std::filesystem::path& texture,
+                    const TextureRecord& record, Scrutiny scrutiny) {
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(folder / texture, error);
+  return !error && !file_fault(folder, texture, size, record.size_bytes, record.sha256, scrutiny);
+}
+
 std::optional<TextureRecord> texture_record(const std::filesystem::path& folder, const std::filesystem::path& texture) {
   const std::optional<std::string> text = text_of(folder / item_path(texture));
   return text ? record_from(*text) : std::nullopt;

@@ -25,6 +25,10 @@ namespace sigmascape::atlas {
 [[nodiscard]] std::optional<StoreFault> texture_fault(const std::filesystem::path& folder,
                                                       const std::filesystem::path& texture, Scrutiny scrutiny);
 
+/// Whether a texture is there and as its record says. Of its standard errors nothing is asked.
+[[nodiscard]] bool is_as_recorded(const std::filesystem::path& folder, const std::filesystem::path& texture,
+                                  const TextureRecord& record, Scrutiny scrutiny);
+
 /// What the item of a texture records; nothing when there is none that can be understood.
 [[nodiscard]] std::optional<TextureRecord> texture_record(const std::filesystem::path& folder,
                                                           const std::filesystem::path& texture);

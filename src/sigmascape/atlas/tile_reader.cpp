@@ -1,5 +1,6 @@
 #include "sigmascape/atlas/tile_reader.h"
 
+#include <algorithm>
 #include <optional>
 
 #include "sigmascape/atlas/half_cog.h"
@@ -55,8 +56,14 @@ double TileReader::scale_of(const std::filesystem::path& texture) const {
   }
   const std::optional<TextureRecord> record = texture_record(store_.folder(), texture);
   if (!record) return 0.0;
+  const double scale = is_as_recorded(store_.folder(), texture, *record, scrutiny_) ? record->scale : 0.0;
   const std::lock_guard lock(guard_);
-  return scales_.emplace(texture, record->scale).first->second;
+  return scales_.emplace(texture, scale).first->second;
+}
+
+std::size_t TileReader::damaged() const {
+  const std::lock_guard lock(guard_);
+  return static_cast<std::size_t>(std::ranges::count(scales_, 0.0, [](const auto& known) { return known.second; }));
 }
 
 }  // namespace sigmascape::atlas

@@ -39,11 +39,12 @@ struct TileAddress {
 /// Reads single tiles of a store, as a renderer wants them that holds only what it looks at. Levels that are coarser
 /// than a patch come from the pyramid above the patches.
 ///
-/// Any number of threads may read at once. Nothing is checked against its SHA-256 here; a file that was cut off or
-/// does not decode counts as not there.
+/// Any number of threads may read at once. A texture is held against its item when its first tile is read; one that is
+/// not as that says counts as not there, and so does a tile that does not decode.
 class TileReader {
  public:
-  explicit TileReader(const Store& store) : store_(store), pyramid_(store_) {}
+  explicit TileReader(const Store& store, Scrutiny scrutiny = Scrutiny::Content)
+      : store_(store), pyramid_(store_), scrutiny_(scrutiny) {}
   TileReader(const TileReader&) = delete;
   TileReader& operator=(const TileReader&) = delete;
 
@@ -57,6 +58,8 @@ class TileReader {
   [[nodiscard]] double read(const TileAddress& tile, LookIndex look, std::span<Half, tile_halves> halves) const;
 
   [[nodiscard]] const AtlasDescription& description() const { return store_.description(); }
+  /// Textures met so far that have an item but are not as it says.
+  [[nodiscard]] std::size_t damaged() const;
 
  private:
   /// Where a tile stands: a texture, a level within it and a number there.
@@ -69,8 +72,9 @@ class TileReader {
 
   Store store_;
   Pyramid pyramid_;
+  Scrutiny scrutiny_;
   mutable std::mutex guard_;
-  mutable std::map<std::filesystem::path, double> scales_;
+  mutable std::map<std::filesystem::path, double> scales_;  // 0 of the damaged ones
 };
 
 }  // namespace sigmascape::atlas

@@ -36,14 +36,17 @@ CacheOptions less(CacheOptions options, std::size_t bytes) {
 }
 
 std::shared_ptr<const PageSource> source_of(const atlas::Store& store, const LiveTerrain& terrain,
-                                            const ObstacleLevels& obstacles, double frequency_hz) {
+                                            const ObstacleLevels& obstacles, double frequency_hz,
+                                            atlas::Scrutiny scrutiny) {
   const HeightSource heights = [&terrain](const radar::GroundGrid& cells, std::span<float> height_m) {
     terrain.fill_heights(cells, height_m);
   };
-  if (obstacles.empty()) return std::make_shared<const PageSource>(store, heights, frequency_hz);
+  if (obstacles.empty()) {
+    return std::make_shared<const PageSource>(store, heights, frequency_hz, std::nullopt, scrutiny);
+  }
   const atlas::Store ground = atlas::open_ground_store(store);
   return std::make_shared<const PageSource>(store, heights, frequency_hz,
-                                            BareGround{ground, relief_of(terrain, obstacles)});
+                                            BareGround{ground, relief_of(terrain, obstacles)}, scrutiny);
 }
 
 std::shared_ptr<terrain::TerrainPyramid> terrain_beside(const std::filesystem::path& atlas_folder,
@@ -65,7 +68,7 @@ LiveGround::LiveGround(const atlas::Store& store, std::shared_ptr<terrain::Terra
       terrain_(std::move(terrain), options.budget_bytes / window_part),
       obstacles_(obstacles_of(store, options)),
       pages_(
-          source_of(store, terrain_, obstacles_, frequency_hz),
+          source_of(store, terrain_, obstacles_, frequency_hz, options.scrutiny),
           less(options, obstacles_.bytes() + options.budget_bytes / tile_part + options.budget_bytes / window_part)) {
   atlas::check_frequency(store.description().aspects, frequency_hz);
   load_coarsest_level();

@@ -72,6 +72,7 @@ CacheReport PageCache::report() const {
   const std::lock_guard lock(guard_);
   CacheReport report = report_;
   report.pages = entries_.load()->size();
+  report.damaged = source_->damaged();
   report.bytes = (report.pages + retired_.size() + loading_.size()) * page_bytes_;
   return report;
 }

@@ -17,6 +17,9 @@ namespace sigmascape::render {
 struct CacheOptions {
   std::size_t budget_bytes = std::size_t{512} << 20U;  ///< of all pages together
   unsigned loaders = 1;                                ///< threads that read and decode
+  /// How closely a texture is looked at before its first tile is read. Content takes some milliseconds of a loader a
+  /// texture, and finds what has been altered.
+  atlas::Scrutiny scrutiny = atlas::Scrutiny::Content;
 };
 
 struct CacheReport {
@@ -24,7 +27,8 @@ struct CacheReport {
   std::size_t bytes = 0;     ///< that they take
   std::uint64_t loaded = 0;  ///< since the start
   std::uint64_t evicted = 0;
-  std::uint64_t absent = 0;   ///< pages asked for that the store does not have
+  std::uint64_t absent = 0;   ///< pages asked for that the store does not have, or not whole
+  std::size_t damaged = 0;    ///< textures of the store, met so far, that are not as their items say
   std::uint64_t refused = 0;  ///< times that no page could give way: the budget is below what one frame looks at
 };
 

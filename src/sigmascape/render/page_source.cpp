@@ -25,9 +25,9 @@ void spread_over_planes(std::span<const Half> halves, std::size_t look, std::siz
 }  // namespace
 
 PageSource::PageSource(const atlas::Store& store, HeightSource heights, double frequency_hz,
-                       const std::optional<BareGround>& bare_ground)
-    : tiles_(store), heights_(std::move(heights)), aspects_(store.description().aspects, frequency_hz) {
-  if (bare_ground) bare_ground_.emplace(*bare_ground, frequency_hz);
+                       const std::optional<BareGround>& bare_ground, atlas::Scrutiny scrutiny)
+    : tiles_(store, scrutiny), heights_(std::move(heights)), aspects_(store.description().aspects, frequency_hz) {
+  if (bare_ground) bare_ground_.emplace(*bare_ground, frequency_hz, scrutiny);
 }
 
 std::uint32_t PageSource::ground_pages() const {
@@ -55,12 +55,11 @@ bool PageSource::fill(GroundPage& page) const {
   if (page.key.is_bare_ground()) return fill_ground(page);
   const auto looks = aspects_.looks_of(page.key.aspects);
   std::vector<Half> halves(atlas::TileReader::tile_halves);
-  bool found = false;
   for (std::size_t look = 0; look < page.looks; ++look) {
-    found = fill_look(tiles_, looks[look], look, page, halves) || found;
+    if (!fill_look(tiles_, looks[look], look, page, halves)) return false;
   }
-  if (found) heights_(atlas::texels_of(tiles_.description().patches, page.key.tile), page.height_m);
-  return found;
+  heights_(atlas::texels_of(tiles_.description().patches, page.key.tile), page.height_m);
+  return true;
 }
 
 bool PageSource::fill_ground(GroundPage& page) const {
@@ -70,16 +69,14 @@ bool PageSource::fill_ground(GroundPage& page) const {
   const std::size_t elevations = bare_ground_->tiles.description().aspects.elevations_rad.size();
   const std::size_t frequencies = page.looks / GroundPage::elevations;
   std::vector<Half> halves(atlas::TileReader::tile_halves);
-  bool found = false;
   for (std::size_t look = 0; look < page.looks; ++look) {
     const std::size_t elevation = page.key.aspects.elevation * GroundPage::elevations + look / frequencies;
     page.scale[look] = 0.0F;
     if (elevation >= elevations) continue;
     const auto looks = bare_ground_->aspects.looks_of({0, static_cast<std::uint32_t>(elevation)});
     // Those of one elevation and azimuth lie four apart, a frequency each.
-    found = fill_look(bare_ground_->tiles, looks[4 * (look % frequencies)], look, page, halves) || found;
+    if (!fill_look(bare_ground_->tiles, looks[4 * (look % frequencies)], look, page, halves)) return false;
   }
-  if (!found) return false;
   const radar::GroundGrid texels = atlas::texels_of(tiles_.description().patches, page.key.tile);
   heights_(texels, page.height_m);
   bare_ground_->relief(texels, page.slope, page.top_m);
@@ -89,10 +86,10 @@ bool PageSource::fill_ground(GroundPage& page) const {
 bool PageSource::fill_look(const atlas::TileReader& tiles, atlas::LookIndex index, std::size_t look, GroundPage& page,
                            std::vector<Half>& halves) {
   const double scale = tiles.read(page.key.tile, index, std::span<Half, atlas::TileReader::tile_halves>(halves));
+  if (scale == 0.0) return false;
   page.scale[look] = static_cast<float>(scale);
-  if (scale == 0.0) std::ranges::fill(halves, Half{0});
   spread_over_planes(halves, look, page.looks, page.planes);
-  return scale > 0.0;
+  return true;
 }
 
 }  // namespace sigmascape::render

@@ -27,10 +27,10 @@ struct BareGround {
 class PageSource {
  public:
   PageSource(const atlas::Store& store, HeightSource heights, double frequency_hz,
-             const std::optional<BareGround>& bare_ground = {});
+             const std::optional<BareGround>& bare_ground = {}, atlas::Scrutiny scrutiny = atlas::Scrutiny::Content);
 
-  /// Fills `page` with what `page.key` names; its memory is used again. Looks that are not in the store stay black;
-  /// false when none of them is.
+  /// Fills `page` with what `page.key` names; its memory is used again. False when one of its looks is not in the store
+  /// or cannot be read: without it the page would be darker than the ground is.
   [[nodiscard]] bool fill(GroundPage& page) const;
 
   /// Number of levels that pages can have.
@@ -42,14 +42,20 @@ class PageSource {
   }
   /// Pages of bare ground that a tile has.
   [[nodiscard]] std::uint32_t ground_pages() const;
+  /// Textures met so far that are not as their items say.
+  [[nodiscard]] std::size_t damaged() const {
+    return tiles_.damaged() + (bare_ground_ ? bare_ground_->tiles.damaged() : 0);
+  }
   /// Of any page.
   [[nodiscard]] std::size_t most_bytes() const;
   [[nodiscard]] const atlas::AtlasDescription& description() const { return tiles_.description(); }
 
  private:
   struct GroundTiles {
-    GroundTiles(const BareGround& ground, double frequency_hz)
-        : tiles(ground.sigma0), relief(ground.relief), aspects(ground.sigma0.description().aspects, frequency_hz) {}
+    GroundTiles(const BareGround& ground, double frequency_hz, atlas::Scrutiny scrutiny)
+        : tiles(ground.sigma0, scrutiny),
+          relief(ground.relief),
+          aspects(ground.sigma0.description().aspects, frequency_hz) {}
     atlas::TileReader tiles;
     ReliefSource relief;
     atlas::AspectCells aspects;

@@ -1,0 +1,168 @@
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "unit/render/live_ground_example.h"
+#include "validation/validation_record.h"
+
+#include "sigmascape/render/row_places.h"
+
+namespace sigmascape::render {
+namespace {
+
+constexpr double gamma = 0.1;
+
+/// Cross-section of a bin on level ground: σ0 = γ sin ψ times the area between two ranges and two azimuths.
+double expected_rcs(const radar::RangeAzimuthGrid& grid, std::size_t range, double height_m) {
+  const double near = grid.first_range_m + static_cast<double>(range) * grid.range_step_m;
+  const double far = near + grid.range_step_m, middle = near + grid.range_step_m / 2.0;
+  return gamma * height_m / middle * (far * far - near * near) / 2.0 * grid.azimuth_step_rad;
+}
+
+double vv_of_range(const Frame& frame, std::size_t range) {
+  double sum = 0.0;
+  for (std::size_t beam = 2; beam + 2 < frame.grid.azimuths; ++beam) {
+    sum += static_cast<double>(frame.powers_m2[(beam * frame.grid.ranges + range) * 4]);
+  }
+  return sum;
+}
+
+/// The worst of all bands of ranges, away from the ends that have no ground beyond.
+double worst_db(const Frame& frame, double height_m) {
+  constexpr std::size_t band = 14;
+  double worst = 0.0;
+  for (std::size_t first = 4; first + band + 4 <= frame.grid.ranges; first += band) {
+    double sum = 0.0, expected = 0.0;
+    for (std::size_t range = first; range < first + band; ++range) {
+      sum += vv_of_range(frame, range);
+      expected += expected_rcs(frame.grid, range, height_m) * static_cast<double>(frame.grid.azimuths - 4);
+    }
+    const double error_db = db_from_linear(sum / expected);
+    if (std::abs(error_db) > std::abs(worst)) worst = error_db;
+  }
+  return worst;
+}
+
+ExampleGround level_ground(bool apart) {
+  ExampleGround ground;
+  ground.patches_a_side = 4;
+  const auto sigma0 = [](const radar::Look& look) { return constant_gamma(gamma, look); };
+  ground.sigma0 = apart ? [](const radar::Look&) { return radar::Channels{}; } : decltype(ground.sigma0)(sigma0);
+  if (apart) ground.bare_sigma0 = sigma0;
+  return ground;
+}
+
+void expect_the_radar_equation(bool apart) {
+  const ScratchFolder folder;
+  const ExampleGround example = level_ground(apart);
+  const atlas::Store store = example.store(folder.path("atlas"));
+  atlas::Pyramid(store).make_above(store.units());
+  const auto ground = example.over(store);
+  for (const std::size_t mip : {0U, 1U, 2U}) {
+    // The textures' highest elevation is 37°, above which σ0 is held; the ground's is 88°.
+    for (const double elevation_deg : {3.0, 5.0, 8.6, apart ? 37.0 : 21.0}) {
+      ExampleView view;
+      view.target = example.middle();
+      view.elevation_deg = elevation_deg;
+      view.slant_range_m = 6000.0;
+      view.bin_m = 12.0 * static_cast<double>(1U << mip);
+      LiveRenderer renderer(ground, view.settings(FrameContent::Powers));
+      const Frame& frame = settled_frame(renderer, *ground, view.pose());
+      ASSERT_EQ(frame.report.dark + frame.report.coarse, 0U);
+      ASSERT_EQ(frame.report.level, mip);
+      validation::expect_close({.group = "Live frames",
+                                .name = fmt::format("level ground {}, mip {}, {}°, worst of four bands of ranges",
+                                                    apart ? "kept apart" : "in the textures", mip, elevation_deg),
+                                .expected = 0.0,
+                                .measured = worst_db(frame, view.pose().position.z),
+                                .tolerance = 0.05,
+                                .unit = "dB",
+                                .source = "γ sin ψ times the area of the bin"});
+    }
+  }
+}
+
+TEST(LiveFrame, TexturesOfLevelGroundReturnTheirSigma0AtEveryRangeElevationAndMip) {
+  expect_the_radar_equation(false);
+}
+
+TEST(LiveFrame, BareGroundReturnsItsSigma0AtEveryRangeElevationAndMip) {
+  expect_the_radar_equation(true);
+}
+
+TEST(LiveFrame, GroundAHundredKilometresAwayLiesBelowTheTangent) {
+  auto row = std::make_unique<LatticeRow>();
+  row->count = 1;
+  row->north_m[0] = 100e3;
+  locate(*row, {.radar_height_m = 1000.0,
+                .drop_per_square_m = 0.5 * radar::CurvedEarth{}.curvature_per_m(),
+                .beams_per_rad = 100.0,
+                .ranges_per_m = 1.0});
+  validation::expect_close({.group = "Live frames",
+                            .name = "drop of sea level at 100 km",
+                            .expected = 588.6,
+                            .measured = static_cast<double>(row->below_m[0]) - 1000.0,
+                            .tolerance = 0.1,
+                            .unit = "m",
+                            .source = "d²/(2 k R), k = 4/3"});
+}
+
+/// Mean sine of the grazing angle of a band of ranges, as the power tells it.
+double sine_of_band(const Frame& frame, std::size_t first, std::size_t count) {
+  double power = 0.0, area = 0.0;
+  for (std::size_t range = first; range < first + count; ++range) {
+    const double middle_m = frame.grid.first_range_m + (static_cast<double>(range) + 0.5) * frame.grid.range_step_m;
+    power += vv_of_range(frame, range);
+    area +=
+        middle_m * frame.grid.range_step_m * frame.grid.azimuth_step_rad * static_cast<double>(frame.grid.azimuths - 4);
+  }
+  return power / (gamma * area);
+}
+
+TEST(LiveFrame, TheSeaEndsAtTheHorizon) {
+  const ScratchFolder folder;
+  ExampleGround sea = level_ground(false);
+  sea.texel_m = 256.0;
+  sea.patches_a_side = 3;
+  sea.terrain_spacing_m = 1000.0;
+  const atlas::Store store = sea.store(folder.path("atlas"));
+  atlas::Pyramid(store).make_above(store.units());
+  const auto ground = sea.over(store);
+  LiveSettings settings;
+  settings.content = FrameContent::Powers;
+  settings.beams = 44;
+  settings.ranges = 100;
+  settings.beam_step_rad = 0.01;
+  settings.range_step_m = 400.0;
+  settings.cells_per_bin = 1.0;
+  Pose pose;
+  pose.position = {sea.middle().x, 5e3, 1000.0};
+  pose.first_azimuth_rad = -22.0 * settings.beam_step_rad;
+  pose.first_range_m = 110e3;
+  LiveRenderer renderer(ground, settings);
+  const Frame& frame = settled_frame(renderer, *ground, pose);
+  ASSERT_EQ(frame.report.dark, 0U);
+
+  // γ sin ψ falls in a straight line, nearly, and to nothing where the line of sight touches the sea.
+  constexpr std::size_t near = 20, far = 36, band = 12;
+  const double near_sine = sine_of_band(frame, near, band), far_sine = sine_of_band(frame, far, band);
+  const double far_middle_m = pose.first_range_m + (static_cast<double>(far) + band / 2.0) * settings.range_step_m;
+  const double step_m = static_cast<double>(far - near) * settings.range_step_m;
+  const double end_m = far_middle_m + far_sine * step_m / (near_sine - far_sine);
+  validation::expect_close({.group = "Live frames",
+                            .name = "horizon of the sea from 1 km, where its power runs out",
+                            .expected = 130.3,
+                            .measured = 1e-3 * end_m,
+                            .tolerance = 0.5,
+                            .unit = "km",
+                            .source = "√(2 k R h), k = 4/3"});
+  EXPECT_LT(sine_of_band(frame, 60, band), 1e-2 * near_sine);
+
+  settings.refraction = 1e9;
+  LiveRenderer flat(ground, settings);
+  EXPECT_GT(sine_of_band(settled_frame(flat, *ground, pose), 60, band), 0.9 * 1000.0 / 137e3);
+}
+
+}  // namespace
+}  // namespace sigmascape::render

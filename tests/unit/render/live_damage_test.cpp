@@ -1,0 +1,89 @@
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+
+#include "live_ground_example.h"
+
+#include "sigmascape/atlas/pyramid.h"
+
+namespace sigmascape::render {
+namespace {
+
+constexpr double gamma = 0.1;
+
+/// What can happen to a texture on a disk.
+enum class Damage { Missing, Truncated, Altered };
+
+void damage(const std::filesystem::path& file, Damage how) {
+  const auto size = std::filesystem::file_size(file);
+  if (how == Damage::Missing) std::filesystem::remove(file);
+  if (how == Damage::Truncated) std::filesystem::resize_file(file, size / 2);
+  if (how != Damage::Altered) return;
+  std::fstream stream(file, std::ios::binary | std::ios::in | std::ios::out);
+  stream.seekg(static_cast<std::streamoff>(size / 2));
+  const auto was = static_cast<char>(stream.get());
+  stream.seekp(static_cast<std::streamoff>(size / 2));
+  stream.put(static_cast<char>(was ^ 0x55));
+}
+
+double total_vv(const Frame& frame) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < frame.powers_m2.size(); i += 4) sum += static_cast<double>(frame.powers_m2[i]);
+  return sum;
+}
+
+class LiveDamage : public testing::TestWithParam<Damage> {};
+
+TEST_P(LiveDamage, OfATextureGivesALowerLevelAndIsTold) {
+  const ScratchFolder folder;
+  ExampleGround example;
+  example.sigma0 = [](const radar::Look& look) { return constant_gamma(gamma, look); };
+  const atlas::Store store = example.store(folder.path("atlas"));
+  atlas::Pyramid(store).make_above(store.units());
+  const ExampleView view;
+
+  const auto whole = example.over(store);
+  LiveRenderer before(whole, view.settings(FrameContent::Powers));
+  const Frame& sound = settled_frame(before, *whole, view.pose());
+  ASSERT_EQ(sound.report.coarse + sound.report.dark, 0U);
+  EXPECT_EQ(whole->pages().report().damaged, 0U);
+  const double power = total_vv(sound);
+
+  // One look of one patch; the pyramid above was made of it when it was sound.
+  const atlas::LookIndex look = store.description().aspects.index_of(0, 1, 0);
+  damage(store.folder() / store.texture_path({0, 0}, look), GetParam());
+  const auto ground = example.over(store);
+  LiveRenderer after(ground, view.settings(FrameContent::Powers));
+  const Frame& frame = settled_frame(after, *ground, view.pose());
+  EXPECT_EQ(frame.report.dark, 0U);
+  EXPECT_GT(frame.report.coarse, 0U);
+  EXPECT_LT(frame.report.coarse, frame.report.cells);
+  EXPECT_NEAR(db_from_linear(total_vv(frame) / power), 0.0, 0.01);
+  const CacheReport report = ground->pages().report();
+  EXPECT_GT(report.absent, 0U);
+  EXPECT_EQ(report.damaged, 1U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Damages, LiveDamage, testing::Values(Damage::Missing, Damage::Truncated, Damage::Altered));
+
+TEST(LiveDamage, OfTheCoarsestLevelLeavesTheRest) {
+  const ScratchFolder folder;
+  ExampleGround example;
+  example.sigma0 = [](const radar::Look& look) { return constant_gamma(gamma, look); };
+  const atlas::Store store = example.store(folder.path("atlas"));
+  const atlas::Pyramid pyramid(store);
+  pyramid.make_above(store.units());
+  for (const atlas::PyramidTile& tile : pyramid.tiles(pyramid.levels())) {
+    for (atlas::LookIndex look = 0; look < store.description().aspects.look_count(); ++look) {
+      damage(store.folder() / pyramid.texture_path(tile, look), Damage::Truncated);
+    }
+  }
+  const auto ground = example.over(store);
+  const ExampleView view;
+  LiveRenderer renderer(ground, view.settings(FrameContent::Powers));
+  const Frame& frame = settled_frame(renderer, *ground, view.pose());
+  EXPECT_EQ(frame.report.dark + frame.report.coarse, 0U);
+}
+
+}  // namespace
+}  // namespace sigmascape::render
