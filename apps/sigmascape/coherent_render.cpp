@@ -8,6 +8,7 @@
 #include "stopwatch.h"
 
 #include "sigmascape/base/units.h"
+#include "sigmascape/product/iq_file.h"
 #include "sigmascape/product/slant_projection.h"
 #include "sigmascape/radar/coherent_plan.h"
 #include "sigmascape/radar/target_file.h"
@@ -39,6 +40,20 @@ Provenance provenance_of(const CoherentRequest& request, const radar::CoherentPl
           {"wind_mps", fmt::format("{:g}", request.radar.wind_mps)},
           {"targets", std::to_string(request.targets.size())},
           {"seed", std::to_string(request.seed)}};
+}
+
+/// The image of all pulses as one look, complex, before it is brought onto the ground.
+void write_slant_image(const CoherentRequest& request, const simulate::CoherentScene& seen,
+                       const radar::Rectangle& area, const simulate::CoherentSettings& settings, Provenance words) {
+  words["looks"] = std::to_string(1);
+  words["crs"] = request.scene.frame.proj();
+  if (request.radar.mode == radar::Mode::Stripmap) {
+    const auto image = simulate::stripmap_image(seen, request.radar, area, settings);
+    product::write_iq(request.slant_file, product::iq_record(image, request.radar, std::move(words)));
+  } else {
+    const auto image = simulate::range_doppler_image(seen, request.radar, area, settings);
+    product::write_iq(request.slant_file, product::iq_record(image, request.radar, std::move(words)));
+  }
 }
 
 }  // namespace
@@ -100,6 +115,7 @@ CoherentMap coherent_map(const CoherentRequest& request) {
                                                 terrain, request.grid)};
   made.seconds = watch.seconds();
   made.provenance = provenance_of(request, plan);
+  if (!request.slant_file.empty()) write_slant_image(request, seen, area, settings, made.provenance);
   made.cost = {{"mode", word_for(radar.mode)},
                {"interval_s", plan.interval_s},
                {"looks", plan.looks},

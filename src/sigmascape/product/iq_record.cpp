@@ -76,6 +76,25 @@ IqRecord iq_record(const radar::RangeDopplerImage& image, const radar::Radar& ra
   return record;
 }
 
+IqRecord iq_record(const radar::StripmapImage& image, const radar::Radar& radar,
+                   std::map<std::string, std::string> words) {
+  IqRecord record{.kind = "stripmap image",
+                  .unit = "m",
+                  .quantity = amplitude_words,
+                  .slow = {"closest_slant_range", "m", middles(image.closest_range_m)},
+                  .fast = {"along_track", "m", middles(image.along_m)},
+                  .polarizations = {"VV", "HH", "HV"},
+                  .samples = numbers_of(image.amplitude_m),
+                  .platform = {image.platform},
+                  .numbers = {{"frequency_hz", image.frequency_hz},
+                              {"squint_rad", image.squint_rad},
+                              {"closest_range_cell_m", image.closest_range_cell_m},
+                              {"along_cell_m", image.along_cell_m}},
+                  .words = std::move(words)};
+  describe(record, radar);
+  return record;
+}
+
 IqRecord iq_record(const radar::RangeAzimuthGrid& grid, std::span<const std::complex<float>> amplitudes_m,
                    const radar::Motion& platform, double frequency_hz, std::map<std::string, std::string> words) {
   words["software"] = software;
