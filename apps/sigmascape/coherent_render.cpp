@@ -6,12 +6,24 @@
 
 #include "stopwatch.h"
 
+#include "sigmascape/product/iq_file.h"
 #include "sigmascape/product/slant_projection.h"
 #include "sigmascape/radar/target_file.h"
 #include "sigmascape/simulate/mode_image.h"
 #include "sigmascape/simulate/placement.h"
 
 namespace sigmascape::cli {
+
+namespace {
+
+void write_slant_image(const CoherentRequest& request, const simulate::ComplexModeImage& image, Provenance words) {
+  words["looks"] = std::to_string(1);
+  words["crs"] = request.scene.frame.proj();
+  const auto record = [&](const auto& of) { return product::iq_record(of, request.radar, words); };
+  product::write_iq(request.slant_file, std::visit(record, image));
+}
+
+}  // namespace
 
 std::vector<radar::Target> placed_targets(const scene::Scene& scene, const std::string& file) {
   return simulate::placed_targets(radar::read_target_file(file), scene.frame, scene.terrain);
@@ -47,6 +59,8 @@ CoherentMap coherent_map(const CoherentRequest& request) {
   CoherentMap made{.map = std::visit(project, simulate::mode_image(wanted, plan))};
   made.seconds = watch.seconds();
   made.provenance = simulate::provenance_of(wanted, plan);
+  if (!request.slant_file.empty())
+    write_slant_image(request, simulate::complex_mode_image(wanted, plan), made.provenance);
   made.cost = {{"mode", simulate::word_for(request.radar.mode)},
                {"interval_s", plan.interval_s},
                {"looks", plan.looks},

@@ -16,6 +16,8 @@ void add_iq_options(CLI::App& command, IqFiles& files) {
   command.add_option("--interval-s", files.interval_s, "time over which --iq records pulses")
       ->capture_default_str()
       ->check(CLI::PositiveNumber);
+  command.add_option("--slant-image", files.slant_image,
+                     "complex image of a coherent mode in slant geometry to write (endings as for --iq)");
   command
       .add_option(
           "--iq-unit", files.unit,

@@ -19,6 +19,7 @@ struct IqFiles {
   std::string file;
   double interval_s = 0.1;
   std::string unit = "m";
+  std::string slant_image;
 };
 
 void add_iq_options(CLI::App& command, IqFiles& files);

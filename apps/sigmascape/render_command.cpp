@@ -16,6 +16,7 @@
 #include "sigmascape/atlas/store.h"
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
+#include "sigmascape/product/iq_file.h"
 #include "sigmascape/product/map_file.h"
 #include "sigmascape/product/reprojection.h"
 #include "sigmascape/radar/radar_file.h"
@@ -90,7 +91,8 @@ Rendered baked(const RenderOptions& options, const scene::Scene& scene, const st
   const auto targets = all_targets(scene, options.targets);
   if (radar.mode != radar::Mode::RealBeam) {
     auto made = coherent_map({scene, textures, radar, texture_frequency_hz(textures, radar, options.extrapolate), grid,
-                              options.level_of_detail, targets, options.trace.seed, options.trace.threads});
+                              options.level_of_detail, targets, options.trace.seed, options.trace.threads,
+                              options.iq.slant_image});
     return {.coherent = std::move(made.map),
             .seconds = made.seconds,
             .cost = std::move(made.cost),
@@ -116,7 +118,12 @@ Rendered baked(const RenderOptions& options, const scene::Scene& scene, const st
 
 /// What only the real beam has is refused in the other modes.
 void check_coherent(const RenderOptions& options, const radar::Radar& radar) {
+  if (!options.iq.slant_image.empty()) product::check_iq_name(options.iq.slant_image);
   if (radar.mode == radar::Mode::RealBeam) {
+    if (!options.iq.slant_image.empty()) {
+      throw Error("--slant-image", "is a complex image, and a real beam has power alone",
+                  "give the radar file another [mode], or take --snr for power over range and azimuth");
+    }
     if (!radar.earth_refraction) return;
     throw Error(options.radar + ": radar.earth_refraction", "is given, and real-beam maps are made over a flat Earth",
                 "leave it out, or choose another [mode]");

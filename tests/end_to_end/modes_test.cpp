@@ -107,6 +107,40 @@ class Modes : public ::testing::Test {
     }
   }
 
+  /// The complex image before it is brought onto the ground, of the modes that have one.
+  void expect_slant_images() const {
+    folder_.write("targets.toml", "[[targets]]\nposition_m = [-20, 10]\nrcs_dbsm = 40\n");
+    for (const std::string kind : {"spotlight", "stripmap"}) {
+      const auto image = folder_.path(kind + ".npy");
+      ASSERT_EQ(render("[mode]\nkind = \"" + kind + "\"\n", fmt::format("--lod 1 --slant-image '{}'", image.string())),
+                0)
+          << printed();
+      std::ifstream description(folder_.path(kind + ".json"));
+      const std::string words{std::istreambuf_iterator<char>(description), {}};
+      EXPECT_NE(words.find(kind == "stripmap" ? "along_track" : "doppler"), std::string::npos) << words;
+      EXPECT_GT(fs::file_size(image), 100'000U);
+    }
+    EXPECT_EQ(render("", "--lod 1 --slant-image x.npy"), 1);
+    EXPECT_NE(printed().find("--slant-image: is a complex image, and a real beam has power alone"), std::string::npos)
+        << printed();
+  }
+
+  void expect_a_bent_earth_in_coherent_modes_alone() const {
+    const auto rendered = [&](const std::string& mode) {
+      std::string text = radar_text(mode);
+      text.insert(text.find("[position]"), "earth_refraction = 1.3333\n");
+      folder_.write("bent.toml", text);
+      return run(fmt::format("render '{}' --scene '{}' --atlas '{}' --lod 1 --png '{}'",
+                             folder_.path("bent.toml").string(), scene_.string(), folder_.path("atlas").string(),
+                             folder_.path("map.png").string()));
+    };
+    EXPECT_EQ(rendered("[mode]\nkind = \"spotlight\"\n"), 0) << printed();
+    EXPECT_EQ(rendered(""), 1);
+    EXPECT_NE(printed().find("radar.earth_refraction: is given, and real-beam maps are made over a flat Earth"),
+              std::string::npos)
+        << printed();
+  }
+
   static Vec2d brightest(const radar::GroundMap& map) {
     std::size_t best_column = 0, best_row = 0;
     for (std::size_t row = 0; row < map.grid.rows; ++row) {
@@ -167,26 +201,12 @@ TEST_F(Modes, MapTheGroundAndTheTargets) {
   EXPECT_EQ(render("[mode]\nkind = \"spotlight\"\n", "--lod 0"), 1);
   EXPECT_NE(printed().find("--lod: 0 traces power alone, and spotlight needs amplitudes"), std::string::npos)
       << printed();
-  const std::string bend = "[mode]\nkind = \"spotlight\"\n";
-  folder_.write(
-      "bent.toml",
-      std::string(radar_text(bend)).replace(radar_text(bend).find("[position]"), 0, "earth_refraction = 1.3333\n"));
-  const auto bent = [&](const std::string& file) {
-    return run(fmt::format("render '{}' --scene '{}' --atlas '{}' --lod 1 --png '{}'", folder_.path(file).string(),
-                           scene_.string(), folder_.path("atlas").string(), folder_.path("map.png").string()));
-  };
-  EXPECT_EQ(bent("bent.toml"), 0) << printed();
-  folder_.write(
-      "bent_beam.toml",
-      std::string(radar_text("")).replace(radar_text("").find("[position]"), 0, "earth_refraction = 1.3333\n"));
-  EXPECT_EQ(bent("bent_beam.toml"), 1);
-  EXPECT_NE(printed().find("radar.earth_refraction: is given, and real-beam maps are made over a flat Earth"),
-            std::string::npos)
-      << printed();
   EXPECT_EQ(render("[mode]\nkind = \"spotlight\"\n", "--lod 1 --ppi x.png"), 1);
   EXPECT_NE(printed().find("--ppi: is of range and azimuth"), std::string::npos) << printed();
   expect_extrapolation_on_request();
   expect_volts_of_targets();
+  expect_slant_images();
+  expect_a_bent_earth_in_coherent_modes_alone();
   folder_.write("targets.toml", "[[targets]]\nposition_m = [9000, 0]\nrcs_dbsm = 20\n");
   EXPECT_EQ(render("", "--lod 1"), 1);
   EXPECT_NE(printed().find("outside the terrain"), std::string::npos) << printed();

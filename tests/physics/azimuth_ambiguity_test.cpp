@@ -138,6 +138,8 @@ TEST(AzimuthAmbiguity, is_where_and_what_a_processor_makes_of_thin_pulses) {
     validation::expect_close({group, "closest range of the first ghost" + name, of_pulses.across_m, of_image.across_m,
                               1.0, "m", "back-projected pulses"});
     EXPECT_NEAR(of_pulses.along_m, there_m, 10.0);
+    // And there is none half way.
+    EXPECT_LT(from_image(image, 0.5 * there_m, 60.0).energy, 0.05 * of_image.energy);
   }
 }
 

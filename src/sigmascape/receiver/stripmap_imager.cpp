@@ -68,10 +68,12 @@ StripmapImager::StripmapImager(const radar::Radar& radar, const radar::Motion& p
       along_(along_axis(strip)),
       gain_(std::move(gain)),
       speed_mps_(length(moving(platform).velocity_mps)),
+      band_per_m_(band_per_m(strip)),
       repetition_hz_(radar.waveform.pulse_repetition_hz),
       direction_(normalized(platform.velocity_mps)),
       azimuth_(radar::antenna_pattern(radar).azimuth()),
       response_(strip.window),
+      window_terms_(radar::cosine_terms(strip.window)),
       plane_(along_.axis, range_.axis) {
   frame_.platform = platform;
   frame_.squint_rad = strip.squint_rad;
@@ -91,10 +93,10 @@ StripmapImager::Fold StripmapImager::unfolded() const {
 /// `part_of_band`: from −½ to ½ of the processed Doppler band. docs/physics/doppler.md, Eq. (13).
 StripmapImager::Fold StripmapImager::fold_of(int order, double part_of_band) const {
   const double wavelength = wavelength_m(frame_.frequency_hz);
-  const double processed = std::sin(strip_.squint_rad) + 0.5 * wavelength * band_per_m(strip_) * part_of_band;
+  const double processed = std::sin(strip_.squint_rad) + 0.5 * wavelength * band_per_m_ * part_of_band;
   const double folded = order * wavelength * repetition_hz_ / (2.0 * speed_mps_);
   double window = 0.0;
-  for (const radar::CosineTerm& term : radar::cosine_terms(strip_.window))
+  for (const radar::CosineTerm& term : window_terms_)
     window += term.amplitude * std::cos(2.0 * pi * term.cycles * part_of_band);
   // The window has a mean of one, so that its mean square is its noise bandwidth.
   return {processed + folded, processed, window / std::sqrt(response_.noise_bandwidth())};
@@ -203,7 +205,7 @@ void StripmapImager::add(std::span<const radar::Scatterer> ground, unsigned thre
 void StripmapImager::add_part(const radar::Target& target, const Fold& fold, float share,
                               std::vector<PlacedAmplitude>& places) const {
   const double wavelength = wavelength_m(frame_.frequency_hz);
-  const double bins_a_cell = 1.0 / (band_per_m(strip_) * along_.step_m);
+  const double bins_a_cell = 1.0 / (band_per_m_ * along_.step_m);
   const double sine = fold.observed, cosine = std::sqrt(1.0 - sine * sine);
   // The beam reaches a slower mover after few steps of: where it is then, when the beam gets there.
   double time_s = 0.0;
@@ -224,7 +226,7 @@ void StripmapImager::add_part(const radar::Target& target, const Fold& fold, flo
   const Vec3d relative = motion.velocity_mps - frame_.platform.velocity_mps;
   const double rate_error = -2.0 * (dot(relative, relative) - speed_mps_ * speed_mps_) / (seen.range_m * wavelength);
   // The time for which the processed band sees a point: band over Doppler rate.
-  const double interval_s = band_per_m(strip_) * wavelength * seen.range_m / (2.0 * speed_mps_ * cosine * cosine);
+  const double interval_s = band_per_m_ * wavelength * seen.range_m / (2.0 * speed_mps_ * cosine * cosine);
   for (const SmearedPart& part : smeared(rate_error, interval_s)) {
     places.push_back({whole.column + part.cells * bins_a_cell, whole.row, whole.amplitude * part.amplitude});
   }
@@ -257,7 +259,7 @@ void StripmapImager::add(std::span<const radar::Target> targets, int order) {
 void StripmapImager::add(const EquivalentNoise& noise) {
   const double cosine = std::cos(strip_.squint_rad);
   const double pulses_a_metre =
-      repetition_hz_ * band_per_m(strip_) * wavelength_m(frame_.frequency_hz) / (2.0 * speed_mps_ * cosine * cosine);
+      repetition_hz_ * band_per_m_ * wavelength_m(frame_.frequency_hz) / (2.0 * speed_mps_ * cosine * cosine);
   noise_ = {.power =
                 [noise, cosine, pulses_a_metre, closest_m = frame_.closest_range_m,
                  bandwidth = response_.noise_bandwidth()](std::size_t row) {

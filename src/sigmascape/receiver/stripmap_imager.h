@@ -79,10 +79,11 @@ class StripmapImager {
   GatedAxis range_, along_;
   VoltageGain gain_;
   radar::StripmapImage frame_;  // without bins
-  double speed_mps_, repetition_hz_;
+  double speed_mps_, band_per_m_, repetition_hz_;
   Vec3d direction_;
   radar::AntennaCut azimuth_;
   radar::WindowResponse response_;
+  std::vector<radar::CosineTerm> window_terms_;
   ResponsePlane plane_;
   RowNoise noise_;
 };

@@ -38,6 +38,18 @@ struct Powers {
   static std::span<const float> weights(const PointResponse& response, std::size_t row) { return response.power(row); }
 };
 
+/// The angle to a place so far ahead and to the right, to 1e-8 of a radian: that of the library is as good as double
+/// and takes three times as long.
+double angle_of(double ahead_m, double right_m, double distance_m) {
+  if (!(ahead_m > 0.0)) return std::atan2(right_m, ahead_m);
+  // Tangents of the half and of the quarter of it, which is at most 22.5°, and the series from there.
+  const double half = right_m / (distance_m + ahead_m), quarter = half / (1.0 + std::sqrt(1.0 + half * half));
+  const double q2 = quarter * quarter;
+  double series = 1.0 / 17.0;
+  for (const double odd : {15.0, 13.0, 11.0, 9.0, 7.0, 5.0, 3.0, 1.0}) series = 1.0 / odd - q2 * series;
+  return 4.0 * quarter * series;
+}
+
 bool all_round(const TargetFrameBins& bins) {
   return std::abs(static_cast<double>(bins.beams) * bins.beam_step_rad - 2.0 * pi) < 1e-6;
 }
@@ -45,23 +57,29 @@ bool all_round(const TargetFrameBins& bins) {
 }  // namespace
 
 TargetFrame::TargetFrame(TargetFrameBins bins)
-    : bins_(std::move(bins)), goes_round_(all_round(bins_)), starts_(bins_.beams + bins_.across.taps()) {}
+    : bins_(std::move(bins)),
+      goes_round_(all_round(bins_)),
+      ranges_per_m_(1.0 / bins_.range_step_m),
+      beams_per_rad_(1.0 / bins_.beam_step_rad),
+      starts_(bins_.beams + bins_.across.taps()) {}
 
-TargetFrame::Placed TargetFrame::placed(const radar::Target& target, const TargetFramePose& pose,
+/// `middle`: unit vector over the ground to the middle of the frame.
+TargetFrame::Placed TargetFrame::placed(const radar::Target& target, const TargetFramePose& pose, Vec2d middle,
                                         const radar::Moment& moment, const Sight& sight) const {
   Placed found{};
   const Vec3d position = target.track.position_at(moment.time_s);
   const Vec3d away = position - pose.position;
   const double distance_m = std::sqrt(away.x * away.x + away.y * away.y);
   const double range_m = pose.earth.slant_range_m(pose.position.z, position.z, distance_m);
-  const double range = (range_m - pose.first_range_m) / bins_.range_step_m;
+  const double range = (range_m - pose.first_range_m) * ranges_per_m_;
   const double most_taps = static_cast<double>(PointResponse::most_taps);
   if (!(range > -most_taps && range < static_cast<double>(bins_.ranges) + most_taps)) return found;
 
-  // Azimuths are counted from the middle of the frame, so that one on its left edge is not a turn away.
-  const double half = 0.5 * static_cast<double>(bins_.beams);
-  const double middle_rad = pose.first_azimuth_rad + half * bins_.beam_step_rad;
-  const double beam = half + std::remainder(std::atan2(away.x, away.y) - middle_rad, 2.0 * pi) / bins_.beam_step_rad;
+  // Azimuths are counted from the middle of the frame, so that none is a turn away.
+  const double beam =
+      0.5 * static_cast<double>(bins_.beams) +
+      angle_of(away.x * middle.x + away.y * middle.y, away.x * middle.y - away.y * middle.x, distance_m) *
+          beams_per_rad_;
   const PointResponse::Place across = bins_.across.place_of(beam), along = bins_.along.place_of(range);
   const auto taps = static_cast<std::ptrdiff_t>(bins_.across.taps());
   if (across.first_bin <= -taps || across.first_bin >= static_cast<std::ptrdiff_t>(bins_.beams)) return found;
@@ -84,9 +102,11 @@ TargetFrame::Placed TargetFrame::placed(const radar::Target& target, const Targe
 void TargetFrame::look(std::span<const radar::Target> targets, const TargetFramePose& pose, const radar::Moment& moment,
                        const Sight& sight, WorkerTeam* team) {
   found_.resize(targets.size());
+  const double middle_rad = pose.first_azimuth_rad + 0.5 * static_cast<double>(bins_.beams) * bins_.beam_step_rad;
+  const Vec2d middle{std::sin(middle_rad), std::cos(middle_rad)};
   const auto look_at = [&](std::size_t part, unsigned) {
     const std::size_t end = std::min(targets.size(), (part + 1) * chunk);
-    for (std::size_t i = part * chunk; i < end; ++i) found_[i] = placed(targets[i], pose, moment, sight);
+    for (std::size_t i = part * chunk; i < end; ++i) found_[i] = placed(targets[i], pose, middle, moment, sight);
   };
   const std::size_t parts = (targets.size() + chunk - 1) / chunk;
   if (team != nullptr) {

@@ -82,14 +82,15 @@ class TargetFrame {
     bool is_seen;
   };
 
-  [[nodiscard]] Placed placed(const radar::Target& target, const TargetFramePose& pose, const radar::Moment& moment,
-                              const Sight& sight) const;
+  [[nodiscard]] Placed placed(const radar::Target& target, const TargetFramePose& pose, Vec2d middle,
+                              const radar::Moment& moment, const Sight& sight) const;
   void sort();
   template <typename Content>
   void add(std::size_t first_beam, std::size_t count, float* frame) const;
 
   TargetFrameBins bins_;
-  bool goes_round_;                     // beam 0 lies next to the last one
+  bool goes_round_;  // beam 0 lies next to the last one
+  double ranges_per_m_, beams_per_rad_;
   std::vector<Placed> found_, sorted_;  // as the targets were given; those seen, by first beam
   std::vector<std::uint32_t> starts_;   // in `sorted_`, by first beam + taps − 1
 };

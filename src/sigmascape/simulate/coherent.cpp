@@ -5,6 +5,8 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "sigmascape/base/error.h"
@@ -161,6 +163,11 @@ radar::Rectangle common_part(const radar::Rectangle& a, const radar::Rectangle& 
           std::min(a.north_m, b.north_m)};
 }
 
+radar::Rectangle joined(const radar::Rectangle& a, const radar::Rectangle& b) {
+  return {std::min(a.west_m, b.west_m), std::min(a.south_m, b.south_m), std::max(a.east_m, b.east_m),
+          std::max(a.north_m, b.north_m)};
+}
+
 std::size_t pulses_in(const radar::Radar& radar, const CoherentSettings& settings) {
   return static_cast<std::size_t>(std::max(2.0, std::round(settings.interval_s * radar.waveform.pulse_repetition_hz)));
 }
@@ -182,6 +189,37 @@ receiver::DopplerImager doppler_imager(const CoherentScene& scene, const radar::
   imager.add(scatterers_of(scene, radar, area, settings), settings.threads);
   imager.add(targets_seen(scene, radar));
   return imager;
+}
+
+/// Adds what ground beside the area, and within it, folds into it.
+void add_ghosts(receiver::StripmapImager& imager, std::span<const receiver::AzimuthAmbiguity> ambiguities,
+                const CoherentScene& scene, const radar::Radar& radar, const radar::Rectangle& area,
+                const CoherentSettings& settings) {
+  const Vec3d direction = normalized(radar.velocity_mps);
+  const auto ground_of = [&](const receiver::AzimuthAmbiguity& ambiguity) {
+    return common_part(seen_as(area, ambiguity, direction), scene.terrain->extent());
+  };
+  const auto has_ground = [](const radar::Rectangle& there) { return there.width_m() > 0.0 && there.height_m() > 0.0; };
+  double sum_m2 = 0.0, all_m2 = 0.0;
+  std::optional<radar::Rectangle> all;
+  for (const receiver::AzimuthAmbiguity& ambiguity : ambiguities) {
+    const radar::Rectangle there = ground_of(ambiguity);
+    if (!has_ground(there)) continue;
+    all = all ? joined(*all, there) : there;
+    sum_m2 += there.width_m() * there.height_m();
+    all_m2 = all->width_m() * all->height_m();
+  }
+  if (!all) return;
+  // Where the orders' grounds overlap, what answers there is found once for all of them.
+  const bool together = all_m2 < sum_m2;
+  std::vector<radar::Scatterer> ground;
+  if (together) ground = scatterers_of(scene, radar, *all, settings);
+  for (const receiver::AzimuthAmbiguity& ambiguity : ambiguities) {
+    const radar::Rectangle there = ground_of(ambiguity);
+    if (!has_ground(there)) continue;
+    if (!together) ground = scatterers_of(scene, radar, there, settings);
+    imager.add(ground, settings.threads, ambiguity.order);
+  }
 }
 
 receiver::StripmapImager stripmap_imager(const CoherentScene& scene, const radar::Radar& radar,
@@ -210,12 +248,9 @@ receiver::StripmapImager stripmap_imager(const CoherentScene& scene, const radar
   imager.add(scatterers_of(scene, radar, area, settings), settings.threads);
   imager.add(targets);
   if (!radar.processing.ambiguities) return imager;
-  for (const receiver::AzimuthAmbiguity& ambiguity : imager.ambiguities()) {
-    imager.add(targets, ambiguity.order);
-    const radar::Rectangle there = common_part(seen_as(area, ambiguity, direction), scene.terrain->extent());
-    if (!(there.width_m() > 0.0 && there.height_m() > 0.0)) continue;
-    imager.add(scatterers_of(scene, radar, there, settings), settings.threads, ambiguity.order);
-  }
+  const auto ambiguities = imager.ambiguities();
+  for (const receiver::AzimuthAmbiguity& ambiguity : ambiguities) imager.add(targets, ambiguity.order);
+  add_ghosts(imager, ambiguities, scene, radar, area, settings);
   return imager;
 }
 

@@ -18,6 +18,29 @@ radar::Rectangle with_rim(const radar::Rectangle& area, double rim_m) {
   return {area.west_m - rim_m, area.south_m - rim_m, area.east_m + rim_m, area.north_m + rim_m};
 }
 
+/// What the makers of images ask for.
+struct Prepared {
+  CoherentScene scene;
+  CoherentSettings settings;
+  radar::Rectangle area;
+};
+
+Prepared prepared(const ModeRequest& request, const radar::CoherentPlan& plan) {
+  const radar::Radar& radar = request.radar;
+  request.atlas.check_frequency(request.texture_frequency_hz);
+  const double of_all_looks_m = plan.along_resolution_m / plan.looks;
+  const double finest_m = std::min(radar.range_resolution_m, of_all_looks_m);
+  const double level = std::max(request.level_of_detail - 1.0, request.atlas.level_for(finest_m / 2.0));
+  return {.scene = {&request.terrain, render::AtlasReflectivity{&request.atlas, request.texture_frequency_hz, level},
+                    request.targets, request.windblown},
+          .settings = {.interval_s = plan.interval_s,
+                       .along_resolution_m = of_all_looks_m,
+                       .scatterer_spacing_m = finest_m / 2.0,
+                       .seed = request.seed,
+                       .threads = request.threads},
+          .area = with_rim(request.grid.extent(), 2.0 * std::max(radar.range_resolution_m, plan.along_resolution_m))};
+}
+
 }  // namespace
 
 const char* word_for(radar::Mode mode) {
@@ -42,24 +65,18 @@ ModePlan mode_plan(const ModeRequest& request) {
 }
 
 ModeImage mode_image(const ModeRequest& request, const radar::CoherentPlan& plan) {
-  const radar::Radar& radar = request.radar;
-  request.atlas.check_frequency(request.texture_frequency_hz);
+  const Prepared ready = prepared(request, plan);
   const auto looks = static_cast<std::size_t>(plan.looks);
-  const double of_all_looks_m = plan.along_resolution_m / plan.looks;
-  const double finest_m = std::min(radar.range_resolution_m, of_all_looks_m);
-  const double level = std::max(request.level_of_detail - 1.0, request.atlas.level_for(finest_m / 2.0));
-  const CoherentScene seen{&request.terrain,
-                           render::AtlasReflectivity{&request.atlas, request.texture_frequency_hz, level},
-                           request.targets, request.windblown};
-  const CoherentSettings settings{.interval_s = plan.interval_s,
-                                  .along_resolution_m = of_all_looks_m,
-                                  .scatterer_spacing_m = finest_m / 2.0,
-                                  .seed = request.seed,
-                                  .threads = request.threads};
-  const radar::Rectangle area =
-      with_rim(request.grid.extent(), 2.0 * std::max(radar.range_resolution_m, plan.along_resolution_m));
-  if (radar.mode == radar::Mode::Stripmap) return stripmap_power(seen, radar, area, settings, looks);
-  return range_doppler_power(seen, radar, area, settings, looks);
+  if (request.radar.mode == radar::Mode::Stripmap)
+    return stripmap_power(ready.scene, request.radar, ready.area, ready.settings, looks);
+  return range_doppler_power(ready.scene, request.radar, ready.area, ready.settings, looks);
+}
+
+ComplexModeImage complex_mode_image(const ModeRequest& request, const radar::CoherentPlan& plan) {
+  const Prepared ready = prepared(request, plan);
+  if (request.radar.mode == radar::Mode::Stripmap)
+    return stripmap_image(ready.scene, request.radar, ready.area, ready.settings);
+  return range_doppler_image(ready.scene, request.radar, ready.area, ready.settings);
 }
 
 std::map<std::string, std::string> provenance_of(const ModeRequest& request, const radar::CoherentPlan& plan) {

@@ -44,6 +44,10 @@ using ModeImage = std::variant<radar::PowerImage<radar::RangeDopplerImage>, rada
 /// in its outermost cells. Throws Error when the atlas was not baked at the frequency at which it is asked.
 [[nodiscard]] ModeImage mode_image(const ModeRequest& request, const radar::CoherentPlan& plan);
 
+/// The same of one look, of all pulses, as it is before it becomes power: amplitudes in metres.
+using ComplexModeImage = std::variant<radar::RangeDopplerImage, radar::StripmapImage>;
+[[nodiscard]] ComplexModeImage complex_mode_image(const ModeRequest& request, const radar::CoherentPlan& plan);
+
 /// Where a map of it comes from: mode, interval, looks, resolution, squint, targets, seed.
 [[nodiscard]] std::map<std::string, std::string> provenance_of(const ModeRequest& request,
                                                                const radar::CoherentPlan& plan);
