@@ -123,6 +123,9 @@ void add_frame(py::module_& module) {
         "Of them shown more coarsely than wanted, for the finer was not there yet.");
   count(binding, "dark", &Report::dark, "Cells for which there was nothing at all.");
   count(binding, "level", &Report::level, "Of the textures, 0 the finest.");
+  binding.def_property_readonly(
+      "terrain_error_m", [](const HeldFrame& f) { return f.frame.report.terrain_error_m; },
+      "By how much the terrain that hides may be wrong, for finer tiles were not there yet or cannot be had.");
 }
 
 }  // namespace
@@ -140,7 +143,7 @@ void add_live(py::module_& module) {
            py::arg("loaders") = 1, Release())
       .def(
           "wait", [](LiveGround& ground) { ground.wait_until_loaded(); }, Release(),
-          "Returns when all pages that frames have asked for are there.")
+          "Returns when all pages and all terrain that frames have asked for are there.")
       .def_property_readonly("frequency_ghz", [](const LiveGround& g) { return g.frequency_hz() / 1e9; })
       .def(
           "height_at",

@@ -11,11 +11,9 @@ constexpr double doubt = 1e-6;
 
 double part_seen_at(const TargetSight::Level& level, double radar_height_m, const receiver::TargetFrame::Seen& target) {
   const HorizonGrid& grid = level.horizon->grid();
-  const double ground_m = terrain::height_at(level.occluders->terrain, {target.position.x, target.position.y}) -
-                          static_cast<double>(level.occluders->lowered_m);
-  const double height_m = std::max(target.position.z, ground_m);
-  const double slope = (height_m - radar_height_m) / target.distance_m - grid.drop_per_square_m * target.distance_m;
-
+  const auto slope_of = [&](double height_m) {
+    return (height_m - radar_height_m) / target.distance_m - grid.drop_per_square_m * target.distance_m;
+  };
   const auto last_left = static_cast<double>(grid.azimuths - 2), last_node = static_cast<double>(grid.distances - 1);
   const double across = std::clamp(target.beam, 0.0, last_left + 1.0);
   const double left = std::min(std::floor(across), last_left), part = across - left;
@@ -27,7 +25,15 @@ double part_seen_at(const TargetSight::Level& level, double radar_height_m, cons
     return (1.0 - part) * static_cast<double>(on_left) + part * static_cast<double>(on_right);
   };
   const HorizonMap& horizon = *level.horizon;
-  if (slope < between(horizon.slopes(azimuth)[node], horizon.slopes(azimuth + 1)[node]) - doubt) return 0.0;
+  const double ridges = between(horizon.slopes(azimuth)[node], horizon.slopes(azimuth + 1)[node]) - doubt;
+  double slope = slope_of(target.position.z);
+  if (slope < ridges) {
+    // Hidden where it was put; but on the ground of this frame it may be seen.
+    const double ground_m = terrain::height_at(level.occluders->terrain, {target.position.x, target.position.y}) -
+                            static_cast<double>(level.occluders->lowered_m);
+    slope = std::max(slope, slope_of(ground_m));
+    if (slope < ridges) return 0.0;
+  }
   if (horizon.solid_slopes(azimuth) == nullptr) return 1.0;
   const auto through = [&](std::size_t at) {
     return slope + doubt >= static_cast<double>(horizon.solid_slopes(at)[node]) ? horizon.through(at)[node] : 0.0F;
