@@ -103,7 +103,7 @@ TimedLook PaperLooks::plain(const radar::Aspect& aspect, std::uint32_t samples, 
                              [&](std::span<const radar::Echo> echoes, unsigned) { accumulator.add(echoes); });
   const auto sigma0 = accumulator.sigma0();
   watch.stop(look);
-  look.processor_seconds -= (1.0 - part_of(aspect)) * seconds_without_rays(aspect);
+  take_off_what_is_not_due(look, aspect);
   append_power(sigma0, look.power);
   return look;
 }
@@ -117,7 +117,7 @@ TimedLook PaperLooks::ours(const radar::Aspect& aspect, const bake::Sampling& sa
   const Watch watch;
   const auto baked = baker_->bake(texels_, area, aspect, silent);
   watch.stop(look);
-  look.processor_seconds -= (1.0 - part_of(aspect)) * seconds_without_rays(aspect);
+  take_off_what_is_not_due(look, aspect);
   look.counts = baked.front().counts;
   append_power(baked.front().sigma0, look.power);
   const auto errors = baked.front().relative_errors.values();
@@ -125,16 +125,18 @@ TimedLook PaperLooks::ours(const radar::Aspect& aspect, const bake::Sampling& sa
   return look;
 }
 
-double PaperLooks::seconds_without_rays(const radar::Aspect& aspect) {
-  if (thinning_ == 1) return 0.0;
+void PaperLooks::take_off_what_is_not_due(TimedLook& look, const radar::Aspect& aspect) {
+  if (thinning_ == 1) return;
   auto area = area_of(aspect);
   area.cells.clear();
   SilentProgress silent;
-  TimedLook look;
+  TimedLook without_rays;
   const Watch watch;
   const auto baked = baker_->bake(texels_, area, aspect, silent);
-  watch.stop(look);
-  return look.processor_seconds;
+  watch.stop(without_rays);
+  const double part_not_due = 1.0 - part_of(aspect);
+  look.processor_seconds -= part_not_due * without_rays.processor_seconds;
+  look.wall_seconds -= part_not_due * without_rays.wall_seconds;
 }
 
 }  // namespace sigmascape::bench

@@ -43,8 +43,8 @@ class PaperLooks {
   [[nodiscard]] const radar::GroundGrid& texels() const { return texels_; }
 
  private:
-  /// What a look's textures take that get no rays: of a thinned look only the part that its rays are of all is due.
-  [[nodiscard]] double seconds_without_rays(const radar::Aspect& aspect);
+  /// A thinned look makes whole textures for a part of the rays: of the time that they take only that part is due.
+  void take_off_what_is_not_due(TimedLook& look, const radar::Aspect& aspect);
   [[nodiscard]] TimedLook plain(const radar::Aspect& aspect, std::uint32_t samples, std::uint64_t seed, int bounces);
   bake::BakeSettings settings_;
   int thinning_;

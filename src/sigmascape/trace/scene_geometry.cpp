@@ -92,7 +92,8 @@ void in_packets(std::size_t count, const RayAt& ray_at, const LengthAt& length_a
 
 }  // namespace
 
-SceneGeometry::SceneGeometry(const scene::Scene& scene, Footing footing) : structures_(std::make_unique<Structures>()) {
+SceneGeometry::SceneGeometry(const scene::Scene& scene, Footing footing)
+    : structures_(std::make_unique<SceneStructures>()) {
   structures_->build(scene, footing);
 }
 
@@ -129,12 +130,12 @@ bool SceneGeometry::occluded(Vec3f ray_origin, Vec3f direction, CrownCrossings& 
   return occluded(Ray{ray_origin, direction}, &crowns);
 }
 
-float SceneGeometry::Structures::plane_distance_m(const Ray& ray) const {
+float SceneStructures::plane_distance_m(const Ray& ray) const {
   const bool meets_plane = footing == Footing::LevelPlane && ray.direction.z < 0.0F && ray.origin.z > 0.0F;
   return meets_plane ? -ray.origin.z / ray.direction.z : far_away;
 }
 
-void SceneGeometry::Structures::hit_plane(const Ray& ray, float distance_m, SurfaceHit& hit) const {
+void SceneStructures::hit_plane(const Ray& ray, float distance_m, SurfaceHit& hit) const {
   hit.position = ray.origin + ray.direction * distance_m;
   hit.position.z = 0.0F;
   hit.normal = {0.0F, 0.0F, 1.0F};
@@ -143,7 +144,7 @@ void SceneGeometry::Structures::hit_plane(const Ray& ray, float distance_m, Surf
   hit.is_ground = true;
 }
 
-bool SceneGeometry::Structures::meet(const Ray& ray, const Found& found, SurfaceHit& hit) const {
+bool SceneStructures::meet(const Ray& ray, const Found& found, SurfaceHit& hit) const {
   hit = {};
   if (found.nothing()) {
     const float distance_m = plane_distance_m(ray);
@@ -171,7 +172,7 @@ bool SceneGeometry::Structures::meet(const Ray& ray, const Found& found, Surface
 }
 
 bool SceneGeometry::intersect(const Ray& ray, SurfaceHit& hit, CrownCrossings* crowns) const {
-  const Structures& s = *structures_;
+  const SceneStructures& s = *structures_;
   const float length_m = s.plane_distance_m(ray);
   if (s.log != nullptr) s.log->push_back({ray, length_m, true});
   RayContext context = context_for(crowns);
@@ -190,7 +191,7 @@ bool SceneGeometry::occluded(const Ray& ray, CrownCrossings* crowns) const {
 
 void SceneGeometry::intersect(std::span<const Ray> rays, std::span<SurfaceHit> hits,
                               std::span<std::uint8_t> meets) const {
-  const Structures& s = *structures_;
+  const SceneStructures& s = *structures_;
   const auto ray_at = [&](std::size_t i) { return rays[i]; };
   const auto length_at = [&](std::size_t i) { return s.plane_distance_m(rays[i]); };
   if (s.log != nullptr) {
@@ -213,7 +214,7 @@ void SceneGeometry::intersect(std::span<const Ray> rays, std::span<SurfaceHit> h
 }
 
 void SceneGeometry::occluded(std::span<const Ray> rays, std::span<std::uint8_t> is_occluded) const {
-  const Structures& s = *structures_;
+  const SceneStructures& s = *structures_;
   if (s.log != nullptr) {
     for (const Ray& ray : rays) s.log->push_back({ray, far_away, false});
   }

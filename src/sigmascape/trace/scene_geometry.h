@@ -25,6 +25,8 @@ struct SurfaceHit {
   bool is_ground = false;  ///< whether the terrain or the level plane was hit
 };
 
+struct SceneStructures;
+
 /// A scene made ready for rays: the one place that knows Embree.
 ///
 /// Everything is held relative to `origin()`, the centre of the scene's extent at height zero, so that single precision
@@ -68,10 +70,9 @@ class SceneGeometry {
   [[nodiscard]] std::size_t memory_bytes() const;
 
  private:
-  struct Structures;
   [[nodiscard]] bool intersect(const Ray& ray, SurfaceHit& hit, CrownCrossings* crowns) const;
   [[nodiscard]] bool occluded(const Ray& ray, CrownCrossings* crowns) const;
-  std::unique_ptr<Structures> structures_;
+  std::unique_ptr<SceneStructures> structures_;
 };
 
 /// Rays of this thread treat denormal numbers as zero while the object lives, as Embree asks.

@@ -53,7 +53,7 @@ void add_to_sum(void* sum, ssize_t bytes) {
 
 }  // namespace
 
-void SceneGeometry::Structures::build(const scene::Scene& scene, Footing on) {
+void SceneStructures::build(const scene::Scene& scene, Footing on) {
   footing = on;
   crowns = scene.crowns;
   ground = scene.ground;
@@ -75,13 +75,13 @@ void SceneGeometry::Structures::build(const scene::Scene& scene, Footing on) {
   check();
 }
 
-SceneGeometry::Structures::~Structures() {
+SceneStructures::~SceneStructures() {
   for (RTCScene prototype : prototypes) rtcReleaseScene(prototype);
   if (top != nullptr) rtcReleaseScene(top);
   if (device != nullptr) rtcReleaseDevice(device);
 }
 
-void SceneGeometry::Structures::check() const {
+void SceneStructures::check() const {
   const RTCError error = rtcGetDeviceError(device);
   if (error == RTC_ERROR_OUT_OF_MEMORY)
     throw Error("ray tracer", "ran out of memory", "use a smaller scene or a larger machine");
@@ -89,7 +89,7 @@ void SceneGeometry::Structures::check() const {
     throw Error("ray tracer", "Embree error " + std::to_string(error), "report this with the scene file");
 }
 
-void SceneGeometry::Structures::open_device() {
+void SceneStructures::open_device() {
   // One build thread: the structures are small, and parallel builds are the only part of Embree that thread
   // sanitizers misread.
   device = rtcNewDevice("threads=1");
@@ -103,7 +103,7 @@ void SceneGeometry::Structures::open_device() {
       &memory);
 }
 
-RTCGeometry SceneGeometry::Structures::triangles(const scene::Mesh& mesh, const std::vector<Vec3f>& vertices) const {
+RTCGeometry SceneStructures::triangles(const scene::Mesh& mesh, const std::vector<Vec3f>& vertices) const {
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
   void* vertex_buffer =
       rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vec3f), vertices.size());
@@ -116,13 +116,13 @@ RTCGeometry SceneGeometry::Structures::triangles(const scene::Mesh& mesh, const 
   return geometry;
 }
 
-void SceneGeometry::Structures::attach(RTCGeometry geometry, const Part& part) {
+void SceneStructures::attach(RTCGeometry geometry, const Part& part) {
   rtcAttachGeometryByID(top, geometry, static_cast<unsigned>(parts.size()));
   rtcReleaseGeometry(geometry);
   parts.push_back(part);
 }
 
-void SceneGeometry::Structures::add_terrain(const terrain::HeightField& field) {
+void SceneStructures::add_terrain(const terrain::HeightField& field) {
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_GRID);
   // One ring of nodes more than the field has carries its edge outwards, so that walls there have ground before them.
   const std::size_t columns = field.height_m.columns() + 2, rows = field.height_m.rows() + 2;
@@ -154,7 +154,7 @@ void SceneGeometry::Structures::add_terrain(const terrain::HeightField& field) {
   attach(geometry, {});
 }
 
-void SceneGeometry::Structures::add_buildings(const scene::Buildings& source) {
+void SceneStructures::add_buildings(const scene::Buildings& source) {
   if (source.mesh.triangles.empty()) return;
   buildings = source.mesh;
   std::vector<Vec3f> vertices = source.mesh.vertices;
@@ -172,7 +172,7 @@ void SceneGeometry::Structures::add_buildings(const scene::Buildings& source) {
          {.materials = buildings.materials.data(), .inverse_facet_areas = building_facets.data()});
 }
 
-void SceneGeometry::Structures::add_prototypes() {
+void SceneStructures::add_prototypes() {
   for (const scene::Mesh& mesh : meshes) {
     RTCScene prototype = rtcNewScene(device);
     rtcSetSceneBuildQuality(prototype, RTC_BUILD_QUALITY_MEDIUM);
@@ -188,7 +188,7 @@ void SceneGeometry::Structures::add_prototypes() {
   }
 }
 
-void SceneGeometry::Structures::attach_crown(RTCScene prototype, scene::Crown& crown) {
+void SceneStructures::attach_crown(RTCScene prototype, scene::Crown& crown) {
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
   rtcSetGeometryUserPrimitiveCount(geometry, 1);
   rtcSetGeometryUserData(geometry, &crown);
@@ -206,7 +206,7 @@ void SceneGeometry::Structures::attach_crown(RTCScene prototype, scene::Crown& c
   rtcReleaseGeometry(geometry);
 }
 
-void SceneGeometry::Structures::add_instances(const scene::Scene& scene) {
+void SceneStructures::add_instances(const scene::Scene& scene) {
   const std::vector<float> tops = scene::prototype_tops_m(scene);
   for (const scene::Instance& instance : scene.instances) {
     const float c = std::cos(instance.yaw_rad), s = std::sin(instance.yaw_rad);

@@ -37,11 +37,11 @@ struct Found {
 };
 
 /// Embree's scene and what its numbers mean.
-struct SceneGeometry::Structures {
-  Structures() = default;
-  ~Structures();
-  Structures(const Structures&) = delete;
-  Structures& operator=(const Structures&) = delete;
+struct SceneStructures {
+  SceneStructures() = default;
+  ~SceneStructures();
+  SceneStructures(const SceneStructures&) = delete;
+  SceneStructures& operator=(const SceneStructures&) = delete;
 
   void build(const scene::Scene& scene, Footing on);
 
