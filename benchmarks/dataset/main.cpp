@@ -50,7 +50,8 @@ class MemoryWatch final : public ProgressListener {
  public:
   void advanced(std::string_view, double done, double total, std::string_view) override {
     const double now = resident_mib();
-    if (done <= 0.3 * total) early_ = std::max(early_, now);
+    // The first lot counts as early however few there are.
+    if (early_ == 0.0 || done <= 0.3 * total) early_ = std::max(early_, now);
     late_ = std::max(late_, now);
   }
   /// Of the most that the run held over the most that it held in its first third.
