@@ -35,16 +35,17 @@ double least_seconds(int repetitions, Work work) {
 double sweep_seconds(int repetitions) {
   const terrain::HeightField field{
       .west_m = -1100.0, .north_m = 22000.0, .spacing_m = 10.0, .height_m = Array2D<float>(221, 221, 0.0F)};
-  render::VisibleGround visible({.local_slopes = false});
-  render::GroundSamples found;
-  const render::GroundSector sector{.first_azimuth_rad = -0.05,
-                                    .azimuth_step_rad = 1e-4,
-                                    .azimuths = side,
-                                    .first_distance_m = 19900.0,
-                                    .distance_step_m = 2.0,
-                                    .distances = side};
+  const render::HorizonGrid grid{.first_azimuth_rad = -0.05,
+                                 .azimuth_step_rad = 1e-4,
+                                 .azimuths = side,
+                                 .near_m = 19900.0,
+                                 .step_m = 2.0,
+                                 .distances = side};
+  render::VisibleGround visible;
+  WorkerTeam team(1);
+  visible.reset(grid, false);
   return least_seconds(repetitions, [&] {
-    (void)visible.find({0.0, 0.0, 4000.0}, sector, terrain::view_of(field), found);
+    visible.find(0, side, {0.0, 0.0, 4000.0}, {.terrain = terrain::view_of(field)}, team);
   });
 }
 

@@ -10,9 +10,8 @@
 #include <thread>
 #include <vector>
 
-#include "sigmascape/base/parallel.h"
 #include "sigmascape/base/units.h"
-#include "sigmascape/render/sweep_kernel.h"
+#include "sigmascape/base/worker_team.h"
 #include "sigmascape/render/visible_ground.h"
 
 namespace {
@@ -20,8 +19,8 @@ namespace {
 using namespace std::chrono_literals;
 using sigmascape::Array2D;
 using sigmascape::Vec3d;
-using sigmascape::render::GroundSamples;
-using sigmascape::render::GroundSector;
+using sigmascape::WorkerTeam;
+using sigmascape::render::HorizonGrid;
 using sigmascape::render::VisibilityMethod;
 using sigmascape::render::VisibleGround;
 
@@ -72,85 +71,60 @@ sigmascape::terrain::HeightField hills(std::size_t side, double spacing_m) {
   return field;
 }
 
-/// The floor: every byte that an answer consists of, written once.
-void write_answers(GroundSamples& samples, unsigned threads) {
-  const std::size_t rows_together = 16, groups = samples.distances() / rows_together;
-  sigmascape::parallel_for(groups, threads, [&](std::size_t group, unsigned) {
-    const std::size_t begin = samples.index(0, group * rows_together), count = rows_together * samples.stride();
-    for (auto layer : {samples.height_m(), samples.range_excess_m(), samples.sin_grazing(), samples.sin_local_grazing(),
-                       samples.slope_area()}) {
-      std::fill_n(layer.data() + begin, count, static_cast<float>(group));
-    }
-    std::fill_n(samples.visible().data() + begin, count, static_cast<std::uint8_t>(group));
-  });
-}
-
-/// The floor of a sweep: the same samples of a field already resampled to azimuth and distance, no gathers.
-std::size_t polar_sweep(const std::vector<float>& slopes, GroundSamples& samples, unsigned threads) {
-  constexpr std::size_t together = 64;
-  sigmascape::parallel_for(samples.azimuths() / together, threads, [&](std::size_t block, unsigned) {
-    float steepest[together];
-    std::fill(std::begin(steepest), std::end(steepest), -1e30F);
-    for (std::size_t k = 0; k < samples.distances(); ++k) {
-      const std::size_t first = samples.index(block * together, k);
-      std::uint8_t* const out = samples.visible().data() + first;
-      for (std::size_t i = 0; i < together; ++i) {
-        const float slope = slopes[first + i];
-        out[i] = slope >= steepest[i] ? 1 : 0;
-        steepest[i] = std::max(steepest[i], slope);
-      }
+/// The floor of a sweep: the same nodes of a field already resampled to azimuth and distance, no gathers.
+void polar_sweep(const std::vector<float>& slopes, const HorizonGrid& grid, std::vector<float>& steepest,
+                 WorkerTeam& team) {
+  team.run(grid.azimuths, [&](std::size_t azimuth, unsigned) {
+    float so_far = -1e30F;
+    for (std::size_t i = azimuth * grid.distances; i < (azimuth + 1) * grid.distances; ++i) {
+      so_far = std::max(so_far, slopes[i]);
+      steepest[i] = so_far;
     }
   });
-  return samples.visible()[0];
 }
 
 }  // namespace
 
 int main() {
   const unsigned threads = std::max(1U, std::thread::hardware_concurrency());
-  fmt::print("# {} threads, {} for the sweep\n", threads, sigmascape::render::sweep_instruction_set());
   constexpr std::size_t azimuths = 1024, distances = 1024;
   constexpr double millions = static_cast<double>(azimuths * distances) / 1e6;
-  const auto field = hills(1025, 4.0);
-  const auto view = sigmascape::terrain::view_of(field);
   const double range_m = 20e3, across_m = 4096.0;
   const Vec3d radar{0.5 * across_m, -0.5 * across_m - range_m, 0.15 * range_m};
-  const GroundSector sector{.first_azimuth_rad = -0.45 * across_m / range_m,
-                            .azimuth_step_rad = 0.9 * across_m / range_m / azimuths,
-                            .azimuths = azimuths,
-                            .first_distance_m = range_m - 0.48 * across_m,
-                            .distance_step_m = 0.96 * across_m / distances,
-                            .distances = distances};
-  GroundSamples samples;
+  const HorizonGrid grid{.first_azimuth_rad = -0.45 * across_m / range_m,
+                         .azimuth_step_rad = 0.9 * across_m / range_m / azimuths,
+                         .azimuths = azimuths,
+                         .near_m = range_m - 0.48 * across_m,
+                         .step_m = 0.96 * across_m / distances,
+                         .distances = distances};
 
   for (const unsigned used : {1U, threads}) {
-    const std::string at = fmt::format(".threads_{}", used);
-    const std::string unit = "ms per million samples";
-    samples.fit(sector);
-    report("visible_ground.floor.write_answers" + at, unit, millions, [&] { write_answers(samples, used); });
-    std::vector<float> slopes(samples.stride() * distances);
+    WorkerTeam team(used);
+    const std::string at = fmt::format(".threads_{}", used), unit = "ms per million nodes";
+    std::vector<float> slopes(azimuths * distances), steepest(slopes.size());
     for (std::size_t i = 0; i < slopes.size(); ++i) slopes[i] = std::sin(static_cast<float>(i));
-    report("visible_ground.floor.polar_sweep" + at, unit, millions, [&] { polar_sweep(slopes, samples, used); });
-    for (const double step_cells : {1.0, 0.5, 0.25}) {
-      VisibleGround sweep({.longest_step_cells = step_cells, .threads = used});
-      report(fmt::format("visible_ground.sweep.step_{}_cells{}", step_cells, at), unit, millions,
-             [&] { sweep.find(radar, sector, view, samples); });
+    report("visible_ground.floor.write" + at, unit, millions, [&] { std::ranges::fill(steepest, 1.0F); });
+    report("visible_ground.floor.polar_sweep" + at, unit, millions, [&] { polar_sweep(slopes, grid, steepest, team); });
+    const auto found = [&](const std::string& name, const sigmascape::terrain::HeightField& field,
+                           const sigmascape::render::VisibleGroundSettings& settings) {
+      VisibleGround ground(settings, used);
+      ground.reset(grid, false);
+      report(name + at, unit, millions,
+             [&] { ground.find(0, azimuths, radar, {.terrain = sigmascape::terrain::view_of(field)}, team); });
+    };
+    for (const double spacing_m : {4.0, 8.0, 16.0}) {
+      found(fmt::format("visible_ground.sweep.step_{:g}_cells", grid.step_m / spacing_m),
+            hills(static_cast<std::size_t>(across_m / spacing_m) + 1, spacing_m), {});
     }
-    VisibleGround flags({.local_slopes = false, .threads = used});
-    report("visible_ground.sweep.without_local_slopes" + at, unit, millions,
-           [&] { flags.find(radar, sector, view, samples); });
-
     // The paper's way, with the mesh that its rule of 16 pixels a triangle leaves for a million pixels.
-    const auto coarsest = hills(182, 22.6);
-    VisibleGround paper({.method = VisibilityMethod::Rasterization, .threads = used});
-    report("visible_ground.raster.65522_triangles_16_pixels_each" + at, unit, millions,
-           [&] { paper.find(radar, sector, sigmascape::terrain::view_of(coarsest), samples); });
+    found("visible_ground.raster.65522_triangles_16_pixels_each", hills(182, 22.6),
+          {.method = VisibilityMethod::Rasterization});
     // What the floor of 524,288 triangles in 1024² pixels is known for.
     const auto coarse = hills(513, 8.0);
     sigmascape::render::TerrainRaster drawn;
     const sigmascape::render::RasterSettings settings{.pixels_per_triangle = 16.0, .longest_side = 1024};
     report("visible_ground.raster.draw_524288_triangles_1024_pixels" + at, "ms", 1.0,
-           [&] { drawn.draw(radar, {}, sector, sigmascape::terrain::view_of(coarse), settings, used); });
+           [&] { drawn.draw(radar, grid, sigmascape::terrain::view_of(coarse), settings, team); });
   }
   return 0;
 }

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "end_to_end/real_data.h"
+#include "unit/render/line_of_sight.h"
 #include "unit/render/live_ground_example.h"
 #include "validation/validation_record.h"
 
@@ -57,24 +58,23 @@ void expect_like_shadow_rays(const Place& place, double elevation_deg, render::V
                                              radians_from_deg(elevation_deg), range_m);
   const double distance_m = std::hypot(radar.x, radar.y);
   const double reach_m = 0.6 * place.half_m;
-  const render::GroundSector sector{.first_azimuth_rad = radians_from_deg(310.0) - reach_m / distance_m,
-                                    .azimuth_step_rad = 2.0 * reach_m / distance_m / 256.0,
-                                    .azimuths = 256,
-                                    .first_distance_m = distance_m - reach_m,
-                                    .distance_step_m = 2.0 * reach_m / 256.0,
-                                    .distances = 256};
-  render::VisibleGround visible_ground({.method = method,
-                                        .earth = radar::CurvedEarth::flat(),
-                                        .longest_step_cells = 0.25,
-                                        .raster = {.pixels_per_triangle = 128.0}});
-  render::GroundSamples samples;
-  visible_ground.find(radar, sector, terrain::view_of(scene.terrain), samples);
-
+  // Nodes a quarter of a cell apart at most, compared at every so many.
+  const auto every = static_cast<std::size_t>(std::ceil(2.0 * reach_m / 256.0 / (0.25 * place.spacing_m)));
+  const render::HorizonGrid grid{.first_azimuth_rad = radians_from_deg(310.0) - reach_m / distance_m,
+                                 .azimuth_step_rad = 2.0 * reach_m / distance_m / 256.0,
+                                 .azimuths = 256,
+                                 .near_m = distance_m - reach_m,
+                                 .step_m = 2.0 * reach_m / 256.0 / static_cast<double>(every),
+                                 .distances = 256 * every};
+  render::VisibleGround visible_ground({.method = method, .raster = {.pixels_per_triangle = 128.0}});
+  WorkerTeam team(1);
+  visible_ground.reset(grid, false);
+  visible_ground.find(0, grid.azimuths, radar, {.terrain = terrain::view_of(scene.terrain)}, team);
   std::size_t compared = 0, different = 0, hidden = 0;
-  for (std::size_t azimuth = 0; azimuth < sector.azimuths; ++azimuth) {
-    const Vec2d outwards = radar::horizontal_direction(sector.azimuth_rad(azimuth));
-    for (std::size_t k = 0; k < sector.distances; ++k) {
-      const Vec2d foot = Vec2d{radar.x, radar.y} + outwards * sector.distance_m(k);
+  for (std::size_t azimuth = 0; azimuth < grid.azimuths; ++azimuth) {
+    const Vec2d outwards = radar::horizontal_direction(render::azimuth_of(grid, azimuth));
+    for (std::size_t k = 0; k < grid.distances; k += every) {
+      const Vec2d foot = Vec2d{radar.x, radar.y} + outwards * render::distance_of(grid, k);
       // From a little above the tracer's own surface, which is one of triangles, so that the ray does not meet where it
       // starts.
       const Vec3d above{foot.x, foot.y, geometry.highest_m() + 1.0};
@@ -85,7 +85,9 @@ void expect_like_shadow_rays(const Place& place, double elevation_deg, render::V
           geometry.occluded(start, normalized(radar - geometry.origin() - start.to<double>()).to<float>());
       ++compared;
       hidden += in_shadow ? 1 : 0;
-      different += (samples.visible()[samples.index(azimuth, k)] == 1) == in_shadow ? 1 : 0;
+      different +=
+          render::is_seen(visible_ground.horizon(), radar, scene.terrain.height_at(foot), azimuth, k) == in_shadow ? 1
+                                                                                                                   : 0;
     }
   }
   EXPECT_GT(hidden, compared / 50);

@@ -68,16 +68,18 @@ void look_up_squares(Steps& steps, float first_column, float first_row, float co
   }
 }
 
-/// No ground nearer than this can hide what lies at `near_m` or beyond: up to there lines of sight run above
-/// everything.
-double clear_until_m(double radar_height_m, double lowest_m, double highest_m, double near_m, double far_m,
-                     double drop_per_square_m) {
+/// No ground nearer than this can hide any of the map's.
+double nearest_occluder_m(const HorizonGrid& grid, Vec3d radar, const Occluders& occluders) {
+  const terrain::TerrainView& ground = occluders.terrain;
+  const terrain::TerrainView& before = occluders.before_near.columns > 0 ? occluders.before_near : ground;
+  const auto lowest_m = static_cast<double>(std::min(ground.lowest_m, before.lowest_m) - occluders.lowered_m);
+  const auto highest_m = static_cast<double>(std::max(ground.highest_m, before.highest_m) + occluders.tallest_m);
   const auto clear_of = [&](double distance_m) {
     // A chord runs below the ground's level by no more than its sagitta.
-    const double margin_m = radar_height_m - highest_m - 0.25 * drop_per_square_m * distance_m * distance_m;
-    return margin_m <= 0.0 ? 0.0 : distance_m * margin_m / (radar_height_m - lowest_m);
+    const double margin_m = radar.z - highest_m - 0.25 * grid.drop_per_square_m * distance_m * distance_m;
+    return margin_m <= 0.0 ? 0.0 : distance_m * margin_m / (radar.z - lowest_m);
   };
-  return std::min(clear_of(near_m), clear_of(far_m));
+  return std::min(clear_of(grid.near_m), clear_of(grid.near_m + static_cast<double>(grid.distances) * grid.step_m));
 }
 
 }  // namespace
@@ -155,8 +157,7 @@ void HorizonMap::sweep(std::size_t azimuth, Vec3d radar, const Occluders& occlud
   const double far_m = grid_.near_m + static_cast<double>(grid_.distances) * grid_.step_m;
   const auto lowest_m = static_cast<double>(std::min(ground.lowest_m, before.lowest_m) - occluders.lowered_m);
   const auto highest_m = static_cast<double>(std::max(ground.highest_m, before.highest_m));
-  const double clear_m = clear_until_m(radar.z, lowest_m, highest_m + static_cast<double>(occluders.tallest_m),
-                                       grid_.near_m, far_m, grid_.drop_per_square_m);
+  const double clear_m = nearest_occluder_m(grid_, radar, occluders);
   const double lead_step_m = std::max((grid_.near_m - clear_m) / static_cast<double>(grid_.before_near), grid_.step_m);
   const auto lead = static_cast<std::size_t>((grid_.near_m - clear_m) / lead_step_m);
   const double lead_from_m = grid_.near_m - (static_cast<double>(lead) - 0.5) * lead_step_m;

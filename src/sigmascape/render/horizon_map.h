@@ -53,6 +53,8 @@ class HorizonMap {
   [[nodiscard]] std::size_t stride() const { return stride_; }
   /// Slopes (rise over distance) along one direction: of the steepest line of sight to all ground up to each node.
   [[nodiscard]] const float* slopes(std::size_t azimuth) const { return slopes_.data() + azimuth * stride_; }
+  /// To be filled by another way than `sweep`.
+  [[nodiscard]] float* slopes(std::size_t azimuth) { return slopes_.data() + azimuth * stride_; }
   /// The same for the tops of solid obstacles; null without obstacles.
   [[nodiscard]] const float* solid_slopes(std::size_t azimuth) const { return row_of(solid_slopes_, azimuth); }
   /// What comes through crowns from the ground of each node, 0 to 1; null without obstacles.

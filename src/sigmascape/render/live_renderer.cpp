@@ -60,13 +60,17 @@ LiveRenderer::LiveRenderer(std::shared_ptr<LiveGround> ground, const LiveSetting
       settings_(checked(settings)),
       lattice_({.seed = settings.seed, .cell_m = ground_->description().patches.texel_m, .levels = 1}),
       team_(settings.threads),
-      horizons_{HorizonMap(HorizonGrid{}, team_.size()), HorizonMap(HorizonGrid{}, team_.size())},
-      horizon_of_{&horizons_[0], &horizons_[0]},
+      visible_{VisibleGround(settings.visibility, team_.size()), VisibleGround(settings.visibility, team_.size())},
+      horizon_of_{&visible_[0].horizon(), &visible_[0].horizon()},
       targets_({.frequency_hz = ground_->frequency_hz(),
                 .beams = settings.beams,
                 .ranges = settings.ranges,
                 .beam_step_rad = settings.beam_step_rad,
                 .range_step_m = settings.range_step_m}) {
+  if (settings.visibility.method == VisibilityMethod::Rasterization && !ground_->obstacles().empty()) {
+    throw Error("live renderer", "is to draw terrain, but the atlas keeps apart what stands on it",
+                "take the horizon sweep, which knows obstacles, or bake with --shadows baked");
+  }
   bins_.resize(settings.beams * settings.ranges * numbers_a_bin(settings.content));
   for (unsigned worker = 0; worker < team_.size(); ++worker)
     tasks_.push_back(
@@ -102,7 +106,7 @@ const Frame& LiveRenderer::scan(const Pose& pose, std::size_t first_beam, std::s
   frame_.report = {.level = static_cast<std::size_t>((levels.next_share > 0.5 ? levels.next : levels.level) - 1)};
   wanted_terrain_.clear();
   const TerrainWindows::View terrain = ground_->terrain().windows().view();
-  sweep_horizons(terrain, pose, {first_beam, last_beam}, levels);
+  find_visible_ground(terrain, pose, {first_beam, last_beam}, levels);
   look_at_targets(pose, levels);
   const std::size_t group = beams_together(settings_.beam_step_rad), first_group = first_beam / group;
   const std::size_t tasks = last_beam > first_beam ? (last_beam - 1) / group + 1 - first_group : 0;
@@ -149,7 +153,7 @@ void LiveRenderer::prepare(const Pose& pose) {
   grid.distances = 2 * settings_.ranges;
   grid.step_m = (far_m - near_m) / static_cast<double>(grid.distances);
   grid.drop_per_square_m = 0.5 * radar::CurvedEarth{.refraction = settings_.refraction}.curvature_per_m();
-  for (HorizonMap& horizon : horizons_) horizon.reset(grid, !ground_->obstacles().empty());
+  for (VisibleGround& ground : visible_) ground.reset(grid, !ground_->obstacles().empty());
 
   frame_.grid = {pose.first_range_m,     settings_.range_step_m,  settings_.ranges,
                  pose.first_azimuth_rad, settings_.beam_step_rad, settings_.beams};
@@ -183,14 +187,16 @@ Occluders LiveRenderer::occluders_for(const TerrainWindows::View& terrain, Vec3d
   const ObstacleLevels& obstacles = ground_->obstacles();
   const double far_m = grid().near_m + grid().step_m * static_cast<double>(grid().distances);
   const int level_within = terrain_level(level);
-  const LiveTerrain::Surface within =
-      ground_->terrain().surface(terrain, level_within, under_beams(radar, grid().near_m, far_m), wanted_terrain_);
+  // A picture is drawn of one lattice, whatever the sector; the sweep takes nearer ground from another.
+  const bool in_one = settings_.visibility.method == VisibilityMethod::Rasterization;
+  const LiveTerrain::Surface within = ground_->terrain().surface(
+      terrain, level_within, under_beams(radar, in_one ? 0.0 : grid().near_m, far_m), wanted_terrain_);
   Occluders occluders{.terrain = within.view,
                       .obstacles = obstacles.empty() ? nullptr : &obstacles.level_for(grid().step_m),
                       .tallest_m = obstacles.tallest_m(),
                       .lowered_m = within.above_pages_m};
   float error_m = within.error_m;
-  if (grid().near_m > grid().step_m) {
+  if (!in_one && grid().near_m > grid().step_m) {
     // Nearer ground is walked over in longer steps; nodes half as far apart keep its ridges.
     const double step_m = grid().near_m / static_cast<double>(grid().before_near);
     const LiveTerrain::Surface before =
@@ -204,19 +210,17 @@ Occluders LiveRenderer::occluders_for(const TerrainWindows::View& terrain, Vec3d
   return occluders;
 }
 
-void LiveRenderer::sweep_horizons(const TerrainWindows::View& terrain, const Pose& pose, Beams beams,
-                                  const DetailBlend& levels) {
+void LiveRenderer::find_visible_ground(const TerrainWindows::View& terrain, const Pose& pose, Beams beams,
+                                       const DetailBlend& levels) {
   const auto level = static_cast<std::size_t>(levels.level - 1), next = static_cast<std::size_t>(levels.next - 1);
   const bool alike = terrain_level(level) == terrain_level(next);
-  horizon_of_ = {&horizons_[0], &horizons_[alike ? 0 : 1]};
+  horizon_of_ = {&visible_[0].horizon(), &visible_[alike ? 0 : 1].horizon()};
   // Tasks look half a beam beyond their own.
   const std::size_t first_edge = beams.first - std::min<std::size_t>(beams.first, 1);
   const std::size_t edges = std::min(beams.end + 1, settings_.beams) - first_edge + 1;
   for (std::size_t which = 0; which < (alike ? 1 : 2); ++which) {
     occluders_[which] = occluders_for(terrain, pose.position, which == 0 ? level : next);
-    team_.run(edges, [&](std::size_t index, unsigned worker) {
-      horizons_[which].sweep(first_edge + index, pose.position, occluders_[which], worker);
-    });
+    visible_[which].find(first_edge, edges, pose.position, occluders_[which], team_);
   }
 }
 

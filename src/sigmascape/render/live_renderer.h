@@ -13,9 +13,9 @@
 #include "sigmascape/radar/scatterer_lattice.h"
 #include "sigmascape/radar/target.h"
 #include "sigmascape/receiver/target_frame.h"
-#include "sigmascape/render/horizon_map.h"
 #include "sigmascape/render/level_of_detail.h"
 #include "sigmascape/render/live_ground.h"
+#include "sigmascape/render/visible_ground.h"
 
 namespace sigmascape::render {
 
@@ -38,6 +38,9 @@ struct LiveSettings {
   /// k of the k-Earth, by which ground at distance d lies d²/(2 k R) lower: for horizons, ranges and grazing angles
   /// alike. A great number makes it flat.
   double refraction = 4.0 / 3.0;
+  /// How visible ground is found. Rasterization is the paper's way: slower, and only over atlases whose textures hold
+  /// the shadows of what stands on the ground.
+  VisibleGroundSettings visibility = {};
 };
 
 /// Where the radar is and where its bins begin.
@@ -105,13 +108,14 @@ class LiveRenderer {
   void look_ahead(const PageCache::View& view, const Pose& pose, Beams beams, std::size_t level);
   void look_at_targets(const Pose& pose, const DetailBlend& levels);
   void add_targets(std::size_t first_beam, std::size_t count);
-  /// Sweeps the beams, and their edges, over the terrain of each level of detail in use.
-  void sweep_horizons(const TerrainWindows::View& terrain, const Pose& pose, Beams beams, const DetailBlend& levels);
+  /// For the beams, and their edges, over the terrain of each level of detail in use.
+  void find_visible_ground(const TerrainWindows::View& terrain, const Pose& pose, Beams beams,
+                           const DetailBlend& levels);
   /// What hides ground at a level of detail, as far as it is there; reports what it lacks and asks for it.
   [[nodiscard]] Occluders occluders_for(const TerrainWindows::View& terrain, Vec3d radar, std::size_t level);
   /// Asks for what is wanted, instead of what was.
   void request();
-  [[nodiscard]] const HorizonGrid& grid() const { return horizons_[0].grid(); }
+  [[nodiscard]] const HorizonGrid& grid() const { return visible_[0].horizon().grid(); }
   /// Of the terrain, for a level of the textures.
   [[nodiscard]] int terrain_level(std::size_t level) const;
   /// The ground between two distances under all beams.
@@ -122,7 +126,7 @@ class LiveRenderer {
   radar::ScattererLattice lattice_;
   WorkerTeam team_;
   terrain::HeightBounds bounds_;  // of the ground that the frame looks at
-  std::array<HorizonMap, 2> horizons_;
+  std::array<VisibleGround, 2> visible_;
   std::array<Occluders, 2> occluders_;
   std::array<const HorizonMap*, 2> horizon_of_;  // of the two levels of detail; the same when so is their terrain
   receiver::TargetFrame targets_;

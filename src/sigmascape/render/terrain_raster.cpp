@@ -6,23 +6,12 @@
 #include <cmath>
 #include <limits>
 
-#include "sigmascape/base/parallel.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/look.h"
 #include "sigmascape/render/raster_kernel.h"
 
 namespace sigmascape::render {
 namespace {
-
-/// Runs without taking memory when one thread is enough.
-template <typename Body>
-void for_each_index(std::size_t count, unsigned threads, const Body& body) {
-  if (threads == 1) {
-    for (std::size_t index = 0; index < count; ++index) body(index);
-  } else {
-    parallel_for(count, threads, [&](std::size_t index, unsigned) { body(index); });
-  }
-}
 
 /// Terrain must stay this far below the radar to be drawn, as a share of the radar's height above the plane.
 constexpr double least_clearance = 0.01;
@@ -95,11 +84,10 @@ struct Nodes {
 
 }  // namespace
 
-TerrainRaster::Projected TerrainRaster::project(const Vec3d& radar, const radar::CurvedEarth& earth, Vec2d point,
-                                                double height_m) const {
-  const Vec2d from_foot = point - Vec2d{radar.x, radar.y};
-  const double clearance_m = radar.z + earth.drop_m(length(from_foot)) - height_m;
-  const double above_plane_m = radar.z - picture_.plane_m;
+TerrainRaster::Projected TerrainRaster::project(Vec2d point, double height_m) const {
+  const Vec2d from_foot = point - Vec2d{radar_.x, radar_.y};
+  const double clearance_m = radar_.z + drop_per_square_m_ * dot(from_foot, from_foot) - height_m;
+  const double above_plane_m = radar_.z - picture_.plane_m;
   if (clearance_m < least_clearance * above_plane_m) return {0.0F, 0.0F, -1.0F};
   const double scale = above_plane_m / clearance_m;
   return {static_cast<float>((dot(from_foot, picture_.rightwards) * scale - picture_.left_m) * picture_.pixels_per_m),
@@ -107,31 +95,33 @@ TerrainRaster::Projected TerrainRaster::project(const Vec3d& radar, const radar:
           static_cast<float>(above_plane_m / clearance_m)};
 }
 
-void TerrainRaster::place_picture(const Vec3d& radar, const radar::CurvedEarth& earth, const GroundSector& sector,
-                                  const terrain::TerrainView& view, const RasterSettings& settings) {
-  const double middle_rad = sector.azimuth_rad(sector.azimuths / 2);
+void TerrainRaster::place_picture(const HorizonGrid& grid, const RasterSettings& settings) {
+  const auto azimuth_rad = [&grid](std::size_t azimuth) {
+    return grid.first_azimuth_rad + static_cast<double>(azimuth) * grid.azimuth_step_rad;
+  };
+  const double middle_rad = azimuth_rad(grid.azimuths / 2);
   picture_ = {.outwards = radar::horizontal_direction(middle_rad),
               .rightwards = radar::horizontal_direction(middle_rad + 0.5 * pi)};
-  picture_.plane_m = 0.5 * static_cast<double>(view.lowest_m + view.highest_m);
+  picture_.plane_m = 0.5 * static_cast<double>(view_.lowest_m + view_.highest_m);
   // The sector's corners at the lowest and the highest terrain hold all its points between them.
   Bounds bounds;
   constexpr std::size_t azimuths = 257;
   for (std::size_t i = 0; i < azimuths; ++i) {
     const double part = static_cast<double>(i) / static_cast<double>(azimuths - 1);
     const double turned_rad =
-        sector.azimuth_rad(0) - middle_rad + part * sector.azimuth_step_rad * static_cast<double>(sector.azimuths - 1);
-    for (const double distance_m : {sector.distance_m(0), sector.distance_m(sector.distances - 1)}) {
-      for (const double height_m : {static_cast<double>(view.lowest_m), static_cast<double>(view.highest_m)}) {
-        const double above_plane_m = radar.z - picture_.plane_m;
-        const double clearance_m =
-            std::max(radar.z + earth.drop_m(distance_m) - height_m, least_clearance * above_plane_m);
+        azimuth_rad(0) - middle_rad + part * grid.azimuth_step_rad * static_cast<double>(grid.azimuths - 1);
+    for (const double distance_m : {grid.near_m, grid.near_m + grid.step_m * static_cast<double>(grid.distances - 1)}) {
+      for (const double height_m : {static_cast<double>(view_.lowest_m), static_cast<double>(view_.highest_m)}) {
+        const double above_plane_m = radar_.z - picture_.plane_m;
+        const double clearance_m = std::max(radar_.z + drop_per_square_m_ * distance_m * distance_m - height_m,
+                                            least_clearance * above_plane_m);
         const double drawn_m = distance_m * above_plane_m / clearance_m;
         bounds.include({drawn_m * std::sin(turned_rad), drawn_m * std::cos(turned_rad)});
       }
     }
   }
   const double width_m = bounds.highest_x - bounds.lowest_x, depth_m = bounds.highest_y - bounds.lowest_y;
-  const double finest_px_per_m = std::sqrt(2.0 * settings.pixels_per_triangle) / view.spacing_m;
+  const double finest_px_per_m = std::sqrt(2.0 * settings.pixels_per_triangle) / view_.spacing_m;
   const double room_px = static_cast<double>(settings.longest_side) - 4.0;
   picture_.pixels_per_m = std::min(finest_px_per_m, room_px / std::max(width_m, depth_m));
   picture_.left_m = bounds.lowest_x - 2.0 / picture_.pixels_per_m;
@@ -143,8 +133,8 @@ void TerrainRaster::place_picture(const Vec3d& radar, const radar::CurvedEarth& 
   tiles_down_ = tiles(depth_m);
 }
 
-void TerrainRaster::sort_blocks(const terrain::TerrainView& view) {
-  const RasterMesh mesh{x_.data(), y_.data(), nearness_.data(), view.columns, view.rows};
+void TerrainRaster::sort_blocks() {
+  const RasterMesh mesh{x_.data(), y_.data(), nearness_.data(), view_.columns, view_.rows};
   const std::size_t tiles = tiles_across_ * tiles_down_;
   tile_begin_.assign(tiles + 1, 0);
   // Twice over the blocks: to count what falls into each tile, and to put it there.
@@ -153,9 +143,9 @@ void TerrainRaster::sort_blocks(const terrain::TerrainView& view) {
       const std::size_t first_column = block % mesh.blocks_across() * RasterMesh::block_side;
       const std::size_t first_row = block / mesh.blocks_across() * RasterMesh::block_side;
       float lowest_x = 1e30F, highest_x = -1e30F, lowest_y = 1e30F, highest_y = -1e30F;
-      for (std::size_t row = first_row; row < std::min(first_row + RasterMesh::block_side + 1, view.rows); ++row) {
-        const std::size_t end = std::min(first_column + RasterMesh::block_side + 1, view.columns);
-        for (std::size_t node = row * view.columns + first_column; node < row * view.columns + end; ++node) {
+      for (std::size_t row = first_row; row < std::min(first_row + RasterMesh::block_side + 1, view_.rows); ++row) {
+        const std::size_t end = std::min(first_column + RasterMesh::block_side + 1, view_.columns);
+        for (std::size_t node = row * view_.columns + first_column; node < row * view_.columns + end; ++node) {
           if (nearness_[node] <= 0.0F) continue;
           lowest_x = std::min(lowest_x, x_[node]), highest_x = std::max(highest_x, x_[node]);
           lowest_y = std::min(lowest_y, y_[node]), highest_y = std::max(highest_y, y_[node]);
@@ -185,19 +175,22 @@ void TerrainRaster::sort_blocks(const terrain::TerrainView& view) {
   for_each_touch([&](std::size_t tile, std::uint32_t block) { tile_blocks_[--tile_begin_[tile]] = block; });
 }
 
-std::size_t TerrainRaster::draw(const Vec3d& radar, const radar::CurvedEarth& earth, const GroundSector& sector,
-                                const terrain::TerrainView& view, const RasterSettings& settings, unsigned threads) {
-  place_picture(radar, earth, sector, view, settings);
+std::size_t TerrainRaster::draw(const Vec3d& radar, const HorizonGrid& grid, const terrain::TerrainView& view,
+                                const RasterSettings& settings, WorkerTeam& team) {
+  radar_ = radar;
+  view_ = view;
+  drop_per_square_m_ = grid.drop_per_square_m;
+  place_picture(grid, settings);
   const std::size_t nodes = view.columns * view.rows;
   for (auto* layer : {&x_, &y_, &nearness_}) layer->resize(std::max(layer->size(), nodes));
   std::atomic<std::size_t> left_out{0};
-  for_each_index(view.rows, threads, [&](std::size_t row) {
+  team.run(view.rows, [&](std::size_t row, unsigned) {
     std::size_t too_high = 0;
     for (std::size_t column = 0; column < view.columns; ++column) {
       const std::size_t node = row * view.columns + column;
       const Vec2d point{view.west_m + static_cast<double>(column) * view.spacing_m,
                         view.north_m - static_cast<double>(row) * view.spacing_m};
-      const Projected projected = project(radar, earth, point, static_cast<double>(view.height_m[node]));
+      const Projected projected = project(point, static_cast<double>(view.height_m[node]));
       x_[node] = projected.x;
       y_[node] = projected.y;
       nearness_[node] = projected.nearness;
@@ -205,10 +198,10 @@ std::size_t TerrainRaster::draw(const Vec3d& radar, const radar::CurvedEarth& ea
     }
     left_out += too_high;
   });
-  sort_blocks(view);
+  sort_blocks();
   triangle_.resize(std::max(triangle_.size(), columns() * rows()));
   const RasterMesh mesh{x_.data(), y_.data(), nearness_.data(), view.columns, view.rows};
-  for_each_index(tiles_across_ * tiles_down_, threads, [&](std::size_t tile) {
+  team.run(tiles_across_ * tiles_down_, [&](std::size_t tile, unsigned) {
     const std::size_t left = tile % tiles_across_ * tile_side, top = tile / tiles_across_ * tile_side;
     draw_tile(mesh, std::span(tile_blocks_).subspan(tile_begin_[tile], tile_begin_[tile + 1] - tile_begin_[tile]), left,
               top, triangle_.data() + top * columns() + left, columns());
@@ -216,59 +209,34 @@ std::size_t TerrainRaster::draw(const Vec3d& radar, const radar::CurvedEarth& ea
   return left_out;
 }
 
-std::size_t TerrainRaster::mark_visible(const Vec3d& radar, const radar::CurvedEarth& earth, const GroundSector& sector,
-                                        const terrain::TerrainView& view, unsigned threads,
-                                        GroundSamples& found) const {
-  const Nodes nodes{x_.data(), y_.data(), nearness_.data(), view.columns};
-  const radar::Rectangle extent = view.extent();
-  const auto seen = [&](Vec2d point) {
-    if (!extent.contains(point)) return false;
-    const OnTriangle own = on_triangle(view, cell_at(view, point));
-    const Projected at = project(radar, earth, point, static_cast<double>(own.height_m));
-    const double last_x = static_cast<double>(columns()) - 2.0, last_y = static_cast<double>(rows()) - 2.0;
-    if (at.nearness <= 0.0F || at.x < 1.0F || at.y < 1.0F || static_cast<double>(at.x) >= last_x ||
-        static_cast<double>(at.y) >= last_y) {
-      return false;
+bool TerrainRaster::sees(Vec2d point) const {
+  if (!view_.extent().contains(point)) return false;
+  const Nodes nodes{x_.data(), y_.data(), nearness_.data(), view_.columns};
+  const OnTriangle own = on_triangle(view_, cell_at(view_, point));
+  const Projected at = project(point, static_cast<double>(own.height_m));
+  const double last_x = static_cast<double>(columns()) - 2.0, last_y = static_cast<double>(rows()) - 2.0;
+  if (at.nearness <= 0.0F || at.x < 1.0F || at.y < 1.0F || static_cast<double>(at.x) >= last_x ||
+      static_cast<double>(at.y) >= last_y) {
+    return false;
+  }
+  if (nodes.turns_away(own.triangle)) return false;
+  const std::uint32_t nearest = drawn_at(at.x, at.y);
+  if (nearest == own.triangle) return true;
+  const float limit = at.nearness * (1.0F + nearness_tolerance);
+  bool known = nearest == no_triangle, all_over_it = true;
+  for (const float dx : {-1.0F, 0.0F, 1.0F}) {
+    for (const float dy : {-1.0F, 0.0F, 1.0F}) {
+      const std::uint32_t other = drawn_at(at.x + dx, at.y + dy);
+      if (other == no_triangle) continue;
+      bool inside = other == own.triangle;
+      const bool over_it = !inside && nodes.nearness_at(other, at.x, at.y, inside) > limit;
+      if (inside && over_it) return false;
+      known = known || inside;
+      all_over_it = all_over_it && over_it;
     }
-    const auto drawn_at = [&](float x, float y) {
-      return triangle_[static_cast<std::size_t>(std::max(y, 0.0F)) * columns() +
-                       static_cast<std::size_t>(std::max(x, 0.0F))];
-    };
-    if (nodes.turns_away(own.triangle)) return false;
-    const std::uint32_t nearest = drawn_at(at.x, at.y);
-    if (nearest == own.triangle) return true;
-    const float limit = at.nearness * (1.0F + nearness_tolerance);
-    bool known = nearest == no_triangle, all_over_it = true;
-    for (const float dx : {-1.0F, 0.0F, 1.0F}) {
-      for (const float dy : {-1.0F, 0.0F, 1.0F}) {
-        const std::uint32_t other = drawn_at(at.x + dx, at.y + dy);
-        if (other == no_triangle) continue;
-        bool inside = other == own.triangle;
-        const bool over_it = !inside && nodes.nearness_at(other, at.x, at.y, inside) > limit;
-        if (inside && over_it) return false;
-        known = known || inside;
-        all_over_it = all_over_it && over_it;
-      }
-    }
-    // Where all triangles about are too small to hold the point, it is hidden when it lies below the planes of all.
-    return known || !all_over_it;
-  };
-  std::atomic<std::size_t> visible{0};
-  constexpr std::size_t rows_together = 16;
-  const std::span<std::uint8_t> flags = found.visible();
-  for_each_index((sector.distances + rows_together - 1) / rows_together, threads, [&](std::size_t group) {
-    std::size_t count = 0;
-    for (std::size_t azimuth = 0; azimuth < sector.azimuths; ++azimuth) {
-      const Vec2d direction = radar::horizontal_direction(sector.azimuth_rad(azimuth));
-      for (std::size_t k = group * rows_together; k < std::min((group + 1) * rows_together, sector.distances); ++k) {
-        const bool is_seen = seen(Vec2d{radar.x, radar.y} + direction * sector.distance_m(k));
-        flags[found.index(azimuth, k)] = is_seen ? 1 : 0;
-        count += is_seen ? 1 : 0;
-      }
-    }
-    visible += count;
-  });
-  return visible;
+  }
+  // Where all triangles about are too small to hold the point, it is hidden when it lies below the planes of all.
+  return known || !all_over_it;
 }
 
 }  // namespace sigmascape::render

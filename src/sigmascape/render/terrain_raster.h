@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "sigmascape/base/vec.h"
-#include "sigmascape/radar/curved_earth.h"
-#include "sigmascape/render/ground_samples.h"
+#include "sigmascape/base/worker_team.h"
+#include "sigmascape/render/horizon_map.h"
 #include "sigmascape/terrain/terrain_view.h"
 
 namespace sigmascape::render {
@@ -24,15 +24,14 @@ struct RasterSettings {
 /// two points on one line of sight the higher is nearer: depth is 1 / (radar height − height), linear over the picture.
 class TerrainRaster {
  public:
-  /// Draws all terrain that can hide or be part of the sector. Returns the number of triangles left out because they
-  /// reach up to the radar.
-  std::size_t draw(const Vec3d& radar, const radar::CurvedEarth& earth, const GroundSector& sector,
-                   const terrain::TerrainView& view, const RasterSettings& settings, unsigned threads);
+  /// Draws all terrain that can hide or be part of the grid's ground; what the view looks at must live until the next.
+  /// Returns the number of triangles left out because they reach up to the radar.
+  std::size_t draw(const Vec3d& radar, const HorizonGrid& grid, const terrain::TerrainView& view,
+                   const RasterSettings& settings, WorkerTeam& team);
 
-  /// Sets the visible flags of samples whose other layers are there: a point is seen unless a triangle drawn next to
-  /// it, other than its own, lies over it. Returns how many are seen.
-  std::size_t mark_visible(const Vec3d& radar, const radar::CurvedEarth& earth, const GroundSector& sector,
-                           const terrain::TerrainView& view, unsigned threads, GroundSamples& found) const;
+  /// Whether a point of the drawn terrain is seen: unless a triangle drawn next to it, other than its own, lies over
+  /// it.
+  [[nodiscard]] bool sees(Vec2d point) const;
 
   [[nodiscard]] std::size_t columns() const { return tiles_across_ * tile_side; }
   [[nodiscard]] std::size_t rows() const { return tiles_down_ * tile_side; }
@@ -51,12 +50,17 @@ class TerrainRaster {
     float x, y, nearness;
   };
 
-  [[nodiscard]] Projected project(const Vec3d& radar, const radar::CurvedEarth& earth, Vec2d point,
-                                  double height_m) const;
-  void place_picture(const Vec3d& radar, const radar::CurvedEarth& earth, const GroundSector& sector,
-                     const terrain::TerrainView& view, const RasterSettings& settings);
-  void sort_blocks(const terrain::TerrainView& view);
+  [[nodiscard]] Projected project(Vec2d point, double height_m) const;
+  void place_picture(const HorizonGrid& grid, const RasterSettings& settings);
+  void sort_blocks();
+  [[nodiscard]] std::uint32_t drawn_at(float x, float y) const {
+    return triangle_[static_cast<std::size_t>(y > 0.0F ? y : 0.0F) * columns() +
+                     static_cast<std::size_t>(x > 0.0F ? x : 0.0F)];
+  }
 
+  Vec3d radar_;
+  terrain::TerrainView view_;
+  double drop_per_square_m_ = 0.0;
   Picture picture_;
   std::size_t tiles_across_ = 0, tiles_down_ = 0;
   std::vector<float> x_, y_, nearness_;                  ///< of the nodes

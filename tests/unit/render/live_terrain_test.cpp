@@ -158,6 +158,30 @@ TEST_F(LiveTerrainTest, ATileThatIsNotThereCostsItsPlaceAndIsReported) {
   EXPECT_NEAR(db_from_linear(with_fault / total(settled_frame(expected, *sound, view.pose()))), 0.0, 1.0);
 }
 
+TEST_F(LiveTerrainTest, ThePapersPictureShowsTheFrameOfTheSweep) {
+  const auto ground = example_.over(*store_);
+  for (const double elevation_deg : {5.0, 13.0}) {
+    ExampleView view;
+    view.elevation_deg = elevation_deg;
+    LiveSettings settings = view.settings(FrameContent::Powers);
+    LiveRenderer swept(ground, settings);
+    settings.visibility = {.method = VisibilityMethod::Rasterization, .raster = {.pixels_per_triangle = 64.0}};
+    LiveRenderer drawn(ground, settings);
+    const Frame& sweep = settled_frame(swept, *ground, view.pose());
+    const Frame& raster = settled_frame(drawn, *ground, view.pose());
+    const double hidden = 1.0 - static_cast<double>(sweep.report.lit) / static_cast<double>(sweep.report.cells);
+    EXPECT_GT(hidden, 0.05) << elevation_deg;
+    double differ = 0.0;
+    for (std::size_t i = 0; i < sweep.powers_m2.size(); i += 4) {
+      differ += std::abs(static_cast<double>(sweep.powers_m2[i]) - static_cast<double>(raster.powers_m2[i]));
+    }
+    EXPECT_NEAR(db_from_linear(total(raster) / total(sweep)), 0.0, 0.1) << elevation_deg;
+    EXPECT_LT(differ / total(sweep), 0.05) << elevation_deg;
+    std::printf("  %g: hidden %.3f, total %.3f dB, differ %.4f\n", elevation_deg, hidden,
+                db_from_linear(total(raster) / total(sweep)), differ / total(sweep));
+  }
+}
+
 TEST_F(LiveTerrainTest, NoStepShowsOverHillsWhereTheLevelsChange) {
   const auto ground = example_.over(*store_);
   ExampleView view{.target = example_.middle()};

@@ -50,19 +50,19 @@ TEST(SteadyMemory, VisibleGroundTakesNoneOnceItHasWorked) {
   for (std::size_t i = 0; i < field.height_m.size(); ++i) field.height_m.values()[i] = static_cast<float>(i % 37);
   const terrain::TerrainView view = terrain::view_of(field);
   for (const auto method : {VisibilityMethod::HorizonSweep, VisibilityMethod::Rasterization}) {
-    VisibleGround visible_ground({.method = method, .threads = 1});
-    GroundSamples samples;
-    GroundSector sector{.azimuth_step_rad = 0.005,
-                        .azimuths = 64,
-                        .first_distance_m = 2600.0,
-                        .distance_step_m = 10.0,
-                        .distances = 80};
-    visible_ground.find({0.0, -3000.0, 700.0}, sector, view, samples);
-    sector.azimuths = 60;
+    VisibleGround visible_ground({.method = method}, 2);
+    WorkerTeam team(2);
+    HorizonGrid grid{.azimuth_step_rad = 0.005, .azimuths = 64, .near_m = 2600.0, .step_m = 10.0, .distances = 80};
+    const auto find = [&](double east_m) {
+      visible_ground.reset(grid, false);
+      visible_ground.find(0, grid.azimuths, {east_m, -3000.0, 700.0}, {.terrain = view}, team);
+    };
+    // Pictures of all places that are looked from later, and a larger one.
+    for (int frame = 0; frame < 10; ++frame) find(1.0 * frame);
+    grid.azimuths = 60;
+    for (int frame = 0; frame < 10; ++frame) find(1.0 * frame);
     const std::size_t before = allocations;
-    for (int frame = 0; frame < 10; ++frame) {
-      visible_ground.find({1.0 * frame, -3000.0, 700.0}, sector, view, samples);
-    }
+    for (int frame = 0; frame < 10; ++frame) find(1.0 * frame);
     EXPECT_EQ(allocations, before);
   }
 }
