@@ -108,7 +108,7 @@ TEST_F(LiveTargetsTest, StandOnTheGroundOfTheFrame) {
   ExampleGround hollows = level_ground();
   hollows.height_m = [](Vec2d p) { return 3.0 * std::cos(p.x / 24.0 * 2.0 * pi) * std::cos(p.y / 24.0 * 2.0 * pi); };
   const auto ground = hollows.over(*store_);
-  ExampleView view{.elevation_deg = 37.0};
+  ExampleView view{.elevation_deg = 5.0};
   view.bin_m = 64.0;
   view.ranges = view.beams = 24;
   std::vector<radar::Target> targets;

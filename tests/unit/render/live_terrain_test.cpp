@@ -128,6 +128,46 @@ TEST_F(LiveTerrainTest, AWallBeforeTheBinsHidesThem) {
   EXPECT_EQ(frame.report.lit, 0U);
 }
 
+TEST_F(LiveTerrainTest, WhatStandsInIsLoweredBelowWhatPagesStandOn) {
+  LiveTerrain terrain(opened(terrain_folder(), 8U << 20U), std::size_t{8} << 20U);
+  const radar::Rectangle area{400.0, 400.0, 1600.0, 1600.0};
+  std::vector<WindowWish> wanted;
+  wanted.reserve(4);
+  const auto surface_now = [&] { return terrain.surface(terrain.windows().view(), 0, area, wanted); };
+  const auto highest_above_pages_m = [&](const LiveTerrain::Surface& surface) {
+    double most_m = -1e9;
+    for (double x = area.west_m; x < area.east_m; x += 7.0) {
+      for (double y = area.south_m; y < area.north_m; y += 7.0) {
+        most_m = std::max(most_m, terrain::height_at(surface.view, {x, y}) - terrain.height_at({x, y}));
+      }
+    }
+    return most_m;
+  };
+  const LiveTerrain::Surface first = surface_now();
+  EXPECT_GT(highest_above_pages_m(first), 1.0);
+  EXPECT_LE(highest_above_pages_m(first), static_cast<double>(first.above_pages_m));
+  ASSERT_EQ(wanted.size(), 1U);
+  terrain.windows().request(wanted);
+  terrain.windows().wait_until_loaded();
+  const LiveTerrain::Surface second = surface_now();
+  EXPECT_EQ(second.above_pages_m, 0.0F);
+  EXPECT_EQ(second.error_m, 0.0F);
+  EXPECT_NEAR(highest_above_pages_m(second), 0.0, 1e-4);
+  EXPECT_EQ(wanted.size(), 1U) << "nothing more is wanted";
+}
+
+TEST(HorizonMap, LoweredTerrainHidesAsIfItLayLower) {
+  terrain::HeightField field{.spacing_m = 10.0, .height_m = Array2D<float>(101, 101)};
+  for (std::size_t i = 0; i < field.height_m.size(); ++i) field.height_m.values()[i] = static_cast<float>(i % 37);
+  const HorizonGrid grid{.azimuths = 2, .near_m = 400.0, .step_m = 5.0, .distances = 80};
+  const Vec3d radar{500.0, -1000.0, 120.0};
+  HorizonMap lowered(grid), lower(grid);
+  lowered.sweep(0, radar, {.terrain = terrain::view_of(field), .lowered_m = 8.0F});
+  for (float& height : field.height_m.values()) height -= 8.0F;
+  lower.sweep(0, radar, {.terrain = terrain::view_of(field)});
+  for (std::size_t k = 0; k < grid.distances; ++k) ASSERT_NEAR(lowered.slopes(0)[k], lower.slopes(0)[k], 1e-6) << k;
+}
+
 TEST_F(LiveTerrainTest, HidesNothingByWhatItDoesNotKnowYet) {
   const auto ground = std::make_shared<LiveGround>(*store_, opened(terrain_folder(), 8U << 20U), 10e9);
   const ExampleView view{.target = example_.middle(), .elevation_deg = 5.0};
@@ -177,8 +217,6 @@ TEST_F(LiveTerrainTest, ThePapersPictureShowsTheFrameOfTheSweep) {
     }
     EXPECT_NEAR(db_from_linear(total(raster) / total(sweep)), 0.0, 0.1) << elevation_deg;
     EXPECT_LT(differ / total(sweep), 0.05) << elevation_deg;
-    std::printf("  %g: hidden %.3f, total %.3f dB, differ %.4f\n", elevation_deg, hidden,
-                db_from_linear(total(raster) / total(sweep)), differ / total(sweep));
   }
 }
 

@@ -268,8 +268,10 @@ TEST_F(PyramidOnDisk, BoundsHoldForAllLevelsOfTheGroundBeneath) {
   EXPECT_EQ(here.highest_m, *std::ranges::max_element(tile.height_m));
   for (int level = 0; level < pyramid.levels(); ++level) {
     EXPECT_EQ(pyramid.load({level, 0, 0})->summary.lowest_m, pyramid.summary({level, 0, 0}).lowest_m);
-    EXPECT_LE(pyramid.summary({level, 0, 0}).lowest_m, pyramid.summary({0, 0, 0}).lowest_m);
   }
+  const TileSummary& all = pyramid.summary({pyramid.levels() - 1, 0, 0});
+  EXPECT_EQ(all.lowest_m, field_.lowest_m());
+  EXPECT_EQ(all.highest_m, field_.highest_m());
 }
 
 TEST_F(PyramidOnDisk, AnUnfinishedOneIsRefused) {
