@@ -211,7 +211,7 @@ void measure(const Arguments& arguments, Figures& figures) {
 /// The same against tracing, on the scene of the paper.
 void measure_against_tracing(const Arguments& arguments, Figures& figures) {
   const scene::Scene scene = scene::paper_scene();
-  measure_traced_map(scene, arguments.quick, figures);
+  measure_traced_map(scene, figures);
   measure_paper_frame(scene, arguments.quick, figures);
 }
 

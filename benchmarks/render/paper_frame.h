@@ -10,8 +10,7 @@ namespace sigmascape::bench {
 /// 1024² texels takes against tracing it, and how much of the scene it looks at.
 void measure_paper_frame(const scene::Scene& scene, bool quick, Figures& figures);
 
-/// How long level of detail 0 takes for 512 m × 512 m of town and forest to 1.5 dB; when quick for a
-/// quarter of that, times four.
-void measure_traced_map(const scene::Scene& scene, bool quick, Figures& figures);
+/// How long level of detail 0 takes for 512 m × 512 m of town and forest to 1.5 dB.
+void measure_traced_map(const scene::Scene& scene, Figures& figures);
 
 }  // namespace sigmascape::bench
