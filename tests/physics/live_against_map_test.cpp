@@ -93,7 +93,7 @@ scene::Scene turned_scene(double by_rad) {
   const scatter::Material plaster{
       .name = "plaster", .model = scatter::LambertParameters{0.3, {0.1, 0.5}}, .source = {}};
   scene.prototypes.push_back(scene::box_mesh({12.0F, 8.0F, 7.0F}, scene.material_index(plaster)));
-  scene.prototypes.push_back(scene::wall_mesh(30.0F, 5.0F, scene.material_index(plaster)));
+  scene.prototypes.push_back(scene::wall_mesh(30.0F, 5.0F, scene.material_index(rough_conductor("metal", 0.4))));
   struct Thing {
     std::uint32_t prototype;
     double east_m, north_m, yaw_rad;
