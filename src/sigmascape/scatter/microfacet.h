@@ -78,6 +78,14 @@ class Microfacets {
            (1.0F + std::max(lambda_a, lambda_b) + independence / (independence + 1.0F) * std::min(lambda_a, lambda_b));
   }
 
+  /// The same there and back along one direction.
+  [[nodiscard]] float visible_part_in_backscatter(float cos_angle) const {
+    const float lambda_there = lambda(cos_angle);
+    if (masking_ == Masking::HeightCorrelated) return 1.0F / (1.0F + 2.0F * lambda_there);
+    if (masking_ == Masking::Separable) return 1.0F / ((1.0F + lambda_there) * (1.0F + lambda_there));
+    return 1.0F / (1.0F + lambda_there);
+  }
+
   /// A facet normal with the density of those that `w` sees: G1(w) D(m) (w·m) / cos(w), in a frame whose z axis is the
   /// mean normal. `u` in [0,1)².
   [[nodiscard]] Vec3f visible_normal(Vec3f w, Vec2f u) const { return visible_normal(w, {0.0F, 0.0F, 1.0F}, u); }

@@ -36,8 +36,8 @@ class Mirrors {
   [[nodiscard]] radar::Channels backscatter(Vec3f to_radar, const Facet& face) const {
     const Microfacets facets = facets_on(face);
     const float cosine = dot(to_radar, face.normal);
-    const float brdf = normal_reflectivity_ * facets.density(to_radar, face.normal) * facets.visible_part(cosine) /
-                       (4.0F * cosine * cosine);
+    const float brdf = normal_reflectivity_ * facets.density(to_radar, face.normal) *
+                       facets.visible_part_in_backscatter(cosine) / (4.0F * cosine * cosine);
     return {brdf, brdf, 0.0F, brdf};
   }
 
