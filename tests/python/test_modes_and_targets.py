@@ -71,7 +71,7 @@ def test_a_stripmap_image_has_its_axes(atlas, flying, tmp_path):
     flying.mode = "stripmap"
     target = sigmascape.Target((-20.0, -30.0), rcs_dbsm=70.0, height_m=0.0)
     image = sigmascape.stripmap(atlas, flying, along_resolution_m=2.0, targets=[target])
-    assert list(image.axes) == ["closest_range_m", "along_track_m"]
+    assert list(image.axes) == ["closest_slant_range_m", "along_track_m"]
     assert [len(axis) for axis in image.axes.values()] == list(image.samples.shape[:2])
     row, column = np.unravel_index(np.abs(image.samples[..., 0]).argmax(), image.samples.shape[:2])
     # Closest when the platform passes x = -20; then it is 30 m further south than the scene's middle.

@@ -29,13 +29,18 @@ void find_ranges(LatticeRow& row, const RowGeometry& geometry) {
   float* const ground = row.ground_m.data();
   float* const below = row.below_m.data();
   const double radar_height = geometry.radar_height_m, drop = geometry.drop_per_square_m;
+  // docs/physics/curved_earth.md, Eq. (4), with sin² x = x² (1 − x²/3): good to a millimetre at 200 km.
+  const double curvature = 2.0 * drop, raised = 1.0 + radar_height * curvature, series = curvature * curvature / 12.0;
   const double first_range = geometry.first_range_m, ranges_per_m = geometry.ranges_per_m;
   const std::size_t count = row.whole_vectors();
   SIGMASCAPE_INDEPENDENT_TURNS
   for (std::size_t i = 0; i < count; ++i) {
     const double square = east[i] * east[i] + north[i] * north[i];
     const double under = radar_height - static_cast<double>(height[i]) + drop * square;
-    const double range = std::sqrt(square + under * under);
+    const auto above = static_cast<double>(height[i]);
+    const double difference = radar_height - above;
+    const double stretched = square * raised * (1.0 + above * curvature) * (1.0 - square * series);
+    const double range = std::sqrt(stretched + difference * difference);
     range_m[i] = range;
     range_bin[i] = static_cast<float>((range - first_range) * ranges_per_m);
     ground[i] = std::sqrt(static_cast<float>(square));

@@ -62,7 +62,9 @@ void TileTracer::consider_connection(std::uint32_t number, std::size_t lane, Vec
   // Most connections are so faint that it does not matter how much their share is.
   if (chance_of(greatest_share) <= lot) return;
   connection.reverse_odds = reverse_odds(path, lane);
-  connection.reverse_is_launched = area_.covers(viewpoint_.shadow_on_plane(position_of(path), area_.plane_height_m));
+  const Vec3d position = position_of(path);
+  connection.reverse_is_launched =
+      area_.counts_from(position) && area_.covers(viewpoint_.shadow_on_plane(position, area_.plane_height_m));
   // Crowns on the way to the radar have a part in the share, which then has to wait for the ray.
   connection.chance = chance_of(geometry_.has_crowns() ? 1.0F : reciprocal_share(connection, cosine));
   if (connection.chance <= lot) return;

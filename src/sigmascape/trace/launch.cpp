@@ -40,7 +40,22 @@ double greatest_reach_m(const LaunchArea& area) {
   return reach;
 }
 
+/// The horizontal part of a direction, of unit length; nothing straight up.
+Vec2d level_part(Vec3d direction) {
+  // Asked once a path: std::hypot would take several times as long to no gain, all being of order one.
+  const double horizontal = std::sqrt(direction.x * direction.x + direction.y * direction.y);
+  return horizontal > 0.0 ? Vec2d{direction.x / horizontal, direction.y / horizontal} : Vec2d{};
+}
+
 }  // namespace
+
+bool LaunchArea::counts_from(Vec3d first_vertex) const {
+  const radar::Rectangle reached = widened(target, margin_m + cell_m);
+  const Vec2d foot{first_vertex.x, first_vertex.y};
+  // On ground of unknown height it lands somewhere between its foot and where it would on the lowest.
+  return reached.contains(foot) || segment_meets(reached, foot, level_part(viewpoint.direction_from(first_vertex)),
+                                                 viewpoint.landing_before_m(first_vertex, plane_height_m));
+}
 
 bool LaunchArea::covers(Vec2d point) const {
   // All of the grain was launched if its centre qualified.
@@ -49,11 +64,8 @@ bool LaunchArea::covers(Vec2d point) const {
   const radar::Rectangle reached = widened(target, rim_m());
   if (reached.contains(centre)) return true;
   const Vec3d aim{centre.x, centre.y, plane_height_m};
-  const Vec3d to_radar = viewpoint.direction_from(aim);
-  // Asked once a connection: std::hypot would take several times as long to no gain, all being of order one.
-  const double horizontal = std::sqrt(to_radar.x * to_radar.x + to_radar.y * to_radar.y);
-  const Vec2d towards = horizontal > 0.0 ? Vec2d{to_radar.x / horizontal, to_radar.y / horizontal} : Vec2d{};
-  return segment_meets(reached, centre, towards, viewpoint.landing_before_aim_m(aim, top_height_m));
+  return segment_meets(reached, centre, level_part(viewpoint.direction_from(aim)),
+                       viewpoint.landing_before_aim_m(aim, top_height_m));
 }
 
 LaunchArea launch_area(const Viewpoint& viewpoint, const radar::Rectangle& target, double cell_m, double plane_height_m,

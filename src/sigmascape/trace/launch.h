@@ -36,6 +36,9 @@ struct LaunchArea {
 
   /// Whether a ray through that point of the plane could have been launched.
   [[nodiscard]] bool covers(Vec2d point) const;
+  /// Whether paths that begin at such a surface point count: whether its echo can land in the target or its margin.
+  /// Rays that were aimed behind the target to meet what is tall mostly meet ground that nobody asked for.
+  [[nodiscard]] bool counts_from(Vec3d first_vertex) const;
 
   Viewpoint viewpoint;
   radar::Rectangle target;  ///< the area of interest

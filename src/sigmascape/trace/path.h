@@ -29,6 +29,7 @@ struct Path {
   SobolPoint point{0, 0};   ///< the numbers that it is drawn from
   std::size_t hero = 0;     ///< the frequency whose densities draw the directions
   bool is_alive = true;
+  bool counts = true;  ///< whether it began where the launch area asks for
   Vec3d aim;  ///< where on the launch plane it was aimed
   Ray ray;    ///< the one that it follows
   SurfaceHit hit;

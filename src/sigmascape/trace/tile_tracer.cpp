@@ -51,6 +51,7 @@ void TileTracer::follow_together(std::span<const PathStart> starts, std::size_t 
   launch(starts, first);
   for (int bounce = 1; bounce <= options_.max_bounces && !living_.empty(); ++bounce) {
     find_vertices(bounce);
+    if (bounce == 1) leave_out_strangers();
     for (const std::uint32_t path : living_) arrive(paths_[path], bounce);
     group_by_surface();
     if (bounce == 1)
@@ -66,7 +67,9 @@ void TileTracer::follow_together(std::span<const PathStart> starts, std::size_t 
     if (!is_last) continue;
     for (const std::uint32_t path : living_) books_.is_cut(paths_[path], waves_of(paths_[path]));
   }
-  for (const Path& path : paths_) books_.path_ends(path);
+  for (const Path& path : paths_) {
+    if (path.counts) books_.path_ends(path);
+  }
 }
 
 void TileTracer::launch(std::span<const PathStart> starts, std::size_t first) {
@@ -170,6 +173,13 @@ void TileTracer::keep_living() {
     const Path& path = paths_[i];
     if (!path.is_alive) books_.escapes(paths_[i], waves_of(path));
     return !path.is_alive;
+  });
+}
+
+void TileTracer::leave_out_strangers() {
+  std::erase_if(living_, [&](std::uint32_t i) {
+    paths_[i].counts = area_.counts_from(position_of(paths_[i]));
+    return !paths_[i].counts;
   });
 }
 

@@ -65,6 +65,8 @@ class TileTracer final : public TilePaths {
   void find_vertices(int bounce);
   void find_vertices_among_crowns(int bounce);
   [[nodiscard]] bool find_vertex_among_crowns(Path& path, int bounce);
+  /// Ends paths whose first vertex lies where nobody asked for it.
+  void leave_out_strangers();
   void arrive(Path& path, int bounce);
   void keep_living();
   void group_by_surface();

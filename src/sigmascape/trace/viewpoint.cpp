@@ -75,6 +75,16 @@ double Viewpoint::aim_behind_landing_m(Vec3d landing, double height_m) const {
   return hit_ground * above / (above - rise) - ground;
 }
 
+double Viewpoint::landing_before_m(Vec3d point, double height_m) const {
+  if (is_distant_) {
+    const double horizontal = std::hypot(to_radar_.x, to_radar_.y);
+    return horizontal > 0.0 ? (point.z - height_m) * to_radar_.z / horizontal : 0.0;
+  }
+  const double above = position_.z - height_m, ground = std::hypot(position_.x - point.x, position_.y - point.y);
+  const double range = range_of(point);
+  return ground - std::sqrt(std::max(0.0, range * range - above * above));
+}
+
 Vec2d Viewpoint::shadow_on_plane(Vec3d point, double height_m) const {
   const Vec3d to_radar = direction_from(point);
   const double steps = (height_m - point.z) / to_radar.z;

@@ -33,6 +33,9 @@ class Viewpoint {
   /// The same distance, but for the ray whose echo lands at `landing`: how far behind that place the ray is aimed.
   [[nodiscard]] double aim_behind_landing_m(Vec3d landing, double height_m) const;
 
+  /// How far before a point, along the level towards the radar, its echo lands on the plane at `height_m` below it.
+  [[nodiscard]] double landing_before_m(Vec3d point, double height_m) const;
+
   /// Radar cross-section, referred to the echo's own range, that stands for unit intensity on the way out: w of
   /// docs/physics/estimator.md, Eqs. (2), (3). `aim` is a point of the launch plane, `area_m2` the piece of plane that
   /// the ray stands for, `echo_range_m` half the path, `last_range_m` the distance of the last vertex.

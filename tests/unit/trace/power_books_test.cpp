@@ -30,7 +30,7 @@ PowerBooks books_of(const scene::Scene& scene, double frequency_hz, const PathOp
   const SceneGeometry geometry(scene, Footing::LevelPlane);
   const PathTracer tracer(geometry, surface_models(scene, frequency_hz), from_south, options, 1);
   const LaunchArea launch = launch_area(from_south, {-8, -8, 8, 8}, 2.0, 0.0, geometry.highest_m() + 1.0, 0.0);
-  return tracer.trace(launch, {0, 32, 32}, 1, [](std::span<const radar::Echo>, unsigned) {}).power;
+  return tracer.trace(launch, {0, 64, 64}, 1, [](std::span<const radar::Echo>, unsigned) {}).power;
 }
 
 double frequency_within(const scatter::Material& material) {
