@@ -173,8 +173,8 @@ TEST(Crown, KeepsAllPowerThatItDoesNotAbsorb) {
     const SceneGeometry geometry(scene, Footing::LevelPlane);
     const PathTracer tracer(geometry, surface_models(scene, frequency_hz), viewpoint,
                             {.max_bounces = 200, .power_books = true}, 1);
-    const LaunchArea launch = launch_area(viewpoint, {-2, -2, 2, 2}, 1.0, 0.0, geometry.highest_m() + 1.0, 0.0);
-    return tracer.trace(launch, {0, 512, 512}, 1, [](std::span<const radar::Echo>, unsigned) {}).power;
+    const LaunchArea launch = launch_area(viewpoint, {-12, -12, 12, 12}, 1.0, 0.0, geometry.highest_m() + 1.0, 0.0);
+    return tracer.trace(launch, {0, 128, 128}, 1, [](std::span<const radar::Echo>, unsigned) {}).power;
   };
   for (const double albedo : {0.3, 1.0}) {
     const PowerBooks kept = books(albedo);
