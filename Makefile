@@ -23,7 +23,7 @@ demo: packages ## Build, then make the demo's maps and page under out/demo
 	$(call build,release) --target sigmascape_cli
 	build/release/apps/sigmascape/sigmascape demo --out out/demo
 
-results-small: packages ## Measure how close baked maps come to traced ones, small: minutes. Writes docs/results
+results-small: packages ## Measure how close baked maps come to traced ones, small: a quarter of an hour. Writes docs/results
 	$(call configure,release)
 	$(call build,release) --target sigmascape_cli
 	build/release/apps/sigmascape/sigmascape results --small --out out/results --page docs/results/README.md
