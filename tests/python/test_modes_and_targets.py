@@ -77,7 +77,7 @@ def test_a_stripmap_image_has_its_axes(atlas, flying, tmp_path):
     # Closest when the platform passes x = -20; then it is 30 m further south than the scene's middle.
     east, height = 2500.0 * np.cos(np.radians(15.0)) - 30.0, 2500.0 * np.sin(np.radians(15.0))
     assert image.axes["along_track_m"][column] == pytest.approx(-20.0, abs=1.5)
-    assert image.axes["closest_range_m"][row] == pytest.approx(np.hypot(east, height), abs=1.5)
+    assert image.axes["closest_slant_range_m"][row] == pytest.approx(np.hypot(east, height), abs=1.5)
     image.save(tmp_path / "image.npy")
     assert np.array_equal(np.load(tmp_path / "image.npy"), image.samples)
 

@@ -59,12 +59,12 @@ LookBaker::LookBaker(const scene::Scene& scene, const BakeSettings& settings)
 
 Array2D<float> LookBaker::terrain_gains(const radar::GroundGrid& texels, const radar::Aspect& aspect) const {
   const TerrainHorizon horizon(aspect, scene_.terrain, std::min(texels.cell_m, scene_.terrain.spacing_m));
-  const radar::ObstacleMap obstacles = scene::obstacles_of(scene_, texels);
+  if (!obstacles_ || obstacles_->grid != texels) obstacles_ = scene::obstacles_of(scene_, texels);
   Array2D<float> gains(texels.columns, texels.rows);
   parallel_for(texels.rows, thread_count(settings_.threads), [&](std::size_t row, unsigned) {
     for (std::size_t column = 0; column < texels.columns; ++column) {
       const Vec2d place = texels.centre_of(column, row);
-      const double seen = horizon.part_seen(place, obstacles.obstacles(column, row));
+      const double seen = horizon.part_seen(place, obstacles_->obstacles(column, row));
       gains(column, row) = static_cast<float>(gain_of(seen));
     }
   });

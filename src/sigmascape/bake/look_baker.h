@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "sigmascape/bake/bake_settings.h"
 #include "sigmascape/base/array2d.h"
 #include "sigmascape/base/progress.h"
 #include "sigmascape/radar/channels.h"
+#include "sigmascape/radar/obstacle.h"
 #include "sigmascape/scene/scene.h"
 #include "sigmascape/trace/launch.h"
 #include "sigmascape/trace/path_tracer.h"
@@ -23,8 +25,8 @@ struct BakedLook {
   trace::TraceCounts counts;             ///< of all frequencies together, with the first of them
 };
 
-/// Bakes single looks of one scene. What all looks share is made once: the structures for rays, and the surface models
-/// of every frequency.
+/// Bakes single looks of one scene, one at a time. What all looks share is made once: the structures for rays, and the
+/// surface models of every frequency.
 ///
 /// Objects that stand on their own terrain are baked with its slopes and ridges, but without its shadows, which are
 /// made when a map is rendered (render::GroundRenderer): what a texel returns is divided by the part of it that the
@@ -57,6 +59,8 @@ class LookBaker {
   const BakeSettings& settings_;
   trace::SceneGeometry geometry_;
   trace::SpectralSurfaces surfaces_;
+  /// Of the patch that was baked last, for its looks come one after another.
+  mutable std::optional<radar::ObstacleMap> obstacles_;
 };
 
 }  // namespace sigmascape::bake

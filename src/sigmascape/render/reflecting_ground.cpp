@@ -34,7 +34,7 @@ radar::Channels ReflectingGround::sigma0(Vec3d point, double to_radar_rad, const
 
 Vec3d ReflectingGround::towards_radar(Vec3d point) const {
   Vec3d away = radar_position_ - point;
-  away.z -= earth_.drop_m(std::hypot(away.x, away.y));
+  away.z -= earth_.drop_m(std::sqrt(away.x * away.x + away.y * away.y));
   return normalized(away);
 }
 

@@ -106,7 +106,10 @@ class FoliageRaster {
   }
 
  private:
-  static double plan_distance(Vec3d a, Vec3d b) { return std::hypot(a.x - b.x, a.y - b.y); }
+  static double plan_distance(Vec3d a, Vec3d b) {
+    const double x = a.x - b.x, y = a.y - b.y;
+    return std::sqrt(x * x + y * y);
+  }
 
   void add_piece(const Corners& piece, const terrain::HeightField& ground) {
     const auto [a, b, c] = piece;

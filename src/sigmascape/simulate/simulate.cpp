@@ -164,6 +164,7 @@ std::vector<radar::RangeAzimuthImage> traced_bounces(const scene::Scene& scene, 
                            receivers.add(unhidden.among(echoes, worker));
                            tiles.tile_done(worker);
                          });
+  tiles.all_done();
   add_point_targets(scene, geometry, viewpoint, receivers.first());
   const auto seen = seen_targets(
       settings.targets, 0.0, [&](Vec3d position) { return part_seen(geometry, surfaces, radar.position, position); });

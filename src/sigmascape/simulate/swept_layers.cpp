@@ -131,7 +131,8 @@ class SweptMasks {
     const double lowest = horizon * distance_m + radar_.position.z;
     if (lowest >= top) return;
     const auto bin_of = [&](double height) {
-      return (std::hypot(distance_m, radar_.position.z - height) - sector_.first_range_m) / sector_.range_step_m;
+      const double below_m = radar_.position.z - height;
+      return (std::sqrt(distance_m * distance_m + below_m * below_m) - sector_.first_range_m) / sector_.range_step_m;
     };
     const double first = std::max(0.0, bin_of(top)),
                  last = std::min(static_cast<double>(sector_.ranges) - 1.0, bin_of(lowest));

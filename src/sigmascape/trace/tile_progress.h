@@ -22,6 +22,8 @@ class TileProgress {
     const double part = static_cast<double>(done) / static_cast<double>(tiles_);
     listener_.advanced(task_, from_ + (to_ - from_) * part, total_, unit_);
   }
+  /// Call when all threads are through: the last tile need not have been that of the thread that reports.
+  void all_done() { listener_.advanced(task_, to_, total_, unit_); }
 
  private:
   ProgressListener& listener_;
