@@ -23,12 +23,11 @@ namespace {
 
 std::map<std::string, std::string> settings_in_words(const BakeSettings& settings) {
   const Sampling& sampling = settings.sampling;
-  const bool is_level = settings.shadows == Shadows::Baked || settings.footing == trace::Footing::LevelPlane;
   std::map<std::string, std::string> words = {
       {"max_bounces", std::to_string(settings.max_bounces)},
       {"seed", std::to_string(settings.seed)},
       {atlas::shadows_setting, settings.shadows == Shadows::RunTime ? atlas::shadows_at_run_time : "baked"},
-      {"footing", is_level ? "level" : "terrain"},
+      {"footing", footing_of(settings) == trace::Footing::LevelPlane ? "level" : "terrain"},
       {"simd", trace::simd_setting()}};
   if (sampling.is_adaptive()) {
     words["samples_per_texel"] = fmt::format("{} to {}", pilot_samples, sampling.most_samples);

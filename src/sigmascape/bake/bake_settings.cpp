@@ -30,6 +30,10 @@ void check(const Sampling& sampling, const std::string& where) {
 
 }  // namespace
 
+trace::Footing footing_of(const BakeSettings& settings) {
+  return settings.shadows == Shadows::Baked ? trace::Footing::LevelPlane : settings.footing;
+}
+
 void check(const BakeSettings& settings) {
   const std::string where = "bake settings";
   check(settings.sampling, where);

@@ -30,6 +30,9 @@ struct BakeSettings {
   unsigned threads = 0;    ///< 0: one a hardware thread; has no effect on the result
 };
 
+/// What objects stand on by these settings, whatever the ground.
+[[nodiscard]] trace::Footing footing_of(const BakeSettings& settings);
+
 /// Throws Error, naming the setting, when one is out of range.
 void check(const BakeSettings& settings);
 

@@ -35,7 +35,7 @@ radar::Rectangle intersection(const radar::Rectangle& a, const radar::Rectangle&
 /// Ground without relief is the level plane, which rays meet in closed form.
 trace::Footing footing_of(const scene::Scene& scene, const BakeSettings& settings) {
   const bool is_level = scene.terrain.lowest_m() == scene.terrain.highest_m();
-  return is_level || settings.shadows == Shadows::Baked ? trace::Footing::LevelPlane : settings.footing;
+  return is_level ? trace::Footing::LevelPlane : footing_of(settings);
 }
 
 double root_mean_square_of_lit(const Array2D<float>& errors, const Array2D<radar::Channels>& sigma0) {
@@ -54,7 +54,8 @@ double root_mean_square_of_lit(const Array2D<float>& errors, const Array2D<radar
 LookBaker::LookBaker(const scene::Scene& scene, const BakeSettings& settings)
     : scene_(scene),
       settings_(settings),
-      geometry_(scene, footing_of(scene, settings)),
+      footing_(footing_of(scene, settings)),
+      geometry_(scene, footing_),
       surfaces_(trace::surface_models(scene, settings.aspects.frequencies_hz)) {}
 
 Array2D<float> LookBaker::terrain_gains(const radar::GroundGrid& texels, const radar::Aspect& aspect) const {
@@ -93,7 +94,7 @@ std::vector<BakedLook> LookBaker::bake(const radar::GroundGrid& texels, const tr
   std::vector<receiver::GroundAccumulator> accumulators;
   for (std::size_t f = 0; f < surfaces_.size(); ++f) accumulators.emplace_back(texels, aspect);
   const unsigned workers = thread_count(settings_.threads);
-  const bool has_relief = footing_of(scene_, settings_) == trace::Footing::Terrain;
+  const bool has_relief = footing_ == trace::Footing::Terrain;
   const EchoLanding landing = has_relief ? EchoLanding(aspect, scene_.terrain) : EchoLanding(aspect);
   std::vector<TileSampler> samplers(workers, TileSampler(settings_.sampling, settings_.shadows, landing, accumulators));
   trace::TileProgress tiles(progress, "bake", "look", 0.0, 1.0, 1.0, area.tiles());

@@ -57,6 +57,7 @@ class LookBaker {
 
   const scene::Scene& scene_;
   const BakeSettings& settings_;
+  trace::Footing footing_;
   trace::SceneGeometry geometry_;
   trace::SpectralSurfaces surfaces_;
   /// Of the patch that was baked last, for its looks come one after another.
