@@ -23,21 +23,22 @@ demo: packages ## Build, then make the demo's maps and page under out/demo
 	$(call build,release) --target sigmascape_cli
 	build/release/apps/sigmascape/sigmascape demo --out out/demo
 
-results-small: packages ## Measure how close baked maps come to traced ones, small: a quarter of an hour. Writes docs/results
-	$(call configure,release)
-	$(call build,release) --target sigmascape_cli
-	build/release/apps/sigmascape/sigmascape results --small --out out/results --page docs/results/README.md
-
-# The paper's scene with the paper's materials and with real ones, then real places, whose data SIGMASCAPE_DATA names.
 measure = build/release/apps/sigmascape/sigmascape results
 
-results: packages ## The same at full size, on real places too: many hours, goes on where it was broken off
+results-small: packages ## Measure how close baked maps come to traced ones, small: a quarter of an hour
 	$(call configure,release)
 	$(call build,release) --target sigmascape_cli
-	$(measure) --out out/results_full/paper --page docs/results/full/README.md
-	$(measure) --itu-materials --out out/results_full/itu --page docs/results/full_itu/README.md
-	$(measure) --scene examples/bilbao/bilbao.toml --out out/results_full/bilbao --page docs/results/bilbao/README.md
-	$(measure) --scene examples/san_francisco/san_francisco.toml --out out/results_full/san_francisco --page docs/results/san_francisco/README.md
+	$(measure) --small --out out/results_small
+
+# The paper's scene with the paper's materials and with real ones, then real places, whose data SIGMASCAPE_DATA names. RESULTS says what
+# is to differ from the full size: RESULTS="--scale 0.2" or RESULTS=--small.
+results: packages ## The same at full size, on real places too: many hours, goes on where it was broken off. Writes docs/results
+	$(call configure,release)
+	$(call build,release) --target sigmascape_cli
+	$(measure) $(RESULTS) --out out/results/paper --page docs/results/README.md
+	$(measure) $(RESULTS) --itu-materials --out out/results/itu --page docs/results/itu/README.md
+	$(measure) $(RESULTS) --scene examples/bilbao/bilbao.toml --out out/results/bilbao --page docs/results/bilbao/README.md
+	$(measure) $(RESULTS) --scene examples/san_francisco/san_francisco.toml --out out/results/san_francisco --page docs/results/san_francisco/README.md
 
 test: packages ## Build and run the tests
 	$(call configure,release)

@@ -40,19 +40,23 @@ std::vector<Contrast> causes(const ResultsPlan& plan) {
     of.method = which;
     return of;
   };
+  const auto on_grid = [](ResultsCase of) {
+    of.kind = ViewKind::OnGrid;
+    return of;
+  };
   const auto level = [&](ResultsCase of) {
     of.scene = "level";
     return of;
   };
   const ResultsCase level_ground = method(paper, Method::LevelGround), own_ground = method(paper, Method::OwnGround);
   const ResultsCase own_look_alone = changed(own_ground, [](ResultsCase& of) { of.grid = own_look; });
-  const ResultsCase own_on_grid = changed(own_look_alone, [](ResultsCase& of) { of.kind = ViewKind::OnGrid; });
+  const ResultsCase own_on_grid = on_grid(own_look_alone);
   const ResultsCase finer_on_grid =
       changed(own_on_grid, [&](ResultsCase& of) { of.baked_samples = plan.finer_samples; });
   return {
       {"missing angles", "ours on its own ground: the grid against the view's own look", own_ground, own_look_alone},
-      {"shadows and layover of level ground laid on slopes", "the paper's method: hills against level ground", paper,
-       level(paper)},
+      {"shadows and layover of level ground laid on slopes",
+       "the paper's method, on-grid views: hills against level ground", on_grid(paper), level(on_grid(paper))},
       {"shadows on the ground alone", "ours: baked against made at run time", method(paper, Method::BakedShadows),
        level_ground},
       {"layover of objects on slopes and how they shade each other",

@@ -136,12 +136,15 @@ void Measurement::make_ready() {
 
 void Measurement::compare_all() {
   std::size_t done = 0;
-  const double views = static_cast<double>(plan_.views.size()) * (level_ ? 2.0 : 1.0);
+  const auto is_on_grid = [](const PlannedView& view) { return view.kind == ViewKind::OnGrid; };
+  const auto on_level = level_ ? std::ranges::count_if(plan_.views, is_on_grid) : 0;
+  const double views = static_cast<double>(plan_.views.size()) + static_cast<double>(on_level);
   for (const PlannedView& view : plan_.views) {
     compare(scene_, view);
     progress_.advanced("compare", static_cast<double>(++done), views, "views");
-    if (!level_) continue;
-    if (view.kind != ViewKind::Paper) compare(*level_, view);
+    // Level ground tells what hills add; missing angles would hide that.
+    if (!level_ || !is_on_grid(view)) continue;
+    compare(*level_, view);
     progress_.advanced("compare", static_cast<double>(++done), views, "views");
   }
   std::ranges::stable_sort(results_, {}, [](const ViewResult& result) {
@@ -159,29 +162,30 @@ void Measurement::compare(const MeasuredScene& measured, const PlannedView& view
     for (int level = 1; level <= (by_level ? coarsest_level_of_detail : 1); ++level)
       hold_against(truth, measured, view, method, level);
   }
-  if (is_main) compare_own_looks(truth, view);
+  compare_own_looks(truth, measured, view);
 }
 
-/// The view's own look, baked for it: without an angle missing.
-void Measurement::compare_own_looks(const Truth& truth, const PlannedView& view) {
+/// The view's own look, baked for it: without an angle missing, and of baked views almost without noise as well.
+void Measurement::compare_own_looks(const Truth& truth, const MeasuredScene& measured, const PlannedView& view) {
   const auto paper = [&](std::uint32_t samples) {
     PaperAtlas made = paper_bake_.atlas_of(grid_of_view(view), samples, progress_);
     auto textures = std::make_shared<const render::PaperTextures>(std::move(made.textures));
-    hold_against(truth, scene_, view, from_paper_textures(own_look, samples, "", made.cost, textures, {}));
+    hold_against(truth, measured, view, from_paper_textures(own_look, samples, "", made.cost, textures, {}));
   };
-  paper(plan_.baked_samples);
-  if (view.kind == ViewKind::OnGrid) paper(plan_.finer_samples);
-
+  const Method method = &measured == &scene_ ? Method::OwnGround : Method::LevelGround;
   const auto ours = [&](std::uint32_t samples) {
-    bake::BakeSettings settings = plan_.bake_settings(Method::OwnGround);
+    bake::BakeSettings settings = plan_.bake_settings(method);
     settings.aspects = grid_of_view(view);
     settings.sampling.samples_per_texel = samples;
-    const auto store = folder_ / "own_look" / fmt::format("{}_{}", view.file_name(), samples);
+    const auto store = folder_ / "own_look" / fmt::format("{}_{}_{}", measured.name, view.file_name(), samples);
     const TimedBake bake(scene_.scene, settings, store, progress_);
-    hold_against(truth, scene_, view, from_store(Method::OwnGround, own_look, samples, bake, {}));
+    hold_against(truth, measured, view, from_store(method, own_look, samples, bake, {}));
   };
-  ours(plan_.baked_samples);
-  if (view.kind == ViewKind::OnGrid) ours(plan_.finer_samples);
+  for (const std::uint32_t samples : {plan_.baked_samples, plan_.finer_samples}) {
+    paper(samples);
+    ours(samples);
+    if (view.kind != ViewKind::OnGrid) return;
+  }
 }
 
 void Measurement::hold_against(const Truth& truth, const MeasuredScene& measured, const PlannedView& view,

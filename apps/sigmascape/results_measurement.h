@@ -62,7 +62,7 @@ class Measurement {
                                                 const render::PaperLookUp& look_up) const;
   void make_ready();
   void compare(const MeasuredScene& measured, const PlannedView& view);
-  void compare_own_looks(const Truth& truth, const PlannedView& view);
+  void compare_own_looks(const Truth& truth, const MeasuredScene& measured, const PlannedView& view);
   void hold_against(const Truth& truth, const MeasuredScene& measured, const PlannedView& view,
                     const ReadyMethod& method, int level_of_detail = 1);
   [[nodiscard]] product::MapComparison compared(const radar::GroundMap& tested, const radar::GroundMap& truth) const;

@@ -178,27 +178,31 @@ std::string ceiling_text(const ResultsReport& report) {
   return text;
 }
 
-/// What was asked for at views that were baked, and what came out.
+/// What was asked for at views that were baked, and what came out: of the grid as it is baked, and of the same looks
+/// with as many rays as the truth has.
 std::string aims_text(const ResultsReport& report) {
   const ResultsPlan& plan = report.plan;
-  std::string text;
+  const auto mark = [](bool reached) { return reached ? "reached" : "missed"; };
+  std::string text =
+      "| scene | method | rays a texel | correlation of dB | aimed at | | bias [dB] | aimed at | |\n"
+      "|---|---|---:|---:|---:|---|---:|---:|---|\n";
   for (const auto& [scene, least] : {std::pair(plan.scene_name(), 0.95), {std::string("level"), 0.99}}) {
     for (const Method method : {Method::Paper, Method::LevelGround, Method::OwnGround}) {
-      const ResultsRow* row = find_row(report.rows, {.scene = scene,
-                                                     .method = method,
-                                                     .grid = plan.paper_grid().name(),
-                                                     .baked_samples = plan.baked_samples,
-                                                     .kind = ViewKind::OnGrid});
-      const ResultsCell* cell = row != nullptr ? row->at_cell(summary_cell_m) : nullptr;
-      if (cell == nullptr) continue;
-      const product::CellComparison& median = cell->median;
-      text += fmt::format("- {}, {}: correlation {:.3f} of the {:.2f} aimed at ({}), bias {:+.2f} dB of ±0.3 dB ({})\n",
-                          scene, text_of(method), median.correlation_db, least,
-                          median.correlation_db >= least ? "reached" : "missed", median.bias_db,
-                          std::abs(median.bias_db) <= 0.3 ? "reached" : "missed");
+      for (const auto& [grid, samples] :
+           {std::pair(plan.paper_grid().name(), plan.baked_samples), {std::string(own_look), plan.finer_samples}}) {
+        const ResultsRow* row = find_row(
+            report.rows,
+            {.scene = scene, .method = method, .grid = grid, .baked_samples = samples, .kind = ViewKind::OnGrid});
+        const ResultsCell* cell = row != nullptr ? row->at_cell(summary_cell_m) : nullptr;
+        if (cell == nullptr) continue;
+        const product::CellComparison& median = cell->median;
+        text += fmt::format("| {} | {} | {} | {:.3f} | {:.2f} | {} | {:+.2f} | ±0.3 | {} |\n", scene, text_of(method),
+                            samples, median.correlation_db, least, mark(median.correlation_db >= least), median.bias_db,
+                            mark(std::abs(median.bias_db) <= 0.3));
+      }
     }
   }
-  return "Aims for views that were baked, medians:\n\n" + text + "\n";
+  return "## Views that were baked\n\nWhat was aimed at and what came out, medians.\n\n" + text + "\n";
 }
 
 std::string lead(const ResultsReport& report) {
@@ -233,8 +237,9 @@ std::string lead(const ResultsReport& report) {
       "(docs/decisions/0051-baked-on-its-own-ground.md); what `sigmascape bake` does by itself\n\n";
   if (plan.scene_file.empty()) {
     text +=
-        "*hills* is the scene as it is; *level* the same with its ground at height zero. What is baked on level ground "
-        "serves both.\n\n";
+        "*hills* is the scene as it is; *level* the same with its ground at height zero, at views that were baked. "
+        "What is "
+        "baked on level ground serves both.\n\n";
   }
   if (!report.attribution.empty()) text += "Data: " + report.attribution + "\n\n";
   return text;

@@ -152,8 +152,8 @@ ResultsPlan results_plan(const ResultsOptions& options) {
   plan.grids = {{8, {5, 13, 21, 29}}, {8, {5, 13, 21, 29, 37}}, {16, {5, 9, 13, 21, 29, 37}}};
   if (!options.small) plan.grids.push_back({32, {3, 5, 7, 9, 13, 21, 29, 37}});
   plan.baked_samples = options.baked_samples.value_or(options.small ? 64 : 100);
-  plan.finer_samples = 4 * plan.baked_samples;
   plan.traced_samples = options.traced_samples.value_or(options.small ? 256 : 1024);
+  plan.finer_samples = std::max(plan.baked_samples, plan.traced_samples);
   plan.bounces = options.bounces;
   plan.seed = options.seed;
   plan.threads = options.threads;

@@ -70,7 +70,7 @@ struct ResultsPlan {
   std::vector<LookGrid> grids;        ///< each within the next; only the last is baked
   std::vector<PlannedView> views;     ///< the paper's first
   std::uint32_t baked_samples = 16;   ///< rays a texel
-  std::uint32_t finer_samples = 64;   ///< rays a texel of the looks that are baked again to tell the noise of the bake
+  std::uint32_t finer_samples = 64;   ///< rays a texel of looks that are baked again, as free of noise as traced maps
   std::uint32_t traced_samples = 64;  ///< rays a 2 m cell of one traced map
   int bounces = 8;
   std::uint64_t seed = 1;
