@@ -12,6 +12,7 @@
 #include "sigmascape/atlas/atlas_summary.h"
 #include "sigmascape/atlas/pyramid.h"
 #include "sigmascape/atlas/store.h"
+#include "sigmascape/atlas/verify.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/geo/raster.h"
 #include "sigmascape/terrain/pyramid_builder.h"
@@ -28,8 +29,7 @@ std::vector<double> degrees(const std::vector<double>& angles_rad) {
 
 void verify(const std::string& folder, const Output& output) {
   const atlas::Store store = atlas::Store::open(folder);
-  std::vector<atlas::StoreFault> faults = store.verify();
-  std::ranges::move(atlas::Pyramid(store).verify(), std::back_inserter(faults));
+  const std::vector<atlas::StoreFault> faults = atlas::verify(store);
   std::string text;
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const atlas::StoreFault& fault : faults) {

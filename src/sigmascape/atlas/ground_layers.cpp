@@ -3,9 +3,14 @@
 #include <array>
 #include <filesystem>
 #include <fmt/format.h>
+#include <system_error>
 
+#include "sigmascape/atlas/stac.h"
+#include "sigmascape/atlas/texture_file.h"
 #include "sigmascape/atlas/texture_name.h"
 #include "sigmascape/base/error.h"
+#include "sigmascape/base/sha256.h"
+#include "sigmascape/geo/atomic_file.h"
 #include "sigmascape/geo/geotiff.h"
 
 namespace sigmascape::atlas {
@@ -22,8 +27,9 @@ constexpr std::array<Layer, 4> layers{{{"SOLID_TOP_M", &radar::Obstacle::solid_t
                                        {"CROWN_TOP_M", &radar::Obstacle::crown_top_m},
                                        {"CROWN_EXTINCTION_PER_M", &radar::Obstacle::crown_extinction_per_m}}};
 
-std::filesystem::path obstacles_path(const Store& atlas, PatchIndex patch) {
-  return atlas.folder() / patch_name(patch) / "obstacles.tif";
+/// Relative to the store, as textures are.
+std::filesystem::path obstacles_path(PatchIndex patch) {
+  return std::filesystem::path(patch_name(patch)) / "obstacles.tif";
 }
 
 radar::ObstacleMap load_obstacles(const Store& atlas) {
@@ -59,15 +65,15 @@ Store create_ground_store(const Store& atlas, const std::vector<double>& elevati
   description.name += ", ground alone";
   description.aspects = {{0.0}, elevations_rad, atlas.description().aspects.frequencies_hz};
   description.settings = {{"layer", "ground without what stands on it, from any azimuth"}};
-  return Store::create(atlas.folder() / ground_folder, description);
+  return Store::create(ground_folder_of(atlas), description);
 }
 
-bool has_obstacles(const Store& atlas, PatchIndex patch) {
-  return std::filesystem::exists(obstacles_path(atlas, patch));
+std::optional<StoreFault> obstacles_fault(const Store& atlas, PatchIndex patch, Scrutiny scrutiny) {
+  return texture_fault(atlas.folder(), obstacles_path(patch), scrutiny);
 }
 
 void write_obstacles(const Store& atlas, PatchIndex patch, const radar::ObstacleMap& map) {
-  const auto path = obstacles_path(atlas, patch);
+  const auto path = atlas.folder() / obstacles_path(patch);
   const radar::GroundGrid texels = atlas.description().patches.texels_of(patch);
   if (map.grid != texels || map.obstacles.columns() != texels.columns || map.obstacles.rows() != texels.rows) {
     throw Error(path.string(), "is not given on the texels of the patch",
@@ -83,13 +89,19 @@ void write_obstacles(const Store& atlas, PatchIndex patch, const radar::Obstacle
       band.values.values()[i] = map.obstacles.values()[i].*layer.value;
     }
   }
+  // An item of an earlier file must not vouch for the new one.
+  std::error_code ignored;
+  std::filesystem::remove(item_path(path), ignored);
   geo::write_geotiff(path, raster);
+  const TextureRecord record{std::filesystem::file_size(path), sha256_of_file(path)};
+  geo::write_atomically(item_path(path), obstacles_item_text(atlas.description(), patch, path, record));
 }
 
 Array2D<radar::Obstacle> read_obstacles(const Store& atlas, PatchIndex patch) {
-  const auto path = obstacles_path(atlas, patch);
-  if (!has_obstacles(atlas, patch)) {
-    throw Error(path.string(), "is missing", "finish the bake by starting it again with the same settings");
+  const auto path = atlas.folder() / obstacles_path(patch);
+  if (const auto fault = obstacles_fault(atlas, patch, Scrutiny::Size)) {
+    throw Error((atlas.folder() / fault->file).string(), fault->what,
+                "finish the bake by starting it again with the same settings");
   }
   const geo::GeoRaster raster = geo::read_geotiff(path);
   const std::size_t side = atlas.description().patches.texels_per_side;
@@ -105,8 +117,12 @@ Array2D<radar::Obstacle> read_obstacles(const Store& atlas, PatchIndex patch) {
   return obstacles;
 }
 
+std::filesystem::path ground_folder_of(const Store& atlas) {
+  return atlas.folder() / ground_folder;
+}
+
 Store open_ground_store(const Store& atlas) {
-  return Store::open(atlas.folder() / ground_folder);
+  return Store::open(ground_folder_of(atlas));
 }
 
 GroundLayers load_ground_layers(const Store& atlas, const LoadOptions& options) {

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <filesystem>
+#include <optional>
+#include <vector>
+
 #include "sigmascape/atlas/atlas.h"
 #include "sigmascape/atlas/store.h"
 #include "sigmascape/radar/obstacle.h"
@@ -23,8 +27,10 @@ inline constexpr const char* shadows_at_run_time = "run-time";
 /// and these elevations. Made when it is not there.
 [[nodiscard]] Store create_ground_store(const Store& atlas, const std::vector<double>& elevations_rad);
 
-[[nodiscard]] bool has_obstacles(const Store& atlas, PatchIndex patch);
-/// Writes what stands on a patch, on the texels of its level 0, as `obstacles.tif` in the patch's folder. Throws Error
+/// What is wrong with the obstacles of a patch, if anything.
+[[nodiscard]] std::optional<StoreFault> obstacles_fault(const Store& atlas, PatchIndex patch, Scrutiny scrutiny);
+/// Writes what stands on a patch, on the texels of its level 0, as `obstacles.tif` in the patch's folder, its item
+/// beside it. Throws Error
 /// when the raster has another size or cannot be written.
 void write_obstacles(const Store& atlas, PatchIndex patch, const radar::ObstacleMap& map);
 
@@ -32,6 +38,7 @@ void write_obstacles(const Store& atlas, PatchIndex patch, const radar::Obstacle
 /// should be.
 [[nodiscard]] Array2D<radar::Obstacle> read_obstacles(const Store& atlas, PatchIndex patch);
 
+[[nodiscard]] std::filesystem::path ground_folder_of(const Store& atlas);
 /// Throws Error when there is none.
 [[nodiscard]] Store open_ground_store(const Store& atlas);
 

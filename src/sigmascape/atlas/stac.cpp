@@ -179,11 +179,15 @@ Json look_properties(double texel_m, const radar::Look& look) {
   return properties;
 }
 
+Json place_extensions() {
+  return {"https://stac-extensions.github.io/projection/v2.0.0/schema.json",
+          "https://stac-extensions.github.io/file/v2.1.0/schema.json"};
+}
+
 Json extensions(const radar::Look& look) {
-  Json list = {"https://stac-extensions.github.io/projection/v2.0.0/schema.json",
-               "https://stac-extensions.github.io/view/v1.0.0/schema.json",
-               "https://stac-extensions.github.io/file/v2.1.0/schema.json",
-               "https://stac-extensions.github.io/raster/v1.1.0/schema.json"};
+  Json list = place_extensions();
+  list.push_back("https://stac-extensions.github.io/view/v1.0.0/schema.json");
+  list.push_back("https://stac-extensions.github.io/raster/v1.1.0/schema.json");
   if (!band_letter(look.frequency_hz).empty()) {
     list.push_back("https://stac-extensions.github.io/sar/v1.0.0/schema.json");
   }
@@ -222,22 +226,25 @@ Json errors_asset(const std::filesystem::path& texture_file, const ErrorsRecord&
           {"file:checksum", "1220" + record.sha256}};
 }
 
+Json timeless() {
+  return {{"datetime", nullptr}, {"start_datetime", no_time}, {"end_datetime", no_time}};
+}
+
 /// What items of patches and of the pyramid say alike.
 Json common_properties(const AtlasDescription& description, const radar::GroundGrid& grid, const radar::Look& look) {
-  Json properties = {{"datetime", nullptr}, {"start_datetime", no_time}, {"end_datetime", no_time}};
+  Json properties = timeless();
   properties.update(look_properties(grid.cell_m, look));
   properties.update(place_properties(description, grid));
   return properties;
 }
 
 std::string item_of(const std::string& id, const AtlasDescription& description, const radar::GroundGrid& grid,
-                    const radar::Look& look, const Json& properties, const Json& assets,
-                    const std::string& collection) {
+                    const Json& extensions, const Json& properties, const Json& assets, const std::string& collection) {
   const Footprint footprint(description, grid);
   const Json item = {
       {"type", "Feature"},
       {"stac_version", stac_version},
-      {"stac_extensions", extensions(look)},
+      {"stac_extensions", extensions},
       {"id", id},
       {"collection", description.name},
       {"geometry", footprint.polygon},
@@ -329,8 +336,8 @@ std::string item_text(const AtlasDescription& description, const Unit& unit, con
     properties["sigmascape:errors_sha256"] = record.errors->sha256;
     assets["errors"] = errors_asset(texture_file, *record.errors);
   }
-  return item_of(patch_name(unit.patch) + "_" + look_name(look), description, grid, look, properties, assets,
-                 "../collection.json");
+  return item_of(patch_name(unit.patch) + "_" + look_name(look), description, grid, extensions(look), properties,
+                 assets, "../collection.json");
 }
 
 std::string pyramid_item_text(const AtlasDescription& description, const PyramidTile& tile,
@@ -350,8 +357,32 @@ std::string pyramid_item_text(const AtlasDescription& description, const Pyramid
       {"sigmascape:attribution", description.attribution},
   });
   const std::string id = fmt::format("pyramid_{}_{}_{}", tile.level, patch_name(tile.south_west), look_name(look));
-  return item_of(id, description, grid, look, properties, {{"sigma0", asset(grid.cell_m, texture_file, record)}},
-                 "../../collection.json");
+  return item_of(id, description, grid, extensions(look), properties,
+                 {{"sigma0", asset(grid.cell_m, texture_file, record)}}, "../../collection.json");
+}
+
+std::string obstacles_item_text(const AtlasDescription& description, PatchIndex patch,
+                                const std::filesystem::path& file, const TextureRecord& record) {
+  const radar::GroundGrid grid = description.patches.texels_of(patch);
+  Json properties = timeless();
+  properties.update(place_properties(description, grid));
+  properties.update(Json{
+      {"gsd", grid.cell_m},
+      {"sigmascape:patch", {patch.x, patch.y}},
+      {"sigmascape:scene_hash", description.scene_hash},
+      {"sigmascape:scale", record.scale},
+      {"sigmascape:size_bytes", record.size_bytes},
+      {"sigmascape:sha256", record.sha256},
+      {"sigmascape:attribution", description.attribution},
+  });
+  const Json obstacles = {{"href", "./" + file.filename().string()},
+                          {"title", "What stands on the ground: tops and bases in metres, extinction of crowns"},
+                          {"type", "image/tiff; application=geotiff; profile=cloud-optimized"},
+                          {"roles", {"data"}},
+                          {"file:size", record.size_bytes},
+                          {"file:checksum", "1220" + record.sha256}};
+  return item_of(patch_name(patch) + "_obstacles", description, grid, place_extensions(), properties,
+                 {{"obstacles", obstacles}}, "../collection.json");
 }
 
 std::optional<TextureRecord> record_from(const std::string& text) {

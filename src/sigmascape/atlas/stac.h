@@ -50,6 +50,10 @@ struct TextureRecord {
                                             const radar::GroundGrid& grid, LookIndex look,
                                             const std::filesystem::path& texture_file, const TextureRecord& record);
 
+/// The item of the obstacles of a patch, to stand beside `file`.
+[[nodiscard]] std::string obstacles_item_text(const AtlasDescription& description, PatchIndex patch,
+                                              const std::filesystem::path& file, const TextureRecord& record);
+
 /// What an item records of its file; nothing when the text is not an item of ours.
 [[nodiscard]] std::optional<TextureRecord> record_from(const std::string& text);
 

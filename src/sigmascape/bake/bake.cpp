@@ -215,7 +215,7 @@ BakeReport bake(const scene::Scene& scene, const BakeSettings& settings, const s
   if (const auto pyramid = folder / atlas::terrain_pyramid_name; !terrain::holds_pyramid(pyramid)) {
     terrain::build_pyramid(pyramid, scene.terrain, store.description().frame);
   }
-  if (settings.shadows == Shadows::RunTime) bake_ground(scene, store);
+  if (settings.shadows == Shadows::RunTime) bake_ground(scene, store, share.shard, share.scrutiny);
   const LookBaker baker(scene, settings);
   return BakeRun(baker, settings, store, share, progress).report();
 }

@@ -25,10 +25,12 @@ std::vector<double> ground_elevations_rad() {
 }
 
 /// σ0 of every material, lying level.
-std::vector<radar::Channels> sigma0_of(const std::vector<scatter::SurfaceModel>& surfaces, double elevation_rad) {
+std::vector<radar::Channels> sigma0_of(const scene::Scene& scene, const atlas::AtlasDescription& description,
+                                       atlas::LookIndex index) {
+  const radar::Look look = description.aspects.look(index);
   std::vector<radar::Channels> sigma0;
-  for (const scatter::SurfaceModel& surface : surfaces)
-    sigma0.push_back(scatter::surface_sigma0(surface, elevation_rad));
+  for (const scatter::SurfaceModel& surface : trace::surface_models(scene, look.frequency_hz))
+    sigma0.push_back(scatter::surface_sigma0(surface, look.aspect.elevation_rad));
   return sigma0;
 }
 
@@ -63,25 +65,32 @@ Array2D<radar::Channels> mixed(const std::vector<std::vector<float>>& shares,
 
 }  // namespace
 
-void bake_ground(const scene::Scene& scene, const atlas::Store& store) {
+void bake_ground(const scene::Scene& scene, const atlas::Store& store, const Shard& shard, atlas::Scrutiny scrutiny) {
   const atlas::Store ground = atlas::create_ground_store(store, ground_elevations_rad());
   const atlas::AtlasDescription& description = ground.description();
-  for (const atlas::PatchIndex& patch : description.patches.covering(description.extent)) {
+  const auto looks = static_cast<atlas::LookIndex>(description.aspects.look_count());
+  std::vector<std::vector<radar::Channels>> sigma0;  // [look][material]
+  for (atlas::LookIndex index = 0; index < looks; ++index) sigma0.push_back(sigma0_of(scene, description, index));
+
+  std::vector<atlas::Unit> share;
+  const std::vector<atlas::PatchIndex> patches = description.patches.covering(description.extent);
+  for (std::size_t number = 0; number < patches.size(); ++number) {
+    if (!shard.has(number)) continue;
+    const atlas::PatchIndex patch = patches[number];
     const radar::GroundGrid texels = description.patches.texels_of(patch);
-    if (!atlas::has_obstacles(store, patch)) {
+    if (atlas::obstacles_fault(store, patch, scrutiny)) {
       atlas::write_obstacles(store, patch, scene::obstacles_of(scene, texels));
     }
     std::vector<std::vector<float>> shares;
-    for (atlas::LookIndex index = 0; index < description.aspects.look_count(); ++index) {
-      if (ground.is_done(patch, index)) continue;
+    for (atlas::LookIndex index = 0; index < looks; ++index) {
+      share.push_back({patch, index});
+      if (ground.is_done(patch, index, scrutiny)) continue;
       if (shares.empty()) shares = shares_of(scene.ground, scene.materials.size(), texels);
-      const radar::Look look = description.aspects.look(index);
-      const auto surfaces = trace::surface_models(scene, look.frequency_hz);
-      ground.write(patch, index, mixed(shares, sigma0_of(surfaces, look.aspect.elevation_rad), texels),
+      ground.write(patch, index, mixed(shares, sigma0[index], texels),
                    {.seed = 0, .samples_per_texel = 0, .relative_standard_error = 0.0, .simd = "none", .counts = {}});
     }
   }
-  atlas::Pyramid(ground).make_above(ground.units());
+  atlas::Pyramid(ground).make_above(share, scrutiny);
 }
 
 }  // namespace sigmascape::bake

@@ -1,0 +1,43 @@
+#include "sigmascape/atlas/verify.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+
+#include "sigmascape/atlas/ground_layers.h"
+#include "sigmascape/atlas/pyramid.h"
+#include "sigmascape/base/error.h"
+
+namespace sigmascape::atlas {
+namespace {
+
+std::vector<StoreFault> faults_of_textures(const Store& store, Scrutiny scrutiny) {
+  std::vector<StoreFault> faults = store.verify(scrutiny);
+  std::ranges::move(Pyramid(store).verify(scrutiny), std::back_inserter(faults));
+  return faults;
+}
+
+std::vector<StoreFault> faults_of_ground(const Store& atlas, Scrutiny scrutiny) {
+  const auto folder = std::filesystem::relative(ground_folder_of(atlas), atlas.folder());
+  try {
+    std::vector<StoreFault> faults = faults_of_textures(open_ground_store(atlas), scrutiny);
+    for (StoreFault& fault : faults) fault.file = folder / fault.file;
+    return faults;
+  } catch (const Error& error) {
+    return {{folder, error.what()}};
+  }
+}
+
+}  // namespace
+
+std::vector<StoreFault> verify(const Store& atlas, Scrutiny scrutiny) {
+  std::vector<StoreFault> faults = faults_of_textures(atlas, scrutiny);
+  if (!keeps_ground_apart(atlas)) return faults;
+  std::ranges::move(faults_of_ground(atlas, scrutiny), std::back_inserter(faults));
+  for (const PatchIndex& patch : atlas.description().patches.covering(atlas.description().extent)) {
+    if (auto fault = obstacles_fault(atlas, patch, scrutiny)) faults.push_back(std::move(*fault));
+  }
+  return faults;
+}
+
+}  // namespace sigmascape::atlas

@@ -1,0 +1,90 @@
+#include "sigmascape/atlas/verify.h"
+
+#include <filesystem>
+#include <fmt/format.h>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <string>
+#include <unistd.h>
+
+#include "example_texels.h"
+
+#include "sigmascape/atlas/ground_layers.h"
+#include "sigmascape/atlas/pyramid.h"
+
+namespace sigmascape::atlas {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// An atlas of two patches that keeps its ground apart, whole.
+class VerifyTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::path(testing::TempDir()) / fmt::format("sigmascape_verify_{}_{}", test->name(), ::getpid());
+    fs::remove_all(folder_);
+    AtlasDescription description = example_description();
+    description.settings[shadows_setting] = shadows_at_run_time;
+    const Store atlas = Store::create(folder_, description);
+    fill(atlas);
+    fill(create_ground_store(atlas, {0.1, 0.5}));
+    for (const PatchIndex& patch : description.patches.covering(description.extent)) {
+      const radar::GroundGrid texels = description.patches.texels_of(patch);
+      write_obstacles(atlas, patch, {texels, Array2D<radar::Obstacle>(texels.columns, texels.rows)});
+    }
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  static void fill(const Store& store) {
+    for (const Unit& unit : store.units()) store.write(unit.patch, unit.look, example_texels(512, unit.look), {});
+    Pyramid(store).make_above(store.units());
+  }
+
+  /// The one fault that there is, "file what".
+  [[nodiscard]] std::string fault(Scrutiny scrutiny = Scrutiny::Content) const {
+    const auto faults = verify(Store::open(folder_), scrutiny);
+    if (faults.empty()) return "none";
+    return faults.size() == 1 ? faults.front().file.string() + " " + faults.front().what
+                              : fmt::format("{} faults", faults.size());
+  }
+
+  /// A byte in the middle becomes another one; the length stays.
+  void alter(const fs::path& file) const {
+    std::fstream stream(folder_ / file, std::ios::in | std::ios::out | std::ios::binary);
+    const auto middle = static_cast<std::streamoff>(fs::file_size(folder_ / file) / 2);
+    stream.seekg(middle);
+    const int byte = stream.get();
+    stream.seekp(middle);
+    stream.put(static_cast<char>(byte ^ 1));
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(VerifyTest, WholeAtlasHasNoFault) {
+  EXPECT_EQ(fault(), "none");
+}
+
+TEST_F(VerifyTest, FindsWhatIsWrongWithTheGround) {
+  const fs::path texture = fs::path("ground") / "patch_+000_+000" / "az000.0_el05.7_f10.000GHz.tif";
+  ASSERT_TRUE(fs::exists(folder_ / texture));
+  alter(texture);
+  EXPECT_EQ(fault(), texture.string() + " was altered: its SHA-256 is not the recorded one");
+  fs::remove_all(folder_ / "ground");
+  EXPECT_TRUE(fault().starts_with("ground ")) << fault();
+}
+
+TEST_F(VerifyTest, FindsWhatIsWrongWithObstacles) {
+  const fs::path obstacles = fs::path("patch_-001_+000") / "obstacles.tif";
+  alter(obstacles);
+  EXPECT_EQ(fault(), obstacles.string() + " was altered: its SHA-256 is not the recorded one");
+  EXPECT_EQ(fault(Scrutiny::Size), "none");
+  fs::remove(folder_ / obstacles);
+  EXPECT_EQ(fault(), obstacles.string() + " is missing, though its item is there");
+  fs::remove((folder_ / obstacles).replace_extension(".json"));
+  EXPECT_EQ(fault(), obstacles.string() + " is missing");
+}
+
+}  // namespace
+}  // namespace sigmascape::atlas
