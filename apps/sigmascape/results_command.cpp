@@ -42,9 +42,12 @@ void run_results(const ResultsOptions& options, const Output& output) {
   Measurement measurement(plan, folder);
   measurement.compare_all();
 
+  const scene::Scene& scene = measurement.scene().scene;
   const ResultsReport report{.plan = plan,
-                             .scene = measurement.scene().scene.name,
-                             .attribution = measurement.scene().scene.attribution,
+                             .scene = scene.name,
+                             .attribution = scene.attribution,
+                             .meshes = scene::mesh_counts(scene),
+                             .terrain_nodes = scene.terrain.height_m.size(),
                              .views = measurement.results(),
                              .rows = rows_of(measurement.results()),
                              .figures = paper_figures(measurement, plan, folder)};

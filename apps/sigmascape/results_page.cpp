@@ -129,6 +129,15 @@ std::string time_table(const ResultsReport& report) {
   return text;
 }
 
+std::string vertices_text(const ResultsReport& report) {
+  const auto kept = static_cast<double>(report.terrain_nodes),
+             all = static_cast<double>(report.meshes.instanced_vertices);
+  return fmt::format(
+      "The full scene has {:.4g} million vertices, each tree with its own; a rendered map knows the {} nodes of the "
+      "terrain, {:.3f} % of them.\n\n",
+      all / 1e6, report.terrain_nodes, 100.0 * kept / all);
+}
+
 std::string view_table(const ResultsPlan& plan) {
   std::string text = "| view | azimuth [°] | elevation [°] | from the nearest look [°] |\n|---|---:|---:|---:|\n";
   for (const PlannedView& view : plan.views) {
@@ -309,7 +318,7 @@ std::string results_markdown(const ResultsReport& report) {
   text +=
       "\n## Bytes and time\n\nSeconds of processor time for the bake and for one traced map, milliseconds on the wall "
       "for a rendered one: these depend on the machine. Medians over the held-out views.\n\n" +
-      time_table(report) + "\n";
+      time_table(report) + "\n" + vertices_text(report);
   return text + figures_text(report.figures) + settings_text(plan);
 }
 

@@ -9,6 +9,7 @@
 
 #include "sigmascape/product/comparison_page.h"
 #include "sigmascape/product/plot.h"
+#include "sigmascape/scene/mesh_counts.h"
 
 namespace sigmascape::cli {
 
@@ -20,6 +21,8 @@ struct ResultsReport {
   ResultsPlan plan;
   std::string scene;        ///< the scene's own name
   std::string attribution;  ///< of its data
+  scene::MeshCounts meshes;
+  std::size_t terrain_nodes = 0;  ///< all that maps from textures keep of the meshes
   std::vector<ViewResult> views;
   std::vector<ResultsRow> rows;
   std::vector<product::PageSection> figures;

@@ -2,41 +2,20 @@
 
 #include "command.h"
 
+#include "sigmascape/scene/mesh_counts.h"
 #include "sigmascape/scene/scene_file.h"
 #include "sigmascape/trace/scene_geometry.h"
 
 namespace sigmascape::cli {
 namespace {
 
-struct SceneCounts {
-  std::size_t unique_vertices = 0, unique_triangles = 0;
-  std::size_t instanced_vertices = 0, instanced_triangles = 0;
-};
-
-/// Terrain counts once, prototypes once among the unique and once an instance among the instanced.
-SceneCounts counts_of(const scene::Scene& scene) {
-  const auto& field = scene.terrain.height_m;
-  const std::size_t terrain_triangles = 2 * (field.columns() - 1) * (field.rows() - 1);
-  SceneCounts counts;
-  counts.unique_vertices = counts.instanced_vertices = field.size() + scene.buildings.mesh.vertices.size();
-  counts.unique_triangles = counts.instanced_triangles = terrain_triangles + scene.buildings.mesh.triangles.size();
-  for (const auto& prototype : scene.prototypes) {
-    counts.unique_vertices += prototype.vertices.size();
-    counts.unique_triangles += prototype.triangles.size();
-  }
-  for (const auto& instance : scene.instances) {
-    counts.instanced_vertices += scene.prototypes[instance.prototype].vertices.size();
-    counts.instanced_triangles += scene.prototypes[instance.prototype].triangles.size();
-  }
-  return counts;
-}
-
 bool has_multiple_scatter(const scatter::Material& material) {
   const auto* mirrors = std::get_if<scatter::CookTorranceParameters>(&material.model);
   return mirrors != nullptr && mirrors->multiple_scatter;
 }
 
-nlohmann::ordered_json summary_of(const scene::Scene& scene, const SceneCounts& counts, std::size_t geometry_bytes) {
+nlohmann::ordered_json summary_of(const scene::Scene& scene, const scene::MeshCounts& counts,
+                                  std::size_t geometry_bytes) {
   nlohmann::ordered_json json;
   json["name"] = scene.name;
   json["crs"] = scene.frame.proj();
@@ -63,7 +42,7 @@ nlohmann::ordered_json summary_of(const scene::Scene& scene, const SceneCounts& 
   return json;
 }
 
-std::string text_of(const scene::Scene& scene, const SceneCounts& counts, std::size_t geometry_bytes) {
+std::string text_of(const scene::Scene& scene, const scene::MeshCounts& counts, std::size_t geometry_bytes) {
   std::string text = fmt::format("{}\n", scene.name);
   const auto line = [&text](std::string_view name, const std::string& value) {
     text += fmt::format("  {:<16}{}\n", name, value);
@@ -105,7 +84,7 @@ void add_scene_command(CLI::App& app, Output& output) {
   info->footer("Example:\n  sigmascape scene info examples/bilbao/bilbao.toml");
   info->callback([file, &output] {
     const scene::Scene scene = scene::read_scene(*file);
-    const SceneCounts counts = counts_of(scene);
+    const scene::MeshCounts counts = scene::mesh_counts(scene);
     const std::size_t bytes = trace::SceneGeometry(scene, trace::Footing::Terrain).memory_bytes();
     output.finish(text_of(scene, counts, bytes), summary_of(scene, counts, bytes));
   });

@@ -15,6 +15,7 @@
 #include "sigmascape/bake/bake.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/render/ground_renderer.h"
+#include "sigmascape/scene/mesh_counts.h"
 #include "sigmascape/simulate/traced_to_error.h"
 
 namespace sigmascape::bench {
@@ -128,7 +129,7 @@ void measure_paper_frame(const scene::Scene& scene, bool quick, Figures& figures
   figures.add("render.paper_frame_processor_ms", 1e3 * cost.processor, "ms", "all threads together");
 
   const Touched touched = touched_by(renderer.render(view.pose), view.settings, view.pose, *ground);
-  const auto vertices = static_cast<double>(vertices_of(scene));
+  const auto vertices = static_cast<double>(scene::mesh_counts(scene).instanced_vertices);
   figures.add("render.vertex_fraction", static_cast<double>(touched.terrain_nodes) / vertices, "1",
               fmt::format("{} nodes of terrain over {:.0f} vertices; besides {} squares of the map of obstacles",
                           touched.terrain_nodes, vertices, touched.obstacle_cells));

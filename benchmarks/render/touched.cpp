@@ -58,10 +58,4 @@ Touched touched_by(const render::Frame& frame, const render::LiveSettings& setti
   return touched;
 }
 
-std::size_t vertices_of(const scene::Scene& scene) {
-  std::size_t count = scene.buildings.mesh.vertices.size() + scene.terrain.height_m.size();
-  for (const scene::Instance& instance : scene.instances) count += scene.prototypes[instance.prototype].vertices.size();
-  return count;
-}
-
 }  // namespace sigmascape::bench

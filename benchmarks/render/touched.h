@@ -3,7 +3,6 @@
 #include <cstddef>
 
 #include "sigmascape/render/live_renderer.h"
-#include "sigmascape/scene/scene.h"
 
 namespace sigmascape::bench {
 
@@ -16,8 +15,5 @@ struct Touched {
 
 [[nodiscard]] Touched touched_by(const render::Frame& frame, const render::LiveSettings& settings,
                                  const render::Pose& pose, const render::LiveGround& ground);
-
-/// Vertices of the whole scene with each instance's own, as a renderer of the full scene has them.
-[[nodiscard]] std::size_t vertices_of(const scene::Scene& scene);
 
 }  // namespace sigmascape::bench
