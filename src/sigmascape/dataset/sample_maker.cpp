@@ -123,6 +123,8 @@ SampleMaker::SampleMaker(const DatasetSpec& spec)
     atlas_ = atlas::load_atlas(opened_store(spec_, *spec_.atlas, "atlas", scene_hash_));
     if (!spec_.bounce_layers.empty()) first_bounce_atlas_ = loaded_first_bounces(spec_, scene_hash_, *atlas_);
     obstacles_ = obstacles_for(*atlas_, scene_, spec_.cell_m);
+    for (const radar::Obstacle& obstacle : obstacles_->obstacles.values())
+      tallest_m_ = std::max(tallest_m_, static_cast<double>(obstacle.top_m()));
   }
   check_radars();
   check_views();
@@ -218,8 +220,8 @@ radar::LayerStack SampleMaker::labels(const radar::Radar& radar, const radar::Gr
     kinds.push_back(simulate::LayerKind::Shadow);
   }
   if (geometry_) return simulate::traced_layers(scene_, *geometry_, radar, grid, kinds, 1);
-  return simulate::swept_layers({&scene_.terrain, obstacles_.get(), &scene_.ground, scene_.materials.size()}, radar,
-                                grid, kinds, 1);
+  return simulate::swept_layers(
+      {&scene_.terrain, obstacles_.get(), &scene_.ground, scene_.materials.size(), tallest_m_}, radar, grid, kinds, 1);
 }
 
 Sample SampleMaker::make(std::size_t index) const {

@@ -71,6 +71,7 @@ class SampleMaker {
   radar::Rectangle centres_;
   std::optional<atlas::Atlas> atlas_, first_bounce_atlas_;
   std::shared_ptr<const radar::ObstacleMap> obstacles_;  // of levels of detail from 1 on
+  double tallest_m_ = 0.0;                               // of them
   std::optional<trace::SceneGeometry> geometry_;         // of level of detail 0
 };
 
