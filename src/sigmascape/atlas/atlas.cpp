@@ -22,6 +22,12 @@ std::array<float, 8> stored_weights(const AspectWeights& weights, const std::vec
   return product;
 }
 
+/// The floor, where there is no instruction for it.
+int whole_below(double value) {
+  const auto towards_zero = static_cast<int>(value);
+  return static_cast<double>(towards_zero) > value ? towards_zero - 1 : towards_zero;
+}
+
 }  // namespace
 
 std::size_t Atlas::memory_bytes() const {
@@ -70,14 +76,14 @@ radar::Channels Atlas::at_level(Vec2d point_m, const AspectWeights& weights, std
   // Texels counted from the north-western corner of the atlas; 0 is the centre of the first.
   const double across = (point_m.x - north_west_.x * side_m) / texel_m - 0.5;
   const double down = ((north_west_.y + 1) * side_m - point_m.y) / texel_m - 0.5;
-  const auto column = static_cast<int>(std::floor(across));
-  const auto row = static_cast<int>(std::floor(down));
+  const int column = whole_below(across), row = whole_below(down);
   const auto u = static_cast<float>(across - column);
   const auto v = static_cast<float>(down - row);
 
   TexelParts parts;
   std::array<std::array<float, 8>, 4> stored;  // one a patch
   const Patch* scaled_for = nullptr;
+  const Half* looks_of_patch = nullptr;
   float total = 0.0F;
   for (int corner = 0; corner < 4; ++corner) {
     const int right = corner & 1;
@@ -89,12 +95,15 @@ radar::Channels Atlas::at_level(Vec2d point_m, const AspectWeights& weights, std
     if (part == 0.0F || patch == nullptr) continue;
     const std::size_t n = parts.count;
     const bool is_another = patch != scaled_for;
-    if (is_another) stored[n] = stored_weights(weights, patch->scales);
-    scaled_for = patch;
+    if (is_another) {
+      scaled_for = patch;
+      stored[n] = stored_weights(weights, patch->scales);
+      looks_of_patch = patch->levels[level - finest_level_].data();
+    }
     const auto row_in_patch = static_cast<std::size_t>(texel_row & (side - 1));
     const auto column_in_patch = static_cast<std::size_t>(texel_column & (side - 1));
     const std::size_t texel = (row_in_patch << log2_side) + column_in_patch;
-    parts.texels[n] = {.looks = &patch->levels[level - finest_level_][texel * patch->scales.size() * channels],
+    parts.texels[n] = {.looks = looks_of_patch + texel * patch->scales.size() * channels,
                        .weight = is_another ? stored[n].data() : parts.texels[n - 1].weight,
                        .part = part};
     ++parts.count;
