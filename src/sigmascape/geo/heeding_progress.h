@@ -11,6 +11,8 @@ namespace sigmascape::geo {
 class HeedingProgress {
  public:
   static int advanced(double, const char*, void* self) noexcept {
+    // GDALDataset::GetNextFeature tells its end without the data.
+    if (self == nullptr) return 1;
     auto& progress = *static_cast<HeedingProgress*>(self);
     try {
       Interruption::heed();
