@@ -3,6 +3,7 @@
 
 #include "array_view.h"
 #include "loaded_scene.h"
+#include "long_call.h"
 #include "parts.h"
 
 #include "sigmascape/base/error.h"
@@ -78,8 +79,10 @@ void add_scene(py::module_& module) {
                                                         "in metres; heights are above mean sea level.")
       .def_static(
           "read",
-          [](const std::filesystem::path& path) { return std::make_shared<LoadedScene>(scene::read_scene(path)); },
-          py::arg("path"), Release(), "Reads a scene file (TOML, docs/scene_file.md) and all data that it names.")
+          [](const std::filesystem::path& path) {
+            return long_call([&] { return std::make_shared<LoadedScene>(scene::read_scene(path)); });
+          },
+          py::arg("path"), "Reads a scene file (TOML, docs/scene_file.md) and all data that it names.")
       .def_static(
           "simple",
           [](double side_m, const std::string& ground, const std::string& objects) {

@@ -230,6 +230,8 @@ TEST_F(Dataset, RefusesWhatCannotBeWithTheReason) {
             std::string::npos);
   EXPECT_NE(message({}, "\"multibounce\"").find("does not tell bounces apart"), std::string::npos);
   EXPECT_NE(message({}, "\"bounce2\"").find("level_of_detail = 0"), std::string::npos);
+  EXPECT_NE(message({.more = "first_bounce_atlas = \"atlas\"\n"}, "\"bounce2\"").find("--bounces 1 to --bounces 2"),
+            std::string::npos);
   EXPECT_NE(message({.sections = "[sequence]\nframes = 3\n"}).find("sequence.frames: is 3, of which 20"),
             std::string::npos);
   EXPECT_NE(message({.sections = "[radar]\nfrequency_ghz = [5, 10]\n"}).find("radar.frequency_ghz: leads outside"),
@@ -275,7 +277,8 @@ TEST(DatasetOfHouses, KnowsWhatPartCameOverSeveralSurfaces) {
   const auto file = folder.write(
       "spec.toml",
       "[dataset]\nscene = \"place/scene.toml\"\natlas = \"atlas\"\nfirst_bounce_atlas = \"first_bounce\"\n"
-      "radar = \"radar.toml\"\ncount = 1\ncells = 64\ncell_m = 2.0\nlayers = [\"class\", \"multibounce\"]\n"
+      "radar = \"radar.toml\"\ncount = 1\ncells = 64\ncell_m = 2.0\n"
+      "layers = [\"class\", \"bounce1\", \"multibounce\"]\n"
       "[view]\nazimuth_deg = [180, 180]\nelevation_deg = [21, 21]\nslant_range_km = [15, 15]\n[speckle]\nlooks = 0\n");
   const dataset::SampleMaker maker(dataset::read_dataset_spec(file));
   const dataset::Sample sample = maker.make(0);
@@ -297,6 +300,15 @@ TEST(DatasetOfHouses, KnowsWhatPartCameOverSeveralSurfaces) {
   fmt::print("  part of several bounces: {:.3f} at the foot of walls, {:.3f} on open grass\n", foot, open);
   EXPECT_GT(foot, 0.6);
   EXPECT_LT(open, 0.1);
+
+  // What came over one surface and what came over more are all there is.
+  const auto& first = sample.labels.layers[1].values;
+  const auto& part = sample.labels.layers.back().values;
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    const float all = sample.map.sigma0.values()[i].vv;
+    if (!(part.values()[i] > 0.0F)) continue;
+    EXPECT_NEAR(first.values()[i], all * (1.0F - part.values()[i]), 1e-5F * all) << i;
+  }
 }
 
 }  // namespace

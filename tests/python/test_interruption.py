@@ -71,6 +71,30 @@ def test_ctrl_c_ends(name, atlas, tmp_path):
     assert told == "interrupted\n"
 
 
+def test_ctrl_c_ends_the_reading_of_a_large_scene(tmp_path):
+    gdal = pytest.importorskip("osgeo.gdal")
+    side = 3000
+    raster = gdal.GetDriverByName("GTiff").Create(str(tmp_path / "dem.tif"), side, side, 1, gdal.GDT_Float32)
+    raster.SetGeoTransform((500_000.0, 10.0, 0.0, 4_800_000.0, 0.0, -10.0))
+    raster.SetProjection("EPSG:25830")
+    raster = None  # written
+    # Smoothing goes over nine million heights a hundred times.
+    (tmp_path / "scene.toml").write_text('[terrain]\nfile = "dem.tif"\nsmooth_within_m = 1.0\n')
+    code = ("import sys, sigmascape\nprint('ready', flush=True)\ntry:\n    sigmascape.Scene.read(sys.argv[1])\n"
+            "    print('went through', flush=True)\nexcept KeyboardInterrupt:\n    print('interrupted', flush=True)\n")
+    process = subprocess.Popen([sys.executable, "-c", code, tmp_path / "scene.toml"], stdout=subprocess.PIPE, text=True, env=os.environ)
+    try:
+        assert process.stdout.readline() == "ready\n"
+        time.sleep(0.5)
+        process.send_signal(signal.SIGINT)
+        begin = time.monotonic()
+        told, _ = process.communicate(timeout=60.0)
+        print(f"reading: {time.monotonic() - begin:.2f} s")
+    finally:
+        process.kill()
+    assert told == "interrupted\n"
+
+
 def test_tqdm_shows_a_bar_where_it_is_installed(scene, radar, monkeypatch):
     """With a stand-in for tqdm: made with the task's name and total, updated to the end, and closed."""
     told = []

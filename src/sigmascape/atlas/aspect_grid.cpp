@@ -142,11 +142,14 @@ AspectWeights weights_for(const AspectGrid& grid, const radar::Aspect& aspect, d
   const auto node = [](const Between& axis, int side) { return side == 0 ? axis.first : axis.second; };
   for (int f = 0; f < 2; ++f) {
     for (int e = 0; e < 2; ++e) {
+      // What is blended is γ = σ0 / sin ψ.
+      const double of_height = part(frequency, f) * part(elevation, e);
+      if (of_height == 0.0) continue;
+      const double baked_sine = std::sin(grid.elevations_rad[node(elevation, e)]);
       for (int a = 0; a < 2; ++a) {
-        const double fraction = part(frequency, f) * part(elevation, e) * part(azimuth, a);
+        const double fraction = of_height * part(azimuth, a);
         if (fraction == 0.0) continue;
-        // What is blended is γ = σ0 / sin ψ.
-        const double weight = fraction * sine / std::sin(grid.elevations_rad[node(elevation, e)]);
+        const double weight = fraction * sine / baked_sine;
         weights.look[weights.count] = grid.index_of(node(azimuth, a), node(elevation, e), node(frequency, f));
         weights.weight[weights.count] = static_cast<float>(weight);
         ++weights.count;

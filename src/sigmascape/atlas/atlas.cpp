@@ -7,13 +7,13 @@
 #include <fmt/format.h>
 
 #include "sigmascape/atlas/ground_layers.h"
+#include "sigmascape/atlas/texel_blend.h"
 #include "sigmascape/base/error.h"
 
 namespace sigmascape::atlas {
 namespace {
 
 constexpr std::size_t channels = radar::Channels::count;
-using Sums = std::array<float, channels>;
 
 /// Weights of looks times the scale under which each was stored on one patch.
 std::array<float, 8> stored_weights(const AspectWeights& weights, const std::vector<float>& scales) {
@@ -22,15 +22,10 @@ std::array<float, 8> stored_weights(const AspectWeights& weights, const std::vec
   return product;
 }
 
-void add_texel(const Half* looks_of_texel, const AspectWeights& weights, const std::array<float, 8>& stored, float part,
-               Sums& sums) {
-  for (std::size_t i = 0; i < weights.count; ++i) {
-    const Half* texel = looks_of_texel + weights.look[i] * channels;
-    const float weight = part * stored[i];
-    for (std::size_t channel = 0; channel < channels; ++channel) {
-      sums[channel] += weight * float_from_finite_half(texel[channel]);
-    }
-  }
+/// The floor, where there is no instruction for it.
+int whole_below(double value) {
+  const auto towards_zero = static_cast<int>(value);
+  return static_cast<double>(towards_zero) > value ? towards_zero - 1 : towards_zero;
 }
 
 }  // namespace
@@ -81,15 +76,15 @@ radar::Channels Atlas::at_level(Vec2d point_m, const AspectWeights& weights, std
   // Texels counted from the north-western corner of the atlas; 0 is the centre of the first.
   const double across = (point_m.x - north_west_.x * side_m) / texel_m - 0.5;
   const double down = ((north_west_.y + 1) * side_m - point_m.y) / texel_m - 0.5;
-  const auto column = static_cast<int>(std::floor(across));
-  const auto row = static_cast<int>(std::floor(down));
+  const int column = whole_below(across), row = whole_below(down);
   const auto u = static_cast<float>(across - column);
   const auto v = static_cast<float>(down - row);
 
-  Sums sums{};
-  float total = 0.0F;
+  TexelParts parts;
+  std::array<std::array<float, 8>, 4> stored;  // one a patch
   const Patch* scaled_for = nullptr;
-  std::array<float, 8> stored{};
+  const Half* looks_of_patch = nullptr;
+  float total = 0.0F;
   for (int corner = 0; corner < 4; ++corner) {
     const int right = corner & 1;
     const int below = corner >> 1;
@@ -98,19 +93,24 @@ radar::Channels Atlas::at_level(Vec2d point_m, const AspectWeights& weights, std
     const int texel_row = row + below;
     const Patch* patch = patch_at(texel_column >> log2_side, texel_row >> log2_side);
     if (part == 0.0F || patch == nullptr) continue;
-    if (patch != scaled_for) {
-      stored = stored_weights(weights, patch->scales);
+    const std::size_t n = parts.count;
+    const bool is_another = patch != scaled_for;
+    if (is_another) {
       scaled_for = patch;
+      stored[n] = stored_weights(weights, patch->scales);
+      looks_of_patch = patch->levels[level - finest_level_].data();
     }
     const auto row_in_patch = static_cast<std::size_t>(texel_row & (side - 1));
     const auto column_in_patch = static_cast<std::size_t>(texel_column & (side - 1));
     const std::size_t texel = (row_in_patch << log2_side) + column_in_patch;
-    const Half* looks = &patch->levels[level - finest_level_][texel * patch->scales.size() * channels];
-    add_texel(looks, weights, stored, part, sums);
+    parts.texels[n] = {.looks = looks_of_patch + texel * patch->scales.size() * channels,
+                       .weight = is_another ? stored[n].data() : parts.texels[n - 1].weight,
+                       .part = part};
+    ++parts.count;
     total += part;
   }
   if (total == 0.0F) return {};
-  return radar::Channels{sums[0], sums[1], sums[2], sums[3]} * (1.0F / total);
+  return blended(parts, weights) * (1.0F / total);
 }
 
 radar::Channels Atlas::sigma0_at(Vec2d point_m, const AspectWeights& weights, double level) const {

@@ -15,9 +15,9 @@ class Interrupted final : public std::exception {
 };
 
 /// While it lives, the parallel loops that its thread runs, and those within them on other threads, can be told to
-/// stop: `is_wanted` is asked some twenty times a second, always on the thread that made this, and from when it says so
-/// every loop throws Interrupted before its next index. What `is_wanted` throws ends the loops as well. They nest: the
-/// innermost is asked. Make and destroy it on one thread.
+/// stop, and so can loops that heed it: `is_wanted` is asked some twenty times a second, always on the thread that made
+/// this, and from when it says so every loop throws Interrupted before its next index. What `is_wanted` throws ends the
+/// loops as well. They nest: the innermost is asked. Make and destroy it on one thread.
 class Interruption {
  public:
   explicit Interruption(std::function<bool()> is_wanted);
@@ -29,6 +29,11 @@ class Interruption {
   [[nodiscard]] static Interruption* current();
   /// For loops: throws Interrupted when it is time to stop.
   void poll();
+  /// The same for loops that are not parallel, such as those that read files: a look at the clock where this thread can
+  /// be told to stop, nothing elsewhere.
+  static void heed() {
+    if (Interruption* const wanted = current()) wanted->poll();
+  }
 
   /// Makes a helping thread belong to the loop that it helps.
   class Membership {

@@ -39,4 +39,10 @@ inline constexpr double vacuum_permittivity_f_per_m = 8.8541878128e-12;
   return positive < 2.0 * pi ? positive : 0.0;
 }
 
+/// The angle brought to the same direction within half a turn of zero: std::remainder, quick where nothing is to be
+/// done.
+[[nodiscard]] inline double turned_by_least(double angle_rad) {
+  return std::abs(angle_rad) <= pi ? angle_rad : std::remainder(angle_rad, 2.0 * pi);
+}
+
 }  // namespace sigmascape

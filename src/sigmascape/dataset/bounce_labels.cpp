@@ -1,6 +1,7 @@
 #include "sigmascape/dataset/bounce_labels.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "sigmascape/product/ground_projection.h"
 
@@ -38,6 +39,10 @@ bool tells_bounces(std::string_view name) {
   return bounce_order(name) > 0 || name == multibounce;
 }
 
+std::size_t bounces_to_know(std::string_view name) {
+  return name == multibounce ? 1 : bounce_order(name);
+}
+
 std::vector<radar::Layer> traced_bounce_layers(std::span<const std::string> names, const scene::Scene& scene,
                                                const trace::SceneGeometry& geometry, const radar::Radar& radar,
                                                const radar::GroundGrid& grid, const simulate::TraceSettings& settings,
@@ -56,18 +61,35 @@ std::vector<radar::Layer> traced_bounce_layers(std::span<const std::string> name
     if (const std::size_t order = bounce_order(name)) {
       layers.push_back({name, "m2/m2", power_on_ground(images[order - 1], scene.terrain, grid, radar.polarization)});
     } else if (name == multibounce) {
-      layers.push_back(multibounce_layer(sum, images.front(), scene.terrain, grid, radar.polarization));
+      layers.push_back(part_beyond(power_on_ground(images.front(), scene.terrain, grid, radar.polarization),
+                                   power_on_ground(sum, scene.terrain, grid, radar.polarization)));
     }
   }
   if (image != nullptr) *image = std::move(sum);
   return layers;
 }
 
-radar::Layer multibounce_layer(const radar::RangeAzimuthImage& all, const radar::RangeAzimuthImage& first,
-                               const terrain::HeightField& terrain, const radar::GroundGrid& grid,
-                               radar::Polarization polarization) {
-  return part_beyond(power_on_ground(first, terrain, grid, polarization),
-                     power_on_ground(all, terrain, grid, polarization));
+std::vector<radar::Layer> baked_bounce_layers(std::span<const std::string> names, const radar::RangeAzimuthImage& all,
+                                              std::span<const radar::RangeAzimuthImage> up_to,
+                                              const terrain::HeightField& terrain, const radar::GroundGrid& grid,
+                                              radar::Polarization polarization) {
+  std::vector<radar::Layer> layers;
+  for (const std::string& name : names) {
+    const std::size_t order = bounces_to_know(name);
+    if (order == 0) continue;
+    Array2D<float> power = power_on_ground(up_to[order - 1], terrain, grid, polarization);
+    if (name == multibounce) {
+      layers.push_back(part_beyond(power, power_on_ground(all, terrain, grid, polarization)));
+      continue;
+    }
+    if (order > 1) {
+      const Array2D<float> fewer = power_on_ground(up_to[order - 2], terrain, grid, polarization);
+      for (std::size_t i = 0; i < power.size(); ++i)
+        power.values()[i] = std::max(0.0F, power.values()[i] - fewer.values()[i]);
+    }
+    layers.push_back({name, "m2/m2", std::move(power)});
+  }
+  return layers;
 }
 
 }  // namespace sigmascape::dataset

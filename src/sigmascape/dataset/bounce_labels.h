@@ -22,6 +22,10 @@ inline constexpr std::string_view multibounce = "multibounce";
 /// Whether the layer tells bounces apart: "bounce<k>" or "multibounce".
 [[nodiscard]] bool tells_bounces(std::string_view name);
 
+/// What an atlas must be baked with, beside one with all bounces, for a layer to be known from both: k bounces for
+/// "bounce<k>", one for "multibounce".
+[[nodiscard]] std::size_t bounces_to_know(std::string_view name);
+
 /// Those layers among `names` that tell bounces apart, in their order: σ0 of what came back over k surfaces in the
 /// radar's own polarization, and the part of several bounces. By rays, laid onto the ground as the map is.
 /// `image`, when given, gets the sum of all orders, which is the image that `simulate::traced_image` would have made.
@@ -30,9 +34,14 @@ inline constexpr std::string_view multibounce = "multibounce";
     const radar::Radar& radar, const radar::GroundGrid& grid, const simulate::TraceSettings& settings,
     ProgressListener* progress = nullptr, radar::RangeAzimuthImage* image = nullptr);
 
-/// "multibounce" from two images of the same bins: of all echoes, and of those over one surface alone.
-[[nodiscard]] radar::Layer multibounce_layer(const radar::RangeAzimuthImage& all, const radar::RangeAzimuthImage& first,
-                                             const terrain::HeightField& terrain, const radar::GroundGrid& grid,
-                                             radar::Polarization polarization);
+/// The same from images of the same bins: of all echoes, and in `up_to` of those over one surface, over two at most,
+/// and so on, as many as the names need. What came over exactly k is the difference of two of them, nothing where noise
+/// makes it negative.
+[[nodiscard]] std::vector<radar::Layer> baked_bounce_layers(std::span<const std::string> names,
+                                                            const radar::RangeAzimuthImage& all,
+                                                            std::span<const radar::RangeAzimuthImage> up_to,
+                                                            const terrain::HeightField& terrain,
+                                                            const radar::GroundGrid& grid,
+                                                            radar::Polarization polarization);
 
 }  // namespace sigmascape::dataset

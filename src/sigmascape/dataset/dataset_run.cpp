@@ -1,10 +1,16 @@
 #include "sigmascape/dataset/dataset_run.h"
 
 #include <algorithm>
+#include <atomic>
 #include <fmt/format.h>
 #include <fstream>
 #include <iterator>
+#include <map>
+#include <memory>
+#include <mutex>
 #include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/parallel.h"
@@ -59,6 +65,10 @@ void claim_folder(const SampleMaker& maker, const fs::path& folder) {
   }
 }
 
+std::size_t count_of_lot(const DatasetSpec& spec, std::size_t number) {
+  return std::min(spec.samples_per_shard, spec.count - number * spec.samples_per_shard);
+}
+
 /// One lot of samples on its way into files.
 class Lot {
  public:
@@ -67,15 +77,17 @@ class Lot {
         folder_(folder),
         number_(number),
         first_(number * maker.spec().samples_per_shard),
-        count_(std::min(maker.spec().samples_per_shard, maker.spec().count - first_)) {}
+        count_(count_of_lot(maker.spec(), number)),
+        entries_(count_),
+        contents_(count_) {}
 
-  [[nodiscard]] std::size_t count() const { return count_; }
-  [[nodiscard]] bool is_there() const { return fs::exists(index_path(folder_, number_)); }
+  /// Makes one of its samples. True for the last that was lacking: the lot is to be written then.
+  bool make_one(std::size_t k) {
+    make_sample(k);
+    return made_.fetch_add(1) + 1 == count_;
+  }
 
-  void make(unsigned threads) {
-    entries_.assign(count_, Json{});
-    contents_.assign(count_, {});
-    parallel_for(count_, threads, [&](std::size_t k, unsigned) { make_sample(k); });
+  void write() {
     Json index{{"samples", entries_}};
     if (maker_.spec().arrangement == Arrangement::WebDataset) index["tar"] = write_tar();
     const fs::path path = index_path(folder_, number_);
@@ -131,6 +143,44 @@ class Lot {
   std::size_t number_, first_, count_;
   std::vector<Json> entries_;
   std::vector<std::vector<SampleFile>> contents_;
+  std::atomic<std::size_t> made_{0};
+};
+
+/// The lots that are lacking, whose samples threads take one by one: while some still make the last of a lot, others
+/// begin with the next. Only lots that have been begun are in memory.
+class LackingLots {
+ public:
+  LackingLots(const SampleMaker& maker, const fs::path& folder, std::vector<std::size_t> numbers)
+      : maker_(maker), folder_(folder), numbers_(std::move(numbers)) {
+    for (const std::size_t number : numbers_) samples_ += count_of_lot(maker.spec(), number);
+  }
+
+  [[nodiscard]] std::size_t samples() const { return samples_; }
+
+  /// Sample number `index` of those that are lacking; with the last of a lot, writes the lot.
+  void make(std::size_t index) {
+    const std::size_t size = maker_.spec().samples_per_shard, number = numbers_[index / size];
+    const std::shared_ptr<Lot> lot = begun(number);
+    if (!lot->make_one(index % size)) return;
+    lot->write();
+    const std::lock_guard lock(guard_);
+    begun_.erase(number);
+  }
+
+ private:
+  std::shared_ptr<Lot> begun(std::size_t number) {
+    const std::lock_guard lock(guard_);
+    std::shared_ptr<Lot>& lot = begun_[number];
+    if (!lot) lot = std::make_shared<Lot>(maker_, folder_, number);
+    return lot;
+  }
+
+  const SampleMaker& maker_;
+  const fs::path& folder_;
+  std::vector<std::size_t> numbers_;
+  std::size_t samples_ = 0;
+  std::mutex guard_;
+  std::map<std::size_t, std::shared_ptr<Lot>> begun_;
 };
 
 void check(const DatasetShare& share) {
@@ -147,19 +197,28 @@ DatasetReport make_dataset(const SampleMaker& maker, const fs::path& folder, con
   claim_folder(maker, folder);
   const std::size_t size = maker.spec().samples_per_shard, lots = (maker.spec().count + size - 1) / size;
   DatasetReport report;
-  for (std::size_t number = share.index; number < lots; number += share.count)
-    report.samples += Lot(maker, folder, number).count();
-  std::size_t done = 0;
+  std::vector<std::size_t> lacking;
   for (std::size_t number = share.index; number < lots; number += share.count) {
-    Lot lot(maker, folder, number);
-    if (lot.is_there()) {
-      report.already += lot.count();
+    const std::size_t count = count_of_lot(maker.spec(), number);
+    report.samples += count;
+    if (fs::exists(index_path(folder, number))) {
+      report.already += count;
     } else {
-      lot.make(share.threads);
+      lacking.push_back(number);
     }
-    done += lot.count();
-    progress.advanced("dataset", static_cast<double>(done), static_cast<double>(report.samples), "samples");
   }
+  const auto tell = [&](std::size_t made) {
+    progress.advanced("dataset", static_cast<double>(report.already + made), static_cast<double>(report.samples),
+                      "samples");
+  };
+  LackingLots wanted(maker, folder, std::move(lacking));
+  std::atomic<std::size_t> made{0};
+  parallel_for(wanted.samples(), share.threads, [&](std::size_t index, unsigned worker) {
+    wanted.make(index);
+    const std::size_t now = made.fetch_add(1) + 1;
+    if (worker == 0) tell(now);
+  });
+  tell(wanted.samples());
   report.is_complete = true;
   for (std::size_t number = 0; number < lots; ++number)
     report.is_complete = report.is_complete && fs::exists(index_path(folder, number));

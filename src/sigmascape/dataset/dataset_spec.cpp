@@ -143,13 +143,30 @@ void check_places(const TomlSection& section, const TargetClass& target, const D
   }
 }
 
+void read_bounce_atlases(const TomlSection& section, DatasetSpec& spec) {
+  if (const auto first = section.optional_file("first_bounce_atlas")) spec.bounce_atlases.push_back(*first);
+  const auto folders = section.texts("bounce_atlases");
+  if (!folders.empty() && !spec.bounce_atlases.empty())
+    throw section.fault("bounce_atlases", "stands beside first_bounce_atlas", "leave one of the two out");
+  for (const std::string& folder : folders) {
+    spec.bounce_atlases.push_back(spec.file.parent_path() / folder);
+    if (!std::filesystem::is_directory(spec.bounce_atlases.back()))
+      throw section.fault("bounce_atlases", fmt::format("the folder {} does not exist", folder),
+                          "correct the path, which is relative to the TOML file");
+  }
+}
+
 void check_bounces(const TomlSection& section, const DatasetSpec& spec) {
-  const bool is_traced = spec.level_of_detail == 0;
+  if (spec.level_of_detail == 0) return;
   for (const std::string& name : spec.bounce_layers) {
-    if (is_traced || (name == multibounce && spec.first_bounce_atlas)) continue;
-    throw section.fault("layers", fmt::format("asks for {}, and an atlas does not tell bounces apart", name),
-                        name == multibounce ? "name as first_bounce_atlas the same bake with --bounces 1, or trace"
-                                            : "trace with level_of_detail = 0");
+    const std::size_t needed = bounces_to_know(name);
+    if (needed <= spec.bounce_atlases.size()) continue;
+    throw section.fault(
+        "layers", fmt::format("asks for {}, and an atlas by itself does not tell bounces apart", name),
+        needed == 1 ? "name as first_bounce_atlas the same bake with --bounces 1, or trace with level_of_detail = 0"
+                    : fmt::format("give as bounce_atlases the same bake with --bounces 1 to --bounces {}, in that "
+                                  "order, or trace with level_of_detail = 0",
+                                  needed));
   }
 }
 
@@ -183,7 +200,7 @@ DatasetSpec read_dataset_spec(const std::filesystem::path& path) {
                      : section.fault("atlas", "is missing for a level of detail of 1 or more",
                                      "name the atlas that `sigmascape bake` made, or trace with level_of_detail = 0");
   }
-  spec.first_bounce_atlas = section.optional_file("first_bounce_atlas");
+  read_bounce_atlases(section, spec);
   spec.samples_per_cell =
       static_cast<std::uint32_t>(section.whole_number_or("samples_per_cell", {1.0, 65536.0, "rays"}, 16));
   read_products(section, spec);

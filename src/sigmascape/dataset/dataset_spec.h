@@ -65,8 +65,9 @@ struct DatasetSpec {
   bool with_preview = true;
   std::vector<simulate::LayerKind> layers;
   std::vector<std::string> bounce_layers;  ///< those that tell bounces apart, see bounce_labels.h
-  /// From level of detail 1 on what "multibounce" needs: an atlas of the same looks, baked with one bounce alone.
-  std::optional<std::filesystem::path> first_bounce_atlas;
+  /// What these need from level of detail 1 on: atlases of the same looks, the first baked with one bounce alone, the
+  /// second with two at most, and so on.
+  std::vector<std::filesystem::path> bounce_atlases;
   Arrangement arrangement = Arrangement::Folders;
   std::size_t samples_per_shard = 50;
 

@@ -32,14 +32,18 @@ atlas::Store opened_store(const DatasetSpec& spec, const std::filesystem::path& 
   return store;
 }
 
-/// The atlas of echoes over one surface alone, which must differ from the other in nothing else that shows.
-atlas::Atlas loaded_first_bounces(const DatasetSpec& spec, const std::string& scene_hash, const atlas::Atlas& all) {
-  const auto store = opened_store(spec, *spec.first_bounce_atlas, "first_bounce_atlas", scene_hash);
+/// The atlas of echoes over at most so many surfaces, which must differ from the other in nothing else that shows.
+atlas::Atlas loaded_bounces(const DatasetSpec& spec, std::size_t most, const std::string& scene_hash,
+                            const atlas::Atlas& all) {
+  const auto store = opened_store(spec, spec.bounce_atlases[most - 1], "bounce_atlases", scene_hash);
   const auto& settings = store.description().settings;
   const auto bounces = settings.find("max_bounces");
-  const std::string where = fmt::format("{}: dataset.first_bounce_atlas", spec.file.string());
-  if (bounces == settings.end() || bounces->second != "1")
-    throw Error(where, "holds more than echoes over one surface", "bake it with --bounces 1");
+  const std::string where =
+      fmt::format("{}: {}", spec.file.string(), spec.bounce_atlases[most - 1].filename().string());
+  if (bounces == settings.end() || bounces->second != std::to_string(most))
+    throw Error(where,
+                fmt::format("does not hold the echoes over {} surface{} and no more", most, most == 1 ? "" : "s"),
+                fmt::format("bake it with --bounces {}", most));
   if (store.description().aspects != all.aspects())
     throw Error(where, "has other looks than the atlas", "bake it with the same azimuths, elevations and frequencies");
   return atlas::load_atlas(store);
@@ -121,8 +125,13 @@ SampleMaker::SampleMaker(const DatasetSpec& spec)
     geometry_.emplace(scene_, trace::Footing::Terrain);
   } else {
     atlas_ = atlas::load_atlas(opened_store(spec_, *spec_.atlas, "atlas", scene_hash_));
-    if (!spec_.bounce_layers.empty()) first_bounce_atlas_ = loaded_first_bounces(spec_, scene_hash_, *atlas_);
+    std::size_t bounces = 0;
+    for (const std::string& name : spec_.bounce_layers) bounces = std::max(bounces, bounces_to_know(name));
+    for (std::size_t most = 1; most <= bounces; ++most)
+      bounce_atlases_.push_back(loaded_bounces(spec_, most, scene_hash_, *atlas_));
     obstacles_ = obstacles_for(*atlas_, scene_, spec_.cell_m);
+    for (const radar::Obstacle& obstacle : obstacles_->obstacles.values())
+      tallest_m_ = std::max(tallest_m_, static_cast<double>(obstacle.top_m()));
   }
   check_radars();
   check_views();
@@ -191,10 +200,10 @@ radar::RangeAzimuthImage SampleMaker::ground_image(const radar::Radar& radar, co
                                    {.level_of_detail = spec_.level_of_detail, .threads = 1}, counts);
     };
     auto image = image_from(*atlas_);
-    if (first_bounce_atlas_) {
-      bounces.push_back(multibounce_layer(image, image_from(*first_bounce_atlas_), scene_.terrain, plan.grid,
-                                          spec_.polarizations.front()));
-    }
+    std::vector<radar::RangeAzimuthImage> up_to;
+    for (const atlas::Atlas& fewer : bounce_atlases_) up_to.push_back(image_from(fewer));
+    bounces =
+        baked_bounce_layers(spec_.bounce_layers, image, up_to, scene_.terrain, plan.grid, spec_.polarizations.front());
     return image;
   }
   const simulate::TraceSettings settings{
@@ -218,8 +227,8 @@ radar::LayerStack SampleMaker::labels(const radar::Radar& radar, const radar::Gr
     kinds.push_back(simulate::LayerKind::Shadow);
   }
   if (geometry_) return simulate::traced_layers(scene_, *geometry_, radar, grid, kinds, 1);
-  return simulate::swept_layers({&scene_.terrain, obstacles_.get(), &scene_.ground, scene_.materials.size()}, radar,
-                                grid, kinds, 1);
+  return simulate::swept_layers(
+      {&scene_.terrain, obstacles_.get(), &scene_.ground, scene_.materials.size(), tallest_m_}, radar, grid, kinds, 1);
 }
 
 Sample SampleMaker::make(std::size_t index) const {

@@ -69,8 +69,10 @@ class SampleMaker {
   scene::Scene scene_;
   std::string scene_hash_;
   radar::Rectangle centres_;
-  std::optional<atlas::Atlas> atlas_, first_bounce_atlas_;
+  std::optional<atlas::Atlas> atlas_;
+  std::vector<atlas::Atlas> bounce_atlases_;  // of at most one bounce, at most two, …: as many as are asked for
   std::shared_ptr<const radar::ObstacleMap> obstacles_;  // of levels of detail from 1 on
+  double tallest_m_ = 0.0;                               // of them
   std::optional<trace::SceneGeometry> geometry_;         // of level of detail 0
 };
 

@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <numeric>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "sigmascape/base/hash.h"
 #include "sigmascape/radar/scatterer_lattice.h"
@@ -15,38 +19,55 @@ radar::ComplexChannels steady(const radar::Channels& power) {
   return {amplitude(power.vv), amplitude(power.hh), amplitude(power.hv)};
 }
 
-/// The scatterers of the ground and the noise of one look; the noise of the polarizations is independent.
-class LookDraws {
+/// The draws of one row of cells after another.
+class RowDraws {
  public:
-  explicit LookDraws(std::uint64_t seed)
-      : ground_({.seed = hashed(seed, 1), .cell_m = 1.0, .levels = 1}),
-        noise_({.seed = hashed(seed, 2), .cell_m = 1.0, .levels = 1}) {}
-
-  [[nodiscard]] radar::ComplexChannels ground(radar::LatticeCell cell, const radar::Channels& mean) const {
-    return radar::polarized(ground_.drawn(cell, 0), mean);
+  RowDraws(std::uint64_t seed, std::size_t columns)
+      : lattice_({.seed = seed, .cell_m = 1.0, .levels = 1}), columns_(columns), rows_(columns), draws_(columns) {
+    std::iota(columns_.begin(), columns_.end(), 0);
   }
-  [[nodiscard]] radar::ComplexChannels noise(radar::LatticeCell cell, float power) const {
-    return radar::polarized(noise_.drawn(cell, 0), {power, power, power, 0.0F});
+
+  std::span<const radar::DrawnCell> row(std::size_t index) {
+    std::ranges::fill(rows_, static_cast<std::int32_t>(index));
+    std::vector<float> re(columns_.size()), im(columns_.size());
+    for (const auto& [draw, value] : {std::pair{radar::Draw::First, &radar::DrawnCell::first},
+                                      {radar::Draw::Second, &radar::DrawnCell::second},
+                                      {radar::Draw::Third, &radar::DrawnCell::third}}) {
+      lattice_.values_of(columns_, rows_, 0, draw, re, im);
+      for (std::size_t i = 0; i < draws_.size(); ++i) draws_[i].*value = {re[i], im[i]};
+    }
+    return draws_;
   }
 
  private:
-  radar::ScattererLattice ground_, noise_;
+  radar::ScattererLattice lattice_;
+  std::vector<std::int32_t> columns_, rows_;
+  std::vector<radar::DrawnCell> draws_;
+};
+
+/// The scatterers of the ground and the noise of one look; the noise of the polarizations is independent.
+struct LookDraws {
+  RowDraws ground, noise;
+  LookDraws(std::uint64_t seed, std::size_t columns)
+      : ground(hashed(seed, 1), columns), noise(hashed(seed, 2), columns) {}
 };
 
 }  // namespace
 
 void draw_speckle(radar::GroundMap& map, const Array2D<radar::Channels>& targets, const SpeckleSettings& settings) {
   const std::size_t looks = std::max<std::size_t>(1, settings.looks);
+  const radar::Channels of_noise{settings.noise, settings.noise, settings.noise, 0.0F};
   Array2D<radar::Channels> sums(map.grid.columns, map.grid.rows);
   for (std::size_t look = 0; look < looks; ++look) {
-    const LookDraws draws(hashed(settings.seed, look));
+    LookDraws draws(hashed(settings.seed, look), map.grid.columns);
     for (std::size_t row = 0; row < map.grid.rows; ++row) {
+      const auto ground = settings.looks == 0 ? std::span<const radar::DrawnCell>{} : draws.ground.row(row);
+      const auto noise = settings.noise > 0.0F ? draws.noise.row(row) : std::span<const radar::DrawnCell>{};
       for (std::size_t column = 0; column < map.grid.columns; ++column) {
-        const radar::LatticeCell cell{static_cast<std::int32_t>(column), static_cast<std::int32_t>(row)};
         const radar::Channels mean = map.sigma0(column, row);
-        radar::ComplexChannels amplitude = settings.looks == 0 ? steady(mean) : draws.ground(cell, mean);
+        radar::ComplexChannels amplitude = ground.empty() ? steady(mean) : radar::polarized(ground[column], mean);
         if (!targets.empty()) amplitude += steady(targets(column, row));
-        if (settings.noise > 0.0F) amplitude += draws.noise(cell, settings.noise);
+        if (!noise.empty()) amplitude += radar::polarized(noise[column], of_noise);
         sums(column, row) += radar::power_of(amplitude);
       }
     }

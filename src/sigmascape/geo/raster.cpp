@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "sigmascape/base/error.h"
+#include "sigmascape/base/interruption.h"
+#include "sigmascape/geo/heeding_progress.h"
 
 namespace sigmascape::geo {
 namespace {
@@ -137,13 +139,19 @@ Window<T> read_window(GDALRasterBand& band, std::span<const Vec2d> corners, GDAL
   window.first_row = first_row;
   window.value = Array2D<T>(static_cast<std::size_t>(width), static_cast<std::size_t>(height));
   window.valid = Array2D<std::uint8_t>(static_cast<std::size_t>(width), static_cast<std::size_t>(height));
+  HeedingProgress heeding;
+  GDALRasterIOExtraArg extra;
+  INIT_RASTERIO_EXTRA_ARG(extra);
+  extra.pfnProgress = HeedingProgress::advanced;
+  extra.pProgressData = &heeding;
   CPLPushErrorHandler(CPLQuietErrorHandler);
   const CPLErr read = band.RasterIO(GF_Read, first_column, first_row, width, height, window.value.values().data(),
-                                    width, height, type, 0, 0, nullptr);
+                                    width, height, type, 0, 0, &extra);
   const CPLErr masked =
       band.GetMaskBand()->RasterIO(GF_Read, first_column, first_row, width, height, window.valid.values().data(), width,
-                                   height, GDT_Byte, 0, 0, nullptr);
+                                   height, GDT_Byte, 0, 0, &extra);
   CPLPopErrorHandler();
+  heeding.settle();
   if (read != CE_None || masked != CE_None) {
     throw Error(name, fmt::format("its cells cannot be read ({})", CPLGetLastErrorMsg()), "replace the damaged file");
   }
@@ -289,6 +297,7 @@ Array2D<float> Raster::heights_on(const Lattice& lattice, const LocalFrame& fram
   }
   const int samples = std::clamp(static_cast<int>(std::lround(lattice.spacing_m / cell_m())), 1, 16);
   for (std::size_t row = 0; row < lattice.rows; ++row) {
+    Interruption::heed();
     for (std::size_t column = 0; column < lattice.columns; ++column) {
       const Vec2d pixel = net.at(static_cast<double>(column), static_cast<double>(row));
       if (!inside(pixel, source_->columns(), source_->rows())) continue;
@@ -307,6 +316,7 @@ Array2D<std::int32_t> Raster::classes_on(const Lattice& lattice, const LocalFram
   Array2D<std::int32_t> classes(lattice.columns, lattice.rows, no_class);
   if (window.value.empty()) return classes;
   for (std::size_t row = 0; row < lattice.rows; ++row) {
+    Interruption::heed();
     for (std::size_t column = 0; column < lattice.columns; ++column) {
       const Vec2d pixel = net.at(static_cast<double>(column), static_cast<double>(row));
       if (!inside(pixel, source_->columns(), source_->rows())) continue;

@@ -11,7 +11,9 @@
 #include <set>
 
 #include "sigmascape/base/error.h"
+#include "sigmascape/base/interruption.h"
 #include "sigmascape/geo/coordinate_transform.h"
+#include "sigmascape/geo/heeding_progress.h"
 #include "sigmascape/geo/osm_tags.h"
 
 namespace sigmascape::geo {
@@ -183,6 +185,14 @@ class LayerTransforms {
   std::map<OGRLayer*, CoordinateTransform> transforms_;
 };
 
+/// The next feature of any layer; before there is one a file may have to be read through.
+OGRFeatureUniquePtr next_feature(GDALDataset& dataset, OGRLayer*& layer) {
+  HeedingProgress heeding;
+  OGRFeatureUniquePtr feature(dataset.GetNextFeature(&layer, nullptr, HeedingProgress::advanced, &heeding));
+  heeding.settle();
+  return feature;
+}
+
 /// Whether a feature carries a tag given as "key" or "key=value".
 bool carries_tag(const Feature& feature, const std::string& tag) {
   const auto equals = tag.find('=');
@@ -213,7 +223,8 @@ FeatureSet read_features(const VectorSource& source, const LocalFrame& frame) {
   OGRLayer* layer = nullptr;
   CPLErrorReset();
   // The data set is walked as a whole: OpenStreetMap files yield the features of all layers in one pass.
-  while (const OGRFeatureUniquePtr row{dataset->GetNextFeature(&layer, nullptr, nullptr, nullptr)}) {
+  while (const OGRFeatureUniquePtr row = next_feature(*dataset, layer)) {
+    Interruption::heed();
     if (!source.layer.empty() && source.layer != layer->GetName()) continue;
     Feature feature;
     feature.id = fmt::format("layer {}, feature {}", layer->GetName(), row->GetFID());

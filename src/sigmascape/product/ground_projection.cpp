@@ -37,7 +37,7 @@ radar::GroundMap ground_map(const radar::RangeAzimuthImage& image, const terrain
       const Vec2d point = grid.centre_of(column, row);
       const Vec3d away = Vec3d{point.x, point.y, terrain.height_at(point)} - image.radar_position;
       const double range_m = length(away);
-      const double azimuth = middle + std::remainder(std::atan2(away.x, away.y) - middle, 2.0 * pi);
+      const double azimuth = middle + turned_by_least(std::atan2(away.x, away.y) - middle);
       const radar::Channels rcs = bins_at(image.rcs_m2, (azimuth - bins.first_azimuth_rad) / bins.azimuth_step_rad,
                                           (range_m - bins.first_range_m) / bins.range_step_m);
       map.sigma0(column, row) = rcs * static_cast<float>(1.0 / (range_m * bins.range_step_m * bins.azimuth_step_rad));

@@ -88,6 +88,9 @@ bool encode(png_structp png, png_infop info, PngContent& content, std::string& b
   png_set_IHDR(png, info, content.width, content.height, 8,
                content.has_alpha ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  // Speckle does not compress better for filters or for a longer search.
+  png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_NONE);
+  png_set_compression_level(png, 3);
   png_set_sRGB(png, info, PNG_sRGB_INTENT_RELATIVE);
   if (!content.texts.empty()) png_set_text(png, info, content.texts.data(), static_cast<int>(content.texts.size()));
   png_set_rows(png, info, content.rows.data());

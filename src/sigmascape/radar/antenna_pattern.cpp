@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "sigmascape/base/units.h"
@@ -96,6 +97,13 @@ double AntennaCut::two_way_width_rad() const {
     return falling_through(0.5, limit, [&](double offset) { return two_way_power(side * offset); });
   };
   return towards(-1.0) + towards(1.0);
+}
+
+double AntennaCut::silent_beyond_rad() const {
+  if (!std::holds_alternative<GaussianBeam>(shape_) || floor_voltage_ > 0.0)
+    return std::numeric_limits<double>::infinity();
+  // exp(−8 ln 2 x²) is below the least double from x = 11.6 on.
+  return 12.0 * width_rad_;
 }
 
 AntennaPattern::AntennaPattern(const Antenna& antenna, double beam_width_rad)

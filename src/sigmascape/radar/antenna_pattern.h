@@ -69,6 +69,9 @@ class AntennaCut {
   }
   /// Full width at which the two-way power, the square of the one-way power, is half of its peak; of a symmetric beam.
   [[nodiscard]] double two_way_width_rad() const;
+  /// Beyond this offset to either side the two-way power is nothing at all, too small for a double; infinite where it
+  /// never is.
+  [[nodiscard]] double silent_beyond_rad() const;
   /// True when the gain is the same in all directions.
   [[nodiscard]] bool even() const { return std::holds_alternative<EvenBeam>(shape_); }
 

@@ -1,5 +1,6 @@
 #include "sigmascape/receiver/bin_response.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -39,7 +40,8 @@ BinResponse range_response(const radar::Radar& radar, double range_step_m) {
 
 BinResponse azimuth_response(const radar::Radar& radar, double azimuth_step_rad) {
   const auto pattern = radar::antenna_pattern(radar);
-  const int reach = static_cast<int>(pi / azimuth_step_rad);
+  const double farthest_rad = std::min(pi, pattern.azimuth().silent_beyond_rad());
+  const int reach = static_cast<int>(farthest_rad / azimuth_step_rad);
   return sampled(reach, 1e-5, [&](int k) { return pattern.azimuth().two_way_power(k * azimuth_step_rad); });
 }
 

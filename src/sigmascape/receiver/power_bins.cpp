@@ -1,5 +1,6 @@
 #include "sigmascape/receiver/power_bins.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 
@@ -10,6 +11,30 @@ constexpr double units_per_m2 = 0x1p36;
 constexpr double most_units = 0x1p62;
 
 }  // namespace
+
+void PowerLine::add(std::size_t bin, const radar::Channels& rcs_m2) {
+  const std::array<double, radar::Channels::count> added{
+      static_cast<double>(rcs_m2.vv) * units_per_m2, static_cast<double>(rcs_m2.hh) * units_per_m2,
+      static_cast<double>(rcs_m2.hv) * units_per_m2, static_cast<double>(rcs_m2.re_vvhh) * units_per_m2};
+  std::int64_t* const sums = &units_[bin * radar::Channels::count];
+  for (std::size_t channel = 0; channel < added.size(); ++channel) {
+    if (std::abs(added[channel] + static_cast<double>(sums[channel])) < most_units) {
+      sums[channel] += std::llrint(added[channel]);
+    } else {
+      ++overflows_;
+    }
+  }
+  first_ = std::min(first_, bin);
+  end_ = std::max(end_, bin + 1);
+}
+
+void PowerLine::add_shared(double place, const radar::Channels& rcs_m2) {
+  const double left = std::floor(place - 0.5);
+  const auto right_share = static_cast<float>(place - 0.5 - left);
+  const auto bins = static_cast<double>(units_.size() / radar::Channels::count);
+  if (left >= 0.0 && left < bins) add(static_cast<std::size_t>(left), rcs_m2 * (1.0F - right_share));
+  if (left >= -1.0 && left + 1.0 < bins) add(static_cast<std::size_t>(left + 1.0), rcs_m2 * right_share);
+}
 
 PowerBins::PowerBins(std::size_t columns, std::size_t rows)
     : columns_(columns), rows_(rows), units_(columns * rows * radar::Channels::count, 0) {}
@@ -35,6 +60,21 @@ void PowerBins::add(std::size_t column, std::size_t row, const radar::Channels& 
   add_units(bin[1], rcs_m2.hh);
   add_units(bin[2], rcs_m2.hv);
   add_units(bin[3], rcs_m2.re_vvhh);
+}
+
+void PowerBins::add_column(std::size_t column, const PowerLine& line) {
+  for (std::size_t row = line.first_; row < line.end_; ++row) {
+    std::int64_t* const sums = &units_[(row * columns_ + column) * radar::Channels::count];
+    const std::int64_t* const added = &line.units_[row * radar::Channels::count];
+    for (std::size_t channel = 0; channel < radar::Channels::count; ++channel) {
+      if (std::abs(static_cast<double>(sums[channel]) + static_cast<double>(added[channel])) > most_units) {
+        std::atomic_ref(overflows_).fetch_add(1, std::memory_order_relaxed);
+      } else {
+        sums[channel] += added[channel];
+      }
+    }
+  }
+  if (line.overflows_ > 0) std::atomic_ref(overflows_).fetch_add(line.overflows_, std::memory_order_relaxed);
 }
 
 void PowerBins::add_shared(double column, double row, const radar::Channels& rcs_m2) {

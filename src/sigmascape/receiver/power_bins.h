@@ -9,6 +9,23 @@
 
 namespace sigmascape::receiver {
 
+/// A line of bins for one thread alone. Sums are those of PowerBins, which takes them up.
+class PowerLine {
+ public:
+  explicit PowerLine(std::size_t bins) : units_(bins * radar::Channels::count, 0), first_(bins) {}
+
+  /// Adds at a position in units of bins, shared between the two nearest as PowerBins::add_shared does.
+  void add_shared(double place, const radar::Channels& rcs_m2);
+
+ private:
+  friend class PowerBins;
+  void add(std::size_t bin, const radar::Channels& rcs_m2);
+
+  std::vector<std::int64_t> units_;  // [bin, channel]
+  std::size_t first_, end_ = 0;      // of the bins that have been added to
+  std::uint64_t overflows_ = 0;
+};
+
 /// Sums cross-sections into a rectangle of bins, from any number of threads, with a result that does not depend on
 /// their order.
 ///
@@ -28,6 +45,10 @@ class PowerBins {
   /// bins by linear weights that sum to one, so that where in a bin an echo lies makes itself felt and no power is
   /// lost. What falls outside the bins is left out.
   void add_shared(double column, double row, const radar::Channels& rcs_m2);
+
+  /// Adds a line of bins, one a row, to a column. Threads may do so at once to different columns, while none adds
+  /// otherwise.
+  void add_column(std::size_t column, const PowerLine& line);
 
   [[nodiscard]] radar::Channels sum(std::size_t column, std::size_t row) const;
   /// [column, row], m².

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <fmt/format.h>
 #include <limits>
 
@@ -24,15 +25,20 @@ Array2D<radar::Channels> spread(const Array2D<radar::Channels>& bins, const std:
   const auto reach = static_cast<std::ptrdiff_t>(weights.size() / 2);
   const auto columns = static_cast<std::ptrdiff_t>(bins.columns()), rows = static_cast<std::ptrdiff_t>(bins.rows());
   Array2D<radar::Channels> out(bins.columns(), bins.rows());
+  // Images of a few targets are dark nearly everywhere.
+  std::vector<std::uint8_t> is_dark(bins.rows());
+  for (std::size_t row = 0; row < bins.rows(); ++row)
+    is_dark[row] = std::ranges::all_of(bins.row(row), [](const auto& bin) { return bin == radar::Channels{}; }) ? 1 : 0;
   for (std::ptrdiff_t row = 0; row < rows; ++row) {
     for (std::ptrdiff_t k = -reach; k <= reach; ++k) {
       const float weight = weights[static_cast<std::size_t>(k + reach)];
       if (axis == Axis::Rows) {
-        if (row + k < 0 || row + k >= rows) continue;
+        if (row + k < 0 || row + k >= rows || is_dark[static_cast<std::size_t>(row + k)] != 0) continue;
         const auto from = bins.row(static_cast<std::size_t>(row + k));
         const auto to = out.row(static_cast<std::size_t>(row));
         for (std::size_t column = 0; column < from.size(); ++column) to[column] += from[column] * weight;
       } else {
+        if (is_dark[static_cast<std::size_t>(row)] != 0) break;
         const auto from = bins.row(static_cast<std::size_t>(row));
         const auto to = out.row(static_cast<std::size_t>(row));
         for (std::ptrdiff_t column = std::max<std::ptrdiff_t>(0, -k); column < std::min(columns, columns - k);
@@ -130,26 +136,38 @@ RangeAzimuthReceiver::RangeAzimuthReceiver(const radar::Radar& radar, const rada
       gain_over_depression_(gain_over_depression(radar)),
       gate_start_m_(radar.receiver.first_range_m.value_or(grid.first_range_m)),
       gate_end_m_(radar.receiver.last_range_m.value_or(std::numeric_limits<double>::infinity())),
+      unambiguous_m_(radar::unambiguous_range_m(radar.waveform.pulse_repetition_hz)),
       bins_(grid.azimuths, grid.ranges) {}
+
+std::optional<RangeAzimuthReceiver::Heard> RangeAzimuthReceiver::heard(const radar::Echo& echo) const {
+  double range_m = echo.range_m;
+  radar::Channels rcs_m2 = echo.rcs_m2;
+  if (range_m < gate_start_m_ || range_m >= gate_start_m_ + unambiguous_m_) {
+    range_m = radar::apparent_range_m(echo.range_m, gate_start_m_, radar_.waveform.pulse_repetition_hz);
+    const double nearer = range_m / echo.range_m;
+    rcs_m2 = rcs_m2 * static_cast<float>(nearer * nearer * nearer * nearer);
+  }
+  if (range_m > gate_end_m_) return std::nullopt;
+  if (!gain_over_depression_.empty()) rcs_m2 = rcs_m2 * interpolated(gain_over_depression_, echo.sin_depression);
+  return Heard{(range_m - grid_.first_range_m) / grid_.range_step_m, rcs_m2};
+}
 
 void RangeAzimuthReceiver::add(std::span<const radar::Echo> echoes) {
   const double middle = grid_.first_azimuth_rad + 0.5 * static_cast<double>(grid_.azimuths) * grid_.azimuth_step_rad;
-  const double prf_hz = radar_.waveform.pulse_repetition_hz;
-  const double unambiguous_m = radar::unambiguous_range_m(prf_hz);
   for (const radar::Echo& echo : echoes) {
-    double range_m = echo.range_m;
-    radar::Channels rcs_m2 = echo.rcs_m2;
-    if (range_m < gate_start_m_ || range_m >= gate_start_m_ + unambiguous_m) {
-      range_m = radar::apparent_range_m(echo.range_m, gate_start_m_, prf_hz);
-      const double nearer = range_m / echo.range_m;
-      rcs_m2 = rcs_m2 * static_cast<float>(nearer * nearer * nearer * nearer);
-    }
-    if (range_m > gate_end_m_) continue;
-    if (!gain_over_depression_.empty()) rcs_m2 = rcs_m2 * interpolated(gain_over_depression_, echo.sin_depression);
-    const double azimuth = middle + std::remainder(echo.cross - middle, 2.0 * pi);
-    bins_.add_shared((azimuth - grid_.first_azimuth_rad) / grid_.azimuth_step_rad,
-                     (range_m - grid_.first_range_m) / grid_.range_step_m, rcs_m2);
+    const auto at = heard(echo);
+    if (!at) continue;
+    const double azimuth = middle + turned_by_least(echo.cross - middle);
+    bins_.add_shared((azimuth - grid_.first_azimuth_rad) / grid_.azimuth_step_rad, at->row, at->rcs_m2);
   }
+}
+
+void RangeAzimuthReceiver::add_to_azimuth(std::size_t column, std::span<const radar::Echo> echoes) {
+  PowerLine line(grid_.ranges);
+  for (const radar::Echo& echo : echoes) {
+    if (const auto at = heard(echo)) line.add_shared(at->row, at->rcs_m2);
+  }
+  bins_.add_column(column, line);
 }
 
 radar::RangeAzimuthImage RangeAzimuthReceiver::image() const {

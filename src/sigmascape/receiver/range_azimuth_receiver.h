@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -29,16 +30,28 @@ class RangeAzimuthReceiver {
   /// May be called from several threads at once.
   void add(std::span<const radar::Echo> echoes);
 
+  /// The same for echoes that all stand in the middle of one column of bins, whatever they say themselves; several
+  /// times as quick. May be called from several threads at once for different columns, while none calls `add`.
+  void add_to_azimuth(std::size_t column, std::span<const radar::Echo> echoes);
+
   [[nodiscard]] const PowerBins& bins() const { return bins_; }
   /// The bins after the responses of the compressed pulse and of the two-way beam; NaN in azimuths that the beam's axis
   /// never comes to.
   [[nodiscard]] radar::RangeAzimuthImage image() const;
 
  private:
+  /// Where in range the receiver hears an echo, in units of bins, and how strongly.
+  struct Heard {
+    double row = 0.0;
+    radar::Channels rcs_m2;
+  };
+  /// Nothing of an echo from beyond the gate.
+  [[nodiscard]] std::optional<Heard> heard(const radar::Echo& echo) const;
+
   radar::Radar radar_;
   radar::RangeAzimuthGrid grid_;
   std::vector<float> gain_over_depression_;
-  double gate_start_m_, gate_end_m_;
+  double gate_start_m_, gate_end_m_, unambiguous_m_;
   PowerBins bins_;
 };
 

@@ -26,9 +26,13 @@ class AzimuthStrip {
 
   void sweep(double azimuth_rad, double azimuth_step_rad, double near_m, double far_m, double step_m,
              std::vector<radar::Echo>& echoes, RenderCounts& counts) const {
+    const radar::GroundStretch wanted =
+        radar::stretch_within(area_, {radar_position_.x, radar_position_.y}, radar::horizontal_direction(azimuth_rad));
+    if (wanted.empty()) return;
     ReflectingGround::Looks looks;
     const double to_radar_rad = wrapped_azimuth(azimuth_rad + pi);
-    ground_.walk(azimuth_rad, near_m, far_m, step_m,
+    // What lies beyond the area hides nothing of it.
+    ground_.walk(azimuth_rad, near_m, std::min(far_m, wanted.end_m + step_m), step_m,
                  [&](std::size_t, double distance_m, Vec3d point, const terrain::Sight& sight) {
                    if (!area_.contains({point.x, point.y})) return;
                    ++counts.ground_samples;
@@ -98,7 +102,7 @@ radar::RangeAzimuthImage GroundRenderer::render(const radar::Radar& radar, const
     const double azimuth = grid.first_azimuth_rad + (static_cast<double>(index) + 0.5) * grid.azimuth_step_rad;
     strip.sweep(azimuth, grid.azimuth_step_rad, reach.near_m, reach.far_m, step_m, echoes[worker],
                 strip_counts[worker]);
-    receiver.add(echoes[worker]);
+    receiver.add_to_azimuth(index, echoes[worker]);
   });
   for (const RenderCounts& part : strip_counts) {
     counts.ground_samples += part.ground_samples;

@@ -24,23 +24,25 @@ void ReflectingGround::Looks::Cursor::turn_to(const atlas::Atlas& atlas, double 
 
 radar::Channels ReflectingGround::sigma0(Vec3d point, double to_radar_rad, const terrain::Sight& sight,
                                          Looks& looks) const {
+  const Vec2d place{point.x, point.y};
+  const Vec3d towards = towards_radar(point);
   if (ground_ == nullptr)
-    return sight.ground > 0.0 ? of_textures(point, to_radar_rad, looks.textures_) : radar::Channels{};
+    return sight.ground > 0.0 ? of_textures(place, towards, to_radar_rad, looks.textures_) : radar::Channels{};
   radar::Channels sum;
-  if (sight.objects > 0.0) sum = of_textures(point, to_radar_rad, looks.textures_) * static_cast<float>(sight.objects);
-  if (sight.ground > 0.0) sum += of_bare_ground(point, looks.ground_) * static_cast<float>(sight.ground);
+  if (sight.objects > 0.0)
+    sum = of_textures(place, towards, to_radar_rad, looks.textures_) * static_cast<float>(sight.objects);
+  if (sight.ground > 0.0) sum += of_bare_ground(place, towards, looks.ground_) * static_cast<float>(sight.ground);
   return sum;
 }
 
 Vec3d ReflectingGround::towards_radar(Vec3d point) const {
   Vec3d away = radar_position_ - point;
-  away.z -= earth_.drop_m(std::sqrt(away.x * away.x + away.y * away.y));
+  if (earth_.curvature_per_m() > 0.0) away.z -= earth_.drop_m(std::sqrt(away.x * away.x + away.y * away.y));
   return normalized(away);
 }
 
-radar::Channels ReflectingGround::of_textures(Vec3d point, double to_radar_rad, Looks::Cursor& cursor) const {
-  const Vec2d place{point.x, point.y};
-  const Vec3d towards = towards_radar(point);
+radar::Channels ReflectingGround::of_textures(Vec2d place, Vec3d towards, double to_radar_rad,
+                                              Looks::Cursor& cursor) const {
   if (slope_ == SlopeModel::Upright) {
     cursor.turn_to(*atlas_, to_radar_rad, towards.z, frequency_hz_);
     return atlas_->sigma0_at(place, cursor.weights, level_);
@@ -50,10 +52,9 @@ radar::Channels ReflectingGround::of_textures(Vec3d point, double to_radar_rad, 
   return atlas_->sigma0_at(place, cursor.weights, level_) * static_cast<float>(1.0 / normal.z);
 }
 
-radar::Channels ReflectingGround::of_bare_ground(Vec3d point, Looks::Cursor& cursor) const {
-  const Vec2d place{point.x, point.y};
+radar::Channels ReflectingGround::of_bare_ground(Vec2d place, Vec3d towards, Looks::Cursor& cursor) const {
   const Vec3d normal = terrain_->normal_at(place);
-  const double sin_grazing = dot(normal, towards_radar(point));
+  const double sin_grazing = dot(normal, towards);
   if (sin_grazing <= 0.0) return {};
   cursor.turn_to(ground_->sigma0, 0.0, sin_grazing, frequency_hz_);
   return ground_->sigma0.sigma0_at(place, cursor.weights, level_) * static_cast<float>(1.0 / normal.z);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -7,6 +8,7 @@
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/radar/curved_earth.h"
 #include "sigmascape/radar/look.h"
+#include "sigmascape/terrain/ground_profile.h"
 #include "sigmascape/terrain/height_field.h"
 #include "sigmascape/terrain/obstacle_sweep.h"
 
@@ -57,22 +59,21 @@ class ReflectingGround {
   /// point, sight)` in the middle of every step that lies on the terrain.
   template <typename Visit>
   void walk(double azimuth_rad, double near_m, double far_m, double step_m, const Visit& visit) const {
-    const Vec2d direction = radar::horizontal_direction(azimuth_rad);
-    const Vec2d origin{radar_position_.x, radar_position_.y};
     terrain::ObstacleSweep line_of_sight(radar_position_.z);
     // What hides is looked at in strides that no obstacle is narrower than; every so many a place is visited.
     const std::size_t strides = strides_in(step_m);
     const double stride_m = step_m / static_cast<double>(strides);
-    const auto count = static_cast<std::size_t>((far_m - near_m) / step_m) * strides;
-    for (std::size_t k = 0; k < count; ++k) {
-      const double distance_m = near_m + (static_cast<double>(k) + 0.5) * stride_m;
-      const Vec2d place = origin + direction * distance_m;
-      if (!terrain_->extent().contains(place)) continue;
-      const Vec3d point{place.x, place.y, terrain_->height_at(place)};
-      const terrain::Sight sight =
-          line_of_sight.advance(distance_m, point.z - earth_.drop_m(distance_m), obstacle_at(place), stride_m);
-      if (k % strides == strides / 2) visit(k / strides, distance_m, point, sight);
-    }
+    terrain::GroundProfile profile(*terrain_, ground_ != nullptr ? &ground_->obstacles : nullptr);
+    profile.walk({.origin = {radar_position_.x, radar_position_.y},
+                  .direction = radar::horizontal_direction(azimuth_rad),
+                  .near_m = near_m,
+                  .step_m = stride_m,
+                  .count = static_cast<std::size_t>(std::max(0.0, (far_m - near_m) / step_m)) * strides},
+                 [&](std::size_t k, double distance_m, Vec3d point, const radar::Obstacle& obstacle) {
+                   const terrain::Sight sight =
+                       line_of_sight.advance(distance_m, point.z - earth_.drop_m(distance_m), obstacle, stride_m);
+                   if (k % strides == strides / 2) visit(k / strides, distance_m, point, sight);
+                 });
   }
 
   /// σ0 over map area of a point on the terrain of which so much is seen: textures for what stands there, scaled by
@@ -87,13 +88,11 @@ class ReflectingGround {
     if (ground_ == nullptr) return 1;
     return 2 * static_cast<std::size_t>(step_m / ground_->obstacles.grid.cell_m) + 1;
   }
-  [[nodiscard]] radar::Obstacle obstacle_at(Vec2d point) const {
-    return ground_ != nullptr ? ground_->obstacles.at(point) : radar::Obstacle{};
-  }
   /// Unit vector to the radar from a point, above the horizontal that the point has on the curved Earth.
   [[nodiscard]] Vec3d towards_radar(Vec3d point) const;
-  [[nodiscard]] radar::Channels of_textures(Vec3d point, double to_radar_rad, Looks::Cursor& cursor) const;
-  [[nodiscard]] radar::Channels of_bare_ground(Vec3d point, Looks::Cursor& cursor) const;
+  [[nodiscard]] radar::Channels of_textures(Vec2d place, Vec3d towards, double to_radar_rad,
+                                            Looks::Cursor& cursor) const;
+  [[nodiscard]] radar::Channels of_bare_ground(Vec2d place, Vec3d towards, Looks::Cursor& cursor) const;
 
   const atlas::Atlas* atlas_;
   const atlas::GroundLayers* ground_;

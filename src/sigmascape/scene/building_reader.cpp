@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <utility>
 
+#include "sigmascape/base/interruption.h"
 #include "sigmascape/scene/attribute_number.h"
 #include "sigmascape/scene/building_extrusion.h"
 #include "sigmascape/scene/footprint.h"
@@ -88,6 +89,7 @@ std::size_t collect_footprints(Scene& scene, const BuildingSource& source, std::
   const MaterialIndex wall = scene.material_index(source.wall), roof = scene.material_index(source.roof);
   std::size_t inside = found.nowhere;
   for (const geo::Feature& feature : found.features) {
+    Interruption::heed();
     if (!lies_inside(feature, scene.extent)) {
       tally.note("buildings outside the scene, left out", feature.id);
       continue;
@@ -137,6 +139,7 @@ void add_buildings(Scene& scene, const std::vector<BuildingSource>& sources) {
   for (std::size_t i = 0; i < sources.size(); ++i)
     inside.push_back(collect_footprints(scene, sources[i], i, tallies[i], footprints));
   for (const Footprint& footprint : without_overlaps(std::move(footprints), tallies)) {
+    Interruption::heed();
     for (const geo::Polygon& outline : footprint.shape) {
       append_building(scene.buildings, outline, footprint.height_m, footprint.wall, footprint.roof, scene.terrain);
     }

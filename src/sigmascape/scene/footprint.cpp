@@ -7,6 +7,8 @@
 #include <tuple>
 #include <utility>
 
+#include "sigmascape/base/interruption.h"
+
 namespace sigmascape::scene {
 namespace {
 
@@ -44,6 +46,7 @@ std::vector<Overlap> overlaps_among(const std::vector<Footprint>& footprints) {
 
   std::vector<Overlap> overlaps;
   for (std::size_t k = 0; k < order.size(); ++k) {
+    Interruption::heed();
     const std::size_t one = order[k];
     for (std::size_t l = k + 1; l < order.size() && box[order[l]].west_m < box[one].east_m; ++l) {
       const std::size_t other = order[l];
@@ -105,6 +108,7 @@ std::vector<Footprint> without_overlaps(std::vector<Footprint> footprints, std::
 
   std::vector<Footprint> cut = footprints;
   for (const auto& [one, other, area_m2] : overlaps) {
+    Interruption::heed();
     const std::size_t a = groups.first_of(one), b = groups.first_of(other);
     if (a == b) continue;
     const auto [winner, loser] = goes_first(footprints, a, b) ? std::pair(a, b) : std::pair(b, a);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <span>
 
+#include "sigmascape/base/interruption.h"
 #include "sigmascape/scene/attribute_number.h"
 #include "sigmascape/scene/vector_section.h"
 
@@ -103,6 +104,7 @@ void add_roads(Scene& scene, const RoadSource& source, const WaterMask& water) {
   std::optional<TrafficFlow> flow;
   if (source.traffic) flow.emplace(scene, *source.traffic);
   for (const geo::Feature& feature : found.features) {
+    Interruption::heed();
     const auto width = width_m(feature, source, tally);
     if (!width) continue;
     for (const auto& line : feature.lines) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "sigmascape/base/hash.h"
+#include "sigmascape/base/interruption.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/scene/attribute_number.h"
 #include "sigmascape/scene/crown.h"
@@ -122,6 +123,7 @@ void add_trees(Scene& scene, const TreeSource& source, const WaterMask& water) {
   std::size_t inside = found.nowhere;
   std::uint64_t number = 0;
   for (const geo::Feature& feature : found.features) {
+    Interruption::heed();
     for (const Vec2d& position : feature.points) {
       const std::uint64_t draw = hashed(source.seed, number++);
       if (!scene.extent.contains(position)) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -45,6 +46,9 @@ struct CoarseGround {
   const radar::ObstacleMap* obstacles = nullptr;  ///< may be absent: bare ground
   const scene::MaterialMap* materials = nullptr;  ///< asked for classes alone
   std::size_t material_count = 0;                 ///< of the scene: what the other classes are numbered after
+  /// How high obstacles reach above their ground at most, when that is known: sweeps need go no further than where the
+  /// highest could still lie over the map.
+  double tallest_m = std::numeric_limits<double>::infinity();
 };
 
 /// The same from terrain and obstacles, as levels of detail from 1 on see them: by a sweep outwards along azimuths that

@@ -2,11 +2,14 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "sigmascape/base/parallel.h"
 #include "sigmascape/base/units.h"
+#include "sigmascape/radar/look.h"
 #include "sigmascape/simulate/layer_place.h"
 #include "sigmascape/simulate/layers.h"
+#include "sigmascape/terrain/ground_profile.h"
 #include "sigmascape/terrain/obstacle_sweep.h"
 
 namespace sigmascape::simulate {
@@ -57,7 +60,6 @@ SweptSector sector_of(const CoarseGround& ground, const radar::Radar& radar, con
   sector.azimuths = static_cast<std::size_t>(std::ceil(2.0 * half_rad / sector.azimuth_step_rad)) + 1;
   sector.first_azimuth_rad = middle_rad - half_rad;
   sector.near_m = nearest_m(all, here);
-  sector.steps = static_cast<std::size_t>(std::ceil((farthest_m(all, here) - sector.near_m) / sector.step_m)) + 1;
   const double below_m = radar.position.z - static_cast<double>(ground.terrain->highest_m());
   const double above_m = radar.position.z - static_cast<double>(ground.terrain->lowest_m());
   // Far off, a step over the ground is nearly one of slant range; right below the radar it is less, and bins are more.
@@ -67,6 +69,12 @@ SweptSector sector_of(const CoarseGround& ground, const radar::Radar& radar, con
   sector.ranges =
       static_cast<std::size_t>(std::ceil((std::hypot(far_m, above_m) - sector.first_range_m) / sector.range_step_m)) +
       1;
+  // Beyond the map things matter as far as they can lie over it: at the range of its far end or nearer.
+  const double last_range_m = sector.first_range_m + static_cast<double>(sector.ranges) * sector.range_step_m;
+  const double below_tops_m = std::max(0.0, below_m - ground.tallest_m);
+  const double end_m = std::sqrt(last_range_m * last_range_m - below_tops_m * below_tops_m);
+  sector.steps =
+      static_cast<std::size_t>(std::ceil((std::min(farthest_m(all, here), end_m) - sector.near_m) / sector.step_m)) + 1;
   return sector;
 }
 
@@ -82,16 +90,16 @@ class SweptMasks {
     parallel_for(sector_.azimuths, threads, [&](std::size_t index, unsigned) { sweep(index); });
   }
 
-  [[nodiscard]] bool hides(Vec2d point) const {
-    const Vec2d away = point - Vec2d{radar_.position.x, radar_.position.y};
-    const double step = (length(away) - sector_.near_m) / sector_.step_m;
-    return is_hidden_(drawn_to(step, sector_.steps), row_of(away)) != 0;
-  }
-
-  [[nodiscard]] bool lies_over(const LayerPlace& place) const {
+  struct Masks {
+    bool is_hidden = false, is_lain_over = false;
+  };
+  [[nodiscard]] Masks at(const LayerPlace& place) const {
     const Vec2d away{place.ground.x - radar_.position.x, place.ground.y - radar_.position.y};
+    const std::size_t row = row_of(away);
+    const double step = (length(away) - sector_.near_m) / sector_.step_m;
     const double bin = (place.range_m - sector_.first_range_m) / sector_.range_step_m;
-    return is_lain_over_(drawn_to(bin, sector_.ranges), row_of(away)) != 0;
+    return {is_hidden_(drawn_to(step, sector_.steps), row) != 0,
+            is_lain_over_(drawn_to(bin, sector_.ranges), row) != 0};
   }
 
  private:
@@ -102,27 +110,28 @@ class SweptMasks {
   [[nodiscard]] std::size_t row_of(Vec2d away) const {
     const double middle =
         sector_.first_azimuth_rad + 0.5 * static_cast<double>(sector_.azimuths - 1) * sector_.azimuth_step_rad;
-    const double azimuth = middle + std::remainder(std::atan2(away.x, away.y) - middle, 2.0 * pi);
+    const double azimuth = middle + turned_by_least(std::atan2(away.x, away.y) - middle);
     return drawn_to((azimuth - sector_.first_azimuth_rad) / sector_.azimuth_step_rad + 0.5, sector_.azimuths);
   }
 
   void sweep(std::size_t index) {
     const double azimuth = sector_.first_azimuth_rad + static_cast<double>(index) * sector_.azimuth_step_rad;
-    const Vec2d direction{std::sin(azimuth), std::cos(azimuth)};
     terrain::ObstacleSweep sight(radar_.position.z);
     double horizon = -std::numeric_limits<double>::infinity();
-    for (std::size_t step = 0; step < sector_.steps; ++step) {
-      const double distance_m = sector_.near_m + (static_cast<double>(step) + 0.5) * sector_.step_m;
-      const Vec2d point = Vec2d{radar_.position.x, radar_.position.y} + direction * distance_m;
-      if (!ground_.terrain->extent().contains(point)) continue;
-      const double height_m = ground_.terrain->height_at(point);
-      const radar::Obstacle obstacle = ground_.obstacles != nullptr ? ground_.obstacles->at(point) : radar::Obstacle{};
-      is_hidden_(step, index) =
-          sight.advance(distance_m, height_m, obstacle, sector_.step_m).ground < crown_hides_below ? 1 : 0;
-      const double slope = (height_m - radar_.position.z) / distance_m;
-      if (obstacle.top_m() > 0.0F) lay_over(index, distance_m, height_m, obstacle.top_m(), std::max(horizon, slope));
-      horizon = std::max(horizon, slope + static_cast<double>(obstacle.solid_top_m) / distance_m);
-    }
+    terrain::GroundProfile profile(*ground_.terrain, ground_.obstacles);
+    profile.walk({.origin = {radar_.position.x, radar_.position.y},
+                  .direction = radar::horizontal_direction(azimuth),
+                  .near_m = sector_.near_m,
+                  .step_m = sector_.step_m,
+                  .count = sector_.steps},
+                 [&](std::size_t step, double distance_m, Vec3d point, const radar::Obstacle& obstacle) {
+                   is_hidden_(step, index) =
+                       sight.advance(distance_m, point.z, obstacle, sector_.step_m).ground < crown_hides_below ? 1 : 0;
+                   const double slope = (point.z - radar_.position.z) / distance_m;
+                   if (obstacle.top_m() > 0.0F)
+                     lay_over(index, distance_m, point.z, obstacle.top_m(), std::max(horizon, slope));
+                   horizon = std::max(horizon, slope + static_cast<double>(obstacle.solid_top_m) / distance_m);
+                 });
   }
 
   /// Marks the ranges of the part of a thing that rises above the steepest line of sight before it.
@@ -159,18 +168,22 @@ float class_at(const CoarseGround& ground, Vec2d point, const radar::Obstacle& o
 radar::LayerStack swept_layers(const CoarseGround& ground, const radar::Radar& radar, const radar::GroundGrid& grid,
                                std::span<const LayerKind> kinds, unsigned threads) {
   radar::LayerStack stack = empty_layers(grid, kinds);
-  const SweptMasks masks(ground, radar, grid, threads);
+  const bool wants_masks = std::ranges::any_of(
+      kinds, [](LayerKind kind) { return kind == LayerKind::Shadow || kind == LayerKind::Layover; });
+  std::optional<SweptMasks> masks;
+  if (wants_masks) masks.emplace(ground, radar, grid, threads);
   parallel_for(grid.rows, threads, [&](std::size_t row, unsigned) {
     for (std::size_t column = 0; column < grid.columns; ++column) {
       const Vec2d point = grid.centre_of(column, row);
       const LayerPlace place(*ground.terrain, radar, point);
       const radar::Obstacle obstacle = ground.obstacles != nullptr ? ground.obstacles->at(point) : radar::Obstacle{};
+      const auto masked = masks ? masks->at(place) : SweptMasks::Masks{};
       const auto value = [&](LayerKind kind) -> float {
         switch (kind) {
           case LayerKind::Shadow:
-            return masks.hides(point) ? 1.0F : 0.0F;
+            return masked.is_hidden ? 1.0F : 0.0F;
           case LayerKind::Layover:
-            return masks.lies_over(place) ? 1.0F : 0.0F;
+            return masked.is_lain_over ? 1.0F : 0.0F;
           case LayerKind::Incidence:
             return place.incidence_rad(*ground.terrain);
           case LayerKind::Range:

@@ -46,6 +46,9 @@ class ObstacleSweep {
   /// Optical depths are whole multiples of this, so that what a crown adds it takes away again.
   static constexpr double depth_unit = 1e-6;
 
+  /// One part in 10¹³ comes through; what is less counts as nothing, and nobody looks up what the ground there returns.
+  static constexpr double deepest = 30.0;
+
   struct Edge {
     double slope;
     std::int64_t depth;
@@ -66,7 +69,9 @@ class ObstacleSweep {
   double transmission_at(double slope) {
     for (; !bases_.empty() && bases_.top().slope <= slope; bases_.pop()) depth_ += bases_.top().depth;
     for (; !tops_.empty() && tops_.top().slope <= slope; tops_.pop()) depth_ -= tops_.top().depth;
-    return depth_ == 0 ? 1.0 : std::exp(-depth_unit * static_cast<double>(depth_));
+    if (depth_ == 0) return 1.0;
+    const double depth = depth_unit * static_cast<double>(depth_);
+    return depth < deepest ? std::exp(-depth) : 0.0;
   }
 
   [[nodiscard]] double part_above_horizon(double distance_m, double slope, const radar::Obstacle& obstacle) const {

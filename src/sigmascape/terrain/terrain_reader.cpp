@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sigmascape/base/error.h"
+#include "sigmascape/base/interruption.h"
 
 namespace sigmascape::terrain {
 namespace {
@@ -77,6 +78,7 @@ std::size_t fill_holes(Array2D<float>& heights) {
     }
   }
   for (int sweep = 0; sweep < 30; ++sweep) {
+    Interruption::heed();
     for (const Node& node : filled) relax(heights, node, [](float height) { return height; });
   }
   return holes;
@@ -87,6 +89,7 @@ void smooth_within(Array2D<float>& heights, double tolerance_m) {
   const auto tolerance = static_cast<float>(tolerance_m);
   for (int sweep = 0; sweep < 100; ++sweep) {
     for (std::size_t row = 0; row < heights.rows(); ++row) {
+      Interruption::heed();
       for (std::size_t column = 0; column < heights.columns(); ++column) {
         const float from = original(column, row);
         relax(heights, {column, row}, [&](float h) { return std::clamp(h, from - tolerance, from + tolerance); });
