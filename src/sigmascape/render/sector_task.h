@@ -52,7 +52,7 @@ class SectorTask {
   [[nodiscard]] const FrameReport& report() const { return report_; }
   [[nodiscard]] std::span<const PageKey> wanted() const { return pages_.wanted(); }
 
-  /// Clears the beams and adds one level of the ground, or two with their shares of the power.
+  /// Fills the beams with one level of the ground, or two with their shares of the power.
   void fill(const Pose& pose, Beams beams, const DetailBlend& levels);
 
  private:
@@ -62,7 +62,7 @@ class SectorTask {
     std::size_t row = 0, first_column = 0;
   };
 
-  void clear(Beams beams);
+  /// Moves the beams' numbers into the frame and leaves zeros behind.
   void hand_over(Beams beams);
   [[nodiscard]] float* own_bins() { return own_bins_.data()->of.data(); }
   void add_level(const Pose& pose, Beams beams, std::size_t level, const HorizonMap& horizon, float share);
@@ -101,7 +101,7 @@ class SectorTask {
   struct alignas(64) Line {
     std::array<float, 16> of;
   };
-  std::vector<Line> own_bins_;  // [beam][range][number] of a group of beams
+  std::vector<Line> own_bins_;  // [beam][range][number] of a group of beams; zero between calls of fill
 
   // Of the level in hand.
   const Pose* pose_ = nullptr;
