@@ -123,7 +123,10 @@ void SectorTask::start(const Pose& pose, Beams beams, std::size_t level) {
 void SectorTask::fill_tile(const atlas::TileAddress& tile) {
   const radar::GroundGrid texels = atlas::texels_of(patches(), tile);
   const double west = texels.west_m - pose_->position.x;
+  shadows_.begin(parts_.shadows.of_group(first_beam_ / beams_together(parts_.settings.beam_step_rad)),
+                 {west, texels.north_m - pose_->position.y, texel_m_, atlas::tile_side, atlas::tile_side});
   for (std::size_t row = 0; row < atlas::tile_side; ++row) {
+    shadows_.go_to_row(row);
     const double north = texels.centre_of(0, row).y - pose_->position.y;
     const Sector::Stretches stretches = sector_.along_row(north);
     for (std::size_t s = 0; s < stretches.count; ++s) {
@@ -151,6 +154,7 @@ void SectorTask::fill_stretch(const Place& place, std::size_t count) {
   stand_on(row_, heights_of(ground));
   locate(row_, geometry_);
   report_.lit += light(row_, horizon());
+  report_.lit -= shadows_.shade(row_, place.first_column);
   if (apart) light_apart_from(ground);
   const auto area_m2 = static_cast<float>(texel_m_ * texel_m_) * share_;
   blend_by_aspect(place, area_m2);

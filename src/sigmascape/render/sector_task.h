@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sigmascape/radar/scatterer_lattice.h"
+#include "sigmascape/render/box_shadows.h"
 #include "sigmascape/render/lattice_row.h"
 #include "sigmascape/render/live_renderer.h"
 #include "sigmascape/render/page_rows.h"
@@ -34,6 +35,7 @@ struct FrameParts {
   /// Of this frame, swept already: over the terrain of the level of detail in use and, while it gives way to the next,
   /// over that of the next.
   const std::array<const HorizonMap*, 2>& horizons;
+  const BoxShadows& shadows;            ///< that the frame's targets cast
   const terrain::HeightBounds& bounds;  ///< of the ground that this frame looks at
   std::span<float> bins;                ///< [beam][range][number]
 };
@@ -113,6 +115,7 @@ class SectorTask {
   Sector sector_;
   RowGeometry geometry_;
   SectorBins bins_;
+  TileShadows shadows_;
 
   // Of the stretch in hand.
   radar::LatticeCell first_cell_;
