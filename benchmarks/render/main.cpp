@@ -2,10 +2,12 @@
 // instead of 2 km?
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <fmt/format.h>
 #include <fstream>
+#include <span>
 #include <string>
 #include <thread>
 #include <unistd.h>
@@ -17,6 +19,7 @@
 #include "made_ground.h"
 #include "paper_frame.h"
 
+#include "sigmascape/base/hash.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/render/live_renderer.h"
 #include "sigmascape/scene/paper_scene.h"
@@ -108,6 +111,47 @@ FrameCost frame_cost(const std::shared_ptr<LiveGround>& ground, const View& view
   return bench::frame_cost(renderer, *ground, view.pose(), repetitions);
 }
 
+/// Vehicles all over the square of a view.
+std::vector<radar::Target> vehicles(const View& view, std::size_t count, Vec3d size_m) {
+  std::vector<radar::Target> targets(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec2d place{(static_cast<double>(unit_float(hashed(i, 1))) - 0.5) * view.side_m(),
+                      static_cast<double>(unit_float(hashed(i, 2))) * view.side_m()};
+    targets[i].track =
+        radar::Track::straight(Vec3d{view.south_middle.x + place.x, view.south_middle.y + place.y, size_m.z / 2.0});
+    targets[i].rcs_m2 = radar::Channels{10.0F, 10.0F, 1.0F, 10.0F};
+    targets[i].heading_rad = 2.0 * pi * static_cast<double>(unit_float(hashed(i, 3)));
+    targets[i].size_m = size_m;
+  }
+  return targets;
+}
+
+/// What targets add to a frame as points, and what their shadows add to that; processor time, the least of several
+/// frames with and without in turn.
+void measure_targets(const std::shared_ptr<LiveGround>& ground, const View& view, int repetitions, Figures& figures) {
+  LiveRenderer renderer(ground, view.settings(FrameContent::Amplitudes));
+  Pose pose = view.pose();
+  (void)settled(renderer, *ground, pose);
+  for (const std::size_t count : {std::size_t{100}, std::size_t{10'000}}) {
+    const std::vector<radar::Target> points = vehicles(view, count, {}), boxes = vehicles(view, count, {5.0, 2.5, 2.5});
+    const std::array<std::span<const radar::Target>, 3> kinds{std::span<const radar::Target>{}, points, boxes};
+    std::array<double, 3> least{1e30, 1e30, 1e30};
+    std::array<std::size_t, 3> lit{};
+    for (int run = 0; run < repetitions; ++run) {
+      for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
+        pose.targets = kinds[kind];
+        const double start = processor_seconds();
+        lit[kind] = renderer.render(pose).report.lit;
+        least[kind] = std::min(least[kind], processor_seconds() - start);
+      }
+    }
+    prove(lit[1] == lit[0] && lit[2] < lit[0], "boxes cast shadows and points do not");
+    figures.add(fmt::format("render.targets_{}_ms", count), 1e3 * (least[1] - least[0]), "ms", "as points");
+    figures.add(fmt::format("render.shadows_{}_ms", count), 1e3 * (least[2] - least[1]), "ms",
+                fmt::format("of boxes of 5 by 2.5 by 2.5 m, on {} cells", lit[0] - lit[2]));
+  }
+}
+
 double cold_frame_seconds(const atlas::Store& store, const View& view) {
   const auto ground = made_ground(store, budget_bytes);
   LiveRenderer renderer(ground, view.settings(FrameContent::Amplitudes));
@@ -191,6 +235,8 @@ void measure(const Arguments& arguments, Figures& figures) {
   figures.add("render.frame_ms", 1e3 * small.wall * per_sample, "ms", "for 1,048,576 samples");
   figures.add("render.frame_processor_ms", 1e3 * small.processor * per_sample, "ms", "all threads together");
   figures.add("render.floor_ratio", small.processor * per_sample / floors.sum(), "", "of processor times");
+
+  measure_targets(ground, near, repetitions, figures);
 
   const FrameCost large = frame_cost(ground, wide, repetitions);
   figures.add(

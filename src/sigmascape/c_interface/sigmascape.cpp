@@ -92,6 +92,7 @@ Target target_from(const sigmascape_target& from, std::size_t number) {
   target.fluctuation = static_cast<sigmascape::radar::Swerling>(from.swerling);
   target.heading_rad = from.heading_rad;
   target.seed = from.seed;
+  target.size_m = vector_from(from.size_m);
   return target;
 }
 

@@ -75,6 +75,8 @@ typedef struct sigmascape_target {
   double heading_rad;    /* of the table's nose while the target stands, clockwise from true north */
   int swerling;          /* 0 steady, 1 to 4 fluctuating */
   uint64_t seed;         /* of its fluctuation; give every target its own */
+  double size_m[3];      /* length along its heading, width, height of a box that hides the ground behind it; the phase
+                            centre is its middle; zeros: no shadow */
 } sigmascape_target;
 
 typedef struct sigmascape_frame {

@@ -4,17 +4,15 @@
 #include <cmath>
 
 #include "sigmascape/base/units.h"
+#include "sigmascape/radar/shadow_box.h"
 
 namespace sigmascape::radar {
-namespace {
 
 double heading_of(const Target& target, double time_s) {
   const Vec3d velocity = target.track.velocity_at(time_s);
   const bool moves = velocity.x != 0.0 || velocity.y != 0.0;
   return moves ? std::atan2(velocity.x, velocity.y) : target.heading_rad;
 }
-
-}  // namespace
 
 Motion motion_of(const Target& target, double time_s) {
   return {target.track.position_at(time_s), target.track.velocity_at(time_s)};
@@ -40,26 +38,8 @@ Target weakened(Target target, double part) {
 }
 
 bool hides(const Target& target, double time_s, Vec3d radar_position, Vec3d place) {
-  if (!(target.size_m.x > 0.0 && target.size_m.y > 0.0 && target.size_m.z > 0.0)) return false;
-  const Vec3d centre = target.track.position_at(time_s);
-  const double heading = heading_of(target, time_s), sine = std::sin(heading), cosine = std::cos(heading);
-  const auto in_box = [&](Vec3d v) { return Vec3d{v.x * sine + v.y * cosine, v.x * cosine - v.y * sine, v.z}; };
-  // The part of the line from the place to the radar that lies within all three pairs of faces.
-  const Vec3d from = in_box(place - centre), way = in_box(radar_position - place);
-  double enters = 0.0, leaves = 1.0;
-  const auto clip = [&](double start, double step, double size) {
-    if (step == 0.0) {
-      if (std::abs(start) > size / 2.0) leaves = -1.0;
-      return;
-    }
-    const double one = (-size / 2.0 - start) / step, other = (size / 2.0 - start) / step;
-    enters = std::max(enters, std::min(one, other));
-    leaves = std::min(leaves, std::max(one, other));
-  };
-  clip(from.x, way.x, target.size_m.x);
-  clip(from.y, way.y, target.size_m.y);
-  clip(from.z, way.z, target.size_m.z);
-  return enters < leaves;
+  const std::optional<ShadowBox> box = ShadowBox::of(target, time_s);
+  return box && box->hides(radar_position, place);
 }
 
 ComplexChannels steady_amplitude(const Channels& rcs_m2) {

@@ -35,6 +35,8 @@ struct Moment {
 };
 
 [[nodiscard]] Motion motion_of(const Target& target, double time_s);
+/// Where its nose points, clockwise from true north.
+[[nodiscard]] double heading_of(const Target& target, double time_s);
 
 /// Cross-section as seen from a place at a moment, fluctuation included.
 [[nodiscard]] Channels rcs_of(const Target& target, Vec3d seen_from, double frequency_hz, const Moment& moment);

@@ -6,14 +6,14 @@
 namespace sigmascape::radar {
 
 TargetShadows::TargetShadows(std::span<const Target> targets, double time_s, Vec3d radar_position)
-    : time_s_(time_s), radar_position_(radar_position) {
+    : radar_position_(radar_position) {
   for (const Target& target : targets) {
-    if (!(target.size_m.x > 0.0 && target.size_m.y > 0.0 && target.size_m.z > 0.0)) continue;
-    const Vec3d centre = target.track.position_at(time_s);
-    const Vec2d away{centre.x - radar_position.x, centre.y - radar_position.y};
-    const double distance_m = length(away), half_m = 0.5 * std::hypot(target.size_m.x, target.size_m.y);
+    const std::optional<ShadowBox> box = ShadowBox::of(target, time_s);
+    if (!box) continue;
+    const Vec2d away{box->centre().x - radar_position.x, box->centre().y - radar_position.y};
+    const double distance_m = length(away), half_m = box->half_diagonal_m();
     const Vec2d towards = distance_m > 0.0 ? away * (1.0 / distance_m) : Vec2d{0.0, 1.0};
-    casting_.push_back({&target, towards, distance_m - half_m, half_m});
+    casting_.push_back({*box, towards, distance_m - half_m, half_m});
   }
 }
 
@@ -25,7 +25,7 @@ bool TargetShadows::hide(Vec3d place) const {
     // A shadow widens with distance, like all that is seen under one angle.
     const bool may_hide = along_m >= casting.nearest_m &&
                           std::abs(across_m) * std::max(casting.nearest_m, 0.0) <= casting.half_width_m * along_m;
-    return may_hide && hides(*casting.target, time_s_, radar_position_, place);
+    return may_hide && casting.box.hides(radar_position_, place);
   });
 }
 

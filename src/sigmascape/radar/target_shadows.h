@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "sigmascape/radar/target.h"
+#include "sigmascape/radar/shadow_box.h"
 
 namespace sigmascape::radar {
 
@@ -19,13 +19,12 @@ class TargetShadows {
 
  private:
   struct Casting {
-    const Target* target;
+    ShadowBox box;
     Vec2d towards;              ///< unit vector over the ground from the radar to the target
     double nearest_m = 0.0;     ///< over the ground
     double half_width_m = 0.0;  ///< across that direction, at the target
   };
 
-  double time_s_;
   Vec3d radar_position_;
   std::vector<Casting> casting_;
 };

@@ -14,7 +14,8 @@ struct BinShares {
   template <typename T>
   using Of = std::array<T, atlas::tile_side + GroundPage::vector>;
   alignas(64) Of<std::int32_t> beam, range;  ///< the first of the two
-  alignas(64) Of<float> beam_here, beam_next, range_here, range_next;
+  alignas(64) Of<std::int32_t> first;        ///< bin of both, where all four lie in the sector and the texel is lit
+  alignas(64) Of<float> here_here, here_next, next_here, next_next;  ///< parts by beam and by range
 };
 
 /// Up to a tile's row of neighbouring texels on their way through a frame: what is known of each, a plain array a
@@ -55,8 +56,8 @@ struct LatticeRow {
 
   // What comes back: σ0, later cross-section, in the order of radar::Channels.
   alignas(64) std::array<Of<float>, GroundPage::channels> returned;
-  // And as amplitudes: VV, HH, HV, real and imaginary parts in turn.
-  alignas(64) std::array<Of<float>, 6> amplitude;
+  /// And as amplitudes, [texel][VV, HH, HV, VH] by real and imaginary parts: as bins hold them.
+  alignas(64) std::array<float, 8 * (most + GroundPage::vector)> amplitudes;
   alignas(64) std::array<Of<float>, 2> phasor;  ///< of the way out and back
   BinShares shares;
 };

@@ -74,7 +74,7 @@ LiveRenderer::LiveRenderer(std::shared_ptr<LiveGround> ground, const LiveSetting
   bins_.resize(settings.beams * settings.ranges * numbers_a_bin(settings.content));
   for (unsigned worker = 0; worker < team_.size(); ++worker)
     tasks_.push_back(
-        std::make_unique<SectorTask>(FrameParts{*ground_, settings_, lattice_, horizon_of_, bounds_, bins_}));
+        std::make_unique<SectorTask>(FrameParts{*ground_, settings_, lattice_, horizon_of_, shadows_, bounds_, bins_}));
   // The tasks' and, after them, what lies ahead.
   wanted_.reserve(PageRows::most_wanted * (team_.size() + 1));
   wanted_terrain_.reserve(most_wanted_terrain);
@@ -108,6 +108,7 @@ const Frame& LiveRenderer::scan(const Pose& pose, std::size_t first_beam, std::s
   const TerrainWindows::View terrain = ground_->terrain().windows().view();
   find_visible_ground(terrain, pose, {first_beam, last_beam}, levels);
   look_at_targets(pose, levels);
+  find_shadows_of_targets(pose);
   const std::size_t group = beams_together(settings_.beam_step_rad), first_group = first_beam / group;
   const std::size_t tasks = last_beam > first_beam ? (last_beam - 1) / group + 1 - first_group : 0;
   team_.run(tasks, [&](std::size_t index, unsigned worker) {
@@ -238,6 +239,19 @@ void LiveRenderer::look_at_targets(const Pose& pose, const DetailBlend& levels) 
        .earth = {.refraction = settings_.refraction}},
       pose.moment, [&sight](const receiver::TargetFrame::Seen& target) { return sight.part_seen(target); }, &team_);
   frame_.report.targets = targets_.seen();
+}
+
+void LiveRenderer::find_shadows_of_targets(const Pose& pose) {
+  shadows_.look(pose.targets, pose.moment.time_s,
+                {.radar_position = pose.position,
+                 .first_azimuth_rad = pose.first_azimuth_rad,
+                 .beam_step_rad = settings_.beam_step_rad,
+                 .beams = settings_.beams,
+                 .group = beams_together(settings_.beam_step_rad),
+                 .far_m = grid().near_m + grid().step_m * static_cast<double>(grid().distances),
+                 .drop_per_square_m = grid().drop_per_square_m,
+                 .lowest_m = static_cast<double>(bounds_.lowest_m)},
+                team_);
 }
 
 void LiveRenderer::add_targets(std::size_t first_beam, std::size_t count) {

@@ -13,6 +13,7 @@
 #include "sigmascape/radar/scatterer_lattice.h"
 #include "sigmascape/radar/target.h"
 #include "sigmascape/receiver/target_frame.h"
+#include "sigmascape/render/box_shadows.h"
 #include "sigmascape/render/level_of_detail.h"
 #include "sigmascape/render/live_ground.h"
 #include "sigmascape/render/visible_ground.h"
@@ -50,7 +51,7 @@ struct Pose {
   double first_range_m = 1000.0;   ///< near edge of range bin 0
   Vec3d velocity_mps = {};         ///< says which ground to fetch ahead of time
   /// Targets and movers that answer besides the ground, at every level of detail, wherever nothing stands before them;
-  /// they must live until the frame is done.
+  /// those with a size hide the ground behind them. They must live until the frame is done.
   std::span<const radar::Target> targets = {};
   radar::Moment moment = {};  ///< of the targets' tracks and of their fluctuation
 };
@@ -107,6 +108,7 @@ class LiveRenderer {
   /// Asks for what the radar will see a second later, and for the beams that a scan comes to until then.
   void look_ahead(const PageCache::View& view, const Pose& pose, Beams beams, std::size_t level);
   void look_at_targets(const Pose& pose, const DetailBlend& levels);
+  void find_shadows_of_targets(const Pose& pose);
   void add_targets(std::size_t first_beam, std::size_t count);
   /// For the beams, and their edges, over the terrain of each level of detail in use.
   void find_visible_ground(const TerrainWindows::View& terrain, const Pose& pose, Beams beams,
@@ -130,6 +132,7 @@ class LiveRenderer {
   std::array<Occluders, 2> occluders_;
   std::array<const HorizonMap*, 2> horizon_of_;  // of the two levels of detail; the same when so is their terrain
   receiver::TargetFrame targets_;
+  BoxShadows shadows_;
   DetailTransition transition_;
   int last_level_ = 0;
   std::vector<float> bins_;                         // [beam][range][number]

@@ -8,30 +8,52 @@
 namespace sigmascape::render {
 namespace {
 
+/// Instead of a bin, for texels whose four bins do not all lie in the sector, and for dark ones.
+constexpr std::int32_t at_an_edge = -1, dark = -2;
+
 /// Bins' centres lie at halves: the last one before a position, and what of it goes there and what to the next.
+struct Split {
+  std::int32_t bin;
+  float here, next;
+};
+
+[[gnu::always_inline]] inline Split split(float position) {
+  const float from_centre = position - 0.5F;
+  const float whole = std::floor(from_centre);
+  const float next = from_centre - whole;
+  return {static_cast<std::int32_t>(whole), 1.0F - next, next};
+}
+
 SIGMASCAPE_VECTOR_TARGETS
-void split_positions(const float* position, std::size_t count, bool amplitudes, std::int32_t* bin, float* here,
-                     float* next) {
+void find_shares(LatticeRow& row, const SectorBins& sector) {
+  BinShares& shares = row.shares;
+  const auto first_beam = static_cast<std::int32_t>(sector.first_beam);
+  const auto last_beam = static_cast<std::int32_t>(sector.end_beam) - 1;
+  const auto last_range = static_cast<std::int32_t>(sector.ranges) - 1,
+             stride = static_cast<std::int32_t>(sector.stride);
+  const std::size_t count = row.whole_vectors();
+  SIGMASCAPE_INDEPENDENT_TURNS
   for (std::size_t i = 0; i < count; ++i) {
-    const float from_centre = position[i] - 0.5F;
-    const float whole = std::floor(from_centre);
-    bin[i] = static_cast<std::int32_t>(whole);
-    next[i] = from_centre - whole;
-    here[i] = 1.0F - next[i];
-  }
-  if (!amplitudes) return;
-  for (std::size_t i = 0; i < count; ++i) {
-    here[i] = std::sqrt(here[i]);
-    next[i] = std::sqrt(next[i]);
+    const Split beam = split(row.beam[i]), range = split(row.range_bin[i]);
+    const bool inside = (beam.bin >= first_beam) & (beam.bin < last_beam) & (range.bin >= 0) & (range.bin < last_range);
+    const std::int32_t first = inside ? beam.bin * stride + range.bin : at_an_edge;
+    shares.beam[i] = beam.bin;
+    shares.range[i] = range.bin;
+    shares.first[i] = row.lit[i] > 0.0F ? first : dark;
+    shares.here_here[i] = beam.here * range.here;
+    shares.here_next[i] = beam.here * range.next;
+    shares.next_here[i] = beam.next * range.here;
+    shares.next_next[i] = beam.next * range.next;
   }
 }
 
-void find_shares(LatticeRow& row, bool amplitudes) {
-  BinShares& shares = row.shares;
-  split_positions(row.beam.data(), row.whole_vectors(), amplitudes, shares.beam.data(), shares.beam_here.data(),
-                  shares.beam_next.data());
-  split_positions(row.range_bin.data(), row.whole_vectors(), amplitudes, shares.range.data(), shares.range_here.data(),
-                  shares.range_next.data());
+/// Amplitudes are shared by the roots of powers' parts.
+SIGMASCAPE_VECTOR_TARGETS
+void take_roots(BinShares& shares, std::size_t count) {
+  for (auto* const parts : {&shares.here_here, &shares.here_next, &shares.next_here, &shares.next_next}) {
+    float* const part = parts->data();
+    for (std::size_t i = 0; i < count; ++i) part[i] = std::sqrt(part[i]);
+  }
 }
 
 // All numbers of a bin, added in one go.
@@ -43,50 +65,45 @@ template <typename Numbers>
 [[gnu::always_inline]] inline void share(const SectorBins& sector, const BinShares& shares, std::size_t i,
                                          const Numbers& numbers) {
   constexpr std::size_t count = sizeof(Numbers) / sizeof(float);
-  const std::int32_t beam = shares.beam[i], range = shares.range[i];
-  const auto first_beam = static_cast<std::int32_t>(sector.first_beam);
-  const auto beams = static_cast<std::int32_t>(sector.end_beam), ranges = static_cast<std::int32_t>(sector.ranges);
-  const auto stride = static_cast<std::int32_t>(sector.stride);
-  const auto bin = [&](std::int32_t b, std::int32_t r) {
-    return reinterpret_cast<Numbers*>(sector.bins +
-                                      static_cast<std::ptrdiff_t>(b * stride + r) * static_cast<std::ptrdiff_t>(count));
-  };
-  const Numbers here = numbers * shares.beam_here[i], next = numbers * shares.beam_next[i];
-  if (beam >= first_beam && beam + 1 < beams && range >= 0 && range + 1 < ranges) {
-    Numbers* const first = bin(beam, range);
-    Numbers* const second = bin(beam + 1, range);
-    first[0] += here * shares.range_here[i];
-    first[1] += here * shares.range_next[i];
-    second[0] += next * shares.range_here[i];
-    second[1] += next * shares.range_next[i];
+  if (const std::int32_t first = shares.first[i]; first >= 0) {
+    auto* const here = reinterpret_cast<Numbers*>(sector.bins + static_cast<std::size_t>(first) * count);
+    auto* const next = here + sector.stride;
+    here[0] += numbers * shares.here_here[i];
+    here[1] += numbers * shares.here_next[i];
+    next[0] += numbers * shares.next_here[i];
+    next[1] += numbers * shares.next_next[i];
     return;
   }
-  const auto add_within = [&](std::int32_t b, std::int32_t r, const Numbers& part) {
-    if (b >= first_beam && b < beams && r >= 0 && r < ranges) *bin(b, r) += part;
+  if (shares.first[i] == dark) return;
+  const auto first_beam = static_cast<std::int32_t>(sector.first_beam);
+  const auto beams = static_cast<std::int32_t>(sector.end_beam), ranges = static_cast<std::int32_t>(sector.ranges);
+  const auto add_within = [&](std::int32_t beam, std::int32_t range, const Numbers& part) {
+    if (beam < first_beam || beam >= beams || range < 0 || range >= ranges) return;
+    const std::size_t bin = static_cast<std::size_t>(beam) * sector.stride + static_cast<std::size_t>(range);
+    *reinterpret_cast<Numbers*>(sector.bins + bin * count) += part;
   };
-  add_within(beam, range, here * shares.range_here[i]);
-  add_within(beam, range + 1, here * shares.range_next[i]);
-  add_within(beam + 1, range, next * shares.range_here[i]);
-  add_within(beam + 1, range + 1, next * shares.range_next[i]);
+  const std::int32_t beam = shares.beam[i], range = shares.range[i];
+  add_within(beam, range, numbers * shares.here_here[i]);
+  add_within(beam, range + 1, numbers * shares.here_next[i]);
+  add_within(beam + 1, range, numbers * shares.next_here[i]);
+  add_within(beam + 1, range + 1, numbers * shares.next_next[i]);
 }
 
 }  // namespace
 
 SIGMASCAPE_VECTOR_TARGETS
 void deposit_amplitudes(LatticeRow& row, const SectorBins& sector) {
-  find_shares(row, true);
-  const auto& a = row.amplitude;
+  find_shares(row, sector);
+  take_roots(row.shares, row.whole_vectors());
   for (std::size_t i = 0; i < row.count; ++i) {
-    if (row.lit[i] == 0.0F) continue;
-    share(sector, row.shares, i, EightNumbers{a[0][i], a[1][i], a[2][i], a[3][i], a[4][i], a[5][i], a[4][i], a[5][i]});
+    share(sector, row.shares, i, *reinterpret_cast<const EightNumbers*>(&row.amplitudes[8 * i]));
   }
 }
 
 void deposit_powers(LatticeRow& row, const SectorBins& sector) {
-  find_shares(row, false);
+  find_shares(row, sector);
   const auto& p = row.returned;
   for (std::size_t i = 0; i < row.count; ++i) {
-    if (row.lit[i] == 0.0F) continue;
     share(sector, row.shares, i, FourNumbers{p[0][i], p[1][i], p[2][i], p[3][i]});
   }
 }

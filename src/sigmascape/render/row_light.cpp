@@ -1,5 +1,7 @@
 #include "sigmascape/render/row_light.h"
 
+#include <cstdint>
+
 #include "sigmascape/base/vector_targets.h"
 #include "sigmascape/render/lesser_greater.h"
 
@@ -9,35 +11,63 @@ namespace {
 /// Single precision leaves this much doubt in a slope; level ground must not hide itself.
 constexpr float doubt = 1e-6F;
 
-}  // namespace
+/// Where a row's texels read a map that lies [azimuth][distance].
+struct Nodes {
+  alignas(64) LatticeRow::Of<std::int32_t> index;  ///< of the node towards the radar, along the azimuth on the left
+  alignas(64) LatticeRow::Of<float> part;          ///< that falls to the azimuth on the right
+};
 
 SIGMASCAPE_VECTOR_TARGETS
-std::size_t light(LatticeRow& row, const Horizon& horizon) {
-  const float* const slopes = horizon.slopes;
-  const auto distances = static_cast<std::int32_t>(horizon.distances),
-             stride = static_cast<std::int32_t>(horizon.stride);
-  const auto last_left = static_cast<float>(horizon.azimuths) - 2.0F, last_node = static_cast<float>(distances - 1);
+void find_nodes(const LatticeRow& row, const Horizon& horizon, Nodes& nodes) {
+  const auto stride = static_cast<std::int32_t>(horizon.stride);
+  const auto last_left = static_cast<float>(horizon.azimuths) - 2.0F;
+  const auto last_node = static_cast<float>(horizon.distances) - 1.0F;
   const float first_beam = horizon.first_beam, near_m = horizon.near_m, per_step = horizon.per_step;
-  const float* const beam = row.beam.data();
-  const float* const ground = row.ground_m.data();
-  const float* const slope = row.slope.data();
-  float* const steepest_of = row.horizon.data();
-  float* const lit_of = row.lit.data();
   const std::size_t count = row.whole_vectors();
-  SIGMASCAPE_INDEPENDENT_TURNS
   for (std::size_t i = 0; i < count; ++i) {
-    const float across = beam[i] + first_beam;
+    const float across = row.beam[i] + first_beam;
     const auto left = static_cast<std::int32_t>(lesser(greater(across, 0.0F), last_left));
-    const float part = lesser(greater(across - static_cast<float>(left), 0.0F), 1.0F);
-    const auto node = static_cast<std::int32_t>(lesser(greater((ground[i] - near_m) * per_step, 0.0F), last_node));
-    const std::int32_t index = left * stride + node;
-    const float steepest = (1.0F - part) * slopes[index] + part * slopes[index + stride];
-    steepest_of[i] = steepest;
-    lit_of[i] = slope[i] >= steepest - doubt ? 1.0F : 0.0F;
+    const auto node =
+        static_cast<std::int32_t>(lesser(greater((row.ground_m[i] - near_m) * per_step, 0.0F), last_node));
+    nodes.part[i] = lesser(greater(across - static_cast<float>(left), 0.0F), 1.0F);
+    nodes.index[i] = left * stride + node;
   }
-  float lit = 0.0F;
-  for (std::size_t i = 0; i < row.count; ++i) lit += lit_of[i];
-  return static_cast<std::size_t>(lit);
+}
+
+/// Slopes on the left and on the right of texels; what vector units gather they read one by one as well.
+struct Beside {
+  alignas(64) LatticeRow::Of<float> left, right;
+};
+
+void read_beside(const Nodes& nodes, const float* slopes, std::size_t stride, std::size_t count, Beside& slope) {
+  const float* const right = slopes + stride;
+  for (std::size_t i = 0; i < count; ++i) {
+    slope.left[i] = slopes[nodes.index[i]];
+    slope.right[i] = right[nodes.index[i]];
+  }
+}
+
+SIGMASCAPE_VECTOR_TARGETS
+std::size_t compare(LatticeRow& row, const Nodes& nodes, const Beside& beside) {
+  const std::size_t count = row.whole_vectors();
+  for (std::size_t i = 0; i < count; ++i) {
+    const float steepest = (1.0F - nodes.part[i]) * beside.left[i] + nodes.part[i] * beside.right[i];
+    row.horizon[i] = steepest;
+    row.lit[i] = row.slope[i] >= steepest - doubt ? 1.0F : 0.0F;
+  }
+  std::uint32_t lit = 0;
+  for (std::size_t i = 0; i < row.count; ++i) lit += row.lit[i] > 0.0F ? 1U : 0U;
+  return lit;
+}
+
+}  // namespace
+
+std::size_t light(LatticeRow& row, const Horizon& horizon) {
+  Nodes nodes;
+  Beside beside;
+  find_nodes(row, horizon, nodes);
+  read_beside(nodes, horizon.slopes, horizon.stride, row.whole_vectors(), beside);
+  return compare(row, nodes, beside);
 }
 
 SIGMASCAPE_VECTOR_TARGETS

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstdint>
 
 #include "sigmascape/base/vector_targets.h"
 #include "sigmascape/render/lesser_greater.h"
@@ -92,7 +93,7 @@ constexpr std::size_t look_stride = GroundPage::channels * plane;
 void fetch(const Half* from, std::size_t looks, std::size_t count) {
   constexpr std::size_t line = 64 / sizeof(Half);
   for (std::size_t look = 0; look < looks; ++look) {
-    for (std::size_t i = 0; i < count + line - 1; i += line) __builtin_prefetch(from + look * look_stride + i, 0, 2);
+    for (std::size_t i = 0; i < count + line - 1; i += line) __builtin_prefetch(from + look * look_stride + i, 0, 3);
   }
 }
 
@@ -203,13 +204,16 @@ void add_ground(LatticeRow& row, const GroundLook& look) {
            {row.returned[0].data(), row.returned[1].data(), row.returned[2].data(), row.returned[3].data()});
 }
 
+SIGMASCAPE_VECTOR_TARGETS
 Extremes cotangent_extremes(const LatticeRow& row) {
-  Extremes found{row.cotangent[0], row.cotangent[0]};
+  // Positive floats stand in the order of their bits, and vector units compare integers in any order.
+  std::int32_t least = std::bit_cast<std::int32_t>(row.cotangent[0]), greatest = least;
   for (std::size_t i = 1; i < row.count; ++i) {
-    found.least = lesser(found.least, row.cotangent[i]);
-    found.greatest = greater(found.greatest, row.cotangent[i]);
+    const auto bits = std::bit_cast<std::int32_t>(row.cotangent[i]);
+    least = bits < least ? bits : least;
+    greatest = bits > greatest ? bits : greatest;
   }
-  return found;
+  return {std::bit_cast<float>(least), std::bit_cast<float>(greatest)};
 }
 
 void blend(LatticeRow& row, std::size_t first, std::size_t count, const BlendOf& looks) {

@@ -11,6 +11,7 @@ namespace sigmascape::render {
 struct Extremes {
   float least, greatest;
 };
+/// Of `cotangent`, which is positive everywhere.
 [[nodiscard]] Extremes cotangent_extremes(const LatticeRow& row);
 
 /// Looks that lie about the aspect of a stretch of texels.

@@ -64,9 +64,9 @@ void find_angles(LatticeRow& row, const RowGeometry& geometry) {
     row.slope[i] = -fall;
     // The horizontal at the texel is tilted away from the radar's by the angle between their verticals.
     const float dip = tilt * row.ground_m[i];
-    const float tangent = greater((fall - dip) / (1.0F + fall * dip), 1e-6F);
-    row.cotangent[i] = 1.0F / tangent;
-    row.sine[i] = tangent / std::sqrt(1.0F + tangent * tangent);
+    const float across = 1.0F + fall * dip, down = greater(fall - dip, 1e-6F * across);
+    row.cotangent[i] = across / down;
+    row.sine[i] = down / std::sqrt(across * across + down * down);
   }
 }
 

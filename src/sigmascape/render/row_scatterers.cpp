@@ -22,6 +22,7 @@ void scatter(LatticeRow& row, const std::array<LatticeRow::Of<float>, 6>& gaussi
     row.phasor[0][i] = phasor.re;
     row.phasor[1][i] = phasor.im;
   }
+  SIGMASCAPE_INDEPENDENT_TURNS
   for (std::size_t i = 0; i < count; ++i) {
     const float re = row.phasor[0][i], im = row.phasor[1][i];
     const float vv = std::sqrt(row.returned[0][i]), hh = std::sqrt(row.returned[1][i]);
@@ -32,12 +33,16 @@ void scatter(LatticeRow& row, const std::array<LatticeRow::Of<float>, 6>& gaussi
     const float other_re = correlation * first_re + rest * gaussians[2][i];
     const float other_im = correlation * first_im + rest * gaussians[3][i];
     const float third_re = gaussians[4][i], third_im = gaussians[5][i];
-    row.amplitude[0][i] = vv * (first_re * re - first_im * im);
-    row.amplitude[1][i] = vv * (first_re * im + first_im * re);
-    row.amplitude[2][i] = hh * (other_re * re - other_im * im);
-    row.amplitude[3][i] = hh * (other_re * im + other_im * re);
-    row.amplitude[4][i] = hv * (third_re * re - third_im * im);
-    row.amplitude[5][i] = hv * (third_re * im + third_im * re);
+    const float hv_re = hv * (third_re * re - third_im * im), hv_im = hv * (third_re * im + third_im * re);
+    float* const to = row.amplitudes.data() + 8 * i;
+    to[0] = vv * (first_re * re - first_im * im);
+    to[1] = vv * (first_re * im + first_im * re);
+    to[2] = hh * (other_re * re - other_im * im);
+    to[3] = hh * (other_re * im + other_im * re);
+    to[4] = hv_re;
+    to[5] = hv_im;
+    to[6] = hv_re;
+    to[7] = hv_im;
   }
 }
 

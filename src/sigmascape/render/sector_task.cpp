@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sigmascape/base/units.h"
+#include "sigmascape/base/vector_targets.h"
 #include "sigmascape/render/row_looks.h"
 #include "sigmascape/render/row_scatterers.h"
 
@@ -19,7 +20,6 @@ void SectorTask::begin_frame(const PageCache::View& view) {
 }
 
 void SectorTask::fill(const Pose& pose, Beams beams, const DetailBlend& levels) {
-  clear(beams);
   const auto level = static_cast<std::size_t>(levels.level - 1), next = static_cast<std::size_t>(levels.next - 1);
   const auto next_share = static_cast<float>(levels.next_share);
   const auto& [horizon, next_horizon] = parts_.horizons;
@@ -38,6 +38,29 @@ std::size_t odd_lines(const LiveSettings& settings) {
   return ((settings.ranges + a_line - 1) / a_line | 1U) * a_line;
 }
 
+/// Counts places from the radar.
+SIGMASCAPE_VECTOR_TARGETS
+void move(LatticeRow& row, double radar_east_m, double radar_north_m) {
+  const std::size_t count = row.whole_vectors();
+  for (std::size_t i = 0; i < count; ++i) {
+    row.east_m[i] -= radar_east_m;
+    row.north_m[i] -= radar_north_m;
+  }
+}
+
+/// Clears numbers for the next frame, a line at a time, while they are in the nearest cache.
+SIGMASCAPE_VECTOR_TARGETS
+void hand_over_beam(float* __restrict own, std::size_t count, float* __restrict of_frame) {
+  constexpr std::size_t line = 16;
+  const std::size_t whole = count / line * line;
+  for (std::size_t first = 0; first < whole; first += line) {
+    std::copy_n(own + first, line, of_frame + first);
+    std::fill_n(own + first, line, 0.0F);
+  }
+  std::copy(own + whole, own + count, of_frame + whole);
+  std::fill(own + whole, own + count, 0.0F);
+}
+
 }  // namespace
 
 SectorTask::SectorTask(const FrameParts& parts)
@@ -46,18 +69,12 @@ SectorTask::SectorTask(const FrameParts& parts)
       stride_(odd_lines(parts.settings)),
       own_bins_(beams_together(parts.settings.beam_step_rad) * stride_ * numbers_a_bin(parts.settings.content) / 16) {}
 
-void SectorTask::clear(Beams beams) {
-  const std::size_t group = beams_together(parts_.settings.beam_step_rad);
-  const std::size_t a_beam = stride_ * numbers_a_bin(parts_.settings.content);
-  std::fill_n(own_bins() + beams.first % group * a_beam, beams.count * a_beam, 0.0F);
-}
-
 void SectorTask::hand_over(Beams beams) {
   const std::size_t group = beams_together(parts_.settings.beam_step_rad);
   const std::size_t numbers = numbers_a_bin(parts_.settings.content);
   for (std::size_t beam = beams.first; beam < beams.first + beams.count; ++beam) {
-    std::copy_n(own_bins() + beam % group * stride_ * numbers, parts_.settings.ranges * numbers,
-                parts_.bins.data() + beam * parts_.settings.ranges * numbers);
+    hand_over_beam(own_bins() + beam % group * stride_ * numbers, parts_.settings.ranges * numbers,
+                   parts_.bins.data() + beam * parts_.settings.ranges * numbers);
   }
 }
 
@@ -106,7 +123,10 @@ void SectorTask::start(const Pose& pose, Beams beams, std::size_t level) {
 void SectorTask::fill_tile(const atlas::TileAddress& tile) {
   const radar::GroundGrid texels = atlas::texels_of(patches(), tile);
   const double west = texels.west_m - pose_->position.x;
+  shadows_.begin(parts_.shadows.of_group(first_beam_ / beams_together(parts_.settings.beam_step_rad)),
+                 {west, texels.north_m - pose_->position.y, texel_m_, atlas::tile_side, atlas::tile_side});
   for (std::size_t row = 0; row < atlas::tile_side; ++row) {
+    shadows_.go_to_row(row);
     const double north = texels.centre_of(0, row).y - pose_->position.y;
     const Sector::Stretches stretches = sector_.along_row(north);
     for (std::size_t s = 0; s < stretches.count; ++s) {
@@ -134,6 +154,7 @@ void SectorTask::fill_stretch(const Place& place, std::size_t count) {
   stand_on(row_, heights_of(ground));
   locate(row_, geometry_);
   report_.lit += light(row_, horizon());
+  report_.lit -= shadows_.shade(row_, place.first_column);
   if (apart) light_apart_from(ground);
   const auto area_m2 = static_cast<float>(texel_m_ * texel_m_) * share_;
   blend_by_aspect(place, area_m2);
@@ -154,10 +175,7 @@ void SectorTask::place_scatterers(const Place& place) {
   const std::size_t reckoned = row_.whole_vectors();
   parts_.lattice.positions_of(first_cell_, static_cast<int>(level_), {row_.east_m.data(), reckoned},
                               {row_.north_m.data(), reckoned});
-  for (std::size_t i = 0; i < reckoned; ++i) {
-    row_.east_m[i] -= pose_->position.x;
-    row_.north_m[i] -= pose_->position.y;
-  }
+  move(row_, pose_->position.x, pose_->position.y);
 }
 
 PageHeights SectorTask::heights_of(const PageRow& ground) const {

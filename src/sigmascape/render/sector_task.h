@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sigmascape/radar/scatterer_lattice.h"
+#include "sigmascape/render/box_shadows.h"
 #include "sigmascape/render/lattice_row.h"
 #include "sigmascape/render/live_renderer.h"
 #include "sigmascape/render/page_rows.h"
@@ -34,6 +35,7 @@ struct FrameParts {
   /// Of this frame, swept already: over the terrain of the level of detail in use and, while it gives way to the next,
   /// over that of the next.
   const std::array<const HorizonMap*, 2>& horizons;
+  const BoxShadows& shadows;            ///< that the frame's targets cast
   const terrain::HeightBounds& bounds;  ///< of the ground that this frame looks at
   std::span<float> bins;                ///< [beam][range][number]
 };
@@ -52,7 +54,7 @@ class SectorTask {
   [[nodiscard]] const FrameReport& report() const { return report_; }
   [[nodiscard]] std::span<const PageKey> wanted() const { return pages_.wanted(); }
 
-  /// Clears the beams and adds one level of the ground, or two with their shares of the power.
+  /// Fills the beams with one level of the ground, or two with their shares of the power.
   void fill(const Pose& pose, Beams beams, const DetailBlend& levels);
 
  private:
@@ -62,7 +64,7 @@ class SectorTask {
     std::size_t row = 0, first_column = 0;
   };
 
-  void clear(Beams beams);
+  /// Moves the beams' numbers into the frame and leaves zeros behind.
   void hand_over(Beams beams);
   [[nodiscard]] float* own_bins() { return own_bins_.data()->of.data(); }
   void add_level(const Pose& pose, Beams beams, std::size_t level, const HorizonMap& horizon, float share);
@@ -101,7 +103,7 @@ class SectorTask {
   struct alignas(64) Line {
     std::array<float, 16> of;
   };
-  std::vector<Line> own_bins_;  // [beam][range][number] of a group of beams
+  std::vector<Line> own_bins_;  // [beam][range][number] of a group of beams; zero between calls of fill
 
   // Of the level in hand.
   const Pose* pose_ = nullptr;
@@ -113,6 +115,7 @@ class SectorTask {
   Sector sector_;
   RowGeometry geometry_;
   SectorBins bins_;
+  TileShadows shadows_;
 
   // Of the stretch in hand.
   radar::LatticeCell first_cell_;

@@ -126,6 +126,18 @@ TEST_F(LiveFromC, TargetsAnswer) {
   EXPECT_NEAR(power(&seen) - alone, 150.0, 0.5);
   EXPECT_EQ(seen, 2U);
 
+  const double seen_m2 = static_cast<double>(view.beams * view.ranges) * view.bin_m * view.bin_m;
+  // With a size it hides the ground under it, and more behind it.
+  sigmascape_target box = targets[0];
+  for (float& rcs : box.rcs_m2) rcs = 0.0F;
+  ASSERT_EQ(sigmascape_set_targets(renderer, &box, 1), 0) << sigmascape_last_error();
+  const double open = power(&seen);
+  box.size_m[0] = box.size_m[1] = 40.0;
+  box.size_m[2] = 2.0 * box.position_m[2];
+  ASSERT_EQ(sigmascape_set_targets(renderer, &box, 1), 0) << sigmascape_last_error();
+  EXPECT_LT(power(&seen), open - 40.0 * 40.0 * alone / seen_m2);
+  ASSERT_EQ(sigmascape_set_targets(renderer, targets, 3), 0) << sigmascape_last_error();
+
   targets[2].rcs_table = "/nowhere.csv";
   EXPECT_NE(sigmascape_set_targets(renderer, targets, 3), 0);
   EXPECT_NE(std::string(sigmascape_last_error()).find("/nowhere.csv"), std::string::npos);

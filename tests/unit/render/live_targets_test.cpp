@@ -4,7 +4,9 @@
 
 #include "live_ground_example.h"
 
+#include "sigmascape/atlas/atlas.h"
 #include "sigmascape/atlas/pyramid.h"
+#include "sigmascape/render/ground_renderer.h"
 
 namespace sigmascape::render {
 namespace {
@@ -159,6 +161,166 @@ TEST_F(LiveTargetsTest, AMoverIsWhereItsTrackSaysAtTheMoment) {
   };
   // Away from the radar in the north, which sees it under 13°.
   EXPECT_NEAR(range_of_target(5.0) - range_of_target(0.0), 150.0 * std::cos(radians_from_deg(13.0)), 1.0);
+}
+
+radar::Target box_at(Vec2d foot, Vec3d size_m, double heading_deg = 0.0) {
+  radar::Target box = standing(foot, 0.5 * size_m.z, 0.0F);
+  box.size_m = size_m;
+  box.heading_rad = radians_from_deg(heading_deg);
+  return box;
+}
+
+/// VV of all bins [beam][range], m².
+std::vector<float> powers_of(const std::vector<radar::Target>& targets, const std::shared_ptr<LiveGround>& ground,
+                             const ExampleView& view) {
+  LiveRenderer renderer(ground, view.settings(FrameContent::Powers));
+  Pose pose = view.pose();
+  pose.targets = targets;
+  const Frame& frame = settled_frame(renderer, *ground, pose);
+  std::vector<float> vv;
+  for (std::size_t i = 0; i < frame.powers_m2.size(); i += 4) vv.push_back(frame.powers_m2[i]);
+  return vv;
+}
+
+double sum_of(const std::vector<float>& numbers) {
+  double sum = 0.0;
+  for (const float number : numbers) sum += static_cast<double>(number);
+  return sum;
+}
+
+/// What a box takes from a map, in m² of VV, and from how many bins.
+struct Taken {
+  double power_m2 = 0.0;
+  std::size_t bins = 0, brighter = 0;
+};
+
+Taken taken(const std::vector<float>& without, const std::vector<float>& with) {
+  Taken result{.power_m2 = sum_of(without) - sum_of(with)};
+  for (std::size_t bin = 0; bin < with.size(); ++bin) {
+    if (with[bin] != without[bin]) ++result.bins;
+    if (with[bin] > without[bin]) ++result.brighter;
+  }
+  return result;
+}
+
+/// The radar map of the offline renderer in the same bins.
+std::vector<float> offline_powers(const std::vector<radar::Target>& targets, const atlas::Store& store,
+                                  const terrain::HeightField& terrain, const ExampleView& view) {
+  const LiveSettings settings = view.settings(FrameContent::Powers);
+  const Pose pose = view.pose();
+  radar::Radar radar;
+  radar.position = pose.position;
+  radar.range_resolution_m = settings.range_step_m;
+  radar.beam_width_rad = settings.beam_step_rad;
+  const radar::RangeAzimuthGrid grid{pose.first_range_m,     settings.range_step_m,  settings.ranges,
+                                     pose.first_azimuth_rad, settings.beam_step_rad, settings.beams};
+  RenderCounts counts;
+  const radar::RangeAzimuthImage image =
+      GroundRenderer(atlas::load_atlas(store), terrain)
+          .render(radar, store.description().extent, grid, {.targets = targets}, counts);
+  std::vector<float> vv;
+  for (std::size_t beam = 0; beam < grid.azimuths; ++beam) {
+    for (std::size_t range = 0; range < grid.ranges; ++range) vv.push_back(image.rcs_m2(beam, range).vv);
+  }
+  return vv;
+}
+
+TEST_F(LiveTargetsTest, ABoxDarkensItsShadowAndNothingElse) {
+  // Long enough a shadow that a texel's width at its edges does not matter.
+  const auto ground = level_ground().over(*store_);
+  ExampleView view;
+  view.azimuth_deg = 0.0;
+  view.bin_m = 8.0;
+  const Vec3d size{30.0, 60.0, 20.0};
+  const std::vector<radar::Target> targets{box_at(view.target + Vec2d{0.0, 40.0}, size)};
+  const std::vector<float> open = powers_of({}, ground, view), shaded = powers_of(targets, ground, view);
+  const Taken live = taken(open, shaded);
+  EXPECT_EQ(live.brighter, 0U);
+
+  // Seen from the north: from the near face to where the line of sight over the far edge of the roof comes down.
+  const Vec3d radar = view.pose().position;
+  const double centre_m = radar.y - (view.target.y + 40.0), near_m = centre_m - 15.0;
+  const double far_m = (centre_m + 15.0) * radar.z / (radar.z - size.z);
+  // Its sides run away from the corners of the near face.
+  const double area_m2 = size.y / near_m * 0.5 * (far_m * far_m - near_m * near_m);
+  const double middle_m = 0.5 * (near_m + far_m);
+  const double sigma0 = 0.01 * radar.z / std::hypot(radar.z, middle_m);
+  EXPECT_NEAR(live.power_m2 / (area_m2 * sigma0), 1.0, 0.03);
+  // Bins that the shadow covers, with those that share its edges.
+  const double covered = (size.y * far_m / near_m / 8.0 + 3.0) * ((far_m - near_m) / 8.0 + 3.0);
+  EXPECT_LE(static_cast<double>(live.bins), covered);
+  EXPECT_GE(static_cast<double>(live.bins), 0.7 * covered);
+}
+
+TEST_F(LiveTargetsTest, ShadowsAreThoseOfTheOfflineMap) {
+  const ExampleGround example = level_ground();
+  const auto ground = example.over(*store_);
+  for (const double azimuth_deg : {0.0, 75.0}) {
+    ExampleView view;
+    view.azimuth_deg = azimuth_deg;
+    view.bin_m = 8.0;
+    const std::vector<radar::Target> targets{box_at(view.target + Vec2d{20.0, 30.0}, {50.0, 30.0, 15.0}, 40.0),
+                                             box_at(view.target + Vec2d{-60.0, -45.0}, {40.0, 40.0, 10.0}, 15.0)};
+    const Taken live = taken(powers_of({}, ground, view), powers_of(targets, ground, view));
+    const Taken offline = taken(offline_powers({}, *store_, example.terrain(), view),
+                                offline_powers(targets, *store_, example.terrain(), view));
+    EXPECT_GT(offline.power_m2, 0.0);
+    EXPECT_NEAR(live.power_m2 / offline.power_m2, 1.0, 0.04) << azimuth_deg;
+  }
+}
+
+TEST_F(LiveTargetsTest, ShadowsGoOverTheEdgeOfAGroupOfBeams) {
+  // Beams 32 to 95 of 128 are cut in two groups; seen on their own they are one. The box stands just right of the cut,
+  // and part of its shadow is shared with the beam left of it.
+  const auto ground = level_ground().over(*store_);
+  ExampleView view;
+  view.azimuth_deg = 0.0;
+  view.bin_m = 8.0;
+  view.beams = 128;
+  Pose pose = view.pose();
+  // Looking south, azimuths grow towards the west.
+  const std::vector<radar::Target> targets{box_at(view.target + Vec2d{-4.0, 0.0}, {4.0, 4.0, 30.0})};
+  pose.targets = targets;
+  LiveSettings settings = view.settings(FrameContent::Powers);
+  LiveRenderer wide(ground, settings);
+  const std::vector<float> cut = [&] {
+    const Frame& frame = settled_frame(wide, *ground, pose);
+    return std::vector<float>(frame.powers_m2.begin(), frame.powers_m2.end());
+  }();
+  settings.beams = 64;
+  pose.first_azimuth_rad += 32.0 * settings.beam_step_rad;
+  LiveRenderer narrow(ground, settings);
+  const Frame& whole = settled_frame(narrow, *ground, pose);
+  for (std::size_t beam = 24; beam < 40; ++beam) {
+    for (std::size_t range = 0; range < view.ranges; ++range) {
+      const float here = whole.powers_m2[(beam * view.ranges + range) * 4];
+      const float there = cut[((beam + 32) * view.ranges + range) * 4];
+      EXPECT_NEAR(there, here, 0.002F) << beam << ' ' << range;
+    }
+  }
+}
+
+TEST_F(LiveTargetsTest, ShadowsOfAScanAreThoseOfAFrame) {
+  const auto ground = level_ground().over(*store_);
+  ExampleView view;
+  view.beams = 160;
+  std::vector<radar::Target> targets;
+  for (int i = 0; i < 60; ++i) {
+    targets.push_back(
+        box_at(view.target + Vec2d{-300.0 + 10.0 * i, 150.0 * std::sin(0.7 * i)}, {12.0, 5.0, 6.0}, 7.0 * i));
+  }
+  Pose pose = view.pose();
+  pose.targets = targets;
+  LiveRenderer at_once(ground, view.settings(FrameContent::Amplitudes, 1));
+  LiveRenderer scanning(ground, view.settings(FrameContent::Amplitudes, 3));
+  const Frame& whole = settled_frame(at_once, *ground, pose);
+  settled_frame(scanning, *ground, pose);
+  for (std::size_t beam = 0; beam < view.beams; beam += 16) scanning.scan(pose, beam, 16);
+  const Frame& swept = scanning.scan(pose, 0, 16);
+  EXPECT_TRUE(std::ranges::equal(whole.amplitudes_m, swept.amplitudes_m));
+  pose.targets = {};
+  const std::size_t lit = whole.report.lit;
+  EXPECT_GT(at_once.render(pose).report.lit, lit);
 }
 
 }  // namespace

@@ -90,6 +90,7 @@ TEST(SteadyMemory, LiveFramesTakeNoneOnceTheirPagesAreThere) {
       targets[i].track = radar::Track::straight(Vec3d{view.target.x + x, view.target.y + y, 2.0});
       targets[i].rcs_m2 = radar::Channels{1.0F, 1.0F, 0.0F, 1.0F};
       targets[i].fluctuation = radar::Swerling::Case1;
+      targets[i].size_m = {8.0, 3.0, 4.0};
     }
     pose.targets = targets;
     settled_frame(renderer, *ground, pose);
