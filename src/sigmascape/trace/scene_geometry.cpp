@@ -161,8 +161,9 @@ bool SceneStructures::meet(const Ray& ray, const Found& found, SurfaceHit& hit) 
     hit.material = ground_material(hit.position);
     hit.is_ground = true;
   } else {
-    hit.material = part.materials[found.primitive];
-    hit.inverse_facet_area_per_m2 = part.inverse_facet_areas[found.primitive];
+    const FaceTraits& face = part.faces[found.primitive];
+    hit.material = face.material;
+    hit.inverse_facet_area_per_m2 = face.inverse_area_per_m2;
     if (found.instance != RTC_INVALID_GEOMETRY_ID) bring_into_world(part, normal, hit.inverse_facet_area_per_m2);
   }
   const float norm = length(normal);
