@@ -208,6 +208,12 @@ void SceneGeometry::intersect(std::span<const Ray> rays, std::span<SurfaceHit> h
                  if (!found.nothing()) __builtin_prefetch(&s.parts[found.part()]);
                }
                for (std::size_t lane = 0; lane < lanes; ++lane) {
+                 const Found found = found_by(packet, lane);
+                 if (found.nothing()) continue;
+                 const Part& part = s.parts[found.part()];
+                 if (!part.is_terrain()) __builtin_prefetch(&part.faces[found.primitive]);
+               }
+               for (std::size_t lane = 0; lane < lanes; ++lane) {
                  const std::size_t i = first + lane;
                  meets[i] = s.meet(rays[i], found_by(packet, lane), hits[i]) ? 1 : 0;
                }
