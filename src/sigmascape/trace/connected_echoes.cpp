@@ -19,16 +19,6 @@ constexpr float greatest_share = 2.0F;
 
 }  // namespace
 
-void TileTracer::add_connected_echoes(int bounce) {
-  connections_.clear();
-  connected_fields_.clear();
-  for_each_company([&](const Company& company) { consider_connections(company, bounce); });
-  find_transmittances();
-  for (std::size_t i = 0; i < connections_.size(); ++i) {
-    if (transmittances_[i] > 0.0F) add_connected_echo(connections_[i], i, bounce);
-  }
-}
-
 void TileTracer::consider_connections(const Company& company, int bounce) {
   VectorLanes to_radar;
   for (std::size_t lane = 0; lane < lane_count; ++lane) {
@@ -37,10 +27,12 @@ void TileTracer::consider_connections(const Company& company, int bounce) {
   }
   const auto first_dimension = static_cast<std::uint32_t>(bounce) * DimensionsPerVertex;
   const PairLanes draws = phase_draws(company, first_dimension + ConnectPhaseA);
+  power_ = {};
   for (std::size_t f = 0; f < frequencies_; ++f) {
-    gather_fields(company, f);
-    surfaces_[f][company.material].pass_on(fields_, company.at, to_radar, draws, passages_[f]);
+    surfaces_[f][company.material].pass_on(lanes_[f].fields, company.at, to_radar, draws, passages_[f]);
+    raise_to_power_of(passages_[f].fields, power_);
   }
+  weigh_directions(company.at, company.extinction_per_m, to_radar, cosine_, density_);
   FloatLanes lots;
   draw_independent(company.points, first_dimension + ConnectRoulette, lots);
   for (std::size_t lane = 0; lane < company.paths.size(); ++lane)
@@ -48,19 +40,15 @@ void TileTracer::consider_connections(const Company& company, int bounce) {
 }
 
 void TileTracer::consider_connection(std::uint32_t number, std::size_t lane, Vec3f to_radar, float lot) {
-  const Path& path = paths_[number];
-  const float cosine = cosine_at(path.hit, to_radar);
-  if (cosine <= 0.0F) return;
-  float power = 0.0F;
-  for (std::size_t f = 0; f < frequencies_; ++f) power = std::max(power, passages_[f].fields[lane].mean_power());
-  if (power <= 0.0F) return;
-
-  Connection connection{.path = number, .to_radar = to_radar, .density = mean_forward(waves_of(path))};
+  const float cosine = cosine_[lane], power = power_[lane];
+  if (cosine <= 0.0F || power <= 0.0F) return;
+  Connection connection{.path = number, .to_radar = to_radar, .density = mean_forward(lane)};
   const auto chance_of = [&](float share) {
     return options_.roulette ? power * cosine * share / faint_connection / connection.density : 1.0F;
   };
   // Most connections are so faint that it does not matter how much their share is.
   if (chance_of(greatest_share) <= lot) return;
+  const Path& path = paths_[number];
   connection.reverse_odds = reverse_odds(path, lane);
   const Vec3d position = position_of(path);
   connection.reverse_is_launched =
@@ -73,13 +61,19 @@ void TileTracer::consider_connection(std::uint32_t number, std::size_t lane, Vec
 }
 
 float TileTracer::reverse_odds(const Path& path, std::size_t lane) const {
-  const std::span<const Wave> waves = waves_of(path);
   float back = 0.0F, forth = 0.0F;
   for (std::size_t f = 0; f < frequencies_; ++f) {
-    back += waves[f].reverse * passages_[f].reverse_pdf[lane];
-    forth += waves[f].forward;
+    back += lanes_[f].reverse[lane] * passages_[f].reverse_pdf[lane];
+    forth += lanes_[f].forward[lane];
   }
   return back / path.first_density / forth;
+}
+
+void TileTracer::add_connected_echoes(int bounce) {
+  find_transmittances();
+  for (std::size_t i = 0; i < connections_.size(); ++i) {
+    if (transmittances_[i] > 0.0F) add_connected_echo(connections_[i], i, bounce);
+  }
 }
 
 /// 2/(1 + q): the part of the path and its reversal together that falls to this one of the two.

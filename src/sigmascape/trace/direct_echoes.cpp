@@ -10,15 +10,13 @@ namespace sigmascape::trace {
 using radar::Channels;
 using scatter::PolarizationBasis;
 
-void TileTracer::add_direct_echoes() {
-  for_each_company([&](const Company& company) {
-    for (std::size_t f = 0; f < frequencies_; ++f) {
-      if (options_.coherent)
-        add_coherent_direct_echoes(company, f);
-      else
-        add_direct_echoes(company, f);
-    }
-  });
+void TileTracer::add_direct_echoes(const Company& company) {
+  for (std::size_t f = 0; f < frequencies_; ++f) {
+    if (options_.coherent)
+      add_coherent_direct_echoes(company, f);
+    else
+      add_direct_echoes(company, f);
+  }
 }
 
 void TileTracer::add_direct_echoes(const Company& company, std::size_t frequency) {
@@ -38,7 +36,7 @@ void TileTracer::add_coherent_direct_echoes(const Company& company, std::size_t 
     const Path& path = paths_[company.paths[lane]];
     const Vec3f to_radar = -path.ray.direction;
     const auto out = surface
-                         .scatter(waves_of(path)[frequency].fields, to_radar, to_radar, face_of(path.hit),
+                         .scatter(lanes_[frequency].fields[lane], to_radar, to_radar, face_of(path.hit),
                                   {draws.x[lane], draws.y[lane]})
                          .turned(roughness_phasor(path, frequency, 1));
     // A direct path is its own reversal: its matrix is symmetric, and the mean of both is itself.

@@ -16,61 +16,69 @@ constexpr float least_cosine = 1e-6F;
 
 }  // namespace
 
-void TileTracer::carry_on(int bounce) {
-  for_each_company([&](const Company& company) { carry_on(company, bounce); });
-  std::erase_if(living_, [&](std::uint32_t path) { return !paths_[path].is_alive; });
-}
-
 void TileTracer::carry_on(const Company& company, int bounce) {
   VectorLanes directions;
   surfaces_[company.hero][company.material].sample(
       company.at, drawn_pairs(company.points, static_cast<std::uint32_t>(bounce)), directions);
   const auto first_dimension = static_cast<std::uint32_t>(bounce) * DimensionsPerVertex;
   const PairLanes draws = phase_draws(company, first_dimension + PhaseA);
-  for (std::size_t f = 0; f < frequencies_; ++f) {
-    gather_fields(company, f);
-    surfaces_[f][company.material].pass_on(fields_, company.at, directions, draws, passages_[f]);
-  }
-  FloatLanes lots;
+  for (std::size_t f = 0; f < frequencies_; ++f)
+    surfaces_[f][company.material].pass_on(lanes_[f].fields, company.at, directions, draws, passages_[f]);
+  weigh_directions(company.at, company.extinction_per_m, directions, cosine_, density_);
+  leave(company, bounce);
+
+  FloatLanes lots, chances, gains;
   draw_independent(company.points, first_dimension + RouletteChoice, lots);
+  chances_in_roulette(power_, options_.roulette ? least_survival : 1.0F, chances, gains);
+  const FloatLanes& pdf = passages_[company.hero].pdf;
   for (std::size_t lane = 0; lane < company.paths.size(); ++lane) {
     Path& path = paths_[company.paths[lane]];
-    path.is_alive = carry_on(path, lane, directions[lane], lots[lane], bounce);
+    path.is_alive = pdf[lane] > 0.0F && cosine_[lane] > least_cosine && power_[lane] > 0.0F &&
+                    survives_roulette(lane, chances[lane], lots[lane]);
+    if (path.is_alive) path.ray = {start_from(path.hit), directions[lane]};
+  }
+  for (std::size_t f = 0; f < frequencies_; ++f) {
+    multiply(lanes_[f].fields, gains);
+    reverse(passages_[f], density_, pdf, bounce == 1, lanes_[f]);
+    for (std::size_t lane = 0; lane < company.paths.size(); ++lane) {
+      const std::size_t path = company.paths[lane];
+      if (paths_[path].is_alive) waves_[path * frequencies_ + f] = lanes_[f][lane];
+    }
   }
 }
 
-bool TileTracer::carry_on(Path& path, std::size_t lane, Vec3f direction, float lot, int bounce) {
-  const float pdf = passages_[path.hero].pdf[lane], cosine = cosine_at(path.hit, direction);
-  if (pdf <= 0.0F || cosine <= least_cosine) return false;
-  const std::span<Wave> waves = waves_of(path);
+void TileTracer::leave(const Company& company, int bounce) {
+  power_ = {};
   for (std::size_t f = 0; f < frequencies_; ++f) {
-    Wave& wave = waves[f];
-    wave.fields = passages_[f].fields[lane] * std::sqrt(cosine / pdf);
-    if (options_.coherent) wave.fields = wave.fields.turned(roughness_phasor(path, f, bounce));
-    if (f != path.hero) wave.forward *= passages_[f].pdf[lane] / pdf;
+    WaveLanes& waves = lanes_[f];
+    trace::leave(passages_[f], cosine_, passages_[company.hero].pdf, f == company.hero, waves);
+    for (std::size_t lane = 0; options_.coherent && lane < company.paths.size(); ++lane) {
+      const Path& path = paths_[company.paths[lane]];
+      waves.fields.set(lane, waves.fields[lane].turned(roughness_phasor(path, f, bounce)));
+    }
+    raise_to_power_of(waves.fields, power_);
   }
-  if (!survives_roulette(waves, lot)) return false;
-  for (std::size_t f = 0; f < frequencies_; ++f) {
-    // The vertex's part of the reversed density: at the first vertex there is none yet, only the forward one to divide
-    // by.
-    if (bounce > 1) waves[f].reverse *= passages_[f].reverse_pdf[lane];
-    waves[f].reverse *= density_at(path.hit, direction) / pdf;
-  }
-  path.ray = {start_from(path.hit), direction};
-  return true;
+  for (std::size_t lane = 0; frequencies_ > 1 && lane < lane_count; ++lane) power_[lane] /= mean_forward(lane);
 }
 
-bool TileTracer::survives_roulette(std::span<Wave> waves, float u) {
-  const float power = greatest_power(waves);
-  if (power <= 0.0F) return false;
-  if (!options_.roulette) return true;
-  const float survival = std::clamp(power, least_survival, 1.0F);
-  const double before = books_.keeps_books() ? Bookkeeper::carried(waves) : 0.0;
-  const bool survives = u < survival;
-  if (survives) {
-    for (Wave& wave : waves) wave.fields = wave.fields * (1.0F / std::sqrt(survival));
+float TileTracer::mean_forward(std::size_t lane) const {
+  if (frequencies_ == 1) return 1.0F;
+  float sum = 0.0F;
+  for (const WaveLanes& waves : lanes_) sum += waves.forward[lane];
+  return sum / static_cast<float>(frequencies_);
+}
+
+bool TileTracer::survives_roulette(std::size_t lane, float chance, float lot) {
+  const bool survives = lot < chance;
+  if (books_.keeps_books()) {
+    double before = 0.0, density = 0.0;
+    for (const WaveLanes& waves : lanes_) {
+      before += static_cast<double>(waves.fields[lane].mean_power());
+      density += static_cast<double>(waves.forward[lane]);
+    }
+    before /= density;
+    books_.meets_roulette(before, survives ? before / static_cast<double>(chance) : 0.0);
   }
-  if (books_.keeps_books()) books_.meets_roulette(before, survives ? Bookkeeper::carried(waves) : 0.0);
   return survives;
 }
 

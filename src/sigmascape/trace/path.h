@@ -30,8 +30,8 @@ struct Path {
   std::size_t hero = 0;     ///< the frequency whose densities draw the directions
   bool is_alive = true;
   bool counts = true;  ///< whether it began where the launch area asks for
-  Vec3d aim;  ///< where on the launch plane it was aimed
-  Ray ray;    ///< the one that it follows
+  Vec3d aim;           ///< where on the launch plane it was aimed
+  Ray ray;             ///< the one that it follows
   SurfaceHit hit;
   Vec3d first_position;  ///< of the first vertex, in the world
   double first_range_m = 0.0;
@@ -43,24 +43,5 @@ struct Path {
   float direct_return = 1.0F;
   double imbalance = 0.0;  ///< of its books of power
 };
-
-/// Density of the path that carries these waves, whichever frequency were its hero, over the hero's own. One for a
-/// single frequency.
-[[nodiscard]] inline float mean_forward(std::span<const Wave> waves) {
-  if (waves.size() == 1) return 1.0F;
-  float sum = 0.0F;
-  for (const Wave& wave : waves) sum += wave.forward;
-  return sum / static_cast<float>(waves.size());
-}
-
-/// The power that they carry at the frequency where that is greatest, over the power sent.
-[[nodiscard]] inline float greatest_power(std::span<const Wave> waves) {
-  float greatest = 0.0F;
-  for (const Wave& wave : waves) {
-    const float power = wave.fields.mean_power();
-    if (power > greatest) greatest = power;
-  }
-  return greatest / mean_forward(waves);
-}
 
 }  // namespace sigmascape::trace

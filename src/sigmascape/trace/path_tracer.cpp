@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "sigmascape/base/parallel.h"
 #include "sigmascape/trace/tile_tracer.h"
@@ -79,19 +80,21 @@ TraceCounts PathTracer::trace(const LaunchArea& area, SampleRange samples, unsig
 }
 
 TraceCounts PathTracer::trace_tiles(const LaunchArea& area, unsigned threads, const TileBody& body) const {
-  const unsigned workers = thread_count(threads);
-  std::vector<TraceCounts> counts(workers);
-  parallel_for(area.tiles(), workers, [&](std::size_t tile, unsigned worker) {
+  // One tracer a thread, made by the thread itself: what it needs for a tile it has ready for the next.
+  std::vector<std::unique_ptr<TileTracer>> tracers(thread_count(threads));
+  parallel_for(area.tiles(), static_cast<unsigned>(tracers.size()), [&](std::size_t tile, unsigned worker) {
     const FlushDenormals flush;
+    auto& tracer = tracers[worker];
+    if (!tracer) tracer = std::make_unique<TileTracer>(*geometry_, surfaces_, viewpoint_, options_, area, seed_);
     const std::size_t first = tile * cells_per_tile;
-    const auto cells = std::span(area.cells).subspan(first, std::min(cells_per_tile, area.cells.size() - first));
-    TileTracer tracer(*geometry_, surfaces_, viewpoint_, options_, area, cells, seed_);
-    body(tracer, worker);
-    counts[worker] += tracer.counts();
+    tracer->begin(std::span(area.cells).subspan(first, std::min(cells_per_tile, area.cells.size() - first)));
+    body(*tracer, worker);
   });
 
   TraceCounts total;
-  for (const TraceCounts& part : counts) total += part;
+  for (const auto& tracer : tracers) {
+    if (tracer) total += tracer->counts();
+  }
   return total;
 }
 

@@ -161,8 +161,9 @@ bool SceneStructures::meet(const Ray& ray, const Found& found, SurfaceHit& hit) 
     hit.material = ground_material(hit.position);
     hit.is_ground = true;
   } else {
-    hit.material = part.materials[found.primitive];
-    hit.inverse_facet_area_per_m2 = part.inverse_facet_areas[found.primitive];
+    const FaceTraits& face = part.faces[found.primitive];
+    hit.material = face.material;
+    hit.inverse_facet_area_per_m2 = face.inverse_area_per_m2;
     if (found.instance != RTC_INVALID_GEOMETRY_ID) bring_into_world(part, normal, hit.inverse_facet_area_per_m2);
   }
   const float norm = length(normal);
@@ -205,6 +206,12 @@ void SceneGeometry::intersect(std::span<const Ray> rays, std::span<SurfaceHit> h
                for (std::size_t lane = 0; lane < lanes; ++lane) {
                  const Found found = found_by(packet, lane);
                  if (!found.nothing()) __builtin_prefetch(&s.parts[found.part()]);
+               }
+               for (std::size_t lane = 0; lane < lanes; ++lane) {
+                 const Found found = found_by(packet, lane);
+                 if (found.nothing()) continue;
+                 const Part& part = s.parts[found.part()];
+                 if (!part.is_terrain()) __builtin_prefetch(&part.faces[found.primitive]);
                }
                for (std::size_t lane = 0; lane < lanes; ++lane) {
                  const std::size_t i = first + lane;

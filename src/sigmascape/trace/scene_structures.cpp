@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "sigmascape/base/error.h"
-#include "sigmascape/scene/facet_area.h"
 
 namespace sigmascape::trace {
 namespace {
@@ -12,12 +12,6 @@ namespace {
 /// How far the ground goes on beyond the edge of the terrain, level outwards.
 constexpr double rim_m = 300.0;
 constexpr std::size_t most_grid_nodes = 32767;  // along a side of Embree's grids
-
-std::vector<float> inverse_facet_areas(const scene::Mesh& mesh) {
-  std::vector<float> inverse = scene::facet_areas_m2(mesh);
-  for (float& area : inverse) area = area > 0.0F ? 1.0F / area : 0.0F;
-  return inverse;
-}
 
 /// Crowns are never hit: a ray that crosses one is told so and goes on. Embree gives it in the prototype's frame, where
 /// distances along the ray are what they are outside.
@@ -47,6 +41,38 @@ void bound_crown(const RTCBoundsFunctionArguments* arguments) {
   *arguments->bounds_o = {low.x, low.y, low.z, 0.0F, high.x, high.y, high.z, 0.0F};
 }
 
+/// The bits of a number apart from one another, with a place between each two.
+std::uint64_t spread(std::uint32_t number) {
+  std::uint64_t bits = number;
+  for (const auto& [step, mask] : {std::pair{16U, 0x0000ffff0000ffffULL},
+                                   {8U, 0x00ff00ff00ff00ffULL},
+                                   {4U, 0x0f0f0f0f0f0f0f0fULL},
+                                   {2U, 0x3333333333333333ULL},
+                                   {1U, 0x5555555555555555ULL}}) {
+    bits = (bits | bits << step) & mask;
+  }
+  return bits;
+}
+
+/// Numbers of the scene's instances along a curve that keeps close together what stands close together: so does what is
+/// kept of them in memory, be they listed in any order.
+std::vector<std::uint32_t> neighbours_in_a_row(const scene::Scene& scene) {
+  const auto steps_m = [](float place_m) {
+    return static_cast<std::uint32_t>(static_cast<std::int32_t>(place_m)) ^ 0x80000000U;
+  };
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> places;
+  places.reserve(scene.instances.size());
+  for (const scene::Instance& instance : scene.instances) {
+    const std::uint64_t place = spread(steps_m(instance.x_m)) | spread(steps_m(instance.y_m)) << 1U;
+    places.emplace_back(place, static_cast<std::uint32_t>(places.size()));
+  }
+  std::ranges::sort(places);
+  std::vector<std::uint32_t> numbers;
+  numbers.reserve(places.size());
+  for (const auto& [place, number] : places) numbers.push_back(number);
+  return numbers;
+}
+
 void add_to_sum(void* sum, ssize_t bytes) {
   static_cast<std::atomic<std::int64_t>*>(sum)->fetch_add(bytes);
 }
@@ -57,7 +83,6 @@ void SceneStructures::build(const scene::Scene& scene, Footing on) {
   footing = on;
   crowns = scene.crowns;
   ground = scene.ground;
-  meshes = scene.prototypes;
   const Vec2d centre = scene.extent.centre();
   origin = {centre.x, centre.y, 0.0};
   open_device();
@@ -69,7 +94,7 @@ void SceneStructures::build(const scene::Scene& scene, Footing on) {
     add_terrain(scene.terrain);
   }
   add_buildings(scene.buildings);
-  add_prototypes();
+  add_prototypes(scene.prototypes);
   add_instances(scene);
   rtcCommitScene(top);
   check();
@@ -103,15 +128,16 @@ void SceneStructures::open_device() {
       &memory);
 }
 
-RTCGeometry SceneStructures::triangles(const scene::Mesh& mesh, const std::vector<Vec3f>& vertices) const {
-  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+RTCGeometry SceneStructures::quads(const std::vector<std::array<std::uint32_t, 4>>& corners,
+                                   const std::vector<Vec3f>& vertices) const {
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_QUAD);
   void* vertex_buffer =
       rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vec3f), vertices.size());
-  void* index_buffer = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                               3 * sizeof(std::uint32_t), mesh.triangles.size());
+  void* index_buffer =
+      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT4, sizeof(corners[0]), corners.size());
   check();
-  std::copy(vertices.begin(), vertices.end(), static_cast<Vec3f*>(vertex_buffer));
-  std::copy(mesh.triangles.begin(), mesh.triangles.end(), static_cast<std::array<std::uint32_t, 3>*>(index_buffer));
+  std::ranges::copy(vertices, static_cast<Vec3f*>(vertex_buffer));
+  std::ranges::copy(corners, static_cast<std::array<std::uint32_t, 4>*>(index_buffer));
   rtcCommitGeometry(geometry);
   return geometry;
 }
@@ -156,7 +182,6 @@ void SceneStructures::add_terrain(const terrain::HeightField& field) {
 
 void SceneStructures::add_buildings(const scene::Buildings& source) {
   if (source.mesh.triangles.empty()) return;
-  buildings = source.mesh;
   std::vector<Vec3f> vertices = source.mesh.vertices;
   for (const scene::Building& building : source.items) {
     const float base = footing == Footing::Terrain ? building.footing_m : 0.0F;
@@ -167,16 +192,17 @@ void SceneStructures::add_buildings(const scene::Buildings& source) {
       lowest_m = std::min(lowest_m, static_cast<double>(vertex.z));
     }
   }
-  building_facets = inverse_facet_areas(buildings);
-  attach(triangles(buildings, vertices),
-         {.materials = buildings.materials.data(), .inverse_facet_areas = building_facets.data()});
+  FaceQuads faces = face_quads(source.mesh);
+  building_faces = std::move(faces.traits);
+  attach(quads(faces.corners, vertices), {.faces = building_faces.data()});
 }
 
-void SceneStructures::add_prototypes() {
+void SceneStructures::add_prototypes(const std::vector<scene::Mesh>& meshes) {
   for (const scene::Mesh& mesh : meshes) {
     RTCScene prototype = rtcNewScene(device);
     rtcSetSceneBuildQuality(prototype, RTC_BUILD_QUALITY_MEDIUM);
-    RTCGeometry geometry = triangles(mesh, mesh.vertices);
+    FaceQuads faces = face_quads(mesh);
+    RTCGeometry geometry = quads(faces.corners, mesh.vertices);
     rtcAttachGeometry(prototype, geometry);
     rtcReleaseGeometry(geometry);
     for (scene::Crown& crown : crowns) {
@@ -184,7 +210,7 @@ void SceneStructures::add_prototypes() {
     }
     rtcCommitScene(prototype);
     prototypes.push_back(prototype);
-    mesh_facets.push_back(inverse_facet_areas(mesh));
+    prototype_faces.push_back(std::move(faces.traits));
   }
 }
 
@@ -208,7 +234,8 @@ void SceneStructures::attach_crown(RTCScene prototype, scene::Crown& crown) {
 
 void SceneStructures::add_instances(const scene::Scene& scene) {
   const std::vector<float> tops = scene::prototype_tops_m(scene);
-  for (const scene::Instance& instance : scene.instances) {
+  for (const std::uint32_t number : neighbours_in_a_row(scene)) {
+    const scene::Instance& instance = scene.instances[number];
     const float c = std::cos(instance.yaw_rad), s = std::sin(instance.yaw_rad);
     const double base = footing == Footing::Terrain ? scene.terrain.height_at({instance.x_m, instance.y_m}) : 0.0;
     const float z = static_cast<float>(base) + instance.lift_m;
@@ -230,8 +257,7 @@ void SceneStructures::add_instances(const scene::Scene& scene) {
     rtcSetGeometryInstancedScene(geometry, prototypes[instance.prototype]);
     rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, transform.data());
     rtcCommitGeometry(geometry);
-    attach(geometry, {.materials = meshes[instance.prototype].materials.data(),
-                      .inverse_facet_areas = mesh_facets[instance.prototype].data(),
+    attach(geometry, {.faces = prototype_faces[instance.prototype].data(),
                       .cos_yaw = c,
                       .sin_yaw = s,
                       .inverse_scale = {1.0F / k.x, 1.0F / k.y, 1.0F / k.z},

@@ -4,6 +4,7 @@
 #include <embree3/rtcore.h>
 #include <vector>
 
+#include "sigmascape/trace/face_quads.h"
 #include "sigmascape/trace/scene_geometry.h"
 
 namespace sigmascape::trace {
@@ -16,14 +17,13 @@ struct RayContext {
 
 /// What a top-level geometry of the Embree scene stands for, by its number.
 struct Part {
-  const scene::MaterialIndex* materials = nullptr;  ///< one a triangle; null: the terrain
-  const float* inverse_facet_areas = nullptr;       ///< one a triangle, before scaling
+  const FaceTraits* faces = nullptr;  ///< one a quad, areas before scaling; null: the terrain
   // Rotation and inverse scale that carry an instance's normals into the world.
   float cos_yaw = 1.0F, sin_yaw = 0.0F;
   Vec3f inverse_scale{1.0F, 1.0F, 1.0F};
   float inverse_volume_scale = 1.0F;
 
-  [[nodiscard]] bool is_terrain() const { return materials == nullptr; }
+  [[nodiscard]] bool is_terrain() const { return faces == nullptr; }
 };
 
 /// What Embree found at the end of a ray.
@@ -52,10 +52,8 @@ struct SceneStructures {
   std::vector<Part> parts;
   std::vector<scene::Crown> crowns;
   scene::MaterialMap ground;
-  std::vector<scene::Mesh> meshes;  // own copies, so that the geometry outlives the scene it came from
-  std::vector<std::vector<float>> mesh_facets;
-  scene::Mesh buildings;
-  std::vector<float> building_facets;
+  std::vector<std::vector<FaceTraits>> prototype_faces;
+  std::vector<FaceTraits> building_faces;
   Vec3d origin;
   Footing footing = Footing::LevelPlane;
   double lowest_m = 0.0, highest_m = 0.0;
@@ -72,11 +70,12 @@ struct SceneStructures {
  private:
   void check() const;
   void open_device();
-  [[nodiscard]] RTCGeometry triangles(const scene::Mesh& mesh, const std::vector<Vec3f>& vertices) const;
+  [[nodiscard]] RTCGeometry quads(const std::vector<std::array<std::uint32_t, 4>>& corners,
+                                  const std::vector<Vec3f>& vertices) const;
   void attach(RTCGeometry geometry, const Part& part);
   void add_terrain(const terrain::HeightField& field);
   void add_buildings(const scene::Buildings& source);
-  void add_prototypes();
+  void add_prototypes(const std::vector<scene::Mesh>& meshes);
   void attach_crown(RTCScene prototype, scene::Crown& crown);
   void add_instances(const scene::Scene& scene);
 };

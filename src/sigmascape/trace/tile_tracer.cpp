@@ -22,22 +22,25 @@ constexpr std::uint32_t hero_choice = 0;
 constexpr std::uint32_t first_roughness_phase = 0x10000;
 constexpr std::uint32_t first_crown = 0x18000;
 
+bool is_of_the_sequence_of(const PathStart& a, const PathStart& b) {
+  return a.cell.i == b.cell.i && a.cell.j == b.cell.j && a.sequence == b.sequence;
+}
+
 }  // namespace
 
 TileTracer::TileTracer(const SceneGeometry& geometry, const SpectralSurfaces& surfaces, const Viewpoint& viewpoint,
-                       const PathOptions& options, const LaunchArea& area, std::span<const LaunchCell> cells,
-                       std::uint64_t seed)
+                       const PathOptions& options, const LaunchArea& area, std::uint64_t seed)
     : geometry_(geometry),
       surfaces_(surfaces),
       frequencies_(surfaces.size()),
       viewpoint_(viewpoint),
       options_(options),
       area_(area),
-      cells_(cells),
       seed_(seed),
       books_(surfaces, options.power_books, counts_.power),
       echoes_(surfaces.size()),
       groups_(surfaces.size() * surfaces.front().size()),
+      lanes_(surfaces.size()),
       passages_(surfaces.size()) {}
 
 void TileTracer::follow(std::span<const PathStart> starts) {
@@ -51,41 +54,51 @@ void TileTracer::follow_together(std::span<const PathStart> starts, std::size_t 
   launch(starts, first);
   for (int bounce = 1; bounce <= options_.max_bounces && !living_.empty(); ++bounce) {
     find_vertices(bounce);
-    if (bounce == 1) leave_out_strangers();
-    for (const std::uint32_t path : living_) arrive(paths_[path], bounce);
-    group_by_surface();
-    if (bounce == 1)
-      add_direct_echoes();
-    else
-      add_connected_echoes(bounce);
-    if (books_.keeps_books()) {
-      for (const std::uint32_t path : living_) books_.is_scattered(paths_[path], waves_of(paths_[path]), bounce);
-    }
-    const bool is_last = bounce == options_.max_bounces;
-    if (is_last && !books_.keeps_books()) break;
-    carry_on(bounce);
+    arrive(bounce);
+    const bool is_last = bounce == options_.max_bounces, goes_on = !is_last || books_.keeps_books();
+    connections_.clear();
+    connected_fields_.clear();
+    for_each_company([&](const Company& company) { scatter(company, bounce, goes_on); });
+    add_connected_echoes(bounce);
+    if (!goes_on) break;
+    std::erase_if(living_, [&](std::uint32_t path) { return !paths_[path].is_alive; });
     if (!is_last) continue;
     for (const std::uint32_t path : living_) books_.is_cut(paths_[path], waves_of(paths_[path]));
   }
+  if (!books_.keeps_books()) return;
   for (const Path& path : paths_) {
     if (path.counts) books_.path_ends(path);
   }
 }
 
+void TileTracer::scatter(const Company& company, int bounce, bool goes_on) {
+  gather_waves(company, bounce);
+  if (bounce == 1)
+    add_direct_echoes(company);
+  else
+    consider_connections(company, bounce);
+  if (books_.keeps_books()) {
+    for (const std::uint32_t path : company.paths) books_.is_scattered(paths_[path], waves_of(paths_[path]), bounce);
+  }
+  if (goes_on) carry_on(company, bounce);
+}
+
 void TileTracer::launch(std::span<const PathStart> starts, std::size_t first) {
   counts_.paths += starts.size();
-  paths_.assign(starts.size(), {});
+  paths_.resize(starts.size());
   waves_.resize(starts.size() * frequencies_);
   living_.resize(starts.size());
   std::iota(living_.begin(), living_.end(), 0U);
+  std::uint64_t key = 0;
   for (std::size_t begin = 0; begin < starts.size(); begin += lane_count) {
     const std::size_t count = std::min(lane_count, starts.size() - begin);
     SobolLanes points;
     for (std::size_t lane = 0; lane < count; ++lane) {
-      const auto& [cell, sequence, sample] = starts[begin + lane];
-      const std::uint64_t key =
-          hashed(seed_, static_cast<std::uint32_t>(cell.i), static_cast<std::uint32_t>(cell.j), sequence);
-      Path& path = paths_[begin + lane];
+      const std::size_t number = begin + lane;
+      const auto& [cell, sequence, sample] = starts[number];
+      if (number == 0 || !is_of_the_sequence_of(starts[number - 1], starts[number]))
+        key = hashed(seed_, static_cast<std::uint32_t>(cell.i), static_cast<std::uint32_t>(cell.j), sequence);
+      Path& path = paths_[number] = {};
       path.start = static_cast<std::uint32_t>(first + begin + lane);
       path.point = SobolPoint(key, sample);
       points.set(lane, path.point);
@@ -124,7 +137,7 @@ void TileTracer::launch_towards(Path& path, Vec2f within_cell, const LaunchCell&
 void TileTracer::find_vertices(int bounce) {
   counts_.rays += living_.size();
   if (geometry_.has_crowns()) {
-    find_vertices_among_crowns(bounce);
+    for (const std::uint32_t path : living_) paths_[path].is_alive = find_vertex_among_crowns(paths_[path], bounce);
     return;
   }
   rays_.clear();
@@ -137,12 +150,6 @@ void TileTracer::find_vertices(int bounce) {
     path.hit = hits_[i];
     path.is_alive = answers_[i] != 0;
   }
-  keep_living();
-}
-
-void TileTracer::find_vertices_among_crowns(int bounce) {
-  for (const std::uint32_t path : living_) paths_[path].is_alive = find_vertex_among_crowns(paths_[path], bounce);
-  keep_living();
 }
 
 bool TileTracer::find_vertex_among_crowns(Path& path, int bounce) {
@@ -168,43 +175,43 @@ bool TileTracer::find_vertex_among_crowns(Path& path, int bounce) {
   return meets_surface || intercepted.has_value();
 }
 
-void TileTracer::keep_living() {
-  std::erase_if(living_, [&](std::uint32_t i) {
-    const Path& path = paths_[i];
-    if (!path.is_alive) books_.escapes(paths_[i], waves_of(path));
-    return !path.is_alive;
-  });
-}
-
-void TileTracer::leave_out_strangers() {
-  std::erase_if(living_, [&](std::uint32_t i) {
-    paths_[i].counts = area_.counts_from(position_of(paths_[i]));
-    return !paths_[i].counts;
-  });
-}
-
-void TileTracer::arrive(Path& path, int bounce) {
-  if (bounce == 1) {
-    path.first_position = position_of(path);
-    path.first_range_m = viewpoint_.range_of(path.first_position);
-    path.first_density *= density_at(path.hit, -path.ray.direction);
-    return;
-  }
-  path.travelled_m += static_cast<double>(length(path.hit.position - path.ray.origin));
-  for (Wave& wave : waves_of(path)) wave.reverse /= std::abs(density_at(path.hit, path.ray.direction));
-}
-
-void TileTracer::group_by_surface() {
+void TileTracer::arrive(int bounce) {
   for (auto& group : groups_) group.clear();
   const std::size_t materials = surfaces_.front().size();
-  for (const std::uint32_t i : living_) groups_[paths_[i].hero * materials + paths_[i].hit.material].push_back(i);
+  std::erase_if(living_, [&](std::uint32_t i) {
+    Path& path = paths_[i];
+    if (!arrives(path, bounce)) return true;
+    groups_[path.hero * materials + path.hit.material].push_back(i);
+    return false;
+  });
 }
 
-void TileTracer::gather_fields(const Company& company, std::size_t frequency) {
-  for (std::size_t lane = 0; lane < lane_count; ++lane) {
-    const std::size_t path = company.paths[std::min(lane, company.paths.size() - 1)];
-    fields_.set(lane, waves_[path * frequencies_ + frequency].fields);
+bool TileTracer::arrives(Path& path, int bounce) {
+  if (!path.is_alive) {
+    books_.escapes(path, waves_of(path));
+    return false;
   }
+  if (bounce > 1) {
+    path.travelled_m += static_cast<double>(length(path.hit.position - path.ray.origin));
+    return true;
+  }
+  path.first_position = position_of(path);
+  path.counts = area_.counts_from(path.first_position);
+  path.first_range_m = viewpoint_.range_of(path.first_position);
+  path.first_density *= density_at(path.hit, -path.ray.direction);
+  return path.counts;
+}
+
+void TileTracer::gather_waves(const Company& company, int bounce) {
+  for (std::size_t f = 0; f < frequencies_; ++f) {
+    for (std::size_t lane = 0; lane < lane_count; ++lane) {
+      const std::size_t path = company.paths[std::min(lane, company.paths.size() - 1)];
+      lanes_[f].set(lane, waves_[path * frequencies_ + f]);
+    }
+  }
+  if (bounce == 1) return;
+  weigh_directions(company.at, company.extinction_per_m, company.at.to_source, cosine_, density_);
+  for (WaveLanes& waves : lanes_) trace::arrive(density_, waves);
 }
 
 PairLanes TileTracer::phase_draws(const Company& company, std::uint32_t first_dimension) const {

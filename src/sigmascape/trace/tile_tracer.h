@@ -13,18 +13,21 @@
 #include "sigmascape/trace/path.h"
 #include "sigmascape/trace/path_tracer.h"
 #include "sigmascape/trace/scene_geometry.h"
+#include "sigmascape/trace/wave_lanes.h"
 
 namespace sigmascape::trace {
 
-/// Follows the paths of a tile on one thread, many at a time: all go from vertex to vertex together, so that rays are
-/// traced in packets and surfaces answer sixteen waves at once. What a path brings back does not depend on its company.
-/// docs/decisions/0060-paths-in-waves.md.
+/// Follows the paths of one tile after another on one thread, many at a time: all go from vertex to vertex together, so
+/// that rays are traced in packets and surfaces answer sixteen waves at once. What a path brings back does not depend
+/// on its company. docs/decisions/0060-paths-in-waves.md.
 class TileTracer final : public TilePaths {
  public:
   /// Everything is held by reference and has to outlive the tracer.
   TileTracer(const SceneGeometry& geometry, const SpectralSurfaces& surfaces, const Viewpoint& viewpoint,
-             const PathOptions& options, const LaunchArea& area, std::span<const LaunchCell> cells, std::uint64_t seed);
+             const PathOptions& options, const LaunchArea& area, std::uint64_t seed);
 
+  /// Turns to another tile.
+  void begin(std::span<const LaunchCell> cells) { cells_ = cells; }
   [[nodiscard]] std::span<const LaunchCell> cells() const override { return cells_; }
   void follow(std::span<const PathStart> starts) override;
   [[nodiscard]] std::span<const radar::Echo> echoes(std::size_t frequency, std::size_t start) const override {
@@ -43,6 +46,7 @@ class TileTracer final : public TilePaths {
     std::size_t hero = 0;
     scene::MaterialIndex material = 0;
     scatter::ArrivalLanes at;
+    FloatLanes extinction_per_m;  // of the crowns that they are in
     SobolLanes points;
   };
   /// A last vertex that may return an echo, as far as that can be told without asking whether it sees the radar.
@@ -61,20 +65,20 @@ class TileTracer final : public TilePaths {
   void launch_towards(Path& path, Vec2f within_cell, const LaunchCell& cell);
   /// Two numbers in [0, 1) a lane that belong together: where in the cell, or the direction after a bounce.
   [[nodiscard]] PairLanes drawn_pairs(const SobolLanes& points, std::uint32_t bounce) const;
-  /// Finds the next vertex of each path, a surface or a place in a crown before it, and ends those that have none.
+  /// Finds the next vertex of each path, a surface or a place in a crown before it.
   void find_vertices(int bounce);
-  void find_vertices_among_crowns(int bounce);
   [[nodiscard]] bool find_vertex_among_crowns(Path& path, int bounce);
-  /// Ends paths whose first vertex lies where nobody asked for it.
-  void leave_out_strangers();
-  void arrive(Path& path, int bounce);
-  void keep_living();
-  void group_by_surface();
+  /// Ends paths that have found none, or their first where nobody asked for it, and groups the others by what they have
+  /// come to.
+  void arrive(int bounce);
+  [[nodiscard]] bool arrives(Path& path, int bounce);
+  /// All that happens at a vertex but for rays.
+  void scatter(const Company& company, int bounce, bool goes_on);
   template <typename Body>
   void for_each_company(const Body& body);
 
   // direct_echoes.cpp
-  void add_direct_echoes();
+  void add_direct_echoes(const Company& company);
   void add_direct_echoes(const Company& company, std::size_t frequency);
   void add_coherent_direct_echoes(const Company& company, std::size_t frequency);
   /// What a direct echo's BRDF counts for, 4π w cos θ.
@@ -83,10 +87,11 @@ class TileTracer final : public TilePaths {
   bool add_direct_echo(const Path& path, std::size_t frequency, const radar::Channels& rcs_m2);
 
   // connected_echoes.cpp
-  void add_connected_echoes(int bounce);
   void consider_connections(const Company& company, int bounce);
   void consider_connection(std::uint32_t path, std::size_t lane, Vec3f to_radar, float lot);
   [[nodiscard]] float reverse_odds(const Path& path, std::size_t lane) const;
+  /// Makes those that were found worth it, if they see the radar.
+  void add_connected_echoes(int bounce);
   [[nodiscard]] float reciprocal_share(const Connection& connection, float last_density) const;
   /// What crowns let pass from the vertices to the radar, 0 where a surface stands in the way.
   void find_transmittances();
@@ -94,10 +99,11 @@ class TileTracer final : public TilePaths {
 
   // next_directions.cpp
   /// Draws the next directions and ends paths that have become dark.
-  void carry_on(int bounce);
   void carry_on(const Company& company, int bounce);
-  [[nodiscard]] bool carry_on(Path& path, std::size_t lane, Vec3f direction, float lot, int bounce);
-  [[nodiscard]] bool survives_roulette(std::span<Wave> waves, float u);
+  /// Density of the paths, whichever frequency were their hero, over the hero's own.
+  [[nodiscard]] float mean_forward(std::size_t lane) const;
+  void leave(const Company& company, int bounce);
+  [[nodiscard]] bool survives_roulette(std::size_t lane, float chance, float lot);
 
   [[nodiscard]] std::span<Wave> waves_of(const Path& path) {
     return std::span(waves_).subspan(static_cast<std::size_t>(&path - paths_.data()) * frequencies_, frequencies_);
@@ -108,8 +114,8 @@ class TileTracer final : public TilePaths {
   [[nodiscard]] Vec3d position_of(const Path& path) const {
     return path.hit.position.to<double>() + geometry_.origin();
   }
-  /// What the company's paths carry at one frequency, by lane.
-  void gather_fields(const Company& company, std::size_t frequency);
+  /// What the company's paths carry, by frequency and lane.
+  void gather_waves(const Company& company, int bounce);
   /// Numbers for the phases of unresolved roughness, by lane, where the surface makes use of them.
   [[nodiscard]] PairLanes phase_draws(const Company& company, std::uint32_t first_dimension) const;
   /// The phase that the unresolved roughness of vertex number `bounce` gives to all fields alike.
@@ -140,8 +146,10 @@ class TileTracer final : public TilePaths {
   std::vector<Connection> connections_;
   std::vector<scatter::FieldPair> connected_fields_;  // [connection, frequency]
   std::vector<float> transmittances_;                 // [connection]
-  scatter::FieldPairLanes fields_;
+  // Of one company.
+  std::vector<WaveLanes> lanes_;                 // [frequency]
   std::vector<scatter::PassageLanes> passages_;  // [frequency]
+  FloatLanes cosine_, density_, power_;
 };
 
 /// Which numbers of a path's sample serve what; one block of dimensions a vertex.
@@ -167,6 +175,7 @@ void TileTracer::for_each_company(const Body& body) {
                       .hero = group / materials,
                       .material = static_cast<scene::MaterialIndex>(group % materials),
                       .at = {},
+                      .extinction_per_m = {},
                       .points = {}};
       company.at.count = company.paths.size();
       for (std::size_t lane = 0; lane < lane_count; ++lane) {
@@ -175,6 +184,7 @@ void TileTracer::for_each_company(const Body& body) {
         company.at.to_source.set(lane, -path.ray.direction);
         company.at.normal.set(lane, path.hit.normal);
         company.at.inverse_area_per_m2[lane] = path.hit.inverse_facet_area_per_m2;
+        company.extinction_per_m[lane] = path.hit.extinction_per_m;
       }
       body(company);
     }

@@ -165,6 +165,29 @@ TEST(SceneGeometry, GroundGoesOnBeyondTheEdge) {
   EXPECT_NEAR(hit_between(geometry, {-180, -300, 50}, {-180, -300, 0}).position.z, 12.0F, 1e-4F);
 }
 
+// Instances are put into an order of their own; each has to keep its place, its form and its material.
+TEST(SceneGeometry, InstancesMayBeListedInAnyOrder) {
+  scene::Scene scene = plain_scene();
+  for (scene::MaterialIndex kind = 0; kind < 4; ++kind)
+    scene.prototypes.push_back(scene::box_mesh({2, 2, 1.0F + kind}, kind));
+  const auto prototype_at = [](int i, int j) { return hashed(3, i, j) % 4; };
+  for (int i = -9; i < 9; ++i) {
+    for (int j = -9; j < 9; ++j) {
+      scene.instances.push_back({.prototype = static_cast<std::uint32_t>(prototype_at(i, j)),
+                                 .x_m = 10.0F * static_cast<float>(i) + 5.0F,
+                                 .y_m = 10.0F * static_cast<float>(j) + 5.0F});
+    }
+  }
+  const SceneGeometry geometry(scene, Footing::LevelPlane);
+  for (int i = -9; i < 9; ++i) {
+    for (int j = -9; j < 9; ++j) {
+      const SurfaceHit hit = hit_between(geometry, {10.0 * i + 5, 10.0 * j + 5, 50}, {10.0 * i + 5, 10.0 * j + 5, 0});
+      EXPECT_EQ(hit.material, prototype_at(i, j)) << i << ", " << j;
+      EXPECT_NEAR(hit.position.z, 1.0F + static_cast<float>(prototype_at(i, j)), 1e-4F) << i << ", " << j;
+    }
+  }
+}
+
 TEST(SceneGeometry, GroundMaterialsFollowTheMap) {
   scene::Scene scene = plain_scene();
   scene.ground = {{-100, 100, 100, 2, 2}, Array2D<scene::MaterialIndex>(2, 2)};
