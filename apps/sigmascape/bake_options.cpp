@@ -24,7 +24,9 @@ void BakeOptions::add_to(CLI::App& command) {
       ->check(CLI::Range(2, 1 << 24));
   command.add_option("--preset", preset, "paper: 100 rays a texel everywhere, 8 bounces")
       ->check(CLI::IsMember({"paper"}));
-  command.add_option("--bounces", bounces, "surfaces a path may meet (N_b of the paper)")->capture_default_str();
+  command.add_option("--bounces", bounces, "surfaces a path may meet (N_b of the paper)")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 255));
   command.add_option("--seed", seed, "names the random numbers")->capture_default_str();
   command
       .add_option("--shadows", shadows,

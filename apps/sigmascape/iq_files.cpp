@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "number_within.h"
+
 #include "sigmascape/atlas/atlas.h"
 #include "sigmascape/base/error.h"
 #include "sigmascape/product/iq_file.h"
@@ -15,7 +17,7 @@ void add_iq_options(CLI::App& command, IqFiles& files) {
                      "pulses as complex numbers to write, from the atlas (.npy, .npz, .h5 or .sigmf-meta)");
   command.add_option("--interval-s", files.interval_s, "time over which --iq records pulses")
       ->capture_default_str()
-      ->check(CLI::PositiveNumber);
+      ->check(number_within(1e-6, 1e4));
   command.add_option("--slant-image", files.slant_image,
                      "complex image of a coherent mode in slant geometry to write (endings as for --iq)");
   command

@@ -1,6 +1,7 @@
 #include <cstdio>
 #include <exception>
 #include <fmt/format.h>
+#include <new>
 
 #include "command.h"
 
@@ -49,6 +50,11 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   try {
     return sigmascape::cli::run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    std::fputs(
+        "sigmascape: memory: there is not enough of it; ask for a smaller area, coarser cells or fewer threads\n",
+        stderr);
+    return 1;
   } catch (const std::exception& failure) {
     std::fputs("sigmascape: ", stderr);
     std::fputs(failure.what(), stderr);

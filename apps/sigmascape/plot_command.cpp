@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "command.h"
+#include "number_within.h"
 #include "plot_curves.h"
 #include "polarization_option.h"
 
@@ -68,7 +69,7 @@ std::vector<double> powers_of(const PlotOptions& options) {
   for (std::size_t row = 0; row < map.grid.rows; ++row) {
     for (std::size_t column = 0; column < map.grid.columns; ++column) {
       const float power = map.sigma0(column, row).power(options.polarization);
-      if (!std::isnan(power) && area.contains(map.grid.centre_of(column, row)))
+      if (std::isfinite(power) && area.contains(map.grid.centre_of(column, row)))
         powers.push_back(static_cast<double>(power));
     }
   }
@@ -84,7 +85,7 @@ std::vector<double> amplitudes_of(const PlotOptions& options) {
   std::vector<double> amplitudes;
   for (std::size_t i = channel; i < array.numbers.size(); i += channels) {
     const auto amplitude = static_cast<double>(std::abs(array.numbers[i]));
-    if (amplitude > 0.0) amplitudes.push_back(amplitude);
+    if (amplitude > 0.0 && std::isfinite(amplitude)) amplitudes.push_back(amplitude);
   }
   return amplitudes;
 }
@@ -140,7 +141,9 @@ void add_plot_command(CLI::App& app, Output& output) {
                             "sigma0 grass concrete --frequency-ghz 10 --out sigma0.svg");
   sigma0->add_option("MATERIAL", options->materials, "names of materials; all of --scene when there are none");
   sigma0->add_option("--scene", options->scene, "scene file whose materials are known too");
-  sigma0->add_option("--frequency-ghz", options->frequency_ghz)->capture_default_str()->check(CLI::Range(0.1, 300.0));
+  sigma0->add_option("--frequency-ghz", options->frequency_ghz)
+      ->capture_default_str()
+      ->check(number_within(0.1, 300.0));
   add_polarization_option(*sigma0, options->polarization);
   sigma0->callback([options, &output] {
     const auto materials = wanted_materials(*options);
@@ -153,7 +156,7 @@ void add_plot_command(CLI::App& app, Output& output) {
   antenna->add_option("RADAR", options->input, "radar file (TOML)")->required();
   antenna->add_option("--reach-deg", options->reach_deg, "angle to either side of the axis")
       ->capture_default_str()
-      ->check(CLI::Range(1e-5, 90.0));
+      ->check(number_within(1e-5, 90.0));
   antenna->callback([options, &output] {
     const auto radar = radar::read_radar_file(options->input).radar;
     finish(*options, antenna_plot(radar, radians_from_deg(options->reach_deg)), output);
@@ -167,7 +170,7 @@ void add_plot_command(CLI::App& app, Output& output) {
       ->check(CLI::IsMember({"range", "azimuth"}));
   response->add_option("--widths", options->widths, "half-power widths to either side")
       ->capture_default_str()
-      ->check(CLI::Range(0.5, 200.0));
+      ->check(number_within(0.5, 200.0));
   response->callback([options, &output] {
     const auto radar = radar::read_radar_file(options->input).radar;
     finish(*options,
@@ -186,7 +189,7 @@ void add_plot_command(CLI::App& app, Output& output) {
       ->expected(4);
   histogram->add_option("--looks", options->looks, "looks of the map: more than one follow Gamma")
       ->capture_default_str()
-      ->check(CLI::Range(0.5, 1000.0));
+      ->check(number_within(0.5, 1000.0));
   histogram->add_option("--bins", options->bins, "bars of the histogram")
       ->capture_default_str()
       ->check(CLI::Range(5, 500));

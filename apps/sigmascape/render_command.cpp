@@ -7,6 +7,7 @@
 #include "iq_files.h"
 #include "layer_files.h"
 #include "map_files.h"
+#include "number_within.h"
 #include "polarization_option.h"
 #include "received_files.h"
 #include "scope_files.h"
@@ -18,6 +19,7 @@
 #include "sigmascape/base/units.h"
 #include "sigmascape/product/iq_file.h"
 #include "sigmascape/product/map_file.h"
+#include "sigmascape/product/png_file.h"
 #include "sigmascape/product/reprojection.h"
 #include "sigmascape/radar/radar_file.h"
 #include "sigmascape/render/level_of_detail.h"
@@ -168,6 +170,8 @@ void render(const RenderOptions& options, radar::Polarization polarization, bool
             const Output& output) {
   check(options.layers, options.level_of_detail);
   if (!options.map_file.empty()) product::check_map_name(options.map_file);
+  for (const std::string& picture : {options.picture_file, options.scopes.ppi, options.scopes.b_scope})
+    if (!picture.empty()) product::check_png_name(picture);
   const auto radar_file = radar::read_radar_file(options.radar);
   const scene::Scene scene = scene::read_scene(options.scene);
   const auto radar = simulate::placed_radar(radar_file, scene.frame, scene.terrain, scene.extent);
@@ -238,9 +242,11 @@ void add_render_command(CLI::App& app, Output& output) {
   command->add_option("--style", options->style, "grey or scope")
       ->capture_default_str()
       ->check(CLI::IsMember({"grey", "scope"}));
-  command->add_option("--span-db", options->span_db, "span of the picture from dark to bright")->capture_default_str();
-  command->add_option("--top-db", options->top_db,
-                      "sigma0 shown brightest; by default that of the brightest few cells");
+  command->add_option("--span-db", options->span_db, "span of the picture from dark to bright")
+      ->capture_default_str()
+      ->check(number_within(0.01, 1000.0));
+  command->add_option("--top-db", options->top_db, "sigma0 shown brightest; by default that of the brightest few cells")
+      ->check(number_within(-1000.0, 1000.0));
   add_polarization_option(*command, *polarization);
   command->add_option("--crs", options->crs, "coordinate system of the map: EPSG code, PROJ string or WKT");
   add_scope_options(*command, options->scopes);
@@ -250,9 +256,11 @@ void add_render_command(CLI::App& app, Output& output) {
   command->add_flag("--extrapolate", options->extrapolate,
                     "at a frequency that was not baked, use the nearest that was");
   command->add_option("--samples", options->trace.samples_per_cell, "rays a map cell, at level of detail 0")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1 << 24));
   command->add_option("--bounces", options->trace.max_bounces, "surfaces a path may meet, at level of detail 0")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->check(CLI::Range(1, 255));
   command
       ->add_option("--seed", options->trace.seed,
                    "names the random numbers: rays at level of detail 0, speckle of coherent modes")

@@ -5,6 +5,7 @@
 
 #include "figures.h"
 
+#include "sigmascape/bake/echo_landing.h"
 #include "sigmascape/base/hash.h"
 #include "sigmascape/receiver/ground_accumulator.h"
 
@@ -98,9 +99,14 @@ TimedLook PaperLooks::plain(const radar::Aspect& aspect, std::uint32_t samples, 
                                   .roulette = false,
                                   .sampler = trace::Sampler::Independent},
                                  seed);
-  receiver::GroundAccumulator accumulator(texels_, aspect);
-  look.counts = tracer.trace(area, {0, samples, samples}, settings_.threads,
-                             [&](std::span<const radar::Echo> echoes, unsigned) { accumulator.add(echoes); });
+  const bake::EchoLanding landing(aspect);
+  receiver::GroundAccumulator accumulator(texels_);
+  look.counts =
+      tracer.trace(area, {0, samples, samples}, settings_.threads, [&](std::span<const radar::Echo> echoes, unsigned) {
+        for (const radar::Echo& echo : echoes) {
+          if (const auto texel = accumulator.cell_at(landing.place_of(echo))) accumulator.add(*texel, echo.rcs_m2, 0.0);
+        }
+      });
   const auto sigma0 = accumulator.sigma0();
   watch.stop(look);
   take_off_what_is_not_due(look, aspect);

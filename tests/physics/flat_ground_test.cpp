@@ -209,10 +209,9 @@ TEST(FlatGround, TheSizeOfTexelsDoesNotMatter) {
 /// Mean σ0_VV of the middle of level ground, by way of texels of 1 m.
 double sigma0_vv(const scatter::Material& ground, double elevation_deg, double launch_cell_m, std::uint32_t samples) {
   const radar::Aspect aspect{radians_from_deg(130.0), radians_from_deg(elevation_deg)};
-  receiver::GroundAccumulator texels({-32, 32, 1.0, 64, 64}, aspect);
-  texels.add(traced_echoes(level_scene(ground), aspect,
-                           {.area = {-32, -32, 32, 32}, .cell_m = launch_cell_m, .samples = samples}, 5.405e9));
-  return texels.bins().total()[0] / (64.0 * 64.0);
+  const auto echoes = traced_echoes(level_scene(ground), aspect,
+                                    {.area = {-32, -32, 32, 32}, .cell_m = launch_cell_m, .samples = samples}, 5.405e9);
+  return landed(echoes, aspect, {-32, 32, 1.0, 64, 64}).bins().total()[0] / (64.0 * 64.0);
 }
 
 TEST(FlatGround, TheSizeOfPixelsDoesNotMatter) {

@@ -26,10 +26,9 @@ scatter::Material lambert(std::string name, double albedo) {
 std::vector<double> baked_profile(const scene::Scene& scene, double elevation_rad, double south_m, std::size_t metres) {
   const radar::Aspect aspect{pi, elevation_rad};
   const double north_m = south_m + static_cast<double>(metres);
-  receiver::GroundAccumulator texels({-4.0, north_m, texel_m, 8, metres}, aspect);
-  texels.add(traced_echoes(scene, aspect,
-                           {.area = {-4.0, south_m, 4.0, north_m}, .samples = 64, .options = {.max_bounces = 1}}));
-  const auto sigma0 = texels.sigma0();
+  const auto echoes = traced_echoes(
+      scene, aspect, {.area = {-4.0, south_m, 4.0, north_m}, .samples = 64, .options = {.max_bounces = 1}});
+  const auto sigma0 = landed(echoes, aspect, {-4.0, north_m, texel_m, 8, metres}).sigma0();
   std::vector<double> profile(metres, 0.0);
   for (std::size_t row = 0; row < metres; ++row) {
     for (const radar::Channels& texel : sigma0.row(metres - 1 - row))

@@ -4,6 +4,7 @@
 #include <mutex>
 #include <numbers>
 
+#include "sigmascape/bake/echo_landing.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/receiver/ground_accumulator.h"
 #include "sigmascape/scene/scene.h"
@@ -70,6 +71,17 @@ inline std::vector<radar::Echo> traced_echoes(const scene::Scene& scene, const r
     echoes.insert(echoes.end(), some.begin(), some.end());
   });
   return echoes;
+}
+
+/// Echoes of a distant radar where they stand on level ground.
+inline receiver::GroundAccumulator landed(const std::vector<radar::Echo>& echoes, const radar::Aspect& aspect,
+                                          const radar::GroundGrid& grid) {
+  const bake::EchoLanding landing(aspect);
+  receiver::GroundAccumulator texels(grid);
+  for (const radar::Echo& echo : echoes) {
+    if (const auto texel = texels.cell_at(landing.place_of(echo))) texels.add(*texel, echo.rcs_m2, 0.0);
+  }
+  return texels;
 }
 
 inline BounceSums bounce_sums(const std::vector<radar::Echo>& echoes) {

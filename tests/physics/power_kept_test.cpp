@@ -46,14 +46,15 @@ Sums power_of(const Array2D<radar::Channels>& texels, double texel_m) {
 }
 
 /// What lands on the grid and what does not, by the place of each echo on flat ground.
-struct Landed {
+struct InsideAndOutside {
   Sums inside{}, outside{};
 };
 
-Landed landed(const std::vector<radar::Echo>& echoes, const radar::Aspect& aspect, const radar::Rectangle& grid) {
+InsideAndOutside inside_and_outside(const std::vector<radar::Echo>& echoes, const radar::Aspect& aspect,
+                                    const radar::Rectangle& grid) {
   const Vec2d towards = radar::horizontal_direction(aspect.azimuth_rad);
   const Vec2d right{-towards.y, towards.x};
-  Landed sums;
+  InsideAndOutside sums;
   for (const radar::Echo& echo : echoes) {
     const Vec2d place = towards * (-echo.range_m / std::cos(aspect.elevation_rad)) + right * echo.cross;
     Sums& to = grid.contains(place) ? sums.inside : sums.outside;
@@ -70,10 +71,9 @@ TEST(PowerKept, FromEchoesToTexelsToHalves) {
     const radar::Aspect aspect{radians_from_deg(130.0), radians_from_deg(elevation_deg)};
     const auto echoes = traced_echoes(scene, aspect, {.area = {-40, -40, 40, 40}, .cell_m = 0.5, .samples = 8});
     const radar::GroundGrid grid{-24, 24, 0.1875, 256, 256};
-    receiver::GroundAccumulator texels(grid, aspect);
-    texels.add(echoes);
+    const receiver::GroundAccumulator texels = landed(echoes, aspect, grid);
     const auto total = texels.bins().total();
-    const Landed sums = landed(echoes, aspect, grid.extent());
+    const InsideAndOutside sums = inside_and_outside(echoes, aspect, grid.extent());
     ASSERT_GT(std::min(sums.inside[2], sums.outside[2]), 0.1 * std::max(sums.inside[2], sums.outside[2]))
         << "too little on one side of the edge for the test to mean anything";
     const auto chain = atlas::mip_chain(texels.sigma0(), 1);

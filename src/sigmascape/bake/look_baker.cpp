@@ -92,7 +92,7 @@ std::vector<BakedLook> LookBaker::bake(const radar::GroundGrid& texels, const tr
                                  settings_.seed);
 
   std::vector<receiver::GroundAccumulator> accumulators;
-  for (std::size_t f = 0; f < surfaces_.size(); ++f) accumulators.emplace_back(texels, aspect);
+  for (std::size_t f = 0; f < surfaces_.size(); ++f) accumulators.emplace_back(texels);
   const unsigned workers = thread_count(settings_.threads);
   const bool has_relief = footing_ == trace::Footing::Terrain;
   const EchoLanding landing = has_relief ? EchoLanding(aspect, scene_.terrain) : EchoLanding(aspect);

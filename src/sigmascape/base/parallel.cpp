@@ -11,8 +11,15 @@
 
 namespace sigmascape {
 
+namespace {
+
+/// Far more than processors, fewer than what systems refuse.
+constexpr unsigned most_threads = 1024;
+
+}  // namespace
+
 unsigned thread_count(unsigned wanted) {
-  return wanted != 0 ? wanted : std::max(1U, std::thread::hardware_concurrency());
+  return wanted != 0 ? std::min(wanted, most_threads) : std::max(1U, std::thread::hardware_concurrency());
 }
 
 void parallel_for(std::size_t count, unsigned threads,

@@ -5,7 +5,8 @@
 
 namespace sigmascape {
 
-/// The number of threads to use when asked for `wanted`: that many, or one per hardware thread when it is zero.
+/// The number of threads to use when asked for `wanted`: that many, 1024 at most, or one per hardware thread
+/// when it is zero.
 [[nodiscard]] unsigned thread_count(unsigned wanted);
 
 /// Calls `body(index, worker)` once for every index below `count`, spread over threads that take the next index when

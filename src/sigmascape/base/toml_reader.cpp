@@ -57,8 +57,13 @@ const toml::node* find(const toml::table& table, std::string_view key) {
 }  // namespace
 
 TomlSection TomlSection::read_file(const std::filesystem::path& file) {
-  if (!std::filesystem::is_regular_file(file))
-    throw Error(file.string(), "the file does not exist", "give the path of a TOML file");
+  if (!std::filesystem::is_regular_file(file)) {
+    throw Error(file.empty() ? "name of a TOML file" : file.string(),
+                file.empty()                          ? "is empty"
+                : std::filesystem::is_directory(file) ? "is a folder"
+                                                      : "the file does not exist",
+                "give the path of a TOML file");
+  }
   try {
     auto table = std::make_shared<Table>();
     table->root = std::make_shared<const toml::table>(toml::parse_file(file.string()));
@@ -247,7 +252,7 @@ std::vector<TomlSection> TomlSection::sections(std::string_view key) const {
   for (const toml::node& element : *array) {
     auto inner = std::make_shared<Table>(*table_);
     inner->table = element.as_table();
-    inner->place = fmt::format("{}[{}]", key, tables.size() + 1);
+    inner->place = fmt::format("{}{}{}[{}]", table_->place, table_->place.empty() ? "" : ".", key, tables.size() + 1);
     inner->known.clear();
     tables.push_back(TomlSection(inner));
   }

@@ -40,8 +40,8 @@ class WorkerTeam {
 
   std::mutex guard_;
   std::condition_variable work_is_there_, work_is_done_;
-  std::uint64_t round_ = 0;   // of work; a new number wakes the helpers
-  std::size_t busy_ = 0;      // helpers that have not finished this round
+  std::uint64_t round_ = 0;  // of work; a new number wakes the helpers
+  std::size_t busy_ = 0;     // helpers that have not finished this round
   bool dismissed_ = false;
   Call call_ = nullptr;
   void* context_ = nullptr;

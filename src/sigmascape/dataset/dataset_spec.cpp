@@ -13,6 +13,7 @@ namespace sigmascape::dataset {
 namespace {
 
 constexpr Interval anywhere_m{-1e7, 1e7, "m"};
+constexpr double farthest_km = 1000.0;
 
 Range range_of(const TomlSection& section, std::string_view key, Interval allowed) {
   const auto ends = section.numbers(key, allowed);
@@ -66,7 +67,7 @@ void read_products(const TomlSection& section, DatasetSpec& spec) {
 void read_view(const TomlSection& section, DatasetSpec& spec) {
   spec.azimuth_rad = scaled(range_of(section, "azimuth_deg", {-360.0, 720.0, "degrees"}), radians_from_deg(1.0));
   spec.elevation_rad = scaled(range_of(section, "elevation_deg", {0.5, 89.0, "degrees"}), radians_from_deg(1.0));
-  spec.slant_range_m = scaled(range_of(section, "slant_range_km", {0.1, 1000.0, "km"}), 1e3);
+  spec.slant_range_m = scaled(range_of(section, "slant_range_km", {0.1, farthest_km, "km"}), 1e3);
   if (section.has("target_east_m")) spec.target_east_m = range_of(section, "target_east_m", anywhere_m);
   if (section.has("target_north_m")) spec.target_north_m = range_of(section, "target_north_m", anywhere_m);
   section.refuse_unknown_keys();
@@ -85,6 +86,13 @@ void read_sequence(const TomlSection& section, DatasetSpec& spec) {
   sequence.course_rad =
       scaled(optional_range(section, "course_deg", {-360.0, 720.0, "degrees clockwise from north"}).value_or(Range{}),
              radians_from_deg(1.0));
+  const double furthest_m = spec.slant_range_m.highest +
+                            sequence.speed_mps.highest * sequence.interval_s * static_cast<double>(sequence.frames - 1);
+  if (furthest_m > farthest_km * 1e3) {
+    throw section.fault(
+        "speed_mps", fmt::format("takes the radar as far as {:.0f} km away", furthest_m / 1e3),
+        fmt::format("stay within {:g} km by fewer frames, a shorter interval or less speed", farthest_km));
+  }
   if (spec.count % sequence.frames != 0) {
     throw section.fault("frames",
                         fmt::format("is {}, of which {} samples are no multiple", sequence.frames, spec.count),
@@ -191,7 +199,9 @@ DatasetSpec read_dataset_spec(const std::filesystem::path& path) {
   spec.scene = section.file("scene");
   spec.atlas = section.optional_file("atlas");
   spec.radar = radar::read_radar_file(section.file("radar"));
-  spec.count = static_cast<std::size_t>(section.number("count", {1.0, 1e8, "samples"}));
+  constexpr Interval counts{1.0, 1e8, "samples"};
+  static_cast<void>(section.number("count", counts));
+  spec.count = static_cast<std::size_t>(section.whole_number_or("count", counts, 1));
   spec.seed = static_cast<std::uint64_t>(section.whole_number_or("seed", {0.0, 1e15, ""}, 1));
   spec.level_of_detail =
       static_cast<int>(section.whole_number_or("level_of_detail", {0.0, 16.0, ""}, spec.atlas ? 1 : 0));

@@ -323,6 +323,7 @@ GeoRaster read_geotiff(const std::filesystem::path& path) {
   const GDALDatasetUniquePtr dataset(
       GDALDataset::Open(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers.data(), nullptr, nullptr));
   if (!dataset) {
+    if (!std::filesystem::exists(path)) throw Error(path.string(), "the file does not exist", "correct the path");
     throw Error(path.string(), fmt::format("cannot be opened as GeoTIFF ({})", QuietGdal::complaint()),
                 "check the path and the format");
   }

@@ -22,8 +22,10 @@ void require(bool holds, const std::string& where, const std::string& what, cons
 
 void check(const radar::GroundMap& map, const PictureOptions& options) {
   require(!map.sigma0.empty(), "picture", "the map has no cells", "render a map of at least one cell");
-  require(options.span_db > 0.0, "picture span", fmt::format("{} dB is no span", options.span_db),
-          "give a positive number of dB");
+  require(!options.top_db || std::isfinite(*options.top_db), "picture top", "is no finite number of dB",
+          "give the sigma0 that is to be shown brightest");
+  require(options.span_db > 0.0 && std::isfinite(options.span_db), "picture span",
+          fmt::format("{} dB is no span", options.span_db), "give a positive number of dB");
   require(options.magnification > 0, "picture magnification", "is 0", "give at least 1 pixel a cell");
   require(options.low_pass_cells >= 0.0 && std::isfinite(options.low_pass_cells), "picture low-pass",
           fmt::format("{} cells is no width", options.low_pass_cells), "give 0 or more cells");

@@ -38,8 +38,8 @@ struct PictureOptions {
 [[nodiscard]] PictureOptions scope_look();
 
 /// σ0 in dB over a span that ends at the top, bottom at the scale's low end. Unseen cells are dark blue or transparent;
-/// cells without power are at the low end. Throws Error when the span is not positive, the percentile not in (0, 100],
-/// the magnification zero, the low-pass negative or the map empty.
+/// cells without power are at the low end. Throws Error when the span is not positive, the top not finite, the
+/// percentile not in (0, 100], the magnification zero, the low-pass negative or the map empty.
 [[nodiscard]] Picture picture_of(const radar::GroundMap& map, const PictureOptions& options = {});
 
 /// The level, in dB, below which `top_percentile` of the map's seen cells with power lie: the top that picture_of takes

@@ -120,6 +120,12 @@ std::string world_file_text(const radar::GroundGrid& grid) {
   return fmt::format("{0:.10f}\n0\n0\n-{0:.10f}\n{1:.10f}\n{2:.10f}\n", grid.cell_m, centre.x, centre.y);
 }
 
+void check_png_name(const std::filesystem::path& path) {
+  if (path.extension() != ".png")
+    throw Error(path.string(), "is no kind of file that maps are drawn into", "end the name in .png");
+  if (std::filesystem::is_directory(path)) throw Error(path.string(), "is a folder", "name a file");
+}
+
 void write_png(const std::filesystem::path& path, const Picture& picture) {
   const std::string bytes = png_bytes(picture);
   geo::write_atomically(std::filesystem::path(path).replace_extension(".pgw"), world_file_text(picture.grid));

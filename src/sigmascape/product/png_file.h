@@ -13,6 +13,9 @@ namespace sigmascape::product {
 /// cannot be written.
 void write_png(const std::filesystem::path& path, const Picture& picture);
 
+/// Throws Error unless the name ends in .png and is not that of a folder.
+void check_png_name(const std::filesystem::path& path);
+
 /// The picture as the bytes of a PNG file. Errors as for write_png.
 [[nodiscard]] std::string png_bytes(const Picture& picture);
 

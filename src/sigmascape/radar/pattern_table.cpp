@@ -19,7 +19,8 @@ struct Row {
 
 std::vector<Row> rows_of(const std::filesystem::path& file) {
   std::ifstream stream(file);
-  if (!stream) throw Error(file.string(), "cannot be read", "name a CSV file of offset_deg,gain_db");
+  if (!stream || std::filesystem::is_directory(file))
+    throw Error(file.string(), "cannot be read", "name a CSV file of offset_deg,gain_db");
   std::vector<Row> rows;
   std::string line;
   for (int number = 1; std::getline(stream, line); ++number) {

@@ -26,8 +26,8 @@ void check_unambiguous(const Radar& radar, Swath swath, std::vector<std::string>
 
 void check_gate(const Radar& radar, Swath swath, std::vector<std::string>& warnings) {
   const double opens_m = radar.receiver.first_range_m.value_or(swath.near_m);
-  const double closes_m = std::min(radar.receiver.last_range_m.value_or(swath.far_m),
-                                   opens_m + unambiguous_range_m(radar.waveform.pulse_repetition_hz));
+  const double until_next_pulse_m = opens_m + unambiguous_range_m(radar.waveform.pulse_repetition_hz);
+  const double closes_m = std::min(radar.receiver.last_range_m.value_or(until_next_pulse_m), until_next_pulse_m);
   if (opens_m > swath.far_m || closes_m < swath.near_m) {
     warnings.push_back(
         fmt::format("the range gate from {:.4g} to {:.4g} km holds nothing of what is mapped, {:.4g} to "
@@ -53,7 +53,9 @@ void check_eclipsing(const Radar& radar, Swath swath, std::vector<std::string>& 
 }
 
 void check_cells(const Radar& radar, Swath swath, double cell_m, std::vector<std::string>& warnings) {
-  const double beam_m = antenna_pattern(radar).azimuth().two_way_width_rad() * swath.near_m;
+  // Right below the radar any beam is narrow.
+  const double nearest_m = std::max(swath.near_m, 0.5 * swath.far_m);
+  const double beam_m = antenna_pattern(radar).azimuth().two_way_width_rad() * nearest_m;
   const double finest_m = std::min(beam_m, radar.range_resolution_m);
   if (finest_m < 0.5 * cell_m) {
     warnings.push_back(

@@ -50,6 +50,12 @@ std::vector<std::string> fields_of(const std::string& line) {
   return fields;
 }
 
+// Of the columns below. Decibels reach from nothing to what a float holds as power.
+struct Allowed {
+  double lowest, highest;
+};
+constexpr Allowed allowed[] = {{-720.0, 720.0}, {-90.0, 90.0},   {0.001, 1000.0}, {-300.0, 300.0},
+                               {-300.0, 300.0}, {-300.0, 300.0}, {-1.0, 1.0}};
 constexpr const char* names[] = {"azimuth_deg", "elevation_deg", "frequency_ghz",    "vv_dbsm",
                                  "hh_dbsm",     "hv_dbsm",       "vv_hh_correlation"};
 enum Column : std::size_t { Azimuth, Elevation, Frequency, Vv, Hh, Hv, Correlation, Columns };
@@ -71,10 +77,11 @@ struct Reader {
       }
       columns.push_back(static_cast<std::size_t>(found - std::begin(names)));
     }
-    for (const std::size_t needed : {Azimuth, Vv, Hh}) {
-      if (std::count(columns.begin(), columns.end(), needed) != 1) {
-        throw Error(at_line(number), fmt::format("must have one column {}", names[needed]), "add it once");
-      }
+    for (std::size_t column = 0; column < Columns; ++column) {
+      const auto times = std::count(columns.begin(), columns.end(), column);
+      const bool is_needed = column == Azimuth || column == Vv || column == Hh;
+      if (times > 1 || (is_needed && times == 0))
+        throw Error(at_line(number), fmt::format("must have one column {}", names[column]), "name it once");
     }
   }
 
@@ -92,18 +99,20 @@ struct Reader {
       if (fault != std::errc{} || stopped != end || !std::isfinite(value)) {
         throw Error(at_line(number), fmt::format("{} is \"{}\"", names[columns[i]], fields[i]), "give a number");
       }
+      const auto [lowest, highest] = allowed[columns[i]];
+      if (value < lowest || value > highest) {
+        throw Error(at_line(number), fmt::format("{} is {}", names[columns[i]], fields[i]),
+                    fmt::format("give a number from {:g} to {:g}", lowest, highest));
+      }
       row[columns[i]] = value;
     }
     return row;
   }
 };
 
-Channels channels_of(const Row& row, const std::string& where) {
+Channels channels_of(const Row& row) {
   const double vv = linear_from_db(*row[Vv]), hh = linear_from_db(*row[Hh]);
   const double correlation = row[Correlation].value_or(1.0);
-  if (std::abs(correlation) > 1.0) {
-    throw Error(where, fmt::format("vv_hh_correlation is {}", correlation), "give a number from -1 to 1");
-  }
   return {static_cast<float>(vv), static_cast<float>(hh), row[Hv] ? static_cast<float>(linear_from_db(*row[Hv])) : 0.0F,
           static_cast<float>(correlation * std::sqrt(vv * hh))};
 }
@@ -134,7 +143,8 @@ Channels RcsTable::at(const Look& look) const {
 
 RcsTable read_rcs_table(const std::filesystem::path& path) {
   std::ifstream file(path);
-  if (!file) throw Error(path.string(), "cannot be read", "name a file of comma-separated values");
+  if (!file || std::filesystem::is_directory(path))
+    throw Error(path.string(), "cannot be read", "name a file of comma-separated values");
   Reader reader{path};
   // Ordered as the table is: frequency, elevation, azimuth.
   std::map<std::array<double, 3>, Channels> entries;
@@ -149,7 +159,7 @@ RcsTable read_rcs_table(const std::filesystem::path& path) {
     const Row row = reader.read_row(line, number);
     const std::array<double, 3> key{row[Frequency].value_or(0.0) * 1e9, radians_from_deg(row[Elevation].value_or(0.0)),
                                     wrapped_azimuth(radians_from_deg(*row[Azimuth]))};
-    if (!entries.emplace(key, channels_of(row, reader.at_line(number))).second) {
+    if (!entries.emplace(key, channels_of(row)).second) {
       throw Error(reader.at_line(number), "repeats an azimuth, elevation and frequency", "give each once");
     }
   }

@@ -42,11 +42,11 @@ DopplerImager::DopplerImager(const radar::Radar& radar, const radar::Track& plat
   frame_.frequency_hz = radar.frequency_hz;
   frame_.pulse_repetition_hz = interval.repetition_hz;
   frame_.interval_s = static_cast<double>(interval.pulses) / interval.repetition_hz;
-  const std::size_t bins = doppler_axis(interval).bins;
+  const std::size_t bins = doppler_axis(interval).bins, middle_bin = bins / 2;
   const double step_hz = interval.repetition_hz / static_cast<double>(bins);
   const double centre_hz =
       radar::doppler_hz(radar::range_rate_mps(frame_.platform, {aim}), wavelength_m(radar.frequency_hz));
-  frame_.doppler_hz = {centre_hz - static_cast<double>(bins / 2) * step_hz, step_hz, bins};
+  frame_.doppler_hz = {centre_hz - static_cast<double>(middle_bin) * step_hz, step_hz, bins};
   frame_.range_cell_m = speed_of_light_mps / (2.0 * range_.bandwidth_hz) * noise_bandwidth(radar.waveform.window);
   frame_.doppler_cell_hz = noise_bandwidth(interval.window) / frame_.interval_s;
   frame_.range_m = {range_.start_m + static_cast<double>(range_.guard) * range_.step_m, range_.step_m, range_.samples};

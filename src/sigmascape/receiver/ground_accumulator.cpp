@@ -11,19 +11,12 @@ double GroundAccumulator::Axis::cell_of(double position_m) const {
   return std::floor(position_m / cell_m_ - offset_) - first_;
 }
 
-GroundAccumulator::GroundAccumulator(const radar::GroundGrid& grid, const radar::Aspect& aspect)
+GroundAccumulator::GroundAccumulator(const radar::GroundGrid& grid)
     : grid_(grid),
-      towards_radar_(radar::horizontal_direction(aspect.azimuth_rad)),
-      right_{-towards_radar_.y, towards_radar_.x},
       eastward_(grid.west_m, grid.cell_m),
       southward_(-grid.north_m, grid.cell_m),
-      ground_per_range_(-1.0 / std::cos(aspect.elevation_rad)),
       bins_(grid.columns, grid.rows),
       variances_(grid.columns * grid.rows) {}
-
-std::optional<std::uint32_t> GroundAccumulator::cell_of(const radar::Echo& echo) const {
-  return cell_at(towards_radar_ * (echo.range_m * ground_per_range_) + right_ * echo.cross);
-}
 
 std::optional<std::uint32_t> GroundAccumulator::cell_at(Vec2d point) const {
   const double column = eastward_.cell_of(point.x), row = southward_.cell_of(-point.y);
@@ -32,12 +25,6 @@ std::optional<std::uint32_t> GroundAccumulator::cell_at(Vec2d point) const {
     return std::nullopt;
   }
   return static_cast<std::uint32_t>(static_cast<std::size_t>(row) * grid_.columns + static_cast<std::size_t>(column));
-}
-
-void GroundAccumulator::add(std::span<const radar::Echo> echoes) {
-  for (const radar::Echo& echo : echoes) {
-    if (const auto cell = cell_of(echo)) bins_.add(*cell % grid_.columns, *cell / grid_.columns, echo.rcs_m2);
-  }
 }
 
 void GroundAccumulator::add(std::uint32_t cell, const radar::Channels& rcs_m2, double variance_m4) {

@@ -13,7 +13,8 @@ constexpr double left_out = 1e-3;
 /// taps, the two in the middle are the nearest.
 double offset_bins(std::size_t place, std::size_t tap, std::size_t taps) {
   const double within = (static_cast<double>(place) + 0.5) / static_cast<double>(places);
-  return static_cast<double>(tap) - static_cast<double>(taps / 2 - 1) - within;
+  const std::size_t last_before = taps / 2 - 1;
+  return static_cast<double>(tap) - static_cast<double>(last_before) - within;
 }
 
 }  // namespace

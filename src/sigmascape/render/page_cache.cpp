@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <iterator>
 #include <tuple>
 #include <utility>
 
@@ -59,7 +60,9 @@ const GroundPage* PageCache::View::find(const PageKey& key) const {
 void PageCache::request(std::span<const PageKey> wanted, const void* asker) {
   const std::lock_guard lock(guard_);
   std::erase_if(wanted_, [asker](const Wish& wish) { return wish.asker == asker; });
-  for (auto key = wanted.rbegin(); key != wanted.rend(); ++key) wanted_.push_back({*key, asker});
+  std::transform(wanted.rbegin(), wanted.rend(), std::back_inserter(wanted_), [asker](const PageKey& key) {
+    return Wish{key, asker};
+  });
   (wanted_.empty() ? request_done_ : request_came_).notify_all();
 }
 

@@ -233,7 +233,7 @@ void SectorTask::add_bare_elevations(const Place& place, std::uint32_t first, st
   PageRow source;
   for (std::uint32_t e = first; e <= last; ++e) {
     if (e == first || e % GroundPage::elevations == 0) {
-      const std::uint32_t number = e / GroundPage::elevations;
+      const auto number = static_cast<std::uint32_t>(e / GroundPage::elevations);
       source = pages_.row_of(PageKey::bare_ground(place.tile, number), place.row, place.first_column);
       if (source.page == nullptr) report_.dark += row_.count;
       if (source.levels_up > 0) report_.coarse += row_.count;
@@ -264,7 +264,7 @@ float SectorTask::cotangent_near() const {
 }
 
 std::uint32_t SectorTask::ground_page_near() const {
-  return ground_aspects()->elevation_cell(cotangent_near()) / GroundPage::elevations;
+  return static_cast<std::uint32_t>(ground_aspects()->elevation_cell(cotangent_near()) / GroundPage::elevations);
 }
 
 atlas::AspectCell SectorTask::aspects_near() const {

@@ -41,8 +41,9 @@ TerrainWindows::TerrainWindows(std::shared_ptr<terrain::TerrainPyramid> pyramid,
     : pyramid_(std::move(pyramid)),
       budget_bytes_(budget_bytes),
       most_nodes_per_side_(std::max(
-          least_nodes_per_side, static_cast<std::size_t>(std::sqrt(static_cast<double>(budget_bytes / sizeof(float)) /
-                                                                   static_cast<double>(windows_in_budget))))),
+          least_nodes_per_side,
+          static_cast<std::size_t>(
+              std::sqrt(static_cast<double>(budget_bytes) / static_cast<double>(windows_in_budget * sizeof(float)))))),
       entries_(std::make_shared<const Entries>()),
       maker_([this] { make_windows(); }) {}
 
@@ -86,7 +87,9 @@ WindowWish TerrainWindows::wish_for(int level, const radar::Rectangle& area) con
 void TerrainWindows::request(std::span<const WindowWish> wishes, const void* asker) {
   const std::lock_guard lock(guard_);
   std::erase_if(wishes_, [asker](const Asked& asked) { return asked.asker == asker; });
-  for (auto wish = wishes.rbegin(); wish != wishes.rend(); ++wish) wishes_.push_back({*wish, asker});
+  std::transform(wishes.rbegin(), wishes.rend(), std::back_inserter(wishes_), [asker](const WindowWish& wish) {
+    return Asked{wish, asker};
+  });
   (wishes_.empty() ? request_done_ : request_came_).notify_all();
 }
 

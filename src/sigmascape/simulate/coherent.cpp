@@ -272,7 +272,7 @@ radar::PhaseHistory phase_history(const CoherentScene& scene, const radar::Radar
                                   const CoherentSettings& settings) {
   check_moves(radar);
   const double repetition_hz = radar.waveform.pulse_repetition_hz;
-  const std::size_t count = pulses_in(radar, settings);
+  const std::size_t count = pulses_in(radar, settings), before_now = count / 2;
   const receiver::PulseReceiver receiver(radar, gate_over(radar, area, *scene.terrain, pulse_oversampling));
   const auto ground = scatterers_of(scene, radar, area, settings);
   const auto targets = targets_seen(scene, radar);
@@ -280,7 +280,7 @@ radar::PhaseHistory phase_history(const CoherentScene& scene, const radar::Radar
       settings.calibrated ? receiver::calibrated_voltage(radar, beam_of(radar, middle_of(area, *scene.terrain, radar)))
                           : receiver::VoltageGain{};
   auto history = receiver.receive(radar::Track::straight(radar.position, radar.velocity_mps),
-                                  {.first_time_s = -static_cast<double>(count / 2) / repetition_hz,
+                                  {.first_time_s = -static_cast<double>(before_now) / repetition_hz,
                                    .count = count,
                                    .repetition_hz = repetition_hz,
                                    .dwell = settings.dwell},

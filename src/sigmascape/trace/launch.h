@@ -17,7 +17,7 @@ struct LaunchCell {
 
 /// Cells whose echoes travel to the receiver together: squares of the lattice, or what an area has of them.
 inline constexpr int tile_side_cells = 16;
-inline constexpr std::size_t cells_per_tile = tile_side_cells * tile_side_cells;
+inline constexpr std::size_t cells_per_tile = std::size_t{tile_side_cells} * tile_side_cells;
 
 /// From which cells echoes can come that land in an area of interest.
 struct LaunchArea {

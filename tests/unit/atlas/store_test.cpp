@@ -167,7 +167,9 @@ TEST_F(StoreTest, ErrorsComeBackToATenthOfADecibelAndAreVouchedFor) {
 
   store.write({0, 0}, 1, example_texels(512, 1), {});
   EXPECT_THAT(message_of([&] { static_cast<void>(store.read_errors({0, 0}, 1)); }), HasSubstr("was not baked"));
-  EXPECT_THAT(message_of([&] { store.write({0, 0}, 1, example_texels(512, 1), {}, Array2D<float>(3, 3)); }),
+  EXPECT_THAT(message_of([&] {
+                store.write({0, 0}, 1, example_texels(512, 1), {}, Array2D<float>(3, 3));
+              }),
               HasSubstr("one a texel"));
 }
 

@@ -51,11 +51,18 @@ TEST(EchoLanding, GroundOnHillsStandsWhereItIs) {
   }
 }
 
-TEST(EchoLanding, HeightLiesOverByTheHeightTimesTheTangentOnLevelGround) {
-  const radar::Aspect aspect{0.0, radians_from_deg(30.0)};
-  const Vec2d place = EchoLanding(aspect).place_of(echo_of({7.0, 10.0, 6.0}, aspect));
-  EXPECT_NEAR(place.x, 7.0, 1e-9);
-  EXPECT_NEAR(place.y, 10.0 + 6.0 * std::tan(aspect.elevation_rad), 1e-9);
+TEST(EchoLanding, HeightLiesOverTowardsTheRadarByTheHeightTimesTheTangentOnLevelGround) {
+  for (const double azimuth_deg : {0.0, 45.0, 130.0, 180.0, 270.0, 310.0}) {
+    for (const double elevation_deg : {5.0, 37.0, 80.0}) {
+      const radar::Aspect aspect{radians_from_deg(azimuth_deg), radians_from_deg(elevation_deg)};
+      for (const double height_m : {0.0, 6.0, 30.0}) {
+        const Vec2d place = EchoLanding(aspect).place_of(echo_of({12.25, -30.75, height_m}, aspect));
+        const double over_m = height_m * std::tan(aspect.elevation_rad);
+        EXPECT_NEAR(place.x, 12.25 + over_m * std::sin(aspect.azimuth_rad), 1e-9) << azimuth_deg << "° " << height_m;
+        EXPECT_NEAR(place.y, -30.75 + over_m * std::cos(aspect.azimuth_rad), 1e-9) << azimuth_deg << "° " << height_m;
+      }
+    }
+  }
 }
 
 // A top h above ground that falls away from the radar with slope s lies over by h / (cot ψ + s), s rising towards it.

@@ -41,6 +41,18 @@ TEST_F(TomlReader, MissingKeyNamesFileAndKey) {
               HasSubstr("scene.toml: t.file: is missing"));
 }
 
+TEST_F(TomlReader, PlacesWithinListsNameTheWholeWay) {
+  const auto inner = section("[[r]]\n[[r]]\n[[r.s]]\n[[r.s]]\nx = 1").sections("r")[1].sections("s")[1];
+  EXPECT_THAT(inner.where("x"), EndsWith("scene.toml: r[2].s[2].x"));
+}
+
+TEST_F(TomlReader, FoldersAndEmptyNamesAreNoFiles) {
+  EXPECT_THAT(message_of_error([&] { static_cast<void>(TomlSection::read_file(folder_.path("."))); }),
+              HasSubstr("is a folder; give the path of a TOML file"));
+  EXPECT_THAT(message_of_error([&] { static_cast<void>(TomlSection::read_file("")); }),
+              HasSubstr("name of a TOML file: is empty"));
+}
+
 TEST_F(TomlReader, WrongTypeSaysWhatIsThere) {
   EXPECT_THAT(message_of_error([&] {
                 static_cast<void>(section("x = \"five\"").number("x", {0, 9, "m"}));

@@ -109,6 +109,8 @@ TEST(Picture, OptionsThatCannotBeAreRefused) {
   EXPECT_THROW((void)picture_of(ramp(), {.top_percentile = 101.0}), Error);
   EXPECT_THROW((void)picture_of(ramp(), {.low_pass_cells = -1.0}), Error);
   EXPECT_THROW((void)picture_of(ramp(), {.magnification = 0}), Error);
+  EXPECT_THROW((void)picture_of(ramp(), {.span_db = HUGE_VAL}), Error);
+  EXPECT_THROW((void)picture_of(ramp(), {.top_db = NAN}), Error);
   EXPECT_THROW((void)picture_of(GroundMap{}), Error);
   EXPECT_THROW((void)difference_picture(ramp(), map_of(3, 3, [](auto, auto) { return 1.0; })), Error);
 }

@@ -309,5 +309,15 @@ TEST_F(RadarWarnings, TellOfDeafRangesGatesAndCells) {
               ::testing::ElementsAre(HasSubstr("the beam of 1.41 m is narrower than half a map cell")));
 }
 
+TEST_F(RadarWarnings, SayNothingOfTheBeamRightBelowTheRadar) {
+  EXPECT_THAT(radar_warnings(radar_, swath(0.0, 20e3), 10.0), ::testing::Each(::testing::Not(HasSubstr("narrower"))));
+}
+
+TEST_F(RadarWarnings, TellOpeningAndClosingOfAGateBeyondTheSwath) {
+  radar_.receiver.first_range_m = 100e3;
+  EXPECT_THAT(radar_warnings(radar_, swath(20e3, 25e3), 10.0),
+              ::testing::ElementsAre(HasSubstr("the range gate from 100 to 130 km holds nothing")));
+}
+
 }  // namespace
 }  // namespace sigmascape::radar

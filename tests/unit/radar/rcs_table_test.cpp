@@ -69,6 +69,21 @@ TEST_F(RcsTableFile, says_in_which_line_it_is_wrong) {
   EXPECT_THAT(fault_of("azimuth_deg, vv_dbsm, hh_dbsm, vv_hh_correlation\n0, 1, 2, 1.5\n"),
               HasSubstr("vv_hh_correlation is 1.5"));
   EXPECT_THROW((void)read_rcs_table(folder_.path("nowhere.csv")), Error);
+  EXPECT_THROW((void)read_rcs_table(folder_.path(".")), Error);
+}
+
+TEST_F(RcsTableFile, refuses_what_no_radar_measures) {
+  using testing::HasSubstr;
+  EXPECT_THAT(fault_of("azimuth_deg, vv_dbsm, hh_dbsm\n0, 1e6, 2\n"),
+              HasSubstr("ship.csv, line 2: vv_dbsm is 1e6; give a number from -300 to 300"));
+  EXPECT_THAT(fault_of("azimuth_deg, vv_dbsm, hh_dbsm\n1e300, 1, 2\n"), HasSubstr("azimuth_deg is 1e300"));
+  EXPECT_THAT(fault_of("azimuth_deg, elevation_deg, vv_dbsm, hh_dbsm\n0, 91, 1, 2\n"),
+              HasSubstr("elevation_deg is 91"));
+  EXPECT_THAT(fault_of("azimuth_deg, frequency_ghz, vv_dbsm, hh_dbsm\n0, -3, 1, 2\n"),
+              HasSubstr("frequency_ghz is -3"));
+  EXPECT_THAT(fault_of("azimuth_deg, vv_dbsm, hh_dbsm\n0, nan, 2\n"), HasSubstr("vv_dbsm is \"nan\""));
+  EXPECT_THAT(fault_of("azimuth_deg, vv_dbsm, hh_dbsm, hv_dbsm, hv_dbsm\n0, 1, 2, 3, 4\n"),
+              HasSubstr("must have one column hv_dbsm"));
 }
 
 }  // namespace

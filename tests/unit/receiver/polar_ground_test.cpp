@@ -70,7 +70,8 @@ TEST(PolarGround, EvenGroundIsEvenHoweverItIsTurned) {
       }
     }
     double sum = 0.0;
-    for (const radar::Channels& cell : ground.sigma0().values()) {
+    const Array2D<radar::Channels> sigma0 = ground.sigma0();
+    for (const radar::Channels& cell : sigma0.values()) {
       // The number of points that fall into a bin scatters by 1/√64, less after the interpolation.
       EXPECT_NEAR(cell.vv, 0.02, 0.02 * 0.6);
       EXPECT_FLOAT_EQ(cell.hh, 0.5F * cell.vv);
