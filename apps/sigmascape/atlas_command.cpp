@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <iterator>
 #include <vector>
 
 #include "command.h"
@@ -11,7 +10,6 @@
 #include "words.h"
 
 #include "sigmascape/atlas/atlas_summary.h"
-#include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/atlas/pyramid.h"
 #include "sigmascape/atlas/store.h"
 #include "sigmascape/atlas/verify.h"
