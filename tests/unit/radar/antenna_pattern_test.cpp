@@ -47,6 +47,14 @@ TEST(AntennaCut, FloorHoldsEverywhere) {
 }
 
 // Level ground: sin δ = H/r, so csc² in power, twice, is r⁴.
+TEST(AntennaCut, GaussianBeamsAreSilentFarOutUnlessTheyHaveAFloor) {
+  const AntennaCut beam(GaussianBeam{}, 0.01);
+  EXPECT_EQ(beam.two_way_power(beam.silent_beyond_rad()), 0.0);
+  EXPECT_GT(beam.two_way_power(0.9 * beam.silent_beyond_rad()), 0.0);
+  EXPECT_TRUE(std::isinf(AntennaCut(GaussianBeam{}, 0.01, 1e-6).silent_beyond_rad()));
+  EXPECT_TRUE(std::isinf(AntennaCut(ApertureBeam{}, 0.01).silent_beyond_rad()));
+}
+
 TEST(AntennaCut, CosecantSquaredUndoesSpreadingOverLevelGround) {
   const double peak = radians_from_deg(-4.0);
   const AntennaCut cut(CosecantSquaredBeam{radians_from_deg(40.0)}, radians_from_deg(3.0), 0.0, peak);

@@ -51,6 +51,34 @@ TEST(PowerBins, SumsDoNotDependOnThreads) {
   EXPECT_TRUE(std::ranges::equal(one.values(), four.values()));
 }
 
+TEST(PowerBins, AColumnSummedByItselfIsTheSame) {
+  const auto powers = many_powers();
+  PowerBins one_by_one(3, 9), at_once(3, 9);
+  for (const int pass : {0, 1}) {
+    PowerLine line(9);
+    for (std::size_t i = 0; i < powers.size(); ++i) {
+      // Some fall beside the bins, wholly or in part.
+      const double place = 11.0 * static_cast<double>(unit_float(hashed(i, pass))) - 1.0;
+      one_by_one.add_shared(1.5, place, powers[i]);
+      line.add_shared(place, powers[i]);
+    }
+    at_once.add_column(1, line);
+  }
+  EXPECT_TRUE(std::ranges::equal(one_by_one.sums().values(), at_once.sums().values()));
+  EXPECT_GT(at_once.sum(1, 0).vv, 0.0F);
+  EXPECT_EQ(at_once.sum(0, 4), radar::Channels{});
+}
+
+TEST(PowerBins, ALineLeavesOutAndCountsWhatDoesNotFit) {
+  PowerBins bins(1, 3);
+  PowerLine line(3);
+  line.add_shared(1.5, {1e9F, 1.0F, 0.0F, -1e9F});
+  line.add_shared(1.5, {1.0F, 1.0F, 0.0F, 0.0F});
+  bins.add_column(0, line);
+  EXPECT_EQ(bins.overflows(), 2U);
+  EXPECT_EQ(bins.sum(0, 1), (radar::Channels{1.0F, 2.0F, 0.0F, 0.0F}));
+}
+
 TEST(PowerBins, AddGoesToOneBin) {
   PowerBins bins(3, 2);
   bins.add(2, 1, all(4.0F));

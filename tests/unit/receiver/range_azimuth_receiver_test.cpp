@@ -93,6 +93,34 @@ void expect_widths(double oversampling) {
       << oversampling << " bins a cell";
 }
 
+TEST(RangeAzimuthReceiver, EchoesOfOneAzimuthAreTheSameWhenAddedAtOnce) {
+  radar::Radar radar = example_radar();
+  radar.antenna.elevation = radar::GaussianBeam{};
+  radar.antenna.tilt_rad = -0.29;
+  radar.receiver.last_range_m = 10'460.0;
+  const auto grid = grid_covering(radar, square(100.0));
+  RangeAzimuthReceiver one_by_one(radar, grid), at_once(radar, grid);
+  for (std::size_t column = 0; column < grid.azimuths; column += 3) {
+    std::vector<radar::Echo> echoes;
+    const double azimuth = grid.first_azimuth_rad + (static_cast<double>(column) + 0.5) * grid.azimuth_step_rad;
+    for (double distance_m = 9'900.0; distance_m < 10'100.0; distance_m += 0.7) {
+      echoes.push_back(echo_at(radar, radar.position + Vec3d{distance_m * std::sin(azimuth),
+                                                             distance_m * std::cos(azimuth), -radar.position.z}));
+      echoes.back().sin_depression = 0.3F;
+    }
+    one_by_one.add(echoes);
+    at_once.add_to_azimuth(column, echoes);
+  }
+  const auto a = one_by_one.image(), b = at_once.image();
+  double greatest = 0.0;
+  for (std::size_t i = 0; i < a.rcs_m2.size(); ++i) {
+    const auto one = static_cast<double>(a.rcs_m2.values()[i].hh), other = static_cast<double>(b.rcs_m2.values()[i].hh);
+    greatest = std::max(greatest, one);
+    ASSERT_NEAR(one, other, 1e-6 * one + 1e-9);
+  }
+  EXPECT_GT(greatest, 0.1);
+}
+
 TEST(RangeAzimuthReceiver, HalfPowerWidthsAreThoseOfPulseAndTwoWayBeam) {
   expect_widths(2.0);
   expect_widths(4.0);
