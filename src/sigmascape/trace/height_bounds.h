@@ -23,11 +23,6 @@ class HeightBounds {
   [[nodiscard]] float highest_m() const { return highest_m_; }
 
  private:
-  /// Columns and rows of squares, the ends included.
-  struct Squares {
-    std::size_t west, east, north, south;
-  };
-
   [[nodiscard]] Interval ground_in(const terrain::HeightField& field, std::size_t column, std::size_t row) const;
   void add_instances(const scene::Scene& scene, Footing footing);
   void add_buildings(const scene::Buildings& buildings, Footing footing);
