@@ -90,7 +90,7 @@ void measure_embree_share(const scene::Scene& scene, Figures& figures) {
   figures.add(
       "bake.embree_share", bare / whole, "1",
       fmt::format(
-          "{} rays of 256² texels, 21°, 16 rays a texel, {:.0f} % of which meet something, traced again one by one",
+          "{} rays of 256² texels, 21°, 16 rays a texel, {:.0f} % of which meet something, traced again in packets",
           log.size(), 100.0 * static_cast<double>(met) / static_cast<double>(log.size())));
 }
 

@@ -15,6 +15,7 @@
 #include "sigmascape/receiver/range_azimuth_receiver.h"
 #include "sigmascape/receiver/target_echoes.h"
 #include "sigmascape/simulate/coherent.h"
+#include "sigmascape/simulate/launch_for_map.h"
 #include "sigmascape/simulate/target_sight.h"
 #include "sigmascape/trace/tile_progress.h"
 
@@ -148,13 +149,27 @@ std::vector<radar::RangeAzimuthImage> traced_bounces(const scene::Scene& scene, 
                                                      const radar::Radar& radar, const radar::Rectangle& area,
                                                      const TraceSettings& settings, std::size_t orders,
                                                      trace::TraceCounts& counts, ProgressListener* progress) {
+  const auto launch = launch_for_map(scene, geometry, radar, area, settings.cell_m);
+  return traced_bounces(scene, geometry, radar, launch, settings, orders, counts, progress);
+}
+
+trace::LaunchArea launch_for_map(const scene::Scene& scene, const trace::SceneGeometry& geometry,
+                                 const radar::Radar& radar, const radar::Rectangle& area, double cell_m) {
   check_above(radar, geometry.highest_m());
-  const auto viewpoint = trace::Viewpoint::located(radar.position);
+  auto launch = trace::launch_area(trace::Viewpoint::located(radar.position), area, cell_m, geometry.lowest_m(),
+                                   geometry.highest_m() + clearance_m, multibounce_margin_m);
+  trace::leave_out_idle_cells(launch, scene, geometry.footing());
+  return launch;
+}
+
+std::vector<radar::RangeAzimuthImage> traced_bounces(const scene::Scene& scene, const trace::SceneGeometry& geometry,
+                                                     const radar::Radar& radar, const trace::LaunchArea& launch,
+                                                     const TraceSettings& settings, std::size_t orders,
+                                                     trace::TraceCounts& counts, ProgressListener* progress) {
+  const auto& viewpoint = launch.viewpoint;
   const auto surfaces = trace::surface_models(scene, radar.frequency_hz);
   const trace::PathTracer tracer(geometry, surfaces, viewpoint, {.max_bounces = settings.max_bounces}, settings.seed);
-  const auto launch = trace::launch_area(viewpoint, area, settings.cell_m, geometry.lowest_m(),
-                                         geometry.highest_m() + clearance_m, multibounce_margin_m);
-  BounceReceivers receivers(radar, bins_for(radar, area, scene.terrain), orders);
+  BounceReceivers receivers(radar, bins_for(radar, launch.target, scene.terrain), orders);
   SilentProgress silent;
   trace::TileProgress tiles(progress != nullptr ? *progress : silent, "trace", "% of the map", 0.0, 100.0, 100.0,
                             launch.tiles());

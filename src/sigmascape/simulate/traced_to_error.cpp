@@ -4,10 +4,12 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/hash.h"
+#include "sigmascape/simulate/launch_for_map.h"
 
 namespace sigmascape::simulate {
 namespace {
@@ -117,13 +119,14 @@ TracedToError traced_to_error(const scene::Scene& scene, const trace::SceneGeome
                               const ErrorGoal& goal, trace::TraceCounts& counts, ProgressListener* progress) {
   check(goal);
   const Vec2d middle = area.centre();
+  const trace::LaunchArea launch = launch_for_map(scene, geometry, radar, area, settings.cell_m);
   std::optional<PassSums> sums;
   double error_db = 0.0;
   for (std::uint32_t pass = 0; pass < goal.most_passes; ++pass) {
     TraceSettings of_pass = settings;
     of_pass.samples_per_cell = goal.samples_a_pass;
     of_pass.seed = hashed(settings.seed, pass);
-    const auto image = traced_image(scene, geometry, radar, area, of_pass, counts);
+    const auto image = std::move(traced_bounces(scene, geometry, radar, launch, of_pass, 1, counts).front());
     if (!sums) sums.emplace(image, area, scene.terrain.height_at(middle));
     sums->add(image);
     if (pass + 1 < fewest_passes) continue;

@@ -2,23 +2,43 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "sigmascape/trace/height_bounds.h"
 
 namespace sigmascape::trace {
 namespace {
 
 constexpr std::int32_t tile = tile_side_cells;
 
+/// Between which distances from its start a straight way is in a rectangle; nowhere when `leave` is less.
+struct Stay {
+  double enter = 0.0, leave = 0.0;
+};
+
+Stay stay_in(const radar::Rectangle& r, Vec2d start, Vec2d direction, double length) {
+  Stay stay{0.0, length};
+  const auto clip = [&](double position, double speed, double low, double high) {
+    if (std::abs(speed) < 1e-12) {
+      if (position < low || position > high) stay.leave = -1.0;
+      return;
+    }
+    const double a = (low - position) / speed, b = (high - position) / speed;
+    stay.enter = std::max(stay.enter, std::min(a, b));
+    stay.leave = std::min(stay.leave, std::max(a, b));
+  };
+  clip(start.x, direction.x, r.west_m, r.east_m);
+  clip(start.y, direction.y, r.south_m, r.north_m);
+  return stay;
+}
+
 /// Whether the segment from `start`, `length` long in direction `direction`, meets the rectangle.
 bool segment_meets(const radar::Rectangle& r, Vec2d start, Vec2d direction, double length) {
-  double enter = 0.0, leave = length;
-  const auto clip = [&](double position, double speed, double low, double high) {
-    if (std::abs(speed) < 1e-12) return position >= low && position <= high;
-    const double a = (low - position) / speed, b = (high - position) / speed;
-    enter = std::max(enter, std::min(a, b));
-    leave = std::min(leave, std::max(a, b));
-    return enter <= leave;
-  };
-  return clip(start.x, direction.x, r.west_m, r.east_m) && clip(start.y, direction.y, r.south_m, r.north_m);
+  const Stay stay = stay_in(r, start, direction, length);
+  return stay.enter <= stay.leave;
 }
 
 radar::Rectangle widened(const radar::Rectangle& r, double by) {
@@ -47,7 +67,73 @@ Vec2d level_part(Vec3d direction) {
   return horizontal > 0.0 ? Vec2d{direction.x / horizontal, direction.y / horizontal} : Vec2d{};
 }
 
+/// Tells which cells' rays come to where paths begin that count.
+class UsefulCells {
+ public:
+  UsefulCells(const LaunchArea& area, const scene::Scene& scene, Footing footing)
+      : area_(area),
+        reach_m_(std::numbers::sqrt2 / 2.0 * area.cell_m),
+        region_(region()),
+        bounds_(scene, footing, region_, std::max(least_square_m, 2.0 * reach_m_)) {}
+
+  [[nodiscard]] bool has(const LaunchCell& cell) const {
+    const Vec2d centre{(cell.i + 0.5) * area_.cell_m, (cell.j + 0.5) * area_.cell_m};
+    const Vec3d to_radar = area_.viewpoint.direction_from({centre.x, centre.y, area_.plane_height_m});
+    const double horizontal = std::sqrt(to_radar.x * to_radar.x + to_radar.y * to_radar.y);
+    const double slope = to_radar.z / horizontal;
+    if (!(slope < steepest)) return true;
+    // Cells reach as far as `reach_m_` about their centres, and a step stands for half its length before and after:
+    // both together are less than a square's side, as far as a square speaks for. Rays of a cell rise nearly alike.
+    const double step_m = 0.5 * bounds_.square_m(), slack_m = (0.5 * step_m + 3.0 * reach_m_) * slope + 1.0;
+    const Vec2d towards{to_radar.x / horizontal, to_radar.y / horizontal};
+    const double until_m = (static_cast<double>(bounds_.highest_m()) + slack_m - area_.plane_height_m) / slope;
+    const Stay stay = stay_in(region_, centre, towards, until_m);
+    for (double way = stay.enter; way < stay.leave + step_m; way += step_m) {
+      const HeightBounds::Interval* heights = bounds_.around(centre + towards * way);
+      if (heights == nullptr) continue;
+      const double height = area_.plane_height_m + way * slope;
+      if (height - slack_m <= static_cast<double>(heights->highest_m) &&
+          height + slack_m >= static_cast<double>(heights->lowest_m)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+ private:
+  static constexpr double least_square_m = 16.0;
+  /// Rays from nearly straight above meet what is below them.
+  static constexpr double steepest = 20.0;
+
+  /// Where vertices stand whose echoes can land in the target or its margin, and a little more.
+  [[nodiscard]] radar::Rectangle region() const {
+    const radar::Rectangle reached = widened(area_.target, area_.margin_m + area_.cell_m);
+    const Vec2d nearest = area_.viewpoint.nearest_point(reached);
+    const double behind_m =
+        area_.viewpoint.point_behind_landing_m({nearest.x, nearest.y, area_.plane_height_m}, area_.top_height_m);
+    return widened(reached, behind_m + least_square_m + 2.0 * reach_m_);
+  }
+
+  const LaunchArea& area_;
+  double reach_m_;
+  radar::Rectangle region_;
+  HeightBounds bounds_;
+};
+
 }  // namespace
+
+void leave_out_idle_cells(LaunchArea& area, const scene::Scene& scene, Footing footing) {
+  const UsefulCells useful(area, scene, footing);
+  std::vector<LaunchCell> kept;
+  // Cells of a grain follow one another.
+  const auto grain = static_cast<std::size_t>(area.grain * area.grain);
+  for (std::size_t first = 0; first < area.cells.size(); first += grain) {
+    const auto cells = std::span(area.cells).subspan(first, grain);
+    if (std::ranges::any_of(cells, [&](const LaunchCell& cell) { return useful.has(cell); }))
+      kept.insert(kept.end(), cells.begin(), cells.end());
+  }
+  area.cells = std::move(kept);
+}
 
 bool LaunchArea::counts_from(Vec3d first_vertex) const {
   const radar::Rectangle reached = widened(target, margin_m + cell_m);

@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "sigmascape/radar/ground_grid.h"
+#include "sigmascape/scene/scene.h"
+#include "sigmascape/trace/scene_geometry.h"
 #include "sigmascape/trace/viewpoint.h"
 
 namespace sigmascape::trace {
@@ -44,6 +46,11 @@ struct LaunchArea {
   radar::Rectangle target;  ///< the area of interest
   double margin_m = 0.0;    ///< how far around it paths may begin
 };
+
+/// Takes out of an area the grains from which no path begins that counts: whose rays pass above all that stands where
+/// such paths begin, or only get there where they would be below it. What the area brings back stays the same to the
+/// last bit, and LaunchArea::covers still speaks of the area as it was, which for paths that count is the same.
+void leave_out_idle_cells(LaunchArea& area, const scene::Scene& scene, Footing footing);
 
 /// The launch area for echoes that land in `target`.
 ///

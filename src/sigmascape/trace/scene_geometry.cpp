@@ -101,6 +101,9 @@ SceneGeometry::~SceneGeometry() = default;
 SceneGeometry::SceneGeometry(SceneGeometry&&) noexcept = default;
 SceneGeometry& SceneGeometry::operator=(SceneGeometry&&) noexcept = default;
 
+Footing SceneGeometry::footing() const {
+  return structures_->footing;
+}
 Vec3d SceneGeometry::origin() const {
   return structures_->origin;
 }

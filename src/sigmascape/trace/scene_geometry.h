@@ -40,6 +40,7 @@ class SceneGeometry {
   SceneGeometry(SceneGeometry&&) noexcept;
   SceneGeometry& operator=(SceneGeometry&&) noexcept;
 
+  [[nodiscard]] Footing footing() const;
   [[nodiscard]] Vec3d origin() const;
   /// Heights between which everything lies.
   [[nodiscard]] double lowest_m() const;

@@ -75,6 +75,16 @@ double Viewpoint::aim_behind_landing_m(Vec3d landing, double height_m) const {
   return hit_ground * above / (above - rise) - ground;
 }
 
+double Viewpoint::point_behind_landing_m(Vec3d landing, double height_m) const {
+  const double rise = height_m - landing.z;
+  if (is_distant_) {
+    const double horizontal = std::hypot(to_radar_.x, to_radar_.y);
+    return horizontal > 0.0 ? rise * to_radar_.z / horizontal : 0.0;
+  }
+  const double above = position_.z - landing.z, ground = std::hypot(position_.x - landing.x, position_.y - landing.y);
+  return std::sqrt(ground * ground + rise * (2.0 * above - rise)) - ground;
+}
+
 double Viewpoint::landing_before_m(Vec3d point, double height_m) const {
   if (is_distant_) {
     const double horizontal = std::hypot(to_radar_.x, to_radar_.y);

@@ -33,6 +33,9 @@ class Viewpoint {
   /// The same distance, but for the ray whose echo lands at `landing`: how far behind that place the ray is aimed.
   [[nodiscard]] double aim_behind_landing_m(Vec3d landing, double height_m) const;
 
+  /// How far behind the place where its echo lands, along the level, a point at `height_m` stands.
+  [[nodiscard]] double point_behind_landing_m(Vec3d landing, double height_m) const;
+
   /// How far before a point, along the level towards the radar, its echo lands on the plane at `height_m` below it.
   [[nodiscard]] double landing_before_m(Vec3d point, double height_m) const;
 

@@ -102,6 +102,14 @@ TEST(Viewpoint, LandingOfALocatedRadarFollowsItsCircle) {
   EXPECT_NEAR(viewpoint.range_of(landing), viewpoint.range_of(hit), 1e-9);
   EXPECT_NEAR(viewpoint.landing_before_aim_m({aim.x, aim.y, 20.0}, 200.0), aim.y - landing.y, 1e-6);
   EXPECT_NEAR(viewpoint.aim_behind_landing_m(landing, 200.0), aim.y - landing.y, 1e-6);
+  EXPECT_NEAR(viewpoint.point_behind_landing_m(landing, 200.0), hit.y - landing.y, 1e-6);
+  EXPECT_NEAR(viewpoint.landing_before_m(hit, 20.0), hit.y - landing.y, 1e-6);
+}
+
+TEST(Viewpoint, PointsLieOverByTheTangentOfTheElevation) {
+  const auto viewpoint = Viewpoint::distant(south_east);
+  EXPECT_NEAR(viewpoint.point_behind_landing_m({1, 2, 10}, 40.0), 30.0 * std::tan(south_east.elevation_rad), 1e-9);
+  EXPECT_NEAR(viewpoint.landing_before_m({1, 2, 40}, 10.0), 30.0 * std::tan(south_east.elevation_rad), 1e-9);
 }
 
 }  // namespace
