@@ -158,10 +158,13 @@ void add_terrain_command(CLI::App& added, const std::shared_ptr<std::string>& fo
   added.add_option("--spacing", *spacing_m, "metres between heights; the raster's own cell if not given")
       ->check(CLI::PositiveNumber);
   added.add_option("--no-data-height", *no_data_height_m, "height in metres where the raster has none")
-      ->capture_default_str()
-      ->check(CLI::Range(-1e4, 1e4));
+      ->capture_default_str();
   added.callback([folder, source, spacing_m, no_data_height_m, &output] {
     if (*spacing_m > 0.0) source->spacing_m = *spacing_m;
+    // Not a number is within any range.
+    if (!(std::abs(*no_data_height_m) <= 1e4)) {
+      throw Error("--no-data-height", fmt::format("is {} m", *no_data_height_m), "give -10000 to 10000");
+    }
     build_terrain(*folder, *source, *no_data_height_m, output);
   });
 }
