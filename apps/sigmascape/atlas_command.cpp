@@ -30,7 +30,14 @@ std::vector<double> degrees(const std::vector<double>& angles_rad) {
 
 void verify(const std::string& folder, const Output& output) {
   const atlas::Store store = atlas::Store::open(folder);
-  const std::vector<atlas::StoreFault> faults = atlas::verify(store);
+  std::vector<atlas::StoreFault> faults = atlas::verify(store);
+  const std::size_t texture_faults = faults.size();
+  if (const auto pyramid = std::filesystem::path(folder) / atlas::terrain_pyramid_name;
+      std::filesystem::exists(pyramid)) {
+    for (const terrain::PyramidFault& fault : terrain::verify_pyramid(pyramid)) {
+      faults.push_back({std::filesystem::path(atlas::terrain_pyramid_name) / fault.file, fault.what});
+    }
+  }
   std::string text;
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const atlas::StoreFault& fault : faults) {
@@ -40,7 +47,9 @@ void verify(const std::string& folder, const Output& output) {
   const std::size_t looks = store.units().size();
   text += faults.empty()
               ? fmt::format("{} looks, all whole and as recorded", looks)
-              : fmt::format("{} faults in {}; 'sigmascape bake … --verify' mends them", faults.size(), folder);
+              : fmt::format(
+                    "{} faults in {}; 'sigmascape bake … --verify' mends them{}", faults.size(), folder,
+                    faults.size() > texture_faults ? ", and 'sigmascape atlas terrain' the terrain that it made" : "");
   output.finish(text, {{"atlas", folder}, {"looks", looks}, {"faults", list}});
   if (!faults.empty()) throw CLI::RuntimeError(1);
 }
@@ -101,32 +110,38 @@ std::string text_of(const atlas::AtlasDescription& atlas, const atlas::AtlasSumm
   return text;
 }
 
+/// Live frames look at the atlas' own ground first of all.
+void check_overlap(const terrain::TerrainSource& source, const geo::Extent& raster, const radar::Rectangle& extent) {
+  if (raster.west_m < extent.east_m && raster.east_m > extent.west_m && raster.south_m < extent.north_m &&
+      raster.north_m > extent.south_m) {
+    return;
+  }
+  throw Error(source.raster.file.string(),
+              fmt::format("lies {:.0f} to {:.0f} m east and {:.0f} to {:.0f} m north of the atlas' origin, and nowhere "
+                          "over the atlas",
+                          raster.west_m, raster.east_m, raster.south_m, raster.north_m),
+              fmt::format("give terrain over {:.0f} to {:.0f} m east and {:.0f} to {:.0f} m north", extent.west_m,
+                          extent.east_m, extent.south_m, extent.north_m));
+}
+
 /// Heights from a raster that reach as far as it does, in tiles beside the atlas.
 void build_terrain(const std::string& folder, const terrain::TerrainSource& source, double no_data_height_m,
                    const Output& output) {
   const atlas::Store store = atlas::Store::open(folder);
   const geo::LocalFrame& frame = store.description().frame;
   const geo::Extent raster = geo::Raster(source.raster).extent_in(frame);
-  const radar::Rectangle& baked = store.description().extent;
-  if (!(raster.west_m < baked.east_m && raster.east_m > baked.west_m && raster.south_m < baked.north_m &&
-        raster.north_m > baked.south_m)) {
-    throw Error(
-        source.raster.file.string(),
-        fmt::format("reaches from x {:.0f} to {:.0f} and y {:.0f} to {:.0f} m in the frame of {}, past the atlas",
-                    raster.west_m, raster.east_m, raster.south_m, raster.north_m, folder),
-        fmt::format("give one that covers x {:.0f} to {:.0f} and y {:.0f} to {:.0f} m", baked.west_m, baked.east_m,
-                    baked.south_m, baked.north_m));
-  }
+  check_overlap(source, raster, store.description().extent);
   const auto pyramid = std::filesystem::path(folder) / atlas::terrain_pyramid_name;
-  terrain::build_pyramid(pyramid, source, frame, {raster.west_m, raster.south_m, raster.east_m, raster.north_m},
-                         no_data_height_m);
+  const std::size_t written = terrain::build_pyramid(
+      pyramid, source, frame, {raster.west_m, raster.south_m, raster.east_m, raster.north_m}, no_data_height_m);
   const terrain::TerrainPyramid built = terrain::open_pyramid(pyramid, 0);
   const terrain::PyramidLayout& layout = built.layout();
   const radar::Rectangle extent = layout.extent();
-  output.finish(fmt::format("{} levels, {} x {} tiles of {} cells of {:g} m: {:.0f} m x {:.0f} m", layout.levels(),
-                            layout.tiles_across, layout.tiles_down, terrain::HeightTile::cells, layout.spacing_m,
-                            extent.width_m(), extent.height_m()),
+  output.finish(fmt::format("{} levels, {} x {} tiles of {} cells of {:g} m: {:.0f} m x {:.0f} m; {} tiles written",
+                            layout.levels(), layout.tiles_across, layout.tiles_down, terrain::HeightTile::cells,
+                            layout.spacing_m, extent.width_m(), extent.height_m(), written),
                 {{"atlas", folder},
+                 {"written", written},
                  {"levels", layout.levels()},
                  {"tiles", {layout.tiles_across, layout.tiles_down}},
                  {"spacing_m", layout.spacing_m},
@@ -147,6 +162,10 @@ void add_terrain_command(CLI::App& added, const std::shared_ptr<std::string>& fo
       ->check(number_within(-12'000.0, 10'000.0));
   added.callback([folder, source, spacing_m, no_data_height_m, &output] {
     if (*spacing_m > 0.0) source->spacing_m = *spacing_m;
+    // Not a number is within any range.
+    if (!(std::abs(*no_data_height_m) <= 1e4)) {
+      throw Error("--no-data-height", fmt::format("is {} m", *no_data_height_m), "give -10000 to 10000");
+    }
     build_terrain(*folder, *source, *no_data_height_m, output);
   });
 }
@@ -170,8 +189,11 @@ void add_atlas_command(CLI::App& app, Output& output) {
         const atlas::AtlasSummary summary = atlas::summary_of(store);
         output.finish(text_of(store.description(), summary), summary_of(store.description(), summary));
       });
-  subcommand("verify", "Compare every file with its recorded SHA-256; ends with 1 when one is missing or differs",
-             "verify out/bilbao_atlas")
+  subcommand(
+      "verify",
+      "Compare every file, the terrain's tiles included, with its recorded SHA-256; ends with 1 when one is missing or "
+      "differs",
+      "verify out/bilbao_atlas")
       ->callback([folder, &output] { verify(*folder, output); });
   subcommand("pyramid", "Make what is missing of the levels above the patches, from the patches that are there",
              "pyramid out/bilbao_atlas")
@@ -183,7 +205,7 @@ void add_atlas_command(CLI::App& app, Output& output) {
   add_terrain_command(
       *subcommand("terrain",
                   "Put terrain of any size beside the atlas, in tiles, for live frames that look beyond "
-                  "the scene",
+                  "the scene; tiles that are there and whole are left",
                   "terrain out/bilbao_atlas dem.tif --spacing 10"),
       folder, output);
 }

@@ -125,6 +125,20 @@ class Modes : public ::testing::Test {
         << printed();
   }
 
+  void expect_the_choice_of_detail_to_be_explained() const {
+    folder_.write("radar.toml", radar_text(""));
+    ASSERT_EQ(run(fmt::format("render '{}' --scene '{}' --atlas '{}' --lod 1 --explain --png '{}'",
+                              folder_.path("radar.toml").string(), scene_.string(), folder_.path("atlas").string(),
+                              folder_.path("map.png").string())),
+              0)
+        << printed();
+    // 160 m of houses seen closely can be traced; the numbers that say so are there.
+    EXPECT_NE(printed().find("The resolution cell asks for level of detail 0: the full scene"), std::string::npos)
+        << printed();
+    EXPECT_NE(printed().find("a resolution cell is 2.13 m on its smaller side"), std::string::npos) << printed();
+    EXPECT_NE(printed().find("geometry should stay"), std::string::npos) << printed();
+  }
+
   void expect_a_bent_earth_in_coherent_modes_alone() const {
     const auto rendered = [&](const std::string& mode) {
       std::string text = radar_text(mode);
@@ -206,6 +220,7 @@ TEST_F(Modes, MapTheGroundAndTheTargets) {
   expect_extrapolation_on_request();
   expect_volts_of_targets();
   expect_slant_images();
+  expect_the_choice_of_detail_to_be_explained();
   expect_a_bent_earth_in_coherent_modes_alone();
   folder_.write("targets.toml", "[[targets]]\nposition_m = [9000, 0]\nrcs_dbsm = 20\n");
   EXPECT_EQ(render("", "--lod 1"), 1);

@@ -212,9 +212,12 @@ BakeReport bake(const scene::Scene& scene, const BakeSettings& settings, const s
   if (!std::filesystem::exists(terrain)) {
     terrain::write_height_field(terrain, scene.terrain, store.description().frame.proj());
   }
-  if (const auto pyramid = folder / atlas::terrain_pyramid_name; !terrain::holds_pyramid(pyramid)) {
-    terrain::build_pyramid(pyramid, scene.terrain, store.description().frame);
-  }
+  const auto pyramid = folder / atlas::terrain_pyramid_name;
+  const geo::LocalFrame& frame = store.description().frame;
+  // One that was made from other heights, by `sigmascape atlas terrain`, is left.
+  const bool mends =
+      share.scrutiny == atlas::Scrutiny::Content && terrain::holds_pyramid_of(pyramid, scene.terrain, frame);
+  if (mends || !terrain::holds_pyramid(pyramid)) terrain::build_pyramid(pyramid, scene.terrain, frame);
   if (settings.shadows == Shadows::RunTime) bake_ground(scene, store, share.shard, share.scrutiny);
   const LookBaker baker(scene, settings);
   return BakeRun(baker, settings, store, share, progress).report();

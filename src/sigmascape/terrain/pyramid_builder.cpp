@@ -1,26 +1,20 @@
 #include "sigmascape/terrain/pyramid_builder.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
 #include <memory>
-#include <system_error>
-#include <unistd.h>
 #include <utility>
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/sha256.h"
-#include "sigmascape/base/toml_reader.h"
-#include "sigmascape/geo/atomic_file.h"
-#include "sigmascape/geo/geotiff.h"
+#include "sigmascape/terrain/pyramid_files.h"
 
 namespace sigmascape::terrain {
 namespace {
 
 constexpr auto cells = static_cast<std::int64_t>(HeightTile::cells);
-constexpr const char* heading_name = "pyramid.toml";
 
 /// Nodes of one finished level, wherever they stand; remembers a few tiles.
 class LevelNodes {
@@ -121,184 +115,68 @@ TileSummary joined_with_children(TileKey key, TileSummary joined, const Array2D<
   return joined;
 }
 
-std::filesystem::path tile_path(const std::filesystem::path& folder, TileKey key) {
-  return folder / fmt::format("level_{}", key.level) / fmt::format("{}_{}.tif", key.column, key.row);
-}
-std::filesystem::path index_path(const std::filesystem::path& folder, int level) {
-  return folder / fmt::format("level_{}.tif", level);
-}
-
-/// Of a tile and its place, so that one tile does not pass for another.
-std::string digest_of(TileKey key, const std::vector<float>& heights) {
-  Sha256 digest;
-  digest.add(fmt::format("{} {} {} ", key.level, key.column, key.row));
-  digest.add_values(std::span(heights));
-  return digest.hex_digest();
-}
-
-void write_tile(const std::filesystem::path& folder, const PyramidLayout& layout, const std::string& crs, TileKey key,
-                const HeightTile& tile) {
-  const radar::Rectangle extent = layout.extent_of(key);
-  const double spacing_m = layout.spacing_at(key.level);
-  geo::GeoRaster raster{
-      .placement = {extent.west_m - 0.5 * spacing_m, extent.north_m + 0.5 * spacing_m, spacing_m, crs},
-      .bands = {{"height_m", Array2D<float>(HeightTile::nodes, HeightTile::nodes)}},
-      .nodata = std::nullopt,
-      .metadata = {{"lowest_m", fmt::format("{}", tile.summary.lowest_m)},
-                   {"highest_m", fmt::format("{}", tile.summary.highest_m)},
-                   {"error_m", fmt::format("{}", tile.summary.error_m)},
-                   {"heights_sha256", digest_of(key, tile.height_m)}}};
-  std::ranges::copy(tile.height_m, raster.bands[0].values.values().begin());
-  geo::write_geotiff(tile_path(folder, key), raster);
-}
-
-std::shared_ptr<const HeightTile> read_tile(const std::filesystem::path& folder, TileKey key) {
-  const std::filesystem::path path = tile_path(folder, key);
-  const geo::GeoRaster raster = geo::read_geotiff(path);
-  const Array2D<float>& heights = raster.bands.at(0).values;
-  if (heights.columns() != HeightTile::nodes || heights.rows() != HeightTile::nodes) {
-    throw Error(path.string(), "is not a terrain tile of 257 × 257 nodes", "build the pyramid again");
-  }
-  HeightTile tile{.height_m = {heights.values().begin(), heights.values().end()}};
-  const auto digest = raster.metadata.find("heights_sha256");
-  if (digest == raster.metadata.end() || digest->second != digest_of(key, tile.height_m)) {
-    throw Error(path.string(), "has been altered since it was written", "build the pyramid again");
-  }
-  const auto number = [&](const char* name) {
-    const auto found = raster.metadata.find(name);
-    float value = 0.0F;
-    if (found == raster.metadata.end() ||
-        std::from_chars(found->second.data(), found->second.data() + found->second.size(), value).ec != std::errc()) {
-      throw Error(path.string(), fmt::format("does not say its {}", name), "build the pyramid again");
-    }
-    return value;
-  };
-  tile.summary = {number("lowest_m"), number("highest_m"), number("error_m")};
-  return std::make_shared<const HeightTile>(std::move(tile));
-}
-
-void write_index(const std::filesystem::path& folder, const PyramidLayout& layout, const std::string& crs, int level,
-                 const Array2D<TileSummary>& summaries) {
-  Array2D<float> lowest(summaries.columns(), summaries.rows()), highest = lowest, error = lowest;
-  for (std::size_t i = 0; i < summaries.size(); ++i) {
-    lowest.values()[i] = summaries.values()[i].lowest_m;
-    highest.values()[i] = summaries.values()[i].highest_m;
-    error.values()[i] = summaries.values()[i].error_m;
-  }
-  const double side_m = layout.spacing_at(level) * static_cast<double>(cells);
-  geo::write_geotiff(
-      index_path(folder, level),
-      {.placement = {layout.west_m, layout.north_m, side_m, crs},
-       .bands = {{"lowest_m", std::move(lowest)}, {"highest_m", std::move(highest)}, {"error_m", std::move(error)}},
-       .nodata = std::nullopt,
-       .metadata = {}});
-}
-
-Array2D<TileSummary> read_index(const std::filesystem::path& folder, const PyramidLayout& layout, int level) {
-  const geo::GeoRaster raster = geo::read_geotiff(index_path(folder, level));
-  Array2D<TileSummary> summaries(layout.across(level), layout.down(level));
-  if (raster.bands.size() != 3 || raster.bands[0].values.size() != summaries.size()) {
-    throw Error(index_path(folder, level).string(), "does not belong to this pyramid", "build the pyramid again");
-  }
-  for (std::size_t i = 0; i < summaries.size(); ++i) {
-    summaries.values()[i] = {raster.bands[0].values.values()[i], raster.bands[1].values.values()[i],
-                             raster.bands[2].values.values()[i]};
-  }
-  return summaries;
-}
-
-constexpr Interval spacings{1e-3, 1e6, "m"};
-/// Half a terabyte of heights.
-constexpr double most_tiles = 2e6;
-
-void check_size(const std::string& source, const radar::Rectangle& extent, double spacing_m) {
-  if (!(spacing_m >= spacings.lowest && spacing_m <= spacings.highest)) {
-    throw Error(source, fmt::format("would give heights every {:g} m", spacing_m),
-                fmt::format("state a spacing from {:g} to {:g} m", spacings.lowest, spacings.highest));
-  }
-  const double tile_m = spacing_m * static_cast<double>(cells);
-  const double tiles = std::ceil(extent.width_m() / tile_m) * std::ceil(extent.height_m() / tile_m);
-  if (!(tiles <= most_tiles)) {
-    throw Error(source, fmt::format("would give {:g} tiles of heights every {:g} m", tiles, spacing_m),
-                fmt::format("state a spacing that gives {:g} at most", most_tiles));
+/// Whether a folder holds the pyramid of these heights, finished or begun by the name of its heading.
+bool holds(const std::filesystem::path& folder, std::string_view name, const PyramidHeading& heading) {
+  if (!std::filesystem::exists(folder / name)) return false;
+  try {
+    return read_heading(folder / name) == heading;
+  } catch (const Error&) {
+    return false;
   }
 }
 
-/// A folder beside another, to be filled and then put into its place; removed again unless it was.
-class FolderToBe {
- public:
-  explicit FolderToBe(const std::filesystem::path& folder) : folder_(folder) {
-    unsigned serial = 0;
-    do {
-      path_ = folder.parent_path() / fmt::format(".{}.{}-{}.tmp", folder.filename().string(), ::getpid(), serial++);
-      std::filesystem::create_directories(path_.parent_path());
-    } while (!std::filesystem::create_directory(path_));
+/// First what makes it count, then what is left of it; nothing that others put there.
+void remove_pyramid(const std::filesystem::path& folder) {
+  if (!std::filesystem::exists(folder)) return;
+  std::filesystem::remove(folder / heading_name);
+  std::filesystem::remove(folder / unfinished_heading_name);
+  std::vector<std::filesystem::path> levels;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().filename().string().starts_with("level_")) levels.push_back(entry.path());
   }
-  ~FolderToBe() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  FolderToBe(const FolderToBe&) = delete;
-  FolderToBe& operator=(const FolderToBe&) = delete;
-
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
-  void take_place() const {
-    // First what makes the old one count, then what is left of it.
-    std::filesystem::remove(folder_ / heading_name);
-    std::filesystem::remove_all(folder_);
-    std::error_code failed;
-    std::filesystem::rename(path_, folder_, failed);
-    // Another process that was faster has made the same.
-    if (failed && !holds_pyramid(folder_)) {
-      throw Error(folder_.string(), fmt::format("cannot be written ({})", failed.message()),
-                  "choose a folder that exists and may be written to");
-    }
-  }
-
- private:
-  std::filesystem::path folder_, path_;
-};
-
-struct Heading {
-  PyramidLayout layout;
-  std::string source_hash;
-};
-
-Heading read_heading(const std::filesystem::path& folder) {
-  const auto file = TomlSection::read_file(folder / heading_name);
-  constexpr Interval place{-1e9, 1e9, "m"}, count{1, 1e6, "tiles"};
-  Heading heading{
-      .layout = {file.number("west_m", place), file.number("north_m", place), file.number("spacing_m", spacings),
-                 static_cast<std::uint32_t>(file.number("tiles_across", count)),
-                 static_cast<std::uint32_t>(file.number("tiles_down", count))},
-      .source_hash = file.text("source_hash")};
-  file.refuse_unknown_keys();
-  return heading;
+  for (const auto& level : levels) std::filesystem::remove_all(level);
 }
 
-void build_on_disk(const std::filesystem::path& folder, const PyramidLayout& layout, const geo::LocalFrame& frame,
-                   const std::string& source_hash, const FinestHeights& finest) {
-  const auto is_there = [&] {
-    if (!holds_pyramid(folder)) return false;
-    const Heading there = read_heading(folder);
-    return there.layout == layout && there.source_hash == source_hash;
-  };
-  if (is_there()) return;
-  const FolderToBe fresh(folder);
+/// A tile that is there and whole.
+std::shared_ptr<const HeightTile> whole_tile(const std::filesystem::path& folder, TileKey key) {
+  if (!std::filesystem::exists(tile_path(folder, key))) return nullptr;
+  try {
+    return read_tile(folder, key);
+  } catch (const Error&) {
+    return nullptr;
+  }
+}
+
+std::size_t build_on_disk(const std::filesystem::path& folder, const PyramidHeading& heading,
+                          const geo::LocalFrame& frame, const FinestHeights& finest) {
+  const bool finished = holds(folder, heading_name, heading);
+  if (!finished && !holds(folder, unfinished_heading_name, heading)) {
+    remove_pyramid(folder);
+    write_heading(folder / unfinished_heading_name, heading);
+  }
+  const PyramidLayout& layout = heading.layout;
   const std::string crs = frame.proj();
+  std::size_t written = 0;
+  const auto keep = [&](TileKey key, const HeightTile& tile) {
+    write_tile(folder, layout, crs, key, tile);
+    ++written;
+  };
   const auto summaries = build_tiles(
-      layout, finest, [&](TileKey key, const HeightTile& tile) { write_tile(fresh.path(), layout, crs, key, tile); },
-      [&](TileKey key) { return read_tile(fresh.path(), key); });
+      layout, finest, keep, [&](TileKey key) { return read_tile(folder, key); },
+      [&](TileKey key) { return whole_tile(folder, key); });
   for (int level = 0; level < layout.levels(); ++level) {
-    write_index(fresh.path(), layout, crs, level, summaries[static_cast<std::size_t>(level)]);
+    write_index(folder, layout, crs, level, summaries[static_cast<std::size_t>(level)]);
   }
-  geo::write_atomically(fresh.path() / heading_name,
-                        fmt::format("west_m = {:.17g}\nnorth_m = {:.17g}\nspacing_m = {:.17g}\ntiles_across = {}\n"
-                                    "tiles_down = {}\nsource_hash = \"{}\"\n",
-                                    layout.west_m, layout.north_m, layout.spacing_m, layout.tiles_across,
-                                    layout.tiles_down, source_hash));
-  if (!is_there()) fresh.take_place();
+  if (!finished) write_heading(folder / heading_name, heading);
+  std::filesystem::remove(folder / unfinished_heading_name);
+  return written;
+}
+
+PyramidHeading heading_of(const HeightField& field, const geo::LocalFrame& frame) {
+  Sha256 hash;
+  hash.add_values(field.height_m.values());
+  hash.add(fmt::format("{} {} {} {}", field.west_m, field.north_m, field.spacing_m, frame.proj()));
+  return {PyramidLayout::covering(field.extent(), field.spacing_m), hash.hex_digest()};
 }
 
 /// Nodes of a tile from a field, whose edge goes on beyond it.
@@ -318,7 +196,7 @@ std::vector<float> nodes_of_field(const HeightField& field, TileKey key) {
 
 std::vector<Array2D<TileSummary>> build_tiles(const PyramidLayout& layout, const FinestHeights& finest,
                                               const std::function<void(TileKey, const HeightTile&)>& keep,
-                                              const TerrainPyramid::Reader& read) {
+                                              const TerrainPyramid::Reader& read, const TerrainPyramid::Reader& there) {
   std::vector<Array2D<TileSummary>> summaries;
   for (int level = 0; level < layout.levels(); ++level) {
     Array2D<TileSummary> of_level(layout.across(level), layout.down(level));
@@ -326,6 +204,10 @@ std::vector<Array2D<TileSummary>> build_tiles(const PyramidLayout& layout, const
     for (std::uint32_t row = 0; row < layout.down(level); ++row) {
       for (std::uint32_t column = 0; column < layout.across(level); ++column) {
         const TileKey key{level, column, row};
+        if (const auto made = there ? there(key) : nullptr) {
+          of_level(column, row) = made->summary;
+          continue;
+        }
         HeightTile tile;
         if (level == 0) {
           tile.height_m = finest(key);
@@ -356,54 +238,75 @@ TerrainPyramid pyramid_in_memory(const HeightField& field) {
   return {layout, std::move(summaries), read, tiles->size() * HeightTile::bytes};
 }
 
-void build_pyramid(const std::filesystem::path& folder, const TerrainSource& source, const geo::LocalFrame& frame,
-                   const radar::Rectangle& extent, double no_data_height_m) {
+std::size_t build_pyramid(const std::filesystem::path& folder, const TerrainSource& source,
+                          const geo::LocalFrame& frame, const radar::Rectangle& extent, double no_data_height_m) {
   const geo::Raster raster(source.raster);
   const double spacing_m = source.spacing_m.value_or(raster.cell_m());
-  check_size(source.raster.file.string(), extent, spacing_m);
   const auto layout = PyramidLayout::covering(extent, spacing_m);
+  if (std::max(layout.tiles_across, layout.tiles_down) > most_tiles_a_side) {
+    throw Error(source.raster.file.string(),
+                fmt::format("would make {} × {} tiles of {} cells of {:g} m", layout.tiles_across, layout.tiles_down,
+                            HeightTile::cells, spacing_m),
+                fmt::format("choose a spacing that makes no more than {} a side", most_tiles_a_side));
+  }
   Sha256 hash;
   hash.add(sha256_of_file(source.raster.file));
   hash.add(fmt::format("{} {} {} {} {} {}", source.raster.band, source.raster.crs, source.plausible.lowest_m,
                        source.plausible.highest_m, no_data_height_m, frame.proj()));
-  bool has_heights = false;
-  build_on_disk(folder, layout, frame, hash.hex_digest(), [&](TileKey key) {
+  return build_on_disk(folder, {layout, hash.hex_digest()}, frame, [&](TileKey key) {
     const radar::Rectangle tile = layout.extent_of(key);
     const Array2D<float> heights = raster.heights_on(
         {tile.west_m, tile.north_m, spacing_m, HeightTile::nodes, HeightTile::nodes}, frame, source.plausible);
     std::vector<float> nodes(heights.values().begin(), heights.values().end());
-    for (float& height : nodes) {
-      if (std::isnan(height)) {
-        height = static_cast<float>(no_data_height_m);
-      } else {
-        has_heights = true;
-      }
-    }
-    // Tiles come row by row.
-    if (!has_heights && key.column + 1 == layout.tiles_across && key.row + 1 == layout.tiles_down) {
-      throw Error(source.raster.file.string(),
-                  fmt::format("holds no heights from {:g} to {:g} m here", source.plausible.lowest_m,
-                              source.plausible.highest_m),
-                  "give a raster, or a band of it, of elevations in metres");
-    }
+    for (float& height : nodes) height = std::isnan(height) ? static_cast<float>(no_data_height_m) : height;
     return nodes;
   });
 }
 
-void build_pyramid(const std::filesystem::path& folder, const HeightField& field, const geo::LocalFrame& frame) {
-  Sha256 hash;
-  hash.add_values(field.height_m.values());
-  hash.add(fmt::format("{} {} {} {}", field.west_m, field.north_m, field.spacing_m, frame.proj()));
-  build_on_disk(folder, PyramidLayout::covering(field.extent(), field.spacing_m), frame, hash.hex_digest(),
-                [&](TileKey key) { return nodes_of_field(field, key); });
+std::size_t build_pyramid(const std::filesystem::path& folder, const HeightField& field, const geo::LocalFrame& frame) {
+  return build_on_disk(folder, heading_of(field, frame), frame,
+                       [&](TileKey key) { return nodes_of_field(field, key); });
 }
 
 bool holds_pyramid(const std::filesystem::path& folder) {
   return std::filesystem::exists(folder / heading_name);
 }
 
+bool holds_pyramid_of(const std::filesystem::path& folder, const HeightField& field, const geo::LocalFrame& frame) {
+  return holds(folder, heading_name, heading_of(field, frame));
+}
+
+std::vector<PyramidFault> verify_pyramid(const std::filesystem::path& folder) {
+  std::vector<PyramidFault> faults;
+  const auto check = [&](const std::filesystem::path& file, auto read) {
+    if (!std::filesystem::exists(file)) {
+      faults.push_back({file.lexically_relative(folder), "is missing"});
+      return false;
+    }
+    try {
+      (void)read();
+      return true;
+    } catch (const Error&) {
+      faults.push_back({file.lexically_relative(folder), "is truncated or was altered"});
+      return false;
+    }
+  };
+  PyramidHeading heading;
+  if (!check(folder / heading_name, [&] { return heading = read_heading(folder / heading_name); })) return faults;
+  for (int level = 0; level < heading.layout.levels(); ++level) {
+    (void)check(index_path(folder, level), [&] { return read_index(folder, heading.layout, level); });
+    for (std::uint32_t row = 0; row < heading.layout.down(level); ++row) {
+      for (std::uint32_t column = 0; column < heading.layout.across(level); ++column) {
+        const TileKey key{level, column, row};
+        (void)check(tile_path(folder, key), [&] { return read_tile(folder, key); });
+      }
+    }
+  }
+  return faults;
+}
+
 TerrainPyramid open_pyramid(const std::filesystem::path& folder, std::size_t budget_bytes) {
-  const Heading heading = read_heading(folder);
+  const PyramidHeading heading = read_heading(folder / heading_name);
   std::vector<Array2D<TileSummary>> summaries;
   for (int level = 0; level < heading.layout.levels(); ++level) {
     summaries.push_back(read_index(folder, heading.layout, level));

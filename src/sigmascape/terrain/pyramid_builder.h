@@ -16,32 +16,44 @@ namespace sigmascape::terrain {
 using FinestHeights = std::function<std::vector<float>(TileKey)>;
 
 /// Makes every tile of a layout from the finest up, a level at a time, and hands each to `keep`; keeps few in memory:
-/// `read` must give back tiles that were kept. Returns the summaries, one array a level.
+/// `read` must give back tiles that were kept. Tiles that `there` gives, if it is given, are not made again; of others
+/// it gives null. Returns the summaries, one array a level.
 ///
 /// A coarse node is the mean of the finer ones about it with weights 1 2 1 both ways; a tile's error is a bound, its
 /// children's greatest plus its own distance from them.
 [[nodiscard]] std::vector<Array2D<TileSummary>> build_tiles(const PyramidLayout& layout, const FinestHeights& finest,
                                                             const std::function<void(TileKey, const HeightTile&)>& keep,
-                                                            const TerrainPyramid::Reader& read);
+                                                            const TerrainPyramid::Reader& read,
+                                                            const TerrainPyramid::Reader& there = {});
 
 /// A pyramid in memory over a field, which is copied; beyond the field its edge goes on.
 [[nodiscard]] TerrainPyramid pyramid_in_memory(const HeightField& field);
 
 /// Builds a pyramid on disk from any raster that GDAL reads, a tile at a time: neither source nor pyramid need fit into
-/// memory. Nodes without data get `no_data_height_m`. Nothing is done when the folder already holds the pyramid of this
-/// source; another that it holds stays until the new one is whole. Throws Error when the source cannot be read or holds
-/// no heights, the spacing makes it too large, or the disk is full.
+/// memory. Nodes without data get `no_data_height_m`. Tiles that are there and whole are left, if they were made from
+/// the same heights: what was interrupted goes on, what was damaged is mended. What a folder held of other heights is
+/// removed. Returns how many tiles were written. Throws Error when the source cannot be read or the disk is full.
 ///
-/// The folder: `level_<k>/<column>_<row>.tif` a tile, `level_<k>.tif` lowest, highest and error of its tiles, and last
-/// `pyramid.toml`, without which the rest counts for nothing.
-void build_pyramid(const std::filesystem::path& folder, const TerrainSource& source, const geo::LocalFrame& frame,
-                   const radar::Rectangle& extent, double no_data_height_m = 0.0);
+/// The folder: see pyramid_files.h; without its heading the rest counts for nothing.
+std::size_t build_pyramid(const std::filesystem::path& folder, const TerrainSource& source,
+                          const geo::LocalFrame& frame, const radar::Rectangle& extent, double no_data_height_m = 0.0);
 
 /// The same from a field in memory.
-void build_pyramid(const std::filesystem::path& folder, const HeightField& field, const geo::LocalFrame& frame);
+std::size_t build_pyramid(const std::filesystem::path& folder, const HeightField& field, const geo::LocalFrame& frame);
 
 /// Whether a folder holds a finished pyramid.
 [[nodiscard]] bool holds_pyramid(const std::filesystem::path& folder);
+/// Whether it was made from this field.
+[[nodiscard]] bool holds_pyramid_of(const std::filesystem::path& folder, const HeightField& field,
+                                    const geo::LocalFrame& frame);
+
+struct PyramidFault {
+  std::filesystem::path file;  ///< relative to the folder
+  std::string what;            ///< "is missing", "is truncated or was altered"
+};
+
+/// Reads every file of a pyramid on disk and returns those that are not as they were written.
+[[nodiscard]] std::vector<PyramidFault> verify_pyramid(const std::filesystem::path& folder);
 
 /// Opens a pyramid on disk. Throws Error when it is not there, not finished, or lacks its coarsest tile.
 [[nodiscard]] TerrainPyramid open_pyramid(const std::filesystem::path& folder, std::size_t budget_bytes);

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <map>
 #include <thread>
 
 #include "scratch_folder.h"
@@ -278,6 +279,74 @@ TEST_F(PyramidOnDisk, AnUnfinishedOneIsRefused) {
   std::filesystem::remove(tile("pyramid.toml"));
   EXPECT_THAT(message_of_error([&] { static_cast<void>(open_pyramid(folder_.path("pyramid"), 1U << 20U).levels()); }),
               HasSubstr("pyramid.toml"));
+}
+
+/// Names of all files with when they were written.
+std::map<std::filesystem::path, std::filesystem::file_time_type> times_in(const std::filesystem::path& folder) {
+  std::map<std::filesystem::path, std::filesystem::file_time_type> times;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    if (entry.is_regular_file()) times[entry.path().lexically_relative(folder)] = entry.last_write_time();
+  }
+  return times;
+}
+
+TEST_F(PyramidOnDisk, GoesOnWhereItWasInterrupted) {
+  // As a killed process leaves it: tiles up to somewhere, no heading but that of what was begun.
+  std::filesystem::rename(tile("pyramid.toml"), tile("unfinished.toml"));
+  std::filesystem::remove_all(tile("level_1"));
+  for (const char* name : {"level_2/0_0.tif", "level_2/1_0.tif", "level_3/0_0.tif", "level_0/4_2.tif", "level_0.tif"}) {
+    std::filesystem::remove(tile(name));
+  }
+  std::filesystem::resize_file(tile("level_0/3_2.tif"), 700);
+  const auto before = times_in(folder_.path("pyramid"));
+  // 3 × 2 tiles of level 1, 2 of level 2, 1 of level 3 and the two of level 0.
+  EXPECT_EQ(build_pyramid(folder_.path("pyramid"), field_, {43.0, -3.0}), 6U + 2U + 1U + 2U);
+  EXPECT_FALSE(std::filesystem::exists(tile("unfinished.toml")));
+  EXPECT_THAT(verify_pyramid(folder_.path("pyramid")), ::testing::IsEmpty());
+  for (const auto& [file, when] : times_in(folder_.path("pyramid"))) {
+    if (file.parent_path() == "level_0" && file.filename() != "3_2.tif" && file.filename() != "4_2.tif") {
+      EXPECT_EQ(before.at(file), when) << file;
+    }
+  }
+  TerrainPyramid mended = open_pyramid(folder_.path("pyramid"), 100 * HeightTile::bytes);
+  TerrainPyramid held = pyramid_in_memory(field_);
+  for (int level = 0; level < held.levels(); ++level) {
+    for (std::uint32_t column = 0; column < held.layout().across(level); ++column) {
+      const TileKey key{level, column, held.layout().down(level) - 1};
+      EXPECT_EQ(mended.load(key)->height_m, held.load(key)->height_m);
+      EXPECT_EQ(mended.summary(key).error_m, held.summary(key).error_m);
+    }
+  }
+}
+
+TEST_F(PyramidOnDisk, TilesOfOtherHeightsAreNotGoneOnFrom) {
+  std::filesystem::rename(tile("pyramid.toml"), tile("unfinished.toml"));
+  for (float& height : field_.height_m.values()) height += 1.0F;
+  EXPECT_EQ(build_pyramid(folder_.path("pyramid"), field_, {43.0, -3.0}), 15U + 6U + 2U + 1U);
+  TerrainPyramid pyramid = open_pyramid(folder_.path("pyramid"), 100 * HeightTile::bytes);
+  EXPECT_EQ(pyramid.load({0, 0, 0})->height_m[0], field_.height_m(0, 0));
+}
+
+TEST_F(PyramidOnDisk, VerificationNamesWhatIsMissingOrDamaged) {
+  EXPECT_THAT(verify_pyramid(folder_.path("pyramid")), ::testing::IsEmpty());
+  std::filesystem::remove(tile("level_1/2_1.tif"));
+  std::filesystem::resize_file(tile("level_0/0_0.tif"), 900);
+  std::filesystem::copy_file(tile("level_0/2_1.tif"), tile("level_0/3_1.tif"),
+                             std::filesystem::copy_options::overwrite_existing);
+  std::filesystem::remove(tile("level_2.tif"));
+  std::vector<std::string> faults;
+  for (const PyramidFault& fault : verify_pyramid(folder_.path("pyramid"))) {
+    faults.push_back(fault.file.string() + " " + fault.what);
+  }
+  EXPECT_THAT(faults, ::testing::ElementsAre("level_0/0_0.tif is truncated or was altered",
+                                             "level_0/3_1.tif is truncated or was altered",
+                                             "level_1/2_1.tif is missing", "level_2.tif is missing"));
+  // The same heights mend what they name, and no more.
+  EXPECT_EQ(build_pyramid(folder_.path("pyramid"), field_, {43.0, -3.0}), 3U);
+  EXPECT_THAT(verify_pyramid(folder_.path("pyramid")), ::testing::IsEmpty());
+  std::filesystem::remove(tile("pyramid.toml"));
+  ASSERT_EQ(verify_pyramid(folder_.path("pyramid")).size(), 1U);
+  EXPECT_EQ(verify_pyramid(folder_.path("pyramid"))[0].file, "pyramid.toml");
 }
 
 TEST_F(PyramidOnDisk, ManyThreadsMayAsk) {

@@ -1,0 +1,130 @@
+#include "sigmascape/terrain/pyramid_files.h"
+
+#include <algorithm>
+#include <charconv>
+#include <fmt/format.h>
+#include <system_error>
+#include <utility>
+
+#include "sigmascape/base/error.h"
+#include "sigmascape/base/sha256.h"
+#include "sigmascape/base/toml_reader.h"
+#include "sigmascape/geo/atomic_file.h"
+#include "sigmascape/geo/geotiff.h"
+
+namespace sigmascape::terrain {
+namespace {
+
+constexpr auto cells = static_cast<std::int64_t>(HeightTile::cells);
+
+/// Of a tile and its place, so that one tile does not pass for another.
+std::string digest_of(TileKey key, const std::vector<float>& heights) {
+  Sha256 digest;
+  digest.add(fmt::format("{} {} {} ", key.level, key.column, key.row));
+  digest.add_values(std::span(heights));
+  return digest.hex_digest();
+}
+
+}  // namespace
+
+std::filesystem::path tile_path(const std::filesystem::path& folder, TileKey key) {
+  return folder / fmt::format("level_{}", key.level) / fmt::format("{}_{}.tif", key.column, key.row);
+}
+
+std::filesystem::path index_path(const std::filesystem::path& folder, int level) {
+  return folder / fmt::format("level_{}.tif", level);
+}
+
+void write_tile(const std::filesystem::path& folder, const PyramidLayout& layout, const std::string& crs, TileKey key,
+                const HeightTile& tile) {
+  const radar::Rectangle extent = layout.extent_of(key);
+  const double spacing_m = layout.spacing_at(key.level);
+  geo::GeoRaster raster{
+      .placement = {extent.west_m - 0.5 * spacing_m, extent.north_m + 0.5 * spacing_m, spacing_m, crs},
+      .bands = {{"height_m", Array2D<float>(HeightTile::nodes, HeightTile::nodes)}},
+      .nodata = std::nullopt,
+      .metadata = {{"lowest_m", fmt::format("{}", tile.summary.lowest_m)},
+                   {"highest_m", fmt::format("{}", tile.summary.highest_m)},
+                   {"error_m", fmt::format("{}", tile.summary.error_m)},
+                   {"heights_sha256", digest_of(key, tile.height_m)}}};
+  std::ranges::copy(tile.height_m, raster.bands[0].values.values().begin());
+  geo::write_geotiff(tile_path(folder, key), raster);
+}
+
+std::shared_ptr<const HeightTile> read_tile(const std::filesystem::path& folder, TileKey key) {
+  const std::filesystem::path path = tile_path(folder, key);
+  const geo::GeoRaster raster = geo::read_geotiff(path);
+  const Array2D<float>& heights = raster.bands.at(0).values;
+  if (heights.columns() != HeightTile::nodes || heights.rows() != HeightTile::nodes) {
+    throw Error(path.string(), "is not a terrain tile of 257 × 257 nodes", "build the pyramid again");
+  }
+  HeightTile tile{.height_m = {heights.values().begin(), heights.values().end()}};
+  const auto digest = raster.metadata.find("heights_sha256");
+  if (digest == raster.metadata.end() || digest->second != digest_of(key, tile.height_m)) {
+    throw Error(path.string(), "has been altered since it was written", "build the pyramid again");
+  }
+  const auto number = [&](const char* name) {
+    const auto found = raster.metadata.find(name);
+    float value = 0.0F;
+    if (found == raster.metadata.end() ||
+        std::from_chars(found->second.data(), found->second.data() + found->second.size(), value).ec != std::errc()) {
+      throw Error(path.string(), fmt::format("does not say its {}", name), "build the pyramid again");
+    }
+    return value;
+  };
+  tile.summary = {number("lowest_m"), number("highest_m"), number("error_m")};
+  return std::make_shared<const HeightTile>(std::move(tile));
+}
+
+void write_index(const std::filesystem::path& folder, const PyramidLayout& layout, const std::string& crs, int level,
+                 const Array2D<TileSummary>& summaries) {
+  Array2D<float> lowest(summaries.columns(), summaries.rows()), highest = lowest, error = lowest;
+  for (std::size_t i = 0; i < summaries.size(); ++i) {
+    lowest.values()[i] = summaries.values()[i].lowest_m;
+    highest.values()[i] = summaries.values()[i].highest_m;
+    error.values()[i] = summaries.values()[i].error_m;
+  }
+  const double side_m = layout.spacing_at(level) * static_cast<double>(cells);
+  geo::write_geotiff(
+      index_path(folder, level),
+      {.placement = {layout.west_m, layout.north_m, side_m, crs},
+       .bands = {{"lowest_m", std::move(lowest)}, {"highest_m", std::move(highest)}, {"error_m", std::move(error)}},
+       .nodata = std::nullopt,
+       .metadata = {}});
+}
+
+Array2D<TileSummary> read_index(const std::filesystem::path& folder, const PyramidLayout& layout, int level) {
+  const geo::GeoRaster raster = geo::read_geotiff(index_path(folder, level));
+  Array2D<TileSummary> summaries(layout.across(level), layout.down(level));
+  if (raster.bands.size() != 3 || raster.bands[0].values.size() != summaries.size()) {
+    throw Error(index_path(folder, level).string(), "does not belong to this pyramid", "build the pyramid again");
+  }
+  for (std::size_t i = 0; i < summaries.size(); ++i) {
+    summaries.values()[i] = {raster.bands[0].values.values()[i], raster.bands[1].values.values()[i],
+                             raster.bands[2].values.values()[i]};
+  }
+  return summaries;
+}
+
+PyramidHeading read_heading(const std::filesystem::path& file_name) {
+  const auto file = TomlSection::read_file(file_name);
+  constexpr Interval place{-1e9, 1e9, "m"}, count{1, most_tiles_a_side, "tiles"};
+  PyramidHeading heading{.layout = {file.number("west_m", place), file.number("north_m", place),
+                                    file.number("spacing_m", {1e-3, 1e6, "m"}),
+                                    static_cast<std::uint32_t>(file.number("tiles_across", count)),
+                                    static_cast<std::uint32_t>(file.number("tiles_down", count))},
+                         .source_hash = file.text("source_hash")};
+  file.refuse_unknown_keys();
+  return heading;
+}
+
+void write_heading(const std::filesystem::path& file_name, const PyramidHeading& heading) {
+  const PyramidLayout& layout = heading.layout;
+  geo::write_atomically(
+      file_name, fmt::format("west_m = {:.17g}\nnorth_m = {:.17g}\nspacing_m = {:.17g}\ntiles_across = {}\n"
+                             "tiles_down = {}\nsource_hash = \"{}\"\n",
+                             layout.west_m, layout.north_m, layout.spacing_m, layout.tiles_across, layout.tiles_down,
+                             heading.source_hash));
+}
+
+}  // namespace sigmascape::terrain

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "sigmascape/base/array2d.h"
+#include "sigmascape/terrain/height_tile.h"
+
+namespace sigmascape::terrain {
+
+/// How a pyramid's tiles lie, and a hash of all that their heights were made from.
+struct PyramidHeading {
+  PyramidLayout layout;
+  std::string source_hash;
+
+  friend bool operator==(const PyramidHeading&, const PyramidHeading&) = default;
+};
+
+/// The files of a pyramid's folder: `level_<k>/<column>_<row>.tif` a tile, `level_<k>.tif` lowest, highest and error of
+/// a level's tiles, and the heading, under this name once the pyramid is finished and under the other until then.
+inline constexpr std::string_view heading_name = "pyramid.toml", unfinished_heading_name = "unfinished.toml";
+
+inline constexpr std::uint32_t most_tiles_a_side = 1'000'000;
+
+[[nodiscard]] std::filesystem::path tile_path(const std::filesystem::path& folder, TileKey key);
+[[nodiscard]] std::filesystem::path index_path(const std::filesystem::path& folder, int level);
+
+/// Each file appears under its name only when it is whole. Throws Error when it cannot be written.
+void write_tile(const std::filesystem::path& folder, const PyramidLayout& layout, const std::string& crs, TileKey key,
+                const HeightTile& tile);
+/// Throws Error when the tile is missing, truncated or was altered.
+[[nodiscard]] std::shared_ptr<const HeightTile> read_tile(const std::filesystem::path& folder, TileKey key);
+
+void write_index(const std::filesystem::path& folder, const PyramidLayout& layout, const std::string& crs, int level,
+                 const Array2D<TileSummary>& summaries);
+[[nodiscard]] Array2D<TileSummary> read_index(const std::filesystem::path& folder, const PyramidLayout& layout,
+                                              int level);
+
+void write_heading(const std::filesystem::path& file_name, const PyramidHeading& heading);
+[[nodiscard]] PyramidHeading read_heading(const std::filesystem::path& file_name);
+
+}  // namespace sigmascape::terrain

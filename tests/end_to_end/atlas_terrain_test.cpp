@@ -1,0 +1,106 @@
+#include <cstdlib>
+#include <fmt/format.h>
+#include <fstream>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "scratch_folder.h"
+#include "unit/geo/ascii_grid.h"
+
+#include "sigmascape/atlas/pyramid.h"
+#include "sigmascape/atlas/store.h"
+
+namespace sigmascape::end_to_end {
+namespace {
+
+using ::testing::HasSubstr;
+using Json = nlohmann::json;
+
+/// `sigmascape atlas` on a small atlas near Bilbao, and terrain that reaches 4 km about it.
+class AtlasTerrain : public ::testing::Test {
+ protected:
+  AtlasTerrain() {
+    atlas::AtlasDescription description;
+    description.name = "small";
+    description.frame = geo::LocalFrame(43.312, -2.986);
+    description.extent = {0.0, 0.0, 512.0, 512.0};
+    description.patches = {2.0, 256};
+    description.aspects.azimuths_rad = {0.0};
+    description.aspects.elevations_rad = {0.3};
+    description.aspects.frequencies_hz = {10e9};
+    description.scene_hash = "none";
+    const auto store = atlas::Store::create(atlas_, description);
+    for (const atlas::Unit& unit : store.units()) {
+      store.write(unit.patch, unit.look, Array2D<radar::Channels>(256, 256, {0.1F, 0.1F, 0.01F, 0.1F}), {});
+    }
+    atlas::Pyramid(store).make_above(store.units());
+  }
+
+  /// A plane that rises to the east, in UTM zone 30 north.
+  [[nodiscard]] std::string raster(double west, const std::string& name) const {
+    const geo::AsciiGrid grid{west, 4'792'000.0, 20.0, 400, 400};
+    return folder_.write(name, grid.text([](double x, double) { return 0.01 * (x - 400'000.0); })).string();
+  }
+  [[nodiscard]] int run(const std::string& arguments) const {
+    const int status = std::system(
+        fmt::format("'{}' {} > '{}' 2>&1", SIGMASCAPE_CLI, arguments, folder_.path("told").string()).c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+  [[nodiscard]] int add_terrain(const std::string& raster, const std::string& more = {}) const {
+    return run(fmt::format("atlas terrain '{}' '{}' --crs EPSG:25830 {} --json", atlas_.string(), raster, more));
+  }
+  [[nodiscard]] int verify() const { return run(fmt::format("atlas verify '{}' --json", atlas_.string())); }
+  [[nodiscard]] std::string told() const {
+    std::ifstream stream(folder_.path("told"));
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
+
+  ScratchFolder folder_;
+  std::filesystem::path atlas_ = folder_.path("atlas");
+};
+
+TEST_F(AtlasTerrain, IsMadeVerifiedAndMended) {
+  const std::string heights = raster(497'000.0, "heights.asc");
+  ASSERT_EQ(add_terrain(heights), 0) << told();
+  const Json made = Json::parse(told());
+  const std::size_t tiles = made.at("written");
+  EXPECT_GT(tiles, 4U);
+  ASSERT_EQ(verify(), 0) << told();
+
+  ASSERT_EQ(add_terrain(heights), 0) << told();
+  EXPECT_EQ(Json::parse(told()).at("written"), 0);
+
+  std::filesystem::remove(atlas_ / "terrain" / "level_0" / "1_1.tif");
+  std::filesystem::resize_file(atlas_ / "terrain" / "level_1" / "0_0.tif", 500);
+  EXPECT_EQ(verify(), 1);
+  const Json faults = Json::parse(told()).at("faults");
+  ASSERT_EQ(faults.size(), 2U) << told();
+  EXPECT_EQ(faults[0].at("file"), "terrain/level_0/1_1.tif");
+  EXPECT_EQ(faults[0].at("fault"), "is missing");
+  EXPECT_EQ(faults[1].at("file"), "terrain/level_1/0_0.tif");
+  ASSERT_EQ(add_terrain(heights), 0) << told();
+  EXPECT_EQ(Json::parse(told()).at("written"), 2);
+  EXPECT_EQ(verify(), 0) << told();
+}
+
+TEST_F(AtlasTerrain, RefusesInOneSentence) {
+  const std::string far = raster(700'000.0, "far.asc"), near = raster(497'000.0, "near.asc");
+  const auto message = [&](const std::string& raster, const std::string& more) {
+    EXPECT_NE(add_terrain(raster, more), 0);
+    const std::string text = told();
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << text;
+    return text;
+  };
+  EXPECT_THAT(message(far, ""), HasSubstr("nowhere over the atlas"));
+  EXPECT_THAT(message(near, "--spacing 1e-8"), HasSubstr("choose a spacing"));
+  EXPECT_THAT(message("/nowhere.tif", ""), HasSubstr("/nowhere.tif"));
+  EXPECT_THAT(message(near, "--band 3"), HasSubstr("band 3"));
+  EXPECT_THAT(message(near, "--no-data-height nan"), HasSubstr("--no-data-height"));
+  EXPECT_FALSE(std::filesystem::exists(atlas_ / "terrain"));
+  std::ofstream(atlas_ / "collection.json") << "{";
+  EXPECT_THAT(message(near, ""), HasSubstr("collection.json"));
+}
+
+}  // namespace
+}  // namespace sigmascape::end_to_end
