@@ -7,7 +7,6 @@
 
 #include "end_to_end/made_scene.h"
 #include "scratch_folder.h"
-#include "unit/geo/ascii_grid.h"
 
 namespace sigmascape::end_to_end {
 namespace {
@@ -49,8 +48,6 @@ TEST_F(BadInput, NotANumberIsNoNumberOfAnOption) {
   EXPECT_THAT(said_to("plot antenna radar.toml --reach-deg nan --out plot.svg"), refused("--reach-deg"));
   EXPECT_THAT(said_to("plot response radar.toml --widths nan --out plot.svg"), refused("--widths"));
   EXPECT_THAT(said_to("plot histogram map.tif --looks nan --out plot.svg"), refused("--looks"));
-  EXPECT_THAT(said_to("atlas terrain atlas heights.asc --spacing nan"), refused("--spacing"));
-  EXPECT_THAT(said_to("atlas terrain atlas heights.asc --no-data-height nan"), refused("--no-data-height"));
   EXPECT_THAT(said_to("render radar.toml --scene none.toml --samples 0"),
               HasSubstr("--samples: Value 0 not in range 1"));
   EXPECT_THAT(said_to("render radar.toml --scene none.toml --bounces 256"), HasSubstr("256 not in range 1 to 255"));
@@ -74,20 +71,13 @@ TEST_F(BadInput, FoldersAndAbsentFilesAreNamed) {
   EXPECT_THAT(said_to("plot histogram none.tif --out plot.svg"), HasSubstr("none.tif: the file does not exist"));
 }
 
-TEST_F(BadInput, FaultsOfGroundAndForeignTerrainOfAnAtlasAreFound) {
+TEST_F(BadInput, FaultsOfGroundThatIsKeptApartAreFound) {
   const auto scene = write_made_scene(folder_.path("scene"), 200.0, 200.0);
   ASSERT_EQ(said_to(fmt::format("bake '{}' --out atlas --texel-m 4 --patch-texels 256 --samples 2 --azimuths 1 "
                                 "--elevations-deg 20",
                                 scene.string())),
             "");
   EXPECT_EQ(said_to("atlas verify atlas"), "");
-
-  folder_.write("far.asc",
-                geo::AsciiGrid{600'000.0, 5'000'000.0, 10.0, 20, 20}.text([](double, double) { return 1.0; }));
-  EXPECT_THAT(
-      said_to("atlas terrain atlas far.asc --crs EPSG:25830"),
-      AllOf(HasSubstr("far.asc: reaches from x"), HasSubstr("past the atlas; give one that covers x -100 to 100")));
-  EXPECT_TRUE(is_there("atlas/terrain/pyramid.toml"));
 
   for (const auto& file : std::filesystem::recursive_directory_iterator(folder_.path("atlas/ground"))) {
     if (file.path().extension() == ".tif") std::filesystem::resize_file(file.path(), 100);

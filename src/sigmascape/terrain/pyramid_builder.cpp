@@ -6,8 +6,6 @@
 #include <fmt/format.h>
 #include <limits>
 #include <memory>
-#include <system_error>
-#include <unistd.h>
 #include <utility>
 
 #include "sigmascape/base/error.h"
@@ -20,7 +18,6 @@ namespace sigmascape::terrain {
 namespace {
 
 constexpr auto cells = static_cast<std::int64_t>(HeightTile::cells);
-constexpr const char* heading_name = "pyramid.toml";
 
 /// Nodes of one finished level, wherever they stand; remembers a few tiles.
 class LevelNodes {
@@ -207,98 +204,44 @@ Array2D<TileSummary> read_index(const std::filesystem::path& folder, const Pyram
   return summaries;
 }
 
-constexpr Interval spacings{1e-3, 1e6, "m"};
-/// Half a terabyte of heights.
-constexpr double most_tiles = 2e6;
-
-void check_size(const std::string& source, const radar::Rectangle& extent, double spacing_m) {
-  if (!(spacing_m >= spacings.lowest && spacing_m <= spacings.highest)) {
-    throw Error(source, fmt::format("would give heights every {:g} m", spacing_m),
-                fmt::format("state a spacing from {:g} to {:g} m", spacings.lowest, spacings.highest));
-  }
-  const double tile_m = spacing_m * static_cast<double>(cells);
-  const double tiles = std::ceil(extent.width_m() / tile_m) * std::ceil(extent.height_m() / tile_m);
-  if (!(tiles <= most_tiles)) {
-    throw Error(source, fmt::format("would give {:g} tiles of heights every {:g} m", tiles, spacing_m),
-                fmt::format("state a spacing that gives {:g} at most", most_tiles));
-  }
-}
-
-/// A folder beside another, to be filled and then put into its place; removed again unless it was.
-class FolderToBe {
- public:
-  explicit FolderToBe(const std::filesystem::path& folder) : folder_(folder) {
-    unsigned serial = 0;
-    do {
-      path_ = folder.parent_path() / fmt::format(".{}.{}-{}.tmp", folder.filename().string(), ::getpid(), serial++);
-      std::filesystem::create_directories(path_.parent_path());
-    } while (!std::filesystem::create_directory(path_));
-  }
-  ~FolderToBe() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  FolderToBe(const FolderToBe&) = delete;
-  FolderToBe& operator=(const FolderToBe&) = delete;
-
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
-  void take_place() const {
-    // First what makes the old one count, then what is left of it.
-    std::filesystem::remove(folder_ / heading_name);
-    std::filesystem::remove_all(folder_);
-    std::error_code failed;
-    std::filesystem::rename(path_, folder_, failed);
-    // Another process that was faster has made the same.
-    if (failed && !holds_pyramid(folder_)) {
-      throw Error(folder_.string(), fmt::format("cannot be written ({})", failed.message()),
-                  "choose a folder that exists and may be written to");
-    }
-  }
-
- private:
-  std::filesystem::path folder_, path_;
-};
-
 struct Heading {
   PyramidLayout layout;
   std::string source_hash;
 };
 
 Heading read_heading(const std::filesystem::path& folder) {
-  const auto file = TomlSection::read_file(folder / heading_name);
+  const auto file = TomlSection::read_file(folder / "pyramid.toml");
   constexpr Interval place{-1e9, 1e9, "m"}, count{1, 1e6, "tiles"};
-  Heading heading{
-      .layout = {file.number("west_m", place), file.number("north_m", place), file.number("spacing_m", spacings),
-                 static_cast<std::uint32_t>(file.number("tiles_across", count)),
-                 static_cast<std::uint32_t>(file.number("tiles_down", count))},
-      .source_hash = file.text("source_hash")};
+  Heading heading{.layout = {file.number("west_m", place), file.number("north_m", place),
+                             file.number("spacing_m", {1e-3, 1e6, "m"}),
+                             static_cast<std::uint32_t>(file.number("tiles_across", count)),
+                             static_cast<std::uint32_t>(file.number("tiles_down", count))},
+                  .source_hash = file.text("source_hash")};
   file.refuse_unknown_keys();
   return heading;
 }
 
 void build_on_disk(const std::filesystem::path& folder, const PyramidLayout& layout, const geo::LocalFrame& frame,
                    const std::string& source_hash, const FinestHeights& finest) {
-  const auto is_there = [&] {
-    if (!holds_pyramid(folder)) return false;
+  if (std::filesystem::exists(folder / "pyramid.toml")) {
     const Heading there = read_heading(folder);
-    return there.layout == layout && there.source_hash == source_hash;
-  };
-  if (is_there()) return;
-  const FolderToBe fresh(folder);
+    if (there.layout == layout && there.source_hash == source_hash) return;
+    // First what makes it count, then what is left of it.
+    std::filesystem::remove(folder / "pyramid.toml");
+    std::filesystem::remove_all(folder);
+  }
   const std::string crs = frame.proj();
   const auto summaries = build_tiles(
-      layout, finest, [&](TileKey key, const HeightTile& tile) { write_tile(fresh.path(), layout, crs, key, tile); },
-      [&](TileKey key) { return read_tile(fresh.path(), key); });
+      layout, finest, [&](TileKey key, const HeightTile& tile) { write_tile(folder, layout, crs, key, tile); },
+      [&](TileKey key) { return read_tile(folder, key); });
   for (int level = 0; level < layout.levels(); ++level) {
-    write_index(fresh.path(), layout, crs, level, summaries[static_cast<std::size_t>(level)]);
+    write_index(folder, layout, crs, level, summaries[static_cast<std::size_t>(level)]);
   }
-  geo::write_atomically(fresh.path() / heading_name,
+  geo::write_atomically(folder / "pyramid.toml",
                         fmt::format("west_m = {:.17g}\nnorth_m = {:.17g}\nspacing_m = {:.17g}\ntiles_across = {}\n"
                                     "tiles_down = {}\nsource_hash = \"{}\"\n",
                                     layout.west_m, layout.north_m, layout.spacing_m, layout.tiles_across,
                                     layout.tiles_down, source_hash));
-  if (!is_there()) fresh.take_place();
 }
 
 /// Nodes of a tile from a field, whose edge goes on beyond it.
@@ -360,32 +303,17 @@ void build_pyramid(const std::filesystem::path& folder, const TerrainSource& sou
                    const radar::Rectangle& extent, double no_data_height_m) {
   const geo::Raster raster(source.raster);
   const double spacing_m = source.spacing_m.value_or(raster.cell_m());
-  check_size(source.raster.file.string(), extent, spacing_m);
   const auto layout = PyramidLayout::covering(extent, spacing_m);
   Sha256 hash;
   hash.add(sha256_of_file(source.raster.file));
   hash.add(fmt::format("{} {} {} {} {} {}", source.raster.band, source.raster.crs, source.plausible.lowest_m,
                        source.plausible.highest_m, no_data_height_m, frame.proj()));
-  bool has_heights = false;
   build_on_disk(folder, layout, frame, hash.hex_digest(), [&](TileKey key) {
     const radar::Rectangle tile = layout.extent_of(key);
     const Array2D<float> heights = raster.heights_on(
         {tile.west_m, tile.north_m, spacing_m, HeightTile::nodes, HeightTile::nodes}, frame, source.plausible);
     std::vector<float> nodes(heights.values().begin(), heights.values().end());
-    for (float& height : nodes) {
-      if (std::isnan(height)) {
-        height = static_cast<float>(no_data_height_m);
-      } else {
-        has_heights = true;
-      }
-    }
-    // Tiles come row by row.
-    if (!has_heights && key.column + 1 == layout.tiles_across && key.row + 1 == layout.tiles_down) {
-      throw Error(source.raster.file.string(),
-                  fmt::format("holds no heights from {:g} to {:g} m here", source.plausible.lowest_m,
-                              source.plausible.highest_m),
-                  "give a raster, or a band of it, of elevations in metres");
-    }
+    for (float& height : nodes) height = std::isnan(height) ? static_cast<float>(no_data_height_m) : height;
     return nodes;
   });
 }
@@ -399,7 +327,7 @@ void build_pyramid(const std::filesystem::path& folder, const HeightField& field
 }
 
 bool holds_pyramid(const std::filesystem::path& folder) {
-  return std::filesystem::exists(folder / heading_name);
+  return std::filesystem::exists(folder / "pyramid.toml");
 }
 
 TerrainPyramid open_pyramid(const std::filesystem::path& folder, std::size_t budget_bytes) {

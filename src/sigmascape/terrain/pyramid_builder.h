@@ -29,8 +29,7 @@ using FinestHeights = std::function<std::vector<float>(TileKey)>;
 
 /// Builds a pyramid on disk from any raster that GDAL reads, a tile at a time: neither source nor pyramid need fit into
 /// memory. Nodes without data get `no_data_height_m`. Nothing is done when the folder already holds the pyramid of this
-/// source; another that it holds stays until the new one is whole. Throws Error when the source cannot be read or holds
-/// no heights, the spacing makes it too large, or the disk is full.
+/// source. Throws Error when the source cannot be read or the disk is full.
 ///
 /// The folder: `level_<k>/<column>_<row>.tif` a tile, `level_<k>.tif` lowest, highest and error of its tiles, and last
 /// `pyramid.toml`, without which the rest counts for nothing.

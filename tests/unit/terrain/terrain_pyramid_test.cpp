@@ -322,42 +322,5 @@ TEST(PyramidFromRaster, ReadsATileAtATime) {
   }
 }
 
-class RefusedRaster : public testing::Test {
- protected:
-  RefusedRaster() {
-    build_pyramid(folder_.path("atlas/terrain"), HeightField{0.0, 30.0, 10.0, Array2D<float>(4, 4, 7.0F)}, frame_);
-  }
-  /// What is said to a raster of one height that is to take the place of a pyramid, which must stay as it was.
-  std::string said_to(double height_m, double spacing_m) {
-    const geo::AsciiGrid grid{500'600.0, 4'795'000.0, 100.0, 20, 20};
-    TerrainSource source;
-    source.raster = {folder_.write("heights.asc", grid.text([=](double, double) { return height_m; })), 1,
-                     "EPSG:25830"};
-    source.spacing_m = spacing_m;
-    const auto extent = geo::Raster(source.raster).extent_in(frame_);
-    const std::string said = message_of_error([&] {
-      build_pyramid(folder_.path("atlas/terrain"), source, frame_,
-                    {extent.west_m, extent.south_m, extent.east_m, extent.north_m});
-    });
-    TerrainPyramid old = open_pyramid(folder_.path("atlas/terrain"), 10 * HeightTile::bytes);
-    EXPECT_EQ(old.load({0, 0, 0})->height_m.front(), 7.0F);
-    std::size_t entries = 0;
-    for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder_.path("atlas"))) ++entries;
-    EXPECT_EQ(entries, 1U) << "something was left behind";
-    return said;
-  }
-  const geo::LocalFrame frame_{43.312, -2.986};
-  ScratchFolder folder_;
-};
-
-TEST_F(RefusedRaster, LeavesTheOldPyramidAsItWas) {
-  EXPECT_THAT(said_to(NAN, 10.0), HasSubstr("heights.asc: holds no heights"));
-  EXPECT_THAT(said_to(1e30, 10.0), HasSubstr("heights.asc: holds no heights"));
-  EXPECT_THAT(said_to(10.0, 1e-9), HasSubstr("would give heights every 1e-09 m; state a spacing from 0.001"));
-  EXPECT_THAT(said_to(10.0, NAN), HasSubstr("would give heights every nan m"));
-  EXPECT_THAT(said_to(10.0, 2e6), HasSubstr("would give heights every 2e+06 m"));
-  EXPECT_THAT(said_to(10.0, 1e-3), HasSubstr("tiles of heights every 0.001 m; state a spacing that gives"));
-}
-
 }  // namespace
 }  // namespace sigmascape::terrain
