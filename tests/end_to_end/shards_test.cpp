@@ -122,9 +122,8 @@ TEST_F(Shards, KilledAtAnyMomentItGoesOnToTheSameBytes) {
   ASSERT_EQ(last.code, 0) << last.printed;
   // A temporary file of the collection or the pyramid may stay, since another process might be writing it.
   auto found = files_of(folder_ / "killed");
-  std::erase_if(found, [](const auto& file) {
-    return file.first.find(".tmp") != std::string::npos && !file.first.starts_with("patch");
-  });
+  std::erase_if(found,
+                [](const auto& file) { return file.first.ends_with(".tmp") && !file.first.starts_with("patch"); });
   EXPECT_EQ(difference_of(found, whole_), "");
 }
 

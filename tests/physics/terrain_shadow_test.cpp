@@ -39,17 +39,24 @@ struct Place {
   double spacing_m, smooth_within_m, half_m;
 };
 
-/// Terrain shadows as the renderer finds them against the path tracer's own shadow rays, over the same flat Earth: the
-/// tracer knows no curvature.
-void expect_like_shadow_rays(const Place& place, double elevation_deg, render::VisibilityMethod method) {
-  const auto path = end_to_end::data_folder() / place.file;
-  if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is not there; set SIGMASCAPE_DATA";
+std::filesystem::path file_of(const Place& place) {
+  return end_to_end::data_folder() / place.file;
+}
+
+scene::Scene bare_ground_of(const Place& place) {
   terrain::TerrainSource source;
-  source.raster = {path, 1, ""};
+  source.raster = {file_of(place), 1, ""};
   source.spacing_m = place.spacing_m;
   source.smooth_within_m = place.smooth_within_m;
   const radar::Rectangle wanted{-place.half_m, -place.half_m, place.half_m, place.half_m};
-  const scene::Scene scene = bare(terrain::read_terrain(source, place.frame, wanted).field);
+  return bare(terrain::read_terrain(source, place.frame, wanted).field);
+}
+
+/// Terrain shadows as the renderer finds them against the path tracer's own shadow rays, over the same flat Earth: the
+/// tracer knows no curvature.
+void expect_like_shadow_rays(const Place& place, double elevation_deg, render::VisibilityMethod method) {
+  if (!std::filesystem::exists(file_of(place))) GTEST_SKIP() << file_of(place) << " is not there; set SIGMASCAPE_DATA";
+  const scene::Scene scene = bare_ground_of(place);
   const trace::SceneGeometry geometry(scene, trace::Footing::Terrain);
   const trace::FlushDenormals flush;
 
@@ -137,14 +144,8 @@ atlas::Store gamma_store(const std::filesystem::path& folder, double gamma, doub
 /// A live frame over real terrain against the same sum over the same scatterers, each of which a shadow ray of the path
 /// tracer lets pass or not.
 void expect_frame_like_shadow_rays(const Place& place, double elevation_deg) {
-  const auto path = end_to_end::data_folder() / place.file;
-  if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is not there; set SIGMASCAPE_DATA";
-  terrain::TerrainSource source;
-  source.raster = {path, 1, ""};
-  source.spacing_m = place.spacing_m;
-  source.smooth_within_m = place.smooth_within_m;
-  const radar::Rectangle wanted{-place.half_m, -place.half_m, place.half_m, place.half_m};
-  const scene::Scene scene = bare(terrain::read_terrain(source, place.frame, wanted).field);
+  if (!std::filesystem::exists(file_of(place))) GTEST_SKIP() << file_of(place) << " is not there; set SIGMASCAPE_DATA";
+  const scene::Scene scene = bare_ground_of(place);
   const trace::SceneGeometry geometry(scene, trace::Footing::Terrain);
   const trace::FlushDenormals flush;
 

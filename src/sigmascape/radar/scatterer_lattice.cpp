@@ -147,7 +147,8 @@ void ScattererLattice::values_of(std::span<const std::int32_t> columns, std::spa
                                  Draw draw, std::span<float> re, std::span<float> im) const {
   const Cells cells{columns.data(), rows.data(), columns.size()};
   const Values values{re.data(), im.data()};
-  const int top = options_.levels - 1;
+  // Levels above those that are tied together are drawn by themselves.
+  const int top = std::max(level, options_.levels - 1);
   draw_cells(cells, top - level, key(top, draw, Value), values);
   for (int parent = top; parent > level; --parent) {
     split_cells(cells, parent - 1 - level,
@@ -157,7 +158,7 @@ void ScattererLattice::values_of(std::span<const std::int32_t> columns, std::spa
 }
 
 void ScattererLattice::block(LatticeCell coarse, int level, int depth, Draw draw, std::vector<ComplexPair>& out) const {
-  const int top = std::min(level + depth, options_.levels - 1);
+  const int top = std::max(level, std::min(level + depth, options_.levels - 1));
   // Above the coarsest level there is nothing to split: its cells are drawn one by one.
   const int drawn_depth = level + depth - top;
   std::size_t side = std::size_t{1} << static_cast<unsigned>(drawn_depth);

@@ -35,8 +35,8 @@ struct DrawnCell {
 struct LatticeOptions {
   std::uint64_t seed = 1;
   double cell_m = 1.0;  ///< side of a cell of level 0
-  /// Levels 0 … levels − 1 are tied together: a cell is the normalised sum of the four that it covers. One level is
-  /// the fastest: its cells are drawn straight away. At most 24.
+  /// Levels 0 … levels − 1 are tied together: a cell is the normalised sum of the four that it covers. Coarser
+  /// ones are drawn by themselves. With one level all are, which is the fastest. At most 24.
   int levels = 1;
 };
 

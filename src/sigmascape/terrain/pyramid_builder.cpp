@@ -147,8 +147,27 @@ std::shared_ptr<const HeightTile> whole_tile(const std::filesystem::path& folder
   }
 }
 
-std::size_t build_on_disk(const std::filesystem::path& folder, const PyramidHeading& heading,
-                          const geo::LocalFrame& frame, const FinestHeights& finest) {
+/// Where a pyramid is built: in its folder, or beside it while the folder holds a finished one of other heights, which
+/// stays until it can be replaced. The name is always the same, so that what was interrupted goes on.
+std::filesystem::path building_site(const std::filesystem::path& folder, const PyramidHeading& heading) {
+  if (!holds_pyramid(folder) || holds(folder, heading_name, heading)) return folder;
+  return folder.parent_path() / fmt::format(".{}.unfinished", folder.filename().string());
+}
+
+/// Everything that is at `site` but its heading, and that last, so that the pyramid never counts for more than it is.
+void move_pyramid(const std::filesystem::path& site, const std::filesystem::path& folder) {
+  remove_pyramid(folder);
+  std::vector<std::filesystem::path> names;
+  for (const auto& entry : std::filesystem::directory_iterator(site)) {
+    if (entry.path().filename() != heading_name) names.push_back(entry.path().filename());
+  }
+  for (const auto& name : names) std::filesystem::rename(site / name, folder / name);
+  std::filesystem::rename(site / heading_name, folder / heading_name);
+  std::filesystem::remove_all(site);
+}
+
+std::size_t build_tiles_on_disk(const std::filesystem::path& folder, const PyramidHeading& heading,
+                                const geo::LocalFrame& frame, const FinestHeights& finest) {
   const bool finished = holds(folder, heading_name, heading);
   if (!finished && !holds(folder, unfinished_heading_name, heading)) {
     remove_pyramid(folder);
@@ -169,6 +188,14 @@ std::size_t build_on_disk(const std::filesystem::path& folder, const PyramidHead
   }
   if (!finished) write_heading(folder / heading_name, heading);
   std::filesystem::remove(folder / unfinished_heading_name);
+  return written;
+}
+
+std::size_t build_on_disk(const std::filesystem::path& folder, const PyramidHeading& heading,
+                          const geo::LocalFrame& frame, const FinestHeights& finest) {
+  const std::filesystem::path site = building_site(folder, heading);
+  const std::size_t written = build_tiles_on_disk(site, heading, frame, finest);
+  if (site != folder) move_pyramid(site, folder);
   return written;
 }
 

@@ -31,8 +31,9 @@ using FinestHeights = std::function<std::vector<float>(TileKey)>;
 
 /// Builds a pyramid on disk from any raster that GDAL reads, a tile at a time: neither source nor pyramid need fit into
 /// memory. Nodes without data get `no_data_height_m`. Tiles that are there and whole are left, if they were made from
-/// the same heights: what was interrupted goes on, what was damaged is mended. What a folder held of other heights is
-/// removed. Returns how many tiles were written. Throws Error when the source cannot be read or the disk is full.
+/// the same heights: what was interrupted goes on, what was damaged is mended. What a folder held of other heights
+/// stays until the new ones are whole. Returns how many tiles were written. Throws Error when the source cannot be read
+/// or the disk is full.
 ///
 /// The folder: see pyramid_files.h; without its heading the rest counts for nothing.
 std::size_t build_pyramid(const std::filesystem::path& folder, const TerrainSource& source,

@@ -73,6 +73,27 @@ TEST(ScattererLattice, another_seed_or_draw_gives_other_numbers) {
   EXPECT_NE(lattice.value_of(cell, 0, Draw::First).re, lattice.value_of(cell, 0, Draw::Second).re);
 }
 
+TEST(ScattererLattice, levels_above_the_tied_ones_are_drawn_cell_by_cell) {
+  for (const int tied : {1, 3}) {
+    const ScattererLattice lattice({.seed = 7, .cell_m = 2.0, .levels = tied});
+    for (const int level : {tied - 1, tied, tied + 3}) {
+      double power = 0.0, of_neighbours = 0.0;
+      constexpr int side = 64;
+      for (int row = 0; row < side; ++row) {
+        for (int column = 0; column < side; ++column) {
+          const ComplexPair value = lattice.value_of({column, row}, level, Draw::First);
+          const ComplexPair next = lattice.value_of({column + 1, row}, level, Draw::First);
+          power += static_cast<double>(value.re * value.re + value.im * value.im) / (side * side);
+          of_neighbours += static_cast<double>(value.re * next.re + value.im * next.im) / (side * side);
+        }
+      }
+      // Standard deviations: of the exponential density, and of a product of two independent values, over 64.
+      EXPECT_NEAR(power, 1.0, 4.0 / side) << tied << " tied, level " << level;
+      EXPECT_NEAR(of_neighbours, 0.0, 4.0 / side) << tied << " tied, level " << level;
+    }
+  }
+}
+
 TEST(ScattererLattice, refuses_a_lattice_without_cells_or_levels) {
   EXPECT_THROW(ScattererLattice({.cell_m = 0.0}), Error);
   EXPECT_THROW(ScattererLattice({.cell_m = 1.0, .levels = 0}), Error);

@@ -13,9 +13,13 @@ namespace {
 
 std::atomic<std::size_t> allocations{0};
 
-void* counted(std::size_t bytes) {
+void* counted(std::size_t bytes) noexcept {
   ++allocations;
-  if (void* memory = std::malloc(bytes != 0 ? bytes : 1)) return memory;
+  return std::malloc(bytes != 0 ? bytes : 1);
+}
+
+void* counted_or_thrown(std::size_t bytes) {
+  if (void* memory = counted(bytes)) return memory;
   throw std::bad_alloc();
 }
 
@@ -23,9 +27,15 @@ void* counted(std::size_t bytes) {
 
 // The whole program counts what it takes.
 void* operator new(std::size_t bytes) {
-  return counted(bytes);
+  return counted_or_thrown(bytes);
 }
 void* operator new[](std::size_t bytes) {
+  return counted_or_thrown(bytes);
+}
+void* operator new(std::size_t bytes, const std::nothrow_t& /*tag*/) noexcept {
+  return counted(bytes);
+}
+void* operator new[](std::size_t bytes, const std::nothrow_t& /*tag*/) noexcept {
   return counted(bytes);
 }
 void operator delete(void* memory) noexcept {

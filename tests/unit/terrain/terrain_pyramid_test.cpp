@@ -327,6 +327,27 @@ TEST_F(PyramidOnDisk, TilesOfOtherHeightsAreNotGoneOnFrom) {
   EXPECT_EQ(pyramid.load({0, 0, 0})->height_m[0], field_.height_m(0, 0));
 }
 
+TEST_F(PyramidOnDisk, StaysUntilOtherHeightsAreWhole) {
+  // Heights that cannot be read to their end: a raster that is no raster any more from some tile on.
+  const PyramidLayout layout = PyramidLayout::covering(field_.extent(), field_.spacing_m);
+  const auto raster = folder_.write("cut.asc", "ncols 4\nnrows 4\nxllcorner 0\nyllcorner 0\ncellsize 10\n1 2 3");
+  TerrainSource cut;
+  cut.raster = {raster, 1, "EPSG:25830"};
+  EXPECT_FALSE(message_of_error([&] {
+                 build_pyramid(folder_.path("pyramid"), cut, {43.0, -3.0}, {0.0, 0.0, 100.0, 100.0});
+               }).empty());
+  EXPECT_THAT(verify_pyramid(folder_.path("pyramid")), ::testing::IsEmpty());
+
+  const float before = field_.height_m(0, 0);
+  for (float& height : field_.height_m.values()) height += 1.0F;
+  EXPECT_EQ(build_pyramid(folder_.path("pyramid"), field_, {43.0, -3.0}),
+            static_cast<std::size_t>(layout.tiles_across * layout.tiles_down) + 6U + 2U + 1U);
+  EXPECT_THAT(verify_pyramid(folder_.path("pyramid")), ::testing::IsEmpty());
+  TerrainPyramid pyramid = open_pyramid(folder_.path("pyramid"), 100 * HeightTile::bytes);
+  EXPECT_EQ(pyramid.load({0, 0, 0})->height_m[0], before + 1.0F);
+  EXPECT_FALSE(std::filesystem::exists(folder_.path(".pyramid.unfinished")));
+}
+
 TEST_F(PyramidOnDisk, VerificationNamesWhatIsMissingOrDamaged) {
   EXPECT_THAT(verify_pyramid(folder_.path("pyramid")), ::testing::IsEmpty());
   std::filesystem::remove(tile("level_1/2_1.tif"));
@@ -389,43 +410,6 @@ TEST(PyramidFromRaster, ReadsATileAtATime) {
   for (const Vec2d p : {middle, middle + Vec2d{200.0, -100.0}, middle + Vec2d{-321.0, 222.0}}) {
     EXPECT_NEAR(surface.height_at(p), whole.field.height_at(p), 0.02);
   }
-}
-
-class RefusedRaster : public testing::Test {
- protected:
-  RefusedRaster() {
-    build_pyramid(folder_.path("atlas/terrain"), HeightField{0.0, 30.0, 10.0, Array2D<float>(4, 4, 7.0F)}, frame_);
-  }
-  /// What is said to a raster of one height that is to take the place of a pyramid, which must stay as it was.
-  std::string said_to(double height_m, double spacing_m) {
-    const geo::AsciiGrid grid{500'600.0, 4'795'000.0, 100.0, 20, 20};
-    TerrainSource source;
-    source.raster = {folder_.write("heights.asc", grid.text([=](double, double) { return height_m; })), 1,
-                     "EPSG:25830"};
-    source.spacing_m = spacing_m;
-    const auto extent = geo::Raster(source.raster).extent_in(frame_);
-    const std::string said = message_of_error([&] {
-      build_pyramid(folder_.path("atlas/terrain"), source, frame_,
-                    {extent.west_m, extent.south_m, extent.east_m, extent.north_m});
-    });
-    TerrainPyramid old = open_pyramid(folder_.path("atlas/terrain"), 10 * HeightTile::bytes);
-    EXPECT_EQ(old.load({0, 0, 0})->height_m.front(), 7.0F);
-    std::size_t entries = 0;
-    for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder_.path("atlas"))) ++entries;
-    EXPECT_EQ(entries, 1U) << "something was left behind";
-    return said;
-  }
-  const geo::LocalFrame frame_{43.312, -2.986};
-  ScratchFolder folder_;
-};
-
-TEST_F(RefusedRaster, LeavesTheOldPyramidAsItWas) {
-  EXPECT_THAT(said_to(NAN, 10.0), HasSubstr("heights.asc: holds no heights"));
-  EXPECT_THAT(said_to(1e30, 10.0), HasSubstr("heights.asc: holds no heights"));
-  EXPECT_THAT(said_to(10.0, 1e-9), HasSubstr("would give heights every 1e-09 m; state a spacing from 0.001"));
-  EXPECT_THAT(said_to(10.0, NAN), HasSubstr("would give heights every nan m"));
-  EXPECT_THAT(said_to(10.0, 2e6), HasSubstr("would give heights every 2e+06 m"));
-  EXPECT_THAT(said_to(10.0, 1e-3), HasSubstr("tiles of heights every 0.001 m; state a spacing that gives"));
 }
 
 }  // namespace

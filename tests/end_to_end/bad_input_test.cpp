@@ -1,0 +1,89 @@
+#include <cstdlib>
+#include <fmt/format.h>
+#include <fstream>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <iterator>
+
+#include "end_to_end/made_scene.h"
+#include "scratch_folder.h"
+
+namespace sigmascape::end_to_end {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+/// The program with what it cannot do anything with: it says in one sentence what and where, and leaves nothing behind.
+class BadInput : public ::testing::Test {
+ protected:
+  /// What it says; empty when it took the line.
+  [[nodiscard]] std::string said_to(const std::string& arguments) const {
+    const auto said = folder_.path("said");
+    const int status = std::system(
+        fmt::format("cd '{}' && '{}' {} > said 2>&1", folder_.path(".").string(), SIGMASCAPE_CLI, arguments).c_str());
+    EXPECT_TRUE(WIFEXITED(status)) << arguments << " was killed";
+    if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return "";
+    std::ifstream stream(said);
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
+  void write_radar() const {
+    folder_.write("radar.toml",
+                  "[radar]\nfrequency_ghz = 10\nrange_resolution_m = 4\nbeam_width_deg = 0.1\n"
+                  "[position]\nazimuth_deg = 180\nelevation_deg = 20\nslant_range_km = 5\n");
+  }
+  [[nodiscard]] bool is_there(const std::string& name) const { return std::filesystem::exists(folder_.path(name)); }
+
+  ScratchFolder folder_;
+};
+
+TEST_F(BadInput, NotANumberIsNoNumberOfAnOption) {
+  write_radar();
+  const auto refused = [](const char* option) {
+    return AllOf(StartsWith(option), HasSubstr("is nan; give a number from"));
+  };
+  EXPECT_THAT(said_to("render radar.toml --scene none.toml --span-db nan"), refused("--span-db"));
+  EXPECT_THAT(said_to("render radar.toml --scene none.toml --top-db nan"), refused("--top-db"));
+  EXPECT_THAT(said_to("plot antenna radar.toml --reach-deg nan --out plot.svg"), refused("--reach-deg"));
+  EXPECT_THAT(said_to("plot response radar.toml --widths nan --out plot.svg"), refused("--widths"));
+  EXPECT_THAT(said_to("plot histogram map.tif --looks nan --out plot.svg"), refused("--looks"));
+  EXPECT_THAT(said_to("render radar.toml --scene none.toml --samples 0"),
+              HasSubstr("--samples: Value 0 not in range 1"));
+  EXPECT_THAT(said_to("render radar.toml --scene none.toml --bounces 256"), HasSubstr("256 not in range 1 to 255"));
+  EXPECT_FALSE(is_there("plot.svg"));
+}
+
+TEST_F(BadInput, PicturesOfAnotherKindAreRefusedBeforeTheWork) {
+  write_radar();
+  std::filesystem::create_directory(folder_.path("folder.png"));
+  for (const char* option : {"--png", "--ppi", "--b-scope"}) {
+    EXPECT_THAT(said_to(fmt::format("render radar.toml --scene none.toml {} map.jpg", option)),
+                HasSubstr("map.jpg: is no kind of file that maps are drawn into; end the name in .png"));
+    EXPECT_THAT(said_to(fmt::format("render radar.toml --scene none.toml {} folder.png", option)),
+                HasSubstr("folder.png: is a folder; name a file"));
+  }
+  EXPECT_FALSE(is_there("folder.pgw"));
+}
+
+TEST_F(BadInput, FoldersAndAbsentFilesAreNamed) {
+  EXPECT_THAT(said_to("render . --scene none.toml"), HasSubstr("is a folder; give the path of a TOML file"));
+  EXPECT_THAT(said_to("plot histogram none.tif --out plot.svg"), HasSubstr("none.tif: the file does not exist"));
+}
+
+TEST_F(BadInput, FaultsOfGroundThatIsKeptApartAreFound) {
+  const auto scene = write_made_scene(folder_.path("scene"), 200.0, 200.0);
+  ASSERT_EQ(said_to(fmt::format("bake '{}' --out atlas --texel-m 4 --patch-texels 256 --samples 2 --azimuths 1 "
+                                "--elevations-deg 20",
+                                scene.string())),
+            "");
+  EXPECT_EQ(said_to("atlas verify atlas"), "");
+
+  for (const auto& file : std::filesystem::recursive_directory_iterator(folder_.path("atlas/ground"))) {
+    if (file.path().extension() == ".tif") std::filesystem::resize_file(file.path(), 100);
+  }
+  EXPECT_THAT(said_to("atlas verify atlas"), HasSubstr("ground/patch_"));
+}
+
+}  // namespace
+}  // namespace sigmascape::end_to_end
