@@ -125,13 +125,6 @@ Store open_ground_store(const Store& atlas) {
   return Store::open(ground_folder_of(atlas));
 }
 
-std::vector<StoreFault> verify_ground(const Store& atlas) {
-  if (!keeps_ground_apart(atlas)) return {};
-  std::vector<StoreFault> faults = open_ground_store(atlas).verify();
-  for (StoreFault& fault : faults) fault.file = ground_folder / fault.file;
-  return faults;
-}
-
 GroundLayers load_ground_layers(const Store& atlas, const LoadOptions& options) {
   const Store ground = open_ground_store(atlas);
   return {load_atlas(ground, {.finest_level = options.finest_level, .threads = options.threads, .aspects = {}}),

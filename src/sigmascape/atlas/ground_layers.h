@@ -42,9 +42,6 @@ void write_obstacles(const Store& atlas, PatchIndex patch, const radar::Obstacle
 /// Throws Error when there is none.
 [[nodiscard]] Store open_ground_store(const Store& atlas);
 
-/// What is wrong with the textures of ground that is kept apart, in files relative to the atlas.
-[[nodiscard]] std::vector<StoreFault> verify_ground(const Store& atlas);
-
 /// Throws Error when a part is missing or not as it should be.
 [[nodiscard]] GroundLayers load_ground_layers(const Store& atlas, const LoadOptions& options);
 

@@ -280,14 +280,32 @@ std::size_t build_pyramid(const std::filesystem::path& folder, const TerrainSour
   hash.add(sha256_of_file(source.raster.file));
   hash.add(fmt::format("{} {} {} {} {} {}", source.raster.band, source.raster.crs, source.plausible.lowest_m,
                        source.plausible.highest_m, no_data_height_m, frame.proj()));
-  return build_on_disk(folder, {layout, hash.hex_digest()}, frame, [&](TileKey key) {
+  const PyramidHeading heading{layout, hash.hex_digest()};
+  std::size_t asked = 0;
+  bool holds_heights = false, is_empty = false;
+  const auto nodes_of = [&](TileKey key) {
     const radar::Rectangle tile = layout.extent_of(key);
     const Array2D<float> heights = raster.heights_on(
         {tile.west_m, tile.north_m, spacing_m, HeightTile::nodes, HeightTile::nodes}, frame, source.plausible);
     std::vector<float> nodes(heights.values().begin(), heights.values().end());
+    holds_heights = holds_heights || std::ranges::any_of(nodes, [](float height) { return !std::isnan(height); });
+    is_empty = ++asked == std::size_t{layout.tiles_across} * layout.tiles_down && !holds_heights;
+    if (is_empty) {
+      throw Error(source.raster.file.string(),
+                  fmt::format("holds no heights from {:g} to {:g} m here", source.plausible.lowest_m,
+                              source.plausible.highest_m),
+                  "give a raster, or a band of it, of elevations in metres");
+    }
     for (float& height : nodes) height = std::isnan(height) ? static_cast<float>(no_data_height_m) : height;
     return nodes;
-  });
+  };
+  try {
+    return build_on_disk(folder, heading, frame, nodes_of);
+  } catch (const Error&) {
+    // Of nothing there is nothing to go on from.
+    if (is_empty) remove_pyramid(building_site(folder, heading));
+    throw;
+  }
 }
 
 std::size_t build_pyramid(const std::filesystem::path& folder, const HeightField& field, const geo::LocalFrame& frame) {

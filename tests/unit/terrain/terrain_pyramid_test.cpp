@@ -338,6 +338,16 @@ TEST_F(PyramidOnDisk, StaysUntilOtherHeightsAreWhole) {
                }).empty());
   EXPECT_THAT(verify_pyramid(folder_.path("pyramid")), ::testing::IsEmpty());
 
+  const geo::AsciiGrid grid{500'600.0, 4'795'000.0, 100.0, 20, 20};
+  cut.raster.file = folder_.write("nothing.asc", grid.text([](double, double) { return 1e30; }));
+  for (int again = 0; again < 2; ++again) {
+    EXPECT_THAT(message_of_error([&] {
+                  build_pyramid(folder_.path("pyramid"), cut, {43.312, -2.986}, {-1000.0, -1000.0, 1000.0, 1000.0});
+                }),
+                HasSubstr("nothing.asc: holds no heights"));
+  }
+  EXPECT_THAT(verify_pyramid(folder_.path("pyramid")), ::testing::IsEmpty());
+
   const float before = field_.height_m(0, 0);
   for (float& height : field_.height_m.values()) height += 1.0F;
   EXPECT_EQ(build_pyramid(folder_.path("pyramid"), field_, {43.0, -3.0}),
