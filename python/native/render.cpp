@@ -55,7 +55,7 @@ struct Seen {
   product::Provenance provenance;
 };
 
-/// How a real beam's image is to be made.
+/// What is put into an image, and what it may cost.
 struct Effort {
   std::optional<int> lod;
   std::vector<radar::TargetSource> targets;
