@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "sigmascape/base/error.h"
+#include "sigmascape/product/ground_projection.h"
 #include "sigmascape/product/range_azimuth_file.h"
 #include "sigmascape/radar/radar_warnings.h"
 #include "sigmascape/receiver/receive_chain.h"
@@ -58,6 +59,13 @@ void write_received(const ReceivedFiles& files, const radar::Radar& radar, const
     for (float& bin : received.signal_w.values()) bin = static_cast<float>(static_cast<double>(bin) / received.noise_w);
     product::write_range_azimuth(files.snr, received.grid, received.signal_w, label);
   }
+}
+
+radar::PowerMap received_map(const radar::Radar& radar, const radar::RangeAzimuthImage& image,
+                             const terrain::HeightField& terrain, const radar::GroundGrid& grid,
+                             const geo::LocalFrame& frame, const Provenance& provenance, unsigned threads) {
+  return described_map(product::power_map(receiver::received_image(radar, image), terrain, grid, threads), radar, frame,
+                       provenance);
 }
 
 void warn_of(const radar::Radar& radar, const radar::RangeAzimuthGrid& bins, double cell_m) {

@@ -6,8 +6,11 @@
 
 #include "map_files.h"
 
+#include "sigmascape/geo/local_frame.h"
+#include "sigmascape/radar/power_map.h"
 #include "sigmascape/radar/radar.h"
 #include "sigmascape/radar/range_azimuth_image.h"
+#include "sigmascape/terrain/height_field.h"
 
 namespace sigmascape::cli {
 
@@ -23,6 +26,12 @@ void add_received_options(CLI::App& command, ReceivedFiles& files);
 void write_received(const ReceivedFiles& files, const radar::Radar& radar, const radar::RangeAzimuthImage& image,
                     radar::Polarization polarization, std::uint64_t seed, unsigned threads,
                     const Provenance& provenance);
+
+/// What a pulse receives from each place on the ground, described: the image through the radar equation.
+[[nodiscard]] radar::PowerMap received_map(const radar::Radar& radar, const radar::RangeAzimuthImage& image,
+                                           const terrain::HeightField& terrain, const radar::GroundGrid& grid,
+                                           const geo::LocalFrame& frame, const Provenance& provenance,
+                                           unsigned threads);
 
 /// Says on standard error what `radar_warnings` finds.
 void warn_of(const radar::Radar& radar, const radar::RangeAzimuthGrid& bins, double cell_m);

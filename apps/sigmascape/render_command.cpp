@@ -33,7 +33,7 @@ namespace sigmascape::cli {
 namespace {
 
 struct RenderOptions {
-  std::string radar, scene, atlas, targets, map_file, picture_file, style = "grey";
+  std::string radar, scene, atlas, targets, map_file, power_file, picture_file, style = "grey";
   int level_of_detail = 0;
   bool explain = false;
   double span_db = 50.0;
@@ -135,6 +135,10 @@ void check_coherent(const RenderOptions& options, const radar::Radar& radar) {
         "--lod", fmt::format("0 traces power alone, and {} needs amplitudes", simulate::word_for(radar.mode)),
         "bake the scene and give --lod 1 and --atlas, or take the [mode] out of the radar file for a real beam");
   }
+  if (!options.power_file.empty()) {
+    throw Error("--power", fmt::format("is of single pulses, and {} works on many", simulate::word_for(radar.mode)),
+                "take --out for sigma0, or take the [mode] out of the radar file for a real beam");
+  }
   const auto refuse = [&](const char* option, const std::string& file) {
     if (file.empty()) return;
     throw Error(option, fmt::format("is of range and azimuth, which {} does not have", simulate::word_for(radar.mode)),
@@ -169,7 +173,8 @@ std::string advised_detail(const RenderOptions& options, const scene::Scene& sce
 void render(const RenderOptions& options, radar::Polarization polarization, bool polarization_given,
             const Output& output) {
   check(options.layers, options.level_of_detail);
-  if (!options.map_file.empty()) product::check_map_name(options.map_file);
+  for (const std::string& map : {options.map_file, options.power_file})
+    if (!map.empty()) product::check_map_name(map);
   for (const std::string& picture : {options.picture_file, options.scopes.ppi, options.scopes.b_scope})
     if (!picture.empty()) product::check_png_name(picture);
   const auto radar_file = radar::read_radar_file(options.radar);
@@ -199,6 +204,12 @@ void render(const RenderOptions& options, radar::Polarization polarization, bool
   if (!options.crs.empty()) map = product::reprojected(map, scene.frame, options.crs);
   const auto scale = options.in_decibels ? product::MapScale::Decibels : product::MapScale::Linear;
   if (!options.map_file.empty()) product::write_map(options.map_file, map, scale);
+  if (!options.power_file.empty()) {
+    const auto power = received_map(radar, rendered.image, scene.terrain, grid, scene.frame, rendered.provenance,
+                                    options.trace.threads);
+    product::write_map(options.power_file,
+                       options.crs.empty() ? power : product::reprojected(power, scene.frame, options.crs), scale);
+  }
   write_layers(options.layers, scene, radar, grid, map.metadata,
                {.atlas = options.level_of_detail == 0 ? "" : options.atlas, .trace = options.trace});
   product::PictureOptions look = options.style == "scope" ? product::scope_look() : product::PictureOptions{};
@@ -207,11 +218,9 @@ void render(const RenderOptions& options, radar::Polarization polarization, bool
   look.top_db = options.top_db;
   if (!options.picture_file.empty()) write_map_picture(options.picture_file, map, look);
   if (!rendered.coherent) write_scopes(options.scopes, radar, rendered.image, look);
-  nlohmann::ordered_json summary{{"map", options.map_file},
-                                 {"picture", options.picture_file},
-                                 {"level_of_detail", options.level_of_detail},
-                                 {"columns", grid.columns},
-                                 {"rows", grid.rows},
+  nlohmann::ordered_json summary{{"map", options.map_file},         {"power", options.power_file},
+                                 {"picture", options.picture_file}, {"level_of_detail", options.level_of_detail},
+                                 {"columns", grid.columns},         {"rows", grid.rows},
                                  {"seconds", rendered.seconds}};
   summary.update(rendered.cost);
   if (options.explain) summary["advised_detail"] = advice;
@@ -237,7 +246,10 @@ void add_render_command(CLI::App& app, Output& output) {
   command->add_flag("--explain", options->explain, "say which level of detail the resolution cell asks for, and why");
   command->add_option("--out", options->map_file,
                       "ground map to write: sigma0 as cloud-optimised GeoTIFF (.tif) or for NumPy (.npy, .npz)");
-  command->add_flag("--db", options->in_decibels, "write the ground map in dB instead of linear");
+  command->add_option("--power", options->power_file,
+                      "mean power of one pulse at the antenna's terminals to write, over the ground map's cells, in W "
+                      "(.tif, .npy, .npz)");
+  command->add_flag("--db", options->in_decibels, "write maps in dB, power in dBW, instead of linear");
   command->add_option("--png", options->picture_file, "picture to write");
   command->add_option("--style", options->style, "grey or scope")
       ->capture_default_str()
@@ -248,7 +260,7 @@ void add_render_command(CLI::App& app, Output& output) {
   command->add_option("--top-db", options->top_db, "sigma0 shown brightest; by default that of the brightest few cells")
       ->check(number_within(-1000.0, 1000.0));
   add_polarization_option(*command, *polarization);
-  command->add_option("--crs", options->crs, "coordinate system of the map: EPSG code, PROJ string or WKT");
+  command->add_option("--crs", options->crs, "coordinate system of the maps: EPSG code, PROJ string or WKT");
   add_scope_options(*command, options->scopes);
   add_received_options(*command, options->received);
   add_layer_options(*command, options->layers);

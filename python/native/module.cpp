@@ -17,6 +17,7 @@ PYBIND11_MODULE(_native, module) {
   python::add_targets(module);
   python::add_radar(module);
   python::add_ground_map(module);
+  python::add_power_map(module);
   python::add_bake(module);
   python::add_atlas(module);
   python::add_render(module);

@@ -9,6 +9,7 @@ void add_scene(pybind11::module_& module);
 void add_targets(pybind11::module_& module);
 void add_radar(pybind11::module_& module);
 void add_ground_map(pybind11::module_& module);
+void add_power_map(pybind11::module_& module);
 void add_bake(pybind11::module_& module);
 void add_atlas(pybind11::module_& module);
 void add_render(pybind11::module_& module);

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <optional>
 #include <pybind11/stl.h>
 
 #include "loaded_atlas.h"
@@ -14,6 +15,7 @@
 #include "sigmascape/product/slant_projection.h"
 #include "sigmascape/radar/radar_file.h"
 #include "sigmascape/radar/radar_warnings.h"
+#include "sigmascape/receiver/receive_chain.h"
 #include "sigmascape/simulate/mode_image.h"
 #include "sigmascape/simulate/placement.h"
 #include "sigmascape/simulate/simulate.h"
@@ -46,10 +48,21 @@ Ground ground_of(const LoadedScene* loaded, const LoadedAtlas* atlas) {
           &description.frame, &atlas->terrain(),      description.extent};
 }
 
-/// A map that is not yet described.
-struct Rendered {
-  radar::GroundMap map;
+/// What was seen, on its way to a map.
+struct Seen {
+  std::optional<radar::RangeAzimuthImage> image;  ///< by a real beam
+  radar::GroundMap coherent;                      ///< by the other modes, instead
   product::Provenance provenance;
+};
+
+/// What is put into an image, and what it may cost.
+struct Effort {
+  std::optional<int> lod;
+  std::vector<radar::TargetSource> targets;
+  std::uint32_t samples;
+  int bounces;
+  std::uint64_t seed;
+  unsigned threads;
 };
 
 /// What is asked of either way to a map.
@@ -68,8 +81,8 @@ void tell(const std::vector<std::string>& warnings, const radar::Radar& radar) {
   }
 }
 
-Rendered traced(const LoadedScene* scene, const Wish& wish, const simulate::TraceSettings& settings,
-                ProgressListener& progress) {
+Seen traced(const LoadedScene* scene, const Wish& wish, const simulate::TraceSettings& settings,
+            ProgressListener& progress) {
   if (scene == nullptr) throw Error("scene", "is None at level of detail 0", "give the Scene that is to be traced");
   if (wish.radar.mode != radar::Mode::RealBeam) {
     throw Error("lod",
@@ -77,16 +90,17 @@ Rendered traced(const LoadedScene* scene, const Wish& wish, const simulate::Trac
                 "give the atlas that bake() made, or set the radar's mode to 'real-beam'");
   }
   trace::TraceCounts counts;
-  const auto image = simulate::traced_image(scene->scene(), scene->geometry(), wish.radar, wish.grid.extent(), settings,
-                                            counts, &progress);
-  return {product::ground_map(image, *wish.ground.terrain, wish.grid, settings.threads),
+  auto image = simulate::traced_image(scene->scene(), scene->geometry(), wish.radar, wish.grid.extent(), settings,
+                                      counts, &progress);
+  return {std::move(image),
+          {},
           {{"processing", "level of detail 0: path-traced"},
            {"seed", std::to_string(settings.seed)},
            {"samples_per_cell", std::to_string(settings.samples_per_cell)}}};
 }
 
-Rendered coherent(const atlas::Atlas& textures, const Wish& wish, const LoadedScene* scene, int level_of_detail,
-                  std::uint64_t seed, unsigned threads) {
+Seen coherent(const atlas::Atlas& textures, const Wish& wish, const LoadedScene* scene, int level_of_detail,
+              std::uint64_t seed, unsigned threads) {
   const simulate::ModeRequest request{.atlas = textures,
                                       .terrain = *wish.ground.terrain,
                                       .radar = wish.radar,
@@ -104,11 +118,12 @@ Rendered coherent(const atlas::Atlas& textures, const Wish& wish, const LoadedSc
   const auto project = [&](const auto& image) {
     return product::projected_to_ground(image, *wish.ground.terrain, wish.grid);
   };
-  return {std::visit(project, simulate::mode_image(request, plan)), simulate::provenance_of(request, plan)};
+  return {std::nullopt, std::visit(project, simulate::mode_image(request, plan)),
+          simulate::provenance_of(request, plan)};
 }
 
-Rendered baked(const LoadedAtlas* atlas, const Wish& wish, const render::RenderSettings& settings, std::uint64_t seed,
-               const LoadedScene* scene) {
+Seen baked(const LoadedAtlas* atlas, const Wish& wish, const render::RenderSettings& settings, std::uint64_t seed,
+           const LoadedScene* scene) {
   if (atlas == nullptr) {
     throw Error("atlas", fmt::format("is None at level of detail {}", settings.level_of_detail),
                 "give the Atlas that bake() made, or lod=0");
@@ -116,21 +131,22 @@ Rendered baked(const LoadedAtlas* atlas, const Wish& wish, const render::RenderS
   if (wish.radar.mode != radar::Mode::RealBeam)
     return coherent(atlas->textures(), wish, scene, settings.level_of_detail, seed, settings.threads);
   render::RenderCounts counts;
-  const auto image =
+  auto image =
       simulate::baked_image(atlas->textures(), *wish.ground.terrain, wish.radar, wish.grid.extent(), settings, counts);
   product::Provenance provenance{
       {"processing", fmt::format("level of detail {}: from terrain and atlas", settings.level_of_detail)}};
   const auto& baked_with = atlas->description().settings;
   if (const auto found = baked_with.find("seed"); found != baked_with.end()) provenance["atlas_seed"] = found->second;
-  return {product::ground_map(image, *wish.ground.terrain, wish.grid, settings.threads), std::move(provenance)};
+  return {std::move(image), {}, std::move(provenance)};
 }
 
-radar::GroundMap rendered(const std::shared_ptr<LoadedScene>& scene, const radar::RadarFile& radar_file,
-                          std::optional<int> lod, const std::shared_ptr<LoadedAtlas>& atlas,
-                          const std::vector<radar::TargetSource>& given, std::uint32_t samples, int bounces,
-                          std::uint64_t seed, unsigned threads, const py::object& progress) {
+/// Sees, and makes of it what `map_of(seen, wish)` does.
+template <typename MapOf>
+auto mapped(const std::shared_ptr<LoadedScene>& scene, const radar::RadarFile& radar_file,
+            const std::shared_ptr<LoadedAtlas>& atlas, const Effort& effort, const py::object& progress,
+            const MapOf& map_of) {
   const radar::RadarFile asked = radar_file;
-  const int level_of_detail = lod.value_or(atlas ? 1 : 0);
+  const int level_of_detail = effort.lod.value_or(atlas ? 1 : 0);
   if (level_of_detail < 0) throw Error("lod", "is negative", "give 0 to trace the scene, 1 and up to use the atlas");
   PythonProgress listener(progress);
   return long_call([&] {
@@ -140,25 +156,53 @@ radar::GroundMap rendered(const std::shared_ptr<LoadedScene>& scene, const radar
     tell(radar::radar_warnings(radar, simulate::bins_for(radar, grid.extent(), *ground.terrain), grid.cell_m), radar);
     // Those of the scene answer to rays by themselves.
     const scene::Scene* owner = scene && level_of_detail > 0 ? &scene->scene() : nullptr;
-    const auto targets = all_targets(owner, given, *ground.frame, *ground.terrain);
+    const auto targets = all_targets(owner, effort.targets, *ground.frame, *ground.terrain);
     const Wish wish{ground, radar, grid, targets};
-    Rendered result =
-        level_of_detail == 0
-            ? traced(scene.get(), wish,
-                     {.cell_m = grid.cell_m,
-                      .samples_per_cell = samples,
-                      .max_bounces = bounces,
-                      .seed = seed,
-                      .threads = threads,
-                      .targets = targets},
-                     listener)
-            : baked(atlas.get(), wish, {.level_of_detail = level_of_detail, .threads = threads, .targets = targets},
-                    seed, scene.get());
-    result.provenance["scene"] = ground.name;
-    result.provenance["scene_hash"] = ground.hash;
-    if (!ground.attribution.empty()) result.provenance["attribution"] = ground.attribution;
-    return product::described_map(std::move(result.map), radar, *ground.frame, result.provenance);
+    Seen seen = level_of_detail == 0
+                    ? traced(scene.get(), wish,
+                             {.cell_m = grid.cell_m,
+                              .samples_per_cell = effort.samples,
+                              .max_bounces = effort.bounces,
+                              .seed = effort.seed,
+                              .threads = effort.threads,
+                              .targets = targets},
+                             listener)
+                    : baked(atlas.get(), wish,
+                            {.level_of_detail = level_of_detail, .threads = effort.threads, .targets = targets},
+                            effort.seed, scene.get());
+    seen.provenance["scene"] = ground.name;
+    seen.provenance["scene_hash"] = ground.hash;
+    if (!ground.attribution.empty()) seen.provenance["attribution"] = ground.attribution;
+    return product::described_map(map_of(seen, wish), radar, *ground.frame, seen.provenance);
   });
+}
+
+radar::GroundMap rendered(const std::shared_ptr<LoadedScene>& scene, const radar::RadarFile& radar,
+                          std::optional<int> lod, const std::shared_ptr<LoadedAtlas>& atlas,
+                          const std::vector<radar::TargetSource>& targets, std::uint32_t samples, int bounces,
+                          std::uint64_t seed, unsigned threads, const py::object& progress) {
+  return mapped(scene, radar, atlas, {lod, targets, samples, bounces, seed, threads}, progress,
+                [&](Seen& seen, const Wish& wish) {
+                  return seen.image ? product::ground_map(*seen.image, *wish.ground.terrain, wish.grid, threads)
+                                    : std::move(seen.coherent);
+                });
+}
+
+radar::PowerMap received(const std::shared_ptr<LoadedScene>& scene, const radar::RadarFile& radar,
+                         std::optional<int> lod, const std::shared_ptr<LoadedAtlas>& atlas,
+                         const std::vector<radar::TargetSource>& targets, std::uint32_t samples, int bounces,
+                         std::uint64_t seed, unsigned threads, const py::object& progress) {
+  if (radar.radar.mode != radar::Mode::RealBeam) {
+    throw Error("radar.mode",
+                fmt::format("is {}, which works on many pulses, and received power is of single ones",
+                            simulate::word_for(radar.radar.mode)),
+                "call render() for sigma0, or set the mode to 'real-beam'");
+  }
+  return mapped(scene, radar, atlas, {lod, targets, samples, bounces, seed, threads}, progress,
+                [&](const Seen& seen, const Wish& wish) {
+                  return product::power_map(receiver::received_image(wish.radar, *seen.image), *wish.ground.terrain,
+                                            wish.grid, threads);
+                });
 }
 
 }  // namespace
@@ -179,6 +223,17 @@ void add_render(py::module_& module) {
       "samples, bounces: at level of detail 0. seed: of the rays there, else of speckle. threads: 0 for one a\n"
       "processor; has no effect on the result.\n"
       "progress: as for bake().");
+  module.def(
+      "received_power", &received, py::arg("scene").none(true), py::arg("radar"), py::kw_only(),
+      py::arg("lod") = py::none(), py::arg("atlas") = py::none(),
+      py::arg("targets") = std::vector<radar::TargetSource>{}, py::arg("samples") = settings.samples_per_cell,
+      py::arg("bounces") = settings.max_bounces, py::arg("seed") = settings.seed, py::arg("threads") = 0,
+      py::arg("progress") = py::none(),
+      "The PowerMap that `radar` receives: float32 [row, column] in W for VV, HH and HV over the cells of render()'s\n"
+      "map. The mean power, without speckle, of one compressed pulse at the antenna's terminals when the beam points "
+      "at\n"
+      "the cell and the receiver samples there: the radar equation over the bin at the cell. A real beam's alone; in\n"
+      "other modes Error. Arguments as for render().");
 }
 
 }  // namespace sigmascape::python

@@ -12,6 +12,7 @@
     baked.save("map.tif")                                      # or baked.save("map.png")
     baked.vv                                                   # float32 [row, column], linear sigma0
     print(sigmascape.compare(baked, traced))
+    sigmascape.received_power(scene, radar, atlas=atlas).save("power.tif", db=True)   # dBW at the antenna's terminals
 
     radar.velocity_mps = (150, 0, 0)
     pulses = sigmascape.phase_history(atlas, radar)            # I/Q: complex64 [pulse, range, polarization]
@@ -40,6 +41,7 @@ from ._native import (
     LiveGround,
     LiveRenderer,
     PhaseHistory,
+    PowerMap,
     Radar,
     RangeDopplerImage,
     Scene,
@@ -60,6 +62,7 @@ from ._native import (
     range_doppler,
     range_response_db,
     read_targets,
+    received_power,
     render,
     stripmap,
 )
@@ -76,6 +79,7 @@ __all__ = [
     "LiveGround",
     "LiveRenderer",
     "PhaseHistory",
+    "PowerMap",
     "Radar",
     "RangeDopplerImage",
     "Scene",
@@ -95,6 +99,7 @@ __all__ = [
     "range_doppler",
     "range_response_db",
     "read_targets",
+    "received_power",
     "render",
     "stripmap",
 ]

@@ -17,7 +17,7 @@ BLOCK = re.compile(r"^```(\w+)?(?: +(\S+))?\n(.*?)^```", re.MULTILINE | re.DOTAL
 
 # What has to be there when a page has run.
 PROMISED = {
-    "tasks/dem_and_osm.md": ["traced.tif", "traced.png", "traced.pgw", "atlas/collection.json", "baked.tif", "layers.tif"],
+    "tasks/dem_and_osm.md": ["traced.tif", "traced.png", "traced.pgw", "power.tif", "atlas/collection.json", "baked.tif", "layers.tif"],
     "tasks/make_a_dataset.md": ["samples/shard-000002.tar", "samples/manifest.json", "samples/contact_sheet.png"],
     "tasks/read_iq.md": ["pulses.h5", "pulses.npy", "pulses.json", "pulses.sigmf-data"],
     "tasks/link_the_library.md": ["map.tif", "prefix/lib/cmake/sigmascape/sigmascape-config.cmake"],

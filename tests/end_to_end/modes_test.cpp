@@ -10,6 +10,7 @@
 
 #include "sigmascape/base/units.h"
 #include "sigmascape/product/ground_map_file.h"
+#include "sigmascape/product/power_map_file.h"
 
 namespace sigmascape::end_to_end {
 namespace {
@@ -105,6 +106,25 @@ class Modes : public ::testing::Test {
         EXPECT_LT(most, 100.0F);
       }
     }
+  }
+
+  /// Received power beside σ0 for a real beam; a mode of many pulses refuses it before any work.
+  void expect_power_of_real_beams_alone() const {
+    folder_.write("targets.toml", "[[targets]]\nposition_m = [-20, 10]\nrcs_dbsm = 40\n");
+    const std::string option = fmt::format("--lod 1 --power '{}'", folder_.path("power.tif").string());
+    EXPECT_EQ(render("[mode]\nkind = \"spotlight\"\n", option), 1);
+    EXPECT_NE(printed().find("--power: is of single pulses"), std::string::npos) << printed();
+    EXPECT_NE(printed().find("take the [mode] out of the radar file"), std::string::npos) << printed();
+    EXPECT_FALSE(fs::exists(folder_.path("power.tif")));
+    ASSERT_EQ(render("", option), 0) << printed();
+    const auto power = product::read_power_map(folder_.path("power.tif"));
+    const auto sigma0 = map();
+    EXPECT_EQ(power.grid, sigma0.grid);
+    // Power over σ0 goes as r⁻³: the nearest cells lie 60 m before the middle, the farthest 60 m behind it, at 20°.
+    const auto ratio = [&](std::size_t row) {
+      return static_cast<double>(power.power_w(60, row).vv) / static_cast<double>(sigma0.sigma0(60, row).vv);
+    };
+    EXPECT_NEAR(db_from_linear(ratio(119) / ratio(0)), 30.0 * std::log10(1.0 + 119.0 * std::cos(0.349) / 5000.0), 0.03);
   }
 
   /// The complex image before it is brought onto the ground, of the modes that have one.
@@ -221,6 +241,7 @@ TEST_F(Modes, MapTheGroundAndTheTargets) {
   expect_volts_of_targets();
   expect_slant_images();
   expect_the_choice_of_detail_to_be_explained();
+  expect_power_of_real_beams_alone();
   expect_a_bent_earth_in_coherent_modes_alone();
   folder_.write("targets.toml", "[[targets]]\nposition_m = [9000, 0]\nrcs_dbsm = 20\n");
   EXPECT_EQ(render("", "--lod 1"), 1);

@@ -47,12 +47,15 @@ def made(tmp_path_factory):
                           ("map_db.npz", ["--db"])]:
         sigmascape_cli("render", folder / "radar.toml", "--scene", folder / "scene.toml", "--samples", 1, "--bounces", 2, "--out",
                        folder / name, *options)
+    for name, options in [("power.tif", []), ("power_db.tif", ["--db"]), ("power_utm.tif", ["--crs", "EPSG:32631"]), ("power.npz", ["--db"])]:
+        sigmascape_cli("render", folder / "radar.toml", "--scene", folder / "scene.toml", "--samples", 1, "--bounces", 2, "--power",
+                       folder / name, *options)
     sigmascape_cli("render", folder / "radar.toml", "--scene", folder / "scene.toml", "--samples", 1, "--bounces", 2, "--png",
                    folder / "map.png", "--layers", "shadow,class,bounce1,bounce2,multibounce", "--layers-out", folder / "layers.tif")
     return folder
 
 
-@pytest.mark.parametrize("name", ["map.tif", "map_db.tif", "utm.tif", "layers.tif"])
+@pytest.mark.parametrize("name", ["map.tif", "map_db.tif", "utm.tif", "layers.tif", "power.tif", "power_db.tif", "power_utm.tif"])
 def test_gdal_finds_no_fault_with_cloud_optimised_files(made, name):
     warnings, errors, _ = validator.validate(str(made / name), full_check=True)
     assert errors == [] and warnings == []
@@ -89,7 +92,8 @@ def test_numpy_files_have_the_numbers_of_the_geotiff(made):
     assert (made / "again.tif").read_bytes() == (made / "map.tif").read_bytes()
 
 
-@pytest.mark.parametrize("name", ["map.tif", "map_db.tif", "utm.tif", "layers.tif", "map.npz", "map.png"])
+@pytest.mark.parametrize("name", ["map.tif", "map_db.tif", "utm.tif", "layers.tif", "map.npz", "map.png", "power.tif", "power_utm.tif",
+                                  "power.npz"])
 def test_metadata_tell_where_a_product_comes_from(made, name):
     if name.endswith(".npz"):
         told = json.loads(np.load(made / name)["description_json"].tobytes())
@@ -104,6 +108,54 @@ def test_metadata_tell_where_a_product_comes_from(made, name):
     radar = sigmascape.Radar.read(made / "radar.toml")
     assert [float(word) for word in told["radar_position_m"].split()] == pytest.approx(radar.position_over(scene), abs=0.01)
     assert [float(word) for word in told["radar_velocity_mps"].split()] == pytest.approx([77.13, 91.93, 0.0], abs=0.01)
+
+
+def test_power_is_in_watts_and_in_decibels_over_one(made):
+    watts, dbw = gdal.Open(str(made / "power.tif")), gdal.Open(str(made / "power_db.tif"))
+    assert watts.RasterCount == dbw.RasterCount == 3
+    for number, name in enumerate(["VV", "HH", "HV"], 1):
+        linear, decibels = watts.GetRasterBand(number), dbw.GetRasterBand(number)
+        assert (linear.GetDescription(), linear.GetUnitType()) == (name, "W")
+        assert (decibels.GetDescription(), decibels.GetUnitType()) == (name, "dBW")
+        expected = 10.0 * np.log10(np.maximum(linear.ReadAsArray(), 1e-30))
+        assert np.allclose(decibels.ReadAsArray(), expected, atol=1e-4, equal_nan=True)
+        coarse = decibels.GetOverview(0).ReadAsArray()
+        assert np.allclose(10.0 ** (coarse / 10.0), linear.GetOverview(0).ReadAsArray(), rtol=1e-3, atol=1e-29, equal_nan=True)
+    assert np.array_equal(np.load(made / "power.npz")["power_dbw"][..., 0], dbw.GetRasterBand(1).ReadAsArray(), equal_nan=True)
+    assert json.loads(np.load(made / "power.npz")["description_json"].tobytes())["unit"] == "dBW"
+    read = sigmascape.PowerMap.read(made / "power.tif")
+    assert read.noise_w == float(watts.GetMetadata()["noise_w"]) > 0.0
+    assert read.vv.dtype == np.float32 and np.array_equal(read.vv, watts.GetRasterBand(1).ReadAsArray(), equal_nan=True)
+    with pytest.raises(sigmascape.Error, match="power.tif"):
+        sigmascape.GroundMap.read(made / "power.tif")
+
+
+def test_power_is_reflectivity_through_the_radar_equation(made):
+    """A bin has the area r dr dphi, and the radar equation r^-4: power over sigma0 goes as r^-3, on the same cells."""
+    power, sigma0 = sigmascape.PowerMap.read(made / "power.tif"), sigmascape.GroundMap.read(made / "map.tif")
+    assert (power.shape, power.extent_m, power.crs) == (sigma0.shape, sigma0.extent_m, sigma0.crs)
+    x, y, z = [float(word) for word in power.metadata["radar_position_m"].split()]
+    columns, rows = np.meshgrid(np.arange(power.shape[1]) + 0.5, np.arange(power.shape[0]) + 0.5)
+    across = np.hypot(power.west_m + columns * power.cell_m - x, power.north_m - rows * power.cell_m - y)
+    seen = sigma0.vv > 1e-6
+    constant = power.vv[seen] / sigma0.vv[seen] * np.hypot(across, z)[seen] ** 3
+    assert seen.sum() > 10000 and np.std(np.log(constant)) < 0.01
+
+
+def test_python_receives_what_the_command_line_does(made, tmp_path):
+    scene, radar = sigmascape.Scene.read(made / "scene.toml"), sigmascape.Radar.read(made / "radar.toml")
+    power = sigmascape.received_power(scene, radar, samples=1, bounces=2, progress=False)
+    cli = sigmascape.PowerMap.read(made / "power.tif")
+    assert np.array_equal(power.vv, cli.vv, equal_nan=True) and np.array_equal(power.hv, cli.hv, equal_nan=True)
+    assert power.noise_w == cli.noise_w and power.metadata == cli.metadata
+    power.save(tmp_path / "power.tif")
+    assert (tmp_path / "power.tif").read_bytes() == (made / "power.tif").read_bytes()
+    assert np.allclose(power.dbw("hh"), 10.0 * np.log10(np.maximum(power.hh, 1e-30)), atol=1e-4, equal_nan=True)
+    with pytest.raises(sigmascape.Error, match="sum"):
+        power.dbw("sum")
+    radar.mode = "spotlight"
+    with pytest.raises(sigmascape.Error, match="real-beam"):
+        sigmascape.received_power(scene, radar)
 
 
 def test_orders_of_bounces_are_layers_of_the_command_line_too(made):

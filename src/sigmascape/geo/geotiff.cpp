@@ -191,6 +191,7 @@ GDALDatasetUniquePtr raster_in_memory(const GeoRaster& raster) {
     const NamedBand& source = raster.bands[k];
     GDALRasterBand& target = *dataset->GetRasterBand(static_cast<int>(k) + 1);
     target.SetDescription(source.name.c_str());
+    if (!source.unit.empty()) target.SetUnitType(source.unit.c_str());
     if (raster.nodata) target.SetNoDataValue(*raster.nodata);
     write_cells(target, source.values);
     for (std::size_t level = 0; level < factors.size(); ++level) {
@@ -222,6 +223,7 @@ NamedBand read_band(const std::filesystem::path& path, GDALRasterBand& source) {
   const int rows = source.GetYSize();
   NamedBand band{source.GetDescription(),
                  Array2D<float>(static_cast<std::size_t>(columns), static_cast<std::size_t>(rows))};
+  band.unit = source.GetUnitType();
   if (source.RasterIO(GF_Read, 0, 0, columns, rows, band.values.values().data(), columns, rows, GDT_Float32, 0, 0,
                       nullptr) != CE_None) {
     throw Error(fmt::format("{}, band {}", path.string(), source.GetBand()),

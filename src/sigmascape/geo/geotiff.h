@@ -29,6 +29,7 @@ struct NamedBand {
   Array2D<float> values;     ///< [column, row]; all bands of a raster have the same size
   bool is_classes = false;   ///< numbers that stand for names, of which there is no mean
   bool is_decibels = false;  ///< means are those of the powers that they stand for
+  std::string unit = {};     ///< as a GIS shows it: "W", "dB"; empty for none
 };
 
 /// Several named layers of numbers over the same cells.

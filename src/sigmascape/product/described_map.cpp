@@ -6,9 +6,10 @@
 #include "sigmascape/product/software.h"
 
 namespace sigmascape::product {
+namespace {
 
-radar::GroundMap described_map(radar::GroundMap map, const radar::Radar& radar, const geo::LocalFrame& frame,
-                               const Provenance& provenance) {
+template <typename Map>
+void describe(Map& map, const radar::Radar& radar, const geo::LocalFrame& frame, const Provenance& provenance) {
   map.crs = frame.proj();
   map.metadata = provenance;
   map.metadata["radar"] = radar.name;
@@ -21,7 +22,22 @@ radar::GroundMap described_map(radar::GroundMap map, const radar::Radar& radar, 
   map.metadata["frequency_hz"] = fmt::format("{:.0f}", radar.frequency_hz);
   map.metadata["range_resolution_m"] = fmt::format("{}", radar.range_resolution_m);
   map.metadata["beam_width_rad"] = fmt::format("{:.6g}", radar.beam_width_rad);
-  map.metadata["quantity"] = "sigma0, linear, with respect to horizontal area";
+}
+
+}  // namespace
+
+radar::GroundMap described_map(radar::GroundMap map, const radar::Radar& radar, const geo::LocalFrame& frame,
+                               const Provenance& provenance) {
+  describe(map, radar, frame, provenance);
+  map.metadata["quantity"] = "sigma0 with respect to horizontal area";
+  return map;
+}
+
+radar::PowerMap described_map(radar::PowerMap map, const radar::Radar& radar, const geo::LocalFrame& frame,
+                              const Provenance& provenance) {
+  describe(map, radar, frame, provenance);
+  map.metadata["quantity"] = "mean power of one compressed pulse at the antenna's terminals";
+  map.metadata["noise_w"] = fmt::format("{}", map.noise_w);
   return map;
 }
 

@@ -5,6 +5,7 @@
 
 #include "sigmascape/geo/local_frame.h"
 #include "sigmascape/radar/ground_map.h"
+#include "sigmascape/radar/power_map.h"
 #include "sigmascape/radar/radar.h"
 #include "sigmascape/radar/range_azimuth_image.h"
 #include "sigmascape/terrain/height_field.h"
@@ -18,6 +19,9 @@ using Provenance = std::map<std::string, std::string>;
 /// are said to be; no clock goes in.
 [[nodiscard]] radar::GroundMap described_map(radar::GroundMap map, const radar::Radar& radar,
                                              const geo::LocalFrame& frame, const Provenance& provenance);
+
+[[nodiscard]] radar::PowerMap described_map(radar::PowerMap map, const radar::Radar& radar,
+                                            const geo::LocalFrame& frame, const Provenance& provenance);
 
 /// Lays an image on the ground and notes radar, position and provenance with it.
 [[nodiscard]] radar::GroundMap described_map(const radar::RangeAzimuthImage& image, const radar::Radar& radar,

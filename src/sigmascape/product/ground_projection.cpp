@@ -24,26 +24,55 @@ radar::Channels bins_at(const Array2D<radar::Channels>& bins, double column, dou
          bins(c, r + 1) * ((1.0F - u) * v) + bins(c + 1, r + 1) * (u * v);
 }
 
+/// Bins and where the radar stood.
+struct SeenBins {
+  const radar::RangeAzimuthGrid& grid;
+  Vec3d radar_position;
+  const Array2D<radar::Channels>& bins;
+};
+
+/// Every cell takes the bins at its slant range and azimuth, times `factor_at` of that range.
+template <typename FactorAt>
+Array2D<radar::Channels> laid_on_cells(const SeenBins& seen, const terrain::HeightField& terrain,
+                                       const radar::GroundGrid& grid, unsigned threads, const FactorAt& factor_at) {
+  const radar::RangeAzimuthGrid& bins = seen.grid;
+  const double middle = bins.first_azimuth_rad + 0.5 * static_cast<double>(bins.azimuths) * bins.azimuth_step_rad;
+  Array2D<radar::Channels> cells(grid.columns, grid.rows);
+  parallel_for(grid.rows, threads, [&](std::size_t row, unsigned) {
+    for (std::size_t column = 0; column < grid.columns; ++column) {
+      const Vec2d point = grid.centre_of(column, row);
+      const Vec3d away = Vec3d{point.x, point.y, terrain.height_at(point)} - seen.radar_position;
+      const double range_m = length(away);
+      const double azimuth = middle + turned_by_least(std::atan2(away.x, away.y) - middle);
+      const radar::Channels here = bins_at(seen.bins, (azimuth - bins.first_azimuth_rad) / bins.azimuth_step_rad,
+                                           (range_m - bins.first_range_m) / bins.range_step_m);
+      cells(column, row) = here * static_cast<float>(factor_at(range_m));
+    }
+  });
+  return cells;
+}
+
 }  // namespace
 
 radar::GroundMap ground_map(const radar::RangeAzimuthImage& image, const terrain::HeightField& terrain,
                             const radar::GroundGrid& grid, unsigned threads) {
-  const radar::RangeAzimuthGrid& bins = image.grid;
-  const double middle = bins.first_azimuth_rad + 0.5 * static_cast<double>(bins.azimuths) * bins.azimuth_step_rad;
-  radar::GroundMap map{
-      .grid = grid, .sigma0 = Array2D<radar::Channels>(grid.columns, grid.rows), .crs = {}, .metadata = {}};
-  parallel_for(grid.rows, threads, [&](std::size_t row, unsigned) {
-    for (std::size_t column = 0; column < grid.columns; ++column) {
-      const Vec2d point = grid.centre_of(column, row);
-      const Vec3d away = Vec3d{point.x, point.y, terrain.height_at(point)} - image.radar_position;
-      const double range_m = length(away);
-      const double azimuth = middle + turned_by_least(std::atan2(away.x, away.y) - middle);
-      const radar::Channels rcs = bins_at(image.rcs_m2, (azimuth - bins.first_azimuth_rad) / bins.azimuth_step_rad,
-                                          (range_m - bins.first_range_m) / bins.range_step_m);
-      map.sigma0(column, row) = rcs * static_cast<float>(1.0 / (range_m * bins.range_step_m * bins.azimuth_step_rad));
-    }
-  });
-  return map;
+  const auto over_area = [&](double range_m) {
+    return 1.0 / (range_m * image.grid.range_step_m * image.grid.azimuth_step_rad);
+  };
+  return {.grid = grid,
+          .sigma0 = laid_on_cells({image.grid, image.radar_position, image.rcs_m2}, terrain, grid, threads, over_area),
+          .crs = {},
+          .metadata = {}};
+}
+
+radar::PowerMap power_map(const radar::ReceivedImage& image, const terrain::HeightField& terrain,
+                          const radar::GroundGrid& grid, unsigned threads) {
+  const auto as_it_is = [](double) { return 1.0; };
+  return {.grid = grid,
+          .power_w = laid_on_cells({image.grid, image.radar_position, image.power_w}, terrain, grid, threads, as_it_is),
+          .noise_w = image.noise_w,
+          .crs = {},
+          .metadata = {}};
 }
 
 }  // namespace sigmascape::product

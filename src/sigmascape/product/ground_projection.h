@@ -1,7 +1,9 @@
 #pragma once
 
 #include "sigmascape/radar/ground_map.h"
+#include "sigmascape/radar/power_map.h"
 #include "sigmascape/radar/range_azimuth_image.h"
+#include "sigmascape/radar/received_image.h"
 #include "sigmascape/terrain/height_field.h"
 
 namespace sigmascape::product {
@@ -15,5 +17,10 @@ namespace sigmascape::product {
 /// terrain appears where its range puts it: laid over towards the radar. `threads` is 0 for one a hardware thread.
 [[nodiscard]] radar::GroundMap ground_map(const radar::RangeAzimuthImage& image, const terrain::HeightField& terrain,
                                           const radar::GroundGrid& grid, unsigned threads = 1);
+
+/// The same for power: every cell takes the power of the bins at its place as it is, for a receiver's bin is one sample
+/// however much ground lies in it.
+[[nodiscard]] radar::PowerMap power_map(const radar::ReceivedImage& image, const terrain::HeightField& terrain,
+                                        const radar::GroundGrid& grid, unsigned threads = 1);
 
 }  // namespace sigmascape::product

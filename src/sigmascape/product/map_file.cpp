@@ -9,7 +9,7 @@
 #include "sigmascape/base/error.h"
 #include "sigmascape/geo/atomic_file.h"
 #include "sigmascape/product/decibels.h"
-#include "sigmascape/product/ground_map_file.h"
+#include "sigmascape/product/map_geotiff.h"
 #include "sigmascape/product/npy_bytes.h"
 #include "sigmascape/product/zip_bytes.h"
 
@@ -20,21 +20,26 @@ bool is_geotiff(const std::filesystem::path& path) {
   return path.extension() == ".tif" || path.extension() == ".tiff";
 }
 
-std::string numbers_bytes(const radar::GroundMap& map, MapScale scale) {
-  const bool is_linear = scale == MapScale::Linear;
+bool holds_correlation(const MapView& map, MapScale scale) {
+  return map.quantity.has_correlation && scale == MapScale::Linear;
+}
+
+std::string numbers_bytes(const MapView& map, MapScale scale) {
+  const bool is_linear = scale == MapScale::Linear, with_correlation = holds_correlation(map, scale);
   std::vector<float> numbers;
-  for (const radar::Channels& cell : map.sigma0.values()) {
-    for (const float power : {cell.vv, cell.hh, cell.hv}) numbers.push_back(is_linear ? power : decibels_of(power));
-    if (is_linear) numbers.push_back(cell.re_vvhh);
+  for (const radar::Channels& cell : map.cells.values()) {
+    for (const float power : {cell.vv, cell.hh, cell.hv})
+      numbers.push_back(is_linear ? power : decibels_of(power, map.quantity.darkest_db));
+    if (with_correlation) numbers.push_back(cell.re_vvhh);
   }
-  const std::array<std::size_t, 3> shape{map.grid.rows, map.grid.columns, is_linear ? 4U : 3U};
+  const std::array<std::size_t, 3> shape{map.grid.rows, map.grid.columns, with_correlation ? 4U : 3U};
   return npy_bytes("<f4", shape, std::as_bytes(std::span(numbers)));
 }
 
-std::string description_of(const radar::GroundMap& map, MapScale scale) {
+std::string description_of(const MapView& map, MapScale scale) {
   const bool is_linear = scale == MapScale::Linear;
-  nlohmann::ordered_json json{{"quantity", is_linear ? "sigma0, linear, with respect to horizontal area"
-                                                     : "sigma0 in dB, with respect to horizontal area"},
+  const std::string unit = is_linear ? map.quantity.unit : map.quantity.decibel_unit;
+  nlohmann::ordered_json json{{"quantity", is_linear ? map.quantity.words : map.quantity.decibel_words},
                               {"axes", {"row", "column", "channel"}},
                               {"channels", {"VV", "HH", "HV"}},
                               {"west_m", map.grid.west_m},
@@ -43,7 +48,8 @@ std::string description_of(const radar::GroundMap& map, MapScale scale) {
                               {"rows", map.grid.rows},
                               {"columns", map.grid.columns},
                               {"crs", map.crs}};
-  if (is_linear) json["channels"].push_back("RE_VVHH");
+  if (holds_correlation(map, scale)) json["channels"].push_back("RE_VVHH");
+  if (!unit.empty()) json["unit"] = unit;
   for (const auto& [key, word] : map.metadata) {
     if (!json.contains(key)) json[key] = word;
   }
@@ -62,13 +68,22 @@ ZipEntry words_entry(const std::string& name, const std::string& words) {
   return {name + ".npy", npy_bytes("|u1", shape, std::as_bytes(std::span(words)))};
 }
 
-std::string archive_of(const radar::GroundMap& map, MapScale scale, const std::string& where) {
+std::string archive_of(const MapView& map, MapScale scale, const std::string& where) {
+  const std::string name = scale == MapScale::Linear ? map.quantity.name : map.quantity.decibel_name;
   const Vec2d corner = map.grid.centre_of(0, 0);
-  return zip_bytes({{scale == MapScale::Linear ? "sigma0.npy" : "sigma0_db.npy", numbers_bytes(map, scale)},
+  return zip_bytes({{name + ".npy", numbers_bytes(map, scale)},
                     axis_entry("x_m", corner.x, map.grid.cell_m, map.grid.columns),
                     axis_entry("y_m", corner.y, -map.grid.cell_m, map.grid.rows),
                     words_entry("description_json", description_of(map, scale))},
                    where);
+}
+
+void write_view(const std::filesystem::path& path, const MapView& map, MapScale scale) {
+  check_map_name(path);
+  if (is_geotiff(path)) return write_map_geotiff(path, map, scale);
+  if (path.extension() == ".npz") return geo::write_atomically(path, archive_of(map, scale, path.string()));
+  geo::write_atomically(std::filesystem::path(path).replace_extension(".json"), description_of(map, scale));
+  geo::write_atomically(path, numbers_bytes(map, scale));
 }
 
 }  // namespace
@@ -79,11 +94,11 @@ void check_map_name(const std::filesystem::path& path) {
 }
 
 void write_map(const std::filesystem::path& path, const radar::GroundMap& map, MapScale scale) {
-  check_map_name(path);
-  if (is_geotiff(path)) return write_ground_map(path, map, scale);
-  if (path.extension() == ".npz") return geo::write_atomically(path, archive_of(map, scale, path.string()));
-  geo::write_atomically(std::filesystem::path(path).replace_extension(".json"), description_of(map, scale));
-  geo::write_atomically(path, numbers_bytes(map, scale));
+  write_view(path, view_of(map), scale);
+}
+
+void write_map(const std::filesystem::path& path, const radar::PowerMap& map, MapScale scale) {
+  write_view(path, view_of(map), scale);
 }
 
 }  // namespace sigmascape::product

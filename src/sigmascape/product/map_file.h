@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "sigmascape/radar/ground_map.h"
+#include "sigmascape/radar/power_map.h"
 
 namespace sigmascape::product {
 
@@ -12,6 +13,8 @@ enum class MapScale { Linear, Decibels };
 /// Cells that are darker, those without any power included, are written as this many decibels: the logarithm of nothing
 /// is of no use to anyone.
 inline constexpr double darkest_db = -100.0;
+/// The same for watts: far below the noise of any receiver, which lies above -204 dBW in every hertz.
+inline constexpr double darkest_dbw = -300.0;
 
 /// Writes a ground map as the kind of file that its name asks for, atomically:
 ///
@@ -23,6 +26,10 @@ inline constexpr double darkest_db = -100.0;
 /// Channels are VV, HH, HV and, when linear, Re VV·HH*. Throws Error for another ending and when the file cannot be
 /// written.
 void write_map(const std::filesystem::path& path, const radar::GroundMap& map, MapScale scale = MapScale::Linear);
+
+/// The same for received power: VV, HH and HV alone, in W or dBW; in .npz as `power_w` or `power_dbw`. As GeoTIFF see
+/// write_power_map.
+void write_map(const std::filesystem::path& path, const radar::PowerMap& map, MapScale scale = MapScale::Linear);
 
 /// Throws Error when `write_map` would not know what to write under this name: for asking before the work.
 void check_map_name(const std::filesystem::path& path);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "sigmascape/base/error.h"
@@ -47,53 +48,75 @@ double equal_cell(const geo::CoordinateTransform& transform, const radar::Ground
 }
 
 /// NaN where one of the four cells about the point is missing or unseen.
-Channels sigma0_at(const radar::GroundMap& map, Vec2d point) {
-  const Vec2d cells = map.grid.cells_from(point);
+Channels value_at(const radar::GroundGrid& grid, const Array2D<Channels>& values, Vec2d point) {
+  const Vec2d cells = grid.cells_from(point);
   const double column = cells.x - 0.5, row = cells.y - 0.5;
-  const bool inside = cells.x >= 0.0 && cells.y >= 0.0 && cells.x <= static_cast<double>(map.grid.columns) &&
-                      cells.y <= static_cast<double>(map.grid.rows);
+  const bool inside = cells.x >= 0.0 && cells.y >= 0.0 && cells.x <= static_cast<double>(grid.columns) &&
+                      cells.y <= static_cast<double>(grid.rows);
   if (!inside) return {unseen, unseen, unseen, unseen};
   const auto first = [](double position, std::size_t count) {
     return static_cast<std::size_t>(std::clamp(std::floor(position), 0.0, static_cast<double>(count - 1)));
   };
-  const std::size_t c = first(column, map.grid.columns), r = first(row, map.grid.rows);
-  const std::size_t next_c = std::min(c + 1, map.grid.columns - 1), next_r = std::min(r + 1, map.grid.rows - 1);
+  const std::size_t c = first(column, grid.columns), r = first(row, grid.rows);
+  const std::size_t next_c = std::min(c + 1, grid.columns - 1), next_r = std::min(r + 1, grid.rows - 1);
   const auto u = static_cast<float>(std::clamp(column - static_cast<double>(c), 0.0, 1.0));
   const auto v = static_cast<float>(std::clamp(row - static_cast<double>(r), 0.0, 1.0));
-  return map.sigma0(c, r) * ((1.0F - u) * (1.0F - v)) + map.sigma0(next_c, r) * (u * (1.0F - v)) +
-         map.sigma0(c, next_r) * ((1.0F - u) * v) + map.sigma0(next_c, next_r) * (u * v);
+  return values(c, r) * ((1.0F - u) * (1.0F - v)) + values(next_c, r) * (u * (1.0F - v)) +
+         values(c, next_r) * ((1.0F - u) * v) + values(next_c, next_r) * (u * v);
 }
 
-}  // namespace
+/// Cells and where they lie.
+struct PlacedCells {
+  radar::GroundGrid grid;
+  Array2D<Channels> values;
+};
 
-radar::GroundMap reprojected(const radar::GroundMap& map, const geo::LocalFrame& frame, const std::string& crs,
-                             std::optional<double> cell) {
-  const geo::CoordinateTransform transform(crs, frame, "coordinate system of the map");
-  std::vector<Vec2d> outline = outline_of(map.grid.extent());
+radar::GroundGrid turned_grid(const radar::GroundGrid& grid, const geo::CoordinateTransform& transform,
+                              const std::string& crs, std::optional<double> cell) {
+  std::vector<Vec2d> outline = outline_of(grid.extent());
   transform.to_crs(outline);
   if (std::ranges::any_of(outline, [](Vec2d p) { return std::isnan(p.x) || std::isnan(p.y); })) {
     throw Error("coordinate system of the map", fmt::format("{} does not reach there", crs),
                 "choose one that is made for the place");
   }
   const radar::Rectangle box = box_about(outline);
-  const double side = cell.value_or(equal_cell(transform, map.grid));
+  const double side = cell.value_or(equal_cell(transform, grid));
   if (!(side > 0.0)) throw Error("cell of the map", fmt::format("{} is no size", side), "give a positive one");
+  return {box.west_m, box.north_m, side, static_cast<std::size_t>(std::ceil(box.width_m() / side)),
+          static_cast<std::size_t>(std::ceil(box.height_m() / side))};
+}
 
-  radar::GroundMap turned;
-  turned.crs = crs;
-  turned.metadata = map.metadata;
-  turned.grid = {box.west_m, box.north_m, side, static_cast<std::size_t>(std::ceil(box.width_m() / side)),
-                 static_cast<std::size_t>(std::ceil(box.height_m() / side))};
-  turned.sigma0 = Array2D<Channels>(turned.grid.columns, turned.grid.rows);
+PlacedCells turned(const radar::GroundGrid& grid, const Array2D<Channels>& values, const geo::LocalFrame& frame,
+                   const std::string& crs, std::optional<double> cell) {
+  const geo::CoordinateTransform transform(crs, frame, "coordinate system of the map");
+  PlacedCells turned{.grid = turned_grid(grid, transform, crs, cell), .values = {}};
+  turned.values = Array2D<Channels>(turned.grid.columns, turned.grid.rows);
   std::vector<Vec2d> places(turned.grid.columns);
   for (std::size_t row = 0; row < turned.grid.rows; ++row) {
     for (std::size_t column = 0; column < places.size(); ++column) places[column] = turned.grid.centre_of(column, row);
     transform.to_frame(places);
-    for (std::size_t column = 0; column < places.size(); ++column) {
-      turned.sigma0(column, row) = sigma0_at(map, places[column]);
-    }
+    for (std::size_t column = 0; column < places.size(); ++column)
+      turned.values(column, row) = value_at(grid, values, places[column]);
   }
   return turned;
+}
+
+}  // namespace
+
+radar::GroundMap reprojected(const radar::GroundMap& map, const geo::LocalFrame& frame, const std::string& crs,
+                             std::optional<double> cell) {
+  PlacedCells cells = turned(map.grid, map.sigma0, frame, crs, cell);
+  return {.grid = cells.grid, .sigma0 = std::move(cells.values), .crs = crs, .metadata = map.metadata};
+}
+
+radar::PowerMap reprojected(const radar::PowerMap& map, const geo::LocalFrame& frame, const std::string& crs,
+                            std::optional<double> cell) {
+  PlacedCells cells = turned(map.grid, map.power_w, frame, crs, cell);
+  return {.grid = cells.grid,
+          .power_w = std::move(cells.values),
+          .noise_w = map.noise_w,
+          .crs = crs,
+          .metadata = map.metadata};
 }
 
 }  // namespace sigmascape::product

@@ -5,6 +5,7 @@
 
 #include "sigmascape/geo/local_frame.h"
 #include "sigmascape/radar/ground_map.h"
+#include "sigmascape/radar/power_map.h"
 
 namespace sigmascape::product {
 
@@ -15,5 +16,9 @@ namespace sigmascape::product {
 /// when the system is not understood or does not reach there.
 [[nodiscard]] radar::GroundMap reprojected(const radar::GroundMap& map, const geo::LocalFrame& frame,
                                            const std::string& crs, std::optional<double> cell = {});
+
+/// The same for power.
+[[nodiscard]] radar::PowerMap reprojected(const radar::PowerMap& map, const geo::LocalFrame& frame,
+                                          const std::string& crs, std::optional<double> cell = {});
 
 }  // namespace sigmascape::product

@@ -91,24 +91,48 @@ class Column {
   std::uint64_t seed_;
 };
 
+/// Power in a bin over the cross-section in it, for each range. docs/physics/receiver.md, Eq. (3).
+std::vector<double> watts_per_m2(const radar::Radar& radar, const radar::RangeAzimuthGrid& grid) {
+  const double bins_of_a_point =
+      range_response(radar, grid.range_step_m).peak_bins * azimuth_response(radar, grid.azimuth_step_rad).peak_bins;
+  std::vector<double> factors(grid.ranges);
+  for (std::size_t row = 0; row < grid.ranges; ++row) {
+    const double range_m = middle_range_m(grid, row);
+    const double heard =
+        radar::uneclipsed_part(range_m, radar.waveform.pulse_length_s, radar.waveform.pulse_repetition_hz);
+    factors[row] =
+        radar::received_power_w(radar, 1.0, range_m) * radar::compression_gain(radar) * bins_of_a_point * heard * heard;
+  }
+  return factors;
+}
+
 }  // namespace
 
 ReceivedPower received_power(const radar::Radar& radar, const radar::RangeAzimuthImage& image,
                              radar::Polarization polarization) {
   const radar::RangeAzimuthGrid& grid = image.grid;
-  const double bins_of_a_point =
-      range_response(radar, grid.range_step_m).peak_bins * azimuth_response(radar, grid.azimuth_step_rad).peak_bins;
+  const std::vector<double> factors = watts_per_m2(radar, grid);
   ReceivedPower received{grid, Array2D<float>(grid.azimuths, grid.ranges), radar::noise_power_w(radar)};
   for (std::size_t row = 0; row < grid.ranges; ++row) {
-    const double range_m = middle_range_m(grid, row);
-    const double heard =
-        radar::uneclipsed_part(range_m, radar.waveform.pulse_length_s, radar.waveform.pulse_repetition_hz);
-    const double watts_per_m2 =
-        radar::received_power_w(radar, 1.0, range_m) * radar::compression_gain(radar) * bins_of_a_point * heard * heard;
     for (std::size_t column = 0; column < grid.azimuths; ++column) {
       const auto rcs_m2 = static_cast<double>(image.rcs_m2(column, row).power(polarization));
-      received.signal_w(column, row) = static_cast<float>(watts_per_m2 * rcs_m2);
+      received.signal_w(column, row) = static_cast<float>(factors[row] * rcs_m2);
     }
+  }
+  return received;
+}
+
+radar::ReceivedImage received_image(const radar::Radar& radar, const radar::RangeAzimuthImage& image) {
+  const radar::RangeAzimuthGrid& grid = image.grid;
+  const std::vector<double> factors = watts_per_m2(radar, grid);
+  radar::ReceivedImage received{.grid = grid,
+                                .radar_position = image.radar_position,
+                                .power_w = Array2D<radar::Channels>(grid.azimuths, grid.ranges),
+                                .noise_w = radar::noise_power_w(radar)};
+  for (std::size_t row = 0; row < grid.ranges; ++row) {
+    const auto factor = static_cast<float>(factors[row]);
+    for (std::size_t column = 0; column < grid.azimuths; ++column)
+      received.power_w(column, row) = image.rcs_m2(column, row) * factor;
   }
   return received;
 }

@@ -7,6 +7,7 @@
 #include "sigmascape/base/array2d.h"
 #include "sigmascape/radar/radar.h"
 #include "sigmascape/radar/range_azimuth_image.h"
+#include "sigmascape/radar/received_image.h"
 
 namespace sigmascape::receiver {
 
@@ -25,6 +26,10 @@ struct ReceivedPower {
 /// the noise, `signal_w / noise_w`, is the signal-to-noise ratio of one pulse.
 [[nodiscard]] ReceivedPower received_power(const radar::Radar& radar, const radar::RangeAzimuthImage& image,
                                            radar::Polarization polarization);
+
+/// The same in every channel at once: what `received_power` gives for VV, HH and HV, and the correlation of VV and HH
+/// on the same scale.
+[[nodiscard]] radar::ReceivedImage received_image(const radar::Radar& radar, const radar::RangeAzimuthImage& image);
 
 /// Adds complex Gaussian noise of mean power `noise_w` in `impedance_ohm` to voltages (root mean square), the real and
 /// imaginary part having half of it each. Independent from sample to sample; sample i of the span has the number

@@ -1,0 +1,91 @@
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include "array_view.h"
+#include "parts.h"
+#include "polarization.h"
+
+#include "sigmascape/base/error.h"
+#include "sigmascape/product/decibels.h"
+#include "sigmascape/product/map_file.h"
+#include "sigmascape/product/power_map_file.h"
+
+namespace sigmascape::python {
+namespace {
+
+namespace py = pybind11;
+using radar::Channels;
+using radar::PowerMap;
+
+py::array_t<float> decibel_watts(const PowerMap& map, const std::string& polarization) {
+  const radar::Polarization wanted = polarization_from(polarization);
+  if (wanted == radar::Polarization::Sum)
+    throw Error("polarization", "is 'sum', which no receiver has", "give 'vv', 'hh', 'hv' or 'vh'");
+  py::array_t<float> result({map.grid.rows, map.grid.columns});
+  float* dbw = result.mutable_data();
+  for (const Channels& cell : map.power_w.values())
+    *dbw++ = product::decibels_of(cell.power(wanted), product::darkest_dbw);
+  return result;
+}
+
+template <typename Class>
+void layer(Class& binding, const char* name, std::size_t offset, const char* doc) {
+  binding.def_property_readonly(
+      name,
+      [offset](const py::object& self) {
+        return layer_view<float>(self.cast<const PowerMap&>().power_w, offset, self, Access::ReadWrite);
+      },
+      doc);
+}
+
+}  // namespace
+
+void add_power_map(py::module_& module) {
+  py::class_<PowerMap, std::shared_ptr<PowerMap>> binding(
+      module, "PowerMap",
+      "What a radar receives from each place on the ground: mean power, in W, of one compressed pulse at the "
+      "antenna's\n"
+      "terminals; NaN where the radar did not look. Arrays are [row, column], north up, and share the map's memory.");
+  binding
+      .def_static(
+          "read", [](const std::filesystem::path& path) { return product::read_power_map(path); }, py::arg("path"),
+          py::call_guard<py::gil_scoped_release>(), "Reads a GeoTIFF that save() or `sigmascape render --power` wrote.")
+      .def_readonly("noise_w", &PowerMap::noise_w, "Mean noise beside the signal, in W: k T0 B F, the same everywhere.")
+      .def_property_readonly(
+          "west_m", [](const PowerMap& m) { return m.grid.west_m; }, "Western edge of column 0.")
+      .def_property_readonly(
+          "north_m", [](const PowerMap& m) { return m.grid.north_m; }, "Northern edge of row 0.")
+      .def_property_readonly(
+          "cell_m", [](const PowerMap& m) { return m.grid.cell_m; }, "Side of a cell.")
+      .def_property_readonly(
+          "shape", [](const PowerMap& m) { return py::make_tuple(m.grid.rows, m.grid.columns); }, "Rows, columns.")
+      .def_property_readonly(
+          "extent_m",
+          [](const PowerMap& m) {
+            const auto e = m.grid.extent();
+            return py::make_tuple(e.west_m, e.south_m, e.east_m, e.north_m);
+          },
+          "West, south, east, north.")
+      .def_readonly("crs", &PowerMap::crs, "The local frame, as PROJ understands it.")
+      .def_readonly("metadata", &PowerMap::metadata, "Where the map comes from, text by name.")
+      .def(
+          "dbw", &decibel_watts, py::arg("polarization") = "vv",
+          "10 lg of the power over 1 W, float32 [row, column]; not darker than -300, NaN where the radar did not look.")
+      .def(
+          "save",
+          [](const PowerMap& map, const std::filesystem::path& path, bool db) {
+            product::write_map(path, map, db ? product::MapScale::Decibels : product::MapScale::Linear);
+          },
+          py::arg("path"), py::kw_only(), py::arg("db") = false, py::call_guard<py::gil_scoped_release>(),
+          "Writes a cloud-optimised GeoTIFF (.tif: bands VV, HH, HV with unit, CRS, metadata) or NumPy files (.npy\n"
+          "with .json, .npz). db: dBW instead of W.")
+      .def("__repr__", [](const PowerMap& m) {
+        return py::str("<sigmascape.PowerMap {} x {} cells of {:g} m>")
+            .format(m.grid.rows, m.grid.columns, m.grid.cell_m);
+      });
+  layer(binding, "vv", offsetof(Channels, vv), "float32 [row, column], W.");
+  layer(binding, "hh", offsetof(Channels, hh), "float32 [row, column], W.");
+  layer(binding, "hv", offsetof(Channels, hv), "float32 [row, column], W; equal to VH.");
+}
+
+}  // namespace sigmascape::python
