@@ -6,7 +6,11 @@
 
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/atlas/pyramid.h"
+#include "sigmascape/atlas/texture_name.h"
+#include "sigmascape/bake/claims.h"
+#include "sigmascape/bake/job.h"
 #include "sigmascape/base/units.h"
+#include "sigmascape/geo/atomic_file.h"
 #include "sigmascape/scatter/surface_sigma0.h"
 #include "sigmascape/scene/obstacle_raster.h"
 #include "sigmascape/trace/path_tracer.h"
@@ -63,6 +67,13 @@ Array2D<radar::Channels> mixed(const std::vector<std::vector<float>>& shares,
   return mixture;
 }
 
+/// What killed processes left of a patch's ground and obstacles.
+void remove_leftovers(const atlas::Store& store, const atlas::Store& ground, const atlas::PatchIndex& patch) {
+  const std::string name = atlas::patch_name(patch);
+  geo::remove_leftovers(store.folder() / name, "obstacles");
+  geo::remove_leftovers(ground.folder() / name, "");
+}
+
 }  // namespace
 
 void bake_ground(const scene::Scene& scene, const atlas::Store& store, const Shard& shard, atlas::Scrutiny scrutiny) {
@@ -72,11 +83,15 @@ void bake_ground(const scene::Scene& scene, const atlas::Store& store, const Sha
   std::vector<std::vector<radar::Channels>> sigma0;  // [look][material]
   for (atlas::LookIndex index = 0; index < looks; ++index) sigma0.push_back(sigma0_of(scene, description, index));
 
+  const Claims claims(store.folder());
+  const std::size_t first_claim = JobList(store.description()).size();
   std::vector<atlas::Unit> share;
   const std::vector<atlas::PatchIndex> patches = description.patches.covering(description.extent);
   for (std::size_t number = 0; number < patches.size(); ++number) {
     if (!shard.has(number)) continue;
     const atlas::PatchIndex patch = patches[number];
+    const auto claim = claims.take(first_claim + number, Claims::Wait::UntilFree);
+    if (claim && claim->is_exclusive()) remove_leftovers(store, ground, patch);
     const radar::GroundGrid texels = description.patches.texels_of(patch);
     if (atlas::obstacles_fault(store, patch, scrutiny)) {
       atlas::write_obstacles(store, patch, scene::obstacles_of(scene, texels));
