@@ -2,6 +2,7 @@
 #include <pybind11/stl/filesystem.h>
 
 #include "array_view.h"
+#include "map_cells.h"
 #include "parts.h"
 #include "polarization.h"
 
@@ -48,16 +49,6 @@ std::vector<product::CellComparison> compared(const GroundMap& tested, const Gro
   return product::compare_maps(tested, truth, options).at;
 }
 
-template <typename Class>
-void layer(Class& binding, const char* name, std::size_t offset, const char* doc) {
-  binding.def_property_readonly(
-      name,
-      [offset](const py::object& self) {
-        return layer_view<float>(self.cast<const GroundMap&>().sigma0, offset, self, Access::ReadWrite);
-      },
-      doc);
-}
-
 void add_comparison(py::module_& module) {
   using product::CellComparison;
   py::class_<CellComparison>(module, "CellComparison", "How close one map comes to another at one cell size.")
@@ -88,6 +79,7 @@ void add_ground_map(py::module_& module) {
       "The ground as a radar measures it: sigma0, linear, with respect to horizontal area; NaN where the radar did "
       "not\n"
       "look. Arrays are [row, column], north up, and share the map's memory.");
+  add_place(binding);
   binding
       .def_static(
           "read", [](const std::filesystem::path& path) { return product::read_ground_map(path); }, py::arg("path"),
@@ -98,22 +90,6 @@ void add_ground_map(py::module_& module) {
             return layers_view<float>(self.cast<const GroundMap&>().sigma0, self, Access::ReadWrite);
           },
           "float32 [row, column, 4]: VV, HH, HV (= VH), Re<S_VV S_HH*>.")
-      .def_property_readonly(
-          "west_m", [](const GroundMap& m) { return m.grid.west_m; }, "Western edge of column 0.")
-      .def_property_readonly(
-          "north_m", [](const GroundMap& m) { return m.grid.north_m; }, "Northern edge of row 0.")
-      .def_property_readonly(
-          "cell_m", [](const GroundMap& m) { return m.grid.cell_m; }, "Side of a cell.")
-      .def_property_readonly(
-          "shape", [](const GroundMap& m) { return py::make_tuple(m.grid.rows, m.grid.columns); }, "Rows, columns.")
-      .def_property_readonly(
-          "extent_m",
-          [](const GroundMap& m) {
-            const auto e = m.grid.extent();
-            return py::make_tuple(e.west_m, e.south_m, e.east_m, e.north_m);
-          },
-          "West, south, east, north.")
-      .def_readonly("crs", &GroundMap::crs, "The local frame, as PROJ understands it.")
       .def_readwrite("metadata", &GroundMap::metadata,
                      "Where the map comes from, text by name. Assign a dict to change it.")
       .def("db", &decibels, py::arg("polarization") = "vv", py::kw_only(), py::arg("floor_db") = -60.0,
@@ -127,11 +103,11 @@ void add_ground_map(py::module_& module) {
         return py::str("<sigmascape.GroundMap {} x {} cells of {:g} m>")
             .format(m.grid.rows, m.grid.columns, m.grid.cell_m);
       });
-  layer(binding, "vv", offsetof(Channels, vv), "float32 [row, column].");
-  layer(binding, "hh", offsetof(Channels, hh), "float32 [row, column].");
-  layer(binding, "hv", offsetof(Channels, hv), "float32 [row, column]; equal to VH.");
-  layer(binding, "re_vvhh", offsetof(Channels, re_vvhh),
-        "float32 [row, column]: Re<S_VV S_HH*>, negative where an even number of bounces prevails.");
+  add_channel(binding, "vv", &GroundMap::sigma0, offsetof(Channels, vv), "float32 [row, column].");
+  add_channel(binding, "hh", &GroundMap::sigma0, offsetof(Channels, hh), "float32 [row, column].");
+  add_channel(binding, "hv", &GroundMap::sigma0, offsetof(Channels, hv), "float32 [row, column]; equal to VH.");
+  add_channel(binding, "re_vvhh", &GroundMap::sigma0, offsetof(Channels, re_vvhh),
+              "float32 [row, column]: Re<S_VV S_HH*>, negative where an even number of bounces prevails.");
   add_comparison(module);
 }
 

@@ -1,7 +1,7 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
-#include "array_view.h"
+#include "map_cells.h"
 #include "parts.h"
 #include "polarization.h"
 
@@ -28,16 +28,6 @@ py::array_t<float> decibel_watts(const PowerMap& map, const std::string& polariz
   return result;
 }
 
-template <typename Class>
-void layer(Class& binding, const char* name, std::size_t offset, const char* doc) {
-  binding.def_property_readonly(
-      name,
-      [offset](const py::object& self) {
-        return layer_view<float>(self.cast<const PowerMap&>().power_w, offset, self, Access::ReadWrite);
-      },
-      doc);
-}
-
 }  // namespace
 
 void add_power_map(py::module_& module) {
@@ -46,27 +36,12 @@ void add_power_map(py::module_& module) {
       "What a radar receives from each place on the ground: mean power, in W, of one compressed pulse at the "
       "antenna's\n"
       "terminals; NaN where the radar did not look. Arrays are [row, column], north up, and share the map's memory.");
+  add_place(binding);
   binding
       .def_static(
           "read", [](const std::filesystem::path& path) { return product::read_power_map(path); }, py::arg("path"),
           py::call_guard<py::gil_scoped_release>(), "Reads a GeoTIFF that save() or `sigmascape render --power` wrote.")
       .def_readonly("noise_w", &PowerMap::noise_w, "Mean noise beside the signal, in W: k T0 B F, the same everywhere.")
-      .def_property_readonly(
-          "west_m", [](const PowerMap& m) { return m.grid.west_m; }, "Western edge of column 0.")
-      .def_property_readonly(
-          "north_m", [](const PowerMap& m) { return m.grid.north_m; }, "Northern edge of row 0.")
-      .def_property_readonly(
-          "cell_m", [](const PowerMap& m) { return m.grid.cell_m; }, "Side of a cell.")
-      .def_property_readonly(
-          "shape", [](const PowerMap& m) { return py::make_tuple(m.grid.rows, m.grid.columns); }, "Rows, columns.")
-      .def_property_readonly(
-          "extent_m",
-          [](const PowerMap& m) {
-            const auto e = m.grid.extent();
-            return py::make_tuple(e.west_m, e.south_m, e.east_m, e.north_m);
-          },
-          "West, south, east, north.")
-      .def_readonly("crs", &PowerMap::crs, "The local frame, as PROJ understands it.")
       .def_readonly("metadata", &PowerMap::metadata, "Where the map comes from, text by name.")
       .def(
           "dbw", &decibel_watts, py::arg("polarization") = "vv",
@@ -83,9 +58,9 @@ void add_power_map(py::module_& module) {
         return py::str("<sigmascape.PowerMap {} x {} cells of {:g} m>")
             .format(m.grid.rows, m.grid.columns, m.grid.cell_m);
       });
-  layer(binding, "vv", offsetof(Channels, vv), "float32 [row, column], W.");
-  layer(binding, "hh", offsetof(Channels, hh), "float32 [row, column], W.");
-  layer(binding, "hv", offsetof(Channels, hv), "float32 [row, column], W; equal to VH.");
+  add_channel(binding, "vv", &PowerMap::power_w, offsetof(Channels, vv), "float32 [row, column], W.");
+  add_channel(binding, "hh", &PowerMap::power_w, offsetof(Channels, hh), "float32 [row, column], W.");
+  add_channel(binding, "hv", &PowerMap::power_w, offsetof(Channels, hv), "float32 [row, column], W; equal to VH.");
 }
 
 }  // namespace sigmascape::python
