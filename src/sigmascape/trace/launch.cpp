@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "sigmascape/radar/ground_stretch.h"
 #include "sigmascape/trace/height_bounds.h"
 
 namespace sigmascape::trace {
@@ -14,31 +15,16 @@ namespace {
 
 constexpr std::int32_t tile = tile_side_cells;
 
-/// Between which distances from its start a straight way is in a rectangle; nowhere when `leave` is less.
-struct Stay {
-  double enter = 0.0, leave = 0.0;
-};
-
-Stay stay_in(const radar::Rectangle& r, Vec2d start, Vec2d direction, double length) {
-  Stay stay{0.0, length};
-  const auto clip = [&](double position, double speed, double low, double high) {
-    if (std::abs(speed) < 1e-12) {
-      if (position < low || position > high) stay.leave = -1.0;
-      return;
-    }
-    const double a = (low - position) / speed, b = (high - position) / speed;
-    stay.enter = std::max(stay.enter, std::min(a, b));
-    stay.leave = std::min(stay.leave, std::max(a, b));
-  };
-  clip(start.x, direction.x, r.west_m, r.east_m);
-  clip(start.y, direction.y, r.south_m, r.north_m);
-  return stay;
+/// The part of a way of that length, from `start` along a direction, that lies in the rectangle.
+radar::GroundStretch stretch_within(const radar::Rectangle& r, Vec2d start, Vec2d direction, double length) {
+  radar::GroundStretch stretch = radar::stretch_within(r, start, direction);
+  stretch.end_m = std::min(stretch.end_m, length);
+  return stretch;
 }
 
 /// Whether the segment from `start`, `length` long in direction `direction`, meets the rectangle.
 bool segment_meets(const radar::Rectangle& r, Vec2d start, Vec2d direction, double length) {
-  const Stay stay = stay_in(r, start, direction, length);
-  return stay.enter <= stay.leave;
+  return !stretch_within(r, start, direction, length).empty();
 }
 
 radar::Rectangle widened(const radar::Rectangle& r, double by) {
@@ -87,8 +73,8 @@ class UsefulCells {
     const double step_m = 0.5 * bounds_.square_m(), slack_m = (0.5 * step_m + 3.0 * reach_m_) * slope + 1.0;
     const Vec2d towards{to_radar.x / horizontal, to_radar.y / horizontal};
     const double until_m = (static_cast<double>(bounds_.highest_m()) + slack_m - area_.plane_height_m) / slope;
-    const Stay stay = stay_in(region_, centre, towards, until_m);
-    for (double way = stay.enter; way < stay.leave + step_m; way += step_m) {
+    const radar::GroundStretch stretch = stretch_within(region_, centre, towards, until_m);
+    for (double way = stretch.begin_m; way < stretch.end_m + step_m; way += step_m) {
       const HeightBounds::Interval* heights = bounds_.around(centre + towards * way);
       if (heights == nullptr) continue;
       const double height = area_.plane_height_m + way * slope;
