@@ -80,8 +80,7 @@ void bake_ground(const scene::Scene& scene, const atlas::Store& store, const Sha
   const atlas::Store ground = atlas::create_ground_store(store, ground_elevations_rad());
   const atlas::AtlasDescription& description = ground.description();
   const auto looks = static_cast<atlas::LookIndex>(description.aspects.look_count());
-  std::vector<std::vector<radar::Channels>> sigma0;  // [look][material]
-  for (atlas::LookIndex index = 0; index < looks; ++index) sigma0.push_back(sigma0_of(scene, description, index));
+  std::vector<std::vector<radar::Channels>> sigma0(looks);  // [look][material], of looks that something lacks
 
   const Claims claims(store.folder());
   const std::size_t first_claim = JobList(store.description()).size();
@@ -100,6 +99,7 @@ void bake_ground(const scene::Scene& scene, const atlas::Store& store, const Sha
     for (atlas::LookIndex index = 0; index < looks; ++index) {
       share.push_back({patch, index});
       if (ground.is_done(patch, index, scrutiny)) continue;
+      if (sigma0[index].empty()) sigma0[index] = sigma0_of(scene, description, index);
       if (shares.empty()) shares = shares_of(scene.ground, scene.materials.size(), texels);
       ground.write(patch, index, mixed(shares, sigma0[index], texels),
                    {.seed = 0, .samples_per_texel = 0, .relative_standard_error = 0.0, .simd = "none", .counts = {}});
