@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <limits>
 #include <memory>
+#include <system_error>
 #include <utility>
 
 #include "sigmascape/base/error.h"
@@ -303,7 +304,12 @@ std::size_t build_pyramid(const std::filesystem::path& folder, const TerrainSour
     return build_on_disk(folder, heading, frame, nodes_of);
   } catch (const Error&) {
     // Of nothing there is nothing to go on from.
-    if (is_empty) remove_pyramid(building_site(folder, heading));
+    if (is_empty) {
+      const std::filesystem::path site = building_site(folder, heading);
+      remove_pyramid(site);
+      std::error_code holds_more;
+      std::filesystem::remove(site, holds_more);
+    }
     throw;
   }
 }

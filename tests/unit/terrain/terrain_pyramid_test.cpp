@@ -345,6 +345,7 @@ TEST_F(PyramidOnDisk, StaysUntilOtherHeightsAreWhole) {
                   build_pyramid(folder_.path("pyramid"), cut, {43.312, -2.986}, {-1000.0, -1000.0, 1000.0, 1000.0});
                 }),
                 HasSubstr("nothing.asc: holds no heights"));
+    EXPECT_FALSE(std::filesystem::exists(folder_.path(".pyramid.unfinished")));
   }
   EXPECT_THAT(verify_pyramid(folder_.path("pyramid")), ::testing::IsEmpty());
 
