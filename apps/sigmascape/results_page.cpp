@@ -247,8 +247,7 @@ std::string lead(const ResultsReport& report) {
   if (plan.scene_file.empty()) {
     text +=
         "*hills* is the scene as it is; *level* the same with its ground at height zero, at views that were baked. "
-        "What is "
-        "baked on level ground serves both.\n\n";
+        "What is baked on level ground serves both.\n\n";
   }
   if (!report.attribution.empty()) text += "Data: " + report.attribution + "\n\n";
   return text;

@@ -30,8 +30,7 @@ inline constexpr const char* shadows_at_run_time = "run-time";
 /// What is wrong with the obstacles of a patch, if anything.
 [[nodiscard]] std::optional<StoreFault> obstacles_fault(const Store& atlas, PatchIndex patch, Scrutiny scrutiny);
 /// Writes what stands on a patch, on the texels of its level 0, as `obstacles.tif` in the patch's folder, its item
-/// beside it. Throws Error
-/// when the raster has another size or cannot be written.
+/// beside it. Throws Error when the raster has another size or cannot be written.
 void write_obstacles(const Store& atlas, PatchIndex patch, const radar::ObstacleMap& map);
 
 /// What stands on a patch, [column, row] of its level 0, north up. Throws Error when the file is missing or not as it
