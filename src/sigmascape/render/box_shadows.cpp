@@ -134,6 +134,11 @@ void BoxShadows::sort() {
   starts_.front() = 0;
 }
 
+void TileShadows::make_room(std::size_t targets) {
+  by_first_row_.reserve(targets);
+  here_.reserve(targets);
+}
+
 void TileShadows::begin(std::span<const BoxShadows::InGroup> shadows, const radar::GroundGrid& texels) {
   texels_ = texels;
   row_ = next_ = 0;

@@ -70,6 +70,8 @@ class BoxShadows {
 /// The shadows on one tile of ground, row after row from the north: each row asks only those that can touch it.
 class TileShadows {
  public:
+  /// So that tiles of frames with so many targets take no memory, whichever thread they fall to.
+  void make_room(std::size_t targets);
   /// `texels`: of the tile, from the radar.
   void begin(std::span<const BoxShadows::InGroup> shadows, const radar::GroundGrid& texels);
   /// Rows are asked in order, from 0; a row may be left out but not come back.

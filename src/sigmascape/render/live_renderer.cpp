@@ -101,7 +101,7 @@ const Frame& LiveRenderer::scan(const Pose& pose, std::size_t first_beam, std::s
   prepare(pose);
   const std::size_t last_beam = std::min(first_beam + count, settings_.beams);
   const PageCache::View view = ground_->pages().view();
-  for (const auto& task : tasks_) task->begin_frame(view);
+  for (const auto& task : tasks_) task->begin_frame(view, pose.targets.size());
   const DetailBlend levels = next_levels();
   frame_.report = {.level = static_cast<std::size_t>((levels.next_share > 0.5 ? levels.next : levels.level) - 1)};
   wanted_terrain_.clear();

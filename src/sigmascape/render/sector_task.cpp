@@ -14,8 +14,9 @@ std::size_t beams_together(double beam_step_rad) {
   return static_cast<std::size_t>(std::clamp(0.75 / beam_step_rad, 1.0, 64.0));
 }
 
-void SectorTask::begin_frame(const PageCache::View& view) {
+void SectorTask::begin_frame(const PageCache::View& view, std::size_t targets) {
   pages_.begin_frame(view);
+  shadows_.make_room(targets);
   report_ = {};
 }
 

@@ -49,7 +49,7 @@ class SectorTask {
 
   explicit SectorTask(const FrameParts& parts);
 
-  void begin_frame(const PageCache::View& view);
+  void begin_frame(const PageCache::View& view, std::size_t targets);
   void end_frame() { pages_.end_frame(); }
   [[nodiscard]] const FrameReport& report() const { return report_; }
   [[nodiscard]] std::span<const PageKey> wanted() const { return pages_.wanted(); }
