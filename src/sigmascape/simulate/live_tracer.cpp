@@ -1,6 +1,7 @@
 #include "sigmascape/simulate/live_tracer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <fmt/format.h>
