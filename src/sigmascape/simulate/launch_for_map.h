@@ -7,6 +7,9 @@
 
 namespace sigmascape::simulate {
 
+/// How far outside the area paths of several bounces may begin that land in it.
+inline constexpr double multibounce_margin_m = 32.0;
+
 /// From where rays go out for a map of `area`: the same for all passes over it. Throws Error for a radar that does not
 /// stand above the scene.
 [[nodiscard]] trace::LaunchArea launch_for_map(const scene::Scene& scene, const trace::SceneGeometry& geometry,

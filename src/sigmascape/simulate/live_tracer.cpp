@@ -11,6 +11,7 @@
 #include "sigmascape/radar/curved_earth.h"
 #include "sigmascape/render/frame_reach.h"
 #include "sigmascape/render/level_of_detail.h"
+#include "sigmascape/simulate/launch_for_map.h"
 #include "sigmascape/simulate/target_sight.h"
 #include "sigmascape/simulate/traced_ground.h"
 #include "sigmascape/simulate/traced_scatterers.h"
@@ -45,6 +46,10 @@ const LiveTraceSettings& checked(const LiveTraceSettings& tracing, const trace::
 radar::Rectangle common_part(const radar::Rectangle& a, const radar::Rectangle& b) {
   return {std::max(a.west_m, b.west_m), std::max(a.south_m, b.south_m), std::min(a.east_m, b.east_m),
           std::min(a.north_m, b.north_m)};
+}
+
+radar::Rectangle widened(const radar::Rectangle& r, double by_m) {
+  return {r.west_m - by_m, r.south_m - by_m, r.east_m + by_m, r.north_m + by_m};
 }
 
 std::vector<radar::ShadowBox> boxes_of(const render::Pose& pose) {
@@ -123,6 +128,7 @@ void LiveTracer::begin(const render::Pose& pose) {
                                                 .radar = look_.radar,
                                                 .bins = frame_.grid,
                                                 .area = look_.area,
+                                                .landing = look_.landing,
                                                 .cell_m = cell_m,
                                                 .max_bounces = tracing_.max_bounces,
                                                 .seed = settings_.seed,
@@ -132,27 +138,27 @@ void LiveTracer::begin(const render::Pose& pose) {
 
 LiveTracer::Look LiveTracer::look_of(const render::Pose& pose) const {
   const double width_rad = static_cast<double>(settings_.beams) * settings_.beam_step_rad;
-  const auto area_from = [&](Vec3d position, render::FrameReach& reach) {
+  const auto look_from = [&](Vec3d position) {
     render::Pose from = pose;
     from.position = position;
-    reach = render::frame_reach(settings_, from, lowest_m_, highest_m_);
+    const auto [near_m, far_m] = render::frame_reach(settings_, from, lowest_m_, highest_m_);
     // Echoes are shared with bins half a bin away.
     const double rim_m = settings_.range_step_m;
-    return common_part(
-        render::ground_under({position.x, position.y}, pose.first_azimuth_rad - 0.5 * settings_.beam_step_rad,
-                             std::min(width_rad + settings_.beam_step_rad, 2.0 * pi),
-                             {std::max(reach.near_m - rim_m, 0.0), reach.far_m + rim_m}),
-        scene_.extent);
+    const radar::Rectangle under_bins = render::ground_under(
+        {position.x, position.y}, pose.first_azimuth_rad - 0.5 * settings_.beam_step_rad,
+        std::min(width_rad + settings_.beam_step_rad, 2.0 * pi), {std::max(near_m - rim_m, 0.0), far_m + rim_m});
+    const double layover_m =
+        (geometry_.highest_m() - lowest_m_) * std::max(position.z - lowest_m_, 0.0) / std::max(near_m, rim_m);
+    return Look{.radar = position,
+                .area = common_part(under_bins, scene_.extent),
+                .landing = common_part(under_bins, widened(scene_.extent, multibounce_margin_m + layover_m)),
+                .near_m = near_m,
+                .far_m = far_m};
   };
-  render::FrameReach reach;
-  Look look{.radar = pose.position, .area = area_from(pose.position, reach)};
-  if (!look.sees_nothing()) {
-    look.radar = radar::CurvedEarth{.refraction = settings_.refraction}.bent(pose.position, look.area.centre());
-    look.area = area_from(look.radar, reach);
-  }
-  look.near_m = reach.near_m;
-  look.far_m = reach.far_m;
-  return look;
+  const Look straight_on = look_from(pose.position);
+  if (straight_on.sees_nothing()) return straight_on;
+  return look_from(
+      radar::CurvedEarth{.refraction = settings_.refraction}.bent(pose.position, straight_on.area.centre()));
 }
 
 int LiveTracer::lattice_level(const Look& look) const {

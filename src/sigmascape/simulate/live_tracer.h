@@ -64,8 +64,9 @@ class LiveTracer {
  private:
   /// Where the bins of a pose look.
   struct Look {
-    Vec3d radar;            ///< from where lines of sight are straight
-    radar::Rectangle area;  ///< of the scene's ground; nothing when its east lies west
+    Vec3d radar;               ///< from where lines of sight are straight
+    radar::Rectangle area;     ///< of the scene's ground; nothing when its east lies west
+    radar::Rectangle landing;  ///< the same with what its things lay over
     double near_m = 0.0, far_m = 0.0;
 
     [[nodiscard]] bool sees_nothing() const { return !(area.east_m > area.west_m && area.north_m > area.south_m); }

@@ -22,9 +22,6 @@
 namespace sigmascape::simulate {
 namespace {
 
-/// How far outside the area paths of several bounces may begin that land in it.
-constexpr double multibounce_margin_m = 32.0;
-
 /// Rays start this far above the highest point, and the radar must stand above their start.
 constexpr double clearance_m = 1.0;
 

@@ -28,8 +28,8 @@ radar::LatticeCell cell_at(Vec2d point, double cell_m) {
 
 LatticeBlock block_over(const TracedView& view) {
   if (!view.with_cells) return {};
-  const radar::LatticeCell first = cell_at({view.area.west_m, view.area.south_m}, view.cell_m);
-  const radar::LatticeCell last = cell_at({view.area.east_m, view.area.north_m}, view.cell_m);
+  const radar::LatticeCell first = cell_at({view.landing.west_m, view.landing.south_m}, view.cell_m);
+  const radar::LatticeCell last = cell_at({view.landing.east_m, view.landing.north_m}, view.cell_m);
   return {first, static_cast<std::size_t>(last.column - first.column + 1),
           static_cast<std::size_t>(last.row - first.row + 1)};
 }

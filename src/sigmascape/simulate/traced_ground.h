@@ -28,8 +28,9 @@ struct TracedView {
   const std::vector<scatter::SurfaceModel>& surfaces;
   Vec3d radar;  ///< from where lines of sight are straight
   radar::RangeAzimuthGrid bins;
-  radar::Rectangle area;  ///< of ground that the bins look at
-  double cell_m = 1.0;    ///< side of the squares that rays are aimed at, and of the scatterers' cells
+  radar::Rectangle area;     ///< of ground that the bins look at
+  radar::Rectangle landing;  ///< the same with what stands on it laid over beyond its edges: where echoes land
+  double cell_m = 1.0;       ///< side of the squares that rays are aimed at, and of the scatterers' cells
   int max_bounces = 8;
   std::uint64_t seed = 1;
   unsigned threads = 0;
