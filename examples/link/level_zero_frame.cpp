@@ -89,15 +89,10 @@ product::Picture levels_beside(const scene::Scene& scene, const trace::SceneGeom
                               {.frequency_hz = ground->frequency_hz(), .lattice_m = texel_m});
   render::LiveRenderer renderer(ground, settings);
 
-  render::DetailQuestion question = tracer.question(pose);
-  question.texel_m = texel_m;
-  question.mips = static_cast<int>(ground->coarsest_level()) + 1;
-  std::cout << render::explained(render::choose_detail(question));
-
   // Every call adds rays; a simulator shows each of these frames.
   for (int call = 0; call < 3; ++call) tracer.render(pose);
   const render::Frame& traced = tracer.render(pose);
-  std::cout << "  " << traced.report.rays_per_cell << " rays a cell tell the power of a bin to "
+  std::cout << traced.report.rays_per_cell << " rays a cell tell the power of a bin to "
             << traced.report.median_error_db << " dB\n";
   renderer.render(pose);
   ground->wait_until_loaded();
@@ -106,10 +101,21 @@ product::Picture levels_beside(const scene::Scene& scene, const trace::SceneGeom
   return beside(picture_of(traced, pose, top_db), picture_of(baked, pose, top_db));
 }
 
+/// Says which of the two a program would take that has both.
+void explain_choice(const scene::Scene& scene, const trace::SceneGeometry& geometry, const render::LiveGround& ground) {
+  const render::LiveSettings settings = settings_for(scene, render::FrameContent::Powers);
+  render::DetailQuestion question =
+      simulate::LiveTracer(scene, geometry, settings).question(pose_over(scene, settings));
+  question.texel_m = ground.description().patches.texel_m;
+  question.mips = static_cast<int>(ground.coarsest_level()) + 1;
+  std::cout << render::explained(render::choose_detail(question));
+}
+
 void draw_levels(const char* scene_file, const char* atlas, const char* picture) {
   const scene::Scene scene = scene::read_scene(scene_file);
   const trace::SceneGeometry geometry(scene, trace::Footing::Terrain);
   const auto ground = render::LiveGround::open(atlas, 10e9);
+  explain_choice(scene, geometry, *ground);
   product::write_png(picture, above(levels_beside(scene, geometry, ground, render::FrameContent::Powers),
                                     levels_beside(scene, geometry, ground, render::FrameContent::Amplitudes)));
 }

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "physics/level_scene.h"
+#include "physics/ground_with_box.h"
 #include "unit/render/live_ground_example.h"
 #include "validation/validation_record.h"
 
@@ -96,6 +96,69 @@ TEST(TracedFrame, LevelGroundHasTheScatterersThatItHasFromTextures) {
                             .tolerance = 0.2,
                             .unit = "dB",
                             .source = "the same σ0"});
+}
+
+/// VV of squares of two by two bins.
+std::vector<double> squares(const render::Frame& frame) {
+  constexpr std::size_t side = 2;
+  const std::size_t ranges = frame.grid.ranges, across = frame.grid.azimuths / side, along = ranges / side;
+  std::vector<double> squares(across * along);
+  for (std::size_t beam = 0; beam < across * side; ++beam) {
+    for (std::size_t range = 0; range < along * side; ++range)
+      squares[beam / side * along + range / side] += static_cast<double>(frame.powers_m2[4 * (beam * ranges + range)]);
+  }
+  return squares;
+}
+
+TEST(TracedFrame, ABoxAndItsShadowAreWhereTheTexturesHaveThem) {
+  const scene::Scene scene = ground_with_box(0.0, true);
+  bake::BakeSettings settings;
+  settings.aspects = {{pi}, {radians_from_deg(seen_elevation_deg)}, {frequency_hz}};
+  settings.patches = {2.0, 256};
+  settings.sampling.samples_per_texel = 8;
+  const ScratchFolder folder;
+  SilentProgress silent;
+  bake::bake(scene, settings, folder.path("atlas"), silent);
+  const auto ground = render::LiveGround::open(folder.path("atlas"), frequency_hz);
+  const trace::SceneGeometry geometry(scene, trace::Footing::Terrain);
+
+  render::ExampleView view;
+  view.target = {};
+  view.azimuth_deg = 180.0;
+  view.elevation_deg = seen_elevation_deg;
+  view.slant_range_m = 5e3;
+  view.beams = view.ranges = 64;
+  view.bin_m = 2.0;
+  const render::LiveSettings bins = view.settings(render::FrameContent::Powers);
+  render::LiveRenderer renderer(ground, bins);
+  simulate::LiveTracer tracer(scene, geometry, bins, {.frequency_hz = frequency_hz, .lattice_m = 1.0});
+  const std::vector<double> baked = squares(render::settled_frame(renderer, *ground, view.pose()));
+  const std::vector<double> traced = squares(tracer.render(view.pose()));
+
+  const double level = traced.front();
+  double open_traced = 0.0, open_baked = 0.0;
+  std::size_t dark = 0, differently_dark = 0, bright = 0;
+  for (std::size_t square = 0; square < traced.size(); ++square) {
+    const bool is_dark = traced[square] < 0.05 * level;
+    dark += is_dark ? 1 : 0;
+    bright += traced[square] > 2.0 * level ? 1 : 0;
+    // The edge of a shadow may fall into a square's own edge.
+    if (is_dark != (baked[square] < 0.05 * level)) ++differently_dark;
+    if (std::abs(traced[square] / level - 1.0) > 0.02) continue;
+    open_traced += traced[square];
+    open_baked += baked[square];
+  }
+  // 12 m of box throw 33 m of shadow: two squares of 4 m across, the third and fourth half lit, by eight along.
+  EXPECT_NEAR(static_cast<double>(dark), 16.0, 4.0);
+  EXPECT_GE(bright, 2U);
+  EXPECT_LE(differently_dark, 2U);
+  validation::expect_close({.group = group,
+                            .name = "open ground about a box, textures against traced",
+                            .expected = 0.0,
+                            .measured = db_from_linear(open_baked / open_traced),
+                            .tolerance = 0.1,
+                            .unit = "dB",
+                            .source = "the same pose at levels 1 and 0"});
 }
 
 }  // namespace

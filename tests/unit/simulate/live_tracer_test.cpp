@@ -357,6 +357,40 @@ TEST_F(LiveTracerTest, RangesAreThoseOfACurvedEarth) {
   }
 }
 
+TEST_F(LiveTracerTest, AllRoundThereIsNoSeam) {
+  scene::Scene plane = physics_test::level_scene(lambert("ground"), 256.0);
+  const trace::SceneGeometry geometry(plane, trace::Footing::Terrain);
+  render::LiveSettings settings;
+  settings.beams = 30;
+  settings.ranges = 4;
+  settings.beam_step_rad = 2.0 * pi / 30.0;
+  settings.range_step_m = 2.0;
+  settings.threads = 2;
+  render::Pose pose;
+  pose.position = {0.0, 0.0, 300.0};
+  pose.first_azimuth_rad = 0.3;
+  pose.first_range_m = 310.0;
+  for (const FrameContent content : {FrameContent::Powers, FrameContent::Amplitudes}) {
+    settings.content = content;
+    std::vector<double> of_beam(settings.beams);
+    const std::uint64_t frames = content == FrameContent::Powers ? 1 : 60;
+    for (settings.seed = 1; settings.seed <= frames; ++settings.seed) {
+      LiveTracer live(plane, geometry, settings, {.rays_per_cell = 4, .lattice_m = 1.0});
+      const render::Frame& frame = live.render(pose);
+      for (std::size_t bin = 0; bin < settings.beams * settings.ranges; ++bin) {
+        of_beam[bin / settings.ranges] += content == FrameContent::Powers
+                                              ? static_cast<double>(frame.powers_m2[4 * bin])
+                                              : static_cast<double>(std::norm(frame.amplitudes_m[4 * bin]));
+      }
+    }
+    const double mean = std::accumulate(of_beam.begin(), of_beam.end(), 0.0) / static_cast<double>(settings.beams);
+    for (const std::size_t beam : {std::size_t{0}, settings.beams - 1}) {
+      // Without what comes from across the seam an eighth would be missing.
+      EXPECT_NEAR(of_beam[beam] / mean, 1.0, content == FrameContent::Powers ? 0.02 : 0.25) << "beam " << beam;
+    }
+  }
+}
+
 TEST_F(LiveTracerTest, ASmallAreaIsChosenToBeTracedAndAWideOneIsNot) {
   const LiveTracer live = tracer(FrameContent::Powers);
   const render::DetailQuestion question = live.question(bins_.pose());
