@@ -78,8 +78,8 @@ struct FrameReport {
   std::size_t targets = 0;  ///< of those of the pose that stand in the bins and are seen
   /// Of a frame that was traced (simulate::LiveTracer): rays a cell that it is made of; 0 of one from textures.
   std::uint64_t rays_per_cell = 0;
-  /// And the standard error of a bin's mean power, 10 lg(1 + s/P), in the median over the bins that answer; infinite
-  /// while too few rays were sent to tell.
+  /// And the standard error of a bin's mean power, 10 lg(1 + s/P), in the median over the bins that answer to at
+  /// least half of the rays' passes; infinite while too few rays were sent to tell.
   double median_error_db = 0.0;
 };
 

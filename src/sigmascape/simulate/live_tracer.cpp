@@ -88,15 +88,15 @@ LiveTracer::~LiveTracer() = default;
 
 const render::Frame& LiveTracer::render(const render::Pose& pose) {
   std::vector<radar::ShadowBox> boxes = boxes_of(pose);
-  if (position_ != pose.position || frame_.grid != grid_of(settings_, pose) || boxes_ != boxes) {
-    position_.reset();
-    begin(pose);
-    position_ = pose.position;
-    boxes_ = std::move(boxes);
-  }
+  const bool goes_on = position_ == pose.position && frame_.grid == grid_of(settings_, pose) && boxes_ == boxes;
+  // Of a call that is broken off nothing can be gone on with.
+  position_.reset();
+  if (!goes_on) begin(pose);
   if (ground_) {
     ground_->add_passes((tracing_.rays_per_cell - 1) / rays_a_pass + 1, pose.targets, pose.moment.time_s);
   }
+  position_ = pose.position;
+  boxes_ = std::move(boxes);
   std::ranges::fill(bins_, 0.0F);
   if (ground_) show_ground(pose);
   add_targets(pose);

@@ -28,6 +28,7 @@ void PassSums::add(const receiver::PowerBins& pass) {
           static_cast<double>(rcs_m2.re_vvhh)};
       for (std::size_t channel = 0; channel < added.size(); ++channel) sums_[bin][channel] += added[channel];
       squares_[bin] += total(added) * total(added);
+      answers_[bin] += total(added) > 0.0 ? 1 : 0;
     }
   }
   ++passes_;
@@ -46,7 +47,7 @@ double PassSums::median_error_db() const {
   std::vector<double> relative_errors;
   for (std::size_t bin = 0; bin < sums_.size(); ++bin) {
     const double sum = total(sums_[bin]);
-    if (!(sum > 0.0)) continue;
+    if (2 * answers_[bin] < passes_ || !(sum > 0.0)) continue;
     const double scatter = std::max(squares_[bin] - sum * sum / n, 0.0);
     relative_errors.push_back(std::sqrt(scatter * n / (n - 1.0)) / sum);
   }
