@@ -183,7 +183,7 @@ render::DetailQuestion LiveTracer::question(const render::Pose& pose) const {
 }
 
 void LiveTracer::show_ground(const render::Pose& pose) {
-  const PassSums& sums = ground_->bins();
+  const FramePasses& sums = ground_->bins();
   frame_.report.cells = ground_->squares();
   frame_.report.lit = ground_->answering();
   frame_.report.rays_per_cell = sums.passes() * rays_a_pass;

@@ -140,7 +140,7 @@ std::vector<radar::RangeAzimuthImage> traced_bounces(const scene::Scene& scene, 
   SilentProgress silent;
   trace::TileProgress tiles(progress != nullptr ? *progress : silent, "trace", "% of the map", 0.0, 100.0, 100.0,
                             launch.tiles());
-  UnhiddenEchoes unhidden(settings.targets, 0.0, radar.position, thread_count(settings.threads));
+  UnhiddenEchoes unhidden(settings.targets, radar.position, thread_count(settings.threads));
   counts += tracer.trace(launch, {0, settings.samples_per_cell, settings.samples_per_cell}, settings.threads,
                          [&](std::span<const radar::Echo> echoes, unsigned worker) {
                            receivers.add(unhidden.among(echoes, worker));

@@ -10,8 +10,8 @@
 #include "sigmascape/radar/target.h"
 #include "sigmascape/receiver/power_bins.h"
 #include "sigmascape/scene/scene.h"
+#include "sigmascape/simulate/frame_passes.h"
 #include "sigmascape/simulate/lattice_sums.h"
-#include "sigmascape/simulate/pass_sums.h"
 #include "sigmascape/simulate/unhidden_echoes.h"
 #include "sigmascape/trace/path_tracer.h"
 
@@ -47,7 +47,7 @@ class TracedGround {
   void add_passes(std::uint64_t count, std::span<const radar::Target> targets, double time_s);
 
   [[nodiscard]] const TracedView& view() const { return view_; }
-  [[nodiscard]] const PassSums& bins() const { return bins_; }
+  [[nodiscard]] const FramePasses& bins() const { return bins_; }
   [[nodiscard]] const LatticeSums& cells() const { return cells_; }
   /// Squares that rays are aimed at, and those of which anything came back.
   [[nodiscard]] std::size_t squares() const { return launch_.cells.size(); }
@@ -65,7 +65,7 @@ class TracedGround {
   TracedView view_;
   trace::LaunchArea launch_;
   trace::PathTracer tracer_;
-  PassSums bins_;
+  FramePasses bins_;
   LatticeSums cells_;
   std::vector<std::uint8_t> answers_;  // by square
 };

@@ -12,8 +12,8 @@ Vec3d place_of(const radar::Echo& echo, Vec3d radar_position) {
          Vec3d{over_ground_m * std::sin(echo.cross), over_ground_m * std::cos(echo.cross), -echo.range_m * down};
 }
 
-UnhiddenEchoes::UnhiddenEchoes(std::span<const radar::Target> targets, double time_s, Vec3d radar_position,
-                               unsigned workers)
+UnhiddenEchoes::UnhiddenEchoes(std::span<const radar::Target> targets, Vec3d radar_position, unsigned workers,
+                               double time_s)
     : shadows_(targets, time_s, radar_position), radar_position_(radar_position), kept_(workers) {}
 
 std::span<const radar::Echo> UnhiddenEchoes::among(std::span<const radar::Echo> echoes, unsigned worker) {

@@ -15,7 +15,7 @@ namespace sigmascape::simulate {
 /// The echoes that no target's box keeps from the radar. One of several bounces is judged by where it seems to stand.
 class UnhiddenEchoes {
  public:
-  UnhiddenEchoes(std::span<const radar::Target> targets, double time_s, Vec3d radar_position, unsigned workers);
+  UnhiddenEchoes(std::span<const radar::Target> targets, Vec3d radar_position, unsigned workers, double time_s = 0.0);
 
   /// Valid until the same worker asks again.
   [[nodiscard]] std::span<const radar::Echo> among(std::span<const radar::Echo> echoes, unsigned worker);

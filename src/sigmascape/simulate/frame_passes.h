@@ -11,9 +11,9 @@ namespace sigmascape::simulate {
 
 /// Sums of a frame's bins over independent passes of the same rays a cell: their mean, and what their scatter says of
 /// its error. docs/decisions/0066-tracing-to-an-error.md says why by passes.
-class PassSums {
+class FramePasses {
  public:
-  explicit PassSums(std::size_t bins) : sums_(bins), squares_(bins), answers_(bins) {}
+  explicit FramePasses(std::size_t bins) : sums_(bins), squares_(bins), answers_(bins) {}
 
   /// `pass` holds one beam a row: bins follow one another by beams, then ranges.
   void add(const receiver::PowerBins& pass);

@@ -1,4 +1,4 @@
-#include "sigmascape/simulate/pass_sums.h"
+#include "sigmascape/simulate/frame_passes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ double median_of_estimated_deviation(double freedom) {
 
 }  // namespace
 
-void PassSums::add(const receiver::PowerBins& pass) {
+void FramePasses::add(const receiver::PowerBins& pass) {
   for (std::size_t beam = 0, bin = 0; beam < pass.rows(); ++beam) {
     for (std::size_t range = 0; range < pass.columns(); ++range, ++bin) {
       const radar::Channels rcs_m2 = pass.sum(range, beam);
@@ -34,14 +34,14 @@ void PassSums::add(const receiver::PowerBins& pass) {
   ++passes_;
 }
 
-radar::Channels PassSums::mean(std::size_t bin) const {
+radar::Channels FramePasses::mean(std::size_t bin) const {
   const auto of = [&](std::size_t channel) {
     return static_cast<float>(sums_[bin][channel] / static_cast<double>(passes_));
   };
   return {of(0), of(1), of(2), of(3)};
 }
 
-double PassSums::median_error_db() const {
+double FramePasses::median_error_db() const {
   if (passes_ < 2) return std::numeric_limits<double>::infinity();
   const auto n = static_cast<double>(passes_);
   std::vector<double> relative_errors;
