@@ -18,7 +18,16 @@ trace::LaunchArea launch_for(const TracedView& view) {
   radar::Radar radar;
   radar.name = "of a traced frame";
   radar.position = view.radar;
-  return launch_for_map(view.scene, view.geometry, radar, view.area, view.cell_m);
+  auto launch = launch_for_map(view.scene, view.geometry, radar, view.area, view.cell_m);
+  // The area is the rectangle about a sector, which may be much larger.
+  const double half_width_rad = 0.5 * static_cast<double>(view.bins.azimuths) * view.bins.azimuth_step_rad;
+  trace::narrow_to(launch, {.radar = view.radar,
+                            .middle_azimuth_rad = view.bins.first_azimuth_rad + half_width_rad,
+                            .half_width_rad = half_width_rad + 0.5 * view.bins.azimuth_step_rad,
+                            .near_range_m = view.bins.first_range_m - view.bins.range_step_m,
+                            .far_range_m = view.bins.first_range_m +
+                                           static_cast<double>(view.bins.ranges + 1) * view.bins.range_step_m});
+  return launch;
 }
 
 radar::LatticeCell cell_at(Vec2d point, double cell_m) {
