@@ -23,8 +23,9 @@ struct LiveTraceSettings {
   /// Rays a lattice cell that each call of `render` adds, in whole passes of two.
   std::uint32_t rays_per_cell = 8;
   int max_bounces = 8;
-  /// Side of the finest lattice cells. A frame's are so often twice as large as render::LiveRenderer's would be over an
-  /// atlas of such texels, and hold the same scatterers. Bins finer than that share scatterers.
+  /// Side of the finest lattice cells, doubled for a frame until its bins tell cells apart no more (cells_per_bin).
+  /// With the texel of an atlas a frame's cells are those of render::LiveRenderer over it and hold the same scatterers.
+  /// Bins finer than the finest cells share scatterers.
   double lattice_m = 0.25;
 };
 
