@@ -1,9 +1,11 @@
+#include <array>
 #include <bit>
 #include <cmath>
 #include <fmt/format.h>
 
 #include "coherent_render.h"
 #include "command.h"
+#include "file_names.h"
 #include "iq_files.h"
 #include "layer_files.h"
 #include "map_files.h"
@@ -177,6 +179,16 @@ void render(const RenderOptions& options, radar::Polarization polarization, bool
     if (!map.empty()) product::check_map_name(map);
   for (const std::string& picture : {options.picture_file, options.scopes.ppi, options.scopes.b_scope})
     if (!picture.empty()) product::check_png_name(picture);
+  check_names_differ(std::to_array<NamedFile>({{"--out", options.map_file},
+                                               {"--power", options.power_file},
+                                               {"--png", options.picture_file},
+                                               {"--ppi", options.scopes.ppi},
+                                               {"--b-scope", options.scopes.b_scope},
+                                               {"--layers-out", options.layers.file},
+                                               {"--snr", options.received.snr},
+                                               {"--video", options.received.video},
+                                               {"--iq", options.iq.file},
+                                               {"--slant-image", options.iq.slant_image}}));
   const auto radar_file = radar::read_radar_file(options.radar);
   const scene::Scene scene = scene::read_scene(options.scene);
   const auto radar = simulate::placed_radar(radar_file, scene.frame, scene.terrain, scene.extent);

@@ -66,9 +66,30 @@ TEST_F(BadInput, PicturesOfAnotherKindAreRefusedBeforeTheWork) {
   EXPECT_FALSE(is_there("folder.pgw"));
 }
 
+TEST_F(BadInput, TwoOptionsMayNotNameOneFile) {
+  write_radar();
+  EXPECT_THAT(said_to("render radar.toml --scene none.toml --out map.tif --power ./map.tif"),
+              HasSubstr("--power: names ./map.tif, as --out does; give each of them a file of its own"));
+  EXPECT_THAT(said_to("render radar.toml --scene none.toml --png a.png --ppi x/../a.png"),
+              HasSubstr("--ppi: names x/../a.png, as --png does"));
+  EXPECT_THAT(said_to("render radar.toml --scene none.toml --out map.tif --power power.tif"), HasSubstr("none.toml"));
+}
+
 TEST_F(BadInput, FoldersAndAbsentFilesAreNamed) {
   EXPECT_THAT(said_to("render . --scene none.toml"), HasSubstr("is a folder; give the path of a TOML file"));
   EXPECT_THAT(said_to("plot histogram none.tif --out plot.svg"), HasSubstr("none.tif: the file does not exist"));
+}
+
+TEST_F(BadInput, FrequenciesThatAMaterialIsNotKnownForAreRefusedBeforeTheFirstSample) {
+  write_radar();
+  write_made_scene(folder_.path("scene"), 200.0, 200.0);
+  folder_.write("dataset.toml",
+                "[dataset]\nscene = \"scene/scene.toml\"\nradar = \"radar.toml\"\ncount = 2\ncells = 16\n"
+                "[view]\nazimuth_deg = [0, 360]\nelevation_deg = [8, 21]\nslant_range_km = [14, 15]\n"
+                "[radar]\nfrequency_ghz = [0.2, 10]\n");
+  EXPECT_THAT(said_to("dataset dataset.toml --out made"),
+              AllOf(HasSubstr("dataset.toml: radar.frequency_ghz"), HasSubstr("do not hold at 0.2 GHz")));
+  EXPECT_FALSE(is_there("made"));
 }
 
 TEST_F(BadInput, FaultsOfGroundThatIsKeptApartAreFound) {

@@ -1,6 +1,7 @@
 #include "sigmascape/dataset/sample_maker.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -138,8 +139,11 @@ SampleMaker::SampleMaker(const DatasetSpec& spec)
 }
 
 void SampleMaker::check_radars() const {
-  if (!atlas_) return;
   const auto& drawn = spec_.radar_ranges.frequency_hz;
+  if (!atlas_) {
+    if (drawn) check_materials(*drawn);
+    return;
+  }
   if (!drawn) return atlas_->check_frequency(spec_.radar.radar.frequency_hz);
   const auto& baked = atlas_->aspects().frequencies_hz;
   constexpr double slack = 1.01;
@@ -148,6 +152,15 @@ void SampleMaker::check_radars() const {
                 fmt::format("leads outside the atlas, which was baked from {:g} to {:g} GHz", baked.front() / 1e9,
                             baked.back() / 1e9),
                 "stay within these, or bake more frequencies");
+  }
+}
+
+/// What a material is not known for is said at once, not by the first sample that comes to it.
+void SampleMaker::check_materials(const Range& frequencies_hz) const {
+  try {
+    static_cast<void>(trace::surface_models(scene_, std::array{frequencies_hz.lowest, frequencies_hz.highest}));
+  } catch (const Error& unknown) {
+    throw Error(spec_.file.string() + ": radar.frequency_ghz", "leads to where the scene is not known", unknown.what());
   }
 }
 

@@ -59,6 +59,7 @@ class SampleMaker {
  private:
   void check_views() const;
   void check_radars() const;
+  void check_materials(const Range& frequencies_hz) const;
   [[nodiscard]] radar::Radar radar_of(const SamplePlan& plan) const;
   /// The image of the ground; layers that tell bounces apart are added to `bounces`.
   [[nodiscard]] radar::RangeAzimuthImage ground_image(const radar::Radar& radar, const SamplePlan& plan,

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <span>
+#include <string>
+
+#include "sigmascape/base/error.h"
+
+namespace sigmascape::cli {
+
+/// A file to write, and the option that names it; no file when the option was not given.
+struct NamedFile {
+  const char* option;
+  const std::string& file;
+};
+
+/// Throws Error when two options name one file, of which the second would take the place of the first.
+inline void check_names_differ(std::span<const NamedFile> files) {
+  std::map<std::filesystem::path, const char*> taken;
+  for (const NamedFile& named : files) {
+    if (named.file.empty()) continue;
+    const auto [other, is_new] = taken.emplace(std::filesystem::absolute(named.file).lexically_normal(), named.option);
+    if (!is_new) {
+      throw Error(named.option, "names " + named.file + ", as " + other->second + " does",
+                  "give each of them a file of its own");
+    }
+  }
+}
+
+}  // namespace sigmascape::cli
