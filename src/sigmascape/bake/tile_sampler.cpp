@@ -14,7 +14,7 @@ constexpr int neighbourhood = 2;
 
 /// Cells are traced together until they have so many paths: enough to keep the tracer's packets full, few enough to
 /// stay in the caches.
-constexpr std::size_t paths_at_once = 2048;
+constexpr std::size_t paths_at_once = 4096;
 
 /// Two batches of one ray, or there is no telling how far off their mean is.
 constexpr std::uint32_t fewest_samples = 2;

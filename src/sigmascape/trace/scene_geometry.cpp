@@ -5,6 +5,7 @@
 #include <limits>
 #include <xmmintrin.h>
 
+#include "sigmascape/trace/ray_sorter.h"
 #include "sigmascape/trace/scene_structures.h"
 
 namespace sigmascape::trace {
@@ -71,6 +72,12 @@ void bring_into_world(const Part& part, Vec3f& normal, float& inverse_area) {
   const Vec3f n{normal.x * part.inverse_scale.x, normal.y * part.inverse_scale.y, normal.z * part.inverse_scale.z};
   inverse_area *= part.inverse_volume_scale * length(normal) / length(n);
   normal = {n.x * part.cos_yaw + n.y * part.sin_yaw, -n.x * part.sin_yaw + n.y * part.cos_yaw, n.z};
+}
+
+/// For each thread until it asks again.
+std::span<const std::uint32_t> numbers_by_place(std::span<const Ray> rays) {
+  thread_local RaySorter sorter;
+  return sorter.sorted(rays);
 }
 
 /// Calls `trace(packet, lanes, valid, first)` for packet after packet of `count` rays, `ray_at(i)` and `length_at(i)`
@@ -193,13 +200,15 @@ bool SceneGeometry::occluded(const Ray& ray, CrownCrossings* crowns) const {
   return query.tfar < 0.0F;
 }
 
-void SceneGeometry::intersect(std::span<const Ray> rays, std::span<SurfaceHit> hits,
-                              std::span<std::uint8_t> meets) const {
+void SceneGeometry::intersect(std::span<const Ray> rays, std::span<SurfaceHit> hits, std::span<std::uint8_t> meets,
+                              RayOrder order) const {
   const SceneStructures& s = *structures_;
-  const auto ray_at = [&](std::size_t i) { return rays[i]; };
-  const auto length_at = [&](std::size_t i) { return s.plane_distance_m(rays[i]); };
+  const auto numbers = order == RayOrder::ByPlace ? numbers_by_place(rays) : std::span<const std::uint32_t>();
+  const auto number_of = [&](std::size_t i) { return numbers.empty() ? i : numbers[i]; };
+  const auto ray_at = [&](std::size_t i) { return rays[number_of(i)]; };
+  const auto length_at = [&](std::size_t i) { return s.plane_distance_m(ray_at(i)); };
   if (s.log != nullptr) {
-    for (std::size_t i = 0; i < rays.size(); ++i) s.log->push_back({rays[i], length_at(i), true});
+    for (std::size_t i = 0; i < rays.size(); ++i) s.log->push_back({ray_at(i), length_at(i), true});
   }
   RayContext context = context_for(nullptr);
   in_packets(rays.size(), ray_at, length_at,
@@ -217,7 +226,7 @@ void SceneGeometry::intersect(std::span<const Ray> rays, std::span<SurfaceHit> h
                  if (!part.is_terrain()) __builtin_prefetch(&part.faces[found.primitive]);
                }
                for (std::size_t lane = 0; lane < lanes; ++lane) {
-                 const std::size_t i = first + lane;
+                 const std::size_t i = number_of(first + lane);
                  meets[i] = s.meet(rays[i], found_by(packet, lane), hits[i]) ? 1 : 0;
                }
              });
@@ -225,15 +234,17 @@ void SceneGeometry::intersect(std::span<const Ray> rays, std::span<SurfaceHit> h
 
 void SceneGeometry::occluded(std::span<const Ray> rays, std::span<std::uint8_t> is_occluded) const {
   const SceneStructures& s = *structures_;
+  const std::span<const std::uint32_t> numbers = numbers_by_place(rays);
   if (s.log != nullptr) {
-    for (const Ray& ray : rays) s.log->push_back({ray, far_away, false});
+    for (const std::uint32_t i : numbers) s.log->push_back({rays[i], far_away, false});
   }
   RayContext context = context_for(nullptr);
   in_packets(
-      rays.size(), [&](std::size_t i) { return rays[i]; }, [](std::size_t) { return far_away; },
+      rays.size(), [&](std::size_t i) { return rays[numbers[i]]; }, [](std::size_t) { return far_away; },
       [&](Packet& packet, std::size_t lanes, const int* valid, std::size_t first) {
         rtcOccluded16(valid, s.top, &context.embree, &packet.ray);
-        for (std::size_t lane = 0; lane < lanes; ++lane) is_occluded[first + lane] = packet.ray.tfar[lane] < 0.0F;
+        for (std::size_t lane = 0; lane < lanes; ++lane)
+          is_occluded[numbers[first + lane]] = packet.ray.tfar[lane] < 0.0F;
       });
 }
 

@@ -53,7 +53,8 @@ class SceneGeometry {
   /// The same for many rays at once, which is faster, with the same answers to the bit; only where faces of several
   /// objects coincide, another one of them may be met. `meets` and `is_occluded` get 1 for yes, 0 for no. Not for
   /// scenes with crowns.
-  void intersect(std::span<const Ray> rays, std::span<SurfaceHit> hits, std::span<std::uint8_t> meets) const;
+  void intersect(std::span<const Ray> rays, std::span<SurfaceHit> hits, std::span<std::uint8_t> meets,
+                 RayOrder order = RayOrder::ByPlace) const;
   void occluded(std::span<const Ray> rays, std::span<std::uint8_t> is_occluded) const;
 
   [[nodiscard]] bool has_crowns() const;

@@ -102,6 +102,7 @@ void SceneStructures::build(const scene::Scene& scene, Footing on) {
 
 SceneStructures::~SceneStructures() {
   for (RTCScene prototype : prototypes) rtcReleaseScene(prototype);
+  for (RTCScene block : building_blocks) rtcReleaseScene(block);
   if (top != nullptr) rtcReleaseScene(top);
   if (device != nullptr) rtcReleaseDevice(device);
 }
@@ -192,9 +193,30 @@ void SceneStructures::add_buildings(const scene::Buildings& source) {
       lowest_m = std::min(lowest_m, static_cast<double>(vertex.z));
     }
   }
-  FaceQuads faces = face_quads(source.mesh);
-  building_faces = std::move(faces.traits);
-  attach(quads(faces.corners, vertices), {.faces = building_faces.data()});
+  BuildingBlocks squares = trace::building_blocks(source, vertices);
+  building_faces = std::move(squares.traits);
+  for (const BuildingBlock& block : squares.blocks) add(block);
+}
+
+void SceneStructures::add(const BuildingBlock& block) {
+  RTCScene own = rtcNewScene(device);
+  building_blocks.push_back(own);
+  if (footing == Footing::Terrain) rtcSetSceneFlags(own, RTC_SCENE_FLAG_ROBUST);
+  RTCGeometry geometry = quads(block.corners, block.vertices);
+  rtcAttachGeometry(own, geometry);
+  rtcReleaseGeometry(geometry);
+  rtcCommitScene(own);
+  const auto [x, y, z] = block.place;
+  add_instance(own, {1.0F, 0.0F, 0.0F, 0.0F, 1.0F, 0.0F, 0.0F, 0.0F, 1.0F, x, y, z},
+               {.faces = building_faces.data() + block.first_face});
+}
+
+void SceneStructures::add_instance(RTCScene prototype, const std::array<float, 12>& transform, const Part& part) {
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
+  rtcSetGeometryInstancedScene(geometry, prototype);
+  rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, transform.data());
+  rtcCommitGeometry(geometry);
+  attach(geometry, part);
 }
 
 void SceneStructures::add_prototypes(const std::vector<scene::Mesh>& meshes) {
@@ -240,7 +262,7 @@ void SceneStructures::add_instances(const scene::Scene& scene) {
     const double base = footing == Footing::Terrain ? scene.terrain.height_at({instance.x_m, instance.y_m}) : 0.0;
     const float z = static_cast<float>(base) + instance.lift_m;
     const Vec3f k = instance.scale;
-    // Column by column: where the prototype's x, y and z axes go, then its origin. Yaw turns clockwise.
+    // Yaw turns clockwise.
     const std::array<float, 12> transform{k.x * c,
                                           -k.x * s,
                                           0.0F,
@@ -253,15 +275,12 @@ void SceneStructures::add_instances(const scene::Scene& scene) {
                                           static_cast<float>(instance.x_m - origin.x),
                                           static_cast<float>(instance.y_m - origin.y),
                                           z};
-    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
-    rtcSetGeometryInstancedScene(geometry, prototypes[instance.prototype]);
-    rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, transform.data());
-    rtcCommitGeometry(geometry);
-    attach(geometry, {.faces = prototype_faces[instance.prototype].data(),
-                      .cos_yaw = c,
-                      .sin_yaw = s,
-                      .inverse_scale = {1.0F / k.x, 1.0F / k.y, 1.0F / k.z},
-                      .inverse_volume_scale = 1.0F / (k.x * k.y * k.z)});
+    add_instance(prototypes[instance.prototype], transform,
+                 {.faces = prototype_faces[instance.prototype].data(),
+                  .cos_yaw = c,
+                  .sin_yaw = s,
+                  .inverse_scale = {1.0F / k.x, 1.0F / k.y, 1.0F / k.z},
+                  .inverse_volume_scale = 1.0F / (k.x * k.y * k.z)});
     highest_m = std::max(highest_m, static_cast<double>(z + tops[instance.prototype] * k.z));
   }
 }

@@ -4,6 +4,7 @@
 #include <embree3/rtcore.h>
 #include <vector>
 
+#include "sigmascape/trace/building_blocks.h"
 #include "sigmascape/trace/face_quads.h"
 #include "sigmascape/trace/scene_geometry.h"
 
@@ -48,7 +49,7 @@ struct SceneStructures {
   std::atomic<std::int64_t> memory{0};
   RTCDevice device = nullptr;
   RTCScene top = nullptr;
-  std::vector<RTCScene> prototypes;
+  std::vector<RTCScene> prototypes, building_blocks;
   std::vector<Part> parts;
   std::vector<scene::Crown> crowns;
   scene::MaterialMap ground;
@@ -75,6 +76,9 @@ struct SceneStructures {
   void attach(RTCGeometry geometry, const Part& part);
   void add_terrain(const terrain::HeightField& field);
   void add_buildings(const scene::Buildings& source);
+  void add(const BuildingBlock& block);
+  /// `transform` column by column: where the prototype's x, y and z axes go, then its origin.
+  void add_instance(RTCScene prototype, const std::array<float, 12>& transform, const Part& part);
   void add_prototypes(const std::vector<scene::Mesh>& meshes);
   void attach_crown(RTCScene prototype, scene::Crown& crown);
   void add_instances(const scene::Scene& scene);

@@ -14,7 +14,7 @@ namespace {
 using scatter::PolarizationBasis;
 
 /// Enough that even the few that live long fill packets, and not too many for the second level of caches.
-constexpr std::size_t paths_at_once = 2048;
+constexpr std::size_t paths_at_once = 4096;
 
 /// From the block before the first vertex, which has no other use for it.
 constexpr std::uint32_t hero_choice = 0;
@@ -145,7 +145,8 @@ void TileTracer::find_vertices(int bounce) {
   for (const std::uint32_t path : living_) rays_.push_back(paths_[path].ray);
   hits_.resize(rays_.size());
   answers_.resize(rays_.size());
-  geometry_.intersect(rays_, hits_, answers_);
+  // Those from the radar come cell by cell.
+  geometry_.intersect(rays_, hits_, answers_, bounce == 1 ? RayOrder::AsGiven : RayOrder::ByPlace);
   for (std::size_t i = 0; i < living_.size(); ++i) {
     Path& path = paths_[living_[i]];
     path.hit = hits_[i];
