@@ -120,6 +120,31 @@ class BounceReceivers {
   std::vector<std::unique_ptr<receiver::RangeAzimuthReceiver>> receivers_;
 };
 
+/// Traces the share's rays and hands their echoes to `sink` tile by tile; `watcher` may be empty.
+trace::TraceCounts trace_share(const trace::PathTracer& tracer, const LaunchShare& share, unsigned threads,
+                               const RayWatcher& watcher, const trace::EchoSink& sink) {
+  const std::uint32_t samples = share.samples_per_cell;
+  if (!watcher) return tracer.trace(share.launch, {0, samples, samples}, threads, sink);
+  const float part = 1.0F / static_cast<float>(samples);
+  return tracer.trace_tiles(share.launch, threads, [&](trace::TilePaths& tile, unsigned worker) {
+    std::vector<trace::PathStart> starts;
+    for (const trace::LaunchCell& cell : tile.cells()) {
+      for (std::uint32_t sample = 0; sample < samples; ++sample) starts.push_back({cell, 0, sample});
+    }
+    tile.follow(starts);
+    std::vector<radar::Echo> echoes;
+    for (std::size_t start = 0; start < starts.size(); ++start) {
+      const auto brought = tile.echoes(0, start);
+      watcher(starts[start].cell, brought);
+      for (radar::Echo echo : brought) {
+        echo.rcs_m2 = echo.rcs_m2 * part;
+        echoes.push_back(echo);
+      }
+    }
+    sink(echoes, worker);
+  });
+}
+
 }  // namespace
 
 radar::RangeAzimuthGrid bins_for(const radar::Radar& radar, const radar::Rectangle& area,
@@ -149,8 +174,8 @@ std::vector<radar::RangeAzimuthImage> traced_bounces(const scene::Scene& scene, 
                                                      const radar::Radar& radar, const radar::Rectangle& area,
                                                      const TraceSettings& settings, std::size_t orders,
                                                      trace::TraceCounts& counts, ProgressListener* progress) {
-  const auto launch = launch_for_map(scene, geometry, radar, area, settings.cell_m);
-  return traced_bounces(scene, geometry, radar, launch, settings, orders, counts, progress);
+  const LaunchShare all{launch_for_map(scene, geometry, radar, area, settings.cell_m), settings.samples_per_cell};
+  return traced_bounces(scene, geometry, radar, {&all, 1}, settings, orders, counts, progress);
 }
 
 trace::LaunchArea launch_for_map(const scene::Scene& scene, const trace::SceneGeometry& geometry,
@@ -163,22 +188,28 @@ trace::LaunchArea launch_for_map(const scene::Scene& scene, const trace::SceneGe
 }
 
 std::vector<radar::RangeAzimuthImage> traced_bounces(const scene::Scene& scene, const trace::SceneGeometry& geometry,
-                                                     const radar::Radar& radar, const trace::LaunchArea& launch,
+                                                     const radar::Radar& radar, std::span<const LaunchShare> shares,
                                                      const TraceSettings& settings, std::size_t orders,
-                                                     trace::TraceCounts& counts, ProgressListener* progress) {
+                                                     trace::TraceCounts& counts, ProgressListener* progress,
+                                                     const RayWatcher& watcher) {
+  const trace::LaunchArea& launch = shares.front().launch;
   const auto& viewpoint = launch.viewpoint;
   const auto surfaces = trace::surface_models(scene, radar.frequency_hz);
   const trace::PathTracer tracer(geometry, surfaces, viewpoint, {.max_bounces = settings.max_bounces}, settings.seed);
   BounceReceivers receivers(radar, bins_for(radar, launch.target, scene.terrain), orders);
+  std::size_t tile_count = 0;
+  for (const LaunchShare& share : shares) tile_count += share.launch.tiles();
   SilentProgress silent;
   trace::TileProgress tiles(progress != nullptr ? *progress : silent, "trace", "% of the map", 0.0, 100.0, 100.0,
-                            launch.tiles());
+                            tile_count);
   UnhiddenEchoes unhidden(settings.targets, radar.position, thread_count(settings.threads));
-  counts += tracer.trace(launch, {0, settings.samples_per_cell, settings.samples_per_cell}, settings.threads,
-                         [&](std::span<const radar::Echo> echoes, unsigned worker) {
-                           receivers.add(unhidden.among(echoes, worker));
-                           tiles.tile_done(worker);
-                         });
+  for (const LaunchShare& share : shares) {
+    counts += trace_share(tracer, share, settings.threads, watcher,
+                          [&](std::span<const radar::Echo> echoes, unsigned worker) {
+                            receivers.add(unhidden.among(echoes, worker));
+                            tiles.tile_done(worker);
+                          });
+  }
   tiles.all_done();
   add_point_targets(scene, geometry, viewpoint, receivers.first());
   const auto seen = seen_targets(
