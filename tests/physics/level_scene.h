@@ -63,7 +63,7 @@ inline std::vector<radar::Echo> traced_echoes(const scene::Scene& scene, const r
   const trace::PathTracer tracer(geometry, trace::surface_models(scene, at_frequency_hz), viewpoint, settings.options,
                                  settings.seed);
   const auto launch =
-      trace::launch_area(viewpoint, settings.area, settings.cell_m, 0.0, geometry.highest_m() + 1.0, 0.0);
+      trace::launch_area(viewpoint, settings.area, settings.cell_m, 0.0, geometry.highest_m() + 1.0, {});
   std::vector<radar::Echo> echoes;
   std::mutex guard;
   tracer.trace(launch, {0, settings.samples, settings.samples}, 0, [&](std::span<const radar::Echo> some, unsigned) {

@@ -49,7 +49,7 @@ Return seen(const trace::SceneGeometry& geometry, const scene::Scene& scene, con
   const trace::PathTracer tracer(geometry, trace::surface_models(scene, 10e9), viewpoint, settings.options,
                                  settings.seed);
   const auto launch =
-      trace::launch_area(viewpoint, settings.area, settings.cell_m, 0.0, geometry.highest_m() + 1.0, 0.0);
+      trace::launch_area(viewpoint, settings.area, settings.cell_m, 0.0, geometry.highest_m() + 1.0, {});
   Return sum;
   tracer.trace(launch, {0, settings.samples, settings.samples}, 1, [&](std::span<const radar::Echo> echoes, unsigned) {
     for (const radar::Echo& echo : echoes) {
@@ -198,7 +198,7 @@ Moments double_bounce(double alpha, Estimator estimator, std::uint32_t samples) 
   const auto viewpoint = trace::Viewpoint::distant({pi, radians_from_deg(20.0)});
   const trace::PathTracer tracer(geometry, trace::surface_models(scene, 10e9), viewpoint,
                                  {.max_bounces = 2, .estimator = estimator, .roulette = false}, 1);
-  const auto launch = trace::launch_area(viewpoint, {-16, -32, 16, 4}, 1.0, 0.0, geometry.highest_m() + 1.0, 0.0);
+  const auto launch = trace::launch_area(viewpoint, {-16, -32, 16, 4}, 1.0, 0.0, geometry.highest_m() + 1.0, {});
   double sum = 0.0, squares = 0.0;
   const auto counts =
       tracer.trace(launch, {0, samples, samples}, 1, [&](std::span<const radar::Echo> echoes, unsigned) {

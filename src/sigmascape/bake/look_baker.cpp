@@ -17,9 +17,6 @@
 namespace sigmascape::bake {
 namespace {
 
-/// How far around a patch paths of several bounces may begin that land in it: between their ends.
-constexpr double multibounce_margin_m = 32.0;
-
 /// What a texel is multiplied by of which terrain leaves that part to be seen. Of little seen the shadow is not taken
 /// out whole: what few paths bring of the rest would be multiplied with all its noise.
 double gain_of(double part_seen) {
@@ -74,9 +71,11 @@ Array2D<float> LookBaker::terrain_gains(const radar::GroundGrid& texels, const r
 
 trace::LaunchArea LookBaker::area_of(const radar::GroundGrid& texels, const radar::Aspect& aspect) const {
   // The scene ends where its extent does; beyond a rim about it texels stay black.
-  return trace::launch_area(trace::Viewpoint::distant(aspect), intersection(texels.extent(), scene_.extent),
-                            settings_.patches.texel_m, geometry_.lowest_m(), geometry_.highest_m() + 1.0,
-                            multibounce_margin_m, trace::tile_side_cells);
+  const auto viewpoint = trace::Viewpoint::distant(aspect);
+  const radar::Rectangle target = intersection(texels.extent(), scene_.extent);
+  return trace::launch_area(viewpoint, target, settings_.patches.texel_m, geometry_.lowest_m(),
+                            geometry_.highest_m() + 1.0, trace::multibounce_reach(scene_, viewpoint, target),
+                            trace::tile_side_cells);
 }
 
 std::vector<BakedLook> LookBaker::bake(atlas::PatchIndex patch, const radar::Aspect& aspect,
@@ -118,8 +117,7 @@ std::vector<BakedLook> LookBaker::bake(const radar::GroundGrid& texels, const tr
       look.sigma0.values()[i] = look.sigma0.values()[i] * gains.values()[i];
     look.relative_errors = accumulator.relative_errors();
     look.relative_standard_error = root_mean_square_of_lit(look.relative_errors, look.sigma0);
-    look.samples_per_texel =
-        area.cells.empty() ? 0.0 : static_cast<double>(counts.paths) / static_cast<double>(area.cells.size());
+    look.samples_per_texel = area.cells.empty() ? 0.0 : static_cast<double>(counts.paths) / area.whole_cells();
   }
   looks.front().counts = counts;
   return looks;

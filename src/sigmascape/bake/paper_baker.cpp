@@ -8,12 +8,6 @@
 #include "sigmascape/trace/launch.h"
 
 namespace sigmascape::bake {
-namespace {
-
-/// How far around a patch paths of several bounces may begin that land in it: between their ends.
-constexpr double multibounce_margin_m = 32.0;
-
-}  // namespace
 
 PaperBaker::PaperBaker(const scene::Scene& scene, const BakeSettings& settings)
     : scene_(scene),
@@ -26,7 +20,7 @@ Array2D<radar::Channels> PaperBaker::bake(const radar::GroundGrid& texels, const
   const trace::PathTracer tracer(geometry_, surfaces_, viewpoint, {.max_bounces = settings_.max_bounces},
                                  settings_.seed);
   const auto area = trace::launch_area(viewpoint, scene_.extent, texels.cell_m, 0.0, geometry_.highest_m() + 1.0,
-                                       multibounce_margin_m);
+                                       trace::multibounce_reach(scene_, viewpoint, scene_.extent));
   const std::uint32_t samples = settings_.sampling.samples_per_texel;
   receiver::PolarGround ground(texels, aspect);
   tracer.trace(area, {0, samples, samples}, settings_.threads,

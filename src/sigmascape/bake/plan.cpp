@@ -30,8 +30,8 @@ class Trials {
     for (std::size_t i = 0; i < settings_.aspects.elevations_rad.size(); ++i) trials.push_back(at_elevation(i));
     return trials;
   }
-  [[nodiscard]] std::size_t cells_of(atlas::PatchIndex patch, const radar::Aspect& aspect) const {
-    return baker_.area_of(settings_.patches.texels_of(patch), aspect).cells.size();
+  [[nodiscard]] double cells_of(atlas::PatchIndex patch, const radar::Aspect& aspect) const {
+    return baker_.area_of(settings_.patches.texels_of(patch), aspect).whole_cells();
   }
 
  private:
@@ -51,7 +51,7 @@ class Trials {
     const BakedLook look = baker_.bake(patch, aspect, silent).front();
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
     const auto texels = piece_.patches.texels_of(patch);
-    const auto cells = static_cast<double>(baker_.area_of(texels, aspect).cells.size());
+    const double cells = baker_.area_of(texels, aspect).whole_cells();
     const auto halves = atlas::encoded({look.sigma0}, atlas::fitting_scale(look.sigma0), settings_.mantissa_bits);
     const auto bytes = atlas::texture_bytes(halves, texels, description_of(scene_, piece_)).size();
     return {taken.count() / std::max(cells, 1.0), static_cast<double>(bytes) / static_cast<double>(look.sigma0.size())};
@@ -101,7 +101,7 @@ BakePlan plan(const scene::Scene& scene, const BakeSettings& settings, const std
     plan.looks += job.looks.size();
     plan.already += there;
     if (there == job.looks.size()) continue;
-    const auto cells = static_cast<double>(trials.cells_of(job.patch, job.aspect));
+    const double cells = trials.cells_of(job.patch, job.aspect);
     plan.cells += cells;
     plan.seconds += trial.seconds_per_cell * cells;
   }

@@ -16,6 +16,15 @@ constexpr int neighbourhood = 2;
 /// stay in the caches.
 constexpr std::size_t paths_at_once = 2048;
 
+/// Two batches of one ray, or there is no telling how far off their mean is.
+constexpr std::uint32_t fewest_samples = 2;
+
+/// What a cell gets of a number of samples.
+std::uint32_t spared(std::uint32_t samples, const trace::LaunchCell& cell, std::uint32_t fewest) {
+  return std::max(static_cast<std::uint32_t>(std::ceil(static_cast<float>(samples) * cell.share)),
+                  std::min(fewest, samples));
+}
+
 }  // namespace
 
 TileSampler::TileSampler(const Sampling& sampling, Shadows shadows, const EchoLanding& landing,
@@ -33,14 +42,17 @@ TileSampler::TileSampler(const Sampling& sampling, Shadows shadows, const EchoLa
 void TileSampler::sample(trace::TilePaths& tile, double cell_area_m2) {
   const std::size_t cells = tile.cells().size();
   if (!sampling_.is_adaptive()) {
-    batches_.assign(cells, Batches::of(sampling_.samples_per_texel));
+    batches_.clear();
+    for (const trace::LaunchCell& cell : tile.cells())
+      batches_.push_back(Batches::of(spared(sampling_.samples_per_texel, cell, fewest_samples)));
     trace_cells(tile, 0);
     return;
   }
   trace_pilots(tile);
   batches_.clear();
   for (std::size_t cell = 0; cell < cells; ++cell)
-    batches_.push_back(Batches::of(samples_needed(tile.cells(), cell, cell_area_m2), pilot_samples));
+    batches_.push_back(Batches::of(
+        spared(samples_needed(tile.cells(), cell, cell_area_m2), tile.cells()[cell], pilot_samples), pilot_samples));
   trace_cells(tile, pilot_samples);
 }
 

@@ -156,6 +156,27 @@ double tallest_object_m(const Scene& scene) {
   return tallest;
 }
 
+radar::Rectangle occupied_extent(const Scene& scene) {
+  radar::Rectangle occupied = scene.extent;
+  const auto take_in = [&](double x, double y, double about) {
+    occupied = {std::min(occupied.west_m, x - about), std::min(occupied.south_m, y - about),
+                std::max(occupied.east_m, x + about), std::max(occupied.north_m, y + about)};
+  };
+  for (const Vec3f& vertex : scene.buildings.mesh.vertices)
+    take_in(static_cast<double>(vertex.x), static_cast<double>(vertex.y), 0.0);
+  std::vector<float> radii;
+  for (const Mesh& prototype : scene.prototypes) {
+    radii.push_back(0.0F);
+    for (const Vec3f& vertex : prototype.vertices)
+      radii.back() = std::max(radii.back(), std::hypot(vertex.x, vertex.y));
+  }
+  for (const Instance& instance : scene.instances) {
+    const float radius = radii[instance.prototype] * std::max(instance.scale.x, instance.scale.y);
+    take_in(static_cast<double>(instance.x_m), static_cast<double>(instance.y_m), static_cast<double>(radius));
+  }
+  return occupied;
+}
+
 std::string scene_hash(const Scene& scene) {
   Sha256 sha;
   sha.add(scene.frame.proj());

@@ -120,6 +120,9 @@ void shift(Scene& scene, Vec2d offset);
 /// Height of the tallest thing above its ground, in metres: what decides how far shadows and layover reach.
 [[nodiscard]] double tallest_object_m(const Scene& scene);
 
+/// The scene's extent, and as much around it as anything takes up that stands outside.
+[[nodiscard]] radar::Rectangle occupied_extent(const Scene& scene);
+
 /// A digest of everything that affects how the scene scatters: the same for equal scenes, another after any change.
 [[nodiscard]] std::string scene_hash(const Scene& scene);
 

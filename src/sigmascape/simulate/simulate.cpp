@@ -22,9 +22,6 @@
 namespace sigmascape::simulate {
 namespace {
 
-/// How far outside the area paths of several bounces may begin that land in it.
-constexpr double multibounce_margin_m = 32.0;
-
 /// Rays start this far above the highest point, and the radar must stand above their start.
 constexpr double clearance_m = 1.0;
 
@@ -181,8 +178,9 @@ std::vector<radar::RangeAzimuthImage> traced_bounces(const scene::Scene& scene, 
 trace::LaunchArea launch_for_map(const scene::Scene& scene, const trace::SceneGeometry& geometry,
                                  const radar::Radar& radar, const radar::Rectangle& area, double cell_m) {
   check_above(radar, geometry.highest_m());
-  auto launch = trace::launch_area(trace::Viewpoint::located(radar.position), area, cell_m, geometry.lowest_m(),
-                                   geometry.highest_m() + clearance_m, multibounce_margin_m);
+  const auto viewpoint = trace::Viewpoint::located(radar.position);
+  auto launch = trace::launch_area(viewpoint, area, cell_m, geometry.lowest_m(), geometry.highest_m() + clearance_m,
+                                   trace::multibounce_reach(scene, viewpoint, area));
   trace::leave_out_idle_cells(launch, scene, geometry.footing());
   return launch;
 }

@@ -49,10 +49,7 @@ void TileTracer::consider_connection(std::uint32_t number, std::size_t lane, Vec
   // Most connections are so faint that it does not matter how much their share is.
   if (chance_of(greatest_share) <= lot) return;
   const Path& path = paths_[number];
-  connection.reverse_odds = reverse_odds(path, lane);
-  const Vec3d position = position_of(path);
-  connection.reverse_is_launched =
-      area_.counts_from(position) && area_.covers(viewpoint_.shadow_on_plane(position, area_.plane_height_m));
+  connection.reverse_odds = reverse_odds(path, lane) * reverse_share(path) / path.launch_share;
   // Crowns on the way to the radar have a part in the share, which then has to wait for the ray.
   connection.chance = chance_of(geometry_.has_crowns() ? 1.0F : reciprocal_share(connection, cosine));
   if (connection.chance <= lot) return;
@@ -69,6 +66,13 @@ float TileTracer::reverse_odds(const Path& path, std::size_t lane) const {
   return back / path.first_density / forth;
 }
 
+/// Which part of the rays that the target gets are launched to where the reversed path begins.
+float TileTracer::reverse_share(const Path& path) const {
+  const Vec3d position = position_of(path);
+  if (!area_.counts_from(position)) return 0.0F;
+  return area_.share_at(viewpoint_.shadow_on_plane(position, area_.plane_height_m));
+}
+
 void TileTracer::add_connected_echoes(int bounce) {
   find_transmittances();
   for (std::size_t i = 0; i < connections_.size(); ++i) {
@@ -79,7 +83,6 @@ void TileTracer::add_connected_echoes(int bounce) {
 /// 2/(1 + q): the part of the path and its reversal together that falls to this one of the two.
 float TileTracer::reciprocal_share(const Connection& connection, float last_density) const {
   if (options_.estimator == Estimator::OneWay) return 1.0F;
-  if (!connection.reverse_is_launched) return greatest_share;
   return 2.0F / (1.0F + connection.reverse_odds * last_density);
 }
 

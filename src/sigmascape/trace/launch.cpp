@@ -1,6 +1,7 @@
 #include "sigmascape/trace/launch.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <span>
@@ -31,26 +32,61 @@ radar::Rectangle widened(const radar::Rectangle& r, double by) {
   return {r.west_m - by, r.south_m - by, r.east_m + by, r.north_m + by};
 }
 
-/// How far behind the target the farthest aim point lies. The distance is a convex function of that to the radar, so
-/// that the nearest point of the target or a corner has the greatest.
-double greatest_reach_m(const LaunchArea& area) {
-  const radar::Rectangle r = widened(area.target, area.rim_m());
-  const auto reach_of = [&](Vec2d p) {
-    return area.viewpoint.aim_behind_landing_m({p.x, p.y, area.plane_height_m}, area.top_height_m);
-  };
-  double reach = reach_of(area.viewpoint.nearest_point(r));
-  for (const Vec2d corner :
-       {Vec2d{r.west_m, r.south_m}, {r.east_m, r.south_m}, {r.west_m, r.north_m}, {r.east_m, r.north_m}}) {
-    reach = std::max(reach, reach_of(corner));
-  }
-  return reach;
-}
-
 /// The horizontal part of a direction, of unit length; nothing straight up.
 Vec2d level_part(Vec3d direction) {
   // Asked once a path: std::hypot would take several times as long to no gain, all being of order one.
   const double horizontal = std::sqrt(direction.x * direction.x + direction.y * direction.y);
   return horizontal > 0.0 ? Vec2d{direction.x / horizontal, direction.y / horizontal} : Vec2d{};
+}
+
+std::array<Vec2d, 4> corners_of(const radar::Rectangle& r) {
+  return {{{r.west_m, r.south_m}, {r.east_m, r.south_m}, {r.west_m, r.north_m}, {r.east_m, r.north_m}}};
+}
+
+/// The target and all places so far before and beside it where anything may begin.
+radar::Rectangle ring_about(const Viewpoint& viewpoint, const radar::Rectangle& target, double plane_height_m,
+                            const MultibounceReach& reach) {
+  radar::Rectangle ring = target;
+  const auto take_in = [&](Vec2d place) {
+    place = {std::clamp(place.x, reach.within.west_m, reach.within.east_m),
+             std::clamp(place.y, reach.within.south_m, reach.within.north_m)};
+    ring = {std::min(ring.west_m, place.x), std::min(ring.south_m, place.y), std::max(ring.east_m, place.x),
+            std::max(ring.north_m, place.y)};
+  };
+  for (const Vec2d corner : corners_of(target)) {
+    const Vec2d towards = level_part(viewpoint.direction_from({corner.x, corner.y, plane_height_m}));
+    const Vec2d before = towards * reach.before_m, beside = Vec2d{towards.y, -towards.x} * reach.beside_m;
+    for (const Vec2d place : {corner + beside, corner - beside, corner + before + beside, corner + before - beside})
+      take_in(place);
+  }
+  return ring;
+}
+
+/// From the nearest outwards, each half as far as the next.
+std::vector<radar::Rectangle> rings_about(const Viewpoint& viewpoint, const radar::Rectangle& target,
+                                          double plane_height_m, MultibounceReach reach) {
+  /// Closer by, no rays are spared.
+  constexpr double near_m = 32.0;
+  std::vector<radar::Rectangle> rings{ring_about(viewpoint, target, plane_height_m, reach)};
+  while (std::max(reach.before_m, reach.beside_m) > near_m) {
+    reach.before_m *= 0.5;
+    reach.beside_m *= 0.5;
+    rings.push_back(ring_about(viewpoint, target, plane_height_m, reach));
+  }
+  std::ranges::reverse(rings);
+  return rings;
+}
+
+/// How far behind the target the farthest aim point lies. The distance is a convex function of that to the radar, so
+/// that the nearest point of the target or a corner has the greatest.
+double greatest_reach_m(const LaunchArea& area) {
+  const radar::Rectangle r = widened(area.rings.back(), area.rim_m());
+  const auto reach_of = [&](Vec2d p) {
+    return area.viewpoint.aim_behind_landing_m({p.x, p.y, area.plane_height_m}, area.top_height_m);
+  };
+  double reach = reach_of(area.viewpoint.nearest_point(r));
+  for (const Vec2d corner : corners_of(r)) reach = std::max(reach, reach_of(corner));
+  return reach;
 }
 
 /// Tells which cells' rays come to where paths begin that count.
@@ -93,7 +129,7 @@ class UsefulCells {
 
   /// Where vertices stand whose echoes can land in the target or its margin, and a little more.
   [[nodiscard]] radar::Rectangle region() const {
-    const radar::Rectangle reached = widened(area_.target, area_.margin_m + area_.cell_m);
+    const radar::Rectangle reached = area_.beginnings();
     const Vec2d nearest = area_.viewpoint.nearest_point(reached);
     const double behind_m =
         area_.viewpoint.point_behind_landing_m({nearest.x, nearest.y, area_.plane_height_m}, area_.top_height_m);
@@ -121,27 +157,42 @@ void leave_out_idle_cells(LaunchArea& area, const scene::Scene& scene, Footing f
   area.cells = std::move(kept);
 }
 
+radar::Rectangle LaunchArea::beginnings() const {
+  return widened(rings.back(), cell_m * grain);
+}
+
 bool LaunchArea::counts_from(Vec3d first_vertex) const {
-  const radar::Rectangle reached = widened(target, margin_m + cell_m);
+  const radar::Rectangle reached = beginnings();
   const Vec2d foot{first_vertex.x, first_vertex.y};
   // On ground of unknown height it lands somewhere between its foot and where it would on the lowest.
   return reached.contains(foot) || segment_meets(reached, foot, level_part(viewpoint.direction_from(first_vertex)),
                                                  viewpoint.landing_before_m(first_vertex, plane_height_m));
 }
 
-bool LaunchArea::covers(Vec2d point) const {
+float LaunchArea::share_at(Vec2d point) const {
   // All of the grain was launched if its centre qualified.
   const double grain_m = cell_m * grain;
   const Vec2d centre{(std::floor(point.x / grain_m) + 0.5) * grain_m, (std::floor(point.y / grain_m) + 0.5) * grain_m};
-  const radar::Rectangle reached = widened(target, rim_m());
-  if (reached.contains(centre)) return true;
   const Vec3d aim{centre.x, centre.y, plane_height_m};
-  return segment_meets(reached, centre, level_part(viewpoint.direction_from(aim)),
-                       viewpoint.landing_before_aim_m(aim, top_height_m));
+  const Vec2d towards = level_part(viewpoint.direction_from(aim));
+  const double before_m = viewpoint.landing_before_aim_m(aim, top_height_m);
+  float share = 1.0F;
+  for (const radar::Rectangle& ring : rings) {
+    const radar::Rectangle reached = widened(ring, rim_m());
+    if (reached.contains(centre) || segment_meets(reached, centre, towards, before_m)) return share;
+    share *= 0.5F;
+  }
+  return 0.0F;
+}
+
+double LaunchArea::whole_cells() const {
+  double sum = 0.0;
+  for (const LaunchCell& cell : cells) sum += static_cast<double>(cell.share);
+  return sum;
 }
 
 LaunchArea launch_area(const Viewpoint& viewpoint, const radar::Rectangle& target, double cell_m, double plane_height_m,
-                       double top_height_m, double margin_m, int grain) {
+                       double top_height_m, const MultibounceReach& reach, int grain) {
   LaunchArea area{.cell_m = cell_m,
                   .plane_height_m = plane_height_m,
                   .top_height_m = top_height_m,
@@ -149,25 +200,28 @@ LaunchArea launch_area(const Viewpoint& viewpoint, const radar::Rectangle& targe
                   .cells = {},
                   .viewpoint = viewpoint,
                   .target = target,
-                  .margin_m = margin_m};
+                  .rings = rings_about(viewpoint, target, plane_height_m, reach)};
+  const radar::Rectangle& outermost = area.rings.back();
   const double spread = area.rim_m() + cell_m * grain + greatest_reach_m(area);
   const auto lattice = [cell_m](double metres) { return static_cast<std::int32_t>(std::floor(metres / cell_m)); };
   const auto tile_start = [](std::int32_t index) {
     return (index >= 0 ? index / tile : (index - tile + 1) / tile) * tile;
   };
-  for (std::int32_t tj = tile_start(lattice(target.south_m - spread)); tj <= lattice(target.north_m + spread);
+  for (std::int32_t tj = tile_start(lattice(outermost.south_m - spread)); tj <= lattice(outermost.north_m + spread);
        tj += tile) {
-    for (std::int32_t ti = tile_start(lattice(target.west_m - spread)); ti <= lattice(target.east_m + spread);
+    for (std::int32_t ti = tile_start(lattice(outermost.west_m - spread)); ti <= lattice(outermost.east_m + spread);
          ti += tile) {
-      const auto covers = [&](std::int32_t i, std::int32_t j) {
-        return area.covers({(i + 0.5) * cell_m, (j + 0.5) * cell_m});
+      const auto share_of = [&](std::int32_t i, std::int32_t j) {
+        return area.share_at({(i + 0.5) * cell_m, (j + 0.5) * cell_m});
       };
       // All cells of a grain get the same answer.
       const bool is_whole = grain == tile;
-      if (is_whole && !covers(ti, tj)) continue;
+      const float of_tile = is_whole ? share_of(ti, tj) : 0.0F;
+      if (is_whole && of_tile == 0.0F) continue;
       for (std::int32_t j = tj; j < tj + tile; ++j) {
         for (std::int32_t i = ti; i < ti + tile; ++i) {
-          if (is_whole || covers(i, j)) area.cells.push_back({i, j});
+          const float share = is_whole ? of_tile : share_of(i, j);
+          if (share > 0.0F) area.cells.push_back({i, j, share});
         }
       }
     }

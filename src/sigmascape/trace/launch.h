@@ -5,6 +5,7 @@
 
 #include "sigmascape/radar/ground_grid.h"
 #include "sigmascape/scene/scene.h"
+#include "sigmascape/trace/multibounce_reach.h"
 #include "sigmascape/trace/scene_geometry.h"
 #include "sigmascape/trace/viewpoint.h"
 
@@ -15,6 +16,8 @@ namespace sigmascape::trace {
 struct LaunchCell {
   std::int32_t i = 0;  ///< eastward: covers x from i · cell to (i + 1) · cell
   std::int32_t j = 0;  ///< northward
+  /// Which part of the rays that cells of the target get is enough here: halved with every ring about the target.
+  float share = 1.0F;
 };
 
 /// Cells whose echoes travel to the receiver together: squares of the lattice, or what an area has of them.
@@ -31,34 +34,41 @@ struct LaunchArea {
 
   /// Number of tiles that the tracer hands to its sink, one by one.
   [[nodiscard]] std::size_t tiles() const { return (cells.size() + cells_per_tile - 1) / cells_per_tile; }
+  /// The cells, each for as much as its share.
+  [[nodiscard]] double whole_cells() const;
 
-  /// How far from the target the line of sight through a grain's centre may pass: where the centre stays out of the
-  /// target its cells may not.
-  [[nodiscard]] double rim_m() const { return margin_m + (grain == 1 ? cell_m : 0.5 * cell_m * grain); }
+  /// How far from where paths may begin the line of sight through a grain's centre may pass: where the centre stays out
+  /// its cells may not.
+  [[nodiscard]] double rim_m() const { return grain == 1 ? cell_m : 0.5 * cell_m * grain; }
 
-  /// Whether a ray through that point of the plane could have been launched.
-  [[nodiscard]] bool covers(Vec2d point) const;
-  /// Whether paths that begin at such a surface point count: whether its echo can land in the target or its margin.
+  /// LaunchCell::share at that point of the plane; 0 where nothing is launched.
+  [[nodiscard]] float share_at(Vec2d point) const;
+  /// The outermost ring and a grain more: cells that are launched together tell of one another, whichever target asks.
+  [[nodiscard]] radar::Rectangle beginnings() const;
+  /// Whether paths that begin at such a surface point count: whether its own echo can land there.
   /// Rays that were aimed behind the target to meet what is tall mostly meet ground that nobody asked for.
   [[nodiscard]] bool counts_from(Vec3d first_vertex) const;
 
   Viewpoint viewpoint;
   radar::Rectangle target;  ///< the area of interest
-  double margin_m = 0.0;    ///< how far around it paths may begin
+  /// Where the direct echoes land of those surface points that paths begin at, each within the next.
+  std::vector<radar::Rectangle> rings;
 };
 
 /// Takes out of an area the grains from which no path begins that counts: whose rays pass above all that stands where
 /// such paths begin, or only get there where they would be below it. What the area brings back stays the same to the
-/// last bit, and LaunchArea::covers still speaks of the area as it was, which for paths that count is the same.
+/// last bit, and LaunchArea::share_at still speaks of the area as it was, which for paths that count is the same.
 void leave_out_idle_cells(LaunchArea& area, const scene::Scene& scene, Footing footing);
 
 /// The launch area for echoes that land in `target`.
 ///
 /// A surface at height h above the plane is hit by rays aimed h cot ψ behind it and lands h tan ψ before it, so aim
 /// points reach h_max (cot ψ + tan ψ) behind the target, each along its own line of sight where the radar has a place.
-/// `margin_m` widens the target on all sides for echoes of several bounces, which land midway between their ends.
+/// Paths of several bounces may begin as far from the target as `reach` says. Ever fewer rays are asked for out there,
+/// half as many with every doubling of the distance, for ever less of what begins there lands in the target.
 /// `grain` is 1, or tile_side_cells where every tile is to be whole.
 [[nodiscard]] LaunchArea launch_area(const Viewpoint& viewpoint, const radar::Rectangle& target, double cell_m,
-                                     double plane_height_m, double top_height_m, double margin_m, int grain = 1);
+                                     double plane_height_m, double top_height_m, const MultibounceReach& reach,
+                                     int grain = 1);
 
 }  // namespace sigmascape::trace

@@ -29,9 +29,10 @@ struct Path {
   SobolPoint point{0, 0};   ///< the numbers that it is drawn from
   std::size_t hero = 0;     ///< the frequency whose densities draw the directions
   bool is_alive = true;
-  bool counts = true;  ///< whether it began where the launch area asks for
-  Vec3d aim;           ///< where on the launch plane it was aimed
-  Ray ray;             ///< the one that it follows
+  bool counts = true;         ///< whether it began where the launch area asks for
+  Vec3d aim;                  ///< where on the launch plane it was aimed
+  float launch_share = 1.0F;  ///< LaunchCell::share there
+  Ray ray;                    ///< the one that it follows
   SurfaceHit hit;
   Vec3d first_position;  ///< of the first vertex, in the world
   double first_range_m = 0.0;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 
+#include "sigmascape/base/hash.h"
 #include "sigmascape/base/parallel.h"
 #include "sigmascape/trace/tile_tracer.h"
 
@@ -15,13 +16,13 @@ struct EchoList {
   std::vector<radar::Echo> echoes;
   std::vector<radar::ComplexChannels> amplitudes_m;
 
-  /// Takes the place of what was there; every start stands for the part `share` of its cell.
-  void take(const TilePaths& tile, std::size_t frequency, std::size_t starts, double share) {
-    const auto power_share = static_cast<float>(share);
-    const float root_share = std::sqrt(power_share);
+  /// Takes the place of what was there; so many starts stand for a whole cell of the target.
+  void take(const TilePaths& tile, std::size_t frequency, std::span<const PathStart> starts, std::uint32_t a_cell) {
     echoes.clear();
     amplitudes_m.clear();
-    for (std::size_t start = 0; start < starts; ++start) {
+    for (std::size_t start = 0; start < starts.size(); ++start) {
+      const float power_share = 1.0F / (static_cast<float>(a_cell) * starts[start].cell.share);
+      const float root_share = std::sqrt(power_share);
       for (radar::Echo echo : tile.echoes(frequency, start)) {
         echo.rcs_m2 = echo.rcs_m2 * power_share;
         echoes.push_back(echo);
@@ -31,6 +32,17 @@ struct EchoList {
     }
   }
 };
+
+/// The samples of a cell that gets but a share of them: of every 1 / share one, counted from a place drawn by lot, so
+/// that ranges which follow one another share them without a gap.
+SampleRange spared(const SampleRange& samples, const LaunchCell& cell, std::uint64_t seed) {
+  const double share = static_cast<double>(cell.share);
+  const double lot = static_cast<double>(
+      unit_float(hashed(seed, static_cast<std::uint32_t>(cell.i), static_cast<std::uint32_t>(cell.j))));
+  const auto number = [&](std::uint32_t sample) { return static_cast<std::uint32_t>(sample * share + lot); };
+  const std::uint32_t first = number(samples.first);
+  return {.first = first, .count = number(samples.first + samples.count) - first, .of = samples.of};
+}
 
 }  // namespace
 
@@ -67,13 +79,14 @@ TraceCounts PathTracer::trace(const LaunchArea& area, SampleRange samples, unsig
   return trace_tiles(area, threads, [&](TilePaths& tile, unsigned worker) {
     std::vector<PathStart> starts;
     for (const LaunchCell& cell : tile.cells()) {
-      for (std::uint32_t sample = 0; sample < samples.count; ++sample)
-        starts.push_back({.cell = cell, .sequence = 0, .sample = samples.first + sample});
+      const SampleRange of_cell = spared(samples, cell, seed_);
+      for (std::uint32_t sample = 0; sample < of_cell.count; ++sample)
+        starts.push_back({.cell = cell, .sequence = 0, .sample = of_cell.first + sample});
     }
     tile.follow(starts);
     for (std::size_t f = 0; f < surfaces_.size(); ++f) {
       EchoList& list = lists[worker][f];
-      list.take(tile, f, starts.size(), 1.0 / samples.of);
+      list.take(tile, f, starts, samples.of);
       sink({.echoes = list.echoes, .amplitudes_m = list.amplitudes_m, .frequency = f, .worker = worker});
     }
   });

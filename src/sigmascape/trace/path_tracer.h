@@ -35,7 +35,8 @@ struct PathOptions {
   bool coherent = false;     ///< hand out amplitudes with the echoes: TileEchoes::amplitudes_m
 };
 
-/// Which of each cell's samples to trace; samples first … first + count − 1 of `of` share the cell's area.
+/// Which of each cell's samples to trace; samples first … first + count − 1 of `of` share the cell's area. Of cells
+/// that stand about the target, LaunchCell::share of them are traced.
 struct SampleRange {
   std::uint32_t first = 0;
   std::uint32_t count = 16;
@@ -97,7 +98,8 @@ class TilePaths {
   /// Follows all these paths; many together are faster than one by one. What they bring takes the place of what those
   /// before brought.
   virtual void follow(std::span<const PathStart> starts) = 0;
-  /// The echoes of start number `start` of those followed, each as though its sample stood for the whole cell.
+  /// The echoes of start number `start` of those followed, each as though its sample stood for the whole cell, whatever
+  /// the cell's share.
   [[nodiscard]] virtual std::span<const radar::Echo> echoes(std::size_t frequency, std::size_t start) const = 0;
   /// As TileEchoes::amplitudes_m, of the same start.
   [[nodiscard]] virtual std::span<const radar::ComplexChannels> amplitudes_m(std::size_t frequency,

@@ -123,6 +123,7 @@ PairLanes TileTracer::drawn_pairs(const SobolLanes& points, std::uint32_t bounce
 void TileTracer::launch_towards(Path& path, Vec2f within_cell, const LaunchCell& cell) {
   path.aim = {(cell.i + static_cast<double>(within_cell.x)) * area_.cell_m,
               (cell.j + static_cast<double>(within_cell.y)) * area_.cell_m, area_.plane_height_m};
+  path.launch_share = cell.share;
   const Vec3d to_radar = viewpoint_.direction_from(path.aim);
   const double back = (area_.top_height_m - area_.plane_height_m) / to_radar.z;
   path.ray = {(path.aim + to_radar * back - geometry_.origin()).to<float>(), (-to_radar).to<float>()};

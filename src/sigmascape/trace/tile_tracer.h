@@ -53,10 +53,10 @@ class TileTracer final : public TilePaths {
   struct Connection {
     std::uint32_t path = 0;
     Vec3f to_radar;
-    float density = 1.0F;       // of the path, whichever frequency were its hero
-    float chance = 1.0F;        // with which it is made, but for the reciprocal share
-    float reverse_odds = 0.0F;  // density of the reversed path over that of the path, but for that of the last vertex
-    bool reverse_is_launched = false;
+    float density = 1.0F;  // of the path, whichever frequency were its hero
+    float chance = 1.0F;   // with which it is made, but for the reciprocal share
+    // Density of the reversed path over that of the path, but for that of the last vertex; 0 if it is not launched.
+    float reverse_odds = 0.0F;
   };
 
   // tile_tracer.cpp: the way of the paths
@@ -90,6 +90,7 @@ class TileTracer final : public TilePaths {
   void consider_connections(const Company& company, int bounce);
   void consider_connection(std::uint32_t path, std::size_t lane, Vec3f to_radar, float lot);
   [[nodiscard]] float reverse_odds(const Path& path, std::size_t lane) const;
+  [[nodiscard]] float reverse_share(const Path& path) const;
   /// Makes those that were found worth it, if they see the radar.
   void add_connected_echoes(int bounce);
   [[nodiscard]] float reciprocal_share(const Connection& connection, float last_density) const;

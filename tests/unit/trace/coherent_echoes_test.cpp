@@ -21,7 +21,8 @@ CoherentEchoes traced(const scene::Scene& scene, const radar::Aspect& aspect, co
   const SceneGeometry geometry(scene, Footing::LevelPlane);
   const auto viewpoint = Viewpoint::distant(aspect);
   const PathTracer tracer(geometry, surface_models(scene, frequency_hz), viewpoint, options, 1);
-  const LaunchArea launch = launch_area(viewpoint, {-20, -20, 20, 20}, 1.0, 0.0, geometry.highest_m() + 1.0, 10.0);
+  const LaunchArea launch =
+      launch_area(viewpoint, {-20, -20, 20, 20}, 1.0, 0.0, geometry.highest_m() + 1.0, {10.0, 10.0});
   CoherentEchoes all;
   tracer.trace(launch, {0, 64, 64}, 1, [&](const TileEchoes& tile) {
     all.echoes.insert(all.echoes.end(), tile.echoes.begin(), tile.echoes.end());

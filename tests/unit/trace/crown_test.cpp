@@ -46,9 +46,9 @@ radar::Channels sigma0(const scene::Scene& scene, double elevation_deg, const Pa
   const auto viewpoint = Viewpoint::distant({pi, elevation});
   const SceneGeometry geometry(scene, Footing::LevelPlane);
   const PathTracer tracer(geometry, surface_models(scene, frequency_hz), viewpoint, options, 3);
-  const double launched_m = half_m + 8.0;
+  const double launched_m = half_m + 12.0;
   const LaunchArea launch = launch_area(viewpoint, {-launched_m, -launched_m, launched_m, launched_m}, 1.0, 0.0,
-                                        geometry.highest_m() + 1.0, 4.0);
+                                        geometry.highest_m() + 1.0, {});
   std::array<double, radar::Channels::count> sum{};
   tracer.trace(launch, {0, samples, samples}, 1, [&](std::span<const radar::Echo> echoes, unsigned) {
     for (const radar::Echo& echo : echoes) {
@@ -173,7 +173,7 @@ TEST(Crown, KeepsAllPowerThatItDoesNotAbsorb) {
     const SceneGeometry geometry(scene, Footing::LevelPlane);
     const PathTracer tracer(geometry, surface_models(scene, frequency_hz), viewpoint,
                             {.max_bounces = 200, .power_books = true}, 1);
-    const LaunchArea launch = launch_area(viewpoint, {-12, -12, 12, 12}, 1.0, 0.0, geometry.highest_m() + 1.0, 0.0);
+    const LaunchArea launch = launch_area(viewpoint, {-12, -12, 12, 12}, 1.0, 0.0, geometry.highest_m() + 1.0, {});
     return tracer.trace(launch, {0, 128, 128}, 1, [](std::span<const radar::Echo>, unsigned) {}).power;
   };
   for (const double albedo : {0.3, 1.0}) {

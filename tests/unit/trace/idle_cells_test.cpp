@@ -69,8 +69,8 @@ TEST(IdleCells, NothingComesFromThem) {
         for (const bool is_distant : {true, false}) {
           const auto viewpoint = is_distant ? Viewpoint::distant(aspect) : Viewpoint::located(place);
           for (const int grain : {1, tile_side_cells}) {
-            const LaunchArea all =
-                launch_area(viewpoint, target, 1.5, geometry.lowest_m(), geometry.highest_m() + 1.0, 10.0, grain);
+            const LaunchArea all = launch_area(viewpoint, target, 1.5, geometry.lowest_m(), geometry.highest_m() + 1.0,
+                                               {10.0, 10.0}, grain);
             LaunchArea useful = all;
             leave_out_idle_cells(useful, scene, footing);
             if (elevation_deg < 10.0) {

@@ -58,9 +58,13 @@ std::string description(const Landing& landing) {
          std::to_string(landing.radar.z) + " m";
 }
 
+bool covers(const LaunchArea& area, Vec2d point) {
+  return area.share_at(point) > 0.0F;
+}
+
 TEST(LaunchArea, EveryRayThatLandsInTheTargetIsLaunched) {
   for (const Landing& landing : viewpoints()) {
-    const LaunchArea area = launch_area(landing.viewpoint, target, 4.0, 0.0, top_m, 0.0);
+    const LaunchArea area = launch_area(landing.viewpoint, target, 4.0, 0.0, top_m, {});
     const std::set<std::pair<int, int>> cells = [&] {
       std::set<std::pair<int, int>> set;
       for (const LaunchCell cell : area.cells) set.insert({cell.i, cell.j});
@@ -73,7 +77,7 @@ TEST(LaunchArea, EveryRayThatLandsInTheTargetIsLaunched) {
       if (!target.contains(landing(hit))) continue;
       ++landed;
       const Vec2d aim = landing.viewpoint.shadow_on_plane(hit, 0.0);
-      ASSERT_TRUE(area.covers(aim)) << description(landing) << ": hit " << hit.x << " " << hit.y << " " << hit.z;
+      ASSERT_TRUE(covers(area, aim)) << description(landing) << ": hit " << hit.x << " " << hit.y << " " << hit.z;
       ASSERT_TRUE(
           cells.contains({static_cast<int>(std::floor(aim.x / 4.0)), static_cast<int>(std::floor(aim.y / 4.0))}))
           << description(landing) << ": hit " << hit.x << " " << hit.y << " " << hit.z;
@@ -84,7 +88,7 @@ TEST(LaunchArea, EveryRayThatLandsInTheTargetIsLaunched) {
 
 TEST(LaunchArea, CoversExactlyTheCellsListed) {
   for (const Landing& landing : viewpoints()) {
-    const LaunchArea area = launch_area(landing.viewpoint, target, 8.0, 0.0, top_m, 16.0);
+    const LaunchArea area = launch_area(landing.viewpoint, target, 8.0, 0.0, top_m, {16.0, 16.0});
     std::set<std::pair<int, int>> cells;
     for (const LaunchCell cell : area.cells) cells.insert({cell.i, cell.j});
     EXPECT_EQ(cells.size(), area.cells.size()) << "a cell is listed twice: " << description(landing);
@@ -94,8 +98,8 @@ TEST(LaunchArea, CoversExactlyTheCellsListed) {
         const Vec2d corner{8.0 * i, 8.0 * j};
         const bool listed = cells.contains({i, j});
         covered += listed ? 1U : 0U;
-        EXPECT_EQ(area.covers(corner + Vec2d{0.1, 7.9}), listed);
-        EXPECT_EQ(area.covers(corner + Vec2d{7.9, 0.1}), listed);
+        EXPECT_EQ(covers(area, corner + Vec2d{0.1, 7.9}), listed);
+        EXPECT_EQ(covers(area, corner + Vec2d{7.9, 0.1}), listed);
       }
     }
     EXPECT_EQ(covered, cells.size()) << description(landing);
@@ -103,34 +107,68 @@ TEST(LaunchArea, CoversExactlyTheCellsListed) {
 }
 
 TEST(LaunchArea, LaunchesNothingBeforeTheTargetAndLittleBeside) {
-  const LaunchArea area =
-      launch_area(Viewpoint::distant({radians(180.0), radians(10.0)}), target, 1.0, 0.0, top_m, 0.0);
+  const LaunchArea area = launch_area(Viewpoint::distant({radians(180.0), radians(10.0)}), target, 1.0, 0.0, top_m, {});
   const double reach_m = top_m / std::tan(radians(10.0)) + top_m * std::tan(radians(10.0));
-  EXPECT_FALSE(area.covers({0.0, target.south_m - 3.0}));
-  EXPECT_TRUE(area.covers({0.0, target.north_m + reach_m - 3.0}));
-  EXPECT_FALSE(area.covers({0.0, target.north_m + reach_m + 3.0}));
-  EXPECT_FALSE(area.covers({target.west_m - 3.0, 0.0}));
+  EXPECT_FALSE(covers(area, {0.0, target.south_m - 3.0}));
+  EXPECT_TRUE(covers(area, {0.0, target.north_m + reach_m - 3.0}));
+  EXPECT_FALSE(covers(area, {0.0, target.north_m + reach_m + 3.0}));
+  EXPECT_FALSE(covers(area, {target.west_m - 3.0, 0.0}));
   EXPECT_NEAR(static_cast<double>(area.cells.size()), (target.width_m() + 2.0) * (target.height_m() + 2.0 + reach_m),
               1500.0);
 }
 
-TEST(LaunchArea, MarginWidensTheTarget) {
+// Echoes of several bounces land behind where they begin, and midway across.
+TEST(LaunchArea, ReachWidensTheTargetBeforeAndBeside) {
   const LaunchArea area =
-      launch_area(Viewpoint::distant({radians(180.0), radians(60.0)}), target, 1.0, 0.0, top_m, 32.0);
-  EXPECT_TRUE(area.covers({target.west_m - 31.0, 0.0}));
-  EXPECT_TRUE(area.covers({0.0, target.south_m - 31.0}));
-  EXPECT_FALSE(area.covers({0.0, target.south_m - 35.0}));
+      launch_area(Viewpoint::distant({radians(180.0), radians(60.0)}), target, 1.0, 0.0, top_m, {32.0, 16.0});
+  const double behind_m = top_m / std::tan(radians(60.0)) + top_m * std::tan(radians(60.0));
+  EXPECT_TRUE(covers(area, {target.west_m - 15.0, 0.0}));
+  EXPECT_FALSE(covers(area, {target.west_m - 18.0, 0.0}));
+  EXPECT_TRUE(covers(area, {0.0, target.south_m - 31.0}));
+  EXPECT_FALSE(covers(area, {0.0, target.south_m - 34.0}));
+  EXPECT_TRUE(covers(area, {0.0, target.north_m + behind_m - 3.0}));
+  EXPECT_FALSE(covers(area, {0.0, target.north_m + behind_m + 3.0}));
+}
+
+TEST(LaunchArea, EveryDoublingOfTheDistanceHalvesTheRays) {
+  const auto from_south = Viewpoint::distant({radians(180.0), radians(60.0)});
+  const LaunchArea area = launch_area(from_south, target, 1.0, 0.0, top_m, {100.0, 40.0});
+  const auto share_before = [&](double metres) { return area.share_at({0.0, target.south_m - metres}); };
+  EXPECT_EQ(share_before(-1.0), 1.0F);
+  EXPECT_EQ(share_before(24.0), 1.0F);
+  EXPECT_EQ(share_before(28.0), 0.5F);
+  EXPECT_EQ(share_before(48.0), 0.5F);
+  EXPECT_EQ(share_before(53.0), 0.25F);
+  EXPECT_EQ(share_before(99.0), 0.25F);
+  EXPECT_EQ(share_before(103.0), 0.0F);
+  double sum = 0.0;
+  for (const LaunchCell& cell : area.cells) {
+    EXPECT_EQ(cell.share, area.share_at({cell.i + 0.5, cell.j + 0.5}));
+    sum += static_cast<double>(cell.share);
+  }
+  EXPECT_EQ(area.whole_cells(), sum);
+}
+
+TEST(LaunchArea, NothingBeginsWhereNothingStands) {
+  const auto from_south = Viewpoint::distant({radians(180.0), radians(60.0)});
+  const radar::Rectangle within{target.west_m - 5.0, target.south_m - 20.0, target.east_m, target.north_m};
+  const LaunchArea area = launch_area(from_south, target, 1.0, 0.0, top_m, {100.0, 50.0, within});
+  EXPECT_TRUE(covers(area, {0.0, target.south_m - 19.0}));
+  EXPECT_FALSE(covers(area, {0.0, target.south_m - 22.0}));
+  EXPECT_TRUE(covers(area, {target.west_m - 4.0, 0.0}));
+  EXPECT_FALSE(covers(area, {target.west_m - 7.0, 0.0}));
+  EXPECT_FALSE(covers(area, {target.east_m + 2.0, 0.0}));
 }
 
 // So that patches and shards agree on their rays: the same place has the same cell, whichever target asks.
 TEST(LaunchArea, CellsAreNumberedFromTheOriginOfTheFrame) {
   const auto viewpoint = Viewpoint::distant({radians(180.0), radians(60.0)});
-  const LaunchArea one = launch_area(viewpoint, {100.25, 50.0, 101.0, 51.0}, 0.5, 0.0, 0.0, 0.0);
+  const LaunchArea one = launch_area(viewpoint, {100.25, 50.0, 101.0, 51.0}, 0.5, 0.0, 0.0, {});
   for (const LaunchCell cell : one.cells) {
     EXPECT_NEAR((cell.i + 0.5) * 0.5, 100.6, 1.5);
     EXPECT_NEAR((cell.j + 0.5) * 0.5, 50.5, 1.5);
   }
-  const LaunchArea west = launch_area(viewpoint, {-101.0, -51.0, -100.0, -50.0}, 0.5, 0.0, 0.0, 0.0);
+  const LaunchArea west = launch_area(viewpoint, {-101.0, -51.0, -100.0, -50.0}, 0.5, 0.0, 0.0, {});
   for (const LaunchCell cell : west.cells) EXPECT_LT(cell.i, -198);
 }
 

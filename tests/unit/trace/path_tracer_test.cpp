@@ -40,7 +40,7 @@ struct Tracing {
 std::vector<radar::Echo> echoes_of(const scene::Scene& scene, const Tracing& how, TraceCounts* counts = nullptr) {
   const SceneGeometry geometry(scene, how.footing);
   const PathTracer tracer(geometry, surface_models(scene, 10e9), how.viewpoint, how.options, how.seed);
-  const LaunchArea launch = launch_area(how.viewpoint, area, 2.0, 0.0, geometry.highest_m() + 1.0, 10.0);
+  const LaunchArea launch = launch_area(how.viewpoint, area, 2.0, 0.0, geometry.highest_m() + 1.0, {10.0, 10.0});
   std::vector<radar::Echo> echoes;
   std::mutex guard;
   const TraceCounts total =
@@ -197,7 +197,7 @@ TEST(PathTracer, PathsCountTwiceWhereTheirReversalsAreNotLaunched) {
   const SceneGeometry geometry(scene, Footing::LevelPlane);
   const auto double_bounce = [&](const radar::Rectangle& target) {
     const PathTracer tracer(geometry, surface_models(scene, 10e9), from_south, {.max_bounces = 2}, 1);
-    const LaunchArea launch = launch_area(from_south, target, 0.5, 0.0, geometry.highest_m() + 1.0, 0.0);
+    const LaunchArea launch = launch_area(from_south, target, 0.5, 0.0, geometry.highest_m() + 1.0, {});
     double sum = 0.0;
     tracer.trace(launch, {0, 32, 32}, 1, [&](std::span<const radar::Echo> echoes, unsigned) {
       for (const radar::Echo& echo : echoes) sum += echo.bounces == 2 ? static_cast<double>(echo.rcs_m2.vv) : 0.0;

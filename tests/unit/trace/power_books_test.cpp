@@ -29,7 +29,7 @@ scene::Scene walled_scene(const scatter::Material& material, bool pit) {
 PowerBooks books_of(const scene::Scene& scene, double frequency_hz, const PathOptions& options) {
   const SceneGeometry geometry(scene, Footing::LevelPlane);
   const PathTracer tracer(geometry, surface_models(scene, frequency_hz), from_south, options, 1);
-  const LaunchArea launch = launch_area(from_south, {-8, -8, 8, 8}, 2.0, 0.0, geometry.highest_m() + 1.0, 0.0);
+  const LaunchArea launch = launch_area(from_south, {-8, -8, 8, 8}, 2.0, 0.0, geometry.highest_m() + 1.0, {});
   return tracer.trace(launch, {0, 64, 64}, 1, [](std::span<const radar::Echo>, unsigned) {}).power;
 }
 

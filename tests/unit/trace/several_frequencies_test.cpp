@@ -43,7 +43,8 @@ class Street {
 
   [[nodiscard]] std::vector<Estimate> estimates(std::span<const double> at_hz, TraceCounts* counts = nullptr) const {
     constexpr int seeds = 16;
-    const LaunchArea launch = launch_area(from_south, {-8, -8, 8, 8}, 1.0, 0.0, geometry_.highest_m() + 1.0, 10.0);
+    const LaunchArea launch =
+        launch_area(from_south, {-8, -8, 8, 8}, 1.0, 0.0, geometry_.highest_m() + 1.0, {10.0, 10.0});
     const SpectralSurfaces surfaces = surface_models(scene_, at_hz);
     std::vector<double> sum(at_hz.size()), square(at_hz.size());
     for (int seed = 1; seed <= seeds; ++seed) {
@@ -92,7 +93,8 @@ TEST(SeveralFrequencies, EqualSurfacesReturnWhatOneReturns) {
   add_box(scene, {8, 20, 10}, {-9, 0}, 0.6);
   add_box(scene, {8, 20, 10}, {9, 0}, 0.6);
   const SceneGeometry geometry(scene, Footing::LevelPlane);
-  const LaunchArea launch = launch_area(from_south, {-30, -30, 30, 30}, 2.0, 0.0, geometry.highest_m() + 1.0, 10.0);
+  const LaunchArea launch =
+      launch_area(from_south, {-30, -30, 30, 30}, 2.0, 0.0, geometry.highest_m() + 1.0, {10.0, 10.0});
   const auto powers = [&](std::span<const double> at_hz) {
     std::vector<double> power(at_hz.size());
     const PathTracer tracer(geometry, surface_models(scene, at_hz), from_south, {}, 1);

@@ -1,0 +1,35 @@
+#include "sigmascape/trace/multibounce_reach.h"
+
+#include <algorithm>
+
+namespace sigmascape::trace {
+namespace {
+
+/// Between slopes of bare ground, and among the lowest things.
+constexpr double least_m = 32.0;
+/// In San Francisco 0.3 % of what several bounces return begins farther away (docs/physics/estimator.md).
+constexpr double most_m = 1024.0;
+/// Of the distance before. Ends that lie apart across the line of sight are apart along it, too.
+constexpr double part_beside = 0.5;
+
+double lowest_sine_of_grazing(const Viewpoint& viewpoint, const radar::Rectangle& target) {
+  double sine = 1.0;
+  for (const Vec3d corner : {Vec3d{target.west_m, target.south_m, 0.0},
+                             {target.east_m, target.south_m, 0.0},
+                             {target.west_m, target.north_m, 0.0},
+                             {target.east_m, target.north_m, 0.0}}) {
+    sine = std::min(sine, viewpoint.direction_from(corner).z);
+  }
+  return sine;
+}
+
+}  // namespace
+
+MultibounceReach multibounce_reach(const scene::Scene& scene, const Viewpoint& viewpoint,
+                                   const radar::Rectangle& target) {
+  const double late_m = scene::tallest_object_m(scene) / lowest_sine_of_grazing(viewpoint, target);
+  const double before_m = std::clamp(late_m, least_m, most_m);
+  return {.before_m = before_m, .beside_m = part_beside * before_m, .within = scene::occupied_extent(scene)};
+}
+
+}  // namespace sigmascape::trace
