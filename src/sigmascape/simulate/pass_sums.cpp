@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 
 #include "sigmascape/base/units.h"
 
@@ -17,10 +16,11 @@ double median_of_estimated_deviation(double freedom) {
 
 }  // namespace
 
-PassSums::PassSums(const radar::RangeAzimuthImage& like, const radar::Rectangle& area, double ground_height_m)
-    : grid_(like.grid),
-      radar_position_(like.radar_position),
-      sums_(radar::Channels::count * like.rcs_m2.size()),
+PassSums::PassSums(const radar::RangeAzimuthGrid& grid, Vec3d radar_position, const radar::Rectangle& area,
+                   double ground_height_m)
+    : grid_(grid),
+      radar_position_(radar_position),
+      sums_(radar::Channels::count * grid.azimuths * grid.ranges),
       power_(grid_.azimuths, grid_.ranges),
       squares_(grid_.azimuths, grid_.ranges),
       is_in_area_(grid_.azimuths, grid_.ranges) {
@@ -52,7 +52,7 @@ void PassSums::add(const radar::RangeAzimuthImage& pass) {
   ++passes_;
 }
 
-std::optional<double> PassSums::mean_power_m2(const radar::Echo& echo) const {
+std::optional<std::size_t> PassSums::bin_in_area(const radar::Echo& echo) const {
   const double middle = grid_.first_azimuth_rad + 0.5 * static_cast<double>(grid_.azimuths) * grid_.azimuth_step_rad;
   const double azimuth = middle + turned_by_least(echo.cross - middle);
   const double beam = (azimuth - grid_.first_azimuth_rad) / grid_.azimuth_step_rad;
@@ -61,9 +61,9 @@ std::optional<double> PassSums::mean_power_m2(const radar::Echo& echo) const {
         range < static_cast<double>(grid_.ranges))) {
     return std::nullopt;
   }
-  const auto column = static_cast<std::size_t>(beam), row = static_cast<std::size_t>(range);
-  if (is_in_area_(column, row) == 0) return std::nullopt;
-  return power_(column, row) / passes_;
+  const std::size_t bin = static_cast<std::size_t>(range) * grid_.azimuths + static_cast<std::size_t>(beam);
+  if (is_in_area_.values()[bin] == 0) return std::nullopt;
+  return bin;
 }
 
 double PassSums::relative_error(std::size_t bin) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -21,14 +22,17 @@ namespace sigmascape::simulate {
 /// has the variance of x̄ for its mean.
 class PassSums {
  public:
-  /// Bins for images like that one. Their ground, taken to be level at that height, lies in the area or does not.
-  PassSums(const radar::RangeAzimuthImage& like, const radar::Rectangle& area, double ground_height_m);
+  /// The bins' ground, taken to be level at that height, lies in the area or does not.
+  PassSums(const radar::RangeAzimuthGrid& grid, Vec3d radar_position, const radar::Rectangle& area,
+           double ground_height_m);
 
   void add(const radar::RangeAzimuthImage& pass);
   [[nodiscard]] std::uint32_t passes() const { return passes_; }
 
-  /// Mean total power, m², of the bin that an echo falls into; nothing where that is outside the area.
-  [[nodiscard]] std::optional<double> mean_power_m2(const radar::Echo& echo) const;
+  /// The bin that an echo falls into; nothing where that is outside the area.
+  [[nodiscard]] std::optional<std::size_t> bin_in_area(const radar::Echo& echo) const;
+  /// x̄, m².
+  [[nodiscard]] double mean_power_m2(std::size_t bin) const { return power_.values()[bin] / passes_; }
   /// s / x̄ of a bin that answers.
   [[nodiscard]] double relative_error(std::size_t bin) const;
   /// 10 lg(1 + s / x̄) in the median over the bins of the area that answer, corrected for what the root of a variance

@@ -10,6 +10,7 @@
 
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/base/error.h"
+#include "sigmascape/base/hash.h"
 #include "sigmascape/base/parallel.h"
 #include "sigmascape/radar/target_shadows.h"
 #include "sigmascape/receiver/range_azimuth_receiver.h"
@@ -21,6 +22,9 @@
 
 namespace sigmascape::simulate {
 namespace {
+
+/// Tells the lots of cells from other numbers that are made of seed and cell.
+constexpr std::uint32_t lot_of_cell = 0x107;
 
 /// Rays start this far above the highest point, and the radar must stand above their start.
 constexpr double clearance_m = 1.0;
@@ -117,28 +121,23 @@ class BounceReceivers {
   std::vector<std::unique_ptr<receiver::RangeAzimuthReceiver>> receivers_;
 };
 
-/// Traces the share's rays and hands their echoes to `sink` tile by tile; `watcher` may be empty.
-trace::TraceCounts trace_share(const trace::PathTracer& tracer, const LaunchShare& share, unsigned threads,
-                               const RayWatcher& watcher, const trace::EchoSink& sink) {
-  const std::uint32_t samples = share.samples_per_cell;
-  if (!watcher) return tracer.trace(share.launch, {0, samples, samples}, threads, sink);
-  const float part = 1.0F / static_cast<float>(samples);
-  return tracer.trace_tiles(share.launch, threads, [&](trace::TilePaths& tile, unsigned worker) {
-    std::vector<trace::PathStart> starts;
-    for (const trace::LaunchCell& cell : tile.cells()) {
-      for (std::uint32_t sample = 0; sample < samples; ++sample) starts.push_back({cell, 0, sample});
-    }
-    tile.follow(starts);
-    std::vector<radar::Echo> echoes;
-    for (std::size_t start = 0; start < starts.size(); ++start) {
-      const auto brought = tile.echoes(0, start);
-      watcher(starts[start].cell, brought);
-      for (radar::Echo echo : brought) {
-        echo.rcs_m2 = echo.rcs_m2 * part;
-        echoes.push_back(echo);
-      }
-    }
-    sink(echoes, worker);
+void tell(const RayWatcher& watcher, const trace::TileEchoes& tile) {
+  for (std::size_t start = 0; start < tile.starts.size(); ++start)
+    watcher(tile.starts[start].cell, tile.paths->echoes(tile.frequency, start), tile.worker);
+}
+
+std::vector<radar::Echo> times(float factor, std::span<const radar::Echo> echoes) {
+  std::vector<radar::Echo> multiplied(echoes.begin(), echoes.end());
+  for (radar::Echo& echo : multiplied) echo.rcs_m2 = echo.rcs_m2 * factor;
+  return multiplied;
+}
+
+/// Leaves the cells on which the lot falls.
+void draw_lots(LaunchShare& share, std::uint64_t seed) {
+  std::erase_if(share.launch.cells, [&](const trace::LaunchCell& cell) {
+    return hashed(seed, lot_of_cell, static_cast<std::uint32_t>(cell.i), static_cast<std::uint32_t>(cell.j)) %
+               share.one_in !=
+           0;
   });
 }
 
@@ -195,18 +194,24 @@ std::vector<radar::RangeAzimuthImage> traced_bounces(const scene::Scene& scene, 
   const auto surfaces = trace::surface_models(scene, radar.frequency_hz);
   const trace::PathTracer tracer(geometry, surfaces, viewpoint, {.max_bounces = settings.max_bounces}, settings.seed);
   BounceReceivers receivers(radar, bins_for(radar, launch.target, scene.terrain), orders);
+  std::vector<LaunchShare> drawn(shares.begin(), shares.end());
   std::size_t tile_count = 0;
-  for (const LaunchShare& share : shares) tile_count += share.launch.tiles();
+  for (LaunchShare& share : drawn) {
+    if (share.one_in > 1) draw_lots(share, settings.seed);
+    tile_count += share.launch.tiles();
+  }
   SilentProgress silent;
   trace::TileProgress tiles(progress != nullptr ? *progress : silent, "trace", "% of the map", 0.0, 100.0, 100.0,
                             tile_count);
   UnhiddenEchoes unhidden(settings.targets, radar.position, thread_count(settings.threads));
-  for (const LaunchShare& share : shares) {
-    counts += trace_share(tracer, share, settings.threads, watcher,
-                          [&](std::span<const radar::Echo> echoes, unsigned worker) {
-                            receivers.add(unhidden.among(echoes, worker));
-                            tiles.tile_done(worker);
-                          });
+  for (const LaunchShare& share : drawn) {
+    const std::uint32_t samples = share.samples_per_cell;
+    counts += tracer.trace(share.launch, {0, samples, samples}, settings.threads, [&](const trace::TileEchoes& tile) {
+      if (watcher) tell(watcher, tile);
+      const auto echoes = times(static_cast<float>(share.one_in), tile.echoes);
+      receivers.add(unhidden.among(echoes, tile.worker));
+      tiles.tile_done(tile.worker);
+    });
   }
   tiles.all_done();
   add_point_targets(scene, geometry, viewpoint, receivers.first());

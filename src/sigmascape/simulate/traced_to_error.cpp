@@ -1,13 +1,12 @@
 #include "sigmascape/simulate/traced_to_error.h"
 
 #include <fmt/format.h>
-#include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/hash.h"
+#include "sigmascape/base/parallel.h"
 #include "sigmascape/simulate/cell_noise.h"
 #include "sigmascape/simulate/launch_for_map.h"
 #include "sigmascape/simulate/pass_sums.h"
@@ -17,9 +16,6 @@ namespace {
 
 /// Fewer tell too little of their scatter.
 constexpr std::uint32_t fewest_passes = 8;
-
-/// The pass whose rays are looked at for the noise that they bring; after it each cell gets its share of rays.
-constexpr std::uint32_t noise_pass = 1;
 
 void check(const ErrorGoal& goal) {
   if (goal.median_error_db > 0.0 && goal.samples_a_pass > 0 && goal.most_passes >= fewest_passes) return;
@@ -37,33 +33,27 @@ TracedToError traced_to_error(const scene::Scene& scene, const trace::SceneGeome
   check(goal);
   std::vector<LaunchShare> shares{{launch_for_map(scene, geometry, radar, area, settings.cell_m), goal.samples_a_pass}};
   const trace::LaunchArea all = shares.front().launch;
-  std::optional<PassSums> sums;
-  std::optional<CellNoise> noise;
+  PassSums sums(bins_for(radar, area, scene.terrain), radar.position, area, scene.terrain.height_at(area.centre()));
+  CellNoise noise(all, sums, goal.samples_a_pass, thread_count(settings.threads));
+  const RayWatcher watcher = [&noise](const trace::LaunchCell& cell, std::span<const radar::Echo> echoes,
+                                      unsigned worker) { noise.add(cell, echoes, worker); };
   double error_db = 0.0;
   for (std::uint32_t pass = 0; pass < goal.most_passes; ++pass) {
     TraceSettings of_pass = settings;
     of_pass.seed = hashed(settings.seed, pass);
-    RayWatcher watcher;
-    if (pass == noise_pass) {
-      noise.emplace(all, *sums, goal.samples_a_pass);
-      watcher = [&noise](const trace::LaunchCell& cell, std::span<const radar::Echo> echoes) {
-        noise->add(cell, echoes);
-      };
-    }
-    const auto image =
-        std::move(traced_bounces(scene, geometry, radar, shares, of_pass, 1, counts, nullptr, watcher).front());
-    if (!sums) sums.emplace(image, area, scene.terrain.height_at(area.centre()));
-    sums->add(image);
-    if (pass == noise_pass) shares = noise->shares(goal.samples_a_pass);
+    sums.add(
+        traced_bounces(scene, geometry, radar, shares, of_pass, 1, counts, nullptr, pass == 0 ? watcher : RayWatcher())
+            .front());
+    if (pass == 0) shares = noise.shares(goal.samples_a_pass);
     if (pass + 1 < fewest_passes) continue;
-    error_db = sums->median_error_db();
+    error_db = sums.median_error_db();
     if (progress != nullptr) progress->measured("trace", "median_error_db", error_db);
     if (error_db <= goal.median_error_db) break;
   }
-  return {.image = sums->mean(),
-          .relative_errors = sums->relative_errors(),
+  return {.image = sums.mean(),
+          .relative_errors = sums.relative_errors(),
           .median_error_db = error_db,
-          .samples_per_cell = sums->passes() * goal.samples_a_pass};
+          .samples_per_cell = sums.passes() * goal.samples_a_pass};
 }
 
 }  // namespace sigmascape::simulate

@@ -11,7 +11,7 @@ namespace sigmascape::simulate {
 struct ErrorGoal {
   /// Standard error of a bin's total power, 10 lg(1 + s/P), in the median over the bins that answer from the area.
   double median_error_db = 1.5;
-  /// Rays that each pass adds to the cells that bring most of the noise; the others get down to one. Passes are drawn
+  /// Rays that each pass adds to the cells that bring most of the noise; others get fewer. Passes are drawn
   /// independently.
   std::uint32_t samples_a_pass = 8;
   std::uint32_t most_passes = 128;  ///< that are made though the goal is not reached
@@ -26,8 +26,8 @@ struct TracedToError {
 };
 
 /// LOD 0 as traced_image makes it, in passes until the median error is that of the goal: the mean of the passes, whose
-/// scatter about it tells its error. `settings.samples_per_cell` has no say. Two passes go over all cells alike; after
-/// them cells that bring little noise into the area get fewer rays than the others (CellNoise). As that is decided
+/// scatter about it tells its error. `settings.samples_per_cell` has no say. The first pass goes over all cells alike;
+/// after it cells that bring little noise into the area get fewer rays than the others (CellNoise). As that is decided
 /// before the rays of a pass are drawn, and a pass counts the same whatever its cells got, every pass has the right
 /// mean. At least 8 passes are made, fewer would know too little of their error. The same bytes for any number of
 /// threads.

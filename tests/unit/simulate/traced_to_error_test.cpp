@@ -105,9 +105,9 @@ TEST_F(UnevenAreaTest, FewerRaysWhereTheyBringLittle) {
   const TracedToError map = traced_to_error(scene_, geometry_, radar_, uneven_, {.threads = 2}, fewest_passes_, spared);
   (void)traced_image(scene_, geometry_, radar_, uneven_,
                      {.samples_per_cell = map.samples_per_cell, .max_bounces = 1, .threads = 2}, at_once);
-  EXPECT_LT(spared.paths, at_once.paths / 2);
-  // Of eight passes the first two are for all cells.
-  EXPECT_GT(spared.paths, at_once.paths / 4);
+  EXPECT_LT(spared.paths, 2 * at_once.paths / 3);
+  // Of eight passes the first is for all cells.
+  EXPECT_GT(spared.paths, at_once.paths / 8);
 }
 
 TEST_F(UnevenAreaTest, FewerRaysBringAsMuchPowerAndTheirScatterIsTheirError) {
@@ -138,7 +138,7 @@ TEST_F(UnevenAreaTest, FewerRaysBringAsMuchPowerAndTheirScatterIsTheirError) {
     stated_variance += stated[bin] / maps;
   }
   const double error = std::sqrt(scatter / maps);
-  EXPECT_LT(error, 1e-3 * expected);
+  EXPECT_LT(error, 2e-3 * expected);
   EXPECT_NEAR(mean, expected, 4.0 * error);
   EXPECT_NEAR(stated_variance / variance, 1.0, 0.1);
 }
