@@ -2,6 +2,7 @@
 #include <pybind11/stl/filesystem.h>
 
 #include "array_view.h"
+#include "held_frame.h"
 #include "parts.h"
 
 #include "sigmascape/base/error.h"
@@ -14,23 +15,7 @@ namespace {
 namespace py = pybind11;
 using render::LiveGround;
 using render::LiveRenderer;
-using Triple = std::array<double, 3>;
 using Release = py::call_guard<py::gil_scoped_release>;
-
-/// A frame and the renderer in whose memory it lies.
-struct HeldFrame {
-  render::Frame frame;
-  render::Pose pose;
-  py::object renderer;
-};
-
-render::Pose pose_from(const Triple& position_m, double first_azimuth_rad, double first_range_m,
-                       const Triple& velocity_mps) {
-  return {.position = {position_m[0], position_m[1], position_m[2]},
-          .first_azimuth_rad = first_azimuth_rad,
-          .first_range_m = first_range_m,
-          .velocity_mps = {velocity_mps[0], velocity_mps[1], velocity_mps[2]}};
-}
 
 HeldFrame rendered(const py::object& self, const Triple& position_m, double first_azimuth_rad, double first_range_m,
                    const Triple& velocity_mps) {
@@ -60,19 +45,8 @@ std::unique_ptr<LiveRenderer> made_renderer(const std::shared_ptr<LiveGround>& g
                                             std::size_t beams, std::size_t ranges, double beam_step_rad,
                                             double range_step_m, double cells_per_bin, std::uint64_t seed,
                                             unsigned threads, double refraction) {
-  if (content != "amplitudes" && content != "powers")
-    throw Error("content", "is '" + content + "'", "give 'amplitudes' or 'powers'");
-  const render::LiveSettings settings{
-      .content = content == "powers" ? render::FrameContent::Powers : render::FrameContent::Amplitudes,
-      .beams = beams,
-      .ranges = ranges,
-      .beam_step_rad = beam_step_rad,
-      .range_step_m = range_step_m,
-      .cells_per_bin = cells_per_bin,
-      .seed = seed,
-      .threads = threads,
-      .refraction = refraction};
-  return std::make_unique<LiveRenderer>(ground, settings);
+  return std::make_unique<LiveRenderer>(ground, settings_from(content, beams, ranges, beam_step_rad, range_step_m,
+                                                              cells_per_bin, seed, threads, refraction));
 }
 
 template <typename Number>
@@ -126,6 +100,12 @@ void add_frame(py::module_& module) {
   binding.def_property_readonly(
       "terrain_error_m", [](const HeldFrame& f) { return f.frame.report.terrain_error_m; },
       "By how much the terrain that hides may be wrong, for finer tiles were not there yet or cannot be had.");
+  binding.def_property_readonly(
+      "rays_per_cell", [](const HeldFrame& f) { return f.frame.report.rays_per_cell; },
+      "Of a traced frame: rays a cell that it is made of.");
+  binding.def_property_readonly(
+      "median_error_db", [](const HeldFrame& f) { return f.frame.report.median_error_db; },
+      "Of a traced frame: standard error of a bin's mean power, in the median over the bins that answer.");
 }
 
 }  // namespace

@@ -26,5 +26,6 @@ PYBIND11_MODULE(_native, module) {
   python::add_dataset(module);
   python::add_curves(module);
   python::add_live(module);
+  python::add_live_tracer(module);
   module.attr("__name__") = file_name;
 }

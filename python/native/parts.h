@@ -18,5 +18,6 @@ void add_layers(pybind11::module_& module);
 void add_dataset(pybind11::module_& module);
 void add_curves(pybind11::module_& module);
 void add_live(pybind11::module_& module);
+void add_live_tracer(pybind11::module_& module);
 
 }  // namespace sigmascape::python

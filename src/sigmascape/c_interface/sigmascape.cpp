@@ -10,7 +10,11 @@
 #include "sigmascape/base/error.h"
 #include "sigmascape/radar/rcs_table.h"
 #include "sigmascape/radar/target.h"
+#include "sigmascape/render/level_of_detail.h"
 #include "sigmascape/render/live_renderer.h"
+#include "sigmascape/scene/scene_file.h"
+#include "sigmascape/simulate/live_tracer.h"
+#include "sigmascape/trace/scene_geometry.h"
 
 using sigmascape::radar::Target;
 using sigmascape::radar::Track;
@@ -18,13 +22,35 @@ using sigmascape::render::FrameContent;
 using sigmascape::render::LiveGround;
 using sigmascape::render::LiveRenderer;
 using sigmascape::render::LiveSettings;
+using sigmascape::simulate::LiveTracer;
+using sigmascape::simulate::LiveTraceSettings;
 
 struct sigmascape_ground {
   std::shared_ptr<LiveGround> ground;
 };
 
+namespace {
+
+/// A scene made ready for rays where it lies.
+struct TracedScene {
+  explicit TracedScene(sigmascape::scene::Scene read)
+      : scene(std::move(read)), geometry(scene, sigmascape::trace::Footing::Terrain) {}
+
+  sigmascape::scene::Scene scene;
+  sigmascape::trace::SceneGeometry geometry;
+};
+
+}  // namespace
+
+struct sigmascape_scene {
+  std::shared_ptr<TracedScene> scene;
+};
+
+/// From textures or traced: one of the two is there.
 struct sigmascape_renderer {
-  LiveRenderer renderer;
+  std::unique_ptr<LiveRenderer> renderer = {};
+  std::shared_ptr<TracedScene> scene = {};
+  std::unique_ptr<LiveTracer> tracer = {};
   std::vector<sigmascape::radar::Target> targets = {};
 };
 
@@ -108,6 +134,20 @@ void copy(const sigmascape::render::Frame& from, sigmascape_frame& to) {
   to.level = from.report.level;
   to.terrain_error_m = from.report.terrain_error_m;
   to.targets = from.report.targets;
+  to.rays_per_cell = from.report.rays_per_cell;
+  to.median_error_db = from.report.median_error_db;
+}
+
+LiveSettings settings_from(const sigmascape_settings& wanted) {
+  return {.content = wanted.content == SIGMASCAPE_POWERS ? FrameContent::Powers : FrameContent::Amplitudes,
+          .beams = wanted.beams,
+          .ranges = wanted.ranges,
+          .beam_step_rad = wanted.beam_step_rad,
+          .range_step_m = wanted.range_step_m,
+          .cells_per_bin = wanted.cells_per_bin,
+          .seed = wanted.seed,
+          .threads = wanted.threads,
+          .refraction = wanted.refraction};
 }
 
 }  // namespace
@@ -151,18 +191,47 @@ sigmascape_settings sigmascape_default_settings(void) {
 
 sigmascape_renderer* sigmascape_make_renderer(sigmascape_ground* ground, const sigmascape_settings* settings) {
   return guarded<sigmascape_renderer*>(nullptr, [&] {
-    const sigmascape_settings& wanted = given(settings, "settings");
-    const LiveSettings live{
-        .content = wanted.content == SIGMASCAPE_POWERS ? FrameContent::Powers : FrameContent::Amplitudes,
-        .beams = wanted.beams,
-        .ranges = wanted.ranges,
-        .beam_step_rad = wanted.beam_step_rad,
-        .range_step_m = wanted.range_step_m,
-        .cells_per_bin = wanted.cells_per_bin,
-        .seed = wanted.seed,
-        .threads = wanted.threads,
-        .refraction = wanted.refraction};
-    return new sigmascape_renderer{LiveRenderer(given(ground, "ground").ground, live)};
+    const LiveSettings live = settings_from(given(settings, "settings"));
+    return new sigmascape_renderer{.renderer = std::make_unique<LiveRenderer>(given(ground, "ground").ground, live)};
+  });
+}
+
+sigmascape_scene* sigmascape_open_scene(const char* scene_file) {
+  return guarded<sigmascape_scene*>(nullptr, [&] {
+    (void)given(scene_file, "scene_file");
+    return new sigmascape_scene{std::make_shared<TracedScene>(sigmascape::scene::read_scene(scene_file))};
+  });
+}
+
+void sigmascape_close_scene(sigmascape_scene* scene) {
+  delete scene;
+}
+
+sigmascape_tracing sigmascape_default_tracing(void) {
+  const LiveTraceSettings defaults;
+  return {.frequency_hz = defaults.frequency_hz,
+          .rays_per_cell = defaults.rays_per_cell,
+          .max_bounces = defaults.max_bounces,
+          .lattice_m = defaults.lattice_m};
+}
+
+sigmascape_renderer* sigmascape_make_tracer(sigmascape_scene* scene, const sigmascape_settings* settings,
+                                            const sigmascape_tracing* tracing) {
+  return guarded<sigmascape_renderer*>(nullptr, [&] {
+    const auto& traced = given(scene, "scene").scene;
+    const sigmascape_tracing& wanted = given(tracing, "tracing");
+    return new sigmascape_renderer{
+        .scene = traced,
+        .tracer = std::make_unique<LiveTracer>(
+            traced->scene, traced->geometry, settings_from(given(settings, "settings")),
+            LiveTraceSettings{wanted.frequency_hz, wanted.rays_per_cell, wanted.max_bounces, wanted.lattice_m})};
+  });
+}
+
+int sigmascape_advised_detail(sigmascape_renderer* tracer, const sigmascape_pose* pose) {
+  return guarded(-1, [&] {
+    const auto& traced = given(given(tracer, "tracer").tracer.get(), "the tracer's scene");
+    return sigmascape::render::choose_detail(traced.question(pose_from(given(pose, "pose"), *tracer))).level;
   });
 }
 
@@ -186,7 +255,8 @@ int sigmascape_render(sigmascape_renderer* renderer, const sigmascape_pose* pose
   return guarded(1, [&] {
     (void)given(renderer, "renderer");
     (void)given(frame, "frame");
-    copy(renderer->renderer.render(pose_from(given(pose, "pose"), *renderer)), *frame);
+    const auto wanted = pose_from(given(pose, "pose"), *renderer);
+    copy(renderer->tracer ? renderer->tracer->render(wanted) : renderer->renderer->render(wanted), *frame);
     return 0;
   });
 }
@@ -196,7 +266,10 @@ int sigmascape_scan(sigmascape_renderer* renderer, const sigmascape_pose* pose, 
   return guarded(1, [&] {
     (void)given(renderer, "renderer");
     (void)given(frame, "frame");
-    copy(renderer->renderer.scan(pose_from(given(pose, "pose"), *renderer), first_beam, count), *frame);
+    if (renderer->tracer) {
+      throw sigmascape::Error("sigmascape_scan", "is asked of a tracer", "take sigmascape_render for all beams");
+    }
+    copy(renderer->renderer->scan(pose_from(given(pose, "pose"), *renderer), first_beam, count), *frame);
     return 0;
   });
 }

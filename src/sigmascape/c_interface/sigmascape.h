@@ -88,13 +88,43 @@ typedef struct sigmascape_frame {
   size_t level;              /* of the textures, 0 the finest */
   double terrain_error_m;    /* by how much the terrain that hides may be wrong, for finer tiles were not there */
   size_t targets;            /* that stand in the bins and are seen */
+  uint64_t rays_per_cell;    /* of a traced frame: that it is made of; 0 of one from textures */
+  double median_error_db;    /* of a traced frame: standard error of a bin's mean power, in the median over the bins */
 } sigmascape_frame;
 
 typedef struct sigmascape_renderer sigmascape_renderer;
 
 /* Null when the settings make no sense. */
 sigmascape_renderer* sigmascape_make_renderer(sigmascape_ground* ground, const sigmascape_settings* settings);
+/* Of a renderer or of a tracer. */
 void sigmascape_free_renderer(sigmascape_renderer* renderer);
+
+/* A landscape, ready for rays. */
+typedef struct sigmascape_scene sigmascape_scene;
+
+/* Reads a scene file. Null when it cannot be read. */
+sigmascape_scene* sigmascape_open_scene(const char* scene_file);
+/* Tracers that still look at the scene keep it. Null is allowed. */
+void sigmascape_close_scene(sigmascape_scene* scene);
+
+typedef struct sigmascape_tracing {
+  double frequency_hz;
+  uint32_t rays_per_cell; /* that each call of sigmascape_render adds while the pose stays the same */
+  int max_bounces;
+  double
+      lattice_m; /* side of the finest cells of scatterers; that of an atlas' texels gives both the same scatterers */
+} sigmascape_tracing;
+
+/* What the C++ interface takes when nothing is said. */
+sigmascape_tracing sigmascape_default_tracing(void);
+
+/* A renderer that traces the whole scene into such bins, level of detail 0, for small areas: it takes poses and targets
+ * as others do and gives such frames. It renders all beams alone. Null when the settings make no sense. */
+sigmascape_renderer* sigmascape_make_tracer(sigmascape_scene* scene, const sigmascape_settings* settings,
+                                            const sigmascape_tracing* tracing);
+/* The level of detail that the resolution cell asks for where the tracer's scene is at hand: 0 when it should be
+ * traced. Negative when something is wrong. */
+int sigmascape_advised_detail(sigmascape_renderer* tracer, const sigmascape_pose* pose);
 
 /* The targets of all frames from now on, in place of those before; copied, tables read. Returns 0 when all went well,
  * and otherwise leaves those before. */

@@ -11,6 +11,8 @@ namespace sigmascape::radar {
 /// of a round one.
 class ShadowBox {
  public:
+  friend bool operator==(const ShadowBox&, const ShadowBox&) = default;
+
   /// Nothing for a target without a size.
   [[nodiscard]] static std::optional<ShadowBox> of(const Target& target, double time_s);
 

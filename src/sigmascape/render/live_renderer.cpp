@@ -9,6 +9,7 @@
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/curved_earth.h"
+#include "sigmascape/render/frame_reach.h"
 #include "sigmascape/render/page_forecast.h"
 #include "sigmascape/render/sector.h"
 #include "sigmascape/render/sector_task.h"
@@ -18,7 +19,20 @@ namespace sigmascape::render {
 namespace {
 
 const LiveSettings& checked(const LiveSettings& settings) {
-  const std::string where = "live renderer";
+  check(settings, "live renderer");
+  return settings;
+}
+
+/// How far ahead pages are asked for, and how many steps of a scan that is.
+constexpr double seconds_ahead = 1.0;
+constexpr std::size_t steps_ahead = 60;
+
+/// Pieces of terrain that a frame may wish for: nearer ground and that in view, of two levels, and what lies ahead.
+constexpr std::size_t most_wanted_terrain = 5;
+
+}  // namespace
+
+void check(const LiveSettings& settings, const std::string& where) {
   constexpr std::size_t most_bins = 1U << 26U;
   if (settings.beams == 0 || settings.ranges == 0 || settings.beams * settings.ranges > most_bins) {
     throw Error(where, fmt::format("has {} beams of {} ranges", settings.beams, settings.ranges),
@@ -38,22 +52,7 @@ const LiveSettings& checked(const LiveSettings& settings) {
     throw Error(where, fmt::format("has a refraction of {}", settings.refraction),
                 "give 4/3, or more for a flatter Earth");
   }
-  return settings;
 }
-
-/// How far ahead pages are asked for, and how many steps of a scan that is.
-constexpr double seconds_ahead = 1.0;
-constexpr std::size_t steps_ahead = 60;
-
-/// Pieces of terrain that a frame may wish for: nearer ground and that in view, of two levels, and what lies ahead.
-constexpr std::size_t most_wanted_terrain = 5;
-
-/// Distance over the ground to something at `below_m` under the radar whose slant range is known.
-double ground_distance(double range_m, double below_m) {
-  return std::sqrt(std::max(range_m * range_m - below_m * below_m, 0.0));
-}
-
-}  // namespace
 
 LiveRenderer::LiveRenderer(std::shared_ptr<LiveGround> ground, const LiveSettings& settings)
     : ground_(std::move(ground)),
@@ -141,11 +140,11 @@ const Frame& LiveRenderer::scan(const Pose& pose, std::size_t first_beam, std::s
 
 void LiveRenderer::prepare(const Pose& pose) {
   const double far_range_m = pose.first_range_m + static_cast<double>(settings_.ranges) * settings_.range_step_m;
-  bounds_ = ground_->terrain().bounds_over(under_beams(pose.position, 0.0, far_range_m));
-  const double highest_below = pose.position.z - static_cast<double>(bounds_.highest_m),
-               lowest_below = pose.position.z - static_cast<double>(bounds_.lowest_m);
-  const double near_m = ground_distance(pose.first_range_m, lowest_below);
-  const double far_m = ground_distance(far_range_m, std::max(highest_below, 0.0));
+  bounds_ = ground_->terrain().bounds_over(ground_under({pose.position.x, pose.position.y}, pose.first_azimuth_rad,
+                                                        settings_.beam_step_rad * static_cast<double>(settings_.beams),
+                                                        {0.0, far_range_m}));
+  const auto [near_m, far_m] =
+      frame_reach(settings_, pose, static_cast<double>(bounds_.lowest_m), static_cast<double>(bounds_.highest_m));
   HorizonGrid grid;
   grid.first_azimuth_rad = pose.first_azimuth_rad;
   grid.azimuth_step_rad = settings_.beam_step_rad;
@@ -167,17 +166,8 @@ void LiveRenderer::prepare(const Pose& pose) {
 
 radar::Rectangle LiveRenderer::under_beams(Vec3d radar, double near_m, double far_m) const {
   const HorizonGrid& beams = grid();
-  const double width = beams.azimuth_step_rad * static_cast<double>(settings_.beams);
-  // A sector is less than half a turn wide.
-  const int parts = static_cast<int>(width / (pi / 2.0)) + 1;
-  radar::Rectangle box{1e300, 1e300, -1e300, -1e300};
-  for (int part = 0; part < parts; ++part) {
-    const Sector sector(beams.first_azimuth_rad + width * part / parts, width / parts, near_m, far_m);
-    const radar::Rectangle bounds = sector.bounds();
-    box = {std::min(box.west_m, bounds.west_m), std::min(box.south_m, bounds.south_m),
-           std::max(box.east_m, bounds.east_m), std::max(box.north_m, bounds.north_m)};
-  }
-  return {radar.x + box.west_m, radar.y + box.south_m, radar.x + box.east_m, radar.y + box.north_m};
+  return ground_under({radar.x, radar.y}, beams.first_azimuth_rad,
+                      beams.azimuth_step_rad * static_cast<double>(settings_.beams), {near_m, far_m});
 }
 
 int LiveRenderer::terrain_level(std::size_t level) const {
@@ -287,13 +277,7 @@ void LiveRenderer::look_ahead(const PageCache::View& view, const Pose& pose, Bea
 
 DetailBlend LiveRenderer::next_levels() {
   const HorizonGrid& grid = this->grid();
-  const double reach_m = grid.step_m * static_cast<double>(grid.distances), middle_m = grid.near_m + reach_m / 2.0;
-  DetailQuestion question;
-  // Bins lie along the slant range; what they are on the ground follows from where they begin and end.
-  question.range_resolution_m = reach_m / static_cast<double>(settings_.ranges);
-  question.grazing_rad = 0.0;
-  question.cross_range_m = middle_m * settings_.beam_step_rad;
-  question.samples_per_cell = settings_.cells_per_bin;
+  DetailQuestion question = question_of_bins(settings_, grid.near_m, grid.step_m * static_cast<double>(grid.distances));
   question.texel_m = ground_->description().patches.texel_m;
   question.mips = static_cast<int>(ground_->coarsest_level()) + 1;
   // Live frames come from the atlas however small they are.

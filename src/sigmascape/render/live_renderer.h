@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "sigmascape/base/vec.h"
@@ -28,6 +29,11 @@ enum class FrameContent {
   Powers,      ///< what that is on average, without speckle
 };
 
+/// Of a bin: VV, HH, HV, VH, real and imaginary parts, or VV, HH, HV, Re VV·HH*.
+[[nodiscard]] constexpr std::size_t numbers_a_bin(FrameContent content) {
+  return content == FrameContent::Amplitudes ? 8 : 4;
+}
+
 struct LiveSettings {
   FrameContent content = FrameContent::Amplitudes;
   /// The bins: as many beams and ranges as `bins` says. Where they begin is said by each pose.
@@ -43,6 +49,9 @@ struct LiveSettings {
   /// the shadows of what stands on the ground.
   VisibleGroundSettings visibility = {};
 };
+
+/// Throws Error, naming `where`, for settings from which no frame can come.
+void check(const LiveSettings& settings, const std::string& where);
 
 /// Where the radar is and where its bins begin.
 struct Pose {
@@ -67,6 +76,11 @@ struct FrameReport {
   /// taken to lie so much lower that no ground is hidden by what is not there. 0 when nothing was lacking.
   double terrain_error_m = 0.0;
   std::size_t targets = 0;  ///< of those of the pose that stand in the bins and are seen
+  /// Of a frame that was traced (simulate::LiveTracer): rays a cell that it is made of; 0 of one from textures.
+  std::uint64_t rays_per_cell = 0;
+  /// And the standard error of a bin's mean power, 10 lg(1 + s/P), in the median over the bins that answer to at
+  /// least half of the rays' passes; infinite while too few rays were sent to tell.
+  double median_error_db = 0.0;
 };
 
 /// A frame, valid until the next one.

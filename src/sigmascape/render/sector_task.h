@@ -22,11 +22,6 @@ namespace sigmascape::render {
 /// that rows of texels are read in long stretches, narrow enough to find an azimuth by a short series.
 [[nodiscard]] std::size_t beams_together(double beam_step_rad);
 
-/// Of a bin, in the order of row_bins.h.
-[[nodiscard]] constexpr std::size_t numbers_a_bin(FrameContent content) {
-  return content == FrameContent::Amplitudes ? 8 : 4;
-}
-
 /// What the tasks of a renderer share; it outlives them.
 struct FrameParts {
   LiveGround& ground;

@@ -12,12 +12,12 @@
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/hash.h"
 #include "sigmascape/base/parallel.h"
-#include "sigmascape/radar/target_shadows.h"
 #include "sigmascape/receiver/range_azimuth_receiver.h"
 #include "sigmascape/receiver/target_echoes.h"
 #include "sigmascape/simulate/coherent.h"
 #include "sigmascape/simulate/launch_for_map.h"
 #include "sigmascape/simulate/target_sight.h"
+#include "sigmascape/simulate/unhidden_echoes.h"
 #include "sigmascape/trace/tile_progress.h"
 
 namespace sigmascape::simulate {
@@ -37,36 +37,6 @@ void check_above(const radar::Radar& radar, double highest_m) {
                 "place the radar above the scene");
   }
 }
-
-/// Where a direct echo comes from.
-Vec3d place_of(const radar::Echo& echo, Vec3d radar_position) {
-  const auto down = static_cast<double>(echo.sin_depression);
-  const double over_ground_m = echo.range_m * std::sqrt(std::max(0.0, 1.0 - down * down));
-  return radar_position +
-         Vec3d{over_ground_m * std::sin(echo.cross), over_ground_m * std::cos(echo.cross), -echo.range_m * down};
-}
-
-/// The echoes that no target's box keeps from the radar. One of several bounces is judged by where it seems to stand.
-class UnhiddenEchoes {
- public:
-  UnhiddenEchoes(std::span<const radar::Target> targets, Vec3d radar_position, unsigned workers)
-      : shadows_(targets, 0.0, radar_position), radar_position_(radar_position), kept_(workers) {}
-
-  std::span<const radar::Echo> among(std::span<const radar::Echo> echoes, unsigned worker) {
-    if (shadows_.empty()) return echoes;
-    std::vector<radar::Echo>& kept = kept_[worker];
-    kept.clear();
-    for (const radar::Echo& echo : echoes) {
-      if (!shadows_.hide(place_of(echo, radar_position_))) kept.push_back(echo);
-    }
-    return kept;
-  }
-
- private:
-  radar::TargetShadows shadows_;
-  Vec3d radar_position_;
-  std::vector<std::vector<radar::Echo>> kept_;
-};
 
 /// Adds the echoes of the scene's point targets that the radar can see.
 void add_point_targets(const scene::Scene& scene, const trace::SceneGeometry& geometry,

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "sigmascape/base/units.h"
 #include "sigmascape/radar/ground_stretch.h"
 #include "sigmascape/trace/height_bounds.h"
 
@@ -161,7 +162,34 @@ radar::Rectangle LaunchArea::beginnings() const {
   return widened(rings.back(), cell_m * grain);
 }
 
+bool HeardSector::is_heard_from(Vec3d point, const MultibounceReach& reach, double spare_m) const {
+  const Vec3d away = point - radar;
+  const double range_m = length(away);
+  if (range_m < near_range_m - reach.before_m - spare_m || range_m > far_range_m + spare_m) return false;
+  const double over_ground_m = std::sqrt(away.x * away.x + away.y * away.y);
+  const double beside_rad = std::abs(turned_by_least(std::atan2(away.x, away.y) - middle_azimuth_rad)) - half_width_rad;
+  return beside_rad * over_ground_m <= reach.beside_m + spare_m;
+}
+
+void narrow_to(LaunchArea& area, const HeardSector& heard) {
+  area.heard = heard;
+  const double spare_m = 2.0 * area.cell_m;
+  const double nearest_m = heard.near_range_m - area.reach.before_m - spare_m;
+  const double farthest_m = heard.far_range_m + spare_m;
+  std::erase_if(area.cells, [&](const LaunchCell& cell) {
+    const Vec3d aim{(cell.i + 0.5) * area.cell_m, (cell.j + 0.5) * area.cell_m, area.plane_height_m};
+    // Along a ray the azimuth stays the same; what it meets lies between its aim and where it starts.
+    const Vec3d away = aim - heard.radar;
+    const double begun = (heard.radar.z - area.top_height_m) / (heard.radar.z - area.plane_height_m);
+    const double aim_range_m = length(away), first_range_m = begun * aim_range_m;
+    if (aim_range_m < nearest_m || first_range_m > farthest_m) return true;
+    const double heard_m = std::clamp(aim_range_m, heard.near_range_m, heard.far_range_m);
+    return !heard.is_heard_from(heard.radar + away * (heard_m / aim_range_m), area.reach, spare_m);
+  });
+}
+
 bool LaunchArea::counts_from(Vec3d first_vertex) const {
+  if (heard && !heard->is_heard_from(first_vertex, reach, cell_m)) return false;
   const radar::Rectangle reached = beginnings();
   const Vec2d foot{first_vertex.x, first_vertex.y};
   // On ground of unknown height it lands somewhere between its foot and where it would on the lowest.
@@ -200,6 +228,7 @@ LaunchArea launch_area(const Viewpoint& viewpoint, const radar::Rectangle& targe
                   .cells = {},
                   .viewpoint = viewpoint,
                   .target = target,
+                  .reach = reach,
                   .rings = rings_about(viewpoint, target, plane_height_m, reach)};
   const radar::Rectangle& outermost = area.rings.back();
   const double spread = area.rim_m() + cell_m * grain + greatest_reach_m(area);

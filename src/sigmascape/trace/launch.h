@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "sigmascape/radar/ground_grid.h"
@@ -23,6 +24,16 @@ struct LaunchCell {
 /// Cells whose echoes travel to the receiver together: squares of the lattice, or what an area has of them.
 inline constexpr int tile_side_cells = 16;
 inline constexpr std::size_t cells_per_tile = std::size_t{tile_side_cells} * tile_side_cells;
+
+/// What a radar at a place hears: between two ranges and within so much of a direction.
+struct HeardSector {
+  Vec3d radar;
+  double middle_azimuth_rad = 0.0, half_width_rad = 0.0;
+  double near_range_m = 0.0, far_range_m = 0.0;
+
+  /// Whether a path that begins at that point may be heard, or one so far from it.
+  [[nodiscard]] bool is_heard_from(Vec3d point, const MultibounceReach& reach, double spare_m) const;
+};
 
 /// From which cells echoes can come that land in an area of interest.
 struct LaunchArea {
@@ -51,14 +62,20 @@ struct LaunchArea {
 
   Viewpoint viewpoint;
   radar::Rectangle target;  ///< the area of interest
+  MultibounceReach reach;   ///< how far from it paths may begin
   /// Where the direct echoes land of those surface points that paths begin at, each within the next.
   std::vector<radar::Rectangle> rings;
+  std::optional<HeardSector> heard = {};  ///< of the area of interest, where the radar does not hear all of it
 };
 
 /// Takes out of an area the grains from which no path begins that counts: whose rays pass above all that stands where
 /// such paths begin, or only get there where they would be below it. What the area brings back stays the same to the
 /// last bit, and LaunchArea::share_at still speaks of the area as it was, which for paths that count is the same.
 void leave_out_idle_cells(LaunchArea& area, const scene::Scene& scene, Footing footing);
+
+/// Takes out of an area of a radar at a place what does not come to be heard: the cells whose rays pass beside the
+/// sector and what lies within reach of it, and all paths that begin there (LaunchArea::counts_from).
+void narrow_to(LaunchArea& area, const HeardSector& heard);
 
 /// The launch area for echoes that land in `target`.
 ///

@@ -33,17 +33,6 @@ struct EchoList {
   }
 };
 
-/// The samples of a cell that gets but a share of them: of every 1 / share one, counted from a place drawn by lot, so
-/// that ranges which follow one another share them without a gap.
-SampleRange spared(const SampleRange& samples, const LaunchCell& cell, std::uint64_t seed) {
-  const double share = static_cast<double>(cell.share);
-  const double lot = static_cast<double>(
-      unit_float(hashed(seed, static_cast<std::uint32_t>(cell.i), static_cast<std::uint32_t>(cell.j))));
-  const auto number = [&](std::uint32_t sample) { return static_cast<std::uint32_t>(sample * share + lot); };
-  const std::uint32_t first = number(samples.first);
-  return {.first = first, .count = number(samples.first + samples.count) - first, .of = samples.of};
-}
-
 }  // namespace
 
 std::vector<scatter::SurfaceModel> surface_models(const scene::Scene& scene, double frequency_hz) {
@@ -58,6 +47,15 @@ SpectralSurfaces surface_models(const scene::Scene& scene, std::span<const doubl
   surfaces.reserve(frequencies_hz.size());
   for (const double frequency_hz : frequencies_hz) surfaces.push_back(surface_models(scene, frequency_hz));
   return surfaces;
+}
+
+SampleRange samples_for(const LaunchCell& cell, const SampleRange& samples, std::uint64_t seed) {
+  const double share = static_cast<double>(cell.share);
+  const double lot = static_cast<double>(
+      unit_float(hashed(seed, static_cast<std::uint32_t>(cell.i), static_cast<std::uint32_t>(cell.j))));
+  const auto number = [&](std::uint32_t sample) { return static_cast<std::uint32_t>(sample * share + lot); };
+  const std::uint32_t first = number(samples.first);
+  return {.first = first, .count = number(samples.first + samples.count) - first, .of = samples.of};
 }
 
 PathTracer::PathTracer(const SceneGeometry& geometry, SpectralSurfaces surfaces, const Viewpoint& viewpoint,
@@ -79,7 +77,7 @@ TraceCounts PathTracer::trace(const LaunchArea& area, SampleRange samples, unsig
   return trace_tiles(area, threads, [&](TilePaths& tile, unsigned worker) {
     std::vector<PathStart> starts;
     for (const LaunchCell& cell : tile.cells()) {
-      const SampleRange of_cell = spared(samples, cell, seed_);
+      const SampleRange of_cell = samples_for(cell, samples, seed_);
       for (std::uint32_t sample = 0; sample < of_cell.count; ++sample)
         starts.push_back({.cell = cell, .sequence = 0, .sample = of_cell.first + sample});
     }

@@ -43,6 +43,10 @@ struct SampleRange {
   std::uint32_t of = 16;
 };
 
+/// Which of a range's samples a cell gets by its share: of every 1 / share one, counted from a place that the seed
+/// draws, so that ranges which follow one another share them without a gap. Each then stands for 1 / share as much.
+[[nodiscard]] SampleRange samples_for(const LaunchCell& cell, const SampleRange& samples, std::uint64_t seed);
+
 struct TraceCounts {
   std::uint64_t paths = 0;
   std::uint64_t rays = 0;

@@ -1,5 +1,6 @@
 #include "sigmascape/trace/launch.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
 #include <set>
 #include <vector>
@@ -170,6 +171,59 @@ TEST(LaunchArea, CellsAreNumberedFromTheOriginOfTheFrame) {
   }
   const LaunchArea west = launch_area(viewpoint, {-101.0, -51.0, -100.0, -50.0}, 0.5, 0.0, 0.0, {});
   for (const LaunchCell cell : west.cells) EXPECT_LT(cell.i, -198);
+}
+
+/// Corners of an area that looks at a square of 400 m from the south-west, and the sector of 100 m in its middle.
+struct NarrowArea {
+  Vec3d radar = radar::position_seeing({}, radians(225.0), radians(20.0), 5000.0);
+  double over_ground_m = std::hypot(radar.x, radar.y);
+  HeardSector heard{.radar = radar,
+                    .middle_azimuth_rad = radians(45.0),
+                    .half_width_rad = 50.0 / over_ground_m,
+                    .near_range_m = 4950.0,
+                    .far_range_m = 5050.0};
+  LaunchArea wide =
+      launch_area(Viewpoint::located(radar), {-200.0, -200.0, 200.0, 200.0}, 4.0, 0.0, top_m, {10.0, 10.0});
+};
+
+TEST(LaunchArea, NarrowedToASectorLosesNoRayThatIsHeard) {
+  NarrowArea area;
+  LaunchArea narrow = area.wide;
+  narrow_to(narrow, area.heard);
+  std::set<std::pair<int, int>> launched;
+  for (const LaunchCell& cell : narrow.cells) launched.insert({cell.i, cell.j});
+  std::size_t heard = 0;
+  for (std::uint64_t i = 0; i < 20'000; ++i) {
+    const auto drawn = [i](std::uint64_t what) { return static_cast<double>(unit_float(hashed(i, what))); };
+    const Vec3d point{400.0 * drawn(0) - 200.0, 400.0 * drawn(1) - 200.0, top_m * drawn(2)};
+    const Vec3d away = point - area.radar;
+    const double range_m = length(away);
+    const double beside_m = std::abs(std::atan2(away.x, away.y) - radians(45.0)) * area.over_ground_m;
+    if (range_m < 4950.0 || range_m > 5050.0 || beside_m > 50.0) {
+      // Well outside nothing counts, so that no path is found from one end alone.
+      if (beside_m > 70.0 || range_m > 5070.0) {
+        EXPECT_FALSE(narrow.counts_from(point));
+      }
+      continue;
+    }
+    ++heard;
+    EXPECT_EQ(narrow.counts_from(point), area.wide.counts_from(point));
+    const Vec2d aim = narrow.viewpoint.shadow_on_plane(point, 0.0);
+    EXPECT_TRUE(
+        launched.contains({static_cast<int>(std::floor(aim.x / 4.0)), static_cast<int>(std::floor(aim.y / 4.0))}))
+        << point.x << " " << point.y << " " << point.z;
+  }
+  EXPECT_GT(heard, 500U);
+}
+
+TEST(LaunchArea, NarrowedToASectorAimsAtLittleElse) {
+  NarrowArea area;
+  LaunchArea narrow = area.wide;
+  narrow_to(narrow, area.heard);
+  // 100 m across with 18 m on both sides and before, as long as the sector and what is tall reaches behind.
+  EXPECT_LT(narrow.cells.size(), area.wide.cells.size() / 3);
+  const double length_m = (100.0 + 36.0 + top_m * std::tan(radians(90.0 - 20.0))) / std::cos(radians(20.0));
+  EXPECT_NEAR(static_cast<double>(narrow.cells.size()) * 16.0, 136.0 * length_m, 0.2 * 136.0 * length_m);
 }
 
 }  // namespace

@@ -1,0 +1,78 @@
+#include "sigmascape/simulate/live_tracer.h"
+
+#include <pybind11/stl.h>
+
+#include "held_frame.h"
+#include "loaded_scene.h"
+#include "long_call.h"
+#include "parts.h"
+
+#include "sigmascape/render/level_of_detail.h"
+
+namespace sigmascape::python {
+namespace {
+
+namespace py = pybind11;
+
+/// A tracer and the scene that it looks at.
+struct SceneTracer {
+  std::shared_ptr<LoadedScene> scene;
+  simulate::LiveTracer tracer;
+};
+
+std::unique_ptr<SceneTracer> made_tracer(std::shared_ptr<LoadedScene> scene, const std::string& content,
+                                         std::size_t beams, std::size_t ranges, double beam_step_rad,
+                                         double range_step_m, double cells_per_bin, std::uint64_t seed,
+                                         unsigned threads, double refraction, double frequency_ghz,
+                                         std::uint32_t rays_per_cell, int bounces, double lattice_m) {
+  const auto settings =
+      settings_from(content, beams, ranges, beam_step_rad, range_step_m, cells_per_bin, seed, threads, refraction);
+  const auto& loaded = *scene;
+  return std::unique_ptr<SceneTracer>(new SceneTracer{
+      .scene = std::move(scene),
+      .tracer = {
+          loaded.scene(), loaded.geometry(), settings, {frequency_ghz * 1e9, rays_per_cell, bounces, lattice_m}}});
+}
+
+HeldFrame traced(const py::object& self, const Triple& position_m, double first_azimuth_rad, double first_range_m) {
+  auto& held = self.cast<SceneTracer&>();
+  const auto pose = pose_from(position_m, first_azimuth_rad, first_range_m);
+  const render::Frame* const frame = long_call([&] { return &held.tracer.render(pose); });
+  return {*frame, pose, self};
+}
+
+}  // namespace
+
+void add_live_tracer(py::module_& module) {
+  const render::LiveSettings settings;
+  const simulate::LiveTraceSettings tracing;
+  py::class_<SceneTracer>(
+      module, "LiveTracer",
+      "Level of detail 0 of live frames: the whole scene, path-traced, in the bins of LiveRenderer and with its\n"
+      "speckle. For small areas. While the pose stays the same each call adds rays to those before.")
+      .def(
+          py::init(&made_tracer), py::arg("scene"), py::kw_only(), py::arg("content") = "amplitudes",
+          py::arg("beams") = settings.beams, py::arg("ranges") = settings.ranges,
+          py::arg("beam_step_rad") = settings.beam_step_rad, py::arg("range_step_m") = settings.range_step_m,
+          py::arg("cells_per_bin") = settings.cells_per_bin, py::arg("seed") = settings.seed, py::arg("threads") = 0,
+          py::arg("refraction") = settings.refraction, py::arg("frequency_ghz") = tracing.frequency_hz / 1e9,
+          py::arg("rays_per_cell") = tracing.rays_per_cell, py::arg("bounces") = tracing.max_bounces,
+          py::arg("lattice_m") = tracing.lattice_m, py::call_guard<py::gil_scoped_release>(),
+          "rays_per_cell: that each call adds. lattice_m: side of the finest cells of the scatterers; with that of an\n"
+          "atlas' texels both levels draw the same ones. The rest as in LiveRenderer.")
+      .def(
+          "render", &traced, py::arg("position_m"), py::kw_only(), py::arg("first_azimuth_rad"),
+          py::arg("first_range_m"),
+          "A Frame of all beams, as LiveRenderer.render gives it; its rays_per_cell and median_error_db say how clear\n"
+          "it has become.")
+      .def(
+          "advised_detail",
+          [](const SceneTracer& held, const Triple& position_m, double first_azimuth_rad, double first_range_m) {
+            const auto pose = pose_from(position_m, first_azimuth_rad, first_range_m);
+            return render::choose_detail(held.tracer.question(pose)).level;
+          },
+          py::arg("position_m"), py::kw_only(), py::arg("first_azimuth_rad"), py::arg("first_range_m"),
+          "The level of detail that the resolution cell asks for at this pose: 0 where the scene should be traced.");
+}
+
+}  // namespace sigmascape::python

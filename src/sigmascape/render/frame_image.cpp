@@ -1,0 +1,22 @@
+#include "sigmascape/render/frame_image.h"
+
+#include "sigmascape/radar/complex_channels.h"
+
+namespace sigmascape::render {
+
+radar::RangeAzimuthImage image_of(const Frame& frame, const Pose& pose) {
+  const auto& [grid, amplitudes_m, powers_m2, report] = frame;
+  radar::RangeAzimuthImage image{grid, pose.position, Array2D<radar::Channels>(grid.azimuths, grid.ranges)};
+  for (std::size_t beam = 0; beam < grid.azimuths; ++beam) {
+    for (std::size_t range = 0; range < grid.ranges; ++range) {
+      const std::size_t first = 4 * (beam * grid.ranges + range);
+      image.rcs_m2(beam, range) =
+          powers_m2.empty()
+              ? radar::power_of({amplitudes_m[first], amplitudes_m[first + 1], amplitudes_m[first + 2]})
+              : radar::Channels{powers_m2[first], powers_m2[first + 1], powers_m2[first + 2], powers_m2[first + 3]};
+    }
+  }
+  return image;
+}
+
+}  // namespace sigmascape::render

@@ -1,0 +1,48 @@
+#include "sigmascape/render/frame_reach.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sigmascape/base/units.h"
+#include "sigmascape/render/sector.h"
+
+namespace sigmascape::render {
+namespace {
+
+/// Distance over the ground to something at `below_m` under the radar whose slant range is known.
+double ground_distance(double range_m, double below_m) {
+  return std::sqrt(std::max(range_m * range_m - below_m * below_m, 0.0));
+}
+
+}  // namespace
+
+FrameReach frame_reach(const LiveSettings& settings, const Pose& pose, double lowest_m, double highest_m) {
+  const double far_range_m = pose.first_range_m + static_cast<double>(settings.ranges) * settings.range_step_m;
+  return {ground_distance(pose.first_range_m, pose.position.z - lowest_m),
+          ground_distance(far_range_m, std::max(pose.position.z - highest_m, 0.0))};
+}
+
+radar::Rectangle ground_under(Vec2d radar, double first_azimuth_rad, double width_rad, FrameReach reach) {
+  // A sector is less than half a turn wide.
+  const int parts = static_cast<int>(width_rad / (pi / 2.0)) + 1;
+  radar::Rectangle box{1e300, 1e300, -1e300, -1e300};
+  for (int part = 0; part < parts; ++part) {
+    const Sector sector(first_azimuth_rad + width_rad * part / parts, width_rad / parts, reach.near_m, reach.far_m);
+    const radar::Rectangle bounds = sector.bounds();
+    box = {std::min(box.west_m, bounds.west_m), std::min(box.south_m, bounds.south_m),
+           std::max(box.east_m, bounds.east_m), std::max(box.north_m, bounds.north_m)};
+  }
+  return {radar.x + box.west_m, radar.y + box.south_m, radar.x + box.east_m, radar.y + box.north_m};
+}
+
+DetailQuestion question_of_bins(const LiveSettings& settings, double near_m, double length_m) {
+  DetailQuestion question;
+  // Bins lie along the slant range; what they are on the ground follows from where they begin and end.
+  question.range_resolution_m = length_m / static_cast<double>(settings.ranges);
+  question.grazing_rad = 0.0;
+  question.cross_range_m = (near_m + length_m / 2.0) * settings.beam_step_rad;
+  question.samples_per_cell = settings.cells_per_bin;
+  return question;
+}
+
+}  // namespace sigmascape::render

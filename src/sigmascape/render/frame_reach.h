@@ -1,0 +1,26 @@
+#pragma once
+
+#include "sigmascape/base/vec.h"
+#include "sigmascape/radar/ground_grid.h"
+#include "sigmascape/render/level_of_detail.h"
+#include "sigmascape/render/live_renderer.h"
+
+namespace sigmascape::render {
+
+/// Distances over the ground between which all that is in a frame's bins lies.
+struct FrameReach {
+  double near_m = 0.0, far_m = 0.0;
+};
+
+/// For ground between two heights, over a flat Earth.
+[[nodiscard]] FrameReach frame_reach(const LiveSettings& settings, const Pose& pose, double lowest_m, double highest_m);
+
+/// The smallest rectangle about the ground between two directions and two distances from a place. The sector may be a
+/// whole turn wide.
+[[nodiscard]] radar::Rectangle ground_under(Vec2d radar, double first_azimuth_rad, double width_rad, FrameReach reach);
+
+/// What the choice of detail follows from as far as the bins alone say it: cells are those of the ground, as though the
+/// radar looked along it. They begin `near_m` from it, over the ground, and take `length_m`.
+[[nodiscard]] DetailQuestion question_of_bins(const LiveSettings& settings, double near_m, double length_m);
+
+}  // namespace sigmascape::render

@@ -1,0 +1,56 @@
+#include "sigmascape/simulate/lattice_sums.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+namespace sigmascape::simulate {
+namespace {
+
+constexpr double units_per_m2 = 0x1p30;
+constexpr double most_units = 0x1p62;
+
+}  // namespace
+
+LatticeSums::LatticeSums(const LatticeBlock& block) : block_(block), cells_(block.columns * block.rows) {}
+
+void LatticeSums::add_units(std::int64_t& sum, double value) {
+  const double units = value * units_per_m2;
+  if (!(std::abs(units) < most_units)) {
+    std::atomic_ref(overflows_).fetch_add(1, std::memory_order_relaxed);
+    return;
+  }
+  const std::int64_t added = std::llrint(units);
+  const std::atomic_ref atomic_sum(sum);
+  const std::int64_t before = atomic_sum.fetch_add(added, std::memory_order_relaxed);
+  if (std::abs(static_cast<double>(before) + static_cast<double>(added)) > most_units) {
+    atomic_sum.fetch_sub(added, std::memory_order_relaxed);
+    std::atomic_ref(overflows_).fetch_add(1, std::memory_order_relaxed);
+  }
+}
+
+void LatticeSums::add(radar::LatticeCell cell, const radar::Channels& rcs_m2, Place place) {
+  const auto within = [](std::int32_t index, std::size_t count) {
+    return static_cast<std::size_t>(std::clamp<std::int64_t>(index, 0, static_cast<std::int64_t>(count) - 1));
+  };
+  auto& sums = cells_[within(cell.row - block_.first.row, block_.rows) * block_.columns +
+                      within(cell.column - block_.first.column, block_.columns)];
+  const auto power = static_cast<double>(rcs_m2.power(radar::Polarization::Sum));
+  add_units(sums[Vv], static_cast<double>(rcs_m2.vv));
+  add_units(sums[Hh], static_cast<double>(rcs_m2.hh));
+  add_units(sums[Hv], static_cast<double>(rcs_m2.hv));
+  add_units(sums[ReVvhh], static_cast<double>(rcs_m2.re_vvhh));
+  add_units(sums[BeamMoment], power * place.beam);
+  add_units(sums[RangeMoment], power * place.range);
+}
+
+LatticeSums::Sum LatticeSums::sum(std::size_t column, std::size_t row, double scale) const {
+  const auto& sums = cells_[row * block_.columns + column];
+  const auto number = [&sums](Number which) { return static_cast<double>(sums[which]); };
+  const double power = number(Vv) + number(Hh) + 2.0 * number(Hv);
+  if (!(power > 0.0)) return {};
+  const auto m2 = [&](Number which) { return static_cast<float>(number(which) / units_per_m2 * scale); };
+  return {{m2(Vv), m2(Hh), m2(Hv), m2(ReVvhh)}, {number(BeamMoment) / power, number(RangeMoment) / power}};
+}
+
+}  // namespace sigmascape::simulate

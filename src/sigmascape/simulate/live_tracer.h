@@ -1,0 +1,101 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "sigmascape/radar/scatterer_lattice.h"
+#include "sigmascape/radar/shadow_box.h"
+#include "sigmascape/receiver/target_frame.h"
+#include "sigmascape/render/live_renderer.h"
+#include "sigmascape/scatter/surface_model.h"
+#include "sigmascape/scene/scene.h"
+#include "sigmascape/trace/scene_geometry.h"
+
+namespace sigmascape::simulate {
+
+class TracedGround;
+
+/// What a traced frame needs to know besides its bins.
+struct LiveTraceSettings {
+  double frequency_hz = 10e9;
+  /// Rays a lattice cell that each call of `render` adds, in whole passes of two.
+  std::uint32_t rays_per_cell = 8;
+  int max_bounces = 8;
+  /// Side of the finest lattice cells, doubled for a frame until its bins tell cells apart no more (cells_per_bin).
+  /// With the texel of an atlas a frame's cells are those of render::LiveRenderer over it and hold the same scatterers.
+  /// Bins finer than the finest cells share scatterers.
+  double lattice_m = 0.25;
+};
+
+/// Level of detail 0 of live frames: the whole scene, path-traced, in the bins and by the poses of
+/// render::LiveRenderer.
+///
+/// While pose and shadows of targets stay as they are each call adds rays to those before, so that the picture becomes
+/// clearer; FrameReport says how many there are and how well they know the power. Another pose begins anew, with rays
+/// that are keyed on the ground: what is left of their noise does not flicker. Bytes depend neither on the number of
+/// threads nor on how rays are spread over calls.
+///
+/// Speckle is that of LiveRenderer: one scatterer a cell of the lattice, whose power is that of all echoes that land
+/// there for one who knows the ground alone. docs/decisions/0099-speckle-of-traced-frames.md.
+///
+/// The Earth curves away from the middle of the area that the bins look at; about it ground is taken to be flat, which
+/// 2 km from there is wrong by a quarter of a metre. Ground outside the scene's extent does not answer. Point targets
+/// of the scene answer where the pose names them (`targets_of`), like all others, wherever the scene does not hide
+/// them.
+///
+/// Scene and geometry, on its terrain, must outlive the tracer. For one caller at a time. Cost goes with the ground
+/// that the bins look at, whatever their number.
+class LiveTracer {
+ public:
+  /// Throws Error for settings from which no frame can come. `settings.visibility` has no say.
+  LiveTracer(const scene::Scene& scene, const trace::SceneGeometry& geometry, const render::LiveSettings& settings,
+             const LiveTraceSettings& tracing = {});
+  ~LiveTracer();
+
+  /// Throws Error for a radar that does not stand above all of the scene, bins that look at more ground than can be
+  /// traced, or a bin that is too bright for its sums.
+  const render::Frame& render(const render::Pose& pose);
+
+  /// What render::choose_detail is to be asked for such a frame, of this scene; what an atlas offers instead (texel_m,
+  /// mips) is the caller's to add. Throws nothing.
+  [[nodiscard]] render::DetailQuestion question(const render::Pose& pose) const;
+
+ private:
+  /// Where the bins of a pose look.
+  struct Look {
+    Vec3d radar;               ///< from where lines of sight are straight
+    radar::Rectangle area;     ///< of the scene's ground; nothing when its east lies west
+    radar::Rectangle landing;  ///< the same with what its things lay over
+    double near_m = 0.0, far_m = 0.0;
+
+    [[nodiscard]] bool sees_nothing() const { return !(area.east_m > area.west_m && area.north_m > area.south_m); }
+  };
+
+  [[nodiscard]] Look look_of(const render::Pose& pose) const;
+  [[nodiscard]] int lattice_level(const Look& look) const;
+  void begin(const render::Pose& pose);
+  void show_ground(const render::Pose& pose);
+  void add_targets(const render::Pose& pose);
+
+  const scene::Scene& scene_;
+  const trace::SceneGeometry& geometry_;
+  render::LiveSettings settings_;
+  LiveTraceSettings tracing_;
+  std::vector<scatter::SurfaceModel> surfaces_;
+  radar::ScattererLattice lattice_;
+  receiver::TargetFrame targets_;
+  double lowest_m_, highest_m_;  // of the terrain
+
+  // Of the pose in hand.
+  std::optional<Vec3d> position_;
+  Look look_;
+  std::vector<radar::ShadowBox> boxes_;
+  std::unique_ptr<TracedGround> ground_;  // none where the bins see nothing of the scene
+
+  std::vector<float> bins_;  // [beam][range][number]
+  render::Frame frame_;
+};
+
+}  // namespace sigmascape::simulate

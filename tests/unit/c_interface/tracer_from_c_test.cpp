@@ -1,0 +1,86 @@
+#include <algorithm>
+#include <cstring>
+#include <gtest/gtest.h>
+#include <string>
+
+#include "end_to_end/made_scene.h"
+#include "scratch_folder.h"
+#include "unit/render/live_ground_example.h"
+
+#include "sigmascape/c_interface/sigmascape.h"
+#include "sigmascape/scene/scene_file.h"
+#include "sigmascape/simulate/live_tracer.h"
+
+namespace sigmascape {
+namespace {
+
+TEST(TracerFromC, GivesTheFrameOfTheCppInterface) {
+  const ScratchFolder folder;
+  const std::string file = end_to_end::write_made_scene(folder.path("town"), 160.0, 160.0).string();
+  render::ExampleView view;
+  view.target = {};
+  view.bin_m = 4.0;
+  view.beams = view.ranges = 24;
+  const render::LiveSettings wanted = view.settings(render::FrameContent::Amplitudes);
+  const render::Pose pose = view.pose();
+  const scene::Scene scene = scene::read_scene(file);
+  const trace::SceneGeometry geometry(scene, trace::Footing::Terrain);
+  simulate::LiveTracer expected(scene, geometry, wanted, {.rays_per_cell = 4, .lattice_m = 1.0});
+  const render::Frame& cpp = expected.render(pose);
+
+  sigmascape_scene* opened = sigmascape_open_scene(file.c_str());
+  ASSERT_NE(opened, nullptr) << sigmascape_last_error();
+  sigmascape_settings settings = sigmascape_default_settings();
+  settings.beams = wanted.beams;
+  settings.ranges = wanted.ranges;
+  settings.beam_step_rad = wanted.beam_step_rad;
+  settings.range_step_m = wanted.range_step_m;
+  settings.refraction = wanted.refraction;
+  sigmascape_tracing tracing = sigmascape_default_tracing();
+  tracing.rays_per_cell = 4;
+  tracing.lattice_m = 1.0;
+  sigmascape_renderer* tracer = sigmascape_make_tracer(opened, &settings, &tracing);
+  ASSERT_NE(tracer, nullptr) << sigmascape_last_error();
+  // The tracer keeps what it looks at.
+  sigmascape_close_scene(opened);
+
+  sigmascape_pose from = {};
+  from.position_m[0] = pose.position.x;
+  from.position_m[1] = pose.position.y;
+  from.position_m[2] = pose.position.z;
+  from.first_azimuth_rad = pose.first_azimuth_rad;
+  from.first_range_m = pose.first_range_m;
+  sigmascape_frame frame = {};
+  ASSERT_EQ(sigmascape_render(tracer, &from, &frame), 0) << sigmascape_last_error();
+  EXPECT_EQ(frame.rays_per_cell, 4U);
+  EXPECT_EQ(frame.median_error_db, cpp.report.median_error_db);
+  ASSERT_EQ(frame.beams * frame.ranges * 4, cpp.amplitudes_m.size());
+  EXPECT_TRUE(std::ranges::any_of(cpp.amplitudes_m, [](auto a) { return std::norm(a) > 0.0F; }));
+  EXPECT_EQ(std::memcmp(frame.amplitudes_m, cpp.amplitudes_m.data(), cpp.amplitudes_m.size_bytes()), 0);
+  EXPECT_EQ(sigmascape_advised_detail(tracer, &from), 0);
+
+  sigmascape_target above = {};
+  above.position_m[2] = 40.0;
+  above.rcs_m2[0] = 1e4F;
+  ASSERT_EQ(sigmascape_set_targets(tracer, &above, 1), 0) << sigmascape_last_error();
+  ASSERT_EQ(sigmascape_render(tracer, &from, &frame), 0) << sigmascape_last_error();
+  EXPECT_EQ(frame.targets, 1U);
+  EXPECT_EQ(frame.rays_per_cell, 8U);
+
+  EXPECT_NE(sigmascape_scan(tracer, &from, 0, 4, &frame), 0);
+  EXPECT_NE(std::string(sigmascape_last_error()).find("tracer"), std::string::npos);
+  sigmascape_free_renderer(tracer);
+}
+
+TEST(TracerFromC, WhatIsWrongIsSaid) {
+  EXPECT_EQ(sigmascape_open_scene("/nowhere/scene.toml"), nullptr);
+  EXPECT_NE(std::string(sigmascape_last_error()).find("/nowhere/scene.toml"), std::string::npos);
+  EXPECT_EQ(sigmascape_open_scene(nullptr), nullptr);
+  const sigmascape_settings settings = sigmascape_default_settings();
+  const sigmascape_tracing tracing = sigmascape_default_tracing();
+  EXPECT_EQ(sigmascape_make_tracer(nullptr, &settings, &tracing), nullptr);
+  EXPECT_LT(sigmascape_advised_detail(nullptr, nullptr), 0);
+}
+
+}  // namespace
+}  // namespace sigmascape
