@@ -165,7 +165,7 @@ void measure_traced_map(const scene::Scene& scene, Figures& figures) {
   prove(traced.median_error_db <= 1.5, "a traced map reaches the error it is asked for");
   figures.add("render.lod0_seconds", 0.5 * processor_taken, "s",
               fmt::format("processor time over two cores (wall {:.1f} s) for 512 m × 512 m around ({:.0f}, {:.0f}), "
-                          "{} rays a cell, median error {:.2f} dB",
+                          "up to {} rays a cell, median error {:.2f} dB",
                           wall_taken, centre.x, centre.y, traced.samples_per_cell, traced.median_error_db));
 }
 

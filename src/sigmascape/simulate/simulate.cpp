@@ -10,6 +10,7 @@
 
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/base/error.h"
+#include "sigmascape/base/hash.h"
 #include "sigmascape/base/parallel.h"
 #include "sigmascape/receiver/range_azimuth_receiver.h"
 #include "sigmascape/receiver/target_echoes.h"
@@ -21,6 +22,9 @@
 
 namespace sigmascape::simulate {
 namespace {
+
+/// Tells the lots of cells from other numbers that are made of seed and cell.
+constexpr std::uint32_t lot_of_cell = 0x107;
 
 /// Rays start this far above the highest point, and the radar must stand above their start.
 constexpr double clearance_m = 1.0;
@@ -87,6 +91,26 @@ class BounceReceivers {
   std::vector<std::unique_ptr<receiver::RangeAzimuthReceiver>> receivers_;
 };
 
+void tell(const RayWatcher& watcher, const trace::TileEchoes& tile) {
+  for (std::size_t start = 0; start < tile.starts.size(); ++start)
+    watcher(tile.starts[start].cell, tile.paths->echoes(tile.frequency, start), tile.worker);
+}
+
+std::vector<radar::Echo> times(float factor, std::span<const radar::Echo> echoes) {
+  std::vector<radar::Echo> multiplied(echoes.begin(), echoes.end());
+  for (radar::Echo& echo : multiplied) echo.rcs_m2 = echo.rcs_m2 * factor;
+  return multiplied;
+}
+
+/// Leaves the cells on which the lot falls.
+void draw_lots(LaunchShare& share, std::uint64_t seed) {
+  std::erase_if(share.launch.cells, [&](const trace::LaunchCell& cell) {
+    return hashed(seed, lot_of_cell, static_cast<std::uint32_t>(cell.i), static_cast<std::uint32_t>(cell.j)) %
+               share.one_in !=
+           0;
+  });
+}
+
 }  // namespace
 
 radar::RangeAzimuthGrid bins_for(const radar::Radar& radar, const radar::Rectangle& area,
@@ -116,8 +140,8 @@ std::vector<radar::RangeAzimuthImage> traced_bounces(const scene::Scene& scene, 
                                                      const radar::Radar& radar, const radar::Rectangle& area,
                                                      const TraceSettings& settings, std::size_t orders,
                                                      trace::TraceCounts& counts, ProgressListener* progress) {
-  const auto launch = launch_for_map(scene, geometry, radar, area, settings.cell_m);
-  return traced_bounces(scene, geometry, radar, launch, settings, orders, counts, progress);
+  const LaunchShare all{launch_for_map(scene, geometry, radar, area, settings.cell_m), settings.samples_per_cell};
+  return traced_bounces(scene, geometry, radar, {&all, 1}, settings, orders, counts, progress);
 }
 
 trace::LaunchArea launch_for_map(const scene::Scene& scene, const trace::SceneGeometry& geometry,
@@ -131,22 +155,34 @@ trace::LaunchArea launch_for_map(const scene::Scene& scene, const trace::SceneGe
 }
 
 std::vector<radar::RangeAzimuthImage> traced_bounces(const scene::Scene& scene, const trace::SceneGeometry& geometry,
-                                                     const radar::Radar& radar, const trace::LaunchArea& launch,
+                                                     const radar::Radar& radar, std::span<const LaunchShare> shares,
                                                      const TraceSettings& settings, std::size_t orders,
-                                                     trace::TraceCounts& counts, ProgressListener* progress) {
+                                                     trace::TraceCounts& counts, ProgressListener* progress,
+                                                     const RayWatcher& watcher) {
+  const trace::LaunchArea& launch = shares.front().launch;
   const auto& viewpoint = launch.viewpoint;
   const auto surfaces = trace::surface_models(scene, radar.frequency_hz);
   const trace::PathTracer tracer(geometry, surfaces, viewpoint, {.max_bounces = settings.max_bounces}, settings.seed);
   BounceReceivers receivers(radar, bins_for(radar, launch.target, scene.terrain), orders);
+  std::vector<LaunchShare> drawn(shares.begin(), shares.end());
+  std::size_t tile_count = 0;
+  for (LaunchShare& share : drawn) {
+    if (share.one_in > 1) draw_lots(share, settings.seed);
+    tile_count += share.launch.tiles();
+  }
   SilentProgress silent;
   trace::TileProgress tiles(progress != nullptr ? *progress : silent, "trace", "% of the map", 0.0, 100.0, 100.0,
-                            launch.tiles());
+                            tile_count);
   UnhiddenEchoes unhidden(settings.targets, radar.position, thread_count(settings.threads));
-  counts += tracer.trace(launch, {0, settings.samples_per_cell, settings.samples_per_cell}, settings.threads,
-                         [&](std::span<const radar::Echo> echoes, unsigned worker) {
-                           receivers.add(unhidden.among(echoes, worker));
-                           tiles.tile_done(worker);
-                         });
+  for (const LaunchShare& share : drawn) {
+    const std::uint32_t samples = share.samples_per_cell;
+    counts += tracer.trace(share.launch, {0, samples, samples}, settings.threads, [&](const trace::TileEchoes& tile) {
+      if (watcher) tell(watcher, tile);
+      const auto echoes = times(static_cast<float>(share.one_in), tile.echoes);
+      receivers.add(unhidden.among(echoes, tile.worker));
+      tiles.tile_done(tile.worker);
+    });
+  }
   tiles.all_done();
   add_point_targets(scene, geometry, viewpoint, receivers.first());
   const auto seen = seen_targets(

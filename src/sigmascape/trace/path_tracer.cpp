@@ -85,7 +85,12 @@ TraceCounts PathTracer::trace(const LaunchArea& area, SampleRange samples, unsig
     for (std::size_t f = 0; f < surfaces_.size(); ++f) {
       EchoList& list = lists[worker][f];
       list.take(tile, f, starts, samples.of);
-      sink({.echoes = list.echoes, .amplitudes_m = list.amplitudes_m, .frequency = f, .worker = worker});
+      sink({.echoes = list.echoes,
+            .amplitudes_m = list.amplitudes_m,
+            .frequency = f,
+            .worker = worker,
+            .starts = starts,
+            .paths = &tile});
     }
   });
 }

@@ -69,6 +69,9 @@ struct TraceCounts {
 using SpectralSurfaces = std::vector<std::vector<scatter::SurfaceModel>>;
 [[nodiscard]] SpectralSurfaces surface_models(const scene::Scene& scene, std::span<const double> frequencies_hz);
 
+class TilePaths;
+struct PathStart;
+
 /// What the paths of one tile bring back at one frequency.
 struct TileEchoes {
   std::span<const radar::Echo> echoes;
@@ -79,6 +82,9 @@ struct TileEchoes {
   std::span<const radar::ComplexChannels> amplitudes_m;
   std::size_t frequency = 0;  ///< its place in the tracer's surfaces
   unsigned worker = 0;        ///< number of the calling thread
+  /// The paths one by one, for who wants to know which brought what: `paths->echoes(frequency, k)` of start k.
+  std::span<const PathStart> starts = {};
+  const TilePaths* paths = nullptr;
 };
 
 /// Takes the echoes of one tile, one frequency after another; called from several threads at once.

@@ -92,6 +92,57 @@ TEST_F(TracedToErrorTest, HoldsThePowerOfAMapThatIsTracedAtOnce) {
   EXPECT_NEAR(10.0 * std::log10(total(traced(0.1).image) / total(at_once)), 0.0, 0.05);
 }
 
+/// Houses on one side of an area that is open ground on the other, and around.
+class UnevenAreaTest : public TracedToErrorTest {
+ protected:
+  static constexpr int maps = 48;
+  const radar::Rectangle uneven_{20.0, -20.0, 60.0, 20.0};
+  static constexpr ErrorGoal fewest_passes_{.median_error_db = 100.0};
+};
+
+TEST_F(UnevenAreaTest, FewerRaysWhereTheyBringLittle) {
+  trace::TraceCounts spared, at_once;
+  const TracedToError map = traced_to_error(scene_, geometry_, radar_, uneven_, {.threads = 2}, fewest_passes_, spared);
+  (void)traced_image(scene_, geometry_, radar_, uneven_,
+                     {.samples_per_cell = map.samples_per_cell, .max_bounces = 1, .threads = 2}, at_once);
+  EXPECT_LT(spared.paths, 2 * at_once.paths / 3);
+  // Of eight passes the first is for all cells.
+  EXPECT_GT(spared.paths, at_once.paths / 8);
+}
+
+TEST_F(UnevenAreaTest, FewerRaysBringAsMuchPowerAndTheirScatterIsTheirError) {
+  trace::TraceCounts counts;
+  const double expected = total(
+      traced_image(scene_, geometry_, radar_, uneven_, {.samples_per_cell = 2048, .seed = 1000, .threads = 2}, counts));
+  std::vector<double> totals, power, squares, stated;
+  for (int seed = 0; seed < maps; ++seed) {
+    const TraceSettings settings{.seed = static_cast<std::uint64_t>(seed), .threads = 2};
+    const TracedToError map = traced_to_error(scene_, geometry_, radar_, uneven_, settings, fewest_passes_, counts);
+    totals.push_back(total(map.image));
+    power.resize(map.image.rcs_m2.size());
+    squares.resize(power.size());
+    stated.resize(power.size());
+    for (std::size_t bin = 0; bin < power.size(); ++bin) {
+      const double x = map.image.rcs_m2.values()[bin].power(radar::Polarization::Sum);
+      const double s = x * static_cast<double>(map.relative_errors.values()[bin]);
+      power[bin] += x;
+      squares[bin] += x * x;
+      stated[bin] += s * s;
+    }
+  }
+  double mean = 0.0, scatter = 0.0, variance = 0.0, stated_variance = 0.0;
+  for (const double t : totals) mean += t / maps;
+  for (const double t : totals) scatter += (t - mean) * (t - mean) / (maps - 1);
+  for (std::size_t bin = 0; bin < power.size(); ++bin) {
+    variance += (squares[bin] - power[bin] * power[bin] / maps) / (maps - 1);
+    stated_variance += stated[bin] / maps;
+  }
+  const double error = std::sqrt(scatter / maps);
+  EXPECT_LT(error, 2e-3 * expected);
+  EXPECT_NEAR(mean, expected, 4.0 * error);
+  EXPECT_NEAR(stated_variance / variance, 1.0, 0.1);
+}
+
 TEST_F(TracedToErrorTest, ThreadsDoNotMatter) {
   const TracedToError one = traced(1.0, 1, 1), three = traced(1.0, 1, 3);
   EXPECT_TRUE(std::ranges::equal(one.image.rcs_m2.values(), three.image.rcs_m2.values()));
