@@ -73,9 +73,11 @@ trace::LaunchArea LookBaker::area_of(const radar::GroundGrid& texels, const rada
   // The scene ends where its extent does; beyond a rim about it texels stay black.
   const auto viewpoint = trace::Viewpoint::distant(aspect);
   const radar::Rectangle target = intersection(texels.extent(), scene_.extent);
-  return trace::launch_area(viewpoint, target, settings_.patches.texel_m, geometry_.lowest_m(),
-                            geometry_.highest_m() + 1.0, trace::multibounce_reach(scene_, viewpoint, target),
-                            trace::tile_side_cells);
+  auto area = trace::launch_area(viewpoint, target, settings_.patches.texel_m, geometry_.lowest_m(),
+                                 geometry_.highest_m() + 1.0, trace::multibounce_reach(scene_, viewpoint, target),
+                                 trace::tile_side_cells);
+  trace::spare_rays(area, scene_, footing_);
+  return area;
 }
 
 std::vector<BakedLook> LookBaker::bake(atlas::PatchIndex patch, const radar::Aspect& aspect,

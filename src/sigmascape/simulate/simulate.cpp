@@ -150,7 +150,7 @@ trace::LaunchArea launch_for_map(const scene::Scene& scene, const trace::SceneGe
   const auto viewpoint = trace::Viewpoint::located(radar.position);
   auto launch = trace::launch_area(viewpoint, area, cell_m, geometry.lowest_m(), geometry.highest_m() + clearance_m,
                                    trace::multibounce_reach(scene, viewpoint, area));
-  trace::leave_out_idle_cells(launch, scene, geometry.footing());
+  trace::spare_rays(launch, scene, geometry.footing());
   return launch;
 }
 

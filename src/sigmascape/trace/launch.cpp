@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -90,37 +91,44 @@ double greatest_reach_m(const LaunchArea& area) {
   return reach;
 }
 
-/// Tells which cells' rays come to where paths begin that count.
-class UsefulCells {
+/// Tells from which ring paths can begin that a square's rays lead to.
+class RingsInSight {
  public:
-  UsefulCells(const LaunchArea& area, const scene::Scene& scene, Footing footing)
+  RingsInSight(const LaunchArea& area, const scene::Scene& scene, Footing footing)
       : area_(area),
-        reach_m_(std::numbers::sqrt2 / 2.0 * area.cell_m),
+        reach_m_(std::numbers::sqrt2 / 2.0 * area.grain_m()),
         region_(region()),
         bounds_(scene, footing, region_, std::max(least_square_m, 2.0 * reach_m_)) {}
 
-  [[nodiscard]] bool has(const LaunchCell& cell) const {
-    const Vec2d centre{(cell.i + 0.5) * area_.cell_m, (cell.j + 0.5) * area_.cell_m};
+  /// The innermost; none when the rays come to no place where paths begin that count.
+  [[nodiscard]] std::optional<std::size_t> innermost(Vec2d centre) const {
     const Vec3d to_radar = area_.viewpoint.direction_from({centre.x, centre.y, area_.plane_height_m});
     const double horizontal = std::sqrt(to_radar.x * to_radar.x + to_radar.y * to_radar.y);
     const double slope = to_radar.z / horizontal;
-    if (!(slope < steepest)) return true;
-    // Cells reach as far as `reach_m_` about their centres, and a step stands for half its length before and after:
-    // both together are less than a square's side, as far as a square speaks for. Rays of a cell rise nearly alike.
+    if (!(slope < steepest)) return 0;
+    // Squares reach as far as `reach_m_` about their centres, and a step stands for half its length before and after:
+    // both together are less than a square of the bounds, as far as one speaks for. Rays of a square rise nearly alike.
     const double step_m = 0.5 * bounds_.square_m(), slack_m = (0.5 * step_m + 3.0 * reach_m_) * slope + 1.0;
     const Vec2d towards{to_radar.x / horizontal, to_radar.y / horizontal};
     const double until_m = (static_cast<double>(bounds_.highest_m()) + slack_m - area_.plane_height_m) / slope;
     const radar::GroundStretch stretch = stretch_within(region_, centre, towards, until_m);
+    std::optional<std::size_t> innermost;
     for (double way = stretch.begin_m; way < stretch.end_m + step_m; way += step_m) {
-      const HeightBounds::Interval* heights = bounds_.around(centre + towards * way);
+      const Vec2d place = centre + towards * way;
+      const HeightBounds::Interval* heights = bounds_.around(place);
       if (heights == nullptr) continue;
       const double height = area_.plane_height_m + way * slope;
-      if (height - slack_m <= static_cast<double>(heights->highest_m) &&
-          height + slack_m >= static_cast<double>(heights->lowest_m)) {
-        return true;
+      if (height - slack_m > static_cast<double>(heights->highest_m) ||
+          height + slack_m < static_cast<double>(heights->lowest_m)) {
+        continue;
       }
+      const double layover_m =
+          area_.viewpoint.landing_before_m({place.x, place.y, height + slack_m}, area_.plane_height_m);
+      const std::size_t ring = ring_of(place, towards, layover_m, 0.5 * step_m + reach_m_);
+      innermost = std::min(innermost.value_or(ring), ring);
+      if (innermost == 0) break;
     }
-    return false;
+    return innermost;
   }
 
  private:
@@ -128,7 +136,17 @@ class UsefulCells {
   /// Rays from nearly straight above meet what is below them.
   static constexpr double steepest = 20.0;
 
-  /// Where vertices stand whose echoes can land in the target or its margin, and a little more.
+  /// In which what stands there lands at the innermost; the outermost where in none, for its rim is part of it.
+  [[nodiscard]] std::size_t ring_of(Vec2d place, Vec2d towards, double layover_m, double about_m) const {
+    std::size_t ring = 0;
+    while (ring + 1 < area_.rings.size() &&
+           !segment_meets(widened(area_.rings[ring], about_m), place, towards, layover_m)) {
+      ++ring;
+    }
+    return ring;
+  }
+
+  /// Where vertices stand whose echoes can land where paths begin, and a little more.
   [[nodiscard]] radar::Rectangle region() const {
     const radar::Rectangle reached = area_.beginnings();
     const Vec2d nearest = area_.viewpoint.nearest_point(reached);
@@ -143,17 +161,42 @@ class UsefulCells {
   HeightBounds bounds_;
 };
 
+float share_in(std::size_t ring) {
+  return std::ldexp(1.0F, -static_cast<int>(ring));
+}
+
+/// The ring, or one within, over which a line of sight passes below the top; none when over none.
+std::optional<std::size_t> ring_below_sight(const LaunchArea& area, Vec2d centre) {
+  const Vec3d aim{centre.x, centre.y, area.plane_height_m};
+  const Vec2d towards = level_part(area.viewpoint.direction_from(aim));
+  const double before_m = area.viewpoint.landing_before_aim_m(aim, area.top_height_m);
+  for (std::size_t ring = 0; ring < area.rings.size(); ++ring) {
+    const radar::Rectangle reached = widened(area.rings[ring], area.rim_m());
+    if (reached.contains(centre) || segment_meets(reached, centre, towards, before_m)) return ring;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
-void leave_out_idle_cells(LaunchArea& area, const scene::Scene& scene, Footing footing) {
-  const UsefulCells useful(area, scene, footing);
+void spare_rays(LaunchArea& area, const scene::Scene& scene, Footing footing) {
+  const RingsInSight sight(area, scene, footing);
   std::vector<LaunchCell> kept;
-  // Cells of a grain follow one another.
-  const auto grain = static_cast<std::size_t>(area.grain * area.grain);
-  for (std::size_t first = 0; first < area.cells.size(); first += grain) {
-    const auto cells = std::span(area.cells).subspan(first, grain);
-    if (std::ranges::any_of(cells, [&](const LaunchCell& cell) { return useful.has(cell); }))
-      kept.insert(kept.end(), cells.begin(), cells.end());
+  // Cells of a square follow one another.
+  const auto square = static_cast<std::size_t>(area.grain * area.grain);
+  for (std::size_t first = 0; first < area.cells.size(); first += square) {
+    const auto cells = std::span(area.cells).subspan(first, square);
+    const Vec2d centre =
+        Vec2d{static_cast<double>(cells.front().i), static_cast<double>(cells.front().j)} * area.cell_m +
+        Vec2d{0.5, 0.5} * area.grain_m();
+    const std::optional<std::size_t> ring = sight.innermost(centre);
+    const float share = ring ? share_in(*ring) : 0.0F;
+    area.shares.set(cells.front().i / area.grain, cells.front().j / area.grain, share);
+    if (!ring) continue;
+    for (LaunchCell cell : cells) {
+      cell.share = share;
+      kept.push_back(cell);
+    }
   }
   area.cells = std::move(kept);
 }
@@ -198,19 +241,8 @@ bool LaunchArea::counts_from(Vec3d first_vertex) const {
 }
 
 float LaunchArea::share_at(Vec2d point) const {
-  // All of the grain was launched if its centre qualified.
-  const double grain_m = cell_m * grain;
-  const Vec2d centre{(std::floor(point.x / grain_m) + 0.5) * grain_m, (std::floor(point.y / grain_m) + 0.5) * grain_m};
-  const Vec3d aim{centre.x, centre.y, plane_height_m};
-  const Vec2d towards = level_part(viewpoint.direction_from(aim));
-  const double before_m = viewpoint.landing_before_aim_m(aim, top_height_m);
-  float share = 1.0F;
-  for (const radar::Rectangle& ring : rings) {
-    const radar::Rectangle reached = widened(ring, rim_m());
-    if (reached.contains(centre) || segment_meets(reached, centre, towards, before_m)) return share;
-    share *= 0.5F;
-  }
-  return 0.0F;
+  return shares.at(static_cast<std::int32_t>(std::floor(point.x / grain_m())),
+                   static_cast<std::int32_t>(std::floor(point.y / grain_m())));
 }
 
 double LaunchArea::whole_cells() const {
@@ -229,28 +261,29 @@ LaunchArea launch_area(const Viewpoint& viewpoint, const radar::Rectangle& targe
                   .viewpoint = viewpoint,
                   .target = target,
                   .reach = reach,
-                  .rings = rings_about(viewpoint, target, plane_height_m, reach)};
+                  .rings = rings_about(viewpoint, target, plane_height_m, reach),
+                  .shares = {}};
   const radar::Rectangle& outermost = area.rings.back();
   const double spread = area.rim_m() + cell_m * grain + greatest_reach_m(area);
-  const auto lattice = [cell_m](double metres) { return static_cast<std::int32_t>(std::floor(metres / cell_m)); };
-  const auto tile_start = [](std::int32_t index) {
-    return (index >= 0 ? index / tile : (index - tile + 1) / tile) * tile;
-  };
-  for (std::int32_t tj = tile_start(lattice(outermost.south_m - spread)); tj <= lattice(outermost.north_m + spread);
-       tj += tile) {
-    for (std::int32_t ti = tile_start(lattice(outermost.west_m - spread)); ti <= lattice(outermost.east_m + spread);
-         ti += tile) {
-      const auto share_of = [&](std::int32_t i, std::int32_t j) {
-        return area.share_at({(i + 0.5) * cell_m, (j + 0.5) * cell_m});
-      };
-      // All cells of a grain get the same answer.
-      const bool is_whole = grain == tile;
-      const float of_tile = is_whole ? share_of(ti, tj) : 0.0F;
-      if (is_whole && of_tile == 0.0F) continue;
-      for (std::int32_t j = tj; j < tj + tile; ++j) {
-        for (std::int32_t i = ti; i < ti + tile; ++i) {
-          const float share = is_whole ? of_tile : share_of(i, j);
-          if (share > 0.0F) area.cells.push_back({i, j, share});
+  // Tiles of the lattice, and squares of a tile.
+  const double tile_m = cell_m * tile;
+  const auto tile_at = [tile_m](double metres) { return static_cast<std::int32_t>(std::floor(metres / tile_m)); };
+  const std::int32_t west = tile_at(outermost.west_m - spread), east = tile_at(outermost.east_m + spread);
+  const std::int32_t south = tile_at(outermost.south_m - spread), north = tile_at(outermost.north_m + spread);
+  const std::int32_t squares = tile / grain;
+  area.shares = LaunchShares(west * squares, south * squares, static_cast<std::size_t>((east - west + 1) * squares),
+                             static_cast<std::size_t>((north - south + 1) * squares));
+  for (std::int32_t tj = south; tj <= north; ++tj) {
+    for (std::int32_t ti = west; ti <= east; ++ti) {
+      for (std::int32_t j = tj * squares; j < (tj + 1) * squares; ++j) {
+        for (std::int32_t i = ti * squares; i < (ti + 1) * squares; ++i) {
+          // Cells of a square get the same answer.
+          const auto ring = ring_below_sight(area, Vec2d{i + 0.5, j + 0.5} * area.grain_m());
+          if (!ring) continue;
+          area.shares.set(i, j, share_in(*ring));
+          for (std::int32_t y = j * grain; y < (j + 1) * grain; ++y) {
+            for (std::int32_t x = i * grain; x < (i + 1) * grain; ++x) area.cells.push_back({x, y, share_in(*ring)});
+          }
         }
       }
     }

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "sigmascape/base/array2d.h"
 #include "sigmascape/radar/ground_grid.h"
 #include "sigmascape/scene/scene.h"
 #include "sigmascape/trace/multibounce_reach.h"
@@ -35,6 +36,28 @@ struct HeardSector {
   [[nodiscard]] bool is_heard_from(Vec3d point, const MultibounceReach& reach, double spare_m) const;
 };
 
+/// LaunchCell::share, square by square.
+class LaunchShares {
+ public:
+  LaunchShares() = default;
+  /// Squares from that one on, of which none is launched yet.
+  LaunchShares(std::int32_t first_i, std::int32_t first_j, std::size_t columns, std::size_t rows)
+      : first_i_(first_i), first_j_(first_j), shares_(columns, rows, 0.0F) {}
+
+  void set(std::int32_t i, std::int32_t j, float share) { shares_(column(i), row(j)) = share; }
+  [[nodiscard]] float at(std::int32_t i, std::int32_t j) const {
+    // Of what lies before the first the number is too large as well.
+    return column(i) < shares_.columns() && row(j) < shares_.rows() ? shares_(column(i), row(j)) : 0.0F;
+  }
+
+ private:
+  [[nodiscard]] std::size_t column(std::int32_t i) const { return static_cast<std::uint32_t>(i - first_i_); }
+  [[nodiscard]] std::size_t row(std::int32_t j) const { return static_cast<std::uint32_t>(j - first_j_); }
+
+  std::int32_t first_i_ = 0, first_j_ = 0;
+  Array2D<float> shares_;
+};
+
 /// From which cells echoes can come that land in an area of interest.
 struct LaunchArea {
   double cell_m = 1.0;
@@ -50,7 +73,8 @@ struct LaunchArea {
 
   /// How far from where paths may begin the line of sight through a grain's centre may pass: where the centre stays out
   /// its cells may not.
-  [[nodiscard]] double rim_m() const { return grain == 1 ? cell_m : 0.5 * cell_m * grain; }
+  [[nodiscard]] double rim_m() const { return grain == 1 ? cell_m : 0.5 * grain_m(); }
+  [[nodiscard]] double grain_m() const { return cell_m * grain; }
 
   /// LaunchCell::share at that point of the plane; 0 where nothing is launched.
   [[nodiscard]] float share_at(Vec2d point) const;
@@ -65,13 +89,15 @@ struct LaunchArea {
   MultibounceReach reach;   ///< how far from it paths may begin
   /// Where the direct echoes land of those surface points that paths begin at, each within the next.
   std::vector<radar::Rectangle> rings;
+  LaunchShares shares;                    ///< of the squares of a grain each
   std::optional<HeardSector> heard = {};  ///< of the area of interest, where the radar does not hear all of it
 };
 
-/// Takes out of an area the grains from which no path begins that counts: whose rays pass above all that stands where
-/// such paths begin, or only get there where they would be below it. What the area brings back stays the same to the
-/// last bit, and LaunchArea::share_at still speaks of the area as it was, which for paths that count is the same.
-void leave_out_idle_cells(LaunchArea& area, const scene::Scene& scene, Footing footing);
+/// Follows the rays of an area down to what stands there. Takes out the grains from which no path begins that counts:
+/// whose rays pass above all that stands where such paths begin, or only get there where they would be below it. Where
+/// all that rays can meet lands in an outer ring, they get that ring's share; an area of one ring brings back the same
+/// to the last bit.
+void spare_rays(LaunchArea& area, const scene::Scene& scene, Footing footing);
 
 /// Takes out of an area of a radar at a place what does not come to be heard: the cells whose rays pass beside the
 /// sector and what lies within reach of it, and all paths that begin there (LaunchArea::counts_from).

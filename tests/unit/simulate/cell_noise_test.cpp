@@ -57,7 +57,8 @@ class CellNoiseTest : public testing::Test {
                             .viewpoint = trace::Viewpoint::located({32.0, -distance_m, 0.0}),
                             .target = {0.0, 0.0, 32.0, 64.0},
                             .reach = {},
-                            .rings = {}};
+                            .rings = {},
+                            .shares = {}};
   PassSums map_{grid_, {32.0, -distance_m, 0.0}, {0.0, 0.0, 32.0, 64.0}, 0.0};
 };
 

@@ -72,8 +72,9 @@ TEST(IdleCells, NothingComesFromThem) {
             const LaunchArea all = launch_area(viewpoint, target, 1.5, geometry.lowest_m(), geometry.highest_m() + 1.0,
                                                {10.0, 10.0}, grain);
             LaunchArea useful = all;
-            leave_out_idle_cells(useful, scene, footing);
-            if (elevation_deg < 10.0) {
+            spare_rays(useful, scene, footing);
+            // Of whole tiles this place has few.
+            if (elevation_deg < 10.0 && grain == 1) {
               EXPECT_LT(useful.cells.size(), all.cells.size());
             }
             const PathTracer tracer(geometry, surface_models(scene, 10e9), viewpoint, {.max_bounces = 3}, 7);

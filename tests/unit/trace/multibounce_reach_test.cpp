@@ -31,9 +31,10 @@ double landed(const scene::Scene& scene, const radar::Rectangle& launched, const
   const auto viewpoint = Viewpoint::distant(aspect);
   const SceneGeometry geometry(scene, Footing::LevelPlane);
   const PathTracer tracer(geometry, surface_models(scene, 10e9), viewpoint, {.max_bounces = 4, .roulette = false}, 3);
-  const LaunchArea launch = launch_area(viewpoint, launched, 1.0, 0.0, geometry.highest_m() + 1.0, reach);
+  LaunchArea launch = launch_area(viewpoint, launched, 1.0, 0.0, geometry.highest_m() + 1.0, reach);
+  spare_rays(launch, scene, geometry.footing());
   double sum = 0.0;
-  tracer.trace(launch, {0, 32, 32}, 1, [&](std::span<const radar::Echo> echoes, unsigned) {
+  tracer.trace(launch, {0, 192, 192}, 1, [&](std::span<const radar::Echo> echoes, unsigned) {
     for (const radar::Echo& echo : echoes) {
       const double north = echo.range_m / std::cos(aspect.elevation_rad);
       if (echo.bounces > 1 && target.contains({echo.cross, north}))
