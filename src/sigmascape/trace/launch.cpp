@@ -25,11 +25,6 @@ radar::GroundStretch stretch_within(const radar::Rectangle& r, Vec2d start, Vec2
   return stretch;
 }
 
-/// Whether the segment from `start`, `length` long in direction `direction`, meets the rectangle.
-bool segment_meets(const radar::Rectangle& r, Vec2d start, Vec2d direction, double length) {
-  return !stretch_within(r, start, direction, length).empty();
-}
-
 radar::Rectangle widened(const radar::Rectangle& r, double by) {
   return {r.west_m - by, r.south_m - by, r.east_m + by, r.north_m + by};
 }
@@ -46,30 +41,31 @@ std::array<Vec2d, 4> corners_of(const radar::Rectangle& r) {
 }
 
 /// The target and all places so far before and beside it where anything may begin.
-radar::Rectangle ring_about(const Viewpoint& viewpoint, const radar::Rectangle& target, double plane_height_m,
-                            const MultibounceReach& reach) {
-  radar::Rectangle ring = target;
-  const auto take_in = [&](Vec2d place) {
-    place = {std::clamp(place.x, reach.within.west_m, reach.within.east_m),
-             std::clamp(place.y, reach.within.south_m, reach.within.north_m)};
-    ring = {std::min(ring.west_m, place.x), std::min(ring.south_m, place.y), std::max(ring.east_m, place.x),
-            std::max(ring.north_m, place.y)};
+LaunchRing ring_about(const Viewpoint& viewpoint, const radar::Rectangle& target, double plane_height_m,
+                      const MultibounceReach& reach) {
+  const auto towards_from = [&](Vec2d place) {
+    return level_part(viewpoint.direction_from({place.x, place.y, plane_height_m}));
   };
+  const Vec2d from_centre = towards_from(target.centre());
+  LaunchRing ring(dot(from_centre, from_centre) > 0.0 ? from_centre : Vec2d{0.0, 1.0});
   for (const Vec2d corner : corners_of(target)) {
-    const Vec2d towards = level_part(viewpoint.direction_from({corner.x, corner.y, plane_height_m}));
+    ring.take_in(corner);
+    const Vec2d towards = towards_from(corner);
     const Vec2d before = towards * reach.before_m, beside = Vec2d{towards.y, -towards.x} * reach.beside_m;
-    for (const Vec2d place : {corner + beside, corner - beside, corner + before + beside, corner + before - beside})
-      take_in(place);
+    for (const Vec2d place : {corner + beside, corner - beside, corner + before + beside, corner + before - beside}) {
+      ring.take_in({std::clamp(place.x, reach.within.west_m, reach.within.east_m),
+                    std::clamp(place.y, reach.within.south_m, reach.within.north_m)});
+    }
   }
   return ring;
 }
 
 /// From the nearest outwards, each half as far as the next.
-std::vector<radar::Rectangle> rings_about(const Viewpoint& viewpoint, const radar::Rectangle& target,
-                                          double plane_height_m, MultibounceReach reach) {
+std::vector<LaunchRing> rings_about(const Viewpoint& viewpoint, const radar::Rectangle& target, double plane_height_m,
+                                    MultibounceReach reach) {
   /// Closer by, no rays are spared.
   constexpr double near_m = 32.0;
-  std::vector<radar::Rectangle> rings{ring_about(viewpoint, target, plane_height_m, reach)};
+  std::vector<LaunchRing> rings{ring_about(viewpoint, target, plane_height_m, reach)};
   while (std::max(reach.before_m, reach.beside_m) > near_m) {
     reach.before_m *= 0.5;
     reach.beside_m *= 0.5;
@@ -82,7 +78,7 @@ std::vector<radar::Rectangle> rings_about(const Viewpoint& viewpoint, const rada
 /// How far behind the target the farthest aim point lies. The distance is a convex function of that to the radar, so
 /// that the nearest point of the target or a corner has the greatest.
 double greatest_reach_m(const LaunchArea& area) {
-  const radar::Rectangle r = widened(area.rings.back(), area.rim_m());
+  const radar::Rectangle r = widened(area.rings.back().upright(), area.rim_m());
   const auto reach_of = [&](Vec2d p) {
     return area.viewpoint.aim_behind_landing_m({p.x, p.y, area.plane_height_m}, area.top_height_m);
   };
@@ -139,8 +135,7 @@ class RingsInSight {
   /// In which what stands there lands at the innermost; the outermost where in none, for its rim is part of it.
   [[nodiscard]] std::size_t ring_of(Vec2d place, Vec2d towards, double layover_m, double about_m) const {
     std::size_t ring = 0;
-    while (ring + 1 < area_.rings.size() &&
-           !segment_meets(widened(area_.rings[ring], about_m), place, towards, layover_m)) {
+    while (ring + 1 < area_.rings.size() && !area_.rings[ring].meets(place, towards, layover_m, about_m)) {
       ++ring;
     }
     return ring;
@@ -148,7 +143,7 @@ class RingsInSight {
 
   /// Where vertices stand whose echoes can land where paths begin, and a little more.
   [[nodiscard]] radar::Rectangle region() const {
-    const radar::Rectangle reached = area_.beginnings();
+    const radar::Rectangle reached = widened(area_.rings.back().upright(), area_.counting_rim_m());
     const Vec2d nearest = area_.viewpoint.nearest_point(reached);
     const double behind_m =
         area_.viewpoint.point_behind_landing_m({nearest.x, nearest.y, area_.plane_height_m}, area_.top_height_m);
@@ -171,8 +166,7 @@ std::optional<std::size_t> ring_below_sight(const LaunchArea& area, Vec2d centre
   const Vec2d towards = level_part(area.viewpoint.direction_from(aim));
   const double before_m = area.viewpoint.landing_before_aim_m(aim, area.top_height_m);
   for (std::size_t ring = 0; ring < area.rings.size(); ++ring) {
-    const radar::Rectangle reached = widened(area.rings[ring], area.rim_m());
-    if (reached.contains(centre) || segment_meets(reached, centre, towards, before_m)) return ring;
+    if (area.rings[ring].meets(centre, towards, before_m, area.rim_m())) return ring;
   }
   return std::nullopt;
 }
@@ -199,10 +193,6 @@ void spare_rays(LaunchArea& area, const scene::Scene& scene, Footing footing) {
     }
   }
   area.cells = std::move(kept);
-}
-
-radar::Rectangle LaunchArea::beginnings() const {
-  return widened(rings.back(), cell_m * grain);
 }
 
 bool HeardSector::is_heard_from(Vec3d point, const MultibounceReach& reach, double spare_m) const {
@@ -233,11 +223,9 @@ void narrow_to(LaunchArea& area, const HeardSector& heard) {
 
 bool LaunchArea::counts_from(Vec3d first_vertex) const {
   if (heard && !heard->is_heard_from(first_vertex, reach, cell_m)) return false;
-  const radar::Rectangle reached = beginnings();
-  const Vec2d foot{first_vertex.x, first_vertex.y};
   // On ground of unknown height it lands somewhere between its foot and where it would on the lowest.
-  return reached.contains(foot) || segment_meets(reached, foot, level_part(viewpoint.direction_from(first_vertex)),
-                                                 viewpoint.landing_before_m(first_vertex, plane_height_m));
+  return rings.back().meets({first_vertex.x, first_vertex.y}, level_part(viewpoint.direction_from(first_vertex)),
+                            viewpoint.landing_before_m(first_vertex, plane_height_m), counting_rim_m());
 }
 
 float LaunchArea::share_at(Vec2d point) const {
@@ -263,7 +251,7 @@ LaunchArea launch_area(const Viewpoint& viewpoint, const radar::Rectangle& targe
                   .reach = reach,
                   .rings = rings_about(viewpoint, target, plane_height_m, reach),
                   .shares = {}};
-  const radar::Rectangle& outermost = area.rings.back();
+  const radar::Rectangle& outermost = area.rings.back().upright();
   const double spread = area.rim_m() + cell_m * grain + greatest_reach_m(area);
   // Tiles of the lattice, and squares of a tile.
   const double tile_m = cell_m * tile;

@@ -7,6 +7,7 @@
 #include "sigmascape/base/array2d.h"
 #include "sigmascape/radar/ground_grid.h"
 #include "sigmascape/scene/scene.h"
+#include "sigmascape/trace/launch_ring.h"
 #include "sigmascape/trace/multibounce_reach.h"
 #include "sigmascape/trace/scene_geometry.h"
 #include "sigmascape/trace/viewpoint.h"
@@ -75,12 +76,14 @@ struct LaunchArea {
   /// its cells may not.
   [[nodiscard]] double rim_m() const { return grain == 1 ? cell_m : 0.5 * grain_m(); }
   [[nodiscard]] double grain_m() const { return cell_m * grain; }
+  /// How far beside the rings paths may begin that count. Cells that are launched together tell of one another's noise,
+  /// whichever target asks, and beside one that sees a roof is one that sees the ground behind its shadow.
+  [[nodiscard]] double counting_rim_m() const { return grain == 1 ? cell_m : 32.0; }
 
   /// LaunchCell::share at that point of the plane; 0 where nothing is launched.
   [[nodiscard]] float share_at(Vec2d point) const;
-  /// The outermost ring and a grain more: cells that are launched together tell of one another, whichever target asks.
-  [[nodiscard]] radar::Rectangle beginnings() const;
-  /// Whether paths that begin at such a surface point count: whether its own echo can land there.
+  /// Whether paths that begin at such a surface point count: whether its own echo can land in the outermost ring
+  /// or its rim.
   /// Rays that were aimed behind the target to meet what is tall mostly meet ground that nobody asked for.
   [[nodiscard]] bool counts_from(Vec3d first_vertex) const;
 
@@ -88,7 +91,7 @@ struct LaunchArea {
   radar::Rectangle target;  ///< the area of interest
   MultibounceReach reach;   ///< how far from it paths may begin
   /// Where the direct echoes land of those surface points that paths begin at, each within the next.
-  std::vector<radar::Rectangle> rings;
+  std::vector<LaunchRing> rings;
   LaunchShares shares;                    ///< of the squares of a grain each
   std::optional<HeardSector> heard = {};  ///< of the area of interest, where the radar does not hear all of it
 };

@@ -150,6 +150,19 @@ TEST(LaunchArea, EveryDoublingOfTheDistanceHalvesTheRays) {
   EXPECT_EQ(area.whole_cells(), sum);
 }
 
+// Not the rectangle about the way there, which would be twice as large.
+TEST(LaunchArea, ReachIsStraightTowardsTheRadar) {
+  const radar::Rectangle square{-50, -50, 50, 50};
+  const LaunchArea area =
+      launch_area(Viewpoint::distant({radians(45.0), radians(60.0)}), square, 1.0, 0.0, 0.0, {200.0, 50.0});
+  const double step_m = std::sqrt(0.5);
+  EXPECT_TRUE(covers(area, {50.0 + 198.0 * step_m, 50.0 + 198.0 * step_m}));
+  EXPECT_FALSE(covers(area, {50.0 + 204.0 * step_m, 50.0 + 204.0 * step_m}));
+  EXPECT_TRUE(covers(area, {50.0 + 48.0 * step_m, -50.0 - 48.0 * step_m}));
+  EXPECT_FALSE(covers(area, {180.0, -60.0}));
+  EXPECT_FALSE(covers(area, {-60.0, 180.0}));
+}
+
 TEST(LaunchArea, NothingBeginsWhereNothingStands) {
   const auto from_south = Viewpoint::distant({radians(180.0), radians(60.0)});
   const radar::Rectangle within{target.west_m - 5.0, target.south_m - 20.0, target.east_m, target.north_m};

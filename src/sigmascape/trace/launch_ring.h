@@ -1,0 +1,51 @@
+#pragma once
+
+#include <algorithm>
+#include <limits>
+
+#include "sigmascape/base/vec.h"
+#include "sigmascape/radar/ground_grid.h"
+#include "sigmascape/radar/ground_stretch.h"
+
+namespace sigmascape::trace {
+
+/// A rectangle grown by one that is turned towards the radar: what both the least upright rectangle and the least
+/// turned one hold.
+class LaunchRing {
+ public:
+  /// Nothing yet; `towards` is a level unit vector.
+  explicit LaunchRing(Vec2d towards) : towards_(towards) {}
+
+  void take_in(Vec2d place) {
+    widen(upright_, place);
+    widen(turned_, turned(place));
+  }
+
+  /// Whether the way of that length from `start` along a unit vector comes within `spare_m` of it.
+  [[nodiscard]] bool meets(Vec2d start, Vec2d direction, double length_m, double spare_m) const {
+    const radar::GroundStretch a = radar::stretch_within(widened(upright_, spare_m), start, direction);
+    const radar::GroundStretch b = radar::stretch_within(widened(turned_, spare_m), turned(start), turned(direction));
+    // Lengths of nothing come rounded to less than that from far away.
+    return std::max(a.begin_m, b.begin_m) <= std::min({a.end_m, b.end_m, std::max(length_m, 0.0)});
+  }
+  [[nodiscard]] const radar::Rectangle& upright() const { return upright_; }
+
+ private:
+  static constexpr double far = std::numeric_limits<double>::infinity();
+
+  [[nodiscard]] Vec2d turned(Vec2d v) const {
+    return {v.x * towards_.y - v.y * towards_.x, v.x * towards_.x + v.y * towards_.y};
+  }
+  static void widen(radar::Rectangle& r, Vec2d place) {
+    r = {std::min(r.west_m, place.x), std::min(r.south_m, place.y), std::max(r.east_m, place.x),
+         std::max(r.north_m, place.y)};
+  }
+  [[nodiscard]] static radar::Rectangle widened(const radar::Rectangle& r, double by) {
+    return {r.west_m - by, r.south_m - by, r.east_m + by, r.north_m + by};
+  }
+
+  Vec2d towards_;
+  radar::Rectangle upright_{far, far, -far, -far}, turned_{far, far, -far, -far};
+};
+
+}  // namespace sigmascape::trace
