@@ -4,11 +4,12 @@
 #include <atomic>
 #include <cmath>
 
+#include "sigmascape/receiver/fixed_point_sum.h"
+
 namespace sigmascape::receiver {
 namespace {
 
 constexpr double units_per_m2 = 0x1p36;
-constexpr double most_units = 0x1p62;
 
 }  // namespace
 
@@ -40,18 +41,8 @@ PowerBins::PowerBins(std::size_t columns, std::size_t rows)
     : columns_(columns), rows_(rows), units_(columns * rows * radar::Channels::count, 0) {}
 
 void PowerBins::add_units(std::int64_t& bin, float value) {
-  const double units = static_cast<double>(value) * units_per_m2;
-  if (!(std::abs(units) < most_units)) {
+  if (!receiver::add_units(bin, static_cast<double>(value) * units_per_m2))
     std::atomic_ref(overflows_).fetch_add(1, std::memory_order_relaxed);
-    return;
-  }
-  const std::int64_t added = std::llrint(units);
-  const std::atomic_ref sum(bin);
-  const std::int64_t before = sum.fetch_add(added, std::memory_order_relaxed);
-  if (std::abs(static_cast<double>(before) + static_cast<double>(added)) > most_units) {
-    sum.fetch_sub(added, std::memory_order_relaxed);
-    std::atomic_ref(overflows_).fetch_add(1, std::memory_order_relaxed);
-  }
 }
 
 void PowerBins::add(std::size_t column, std::size_t row, const radar::Channels& rcs_m2) {

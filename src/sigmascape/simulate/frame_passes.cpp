@@ -1,20 +1,16 @@
 #include "sigmascape/simulate/frame_passes.h"
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
+
+#include "sigmascape/simulate/error_of_passes.h"
 
 namespace sigmascape::simulate {
 namespace {
 
 double total(const std::array<double, radar::Channels::count>& sums) {
   return sums[0] + sums[1] + 2.0 * sums[2];
-}
-
-/// Median of the square root of a variance that was estimated with so many degrees of freedom, over the root of the
-/// true variance: the median of chi-squared by Wilson and Hilferty.
-double median_of_estimated_deviation(double freedom) {
-  return std::pow(1.0 - 2.0 / (9.0 * freedom), 1.5);
 }
 
 }  // namespace
@@ -48,13 +44,9 @@ double FramePasses::median_error_db() const {
   for (std::size_t bin = 0; bin < sums_.size(); ++bin) {
     const double sum = total(sums_[bin]);
     if (2 * answers_[bin] < passes_ || !(sum > 0.0)) continue;
-    const double scatter = std::max(squares_[bin] - sum * sum / n, 0.0);
-    relative_errors.push_back(std::sqrt(scatter * n / (n - 1.0)) / sum);
+    relative_errors.push_back(relative_error_of_mean(sum, squares_[bin], n));
   }
-  if (relative_errors.empty()) return 0.0;
-  const auto middle = relative_errors.begin() + static_cast<std::ptrdiff_t>(relative_errors.size() / 2);
-  std::ranges::nth_element(relative_errors, middle);
-  return 10.0 * std::log10(1.0 + *middle / median_of_estimated_deviation(n - 1.0));
+  return simulate::median_error_db(std::move(relative_errors), n);
 }
 
 }  // namespace sigmascape::simulate

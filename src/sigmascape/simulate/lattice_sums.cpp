@@ -4,29 +4,20 @@
 #include <atomic>
 #include <cmath>
 
+#include "sigmascape/receiver/fixed_point_sum.h"
+
 namespace sigmascape::simulate {
 namespace {
 
 constexpr double units_per_m2 = 0x1p30;
-constexpr double most_units = 0x1p62;
 
 }  // namespace
 
 LatticeSums::LatticeSums(const LatticeBlock& block) : block_(block), cells_(block.columns * block.rows) {}
 
 void LatticeSums::add_units(std::int64_t& sum, double value) {
-  const double units = value * units_per_m2;
-  if (!(std::abs(units) < most_units)) {
+  if (!receiver::add_units(sum, value * units_per_m2))
     std::atomic_ref(overflows_).fetch_add(1, std::memory_order_relaxed);
-    return;
-  }
-  const std::int64_t added = std::llrint(units);
-  const std::atomic_ref atomic_sum(sum);
-  const std::int64_t before = atomic_sum.fetch_add(added, std::memory_order_relaxed);
-  if (std::abs(static_cast<double>(before) + static_cast<double>(added)) > most_units) {
-    atomic_sum.fetch_sub(added, std::memory_order_relaxed);
-    std::atomic_ref(overflows_).fetch_add(1, std::memory_order_relaxed);
-  }
 }
 
 void LatticeSums::add(radar::LatticeCell cell, const radar::Channels& rcs_m2, Place place) {

@@ -2,19 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "sigmascape/base/units.h"
+#include "sigmascape/simulate/error_of_passes.h"
 
 namespace sigmascape::simulate {
-namespace {
-
-/// Median of the square root of a variance that was estimated with so many degrees of freedom, over the root of the
-/// true variance: the median of chi-squared by Wilson and Hilferty.
-double median_of_estimated_deviation(double freedom) {
-  return std::pow(1.0 - 2.0 / (9.0 * freedom), 1.5);
-}
-
-}  // namespace
 
 PassSums::PassSums(const radar::RangeAzimuthGrid& grid, Vec3d radar_position, const radar::Rectangle& area,
                    double ground_height_m)
@@ -67,9 +60,7 @@ std::optional<std::size_t> PassSums::bin_in_area(const radar::Echo& echo) const 
 }
 
 double PassSums::relative_error(std::size_t bin) const {
-  const double n = passes_, sum = power_.values()[bin];
-  const double scatter = std::max(squares_.values()[bin] - sum * sum / n, 0.0);
-  return std::sqrt(scatter * n / (n - 1.0)) / sum;
+  return relative_error_of_mean(power_.values()[bin], squares_.values()[bin], passes_);
 }
 
 double PassSums::median_error_db() const {
@@ -77,10 +68,7 @@ double PassSums::median_error_db() const {
   for (std::size_t bin = 0; bin < power_.size(); ++bin) {
     if (is_in_area_.values()[bin] != 0 && power_.values()[bin] > 0.0) errors.push_back(relative_error(bin));
   }
-  if (errors.empty()) return 0.0;
-  const auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
-  std::ranges::nth_element(errors, middle);
-  return db_from_linear(1.0 + *middle / median_of_estimated_deviation(static_cast<double>(passes_ - 1)));
+  return simulate::median_error_db(std::move(errors), passes_);
 }
 
 radar::RangeAzimuthImage PassSums::mean() const {

@@ -178,8 +178,10 @@ std::vector<radar::RangeAzimuthImage> traced_bounces(const scene::Scene& scene, 
     const std::uint32_t samples = share.samples_per_cell;
     counts += tracer.trace(share.launch, {0, samples, samples}, settings.threads, [&](const trace::TileEchoes& tile) {
       if (watcher) tell(watcher, tile);
-      const auto echoes = times(static_cast<float>(share.one_in), tile.echoes);
-      receivers.add(unhidden.among(echoes, tile.worker));
+      const bool stands_for_itself = share.one_in == 1;
+      const auto multiplied =
+          stands_for_itself ? std::vector<radar::Echo>() : times(static_cast<float>(share.one_in), tile.echoes);
+      receivers.add(unhidden.among(stands_for_itself ? tile.echoes : multiplied, tile.worker));
       tiles.tile_done(tile.worker);
     });
   }

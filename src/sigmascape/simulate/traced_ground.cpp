@@ -43,11 +43,11 @@ LatticeBlock block_over(const TracedView& view) {
           static_cast<std::size_t>(last.row - first.row + 1)};
 }
 
+}  // namespace
+
 bool goes_round(const radar::RangeAzimuthGrid& bins) {
   return std::abs(static_cast<double>(bins.azimuths) * bins.azimuth_step_rad - 2.0 * pi) < 1e-6;
 }
-
-}  // namespace
 
 TracedGround::TracedGround(const TracedView& view)
     : view_(view),

@@ -42,9 +42,7 @@ class ScattererRow {
 class AmplitudeBins {
  public:
   AmplitudeBins(const radar::RangeAzimuthGrid& grid, std::span<std::complex<float>> amplitudes_m)
-      : grid_(grid),
-        goes_round_(std::abs(static_cast<double>(grid.azimuths) * grid.azimuth_step_rad - 2.0 * pi) < 1e-6),
-        amplitudes_m_(amplitudes_m) {}
+      : grid_(grid), goes_round_(goes_round(grid)), amplitudes_m_(amplitudes_m) {}
 
   void add(LatticeSums::Place place, const radar::ComplexChannels& amplitude) {
     const double beam = std::floor(place.beam - 0.5), range = std::floor(place.range - 0.5);

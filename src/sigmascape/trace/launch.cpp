@@ -18,13 +18,6 @@ namespace {
 
 constexpr std::int32_t tile = tile_side_cells;
 
-/// The part of a way of that length, from `start` along a direction, that lies in the rectangle.
-radar::GroundStretch stretch_within(const radar::Rectangle& r, Vec2d start, Vec2d direction, double length) {
-  radar::GroundStretch stretch = radar::stretch_within(r, start, direction);
-  stretch.end_m = std::min(stretch.end_m, length);
-  return stretch;
-}
-
 radar::Rectangle widened(const radar::Rectangle& r, double by) {
   return {r.west_m - by, r.south_m - by, r.east_m + by, r.north_m + by};
 }
@@ -107,9 +100,10 @@ class RingsInSight {
     const double step_m = 0.5 * bounds_.square_m(), slack_m = (0.5 * step_m + 3.0 * reach_m_) * slope + 1.0;
     const Vec2d towards{to_radar.x / horizontal, to_radar.y / horizontal};
     const double until_m = (static_cast<double>(bounds_.highest_m()) + slack_m - area_.plane_height_m) / slope;
-    const radar::GroundStretch stretch = stretch_within(region_, centre, towards, until_m);
+    const radar::GroundStretch stretch = radar::stretch_within(region_, centre, towards);
+    const double end_m = std::min(stretch.end_m, until_m);
     std::optional<std::size_t> innermost;
-    for (double way = stretch.begin_m; way < stretch.end_m + step_m; way += step_m) {
+    for (double way = stretch.begin_m; way < end_m + step_m; way += step_m) {
       const Vec2d place = centre + towards * way;
       const HeightBounds::Interval* heights = bounds_.around(place);
       if (heights == nullptr) continue;
