@@ -32,7 +32,8 @@ void PowerLine::add(std::size_t bin, const radar::Channels& rcs_m2) {
 void PowerLine::add_shared(double place, const radar::Channels& rcs_m2) {
   const double left = std::floor(place - 0.5);
   const auto right_share = static_cast<float>(place - 0.5 - left);
-  const auto bins = static_cast<double>(units_.size() / radar::Channels::count);
+  const std::size_t count = units_.size() / radar::Channels::count;
+  const auto bins = static_cast<double>(count);
   if (left >= 0.0 && left < bins) add(static_cast<std::size_t>(left), rcs_m2 * (1.0F - right_share));
   if (left >= -1.0 && left + 1.0 < bins) add(static_cast<std::size_t>(left + 1.0), rcs_m2 * right_share);
 }

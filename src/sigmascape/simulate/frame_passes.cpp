@@ -43,7 +43,7 @@ double FramePasses::median_error_db() const {
   std::vector<double> relative_errors;
   for (std::size_t bin = 0; bin < sums_.size(); ++bin) {
     const double sum = total(sums_[bin]);
-    if (2 * answers_[bin] < passes_ || !(sum > 0.0)) continue;
+    if (std::size_t{2} * answers_[bin] < passes_ || !(sum > 0.0)) continue;
     relative_errors.push_back(relative_error_of_mean(sum, squares_[bin], n));
   }
   return simulate::median_error_db(std::move(relative_errors), n);

@@ -53,7 +53,7 @@ std::size_t within(double number, std::size_t count) {
 
 }  // namespace
 
-HeightBounds::HeightBounds(const scene::Scene& scene, Footing footing, const radar::Rectangle& region, double square_m)
+HeightBounds::HeightBounds(const scene::Scene& scene, Footing footing, radar::Rectangle region, double square_m)
     : grid_(squares_over(region, square_m)), heights_(grid_.columns, grid_.rows, {0.0F, 0.0F}) {
   if (footing == Footing::Terrain) {
     for (std::size_t row = 0; row < grid_.rows; ++row) {

@@ -11,7 +11,7 @@ namespace sigmascape::trace {
 class HeightBounds {
  public:
   /// Over a region of the scene, in squares of that side.
-  HeightBounds(const scene::Scene& scene, Footing footing, const radar::Rectangle& region, double square_m);
+  HeightBounds(const scene::Scene& scene, Footing footing, radar::Rectangle region, double square_m);
 
   struct Interval {
     float lowest_m, highest_m;

@@ -171,7 +171,7 @@ void spare_rays(LaunchArea& area, const scene::Scene& scene, Footing footing) {
   const RingsInSight sight(area, scene, footing);
   std::vector<LaunchCell> kept;
   // Cells of a square follow one another.
-  const auto square = static_cast<std::size_t>(area.grain * area.grain);
+  const auto side = static_cast<std::size_t>(area.grain), square = side * side;
   for (std::size_t first = 0; first < area.cells.size(); first += square) {
     const auto cells = std::span(area.cells).subspan(first, square);
     const Vec2d centre =
