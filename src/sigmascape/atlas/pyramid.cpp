@@ -159,8 +159,7 @@ std::size_t Pyramid::make_above(const std::vector<Unit>& units, Scrutiny scrutin
       return std::tuple(a.first.y, a.first.x, a.second) < std::tuple(b.first.y, b.first.x, b.second);
     };
     std::ranges::sort(wanted, order);
-    const auto repeated = std::ranges::unique(wanted);
-    wanted.erase(repeated.begin(), repeated.end());
+    wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
     for (const auto& [south_west, look] : wanted) {
       const PyramidTile tile{level, south_west};
       if (!is_done(tile, look, scrutiny) && make(tile, look)) ++written;

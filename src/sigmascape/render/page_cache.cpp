@@ -21,6 +21,15 @@ bool holds(const std::vector<PageKey>& keys, const PageKey& key) {
   return std::ranges::any_of(keys, [&key](const PageKey& other) { return other == key; });
 }
 
+/// Whether nobody reads the retired page any more.
+bool is_let_go(const std::shared_ptr<GroundPage>& page) {
+  if (page.use_count() != 1) return false;
+  // That the count has fallen does not yet order what its last reader did before what is written into the page next.
+  // To give back a share of one's own does.
+  std::shared_ptr<GroundPage>(page).reset();
+  return true;
+}
+
 }  // namespace
 
 PageCache::PageCache(std::shared_ptr<const PageSource> source, const CacheOptions& options)
@@ -127,7 +136,7 @@ bool PageCache::next_wanted(PageKey& key) {
 
 std::shared_ptr<GroundPage> PageCache::empty_page() {
   const auto free_one = [this]() -> std::shared_ptr<GroundPage> {
-    const auto free = std::ranges::find_if(retired_, [](const auto& page) { return page.use_count() == 1; });
+    const auto free = std::ranges::find_if(retired_, is_let_go);
     if (free == retired_.end()) return nullptr;
     std::shared_ptr<GroundPage> page = std::move(*free);
     retired_.erase(free);

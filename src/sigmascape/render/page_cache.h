@@ -11,6 +11,7 @@
 
 #include "sigmascape/render/ground_page.h"
 #include "sigmascape/render/page_source.h"
+#include "sigmascape/render/published.h"
 
 namespace sigmascape::render {
 
@@ -88,7 +89,7 @@ class PageCache {
 
   mutable std::mutex guard_;
   std::condition_variable request_came_, request_done_;
-  std::atomic<std::shared_ptr<const Entries>> entries_;
+  Published<Entries> entries_;
   std::vector<std::shared_ptr<GroundPage>> retired_;  // no longer found, perhaps still read by a frame
   struct Wish {
     PageKey key;

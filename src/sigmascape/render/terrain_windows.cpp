@@ -100,8 +100,9 @@ void TerrainWindows::wait_until_loaded() {
 
 std::size_t TerrainWindows::bytes() const {
   const std::lock_guard lock(guard_);
+  const auto entries = entries_.load();
   std::size_t sum = 0;
-  for (const auto& window : *entries_.load()) sum += window->nodes.bytes();
+  for (const auto& window : *entries) sum += window->nodes.bytes();
   for (const auto& window : retired_) sum += window->nodes.bytes();
   return sum;
 }

@@ -9,6 +9,7 @@
 #include <thread>
 #include <vector>
 
+#include "sigmascape/render/published.h"
 #include "sigmascape/terrain/terrain_pyramid.h"
 #include "sigmascape/terrain/terrain_window.h"
 
@@ -90,7 +91,7 @@ class TerrainWindows {
 
   mutable std::mutex guard_;
   std::condition_variable request_came_, request_done_;
-  std::atomic<std::shared_ptr<const Entries>> entries_;
+  Published<Entries> entries_;
   std::vector<std::shared_ptr<const GroundWindow>> retired_;  // no longer found, perhaps still read by a frame
   struct Asked {
     WindowWish wish;

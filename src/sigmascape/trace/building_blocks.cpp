@@ -56,7 +56,7 @@ BuildingBlocks building_blocks(const scene::Buildings& buildings, const std::vec
       result.traits.push_back(all.traits[quad]);
     }
     std::ranges::sort(used);
-    used.erase(std::ranges::unique(used).begin(), used.end());
+    used.erase(std::unique(used.begin(), used.end()), used.end());
     for (const std::uint32_t vertex : used) {
       number_in_block[vertex] = static_cast<std::uint32_t>(block.vertices.size());
       block.vertices.push_back(vertices[vertex] - block.place);
