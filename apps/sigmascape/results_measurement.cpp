@@ -97,7 +97,7 @@ ReadyMethod Measurement::from_paper_textures(const std::string& grid, std::uint3
           .baked_samples = samples,
           .change = change,
           .cost = cost,
-          .render = [textures, look_up, threads](const Seen& seen, int) {
+          .render = [textures = std::move(textures), look_up, threads](const Seen& seen, int) {
             const auto bins = simulate::bins_for(seen.radar, seen.grid.extent(), seen.scene.terrain);
             return render::paper_image(*textures, seen.scene.terrain, seen.radar, seen.grid.extent(), bins, look_up,
                                        threads);

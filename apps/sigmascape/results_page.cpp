@@ -267,7 +267,7 @@ std::string figures_text(const std::vector<product::PageSection>& sections) {
         rules += "---|";
         pictures += fmt::format(" ![{}]({}) |", figure.caption, figure.png.filename().string());
       }
-      text += captions + "\n" + rules + "\n" + pictures + "\n\n";
+      text += fmt::format("{}\n{}\n{}\n\n", captions, rules, pictures);
     }
   }
   return text;

@@ -84,7 +84,8 @@ void write_obstacles(const Store& atlas, PatchIndex patch, const radar::Obstacle
                         .nodata = {},
                         .metadata = {{"SIGMASCAPE_SCENE_HASH", atlas.description().scene_hash}}};
   for (const Layer& layer : layers) {
-    geo::NamedBand& band = raster.bands.emplace_back(layer.name, Array2D<float>(texels.columns, texels.rows));
+    geo::NamedBand& band = raster.bands.emplace_back();
+    band = {layer.name, Array2D<float>(texels.columns, texels.rows)};
     for (std::size_t i = 0; i < map.obstacles.size(); ++i) {
       band.values.values()[i] = map.obstacles.values()[i].*layer.value;
     }

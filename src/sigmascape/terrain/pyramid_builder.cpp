@@ -105,9 +105,9 @@ float distance_between(const HeightTile& tile, const Array2D<float>& finer) {
 
 /// Bounds and greatest error of a tile's children, and its own bounds.
 TileSummary joined_with_children(TileKey key, TileSummary joined, const Array2D<TileSummary>& finer) {
-  for (std::size_t row = 2 * key.row; row < std::min<std::size_t>(2 * key.row + 2, finer.rows()); ++row) {
-    for (std::size_t column = 2 * key.column; column < std::min<std::size_t>(2 * key.column + 2, finer.columns());
-         ++column) {
+  const std::size_t first_column = std::size_t{2} * key.column, first_row = std::size_t{2} * key.row;
+  for (std::size_t row = first_row; row < std::min(first_row + 2, finer.rows()); ++row) {
+    for (std::size_t column = first_column; column < std::min(first_column + 2, finer.columns()); ++column) {
       const TileSummary& child = finer(column, row);
       joined = {std::min(joined.lowest_m, child.lowest_m), std::max(joined.highest_m, child.highest_m),
                 std::max(joined.error_m, child.error_m)};

@@ -1,55 +1,11 @@
-#include <atomic>
-#include <cstdlib>
 #include <gtest/gtest.h>
-#include <new>
 #include <vector>
 
+#include "counted_allocations.h"
 #include "live_ground_example.h"
 
 #include "sigmascape/render/live_renderer.h"
 #include "sigmascape/render/visible_ground.h"
-
-namespace {
-
-std::atomic<std::size_t> allocations{0};
-
-void* counted(std::size_t bytes) noexcept {
-  ++allocations;
-  return std::malloc(bytes != 0 ? bytes : 1);
-}
-
-void* counted_or_thrown(std::size_t bytes) {
-  if (void* memory = counted(bytes)) return memory;
-  throw std::bad_alloc();
-}
-
-}  // namespace
-
-// The whole program counts what it takes.
-void* operator new(std::size_t bytes) {
-  return counted_or_thrown(bytes);
-}
-void* operator new[](std::size_t bytes) {
-  return counted_or_thrown(bytes);
-}
-void* operator new(std::size_t bytes, const std::nothrow_t& /*tag*/) noexcept {
-  return counted(bytes);
-}
-void* operator new[](std::size_t bytes, const std::nothrow_t& /*tag*/) noexcept {
-  return counted(bytes);
-}
-void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-void operator delete[](void* memory) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
-void operator delete[](void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
 
 namespace sigmascape::render {
 namespace {
@@ -71,9 +27,9 @@ TEST(SteadyMemory, VisibleGroundTakesNoneOnceItHasWorked) {
     for (int frame = 0; frame < 10; ++frame) find(1.0 * frame);
     grid.azimuths = 60;
     for (int frame = 0; frame < 10; ++frame) find(1.0 * frame);
-    const std::size_t before = allocations;
+    const std::size_t before = allocations();
     for (int frame = 0; frame < 10; ++frame) find(1.0 * frame);
-    EXPECT_EQ(allocations, before);
+    EXPECT_EQ(allocations(), before);
   }
 }
 
@@ -113,7 +69,7 @@ TEST(SteadyMemory, LiveFramesTakeNoneOnceTheirPagesAreThere) {
       ground->wait_until_loaded();
     }
     pose.position = view.pose().position;
-    const std::size_t before = allocations;
+    const std::size_t before = allocations();
     for (int frame = 0; frame < 10; ++frame) {
       pose.position.x += 0.5;
       const FrameReport& report = renderer.render(pose).report;
@@ -122,7 +78,7 @@ TEST(SteadyMemory, LiveFramesTakeNoneOnceTheirPagesAreThere) {
       EXPECT_GT(report.targets, 100U);
       renderer.scan(pose, 16, 16);
     }
-    EXPECT_EQ(allocations, before) << (apart ? "ground apart" : "ground in the textures");
+    EXPECT_EQ(allocations(), before) << (apart ? "ground apart" : "ground in the textures");
   }
 }
 
