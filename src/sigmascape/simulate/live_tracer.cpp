@@ -135,7 +135,8 @@ LiveTracer::Look LiveTracer::look_of(const render::Pose& pose) const {
   const auto look_from = [&](Vec3d position) {
     render::Pose from = pose;
     from.position = position;
-    const auto [near_m, far_m] = render::frame_reach(settings_, from, lowest_m_, highest_m_);
+    const auto [near_m, far_m] =
+        render::frame_reach(settings_, from, lowest_m_, highest_m_, radar::CurvedEarth::flat());
     // Echoes are shared with bins half a bin away.
     const double rim_m = settings_.range_step_m;
     const radar::Rectangle under_bins = render::ground_under(
