@@ -100,9 +100,8 @@ void write_obstacles(const Store& atlas, PatchIndex patch, const radar::Obstacle
 
 Array2D<radar::Obstacle> read_obstacles(const Store& atlas, PatchIndex patch) {
   const auto path = atlas.folder() / obstacles_path(patch);
-  if (const auto fault = obstacles_fault(atlas, patch, Scrutiny::Size)) {
-    throw Error((atlas.folder() / fault->file).string(), fault->what,
-                "finish the bake by starting it again with the same settings");
+  if (const auto fault = obstacles_fault(atlas, patch, Scrutiny::Content)) {
+    throw Error((atlas.folder() / fault->file).string(), fault->what, bake_again);
   }
   const geo::GeoRaster raster = geo::read_geotiff(path);
   const std::size_t side = atlas.description().patches.texels_per_side;

@@ -150,8 +150,8 @@ void Store::write(PatchIndex patch, LookIndex look, const Array2D<radar::Channel
 
 Array2D<float> Store::read_errors(PatchIndex patch, LookIndex look) const {
   const std::filesystem::path texture = texture_path(patch, look);
-  if (const auto fault = texture_fault(folder_, texture, Scrutiny::Size)) {
-    throw Error((folder_ / fault->file).string(), fault->what, "bake this texture, resuming does so");
+  if (const auto fault = texture_fault(folder_, texture, Scrutiny::Content)) {
+    throw Error((folder_ / fault->file).string(), fault->what, bake_again);
   }
   const auto record = texture_record(folder_, texture);
   const std::filesystem::path file = folder_ / errors_path(texture);
@@ -170,7 +170,7 @@ MipChain Store::read(PatchIndex patch, LookIndex look) const {
 
 HalfTexture Store::read_halves(PatchIndex patch, LookIndex look) const {
   return read_texture(folder_, texture_path(patch, look), description_.patches.texels_per_side,
-                      description_.patches.stored_levels(), "bake this texture, resuming does so");
+                      description_.patches.stored_levels(), bake_again);
 }
 
 HalfTexture Store::read_halves(std::size_t level, PatchIndex patch, LookIndex look) const {

@@ -48,6 +48,22 @@ std::optional<StoreFault> file_fault(const std::filesystem::path& folder, const 
   return std::nullopt;
 }
 
+/// What is wrong with a texture, whatever its standard errors are like, if anything; else `record` is its item's.
+std::optional<StoreFault> own_fault(const std::filesystem::path& folder, const std::filesystem::path& texture,
+                                    Scrutiny scrutiny, std::optional<TextureRecord>& record) {
+  const std::filesystem::path item = item_path(texture);
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(folder / texture, error);
+  const bool there = !error;
+  const std::optional<std::string> text = text_of(folder / item);
+  if (!text && !there) return StoreFault{texture, "is missing"};
+  if (!text) return StoreFault{item, "is missing, so its texture does not count"};
+  record = record_from(*text);
+  if (!record) return StoreFault{item, "cannot be understood"};
+  if (!there) return StoreFault{texture, "is missing, though its item is there"};
+  return file_fault(folder, texture, size, record->size_bytes, record->sha256, scrutiny);
+}
+
 std::string sha256_of(const std::string& bytes) {
   Sha256 sha;
   sha.add(bytes);
@@ -68,19 +84,11 @@ std::filesystem::path item_path(std::filesystem::path texture) {
 
 std::optional<StoreFault> texture_fault(const std::filesystem::path& folder, const std::filesystem::path& texture,
                                         Scrutiny scrutiny) {
-  const std::filesystem::path item = item_path(texture);
-  std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(folder / texture, error);
-  const bool there = !error;
-  const std::optional<std::string> text = text_of(folder / item);
-  if (!text && !there) return StoreFault{texture, "is missing"};
-  if (!text) return StoreFault{item, "is missing, so its texture does not count"};
-  const std::optional<TextureRecord> record = record_from(*text);
-  if (!record) return StoreFault{item, "cannot be understood"};
-  if (!there) return StoreFault{texture, "is missing, though its item is there"};
-  if (auto fault = file_fault(folder, texture, size, record->size_bytes, record->sha256, scrutiny)) return fault;
+  std::optional<TextureRecord> record;
+  if (auto fault = own_fault(folder, texture, scrutiny, record)) return fault;
   if (record->errors) {
     const std::filesystem::path errors = errors_path(texture);
+    std::error_code error;
     const std::uintmax_t errors_size = std::filesystem::file_size(folder / errors, error);
     if (error) return StoreFault{errors, "is missing, though its item is there"};
     return file_fault(folder, errors, errors_size, record->errors->size_bytes, record->errors->sha256, scrutiny);
@@ -117,11 +125,10 @@ void write_texture(const std::filesystem::path& folder, const std::filesystem::p
 
 HalfTexture read_texture(const std::filesystem::path& folder, const std::filesystem::path& texture, std::size_t side,
                          std::size_t levels, const std::string& remedy) {
-  if (const auto fault = texture_fault(folder, texture, Scrutiny::Size)) {
+  std::optional<TextureRecord> record;
+  if (const auto fault = own_fault(folder, texture, Scrutiny::Content, record)) {
     throw Error((folder / fault->file).string(), fault->what, remedy);
   }
-  const auto record = texture_record(folder, texture);
-  if (!record) throw Error((folder / item_path(texture)).string(), "vanished while it was read", "try again");
   return {side, record->scale, read_half_cog(folder / texture, side, levels)};
 }
 

@@ -15,6 +15,10 @@ namespace sigmascape::atlas {
 /// A texture of a store as two files: a GeoTIFF and, beside it, the item that vouches for it. Paths of textures are
 /// relative to the folder of the store.
 
+/// What mends all that can be wrong with one of these files.
+inline constexpr const char* bake_again =
+    "start the bake again with the same settings and --verify, which makes anew what is missing or was altered";
+
 /// Everything in a file; nothing when it cannot be read.
 [[nodiscard]] std::optional<std::string> text_of(const std::filesystem::path& file);
 
@@ -44,7 +48,7 @@ void write_texture(const std::filesystem::path& folder, const std::filesystem::p
                    const std::function<std::string(const TextureRecord&)>& item_for, const std::string& errors = {});
 
 /// Reads a texture of so many levels, the first of so many texels a side. Throws Error when it is not there or not as
-/// its item says; `remedy` is what would mend it.
+/// its item says, to the last bit; `remedy` is what would mend it.
 [[nodiscard]] HalfTexture read_texture(const std::filesystem::path& folder, const std::filesystem::path& texture,
                                        std::size_t side, std::size_t levels, const std::string& remedy);
 

@@ -10,6 +10,7 @@
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/parallel.h"
 #include "sigmascape/base/units.h"
+#include "sigmascape/radar/rectangle_parts.h"
 #include "sigmascape/receiver/ground_accumulator.h"
 #include "sigmascape/scene/obstacle_raster.h"
 #include "sigmascape/trace/tile_progress.h"
@@ -22,11 +23,6 @@ namespace {
 double gain_of(double part_seen) {
   constexpr double least = 0.2;
   return part_seen > 0.0 ? 1.0 / std::max(part_seen, least) : 1.0;
-}
-
-radar::Rectangle intersection(const radar::Rectangle& a, const radar::Rectangle& b) {
-  return {std::max(a.west_m, b.west_m), std::max(a.south_m, b.south_m), std::min(a.east_m, b.east_m),
-          std::min(a.north_m, b.north_m)};
 }
 
 /// Ground without relief is the level plane, which rays meet in closed form.
@@ -72,7 +68,7 @@ Array2D<float> LookBaker::terrain_gains(const radar::GroundGrid& texels, const r
 trace::LaunchArea LookBaker::area_of(const radar::GroundGrid& texels, const radar::Aspect& aspect) const {
   // The scene ends where its extent does; beyond a rim about it texels stay black.
   const auto viewpoint = trace::Viewpoint::distant(aspect);
-  const radar::Rectangle target = intersection(texels.extent(), scene_.extent);
+  const radar::Rectangle target = radar::common_part(texels.extent(), scene_.extent);
   auto area = trace::launch_area(viewpoint, target, settings_.patches.texel_m, geometry_.lowest_m(),
                                  geometry_.highest_m() + 1.0, trace::multibounce_reach(scene_, viewpoint, target),
                                  trace::tile_side_cells);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <thread>
 
 #include "sigmascape/receiver/fixed_point_sum.h"
 
@@ -38,20 +39,42 @@ void PowerLine::add_shared(double place, const radar::Channels& rcs_m2) {
   if (left >= -1.0 && left + 1.0 < bins) add(static_cast<std::size_t>(left + 1.0), rcs_m2 * right_share);
 }
 
-PowerBins::PowerBins(std::size_t columns, std::size_t rows)
-    : columns_(columns), rows_(rows), units_(columns * rows * radar::Channels::count, 0) {}
+/// A row that no other thread adds to while this lives. It is held for some nanoseconds, many times more briefly than
+/// each of the numbers takes that atomic additions would need, and hardly ever wanted twice.
+class PowerBins::HeldRow {
+ public:
+  HeldRow(PowerBins& bins, std::size_t row) : lock_((*bins.locks_)[row % locks].is_held) {
+    while (lock_.test_and_set(std::memory_order_acquire)) std::this_thread::yield();
+  }
+  ~HeldRow() { lock_.clear(std::memory_order_release); }
+  HeldRow(const HeldRow&) = delete;
+  HeldRow& operator=(const HeldRow&) = delete;
 
-void PowerBins::add_units(std::int64_t& bin, float value) {
-  if (!receiver::add_units(bin, static_cast<double>(value) * units_per_m2))
-    std::atomic_ref(overflows_).fetch_add(1, std::memory_order_relaxed);
+ private:
+  std::atomic_flag& lock_;
+};
+
+PowerBins::PowerBins(std::size_t columns, std::size_t rows)
+    : columns_(columns),
+      rows_(rows),
+      units_(columns * rows * radar::Channels::count, 0),
+      locks_(std::make_unique<std::array<RowLock, locks>>()) {}
+
+void PowerBins::clear() {
+  std::ranges::fill(units_, 0);
+  overflows_ = 0;
+}
+
+void PowerBins::add_to_held(std::int64_t* bin, const radar::Channels& rcs_m2) {
+  for (const float value : {rcs_m2.vv, rcs_m2.hh, rcs_m2.hv, rcs_m2.re_vvhh}) {
+    if (!add_units_alone(*bin++, static_cast<double>(value) * units_per_m2))
+      std::atomic_ref(overflows_).fetch_add(1, std::memory_order_relaxed);
+  }
 }
 
 void PowerBins::add(std::size_t column, std::size_t row, const radar::Channels& rcs_m2) {
-  std::int64_t* bin = &units_[(row * columns_ + column) * radar::Channels::count];
-  add_units(bin[0], rcs_m2.vv);
-  add_units(bin[1], rcs_m2.hh);
-  add_units(bin[2], rcs_m2.hv);
-  add_units(bin[3], rcs_m2.re_vvhh);
+  const HeldRow held(*this, row);
+  add_to_held(&units_[(row * columns_ + column) * radar::Channels::count], rcs_m2);
 }
 
 void PowerBins::add_column(std::size_t column, const PowerLine& line) {
@@ -74,12 +97,16 @@ void PowerBins::add_shared(double column, double row, const radar::Channels& rcs
   const auto right_share = static_cast<float>(column - 0.5 - left);
   const auto lower_share = static_cast<float>(row - 0.5 - top);
   for (int down = 0; down < 2; ++down) {
+    const double r = top + down;
+    if (!(r >= 0.0 && r < static_cast<double>(rows_))) continue;
+    const auto of_row = static_cast<std::size_t>(r);
+    const HeldRow held(*this, of_row);
     for (int across = 0; across < 2; ++across) {
-      const double c = left + across, r = top + down;
-      if (c < 0.0 || r < 0.0 || c >= static_cast<double>(columns_) || r >= static_cast<double>(rows_)) continue;
+      const double c = left + across;
+      if (!(c >= 0.0 && c < static_cast<double>(columns_))) continue;
       const float share =
           (across == 1 ? right_share : 1.0F - right_share) * (down == 1 ? lower_share : 1.0F - lower_share);
-      add(static_cast<std::size_t>(c), static_cast<std::size_t>(r), rcs_m2 * share);
+      add_to_held(&units_[(of_row * columns_ + static_cast<std::size_t>(c)) * radar::Channels::count], rcs_m2 * share);
     }
   }
 }

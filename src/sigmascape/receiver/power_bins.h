@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "sigmascape/base/array2d.h"
@@ -38,6 +40,9 @@ class PowerBins {
   [[nodiscard]] std::size_t columns() const { return columns_; }
   [[nodiscard]] std::size_t rows() const { return rows_; }
 
+  /// Forgets what was added.
+  void clear();
+
   /// Adds to one bin.
   void add(std::size_t column, std::size_t row, const radar::Channels& rcs_m2);
 
@@ -58,10 +63,18 @@ class PowerBins {
   [[nodiscard]] std::uint64_t overflows() const { return overflows_; }
 
  private:
-  void add_units(std::int64_t& bin, float value);
+  /// Each for every so many rows, on lines of their own of the processors' caches.
+  struct alignas(64) RowLock {
+    std::atomic_flag is_held;
+  };
+  static constexpr std::size_t locks = 64;
+  class HeldRow;
+
+  void add_to_held(std::int64_t* bin, const radar::Channels& rcs_m2);
 
   std::size_t columns_, rows_;
   std::vector<std::int64_t> units_;  // [row, column, channel]
+  std::unique_ptr<std::array<RowLock, locks>> locks_;
   std::uint64_t overflows_ = 0;
 };
 

@@ -17,38 +17,52 @@ namespace {
 constexpr int depression_steps = 1 << 14;
 constexpr double most_bins = 0x1p27;
 
-enum class Axis { Columns, Rows };
+using Bins = Array2D<radar::Channels>;
 
-/// Every bin spreads over its neighbours along one axis; what leaves the rectangle is lost, as it is to a receiver's
-/// gate.
-Array2D<radar::Channels> spread(const Array2D<radar::Channels>& bins, const std::vector<float>& weights, Axis axis) {
+/// Images of a few targets are dark nearly everywhere.
+bool is_dark(std::span<const radar::Channels> row) {
+  return std::ranges::all_of(row, [](const radar::Channels& bin) { return bin == radar::Channels{}; });
+}
+
+/// Every bin spreads over its neighbours in its row; what leaves the row is lost, as it is to a receiver's gate. Bins
+/// are many, and memory for another image of them would cost more than the sums do: here and below only what is
+/// overwritten before its turn is kept elsewhere.
+void spread_along_rows(Bins& bins, const std::vector<float>& weights) {
   const auto reach = static_cast<std::ptrdiff_t>(weights.size() / 2);
-  const auto columns = static_cast<std::ptrdiff_t>(bins.columns()), rows = static_cast<std::ptrdiff_t>(bins.rows());
-  Array2D<radar::Channels> out(bins.columns(), bins.rows());
-  // Images of a few targets are dark nearly everywhere.
-  std::vector<std::uint8_t> is_dark(bins.rows());
-  for (std::size_t row = 0; row < bins.rows(); ++row)
-    is_dark[row] = std::ranges::all_of(bins.row(row), [](const auto& bin) { return bin == radar::Channels{}; }) ? 1 : 0;
-  for (std::ptrdiff_t row = 0; row < rows; ++row) {
+  const auto columns = static_cast<std::ptrdiff_t>(bins.columns());
+  std::vector<radar::Channels> from(bins.columns());
+  for (std::size_t row = 0; row < bins.rows(); ++row) {
+    const auto to = bins.row(row);
+    if (is_dark(to)) continue;
+    std::ranges::copy(to, from.begin());
+    std::ranges::fill(to, radar::Channels{});
     for (std::ptrdiff_t k = -reach; k <= reach; ++k) {
       const float weight = weights[static_cast<std::size_t>(k + reach)];
-      if (axis == Axis::Rows) {
-        if (row + k < 0 || row + k >= rows || is_dark[static_cast<std::size_t>(row + k)] != 0) continue;
-        const auto from = bins.row(static_cast<std::size_t>(row + k));
-        const auto to = out.row(static_cast<std::size_t>(row));
-        for (std::size_t column = 0; column < from.size(); ++column) to[column] += from[column] * weight;
-      } else {
-        if (is_dark[static_cast<std::size_t>(row)] != 0) break;
-        const auto from = bins.row(static_cast<std::size_t>(row));
-        const auto to = out.row(static_cast<std::size_t>(row));
-        for (std::ptrdiff_t column = std::max<std::ptrdiff_t>(0, -k); column < std::min(columns, columns - k);
-             ++column) {
-          to[static_cast<std::size_t>(column)] += from[static_cast<std::size_t>(column + k)] * weight;
-        }
-      }
+      for (std::ptrdiff_t column = std::max<std::ptrdiff_t>(0, -k); column < std::min(columns, columns - k); ++column)
+        to[static_cast<std::size_t>(column)] += from[static_cast<std::size_t>(column + k)] * weight;
     }
   }
-  return out;
+}
+
+/// The same in columns.
+void spread_along_columns(Bins& bins, const std::vector<float>& weights) {
+  const auto reach = static_cast<std::ptrdiff_t>(weights.size() / 2), rows = static_cast<std::ptrdiff_t>(bins.rows());
+  // Of the row in hand and those before it, as they were.
+  Bins kept(bins.columns(), static_cast<std::size_t>(reach) + 1);
+  std::vector<std::uint8_t> dark(bins.rows());
+  for (std::size_t row = 0; row < bins.rows(); ++row) dark[row] = is_dark(bins.row(row)) ? 1 : 0;
+  const auto kept_row = [&kept](std::ptrdiff_t row) { return kept.row(static_cast<std::size_t>(row) % kept.rows()); };
+  for (std::ptrdiff_t row = 0; row < rows; ++row) {
+    const auto to = bins.row(static_cast<std::size_t>(row));
+    std::ranges::copy(to, kept_row(row).begin());
+    if (dark[static_cast<std::size_t>(row)] == 0) std::ranges::fill(to, radar::Channels{});
+    for (std::ptrdiff_t k = std::max(-reach, -row); k <= std::min(reach, rows - 1 - row); ++k) {
+      if (dark[static_cast<std::size_t>(row + k)] != 0) continue;
+      const float weight = weights[static_cast<std::size_t>(k + reach)];
+      const auto from = k <= 0 ? kept_row(row + k) : bins.row(static_cast<std::size_t>(row + k));
+      for (std::size_t column = 0; column < to.size(); ++column) to[column] += from[column] * weight;
+    }
+  }
 }
 
 /// Two-way relative gain at evenly spaced sines of the depression angle; empty for an antenna that does not tell
@@ -173,8 +187,9 @@ void RangeAzimuthReceiver::add_to_azimuth(std::size_t column, std::span<const ra
 radar::RangeAzimuthImage RangeAzimuthReceiver::image() const {
   const auto pulse = range_response(radar_, grid_.range_step_m).weights;
   const auto beam = azimuth_response(radar_, grid_.azimuth_step_rad).weights;
-  radar::RangeAzimuthImage image{grid_, radar_.position,
-                                 spread(spread(bins_.sums(), beam, Axis::Columns), pulse, Axis::Rows)};
+  radar::RangeAzimuthImage image{grid_, radar_.position, bins_.sums()};
+  spread_along_rows(image.rcs_m2, beam);
+  spread_along_columns(image.rcs_m2, pulse);
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   for (std::size_t column = 0; column < grid_.azimuths; ++column) {
     if (looked_at(radar_, grid_, column)) continue;

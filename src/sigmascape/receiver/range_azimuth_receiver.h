@@ -34,6 +34,9 @@ class RangeAzimuthReceiver {
   /// times as quick. May be called from several threads at once for different columns, while none calls `add`.
   void add_to_azimuth(std::size_t column, std::span<const radar::Echo> echoes);
 
+  /// Forgets what was added.
+  void clear() { bins_.clear(); }
+
   [[nodiscard]] const PowerBins& bins() const { return bins_; }
   /// The bins after the responses of the compressed pulse and of the two-way beam; NaN in azimuths that the beam's axis
   /// never comes to.

@@ -4,22 +4,18 @@
 #include <cmath>
 
 #include "sigmascape/base/units.h"
+#include "sigmascape/radar/distance_of_range.h"
 #include "sigmascape/render/sector.h"
 
 namespace sigmascape::render {
-namespace {
 
-/// Distance over the ground to something at `below_m` under the radar whose slant range is known.
-double ground_distance(double range_m, double below_m) {
-  return std::sqrt(std::max(range_m * range_m - below_m * below_m, 0.0));
-}
-
-}  // namespace
-
-FrameReach frame_reach(const LiveSettings& settings, const Pose& pose, double lowest_m, double highest_m) {
+FrameReach frame_reach(const LiveSettings& settings, const Pose& pose, double lowest_m, double highest_m,
+                       const radar::CurvedEarth& earth) {
   const double far_range_m = pose.first_range_m + static_cast<double>(settings.ranges) * settings.range_step_m;
-  return {ground_distance(pose.first_range_m, pose.position.z - lowest_m),
-          ground_distance(far_range_m, std::max(pose.position.z - highest_m, 0.0))};
+  // Nothing is farther for its slant range than what is as high as the radar.
+  const double far_height_m = std::min(highest_m, pose.position.z);
+  return {radar::distance_of_range_m(earth, pose.position.z, lowest_m, pose.first_range_m),
+          radar::distance_of_range_m(earth, pose.position.z, far_height_m, far_range_m)};
 }
 
 radar::Rectangle ground_under(Vec2d radar, double first_azimuth_rad, double width_rad, FrameReach reach) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sigmascape/base/vec.h"
+#include "sigmascape/radar/curved_earth.h"
 #include "sigmascape/radar/ground_grid.h"
 #include "sigmascape/render/level_of_detail.h"
 #include "sigmascape/render/live_renderer.h"
@@ -12,8 +13,10 @@ struct FrameReach {
   double near_m = 0.0, far_m = 0.0;
 };
 
-/// For ground between two heights, over a flat Earth.
-[[nodiscard]] FrameReach frame_reach(const LiveSettings& settings, const Pose& pose, double lowest_m, double highest_m);
+/// For ground between two heights: what is in the first bin lies no nearer, and what is in the last no farther
+/// (docs/physics/curved_earth.md, Eq. (4)).
+[[nodiscard]] FrameReach frame_reach(const LiveSettings& settings, const Pose& pose, double lowest_m, double highest_m,
+                                     const radar::CurvedEarth& earth);
 
 /// The smallest rectangle about the ground between two directions and two distances from a place. The sector may be a
 /// whole turn wide.

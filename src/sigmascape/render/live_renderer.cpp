@@ -144,7 +144,8 @@ void LiveRenderer::prepare(const Pose& pose) {
                                                         settings_.beam_step_rad * static_cast<double>(settings_.beams),
                                                         {0.0, far_range_m}));
   const auto [near_m, far_m] =
-      frame_reach(settings_, pose, static_cast<double>(bounds_.lowest_m), static_cast<double>(bounds_.highest_m));
+      frame_reach(settings_, pose, static_cast<double>(bounds_.lowest_m), static_cast<double>(bounds_.highest_m),
+                  {.refraction = settings_.refraction});
   HorizonGrid grid;
   grid.first_azimuth_rad = pose.first_azimuth_rad;
   grid.azimuth_step_rad = settings_.beam_step_rad;

@@ -6,6 +6,8 @@
 #include <tuple>
 #include <utility>
 
+#include "sigmascape/radar/rectangle_parts.h"
+
 namespace sigmascape::render {
 namespace {
 
@@ -19,10 +21,6 @@ radar::Rectangle clipped(const radar::Rectangle& area, const radar::Rectangle& t
   return {west, south, east, std::clamp(area.north_m, south, to.north_m)};
 }
 
-radar::Rectangle grown(const radar::Rectangle& area, double by_m) {
-  return {area.west_m - by_m, area.south_m - by_m, area.east_m + by_m, area.north_m + by_m};
-}
-
 /// Nodes that a lattice over an area has at most, wherever the area lies between them.
 double nodes_over(const radar::Rectangle& area, double spacing_m) {
   return (area.width_m() / spacing_m + 3.0) * (area.height_m() / spacing_m + 3.0);
@@ -32,7 +30,7 @@ double nodes_over(const radar::Rectangle& area, double spacing_m) {
 
 bool GroundWindow::covers(const radar::Rectangle& area) const {
   constexpr double rounding_m = 1e-6;
-  const radar::Rectangle extent = grown(nodes.view().extent(), rounding_m);
+  const radar::Rectangle extent = radar::widened(nodes.view().extent(), rounding_m);
   return area.west_m >= extent.west_m && area.east_m <= extent.east_m && area.south_m >= extent.south_m &&
          area.north_m <= extent.north_m;
 }
@@ -151,10 +149,10 @@ radar::Rectangle TerrainWindows::with_margin(const WindowWish& wish) const {
   const double spacing_m = pyramid_->layout().spacing_at(wish.level);
   const radar::Rectangle whole = pyramid_->layout().extent();
   double margin_m = std::max(0.25 * std::max(wish.area.width_m(), wish.area.height_m()), 8.0 * spacing_m);
-  radar::Rectangle area = clipped(grown(wish.area, margin_m), whole);
+  radar::Rectangle area = clipped(radar::widened(wish.area, margin_m), whole);
   while (nodes_over(area, spacing_m) > most && margin_m > spacing_m) {
     margin_m *= 0.5;
-    area = clipped(grown(wish.area, margin_m), whole);
+    area = clipped(radar::widened(wish.area, margin_m), whole);
   }
   return nodes_over(area, spacing_m) > most ? wish.area : area;
 }

@@ -92,19 +92,15 @@ std::vector<CellNoise::Around> CellNoise::around_cells() const {
 }
 
 std::vector<LaunchShare> CellNoise::shares(std::uint32_t most) const {
-  if (launch_.cells.empty()) return {{launch_, most}};
+  if (launch_.cells.empty()) return {};
   const std::vector<Around> around = around_cells();
   std::vector<double> noise;
   for (const Around& cell : around) noise.push_back(cell.noise);
   const double full = full_share * median_above_zero(std::move(noise));
 
   std::vector<LaunchShare> shares;
-  const auto offer = [&](std::uint32_t samples, std::uint32_t one_in) {
-    shares.push_back({launch_, samples, one_in});
-    shares.back().launch.cells.clear();
-  };
-  for (std::uint32_t samples = most; samples > 0; samples /= 2) offer(samples, 1);
-  for (std::uint32_t one_in = 2; one_in <= rarest; one_in *= 2) offer(1, one_in);
+  for (std::uint32_t samples = most; samples > 0; samples /= 2) shares.push_back({{}, samples, 1});
+  for (std::uint32_t one_in = 2; one_in <= rarest; one_in *= 2) shares.push_back({{}, 1, one_in});
   for (std::size_t cell = 0; cell < around.size(); ++cell) {
     const double least = around[cell].is_seen ? 1.0 : 1.0 / rarest;
     const auto enough = [&](const LaunchShare& share) {
@@ -113,9 +109,9 @@ std::vector<LaunchShare> CellNoise::shares(std::uint32_t most) const {
     };
     std::size_t share = 0;
     while (share + 1 < shares.size() && enough(shares[share + 1])) ++share;
-    shares[share].launch.cells.push_back(launch_.cells[cell]);
+    shares[share].cells.push_back(launch_.cells[cell]);
   }
-  std::erase_if(shares, [](const LaunchShare& share) { return share.launch.cells.empty(); });
+  std::erase_if(shares, [](const LaunchShare& share) { return share.cells.empty(); });
   return shares;
 }
 

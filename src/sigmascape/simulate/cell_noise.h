@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "sigmascape/radar/echo.h"
-#include "sigmascape/simulate/launch_for_map.h"
+#include "sigmascape/simulate/map_tracer.h"
 #include "sigmascape/simulate/pass_sums.h"
 
 namespace sigmascape::simulate {

@@ -13,6 +13,7 @@
 #include "sigmascape/base/hash.h"
 #include "sigmascape/base/parallel.h"
 #include "sigmascape/base/units.h"
+#include "sigmascape/radar/rectangle_parts.h"
 #include "sigmascape/radar/windblown_vegetation.h"
 #include "sigmascape/receiver/calibrated_voltage.h"
 #include "sigmascape/receiver/doppler_imager.h"
@@ -158,11 +159,6 @@ radar::Rectangle seen_as(const radar::Rectangle& area, const receiver::AzimuthAm
   return {x[0], y[0], x[1], y[1]};
 }
 
-radar::Rectangle common_part(const radar::Rectangle& a, const radar::Rectangle& b) {
-  return {std::max(a.west_m, b.west_m), std::max(a.south_m, b.south_m), std::min(a.east_m, b.east_m),
-          std::min(a.north_m, b.north_m)};
-}
-
 radar::Rectangle joined(const radar::Rectangle& a, const radar::Rectangle& b) {
   return {std::min(a.west_m, b.west_m), std::min(a.south_m, b.south_m), std::max(a.east_m, b.east_m),
           std::max(a.north_m, b.north_m)};
@@ -197,7 +193,7 @@ void add_ghosts(receiver::StripmapImager& imager, std::span<const receiver::Azim
                 const CoherentSettings& settings) {
   const Vec3d direction = normalized(radar.velocity_mps);
   const auto ground_of = [&](const receiver::AzimuthAmbiguity& ambiguity) {
-    return common_part(seen_as(area, ambiguity, direction), scene.terrain->extent());
+    return radar::common_part(seen_as(area, ambiguity, direction), scene.terrain->extent());
   };
   const auto has_ground = [](const radar::Rectangle& there) { return there.width_m() > 0.0 && there.height_m() > 0.0; };
   double sum_m2 = 0.0, all_m2 = 0.0;

@@ -9,12 +9,14 @@
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/curved_earth.h"
+#include "sigmascape/radar/rectangle_parts.h"
 #include "sigmascape/render/frame_reach.h"
 #include "sigmascape/render/level_of_detail.h"
 #include "sigmascape/simulate/launch_for_map.h"
 #include "sigmascape/simulate/target_sight.h"
 #include "sigmascape/simulate/traced_ground.h"
 #include "sigmascape/simulate/traced_scatterers.h"
+#include "sigmascape/trace/late_by.h"
 
 namespace sigmascape::simulate {
 namespace {
@@ -41,15 +43,6 @@ const LiveTraceSettings& checked(const LiveTraceSettings& tracing, const trace::
     throw Error(name, fmt::format("has a frequency of {} Hz", tracing.frequency_hz), "give a positive one");
   }
   return tracing;
-}
-
-radar::Rectangle common_part(const radar::Rectangle& a, const radar::Rectangle& b) {
-  return {std::max(a.west_m, b.west_m), std::max(a.south_m, b.south_m), std::min(a.east_m, b.east_m),
-          std::min(a.north_m, b.north_m)};
-}
-
-radar::Rectangle widened(const radar::Rectangle& r, double by_m) {
-  return {r.west_m - by_m, r.south_m - by_m, r.east_m + by_m, r.north_m + by_m};
 }
 
 std::vector<radar::ShadowBox> boxes_of(const render::Pose& pose) {
@@ -82,6 +75,7 @@ LiveTracer::LiveTracer(const scene::Scene& scene, const trace::SceneGeometry& ge
                 .range_step_m = settings.range_step_m}),
       lowest_m_(static_cast<double>(scene.terrain.lowest_m())),
       highest_m_(static_cast<double>(scene.terrain.highest_m())),
+      tallest_m_(scene::tallest_object_m(scene)),
       bins_(settings.beams * settings.ranges * render::numbers_a_bin(settings.content)) {}
 
 LiveTracer::~LiveTracer() = default;
@@ -141,7 +135,8 @@ LiveTracer::Look LiveTracer::look_of(const render::Pose& pose) const {
   const auto look_from = [&](Vec3d position) {
     render::Pose from = pose;
     from.position = position;
-    const auto [near_m, far_m] = render::frame_reach(settings_, from, lowest_m_, highest_m_);
+    const auto [near_m, far_m] =
+        render::frame_reach(settings_, from, lowest_m_, highest_m_, radar::CurvedEarth::flat());
     // Echoes are shared with bins half a bin away.
     const double rim_m = settings_.range_step_m;
     const radar::Rectangle under_bins = render::ground_under(
@@ -149,11 +144,11 @@ LiveTracer::Look LiveTracer::look_of(const render::Pose& pose) const {
         std::min(width_rad + settings_.beam_step_rad, 2.0 * pi), {std::max(near_m - rim_m, 0.0), far_m + rim_m});
     const double layover_m =
         (geometry_.highest_m() - lowest_m_) * std::max(position.z - lowest_m_, 0.0) / std::max(near_m, rim_m);
-    const radar::Rectangle area = common_part(under_bins, scene_.extent);
-    const double late_m = trace::multibounce_reach(scene_, trace::Viewpoint::located(position), area).before_m;
+    const radar::Rectangle area = radar::common_part(under_bins, scene_.extent);
+    const double late_m = trace::late_by_m(tallest_m_, trace::Viewpoint::located(position), area);
     return Look{.radar = position,
                 .area = area,
-                .landing = common_part(under_bins, widened(scene_.extent, late_m + layover_m)),
+                .landing = radar::common_part(under_bins, radar::widened(scene_.extent, late_m + layover_m)),
                 .near_m = near_m,
                 .far_m = far_m};
   };
@@ -176,7 +171,7 @@ render::DetailQuestion LiveTracer::question(const render::Pose& pose) const {
   const double middle_m = 0.5 * (look.near_m + look.far_m);
   question.grazing_rad = std::atan2(look.radar.z - 0.5 * (lowest_m_ + highest_m_), middle_m);
   question.range_resolution_m *= std::cos(question.grazing_rad);
-  question.tallest_object_m = scene::tallest_object_m(scene_);
+  question.tallest_object_m = tallest_m_;
   const double sector_m2 = 0.5 * (look.far_m * look.far_m - look.near_m * look.near_m) *
                            static_cast<double>(settings_.beams) * settings_.beam_step_rad;
   question.area_m2 = look.sees_nothing() ? 0.0 : std::min(sector_m2, look.area.width_m() * look.area.height_m());

@@ -87,6 +87,7 @@ class LiveTracer {
   radar::ScattererLattice lattice_;
   receiver::TargetFrame targets_;
   double lowest_m_, highest_m_;  // of the terrain
+  double tallest_m_;             // of what stands on it
 
   // Of the pose in hand.
   std::optional<Vec3d> position_;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "sigmascape/base/units.h"
+#include "sigmascape/radar/rectangle_parts.h"
 
 namespace sigmascape::simulate {
 namespace {
@@ -15,7 +16,7 @@ Vec3d middle_of(const radar::GroundGrid& grid, const terrain::HeightField& terra
 
 /// The map's area and what beside it answers in its outermost cells.
 radar::Rectangle with_rim(const radar::Rectangle& area, double rim_m) {
-  return {area.west_m - rim_m, area.south_m - rim_m, area.east_m + rim_m, area.north_m + rim_m};
+  return radar::widened(area, rim_m);
 }
 
 /// What the makers of images ask for.

@@ -8,7 +8,7 @@
 #include "sigmascape/base/hash.h"
 #include "sigmascape/base/parallel.h"
 #include "sigmascape/simulate/cell_noise.h"
-#include "sigmascape/simulate/launch_for_map.h"
+#include "sigmascape/simulate/map_tracer.h"
 #include "sigmascape/simulate/pass_sums.h"
 
 namespace sigmascape::simulate {
@@ -31,19 +31,16 @@ TracedToError traced_to_error(const scene::Scene& scene, const trace::SceneGeome
                               const radar::Radar& radar, const radar::Rectangle& area, const TraceSettings& settings,
                               const ErrorGoal& goal, trace::TraceCounts& counts, ProgressListener* progress) {
   check(goal);
-  std::vector<LaunchShare> shares{{launch_for_map(scene, geometry, radar, area, settings.cell_m), goal.samples_a_pass}};
-  const trace::LaunchArea all = shares.front().launch;
-  PassSums sums(bins_for(radar, area, scene.terrain), radar.position, area, scene.terrain.height_at(area.centre()));
-  CellNoise noise(all, sums, goal.samples_a_pass, thread_count(settings.threads));
+  MapTracer tracer(scene, geometry, radar, area, settings);
+  PassSums sums(tracer.bins(), radar.position, area, scene.terrain.height_at(area.centre()));
+  CellNoise noise(tracer.launch(), sums, goal.samples_a_pass, thread_count(settings.threads));
   const RayWatcher watcher = [&noise](const trace::LaunchCell& cell, std::span<const radar::Echo> echoes,
                                       unsigned worker) { noise.add(cell, echoes, worker); };
+  std::vector<LaunchShare> shares{{tracer.launch().cells, goal.samples_a_pass}};
   double error_db = 0.0;
   for (std::uint32_t pass = 0; pass < goal.most_passes; ++pass) {
-    TraceSettings of_pass = settings;
-    of_pass.seed = hashed(settings.seed, pass);
-    sums.add(
-        traced_bounces(scene, geometry, radar, shares, of_pass, 1, counts, nullptr, pass == 0 ? watcher : RayWatcher())
-            .front());
+    const RayWatcher of_pass = pass == 0 ? watcher : RayWatcher();
+    sums.add(tracer.map(shares, hashed(settings.seed, pass), counts, nullptr, of_pass).front());
     if (pass == 0) shares = noise.shares(goal.samples_a_pass);
     if (pass + 1 < fewest_passes) continue;
     error_db = sums.median_error_db();

@@ -11,16 +11,13 @@
 
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/ground_stretch.h"
+#include "sigmascape/radar/rectangle_parts.h"
 #include "sigmascape/trace/height_bounds.h"
 
 namespace sigmascape::trace {
 namespace {
 
 constexpr std::int32_t tile = tile_side_cells;
-
-radar::Rectangle widened(const radar::Rectangle& r, double by) {
-  return {r.west_m - by, r.south_m - by, r.east_m + by, r.north_m + by};
-}
 
 /// The horizontal part of a direction, of unit length; nothing straight up.
 Vec2d level_part(Vec3d direction) {
@@ -71,7 +68,7 @@ std::vector<LaunchRing> rings_about(const Viewpoint& viewpoint, const radar::Rec
 /// How far behind the target the farthest aim point lies. The distance is a convex function of that to the radar, so
 /// that the nearest point of the target or a corner has the greatest.
 double greatest_reach_m(const LaunchArea& area) {
-  const radar::Rectangle r = widened(area.rings.back().upright(), area.rim_m());
+  const radar::Rectangle r = radar::widened(area.rings.back().upright(), area.rim_m());
   const auto reach_of = [&](Vec2d p) {
     return area.viewpoint.aim_behind_landing_m({p.x, p.y, area.plane_height_m}, area.top_height_m);
   };
@@ -141,7 +138,7 @@ class RingsInSight {
     const Vec2d nearest = area_.viewpoint.nearest_point(reached);
     const double behind_m =
         area_.viewpoint.point_behind_landing_m({nearest.x, nearest.y, area_.plane_height_m}, area_.top_height_m);
-    return widened(reached, behind_m + least_square_m + 2.0 * reach_m_);
+    return radar::widened(reached, behind_m + least_square_m + 2.0 * reach_m_);
   }
 
   const LaunchArea& area_;

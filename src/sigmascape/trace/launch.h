@@ -26,6 +26,10 @@ struct LaunchCell {
 /// Cells whose echoes travel to the receiver together: squares of the lattice, or what an area has of them.
 inline constexpr int tile_side_cells = 16;
 inline constexpr std::size_t cells_per_tile = std::size_t{tile_side_cells} * tile_side_cells;
+/// Number of tiles that so many cells make.
+[[nodiscard]] constexpr std::size_t tiles_of(std::size_t cells) {
+  return (cells + cells_per_tile - 1) / cells_per_tile;
+}
 
 /// What a radar at a place hears: between two ranges and within so much of a direction.
 struct HeardSector {
@@ -68,7 +72,7 @@ struct LaunchArea {
   std::vector<LaunchCell> cells;  ///< in tiles of 16 × 16, for the sake of caches
 
   /// Number of tiles that the tracer hands to its sink, one by one.
-  [[nodiscard]] std::size_t tiles() const { return (cells.size() + cells_per_tile - 1) / cells_per_tile; }
+  [[nodiscard]] std::size_t tiles() const { return tiles_of(cells.size()); }
   /// The cells, each for as much as its share.
   [[nodiscard]] double whole_cells() const;
 

@@ -6,6 +6,7 @@
 #include "sigmascape/base/vec.h"
 #include "sigmascape/radar/ground_grid.h"
 #include "sigmascape/radar/ground_stretch.h"
+#include "sigmascape/radar/rectangle_parts.h"
 
 namespace sigmascape::trace {
 
@@ -23,8 +24,9 @@ class LaunchRing {
 
   /// Whether the way of that length from `start` along a unit vector comes within `spare_m` of it.
   [[nodiscard]] bool meets(Vec2d start, Vec2d direction, double length_m, double spare_m) const {
-    const radar::GroundStretch a = radar::stretch_within(widened(upright_, spare_m), start, direction);
-    const radar::GroundStretch b = radar::stretch_within(widened(turned_, spare_m), turned(start), turned(direction));
+    const radar::GroundStretch a = radar::stretch_within(radar::widened(upright_, spare_m), start, direction);
+    const radar::GroundStretch b =
+        radar::stretch_within(radar::widened(turned_, spare_m), turned(start), turned(direction));
     // Lengths of nothing come rounded to less than that from far away.
     return std::max(a.begin_m, b.begin_m) <= std::min({a.end_m, b.end_m, std::max(length_m, 0.0)});
   }
@@ -39,9 +41,6 @@ class LaunchRing {
   static void widen(radar::Rectangle& r, Vec2d place) {
     r = {std::min(r.west_m, place.x), std::min(r.south_m, place.y), std::max(r.east_m, place.x),
          std::max(r.north_m, place.y)};
-  }
-  [[nodiscard]] static radar::Rectangle widened(const radar::Rectangle& r, double by) {
-    return {r.west_m - by, r.south_m - by, r.east_m + by, r.north_m + by};
   }
 
   Vec2d towards_;

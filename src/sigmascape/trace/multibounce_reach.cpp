@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "sigmascape/trace/late_by.h"
+
 namespace sigmascape::trace {
 namespace {
 
@@ -25,10 +27,13 @@ double lowest_sine_of_grazing(const Viewpoint& viewpoint, const radar::Rectangle
 
 }  // namespace
 
+double late_by_m(double tallest_m, const Viewpoint& viewpoint, const radar::Rectangle& target) {
+  return std::clamp(tallest_m / lowest_sine_of_grazing(viewpoint, target), least_m, most_m);
+}
+
 MultibounceReach multibounce_reach(const scene::Scene& scene, const Viewpoint& viewpoint,
                                    const radar::Rectangle& target) {
-  const double late_m = scene::tallest_object_m(scene) / lowest_sine_of_grazing(viewpoint, target);
-  const double before_m = std::clamp(late_m, least_m, most_m);
+  const double before_m = late_by_m(scene::tallest_object_m(scene), viewpoint, target);
   return {.before_m = before_m, .beside_m = part_beside * before_m, .within = scene::occupied_extent(scene)};
 }
 

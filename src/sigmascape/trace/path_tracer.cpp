@@ -73,8 +73,13 @@ TraceCounts PathTracer::trace(const LaunchArea& area, SampleRange samples, unsig
 
 TraceCounts PathTracer::trace(const LaunchArea& area, SampleRange samples, unsigned threads,
                               const TileSink& sink) const {
+  return trace(area, area.cells, samples, threads, sink);
+}
+
+TraceCounts PathTracer::trace(const LaunchArea& area, std::span<const LaunchCell> cells, SampleRange samples,
+                              unsigned threads, const TileSink& sink) const {
   std::vector<std::vector<EchoList>> lists(thread_count(threads), std::vector<EchoList>(surfaces_.size()));
-  return trace_tiles(area, threads, [&](TilePaths& tile, unsigned worker) {
+  return trace_tiles(area, cells, threads, [&](TilePaths& tile, unsigned worker) {
     std::vector<PathStart> starts;
     for (const LaunchCell& cell : tile.cells()) {
       const SampleRange of_cell = samples_for(cell, samples, seed_);
@@ -96,14 +101,19 @@ TraceCounts PathTracer::trace(const LaunchArea& area, SampleRange samples, unsig
 }
 
 TraceCounts PathTracer::trace_tiles(const LaunchArea& area, unsigned threads, const TileBody& body) const {
+  return trace_tiles(area, area.cells, threads, body);
+}
+
+TraceCounts PathTracer::trace_tiles(const LaunchArea& area, std::span<const LaunchCell> cells, unsigned threads,
+                                    const TileBody& body) const {
   // One tracer a thread, made by the thread itself: what it needs for a tile it has ready for the next.
   std::vector<std::unique_ptr<TileTracer>> tracers(thread_count(threads));
-  parallel_for(area.tiles(), static_cast<unsigned>(tracers.size()), [&](std::size_t tile, unsigned worker) {
+  parallel_for(tiles_of(cells.size()), static_cast<unsigned>(tracers.size()), [&](std::size_t tile, unsigned worker) {
     const FlushDenormals flush;
     auto& tracer = tracers[worker];
     if (!tracer) tracer = std::make_unique<TileTracer>(*geometry_, surfaces_, viewpoint_, options_, area, seed_);
     const std::size_t first = tile * cells_per_tile;
-    tracer->begin(std::span(area.cells).subspan(first, std::min(cells_per_tile, area.cells.size() - first)));
+    tracer->begin(cells.subspan(first, std::min(cells_per_tile, cells.size() - first)));
     body(*tracer, worker);
   });
 

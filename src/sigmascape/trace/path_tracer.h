@@ -145,12 +145,18 @@ class PathTracer {
   /// Traces the given samples of every cell of the area and hands the echoes to `sink`, tile by tile in any order.
   TraceCounts trace(const LaunchArea& area, SampleRange samples, unsigned threads, const EchoSink& sink) const;
   TraceCounts trace(const LaunchArea& area, SampleRange samples, unsigned threads, const TileSink& sink) const;
+  /// The same of some of the area's cells alone, which go together in tiles as they follow one another.
+  TraceCounts trace(const LaunchArea& area, std::span<const LaunchCell> cells, SampleRange samples, unsigned threads,
+                    const TileSink& sink) const;
   /// Calls `body` for every tile of the area.
   TraceCounts trace_tiles(const LaunchArea& area, unsigned threads, const TileBody& body) const;
 
   [[nodiscard]] std::size_t frequencies() const { return surfaces_.size(); }
 
  private:
+  TraceCounts trace_tiles(const LaunchArea& area, std::span<const LaunchCell> cells, unsigned threads,
+                          const TileBody& body) const;
+
   const SceneGeometry* geometry_;
   SpectralSurfaces surfaces_;
   Viewpoint viewpoint_;

@@ -3,14 +3,17 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <string>
 #include <unistd.h>
 
 #include "example_texels.h"
 
+#include "sigmascape/atlas/atlas.h"
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/atlas/pyramid.h"
+#include "sigmascape/base/error.h"
 
 namespace sigmascape::atlas {
 namespace {
@@ -84,6 +87,29 @@ TEST_F(VerifyTest, FindsWhatIsWrongWithObstacles) {
   EXPECT_EQ(fault(), obstacles.string() + " is missing, though its item is there");
   fs::remove((folder_ / obstacles).replace_extension(".json"));
   EXPECT_EQ(fault(), obstacles.string() + " is missing");
+}
+
+/// What load_atlas says of it.
+std::string loaded(const fs::path& folder) {
+  try {
+    static_cast<void>(load_atlas(Store::open(folder)));
+    return "none";
+  } catch (const Error& error) {
+    return error.what();
+  }
+}
+
+TEST_F(VerifyTest, WhatWasAlteredIsNamedInsteadOfLoaded) {
+  EXPECT_EQ(loaded(folder_), "none");
+  for (const char* file : {"patch_+000_+000/az000.0_el05.0_f10.000GHz.tif",
+                           "ground/patch_-001_+000/az000.0_el05.7_f10.000GHz.tif", "patch_-001_+000/obstacles.tif"}) {
+    ASSERT_TRUE(fs::exists(folder_ / file)) << file;
+    alter(file);
+    EXPECT_THAT(loaded(folder_), testing::AllOf(testing::HasSubstr((folder_ / file).string()),
+                                                testing::HasSubstr("was altered"), testing::HasSubstr("--verify")));
+    alter(file);
+    EXPECT_EQ(loaded(folder_), "none") << file;
+  }
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "sigmascape/radar/rectangle_parts.h"
+
 namespace sigmascape::radar {
 namespace {
 
@@ -34,6 +36,14 @@ TEST(Rectangle, ContainsItsEdges) {
   EXPECT_TRUE(rectangle.contains({3.0, -2.0}));
   EXPECT_FALSE(rectangle.contains({3.1, 0.0}));
   EXPECT_FALSE(rectangle.contains({0.0, -2.1}));
+}
+
+TEST(Rectangle, HasPartsInCommonAndGrows) {
+  constexpr Rectangle a{0.0, 0.0, 4.0, 2.0}, b{3.0, -1.0, 9.0, 1.0};
+  EXPECT_EQ(common_part(a, b), (Rectangle{3.0, 0.0, 4.0, 1.0}));
+  EXPECT_EQ(common_part(a, b), common_part(b, a));
+  EXPECT_LT(common_part(a, {5.0, 0.0, 6.0, 2.0}).width_m(), 0.0);
+  EXPECT_EQ(widened(a, 0.5), (Rectangle{-0.5, -0.5, 4.5, 2.5}));
 }
 
 }  // namespace

@@ -156,5 +156,15 @@ TEST(PowerBins, HoldsWeakEchoesBesideStrongOnes) {
   EXPECT_NEAR(bins.total()[0], 10'001.0, 1e-3);
 }
 
+TEST(PowerBins, ForgetsWhatItIsToldToForget) {
+  PowerBins bins(2, 3);
+  bins.add_shared(1.0, 2.0, all(3.0F));
+  bins.add(0, 0, all(1e30F));
+  EXPECT_GT(bins.overflows(), 0U);
+  bins.clear();
+  EXPECT_EQ(bins.overflows(), 0U);
+  EXPECT_EQ(bins.total(), PowerBins(2, 3).total());
+}
+
 }  // namespace
 }  // namespace sigmascape::receiver

@@ -37,7 +37,7 @@ class CellNoiseTest : public testing::Test {
   [[nodiscard]] static std::map<std::pair<int, int>, double> rays(const CellNoise& noise) {
     std::map<std::pair<int, int>, double> rays;
     for (const LaunchShare& share : noise.shares(most)) {
-      for (const trace::LaunchCell& cell : share.launch.cells)
+      for (const trace::LaunchCell& cell : share.cells)
         rays[{cell.i, cell.j}] = static_cast<double>(share.samples_per_cell) / share.one_in;
     }
     return rays;
@@ -116,7 +116,7 @@ TEST_F(CellNoiseTest, WhereNothingAnswersAFewRaysGoOnLooking) {
   ASSERT_EQ(shares.size(), 1U);
   EXPECT_EQ(shares.front().samples_per_cell, 1U);
   EXPECT_EQ(shares.front().one_in, 4U);
-  EXPECT_EQ(shares.front().launch.cells.size(), launch_.cells.size());
+  EXPECT_EQ(shares.front().cells.size(), launch_.cells.size());
 }
 
 }  // namespace

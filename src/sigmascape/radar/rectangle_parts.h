@@ -1,0 +1,20 @@
+#pragma once
+
+#include <algorithm>
+
+#include "sigmascape/radar/ground_grid.h"
+
+namespace sigmascape::radar {
+
+/// The rectangle and all within so much of a side of it; of a negative number, what is left of it.
+[[nodiscard]] constexpr Rectangle widened(const Rectangle& r, double by_m) {
+  return {r.west_m - by_m, r.south_m - by_m, r.east_m + by_m, r.north_m + by_m};
+}
+
+/// What two rectangles have in common: one whose east lies west of its west, or north south, where that is nothing.
+[[nodiscard]] constexpr Rectangle common_part(const Rectangle& a, const Rectangle& b) {
+  return {std::max(a.west_m, b.west_m), std::max(a.south_m, b.south_m), std::min(a.east_m, b.east_m),
+          std::min(a.north_m, b.north_m)};
+}
+
+}  // namespace sigmascape::radar

@@ -1,0 +1,143 @@
+#include "sigmascape/simulate/map_tracer.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "sigmascape/base/error.h"
+#include "sigmascape/base/hash.h"
+#include "sigmascape/base/parallel.h"
+#include "sigmascape/receiver/range_azimuth_receiver.h"
+#include "sigmascape/receiver/target_echoes.h"
+#include "sigmascape/simulate/launch_for_map.h"
+#include "sigmascape/simulate/target_sight.h"
+#include "sigmascape/simulate/unhidden_echoes.h"
+#include "sigmascape/trace/tile_progress.h"
+
+namespace sigmascape::simulate {
+namespace {
+
+/// Tells the lots of cells from other numbers that are made of seed and cell.
+constexpr std::uint32_t lot_of_cell = 0x107;
+
+void tell(const RayWatcher& watcher, const trace::TileEchoes& tile) {
+  for (std::size_t start = 0; start < tile.starts.size(); ++start)
+    watcher(tile.starts[start].cell, tile.paths->echoes(tile.frequency, start), tile.worker);
+}
+
+std::vector<radar::Echo> times(float factor, std::span<const radar::Echo> echoes) {
+  std::vector<radar::Echo> multiplied(echoes.begin(), echoes.end());
+  for (radar::Echo& echo : multiplied) echo.rcs_m2 = echo.rcs_m2 * factor;
+  return multiplied;
+}
+
+/// The cells on which the lot falls.
+std::vector<trace::LaunchCell> drawn_by_lot(const LaunchShare& share, std::uint64_t seed) {
+  std::vector<trace::LaunchCell> drawn;
+  std::ranges::copy_if(share.cells, std::back_inserter(drawn), [&](const trace::LaunchCell& cell) {
+    return hashed(seed, lot_of_cell, static_cast<std::uint32_t>(cell.i), static_cast<std::uint32_t>(cell.j)) %
+               share.one_in ==
+           0;
+  });
+  return drawn;
+}
+
+}  // namespace
+
+MapTracer::MapTracer(const scene::Scene& scene, const trace::SceneGeometry& geometry, const radar::Radar& radar,
+                     const radar::Rectangle& area, const TraceSettings& settings, std::size_t orders)
+    : scene_(scene),
+      geometry_(geometry),
+      radar_(radar),
+      settings_(settings),
+      launch_(launch_for_map(scene, geometry, radar, area, settings.cell_m)),
+      bins_(bins_for(radar, area, scene.terrain)),
+      surfaces_(trace::surface_models(scene, radar.frequency_hz)) {
+  for (std::size_t order = 0; order < orders; ++order)
+    receivers_.push_back(std::make_unique<receiver::RangeAzimuthReceiver>(radar_, bins_));
+}
+
+MapTracer::~MapTracer() = default;
+
+std::vector<radar::RangeAzimuthImage> MapTracer::map(std::span<const LaunchShare> shares, std::uint64_t seed,
+                                                     trace::TraceCounts& counts, ProgressListener* progress,
+                                                     const RayWatcher& watcher) {
+  for (const auto& receiver : receivers_) receiver->clear();
+  trace_shares(shares, seed, counts, progress, watcher);
+  add_point_targets();
+  add_targets();
+  return images();
+}
+
+void MapTracer::trace_shares(std::span<const LaunchShare> shares, std::uint64_t seed, trace::TraceCounts& counts,
+                             ProgressListener* progress, const RayWatcher& watcher) {
+  const trace::PathTracer tracer(geometry_, surfaces_, launch_.viewpoint, {.max_bounces = settings_.max_bounces}, seed);
+  std::vector<std::vector<trace::LaunchCell>> drawn(shares.size());
+  std::vector<std::span<const trace::LaunchCell>> cells;  // [share]
+  std::size_t tile_count = 0;
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    if (shares[i].one_in > 1) drawn[i] = drawn_by_lot(shares[i], seed);
+    cells.emplace_back(shares[i].one_in > 1 ? drawn[i] : shares[i].cells);
+    tile_count += trace::tiles_of(cells.back().size());
+  }
+  SilentProgress silent;
+  trace::TileProgress tiles(progress != nullptr ? *progress : silent, "trace", "% of the map", 0.0, 100.0, 100.0,
+                            tile_count);
+  UnhiddenEchoes unhidden(settings_.targets, radar_.position, thread_count(settings_.threads));
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    const std::uint32_t samples = shares[i].samples_per_cell;
+    const bool stands_for_itself = shares[i].one_in == 1;
+    const auto factor = static_cast<float>(shares[i].one_in);
+    const auto sink = [&](const trace::TileEchoes& tile) {
+      if (watcher) tell(watcher, tile);
+      const auto multiplied = stands_for_itself ? std::vector<radar::Echo>() : times(factor, tile.echoes);
+      add(unhidden.among(stands_for_itself ? tile.echoes : multiplied, tile.worker));
+      tiles.tile_done(tile.worker);
+    };
+    counts += tracer.trace(launch_, cells[i], {0, samples, samples}, settings_.threads, sink);
+  }
+  tiles.all_done();
+}
+
+void MapTracer::add(std::span<const radar::Echo> echoes) {
+  if (receivers_.size() == 1) return receivers_.front()->add(echoes);
+  for (const radar::Echo& echo : echoes) {
+    const std::size_t order = std::min<std::size_t>(echo.bounces, receivers_.size());
+    receivers_[order - 1]->add({&echo, 1});
+  }
+}
+
+void MapTracer::add_point_targets() {
+  for (const scene::PointTarget& target : scene_.point_targets) {
+    const Vec3d position{target.position.x, target.position.y,
+                         scene_.terrain.height_at(target.position) + target.height_m};
+    const Vec3f to_radar = launch_.viewpoint.direction_from(position).to<float>();
+    if (geometry_.occluded((position - geometry_.origin()).to<float>(), to_radar)) continue;
+    const radar::Echo echo{.range_m = launch_.viewpoint.range_of(position),
+                           .cross = launch_.viewpoint.cross_of(position),
+                           .rcs_m2 = target.rcs_m2,
+                           .bounces = 1,
+                           .sin_depression = to_radar.z};
+    receivers_.front()->add({&echo, 1});
+  }
+}
+
+void MapTracer::add_targets() {
+  const auto seen = seen_targets(settings_.targets, 0.0, [&](Vec3d position) {
+    return part_seen(geometry_, surfaces_, radar_.position, position);
+  });
+  receivers_.front()->add(receiver::target_echoes(seen, radar_, {}));
+}
+
+std::vector<radar::RangeAzimuthImage> MapTracer::images() const {
+  std::vector<radar::RangeAzimuthImage> images;
+  for (const auto& receiver : receivers_) {
+    if (receiver->bins().overflows() > 0) {
+      throw Error("map of radar " + radar_.name, "a bin is brighter than the sums can hold",
+                  "use finer resolution or rougher materials");
+    }
+    images.push_back(receiver->image());
+  }
+  return images;
+}
+
+}  // namespace sigmascape::simulate

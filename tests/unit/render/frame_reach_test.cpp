@@ -1,0 +1,63 @@
+#include "sigmascape/render/frame_reach.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+#include "live_ground_example.h"
+
+namespace sigmascape::render {
+namespace {
+
+TEST(FrameReach, EndsWhereTheBinsDoOverACurvedEarth) {
+  const LiveSettings settings{.ranges = 256, .range_step_m = 75.0};
+  for (const auto& earth : {radar::CurvedEarth::flat(), radar::CurvedEarth{}, radar::CurvedEarth{.refraction = 1.0}}) {
+    for (const double height_m : {300.0, 3000.0, 12e3}) {
+      for (const double first_range_m : {13e3, 100e3, 300e3}) {
+        const Pose pose{.position = {0.0, 0.0, height_m}, .first_range_m = first_range_m};
+        const FrameReach reach = frame_reach(settings, pose, -10.0, 1500.0, earth);
+        EXPECT_NEAR(earth.slant_range_m(height_m, -10.0, reach.near_m), first_range_m, 1e-3);
+        EXPECT_NEAR(earth.slant_range_m(height_m, std::min(1500.0, height_m), reach.far_m),
+                    first_range_m + 256.0 * 75.0, 1e-3);
+      }
+    }
+  }
+  const Pose high{.position = {0.0, 0.0, 12e3}, .first_range_m = 8e3};
+  EXPECT_EQ(frame_reach(settings, high, 0.0, 0.0, {}).near_m, 0.0);
+}
+
+/// From 12 km height the ground at a slant range of 300 km lies 200 m nearer than over a flat Earth.
+TEST(FrameReach, NoBinIsDarkForTheEarthsCurvature) {
+  const ScratchFolder folder;
+  ExampleGround example;
+  example.sigma0 = [](const radar::Look&) { return radar::Channels{0.1F, 0.1F, 0.01F, 0.0F}; };
+  const atlas::Store store = example.store(folder.path("atlas"));
+  atlas::Pyramid(store).make_above(store.units());
+  const auto ground = example.over(store);
+  LiveSettings settings;
+  settings.content = FrameContent::Powers;
+  settings.beams = 16;
+  settings.ranges = 32;
+  settings.beam_step_rad = 30.0 / 300e3;
+  settings.range_step_m = 30.0;
+  const radar::CurvedEarth earth{.refraction = settings.refraction};
+  constexpr double height_m = 12e3, distance_m = 300e3;
+  Pose pose;
+  pose.position = {example.middle().x, example.middle().y - distance_m, height_m};
+  pose.first_azimuth_rad = -8.0 * settings.beam_step_rad;
+  pose.first_range_m = earth.slant_range_m(height_m, 0.0, distance_m) - 16.0 * settings.range_step_m;
+  LiveRenderer renderer(ground, settings);
+  const Frame& frame = settled_frame(renderer, *ground, pose);
+  const auto of_range = [&](std::size_t range) {
+    double sum = 0.0;
+    for (std::size_t beam = 4; beam < 12; ++beam)
+      sum += static_cast<double>(frame.powers_m2[(beam * settings.ranges + range) * 4]);
+    return sum;
+  };
+  ASSERT_GT(of_range(16), 0.0);
+  // The first bin shares with one that is none.
+  for (std::size_t range = 1; range + 1 < settings.ranges; ++range)
+    EXPECT_NEAR(of_range(range) / of_range(16), 1.0, 0.1) << range;
+}
+
+}  // namespace
+}  // namespace sigmascape::render

@@ -1,0 +1,198 @@
+#include "sigmascape/simulate/live_flight.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <gtest/gtest.h>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "physics/level_scene.h"
+#include "unit/render/live_ground_example.h"
+
+#include "sigmascape/simulate/frame_blend.h"
+
+namespace sigmascape::simulate {
+namespace {
+
+using render::FrameContent;
+
+constexpr double gamma = 0.1;
+constexpr int frames_a_change = 6;
+
+/// Level ground, traced and from textures, with a tower at its edge that no beam comes to: it is what has to be traced.
+class LiveFlightTest : public testing::Test {
+ protected:
+  LiveFlightTest() {
+    example_.sigma0 = [](const radar::Look& look) {
+      const auto vv = static_cast<float>(gamma * std::sin(look.aspect.elevation_rad));
+      return radar::Channels{vv, vv, 0.1F * vv, 0.5F * vv};
+    };
+    const atlas::Store store = example_.store(folder_.path("atlas"));
+    atlas::Pyramid(store).make_above(store.units());
+    ground_ = example_.over(store);
+    const scatter::Material soil{
+        .name = "gamma", .model = scatter::ConstantGammaParameters{gamma, {0.1, 0.5}}, .source = {}};
+    scene_ = physics_test::level_scene(soil, 2000.0);
+    scene_.prototypes.push_back(scene::box_mesh({4.0F, 4.0F, 30.0F}, 0));
+    scene_.instances.push_back({.x_m = 900.0F, .y_m = 900.0F});
+    scene::shift(scene_, example_.middle());
+    geometry_ = std::make_unique<trace::SceneGeometry>(scene_, trace::Footing::Terrain);
+  }
+
+  [[nodiscard]] static render::LiveSettings bins(FrameContent content) {
+    render::ExampleView view;
+    view.beams = view.ranges = 24;
+    view.bin_m = 12.0;
+    return view.settings(content);
+  }
+  /// From that many times as far away as 4 km, so that the beams are as much wider on the ground.
+  [[nodiscard]] render::Pose pose(double times) const {
+    render::ExampleView view;
+    view.beams = view.ranges = 24;
+    view.target = example_.middle();
+    render::Pose pose = view.pose();
+    const Vec3d target{view.target.x, view.target.y, 0.0};
+    pose.position = target + (pose.position - target) * times;
+    pose.first_range_m += view.slant_range_m * (times - 1.0);
+    return pose;
+  }
+  [[nodiscard]] static LiveFlightSettings settings() {
+    LiveFlightSettings settings;
+    settings.tracing.rays_per_cell = 2;
+    settings.frames_a_change = frames_a_change;
+    // Beams cover it at twice the distance.
+    settings.detail.largest_traced_m2 = 2.0 * 24.0 * 12.0 * 24.0 * 12.0;
+    return settings;
+  }
+  [[nodiscard]] LiveFlight flight(FrameContent content) const {
+    return {scene_, *geometry_, ground_, bins(content), settings()};
+  }
+
+  ScratchFolder folder_;
+  render::ExampleGround example_;
+  std::shared_ptr<render::LiveGround> ground_;
+  scene::Scene scene_;
+  std::unique_ptr<trace::SceneGeometry> geometry_;
+};
+
+/// Of every number in a frame: VV, HH, HV and what is fourth, or |a|².
+std::vector<double> powers_of(const render::Frame& frame) {
+  std::vector<double> powers(frame.powers_m2.begin(), frame.powers_m2.end());
+  for (const std::complex<float>& amplitude : frame.amplitudes_m)
+    powers.push_back(static_cast<double>(std::norm(amplitude)));
+  return powers;
+}
+
+double total_db(const std::vector<double>& powers) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < powers.size(); i += 4) sum += powers[i];
+  return db_from_linear(sum);
+}
+
+TEST_F(LiveFlightTest, NoStepShowsWhereTracingEnds) {
+  for (const FrameContent content : {FrameContent::Powers, FrameContent::Amplitudes}) {
+    LiveFlight live = flight(content);
+    LiveTracer tracer(scene_, *geometry_, bins(content),
+                      {.frequency_hz = 10e9, .rays_per_cell = 2, .lattice_m = example_.texel_m});
+    render::LiveRenderer renderer(ground_, bins(content));
+    live.render(pose(1.9));
+    EXPECT_EQ(live.textured_share(), 0.0);
+    double share = 0.0, last_db = 0.0, last_traced_db = 0.0, last_textured_db = 0.0;
+    for (int step = 0; step < 12; ++step) {
+      const render::Pose here = pose(2.7 + 0.07 * step);
+      renderer.render(here);
+      ground_->wait_until_loaded();
+      const std::vector<double> textured = powers_of(renderer.render(here)), traced = powers_of(tracer.render(here));
+      const std::vector<double> shown = powers_of(live.render(here));
+      EXPECT_GE(live.textured_share(), share);
+      EXPECT_LE(live.textured_share() - share, 1.001 / frames_a_change);
+      share = live.textured_share();
+      for (std::size_t i = 0; i < shown.size(); ++i) {
+        const double wanted = (1.0 - share) * traced[i] + share * textured[i];
+        ASSERT_NEAR(shown[i], wanted, 1e-5 * (std::abs(traced[i]) + std::abs(textured[i]))) << step << ", " << i;
+      }
+      const double db = total_db(shown), traced_db = total_db(traced), textured_db = total_db(textured);
+      if (step > 0) {
+        const double own = std::max(std::abs(traced_db - last_traced_db), std::abs(textured_db - last_textured_db));
+        EXPECT_LE(std::abs(db - last_db), own + std::abs(traced_db - textured_db) / frames_a_change + 1e-4) << step;
+      }
+      last_db = db;
+      last_traced_db = traced_db;
+      last_textured_db = textured_db;
+      EXPECT_EQ(live.explained().find("on the way") != std::string::npos, share > 0.0 && share < 1.0);
+    }
+    EXPECT_EQ(share, 1.0);
+  }
+}
+
+TEST_F(LiveFlightTest, WhatIsInUseIsKeptNearWhereTheChoiceChanges) {
+  LiveFlight from_near = flight(FrameContent::Powers), from_afar = flight(FrameContent::Powers);
+  for (const double times : {1.9, 2.1, 1.9, 2.1}) {
+    from_near.render(pose(times));
+    EXPECT_EQ(from_near.textured_share(), 0.0) << times;
+  }
+  for (const double times : {2.1, 1.9, 2.1, 1.9}) {
+    from_afar.render(pose(times));
+    EXPECT_EQ(from_afar.textured_share(), 1.0) << times;
+  }
+  // Who turns round on the way goes back the same way.
+  from_near.render(pose(3.0));
+  from_near.render(pose(3.0));
+  EXPECT_NEAR(from_near.textured_share(), 2.0 / frames_a_change, 1e-12);
+  from_near.render(pose(1.3));
+  EXPECT_NEAR(from_near.textured_share(), 1.0 / frames_a_change, 1e-12);
+  from_near.render(pose(1.3));
+  EXPECT_EQ(from_near.textured_share(), 0.0);
+}
+
+TEST(LiveFlightSettings, MoreIsTracedWhileItIsTraced) {
+  const render::DetailSettings detail;
+  // Just too large, of things just too low to be seen.
+  render::DetailQuestion question{.tallest_object_m = 12.0, .area_m2 = 1.2 * detail.largest_traced_m2};
+  EXPECT_GT(render::choose_detail(question, detail).level, 0);
+  EXPECT_EQ(render::choose_detail(question, settings_in_use(detail, true)).level, 0);
+  question.area_m2 = 0.8 * detail.largest_traced_m2;
+  EXPECT_EQ(render::choose_detail(question, detail).level, 0);
+  EXPECT_GT(render::choose_detail(question, settings_in_use(detail, false)).level, 0);
+  question.area_m2 = 0.0;
+  // Shadow over cell, h cot ψ / c, where half is allowed.
+  question.tallest_object_m = 0.55 * 2.0 * std::tan(question.grazing_rad);
+  EXPECT_EQ(render::choose_detail(question, detail).level, 0);
+  EXPECT_GT(render::choose_detail(question, settings_in_use(detail, false)).level, 0);
+  question.tallest_object_m *= 0.45 / 0.55;
+  EXPECT_GT(render::choose_detail(question, detail).level, 0);
+  EXPECT_EQ(render::choose_detail(question, settings_in_use(detail, true)).level, 0);
+}
+
+using Amplitudes = std::vector<std::complex<float>>;
+
+Amplitudes blended(const Amplitudes& first, const Amplitudes& second, double second_share) {
+  Amplitudes sum(first.size());
+  blend_amplitudes(first, second, second_share, sum);
+  return sum;
+}
+
+TEST(FrameBlend, WhatBothHoldStays) {
+  const Amplitudes alike{{1.0F, 2.0F}, {-3.0F, 0.5F}, {0.0F, 0.0F}};
+  for (const double share : {0.0, 0.3, 0.5, 1.0}) {
+    const Amplitudes sum = blended(alike, alike, share);
+    for (std::size_t i = 0; i < alike.size(); ++i) EXPECT_NEAR(std::abs(sum[i] - alike[i]), 0.0F, 1e-6F);
+  }
+}
+
+TEST(FrameBlend, PowersAreSharedWhateverThePhases) {
+  for (const float turn : {0.0F, 1.0F, 2.5F, static_cast<float>(pi)}) {
+    const Amplitudes first{{2.0F, 0.0F}, {0.0F, 0.0F}}, second{std::polar(2.0F, turn), {0.0F, 3.0F}};
+    for (const double share : {0.0, 0.25, 0.5, 1.0}) {
+      const Amplitudes sum = blended(first, second, share);
+      EXPECT_NEAR(std::norm(sum[0]), 4.0F, 1e-5F) << turn << ", " << share;
+      EXPECT_NEAR(std::norm(sum[1]), 9.0 * share, 1e-5) << turn << ", " << share;
+    }
+    EXPECT_NEAR(std::abs(blended(first, second, 1.0)[0] - second[0]), 0.0F, 1e-6F);
+  }
+}
+
+}  // namespace
+}  // namespace sigmascape::simulate

@@ -1,0 +1,39 @@
+#include "sigmascape/simulate/map_tracer.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+#include "physics/level_scene.h"
+
+namespace sigmascape::simulate {
+namespace {
+
+TEST(MapTracer, OneMapKnowsNothingOfThoseBefore) {
+  const scatter::Material ground{.name = "ground", .model = scatter::LambertParameters{0.5, {0.0, 1.0}}, .source = {}};
+  scene::Scene scene = physics_test::level_scene(ground, 128.0);
+  scene.prototypes.push_back(scene::box_mesh({8.0F, 6.0F, 7.0F}, 0));
+  scene.instances.push_back({});
+  scene.point_targets.push_back({.name = "corner", .position = {20.0, 0.0}, .rcs_m2 = {1.0F, 1.0F, 0.0F, 1.0F}});
+  const trace::SceneGeometry geometry(scene, trace::Footing::Terrain);
+  radar::Radar radar;
+  radar.position = radar::position_seeing({}, pi, radians_from_deg(30.0), 20e3);
+  radar.range_resolution_m = 3.0;
+  radar.beam_width_rad = 3.0 / 20e3;
+  MapTracer tracer(scene, geometry, radar, {-30.0, -30.0, 30.0, 30.0}, {.cell_m = 2.0, .threads = 2});
+  const LaunchShare all{tracer.launch().cells, 4};
+  trace::TraceCounts counts;
+  const auto traced = [&](std::uint64_t seed) { return tracer.map({&all, 1}, seed, counts).front(); };
+  const auto first = traced(1), other = traced(2), again = traced(1);
+  EXPECT_TRUE(std::ranges::equal(first.rcs_m2.values(), again.rcs_m2.values()));
+  EXPECT_FALSE(std::ranges::equal(first.rcs_m2.values(), other.rcs_m2.values()));
+
+  // Half of the cells, and the others: together what all of them bring.
+  LaunchShare west{{}, 4}, east{{}, 4};
+  for (const trace::LaunchCell& cell : all.cells) (cell.i < 0 ? west : east).cells.push_back(cell);
+  const LaunchShare halves[] = {west, east};
+  const auto in_halves = tracer.map(halves, 1, counts).front();
+  EXPECT_TRUE(std::ranges::equal(first.rcs_m2.values(), in_halves.rcs_m2.values()));
+}
+
+}  // namespace
+}  // namespace sigmascape::simulate
