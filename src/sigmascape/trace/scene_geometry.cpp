@@ -185,7 +185,7 @@ bool SceneStructures::meet(const Ray& ray, const Found& found, SurfaceHit& hit) 
 bool SceneGeometry::intersect(const Ray& ray, SurfaceHit& hit, CrownCrossings* crowns) const {
   const SceneStructures& s = *structures_;
   const float length_m = s.plane_distance_m(ray);
-  if (s.log != nullptr) s.log->push_back({ray, length_m, true});
+  if (s.log != nullptr) s.log->push_back({.ray = ray, .length_m = length_m, .asks_first = true});
   RayContext context = context_for(crowns);
   RTCRayHit query = query_along(ray, length_m);
   rtcIntersect1(s.top, &context.embree, &query);
@@ -193,7 +193,7 @@ bool SceneGeometry::intersect(const Ray& ray, SurfaceHit& hit, CrownCrossings* c
 }
 
 bool SceneGeometry::occluded(const Ray& ray, CrownCrossings* crowns) const {
-  if (structures_->log != nullptr) structures_->log->push_back({ray, far_away, false});
+  if (structures_->log != nullptr) structures_->log->push_back({.ray = ray, .length_m = far_away});
   RayContext context = context_for(crowns);
   RTCRay query = query_along(ray, far_away).ray;
   rtcOccluded1(structures_->top, &context.embree, &query);
@@ -208,7 +208,7 @@ void SceneGeometry::intersect(std::span<const Ray> rays, std::span<SurfaceHit> h
   const auto ray_at = [&](std::size_t i) { return rays[number_of(i)]; };
   const auto length_at = [&](std::size_t i) { return s.plane_distance_m(ray_at(i)); };
   if (s.log != nullptr) {
-    for (std::size_t i = 0; i < rays.size(); ++i) s.log->push_back({ray_at(i), length_at(i), true});
+    for (std::size_t i = 0; i < rays.size(); ++i) s.log->push_back({ray_at(i), length_at(i), true, i == 0});
   }
   RayContext context = context_for(nullptr);
   in_packets(rays.size(), ray_at, length_at,
@@ -236,7 +236,7 @@ void SceneGeometry::occluded(std::span<const Ray> rays, std::span<std::uint8_t> 
   const SceneStructures& s = *structures_;
   const std::span<const std::uint32_t> numbers = numbers_by_place(rays);
   if (s.log != nullptr) {
-    for (const std::uint32_t i : numbers) s.log->push_back({rays[i], far_away, false});
+    for (std::size_t i = 0; i < rays.size(); ++i) s.log->push_back({rays[numbers[i]], far_away, false, i == 0});
   }
   RayContext context = context_for(nullptr);
   in_packets(
@@ -258,7 +258,8 @@ std::size_t SceneGeometry::replay(const RayLog& log) const {
   std::size_t met = 0;
   for (auto begin = log.begin(); begin != log.end();) {
     const bool asks_first = begin->asks_first;
-    const auto end = std::find_if(begin, log.end(), [&](const LoggedRay& r) { return r.asks_first != asks_first; });
+    const auto end =
+        std::find_if(begin + 1, log.end(), [&](const LoggedRay& r) { return r.begins || r.asks_first != asks_first; });
     const std::span rays(begin, end);
     in_packets(
         rays.size(), [&](std::size_t i) { return rays[i].ray; }, [&](std::size_t i) { return rays[i].length_m; },
