@@ -217,8 +217,10 @@ void narrow_to(LaunchArea& area, const HeardSector& heard) {
 
 bool LaunchArea::counts_from(Vec3d first_vertex) const {
   if (heard && !heard->is_heard_from(first_vertex, reach, cell_m)) return false;
+  const Vec2d foot{first_vertex.x, first_vertex.y};
+  if (rings.back().contains(foot, counting_rim_m())) return true;
   // On ground of unknown height it lands somewhere between its foot and where it would on the lowest.
-  return rings.back().meets({first_vertex.x, first_vertex.y}, level_part(viewpoint.direction_from(first_vertex)),
+  return rings.back().meets(foot, level_part(viewpoint.direction_from(first_vertex)),
                             viewpoint.landing_before_m(first_vertex, plane_height_m), counting_rim_m());
 }
 
