@@ -31,15 +31,14 @@ SIGMASCAPE_VECTOR_TARGETS [[gnu::flatten]] void set_lengths_to_plane(RayPacket& 
 }
 
 SIGMASCAPE_VECTOR_TARGETS [[gnu::flatten]] void bring_into_world(const RayPacket& packet,
-                                                                 const InstanceLanes& instances, MetLanes& met) {
+                                                                 const PlacementLanes& placements, MetLanes& met) {
   const RTCRay16& ray = packet.query.ray;
   const RTCHit16& hit = packet.query.hit;
   for (std::size_t i = 0; i < lane_count; ++i) {
     const Vec3f direction{ray.dir_x[i], ray.dir_y[i], ray.dir_z[i]};
     met.position.set(i, Vec3f{ray.org_x[i], ray.org_y[i], ray.org_z[i]} + direction * ray.tfar[i]);
-    const Placement placement{instances.cos_yaw[i], instances.sin_yaw[i], instances.inverse_scale[i],
-                              instances.inverse_volume_scale[i]};
-    const WorldFace face = placement.face_in_world({hit.Ng_x[i], hit.Ng_y[i], hit.Ng_z[i]}, instances.inverse_area_per_m2[i]);
+    const FacePlane face = placements[i].in_world(
+        {.normal = {hit.Ng_x[i], hit.Ng_y[i], hit.Ng_z[i]}, .inverse_area_per_m2 = placements.inverse_area_per_m2[i]});
     met.inverse_area_per_m2[i] = face.inverse_area_per_m2;
     met.norm[i] = length(face.normal);
     met.normal.set(i, face.normal * ((dot(face.normal, direction) < 0.0F ? 1.0F : -1.0F) / met.norm[i]));

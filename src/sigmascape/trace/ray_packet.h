@@ -1,9 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <embree3/rtcore.h>
-#include <span>
 
 #include "sigmascape/base/lanes.h"
+#include "sigmascape/trace/placement.h"
 #include "sigmascape/trace/ray.h"
 
 namespace sigmascape::trace {
@@ -15,7 +16,7 @@ struct RayPacket {
 
   /// Sets what all rays have in common and never changes.
   RayPacket();
-  /// The rays of the next question; `ray_at(lane)` is asked for `lanes` of them.
+  /// Of the next question, which has so many.
   template <typename RayAt>
   void set_rays(std::size_t lanes, const RayAt& ray_at) {
     for (std::size_t lane = 0; lane < lane_count; ++lane) {
@@ -39,11 +40,21 @@ struct RayPacket {
 /// Rays go to the plane z = 0 at most, where they come down to it from above, and else without end.
 void set_lengths_to_plane(RayPacket& packet);
 
-/// How the instances that sixteen rays have met stand in the world, and the areas of the faces, not yet scaled.
-struct InstanceLanes {
+/// How the instances that sixteen rays have met stand in the world, and the areas of their faces before that.
+struct PlacementLanes {
   FloatLanes cos_yaw, sin_yaw, inverse_volume_scale;
   VectorLanes inverse_scale;
   FloatLanes inverse_area_per_m2;
+
+  [[nodiscard]] Placement operator[](std::size_t i) const {
+    return {cos_yaw[i], sin_yaw[i], inverse_scale[i], inverse_volume_scale[i]};
+  }
+  void set(std::size_t i, const Placement& placement) {
+    cos_yaw[i] = placement.cos_yaw;
+    sin_yaw[i] = placement.sin_yaw;
+    inverse_scale.set(i, placement.inverse_scale);
+    inverse_volume_scale[i] = placement.inverse_volume_scale;
+  }
 };
 
 /// The same faces in the world.
@@ -54,6 +65,6 @@ struct MetLanes {
 };
 
 /// Lanes that have met nothing get answers of no meaning.
-void bring_into_world(const RayPacket& packet, const InstanceLanes& instances, MetLanes& met);
+void bring_into_world(const RayPacket& packet, const PlacementLanes& placements, MetLanes& met);
 
 }  // namespace sigmascape::trace
