@@ -11,8 +11,8 @@
 namespace sigmascape::trace {
 namespace {
 
-/// Enough that even the few that live long fill packets, and not too many for the second level of caches.
-constexpr std::size_t paths_at_once = 4096;
+/// About so many: enough that even the few that live long fill packets, and not too many for the caches.
+constexpr std::size_t paths_at_once = 8192;
 
 /// From the block before the first vertex, which has no other use for it.
 constexpr std::uint32_t hero_choice = 0;
@@ -43,8 +43,12 @@ TileTracer::TileTracer(const SceneGeometry& geometry, const SpectralSurfaces& su
 
 void TileTracer::follow(std::span<const PathStart> starts) {
   for (EchoesByStart& list : echoes_) list.begin(starts.size());
-  for (std::size_t first = 0; first < starts.size(); first += paths_at_once)
-    follow_together(starts.subspan(first, std::min(paths_at_once, starts.size() - first)), first);
+  // All alike, lest a few that are left over go alone.
+  const std::size_t waves = std::max(std::size_t{1}, (starts.size() + paths_at_once / 2) / paths_at_once);
+  for (std::size_t wave = 0; wave < waves; ++wave) {
+    const std::size_t first = wave * starts.size() / waves, end = (wave + 1) * starts.size() / waves;
+    follow_together(starts.subspan(first, end - first), first);
+  }
   for (EchoesByStart& list : echoes_) list.sort();
 }
 
@@ -92,6 +96,7 @@ void TileTracer::launch(std::span<const PathStart> starts, std::size_t first) {
   for (std::size_t begin = 0; begin < starts.size(); begin += lane_count) {
     const std::size_t count = std::min(lane_count, starts.size() - begin);
     SobolLanes points;
+    AimLanes aims;
     for (std::size_t lane = 0; lane < count; ++lane) {
       const std::size_t number = begin + lane;
       const auto& [cell, sequence, sample] = starts[number];
@@ -106,10 +111,11 @@ void TileTracer::launch(std::span<const PathStart> starts, std::size_t first) {
         leg.hero = static_cast<std::uint32_t>(leg.point.independent(hero_choice) * static_cast<float>(frequencies_));
       }
       points.set(lane, leg.point);
+      aims.i[lane] = cell.i;
+      aims.j[lane] = cell.j;
     }
-    const PairLanes within = drawn_pairs(points, 0);
-    for (std::size_t lane = 0; lane < count; ++lane)
-      launch_towards(begin + lane, within[lane], starts[begin + lane].cell);
+    aims.within_cell = drawn_pairs(points, 0);
+    launch_towards(aims, count, begin);
   }
   now_.waves.clear();
   if (!books_.keeps_books()) return;
@@ -127,13 +133,18 @@ PairLanes TileTracer::drawn_pairs(const SobolLanes& points, std::uint32_t bounce
   return pairs;
 }
 
-void TileTracer::launch_towards(std::size_t number, Vec2f within_cell, const LaunchCell& cell) {
-  const Vec3d aim{(cell.i + static_cast<double>(within_cell.x)) * area_.cell_m,
-                  (cell.j + static_cast<double>(within_cell.y)) * area_.cell_m, area_.plane_height_m};
-  const Vec3d to_radar = viewpoint_.direction_from(aim);
-  const double back = (area_.top_height_m - area_.plane_height_m) / to_radar.z;
-  paths_[number].beam = viewpoint_.beam_of(aim, area_.cell_m * area_.cell_m);
-  now_.rays[number] = {(aim + to_radar * back - geometry_.origin()).to<float>(), (-to_radar).to<float>()};
+void TileTracer::launch_towards(const AimLanes& aims, std::size_t count, std::size_t number) {
+  LaunchedLanes launched;
+  aim_rays(viewpoint_,
+           {.cell_m = area_.cell_m,
+            .plane_height_m = area_.plane_height_m,
+            .top_height_m = area_.top_height_m,
+            .origin = geometry_.origin()},
+           aims, launched);
+  for (std::size_t lane = 0; lane < count; ++lane) {
+    paths_[number + lane].beam = launched.beam[lane];
+    now_.rays[number + lane] = {launched.start[lane], launched.direction[lane]};
+  }
 }
 
 void TileTracer::find_vertices(int bounce) {
@@ -188,7 +199,7 @@ bool TileTracer::begins(std::size_t leg) {
   Path& path = path_of(leg);
   path.first_vertex = hits_[leg].position;
   const Vec3d position = in_world(path.first_vertex);
-  path.counts = area_.counts_from(position);
+  path.counts = counts_always_ || area_.counts_from(position);
   path.first_range_m = viewpoint_.range_of(position);
   path.first_density *= density_at(hits_[leg], -now_.rays[leg].direction);
   return path.counts;

@@ -10,6 +10,7 @@
 #include "sigmascape/trace/bookkeeper.h"
 #include "sigmascape/trace/echoes_by_start.h"
 #include "sigmascape/trace/launch.h"
+#include "sigmascape/trace/launch_lanes.h"
 #include "sigmascape/trace/path.h"
 #include "sigmascape/trace/path_tracer.h"
 #include "sigmascape/trace/scene_geometry.h"
@@ -27,7 +28,10 @@ class TileTracer final : public TilePaths {
              const PathOptions& options, const LaunchArea& area, std::uint64_t seed);
 
   /// Turns to another tile.
-  void begin(std::span<const LaunchCell> cells) { cells_ = cells; }
+  void begin(std::span<const LaunchCell> cells) {
+    cells_ = cells;
+    counts_always_ = area_.counts_always(cells);
+  }
   [[nodiscard]] std::span<const LaunchCell> cells() const override { return cells_; }
   void follow(std::span<const PathStart> starts) override;
   [[nodiscard]] std::span<const radar::Echo> echoes(std::size_t frequency, std::size_t start) const override {
@@ -81,7 +85,8 @@ class TileTracer final : public TilePaths {
   // tile_tracer.cpp: the way of the paths
   void follow_together(std::span<const PathStart> starts, std::size_t first);
   void launch(std::span<const PathStart> starts, std::size_t first);
-  void launch_towards(std::size_t number, Vec2f within_cell, const LaunchCell& cell);
+  /// From the given number on as many rays as there are cells.
+  void launch_towards(const AimLanes& aims, std::size_t count, std::size_t number);
   /// Two numbers in [0, 1) a lane that belong together: where in the cell, or the direction after a bounce.
   [[nodiscard]] PairLanes drawn_pairs(const SobolLanes& points, std::uint32_t bounce) const;
   /// Finds where each leg ends, on a surface or at a place in a crown before it.
@@ -155,6 +160,7 @@ class TileTracer final : public TilePaths {
   const PathOptions& options_;
   const LaunchArea& area_;
   std::span<const LaunchCell> cells_;
+  bool counts_always_ = false;  // wherever its paths begin
   std::uint64_t seed_;
   TraceCounts counts_;
   Bookkeeper books_;

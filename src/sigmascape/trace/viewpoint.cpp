@@ -85,11 +85,4 @@ Vec2d Viewpoint::shadow_on_plane(Vec3d point, double height_m) const {
   return {point.x + steps * to_radar.x, point.y + steps * to_radar.y};
 }
 
-double Viewpoint::beam_of(Vec3d aim, double area_m2) const {
-  if (is_distant_) return area_m2 * to_radar_.z;
-  const Vec3d away = position_ - aim;
-  const double distance2 = dot(away, away);
-  return area_m2 * away.z / (distance2 * std::sqrt(distance2));
-}
-
 }  // namespace sigmascape::trace

@@ -49,13 +49,19 @@ class Viewpoint {
 
   /// The beam that a ray stands for which is aimed at `aim` for `area_m2` of the launch plane: its solid angle, or its
   /// cross-section in m² when the radar is at infinity.
-  [[nodiscard]] double beam_of(Vec3d aim, double area_m2) const;
+  [[nodiscard]] double beam_of(Vec3d aim, double area_m2) const {
+    if (is_distant_) return area_m2 * to_radar_.z;
+    const Vec3d away = position_ - aim;
+    const double distance2 = dot(away, away);
+    return area_m2 * away.z / (distance2 * std::sqrt(distance2));
+  }
   /// Radar cross-section, referred to the echo's own range, that stands for unit intensity on the way out: w of
   /// docs/physics/estimator.md, Eqs. (2), (3). `echo_range_m` is half the path, `last_range_m` the distance of the last
   /// vertex.
   [[nodiscard]] double ray_weight_m2(double beam, double echo_range_m, double last_range_m) const {
+    if (is_distant_) return beam;
     const double ratio = echo_range_m / last_range_m;
-    return is_distant_ ? beam : beam * echo_range_m * echo_range_m * ratio * ratio;
+    return beam * echo_range_m * echo_range_m * ratio * ratio;
   }
 
  private:

@@ -18,11 +18,6 @@ SIGMASCAPE_VECTOR_TARGETS [[gnu::flatten]] void weigh_directions(const scatter::
   }
 }
 
-Wave transmitted(Vec3f direction) {
-  const scatter::PolarizationBasis transmit(direction);
-  return {{{transmit.v, {}}, {transmit.h, {}}}, 1.0F, 1.0F};
-}
-
 SIGMASCAPE_VECTOR_TARGETS [[gnu::flatten]] void transmit(const scatter::ArrivalLanes& at, WaveLanes& waves) {
   for (std::size_t i = 0; i < lane_count; ++i) waves.set(i, transmitted(-at.to_source[i]));
 }
