@@ -32,7 +32,9 @@ void add_texel(std::span<const Landed> echoes, const Batches& batches, receiver:
 }  // namespace
 
 void add_cell(std::span<Landed> echoes, const Batches& batches, receiver::GroundAccumulator& patch) {
-  std::ranges::stable_sort(echoes, {}, [](const Landed& echo) { return std::tuple(echo.texel, echo.batch); });
+  const auto place = [](const Landed& echo) { return std::tuple(echo.texel, echo.batch); };
+  // On open ground they mostly are in order.
+  if (!std::ranges::is_sorted(echoes, {}, place)) std::ranges::stable_sort(echoes, {}, place);
   for (auto first = echoes.begin(); first != echoes.end();) {
     const auto end = std::find_if(first, echoes.end(), [&](const Landed& echo) { return echo.texel != first->texel; });
     add_texel({first, end}, batches, patch);

@@ -12,9 +12,9 @@ namespace {
 /// Cells whose pilots have a say in a cell's number of samples are at most this many away along either axis.
 constexpr int neighbourhood = 2;
 
-/// Cells are traced together until they have so many paths: enough to keep the tracer's packets full, few enough to
-/// stay in the caches.
-constexpr std::size_t paths_at_once = 4096;
+/// Cells are traced together until they have about so many paths: enough to keep the tracer's packets full, few enough
+/// to stay in the caches.
+constexpr std::size_t paths_at_once = 8192;
 
 /// Two batches of one ray, or there is no telling how far off their mean is.
 constexpr std::uint32_t fewest_samples = 2;
@@ -120,11 +120,15 @@ std::uint32_t TileSampler::samples_needed(std::span<const trace::LaunchCell> cel
 
 void TileSampler::trace_cells(trace::TilePaths& tile, std::uint32_t pilots) {
   const auto cells = tile.cells();
+  std::size_t in_all = 0;
+  for (const Batches& batches : batches_) in_all += batches.samples;
+  const std::size_t parts = std::max(std::size_t{1}, (in_all + paths_at_once / 2) / paths_at_once);
+  const std::size_t a_part = in_all / parts;
   std::vector<std::size_t> ends;  // of each cell's starts
   for (std::size_t first = 0; first < cells.size(); first += ends.size()) {
     starts_.clear();
     ends.clear();
-    while (first + ends.size() < cells.size() && starts_.size() < paths_at_once) {
+    while (first + ends.size() < cells.size() && starts_.size() < a_part) {
       const std::size_t cell = first + ends.size();
       ask_for(cells[cell], batches_[cell], pilots);
       ends.push_back(starts_.size());

@@ -1,6 +1,7 @@
 #include "sigmascape/receiver/ground_accumulator.h"
 
 #include <cmath>
+#include <limits>
 
 namespace sigmascape::receiver {
 
@@ -8,7 +9,12 @@ GroundAccumulator::Axis::Axis(double start_m, double cell_m)
     : cell_m_(cell_m), first_(std::floor(start_m / cell_m)), offset_(start_m / cell_m - first_) {}
 
 double GroundAccumulator::Axis::cell_of(double position_m) const {
-  return std::floor(position_m / cell_m_ - offset_) - first_;
+  // Rounded down like this, for std::floor is a call where vector units may be old. What is too far away for an integer
+  // is in no grid.
+  const double cell = position_m / cell_m_ - offset_;
+  if (!(std::abs(cell) < 0x1p52)) return std::numeric_limits<double>::infinity();
+  const auto whole = static_cast<double>(static_cast<std::int64_t>(cell));
+  return (whole > cell ? whole - 1.0 : whole) - first_;
 }
 
 GroundAccumulator::GroundAccumulator(const radar::GroundGrid& grid)

@@ -60,21 +60,19 @@ double Bookkeeper::carried(std::span<const Wave> waves) {
   return power / density;
 }
 
-void Bookkeeper::is_scattered(Path& path, std::span<const Wave> waves, int bounce) {
+void Bookkeeper::is_scattered(Path& path, const Arrival& at, std::span<const Wave> waves) {
   if (!keeps_books_) return;
-  const auto vertex = static_cast<std::uint32_t>(bounce);
-  const SurfaceHit& hit = path.hit;
-  const Vec3f to_source = -path.ray.direction;
+  const auto& [direction, hit, point, vertex] = at;
+  const Vec3f to_source = -direction;
   // A medium scatters all around, not into a half space alone.
-  const Vec2f u = path.point.pair(first_pair + vertex);
-  const Probe to = hit.is_in_crown()
-                       ? evenly(u)
-                       : probe(to_source, hit.normal, path.point.independent(first_choice + 3 * vertex), u);
+  const Vec2f u = point.pair(first_pair + vertex);
+  const Probe to =
+      hit.is_in_crown() ? evenly(u) : probe(to_source, hit.normal, point.independent(first_choice + 3 * vertex), u);
   const float cosine = hit.is_in_crown() ? 1.0F : dot(to.direction, hit.normal);
   double scattered = 0.0;
   if (cosine > 0.0F) {
-    const scatter::PhaseDraw draw{path.point.independent(first_choice + 3 * vertex + 1),
-                                  path.point.independent(first_choice + 3 * vertex + 2)};
+    const scatter::PhaseDraw draw{point.independent(first_choice + 3 * vertex + 1),
+                                  point.independent(first_choice + 3 * vertex + 2)};
     std::vector<Wave> onwards(waves.begin(), waves.end());
     for (std::size_t f = 0; f < surfaces_.size(); ++f) {
       onwards[f].fields = surfaces_[f][hit.material].scatter(waves[f].fields, to_source, to.direction,

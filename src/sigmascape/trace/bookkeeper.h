@@ -9,6 +9,14 @@
 
 namespace sigmascape::trace {
 
+/// Where a path has come to.
+struct Arrival {
+  Vec3f direction;  ///< in which it came
+  const SurfaceHit& hit;
+  const SobolPoint& point;  ///< the numbers that the path is drawn from
+  std::uint32_t vertex;     ///< its number along the path
+};
+
 /// Keeps the books of power, path by path; does nothing when none are asked for.
 class Bookkeeper {
  public:
@@ -28,7 +36,7 @@ class Bookkeeper {
     if (keeps_books_) books_.roulette += power_before - power_after;
   }
   /// What the surface takes of the power that arrives: the rest of what it sends into all directions.
-  void is_scattered(Path& path, std::span<const Wave> waves, int bounce);
+  void is_scattered(Path& path, const Arrival& at, std::span<const Wave> waves);
 
   /// The mean over transmit polarizations and frequencies of the power that a path carries.
   [[nodiscard]] static double carried(std::span<const Wave> waves);

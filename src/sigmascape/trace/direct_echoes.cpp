@@ -22,9 +22,9 @@ void TileTracer::add_direct_echoes(const Company& company) {
 void TileTracer::add_direct_echoes(const Company& company, std::size_t frequency) {
   scatter::ChannelLanes brdf;
   surfaces_[frequency][company.material].backscatter(company.at, brdf);
-  for (std::size_t lane = 0; lane < company.paths.size(); ++lane) {
-    const Path& path = paths_[company.paths[lane]];
-    add_direct_echo(path, frequency, brdf[lane] * static_cast<float>(direct_weight_m2(path)));
+  for (std::size_t lane = 0; lane < company.count(); ++lane) {
+    const std::size_t leg = company.leg(lane);
+    add_direct_echo(leg, frequency, brdf[lane] * static_cast<float>(direct_weight_m2(leg)));
   }
 }
 
@@ -32,37 +32,38 @@ void TileTracer::add_direct_echoes(const Company& company, std::size_t frequency
 void TileTracer::add_coherent_direct_echoes(const Company& company, std::size_t frequency) {
   const auto& surface = surfaces_[frequency][company.material];
   const PairLanes draws = phase_draws(company, DimensionsPerVertex + ConnectPhaseA);
-  for (std::size_t lane = 0; lane < company.paths.size(); ++lane) {
-    const Path& path = paths_[company.paths[lane]];
-    const Vec3f to_radar = -path.ray.direction;
+  for (std::size_t lane = 0; lane < company.count(); ++lane) {
+    const std::size_t leg = company.leg(lane);
+    const Vec3f to_radar = company.at.to_source[lane];
     const auto out = surface
-                         .scatter(lanes_[frequency].fields[lane], to_radar, to_radar, face_of(path.hit),
+                         .scatter(lanes_[frequency].fields[lane], to_radar, to_radar, face_of(hits_[leg]),
                                   {draws.x[lane], draws.y[lane]})
-                         .turned(roughness_phasor(path, frequency, 1));
+                         .turned(roughness_phasor(leg, frequency, 1));
     // A direct path is its own reversal: its matrix is symmetric, and the mean of both is itself.
-    const float half_root = 0.5F * static_cast<float>(std::sqrt(direct_weight_m2(path)));
-    const ScatteringMatrix matrix = paired(out * half_root, PolarizationBasis(path.ray.direction));
-    if (add_direct_echo(path, frequency, matrix.powers())) echoes_[frequency].add_amplitude(matrix.amplitudes());
+    const float half_root = 0.5F * static_cast<float>(std::sqrt(direct_weight_m2(leg)));
+    const ScatteringMatrix matrix = paired(out * half_root, PolarizationBasis(-to_radar));
+    if (add_direct_echo(leg, frequency, matrix.powers())) echoes_[frequency].add_amplitude(matrix.amplitudes());
   }
 }
 
-double TileTracer::direct_weight_m2(const Path& path) const {
-  const float returned = cosine_at(path.hit, -path.ray.direction) * path.direct_return;
-  return 4.0 * pi *
-         viewpoint_.ray_weight_m2(path.aim, area_.cell_m * area_.cell_m, path.first_range_m, path.first_range_m) *
+double TileTracer::direct_weight_m2(std::size_t leg) const {
+  const Path& path = path_of(leg);
+  const float returned = cosine_at(hits_[leg], -now_.rays[leg].direction) * path.direct_return;
+  return 4.0 * pi * viewpoint_.ray_weight_m2(path.beam, path.first_range_m, path.first_range_m) *
          static_cast<double>(returned);
 }
 
-bool TileTracer::add_direct_echo(const Path& path, std::size_t frequency, const Channels& rcs_m2) {
+bool TileTracer::add_direct_echo(std::size_t leg, std::size_t frequency, const Channels& rcs_m2) {
   if (rcs_m2 == Channels{}) return false;
-  const Vec3d position = path.first_position;
+  const Path& path = path_of(leg);
+  const Vec3d position = in_world(path.first_vertex);
   append(path, frequency,
          {.range_m = path.first_range_m,
           .cross = viewpoint_.cross_of(position),
           .rcs_m2 = rcs_m2,
           .bounces = 1,
           .sin_depression = static_cast<float>(viewpoint_.sin_depression_of(position, position)),
-          .from_ground = path.hit.is_ground});
+          .from_ground = hits_[leg].is_ground});
   return true;
 }
 

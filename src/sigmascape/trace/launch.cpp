@@ -214,9 +214,27 @@ void narrow_to(LaunchArea& area, const HeardSector& heard) {
 
 bool LaunchArea::counts_from(Vec3d first_vertex) const {
   if (heard && !heard->is_heard_from(first_vertex, reach, cell_m)) return false;
+  const Vec2d foot{first_vertex.x, first_vertex.y};
+  if (rings.back().contains(foot, counting_rim_m())) return true;
   // On ground of unknown height it lands somewhere between its foot and where it would on the lowest.
-  return rings.back().meets({first_vertex.x, first_vertex.y}, level_part(viewpoint.direction_from(first_vertex)),
+  return rings.back().meets(foot, level_part(viewpoint.direction_from(first_vertex)),
                             viewpoint.landing_before_m(first_vertex, plane_height_m), counting_rim_m());
+}
+
+bool LaunchArea::counts_always(std::span<const LaunchCell> aimed_at) const {
+  if (heard || aimed_at.empty()) return false;
+  const auto [west, east] = std::ranges::minmax(aimed_at, {}, &LaunchCell::i);
+  const auto [south, north] = std::ranges::minmax(aimed_at, {}, &LaunchCell::j);
+  const radar::Rectangle aims{west.i * cell_m, south.j * cell_m, (east.i + 1) * cell_m, (north.j + 1) * cell_m};
+  // Rays that begin at a corner and end at one enclose all others, and what they enclose is convex as a ring is. Single
+  // precision moves vertices by less than this.
+  constexpr double rounding_m = 0.1;
+  return std::ranges::all_of(corners_of(aims), [&](Vec2d corner) {
+    const Vec3d aim{corner.x, corner.y, plane_height_m}, to_radar = viewpoint.direction_from(aim);
+    const Vec3d start = aim + to_radar * ((top_height_m - plane_height_m) / to_radar.z);
+    return rings.back().contains(corner, counting_rim_m() - rounding_m) &&
+           rings.back().contains({start.x, start.y}, counting_rim_m() - rounding_m);
+  });
 }
 
 float LaunchArea::share_at(Vec2d point) const {

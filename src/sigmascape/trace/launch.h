@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "sigmascape/base/array2d.h"
@@ -90,6 +91,8 @@ struct LaunchArea {
   /// or its rim.
   /// Rays that were aimed behind the target to meet what is tall mostly meet ground that nobody asked for.
   [[nodiscard]] bool counts_from(Vec3d first_vertex) const;
+  /// Whether all paths count whose rays are aimed at these cells, whatever they meet.
+  [[nodiscard]] bool counts_always(std::span<const LaunchCell> aimed_at) const;
 
   Viewpoint viewpoint;
   radar::Rectangle target;  ///< the area of interest

@@ -30,6 +30,10 @@ class LaunchRing {
     // Lengths of nothing come rounded to less than that from far away.
     return std::max(a.begin_m, b.begin_m) <= std::min({a.end_m, b.end_m, std::max(length_m, 0.0)});
   }
+  /// Whether a place lies no farther than `spare_m` from it: so does whatever way begins there.
+  [[nodiscard]] bool contains(Vec2d place, double spare_m) const {
+    return widened(upright_, spare_m).contains(place) && widened(turned_, spare_m).contains(turned(place));
+  }
   [[nodiscard]] const radar::Rectangle& upright() const { return upright_; }
 
  private:

@@ -1,4 +1,4 @@
-#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "sigmascape/trace/tile_tracer.h"
@@ -31,20 +31,25 @@ void TileTracer::carry_on(const Company& company, int bounce) {
   draw_independent(company.points, first_dimension + RouletteChoice, lots);
   chances_in_roulette(power_, options_.roulette ? least_survival : 1.0F, chances, gains);
   const FloatLanes& pdf = passages_[company.hero].pdf;
-  for (std::size_t lane = 0; lane < company.paths.size(); ++lane) {
-    Path& path = paths_[company.paths[lane]];
-    path.is_alive = pdf[lane] > 0.0F && cosine_[lane] > least_cosine && power_[lane] > 0.0F &&
-                    survives_roulette(lane, chances[lane], lots[lane]);
-    if (path.is_alive) path.ray = {start_from(path.hit), directions[lane]};
+  std::array<bool, lane_count> lives{};
+  for (std::size_t lane = 0; lane < company.count(); ++lane) {
+    lives[lane] = pdf[lane] > 0.0F && cosine_[lane] > least_cosine && power_[lane] > 0.0F &&
+                  survives_roulette(lane, chances[lane], lots[lane]);
   }
   for (std::size_t f = 0; f < frequencies_; ++f) {
     multiply(lanes_[f].fields, gains);
     reverse(passages_[f], density_, pdf, bounce == 1, lanes_[f]);
-    for (std::size_t lane = 0; lane < company.paths.size(); ++lane) {
-      const std::size_t path = company.paths[lane];
-      if (paths_[path].is_alive) waves_[path * frequencies_ + f] = lanes_[f][lane];
-    }
   }
+  for (std::size_t lane = 0; lane < company.count(); ++lane) {
+    if (lives[lane]) begin_leg(company.legs[lane], lane, directions[lane], bounce);
+  }
+}
+
+void TileTracer::begin_leg(std::size_t leg, std::size_t lane, Vec3f direction, int bounce) {
+  next_.rays.push_back({start_from(hits_[leg]), direction});
+  Leg& next = next_.legs.emplace_back(now_.legs[leg]);
+  if (bounce > 1) next.travelled_m = travelled_after(leg);
+  for (const WaveLanes& waves : lanes_) next_.waves.push_back(waves[lane]);
 }
 
 void TileTracer::leave(const Company& company, int bounce) {
@@ -52,9 +57,9 @@ void TileTracer::leave(const Company& company, int bounce) {
   for (std::size_t f = 0; f < frequencies_; ++f) {
     WaveLanes& waves = lanes_[f];
     trace::leave(passages_[f], cosine_, passages_[company.hero].pdf, f == company.hero, waves);
-    for (std::size_t lane = 0; options_.coherent && lane < company.paths.size(); ++lane) {
-      const Path& path = paths_[company.paths[lane]];
-      waves.fields.set(lane, waves.fields[lane].turned(roughness_phasor(path, f, bounce)));
+    for (std::size_t lane = 0; options_.coherent && lane < company.count(); ++lane) {
+      const auto phasor = roughness_phasor(company.legs[lane], f, bounce);
+      waves.fields.set(lane, waves.fields[lane].turned(phasor));
     }
     raise_to_power_of(waves.fields, power_);
   }

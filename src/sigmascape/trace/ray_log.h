@@ -11,6 +11,7 @@ struct LoggedRay {
   Ray ray;
   float length_m = 0.0F;    ///< how far it was looked along
   bool asks_first = false;  ///< for the first surface, not merely whether there is any
+  bool begins = false;      ///< the first of several that were asked for together
 };
 
 /// Rays in the order in which they were asked for, to be traced again with nothing else in between.

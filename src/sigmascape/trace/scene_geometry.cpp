@@ -1,6 +1,7 @@
 #include "sigmascape/trace/scene_geometry.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <xmmintrin.h>
@@ -11,13 +12,12 @@
 namespace sigmascape::trace {
 namespace {
 
+/// Of lanes that have met nothing.
+const Part no_part{};
+
 constexpr float far_away = std::numeric_limits<float>::infinity();
 constexpr unsigned flush_to_zero = 0x8000U;
 constexpr unsigned denormals_are_zero = 0x0040U;
-
-/// Rays in the forest have little in common: Embree is told so, lest it follow sixteen where one goes.
-constexpr std::size_t packet_size = 16;
-using Packet = RTCRayHit16;
 
 RTCRayHit query_along(const Ray& ray, float length_m) {
   RTCRayHit query{};
@@ -35,43 +35,18 @@ RayContext context_for(CrownCrossings* crowns) {
   return context;
 }
 
-void put(Packet& packet, std::size_t lane, const Ray& ray, float length_m) {
-  packet.ray.org_x[lane] = ray.origin.x;
-  packet.ray.org_y[lane] = ray.origin.y;
-  packet.ray.org_z[lane] = ray.origin.z;
-  packet.ray.dir_x[lane] = ray.direction.x;
-  packet.ray.dir_y[lane] = ray.direction.y;
-  packet.ray.dir_z[lane] = ray.direction.z;
-  packet.ray.tnear[lane] = 0.0F;
-  packet.ray.tfar[lane] = length_m;
-  packet.ray.time[lane] = 0.0F;
-  packet.ray.mask[lane] = ~0U;
-  packet.ray.id[lane] = 0;
-  packet.ray.flags[lane] = 0;
-  packet.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
-  packet.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
-}
-
 Found found_by(const RTCRayHit& query) {
   const RTCHit& hit = query.hit;
   return {query.ray.tfar, {hit.Ng_x, hit.Ng_y, hit.Ng_z}, hit.geomID, hit.primID, hit.instID[0]};
 }
 
-Found found_by(const Packet& packet, std::size_t lane) {
-  const RTCHit16& hit = packet.hit;
-  return {packet.ray.tfar[lane],
+Found found_by(const RayPacket& packet, std::size_t lane) {
+  const RTCHit16& hit = packet.query.hit;
+  return {packet.query.ray.tfar[lane],
           {hit.Ng_x[lane], hit.Ng_y[lane], hit.Ng_z[lane]},
           hit.geomID[lane],
           hit.primID[lane],
           hit.instID[0][lane]};
-}
-
-/// Normals transform by the inverse transpose: divide by the scale, then turn. Areas grow by how much that shortens
-/// them, times the growth of volumes.
-void bring_into_world(const Part& part, Vec3f& normal, float& inverse_area) {
-  const Vec3f n{normal.x * part.inverse_scale.x, normal.y * part.inverse_scale.y, normal.z * part.inverse_scale.z};
-  inverse_area *= part.inverse_volume_scale * length(normal) / length(n);
-  normal = {n.x * part.cos_yaw + n.y * part.sin_yaw, -n.x * part.sin_yaw + n.y * part.cos_yaw, n.z};
 }
 
 /// For each thread until it asks again.
@@ -80,20 +55,15 @@ std::span<const std::uint32_t> numbers_by_place(std::span<const Ray> rays) {
   return sorter.sorted(rays);
 }
 
-/// Calls `trace(packet, lanes, valid, first)` for packet after packet of `count` rays, `ray_at(i)` and `length_at(i)`
-/// being the i-th.
-template <typename RayAt, typename LengthAt, typename Trace>
-void in_packets(std::size_t count, const RayAt& ray_at, const LengthAt& length_at, const Trace& trace) {
-  Packet packet;
-  alignas(64) int valid[packet_size];
-  for (std::size_t first = 0; first < count; first += packet_size) {
-    const std::size_t lanes = std::min(packet_size, count - first);
-    for (std::size_t lane = 0; lane < packet_size; ++lane) {
-      valid[lane] = lane < lanes ? -1 : 0;
-      const std::size_t i = first + std::min(lane, lanes - 1);
-      put(packet, lane, ray_at(i), length_at(i));
-    }
-    trace(packet, lanes, valid, first);
+/// Calls `trace(packet, lanes, first)` for packet after packet of `count` rays, `ray_at(i)` being the i-th. Rays in the
+/// forest have little in common: Embree is told so, lest it follow sixteen where one goes.
+template <typename RayAt, typename Trace>
+void in_packets(std::size_t count, const RayAt& ray_at, const Trace& trace) {
+  RayPacket packet;
+  for (std::size_t first = 0; first < count; first += lane_count) {
+    const std::size_t lanes = std::min(lane_count, count - first);
+    packet.set_rays(lanes, [&](std::size_t lane) -> const Ray& { return ray_at(first + lane); });
+    trace(packet, lanes, first);
   }
 }
 
@@ -157,9 +127,8 @@ void SceneStructures::hit_plane(const Ray& ray, float distance_m, SurfaceHit& hi
 bool SceneStructures::meet(const Ray& ray, const Found& found, SurfaceHit& hit) const {
   hit = {};
   if (found.nothing()) {
-    const float distance_m = plane_distance_m(ray);
-    if (distance_m == far_away) return false;
-    hit_plane(ray, distance_m, hit);
+    if (found.distance_m == far_away) return false;
+    hit_plane(ray, found.distance_m, hit);
     return true;
   }
   const Part& part = parts[found.part()];
@@ -173,8 +142,9 @@ bool SceneStructures::meet(const Ray& ray, const Found& found, SurfaceHit& hit) 
   } else {
     const FaceTraits& face = part.faces[found.primitive];
     hit.material = face.material;
-    hit.inverse_facet_area_per_m2 = face.inverse_area_per_m2;
-    if (found.instance != RTC_INVALID_GEOMETRY_ID) bring_into_world(part, normal, hit.inverse_facet_area_per_m2);
+    const FacePlane plane = part.placement.in_world({normal, face.inverse_area_per_m2});
+    normal = plane.normal;
+    hit.inverse_facet_area_per_m2 = plane.inverse_area_per_m2;
   }
   const float norm = length(normal);
   if (norm == 0.0F) return false;
@@ -182,10 +152,46 @@ bool SceneStructures::meet(const Ray& ray, const Found& found, SurfaceHit& hit) 
   return true;
 }
 
+template <typename NumberOf>
+void SceneStructures::meet(const RayPacket& packet, std::size_t lanes, const NumberOf& number_of,
+                           std::span<const Ray> rays, std::span<SurfaceHit> hits, std::span<std::uint8_t> meets) const {
+  // Parts and faces lie all over memory: all are asked for before the first is waited for.
+  std::array<const FaceTraits*, lane_count> faces{};
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    const Found found = found_by(packet, lane);
+    if (!found.nothing()) __builtin_prefetch(&parts[found.part()]);
+  }
+  PlacementLanes placements;
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    const Found found = found_by(packet, lane);
+    const Part& part = found.nothing() ? no_part : parts[found.part()];
+    placements.set(lane, part.placement);
+    if (part.is_terrain()) continue;
+    faces[lane] = &part.faces[found.primitive];
+    __builtin_prefetch(faces[lane]);
+  }
+  for (std::size_t lane = 0; lane < lanes; ++lane)
+    placements.inverse_area_per_m2[lane] = faces[lane] != nullptr ? faces[lane]->inverse_area_per_m2 : 0.0F;
+  MetLanes met;
+  bring_into_world(packet, placements, met);
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    const std::size_t i = number_of(lane);
+    if (faces[lane] == nullptr) {
+      meets[i] = meet(rays[i], found_by(packet, lane), hits[i]) ? 1 : 0;
+      continue;
+    }
+    hits[i] = {.position = met.position[lane],
+               .normal = met.normal[lane],
+               .inverse_facet_area_per_m2 = met.inverse_area_per_m2[lane],
+               .material = faces[lane]->material};
+    meets[i] = met.norm[lane] != 0.0F ? 1 : 0;
+  }
+}
+
 bool SceneGeometry::intersect(const Ray& ray, SurfaceHit& hit, CrownCrossings* crowns) const {
   const SceneStructures& s = *structures_;
   const float length_m = s.plane_distance_m(ray);
-  if (s.log != nullptr) s.log->push_back({ray, length_m, true});
+  if (s.log != nullptr) s.log->push_back({.ray = ray, .length_m = length_m, .asks_first = true});
   RayContext context = context_for(crowns);
   RTCRayHit query = query_along(ray, length_m);
   rtcIntersect1(s.top, &context.embree, &query);
@@ -193,7 +199,7 @@ bool SceneGeometry::intersect(const Ray& ray, SurfaceHit& hit, CrownCrossings* c
 }
 
 bool SceneGeometry::occluded(const Ray& ray, CrownCrossings* crowns) const {
-  if (structures_->log != nullptr) structures_->log->push_back({ray, far_away, false});
+  if (structures_->log != nullptr) structures_->log->push_back({.ray = ray, .length_m = far_away});
   RayContext context = context_for(crowns);
   RTCRay query = query_along(ray, far_away).ray;
   rtcOccluded1(structures_->top, &context.embree, &query);
@@ -205,46 +211,40 @@ void SceneGeometry::intersect(std::span<const Ray> rays, std::span<SurfaceHit> h
   const SceneStructures& s = *structures_;
   const auto numbers = order == RayOrder::ByPlace ? numbers_by_place(rays) : std::span<const std::uint32_t>();
   const auto number_of = [&](std::size_t i) { return numbers.empty() ? i : numbers[i]; };
-  const auto ray_at = [&](std::size_t i) { return rays[number_of(i)]; };
-  const auto length_at = [&](std::size_t i) { return s.plane_distance_m(ray_at(i)); };
   if (s.log != nullptr) {
-    for (std::size_t i = 0; i < rays.size(); ++i) s.log->push_back({ray_at(i), length_at(i), true});
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      const Ray& ray = rays[number_of(i)];
+      s.log->push_back({ray, s.plane_distance_m(ray), true, i == 0});
+    }
   }
   RayContext context = context_for(nullptr);
-  in_packets(rays.size(), ray_at, length_at,
-             [&](Packet& packet, std::size_t lanes, const int* valid, std::size_t first) {
-               rtcIntersect16(valid, s.top, &context.embree, &packet);
-               // They lie all over memory: all are asked for before the first is waited for.
-               for (std::size_t lane = 0; lane < lanes; ++lane) {
-                 const Found found = found_by(packet, lane);
-                 if (!found.nothing()) __builtin_prefetch(&s.parts[found.part()]);
-               }
-               for (std::size_t lane = 0; lane < lanes; ++lane) {
-                 const Found found = found_by(packet, lane);
-                 if (found.nothing()) continue;
-                 const Part& part = s.parts[found.part()];
-                 if (!part.is_terrain()) __builtin_prefetch(&part.faces[found.primitive]);
-               }
-               for (std::size_t lane = 0; lane < lanes; ++lane) {
-                 const std::size_t i = number_of(first + lane);
-                 meets[i] = s.meet(rays[i], found_by(packet, lane), hits[i]) ? 1 : 0;
-               }
-             });
+  in_packets(
+      rays.size(), [&](std::size_t i) -> const Ray& { return rays[number_of(i)]; },
+      [&](RayPacket& packet, std::size_t lanes, std::size_t first) {
+        if (s.footing == Footing::LevelPlane)
+          set_lengths_to_plane(packet);
+        else
+          packet.set_lengths(far_away);
+        rtcIntersect16(packet.valid, s.top, &context.embree, &packet.query);
+        s.meet(
+            packet, lanes, [&](std::size_t lane) { return number_of(first + lane); }, rays, hits, meets);
+      });
 }
 
 void SceneGeometry::occluded(std::span<const Ray> rays, std::span<std::uint8_t> is_occluded) const {
   const SceneStructures& s = *structures_;
   const std::span<const std::uint32_t> numbers = numbers_by_place(rays);
   if (s.log != nullptr) {
-    for (const std::uint32_t i : numbers) s.log->push_back({rays[i], far_away, false});
+    for (std::size_t i = 0; i < rays.size(); ++i) s.log->push_back({rays[numbers[i]], far_away, false, i == 0});
   }
   RayContext context = context_for(nullptr);
   in_packets(
-      rays.size(), [&](std::size_t i) { return rays[numbers[i]]; }, [](std::size_t) { return far_away; },
-      [&](Packet& packet, std::size_t lanes, const int* valid, std::size_t first) {
-        rtcOccluded16(valid, s.top, &context.embree, &packet.ray);
+      rays.size(), [&](std::size_t i) -> const Ray& { return rays[numbers[i]]; },
+      [&](RayPacket& packet, std::size_t lanes, std::size_t first) {
+        packet.set_lengths(far_away);
+        rtcOccluded16(packet.valid, s.top, &context.embree, &packet.query.ray);
         for (std::size_t lane = 0; lane < lanes; ++lane)
-          is_occluded[numbers[first + lane]] = packet.ray.tfar[lane] < 0.0F;
+          is_occluded[numbers[first + lane]] = packet.query.ray.tfar[lane] < 0.0F;
       });
 }
 
@@ -258,17 +258,21 @@ std::size_t SceneGeometry::replay(const RayLog& log) const {
   std::size_t met = 0;
   for (auto begin = log.begin(); begin != log.end();) {
     const bool asks_first = begin->asks_first;
-    const auto end = std::find_if(begin, log.end(), [&](const LoggedRay& r) { return r.asks_first != asks_first; });
+    const auto end =
+        std::find_if(begin + 1, log.end(), [&](const LoggedRay& r) { return r.begins || r.asks_first != asks_first; });
     const std::span rays(begin, end);
     in_packets(
-        rays.size(), [&](std::size_t i) { return rays[i].ray; }, [&](std::size_t i) { return rays[i].length_m; },
-        [&](Packet& packet, std::size_t lanes, const int* valid, std::size_t) {
+        rays.size(), [&](std::size_t i) -> const Ray& { return rays[i].ray; },
+        [&](RayPacket& packet, std::size_t lanes, std::size_t first) {
+          for (std::size_t lane = 0; lane < lane_count; ++lane)
+            packet.query.ray.tfar[lane] = rays[first + std::min(lane, lanes - 1)].length_m;
           if (asks_first)
-            rtcIntersect16(valid, structures_->top, &context.embree, &packet);
+            rtcIntersect16(packet.valid, structures_->top, &context.embree, &packet.query);
           else
-            rtcOccluded16(valid, structures_->top, &context.embree, &packet.ray);
+            rtcOccluded16(packet.valid, structures_->top, &context.embree, &packet.query.ray);
           for (std::size_t lane = 0; lane < lanes; ++lane) {
-            met += asks_first ? packet.hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID : packet.ray.tfar[lane] < 0.0F;
+            met += asks_first ? packet.query.hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID
+                              : packet.query.ray.tfar[lane] < 0.0F;
           }
         });
     begin = end;

@@ -64,8 +64,9 @@ class SceneGeometry {
 
   /// Notes every ray from now on, until it is given null. Not for several threads at once.
   void log_to(RayLog* log);
-  /// Traces such rays and nothing else, in packets where neighbours ask alike. Returns how many met something, so that
-  /// the work cannot be left out.
+  /// Traces such rays and nothing else: those that were asked for together in the packets that they were traced in
+  /// then, single ones in packets where neighbours ask alike. Returns how many met something, so that the work cannot
+  /// be left out.
   [[nodiscard]] std::size_t replay(const RayLog& log) const;
 
   /// Bytes that the acceleration structures take.

@@ -277,10 +277,10 @@ void SceneStructures::add_instances(const scene::Scene& scene) {
                                           z};
     add_instance(prototypes[instance.prototype], transform,
                  {.faces = prototype_faces[instance.prototype].data(),
-                  .cos_yaw = c,
-                  .sin_yaw = s,
-                  .inverse_scale = {1.0F / k.x, 1.0F / k.y, 1.0F / k.z},
-                  .inverse_volume_scale = 1.0F / (k.x * k.y * k.z)});
+                  .placement = {.cos_yaw = c,
+                                .sin_yaw = s,
+                                .inverse_scale = {1.0F / k.x, 1.0F / k.y, 1.0F / k.z},
+                                .inverse_volume_scale = 1.0F / (k.x * k.y * k.z)}});
     highest_m = std::max(highest_m, static_cast<double>(z + tops[instance.prototype] * k.z));
   }
 }

@@ -6,6 +6,8 @@
 
 #include "sigmascape/trace/building_blocks.h"
 #include "sigmascape/trace/face_quads.h"
+#include "sigmascape/trace/placement.h"
+#include "sigmascape/trace/ray_packet.h"
 #include "sigmascape/trace/scene_geometry.h"
 
 namespace sigmascape::trace {
@@ -19,10 +21,7 @@ struct RayContext {
 /// What a top-level geometry of the Embree scene stands for, by its number.
 struct Part {
   const FaceTraits* faces = nullptr;  ///< one a quad, areas before scaling; null: the terrain
-  // Rotation and inverse scale that carry an instance's normals into the world.
-  float cos_yaw = 1.0F, sin_yaw = 0.0F;
-  Vec3f inverse_scale{1.0F, 1.0F, 1.0F};
-  float inverse_volume_scale = 1.0F;
+  Placement placement = {};           ///< of an instance
 
   [[nodiscard]] bool is_terrain() const { return faces == nullptr; }
 };
@@ -66,6 +65,10 @@ struct SceneStructures {
   /// Where a ray meets the level plane; far away where it does not.
   [[nodiscard]] float plane_distance_m(const Ray& ray) const;
   [[nodiscard]] bool meet(const Ray& ray, const Found& found, SurfaceHit& hit) const;
+  /// The same for the first so many rays of a packet; `number_of(lane)` says which they are.
+  template <typename NumberOf>
+  void meet(const RayPacket& packet, std::size_t lanes, const NumberOf& number_of, std::span<const Ray> rays,
+            std::span<SurfaceHit> hits, std::span<std::uint8_t> meets) const;
   void hit_plane(const Ray& ray, float distance_m, SurfaceHit& hit) const;
 
  private:

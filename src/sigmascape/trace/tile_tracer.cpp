@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <utility>
 
 #include "sigmascape/base/units.h"
 #include "sigmascape/trace/vertex.h"
@@ -11,10 +11,8 @@
 namespace sigmascape::trace {
 namespace {
 
-using scatter::PolarizationBasis;
-
-/// Enough that even the few that live long fill packets, and not too many for the second level of caches.
-constexpr std::size_t paths_at_once = 4096;
+/// About so many: enough that even the few that live long fill packets, and not too many for the caches.
+constexpr std::size_t paths_at_once = 8192;
 
 /// From the block before the first vertex, which has no other use for it.
 constexpr std::uint32_t hero_choice = 0;
@@ -45,25 +43,30 @@ TileTracer::TileTracer(const SceneGeometry& geometry, const SpectralSurfaces& su
 
 void TileTracer::follow(std::span<const PathStart> starts) {
   for (EchoesByStart& list : echoes_) list.begin(starts.size());
-  for (std::size_t first = 0; first < starts.size(); first += paths_at_once)
-    follow_together(starts.subspan(first, std::min(paths_at_once, starts.size() - first)), first);
+  // All alike, lest a few that are left over go alone.
+  const std::size_t waves = std::max(std::size_t{1}, (starts.size() + paths_at_once / 2) / paths_at_once);
+  for (std::size_t wave = 0; wave < waves; ++wave) {
+    const std::size_t first = wave * starts.size() / waves, end = (wave + 1) * starts.size() / waves;
+    follow_together(starts.subspan(first, end - first), first);
+  }
   for (EchoesByStart& list : echoes_) list.sort();
 }
 
 void TileTracer::follow_together(std::span<const PathStart> starts, std::size_t first) {
   launch(starts, first);
-  for (int bounce = 1; bounce <= options_.max_bounces && !living_.empty(); ++bounce) {
+  for (int bounce = 1; bounce <= options_.max_bounces && now_.size() > 0; ++bounce) {
     find_vertices(bounce);
     arrive(bounce);
     const bool is_last = bounce == options_.max_bounces, goes_on = !is_last || books_.keeps_books();
     connections_.clear();
     connected_fields_.clear();
+    next_.clear();
     for_each_company([&](const Company& company) { scatter(company, bounce, goes_on); });
     add_connected_echoes(bounce);
     if (!goes_on) break;
-    std::erase_if(living_, [&](std::uint32_t path) { return !paths_[path].is_alive; });
+    std::swap(now_, next_);
     if (!is_last) continue;
-    for (const std::uint32_t path : living_) books_.is_cut(paths_[path], waves_of(paths_[path]));
+    for (std::size_t leg = 0; leg < now_.size(); ++leg) books_.is_cut(path_of(leg), waves_along(leg));
   }
   if (!books_.keeps_books()) return;
   for (const Path& path : paths_) {
@@ -78,7 +81,8 @@ void TileTracer::scatter(const Company& company, int bounce, bool goes_on) {
   else
     consider_connections(company, bounce);
   if (books_.keeps_books()) {
-    for (const std::uint32_t path : company.paths) books_.is_scattered(paths_[path], waves_of(paths_[path]), bounce);
+    for (const std::uint32_t leg : company.legs)
+      books_.is_scattered(path_of(leg), arrival_of(leg, bounce), waves_along(leg));
   }
   if (goes_on) carry_on(company, bounce);
 }
@@ -86,27 +90,36 @@ void TileTracer::scatter(const Company& company, int bounce, bool goes_on) {
 void TileTracer::launch(std::span<const PathStart> starts, std::size_t first) {
   counts_.paths += starts.size();
   paths_.resize(starts.size());
-  waves_.resize(starts.size() * frequencies_);
-  living_.resize(starts.size());
-  std::iota(living_.begin(), living_.end(), 0U);
+  now_.legs.resize(starts.size());
+  now_.rays.resize(starts.size());
   std::uint64_t key = 0;
   for (std::size_t begin = 0; begin < starts.size(); begin += lane_count) {
     const std::size_t count = std::min(lane_count, starts.size() - begin);
     SobolLanes points;
+    AimLanes aims;
     for (std::size_t lane = 0; lane < count; ++lane) {
       const std::size_t number = begin + lane;
       const auto& [cell, sequence, sample] = starts[number];
       if (number == 0 || !is_of_the_sequence_of(starts[number - 1], starts[number]))
         key = hashed(seed_, static_cast<std::uint32_t>(cell.i), static_cast<std::uint32_t>(cell.j), sequence);
-      Path& path = paths_[number] = {};
-      path.start = static_cast<std::uint32_t>(first + begin + lane);
-      path.point = SobolPoint(key, sample);
-      points.set(lane, path.point);
+      paths_[number] = {.start = static_cast<std::uint32_t>(first + number),
+                        .launch_share = cell.share,
+                        .first_vertex = {},
+                        .imbalance = -1.0};
+      Leg& leg = now_.legs[number] = {.path = static_cast<std::uint32_t>(number), .point = SobolPoint(key, sample)};
+      if (frequencies_ > 1) {
+        leg.hero = static_cast<std::uint32_t>(leg.point.independent(hero_choice) * static_cast<float>(frequencies_));
+      }
+      points.set(lane, leg.point);
+      aims.i[lane] = cell.i;
+      aims.j[lane] = cell.j;
     }
-    const PairLanes within = drawn_pairs(points, 0);
-    for (std::size_t lane = 0; lane < count; ++lane)
-      launch_towards(paths_[begin + lane], within[lane], starts[begin + lane].cell);
+    aims.within_cell = drawn_pairs(points, 0);
+    launch_towards(aims, count, begin);
   }
+  now_.waves.clear();
+  if (!books_.keeps_books()) return;
+  for (const Ray& ray : now_.rays) now_.waves.insert(now_.waves.end(), frequencies_, transmitted(ray.direction));
 }
 
 PairLanes TileTracer::drawn_pairs(const SobolLanes& points, std::uint32_t bounce) const {
@@ -120,59 +133,53 @@ PairLanes TileTracer::drawn_pairs(const SobolLanes& points, std::uint32_t bounce
   return pairs;
 }
 
-void TileTracer::launch_towards(Path& path, Vec2f within_cell, const LaunchCell& cell) {
-  path.aim = {(cell.i + static_cast<double>(within_cell.x)) * area_.cell_m,
-              (cell.j + static_cast<double>(within_cell.y)) * area_.cell_m, area_.plane_height_m};
-  path.launch_share = cell.share;
-  const Vec3d to_radar = viewpoint_.direction_from(path.aim);
-  const double back = (area_.top_height_m - area_.plane_height_m) / to_radar.z;
-  path.ray = {(path.aim + to_radar * back - geometry_.origin()).to<float>(), (-to_radar).to<float>()};
-  path.imbalance = -1.0;
-  if (frequencies_ > 1) {
-    path.hero = static_cast<std::size_t>(path.point.independent(hero_choice) * static_cast<float>(frequencies_));
+void TileTracer::launch_towards(const AimLanes& aims, std::size_t count, std::size_t number) {
+  LaunchedLanes launched;
+  aim_rays(viewpoint_,
+           {.cell_m = area_.cell_m,
+            .plane_height_m = area_.plane_height_m,
+            .top_height_m = area_.top_height_m,
+            .origin = geometry_.origin()},
+           aims, launched);
+  for (std::size_t lane = 0; lane < count; ++lane) {
+    paths_[number + lane].beam = launched.beam[lane];
+    now_.rays[number + lane] = {launched.start[lane], launched.direction[lane]};
   }
-  const PolarizationBasis transmit(path.ray.direction);
-  std::ranges::fill(waves_of(path), Wave{{{transmit.v, {}}, {transmit.h, {}}}, 1.0F, 1.0F});
 }
 
 void TileTracer::find_vertices(int bounce) {
-  counts_.rays += living_.size();
+  counts_.rays += now_.size();
+  hits_.resize(now_.size());
+  meets_.resize(now_.size());
   if (geometry_.has_crowns()) {
-    for (const std::uint32_t path : living_) paths_[path].is_alive = find_vertex_among_crowns(paths_[path], bounce);
+    for (std::size_t leg = 0; leg < now_.size(); ++leg) meets_[leg] = find_vertex_among_crowns(leg, bounce) ? 1 : 0;
     return;
   }
-  rays_.clear();
-  for (const std::uint32_t path : living_) rays_.push_back(paths_[path].ray);
-  hits_.resize(rays_.size());
-  answers_.resize(rays_.size());
   // Those from the radar come cell by cell.
-  geometry_.intersect(rays_, hits_, answers_, bounce == 1 ? RayOrder::AsGiven : RayOrder::ByPlace);
-  for (std::size_t i = 0; i < living_.size(); ++i) {
-    Path& path = paths_[living_[i]];
-    path.hit = hits_[i];
-    path.is_alive = answers_[i] != 0;
-  }
+  geometry_.intersect(now_.rays, hits_, meets_, bounce == 1 ? RayOrder::AsGiven : RayOrder::ByPlace);
 }
 
-bool TileTracer::find_vertex_among_crowns(Path& path, int bounce) {
-  const auto& [origin, direction] = path.ray;
+bool TileTracer::find_vertex_among_crowns(std::size_t leg, int bounce) {
+  const auto& [origin, direction] = now_.rays[leg];
+  const SobolPoint& point = now_.legs[leg].point;
+  SurfaceHit& hit = hits_[leg];
   crowns_.begin(surfaces_.front());
-  const bool meets_surface = geometry_.intersect(origin, direction, path.hit, crowns_);
-  float distance_m = meets_surface ? length(path.hit.position - origin) : std::numeric_limits<float>::infinity();
+  const bool meets_surface = geometry_.intersect(origin, direction, hit, crowns_);
+  float distance_m = meets_surface ? length(hit.position - origin) : std::numeric_limits<float>::infinity();
   const std::uint32_t dimension = first_crown + 2 * static_cast<std::uint32_t>(bounce);
-  const float depth = -std::log1p(-path.point.independent(dimension));
-  const auto intercepted = crowns_.interception(depth, distance_m, path.point.independent(dimension + 1));
+  const float depth = -std::log1p(-point.independent(dimension));
+  const auto intercepted = crowns_.interception(depth, distance_m, point.independent(dimension + 1));
   if (intercepted) {
     distance_m = intercepted->distance_m;
-    path.hit = {.position = origin + direction * distance_m,
-                .normal = -direction,
-                .inverse_facet_area_per_m2 = 0.0F,
-                .material = intercepted->medium,
-                .extinction_per_m = intercepted->extinction_per_m};
+    hit = {.position = origin + direction * distance_m,
+           .normal = -direction,
+           .inverse_facet_area_per_m2 = 0.0F,
+           .material = intercepted->medium,
+           .extinction_per_m = intercepted->extinction_per_m};
   }
   if (bounce == 1) {
-    path.first_density = std::exp(-crowns_.optical_depth(distance_m));
-    path.direct_return = std::exp(-crowns_.return_depth(distance_m));
+    path_of(leg).first_density = std::exp(-crowns_.optical_depth(distance_m));
+    path_of(leg).direct_return = std::exp(-crowns_.return_depth(distance_m));
   }
   return meets_surface || intercepted.has_value();
 }
@@ -180,38 +187,34 @@ bool TileTracer::find_vertex_among_crowns(Path& path, int bounce) {
 void TileTracer::arrive(int bounce) {
   for (auto& group : groups_) group.clear();
   const std::size_t materials = surfaces_.front().size();
-  std::erase_if(living_, [&](std::uint32_t i) {
-    Path& path = paths_[i];
-    if (!arrives(path, bounce)) return true;
-    groups_[path.hero * materials + path.hit.material].push_back(i);
-    return false;
-  });
+  for (std::size_t leg = 0; leg < now_.size(); ++leg) {
+    if (meets_[leg] == 0)
+      books_.escapes(path_of(leg), now_.waves.empty() ? std::span<const Wave>() : waves_along(leg));
+    else if (bounce > 1 || begins(leg))
+      groups_[now_.legs[leg].hero * materials + hits_[leg].material].push_back(static_cast<std::uint32_t>(leg));
+  }
 }
 
-bool TileTracer::arrives(Path& path, int bounce) {
-  if (!path.is_alive) {
-    books_.escapes(path, waves_of(path));
-    return false;
-  }
-  if (bounce > 1) {
-    path.travelled_m += static_cast<double>(length(path.hit.position - path.ray.origin));
-    return true;
-  }
-  path.first_position = position_of(path);
-  path.counts = area_.counts_from(path.first_position);
-  path.first_range_m = viewpoint_.range_of(path.first_position);
-  path.first_density *= density_at(path.hit, -path.ray.direction);
+bool TileTracer::begins(std::size_t leg) {
+  Path& path = path_of(leg);
+  path.first_vertex = hits_[leg].position;
+  const Vec3d position = in_world(path.first_vertex);
+  path.counts = counts_always_ || area_.counts_from(position);
+  path.first_range_m = viewpoint_.range_of(position);
+  path.first_density *= density_at(hits_[leg], -now_.rays[leg].direction);
   return path.counts;
 }
 
 void TileTracer::gather_waves(const Company& company, int bounce) {
-  for (std::size_t f = 0; f < frequencies_; ++f) {
-    for (std::size_t lane = 0; lane < lane_count; ++lane) {
-      const std::size_t path = company.paths[std::min(lane, company.paths.size() - 1)];
-      lanes_[f].set(lane, waves_[path * frequencies_ + f]);
-    }
+  if (bounce == 1) {
+    transmit(company.at, lanes_.front());
+    for (std::size_t f = 1; f < frequencies_; ++f) lanes_[f] = lanes_.front();
+    return;
   }
-  if (bounce == 1) return;
+  for (std::size_t f = 0; f < frequencies_; ++f) {
+    for (std::size_t lane = 0; lane < lane_count; ++lane)
+      lanes_[f].set(lane, now_.waves[company.leg(lane) * frequencies_ + f]);
+  }
   weigh_directions(company.at, company.extinction_per_m, company.at.to_source, cosine_, density_);
   for (WaveLanes& waves : lanes_) trace::arrive(density_, waves);
 }
@@ -224,9 +227,9 @@ PairLanes TileTracer::phase_draws(const Company& company, std::uint32_t first_di
   return draws;
 }
 
-scatter::Amplitude TileTracer::roughness_phasor(const Path& path, std::size_t frequency, int bounce) const {
-  if (!surfaces_[frequency][path.hit.material].phase_is_random()) return {1.0F, 0.0F};
-  const float u = path.point.independent(first_roughness_phase + static_cast<std::uint32_t>(bounce));
+scatter::Amplitude TileTracer::roughness_phasor(std::size_t leg, std::size_t frequency, int bounce) const {
+  if (!surfaces_[frequency][hits_[leg].material].phase_is_random()) return {1.0F, 0.0F};
+  const float u = now_.legs[leg].point.independent(first_roughness_phase + static_cast<std::uint32_t>(bounce));
   return scatter::unit_phasor(static_cast<float>(2.0 * pi) * u);
 }
 

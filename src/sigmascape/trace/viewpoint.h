@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "sigmascape/base/vec.h"
 #include "sigmascape/radar/ground_grid.h"
 #include "sigmascape/radar/look.h"
@@ -14,9 +16,15 @@ class Viewpoint {
   [[nodiscard]] static Viewpoint distant(const radar::Aspect& aspect);
   [[nodiscard]] static Viewpoint located(Vec3d position);
 
-  [[nodiscard]] Vec3d direction_from(Vec3d point) const;
-  [[nodiscard]] double range_of(Vec3d point) const;
-  [[nodiscard]] double cross_of(Vec3d point) const;
+  [[nodiscard]] Vec3d direction_from(Vec3d point) const {
+    return is_distant_ ? to_radar_ : normalized(position_ - point);
+  }
+  [[nodiscard]] double range_of(Vec3d point) const {
+    return is_distant_ ? -dot(point, to_radar_) : length(position_ - point);
+  }
+  [[nodiscard]] double cross_of(Vec3d point) const {
+    return is_distant_ ? dot(point, right_) : std::atan2(point.x - position_.x, point.y - position_.y);
+  }
   /// The middle of two cross positions; of azimuths, the middle of the smaller angle between them, be it across south.
   [[nodiscard]] double middle_cross(double first, double second) const;
   /// Sine of the angle below the radar's horizontal from which an echo between two surface points arrives; 0 when the
@@ -39,18 +47,31 @@ class Viewpoint {
   /// How far before a point, along the level towards the radar, its echo lands on the plane at `height_m` below it.
   [[nodiscard]] double landing_before_m(Vec3d point, double height_m) const;
 
+  /// The beam that a ray stands for which is aimed at `aim` for `area_m2` of the launch plane: its solid angle, or its
+  /// cross-section in m² when the radar is at infinity.
+  [[nodiscard]] double beam_of(Vec3d aim, double area_m2) const {
+    if (is_distant_) return area_m2 * to_radar_.z;
+    const Vec3d away = position_ - aim;
+    const double distance2 = dot(away, away);
+    return area_m2 * away.z / (distance2 * std::sqrt(distance2));
+  }
   /// Radar cross-section, referred to the echo's own range, that stands for unit intensity on the way out: w of
-  /// docs/physics/estimator.md, Eqs. (2), (3). `aim` is a point of the launch plane, `area_m2` the piece of plane that
-  /// the ray stands for, `echo_range_m` half the path, `last_range_m` the distance of the last vertex.
-  [[nodiscard]] double ray_weight_m2(Vec3d aim, double area_m2, double echo_range_m, double last_range_m) const;
+  /// docs/physics/estimator.md, Eqs. (2), (3). `echo_range_m` is half the path, `last_range_m` the distance of the last
+  /// vertex.
+  [[nodiscard]] double ray_weight_m2(double beam, double echo_range_m, double last_range_m) const {
+    if (is_distant_) return beam;
+    const double ratio = echo_range_m / last_range_m;
+    return beam * echo_range_m * echo_range_m * ratio * ratio;
+  }
 
  private:
   Viewpoint(bool is_distant, Vec3d to_radar, Vec3d position);
 
   bool is_distant_;
-  Vec3d to_radar_;  // distant: the same for all points
-  Vec3d right_;     // distant: across the line of sight, to the right as seen from the radar
-  Vec3d position_;  // located
+  Vec3d to_radar_;     // distant: the same for all points
+  double horizontal_;  // distant: length of its level part
+  Vec3d right_;        // distant: across the line of sight, to the right as seen from the radar
+  Vec3d position_;     // located
 };
 
 }  // namespace sigmascape::trace

@@ -18,6 +18,10 @@ SIGMASCAPE_VECTOR_TARGETS [[gnu::flatten]] void weigh_directions(const scatter::
   }
 }
 
+SIGMASCAPE_VECTOR_TARGETS [[gnu::flatten]] void transmit(const scatter::ArrivalLanes& at, WaveLanes& waves) {
+  for (std::size_t i = 0; i < lane_count; ++i) waves.set(i, transmitted(-at.to_source[i]));
+}
+
 SIGMASCAPE_VECTOR_TARGETS [[gnu::flatten]] void arrive(const FloatLanes& density, WaveLanes& waves) {
   for (std::size_t i = 0; i < lane_count; ++i) waves.reverse[i] /= std::abs(density[i]);
 }

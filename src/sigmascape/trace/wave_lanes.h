@@ -23,6 +23,14 @@ struct WaveLanes {
 void weigh_directions(const scatter::ArrivalLanes& at, const FloatLanes& extinction_per_m, const VectorLanes& direction,
                       FloatLanes& cosine, FloatLanes& density);
 
+/// What the radar sends along rays that have come from there: a unit field in either polarization, of any strength of
+/// path.
+[[nodiscard]] inline Wave transmitted(Vec3f direction) {
+  const scatter::PolarizationBasis transmit(direction);
+  return {{{transmit.v, {}}, {transmit.h, {}}}, 1.0F, 1.0F};
+}
+void transmit(const scatter::ArrivalLanes& at, WaveLanes& waves);
+
 /// Takes the density of the vertices, as seen along the rays that have met them, out of the reversed densities.
 void arrive(const FloatLanes& density, WaveLanes& waves);
 

@@ -60,7 +60,8 @@ TEST(LocatedViewpoint, TendsToTheDistantOne) {
         distant.cross_of(p), 2e-3);
     EXPECT_NEAR(length(far.direction_from(p) - distant.direction_from(p)), 0.0, 1e-5);
     EXPECT_NEAR(length(far.shadow_on_plane(p, -5.0) - distant.shadow_on_plane(p, -5.0)), 0.0, 1e-2);
-    EXPECT_NEAR(far.ray_weight_m2(p, 4.0, far.range_of(p), far.range_of(p)) / distant.ray_weight_m2(p, 4.0, 0.0, 0.0),
+    const double r = far.range_of(p);
+    EXPECT_NEAR(far.ray_weight_m2(far.beam_of(p, 4.0), r, r) / distant.ray_weight_m2(distant.beam_of(p, 4.0), 0.0, 0.0),
                 1.0, 1e-4);
     EXPECT_NEAR(far.landing_before_aim_m(p, p.z + 50.0), distant.landing_before_aim_m(p, p.z + 50.0), 0.05);
     EXPECT_NEAR(far.aim_behind_landing_m(p, p.z + 50.0), distant.aim_behind_landing_m(p, p.z + 50.0), 0.05);
@@ -68,12 +69,14 @@ TEST(LocatedViewpoint, TendsToTheDistantOne) {
 }
 
 TEST(Viewpoint, WeightsCoverTheCrossSectionOfTheCell) {
-  EXPECT_NEAR(Viewpoint::distant(south_east).ray_weight_m2({1, 2, 3}, 4.0, 0.0, 0.0),
+  const auto distant = Viewpoint::distant(south_east);
+  EXPECT_NEAR(distant.ray_weight_m2(distant.beam_of({1, 2, 3}, 4.0), 0.0, 0.0),
               4.0 * std::sin(south_east.elevation_rad), 1e-12);
   // 4 m² of level ground seen at 30° from 2000 m fill 2 m² / r²; the weight refers that to the echo's own range.
   const auto viewpoint = Viewpoint::located({0, 2000.0 * std::cos(pi / 6.0), 1000.0});
-  EXPECT_NEAR(viewpoint.ray_weight_m2({}, 4.0, 2000.0, 2000.0), 2.0, 1e-9);
-  EXPECT_NEAR(viewpoint.ray_weight_m2({}, 4.0, 2100.0, 2050.0),
+  const double beam = viewpoint.beam_of({}, 4.0);
+  EXPECT_NEAR(viewpoint.ray_weight_m2(beam, 2000.0, 2000.0), 2.0, 1e-9);
+  EXPECT_NEAR(viewpoint.ray_weight_m2(beam, 2100.0, 2050.0),
               2.0 / (2000.0 * 2000.0) * std::pow(2100.0, 4) / std::pow(2050.0, 2), 1e-9);
 }
 
