@@ -158,7 +158,7 @@ void add_plot_command(CLI::App& app, Output& output) {
       ->capture_default_str()
       ->check(number_within(1e-5, 90.0));
   antenna->callback([options, &output] {
-    const auto radar = radar::read_radar_file(options->input).radar;
+    const auto radar = radar::read_radar_file(options->input, radar::PlaceOfRadar::Optional).radar;
     finish(*options, antenna_plot(radar, radians_from_deg(options->reach_deg)), output);
   });
 
@@ -172,7 +172,7 @@ void add_plot_command(CLI::App& app, Output& output) {
       ->capture_default_str()
       ->check(number_within(0.5, 200.0));
   response->callback([options, &output] {
-    const auto radar = radar::read_radar_file(options->input).radar;
+    const auto radar = radar::read_radar_file(options->input, radar::PlaceOfRadar::Optional).radar;
     finish(*options,
            options->along == "range" ? range_response_plot(radar, options->widths)
                                      : azimuth_response_plot(radar, options->widths),

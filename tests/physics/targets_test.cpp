@@ -6,6 +6,7 @@
 #include "validation/validation_record.h"
 
 #include "sigmascape/base/units.h"
+#include "sigmascape/product/iq_record.h"
 #include "sigmascape/radar/corner_reflector.h"
 #include "sigmascape/radar/noise.h"
 #include "sigmascape/radar/radar_equation.h"
@@ -161,7 +162,8 @@ TEST(CoherentGround, is_dark_behind_a_mover_where_it_really_is) {
 }
 
 TEST(CalibratedPulses, return_the_radar_equation_in_volts) {
-  const auto radar = looking_north(3.0);
+  auto radar = looking_north(3.0);
+  radar.atmosphere_per_m = std::log(linear_from_db(0.5)) / 1e3;  // 8 dB on the way there and back
   const Vec3d place{0.0, 0.0, 0.0};
   const std::vector<radar::Target> targets{target_of(10.0F, place)};
   const receiver::PulseReceiver receiver(radar, {7900.0, 8100.0, 4.0});
@@ -174,7 +176,28 @@ TEST(CalibratedPulses, return_the_radar_equation_in_volts) {
       radar::signal_to_noise(radar, 10.0, 8000.0) * radar::noise_power_w(radar) * radar.receiver.gain;
   validation::expect_close({group, "peak power of 10 m² at 8 km over the radar equation's", 0.0,
                             db_from_linear(best / radar.receiver.impedance_ohm / expected_w), 0.1, "dB",
-                            "P_t G² λ² σ/((4π)³ r⁴ L) · G_c"});
+                            "P_t G² λ² σ e^(−2αr)/((4π)³ r⁴ L) · G_c"});
+}
+
+TEST(CalibratedPulses, tell_in_their_file_what_leads_back_to_square_metres) {
+  auto radar = looking_north(3.0);
+  radar.atmosphere_per_m = std::log(linear_from_db(0.5)) / 1e3;
+  radar.receiver.gain = 1e4;
+  const Vec3d place{0.0, 0.0, 0.0};
+  const std::vector<radar::Target> targets{target_of(10.0F, place)};
+  const receiver::PulseReceiver receiver(radar, {7900.0, 8100.0, 4.0});
+  const auto history = receiver.receive(radar::Track::straight(radar.position, radar.velocity_mps), {.count = 1}, {},
+                                        targets, receiver::calibrated_voltage(radar, receiver::towards(place)));
+  double brightest = 0.0;
+  for (const auto& sample : history.samples.values()) brightest = std::max<double>(brightest, std::abs(sample.vv));
+  const auto numbers = product::iq_record(history, radar).numbers;
+  const double one_square_metre =
+      numbers.at("volts_from_1_m2_at_1_km") / 64.0 * std::pow(10.0, -numbers.at("atmosphere_db_per_km") * 7.0 / 10.0);
+  validation::expect_close({group, "10 m² at 8 km by what the file says of its volts", 10.0,
+                            std::pow(brightest / one_square_metre, 2.0), 0.25, "m²", "docs/iq_files.md"});
+  EXPECT_DOUBLE_EQ(numbers.at("noise_power_w"), radar::noise_power_w(radar) * 1e4);
+  EXPECT_FALSE(product::iq_record(receiver.receive(radar::Track::straight({}, {}), {.count = 1}, {}, {}), radar)
+                   .numbers.contains("impedance_ohm"));
 }
 
 TEST(CalibratedPulses, carry_noise_of_kTBF_with_the_band_of_the_pulse) {

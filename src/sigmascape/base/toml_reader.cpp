@@ -1,6 +1,7 @@
 #include "sigmascape/base/toml_reader.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -197,9 +198,10 @@ std::vector<double> TomlSection::numbers(std::string_view key, Interval allowed)
 std::vector<std::array<double, 2>> TomlSection::pairs(std::string_view key) const {
   if (!has(key)) return {};
   const toml::node& node = *find(*table_->table, key);
-  const auto is_pair = [](const toml::node& n) {
-    return n.is_array() && n.as_array()->size() == 2 && n.as_array()->get(0)->is_number() &&
-           n.as_array()->get(1)->is_number();
+  const auto is_finite = [](const toml::node& n) { return n.is_number() && std::isfinite(*n.value<double>()); };
+  const auto is_pair = [&](const toml::node& n) {
+    return n.is_array() && n.as_array()->size() == 2 && is_finite(*n.as_array()->get(0)) &&
+           is_finite(*n.as_array()->get(1));
   };
   std::vector<std::array<double, 2>> values;
   const toml::array* array = node.as_array();

@@ -54,7 +54,7 @@ class TomlSection {
   /// Empty when the key is absent.
   [[nodiscard]] std::vector<std::string> texts(std::string_view key) const;
   [[nodiscard]] std::vector<double> numbers(std::string_view key, Interval allowed) const;
-  /// A list of pairs of numbers, empty when the key is absent.
+  /// A list of pairs of finite numbers, empty when the key is absent.
   [[nodiscard]] std::vector<std::array<double, 2>> pairs(std::string_view key) const;
 
   /// An existing file; see `expanded_path`.

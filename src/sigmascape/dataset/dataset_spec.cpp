@@ -198,7 +198,7 @@ DatasetSpec read_dataset_spec(const std::filesystem::path& path) {
   spec.text = text_of(path);
   spec.scene = section.file("scene");
   spec.atlas = section.optional_file("atlas");
-  spec.radar = radar::read_radar_file(section.file("radar"));
+  spec.radar = radar::read_radar_file(section.file("radar"), radar::PlaceOfRadar::Optional);
   constexpr Interval counts{1.0, 1e8, "samples"};
   static_cast<void>(section.number("count", counts));
   spec.count = static_cast<std::size_t>(section.whole_number_or("count", counts, 1));

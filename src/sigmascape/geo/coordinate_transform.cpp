@@ -44,6 +44,10 @@ void transform(OGRCoordinateTransformation& way, std::span<Vec2d> positions) {
 
 }  // namespace
 
+void require_known_reference(const std::string& crs, const std::string& where) {
+  static_cast<void>(horizontal_reference(crs, where));
+}
+
 struct CoordinateTransform::Ways {
   std::unique_ptr<OGRCoordinateTransformation> to_frame, to_crs;
 };

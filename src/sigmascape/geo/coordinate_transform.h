@@ -38,6 +38,9 @@ class CoordinateTransform {
   std::unique_ptr<Ways> ways_;
 };
 
+/// Throws Error at `where` unless `crs` is an authority code, PROJ string or WKT of a known reference system.
+void require_known_reference(const std::string& crs, const std::string& where);
+
 /// Where a place on the globe lies in a frame.
 [[nodiscard]] Vec2d position_in_frame(const LocalFrame& frame, GeographicPosition place);
 /// Where a point of a frame lies on the globe.

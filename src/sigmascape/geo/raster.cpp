@@ -219,6 +219,7 @@ Raster::Raster(const RasterBand& wanted) : source_(std::make_unique<Source>()) {
                 "state it with the key crs, for example crs = \"EPSG:25830\", or write it into the file with "
                 "gdal_edit.py -a_srs");
   }
+  require_known_reference(source.crs, wanted.crs.empty() ? source.name : source.name + ": crs");
   if (source.dataset->GetGeoTransform(source.crs_from_pixel.data()) != CE_None ||
       GDALInvGeoTransform(source.crs_from_pixel.data(), source.pixel_from_crs.data()) == 0) {
     throw Error(source.name, "does not say where its cells lie",
@@ -236,9 +237,7 @@ GeographicPosition Raster::centre() const {
   globe.importFromEPSG(4326);
   globe.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
   OGRSpatialReference own;
-  if (own.SetFromUserInput(source_->crs.c_str()) != OGRERR_NONE) {
-    throw Error(source_->name, "its coordinate reference system is not understood", "state it with the key crs");
-  }
+  own.SetFromUserInput(source_->crs.c_str());
   own.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
   const std::unique_ptr<OGRCoordinateTransformation> way(OGRCreateCoordinateTransformation(&own, &globe));
   if (!way || way->Transform(1, &place.x, &place.y) == 0) {

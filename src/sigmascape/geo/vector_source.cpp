@@ -200,6 +200,10 @@ bool carries_tag(const Feature& feature, const std::string& tag) {
   return value && (equals == std::string::npos || *value == tag.substr(equals + 1));
 }
 
+std::string_view word_for(GeometryKind kind) {
+  return kind == GeometryKind::Points ? "a point" : kind == GeometryKind::Lines ? "a line" : "an area";
+}
+
 bool has_geometry(const Feature& feature) {
   return !feature.points.empty() || !feature.lines.empty() || !feature.polygons.empty();
 }
@@ -219,6 +223,7 @@ FeatureSet read_features(const VectorSource& source, const LocalFrame& frame) {
   LayerTransforms transforms(source, frame);
   FeatureSet result;
   std::set<std::string> names;
+  std::size_t of_other_kinds = 0;
 
   OGRLayer* layer = nullptr;
   CPLErrorReset();
@@ -230,7 +235,10 @@ FeatureSet read_features(const VectorSource& source, const LocalFrame& frame) {
     feature.id = fmt::format("layer {}, feature {}", layer->GetName(), row->GetFID());
     const OGRGeometry* geometry = row->GetGeometryRef();
     if (geometry != nullptr) append_geometry(*geometry, source.kind, feature);
-    if (!has_geometry(feature) && geometry != nullptr && geometry->IsEmpty() == FALSE) continue;
+    if (!has_geometry(feature) && geometry != nullptr && geometry->IsEmpty() == FALSE) {
+      ++of_other_kinds;
+      continue;
+    }
     read_attributes(*row, osm, feature);
     if (osm && !source.osm_tag.empty() && !carries_tag(feature, source.osm_tag)) continue;
     for (const auto& [name, value] : feature.attributes) names.insert(name);
@@ -243,6 +251,11 @@ FeatureSet read_features(const VectorSource& source, const LocalFrame& frame) {
   if (CPLGetLastErrorType() == CE_Failure) {
     throw Error(source.file.string(), fmt::format("cannot be read to its end ({})", CPLGetLastErrorMsg()),
                 "replace the damaged file");
+  }
+  if (!osm && of_other_kinds > 0 && result.features.empty() && result.nowhere == 0) {
+    throw Error(source.file.string(),
+                fmt::format("none of its {} features is {}", of_other_kinds, word_for(source.kind)),
+                "choose another layer or file");
   }
   result.attribute_names.assign(names.begin(), names.end());
   return result;

@@ -46,8 +46,8 @@ struct FeatureSet {
   std::string first_nowhere;
 };
 
-/// Reads all features of the wanted kind. Throws Error when the file is missing or unreadable, names no CRS, or lacks
-/// the layer or the coordinate columns asked for.
+/// Reads all features of the wanted kind and passes over those of other kinds. Throws Error when the file is missing or
+/// unreadable, names no CRS, lacks the layer or the coordinate columns asked for, or has features of other kinds alone.
 [[nodiscard]] FeatureSet read_features(const VectorSource& source, const LocalFrame& frame);
 
 }  // namespace sigmascape::geo

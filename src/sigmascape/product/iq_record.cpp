@@ -1,6 +1,11 @@
 #include "sigmascape/product/iq_record.h"
 
+#include <cmath>
+
+#include "sigmascape/base/units.h"
 #include "sigmascape/product/software.h"
+#include "sigmascape/radar/noise.h"
+#include "sigmascape/radar/radar_equation.h"
 
 namespace sigmascape::product {
 namespace {
@@ -31,6 +36,14 @@ void describe(IqRecord& record, const radar::Radar& radar) {
   record.numbers["pulse_repetition_hz"] = radar.waveform.pulse_repetition_hz;
 }
 
+/// What turns volts back into watts and cross-sections.
+void describe_calibration(IqRecord& record, const radar::Radar& radar) {
+  record.numbers["impedance_ohm"] = radar.receiver.impedance_ohm;
+  record.numbers["noise_power_w"] = radar::noise_power_w(radar) * radar.receiver.gain;
+  record.numbers["volts_from_1_m2_at_1_km"] = radar::received_voltage_v(radar, 1.0, 1e3);
+  record.numbers["atmosphere_db_per_km"] = db_from_linear(std::exp(1e3 * radar.atmosphere_per_m));
+}
+
 }  // namespace
 
 IqRecord iq_record(const radar::PhaseHistory& history, const radar::Radar& radar,
@@ -54,6 +67,7 @@ IqRecord iq_record(const radar::PhaseHistory& history, const radar::Radar& radar
     record.platform.push_back(pulse.platform);
   }
   describe(record, radar);
+  if (record.unit == "V") describe_calibration(record, radar);
   return record;
 }
 

@@ -21,6 +21,11 @@ double compression_gain(const Radar& radar) {
   return bandwidth_hz * radar.waveform.pulse_length_s / WindowResponse(radar.waveform.window).noise_bandwidth();
 }
 
+double received_voltage_v(const Radar& radar, double rcs_m2, double slant_range_m) {
+  const double power_w = received_power_w(radar, rcs_m2, slant_range_m) * compression_gain(radar) * radar.receiver.gain;
+  return std::sqrt(power_w * radar.receiver.impedance_ohm);
+}
+
 double signal_to_noise(const Radar& radar, double rcs_m2, double slant_range_m) {
   return received_power_w(radar, rcs_m2, slant_range_m) * compression_gain(radar) / noise_power_w(radar);
 }

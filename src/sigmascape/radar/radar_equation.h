@@ -16,6 +16,10 @@ namespace sigmascape::radar {
 /// One for an unmodulated pulse of τ = 1/B in a receiver without weighting. docs/physics/radar_equation.md, Eq. (3).
 [[nodiscard]] double compression_gain(const Radar& radar);
 
+/// Volts across the receiver's impedance R, behind its gain G_r, of the same echo compressed: √(P C G_r R).
+/// docs/physics/radar_equation.md, Eqs. (1), (3).
+[[nodiscard]] double received_voltage_v(const Radar& radar, double rcs_m2, double slant_range_m);
+
 /// Peak signal power over mean noise power of one compressed pulse. docs/physics/radar_equation.md, Eq. (4).
 [[nodiscard]] double signal_to_noise(const Radar& radar, double rcs_m2, double slant_range_m);
 

@@ -80,6 +80,11 @@ std::variant<SeenFrom, LocalPlace, GeographicPlace> place_of(const TomlSection& 
   } else if (has_any(section, {"latitude_deg", "longitude_deg"})) {
     place = GeographicPlace{section.number("latitude_deg", {-90.0, 90.0, "degrees"}),
                             section.number("longitude_deg", {-180.0, 180.0, "degrees"}), altitude_m()};
+  } else if (!has_any(section, {"east_m", "north_m", "altitude_m"})) {
+    throw Error(
+        section.where(), "does not say where the radar stands",
+        "give azimuth_deg, elevation_deg and slant_range_km, or altitude_m with latitude_deg and longitude_deg, "
+        "or altitude_m with east_m and north_m");
   } else {
     place = LocalPlace{{section.number("east_m", anywhere_m), section.number("north_m", anywhere_m), altitude_m()}};
   }
@@ -109,11 +114,10 @@ TomlSection required_section(const TomlSection& file, std::string_view key) {
 
 }  // namespace
 
-RadarFile read_radar_file(const std::filesystem::path& path) {
+RadarFile read_radar_file(const std::filesystem::path& path, PlaceOfRadar need) {
   const TomlSection file = TomlSection::read_file(path);
-  RadarFile read{.radar = radar_of(file, required_section(file, "radar")),
-                 .place = place_of(required_section(file, "position")),
-                 .map = {}};
+  RadarFile read{.radar = radar_of(file, required_section(file, "radar")), .place = SeenFrom{}, .map = {}};
+  if (need == PlaceOfRadar::Required || file.has("position")) read.place = place_of(required_section(file, "position"));
   if (const auto map = file.section("map")) read.map = map_of(*map);
   file.refuse_unknown_keys();
   return read;

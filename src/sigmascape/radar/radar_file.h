@@ -42,8 +42,11 @@ struct RadarFile {
   MapRequest map;
 };
 
+/// Whether a file must say where the radar stands, or may leave it to whoever reads it.
+enum class PlaceOfRadar { Required, Optional };
+
 /// Reads a radar file; docs/radar_file.md lists its keys. Throws Error, naming file and key, for what is missing,
 /// unknown or out of range.
-[[nodiscard]] RadarFile read_radar_file(const std::filesystem::path& path);
+[[nodiscard]] RadarFile read_radar_file(const std::filesystem::path& path, PlaceOfRadar need = PlaceOfRadar::Required);
 
 }  // namespace sigmascape::radar

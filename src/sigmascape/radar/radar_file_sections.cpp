@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <initializer_list>
+#include <utility>
 
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/pattern_table.h"
@@ -27,6 +28,16 @@ Window window_of(const TomlSection& section, const std::string& prefix, const st
               section.number_or(prefix + "side_lobe_db", below_peak_db, db_from_linear(defaults.taylor_side_lobe))),
           .taylor_terms = static_cast<int>(
               section.whole_number_or(prefix + "taylor_terms", {2.0, 20.0, "terms"}, defaults.taylor_terms))};
+}
+
+/// Keys that are right with another shape and would do nothing with this: `{key, shape}`.
+void refuse_keys_of_other_shapes(const TomlSection& section, const std::string& shape_key, const std::string& shape,
+                                 std::initializer_list<std::pair<std::string, std::string>> keys) {
+  for (const auto& [key, wanted] : keys) {
+    if (shape == wanted || !section.has(key)) continue;
+    throw section.fault(key, fmt::format("means nothing where {} is \"{}\"", shape_key, shape),
+                        fmt::format("leave it out, or state {} = \"{}\"", shape_key, wanted));
+  }
 }
 
 /// A cut of the antenna; `width_rad` becomes that of the table when there is one.
@@ -60,6 +71,11 @@ void read_elevation(const TomlSection& section, Antenna& antenna) {
       "elevation_shape", {"even", "gaussian", "uniform", "cosine", "taylor", "cosecant-squared", "table"}, "even");
   antenna.tilt_rad =
       radians_from_deg(section.number_or("tilt_deg", {-90.0, 90.0, "degrees above the horizontal"}, 0.0));
+  refuse_keys_of_other_shapes(section, "elevation_shape", shape,
+                              {{"elevation_csv", "table"},
+                               {"elevation_side_lobe_db", "taylor"},
+                               {"elevation_taylor_terms", "taylor"},
+                               {"steepest_depression_deg", "cosecant-squared"}});
   if (shape != "even" && shape != "table")
     antenna.elevation_width_rad = radians_from_deg(section.number("elevation_width_deg", {1e-3, 90.0, "degrees"}));
   antenna.elevation = shape == "cosecant-squared" ? BeamShape{cosecant_of(section, antenna.tilt_rad)}
@@ -141,6 +157,9 @@ void read_antenna(const std::optional<TomlSection>& section, Radar& radar) {
   }
   const std::string shape =
       section->choice_or("azimuth_shape", {"gaussian", "uniform", "cosine", "hamming", "taylor", "table"}, "gaussian");
+  refuse_keys_of_other_shapes(
+      *section, "azimuth_shape", shape,
+      {{"azimuth_csv", "table"}, {"azimuth_side_lobe_db", "taylor"}, {"azimuth_taylor_terms", "taylor"}});
   if (shape == "table" && radar.beam_width_rad > 0.0)
     throw section->fault("azimuth_csv", "and radar.beam_width_deg both give the beam its width",
                          "leave out one of them");
@@ -159,8 +178,9 @@ void read_antenna(const std::optional<TomlSection>& section, Radar& radar) {
 
 void read_waveform(const TomlSection& section, Radar& radar) {
   Waveform& waveform = radar.waveform;
-  waveform.window =
-      window_of(section, "", section.choice_or("window", {"rectangular", "cosine", "hamming", "taylor"}, "taylor"));
+  const std::string window = section.choice_or("window", {"rectangular", "cosine", "hamming", "taylor"}, "taylor");
+  refuse_keys_of_other_shapes(section, "window", window, {{"side_lobe_db", "taylor"}, {"taylor_terms", "taylor"}});
+  waveform.window = window_of(section, "", window);
   if (const auto bandwidth_mhz = section.optional_number("bandwidth_mhz", {1e-3, 20'000.0, "MHz"})) {
     if (radar.range_resolution_m > 0.0) {
       throw section.fault("bandwidth_mhz", "and radar.range_resolution_m say the same thing", "leave out one of them");

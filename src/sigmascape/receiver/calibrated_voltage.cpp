@@ -41,17 +41,17 @@ BeamAzimuth abeam(double clockwise_rad) {
 }
 
 VoltageGain calibrated_voltage(const radar::Radar& radar, BeamAzimuth beam) {
-  const double peak_power_w_at_1_m =
-      radar::received_power_w(radar, 1.0, 1.0) * radar::compression_gain(radar) * radar.receiver.gain;
-  const double volts_at_1_m = std::sqrt(peak_power_w_at_1_m * radar.receiver.impedance_ohm);
-  return [volts_at_1_m, pattern = radar::antenna_pattern(radar), beam = std::move(beam)](
+  const double atmosphere_per_m = radar.atmosphere_per_m;
+  const double volts_in_vacuum_at_1_m = radar::received_voltage_v(radar, 1.0, 1.0) * std::exp(atmosphere_per_m);
+  return [volts_in_vacuum_at_1_m, atmosphere_per_m, pattern = radar::antenna_pattern(radar), beam = std::move(beam)](
              const radar::Pulse& pulse, Vec3d position, double range_m) {
     const Vec3d away = position - pulse.platform.position;
     const double offset = std::remainder(std::atan2(away.x, away.y) - beam(pulse), 2.0 * pi);
     const double elevation = std::asin(away.z / range_m);
     // One way in voltage, squared for both ways; the peak is in the radar equation already.
     const double one_way = pattern.voltage(offset, elevation);
-    return static_cast<float>(volts_at_1_m * one_way * one_way / (pattern.peak_gain() * range_m * range_m));
+    return static_cast<float>(volts_in_vacuum_at_1_m * one_way * one_way * std::exp(-atmosphere_per_m * range_m) /
+                              (pattern.peak_gain() * range_m * range_m));
   };
 }
 

@@ -19,7 +19,7 @@ using BeamAzimuth = std::function<double(const radar::Pulse& pulse)>;
 
 /// Volts across the receiver's impedance, behind its gain and the compression of the pulse, of a cross-section of 1 m²:
 ///
-///     v = g_φ² g_ε² √(P_t G₀² λ² / ((4π)³ r⁴ L) · G_c G_r R)               docs/physics/doppler.md, Eq. (10)
+///     v = g_φ² g_ε² √(P_t G₀² λ² e^(−2αr) / ((4π)³ r⁴ L) · G_c G_r R)      docs/physics/doppler.md, Eq. (10)
 ///
 /// |v|²/R is the peak power of its echo there; a sample's real part is I, its imaginary part Q, of the complex
 /// envelope's r.m.s. value.

@@ -30,11 +30,17 @@ constexpr std::size_t steps_ahead = 60;
 /// Pieces of terrain that a frame may wish for: nearer ground and that in view, of two levels, and what lies ahead.
 constexpr std::size_t most_wanted_terrain = 5;
 
+constexpr double furthest_m = 1e7;
+
+bool lies_within(Vec3d vector, double most) {
+  return std::abs(vector.x) <= most && std::abs(vector.y) <= most && std::abs(vector.z) <= most;
+}
+
 }  // namespace
 
 void check(const LiveSettings& settings, const std::string& where) {
   constexpr std::size_t most_bins = 1U << 26U;
-  if (settings.beams == 0 || settings.ranges == 0 || settings.beams * settings.ranges > most_bins) {
+  if (settings.beams == 0 || settings.ranges == 0 || settings.ranges > most_bins / settings.beams) {
     throw Error(where, fmt::format("has {} beams of {} ranges", settings.beams, settings.ranges),
                 fmt::format("give at least one of each and no more than {} bins", most_bins));
   }
@@ -42,8 +48,8 @@ void check(const LiveSettings& settings, const std::string& where) {
     throw Error(where, fmt::format("has beams {} rad apart", settings.beam_step_rad),
                 "give a positive step; all beams together go round once at most");
   }
-  if (!(settings.range_step_m > 0.0)) {
-    throw Error(where, fmt::format("has ranges {} m apart", settings.range_step_m), "give a positive step");
+  if (!(settings.range_step_m > 0.0 && settings.range_step_m <= furthest_m)) {
+    throw Error(where, fmt::format("has ranges {} m apart", settings.range_step_m), "give a positive step of metres");
   }
   if (!(settings.cells_per_bin >= 0.25 && settings.cells_per_bin <= 64.0)) {
     throw Error(where, fmt::format("has {} lattice cells a bin", settings.cells_per_bin), "give 0.25 to 64");
@@ -52,6 +58,27 @@ void check(const LiveSettings& settings, const std::string& where) {
     throw Error(where, fmt::format("has a refraction of {}", settings.refraction),
                 "give 4/3, or more for a flatter Earth");
   }
+}
+
+void check(const Pose& pose, const std::string& where) {
+  const Vec3d at = pose.position, v = pose.velocity_mps;
+  if (!lies_within(at, furthest_m)) {
+    throw Error(where, fmt::format("stands at ({}, {}, {}) m", at.x, at.y, at.z),
+                fmt::format("give a position within {:g} m of the origin of the atlas' frame", furthest_m));
+  }
+  if (!(std::abs(pose.first_azimuth_rad) <= 1e6)) {
+    throw Error(where, fmt::format("has its first beam at {} rad", pose.first_azimuth_rad),
+                "give an azimuth clockwise from north");
+  }
+  if (!(pose.first_range_m >= 0.0 && pose.first_range_m <= furthest_m)) {
+    throw Error(where, fmt::format("has its first range at {} m", pose.first_range_m),
+                fmt::format("give 0 to {:g}", furthest_m));
+  }
+  if (!lies_within(v, 1e5)) {
+    throw Error(where, fmt::format("flies at ({}, {}, {}) m/s", v.x, v.y, v.z), "give no more than 1e5 either way");
+  }
+  if (!std::isfinite(pose.moment.time_s))
+    throw Error(where, fmt::format("is at time {} s", pose.moment.time_s), "give a number");
 }
 
 LiveRenderer::LiveRenderer(std::shared_ptr<LiveGround> ground, const LiveSettings& settings)
@@ -97,8 +124,10 @@ const Frame& LiveRenderer::render(const Pose& pose) {
 }
 
 const Frame& LiveRenderer::scan(const Pose& pose, std::size_t first_beam, std::size_t count) {
+  check(pose, "live renderer");
   prepare(pose);
-  const std::size_t last_beam = std::min(first_beam + count, settings_.beams);
+  first_beam = std::min(first_beam, settings_.beams);
+  const std::size_t last_beam = first_beam + std::min(count, settings_.beams - first_beam);
   const PageCache::View view = ground_->pages().view();
   for (const auto& task : tasks_) task->begin_frame(view, pose.targets.size());
   const DetailBlend levels = next_levels();

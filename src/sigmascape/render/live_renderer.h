@@ -65,6 +65,10 @@ struct Pose {
   radar::Moment moment = {};  ///< of the targets' tracks and of their fluctuation
 };
 
+/// Throws Error at `where` for what is not a number, for ranges that begin behind the radar, and for places, ranges and
+/// velocities that are beyond all that a radar looks at from the Earth.
+void check(const Pose& pose, const std::string& where);
+
 /// What a frame cost and what it lacked.
 struct FrameReport {
   std::size_t cells = 0;   ///< lattice cells looked at

@@ -50,7 +50,8 @@ ImportedMesh read_obj(const std::filesystem::path& file) {
         const int index = shape.mesh.indices[3 * face + corner].vertex_index;
         if (index < 0 || static_cast<std::size_t>(index) >= mesh.vertices.size()) {
           throw Error(file.string(),
-                      fmt::format("a face of {} names vertex {} of {}", shape.name, index + 1, mesh.vertices.size()),
+                      fmt::format("face {}{} names vertex {} of {}", face + 1,
+                                  shape.name.empty() ? "" : " of " + shape.name, index + 1, mesh.vertices.size()),
                       "export it again");
         }
         triangle[corner] = static_cast<std::uint32_t>(index);

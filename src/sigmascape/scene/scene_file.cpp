@@ -58,6 +58,9 @@ TerrainSection read_terrain_section(const TomlSection& section, const FlawLimit&
   constexpr Interval heights{-12000.0, 9000.0, "m"};
   source.plausible.lowest_m = section.number_or("lowest_plausible_m", heights, source.plausible.lowest_m);
   source.plausible.highest_m = section.number_or("highest_plausible_m", heights, source.plausible.highest_m);
+  if (source.plausible.lowest_m >= source.plausible.highest_m) {
+    throw section.fault("lowest_plausible_m", "is not below highest_plausible_m", "exchange the two, or leave one out");
+  }
   const auto level_m = section.optional_number("water_level_m", {-500.0, 9000.0, "m"});
   const auto within_m = section.optional_number("water_within_m", {0.0, 1000.0, "m"});
   if (level_m) terrain.water = WaterLevel{*level_m, within_m.value_or(WaterLevel{}.within_m)};

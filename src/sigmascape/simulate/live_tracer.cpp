@@ -81,6 +81,7 @@ LiveTracer::LiveTracer(const scene::Scene& scene, const trace::SceneGeometry& ge
 LiveTracer::~LiveTracer() = default;
 
 const render::Frame& LiveTracer::render(const render::Pose& pose) {
+  render::check(pose, name);
   std::vector<radar::ShadowBox> boxes = boxes_of(pose);
   const bool goes_on = position_ == pose.position && frame_.grid == grid_of(settings_, pose) && boxes_ == boxes;
   // Of a call that is broken off nothing can be gone on with.
@@ -166,6 +167,7 @@ int LiveTracer::lattice_level(const Look& look) const {
 }
 
 render::DetailQuestion LiveTracer::question(const render::Pose& pose) const {
+  render::check(pose, name);
   const Look look = look_of(pose);
   render::DetailQuestion question = render::question_of_bins(settings_, look.near_m, look.far_m - look.near_m);
   const double middle_m = 0.5 * (look.near_m + look.far_m);

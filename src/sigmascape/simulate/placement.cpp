@@ -11,6 +11,9 @@
 namespace sigmascape::simulate {
 namespace {
 
+/// As far as a radar file lets a radar be from what it sees.
+constexpr double furthest_m = 1e6;
+
 struct Placer {
   const geo::LocalFrame& frame;
   const terrain::HeightField& terrain;
@@ -58,6 +61,11 @@ radar::Radar placed_radar(const radar::RadarFile& file, const geo::LocalFrame& f
                           const terrain::HeightField& terrain, const radar::Rectangle& extent) {
   radar::Radar radar = file.radar;
   radar.position = std::visit(Placer{frame, terrain, extent}, file.place);
+  const Vec2d away = Vec2d{radar.position.x, radar.position.y} - extent.centre();
+  if (!(length(away) <= furthest_m)) {
+    throw Error("radar " + radar.name, fmt::format("stands {:.0f} km from the middle of the scene", length(away) / 1e3),
+                fmt::format("place it within {:.0f} km", furthest_m / 1e3));
+  }
   return radar;
 }
 

@@ -11,7 +11,8 @@
 
 namespace sigmascape::simulate {
 
-/// The radar of a file, put where it stands over this terrain. `extent` is what the scene covers.
+/// The radar of a file, put where it stands over this terrain. `extent` is what the scene covers. Throws Error when it
+/// would stand more than 1000 km from there.
 [[nodiscard]] radar::Radar placed_radar(const radar::RadarFile& file, const geo::LocalFrame& frame,
                                         const terrain::HeightField& terrain, const radar::Rectangle& extent);
 

@@ -127,7 +127,9 @@ ReadTerrain read_terrain(const TerrainSource& source, const geo::LocalFrame& fra
   const auto holes = count_holes(heights);
   const double share = static_cast<double>(holes) / static_cast<double>(heights.size());
   if (share > source.largest_hole_share || holes == heights.size()) {
-    throw Error(name, fmt::format("{:.0f} % of the scene's terrain has no data", 100.0 * share),
+    throw Error(name,
+                fmt::format("{:.0f} % of the scene's terrain has no height between {:g} and {:g} m", 100.0 * share,
+                            source.plausible.lowest_m, source.plausible.highest_m),
                 "give terrain that covers the extent, or make the extent smaller");
   }
   result.filled_nodes = fill_holes(heights);

@@ -1,6 +1,8 @@
 #include "sigmascape/base/toml_reader.h"
 
+#include <array>
 #include <cstdlib>
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -71,6 +73,15 @@ TEST_F(TomlReader, OutOfRangeAndNaNSayTheRange) {
                 static_cast<void>(section("x = nan").number("x", {0, 1, ""}));
               }),
               HasSubstr("is nan"));
+}
+
+TEST_F(TomlReader, PairsAreOfFiniteNumbers) {
+  EXPECT_THAT(section("at = [[1, 2.5]]").pairs("at"), ::testing::ElementsAre(std::array{1.0, 2.5}));
+  for (const char* wrong : {"[[nan, 0]]", "[[0, inf]]", "[[0, 1, 2]]", "[[0, 'a']]", "[0, 1]"}) {
+    EXPECT_THAT(message_of_error([&] { static_cast<void>(section(fmt::format("at = {}", wrong)).pairs("at")); }),
+                HasSubstr("give a list of pairs of numbers"))
+        << wrong;
+  }
 }
 
 TEST_F(TomlReader, UnknownKeySuggestsTheNearest) {

@@ -117,6 +117,17 @@ TEST(Raster, WithoutCrsIsAnErrorThatSaysHowToStateIt) {
   EXPECT_NE(message.find("crs = "), std::string::npos) << message;
 }
 
+TEST(Raster, CrsThatIsNotKnownIsLaidToTheKeyThatStatesIt) {
+  const ScratchFolder folder;
+  const auto file = folder.write("flat.asc", utm.text([](double, double) { return 7.0; }));
+  for (const char* unknown : {"hello", "EPSG:99999999"}) {
+    const std::string message = message_of_error([&] { Raster({file, 1, unknown}); });
+    EXPECT_NE(message.find("flat.asc: crs: the coordinate reference system '" + std::string(unknown)),
+              std::string::npos)
+        << message;
+  }
+}
+
 TEST(Raster, MissingFileWrongFormatAndWrongBandAreErrors) {
   const ScratchFolder folder;
   EXPECT_NE(message_of_error([&] {

@@ -54,6 +54,21 @@ TEST(VectorSource, TableOfCoordinatesNeedsACrsAndItsColumns) {
               HasSubstr("has no column 'x'; choose among its columns east, north, height"));
 }
 
+TEST(VectorSource, PassesOverOtherKindsOfFeaturesButNotWhenThereIsNothingElse) {
+  const ScratchFolder folder;
+  const std::string point =
+      R"({"type":"Feature","properties":{},"geometry":{"type":"Point","coordinates":[7.0,45.0]}})";
+  const std::string area =
+      R"({"type":"Feature","properties":{},"geometry":{"type":"Polygon","coordinates":[[[7,45],[7.001,45],[7,45.001],[7,45]]]}})";
+  const auto collection = [&](const std::string& features) {
+    return folder.write("mixed.geojson", R"({"type":"FeatureCollection","features":[)" + features + "]}");
+  };
+  EXPECT_EQ(read_features({.file = collection(point + "," + area)}, frame).features.size(), 1U);
+  EXPECT_THAT(
+      message_of_error([&] { static_cast<void>(read_features({.file = collection(point + "," + point)}, frame)); }),
+      HasSubstr("mixed.geojson: none of its 2 features is an area; choose another layer or file"));
+}
+
 TEST(VectorSource, OpenStreetMapTagsBecomeAttributes) {
   const ScratchFolder folder;
   const auto file = folder.write("town.osm", R"(<osm version="0.6">

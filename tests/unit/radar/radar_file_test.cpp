@@ -76,6 +76,28 @@ TEST_F(RadarFileTest, ReadsTheOtherPlaces) {
 TEST_F(RadarFileTest, MissingSectionsAreNamed) {
   EXPECT_EQ(fault_of(position_section), ": radar: is missing; add a [radar] section");
   EXPECT_EQ(fault_of(radar_section), ": position: is missing; add a [position] section");
+  EXPECT_THAT(fault_of(radar_section + "[position]\n"), HasSubstr(": position: does not say where the radar stands"));
+}
+
+TEST_F(RadarFileTest, WhoPlacesTheRadarElsewhereNeedsNoPosition) {
+  const auto without = folder_.write("x.toml", radar_section);
+  EXPECT_DOUBLE_EQ(read_radar_file(without, PlaceOfRadar::Optional).radar.frequency_hz, 9.6e9);
+  const auto wrong = folder_.write("x.toml", radar_section + "[position]\naltitude_m = -3\n");
+  EXPECT_THAT(message_of_error([&] { static_cast<void>(read_radar_file(wrong, PlaceOfRadar::Optional)); }),
+              HasSubstr("position.east_m: is missing"));
+}
+
+TEST_F(RadarFileTest, KeysOfAnotherShapeSayWhichShapeTheyAreOf) {
+  const auto antenna = [&](const std::string& key) {
+    return fault_of(radar_section + position_section + "[antenna]\n" + key + "\n");
+  };
+  EXPECT_EQ(antenna("azimuth_csv = \"beam.csv\""),
+            ": antenna.azimuth_csv: means nothing where azimuth_shape is \"gaussian\"; leave it out, or state "
+            "azimuth_shape = \"table\"");
+  EXPECT_THAT(antenna("azimuth_taylor_terms = 4"), EndsWith("state azimuth_shape = \"taylor\""));
+  EXPECT_THAT(antenna("steepest_depression_deg = 40"), EndsWith("state elevation_shape = \"cosecant-squared\""));
+  EXPECT_THAT(fault_of(radar_section + position_section + "[waveform]\nwindow = \"cosine\"\nside_lobe_db = -30\n"),
+              HasSubstr(": waveform.side_lobe_db: means nothing where window is \"cosine\""));
 }
 
 TEST_F(RadarFileTest, MissingKeysAreNamed) {

@@ -78,7 +78,12 @@ TEST_F(BadInput, HolesInTheTerrainAreFilledAndToldButNotWhenMostIsMissing) {
   EXPECT_THAT(place_.fault("", "[scene]\nstrict = true\n"),
               HasSubstr("terrain nodes without data or with implausible heights"));
   place_.write("heights.asc", holed(501'500.0));
-  EXPECT_THAT(place_.fault(""), HasSubstr("% of the scene's terrain has no data"));
+  EXPECT_THAT(place_.fault(""), HasSubstr("% of the scene's terrain has no height between -500 and 9000 m"));
+}
+
+TEST_F(BadInput, PlausibleHeightsRunUpwards) {
+  EXPECT_THAT(fault_of("[terrain]\nfile = \"heights.asc\"\nlowest_plausible_m = 100\nhighest_plausible_m = 0\n"),
+              HasSubstr("terrain.lowest_plausible_m: is not below highest_plausible_m"));
 }
 
 TEST_F(BadInput, NegativeBuildingHeightNamesFileAndFeature) {
@@ -111,6 +116,9 @@ TEST_F(BadInput, MeshWithoutFacesOrMaterials) {
   place_.write("points.obj", "v 0 0 0\nv 1 0 0\n");
   EXPECT_THAT(place_.fault("[[meshes]]\nfile = \"points.obj\"\npositions_m = [[0, 0]]\n"),
               HasSubstr("points.obj: has no faces"));
+  place_.write("torn.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");
+  EXPECT_THAT(place_.fault("[[meshes]]\nfile = \"torn.obj\"\npositions_m = [[0, 0]]\n"),
+              HasSubstr("torn.obj: face 1 names vertex 9 of 3"));
   place_.write("line.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nusemtl metal\nf 1 2 3\n");
   EXPECT_THAT(place_.fault("[[meshes]]\nfile = \"line.obj\"\npositions_m = [[0, 0]]\n"),
               HasSubstr("line.obj: has no face with an area"));
