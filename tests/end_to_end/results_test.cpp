@@ -56,7 +56,8 @@ TEST_F(Results, WritesNumbersPagesAndPictures) {
   for (const char* name : {"results.json", "index.html"}) EXPECT_TRUE(fs::exists(folder_ / "out" / name)) << name;
   const std::string page = text_of(folder_ / "first.md");
   EXPECT_EQ(page.find(folder_.string()), std::string::npos) << "the page names a folder";
-  for (const char* part : {"## Why", "The largest is: ", "## Cheap wins", "Figure 1", "Figure 7", "Figure 8"})
+  for (const char* part : {"### Without noise", "## Where the error is", "## Why", "The largest is: ", "## Cheap wins",
+                           "dB a megabyte", "Figure 1", "Figure 7", "Figure 8"})
     EXPECT_NE(page.find(part), std::string::npos) << part;
 
   std::size_t pictures = 0;
@@ -106,6 +107,73 @@ TEST_F(Results, FinerGridsHoldMoreLooksAndBytes) {
   EXPECT_LT(cost.at("8 × 4").second, cost.at("8 × 5").second);
   EXPECT_LT(cost.at("8 × 5").second, cost.at("16 × 5").second);
   EXPECT_LT(cost.at("16 × 5").second, cost.at("16 × 6").second);
+}
+
+/// The first row of these with that cell size that says so.
+nlohmann::json row_of(const nlohmann::json& results, const nlohmann::json& wanted, double cell_m) {
+  for (const auto& row : results.at("rows")) {
+    bool is_wanted = row.at("cell_m") == cell_m;
+    for (const auto& [key, value] : wanted.items()) is_wanted = is_wanted && row.at(key) == value;
+    if (is_wanted) return row;
+  }
+  ADD_FAILURE() << "no row says " << wanted;
+  return {};
+}
+
+TEST_F(Results, TilesGivenThePowerOfAFinerGridAreThatGridsAtTheirOwnSize) {
+  ASSERT_EQ(first_code_, 0);
+  const nlohmann::json own{{"method", "ours, on its own ground"}, {"scene", "hills"}, {"view_kind", "held out"}};
+  auto by_tiles = own, finer = own;
+  by_tiles.update({{"grid", "8 × 5"}, {"change", "power by tiles"}});
+  finer.update({{"grid", "16 × 6"}, {"change", ""}});
+  for (const char* metric : {"correlation_db", "rms_db", "bias_db", "l1"}) {
+    EXPECT_NEAR(row_of(first_, by_tiles, 32.0).at("median").at(metric).get<double>(),
+                row_of(first_, finer, 32.0).at("median").at(metric).get<double>(), 1e-4)
+        << metric;
+  }
+  EXPECT_GT(std::abs(row_of(first_, by_tiles, 8.0).at("median").at("rms_db").get<double>() -
+                     row_of(first_, finer, 8.0).at("median").at("rms_db").get<double>()),
+            0.01);
+}
+
+TEST_F(Results, SquaredErrorsByLevelMakeUpTheRms) {
+  ASSERT_EQ(first_code_, 0);
+  std::size_t compared = 0;
+  for (const auto& row : first_.at("rows")) {
+    if (row.at("cell_m") != 8.0 || row.at("views") != 1) continue;
+    for (const auto& [errors, metrics] : {std::pair("by_level", "median"), {"noise_by_level", "noise_floor_median"}}) {
+      double cells = 0.0, squares = 0.0;
+      for (const auto& range : row.at(errors)) {
+        cells += range.at("cells").get<double>();
+        squares += range.at("squared_error_db2").get<double>();
+      }
+      EXPECT_NEAR(std::sqrt(squares / cells), row.at(metrics).at("rms_db").get<double>(), 1e-9);
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 20U);
+}
+
+TEST_F(Results, BakedViewsAreHeldAgainstTheTruthWithoutNoise) {
+  ASSERT_EQ(first_code_, 0);
+  std::set<std::string> cases;
+  for (const auto& row : first_.at("rows")) {
+    EXPECT_EQ(row.contains("without_noise"),
+              row.at("cell_m") == 8.0 && row.at("view_kind") == "on grid" && row.at("grid") == "own look");
+    if (!row.contains("without_noise")) continue;
+    cases.insert(fmt::format("{} {} {}", row.at("scene").get<std::string>(), row.at("method").get<std::string>(),
+                             row.at("baked_samples").get<int>()));
+    const auto& free = row.at("without_noise");
+    EXPECT_EQ(free.at("views"), 1);
+    EXPECT_EQ(free.at("measured"), row.at("median"));
+    EXPECT_EQ(free.at("noise_floor"), row.at("noise_floor_median"));
+    EXPECT_LT(free.at("rms_db"), row.at("median").at("rms_db"));
+    EXPECT_GT(free.at("correlation_db"), row.at("median").at("correlation_db"));
+  }
+  const std::set<std::string> all{
+      "hills paper 2", "hills paper 4", "hills ours, on its own ground 2", "hills ours, on its own ground 4",
+      "level paper 2", "level paper 4", "level ours, on level ground 2",   "level ours, on level ground 4"};
+  EXPECT_EQ(cases, all);
 }
 
 TEST_F(Results, WorstIsNoBetterThanTheMedian) {
