@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 #include <optional>
 
+#include "results_tile_power.h"
+
 namespace sigmascape::cli {
 namespace {
-
-constexpr double cell_m = 8.0;
 
 /// Two rows of measurements that both exist.
 struct Found {
@@ -17,7 +17,7 @@ struct Found {
 std::optional<Found> found(const Contrast& contrast, const std::vector<ResultsRow>& rows) {
   const Found both{find_row(rows, contrast.with), find_row(rows, contrast.without), nullptr, nullptr};
   if (both.with == nullptr || both.without == nullptr) return std::nullopt;
-  const Found cells{both.with, both.without, both.with->at_cell(cell_m), both.without->at_cell(cell_m)};
+  const Found cells{both.with, both.without, both.with->at_cell(summary_cell_m), both.without->at_cell(summary_cell_m)};
   if (cells.with_cell == nullptr || cells.without_cell == nullptr) return std::nullopt;
   return cells;
 }
@@ -90,9 +90,18 @@ std::vector<Contrast> changes(const ResultsPlan& plan) {
   list.push_back({"ours: echoes straight into texels, γ in cot ψ, map area, half floats", "paper", baked, paper});
   list.push_back({"shadows made at run time", text_of(Method::BakedShadows), level, baked});
   list.push_back({"objects baked on their own ground", text_of(Method::LevelGround), own, level});
+  ResultsCase by_tiles = own;
+  by_tiles.change = renormalized_change;
+  list.push_back({fmt::format("every {:.0f} m tile given the power that it has from {}", power_tile_m, both.grid),
+                  text_of(Method::OwnGround), by_tiles, own});
   list.push_back({"more elevations, " + elevations.grid, text_of(Method::OwnGround), elevations, own});
   list.push_back({"more azimuths, " + azimuths.grid, text_of(Method::OwnGround), azimuths, own});
   list.push_back({"both, " + both.grid, text_of(Method::OwnGround), both, own});
+  if (plan.grids.size() > 3) {
+    ResultsCase finest = both;
+    finest.grid = plan.grids.back().name();
+    list.push_back({"the finest, " + finest.grid, text_of(Method::OwnGround), finest, own});
+  }
   return list;
 }
 
@@ -127,6 +136,28 @@ std::string changes_table(const ResultsPlan& plan, const std::vector<ResultsRow>
   return text;
 }
 
+std::string worth_of_looks(const ResultsPlan& plan, const std::vector<ResultsRow>& rows) {
+  ResultsCase own{.scene = plan.scene_name(),
+                  .method = Method::OwnGround,
+                  .grid = plan.paper_grid().name(),
+                  .baked_samples = plan.baked_samples};
+  std::string text;
+  for (const auto& [what, looks] :
+       {std::pair("elevations", plan.more_elevations()), {"azimuths", plan.more_azimuths()}}) {
+    ResultsCase more = own;
+    more.grid = looks.name();
+    const auto both = found({what, {}, more, own}, rows);
+    if (!both) continue;
+    const double fall_db = both->without_cell->median.rms_db - both->with_cell->median.rms_db;
+    const double rise_mb =
+        (static_cast<double>(both->with->atlas.store_bytes) - static_cast<double>(both->without->atlas.store_bytes)) /
+        1e6;
+    text += fmt::format("{}More {}, {}, take {:.2f} dB off the RMS error for {:.2f} MB: {:.3f} dB a megabyte.",
+                        text.empty() ? "" : " ", what, more.grid, fall_db, rise_mb, fall_db / rise_mb);
+  }
+  return text;
+}
+
 std::string largest_cause(const ResultsPlan& plan, const std::vector<ResultsRow>& rows) {
   std::string name;
   double largest_db = 0.0, with_db = 0.0, without_db = 0.0;
@@ -142,7 +173,7 @@ std::string largest_cause(const ResultsPlan& plan, const std::vector<ResultsRow>
   }
   if (name.empty()) return "No cause adds error.";
   return fmt::format("The largest is: {}. Without it the RMS error at {:.0f} m cells falls from {:.2f} to {:.2f} dB.",
-                     name, cell_m, with_db, without_db);
+                     name, summary_cell_m, with_db, without_db);
 }
 
 }  // namespace sigmascape::cli

@@ -24,6 +24,8 @@ struct Contrast {
 [[nodiscard]] std::string causes_table(const ResultsPlan& plan, const std::vector<ResultsRow>& rows);
 /// Markdown: each change with error, bytes and frame time before and after.
 [[nodiscard]] std::string changes_table(const ResultsPlan& plan, const std::vector<ResultsRow>& rows);
+/// What the error falls by for a megabyte more of elevations, and of azimuths, in a sentence.
+[[nodiscard]] std::string worth_of_looks(const ResultsPlan& plan, const std::vector<ResultsRow>& rows);
 /// The cause without which the RMS of dB falls most, in a sentence.
 [[nodiscard]] std::string largest_cause(const ResultsPlan& plan, const std::vector<ResultsRow>& rows);
 

@@ -48,6 +48,7 @@ void run_results(const ResultsOptions& options, const Output& output) {
                              .attribution = scene.attribution,
                              .meshes = scene::mesh_counts(scene),
                              .terrain_nodes = scene.terrain.height_m.size(),
+                             .tracing_memory_bytes = measurement.scene().geometry.memory_bytes(),
                              .views = measurement.results(),
                              .rows = rows_of(measurement.results()),
                              .figures = paper_figures(measurement, plan, folder)};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <iterator>
 
 #include "map_files.h"
 #include "results_optical_view.h"
@@ -11,6 +12,7 @@
 #include "sigmascape/product/bitmap_font.h"
 #include "sigmascape/product/legend.h"
 #include "sigmascape/product/png_file.h"
+#include "sigmascape/product/rectangle_fill.h"
 #include "sigmascape/scene/simple_scene.h"
 #include "sigmascape/simulate/placement.h"
 #include "sigmascape/simulate/simulate.h"
@@ -19,12 +21,13 @@ namespace sigmascape::cli {
 namespace {
 
 constexpr std::size_t pixels_wide = 512;
-constexpr product::Rgba ink{255, 190, 40};
+constexpr product::Rgba ink{255, 190, 40}, behind_ink{18, 18, 18};
 
-/// A number beside a place of a picture, and a line between them.
+/// A word beside a place of a picture, and a line between them.
 struct Label {
   std::string text;
   Vec2d place, at;
+  bool is_left_of_line = false;
 };
 
 void draw(product::Picture& picture, const Label& label) {
@@ -39,9 +42,14 @@ void draw(product::Picture& picture, const Label& label) {
     const auto [column, row] = pixel(from + (to - from) * (static_cast<double>(i) / dots));
     picture.pixels(column, row) = ink;
   }
-  constexpr std::size_t dot_size = 2;
-  const auto [column, row] = pixel(to);
-  product::draw_text(picture.pixels, column + 4, row > 8 ? row - 8 : 0, label.text, dot_size, ink);
+  constexpr std::size_t dot_size = 2, rim = 3;
+  const std::size_t width = product::text_width(label.text, dot_size) + 2 * rim;
+  const std::size_t height = product::glyph_height * dot_size + 2 * rim;
+  const auto [line_end, middle] = pixel(to);
+  const std::size_t column = !label.is_left_of_line ? line_end : line_end - std::min(line_end, width);
+  const std::size_t row = middle - std::min(middle, height / 2);
+  product::fill_rectangle(picture.pixels, {column, row, width, height}, behind_ink);
+  product::draw_text(picture.pixels, column + rim, row + rim, label.text, dot_size, ink);
 }
 
 /// What stands on the plane of Figure 1, seen from the south-east.
@@ -50,16 +58,16 @@ struct SimpleObject {
   double depth_m, height_m;  ///< from the centre to the side that faces the radar
 };
 
-/// 1 at the shadow, 2 at the layover, 3 at the dihedral.
 std::vector<Label> labels_of(const SimpleObject& object, const radar::Aspect& aspect) {
   const Vec2d towards = radar::horizontal_direction(aspect.azimuth_rad), right{-towards.y, towards.x};
   const double tangent = std::tan(aspect.elevation_rad);
-  const auto label = [&](const char* text, double before_m) {
+  const auto label = [&](const char* text, double before_m, double aside_m) {
     const Vec2d place = object.centre + towards * before_m;
-    return Label{text, place, place + right * 20.0};
+    return Label{text, place, place + right * aside_m, aside_m < 0.0};
   };
-  return {label("1", -object.depth_m - object.height_m / tangent / 2.0),
-          label("2", object.depth_m + object.height_m * tangent * 0.6), label("3", object.depth_m)};
+  return {label("shadow", -object.depth_m - object.height_m / tangent / 2.0, 20.0),
+          label("dihedral", object.depth_m, -16.0),
+          label("layover", object.depth_m + object.height_m * tangent * 0.6, -25.0)};
 }
 
 product::PageSection simple_section(const ResultsPlan& plan, const std::filesystem::path& folder) {
@@ -85,7 +93,7 @@ product::PageSection simple_section(const ResultsPlan& plan, const std::filesyst
   trace::TraceCounts counts;
   const auto image = simulate::traced_image(scene, geometry, radar, grid.extent(),
                                             {.cell_m = 0.5,
-                                             .samples_per_cell = std::min(plan.traced_samples, 64U),
+                                             .samples_per_cell = std::min(plan.traced_samples, 512U),
                                              .max_bounces = 4,
                                              .seed = plan.seed,
                                              .threads = plan.threads},
@@ -104,25 +112,35 @@ product::PageSection simple_section(const ResultsPlan& plan, const std::filesyst
   const auto optical = folder / "figure_1_optical.png", radar_map = folder / "figure_1_radar.png";
   product::write_png(optical, optical_view(scene, geometry, pixels_wide, plan.threads));
   product::write_png(radar_map, product::with_legend(picture));
-  return {.heading = "Figure 1: what a radar shows of simple things",
-          .figures = {
-              {optical, "A prism and a cylinder on a plane, from above, the sun in the north-west"},
-              {radar_map,
-               "The same path-traced for a radar in the south-east, 30° high: 1 shadow, 2 layover, "
-               "3 dihedral line where wall and ground meet. A fiftieth of what the walls reflect leaves diffusely"}}};
+  return {
+      .heading = "Figure 1: what a radar shows of simple things",
+      .figures = {
+          {optical, "A prism and a cylinder on a plane, from above, the sun in the north-west"},
+          {radar_map,
+           "The same path-traced for a radar in the south-east, 30° high: the shadow, the layover of wall and roof, "
+           "the dihedral line where wall and ground meet. A fiftieth of what the walls reflect leaves diffusely"}}};
 }
 
 product::PageSection scene_section(const Measurement& measurement, const ResultsPlan& plan,
                                    const std::filesystem::path& folder) {
   const MeasuredScene& measured = measurement.scene();
   const auto optical = folder / "figure_5_scene.png", materials = folder / "figure_6_materials.png";
+  const product::Picture ground = material_view(measured.scene, pixels_wide);
   product::write_png(optical, optical_view(measured.scene, measured.geometry, pixels_wide, plan.threads));
-  product::write_png(materials, material_view(measured.scene, pixels_wide));
-  return {.heading = "Figures 5 and 6: the scene",
-          .figures = {{optical, "Surfaces in the colours of their materials, from above"},
-                      {materials,
-                       "Materials of the ground: black concrete, green forest floor, red grass, white water, "
-                       "blue soil, grey others"}}};
+  product::write_png(materials, ground);
+  product::PageSection section{.heading = "Figures 5 and 6: the scene",
+                               .figures = {{optical, "Surfaces in the colours of their materials, from above"}}};
+  const auto& pixels = ground.pixels.values();
+  if (std::ranges::any_of(pixels, [&](const product::Rgba& pixel) { return pixel != pixels[0]; })) {
+    section.figures.push_back({materials,
+                               "Materials of the ground: black concrete, green forest floor, red grass, white water, "
+                               "blue soil, grey others"});
+  } else {
+    section.paragraphs.push_back(
+        "The ground is of one material: " +
+        measured.scene.materials[measured.scene.ground.at(measured.scene.extent.centre())].name + ".");
+  }
+  return section;
 }
 
 /// A baked texture by itself.
@@ -162,7 +180,8 @@ product::PageSection texture_section(const Measurement& measurement, const std::
 /// One view traced and rendered in two ways, on one scale, and the differences.
 product::PageSection pictured(const Measurement& measurement, const PlannedView& view, const std::string& name,
                               const std::string& heading, const std::filesystem::path& folder) {
-  const Truth truth = measurement.truth_of(view);
+  Truth truth = measurement.truth_of(view);
+  truth.mean.metadata["attribution"] = measurement.scene().scene.attribution;
   product::PictureOptions look = product::scope_look();
   look.polarization = radar::Polarization::Sum;
   look.top_db = product::percentile_top_db(truth.mean, look);
@@ -205,11 +224,17 @@ PlannedView worst_view(const Measurement& measurement, const ResultsPlan& plan) 
 std::vector<product::PageSection> paper_figures(const Measurement& measurement, const ResultsPlan& plan,
                                                 const std::filesystem::path& folder) {
   const PlannedView worst = worst_view(measurement, plan);
-  return {simple_section(plan, folder), scene_section(measurement, plan, folder), texture_section(measurement, folder),
-          pictured(measurement, plan.views.front(), "figure_8",
-                   "Figure 8: the paper's view, 20 km away, azimuth 130°, elevation 8.6°, 50 dB", folder),
-          pictured(measurement, worst, "worst",
-                   "The held-out view that the paper's method does worst on: " + worst.description(), folder)};
+  std::vector<product::PageSection> sections;
+  // Of a real place its own pictures are asked for.
+  if (plan.scene_file.empty()) sections.push_back(simple_section(plan, folder));
+  std::ranges::move(
+      std::vector{scene_section(measurement, plan, folder), texture_section(measurement, folder),
+                  pictured(measurement, plan.views.front(), "figure_8",
+                           "Figure 8: the paper's view, 20 km away, azimuth 130°, elevation 8.6°, 50 dB", folder),
+                  pictured(measurement, worst, "worst",
+                           "The held-out view that the paper's method does worst on: " + worst.description(), folder)},
+      std::back_inserter(sections));
+  return sections;
 }
 
 }  // namespace sigmascape::cli

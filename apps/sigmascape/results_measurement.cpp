@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "map_files.h"
+#include "results_tile_power.h"
 #include "stopwatch.h"
 
 #include "sigmascape/base/units.h"
@@ -41,6 +42,10 @@ scene::Scene scene_of(const ResultsPlan& plan) {
   return scene;
 }
 
+std::uint64_t seed_of_repeats(const ResultsPlan& plan) {
+  return plan.seed + 1;
+}
+
 /// The map with its rim unseen.
 radar::GroundMap without_rim(radar::GroundMap map, double rim_m) {
   const radar::Rectangle all = map.grid.extent();
@@ -64,7 +69,8 @@ Measurement::Measurement(const ResultsPlan& plan, const std::filesystem::path& f
     : plan_(plan),
       folder_(folder),
       scene_(plan.scene_name(), scene_of(plan)),
-      paper_bake_(plan, scene_.scene, folder / "paper"),
+      paper_bake_(plan, scene_.scene, folder / "paper", plan.seed),
+      paper_bake_again_(plan, scene_.scene, folder / "paper_again", seed_of_repeats(plan)),
       baked_shadows_(scene_.scene, plan.bake_settings(Method::BakedShadows), folder / "atlas_baked_shadows", progress_),
       level_ground_(scene_.scene, plan.bake_settings(Method::LevelGround), folder / "atlas_level_ground", progress_),
       own_ground_(scene_.scene, plan.bake_settings(Method::OwnGround), folder / "atlas_own_ground", progress_) {
@@ -162,53 +168,105 @@ void Measurement::compare(const MeasuredScene& measured, const PlannedView& view
     for (int level = 1; level <= (by_level ? coarsest_level_of_detail : 1); ++level)
       hold_against(truth, measured, view, method, level);
   }
+  if (is_main) compare_renormalized(truth, view);
   compare_own_looks(truth, measured, view);
 }
 
-/// The view's own look, baked for it: without an angle missing, and of baked views almost without noise as well.
-void Measurement::compare_own_looks(const Truth& truth, const MeasuredScene& measured, const PlannedView& view) {
-  const auto paper = [&](std::uint32_t samples) {
-    PaperAtlas made = paper_bake_.atlas_of(grid_of_view(view), samples, progress_);
+/// What it would bring at most to keep the power of every tile for many looks, and all else for few: a map of the
+/// paper's grid whose tiles have the power that they have in one of the grid after it.
+void Measurement::compare_renormalized(const Truth& truth, const PlannedView& view) {
+  const ReadyMethod& few = ready(Method::OwnGround, plan_.paper_grid().name());
+  const ReadyMethod& many = ready(Method::OwnGround, plan_.grids[2].name());
+  const RenderedMap reference = rendered_map(scene_, view, many, 1);
+  RenderedMap renormalized = rendered_map(scene_, view, few, 1);
+  const std::size_t tiles = give_power_of_tiles(renormalized.map, reference.map);
+  renormalized.milliseconds += reference.milliseconds;
+  ReadyMethod method = few;
+  method.change = renormalized_change;
+  method.cost.store_bytes += tiles * bytes_a_tile * (many.cost.looks - few.cost.looks);
+  results_.push_back(result_of(truth, scene_, view, method, renormalized));
+}
+
+ReadyMethod Measurement::own_look_of(Method method, const MeasuredScene& measured, const PlannedView& view,
+                                     std::uint32_t samples, std::uint64_t seed) {
+  const bool is_again = seed != plan_.seed;
+  if (method == Method::Paper) {
+    PaperAtlas made = (is_again ? paper_bake_again_ : paper_bake_).atlas_of(grid_of_view(view), samples, progress_);
     auto textures = std::make_shared<const render::PaperTextures>(std::move(made.textures));
-    hold_against(truth, measured, view, from_paper_textures(own_look, samples, "", made.cost, textures, {}));
-  };
-  const Method method = &measured == &scene_ ? Method::OwnGround : Method::LevelGround;
-  const auto ours = [&](std::uint32_t samples) {
-    bake::BakeSettings settings = plan_.bake_settings(method);
-    settings.aspects = grid_of_view(view);
-    settings.sampling.samples_per_texel = samples;
-    const auto store = folder_ / "own_look" / fmt::format("{}_{}_{}", measured.name, view.file_name(), samples);
-    const TimedBake bake(scene_.scene, settings, store, progress_);
-    hold_against(truth, measured, view, from_store(method, own_look, samples, bake, {}));
-  };
+    return from_paper_textures(own_look, samples, "", made.cost, textures, {});
+  }
+  bake::BakeSettings settings = plan_.bake_settings(method);
+  settings.aspects = grid_of_view(view);
+  settings.sampling.samples_per_texel = samples;
+  settings.seed = seed;
+  const auto store = folder_ / "own_look" /
+                     fmt::format("{}_{}_{}{}", measured.name, view.file_name(), samples, is_again ? "_again" : "");
+  const TimedBake bake(scene_.scene, settings, store, progress_);
+  return from_store(method, own_look, samples, bake, {});
+}
+
+/// Without an angle missing, and of baked views almost without noise as well.
+void Measurement::compare_own_looks(const Truth& truth, const MeasuredScene& measured, const PlannedView& view) {
+  const Method ours = &measured == &scene_ ? Method::OwnGround : Method::LevelGround;
   for (const std::uint32_t samples : {plan_.baked_samples, plan_.finer_samples}) {
-    paper(samples);
-    ours(samples);
+    for (const Method method : {Method::Paper, ours}) {
+      const ReadyMethod once = own_look_of(method, measured, view, samples, plan_.seed);
+      if (view.is_repeated) {
+        const ReadyMethod again = own_look_of(method, measured, view, samples, seed_of_repeats(plan_));
+        hold_against(truth, measured, view, once, 1, &again);
+      } else {
+        hold_against(truth, measured, view, once);
+      }
+    }
     if (view.kind != ViewKind::OnGrid || samples == plan_.finer_samples) return;
   }
 }
 
 void Measurement::hold_against(const Truth& truth, const MeasuredScene& measured, const PlannedView& view,
-                               const ReadyMethod& method, int level_of_detail) {
+                               const ReadyMethod& method, int level_of_detail, const ReadyMethod* again) {
   const RenderedMap rendered = rendered_map(measured, view, method, level_of_detail);
-  results_.push_back({.of = {.scene = measured.name,
-                             .method = method.method,
-                             .grid = method.grid,
-                             .baked_samples = method.baked_samples,
-                             .kind = view.kind,
-                             .change = method.change,
-                             .level_of_detail = level_of_detail},
-                      .view = view,
-                      .atlas = method.cost,
-                      .comparison = compared(rendered.map, truth.mean),
-                      .noise_floor = compared(truth.second, truth.first),
-                      .trace_seconds = truth.trace_seconds,
-                      .render_ms = rendered.milliseconds});
+  ViewResult result = result_of(truth, measured, view, method, rendered);
+  result.of.level_of_detail = level_of_detail;
+  if (again != nullptr && result.comparison.at_cell(summary_cell_m) != nullptr) {
+    const RenderedMap repeated = rendered_map(measured, view, *again, level_of_detail);
+    const radar::GroundMap first = middle_of(rendered.map), second = middle_of(repeated.map);
+    const radar::GroundMap first_truth = middle_of(truth.first), second_truth = middle_of(truth.second);
+    result.without_noise = product::compare_without_noise({first, second}, {first_truth, second_truth}, summary_cell_m,
+                                                          {.polarization = radar::Polarization::Sum});
+  }
+  results_.push_back(std::move(result));
 }
 
-product::MapComparison Measurement::compared(const radar::GroundMap& tested, const radar::GroundMap& truth) const {
-  return product::compare_maps(without_rim(tested, plan_.rim_m()), without_rim(truth, plan_.rim_m()),
-                               {.polarization = radar::Polarization::Sum});
+ViewResult Measurement::result_of(const Truth& truth, const MeasuredScene& measured, const PlannedView& view,
+                                  const ReadyMethod& method, const RenderedMap& rendered) const {
+  const std::vector<double> bounds_db(std::begin(level_bounds_db), std::end(level_bounds_db));
+  const product::CompareOptions options{.polarization = radar::Polarization::Sum};
+  const radar::GroundMap tested = middle_of(rendered.map), mean = middle_of(truth.mean);
+  const radar::GroundMap first = middle_of(truth.first), second = middle_of(truth.second);
+  return {.of = {.scene = measured.name,
+                 .method = method.method,
+                 .grid = method.grid,
+                 .baked_samples = method.baked_samples,
+                 .kind = view.kind,
+                 .change = method.change},
+          .view = view,
+          .atlas = method.cost,
+          .comparison = product::compare_maps(tested, mean, options),
+          .noise_floor = product::compare_maps(second, first, options),
+          .by_level = product::errors_by_level(tested, mean, bounds_db, summary_cell_m, options),
+          .noise_by_level = product::errors_by_level(second, first, mean, bounds_db, summary_cell_m, options),
+          .trace_seconds = truth.trace_seconds,
+          .render_ms = rendered.milliseconds};
+}
+
+radar::GroundMap Measurement::middle_of(const radar::GroundMap& map) const {
+  return without_rim(map, plan_.rim_m());
+}
+
+const ReadyMethod& Measurement::ready(Method method, const std::string& grid) const {
+  return *std::ranges::find_if(methods_, [&](const ReadyMethod& candidate) {
+    return candidate.method == method && candidate.grid == grid && candidate.change.empty();
+  });
 }
 
 RenderedMap Measurement::rendered_map(const MeasuredScene& measured, const PlannedView& view, const ReadyMethod& method,
@@ -232,10 +290,7 @@ Truth Measurement::truth_of(const PlannedView& view) const {
 }
 
 radar::GroundMap Measurement::map_of(const PlannedView& view, Method method) const {
-  const auto ready = std::ranges::find_if(methods_, [&](const ReadyMethod& candidate) {
-    return candidate.method == method && candidate.grid == plan_.paper_grid().name() && candidate.change.empty();
-  });
-  return rendered_map(scene_, view, *ready, 1).map;
+  return rendered_map(scene_, view, ready(method, plan_.paper_grid().name()), 1).map;
 }
 
 }  // namespace sigmascape::cli

@@ -63,9 +63,17 @@ class Measurement {
   void make_ready();
   void compare(const MeasuredScene& measured, const PlannedView& view);
   void compare_own_looks(const Truth& truth, const MeasuredScene& measured, const PlannedView& view);
+  void compare_renormalized(const Truth& truth, const PlannedView& view);
+  /// The view's own look, baked for it.
+  [[nodiscard]] ReadyMethod own_look_of(Method method, const MeasuredScene& measured, const PlannedView& view,
+                                        std::uint32_t samples, std::uint64_t seed);
+  /// Renders and compares; with `again`, which differs from `method` in its seed alone, without noise as well.
   void hold_against(const Truth& truth, const MeasuredScene& measured, const PlannedView& view,
-                    const ReadyMethod& method, int level_of_detail = 1);
-  [[nodiscard]] product::MapComparison compared(const radar::GroundMap& tested, const radar::GroundMap& truth) const;
+                    const ReadyMethod& method, int level_of_detail = 1, const ReadyMethod* again = nullptr);
+  [[nodiscard]] ViewResult result_of(const Truth& truth, const MeasuredScene& measured, const PlannedView& view,
+                                     const ReadyMethod& method, const RenderedMap& rendered) const;
+  [[nodiscard]] const ReadyMethod& ready(Method method, const std::string& grid) const;
+  [[nodiscard]] radar::GroundMap middle_of(const radar::GroundMap& map) const;
   [[nodiscard]] RenderedMap rendered_map(const MeasuredScene& measured, const PlannedView& view,
                                          const ReadyMethod& method, int level_of_detail) const;
 
@@ -74,7 +82,7 @@ class Measurement {
   TerminalProgress progress_;
   MeasuredScene scene_;
   std::optional<MeasuredScene> level_;
-  PaperBake paper_bake_;
+  PaperBake paper_bake_, paper_bake_again_;
   TimedBake baked_shadows_, level_ground_, own_ground_;
   std::shared_ptr<const render::PaperTextures> paper_textures_;
   std::vector<ReadyMethod> methods_;

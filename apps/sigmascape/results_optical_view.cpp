@@ -92,6 +92,7 @@ product::Picture optical_view(const scene::Scene& scene, const trace::SceneGeome
   picture.grid = {scene.extent.west_m, scene.extent.north_m, pixel_m, pixels_wide,
                   static_cast<std::size_t>(scene.extent.height_m() / pixel_m)};
   picture.pixels = Array2D<product::Rgba>(picture.grid.columns, picture.grid.rows);
+  picture.metadata = {{"scene", scene.name}, {"attribution", scene.attribution}};
   const View view(scene, geometry);
   parallel_for(picture.grid.rows, threads, [&](std::size_t row, unsigned) {
     const trace::FlushDenormals flush;
@@ -114,6 +115,7 @@ product::Picture material_view(const scene::Scene& scene, std::size_t pixels_wid
   picture.grid = {scene.extent.west_m, scene.extent.north_m, pixel_m, pixels_wide,
                   static_cast<std::size_t>(scene.extent.height_m() / pixel_m)};
   picture.pixels = Array2D<product::Rgba>(picture.grid.columns, picture.grid.rows);
+  picture.metadata = {{"scene", scene.name}, {"attribution", scene.attribution}};
   for (std::size_t row = 0; row < picture.grid.rows; ++row) {
     for (std::size_t column = 0; column < picture.grid.columns; ++column) {
       const scatter::Material& material = scene.materials[scene.ground.at(picture.grid.centre_of(column, row))];

@@ -6,11 +6,10 @@
 #include <fmt/ranges.h>
 
 #include "results_causes.h"
+#include "results_noise_tables.h"
 
 namespace sigmascape::cli {
 namespace {
-
-constexpr double summary_cell_m = 8.0;
 
 /// "0.834 (0.791)": median and worst, or the median alone where there is only one view.
 std::string pair(double median, double worst, const char* format, std::size_t views) {
@@ -134,8 +133,8 @@ std::string vertices_text(const ResultsReport& report) {
              all = static_cast<double>(report.meshes.instanced_vertices);
   return fmt::format(
       "The full scene has {:.4g} million vertices, each tree with its own; a rendered map knows the {} nodes of the "
-      "terrain, {:.3f} % of them.\n\n",
-      all / 1e6, report.terrain_nodes, 100.0 * kept / all);
+      "terrain, {:.3f} % of them. To be traced, the scene takes {} MB of acceleration structures.\n\n",
+      all / 1e6, report.terrain_nodes, 100.0 * kept / all, megabytes(report.tracing_memory_bytes));
 }
 
 std::string view_table(const ResultsPlan& plan) {
@@ -187,6 +186,22 @@ std::string ceiling_text(const ResultsReport& report) {
   return text;
 }
 
+/// How well two traced maps of a baked view agree, which bounds what can be shown of any method.
+std::string truth_aim(const ResultsReport& report, const std::string& scene) {
+  constexpr double least = 0.99;
+  const ResultsRow* row = find_row(report.rows, {.scene = scene,
+                                                 .method = Method::Paper,
+                                                 .grid = report.plan.paper_grid().name(),
+                                                 .baked_samples = report.plan.baked_samples,
+                                                 .kind = ViewKind::OnGrid});
+  const ResultsCell* cell = row != nullptr ? row->at_cell(summary_cell_m) : nullptr;
+  if (cell == nullptr) return {};
+  const double correlation = cell->floor_median.correlation_db;
+  return fmt::format("| {} | *truth*, {} rays a cell | | {:.3f} | {:.2f} | {} | {:+.2f} | | |\n", scene,
+                     report.plan.traced_samples, correlation, least, correlation >= least ? "reached" : "missed",
+                     cell->floor_median.bias_db);
+}
+
 /// What was asked for at views that were baked, and what came out: of the grid as it is baked, and of the same looks
 /// with as many rays as the truth has.
 std::string aims_text(const ResultsReport& report) {
@@ -196,6 +211,7 @@ std::string aims_text(const ResultsReport& report) {
       "| scene | method | rays a texel | correlation of dB | aimed at | | bias [dB] | aimed at | |\n"
       "|---|---|---:|---:|---:|---|---:|---:|---|\n";
   for (const auto& [scene, least] : {std::pair(plan.scene_name(), 0.95), {std::string("level"), 0.99}}) {
+    text += truth_aim(report, scene);
     for (const Method method : {Method::Paper, Method::LevelGround, Method::OwnGround}) {
       for (const auto& [grid, samples] :
            {std::pair(plan.paper_grid().name(), plan.baked_samples), {std::string(own_look), plan.finer_samples}}) {
@@ -254,11 +270,12 @@ std::string lead(const ResultsReport& report) {
 }
 
 /// The figures of a section beside one another, at most three in a row.
-std::string figures_text(const std::vector<product::PageSection>& sections) {
+std::string figures_text(const std::vector<product::PageSection>& sections, const std::string& attribution) {
   constexpr std::size_t in_a_row = 3;
   std::string text;
   for (const product::PageSection& section : sections) {
     text += "## " + section.heading + "\n\n";
+    for (const std::string& paragraph : section.paragraphs) text += paragraph + "\n\n";
     for (std::size_t first = 0; first < section.figures.size(); first += in_a_row) {
       std::string captions = "|", rules = "|", pictures = "|";
       for (std::size_t i = first; i < std::min(first + in_a_row, section.figures.size()); ++i) {
@@ -269,6 +286,7 @@ std::string figures_text(const std::vector<product::PageSection>& sections) {
       }
       text += fmt::format("{}\n{}\n{}\n\n", captions, rules, pictures);
     }
+    if (!attribution.empty()) text += "Data: " + attribution + "\n\n";
   }
   return text;
 }
@@ -297,7 +315,7 @@ std::string results_markdown(const ResultsReport& report) {
       "\nThe rows *truth* hold one traced map against another that differs in its seed alone. Baked maps are held "
       "against the mean of the two, whose noise has half the variance of either's. " +
       ceiling_text(report) + elevation_remark(plan) + "Bake times are seconds of processor time.\n\n" +
-      aims_text(report);
+      aims_text(report) + without_noise_section(report) + level_section(report);
   text += fmt::format(
       "## Why\n\nWhat the error is made of: each cause switched off alone, medians over the held-out views at {:.0f} m "
       "cells where nothing else is said.\n\n",
@@ -307,7 +325,7 @@ std::string results_markdown(const ResultsReport& report) {
       "## Cheap wins\n\nEach change made alone to the method named beside it, held-out views at {:.0f} m cells. Frame "
       "times are milliseconds on the wall.\n\n",
       summary_cell_m);
-  text += changes_table(plan, report.rows) + "\n";
+  text += changes_table(plan, report.rows) + "\n" + worth_of_looks(plan, report.rows) + "\n\n";
   for (const auto& [name, plot] : plots_of(report)) text += fmt::format("![{}]({})\n\n", plot.title, name);
   text += "## By cell size\n\nThe " + plan.paper_grid().name() + " grid.\n\n" + cell_table(report);
   text += "\n## By level of detail\n\nThe " + plan.paper_grid().name() +
@@ -318,7 +336,7 @@ std::string results_markdown(const ResultsReport& report) {
       "\n## Bytes and time\n\nSeconds of processor time for the bake and for one traced map, milliseconds on the wall "
       "for a rendered one: these depend on the machine. Medians over the held-out views.\n\n" +
       time_table(report) + "\n" + vertices_text(report);
-  return text + figures_text(report.figures) + settings_text(plan);
+  return text + figures_text(report.figures, report.attribution) + settings_text(plan);
 }
 
 std::vector<product::PageSection> results_sections(const std::vector<ResultsRow>& rows) {

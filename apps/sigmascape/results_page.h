@@ -22,7 +22,8 @@ struct ResultsReport {
   std::string scene;        ///< the scene's own name
   std::string attribution;  ///< of its data
   scene::MeshCounts meshes;
-  std::size_t terrain_nodes = 0;  ///< all that maps from textures keep of the meshes
+  std::size_t terrain_nodes = 0;         ///< all that maps from textures keep of the meshes
+  std::size_t tracing_memory_bytes = 0;  ///< of the full scene's acceleration structures
   std::vector<ViewResult> views;
   std::vector<ResultsRow> rows;
   std::vector<product::PageSection> figures;

@@ -5,7 +5,6 @@
 namespace sigmascape::cli {
 namespace {
 
-constexpr double summary_cell_m = 8.0;
 constexpr Method methods[] = {Method::Paper, Method::BakedShadows, Method::LevelGround, Method::OwnGround};
 
 /// RMS error of every view, from the paper's grid, over how far its line of sight is from the nearest baked one.

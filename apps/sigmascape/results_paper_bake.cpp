@@ -33,10 +33,12 @@ void round_to_halves(Array2D<radar::Channels>& texels) {
 
 }  // namespace
 
-PaperBake::PaperBake(const ResultsPlan& plan, const scene::Scene& scene, std::filesystem::path folder)
+PaperBake::PaperBake(const ResultsPlan& plan, const scene::Scene& scene, std::filesystem::path folder,
+                     std::uint64_t seed)
     : plan_(plan),
       scene_(scene),
       folder_(std::move(folder)),
+      seed_(seed),
       scene_hash_(scene::scene_hash(scene)),
       texels_(patch_over(scene.extent, plan.bake_settings(Method::Paper).patches.texel_m)) {}
 
@@ -46,7 +48,7 @@ radar::GroundMap PaperBake::baked_or_kept(const radar::Aspect& aspect, std::uint
   const auto path = folder_ / fmt::format("az{:06.2f}_el{:05.2f}_{}rays.tif", azimuth_deg, elevation_deg, samples);
   const std::string settings =
       fmt::format("scene {}, azimuth {} deg, elevation {} deg, {} bounces, seed {}, {}", scene_hash_, azimuth_deg,
-                  elevation_deg, plan_.bounces, plan_.seed, trace::simd_setting());
+                  elevation_deg, plan_.bounces, seed_, trace::simd_setting());
   if (std::filesystem::exists(path)) {
     radar::GroundMap kept = product::read_ground_map(path);
     if (kept.metadata[settings_key] == settings) return kept;
@@ -54,6 +56,7 @@ radar::GroundMap PaperBake::baked_or_kept(const radar::Aspect& aspect, std::uint
   if (!baker_ || baker_samples_ != samples) {
     bake::BakeSettings bake = plan_.bake_settings(Method::Paper);
     bake.sampling.samples_per_texel = samples;
+    bake.seed = seed_;
     baker_.emplace(scene_, bake);
     baker_samples_ = samples;
   }

@@ -21,7 +21,7 @@ struct PaperAtlas {
 /// Bakes in the paper's way into a folder of float GeoTIFFs, one a look, and finds there what an earlier run baked.
 class PaperBake {
  public:
-  PaperBake(const ResultsPlan& plan, const scene::Scene& scene, std::filesystem::path folder);
+  PaperBake(const ResultsPlan& plan, const scene::Scene& scene, std::filesystem::path folder, std::uint64_t seed);
 
   /// All looks of a grid; `in_halves` rounds their texels to half floats.
   [[nodiscard]] PaperAtlas atlas_of(const atlas::AspectGrid& aspects, std::uint32_t samples, ProgressListener& progress,
@@ -33,6 +33,7 @@ class PaperBake {
   const ResultsPlan& plan_;
   const scene::Scene& scene_;
   std::filesystem::path folder_;
+  std::uint64_t seed_;
   std::string scene_hash_;
   radar::GroundGrid texels_;
   std::optional<bake::PaperBaker> baker_;  // made when something has to be baked

@@ -13,6 +13,7 @@ namespace {
 constexpr double slant_range_m = 20e3;
 constexpr double resolution_m = 2.0;
 constexpr double lowest_elevation_deg = 3.0, highest_elevation_deg = 40.0;
+constexpr std::size_t repeated_views = 3;
 constexpr std::uint64_t held_out_stream = 0x76696577;  // keeps the views' numbers apart from those of the rays
 
 /// A view on the first grid, so that all grids hold it; neighbours in the list differ in both angles.
@@ -20,7 +21,8 @@ PlannedView view_on(const LookGrid& grid, std::size_t index) {
   const std::size_t azimuth = (3 + 5 * index) % grid.azimuths;
   return {.kind = ViewKind::OnGrid,
           .azimuth_deg = 360.0 * static_cast<double>(azimuth) / grid.azimuths,
-          .elevation_deg = grid.elevations_deg[index % grid.elevations_deg.size()]};
+          .elevation_deg = grid.elevations_deg[index % grid.elevations_deg.size()],
+          .is_repeated = index < repeated_views};
 }
 
 PlannedView held_out_view(std::uint64_t seed, std::size_t index) {

@@ -45,6 +45,8 @@ struct PlannedView {
   ViewKind kind = ViewKind::HeldOut;
   double azimuth_deg = 0.0;
   double elevation_deg = 0.0;
+  /// Baked a second time from another seed, to tell the bake's noise; traced maps are made twice in any event.
+  bool is_repeated = false;
 
   [[nodiscard]] std::string file_name() const;    ///< "az130.00_el08.60"
   [[nodiscard]] std::string description() const;  ///< "azimuth 130.0°, elevation 8.6°"

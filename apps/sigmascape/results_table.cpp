@@ -78,13 +78,45 @@ AtlasCost mean_cost(const std::vector<const ViewResult*>& views) {
           sum.bake_seconds / static_cast<double>(count)};
 }
 
+using LevelErrors = std::vector<product::LevelError>;
+
+LevelErrors sum_of(const std::vector<const ViewResult*>& views, LevelErrors ViewResult::*errors) {
+  LevelErrors sum = views.front()->*errors;
+  for (std::size_t i = 1; i < views.size(); ++i) {
+    const LevelErrors& more = views[i]->*errors;
+    for (std::size_t range = 0; range < sum.size(); ++range) {
+      sum[range].cells += more[range].cells;
+      sum[range].squared_error_db2 += more[range].squared_error_db2;
+    }
+  }
+  return sum;
+}
+
+ResultsWithoutNoise without_noise_of(const std::vector<const ViewResult*>& views) {
+  std::vector<double> correlations, errors_db;
+  std::vector<const CellComparison*> measured, floor;
+  for (const ViewResult* view : views) {
+    if (!view->without_noise) continue;
+    correlations.push_back(view->without_noise->correlation_db);
+    errors_db.push_back(view->without_noise->rms_db);
+    measured.push_back(view->comparison.at_cell(summary_cell_m));
+    floor.push_back(view->noise_floor.at_cell(summary_cell_m));
+  }
+  if (measured.empty()) return {};
+  return {measured.size(), median(correlations), median(errors_db), over_views(measured).median,
+          over_views(floor).median};
+}
+
 ResultsRow row_of(const std::vector<const ViewResult*>& views) {
   ResultsRow row{.of = views.front()->of,
                  .views = views.size(),
                  .atlas = mean_cost(views),
                  .trace_seconds = median_of(views, &ViewResult::trace_seconds),
                  .render_ms = median_of(views, &ViewResult::render_ms),
-                 .cells = {}};
+                 .cells = {},
+                 .by_level = sum_of(views, &ViewResult::by_level),
+                 .noise_by_level = sum_of(views, &ViewResult::noise_by_level),
+                 .without_noise = without_noise_of(views)};
   for (const CellComparison& size : views.front()->comparison.at) {
     std::vector<const CellComparison*> tested, floor;
     for (const ViewResult* view : views) {
@@ -108,6 +140,27 @@ nlohmann::ordered_json json_of(const CellComparison& cell) {
   nlohmann::ordered_json json;
   for (const Metric& metric : metrics) json[metric.key] = number(cell.*metric.value);
   return json;
+}
+
+/// Bounds at infinity are null.
+nlohmann::ordered_json json_of(const LevelErrors& errors) {
+  const auto bound = [](double db) { return std::isinf(db) ? nlohmann::ordered_json() : nlohmann::ordered_json(db); };
+  auto json = nlohmann::ordered_json::array();
+  for (const product::LevelError& range : errors) {
+    json.push_back({{"from_db", bound(range.from_db)},
+                    {"to_db", bound(range.to_db)},
+                    {"cells", range.cells},
+                    {"squared_error_db2", range.squared_error_db2}});
+  }
+  return json;
+}
+
+nlohmann::ordered_json json_of(const ResultsWithoutNoise& free) {
+  return {{"views", free.views},
+          {"correlation_db", number(free.correlation_db)},
+          {"rms_db", number(free.rms_db)},
+          {"measured", json_of(free.measured)},
+          {"noise_floor", json_of(free.noise_floor)}};
 }
 
 nlohmann::ordered_json json_of(const ResultsCase& of, const AtlasCost& atlas) {
@@ -191,6 +244,11 @@ nlohmann::ordered_json results_json(const ResultsPlan& plan, const std::vector<R
                     {"worst", json_of(cell.worst)},
                     {"noise_floor_median", json_of(cell.floor_median)},
                     {"noise_floor_worst", json_of(cell.floor_worst)}});
+      if (cell.median.cell_m == summary_cell_m) {
+        entry["by_level"] = json_of(row.by_level);
+        entry["noise_by_level"] = json_of(row.noise_by_level);
+        if (row.without_noise.views > 0) entry["without_noise"] = json_of(row.without_noise);
+      }
       json["rows"].push_back(entry);
     }
   }

@@ -2,14 +2,21 @@
 
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "results_plan.h"
 
+#include "sigmascape/product/level_errors.h"
 #include "sigmascape/product/map_metrics.h"
+#include "sigmascape/product/noise_free_metrics.h"
 
 namespace sigmascape::cli {
+
+/// The cells that most tables are about, and levels of true σ0 that part their error.
+inline constexpr double summary_cell_m = 8.0;
+inline constexpr double level_bounds_db[] = {-30.0, -15.0};
 
 inline constexpr const char* own_look = "own look";
 
@@ -20,6 +27,8 @@ inline constexpr const char* cotangent_gamma_change = "γ blended in cot ψ";
 inline constexpr const char* map_area_change = "map area instead of the slope's";
 inline constexpr const char* finest_change = "no mips";
 inline constexpr const char* halves_change = "half floats";
+/// A change of ours.
+inline constexpr const char* renormalized_change = "power by tiles";
 
 /// What is measured together: all views of one kind of one scene, made in one way.
 struct ResultsCase {
@@ -49,8 +58,12 @@ struct ViewResult {
   AtlasCost atlas;
   product::MapComparison comparison;
   product::MapComparison noise_floor;  ///< one traced map against another
-  double trace_seconds = 0.0;          ///< of processor time, for one traced map
-  double render_ms = 0.0;              ///< on the wall
+  /// The squared error at summary_cell_m by level of truth, and that of one traced map against another.
+  std::vector<product::LevelError> by_level, noise_by_level;
+  /// Of a map that was made twice, at summary_cell_m.
+  std::optional<product::NoiseFreeComparison> without_noise = {};
+  double trace_seconds = 0.0;  ///< of processor time, for one traced map
+  double render_ms = 0.0;      ///< on the wall
 };
 
 /// A case at one cell size. Medians and worst values are taken over the views, each number by itself; the worst bias is
@@ -60,12 +73,21 @@ struct ResultsCell {
   product::CellComparison floor_median, floor_worst;
 };
 
+/// What is left at summary_cell_m without noise, beside what was measured: medians over the views that were repeated.
+struct ResultsWithoutNoise {
+  std::size_t views = 0;
+  double correlation_db = 0.0, rms_db = 0.0;
+  product::CellComparison measured, noise_floor;
+};
+
 struct ResultsRow {
   ResultsCase of;
   std::size_t views = 0;
   AtlasCost atlas;                              ///< mean over the views
   double trace_seconds = 0.0, render_ms = 0.0;  ///< medians over the views
   std::vector<ResultsCell> cells;
+  std::vector<product::LevelError> by_level, noise_by_level;  ///< sums over the views
+  ResultsWithoutNoise without_noise = {};
 
   /// The entry of that cell size; nullptr when the maps were too small for it.
   [[nodiscard]] const ResultsCell* at_cell(double cell_m) const;

@@ -8,39 +8,13 @@
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/product/block_mean.h"
+#include "sigmascape/product/same_cells.h"
 
 namespace sigmascape::product {
 namespace {
 
 constexpr double usual_cells_m[] = {2.0, 4.0, 8.0, 16.0, 32.0};
 constexpr double not_defined = std::numeric_limits<double>::quiet_NaN();
-
-void require_same_cells(const radar::GroundMap& tested, const radar::GroundMap& truth) {
-  const auto differ = [](const std::string& how) {
-    throw Error("maps to compare", how, "render both onto the same grid of the same frame");
-  };
-  const radar::GroundGrid& a = tested.grid;
-  const radar::GroundGrid& b = truth.grid;
-  if (a.cell_m != b.cell_m)
-    differ(fmt::format("the tested map's cells are {} m, the truth's {} m", a.cell_m, b.cell_m));
-  if (a.columns != b.columns || a.rows != b.rows) {
-    differ(fmt::format("the tested map has {} x {} cells, the truth {} x {}", a.columns, a.rows, b.columns, b.rows));
-  }
-  if (a.west_m != b.west_m || a.north_m != b.north_m) {
-    differ(fmt::format("the tested map's north-western corner is ({}, {}) m, the truth's ({}, {}) m", a.west_m,
-                       a.north_m, b.west_m, b.north_m));
-  }
-  if (tested.crs != truth.crs) {
-    differ(fmt::format("the tested map lies in the frame '{}', the truth in '{}'", tested.crs, truth.crs));
-  }
-}
-
-/// How many of the map's cells go into one of `cell_m` along each side; zero when no whole number does.
-std::size_t block_factor(double cell_m, const radar::GroundGrid& grid) {
-  const double factor = cell_m / grid.cell_m;
-  const double whole = std::round(factor);
-  return whole >= 1.0 && std::abs(factor - whole) < 1e-6 * whole ? static_cast<std::size_t>(whole) : 0;
-}
 
 /// Sums over cell pairs from which all metrics follow.
 class PairSums {
@@ -115,13 +89,8 @@ MapComparison compare_maps(const radar::GroundMap& tested, const radar::GroundMa
   if (usual) comparison.options.cells_m.assign(std::begin(usual_cells_m), std::end(usual_cells_m));
 
   for (const double cell_m : comparison.options.cells_m) {
-    const std::size_t factor = block_factor(cell_m, truth.grid);
-    if (factor == 0) {
-      if (usual) continue;
-      throw Error("cell size to compare at",
-                  fmt::format("{} m is no multiple of the maps' {} m cells", cell_m, truth.grid.cell_m),
-                  "choose whole multiples of the maps' cell");
-    }
+    if (usual && block_factor(cell_m, truth.grid) == 0) continue;
+    const std::size_t factor = required_block_factor(cell_m, truth.grid);
     const PairSums sums = sums_over_blocks(tested, truth, options, factor);
     if (sums.cells() > 0) {
       comparison.at.push_back(sums.metrics(cell_m));
