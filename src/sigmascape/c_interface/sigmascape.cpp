@@ -13,6 +13,7 @@
 #include "sigmascape/render/level_of_detail.h"
 #include "sigmascape/render/live_renderer.h"
 #include "sigmascape/scene/scene_file.h"
+#include "sigmascape/simulate/live_flight.h"
 #include "sigmascape/simulate/live_tracer.h"
 #include "sigmascape/trace/scene_geometry.h"
 
@@ -22,6 +23,7 @@ using sigmascape::render::FrameContent;
 using sigmascape::render::LiveGround;
 using sigmascape::render::LiveRenderer;
 using sigmascape::render::LiveSettings;
+using sigmascape::simulate::LiveFlight;
 using sigmascape::simulate::LiveTracer;
 using sigmascape::simulate::LiveTraceSettings;
 
@@ -46,11 +48,12 @@ struct sigmascape_scene {
   std::shared_ptr<TracedScene> scene;
 };
 
-/// From textures or traced: one of the two is there.
+/// From textures, traced, or the one or the other: one of the three is there.
 struct sigmascape_renderer {
   std::unique_ptr<LiveRenderer> renderer = {};
   std::shared_ptr<TracedScene> scene = {};
   std::unique_ptr<LiveTracer> tracer = {};
+  std::unique_ptr<LiveFlight> flight = {};
   std::vector<sigmascape::radar::Target> targets = {};
 };
 
@@ -150,6 +153,10 @@ LiveSettings settings_from(const sigmascape_settings& wanted) {
           .refraction = wanted.refraction};
 }
 
+LiveTraceSettings tracing_from(const sigmascape_tracing& tracing) {
+  return {tracing.frequency_hz, tracing.rays_per_cell, tracing.max_bounces, tracing.lattice_m};
+}
+
 }  // namespace
 
 const char* sigmascape_last_error(void) {
@@ -219,13 +226,27 @@ sigmascape_renderer* sigmascape_make_tracer(sigmascape_scene* scene, const sigma
                                             const sigmascape_tracing* tracing) {
   return guarded<sigmascape_renderer*>(nullptr, [&] {
     const auto& traced = given(scene, "scene").scene;
-    const sigmascape_tracing& wanted = given(tracing, "tracing");
+    return new sigmascape_renderer{.scene = traced,
+                                   .tracer = std::make_unique<LiveTracer>(traced->scene, traced->geometry,
+                                                                          settings_from(given(settings, "settings")),
+                                                                          tracing_from(given(tracing, "tracing")))};
+  });
+}
+
+sigmascape_renderer* sigmascape_make_flight(sigmascape_scene* scene, sigmascape_ground* ground,
+                                            const sigmascape_settings* settings, const sigmascape_tracing* tracing) {
+  return guarded<sigmascape_renderer*>(nullptr, [&] {
+    const auto& traced = given(scene, "scene").scene;
     return new sigmascape_renderer{
         .scene = traced,
-        .tracer = std::make_unique<LiveTracer>(
-            traced->scene, traced->geometry, settings_from(given(settings, "settings")),
-            LiveTraceSettings{wanted.frequency_hz, wanted.rays_per_cell, wanted.max_bounces, wanted.lattice_m})};
+        .flight = std::make_unique<LiveFlight>(
+            traced->scene, traced->geometry, given(ground, "ground").ground, settings_from(given(settings, "settings")),
+            sigmascape::simulate::LiveFlightSettings{.tracing = tracing_from(given(tracing, "tracing"))})};
   });
+}
+
+double sigmascape_textured_share(const sigmascape_renderer* flight) {
+  return guarded(-1.0, [&] { return given(given(flight, "flight").flight.get(), "the flight").textured_share(); });
 }
 
 int sigmascape_advised_detail(sigmascape_renderer* tracer, const sigmascape_pose* pose) {
@@ -256,7 +277,10 @@ int sigmascape_render(sigmascape_renderer* renderer, const sigmascape_pose* pose
     (void)given(renderer, "renderer");
     (void)given(frame, "frame");
     const auto wanted = pose_from(given(pose, "pose"), *renderer);
-    copy(renderer->tracer ? renderer->tracer->render(wanted) : renderer->renderer->render(wanted), *frame);
+    copy(renderer->flight   ? renderer->flight->render(wanted)
+         : renderer->tracer ? renderer->tracer->render(wanted)
+                            : renderer->renderer->render(wanted),
+         *frame);
     return 0;
   });
 }
@@ -266,8 +290,9 @@ int sigmascape_scan(sigmascape_renderer* renderer, const sigmascape_pose* pose, 
   return guarded(1, [&] {
     (void)given(renderer, "renderer");
     (void)given(frame, "frame");
-    if (renderer->tracer) {
-      throw sigmascape::Error("sigmascape_scan", "is asked of a tracer", "take sigmascape_render for all beams");
+    if (!renderer->renderer) {
+      throw sigmascape::Error("sigmascape_scan", "is asked of a tracer or a flight",
+                              "take sigmascape_render for all beams");
     }
     copy(renderer->renderer->scan(pose_from(given(pose, "pose"), *renderer), first_beam, count), *frame);
     return 0;

@@ -96,7 +96,7 @@ typedef struct sigmascape_renderer sigmascape_renderer;
 
 /* Null when the settings make no sense. */
 sigmascape_renderer* sigmascape_make_renderer(sigmascape_ground* ground, const sigmascape_settings* settings);
-/* Of a renderer or of a tracer. */
+/* Of a renderer, a tracer or a flight. */
 void sigmascape_free_renderer(sigmascape_renderer* renderer);
 
 /* A landscape, ready for rays. */
@@ -125,6 +125,15 @@ sigmascape_renderer* sigmascape_make_tracer(sigmascape_scene* scene, const sigma
 /* The level of detail that the resolution cell asks for where the tracer's scene is at hand: 0 when it should be
  * traced. Negative when something is wrong. */
 int sigmascape_advised_detail(sigmascape_renderer* tracer, const sigmascape_pose* pose);
+
+/* A renderer that traces what has to be traced and takes textures for the rest, as poses ask: one gives way to the
+ * other over some frames, each with its share of the power, and no step shows. The atlas is one of that scene;
+ * frequency and lattice_m of the tracing have no say. It renders all beams alone. Null when the settings make no sense.
+ */
+sigmascape_renderer* sigmascape_make_flight(sigmascape_scene* scene, sigmascape_ground* ground,
+                                            const sigmascape_settings* settings, const sigmascape_tracing* tracing);
+/* Part of the last frame's power that came from textures: 0 of a traced one. Negative when it is no flight. */
+double sigmascape_textured_share(const sigmascape_renderer* flight);
 
 /* The targets of all frames from now on, in place of those before; copied, tables read. Returns 0 when all went well,
  * and otherwise leaves those before. */

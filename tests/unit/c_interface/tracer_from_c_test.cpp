@@ -10,6 +10,7 @@
 #include "sigmascape/c_interface/sigmascape.h"
 #include "sigmascape/scene/scene_file.h"
 #include "sigmascape/simulate/live_tracer.h"
+#include "sigmascape/terrain/height_field_file.h"
 
 namespace sigmascape {
 namespace {
@@ -70,6 +71,58 @@ TEST(TracerFromC, GivesTheFrameOfTheCppInterface) {
   EXPECT_NE(sigmascape_scan(tracer, &from, 0, 4, &frame), 0);
   EXPECT_NE(std::string(sigmascape_last_error()).find("tracer"), std::string::npos);
   sigmascape_free_renderer(tracer);
+}
+
+TEST(FlightFromC, TracesWhatIsSeenCloselyAndLeavesTheRestToTextures) {
+  const ScratchFolder folder;
+  const std::string file = end_to_end::write_made_scene(folder.path("town"), 160.0, 160.0).string();
+  render::ExampleGround example;
+  example.sigma0 = [](const radar::Look& look) { return render::constant_gamma(0.1, look); };
+  const auto store = example.store(folder.path("atlas"));
+  terrain::write_height_field(folder.path("atlas") / atlas::terrain_name, example.terrain(),
+                              store.description().frame.proj());
+  render::ExampleView view;
+  view.target = {};
+  view.bin_m = 4.0;
+  view.beams = view.ranges = 24;
+  const render::LiveSettings wanted = view.settings(render::FrameContent::Amplitudes);
+  const render::Pose pose = view.pose();
+  const scene::Scene scene = scene::read_scene(file);
+  const trace::SceneGeometry geometry(scene, trace::Footing::Terrain);
+  simulate::LiveTracer expected(scene, geometry, wanted, {.rays_per_cell = 4, .lattice_m = example.texel_m});
+  const render::Frame& cpp = expected.render(pose);
+
+  sigmascape_scene* town = sigmascape_open_scene(file.c_str());
+  sigmascape_ground* ground = sigmascape_open_ground(folder.path("atlas").c_str(), 10e9, 0);
+  ASSERT_NE(ground, nullptr) << sigmascape_last_error();
+  sigmascape_settings settings = sigmascape_default_settings();
+  settings.beams = wanted.beams;
+  settings.ranges = wanted.ranges;
+  settings.beam_step_rad = wanted.beam_step_rad;
+  settings.range_step_m = wanted.range_step_m;
+  settings.refraction = wanted.refraction;
+  sigmascape_tracing tracing = sigmascape_default_tracing();
+  tracing.rays_per_cell = 4;
+  sigmascape_renderer* flight = sigmascape_make_flight(town, ground, &settings, &tracing);
+  ASSERT_NE(flight, nullptr) << sigmascape_last_error();
+  sigmascape_close_scene(town);
+  sigmascape_close_ground(ground);
+
+  sigmascape_pose from = {};
+  from.position_m[0] = pose.position.x;
+  from.position_m[1] = pose.position.y;
+  from.position_m[2] = pose.position.z;
+  from.first_azimuth_rad = pose.first_azimuth_rad;
+  from.first_range_m = pose.first_range_m;
+  sigmascape_frame frame = {};
+  ASSERT_EQ(sigmascape_render(flight, &from, &frame), 0) << sigmascape_last_error();
+  EXPECT_EQ(sigmascape_textured_share(flight), 0.0);
+  EXPECT_EQ(frame.rays_per_cell, 4U);
+  EXPECT_EQ(std::memcmp(frame.amplitudes_m, cpp.amplitudes_m.data(), cpp.amplitudes_m.size_bytes()), 0);
+  EXPECT_NE(sigmascape_scan(flight, &from, 0, 4, &frame), 0);
+  sigmascape_free_renderer(flight);
+  EXPECT_LT(sigmascape_textured_share(nullptr), 0.0);
+  EXPECT_EQ(sigmascape_make_flight(nullptr, nullptr, &settings, &tracing), nullptr);
 }
 
 TEST(TracerFromC, WhatIsWrongIsSaid) {
