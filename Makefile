@@ -37,7 +37,7 @@ results: packages ## The same at full size, on real places too: many hours, goes
 	$(call build,release) --target sigmascape_cli
 	$(measure) $(RESULTS) --out out/results/paper --page docs/results/README.md
 	$(measure) $(RESULTS) --itu-materials --out out/results/itu --page docs/results/itu/README.md
-	$(measure) $(RESULTS) --scene examples/bilbao/bilbao.toml --out out/results/bilbao --page docs/results/bilbao/README.md
+	$(measure) $(RESULTS) --scene examples/bilbao/bilbao.toml --around 350 400 --out out/results/bilbao --page docs/results/bilbao/README.md
 	$(measure) $(RESULTS) --scene examples/san_francisco/san_francisco.toml --out out/results/san_francisco --page docs/results/san_francisco/README.md
 
 test: packages ## Build and run the tests

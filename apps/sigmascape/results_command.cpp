@@ -79,6 +79,11 @@ void add_results_command(CLI::App& app, Output& output) {
   command->add_option("--page", options->page, "Markdown page to write as well, its pictures beside it");
   command->add_option("--scene", options->scene_file, "scene file (TOML) to measure on, instead of the paper's scene");
   command->add_option("--scale", options->scale, "side of the paper's scene, or of the middle of another, over 2 km");
+  command
+      ->add_option("--around", options->around_m,
+                   "of another scene: the middle of what is measured, in metres east and north of the scene's own")
+      ->expected(2)
+      ->needs("--scene");
   command->add_flag("--itu-materials", options->itu_materials,
                     "the paper's scene with walls and trees of real materials instead of the paper's");
   command->add_option("--held-out", options->held_out, "number of views that were not baked");
@@ -92,7 +97,7 @@ void add_results_command(CLI::App& app, Output& output) {
   command->add_flag("--json", output.json, "print the numbers as JSON");
   command->footer(
       "Examples:\n  sigmascape results --small\n"
-      "  sigmascape results --scene examples/bilbao/bilbao.toml --out out/results/bilbao");
+      "  sigmascape results --scene examples/bilbao/bilbao.toml --around 350 400 --out out/results/bilbao");
   command->callback([options, &output] { run_results(*options, output); });
 }
 

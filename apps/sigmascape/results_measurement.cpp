@@ -9,6 +9,7 @@
 #include "results_tile_power.h"
 #include "stopwatch.h"
 
+#include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/scene/scene_file.h"
 #include "sigmascape/simulate/placement.h"
@@ -36,9 +37,19 @@ constexpr PaperChange paper_changes[] = {
 scene::Scene scene_of(const ResultsPlan& plan) {
   if (plan.scene_file.empty()) return scene::paper_scene({.scale = plan.scale, .materials = plan.materials});
   scene::Scene scene = scene::read_scene(plan.scene_file);
-  const Vec2d centre = scene.extent.centre();
-  const double half_m = std::min({plan.side_m(), scene.extent.width_m(), scene.extent.height_m()}) / 2.0;
-  scene.extent = {centre.x - half_m, centre.y - half_m, centre.x + half_m, centre.y + half_m};
+  const radar::Rectangle& all = scene.extent;
+  const double half_m = std::min({plan.side_m(), all.width_m(), all.height_m()}) / 2.0;
+  const Vec2d centre = all.centre() + plan.around_m;
+  const radar::Rectangle part{centre.x - half_m, centre.y - half_m, centre.x + half_m, centre.y + half_m};
+  if (part.west_m < all.west_m || part.south_m < all.south_m || part.east_m > all.east_m ||
+      part.north_m > all.north_m) {
+    throw Error(
+        "--around",
+        fmt::format("{:g} m around ({:g}, {:g}) m reach beyond the scene", half_m, plan.around_m.x, plan.around_m.y),
+        fmt::format("choose a place within {:g} m east or west and {:g} m north or south of the scene's middle",
+                    all.width_m() / 2.0 - half_m, all.height_m() / 2.0 - half_m));
+  }
+  scene.extent = part;
   return scene;
 }
 

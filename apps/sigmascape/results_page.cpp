@@ -240,7 +240,11 @@ std::string lead(const ResultsReport& report) {
                     plan.scale, plan.side_m(),
                     plan.materials == scene::PaperMaterials::Paper ? "the paper's" : "real buildings' (ITU-R P.2040)");
   } else {
-    text += fmt::format("Ground maps of the middle {:.0f} m of {}", plan.side_m(), report.scene);
+    text +=
+        plan.around_m == Vec2d{}
+            ? fmt::format("Ground maps of the middle {:.0f} m of {}", plan.side_m(), report.scene)
+            : fmt::format("Ground maps of {:.0f} m of {}, whose middle lies {:g} m east and {:g} m north of its own",
+                          plan.side_m(), report.scene, plan.around_m.x, plan.around_m.y);
   }
   text += fmt::format(
       ", rendered from terrain and baked reflectivity and held against path-traced maps of the full scene. The "

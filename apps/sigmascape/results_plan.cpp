@@ -151,6 +151,7 @@ ResultsPlan results_plan(const ResultsOptions& options) {
   plan.scale = options.scale.value_or(options.small ? 0.2 : 0.5);
   plan.materials = options.itu_materials ? scene::PaperMaterials::Itu : scene::PaperMaterials::Paper;
   plan.scene_file = options.scene_file;
+  if (!options.around_m.empty()) plan.around_m = {options.around_m[0], options.around_m[1]};
   plan.grids = {{8, {5, 13, 21, 29}}, {8, {5, 13, 21, 29, 37}}, {16, {5, 9, 13, 21, 29, 37}}};
   if (!options.small) plan.grids.push_back({32, {3, 5, 7, 9, 13, 21, 29, 37}});
   plan.baked_samples = options.baked_samples.value_or(options.small ? 64 : 100);

@@ -7,6 +7,7 @@
 
 #include "sigmascape/atlas/aspect_grid.h"
 #include "sigmascape/bake/bake.h"
+#include "sigmascape/base/vec.h"
 #include "sigmascape/radar/radar_file.h"
 #include "sigmascape/scene/paper_scene.h"
 
@@ -16,8 +17,9 @@ namespace sigmascape::cli {
 struct ResultsOptions {
   bool small = false;
   std::string folder = "out/results";
-  std::string page;        ///< Markdown page to write, its pictures beside it; empty for none
-  std::string scene_file;  ///< a landscape to measure on instead of the paper's
+  std::string page;              ///< Markdown page to write, its pictures beside it; empty for none
+  std::string scene_file;        ///< a landscape to measure on instead of the paper's
+  std::vector<double> around_m;  ///< east and north from that landscape's middle; empty for the middle itself
   bool itu_materials = false;
   std::optional<double> scale;
   std::optional<std::uint32_t> held_out, on_grid, baked_samples, traced_samples;
@@ -69,6 +71,7 @@ struct ResultsPlan {
   double scale = 0.25;  ///< side of what is measured over the paper's 2 km
   scene::PaperMaterials materials = scene::PaperMaterials::Paper;
   std::string scene_file = {};        ///< in place of the paper's scene
+  Vec2d around_m = {};                ///< the middle of what is measured there, from that scene's own
   std::vector<LookGrid> grids;        ///< each within the next; only the last is baked
   std::vector<PlannedView> views;     ///< the paper's first
   std::uint32_t baked_samples = 16;   ///< rays a texel

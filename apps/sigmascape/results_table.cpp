@@ -187,6 +187,7 @@ nlohmann::ordered_json settings_json(const ResultsPlan& plan) {
   }
   const product::CompareOptions compare;
   return {{"scale", plan.scale},
+          {"around_m", {plan.around_m.x, plan.around_m.y}},
           {"baked_samples", plan.baked_samples},
           {"finer_samples", plan.finer_samples},
           {"traced_samples", plan.traced_samples},
