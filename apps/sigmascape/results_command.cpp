@@ -88,6 +88,10 @@ void add_results_command(CLI::App& app, Output& output) {
                     "the paper's scene with walls and trees of real materials instead of the paper's");
   command->add_option("--held-out", options->held_out, "number of views that were not baked");
   command->add_option("--on-grid", options->on_grid, "number of views that were baked");
+  command
+      ->add_option("--repeated", options->repeated,
+                   "number of those that are baked twice, which tells the noise of the bake")
+      ->capture_default_str();
   command->add_option("--samples", options->baked_samples, "rays a texel of the bake");
   command->add_option("--traced-samples", options->traced_samples, "rays a cell of each of the two traced maps");
   command->add_option("--bounces", options->bounces, "surfaces a path may meet")->capture_default_str();

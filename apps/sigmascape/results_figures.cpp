@@ -118,7 +118,8 @@ product::PageSection simple_section(const ResultsPlan& plan, const std::filesyst
           {optical, "A prism and a cylinder on a plane, from above, the sun in the north-west"},
           {radar_map,
            "The same path-traced for a radar in the south-east, 30° high: the shadow, the layover of wall and roof, "
-           "the dihedral line where wall and ground meet. A fiftieth of what the walls reflect leaves diffusely"}}};
+           "the dihedral line where wall and ground meet. A fiftieth of what the walls reflect leaves diffusely. "
+           "Specks in the shadows are echoes that bounced more than once, come late and are found by few rays"}}};
 }
 
 product::PageSection scene_section(const Measurement& measurement, const ResultsPlan& plan,

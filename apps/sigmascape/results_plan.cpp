@@ -13,7 +13,6 @@ namespace {
 constexpr double slant_range_m = 20e3;
 constexpr double resolution_m = 2.0;
 constexpr double lowest_elevation_deg = 3.0, highest_elevation_deg = 40.0;
-constexpr std::size_t repeated_views = 3;
 constexpr std::uint64_t held_out_stream = 0x76696577;  // keeps the views' numbers apart from those of the rays
 
 /// A view on the first grid, so that all grids hold it; neighbours in the list differ in both angles.
@@ -21,8 +20,7 @@ PlannedView view_on(const LookGrid& grid, std::size_t index) {
   const std::size_t azimuth = (3 + 5 * index) % grid.azimuths;
   return {.kind = ViewKind::OnGrid,
           .azimuth_deg = 360.0 * static_cast<double>(azimuth) / grid.azimuths,
-          .elevation_deg = grid.elevations_deg[index % grid.elevations_deg.size()],
-          .is_repeated = index < repeated_views};
+          .elevation_deg = grid.elevations_deg[index % grid.elevations_deg.size()]};
 }
 
 PlannedView held_out_view(std::uint64_t seed, std::size_t index) {
@@ -162,8 +160,10 @@ ResultsPlan results_plan(const ResultsOptions& options) {
   plan.threads = options.threads;
 
   plan.views = {{ViewKind::Paper, 130.0, 8.6}};
-  for (std::size_t i = 0; i < options.on_grid.value_or(options.small ? 3 : 8); ++i)
+  for (std::size_t i = 0; i < options.on_grid.value_or(options.small ? 3 : 8); ++i) {
     plan.views.push_back(view_on(plan.grids.front(), i));
+    plan.views.back().is_repeated = i < options.repeated;
+  }
   for (std::size_t i = 0; i < options.held_out.value_or(options.small ? 4 : 24); ++i)
     plan.views.push_back(held_out_view(options.seed, i));
   return plan;

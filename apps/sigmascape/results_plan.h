@@ -23,6 +23,7 @@ struct ResultsOptions {
   bool itu_materials = false;
   std::optional<double> scale;
   std::optional<std::uint32_t> held_out, on_grid, baked_samples, traced_samples;
+  std::uint32_t repeated = 3;  ///< of the views on the grid, baked twice
   int bounces = 8;
   std::uint64_t seed = 1;
   unsigned threads = 0;
