@@ -87,6 +87,30 @@ TEST(LaunchArea, EveryRayThatLandsInTheTargetIsLaunched) {
   }
 }
 
+// What is told of a cell once is what every place says that its rays can come to.
+TEST(LaunchArea, CellsCountAlwaysWhereAllThatTheirRaysMeetCounts) {
+  std::size_t always = 0, not_always = 0;
+  for (const Landing& landing : viewpoints()) {
+    const LaunchArea area = launch_area(landing.viewpoint, target, 4.0, 0.0, top_m, {});
+    for (std::size_t k = 0; k < area.cells.size(); k += 7) {
+      const LaunchCell& cell = area.cells[k];
+      if (!area.counts_always({&cell, 1})) {
+        ++not_always;
+        continue;
+      }
+      ++always;
+      for (const Vec2d within : {Vec2d{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}, {1.0, 1.0}, {0.3, 0.6}}) {
+        const Vec3d aim{(cell.i + within.x) * 4.0, (cell.j + within.y) * 4.0, 0.0};
+        const Vec3d to_radar = landing.viewpoint.direction_from(aim);
+        for (const double height_m : {0.0, 0.4 * top_m, top_m})
+          ASSERT_TRUE(area.counts_from(aim + to_radar * (height_m / to_radar.z))) << description(landing);
+      }
+    }
+  }
+  EXPECT_GT(always, 1000U);
+  EXPECT_GT(not_always, 1000U);
+}
+
 TEST(LaunchArea, CoversExactlyTheCellsListed) {
   for (const Landing& landing : viewpoints()) {
     const LaunchArea area = launch_area(landing.viewpoint, target, 8.0, 0.0, top_m, {16.0, 16.0});
