@@ -50,6 +50,8 @@ test-long: packages ## Run the tests that take long
 	$(call build,release)
 	$(call run_tests,release) --label-regex '^long$$'
 
+test-asan: ## Run the tests under the address and undefined-behaviour sanitizers
+test-tsan: ## Run the tests under the thread sanitizer
 test-asan test-tsan: test-%: packages
 	$(call configure,$*)
 	$(sanitized) $(call build,$*)
