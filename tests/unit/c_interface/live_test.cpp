@@ -172,7 +172,8 @@ TEST_F(LiveFromC, SaysWhatIsWrong) {
   overflowing.beam_step_rad = 1e-12;
   EXPECT_EQ(sigmascape_make_renderer(ground, &overflowing), nullptr);
   sigmascape_settings of_nothing = settings;
-  of_nothing.content = static_cast<sigmascape_content>(7);
+  constexpr int no_content = 7;
+  std::memcpy(&of_nothing.content, &no_content, sizeof no_content);
   EXPECT_EQ(sigmascape_make_renderer(ground, &of_nothing), nullptr);
   sigmascape_close_ground(ground);
 }
