@@ -1,8 +1,10 @@
 #include "bake_options.h"
 
 #include <algorithm>
-#include <map>
+#include <fmt/format.h>
 #include <string>
+
+#include "word_option.h"
 
 #include "sigmascape/base/units.h"
 
@@ -17,29 +19,35 @@ void BakeOptions::add_to(CLI::App& command) {
       ->check(CLI::Range(1, 3600));
   command.add_option("--elevations-deg", elevations_deg, "grazing angles")->delimiter(',')->capture_default_str();
   command.add_option("--frequencies-ghz", frequencies_ghz, "frequencies")->delimiter(',')->capture_default_str();
-  command.add_option("--target-db", target_db, "standard error of a texel that is aimed at")->capture_default_str();
-  command.add_option("--most-samples", most_samples, "rays a texel at most, however noisy it is")
-      ->capture_default_str();
-  command.add_option("--samples", samples, "rays a texel everywhere (N_r of the paper) instead of a target")
-      ->check(CLI::Range(2, 1 << 24));
-  command.add_option("--preset", preset, "paper: 100 rays a texel everywhere, 8 bounces")
-      ->check(CLI::IsMember({"paper"}));
+  const bake::Sampling usual;
+  auto* target_option = command.add_option("--target-db", target_db, "standard error of a texel that is aimed at")
+                            ->default_str(fmt::format("{:g}", usual.target_db));
+  auto* most_option = command.add_option("--most-samples", most_samples, "rays a texel at most, however noisy it is")
+                          ->default_str(std::to_string(usual.most_samples));
+  auto* samples_option =
+      command.add_option("--samples", samples, "rays a texel everywhere (N_r of the paper) instead of a target")
+          ->check(CLI::Range(2, 1 << 24))
+          ->excludes(target_option, most_option);
+  if (usual_samples > 0) samples_option->default_str(std::to_string(usual_samples));
+  auto* preset_option = command.add_option("--preset", preset, "paper: 100 rays a texel everywhere, 8 bounces")
+                            ->check(CLI::IsMember({"paper"}));
   command.add_option("--bounces", bounces, "surfaces a path may meet (N_b of the paper)")
       ->capture_default_str()
-      ->check(CLI::Range(1, 255));
+      ->check(CLI::Range(1, 64))
+      ->excludes(preset_option);
+  preset_option->excludes(target_option, most_option, samples_option);
   command.add_option("--seed", seed, "names the random numbers")->capture_default_str();
-  command
-      .add_option("--shadows", shadows,
-                  "of objects on the ground: made at run time from stored obstacles, or baked as on level ground")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, bake::Shadows>{{"run-time", bake::Shadows::RunTime}, {"baked", bake::Shadows::Baked}}))
+  takes_words<bake::Shadows>(
+      command.add_option(
+          "--shadows", shadows,
+          "of objects on the ground: made at run time from stored obstacles, or baked as on level ground"),
+      {{"run-time", bake::Shadows::RunTime}, {"baked", bake::Shadows::Baked}})
       ->default_str("run-time");
-  command
-      .add_option("--footing", footing,
-                  "what objects stand on while they are baked: their own terrain, or level ground; always level with "
-                  "--shadows baked")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, trace::Footing>{{"terrain", trace::Footing::Terrain},
-                                                                                {"level", trace::Footing::LevelPlane}}))
+  takes_words<trace::Footing>(
+      command.add_option("--footing", footing,
+                         "what objects stand on while they are baked: their own terrain, or level ground; always level "
+                         "with --shadows baked"),
+      {{"terrain", trace::Footing::Terrain}, {"level", trace::Footing::LevelPlane}})
       ->default_str("terrain");
   command.add_option("--mantissa-bits", mantissa_bits, "bits kept of each half float, 1 to 10")
       ->capture_default_str()
@@ -57,9 +65,10 @@ bake::BakeSettings BakeOptions::settings() const {
   std::ranges::sort(settings.aspects.elevations_rad);
   std::ranges::sort(settings.aspects.frequencies_hz);
   settings.patches = {.texel_m = texel_m, .texels_per_side = patch_texels};
-  settings.sampling.samples_per_texel = samples;
-  settings.sampling.target_db = target_db;
-  settings.sampling.most_samples = most_samples;
+  const bool aims_at_an_error = target_db || most_samples;
+  settings.sampling.samples_per_texel = samples.value_or(aims_at_an_error ? 0 : usual_samples);
+  settings.sampling.target_db = target_db.value_or(settings.sampling.target_db);
+  settings.sampling.most_samples = most_samples.value_or(settings.sampling.most_samples);
   settings.max_bounces = bounces;
   if (preset == "paper") {
     settings.sampling.samples_per_texel = 100;

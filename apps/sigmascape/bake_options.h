@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,9 +16,9 @@ struct BakeOptions {
   unsigned azimuths = 8;
   std::vector<double> elevations_deg{5.0, 13.0, 21.0, 29.0, 37.0};
   std::vector<double> frequencies_ghz{10.0};
-  std::uint32_t samples = 0;
-  double target_db = bake::Sampling{}.target_db;
-  std::uint32_t most_samples = bake::Sampling{}.most_samples;
+  std::optional<std::uint32_t> samples, most_samples;
+  std::optional<double> target_db;
+  std::uint32_t usual_samples = 0;  ///< a texel where no option says how many; 0 aims at a target instead
   std::string preset;
   int bounces = 8;
   std::uint64_t seed = 1;

@@ -12,6 +12,7 @@
 #include "sigmascape/geo/atomic_file.h"
 #include "sigmascape/product/comparison_page.h"
 #include "sigmascape/product/ground_map_file.h"
+#include "sigmascape/product/legend.h"
 #include "sigmascape/product/png_file.h"
 #include "sigmascape/radar/radar_file.h"
 #include "sigmascape/scene/paper_scene.h"
@@ -85,7 +86,8 @@ class Demo {
         {.heading = view.heading,
          .figures = {{folder_ / (view.name + "_traced.png"), "Path-traced from the full scene"},
                      {folder_ / (view.name + "_baked.png"), "Rendered from terrain and baked reflectivity"},
-                     {folder_ / (view.name + "_difference.png"), "Baked over traced"}},
+                     {folder_ / (view.name + "_difference.png"),
+                      "Baked over traced: red where the baked map is brighter"}},
          .comparison = comparison,
          .noise_floor = floor,
          .facts = {{"Tracing", fmt::format("{:.1f} s", traced_seconds)},
@@ -164,8 +166,8 @@ class Demo {
     write_map_picture(folder_ / (view.name + "_traced.png"), traced, look);
     write_map_picture(folder_ / (view.name + "_baked.png"), baked, look);
     product::write_png(folder_ / (view.name + "_difference.png"),
-                       product::difference_picture(
-                           baked, traced, {.polarization = radar.polarization, .magnification = look.magnification}));
+                       product::with_legend(product::difference_picture(
+                           baked, traced, {.polarization = radar.polarization, .magnification = look.magnification})));
     product::write_ground_map(folder_ / (view.name + "_traced.tif"), traced);
     product::write_ground_map(folder_ / (view.name + "_baked.tif"), baked);
   }
@@ -206,7 +208,7 @@ void run_demo(const DemoOptions& options, const Output& output) {
 void add_demo_command(CLI::App& app, Output& output) {
   auto* command = app.add_subcommand("demo", "Bake a scene, map it both ways, and show how close they are");
   auto options = std::make_shared<DemoOptions>();
-  options->bake.samples = 12;
+  options->bake.usual_samples = 12;
   options->bake.patch_texels = 256;
   command->add_option("--scene", options->scene, "scene file (TOML); by default a small version of the paper's scene");
   command->add_option("--radar", options->radar, "radar file (TOML); by default the paper's view and a baked one");

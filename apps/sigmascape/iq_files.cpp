@@ -33,12 +33,15 @@ double texture_frequency_hz(const atlas::Atlas& textures, const radar::Radar& ra
   return extrapolate ? std::clamp(radar.frequency_hz, baked_hz.front(), baked_hz.back()) : radar.frequency_hz;
 }
 
-void write_iq_files(const IqFiles& files, const IqRequest& request, Provenance provenance) {
+void check(const IqFiles& files, bool has_atlas) {
   if (files.file.empty()) return;
   product::check_iq_name(files.file);
-  if (request.atlas.empty())
-    throw Error("--iq", "needs an atlas", "name with --atlas the one that `sigmascape bake` made");
-  const atlas::Atlas textures = atlas::load_atlas(atlas::Store::open(request.atlas));
+  if (!has_atlas) throw Error("--iq", "needs an atlas", "name with --atlas the one that `sigmascape bake` made");
+}
+
+void write_iq_files(const IqFiles& files, const IqRequest& request, Provenance provenance) {
+  if (files.file.empty()) return;
+  const atlas::Atlas textures = atlas::load_atlas(*request.atlas);
   const simulate::CoherentScene scene{
       &request.scene.terrain,
       render::reflectivity_of(textures, texture_frequency_hz(textures, request.radar, request.extrapolate),

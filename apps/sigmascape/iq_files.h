@@ -8,6 +8,7 @@
 #include "map_files.h"
 
 #include "sigmascape/atlas/atlas.h"
+#include "sigmascape/atlas/store.h"
 #include "sigmascape/radar/radar.h"
 #include "sigmascape/radar/target.h"
 #include "sigmascape/scene/scene.h"
@@ -26,7 +27,7 @@ void add_iq_options(CLI::App& command, IqFiles& files);
 
 /// What the atlas, the scene's terrain and the radar make of it.
 struct IqRequest {
-  const std::string& atlas;
+  const atlas::Store* atlas = nullptr;
   const scene::Scene& scene;
   const std::vector<radar::Target>& targets;
   const radar::Radar& radar;
@@ -40,7 +41,10 @@ struct IqRequest {
 /// nearest that was baked.
 [[nodiscard]] double texture_frequency_hz(const atlas::Atlas& textures, const radar::Radar& radar, bool extrapolate);
 
-/// Writes the pulses that the radar records of the area, if they were asked for. Throws Error without an atlas.
+/// Throws Error when pulses are asked for under a name that no kind of file has, or without an atlas.
+void check(const IqFiles& files, bool has_atlas);
+
+/// Writes the pulses that the radar records of the area, if they were asked for.
 void write_iq_files(const IqFiles& files, const IqRequest& request, Provenance provenance);
 
 }  // namespace sigmascape::cli

@@ -1,11 +1,13 @@
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <new>
 
 #include "command.h"
 
-#include "sigmascape/base/error.h"
+#include "sigmascape/base/toml_reader.h"
 #include "sigmascape/product/software.h"
 
 namespace sigmascape::cli {
@@ -15,6 +17,18 @@ void Output::finish(const std::string& text, const nlohmann::ordered_json& summa
 }
 
 namespace {
+
+/// CLI11 would only say that a command is required.
+void refuse_unknown_command(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || *argv[1] == '-') return;
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  if (std::ranges::find(names, argv[1]) != names.end()) return;
+  const auto nearest = nearest_word(argv[1], names);
+  const std::string remedy =
+      nearest ? fmt::format("did you mean {}?", *nearest) : fmt::format("choose among {}", fmt::join(names, ", "));
+  throw CLI::ParseError(fmt::format("{}: is no command; {}", argv[1], remedy), CLI::ExitCodes::ExtrasError);
+}
 
 /// Does what the command line asks; 2 when it is not understood.
 int run(int argc, char** argv) {
@@ -35,6 +49,7 @@ int run(int argc, char** argv) {
   add_demo_command(app, output);
   add_results_command(app, output);
   try {
+    refuse_unknown_command(app, argc, argv);
     app.parse(argc, argv);
   } catch (const CLI::RuntimeError& ended) {
     return ended.get_exit_code();
@@ -52,7 +67,8 @@ int main(int argc, char** argv) {
     return sigmascape::cli::run(argc, argv);
   } catch (const std::bad_alloc&) {
     std::fputs(
-        "sigmascape: memory: there is not enough of it; ask for a smaller area, coarser cells or fewer threads\n",
+        "sigmascape: memory: there is not enough of it; ask for a smaller area, coarser cells, a shorter interval or "
+        "fewer threads\n",
         stderr);
     return 1;
   } catch (const std::exception& failure) {

@@ -2,6 +2,7 @@
 #include <bit>
 #include <cmath>
 #include <fmt/format.h>
+#include <optional>
 
 #include "coherent_render.h"
 #include "command.h"
@@ -80,17 +81,23 @@ Rendered traced(const RenderOptions& options, const scene::Scene& scene, const r
   return rendered;
 }
 
-Rendered baked(const RenderOptions& options, const scene::Scene& scene, const std::string& hash,
-               const radar::Radar& radar, const radar::GroundGrid& grid) {
-  if (options.atlas.empty()) {
-    throw Error("--atlas", "is missing for level of detail " + std::to_string(options.level_of_detail),
+/// The atlas that was named, held against the scene; none when none is needed.
+std::optional<atlas::Store> atlas_of(const RenderOptions& options, const std::string& scene_hash) {
+  if (options.level_of_detail > 0 && options.atlas.empty()) {
+    throw Error("--atlas", fmt::format("is missing for level of detail {}", options.level_of_detail),
                 "name the atlas that `sigmascape bake` made, or use --lod 0");
   }
-  const auto store = atlas::Store::open(options.atlas);
-  if (store.description().scene_hash != hash) {
+  if (options.atlas.empty()) return std::nullopt;
+  auto store = atlas::Store::open(options.atlas);
+  if (store.description().scene_hash != scene_hash) {
     throw Error(options.atlas, "was baked from another scene than " + options.scene,
                 "bake this scene, or name the scene that the atlas was made from");
   }
+  return store;
+}
+
+Rendered baked(const RenderOptions& options, const scene::Scene& scene, const atlas::Store& store,
+               const radar::Radar& radar, const radar::GroundGrid& grid) {
   const atlas::Atlas textures = atlas::load_atlas(store);
   const auto targets = all_targets(scene, options.targets);
   if (radar.mode != radar::Mode::RealBeam) {
@@ -153,8 +160,8 @@ void check_coherent(const RenderOptions& options, const radar::Radar& radar) {
 }
 
 /// The level of detail that the resolution cell asks for, in words.
-std::string advised_detail(const RenderOptions& options, const scene::Scene& scene, const radar::Radar& radar,
-                           const radar::GroundGrid& grid) {
+std::string advised_detail(const scene::Scene& scene, const radar::Radar& radar, const radar::GroundGrid& grid,
+                           const std::optional<atlas::Store>& store) {
   const Vec2d centre = grid.extent().centre();
   const Vec3d away = radar.position - Vec3d{centre.x, centre.y, scene.terrain.height_at(centre)};
   render::DetailQuestion question{.range_resolution_m = radar.range_resolution_m,
@@ -164,17 +171,17 @@ std::string advised_detail(const RenderOptions& options, const scene::Scene& sce
                                   .area_m2 = grid.extent().width_m() * grid.extent().height_m(),
                                   .terrain_spacing_m = scene.terrain.spacing_m,
                                   .texel_m = grid.cell_m};
-  if (!options.atlas.empty()) {
-    const auto store = atlas::Store::open(options.atlas);
-    question.texel_m = store.description().patches.texel_m;
-    question.mips = static_cast<int>(std::countr_zero(store.description().patches.texels_per_side)) + 1;
+  if (store) {
+    question.texel_m = store->description().patches.texel_m;
+    question.mips = static_cast<int>(std::countr_zero(store->description().patches.texels_per_side)) + 1;
   }
   return render::explained(render::choose_detail(question));
 }
 
-void render(const RenderOptions& options, radar::Polarization polarization, bool polarization_given,
-            const Output& output) {
+/// What names alone tell, before the work.
+void check_files(const RenderOptions& options) {
   check(options.layers, options.level_of_detail);
+  check(options.iq, !options.atlas.empty());
   for (const std::string& map : {options.map_file, options.power_file})
     if (!map.empty()) product::check_map_name(map);
   for (const std::string& picture : {options.picture_file, options.scopes.ppi, options.scopes.b_scope})
@@ -189,27 +196,19 @@ void render(const RenderOptions& options, radar::Polarization polarization, bool
                                                {"--video", options.received.video},
                                                {"--iq", options.iq.file},
                                                {"--slant-image", options.iq.slant_image}}));
-  const auto radar_file = radar::read_radar_file(options.radar);
-  const scene::Scene scene = scene::read_scene(options.scene);
-  const auto radar = simulate::placed_radar(radar_file, scene.frame, scene.terrain, scene.extent);
-  const auto grid = simulate::map_grid(radar_file.map, scene.extent);
-  check_coherent(options, radar);
-  warn_of(radar, simulate::bins_for(radar, grid.extent(), scene.terrain), grid.cell_m);
-  const std::string hash = scene::scene_hash(scene);
-  const std::string advice = options.explain ? advised_detail(options, scene, radar, grid) : "";
-  Rendered rendered =
-      options.level_of_detail == 0 ? traced(options, scene, radar, grid) : baked(options, scene, hash, radar, grid);
-  rendered.provenance["scene"] = scene.name;
-  rendered.provenance["scene_hash"] = hash;
-  if (!scene.attribution.empty()) rendered.provenance["attribution"] = scene.attribution;
+}
 
-  if (!rendered.coherent)
-    write_received(options.received, radar, rendered.image, polarization_given ? polarization : radar.polarization,
-                   options.trace.seed, options.trace.threads, rendered.provenance);
-  write_iq_files(options.iq,
-                 {options.atlas, scene, all_targets(scene, options.targets), radar, grid.extent(), options.extrapolate,
-                  options.trace.seed, options.trace.threads},
-                 rendered.provenance);
+product::PictureOptions look_of(const RenderOptions& options, radar::Polarization polarization) {
+  product::PictureOptions look = options.style == "scope" ? product::scope_look() : product::PictureOptions{};
+  look.polarization = polarization;
+  look.span_db = options.span_db;
+  look.top_db = options.top_db;
+  return look;
+}
+
+/// The map as GeoTIFF, arrays and picture, and the power and the layers over its cells.
+void write_maps(const RenderOptions& options, const scene::Scene& scene, const radar::Radar& radar,
+                const radar::GroundGrid& grid, Rendered& rendered, const product::PictureOptions& look) {
   auto map = rendered.coherent
                  ? described_map(std::move(*rendered.coherent), radar, scene.frame, rendered.provenance)
                  : described_map(rendered.image, radar, scene.terrain, grid, scene.frame, rendered.provenance);
@@ -224,12 +223,39 @@ void render(const RenderOptions& options, radar::Polarization polarization, bool
   }
   write_layers(options.layers, scene, radar, grid, map.metadata,
                {.atlas = options.level_of_detail == 0 ? "" : options.atlas, .trace = options.trace});
-  product::PictureOptions look = options.style == "scope" ? product::scope_look() : product::PictureOptions{};
-  look.polarization = polarization_given ? polarization : radar.polarization;
-  look.span_db = options.span_db;
-  look.top_db = options.top_db;
   if (!options.picture_file.empty()) write_map_picture(options.picture_file, map, look);
-  if (!rendered.coherent) write_scopes(options.scopes, radar, rendered.image, look);
+}
+
+void render(const RenderOptions& options, std::optional<radar::Polarization> polarization, const Output& output) {
+  check_files(options);
+  const auto radar_file = radar::read_radar_file(options.radar);
+  const scene::Scene scene = scene::read_scene(options.scene);
+  const auto radar = simulate::placed_radar(radar_file, scene.frame, scene.terrain, scene.extent);
+  const auto grid = simulate::map_grid(radar_file.map, scene.extent);
+  check_coherent(options, radar);
+  warn_of(radar, simulate::bins_for(radar, grid.extent(), scene.terrain), grid.cell_m);
+  const std::string hash = scene::scene_hash(scene);
+  const std::optional<atlas::Store> store = atlas_of(options, hash);
+  const std::string advice = options.explain ? advised_detail(scene, radar, grid, store) : "";
+  Rendered rendered =
+      options.level_of_detail == 0 ? traced(options, scene, radar, grid) : baked(options, scene, *store, radar, grid);
+  rendered.provenance["scene"] = scene.name;
+  rendered.provenance["scene_hash"] = hash;
+  if (!scene.attribution.empty()) rendered.provenance["attribution"] = scene.attribution;
+
+  const auto look = look_of(options, polarization.value_or(radar.polarization));
+  const bool is_real_beam = !rendered.coherent;
+  if (is_real_beam) {
+    write_received(options.received, radar, rendered.image, look.polarization, options.trace.seed,
+                   options.trace.threads, rendered.provenance);
+  }
+  write_iq_files(options.iq,
+                 {store ? &*store : nullptr, scene, all_targets(scene, options.targets), radar, grid.extent(),
+                  options.extrapolate, options.trace.seed, options.trace.threads},
+                 rendered.provenance);
+  write_maps(options, scene, radar, grid, rendered, look);
+  if (is_real_beam) write_scopes(options.scopes, radar, rendered.image, look);
+
   nlohmann::ordered_json summary{{"map", options.map_file},         {"power", options.power_file},
                                  {"picture", options.picture_file}, {"level_of_detail", options.level_of_detail},
                                  {"columns", grid.columns},         {"rows", grid.rows},
@@ -250,11 +276,13 @@ void add_render_command(CLI::App& app, Output& output) {
   auto polarization = std::make_shared<radar::Polarization>(radar::Polarization::VV);
   command->add_option("RADAR", options->radar, "radar file (TOML)")->required();
   command->add_option("--scene", options->scene, "scene file (TOML)")->required();
-  command->add_option("--atlas", options->atlas, "folder of the atlas, for --lod 1 and up");
+  command->add_option("--atlas", options->atlas, "folder of the atlas that was baked from the scene");
   command->add_option("--targets", options->targets, "targets and movers to add (TOML); see docs/target_file.md");
-  command->add_option("--lod", options->level_of_detail, "level of detail: 0 traces the scene, 1 and up use the atlas")
-      ->capture_default_str()
-      ->check(CLI::Range(0, 16));
+  auto* level = command
+                    ->add_option("--lod", options->level_of_detail,
+                                 "level of detail: 0 traces the scene, 1 and up use the atlas; when nothing is said 1 "
+                                 "with an atlas, 0 without")
+                    ->check(CLI::Range(0, 16));
   command->add_flag("--explain", options->explain, "say which level of detail the resolution cell asks for, and why");
   command->add_option("--out", options->map_file,
                       "ground map to write: sigma0 as cloud-optimised GeoTIFF (.tif) or for NumPy (.npy, .npz)");
@@ -298,8 +326,10 @@ void add_render_command(CLI::App& app, Output& output) {
       "scope\n"
       "  sigmascape render radar.toml --scene town.toml --layers shadow,layover,bounce1,bounce2 --layers-out "
       "layers.tif");
-  command->callback([command, options, polarization, &output] {
-    render(*options, *polarization, command->get_option("--polarization")->count() > 0, output);
+  command->callback([command, level, options, polarization, &output] {
+    if (level->empty()) options->level_of_detail = options->atlas.empty() ? 0 : 1;
+    const bool states_one = command->get_option("--polarization")->count() > 0;
+    render(*options, states_one ? std::optional(*polarization) : std::nullopt, output);
   });
 }
 

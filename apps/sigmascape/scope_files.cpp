@@ -40,11 +40,12 @@ void write_scopes(const ScopeFiles& files, const radar::Radar& radar, const rada
   if (!files.ppi.empty()) {
     const double up_rad = files.up == "heading" ? radar.heading_rad : 0.0;
     const auto picture = product::picture_of(product::ppi(image, {.up_rad = up_rad}), look);
-    // A legend's north arrow would lie.
-    product::write_png(files.ppi, files.up == "heading" ? picture : product::with_legend(picture));
+    product::write_png(files.ppi, product::with_legend(picture, {.north_arrow = files.up == "north"}));
   }
-  if (!files.b_scope.empty())
-    product::write_png(files.b_scope, product::picture_of(drawn_out(product::b_scope(image)), look));
+  if (!files.b_scope.empty()) {
+    const auto picture = product::picture_of(drawn_out(product::b_scope(image)), look);
+    product::write_png(files.b_scope, product::with_legend(picture, {.scale_bar = false, .north_arrow = false}));
+  }
 }
 
 }  // namespace sigmascape::cli

@@ -43,12 +43,20 @@ py::array_t<double> mapped(const Numbers& numbers, const Function& function) {
   return result;
 }
 
+Curve curve_of(const std::string& name, const py::handle& places) {
+  try {
+    return places.cast<Curve>();
+  } catch (const py::cast_error&) {
+    throw Error("series '" + name + "'", "is not a pair of lists of numbers", "give x and y, as many of each");
+  }
+}
+
 void plot(const std::filesystem::path& path, const py::dict& series, const std::string& title,
           const std::string& x_label, const std::string& y_label, bool dots, bool log_x) {
   product::Plot plot{.title = title, .x_label = x_label, .y_label = y_label, .x_is_logarithmic = log_x};
   for (const auto& [key, places] : series) {
     const auto name = py::str(key).cast<std::string>();
-    const auto [x, y] = places.cast<Curve>();
+    const auto [x, y] = curve_of(name, places);
     if (x.size() != y.size()) throw Error("series '" + name + "'", "has other numbers of x and y", "give as many");
     product::PlotSeries& added = plot.series.emplace_back(product::PlotSeries{.name = name, .joined = !dots});
     added.dots = dots;

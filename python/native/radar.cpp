@@ -1,6 +1,7 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include "given_number.h"
 #include "loaded_scene.h"
 #include "parts.h"
 #include "polarization.h"
@@ -47,16 +48,14 @@ void set_mode(RadarFile& file, const std::string& word) {
   file.radar.mode = found->second;
 }
 
-void require_positive(const char* name, double value) {
-  if (!(value > 0.0)) throw Error(name, "is " + std::to_string(value), "give a number above 0");
-}
+constexpr double furthest_m = 1e7, fastest_mps = 2e4;
 
 RadarFile made(const std::string& name, double frequency_hz, double range_resolution_m, double beam_width_deg,
                const std::string& polarization, double cell_m) {
-  require_positive("frequency_hz", frequency_hz);
-  require_positive("range_resolution_m", range_resolution_m);
-  require_positive("beam_width_deg", beam_width_deg);
-  require_positive("cell_m", cell_m);
+  positive("frequency_hz", frequency_hz);
+  positive("range_resolution_m", range_resolution_m);
+  positive("beam_width_deg", beam_width_deg);
+  positive("cell_m", cell_m);
   RadarFile file;
   file.radar.name = name;
   file.radar.frequency_hz = frequency_hz;
@@ -70,9 +69,14 @@ RadarFile made(const std::string& name, double frequency_hz, double range_resolu
 
 void see_from(RadarFile& file, double azimuth_deg, double elevation_deg, double slant_range_m,
               const std::optional<std::array<double, 2>>& target_m) {
-  require_positive("slant_range_m", slant_range_m);
-  radar::SeenFrom seen{radians_from_deg(azimuth_deg), radians_from_deg(elevation_deg), slant_range_m, {}};
-  if (target_m) seen.target = Vec2d{(*target_m)[0], (*target_m)[1]};
+  radar::SeenFrom seen{radians_from_deg(within("azimuth_deg", azimuth_deg, -1e6, 1e6)),
+                       radians_from_deg(within("elevation_deg", elevation_deg, 0.5, 89.0)),
+                       positive("slant_range_m", slant_range_m),
+                       {}};
+  if (target_m) {
+    all_within("target_m", *target_m, -furthest_m, furthest_m);
+    seen.target = Vec2d{(*target_m)[0], (*target_m)[1]};
+  }
   file.place = seen;
 }
 
@@ -82,7 +86,7 @@ void number(Class& binding, const char* name, double radar::Radar::*member, cons
   binding.def_property(
       name, [member](const RadarFile& f) { return f.radar.*member; },
       [member, name](RadarFile& f, double value) {
-        require_positive(name, value);
+        positive(name, value);
         f.radar.*member = value;
       },
       doc);
@@ -94,7 +98,7 @@ void optional_number(Class& binding, const char* name, std::optional<double> rad
   binding.def_property(
       name, [member](const RadarFile& f) { return f.radar.processing.*member; },
       [member, name](RadarFile& f, const std::optional<double>& value) {
-        if (value) require_positive(name, *value);
+        if (value) positive(name, *value);
         f.radar.processing.*member = value;
       },
       doc);
@@ -120,7 +124,7 @@ void add_radar(py::module_& module) {
       .def_property(
           "beam_width_deg", [](const RadarFile& f) { return deg_from_radians(f.radar.beam_width_rad); },
           [](RadarFile& f, double value) {
-            require_positive("beam_width_deg", value);
+            positive("beam_width_deg", value);
             f.radar.beam_width_rad = radians_from_deg(value);
           },
           "One-way half-power width of the real beam in azimuth.")
@@ -130,18 +134,21 @@ void add_radar(py::module_& module) {
           "What pictures show; maps hold all: 'vv', 'hh', 'hv', 'vh' or 'sum'.")
       .def_property(
           "velocity_mps", [](const RadarFile& f) { return triple_of(f.radar.velocity_mps); },
-          [](RadarFile& f, const Triple& v) { f.radar.velocity_mps = vec_of(v); }, "East, north, up.")
+          [](RadarFile& f, const Triple& v) {
+            f.radar.velocity_mps = vec_of(all_within("velocity_mps", v, -fastest_mps, fastest_mps));
+          },
+          "East, north, up.")
       .def_property("mode", &mode_word, &set_mode, "'real-beam', 'doppler-beam-sharpening', 'stripmap' or 'spotlight'.")
       .def_property(
           "pulse_repetition_hz", [](const RadarFile& f) { return f.radar.waveform.pulse_repetition_hz; },
           [](RadarFile& f, double value) {
-            require_positive("pulse_repetition_hz", value);
+            positive("pulse_repetition_hz", value);
             f.radar.waveform.pulse_repetition_hz = value;
           })
       .def_property(
           "cell_m", [](const RadarFile& f) { return f.map.cell_m; },
           [](RadarFile& f, double value) {
-            require_positive("cell_m", value);
+            positive("cell_m", value);
             f.map.cell_m = value;
           },
           "Side of the map's cells.")
@@ -157,7 +164,10 @@ void add_radar(py::module_& module) {
           },
           "What is mapped: west, south, east, north; None for the whole scene.")
       .def(
-          "stand_at", [](RadarFile& f, const Triple& position) { f.place = radar::LocalPlace{vec_of(position)}; },
+          "stand_at",
+          [](RadarFile& f, const Triple& position) {
+            f.place = radar::LocalPlace{vec_of(all_within("position_m", position, -furthest_m, furthest_m))};
+          },
           py::arg("position_m"), "Puts the radar at x, y of the local frame and an altitude above mean sea level.")
       .def("see_from", &see_from, py::kw_only(), py::arg("azimuth_deg"), py::arg("elevation_deg"),
            py::arg("slant_range_m"), py::arg("target_m") = py::none(),
@@ -180,10 +190,7 @@ void add_radar(py::module_& module) {
                   "By what factor Doppler beam sharpening narrows the beam; None: 16.");
   binding.def_property(
       "looks", [](const RadarFile& f) { return f.radar.processing.looks; },
-      [](RadarFile& f, int looks) {
-        require_positive("looks", looks);
-        f.radar.processing.looks = looks;
-      },
+      [](RadarFile& f, int looks) { f.radar.processing.looks = static_cast<int>(within("looks", looks, 1, 1000)); },
       "Images of coherent modes whose powers are averaged.");
   number(binding, "frequency_hz", &radar::Radar::frequency_hz, "Carrier frequency.");
   number(binding, "range_resolution_m", &radar::Radar::range_resolution_m,

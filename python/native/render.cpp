@@ -2,6 +2,7 @@
 #include <optional>
 #include <pybind11/stl.h>
 
+#include "given_number.h"
 #include "loaded_atlas.h"
 #include "loaded_scene.h"
 #include "long_call.h"
@@ -89,6 +90,8 @@ Seen traced(const LoadedScene* scene, const Wish& wish, const simulate::TraceSet
                 fmt::format("0 traces power alone, and {} needs amplitudes", simulate::word_for(wish.radar.mode)),
                 "give the atlas that bake() made, or set the radar's mode to 'real-beam'");
   }
+  within("samples", settings.samples_per_cell, 1, 1U << 24U);
+  within("bounces", settings.max_bounces, 1, 255);
   trace::TraceCounts counts;
   auto image = simulate::traced_image(scene->scene(), scene->geometry(), wish.radar, wish.grid.extent(), settings,
                                       counts, &progress);

@@ -7,6 +7,7 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include "given_number.h"
 #include "parts.h"
 
 #include "sigmascape/base/error.h"
@@ -65,6 +66,16 @@ TargetSource made(const Pair& position_m, const std::string& name, double rcs_db
                   const Triple& size_m, std::uint64_t seed) {
   if (swerling < 0 || swerling > 4)
     throw Error("swerling", fmt::format("is {}", swerling), "give a case from 0 (steady) to 4");
+  all_within("position_m", position_m, -1e7, 1e7);
+  within("rcs_dbsm", rcs_dbsm, -100.0, 100.0);
+  if (hv_dbsm) within("hv_dbsm", *hv_dbsm, -100.0, 100.0);
+  if (height_m) within("height_m", *height_m, 0.0, 1e6);
+  if (altitude_m) within("altitude_m", *altitude_m, -500.0, 1e6);
+  within("speed_mps", speed_mps, 0.0, 2e4);
+  within("heading_deg", heading_deg, -1e6, 1e6);
+  within("climb_mps", climb_mps, -1000.0, 1000.0);
+  for (const WayPoint& point : way_points) all_within("way_points", point, -1e7, 1e7);
+  all_within("size_m", size_m, 0.0, 1e4);
   TargetSource source;
   source.where = name;
   source.target.name = name;

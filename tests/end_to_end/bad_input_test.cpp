@@ -75,6 +75,48 @@ TEST_F(BadInput, TwoOptionsMayNotNameOneFile) {
   EXPECT_THAT(said_to("render radar.toml --scene none.toml --out map.tif --power power.tif"), HasSubstr("none.toml"));
 }
 
+TEST_F(BadInput, OptionsThatContradictOneAnotherAreRefused) {
+  EXPECT_THAT(said_to("bake none.toml --out atlas --samples 4 --target-db 1"),
+              HasSubstr("--target-db excludes --samples"));
+  EXPECT_THAT(said_to("bake none.toml --out atlas --samples 4 --preset paper"), HasSubstr("excludes"));
+  EXPECT_THAT(said_to("bake none.toml --out atlas --bounces 100"), HasSubstr("100 not in range 1 to 64"));
+}
+
+TEST_F(BadInput, WordsThatAnOptionDoesNotKnowAreToldWithThoseThatItKnows) {
+  EXPECT_THAT(said_to("bake none.toml --out atlas --shadows x"),
+              HasSubstr("--shadows: is x; choose among baked, run-time"));
+  EXPECT_THAT(said_to("compare a.tif b.tif --polarization 3"),
+              HasSubstr("--polarization: is 3; choose among hh, hv, "));
+}
+
+TEST_F(BadInput, CommandsThatAreNotKnownAreToldWithTheNearest) {
+  EXPECT_THAT(said_to("bakke town.toml"), HasSubstr("bakke: is no command; did you mean bake?"));
+  EXPECT_THAT(said_to("photograph"), HasSubstr("photograph: is no command; choose among scene, bake, atlas"));
+}
+
+TEST_F(BadInput, PulsesWithoutAnAtlasOrUnderAnotherNameAreRefusedBeforeTheWork) {
+  write_radar();
+  EXPECT_THAT(said_to("render radar.toml --scene none.toml --iq pulses.npy"), HasSubstr("--iq: needs an atlas"));
+  EXPECT_THAT(said_to("render radar.toml --scene none.toml --atlas none --iq pulses.wav"),
+              HasSubstr("pulses.wav: is no kind of file that I/Q is written as"));
+}
+
+TEST_F(BadInput, AnAtlasAsksForItsLevelOfDetail) {
+  write_radar();
+  const auto scene = write_made_scene(folder_.path("scene"), 200.0, 200.0);
+  EXPECT_THAT(said_to(fmt::format("render radar.toml --scene '{}' --atlas none", scene.string())),
+              HasSubstr("none/collection.json: is not there"));
+}
+
+TEST_F(BadInput, RadarsBeyondTheHorizonOfEverythingAreRefused) {
+  const auto scene = write_made_scene(folder_.path("scene"), 200.0, 200.0);
+  folder_.write("far.toml",
+                "[radar]\nfrequency_ghz = 10\nrange_resolution_m = 4\nbeam_width_deg = 0.1\n"
+                "[position]\neast_m = 5e6\nnorth_m = 0\naltitude_m = 10000\n");
+  EXPECT_THAT(said_to(fmt::format("render far.toml --scene '{}'", scene.string())),
+              HasSubstr("stands 5000 km from the middle of the scene; place it within 1000 km"));
+}
+
 TEST_F(BadInput, FoldersAndAbsentFilesAreNamed) {
   EXPECT_THAT(said_to("render . --scene none.toml"), HasSubstr("is a folder; give the path of a TOML file"));
   EXPECT_THAT(said_to("plot histogram none.tif --out plot.svg"), HasSubstr("none.tif: the file does not exist"));
@@ -90,15 +132,27 @@ TEST_F(BadInput, FrequenciesThatAMaterialIsNotKnownForAreRefusedBeforeTheFirstSa
   EXPECT_THAT(said_to("dataset dataset.toml --out made"),
               AllOf(HasSubstr("dataset.toml: radar.frequency_ghz"), HasSubstr("do not hold at 0.2 GHz")));
   EXPECT_FALSE(is_there("made"));
+  EXPECT_THAT(
+      said_to("bake scene/scene.toml --out made --samples 2 --azimuths 1 --elevations-deg 20 --frequencies-ghz 0.2"),
+      HasSubstr("do not hold at 0.2 GHz"));
+  EXPECT_FALSE(is_there("made"));
 }
 
-TEST_F(BadInput, FaultsOfGroundThatIsKeptApartAreFound) {
+TEST_F(BadInput, FaultsOfTerrainAndOfGroundThatIsKeptApartAreFound) {
   const auto scene = write_made_scene(folder_.path("scene"), 200.0, 200.0);
-  ASSERT_EQ(said_to(fmt::format("bake '{}' --out atlas --texel-m 4 --patch-texels 256 --samples 2 --azimuths 1 "
-                                "--elevations-deg 20",
-                                scene.string())),
-            "");
+  const std::string bake =
+      fmt::format("bake '{}' --out atlas --texel-m 4 --patch-texels 256 --samples 2 --azimuths 1 --elevations-deg 20",
+                  scene.string());
+  ASSERT_EQ(said_to(bake), "");
   EXPECT_EQ(said_to("atlas verify atlas"), "");
+
+  std::filesystem::resize_file(folder_.path("atlas/terrain.tif"), 100);
+  EXPECT_THAT(said_to("atlas verify atlas"), HasSubstr("terrain.tif cannot be read whole"));
+  EXPECT_EQ(said_to(bake + " --verify"), "");
+  EXPECT_EQ(said_to("atlas verify atlas"), "");
+  std::filesystem::remove(folder_.path("atlas/terrain.tif"));
+  EXPECT_THAT(said_to("atlas verify atlas"), HasSubstr("terrain.tif is missing"));
+  EXPECT_EQ(said_to(bake), "");
 
   for (const auto& file : std::filesystem::recursive_directory_iterator(folder_.path("atlas/ground"))) {
     if (file.path().extension() == ".tif") std::filesystem::resize_file(file.path(), 100);

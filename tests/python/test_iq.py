@@ -2,6 +2,7 @@ import hashlib
 import json
 import os
 import re
+import resource
 import subprocess
 
 import numpy as np
@@ -141,6 +142,18 @@ def test_focused_images_and_live_frames_are_written_too(atlas, moving_radar, tmp
     assert archive["slant_range_m"][0] == 2963.0 and archive["platform_position_m"].tolist() == [[0.0, -2900.0, 800.0]]
 
 
+@pytest.mark.parametrize("ending", ["npz", "h5"])
+def test_a_full_disk_names_the_file_and_leaves_nothing(pulses, tmp_path, ending):
+    before = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (1000, before[1]))
+    try:
+        with pytest.raises(sigmascape.Error, match=f"pulses.{ending}: cannot be written"):
+            pulses.save(tmp_path / f"pulses.{ending}")
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, before)
+    assert list(tmp_path.iterdir()) == []
+
+
 def test_what_cannot_be_written_is_refused(atlas, pulses, moving_radar, tmp_path):
     with pytest.raises(sigmascape.Error, match="pulses.wav: is no kind of file"):
         pulses.save(tmp_path / "pulses.wav")
@@ -148,6 +161,9 @@ def test_what_cannot_be_written_is_refused(atlas, pulses, moving_radar, tmp_path
     still.stand_at((0.0, -2000.0, 500.0))
     with pytest.raises(sigmascape.Error, match="stands still"):
         sigmascape.phase_history(atlas, still)
+    for interval_s in [-1.0, 0.0, float("nan")]:
+        with pytest.raises(sigmascape.Error, match="coherent interval: is .* s; give more than 0"):
+            sigmascape.phase_history(atlas, moving_radar, interval_s=interval_s)
     (tmp_path / "file").write_text("")
     with pytest.raises(Exception):
         pulses.save(tmp_path / "file" / "pulses.h5")

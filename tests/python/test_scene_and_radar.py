@@ -53,6 +53,16 @@ def test_attributes_of_a_radar_are_read_back():
     (lambda: sigmascape.Radar(frequency_hz=-1.0), "frequency_hz: is -1"),
     (lambda: sigmascape.Atlas("/does/not/exist"), "/does/not/exist"),
     (lambda: sigmascape.Scene.paper(scale=100.0), "scale"),
+    (lambda: sigmascape.Scene.simple(side_m=float("nan")), "a side of nan m; give 1 to"),
+    (lambda: sigmascape.Radar().see_from(azimuth_deg=0.0, elevation_deg=90.0, slant_range_m=1e3), "elevation_deg: is 90; give a number from 0.5 to 89"),
+    (lambda: sigmascape.Radar().stand_at((0.0, float("nan"), 0.0)), "position_m: is nan"),
+    (lambda: setattr(sigmascape.Radar(), "velocity_mps", (float("inf"), 0.0, 0.0)), "velocity_mps: is inf"),
+    (lambda: setattr(sigmascape.Radar(), "looks", 0), "looks: is 0; give a number from 1 to 1000"),
+    (lambda: setattr(sigmascape.Radar(), "cell_m", 0.0), "cell_m: is 0; give a number above 0"),
+    (lambda: sigmascape.Target((float("nan"), 0.0)), "position_m: is nan"),
+    (lambda: sigmascape.Target(rcs_dbsm=float("inf")), "rcs_dbsm: is inf; give a number from -100 to 100"),
+    (lambda: sigmascape.Target(size_m=(1.0, -2.0, 3.0)), "size_m: is -2"),
+    (lambda: sigmascape.plot("never.svg", {"a": (np.ones((2, 2)), np.ones((2, 2)))}), "series 'a': is not a pair of lists of numbers"),
 ])
 def test_errors_say_where_what_and_what_would_be_right(action, words):
     with pytest.raises(sigmascape.Error, match=words):

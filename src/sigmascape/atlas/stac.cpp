@@ -203,27 +203,35 @@ Json place_properties(const AtlasDescription& description, const radar::GroundGr
   };
 }
 
-Json asset(double texel_m, const std::filesystem::path& file, const TextureRecord& record) {
-  const Json band = {
-      {"data_type", "float16"}, {"scale", record.scale}, {"offset", 0.0}, {"spatial_resolution", texel_m}};
+constexpr const char* cloud_optimised = "image/tiff; application=geotiff; profile=cloud-optimized";
+
+/// A file beside the item, of which `record` tells size and SHA-256.
+template <typename Record>
+Json file_asset(const std::filesystem::path& file, const char* title, const char* type, const char* role,
+                const Record& record) {
   // A multihash: 0x12 is SHA-256, 0x20 its length in bytes.
   return {{"href", "./" + file.filename().string()},
-          {"title", "Area reflectivity, bands VV, HH, HV (= VH) and Re<S_VV S_HH*>"},
-          {"type", "image/tiff; application=geotiff; profile=cloud-optimized"},
-          {"roles", {"data"}},
+          {"title", title},
+          {"type", type},
+          {"roles", {role}},
           {"file:size", record.size_bytes},
-          {"file:checksum", "1220" + record.sha256},
-          {"raster:bands", {band, band, band, band}}};
+          {"file:checksum", "1220" + record.sha256}};
+}
+
+Json sigma0_asset(double texel_m, const std::filesystem::path& file, const TextureRecord& record) {
+  const Json band = {
+      {"data_type", "float16"}, {"scale", record.scale}, {"offset", 0.0}, {"spatial_resolution", texel_m}};
+  Json asset = file_asset(file, "Area reflectivity, bands VV, HH, HV (= VH) and Re<S_VV S_HH*>", cloud_optimised,
+                          "data", record);
+  asset["raster:bands"] = {band, band, band, band};
+  return asset;
 }
 
 Json errors_asset(const std::filesystem::path& texture_file, const ErrorsRecord& record) {
-  return {{"href", "./" + errors_path(texture_file).filename().string()},
-          {"title",
-           "Relative standard error of VV + HH + 2 HV: 0.001 * 10^((code - 1) / 50), code 0 where nothing returns"},
-          {"type", "image/tiff; application=geotiff"},
-          {"roles", {"metadata"}},
-          {"file:size", record.size_bytes},
-          {"file:checksum", "1220" + record.sha256}};
+  return file_asset(
+      errors_path(texture_file),
+      "Relative standard error of VV + HH + 2 HV: 0.001 * 10^((code - 1) / 50), code 0 where nothing returns",
+      "image/tiff; application=geotiff", "metadata", record);
 }
 
 Json timeless() {
@@ -330,7 +338,7 @@ std::string item_text(const AtlasDescription& description, const Unit& unit, con
       {"sigmascape:sha256", record.sha256},
       {"sigmascape:attribution", description.attribution},
   });
-  Json assets = {{"sigma0", asset(grid.cell_m, texture_file, record)}};
+  Json assets = {{"sigma0", sigma0_asset(grid.cell_m, texture_file, record)}};
   if (record.errors) {
     properties["sigmascape:errors_size_bytes"] = record.errors->size_bytes;
     properties["sigmascape:errors_sha256"] = record.errors->sha256;
@@ -358,7 +366,7 @@ std::string pyramid_item_text(const AtlasDescription& description, const Pyramid
   });
   const std::string id = fmt::format("pyramid_{}_{}_{}", tile.level, patch_name(tile.south_west), look_name(look));
   return item_of(id, description, grid, extensions(look), properties,
-                 {{"sigma0", asset(grid.cell_m, texture_file, record)}}, "../../collection.json");
+                 {{"sigma0", sigma0_asset(grid.cell_m, texture_file, record)}}, "../../collection.json");
 }
 
 std::string obstacles_item_text(const AtlasDescription& description, PatchIndex patch,
@@ -375,12 +383,8 @@ std::string obstacles_item_text(const AtlasDescription& description, PatchIndex 
       {"sigmascape:sha256", record.sha256},
       {"sigmascape:attribution", description.attribution},
   });
-  const Json obstacles = {{"href", "./" + file.filename().string()},
-                          {"title", "What stands on the ground: tops and bases in metres, extinction of crowns"},
-                          {"type", "image/tiff; application=geotiff; profile=cloud-optimized"},
-                          {"roles", {"data"}},
-                          {"file:size", record.size_bytes},
-                          {"file:checksum", "1220" + record.sha256}};
+  const Json obstacles = file_asset(file, "What stands on the ground: tops and bases in metres, extinction of crowns",
+                                    cloud_optimised, "data", record);
   return item_of(patch_name(patch) + "_obstacles", description, grid, place_extensions(), properties,
                  {{"obstacles", obstacles}}, "../collection.json");
 }

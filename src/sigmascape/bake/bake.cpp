@@ -207,9 +207,12 @@ BakeReport bake(const scene::Scene& scene, const BakeSettings& settings, const s
                 ProgressListener& progress, const BakeShare& share) {
   check(settings);
   check(share.shard);
+  // Materials that do not know a frequency are told of before there is a folder.
+  static_cast<void>(trace::surface_models(scene, settings.aspects.frequencies_hz));
   const atlas::Store store = atlas::Store::create(folder, description_of(scene, settings));
   const std::filesystem::path terrain = folder / atlas::terrain_name;
-  if (!std::filesystem::exists(terrain)) {
+  // It has no recorded SHA-256 to be held against; written again, it has the same bytes.
+  if (share.scrutiny == atlas::Scrutiny::Content || !std::filesystem::exists(terrain)) {
     terrain::write_height_field(terrain, scene.terrain, store.description().frame.proj());
   }
   const auto pyramid = folder / atlas::terrain_pyramid_name;

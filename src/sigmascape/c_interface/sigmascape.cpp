@@ -1,9 +1,12 @@
 #include "sigmascape/c_interface/sigmascape.h"
 
+#include <algorithm>
+#include <cmath>
 #include <exception>
 #include <memory>
 #include <span>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -106,11 +109,35 @@ Track track_from(const sigmascape_target& target, const std::string& where) {
   return Track::through(std::move(way_points), where);
 }
 
+template <typename Number, std::size_t Count>
+bool all_finite(const Number (&numbers)[Count]) {
+  return std::ranges::all_of(numbers, [](Number number) { return std::isfinite(number); });
+}
+
+void check(const sigmascape_target& target, const std::string& where) {
+  if (target.swerling < 0 || target.swerling > 4) {
+    throw sigmascape::Error(where, "has a Swerling case of " + std::to_string(target.swerling), "give 0 to 4");
+  }
+  const auto way_points =
+      std::span(target.way_points, target.way_points == nullptr ? std::size_t{0} : target.way_point_count);
+  const bool places = std::ranges::all_of(way_points, [](const sigmascape_way_point& point) {
+    return std::isfinite(point.time_s) && all_finite(point.position_m);
+  });
+  if (!places || !all_finite(target.position_m) || !all_finite(target.velocity_mps) ||
+      !std::isfinite(target.heading_rad)) {
+    throw sigmascape::Error(where, "moves in a way that is not a number", "give finite places, velocities and times");
+  }
+  if (!all_finite(target.rcs_m2) || std::ranges::min(std::span(target.rcs_m2).first<3>()) < 0.0F) {
+    throw sigmascape::Error(where, "has a cross-section that no target has", "give VV, HH and HV of 0 m2 or more");
+  }
+  if (!all_finite(target.size_m) || std::ranges::min(target.size_m) < 0.0) {
+    throw sigmascape::Error(where, "has a size that no box has", "give lengths of 0 m or more");
+  }
+}
+
 Target target_from(const sigmascape_target& from, std::size_t number) {
   const std::string where = "target " + std::to_string(number);
-  if (from.swerling < 0 || from.swerling > 4) {
-    throw sigmascape::Error(where, "has a Swerling case of " + std::to_string(from.swerling), "give 0 to 4");
-  }
+  check(from, where);
   Target target;
   target.track = track_from(from, where);
   if (from.rcs_table != nullptr) {
@@ -141,20 +168,39 @@ void copy(const sigmascape::render::Frame& from, sigmascape_frame& to) {
   to.median_error_db = from.report.median_error_db;
 }
 
-LiveSettings settings_from(const sigmascape_settings& wanted) {
-  return {.content = wanted.content == SIGMASCAPE_POWERS ? FrameContent::Powers : FrameContent::Amplitudes,
-          .beams = wanted.beams,
-          .ranges = wanted.ranges,
-          .beam_step_rad = wanted.beam_step_rad,
-          .range_step_m = wanted.range_step_m,
-          .cells_per_bin = wanted.cells_per_bin,
-          .seed = wanted.seed,
-          .threads = wanted.threads,
-          .refraction = wanted.refraction};
+/// What both kinds of settings call by one name, for taking it over from either.
+template <typename Settings>
+auto shared_with_cpp(Settings& settings) {
+  return std::tie(settings.beams, settings.ranges, settings.beam_step_rad, settings.range_step_m,
+                  settings.cells_per_bin, settings.seed, settings.threads, settings.refraction);
+}
+template <typename Tracing>
+auto tracing_shared_with_cpp(Tracing& tracing) {
+  return std::tie(tracing.frequency_hz, tracing.rays_per_cell, tracing.max_bounces, tracing.lattice_m);
 }
 
-LiveTraceSettings tracing_from(const sigmascape_tracing& tracing) {
-  return {tracing.frequency_hz, tracing.rays_per_cell, tracing.max_bounces, tracing.lattice_m};
+FrameContent content_from(sigmascape_content content) {
+  switch (content) {
+    case SIGMASCAPE_AMPLITUDES:
+      return FrameContent::Amplitudes;
+    case SIGMASCAPE_POWERS:
+      return FrameContent::Powers;
+  }
+  throw sigmascape::Error("settings", "ask for content " + std::to_string(content),
+                          "take SIGMASCAPE_AMPLITUDES or SIGMASCAPE_POWERS");
+}
+
+LiveSettings settings_from(const sigmascape_settings& wanted) {
+  LiveSettings settings;
+  settings.content = content_from(wanted.content);
+  shared_with_cpp(settings) = shared_with_cpp(wanted);
+  return settings;
+}
+
+LiveTraceSettings tracing_from(const sigmascape_tracing& wanted) {
+  LiveTraceSettings tracing;
+  tracing_shared_with_cpp(tracing) = tracing_shared_with_cpp(wanted);
+  return tracing;
 }
 
 }  // namespace
@@ -185,15 +231,9 @@ void sigmascape_wait_for_pages(sigmascape_ground* ground) {
 
 sigmascape_settings sigmascape_default_settings(void) {
   const LiveSettings defaults;
-  return {.content = SIGMASCAPE_AMPLITUDES,
-          .beams = defaults.beams,
-          .ranges = defaults.ranges,
-          .beam_step_rad = defaults.beam_step_rad,
-          .range_step_m = defaults.range_step_m,
-          .cells_per_bin = defaults.cells_per_bin,
-          .seed = defaults.seed,
-          .threads = defaults.threads,
-          .refraction = defaults.refraction};
+  sigmascape_settings settings{};
+  shared_with_cpp(settings) = shared_with_cpp(defaults);
+  return settings;
 }
 
 sigmascape_renderer* sigmascape_make_renderer(sigmascape_ground* ground, const sigmascape_settings* settings) {
@@ -216,10 +256,9 @@ void sigmascape_close_scene(sigmascape_scene* scene) {
 
 sigmascape_tracing sigmascape_default_tracing(void) {
   const LiveTraceSettings defaults;
-  return {.frequency_hz = defaults.frequency_hz,
-          .rays_per_cell = defaults.rays_per_cell,
-          .max_bounces = defaults.max_bounces,
-          .lattice_m = defaults.lattice_m};
+  sigmascape_tracing tracing{};
+  tracing_shared_with_cpp(tracing) = tracing_shared_with_cpp(defaults);
+  return tracing;
 }
 
 sigmascape_renderer* sigmascape_make_tracer(sigmascape_scene* scene, const sigmascape_settings* settings,

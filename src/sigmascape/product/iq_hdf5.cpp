@@ -12,11 +12,15 @@
 namespace sigmascape::product {
 namespace {
 
+/// A call to HDF5 that went wrong, on its way to where the name of the file is known.
+struct FailedCall {
+  const char* name;
+};
+
 /// What a call to HDF5 returned, if it went well.
 template <typename Result>
 Result checked(Result result, const char* doing) {
-  if (result < 0)
-    throw Error("HDF5", fmt::format("failed in {}", doing), "see that the disk has room and the folder is writable");
+  if (result < 0) throw FailedCall{doing};
   return result;
 }
 
@@ -128,7 +132,12 @@ void write_iq_hdf5(const std::filesystem::path& path, const IqRecord& record) {
   static std::mutex guard;
   const std::lock_guard lock(guard);
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-  geo::write_atomically(path, [&](const std::filesystem::path& temporary) { write_file(temporary, record); });
+  try {
+    geo::write_atomically(path, [&](const std::filesystem::path& temporary) { write_file(temporary, record); });
+  } catch (const FailedCall& call) {
+    throw Error(path.string(), fmt::format("cannot be written ({} failed)", call.name),
+                "free some space or choose another disk");
+  }
 }
 
 }  // namespace sigmascape::product

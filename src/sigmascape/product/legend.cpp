@@ -95,7 +95,7 @@ double round_length_m(double longest_m) {
   return decade;
 }
 
-Picture with_legend(const Picture& picture) {
+Picture with_legend(const Picture& picture, const LegendParts& parts) {
   const std::size_t columns = picture.pixels.columns();
   const std::size_t dot = columns < 900 ? 1 : columns / 450;
   if (columns < (bar_length + 2 * margin) * dot) return picture;
@@ -105,8 +105,8 @@ Picture with_legend(const Picture& picture) {
   std::copy(picture.pixels.values().begin(), picture.pixels.values().end(), framed.pixels.values().begin());
   Strip strip{framed.pixels, picture.pixels.rows(), dot, margin * dot};
   draw_colour_bar(strip, picture);
-  draw_scale_bar(strip, picture.grid);
-  draw_north_arrow(strip);
+  if (parts.scale_bar) draw_scale_bar(strip, picture.grid);
+  if (parts.north_arrow) draw_north_arrow(strip);
   return framed;
 }
 

@@ -32,6 +32,16 @@ double fine_place(double place, const ResponseAxis& axis, std::size_t fine) {
   return periods * static_cast<double>(fine);
 }
 
+/// The last step of an image: one polarization's frequencies along the rows, a row of bins a row of `spectra`.
+void to_bins_along_rows(const ResponseTransform& across, const Array2D<std::complex<float>>& spectra, std::size_t p,
+                        unsigned threads, Array2D<radar::ComplexChannels>& out) {
+  parallel_for(out.rows(), threads, [&](std::size_t row, unsigned) {
+    Line line(out.columns());
+    across.to_bins(spectra.row(row), line);
+    for (std::size_t c = 0; c < line.size(); ++c) polarization(out(c, row), p) = line[c];
+  });
+}
+
 /// Where the sample at an index with margin belongs in the period.
 std::size_t folded(std::size_t index, std::size_t fine) {
   return (index + 2 * fine - margin) % fine;
@@ -90,11 +100,7 @@ Array2D<radar::ComplexChannels> ResponsePlane::bins(const Subband& subband, unsi
       down.to_bins(band, line);
       for (std::size_t row = 0; row < line.size(); ++row) spectra(k, row) = line[row];
     });
-    parallel_for(rows_.bins, threads, [&](std::size_t row, unsigned) {
-      Line line(columns_.bins);
-      across.to_bins(spectra.row(row), line);
-      for (std::size_t c = 0; c < line.size(); ++c) polarization(out(c, row), p) = line[c];
-    });
+    to_bins_along_rows(across, spectra, p, threads, out);
   }
   return out;
 }
@@ -118,11 +124,7 @@ Array2D<radar::ComplexChannels> ResponsePlane::noise(std::uint64_t seed, const S
       down.to_bins(band, line);
       for (std::size_t row = 0; row < line.size(); ++row) spectra(k, row) = line[row];
     });
-    parallel_for(rows_.bins, threads, [&](std::size_t row, unsigned) {
-      Line line(columns_.bins);
-      across.to_bins(spectra.row(row), line);
-      for (std::size_t c = 0; c < line.size(); ++c) polarization(out(c, row), p) = line[c];
-    });
+    to_bins_along_rows(across, spectra, p, threads, out);
   }
   return out;
 }

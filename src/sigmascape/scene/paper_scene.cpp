@@ -51,9 +51,10 @@ constexpr MaterialNames itu_names{.concrete = "concrete",
                                   .bark = "bark",
                                   .leaf = "leaf"};
 
-class MaterialTable {
+/// The materials of a preset, put into the scene when they are first asked for.
+class PaperPalette {
  public:
-  MaterialTable(Scene& scene, PaperMaterials preset)
+  PaperPalette(Scene& scene, PaperMaterials preset)
       : scene_(scene), names_(preset == PaperMaterials::Paper ? paper_names : itu_names) {}
 
   [[nodiscard]] MaterialIndex index(const char* name) const {
@@ -89,7 +90,7 @@ class MaterialTable {
   MaterialNames names_;
 };
 
-MaterialMap material_map(const PaintedGround& ground, const MaterialTable& materials) {
+MaterialMap material_map(const PaintedGround& ground, const PaperPalette& materials) {
   MaterialIndex material_of[ground_class_count];
   for (std::size_t i = 0; i < ground_class_count; ++i) material_of[i] = materials.of(static_cast<GroundClass>(i));
   MaterialMap map{.grid = ground.grid(), .material = Array2D<MaterialIndex>(ground.grid().columns, ground.grid().rows)};
@@ -146,7 +147,7 @@ Scene paper_scene(const PaperSceneOptions& options) {
   PaperLandscape landscape = paper_landscape(layout);
   Scene scene;
   scene.name = fmt::format("paper scene, scale {}, seed {}", options.scale, options.seed);
-  const MaterialTable materials(scene, options.materials);
+  const PaperPalette materials(scene, options.materials);
   scene.buildings.mesh.name = "buildings";
   const PaperTown town = paper_town(layout, landscape, materials.town());
   for (const RoofedBuilding& shape : town.buildings)

@@ -1,5 +1,8 @@
 #include "sigmascape/scene/simple_scene.h"
 
+#include <fmt/format.h>
+
+#include "sigmascape/base/error.h"
 #include "sigmascape/scene/solid_mesh.h"
 
 namespace sigmascape::scene {
@@ -17,6 +20,8 @@ Instance placed(std::uint32_t prototype, Vec2d centre, double yaw_rad) {
 }  // namespace
 
 Scene simple_scene(const SimpleSceneOptions& options) {
+  if (!(options.side_m >= 1.0 && options.side_m <= 1e5))
+    throw Error("simple scene", fmt::format("a side of {:g} m", options.side_m), "give 1 to 100000 m");
   const double half = options.side_m / 2.0;
   Scene scene;
   scene.name = "simple scene";

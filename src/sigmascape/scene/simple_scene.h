@@ -20,7 +20,7 @@ struct SimpleSceneOptions {
 };
 
 /// Flat terrain at height 0 with the box and the cylinder as instances. Material names are those of the material
-/// library; throws Error for one it does not know.
+/// library; throws Error for one it does not know, and for a side that is not 1 m to 100 km.
 [[nodiscard]] Scene simple_scene(const SimpleSceneOptions& options = {});
 
 }  // namespace sigmascape::scene

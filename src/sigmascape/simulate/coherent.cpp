@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <fmt/format.h>
 #include <limits>
 #include <optional>
 #include <span>
@@ -165,6 +166,8 @@ radar::Rectangle joined(const radar::Rectangle& a, const radar::Rectangle& b) {
 }
 
 std::size_t pulses_in(const radar::Radar& radar, const CoherentSettings& settings) {
+  if (!(settings.interval_s > 0.0 && settings.interval_s <= 1e4))
+    throw Error("coherent interval", fmt::format("is {:g} s", settings.interval_s), "give more than 0, up to 10000 s");
   return static_cast<std::size_t>(std::max(2.0, std::round(settings.interval_s * radar.waveform.pulse_repetition_hz)));
 }
 

@@ -3,7 +3,9 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <limits>
 
 #include "scratch_folder.h"
 #include "unit/render/live_ground_example.h"
@@ -164,6 +166,61 @@ TEST_F(LiveFromC, SaysWhatIsWrong) {
   sigmascape_settings none = settings;
   none.beams = 0;
   EXPECT_EQ(sigmascape_make_renderer(ground, &none), nullptr);
+  sigmascape_settings overflowing = settings;
+  overflowing.beams = std::size_t{1} << 33U;
+  overflowing.ranges = std::size_t{1} << 31U;
+  overflowing.beam_step_rad = 1e-12;
+  EXPECT_EQ(sigmascape_make_renderer(ground, &overflowing), nullptr);
+  sigmascape_settings of_nothing = settings;
+  constexpr int no_content = 7;
+  std::memcpy(&of_nothing.content, &no_content, sizeof no_content);
+  EXPECT_EQ(sigmascape_make_renderer(ground, &of_nothing), nullptr);
+  sigmascape_close_ground(ground);
+}
+
+TEST_F(LiveFromC, PosesAndTargetsThatAreNowhereAreRefused) {
+  sigmascape_ground* ground = sigmascape_open_ground(atlas().c_str(), 10e9, 0);
+  ASSERT_NE(ground, nullptr) << sigmascape_last_error();
+  sigmascape_settings settings = sigmascape_default_settings();
+  settings.beams = settings.ranges = 8;
+  sigmascape_renderer* renderer = sigmascape_make_renderer(ground, &settings);
+  ASSERT_NE(renderer, nullptr) << sigmascape_last_error();
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
+  sigmascape_frame frame;
+  const auto said_of_pose = [&](auto spoil) {
+    sigmascape_pose pose = pose_of({});
+    spoil(pose);
+    EXPECT_NE(sigmascape_render(renderer, &pose, &frame), 0);
+    return std::string(sigmascape_last_error());
+  };
+  using ::testing::HasSubstr;
+  EXPECT_THAT(said_of_pose([&](auto& pose) { pose.position_m[0] = nan; }), HasSubstr("stands at (nan, "));
+  EXPECT_THAT(said_of_pose([&](auto& pose) { pose.position_m[2] = infinite; }), HasSubstr("inf) m"));
+  EXPECT_THAT(said_of_pose([&](auto& pose) { pose.first_azimuth_rad = nan; }), HasSubstr("first beam at nan rad"));
+  EXPECT_THAT(said_of_pose([&](auto& pose) { pose.first_range_m = -5.0; }),
+              HasSubstr("first range at -5 m; give 0 to"));
+  EXPECT_THAT(said_of_pose([&](auto& pose) { pose.velocity_mps[1] = infinite; }), HasSubstr("flies at"));
+  EXPECT_THAT(said_of_pose([&](auto& pose) { pose.time_s = nan; }), HasSubstr("time nan s"));
+
+  const auto said_of_target = [&](auto spoil) {
+    sigmascape_target target = {};
+    target.rcs_m2[0] = 1.0F;
+    spoil(target);
+    EXPECT_NE(sigmascape_set_targets(renderer, &target, 1), 0);
+    return std::string(sigmascape_last_error());
+  };
+  EXPECT_THAT(said_of_target([&](auto& target) { target.position_m[1] = nan; }), HasSubstr("target 0: moves in a way"));
+  EXPECT_THAT(said_of_target([&](auto& target) { target.rcs_m2[1] = -1.0F; }), HasSubstr("cross-section"));
+  EXPECT_THAT(said_of_target([&](auto& target) { target.size_m[2] = nan; }), HasSubstr("size"));
+  const sigmascape_way_point way[2] = {{0.0, {}}, {1.0, {infinite, 0.0, 0.0}}};
+  EXPECT_THAT(said_of_target([&](auto& target) { target.way_points = way, target.way_point_count = 2; }),
+              HasSubstr("moves in a way"));
+
+  // A step of a scan that begins or ends beyond the last beam takes those that are there.
+  const sigmascape_pose pose = pose_of({});
+  EXPECT_EQ(sigmascape_scan(renderer, &pose, 3, std::numeric_limits<std::size_t>::max(), &frame), 0);
+  EXPECT_EQ(sigmascape_scan(renderer, &pose, std::numeric_limits<std::size_t>::max(), 2, &frame), 0);
+  sigmascape_free_renderer(renderer);
   sigmascape_close_ground(ground);
 }
 

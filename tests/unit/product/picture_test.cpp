@@ -141,6 +141,24 @@ TEST(Legend, ScaleBarHasItsRoundLength) {
   EXPECT_EQ(longest, 50U);
 }
 
+TEST(Legend, LeavesOutWhatWouldLie) {
+  // The arrow stands at the right, the bar between it and the colours.
+  const auto has_ink = [](const Picture& framed, std::size_t first, std::size_t last) {
+    for (std::size_t row = 4; row < framed.pixels.rows(); ++row) {
+      for (std::size_t column = first; column < last; ++column)
+        if (framed.pixels(column, row).red > 200) return true;
+    }
+    return false;
+  };
+  const Picture plain = picture_of(map_of(300, 4, [](auto, auto) { return 1.0; }));
+  const Picture turned = with_legend(plain, {.north_arrow = false}),
+                drawn_out = with_legend(plain, {.scale_bar = false});
+  EXPECT_TRUE(has_ink(turned, 120, 280));
+  EXPECT_FALSE(has_ink(turned, 285, 300));
+  EXPECT_FALSE(has_ink(drawn_out, 120, 280));
+  EXPECT_TRUE(has_ink(drawn_out, 285, 300));
+}
+
 TEST(Legend, RoundLengthsAreOneTwoAndFive) {
   EXPECT_DOUBLE_EQ(round_length_m(150.0), 100.0);
   EXPECT_DOUBLE_EQ(round_length_m(499.0), 200.0);
