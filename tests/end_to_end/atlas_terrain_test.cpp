@@ -10,6 +10,7 @@
 
 #include "sigmascape/atlas/pyramid.h"
 #include "sigmascape/atlas/store.h"
+#include "sigmascape/terrain/height_field_file.h"
 
 namespace sigmascape::end_to_end {
 namespace {
@@ -35,6 +36,8 @@ class AtlasTerrain : public ::testing::Test {
       store.write(unit.patch, unit.look, Array2D<radar::Channels>(256, 256, {0.1F, 0.1F, 0.01F, 0.1F}), {});
     }
     atlas::Pyramid(store).make_above(store.units());
+    const terrain::HeightField level{-1000.0, 2000.0, 1000.0, Array2D<float>(4, 4, 0.0F)};
+    terrain::write_height_field(atlas_ / atlas::terrain_name, level, description.frame.proj());
   }
 
   /// A plane that rises to the east, in UTM zone 30 north.

@@ -15,10 +15,14 @@
 namespace sigmascape::geo {
 namespace {
 
+bool is_full(int error) {
+  return error == ENOSPC || error == EDQUOT || error == EFBIG;
+}
+
 [[noreturn]] void fail(const std::filesystem::path& path, int error) {
-  const bool full = error == ENOSPC || error == EDQUOT || error == EFBIG;
-  throw Error(path.string(), fmt::format("cannot be written ({})", std::strerror(error)),
-              full ? "free some space or choose another disk" : "choose a folder that exists and may be written to");
+  throw Error(
+      path.string(), fmt::format("cannot be written ({})", std::strerror(error)),
+      is_full(error) ? "free some space or choose another disk" : "choose a folder that exists and may be written to");
 }
 
 /// Closes a file descriptor when leaving, whatever happens.
@@ -33,6 +37,10 @@ class OpenFile {
 
   [[nodiscard]] bool is_open() const { return descriptor_ >= 0; }
   [[nodiscard]] bool flush_to_disk() const { return ::fsync(descriptor_) == 0; }
+  /// Zero or the number of the error.
+  [[nodiscard]] int take_room(std::uintmax_t bytes) const {
+    return ::posix_fallocate(descriptor_, 0, static_cast<off_t>(bytes));
+  }
   [[nodiscard]] bool write_all(std::string_view content) const {
     while (!content.empty()) {
       const ssize_t written = ::write(descriptor_, content.data(), content.size());
@@ -87,6 +95,13 @@ void flush_file(const std::filesystem::path& temporary, const std::filesystem::p
   if (!file.is_open() || !file.flush_to_disk()) fail(final_path, errno);
 }
 
+/// File systems that cannot keep room free are believed to have it.
+void take_room(const std::filesystem::path& temporary, const std::filesystem::path& final_path, std::uintmax_t bytes) {
+  const OpenFile file(::open(temporary.c_str(), O_WRONLY | O_CLOEXEC));
+  if (!file.is_open()) fail(final_path, errno);
+  if (const int error = file.take_room(bytes); is_full(error)) fail(final_path, error);
+}
+
 /// A rename lives in the folder, so the folder must reach the disk too. Some network file systems cannot flush a
 /// folder; the file is whole all the same.
 void flush_folder(const std::filesystem::path& folder) {
@@ -111,6 +126,14 @@ void write_atomically(const std::filesystem::path& path,
   flush_file(temporary.path(), path);
   temporary.rename_to(path);
   flush_folder(path.parent_path());
+}
+
+void write_atomically(const std::filesystem::path& path, std::uintmax_t room_bytes,
+                      const std::function<void(const std::filesystem::path& temporary)>& writer) {
+  write_atomically(path, [&](const std::filesystem::path& temporary) {
+    take_room(temporary, path, room_bytes);
+    writer(temporary);
+  });
 }
 
 void write_atomically(const std::filesystem::path& path, std::string_view content) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <string_view>
@@ -14,6 +15,11 @@ namespace sigmascape::geo {
 /// the writer's own exception, or Error. Any number of threads and processes may write the same path at once; the last
 /// rename wins.
 void write_atomically(const std::filesystem::path& path,
+                      const std::function<void(const std::filesystem::path& temporary)>& writer);
+
+/// The same for a writer that does not get over a full disk: the disk is first asked for room for so many bytes, and
+/// the writer is not called where there is none.
+void write_atomically(const std::filesystem::path& path, std::uintmax_t room_bytes,
                       const std::function<void(const std::filesystem::path& temporary)>& writer);
 
 /// The same for content that is at hand: text, or the bytes of a file made in memory.

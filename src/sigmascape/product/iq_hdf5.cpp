@@ -125,6 +125,15 @@ void write_file(const std::filesystem::path& path, const IqRecord& record) {
   for (std::size_t i = 0; i < record.polarizations.size(); ++i) write_polarization(file, record, i);
 }
 
+/// Upper bound of what HDF5 makes of the recording: its numbers, and what it says about them.
+std::uintmax_t most_bytes(const IqRecord& record) {
+  constexpr std::uintmax_t said_about_them = 64 << 10;
+  const std::uintmax_t samples = record.samples.size() * sizeof(record.samples[0]);
+  const std::uintmax_t axes = (record.slow.values.size() + record.fast.values.size()) * sizeof(double);
+  const std::uintmax_t platform = record.platform.size() * sizeof(record.platform[0]);
+  return samples + axes + platform + said_about_them;
+}
+
 }  // namespace
 
 void write_iq_hdf5(const std::filesystem::path& path, const IqRecord& record) {
@@ -133,7 +142,9 @@ void write_iq_hdf5(const std::filesystem::path& path, const IqRecord& record) {
   const std::lock_guard lock(guard);
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   try {
-    geo::write_atomically(path, [&](const std::filesystem::path& temporary) { write_file(temporary, record); });
+    // HDF5 notices a full disk only while it closes the file, cannot say so, and crashes when the program ends.
+    geo::write_atomically(path, most_bytes(record),
+                          [&](const std::filesystem::path& temporary) { write_file(temporary, record); });
   } catch (const FailedCall& call) {
     throw Error(path.string(), fmt::format("cannot be written ({} failed)", call.name),
                 "free some space or choose another disk");

@@ -52,7 +52,7 @@ TEST_F(TerrainReader, FillsAHoleFromItsEdge) {
 TEST_F(TerrainReader, MostlyMissingTerrainIsAnError) {
   const auto mostly = source([](double x, double) { return x < 500'800.0 ? 5.0 : std::nan(""); });
   EXPECT_THAT(message_of_error([&] { static_cast<void>(read_terrain(mostly, frame, std::nullopt)); }),
-              HasSubstr("% of the scene's terrain has no data"));
+              HasSubstr("% of the scene's terrain has no height between"));
 }
 
 TEST_F(TerrainReader, ImplausibleHeightsCountAsMissing) {
