@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "scratch_folder.h"
+#include "unit/c_interface/said_in_c.h"
 #include "unit/render/live_ground_example.h"
 
 #include "sigmascape/c_interface/sigmascape.h"
@@ -32,17 +33,6 @@ class LiveFromC : public testing::Test {
   static inline std::unique_ptr<ScratchFolder> folder_;
 };
 
-sigmascape_pose pose_of(const render::ExampleView& view) {
-  const render::Pose at = view.pose();
-  sigmascape_pose pose = {};
-  pose.position_m[0] = at.position.x;
-  pose.position_m[1] = at.position.y;
-  pose.position_m[2] = at.position.z;
-  pose.first_azimuth_rad = at.first_azimuth_rad;
-  pose.first_range_m = at.first_range_m;
-  return pose;
-}
-
 TEST_F(LiveFromC, GivesTheFrameOfTheCppInterface) {
   const render::ExampleView view;
   const render::LiveSettings wanted = view.settings(render::FrameContent::Amplitudes);
@@ -54,16 +44,11 @@ TEST_F(LiveFromC, GivesTheFrameOfTheCppInterface) {
 
   sigmascape_ground* ground = sigmascape_open_ground(atlas().c_str(), 10e9, 0);
   ASSERT_NE(ground, nullptr) << sigmascape_last_error();
-  sigmascape_settings settings = sigmascape_default_settings();
-  settings.beams = wanted.beams;
-  settings.ranges = wanted.ranges;
-  settings.beam_step_rad = wanted.beam_step_rad;
-  settings.range_step_m = wanted.range_step_m;
-  settings.refraction = wanted.refraction;
+  sigmascape_settings settings = said_in_c(wanted);
   sigmascape_renderer* renderer = sigmascape_make_renderer(ground, &settings);
   ASSERT_NE(renderer, nullptr) << sigmascape_last_error();
   // The renderer keeps the ground.
-  const sigmascape_pose pose = pose_of(view);
+  const sigmascape_pose pose = said_in_c(view.pose());
   sigmascape_frame frame;
   ASSERT_EQ(sigmascape_render(renderer, &pose, &frame), 0);
   sigmascape_wait_for_pages(ground);
@@ -83,16 +68,11 @@ TEST_F(LiveFromC, TargetsAnswer) {
   const render::LiveSettings wanted = view.settings(render::FrameContent::Powers);
   sigmascape_ground* ground = sigmascape_open_ground(atlas().c_str(), 10e9, 0);
   ASSERT_NE(ground, nullptr) << sigmascape_last_error();
-  sigmascape_settings settings = sigmascape_default_settings();
+  sigmascape_settings settings = said_in_c(wanted);
   settings.content = SIGMASCAPE_POWERS;
-  settings.beams = wanted.beams;
-  settings.ranges = wanted.ranges;
-  settings.beam_step_rad = wanted.beam_step_rad;
-  settings.range_step_m = wanted.range_step_m;
-  settings.refraction = wanted.refraction;
   sigmascape_renderer* renderer = sigmascape_make_renderer(ground, &settings);
   ASSERT_NE(renderer, nullptr) << sigmascape_last_error();
-  sigmascape_pose pose = pose_of(view);
+  sigmascape_pose pose = said_in_c(view.pose());
   const auto power = [&](std::size_t* seen) {
     sigmascape_frame frame;
     EXPECT_EQ(sigmascape_render(renderer, &pose, &frame), 0) << sigmascape_last_error();
@@ -188,7 +168,7 @@ TEST_F(LiveFromC, PosesAndTargetsThatAreNowhereAreRefused) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
   sigmascape_frame frame;
   const auto said_of_pose = [&](auto spoil) {
-    sigmascape_pose pose = pose_of({});
+    sigmascape_pose pose = said_in_c(render::ExampleView().pose());
     spoil(pose);
     EXPECT_NE(sigmascape_render(renderer, &pose, &frame), 0);
     return std::string(sigmascape_last_error());
@@ -217,7 +197,7 @@ TEST_F(LiveFromC, PosesAndTargetsThatAreNowhereAreRefused) {
               HasSubstr("moves in a way"));
 
   // A step of a scan that begins or ends beyond the last beam takes those that are there.
-  const sigmascape_pose pose = pose_of({});
+  const sigmascape_pose pose = said_in_c(render::ExampleView().pose());
   EXPECT_EQ(sigmascape_scan(renderer, &pose, 3, std::numeric_limits<std::size_t>::max(), &frame), 0);
   EXPECT_EQ(sigmascape_scan(renderer, &pose, std::numeric_limits<std::size_t>::max(), 2, &frame), 0);
   sigmascape_free_renderer(renderer);

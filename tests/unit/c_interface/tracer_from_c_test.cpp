@@ -5,6 +5,7 @@
 
 #include "end_to_end/made_scene.h"
 #include "scratch_folder.h"
+#include "unit/c_interface/said_in_c.h"
 #include "unit/render/live_ground_example.h"
 
 #include "sigmascape/c_interface/sigmascape.h"
@@ -31,12 +32,7 @@ TEST(TracerFromC, GivesTheFrameOfTheCppInterface) {
 
   sigmascape_scene* opened = sigmascape_open_scene(file.c_str());
   ASSERT_NE(opened, nullptr) << sigmascape_last_error();
-  sigmascape_settings settings = sigmascape_default_settings();
-  settings.beams = wanted.beams;
-  settings.ranges = wanted.ranges;
-  settings.beam_step_rad = wanted.beam_step_rad;
-  settings.range_step_m = wanted.range_step_m;
-  settings.refraction = wanted.refraction;
+  sigmascape_settings settings = said_in_c(wanted);
   sigmascape_tracing tracing = sigmascape_default_tracing();
   tracing.rays_per_cell = 4;
   tracing.lattice_m = 1.0;
@@ -45,12 +41,7 @@ TEST(TracerFromC, GivesTheFrameOfTheCppInterface) {
   // The tracer keeps what it looks at.
   sigmascape_close_scene(opened);
 
-  sigmascape_pose from = {};
-  from.position_m[0] = pose.position.x;
-  from.position_m[1] = pose.position.y;
-  from.position_m[2] = pose.position.z;
-  from.first_azimuth_rad = pose.first_azimuth_rad;
-  from.first_range_m = pose.first_range_m;
+  const sigmascape_pose from = said_in_c(pose);
   sigmascape_frame frame = {};
   ASSERT_EQ(sigmascape_render(tracer, &from, &frame), 0) << sigmascape_last_error();
   EXPECT_EQ(frame.rays_per_cell, 4U);
@@ -95,12 +86,7 @@ TEST(FlightFromC, TracesWhatIsSeenCloselyAndLeavesTheRestToTextures) {
   sigmascape_scene* town = sigmascape_open_scene(file.c_str());
   sigmascape_ground* ground = sigmascape_open_ground(folder.path("atlas").c_str(), 10e9, 0);
   ASSERT_NE(ground, nullptr) << sigmascape_last_error();
-  sigmascape_settings settings = sigmascape_default_settings();
-  settings.beams = wanted.beams;
-  settings.ranges = wanted.ranges;
-  settings.beam_step_rad = wanted.beam_step_rad;
-  settings.range_step_m = wanted.range_step_m;
-  settings.refraction = wanted.refraction;
+  sigmascape_settings settings = said_in_c(wanted);
   sigmascape_tracing tracing = sigmascape_default_tracing();
   tracing.rays_per_cell = 4;
   sigmascape_renderer* flight = sigmascape_make_flight(town, ground, &settings, &tracing);
@@ -108,12 +94,7 @@ TEST(FlightFromC, TracesWhatIsSeenCloselyAndLeavesTheRestToTextures) {
   sigmascape_close_scene(town);
   sigmascape_close_ground(ground);
 
-  sigmascape_pose from = {};
-  from.position_m[0] = pose.position.x;
-  from.position_m[1] = pose.position.y;
-  from.position_m[2] = pose.position.z;
-  from.first_azimuth_rad = pose.first_azimuth_rad;
-  from.first_range_m = pose.first_range_m;
+  const sigmascape_pose from = said_in_c(pose);
   sigmascape_frame frame = {};
   ASSERT_EQ(sigmascape_render(flight, &from, &frame), 0) << sigmascape_last_error();
   EXPECT_EQ(sigmascape_textured_share(flight), 0.0);
