@@ -10,18 +10,11 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
-#include <thread>
+
+#include "sigmascape/base/machine_name.h"
 
 namespace sigmascape::bench {
 namespace {
-
-std::string processor_name() {
-  std::ifstream file("/proc/cpuinfo");
-  for (std::string line; std::getline(file, line);) {
-    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
-  }
-  return "unknown processor";
-}
 
 std::string first_line_of(const std::string& command) {
   const auto close = [](std::FILE* stream) { pclose(stream); };
@@ -42,7 +35,7 @@ std::string first_line_of(const std::string& command) {
 
 Figures::Figures(std::optional<std::filesystem::path> file)
     : file_(std::move(file)),
-      machine_(fmt::format("{} hardware threads, {}", std::thread::hardware_concurrency(), processor_name())),
+      machine_(machine_name()),
       commit_(first_line_of("git -C '" SIGMASCAPE_SOURCE_DIR "' describe --always --dirty 2> /dev/null")) {
   if (!file_) return;
   if (file_->has_parent_path()) std::filesystem::create_directories(file_->parent_path());

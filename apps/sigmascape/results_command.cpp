@@ -10,6 +10,7 @@
 #include "results_measurement.h"
 #include "results_page.h"
 
+#include "sigmascape/base/machine_name.h"
 #include "sigmascape/geo/atomic_file.h"
 
 namespace sigmascape::cli {
@@ -46,6 +47,7 @@ void run_results(const ResultsOptions& options, const Output& output) {
   const ResultsReport report{.plan = plan,
                              .scene = scene.name,
                              .attribution = scene.attribution,
+                             .machine = machine_name(),
                              .meshes = scene::mesh_counts(scene),
                              .terrain_nodes = scene.terrain.height_m.size(),
                              .tracing_memory_bytes = measurement.scene().geometry.memory_bytes(),
@@ -94,6 +96,9 @@ void add_results_command(CLI::App& app, Output& output) {
       ->capture_default_str();
   command->add_option("--samples", options->baked_samples, "rays a texel of the bake");
   command->add_option("--traced-samples", options->traced_samples, "rays a cell of each of the two traced maps");
+  command->add_option("--finer-samples", options->finer_samples,
+                      "rays of views that were baked: a cell of their traced maps, and a texel of their looks when "
+                      "those are baked again almost without noise");
   command->add_option("--bounces", options->bounces, "surfaces a path may meet")->capture_default_str();
   command->add_option("--seed", options->seed, "names the random numbers and draws the held-out views")
       ->capture_default_str();

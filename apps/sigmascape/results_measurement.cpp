@@ -161,7 +161,7 @@ void Measurement::compare_all() {
     progress_.advanced("compare", static_cast<double>(++done), views, "views");
     // Level ground tells what hills add; missing angles would hide that.
     if (!level_ || !is_on_grid(view)) continue;
-    compare(*level_, view);
+    compare(*level_, view.from_afar());
     progress_.advanced("compare", static_cast<double>(++done), views, "views");
   }
   std::ranges::stable_sort(results_, {}, [](const ViewResult& result) {

@@ -60,7 +60,7 @@ std::string without_noise_section(const ResultsReport& report) {
              "of 0.95 come out as 0.957 where two traced maps agree to 0.965.\n\n"
              "| scene | method | rays a texel | two traced maps: correlation | correlation of dB | without noise | RMS "
              "[dB] | without noise |\n|---|---|---:|---:|---:|---:|---:|---:|\n",
-             views, report.plan.traced_samples) +
+             views, report.plan.traced_samples_of(ViewKind::OnGrid)) +
          rows + "\n";
 }
 

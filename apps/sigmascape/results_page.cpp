@@ -198,8 +198,8 @@ std::string truth_aim(const ResultsReport& report, const std::string& scene) {
   if (cell == nullptr) return {};
   const double correlation = cell->floor_median.correlation_db;
   return fmt::format("| {} | *truth*, {} rays a cell | | {:.3f} | {:.2f} | {} | {:+.2f} | | |\n", scene,
-                     report.plan.traced_samples, correlation, least, correlation >= least ? "reached" : "missed",
-                     cell->floor_median.bias_db);
+                     report.plan.traced_samples_of(ViewKind::OnGrid), correlation, least,
+                     correlation >= least ? "reached" : "missed", cell->floor_median.bias_db);
 }
 
 /// What was asked for at views that were baked, and what came out: of the grid as it is baked, and of the same looks
@@ -266,8 +266,8 @@ std::string lead(const ResultsReport& report) {
       "(docs/decisions/0051-baked-on-its-own-ground.md); what `sigmascape bake` does by itself\n\n";
   if (plan.scene_file.empty()) {
     text +=
-        "*hills* is the scene as it is; *level* the same with its ground at height zero, at views that were baked. "
-        "What is baked on level ground serves both.\n\n";
+        "*hills* is the scene as it is; *level* the same with its ground at height zero, at views that were baked and "
+        "from ten times as far away, where waves are as good as plane. What is baked on level ground serves both.\n\n";
   }
   if (!report.attribution.empty()) text += "Data: " + report.attribution + "\n\n";
   return text;
@@ -300,10 +300,10 @@ std::string settings_text(const ResultsPlan& plan) {
              "## Settings\n\n"
              "- {} rays a texel of {:.2f} m; each method has a bake of its own, out of whose looks coarser grids are "
              "read too; {} rays where stated\n"
-             "- {} rays a 2 m cell in each of the two traced maps of a view\n"
+             "- {} rays a 2 m cell in each of the two traced maps of a view, {} where it was baked\n"
              "- {} bounces, seed {}, 10 GHz\n",
              plan.baked_samples, plan.bake_settings(Method::BakedShadows).patches.texel_m, plan.finer_samples,
-             plan.traced_samples, plan.bounces, plan.seed) +
+             plan.traced_samples, plan.traced_samples_of(ViewKind::OnGrid), plan.bounces, plan.seed) +
          grid_list(plan) +
          "\nHeld-out views are drawn from the seed, azimuth evenly over the circle and elevation evenly over 3° to "
          "40°; the view of the paper's picture stands by itself.\n\n" +
@@ -337,9 +337,9 @@ std::string results_markdown(const ResultsReport& report) {
           "level above.\n\n" +
           level_table(report);
   text +=
-      "\n## Bytes and time\n\nSeconds of processor time for the bake and for one traced map, milliseconds on the wall "
-      "for a rendered one: these depend on the machine. Medians over the held-out views.\n\n" +
-      time_table(report) + "\n" + vertices_text(report);
+      "\n## Bytes and time\n\nSeconds of processor time for the bake and for one traced map, milliseconds on the "
+      "wall for a rendered one, by " +
+      report.machine + ". Medians over the held-out views.\n\n" + time_table(report) + "\n" + vertices_text(report);
   return text + figures_text(report.figures, report.attribution) + settings_text(plan);
 }
 

@@ -10,7 +10,6 @@
 namespace sigmascape::cli {
 namespace {
 
-constexpr double slant_range_m = 20e3;
 constexpr double resolution_m = 2.0;
 constexpr double lowest_elevation_deg = 3.0, highest_elevation_deg = 40.0;
 constexpr std::uint64_t held_out_stream = 0x76696577;  // keeps the views' numbers apart from those of the rays
@@ -77,7 +76,7 @@ std::string PlannedView::description() const {
 }
 
 radar::RadarFile PlannedView::radar() const {
-  return {.radar = {.name = "20 km, " + description(),
+  return {.radar = {.name = fmt::format("{:g} km, {}", slant_range_m / 1e3, description()),
                     .position = {},
                     .frequency_hz = 10e9,
                     .polarization = radar::Polarization::Sum,
@@ -89,6 +88,12 @@ radar::RadarFile PlannedView::radar() const {
                                    .slant_range_m = slant_range_m,
                                    .target = {}},
           .map = {}};
+}
+
+PlannedView PlannedView::from_afar() const {
+  PlannedView view = *this;
+  view.slant_range_m *= 10.0;
+  return view;
 }
 
 double ResultsPlan::rim_m() const {
@@ -154,7 +159,8 @@ ResultsPlan results_plan(const ResultsOptions& options) {
   if (!options.small) plan.grids.push_back({32, {3, 5, 7, 9, 13, 21, 29, 37}});
   plan.baked_samples = options.baked_samples.value_or(options.small ? 64 : 100);
   plan.traced_samples = options.traced_samples.value_or(options.small ? 256 : 1024);
-  plan.finer_samples = std::max(plan.baked_samples, plan.traced_samples);
+  plan.finer_samples =
+      options.finer_samples.value_or(std::max(plan.baked_samples, (options.small ? 1 : 4) * plan.traced_samples));
   plan.bounces = options.bounces;
   plan.seed = options.seed;
   plan.threads = options.threads;

@@ -22,7 +22,7 @@ struct ResultsOptions {
   std::vector<double> around_m;  ///< east and north from that landscape's middle; empty for the middle itself
   bool itu_materials = false;
   std::optional<double> scale;
-  std::optional<std::uint32_t> held_out, on_grid, baked_samples, traced_samples;
+  std::optional<std::uint32_t> held_out, on_grid, baked_samples, finer_samples, traced_samples;
   std::uint32_t repeated = 3;  ///< of the views on the grid, baked twice
   int bounces = 8;
   std::uint64_t seed = 1;
@@ -48,13 +48,16 @@ struct PlannedView {
   ViewKind kind = ViewKind::HeldOut;
   double azimuth_deg = 0.0;
   double elevation_deg = 0.0;
+  double slant_range_m = 20e3;  ///< the paper's radar
   /// Baked a second time from another seed, to tell the bake's noise; traced maps are made twice in any event.
   bool is_repeated = false;
 
   [[nodiscard]] std::string file_name() const;    ///< "az130.00_el08.60"
   [[nodiscard]] std::string description() const;  ///< "azimuth 130.0°, elevation 8.6°"
-  /// The paper's radar, 20 km away: 2 m in range and across.
+  /// 2 m in range and across.
   [[nodiscard]] radar::RadarFile radar() const;
+  /// The same from ten times as far away, where waves are as good as plane.
+  [[nodiscard]] PlannedView from_afar() const;
 };
 
 /// The ways from a scene to a ground map that are held against one another.
@@ -76,12 +79,17 @@ struct ResultsPlan {
   std::vector<LookGrid> grids;        ///< each within the next; only the last is baked
   std::vector<PlannedView> views;     ///< the paper's first
   std::uint32_t baked_samples = 16;   ///< rays a texel
-  std::uint32_t finer_samples = 64;   ///< rays a texel of looks that are baked again, as free of noise as traced maps
+  std::uint32_t finer_samples = 64;   ///< rays a texel of looks that are baked again, as free of noise as their truth
   std::uint32_t traced_samples = 64;  ///< rays a 2 m cell of one traced map
   int bounces = 8;
   std::uint64_t seed = 1;
   unsigned threads = 0;
 
+  /// Rays a 2 m cell of one traced map of a view. Views that were baked are held to the highest aims and get as many
+  /// as the looks that are baked again.
+  [[nodiscard]] std::uint32_t traced_samples_of(ViewKind kind) const {
+    return kind == ViewKind::OnGrid ? finer_samples : traced_samples;
+  }
   /// Width of the rim along the scene's edges that is not compared. A wall near the edge mirrors ground beyond it,
   /// which goes on in a bake and ends where the terrain does in a traced map: that would be held against the method.
   [[nodiscard]] double rim_m() const;
