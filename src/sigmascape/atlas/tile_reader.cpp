@@ -11,6 +11,7 @@ std::size_t TileReader::levels() const {
 double TileReader::read(const TileAddress& tile, LookIndex look, std::span<Half, tile_halves> halves) const {
   if (tile.level >= levels()) return 0.0;
   const TilePlace place = place_of(description().patches, tile);
+  if (!pyramid_.has(place.file)) return 0.0;
   const std::filesystem::path texture = pyramid_.texture_path(place.file, look);
   const auto record = files_.record_of(texture);
   if (!record) return 0.0;

@@ -12,14 +12,14 @@
 
 namespace sigmascape::atlas {
 
-/// Columns −3 … 2 and rows −2 … 0 of patches of 512² texels of a metre, whose ground is kept apart: two levels a patch
+/// Columns −3 … 1 and rows −1 … 0 of patches of 512² texels of a metre, whose ground is kept apart: two levels a patch
 /// and two above them.
 inline AtlasDescription wide_ground_apart() {
   AtlasDescription description;
   description.name = "example";
   description.frame = {43.26, -2.93};
   description.patches = {1.0, 512};
-  description.extent = {-3 * 512.0, -2 * 512.0, 3 * 512.0, 512.0};
+  description.extent = {-3 * 512.0, -512.0, 2 * 512.0, 512.0};
   description.aspects = {{0.0}, {radians_from_deg(13.0)}, {10e9}};
   description.scene_hash = "0123abcd";
   description.settings = {{shadows_setting, shadows_at_run_time}};

@@ -55,16 +55,16 @@ TEST_F(ObstacleFile, GivesBackWhatStandsToTheNearestHalf) {
 }
 
 TEST_F(ObstacleFile, OpensInAGisWithItsLevels) {
-  write_obstacles(atlas_, {1, -2}, example_obstacles(atlas_, {1, -2}));
-  const auto file = atlas_.folder() / "patch_+001_-002" / "obstacles.tif";
+  write_obstacles(atlas_, {1, -1}, example_obstacles(atlas_, {1, -1}));
+  const auto file = atlas_.folder() / "patch_+001_-001" / "obstacles.tif";
   const geo::GeoRaster raster = geo::read_geotiff(file);
   ASSERT_EQ(raster.bands.size(), 4U);
   EXPECT_EQ(raster.bands[0].name, "SOLID_TOP_M");
   EXPECT_EQ(raster.bands[3].name, "CROWN_EXTINCTION_PER_M");
   EXPECT_DOUBLE_EQ(raster.placement.west_m, 512.0);
-  EXPECT_DOUBLE_EQ(raster.placement.north_m, -512.0);
+  EXPECT_DOUBLE_EQ(raster.placement.north_m, 0.0);
   EXPECT_DOUBLE_EQ(raster.placement.cell_m, 1.0);
-  EXPECT_EQ(raster.bands[0].values(100, 200), read_obstacles(atlas_, {1, -2})(100, 200).solid_top_m);
+  EXPECT_EQ(raster.bands[0].values(100, 200), read_obstacles(atlas_, {1, -1})(100, 200).solid_top_m);
 }
 
 // A crown as thin as paper has an extinction beyond every half; what comes back must stay a number.
