@@ -193,6 +193,8 @@ TEST_F(Shards, InfoTellsWhatIsThereAndWhatIsNot) {
   EXPECT_EQ(json.at("patches"), 8);
   EXPECT_EQ(json.at("looks"), 16);
   EXPECT_EQ(json.at("looks_done"), 16);
+  EXPECT_EQ(json.at("pyramid").at("textures"), 8 + 4) << "four places: two looks and obstacles";
+  EXPECT_EQ(json.at("pyramid").at("textures_done"), 8 + 4);
   EXPECT_EQ(json.at("azimuths_deg").size(), 2U);
   EXPECT_GT(json.at("relative_standard_error").at("median").get<double>(), 0.0);
   EXPECT_LE(json.at("relative_standard_error").at("median"), json.at("relative_standard_error").at("largest"));
