@@ -10,7 +10,7 @@
 #include "words.h"
 
 #include "sigmascape/atlas/atlas_summary.h"
-#include "sigmascape/atlas/pyramid.h"
+#include "sigmascape/atlas/levels_above.h"
 #include "sigmascape/atlas/store.h"
 #include "sigmascape/atlas/verify.h"
 #include "sigmascape/base/error.h"
@@ -208,8 +208,7 @@ void add_atlas_command(CLI::App& app, Output& output) {
   subcommand("pyramid", "Make what is missing of the levels above the patches, from the patches that are there",
              "pyramid out/bilbao_atlas")
       ->callback([folder, &output] {
-        const atlas::Store store = atlas::Store::open(*folder);
-        const std::size_t written = atlas::Pyramid(store).make_above(store.units(), atlas::Scrutiny::Content);
+        const std::size_t written = atlas::make_levels_above(atlas::Store::open(*folder));
         output.finish(fmt::format("{} textures written", written), {{"atlas", *folder}, {"written", written}});
       });
   add_terrain_command(

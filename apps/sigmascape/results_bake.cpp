@@ -7,6 +7,7 @@
 #include "results_processor_time.h"
 
 #include "sigmascape/atlas/ground_layers.h"
+#include "sigmascape/atlas/obstacle_file.h"
 #include "sigmascape/geo/atomic_file.h"
 
 namespace sigmascape::cli {
@@ -54,11 +55,11 @@ std::uintmax_t ground_bytes(const atlas::Store& store) {
   for (const auto& file : std::filesystem::recursive_directory_iterator(store.folder() / "ground")) {
     if (file.path().extension() == ".tif") bytes += file.file_size();
   }
-  std::filesystem::path last_patch;
-  for (const atlas::Unit& unit : store.units()) {
-    const auto patch = (store.folder() / store.texture_path(unit.patch, unit.look)).parent_path();
-    if (patch != last_patch) bytes += std::filesystem::file_size(patch / "obstacles.tif");
-    last_patch = patch;
+  const atlas::LayerPyramid obstacles = atlas::obstacle_pyramid(store);
+  for (std::size_t level = 0; level <= obstacles.levels(); ++level) {
+    for (const atlas::PyramidTile& tile : obstacles.tiles(level)) {
+      bytes += std::filesystem::file_size(store.folder() / obstacles.file_of(tile));
+    }
   }
   return bytes;
 }

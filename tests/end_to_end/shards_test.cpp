@@ -65,6 +65,7 @@ class Shards : public ::testing::Test {
     whole_ = files_of(folder_ / "whole");
     // 16 looks of three files and 8 textures above them of two; the ground's own store, obstacles and terrain besides.
     ASSERT_GT(whole_.size(), 3U * 16U + 2U * 8U);
+    ASSERT_TRUE(whole_.contains(obstacles_above));
   }
   static void TearDownTestSuite() { fs::remove_all(folder_); }
 
@@ -86,6 +87,8 @@ class Shards : public ::testing::Test {
   }
   static std::string path_of(const std::string& atlas) { return (folder_ / atlas).string(); }
 
+  static constexpr const char* obstacles = "patch_-001_+000/obstacles.tif";
+  static constexpr const char* obstacles_above = "pyramid_1/patch_+000_+000/obstacles.tif";
   static inline fs::path folder_, scene_;
   static inline std::map<std::string, std::string> whole_;
 };
@@ -144,6 +147,8 @@ TEST_F(Shards, DamageIsFoundNamedAndMended) {
   const std::string above = "pyramid_1/patch_+000_+000/az000.0_el30.0_f10.000GHz.tif";
   fs::resize_file(folder_ / "damaged" / truncated, 1000);
   fs::remove(folder_ / "damaged" / above);
+  fs::resize_file(folder_ / "damaged" / obstacles, 1000);
+  fs::remove(folder_ / "damaged" / obstacles_above);
   {
     std::fstream file(folder_ / "damaged" / a_texture, std::ios::binary | std::ios::in | std::ios::out);
     file.seekp(-1, std::ios::end);
@@ -154,9 +159,11 @@ TEST_F(Shards, DamageIsFoundNamedAndMended) {
   EXPECT_THAT(verified.printed, HasSubstr(truncated + " is truncated: 1000 of"));
   EXPECT_THAT(verified.printed, HasSubstr(a_texture + std::string(" was altered")));
   EXPECT_THAT(verified.printed, HasSubstr(above + " is missing"));
+  EXPECT_THAT(verified.printed, HasSubstr(obstacles + std::string(" is truncated: 1000 of")));
+  EXPECT_THAT(verified.printed, HasSubstr(obstacles_above + std::string(" is missing")));
   const Ended as_json = run_cli(fmt::format("atlas verify --json '{}'", path_of("damaged")));
   EXPECT_EQ(as_json.code, 1);
-  EXPECT_EQ(as_json.json().at("faults").size(), 3U);
+  EXPECT_EQ(as_json.json().at("faults").size(), 5U);
 
   const Ended by_size = baked("damaged");
   EXPECT_EQ(by_size.json().at("already"), 15) << "a file of the right size is only found with --verify";
@@ -169,9 +176,10 @@ TEST_F(Shards, DamageIsFoundNamedAndMended) {
 TEST_F(Shards, ThePyramidIsMadeAnewByItself) {
   fs::copy(folder_ / "whole", folder_ / "bare", fs::copy_options::recursive);
   fs::remove_all(folder_ / "bare/pyramid_1");
+  fs::remove_all(folder_ / "bare/ground/pyramid_1");
   const Ended made = run_cli(fmt::format("atlas pyramid --json '{}'", path_of("bare")));
   ASSERT_EQ(made.code, 0) << made.printed;
-  EXPECT_EQ(made.json().at("written"), 8);
+  EXPECT_EQ(made.json().at("written"), 8 + 4 + 36) << "four places: two looks, obstacles, nine of the ground";
   EXPECT_EQ(difference_of(files_of(folder_ / "bare"), whole_), "");
 }
 
@@ -185,6 +193,8 @@ TEST_F(Shards, InfoTellsWhatIsThereAndWhatIsNot) {
   EXPECT_EQ(json.at("patches"), 8);
   EXPECT_EQ(json.at("looks"), 16);
   EXPECT_EQ(json.at("looks_done"), 16);
+  EXPECT_EQ(json.at("pyramid").at("textures"), 8 + 4) << "four places: two looks and obstacles";
+  EXPECT_EQ(json.at("pyramid").at("textures_done"), 8 + 4);
   EXPECT_EQ(json.at("azimuths_deg").size(), 2U);
   EXPECT_GT(json.at("relative_standard_error").at("median").get<double>(), 0.0);
   EXPECT_LE(json.at("relative_standard_error").at("median"), json.at("relative_standard_error").at("largest"));

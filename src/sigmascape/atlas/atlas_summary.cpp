@@ -5,6 +5,8 @@
 #include <system_error>
 #include <vector>
 
+#include "sigmascape/atlas/ground_layers.h"
+#include "sigmascape/atlas/obstacle_file.h"
 #include "sigmascape/atlas/pyramid.h"
 #include "sigmascape/atlas/stac.h"
 #include "sigmascape/atlas/texture_file.h"
@@ -28,6 +30,24 @@ AtlasSummary::Spread spread_of(std::vector<double> errors) {
   return {errors.front(), errors[errors.size() / 2], errors.back()};
 }
 
+void count_pyramid(const Store& store, AtlasSummary& summary) {
+  const Pyramid pyramid(store);
+  const LayerPyramid obstacles = obstacle_pyramid(store);
+  const bool has_obstacles = keeps_ground_apart(store);
+  const auto count = [&summary](bool is_done) {
+    ++summary.pyramid_textures;
+    summary.pyramid_done += is_done ? 1 : 0;
+  };
+  summary.pyramid_levels = pyramid.levels();
+  for (std::size_t level = 1; level <= pyramid.levels(); ++level) {
+    for (const PyramidTile& tile : pyramid.tiles(level)) {
+      const std::size_t looks = store.description().aspects.look_count();
+      for (LookIndex look = 0; look < looks; ++look) count(pyramid.is_done(tile, look));
+      if (has_obstacles) count(obstacles.is_done(tile));
+    }
+  }
+}
+
 }  // namespace
 
 AtlasSummary summary_of(const Store& store) {
@@ -48,16 +68,7 @@ AtlasSummary summary_of(const Store& store) {
   summary.bytes_per_look /= static_cast<double>(std::max<std::size_t>(summary.looks_done, 1));
   summary.error = spread_of(std::move(errors));
 
-  const Pyramid pyramid(store);
-  summary.pyramid_levels = pyramid.levels();
-  for (std::size_t level = 1; level <= pyramid.levels(); ++level) {
-    for (const PyramidTile& tile : pyramid.tiles(level)) {
-      for (LookIndex look = 0; look < description.aspects.look_count(); ++look) {
-        ++summary.pyramid_textures;
-        summary.pyramid_done += pyramid.is_done(tile, look) ? 1 : 0;
-      }
-    }
-  }
+  count_pyramid(store, summary);
   return summary;
 }
 

@@ -13,7 +13,7 @@ struct AtlasSummary {
   std::size_t looks = 0;       ///< (patch, look) pairs that a whole atlas has
   std::size_t looks_done = 0;  ///< of these
   std::size_t pyramid_levels = 0;
-  std::size_t pyramid_textures = 0;  ///< that a whole atlas has above its patches
+  std::size_t pyramid_textures = 0;  ///< that a whole atlas has above its patches, obstacles among them
   std::size_t pyramid_done = 0;      ///< of these
   std::uint64_t bytes = 0;           ///< of everything in the folder
   double bytes_per_look = 0.0;       ///< mean size of the textures of patches

@@ -1,36 +1,13 @@
 #include "sigmascape/atlas/ground_layers.h"
 
-#include <array>
 #include <filesystem>
-#include <fmt/format.h>
-#include <system_error>
 
-#include "sigmascape/atlas/stac.h"
-#include "sigmascape/atlas/texture_file.h"
-#include "sigmascape/atlas/texture_name.h"
-#include "sigmascape/base/error.h"
-#include "sigmascape/base/sha256.h"
-#include "sigmascape/geo/atomic_file.h"
-#include "sigmascape/geo/geotiff.h"
+#include "sigmascape/atlas/obstacle_file.h"
 
 namespace sigmascape::atlas {
 namespace {
 
 constexpr const char* ground_folder = "ground";
-
-struct Layer {
-  const char* name;
-  float radar::Obstacle::*value;
-};
-constexpr std::array<Layer, 4> layers{{{"SOLID_TOP_M", &radar::Obstacle::solid_top_m},
-                                       {"CROWN_BASE_M", &radar::Obstacle::crown_base_m},
-                                       {"CROWN_TOP_M", &radar::Obstacle::crown_top_m},
-                                       {"CROWN_EXTINCTION_PER_M", &radar::Obstacle::crown_extinction_per_m}}};
-
-/// Relative to the store, as textures are.
-std::filesystem::path obstacles_path(PatchIndex patch) {
-  return std::filesystem::path(patch_name(patch)) / "obstacles.tif";
-}
 
 radar::ObstacleMap load_obstacles(const Store& atlas) {
   const PatchGrid& grid = atlas.description().patches;
@@ -66,55 +43,6 @@ Store create_ground_store(const Store& atlas, const std::vector<double>& elevati
   description.aspects = {{0.0}, elevations_rad, atlas.description().aspects.frequencies_hz};
   description.settings = {{"layer", "ground without what stands on it, from any azimuth"}};
   return Store::create(ground_folder_of(atlas), description);
-}
-
-std::optional<StoreFault> obstacles_fault(const Store& atlas, PatchIndex patch, Scrutiny scrutiny) {
-  return texture_fault(atlas.folder(), obstacles_path(patch), scrutiny);
-}
-
-void write_obstacles(const Store& atlas, PatchIndex patch, const radar::ObstacleMap& map) {
-  const auto path = atlas.folder() / obstacles_path(patch);
-  const radar::GroundGrid texels = atlas.description().patches.texels_of(patch);
-  if (map.grid != texels || map.obstacles.columns() != texels.columns || map.obstacles.rows() != texels.rows) {
-    throw Error(path.string(), "is not given on the texels of the patch",
-                fmt::format("give {} x {}", texels.columns, texels.rows));
-  }
-  geo::GeoRaster raster{.placement = {texels.west_m, texels.north_m, texels.cell_m, atlas.description().frame.proj()},
-                        .bands = {},
-                        .nodata = {},
-                        .metadata = {{"SIGMASCAPE_SCENE_HASH", atlas.description().scene_hash}}};
-  for (const Layer& layer : layers) {
-    geo::NamedBand& band = raster.bands.emplace_back();
-    band = {layer.name, Array2D<float>(texels.columns, texels.rows)};
-    for (std::size_t i = 0; i < map.obstacles.size(); ++i) {
-      band.values.values()[i] = map.obstacles.values()[i].*layer.value;
-    }
-  }
-  // An item of an earlier file must not vouch for the new one.
-  std::error_code ignored;
-  std::filesystem::remove(item_path(path), ignored);
-  geo::write_geotiff(path, raster);
-  const TextureRecord record{std::filesystem::file_size(path), sha256_of_file(path)};
-  geo::write_atomically(item_path(path), obstacles_item_text(atlas.description(), patch, path, record));
-}
-
-Array2D<radar::Obstacle> read_obstacles(const Store& atlas, PatchIndex patch) {
-  const auto path = atlas.folder() / obstacles_path(patch);
-  if (const auto fault = obstacles_fault(atlas, patch, Scrutiny::Content)) {
-    throw Error((atlas.folder() / fault->file).string(), fault->what, bake_again);
-  }
-  const geo::GeoRaster raster = geo::read_geotiff(path);
-  const std::size_t side = atlas.description().patches.texels_per_side;
-  if (raster.bands.size() != layers.size() || raster.bands.front().values.columns() != side ||
-      raster.bands.front().values.rows() != side) {
-    throw Error(path.string(), "does not have four bands of the patch's texels", "remove it and bake again");
-  }
-  Array2D<radar::Obstacle> obstacles(side, side);
-  for (std::size_t layer = 0; layer < layers.size(); ++layer) {
-    const auto values = raster.bands[layer].values.values();
-    for (std::size_t i = 0; i < obstacles.size(); ++i) obstacles.values()[i].*layers[layer].value = values[i];
-  }
-  return obstacles;
 }
 
 std::filesystem::path ground_folder_of(const Store& atlas) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <vector>
 
 #include "sigmascape/atlas/atlas.h"
@@ -26,16 +25,6 @@ inline constexpr const char* shadows_at_run_time = "run-time";
 /// The store, in the folder `ground` of an atlas, of the ground's own σ0: the same patches and frequencies, azimuth 0
 /// and these elevations. Made when it is not there.
 [[nodiscard]] Store create_ground_store(const Store& atlas, const std::vector<double>& elevations_rad);
-
-/// What is wrong with the obstacles of a patch, if anything.
-[[nodiscard]] std::optional<StoreFault> obstacles_fault(const Store& atlas, PatchIndex patch, Scrutiny scrutiny);
-/// Writes what stands on a patch, on the texels of its level 0, as `obstacles.tif` in the patch's folder, its item
-/// beside it. Throws Error when the raster has another size or cannot be written.
-void write_obstacles(const Store& atlas, PatchIndex patch, const radar::ObstacleMap& map);
-
-/// What stands on a patch, [column, row] of its level 0, north up. Throws Error when the file is missing or not as it
-/// should be.
-[[nodiscard]] Array2D<radar::Obstacle> read_obstacles(const Store& atlas, PatchIndex patch);
 
 [[nodiscard]] std::filesystem::path ground_folder_of(const Store& atlas);
 /// Throws Error when there is none.

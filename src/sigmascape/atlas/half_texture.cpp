@@ -2,8 +2,40 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace sigmascape::atlas {
+namespace {
+
+constexpr std::size_t bands = std::tuple_size_v<BandNames>;
+static_assert(radar::Channels::count == bands);
+
+/// `bands_of` gives the four numbers of a texel that are rounded.
+template <typename Texel, typename BandsOf>
+HalfTexture rounded(const std::vector<Array2D<Texel>>& chain, double scale, int mantissa_bits, BandsOf bands_of) {
+  HalfTexture texture{chain.front().columns(), scale, {}};
+  for (const Array2D<Texel>& level : chain) {
+    std::vector<Half>& halves = texture.levels.emplace_back();
+    halves.reserve(level.size() * bands);
+    for (const Texel& texel : level.values()) {
+      for (const float value : bands_of(texel)) halves.push_back(half_from_float(value, mantissa_bits));
+    }
+  }
+  return texture;
+}
+
+template <typename Texel, typename TexelFrom>
+std::vector<Array2D<Texel>> widened(const HalfTexture& texture, TexelFrom texel_from) {
+  std::vector<Array2D<Texel>> chain;
+  for (std::size_t level = 0; level < texture.levels.size(); ++level) {
+    const std::size_t side = texture.side >> level;
+    Array2D<Texel>& texels = chain.emplace_back(side, side);
+    for (std::size_t i = 0; i < texels.size(); ++i) texels.values()[i] = texel_from(&texture.levels[level][i * bands]);
+  }
+  return chain;
+}
+
+}  // namespace
 
 double fitting_scale(const Array2D<radar::Channels>& level_0) {
   float brightest = 0.0F;
@@ -18,34 +50,30 @@ double fitting_scale(const Array2D<radar::Channels>& level_0) {
 }
 
 HalfTexture encoded(const MipChain& chain, double scale, int mantissa_bits) {
-  HalfTexture texture{chain.front().columns(), scale, {}};
   const auto gain = static_cast<float>(1.0 / scale);
-  for (const Array2D<radar::Channels>& level : chain) {
-    std::vector<Half>& halves = texture.levels.emplace_back();
-    halves.reserve(level.size() * radar::Channels::count);
-    for (const radar::Channels& texel : level.values()) {
-      for (const float value : {texel.vv, texel.hh, texel.hv, texel.re_vvhh}) {
-        halves.push_back(half_from_float(value * gain, mantissa_bits));
-      }
-    }
-  }
-  return texture;
+  return rounded(chain, scale, mantissa_bits, [gain](const radar::Channels& texel) {
+    return std::array{texel.vv * gain, texel.hh * gain, texel.hv * gain, texel.re_vvhh * gain};
+  });
+}
+
+HalfTexture encoded(const ObstacleChain& chain) {
+  constexpr int all_bits = 10;
+  return rounded(chain, 1.0, all_bits, [](const radar::Obstacle& texel) {
+    return std::array{std::min(texel.solid_top_m, largest_half), std::min(texel.crown_base_m, largest_half),
+                      std::min(texel.crown_top_m, largest_half), std::min(texel.crown_extinction_per_m, largest_half)};
+  });
 }
 
 MipChain decoded(const HalfTexture& texture) {
-  MipChain chain;
   const auto scale = static_cast<float>(texture.scale);
-  for (std::size_t level = 0; level < texture.levels.size(); ++level) {
-    const std::vector<Half>& halves = texture.levels[level];
-    const std::size_t side = texture.side >> level;
-    Array2D<radar::Channels>& texels = chain.emplace_back(side, side);
-    for (std::size_t i = 0; i < texels.size(); ++i) {
-      const Half* stored = &halves[i * radar::Channels::count];
-      texels.values()[i] = {float_from_half(stored[0]) * scale, float_from_half(stored[1]) * scale,
-                            float_from_half(stored[2]) * scale, float_from_half(stored[3]) * scale};
-    }
-  }
-  return chain;
+  return widened<radar::Channels>(texture, [scale](const Half* stored) -> radar::Channels {
+    return {float_from_half(stored[0]) * scale, float_from_half(stored[1]) * scale, float_from_half(stored[2]) * scale,
+            float_from_half(stored[3]) * scale};
+  });
+}
+
+ObstacleChain decoded_obstacles(const HalfTexture& texture) {
+  return widened<radar::Obstacle>(texture, obstacle_from);
 }
 
 }  // namespace sigmascape::atlas

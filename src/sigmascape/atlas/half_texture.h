@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <string_view>
 #include <vector>
 
 #include "sigmascape/atlas/half.h"
@@ -8,12 +10,17 @@
 
 namespace sigmascape::atlas {
 
-/// A mip chain as it is stored: halves times one power of two. [level][(row · columns + column) · 4 + channel].
+/// A mip chain as it is stored: halves times one power of two. [level][(row · columns + column) · 4 + band].
 struct HalfTexture {
   std::size_t side = 0;  ///< texels of the first level held
-  double scale = 1.0;    ///< σ0 of a stored 1
+  double scale = 1.0;    ///< σ0 of a stored 1; 1 for obstacles
   std::vector<std::vector<Half>> levels;
 };
+
+/// What the four bands of a texture hold.
+using BandNames = std::array<std::string_view, 4>;
+inline constexpr BandNames sigma0_bands{"VV", "HH", "HV", "RE_VVHH"};
+inline constexpr BandNames obstacle_bands{"SOLID_TOP_M", "CROWN_BASE_M", "CROWN_TOP_M", "CROWN_EXTINCTION_PER_M"};
 
 /// The power of two that σ0 is to be divided by before it becomes halves: the brightest texel of level 0 lands between
 /// 2¹⁴ and 2¹⁵, so that it fits whatever it is, and dark ground keeps as many bits as can be. 1 when all is black.
@@ -22,7 +29,20 @@ struct HalfTexture {
 /// All levels rounded to the nearest half of so many mantissa bits, under the given scale.
 [[nodiscard]] HalfTexture encoded(const MipChain& chain, double scale, int mantissa_bits);
 
+/// Obstacles in metres and per metre as they are, to the nearest half: heights to one part in 2000, extinctions below
+/// 6·10⁻⁵ per metre in steps of 6·10⁻⁸, an optical depth of 0.006 in 100 km. What is beyond the largest half, such as
+/// the extinction of a crown as flat as paper, becomes the largest.
+[[nodiscard]] HalfTexture encoded(const ObstacleChain& chain);
+
 /// σ0 again.
 [[nodiscard]] MipChain decoded(const HalfTexture& texture);
+/// Obstacles again.
+[[nodiscard]] ObstacleChain decoded_obstacles(const HalfTexture& texture);
+
+/// One obstacle of four halves.
+[[nodiscard]] inline radar::Obstacle obstacle_from(const Half* stored) {
+  return {float_from_half(stored[0]), float_from_half(stored[1]), float_from_half(stored[2]),
+          float_from_half(stored[3])};
+}
 
 }  // namespace sigmascape::atlas

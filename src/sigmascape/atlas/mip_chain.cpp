@@ -10,6 +10,17 @@ float mean(float a, float b, float c, float d) {
   return static_cast<float>((static_cast<double>(a) + b + (static_cast<double>(c) + d)) / 4.0);
 }
 
+/// Level 0 and those that `halve` makes one from the other.
+template <typename Texel>
+std::vector<Array2D<Texel>> chain_of(Array2D<Texel> level_0, std::size_t smallest_side,
+                                     Array2D<Texel> (*halve)(const Array2D<Texel>&)) {
+  std::vector<Array2D<Texel>> chain;
+  chain.push_back(std::move(level_0));
+  while (chain.back().columns() > smallest_side && chain.back().columns() % 2 == 0)
+    chain.push_back(halve(chain.back()));
+  return chain;
+}
+
 }  // namespace
 
 Array2D<radar::Channels> area_mean(const Array2D<radar::Channels>& finer) {
@@ -31,11 +42,11 @@ Array2D<radar::Channels> area_mean(const Array2D<radar::Channels>& finer) {
 }
 
 MipChain mip_chain(Array2D<radar::Channels> level_0, std::size_t smallest_side) {
-  MipChain chain;
-  chain.push_back(std::move(level_0));
-  while (chain.back().columns() > smallest_side && chain.back().columns() % 2 == 0)
-    chain.push_back(area_mean(chain.back()));
-  return chain;
+  return chain_of(std::move(level_0), smallest_side, area_mean);
+}
+
+ObstacleChain mip_chain(Array2D<radar::Obstacle> level_0, std::size_t smallest_side) {
+  return chain_of(std::move(level_0), smallest_side, radar::halved);
 }
 
 }  // namespace sigmascape::atlas

@@ -179,6 +179,8 @@ Json look_properties(double texel_m, const radar::Look& look) {
   return properties;
 }
 
+constexpr const char* raster_extension = "https://stac-extensions.github.io/raster/v1.1.0/schema.json";
+
 Json place_extensions() {
   return {"https://stac-extensions.github.io/projection/v2.0.0/schema.json",
           "https://stac-extensions.github.io/file/v2.1.0/schema.json"};
@@ -187,7 +189,7 @@ Json place_extensions() {
 Json extensions(const radar::Look& look) {
   Json list = place_extensions();
   list.push_back("https://stac-extensions.github.io/view/v1.0.0/schema.json");
-  list.push_back("https://stac-extensions.github.io/raster/v1.1.0/schema.json");
+  list.push_back(raster_extension);
   if (!band_letter(look.frequency_hz).empty()) {
     list.push_back("https://stac-extensions.github.io/sar/v1.0.0/schema.json");
   }
@@ -218,13 +220,16 @@ Json file_asset(const std::filesystem::path& file, const char* title, const char
           {"file:checksum", "1220" + record.sha256}};
 }
 
-Json sigma0_asset(double texel_m, const std::filesystem::path& file, const TextureRecord& record) {
+Json texture_asset(double texel_m, const std::filesystem::path& file, const char* title, const TextureRecord& record) {
   const Json band = {
       {"data_type", "float16"}, {"scale", record.scale}, {"offset", 0.0}, {"spatial_resolution", texel_m}};
-  Json asset = file_asset(file, "Area reflectivity, bands VV, HH, HV (= VH) and Re<S_VV S_HH*>", cloud_optimised,
-                          "data", record);
+  Json asset = file_asset(file, title, cloud_optimised, "data", record);
   asset["raster:bands"] = {band, band, band, band};
   return asset;
+}
+
+Json sigma0_asset(double texel_m, const std::filesystem::path& file, const TextureRecord& record) {
+  return texture_asset(texel_m, file, "Area reflectivity, bands VV, HH, HV (= VH) and Re<S_VV S_HH*>", record);
 }
 
 Json errors_asset(const std::filesystem::path& texture_file, const ErrorsRecord& record) {
@@ -243,6 +248,29 @@ Json common_properties(const AtlasDescription& description, const radar::GroundG
   Json properties = timeless();
   properties.update(look_properties(grid.cell_m, look));
   properties.update(place_properties(description, grid));
+  return properties;
+}
+
+/// What items of the pyramid say of their place.
+Json pyramid_properties(const PyramidTile& tile) {
+  return {
+      {"sigmascape:pyramid_level", tile.level},
+      {"sigmascape:patch", {tile.south_west.x, tile.south_west.y}},
+      {"sigmascape:patches_per_side", 1 << tile.level},
+  };
+}
+
+/// What items say of a file that no rays went into.
+Json file_properties(const AtlasDescription& description, const TextureRecord& record) {
+  Json properties = {{"sigmascape:scene_hash", description.scene_hash}};
+  if (!record.made_from.empty()) properties["sigmascape:made_from"] = record.made_from;
+  if (record.tallest_m) properties["sigmascape:tallest_m"] = *record.tallest_m;
+  properties.update(Json{
+      {"sigmascape:scale", record.scale},
+      {"sigmascape:size_bytes", record.size_bytes},
+      {"sigmascape:sha256", record.sha256},
+      {"sigmascape:attribution", description.attribution},
+  });
   return properties;
 }
 
@@ -348,45 +376,40 @@ std::string item_text(const AtlasDescription& description, const Unit& unit, con
                  assets, "../collection.json");
 }
 
-std::string pyramid_item_text(const AtlasDescription& description, const PyramidTile& tile,
-                              const radar::GroundGrid& grid, LookIndex look_index,
+std::string pyramid_item_text(const AtlasDescription& description, const PyramidTile& tile, LookIndex look_index,
                               const std::filesystem::path& texture_file, const TextureRecord& record) {
+  const radar::GroundGrid grid = texels_of(description.patches, tile);
   const radar::Look look = description.aspects.look(look_index);
   Json properties = common_properties(description, grid, look);
-  properties.update(Json{
-      {"sigmascape:pyramid_level", tile.level},
-      {"sigmascape:patch", {tile.south_west.x, tile.south_west.y}},
-      {"sigmascape:patches_per_side", 1 << tile.level},
-      {"sigmascape:scene_hash", description.scene_hash},
-      {"sigmascape:made_from", record.made_from},
-      {"sigmascape:scale", record.scale},
-      {"sigmascape:size_bytes", record.size_bytes},
-      {"sigmascape:sha256", record.sha256},
-      {"sigmascape:attribution", description.attribution},
-  });
+  properties.update(pyramid_properties(tile));
+  properties.update(file_properties(description, record));
   const std::string id = fmt::format("pyramid_{}_{}_{}", tile.level, patch_name(tile.south_west), look_name(look));
   return item_of(id, description, grid, extensions(look), properties,
                  {{"sigma0", sigma0_asset(grid.cell_m, texture_file, record)}}, "../../collection.json");
 }
 
-std::string obstacles_item_text(const AtlasDescription& description, PatchIndex patch,
+std::string obstacles_item_text(const AtlasDescription& description, const PyramidTile& tile,
                                 const std::filesystem::path& file, const TextureRecord& record) {
-  const radar::GroundGrid grid = description.patches.texels_of(patch);
+  const bool is_patch = tile.level == 0;
+  const radar::GroundGrid grid = texels_of(description.patches, tile);
   Json properties = timeless();
   properties.update(place_properties(description, grid));
-  properties.update(Json{
-      {"gsd", grid.cell_m},
-      {"sigmascape:patch", {patch.x, patch.y}},
-      {"sigmascape:scene_hash", description.scene_hash},
-      {"sigmascape:scale", record.scale},
-      {"sigmascape:size_bytes", record.size_bytes},
-      {"sigmascape:sha256", record.sha256},
-      {"sigmascape:attribution", description.attribution},
-  });
-  const Json obstacles = file_asset(file, "What stands on the ground: tops and bases in metres, extinction of crowns",
-                                    cloud_optimised, "data", record);
-  return item_of(patch_name(patch) + "_obstacles", description, grid, place_extensions(), properties,
-                 {{"obstacles", obstacles}}, "../collection.json");
+  properties["gsd"] = grid.cell_m;
+  if (is_patch) {
+    properties["sigmascape:patch"] = {tile.south_west.x, tile.south_west.y};
+  } else {
+    properties.update(pyramid_properties(tile));
+  }
+  properties.update(file_properties(description, record));
+  const Json asset = texture_asset(grid.cell_m, file,
+                                   "What stands on the ground: top of solids, base and top of crowns in metres above "
+                                   "it, extinction of crowns per metre",
+                                   record);
+  Json extensions = place_extensions();
+  extensions.push_back(raster_extension);
+  const std::string id = (is_patch ? "" : fmt::format("pyramid_{}_", tile.level)) + patch_name(tile.south_west);
+  return item_of(id + "_obstacles", description, grid, extensions, properties, {{"obstacles", asset}},
+                 is_patch ? "../collection.json" : "../../collection.json");
 }
 
 std::optional<TextureRecord> record_from(const std::string& text) {
@@ -408,6 +431,9 @@ std::optional<TextureRecord> record_from(const std::string& text) {
   }
   if (is("sigmascape:relative_standard_error", &Json::is_number)) {
     record.relative_standard_error = properties.at("sigmascape:relative_standard_error").get<double>();
+  }
+  if (is("sigmascape:tallest_m", &Json::is_number)) {
+    record.tallest_m = properties.at("sigmascape:tallest_m").get<float>();
   }
   if (is("sigmascape:errors_size_bytes", &Json::is_number_unsigned) &&
       is("sigmascape:errors_sha256", &Json::is_string)) {

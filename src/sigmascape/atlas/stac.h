@@ -5,9 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "sigmascape/atlas/pyramid.h"
+#include "sigmascape/atlas/pyramid_tiles.h"
 #include "sigmascape/atlas/store.h"
-#include "sigmascape/radar/ground_grid.h"
 
 namespace sigmascape::atlas {
 
@@ -29,6 +28,9 @@ struct TextureRecord {
   std::string made_from = {};               ///< of a file of the pyramid: names the content of those below; else empty
   double relative_standard_error = 0.0;     ///< of a patch, as in BakeFacts; read only
   std::optional<ErrorsRecord> errors = {};  ///< where there is such a file
+  /// Of obstacles: no texel of the file or of those that it was made from is higher. Files of a former kind, which hold
+  /// no coarser levels, have an item without it.
+  std::optional<float> tallest_m = {};
 };
 
 /// The collection.json of an atlas.
@@ -45,13 +47,13 @@ struct TextureRecord {
                                     const std::filesystem::path& texture_file, const TextureRecord& record,
                                     const BakeFacts& facts);
 
-/// The item of one texture of the pyramid, whose texels are `grid`.
+/// The item of one texture of the pyramid.
 [[nodiscard]] std::string pyramid_item_text(const AtlasDescription& description, const PyramidTile& tile,
-                                            const radar::GroundGrid& grid, LookIndex look,
-                                            const std::filesystem::path& texture_file, const TextureRecord& record);
+                                            LookIndex look, const std::filesystem::path& texture_file,
+                                            const TextureRecord& record);
 
-/// The item of the obstacles of a patch, to stand beside `file`.
-[[nodiscard]] std::string obstacles_item_text(const AtlasDescription& description, PatchIndex patch,
+/// The item of the obstacles of a patch (level 0) or of a place above, to stand beside `file`.
+[[nodiscard]] std::string obstacles_item_text(const AtlasDescription& description, const PyramidTile& tile,
                                               const std::filesystem::path& file, const TextureRecord& record);
 
 /// What an item records of its file; nothing when the text is not an item of ours.

@@ -141,7 +141,7 @@ void Store::write(PatchIndex patch, LookIndex look, const Array2D<radar::Channel
   const std::string errors =
       relative_errors.empty() ? "" : errors_bytes(relative_errors, texels, grid, description_, folder_ / texture);
   write_texture(
-      folder_, texture, halves, grid, description_,
+      folder_, texture, halves, sigma0_bands, grid, description_,
       [&](const TextureRecord& record) {
         return item_text(description_, {patch, look}, texture, record, facts);
       },

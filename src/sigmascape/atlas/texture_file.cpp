@@ -16,11 +16,11 @@
 
 namespace sigmascape::atlas {
 
-std::string texture_bytes(const HalfTexture& texture, const radar::GroundGrid& grid,
+std::string texture_bytes(const HalfTexture& texture, const BandNames& bands, const radar::GroundGrid& grid,
                           const AtlasDescription& description) {
   geo::HalfPyramid pyramid;
   pyramid.placement = {grid.west_m, grid.north_m, grid.cell_m, description.frame.proj()};
-  pyramid.band_names = {"VV", "HH", "HV", "RE_VVHH"};
+  pyramid.band_names.assign(bands.begin(), bands.end());
   pyramid.scale = texture.scale;
   pyramid.columns = pyramid.rows = texture.side;
   pyramid.metadata = {{"SIGMASCAPE_SCENE_HASH", description.scene_hash}};
@@ -109,9 +109,9 @@ std::optional<TextureRecord> texture_record(const std::filesystem::path& folder,
 }
 
 void write_texture(const std::filesystem::path& folder, const std::filesystem::path& texture, const HalfTexture& halves,
-                   const radar::GroundGrid& grid, const AtlasDescription& description,
+                   const BandNames& bands, const radar::GroundGrid& grid, const AtlasDescription& description,
                    const std::function<std::string(const TextureRecord&)>& item_for, const std::string& errors) {
-  const std::string bytes = texture_bytes(halves, grid, description);
+  const std::string bytes = texture_bytes(halves, bands, grid, description);
   TextureRecord record{bytes.size(), sha256_of(bytes), halves.scale};
   if (!errors.empty()) record.errors = {errors.size(), sha256_of(errors)};
 

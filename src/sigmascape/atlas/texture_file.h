@@ -38,13 +38,13 @@ inline constexpr const char* bake_again =
                                                           const std::filesystem::path& texture);
 
 /// The file of a texture whose level 0 lies on `grid`.
-[[nodiscard]] std::string texture_bytes(const HalfTexture& halves, const radar::GroundGrid& grid,
-                                        const AtlasDescription& description);
+[[nodiscard]] std::string texture_bytes(const HalfTexture& halves, const BandNames& bands,
+                                        const radar::GroundGrid& grid, const AtlasDescription& description);
 
 /// Writes a texture whose level 0 lies on `grid`, its standard errors beside it (as GeoTIFF; none when empty), then the
 /// item that `item_for` makes of their record.
 void write_texture(const std::filesystem::path& folder, const std::filesystem::path& texture, const HalfTexture& halves,
-                   const radar::GroundGrid& grid, const AtlasDescription& description,
+                   const BandNames& bands, const radar::GroundGrid& grid, const AtlasDescription& description,
                    const std::function<std::string(const TextureRecord&)>& item_for, const std::string& errors = {});
 
 /// Reads a texture of so many levels, the first of so many texels a side. Throws Error when it is not there or not as

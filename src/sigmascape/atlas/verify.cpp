@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "sigmascape/atlas/ground_layers.h"
+#include "sigmascape/atlas/obstacle_file.h"
 #include "sigmascape/atlas/pyramid.h"
 #include "sigmascape/base/error.h"
 
@@ -37,6 +38,7 @@ std::vector<StoreFault> verify(const Store& atlas, Scrutiny scrutiny) {
   for (const PatchIndex& patch : atlas.description().patches.covering(atlas.description().extent)) {
     if (auto fault = obstacles_fault(atlas, patch, scrutiny)) faults.push_back(std::move(*fault));
   }
+  std::ranges::move(obstacle_pyramid(atlas).verify(scrutiny), std::back_inserter(faults));
   return faults;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sigmascape/atlas/ground_layers.h"
+#include "sigmascape/atlas/obstacle_file.h"
 #include "sigmascape/atlas/pyramid.h"
 #include "sigmascape/atlas/texture_name.h"
 #include "sigmascape/bake/claims.h"
@@ -85,10 +86,12 @@ void bake_ground(const scene::Scene& scene, const atlas::Store& store, const Sha
   const Claims claims(store.folder());
   const std::size_t first_claim = JobList(store.description()).size();
   std::vector<atlas::Unit> share;
+  std::vector<atlas::PatchIndex> patches_of_share;
   const std::vector<atlas::PatchIndex> patches = description.patches.covering(description.extent);
   for (std::size_t number = 0; number < patches.size(); ++number) {
     if (!shard.has(number)) continue;
     const atlas::PatchIndex patch = patches[number];
+    patches_of_share.push_back(patch);
     const auto claim = claims.take(first_claim + number, Claims::Wait::UntilFree);
     if (claim && claim->is_exclusive()) remove_leftovers(store, ground, patch);
     const radar::GroundGrid texels = description.patches.texels_of(patch);
@@ -106,6 +109,7 @@ void bake_ground(const scene::Scene& scene, const atlas::Store& store, const Sha
     }
   }
   atlas::Pyramid(ground).make_above(share, scrutiny);
+  atlas::obstacle_pyramid(store).make_above(patches_of_share, scrutiny);
 }
 
 }  // namespace sigmascape::bake

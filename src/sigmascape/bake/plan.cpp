@@ -53,7 +53,7 @@ class Trials {
     const auto texels = piece_.patches.texels_of(patch);
     const double cells = baker_.area_of(texels, aspect).whole_cells();
     const auto halves = atlas::encoded({look.sigma0}, atlas::fitting_scale(look.sigma0), settings_.mantissa_bits);
-    const auto bytes = atlas::texture_bytes(halves, texels, description_of(scene_, piece_)).size();
+    const auto bytes = atlas::texture_bytes(halves, atlas::sigma0_bands, texels, description_of(scene_, piece_)).size();
     return {taken.count() / std::max(cells, 1.0), static_cast<double>(bytes) / static_cast<double>(look.sigma0.size())};
   }
 

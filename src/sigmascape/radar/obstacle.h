@@ -20,6 +20,15 @@ struct Obstacle {
   [[nodiscard]] constexpr float top_m() const { return std::max(solid_top_m, crown_top_m); }
 };
 
+/// What stands for four obstacles of neighbouring squares on the square that they form: for solids the height that
+/// keeps the shadowed area (the greatest of each row along the line of sight, meant over rows; and that meant over both
+/// ways of looking), for crowns the mean extinction between mean base and top, each weighted by its extinction.
+[[nodiscard]] Obstacle merged(const Obstacle& north_west, const Obstacle& north_east, const Obstacle& south_west,
+                              const Obstacle& south_east);
+
+/// Half the columns and rows, each square what stands for the four it covers. Columns and rows must be even.
+[[nodiscard]] Array2D<Obstacle> halved(const Array2D<Obstacle>& finer);
+
 /// The obstacles of an area, square by square.
 struct ObstacleMap {
   GroundGrid grid;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "sigmascape/atlas/ground_layers.h"
+#include "sigmascape/atlas/obstacle_file.h"
 
 namespace sigmascape::render {
 namespace {
@@ -14,17 +14,6 @@ using radar::Obstacle;
 std::uint16_t in_steps(float value, float per_unit) {
   constexpr auto most = static_cast<float>(std::numeric_limits<std::uint16_t>::max());
   return static_cast<std::uint16_t>(std::lround(std::clamp(value * per_unit, 0.0F, most)));
-}
-
-Array2D<Obstacle> halved(const Array2D<Obstacle>& fine) {
-  Array2D<Obstacle> coarse(fine.columns() / 2, fine.rows() / 2);
-  for (std::size_t row = 0; row < coarse.rows(); ++row) {
-    for (std::size_t column = 0; column < coarse.columns(); ++column) {
-      coarse(column, row) = merged(fine(2 * column, 2 * row), fine(2 * column + 1, 2 * row),
-                                   fine(2 * column, 2 * row + 1), fine(2 * column + 1, 2 * row + 1));
-    }
-  }
-  return coarse;
 }
 
 ObstacleLevel empty_level(const radar::GroundGrid& finest, std::size_t level) {
@@ -52,26 +41,6 @@ PackedObstacle PackedObstacle::packed(const Obstacle& obstacle) {
           in_steps(obstacle.crown_top_m, per_height_m), in_steps(obstacle.crown_extinction_per_m, per_extinction)};
 }
 
-Obstacle merged(const Obstacle& north_west, const Obstacle& north_east, const Obstacle& south_west,
-                const Obstacle& south_east) {
-  const auto greater = [](const Obstacle& a, const Obstacle& b) { return std::max(a.solid_top_m, b.solid_top_m); };
-  Obstacle all;
-  all.solid_top_m = 0.25F * (greater(north_west, north_east) + greater(south_west, south_east) +
-                             greater(north_west, south_west) + greater(north_east, south_east));
-  float extinction = 0.0F;
-  for (const Obstacle* part : {&north_west, &north_east, &south_west, &south_east}) {
-    extinction += part->crown_extinction_per_m;
-    all.crown_base_m += part->crown_extinction_per_m * part->crown_base_m;
-    all.crown_top_m += part->crown_extinction_per_m * part->crown_top_m;
-  }
-  if (extinction > 0.0F) {
-    all.crown_base_m /= extinction;
-    all.crown_top_m /= extinction;
-  }
-  all.crown_extinction_per_m = extinction / 4.0F;
-  return all;
-}
-
 ObstacleLevels::ObstacleLevels(const atlas::Store& atlas, std::size_t budget_bytes) {
   const atlas::PatchGrid& patches = atlas.description().patches;
   const auto covering = patches.covering(atlas.description().extent);
@@ -95,7 +64,7 @@ ObstacleLevels::ObstacleLevels(const atlas::Store& atlas, std::size_t budget_byt
     const auto column = static_cast<std::size_t>(patch.x - covering.front().x);
     const auto row = static_cast<std::size_t>(covering.front().y - patch.y);
     for (std::size_t level = 0; level <= most_levels; ++level) {
-      if (level > 0) obstacles = halved(obstacles);
+      if (level > 0) obstacles = radar::halved(obstacles);
       if (level < left_out) continue;
       place(obstacles, column * obstacles.columns(), row * obstacles.rows(), levels_[level - left_out]);
     }

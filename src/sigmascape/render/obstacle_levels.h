@@ -22,12 +22,6 @@ struct PackedObstacle {
   }
 };
 
-/// What stands for four obstacles of neighbouring squares on the square that they form: for solids the height that
-/// keeps the shadowed area (the greatest of each row along the line of sight, meant over rows; and that meant over both
-/// ways of looking), for crowns the mean extinction between mean base and top.
-[[nodiscard]] radar::Obstacle merged(const radar::Obstacle& north_west, const radar::Obstacle& north_east,
-                                     const radar::Obstacle& south_west, const radar::Obstacle& south_east);
-
 /// Obstacles of one size of squares.
 struct ObstacleLevel {
   radar::GroundGrid grid;

@@ -12,6 +12,7 @@
 
 #include "sigmascape/atlas/atlas.h"
 #include "sigmascape/atlas/ground_layers.h"
+#include "sigmascape/atlas/obstacle_file.h"
 #include "sigmascape/atlas/pyramid.h"
 #include "sigmascape/base/error.h"
 

@@ -225,19 +225,5 @@ TEST(LiveGroundApart, TheHorizonMapSeesWhatAnExactWalkSees) {
   }
 }
 
-TEST(LiveGroundApart, CoarserObstaclesKeepTheShadowedArea) {
-  const radar::Obstacle wall{.solid_top_m = 8.0F}, none{};
-  // Alone: half as wide as the square, so half as high. A row along one way of looking: as it is from the side, half
-  // as wide from its end.
-  EXPECT_FLOAT_EQ(merged(wall, none, none, none).solid_top_m, 4.0F);
-  EXPECT_FLOAT_EQ(merged(wall, wall, none, none).solid_top_m, 6.0F);
-  EXPECT_FLOAT_EQ(merged(wall, wall, wall, wall).solid_top_m, 8.0F);
-  const radar::Obstacle tree{.crown_base_m = 2.0F, .crown_top_m = 10.0F, .crown_extinction_per_m = 0.2F};
-  const radar::Obstacle grove = merged(tree, none, none, tree);
-  EXPECT_FLOAT_EQ(grove.crown_extinction_per_m, 0.1F);
-  EXPECT_FLOAT_EQ(grove.crown_base_m, 2.0F);
-  EXPECT_FLOAT_EQ(grove.crown_top_m, 10.0F);
-}
-
 }  // namespace
 }  // namespace sigmascape::render

@@ -8,6 +8,7 @@
 #include "scratch_folder.h"
 
 #include "sigmascape/atlas/ground_layers.h"
+#include "sigmascape/atlas/obstacle_file.h"
 #include "sigmascape/atlas/pyramid.h"
 #include "sigmascape/atlas/store.h"
 #include "sigmascape/base/units.h"

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "sigmascape/atlas/stac.h"
+#include "sigmascape/atlas/store.h"
+
+namespace sigmascape::atlas {
+
+/// Files of a store that readers of single tiles come back to again and again: each is held against its item once.
+/// Any number of threads.
+class VouchedFiles {
+ public:
+  VouchedFiles(std::filesystem::path folder, Scrutiny scrutiny) : folder_(std::move(folder)), scrutiny_(scrutiny) {}
+
+  /// What the item of a file (relative to the folder) records; nothing when there is none that can be understood, or
+  /// when the file is not as it says. What has no item is looked for again each time: it may be baked meanwhile.
+  [[nodiscard]] std::optional<TextureRecord> record_of(const std::filesystem::path& file) const;
+
+  /// Files asked for so far that have an item but are not as it says.
+  [[nodiscard]] std::size_t damaged() const;
+  /// Files without an item when they were last asked for.
+  [[nodiscard]] std::size_t missing() const;
+
+ private:
+  std::filesystem::path folder_;
+  Scrutiny scrutiny_;
+  mutable std::mutex guard_;
+  mutable std::map<std::filesystem::path, std::optional<TextureRecord>> known_;  // nothing of the damaged ones
+  mutable std::set<std::filesystem::path> missing_;
+};
+
+}  // namespace sigmascape::atlas
