@@ -1,0 +1,29 @@
+#include "sigmascape/render/obstacle_mosaic.h"
+
+namespace sigmascape::render {
+
+void ObstacleMosaic::reset(const atlas::PatchGrid& patches, const TileBlock& block) {
+  block_ = block;
+  grid_ = atlas::texels_of(patches, block.at(0, 0));
+  grid_.columns *= block.across;
+  grid_.rows *= block.down;
+  pieces_.assign(block.across * block.down, Piece{});
+}
+
+void ObstacleMosaic::put(std::size_t column, std::size_t row, const ObstaclePage& page) {
+  pieces_[row * block_.across + column] = {page.of.data(), PartOfTile::of(block_.at(column, row), page.key)};
+}
+
+PackedObstacle ObstacleMosaic::at(Vec2d point) const {
+  const Vec2d cell = grid_.cells_from(point);
+  if (!(cell.x >= 0.0 && cell.y >= 0.0 && cell.x < static_cast<double>(grid_.columns) &&
+        cell.y < static_cast<double>(grid_.rows))) {
+    return {};
+  }
+  const auto column = static_cast<std::size_t>(cell.x), row = static_cast<std::size_t>(cell.y);
+  const Piece& piece = pieces_[row / atlas::tile_side * block_.across + column / atlas::tile_side];
+  return piece.of[piece.part.index_of(static_cast<std::uint32_t>(row % atlas::tile_side),
+                                      static_cast<std::uint32_t>(column % atlas::tile_side))];
+}
+
+}  // namespace sigmascape::render
