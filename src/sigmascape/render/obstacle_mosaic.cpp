@@ -11,7 +11,8 @@ void ObstacleMosaic::reset(const atlas::PatchGrid& patches, const TileBlock& blo
 }
 
 void ObstacleMosaic::put(std::size_t column, std::size_t row, const ObstaclePage& page) {
-  pieces_[row * block_.across + column] = {page.of.data(), PartOfTile::of(block_.at(column, row), page.key)};
+  const PartOfTile part = PartOfTile::of(block_.at(column, row), page.key);
+  pieces_[row * block_.across + column] = {page.of.data() + part.index_of(0, 0), part.levels_up};
 }
 
 PackedObstacle ObstacleMosaic::at(Vec2d point) const {
@@ -20,10 +21,10 @@ PackedObstacle ObstacleMosaic::at(Vec2d point) const {
         cell.y < static_cast<double>(grid_.rows))) {
     return {};
   }
+  constexpr std::size_t side = atlas::tile_side;
   const auto column = static_cast<std::size_t>(cell.x), row = static_cast<std::size_t>(cell.y);
-  const Piece& piece = pieces_[row / atlas::tile_side * block_.across + column / atlas::tile_side];
-  return piece.of[piece.part.index_of(static_cast<std::uint32_t>(row % atlas::tile_side),
-                                      static_cast<std::uint32_t>(column % atlas::tile_side))];
+  const std::size_t tile = row / side * block_.across + column / side;
+  return at(static_cast<std::int32_t>((tile * side + row % side) * side + column % side));
 }
 
 }  // namespace sigmascape::render

@@ -40,16 +40,19 @@ class ObstacleMosaic {
   [[nodiscard]] PackedObstacle at(std::int32_t square) const {
     const auto number = static_cast<std::uint32_t>(square);
     const Piece& piece = pieces_[number / ObstaclePage::squares];
+    const std::uint32_t within = number % ObstaclePage::squares;
+    if (piece.levels_up == 0) return piece.of[within];
     constexpr auto side = static_cast<std::uint32_t>(atlas::tile_side);
-    return piece.of[piece.part.index_of(number / side % side, number % side)];
+    return piece.of[(within / side >> piece.levels_up) * side + (within % side >> piece.levels_up)];
   }
   /// At a point; nothing outside.
   [[nodiscard]] PackedObstacle at(Vec2d point) const;
 
  private:
+  /// From the first square of a page that shows the tile.
   struct Piece {
     const PackedObstacle* of = &nothing;
-    PartOfTile part{.levels_up = 8};
+    std::uint32_t levels_up = 8;
   };
   static constexpr PackedObstacle nothing{};
 
