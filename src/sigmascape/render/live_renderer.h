@@ -79,9 +79,9 @@ struct FrameReport {
   /// By how much the terrain that hides may be wrong, for tiles of it cannot be had, or were not there yet: then it is
   /// taken to lie so much lower that no ground is hidden by what is not there. 0 when nothing was lacking.
   double terrain_error_m = 0.0;
-  /// Tiles of what stands on the ground (256 × 256 squares each) that are coarser than the sweep's steps, for finer
-  /// ones were not there yet, cannot be had or are more than the budget holds: shadows are those of several obstacles
-  /// together. 0 when nothing was lacking, and where the textures hold the shadows.
+  /// Tiles of what stands on the ground under all beams (256 × 256 squares each) that are coarser than the sweep's
+  /// steps, for finer ones were not there yet, cannot be had or are more than the budget holds: shadows are those of
+  /// several obstacles together. 0 when nothing was lacking, and where the textures hold the shadows.
   std::size_t coarse_obstacles = 0;
   std::size_t targets = 0;  ///< of those of the pose that stand in the bins and are seen
   /// Of a frame that was traced (simulate::LiveTracer): rays a cell that it is made of; 0 of one from textures.
