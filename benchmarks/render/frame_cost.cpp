@@ -9,7 +9,7 @@ namespace sigmascape::bench {
 namespace {
 
 bool lacks(const render::FrameReport& report) {
-  return report.coarse + report.dark > 0 || report.terrain_error_m > 0.0;
+  return report.coarse + report.dark + report.coarse_obstacles > 0 || report.terrain_error_m > 0.0;
 }
 
 }  // namespace

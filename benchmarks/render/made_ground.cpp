@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "sigmascape/atlas/ground_layers.h"
+#include "sigmascape/atlas/obstacle_file.h"
 #include "sigmascape/atlas/pyramid.h"
 #include "sigmascape/base/hash.h"
 #include "sigmascape/base/units.h"
+#include "sigmascape/terrain/terrain_pyramid.h"
 
 namespace sigmascape::bench {
 namespace {
@@ -15,7 +18,9 @@ float grain_at(std::size_t column, std::size_t row) {
   return 0.5F + unit_float(hashed(static_cast<std::int64_t>(column), static_cast<std::int64_t>(row)));
 }
 
-void write_patch(const atlas::Store& store, atlas::PatchIndex patch) {
+constexpr atlas::PatchIndex written{0, 0};
+
+void write_patch(const atlas::Store& store) {
   const std::size_t side = store.description().patches.texels_per_side;
   for (atlas::LookIndex look = 0; look < store.description().aspects.look_count(); ++look) {
     const double elevation = store.description().aspects.look(look).aspect.elevation_rad;
@@ -27,17 +32,65 @@ void write_patch(const atlas::Store& store, atlas::PatchIndex patch) {
         texels(column, row) = {here, 0.5F * here, 0.1F * here, 0.3F * here};
       }
     }
-    store.write(patch, look, texels, {});
+    store.write(written, look, texels, {});
   }
 }
 
-/// Lets `link` show what stands in the folder of `texture`.
-void link_folder(const std::filesystem::path& store, const std::filesystem::path& texture,
-                 const std::filesystem::path& link) {
-  const auto from = (store / texture).parent_path(), to = (store / link).parent_path();
-  if (from == to || std::filesystem::exists(to)) return;
-  std::filesystem::create_directories(to.parent_path());
-  std::filesystem::create_directory_symlink(from, to);
+/// A house on every sixteenth block of 16 m, trees on three.
+void write_obstacles(const atlas::Store& store) {
+  const radar::GroundGrid texels = store.description().patches.texels_of(written);
+  radar::ObstacleMap map{texels, Array2D<radar::Obstacle>(texels.columns, texels.rows)};
+  for (std::size_t row = 0; row < texels.rows; ++row) {
+    for (std::size_t column = 0; column < texels.columns; ++column) {
+      const auto key = hashed(static_cast<std::int64_t>(column / 8), static_cast<std::int64_t>(row / 8));
+      radar::Obstacle& obstacle = map.obstacles(column, row);
+      if (key % 16 == 0) obstacle.solid_top_m = 5.0F + static_cast<float>(key / 16 % 8);
+      if (key % 16 > 12) obstacle = {.crown_base_m = 2.0F, .crown_top_m = 12.0F, .crown_extinction_per_m = 0.05F};
+    }
+  }
+  atlas::write_obstacles(store, written, map);
+}
+
+/// Lets the places of a level show what stands in the folder of the one that is over the written patch.
+void link_places(const atlas::Store& store, const atlas::PyramidTiles& places, std::size_t level) {
+  const auto from = store.folder() / atlas::folder_of(places.tile_over(written, level));
+  for (const atlas::PyramidTile& tile : places.tiles(level)) {
+    const auto to = store.folder() / atlas::folder_of(tile);
+    if (from == to || std::filesystem::exists(to)) continue;
+    std::filesystem::create_directories(to.parent_path());
+    std::filesystem::create_directory_symlink(from, to);
+  }
+}
+
+/// All other patches, and all levels above, of the one that is written.
+void spread(const atlas::Store& store, bool with_obstacles) {
+  const atlas::Pyramid pyramid(store);
+  const atlas::LayerPyramid obstacles = atlas::obstacle_pyramid(store);
+  link_places(store, pyramid, 0);
+  for (std::size_t level = 1; level <= pyramid.levels(); ++level) {
+    const atlas::PyramidTile first = pyramid.tile_over(written, level);
+    for (atlas::LookIndex look = 0; look < store.description().aspects.look_count(); ++look) {
+      (void)pyramid.make(first, look);
+    }
+    if (with_obstacles) (void)obstacles.make(first);
+    link_places(store, pyramid, level);
+  }
+}
+
+/// Level ground of any size: all tiles are one.
+std::shared_ptr<terrain::TerrainPyramid> level_ground(const radar::Rectangle& extent) {
+  constexpr double margin_m = 500.0, spacing_m = 10.0;
+  const auto layout = terrain::PyramidLayout::covering(
+      {extent.west_m - margin_m, extent.south_m - margin_m, extent.east_m + margin_m, extent.north_m + margin_m},
+      spacing_m);
+  std::vector<Array2D<terrain::TileSummary>> summaries;
+  for (int level = 0; level < layout.levels(); ++level) {
+    summaries.emplace_back(layout.across(level), layout.down(level));
+  }
+  const auto tile = std::make_shared<terrain::HeightTile>();
+  tile->height_m.assign(terrain::HeightTile::nodes * terrain::HeightTile::nodes, 0.0F);
+  return std::make_shared<terrain::TerrainPyramid>(
+      layout, std::move(summaries), [tile](terrain::TileKey) { return tile; }, std::size_t{16} << 20U);
 }
 
 }  // namespace
@@ -52,7 +105,7 @@ ScratchStore::~ScratchStore() {
   std::filesystem::remove_all(folder_, ignored);
 }
 
-atlas::Store made_store(const std::filesystem::path& folder, int patches_a_side) {
+atlas::Store made_store(const std::filesystem::path& folder, int patches_a_side, GroundOf kind) {
   atlas::AtlasDescription description;
   description.name = "made for measuring";
   description.patches = {texel_m, 1024};
@@ -62,34 +115,22 @@ atlas::Store made_store(const std::filesystem::path& folder, int patches_a_side)
   description.aspects.elevations_rad = {radians_from_deg(5.0), radians_from_deg(40.0)};
   description.aspects.frequencies_hz = {9e9, 11e9};
   description.scene_hash = "none";
+  const bool apart = kind == GroundOf::Layers;
+  if (apart) description.settings[atlas::shadows_setting] = atlas::shadows_at_run_time;
   atlas::Store store = atlas::Store::create(folder, description);
-
-  const atlas::PatchIndex written{0, 0};
-  write_patch(store, written);
-  for (const atlas::PatchIndex& patch : description.patches.covering(description.extent)) {
-    link_folder(folder, store.texture_path(written, 0), store.texture_path(patch, 0));
+  write_patch(store);
+  if (apart) {
+    write_obstacles(store);
+    const atlas::Store ground = atlas::create_ground_store(store, description.aspects.elevations_rad);
+    write_patch(ground);
+    spread(ground, false);
   }
-  const atlas::Pyramid pyramid(store);
-  for (std::size_t level = 1; level <= pyramid.levels(); ++level) {
-    const atlas::PyramidTile first = pyramid.tile_over(written, level);
-    for (atlas::LookIndex look = 0; look < description.aspects.look_count(); ++look) (void)pyramid.make(first, look);
-    for (const atlas::PyramidTile& tile : pyramid.tiles(level)) {
-      link_folder(folder, pyramid.texture_path(first, 0), pyramid.texture_path(tile, 0));
-    }
-  }
+  spread(store, apart);
   return store;
 }
 
 std::shared_ptr<render::LiveGround> made_ground(const atlas::Store& store, std::size_t budget_bytes) {
-  const radar::Rectangle& extent = store.description().extent;
-  terrain::HeightField field;
-  constexpr double margin_m = 500.0;
-  field.west_m = extent.west_m - margin_m;
-  field.north_m = extent.north_m + margin_m;
-  field.spacing_m = std::max(10.0, extent.width_m() / 2000.0);
-  const auto nodes = static_cast<std::size_t>((extent.width_m() + 2.0 * margin_m) / field.spacing_m) + 2;
-  field.height_m = Array2D<float>(nodes, nodes, 0.0F);
-  return std::make_shared<render::LiveGround>(store, std::move(field), frequency_hz,
+  return std::make_shared<render::LiveGround>(store, level_ground(store.description().extent), frequency_hz,
                                               render::CacheOptions{.budget_bytes = budget_bytes});
 }
 

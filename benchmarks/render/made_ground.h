@@ -25,10 +25,15 @@ class ScratchStore {
 
 inline constexpr double frequency_hz = 10e9, texel_m = 2.0, gamma_vv = 0.1;
 
+/// Where the ground of a store is, and the shadows on it: in its textures, or in layers of its own with houses and
+/// trees on them.
+enum class GroundOf { Textures, Layers };
+
 /// A square of so many patches of 1024² texels a side, two azimuths × two elevations × two frequencies, γ the same
 /// everywhere but for a grain from texel to texel. One patch is written; the others, and the levels above them, are
 /// links to it: as large to whoever reads it as it is small on disk.
-[[nodiscard]] atlas::Store made_store(const std::filesystem::path& folder, int patches_a_side);
+[[nodiscard]] atlas::Store made_store(const std::filesystem::path& folder, int patches_a_side,
+                                      GroundOf kind = GroundOf::Textures);
 
 /// Level ground under such a store.
 [[nodiscard]] std::shared_ptr<render::LiveGround> made_ground(const atlas::Store& store, std::size_t budget_bytes);

@@ -19,6 +19,7 @@
 #include "made_ground.h"
 #include "paper_frame.h"
 
+#include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/base/hash.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/render/live_renderer.h"
@@ -211,11 +212,69 @@ Scan scanned(const std::shared_ptr<LiveGround>& ground, double seconds) {
   return {steps[steps.size() * 99 / 100], processor, first_turn.part(), later.part()};
 }
 
+/// Seconds that an atlas whose ground is kept apart takes to open, the least of several times; of them those that go
+/// into the lists of all its files.
+struct OpeningCost {
+  double all = 1e30, lists = 1e30;
+
+  OpeningCost(const std::filesystem::path& folder, int repetitions) {
+    for (int run = 0; run < repetitions; ++run) {
+      const double start = wall_seconds();
+      const atlas::Store store = atlas::Store::open(folder);
+      (void)atlas::open_ground_store(store);
+      lists = std::min(lists, wall_seconds() - start);
+    }
+    for (int run = 0; run < repetitions; ++run) {
+      const double start = wall_seconds();
+      const auto ground = made_ground(atlas::Store::open(folder), budget_bytes);
+      all = std::min(all, wall_seconds() - start);
+    }
+  }
+};
+
+/// Ground that is kept apart from what stands on it: the same 2 km of an atlas of 2 km and of one of 262 km, and all of
+/// that.
+void measure_ground_apart(const std::filesystem::path& folder, int repetitions, Figures& figures) {
+  constexpr int patches_a_side = 128;
+  constexpr double patch_m = 1024.0 * texel_m, middle_m = patch_m * patches_a_side / 2.0;
+  const atlas::Store small = made_store(folder / "small", 1, GroundOf::Layers),
+                     large = made_store(folder / "large", patches_a_side, GroundOf::Layers);
+  const OpeningCost open_small(small.folder(), 5), open_large(large.folder(), 5);
+  figures.add("render.open_small_ms", 1e3 * open_small.all, "ms",
+              fmt::format("an atlas of 2 km; {:.1f} ms of it for collection.json", 1e3 * open_small.lists));
+  figures.add("render.open_large_ms", 1e3 * open_large.all, "ms",
+              fmt::format("one of 262 km; {:.1f} ms of it for collection.json", 1e3 * open_large.lists));
+
+  const auto small_ground = made_ground(small, budget_bytes), large_ground = made_ground(large, budget_bytes);
+  // Within a patch, and within the same of the other atlas.
+  constexpr double margin_m = 64.0;
+  const View near{.bin_m = 3.75, .south_middle = {patch_m / 2.0, margin_m}},
+      near_in_large{.bin_m = 3.75, .south_middle = {middle_m + patch_m / 2.0, middle_m + margin_m}},
+      wide{.bin_m = 512.0, .first_ground_m = 20e3, .height_m = 12e3, .south_middle = {middle_m, 0.0}};
+  const FrameCost of_small = frame_cost(small_ground, near, repetitions);
+  const FrameCost of_large = frame_cost(large_ground, near_in_large, repetitions);
+  const FrameCost of_all = frame_cost(large_ground, wide, repetitions);
+  for (const FrameCost& cost : {of_small, of_large, of_all}) {
+    prove(cost.report.coarse + cost.report.coarse_obstacles == 0, "a settled frame lacks nothing");
+  }
+  const auto obstacles = large_ground->obstacles()->cache().report();
+  prove(obstacles.bytes <= large_ground->obstacles()->budget_bytes(), "obstacles keep within their budget");
+  const auto a_cell = [](const FrameCost& cost) { return cost.processor / static_cast<double>(cost.report.cells); };
+  figures.add("render.apart_frame_processor_ms", 1e3 * a_cell(of_small) * 1048576.0, "ms",
+              "for 1,048,576 samples, all threads together");
+  figures.add("render.apart_size_ratio", a_cell(of_large) / a_cell(of_small), "",
+              "the same 2 km of an atlas of 262 km over one of 2 km, processor times a cell");
+  figures.add("render.apart_scale_ratio", a_cell(of_all) / a_cell(of_small), "",
+              "262 km over 2 km, processor times a cell");
+  figures.add("render.obstacle_mib", static_cast<double>(obstacles.bytes) / 1048576.0, "MiB",
+              fmt::format("that obstacles took for both frames, {} tiles", obstacles.pages));
+}
+
 void measure(const Arguments& arguments, Figures& figures) {
   const int repetitions = arguments.quick ? 5 : 40;
   const ScratchStore scratch;
   // Patches of 2 km: 262 km a side, of which the store holds one patch and one tile of each coarser level.
-  const atlas::Store store = made_store(scratch.folder(), 128);
+  const atlas::Store store = made_store(scratch.folder() / "whole", 128);
   const View near{.south_middle = {100e3 + 24.0, 100e3}};
   const View wide{.bin_m = 512.0, .first_ground_m = 20e3, .height_m = 12e3, .south_middle = {131e3, 0.0}};
 
@@ -252,6 +311,8 @@ void measure(const Arguments& arguments, Figures& figures) {
                   "begins with an empty cache",
                   scan.coarse_first_turn));
   figures.add("render.memory_mib", resident_mib(), "MiB", "resident, 512 MiB for pages");
+
+  measure_ground_apart(scratch.folder() / "apart", repetitions, figures);
 }
 
 /// The same against tracing, on the scene of the paper.

@@ -38,12 +38,13 @@ Touched touched_by(const render::Frame& frame, const render::LiveSettings& setti
   const auto side = static_cast<std::size_t>(terrain::HeightTile::cells);
   touched.terrain_nodes = nodes_in_view({layout.west_m, layout.north_m}, layout.spacing_at(level),
                                         side * layout.across(level) + 1, side * layout.down(level) + 1, frame, pose);
-  const bool apart = !ground.obstacles().empty();
+  const render::LiveObstacles* const obstacles = ground.obstacles();
+  const bool apart = obstacles != nullptr;
   if (apart) {
-    const double step_m = settings.range_step_m / 2.0;
-    const radar::GroundGrid& cells = ground.obstacles().level_for(step_m).grid;
-    touched.obstacle_cells =
-        nodes_in_view({cells.west_m, cells.north_m}, cells.cell_m, cells.columns, cells.rows, frame, pose);
+    const render::TileBlock block = obstacles->tiles_of(obstacles->level_for(settings.range_step_m / 2.0));
+    const radar::GroundGrid first = atlas::texels_of(ground.description().patches, block.at(0, 0));
+    touched.obstacle_cells = nodes_in_view({first.west_m, first.north_m}, first.cell_m, block.across * first.columns,
+                                           block.down * first.rows, frame, pose);
   }
   const auto cells = static_cast<double>(frame.report.cells - std::min(frame.report.dark, frame.report.cells));
   constexpr double look_bytes = render::GroundPage::channels * sizeof(atlas::Half);

@@ -100,6 +100,10 @@ void add_frame(py::module_& module) {
   binding.def_property_readonly(
       "terrain_error_m", [](const HeldFrame& f) { return f.frame.report.terrain_error_m; },
       "By how much the terrain that hides may be wrong, for finer tiles were not there yet or cannot be had.");
+  count(
+      binding, "coarse_obstacles", &Report::coarse_obstacles,
+      "Tiles of what stands on the ground that are coarser than the bins ask for, for finer ones were not there yet,\n"
+      "cannot be had or are more than the budget holds.");
   binding.def_property_readonly(
       "rays_per_cell", [](const HeldFrame& f) { return f.frame.report.rays_per_cell; },
       "Of a traced frame: rays a cell that it is made of.");

@@ -163,6 +163,7 @@ void copy(const sigmascape::render::Frame& from, sigmascape_frame& to) {
   to.dark = from.report.dark;
   to.level = from.report.level;
   to.terrain_error_m = from.report.terrain_error_m;
+  to.coarse_obstacles = from.report.coarse_obstacles;
   to.targets = from.report.targets;
   to.rays_per_cell = from.report.rays_per_cell;
   to.median_error_db = from.report.median_error_db;

@@ -87,6 +87,7 @@ typedef struct sigmascape_frame {
   size_t coarse, dark;       /* cells shown more coarsely than wanted, and not at all, for pages were not there yet */
   size_t level;              /* of the textures, 0 the finest */
   double terrain_error_m;    /* by how much the terrain that hides may be wrong, for finer tiles were not there */
+  size_t coarse_obstacles;   /* tiles of what stands on the ground, coarser than the bins ask for */
   size_t targets;            /* that stand in the bins and are seen */
   uint64_t rays_per_cell;    /* of a traced frame: that it is made of; 0 of one from textures */
   double median_error_db;    /* of a traced frame: standard error of a bin's mean power, in the median over the bins */

@@ -51,6 +51,7 @@ struct GroundPage {
   static constexpr std::size_t vector = 16;
   static constexpr std::size_t channels = radar::Channels::count;
 
+  [[nodiscard]] std::size_t level() const { return key.tile.level; }
   [[nodiscard]] const atlas::Half* row_planes(std::size_t row) const {
     return planes.data() + row * looks * channels * atlas::tile_side;
   }

@@ -52,11 +52,12 @@ void look_up_ground(Steps& steps, const float* height_m, std::int32_t columns, s
   }
 }
 
-/// The squares of obstacles that the steps fall into.
+/// The squares of obstacles that the steps fall into, numbered tile by tile (ObstacleMosaic::at).
 SIGMASCAPE_VECTOR_TARGETS
 void look_up_squares(Steps& steps, float first_column, float first_row, float columns_a_step, float rows_a_step,
-                     std::int32_t columns, std::int32_t rows) {
-  const auto width = static_cast<float>(columns), height = static_cast<float>(rows);
+                     std::int32_t tiles_across, std::int32_t tiles_down) {
+  constexpr auto side = static_cast<std::int32_t>(atlas::tile_side);
+  const auto width = static_cast<float>(tiles_across * side), height = static_cast<float>(tiles_down * side);
   SIGMASCAPE_INDEPENDENT_TURNS
   for (std::size_t i = 0; i < steps.count; ++i) {
     const auto k = static_cast<float>(static_cast<std::int32_t>(i));
@@ -64,7 +65,8 @@ void look_up_squares(Steps& steps, float first_column, float first_row, float co
     const bool inside = (across >= 0.0F) & (down >= 0.0F) & (across < width) & (down < height);
     const auto column = static_cast<std::int32_t>(lesser(greater(across, 0.0F), width - 1.0F));
     const auto row = static_cast<std::int32_t>(lesser(greater(down, 0.0F), height - 1.0F));
-    steps.square[i] = inside ? row * columns + column : -1;
+    const std::int32_t tile = row / side * tiles_across + column / side;
+    steps.square[i] = inside ? (tile * side + row % side) * side + column % side : -1;
   }
 }
 
@@ -82,7 +84,25 @@ double nearest_occluder_m(const HorizonGrid& grid, Vec3d radar, const Occluders&
   return std::min(clear_of(grid.near_m), clear_of(grid.near_m + static_cast<double>(grid.distances) * grid.step_m));
 }
 
+/// Steps are cut into strides no wider than the squares that obstacles stand on: what is narrower than a step must not
+/// slip through.
+struct Strides {
+  std::size_t a_step;
+  double length_m;
+
+  Strides(double step_m, const ObstacleMosaic& obstacles)
+      : a_step(static_cast<std::size_t>(std::max(std::ceil(step_m / obstacles.grid().cell_m), 1.0))),
+        length_m(step_m / static_cast<double>(a_step)) {}
+};
+
 }  // namespace
+
+LeadSteps lead_of(const HorizonGrid& grid, Vec3d radar, const Occluders& occluders) {
+  const double clear_m = nearest_occluder_m(grid, radar, occluders);
+  const double step_m = std::max((grid.near_m - clear_m) / static_cast<double>(grid.before_near), grid.step_m);
+  const auto count = static_cast<std::size_t>((grid.near_m - clear_m) / step_m);
+  return {grid.near_m - (static_cast<double>(count) - 0.5) * step_m, step_m, count};
+}
 
 /// One direction, from the first thing that can hide anything to the last node.
 class HorizonMap::Walk {
@@ -96,8 +116,8 @@ class HorizonMap::Walk {
 
   /// Calls `step(distance, slope, square)` outwards for `count` steps.
   template <typename Step>
-  void over(const terrain::TerrainView& ground, double first_m, double step_m, std::size_t count, Step step) {
-    const ObstacleLevel* const obstacles = occluders_.obstacles;
+  void over(const terrain::TerrainView& ground, const ObstacleMosaic* obstacles, double first_m, double step_m,
+            std::size_t count, Step step) {
     for (std::size_t first = 0; first < count; first += together) {
       steps_.count = std::min(together, count - first);
       const double distance_m = first_m + static_cast<double>(first) * step_m;
@@ -112,12 +132,12 @@ class HorizonMap::Walk {
                      static_cast<std::int32_t>(ground.rows), static_cast<float>(radar_.z) + occluders_.lowered_m,
                      static_cast<float>(grid_.drop_per_square_m));
       if (obstacles != nullptr) {
-        const Vec2d cell = obstacles->grid.cells_from(from);
-        const double cells_a_step = step_m / obstacles->grid.cell_m;
+        const Vec2d cell = obstacles->grid().cells_from(from);
+        const double cells_a_step = step_m / obstacles->grid().cell_m;
         look_up_squares(
             steps_, static_cast<float>(cell.x), static_cast<float>(cell.y),
             static_cast<float>(direction_.x * cells_a_step), static_cast<float>(-direction_.y * cells_a_step),
-            static_cast<std::int32_t>(obstacles->grid.columns), static_cast<std::int32_t>(obstacles->grid.rows));
+            static_cast<std::int32_t>(obstacles->block().across), static_cast<std::int32_t>(obstacles->block().down));
       }
       for (std::size_t i = 0; i < steps_.count; ++i) step(first + i, i);
     }
@@ -157,39 +177,38 @@ void HorizonMap::sweep(std::size_t azimuth, Vec3d radar, const Occluders& occlud
   const double far_m = grid_.near_m + static_cast<double>(grid_.distances) * grid_.step_m;
   const auto lowest_m = static_cast<double>(std::min(ground.lowest_m, before.lowest_m) - occluders.lowered_m);
   const auto highest_m = static_cast<double>(std::max(ground.highest_m, before.highest_m));
-  const double clear_m = nearest_occluder_m(grid_, radar, occluders);
-  const double lead_step_m = std::max((grid_.near_m - clear_m) / static_cast<double>(grid_.before_near), grid_.step_m);
-  const auto lead = static_cast<std::size_t>((grid_.near_m - clear_m) / lead_step_m);
-  const double lead_from_m = grid_.near_m - (static_cast<double>(lead) - 0.5) * lead_step_m;
+  const LeadSteps lead = lead_of(grid_, radar, occluders);
 
   Walk walk(grid_, azimuth, radar, occluders);
   const Steps& steps = walk.steps();
   float* const slopes = slopes_.data() + azimuth * stride_;
   float steepest = no_ground;
   if (occluders.obstacles == nullptr || !with_obstacles_) {
-    walk.over(before, lead_from_m, lead_step_m, lead,
+    walk.over(before, nullptr, lead.from_m, lead.step_m, lead.count,
               [&](std::size_t, std::size_t i) { steepest = greater(steepest, steps.slope[i]); });
-    walk.over(ground, grid_.near_m, grid_.step_m, grid_.distances, [&](std::size_t k, std::size_t i) {
+    walk.over(ground, nullptr, grid_.near_m, grid_.step_m, grid_.distances, [&](std::size_t k, std::size_t i) {
       steepest = greater(steepest, steps.slope[i]);
       slopes[k] = steepest;
     });
     return;
   }
 
-  const ObstacleLevel& obstacles = *occluders.obstacles;
+  const ObstacleMosaic& obstacles = *occluders.obstacles;
+  const ObstacleMosaic& obstacles_before =
+      occluders.obstacles_before_near != nullptr ? *occluders.obstacles_before_near : obstacles;
   float* const solid_slopes = solid_slopes_.data() + azimuth * stride_;
   float* const through = through_.data() + azimuth * stride_;
   float solid = no_ground;
-  const double nearest_m = std::max(std::min(lead_from_m, grid_.near_m), 1.0);
+  const double nearest_m = std::max(std::min(lead.from_m, grid_.near_m), 1.0);
   const double over_highest_m = highest_m - radar.z;
   CrownDepth crowns(std::span(depths_[worker]).first(2 * grid_.distances),
                     {.lowest_slope = (lowest_m - radar.z) / nearest_m - grid_.drop_per_square_m * far_m,
                      .highest_slope = over_highest_m / (over_highest_m > 0.0 ? nearest_m : far_m)});
-  const auto pass = [&](std::size_t i, double step_m) {
+  const auto pass = [&](const ObstacleMosaic& among, std::size_t i, double step_m) {
     const float slope = steps.slope[i];
     steepest = greater(steepest, slope);
     if (steps.square[i] < 0 || slope == no_ground) return;
-    const PackedObstacle packed = obstacles.of[static_cast<std::size_t>(steps.square[i])];
+    const PackedObstacle packed = among.at(steps.square[i]);
     if (packed.solid_top == 0 && packed.crown_top == 0) return;
     const radar::Obstacle obstacle = packed.unpacked();
     const float per_distance = 1.0F / steps.distance_m[i];
@@ -199,17 +218,19 @@ void HorizonMap::sweep(std::size_t azimuth, Vec3d radar, const Occluders& occlud
     const float way_m = static_cast<float>(step_m) * std::sqrt(1.0F + slope * slope);
     crowns.add(slope + obstacle.crown_base_m * per_distance, top, obstacle.crown_extinction_per_m * way_m);
   };
-  walk.over(before, lead_from_m, lead_step_m, lead, [&](std::size_t, std::size_t i) { pass(i, lead_step_m); });
+  const Strides before_near(lead.step_m, obstacles_before);
+  walk.over(before, &obstacles_before, lead.from_m - 0.5 * (lead.step_m - before_near.length_m), before_near.length_m,
+            lead.count * before_near.a_step,
+            [&](std::size_t, std::size_t i) { pass(obstacles_before, i, before_near.length_m); });
 
-  // Steps no wider than the squares that obstacles stand on: what is narrower than a node must not slip through.
-  const auto strides = static_cast<std::size_t>(std::max(std::ceil(grid_.step_m / obstacles.grid.cell_m), 1.0));
-  const double stride_m = grid_.step_m / static_cast<double>(strides);
+  const Strides within(grid_.step_m, obstacles);
   float transmission = 1.0F;
-  const double first_m = grid_.near_m - static_cast<double>(strides - 1) * stride_m;
-  walk.over(ground, first_m, stride_m, grid_.distances * strides, [&](std::size_t step, std::size_t i) {
-    pass(i, stride_m);
-    if (step % strides != strides - 1) return;
-    const std::size_t k = step / strides;
+  const double first_m = grid_.near_m - static_cast<double>(within.a_step - 1) * within.length_m;
+  const std::size_t count = grid_.distances * within.a_step;
+  walk.over(ground, &obstacles, first_m, within.length_m, count, [&](std::size_t stride, std::size_t i) {
+    pass(obstacles, i, within.length_m);
+    if (stride % within.a_step != within.a_step - 1) return;
+    const std::size_t k = stride / within.a_step;
     // Ground behind a ridge is not seen whatever stands in between.
     if (steps.slope[i] >= steepest) transmission = crowns.transmission_at(steepest);
     slopes[k] = steepest;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "sigmascape/base/vec.h"
-#include "sigmascape/render/obstacle_levels.h"
+#include "sigmascape/render/obstacle_mosaic.h"
 #include "sigmascape/terrain/terrain_view.h"
 
 namespace sigmascape::render {
@@ -18,6 +18,7 @@ struct HorizonGrid {
   double step_m = 1.0;
   std::size_t distances = 0;
   /// Most steps between the radar and `near_m`: what stands there hides the ground beyond, though it is not mapped.
+  /// Steps over obstacles are cut to the size of their squares, here as beyond.
   std::size_t before_near = 256;
   double drop_per_square_m = 0.0;  ///< 1/(2 k R), see radar::CurvedEarth
 
@@ -27,13 +28,22 @@ struct HorizonGrid {
 /// What hides ground.
 struct Occluders {
   terrain::TerrainView terrain;
-  const ObstacleLevel* obstacles = nullptr;  ///< null where none stand apart from the textures
-  float tallest_m = 0.0F;                    ///< of the obstacles
-  terrain::TerrainView before_near = {};     ///< the terrain before the map's first node; empty: the same
+  const ObstacleMosaic* obstacles = nullptr;  ///< null where none stand apart from the textures
+  float tallest_m = 0.0F;                     ///< of the obstacles
+  terrain::TerrainView before_near = {};      ///< the terrain before the map's first node; empty: the same
+  /// The obstacles there, on squares for its steps, which may be longer (`lead_of`); null: the same.
+  const ObstacleMosaic* obstacles_before_near = nullptr;
   /// Terrain is taken to lie this much lower than it says: by how much it may be wrong, so that ground is not hidden
   /// by what is not there.
   float lowered_m = 0.0F;
 };
+
+/// The steps of a sweep before the map's first node: from the nearest ground that may hide any of the map's.
+struct LeadSteps {
+  double from_m = 0.0, step_m = 1.0;
+  std::size_t count = 0;
+};
+[[nodiscard]] LeadSteps lead_of(const HorizonGrid& grid, Vec3d radar, const Occluders& occluders);
 
 /// The steepest line of sight to the ground met so far, for every direction and distance: what a point must rise above
 /// to be seen. Where obstacles stand on the ground, the steepest to solid tops besides, and what part of the ground's

@@ -11,42 +11,41 @@
 namespace sigmascape::render {
 namespace {
 
-/// Of the budget, the parts that tiles of terrain and windows of them may take.
-constexpr std::size_t tile_part = 32, window_part = 11;
+/// Of the budget, the parts that tiles of terrain, windows of them, and tiles of obstacles may take.
+constexpr std::size_t tile_part = 32, window_part = 11, obstacle_part = 8;
 
-ReliefSource relief_of(const LiveTerrain& terrain, const ObstacleLevels& obstacles) {
-  return [&](const radar::GroundGrid& cells, std::span<terrain::PackedSlope> slope, std::span<float> top_m) {
-    terrain.fill_slopes(cells, slope);
-    const ObstacleLevel& level = obstacles.level_for(cells.cell_m);
-    for (std::size_t row = 0; row < cells.rows; ++row) {
-      for (std::size_t column = 0; column < cells.columns; ++column) {
-        top_m[row * cells.columns + column] = level.at(cells.centre_of(column, row)).unpacked().top_m();
-      }
-    }
+ReliefSource relief_of(const LiveTerrain& terrain, const LiveObstacles& obstacles) {
+  return [&](const atlas::TileAddress& tile, std::span<terrain::PackedSlope> slope, std::span<float> top_m) {
+    const ObstacleSource& source = obstacles.cache().source();
+    terrain.fill_slopes(atlas::texels_of(source.description().patches, tile), slope);
+    source.fill_tops(tile, top_m);
   };
 }
 
-ObstacleLevels obstacles_of(const atlas::Store& store, const CacheOptions& options) {
-  return atlas::keeps_ground_apart(store) ? ObstacleLevels(store, options.budget_bytes / 8) : ObstacleLevels();
+std::unique_ptr<LiveObstacles> obstacles_of(const atlas::Store& store, const CacheOptions& options) {
+  if (!atlas::keeps_ground_apart(store)) return nullptr;
+  return std::make_unique<LiveObstacles>(store, options.budget_bytes / obstacle_part, options.scrutiny);
 }
 
-CacheOptions less(CacheOptions options, std::size_t bytes) {
-  options.budget_bytes -= std::min(bytes, options.budget_bytes);
-  return options;
+/// What is left for pages.
+std::size_t budget_of_pages(const CacheOptions& options, const LiveObstacles* obstacles) {
+  const std::size_t others = options.budget_bytes / tile_part + options.budget_bytes / window_part +
+                             (obstacles != nullptr ? obstacles->budget_bytes() : 0);
+  return options.budget_bytes - std::min(others, options.budget_bytes);
 }
 
 std::shared_ptr<const PageSource> source_of(const atlas::Store& store, const LiveTerrain& terrain,
-                                            const ObstacleLevels& obstacles, double frequency_hz,
+                                            const LiveObstacles* obstacles, double frequency_hz,
                                             atlas::Scrutiny scrutiny) {
   const HeightSource heights = [&terrain](const radar::GroundGrid& cells, std::span<float> height_m) {
     terrain.fill_heights(cells, height_m);
   };
-  if (obstacles.empty()) {
+  if (obstacles == nullptr) {
     return std::make_shared<const PageSource>(store, heights, frequency_hz, std::nullopt, scrutiny);
   }
   const atlas::Store ground = atlas::open_ground_store(store);
   return std::make_shared<const PageSource>(store, heights, frequency_hz,
-                                            BareGround{ground, relief_of(terrain, obstacles)}, scrutiny);
+                                            BareGround{ground, relief_of(terrain, *obstacles)}, scrutiny);
 }
 
 std::shared_ptr<terrain::TerrainPyramid> terrain_beside(const std::filesystem::path& atlas_folder,
@@ -67,9 +66,8 @@ LiveGround::LiveGround(const atlas::Store& store, std::shared_ptr<terrain::Terra
     : frequency_hz_(frequency_hz),
       terrain_(std::move(terrain), options.budget_bytes / window_part),
       obstacles_(obstacles_of(store, options)),
-      pages_(
-          source_of(store, terrain_, obstacles_, frequency_hz, options.scrutiny),
-          less(options, obstacles_.bytes() + options.budget_bytes / tile_part + options.budget_bytes / window_part)) {
+      pages_(source_of(store, terrain_, obstacles_.get(), frequency_hz, options.scrutiny),
+             budget_of_pages(options, obstacles_.get()), options.loaders) {
   atlas::check_frequency(store.description().aspects, frequency_hz);
   load_coarsest_level();
 }
@@ -90,6 +88,7 @@ std::shared_ptr<LiveGround> LiveGround::open(const std::filesystem::path& atlas_
 void LiveGround::wait_until_loaded() {
   pages_.wait_until_loaded();
   terrain_.windows().wait_until_loaded();
+  if (obstacles_) obstacles_->cache().wait_until_loaded();
 }
 
 void LiveGround::load_coarsest_level() {

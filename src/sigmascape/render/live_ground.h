@@ -5,21 +5,22 @@
 
 #include "sigmascape/atlas/store.h"
 #include "sigmascape/render/ground_page.h"
+#include "sigmascape/render/live_obstacles.h"
 #include "sigmascape/render/live_terrain.h"
-#include "sigmascape/render/obstacle_levels.h"
 #include "sigmascape/render/page_cache.h"
 #include "sigmascape/terrain/height_field.h"
 
 namespace sigmascape::render {
 
 /// The ground as live renderers share it: pages of reflectivity that come and go, those of the coarsest level that
-/// stay, and the terrain, of any size. One for each frequency; safe to use from any number of renderers at once.
+/// stay, the terrain and what stands on it, of any size. One for each frequency; safe to use from any number of
+/// renderers at once.
 class LiveGround {
  public:
-  /// Reads the coarsest level at once if half the budget holds it for all aspects, the rest when frames ask. Of an
-  /// atlas that keeps the ground apart the obstacles too, as finely as an eighth of the budget holds, which is taken
-  /// from it; terrain in use takes another. Throws Error when the atlas was not baked near the frequency, its layers of
-  /// bare ground are not there or the budget does not hold a single page.
+  /// Reads the coarsest level at once if half the budget holds it for all aspects, the rest when frames ask. Terrain in
+  /// use takes an eighth of the budget and, of an atlas that keeps the ground apart, obstacles another, however large
+  /// the atlas is. Throws Error when the atlas was not baked near the frequency, its store of bare ground is not there
+  /// or the budget does not hold a single page.
   LiveGround(const atlas::Store& store, std::shared_ptr<terrain::TerrainPyramid> terrain, double frequency_hz,
              const CacheOptions& options = {});
   /// The same over terrain in memory.
@@ -35,8 +36,9 @@ class LiveGround {
   [[nodiscard]] PageCache& pages() { return pages_; }
   [[nodiscard]] LiveTerrain& terrain() { return terrain_; }
   [[nodiscard]] const LiveTerrain& terrain() const { return terrain_; }
-  /// What stands on the ground; empty where the textures hold its shadows.
-  [[nodiscard]] const ObstacleLevels& obstacles() const { return obstacles_; }
+  /// What stands on the ground; null where the textures hold its shadows.
+  [[nodiscard]] LiveObstacles* obstacles() { return obstacles_.get(); }
+  [[nodiscard]] const LiveObstacles* obstacles() const { return obstacles_.get(); }
   [[nodiscard]] const atlas::AspectCells& aspects() const { return pages_.source().aspects(); }
   [[nodiscard]] const atlas::AtlasDescription& description() const { return pages_.source().description(); }
   /// Of the levels that the store has.
@@ -50,7 +52,7 @@ class LiveGround {
 
   double frequency_hz_;
   LiveTerrain terrain_;
-  ObstacleLevels obstacles_;
+  std::unique_ptr<LiveObstacles> obstacles_;
   PageCache pages_;
 };
 

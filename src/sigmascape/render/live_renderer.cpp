@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <functional>
 #include <limits>
 #include <string>
 
@@ -93,7 +94,7 @@ LiveRenderer::LiveRenderer(std::shared_ptr<LiveGround> ground, const LiveSetting
                 .ranges = settings.ranges,
                 .beam_step_rad = settings.beam_step_rad,
                 .range_step_m = settings.range_step_m}) {
-  if (settings.visibility.method == VisibilityMethod::Rasterization && !ground_->obstacles().empty()) {
+  if (settings.visibility.method == VisibilityMethod::Rasterization && ground_->obstacles() != nullptr) {
     throw Error("live renderer", "is to draw terrain, but the atlas keeps apart what stands on it",
                 "take the horizon sweep, which knows obstacles, or bake with --shadows baked");
   }
@@ -104,11 +105,13 @@ LiveRenderer::LiveRenderer(std::shared_ptr<LiveGround> ground, const LiveSetting
   // The tasks' and, after them, what lies ahead.
   wanted_.reserve(PageRows::most_wanted * (team_.size() + 1));
   wanted_terrain_.reserve(most_wanted_terrain);
+  if (ground_->obstacles() != nullptr) wanted_obstacles_.reserve(2 * ground_->obstacles()->cache().most_pages());
 }
 
 LiveRenderer::~LiveRenderer() {
   wanted_.clear();
   wanted_terrain_.clear();
+  wanted_obstacles_.clear();
   request();
 }
 
@@ -116,7 +119,12 @@ void LiveRenderer::request() {
   // A list that was empty and stays so needs no lock.
   if (!wanted_.empty() || has_asked_) ground_->pages().request(wanted_, this);
   if (!wanted_terrain_.empty() || has_asked_) ground_->terrain().windows().request(wanted_terrain_, this);
-  has_asked_ = !wanted_.empty() || !wanted_terrain_.empty();
+  if (!wanted_obstacles_.empty() || (has_asked_ && ground_->obstacles() != nullptr)) {
+    // What is coarser covers more ground and comes first.
+    std::ranges::sort(wanted_obstacles_, std::greater());
+    ground_->obstacles()->cache().request(wanted_obstacles_, this);
+  }
+  has_asked_ = !wanted_.empty() || !wanted_terrain_.empty() || !wanted_obstacles_.empty();
 }
 
 const Frame& LiveRenderer::render(const Pose& pose) {
@@ -128,13 +136,15 @@ const Frame& LiveRenderer::scan(const Pose& pose, std::size_t first_beam, std::s
   prepare(pose);
   first_beam = std::min(first_beam, settings_.beams);
   const std::size_t last_beam = first_beam + std::min(count, settings_.beams - first_beam);
-  const PageCache::View view = ground_->pages().view();
-  for (const auto& task : tasks_) task->begin_frame(view, pose.targets.size());
+  LiveObstacles* const obstacles = ground_->obstacles();
+  const FrameViews there{ground_->pages().view(), ground_->terrain().windows().view(),
+                         obstacles != nullptr ? obstacles->cache().view() : LiveObstacles::Cache::View()};
+  for (const auto& task : tasks_) task->begin_frame(there.pages, pose.targets.size());
   const DetailBlend levels = next_levels();
   frame_.report = {.level = static_cast<std::size_t>((levels.next_share > 0.5 ? levels.next : levels.level) - 1)};
   wanted_terrain_.clear();
-  const TerrainWindows::View terrain = ground_->terrain().windows().view();
-  find_visible_ground(terrain, pose, {first_beam, last_beam}, levels);
+  wanted_obstacles_.clear();
+  find_visible_ground(there, pose, {first_beam, last_beam}, levels);
   look_at_targets(pose, levels);
   find_shadows_of_targets(pose);
   const std::size_t group = beams_together(settings_.beam_step_rad), first_group = first_beam / group;
@@ -157,12 +167,7 @@ const Frame& LiveRenderer::scan(const Pose& pose, std::size_t first_beam, std::s
     wanted_.insert(wanted_.end(), wanted.begin(), wanted.end());
     task->end_frame();
   }
-  look_ahead(view, pose, {first_beam, last_beam}, static_cast<std::size_t>(levels.next - 1));
-  const double far_m = grid().near_m + grid().step_m * static_cast<double>(grid().distances);
-  // Only wished for: what comes back is looked at by the frames to come.
-  (void)ground_->terrain().surface(terrain, terrain_level(static_cast<std::size_t>(levels.next - 1)),
-                                   under_beams(pose.position + pose.velocity_mps * seconds_ahead, grid().near_m, far_m),
-                                   wanted_terrain_);
+  look_ahead(there, pose, {first_beam, last_beam}, static_cast<std::size_t>(levels.next - 1));
   request();
   return frame_;
 }
@@ -183,7 +188,7 @@ void LiveRenderer::prepare(const Pose& pose) {
   grid.distances = 2 * settings_.ranges;
   grid.step_m = (far_m - near_m) / static_cast<double>(grid.distances);
   grid.drop_per_square_m = 0.5 * radar::CurvedEarth{.refraction = settings_.refraction}.curvature_per_m();
-  for (VisibleGround& ground : visible_) ground.reset(grid, !ground_->obstacles().empty());
+  for (VisibleGround& ground : visible_) ground.reset(grid, ground_->obstacles() != nullptr);
 
   frame_.grid = {pose.first_range_m,     settings_.range_step_m,  settings_.ranges,
                  pose.first_azimuth_rad, settings_.beam_step_rad, settings_.beams};
@@ -200,22 +205,26 @@ radar::Rectangle LiveRenderer::under_beams(Vec3d radar, double near_m, double fa
                       beams.azimuth_step_rad * static_cast<double>(settings_.beams), {near_m, far_m});
 }
 
+GroundSector LiveRenderer::sector_of(Vec3d radar, double near_m, double far_m) const {
+  const HorizonGrid& beams = grid();
+  return {{radar.x, radar.y},
+          beams.first_azimuth_rad,
+          beams.azimuth_step_rad * static_cast<double>(settings_.beams),
+          near_m,
+          far_m};
+}
+
 int LiveRenderer::terrain_level(std::size_t level) const {
   return ground_->terrain().level_for(atlas::texel_side_m(ground_->description().patches, level));
 }
 
 Occluders LiveRenderer::occluders_for(const TerrainWindows::View& terrain, Vec3d radar, std::size_t level) {
-  const ObstacleLevels& obstacles = ground_->obstacles();
-  const double far_m = grid().near_m + grid().step_m * static_cast<double>(grid().distances);
   const int level_within = terrain_level(level);
   // A picture is drawn of one lattice, whatever the sector; the sweep takes nearer ground from another.
   const bool in_one = settings_.visibility.method == VisibilityMethod::Rasterization;
   const LiveTerrain::Surface within = ground_->terrain().surface(
-      terrain, level_within, under_beams(radar, in_one ? 0.0 : grid().near_m, far_m), wanted_terrain_);
-  Occluders occluders{.terrain = within.view,
-                      .obstacles = obstacles.empty() ? nullptr : &obstacles.level_for(grid().step_m),
-                      .tallest_m = obstacles.tallest_m(),
-                      .lowered_m = within.above_pages_m};
+      terrain, level_within, under_beams(radar, in_one ? 0.0 : grid().near_m, far_m()), wanted_terrain_);
+  Occluders occluders{.terrain = within.view, .lowered_m = within.above_pages_m};
   float error_m = within.error_m;
   if (!in_one && grid().near_m > grid().step_m) {
     // Nearer ground is walked over in longer steps; nodes half as far apart keep its ridges.
@@ -231,7 +240,29 @@ Occluders LiveRenderer::occluders_for(const TerrainWindows::View& terrain, Vec3d
   return occluders;
 }
 
-void LiveRenderer::find_visible_ground(const TerrainWindows::View& terrain, const Pose& pose, Beams beams,
+void LiveRenderer::find_obstacles(const LiveObstacles::Cache::View& there, Vec3d radar,
+                                  std::span<Occluders> occluders) {
+  const LiveObstacles* const obstacles = ground_->obstacles();
+  if (obstacles == nullptr) return;
+  using Part = LiveObstacles::Part;
+  std::size_t& coarse = frame_.report.coarse_obstacles;
+  const double step_m = grid().step_m;
+  coarse += obstacles->lay_out(there, {obstacles->level_for(step_m), sector_of(radar, grid().near_m - step_m, far_m())},
+                               Part::UnderBins, obstacles_, wanted_obstacles_);
+  for (std::size_t which = 0; which < occluders.size(); ++which) {
+    Occluders& here = occluders[which];
+    here.obstacles = &obstacles_;
+    here.tallest_m = obstacles->tallest_m();
+    const LeadSteps lead = lead_of(grid(), radar, here);
+    if (lead.count == 0) continue;
+    coarse += obstacles->lay_out(
+        there, {obstacles->level_for(lead.step_m), sector_of(radar, lead.from_m - lead.step_m, grid().near_m)},
+        Part::BeforeBins, obstacles_before_[which], wanted_obstacles_);
+    here.obstacles_before_near = &obstacles_before_[which];
+  }
+}
+
+void LiveRenderer::find_visible_ground(const FrameViews& there, const Pose& pose, Beams beams,
                                        const DetailBlend& levels) {
   const auto level = static_cast<std::size_t>(levels.level - 1), next = static_cast<std::size_t>(levels.next - 1);
   const bool alike = terrain_level(level) == terrain_level(next);
@@ -239,8 +270,12 @@ void LiveRenderer::find_visible_ground(const TerrainWindows::View& terrain, cons
   // Tasks look half a beam beyond their own.
   const std::size_t first_edge = beams.first - std::min<std::size_t>(beams.first, 1);
   const std::size_t edges = std::min(beams.end + 1, settings_.beams) - first_edge + 1;
-  for (std::size_t which = 0; which < (alike ? 1 : 2); ++which) {
-    occluders_[which] = occluders_for(terrain, pose.position, which == 0 ? level : next);
+  const std::size_t surfaces = alike ? 1 : 2;
+  for (std::size_t which = 0; which < surfaces; ++which) {
+    occluders_[which] = occluders_for(there.terrain, pose.position, which == 0 ? level : next);
+  }
+  find_obstacles(there.obstacles, pose.position, std::span(occluders_).first(surfaces));
+  for (std::size_t which = 0; which < surfaces; ++which) {
     visible_[which].find(first_edge, edges, pose.position, occluders_[which], team_);
   }
 }
@@ -284,7 +319,20 @@ void LiveRenderer::add_targets(std::size_t first_beam, std::size_t count) {
   }
 }
 
-void LiveRenderer::look_ahead(const PageCache::View& view, const Pose& pose, Beams beams, std::size_t level) {
+void LiveRenderer::look_ahead(const FrameViews& there, const Pose& pose, Beams beams, std::size_t level) {
+  look_ahead_at_pages(there.pages, pose, beams, level);
+  const Vec3d radar = pose.position + pose.velocity_mps * seconds_ahead;
+  // Only wished for: what comes back is looked at by the frames to come.
+  (void)ground_->terrain().surface(there.terrain, terrain_level(level), under_beams(radar, grid().near_m, far_m()),
+                                   wanted_terrain_);
+  if (const LiveObstacles* const obstacles = ground_->obstacles()) {
+    obstacles->look_ahead(there.obstacles,
+                          {obstacles->level_for(grid().step_m), sector_of(radar, grid().near_m, far_m())},
+                          wanted_obstacles_);
+  }
+}
+
+void LiveRenderer::look_ahead_at_pages(const PageCache::View& there, const Pose& pose, Beams beams, std::size_t level) {
   const std::size_t count = beams.end - beams.first;
   if (count == 0) return;
   const bool scans = count < settings_.beams;
@@ -301,7 +349,7 @@ void LiveRenderer::look_ahead(const PageCache::View& view, const Pose& pose, Bea
         pose.first_azimuth_rad + static_cast<double>((first + done) % settings_.beams) * settings_.beam_step_rad;
     const Sector sector(azimuth, static_cast<double>(here) * settings_.beam_step_rad, grid.near_m,
                         grid.near_m + grid.step_m * static_cast<double>(grid.distances));
-    add_forecast(view, ground_->pages().source(), {radar, sector, level, ground_m}, wanted_);
+    add_forecast(there, ground_->pages().source(), {radar, sector, level, ground_m}, wanted_);
   }
 }
 

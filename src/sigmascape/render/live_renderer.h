@@ -79,6 +79,10 @@ struct FrameReport {
   /// By how much the terrain that hides may be wrong, for tiles of it cannot be had, or were not there yet: then it is
   /// taken to lie so much lower that no ground is hidden by what is not there. 0 when nothing was lacking.
   double terrain_error_m = 0.0;
+  /// Tiles of what stands on the ground under all beams (256 × 256 squares each) that are coarser than the sweep's
+  /// steps, for finer ones were not there yet, cannot be had or are more than the budget holds: shadows are those of
+  /// several obstacles together. 0 when nothing was lacking, and where the textures hold the shadows.
+  std::size_t coarse_obstacles = 0;
   std::size_t targets = 0;  ///< of those of the pose that stand in the bins and are seen
   /// Of a frame that was traced (simulate::LiveTracer): rays a cell that it is made of; 0 of one from textures.
   std::uint64_t rays_per_cell = 0;
@@ -120,19 +124,27 @@ class LiveRenderer {
   struct Beams {
     std::size_t first = 0, end = 0;
   };
+  /// What was there when the frame began.
+  struct FrameViews {
+    PageCache::View pages;
+    TerrainWindows::View terrain;
+    LiveObstacles::Cache::View obstacles;
+  };
 
   /// The level of detail, or two while one gives way to the next.
   [[nodiscard]] DetailBlend next_levels();
   /// Asks for what the radar will see a second later, and for the beams that a scan comes to until then.
-  void look_ahead(const PageCache::View& view, const Pose& pose, Beams beams, std::size_t level);
+  void look_ahead(const FrameViews& there, const Pose& pose, Beams beams, std::size_t level);
+  void look_ahead_at_pages(const PageCache::View& there, const Pose& pose, Beams beams, std::size_t level);
   void look_at_targets(const Pose& pose, const DetailBlend& levels);
   void find_shadows_of_targets(const Pose& pose);
   void add_targets(std::size_t first_beam, std::size_t count);
   /// For the beams, and their edges, over the terrain of each level of detail in use.
-  void find_visible_ground(const TerrainWindows::View& terrain, const Pose& pose, Beams beams,
-                           const DetailBlend& levels);
+  void find_visible_ground(const FrameViews& there, const Pose& pose, Beams beams, const DetailBlend& levels);
   /// What hides ground at a level of detail, as far as it is there; reports what it lacks and asks for it.
   [[nodiscard]] Occluders occluders_for(const TerrainWindows::View& terrain, Vec3d radar, std::size_t level);
+  /// Lays out what stands on the ground, under the bins and, for each of the occluders in use, before them.
+  void find_obstacles(const LiveObstacles::Cache::View& there, Vec3d radar, std::span<Occluders> occluders);
   /// Asks for what is wanted, instead of what was.
   void request();
   [[nodiscard]] const HorizonGrid& grid() const { return visible_[0].horizon().grid(); }
@@ -140,6 +152,8 @@ class LiveRenderer {
   [[nodiscard]] int terrain_level(std::size_t level) const;
   /// The ground between two distances under all beams.
   [[nodiscard]] radar::Rectangle under_beams(Vec3d radar, double near_m, double far_m) const;
+  [[nodiscard]] GroundSector sector_of(Vec3d radar, double near_m, double far_m) const;
+  [[nodiscard]] double far_m() const { return grid().near_m + grid().step_m * static_cast<double>(grid().distances); }
 
   std::shared_ptr<LiveGround> ground_;
   LiveSettings settings_;
@@ -148,7 +162,9 @@ class LiveRenderer {
   terrain::HeightBounds bounds_;  // of the ground that the frame looks at
   std::array<VisibleGround, 2> visible_;
   std::array<Occluders, 2> occluders_;
-  std::array<const HorizonMap*, 2> horizon_of_;  // of the two levels of detail; the same when so is their terrain
+  ObstacleMosaic obstacles_;
+  std::array<ObstacleMosaic, 2> obstacles_before_;  // the bins
+  std::array<const HorizonMap*, 2> horizon_of_;     // of the two levels of detail; the same when so is their terrain
   receiver::TargetFrame targets_;
   BoxShadows shadows_;
   DetailTransition transition_;
@@ -157,6 +173,7 @@ class LiveRenderer {
   std::vector<std::unique_ptr<SectorTask>> tasks_;  // one a worker
   std::vector<PageKey> wanted_;                     // by all of them
   std::vector<WindowWish> wanted_terrain_;
+  std::vector<atlas::TileAddress> wanted_obstacles_;
   bool has_asked_ = false;  // for something, after the last frame
   Frame frame_;
 };

@@ -77,9 +77,8 @@ bool PageSource::fill_ground(GroundPage& page) const {
     // Those of one elevation and azimuth lie four apart, a frequency each.
     if (!fill_look(bare_ground_->tiles, looks[4 * (look % frequencies)], look, page, halves)) return false;
   }
-  const radar::GroundGrid texels = atlas::texels_of(tiles_.description().patches, page.key.tile);
-  heights_(texels, page.height_m);
-  bare_ground_->relief(texels, page.slope, page.top_m);
+  heights_(atlas::texels_of(tiles_.description().patches, page.key.tile), page.height_m);
+  bare_ground_->relief(page.key.tile, page.slope, page.top_m);
   return true;
 }
 

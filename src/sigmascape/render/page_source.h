@@ -13,9 +13,9 @@ namespace sigmascape::render {
 /// Fills heights of the cells' centres of a grid, [row][column], north up.
 using HeightSource = std::function<void(const radar::GroundGrid& cells, std::span<float> height_m)>;
 
-/// Fills slopes of the ground and the height of what stands on it at the cells' centres of a grid, [row][column].
+/// Fills slopes of the ground and the height of what stands on it at the centres of a tile's texels, [row][column].
 using ReliefSource =
-    std::function<void(const radar::GroundGrid& cells, std::span<terrain::PackedSlope> slope, std::span<float> top_m)>;
+    std::function<void(const atlas::TileAddress& tile, std::span<terrain::PackedSlope> slope, std::span<float> top_m)>;
 
 /// The ground by itself, of an atlas that keeps it apart.
 struct BareGround {
@@ -26,6 +26,8 @@ struct BareGround {
 /// Makes pages out of what is stored: tiles of a few looks and the terrain under them.
 class PageSource {
  public:
+  using Page = GroundPage;
+
   PageSource(const atlas::Store& store, HeightSource heights, double frequency_hz,
              const std::optional<BareGround>& bare_ground = {}, atlas::Scrutiny scrutiny = atlas::Scrutiny::Content);
 

@@ -1,6 +1,8 @@
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <memory>
 
 #include "live_ground_example.h"
 
@@ -63,6 +65,72 @@ TEST_P(LiveDamage, OfATextureGivesALowerLevelAndIsTold) {
   EXPECT_GT(report.absent, 0U);
   EXPECT_EQ(report.damaged, 1U);
 }
+
+/// Bare ground with blocks of houses on it, 24 m wide.
+ExampleGround blocks_of_houses() {
+  ExampleGround example;
+  example.sigma0 = [](const radar::Look&) { return radar::Channels{}; };
+  example.bare_sigma0 = [](const radar::Look& look) { return constant_gamma(gamma, look); };
+  example.obstacle = [](Vec2d p) {
+    return std::abs(std::remainder(p.x, 96.0)) < 12.0 && std::abs(std::remainder(p.y, 96.0)) < 12.0
+               ? radar::Obstacle{.solid_top_m = 12.0F}
+               : radar::Obstacle{};
+  };
+  return example;
+}
+
+class LiveObstacleDamage : public LiveDamage {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = std::make_unique<ScratchFolder>();
+    (void)blocks_of_houses().store(folder_->path("sound"));
+  }
+  static void TearDownTestSuite() { folder_.reset(); }
+
+  /// Of the middle of an atlas, settled.
+  struct Seen {
+    double power = 0.0;
+    FrameReport report;
+    CacheReport obstacles;
+  };
+  static Seen seen_of(const std::filesystem::path& atlas) {
+    const ExampleView view{.elevation_deg = 8.6};
+    const auto ground = blocks_of_houses().over(atlas::Store::open(atlas));
+    LiveRenderer renderer(ground, view.settings(FrameContent::Powers));
+    const Frame& frame = settled_frame(renderer, *ground, view.pose());
+    return {total_vv(frame), frame.report, ground->obstacles()->cache().report()};
+  }
+
+  static inline std::unique_ptr<ScratchFolder> folder_;
+};
+
+TEST_P(LiveObstacleDamage, GivesTheShadowsOfALowerLevelAndIsTold) {
+  const auto atlas = folder_->path("altered");
+  std::filesystem::remove_all(atlas);
+  std::filesystem::copy(folder_->path("sound"), atlas, std::filesystem::copy_options::recursive);
+  const Seen sound = seen_of(atlas);
+  EXPECT_EQ(sound.report.coarse_obstacles, 0U);
+  EXPECT_EQ(sound.obstacles.damaged, 0U);
+
+  for (const char* patch : {"patch_+000_+000", "patch_+001_+000", "patch_+000_+001", "patch_+001_+001"}) {
+    damage(atlas / patch / "obstacles.tif", GetParam());
+  }
+  const Seen damaged = seen_of(atlas);
+  EXPECT_EQ(damaged.report.dark + damaged.report.coarse, 0U);
+  EXPECT_GE(damaged.report.coarse_obstacles, 4U);
+  EXPECT_EQ(damaged.obstacles.damaged, 4U);
+
+  damage(atlas / "pyramid_1" / "patch_+000_+000" / "obstacles.tif", GetParam());
+  const Seen bare = seen_of(atlas);
+  EXPECT_EQ(bare.obstacles.damaged, 5U);
+  // Coarser obstacles keep the shadowed area, but hide ground beside them.
+  const double hidden = bare.power - sound.power;
+  EXPECT_GT(hidden / bare.power, 0.2);
+  EXPECT_NEAR((bare.power - damaged.power) / hidden, 1.0, 0.15);
+}
+
+INSTANTIATE_TEST_SUITE_P(Damages, LiveObstacleDamage,
+                         testing::Values(Damage::Missing, Damage::Truncated, Damage::Altered));
 
 INSTANTIATE_TEST_SUITE_P(Damages, LiveDamage, testing::Values(Damage::Missing, Damage::Truncated, Damage::Altered));
 

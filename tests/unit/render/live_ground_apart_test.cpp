@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "live_ground_example.h"
+#include "made_obstacles.h"
 
 #include "sigmascape/base/hash.h"
 #include "sigmascape/render/horizon_map.h"
@@ -155,25 +156,28 @@ TEST(LiveGroundApart, WhatRisesAboveARidgeIsSeen) {
   EXPECT_EQ(row->ground_lit[2], 0.0F);
 }
 
-/// Trees and houses on hills, texels of 4 m.
+/// Trees and houses on hills, 16 m wide.
+radar::Obstacle tree_or_house(Vec2d point) {
+  if (std::abs(point.x) > 2000.0 || std::abs(point.y) > 2000.0) return {};
+  const auto key = hashed(static_cast<std::int64_t>((2000.0 - point.y) / 16.0),
+                          static_cast<std::int64_t>((point.x + 2000.0) / 16.0)) %
+                   16;
+  if (key == 0) return {.solid_top_m = 9.0F};
+  if (key <= 10) return {};
+  return {.crown_base_m = 3.0F, .crown_top_m = 12.0F + static_cast<float>(key), .crown_extinction_per_m = 0.05F};
+}
+
 struct Landscape {
   terrain::HeightField field{
       .west_m = -2000.0, .north_m = 2000.0, .spacing_m = 20.0, .height_m = Array2D<float>(201, 201)};
-  ObstacleLevel obstacles{{-2000.0, 2000.0, 4.0, 1000, 1000}, std::vector<PackedObstacle>(1000 * 1000)};
+  MadeObstacles obstacles{
+      {.texel_m = 4.0}, {.level = 0, .west = -2, .north = 1, .across = 4, .down = 4}, tree_or_house};
 
   Landscape() {
     for (std::size_t row = 0; row < 201; ++row) {
       for (std::size_t column = 0; column < 201; ++column) {
         field.height_m(column, row) = static_cast<float>(30.0 * std::sin(static_cast<double>(column) * 0.21) *
                                                          std::cos(static_cast<double>(row) * 0.17));
-      }
-    }
-    for (std::size_t i = 0; i < obstacles.of.size(); ++i) {
-      const auto key = hashed(static_cast<std::int64_t>(i / 1000 / 4), static_cast<std::int64_t>(i % 1000 / 4)) % 16;
-      if (key == 0) obstacles.of[i] = PackedObstacle::packed({.solid_top_m = 9.0F});
-      if (key > 10) {
-        obstacles.of[i] = PackedObstacle::packed(
-            {.crown_base_m = 3.0F, .crown_top_m = 12.0F + static_cast<float>(key), .crown_extinction_per_m = 0.05F});
       }
     }
   }
@@ -190,7 +194,7 @@ TEST(LiveGroundApart, TheHorizonMapSeesWhatAnExactWalkSees) {
     grid.near_m = 500.0;
     grid.step_m = 4.0;
     grid.distances = 800;
-    const Occluders occluders{terrain::view_of(land.field), &land.obstacles, 27.0F};
+    const Occluders occluders{terrain::view_of(land.field), &land.obstacles.mosaic(), 27.0F};
     HorizonMap map(grid);
     map.reset(grid, true);
     double error = 0.0, seen = 0.0, exactly_seen = 0.0;
@@ -203,13 +207,13 @@ TEST(LiveGroundApart, TheHorizonMapSeesWhatAnExactWalkSees) {
         const double distance = 2.0 + 4.0 * static_cast<double>(k);
         if (distance >= grid.near_m - 1.0) break;
         const Vec2d point = Vec2d{radar.x, radar.y} + direction * distance;
-        exact.advance(distance, land.field.height_at(point), land.obstacles.at(point).unpacked(), 4.0);
+        exact.advance(distance, land.field.height_at(point), land.obstacles.mosaic().at(point).unpacked(), 4.0);
       }
       for (std::size_t k = 0; k < grid.distances; ++k) {
         const double distance = grid.near_m + grid.step_m * static_cast<double>(k);
         const Vec2d point = Vec2d{radar.x, radar.y} + direction * distance;
         const double height = land.field.height_at(point);
-        const auto sight = exact.advance(distance, height, land.obstacles.at(point).unpacked(), grid.step_m);
+        const auto sight = exact.advance(distance, height, land.obstacles.mosaic().at(point).unpacked(), grid.step_m);
         const double slope = (height - radar.z) / distance + 1e-6;
         const bool open = slope >= static_cast<double>(map.slopes(azimuth)[k]) &&
                           slope >= static_cast<double>(map.solid_slopes(azimuth)[k]);

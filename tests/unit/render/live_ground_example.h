@@ -69,7 +69,13 @@ struct ExampleGround {
     const atlas::Store ground = atlas::create_ground_store(store, elevations);
     write(ground, bare_sigma0);
     atlas::Pyramid(ground).make_above(ground.units());
-    for (const atlas::PatchIndex& patch : store.description().patches.covering(store.description().extent)) {
+    write_obstacles(store);
+  }
+
+  /// At all levels.
+  void write_obstacles(const atlas::Store& store) const {
+    const auto patches = store.description().patches.covering(store.description().extent);
+    for (const atlas::PatchIndex& patch : patches) {
       radar::ObstacleMap map{store.description().patches.texels_of(patch), {}};
       map.obstacles = Array2D<radar::Obstacle>(map.grid.columns, map.grid.rows);
       for (std::size_t row = 0; row < map.grid.rows; ++row) {
@@ -79,6 +85,7 @@ struct ExampleGround {
       }
       atlas::write_obstacles(store, patch, map);
     }
+    atlas::obstacle_pyramid(store).make_above(patches);
   }
 
   [[nodiscard]] terrain::HeightField terrain() const {

@@ -25,12 +25,20 @@ Amplitudes flown(const std::shared_ptr<LiveGround>& ground, ExampleView view, do
   return {last.amplitudes_m.begin(), last.amplitudes_m.end()};
 }
 
-/// Two radars look at different ground in different ways, over one source of pages and terrain that holds little more
-/// than what both of them need, each on a thread of its own.
-TEST(SharedGround, TwoRenderersOnTwoThreadsSeeWhatEachSeesAlone) {
+/// Two radars look at different ground in different ways, over one source of pages, terrain and what stands on it that
+/// holds little more than what both of them need, each on a thread of its own.
+class SharedGround : public testing::TestWithParam<bool> {};
+
+TEST_P(SharedGround, TwoRenderersOnTwoThreadsSeeWhatEachSeesAlone) {
   const ScratchFolder folder;
   ExampleGround example;
   example.sigma0 = [](const radar::Look& look) { return constant_gamma(0.1, look); };
+  if (GetParam()) {
+    example.bare_sigma0 = example.sigma0;
+    example.obstacle = [](Vec2d p) {
+      return std::remainder(p.x + 2.0 * p.y, 90.0) < -30.0 ? radar::Obstacle{.solid_top_m = 8.0F} : radar::Obstacle{};
+    };
+  }
   example.height_m = [](Vec2d p) { return 30.0 * std::sin(0.02 * p.x) * std::cos(0.017 * p.y); };
   const atlas::Store store = example.store(folder.path("atlas"));
   atlas::Pyramid(store).make_above(store.units());
@@ -60,6 +68,8 @@ TEST(SharedGround, TwoRenderersOnTwoThreadsSeeWhatEachSeesAlone) {
     EXPECT_TRUE(std::ranges::equal(together[i], alone)) << "renderer " << i;
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(GroundApart, SharedGround, testing::Bool());
 
 }  // namespace
 }  // namespace sigmascape::render

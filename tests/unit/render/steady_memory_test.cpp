@@ -37,7 +37,7 @@ TEST(SteadyMemory, LiveFramesTakeNoneOnceTheirPagesAreThere) {
   for (const bool apart : {false, true}) {
     const ScratchFolder folder;
     ExampleGround example;
-    example.patches_a_side = 1;
+    example.patches_a_side = apart ? 2 : 1;
     example.sigma0 = [](const radar::Look& look) { return constant_gamma(0.1, look); };
     if (apart) {
       example.bare_sigma0 = example.sigma0;
@@ -75,6 +75,7 @@ TEST(SteadyMemory, LiveFramesTakeNoneOnceTheirPagesAreThere) {
       const FrameReport& report = renderer.render(pose).report;
       EXPECT_EQ(report.coarse, 0U);
       EXPECT_EQ(report.terrain_error_m, 0.0);
+      EXPECT_EQ(report.coarse_obstacles, 0U);
       EXPECT_GT(report.targets, 100U);
       renderer.scan(pose, 16, 16);
     }

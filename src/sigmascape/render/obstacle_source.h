@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "sigmascape/atlas/obstacle_tiles.h"
+#include "sigmascape/render/obstacle_page.h"
+
+namespace sigmascape::render {
+
+/// What stands on the ground of an atlas that keeps it apart, tile by tile. One that cannot be read is made from the
+/// finest coarser one that can; where there is none nothing stands. Any number of threads may ask at once.
+class ObstacleSource {
+ public:
+  using Page = ObstaclePage;
+
+  explicit ObstacleSource(const atlas::Store& atlas, atlas::Scrutiny scrutiny = atlas::Scrutiny::Content)
+      : tiles_(atlas, scrutiny) {}
+
+  /// Fills `page` with what `page.key` names; its memory is used again. There is always something.
+  [[nodiscard]] bool fill(ObstaclePage& page) const;
+  /// The height of what stands on the texels of a tile, [row][column], north up.
+  void fill_tops(const atlas::TileAddress& tile, std::span<float> top_m) const;
+
+  [[nodiscard]] std::size_t levels() const { return tiles_.levels(); }
+  /// Of the whole atlas; an upper bound.
+  [[nodiscard]] float tallest_m() const { return tiles_.tallest_m(); }
+  /// Files met so far that are not as their items say.
+  [[nodiscard]] std::size_t damaged() const { return tiles_.damaged(); }
+  /// Of any page.
+  [[nodiscard]] static constexpr std::size_t most_bytes() {
+    return ObstaclePage::squares * sizeof(PackedObstacle) + sizeof(ObstaclePage);
+  }
+  [[nodiscard]] const atlas::AtlasDescription& description() const { return tiles_.description(); }
+
+ private:
+  /// Calls `each` for every square, in order; by how many levels they are coarser than asked for.
+  template <typename Each>
+  std::size_t for_each_square(const atlas::TileAddress& tile, Each each) const;
+
+  atlas::ObstacleTiles tiles_;
+};
+
+}  // namespace sigmascape::render

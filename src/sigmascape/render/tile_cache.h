@@ -1,0 +1,286 @@
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <condition_variable>
+#include <cstdint>
+#include <fmt/format.h>
+#include <iterator>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <thread>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "sigmascape/base/error.h"
+#include "sigmascape/render/published.h"
+
+namespace sigmascape::render {
+
+struct CacheReport {
+  std::size_t pages = 0;     ///< there now
+  std::size_t bytes = 0;     ///< that they take
+  std::uint64_t loaded = 0;  ///< since the start
+  std::uint64_t evicted = 0;
+  std::uint64_t absent = 0;   ///< pages asked for that the store does not have, or not whole
+  std::size_t damaged = 0;    ///< files of the store, met so far, that are not as their items say
+  std::uint64_t refused = 0;  ///< times that no page could give way: the budget is below what one frame looks at
+};
+
+/// Pages of ground, or of what stands on it, loaded behind the back of whoever renders and dropped when others are
+/// wanted more.
+///
+/// A frame takes a view, which never changes under its hands, finds in it what is there, and afterwards says what it
+/// would have liked. It never waits for a page. Pages of the coarsest level stay once they are there, so that something
+/// can stand in for what is missing. Any number of renderers may share one cache.
+///
+/// A `Source` makes pages: it names their type `Source::Page`, fills one in any thread as its `key` says (false when it
+/// cannot be had), and tells how many bytes one takes at most, how many levels there are and how many files were found
+/// damaged.
+template <typename Source>
+class TileCache {
+ public:
+  using Page = typename Source::Page;
+  using Key = decltype(Page::key);
+
+ private:
+  using Entries = std::vector<std::shared_ptr<const Page>>;  // ordered by key
+
+ public:
+  /// Throws Error when the budget does not hold a single page.
+  TileCache(std::shared_ptr<const Source> source, std::size_t budget_bytes, unsigned loaders = 1);
+  ~TileCache();
+  TileCache(const TileCache&) = delete;
+  TileCache& operator=(const TileCache&) = delete;
+
+  /// What was there at one moment.
+  class View {
+   public:
+    /// Null when the page is not there. Marks it as wanted by this view's frame.
+    [[nodiscard]] const Page* find(const Key& key) const;
+    [[nodiscard]] std::uint64_t frame() const { return frame_; }
+
+   private:
+    friend class TileCache;
+    std::shared_ptr<const Entries> entries_;
+    std::uint64_t frame_ = 0;
+  };
+
+  /// Call at the start of a frame; drop it at its end, for pages live while a view holds them.
+  [[nodiscard]] View view();
+
+  /// Pages to load, the dearest first, in place of those that the same asker wanted before. For the end of a frame: the
+  /// list is locked while it is handed over, never while pages are read.
+  void request(std::span<const Key> wanted, const void* asker = nullptr);
+
+  /// Returns when all that was asked for is there or cannot be: for callers who would rather wait than see less.
+  void wait_until_loaded();
+
+  [[nodiscard]] CacheReport report() const;
+  /// How many pages the budget holds.
+  [[nodiscard]] std::size_t most_pages() const { return budget_bytes_ / page_bytes_; }
+  [[nodiscard]] const Source& source() const { return *source_; }
+
+ private:
+  using Entry = std::shared_ptr<const Page>;
+
+  [[nodiscard]] static const Key& key_of(const Entry& entry) { return entry->key; }
+  [[nodiscard]] static bool holds(const std::vector<Key>& keys, const Key& key) {
+    return std::ranges::find(keys, key) != keys.end();
+  }
+  /// Whether nobody reads the retired page any more.
+  [[nodiscard]] static bool is_let_go(const std::shared_ptr<Page>& page) {
+    if (page.use_count() != 1) return false;
+    // That the count has fallen does not yet order what its last reader did before what is written into the page next.
+    // To give back a share of one's own does.
+    std::shared_ptr<Page>(page).reset();
+    return true;
+  }
+
+  void load_pages();
+  // All of these with the guard held.
+  [[nodiscard]] bool next_wanted(Key& key);
+  [[nodiscard]] std::shared_ptr<Page> empty_page();
+  void drop_oldest_page();
+  void publish(std::shared_ptr<Page> page);
+
+  std::shared_ptr<const Source> source_;
+  std::size_t budget_bytes_;
+
+  mutable std::mutex guard_;
+  std::condition_variable request_came_, request_done_;
+  Published<Entries> entries_;
+  std::vector<std::shared_ptr<Page>> retired_;  // no longer found, perhaps still read by a frame
+  struct Wish {
+    Key key;
+    const void* asker;
+  };
+  std::vector<Wish> wanted_;  // from its end: whoever asked last comes first
+  std::vector<Key> loading_, absent_;
+  std::atomic<std::uint64_t> frame_{0};
+  std::size_t page_bytes_ = 0;  // of one
+  CacheReport report_;
+  bool stopping_ = false;
+  std::vector<std::jthread> loaders_;
+};
+
+template <typename Source>
+TileCache<Source>::TileCache(std::shared_ptr<const Source> source, std::size_t budget_bytes, unsigned loaders)
+    : source_(std::move(source)), budget_bytes_(budget_bytes), entries_(std::make_shared<const Entries>()) {
+  page_bytes_ = source_->most_bytes();
+  if (most_pages() == 0) {
+    throw Error("page cache", fmt::format("has a budget of {} bytes", budget_bytes_),
+                fmt::format("a page of ground takes {} bytes; give some tens of them", page_bytes_));
+  }
+  for (unsigned loader = 0; loader < std::max(1U, loaders); ++loader) {
+    loaders_.emplace_back([this] { load_pages(); });
+  }
+}
+
+template <typename Source>
+TileCache<Source>::~TileCache() {
+  {
+    const std::lock_guard lock(guard_);
+    stopping_ = true;
+  }
+  request_came_.notify_all();
+}
+
+template <typename Source>
+typename TileCache<Source>::View TileCache<Source>::view() {
+  View view;
+  view.entries_ = entries_.load();
+  view.frame_ = frame_.fetch_add(1) + 1;
+  return view;
+}
+
+template <typename Source>
+const typename TileCache<Source>::Page* TileCache<Source>::View::find(const Key& key) const {
+  const auto found = std::ranges::lower_bound(*entries_, key, {}, &key_of);
+  if (found == entries_->end() || (*found)->key != key) return nullptr;
+  (*found)->last_wanted.store(frame_, std::memory_order_relaxed);
+  return found->get();
+}
+
+template <typename Source>
+void TileCache<Source>::request(std::span<const Key> wanted, const void* asker) {
+  const std::lock_guard lock(guard_);
+  std::erase_if(wanted_, [asker](const Wish& wish) { return wish.asker == asker; });
+  std::transform(wanted.rbegin(), wanted.rend(), std::back_inserter(wanted_), [asker](const Key& key) {
+    return Wish{key, asker};
+  });
+  (wanted_.empty() ? request_done_ : request_came_).notify_all();
+}
+
+template <typename Source>
+void TileCache<Source>::wait_until_loaded() {
+  std::unique_lock lock(guard_);
+  request_done_.wait(lock, [this] { return wanted_.empty() && loading_.empty(); });
+}
+
+template <typename Source>
+CacheReport TileCache<Source>::report() const {
+  const std::lock_guard lock(guard_);
+  CacheReport report = report_;
+  report.pages = entries_.load()->size();
+  report.damaged = source_->damaged();
+  report.bytes = (report.pages + retired_.size() + loading_.size()) * page_bytes_;
+  return report;
+}
+
+template <typename Source>
+void TileCache<Source>::load_pages() {
+  std::unique_lock lock(guard_);
+  while (true) {
+    Key key;
+    request_came_.wait(lock, [&] { return stopping_ || next_wanted(key); });
+    if (stopping_) return;
+    const std::shared_ptr<Page> page = empty_page();
+    if (!page) {
+      // Everything there is looked at: what is wanted now has to wait until frames look elsewhere.
+      ++report_.refused;
+      wanted_.clear();
+      request_done_.notify_all();
+      continue;
+    }
+    loading_.push_back(key);
+    lock.unlock();
+    page->key = key;
+    const bool found = source_->fill(*page);
+    lock.lock();
+    std::erase(loading_, key);
+    if (found) {
+      ++report_.loaded;
+      page->last_wanted = frame_.load();
+      publish(page);
+    } else {
+      ++report_.absent;
+      absent_.push_back(key);
+      retired_.push_back(page);
+    }
+    request_done_.notify_all();
+  }
+}
+
+template <typename Source>
+bool TileCache<Source>::next_wanted(Key& key) {
+  const auto entries = entries_.load();
+  while (!wanted_.empty()) {
+    key = wanted_.back().key;
+    wanted_.pop_back();
+    const bool there = std::ranges::binary_search(*entries, key, {}, &key_of);
+    if (!there && !holds(loading_, key) && !holds(absent_, key)) return true;
+  }
+  request_done_.notify_all();
+  return false;
+}
+
+template <typename Source>
+std::shared_ptr<typename TileCache<Source>::Page> TileCache<Source>::empty_page() {
+  const auto free_one = [this]() -> std::shared_ptr<Page> {
+    const auto free = std::ranges::find_if(retired_, &is_let_go);
+    if (free == retired_.end()) return nullptr;
+    std::shared_ptr<Page> page = std::move(*free);
+    retired_.erase(free);
+    return page;
+  };
+  if (auto page = free_one()) return page;
+  const std::size_t pages = entries_.load()->size() + retired_.size() + loading_.size();
+  if (pages < most_pages()) return std::make_shared<Page>();
+  drop_oldest_page();
+  return free_one();
+}
+
+template <typename Source>
+void TileCache<Source>::drop_oldest_page() {
+  const auto entries = entries_.load();
+  // Of equally old ones the finer goes: its parent can stand in for it. The coarsest have none and stay.
+  const std::size_t coarsest = source_->levels() - 1;
+  const auto oldest = std::ranges::min_element(*entries, {}, [coarsest](const Entry& entry) {
+    const std::size_t level = entry->level();
+    return std::tuple(level == coarsest, entry->last_wanted.load(std::memory_order_relaxed), level);
+  });
+  if (oldest == entries->end() || (*oldest)->level() == coarsest ||
+      (*oldest)->last_wanted.load(std::memory_order_relaxed) + 1 >= frame_.load())
+    return;
+  auto rest = std::make_shared<Entries>();
+  rest->reserve(entries->size());
+  std::ranges::copy_if(*entries, std::back_inserter(*rest), [&](const Entry& entry) { return entry != *oldest; });
+  // Whoever found the page may read on; its memory is used again when the last of them has let go.
+  retired_.push_back(std::const_pointer_cast<Page>(*oldest));
+  entries_.store(std::move(rest));
+  ++report_.evicted;
+}
+
+template <typename Source>
+void TileCache<Source>::publish(std::shared_ptr<Page> page) {
+  const auto entries = entries_.load();
+  auto grown = std::make_shared<Entries>(*entries);
+  const auto place = std::ranges::lower_bound(*grown, page->key, {}, &key_of);
+  grown->insert(place, std::move(page));
+  entries_.store(std::move(grown));
+}
+
+}  // namespace sigmascape::render
