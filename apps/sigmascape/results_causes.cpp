@@ -68,7 +68,14 @@ std::vector<Contrast> causes(const ResultsPlan& plan) {
       {"noise of the bake",
        fmt::format("ours on its own ground, on-grid views, own look: {} rays a texel against {}", samples,
                    plan.finer_samples),
-       own_on_grid, finer_on_grid}};
+       own_on_grid, finer_on_grid},
+      {"texels as wide as the finest cells",
+       fmt::format("the same from {} rays: texels of {:.2f} m against {:.2f} m", plan.finer_samples, plan.texel_m,
+                   plan.texel_m / 2.0),
+       finer_on_grid, changed(finer_on_grid, [&](ResultsCase& of) {
+         of.baked_samples = plan.samples_of_finer_texels();
+         of.change = finer_texels_change;
+       })}};
 }
 
 std::vector<Contrast> changes(const ResultsPlan& plan) {

@@ -210,15 +210,34 @@ ReadyMethod Measurement::own_look_of(Method method, const MeasuredScene& measure
   settings.aspects = grid_of_view(view);
   settings.sampling.samples_per_texel = samples;
   settings.seed = seed;
-  const auto store = folder_ / "own_look" /
-                     fmt::format("{}_{}_{}{}", measured.name, view.file_name(), samples, is_again ? "_again" : "");
-  const TimedBake bake(scene_.scene, settings, store, progress_);
-  return from_store(method, own_look, samples, bake, {});
+  return from_store(method, own_look, samples, own_look_bake(settings, measured, view, is_again ? "_again" : ""), {});
+}
+
+ReadyMethod Measurement::own_look_in_finer_texels(Method method, const MeasuredScene& measured,
+                                                  const PlannedView& view) {
+  bake::BakeSettings settings = plan_.bake_settings(method);
+  settings.aspects = grid_of_view(view);
+  settings.patches.texel_m /= 2.0;
+  // As many rays a square metre.
+  settings.sampling.samples_per_texel = plan_.samples_of_finer_texels();
+  ReadyMethod ready = from_store(method, own_look, settings.sampling.samples_per_texel,
+                                 own_look_bake(settings, measured, view, "_finer_texels"), {});
+  ready.change = finer_texels_change;
+  return ready;
+}
+
+TimedBake Measurement::own_look_bake(const bake::BakeSettings& settings, const MeasuredScene& measured,
+                                     const PlannedView& view, const std::string& ending) {
+  const auto store =
+      folder_ / "own_look" /
+      fmt::format("{}_{}_{}{}", measured.name, view.file_name(), settings.sampling.samples_per_texel, ending);
+  return {scene_.scene, settings, store, progress_};
 }
 
 /// Without an angle missing, and of baked views almost without noise as well.
 void Measurement::compare_own_looks(const Truth& truth, const MeasuredScene& measured, const PlannedView& view) {
   const Method ours = &measured == &scene_ ? Method::OwnGround : Method::LevelGround;
+  const bool is_finer_too = view.kind == ViewKind::OnGrid;
   for (const std::uint32_t samples : {plan_.baked_samples, plan_.finer_samples}) {
     for (const Method method : {Method::Paper, ours}) {
       const ReadyMethod once = own_look_of(method, measured, view, samples, plan_.seed);
@@ -229,8 +248,9 @@ void Measurement::compare_own_looks(const Truth& truth, const MeasuredScene& mea
         hold_against(truth, measured, view, once);
       }
     }
-    if (view.kind != ViewKind::OnGrid || samples == plan_.finer_samples) return;
+    if (!is_finer_too || samples == plan_.finer_samples) break;
   }
+  if (is_finer_too) hold_against(truth, measured, view, own_look_in_finer_texels(ours, measured, view));
 }
 
 void Measurement::hold_against(const Truth& truth, const MeasuredScene& measured, const PlannedView& view,

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <tuple>
 
 #include "results_causes.h"
 #include "results_noise_tables.h"
@@ -203,7 +204,7 @@ std::string truth_aim(const ResultsReport& report, const std::string& scene) {
 }
 
 /// What was asked for at views that were baked, and what came out: of the grid as it is baked, and of the same looks
-/// with as many rays as the truth has.
+/// with as many rays as the truth has, on texels half as wide as well.
 std::string aims_text(const ResultsReport& report) {
   const ResultsPlan& plan = report.plan;
   const auto mark = [](bool reached) { return reached ? "reached" : "missed"; };
@@ -213,16 +214,22 @@ std::string aims_text(const ResultsReport& report) {
   for (const auto& [scene, least] : {std::pair(plan.scene_name(), 0.95), {std::string("level"), 0.99}}) {
     text += truth_aim(report, scene);
     for (const Method method : {Method::Paper, Method::LevelGround, Method::OwnGround}) {
-      for (const auto& [grid, samples] :
-           {std::pair(plan.paper_grid().name(), plan.baked_samples), {std::string(own_look), plan.finer_samples}}) {
-        const ResultsRow* row = find_row(
-            report.rows,
-            {.scene = scene, .method = method, .grid = grid, .baked_samples = samples, .kind = ViewKind::OnGrid});
+      for (const auto& [grid, samples, change] :
+           {std::tuple(plan.paper_grid().name(), plan.baked_samples, ""),
+            {std::string(own_look), plan.finer_samples, ""},
+            {std::string(own_look), plan.samples_of_finer_texels(), finer_texels_change}}) {
+        const ResultsRow* row = find_row(report.rows, {.scene = scene,
+                                                       .method = method,
+                                                       .grid = grid,
+                                                       .baked_samples = samples,
+                                                       .kind = ViewKind::OnGrid,
+                                                       .change = change});
         const ResultsCell* cell = row != nullptr ? row->at_cell(summary_cell_m) : nullptr;
         if (cell == nullptr) continue;
         const product::CellComparison& median = cell->median;
-        text += fmt::format("| {} | {} | {} | {:.3f} | {:.2f} | {} | {:+.2f} | ±0.3 | {} |\n", scene, text_of(method),
-                            samples, median.correlation_db, least, mark(median.correlation_db >= least), median.bias_db,
+        const std::string name = text_of(method) + (row->of.change.empty() ? "" : ", " + row->of.change);
+        text += fmt::format("| {} | {} | {} | {:.3f} | {:.2f} | {} | {:+.2f} | ±0.3 | {} |\n", scene, name, samples,
+                            median.correlation_db, least, mark(median.correlation_db >= least), median.bias_db,
                             mark(std::abs(median.bias_db) <= 0.3));
       }
     }
@@ -302,8 +309,8 @@ std::string settings_text(const ResultsPlan& plan) {
              "read too; {} rays where stated\n"
              "- {} rays a 2 m cell in each of the two traced maps of a view, {} where it was baked\n"
              "- {} bounces, seed {}, 10 GHz\n",
-             plan.baked_samples, plan.bake_settings(Method::BakedShadows).patches.texel_m, plan.finer_samples,
-             plan.traced_samples, plan.traced_samples_of(ViewKind::OnGrid), plan.bounces, plan.seed) +
+             plan.baked_samples, ResultsPlan::texel_m, plan.finer_samples, plan.traced_samples,
+             plan.traced_samples_of(ViewKind::OnGrid), plan.bounces, plan.seed) +
          grid_list(plan) +
          "\nHeld-out views are drawn from the seed, azimuth evenly over the circle and elevation evenly over 3° to "
          "40°; the view of the paper's picture stands by itself.\n\n" +

@@ -119,7 +119,7 @@ bake::BakeSettings ResultsPlan::bake_settings(Method method) const {
   const bool on_own_ground = method == Method::OwnGround;
   const bool shadows_at_run_time = on_own_ground || method == Method::LevelGround;
   return {.aspects = on_own_ground ? grids.back().aspects() : paper_grid().aspects(),
-          .patches = {.texel_m = 2000.0 / 1024.0, .texels_per_side = 256},
+          .patches = {.texel_m = texel_m, .texels_per_side = 256},
           .sampling = {.samples_per_texel = baked_samples},
           .max_bounces = bounces,
           .seed = seed,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -85,11 +86,15 @@ struct ResultsPlan {
   std::uint64_t seed = 1;
   unsigned threads = 0;
 
+  static constexpr double texel_m = 2000.0 / 1024.0;  ///< the paper's
+
   /// Rays a 2 m cell of one traced map of a view. Views that were baked are held to the highest aims and get as many
   /// as the looks that are baked again.
   [[nodiscard]] std::uint32_t traced_samples_of(ViewKind kind) const {
     return kind == ViewKind::OnGrid ? finer_samples : traced_samples;
   }
+  /// As many rays a square metre as finer_samples, of texels half as wide.
+  [[nodiscard]] std::uint32_t samples_of_finer_texels() const { return std::max(finer_samples / 4, 1U); }
   /// Width of the rim along the scene's edges that is not compared. A wall near the edge mirrors ground beyond it,
   /// which goes on in a bake and ends where the terrain does in a traced map: that would be held against the method.
   [[nodiscard]] double rim_m() const;

@@ -27,8 +27,9 @@ inline constexpr const char* cotangent_gamma_change = "γ blended in cot ψ";
 inline constexpr const char* map_area_change = "map area instead of the slope's";
 inline constexpr const char* finest_change = "no mips";
 inline constexpr const char* halves_change = "half floats";
-/// A change of ours.
+/// Changes of ours.
 inline constexpr const char* renormalized_change = "power by tiles";
+inline constexpr const char* finer_texels_change = "texels half as wide";
 
 /// What is measured together: all views of one kind of one scene, made in one way.
 struct ResultsCase {
