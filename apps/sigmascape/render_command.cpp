@@ -6,7 +6,7 @@
 
 #include "coherent_render.h"
 #include "command.h"
-#include "file_names.h"
+#include "files_to_write.h"
 #include "iq_files.h"
 #include "layer_files.h"
 #include "map_files.h"
@@ -186,16 +186,16 @@ void check_files(const RenderOptions& options) {
     if (!map.empty()) product::check_map_name(map);
   for (const std::string& picture : {options.picture_file, options.scopes.ppi, options.scopes.b_scope})
     if (!picture.empty()) product::check_png_name(picture);
-  check_names_differ(std::to_array<NamedFile>({{"--out", options.map_file},
-                                               {"--power", options.power_file},
-                                               {"--png", options.picture_file},
-                                               {"--ppi", options.scopes.ppi},
-                                               {"--b-scope", options.scopes.b_scope},
-                                               {"--layers-out", options.layers.file},
-                                               {"--snr", options.received.snr},
-                                               {"--video", options.received.video},
-                                               {"--iq", options.iq.file},
-                                               {"--slant-image", options.iq.slant_image}}));
+  check_files_to_write(std::to_array<NamedFile>({{"--out", options.map_file},
+                                                 {"--power", options.power_file},
+                                                 {"--png", options.picture_file},
+                                                 {"--ppi", options.scopes.ppi},
+                                                 {"--b-scope", options.scopes.b_scope},
+                                                 {"--layers-out", options.layers.file},
+                                                 {"--snr", options.received.snr},
+                                                 {"--video", options.received.video},
+                                                 {"--iq", options.iq.file},
+                                                 {"--slant-image", options.iq.slant_image}}));
 }
 
 product::PictureOptions look_of(const RenderOptions& options, radar::Polarization polarization) {

@@ -39,6 +39,7 @@ void write_page(const std::filesystem::path& page, const ResultsReport& report, 
 
 void run_results(const ResultsOptions& options, const Output& output) {
   const ResultsPlan plan = results_plan(options);
+  if (!options.page.empty()) geo::check_place_for(options.page);
   const std::filesystem::path folder = options.folder;
   Measurement measurement(plan, folder);
   measurement.compare_all();

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <iterator>
+#include <utility>
 
 #include "end_to_end/made_scene.h"
 #include "scratch_folder.h"
@@ -73,6 +74,14 @@ TEST_F(BadInput, TwoOptionsMayNotNameOneFile) {
   EXPECT_THAT(said_to("render radar.toml --scene none.toml --png a.png --ppi x/../a.png"),
               HasSubstr("--ppi: names x/../a.png, as --png does"));
   EXPECT_THAT(said_to("render radar.toml --scene none.toml --out map.tif --power power.tif"), HasSubstr("none.toml"));
+}
+
+TEST_F(BadInput, FilesThatCannotBeWrittenAreRefusedBeforeTheWork) {
+  write_radar();
+  for (const auto& [option, name] : {std::pair("--out", "radar.toml/map.tif"), {"--png", "radar.toml/map.png"}}) {
+    EXPECT_THAT(said_to(fmt::format("render radar.toml --scene none.toml {} {}", option, name)),
+                HasSubstr(fmt::format("{}: cannot be written (Not a directory); choose a folder that exists", name)));
+  }
 }
 
 TEST_F(BadInput, OptionsThatContradictOneAnotherAreRefused) {

@@ -143,6 +143,15 @@ void write_atomically(const std::filesystem::path& path, std::string_view conten
   });
 }
 
+void check_place_for(const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) throw Error(path.string(), "is a folder", "name a file");
+  std::filesystem::path above = std::filesystem::absolute(path).parent_path();
+  while (!std::filesystem::exists(above, ignored) && above != above.parent_path()) above = above.parent_path();
+  if (!std::filesystem::is_directory(above, ignored)) fail(path, ENOTDIR);
+  if (::access(above.c_str(), W_OK | X_OK) != 0) fail(path, errno);
+}
+
 void remove_leftovers(const std::filesystem::path& folder, std::string_view beginning) {
   const std::string prefix = fmt::format(".{}", beginning);
   std::error_code ignored;

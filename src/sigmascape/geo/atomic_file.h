@@ -25,6 +25,10 @@ void write_atomically(const std::filesystem::path& path, std::uintmax_t room_byt
 /// The same for content that is at hand: text, or the bytes of a file made in memory.
 void write_atomically(const std::filesystem::path& path, std::string_view content);
 
+/// Throws Error when such a file cannot be written there as things stand, for callers with long work before it: where
+/// `path` is a folder, or the first of its parents that exists is none or may not be written to. Writes nothing.
+void check_place_for(const std::filesystem::path& path);
+
 /// Removes from `folder` the temporary files that killed writers left of files whose names begin with `beginning`. Only
 /// for those who know that nobody is writing such a file now: his would vanish under him, and he would fail.
 void remove_leftovers(const std::filesystem::path& folder, std::string_view beginning);

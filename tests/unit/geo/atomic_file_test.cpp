@@ -120,6 +120,17 @@ TEST_F(AtomicFile, AFolderThatCannotBeMadeIsNamed) {
   }
 }
 
+TEST_F(AtomicFile, PlacesWhereNothingCanLieAreToldBeforeTheWork) {
+  write_atomically(folder_ / "file", "x");
+  EXPECT_THROW(check_place_for(folder_ / "file" / "a.txt"), Error);
+  EXPECT_THROW(check_place_for(folder_ / "file" / "deeper" / "a.txt"), Error);
+  EXPECT_THROW(check_place_for(folder_), Error);
+  EXPECT_NO_THROW(check_place_for(folder_ / "file"));
+  EXPECT_NO_THROW(check_place_for(folder_ / "new" / "deeper" / "a.txt"));
+  EXPECT_NO_THROW(check_place_for("a.txt"));
+  EXPECT_EQ(files(), 1U) << "the check writes nothing";
+}
+
 TEST_F(AtomicFile, ManyWritersOfOneNameNeverMix) {
   const auto path = folder_ / "a.txt";
   std::vector<std::thread> writers;

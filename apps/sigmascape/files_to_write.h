@@ -6,6 +6,7 @@
 #include <string>
 
 #include "sigmascape/base/error.h"
+#include "sigmascape/geo/atomic_file.h"
 
 namespace sigmascape::cli {
 
@@ -15,11 +16,13 @@ struct NamedFile {
   const std::string& file;
 };
 
-/// Throws Error when two options name one file, of which the second would take the place of the first.
-inline void check_names_differ(std::span<const NamedFile> files) {
+/// What can be told of files before the work that fills them. Throws Error for one that cannot be written where it is
+/// to lie, and when two options name one file, of which the second would take the place of the first.
+inline void check_files_to_write(std::span<const NamedFile> files) {
   std::map<std::filesystem::path, const char*> taken;
   for (const NamedFile& named : files) {
     if (named.file.empty()) continue;
+    geo::check_place_for(named.file);
     const auto [other, is_new] = taken.emplace(std::filesystem::absolute(named.file).lexically_normal(), named.option);
     if (!is_new) {
       throw Error(named.option, "names " + named.file + ", as " + other->second + " does",
