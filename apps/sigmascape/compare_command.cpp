@@ -4,10 +4,25 @@
 #include "command.h"
 #include "polarization_option.h"
 
+#include "sigmascape/base/error.h"
+#include "sigmascape/geo/geotiff.h"
 #include "sigmascape/product/ground_map_file.h"
 #include "sigmascape/product/map_metrics.h"
 
 namespace sigmascape::cli {
+namespace {
+
+/// The map in a file, whose cells are metres wide.
+radar::GroundMap metric_map(const std::string& file) {
+  radar::GroundMap map = product::read_ground_map(file);
+  if (geo::is_in_degrees(map.crs)) {
+    throw Error(file, "has cells of degrees, and cells are compared by their metres",
+                "render it with a --crs that counts in metres, or without one");
+  }
+  return map;
+}
+
+}  // namespace
 
 void add_compare_command(CLI::App& app, Output& output) {
   auto* command = app.add_subcommand("compare", "Say how close one ground map comes to another");
@@ -29,11 +44,11 @@ void add_compare_command(CLI::App& app, Output& output) {
   command->add_flag("--json", output.json, "print as JSON");
   command->footer("Example:\n  sigmascape compare baked.tif traced.tif --noise-floor traced_again.tif");
   command->callback([options, &output] {
-    const auto truth = product::read_ground_map(options->truth);
-    const auto comparison = product::compare_maps(product::read_ground_map(options->tested), truth, options->compare);
+    const auto truth = metric_map(options->truth);
+    const auto comparison = product::compare_maps(metric_map(options->tested), truth, options->compare);
     std::optional<product::MapComparison> floor;
     if (!options->repeated.empty())
-      floor = product::compare_maps(product::read_ground_map(options->repeated), truth, options->compare);
+      floor = product::compare_maps(metric_map(options->repeated), truth, options->compare);
     output.finish(product::comparison_table(comparison, floor),
                   nlohmann::ordered_json::parse(product::comparison_json(comparison, floor)));
   });

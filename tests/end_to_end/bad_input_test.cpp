@@ -84,6 +84,13 @@ TEST_F(BadInput, FilesThatCannotBeWrittenAreRefusedBeforeTheWork) {
   }
 }
 
+TEST_F(BadInput, MapsInDegreesAreNotComparedByMetres) {
+  write_radar();
+  write_made_scene(folder_.path("town"), 120, 120);
+  ASSERT_EQ(said_to("render radar.toml --scene town/scene.toml --lod 0 --samples 1 --crs EPSG:4326 --out map.tif"), "");
+  EXPECT_THAT(said_to("compare map.tif map.tif"), HasSubstr("map.tif: has cells of degrees"));
+}
+
 TEST_F(BadInput, OptionsThatContradictOneAnotherAreRefused) {
   EXPECT_THAT(said_to("bake none.toml --out atlas --samples 4 --target-db 1"),
               HasSubstr("--target-db excludes --samples"));

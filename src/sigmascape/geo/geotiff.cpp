@@ -401,6 +401,11 @@ std::array<Vec2d, 4> geographic_corners(const RasterPlacement& placement, std::s
   return {Vec2d{x[0], y[0]}, Vec2d{x[1], y[1]}, Vec2d{x[2], y[2]}, Vec2d{x[3], y[3]}};
 }
 
+bool is_in_degrees(const std::string& crs) {
+  const QuietGdal quiet;
+  return reference_from(crs).IsGeographic() != 0;
+}
+
 std::string wkt2_from(const std::string& crs) {
   const QuietGdal quiet;
   return wkt2_from(reference_from(crs));
