@@ -58,7 +58,9 @@ void verify(const std::string& folder, const Output& output) {
     text += fmt::format("{} {}\n", fault.file.string(), fault.what);
     list.push_back({{"file", fault.file.string()}, {"fault", fault.what}});
   }
-  const std::size_t looks = store.units().size();
+  const atlas::AtlasDescription& description = store.description();
+  const std::size_t looks =
+      description.patches.block_over(description.extent).size() * description.aspects.look_count();
   text += faults.empty()
               ? fmt::format("{} looks, all whole and as recorded", looks)
               : fmt::format(

@@ -8,7 +8,7 @@
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/atlas/obstacle_file.h"
 #include "sigmascape/atlas/pyramid.h"
-#include "sigmascape/atlas/stac.h"
+#include "sigmascape/atlas/stac_item.h"
 #include "sigmascape/atlas/texture_file.h"
 
 namespace sigmascape::atlas {
@@ -53,13 +53,17 @@ void count_pyramid(const Store& store, AtlasSummary& summary) {
 AtlasSummary summary_of(const Store& store) {
   const AtlasDescription& description = store.description();
   AtlasSummary summary;
-  summary.patches = description.patches.covering(description.extent).size();
+  const PatchBlock patches = description.patches.block_over(description.extent);
+  const std::size_t look_count = description.aspects.look_count();
+  summary.patches = patches.size();
+  summary.looks = patches.size() * look_count;
   summary.bytes = bytes_in(store.folder());
   std::vector<double> errors;
-  for (const Unit& unit : store.units()) {
-    ++summary.looks;
-    if (!store.is_done(unit.patch, unit.look)) continue;
-    const auto record = texture_record(store.folder(), store.texture_path(unit.patch, unit.look));
+  for (std::size_t number = 0; number < summary.looks; ++number) {
+    const PatchIndex patch = patches[number / look_count];
+    const auto look = static_cast<LookIndex>(number % look_count);
+    if (!store.is_done(patch, look)) continue;
+    const auto record = texture_record(store.folder(), store.texture_path(patch, look));
     if (!record) continue;
     ++summary.looks_done;
     summary.bytes_per_look += static_cast<double>(record->size_bytes);

@@ -32,9 +32,9 @@ radar::ObstacleMap load_obstacles(const Store& atlas) {
 
 }  // namespace
 
-bool keeps_ground_apart(const Store& store) {
-  const auto setting = store.description().settings.find(shadows_setting);
-  return setting != store.description().settings.end() && setting->second == shadows_at_run_time;
+bool keeps_ground_apart(const AtlasDescription& description) {
+  const auto setting = description.settings.find(shadows_setting);
+  return setting != description.settings.end() && setting->second == shadows_at_run_time;
 }
 
 Store create_ground_store(const Store& atlas, const std::vector<double>& elevations_rad) {

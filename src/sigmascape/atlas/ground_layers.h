@@ -20,7 +20,10 @@ struct GroundLayers {
 inline constexpr const char* shadows_setting = "shadows";
 inline constexpr const char* shadows_at_run_time = "run-time";
 
-[[nodiscard]] bool keeps_ground_apart(const Store& store);
+[[nodiscard]] bool keeps_ground_apart(const AtlasDescription& description);
+[[nodiscard]] inline bool keeps_ground_apart(const Store& store) {
+  return keeps_ground_apart(store.description());
+}
 
 /// The store, in the folder `ground` of an atlas, of the ground's own σ0: the same patches and frequencies, azimuth 0
 /// and these elevations. Made when it is not there.

@@ -12,7 +12,7 @@
 
 #include "sigmascape/atlas/half_texture.h"
 #include "sigmascape/atlas/pyramid_tiles.h"
-#include "sigmascape/atlas/stac.h"
+#include "sigmascape/atlas/stac_item.h"
 #include "sigmascape/atlas/store.h"
 #include "sigmascape/base/array2d.h"
 

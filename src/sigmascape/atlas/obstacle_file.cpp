@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "sigmascape/atlas/mip_chain.h"
-#include "sigmascape/atlas/stac.h"
+#include "sigmascape/atlas/stac_item.h"
 #include "sigmascape/atlas/texture_file.h"
 #include "sigmascape/base/error.h"
 
@@ -45,13 +45,11 @@ void write_levels(const Store& atlas, const PyramidTile& tile, const Array2D<rad
                   const std::string& made_from, float tallest_below_m) {
   const HalfTexture halves = encoded(mip_chain(finest, tile_side));
   const std::filesystem::path file = obstacles_path(tile);
-  const AtlasDescription& description = atlas.description();
-  write_texture(atlas.folder(), file, halves, obstacle_bands, texels_of(description.patches, tile), description,
-                [&](TextureRecord record) {
-                  record.made_from = made_from;
-                  record.tallest_m = std::max(tallest_below_m, tallest_m(halves));
-                  return obstacles_item_text(description, tile, file, record);
-                });
+  write_texture(atlas, tile, file, halves, obstacle_bands, [&](TextureRecord record) {
+    record.made_from = made_from;
+    record.tallest_m = std::max(tallest_below_m, tallest_m(halves));
+    return obstacles_item_text(atlas.description(), tile, file, record);
+  });
 }
 
 class ObstacleLayer final : public PyramidLayer {

@@ -21,15 +21,31 @@ PatchIndex PatchGrid::patch_at(Vec2d point_m) const {
   return {static_cast<int>(std::floor(point_m.x / side_m())), static_cast<int>(std::floor(point_m.y / side_m()))};
 }
 
-std::vector<PatchIndex> PatchGrid::covering(const radar::Rectangle& rectangle) const {
-  std::vector<PatchIndex> patches;
-  if (!(rectangle.width_m() > 0.0 && rectangle.height_m() > 0.0)) return patches;
-  const PatchIndex south_west = patch_at({rectangle.west_m, rectangle.south_m});
+std::size_t PatchBlock::columns() const {
+  const int columns = north_east.x - south_west.x + 1;
+  return static_cast<std::size_t>(columns);
+}
+
+std::size_t PatchBlock::rows() const {
+  const int rows = north_east.y - south_west.y + 1;
+  return static_cast<std::size_t>(rows);
+}
+
+PatchIndex PatchBlock::operator[](std::size_t number) const {
+  return {south_west.x + static_cast<int>(number % columns()), north_east.y - static_cast<int>(number / columns())};
+}
+
+PatchBlock PatchGrid::block_over(const radar::Rectangle& rectangle) const {
+  if (!(rectangle.width_m() > 0.0 && rectangle.height_m() > 0.0)) return {};
   const int columns_end = static_cast<int>(std::ceil(rectangle.east_m / side_m()));
   const int rows_end = static_cast<int>(std::ceil(rectangle.north_m / side_m()));
-  for (int y = rows_end - 1; y >= south_west.y; --y) {
-    for (int x = south_west.x; x < columns_end; ++x) patches.push_back({x, y});
-  }
+  return {patch_at({rectangle.west_m, rectangle.south_m}), {columns_end - 1, rows_end - 1}};
+}
+
+std::vector<PatchIndex> PatchGrid::covering(const radar::Rectangle& rectangle) const {
+  const PatchBlock block = block_over(rectangle);
+  std::vector<PatchIndex> patches(block.size());
+  for (std::size_t number = 0; number < patches.size(); ++number) patches[number] = block[number];
   return patches;
 }
 

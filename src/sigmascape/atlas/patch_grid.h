@@ -18,6 +18,18 @@ struct PatchIndex {
   friend constexpr bool operator==(const PatchIndex&, const PatchIndex&) = default;
 };
 
+/// The patches of a rectangle, by default of an empty one. Takes the same room however many they are.
+struct PatchBlock {
+  PatchIndex south_west;
+  PatchIndex north_east{-1, -1};  ///< the last one
+
+  [[nodiscard]] std::size_t columns() const;
+  [[nodiscard]] std::size_t rows() const;
+  [[nodiscard]] std::size_t size() const { return columns() * rows(); }
+  /// Row by row from the north-west.
+  [[nodiscard]] PatchIndex operator[](std::size_t number) const;
+};
+
 /// Side of the smallest level that is stored, and of the tiles of the files, in texels.
 inline constexpr std::size_t tile_side = 256;
 
@@ -35,7 +47,9 @@ struct PatchGrid {
   /// The texels of a patch at level 0.
   [[nodiscard]] radar::GroundGrid texels_of(PatchIndex patch) const;
   [[nodiscard]] PatchIndex patch_at(Vec2d point_m) const;
-  /// The patches that share area with the rectangle, row by row from the north-west; none when it has no area.
+  /// The patches that share area with the rectangle; none when it has no area.
+  [[nodiscard]] PatchBlock block_over(const radar::Rectangle& rectangle) const;
+  /// The same one by one, row by row from the north-west.
   [[nodiscard]] std::vector<PatchIndex> covering(const radar::Rectangle& rectangle) const;
 };
 

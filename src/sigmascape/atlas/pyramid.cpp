@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "sigmascape/atlas/mip_chain.h"
-#include "sigmascape/atlas/stac.h"
+#include "sigmascape/atlas/stac_item.h"
 #include "sigmascape/atlas/texture_file.h"
 
 namespace sigmascape::atlas {
@@ -34,8 +34,8 @@ class Sigma0Layer final : public PyramidLayer {
   void write(const PyramidTile& tile, const PyramidQuarters& quarters, const std::string& made_from) const override {
     const Array2D<radar::Channels> texels = area_mean(joined(quarters, decoded));
     const std::filesystem::path file = file_of(tile);
-    write_texture(store_.folder(), file, encoded(MipChain{texels}, fitting_scale(texels), pyramid_bits), sigma0_bands,
-                  texels_of(store_.description().patches, tile), store_.description(), [&](TextureRecord record) {
+    write_texture(store_, tile, file, encoded(MipChain{texels}, fitting_scale(texels), pyramid_bits), sigma0_bands,
+                  [&](TextureRecord record) {
                     record.made_from = made_from;
                     return pyramid_item_text(store_.description(), tile, look_, file, record);
                   });
@@ -71,8 +71,12 @@ std::size_t Pyramid::make_above(const std::vector<Unit>& units, Scrutiny scrutin
   std::map<LookIndex, std::vector<PatchIndex>> patches;
   for (const Unit& unit : units) patches[unit.look].push_back(unit.patch);
   std::size_t written = 0;
-  for (const auto& [look, of_look] : patches) written += of(look).make_above(of_look, scrutiny);
+  for (const auto& [look, of_look] : patches) written += make_above(of_look, look, scrutiny);
   return written;
+}
+
+std::size_t Pyramid::make_above(const std::vector<PatchIndex>& patches, LookIndex look, Scrutiny scrutiny) const {
+  return of(look).make_above(patches, scrutiny);
 }
 
 HalfTexture Pyramid::read_halves(const PyramidTile& tile, LookIndex look) const {

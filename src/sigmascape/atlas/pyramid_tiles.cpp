@@ -38,9 +38,9 @@ radar::GroundGrid texels_of(const PatchGrid& patches, const PyramidTile& tile) {
 }
 
 PyramidTiles::PyramidTiles(const PatchGrid& patches, const radar::Rectangle& extent) : patches_(patches) {
-  const auto covering = patches.covering(extent);
-  first_ = {covering.front().x, covering.back().y};
-  last_ = {covering.back().x, covering.front().y};
+  const PatchBlock block = patches.block_over(extent);
+  first_ = block.south_west;
+  last_ = block.north_east;
   while (levels_ < highest_level && (can_shrink(first_.x, last_.x, levels_) || can_shrink(first_.y, last_.y, levels_)))
     ++levels_;
 }
@@ -56,6 +56,11 @@ std::vector<PyramidTile> PyramidTiles::tiles(std::size_t level) const {
 
 PyramidTile PyramidTiles::tile_over(PatchIndex patch, std::size_t level) const {
   return {level, {aligned(patch.x, level), aligned(patch.y, level)}};
+}
+
+std::optional<PyramidTile> PyramidTiles::parent_of(const PyramidTile& tile) const {
+  if (tile.level >= levels_) return std::nullopt;
+  return tile_over(tile.south_west, tile.level + 1);
 }
 
 bool PyramidTiles::has(const PyramidTile& tile) const {

@@ -36,6 +36,8 @@ class PyramidTiles {
   /// Places of one level, 0 to levels(), row by row from the north-west.
   [[nodiscard]] std::vector<PyramidTile> tiles(std::size_t level) const;
   [[nodiscard]] PyramidTile tile_over(PatchIndex patch, std::size_t level) const;
+  /// The one that covers it one level above; nothing of those of the coarsest level.
+  [[nodiscard]] std::optional<PyramidTile> parent_of(const PyramidTile& tile) const;
   /// Whether a patch of the area lies under it.
   [[nodiscard]] bool has(const PyramidTile& tile) const;
   /// The four one level below a place of level 1 or up: north-west, north-east, south-west, south-east, as far as there

@@ -10,7 +10,9 @@
 #include "sigmascape/atlas/error_texture.h"
 #include "sigmascape/atlas/half_texture.h"
 #include "sigmascape/atlas/pyramid.h"
-#include "sigmascape/atlas/stac.h"
+#include "sigmascape/atlas/stac_catalog.h"
+#include "sigmascape/atlas/stac_description.h"
+#include "sigmascape/atlas/stac_item.h"
 #include "sigmascape/atlas/texture_file.h"
 #include "sigmascape/atlas/texture_name.h"
 #include "sigmascape/base/error.h"
@@ -19,8 +21,6 @@
 
 namespace sigmascape::atlas {
 namespace {
-
-constexpr std::string_view collection_name = "collection.json";
 
 /// Two looks that the names of files cannot tell apart would overwrite each other.
 void check_names(const AspectGrid& aspects) {
@@ -141,7 +141,7 @@ void Store::write(PatchIndex patch, LookIndex look, const Array2D<radar::Channel
   const std::string errors =
       relative_errors.empty() ? "" : errors_bytes(relative_errors, texels, grid, description_, folder_ / texture);
   write_texture(
-      folder_, texture, halves, sigma0_bands, grid, description_,
+      *this, {0, patch}, texture, halves, sigma0_bands,
       [&](const TextureRecord& record) {
         return item_text(description_, {patch, look}, texture, record, facts);
       },
@@ -184,9 +184,12 @@ HalfTexture Store::read_halves(std::size_t level, PatchIndex patch, LookIndex lo
 
 std::vector<StoreFault> Store::verify(Scrutiny scrutiny) const {
   std::vector<StoreFault> faults;
-  for (const Unit& unit : units()) {
-    if (auto fault = texture_fault(folder_, texture_path(unit.patch, unit.look), scrutiny))
-      faults.push_back(std::move(*fault));
+  const PatchBlock patches = description_.patches.block_over(description_.extent);
+  for (std::size_t number = 0; number < patches.size(); ++number) {
+    for (LookIndex look = 0; look < description_.aspects.look_count(); ++look) {
+      if (auto fault = texture_fault(folder_, texture_path(patches[number], look), scrutiny))
+        faults.push_back(std::move(*fault));
+    }
   }
   return faults;
 }

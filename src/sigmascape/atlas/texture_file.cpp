@@ -7,6 +7,7 @@
 #include <system_error>
 #include <utility>
 
+#include "sigmascape/atlas/catalogs.h"
 #include "sigmascape/atlas/error_texture.h"
 #include "sigmascape/atlas/half_cog.h"
 #include "sigmascape/base/error.h"
@@ -108,13 +109,16 @@ std::optional<TextureRecord> texture_record(const std::filesystem::path& folder,
   return text ? record_from(*text) : std::nullopt;
 }
 
-void write_texture(const std::filesystem::path& folder, const std::filesystem::path& texture, const HalfTexture& halves,
-                   const BandNames& bands, const radar::GroundGrid& grid, const AtlasDescription& description,
+void write_texture(const Store& store, const PyramidTile& tile, const std::filesystem::path& texture,
+                   const HalfTexture& halves, const BandNames& bands,
                    const std::function<std::string(const TextureRecord&)>& item_for, const std::string& errors) {
-  const std::string bytes = texture_bytes(halves, bands, grid, description);
+  const std::filesystem::path& folder = store.folder();
+  const AtlasDescription& description = store.description();
+  const std::string bytes = texture_bytes(halves, bands, texels_of(description.patches, tile), description);
   TextureRecord record{bytes.size(), sha256_of(bytes), halves.scale};
   if (!errors.empty()) record.errors = {errors.size(), sha256_of(errors)};
 
+  make_catalogs_over(folder, description, tile);
   // An item of an earlier texture must not vouch for the new one, not even for the moment between two renames.
   std::error_code ignored;
   std::filesystem::remove(folder / item_path(texture), ignored);

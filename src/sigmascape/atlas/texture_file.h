@@ -6,7 +6,8 @@
 #include <string>
 
 #include "sigmascape/atlas/half_texture.h"
-#include "sigmascape/atlas/stac.h"
+#include "sigmascape/atlas/pyramid_tiles.h"
+#include "sigmascape/atlas/stac_item.h"
 #include "sigmascape/atlas/store.h"
 #include "sigmascape/radar/ground_grid.h"
 
@@ -41,10 +42,10 @@ inline constexpr const char* bake_again =
 [[nodiscard]] std::string texture_bytes(const HalfTexture& halves, const BandNames& bands,
                                         const radar::GroundGrid& grid, const AtlasDescription& description);
 
-/// Writes a texture whose level 0 lies on `grid`, its standard errors beside it (as GeoTIFF; none when empty), then the
-/// item that `item_for` makes of their record.
-void write_texture(const std::filesystem::path& folder, const std::filesystem::path& texture, const HalfTexture& halves,
-                   const BandNames& bands, const radar::GroundGrid& grid, const AtlasDescription& description,
+/// Writes a texture of a patch (level 0) or of a place above, its standard errors beside it (as GeoTIFF; none when
+/// empty), then the item that `item_for` makes of their record; before all of them the catalogs that lead to it.
+void write_texture(const Store& store, const PyramidTile& tile, const std::filesystem::path& texture,
+                   const HalfTexture& halves, const BandNames& bands,
                    const std::function<std::string(const TextureRecord&)>& item_for, const std::string& errors = {});
 
 /// Reads a texture of so many levels, the first of so many texels a side. Throws Error when it is not there or not as

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <iterator>
 
+#include "sigmascape/atlas/catalogs.h"
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/atlas/obstacle_file.h"
 #include "sigmascape/atlas/pyramid.h"
@@ -13,7 +14,8 @@ namespace sigmascape::atlas {
 namespace {
 
 std::vector<StoreFault> faults_of_textures(const Store& store, Scrutiny scrutiny) {
-  std::vector<StoreFault> faults = store.verify(scrutiny);
+  std::vector<StoreFault> faults = catalog_faults(store, scrutiny);
+  std::ranges::move(store.verify(scrutiny), std::back_inserter(faults));
   std::ranges::move(Pyramid(store).verify(scrutiny), std::back_inserter(faults));
   return faults;
 }

@@ -6,8 +6,8 @@
 
 namespace sigmascape::atlas {
 
-/// Everything that is missing of an atlas or not as recorded: textures, the pyramid above them, and where the ground is
-/// kept apart its textures and the obstacles of all levels. Files are relative to the atlas.
+/// Everything that is missing of an atlas or not as recorded: catalogs, textures, the pyramid above them, and where the
+/// ground is kept apart its textures and the obstacles of all levels. Files are relative to the atlas.
 [[nodiscard]] std::vector<StoreFault> verify(const Store& atlas, Scrutiny scrutiny = Scrutiny::Content);
 
 }  // namespace sigmascape::atlas

@@ -8,7 +8,7 @@
 #include <set>
 #include <utility>
 
-#include "sigmascape/atlas/stac.h"
+#include "sigmascape/atlas/stac_item.h"
 #include "sigmascape/atlas/store.h"
 
 namespace sigmascape::atlas {

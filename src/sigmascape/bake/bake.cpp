@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "sigmascape/atlas/catalogs.h"
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/atlas/pyramid.h"
 #include "sigmascape/bake/claims.h"
@@ -79,7 +80,8 @@ class BakeRun {
       if (!bake_job(job, Claims::Wait::No)) held_by_others.push_back(job);
     }
     for (const OpenJob& job : held_by_others) bake_job(job, Claims::Wait::UntilFree);
-    report_.pyramid = atlas::Pyramid(store_).make_above(units_of_share(), share_.scrutiny);
+    make_levels_above();
+    atlas::mend_catalogs(store_, share_.scrutiny, [this](std::size_t number) { return share_.shard.has(number); });
     report_.relative_standard_error = mean_error();
     return report_;
   }
@@ -163,14 +165,17 @@ class BakeRun {
     progress_.advanced("bake", static_cast<double>(done_), static_cast<double>(report_.looks), "looks");
   }
 
-  [[nodiscard]] std::vector<atlas::Unit> units_of_share() const {
-    std::vector<atlas::Unit> units;
-    for (std::size_t number = 0; number < jobs_.size(); ++number) {
-      if (!share_.shard.has(number)) continue;
-      const Job job = jobs_[number];
-      for (const atlas::LookIndex look : job.looks) units.push_back({job.patch, look});
+  void make_levels_above() {
+    const atlas::Pyramid pyramid(store_);
+    for (std::size_t aspect = 0; aspect < jobs_.aspects(); ++aspect) {
+      std::vector<atlas::PatchIndex> patches;
+      for (std::size_t number = aspect; number < jobs_.size(); number += jobs_.aspects()) {
+        if (share_.shard.has(number)) patches.push_back(jobs_[number].patch);
+      }
+      for (const atlas::LookIndex look : jobs_[aspect].looks) {
+        report_.pyramid += pyramid.make_above(patches, look, share_.scrutiny);
+      }
     }
-    return units;
   }
 
   [[nodiscard]] double mean_error() const {

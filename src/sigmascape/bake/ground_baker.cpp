@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "sigmascape/atlas/catalogs.h"
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/atlas/obstacle_file.h"
 #include "sigmascape/atlas/pyramid.h"
@@ -68,11 +69,11 @@ Array2D<radar::Channels> mixed(const std::vector<std::vector<float>>& shares,
   return mixture;
 }
 
-/// What killed processes left of a patch's ground and obstacles.
+/// What killed processes left of a patch's ground and obstacles. Another may be writing a catalog there.
 void remove_leftovers(const atlas::Store& store, const atlas::Store& ground, const atlas::PatchIndex& patch) {
   const std::string name = atlas::patch_name(patch);
   geo::remove_leftovers(store.folder() / name, "obstacles");
-  geo::remove_leftovers(ground.folder() / name, "");
+  geo::remove_leftovers(ground.folder() / name, "az");
 }
 
 }  // namespace
@@ -85,9 +86,8 @@ void bake_ground(const scene::Scene& scene, const atlas::Store& store, const Sha
 
   const Claims claims(store.folder());
   const std::size_t first_claim = JobList(store.description()).size();
-  std::vector<atlas::Unit> share;
   std::vector<atlas::PatchIndex> patches_of_share;
-  const std::vector<atlas::PatchIndex> patches = description.patches.covering(description.extent);
+  const atlas::PatchBlock patches = description.patches.block_over(description.extent);
   for (std::size_t number = 0; number < patches.size(); ++number) {
     if (!shard.has(number)) continue;
     const atlas::PatchIndex patch = patches[number];
@@ -100,7 +100,6 @@ void bake_ground(const scene::Scene& scene, const atlas::Store& store, const Sha
     }
     std::vector<std::vector<float>> shares;
     for (atlas::LookIndex index = 0; index < looks; ++index) {
-      share.push_back({patch, index});
       if (ground.is_done(patch, index, scrutiny)) continue;
       if (sigma0[index].empty()) sigma0[index] = sigma0_of(scene, description, index);
       if (shares.empty()) shares = shares_of(scene.ground, scene.materials.size(), texels);
@@ -108,8 +107,10 @@ void bake_ground(const scene::Scene& scene, const atlas::Store& store, const Sha
                    {.seed = 0, .samples_per_texel = 0, .relative_standard_error = 0.0, .simd = "none", .counts = {}});
     }
   }
-  atlas::Pyramid(ground).make_above(share, scrutiny);
+  const atlas::Pyramid pyramid(ground);
+  for (atlas::LookIndex index = 0; index < looks; ++index) pyramid.make_above(patches_of_share, index, scrutiny);
   atlas::obstacle_pyramid(store).make_above(patches_of_share, scrutiny);
+  atlas::mend_catalogs(ground, scrutiny, [&shard](std::size_t number) { return shard.has(number); });
 }
 
 }  // namespace sigmascape::bake

@@ -3,7 +3,7 @@
 namespace sigmascape::bake {
 
 JobList::JobList(const atlas::AtlasDescription& atlas)
-    : axes_(atlas.aspects), patches_(atlas.patches.covering(atlas.extent)) {}
+    : axes_(atlas.aspects), patches_(atlas.patches.block_over(atlas.extent)) {}
 
 Job JobList::operator[](std::size_t number) const {
   const std::size_t within = number % aspects();

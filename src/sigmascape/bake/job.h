@@ -23,13 +23,13 @@ class JobList {
 
   [[nodiscard]] std::size_t size() const { return patches_.size() * aspects(); }
   [[nodiscard]] std::size_t looks_per_job() const { return axes_.frequencies_hz.size(); }
+  /// Jobs of one patch: jobs with equal remainders on division by it are of one aspect.
+  [[nodiscard]] std::size_t aspects() const { return axes_.azimuths_rad.size() * axes_.elevations_rad.size(); }
   [[nodiscard]] Job operator[](std::size_t number) const;
 
  private:
-  [[nodiscard]] std::size_t aspects() const { return axes_.azimuths_rad.size() * axes_.elevations_rad.size(); }
-
   atlas::AspectGrid axes_;
-  std::vector<atlas::PatchIndex> patches_;
+  atlas::PatchBlock patches_;
 };
 
 }  // namespace sigmascape::bake

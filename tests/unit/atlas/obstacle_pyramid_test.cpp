@@ -10,7 +10,7 @@
 #include "example_obstacles.h"
 #include "scratch_folder.h"
 
-#include "sigmascape/atlas/stac.h"
+#include "sigmascape/atlas/stac_item.h"
 #include "sigmascape/atlas/texture_file.h"
 #include "sigmascape/atlas/verify.h"
 #include "sigmascape/base/error.h"

@@ -42,6 +42,16 @@ TEST(PatchGrid, PatchesCoverARectangleRowByRowFromTheNorthWest) {
   EXPECT_EQ(patches, expected);
 }
 
+TEST(PatchGrid, ABlockHoldsThePatchesOfARectangleInTheSameOrder) {
+  const PatchGrid grid{1.0, 256};
+  const PatchBlock block = grid.block_over({-10.0, -300.0, 300.0, 100.0});
+  EXPECT_EQ(block.columns(), 3U);
+  EXPECT_EQ(block.rows(), 3U);
+  EXPECT_EQ(block[0], (PatchIndex{-1, 0}));
+  EXPECT_EQ(block[5], (PatchIndex{1, -1}));
+  EXPECT_EQ(grid.block_over({5.0, 5.0, 5.0, 9.0}).size(), 0U);
+}
+
 TEST(PatchGrid, ARectangleOfWholePatchesNeedsNoMore) {
   const PatchGrid grid{1.0, 256};
   EXPECT_EQ(grid.covering({-256.0, 0.0, 256.0, 256.0}).size(), 2U);

@@ -229,7 +229,7 @@ TEST_F(StoreTest, EqualBakesGiveEqualBytes) {
     EXPECT_EQ(bytes_of(entry.path()), bytes_of(folder_ / "two" / relative)) << relative;
     ++files;
   }
-  EXPECT_EQ(files, 1U + 2U * one.units().size()) << "nothing but the collection, textures and items may be there";
+  EXPECT_EQ(files, 1U + 2U + 2U * one.units().size()) << "nothing but collection, catalogs, textures and items";
 }
 
 TEST_F(StoreTest, WhatIsWrongIsFoundAndNamed) {

@@ -1,138 +1,22 @@
-#include "sigmascape/atlas/stac.h"
+#include "sigmascape/atlas/stac_item.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 #include <string_view>
-#include <vector>
 
 #include "sigmascape/atlas/error_texture.h"
+#include "sigmascape/atlas/stac_catalog.h"
+#include "sigmascape/atlas/stac_document.h"
 #include "sigmascape/atlas/texture_name.h"
-#include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/geo/geotiff.h"
 
 namespace sigmascape::atlas {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-constexpr int format_version = 1;
-constexpr const char* stac_version = "1.0.0";
-/// STAC wants a time for everything. A bake has none, and a clock in it would make equal bakes differ.
-constexpr const char* no_time = "1970-01-01T00:00:00Z";
-
 double rounded(double value, double step) {
   return std::round(value / step) * step;
-}
-
-/// Degrees as a person would have typed them, so that radians → degrees → radians comes back to the same number.
-double tidy_deg(double angle_rad) {
-  return std::round(deg_from_radians(angle_rad) * 1e9) / 1e9;
-}
-
-std::vector<double> degrees(const std::vector<double>& angles_rad) {
-  std::vector<double> angles_deg(angles_rad.size());
-  std::ranges::transform(angles_rad, angles_deg.begin(), tidy_deg);
-  return angles_deg;
-}
-
-std::vector<double> radians(const std::vector<double>& angles_deg) {
-  std::vector<double> angles_rad(angles_deg.size());
-  std::ranges::transform(angles_deg, angles_rad.begin(), radians_from_deg);
-  return angles_rad;
-}
-
-/// Text that is not UTF-8 (an old attribution, say) gets replacement characters rather than an exception.
-std::string written(const Json& json, int indent) {
-  return json.dump(indent, ' ', false, Json::error_handler_t::replace);
-}
-
-Json described(const AtlasDescription& description) {
-  const radar::Rectangle& extent = description.extent;
-  return {
-      {"format_version", format_version},
-      {"frame_latitude_deg", description.frame.latitude_deg()},
-      {"frame_longitude_deg", description.frame.longitude_deg()},
-      {"frame", description.frame.proj()},
-      {"extent_m", {extent.west_m, extent.south_m, extent.east_m, extent.north_m}},
-      {"texel_m", description.patches.texel_m},
-      {"texels_per_side", description.patches.texels_per_side},
-      {"azimuths_deg", degrees(description.aspects.azimuths_rad)},
-      {"elevations_deg", degrees(description.aspects.elevations_rad)},
-      {"frequencies_hz", description.aspects.frequencies_hz},
-      {"scene_hash", description.scene_hash},
-      {"settings", Json(description.settings)},
-      {"mantissa_bits", description.mantissa_bits},
-      {"attribution", description.attribution},
-  };
-}
-
-AtlasDescription undescribed(const std::string& name, const Json& json) {
-  AtlasDescription description;
-  description.name = name;
-  description.frame = {json.at("frame_latitude_deg").get<double>(), json.at("frame_longitude_deg").get<double>()};
-  const auto extent = json.at("extent_m").get<std::array<double, 4>>();
-  description.extent = {extent[0], extent[1], extent[2], extent[3]};
-  description.patches = {json.at("texel_m").get<double>(), json.at("texels_per_side").get<std::size_t>()};
-  description.aspects.azimuths_rad = radians(json.at("azimuths_deg").get<std::vector<double>>());
-  description.aspects.elevations_rad = radians(json.at("elevations_deg").get<std::vector<double>>());
-  description.aspects.frequencies_hz = json.at("frequencies_hz").get<std::vector<double>>();
-  description.scene_hash = json.at("scene_hash").get<std::string>();
-  description.settings = json.at("settings").get<std::map<std::string, std::string>>();
-  description.mantissa_bits = json.at("mantissa_bits").get<int>();
-  description.attribution = json.at("attribution").get<std::string>();
-  return description;
-}
-
-/// The first difference between two objects, looked for inside nested ones too.
-std::optional<std::string> first_difference(const Json& there, const Json& here, const std::string& prefix) {
-  for (const auto& [key, value] : there.items()) {
-    const std::string name = prefix + key;
-    if (!here.contains(key)) return fmt::format("{} is {} there and not given here", name, value.dump());
-    const Json& other = here.at(key);
-    if (value == other) continue;
-    if (value.is_object() && other.is_object()) return first_difference(value, other, name + ".");
-    return fmt::format("{} is {} there and {} here", name, value.dump(), other.dump());
-  }
-  for (const auto& [key, value] : here.items()) {
-    if (!there.contains(key)) return fmt::format("{}{} is not given there and {} here", prefix, key, value.dump());
-  }
-  return std::nullopt;
-}
-
-/// A ring of longitudes and latitudes. Nine decimals of a degree are a tenth of a millimetre.
-struct Footprint {
-  Json polygon, box;
-
-  Footprint(const AtlasDescription& description, const radar::GroundGrid& grid) {
-    const auto corners = geo::geographic_corners({grid.west_m, grid.north_m, grid.cell_m, description.frame.proj()},
-                                                 grid.columns, grid.rows);
-    double west = corners[0].x, south = corners[0].y, east = west, north = south;
-    Json ring = Json::array();
-    for (const std::size_t i : {0U, 1U, 2U, 3U, 0U}) {
-      const double longitude = std::round(corners[i].x * 1e9) / 1e9;
-      const double latitude = std::round(corners[i].y * 1e9) / 1e9;
-      ring.push_back({longitude, latitude});
-      west = std::min(west, longitude);
-      east = std::max(east, longitude);
-      south = std::min(south, latitude);
-      north = std::max(north, latitude);
-    }
-    polygon = {{"type", "Polygon"}, {"coordinates", Json::array({ring})}};
-    box = {west, south, east, north};
-  }
-};
-
-/// All patches as one grid of texels.
-radar::GroundGrid whole_grid(const AtlasDescription& description) {
-  const auto patches = description.patches.covering(description.extent);
-  const radar::GroundGrid first = description.patches.texels_of(patches.front());
-  const auto columns = static_cast<std::size_t>(patches.back().x - patches.front().x + 1) * first.columns;
-  const auto rows = static_cast<std::size_t>(patches.front().y - patches.back().y + 1) * first.rows;
-  return {first.west_m, first.north_m, first.cell_m, columns, rows};
 }
 
 /// Letters of IEEE 521 that the SAR extension of STAC knows; empty elsewhere.
@@ -153,10 +37,6 @@ std::string_view band_letter(double frequency_hz) {
     if (frequency_hz >= band.from_hz && frequency_hz < band.to_hz) return band.letter;
   }
   return {};
-}
-
-Json link(const char* relation, const std::string& target) {
-  return {{"rel", relation}, {"href", target}, {"type", "application/json"}};
 }
 
 Json look_properties(double texel_m, const radar::Look& look) {
@@ -274,9 +154,11 @@ Json file_properties(const AtlasDescription& description, const TextureRecord& r
   return properties;
 }
 
-std::string item_of(const std::string& id, const AtlasDescription& description, const radar::GroundGrid& grid,
-                    const Json& extensions, const Json& properties, const Json& assets, const std::string& collection) {
-  const Footprint footprint(description, grid);
+/// The item of a place's file, to stand in its folder.
+std::string item_of(const std::string& id, const AtlasDescription& description, const PyramidTile& tile,
+                    const Json& extensions, const Json& properties, const Json& assets) {
+  const Footprint footprint(description, texels_of(description.patches, tile));
+  const std::string collection = href_from(tile, collection_name);
   const Json item = {
       {"type", "Feature"},
       {"stac_version", stac_version},
@@ -287,65 +169,13 @@ std::string item_of(const std::string& id, const AtlasDescription& description, 
       {"bbox", footprint.box},
       {"properties", properties},
       {"assets", assets},
-      {"links", Json::array({link("root", collection), link("parent", collection), link("collection", collection)})},
+      {"links", Json::array({link("root", collection), link("parent", fmt::format("./{}", catalog_name)),
+                             link("collection", collection)})},
   };
   return written(item, 2) + "\n";
 }
 
 }  // namespace
-
-std::string collection_text(const AtlasDescription& description) {
-  const Footprint footprint(description, whole_grid(description));
-  Json links = Json::array({link("root", "./collection.json")});
-  const auto look_count = static_cast<LookIndex>(description.aspects.look_count());
-  for (const PatchIndex& patch : description.patches.covering(description.extent)) {
-    for (LookIndex look = 0; look < look_count; ++look) {
-      links.push_back(
-          link("item", fmt::format("./{}/{}.json", patch_name(patch), look_name(description.aspects.look(look)))));
-    }
-  }
-  const Json collection = {
-      {"type", "Collection"},
-      {"stac_version", stac_version},
-      {"stac_extensions", Json::array()},
-      {"id", description.name},
-      {"description",
-       "Baked radar area reflectivity (sigma0, linear, per horizontal area) by patch and look. "
-       "The dates are not times: bakes carry no clock."},
-      {"license", "various"},
-      {"extent",
-       {{"spatial", {{"bbox", Json::array({footprint.box})}}},
-        {"temporal", {{"interval", Json::array({{no_time, no_time}})}}}}},
-      {"sigmascape:atlas", described(description)},
-      {"links", links},
-  };
-  return written(collection, 2) + "\n";
-}
-
-AtlasDescription description_from(const std::string& text, const std::filesystem::path& file) {
-  try {
-    const Json collection = Json::parse(text);
-    const Json& atlas = collection.at("sigmascape:atlas");
-    const int version = atlas.at("format_version").get<int>();
-    if (version != format_version) {
-      throw Error(file.string() + ", sigmascape:atlas.format_version", fmt::format("is {}", version),
-                  fmt::format("this version of the library reads {}: bake again, or use the version that wrote it",
-                              format_version));
-    }
-    return undescribed(collection.at("id").get<std::string>(), atlas);
-  } catch (const Json::exception& exception) {
-    throw Error(file.string(), fmt::format("is not the collection of a Sigmascape atlas ({})", exception.what()),
-                "choose the folder of an atlas, or an empty one to bake into");
-  }
-}
-
-std::optional<std::string> difference(const AtlasDescription& there, const AtlasDescription& here) {
-  // Both as they would stand in a file, since only that can be compared with what was read from one.
-  const auto as_read = [](const AtlasDescription& description) {
-    return Json::parse(written(described(description), -1));
-  };
-  return first_difference(as_read(there), as_read(here), "");
-}
 
 std::string item_text(const AtlasDescription& description, const Unit& unit, const std::filesystem::path& texture_file,
                       const TextureRecord& record, const BakeFacts& facts) {
@@ -372,8 +202,8 @@ std::string item_text(const AtlasDescription& description, const Unit& unit, con
     properties["sigmascape:errors_sha256"] = record.errors->sha256;
     assets["errors"] = errors_asset(texture_file, *record.errors);
   }
-  return item_of(patch_name(unit.patch) + "_" + look_name(look), description, grid, extensions(look), properties,
-                 assets, "../collection.json");
+  return item_of(patch_name(unit.patch) + "_" + look_name(look), description, {0, unit.patch}, extensions(look),
+                 properties, assets);
 }
 
 std::string pyramid_item_text(const AtlasDescription& description, const PyramidTile& tile, LookIndex look_index,
@@ -383,19 +213,17 @@ std::string pyramid_item_text(const AtlasDescription& description, const Pyramid
   Json properties = common_properties(description, grid, look);
   properties.update(pyramid_properties(tile));
   properties.update(file_properties(description, record));
-  const std::string id = fmt::format("pyramid_{}_{}_{}", tile.level, patch_name(tile.south_west), look_name(look));
-  return item_of(id, description, grid, extensions(look), properties,
-                 {{"sigma0", sigma0_asset(grid.cell_m, texture_file, record)}}, "../../collection.json");
+  return item_of(place_name(tile) + "_" + look_name(look), description, tile, extensions(look), properties,
+                 {{"sigma0", sigma0_asset(grid.cell_m, texture_file, record)}});
 }
 
 std::string obstacles_item_text(const AtlasDescription& description, const PyramidTile& tile,
                                 const std::filesystem::path& file, const TextureRecord& record) {
-  const bool is_patch = tile.level == 0;
   const radar::GroundGrid grid = texels_of(description.patches, tile);
   Json properties = timeless();
   properties.update(place_properties(description, grid));
   properties["gsd"] = grid.cell_m;
-  if (is_patch) {
+  if (tile.level == 0) {
     properties["sigmascape:patch"] = {tile.south_west.x, tile.south_west.y};
   } else {
     properties.update(pyramid_properties(tile));
@@ -407,9 +235,7 @@ std::string obstacles_item_text(const AtlasDescription& description, const Pyram
                                    record);
   Json extensions = place_extensions();
   extensions.push_back(raster_extension);
-  const std::string id = (is_patch ? "" : fmt::format("pyramid_{}_", tile.level)) + patch_name(tile.south_west);
-  return item_of(id + "_obstacles", description, grid, extensions, properties, {{"obstacles", asset}},
-                 is_patch ? "../collection.json" : "../../collection.json");
+  return item_of(place_name(tile) + "_obstacles", description, tile, extensions, properties, {{"obstacles", asset}});
 }
 
 std::optional<TextureRecord> record_from(const std::string& text) {

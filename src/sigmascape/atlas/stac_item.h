@@ -10,9 +10,8 @@
 
 namespace sigmascape::atlas {
 
-/// The JSON side of the store: SpatioTemporal Asset Catalog (STAC 1.0.0) documents, which browsers of satellite images
-/// read, and in them, under "sigmascape:", what this library needs back. Equal input gives equal text; no clock goes
-/// in.
+/// The items of a store: STAC documents that stand beside its files and say of each where it lies, what went into it,
+/// and what its content must be.
 
 /// What an item records of the file of standard errors beside its texture.
 struct ErrorsRecord {
@@ -32,15 +31,6 @@ struct TextureRecord {
   /// no coarser levels, have an item without it.
   std::optional<float> tallest_m = {};
 };
-
-/// The collection.json of an atlas.
-[[nodiscard]] std::string collection_text(const AtlasDescription& description);
-
-/// What collection_text was made from. Throws Error, naming `file`, when it is not a collection of ours.
-[[nodiscard]] AtlasDescription description_from(const std::string& text, const std::filesystem::path& file);
-
-/// The first thing in which two descriptions differ, "texel_m is 1.0 there and 2.0 here", if any. The name may differ.
-[[nodiscard]] std::optional<std::string> difference(const AtlasDescription& there, const AtlasDescription& here);
 
 /// The item of one texture, to stand beside `texture_file`.
 [[nodiscard]] std::string item_text(const AtlasDescription& description, const Unit& unit,

@@ -1,0 +1,96 @@
+#include "sigmascape/atlas/stac_catalog.h"
+
+#include <fmt/format.h>
+
+#include "sigmascape/atlas/ground_layers.h"
+#include "sigmascape/atlas/obstacle_file.h"
+#include "sigmascape/atlas/stac_description.h"
+#include "sigmascape/atlas/stac_document.h"
+#include "sigmascape/atlas/texture_file.h"
+#include "sigmascape/atlas/texture_name.h"
+
+namespace sigmascape::atlas {
+namespace {
+
+/// All patches as one grid of texels.
+radar::GroundGrid whole_grid(const AtlasDescription& description) {
+  const PatchBlock block = description.patches.block_over(description.extent);
+  radar::GroundGrid grid = description.patches.texels_of(block[0]);
+  grid.columns *= block.columns();
+  grid.rows *= block.rows();
+  return grid;
+}
+
+/// What stands in the folder of every place, "az045.0_el13.0_f10.000GHz.json".
+Json item_links(const AtlasDescription& description, const PyramidTile& tile) {
+  Json links = Json::array();
+  const auto look_count = static_cast<LookIndex>(description.aspects.look_count());
+  for (LookIndex look = 0; look < look_count; ++look) {
+    links.push_back(link("item", fmt::format("./{}.json", look_name(description.aspects.look(look)))));
+  }
+  if (keeps_ground_apart(description)) {
+    links.push_back(link("item", "./" + item_path(obstacles_path(tile)).filename().string()));
+  }
+  return links;
+}
+
+std::string description_of(const PyramidTile& tile) {
+  const auto [x, y] = tile.south_west;
+  if (tile.level == 0) return fmt::format("Baked radar area reflectivity of patch ({}, {}), by look.", x, y);
+  return fmt::format(
+      "Baked radar area reflectivity of {0} x {0} patches, the south-western one ({1}, {2}), by look; under it the "
+      "finer levels.",
+      1 << tile.level, x, y);
+}
+
+}  // namespace
+
+std::filesystem::path catalog_path(const PyramidTile& tile) {
+  return folder_of(tile) / catalog_name;
+}
+
+std::string collection_text(const AtlasDescription& description) {
+  const Footprint footprint(description, whole_grid(description));
+  Json links = Json::array({link("root", fmt::format("./{}", collection_name))});
+  const PyramidTiles places(description.patches, description.extent);
+  for (const PyramidTile& tile : places.tiles(places.levels())) {
+    links.push_back(link("child", "./" + catalog_path(tile).generic_string()));
+  }
+  const Json collection = {
+      {"type", "Collection"},
+      {"stac_version", stac_version},
+      {"stac_extensions", Json::array()},
+      {"id", description.name},
+      {"description",
+       "Baked radar area reflectivity (sigma0, linear, per horizontal area) by patch and look. "
+       "The dates are not times: bakes carry no clock."},
+      {"license", "various"},
+      {"extent",
+       {{"spatial", {{"bbox", Json::array({footprint.box})}}},
+        {"temporal", {{"interval", Json::array({{no_time, no_time}})}}}}},
+      {"sigmascape:atlas", described(description)},
+      {"links", links},
+  };
+  return written(collection, 2) + "\n";
+}
+
+std::string catalog_text(const AtlasDescription& description, const PyramidTile& tile) {
+  const PyramidTiles places(description.patches, description.extent);
+  const auto above = places.parent_of(tile);
+  Json links = Json::array({link("root", href_from(tile, collection_name)),
+                            link("parent", href_from(tile, above ? catalog_path(*above) : collection_name))});
+  if (tile.level > 0) {
+    for (const auto& part : places.parts_of(tile)) {
+      if (part) links.push_back(link("child", href_from(tile, catalog_path(*part))));
+    }
+  }
+  for (const Json& item : item_links(description, tile)) links.push_back(item);
+  const Json catalog = {
+      {"type", "Catalog"},      {"stac_version", stac_version},
+      {"id", place_name(tile)}, {"description", description_of(tile)},
+      {"links", links},
+  };
+  return written(catalog, 2) + "\n";
+}
+
+}  // namespace sigmascape::atlas

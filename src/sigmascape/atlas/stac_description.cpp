@@ -1,0 +1,109 @@
+#include "sigmascape/atlas/stac_description.h"
+
+#include <algorithm>
+#include <array>
+#include <fmt/format.h>
+#include <vector>
+
+#include "sigmascape/atlas/stac_document.h"
+#include "sigmascape/base/error.h"
+#include "sigmascape/base/units.h"
+
+namespace sigmascape::atlas {
+namespace {
+
+constexpr int format_version = 1;
+
+std::vector<double> degrees(const std::vector<double>& angles_rad) {
+  std::vector<double> angles_deg(angles_rad.size());
+  std::ranges::transform(angles_rad, angles_deg.begin(), tidy_deg);
+  return angles_deg;
+}
+
+std::vector<double> radians(const std::vector<double>& angles_deg) {
+  std::vector<double> angles_rad(angles_deg.size());
+  std::ranges::transform(angles_deg, angles_rad.begin(), radians_from_deg);
+  return angles_rad;
+}
+
+AtlasDescription undescribed(const std::string& name, const Json& json) {
+  AtlasDescription description;
+  description.name = name;
+  description.frame = {json.at("frame_latitude_deg").get<double>(), json.at("frame_longitude_deg").get<double>()};
+  const auto extent = json.at("extent_m").get<std::array<double, 4>>();
+  description.extent = {extent[0], extent[1], extent[2], extent[3]};
+  description.patches = {json.at("texel_m").get<double>(), json.at("texels_per_side").get<std::size_t>()};
+  description.aspects.azimuths_rad = radians(json.at("azimuths_deg").get<std::vector<double>>());
+  description.aspects.elevations_rad = radians(json.at("elevations_deg").get<std::vector<double>>());
+  description.aspects.frequencies_hz = json.at("frequencies_hz").get<std::vector<double>>();
+  description.scene_hash = json.at("scene_hash").get<std::string>();
+  description.settings = json.at("settings").get<std::map<std::string, std::string>>();
+  description.mantissa_bits = json.at("mantissa_bits").get<int>();
+  description.attribution = json.at("attribution").get<std::string>();
+  return description;
+}
+
+/// The first difference between two objects, looked for inside nested ones too.
+std::optional<std::string> first_difference(const Json& there, const Json& here, const std::string& prefix) {
+  for (const auto& [key, value] : there.items()) {
+    const std::string name = prefix + key;
+    if (!here.contains(key)) return fmt::format("{} is {} there and not given here", name, value.dump());
+    const Json& other = here.at(key);
+    if (value == other) continue;
+    if (value.is_object() && other.is_object()) return first_difference(value, other, name + ".");
+    return fmt::format("{} is {} there and {} here", name, value.dump(), other.dump());
+  }
+  for (const auto& [key, value] : here.items()) {
+    if (!there.contains(key)) return fmt::format("{}{} is not given there and {} here", prefix, key, value.dump());
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Json described(const AtlasDescription& description) {
+  const radar::Rectangle& extent = description.extent;
+  return {
+      {"format_version", format_version},
+      {"frame_latitude_deg", description.frame.latitude_deg()},
+      {"frame_longitude_deg", description.frame.longitude_deg()},
+      {"frame", description.frame.proj()},
+      {"extent_m", {extent.west_m, extent.south_m, extent.east_m, extent.north_m}},
+      {"texel_m", description.patches.texel_m},
+      {"texels_per_side", description.patches.texels_per_side},
+      {"azimuths_deg", degrees(description.aspects.azimuths_rad)},
+      {"elevations_deg", degrees(description.aspects.elevations_rad)},
+      {"frequencies_hz", description.aspects.frequencies_hz},
+      {"scene_hash", description.scene_hash},
+      {"settings", Json(description.settings)},
+      {"mantissa_bits", description.mantissa_bits},
+      {"attribution", description.attribution},
+  };
+}
+
+AtlasDescription description_from(const std::string& text, const std::filesystem::path& file) {
+  try {
+    const Json collection = Json::parse(text);
+    const Json& atlas = collection.at("sigmascape:atlas");
+    const int version = atlas.at("format_version").get<int>();
+    if (version != format_version) {
+      throw Error(file.string() + ", sigmascape:atlas.format_version", fmt::format("is {}", version),
+                  fmt::format("this version of the library reads {}: bake again, or use the version that wrote it",
+                              format_version));
+    }
+    return undescribed(collection.at("id").get<std::string>(), atlas);
+  } catch (const Json::exception& exception) {
+    throw Error(file.string(), fmt::format("is not the collection of a Sigmascape atlas ({})", exception.what()),
+                "choose the folder of an atlas, or an empty one to bake into");
+  }
+}
+
+std::optional<std::string> difference(const AtlasDescription& there, const AtlasDescription& here) {
+  // Both as they would stand in a file, since only that can be compared with what was read from one.
+  const auto as_read = [](const AtlasDescription& description) {
+    return Json::parse(written(described(description), -1));
+  };
+  return first_difference(as_read(there), as_read(here), "");
+}
+
+}  // namespace sigmascape::atlas

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+
+#include "sigmascape/atlas/store.h"
+
+namespace sigmascape::atlas {
+
+/// What a collection holds of the description of its atlas, under "sigmascape:atlas": all but the name.
+[[nodiscard]] nlohmann::ordered_json described(const AtlasDescription& description);
+
+/// What a collection was made from. Throws Error, naming `file`, when it is not a collection of ours.
+[[nodiscard]] AtlasDescription description_from(const std::string& text, const std::filesystem::path& file);
+
+/// The first thing in which two descriptions differ, "texel_m is 1.0 there and 2.0 here", if any. The name may differ.
+[[nodiscard]] std::optional<std::string> difference(const AtlasDescription& there, const AtlasDescription& here);
+
+}  // namespace sigmascape::atlas
