@@ -93,8 +93,8 @@ struct ResultsPlan {
   [[nodiscard]] std::uint32_t traced_samples_of(ViewKind kind) const {
     return kind == ViewKind::OnGrid ? finer_samples : traced_samples;
   }
-  /// As many rays a square metre as finer_samples, of texels half as wide.
-  [[nodiscard]] std::uint32_t samples_of_finer_texels() const { return std::max(finer_samples / 4, 1U); }
+  /// As many rays a square metre as finer_samples, of texels half as wide; two at least, as any bake.
+  [[nodiscard]] std::uint32_t samples_of_finer_texels() const { return std::max(finer_samples / 4, 2U); }
   /// Width of the rim along the scene's edges that is not compared. A wall near the edge mirrors ground beyond it,
   /// which goes on in a bake and ends where the terrain does in a traced map: that would be held against the method.
   [[nodiscard]] double rim_m() const;
