@@ -206,32 +206,32 @@ ReadyMethod Measurement::own_look_of(Method method, const MeasuredScene& measure
     auto textures = std::make_shared<const render::PaperTextures>(std::move(made.textures));
     return from_paper_textures(own_look, samples, "", made.cost, textures, {});
   }
-  bake::BakeSettings settings = plan_.bake_settings(method);
-  settings.aspects = grid_of_view(view);
-  settings.sampling.samples_per_texel = samples;
+  bake::BakeSettings settings = own_look_settings(method, view, samples);
   settings.seed = seed;
-  return from_store(method, own_look, samples, own_look_bake(settings, measured, view, is_again ? "_again" : ""), {});
+  return own_look_from(settings, method, measured, view, is_again ? "_again" : "");
 }
 
 ReadyMethod Measurement::own_look_in_finer_texels(Method method, const MeasuredScene& measured,
                                                   const PlannedView& view) {
-  bake::BakeSettings settings = plan_.bake_settings(method);
-  settings.aspects = grid_of_view(view);
+  bake::BakeSettings settings = own_look_settings(method, view, plan_.samples_of_finer_texels());
   settings.patches.texel_m /= 2.0;
-  // As many rays a square metre.
-  settings.sampling.samples_per_texel = plan_.samples_of_finer_texels();
-  ReadyMethod ready = from_store(method, own_look, settings.sampling.samples_per_texel,
-                                 own_look_bake(settings, measured, view, "_finer_texels"), {});
+  ReadyMethod ready = own_look_from(settings, method, measured, view, "_finer_texels");
   ready.change = finer_texels_change;
   return ready;
 }
 
-TimedBake Measurement::own_look_bake(const bake::BakeSettings& settings, const MeasuredScene& measured,
-                                     const PlannedView& view, const std::string& ending) {
-  const auto store =
-      folder_ / "own_look" /
-      fmt::format("{}_{}_{}{}", measured.name, view.file_name(), settings.sampling.samples_per_texel, ending);
-  return {scene_.scene, settings, store, progress_};
+bake::BakeSettings Measurement::own_look_settings(Method method, const PlannedView& view, std::uint32_t samples) const {
+  bake::BakeSettings settings = plan_.bake_settings(method);
+  settings.aspects = grid_of_view(view);
+  settings.sampling.samples_per_texel = samples;
+  return settings;
+}
+
+ReadyMethod Measurement::own_look_from(const bake::BakeSettings& settings, Method method, const MeasuredScene& measured,
+                                       const PlannedView& view, const std::string& ending) {
+  const std::uint32_t samples = settings.sampling.samples_per_texel;
+  const auto store = folder_ / "own_look" / fmt::format("{}_{}_{}{}", measured.name, view.file_name(), samples, ending);
+  return from_store(method, own_look, samples, TimedBake(scene_.scene, settings, store, progress_), {});
 }
 
 /// Without an angle missing, and of baked views almost without noise as well.

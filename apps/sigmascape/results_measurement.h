@@ -70,9 +70,12 @@ class Measurement {
   /// The same almost without noise, baked on texels half as wide.
   [[nodiscard]] ReadyMethod own_look_in_finer_texels(Method method, const MeasuredScene& measured,
                                                      const PlannedView& view);
-  /// In a folder named after the scene, the view, its rays and `ending`.
-  [[nodiscard]] TimedBake own_look_bake(const bake::BakeSettings& settings, const MeasuredScene& measured,
-                                        const PlannedView& view, const std::string& ending);
+  [[nodiscard]] bake::BakeSettings own_look_settings(Method method, const PlannedView& view,
+                                                     std::uint32_t samples) const;
+  /// Baked in a folder named after the scene, the view, its rays and `ending`.
+  [[nodiscard]] ReadyMethod own_look_from(const bake::BakeSettings& settings, Method method,
+                                          const MeasuredScene& measured, const PlannedView& view,
+                                          const std::string& ending);
   /// Renders and compares; with `again`, which differs from `method` in its seed alone, without noise as well.
   void hold_against(const Truth& truth, const MeasuredScene& measured, const PlannedView& view,
                     const ReadyMethod& method, int level_of_detail = 1, const ReadyMethod* again = nullptr);

@@ -303,7 +303,7 @@ void LiveRenderer::find_shadows_of_targets(const Pose& pose) {
                  .beam_step_rad = settings_.beam_step_rad,
                  .beams = settings_.beams,
                  .group = beams_together(settings_.beam_step_rad),
-                 .far_m = grid().near_m + grid().step_m * static_cast<double>(grid().distances),
+                 .far_m = far_m(),
                  .drop_per_square_m = grid().drop_per_square_m,
                  .lowest_m = static_cast<double>(bounds_.lowest_m)},
                 team_);
@@ -347,8 +347,7 @@ void LiveRenderer::look_ahead_at_pages(const PageCache::View& there, const Pose&
     const std::size_t here = std::min(group, ahead - done);
     const double azimuth =
         pose.first_azimuth_rad + static_cast<double>((first + done) % settings_.beams) * settings_.beam_step_rad;
-    const Sector sector(azimuth, static_cast<double>(here) * settings_.beam_step_rad, grid.near_m,
-                        grid.near_m + grid.step_m * static_cast<double>(grid.distances));
+    const Sector sector(azimuth, static_cast<double>(here) * settings_.beam_step_rad, grid.near_m, far_m());
     add_forecast(there, ground_->pages().source(), {radar, sector, level, ground_m}, wanted_);
   }
 }
