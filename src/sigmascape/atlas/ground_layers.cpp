@@ -1,6 +1,7 @@
 #include "sigmascape/atlas/ground_layers.h"
 
 #include <filesystem>
+#include <utility>
 
 #include "sigmascape/atlas/obstacle_file.h"
 
@@ -55,8 +56,10 @@ Store open_ground_store(const Store& atlas) {
 
 GroundLayers load_ground_layers(const Store& atlas, const LoadOptions& options) {
   const Store ground = open_ground_store(atlas);
+  radar::ObstacleMap obstacles = load_obstacles(atlas);
+  radar::AnsweringTops tops = radar::answering_tops(obstacles);
   return {load_atlas(ground, {.finest_level = options.finest_level, .threads = options.threads, .aspects = {}}),
-          load_obstacles(atlas)};
+          std::move(obstacles), std::move(tops)};
 }
 
 }  // namespace sigmascape::atlas

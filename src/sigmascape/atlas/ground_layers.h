@@ -5,6 +5,7 @@
 
 #include "sigmascape/atlas/atlas.h"
 #include "sigmascape/atlas/store.h"
+#include "sigmascape/radar/answering_tops.h"
 #include "sigmascape/radar/obstacle.h"
 
 namespace sigmascape::atlas {
@@ -14,6 +15,7 @@ namespace sigmascape::atlas {
 struct GroundLayers {
   Atlas sigma0;  ///< of the level ground if nothing stood on it: one azimuth stands for all
   radar::ObstacleMap obstacles;
+  radar::AnsweringTops answering_tops;  ///< of those obstacles
 };
 
 /// The setting of a store whose ground is kept apart, and what it says then.

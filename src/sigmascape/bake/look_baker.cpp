@@ -13,6 +13,7 @@
 #include "sigmascape/radar/rectangle_parts.h"
 #include "sigmascape/receiver/ground_accumulator.h"
 #include "sigmascape/scene/obstacle_raster.h"
+#include "sigmascape/terrain/obstacle_sweep.h"
 #include "sigmascape/trace/tile_progress.h"
 
 namespace sigmascape::bake {
@@ -53,16 +54,28 @@ LookBaker::LookBaker(const scene::Scene& scene, const BakeSettings& settings)
 
 Array2D<float> LookBaker::terrain_gains(const radar::GroundGrid& texels, const radar::Aspect& aspect) const {
   const TerrainHorizon horizon(aspect, scene_.terrain, std::min(texels.cell_m, scene_.terrain.spacing_m));
-  if (!obstacles_ || obstacles_->grid != texels) obstacles_ = scene::obstacles_of(scene_, texels);
+  if (!tops_ || tops_->grid != texels) tops_ = tops_of(texels);
   Array2D<float> gains(texels.columns, texels.rows);
   parallel_for(texels.rows, thread_count(settings_.threads), [&](std::size_t row, unsigned) {
     for (std::size_t column = 0; column < texels.columns; ++column) {
       const Vec2d place = texels.centre_of(column, row);
-      const double seen = horizon.part_seen(place, obstacles_->obstacles(column, row));
-      gains(column, row) = static_cast<float>(gain_of(seen));
+      const auto top_m = static_cast<double>(tops_->top_m(column, row));
+      gains(column, row) = static_cast<float>(gain_of(terrain::part_above(horizon.hidden_m(place), top_m)));
     }
   });
   return gains;
+}
+
+radar::AnsweringTops LookBaker::tops_of(const radar::GroundGrid& texels) const {
+  const std::size_t margin = radar::layover_squares(scene::tallest_object_m(scene_), texels.cell_m);
+  const double margin_m = static_cast<double>(margin) * texels.cell_m;
+  const radar::GroundGrid about{texels.west_m - margin_m, texels.north_m + margin_m, texels.cell_m,
+                                texels.columns + 2 * margin, texels.rows + 2 * margin};
+  const radar::AnsweringTops all = radar::answering_tops(scene::obstacles_of(scene_, about));
+  radar::AnsweringTops within{texels, Array2D<float>(texels.columns, texels.rows)};
+  for (std::size_t row = 0; row < texels.rows; ++row)
+    std::ranges::copy(all.top_m.row(row + margin).subspan(margin, texels.columns), within.top_m.row(row).begin());
+  return within;
 }
 
 trace::LaunchArea LookBaker::area_of(const radar::GroundGrid& texels, const radar::Aspect& aspect) const {

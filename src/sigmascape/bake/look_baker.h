@@ -7,8 +7,8 @@
 #include "sigmascape/bake/bake_settings.h"
 #include "sigmascape/base/array2d.h"
 #include "sigmascape/base/progress.h"
+#include "sigmascape/radar/answering_tops.h"
 #include "sigmascape/radar/channels.h"
-#include "sigmascape/radar/obstacle.h"
 #include "sigmascape/scene/scene.h"
 #include "sigmascape/trace/launch.h"
 #include "sigmascape/trace/path_tracer.h"
@@ -60,8 +60,11 @@ class LookBaker {
   trace::Footing footing_;
   trace::SceneGeometry geometry_;
   trace::SpectralSurfaces surfaces_;
+  /// Of these texels, with regard to what stands about them.
+  [[nodiscard]] radar::AnsweringTops tops_of(const radar::GroundGrid& texels) const;
+
   /// Of the patch that was baked last, for its looks come one after another.
-  mutable std::optional<radar::ObstacleMap> obstacles_;
+  mutable std::optional<radar::AnsweringTops> tops_;
 };
 
 }  // namespace sigmascape::bake

@@ -36,7 +36,7 @@ class AzimuthStrip {
                  [&](std::size_t, double distance_m, Vec3d point, const terrain::Sight& sight) {
                    if (!area_.contains({point.x, point.y})) return;
                    ++counts.ground_samples;
-                   if (sight.ground == 0.0 && sight.objects == 0.0) return;
+                   if (sight.ground == 0.0 && ground_.part_seen(point, sight) == 0.0) return;
                    if (shadows_.hide(point)) return;
                    ++counts.visible;
                    const Vec3d away = radar_position_ - point;

@@ -1,7 +1,10 @@
 #include "sigmascape/render/obstacle_source.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <vector>
 
+#include "sigmascape/radar/answering_tops.h"
 #include "sigmascape/render/part_of_tile.h"
 
 namespace sigmascape::render {
@@ -29,11 +32,37 @@ bool ObstacleSource::fill(ObstaclePage& page) const {
   return true;
 }
 
+Array2D<float> ObstacleSource::standing_m(const atlas::TileAddress& tile) const {
+  Array2D<float> top_m(atlas::tile_side, atlas::tile_side);
+  auto next = top_m.values().begin();
+  for_each_square(tile, [&next](const radar::Obstacle& obstacle) { *next++ = obstacle.top_m(); });
+  return top_m;
+}
+
 void ObstacleSource::fill_tops(const atlas::TileAddress& tile, std::span<float> top_m) const {
-  auto next = top_m.begin();
-  for_each_square(tile, [&next](const radar::Obstacle& obstacle) {
-    *next++ = PackedObstacle::packed(obstacle).unpacked().top_m();
-  });
+  constexpr std::size_t side = atlas::tile_side;
+  const double cell_m = atlas::texel_side_m(description().patches, tile.level);
+  // What stands beyond the next tile does not reach over it.
+  const std::size_t margin = std::min(radar::layover_squares(static_cast<double>(tallest_m()), cell_m), side);
+  Array2D<float> about(side + 2 * margin, side + 2 * margin);
+  for (int down = -1; down <= 1; ++down) {
+    for (int across = -1; across <= 1; ++across) {
+      const Array2D<float> tops = standing_m({tile.level, tile.x + across, tile.y - down});
+      const std::size_t first_column = across < 0 ? side - margin : 0, first_row = down < 0 ? side - margin : 0;
+      const std::size_t columns = across == 0 ? side : margin, rows = down == 0 ? side : margin;
+      const std::size_t to_column = across < 0 ? 0 : margin + (across > 0 ? side : 0);
+      const std::size_t to_row = down < 0 ? 0 : margin + (down > 0 ? side : 0);
+      for (std::size_t row = 0; row < rows; ++row) {
+        std::ranges::copy(tops.row(first_row + row).subspan(first_column, columns),
+                          about.row(to_row + row).begin() + static_cast<std::ptrdiff_t>(to_column));
+      }
+    }
+  }
+  const Array2D<float> answering_m = radar::answering_tops_m(about, cell_m);
+  for (std::size_t row = 0; row < side; ++row) {
+    std::ranges::copy(answering_m.row(margin + row).subspan(margin, side),
+                      top_m.begin() + static_cast<std::ptrdiff_t>(row * side));
+  }
 }
 
 }  // namespace sigmascape::render

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "sigmascape/atlas/obstacle_tiles.h"
+#include "sigmascape/base/array2d.h"
 #include "sigmascape/render/obstacle_page.h"
 
 namespace sigmascape::render {
@@ -19,7 +20,8 @@ class ObstacleSource {
 
   /// Fills `page` with what `page.key` names; its memory is used again. There is always something.
   [[nodiscard]] bool fill(ObstaclePage& page) const;
-  /// The height of what stands on the texels of a tile, [row][column], north up.
+  /// How high what answers from the texels of a tile may stand, [row][column], north up: radar::AnsweringTops of the
+  /// tile's level, with regard to the tiles about it.
   void fill_tops(const atlas::TileAddress& tile, std::span<float> top_m) const;
 
   [[nodiscard]] std::size_t levels() const { return tiles_.levels(); }
@@ -37,6 +39,8 @@ class ObstacleSource {
   /// Calls `each` for every square, in order; by how many levels they are coarser than asked for.
   template <typename Each>
   std::size_t for_each_square(const atlas::TileAddress& tile, Each each) const;
+  /// The height of what stands on each square of a tile, [column, row].
+  [[nodiscard]] Array2D<float> standing_m(const atlas::TileAddress& tile) const;
 
   atlas::ObstacleTiles tiles_;
 };

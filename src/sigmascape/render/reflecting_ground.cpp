@@ -22,16 +22,21 @@ void ReflectingGround::Looks::Cursor::turn_to(const atlas::Atlas& atlas, double 
   weights = atlas.weights_for({azimuth_rad, std::asin(std::clamp(sin_grazing, -1.0, 1.0))}, frequency_hz);
 }
 
+double ReflectingGround::part_seen(Vec3d point, const terrain::Sight& sight) const {
+  if (ground_ == nullptr) return sight.ground > 0.0 ? 1.0 : 0.0;
+  if (sight.hidden_m == 0.0) return 1.0;
+  return terrain::part_above(sight.hidden_m, static_cast<double>(ground_->answering_tops.at({point.x, point.y})));
+}
+
 radar::Channels ReflectingGround::sigma0(Vec3d point, double to_radar_rad, const terrain::Sight& sight,
                                          Looks& looks) const {
   const Vec2d place{point.x, point.y};
   const Vec3d towards = towards_radar(point);
-  if (ground_ == nullptr)
-    return sight.ground > 0.0 ? of_textures(place, towards, to_radar_rad, looks.textures_) : radar::Channels{};
   radar::Channels sum;
-  if (sight.objects > 0.0)
-    sum = of_textures(place, towards, to_radar_rad, looks.textures_) * static_cast<float>(sight.objects);
-  if (sight.ground > 0.0) sum += of_bare_ground(place, towards, looks.ground_) * static_cast<float>(sight.ground);
+  if (const double part = part_seen(point, sight); part > 0.0)
+    sum = of_textures(place, towards, to_radar_rad, looks.textures_) * static_cast<float>(part);
+  if (ground_ != nullptr && sight.ground > 0.0)
+    sum += of_bare_ground(place, towards, looks.ground_) * static_cast<float>(sight.ground);
   return sum;
 }
 

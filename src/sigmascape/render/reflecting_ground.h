@@ -76,6 +76,9 @@ class ReflectingGround {
                  });
   }
 
+  /// Of what answers from there but the bare ground, the part that is seen, from 0 to 1.
+  [[nodiscard]] double part_seen(Vec3d point, const terrain::Sight& sight) const;
+
   /// σ0 over map area of a point on the terrain of which so much is seen: textures for what stands there, scaled by
   /// what of them is seen, and the bare ground where it is kept apart, with its grazing angle above the local slope and
   /// its true area. `to_radar_rad`: azimuth from the point to the radar.

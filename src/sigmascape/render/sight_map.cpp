@@ -58,7 +58,7 @@ SightMap::SightMap(const ReflectingGround& ground, Vec3d radar_position, const r
     ground.walk(azimuth, start_m, far_m + step_m, step_m,
                 [&](std::size_t step, double, Vec3d, const terrain::Sight& sight) {
                   if (step < before || step - before >= parts_.columns()) return;
-                  parts_(step - before, row) = {static_cast<float>(sight.ground), static_cast<float>(sight.objects)};
+                  parts_(step - before, row) = {static_cast<float>(sight.ground), static_cast<float>(sight.hidden_m)};
                 });
   });
 }
@@ -74,7 +74,7 @@ terrain::Sight SightMap::at(Vec2d point) const {
   };
   const Parts& parts = parts_(index_of((length(point - origin_) - near_m_) / step_m_, parts_.columns()),
                               index_of((azimuth_of(point) - first_azimuth_rad_) / azimuth_step_rad_, parts_.rows()));
-  return {static_cast<double>(parts.ground), static_cast<double>(parts.objects)};
+  return {static_cast<double>(parts.ground), static_cast<double>(parts.hidden_m)};
 }
 
 }  // namespace sigmascape::render

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+
 #include "sigmascape/base/array2d.h"
 #include "sigmascape/radar/ground_grid.h"
 #include "sigmascape/render/reflecting_ground.h"
@@ -19,7 +21,7 @@ class SightMap {
 
  private:
   struct Parts {
-    float ground = 0.0F, objects = 0.0F;
+    float ground = 0.0F, hidden_m = std::numeric_limits<float>::infinity();
   };
   [[nodiscard]] double azimuth_of(Vec2d point) const;
 

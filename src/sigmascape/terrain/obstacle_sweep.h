@@ -11,11 +11,20 @@
 
 namespace sigmascape::terrain {
 
-/// How much of a place is seen, each from 0 to 1.
+/// How much of a place is seen.
 struct Sight {
-  double ground = 0.0;   ///< of the bare ground, behind terrain, solid things and what comes through crowns
-  double objects = 0.0;  ///< of what stands on it, by height, above the terrain's horizon alone
+  /// Of the bare ground, from 0 to 1, behind terrain, solid things and what comes through crowns.
+  double ground = 0.0;
+  /// The height above the ground up to which terrain alone hides what stands there; 0 where it hides nothing.
+  double hidden_m = std::numeric_limits<double>::infinity();
 };
+
+/// The part, from 0 to 1, of what answers from heights up to `top_m` that is seen above terrain which hides it up to
+/// `hidden_m`.
+[[nodiscard]] constexpr double part_above(double hidden_m, double top_m) {
+  if (hidden_m <= 0.0) return 1.0;
+  return hidden_m < top_m ? 1.0 - hidden_m / top_m : 0.0;
+}
 
 /// Walks outwards from an observer along one azimuth over ground with obstacles and tells what is seen of each place.
 ///
@@ -33,13 +42,12 @@ class ObstacleSweep {
   Sight advance(double distance_m, double ground_m, const radar::Obstacle& obstacle, double step_m) {
     const double slope = (ground_m - observer_height_m_) / distance_m;
     if (slope > horizon_) horizon_ = slope;
-    const bool is_hidden = slope < horizon_;
     if (obstacle.solid_top_m > 0.0F) {
       solid_horizon_ = std::max(solid_horizon_, slope + static_cast<double>(obstacle.solid_top_m) / distance_m);
     }
     if (obstacle.crown_top_m > 0.0F) add_crown(distance_m, slope, obstacle, step_m);
-    if (is_hidden) return {0.0, part_above_horizon(distance_m, slope, obstacle)};
-    return {slope < solid_horizon_ ? 0.0 : transmission_at(slope), 1.0};
+    if (slope < horizon_) return {0.0, (horizon_ - slope) * distance_m};
+    return {slope < solid_horizon_ ? 0.0 : transmission_at(slope), 0.0};
   }
 
  private:
@@ -72,12 +80,6 @@ class ObstacleSweep {
     if (depth_ == 0) return 1.0;
     const double depth = depth_unit * static_cast<double>(depth_);
     return depth < deepest ? std::exp(-depth) : 0.0;
-  }
-
-  [[nodiscard]] double part_above_horizon(double distance_m, double slope, const radar::Obstacle& obstacle) const {
-    const auto top_m = static_cast<double>(obstacle.top_m());
-    const double hidden_m = (horizon_ - slope) * distance_m;
-    return hidden_m < top_m ? 1.0 - hidden_m / top_m : 0.0;
   }
 
   double observer_height_m_;

@@ -25,18 +25,15 @@ TEST(TerrainHorizon, HidesWhatStandsBelowTheLineOfSightOverARidge) {
   const terrain::HeightField field = ridge();
   const TerrainHorizon from_north = seen_from(0.0, field);
   // The line over the ridge falls by a fifth of the way: 60 m behind it is 8 m above the ground, 110 m behind below.
-  EXPECT_DOUBLE_EQ(from_north.part_seen({0.0, 40.0}, {}), 0.0);
-  EXPECT_DOUBLE_EQ(from_north.part_seen({0.0, 40.0}, {.solid_top_m = 7.0F}), 0.0);
-  EXPECT_NEAR(from_north.part_seen({0.0, 40.0}, {.solid_top_m = 32.0F}), 0.75, 1e-3);
-  EXPECT_NEAR(from_north.part_seen({0.0, 40.0}, {.crown_base_m = 3.0F, .crown_top_m = 16.0F}), 0.5, 1e-3);
-  EXPECT_DOUBLE_EQ(from_north.part_seen({0.0, -10.0}, {}), 1.0);
+  EXPECT_NEAR(from_north.hidden_m({0.0, 40.0}), 8.0, 0.01);
+  EXPECT_DOUBLE_EQ(from_north.hidden_m({0.0, -10.0}), 0.0);
 }
 
 TEST(TerrainHorizon, HidesNothingBeforeARidgeOrAlongIt) {
   const terrain::HeightField field = ridge();
-  EXPECT_DOUBLE_EQ(seen_from(0.0, field).part_seen({0.0, 140.0}, {}), 1.0);
-  EXPECT_DOUBLE_EQ(seen_from(180.0, field).part_seen({0.0, 40.0}, {}), 1.0);
-  EXPECT_DOUBLE_EQ(seen_from(90.0, field).part_seen({0.0, 40.0}, {}), 1.0);
+  EXPECT_DOUBLE_EQ(seen_from(0.0, field).hidden_m({0.0, 140.0}), 0.0);
+  EXPECT_DOUBLE_EQ(seen_from(180.0, field).hidden_m({0.0, 40.0}), 0.0);
+  EXPECT_DOUBLE_EQ(seen_from(90.0, field).hidden_m({0.0, 40.0}), 0.0);
 }
 
 TEST(TerrainHorizon, HidesBehindASlopeFacingAway) {
@@ -45,8 +42,9 @@ TEST(TerrainHorizon, HidesBehindASlopeFacingAway) {
     for (std::size_t column = 0; column < 201; ++column)
       field.height_m(column, row) = 0.3F * 2.0F * (200.0F - static_cast<float>(row));
   }
-  EXPECT_DOUBLE_EQ(seen_from(180.0, field).part_seen({0.0, 0.0}, {}), 1.0);
-  EXPECT_DOUBLE_EQ(seen_from(0.0, field).part_seen({0.0, 0.0}, {}), 0.0);
+  EXPECT_DOUBLE_EQ(seen_from(180.0, field).hidden_m({0.0, 0.0}), 0.0);
+  // Ground goes on rising towards the radar by a tenth more than the line of sight, up to the edge 200 m away.
+  EXPECT_NEAR(seen_from(0.0, field).hidden_m({0.0, 0.0}), 20.0, 0.3);
 }
 
 }  // namespace

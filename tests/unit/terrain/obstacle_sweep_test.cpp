@@ -22,7 +22,7 @@ TEST(ObstacleSweep, ShadowsEndWhereTheSlopePutsThem) {
       const bool stands_here = d == foot_m;
       const auto obstacle = stands_here ? radar::Obstacle{.solid_top_m = static_cast<float>(height_m)} : nothing;
       const Sight sight = sweep.advance(d, ground_at(d), obstacle, step_m);
-      EXPECT_EQ(sight.objects, 1.0);
+      EXPECT_EQ(sight.hidden_m, 0.0);
       if (sight.ground == 0.0) hidden_m += step_m;
     }
     EXPECT_NEAR(hidden_m, height_m / (tangent + slope), 1.0) << slope;
@@ -63,8 +63,11 @@ TEST(ObstacleSweep, TopsRiseAboveARidge) {
   const double line_m = 100.0 - 0.05 * 1200.0;
   const Sight sight = sweep.advance(1200.0, line_m - 10.0, {.solid_top_m = 40.0F}, 1.0);
   EXPECT_EQ(sight.ground, 0.0);
-  EXPECT_NEAR(sight.objects, 0.75, 1e-6);
-  EXPECT_EQ(sweep.advance(1201.0, line_m - 10.0, {.crown_top_m = 5.0F}, 1.0).objects, 0.0);
+  EXPECT_NEAR(sight.hidden_m, 10.0, 1e-6);
+  EXPECT_NEAR(part_above(sight.hidden_m, 40.0), 0.75, 1e-6);
+  EXPECT_EQ(part_above(sight.hidden_m, 5.0), 0.0);
+  EXPECT_EQ(part_above(sight.hidden_m, 0.0), 0.0);
+  EXPECT_EQ(part_above(0.0, 0.0), 1.0);
 }
 
 }  // namespace
