@@ -34,14 +34,19 @@ scene::Scene tower_on(const Height& height_at, Vec3f size_m) {
   return scene;
 }
 
-/// Seen from the north.
-BakedLook look_of(const scene::Scene& scene, double elevation_deg, trace::Footing footing) {
+/// From the north, direct echoes alone.
+BakeSettings settings_of(double elevation_deg, trace::Footing footing) {
   BakeSettings settings;
   settings.aspects = {{0.0}, {radians_from_deg(elevation_deg)}, {10e9}};
   settings.patches = {1.0, 256};
   settings.sampling = {.samples_per_texel = 16};
   settings.max_bounces = 1;
   settings.footing = footing;
+  return settings;
+}
+
+BakedLook look_of(const scene::Scene& scene, double elevation_deg, trace::Footing footing) {
+  const BakeSettings settings = settings_of(elevation_deg, footing);
   const LookBaker baker(scene, settings);
   SilentProgress silent;
   return baker.bake({0, 0}, settings.aspects.look(0).aspect, silent).front();
@@ -89,6 +94,28 @@ TEST(OwnGround, WhatARidgeHidesIsNotHiddenTwice) {
   const double open = total_power(look_of(behind_ridge, elevation_deg, trace::Footing::LevelPlane));
   const double hidden = total_power(look_of(behind_ridge, elevation_deg, trace::Footing::Terrain));
   EXPECT_NEAR(hidden / open, 1.0, 0.06);
+}
+
+// A tower that stands on the next patch answers before its foot, from texels of this one that a ridge hides: they are
+// what they are when both patches are one.
+TEST(OwnGround, TexelsBehindARidgeKnowWhatStandsBesideThePatch) {
+  constexpr double elevation_deg = 10.0, foot_m = 65.7, edge_m = 66.0;
+  const double ridge_m = 8.0 + (94.0 - foot_m) * std::tan(radians_from_deg(elevation_deg));
+  const auto scene = tower_on([&](double y) { return std::abs(y - 96.0) < 3.0 ? ridge_m : 0.0; }, {4.0F, 3.4F, 16.0F});
+  const BakeSettings settings = settings_of(elevation_deg, trace::Footing::Terrain);
+  const LookBaker baker(scene, settings);
+  const radar::Aspect aspect = settings.aspects.look(0).aspect;
+  SilentProgress silent;
+  const BakedLook whole = baker.bake({0, 0}, aspect, silent).front();
+  const radar::GroundGrid beside{0.0, 94.0, 1.0, 128, static_cast<std::size_t>(94.0 - edge_m)};
+  const BakedLook part = baker.bake(beside, baker.area_of(beside, aspect), aspect, silent).front();
+  EXPECT_GT(total_power(part), 0.0);
+  for (std::size_t row = 0; row < beside.rows; ++row) {
+    for (std::size_t column = 0; column < beside.columns; ++column) {
+      ASSERT_EQ(part.sigma0(column, row), whole.sigma0(column, row + static_cast<std::size_t>(256.0 - 94.0)))
+          << column << " " << row;
+    }
+  }
 }
 
 }  // namespace
