@@ -3,8 +3,8 @@
 #include <array>
 #include <cstddef>
 
-#include "sigmascape/atlas/half.h"
 #include "sigmascape/render/lattice_row.h"
+#include "sigmascape/render/page_rows.h"
 
 namespace sigmascape::render {
 
@@ -16,8 +16,8 @@ struct Extremes {
 
 /// Looks that lie about the aspect of a stretch of texels.
 struct BlendOf {
-  const atlas::Half* planes = nullptr;       ///< [look][channel][column], the first texel's column first
-  const atlas::Half* next_planes = nullptr;  ///< of the row that comes next, to be fetched meanwhile; may be null
+  TexelBlocks blocks;
+  const atlas::Half* next_blocks = nullptr;  ///< of the row that comes next, to be fetched meanwhile; may be null
   const float* scale = nullptr;
   std::size_t looks = 4;           ///< or 8, see GroundPage
   float area_m2 = 1.0F;            ///< of a texel
@@ -40,8 +40,9 @@ void blend_nothing(LatticeRow& row, std::size_t first, std::size_t count);
 /// One elevation of bare ground among others: `cotangent` of the one below it, its own and the one above; where it has
 /// no neighbour its own again.
 struct GroundLook {
-  const atlas::Half* planes = nullptr;  ///< [channel][column]
-  float factor = 0.0F;                  ///< σ0 of a stored 1 times the part of its frequency
+  TexelBlocks blocks;
+  std::size_t look = 0, looks = 4;  ///< which of how many in a block
+  float factor = 0.0F;              ///< σ0 of a stored 1 times the part of its frequency
   float below = 0.0F, own = 0.0F, above = 0.0F;
   float sine = 1.0F;          ///< of its elevation
   float highest_sine = 1.0F;  ///< of the highest

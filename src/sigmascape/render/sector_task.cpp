@@ -241,10 +241,12 @@ void SectorTask::add_bare_elevations(const Place& place, std::uint32_t first, st
     }
     if (source.page == nullptr) continue;
     const std::size_t frequencies = source.page->looks / GroundPage::elevations;
-    const atlas::Half* const planes = pages_.planes_of(source, row_.count);
+    const TexelBlocks blocks = pages_.blocks_of(source, row_.count);
     for (std::size_t f = 0; f < frequencies; ++f) {
       const std::size_t look = e % GroundPage::elevations * frequencies + f;
-      add_ground(row_, {.planes = planes + look * GroundPage::channels * atlas::tile_side,
+      add_ground(row_, {.blocks = blocks,
+                        .look = look,
+                        .looks = source.page->looks,
                         .factor = source.page->scale[look] * elevations.frequency_part(f),
                         .below = cotangents[e > 0 ? e - 1 : 0],
                         .own = cotangents[e],
@@ -301,8 +303,8 @@ void SectorTask::blend_by_aspect(const Place& place, float area_m2) {
     const PageRow source = pages_.row_of({place.tile, cell}, place.row, place.first_column + begin);
     if (source.page != nullptr) {
       blend(row_, begin, end - begin,
-            {.planes = pages_.planes_of(source, end - begin),
-             .next_planes = source.next_planes(),
+            {.blocks = pages_.blocks_of(source, end - begin),
+             .next_blocks = source.next_blocks(),
              .scale = source.page->scale.data(),
              .looks = source.page->looks,
              .area_m2 = area_m2,
