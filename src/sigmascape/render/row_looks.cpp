@@ -114,10 +114,10 @@ void add_look(const Half* from, std::size_t block_halves, std::size_t lane, cons
   }
 }
 
-/// Asks for a block that will be wanted soon.
+/// Asks the second cache for a block that will be wanted soon: the first is full of the row at hand.
 [[gnu::always_inline]] inline void fetch(const Half* block, std::size_t halves) {
   constexpr std::size_t line = 64 / sizeof(Half);
-  for (std::size_t i = 0; i < halves; i += line) __builtin_prefetch(block + i, 0, 3);
+  for (std::size_t i = 0; i < halves; i += line) __builtin_prefetch(block + i, 0, 2);
 }
 
 /// Blends one channel of a block, `gain` of each look: of each frequency four, the corners of the aspect cell.
