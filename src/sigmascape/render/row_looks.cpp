@@ -31,15 +31,18 @@ constexpr float into_weights = 0x1p40F, into_sum = 0x1p72F;
 struct Weights {
   alignas(64) LatticeRow::Of<float> of;
 
-  /// Where those of the texels begin; columns before the first weigh nothing.
-  float* from_lane(std::size_t lane) {
+  /// Where those of `count` texels begin; columns before the first and after the last weigh nothing.
+  float* from_lane(std::size_t lane, std::size_t count) {
     std::fill_n(of.data(), vector, 0.0F);
+    std::fill_n(of.data() + LatticeRow::whole_vectors(lane + count) - vector, vector, 0.0F);
     return of.data() + lane;
   }
 };
 
-/// What falls to the four corners [elevation][azimuth] of an aspect cell, but for what is the same for all texels.
+/// What falls to the four corners [elevation][azimuth] of an aspect cell, or to the four elevations of a page of bare
+/// ground, but for what is the same for all texels.
 using CornerWeights = std::array<Weights, 4>;
+static_assert(GroundPage::elevations == 4);
 
 SIGMASCAPE_VECTOR_TARGETS
 void find_corner_weights(const LatticeRow& row, std::size_t first, std::size_t count, const BlendOf& looks,
@@ -48,10 +51,10 @@ void find_corner_weights(const LatticeRow& row, std::size_t first, std::size_t c
   const float* const cotangent = row.cotangent.data() + first;
   const float* const sine = row.sine.data() + first;
   const float* const lit = row.lit.data() + first;
-  float* const low_left = weights[0].from_lane(looks.blocks.lane);
-  float* const low_right = weights[1].from_lane(looks.blocks.lane);
-  float* const high_left = weights[2].from_lane(looks.blocks.lane);
-  float* const high_right = weights[3].from_lane(looks.blocks.lane);
+  float* const low_left = weights[0].from_lane(looks.blocks.lane, count);
+  float* const low_right = weights[1].from_lane(looks.blocks.lane, count);
+  float* const high_left = weights[2].from_lane(looks.blocks.lane, count);
+  float* const high_right = weights[3].from_lane(looks.blocks.lane, count);
   const float span = looks.cotangent[0] - looks.cotangent[1];
   const float per_cotangent = span > 0.0F ? 1.0F / span : 0.0F;
   const float azimuth_offset = looks.azimuth_offset, azimuth_per_beam = looks.azimuth_per_beam;
@@ -86,32 +89,6 @@ struct Lanes {
 /// Whether Re VV·HH*, which may be negative, is what a channel holds; the others are powers.
 constexpr bool is_signed(std::size_t channel) {
   return channel + 1 == GroundPage::channels;
-}
-
-/// Adds one look of a block. The columns before `lane` lie before the first texel.
-template <float number_of(Half)>
-[[gnu::always_inline]] inline void add_channel(const Half* __restrict from, const float* __restrict weight,
-                                               float* __restrict to) {
-  for (std::size_t i = 0; i < vector; ++i) to[i] += weight[i] * number_of(from[i]) * into_sum;
-}
-
-/// Adds one look, whose part of the first block is `from`.
-SIGMASCAPE_VECTOR_TARGETS
-void add_look(const Half* from, std::size_t block_halves, std::size_t lane, const Weights& weights, std::size_t count,
-              const Returned& returned) {
-  for (std::size_t first = 0; first < count; first += vector, from += block_halves) {
-    const std::size_t before = first == 0 ? lane : 0;
-    for (std::size_t channel = 0; channel < GroundPage::channels; ++channel) {
-      float* const to = returned[channel] + (first + before) - lane;
-      Lanes lanes{};
-      std::copy_n(to, vector - before, lanes.of.data() + before);
-      const Half* const numbers = from + channel * vector;
-      const float* const weight = weights.of.data() + first;
-      if (is_signed(channel)) add_channel<tiny_number_of>(numbers, weight, lanes.of.data());
-      if (!is_signed(channel)) add_channel<tiny_power_of>(numbers, weight, lanes.of.data());
-      std::copy_n(lanes.of.data() + before, vector - before, to);
-    }
-  }
 }
 
 /// Asks the second cache for a block that will be wanted soon: the first is full of the row at hand.
@@ -185,14 +162,13 @@ void blend_eight(const BlendOf& looks, const CornerWeights& weights, const float
 }
 
 SIGMASCAPE_VECTOR_TARGETS
-void ground_weights(const LatticeRow& row, const GroundLook& look, Weights& weights) {
-  const float gain = look.factor * into_weights / look.sine, highest_sine = look.highest_sine;
-  const float below = look.below, above = look.above;
-  float* const weight = weights.from_lane(look.blocks.lane);
+void find_ground_weights(const LatticeRow& row, const GroundElevation& elevation, float highest_sine, float* weight) {
+  const float gain = into_weights / elevation.sine;
+  const float below = elevation.below, own = elevation.own, above = elevation.above;
   // Without a neighbour the part is held at one.
-  const float per_below = below > look.own ? 1.0F / (below - look.own) : 0.0F;
-  const float per_above = look.own > above ? 1.0F / (look.own - above) : 0.0F;
-  const float held_below = below > look.own ? 0.0F : 1.0F, held_above = look.own > above ? 0.0F : 1.0F;
+  const float per_below = below > own ? 1.0F / (below - own) : 0.0F;
+  const float per_above = own > above ? 1.0F / (own - above) : 0.0F;
+  const float held_below = below > own ? 0.0F : 1.0F, held_above = own > above ? 0.0F : 1.0F;
   for (std::size_t i = 0; i < row.count; ++i) {
     const float cotangent = row.local_cotangent[i];
     const float from_below = held_below + (below - cotangent) * per_below;
@@ -200,6 +176,61 @@ void ground_weights(const LatticeRow& row, const GroundLook& look, Weights& weig
     const float part = greater(lesser(lesser(from_below, from_above), 1.0F), 0.0F);
     weight[i] = gain * part * lesser(row.local_sine[i], highest_sine) * row.ground_area_m2[i];
   }
+}
+
+/// Adds one channel of one elevation of a block.
+template <std::size_t frequencies, float number_of(Half)>
+[[gnu::always_inline]] inline void add_channel(const Half* __restrict from, const float* __restrict weight,
+                                               const float* factor, float* __restrict to) {
+  for (std::size_t i = 0; i < vector; ++i) {
+    float number = factor[0] * number_of(from[i]);
+    if constexpr (frequencies == 2) number += factor[1] * number_of(from[GroundPage::look_halves + i]);
+    to[i] += weight[i] * number * into_sum;
+  }
+}
+
+/// Adds all channels of a stretch, block by block, fetching the block to the south of each meanwhile.
+template <std::size_t frequencies>
+[[gnu::always_inline]] inline void add_blocks(const GroundLooks& looks, const CornerWeights& weights, std::size_t count,
+                                              const Returned& returned) {
+  constexpr std::size_t elevation_halves = frequencies * GroundPage::look_halves;
+  constexpr std::size_t block_halves = GroundPage::elevations * elevation_halves;
+  const std::size_t lane = looks.blocks.lane;
+  const Half* from = looks.blocks.blocks;
+  const Half* next = looks.next_blocks;
+  for (std::size_t first = 0; first < count; first += vector, from += block_halves) {
+    if (next != nullptr) {
+      fetch(next + looks.first * elevation_halves, (looks.end - looks.first) * elevation_halves);
+      next += block_halves;
+    }
+    // Columns before the first texel are not this stretch's.
+    const std::size_t before = first == 0 ? lane : 0;
+    for (std::size_t channel = 0; channel < GroundPage::channels; ++channel) {
+      float* const to = returned[channel] + (first + before) - lane;
+      Lanes lanes{};
+      std::copy_n(to, vector - before, lanes.of.data() + before);
+      for (std::size_t e = looks.first; e < looks.end; ++e) {
+        const Half* const numbers = from + e * elevation_halves + channel * vector;
+        const float* const weight = weights[e].of.data() + first;
+        const float* const factor = looks.elevations[e].factor.data();
+        if (is_signed(channel)) add_channel<frequencies, tiny_number_of>(numbers, weight, factor, lanes.of.data());
+        if (!is_signed(channel)) add_channel<frequencies, tiny_power_of>(numbers, weight, factor, lanes.of.data());
+      }
+      std::copy_n(lanes.of.data() + before, vector - before, to);
+    }
+  }
+}
+
+SIGMASCAPE_VECTOR_TARGETS
+void add_one_frequency(const GroundLooks& looks, const CornerWeights& weights, std::size_t count,
+                       const Returned& returned) {
+  add_blocks<1>(looks, weights, count, returned);
+}
+
+SIGMASCAPE_VECTOR_TARGETS
+void add_two_frequencies(const GroundLooks& looks, const CornerWeights& weights, std::size_t count,
+                         const Returned& returned) {
+  add_blocks<2>(looks, weights, count, returned);
 }
 
 }  // namespace
@@ -231,12 +262,14 @@ Extremes face(LatticeRow& row, const RowGeometry& geometry, float area_m2) {
   return found;
 }
 
-void add_ground(LatticeRow& row, const GroundLook& look) {
-  Weights weights;
-  ground_weights(row, look, weights);
-  const std::size_t lane = look.blocks.lane;
-  add_look(look.blocks.blocks + look.look * GroundPage::look_halves, look.looks * GroundPage::look_halves, lane,
-           weights, LatticeRow::whole_vectors(lane + row.count), returned_from(row, 0));
+void add_ground(LatticeRow& row, const GroundLooks& looks) {
+  const std::size_t lane = looks.blocks.lane;
+  CornerWeights weights;
+  for (std::size_t e = looks.first; e < looks.end; ++e) {
+    find_ground_weights(row, looks.elevations[e], looks.highest_sine, weights[e].from_lane(lane, row.count));
+  }
+  const std::size_t reckoned = LatticeRow::whole_vectors(lane + row.count);
+  (looks.frequencies == 2 ? add_two_frequencies : add_one_frequency)(looks, weights, reckoned, returned_from(row, 0));
 }
 
 SIGMASCAPE_VECTOR_TARGETS
