@@ -33,12 +33,12 @@ struct PageKey {
 };
 
 /// Everything that a frame needs to know of 256 × 256 texels of ground seen from between a few looks, laid out so that
-/// a row of texels is read from one end to the other.
+/// a stretch of a row is read in one piece, all looks and channels of it.
 struct GroundPage {
   PageKey key;
   /// 4 or 8, see atlas::AspectCells::looks_of. Of bare ground [elevation][frequency].
   std::size_t looks = 0;
-  std::vector<atlas::Half> planes;                            ///< [row][look][channel][column], north up
+  std::vector<atlas::Half> blocks;                            ///< [row][block][look][channel][column], north up
   std::array<float, atlas::AspectCells::most_looks> scale{};  ///< σ0 of a stored 1, a look
   std::vector<float> height_m;                                ///< [row][column], of the texel's centre, orthometric
   // Of bare ground alone:
@@ -47,17 +47,19 @@ struct GroundPage {
   mutable std::atomic<std::uint64_t> last_wanted{0};  ///< number of the frame that last read it
 
   static constexpr std::size_t elevations = 4;  ///< of a page of bare ground
-  /// Numbers that a row is read by: `planes` goes on for so many, so that the last ones can be read as well.
-  static constexpr std::size_t vector = 16;
   static constexpr std::size_t channels = radar::Channels::count;
+  static constexpr std::size_t vector = 16;                      ///< columns of a block, which a row is reckoned by
+  static constexpr std::size_t look_halves = channels * vector;  ///< of a block
 
   [[nodiscard]] std::size_t level() const { return key.tile.level; }
-  [[nodiscard]] const atlas::Half* row_planes(std::size_t row) const {
-    return planes.data() + row * looks * channels * atlas::tile_side;
+  [[nodiscard]] std::size_t block_halves() const { return looks * look_halves; }
+  /// The block that holds a texel.
+  [[nodiscard]] const atlas::Half* block_of(std::size_t row, std::size_t column) const {
+    return blocks.data() + (row * atlas::tile_side + column) / vector * block_halves();
   }
   [[nodiscard]] const float* row_heights(std::size_t row) const { return height_m.data() + row * atlas::tile_side; }
   [[nodiscard]] std::size_t bytes() const {
-    return planes.capacity() * sizeof(atlas::Half) + (height_m.capacity() + top_m.capacity()) * sizeof(float) +
+    return blocks.capacity() * sizeof(atlas::Half) + (height_m.capacity() + top_m.capacity()) * sizeof(float) +
            slope.capacity() * sizeof(terrain::PackedSlope) + sizeof(*this);
   }
 };

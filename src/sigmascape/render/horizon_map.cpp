@@ -23,6 +23,7 @@ struct Steps {
   float first_column = 0.0F, first_row = 0.0F, columns_a_step = 0.0F, rows_a_step = 0.0F;
   alignas(64) std::array<float, together> distance_m, slope;
   alignas(64) std::array<std::int32_t, together> square;  // of the obstacles; −1 outside
+  std::array<PackedObstacle, together> obstacle;
 };
 
 /// Slopes of the lines of sight to the bilinear ground under the steps.
@@ -67,6 +68,14 @@ void look_up_squares(Steps& steps, float first_column, float first_row, float co
     const auto row = static_cast<std::int32_t>(lesser(greater(down, 0.0F), height - 1.0F));
     const std::int32_t tile = row / side * tiles_across + column / side;
     steps.square[i] = inside ? (tile * side + row % side) * side + column % side : -1;
+  }
+}
+
+/// What stands on the squares. They are far apart in memory: read before the first step is taken, none waits for what
+/// is made of the one before it.
+void look_up_obstacles(Steps& steps, const ObstacleMosaic& obstacles) {
+  for (std::size_t i = 0; i < steps.count; ++i) {
+    steps.obstacle[i] = steps.square[i] < 0 ? PackedObstacle{} : obstacles.at(steps.square[i]);
   }
 }
 
@@ -138,6 +147,7 @@ class HorizonMap::Walk {
             steps_, static_cast<float>(cell.x), static_cast<float>(cell.y),
             static_cast<float>(direction_.x * cells_a_step), static_cast<float>(-direction_.y * cells_a_step),
             static_cast<std::int32_t>(obstacles->block().across), static_cast<std::int32_t>(obstacles->block().down));
+        look_up_obstacles(steps_, *obstacles);
       }
       for (std::size_t i = 0; i < steps_.count; ++i) step(first + i, i);
     }
@@ -204,12 +214,11 @@ void HorizonMap::sweep(std::size_t azimuth, Vec3d radar, const Occluders& occlud
   CrownDepth crowns(std::span(depths_[worker]).first(2 * grid_.distances),
                     {.lowest_slope = (lowest_m - radar.z) / nearest_m - grid_.drop_per_square_m * far_m,
                      .highest_slope = over_highest_m / (over_highest_m > 0.0 ? nearest_m : far_m)});
-  const auto pass = [&](const ObstacleMosaic& among, std::size_t i, double step_m) {
+  const auto pass = [&](std::size_t i, double step_m) {
     const float slope = steps.slope[i];
     steepest = greater(steepest, slope);
-    if (steps.square[i] < 0 || slope == no_ground) return;
-    const PackedObstacle packed = among.at(steps.square[i]);
-    if (packed.solid_top == 0 && packed.crown_top == 0) return;
+    const PackedObstacle packed = steps.obstacle[i];
+    if (slope == no_ground || (packed.solid_top == 0 && packed.crown_top == 0)) return;
     const radar::Obstacle obstacle = packed.unpacked();
     const float per_distance = 1.0F / steps.distance_m[i];
     if (packed.solid_top > 0) solid = greater(solid, slope + obstacle.solid_top_m * per_distance);
@@ -220,15 +229,14 @@ void HorizonMap::sweep(std::size_t azimuth, Vec3d radar, const Occluders& occlud
   };
   const Strides before_near(lead.step_m, obstacles_before);
   walk.over(before, &obstacles_before, lead.from_m - 0.5 * (lead.step_m - before_near.length_m), before_near.length_m,
-            lead.count * before_near.a_step,
-            [&](std::size_t, std::size_t i) { pass(obstacles_before, i, before_near.length_m); });
+            lead.count * before_near.a_step, [&](std::size_t, std::size_t i) { pass(i, before_near.length_m); });
 
   const Strides within(grid_.step_m, obstacles);
   float transmission = 1.0F;
   const double first_m = grid_.near_m - static_cast<double>(within.a_step - 1) * within.length_m;
   const std::size_t count = grid_.distances * within.a_step;
   walk.over(ground, &obstacles, first_m, within.length_m, count, [&](std::size_t stride, std::size_t i) {
-    pass(obstacles, i, within.length_m);
+    pass(i, within.length_m);
     if (stride % within.a_step != within.a_step - 1) return;
     const std::size_t k = stride / within.a_step;
     // Ground behind a ridge is not seen whatever stands in between.

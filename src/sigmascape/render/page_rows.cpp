@@ -42,15 +42,17 @@ void PageRows::miss(const PageKey& key) {
   if (wanted_.size() < wanted_.capacity() && std::ranges::none_of(wanted_, same)) wanted_.push_back(key);
 }
 
-const atlas::Half* PageRows::planes_of(const PageRow& source, std::size_t count) {
-  const atlas::Half* const planes = source.page->row_planes(source.row);
-  if (source.levels_up == 0) return planes + source.first_column;
-  for (std::size_t plane = 0; plane < source.page->looks * GroundPage::channels; ++plane) {
-    for (std::size_t i = 0; i < count; ++i) {
-      drawn_out_[plane * atlas::tile_side + i] = planes[plane * atlas::tile_side + source.column_of(i)];
-    }
+TexelBlocks PageRows::blocks_of(const PageRow& source, std::size_t count) {
+  constexpr std::size_t vector = GroundPage::vector;
+  const GroundPage& page = *source.page;
+  if (source.levels_up == 0) return {page.block_of(source.row, source.first_column), source.first_column % vector};
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t column = source.column_of(i);
+    const atlas::Half* const from = page.block_of(source.row, column) + column % vector;
+    atlas::Half* const to = drawn_out_.data() + i / vector * page.block_halves() + i % vector;
+    for (std::size_t k = 0; k < page.block_halves(); k += vector) to[k] = from[k];
   }
-  return drawn_out_.data();
+  return {drawn_out_.data(), 0};
 }
 
 }  // namespace sigmascape::render

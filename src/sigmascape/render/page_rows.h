@@ -17,10 +17,16 @@ struct PageRow {
 
   /// Column in the page of texel `i` of the stretch.
   [[nodiscard]] std::size_t column_of(std::size_t i) const { return (first_column + i) >> levels_up; }
-  /// Of the row further south, from the first texel's column on; null where the page ends or is an ancestor.
-  [[nodiscard]] const atlas::Half* next_planes() const {
-    return levels_up == 0 && row + 1 < atlas::tile_side ? page->row_planes(row + 1) + first_column : nullptr;
+  /// Of the row further south, the first texel's block; null where the page ends or is an ancestor.
+  [[nodiscard]] const atlas::Half* next_blocks() const {
+    return levels_up == 0 && row + 1 < atlas::tile_side ? page->block_of(row + 1, first_column) : nullptr;
   }
+};
+
+/// Blocks of a page that hold a stretch of texels.
+struct TexelBlocks {
+  const atlas::Half* blocks = nullptr;  ///< [block][look][channel][column]
+  std::size_t lane = 0;                 ///< of the first texel, its column in the first block
 };
 
 /// Finds rows of pages for one task of a frame, and remembers which pages were missing.
@@ -37,9 +43,9 @@ class PageRows {
 
   /// From `column` of `row` of the tile on.
   PageRow row_of(const PageKey& key, std::size_t row, std::size_t column);
-  /// Planes of `count` texels; those of an ancestor are drawn out, each of its texels over those that it stands for,
-  /// and are good until the next call.
-  const atlas::Half* planes_of(const PageRow& source, std::size_t count);
+  /// Of `count` texels; those of an ancestor are drawn out, each of its texels over those that it stands for, and are
+  /// good until the next call.
+  TexelBlocks blocks_of(const PageRow& source, std::size_t count);
 
  private:
   void miss(const PageKey& key);
@@ -48,8 +54,8 @@ class PageRows {
   PageCache::View view_;
   std::vector<PageKey> wanted_;
   const GroundPage* last_page_ = nullptr;
-  std::array<atlas::Half, atlas::AspectCells::most_looks * GroundPage::channels * atlas::tile_side + GroundPage::vector>
-      drawn_out_;
+  alignas(
+      64) std::array<atlas::Half, atlas::AspectCells::most_looks * GroundPage::channels * atlas::tile_side> drawn_out_;
 };
 
 }  // namespace sigmascape::render

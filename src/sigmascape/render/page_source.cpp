@@ -9,16 +9,18 @@ namespace {
 using atlas::Half;
 using atlas::tile_side;
 
-/// From [row][column][channel] of one look to its planes within [row][look][channel][column].
-void spread_over_planes(std::span<const Half> halves, std::size_t look, std::size_t looks, std::vector<Half>& planes) {
-  for (std::size_t row = 0; row < tile_side; ++row) {
-    const Half* from = &halves[row * tile_side * GroundPage::channels];
-    Half* to = &planes[(row * looks + look) * GroundPage::channels * tile_side];
-    for (std::size_t channel = 0; channel < GroundPage::channels; ++channel) {
-      for (std::size_t column = 0; column < tile_side; ++column) {
-        to[channel * tile_side + column] = from[column * GroundPage::channels + channel];
+/// From [row][column][channel] of one look to its part of all blocks.
+void spread_over_blocks(std::span<const Half> halves, std::size_t look, GroundPage& page) {
+  const Half* from = halves.data();
+  Half* to = page.blocks.data() + look * GroundPage::look_halves;
+  for (std::size_t block = 0; block < tile_side * tile_side / GroundPage::vector; ++block) {
+    for (std::size_t column = 0; column < GroundPage::vector; ++column) {
+      for (std::size_t channel = 0; channel < GroundPage::channels; ++channel) {
+        to[channel * GroundPage::vector + column] = from[column * GroundPage::channels + channel];
       }
     }
+    from += GroundPage::look_halves;
+    to += page.block_halves();
   }
 }
 
@@ -39,7 +41,7 @@ std::uint32_t PageSource::ground_pages() const {
 std::size_t PageSource::most_bytes() const {
   GroundPage example;
   constexpr std::size_t texels = tile_side * tile_side;
-  example.planes.reserve(texels * aspects_.looks_a_cell() * GroundPage::channels + GroundPage::vector);
+  example.blocks.reserve(texels * aspects_.looks_a_cell() * GroundPage::channels);
   example.height_m.reserve(texels);
   if (bare_ground_) {
     example.slope.reserve(texels);
@@ -50,7 +52,7 @@ std::size_t PageSource::most_bytes() const {
 
 bool PageSource::fill(GroundPage& page) const {
   page.looks = aspects_.looks_a_cell();
-  page.planes.resize(tile_side * tile_side * page.looks * GroundPage::channels + GroundPage::vector);
+  page.blocks.resize(tile_side * tile_side * page.looks * GroundPage::channels);
   page.height_m.resize(tile_side * tile_side);
   if (page.key.is_bare_ground()) return fill_ground(page);
   const auto looks = aspects_.looks_of(page.key.aspects);
@@ -87,7 +89,7 @@ bool PageSource::fill_look(const atlas::TileReader& tiles, atlas::LookIndex inde
   const double scale = tiles.read(page.key.tile, index, std::span<Half, atlas::TileReader::tile_halves>(halves));
   if (scale == 0.0) return false;
   page.scale[look] = static_cast<float>(scale);
-  spread_over_planes(halves, look, page.looks, page.planes);
+  spread_over_blocks(halves, look, page);
   return true;
 }
 

@@ -12,7 +12,7 @@ namespace sigmascape::render {
 namespace {
 
 using atlas::Half;
-constexpr std::size_t plane = atlas::tile_side;
+constexpr std::size_t vector = GroundPage::vector;
 
 /// A finite half, subnormal ones included, times 2⁻¹¹²: its bits at the place of a float's.
 float tiny_number_of(Half half) {
@@ -27,12 +27,22 @@ float tiny_power_of(Half half) {
 // stay clear of the smallest floats, and one into the sum.
 constexpr float into_weights = 0x1p40F, into_sum = 0x1p72F;
 
+/// Of the columns of a stretch's blocks.
 struct Weights {
   alignas(64) LatticeRow::Of<float> of;
+
+  /// Where those of `count` texels begin; columns before the first and after the last weigh nothing.
+  float* from_lane(std::size_t lane, std::size_t count) {
+    std::fill_n(of.data(), vector, 0.0F);
+    std::fill_n(of.data() + LatticeRow::whole_vectors(lane + count) - vector, vector, 0.0F);
+    return of.data() + lane;
+  }
 };
 
-/// What falls to the four corners [elevation][azimuth] of an aspect cell, but for what is the same for all texels.
+/// What falls to the four corners [elevation][azimuth] of an aspect cell, or to the four elevations of a page of bare
+/// ground, but for what is the same for all texels.
 using CornerWeights = std::array<Weights, 4>;
+static_assert(GroundPage::elevations == 4);
 
 SIGMASCAPE_VECTOR_TARGETS
 void find_corner_weights(const LatticeRow& row, std::size_t first, std::size_t count, const BlendOf& looks,
@@ -41,10 +51,10 @@ void find_corner_weights(const LatticeRow& row, std::size_t first, std::size_t c
   const float* const cotangent = row.cotangent.data() + first;
   const float* const sine = row.sine.data() + first;
   const float* const lit = row.lit.data() + first;
-  float* const low_left = weights[0].of.data();
-  float* const low_right = weights[1].of.data();
-  float* const high_left = weights[2].of.data();
-  float* const high_right = weights[3].of.data();
+  float* const low_left = weights[0].from_lane(looks.blocks.lane, count);
+  float* const low_right = weights[1].from_lane(looks.blocks.lane, count);
+  float* const high_left = weights[2].from_lane(looks.blocks.lane, count);
+  float* const high_right = weights[3].from_lane(looks.blocks.lane, count);
   const float span = looks.cotangent[0] - looks.cotangent[1];
   const float per_cotangent = span > 0.0F ? 1.0F / span : 0.0F;
   const float azimuth_offset = looks.azimuth_offset, azimuth_per_beam = looks.azimuth_per_beam;
@@ -63,109 +73,164 @@ void find_corner_weights(const LatticeRow& row, std::size_t first, std::size_t c
   }
 }
 
-/// The four numbers that texels return, to be added to.
-struct Returned {
-  float* vv;
-  float* hh;
-  float* hv;
-  float* re;
+/// Where the four numbers that texels return go, those of the first texel first.
+using Returned = std::array<float*, GroundPage::channels>;
+
+Returned returned_from(LatticeRow& row, std::size_t first) {
+  return {row.returned[0].data() + first, row.returned[1].data() + first, row.returned[2].data() + first,
+          row.returned[3].data() + first};
+}
+
+/// One channel of a block.
+struct Lanes {
+  alignas(64) std::array<float, vector> of;
 };
 
-/// Adds one look. Powers are never negative; Re VV·HH* may be.
-SIGMASCAPE_VECTOR_TARGETS
-void add_look(const Half* __restrict planes, const Weights& weights, std::size_t count, const Returned& to) {
-  const float* __restrict weight = weights.of.data();
-  float* __restrict vv = to.vv;
-  float* __restrict hh = to.hh;
-  float* __restrict hv = to.hv;
-  float* __restrict re = to.re;
-  for (std::size_t i = 0; i < count; ++i) {
-    vv[i] += weight[i] * tiny_power_of(planes[i]) * into_sum;
-    hh[i] += weight[i] * tiny_power_of(planes[plane + i]) * into_sum;
-    hv[i] += weight[i] * tiny_power_of(planes[2 * plane + i]) * into_sum;
-    re[i] += weight[i] * tiny_number_of(planes[3 * plane + i]) * into_sum;
-  }
+/// Whether Re VV·HH*, which may be negative, is what a channel holds; the others are powers.
+constexpr bool is_signed(std::size_t channel) {
+  return channel + 1 == GroundPage::channels;
 }
 
-constexpr std::size_t look_stride = GroundPage::channels * plane;
-
-/// Asks for `looks` stretches of a channel that will be wanted soon.
-void fetch(const Half* from, std::size_t looks, std::size_t count) {
+/// Asks the second cache for a block that will be wanted soon: the first is full of the row at hand.
+[[gnu::always_inline]] inline void fetch(const Half* block, std::size_t halves) {
   constexpr std::size_t line = 64 / sizeof(Half);
-  for (std::size_t look = 0; look < looks; ++look) {
-    for (std::size_t i = 0; i < count + line - 1; i += line) __builtin_prefetch(from + look * look_stride + i, 0, 3);
-  }
+  for (std::size_t i = 0; i < halves; i += line) __builtin_prefetch(block + i, 0, 2);
 }
 
-/// Blends one channel of four looks that lie one after the other, `gain` of each.
-template <float number_of(Half)>
-[[gnu::always_inline]] inline void blend_four(const Half* __restrict from, const CornerWeights& weights,
-                                              const float* gain, std::size_t count, float* __restrict to) {
-  const float* __restrict a = weights[0].of.data();
-  const float* __restrict b = weights[1].of.data();
-  const float* __restrict c = weights[2].of.data();
-  const float* __restrict d = weights[3].of.data();
-  const float gain_a = gain[0], gain_b = gain[1], gain_c = gain[2], gain_d = gain[3];
-  for (std::size_t i = 0; i < count; ++i) {
-    to[i] = ((a[i] * (gain_a * number_of(from[i])) + b[i] * (gain_b * number_of(from[look_stride + i]))) +
-             (c[i] * (gain_c * number_of(from[2 * look_stride + i])) +
-              d[i] * (gain_d * number_of(from[3 * look_stride + i])))) *
-            into_sum;
-  }
-}
-
-/// The same of eight looks, those of a second frequency after those of the first.
-template <float number_of(Half)>
-[[gnu::always_inline]] inline void blend_eight(const Half* __restrict from, const CornerWeights& weights,
-                                               const float* gain, std::size_t count, float* __restrict to) {
-  const float* __restrict a = weights[0].of.data();
-  const float* __restrict b = weights[1].of.data();
-  const float* __restrict c = weights[2].of.data();
-  const float* __restrict d = weights[3].of.data();
-  const float gain_a = gain[0], gain_b = gain[1], gain_c = gain[2], gain_d = gain[3];
-  const float next_a = gain[4], next_b = gain[5], next_c = gain[6], next_d = gain[7];
-  const Half* __restrict next = from + 4 * look_stride;
-  for (std::size_t i = 0; i < count; ++i) {
-    const float of_a = gain_a * number_of(from[i]) + next_a * number_of(next[i]);
-    const float of_b = gain_b * number_of(from[look_stride + i]) + next_b * number_of(next[look_stride + i]);
-    const float of_c = gain_c * number_of(from[2 * look_stride + i]) + next_c * number_of(next[2 * look_stride + i]);
-    const float of_d = gain_d * number_of(from[3 * look_stride + i]) + next_d * number_of(next[3 * look_stride + i]);
+/// Blends one channel of a block, `gain` of each look: of each frequency four, the corners of the aspect cell.
+template <std::size_t looks, float number_of(Half)>
+[[gnu::always_inline]] inline void blend_channel(const Half* __restrict from, const float* const* corner,
+                                                 const float* gain, float* __restrict to) {
+  constexpr std::size_t apart = GroundPage::look_halves, next_frequency = 4 * apart;
+  const float* __restrict a = corner[0];
+  const float* __restrict b = corner[1];
+  const float* __restrict c = corner[2];
+  const float* __restrict d = corner[3];
+  for (std::size_t i = 0; i < vector; ++i) {
+    float of_a = gain[0] * number_of(from[i]);
+    float of_b = gain[1] * number_of(from[apart + i]);
+    float of_c = gain[2] * number_of(from[2 * apart + i]);
+    float of_d = gain[3] * number_of(from[3 * apart + i]);
+    if constexpr (looks == 8) {
+      const Half* const next = from + next_frequency;
+      of_a += gain[4] * number_of(next[i]);
+      of_b += gain[5] * number_of(next[apart + i]);
+      of_c += gain[6] * number_of(next[2 * apart + i]);
+      of_d += gain[7] * number_of(next[3 * apart + i]);
+    }
     to[i] = ((a[i] * of_a + b[i] * of_b) + (c[i] * of_c + d[i] * of_d)) * into_sum;
   }
 }
 
-/// Blends all channels, fetching those of the next row meanwhile.
-SIGMASCAPE_VECTOR_TARGETS
-void blend_channels(const BlendOf& looks, const CornerWeights& weights, const float* gain, std::size_t count,
-                    const Returned& to) {
-  float* const channels[] = {to.vv, to.hh, to.hv, to.re};
-  for (std::size_t channel = 0; channel < GroundPage::channels; ++channel) {
-    const Half* const from = looks.planes + channel * plane;
-    if (looks.next_planes != nullptr) fetch(looks.next_planes + channel * plane, looks.looks, count);
-    // Powers are never negative; Re VV·HH*, the last, may be.
-    const bool is_power = channel + 1 < GroundPage::channels;
-    if (looks.looks == 8 && is_power) blend_eight<tiny_power_of>(from, weights, gain, count, channels[channel]);
-    if (looks.looks == 8 && !is_power) blend_eight<tiny_number_of>(from, weights, gain, count, channels[channel]);
-    if (looks.looks == 4 && is_power) blend_four<tiny_power_of>(from, weights, gain, count, channels[channel]);
-    if (looks.looks == 4 && !is_power) blend_four<tiny_number_of>(from, weights, gain, count, channels[channel]);
+/// Blends all channels of a stretch, block by block, fetching the block to the south of each meanwhile.
+template <std::size_t looks>
+[[gnu::always_inline]] inline void blend_blocks(const BlendOf& blend, const CornerWeights& weights, const float* gain,
+                                                std::size_t count, const Returned& returned) {
+  constexpr std::size_t block_halves = looks * GroundPage::look_halves;
+  const std::size_t lane = blend.blocks.lane;
+  const Half* from = blend.blocks.blocks;
+  const Half* next = blend.next_blocks;
+  for (std::size_t first = 0; first < count; first += vector, from += block_halves) {
+    if (next != nullptr) {
+      fetch(next, block_halves);
+      next += block_halves;
+    }
+    const float* const corner[] = {weights[0].of.data() + first, weights[1].of.data() + first,
+                                   weights[2].of.data() + first, weights[3].of.data() + first};
+    // Columns before the first texel are not this stretch's.
+    const std::size_t before = first == 0 ? lane : 0;
+    for (std::size_t channel = 0; channel < GroundPage::channels; ++channel) {
+      Lanes lanes;
+      const Half* const numbers = from + channel * vector;
+      if (is_signed(channel)) blend_channel<looks, tiny_number_of>(numbers, corner, gain, lanes.of.data());
+      if (!is_signed(channel)) blend_channel<looks, tiny_power_of>(numbers, corner, gain, lanes.of.data());
+      std::copy_n(lanes.of.data() + before, vector - before, returned[channel] + (first + before) - lane);
+    }
   }
 }
 
 SIGMASCAPE_VECTOR_TARGETS
-void ground_weights(const LatticeRow& row, const GroundLook& look, Weights& weights) {
-  const float gain = look.factor * into_weights / look.sine, highest_sine = look.highest_sine;
-  const float below = look.below, above = look.above;
+void blend_four(const BlendOf& looks, const CornerWeights& weights, const float* gain, std::size_t count,
+                const Returned& returned) {
+  blend_blocks<4>(looks, weights, gain, count, returned);
+}
+
+SIGMASCAPE_VECTOR_TARGETS
+void blend_eight(const BlendOf& looks, const CornerWeights& weights, const float* gain, std::size_t count,
+                 const Returned& returned) {
+  blend_blocks<8>(looks, weights, gain, count, returned);
+}
+
+SIGMASCAPE_VECTOR_TARGETS
+void find_ground_weights(const LatticeRow& row, const GroundElevation& elevation, float highest_sine, float* weight) {
+  const float gain = into_weights / elevation.sine;
+  const float below = elevation.below, own = elevation.own, above = elevation.above;
   // Without a neighbour the part is held at one.
-  const float per_below = below > look.own ? 1.0F / (below - look.own) : 0.0F;
-  const float per_above = look.own > above ? 1.0F / (look.own - above) : 0.0F;
-  const float held_below = below > look.own ? 0.0F : 1.0F, held_above = look.own > above ? 0.0F : 1.0F;
+  const float per_below = below > own ? 1.0F / (below - own) : 0.0F;
+  const float per_above = own > above ? 1.0F / (own - above) : 0.0F;
+  const float held_below = below > own ? 0.0F : 1.0F, held_above = own > above ? 0.0F : 1.0F;
   for (std::size_t i = 0; i < row.count; ++i) {
     const float cotangent = row.local_cotangent[i];
     const float from_below = held_below + (below - cotangent) * per_below;
     const float from_above = held_above + (cotangent - above) * per_above;
     const float part = greater(lesser(lesser(from_below, from_above), 1.0F), 0.0F);
-    weights.of[i] = gain * part * lesser(row.local_sine[i], highest_sine) * row.ground_area_m2[i];
+    weight[i] = gain * part * lesser(row.local_sine[i], highest_sine) * row.ground_area_m2[i];
   }
+}
+
+/// Adds one channel of one elevation of a block.
+template <std::size_t frequencies, float number_of(Half)>
+[[gnu::always_inline]] inline void add_channel(const Half* __restrict from, const float* __restrict weight,
+                                               const float* factor, float* __restrict to) {
+  for (std::size_t i = 0; i < vector; ++i) {
+    float number = factor[0] * number_of(from[i]);
+    if constexpr (frequencies == 2) number += factor[1] * number_of(from[GroundPage::look_halves + i]);
+    to[i] += weight[i] * number * into_sum;
+  }
+}
+
+/// Adds all channels of a stretch, block by block, fetching the block to the south of each meanwhile.
+template <std::size_t frequencies>
+[[gnu::always_inline]] inline void add_blocks(const GroundLooks& looks, const CornerWeights& weights, std::size_t count,
+                                              const Returned& returned) {
+  constexpr std::size_t elevation_halves = frequencies * GroundPage::look_halves;
+  constexpr std::size_t block_halves = GroundPage::elevations * elevation_halves;
+  const std::size_t lane = looks.blocks.lane;
+  const Half* from = looks.blocks.blocks;
+  const Half* next = looks.next_blocks;
+  for (std::size_t first = 0; first < count; first += vector, from += block_halves) {
+    if (next != nullptr) {
+      fetch(next + looks.first * elevation_halves, (looks.end - looks.first) * elevation_halves);
+      next += block_halves;
+    }
+    // Columns before the first texel are not this stretch's.
+    const std::size_t before = first == 0 ? lane : 0;
+    for (std::size_t channel = 0; channel < GroundPage::channels; ++channel) {
+      float* const to = returned[channel] + (first + before) - lane;
+      Lanes lanes{};
+      std::copy_n(to, vector - before, lanes.of.data() + before);
+      for (std::size_t e = looks.first; e < looks.end; ++e) {
+        const Half* const numbers = from + e * elevation_halves + channel * vector;
+        const float* const weight = weights[e].of.data() + first;
+        const float* const factor = looks.elevations[e].factor.data();
+        if (is_signed(channel)) add_channel<frequencies, tiny_number_of>(numbers, weight, factor, lanes.of.data());
+        if (!is_signed(channel)) add_channel<frequencies, tiny_power_of>(numbers, weight, factor, lanes.of.data());
+      }
+      std::copy_n(lanes.of.data() + before, vector - before, to);
+    }
+  }
+}
+
+SIGMASCAPE_VECTOR_TARGETS
+void add_one_frequency(const GroundLooks& looks, const CornerWeights& weights, std::size_t count,
+                       const Returned& returned) {
+  add_blocks<1>(looks, weights, count, returned);
+}
+
+SIGMASCAPE_VECTOR_TARGETS
+void add_two_frequencies(const GroundLooks& looks, const CornerWeights& weights, std::size_t count,
+                         const Returned& returned) {
+  add_blocks<2>(looks, weights, count, returned);
 }
 
 }  // namespace
@@ -197,11 +262,14 @@ Extremes face(LatticeRow& row, const RowGeometry& geometry, float area_m2) {
   return found;
 }
 
-void add_ground(LatticeRow& row, const GroundLook& look) {
-  Weights weights;
-  ground_weights(row, look, weights);
-  add_look(look.planes, weights, row.count,
-           {row.returned[0].data(), row.returned[1].data(), row.returned[2].data(), row.returned[3].data()});
+void add_ground(LatticeRow& row, const GroundLooks& looks) {
+  const std::size_t lane = looks.blocks.lane;
+  CornerWeights weights;
+  for (std::size_t e = looks.first; e < looks.end; ++e) {
+    find_ground_weights(row, looks.elevations[e], looks.highest_sine, weights[e].from_lane(lane, row.count));
+  }
+  const std::size_t reckoned = LatticeRow::whole_vectors(lane + row.count);
+  (looks.frequencies == 2 ? add_two_frequencies : add_one_frequency)(looks, weights, reckoned, returned_from(row, 0));
 }
 
 SIGMASCAPE_VECTOR_TARGETS
@@ -217,18 +285,16 @@ Extremes cotangent_extremes(const LatticeRow& row) {
 }
 
 void blend(LatticeRow& row, std::size_t first, std::size_t count, const BlendOf& looks) {
-  const Returned returned{row.returned[0].data() + first, row.returned[1].data() + first,
-                          row.returned[2].data() + first, row.returned[3].data() + first};
   CornerWeights weights;
-  const std::size_t reckoned = LatticeRow::whole_vectors(count);
-  find_corner_weights(row, first, reckoned, looks, weights);
+  find_corner_weights(row, first, LatticeRow::whole_vectors(count), looks, weights);
   // Of each frequency four looks, [elevation][azimuth].
   std::array<float, atlas::AspectCells::most_looks> gain;
   for (std::size_t look = 0; look < looks.looks; ++look) {
     gain[look] =
         looks.area_m2 * looks.scale[look] * looks.frequency_part[look / 4] * into_weights / looks.sine[look % 4 / 2];
   }
-  blend_channels(looks, weights, gain.data(), reckoned, returned);
+  const std::size_t reckoned = LatticeRow::whole_vectors(looks.blocks.lane + count);
+  (looks.looks == 8 ? blend_eight : blend_four)(looks, weights, gain.data(), reckoned, returned_from(row, first));
 }
 
 void blend_nothing(LatticeRow& row, std::size_t first, std::size_t count) {

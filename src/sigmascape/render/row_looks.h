@@ -3,8 +3,8 @@
 #include <array>
 #include <cstddef>
 
-#include "sigmascape/atlas/half.h"
 #include "sigmascape/render/lattice_row.h"
+#include "sigmascape/render/page_rows.h"
 
 namespace sigmascape::render {
 
@@ -16,8 +16,8 @@ struct Extremes {
 
 /// Looks that lie about the aspect of a stretch of texels.
 struct BlendOf {
-  const atlas::Half* planes = nullptr;       ///< [look][channel][column], the first texel's column first
-  const atlas::Half* next_planes = nullptr;  ///< of the row that comes next, to be fetched meanwhile; may be null
+  TexelBlocks blocks;
+  const atlas::Half* next_blocks = nullptr;  ///< of the row that comes next, to be fetched meanwhile; may be null
   const float* scale = nullptr;
   std::size_t looks = 4;           ///< or 8, see GroundPage
   float area_m2 = 1.0F;            ///< of a texel
@@ -37,17 +37,24 @@ void blend_nothing(LatticeRow& row, std::size_t first, std::size_t count);
 /// faces away has no area. Returns the extremes of local_cotangent where there is any.
 [[nodiscard]] Extremes face(LatticeRow& row, const RowGeometry& geometry, float area_m2);
 
-/// One elevation of bare ground among others: `cotangent` of the one below it, its own and the one above; where it has
+/// One elevation of bare ground among others: cotangents of the one below it, its own and the one above; where it has
 /// no neighbour its own again.
-struct GroundLook {
-  const atlas::Half* planes = nullptr;  ///< [channel][column]
-  float factor = 0.0F;                  ///< σ0 of a stored 1 times the part of its frequency
+struct GroundElevation {
   float below = 0.0F, own = 0.0F, above = 0.0F;
-  float sine = 1.0F;          ///< of its elevation
-  float highest_sine = 1.0F;  ///< of the highest
+  float sine = 1.0F;
+  std::array<float, 2> factor{};  ///< σ0 of a stored 1 times the part of its frequency, of one or two frequencies
 };
-/// Adds what the ground of all texels returns as seen by this elevation's part: γ is linear in the cotangent between
+/// Elevations of a page of bare ground.
+struct GroundLooks {
+  TexelBlocks blocks;
+  const atlas::Half* next_blocks = nullptr;  ///< of the row that comes next, to be fetched meanwhile; may be null
+  std::size_t frequencies = 1;               ///< looks of an elevation, 1 or 2
+  std::size_t first = 0, end = 1;            ///< which of the page's elevations
+  std::array<GroundElevation, GroundPage::elevations> elevations;
+  float highest_sine = 1.0F;  ///< of the highest of the atlas
+};
+/// Adds what the ground of all texels returns as seen by these elevations' parts: γ is linear in the cotangent between
 /// elevations and held below the lowest; above the highest σ0 is held.
-void add_ground(LatticeRow& row, const GroundLook& look);
+void add_ground(LatticeRow& row, const GroundLooks& looks);
 
 }  // namespace sigmascape::render

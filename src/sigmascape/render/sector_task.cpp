@@ -5,7 +5,6 @@
 
 #include "sigmascape/base/units.h"
 #include "sigmascape/base/vector_targets.h"
-#include "sigmascape/render/row_looks.h"
 #include "sigmascape/render/row_scatterers.h"
 
 namespace sigmascape::render {
@@ -228,31 +227,41 @@ void SectorTask::add_bare_ground(const Place& place, float area_m2) {
 }
 
 void SectorTask::add_bare_elevations(const Place& place, std::uint32_t first, std::uint32_t last) {
+  constexpr std::uint32_t a_page = GroundPage::elevations;
+  for (std::uint32_t number = first / a_page; number <= last / a_page; ++number) {
+    const PageRow source = pages_.row_of(PageKey::bare_ground(place.tile, number), place.row, place.first_column);
+    if (source.page == nullptr) report_.dark += row_.count;
+    if (source.levels_up > 0) report_.coarse += row_.count;
+    if (source.page == nullptr) continue;
+    const std::uint32_t lowest = number * a_page;
+    add_ground(row_, ground_looks(source, std::max(first, lowest), std::min(last + 1, lowest + a_page)));
+  }
+}
+
+GroundLooks SectorTask::ground_looks(const PageRow& source, std::uint32_t first, std::uint32_t end) {
   const atlas::AspectCells& elevations = *ground_aspects();
   const auto& cotangents = elevations.cotangents();
+  constexpr std::uint32_t a_page = GroundPage::elevations;
+  const std::uint32_t lowest = first / a_page * a_page;
   const std::size_t highest = elevations.elevation_count() - 1;
-  PageRow source;
-  for (std::uint32_t e = first; e <= last; ++e) {
-    if (e == first || e % GroundPage::elevations == 0) {
-      const auto number = static_cast<std::uint32_t>(e / GroundPage::elevations);
-      source = pages_.row_of(PageKey::bare_ground(place.tile, number), place.row, place.first_column);
-      if (source.page == nullptr) report_.dark += row_.count;
-      if (source.levels_up > 0) report_.coarse += row_.count;
-    }
-    if (source.page == nullptr) continue;
-    const std::size_t frequencies = source.page->looks / GroundPage::elevations;
-    const atlas::Half* const planes = pages_.planes_of(source, row_.count);
-    for (std::size_t f = 0; f < frequencies; ++f) {
-      const std::size_t look = e % GroundPage::elevations * frequencies + f;
-      add_ground(row_, {.planes = planes + look * GroundPage::channels * atlas::tile_side,
-                        .factor = source.page->scale[look] * elevations.frequency_part(f),
-                        .below = cotangents[e > 0 ? e - 1 : 0],
-                        .own = cotangents[e],
-                        .above = cotangents[std::min<std::size_t>(e + 1, highest)],
-                        .sine = elevations.sine(e),
-                        .highest_sine = elevations.sine(highest)});
+  GroundLooks looks{.blocks = pages_.blocks_of(source, row_.count),
+                    .next_blocks = source.next_blocks(),
+                    .frequencies = source.page->looks / GroundPage::elevations,
+                    .first = first - lowest,
+                    .end = end - lowest,
+                    .elevations = {},
+                    .highest_sine = elevations.sine(highest)};
+  for (std::uint32_t e = first; e < end; ++e) {
+    GroundElevation& own = looks.elevations[e - lowest];
+    own = {.below = cotangents[e > 0 ? e - 1 : 0],
+           .own = cotangents[e],
+           .above = cotangents[std::min<std::size_t>(e + 1, highest)],
+           .sine = elevations.sine(e)};
+    for (std::size_t f = 0; f < looks.frequencies; ++f) {
+      own.factor[f] = source.page->scale[(e - lowest) * looks.frequencies + f] * elevations.frequency_part(f);
     }
   }
+  return looks;
 }
 
 const atlas::AspectCells* SectorTask::ground_aspects() const {
@@ -301,8 +310,8 @@ void SectorTask::blend_by_aspect(const Place& place, float area_m2) {
     const PageRow source = pages_.row_of({place.tile, cell}, place.row, place.first_column + begin);
     if (source.page != nullptr) {
       blend(row_, begin, end - begin,
-            {.planes = pages_.planes_of(source, end - begin),
-             .next_planes = source.next_planes(),
+            {.blocks = pages_.blocks_of(source, end - begin),
+             .next_blocks = source.next_blocks(),
              .scale = source.page->scale.data(),
              .looks = source.page->looks,
              .area_m2 = area_m2,

@@ -13,6 +13,7 @@
 #include "sigmascape/render/page_rows.h"
 #include "sigmascape/render/row_bins.h"
 #include "sigmascape/render/row_light.h"
+#include "sigmascape/render/row_looks.h"
 #include "sigmascape/render/row_places.h"
 #include "sigmascape/render/sector.h"
 
@@ -73,6 +74,8 @@ class SectorTask {
   /// Adds the bare ground of the stretch: each texel by the elevations about its own local grazing angle.
   void add_bare_ground(const Place& place, float area_m2);
   void add_bare_elevations(const Place& place, std::uint32_t first, std::uint32_t last);
+  /// Those of the elevations from `first` to before `end`, all of one page.
+  [[nodiscard]] GroundLooks ground_looks(const PageRow& source, std::uint32_t first, std::uint32_t end);
   /// Cuts the stretch where the aspect passes from one cell to the next, and blends each piece from its own page.
   void blend_by_aspect(const Place& place, float area_m2);
   /// Draws the scatterers' values.
