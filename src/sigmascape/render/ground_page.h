@@ -43,7 +43,7 @@ struct GroundPage {
   std::vector<float> height_m;                                ///< [row][column], of the texel's centre, orthometric
   // Of bare ground alone:
   std::vector<terrain::PackedSlope> slope;            ///< [row][column]
-  std::vector<float> top_m;                           ///< [row][column], of what stands there, above the ground
+  std::vector<float> top_m;                           ///< [row][column], as of radar::AnsweringTops
   mutable std::atomic<std::uint64_t> last_wanted{0};  ///< number of the frame that last read it
 
   static constexpr std::size_t elevations = 4;  ///< of a page of bare ground

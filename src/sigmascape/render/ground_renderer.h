@@ -38,8 +38,8 @@ struct RenderCounts {
 ///
 /// Where the atlas keeps the ground apart (atlas::GroundLayers), the ground answers with its grazing angle above the
 /// local slope and its true area, behind terrain and obstacles as they stand here; objects answer with the part of
-/// their height that rises above the terrain's horizon, and hide one another as they were baked. Otherwise the shadows
-/// of objects too are those of the textures, and what hides here is the bare earth.
+/// their height (radar::AnsweringTops) that rises above the terrain's horizon, and hide one another as they were baked.
+/// Otherwise the shadows of objects too are those of the textures, and what hides here is the bare earth.
 class GroundRenderer {
  public:
   GroundRenderer(const atlas::Atlas& atlas, const terrain::HeightField& terrain) : atlas_(&atlas), terrain_(&terrain) {}

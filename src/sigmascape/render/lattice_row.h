@@ -49,7 +49,7 @@ struct LatticeRow {
 
   // Where the ground is kept apart from what stands on it.
   alignas(64) Of<float> slope_east, slope_north;      ///< of the ground: rise over distance
-  alignas(64) Of<float> top_m;                        ///< of what stands there, above the ground
+  alignas(64) Of<float> top_m;                        ///< up to which something answers from there, above the ground
   alignas(64) Of<float> ground_lit;                   ///< how much of the ground is seen, 0 to 1
   alignas(64) Of<float> local_cotangent, local_sine;  ///< of the grazing angle above the slope
   alignas(64) Of<float> ground_area_m2;               ///< true area of the slope that is seen

@@ -22,7 +22,7 @@ struct Horizon {
 std::size_t light(LatticeRow& row, const Horizon& horizon);
 
 /// After `light`: fills `ground_lit` with what is seen of the ground behind obstacles, and sets `lit` to the part of
-/// what stands on it (by height, `top_m`) that rises above the terrain's horizon.
+/// what answers from above it (by height, up to `top_m`) that rises above the terrain's horizon.
 void light_apart(LatticeRow& row, const Horizon& horizon);
 
 /// Last of all: a texel is lit when its ground or what stands on it is.
