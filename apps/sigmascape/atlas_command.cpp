@@ -16,7 +16,6 @@
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/geo/raster.h"
-#include "sigmascape/terrain/height_field_file.h"
 #include "sigmascape/terrain/pyramid_builder.h"
 
 namespace sigmascape::cli {
@@ -29,22 +28,9 @@ std::vector<double> degrees(const std::vector<double>& angles_rad) {
   return angles_deg;
 }
 
-/// Nothing records a SHA-256 of the terrain in one piece, but damage shows when it is read.
-std::optional<atlas::StoreFault> fault_of_terrain(const std::filesystem::path& folder) {
-  if (!std::filesystem::exists(folder / atlas::terrain_name))
-    return atlas::StoreFault{atlas::terrain_name, "is missing"};
-  try {
-    static_cast<void>(terrain::read_height_field(folder / atlas::terrain_name));
-  } catch (const Error&) {
-    return atlas::StoreFault{atlas::terrain_name, "cannot be read whole"};
-  }
-  return std::nullopt;
-}
-
 void verify(const std::string& folder, const Output& output) {
   const atlas::Store store = atlas::Store::open(folder);
   std::vector<atlas::StoreFault> faults = atlas::verify(store);
-  if (auto fault = fault_of_terrain(folder)) faults.push_back(std::move(*fault));
   const std::size_t texture_faults = faults.size();
   if (const auto pyramid = std::filesystem::path(folder) / atlas::terrain_pyramid_name;
       std::filesystem::exists(pyramid)) {

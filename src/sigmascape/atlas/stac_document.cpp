@@ -31,6 +31,14 @@ std::string href_from(const PyramidTile& tile, const std::filesystem::path& file
   return (tile.level == 0 ? "../" : "../../") + file.generic_string();
 }
 
+radar::GroundGrid whole_grid(const AtlasDescription& description) {
+  const PatchBlock block = description.patches.block_over(description.extent);
+  radar::GroundGrid grid = description.patches.texels_of(block[0]);
+  grid.columns *= block.columns();
+  grid.rows *= block.rows();
+  return grid;
+}
+
 Footprint::Footprint(const AtlasDescription& description, const radar::GroundGrid& grid) {
   const auto corners = geo::geographic_corners({grid.west_m, grid.north_m, grid.cell_m, description.frame.proj()},
                                                grid.columns, grid.rows);

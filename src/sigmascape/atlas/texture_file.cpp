@@ -58,7 +58,7 @@ std::optional<StoreFault> own_fault(const std::filesystem::path& folder, const s
   const bool there = !error;
   const std::optional<std::string> text = text_of(folder / item);
   if (!text && !there) return StoreFault{texture, "is missing"};
-  if (!text) return StoreFault{item, "is missing, so its texture does not count"};
+  if (!text) return StoreFault{item, "is missing, so the file that it vouches for does not count"};
   record = record_from(*text);
   if (!record) return StoreFault{item, "cannot be understood"};
   if (!there) return StoreFault{texture, "is missing, though its item is there"};
