@@ -17,7 +17,8 @@
 #include "sigmascape/atlas/texture_name.h"
 #include "sigmascape/base/error.h"
 #include "sigmascape/geo/atomic_file.h"
-#include "sigmascape/geo/geotiff.h"
+#include "sigmascape/geo/byte_raster.h"
+#include "sigmascape/geo/geo_raster.h"
 
 namespace sigmascape::atlas {
 namespace {

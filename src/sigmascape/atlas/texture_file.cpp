@@ -13,7 +13,7 @@
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/sha256.h"
 #include "sigmascape/geo/atomic_file.h"
-#include "sigmascape/geo/geotiff.h"
+#include "sigmascape/geo/half_pyramid.h"
 
 namespace sigmascape::atlas {
 

@@ -14,7 +14,7 @@
 
 #include "sigmascape/atlas/half.h"
 #include "sigmascape/base/error.h"
-#include "sigmascape/geo/geotiff.h"
+#include "sigmascape/geo/geo_raster.h"
 
 namespace sigmascape::atlas {
 namespace {

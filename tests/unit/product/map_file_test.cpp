@@ -7,7 +7,7 @@
 
 #include "scratch_folder.h"
 
-#include "sigmascape/geo/geotiff.h"
+#include "sigmascape/geo/geo_raster.h"
 #include "sigmascape/geo/local_frame.h"
 #include "sigmascape/product/ground_map_file.h"
 #include "sigmascape/product/npy_bytes.h"

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+namespace sigmascape::geo {
+
+/// Whether a CRS counts in degrees and not in metres. Throws Error when PROJ does not understand it.
+[[nodiscard]] bool is_in_degrees(const std::string& crs);
+
+/// The CRS as WKT2 (ISO 19162:2019), on one line. Throws Error when PROJ does not understand it.
+[[nodiscard]] std::string wkt2_from(const std::string& crs);
+
+}  // namespace sigmascape::geo
