@@ -128,8 +128,8 @@ void check_png_name(const std::filesystem::path& path) {
 
 void write_png(const std::filesystem::path& path, const Picture& picture) {
   const std::string bytes = png_bytes(picture);
-  geo::write_atomically(std::filesystem::path(path).replace_extension(".pgw"), world_file_text(picture.grid));
-  geo::write_atomically(path, bytes);
+  const std::string world = world_file_text(picture.grid);
+  geo::write_together({{std::filesystem::path(path).replace_extension(".pgw"), world}, {path, bytes}});
 }
 
 }  // namespace sigmascape::product

@@ -1,16 +1,16 @@
 #include "sigmascape/geo/atomic_file.h"
 
-#include <csignal>
 #include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <iterator>
 #include <stdexcept>
 #include <string>
-#include <sys/resource.h>
 #include <thread>
 #include <unistd.h>
 #include <vector>
+
+#include "full_disk.h"
 
 #include "sigmascape/base/error.h"
 
@@ -40,27 +40,6 @@ class AtomicFile : public testing::Test {
   }
 
   std::filesystem::path folder_;
-};
-
-/// No file may grow beyond `bytes` while this lives: to a writer the same as a full disk.
-class FullDisk {
- public:
-  explicit FullDisk(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
-    ::getrlimit(RLIMIT_FSIZE, &before_);
-    rlimit limit = before_;
-    limit.rlim_cur = bytes;
-    ::setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  ~FullDisk() {
-    ::setrlimit(RLIMIT_FSIZE, &before_);
-    static_cast<void>(std::signal(SIGXFSZ, handler_));
-  }
-  FullDisk(const FullDisk&) = delete;
-  FullDisk& operator=(const FullDisk&) = delete;
-
- private:
-  rlimit before_{};
-  void (*handler_)(int);
 };
 
 TEST_F(AtomicFile, HoldsWhatWasWrittenAndNothingElseIsLeft) {
@@ -108,6 +87,32 @@ TEST_F(AtomicFile, AFullDiskGivesOneSentenceAndLeavesNothing) {
   EXPECT_THAT(message, testing::HasSubstr("a.txt"));
   EXPECT_THAT(message, testing::HasSubstr("free some space"));
   EXPECT_EQ(files(), 0U);
+}
+
+TEST_F(AtomicFile, OfFilesThatBelongTogetherAFullDiskLeavesNone) {
+  write_together({{folder_ / "a.json", "{}"}, {folder_ / "deep" / "a.npy", "numbers"}});
+  EXPECT_EQ(content_of(folder_ / "a.json"), "{}");
+  EXPECT_EQ(content_of(folder_ / "deep" / "a.npy"), "numbers");
+  std::filesystem::remove_all(folder_);
+  std::filesystem::create_directories(folder_);
+
+  const std::string large(5000, 'x');
+  {
+    const FullDisk full(1000);
+    EXPECT_THROW(write_together({{folder_ / "a.json", "{}"}, {folder_ / "a.npy", large}}), Error);
+    EXPECT_THROW(write_together({{folder_ / "a.npy", large}, {folder_ / "a.json", "{}"}}), Error);
+  }
+  EXPECT_EQ(files(), 0U);
+}
+
+// The second name cannot be taken, which shows only when the first has been.
+TEST_F(AtomicFile, OfFilesThatBelongTogetherTheFormerOnesStandAgain) {
+  write_atomically(folder_ / "a.json", "old");
+  std::filesystem::create_directories(folder_ / "a.npy" / "occupied");
+  EXPECT_THROW(write_together({{folder_ / "new.json", "{}"}, {folder_ / "a.json", "{}"}, {folder_ / "a.npy", "x"}}),
+               Error);
+  EXPECT_EQ(content_of(folder_ / "a.json"), "old");
+  EXPECT_EQ(files(), 2U) << "neither a new name nor a temporary one";
 }
 
 TEST_F(AtomicFile, AFolderThatCannotBeMadeIsNamed) {
