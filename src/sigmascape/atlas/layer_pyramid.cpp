@@ -62,7 +62,8 @@ bool LayerPyramid::make(const PyramidTile& tile) const {
   return true;
 }
 
-std::size_t LayerPyramid::make_above(const std::vector<PatchIndex>& patches, Scrutiny scrutiny) const {
+std::size_t LayerPyramid::make_above(const std::vector<PatchIndex>& patches, Scrutiny scrutiny,
+                                     std::vector<PyramidTile>* left_out) const {
   std::size_t written = 0;
   for (std::size_t level = 1; level <= levels(); ++level) {
     std::vector<PatchIndex> wanted;
@@ -72,10 +73,28 @@ std::size_t LayerPyramid::make_above(const std::vector<PatchIndex>& patches, Scr
     wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
     for (const PatchIndex& south_west : wanted) {
       const PyramidTile tile{level, south_west};
-      if (!is_done(tile, scrutiny) && make(tile)) ++written;
+      if (is_done(tile, scrutiny)) continue;
+      if (make(tile)) {
+        ++written;
+      } else if (left_out != nullptr) {
+        left_out->push_back(tile);
+      }
     }
   }
   return written;
+}
+
+std::vector<StoreFault> LayerPyramid::hindrances(const std::vector<PyramidTile>& left_out) const {
+  std::vector<StoreFault> faults;
+  for (const PyramidTile& tile : left_out) {
+    // What is higher up waits for a file of the pyramid, which is left out itself.
+    if (tile.level != 1) continue;
+    for (const auto& patch : parts_of(tile)) {
+      if (!patch) continue;
+      if (auto fault = layer_->fault_of(file_of(*patch), Scrutiny::Content)) faults.push_back(std::move(*fault));
+    }
+  }
+  return faults;
 }
 
 std::vector<StoreFault> LayerPyramid::verify(Scrutiny scrutiny) const {

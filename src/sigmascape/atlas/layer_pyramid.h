@@ -58,8 +58,13 @@ class LayerPyramid : public PyramidTiles {
   /// whether it did.
   bool make(const PyramidTile& tile) const;
 
-  /// Makes, level by level, what is not done and has one of the patches under it. Returns how many files were written.
-  std::size_t make_above(const std::vector<PatchIndex>& patches, Scrutiny scrutiny = Scrutiny::Size) const;
+  /// Makes, level by level, what is not done and has one of the patches under it. Returns how many files were written;
+  /// what could not be made is added to `left_out`.
+  std::size_t make_above(const std::vector<PatchIndex>& patches, Scrutiny scrutiny = Scrutiny::Size,
+                         std::vector<PyramidTile>* left_out = nullptr) const;
+
+  /// What is wrong with the files of patches that keeps places of the pyramid from being made.
+  [[nodiscard]] std::vector<StoreFault> hindrances(const std::vector<PyramidTile>& left_out) const;
 
   /// What is wrong with it, by file. Files that cannot be made yet are no fault.
   [[nodiscard]] std::vector<StoreFault> verify(Scrutiny scrutiny = Scrutiny::Content) const;

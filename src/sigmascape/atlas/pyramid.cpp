@@ -75,8 +75,13 @@ std::size_t Pyramid::make_above(const std::vector<Unit>& units, Scrutiny scrutin
   return written;
 }
 
-std::size_t Pyramid::make_above(const std::vector<PatchIndex>& patches, LookIndex look, Scrutiny scrutiny) const {
-  return of(look).make_above(patches, scrutiny);
+std::size_t Pyramid::make_above(const std::vector<PatchIndex>& patches, LookIndex look, Scrutiny scrutiny,
+                                std::vector<PyramidTile>* left_out) const {
+  return of(look).make_above(patches, scrutiny, left_out);
+}
+
+std::vector<StoreFault> Pyramid::hindrances(const std::vector<PyramidTile>& left_out, LookIndex look) const {
+  return of(look).hindrances(left_out);
 }
 
 HalfTexture Pyramid::read_halves(const PyramidTile& tile, LookIndex look) const {
