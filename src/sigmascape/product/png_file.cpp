@@ -123,7 +123,6 @@ std::string world_file_text(const radar::GroundGrid& grid) {
 void check_png_name(const std::filesystem::path& path) {
   if (path.extension() != ".png")
     throw Error(path.string(), "is no kind of file that maps are drawn into", "end the name in .png");
-  if (std::filesystem::is_directory(path)) throw Error(path.string(), "is a folder", "name a file");
 }
 
 void write_png(const std::filesystem::path& path, const Picture& picture) {

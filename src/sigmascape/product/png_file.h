@@ -13,7 +13,7 @@ namespace sigmascape::product {
 /// cannot be written.
 void write_png(const std::filesystem::path& path, const Picture& picture);
 
-/// Throws Error unless the name ends in .png and is not that of a folder.
+/// Throws Error unless the name ends in .png: for asking before the work.
 void check_png_name(const std::filesystem::path& path);
 
 /// The picture as the bytes of a PNG file. Errors as for write_png.
