@@ -63,9 +63,7 @@ void verify(const std::string& folder, const Output& output) {
   }
   std::string text;
   for (const atlas::StoreFault& fault : faults) text += fmt::format("{} {}\n", fault.file.string(), fault.what);
-  const atlas::AtlasDescription& description = store.description();
-  const std::size_t looks =
-      description.patches.block_over(description.extent).size() * description.aspects.look_count();
+  const std::size_t looks = store.unit_count();
   text += faults.empty()
               ? fmt::format("{} looks, all whole and as recorded", looks)
               : fmt::format(

@@ -117,6 +117,10 @@ Store Store::open(const std::filesystem::path& folder) {
   return {folder, std::move(description)};
 }
 
+std::size_t Store::unit_count() const {
+  return description_.patches.block_over(description_.extent).size() * description_.aspects.look_count();
+}
+
 std::vector<Unit> Store::units() const {
   std::vector<Unit> all;
   for (const PatchIndex& patch : description_.patches.covering(description_.extent)) {
