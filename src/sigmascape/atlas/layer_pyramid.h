@@ -14,6 +14,7 @@
 #include "sigmascape/atlas/pyramid_tiles.h"
 #include "sigmascape/atlas/stac_item.h"
 #include "sigmascape/atlas/store.h"
+#include "sigmascape/atlas/texture_file.h"
 #include "sigmascape/base/array2d.h"
 
 namespace sigmascape::atlas {
@@ -36,9 +37,7 @@ class PyramidLayer {
 
   /// Relative to the store.
   [[nodiscard]] virtual std::filesystem::path file_of(const PyramidTile& tile) const = 0;
-  /// What is wrong with a file, if anything.
-  [[nodiscard]] virtual std::optional<StoreFault> fault_of(const std::filesystem::path& file,
-                                                           Scrutiny scrutiny) const = 0;
+  [[nodiscard]] virtual FoundTexture found(const std::filesystem::path& file, Scrutiny scrutiny) const = 0;
   /// Writes the file of a place of level 1 or up, made of the four below, and its item, which records `made_from`.
   virtual void write(const PyramidTile& tile, const PyramidQuarters& quarters, const std::string& made_from) const = 0;
 };

@@ -26,9 +26,8 @@ class Sigma0Layer final : public PyramidLayer {
     return path_of(store_, tile, look_);
   }
 
-  [[nodiscard]] std::optional<StoreFault> fault_of(const std::filesystem::path& file,
-                                                   Scrutiny scrutiny) const override {
-    return texture_fault(store_.folder(), file, scrutiny);
+  [[nodiscard]] FoundTexture found(const std::filesystem::path& file, Scrutiny scrutiny) const override {
+    return found_texture(store_.folder(), file, scrutiny);
   }
 
   void write(const PyramidTile& tile, const PyramidQuarters& quarters, const std::string& made_from) const override {
