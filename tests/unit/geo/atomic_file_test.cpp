@@ -127,6 +127,8 @@ TEST_F(AtomicFile, AFolderThatCannotBeMadeIsNamed) {
 
 TEST_F(AtomicFile, PlacesWhereNothingCanLieAreToldBeforeTheWork) {
   write_atomically(folder_ / "file", "x");
+  // Whoever may execute it could enter it, were it a folder.
+  std::filesystem::permissions(folder_ / "file", std::filesystem::perms::owner_all);
   EXPECT_THROW(check_place_for(folder_ / "file" / "a.txt"), Error);
   EXPECT_THROW(check_place_for(folder_ / "file" / "deeper" / "a.txt"), Error);
   EXPECT_THROW(check_place_for(folder_), Error);
@@ -134,6 +136,14 @@ TEST_F(AtomicFile, PlacesWhereNothingCanLieAreToldBeforeTheWork) {
   EXPECT_NO_THROW(check_place_for(folder_ / "new" / "deeper" / "a.txt"));
   EXPECT_NO_THROW(check_place_for("a.txt"));
   EXPECT_EQ(files(), 1U) << "the check writes nothing";
+}
+
+TEST_F(AtomicFile, FoldersThatMayNotBeWrittenToAreToldBeforeTheWork) {
+  if (::geteuid() == 0) GTEST_SKIP() << "root may write anywhere";
+  std::filesystem::create_directories(folder_ / "locked");
+  std::filesystem::permissions(folder_ / "locked", std::filesystem::perms::owner_read);
+  EXPECT_THROW(check_place_for(folder_ / "locked" / "a.txt"), Error);
+  EXPECT_THROW(check_place_for(folder_ / "locked" / "new" / "a.txt"), Error);
 }
 
 TEST_F(AtomicFile, ManyWritersOfOneNameNeverMix) {
