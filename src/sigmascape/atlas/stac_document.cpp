@@ -6,7 +6,7 @@
 
 #include "sigmascape/atlas/texture_name.h"
 #include "sigmascape/base/units.h"
-#include "sigmascape/geo/geotiff.h"
+#include "sigmascape/geo/raster_placement.h"
 
 namespace sigmascape::atlas {
 

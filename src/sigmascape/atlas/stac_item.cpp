@@ -10,7 +10,7 @@
 #include "sigmascape/atlas/stac_document.h"
 #include "sigmascape/atlas/texture_name.h"
 #include "sigmascape/base/units.h"
-#include "sigmascape/geo/geotiff.h"
+#include "sigmascape/geo/coordinate_reference_system.h"
 
 namespace sigmascape::atlas {
 namespace {
