@@ -111,8 +111,7 @@ void LiveGround::load_coarsest_level() {
     }
   }
   if (all.size() > pages_.most_pages() / 2) return;
-  pages_.request(all);
-  pages_.wait_until_loaded();
+  pages_.load(all);
 }
 
 }  // namespace sigmascape::render
