@@ -12,11 +12,11 @@
 #include "sigmascape/atlas/atlas_summary.h"
 #include "sigmascape/atlas/levels_above.h"
 #include "sigmascape/atlas/store.h"
+#include "sigmascape/atlas/texture_file.h"
 #include "sigmascape/atlas/verify.h"
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/geo/raster.h"
-#include "sigmascape/terrain/height_field_file.h"
 #include "sigmascape/terrain/pyramid_builder.h"
 
 namespace sigmascape::cli {
@@ -29,22 +29,17 @@ std::vector<double> degrees(const std::vector<double>& angles_rad) {
   return angles_deg;
 }
 
-/// Nothing records a SHA-256 of the terrain in one piece, but damage shows when it is read.
-std::optional<atlas::StoreFault> fault_of_terrain(const std::filesystem::path& folder) {
-  if (!std::filesystem::exists(folder / atlas::terrain_name))
-    return atlas::StoreFault{atlas::terrain_name, "is missing"};
-  try {
-    static_cast<void>(terrain::read_height_field(folder / atlas::terrain_name));
-  } catch (const Error&) {
-    return atlas::StoreFault{atlas::terrain_name, "cannot be read whole"};
+nlohmann::ordered_json json_of(const std::vector<atlas::StoreFault>& faults) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const atlas::StoreFault& fault : faults) {
+    list.push_back({{"file", fault.file.string()}, {"fault", fault.what}});
   }
-  return std::nullopt;
+  return list;
 }
 
 void verify(const std::string& folder, const Output& output) {
   const atlas::Store store = atlas::Store::open(folder);
   std::vector<atlas::StoreFault> faults = atlas::verify(store);
-  if (auto fault = fault_of_terrain(folder)) faults.push_back(std::move(*fault));
   const std::size_t texture_faults = faults.size();
   if (const auto pyramid = std::filesystem::path(folder) / atlas::terrain_pyramid_name;
       std::filesystem::exists(pyramid)) {
@@ -53,21 +48,35 @@ void verify(const std::string& folder, const Output& output) {
     }
   }
   std::string text;
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const atlas::StoreFault& fault : faults) {
-    text += fmt::format("{} {}\n", fault.file.string(), fault.what);
-    list.push_back({{"file", fault.file.string()}, {"fault", fault.what}});
-  }
-  const atlas::AtlasDescription& description = store.description();
-  const std::size_t looks =
-      description.patches.block_over(description.extent).size() * description.aspects.look_count();
+  for (const atlas::StoreFault& fault : faults) text += fmt::format("{} {}\n", fault.file.string(), fault.what);
+  const std::size_t looks = store.unit_count();
   text += faults.empty()
               ? fmt::format("{} looks, all whole and as recorded", looks)
               : fmt::format(
                     "{} faults in {}; 'sigmascape bake … --verify' mends them{}", faults.size(), folder,
                     faults.size() > texture_faults ? ", and 'sigmascape atlas terrain' the terrain that it made" : "");
-  output.finish(text, {{"atlas", folder}, {"looks", looks}, {"faults", list}});
+  output.finish(text, {{"atlas", folder}, {"looks", looks}, {"faults", json_of(faults)}});
   if (!faults.empty()) throw CLI::RuntimeError(1);
+}
+
+/// What could not be made and why, to stand behind what was.
+std::string left_out_text(const atlas::LevelsAbove& made) {
+  if (made.left_out == 0) return "";
+  const std::size_t files = made.hindrances.size();
+  if (files == 0) return fmt::format("; {} left out; call it again", made.left_out);
+  const atlas::StoreFault& first = made.hindrances.front();
+  return fmt::format("; {} left out for want of {} file{} of patches ({} {}{}); {}", made.left_out, files,
+                     files == 1 ? "" : "s", first.file.string(), first.what, files == 1 ? "" : ", …",
+                     atlas::bake_again);
+}
+
+void make_pyramid(const std::string& folder, const Output& output) {
+  const atlas::LevelsAbove made = atlas::make_levels_above(atlas::Store::open(folder));
+  output.finish(fmt::format("{} textures written{}", made.written, left_out_text(made)),
+                {{"atlas", folder},
+                 {"written", made.written},
+                 {"left_out", made.left_out},
+                 {"because", json_of(made.hindrances)}});
 }
 
 nlohmann::ordered_json summary_of(const atlas::AtlasDescription& atlas, const atlas::AtlasSummary& summary) {
@@ -209,10 +218,7 @@ void add_atlas_command(CLI::App& app, Output& output) {
       ->callback([folder, &output] { verify(*folder, output); });
   subcommand("pyramid", "Make what is missing of the levels above the patches, from the patches that are there",
              "pyramid out/bilbao_atlas")
-      ->callback([folder, &output] {
-        const std::size_t written = atlas::make_levels_above(atlas::Store::open(*folder));
-        output.finish(fmt::format("{} textures written", written), {{"atlas", *folder}, {"written", written}});
-      });
+      ->callback([folder, &output] { make_pyramid(*folder, output); });
   add_terrain_command(
       *subcommand("terrain",
                   "Put terrain of any size beside the atlas, in tiles, for live frames that look beyond "

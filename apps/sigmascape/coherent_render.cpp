@@ -8,6 +8,7 @@
 
 #include "sigmascape/product/iq_file.h"
 #include "sigmascape/product/slant_projection.h"
+#include "sigmascape/radar/radar_title.h"
 #include "sigmascape/radar/target_file.h"
 #include "sigmascape/simulate/mode_image.h"
 #include "sigmascape/simulate/placement.h"
@@ -51,7 +52,7 @@ CoherentMap coherent_map(const CoherentRequest& request) {
                                      .threads = request.threads};
   const auto [plan, warnings] = simulate::mode_plan(wanted);
   for (const std::string& warning : warnings)
-    fmt::print(stderr, "warning: radar {}: {}\n", request.radar.name, warning);
+    fmt::print(stderr, "warning: {}: {}\n", radar::title_of(request.radar), warning);
   const Stopwatch watch;
   const auto project = [&](const auto& image) {
     return product::projected_to_ground(image, request.scene.terrain, request.grid);

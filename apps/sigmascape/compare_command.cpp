@@ -5,7 +5,7 @@
 #include "polarization_option.h"
 
 #include "sigmascape/base/error.h"
-#include "sigmascape/geo/geotiff.h"
+#include "sigmascape/geo/coordinate_reference_system.h"
 #include "sigmascape/product/ground_map_file.h"
 #include "sigmascape/product/map_metrics.h"
 

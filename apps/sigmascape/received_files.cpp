@@ -5,6 +5,7 @@
 #include "sigmascape/base/error.h"
 #include "sigmascape/product/ground_projection.h"
 #include "sigmascape/product/range_azimuth_file.h"
+#include "sigmascape/radar/radar_title.h"
 #include "sigmascape/radar/radar_warnings.h"
 #include "sigmascape/receiver/receive_chain.h"
 
@@ -70,7 +71,7 @@ radar::PowerMap received_map(const radar::Radar& radar, const radar::RangeAzimut
 
 void warn_of(const radar::Radar& radar, const radar::RangeAzimuthGrid& bins, double cell_m) {
   for (const std::string& warning : radar::radar_warnings(radar, bins, cell_m))
-    fmt::print(stderr, "warning: radar {}: {}\n", radar.name, warning);
+    fmt::print(stderr, "warning: {}: {}\n", radar::title_of(radar), warning);
 }
 
 }  // namespace sigmascape::cli

@@ -6,6 +6,7 @@
 
 #include "sigmascape/atlas/atlas.h"
 #include "sigmascape/atlas/store.h"
+#include "sigmascape/atlas/terrain_file.h"
 #include "sigmascape/terrain/height_field_file.h"
 
 namespace sigmascape::python {
@@ -23,8 +24,9 @@ class LoadedAtlas {
     return *textures_;
   }
   [[nodiscard]] const terrain::HeightField& terrain() const {
-    std::call_once(terrain_read_,
-                   [this] { terrain_ = terrain::read_height_field(store_.folder() / atlas::terrain_name); });
+    std::call_once(terrain_read_, [this] {
+      terrain_ = terrain::read_height_field(atlas::vouched_terrain(store_, atlas::Scrutiny::Content));
+    });
     return terrain_;
   }
 

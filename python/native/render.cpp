@@ -15,6 +15,7 @@
 #include "sigmascape/product/ground_projection.h"
 #include "sigmascape/product/slant_projection.h"
 #include "sigmascape/radar/radar_file.h"
+#include "sigmascape/radar/radar_title.h"
 #include "sigmascape/radar/radar_warnings.h"
 #include "sigmascape/receiver/receive_chain.h"
 #include "sigmascape/simulate/mode_image.h"
@@ -76,7 +77,7 @@ struct Wish {
 
 void tell(const std::vector<std::string>& warnings, const radar::Radar& radar) {
   for (const std::string& warning : warnings) {
-    const std::string text = fmt::format("radar {}: {}", radar.name, warning);
+    const std::string text = fmt::format("{}: {}", radar::title_of(radar), warning);
     const py::gil_scoped_acquire gil;
     if (PyErr_WarnEx(PyExc_UserWarning, text.c_str(), 1) != 0) throw py::error_already_set();
   }

@@ -10,6 +10,7 @@
 
 #include "sigmascape/atlas/pyramid.h"
 #include "sigmascape/atlas/store.h"
+#include "sigmascape/atlas/terrain_file.h"
 #include "sigmascape/terrain/height_field_file.h"
 
 namespace sigmascape::end_to_end {
@@ -38,6 +39,7 @@ class AtlasTerrain : public ::testing::Test {
     atlas::Pyramid(store).make_above(store.units());
     const terrain::HeightField level{-1000.0, 2000.0, 1000.0, Array2D<float>(4, 4, 0.0F)};
     terrain::write_height_field(atlas_ / atlas::terrain_name, level, description.frame.proj());
+    atlas::vouch_for_terrain(atlas::Store::open(atlas_));
   }
 
   /// A plane that rises to the east, in UTM zone 30 north.

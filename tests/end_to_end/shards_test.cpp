@@ -189,7 +189,15 @@ TEST_F(Shards, ThePyramidIsMadeAnewByItself) {
   const Ended made = run_cli(fmt::format("atlas pyramid --json '{}'", path_of("bare")));
   ASSERT_EQ(made.code, 0) << made.printed;
   EXPECT_EQ(made.json().at("written"), 8 + 4 + 36) << "four places: two looks, obstacles, nine of the ground";
+  EXPECT_EQ(made.json().at("left_out"), 0);
   EXPECT_EQ(difference_of(files_of(folder_ / "bare"), whole_), "");
+
+  fs::remove(folder_ / "bare" / obstacles);
+  fs::remove((folder_ / "bare" / obstacles).replace_extension(".json"));
+  const Ended lacking = run_cli(fmt::format("atlas pyramid '{}'", path_of("bare")));
+  EXPECT_EQ(lacking.code, 0);
+  EXPECT_THAT(lacking.printed, HasSubstr("0 textures written; 1 left out for want of 1 file of patches (" +
+                                         std::string(obstacles) + " is missing); start the bake again"));
 }
 
 TEST_F(Shards, InfoTellsWhatIsThereAndWhatIsNot) {

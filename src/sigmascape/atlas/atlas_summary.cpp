@@ -56,7 +56,7 @@ AtlasSummary summary_of(const Store& store) {
   const PatchBlock patches = description.patches.block_over(description.extent);
   const std::size_t look_count = description.aspects.look_count();
   summary.patches = patches.size();
-  summary.looks = patches.size() * look_count;
+  summary.looks = store.unit_count();
   summary.bytes = bytes_in(store.folder());
   std::vector<double> errors;
   for (std::size_t number = 0; number < summary.looks; ++number) {

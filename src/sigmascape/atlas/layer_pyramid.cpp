@@ -3,7 +3,6 @@
 #include <tuple>
 
 #include "sigmascape/atlas/half_cog.h"
-#include "sigmascape/atlas/texture_file.h"
 #include "sigmascape/base/sha256.h"
 
 namespace sigmascape::atlas {
@@ -27,9 +26,9 @@ std::optional<std::string> LayerPyramid::made_from(const PyramidTile& tile) cons
 
 std::optional<StoreFault> LayerPyramid::fault_of(const PyramidTile& tile, Scrutiny scrutiny) const {
   const std::filesystem::path file = file_of(tile);
-  if (auto fault = layer_->fault_of(file, scrutiny)) return fault;
-  const auto record = texture_record(store_.folder(), file);
-  if (record && record->made_from == made_from(tile)) return std::nullopt;
+  auto found = layer_->found(file, scrutiny);
+  if (found.fault) return std::move(found.fault);
+  if (found.record->made_from == made_from(tile)) return std::nullopt;
   return StoreFault{file, "was made from other files than now are one level below"};
 }
 
@@ -39,9 +38,8 @@ bool LayerPyramid::is_done(const PyramidTile& tile, Scrutiny scrutiny) const {
 
 std::optional<PyramidQuarter> LayerPyramid::quarter(const PyramidTile& part) const {
   const std::filesystem::path file = file_of(part);
-  if (layer_->fault_of(file, Scrutiny::Content)) return std::nullopt;
-  const auto record = texture_record(store_.folder(), file);
-  if (!record) return std::nullopt;
+  const auto [record, fault] = layer_->found(file, Scrutiny::Content);
+  if (fault) return std::nullopt;
   const std::size_t coarsest = part.level == 0 ? store_.description().patches.stored_levels() - 1 : 0;
   std::vector<Half> halves(tile_side * tile_side * std::tuple_size_v<BandNames>);
   if (!read_half_tile(store_.folder() / file, coarsest, 0, halves)) return std::nullopt;
@@ -62,7 +60,8 @@ bool LayerPyramid::make(const PyramidTile& tile) const {
   return true;
 }
 
-std::size_t LayerPyramid::make_above(const std::vector<PatchIndex>& patches, Scrutiny scrutiny) const {
+std::size_t LayerPyramid::make_above(const std::vector<PatchIndex>& patches, Scrutiny scrutiny,
+                                     std::vector<PyramidTile>* left_out) const {
   std::size_t written = 0;
   for (std::size_t level = 1; level <= levels(); ++level) {
     std::vector<PatchIndex> wanted;
@@ -72,10 +71,28 @@ std::size_t LayerPyramid::make_above(const std::vector<PatchIndex>& patches, Scr
     wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
     for (const PatchIndex& south_west : wanted) {
       const PyramidTile tile{level, south_west};
-      if (!is_done(tile, scrutiny) && make(tile)) ++written;
+      if (is_done(tile, scrutiny)) continue;
+      if (make(tile)) {
+        ++written;
+      } else if (left_out != nullptr) {
+        left_out->push_back(tile);
+      }
     }
   }
   return written;
+}
+
+std::vector<StoreFault> LayerPyramid::hindrances(const std::vector<PyramidTile>& left_out) const {
+  std::vector<StoreFault> faults;
+  for (const PyramidTile& tile : left_out) {
+    // What is higher up waits for a file of the pyramid, which is left out itself.
+    if (tile.level != 1) continue;
+    for (const auto& patch : parts_of(tile)) {
+      if (!patch) continue;
+      if (auto fault = layer_->found(file_of(*patch), Scrutiny::Content).fault) faults.push_back(std::move(*fault));
+    }
+  }
+  return faults;
 }
 
 std::vector<StoreFault> LayerPyramid::verify(Scrutiny scrutiny) const {

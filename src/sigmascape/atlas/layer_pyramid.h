@@ -14,6 +14,7 @@
 #include "sigmascape/atlas/pyramid_tiles.h"
 #include "sigmascape/atlas/stac_item.h"
 #include "sigmascape/atlas/store.h"
+#include "sigmascape/atlas/texture_file.h"
 #include "sigmascape/base/array2d.h"
 
 namespace sigmascape::atlas {
@@ -36,9 +37,7 @@ class PyramidLayer {
 
   /// Relative to the store.
   [[nodiscard]] virtual std::filesystem::path file_of(const PyramidTile& tile) const = 0;
-  /// What is wrong with a file, if anything.
-  [[nodiscard]] virtual std::optional<StoreFault> fault_of(const std::filesystem::path& file,
-                                                           Scrutiny scrutiny) const = 0;
+  [[nodiscard]] virtual FoundTexture found(const std::filesystem::path& file, Scrutiny scrutiny) const = 0;
   /// Writes the file of a place of level 1 or up, made of the four below, and its item, which records `made_from`.
   virtual void write(const PyramidTile& tile, const PyramidQuarters& quarters, const std::string& made_from) const = 0;
 };
@@ -58,8 +57,13 @@ class LayerPyramid : public PyramidTiles {
   /// whether it did.
   bool make(const PyramidTile& tile) const;
 
-  /// Makes, level by level, what is not done and has one of the patches under it. Returns how many files were written.
-  std::size_t make_above(const std::vector<PatchIndex>& patches, Scrutiny scrutiny = Scrutiny::Size) const;
+  /// Makes, level by level, what is not done and has one of the patches under it. Returns how many files were written;
+  /// what could not be made is added to `left_out`.
+  std::size_t make_above(const std::vector<PatchIndex>& patches, Scrutiny scrutiny = Scrutiny::Size,
+                         std::vector<PyramidTile>* left_out = nullptr) const;
+
+  /// What is wrong with the files of patches that keeps places of the pyramid from being made.
+  [[nodiscard]] std::vector<StoreFault> hindrances(const std::vector<PyramidTile>& left_out) const;
 
   /// What is wrong with it, by file. Files that cannot be made yet are no fault.
   [[nodiscard]] std::vector<StoreFault> verify(Scrutiny scrutiny = Scrutiny::Content) const;

@@ -1,14 +1,24 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "sigmascape/atlas/store.h"
 
 namespace sigmascape::atlas {
 
+/// What became of the levels above the patches.
+struct LevelsAbove {
+  std::size_t written = 0;   ///< files
+  std::size_t left_out = 0;  ///< files that could not be made
+  /// What is wrong with the files of patches that those would be made of. Files are relative to the atlas.
+  std::vector<StoreFault> hindrances = {};
+
+  LevelsAbove& operator+=(const LevelsAbove& other);
+};
+
 /// Makes what is missing or out of date of the levels above an atlas' patches, from the patches that are there: of σ0,
-/// and where the ground is kept apart of its own σ0 and of the obstacles. Mends the catalogs. Returns how many textures
-/// were written.
-std::size_t make_levels_above(const Store& atlas, Scrutiny scrutiny = Scrutiny::Content);
+/// and where the ground is kept apart of its own σ0 and of the obstacles. Mends the catalogs.
+LevelsAbove make_levels_above(const Store& atlas, Scrutiny scrutiny = Scrutiny::Content);
 
 }  // namespace sigmascape::atlas

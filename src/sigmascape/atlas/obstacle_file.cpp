@@ -9,7 +9,6 @@
 
 #include "sigmascape/atlas/mip_chain.h"
 #include "sigmascape/atlas/stac_item.h"
-#include "sigmascape/atlas/texture_file.h"
 #include "sigmascape/base/error.h"
 
 namespace sigmascape::atlas {
@@ -58,9 +57,8 @@ class ObstacleLayer final : public PyramidLayer {
 
   [[nodiscard]] std::filesystem::path file_of(const PyramidTile& tile) const override { return obstacles_path(tile); }
 
-  [[nodiscard]] std::optional<StoreFault> fault_of(const std::filesystem::path& file,
-                                                   Scrutiny scrutiny) const override {
-    return obstacles_fault(atlas_, file, scrutiny);
+  [[nodiscard]] FoundTexture found(const std::filesystem::path& file, Scrutiny scrutiny) const override {
+    return found_obstacles(atlas_, file, scrutiny);
   }
 
   void write(const PyramidTile& tile, const PyramidQuarters& quarters, const std::string& made_from) const override {
@@ -81,15 +79,14 @@ std::filesystem::path obstacles_path(const PyramidTile& tile) {
   return folder_of(tile) / "obstacles.tif";
 }
 
-std::optional<StoreFault> obstacles_fault(const Store& atlas, const std::filesystem::path& file, Scrutiny scrutiny) {
-  if (auto fault = texture_fault(atlas.folder(), file, scrutiny)) return fault;
-  const auto record = texture_record(atlas.folder(), file);
-  if (record && record->tallest_m) return std::nullopt;
-  return StoreFault{file, obstacles_of_a_former_kind};
+FoundTexture found_obstacles(const Store& atlas, const std::filesystem::path& file, Scrutiny scrutiny) {
+  FoundTexture found = found_texture(atlas.folder(), file, scrutiny);
+  if (!found.fault && !found.record->tallest_m) found.fault = StoreFault{file, obstacles_of_a_former_kind};
+  return found;
 }
 
 std::optional<StoreFault> obstacles_fault(const Store& atlas, PatchIndex patch, Scrutiny scrutiny) {
-  return obstacles_fault(atlas, obstacles_path({0, patch}), scrutiny);
+  return found_obstacles(atlas, obstacles_path({0, patch}), scrutiny).fault;
 }
 
 void write_obstacles(const Store& atlas, PatchIndex patch, const radar::ObstacleMap& map) {
@@ -100,7 +97,7 @@ void write_obstacles(const Store& atlas, PatchIndex patch, const radar::Obstacle
 
 Array2D<radar::Obstacle> read_obstacles(const Store& atlas, PatchIndex patch) {
   const std::filesystem::path file = obstacles_path({0, patch});
-  if (const auto fault = obstacles_fault(atlas, file, Scrutiny::Size)) {
+  if (const auto fault = obstacles_fault(atlas, patch, Scrutiny::Size)) {
     throw Error((atlas.folder() / fault->file).string(), fault->what, bake_again);
   }
   const std::size_t side = atlas.description().patches.texels_per_side;

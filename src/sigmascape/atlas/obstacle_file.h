@@ -5,6 +5,7 @@
 
 #include "sigmascape/atlas/layer_pyramid.h"
 #include "sigmascape/atlas/store.h"
+#include "sigmascape/atlas/texture_file.h"
 #include "sigmascape/base/array2d.h"
 #include "sigmascape/radar/obstacle.h"
 
@@ -20,9 +21,8 @@ namespace sigmascape::atlas {
 /// What is wrong with obstacles that are stored without coarser levels, as 32-bit floats.
 inline constexpr const char* obstacles_of_a_former_kind = "is of a former kind, without coarser levels";
 
-/// What is wrong with such a file (relative to the store), if anything.
-[[nodiscard]] std::optional<StoreFault> obstacles_fault(const Store& atlas, const std::filesystem::path& file,
-                                                        Scrutiny scrutiny);
+/// Such a file (relative to the store) as it was found.
+[[nodiscard]] FoundTexture found_obstacles(const Store& atlas, const std::filesystem::path& file, Scrutiny scrutiny);
 /// What is wrong with the obstacles of a patch, if anything.
 [[nodiscard]] std::optional<StoreFault> obstacles_fault(const Store& atlas, PatchIndex patch, Scrutiny scrutiny);
 

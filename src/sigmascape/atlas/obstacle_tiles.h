@@ -37,7 +37,8 @@ class ObstacleTiles {
   /// item nothing is known, and they count as bare, as they do for read.
   [[nodiscard]] float tallest_m() const { return tallest_m_; }
 
-  /// Files met so far that have an item but are not as it says, or are missing although the atlas has patches there.
+  /// Files met so far that have an item but are not as it says or do not decode, as those of a former kind beneath
+  /// levels that are none, or that are missing although the atlas has patches there.
   [[nodiscard]] std::size_t damaged() const { return files_.damaged() + files_.missing(); }
   [[nodiscard]] const AtlasDescription& description() const { return store_.description(); }
 

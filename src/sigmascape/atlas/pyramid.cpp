@@ -26,9 +26,8 @@ class Sigma0Layer final : public PyramidLayer {
     return path_of(store_, tile, look_);
   }
 
-  [[nodiscard]] std::optional<StoreFault> fault_of(const std::filesystem::path& file,
-                                                   Scrutiny scrutiny) const override {
-    return texture_fault(store_.folder(), file, scrutiny);
+  [[nodiscard]] FoundTexture found(const std::filesystem::path& file, Scrutiny scrutiny) const override {
+    return found_texture(store_.folder(), file, scrutiny);
   }
 
   void write(const PyramidTile& tile, const PyramidQuarters& quarters, const std::string& made_from) const override {
@@ -75,8 +74,13 @@ std::size_t Pyramid::make_above(const std::vector<Unit>& units, Scrutiny scrutin
   return written;
 }
 
-std::size_t Pyramid::make_above(const std::vector<PatchIndex>& patches, LookIndex look, Scrutiny scrutiny) const {
-  return of(look).make_above(patches, scrutiny);
+std::size_t Pyramid::make_above(const std::vector<PatchIndex>& patches, LookIndex look, Scrutiny scrutiny,
+                                std::vector<PyramidTile>* left_out) const {
+  return of(look).make_above(patches, scrutiny, left_out);
+}
+
+std::vector<StoreFault> Pyramid::hindrances(const std::vector<PyramidTile>& left_out, LookIndex look) const {
+  return of(look).hindrances(left_out);
 }
 
 HalfTexture Pyramid::read_halves(const PyramidTile& tile, LookIndex look) const {

@@ -32,7 +32,9 @@ class Pyramid : public PyramidTiles {
   /// Makes what is not done and has one of `units` under it. Returns how many textures were written.
   std::size_t make_above(const std::vector<Unit>& units, Scrutiny scrutiny = Scrutiny::Size) const;
   /// The same of one look, of which atlases of many patches need no list with all the others.
-  std::size_t make_above(const std::vector<PatchIndex>& patches, LookIndex look, Scrutiny scrutiny) const;
+  std::size_t make_above(const std::vector<PatchIndex>& patches, LookIndex look, Scrutiny scrutiny,
+                         std::vector<PyramidTile>* left_out = nullptr) const;
+  [[nodiscard]] std::vector<StoreFault> hindrances(const std::vector<PyramidTile>& left_out, LookIndex look) const;
 
   /// The texture as it is stored, one level of 256² texels. Throws Error when it is not there or not as its item says.
   [[nodiscard]] HalfTexture read_halves(const PyramidTile& tile, LookIndex look) const;

@@ -12,15 +12,6 @@
 namespace sigmascape::atlas {
 namespace {
 
-/// All patches as one grid of texels.
-radar::GroundGrid whole_grid(const AtlasDescription& description) {
-  const PatchBlock block = description.patches.block_over(description.extent);
-  radar::GroundGrid grid = description.patches.texels_of(block[0]);
-  grid.columns *= block.columns();
-  grid.rows *= block.rows();
-  return grid;
-}
-
 /// What stands in the folder of every place, "az045.0_el13.0_f10.000GHz.json".
 Json item_links(const AtlasDescription& description, const PyramidTile& tile) {
   Json links = Json::array();

@@ -6,7 +6,7 @@
 
 #include "sigmascape/atlas/texture_name.h"
 #include "sigmascape/base/units.h"
-#include "sigmascape/geo/geotiff.h"
+#include "sigmascape/geo/raster_placement.h"
 
 namespace sigmascape::atlas {
 
@@ -29,6 +29,14 @@ std::string place_name(const PyramidTile& tile) {
 
 std::string href_from(const PyramidTile& tile, const std::filesystem::path& file) {
   return (tile.level == 0 ? "../" : "../../") + file.generic_string();
+}
+
+radar::GroundGrid whole_grid(const AtlasDescription& description) {
+  const PatchBlock block = description.patches.block_over(description.extent);
+  radar::GroundGrid grid = description.patches.texels_of(block[0]);
+  grid.columns *= block.columns();
+  grid.rows *= block.rows();
+  return grid;
 }
 
 Footprint::Footprint(const AtlasDescription& description, const radar::GroundGrid& grid) {

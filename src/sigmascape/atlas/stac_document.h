@@ -33,6 +33,9 @@ inline constexpr const char* no_time = "1970-01-01T00:00:00Z";
 /// How documents in the folder of a place call a file of the store: "../../collection.json".
 [[nodiscard]] std::string href_from(const PyramidTile& tile, const std::filesystem::path& file);
 
+/// All patches as one grid of texels.
+[[nodiscard]] radar::GroundGrid whole_grid(const AtlasDescription& description);
+
 /// A ring of longitudes and latitudes. Nine decimals of a degree are a tenth of a millimetre.
 struct Footprint {
   Json polygon, box;

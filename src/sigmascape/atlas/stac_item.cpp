@@ -10,7 +10,7 @@
 #include "sigmascape/atlas/stac_document.h"
 #include "sigmascape/atlas/texture_name.h"
 #include "sigmascape/base/units.h"
-#include "sigmascape/geo/geotiff.h"
+#include "sigmascape/geo/coordinate_reference_system.h"
 
 namespace sigmascape::atlas {
 namespace {
@@ -154,23 +154,38 @@ Json file_properties(const AtlasDescription& description, const TextureRecord& r
   return properties;
 }
 
-/// The item of a place's file, to stand in its folder.
-std::string item_of(const std::string& id, const AtlasDescription& description, const PyramidTile& tile,
+/// Where an item stands: what it covers, and what lies above it.
+struct ItemPlace {
+  Footprint footprint;
+  std::string collection, parent;
+};
+
+/// In the folder of a place.
+ItemPlace place_of(const AtlasDescription& description, const PyramidTile& tile) {
+  return {Footprint(description, texels_of(description.patches, tile)), href_from(tile, collection_name),
+          fmt::format("./{}", catalog_name)};
+}
+
+/// Beside the collection.
+ItemPlace beside_collection(const AtlasDescription& description) {
+  const std::string collection = fmt::format("./{}", collection_name);
+  return {Footprint(description, whole_grid(description)), collection, collection};
+}
+
+std::string item_of(const std::string& id, const AtlasDescription& description, const ItemPlace& place,
                     const Json& extensions, const Json& properties, const Json& assets) {
-  const Footprint footprint(description, texels_of(description.patches, tile));
-  const std::string collection = href_from(tile, collection_name);
   const Json item = {
       {"type", "Feature"},
       {"stac_version", stac_version},
       {"stac_extensions", extensions},
       {"id", id},
       {"collection", description.name},
-      {"geometry", footprint.polygon},
-      {"bbox", footprint.box},
+      {"geometry", place.footprint.polygon},
+      {"bbox", place.footprint.box},
       {"properties", properties},
       {"assets", assets},
-      {"links", Json::array({link("root", collection), link("parent", fmt::format("./{}", catalog_name)),
-                             link("collection", collection)})},
+      {"links", Json::array({link("root", place.collection), link("parent", place.parent),
+                             link("collection", place.collection)})},
   };
   return written(item, 2) + "\n";
 }
@@ -202,8 +217,8 @@ std::string item_text(const AtlasDescription& description, const Unit& unit, con
     properties["sigmascape:errors_sha256"] = record.errors->sha256;
     assets["errors"] = errors_asset(texture_file, *record.errors);
   }
-  return item_of(patch_name(unit.patch) + "_" + look_name(look), description, {0, unit.patch}, extensions(look),
-                 properties, assets);
+  return item_of(patch_name(unit.patch) + "_" + look_name(look), description, place_of(description, {0, unit.patch}),
+                 extensions(look), properties, assets);
 }
 
 std::string pyramid_item_text(const AtlasDescription& description, const PyramidTile& tile, LookIndex look_index,
@@ -213,8 +228,8 @@ std::string pyramid_item_text(const AtlasDescription& description, const Pyramid
   Json properties = common_properties(description, grid, look);
   properties.update(pyramid_properties(tile));
   properties.update(file_properties(description, record));
-  return item_of(place_name(tile) + "_" + look_name(look), description, tile, extensions(look), properties,
-                 {{"sigma0", sigma0_asset(grid.cell_m, texture_file, record)}});
+  return item_of(place_name(tile) + "_" + look_name(look), description, place_of(description, tile), extensions(look),
+                 properties, {{"sigma0", sigma0_asset(grid.cell_m, texture_file, record)}});
 }
 
 std::string obstacles_item_text(const AtlasDescription& description, const PyramidTile& tile,
@@ -235,7 +250,18 @@ std::string obstacles_item_text(const AtlasDescription& description, const Pyram
                                    record);
   Json extensions = place_extensions();
   extensions.push_back(raster_extension);
-  return item_of(place_name(tile) + "_obstacles", description, tile, extensions, properties, {{"obstacles", asset}});
+  return item_of(place_name(tile) + "_obstacles", description, place_of(description, tile), extensions, properties,
+                 {{"obstacles", asset}});
+}
+
+std::string terrain_item_text(const AtlasDescription& description, const TextureRecord& record) {
+  Json properties = timeless();
+  properties["proj:code"] = nullptr;
+  properties["proj:wkt2"] = geo::wkt2_from(description.frame.proj());
+  properties.update(file_properties(description, record));
+  return item_of("terrain", description, beside_collection(description), place_extensions(), properties,
+                 {{"terrain", file_asset(terrain_name, "Heights of the ground in metres, orthometric", cloud_optimised,
+                                         "data", record)}});
 }
 
 std::optional<TextureRecord> record_from(const std::string& text) {

@@ -46,6 +46,9 @@ struct TextureRecord {
 [[nodiscard]] std::string obstacles_item_text(const AtlasDescription& description, const PyramidTile& tile,
                                               const std::filesystem::path& file, const TextureRecord& record);
 
+/// The item of the heights of the whole scene, to stand beside them in the folder of the store (atlas/terrain_file.h).
+[[nodiscard]] std::string terrain_item_text(const AtlasDescription& description, const TextureRecord& record);
+
 /// What an item records of its file; nothing when the text is not an item of ours.
 [[nodiscard]] std::optional<TextureRecord> record_from(const std::string& text);
 

@@ -17,7 +17,8 @@
 #include "sigmascape/atlas/texture_name.h"
 #include "sigmascape/base/error.h"
 #include "sigmascape/geo/atomic_file.h"
-#include "sigmascape/geo/geotiff.h"
+#include "sigmascape/geo/byte_raster.h"
+#include "sigmascape/geo/geo_raster.h"
 
 namespace sigmascape::atlas {
 namespace {
@@ -114,6 +115,10 @@ Store Store::open(const std::filesystem::path& folder) {
   AtlasDescription description = description_from(*text, file);
   check_description(description);
   return {folder, std::move(description)};
+}
+
+std::size_t Store::unit_count() const {
+  return description_.patches.block_over(description_.extent).size() * description_.aspects.look_count();
 }
 
 std::vector<Unit> Store::units() const {

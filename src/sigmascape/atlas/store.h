@@ -86,6 +86,8 @@ class Store {
   [[nodiscard]] const AtlasDescription& description() const { return description_; }
   /// Every (patch, look) that a whole atlas has, patch by patch.
   [[nodiscard]] std::vector<Unit> units() const;
+  /// How many those are.
+  [[nodiscard]] std::size_t unit_count() const;
 
   [[nodiscard]] bool is_done(PatchIndex patch, LookIndex look, Scrutiny scrutiny = Scrutiny::Size) const;
 

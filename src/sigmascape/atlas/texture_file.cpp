@@ -13,7 +13,7 @@
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/sha256.h"
 #include "sigmascape/geo/atomic_file.h"
-#include "sigmascape/geo/geotiff.h"
+#include "sigmascape/geo/half_pyramid.h"
 
 namespace sigmascape::atlas {
 
@@ -49,20 +49,19 @@ std::optional<StoreFault> file_fault(const std::filesystem::path& folder, const 
   return std::nullopt;
 }
 
-/// What is wrong with a texture, whatever its standard errors are like, if anything; else `record` is its item's.
-std::optional<StoreFault> own_fault(const std::filesystem::path& folder, const std::filesystem::path& texture,
-                                    Scrutiny scrutiny, std::optional<TextureRecord>& record) {
+/// Whatever its standard errors are like.
+FoundTexture found_alone(const std::filesystem::path& folder, const std::filesystem::path& texture, Scrutiny scrutiny) {
   const std::filesystem::path item = item_path(texture);
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(folder / texture, error);
   const bool there = !error;
   const std::optional<std::string> text = text_of(folder / item);
-  if (!text && !there) return StoreFault{texture, "is missing"};
-  if (!text) return StoreFault{item, "is missing, so its texture does not count"};
-  record = record_from(*text);
-  if (!record) return StoreFault{item, "cannot be understood"};
-  if (!there) return StoreFault{texture, "is missing, though its item is there"};
-  return file_fault(folder, texture, size, record->size_bytes, record->sha256, scrutiny);
+  if (!text && !there) return {{}, StoreFault{texture, "is missing"}};
+  if (!text) return {{}, StoreFault{item, "is missing, so the file that it vouches for does not count"}};
+  const auto record = record_from(*text);
+  if (!record) return {{}, StoreFault{item, "cannot be understood"}};
+  if (!there) return {record, StoreFault{texture, "is missing, though its item is there"}};
+  return {record, file_fault(folder, texture, size, record->size_bytes, record->sha256, scrutiny)};
 }
 
 std::string sha256_of(const std::string& bytes) {
@@ -83,18 +82,22 @@ std::filesystem::path item_path(std::filesystem::path texture) {
   return texture.replace_extension(".json");
 }
 
+FoundTexture found_texture(const std::filesystem::path& folder, const std::filesystem::path& texture,
+                           Scrutiny scrutiny) {
+  FoundTexture found = found_alone(folder, texture, scrutiny);
+  if (found.fault || !found.record->errors) return found;
+  const ErrorsRecord& recorded = *found.record->errors;
+  const std::filesystem::path errors = errors_path(texture);
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(folder / errors, error);
+  found.fault = error ? StoreFault{errors, "is missing, though its item is there"}
+                      : file_fault(folder, errors, size, recorded.size_bytes, recorded.sha256, scrutiny);
+  return found;
+}
+
 std::optional<StoreFault> texture_fault(const std::filesystem::path& folder, const std::filesystem::path& texture,
                                         Scrutiny scrutiny) {
-  std::optional<TextureRecord> record;
-  if (auto fault = own_fault(folder, texture, scrutiny, record)) return fault;
-  if (record->errors) {
-    const std::filesystem::path errors = errors_path(texture);
-    std::error_code error;
-    const std::uintmax_t errors_size = std::filesystem::file_size(folder / errors, error);
-    if (error) return StoreFault{errors, "is missing, though its item is there"};
-    return file_fault(folder, errors, errors_size, record->errors->size_bytes, record->errors->sha256, scrutiny);
-  }
-  return std::nullopt;
+  return found_texture(folder, texture, scrutiny).fault;
 }
 
 bool is_as_recorded(const std::filesystem::path& folder, const std::filesystem::path& texture,
@@ -129,10 +132,8 @@ void write_texture(const Store& store, const PyramidTile& tile, const std::files
 
 HalfTexture read_texture(const std::filesystem::path& folder, const std::filesystem::path& texture, std::size_t side,
                          std::size_t levels, const std::string& remedy) {
-  std::optional<TextureRecord> record;
-  if (const auto fault = own_fault(folder, texture, Scrutiny::Content, record)) {
-    throw Error((folder / fault->file).string(), fault->what, remedy);
-  }
+  const auto [record, fault] = found_alone(folder, texture, Scrutiny::Content);
+  if (fault) throw Error((folder / fault->file).string(), fault->what, remedy);
   return {side, record->scale, read_half_cog(folder / texture, side, levels)};
 }
 

@@ -26,6 +26,14 @@ inline constexpr const char* bake_again =
 /// The item beside a texture: the same name with the ending .json.
 [[nodiscard]] std::filesystem::path item_path(std::filesystem::path texture);
 
+/// A texture as it was found: what its item records, where that can be understood, and what is wrong, if anything.
+struct FoundTexture {
+  std::optional<TextureRecord> record;
+  std::optional<StoreFault> fault;
+};
+[[nodiscard]] FoundTexture found_texture(const std::filesystem::path& folder, const std::filesystem::path& texture,
+                                         Scrutiny scrutiny);
+
 /// What is wrong with a texture, if anything.
 [[nodiscard]] std::optional<StoreFault> texture_fault(const std::filesystem::path& folder,
                                                       const std::filesystem::path& texture, Scrutiny scrutiny);

@@ -32,7 +32,7 @@ class TileReader {
   [[nodiscard]] double read(const TileAddress& tile, LookIndex look, std::span<Half, tile_halves> halves) const;
 
   [[nodiscard]] const AtlasDescription& description() const { return store_.description(); }
-  /// Textures met so far that have an item but are not as it says.
+  /// Textures met so far that have an item but are not as it says or do not decode.
   [[nodiscard]] std::size_t damaged() const { return files_.damaged(); }
 
  private:

@@ -8,6 +8,7 @@
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/atlas/obstacle_file.h"
 #include "sigmascape/atlas/pyramid.h"
+#include "sigmascape/atlas/terrain_file.h"
 #include "sigmascape/base/error.h"
 
 namespace sigmascape::atlas {
@@ -35,6 +36,7 @@ std::vector<StoreFault> faults_of_ground(const Store& atlas, Scrutiny scrutiny) 
 
 std::vector<StoreFault> verify(const Store& atlas, Scrutiny scrutiny) {
   std::vector<StoreFault> faults = faults_of_textures(atlas, scrutiny);
+  if (auto fault = terrain_fault(atlas, scrutiny)) faults.push_back(std::move(*fault));
   if (!keeps_ground_apart(atlas)) return faults;
   std::ranges::move(faults_of_ground(atlas, scrutiny), std::back_inserter(faults));
   for (const PatchIndex& patch : atlas.description().patches.covering(atlas.description().extent)) {

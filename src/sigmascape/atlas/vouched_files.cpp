@@ -23,9 +23,15 @@ std::optional<TextureRecord> VouchedFiles::record_of(const std::filesystem::path
   return known_.emplace(file, std::move(record)).first->second;
 }
 
+void VouchedFiles::did_not_decode(const std::filesystem::path& file) const {
+  const std::lock_guard lock(guard_);
+  undecoded_.insert(file);
+}
+
 std::size_t VouchedFiles::damaged() const {
   const std::lock_guard lock(guard_);
-  return static_cast<std::size_t>(std::ranges::count_if(known_, [](const auto& file) { return !file.second; }));
+  const auto altered = std::ranges::count_if(known_, [](const auto& file) { return !file.second; });
+  return static_cast<std::size_t>(altered) + undecoded_.size();
 }
 
 std::size_t VouchedFiles::missing() const {

@@ -23,7 +23,11 @@ class VouchedFiles {
   /// when the file is not as it says. What has no item is looked for again each time: it may be baked meanwhile.
   [[nodiscard]] std::optional<TextureRecord> record_of(const std::filesystem::path& file) const;
 
-  /// Files asked for so far that have an item but are not as it says.
+  /// To be told of a file that is as its item says and whose tile does not decode all the same, as that of a former
+  /// kind.
+  void did_not_decode(const std::filesystem::path& file) const;
+
+  /// Files asked for so far that have an item but are not as it says, or did not decode.
   [[nodiscard]] std::size_t damaged() const;
   /// Files without an item when they were last asked for.
   [[nodiscard]] std::size_t missing() const;
@@ -33,7 +37,7 @@ class VouchedFiles {
   Scrutiny scrutiny_;
   mutable std::mutex guard_;
   mutable std::map<std::filesystem::path, std::optional<TextureRecord>> known_;  // nothing of the damaged ones
-  mutable std::set<std::filesystem::path> missing_;
+  mutable std::set<std::filesystem::path> missing_, undecoded_;
 };
 
 }  // namespace sigmascape::atlas

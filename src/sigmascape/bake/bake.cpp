@@ -10,6 +10,7 @@
 #include "sigmascape/atlas/catalogs.h"
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/atlas/pyramid.h"
+#include "sigmascape/atlas/terrain_file.h"
 #include "sigmascape/bake/claims.h"
 #include "sigmascape/bake/ground_baker.h"
 #include "sigmascape/bake/job.h"
@@ -215,10 +216,9 @@ BakeReport bake(const scene::Scene& scene, const BakeSettings& settings, const s
   // Materials that do not know a frequency are told of before there is a folder.
   static_cast<void>(trace::surface_models(scene, settings.aspects.frequencies_hz));
   const atlas::Store store = atlas::Store::create(folder, description_of(scene, settings));
-  const std::filesystem::path terrain = folder / atlas::terrain_name;
-  // It has no recorded SHA-256 to be held against; written again, it has the same bytes.
-  if (share.scrutiny == atlas::Scrutiny::Content || !std::filesystem::exists(terrain)) {
-    terrain::write_height_field(terrain, scene.terrain, store.description().frame.proj());
+  if (atlas::terrain_fault(store, share.scrutiny)) {
+    terrain::write_height_field(folder / atlas::terrain_name, scene.terrain, store.description().frame.proj());
+    atlas::vouch_for_terrain(store);
   }
   const auto pyramid = folder / atlas::terrain_pyramid_name;
   const geo::LocalFrame& frame = store.description().frame;

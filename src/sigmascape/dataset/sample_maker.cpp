@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <iterator>
 
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/base/error.h"
@@ -113,6 +114,25 @@ double mean_vv(const radar::GroundMap& map) {
     ++count;
   }
   return count == 0 ? 0.0 : sum / static_cast<double>(count);
+}
+
+/// σ0 of the noise that the plan wants under a map.
+double noise_under(const radar::GroundMap& map, const SamplePlan& plan) {
+  if (plan.noise_sigma0_db) return linear_from_db(*plan.noise_sigma0_db);
+  if (plan.snr_db) return mean_vv(map) / linear_from_db(*plan.snr_db);
+  return 0.0;
+}
+
+auto shadow_among(radar::LayerStack& labels) {
+  return std::ranges::find(labels.layers, "shadow", &radar::Layer::name);
+}
+
+/// Whether a place lies on the map and not in shadow.
+bool is_lit(Vec2d place, const radar::GroundGrid& grid, const Array2D<float>& shadow) {
+  if (!grid.extent().contains(place)) return false;
+  const Vec2d cell = grid.cells_from(place);
+  return shadow(std::min(static_cast<std::size_t>(cell.x), grid.columns - 1),
+                std::min(static_cast<std::size_t>(cell.y), grid.rows - 1)) == 0.0F;
 }
 
 }  // namespace
@@ -244,57 +264,62 @@ radar::LayerStack SampleMaker::labels(const radar::Radar& radar, const radar::Gr
       {&scene_.terrain, obstacles_.get(), &scene_.ground, scene_.materials.size(), tallest_m_}, radar, grid, kinds, 1);
 }
 
+std::vector<SampleTarget> SampleMaker::targets_of(const SamplePlan& plan, const radar::Radar& radar,
+                                                  const Array2D<float>& shadow) const {
+  std::vector<SampleTarget> targets;
+  for (const PlannedTarget& planned : plan.targets) {
+    const TargetClass& kind = spec_.targets[planned.target_class];
+    const Vec3d position = target_of(planned, kind, scene_.terrain).track.position_at(0.0);
+    SampleTarget target{.planned = planned,
+                        .is_seen = is_lit(planned.position, plan.grid, shadow),
+                        .box = box_about(shown_at(position, radar.position, scene_.terrain), radar, kind,
+                                         planned.target_class, plan.grid)};
+    target.box.track = planned.track;
+    target.is_seen = target.is_seen && target.box.width > 0.0 && target.box.height > 0.0;
+    targets.push_back(target);
+  }
+  return targets;
+}
+
+Array2D<radar::Channels> SampleMaker::steady_sigma0(const std::vector<SampleTarget>& targets, const radar::Radar& radar,
+                                                    const radar::RangeAzimuthGrid& bins,
+                                                    const radar::GroundGrid& grid) const {
+  std::vector<radar::Target> seen;
+  for (const SampleTarget& target : targets) {
+    if (!target.is_seen) continue;
+    seen.push_back(target_of(target.planned, spec_.targets[target.planned.target_class], scene_.terrain));
+  }
+  if (seen.empty()) return {};
+  receiver::RangeAzimuthReceiver receiver(radar, bins);
+  receiver.add(receiver::target_echoes(seen, radar, {}));
+  return product::ground_map(receiver.image(), scene_.terrain, grid).sigma0;
+}
+
 Sample SampleMaker::make(std::size_t index) const {
   Sample sample;
   sample.plan = plan_of(spec_, centres_, index);
   const SamplePlan& plan = sample.plan;
   const radar::Radar radar = radar_of(plan);
-  sample.radar_position = radar.position;
   sample.scene_hash = scene_hash_;
+  sample.radar_position = radar.position;
   const Vec3d to_radar = radar.position - Vec3d{plan.centre.x, plan.centre.y, scene_.terrain.height_at(plan.centre)};
   sample.slant_range_m = length(to_radar);
   sample.aspect = {wrapped_azimuth(std::atan2(to_radar.x, to_radar.y)), std::asin(to_radar.z / sample.slant_range_m)};
+
   std::vector<radar::Layer> bounces;
   const auto image = ground_image(radar, plan, bounces);
   sample.map = product::ground_map(image, scene_.terrain, plan.grid);
-  sample.map.crs = scene_.frame.proj();
   sample.labels = labels(radar, plan.grid);
-  sample.labels.crs = sample.map.crs;
+  sample.map.crs = sample.labels.crs = scene_.frame.proj();
 
-  const auto shadow = std::ranges::find(sample.labels.layers, "shadow", &radar::Layer::name);
-  std::vector<radar::Target> seen;
-  for (const PlannedTarget& planned : plan.targets) {
-    const TargetClass& kind = spec_.targets[planned.target_class];
-    const Vec2d cell = plan.grid.cells_from(planned.position);
-    const bool is_on_map = plan.grid.extent().contains(planned.position);
-    const radar::Target target = target_of(planned, kind, scene_.terrain);
-    SampleTarget out{.planned = planned, .is_seen = is_on_map, .box = {}};
-    if (is_on_map) {
-      const auto column = std::min(static_cast<std::size_t>(cell.x), spec_.cells - 1);
-      const auto row = std::min(static_cast<std::size_t>(cell.y), spec_.cells - 1);
-      out.is_seen = shadow->values(column, row) == 0.0F;
-    }
-    out.box = box_about(shown_at(target.track.position_at(0.0), radar.position, scene_.terrain), radar, kind,
-                        planned.target_class, plan.grid);
-    out.box.track = planned.track;
-    out.is_seen = out.is_seen && out.box.width > 0.0 && out.box.height > 0.0;
-    if (out.is_seen) seen.push_back(target);
-    sample.targets.push_back(out);
-  }
-  Array2D<radar::Channels> steady;
-  if (!seen.empty()) {
-    receiver::RangeAzimuthReceiver receiver(radar, image.grid);
-    receiver.add(receiver::target_echoes(seen, radar, {}));
-    steady = product::ground_map(receiver.image(), scene_.terrain, plan.grid).sigma0;
-  }
-  if (plan.snr_db) sample.noise_sigma0 = mean_vv(sample.map) / linear_from_db(*plan.snr_db);
-  if (plan.noise_sigma0_db) sample.noise_sigma0 = linear_from_db(*plan.noise_sigma0_db);
-  draw_speckle(sample.map, steady,
+  sample.targets = targets_of(plan, radar, shadow_among(sample.labels)->values);
+  sample.noise_sigma0 = noise_under(sample.map, plan);
+  draw_speckle(sample.map, steady_sigma0(sample.targets, radar, image.grid, plan.grid),
                {.looks = spec_.looks, .noise = static_cast<float>(sample.noise_sigma0), .seed = plan.seed});
-  if (std::ranges::find(spec_.layers, simulate::LayerKind::Shadow) == spec_.layers.end()) {
-    sample.labels.layers.erase(shadow);
-  }
-  for (radar::Layer& layer : bounces) sample.labels.layers.push_back(std::move(layer));
+
+  if (std::ranges::find(spec_.layers, simulate::LayerKind::Shadow) == spec_.layers.end())
+    sample.labels.layers.erase(shadow_among(sample.labels));
+  std::ranges::move(bounces, std::back_inserter(sample.labels.layers));
   return sample;
 }
 

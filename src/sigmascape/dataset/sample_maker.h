@@ -65,6 +65,13 @@ class SampleMaker {
   [[nodiscard]] radar::RangeAzimuthImage ground_image(const radar::Radar& radar, const SamplePlan& plan,
                                                       std::vector<radar::Layer>& bounces) const;
   [[nodiscard]] radar::LayerStack labels(const radar::Radar& radar, const radar::GroundGrid& grid) const;
+  /// Where the planned targets show, and whether the radar sees them: `shadow` is the map's own.
+  [[nodiscard]] std::vector<SampleTarget> targets_of(const SamplePlan& plan, const radar::Radar& radar,
+                                                     const Array2D<float>& shadow) const;
+  /// σ0 of the seen targets, which has no speckle; empty when none is seen.
+  [[nodiscard]] Array2D<radar::Channels> steady_sigma0(const std::vector<SampleTarget>& targets,
+                                                       const radar::Radar& radar, const radar::RangeAzimuthGrid& bins,
+                                                       const radar::GroundGrid& grid) const;
 
   DatasetSpec spec_;
   scene::Scene scene_;

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cerrno>
 #include <cstring>
+#include <deque>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <string>
@@ -55,14 +56,19 @@ class OpenFile {
   int descriptor_;
 };
 
+/// One that this process has not given before, in the same folder.
+std::filesystem::path temporary_name_for(const std::filesystem::path& final_path) {
+  static std::atomic<unsigned> serial{0};
+  return final_path.parent_path() /
+         fmt::format(".{}.{}-{}.tmp", final_path.filename().string(), ::getpid(), serial.fetch_add(1));
+}
+
 /// An empty file of a name that nobody else has, removed again unless it was renamed.
 class TemporaryFile {
  public:
   explicit TemporaryFile(const std::filesystem::path& final_path) {
-    static std::atomic<unsigned> serial{0};
     do {
-      path_ = final_path.parent_path() /
-              fmt::format(".{}.{}-{}.tmp", final_path.filename().string(), ::getpid(), serial.fetch_add(1));
+      path_ = temporary_name_for(final_path);
       const int descriptor = ::open(path_.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
       const int error = errno;
       if (descriptor >= 0) {
@@ -90,6 +96,34 @@ class TemporaryFile {
   std::filesystem::path path_;
 };
 
+/// Keeps what stands under a name within reach when another file takes its place. Where the file system knows no
+/// second names it keeps nothing.
+class FormerFile {
+ public:
+  explicit FormerFile(const std::filesystem::path& path) : path_(path), kept_(temporary_name_for(path)) {
+    if (::link(path_.c_str(), kept_.c_str()) != 0) kept_.clear();
+  }
+  ~FormerFile() {
+    std::error_code ignored;
+    if (!kept_.empty()) std::filesystem::remove(kept_, ignored);
+  }
+  FormerFile(const FormerFile&) = delete;
+  FormerFile& operator=(const FormerFile&) = delete;
+
+  /// In the place of what took its own; where there was nothing there is nothing again.
+  void put_back() const {
+    std::error_code ignored;
+    if (kept_.empty()) {
+      std::filesystem::remove(path_, ignored);
+    } else {
+      std::filesystem::rename(kept_, path_, ignored);
+    }
+  }
+
+ private:
+  std::filesystem::path path_, kept_;
+};
+
 void flush_file(const std::filesystem::path& temporary, const std::filesystem::path& final_path) {
   const OpenFile file(::open(temporary.c_str(), O_RDWR | O_CLOEXEC));
   if (!file.is_open() || !file.flush_to_disk()) fail(final_path, errno);
@@ -107,6 +141,11 @@ void take_room(const std::filesystem::path& temporary, const std::filesystem::pa
 void flush_folder(const std::filesystem::path& folder) {
   const OpenFile opened(::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (opened.is_open()) static_cast<void>(opened.flush_to_disk());
+}
+
+void fill(const std::filesystem::path& temporary, const std::filesystem::path& final_path, std::string_view content) {
+  const OpenFile file(::open(temporary.c_str(), O_WRONLY | O_CLOEXEC));
+  if (!file.is_open() || !file.write_all(content)) fail(final_path, errno);
 }
 
 void make_folder(const std::filesystem::path& path) {
@@ -137,10 +176,27 @@ void write_atomically(const std::filesystem::path& path, std::uintmax_t room_byt
 }
 
 void write_atomically(const std::filesystem::path& path, std::string_view content) {
-  write_atomically(path, [&](const std::filesystem::path& temporary) {
-    const OpenFile file(::open(temporary.c_str(), O_WRONLY | O_CLOEXEC));
-    if (!file.is_open() || !file.write_all(content)) fail(path, errno);
-  });
+  write_atomically(path, [&](const std::filesystem::path& temporary) { fill(temporary, path, content); });
+}
+
+void write_together(const std::vector<FileContent>& files) {
+  std::deque<TemporaryFile> temporaries;
+  for (const auto& [path, content] : files) {
+    make_folder(path);
+    const TemporaryFile& temporary = temporaries.emplace_back(path);
+    fill(temporary.path(), path, content);
+    flush_file(temporary.path(), path);
+  }
+  std::deque<FormerFile> former;
+  for (const FileContent& file : files) former.emplace_back(file.path);
+  std::size_t renamed = 0;
+  try {
+    for (; renamed < files.size(); ++renamed) temporaries[renamed].rename_to(files[renamed].path);
+  } catch (const Error&) {
+    while (renamed > 0) former[--renamed].put_back();
+    throw;
+  }
+  for (const FileContent& file : files) flush_folder(file.path.parent_path());
 }
 
 void check_place_for(const std::filesystem::path& path) {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <string_view>
+#include <vector>
 
 namespace sigmascape::geo {
 
@@ -24,6 +25,16 @@ void write_atomically(const std::filesystem::path& path, std::uintmax_t room_byt
 
 /// The same for content that is at hand: text, or the bytes of a file made in memory.
 void write_atomically(const std::filesystem::path& path, std::string_view content);
+
+struct FileContent {
+  std::filesystem::path path;
+  std::string_view content;
+};
+
+/// The same for files that say nothing without one another: they come under their final names, in this order, when all
+/// of them are whole and on the disk. When one cannot be, none is there, and what stood under their names before stands
+/// there again. Whoever looks while the names change may still see a new file beside an old one.
+void write_together(const std::vector<FileContent>& files);
 
 /// Throws Error when such a file cannot be written there as things stand, for callers with long work before it: where
 /// `path` is a folder, or the first of its parents that exists is none or may not be written to. Writes nothing.

@@ -1,28 +1,21 @@
 #include "sigmascape/geo/coordinate_transform.h"
 
-#include <cpl_error.h>
 #include <fmt/format.h>
 #include <limits>
 #include <ogr_spatialref.h>
 #include <vector>
 
 #include "sigmascape/base/error.h"
+#include "sigmascape/geo/quiet_gdal.h"
+#include "sigmascape/geo/spatial_reference.h"
 
 namespace sigmascape::geo {
 namespace {
 
 OGRSpatialReference horizontal_reference(const std::string& crs, const std::string& where) {
-  OGRSpatialReference reference;
-  CPLPushErrorHandler(CPLQuietErrorHandler);
-  const bool known = reference.SetFromUserInput(crs.c_str()) == OGRERR_NONE;
-  CPLPopErrorHandler();
-  if (!known) {
-    throw Error(where, fmt::format("the coordinate reference system '{}' is not known", crs.substr(0, 60)),
-                "give an authority code such as EPSG:25830, a PROJ string or WKT");
-  }
+  OGRSpatialReference reference = reference_from(crs, where);
   if (reference.IsCompound()) reference.StripVertical();
   reference.DemoteTo2D(nullptr);
-  reference.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
   return reference;
 }
 
@@ -35,9 +28,8 @@ void transform(OGRCoordinateTransformation& way, std::span<Vec2d> positions) {
     y.push_back(position.y);
   }
   std::vector<int> found(positions.size(), FALSE);
-  CPLPushErrorHandler(CPLQuietErrorHandler);
+  const QuietGdal quiet;
   way.Transform(static_cast<int>(positions.size()), x.data(), y.data(), nullptr, found.data());
-  CPLPopErrorHandler();
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = found[i] != 0 ? Vec2d{x[i], y[i]} : Vec2d{nan, nan};
 }

@@ -20,6 +20,9 @@ class LocalFrame {
   /// The frame as a PROJ string, which GDAL, PROJ and every GIS understand.
   [[nodiscard]] std::string proj() const;
 
+  /// What a GIS calls it: "Sigmascape local transverse Mercator at 43.26 N, 2.93 W".
+  [[nodiscard]] std::string title() const;
+
  private:
   double latitude_deg_ = 0.0;
   double longitude_deg_ = 0.0;

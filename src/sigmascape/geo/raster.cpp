@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cpl_error.h>
 #include <fmt/format.h>
 #include <gdal_priv.h>
 #include <ogr_spatialref.h>
@@ -12,6 +11,8 @@
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/interruption.h"
 #include "sigmascape/geo/heeding_progress.h"
+#include "sigmascape/geo/quiet_gdal.h"
+#include "sigmascape/geo/spatial_reference.h"
 
 namespace sigmascape::geo {
 namespace {
@@ -21,10 +22,9 @@ constexpr float nan_height = std::numeric_limits<float>::quiet_NaN();
 GDALDatasetUniquePtr open_raster(const std::filesystem::path& file) {
   if (!std::filesystem::exists(file))
     throw Error(file.string(), "the file does not exist", "correct the path of the raster");
-  GDALAllRegister();
-  CPLPushErrorHandler(CPLQuietErrorHandler);
+  const QuietGdal quiet;
+  register_gdal_drivers();
   GDALDatasetUniquePtr dataset(GDALDataset::Open(file.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY));
-  CPLPopErrorHandler();
   if (!dataset) {
     throw Error(file.string(), "is not a raster that GDAL can read",
                 "give a GeoTIFF, DTED, HGT or another GDAL raster");
@@ -144,16 +144,15 @@ Window<T> read_window(GDALRasterBand& band, std::span<const Vec2d> corners, GDAL
   INIT_RASTERIO_EXTRA_ARG(extra);
   extra.pfnProgress = HeedingProgress::advanced;
   extra.pProgressData = &heeding;
-  CPLPushErrorHandler(CPLQuietErrorHandler);
+  const QuietGdal quiet;
   const CPLErr read = band.RasterIO(GF_Read, first_column, first_row, width, height, window.value.values().data(),
                                     width, height, type, 0, 0, &extra);
   const CPLErr masked =
       band.GetMaskBand()->RasterIO(GF_Read, first_column, first_row, width, height, window.valid.values().data(), width,
                                    height, GDT_Byte, 0, 0, &extra);
-  CPLPopErrorHandler();
   heeding.settle();
   if (read != CE_None || masked != CE_None) {
-    throw Error(name, fmt::format("its cells cannot be read ({})", CPLGetLastErrorMsg()), "replace the damaged file");
+    throw Error(name, fmt::format("its cells cannot be read ({})", QuietGdal::complaint()), "replace the damaged file");
   }
   return window;
 }
@@ -233,12 +232,8 @@ Raster& Raster::operator=(Raster&&) noexcept = default;
 
 GeographicPosition Raster::centre() const {
   Vec2d place = source_->crs_position(source_->columns() / 2.0, source_->rows() / 2.0);
-  OGRSpatialReference globe;
-  globe.importFromEPSG(4326);
-  globe.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-  OGRSpatialReference own;
-  own.SetFromUserInput(source_->crs.c_str());
-  own.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  const OGRSpatialReference globe = reference_from("EPSG:4326", source_->name);
+  const OGRSpatialReference own = reference_from(source_->crs, source_->name);
   const std::unique_ptr<OGRCoordinateTransformation> way(OGRCreateCoordinateTransformation(&own, &globe));
   if (!way || way->Transform(1, &place.x, &place.y) == 0) {
     throw Error(source_->name, "its centre has no place on the globe",

@@ -15,6 +15,8 @@
 #include "sigmascape/geo/coordinate_transform.h"
 #include "sigmascape/geo/heeding_progress.h"
 #include "sigmascape/geo/osm_tags.h"
+#include "sigmascape/geo/quiet_gdal.h"
+#include "sigmascape/geo/spatial_reference.h"
 
 namespace sigmascape::geo {
 namespace {
@@ -23,17 +25,16 @@ GDALDatasetUniquePtr open_vector(const VectorSource& source) {
   const std::string name = source.file.string();
   if (!std::filesystem::exists(source.file))
     throw Error(name, "the file does not exist", "correct the path of the vector data");
-  GDALAllRegister();
   CPLStringList options;
   if (!source.x_column.empty()) {
     options.SetNameValue("X_POSSIBLE_NAMES", source.x_column.c_str());
     options.SetNameValue("Y_POSSIBLE_NAMES", source.y_column.c_str());
     options.SetNameValue("KEEP_GEOM_COLUMNS", "YES");
   }
-  CPLPushErrorHandler(CPLQuietErrorHandler);
+  const QuietGdal quiet;
+  register_gdal_drivers();
   GDALDatasetUniquePtr dataset(
       GDALDataset::Open(name.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, nullptr, options.List(), nullptr));
-  CPLPopErrorHandler();
   if (!dataset) {
     throw Error(name, "is not vector data that OGR can read",
                 "give GeoJSON, GeoPackage, Shapefile, OSM PBF, CSV or another OGR source");
@@ -67,10 +68,9 @@ void choose_layers(GDALDataset& dataset, const VectorSource& source) {
   for (OGRLayer* layer : dataset.GetLayers()) {
     names.emplace_back(layer->GetName());
     if (source.where.empty()) continue;
-    CPLPushErrorHandler(CPLQuietErrorHandler);
+    const QuietGdal quiet;
     if (layer->SetAttributeFilter(source.where.c_str()) != OGRERR_NONE)
-      condition_faults.emplace_back(CPLGetLastErrorMsg());
-    CPLPopErrorHandler();
+      condition_faults.push_back(QuietGdal::complaint());
   }
   if (!source.layer.empty() && std::ranges::find(names, source.layer) == names.end()) {
     throw Error(name, fmt::format("has no layer '{}'", source.layer),
@@ -152,15 +152,6 @@ void read_attributes(const OGRFeature& row, bool osm, Feature& feature) {
   }
 }
 
-std::string wkt_of(const OGRSpatialReference& reference) {
-  char* wkt = nullptr;
-  const char* const options[] = {"FORMAT=WKT2_2019", nullptr};
-  reference.exportToWkt(&wkt, options);
-  std::string text = wkt == nullptr ? "" : wkt;
-  CPLFree(wkt);
-  return text;
-}
-
 /// The transform of each layer, made when its first feature arrives.
 class LayerTransforms {
  public:
@@ -175,7 +166,7 @@ class LayerTransforms {
  private:
   [[nodiscard]] std::string crs_of(OGRLayer& layer) const {
     if (!source_.crs.empty()) return source_.crs;
-    if (const OGRSpatialReference* reference = layer.GetSpatialRef()) return wkt_of(*reference);
+    if (const OGRSpatialReference* reference = layer.GetSpatialRef()) return wkt2_from(*reference);
     throw Error(source_.file.string(), "carries no coordinate reference system",
                 "state it with the key crs, for example crs = \"EPSG:25830\"");
   }

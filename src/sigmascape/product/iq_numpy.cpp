@@ -33,8 +33,8 @@ ZipEntry words_entry(const std::string& name, const std::string& words) {
 }  // namespace
 
 void write_iq_npy(const std::filesystem::path& path, const IqRecord& record) {
-  geo::write_atomically(std::filesystem::path(path).replace_extension(".json"), iq_description(record));
-  geo::write_atomically(path, samples_bytes(record));
+  const std::string description = iq_description(record), samples = samples_bytes(record);
+  geo::write_together({{std::filesystem::path(path).replace_extension(".json"), description}, {path, samples}});
 }
 
 void write_iq_npz(const std::filesystem::path& path, const IqRecord& record) {

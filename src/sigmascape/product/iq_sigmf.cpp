@@ -47,10 +47,11 @@ Json captures_of(const IqRecord& record) {
 
 void write_iq_sigmf(const std::filesystem::path& path, const IqRecord& record) {
   const Json meta{{"global", global_of(record)}, {"captures", captures_of(record)}, {"annotations", Json::array()}};
+  const std::string words = meta.dump(2) + "\n";
   const auto bytes = std::as_bytes(record.samples);
-  geo::write_atomically(std::filesystem::path(path).replace_extension(".sigmf-data"),
-                        std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
-  geo::write_atomically(path, meta.dump(2) + "\n");
+  geo::write_together({{std::filesystem::path(path).replace_extension(".sigmf-data"),
+                        std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size())},
+                       {path, words}});
 }
 
 }  // namespace sigmascape::product

@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "sigmascape/base/units.h"
-#include "sigmascape/geo/geotiff.h"
+#include "sigmascape/geo/geo_raster.h"
 
 namespace sigmascape::product {
 

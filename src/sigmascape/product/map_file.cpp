@@ -82,8 +82,8 @@ void write_view(const std::filesystem::path& path, const MapView& map, MapScale 
   check_map_name(path);
   if (is_geotiff(path)) return write_map_geotiff(path, map, scale);
   if (path.extension() == ".npz") return geo::write_atomically(path, archive_of(map, scale, path.string()));
-  geo::write_atomically(std::filesystem::path(path).replace_extension(".json"), description_of(map, scale));
-  geo::write_atomically(path, numbers_bytes(map, scale));
+  const std::string description = description_of(map, scale), numbers = numbers_bytes(map, scale);
+  geo::write_together({{std::filesystem::path(path).replace_extension(".json"), description}, {path, numbers}});
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ inline constexpr double darkest_dbw = -300.0;
 /// Writes a ground map as the kind of file that its name asks for, atomically:
 ///
 ///     .tif .tiff   cloud-optimised GeoTIFF, as write_ground_map; in decibels without the band RE_VVHH
-///     .npy         float32 [row, column, channel], and beside it .json with grid and metadata
+///     .npy         float32 [row, column, channel], and beside it .json with grid and metadata: both or neither
 ///     .npz         the same as `sigma0` or `sigma0_db`, with `x_m` and `y_m` of the cells' middles and
 ///                  `description_json`
 ///

@@ -10,7 +10,7 @@
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
-#include "sigmascape/geo/geotiff.h"
+#include "sigmascape/geo/geo_raster.h"
 #include "sigmascape/product/decibels.h"
 
 namespace sigmascape::product {

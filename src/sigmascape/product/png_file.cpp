@@ -123,13 +123,12 @@ std::string world_file_text(const radar::GroundGrid& grid) {
 void check_png_name(const std::filesystem::path& path) {
   if (path.extension() != ".png")
     throw Error(path.string(), "is no kind of file that maps are drawn into", "end the name in .png");
-  if (std::filesystem::is_directory(path)) throw Error(path.string(), "is a folder", "name a file");
 }
 
 void write_png(const std::filesystem::path& path, const Picture& picture) {
   const std::string bytes = png_bytes(picture);
-  geo::write_atomically(std::filesystem::path(path).replace_extension(".pgw"), world_file_text(picture.grid));
-  geo::write_atomically(path, bytes);
+  const std::string world = world_file_text(picture.grid);
+  geo::write_together({{std::filesystem::path(path).replace_extension(".pgw"), world}, {path, bytes}});
 }
 
 }  // namespace sigmascape::product

@@ -32,9 +32,9 @@ void write_range_azimuth(const std::filesystem::path& path, const radar::RangeAz
                          const Array2D<float>& bins, const RangeAzimuthLabel& label) {
   if (path.extension() != ".npy")
     throw Error(path.string(), "would not be known for a NumPy file", "give a name that ends in .npy");
-  geo::write_atomically(std::filesystem::path(path).replace_extension(".json"), description(grid, label));
   const std::array<std::size_t, 2> shape{bins.rows(), bins.columns()};
-  geo::write_atomically(path, npy_bytes("<f4", shape, std::as_bytes(bins.values())));
+  const std::string words = description(grid, label), numbers = npy_bytes("<f4", shape, std::as_bytes(bins.values()));
+  geo::write_together({{std::filesystem::path(path).replace_extension(".json"), words}, {path, numbers}});
 }
 
 }  // namespace sigmascape::product

@@ -17,7 +17,7 @@ struct RangeAzimuthLabel {
 };
 
 /// Writes bins as a NumPy file (.npy, format 1.0: float32, little-endian, [range, azimuth]) and beside it, with the
-/// extension .json, where the bins lie and what they hold. Both atomically. Throws Error when the disk is full or the
+/// extension .json, where the bins lie and what they hold. Both or neither. Throws Error when the disk is full or the
 /// file is not called .npy.
 void write_range_azimuth(const std::filesystem::path& path, const radar::RangeAzimuthGrid& grid,
                          const Array2D<float>& bins, const RangeAzimuthLabel& label);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "sigmascape/base/error.h"
+#include "sigmascape/geo/coordinate_reference_system.h"
 
 namespace sigmascape::product {
 
@@ -22,7 +23,7 @@ void require_same_cells(const radar::GroundMap& tested, const radar::GroundMap& 
     differ(fmt::format("the tested map's north-western corner is ({}, {}) m, the truth's ({}, {}) m", a.west_m,
                        a.north_m, b.west_m, b.north_m));
   }
-  if (tested.crs != truth.crs) {
+  if (!geo::is_same_crs(tested.crs, truth.crs)) {
     differ(fmt::format("the tested map lies in the frame '{}', the truth in '{}'", tested.crs, truth.crs));
   }
 }

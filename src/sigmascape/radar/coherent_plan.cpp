@@ -8,6 +8,7 @@
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/doppler.h"
+#include "sigmascape/radar/radar_title.h"
 #include "sigmascape/radar/window_response.h"
 
 namespace sigmascape::radar {
@@ -26,7 +27,7 @@ void plan_interval(const Radar& radar, double range_m, CoherentPlan& plan) {
   const double in_a_second_m = resolution_in_a_second_m(radar, range_m, plan.squint_rad);
   if (!asked.interval_s && std::sin(plan.squint_rad) < std::sin(radar.beam_width_rad / 2.0)) {
     throw Error(
-        "radar " + radar.name,
+        title_of(radar),
         fmt::format("flies straight towards or away from what it maps, {:.2g}° off its course, where Doppler does "
                     "not tell places apart",
                     deg_from_radians(plan.squint_rad)),
@@ -46,7 +47,7 @@ void plan_strip(const Radar& radar, double range_m, CoherentPlan& plan) {
       plan.looks * width * wavelength_m(radar.frequency_hz) / (4.0 * std::sin(radar.beam_width_rad / 2.0) * sine);
   plan.along_resolution_m = radar.processing.along_resolution_m.value_or(std::max(finest_m, radar.range_resolution_m));
   if (plan.along_resolution_m < finest_m * (1.0 - 1e-9)) {
-    throw Error("radar " + radar.name,
+    throw Error(title_of(radar),
                 fmt::format("cannot map a strip to {:g} m along the flight with {} looks of a beam of {:.3g}°",
                             plan.along_resolution_m, plan.looks, deg_from_radians(radar.beam_width_rad)),
                 fmt::format("give mode.along_resolution_m of at least {:.3g}, fewer looks or a wider beam", finest_m));
@@ -66,7 +67,7 @@ std::array<Vec3d, 4> corners_of(const Rectangle& area, double height_m) {
 CoherentPlan coherent_plan(const Radar& radar, Vec3d aim) {
   const double speed_mps = length(radar.velocity_mps);
   if (!(speed_mps > 0.0))
-    throw Error("radar " + radar.name, "stands still", "give platform.speed_mps: coherent modes live from motion");
+    throw Error(title_of(radar), "stands still", "give platform.speed_mps: coherent modes live from motion");
   const Vec3d away = aim - radar.position;
   const double range_m = length(away);
   CoherentPlan plan{

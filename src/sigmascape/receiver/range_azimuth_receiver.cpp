@@ -8,6 +8,7 @@
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
+#include "sigmascape/radar/radar_title.h"
 #include "sigmascape/radar/range_ambiguity.h"
 #include "sigmascape/receiver/bin_response.h"
 
@@ -100,7 +101,7 @@ double room_for(const BinResponse& response, double oversampling) {
 void check(const radar::Radar& radar, const radar::RangeAzimuthGrid& grid) {
   if (static_cast<double>(grid.ranges) * static_cast<double>(grid.azimuths) > most_bins) {
     throw Error(
-        "radar " + radar.name,
+        radar::title_of(radar),
         fmt::format("resolves {:.3g} m by {:.3g}°, which over the mapped area makes {} by {} bins",
                     radar.range_resolution_m, deg_from_radians(radar.beam_width_rad), grid.ranges, grid.azimuths),
         fmt::format("widen the pulse or the beam, or map less, for at most {:.1e} bins", most_bins));
@@ -109,7 +110,7 @@ void check(const radar::Radar& radar, const radar::RangeAzimuthGrid& grid) {
     if (looked_at(radar, grid, column)) return;
   }
   const double middle = grid.first_azimuth_rad + 0.5 * static_cast<double>(grid.azimuths) * grid.azimuth_step_rad;
-  throw Error("radar " + radar.name, "never points to what is to be mapped",
+  throw Error(radar::title_of(radar), "never points to what is to be mapped",
               fmt::format("let its scan take in azimuth {:.1f}°", deg_from_radians(wrapped_azimuth(middle))));
 }
 

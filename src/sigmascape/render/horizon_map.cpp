@@ -79,12 +79,29 @@ void look_up_obstacles(Steps& steps, const ObstacleMosaic& obstacles) {
   }
 }
 
+const terrain::TerrainView& ground_before(const Occluders& occluders) {
+  return occluders.before_near.columns > 0 ? occluders.before_near : occluders.terrain;
+}
+
+const ObstacleMosaic& obstacles_before(const Occluders& occluders) {
+  return occluders.obstacles_before_near != nullptr ? *occluders.obstacles_before_near : *occluders.obstacles;
+}
+
+/// Of the ground before the first node and beyond, as low as it may be.
+double lowest_m_of(const Occluders& occluders) {
+  const float lowest_m = std::min(occluders.terrain.lowest_m, ground_before(occluders).lowest_m);
+  return static_cast<double>(lowest_m - occluders.lowered_m);
+}
+
+/// Of the ground before the first node and beyond.
+float highest_m_of(const Occluders& occluders) {
+  return std::max(occluders.terrain.highest_m, ground_before(occluders).highest_m);
+}
+
 /// No ground nearer than this can hide any of the map's.
 double nearest_occluder_m(const HorizonGrid& grid, Vec3d radar, const Occluders& occluders) {
-  const terrain::TerrainView& ground = occluders.terrain;
-  const terrain::TerrainView& before = occluders.before_near.columns > 0 ? occluders.before_near : ground;
-  const auto lowest_m = static_cast<double>(std::min(ground.lowest_m, before.lowest_m) - occluders.lowered_m);
-  const auto highest_m = static_cast<double>(std::max(ground.highest_m, before.highest_m) + occluders.tallest_m);
+  const double lowest_m = lowest_m_of(occluders);
+  const auto highest_m = static_cast<double>(highest_m_of(occluders) + occluders.tallest_m);
   const auto clear_of = [&](double distance_m) {
     // A chord runs below the ground's level by no more than its sagitta.
     const double margin_m = radar.z - highest_m - 0.25 * grid.drop_per_square_m * distance_m * distance_m;
@@ -103,6 +120,37 @@ struct Strides {
       : a_step(static_cast<std::size_t>(std::max(std::ceil(step_m / obstacles.grid().cell_m), 1.0))),
         length_m(step_m / static_cast<double>(a_step)) {}
 };
+
+/// What a line of sight must rise above, as far as a direction has been walked.
+struct Horizon {
+  float steepest = no_ground;  ///< of ground
+  float solid = no_ground;     ///< of solid tops
+
+  /// Goes over a step of `step_m`, the ground under it and what stands there.
+  void pass(const Steps& steps, std::size_t i, double step_m, CrownDepth& crowns) {
+    const float slope = steps.slope[i];
+    steepest = greater(steepest, slope);
+    const PackedObstacle packed = steps.obstacle[i];
+    if (slope == no_ground || (packed.solid_top == 0 && packed.crown_top == 0)) return;
+    const radar::Obstacle obstacle = packed.unpacked();
+    const float per_distance = 1.0F / steps.distance_m[i];
+    if (packed.solid_top > 0) solid = greater(solid, slope + obstacle.solid_top_m * per_distance);
+    const float top = slope + obstacle.crown_top_m * per_distance;
+    if (packed.crown_top == 0 || top <= steepest) return;
+    const float way_m = static_cast<float>(step_m) * std::sqrt(1.0F + slope * slope);
+    crowns.add(slope + obstacle.crown_base_m * per_distance, top, obstacle.crown_extinction_per_m * way_m);
+  }
+};
+
+/// Between which slopes the radar sees ground along the whole of a sweep.
+CrownDepth::Range slopes_of_ground(const HorizonGrid& grid, Vec3d radar, const Occluders& occluders,
+                                   const LeadSteps& lead) {
+  const double far_m = grid.near_m + static_cast<double>(grid.distances) * grid.step_m;
+  const double nearest_m = std::max(std::min(lead.from_m, grid.near_m), 1.0);
+  const double over_highest_m = static_cast<double>(highest_m_of(occluders)) - radar.z;
+  return {.lowest_slope = (lowest_m_of(occluders) - radar.z) / nearest_m - grid.drop_per_square_m * far_m,
+          .highest_slope = over_highest_m / (over_highest_m > 0.0 ? nearest_m : far_m)};
+}
 
 }  // namespace
 
@@ -123,7 +171,7 @@ class HorizonMap::Walk {
         direction_(radar::horizontal_direction(grid.first_azimuth_rad +
                                                static_cast<double>(azimuth) * grid.azimuth_step_rad)) {}
 
-  /// Calls `step(distance, slope, square)` outwards for `count` steps.
+  /// Calls `step(number, i)` outwards for `count` steps, of which `steps()` then holds some, this one at `i`.
   template <typename Step>
   void over(const terrain::TerrainView& ground, const ObstacleMosaic* obstacles, double first_m, double step_m,
             std::size_t count, Step step) {
@@ -182,69 +230,59 @@ void HorizonMap::reset(const HorizonGrid& grid, bool with_obstacles) {
 }
 
 void HorizonMap::sweep(std::size_t azimuth, Vec3d radar, const Occluders& occluders, unsigned worker) {
-  const terrain::TerrainView& ground = occluders.terrain;
-  const terrain::TerrainView& before = occluders.before_near.columns > 0 ? occluders.before_near : ground;
-  const double far_m = grid_.near_m + static_cast<double>(grid_.distances) * grid_.step_m;
-  const auto lowest_m = static_cast<double>(std::min(ground.lowest_m, before.lowest_m) - occluders.lowered_m);
-  const auto highest_m = static_cast<double>(std::max(ground.highest_m, before.highest_m));
-  const LeadSteps lead = lead_of(grid_, radar, occluders);
+  if (occluders.obstacles == nullptr || !with_obstacles_) {
+    sweep_ground(azimuth, radar, occluders);
+  } else {
+    sweep_obstacles(azimuth, radar, occluders, worker);
+  }
+}
 
+void HorizonMap::sweep_ground(std::size_t azimuth, Vec3d radar, const Occluders& occluders) {
   Walk walk(grid_, azimuth, radar, occluders);
   const Steps& steps = walk.steps();
-  float* const slopes = slopes_.data() + azimuth * stride_;
+  const LeadSteps lead = lead_of(grid_, radar, occluders);
   float steepest = no_ground;
-  if (occluders.obstacles == nullptr || !with_obstacles_) {
-    walk.over(before, nullptr, lead.from_m, lead.step_m, lead.count,
-              [&](std::size_t, std::size_t i) { steepest = greater(steepest, steps.slope[i]); });
-    walk.over(ground, nullptr, grid_.near_m, grid_.step_m, grid_.distances, [&](std::size_t k, std::size_t i) {
-      steepest = greater(steepest, steps.slope[i]);
-      slopes[k] = steepest;
-    });
-    return;
-  }
+  walk.over(ground_before(occluders), nullptr, lead.from_m, lead.step_m, lead.count,
+            [&](std::size_t, std::size_t i) { steepest = greater(steepest, steps.slope[i]); });
+
+  float* const slopes = slopes_.data() + azimuth * stride_;
+  walk.over(occluders.terrain, nullptr, grid_.near_m, grid_.step_m, grid_.distances, [&](std::size_t k, std::size_t i) {
+    steepest = greater(steepest, steps.slope[i]);
+    slopes[k] = steepest;
+  });
+}
+
+void HorizonMap::sweep_obstacles(std::size_t azimuth, Vec3d radar, const Occluders& occluders, unsigned worker) {
+  Walk walk(grid_, azimuth, radar, occluders);
+  const Steps& steps = walk.steps();
+  const LeadSteps lead = lead_of(grid_, radar, occluders);
+  CrownDepth crowns(std::span(depths_[worker]).first(2 * grid_.distances),
+                    slopes_of_ground(grid_, radar, occluders, lead));
+  Horizon horizon;
+  const ObstacleMosaic& before = obstacles_before(occluders);
+  const Strides to_near(lead.step_m, before);
+  walk.over(ground_before(occluders), &before, lead.from_m - 0.5 * (lead.step_m - to_near.length_m), to_near.length_m,
+            lead.count * to_near.a_step,
+            [&](std::size_t, std::size_t i) { horizon.pass(steps, i, to_near.length_m, crowns); });
 
   const ObstacleMosaic& obstacles = *occluders.obstacles;
-  const ObstacleMosaic& obstacles_before =
-      occluders.obstacles_before_near != nullptr ? *occluders.obstacles_before_near : obstacles;
+  const Strides within(grid_.step_m, obstacles);
+  const double first_m = grid_.near_m - static_cast<double>(within.a_step - 1) * within.length_m;
+  float* const slopes = slopes_.data() + azimuth * stride_;
   float* const solid_slopes = solid_slopes_.data() + azimuth * stride_;
   float* const through = through_.data() + azimuth * stride_;
-  float solid = no_ground;
-  const double nearest_m = std::max(std::min(lead.from_m, grid_.near_m), 1.0);
-  const double over_highest_m = highest_m - radar.z;
-  CrownDepth crowns(std::span(depths_[worker]).first(2 * grid_.distances),
-                    {.lowest_slope = (lowest_m - radar.z) / nearest_m - grid_.drop_per_square_m * far_m,
-                     .highest_slope = over_highest_m / (over_highest_m > 0.0 ? nearest_m : far_m)});
-  const auto pass = [&](std::size_t i, double step_m) {
-    const float slope = steps.slope[i];
-    steepest = greater(steepest, slope);
-    const PackedObstacle packed = steps.obstacle[i];
-    if (slope == no_ground || (packed.solid_top == 0 && packed.crown_top == 0)) return;
-    const radar::Obstacle obstacle = packed.unpacked();
-    const float per_distance = 1.0F / steps.distance_m[i];
-    if (packed.solid_top > 0) solid = greater(solid, slope + obstacle.solid_top_m * per_distance);
-    const float top = slope + obstacle.crown_top_m * per_distance;
-    if (packed.crown_top == 0 || top <= steepest) return;
-    const float way_m = static_cast<float>(step_m) * std::sqrt(1.0F + slope * slope);
-    crowns.add(slope + obstacle.crown_base_m * per_distance, top, obstacle.crown_extinction_per_m * way_m);
-  };
-  const Strides before_near(lead.step_m, obstacles_before);
-  walk.over(before, &obstacles_before, lead.from_m - 0.5 * (lead.step_m - before_near.length_m), before_near.length_m,
-            lead.count * before_near.a_step, [&](std::size_t, std::size_t i) { pass(i, before_near.length_m); });
-
-  const Strides within(grid_.step_m, obstacles);
   float transmission = 1.0F;
-  const double first_m = grid_.near_m - static_cast<double>(within.a_step - 1) * within.length_m;
-  const std::size_t count = grid_.distances * within.a_step;
-  walk.over(ground, &obstacles, first_m, within.length_m, count, [&](std::size_t stride, std::size_t i) {
-    pass(i, within.length_m);
-    if (stride % within.a_step != within.a_step - 1) return;
-    const std::size_t k = stride / within.a_step;
-    // Ground behind a ridge is not seen whatever stands in between.
-    if (steps.slope[i] >= steepest) transmission = crowns.transmission_at(steepest);
-    slopes[k] = steepest;
-    solid_slopes[k] = solid;
-    through[k] = transmission;
-  });
+  walk.over(occluders.terrain, &obstacles, first_m, within.length_m, grid_.distances * within.a_step,
+            [&](std::size_t stride, std::size_t i) {
+              horizon.pass(steps, i, within.length_m, crowns);
+              if (stride % within.a_step != within.a_step - 1) return;
+              const std::size_t k = stride / within.a_step;
+              // Ground behind a ridge is not seen whatever stands in between.
+              if (steps.slope[i] >= horizon.steepest) transmission = crowns.transmission_at(horizon.steepest);
+              slopes[k] = horizon.steepest;
+              solid_slopes[k] = horizon.solid;
+              through[k] = transmission;
+            });
 }
 
 }  // namespace sigmascape::render

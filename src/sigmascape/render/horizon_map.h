@@ -73,6 +73,10 @@ class HorizonMap {
  private:
   class Walk;
 
+  /// Over ground on which nothing stands, or only in the textures.
+  void sweep_ground(std::size_t azimuth, Vec3d radar, const Occluders& occluders);
+  void sweep_obstacles(std::size_t azimuth, Vec3d radar, const Occluders& occluders, unsigned worker);
+
   [[nodiscard]] const float* row_of(const std::vector<float>& of, std::size_t azimuth) const {
     return with_obstacles_ ? of.data() + azimuth * stride_ : nullptr;
   }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sigmascape/atlas/ground_layers.h"
+#include "sigmascape/atlas/terrain_file.h"
 #include "sigmascape/terrain/height_field_file.h"
 #include "sigmascape/terrain/pyramid_builder.h"
 
@@ -48,11 +49,10 @@ std::shared_ptr<const PageSource> source_of(const atlas::Store& store, const Liv
                                             BareGround{ground, relief_of(terrain, *obstacles)}, scrutiny);
 }
 
-std::shared_ptr<terrain::TerrainPyramid> terrain_beside(const std::filesystem::path& atlas_folder,
-                                                        const CacheOptions& options) {
-  const std::filesystem::path folder = atlas_folder / atlas::terrain_pyramid_name;
+std::shared_ptr<terrain::TerrainPyramid> terrain_beside(const atlas::Store& store, const CacheOptions& options) {
+  const std::filesystem::path folder = store.folder() / atlas::terrain_pyramid_name;
   if (!terrain::holds_pyramid(folder)) {
-    const terrain::HeightField field = terrain::read_height_field(atlas_folder / atlas::terrain_name);
+    const terrain::HeightField field = terrain::read_height_field(atlas::vouched_terrain(store, options.scrutiny));
     return std::shared_ptr<terrain::TerrainPyramid>(new terrain::TerrainPyramid(terrain::pyramid_in_memory(field)));
   }
   return std::shared_ptr<terrain::TerrainPyramid>(
@@ -82,7 +82,7 @@ LiveGround::LiveGround(const atlas::Store& store, const terrain::HeightField& te
 std::shared_ptr<LiveGround> LiveGround::open(const std::filesystem::path& atlas_folder, double frequency_hz,
                                              const CacheOptions& options) {
   const atlas::Store store = atlas::Store::open(atlas_folder);
-  return std::make_shared<LiveGround>(store, terrain_beside(atlas_folder, options), frequency_hz, options);
+  return std::make_shared<LiveGround>(store, terrain_beside(store, options), frequency_hz, options);
 }
 
 void LiveGround::wait_until_loaded() {
@@ -111,8 +111,7 @@ void LiveGround::load_coarsest_level() {
     }
   }
   if (all.size() > pages_.most_pages() / 2) return;
-  pages_.request(all);
-  pages_.wait_until_loaded();
+  pages_.load(all);
 }
 
 }  // namespace sigmascape::render

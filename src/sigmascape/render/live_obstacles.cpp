@@ -45,8 +45,7 @@ void LiveObstacles::load_coarsest_level() {
   for (std::size_t row = 0; row < block.down; ++row) {
     for (std::size_t column = 0; column < block.across; ++column) all.push_back(block.at(column, row));
   }
-  cache_->request(all);
-  cache_->wait_until_loaded();
+  cache_->load(all);
 }
 
 std::size_t LiveObstacles::level_for(double step_m) const {

@@ -105,24 +105,24 @@ LiveRenderer::LiveRenderer(std::shared_ptr<LiveGround> ground, const LiveSetting
   // The tasks' and, after them, what lies ahead.
   wanted_.reserve(PageRows::most_wanted * (team_.size() + 1));
   wanted_terrain_.reserve(most_wanted_terrain);
-  if (ground_->obstacles() != nullptr) wanted_obstacles_.reserve(2 * ground_->obstacles()->cache().most_pages());
+  pages_ = ground_->pages().asker(wanted_.capacity());
+  terrain_ = ground_->terrain().windows().asker(wanted_terrain_.capacity());
+  if (ground_->obstacles() != nullptr) {
+    wanted_obstacles_.reserve(2 * ground_->obstacles()->cache().most_pages());
+    obstacle_tiles_ = ground_->obstacles()->cache().asker(wanted_obstacles_.capacity());
+  }
 }
 
-LiveRenderer::~LiveRenderer() {
-  wanted_.clear();
-  wanted_terrain_.clear();
-  wanted_obstacles_.clear();
-  request();
-}
+LiveRenderer::~LiveRenderer() = default;
 
 void LiveRenderer::request() {
-  // A list that was empty and stays so needs no lock.
-  if (!wanted_.empty() || has_asked_) ground_->pages().request(wanted_, this);
-  if (!wanted_terrain_.empty() || has_asked_) ground_->terrain().windows().request(wanted_terrain_, this);
+  // A list that was empty and stays so wakes nobody.
+  if (!wanted_.empty() || has_asked_) pages_.request(wanted_);
+  if (!wanted_terrain_.empty() || has_asked_) terrain_.request(wanted_terrain_);
   if (!wanted_obstacles_.empty() || (has_asked_ && ground_->obstacles() != nullptr)) {
     // What is coarser covers more ground and comes first.
     std::ranges::sort(wanted_obstacles_, std::greater());
-    ground_->obstacles()->cache().request(wanted_obstacles_, this);
+    obstacle_tiles_.request(wanted_obstacles_);
   }
   has_asked_ = !wanted_.empty() || !wanted_terrain_.empty() || !wanted_obstacles_.empty();
 }

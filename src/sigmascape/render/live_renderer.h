@@ -174,7 +174,10 @@ class LiveRenderer {
   std::vector<PageKey> wanted_;                     // by all of them
   std::vector<WindowWish> wanted_terrain_;
   std::vector<atlas::TileAddress> wanted_obstacles_;
-  bool has_asked_ = false;  // for something, after the last frame
+  PageCache::Asker pages_;
+  TerrainWindows::Asker terrain_;
+  LiveObstacles::Cache::Asker obstacle_tiles_;  // where there are obstacles
+  bool has_asked_ = false;                      // for something, after the last frame
   Frame frame_;
 };
 

@@ -42,7 +42,7 @@ TerrainWindows::TerrainWindows(std::shared_ptr<terrain::TerrainPyramid> pyramid,
           least_nodes_per_side,
           static_cast<std::size_t>(
               std::sqrt(static_cast<double>(budget_bytes) / static_cast<double>(windows_in_budget * sizeof(float)))))),
-      entries_(std::make_shared<const Entries>()),
+      entries_(Entries()),
       maker_([this] { make_windows(); }) {}
 
 TerrainWindows::~TerrainWindows() {
@@ -50,7 +50,7 @@ TerrainWindows::~TerrainWindows() {
     const std::lock_guard lock(guard_);
     stopping_ = true;
   }
-  request_came_.notify_all();
+  wishes_.ring();
 }
 
 TerrainWindows::View TerrainWindows::view() {
@@ -82,35 +82,37 @@ WindowWish TerrainWindows::wish_for(int level, const radar::Rectangle& area) con
   return wish;
 }
 
-void TerrainWindows::request(std::span<const WindowWish> wishes, const void* asker) {
-  const std::lock_guard lock(guard_);
-  std::erase_if(wishes_, [asker](const Asked& asked) { return asked.asker == asker; });
-  std::transform(wishes.rbegin(), wishes.rend(), std::back_inserter(wishes_), [asker](const WindowWish& wish) {
-    return Asked{wish, asker};
-  });
-  (wishes_.empty() ? request_done_ : request_came_).notify_all();
-}
-
 void TerrainWindows::wait_until_loaded() {
   std::unique_lock lock(guard_);
   request_done_.wait(lock, [this] { return wishes_.empty() && !busy_; });
 }
 
+void TerrainWindows::load(std::span<const WindowWish> wanted) {
+  Asker caller = asker(wanted.size());
+  caller.request(wanted);
+  wait_until_loaded();
+}
+
 std::size_t TerrainWindows::bytes() const {
   const std::lock_guard lock(guard_);
-  const auto entries = entries_.load();
   std::size_t sum = 0;
-  for (const auto& window : *entries) sum += window->nodes.bytes();
+  for (const auto& window : entries_.newest()) sum += window->nodes.bytes();
   for (const auto& window : retired_) sum += window->nodes.bytes();
   return sum;
 }
 
 void TerrainWindows::make_windows() {
   std::unique_lock lock(guard_);
-  while (true) {
+  while (!stopping_) {
+    const std::uint32_t calls = wishes_.calls();
     WindowWish wish;
-    request_came_.wait(lock, [&] { return stopping_ || next_wish(wish); });
-    if (stopping_) return;
+    if (!next_wish(wish)) {
+      request_done_.notify_all();
+      lock.unlock();
+      wishes_.wait_beyond(calls);
+      lock.lock();
+      continue;
+    }
     busy_ = true;
     lock.unlock();
     auto window = made(wish);
@@ -122,15 +124,12 @@ void TerrainWindows::make_windows() {
 }
 
 bool TerrainWindows::next_wish(WindowWish& wish) {
-  const auto entries = entries_.load();
-  while (!wishes_.empty()) {
-    wish = wishes_.back().wish;
-    wishes_.pop_back();
-    const bool there = std::ranges::any_of(
-        *entries, [&wish](const auto& window) { return window->level == wish.level && window->covers(wish.area); });
+  while (wishes_.take(wish)) {
+    const bool there = std::ranges::any_of(entries_.newest(), [&wish](const auto& window) {
+      return window->level == wish.level && window->covers(wish.area);
+    });
     if (!there) return true;
   }
-  request_done_.notify_all();
   return false;
 }
 
@@ -158,20 +157,21 @@ radar::Rectangle TerrainWindows::with_margin(const WindowWish& wish) const {
 }
 
 void TerrainWindows::publish(std::shared_ptr<const GroundWindow> window) {
+  entries_.forget_unread();
   std::erase_if(retired_, [](const auto& old) { return old.use_count() == 1; });
-  auto entries = std::make_shared<Entries>(*entries_.load());
-  entries->push_back(std::move(window));
+  Entries entries = entries_.newest();
+  entries.push_back(std::move(window));
   const auto bytes = [&entries] {
     std::size_t sum = 0;
-    for (const auto& entry : *entries) sum += entry->nodes.bytes();
+    for (const auto& entry : entries) sum += entry->nodes.bytes();
     return sum;
   };
-  while (entries->size() > 1 && bytes() > budget_bytes_) {
-    const auto oldest =
-        std::ranges::min_element(entries->begin(), std::prev(entries->end()), {},
-                                 [](const auto& entry) { return entry->last_wanted.load(std::memory_order_relaxed); });
+  while (entries.size() > 1 && bytes() > budget_bytes_) {
+    const auto oldest = std::ranges::min_element(entries.begin(), std::prev(entries.end()), {}, [](const auto& entry) {
+      return entry->last_wanted.load(std::memory_order_relaxed);
+    });
     retired_.push_back(std::move(*oldest));
-    entries->erase(oldest);
+    entries.erase(oldest);
   }
   entries_.store(std::move(entries));
 }

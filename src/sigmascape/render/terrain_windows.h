@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "sigmascape/render/published.h"
+#include "sigmascape/render/wishes.h"
 #include "sigmascape/terrain/terrain_pyramid.h"
 #include "sigmascape/terrain/terrain_window.h"
 
@@ -36,8 +37,8 @@ struct GroundWindow {
 /// Terrain as frames want it, joined in lattices behind the back of whoever renders.
 ///
 /// A frame takes a view, which never changes under its hands, finds in it the terrain that covers what it looks at, and
-/// afterwards says what it would have liked. It never waits. Windows are somewhat larger than what was asked for, so
-/// that a radar that moves needs a new one only now and then. Any number of renderers may share them.
+/// afterwards says what it would have liked. It never waits for any other thread. Windows are somewhat larger than what
+/// was asked for, so that a radar that moves needs a new one only now and then. Any number of renderers may share them.
 class TerrainWindows {
   using Entries = std::vector<std::shared_ptr<const GroundWindow>>;
 
@@ -48,7 +49,7 @@ class TerrainWindows {
   TerrainWindows(const TerrainWindows&) = delete;
   TerrainWindows& operator=(const TerrainWindows&) = delete;
 
-  /// What was there at one moment.
+  /// What was there at one moment. Must not outlive the windows.
   class View {
    public:
     /// Of the windows that cover the area the one whose level comes nearest to the wish, the finer of two; null when
@@ -57,7 +58,7 @@ class TerrainWindows {
 
    private:
     friend class TerrainWindows;
-    std::shared_ptr<const Entries> entries_;
+    Published<Entries>::Reading entries_;
     std::uint64_t frame_ = 0;
   };
 
@@ -68,12 +69,18 @@ class TerrainWindows {
   /// holds it.
   [[nodiscard]] WindowWish wish_for(int level, const radar::Rectangle& area) const;
 
-  /// Windows to make, the dearest first, in place of those that the same asker wished for before. For the end of a
-  /// frame.
-  void request(std::span<const WindowWish> wishes, const void* asker = nullptr);
+  /// What a frame says at its end: Asker::request() hands over the windows to make, the dearest first. What whoever
+  /// asked last wants comes first.
+  using Asker = Wishes<WindowWish>::Asker;
+  /// For whoever renders, once: takes the memory for so many windows a frame.
+  [[nodiscard]] Asker asker(std::size_t most_windows) { return wishes_.asker(most_windows); }
+
+  // These are for callers who would rather wait than see less.
 
   /// Returns when all that was asked for is there.
   void wait_until_loaded();
+  /// Asks for windows and waits for them.
+  void load(std::span<const WindowWish> wanted);
 
   /// Of all windows that are there.
   [[nodiscard]] std::size_t bytes() const;
@@ -90,14 +97,11 @@ class TerrainWindows {
   std::size_t budget_bytes_, most_nodes_per_side_;
 
   mutable std::mutex guard_;
-  std::condition_variable request_came_, request_done_;
+  std::condition_variable request_done_;
+  Wishes<WindowWish> wishes_;
   Published<Entries> entries_;
-  std::vector<std::shared_ptr<const GroundWindow>> retired_;  // no longer found, perhaps still read by a frame
-  struct Asked {
-    WindowWish wish;
-    const void* asker;
-  };
-  std::vector<Asked> wishes_;  // from its end: whoever asked last comes first
+  // No longer found; others share one that a frame may still read.
+  std::vector<std::shared_ptr<const GroundWindow>> retired_;
   bool busy_ = false, stopping_ = false;
   std::atomic<std::uint64_t> frame_{0};
   std::jthread maker_;

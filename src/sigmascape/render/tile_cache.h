@@ -16,6 +16,7 @@
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/render/published.h"
+#include "sigmascape/render/wishes.h"
 
 namespace sigmascape::render {
 
@@ -33,8 +34,9 @@ struct CacheReport {
 /// wanted more.
 ///
 /// A frame takes a view, which never changes under its hands, finds in it what is there, and afterwards says what it
-/// would have liked. It never waits for a page. Pages of the coarsest level stay once they are there, so that something
-/// can stand in for what is missing. Any number of renderers may share one cache.
+/// would have liked. It waits neither for a page nor for any thread that deals with pages or with another frame. Pages
+/// of the coarsest level stay once they are there, so that something can stand in for what is missing. Any number of
+/// renderers may share one cache.
 ///
 /// A `Source` makes pages: it names their type `Source::Page`, fills one in any thread as its `key` says (false when it
 /// cannot be had), and tells how many bytes one takes at most, how many levels there are and how many files were found
@@ -55,7 +57,7 @@ class TileCache {
   TileCache(const TileCache&) = delete;
   TileCache& operator=(const TileCache&) = delete;
 
-  /// What was there at one moment.
+  /// What was there at one moment. Copies of it may be taken to other threads; none may outlive the cache.
   class View {
    public:
     /// Null when the page is not there. Marks it as wanted by this view's frame.
@@ -64,19 +66,25 @@ class TileCache {
 
    private:
     friend class TileCache;
-    std::shared_ptr<const Entries> entries_;
+    typename Published<Entries>::Reading entries_;
     std::uint64_t frame_ = 0;
   };
 
   /// Call at the start of a frame; drop it at its end, for pages live while a view holds them.
   [[nodiscard]] View view();
 
-  /// Pages to load, the dearest first, in place of those that the same asker wanted before. For the end of a frame: the
-  /// list is locked while it is handed over, never while pages are read.
-  void request(std::span<const Key> wanted, const void* asker = nullptr);
+  /// What a frame says at its end: Asker::request() hands over the pages to load, the dearest first. What whoever asked
+  /// last wants comes first.
+  using Asker = typename Wishes<Key>::Asker;
+  /// For whoever renders, once: takes the memory for so many pages a frame.
+  [[nodiscard]] Asker asker(std::size_t most_pages) { return wishes_.asker(most_pages); }
 
-  /// Returns when all that was asked for is there or cannot be: for callers who would rather wait than see less.
+  // These are for callers who would rather wait than see less.
+
+  /// Returns when all that was asked for is there or cannot be.
   void wait_until_loaded();
+  /// Asks for pages and waits for them.
+  void load(std::span<const Key> wanted);
 
   [[nodiscard]] CacheReport report() const;
   /// How many pages the budget holds.
@@ -90,15 +98,6 @@ class TileCache {
   [[nodiscard]] static bool holds(const std::vector<Key>& keys, const Key& key) {
     return std::ranges::find(keys, key) != keys.end();
   }
-  /// Whether nobody reads the retired page any more.
-  [[nodiscard]] static bool is_let_go(const std::shared_ptr<Page>& page) {
-    if (page.use_count() != 1) return false;
-    // That the count has fallen does not yet order what its last reader did before what is written into the page next.
-    // To give back a share of one's own does.
-    std::shared_ptr<Page>(page).reset();
-    return true;
-  }
-
   void load_pages();
   // All of these with the guard held.
   [[nodiscard]] bool next_wanted(Key& key);
@@ -110,14 +109,10 @@ class TileCache {
   std::size_t budget_bytes_;
 
   mutable std::mutex guard_;
-  std::condition_variable request_came_, request_done_;
+  std::condition_variable request_done_;
+  Wishes<Key> wishes_;
   Published<Entries> entries_;
-  std::vector<std::shared_ptr<Page>> retired_;  // no longer found, perhaps still read by a frame
-  struct Wish {
-    Key key;
-    const void* asker;
-  };
-  std::vector<Wish> wanted_;  // from its end: whoever asked last comes first
+  std::vector<std::shared_ptr<Page>> retired_;  // no longer found; others share one that a frame may still read
   std::vector<Key> loading_, absent_;
   std::atomic<std::uint64_t> frame_{0};
   std::size_t page_bytes_ = 0;  // of one
@@ -128,7 +123,7 @@ class TileCache {
 
 template <typename Source>
 TileCache<Source>::TileCache(std::shared_ptr<const Source> source, std::size_t budget_bytes, unsigned loaders)
-    : source_(std::move(source)), budget_bytes_(budget_bytes), entries_(std::make_shared<const Entries>()) {
+    : source_(std::move(source)), budget_bytes_(budget_bytes), entries_(Entries()) {
   page_bytes_ = source_->most_bytes();
   if (most_pages() == 0) {
     throw Error("page cache", fmt::format("has a budget of {} bytes", budget_bytes_),
@@ -145,7 +140,7 @@ TileCache<Source>::~TileCache() {
     const std::lock_guard lock(guard_);
     stopping_ = true;
   }
-  request_came_.notify_all();
+  wishes_.ring();
 }
 
 template <typename Source>
@@ -165,26 +160,23 @@ const typename TileCache<Source>::Page* TileCache<Source>::View::find(const Key&
 }
 
 template <typename Source>
-void TileCache<Source>::request(std::span<const Key> wanted, const void* asker) {
-  const std::lock_guard lock(guard_);
-  std::erase_if(wanted_, [asker](const Wish& wish) { return wish.asker == asker; });
-  std::transform(wanted.rbegin(), wanted.rend(), std::back_inserter(wanted_), [asker](const Key& key) {
-    return Wish{key, asker};
-  });
-  (wanted_.empty() ? request_done_ : request_came_).notify_all();
+void TileCache<Source>::wait_until_loaded() {
+  std::unique_lock lock(guard_);
+  request_done_.wait(lock, [this] { return wishes_.empty() && loading_.empty(); });
 }
 
 template <typename Source>
-void TileCache<Source>::wait_until_loaded() {
-  std::unique_lock lock(guard_);
-  request_done_.wait(lock, [this] { return wanted_.empty() && loading_.empty(); });
+void TileCache<Source>::load(std::span<const Key> wanted) {
+  Asker caller = asker(wanted.size());
+  caller.request(wanted);
+  wait_until_loaded();
 }
 
 template <typename Source>
 CacheReport TileCache<Source>::report() const {
   const std::lock_guard lock(guard_);
   CacheReport report = report_;
-  report.pages = entries_.load()->size();
+  report.pages = entries_.newest().size();
   report.damaged = source_->damaged();
   report.bytes = (report.pages + retired_.size() + loading_.size()) * page_bytes_;
   return report;
@@ -193,15 +185,21 @@ CacheReport TileCache<Source>::report() const {
 template <typename Source>
 void TileCache<Source>::load_pages() {
   std::unique_lock lock(guard_);
-  while (true) {
+  while (!stopping_) {
+    const std::uint32_t calls = wishes_.calls();
     Key key;
-    request_came_.wait(lock, [&] { return stopping_ || next_wanted(key); });
-    if (stopping_) return;
+    if (!next_wanted(key)) {
+      request_done_.notify_all();
+      lock.unlock();
+      wishes_.wait_beyond(calls);
+      lock.lock();
+      continue;
+    }
     const std::shared_ptr<Page> page = empty_page();
     if (!page) {
       // Everything there is looked at: what is wanted now has to wait until frames look elsewhere.
       ++report_.refused;
-      wanted_.clear();
+      wishes_.clear();
       request_done_.notify_all();
       continue;
     }
@@ -226,28 +224,25 @@ void TileCache<Source>::load_pages() {
 
 template <typename Source>
 bool TileCache<Source>::next_wanted(Key& key) {
-  const auto entries = entries_.load();
-  while (!wanted_.empty()) {
-    key = wanted_.back().key;
-    wanted_.pop_back();
-    const bool there = std::ranges::binary_search(*entries, key, {}, &key_of);
+  while (wishes_.take(key)) {
+    const bool there = std::ranges::binary_search(entries_.newest(), key, {}, &key_of);
     if (!there && !holds(loading_, key) && !holds(absent_, key)) return true;
   }
-  request_done_.notify_all();
   return false;
 }
 
 template <typename Source>
 std::shared_ptr<typename TileCache<Source>::Page> TileCache<Source>::empty_page() {
   const auto free_one = [this]() -> std::shared_ptr<Page> {
-    const auto free = std::ranges::find_if(retired_, &is_let_go);
+    entries_.forget_unread();
+    const auto free = std::ranges::find_if(retired_, [](const auto& page) { return page.use_count() == 1; });
     if (free == retired_.end()) return nullptr;
     std::shared_ptr<Page> page = std::move(*free);
     retired_.erase(free);
     return page;
   };
   if (auto page = free_one()) return page;
-  const std::size_t pages = entries_.load()->size() + retired_.size() + loading_.size();
+  const std::size_t pages = entries_.newest().size() + retired_.size() + loading_.size();
   if (pages < most_pages()) return std::make_shared<Page>();
   drop_oldest_page();
   return free_one();
@@ -255,19 +250,19 @@ std::shared_ptr<typename TileCache<Source>::Page> TileCache<Source>::empty_page(
 
 template <typename Source>
 void TileCache<Source>::drop_oldest_page() {
-  const auto entries = entries_.load();
+  const Entries& entries = entries_.newest();
   // Of equally old ones the finer goes: its parent can stand in for it. The coarsest have none and stay.
   const std::size_t coarsest = source_->levels() - 1;
-  const auto oldest = std::ranges::min_element(*entries, {}, [coarsest](const Entry& entry) {
+  const auto oldest = std::ranges::min_element(entries, {}, [coarsest](const Entry& entry) {
     const std::size_t level = entry->level();
     return std::tuple(level == coarsest, entry->last_wanted.load(std::memory_order_relaxed), level);
   });
-  if (oldest == entries->end() || (*oldest)->level() == coarsest ||
+  if (oldest == entries.end() || (*oldest)->level() == coarsest ||
       (*oldest)->last_wanted.load(std::memory_order_relaxed) + 1 >= frame_.load())
     return;
-  auto rest = std::make_shared<Entries>();
-  rest->reserve(entries->size());
-  std::ranges::copy_if(*entries, std::back_inserter(*rest), [&](const Entry& entry) { return entry != *oldest; });
+  Entries rest;
+  rest.reserve(entries.size());
+  std::ranges::copy_if(entries, std::back_inserter(rest), [&](const Entry& entry) { return entry != *oldest; });
   // Whoever found the page may read on; its memory is used again when the last of them has let go.
   retired_.push_back(std::const_pointer_cast<Page>(*oldest));
   entries_.store(std::move(rest));
@@ -276,10 +271,9 @@ void TileCache<Source>::drop_oldest_page() {
 
 template <typename Source>
 void TileCache<Source>::publish(std::shared_ptr<Page> page) {
-  const auto entries = entries_.load();
-  auto grown = std::make_shared<Entries>(*entries);
-  const auto place = std::ranges::lower_bound(*grown, page->key, {}, &key_of);
-  grown->insert(place, std::move(page));
+  Entries grown = entries_.newest();
+  const auto place = std::ranges::lower_bound(grown, page->key, {}, &key_of);
+  grown.insert(place, std::move(page));
   entries_.store(std::move(grown));
 }
 

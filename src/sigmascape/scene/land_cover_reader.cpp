@@ -49,6 +49,69 @@ std::int32_t class_code(const TomlSection& classes, const std::string& key) {
 
 constexpr double most_cells = 1e9;
 
+radar::GroundGrid material_grid(const radar::Rectangle& extent, double cell_m, const std::string& name) {
+  const double columns = std::ceil(extent.width_m() / cell_m - 1e-6),
+               rows = std::ceil(extent.height_m() / cell_m - 1e-6);
+  if (columns * rows > most_cells) {
+    throw Error(name, fmt::format("would make {:.2g} cells of {:g} m", columns * rows, cell_m),
+                "choose a larger cell_m in [land_cover]");
+  }
+  return {extent.west_m, extent.north_m, cell_m, static_cast<std::size_t>(columns), static_cast<std::size_t>(rows)};
+}
+
+/// Codes of classes, [column, row] of the scene's material map.
+using ClassMap = Array2D<std::int32_t>;
+using CellsOfClass = std::map<std::int32_t, std::size_t>;
+
+ClassMap classes_on(const radar::GroundGrid& grid, const geo::Raster& raster, const geo::LocalFrame& frame) {
+  const Vec2d first = grid.centre_of(0, 0);
+  return raster.classes_on({first.x, first.y, grid.cell_m, grid.columns, grid.rows}, frame);
+}
+
+CellsOfClass counted(const ClassMap& classes, const std::string& name) {
+  CellsOfClass cells;
+  for (const std::int32_t code : classes.values()) ++cells[code];
+  if (cells[geo::no_class] == classes.size()) {
+    throw Error(name, "holds no class anywhere in the scene's extent",
+                "give a land cover raster that overlaps the terrain");
+  }
+  return cells;
+}
+
+/// What the classes that occur are made of; those without a material are tallied and left out.
+std::map<std::int32_t, MaterialIndex> materials_of(const CellsOfClass& cells, const LandCoverSource& source,
+                                                   Scene& scene, FlawTally& tally) {
+  std::map<std::int32_t, MaterialIndex> materials;
+  for (const auto& [code, count] : cells) {
+    const auto listed = source.materials.find(code);
+    if (listed != source.materials.end()) {
+      materials[code] = scene.material_index(listed->second);
+    } else if (code == geo::no_class) {
+      tally.note("cells of land cover without data, given the nodata material", source.nodata.name, count);
+    } else {
+      tally.flaw("cells of a class without a material, given the nodata material", fmt::format("class {}", code),
+                 count);
+    }
+  }
+  return materials;
+}
+
+void lay(const ClassMap& classes, const std::map<std::int32_t, MaterialIndex>& materials,
+         Array2D<MaterialIndex>& ground) {
+  for (std::size_t i = 0; i < classes.size(); ++i) {
+    const auto found = materials.find(classes.values()[i]);
+    if (found != materials.end()) ground.values()[i] = found->second;
+  }
+}
+
+WaterMask water_in(const ClassMap& classes, const std::vector<std::int32_t>& water_classes) {
+  const std::set<std::int32_t> codes(water_classes.begin(), water_classes.end());
+  WaterMask water(classes.columns(), classes.rows(), 0);
+  std::ranges::transform(classes.values(), water.values().begin(),
+                         [&](std::int32_t code) -> std::uint8_t { return codes.contains(code) ? 1 : 0; });
+  return water;
+}
+
 }  // namespace
 
 LandCoverSource read_land_cover_source(const TomlSection& section, const MaterialTable& materials,
@@ -90,50 +153,18 @@ WaterMask add_land_cover(Scene& scene, const LandCoverSource& source) {
   const std::string name = source.raster ? source.raster->file.string() : "[land_cover]";
   std::optional<geo::Raster> raster;
   if (source.raster) raster.emplace(*source.raster);
-  const double cell_m = source.cell_m.value_or(raster ? raster->cell_m() : scene.terrain.spacing_m);
-  const double columns = std::ceil(scene.extent.width_m() / cell_m - 1e-6),
-               rows = std::ceil(scene.extent.height_m() / cell_m - 1e-6);
-  if (columns * rows > most_cells) {
-    throw Error(name, fmt::format("would make {:.2g} cells of {:g} m", columns * rows, cell_m),
-                "choose a larger cell_m in [land_cover]");
-  }
-  const radar::GroundGrid grid{scene.extent.west_m, scene.extent.north_m, cell_m, static_cast<std::size_t>(columns),
-                               static_cast<std::size_t>(rows)};
+  const radar::GroundGrid grid =
+      material_grid(scene.extent, source.cell_m.value_or(raster ? raster->cell_m() : scene.terrain.spacing_m), name);
   scene.ground.grid = grid;
   scene.ground.material = Array2D<MaterialIndex>(grid.columns, grid.rows, scene.material_index(source.nodata));
-  WaterMask water(grid.columns, grid.rows, 0);
-  if (!raster) return water;
+  if (!raster) return {grid.columns, grid.rows, 0};
 
-  const Vec2d first = grid.centre_of(0, 0);
-  const auto classes = raster->classes_on({first.x, first.y, cell_m, grid.columns, grid.rows}, scene.frame);
-  std::map<std::int32_t, std::size_t> count;
-  for (const std::int32_t code : classes.values()) ++count[code];
-  if (count[geo::no_class] == classes.size()) {
-    throw Error(name, "holds no class anywhere in the scene's extent",
-                "give a land cover raster that overlaps the terrain");
-  }
-
+  const ClassMap classes = classes_on(grid, *raster, scene.frame);
+  const CellsOfClass cells = counted(classes, name);
   FlawTally tally;
-  tally.note("cells of land cover without data, given the nodata material", source.nodata.name, count[geo::no_class]);
-  std::map<std::int32_t, MaterialIndex> material_of;
-  for (const auto& [code, cells] : count) {
-    const auto listed = source.materials.find(code);
-    if (listed != source.materials.end()) {
-      material_of[code] = scene.material_index(listed->second);
-    } else if (code != geo::no_class) {
-      tally.flaw("cells of a class without a material, given the nodata material", fmt::format("class {}", code),
-                 cells);
-    }
-  }
-  const std::set<std::int32_t> water_classes(source.water_classes.begin(), source.water_classes.end());
-  for (std::size_t i = 0; i < classes.size(); ++i) {
-    const std::int32_t code = classes.values()[i];
-    if (const auto found = material_of.find(code); found != material_of.end())
-      scene.ground.material.values()[i] = found->second;
-    water.values()[i] = water_classes.contains(code) ? 1 : 0;
-  }
+  lay(classes, materials_of(cells, source, scene, tally), scene.ground.material);
   tally.settle(name, classes.size(), source.limit, scene.remarks);
-  return water;
+  return water_in(classes, source.water_classes);
 }
 
 bool in_water(const radar::GroundGrid& grid, const WaterMask& water, Vec2d point) {

@@ -14,6 +14,7 @@
 #include "sigmascape/base/hash.h"
 #include "sigmascape/base/parallel.h"
 #include "sigmascape/base/units.h"
+#include "sigmascape/radar/radar_title.h"
 #include "sigmascape/radar/rectangle_parts.h"
 #include "sigmascape/radar/windblown_vegetation.h"
 #include "sigmascape/receiver/calibrated_voltage.h"
@@ -33,7 +34,7 @@ constexpr double image_oversampling = 1.5;
 
 void check_moves(const radar::Radar& radar) {
   if (!(length(radar.velocity_mps) > 0.0)) {
-    throw Error("radar " + radar.name, "stands still", "give it a velocity: coherent modes live from motion");
+    throw Error(radar::title_of(radar), "stands still", "give it a velocity: coherent modes live from motion");
   }
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "sigmascape/base/error.h"
+#include "sigmascape/radar/radar_title.h"
 
 namespace sigmascape::simulate {
 namespace {
@@ -14,7 +15,7 @@ constexpr double clearance_m = 1.0;
 
 void check_above(const radar::Radar& radar, double highest_m) {
   if (radar.position.z <= highest_m + clearance_m) {
-    throw Error("radar " + radar.name,
+    throw Error(radar::title_of(radar),
                 fmt::format("stands at {:.0f} m, below the highest point of the scene at {:.0f} m", radar.position.z,
                             highest_m),
                 "place the radar above the scene");

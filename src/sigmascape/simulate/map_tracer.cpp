@@ -6,6 +6,7 @@
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/hash.h"
 #include "sigmascape/base/parallel.h"
+#include "sigmascape/radar/radar_title.h"
 #include "sigmascape/receiver/range_azimuth_receiver.h"
 #include "sigmascape/receiver/target_echoes.h"
 #include "sigmascape/simulate/launch_for_map.h"
@@ -132,7 +133,7 @@ std::vector<radar::RangeAzimuthImage> MapTracer::images() const {
   std::vector<radar::RangeAzimuthImage> images;
   for (const auto& receiver : receivers_) {
     if (receiver->bins().overflows() > 0) {
-      throw Error("map of radar " + radar_.name, "a bin is brighter than the sums can hold",
+      throw Error("map of " + radar::title_of(radar_), "a bin is brighter than the sums can hold",
                   "use finer resolution or rougher materials");
     }
     images.push_back(receiver->image());

@@ -7,6 +7,7 @@
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/geo/coordinate_transform.h"
+#include "sigmascape/radar/radar_title.h"
 
 namespace sigmascape::simulate {
 namespace {
@@ -63,7 +64,8 @@ radar::Radar placed_radar(const radar::RadarFile& file, const geo::LocalFrame& f
   radar.position = std::visit(Placer{frame, terrain, extent}, file.place);
   const Vec2d away = Vec2d{radar.position.x, radar.position.y} - extent.centre();
   if (!(length(away) <= furthest_m)) {
-    throw Error("radar " + radar.name, fmt::format("stands {:.0f} km from the middle of the scene", length(away) / 1e3),
+    throw Error(radar::title_of(radar),
+                fmt::format("stands {:.0f} km from the middle of the scene", length(away) / 1e3),
                 fmt::format("place it within {:.0f} km", furthest_m / 1e3));
   }
   return radar;

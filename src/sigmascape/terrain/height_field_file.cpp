@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "sigmascape/base/error.h"
-#include "sigmascape/geo/geotiff.h"
+#include "sigmascape/geo/geo_raster.h"
 
 namespace sigmascape::terrain {
 namespace {

@@ -10,7 +10,7 @@
 #include "sigmascape/base/sha256.h"
 #include "sigmascape/base/toml_reader.h"
 #include "sigmascape/geo/atomic_file.h"
-#include "sigmascape/geo/geotiff.h"
+#include "sigmascape/geo/geo_raster.h"
 
 namespace sigmascape::terrain {
 namespace {

@@ -12,7 +12,7 @@
 #include "sigmascape/atlas/half.h"
 #include "sigmascape/atlas/texture_file.h"
 #include "sigmascape/base/error.h"
-#include "sigmascape/geo/geotiff.h"
+#include "sigmascape/geo/geo_raster.h"
 
 namespace sigmascape::atlas {
 namespace {

@@ -8,8 +8,10 @@
 #include <vector>
 
 #include "example_obstacles.h"
+#include "example_texels.h"
 #include "scratch_folder.h"
 
+#include "sigmascape/atlas/levels_above.h"
 #include "sigmascape/atlas/stac_item.h"
 #include "sigmascape/atlas/texture_file.h"
 #include "sigmascape/atlas/verify.h"
@@ -104,6 +106,42 @@ TEST(ObstaclePyramid, WaitsForWhatIsMissingAndFollowsWhatWasMadeAnew) {
   EXPECT_THAT(faults.front().what, HasSubstr("made from other files"));
   EXPECT_EQ(pyramid.make_above({{0, 0}}), 2U);
   EXPECT_EQ(texture_record(atlas.folder(), obstacles_path({2, {0, 0}}))->tallest_m, 100.0F);
+}
+
+// One patch without obstacles and one whose item does not say how tall they are: two files of the first level wait for
+// them, and two of the second for those.
+TEST(ObstaclePyramid, WhatIsLeftOutIsToldWithItsCause) {
+  const ScratchFolder folder;
+  const Store atlas = filled(folder.path("a"));
+  const fs::path missing = obstacles_path({0, {-3, 0}}), former = obstacles_path({0, {1, -1}});
+  fs::remove(atlas.folder() / missing);
+  fs::remove(item_path(atlas.folder() / missing));
+  std::string text = *text_of(item_path(atlas.folder() / former));
+  text.replace(text.find("sigmascape:tallest_m"), 20, "sigmascape:something");
+  std::ofstream(item_path(atlas.folder() / former), std::ios::binary) << text;
+
+  const LevelsAbove made = make_levels_above(atlas);
+  EXPECT_EQ(made.written, files_above - 4);
+  std::map<fs::path, std::string> causes;
+  for (const StoreFault& fault : made.hindrances) {
+    if (fault.file.filename() == "obstacles.tif") causes[fault.file] = fault.what;
+  }
+  ASSERT_EQ(causes.size(), 2U);
+  EXPECT_EQ(causes[missing], "is missing");
+  EXPECT_THAT(causes[former], HasSubstr("former kind"));
+  // Of σ0 the atlas has nothing at all.
+  EXPECT_EQ(made.left_out, 4U + files_above);
+  EXPECT_EQ(made.hindrances.size(), 2U + patches_of(atlas).size());
+}
+
+TEST(ObstaclePyramid, OfAWholeAtlasNothingIsLeftOut) {
+  const ScratchFolder folder;
+  const Store atlas = filled(folder.path("a"));
+  for (const Unit& unit : atlas.units()) atlas.write(unit.patch, unit.look, example_texels(512, unit.look), {});
+  const LevelsAbove made = make_levels_above(atlas);
+  EXPECT_EQ(made.written, 2 * files_above);
+  EXPECT_EQ(made.left_out, 0U);
+  EXPECT_TRUE(made.hindrances.empty());
 }
 
 }  // namespace

@@ -12,8 +12,11 @@
 #include "example_obstacles.h"
 #include "scratch_folder.h"
 
+#include "sigmascape/atlas/stac_item.h"
 #include "sigmascape/atlas/texture_file.h"
 #include "sigmascape/base/error.h"
+#include "sigmascape/base/sha256.h"
+#include "sigmascape/geo/geo_raster.h"
 
 namespace sigmascape::atlas {
 namespace {
@@ -60,6 +63,20 @@ class ObstacleTilesTest : public ::testing::Test {
   }
 
   [[nodiscard]] fs::path file_of(const PyramidTile& tile) const { return atlas_.folder() / obstacles_path(tile); }
+  /// 32-bit floats without coarser levels, and an item that says nothing of the tallest.
+  void write_former_kind(const PyramidTile& tile) const {
+    const radar::GroundGrid grid = texels_of(atlas_.description().patches, tile);
+    geo::GeoRaster raster{.placement = {grid.west_m, grid.north_m, grid.cell_m, atlas_.description().frame.proj()},
+                          .bands = {},
+                          .nodata = {},
+                          .metadata = {}};
+    for (const std::string_view band : obstacle_bands)
+      raster.bands.push_back({std::string(band), Array2D<float>(grid.columns, grid.rows)});
+    geo::write_geotiff(file_of(tile), raster);
+    const TextureRecord record{fs::file_size(file_of(tile)), sha256_of_file(file_of(tile)), 1.0};
+    std::ofstream(item_path(file_of(tile)), std::ios::binary)
+        << obstacles_item_text(atlas_.description(), tile, obstacles_path(tile), record);
+  }
   static void alter(const fs::path& path) {
     std::fstream file(path, std::ios::binary | std::ios::in | std::ios::out);
     file.seekg(-100, std::ios::end);
@@ -201,6 +218,19 @@ TEST_F(ObstacleTilesTest, AFormerKindIsToldWhenItIsOpened) {
   EXPECT_THAT(message_of_error([&] { const ObstacleTiles tiles(atlas_); }),
               ::testing::AllOf(HasSubstr("patch_+001_-001/obstacles.tif"), HasSubstr("former kind"),
                                HasSubstr("bake again with the same settings and --verify")));
+}
+
+// The levels above do not tell that a patch under them was put there by a former program.
+TEST_F(ObstacleTilesTest, AFormerKindUnderNewLevelsIsCountedAndNotRead) {
+  fill(example_obstacles);
+  const PyramidTile patch{0, {0, 0}};
+  write_former_kind(patch);
+  const ObstacleTiles tiles(atlas_);
+  EXPECT_EQ(tiles.damaged(), 0U);
+  EXPECT_FALSE(tiles.read({0, 0, 0}, texels_));
+  EXPECT_EQ(tiles.damaged(), 1U);
+  EXPECT_FALSE(tiles.read({0, 1, 0}, texels_)) << "another tile of it";
+  EXPECT_EQ(tiles.damaged(), 1U);
 }
 
 TEST_F(ObstacleTilesTest, ManyThreadsReadWhatOneReads) {

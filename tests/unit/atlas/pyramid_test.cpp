@@ -10,7 +10,7 @@
 #include "example_texels.h"
 #include "scratch_folder.h"
 
-#include "sigmascape/geo/geotiff.h"
+#include "sigmascape/geo/geo_raster.h"
 
 namespace sigmascape::atlas {
 namespace {

@@ -14,7 +14,7 @@
 
 #include "sigmascape/atlas/half.h"
 #include "sigmascape/base/error.h"
-#include "sigmascape/geo/geotiff.h"
+#include "sigmascape/geo/geo_raster.h"
 
 namespace sigmascape::atlas {
 namespace {
@@ -72,6 +72,7 @@ TEST_F(StoreTest, OpensAgainWithTheSameDescription) {
   EXPECT_EQ(opened.description().settings, example_description().settings);
   EXPECT_EQ(opened.description().frame.proj(), example_description().frame.proj());
   EXPECT_EQ(opened.units().size(), 8U);
+  EXPECT_EQ(opened.unit_count(), 8U);
   EXPECT_EQ(store.units(), opened.units());
 }
 

@@ -14,6 +14,7 @@
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/atlas/obstacle_file.h"
 #include "sigmascape/atlas/pyramid.h"
+#include "sigmascape/atlas/terrain_file.h"
 #include "sigmascape/base/error.h"
 
 namespace sigmascape::atlas {
@@ -37,6 +38,8 @@ class VerifyTest : public testing::Test {
       const radar::GroundGrid texels = description.patches.texels_of(patch);
       write_obstacles(atlas, patch, {texels, Array2D<radar::Obstacle>(texels.columns, texels.rows)});
     }
+    std::ofstream(folder_ / terrain_name) << "heights";
+    vouch_for_terrain(atlas);
   }
   void TearDown() override { fs::remove_all(folder_); }
 
@@ -67,6 +70,19 @@ class VerifyTest : public testing::Test {
 };
 
 TEST_F(VerifyTest, WholeAtlasHasNoFault) {
+  EXPECT_EQ(fault(), "none");
+}
+
+TEST_F(VerifyTest, FindsWhatIsWrongWithTheTerrain) {
+  const Store atlas = Store::open(folder_);
+  EXPECT_EQ(vouched_terrain(atlas, Scrutiny::Content), folder_ / terrain_name);
+  alter(terrain_name);
+  EXPECT_EQ(fault(), "terrain.tif was altered: its SHA-256 is not the recorded one");
+  EXPECT_EQ(fault(Scrutiny::Size), "none");
+  EXPECT_THROW((void)vouched_terrain(atlas, Scrutiny::Content), Error);
+  fs::remove(folder_ / "terrain.json");
+  EXPECT_EQ(fault(Scrutiny::Size), "terrain.json is missing, so the file that it vouches for does not count");
+  vouch_for_terrain(atlas);
   EXPECT_EQ(fault(), "none");
 }
 

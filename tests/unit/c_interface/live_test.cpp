@@ -11,6 +11,7 @@
 #include "unit/c_interface/said_in_c.h"
 #include "unit/render/live_ground_example.h"
 
+#include "sigmascape/atlas/terrain_file.h"
 #include "sigmascape/c_interface/sigmascape.h"
 #include "sigmascape/terrain/height_field_file.h"
 #include "sigmascape/terrain/pyramid_builder.h"
@@ -27,6 +28,7 @@ class LiveFromC : public testing::Test {
     const auto store = example.store(folder_->path("atlas"));
     terrain::write_height_field(folder_->path("atlas") / atlas::terrain_name, example.terrain(),
                                 store.description().frame.proj());
+    atlas::vouch_for_terrain(store);
   }
   static void TearDownTestSuite() { folder_.reset(); }
   [[nodiscard]] static std::string atlas() { return folder_->path("atlas").string(); }

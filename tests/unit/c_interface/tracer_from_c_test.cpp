@@ -8,6 +8,7 @@
 #include "unit/c_interface/said_in_c.h"
 #include "unit/render/live_ground_example.h"
 
+#include "sigmascape/atlas/terrain_file.h"
 #include "sigmascape/c_interface/sigmascape.h"
 #include "sigmascape/scene/scene_file.h"
 #include "sigmascape/simulate/live_tracer.h"
@@ -72,6 +73,7 @@ TEST(FlightFromC, TracesWhatIsSeenCloselyAndLeavesTheRestToTextures) {
   const auto store = example.store(folder.path("atlas"));
   terrain::write_height_field(folder.path("atlas") / atlas::terrain_name, example.terrain(),
                               store.description().frame.proj());
+  atlas::vouch_for_terrain(store);
   render::ExampleView view;
   view.target = {};
   view.bin_m = 4.0;

@@ -1,16 +1,16 @@
 #include "sigmascape/geo/atomic_file.h"
 
-#include <csignal>
 #include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <iterator>
 #include <stdexcept>
 #include <string>
-#include <sys/resource.h>
 #include <thread>
 #include <unistd.h>
 #include <vector>
+
+#include "full_disk.h"
 
 #include "sigmascape/base/error.h"
 
@@ -40,27 +40,6 @@ class AtomicFile : public testing::Test {
   }
 
   std::filesystem::path folder_;
-};
-
-/// No file may grow beyond `bytes` while this lives: to a writer the same as a full disk.
-class FullDisk {
- public:
-  explicit FullDisk(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
-    ::getrlimit(RLIMIT_FSIZE, &before_);
-    rlimit limit = before_;
-    limit.rlim_cur = bytes;
-    ::setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  ~FullDisk() {
-    ::setrlimit(RLIMIT_FSIZE, &before_);
-    static_cast<void>(std::signal(SIGXFSZ, handler_));
-  }
-  FullDisk(const FullDisk&) = delete;
-  FullDisk& operator=(const FullDisk&) = delete;
-
- private:
-  rlimit before_{};
-  void (*handler_)(int);
 };
 
 TEST_F(AtomicFile, HoldsWhatWasWrittenAndNothingElseIsLeft) {
@@ -110,6 +89,32 @@ TEST_F(AtomicFile, AFullDiskGivesOneSentenceAndLeavesNothing) {
   EXPECT_EQ(files(), 0U);
 }
 
+TEST_F(AtomicFile, OfFilesThatBelongTogetherAFullDiskLeavesNone) {
+  write_together({{folder_ / "a.json", "{}"}, {folder_ / "deep" / "a.npy", "numbers"}});
+  EXPECT_EQ(content_of(folder_ / "a.json"), "{}");
+  EXPECT_EQ(content_of(folder_ / "deep" / "a.npy"), "numbers");
+  std::filesystem::remove_all(folder_);
+  std::filesystem::create_directories(folder_);
+
+  const std::string large(5000, 'x');
+  {
+    const FullDisk full(1000);
+    EXPECT_THROW(write_together({{folder_ / "a.json", "{}"}, {folder_ / "a.npy", large}}), Error);
+    EXPECT_THROW(write_together({{folder_ / "a.npy", large}, {folder_ / "a.json", "{}"}}), Error);
+  }
+  EXPECT_EQ(files(), 0U);
+}
+
+// The second name cannot be taken, which shows only when the first has been.
+TEST_F(AtomicFile, OfFilesThatBelongTogetherTheFormerOnesStandAgain) {
+  write_atomically(folder_ / "a.json", "old");
+  std::filesystem::create_directories(folder_ / "a.npy" / "occupied");
+  EXPECT_THROW(write_together({{folder_ / "new.json", "{}"}, {folder_ / "a.json", "{}"}, {folder_ / "a.npy", "x"}}),
+               Error);
+  EXPECT_EQ(content_of(folder_ / "a.json"), "old");
+  EXPECT_EQ(files(), 2U) << "neither a new name nor a temporary one";
+}
+
 TEST_F(AtomicFile, AFolderThatCannotBeMadeIsNamed) {
   write_atomically(folder_ / "file", "x");
   try {
@@ -122,6 +127,8 @@ TEST_F(AtomicFile, AFolderThatCannotBeMadeIsNamed) {
 
 TEST_F(AtomicFile, PlacesWhereNothingCanLieAreToldBeforeTheWork) {
   write_atomically(folder_ / "file", "x");
+  // Whoever may execute it could enter it, were it a folder.
+  std::filesystem::permissions(folder_ / "file", std::filesystem::perms::owner_all);
   EXPECT_THROW(check_place_for(folder_ / "file" / "a.txt"), Error);
   EXPECT_THROW(check_place_for(folder_ / "file" / "deeper" / "a.txt"), Error);
   EXPECT_THROW(check_place_for(folder_), Error);
@@ -129,6 +136,14 @@ TEST_F(AtomicFile, PlacesWhereNothingCanLieAreToldBeforeTheWork) {
   EXPECT_NO_THROW(check_place_for(folder_ / "new" / "deeper" / "a.txt"));
   EXPECT_NO_THROW(check_place_for("a.txt"));
   EXPECT_EQ(files(), 1U) << "the check writes nothing";
+}
+
+TEST_F(AtomicFile, FoldersThatMayNotBeWrittenToAreToldBeforeTheWork) {
+  if (::geteuid() == 0) GTEST_SKIP() << "root may write anywhere";
+  std::filesystem::create_directories(folder_ / "locked");
+  std::filesystem::permissions(folder_ / "locked", std::filesystem::perms::owner_read);
+  EXPECT_THROW(check_place_for(folder_ / "locked" / "a.txt"), Error);
+  EXPECT_THROW(check_place_for(folder_ / "locked" / "new" / "a.txt"), Error);
 }
 
 TEST_F(AtomicFile, ManyWritersOfOneNameNeverMix) {

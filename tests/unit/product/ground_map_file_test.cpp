@@ -12,7 +12,7 @@
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/hash.h"
-#include "sigmascape/geo/geotiff.h"
+#include "sigmascape/geo/geo_raster.h"
 #include "sigmascape/geo/local_frame.h"
 
 namespace sigmascape::product {

@@ -5,7 +5,7 @@
 #include "scratch_folder.h"
 
 #include "sigmascape/base/units.h"
-#include "sigmascape/geo/geotiff.h"
+#include "sigmascape/geo/geo_raster.h"
 #include "sigmascape/geo/local_frame.h"
 
 namespace sigmascape::product {

@@ -2,12 +2,14 @@
 
 #include <array>
 #include <cmath>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <limits>
 
+#include "full_disk.h"
 #include "scratch_folder.h"
 
-#include "sigmascape/geo/geotiff.h"
+#include "sigmascape/geo/geo_raster.h"
 #include "sigmascape/geo/local_frame.h"
 #include "sigmascape/product/ground_map_file.h"
 #include "sigmascape/product/npy_bytes.h"
@@ -43,6 +45,19 @@ TEST(MapFile, HoldsDecibelsWhereTheyAreAskedFor) {
   EXPECT_TRUE(std::isnan(again.sigma0(0, 0).re_vvhh));
   EXPECT_TRUE(std::isnan(again.sigma0(2, 1).vv));
   EXPECT_EQ(again.metadata, small_map().metadata);
+}
+
+TEST(MapFile, AFullDiskLeavesNoDescriptionWithoutNumbers) {
+  const ScratchFolder folder;
+  radar::GroundMap map = small_map();
+  map.grid.columns = map.grid.rows = 64;
+  map.sigma0 = Array2D<radar::Channels>(64, 64);
+  {
+    const FullDisk full(8192);
+    EXPECT_THAT(message_of_error([&] { write_map(folder.path("map.npy"), map); }),
+                ::testing::HasSubstr("map.npy: cannot be written"));
+  }
+  EXPECT_EQ(difference_of(files_of(folder.path("")), {}), "");
 }
 
 TEST(MapFile, RefusesOtherEndings) {

@@ -10,6 +10,8 @@
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/hash.h"
+#include "sigmascape/geo/coordinate_reference_system.h"
+#include "sigmascape/geo/local_frame.h"
 #include "sigmascape/product/block_mean.h"
 
 namespace sigmascape::product {
@@ -177,6 +179,16 @@ TEST(MapMetrics, MapsOfDifferentCellsAreRefusedSayingHow) {
   GroundMap elsewhere = truth;
   elsewhere.crs = "EPSG:32630";
   expect_error([&] { (void)compare_maps(elsewhere, truth); }, "EPSG:32630");
+}
+
+// A GIS that cuts a map out gives it the frame in words of its own.
+TEST(MapMetrics, MapsOfOneFrameInOtherWordsAreCompared) {
+  GroundMap truth = map_of(8, 8, rough);
+  truth.crs = geo::LocalFrame(43.26, -2.93).proj();
+  GroundMap cut_out = truth;
+  cut_out.crs = geo::wkt2_from(truth.crs);
+  ASSERT_NE(cut_out.crs, truth.crs);
+  EXPECT_NO_THROW((void)compare_maps(cut_out, truth, at_cells({2.0})));
 }
 
 TEST(MapMetrics, CellSizesThatCannotBeAreRefused) {

@@ -10,6 +10,8 @@
 #include <sstream>
 #include <vector>
 
+#include "full_disk.h"
+#include "scratch_folder.h"
 #include "unit/product/made_up_map.h"
 
 #include "sigmascape/base/error.h"
@@ -71,6 +73,18 @@ TEST(PngFile, PixelsReadBackAreThoseWritten) {
   ASSERT_EQ(read.columns(), 5U);
   ASSERT_EQ(read.rows(), 3U);
   for (std::size_t i = 0; i < read.size(); ++i) EXPECT_EQ(read.values()[i], picture.pixels.values()[i]);
+}
+
+TEST(PngFile, AFullDiskLeavesNoWorldFileWithoutPicture) {
+  const ScratchFolder folder;
+  Picture picture = small_picture();
+  picture.metadata["noise"] = std::string(9000, 'x');
+  {
+    const FullDisk full(4096);
+    EXPECT_THAT(message_of_error([&] { write_png(folder.path("map.png"), picture); }),
+                ::testing::HasSubstr("map.png: cannot be written"));
+  }
+  EXPECT_EQ(difference_of(files_of(folder.path("")), {}), "");
 }
 
 TEST(PngFile, TransparencyIsKept) {

@@ -6,7 +6,7 @@
 
 #include "scratch_folder.h"
 
-#include "sigmascape/geo/geotiff.h"
+#include "sigmascape/geo/geo_raster.h"
 #include "sigmascape/geo/local_frame.h"
 #include "sigmascape/product/described_map.h"
 #include "sigmascape/product/ground_map_file.h"

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <iterator>
 
+#include "full_disk.h"
 #include "scratch_folder.h"
 
 namespace sigmascape::product {
@@ -24,6 +25,17 @@ const radar::RangeAzimuthGrid grid{.first_range_m = 1000.0,
                                    .first_azimuth_rad = 0.0,
                                    .azimuth_step_rad = 0.01,
                                    .azimuths = 3};
+
+TEST(RangeAzimuthFile, AFullDiskLeavesNoDescriptionWithoutNumbers) {
+  const ScratchFolder folder;
+  {
+    const FullDisk full(4096);
+    EXPECT_THAT(
+        message_of_error([&] { write_range_azimuth(folder.path("snr.npy"), grid, Array2D<float>(64, 64), {}); }),
+        HasSubstr("snr.npy: cannot be written"));
+  }
+  EXPECT_EQ(difference_of(files_of(folder.path("")), {}), "");
+}
 
 TEST(RangeAzimuthFile, IsTheFormatThatNumpyDocuments) {
   const ScratchFolder folder;

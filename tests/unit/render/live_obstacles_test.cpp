@@ -54,16 +54,25 @@ class LiveObstaclesTest : public testing::Test {
     folder_.reset();
   }
 
-  /// Lays out what is there and asks for the rest.
-  static std::size_t laid_out(LiveObstacles& obstacles, const LiveObstacles::Wish& wish, ObstacleMosaic& mosaic,
-                              LiveObstacles::Cache::View& there) {
-    std::vector<atlas::TileAddress> wanted;
-    wanted.reserve(256);
-    there = obstacles.cache().view();
-    const std::size_t coarser = obstacles.lay_out(there, wish, LiveObstacles::Part::UnderBins, mosaic, wanted);
-    obstacles.cache().request(wanted);
-    return coarser;
-  }
+  /// Looks at obstacles as a renderer does.
+  struct Looker {
+    explicit Looker(LiveObstacles& at) : obstacles(at), asker(at.cache().asker(256)) {}
+
+    /// Lays out what is there and asks for the rest. Returns how many tiles are coarser than wished for.
+    std::size_t lay_out(const LiveObstacles::Wish& wish) {
+      std::vector<atlas::TileAddress> wanted;
+      wanted.reserve(256);
+      there = obstacles.cache().view();
+      const std::size_t coarser = obstacles.lay_out(there, wish, LiveObstacles::Part::UnderBins, mosaic, wanted);
+      asker.request(wanted);
+      return coarser;
+    }
+
+    LiveObstacles& obstacles;
+    LiveObstacles::Cache::Asker asker;
+    LiveObstacles::Cache::View there;
+    ObstacleMosaic mosaic;
+  };
 
   /// Of 2000 places in a sector, those that are not shown as they are at level 0, and those where something is shown.
   struct Places {
@@ -93,18 +102,17 @@ TEST_F(LiveObstaclesTest, ComeWhereASectorLooksAndStayInTheBudget) {
   LiveObstacles obstacles(*store_, budget_bytes);
   EXPECT_EQ(obstacles.cache().report().loaded, 1U) << "the coarsest level is one tile";
   EXPECT_EQ(obstacles.tallest_m(), 11.0F);
-  ObstacleMosaic mosaic;
-  LiveObstacles::Cache::View there;
+  Looker looker(obstacles);
   for (double east_m = 300.0; east_m < 3500.0; east_m += 100.0) {
     const LiveObstacles::Wish wish{0, {{east_m, 100.0}, -0.2, 0.4, 500.0, 1400.0}};
     for (int turn = 0; turn < 3; ++turn) {
-      laid_out(obstacles, wish, mosaic, there);
-      there = {};
+      looker.lay_out(wish);
+      looker.there = {};
       obstacles.cache().wait_until_loaded();
     }
-    ASSERT_EQ(laid_out(obstacles, wish, mosaic, there), 0U) << east_m;
-    ASSERT_EQ(places_of(mosaic, wish.ground).wrong, 0U) << east_m;
-    there = {};
+    ASSERT_EQ(looker.lay_out(wish), 0U) << east_m;
+    ASSERT_EQ(places_of(looker.mosaic, wish.ground).wrong, 0U) << east_m;
+    looker.there = {};
     ASSERT_LE(obstacles.cache().report().bytes, budget_bytes);
   }
   EXPECT_GT(obstacles.cache().report().evicted, 0U);
@@ -113,34 +121,32 @@ TEST_F(LiveObstaclesTest, ComeWhereASectorLooksAndStayInTheBudget) {
 
 TEST_F(LiveObstaclesTest, AJumpIsShownCoarselyAtOnceAndThenAsItIs) {
   LiveObstacles obstacles(*store_, 24 * tile_bytes);
-  ObstacleMosaic mosaic;
-  LiveObstacles::Cache::View there;
+  Looker looker(obstacles);
   const LiveObstacles::Wish here{0, {{300.0, 100.0}, -0.2, 0.4, 500.0, 1400.0}},
       far_away{0, {{3500.0, 3900.0}, 3.0, 0.4, 500.0, 1400.0}};
-  laid_out(obstacles, here, mosaic, there);
+  looker.lay_out(here);
   obstacles.cache().wait_until_loaded();
-  EXPECT_GT(laid_out(obstacles, far_away, mosaic, there), 0U);
+  EXPECT_GT(looker.lay_out(far_away), 0U);
   // Four blocks together, of which more have something on them than of single ones.
-  EXPECT_NEAR(static_cast<double>(places_of(mosaic, far_away.ground).with_something) / 2000.0,
+  EXPECT_NEAR(static_cast<double>(places_of(looker.mosaic, far_away.ground).with_something) / 2000.0,
               1.0 - std::pow(11.0 / 16.0, 4.0), 0.1);
-  EXPECT_GT(places_of(mosaic, far_away.ground).wrong, 1000U);
+  EXPECT_GT(places_of(looker.mosaic, far_away.ground).wrong, 1000U);
   obstacles.cache().wait_until_loaded();
-  EXPECT_EQ(laid_out(obstacles, far_away, mosaic, there), 0U);
-  EXPECT_EQ(places_of(mosaic, far_away.ground).wrong, 0U);
+  EXPECT_EQ(looker.lay_out(far_away), 0U);
+  EXPECT_EQ(places_of(looker.mosaic, far_away.ground).wrong, 0U);
 }
 
 TEST_F(LiveObstaclesTest, WhatTheBudgetDoesNotHoldIsShownCoarser) {
   LiveObstacles obstacles(*store_, 8 * tile_bytes);
-  ObstacleMosaic mosaic;
-  LiveObstacles::Cache::View there;
+  Looker looker(obstacles);
   // Half of the town: 35 of 64 tiles, or 12 of the next level's, or 4.
   const LiveObstacles::Wish wish{0, {{2048.0, 0.0}, -1.6, 3.2, 100.0, 2500.0}};
   for (int turn = 0; turn < 3; ++turn) {
-    laid_out(obstacles, wish, mosaic, there);
+    looker.lay_out(wish);
     obstacles.cache().wait_until_loaded();
   }
-  EXPECT_GT(laid_out(obstacles, wish, mosaic, there), 0U) << "is told";
-  EXPECT_EQ(mosaic.block().level, 2U);
+  EXPECT_GT(looker.lay_out(wish), 0U) << "is told";
+  EXPECT_EQ(looker.mosaic.block().level, 2U);
   EXPECT_EQ(obstacles.cache().report().refused, 0U);
   EXPECT_LE(obstacles.cache().report().bytes, obstacles.budget_bytes());
 }
@@ -202,13 +208,12 @@ TEST_F(LiveObstaclesTest, AFileThatCannotBeReadIsReplacedByItsParent) {
   }
 
   LiveObstacles obstacles(store, 24 * tile_bytes);
-  ObstacleMosaic mosaic;
-  LiveObstacles::Cache::View there;
+  Looker looker(obstacles);
   const LiveObstacles::Wish wish{0, {{768.0, 768.0}, 0.0, 2.0 * pi, 0.0, 200.0}};
-  laid_out(obstacles, wish, mosaic, there);
+  looker.lay_out(wish);
   obstacles.cache().wait_until_loaded();
-  EXPECT_EQ(laid_out(obstacles, wish, mosaic, there), 1U) << "is told";
-  EXPECT_GT(places_of(mosaic, wish.ground).with_something, 500U);
+  EXPECT_EQ(looker.lay_out(wish), 1U) << "is told";
+  EXPECT_GT(places_of(looker.mosaic, wish.ground).with_something, 500U);
 }
 
 TEST_F(LiveObstaclesTest, WhereNoneCanBeReadNothingStands) {

@@ -147,8 +147,7 @@ TEST_F(LiveTerrainTest, WhatStandsInIsLoweredBelowWhatPagesStandOn) {
   EXPECT_GT(highest_above_pages_m(first), 1.0);
   EXPECT_LE(highest_above_pages_m(first), static_cast<double>(first.above_pages_m));
   ASSERT_EQ(wanted.size(), 1U);
-  terrain.windows().request(wanted);
-  terrain.windows().wait_until_loaded();
+  terrain.windows().load(wanted);
   const LiveTerrain::Surface second = surface_now();
   EXPECT_EQ(second.above_pages_m, 0.0F);
   EXPECT_EQ(second.error_m, 0.0F);

@@ -1,0 +1,41 @@
+#include "sigmascape/geo/quiet_gdal.h"
+
+#include <fmt/format.h>
+#include <gdal_priv.h>
+#include <mutex>
+
+#include "sigmascape/base/error.h"
+
+namespace sigmascape::geo {
+
+QuietGdal::QuietGdal() {
+  CPLPushErrorHandler(CPLQuietErrorHandler);
+  CPLErrorReset();
+}
+
+QuietGdal::~QuietGdal() {
+  CPLPopErrorHandler();
+}
+
+bool QuietGdal::failed() {
+  return CPLGetLastErrorType() >= CE_Failure;
+}
+
+std::string QuietGdal::complaint() {
+  const std::string message = CPLGetLastErrorMsg();
+  return message.empty() ? "no reason was given" : message;
+}
+
+void register_gdal_drivers() {
+  static std::once_flag once;
+  std::call_once(once, [] { GDALAllRegister(); });
+}
+
+GDALDriver& gdal_driver(const char* name) {
+  register_gdal_drivers();
+  GDALDriver* found = GetGDALDriverManager()->GetDriverByName(name);
+  if (found == nullptr) throw Error("GDAL", fmt::format("has no {} driver", name), "install a complete GDAL");
+  return *found;
+}
+
+}  // namespace sigmascape::geo

@@ -1,0 +1,55 @@
+#include "sigmascape/geo/coordinate_reference_system.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <string>
+
+#include "sigmascape/base/error.h"
+#include "sigmascape/geo/local_frame.h"
+
+namespace sigmascape::geo {
+namespace {
+
+using ::testing::StartsWith;
+
+TEST(CoordinateReferenceSystem, TellsDegreesFromMetres) {
+  EXPECT_TRUE(is_in_degrees("EPSG:4326"));
+  EXPECT_FALSE(is_in_degrees("EPSG:25830"));
+  EXPECT_FALSE(is_in_degrees(LocalFrame(43.26, -2.93).proj()));
+}
+
+TEST(CoordinateReferenceSystem, ALocalFrameHasAName) {
+  const LocalFrame frame(43.26, -2.93);
+  EXPECT_EQ(frame.title(), "Sigmascape local transverse Mercator at 43.26 N, 2.93 W");
+  EXPECT_THAT(wkt2_from(frame.proj()), StartsWith("PROJCRS[\"" + frame.title() + "\""));
+  const LocalFrame southern(-33.448912, 151.2);
+  EXPECT_THAT(wkt2_from(southern.proj()),
+              StartsWith("PROJCRS[\"Sigmascape local transverse Mercator at 33.448912 S, 151.2 E\""));
+}
+
+TEST(CoordinateReferenceSystem, AnotherOfTheKindDoesNot) {
+  EXPECT_THAT(wkt2_from("+proj=tmerc +lat_0=43.26 +lon_0=-2.93 +k=0.9996 +x_0=0 +y_0=0 +datum=WGS84"),
+              StartsWith("PROJCRS[\"unknown\""));
+  EXPECT_THAT(wkt2_from("EPSG:25830"), StartsWith("PROJCRS[\"ETRS89 / UTM zone 30N\""));
+}
+
+TEST(CoordinateReferenceSystem, IsTheSameUnderAnotherName) {
+  const std::string frame = LocalFrame(43.26, -2.93).proj(), named = wkt2_from(frame);
+  std::string unnamed = named;
+  unnamed.replace(unnamed.find("Sigmascape"), LocalFrame(43.26, -2.93).title().size(), "unknown");
+  EXPECT_TRUE(is_same_crs(frame, named));
+  EXPECT_TRUE(is_same_crs(named, unnamed));
+  EXPECT_FALSE(is_same_crs(named, LocalFrame(43.27, -2.93).proj()));
+  EXPECT_FALSE(is_same_crs(named, "EPSG:25830"));
+  EXPECT_TRUE(is_same_crs("somewhere", "somewhere"));
+  EXPECT_FALSE(is_same_crs("somewhere", "elsewhere"));
+}
+
+TEST(CoordinateReferenceSystem, WhatIsNoneIsRefused) {
+  EXPECT_THROW(static_cast<void>(wkt2_from("+proj=nonsense")), Error);
+  EXPECT_THROW(static_cast<void>(wkt2_from("")), Error);
+  EXPECT_THROW(static_cast<void>(is_in_degrees("somewhere")), Error);
+}
+
+}  // namespace
+}  // namespace sigmascape::geo

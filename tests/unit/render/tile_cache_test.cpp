@@ -1,0 +1,165 @@
+#include "sigmascape/render/tile_cache.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <functional>
+#include <future>
+#include <gtest/gtest.h>
+#include <optional>
+#include <span>
+#include <thread>
+#include <vector>
+
+#include "sigmascape/base/hash.h"
+
+namespace sigmascape::render {
+namespace {
+
+using Key = std::uint64_t;
+
+/// A page of numbers that follow from its key.
+struct NumberPage {
+  Key key = 0;
+  std::vector<std::uint64_t> numbers;
+  mutable std::atomic<std::uint64_t> last_wanted{0};
+
+  [[nodiscard]] static std::size_t level() { return 0; }
+  [[nodiscard]] bool is_as_named() const {
+    return std::ranges::count(numbers, hashed(key, 1)) == std::ssize(numbers) && !numbers.empty();
+  }
+};
+
+struct NumberSource {
+  using Page = NumberPage;
+
+  bool fill(NumberPage& page) const {
+    page.numbers.resize(256);
+    for (std::uint64_t& number : page.numbers) number = hashed(page.key, 1);
+    return true;
+  }
+  static std::size_t levels() { return 2; }
+  static std::size_t most_bytes() { return 1; }
+  [[nodiscard]] std::size_t damaged() const { return asked_for_damage(); }
+
+  std::function<std::size_t()> asked_for_damage = [] { return std::size_t{0}; };
+};
+
+using Cache = TileCache<NumberSource>;
+
+/// Looks at pages in frame after frame as a renderer does. Returns how often one was not what it should be.
+std::size_t wrong_pages_of(Cache& cache, std::uint64_t seed, const std::stop_token& stops) {
+  constexpr Key keys = 64;
+  constexpr std::size_t pages_a_frame = 6;
+  std::optional<Cache::Asker> asker;
+  std::vector<Key> wanted;
+  std::size_t wrong = 0;
+  for (int frame = 0; !stops.stop_requested(); ++frame) {
+    // Renderers come and go.
+    if (frame % 50 == 0) asker = cache.asker(pages_a_frame);
+    const Cache::View view = cache.view();
+    const Cache::View copy = view;
+    wanted.clear();
+    std::array<const NumberPage*, pages_a_frame> there{};
+    const auto key_of = [&](std::size_t i) { return hashed(seed, frame / 4, i) % keys; };
+    for (std::size_t i = 0; i < pages_a_frame; ++i) {
+      there[i] = (i % 2 == 0 ? view : copy).find(key_of(i));
+      if (there[i] == nullptr) wanted.push_back(key_of(i));
+    }
+    asker->request(wanted);
+    // They stay as they are as long as the view does, whatever is loaded meanwhile.
+    for (int look = 0; look < 3; ++look) {
+      std::this_thread::yield();
+      for (std::size_t i = 0; i < pages_a_frame; ++i) {
+        if (there[i] != nullptr && (there[i]->key != key_of(i) || !there[i]->is_as_named())) ++wrong;
+      }
+    }
+  }
+  return wrong;
+}
+
+TEST(TileCache, PagesStayWhileAViewHoldsThemWhateverOthersDo) {
+  constexpr std::size_t most_pages = 24;
+  Cache cache(std::make_shared<const NumberSource>(), most_pages, 2);
+  std::array<std::size_t, 3> wrong{};
+  {
+    std::vector<std::jthread> renderers;
+    for (std::size_t i = 0; i < wrong.size(); ++i) {
+      renderers.emplace_back([&, i](const std::stop_token& stops) { wrong[i] = wrong_pages_of(cache, i, stops); });
+    }
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+    for (CacheReport now; now.evicted < 2000 && std::chrono::steady_clock::now() < deadline; now = cache.report()) {
+      EXPECT_LE(now.bytes, most_pages);
+      std::this_thread::yield();
+    }
+  }
+  EXPECT_EQ(wrong, (std::array<std::size_t, 3>{}));
+  EXPECT_GE(cache.report().evicted, 2000U);
+}
+
+TEST(TileCache, MakesRoomForWhatIsWanted) {
+  Cache cache(std::make_shared<const NumberSource>(), 2);
+  for (Key key = 0; key < 20; ++key) {
+    cache.load(std::array<Key, 1>{key});
+    const Cache::View view = cache.view();
+    const NumberPage* const page = view.find(key);
+    ASSERT_NE(page, nullptr) << key;
+    EXPECT_TRUE(page->is_as_named()) << key;
+    // It grows old.
+    (void)cache.view();
+    (void)cache.view();
+  }
+  EXPECT_EQ(cache.report().evicted, 18U);
+  EXPECT_EQ(cache.report().refused, 0U);
+}
+
+TEST(TileCache, KeepsAPageForWhoeverLooksAtIt) {
+  Cache cache(std::make_shared<const NumberSource>(), 2);
+  cache.load(std::array<Key, 2>{7, 8});
+  std::optional<Cache::View> view = cache.view();
+  const NumberPage* const seven = view->find(7);
+  ASSERT_NE(seven, nullptr);
+  ASSERT_NE(view->find(8), nullptr);
+  // Frames that look at nothing make these pages old, but they are still looked at by the first.
+  (void)cache.view();
+  (void)cache.view();
+  cache.load(std::array<Key, 1>{9});
+  EXPECT_EQ(cache.report().refused, 1U);
+  EXPECT_TRUE(seven->is_as_named());
+  EXPECT_EQ(seven->key, 7U);
+  view.reset();
+  cache.load(std::array<Key, 1>{9});
+  EXPECT_NE(cache.view().find(9), nullptr);
+  EXPECT_EQ(cache.report().refused, 1U);
+}
+
+// A thread that has locked what loaders lock is stopped there.
+TEST(TileCache, AFrameGoesOnWhileTheCacheIsLocked) {
+  std::promise<void> is_locked, unlock;
+  const std::shared_future<void> may_unlock = unlock.get_future().share();
+  auto source = std::make_shared<NumberSource>();
+  source->asked_for_damage = [&] {
+    is_locked.set_value();
+    may_unlock.wait();
+    return std::size_t{0};
+  };
+  Cache cache(source, 8);
+  cache.load(std::array<Key, 1>{1});
+  Cache::Asker asker = cache.asker(1);
+  const std::jthread reporter([&cache] { (void)cache.report(); });
+  is_locked.get_future().wait();
+  auto frame = std::async(std::launch::async, [&] {
+    const Cache::View view = cache.view();
+    asker.request(std::array<Key, 1>{2});
+    return view.find(1) != nullptr;
+  });
+  const bool waited = frame.wait_for(std::chrono::seconds(20)) != std::future_status::ready;
+  unlock.set_value();
+  EXPECT_FALSE(waited);
+  EXPECT_TRUE(frame.get());
+  cache.wait_until_loaded();
+  EXPECT_NE(cache.view().find(2), nullptr);
+}
+
+}  // namespace
+}  // namespace sigmascape::render
