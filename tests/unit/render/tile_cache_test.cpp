@@ -6,7 +6,6 @@
 #include <functional>
 #include <future>
 #include <gtest/gtest.h>
-#include <optional>
 #include <span>
 #include <thread>
 #include <vector>
@@ -51,7 +50,7 @@ using Cache = TileCache<NumberSource>;
 std::size_t wrong_pages_of(Cache& cache, std::uint64_t seed, const std::stop_token& stops) {
   constexpr Key keys = 64;
   constexpr std::size_t pages_a_frame = 6;
-  std::optional<Cache::Asker> asker;
+  Cache::Asker asker;
   std::vector<Key> wanted;
   std::size_t wrong = 0;
   for (int frame = 0; !stops.stop_requested(); ++frame) {
@@ -66,7 +65,7 @@ std::size_t wrong_pages_of(Cache& cache, std::uint64_t seed, const std::stop_tok
       there[i] = (i % 2 == 0 ? view : copy).find(key_of(i));
       if (there[i] == nullptr) wanted.push_back(key_of(i));
     }
-    asker->request(wanted);
+    asker.request(wanted);
     // They stay as they are as long as the view does, whatever is loaded meanwhile.
     for (int look = 0; look < 3; ++look) {
       std::this_thread::yield();
@@ -116,10 +115,10 @@ TEST(TileCache, MakesRoomForWhatIsWanted) {
 TEST(TileCache, KeepsAPageForWhoeverLooksAtIt) {
   Cache cache(std::make_shared<const NumberSource>(), 2);
   cache.load(std::array<Key, 2>{7, 8});
-  std::optional<Cache::View> view = cache.view();
-  const NumberPage* const seven = view->find(7);
+  Cache::View view = cache.view();
+  const NumberPage* const seven = view.find(7);
   ASSERT_NE(seven, nullptr);
-  ASSERT_NE(view->find(8), nullptr);
+  ASSERT_NE(view.find(8), nullptr);
   // Frames that look at nothing make these pages old, but they are still looked at by the first.
   (void)cache.view();
   (void)cache.view();
@@ -127,7 +126,7 @@ TEST(TileCache, KeepsAPageForWhoeverLooksAtIt) {
   EXPECT_EQ(cache.report().refused, 1U);
   EXPECT_TRUE(seven->is_as_named());
   EXPECT_EQ(seven->key, 7U);
-  view.reset();
+  view = {};
   cache.load(std::array<Key, 1>{9});
   EXPECT_NE(cache.view().find(9), nullptr);
   EXPECT_EQ(cache.report().refused, 1U);

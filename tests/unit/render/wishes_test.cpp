@@ -5,7 +5,6 @@
 #include <atomic>
 #include <chrono>
 #include <gtest/gtest.h>
-#include <optional>
 #include <thread>
 #include <vector>
 
@@ -111,10 +110,10 @@ TEST(Wishes, NoneIsSleptThroughWhileAskersComeAndGo) {
     for (int number = 0; number < 2; ++number) {
       askers.emplace_back([&, number] {
         const std::atomic<int>& newest = last_taken[static_cast<std::size_t>(number)];
-        std::optional<Wishes<int>::Asker> asker;
+        Wishes<int>::Asker asker;
         for (int list = 1; list < lists && slept_through == 0; ++list) {
           if (list % 100 == 1) asker = wishes.asker(1);
-          asker->request(std::array{number * lists + list});
+          asker.request(std::array{number * lists + list});
           if (list % 3 == 0) continue;  // the next one takes its place, or is taken after it
           const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
           while (newest < list && slept_through == 0) {
