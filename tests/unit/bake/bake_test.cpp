@@ -130,7 +130,8 @@ TEST(Bake, ThreadsDoNotMatter) {
   settings.threads = 3;
   baked(scene_with_box(), settings, folder.path("three"));
   const auto one = files_of(folder.path("one"));
-  EXPECT_EQ(one.size(), 19U) << "collection, catalog, claims, terrain, its pyramid of one tile, and three files a look";
+  EXPECT_EQ(one.size(), 20U)
+      << "collection, catalog, claims, terrain and its item, its pyramid of one tile, and three files a look";
   EXPECT_EQ(difference_of(one, files_of(folder.path("three"))), "");
   settings.seed = 2;
   baked(scene_with_box(), settings, folder.path("other"));
