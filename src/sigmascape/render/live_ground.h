@@ -28,7 +28,8 @@ class LiveGround {
              const CacheOptions& options = {});
 
   /// The atlas in a folder with the terrain beside it: the pyramid (atlas::terrain_pyramid_name) where there is one, in
-  /// pieces as frames want them, else the whole of atlas::vouched_terrain. Throws Error when one of them cannot be read.
+  /// pieces as frames want them, else the whole of atlas::vouched_terrain. Throws Error when one of them cannot be
+  /// read.
   [[nodiscard]] static std::shared_ptr<LiveGround> open(const std::filesystem::path& atlas_folder, double frequency_hz,
                                                         const CacheOptions& options = {});
 
