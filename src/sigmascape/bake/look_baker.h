@@ -54,15 +54,14 @@ class LookBaker {
  private:
   /// What each texel is multiplied by to take the terrain's shadow on it out.
   [[nodiscard]] Array2D<float> terrain_gains(const radar::GroundGrid& texels, const radar::Aspect& aspect) const;
+  /// Of these texels, with regard to what stands about them.
+  [[nodiscard]] radar::AnsweringTops tops_of(const radar::GroundGrid& texels) const;
 
   const scene::Scene& scene_;
   const BakeSettings& settings_;
   trace::Footing footing_;
   trace::SceneGeometry geometry_;
   trace::SpectralSurfaces surfaces_;
-  /// Of these texels, with regard to what stands about them.
-  [[nodiscard]] radar::AnsweringTops tops_of(const radar::GroundGrid& texels) const;
-
   /// Of the patch that was baked last, for its looks come one after another.
   mutable std::optional<radar::AnsweringTops> tops_;
 };
