@@ -5,6 +5,7 @@
 #include "sigmascape/base/array2d.h"
 #include "sigmascape/radar/ground_grid.h"
 #include "sigmascape/radar/obstacle.h"
+#include "sigmascape/radar/value_at.h"
 
 namespace sigmascape::radar {
 
@@ -19,14 +20,7 @@ struct AnsweringTops {
   Array2D<float> top_m;  ///< [column, row]
 
   /// At a point; 0 outside the grid.
-  [[nodiscard]] float at(Vec2d point) const {
-    const Vec2d cell = grid.cells_from(point);
-    if (!(cell.x >= 0.0 && cell.y >= 0.0 && cell.x < static_cast<double>(grid.columns) &&
-          cell.y < static_cast<double>(grid.rows))) {
-      return 0.0F;
-    }
-    return top_m(static_cast<std::size_t>(cell.x), static_cast<std::size_t>(cell.y));
-  }
+  [[nodiscard]] float at(Vec2d point) const { return value_at(grid, top_m, point); }
 };
 
 /// By how many squares at most a thing so high lies over beyond those that it stands on: h tan ψ for ψ up to 14°, and

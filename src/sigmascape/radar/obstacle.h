@@ -6,6 +6,7 @@
 #include "sigmascape/base/array2d.h"
 #include "sigmascape/base/vec.h"
 #include "sigmascape/radar/ground_grid.h"
+#include "sigmascape/radar/value_at.h"
 
 namespace sigmascape::radar {
 
@@ -35,14 +36,7 @@ struct ObstacleMap {
   Array2D<Obstacle> obstacles;  ///< [column, row]
 
   /// What stands at a point; nothing outside the grid.
-  [[nodiscard]] Obstacle at(Vec2d point) const {
-    const Vec2d cell = grid.cells_from(point);
-    if (!(cell.x >= 0.0 && cell.y >= 0.0 && cell.x < static_cast<double>(grid.columns) &&
-          cell.y < static_cast<double>(grid.rows))) {
-      return {};
-    }
-    return obstacles(static_cast<std::size_t>(cell.x), static_cast<std::size_t>(cell.y));
-  }
+  [[nodiscard]] Obstacle at(Vec2d point) const { return value_at(grid, obstacles, point); }
 };
 
 }  // namespace sigmascape::radar
