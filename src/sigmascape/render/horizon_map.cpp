@@ -20,28 +20,49 @@ constexpr float no_ground = -1e30F;
 struct Steps {
   std::size_t count = 0;
   float first_m = 0.0F, step_m = 1.0F;
-  float first_column = 0.0F, first_row = 0.0F, columns_a_step = 0.0F, rows_a_step = 0.0F;
   alignas(64) std::array<float, together> distance_m, slope;
   alignas(64) std::array<std::int32_t, together> square;  // of the obstacles; −1 outside
   std::array<PackedObstacle, together> obstacle;
 };
 
+/// Where steps lie along one side of a lattice, in its nodes, counted from a node of its own just before all of them:
+/// which piece of the lattice is at hand makes no difference to a bit.
+struct StepsAlong {
+  float first = 0.0F, a_step = 0.0F;
+  // The piece, counted from the same node.
+  float begin = 0.0F, end = 0.0F;  // outer nodes
+  std::int32_t first_node = 0, last_cell = 0;
+
+  StepsAlong(double from, double nodes_a_step, std::size_t steps, std::int64_t piece_begin, std::size_t piece_nodes)
+      : a_step(static_cast<float>(nodes_a_step)) {
+    const double node = std::floor(std::min(from, from + nodes_a_step * static_cast<double>(steps))) - 1.0;
+    first = static_cast<float>(from - node);
+    // Pieces are never so far away; integers of 32 bits hold it.
+    constexpr double far_outside = 1e8;
+    first_node =
+        static_cast<std::int32_t>(std::clamp(static_cast<double>(piece_begin) - node, -far_outside, far_outside));
+    last_cell = first_node + static_cast<std::int32_t>(piece_nodes) - 2;
+    begin = static_cast<float>(first_node);
+    end = static_cast<float>(last_cell + 1);
+  }
+};
+
 /// Slopes of the lines of sight to the bilinear ground under the steps.
 SIGMASCAPE_VECTOR_TARGETS
-void look_up_ground(Steps& steps, const float* height_m, std::int32_t columns, std::int32_t rows, float radar_height_m,
-                    float drop_per_square_m) {
-  const float last_column = static_cast<float>(columns - 1), last_row = static_cast<float>(rows - 1);
+void look_up_ground(Steps& steps, const StepsAlong& eastward, const StepsAlong& southward, const float* height_m,
+                    std::int32_t columns, float radar_height_m, float drop_per_square_m) {
   SIGMASCAPE_INDEPENDENT_TURNS
   for (std::size_t i = 0; i < steps.count; ++i) {
     const auto k = static_cast<float>(static_cast<std::int32_t>(i));
     const float distance = steps.first_m + k * steps.step_m;
-    const float across = steps.first_column + k * steps.columns_a_step;
-    const float down = steps.first_row + k * steps.rows_a_step;
-    const float x = lesser(greater(across, 0.0F), last_column), y = lesser(greater(down, 0.0F), last_row);
-    const auto left = std::min(static_cast<std::int32_t>(x), columns - 2);
-    const auto upper = std::min(static_cast<std::int32_t>(y), rows - 2);
+    const float across = eastward.first + k * eastward.a_step;
+    const float down = southward.first + k * southward.a_step;
+    const float x = lesser(greater(across, eastward.begin), eastward.end);
+    const float y = lesser(greater(down, southward.begin), southward.end);
+    const auto left = std::min(static_cast<std::int32_t>(x), eastward.last_cell);
+    const auto upper = std::min(static_cast<std::int32_t>(y), southward.last_cell);
     const float u = x - static_cast<float>(left), v = y - static_cast<float>(upper);
-    const std::int32_t index = upper * columns + left;
+    const std::int32_t index = (upper - southward.first_node) * columns + left - eastward.first_node;
     const float north = height_m[index] + u * (height_m[index + 1] - height_m[index]);
     const float south = height_m[index + columns] + u * (height_m[index + columns + 1] - height_m[index + columns]);
     const float height = north + v * (south - north);
@@ -181,13 +202,12 @@ class HorizonMap::Walk {
       const Vec2d from = Vec2d{radar_.x, radar_.y} + direction_ * distance_m;
       steps_.first_m = static_cast<float>(distance_m);
       steps_.step_m = static_cast<float>(step_m);
-      steps_.first_column = static_cast<float>((from.x - ground.west_m) / ground.spacing_m);
-      steps_.first_row = static_cast<float>((ground.north_m - from.y) / ground.spacing_m);
-      steps_.columns_a_step = static_cast<float>(direction_.x * step_m / ground.spacing_m);
-      steps_.rows_a_step = static_cast<float>(-direction_.y * step_m / ground.spacing_m);
-      look_up_ground(steps_, ground.height_m.data(), static_cast<std::int32_t>(ground.columns),
-                     static_cast<std::int32_t>(ground.rows), static_cast<float>(radar_.z) + occluders_.lowered_m,
-                     static_cast<float>(grid_.drop_per_square_m));
+      const Vec2d nodes = ground.nodes_to(from);
+      const double nodes_a_step = step_m / ground.spacing_m;
+      look_up_ground(steps_, {nodes.x, direction_.x * nodes_a_step, steps_.count, ground.first_column, ground.columns},
+                     {nodes.y, -direction_.y * nodes_a_step, steps_.count, ground.first_row, ground.rows},
+                     ground.height_m.data(), static_cast<std::int32_t>(ground.columns),
+                     static_cast<float>(radar_.z) + occluders_.lowered_m, static_cast<float>(grid_.drop_per_square_m));
       if (obstacles != nullptr) {
         const Vec2d cell = obstacles->grid().cells_from(from);
         const double cells_a_step = step_m / obstacles->grid().cell_m;

@@ -223,7 +223,8 @@ Occluders LiveRenderer::occluders_for(const TerrainWindows::View& terrain, Vec3d
   // A picture is drawn of one lattice, whatever the sector; the sweep takes nearer ground from another.
   const bool in_one = settings_.visibility.method == VisibilityMethod::Rasterization;
   const LiveTerrain::Surface within = ground_->terrain().surface(
-      terrain, level_within, under_beams(radar, in_one ? 0.0 : grid().near_m, far_m()), wanted_terrain_);
+      terrain, level_within, under_beams(radar, in_one ? 0.0 : std::max(grid().near_m - grid().step_m, 0.0), far_m()),
+      wanted_terrain_);
   Occluders occluders{.terrain = within.view, .lowered_m = within.above_pages_m};
   float error_m = within.error_m;
   if (!in_one && grid().near_m > grid().step_m) {

@@ -85,8 +85,8 @@ LiveTerrain::Surface LiveTerrain::surface(const TerrainWindows::View& there, int
   if (window == nullptr) {
     const int last = pyramid_->levels() - 1;
     const terrain::PyramidLayout& layout = pyramid_->layout();
-    return {.view = {.west_m = layout.west_m,
-                     .north_m = layout.north_m,
+    return {.view = {.lattice_west_m = layout.west_m,
+                     .lattice_north_m = layout.north_m,
                      .spacing_m = layout.spacing_at(last),
                      .columns = terrain::HeightTile::nodes,
                      .rows = terrain::HeightTile::nodes,
@@ -99,7 +99,13 @@ LiveTerrain::Surface LiveTerrain::surface(const TerrainWindows::View& there, int
   // A level's error is that of all finer ones together.
   const int coarser = std::max(window->level, level);
   const float of_level = window->level == level ? 0.0F : pyramid_->summary_over(wish.area, coarser).error_m;
-  return {.view = window->nodes.view(), .error_m = std::max(of_level, window->error_m), .above_pages_m = of_level};
+  Surface surface{
+      .view = window->nodes.view(), .error_m = std::max(of_level, window->error_m), .above_pages_m = of_level};
+  // How far a frame looks for what hides must not depend on how far the window reaches beyond the area.
+  const terrain::TileSummary bounds = pyramid_->summary_over(wish.area, window->level);
+  surface.view.lowest_m = bounds.lowest_m - window->error_m;
+  surface.view.highest_m = bounds.highest_m + window->error_m;
+  return surface;
 }
 
 }  // namespace sigmascape::render

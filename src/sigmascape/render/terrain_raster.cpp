@@ -29,37 +29,19 @@ struct Bounds {
   }
 };
 
-/// The sample's own cell and place in it.
-struct CellPlace {
-  std::size_t node;
-  float u, v;
-};
-
-CellPlace cell_at(const terrain::TerrainView& view, Vec2d point) {
-  const double across =
-      std::clamp((point.x - view.west_m) / view.spacing_m, 0.0, static_cast<double>(view.columns - 1));
-  const double down = std::clamp((view.north_m - point.y) / view.spacing_m, 0.0, static_cast<double>(view.rows - 1));
-  const auto column = std::min(static_cast<std::size_t>(across), view.columns - 2);
-  const auto row = std::min(static_cast<std::size_t>(down), view.rows - 2);
-  return {row * view.columns + column, static_cast<float>(across - static_cast<double>(column)),
-          static_cast<float>(down - static_cast<double>(row))};
-}
-
 /// Which of the two triangles of a cell a place belongs to, and the height of that triangle there.
 struct OnTriangle {
   std::uint32_t triangle;
   float height_m;
 };
 
-OnTriangle on_triangle(const terrain::TerrainView& view, const CellPlace& place) {
-  const float* const nw = view.height_m.data() + place.node;
+OnTriangle on_triangle(const terrain::TerrainView& view, const terrain::PlaceInCell& place) {
+  const float* const nw = view.height_m.data() + place.north_west;
+  const auto u = static_cast<float>(place.u), v = static_cast<float>(place.v);
   const float north_west = nw[0], north_east = nw[1], south_west = nw[view.columns], south_east = nw[view.columns + 1];
-  const auto first = static_cast<std::uint32_t>(2 * place.node);
-  if (place.u + place.v < 1.0F) {
-    return {first, north_west + place.u * (north_east - north_west) + place.v * (south_west - north_west)};
-  }
-  return {first + 1,
-          south_east + (1.0F - place.u) * (south_west - south_east) + (1.0F - place.v) * (north_east - south_east)};
+  const auto first = static_cast<std::uint32_t>(2 * place.north_west);
+  if (u + v < 1.0F) return {first, north_west + u * (north_east - north_west) + v * (south_west - north_west)};
+  return {first + 1, south_east + (1.0F - u) * (south_west - south_east) + (1.0F - v) * (north_east - south_east)};
 }
 
 /// The drawn triangles.
@@ -188,9 +170,7 @@ std::size_t TerrainRaster::draw(const Vec3d& radar, const HorizonGrid& grid, con
     std::size_t too_high = 0;
     for (std::size_t column = 0; column < view.columns; ++column) {
       const std::size_t node = row * view.columns + column;
-      const Vec2d point{view.west_m + static_cast<double>(column) * view.spacing_m,
-                        view.north_m - static_cast<double>(row) * view.spacing_m};
-      const Projected projected = project(point, static_cast<double>(view.height_m[node]));
+      const Projected projected = project(view.node(column, row), static_cast<double>(view.height_m[node]));
       x_[node] = projected.x;
       y_[node] = projected.y;
       nearness_[node] = projected.nearness;
@@ -212,7 +192,7 @@ std::size_t TerrainRaster::draw(const Vec3d& radar, const HorizonGrid& grid, con
 bool TerrainRaster::sees(Vec2d point) const {
   if (!view_.extent().contains(point)) return false;
   const Nodes nodes{x_.data(), y_.data(), nearness_.data(), view_.columns};
-  const OnTriangle own = on_triangle(view_, cell_at(view_, point));
+  const OnTriangle own = on_triangle(view_, terrain::place_in_cell(view_, point));
   const Projected at = project(point, static_cast<double>(own.height_m));
   const double last_x = static_cast<double>(columns()) - 2.0, last_y = static_cast<double>(rows()) - 2.0;
   if (at.nearness <= 0.0F || at.x < 1.0F || at.y < 1.0F || static_cast<double>(at.x) >= last_x ||

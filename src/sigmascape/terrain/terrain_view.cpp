@@ -5,21 +5,30 @@
 namespace sigmascape::terrain {
 namespace {
 
-/// The four nodes about a point and where between them it lies; points outside are drawn to the edge.
+/// Along one side of a view: the cell that a place in nodes of the lattice lies in, and how far into it.
+struct CellAlong {
+  std::size_t cell;
+  double part;
+
+  CellAlong(double place, std::int64_t first_node, std::size_t nodes) {
+    const auto first = static_cast<double>(first_node);
+    const double inside = std::clamp(place, first, first + static_cast<double>(nodes - 1));
+    cell = std::min(static_cast<std::size_t>(inside - first), nodes - 2);
+    part = inside - (first + static_cast<double>(cell));
+  }
+};
+
+/// The four nodes about a point, to interpolate between.
 struct NodesAbout {
   std::size_t north_west, south_west;
-  double u, v;  // 0..1 eastward and southward
+  double u, v;
 
   NodesAbout(const TerrainView& view, Vec2d point) {
-    const double across =
-        std::clamp((point.x - view.west_m) / view.spacing_m, 0.0, static_cast<double>(view.columns - 1));
-    const double down = std::clamp((view.north_m - point.y) / view.spacing_m, 0.0, static_cast<double>(view.rows - 1));
-    const auto column = std::min(static_cast<std::size_t>(across), view.columns - 2);
-    const auto row = std::min(static_cast<std::size_t>(down), view.rows - 2);
-    north_west = row * view.columns + column;
+    const PlaceInCell place = place_in_cell(view, point);
+    north_west = place.north_west;
     south_west = north_west + view.columns;
-    u = across - static_cast<double>(column);
-    v = down - static_cast<double>(row);
+    u = place.u;
+    v = place.v;
   }
 
   /// Between four values, `at(node)` each.
@@ -32,6 +41,12 @@ struct NodesAbout {
 };
 
 }  // namespace
+
+PlaceInCell place_in_cell(const TerrainView& view, Vec2d point) {
+  const Vec2d nodes = view.nodes_to(point);
+  const CellAlong column(nodes.x, view.first_column, view.columns), row(nodes.y, view.first_row, view.rows);
+  return {row.cell * view.columns + column.cell, column.part, row.part};
+}
 
 double height_at(const TerrainView& view, Vec2d point) {
   return NodesAbout(view, point).between([&](std::size_t node) { return static_cast<double>(view.height_m[node]); });
@@ -52,8 +67,8 @@ Vec2d slope_at(const TerrainView& view, Vec2d point) {
 }
 
 TerrainView view_of(const HeightField& field) {
-  return {.west_m = field.west_m,
-          .north_m = field.north_m,
+  return {.lattice_west_m = field.west_m,
+          .lattice_north_m = field.north_m,
           .spacing_m = field.spacing_m,
           .columns = field.height_m.columns(),
           .rows = field.height_m.rows(),

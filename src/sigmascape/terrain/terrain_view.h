@@ -16,15 +16,17 @@ struct PackedSlope {
   std::int16_t north = 0;
 };
 
-/// The ground of one frame: heights at the nodes of one lattice, bilinear between them. It only looks; whoever made it
-/// holds the numbers.
+/// The ground of one frame: heights at the nodes of a piece of one lattice, bilinear between them. It only looks;
+/// whoever made it holds the numbers.
 ///
-/// Node (column, row) stands at (west + column · spacing, north − row · spacing), as in HeightField. Beyond the outer
-/// nodes there is no ground.
+/// Node (column, row) of the lattice stands at (west + column · spacing, north − row · spacing), as in HeightField.
+/// Places are reckoned from there, whichever piece the view is: two views of one lattice give the same ground to the
+/// last bit. Beyond the outer nodes there is no ground.
 struct TerrainView {
-  double west_m = 0.0;
-  double north_m = 0.0;
+  double lattice_west_m = 0.0;
+  double lattice_north_m = 0.0;
   double spacing_m = 1.0;
+  std::int64_t first_column = 0, first_row = 0;  ///< of the lattice, which the view begins with
   std::size_t columns = 0;
   std::size_t rows = 0;
   std::span<const float> height_m = {};  ///< [row][column]
@@ -34,11 +36,28 @@ struct TerrainView {
   float lowest_m = 0.0F;                    ///< bounds of all heights; they may be wider
   float highest_m = 0.0F;
 
+  /// How many columns east and rows south of the lattice's first node a point lies.
+  [[nodiscard]] Vec2d nodes_to(Vec2d point) const {
+    return {(point.x - lattice_west_m) / spacing_m, (lattice_north_m - point.y) / spacing_m};
+  }
+  /// Where a node of the view stands.
+  [[nodiscard]] Vec2d node(std::size_t column, std::size_t row) const {
+    return {lattice_west_m + spacing_m * static_cast<double>(first_column + static_cast<std::int64_t>(column)),
+            lattice_north_m - spacing_m * static_cast<double>(first_row + static_cast<std::int64_t>(row))};
+  }
   [[nodiscard]] radar::Rectangle extent() const {
-    return {west_m, north_m - spacing_m * static_cast<double>(rows - 1),
-            west_m + spacing_m * static_cast<double>(columns - 1), north_m};
+    const Vec2d north_west = node(0, 0), south_east = node(columns - 1, rows - 1);
+    return {north_west.x, south_east.y, south_east.x, north_west.y};
   }
 };
+
+/// A cell of a view and a place in it.
+struct PlaceInCell {
+  std::size_t north_west;  ///< node of the view, counted row by row
+  double u, v;             ///< eastward and southward, 0 to 1
+};
+/// Of a point; of one beyond the outer nodes that of the nearest edge.
+[[nodiscard]] PlaceInCell place_in_cell(const TerrainView& view, Vec2d point);
 
 /// Height of the ground at a point; beyond the outer nodes that of the nearest edge.
 [[nodiscard]] double height_at(const TerrainView& view, Vec2d point);

@@ -80,8 +80,13 @@ std::optional<TerrainWindow::Placement> TerrainWindow::placed(const PyramidLayou
   const double south = std::clamp(std::ceil((layout.north_m - area.south_m) / spacing_m), north + 1.0, nodes_down);
   const auto columns = static_cast<std::size_t>(east - west) + 1, rows = static_cast<std::size_t>(south - north) + 1;
   if (columns * rows > most_nodes_) return std::nullopt;
-  return Placement{static_cast<std::int64_t>(west),  static_cast<std::int64_t>(north),   columns,  rows,
-                   layout.west_m + west * spacing_m, layout.north_m - north * spacing_m, spacing_m};
+  return Placement{static_cast<std::int64_t>(west),
+                   static_cast<std::int64_t>(north),
+                   columns,
+                   rows,
+                   layout.west_m,
+                   layout.north_m,
+                   spacing_m};
 }
 
 void TerrainWindow::copy(int level, TileKey part, TileKey source, const HeightTile& tile) {
@@ -166,9 +171,11 @@ WindowReport TerrainWindow::fill(TerrainPyramid& pyramid, const radar::Rectangle
 
 TerrainView TerrainWindow::view() const {
   const std::size_t count = placement_.columns * placement_.rows;
-  return {.west_m = placement_.west_m,
-          .north_m = placement_.north_m,
+  return {.lattice_west_m = placement_.lattice_west_m,
+          .lattice_north_m = placement_.lattice_north_m,
           .spacing_m = placement_.spacing_m,
+          .first_column = placement_.first_column,
+          .first_row = placement_.first_row,
           .columns = placement_.columns,
           .rows = placement_.rows,
           .height_m = std::span(height_m_).first(count),

@@ -72,7 +72,7 @@ class TerrainWindow {
   struct Placement {
     std::int64_t first_column = 0, first_row = 0;  ///< node of the window's level that stands north-western
     std::size_t columns = 0, rows = 0;
-    double west_m = 0.0, north_m = 0.0, spacing_m = 1.0;
+    double lattice_west_m = 0.0, lattice_north_m = 0.0, spacing_m = 1.0;
   };
   [[nodiscard]] std::optional<Placement> placed(const PyramidLayout& layout, const radar::Rectangle& area,
                                                 int level) const;

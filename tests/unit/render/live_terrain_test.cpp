@@ -128,6 +128,44 @@ TEST_F(LiveTerrainTest, AWallBeforeTheBinsHidesThem) {
   EXPECT_EQ(frame.report.lit, 0U);
 }
 
+/// Horizons all around a radar that stands off every node, over a surface.
+HorizonMap horizons_over(const terrain::TerrainView& surface) {
+  const Vec3d radar{1003.37, 991.13, 150.0};
+  HorizonMap map({.azimuth_step_rad = 0.05, .azimuths = 125, .near_m = 60.3, .step_m = 3.1, .distances = 170});
+  for (std::size_t azimuth = 0; azimuth < map.grid().azimuths; ++azimuth) {
+    map.sweep(azimuth, radar, {.terrain = surface});
+  }
+  return map;
+}
+
+TEST_F(LiveTerrainTest, WhichWindowCoversTheGroundMakesNoDifferenceToABit) {
+  const radar::Rectangle area{400.0, 400.0, 1600.0, 1600.0};
+  std::vector<HorizonMap> maps;
+  std::vector<terrain::HeightBounds> bounds;
+  std::vector<double> west_m;
+  for (const radar::Rectangle& asked_for : {area, radar::Rectangle{213.0, 371.0, 1820.0, 1710.0}}) {
+    LiveTerrain terrain(opened(terrain_folder(), 8U << 20U), std::size_t{64} << 20U);
+    terrain.windows().load(std::vector<WindowWish>{{0, asked_for}});
+    std::vector<WindowWish> wanted;
+    wanted.reserve(4);
+    const TerrainWindows::View there = terrain.windows().view();
+    const LiveTerrain::Surface surface = terrain.surface(there, 0, area, wanted);
+    ASSERT_TRUE(wanted.empty());
+    maps.push_back(horizons_over(surface.view));
+    bounds.push_back({surface.view.lowest_m, surface.view.highest_m});
+    west_m.push_back(surface.view.extent().west_m);
+  }
+  ASSERT_NE(west_m[0], west_m[1]);
+  // How far frames look for what hides follows from these.
+  EXPECT_EQ(bounds[0].lowest_m, bounds[1].lowest_m);
+  EXPECT_EQ(bounds[0].highest_m, bounds[1].highest_m);
+  const HorizonGrid& grid = maps[0].grid();
+  for (std::size_t azimuth = 0; azimuth < grid.azimuths; ++azimuth) {
+    EXPECT_TRUE(std::equal(maps[0].slopes(azimuth), maps[0].slopes(azimuth) + grid.distances, maps[1].slopes(azimuth)))
+        << azimuth;
+  }
+}
+
 TEST_F(LiveTerrainTest, WhatStandsInIsLoweredBelowWhatPagesStandOn) {
   LiveTerrain terrain(opened(terrain_folder(), 8U << 20U), std::size_t{8} << 20U);
   const radar::Rectangle area{400.0, 400.0, 1600.0, 1600.0};

@@ -35,8 +35,8 @@ HeightField rough(std::size_t columns = 1100, std::size_t rows = 700) {
 
 /// The window's surface as a field, to be asked anywhere.
 HeightField field_of(const TerrainView& view) {
-  HeightField field{.west_m = view.west_m,
-                    .north_m = view.north_m,
+  HeightField field{.west_m = view.extent().west_m,
+                    .north_m = view.extent().north_m,
                     .spacing_m = view.spacing_m,
                     .height_m = Array2D<float>(view.columns, view.rows)};
   std::ranges::copy(view.height_m, field.height_m.values().begin());
