@@ -259,6 +259,62 @@ TEST(LookBaker, PatchesOfAMosaicAgreeWithOnePatchOverAll) {
 }
 
 // Of single bounces, whose weights do not ask where else rays are aimed.
+/// Level ground that reaches 4096 m north of a tower 326 m high, whose foot is 40 m wide.
+scene::Scene scene_with_tower() {
+  scene::Scene scene = scene_with_block();
+  scene.extent = {-256.0, -512.0, 256.0, 4096.0};
+  scene.terrain = {-1024.0, 5120.0, 6144.0, Array2D<float>(2, 2, 0.0F)};
+  scene.ground.grid = {.west_m = -1024.0, .north_m = 5120.0, .cell_m = 6144.0, .columns = 1, .rows = 1};
+  const scatter::Material concrete{
+      .name = "concrete", .model = scatter::LambertParameters{0.7, {0.1, 0.5}}, .source = {}};
+  const scene::MaterialIndex wall = scene.material_index(concrete);
+  scene.prototypes = {scene::box_mesh({40, 40, 326}, wall)};
+  scene.instances = {{.x_m = 0.0F, .y_m = -20.0F}};
+  return scene;
+}
+
+// h / tan 5° = 3726 m: seven patches away, and nothing else stands there.
+TEST(LookBaker, ATowerSeveralPatchesAwayShadesThisOne) {
+  const scene::Scene scene = scene_with_tower();
+  BakeSettings settings = settings_with({.samples_per_texel = 4});
+  settings.aspects = {{radians_from_deg(180.0)}, {radians_from_deg(5.0)}, {10e9}};
+  const LookBaker baker(scene, settings);
+  SilentProgress silent;
+  const auto aspect = settings.aspects.look(0).aspect;
+  const atlas::PatchIndex patch = settings.patches.patch_at({1.0, 3700.0});
+  const BakedLook look = baker.bake(patch, aspect, silent).front();
+  const radar::GroundGrid texels = settings.patches.texels_of(patch);
+  const auto power_at = [&](Vec2d point) {
+    const Vec2d cell = texels.cells_from(point);
+    return power(look, static_cast<std::size_t>(cell.y) * texels.columns + static_cast<std::size_t>(cell.x));
+  };
+  const double open = power_at({101.0, 3651.0}), shadow_m = 326.0 / std::tan(radians_from_deg(5.0));
+  EXPECT_GT(open, 0.0);
+  for (double y = 3587.0; y < shadow_m - 3.0; y += 8.0) EXPECT_EQ(power_at({1.0, y}), 0.0) << y;
+  for (double y = shadow_m + 3.0; y < 4090.0; y += 8.0) EXPECT_NEAR(power_at({1.0, y}), open, 1e-3 * open) << y;
+}
+
+// Its top lies over to h · tan 5° = 28.5 m before its foot, here into the patch before it.
+TEST(LookBaker, ATowerOfTheNextPatchLiesOverIntoThisOne) {
+  scene::Scene scene = scene_with_tower();
+  scene.instances.front().y_m = 21.0F;
+  BakeSettings settings = settings_with({.samples_per_texel = 16});
+  settings.aspects = {{radians_from_deg(180.0)}, {radians_from_deg(5.0)}, {10e9}};
+  settings.max_bounces = 1;
+  const LookBaker baker(scene, settings);
+  SilentProgress silent;
+  const atlas::PatchIndex patch = settings.patches.patch_at({1.0, -1.0});
+  const BakedLook look = baker.bake(patch, settings.aspects.look(0).aspect, silent).front();
+  const radar::GroundGrid texels = settings.patches.texels_of(patch);
+  const auto column_power = [&](double y) {
+    const Vec2d cell = texels.cells_from({1.0, y});
+    return power(look, static_cast<std::size_t>(cell.y) * texels.columns + static_cast<std::size_t>(cell.x));
+  };
+  const double top_m = 1.0 - 326.0 * std::tan(radians_from_deg(5.0)), open = column_power(-101.0);
+  for (double y = -1.0; y > top_m + 2.0; y -= 2.0) EXPECT_GT(column_power(y), 3.0 * open) << y;
+  for (double y = top_m - 3.0; y > -100.0; y -= 2.0) EXPECT_NEAR(column_power(y), open, 1e-3 * open) << y;
+}
+
 TEST(LookBaker, PartsOfALaunchAreaAddUpToTheWhole) {
   const scene::Scene scene = scene_with_block();
   BakeSettings settings = settings_with({.samples_per_texel = 8});
