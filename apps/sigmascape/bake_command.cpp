@@ -39,22 +39,23 @@ nlohmann::ordered_json summary_of(const bake::BakeReport& report, const bake::Sh
 
 void show_plan(const bake::BakePlan& plan, const Output& output) {
   const std::size_t left = plan.looks - plan.already;
-  output.finish(fmt::format("{} patches, {} jobs of a patch and an aspect each\n"
-                            "{} looks to bake, {} are there already\n"
-                            "{:.1f} million cells to send rays to, gutters around the patches included\n"
-                            "about {} on this machine, about {} for the whole atlas\n"
-                            "(from {} looks at a piece of 256 x 256 texels in the middle, baked in {})",
-                            plan.patches, plan.jobs, left, plan.already, plan.cells / 1e6, duration_text(plan.seconds),
-                            size_text(plan.bytes), plan.probe_looks, duration_text(plan.probe_seconds)),
-                {{"patches", plan.patches},
-                 {"jobs", plan.jobs},
-                 {"looks", plan.looks},
-                 {"already", plan.already},
-                 {"cells", plan.cells},
-                 {"seconds", plan.seconds},
-                 {"bytes", plan.bytes},
-                 {"probe_looks", plan.probe_looks},
-                 {"probe_seconds", plan.probe_seconds}});
+  output.finish(
+      fmt::format("{} patches, {} jobs of a patch and an aspect each\n"
+                  "{} looks to bake, {} are there already\n"
+                  "{:.1f} million cells to send rays to, gutters around the patches included\n"
+                  "about {} on this machine, about {} for the textures of the whole atlas and their standard errors\n"
+                  "(from {} looks at a piece of 256 x 256 texels in the middle, baked in {})",
+                  plan.patches, plan.jobs, left, plan.already, plan.cells / 1e6, duration_text(plan.seconds),
+                  size_text(plan.bytes), plan.probe_looks, duration_text(plan.probe_seconds)),
+      {{"patches", plan.patches},
+       {"jobs", plan.jobs},
+       {"looks", plan.looks},
+       {"already", plan.already},
+       {"cells", plan.cells},
+       {"seconds", plan.seconds},
+       {"bytes", plan.bytes},
+       {"probe_looks", plan.probe_looks},
+       {"probe_seconds", plan.probe_seconds}});
 }
 
 }  // namespace
@@ -79,7 +80,7 @@ void add_bake_command(CLI::App& app, Output& output) {
                     "compare the SHA-256 of looks that are there already, and bake altered ones again");
   command->add_flag("--plan", options->plan,
                     "write nothing; bake a small piece at each elevation and tell what the whole would take");
-  command->add_option("--json-log", options->log, "write progress to this file, a JSON object a line");
+  command->add_option("--json-log", options->log, "add progress to this file, a JSON object a line");
   command->add_flag("--json", output.json, "print the summary as JSON");
   command->footer(
       "Examples:\n"

@@ -19,7 +19,7 @@ nlohmann::ordered_json number_or_null(std::optional<double> number) {
 
 }  // namespace
 
-ProgressLog::ProgressLog(const std::filesystem::path& file) : file_(std::fopen(file.c_str(), "w")) {
+ProgressLog::ProgressLog(const std::filesystem::path& file) : file_(std::fopen(file.c_str(), "a")) {
   if (file_ == nullptr) {
     throw Error(file.string(), std::string("cannot be written (") + std::strerror(errno) + ")",
                 "give --json-log a file in a folder that exists");

@@ -14,7 +14,8 @@ namespace sigmascape::cli {
 /// that is finished, and every ten seconds within long ones.
 class ProgressLog final : public ProgressListener {
  public:
-  /// Begins the file anew. Throws Error when it cannot be written.
+  /// Adds to a file that is there: a share that starts again goes on in its log. Throws Error when it cannot be
+  /// written.
   explicit ProgressLog(const std::filesystem::path& file);
   ~ProgressLog() override;
   ProgressLog(const ProgressLog&) = delete;

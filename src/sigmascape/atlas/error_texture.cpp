@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sigmascape/base/error.h"
+#include "sigmascape/geo/byte_raster.h"
+#include "sigmascape/geo/geo_raster.h"
+
 namespace sigmascape::atlas {
 namespace {
 
@@ -19,6 +23,20 @@ std::uint8_t error_code(float relative_error, bool is_lit) {
 
 float error_of(std::uint8_t code) {
   return code == 0 ? 0.0F : static_cast<float>(smallest * std::pow(10.0, (code - 1) / steps_per_decade));
+}
+
+std::string error_texture_bytes(const Array2D<float>& errors, const Array2D<radar::Channels>& texels,
+                                const radar::GroundGrid& grid, const AtlasDescription& description,
+                                const std::filesystem::path& file) {
+  Array2D<std::uint8_t> codes(texels.columns(), texels.rows());
+  for (std::size_t i = 0; i < codes.size(); ++i) {
+    if (errors.size() != codes.size() || !std::isfinite(errors.values()[i])) {
+      throw Error(file.string(), "its standard errors are not finite numbers, one a texel",
+                  "the bake that made them is at fault");
+    }
+    codes.values()[i] = error_code(errors.values()[i], texels.values()[i].power(radar::Polarization::Sum) > 0.0F);
+  }
+  return geo::byte_geotiff_bytes({grid.west_m, grid.north_m, grid.cell_m, description.frame.proj()}, "ERROR", codes);
 }
 
 std::filesystem::path errors_path(const std::filesystem::path& texture) {

@@ -2,6 +2,12 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
+
+#include "sigmascape/atlas/store.h"
+#include "sigmascape/base/array2d.h"
+#include "sigmascape/radar/channels.h"
+#include "sigmascape/radar/ground_grid.h"
 
 namespace sigmascape::atlas {
 
@@ -13,6 +19,12 @@ namespace sigmascape::atlas {
 [[nodiscard]] std::uint8_t error_code(float relative_error, bool is_lit);
 /// 0 for code 0.
 [[nodiscard]] float error_of(std::uint8_t code);
+
+/// Such a file: of the errors of all texels of a patch, those that return nothing 0. Throws Error, naming `file`, when
+/// one is not a finite number or they are not as many as the texels.
+[[nodiscard]] std::string error_texture_bytes(const Array2D<float>& errors, const Array2D<radar::Channels>& texels,
+                                              const radar::GroundGrid& grid, const AtlasDescription& description,
+                                              const std::filesystem::path& file);
 
 /// The file beside a texture that holds them: the same name with the ending _error.tif.
 [[nodiscard]] std::filesystem::path errors_path(const std::filesystem::path& texture);

@@ -17,7 +17,6 @@
 #include "sigmascape/atlas/texture_name.h"
 #include "sigmascape/base/error.h"
 #include "sigmascape/geo/atomic_file.h"
-#include "sigmascape/geo/byte_raster.h"
 #include "sigmascape/geo/geo_raster.h"
 
 namespace sigmascape::atlas {
@@ -80,20 +79,6 @@ void check_texels(const Array2D<radar::Channels>& texels, std::size_t side, cons
               "reflectivity must be finite; the bake that made it is at fault");
 }
 
-std::string errors_bytes(const Array2D<float>& errors, const Array2D<radar::Channels>& texels,
-                         const radar::GroundGrid& grid, const AtlasDescription& description,
-                         const std::filesystem::path& file) {
-  Array2D<std::uint8_t> codes(texels.columns(), texels.rows());
-  for (std::size_t i = 0; i < codes.size(); ++i) {
-    if (errors.size() != codes.size() || !std::isfinite(errors.values()[i])) {
-      throw Error(file.string(), "its standard errors are not finite numbers, one a texel",
-                  "the bake that made them is at fault");
-    }
-    codes.values()[i] = error_code(errors.values()[i], texels.values()[i].power(radar::Polarization::Sum) > 0.0F);
-  }
-  return geo::byte_geotiff_bytes({grid.west_m, grid.north_m, grid.cell_m, description.frame.proj()}, "ERROR", codes);
-}
-
 }  // namespace
 
 Store Store::create(const std::filesystem::path& folder, const AtlasDescription& description) {
@@ -143,8 +128,9 @@ void Store::write(PatchIndex patch, LookIndex look, const Array2D<radar::Channel
   check_texels(texels, description_.patches.texels_per_side, folder_ / texture);
   const HalfTexture halves = encoded(mip_chain(texels, tile_side), fitting_scale(texels), description_.mantissa_bits);
   const radar::GroundGrid grid = description_.patches.texels_of(patch);
-  const std::string errors =
-      relative_errors.empty() ? "" : errors_bytes(relative_errors, texels, grid, description_, folder_ / texture);
+  const std::string errors = relative_errors.empty()
+                                 ? ""
+                                 : error_texture_bytes(relative_errors, texels, grid, description_, folder_ / texture);
   write_texture(
       *this, {0, patch}, texture, halves, sigma0_bands,
       [&](const TextureRecord& record) {

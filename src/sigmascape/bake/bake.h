@@ -29,15 +29,15 @@ struct BakeReport {
   double relative_standard_error = 0.0;  ///< root mean square over the baked looks of a level-0 texel's
 };
 
-/// Bakes the scene, its objects set on level ground, into the atlas at `folder`: for each patch and look the
-/// path-traced echoes are summed over the texels they lie over to and divided by the texel's area. Then makes what has
-/// become possible of the pyramid above the patches.
+/// Bakes the scene, its objects where they stand (`footing_of` says when on level ground instead), into the atlas at
+/// `folder`: for each patch and look the path-traced echoes are summed over the texels they lie over to and divided by
+/// the texel's area. Then makes what has become possible of the pyramid above the patches.
 ///
 /// A bake that was broken off goes on where it stopped: looks that are there already are left as they are. Any number
 /// of processes and machines may bake into one folder at once, shards of it or the whole: one that comes to a look that
 /// another is at goes on to the next, and at the end waits for it. The same scene and settings give the same bytes for
-/// any number of threads, any shards and any interruption (under one SIMD setting). Only the patch that is being baked
-/// is in memory.
+/// any number of threads, any shards and any interruption (under one SIMD setting). The scene
+/// is in memory as a whole, of the patches only the one that is being baked.
 ///
 /// Throws Error for settings out of range and when another scene or other settings are in `folder`.
 BakeReport bake(const scene::Scene& scene, const BakeSettings& settings, const std::filesystem::path& folder,

@@ -4,6 +4,8 @@
 #include <chrono>
 #include <vector>
 
+#include "sigmascape/atlas/error_texture.h"
+#include "sigmascape/atlas/pyramid_tiles.h"
 #include "sigmascape/atlas/texture_file.h"
 #include "sigmascape/atlas/texture_name.h"
 #include "sigmascape/bake/bake.h"
@@ -16,7 +18,8 @@ namespace {
 /// What a trial at one elevation gave.
 struct Trial {
   double seconds_per_cell = 0.0;  // of all frequencies together
-  double bytes_per_texel = 0.0;   // of one
+  // Of one frequency, compressed; of all levels σ0, of the finest its standard errors.
+  double sigma0_bytes_per_texel = 0.0, error_bytes_per_texel = 0.0;
 };
 
 /// The trials of a plan: bakes pieces of the scene into memory.
@@ -53,8 +56,13 @@ class Trials {
     const auto texels = piece_.patches.texels_of(patch);
     const double cells = baker_.area_of(texels, aspect).whole_cells();
     const auto halves = atlas::encoded({look.sigma0}, atlas::fitting_scale(look.sigma0), settings_.mantissa_bits);
-    const auto bytes = atlas::texture_bytes(halves, atlas::sigma0_bands, texels, description_of(scene_, piece_)).size();
-    return {taken.count() / std::max(cells, 1.0), static_cast<double>(bytes) / static_cast<double>(look.sigma0.size())};
+    const atlas::AtlasDescription description = description_of(scene_, piece_);
+    const auto sigma0 = atlas::texture_bytes(halves, atlas::sigma0_bands, texels, description).size();
+    const auto errors =
+        atlas::error_texture_bytes(look.relative_errors, look.sigma0, texels, description, scene_.name).size();
+    const auto count = static_cast<double>(look.sigma0.size());
+    return {taken.count() / std::max(cells, 1.0), static_cast<double>(sigma0) / count,
+            static_cast<double>(errors) / count};
   }
 
   const scene::Scene& scene_;
@@ -62,6 +70,27 @@ class Trials {
   BakeSettings piece_;
   LookBaker baker_;
 };
+
+/// Texels of one patch: of its finest level, and of all levels that its textures hold.
+struct PatchTexels {
+  double finest = 0.0, all_levels = 0.0;
+
+  explicit PatchTexels(const atlas::PatchGrid& patches) {
+    const auto side = static_cast<double>(patches.texels_per_side);
+    finest = side * side;
+    for (std::size_t level = 0; level < patches.stored_levels(); ++level) {
+      all_levels += finest / static_cast<double>(std::size_t{1} << (2 * level));
+    }
+  }
+};
+
+/// Texels of the levels above all patches.
+double texels_above(const atlas::AtlasDescription& description) {
+  const atlas::PyramidTiles above(description.patches, description.extent);
+  double tiles = 0.0;
+  for (std::size_t level = 1; level <= above.levels(); ++level) tiles += static_cast<double>(above.tiles(level).size());
+  return tiles * static_cast<double>(atlas::tile_side * atlas::tile_side);
+}
 
 /// Looks of a folder count as there when the atlas in it is the same; a bake into another one will be refused anyway.
 bool is_there(const std::filesystem::path& folder, const atlas::AtlasDescription& description, const Job& job,
@@ -84,16 +113,16 @@ BakePlan plan(const scene::Scene& scene, const BakeSettings& settings, const std
   BakePlan plan;
   plan.probe_looks = found.size();
   plan.probe_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  // Each coarser level has a quarter of the texels of the one before it.
-  const double texels = 4.0 / 3.0 * static_cast<double>(settings.patches.texels_per_side) *
-                        static_cast<double>(settings.patches.texels_per_side);
   const JobList jobs(description);
   const std::size_t azimuths = settings.aspects.azimuths_rad.size();
   plan.jobs = jobs.size();
   plan.patches = plan.jobs / (azimuths * found.size());
+  const PatchTexels texels(settings.patches);
+  const double sigma0_texels = texels.all_levels + texels_above(description) / static_cast<double>(plan.patches);
   for (std::size_t number = 0; number < jobs.size(); ++number) {
     const Trial& trial = found[number / azimuths % found.size()];
-    plan.bytes += trial.bytes_per_texel * texels * static_cast<double>(jobs.looks_per_job());
+    plan.bytes += (trial.sigma0_bytes_per_texel * sigma0_texels + trial.error_bytes_per_texel * texels.finest) *
+                  static_cast<double>(jobs.looks_per_job());
     if (!shard.has(number)) continue;
     const Job job = jobs[number];
     const auto there = static_cast<std::size_t>(std::ranges::count_if(

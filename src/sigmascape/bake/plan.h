@@ -12,12 +12,14 @@ namespace sigmascape::bake {
 /// What a bake would come to.
 struct BakePlan {
   std::size_t patches = 0;
-  std::size_t jobs = 0;        ///< patches times aspects: what can be shared out
-  std::size_t looks = 0;       ///< (patch, look) pairs of the share
-  std::size_t already = 0;     ///< of these in the folder
-  double cells = 0.0;          ///< launch cells of the looks that are not there, gutters included
-  double seconds = 0.0;        ///< expected for the looks that are not there, on this machine, with these threads
-  double bytes = 0.0;          ///< expected size of all textures of patches, of all shares
+  std::size_t jobs = 0;     ///< patches times aspects: what can be shared out
+  std::size_t looks = 0;    ///< (patch, look) pairs of the share
+  std::size_t already = 0;  ///< of these in the folder
+  double cells = 0.0;       ///< launch cells of the looks that are not there, gutters included
+  double seconds = 0.0;     ///< expected for the looks that are not there, on this machine, with these threads
+  /// Expected size of the textures of all looks with their standard errors, all levels, of all shares. The ground, the
+  /// obstacles and the terrain that an atlas may hold besides are not in it.
+  double bytes = 0.0;
   double probe_seconds = 0.0;  ///< what finding out took
   std::size_t probe_looks = 0;
 };

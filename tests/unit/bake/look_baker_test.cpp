@@ -81,10 +81,32 @@ struct Honesty {
   std::size_t texels = 0;
 };
 
+/// One texel's total power over a number of bakes.
+struct Scatter {
+  double mean = 0.0, variance = 0.0;
+  double predicted = 0.0;  ///< the variance that the bakes give themselves, mean over them
+
+  Scatter(const std::vector<BakedLook>& looks, std::size_t texel) {
+    const auto count = static_cast<double>(looks.size());
+    double squares = 0.0;
+    for (const BakedLook& look : looks) {
+      mean += power(look, texel) / count;
+      squares += power(look, texel) * power(look, texel);
+      predicted += squared_error(look, texel) / count;
+    }
+    variance = (squares - count * mean * mean) / (count - 1.0);
+  }
+};
+
 class HonestyTally {
  public:
-  HonestyTally(const std::vector<BakedLook>& looks, double samples) : looks_(looks), samples_(samples) {
-    for (std::size_t texel = 0; texel < looks.front().sigma0.size(); ++texel) add(texel);
+  /// `samples_of(texel, its scatter)`: how many samples a bake has of it.
+  template <typename SamplesOf>
+  HonestyTally(const std::vector<BakedLook>& looks, const SamplesOf& samples_of) : looks_(looks) {
+    for (std::size_t texel = 0; texel < looks.front().sigma0.size(); ++texel) {
+      const Scatter scatter(looks, texel);
+      add(texel, scatter, samples_of(texel, scatter));
+    }
   }
 
   [[nodiscard]] Honesty result() const {
@@ -92,50 +114,46 @@ class HonestyTally {
   }
 
  private:
-  void add(std::size_t texel) {
+  void add(std::size_t texel, const Scatter& scatter, double samples) {
     const auto count = static_cast<double>(looks_.size());
-    double sum = 0.0, squares = 0.0, errors = 0.0;
-    for (const BakedLook& look : looks_) {
-      sum += power(look, texel);
-      squares += power(look, texel) * power(look, texel);
-      errors += squared_error(look, texel);
-    }
-    const double mean = sum / count, variance = (squares - sum * mean) / (count - 1.0);
+    const auto [mean, variance, predicted] = scatter;
     // Texels that vary at all, and not so seldom that a few bakes cannot tell how much.
-    if (!(variance > 1e-6 * mean * mean) || errors / count > mean * mean) return;
-    predicted_ += errors / count / (mean * mean);
+    if (!(variance > 1e-6 * mean * mean) || predicted > mean * mean) return;
+    predicted_ += predicted / (mean * mean);
     actual_ += variance / (mean * mean);
     ++texels_;
-    // Where the scatter of single samples is about as large as their mean, most of them contribute.
-    const double of_one_sample = std::sqrt(variance * samples_) / mean;
-    if (of_one_sample < 0.5 || of_one_sample > 1.5) return;
+    // Where the scatter of single samples is about as large as their mean, most of them contribute: of so many samples
+    // a hundred and more.
+    const double of_one_sample = std::sqrt(variance * samples) / mean;
+    if (samples < enough_samples || of_one_sample < 0.5 || of_one_sample > 1.5) return;
     for (const BakedLook& look : looks_) {
       // The mean of the others stands for the truth; its own error widens the interval.
-      const double others = (sum - power(look, texel)) / (count - 1.0);
+      const double others = (mean * count - power(look, texel)) / (count - 1.0);
       const double error = std::sqrt(squared_error(look, texel) * count / (count - 1.0));
       covered_ += std::abs(power(look, texel) - others) <= interval * error ? 1U : 0U;
       ++intervals_;
     }
   }
 
+  static constexpr double enough_samples = 200.0;
   /// Student's t for 95 % and the 15 degrees of freedom that 16 batches have.
   static constexpr double interval = 2.131;
 
   const std::vector<BakedLook>& looks_;
-  double samples_;
   double predicted_ = 0.0, actual_ = 0.0;
   std::size_t covered_ = 0, intervals_ = 0, texels_ = 0;
 };
 
-Honesty honesty_of(const Sampling& sampling, int repetitions, double samples) {
+std::vector<BakedLook> bakes_of_the_block(const Sampling& sampling, int repetitions) {
   const scene::Scene scene = scene_with_block();
   std::vector<BakedLook> looks;
   for (int i = 0; i < repetitions; ++i) looks.push_back(baked(scene, settings_with(sampling), 1000U + unsigned(i)));
-  return HonestyTally(looks, samples).result();
+  return looks;
 }
 
 TEST(LookBaker, ErrorsAreHonestWithAFixedNumberOfSamples) {
-  const Honesty honesty = honesty_of({.samples_per_texel = 256}, 32, 256);
+  const std::vector<BakedLook> looks = bakes_of_the_block({.samples_per_texel = 256}, 32);
+  const Honesty honesty = HonestyTally(looks, [](std::size_t, const Scatter&) { return 256.0; }).result();
   validation::expect_close({.group = "Error of a bake",
                             .name = "standard error of a texel, predicted over actual, fixed sampling",
                             .expected = 1.0,
@@ -153,8 +171,27 @@ TEST(LookBaker, ErrorsAreHonestWithAFixedNumberOfSamples) {
                             .source = "estimator.md, Eq. (10)"});
 }
 
+// Cells differ in their samples. How many a texel's power rests on is told by bakes whose number is known: variances
+// are as one over it.
+TEST(LookBaker, IntervalsAreHonestWithAnAdaptiveNumberOfSamples) {
+  const std::vector<BakedLook> fixed = bakes_of_the_block({.samples_per_texel = 256}, 12);
+  const std::vector<BakedLook> adaptive = bakes_of_the_block({.target_db = 0.02, .most_samples = 256}, 64);
+  const auto samples_of = [&fixed](std::size_t texel, const Scatter& scatter) {
+    return 256.0 * Scatter(fixed, texel).predicted / scatter.predicted;
+  };
+  const Honesty honesty = HonestyTally(adaptive, samples_of).result();
+  validation::expect_close({.group = "Error of a bake",
+                            .name = "part of the 95 % intervals that hold the truth, adaptive sampling",
+                            .expected = 0.95,
+                            .measured = honesty.covered,
+                            .tolerance = 0.02,
+                            .unit = "1",
+                            .source = "estimator.md, Eq. (10)"});
+}
+
 TEST(LookBaker, ErrorsAreHonestWithAnAdaptiveNumberOfSamples) {
-  const Honesty honesty = honesty_of({.target_db = 0.2, .most_samples = 512}, 12, 8);
+  const std::vector<BakedLook> looks = bakes_of_the_block({.target_db = 0.2, .most_samples = 512}, 12);
+  const Honesty honesty = HonestyTally(looks, [](std::size_t, const Scatter&) { return 0.0; }).result();
   validation::expect_close({.group = "Error of a bake",
                             .name = "standard error of a texel, predicted over actual, adaptive sampling",
                             .expected = 1.0,
@@ -222,6 +259,62 @@ TEST(LookBaker, PatchesOfAMosaicAgreeWithOnePatchOverAll) {
 }
 
 // Of single bounces, whose weights do not ask where else rays are aimed.
+/// Level ground that reaches 4096 m north of a tower 326 m high, whose foot is 40 m wide.
+scene::Scene scene_with_tower() {
+  scene::Scene scene = scene_with_block();
+  scene.extent = {-256.0, -512.0, 256.0, 4096.0};
+  scene.terrain = {-1024.0, 5120.0, 6144.0, Array2D<float>(2, 2, 0.0F)};
+  scene.ground.grid = {.west_m = -1024.0, .north_m = 5120.0, .cell_m = 6144.0, .columns = 1, .rows = 1};
+  const scatter::Material concrete{
+      .name = "concrete", .model = scatter::LambertParameters{0.7, {0.1, 0.5}}, .source = {}};
+  const scene::MaterialIndex wall = scene.material_index(concrete);
+  scene.prototypes = {scene::box_mesh({40, 40, 326}, wall)};
+  scene.instances = {{.x_m = 0.0F, .y_m = -20.0F}};
+  return scene;
+}
+
+// h / tan 5° = 3726 m: seven patches away, and nothing else stands there.
+TEST(LookBaker, ATowerSeveralPatchesAwayShadesThisOne) {
+  const scene::Scene scene = scene_with_tower();
+  BakeSettings settings = settings_with({.samples_per_texel = 4});
+  settings.aspects = {{radians_from_deg(180.0)}, {radians_from_deg(5.0)}, {10e9}};
+  const LookBaker baker(scene, settings);
+  SilentProgress silent;
+  const auto aspect = settings.aspects.look(0).aspect;
+  const atlas::PatchIndex patch = settings.patches.patch_at({1.0, 3700.0});
+  const BakedLook look = baker.bake(patch, aspect, silent).front();
+  const radar::GroundGrid texels = settings.patches.texels_of(patch);
+  const auto power_at = [&](Vec2d point) {
+    const Vec2d cell = texels.cells_from(point);
+    return power(look, static_cast<std::size_t>(cell.y) * texels.columns + static_cast<std::size_t>(cell.x));
+  };
+  const double open = power_at({101.0, 3651.0}), shadow_m = 326.0 / std::tan(radians_from_deg(5.0));
+  EXPECT_GT(open, 0.0);
+  for (double y = 3587.0; y < shadow_m - 3.0; y += 8.0) EXPECT_EQ(power_at({1.0, y}), 0.0) << y;
+  for (double y = shadow_m + 3.0; y < 4090.0; y += 8.0) EXPECT_NEAR(power_at({1.0, y}), open, 1e-3 * open) << y;
+}
+
+// Its top lies over to h · tan 5° = 28.5 m before its foot, here into the patch before it.
+TEST(LookBaker, ATowerOfTheNextPatchLiesOverIntoThisOne) {
+  scene::Scene scene = scene_with_tower();
+  scene.instances.front().y_m = 21.0F;
+  BakeSettings settings = settings_with({.samples_per_texel = 16});
+  settings.aspects = {{radians_from_deg(180.0)}, {radians_from_deg(5.0)}, {10e9}};
+  settings.max_bounces = 1;
+  const LookBaker baker(scene, settings);
+  SilentProgress silent;
+  const atlas::PatchIndex patch = settings.patches.patch_at({1.0, -1.0});
+  const BakedLook look = baker.bake(patch, settings.aspects.look(0).aspect, silent).front();
+  const radar::GroundGrid texels = settings.patches.texels_of(patch);
+  const auto column_power = [&](double y) {
+    const Vec2d cell = texels.cells_from({1.0, y});
+    return power(look, static_cast<std::size_t>(cell.y) * texels.columns + static_cast<std::size_t>(cell.x));
+  };
+  const double top_m = 1.0 - 326.0 * std::tan(radians_from_deg(5.0)), open = column_power(-101.0);
+  for (double y = -1.0; y > top_m + 2.0; y -= 2.0) EXPECT_GT(column_power(y), 3.0 * open) << y;
+  for (double y = top_m - 3.0; y > -100.0; y -= 2.0) EXPECT_NEAR(column_power(y), open, 1e-3 * open) << y;
+}
+
 TEST(LookBaker, PartsOfALaunchAreaAddUpToTheWhole) {
   const scene::Scene scene = scene_with_block();
   BakeSettings settings = settings_with({.samples_per_texel = 8});
