@@ -64,7 +64,9 @@ void Results::expect_numbers_page_and_pictures() const {
   const std::string page = text_of(folder_ / "first.md");
   EXPECT_EQ(page.find(folder_.string()), std::string::npos) << "the page names a folder";
   for (const char* part :
-       {"### Without noise", "## Where the error is", "## Why", "The largest is: ", "## Cheap wins", "dB a megabyte",
+       {"--traced-samples 4 ", "as many elevations, spaced evenly, 8 × 5 in cot ψ", "### Without noise",
+        "## Where the error is", "## Why", "### At views that were baked", "### At views that were not baked",
+        "The largest by RMS is", "## Cheap wins", "### The best of them together", "dB a megabyte",
         "texels half as wide", "texels as wide as the finest cells", "Figure 1", "Figure 7", "Figure 8"})
     EXPECT_NE(page.find(part), std::string::npos) << part;
 
@@ -108,6 +110,7 @@ void Results::expect_more_looks_and_bytes_of_finer_grids() const {
   EXPECT_EQ(cost.at("8 × 4").first, 32);
   EXPECT_EQ(cost.at("8 × 5").first, 40);
   EXPECT_EQ(cost.at("16 × 6").first, 96);
+  EXPECT_EQ(cost.at("8 × 5 in cot ψ").first, 40);
   EXPECT_EQ(cost.at("own look").first, 1);
   EXPECT_LT(cost.at("8 × 4").second, cost.at("8 × 5").second);
   EXPECT_LT(cost.at("8 × 5").second, cost.at("16 × 5").second);
