@@ -10,6 +10,8 @@
 #include "results_combinations.h"
 #include "results_noise_tables.h"
 
+#include "sigmascape/product/software.h"
+
 namespace sigmascape::cli {
 namespace {
 
@@ -270,7 +272,7 @@ std::string lead(const ResultsReport& report) {
       "The radar stands 20 km from the middle of the scene, resolution 2 m in range and across. A rim of {:.0f} m "
       "along the edges is left out: walls there mirror ground beyond the scene, which is there in a bake but not in a "
       "traced map.\n\n",
-      compare.floor_db, compare.shadow_db, plan.rim_m());
+      product::software_name(), report.command_line, compare.floor_db, compare.shadow_db, plan.rim_m());
   text +=
       "- **paper**: the paper to the letter (docs/decisions/0050-the-paper-literally.md); its store is "
       "counted as the paper counts, four floats a texel and look\n"
