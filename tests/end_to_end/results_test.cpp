@@ -64,10 +64,12 @@ void Results::expect_numbers_page_and_pictures() const {
   const std::string page = text_of(folder_ / "first.md");
   EXPECT_EQ(page.find(folder_.string()), std::string::npos) << "the page names a folder";
   for (const char* part :
-       {"--traced-samples 4 ", "as many elevations, spaced evenly, 8 × 5 in cot ψ", "### Without noise",
-        "## Where the error is", "## Why", "### At views that were baked", "### At views that were not baked",
-        "The largest by RMS is", "## Cheap wins", "### The best of them together", "dB a megabyte",
-        "texels half as wide", "texels as wide as the finest cells", "Figure 1", "Figure 7", "Figure 8"})
+       {"```\nsigmascape results --small --scale 0.1 --held-out 2 --on-grid 1 --repeated 3 --samples 2 "
+        "--traced-samples 4 ",
+        "as many elevations, spaced evenly, 8 × 5 in cot ψ", "### Without noise", "## Where the error is", "## Why",
+        "### At views that were baked", "### At views that were not baked", "The largest by RMS is", "## Cheap wins",
+        "### The best of them together", "dB a megabyte", "texels half as wide", "texels as wide as the finest cells",
+        "Figure 1", "Figure 7", "Figure 8"})
     EXPECT_NE(page.find(part), std::string::npos) << part;
 
   std::size_t pictures = 0;
@@ -76,7 +78,7 @@ void Results::expect_numbers_page_and_pictures() const {
     EXPECT_TRUE(fs::exists(folder_ / found->str(1))) << found->str(1);
     ++pictures;
   }
-  EXPECT_EQ(pictures, 3U + 2 + 2 + 4 + 5 + 5) << "plots, Figures 1, 5 and 6, 7, 8, and the worst view";
+  EXPECT_EQ(pictures, 3U + 4 + 2 + 4 + 5 + 5) << "plots, Figures 1, 5 and 6, 7, 8, and the worst view";
 }
 
 void Results::expect_the_papers_textures_counted_as_the_paper_counts() const {
