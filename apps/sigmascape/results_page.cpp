@@ -291,13 +291,13 @@ std::string lead(const ResultsReport& report) {
   return text;
 }
 
-/// The figures of a section beside one another, at most three in a row.
+/// The figures of a section beside one another, at most three in a row; four in two rows of two.
 std::string figures_text(const std::vector<product::PageSection>& sections, const std::string& attribution) {
-  constexpr std::size_t in_a_row = 3;
   std::string text;
   for (const product::PageSection& section : sections) {
     text += "## " + section.heading + "\n\n";
     for (const std::string& paragraph : section.paragraphs) text += paragraph + "\n\n";
+    const std::size_t in_a_row = section.figures.size() == 4 ? 2 : 3;
     for (std::size_t first = 0; first < section.figures.size(); first += in_a_row) {
       std::string captions = "|", rules = "|", pictures = "|";
       for (std::size_t i = first; i < std::min(first + in_a_row, section.figures.size()); ++i) {
