@@ -30,15 +30,20 @@ results-small: packages ## Measure how close baked maps come to traced ones, sma
 	$(call build,release) --target sigmascape_cli
 	$(measure) --small --out out/results_small
 
-# The paper's scene with the paper's materials and with real ones, then real places, whose data SIGMASCAPE_DATA names. RESULTS says what
-# is to differ from the full size: RESULTS="--scale 0.2" or RESULTS=--small.
-results: packages ## The same at full size, on real places too: many hours, goes on where it was broken off. Writes docs/results
+# What docs/results is made with: the paper's scene with the paper's materials and with real ones, then real places, whose data
+# SIGMASCAPE_DATA names. RESULTS_PAPER= and so on measure otherwise; left empty, at full size.
+RESULTS_PAPER ?= --scale 0.2 --held-out 24 --on-grid 3 --repeated 1 --samples 100 --traced-samples 1024 --finer-samples 5120
+RESULTS_ITU ?= --small --scale 0.2 --held-out 8 --on-grid 3 --repeated 1 --samples 64 --traced-samples 512 --finer-samples 512
+RESULTS_BILBAO ?= --small --scale 0.2 --held-out 4 --on-grid 3 --repeated 1 --samples 32 --traced-samples 128 --finer-samples 256
+RESULTS_SAN_FRANCISCO ?= --small --scale 0.2 --held-out 4 --on-grid 3 --repeated 1 --samples 32 --traced-samples 128 --finer-samples 128
+
+results: packages ## Measure as docs/results was, on real places too, and write it anew: hours, goes on where it was broken off
 	$(call configure,release)
 	$(call build,release) --target sigmascape_cli
-	$(measure) $(RESULTS) --out out/results/paper --page docs/results/README.md
-	$(measure) $(RESULTS) --itu-materials --out out/results/itu --page docs/results/itu/README.md
-	$(measure) $(RESULTS) --scene examples/bilbao/bilbao.toml --around 350 400 --out out/results/bilbao --page docs/results/bilbao/README.md
-	$(measure) $(RESULTS) --scene examples/san_francisco/san_francisco.toml --out out/results/san_francisco --page docs/results/san_francisco/README.md
+	$(measure) $(RESULTS_PAPER) --out out/results/paper --page docs/results/README.md
+	$(measure) --itu-materials $(RESULTS_ITU) --out out/results/itu --page docs/results/itu/README.md
+	$(measure) --scene examples/bilbao/bilbao.toml --around 350 400 $(RESULTS_BILBAO) --out out/results/bilbao --page docs/results/bilbao/README.md
+	$(measure) --scene examples/san_francisco/san_francisco.toml $(RESULTS_SAN_FRANCISCO) --out out/results/san_francisco --page docs/results/san_francisco/README.md
 
 test: packages ## Build and run the tests
 	$(call configure,release)

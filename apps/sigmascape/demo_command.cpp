@@ -10,6 +10,7 @@
 #include "sigmascape/atlas/store.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/geo/atomic_file.h"
+#include "sigmascape/product/attribution_line.h"
 #include "sigmascape/product/comparison_page.h"
 #include "sigmascape/product/ground_map_file.h"
 #include "sigmascape/product/legend.h"
@@ -166,8 +167,8 @@ class Demo {
     write_map_picture(folder_ / (view.name + "_traced.png"), traced, look);
     write_map_picture(folder_ / (view.name + "_baked.png"), baked, look);
     product::write_png(folder_ / (view.name + "_difference.png"),
-                       product::with_legend(product::difference_picture(
-                           baked, traced, {.polarization = radar.polarization, .magnification = look.magnification})));
+                       product::with_attribution(product::with_legend(product::difference_picture(
+                           baked, traced, {.polarization = radar.polarization, .magnification = look.magnification}))));
     product::write_ground_map(folder_ / (view.name + "_traced.tif"), traced);
     product::write_ground_map(folder_ / (view.name + "_baked.tif"), baked);
   }

@@ -1,5 +1,6 @@
 #include "map_files.h"
 
+#include "sigmascape/product/attribution_line.h"
 #include "sigmascape/product/legend.h"
 #include "sigmascape/product/png_file.h"
 
@@ -7,7 +8,7 @@ namespace sigmascape::cli {
 
 void write_map_picture(const std::filesystem::path& path, const radar::GroundMap& map,
                        const product::PictureOptions& options) {
-  product::Picture picture = product::with_legend(product::picture_of(map, options));
+  product::Picture picture = product::with_attribution(product::with_legend(product::picture_of(map, options)));
   picture.metadata = map.metadata;
   product::write_png(path, picture);
 }

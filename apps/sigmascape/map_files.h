@@ -11,7 +11,7 @@ namespace sigmascape::cli {
 using product::described_map;
 using product::Provenance;
 
-/// Writes a map as a picture with its legend.
+/// Writes a map as a picture with its legend and the attribution of its data.
 void write_map_picture(const std::filesystem::path& path, const radar::GroundMap& map,
                        const product::PictureOptions& options);
 

@@ -26,56 +26,88 @@ std::string metrics(const product::CellComparison& cell) {
   return fmt::format("{:.3f} | {:.2f} | {:.3f} | {:.2f}", cell.correlation_db, cell.rms_db, cell.l1, cell.shadow_iou);
 }
 
+/// What two traced maps of the views differ by: no method can be shown to come closer. Empty without such views.
+std::string truth_metrics(const ResultsPlan& plan, const std::vector<ResultsRow>& rows, ViewKind kind) {
+  const ResultsRow* row = baseline_row(plan, rows, plan.scene_name(), kind);
+  const ResultsCell* cell = row != nullptr ? row->at_cell(summary_cell_m) : nullptr;
+  return cell != nullptr ? metrics(cell->floor_median) : "";
+}
+
+/// What the error falls by when the cause that adds most to it is switched off.
+struct Fall {
+  std::string cause;
+  double with = 0.0, without = 0.0;
+};
+
+std::optional<Fall> largest(const ResultsPlan& plan, const std::vector<ResultsRow>& rows, ViewKind kind,
+                            double product::CellComparison::*error) {
+  std::optional<Fall> most;
+  for (const Contrast& cause : causes(plan, kind)) {
+    const auto both = found(cause, rows);
+    if (!both || !are_of_the_same_views(cause)) continue;
+    const double with = both->with_cell->median.*error, without = both->without_cell->median.*error;
+    if (with - without > (most ? most->with - most->without : 0.0))
+      most = {fmt::format("{} ({})", cause.name, cause.how), with, without};
+  }
+  return most;
+}
+
 }  // namespace
 
-std::vector<Contrast> causes(const ResultsPlan& plan) {
-  const std::string place = plan.scene_name(), grid = plan.paper_grid().name();
-  const std::uint32_t samples = plan.baked_samples;
-  const ResultsCase paper{.scene = place, .method = Method::Paper, .grid = grid, .baked_samples = samples};
-  const auto changed = [](ResultsCase of, auto change) {
-    change(of);
+bool are_of_the_same_views(const Contrast& contrast) {
+  return contrast.with.scene == contrast.without.scene && contrast.with.kind == contrast.without.kind;
+}
+
+std::vector<Contrast> causes(const ResultsPlan& plan, ViewKind kind) {
+  const auto from_grid = [&](Method method, const char* change = "") {
+    return ResultsCase{.scene = plan.scene_name(),
+                       .method = method,
+                       .grid = plan.paper_grid().name(),
+                       .baked_samples = plan.baked_samples,
+                       .kind = kind,
+                       .change = change};
+  };
+  const auto from_own_look = [&](Method method, std::uint32_t samples, const char* change = "") {
+    ResultsCase of = from_grid(method, change);
+    of.grid = own_look;
+    of.baked_samples = samples;
     return of;
   };
-  const auto method = [&](ResultsCase of, Method which) {
-    of.method = which;
-    return of;
-  };
-  const auto on_grid = [](ResultsCase of) {
-    of.kind = ViewKind::OnGrid;
-    return of;
-  };
-  const auto level = [&](ResultsCase of) {
-    of.scene = "level";
-    return of;
-  };
-  const ResultsCase level_ground = method(paper, Method::LevelGround), own_ground = method(paper, Method::OwnGround);
-  const ResultsCase own_look_alone = changed(own_ground, [](ResultsCase& of) { of.grid = own_look; });
-  const ResultsCase own_on_grid = on_grid(own_look_alone);
-  const ResultsCase finer_on_grid =
-      changed(own_on_grid, [&](ResultsCase& of) { of.baked_samples = plan.finer_samples; });
-  return {
-      {"missing angles", "ours on its own ground: the grid against the view's own look", own_ground, own_look_alone},
-      {"shadows and layover of level ground laid on slopes",
-       "the paper's method, on-grid views: hills against level ground", on_grid(paper), level(on_grid(paper))},
-      {"shadows on the ground alone", "ours: baked against made at run time", method(paper, Method::BakedShadows),
-       level_ground},
-      {"layover of objects on slopes and how they shade each other",
-       "ours: baked on level ground against on its own ground", level_ground, own_ground},
-      {"mips", "the paper's method: mips against the finest level alone", paper,
-       changed(paper, [](ResultsCase& of) { of.change = finest_change; })},
-      {"half floats", "the paper's method: halves against floats",
-       changed(paper, [](ResultsCase& of) { of.change = halves_change; }), paper},
-      {"noise of the bake",
-       fmt::format("ours on its own ground, on-grid views, own look: {} rays a texel against {}", samples,
-                   plan.finer_samples),
-       own_on_grid, finer_on_grid},
-      {"texels as wide as the finest cells",
-       fmt::format("the same from {} rays: texels of {:.2f} m against {:.2f} m", plan.finer_samples, plan.texel_m,
-                   plan.texel_m / 2.0),
-       finer_on_grid, changed(finer_on_grid, [&](ResultsCase& of) {
-         of.baked_samples = plan.samples_of_finer_texels();
-         of.change = finer_texels_change;
-       })}};
+  const ResultsCase paper = from_grid(Method::Paper), own_ground = from_grid(Method::OwnGround),
+                    level_ground = from_grid(Method::LevelGround);
+  std::vector<Contrast> list;
+  // A view that was baked misses no angle.
+  if (kind != ViewKind::OnGrid) {
+    list.push_back({"missing angles", "ours on its own ground: the grid against the view's own look", own_ground,
+                    from_own_look(Method::OwnGround, plan.baked_samples)});
+    list.push_back({"missing angles", "the paper's method: the grid against the view's own look", paper,
+                    from_own_look(Method::Paper, plan.baked_samples)});
+  }
+  list.push_back({"shadows on the ground alone", "ours: baked against made at run time",
+                  from_grid(Method::BakedShadows), level_ground});
+  list.push_back({"layover of objects on slopes and how they shade each other",
+                  "ours: baked on level ground against on its own ground", level_ground, own_ground});
+  list.push_back({"mips", "the paper's method: mips against the finest level alone", paper,
+                  from_grid(Method::Paper, finest_change)});
+  list.push_back(
+      {"half floats", "the paper's method: halves against floats", from_grid(Method::Paper, halves_change), paper});
+  if (kind != ViewKind::OnGrid) return list;
+
+  // Only views that were baked have looks almost without noise.
+  const ResultsCase finer = from_own_look(Method::OwnGround, plan.finer_samples);
+  list.push_back({"noise of the bake",
+                  fmt::format("ours on its own ground, own look: {} rays a texel against {}", plan.baked_samples,
+                              plan.finer_samples),
+                  from_own_look(Method::OwnGround, plan.baked_samples), finer});
+  list.push_back({"texels as wide as the finest cells",
+                  fmt::format("the same from {} rays: texels of {:.2f} m against {:.2f} m", plan.finer_samples,
+                              plan.texel_m, plan.texel_m / 2.0),
+                  finer, from_own_look(Method::OwnGround, plan.samples_of_finer_texels(), finer_texels_change)});
+  ResultsCase levelled = paper;
+  levelled.scene = "level";
+  list.push_back({"shadows and layover of level ground laid on slopes",
+                  "the paper's method: hills against level ground, another truth", paper, levelled});
+  return list;
 }
 
 std::vector<Contrast> changes(const ResultsPlan& plan) {
@@ -101,6 +133,9 @@ std::vector<Contrast> changes(const ResultsPlan& plan) {
   by_tiles.change = renormalized_change;
   list.push_back({fmt::format("every {:.0f} m tile given the power that it has from {}", power_tile_m, both.grid),
                   text_of(Method::OwnGround), by_tiles, own});
+  ResultsCase even = own;
+  even.grid = plan.even_in_cotangent().name();
+  list.push_back({"as many elevations, spaced evenly, " + even.grid, text_of(Method::OwnGround), even, own});
   list.push_back({"more elevations, " + elevations.grid, text_of(Method::OwnGround), elevations, own});
   list.push_back({"more azimuths, " + azimuths.grid, text_of(Method::OwnGround), azimuths, own});
   list.push_back({"both, " + both.grid, text_of(Method::OwnGround), both, own});
@@ -112,11 +147,13 @@ std::vector<Contrast> changes(const ResultsPlan& plan) {
   return list;
 }
 
-std::string causes_table(const ResultsPlan& plan, const std::vector<ResultsRow>& rows) {
+std::string causes_table(const ResultsPlan& plan, const std::vector<ResultsRow>& rows, ViewKind kind) {
   std::string text =
       "| cause | with against without it | with: correlation | RMS [dB] | L1 | IoU | without: correlation | RMS [dB] | "
       "L1 | IoU |\n|---|---|---:|---:|---:|---:|---:|---:|---:|---:|\n";
-  for (const Contrast& cause : causes(plan)) {
+  if (const std::string truth = truth_metrics(plan, rows, kind); !truth.empty())
+    text += fmt::format("| *truth* | one traced map against another | {} | | | | |\n", truth);
+  for (const Contrast& cause : causes(plan, kind)) {
     if (const auto both = found(cause, rows)) {
       text += fmt::format("| {} | {} | {} | {} |\n", cause.name, cause.how, metrics(both->with_cell->median),
                           metrics(both->without_cell->median));
@@ -130,6 +167,8 @@ std::string changes_table(const ResultsPlan& plan, const std::vector<ResultsRow>
       "| change | to | before: correlation | RMS [dB] | L1 | IoU | MB | frame [ms] | after: correlation | RMS [dB] | "
       "L1 "
       "| IoU | MB | frame [ms] |\n|---|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n";
+  if (const std::string truth = truth_metrics(plan, rows, ViewKind::HeldOut); !truth.empty())
+    text += fmt::format("| *truth* | one traced map against another | {} | | | | | | | | |\n", truth);
   for (const Contrast& change : changes(plan)) {
     const auto both = found(change, rows);
     if (!both) continue;
@@ -165,22 +204,21 @@ std::string worth_of_looks(const ResultsPlan& plan, const std::vector<ResultsRow
   return text;
 }
 
-std::string largest_cause(const ResultsPlan& plan, const std::vector<ResultsRow>& rows) {
-  std::string name;
-  double largest_db = 0.0, with_db = 0.0, without_db = 0.0;
-  for (const Contrast& cause : causes(plan)) {
-    const auto both = found(cause, rows);
-    if (!both) continue;
-    const double here_db = both->with_cell->median.rms_db - both->without_cell->median.rms_db;
-    if (here_db <= largest_db) continue;
-    largest_db = here_db;
-    with_db = both->with_cell->median.rms_db;
-    without_db = both->without_cell->median.rms_db;
-    name = cause.name;
+std::string largest_causes(const ResultsPlan& plan, const std::vector<ResultsRow>& rows, ViewKind kind) {
+  const auto by_rms = largest(plan, rows, kind, &product::CellComparison::rms_db);
+  const auto by_l1 = largest(plan, rows, kind, &product::CellComparison::l1);
+  const std::string rms =
+      by_rms ? fmt::format("by RMS is: {}. Without it the RMS error at {:.0f} m cells falls from {:.2f} to {:.2f} dB.",
+                           by_rms->cause, summary_cell_m, by_rms->with, by_rms->without)
+             : "by RMS is none: no cause adds to it.";
+  std::string l1 = "No cause adds to the relative L1.";
+  if (by_l1 && by_rms && by_l1->cause == by_rms->cause) {
+    l1 = fmt::format("It is by relative L1 too, which falls from {:.3f} to {:.3f}.", by_l1->with, by_l1->without);
+  } else if (by_l1) {
+    l1 = fmt::format("By relative L1 it is: {}. Without it L1 falls from {:.3f} to {:.3f}.", by_l1->cause, by_l1->with,
+                     by_l1->without);
   }
-  if (name.empty()) return "No cause adds error.";
-  return fmt::format("The largest is: {}. Without it the RMS error at {:.0f} m cells falls from {:.2f} to {:.2f} dB.",
-                     name, summary_cell_m, with_db, without_db);
+  return fmt::format("The largest {} {}", rms, l1);
 }
 
 }  // namespace sigmascape::cli

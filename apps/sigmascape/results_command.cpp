@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "command.h"
+#include "results_command_line.h"
 #include "results_figures.h"
 #include "results_measurement.h"
 #include "results_page.h"
@@ -49,6 +50,7 @@ void run_results(const ResultsOptions& options, const Output& output) {
                              .scene = scene.name,
                              .attribution = scene.attribution,
                              .machine = machine_name(),
+                             .command_line = command_line(options, plan),
                              .meshes = scene::mesh_counts(scene),
                              .terrain_nodes = scene.terrain.height_m.size(),
                              .tracing_memory_bytes = measurement.scene().geometry.memory_bytes(),

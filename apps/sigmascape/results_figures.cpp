@@ -6,9 +6,13 @@
 #include <iterator>
 
 #include "map_files.h"
+#include "results_draped_view.h"
 #include "results_optical_view.h"
 
+#include "sigmascape/bake/paper_baker.h"
 #include "sigmascape/base/units.h"
+#include "sigmascape/geo/atomic_file.h"
+#include "sigmascape/product/attribution_line.h"
 #include "sigmascape/product/bitmap_font.h"
 #include "sigmascape/product/legend.h"
 #include "sigmascape/product/png_file.h"
@@ -70,56 +74,103 @@ std::vector<Label> labels_of(const SimpleObject& object, const radar::Aspect& as
           label("layover", object.depth_m + object.height_m * tangent * 0.6, -25.0)};
 }
 
-product::PageSection simple_section(const ResultsPlan& plan, const std::filesystem::path& folder) {
-  const radar::Aspect aspect{radians_from_deg(135.0), radians_from_deg(30.0)};
-  const scene::SimpleSceneOptions options{.box_centre = {-22.0, 6.0},
-                                          .box_size_m = {16.0F, 24.0F, 12.0F},
-                                          .box_yaw_rad = radians_from_deg(45.0),
-                                          .cylinder_centre = {24.0, -4.0},
-                                          .ground_material = "grass"};
-  scene::Scene scene = scene::simple_scene(options);
-  // Smooth walls would show no layover: all that they return comes by way of the ground.
+scene::SimpleSceneOptions simple_options(const ResultsPlan& plan) {
+  return {.box_centre = {-22.0, 6.0},
+          .box_size_m = {16.0F, 24.0F, 12.0F},
+          .box_yaw_rad = radians_from_deg(45.0),
+          .cylinder_centre = {24.0, -4.0},
+          .ground_material = "grass",
+          .object_material = plan.materials == scene::PaperMaterials::Paper ? "paper_building" : "concrete"};
+}
+
+/// Smooth walls would show no layover: all that they return comes by way of the ground.
+scene::Scene with_diffuse_walls(scene::Scene scene) {
   for (scatter::Material& material : scene.materials) {
     if (auto* walls = std::get_if<scatter::CookTorranceParameters>(&material.model))
       walls->scattering_coefficient = 0.15;
   }
-  const trace::SceneGeometry geometry(scene, trace::Footing::Terrain);
+  return scene;
+}
+
+/// What a radar of the fineness of the picture's cells makes of the simple scene, path-traced.
+radar::GroundMap simple_map(const scene::Scene& scene, const trace::SceneGeometry& geometry,
+                            const radar::Aspect& aspect, const radar::GroundGrid& grid, const ResultsPlan& plan) {
   radar::Radar radar{.name = "20 km, from the south-east"};
   radar.position = radar::position_seeing({}, aspect.azimuth_rad, aspect.elevation_rad, 20e3);
   radar.polarization = radar::Polarization::Sum;
-  radar.range_resolution_m = 0.5;
-  radar.beam_width_rad = 0.5 * std::sqrt(2.0) / 20e3;
-  const radar::GroundGrid grid{scene.extent.west_m, scene.extent.north_m, 0.5, 256, 256};
+  radar.range_resolution_m = grid.cell_m;
+  radar.beam_width_rad = grid.cell_m * std::sqrt(2.0) / 20e3;
   trace::TraceCounts counts;
   const auto image = simulate::traced_image(scene, geometry, radar, grid.extent(),
-                                            {.cell_m = 0.5,
+                                            {.cell_m = grid.cell_m,
                                              .samples_per_cell = std::min(plan.traced_samples, 512U),
                                              .max_bounces = 4,
                                              .seed = plan.seed,
                                              .threads = plan.threads},
                                             counts);
-  const auto map = described_map(image, radar, scene.terrain, grid, scene.frame, {{"scene", scene.name}});
+  return described_map(image, radar, scene.terrain, grid, scene.frame, {{"scene", scene.name}});
+}
+
+/// The paper's texture of the simple scene from that side.
+radar::GroundMap simple_texture(const scene::Scene& scene, const radar::Aspect& aspect, const radar::GroundGrid& grid,
+                                const ResultsPlan& plan) {
+  bake::BakeSettings settings = plan.bake_settings(Method::Paper);
+  settings.patches.texel_m = grid.cell_m;
+  settings.sampling.samples_per_texel = std::min(plan.traced_samples, 256U);
+  settings.max_bounces = 4;
+  return {.grid = grid,
+          .sigma0 = bake::PaperBaker(scene, settings).bake(grid, aspect),
+          .crs = scene.frame.proj(),
+          .metadata = {{"scene", scene.name}}};
+}
+
+product::PageSection simple_section(const ResultsPlan& plan, const std::filesystem::path& folder) {
+  const radar::Aspect aspect{radians_from_deg(135.0), radians_from_deg(30.0)};
+  const scene::SimpleSceneOptions options = simple_options(plan);
+  const scene::Scene scene = with_diffuse_walls(scene::simple_scene(options));
+  const trace::SceneGeometry geometry(scene, trace::Footing::Terrain);
+  const radar::GroundGrid grid{scene.extent.west_m, scene.extent.north_m, 0.5, 256, 256};
   product::PictureOptions look{.polarization = radar::Polarization::Sum};
   look.top_percentile = 99.95;
   look.magnification = 2;
-  product::Picture picture = product::picture_of(map, look);
+  const radar::GroundMap map = simple_map(scene, geometry, aspect, grid, plan);
+  look.top_db = product::percentile_top_db(map, look);
+  product::Picture labelled = product::picture_of(map, look);
   const std::vector<SimpleObject> objects{
       {options.box_centre, 8.0, static_cast<double>(options.box_size_m.z)},
       {options.cylinder_centre, options.cylinder_radius_m, options.cylinder_height_m}};
   for (const SimpleObject& object : objects) {
-    for (const Label& label : labels_of(object, aspect)) draw(picture, label);
+    for (const Label& label : labels_of(object, aspect)) draw(labelled, label);
   }
-  const auto optical = folder / "figure_1_optical.png", radar_map = folder / "figure_1_radar.png";
-  product::write_png(optical, optical_view(scene, geometry, pixels_wide, plan.threads));
-  product::write_png(radar_map, product::with_legend(picture));
-  return {
-      .heading = "Figure 1: what a radar shows of simple things",
-      .figures = {
-          {optical, "A prism and a cylinder on a plane, from above, the sun in the north-west"},
-          {radar_map,
-           "The same path-traced for a radar in the south-east, 30° high: the shadow, the layover of wall and roof, "
-           "the dihedral line where wall and ground meet. A fiftieth of what the walls reflect leaves diffusely. "
-           "Specks in the shadows are echoes that bounced more than once, come late and are found by few rays"}}};
+  const product::Picture seen = optical_view(scene, geometry, pixels_wide, plan.threads);
+  const product::Picture baked = product::picture_of(simple_texture(scene, aspect, grid, plan), look);
+
+  const auto optical = folder / "figure_1_optical.png", radar_map = folder / "figure_1_radar.png",
+             optical_texture = folder / "figure_1_optical_texture.png",
+             radar_texture = folder / "figure_1_radar_texture.png";
+  product::write_png(optical, seen);
+  product::write_png(radar_map, product::with_legend(labelled));
+  // Seen obliquely, they lie nowhere on a map and have no world file.
+  geo::write_atomically(optical_texture, product::png_bytes(draped_view(seen, pixels_wide)));
+  geo::write_atomically(radar_texture,
+                        product::png_bytes(product::with_legend(draped_view(baked, pixels_wide),
+                                                                {.scale_bar = false, .north_arrow = false})));
+  return {.heading = "Figure 1: what a radar shows of simple things",
+          .paragraphs = {fmt::format(
+              "Objects of {} on {}. A fiftieth of what the walls reflect leaves diffusely. Specks in "
+              "the shadows are echoes that bounced more than once, come late and are found by few "
+              "rays.",
+              options.object_material == "concrete" ? "concrete" : "the paper's building material",
+              options.ground_material)},
+          .figures = {{optical, "(a) A prism and a cylinder on a plane, from above, lit from the south-east"},
+                      {radar_map,
+                       "(b) The same path-traced for a radar in the south-east, 30° high: the shadow, the layover of "
+                       "wall and roof, "
+                       "the dihedral line where wall and ground meet"},
+                      {optical_texture, "(c) What an eye sees as a texture on the triangles of a heightmap"},
+                      {radar_texture,
+                       "(d) What the radar sees, baked in the paper's way, as a texture on the same; one scale with "
+                       "(b)"}}};
 }
 
 product::PageSection scene_section(const Measurement& measurement, const ResultsPlan& plan,
@@ -127,10 +178,14 @@ product::PageSection scene_section(const Measurement& measurement, const Results
   const MeasuredScene& measured = measurement.scene();
   const auto optical = folder / "figure_5_scene.png", materials = folder / "figure_6_materials.png";
   const product::Picture ground = material_view(measured.scene, pixels_wide);
-  product::write_png(optical, optical_view(measured.scene, measured.geometry, pixels_wide, plan.threads));
-  product::write_png(materials, ground);
-  product::PageSection section{.heading = "Figures 5 and 6: the scene",
-                               .figures = {{optical, "Surfaces in the colours of their materials, from above"}}};
+  product::write_png(
+      optical, product::with_attribution(optical_view(measured.scene, measured.geometry, pixels_wide, plan.threads)));
+  product::write_png(materials, product::with_attribution(ground));
+  product::PageSection section{
+      .heading = "Figures 5 and 6: the scene",
+      .figures = {
+          {optical,
+           "Surfaces in the colours of their materials, from above, lit from the south-east, where the radar stands"}}};
   const auto& pixels = ground.pixels.values();
   if (std::ranges::any_of(pixels, [&](const product::Rgba& pixel) { return pixel != pixels[0]; })) {
     section.figures.push_back({materials,
@@ -166,14 +221,23 @@ unsigned magnification_of(const radar::GroundMap& map) {
 }
 
 product::PageSection texture_section(const Measurement& measurement, const std::filesystem::path& folder) {
-  product::PageSection section{.heading = "Figure 7: baked reflectivity, seen from the south-east (azimuth 135°)"};
-  for (const double elevation_deg : {5.0, 13.0, 21.0, 29.0}) {
-    const auto map = texture_map(measurement, {radians_from_deg(135.0), radians_from_deg(elevation_deg)});
-    const auto path = folder / fmt::format("figure_7_el{:02.0f}.png", elevation_deg);
-    product::PictureOptions look{.polarization = radar::Polarization::Sum};
-    look.magnification = magnification_of(map);
-    write_map_picture(path, map, look);
-    section.figures.push_back({path, fmt::format("{:.0f}° elevation", elevation_deg)});
+  constexpr double elevations_deg[] = {5.0, 13.0, 21.0, 29.0};
+  std::vector<radar::GroundMap> maps;
+  product::PictureOptions look{.polarization = radar::Polarization::Sum};
+  for (const double elevation_deg : elevations_deg) {
+    maps.push_back(texture_map(measurement, {radians_from_deg(135.0), radians_from_deg(elevation_deg)}));
+    const double top_db = product::percentile_top_db(maps.back(), {.polarization = look.polarization});
+    look.top_db = std::max(look.top_db.value_or(top_db), top_db);
+  }
+  look.magnification = magnification_of(maps.front());
+  product::PageSection section{
+      .heading = "Figure 7: baked reflectivity, seen from the south-east (azimuth 135°)",
+      .paragraphs = {fmt::format("Textures baked in the paper's way, all on one scale, {:.0f} to {:.0f} dB.",
+                                 *look.top_db - look.span_db, *look.top_db)}};
+  for (std::size_t i = 0; i < maps.size(); ++i) {
+    const auto path = folder / fmt::format("figure_7_el{:02.0f}.png", elevations_deg[i]);
+    write_map_picture(path, maps[i], look);
+    section.figures.push_back({path, fmt::format("{:.0f}° elevation", elevations_deg[i])});
   }
   return section;
 }
@@ -195,9 +259,9 @@ product::PageSection pictured(const Measurement& measurement, const PlannedView&
     write_map_picture(path(key), map, look);
     section.figures.push_back({path(key), "From the 8 × 5 looks: " + text_of(method)});
     const auto difference = folder / fmt::format("{}_{}_difference.png", name, key);
-    product::write_png(difference, product::difference_picture(map, truth.mean,
-                                                               {.polarization = radar::Polarization::Sum,
-                                                                .magnification = look.magnification}));
+    const product::Picture over_traced = product::difference_picture(
+        map, truth.mean, {.polarization = radar::Polarization::Sum, .magnification = look.magnification});
+    product::write_png(difference, product::with_attribution(product::with_legend(over_traced)));
     section.figures.push_back({difference, text_of(method) + " over traced: −10 dB blue, +10 dB red"});
   }
   return section;

@@ -74,6 +74,12 @@ atlas::AspectGrid grid_of_view(const PlannedView& view) {
   return {{radians_from_deg(view.azimuth_deg)}, {radians_from_deg(view.elevation_deg)}, {10e9}};
 }
 
+bake::BakeSettings settings_even_in_cotangent(const ResultsPlan& plan) {
+  bake::BakeSettings settings = plan.bake_settings(Method::OwnGround);
+  settings.aspects = plan.even_in_cotangent().aspects();
+  return settings;
+}
+
 }  // namespace
 
 Measurement::Measurement(const ResultsPlan& plan, const std::filesystem::path& folder)
@@ -84,7 +90,9 @@ Measurement::Measurement(const ResultsPlan& plan, const std::filesystem::path& f
       paper_bake_again_(plan, scene_.scene, folder / "paper_again", seed_of_repeats(plan)),
       baked_shadows_(scene_.scene, plan.bake_settings(Method::BakedShadows), folder / "atlas_baked_shadows", progress_),
       level_ground_(scene_.scene, plan.bake_settings(Method::LevelGround), folder / "atlas_level_ground", progress_),
-      own_ground_(scene_.scene, plan.bake_settings(Method::OwnGround), folder / "atlas_own_ground", progress_) {
+      own_ground_(scene_.scene, plan.bake_settings(Method::OwnGround), folder / "atlas_own_ground", progress_),
+      even_in_cotangent_(scene_.scene, settings_even_in_cotangent(plan), folder / "atlas_even_in_cotangent",
+                         progress_) {
   if (plan.scene_file.empty()) level_.emplace("level", levelled(scene_.scene));
   make_ready();
 }
@@ -149,6 +157,7 @@ void Measurement::make_ready() {
   for (const LookGrid& looks : plan_.grids) ours(Method::OwnGround, looks, own_ground_);
   ours(Method::OwnGround, plan_.more_elevations(), own_ground_);
   ours(Method::OwnGround, plan_.more_azimuths(), own_ground_);
+  ours(Method::OwnGround, plan_.even_in_cotangent(), even_in_cotangent_);
 }
 
 void Measurement::compare_all() {

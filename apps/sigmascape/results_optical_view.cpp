@@ -64,7 +64,7 @@ class View {
   View(const scene::Scene& scene, const trace::SceneGeometry& geometry)
       : geometry_(geometry),
         colours_(colours_of(scene)),
-        to_sun_(radar::direction_to_radar({radians_from_deg(315.0), radians_from_deg(40.0)}).to<float>()) {}
+        to_sun_(radar::direction_to_radar({radians_from_deg(135.0), radians_from_deg(40.0)}).to<float>()) {}
 
   [[nodiscard]] Light at(Vec2d point) const {
     const Vec3d start = Vec3d{point.x, point.y, geometry_.highest_m() + 10.0} - geometry_.origin();

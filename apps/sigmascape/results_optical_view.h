@@ -7,7 +7,8 @@
 namespace sigmascape::cli {
 
 /// The scene from straight above as an eye would see it: every surface in a colour of its material, in the light of a
-/// sun 40° high in the north-west, with shadows. `geometry` is that of the scene on its terrain.
+/// sun 40° high in the south-east, where the paper's radar stands, with shadows. `geometry` is that of the scene on its
+/// terrain.
 [[nodiscard]] product::Picture optical_view(const scene::Scene& scene, const trace::SceneGeometry& geometry,
                                             std::size_t pixels_wide, unsigned threads);
 

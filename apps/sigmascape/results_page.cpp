@@ -7,7 +7,10 @@
 #include <tuple>
 
 #include "results_causes.h"
+#include "results_combinations.h"
 #include "results_noise_tables.h"
+
+#include "sigmascape/product/software.h"
 
 namespace sigmascape::cli {
 namespace {
@@ -36,6 +39,15 @@ std::string megabytes(std::uintmax_t bytes) {
   return fmt::format("{:.2f}", static_cast<double>(bytes) / 1e6);
 }
 
+constexpr const char* floor_and_cost_heads = "truth: correlation, RMS [dB], IoU | store [MB] | bake [s]";
+constexpr const char* floor_and_cost_rules = "---|---:|---:";
+
+/// How well two traced maps agree at that cell size, and what the atlas takes.
+std::string floor_and_cost(const ResultsCell& cell, const ResultsRow& row) {
+  return fmt::format("{:.3f}, {:.2f}, {:.2f} | {} | {:.0f}", cell.floor_median.correlation_db, cell.floor_median.rms_db,
+                     cell.floor_median.shadow_iou, megabytes(row.atlas.store_bytes), row.atlas.bake_seconds);
+}
+
 /// Whether a row is of a whole grid, as it is by itself.
 bool is_plain(const ResultsRow& row, const ResultsPlan& plan) {
   return row.of.change.empty() && row.of.level_of_detail == 1 && row.of.grid != own_look &&
@@ -43,7 +55,9 @@ bool is_plain(const ResultsRow& row, const ResultsPlan& plan) {
 }
 
 bool is_side_grid(const ResultsRow& row, const ResultsPlan& plan) {
-  return row.of.grid == plan.more_elevations().name() || row.of.grid == plan.more_azimuths().name();
+  const std::string& grid = row.of.grid;
+  return grid == plan.more_elevations().name() || grid == plan.more_azimuths().name() ||
+         grid == plan.even_in_cotangent().name();
 }
 
 std::string summary_table(const ResultsReport& report) {
@@ -71,9 +85,8 @@ std::string summary_table(const ResultsReport& report) {
 
 std::string cell_table(const ResultsReport& report) {
   const ResultsPlan& plan = report.plan;
-  std::string text =
-      fmt::format("| views | method | cell [m] | {} | truth: correlation, RMS [dB], IoU |\n|---|---|---:|{}|---|\n",
-                  metric_heads, metric_rules);
+  std::string text = fmt::format("| views | method | cell [m] | {} | {} |\n|---|---|---:|{}|{}|\n", metric_heads,
+                                 floor_and_cost_heads, metric_rules, floor_and_cost_rules);
   for (const ViewKind kind : {ViewKind::OnGrid, ViewKind::HeldOut, ViewKind::Paper}) {
     for (const Method method : {Method::Paper, Method::LevelGround, Method::OwnGround}) {
       const ResultsRow* row = find_row(report.rows, {.scene = plan.scene_name(),
@@ -83,9 +96,8 @@ std::string cell_table(const ResultsReport& report) {
                                                      .kind = kind});
       if (row == nullptr) continue;
       for (const ResultsCell& cell : row->cells) {
-        text += fmt::format("| {} | {} | {:.0f} | {} | {:.3f}, {:.2f}, {:.2f} |\n", text_of(kind), text_of(method),
-                            cell.median.cell_m, metrics_text(cell.median, cell.worst, row->views),
-                            cell.floor_median.correlation_db, cell.floor_median.rms_db, cell.floor_median.shadow_iou);
+        text += fmt::format("| {} | {} | {:.0f} | {} | {} |\n", text_of(kind), text_of(method), cell.median.cell_m,
+                            metrics_text(cell.median, cell.worst, row->views), floor_and_cost(cell, *row));
       }
     }
   }
@@ -94,7 +106,8 @@ std::string cell_table(const ResultsReport& report) {
 
 std::string level_table(const ResultsReport& report) {
   const ResultsPlan& plan = report.plan;
-  std::string text = fmt::format("| LOD | views | cell [m] | {} |\n|---:|---|---:|{}|\n", metric_heads, metric_rules);
+  std::string text = fmt::format("| LOD | views | cell [m] | {} | {} |\n|---:|---|---:|{}|{}|\n", metric_heads,
+                                 floor_and_cost_heads, metric_rules, floor_and_cost_rules);
   for (const ViewKind kind : {ViewKind::OnGrid, ViewKind::HeldOut}) {
     for (int level = 1; level <= 3; ++level) {
       const ResultsRow* row = find_row(report.rows, {.scene = plan.scene_name(),
@@ -107,8 +120,8 @@ std::string level_table(const ResultsReport& report) {
       for (const double cell_m : {2.0, 8.0, 32.0}) {
         const ResultsCell* cell = row->at_cell(cell_m);
         if (cell == nullptr) continue;
-        text += fmt::format("| {} | {} | {:.0f} | {} |\n", level, text_of(kind), cell_m,
-                            metrics_text(cell->median, cell->worst, row->views));
+        text += fmt::format("| {} | {} | {:.0f} | {} | {} |\n", level, text_of(kind), cell_m,
+                            metrics_text(cell->median, cell->worst, row->views), floor_and_cost(*cell, *row));
       }
     }
   }
@@ -159,7 +172,9 @@ std::string elevation_remark(const ResultsPlan& plan) {
 
 std::string grid_list(const ResultsPlan& plan) {
   std::string text;
-  for (const LookGrid& grid : plan.grids)
+  std::vector<LookGrid> grids = plan.grids;
+  grids.push_back(plan.even_in_cotangent());
+  for (const LookGrid& grid : grids)
     text += fmt::format("- {}: azimuths every {:g}°, elevations {}°\n", grid.name(), 360.0 / grid.azimuths,
                         fmt::join(grid.elevations_deg, "°, "));
   return text;
@@ -170,11 +185,7 @@ std::string grid_list(const ResultsPlan& plan) {
 std::string ceiling_text(const ResultsReport& report) {
   std::string text;
   for (const ViewKind kind : {ViewKind::OnGrid, ViewKind::HeldOut}) {
-    const ResultsRow* row = find_row(report.rows, {.scene = report.plan.scene_name(),
-                                                   .method = Method::Paper,
-                                                   .grid = report.plan.paper_grid().name(),
-                                                   .baked_samples = report.plan.baked_samples,
-                                                   .kind = kind});
+    const ResultsRow* row = baseline_row(report.plan, report.rows, report.plan.scene_name(), kind);
     const ResultsCell* cell = row != nullptr ? row->at_cell(summary_cell_m) : nullptr;
     if (cell == nullptr) continue;
     const double correlation = cell->floor_median.correlation_db;
@@ -187,19 +198,15 @@ std::string ceiling_text(const ResultsReport& report) {
   return text;
 }
 
-/// How well two traced maps of a baked view agree, which bounds what can be shown of any method.
-std::string truth_aim(const ResultsReport& report, const std::string& scene) {
+/// How well two traced maps of a view agree, which bounds what can be shown of any method.
+std::string truth_aim(const ResultsReport& report, const std::string& scene, ViewKind kind) {
   constexpr double least = 0.99;
-  const ResultsRow* row = find_row(report.rows, {.scene = scene,
-                                                 .method = Method::Paper,
-                                                 .grid = report.plan.paper_grid().name(),
-                                                 .baked_samples = report.plan.baked_samples,
-                                                 .kind = ViewKind::OnGrid});
+  const ResultsRow* row = baseline_row(report.plan, report.rows, scene, kind);
   const ResultsCell* cell = row != nullptr ? row->at_cell(summary_cell_m) : nullptr;
   if (cell == nullptr) return {};
   const double correlation = cell->floor_median.correlation_db;
-  return fmt::format("| {} | *truth*, {} rays a cell | | {:.3f} | {:.2f} | {} | {:+.2f} | | |\n", scene,
-                     report.plan.traced_samples_of(ViewKind::OnGrid), correlation, least,
+  return fmt::format("| {} | {} | *truth*, {} rays a cell | | {:.3f} | {:.2f} | {} | {:+.2f} | | |\n", scene,
+                     text_of(kind), report.plan.traced_samples_of(kind), correlation, least,
                      correlation >= least ? "reached" : "missed", cell->floor_median.bias_db);
 }
 
@@ -209,10 +216,10 @@ std::string aims_text(const ResultsReport& report) {
   const ResultsPlan& plan = report.plan;
   const auto mark = [](bool reached) { return reached ? "reached" : "missed"; };
   std::string text =
-      "| scene | method | rays a texel | correlation of dB | aimed at | | bias [dB] | aimed at | |\n"
-      "|---|---|---:|---:|---:|---|---:|---:|---|\n";
+      "| scene | views | method | rays a texel | correlation of dB | aimed at | | bias [dB] | aimed at | |\n"
+      "|---|---|---|---:|---:|---:|---|---:|---:|---|\n";
   for (const auto& [scene, least] : {std::pair(plan.scene_name(), 0.95), {std::string("level"), 0.99}}) {
-    text += truth_aim(report, scene);
+    text += truth_aim(report, scene, ViewKind::OnGrid);
     for (const Method method : {Method::Paper, Method::LevelGround, Method::OwnGround}) {
       for (const auto& [grid, samples, change] :
            {std::tuple(plan.paper_grid().name(), plan.baked_samples, ""),
@@ -228,13 +235,17 @@ std::string aims_text(const ResultsReport& report) {
         if (cell == nullptr) continue;
         const product::CellComparison& median = cell->median;
         const std::string name = text_of(method) + (row->of.change.empty() ? "" : ", " + row->of.change);
-        text += fmt::format("| {} | {} | {} | {:.3f} | {:.2f} | {} | {:+.2f} | ±0.3 | {} |\n", scene, name, samples,
-                            median.correlation_db, least, mark(median.correlation_db >= least), median.bias_db,
-                            mark(std::abs(median.bias_db) <= 0.3));
+        text +=
+            fmt::format("| {} | {} | {} | {} | {:.3f} | {:.2f} | {} | {:+.2f} | ±0.3 | {} |\n", scene,
+                        text_of(ViewKind::OnGrid), name, samples, median.correlation_db, least,
+                        mark(median.correlation_db >= least), median.bias_db, mark(std::abs(median.bias_db) <= 0.3));
       }
     }
   }
-  return "## Views that were baked\n\nWhat was aimed at and what came out, medians.\n\n" + text + "\n";
+  text += truth_aim(report, plan.scene_name(), ViewKind::HeldOut);
+  return "## What was aimed at\n\nAnd what came out at views that were baked, medians. Of views that were not, an aim "
+         "is set for the truth alone.\n\n" +
+         text + "\n";
 }
 
 std::string lead(const ResultsReport& report) {
@@ -254,14 +265,14 @@ std::string lead(const ResultsReport& report) {
                           plan.side_m(), report.scene, plan.around_m.x, plan.around_m.y);
   }
   text += fmt::format(
-      ", rendered from terrain and baked reflectivity and held against path-traced maps of the full scene. The "
-      "program writes this page: `sigmascape results --help`.\n\n"
+      ", rendered from terrain and baked reflectivity and held against path-traced maps of the full scene. Made "
+      "by {}:\n\n```\n{}\n```\n\n"
       "Numbers are medians over the views, in brackets the worst view. Sum of polarizations VV + HH + 2·HV; dB of σ0 "
       "no lower than {:g} dB; a cell is in shadow below {:g} dB. `product/map_metrics.h` defines the five numbers.\n\n"
       "The radar stands 20 km from the middle of the scene, resolution 2 m in range and across. A rim of {:.0f} m "
       "along the edges is left out: walls there mirror ground beyond the scene, which is there in a bake but not in a "
       "traced map.\n\n",
-      compare.floor_db, compare.shadow_db, plan.rim_m());
+      product::software_name(), report.command_line, compare.floor_db, compare.shadow_db, plan.rim_m());
   text +=
       "- **paper**: the paper to the letter (docs/decisions/0050-the-paper-literally.md); its store is "
       "counted as the paper counts, four floats a texel and look\n"
@@ -280,13 +291,13 @@ std::string lead(const ResultsReport& report) {
   return text;
 }
 
-/// The figures of a section beside one another, at most three in a row.
+/// The figures of a section beside one another, at most three in a row; four in two rows of two.
 std::string figures_text(const std::vector<product::PageSection>& sections, const std::string& attribution) {
-  constexpr std::size_t in_a_row = 3;
   std::string text;
   for (const product::PageSection& section : sections) {
     text += "## " + section.heading + "\n\n";
     for (const std::string& paragraph : section.paragraphs) text += paragraph + "\n\n";
+    const std::size_t in_a_row = section.figures.size() == 4 ? 2 : 3;
     for (std::size_t first = 0; first < section.figures.size(); first += in_a_row) {
       std::string captions = "|", rules = "|", pictures = "|";
       for (std::size_t i = first; i < std::min(first + in_a_row, section.figures.size()); ++i) {
@@ -317,6 +328,28 @@ std::string settings_text(const ResultsPlan& plan) {
          view_table(plan);
 }
 
+std::string causes_section(const ResultsReport& report) {
+  std::string text = fmt::format(
+      "## Why\n\nWhat the error is made of: each cause switched off alone, medians over the views at {:.0f} m cells. "
+      "Causes are weighed against those that are measured at the same views alone; what is held against another truth "
+      "stands in its table and is not weighed.\n\n",
+      summary_cell_m);
+  for (const ViewKind kind : {ViewKind::HeldOut, ViewKind::OnGrid}) {
+    if (baseline_row(report.plan, report.rows, report.plan.scene_name(), kind) == nullptr) continue;
+    text += fmt::format("### At views that were {}baked\n\n{}\n{}\n\n", kind == ViewKind::OnGrid ? "" : "not ",
+                        causes_table(report.plan, report.rows, kind), largest_causes(report.plan, report.rows, kind));
+  }
+  return text;
+}
+
+std::string changes_section(const ResultsReport& report) {
+  return fmt::format(
+      "## Cheap wins\n\nEach change made alone to the method named beside it, held-out views at {:.0f} m cells. Frame "
+      "times are milliseconds on the wall.\n\n{}\n{}\n\n{}",
+      summary_cell_m, changes_table(report.plan, report.rows), worth_of_looks(report.plan, report.rows),
+      combinations_section(report.plan, report.rows));
+}
+
 }  // namespace
 
 std::string results_markdown(const ResultsReport& report) {
@@ -327,21 +360,12 @@ std::string results_markdown(const ResultsReport& report) {
       "against the mean of the two, whose noise has half the variance of either's. " +
       ceiling_text(report) + elevation_remark(plan) + "Bake times are seconds of processor time.\n\n" +
       aims_text(report) + without_noise_section(report) + level_section(report);
-  text += fmt::format(
-      "## Why\n\nWhat the error is made of: each cause switched off alone, medians over the held-out views at {:.0f} m "
-      "cells where nothing else is said.\n\n",
-      summary_cell_m);
-  text += causes_table(plan, report.rows) + "\n" + largest_cause(plan, report.rows) + "\n\n";
-  text += fmt::format(
-      "## Cheap wins\n\nEach change made alone to the method named beside it, held-out views at {:.0f} m cells. Frame "
-      "times are milliseconds on the wall.\n\n",
-      summary_cell_m);
-  text += changes_table(plan, report.rows) + "\n" + worth_of_looks(plan, report.rows) + "\n\n";
+  text += causes_section(report) + changes_section(report);
   for (const auto& [name, plot] : plots_of(report)) text += fmt::format("![{}]({})\n\n", plot.title, name);
   text += "## By cell size\n\nThe " + plan.paper_grid().name() + " grid.\n\n" + cell_table(report);
   text += "\n## By level of detail\n\nThe " + plan.paper_grid().name() +
           " grid, ours on its own ground. LOD 1 reads textures from their finest level, each next one from the "
-          "level above.\n\n" +
+          "level above; one store and one bake serve them all.\n\n" +
           level_table(report);
   text +=
       "\n## Bytes and time\n\nSeconds of processor time for the bake and for one traced map, milliseconds on the "

@@ -19,9 +19,10 @@ using product::PlotSeries;
 /// Everything that a page is made of.
 struct ResultsReport {
   ResultsPlan plan;
-  std::string scene;        ///< the scene's own name
-  std::string attribution;  ///< of its data
-  std::string machine;      ///< that the times are of
+  std::string scene;         ///< the scene's own name
+  std::string attribution;   ///< of its data
+  std::string machine;       ///< that the times are of
+  std::string command_line;  ///< that makes the page again
   scene::MeshCounts meshes;
   std::size_t terrain_nodes = 0;         ///< all that maps from textures keep of the meshes
   std::size_t tracing_memory_bytes = 0;  ///< of the full scene's acceleration structures

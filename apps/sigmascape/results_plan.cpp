@@ -1,6 +1,7 @@
 #include "results_plan.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <numbers>
 
@@ -44,7 +45,7 @@ std::vector<std::size_t> places_on(const std::vector<double>& axis, const std::v
 }  // namespace
 
 std::string LookGrid::name() const {
-  return fmt::format("{} × {}", azimuths, elevations_deg.size());
+  return fmt::format("{} × {}{}{}", azimuths, elevations_deg.size(), spacing.empty() ? "" : " ", spacing);
 }
 
 atlas::AspectGrid LookGrid::aspects() const {
@@ -113,6 +114,19 @@ std::string text_of(Method method) {
       return "ours, on its own ground";
   }
   return "";
+}
+
+LookGrid ResultsPlan::even_in_cotangent() const {
+  const auto cotangent = [](double elevation_deg) { return 1.0 / std::tan(radians_from_deg(elevation_deg)); };
+  LookGrid grid{paper_grid().azimuths, paper_grid().elevations_deg, "in cot ψ"};
+  std::vector<double>& elevations_deg = grid.elevations_deg;
+  const double first = cotangent(elevations_deg.front()), last = cotangent(elevations_deg.back());
+  for (std::size_t i = 0; i < elevations_deg.size(); ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(elevations_deg.size() - 1);
+    // To the hundredth, as they are printed.
+    elevations_deg[i] = std::round(100.0 * deg_from_radians(std::atan(1.0 / std::lerp(first, last, share)))) / 100.0;
+  }
+  return grid;
 }
 
 bake::BakeSettings ResultsPlan::bake_settings(Method method) const {

@@ -34,8 +34,9 @@ struct ResultsOptions {
 struct LookGrid {
   unsigned azimuths = 8;
   std::vector<double> elevations_deg;
+  std::string spacing = {};  ///< of the elevations, where it is all that tells the grid from another of as many looks
 
-  [[nodiscard]] std::string name() const;  ///< "8 × 5"
+  [[nodiscard]] std::string name() const;  ///< "8 × 5", "8 × 5 in cot ψ"
   [[nodiscard]] atlas::AspectGrid aspects() const;
 };
 
@@ -77,7 +78,7 @@ struct ResultsPlan {
   scene::PaperMaterials materials = scene::PaperMaterials::Paper;
   std::string scene_file = {};        ///< in place of the paper's scene
   Vec2d around_m = {};                ///< the middle of what is measured there, from that scene's own
-  std::vector<LookGrid> grids;        ///< each within the next; only the last is baked
+  std::vector<LookGrid> grids;        ///< each within the next; of these only the last is baked
   std::vector<PlannedView> views;     ///< the paper's first
   std::uint32_t baked_samples = 16;   ///< rays a texel
   std::uint32_t finer_samples = 64;   ///< rays a texel of looks that are baked again, as free of noise as their truth
@@ -106,6 +107,9 @@ struct ResultsPlan {
   /// The paper's grid with the elevations, or the azimuths, of the one after it.
   [[nodiscard]] LookGrid more_elevations() const { return {paper_grid().azimuths, grids[2].elevations_deg}; }
   [[nodiscard]] LookGrid more_azimuths() const { return {grids[2].azimuths, paper_grid().elevations_deg}; }
+  /// The paper's grid with as many elevations over the same span, evenly spaced in cot ψ. No other grid holds them all,
+  /// and so it is baked by itself.
+  [[nodiscard]] LookGrid even_in_cotangent() const;
   /// Of the finest grid for objects on their own ground, of the paper's otherwise.
   [[nodiscard]] bake::BakeSettings bake_settings(Method method) const;
   /// The places of a coarser grid within a finer one.

@@ -229,6 +229,15 @@ const ResultsRow* find_row(const std::vector<ResultsRow>& rows, const ResultsCas
   return found == rows.end() ? nullptr : &*found;
 }
 
+const ResultsRow* baseline_row(const ResultsPlan& plan, const std::vector<ResultsRow>& rows, const std::string& scene,
+                               ViewKind kind) {
+  return find_row(rows, {.scene = scene,
+                         .method = Method::Paper,
+                         .grid = plan.paper_grid().name(),
+                         .baked_samples = plan.baked_samples,
+                         .kind = kind});
+}
+
 nlohmann::ordered_json results_json(const ResultsPlan& plan, const std::vector<ResultsRow>& rows,
                                     const std::vector<ViewResult>& views) {
   nlohmann::ordered_json json{{"settings", settings_json(plan)},

@@ -100,6 +100,11 @@ struct ResultsRow {
 /// The row of a case, or nullptr.
 [[nodiscard]] const ResultsRow* find_row(const std::vector<ResultsRow>& rows, const ResultsCase& of);
 
+/// The row of the paper's method and grid at such views, the baseline of every table; nullptr for none. All methods are
+/// measured at the same views, so that its noise floor is theirs.
+[[nodiscard]] const ResultsRow* baseline_row(const ResultsPlan& plan, const std::vector<ResultsRow>& rows,
+                                             const std::string& scene, ViewKind kind);
+
 /// {"settings": …, "rows": one entry a case and cell, "views": one entry a map and cell}.
 [[nodiscard]] nlohmann::ordered_json results_json(const ResultsPlan& plan, const std::vector<ResultsRow>& rows,
                                                   const std::vector<ViewResult>& views);

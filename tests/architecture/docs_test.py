@@ -3,7 +3,8 @@
 
 Every docs/...md named in src, apps, the README or the other pages exists; every "docs/physics/<page>.md, Eq. (n)" of the sources has a numbered
 equation, a line indented by four spaces that ends in (n), on that page; every relative link in docs and the README leads somewhere; every
-source file that a page names in `room/file.h` form exists.
+source file that a page names in `room/file.h` form exists; every page of docs/results that says by which line it was made says the line by which
+`make results` would make it.
 """
 import pathlib
 import re
@@ -106,9 +107,28 @@ def broken_links(root):
                 yield f"{path.relative_to(root)}:{line_of(text, link.start())}: the link to {target} leads nowhere"
 
 
+def options_of(line):
+    """What a line of `sigmascape results` asks for, apart from where files go, of which a page says only what is no matter of the machine."""
+    options = re.findall(r"(--\S+)((?: (?!--)\S+)*)", line)
+    return {name: values.split("/")[-1] for name, values in options if name not in ("--out", "--page")}
+
+
+def pages_of_other_lines(root):
+    makefile = (root / "Makefile").read_text()
+    variables = dict(re.findall(r"^(\w+) \?= (.*)$", makefile, re.MULTILINE))
+    recipes = re.findall(r"^\t\$\(measure\) (.* --page (docs/results/\S+))$", makefile, re.MULTILINE)
+    if not recipes:
+        yield "Makefile: no line writes a page of docs/results"
+    for recipe, page in recipes:
+        made_by = re.search(r"^sigmascape results .*$", (root / page).read_text(), re.MULTILINE)
+        wanted = options_of(re.sub(r"\$\((\w+)\)", lambda name: variables.get(name.group(1), ""), recipe))
+        if made_by and options_of(made_by.group()) != wanted:
+            yield f"{page}: was made by another line than `make results` has for it"
+
+
 def main():
     root = pathlib.Path(sys.argv[1])
-    found = [*missing_pages(root), *missing_equations(root), *missing_sources(root), *broken_links(root)]
+    found = [*missing_pages(root), *missing_equations(root), *missing_sources(root), *broken_links(root), *pages_of_other_lines(root)]
     for fault in found:
         print(fault)
     print(f"documentation: {len(found)} fault(s)")

@@ -64,8 +64,12 @@ void Results::expect_numbers_page_and_pictures() const {
   const std::string page = text_of(folder_ / "first.md");
   EXPECT_EQ(page.find(folder_.string()), std::string::npos) << "the page names a folder";
   for (const char* part :
-       {"### Without noise", "## Where the error is", "## Why", "The largest is: ", "## Cheap wins", "dB a megabyte",
-        "texels half as wide", "texels as wide as the finest cells", "Figure 1", "Figure 7", "Figure 8"})
+       {"```\nsigmascape results --small --scale 0.1 --held-out 2 --on-grid 1 --repeated 3 --samples 2 "
+        "--traced-samples 4 ",
+        "as many elevations, spaced evenly, 8 × 5 in cot ψ", "### Without noise", "## Where the error is", "## Why",
+        "### At views that were baked", "### At views that were not baked", "The largest by RMS is", "## Cheap wins",
+        "### The best of them together", "dB a megabyte", "texels half as wide", "texels as wide as the finest cells",
+        "Figure 1", "Figure 7", "Figure 8"})
     EXPECT_NE(page.find(part), std::string::npos) << part;
 
   std::size_t pictures = 0;
@@ -74,7 +78,7 @@ void Results::expect_numbers_page_and_pictures() const {
     EXPECT_TRUE(fs::exists(folder_ / found->str(1))) << found->str(1);
     ++pictures;
   }
-  EXPECT_EQ(pictures, 3U + 2 + 2 + 4 + 5 + 5) << "plots, Figures 1, 5 and 6, 7, 8, and the worst view";
+  EXPECT_EQ(pictures, 3U + 4 + 2 + 4 + 5 + 5) << "plots, Figures 1, 5 and 6, 7, 8, and the worst view";
 }
 
 void Results::expect_the_papers_textures_counted_as_the_paper_counts() const {
@@ -108,6 +112,7 @@ void Results::expect_more_looks_and_bytes_of_finer_grids() const {
   EXPECT_EQ(cost.at("8 × 4").first, 32);
   EXPECT_EQ(cost.at("8 × 5").first, 40);
   EXPECT_EQ(cost.at("16 × 6").first, 96);
+  EXPECT_EQ(cost.at("8 × 5 in cot ψ").first, 40);
   EXPECT_EQ(cost.at("own look").first, 1);
   EXPECT_LT(cost.at("8 × 4").second, cost.at("8 × 5").second);
   EXPECT_LT(cost.at("8 × 5").second, cost.at("16 × 5").second);

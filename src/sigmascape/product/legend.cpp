@@ -7,13 +7,11 @@
 #include <string>
 
 #include "sigmascape/product/bitmap_font.h"
+#include "sigmascape/product/legend_look.h"
 #include "sigmascape/product/rectangle_fill.h"
 
 namespace sigmascape::product {
 namespace {
-
-constexpr Rgba background{18, 18, 18, 255};
-constexpr Rgba ink{225, 225, 225, 255};
 
 // Everything is laid out in dots of the font; a dot is one or more pixels.
 constexpr std::size_t margin = 6;
@@ -49,8 +47,15 @@ void draw_colour_bar(Strip& strip, const Picture& picture) {
                    colour_at(picture.scale, position));
   }
   const std::string top = db_text(picture.top_db) + " dB";
-  draw_text(strip.pixels, strip.column, strip.text_row(), db_text(picture.bottom_db), strip.dot, ink);
-  draw_text(strip.pixels, strip.column + length - text_width(top, strip.dot), strip.text_row(), top, strip.dot, ink);
+  draw_text(strip.pixels, strip.column, strip.text_row(), db_text(picture.bottom_db), strip.dot, legend_ink);
+  draw_text(strip.pixels, strip.column + length - text_width(top, strip.dot), strip.text_row(), top, strip.dot,
+            legend_ink);
+  // Differences are read from where there is none.
+  if (picture.scale == ColourScale::Diverging) {
+    const std::string middle = db_text((picture.bottom_db + picture.top_db) / 2.0);
+    draw_text(strip.pixels, strip.column + (length - text_width(middle, strip.dot)) / 2, strip.text_row(), middle,
+              strip.dot, legend_ink);
+  }
   strip.column += length + between_parts * strip.dot;
 }
 
@@ -65,11 +70,12 @@ void draw_scale_bar(Strip& strip, const radar::GroundGrid& grid) {
 
   const std::size_t left = strip.column + (width - length) / 2;
   const std::size_t dot = strip.dot;
-  fill_rectangle(strip.pixels, {left, strip.bar_row() + (bar_height - 2) * dot, length, 2 * dot}, ink);
-  fill_rectangle(strip.pixels, {left, strip.bar_row() + 2 * dot, dot, (bar_height - 2) * dot}, ink);
+  fill_rectangle(strip.pixels, {left, strip.bar_row() + (bar_height - 2) * dot, length, 2 * dot}, legend_ink);
+  fill_rectangle(strip.pixels, {left, strip.bar_row() + 2 * dot, dot, (bar_height - 2) * dot}, legend_ink);
   fill_rectangle(strip.pixels,
-                 {left + length - std::min(dot, length), strip.bar_row() + 2 * dot, dot, (bar_height - 2) * dot}, ink);
-  draw_text(strip.pixels, strip.column + (width - label_width) / 2, strip.text_row(), label, dot, ink);
+                 {left + length - std::min(dot, length), strip.bar_row() + 2 * dot, dot, (bar_height - 2) * dot},
+                 legend_ink);
+  draw_text(strip.pixels, strip.column + (width - label_width) / 2, strip.text_row(), label, dot, legend_ink);
   strip.column += width + between_parts * dot;
 }
 
@@ -80,9 +86,10 @@ void draw_north_arrow(Strip& strip) {
   const std::size_t height = bar_height * strip.dot;
   for (std::size_t y = 0; y < height; ++y) {
     const std::size_t span = std::max<std::size_t>(strip.dot, width * (y + 1) / height);
-    fill_rectangle(strip.pixels, {left + (width - span) / 2, strip.bar_row() + y, span, 1}, ink);
+    fill_rectangle(strip.pixels, {left + (width - span) / 2, strip.bar_row() + y, span, 1}, legend_ink);
   }
-  draw_text(strip.pixels, left + (width - text_width("N", strip.dot)) / 2, strip.text_row(), "N", strip.dot, ink);
+  draw_text(strip.pixels, left + (width - text_width("N", strip.dot)) / 2, strip.text_row(), "N", strip.dot,
+            legend_ink);
 }
 
 }  // namespace
@@ -97,11 +104,11 @@ double round_length_m(double longest_m) {
 
 Picture with_legend(const Picture& picture, const LegendParts& parts) {
   const std::size_t columns = picture.pixels.columns();
-  const std::size_t dot = columns < 900 ? 1 : columns / 450;
+  const std::size_t dot = legend_dot(columns);
   if (columns < (bar_length + 2 * margin) * dot) return picture;
 
   Picture framed = picture;
-  framed.pixels = Array2D<Rgba>(columns, picture.pixels.rows() + strip_height * dot, background);
+  framed.pixels = Array2D<Rgba>(columns, picture.pixels.rows() + strip_height * dot, legend_background);
   std::copy(picture.pixels.values().begin(), picture.pixels.values().end(), framed.pixels.values().begin());
   Strip strip{framed.pixels, picture.pixels.rows(), dot, margin * dot};
   draw_colour_bar(strip, picture);

@@ -10,7 +10,8 @@ struct LegendParts {
   bool north_arrow = true;  ///< false where north is not at the top
 };
 
-/// The picture with a strip below it: the colour scale with the decibels of its ends, a scale bar of a round length,
+/// The picture with a strip below it: the colour scale with the decibels of its ends (and of the middle, of
+/// differences), a scale bar of a round length,
 /// and an arrow to true north. The ground keeps its pixels and its place. What does not fit beside one another into a
 /// narrow picture is left out from the right; a picture too narrow for the colour scale comes back as it is.
 [[nodiscard]] Picture with_legend(const Picture& picture, const LegendParts& parts = {});

@@ -159,6 +159,20 @@ TEST(Legend, LeavesOutWhatWouldLie) {
   EXPECT_TRUE(has_ink(drawn_out, 285, 300));
 }
 
+TEST(Legend, NamesTheMiddleOfDifferences) {
+  // The colours end at 116 pixels; the numbers of their ends leave room between them.
+  const auto has_ink_between_the_ends = [](const Picture& framed) {
+    for (std::size_t row = framed.pixels.rows() - 13; row < framed.pixels.rows(); ++row) {
+      for (std::size_t column = 50; column < 70; ++column)
+        if (framed.pixels(column, row).red > 200) return true;
+    }
+    return false;
+  };
+  const GroundMap map = map_of(300, 4, [](auto, auto) { return 1.0; });
+  EXPECT_TRUE(has_ink_between_the_ends(with_legend(difference_picture(map, map))));
+  EXPECT_FALSE(has_ink_between_the_ends(with_legend(picture_of(map))));
+}
+
 TEST(Legend, RoundLengthsAreOneTwoAndFive) {
   EXPECT_DOUBLE_EQ(round_length_m(150.0), 100.0);
   EXPECT_DOUBLE_EQ(round_length_m(499.0), 200.0);

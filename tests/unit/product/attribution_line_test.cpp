@@ -1,0 +1,65 @@
+#include "sigmascape/product/attribution_line.h"
+
+#include <gmock/gmock.h>
+
+namespace sigmascape::product {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+Picture picture_with(const std::string& attribution, std::size_t columns) {
+  Picture picture;
+  picture.pixels = Array2D<Rgba>(columns, 20, Rgba{1, 2, 3});
+  picture.metadata["attribution"] = attribution;
+  return picture;
+}
+
+std::size_t bright_pixels_below(const Picture& picture, std::size_t first_row) {
+  std::size_t count = 0;
+  for (std::size_t row = first_row; row < picture.pixels.rows(); ++row) {
+    for (std::size_t column = 0; column < picture.pixels.columns(); ++column)
+      count += picture.pixels(column, row).red > 200 ? 1 : 0;
+  }
+  return count;
+}
+
+TEST(AttributionLine, StandsBelowThePictureAndChangesNoneOfIt) {
+  const Picture plain = picture_with("Survey of Places, CC BY 4.0", 200);
+  const Picture attributed = with_attribution(plain);
+  EXPECT_EQ(attributed.pixels.columns(), 200U);
+  EXPECT_GT(attributed.pixels.rows(), 30U);
+  EXPECT_EQ(attributed.grid, plain.grid);
+  for (std::size_t i = 0; i < plain.pixels.size(); ++i)
+    ASSERT_EQ(attributed.pixels.values()[i], plain.pixels.values()[i]);
+  EXPECT_GT(bright_pixels_below(attributed, 20), 200U);
+}
+
+TEST(AttributionLine, IsAsManyLinesAsTheWidthAsksFor) {
+  const std::string text = "Survey of Places, CC BY 4.0, and others";
+  const std::size_t wide = with_attribution(picture_with(text, 400)).pixels.rows(),
+                    narrow = with_attribution(picture_with(text, 120)).pixels.rows();
+  EXPECT_GT(narrow, wide);
+  EXPECT_EQ(bright_pixels_below(with_attribution(picture_with(text, 400)), 20),
+            bright_pixels_below(with_attribution(picture_with(text, 120)), 20))
+      << "letters are lost";
+}
+
+TEST(AttributionLine, IsLeftOutWhereThereIsNoneOrNoRoom) {
+  EXPECT_EQ(with_attribution(picture_with("", 200)).pixels.rows(), 20U);
+  EXPECT_EQ(with_attribution(picture_with("Survey of Places", 30)).pixels.rows(), 20U);
+  EXPECT_EQ(with_attribution(picture_with("Survey of Places", 4)).pixels.rows(), 20U);
+  Picture unnamed = picture_with("Survey", 200);
+  unnamed.metadata.clear();
+  EXPECT_EQ(with_attribution(unnamed).pixels.rows(), 20U);
+}
+
+TEST(AttributionLine, BreaksBetweenWords) {
+  EXPECT_THAT(broken_into_lines("one two three", 7), ElementsAre("one two", "three"));
+  EXPECT_THAT(broken_into_lines("one two three", 6), ElementsAre("one", "two", "three"));
+  EXPECT_THAT(broken_into_lines("a longest b", 3), ElementsAre("a", "longest", "b"));
+  EXPECT_THAT(broken_into_lines("", 5), IsEmpty());
+}
+
+}  // namespace
+}  // namespace sigmascape::product
