@@ -10,6 +10,7 @@
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/curved_earth.h"
+#include "sigmascape/render/detail_of_ground.h"
 #include "sigmascape/render/frame_reach.h"
 #include "sigmascape/render/page_forecast.h"
 #include "sigmascape/render/sector.h"
@@ -360,9 +361,8 @@ void LiveRenderer::look_ahead_at_pages(const PageCache::View& there, const Pose&
 
 DetailBlend LiveRenderer::next_levels() {
   const HorizonGrid& grid = this->grid();
-  DetailQuestion question = question_of_bins(settings_, grid.near_m, grid.step_m * static_cast<double>(grid.distances));
-  question.texel_m = ground_->description().patches.texel_m;
-  question.mips = static_cast<int>(ground_->coarsest_level()) + 1;
+  DetailQuestion question =
+      asked_of(*ground_, question_of_bins(settings_, grid.near_m, grid.step_m * static_cast<double>(grid.distances)));
   // Live frames come from the atlas however small they are.
   question.tallest_object_m = 0.0;
   question.area_m2 = std::numeric_limits<double>::infinity();
