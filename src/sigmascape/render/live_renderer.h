@@ -112,9 +112,8 @@ struct Frame {
 /// Every lattice cell of the sector answers once, at its own place and with its own phase; cells are as large as the
 /// bins can tell apart, so that their number does not depend on how far the radar sees. When the level that this asks
 /// for changes along a flight path, the two are drawn together for 30 frames, textures over the terrain that belongs to
-/// them, each with its share of the power. Nothing
-/// is allocated and nothing waited for once the first frame is done. The result does not depend on the number of
-/// threads.
+/// them, each with its share of the power. Nothing is ever waited for, and once the pages of a view are there
+/// nothing is allocated. The result does not depend on the number of threads.
 class LiveRenderer {
  public:
   LiveRenderer(std::shared_ptr<LiveGround> ground, const LiveSettings& settings);
