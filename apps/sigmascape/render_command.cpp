@@ -1,7 +1,6 @@
 #include <array>
-#include <bit>
-#include <cmath>
 #include <fmt/format.h>
+#include <map>
 #include <optional>
 
 #include "coherent_render.h"
@@ -16,6 +15,7 @@
 #include "scope_files.h"
 #include "stopwatch.h"
 #include "terminal_progress.h"
+#include "word_option.h"
 
 #include "sigmascape/atlas/store.h"
 #include "sigmascape/base/error.h"
@@ -28,6 +28,7 @@
 #include "sigmascape/render/level_of_detail.h"
 #include "sigmascape/scene/scene_file.h"
 #include "sigmascape/simulate/coherent.h"
+#include "sigmascape/simulate/map_detail.h"
 #include "sigmascape/simulate/mode_image.h"
 #include "sigmascape/simulate/placement.h"
 #include "sigmascape/simulate/simulate.h"
@@ -39,6 +40,7 @@ struct RenderOptions {
   std::string radar, scene, atlas, targets, map_file, power_file, picture_file, style = "grey";
   int level_of_detail = 0;
   bool explain = false;
+  render::DetailRule detail_rule = render::DetailRule::LayoverAndShadow;
   double span_db = 50.0;
   std::optional<double> top_db;
   bool extrapolate = false;
@@ -159,25 +161,6 @@ void check_coherent(const RenderOptions& options, const radar::Radar& radar) {
   refuse("--b-scope", options.scopes.b_scope);
 }
 
-/// The level of detail that the resolution cell asks for, in words.
-std::string advised_detail(const scene::Scene& scene, const radar::Radar& radar, const radar::GroundGrid& grid,
-                           const std::optional<atlas::Store>& store) {
-  const Vec2d centre = grid.extent().centre();
-  const Vec3d away = radar.position - Vec3d{centre.x, centre.y, scene.terrain.height_at(centre)};
-  render::DetailQuestion question{.range_resolution_m = radar.range_resolution_m,
-                                  .cross_range_m = radar.beam_width_rad * length(away),
-                                  .grazing_rad = std::asin(away.z / length(away)),
-                                  .tallest_object_m = scene::tallest_object_m(scene),
-                                  .area_m2 = grid.extent().width_m() * grid.extent().height_m(),
-                                  .terrain_spacing_m = scene.terrain.spacing_m,
-                                  .texel_m = grid.cell_m};
-  if (store) {
-    question.texel_m = store->description().patches.texel_m;
-    question.mips = static_cast<int>(std::countr_zero(store->description().patches.texels_per_side)) + 1;
-  }
-  return render::explained(render::choose_detail(question));
-}
-
 /// What names alone tell, before the work.
 void check_files(const RenderOptions& options) {
   check(options.layers, options.level_of_detail);
@@ -236,7 +219,11 @@ void render(const RenderOptions& options, std::optional<radar::Polarization> pol
   warn_of(radar, simulate::bins_for(radar, grid.extent(), scene.terrain), grid.cell_m);
   const std::string hash = scene::scene_hash(scene);
   const std::optional<atlas::Store> store = atlas_of(options, hash);
-  const std::string advice = options.explain ? advised_detail(scene, radar, grid, store) : "";
+  const std::string advice =
+      options.explain
+          ? render::explained(render::choose_detail(
+                simulate::map_question(scene, radar, grid, store ? &*store : nullptr), {.rule = options.detail_rule}))
+          : "";
   Rendered rendered =
       options.level_of_detail == 0 ? traced(options, scene, radar, grid) : baked(options, scene, *store, radar, grid);
   rendered.provenance["scene"] = scene.name;
@@ -283,7 +270,14 @@ void add_render_command(CLI::App& app, Output& output) {
                                  "level of detail: 0 traces the scene, 1 and up use the atlas; when nothing is said 1 "
                                  "with an atlas, 0 without")
                     ->check(CLI::Range(0, 16));
-  command->add_flag("--explain", options->explain, "say which level of detail the resolution cell asks for, and why");
+  auto* explain = command->add_flag("--explain", options->explain,
+                                    "say which level of detail the resolution cell asks for, and why");
+  takes_words(command->add_option("--detail-rule", options->detail_rule,
+                                  "what that goes by: cell, how far layover and shadow reach over the resolution cell "
+                                  "(when nothing is said), or paper, 16 pixels a triangle"),
+              std::map<std::string, render::DetailRule>{{"cell", render::DetailRule::LayoverAndShadow},
+                                                        {"paper", render::DetailRule::PixelsPerTriangle}})
+      ->needs(explain);
   command->add_option("--out", options->map_file,
                       "ground map to write: sigma0 as cloud-optimised GeoTIFF (.tif) or for NumPy (.npy, .npz)");
   command->add_option("--power", options->power_file,

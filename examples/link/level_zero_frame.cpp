@@ -14,6 +14,7 @@
 #include "sigmascape/product/png_file.h"
 #include "sigmascape/product/scope_layout.h"
 #include "sigmascape/radar/radar.h"
+#include "sigmascape/render/detail_of_ground.h"
 #include "sigmascape/render/frame_image.h"
 #include "sigmascape/scene/scene_file.h"
 #include "sigmascape/simulate/live_tracer.h"
@@ -104,10 +105,8 @@ product::Picture levels_beside(const scene::Scene& scene, const trace::SceneGeom
 /// Says which of the two a program would take that has both.
 void explain_choice(const scene::Scene& scene, const trace::SceneGeometry& geometry, const render::LiveGround& ground) {
   const render::LiveSettings settings = settings_for(scene, render::FrameContent::Powers);
-  render::DetailQuestion question =
-      simulate::LiveTracer(scene, geometry, settings).question(pose_over(scene, settings));
-  question.texel_m = ground.description().patches.texel_m;
-  question.mips = static_cast<int>(ground.coarsest_level()) + 1;
+  const simulate::LiveTracer tracer(scene, geometry, settings);
+  const auto question = render::asked_of(ground, tracer.question(pose_over(scene, settings)));
   std::cout << render::explained(render::choose_detail(question));
 }
 

@@ -1,4 +1,5 @@
-/* Renders one frame of an atlas and prints its mean power: the whole C interface at work.
+/* Renders one frame of an atlas and prints its mean power: what a program in C does for live frames from textures. Scans,
+ * and scenes with their tracers and flights, are in the header.
  *
  *   live ATLAS EAST NORTH     the atlas that `sigmascape bake` wrote, and the place to look at, metres of its frame */
 

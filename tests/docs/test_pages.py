@@ -20,7 +20,7 @@ PROMISED = {
     "tasks/dem_and_osm.md": ["traced.tif", "traced.png", "traced.pgw", "power.tif", "atlas/collection.json", "baked.tif", "layers.tif"],
     "tasks/make_a_dataset.md": ["samples/shard-000002.tar", "samples/manifest.json", "samples/contact_sheet.png"],
     "tasks/read_iq.md": ["pulses.h5", "pulses.npy", "pulses.json", "pulses.sigmf-data"],
-    "tasks/link_the_library.md": ["map.tif", "prefix/lib/cmake/sigmascape/sigmascape-config.cmake"],
+    "tasks/link_the_library.md": ["live.png", "prefix/lib/cmake/sigmascape/sigmascape-config.cmake"],
     "tasks/plots.md": ["sigma0.svg", "antenna.png", "pulse.svg", "beam.svg", "aspects.svg", "over_elevation.png", "powers.svg",
                        "amplitudes.png", "grass.png"],
     "datasets.md": ["out/paper_tenth_samples/contact_sheet.png", "out/paper_tenth_samples/samples/000003/shadow.npy"],

@@ -157,6 +157,20 @@ class Modes : public ::testing::Test {
         << printed();
     EXPECT_NE(printed().find("a resolution cell is 2.13 m on its smaller side"), std::string::npos) << printed();
     EXPECT_NE(printed().find("geometry should stay"), std::string::npos) << printed();
+    const auto said = [this](const std::string& mode, const std::string& options) {
+      EXPECT_EQ(render(mode, "--lod 1 --explain " + options), 0) << printed();
+      return printed();
+    };
+    EXPECT_NE(said("", "--detail-rule paper").find("a triangle of the full scene covers"), std::string::npos)
+        << printed();
+    // Across the line of sight as sharp as the mode, where the beam is 87 m wide.
+    EXPECT_NE(said("[mode]\nkind = \"spotlight\"\nalong_resolution_m = 1\n", "").find("a resolution cell is 1 m"),
+              std::string::npos)
+        << printed();
+    EXPECT_NE(printed().find("what is traced is power alone"), std::string::npos) << printed();
+    EXPECT_NE(printed().find("shadows are cast at run time"), std::string::npos) << printed();
+    EXPECT_NE(render("", "--lod 1 --detail-rule paper"), 0);
+    EXPECT_NE(printed().find("--explain"), std::string::npos) << printed();
   }
 
   void expect_a_bent_earth_in_coherent_modes_alone() const {

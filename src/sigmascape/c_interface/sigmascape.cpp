@@ -64,17 +64,24 @@ namespace {
 
 thread_local std::string last_error;
 
+/// Why a call failed, as far as memory goes.
+void remember(const char* reason) noexcept {
+  try {
+    last_error = reason;
+  } catch (...) {
+    last_error.clear();
+  }
+}
+
 /// What `action` returns, or `otherwise` when it throws.
 template <typename Result, typename Action>
 Result guarded(Result otherwise, Action action) noexcept {
   try {
     return action();
   } catch (const std::exception& failure) {
-    try {
-      last_error = failure.what();
-    } catch (...) {
-      last_error.clear();
-    }
+    remember(failure.what());
+  } catch (...) {
+    remember("something failed that does not say why");
   }
   return otherwise;
 }

@@ -123,8 +123,9 @@ sigmascape_tracing sigmascape_default_tracing(void);
  * as others do and gives such frames. It renders all beams alone. Null when the settings make no sense. */
 sigmascape_renderer* sigmascape_make_tracer(sigmascape_scene* scene, const sigmascape_settings* settings,
                                             const sigmascape_tracing* tracing);
-/* The level of detail that the resolution cell asks for where the tracer's scene is at hand: 0 when it should be
- * traced. Negative when something is wrong. */
+/* Whether the resolution cell asks for tracing where the tracer's scene is at hand: 0, the level of detail that is
+ * traced, when it does, and 1 when textures will do; it knows no atlas, and so none of the coarser levels. Negative
+ * when something is wrong. */
 int sigmascape_advised_detail(sigmascape_renderer* tracer, const sigmascape_pose* pose);
 
 /* A renderer that traces what has to be traced and takes textures for the rest, as poses ask: one gives way to the

@@ -24,7 +24,7 @@ int terrain_level_for(double sample_m, double spacing_m, int levels) {
 }
 
 DetailChoice choose_detail(const DetailQuestion& question, const DetailSettings& settings) {
-  DetailChoice choice{.rule = settings.rule};
+  DetailChoice choice{.traceable = question.traceable, .ground_apart = question.ground_apart, .rule = settings.rule};
   const double grazing = std::clamp(question.grazing_rad, 1e-4, 0.5 * pi - 1e-4);
   choice.cell_m = std::min(question.range_resolution_m / std::cos(grazing), question.cross_range_m);
   choice.sample_m = choice.cell_m / question.samples_per_cell;
@@ -38,9 +38,10 @@ DetailChoice choose_detail(const DetailQuestion& question, const DetailSettings&
   const double finest = std::log2(choice.sample_m / question.texel_m);
   choice.finer_than_atlas = finest < 0.0;
   choice.mip = std::clamp(finest, 0.0, static_cast<double>(question.mips - 1));
-  choice.terrain_level = terrain_level_for(choice.sample_m, question.terrain_spacing_m, question.terrain_levels);
+  choice.terrain_level = terrain_level_for(question.texel_m * std::exp2(std::floor(choice.mip)),
+                                           question.terrain_spacing_m, question.terrain_levels);
 
-  const bool traced = choice.traced_for_size && !choice.geometry_may_go;
+  const bool traced = choice.traceable && choice.traced_for_size && !choice.geometry_may_go;
   choice.wanted_level = traced ? std::min(0.0, finest) : 1.0 + std::max(finest, 0.0);
   choice.level = traced ? 0 : 1 + static_cast<int>(std::floor(choice.mip));
   return choice;
@@ -62,7 +63,9 @@ std::string explained(const DetailChoice& choice) {
         choice.layover_m, choice.shadow_m, choice.allowed_reach_m, choice.geometry_may_go ? "may go" : "should stay");
   }
   if (!choice.geometry_may_go && choice.level > 0) {
-    text += "  the area is too large to be traced: the atlas stands in for geometry, shadows are the baked ones\n";
+    text += fmt::format("  {}: the atlas stands in for geometry, shadows are {}\n",
+                        choice.traceable ? "the area is too large to be traced" : "what is traced is power alone",
+                        choice.ground_apart ? "cast at run time" : "the baked ones");
   }
   if (choice.finer_than_atlas && choice.level > 0) text += "  samples lie closer than the texels of the atlas\n";
   return text;

@@ -25,7 +25,9 @@ struct DetailQuestion {
   int terrain_levels = 1;
   double texel_m = 2.0;
   int mips = 1;
+  bool ground_apart = false;       ///< the atlas keeps the ground apart, and what stands on it hides it at run time
   double triangles_per_m2 = 0.01;  ///< of the full scene; for DetailRule::PixelsPerTriangle
+  bool traceable = true;  ///< level 0 gives power alone: who needs amplitudes of a coherent mode takes textures
 };
 
 struct DetailSettings {
@@ -43,23 +45,26 @@ struct DetailSettings {
 struct DetailChoice {
   /// 0 traces the full scene; from 1 on, coarse terrain and mip `mip` of the atlas.
   int level = 1;
-  double wanted_level = 1.0;  ///< before rounding: 1 + mip, whether there is one so coarse or not, or below 1 where
-                              ///< geometry should stay
-  double mip = 0.0;           ///< fractional: the texture is blended between two
-  int terrain_level = 0;
+  double wanted_level = 1.0;     ///< before rounding: 1 + mip, whether there is one so coarse or not, or below 1 where
+                                 ///< geometry should stay
+  double mip = 0.0;              ///< fractional: the texture is blended between two
+  int terrain_level = 0;         ///< whose nodes stand at most two texels of the mip apart
   double cell_m = 0.0;           ///< smaller side of the resolution cell on the ground
   double sample_m = 0.0;         ///< distance of ground samples
   double layover_m = 0.0;        ///< h·tan ψ
   double shadow_m = 0.0;         ///< h·cot ψ
   double allowed_reach_m = 0.0;  ///< ε·cell
   double pixels_per_triangle = 0.0;
-  bool geometry_may_go = false;   ///< by the rule in use
-  bool traced_for_size = false;   ///< small enough to be traced
+  bool geometry_may_go = false;  ///< by the rule in use
+  bool traceable = true;
+  bool traced_for_size = false;  ///< small enough to be traced
+  bool ground_apart = false;
   bool finer_than_atlas = false;  ///< samples lie closer than texels: the atlas blurs
   DetailRule rule = DetailRule::LayoverAndShadow;
 };
 
-/// The level of terrain whose nodes stand no more than two samples apart: what lies between them no sample would show.
+/// The level of terrain whose nodes stand no more than two texels, or samples, apart: what lies between them none would
+/// show.
 [[nodiscard]] int terrain_level_for(double sample_m, double spacing_m, int levels);
 
 /// Chooses the level of detail for a question. A pure function.

@@ -10,6 +10,7 @@
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/curved_earth.h"
+#include "sigmascape/render/detail_of_ground.h"
 #include "sigmascape/render/frame_reach.h"
 #include "sigmascape/render/page_forecast.h"
 #include "sigmascape/render/sector.h"
@@ -55,6 +56,10 @@ void check(const LiveSettings& settings, const std::string& where) {
   if (!(settings.cells_per_bin >= 0.25 && settings.cells_per_bin <= 64.0)) {
     throw Error(where, fmt::format("has {} lattice cells a bin", settings.cells_per_bin), "give 0.25 to 64");
   }
+  if (settings.speckle_levels < 1 || settings.speckle_levels > radar::LatticeOptions::most_levels) {
+    throw Error(where, fmt::format("ties {} levels of speckle together", settings.speckle_levels),
+                fmt::format("give 1 to {}", radar::LatticeOptions::most_levels));
+  }
   if (!(settings.refraction > 0.0)) {
     throw Error(where, fmt::format("has a refraction of {}", settings.refraction),
                 "give 4/3, or more for a flatter Earth");
@@ -85,7 +90,8 @@ void check(const Pose& pose, const std::string& where) {
 LiveRenderer::LiveRenderer(std::shared_ptr<LiveGround> ground, const LiveSettings& settings)
     : ground_(std::move(ground)),
       settings_(checked(settings)),
-      lattice_({.seed = settings.seed, .cell_m = ground_->description().patches.texel_m, .levels = 1}),
+      lattice_(
+          {.seed = settings.seed, .cell_m = ground_->description().patches.texel_m, .levels = settings.speckle_levels}),
       team_(settings.threads),
       visible_{VisibleGround(settings.visibility, team_.size()), VisibleGround(settings.visibility, team_.size())},
       horizon_of_{&visible_[0].horizon(), &visible_[0].horizon()},
@@ -355,9 +361,8 @@ void LiveRenderer::look_ahead_at_pages(const PageCache::View& there, const Pose&
 
 DetailBlend LiveRenderer::next_levels() {
   const HorizonGrid& grid = this->grid();
-  DetailQuestion question = question_of_bins(settings_, grid.near_m, grid.step_m * static_cast<double>(grid.distances));
-  question.texel_m = ground_->description().patches.texel_m;
-  question.mips = static_cast<int>(ground_->coarsest_level()) + 1;
+  DetailQuestion question =
+      asked_of(*ground_, question_of_bins(settings_, grid.near_m, grid.step_m * static_cast<double>(grid.distances)));
   // Live frames come from the atlas however small they are.
   question.tallest_object_m = 0.0;
   question.area_m2 = std::numeric_limits<double>::infinity();

@@ -19,4 +19,9 @@ MeshCounts mesh_counts(const Scene& scene) {
   return counts;
 }
 
+double triangles_per_m2(const Scene& scene) {
+  return static_cast<double>(mesh_counts(scene).instanced_triangles) /
+         (scene.extent.width_m() * scene.extent.height_m());
+}
+
 }  // namespace sigmascape::scene

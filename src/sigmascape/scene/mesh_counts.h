@@ -15,4 +15,7 @@ struct MeshCounts {
 
 [[nodiscard]] MeshCounts mesh_counts(const Scene& scene);
 
+/// Triangles as they are seen, over the area of the scene's extent.
+[[nodiscard]] double triangles_per_m2(const Scene& scene);
+
 }  // namespace sigmascape::scene

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "sigmascape/base/error.h"
+#include "sigmascape/render/detail_of_ground.h"
 #include "sigmascape/simulate/frame_blend.h"
 
 namespace sigmascape::simulate {
@@ -54,9 +55,7 @@ const render::Frame& LiveFlight::render(const render::Pose& pose) {
 }
 
 void LiveFlight::choose(const render::Pose& pose) {
-  render::DetailQuestion question = tracer_.question(pose);
-  question.texel_m = ground_->description().patches.texel_m;
-  question.mips = static_cast<int>(ground_->coarsest_level()) + 1;
+  const render::DetailQuestion question = render::asked_of(*ground_, tracer_.question(pose));
   // What is being left is as good as left: a change that has begun is gone on with.
   const render::DetailSettings detail = begun_ ? settings_in_use(flight_.detail, choice_.level == 0) : flight_.detail;
   choice_ = render::choose_detail(question, detail);

@@ -13,8 +13,8 @@ namespace sigmascape::simulate {
 struct LiveFlightSettings {
   /// Of traced frames. Frequency and lattice_m have no say: they are those of the atlas.
   LiveTraceSettings tracing = {};
-  /// When to trace: render::choose_detail. One way or the other it has to be right by `hysteresis`, in levels, before
-  /// what is in use is left.
+  /// When to trace: render::choose_detail, by the rule that it names, the paper's if wanted. One way or the other it
+  /// has to be right by `hysteresis`, in levels, before what is in use is left.
   render::DetailSettings detail = {};
   /// In so many frames traced ground gives way to textures, or they to it.
   int frames_a_change = 30;

@@ -12,6 +12,7 @@
 #include "sigmascape/radar/rectangle_parts.h"
 #include "sigmascape/render/frame_reach.h"
 #include "sigmascape/render/level_of_detail.h"
+#include "sigmascape/scene/mesh_counts.h"
 #include "sigmascape/simulate/launch_for_map.h"
 #include "sigmascape/simulate/target_sight.h"
 #include "sigmascape/simulate/traced_ground.h"
@@ -67,7 +68,7 @@ LiveTracer::LiveTracer(const scene::Scene& scene, const trace::SceneGeometry& ge
       settings_(checked(settings)),
       tracing_(checked(tracing, geometry)),
       surfaces_(trace::surface_models(scene, tracing.frequency_hz)),
-      lattice_({.seed = settings.seed, .cell_m = tracing.lattice_m, .levels = 1}),
+      lattice_({.seed = settings.seed, .cell_m = tracing.lattice_m, .levels = settings.speckle_levels}),
       targets_({.frequency_hz = tracing.frequency_hz,
                 .beams = settings.beams,
                 .ranges = settings.ranges,
@@ -76,6 +77,7 @@ LiveTracer::LiveTracer(const scene::Scene& scene, const trace::SceneGeometry& ge
       lowest_m_(static_cast<double>(scene.terrain.lowest_m())),
       highest_m_(static_cast<double>(scene.terrain.highest_m())),
       tallest_m_(scene::tallest_object_m(scene)),
+      triangles_per_m2_(scene::triangles_per_m2(scene)),
       bins_(settings.beams * settings.ranges * render::numbers_a_bin(settings.content)) {}
 
 LiveTracer::~LiveTracer() = default;
@@ -178,6 +180,7 @@ render::DetailQuestion LiveTracer::question(const render::Pose& pose) const {
                            static_cast<double>(settings_.beams) * settings_.beam_step_rad;
   question.area_m2 = look.sees_nothing() ? 0.0 : std::min(sector_m2, look.area.width_m() * look.area.height_m());
   question.terrain_spacing_m = scene_.terrain.spacing_m;
+  question.triangles_per_m2 = triangles_per_m2_;
   return question;
 }
 

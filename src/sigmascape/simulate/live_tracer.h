@@ -58,8 +58,8 @@ class LiveTracer {
   /// traced, or a bin that is too bright for its sums.
   const render::Frame& render(const render::Pose& pose);
 
-  /// What render::choose_detail is to be asked for such a frame, of this scene; what an atlas offers instead (texel_m,
-  /// mips) is the caller's to add. Throws nothing.
+  /// What render::choose_detail is to be asked for such a frame, of this scene; what an atlas offers instead is the
+  /// caller's to add (render::asked_of). Throws Error for a pose that is nowhere.
   [[nodiscard]] render::DetailQuestion question(const render::Pose& pose) const;
 
  private:
@@ -88,6 +88,7 @@ class LiveTracer {
   receiver::TargetFrame targets_;
   double lowest_m_, highest_m_;  // of the terrain
   double tallest_m_;             // of what stands on it
+  double triangles_per_m2_;      // of all meshes
 
   // Of the pose in hand.
   std::optional<Vec3d> position_;

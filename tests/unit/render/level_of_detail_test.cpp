@@ -118,6 +118,35 @@ TEST(LevelOfDetail, ExplainsItself) {
   EXPECT_THAT(text, HasSubstr("shadows 132 m"));
 }
 
+TEST(LevelOfDetail, SaysWhoCastsTheShadowsOfWhatIsNotTraced) {
+  DetailQuestion question = town();
+  question.area_m2 = 1e9;
+  EXPECT_THAT(explained(choose_detail(question)), HasSubstr("shadows are the baked ones"));
+  question.ground_apart = true;
+  EXPECT_THAT(explained(choose_detail(question)), HasSubstr("shadows are cast at run time"));
+}
+
+TEST(LevelOfDetail, AmplitudesAreNotTraced) {
+  DetailQuestion question = town();
+  question.traceable = false;
+  const DetailChoice choice = choose_detail(question);
+  EXPECT_EQ(choice.level, 1);
+  EXPECT_THAT(explained(choice), HasSubstr("what is traced is power alone"));
+}
+
+TEST(LevelOfDetail, TerrainBelongsToTheTexelsThatAreInUse) {
+  DetailQuestion question = town();
+  question.area_m2 = 1e10;
+  question.cross_range_m = 1e6;
+  // From texels of 4 m to just below the next: nodes of 8 m serve them all.
+  for (const double sample_m : {4.01, 5.5, 7.99}) {
+    question.range_resolution_m = 2.0 * sample_m * std::cos(question.grazing_rad);
+    EXPECT_EQ(choose_detail(question).level, 2);
+    EXPECT_EQ(choose_detail(question).terrain_level, 1) << sample_m;
+    EXPECT_THAT(explained(choose_detail(question)), HasSubstr("terrain level 1"));
+  }
+}
+
 /// Flies away from the ground and back, with a tremble, over a change of level.
 TEST(DetailTransition, ChangesOnceEachWayAndWithoutAStep) {
   DetailQuestion question = town();

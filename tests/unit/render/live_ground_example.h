@@ -23,6 +23,9 @@ struct ExampleGround {
   double texel_m = 4.0;
   int patches_a_side = 2;
   std::function<radar::Channels(const radar::Look&)> sigma0;
+  /// Factor of a texel by its look and the way from the middle to its centre.
+  std::function<float(const radar::Look&, Vec2d)> pattern = [](const radar::Look&, Vec2d) { return 1.0F; };
+  std::vector<double> frequencies_hz = {10e9};  ///< that are baked
   std::function<double(Vec2d)> height_m = [](Vec2d) { return 0.0; };
   double terrain_spacing_m = 8.0;
   CacheOptions cache = {};
@@ -46,12 +49,27 @@ struct ExampleGround {
     for (const double elevation : {5.0, 13.0, 37.0}) {
       description.aspects.elevations_rad.push_back(radians_from_deg(elevation));
     }
-    description.aspects.frequencies_hz = {10e9};
+    description.aspects.frequencies_hz = frequencies_hz;
     if (bare_sigma0) description.settings[atlas::shadows_setting] = atlas::shadows_at_run_time;
     atlas::Store store = atlas::Store::create(folder, description);
-    write(store, sigma0);
+    write_patterned(store);
     if (bare_sigma0) write_ground(store);
     return store;
+  }
+
+  void write_patterned(const atlas::Store& store) const {
+    for (const atlas::Unit& unit : store.units()) {
+      const radar::GroundGrid grid = store.description().patches.texels_of(unit.patch);
+      const radar::Look look = store.description().aspects.look(unit.look);
+      const radar::Channels even = sigma0(look);
+      Array2D<radar::Channels> texels(grid.columns, grid.rows);
+      for (std::size_t row = 0; row < grid.rows; ++row) {
+        for (std::size_t column = 0; column < grid.columns; ++column) {
+          texels(column, row) = even * pattern(look, grid.centre_of(column, row) - middle());
+        }
+      }
+      store.write(unit.patch, unit.look, texels, {});
+    }
   }
 
   static void write(const atlas::Store& store, const std::function<radar::Channels(const radar::Look&)>& sigma0) {
@@ -106,8 +124,8 @@ struct ExampleGround {
     return field;
   }
 
-  [[nodiscard]] std::shared_ptr<LiveGround> over(const atlas::Store& store) const {
-    return std::make_shared<LiveGround>(store, terrain(), 10e9, cache);
+  [[nodiscard]] std::shared_ptr<LiveGround> over(const atlas::Store& store, double frequency_hz = 10e9) const {
+    return std::make_shared<LiveGround>(store, terrain(), frequency_hz, cache);
   }
 };
 

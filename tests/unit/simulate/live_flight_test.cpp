@@ -147,6 +147,34 @@ TEST_F(LiveFlightTest, WhatIsInUseIsKeptNearWhereTheChoiceChanges) {
   EXPECT_EQ(from_near.textured_share(), 0.0);
 }
 
+TEST_F(LiveFlightTest, ExplainsWhichTerrainItsFramesStandOn) {
+  render::LiveSettings coarse = bins(FrameContent::Powers);
+  coarse.cells_per_bin = 1.0;
+  LiveFlight live(scene_, *geometry_, ground_, coarse, settings());
+  live.render(pose(4.0));
+  ASSERT_EQ(live.choice().level, 2);
+  const int terrain_level = ground_->terrain().level_for(2.0 * example_.texel_m);
+  ASSERT_EQ(terrain_level, 1);
+  EXPECT_NE(live.explained().find("terrain level 1"), std::string::npos) << live.explained();
+}
+
+TEST_F(LiveFlightTest, GoesByTrianglesWhereThePapersRuleIsAskedFor) {
+  LiveFlightSettings by_triangles = settings();
+  by_triangles.detail.rule = render::DetailRule::PixelsPerTriangle;
+  LiveFlight live(scene_, *geometry_, ground_, bins(FrameContent::Powers), by_triangles);
+  live.render(pose(1.3));
+  // Two of the ground and twelve of the tower; two samples a bin.
+  const double samples_a_triangle = 2000.0 * 2000.0 / 14.0 / (6.0 * 6.0);
+  EXPECT_NEAR(live.choice().pixels_per_triangle / samples_a_triangle, 1.0, 0.05);
+  EXPECT_EQ(live.textured_share(), 0.0) << live.explained();
+  EXPECT_NE(live.explained().find("a triangle of the full scene covers"), std::string::npos) << live.explained();
+
+  by_triangles.detail.pixels_per_triangle = 1.1 * samples_a_triangle;
+  LiveFlight coarse(scene_, *geometry_, ground_, bins(FrameContent::Powers), by_triangles);
+  coarse.render(pose(1.3));
+  EXPECT_EQ(coarse.textured_share(), 1.0) << coarse.explained();
+}
+
 TEST(LiveFlightSettings, MoreIsTracedWhileItIsTraced) {
   const render::DetailSettings detail;
   // Just too large, of things just too low to be seen.

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "sigmascape/render/level_of_detail.h"
+#include "sigmascape/render/live_ground.h"
+
+namespace sigmascape::render {
+
+/// The question, with what a ground has to offer: texels and their levels, terrain and its levels, and where its
+/// shadows come from.
+[[nodiscard]] DetailQuestion asked_of(const LiveGround& ground, DetailQuestion question);
+
+}  // namespace sigmascape::render
