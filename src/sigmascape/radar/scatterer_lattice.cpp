@@ -11,7 +11,7 @@
 namespace sigmascape::radar {
 namespace {
 
-constexpr int most_levels = LatticeOptions::most_levels;
+constexpr int most_levels = 24;
 constexpr float root_half = 0.70710678F;
 
 /// What a hashed number of a cell is for. A parent is split by one difference between its western and its eastern

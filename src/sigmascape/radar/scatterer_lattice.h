@@ -33,12 +33,10 @@ struct DrawnCell {
 [[nodiscard]] ComplexChannels polarized(const DrawnCell& drawn, const Channels& rcs_m2);
 
 struct LatticeOptions {
-  static constexpr int most_levels = 24;
-
   std::uint64_t seed = 1;
   double cell_m = 1.0;  ///< side of a cell of level 0
   /// Levels 0 … levels − 1 are tied together: a cell is the normalised sum of the four that it covers. Coarser
-  /// ones are drawn by themselves. With one level all are, which is the fastest. At most `most_levels`.
+  /// ones are drawn by themselves. With one level all are, which is the fastest. At most 24.
   int levels = 1;
 };
 

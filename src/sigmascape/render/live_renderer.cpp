@@ -56,10 +56,6 @@ void check(const LiveSettings& settings, const std::string& where) {
   if (!(settings.cells_per_bin >= 0.25 && settings.cells_per_bin <= 64.0)) {
     throw Error(where, fmt::format("has {} lattice cells a bin", settings.cells_per_bin), "give 0.25 to 64");
   }
-  if (settings.speckle_levels < 1 || settings.speckle_levels > radar::LatticeOptions::most_levels) {
-    throw Error(where, fmt::format("ties {} levels of speckle together", settings.speckle_levels),
-                fmt::format("give 1 to {}", radar::LatticeOptions::most_levels));
-  }
   if (!(settings.refraction > 0.0)) {
     throw Error(where, fmt::format("has a refraction of {}", settings.refraction),
                 "give 4/3, or more for a flatter Earth");
@@ -90,8 +86,7 @@ void check(const Pose& pose, const std::string& where) {
 LiveRenderer::LiveRenderer(std::shared_ptr<LiveGround> ground, const LiveSettings& settings)
     : ground_(std::move(ground)),
       settings_(checked(settings)),
-      lattice_(
-          {.seed = settings.seed, .cell_m = ground_->description().patches.texel_m, .levels = settings.speckle_levels}),
+      lattice_({.seed = settings.seed, .cell_m = ground_->description().patches.texel_m, .levels = 1}),
       team_(settings.threads),
       visible_{VisibleGround(settings.visibility, team_.size()), VisibleGround(settings.visibility, team_.size())},
       horizon_of_{&visible_[0].horizon(), &visible_[0].horizon()},

@@ -41,13 +41,7 @@ struct LiveSettings {
   double beam_step_rad = 2e-3, range_step_m = 15.0;
   double cells_per_bin = 2.0;  ///< lattice cells along the smaller side of a bin on the ground
   std::uint64_t seed = 1;      ///< names the scatterers
-  /// Levels of texels, from the finest on, whose scatterers are tied together: the Gaussian number of a cell is then
-  /// the normalised sum of those of the four that it covers (radar::LatticeOptions). With 1 each level draws its own.
-  /// Places are each level's own in any case, so that bins hold the same before and after a change only of waves that
-  /// are ten cells long; of shorter ones nothing is gained (docs/decisions/0031-lattice-levels.md). To draw a cell
-  /// takes 3.6 times as long with 2 levels, 8.6 times with 4. 1 to 24.
-  int speckle_levels = 1;
-  unsigned threads = 0;  ///< 0: one a hardware thread; has no effect on the result
+  unsigned threads = 0;        ///< 0: one a hardware thread; has no effect on the result
   /// k of the k-Earth, by which ground at distance d lies d²/(2 k R) lower: for horizons, ranges and grazing angles
   /// alike. A great number makes it flat.
   double refraction = 4.0 / 3.0;

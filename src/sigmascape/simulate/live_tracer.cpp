@@ -68,7 +68,7 @@ LiveTracer::LiveTracer(const scene::Scene& scene, const trace::SceneGeometry& ge
       settings_(checked(settings)),
       tracing_(checked(tracing, geometry)),
       surfaces_(trace::surface_models(scene, tracing.frequency_hz)),
-      lattice_({.seed = settings.seed, .cell_m = tracing.lattice_m, .levels = settings.speckle_levels}),
+      lattice_({.seed = settings.seed, .cell_m = tracing.lattice_m, .levels = 1}),
       targets_({.frequency_hz = tracing.frequency_hz,
                 .beams = settings.beams,
                 .ranges = settings.ranges,

@@ -1,12 +1,9 @@
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <gtest/gtest.h>
 #include <vector>
 
 #include "live_ground_example.h"
-
-#include "sigmascape/base/error.h"
 
 namespace sigmascape::render {
 namespace {
@@ -69,30 +66,29 @@ double root_mean_square(const std::vector<double>& numbers) {
   return std::sqrt(sum / static_cast<double>(numbers.size()));
 }
 
-/// What a renderer shows that knows nothing of another level.
-std::vector<double> alone(const ExampleGround& example, const atlas::Store& store, std::size_t level,
-                          const LiveSettings& settings) {
-  const auto ground = example.over(store, example.frequencies_hz.front());
-  LiveRenderer renderer(ground, settings);
-  const Frame& frame = settled_frame(renderer, *ground, view.pose());
-  EXPECT_EQ(frame.report.level, level);
-  EXPECT_EQ(frame.report.coarse + frame.report.dark, 0U);
-  return numbers_of(frame);
-}
-
-/// Level 0 gives way to level 1 before a radar that stands still.
+/// Frames while level 0 gives way to level 1 before a radar that stands still, and what either shows by itself.
 class ChangeOfLevel : public testing::TestWithParam<FrameContent> {
  protected:
   static constexpr int frames = 30;
+
+  [[nodiscard]] static std::vector<double> alone(const ExampleGround& example, const atlas::Store& store,
+                                                 std::size_t level) {
+    const auto ground = example.over(store);
+    LiveRenderer renderer(ground, bins(GetParam()));
+    const Frame& frame = settled_frame(renderer, *ground, view.pose());
+    EXPECT_EQ(frame.report.level, level);
+    EXPECT_EQ(frame.report.coarse + frame.report.dark, 0U);
+    return numbers_of(frame);
+  }
 };
 
 TEST_P(ChangeOfLevel, SharesThePowerOfEveryBinBetweenTheTwo) {
   const ScratchFolder folder;
   // Of a single patch there is no other level.
   const ExampleGround only_fine = fine_ground(1), both = fine_ground(2);
-  const std::vector<double> fine = alone(only_fine, only_fine.store(folder.path("fine")), 0, bins(GetParam()));
+  const std::vector<double> fine = alone(only_fine, only_fine.store(folder.path("fine")), 0);
   const atlas::Store store = unlike_levels(folder.path("both"));
-  const std::vector<double> coarse = alone(both, store, 1, bins(GetParam()));
+  const std::vector<double> coarse = alone(both, store, 1);
   const double size = root_mean_square(fine);
   ASSERT_GT(root_mean_square(coarse), 1.5 * size) << "the levels are unlike";
 
@@ -123,44 +119,6 @@ TEST_P(ChangeOfLevel, SharesThePowerOfEveryBinBetweenTheTwo) {
 }
 
 INSTANTIATE_TEST_SUITE_P(OfEither, ChangeOfLevel, testing::Values(FrameContent::Powers, FrameContent::Amplitudes));
-
-/// |Σ a b*| over the roots of the powers, of all channels.
-double correlation(const std::vector<double>& a, const std::vector<double>& b) {
-  std::complex<double> sum;
-  for (std::size_t i = 0; i < a.size(); i += 2) sum += std::complex(a[i], a[i + 1]) * std::complex(b[i], -b[i + 1]);
-  return std::abs(sum) / (static_cast<double>(a.size()) * root_mean_square(a) * root_mean_square(b));
-}
-
-/// Between the frames of level 0 and of level 1, at a wavelength.
-double correlation_of_levels(double wavelength_m, int speckle_levels) {
-  const ScratchFolder folder;
-  ExampleGround only_fine = fine_ground(1), both = fine_ground(2);
-  only_fine.frequencies_hz = both.frequencies_hz = {speed_of_light_mps / wavelength_m};
-  const atlas::Store store = both.store(folder.path("both"));
-  atlas::Pyramid(store).make_above(store.units());
-  LiveSettings settings = bins(FrameContent::Amplitudes);
-  settings.speckle_levels = speckle_levels;
-  return correlation(alone(only_fine, only_fine.store(folder.path("fine")), 0, settings),
-                     alone(both, store, 1, settings));
-}
-
-TEST(SpeckleLevels, TieWhatBinsHoldBeforeAndAfterAChange) {
-  // Of waves so long that it makes no difference where in its cell a scatterer stands.
-  EXPECT_GT(correlation_of_levels(2e3, 2), 0.9);
-  EXPECT_LT(correlation_of_levels(2e3, 1), 0.15);
-}
-
-TEST(SpeckleLevels, TieNothingOfWavesShorterThanACell) {
-  EXPECT_LT(correlation_of_levels(0.03, 2), 0.15);
-}
-
-TEST(SpeckleLevels, NoneAndMoreThanThereCanBeAreRefused) {
-  for (const int levels : {0, 25}) {
-    LiveSettings settings;
-    settings.speckle_levels = levels;
-    EXPECT_THROW(check(settings, "here"), Error) << levels;
-  }
-}
 
 }  // namespace
 }  // namespace sigmascape::render
