@@ -19,5 +19,6 @@ void add_dataset(pybind11::module_& module);
 void add_curves(pybind11::module_& module);
 void add_live(pybind11::module_& module);
 void add_live_tracer(pybind11::module_& module);
+void add_live_flight(pybind11::module_& module);
 
 }  // namespace sigmascape::python

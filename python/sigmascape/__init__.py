@@ -24,8 +24,8 @@
     sigmascape.make_dataset("spec.toml", "samples")            # labelled images by the thousand
 
 Scenes come from scene files, or are made up (Scene.simple, Scene.paper). LiveGround and LiveRenderer make radar frames for
-simulators as I/Q, LiveTracer those of small areas from the whole scene. The local frame has x east and y north in metres; heights are above mean sea level; azimuths count clockwise
-from true north; maps are [row, column] with row 0 the northernmost; sigma0 is linear. Names say their unit. Long calls let
+simulators as I/Q, LiveTracer those of small areas from the whole scene, LiveFlight whichever of the two a pose needs. The
+local frame has x east and y north in metres; heights are above mean sea level; azimuths count clockwise from true north; maps are [row, column] with row 0 the northernmost; sigma0 is linear. Names say their unit. Long calls let
 other Python threads run and end on Ctrl-C. What cannot be used raises sigmascape.Error, which says why.
 """
 
@@ -38,6 +38,7 @@ from ._native import (
     Frame,
     GroundMap,
     Layers,
+    LiveFlight,
     LiveGround,
     LiveRenderer,
     LiveTracer,
@@ -77,6 +78,7 @@ __all__ = [
     "Frame",
     "GroundMap",
     "Layers",
+    "LiveFlight",
     "LiveGround",
     "LiveRenderer",
     "LiveTracer",
