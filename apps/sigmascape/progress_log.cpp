@@ -19,11 +19,15 @@ nlohmann::ordered_json number_or_null(std::optional<double> number) {
 
 }  // namespace
 
-ProgressLog::ProgressLog(const std::filesystem::path& file) : file_(std::fopen(file.c_str(), "a")) {
+ProgressLog::ProgressLog(const std::filesystem::path& file) : file_(std::fopen(file.c_str(), "a+")) {
   if (file_ == nullptr) {
     throw Error(file.string(), std::string("cannot be written (") + std::strerror(errno) + ")",
                 "give --json-log a file in a folder that exists");
   }
+  // A process that was killed may have left half a line.
+  const bool ends_within_a_line = std::fseek(file_, -1, SEEK_END) == 0 && std::fgetc(file_) != '\n';
+  std::fseek(file_, 0, SEEK_END);
+  if (ends_within_a_line) std::fputc('\n', file_);
 }
 
 ProgressLog::~ProgressLog() {

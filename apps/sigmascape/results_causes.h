@@ -31,7 +31,7 @@ struct Contrast {
 /// What the error falls by for a megabyte more of elevations, and of azimuths, in a sentence.
 [[nodiscard]] std::string worth_of_looks(const ResultsPlan& plan, const std::vector<ResultsRow>& rows);
 /// The causes without which the RMS of dB and the relative L1 fall most, among those that are measured at the same
-/// views of one kind, in a sentence or two.
+/// views of one kind, in words.
 [[nodiscard]] std::string largest_causes(const ResultsPlan& plan, const std::vector<ResultsRow>& rows, ViewKind kind);
 
 }  // namespace sigmascape::cli

@@ -24,7 +24,7 @@ std::string line_of(const std::string& what, const ResultsRow& row) {
                      row.atlas.bake_seconds, row.render_ms);
 }
 
-/// What limits a way, in two sentences; empty where its method has no looks of the views' own.
+/// What limits a way, in words; empty where its method has no looks of the views' own.
 std::string limit_of(const ResultsRow& row, const std::vector<ResultsRow>& rows) {
   ResultsCase own = row.of;
   own.grid = own_look;

@@ -9,7 +9,8 @@ namespace {
 
 /// The path from the current folder; empty where it leads out of it.
 std::string path_within(const std::string& path) {
-  const auto relative = std::filesystem::absolute(path).lexically_relative(std::filesystem::current_path());
+  const auto relative =
+      std::filesystem::absolute(path).lexically_normal().lexically_relative(std::filesystem::current_path());
   return relative.empty() || *relative.begin() == ".." ? std::string() : relative.generic_string();
 }
 
@@ -29,9 +30,9 @@ std::string command_line(const ResultsOptions& options, const ResultsPlan& plan)
     line += option("--scene",
                    within.empty() ? std::filesystem::path(options.scene_file).filename().generic_string() : within);
   }
-  if (!options.around_m.empty()) line += fmt::format(" --around {:g} {:g}", plan.around_m.x, plan.around_m.y);
+  if (!options.around_m.empty()) line += fmt::format(" --around {} {}", plan.around_m.x, plan.around_m.y);
   if (options.itu_materials) line += " --itu-materials";
-  line += fmt::format(" --scale {:g} --held-out {} --on-grid {} --repeated {} --samples {} --traced-samples {}",
+  line += fmt::format(" --scale {} --held-out {} --on-grid {} --repeated {} --samples {} --traced-samples {}",
                       plan.scale, views(ViewKind::HeldOut), views(ViewKind::OnGrid), options.repeated,
                       plan.baked_samples, plan.traced_samples);
   line += fmt::format(" --finer-samples {}", plan.finer_samples);

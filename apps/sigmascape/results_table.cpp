@@ -179,7 +179,9 @@ nlohmann::ordered_json json_of(const ResultsCase& of, const AtlasCost& atlas) {
 
 nlohmann::ordered_json settings_json(const ResultsPlan& plan) {
   nlohmann::ordered_json grids, views;
-  for (const LookGrid& grid : plan.grids)
+  std::vector<LookGrid> baked = plan.grids;
+  baked.push_back(plan.even_in_cotangent());
+  for (const LookGrid& grid : baked)
     grids.push_back({{"name", grid.name()}, {"azimuths", grid.azimuths}, {"elevations_deg", grid.elevations_deg}});
   for (const PlannedView& view : plan.views) {
     views.push_back(

@@ -106,7 +106,7 @@ product::Picture levels_beside(const scene::Scene& scene, const trace::SceneGeom
 void explain_choice(const scene::Scene& scene, const trace::SceneGeometry& geometry, const render::LiveGround& ground) {
   const render::LiveSettings settings = settings_for(scene, render::FrameContent::Powers);
   const simulate::LiveTracer tracer(scene, geometry, settings);
-  const auto question = render::asked_of(ground, tracer.question(pose_over(scene, settings)));
+  const auto question = render::with_ground(tracer.question(pose_over(scene, settings)), ground);
   std::cout << render::explained(render::choose_detail(question));
 }
 

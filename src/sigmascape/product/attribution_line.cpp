@@ -13,6 +13,15 @@ namespace {
 constexpr std::size_t margin = 4;
 constexpr std::size_t line_height = glyph_height + 3;
 
+/// In letters that the font has.
+std::string spelled(std::string text) {
+  constexpr std::string_view copyright = "©";
+  for (auto at = text.find(copyright); at != std::string::npos; at = text.find(copyright, at)) {
+    text.replace(at, copyright.size(), "(c)");
+  }
+  return text;
+}
+
 }  // namespace
 
 std::vector<std::string> broken_into_lines(std::string_view text, std::size_t most_letters) {
@@ -34,7 +43,7 @@ Picture with_attribution(const Picture& picture) {
   const std::size_t columns = picture.pixels.columns(), rows = picture.pixels.rows();
   const std::size_t dot = legend_dot(columns), letter = text_width("nn", dot) - text_width("n", dot);
   const std::size_t room = columns - std::min(columns, 2 * margin * dot);
-  const std::vector<std::string> lines = broken_into_lines(attribution->second, room / letter);
+  const std::vector<std::string> lines = broken_into_lines(spelled(attribution->second), room / letter);
   if (std::ranges::any_of(lines, [&](const std::string& line) { return text_width(line, dot) > room; })) return picture;
 
   Picture signed_picture = picture;

@@ -2,7 +2,7 @@
 
 namespace sigmascape::render {
 
-DetailQuestion asked_of(const LiveGround& ground, DetailQuestion question) {
+DetailQuestion with_ground(DetailQuestion question, const LiveGround& ground) {
   const terrain::TerrainPyramid& terrain = ground.terrain().pyramid();
   question.texel_m = ground.description().patches.texel_m;
   question.mips = static_cast<int>(ground.coarsest_level()) + 1;

@@ -7,6 +7,6 @@ namespace sigmascape::render {
 
 /// The question, with what a ground has to offer: texels and their levels, terrain and its levels, and where its
 /// shadows come from.
-[[nodiscard]] DetailQuestion asked_of(const LiveGround& ground, DetailQuestion question);
+[[nodiscard]] DetailQuestion with_ground(DetailQuestion question, const LiveGround& ground);
 
 }  // namespace sigmascape::render

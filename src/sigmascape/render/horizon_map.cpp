@@ -37,8 +37,8 @@ struct StepsAlong {
       : a_step(static_cast<float>(nodes_a_step)) {
     const double node = std::floor(std::min(from, from + nodes_a_step * static_cast<double>(steps))) - 1.0;
     first = static_cast<float>(from - node);
-    // Pieces are never so far away; integers of 32 bits hold it.
-    constexpr double far_outside = 1e8;
+    // What is farther away is outside as well, and floats count no farther node by node.
+    constexpr double far_outside = 1 << 23;
     first_node =
         static_cast<std::int32_t>(std::clamp(static_cast<double>(piece_begin) - node, -far_outside, far_outside));
     last_cell = first_node + static_cast<std::int32_t>(piece_nodes) - 2;

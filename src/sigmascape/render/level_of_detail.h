@@ -27,7 +27,7 @@ struct DetailQuestion {
   int mips = 1;
   bool ground_apart = false;       ///< the atlas keeps the ground apart, and what stands on it hides it at run time
   double triangles_per_m2 = 0.01;  ///< of the full scene; for DetailRule::PixelsPerTriangle
-  bool traceable = true;  ///< level 0 gives power alone: who needs amplitudes of a coherent mode takes textures
+  bool traceable = true;           ///< false for maps of a coherent mode, of which level 0 gives none
 };
 
 struct DetailSettings {
@@ -47,7 +47,7 @@ struct DetailChoice {
   int level = 1;
   double wanted_level = 1.0;     ///< before rounding: 1 + mip, whether there is one so coarse or not, or below 1 where
                                  ///< geometry should stay
-  double mip = 0.0;              ///< fractional: the texture is blended between two
+  double mip = 0.0;              ///< fractional: maps blend two levels of texture, live frames take the finer
   int terrain_level = 0;         ///< whose nodes stand at most two texels of the mip apart
   double cell_m = 0.0;           ///< smaller side of the resolution cell on the ground
   double sample_m = 0.0;         ///< distance of ground samples
@@ -70,8 +70,8 @@ struct DetailChoice {
 /// Chooses the level of detail for a question. A pure function.
 ///
 /// The smaller side of the cell decides, never derivatives on a screen: a beam 1.4 km wide must not blur a range
-/// resolution of 75 m. Where geometry should stay but the area is too large to be traced the choice is the finest level
-/// of the atlas, and `geometry_may_go` says that it is a compromise.
+/// resolution of 75 m. Where geometry should stay but the area is too large to be traced the atlas stands in, at
+/// the level that its samples ask for, and `geometry_may_go` says that it is a compromise.
 [[nodiscard]] DetailChoice choose_detail(const DetailQuestion& question, const DetailSettings& settings = {});
 
 /// A few lines for people: what was chosen and which number decided it.

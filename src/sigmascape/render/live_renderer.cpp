@@ -224,8 +224,7 @@ Occluders LiveRenderer::occluders_for(const TerrainWindows::View& terrain, Vec3d
   // A picture is drawn of one lattice, whatever the sector; the sweep takes nearer ground from another.
   const bool in_one = settings_.visibility.method == VisibilityMethod::Rasterization;
   const LiveTerrain::Surface within = ground_->terrain().surface(
-      terrain, level_within, under_beams(radar, in_one ? 0.0 : std::max(grid().near_m - grid().step_m, 0.0), far_m()),
-      wanted_terrain_);
+      terrain, level_within, under_beams(radar, in_one ? 0.0 : swept_from_m(), far_m()), wanted_terrain_);
   Occluders occluders{.terrain = within.view, .lowered_m = within.above_pages_m};
   float error_m = within.error_m;
   if (!in_one && grid().near_m > grid().step_m) {
@@ -325,7 +324,7 @@ void LiveRenderer::look_ahead(const FrameViews& there, const Pose& pose, Beams b
   look_ahead_at_pages(there.pages, pose, beams, level);
   const Vec3d radar = pose.position + pose.velocity_mps * seconds_ahead;
   // Only wished for: what comes back is looked at by the frames to come.
-  (void)ground_->terrain().surface(there.terrain, terrain_level(level), under_beams(radar, grid().near_m, far_m()),
+  (void)ground_->terrain().surface(there.terrain, terrain_level(level), under_beams(radar, swept_from_m(), far_m()),
                                    wanted_terrain_);
   if (const LiveObstacles* const obstacles = ground_->obstacles()) {
     obstacles->look_ahead(there.obstacles,
@@ -356,8 +355,8 @@ void LiveRenderer::look_ahead_at_pages(const PageCache::View& there, const Pose&
 
 DetailBlend LiveRenderer::next_levels() {
   const HorizonGrid& grid = this->grid();
-  DetailQuestion question =
-      asked_of(*ground_, question_of_bins(settings_, grid.near_m, grid.step_m * static_cast<double>(grid.distances)));
+  DetailQuestion question = with_ground(
+      question_of_bins(settings_, grid.near_m, grid.step_m * static_cast<double>(grid.distances)), *ground_);
   // Live frames come from the atlas however small they are.
   question.tallest_object_m = 0.0;
   question.area_m2 = std::numeric_limits<double>::infinity();

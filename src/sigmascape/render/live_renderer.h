@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <complex>
 #include <cstdint>
@@ -106,8 +107,8 @@ struct Frame {
 /// Every lattice cell of the sector answers once, at its own place and with its own phase; cells are as large as the
 /// bins can tell apart, so that their number does not depend on how far the radar sees. When the level that this asks
 /// for changes along a flight path, the two are drawn together for 30 frames, textures over the terrain that belongs to
-/// them, each with its share of the power. Nothing is ever waited for, and once the pages of a view are there
-/// nothing is allocated. The result does not depend on the number of threads.
+/// them, each with its share of the power. No loader is waited for and no other renderer, and once the pages of a view
+/// are there nothing is allocated. The result does not depend on the number of threads.
 class LiveRenderer {
  public:
   LiveRenderer(std::shared_ptr<LiveGround> ground, const LiveSettings& settings);
@@ -152,6 +153,8 @@ class LiveRenderer {
   /// The ground between two distances under all beams.
   [[nodiscard]] radar::Rectangle under_beams(Vec3d radar, double near_m, double far_m) const;
   [[nodiscard]] GroundSector sector_of(Vec3d radar, double near_m, double far_m) const;
+  /// A sweep's first step ends at the first node.
+  [[nodiscard]] double swept_from_m() const { return std::max(grid().near_m - grid().step_m, 0.0); }
   [[nodiscard]] double far_m() const { return grid().near_m + grid().step_m * static_cast<double>(grid().distances); }
 
   std::shared_ptr<LiveGround> ground_;

@@ -15,7 +15,8 @@ struct MeshCounts {
 
 [[nodiscard]] MeshCounts mesh_counts(const Scene& scene);
 
-/// Triangles as they are seen, over the area of the scene's extent.
+/// Triangles as they are seen, over the area of the scene's extent: of a scene that holds more than its extent too
+/// many.
 [[nodiscard]] double triangles_per_m2(const Scene& scene);
 
 }  // namespace sigmascape::scene

@@ -55,7 +55,7 @@ const render::Frame& LiveFlight::render(const render::Pose& pose) {
 }
 
 void LiveFlight::choose(const render::Pose& pose) {
-  const render::DetailQuestion question = render::asked_of(*ground_, tracer_.question(pose));
+  const render::DetailQuestion question = render::with_ground(tracer_.question(pose), *ground_);
   // What is being left is as good as left: a change that has begun is gone on with.
   const render::DetailSettings detail = begun_ ? settings_in_use(flight_.detail, choice_.level == 0) : flight_.detail;
   choice_ = render::choose_detail(question, detail);

@@ -59,7 +59,7 @@ class LiveTracer {
   const render::Frame& render(const render::Pose& pose);
 
   /// What render::choose_detail is to be asked for such a frame, of this scene; what an atlas offers instead is the
-  /// caller's to add (render::asked_of). Throws Error for a pose that is nowhere.
+  /// caller's to add (render::with_ground). Throws Error for a pose that is nowhere.
   [[nodiscard]] render::DetailQuestion question(const render::Pose& pose) const;
 
  private:

@@ -33,7 +33,7 @@ struct TerrainView {
   /// Slopes of the ground at the nodes, to be interpolated: where nodes stand wide apart they shade better than the
   /// facets between them. Empty: the slopes of the bilinear surface.
   std::span<const PackedSlope> slope = {};  ///< [row][column]
-  float lowest_m = 0.0F;                    ///< bounds of all heights; they may be wider
+  float lowest_m = 0.0F;                    ///< bounds of the heights that are asked for; they may be wider
   float highest_m = 0.0F;
 
   /// How many columns east and rows south of the lattice's first node a point lies.

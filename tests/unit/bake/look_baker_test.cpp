@@ -258,7 +258,6 @@ TEST(LookBaker, PatchesOfAMosaicAgreeWithOnePatchOverAll) {
   }
 }
 
-// Of single bounces, whose weights do not ask where else rays are aimed.
 /// Level ground that reaches 4096 m north of a tower 326 m high, whose foot is 40 m wide.
 scene::Scene scene_with_tower() {
   scene::Scene scene = scene_with_block();
@@ -315,6 +314,7 @@ TEST(LookBaker, ATowerOfTheNextPatchLiesOverIntoThisOne) {
   for (double y = top_m - 3.0; y > -100.0; y -= 2.0) EXPECT_NEAR(column_power(y), open, 1e-3 * open) << y;
 }
 
+// Of single bounces, whose weights do not ask where else rays are aimed.
 TEST(LookBaker, PartsOfALaunchAreaAddUpToTheWhole) {
   const scene::Scene scene = scene_with_block();
   BakeSettings settings = settings_with({.samples_per_texel = 8});

@@ -1,4 +1,4 @@
-#include "sigmascape/simulate/map_detail.h"
+#include "sigmascape/simulate/map_question.h"
 
 #include <bit>
 #include <cmath>
@@ -6,7 +6,6 @@
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/radar/coherent_plan.h"
 #include "sigmascape/scene/mesh_counts.h"
-#include "sigmascape/terrain/height_tile.h"
 
 namespace sigmascape::simulate {
 
@@ -25,9 +24,8 @@ render::DetailQuestion map_question(const scene::Scene& scene, const radar::Rada
   question.triangles_per_m2 = scene::triangles_per_m2(scene);
   question.area_m2 = grid.extent().width_m() * grid.extent().height_m();
   question.traceable = real_beam;
-  // As a bake lays out the tiles beside its atlas.
+  // Maps stand on the scene's own terrain at every level of detail.
   question.terrain_spacing_m = scene.terrain.spacing_m;
-  question.terrain_levels = terrain::PyramidLayout::covering(scene.terrain.extent(), scene.terrain.spacing_m).levels();
   question.texel_m = grid.cell_m;
   if (store != nullptr) {
     const atlas::AtlasDescription& atlas = store->description();

@@ -1,4 +1,4 @@
-#include "sigmascape/simulate/map_detail.h"
+#include "sigmascape/simulate/map_question.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -62,7 +62,7 @@ TEST(MapQuestion, KnowsTheSceneAndItsTerrain) {
   EXPECT_NEAR(question.triangles_per_m2, (2.0 * 1024.0 * 1024.0 + 12.0) / (side_m * side_m), 1e-12);
   EXPECT_NEAR(question.area_m2, 128.0 * 128.0, 1e-6);
   EXPECT_EQ(question.terrain_spacing_m, 4.0);
-  EXPECT_EQ(question.terrain_levels, 3) << "tiles of 256 cells, four a side";
+  EXPECT_EQ(question.terrain_levels, 1) << "maps stand on the finest";
 }
 
 TEST(MapQuestion, KnowsWhatTheAtlasHas) {
