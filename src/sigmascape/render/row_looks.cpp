@@ -122,6 +122,14 @@ template <std::size_t looks, float number_of(Half)>
   }
 }
 
+/// The same of whichever kind of numbers the channel has.
+template <std::size_t looks>
+[[gnu::always_inline]] inline void blend_numbers(std::size_t channel, const Half* from, const float* const* corner,
+                                                 const float* gain, float* to) {
+  if (is_signed(channel)) blend_channel<looks, tiny_number_of>(from, corner, gain, to);
+  if (!is_signed(channel)) blend_channel<looks, tiny_power_of>(from, corner, gain, to);
+}
+
 /// Blends all channels of a stretch, block by block, fetching the block to the south of each meanwhile.
 template <std::size_t looks>
 [[gnu::always_inline]] inline void blend_blocks(const BlendOf& blend, const CornerWeights& weights, const float* gain,
@@ -140,11 +148,15 @@ template <std::size_t looks>
     // Columns before the first texel are not this stretch's.
     const std::size_t before = first == 0 ? lane : 0;
     for (std::size_t channel = 0; channel < GroundPage::channels; ++channel) {
-      Lanes lanes;
       const Half* const numbers = from + channel * vector;
-      if (is_signed(channel)) blend_channel<looks, tiny_number_of>(numbers, corner, gain, lanes.of.data());
-      if (!is_signed(channel)) blend_channel<looks, tiny_power_of>(numbers, corner, gain, lanes.of.data());
-      std::copy_n(lanes.of.data() + before, vector - before, returned[channel] + (first + before) - lane);
+      float* const to = returned[channel] + (first + before) - lane;
+      if (before == 0) {
+        blend_numbers<looks>(channel, numbers, corner, gain, to);
+        continue;
+      }
+      Lanes lanes;
+      blend_numbers<looks>(channel, numbers, corner, gain, lanes.of.data());
+      std::copy_n(lanes.of.data() + before, vector - before, to);
     }
   }
 }
@@ -189,6 +201,20 @@ template <std::size_t frequencies, float number_of(Half)>
   }
 }
 
+/// Adds one channel of all elevations of a block.
+template <std::size_t frequencies>
+[[gnu::always_inline]] inline void add_elevations(const GroundLooks& looks, const CornerWeights& weights,
+                                                  std::size_t first, std::size_t channel, const Half* block,
+                                                  float* to) {
+  for (std::size_t e = looks.first; e < looks.end; ++e) {
+    const Half* const numbers = block + e * frequencies * GroundPage::look_halves + channel * vector;
+    const float* const weight = weights[e].of.data() + first;
+    const float* const factor = looks.elevations[e].factor.data();
+    if (is_signed(channel)) add_channel<frequencies, tiny_number_of>(numbers, weight, factor, to);
+    if (!is_signed(channel)) add_channel<frequencies, tiny_power_of>(numbers, weight, factor, to);
+  }
+}
+
 /// Adds all channels of a stretch, block by block, fetching the block to the south of each meanwhile.
 template <std::size_t frequencies>
 [[gnu::always_inline]] inline void add_blocks(const GroundLooks& looks, const CornerWeights& weights, std::size_t count,
@@ -207,15 +233,13 @@ template <std::size_t frequencies>
     const std::size_t before = first == 0 ? lane : 0;
     for (std::size_t channel = 0; channel < GroundPage::channels; ++channel) {
       float* const to = returned[channel] + (first + before) - lane;
+      if (before == 0) {
+        add_elevations<frequencies>(looks, weights, first, channel, from, to);
+        continue;
+      }
       Lanes lanes{};
       std::copy_n(to, vector - before, lanes.of.data() + before);
-      for (std::size_t e = looks.first; e < looks.end; ++e) {
-        const Half* const numbers = from + e * elevation_halves + channel * vector;
-        const float* const weight = weights[e].of.data() + first;
-        const float* const factor = looks.elevations[e].factor.data();
-        if (is_signed(channel)) add_channel<frequencies, tiny_number_of>(numbers, weight, factor, lanes.of.data());
-        if (!is_signed(channel)) add_channel<frequencies, tiny_power_of>(numbers, weight, factor, lanes.of.data());
-      }
+      add_elevations<frequencies>(looks, weights, first, channel, from, lanes.of.data());
       std::copy_n(lanes.of.data() + before, vector - before, to);
     }
   }
