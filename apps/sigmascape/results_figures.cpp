@@ -103,7 +103,7 @@ radar::GroundMap simple_map(const scene::Scene& scene, const trace::SceneGeometr
   trace::TraceCounts counts;
   const auto image = simulate::traced_image(scene, geometry, radar, grid.extent(),
                                             {.cell_m = grid.cell_m,
-                                             .samples_per_cell = std::min(plan.traced_samples, 512U),
+                                             .samples_per_cell = std::min(16 * plan.traced_samples, 8192U),
                                              .max_bounces = 4,
                                              .seed = plan.seed,
                                              .threads = plan.threads},
@@ -116,7 +116,7 @@ radar::GroundMap simple_texture(const scene::Scene& scene, const radar::Aspect& 
                                 const ResultsPlan& plan) {
   bake::BakeSettings settings = plan.bake_settings(Method::Paper);
   settings.patches.texel_m = grid.cell_m;
-  settings.sampling.samples_per_texel = std::min(plan.traced_samples, 256U);
+  settings.sampling.samples_per_texel = std::min(16 * plan.traced_samples, 4096U);
   settings.max_bounces = 4;
   return {.grid = grid,
           .sigma0 = bake::PaperBaker(scene, settings).bake(grid, aspect),
