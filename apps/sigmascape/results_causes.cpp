@@ -26,11 +26,14 @@ std::string metrics(const product::CellComparison& cell) {
   return fmt::format("{:.3f} | {:.2f} | {:.3f} | {:.2f}", cell.correlation_db, cell.rms_db, cell.l1, cell.shadow_iou);
 }
 
-/// What two traced maps of the views differ by: no method can be shown to come closer. Empty without such views.
-std::string truth_metrics(const ResultsPlan& plan, const std::vector<ResultsRow>& rows, ViewKind kind) {
+/// The first line of a table: what two traced maps of the views differ by, for no method can be shown to come closer,
+/// and cells that stay empty. No line without such views.
+std::string truth_line(const ResultsPlan& plan, const std::vector<ResultsRow>& rows, ViewKind kind,
+                       const char* empty_cells) {
   const ResultsRow* row = baseline_row(plan, rows, plan.scene_name(), kind);
   const ResultsCell* cell = row != nullptr ? row->at_cell(summary_cell_m) : nullptr;
-  return cell != nullptr ? metrics(cell->floor_median) : "";
+  if (cell == nullptr) return {};
+  return fmt::format("| *truth* | one traced map against another | {} |{}\n", metrics(cell->floor_median), empty_cells);
 }
 
 /// What the error falls by when the cause that adds most to it is switched off.
@@ -151,8 +154,7 @@ std::string causes_table(const ResultsPlan& plan, const std::vector<ResultsRow>&
   std::string text =
       "| cause | with against without it | with: correlation | RMS [dB] | L1 | IoU | without: correlation | RMS [dB] | "
       "L1 | IoU |\n|---|---|---:|---:|---:|---:|---:|---:|---:|---:|\n";
-  if (const std::string truth = truth_metrics(plan, rows, kind); !truth.empty())
-    text += fmt::format("| *truth* | one traced map against another | {} | | | | |\n", truth);
+  text += truth_line(plan, rows, kind, " | | | |");
   for (const Contrast& cause : causes(plan, kind)) {
     if (const auto both = found(cause, rows)) {
       text += fmt::format("| {} | {} | {} | {} |\n", cause.name, cause.how, metrics(both->with_cell->median),
@@ -167,8 +169,7 @@ std::string changes_table(const ResultsPlan& plan, const std::vector<ResultsRow>
       "| change | to | before: correlation | RMS [dB] | L1 | IoU | MB | frame [ms] | after: correlation | RMS [dB] | "
       "L1 "
       "| IoU | MB | frame [ms] |\n|---|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n";
-  if (const std::string truth = truth_metrics(plan, rows, ViewKind::HeldOut); !truth.empty())
-    text += fmt::format("| *truth* | one traced map against another | {} | | | | | | | | |\n", truth);
+  text += truth_line(plan, rows, ViewKind::HeldOut, " | | | | | | | |");
   for (const Contrast& change : changes(plan)) {
     const auto both = found(change, rows);
     if (!both) continue;

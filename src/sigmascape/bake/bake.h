@@ -36,8 +36,8 @@ struct BakeReport {
 /// A bake that was broken off goes on where it stopped: looks that are there already are left as they are. Any number
 /// of processes and machines may bake into one folder at once, shards of it or the whole: one that comes to a look that
 /// another is at goes on to the next, and at the end waits for it. The same scene and settings give the same bytes for
-/// any number of threads, any shards and any interruption (under one SIMD setting). The scene
-/// is in memory as a whole, of the patches only the one that is being baked.
+/// any number of threads, any shards and any interruption (under one SIMD setting). The scene is
+/// in memory as a whole, of the patches only the one that is being baked.
 ///
 /// Throws Error for settings out of range and when another scene or other settings are in `folder`.
 BakeReport bake(const scene::Scene& scene, const BakeSettings& settings, const std::filesystem::path& folder,

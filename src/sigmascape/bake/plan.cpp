@@ -26,7 +26,11 @@ struct Trial {
 class Trials {
  public:
   Trials(const scene::Scene& scene, const BakeSettings& settings)
-      : scene_(scene), settings_(settings), piece_(piece_of(settings)), baker_(scene, piece_) {}
+      : scene_(scene),
+        settings_(settings),
+        piece_(piece_of(settings)),
+        description_(description_of(scene, piece_)),
+        baker_(scene, piece_) {}
 
   [[nodiscard]] std::vector<Trial> at_all_elevations() const {
     std::vector<Trial> trials;
@@ -46,9 +50,7 @@ class Trials {
   [[nodiscard]] Trial at_elevation(std::size_t elevation) const {
     const auto& azimuths = settings_.aspects.azimuths_rad;
     const radar::Aspect aspect{azimuths[3 * elevation % azimuths.size()], settings_.aspects.elevations_rad[elevation]};
-    const radar::Rectangle& extent = scene_.extent;
-    const atlas::PatchIndex patch =
-        piece_.patches.patch_at({0.5 * (extent.west_m + extent.east_m), 0.5 * (extent.south_m + extent.north_m)});
+    const atlas::PatchIndex patch = piece_.patches.patch_at(scene_.extent.centre());
     const auto begin = std::chrono::steady_clock::now();
     SilentProgress silent;
     const BakedLook look = baker_.bake(patch, aspect, silent).front();
@@ -56,10 +58,9 @@ class Trials {
     const auto texels = piece_.patches.texels_of(patch);
     const double cells = baker_.area_of(texels, aspect).whole_cells();
     const auto halves = atlas::encoded({look.sigma0}, atlas::fitting_scale(look.sigma0), settings_.mantissa_bits);
-    const atlas::AtlasDescription description = description_of(scene_, piece_);
-    const auto sigma0 = atlas::texture_bytes(halves, atlas::sigma0_bands, texels, description).size();
+    const auto sigma0 = atlas::texture_bytes(halves, atlas::sigma0_bands, texels, description_).size();
     const auto errors =
-        atlas::error_texture_bytes(look.relative_errors, look.sigma0, texels, description, scene_.name).size();
+        atlas::error_texture_bytes(look.relative_errors, look.sigma0, texels, description_, scene_.name).size();
     const auto count = static_cast<double>(look.sigma0.size());
     return {taken.count() / std::max(cells, 1.0), static_cast<double>(sigma0) / count,
             static_cast<double>(errors) / count};
@@ -68,6 +69,7 @@ class Trials {
   const scene::Scene& scene_;
   const BakeSettings& settings_;
   BakeSettings piece_;
+  atlas::AtlasDescription description_;  // of the piece
   LookBaker baker_;
 };
 

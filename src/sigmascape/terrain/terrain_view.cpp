@@ -18,27 +18,14 @@ struct CellAlong {
   }
 };
 
-/// The four nodes about a point, to interpolate between.
-struct NodesAbout {
-  std::size_t north_west, south_west;
-  double u, v;
-
-  NodesAbout(const TerrainView& view, Vec2d point) {
-    const PlaceInCell place = place_in_cell(view, point);
-    north_west = place.north_west;
-    south_west = north_west + view.columns;
-    u = place.u;
-    v = place.v;
-  }
-
-  /// Between four values, `at(node)` each.
-  template <typename At>
-  [[nodiscard]] double between(const At& at) const {
-    const double north = (1.0 - u) * at(north_west) + u * at(north_west + 1);
-    const double south = (1.0 - u) * at(south_west) + u * at(south_west + 1);
-    return (1.0 - v) * north + v * south;
-  }
-};
+/// Between the values of the four nodes about a place, `at(node)` each.
+template <typename At>
+double between(const TerrainView& view, const PlaceInCell& place, const At& at) {
+  const std::size_t north_west = place.north_west, south_west = north_west + view.columns;
+  const double north = (1.0 - place.u) * at(north_west) + place.u * at(north_west + 1);
+  const double south = (1.0 - place.u) * at(south_west) + place.u * at(south_west + 1);
+  return (1.0 - place.v) * north + place.v * south;
+}
 
 }  // namespace
 
@@ -49,21 +36,23 @@ PlaceInCell place_in_cell(const TerrainView& view, Vec2d point) {
 }
 
 double height_at(const TerrainView& view, Vec2d point) {
-  return NodesAbout(view, point).between([&](std::size_t node) { return static_cast<double>(view.height_m[node]); });
+  return between(view, place_in_cell(view, point),
+                 [&](std::size_t node) { return static_cast<double>(view.height_m[node]); });
 }
 
 Vec2d slope_at(const TerrainView& view, Vec2d point) {
-  const NodesAbout nodes(view, point);
+  const PlaceInCell place = place_in_cell(view, point);
   if (!view.slope.empty()) {
     constexpr auto per_step = static_cast<double>(1.0F / PackedSlope::steps_per_unit);
-    return {nodes.between([&](std::size_t node) { return per_step * view.slope[node].east; }),
-            nodes.between([&](std::size_t node) { return per_step * view.slope[node].north; })};
+    return {between(view, place, [&](std::size_t node) { return per_step * view.slope[node].east; }),
+            between(view, place, [&](std::size_t node) { return per_step * view.slope[node].north; })};
   }
   const auto height = [&](std::size_t node) { return static_cast<double>(view.height_m[node]); };
-  const double north_west = height(nodes.north_west), north_east = height(nodes.north_west + 1);
-  const double south_west = height(nodes.south_west), south_east = height(nodes.south_west + 1);
-  return {((1.0 - nodes.v) * (north_east - north_west) + nodes.v * (south_east - south_west)) / view.spacing_m,
-          ((1.0 - nodes.u) * (north_west - south_west) + nodes.u * (north_east - south_east)) / view.spacing_m};
+  const std::size_t upper = place.north_west, lower = upper + view.columns;
+  const double north_west = height(upper), north_east = height(upper + 1);
+  const double south_west = height(lower), south_east = height(lower + 1);
+  return {((1.0 - place.v) * (north_east - north_west) + place.v * (south_east - south_west)) / view.spacing_m,
+          ((1.0 - place.u) * (north_west - south_west) + place.u * (north_east - south_east)) / view.spacing_m};
 }
 
 TerrainView view_of(const HeightField& field) {

@@ -69,8 +69,8 @@ std::vector<TileKey> tiles_for(const TerrainPyramid& pyramid, const radar::Recta
 TerrainWindow::TerrainWindow(std::size_t most_nodes_per_side, WindowSlopes slopes)
     : most_nodes_(most_nodes_per_side * most_nodes_per_side), slopes_(slopes) {}
 
-std::optional<TerrainWindow::Placement> TerrainWindow::placed(const PyramidLayout& layout, const radar::Rectangle& area,
-                                                              int level) const {
+std::optional<TerrainView> TerrainWindow::placed(const PyramidLayout& layout, const radar::Rectangle& area,
+                                                 int level) const {
   const double spacing_m = layout.spacing_at(level);
   const auto nodes_across = static_cast<double>(layout.across(level) * HeightTile::cells);
   const auto nodes_down = static_cast<double>(layout.down(level) * HeightTile::cells);
@@ -80,13 +80,13 @@ std::optional<TerrainWindow::Placement> TerrainWindow::placed(const PyramidLayou
   const double south = std::clamp(std::ceil((layout.north_m - area.south_m) / spacing_m), north + 1.0, nodes_down);
   const auto columns = static_cast<std::size_t>(east - west) + 1, rows = static_cast<std::size_t>(south - north) + 1;
   if (columns * rows > most_nodes_) return std::nullopt;
-  return Placement{static_cast<std::int64_t>(west),
-                   static_cast<std::int64_t>(north),
-                   columns,
-                   rows,
-                   layout.west_m,
-                   layout.north_m,
-                   spacing_m};
+  return TerrainView{.lattice_west_m = layout.west_m,
+                     .lattice_north_m = layout.north_m,
+                     .spacing_m = spacing_m,
+                     .first_column = static_cast<std::int64_t>(west),
+                     .first_row = static_cast<std::int64_t>(north),
+                     .columns = columns,
+                     .rows = rows};
 }
 
 void TerrainWindow::copy(int level, TileKey part, TileKey source, const HeightTile& tile) {
@@ -139,7 +139,7 @@ WindowReport TerrainWindow::fill(TerrainPyramid& pyramid, const radar::Rectangle
   const PyramidLayout& layout = pyramid.layout();
   const int last = layout.levels() - 1;
   WindowReport report{.level = std::clamp(level, 0, last)};
-  std::optional<Placement> placement = placed(layout, area, report.level);
+  std::optional<TerrainView> placement = placed(layout, area, report.level);
   while (!placement && report.level < last) placement = placed(layout, area, ++report.level);
   if (!placement) return report;
   placement_ = *placement;
@@ -163,25 +163,18 @@ WindowReport TerrainWindow::fill(TerrainPyramid& pyramid, const radar::Rectangle
   }
   const auto filled = std::span(height_m_).first(nodes);
   const auto [lowest, highest] = std::ranges::minmax_element(filled);
-  lowest_m_ = *lowest;
-  highest_m_ = *highest;
+  placement_.lowest_m = *lowest;
+  placement_.highest_m = *highest;
   if (slopes_ == WindowSlopes::Formed) form_slopes();
   return report;
 }
 
 TerrainView TerrainWindow::view() const {
   const std::size_t count = placement_.columns * placement_.rows;
-  return {.lattice_west_m = placement_.lattice_west_m,
-          .lattice_north_m = placement_.lattice_north_m,
-          .spacing_m = placement_.spacing_m,
-          .first_column = placement_.first_column,
-          .first_row = placement_.first_row,
-          .columns = placement_.columns,
-          .rows = placement_.rows,
-          .height_m = std::span(height_m_).first(count),
-          .slope = slopes_ == WindowSlopes::Formed ? std::span(slope_).first(count) : std::span<const PackedSlope>(),
-          .lowest_m = lowest_m_,
-          .highest_m = highest_m_};
+  TerrainView view = placement_;
+  view.height_m = std::span(height_m_).first(count);
+  if (slopes_ == WindowSlopes::Formed) view.slope = std::span(slope_).first(count);
+  return view;
 }
 
 }  // namespace sigmascape::terrain

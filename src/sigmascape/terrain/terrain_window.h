@@ -69,23 +69,18 @@ class TerrainWindow {
   }
 
  private:
-  struct Placement {
-    std::int64_t first_column = 0, first_row = 0;  ///< node of the window's level that stands north-western
-    std::size_t columns = 0, rows = 0;
-    double lattice_west_m = 0.0, lattice_north_m = 0.0, spacing_m = 1.0;
-  };
-  [[nodiscard]] std::optional<Placement> placed(const PyramidLayout& layout, const radar::Rectangle& area,
-                                                int level) const;
+  /// The nodes of a level that an area needs, without their heights; nothing when they do not fit.
+  [[nodiscard]] std::optional<TerrainView> placed(const PyramidLayout& layout, const radar::Rectangle& area,
+                                                  int level) const;
   /// Writes the nodes of the window within `part`'s extent from a tile that covers it.
   void copy(int level, TileKey part, TileKey source, const HeightTile& tile);
   void form_slopes();
 
   std::size_t most_nodes_;  // in all
   WindowSlopes slopes_;
-  Placement placement_;
+  TerrainView placement_;  // all of the view but its numbers
   std::vector<float> height_m_;
   std::vector<PackedSlope> slope_;
-  float lowest_m_ = 0.0F, highest_m_ = 0.0F;
 };
 
 }  // namespace sigmascape::terrain

@@ -151,24 +151,32 @@ std::vector<BakedLook> bakes_of_the_block(const Sampling& sampling, int repetiti
   return looks;
 }
 
-TEST(LookBaker, ErrorsAreHonestWithAFixedNumberOfSamples) {
-  const std::vector<BakedLook> looks = bakes_of_the_block({.samples_per_texel = 256}, 32);
-  const Honesty honesty = HonestyTally(looks, [](std::size_t, const Scatter&) { return 256.0; }).result();
+void expect_stated_error(const char* name, const Honesty& honesty) {
   validation::expect_close({.group = "Error of a bake",
-                            .name = "standard error of a texel, predicted over actual, fixed sampling",
+                            .name = name,
                             .expected = 1.0,
                             .measured = honesty.predicted_over_actual,
                             .tolerance = 0.1,
                             .unit = "1",
                             .source = "estimator.md, Eq. (10)"});
+}
+
+void expect_coverage(const char* name, const Honesty& honesty) {
   validation::expect_close({.group = "Error of a bake",
-                            .name = "part of the 95 % intervals that hold the truth",
+                            .name = name,
                             .expected = 0.95,
                             .measured = honesty.covered,
                             // Sums of few hundred samples are skewed, which costs a hundredth.
                             .tolerance = 0.02,
                             .unit = "1",
                             .source = "estimator.md, Eq. (10)"});
+}
+
+TEST(LookBaker, ErrorsAreHonestWithAFixedNumberOfSamples) {
+  const std::vector<BakedLook> looks = bakes_of_the_block({.samples_per_texel = 256}, 32);
+  const Honesty honesty = HonestyTally(looks, [](std::size_t, const Scatter&) { return 256.0; }).result();
+  expect_stated_error("standard error of a texel, predicted over actual, fixed sampling", honesty);
+  expect_coverage("part of the 95 % intervals that hold the truth", honesty);
 }
 
 // Cells differ in their samples. How many a texel's power rests on is told by bakes whose number is known: variances
@@ -180,25 +188,13 @@ TEST(LookBaker, IntervalsAreHonestWithAnAdaptiveNumberOfSamples) {
     return 256.0 * Scatter(fixed, texel).predicted / scatter.predicted;
   };
   const Honesty honesty = HonestyTally(adaptive, samples_of).result();
-  validation::expect_close({.group = "Error of a bake",
-                            .name = "part of the 95 % intervals that hold the truth, adaptive sampling",
-                            .expected = 0.95,
-                            .measured = honesty.covered,
-                            .tolerance = 0.02,
-                            .unit = "1",
-                            .source = "estimator.md, Eq. (10)"});
+  expect_coverage("part of the 95 % intervals that hold the truth, adaptive sampling", honesty);
 }
 
 TEST(LookBaker, ErrorsAreHonestWithAnAdaptiveNumberOfSamples) {
   const std::vector<BakedLook> looks = bakes_of_the_block({.target_db = 0.2, .most_samples = 512}, 12);
   const Honesty honesty = HonestyTally(looks, [](std::size_t, const Scatter&) { return 0.0; }).result();
-  validation::expect_close({.group = "Error of a bake",
-                            .name = "standard error of a texel, predicted over actual, adaptive sampling",
-                            .expected = 1.0,
-                            .measured = honesty.predicted_over_actual,
-                            .tolerance = 0.1,
-                            .unit = "1",
-                            .source = "estimator.md, Eq. (10)"});
+  expect_stated_error("standard error of a texel, predicted over actual, adaptive sampling", honesty);
 }
 
 /// Mean over bakes of what a whole patch returns, and the standard error of that.
