@@ -71,7 +71,7 @@ validation: packages ## Write docs/physics/validation.md: every case, expected a
 	SIGMASCAPE_VALIDATION_RECORDS=$(CURDIR)/out/validation.jsonl $(call run_tests,release) --label-exclude '^(long|python)$$'
 	tools/validation_table out/validation.jsonl docs/physics/validation.md
 
-bench: packages ## Measure on this machine, on the paper's scene: tens of minutes. JSON lines under out/bench
+bench: packages ## Measure on this machine, on the paper's scene: hours. JSON lines under out/bench
 	$(call configure,release) -DSIGMASCAPE_BENCHMARKS=ON
 	$(call build,release) --target benchmarks --target sigmascape_python_package
 	for program in build/release/benchmarks/bench_*; do $$program --out out/bench/$${program##*bench_}.jsonl || exit 1; done

@@ -3,7 +3,8 @@
 #
 #   sbatch --array=0-7 examples/clusters/slurm.sh town.toml --out /shared/atlas --samples 64
 #
-# Everything after the name of this file goes to `sigmascape bake` as it is.
+# Everything after the name of this file goes to `sigmascape bake` as it is. Each task tells of its progress in a file of its own,
+# bake-<array>_<task>.jsonl, beside its output.
 #SBATCH --job-name=sigmascape-bake
 #SBATCH --ntasks=1
 #SBATCH --cpus-per-task=8
@@ -16,4 +17,5 @@ shares="${SHARES:-$SLURM_ARRAY_TASK_COUNT}"
 
 exec "${SIGMASCAPE:-sigmascape}" bake "$@" \
   --shard "$SLURM_ARRAY_TASK_ID/$shares" \
-  --threads "${SLURM_CPUS_PER_TASK:-0}"
+  --threads "${SLURM_CPUS_PER_TASK:-0}" \
+  --json-log "bake-${SLURM_ARRAY_JOB_ID}_$SLURM_ARRAY_TASK_ID.jsonl"

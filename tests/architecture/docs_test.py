@@ -2,9 +2,9 @@
 """Holds the documentation against the sources that cite it.
 
 Every docs/...md named in src, apps, the README or the other pages exists; every "docs/physics/<page>.md, Eq. (n)" of the sources has a numbered
-equation, a line indented by four spaces that ends in (n), on that page; every relative link in docs and the README leads somewhere; every
-source file that a page names in `room/file.h` form exists; every page of docs/results that says by which line it was made says the line by which
-`make results` would make it.
+equation, a line indented by four spaces that ends in (n), on that page, and no page has two of one number; every relative link in docs and the
+README leads somewhere; every source file that a page names in `room/file.h` form exists, and every `Class::member`, but those of decisions, which
+may tell of what is gone; every page of docs/results that says by which line it was made says the line by which `make results` would make it.
 """
 import pathlib
 import re
@@ -15,6 +15,7 @@ NUMBERS = r"(Eqs?\.(?:\s*(?:\(\w+\)|,|–|-|and|to))+)"
 # The page, or, for a number that stands alone at the end of a formula's line, the page cited last.
 CITATION = re.compile(r"(?:\b(docs/physics/\w+\.md),?\s+|(?<=[^\s,]  )[ ]*)" + NUMBERS)
 LINK = re.compile(r"(?<!!)\[[^\]]*\]\(([^)\s]+)\)|!\[[^\]]*\]\(([^)\s]+)\)")
+MEMBER = re.compile(r"`((?:\w+::)+\w+)`")
 SOURCE = re.compile(r"`((?:\w+/)+\w+\.(?:h|cpp|py))`")
 FENCE = re.compile(r"^```.*?^```", re.MULTILINE | re.DOTALL)
 
@@ -34,12 +35,11 @@ def cited_numbers(words):
 
 
 def numbered_equations(page):
-    found = set()
-    for line in page.read_text().splitlines():
-        equation = re.match(r" {4}.*\S\s+\((\w+)\)$", line)
+    """The number of each equation, and the line where it stands."""
+    for line, text in enumerate(page.read_text().splitlines(), 1):
+        equation = re.match(r" {4}.*\S\s+\((\w+)\)$", text)
         if equation:
-            found.add(equation.group(1))
-    return found
+            yield equation.group(1), line
 
 
 def without_comment_marks(text):
@@ -79,13 +79,33 @@ def missing_equations(root):
             if name is None or not (root / name).is_file():
                 continue
             page = root / name
-            there = numbered_equations(page)
+            there = {number for number, _ in numbered_equations(page)}
             for number in cited_numbers(cited.group(2)):
                 citations += 1
                 if number not in there:
                     yield f"{path.relative_to(root)}:{line_of(text, cited.start())}: {name} has no Eq. ({number})"
     if citations == 0:
         yield "no citation of a numbered equation was found in the sources"
+
+
+def equations_of_one_number(root):
+    for page in sorted((root / "docs" / "physics").glob("*.md")):
+        first = {}
+        for number, line in numbered_equations(page):
+            if first.setdefault(number, line) != line:
+                yield f"{page.relative_to(root)}:{line}: Eq. ({number}) is on line {first[number]} already"
+
+
+def missing_members(root):
+    words = {word for path in source_files(root) for word in re.findall(r"\w+", path.read_text())}
+    for path in pages(root):
+        if path.parent.name == "decisions":
+            continue
+        text = path.read_text()
+        for named in MEMBER.finditer(text):
+            gone = [word for word in named.group(1).split("::") if word not in words]
+            if gone:
+                yield f"{path.relative_to(root)}:{line_of(text, named.start())}: {named.group(1)}: no source has {gone[0]}"
 
 
 def missing_sources(root):
@@ -128,7 +148,8 @@ def pages_of_other_lines(root):
 
 def main():
     root = pathlib.Path(sys.argv[1])
-    found = [*missing_pages(root), *missing_equations(root), *missing_sources(root), *broken_links(root), *pages_of_other_lines(root)]
+    checks = (missing_pages, missing_equations, equations_of_one_number, missing_members, missing_sources, broken_links, pages_of_other_lines)
+    found = [fault for check in checks for fault in check(root)]
     for fault in found:
         print(fault)
     print(f"documentation: {len(found)} fault(s)")

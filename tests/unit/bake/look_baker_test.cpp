@@ -158,7 +158,7 @@ void expect_stated_error(const char* name, const Honesty& honesty) {
                             .measured = honesty.predicted_over_actual,
                             .tolerance = 0.1,
                             .unit = "1",
-                            .source = "estimator.md, Eq. (10)"});
+                            .source = "estimator.md, Eq. (14)"});
 }
 
 void expect_coverage(const char* name, const Honesty& honesty) {
@@ -169,7 +169,7 @@ void expect_coverage(const char* name, const Honesty& honesty) {
                             // Sums of few hundred samples are skewed, which costs a hundredth.
                             .tolerance = 0.02,
                             .unit = "1",
-                            .source = "estimator.md, Eq. (10)"});
+                            .source = "estimator.md, Eq. (14)"});
 }
 
 TEST(LookBaker, ErrorsAreHonestWithAFixedNumberOfSamples) {
