@@ -81,8 +81,8 @@ std::string verdict_on_grid(const ResultsPlan& plan, const std::vector<ResultsRo
   if (row == nullptr || paper == nullptr) return {};
   const ResultsCell *cell = row->at_cell(summary_cell_m), *paper_cell = paper->at_cell(summary_cell_m);
   if (cell == nullptr || paper_cell == nullptr) return {};
-  return fmt::format("At the {} views that were baked it is {}, the paper's {}. ", row->views, closeness(cell->median),
-                     closeness(paper_cell->median));
+  return fmt::format("At the {} views that were baked they come to {}, the paper's to {}. ", row->views,
+                     closeness(cell->median), closeness(paper_cell->median));
 }
 
 }  // namespace
@@ -142,7 +142,8 @@ std::string combinations_table(const ResultsPlan& plan, const std::vector<Result
                       metrics_text(paper->at_cell(summary_cell_m)->floor_median));
   text += line_of("paper", *paper);
   if (in_its_bytes != nullptr)
-    text += line_of(in_its_bytes == of_all ? "best in its bytes and of all" : "best in its bytes", *in_its_bytes);
+    text += line_of(in_its_bytes == of_all ? "best in the paper's bytes, and of all" : "best in the paper's bytes",
+                    *in_its_bytes);
   if (of_all != nullptr && of_all != in_its_bytes) text += line_of("best of all", *of_all);
   return text + "\n";
 }
@@ -168,8 +169,9 @@ std::string verdict(const ResultsPlan& plan, const std::vector<ResultsRow>& rows
       of_all->views, name_of(*of_all), closeness(cell.median), summary_cell_m, megabytes(of_all->atlas.store_bytes),
       paper->of.grid, closeness(paper_cell.median), megabytes(paper->atlas.store_bytes));
   text += verdict_on_grid(plan, rows, *of_all);
-  text += fmt::format("Two traced maps differ by {} dB, so that no map could be shown to come closer than {} dB",
-                      number_text(cell.floor_median.rms_db, 2), number_text(least_error(cell.floor_median.rms_db), 2));
+  text += fmt::format(
+      "Two traced maps of a held-out view differ by {} dB, so that no map could be shown to come closer than {} dB",
+      number_text(cell.floor_median.rms_db, 2), number_text(least_error(cell.floor_median.rms_db), 2));
   if (const auto limit = largest_limit(*of_all, rows)) {
     text += fmt::format("; what limits the best most, with about {:.0f} % of its squared error, is {}",
                         100.0 * limit->share, limit->name);

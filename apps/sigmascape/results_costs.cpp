@@ -9,8 +9,8 @@ namespace {
 
 std::string cost_table(const ResultsReport& report) {
   std::string text =
-      "| method | grid | looks | store [MB] | in memory [MB] | bake, processor [s] | frame, wall [ms] | trace, "
-      "processor [s] |\n|---|---|---:|---:|---:|---:|---:|---:|\n";
+      "| method | grid | looks | store [MB] | in memory [MB] | bake [s] | frame [ms] | trace [s] |\n"
+      "|---|---|---:|---:|---:|---:|---:|---:|\n";
   for (const ResultsRow& row : report.rows) {
     if (row.of.scene != report.plan.scene_name() || row.of.kind != ViewKind::HeldOut || !is_plain(row, report.plan))
       continue;
@@ -42,7 +42,8 @@ bool is_plain(const ResultsRow& row, const ResultsPlan& plan) {
 std::string costs_section(const ResultsReport& report) {
   const ResultsPlan& plan = report.plan;
   return fmt::format(
-             "## Bytes and time\n\nMedians over the held-out views, by {}; {} rays a texel, one traced map of {} rays "
+             "## Bytes and time\n\nMedians over the held-out views, processor time of {}; {} rays a texel, one traced "
+             "map of {} rays "
              "a "
              "2 m cell. The store is compressed. In memory, textures with their mips are counted as far as they lie "
              "within the {:.0f} m that are mapped: an atlas is loaded by whole patches, whose rest is of what lies "

@@ -239,7 +239,7 @@ product::PageSection texture_section(const Measurement& measurement, const std::
       .heading = "Figure 7: baked reflectivity, seen from the south-east (azimuth 135°)",
       .paragraphs = {
           fmt::format("Textures baked in the paper's way, read bilinearly in power as a map reads them, all on "
-                      "one scale, {:.0f} to {:.0f} dB.",
+                      "one scale, {:.0f} to {:.0f} dB; walls that face the radar are brighter than that.",
                       *look.top_db - look.span_db, *look.top_db)}};
   for (std::size_t i = 0; i < maps.size(); ++i) {
     const auto path = folder / fmt::format("figure_7_el{:02.0f}.png", elevations_deg[i]);

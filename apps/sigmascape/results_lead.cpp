@@ -140,10 +140,12 @@ std::string how_it_was_measured(const ResultsReport& report) {
   }
   text += noise_floor_text(report);
   return text + fmt::format(
-                    "Bakes and traced maps are timed in seconds of processor time, all threads together; a frame in "
-                    "milliseconds on the wall, by {}. A frame here is one map rendered by itself, from the atlas in "
-                    "memory to a map of the ground. Live frames, pose after pose from an atlas that stays open, "
-                    "have a renderer and times of their own: {}.\n\n",
+                    "All times are of the processor, all threads together, seconds of bakes and traced maps and "
+                    "milliseconds of "
+                    "frames, by {}: what other work takes on the machine is not in them, and on the wall several "
+                    "threads share them. A frame here is one map rendered by itself, from the atlas in memory to a map "
+                    "of the ground. Live frames, pose after pose from an atlas that stays open, have a renderer and "
+                    "times of their own: {}.\n\n",
                     report.machine, report.links.to("live frames", "docs/live.md"));
 }
 

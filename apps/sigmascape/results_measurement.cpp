@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "map_files.h"
+#include "results_processor_time.h"
 #include "results_tile_power.h"
-#include "stopwatch.h"
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
@@ -315,7 +315,7 @@ RenderedMap Measurement::rendered_map(const MeasuredScene& measured, const Plann
   const radar::RadarFile file = view.radar();
   const Seen seen{scene, simulate::placed_radar(file, scene.frame, scene.terrain, scene.extent),
                   simulate::map_grid(file.map, scene.extent)};
-  const Stopwatch watch;
+  const ProcessorStopwatch watch;
   const auto image = method.render(seen, level_of_detail);
   const double milliseconds = 1e3 * watch.seconds();
   return {described_map(image, seen.radar, scene.terrain, seen.grid, scene.frame,

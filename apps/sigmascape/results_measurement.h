@@ -33,7 +33,7 @@ struct ReadyMethod {
 
 struct RenderedMap {
   radar::GroundMap map;
-  double milliseconds = 0.0;
+  double milliseconds = 0.0;  ///< of processor time
 };
 
 /// Bakes, traces, renders and compares everything that a plan asks for.

@@ -31,7 +31,7 @@ std::string elevation_remark(const ResultsPlan& plan) {
   for (const PlannedView& view : plan.views) highest_deg = std::max(highest_deg, view.elevation_deg);
   const double first_grid_deg = plan.grids.front().elevations_deg.back();
   if (highest_deg > first_grid_deg) return {};
-  return fmt::format("No view lies above {:.1f}°: what a grid holds beyond {:g}° is not put to the test. ", highest_deg,
+  return fmt::format(" No view lies above {:.1f}°: what a grid holds beyond {:g}° is not put to the test.", highest_deg,
                      first_grid_deg);
 }
 
@@ -83,7 +83,7 @@ std::string settings_text(const ResultsPlan& plan) {
              plan.traced_samples_of(ViewKind::OnGrid), plan.bounces, plan.seed) +
          grid_list(plan) +
          "\nHeld-out views are drawn from the seed, azimuth evenly over the circle and elevation evenly over 3° to "
-         "40°; the view of the paper's picture stands by itself. " +
+         "40°; the view of the paper's picture stands by itself." +
          elevation_remark(plan) + "\n\n<details>\n<summary>All views</summary>\n\n" + view_table(plan) +
          "\n</details>\n";
 }

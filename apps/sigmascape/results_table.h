@@ -64,7 +64,7 @@ struct ViewResult {
   /// Of a map that was made twice, at summary_cell_m.
   std::optional<product::NoiseFreeComparison> without_noise = {};
   double trace_seconds = 0.0;  ///< of processor time, for one traced map
-  double render_ms = 0.0;      ///< on the wall
+  double render_ms = 0.0;      ///< of processor time
 };
 
 /// A case at one cell size. Medians and worst values are taken over the views, each number by itself; the worst bias is

@@ -61,5 +61,15 @@ TEST(ResultsChanges, SayOfEachWhetherItWasKept) {
   EXPECT_THAT(changes_table(plan, rows), HasSubstr("| a bound: needs the map from 16 × 6 |"));
 }
 
+TEST(ResultsChanges, SayOfWhatWasKeptWhereItPaysLittle) {
+  const ResultsPlan plan = made_plan();
+  const auto table = [&](double before_db, double after_db) {
+    return changes_table(plan, {made_row(made_case(plan, Method::LevelGround, ViewKind::HeldOut), before_db, 0.5),
+                                made_row(made_case(plan, Method::OwnGround, ViewKind::HeldOut), after_db, 0.5)});
+  };
+  EXPECT_THAT(table(6.0, 5.0), HasSubstr("| kept |\n"));
+  EXPECT_THAT(table(6.0, 5.99), HasSubstr("| kept, pays little here |\n"));
+}
+
 }  // namespace
 }  // namespace sigmascape::cli
