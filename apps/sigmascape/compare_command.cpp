@@ -49,8 +49,9 @@ void add_compare_command(CLI::App& app, Output& output) {
     std::optional<product::MapComparison> floor;
     if (!options->repeated.empty())
       floor = product::compare_maps(metric_map(options->repeated), truth, options->compare);
-    output.finish(product::comparison_table(comparison, floor),
-                  nlohmann::ordered_json::parse(product::comparison_json(comparison, floor)));
+    std::string text = product::comparison_table(comparison, floor);
+    if (!floor) text += "render the truth again with another --seed and name it as --noise-floor to measure it\n";
+    output.finish(text, nlohmann::ordered_json::parse(product::comparison_json(comparison, floor)));
   });
 }
 

@@ -64,6 +64,14 @@ std::uintmax_t ground_bytes(const atlas::Store& store) {
   return bytes;
 }
 
+/// What of the area of the atlas's patches is the scene's own; the rest of them, of what lies around or empty, is
+/// loaded with it but is no need of maps of the scene.
+double needed_share(const atlas::AtlasDescription& atlas) {
+  const double patch_m2 = atlas.patches.side_m() * atlas.patches.side_m();
+  return atlas.extent.width_m() * atlas.extent.height_m() /
+         (patch_m2 * static_cast<double>(atlas.patches.covering(atlas.extent).size()));
+}
+
 }  // namespace
 
 TimedBake::TimedBake(const scene::Scene& scene, const bake::BakeSettings& settings, const std::filesystem::path& folder,
@@ -72,7 +80,8 @@ TimedBake::TimedBake(const scene::Scene& scene, const bake::BakeSettings& settin
 
 AtlasCost TimedBake::cost_of(const atlas::AspectSelection& selection, const atlas::Atlas& atlas) const {
   const auto looks = atlas::selected_looks(store_.description().aspects, selection);
-  AtlasCost cost{.looks = looks.size(), .store_bytes = 0, .memory_bytes = atlas.memory_bytes()};
+  const double needed_bytes = needed_share(store_.description()) * static_cast<double>(atlas.memory_bytes());
+  AtlasCost cost{.looks = looks.size(), .store_bytes = 0, .memory_bytes = static_cast<std::size_t>(needed_bytes)};
   const auto units = store_.units();
   for (std::size_t i = 0; i < units.size(); ++i) {
     if (std::ranges::find(looks, units[i].look) == looks.end()) continue;

@@ -3,38 +3,10 @@
 #include <fmt/format.h>
 #include <optional>
 
-#include "results_tile_power.h"
+#include "results_columns.h"
 
 namespace sigmascape::cli {
 namespace {
-
-/// Two rows of measurements that both exist.
-struct Found {
-  const ResultsRow *with, *without;
-  const ResultsCell *with_cell, *without_cell;
-};
-
-std::optional<Found> found(const Contrast& contrast, const std::vector<ResultsRow>& rows) {
-  const Found both{find_row(rows, contrast.with), find_row(rows, contrast.without), nullptr, nullptr};
-  if (both.with == nullptr || both.without == nullptr) return std::nullopt;
-  const Found cells{both.with, both.without, both.with->at_cell(summary_cell_m), both.without->at_cell(summary_cell_m)};
-  if (cells.with_cell == nullptr || cells.without_cell == nullptr) return std::nullopt;
-  return cells;
-}
-
-std::string metrics(const product::CellComparison& cell) {
-  return fmt::format("{:.3f} | {:.2f} | {:.3f} | {:.2f}", cell.correlation_db, cell.rms_db, cell.l1, cell.shadow_iou);
-}
-
-/// The first line of a table: what two traced maps of the views differ by, for no method can be shown to come closer,
-/// and cells that stay empty. No line without such views.
-std::string truth_line(const ResultsPlan& plan, const std::vector<ResultsRow>& rows, ViewKind kind,
-                       const char* empty_cells) {
-  const ResultsRow* row = baseline_row(plan, rows, plan.scene_name(), kind);
-  const ResultsCell* cell = row != nullptr ? row->at_cell(summary_cell_m) : nullptr;
-  if (cell == nullptr) return {};
-  return fmt::format("| *truth* | one traced map against another | {} |{}\n", metrics(cell->floor_median), empty_cells);
-}
 
 /// What the error falls by when the cause that adds most to it is switched off.
 struct Fall {
@@ -46,7 +18,7 @@ std::optional<Fall> largest(const ResultsPlan& plan, const std::vector<ResultsRo
                             double product::CellComparison::*error) {
   std::optional<Fall> most;
   for (const Contrast& cause : causes(plan, kind)) {
-    const auto both = found(cause, rows);
+    const auto both = measured(cause, rows);
     if (!both || !are_of_the_same_views(cause)) continue;
     const double with = both->with_cell->median.*error, without = both->without_cell->median.*error;
     if (with - without > (most ? most->with - most->without : 0.0))
@@ -81,72 +53,36 @@ std::vector<Contrast> causes(const ResultsPlan& plan, ViewKind kind) {
   std::vector<Contrast> list;
   // A view that was baked misses no angle.
   if (kind != ViewKind::OnGrid) {
-    list.push_back({"missing angles", "ours on its own ground: the grid against the view's own look", own_ground,
+    const std::string against = fmt::format("the {} grid against the view's own look", plan.paper_grid().name());
+    list.push_back({"missing angles", "ours on its own ground: " + against, own_ground,
                     from_own_look(Method::OwnGround, plan.baked_samples)});
-    list.push_back({"missing angles", "the paper's method: the grid against the view's own look", paper,
-                    from_own_look(Method::Paper, plan.baked_samples)});
+    list.push_back(
+        {"missing angles", "the paper's method: " + against, paper, from_own_look(Method::Paper, plan.baked_samples)});
   }
-  list.push_back({"shadows on the ground alone", "ours: baked against made at run time",
+  list.push_back({"flat-ground shadows on slopes", "ours: shadows baked against made at run time",
                   from_grid(Method::BakedShadows), level_ground});
-  list.push_back({"layover of objects on slopes and how they shade each other",
+  list.push_back({"layover placement and mutual shadowing on slopes",
                   "ours: baked on level ground against on its own ground", level_ground, own_ground});
-  list.push_back({"mips", "the paper's method: mips against the finest level alone", paper,
+  list.push_back({"mip levels", "the paper's method: mips against the finest level alone", paper,
                   from_grid(Method::Paper, finest_change)});
-  list.push_back(
-      {"half floats", "the paper's method: halves against floats", from_grid(Method::Paper, halves_change), paper});
+  list.push_back({"half-float texels", "the paper's method: halves against floats",
+                  from_grid(Method::Paper, halves_change), paper});
   if (kind != ViewKind::OnGrid) return list;
 
   // Only views that were baked have looks almost without noise.
   const ResultsCase finer = from_own_look(Method::OwnGround, plan.finer_samples);
-  list.push_back({"noise of the bake",
+  list.push_back({"sampling noise of the bake",
                   fmt::format("ours on its own ground, own look: {} rays a texel against {}", plan.baked_samples,
                               plan.finer_samples),
                   from_own_look(Method::OwnGround, plan.baked_samples), finer});
-  list.push_back({"texels as wide as the finest cells",
+  list.push_back({"texel size",
                   fmt::format("the same from {} rays: texels of {:.2f} m against {:.2f} m", plan.finer_samples,
                               plan.texel_m, plan.texel_m / 2.0),
                   finer, from_own_look(Method::OwnGround, plan.samples_of_finer_texels(), finer_texels_change)});
   ResultsCase levelled = paper;
   levelled.scene = "level";
-  list.push_back({"shadows and layover of level ground laid on slopes",
+  list.push_back({"flat-ground shadows and layover on slopes",
                   "the paper's method: hills against level ground, another truth", paper, levelled});
-  return list;
-}
-
-std::vector<Contrast> changes(const ResultsPlan& plan) {
-  const std::string place = plan.scene_name(), grid = plan.paper_grid().name();
-  const ResultsCase paper{.scene = place, .method = Method::Paper, .grid = grid, .baked_samples = plan.baked_samples};
-  std::vector<Contrast> list;
-  for (const char* change : {cotangent_change, gamma_change, cotangent_gamma_change, map_area_change}) {
-    ResultsCase changed = paper;
-    changed.change = change;
-    list.push_back({change, "paper", changed, paper});
-  }
-  ResultsCase baked = paper, level = paper, own = paper, elevations = paper, azimuths = paper, both = paper;
-  baked.method = Method::BakedShadows;
-  level.method = Method::LevelGround;
-  own.method = elevations.method = azimuths.method = both.method = Method::OwnGround;
-  elevations.grid = plan.more_elevations().name();
-  azimuths.grid = plan.more_azimuths().name();
-  both.grid = plan.grids[2].name();
-  list.push_back({"ours: echoes straight into texels, γ in cot ψ, map area, half floats", "paper", baked, paper});
-  list.push_back({"shadows made at run time", text_of(Method::BakedShadows), level, baked});
-  list.push_back({"objects baked on their own ground", text_of(Method::LevelGround), own, level});
-  ResultsCase by_tiles = own;
-  by_tiles.change = renormalized_change;
-  list.push_back({fmt::format("every {:.0f} m tile given the power that it has from {}", power_tile_m, both.grid),
-                  text_of(Method::OwnGround), by_tiles, own});
-  ResultsCase even = own;
-  even.grid = plan.even_in_cotangent().name();
-  list.push_back({"as many elevations, spaced evenly, " + even.grid, text_of(Method::OwnGround), even, own});
-  list.push_back({"more elevations, " + elevations.grid, text_of(Method::OwnGround), elevations, own});
-  list.push_back({"more azimuths, " + azimuths.grid, text_of(Method::OwnGround), azimuths, own});
-  list.push_back({"both, " + both.grid, text_of(Method::OwnGround), both, own});
-  if (plan.grids.size() > 3) {
-    ResultsCase finest = both;
-    finest.grid = plan.grids.back().name();
-    list.push_back({"the finest, " + finest.grid, text_of(Method::OwnGround), finest, own});
-  }
   return list;
 }
 
@@ -156,51 +92,10 @@ std::string causes_table(const ResultsPlan& plan, const std::vector<ResultsRow>&
       "L1 | IoU |\n|---|---|---:|---:|---:|---:|---:|---:|---:|---:|\n";
   text += truth_line(plan, rows, kind, " | | | |");
   for (const Contrast& cause : causes(plan, kind)) {
-    if (const auto both = found(cause, rows)) {
-      text += fmt::format("| {} | {} | {} | {} |\n", cause.name, cause.how, metrics(both->with_cell->median),
-                          metrics(both->without_cell->median));
+    if (const auto both = measured(cause, rows)) {
+      text += fmt::format("| {} | {} | {} | {} |\n", cause.name, cause.how, error_text(both->with_cell->median),
+                          error_text(both->without_cell->median));
     }
-  }
-  return text;
-}
-
-std::string changes_table(const ResultsPlan& plan, const std::vector<ResultsRow>& rows) {
-  std::string text =
-      "| change | to | before: correlation | RMS [dB] | L1 | IoU | MB | frame [ms] | after: correlation | RMS [dB] | "
-      "L1 "
-      "| IoU | MB | frame [ms] |\n|---|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n";
-  text += truth_line(plan, rows, ViewKind::HeldOut, " | | | | | | | |");
-  for (const Contrast& change : changes(plan)) {
-    const auto both = found(change, rows);
-    if (!both) continue;
-    const auto side = [](const ResultsRow& row, const ResultsCell& cell) {
-      return fmt::format("{} | {:.2f} | {:.0f}", metrics(cell.median), static_cast<double>(row.atlas.store_bytes) / 1e6,
-                         row.render_ms);
-    };
-    text += fmt::format("| {} | {} | {} | {} |\n", change.name, change.how, side(*both->without, *both->without_cell),
-                        side(*both->with, *both->with_cell));
-  }
-  return text;
-}
-
-std::string worth_of_looks(const ResultsPlan& plan, const std::vector<ResultsRow>& rows) {
-  ResultsCase own{.scene = plan.scene_name(),
-                  .method = Method::OwnGround,
-                  .grid = plan.paper_grid().name(),
-                  .baked_samples = plan.baked_samples};
-  std::string text;
-  for (const auto& [what, looks] :
-       {std::pair("elevations", plan.more_elevations()), {"azimuths", plan.more_azimuths()}}) {
-    ResultsCase more = own;
-    more.grid = looks.name();
-    const auto both = found({what, {}, more, own}, rows);
-    if (!both) continue;
-    const double fall_db = both->without_cell->median.rms_db - both->with_cell->median.rms_db;
-    const double rise_mb =
-        (static_cast<double>(both->with->atlas.store_bytes) - static_cast<double>(both->without->atlas.store_bytes)) /
-        1e6;
-    text += fmt::format("{}More {}, {}, take {:.2f} dB off the RMS error for {:.2f} MB: {:.3f} dB a megabyte.",
-                        text.empty() ? "" : " ", what, more.grid, fall_db, rise_mb, fall_db / rise_mb);
   }
   return text;
 }
@@ -220,6 +115,20 @@ std::string largest_causes(const ResultsPlan& plan, const std::vector<ResultsRow
                      by_l1->without);
   }
   return fmt::format("The largest {} {}", rms, l1);
+}
+
+std::string causes_section(const ResultsPlan& plan, const std::vector<ResultsRow>& rows) {
+  std::string text = fmt::format(
+      "## Why\n\nWhat the error is made of: each cause switched off alone, medians over the views at {:.0f} m cells, "
+      "from the {} grid where nothing else is said. Causes are weighed against those that are measured at the same "
+      "views alone; what is held against another truth stands in its table and is not weighed.\n\n",
+      summary_cell_m, plan.paper_grid().name());
+  for (const ViewKind kind : {ViewKind::HeldOut, ViewKind::OnGrid}) {
+    if (baseline_row(plan, rows, plan.scene_name(), kind) == nullptr) continue;
+    text += fmt::format("### At views that were {}baked\n\n{}\n{}\n\n", kind == ViewKind::OnGrid ? "" : "not ",
+                        causes_table(plan, rows, kind), largest_causes(plan, rows, kind));
+  }
+  return text;
 }
 
 }  // namespace sigmascape::cli

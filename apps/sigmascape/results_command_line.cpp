@@ -7,18 +7,18 @@
 namespace sigmascape::cli {
 namespace {
 
-/// The path from the current folder; empty where it leads out of it.
-std::string path_within(const std::string& path) {
-  const auto relative =
-      std::filesystem::absolute(path).lexically_normal().lexically_relative(std::filesystem::current_path());
-  return relative.empty() || *relative.begin() == ".." ? std::string() : relative.generic_string();
-}
-
 std::string option(const char* name, const std::string& value) {
   return value.empty() ? std::string() : fmt::format(" {} {}", name, value);
 }
 
 }  // namespace
+
+std::string path_within(const std::string& path) {
+  if (path.empty()) return {};
+  const auto relative =
+      std::filesystem::absolute(path).lexically_normal().lexically_relative(std::filesystem::current_path());
+  return relative.empty() || *relative.begin() == ".." ? std::string() : relative.generic_string();
+}
 
 std::string command_line(const ResultsOptions& options, const ResultsPlan& plan) {
   const ResultsOptions usual;

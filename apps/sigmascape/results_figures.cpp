@@ -25,7 +25,10 @@ namespace sigmascape::cli {
 namespace {
 
 constexpr std::size_t pixels_wide = 512;
-constexpr product::Rgba ink{255, 190, 40}, behind_ink{18, 18, 18};
+constexpr product::Rgba ink{255, 190, 40}, behind_ink{18, 18, 18}, not_compared{150, 150, 150};
+/// Wall and ground: enough for the dihedral. What bounces more often comes late, lies in the shadows, and is found by
+/// few rays.
+constexpr int bounces_of_simple_scene = 2;
 
 /// A word beside a place of a picture, and a line between them.
 struct Label {
@@ -103,8 +106,8 @@ radar::GroundMap simple_map(const scene::Scene& scene, const trace::SceneGeometr
   trace::TraceCounts counts;
   const auto image = simulate::traced_image(scene, geometry, radar, grid.extent(),
                                             {.cell_m = grid.cell_m,
-                                             .samples_per_cell = std::min(16 * plan.traced_samples, 8192U),
-                                             .max_bounces = 4,
+                                             .samples_per_cell = std::min(4 * plan.traced_samples, 2048U),
+                                             .max_bounces = bounces_of_simple_scene,
                                              .seed = plan.seed,
                                              .threads = plan.threads},
                                             counts);
@@ -116,8 +119,8 @@ radar::GroundMap simple_texture(const scene::Scene& scene, const radar::Aspect& 
                                 const ResultsPlan& plan) {
   bake::BakeSettings settings = plan.bake_settings(Method::Paper);
   settings.patches.texel_m = grid.cell_m;
-  settings.sampling.samples_per_texel = std::min(16 * plan.traced_samples, 4096U);
-  settings.max_bounces = 4;
+  settings.sampling.samples_per_texel = std::min(4 * plan.traced_samples, 2048U);
+  settings.max_bounces = bounces_of_simple_scene;
   return {.grid = grid,
           .sigma0 = bake::PaperBaker(scene, settings).bake(grid, aspect),
           .crs = scene.frame.proj(),
@@ -148,7 +151,7 @@ product::PageSection simple_section(const ResultsPlan& plan, const std::filesyst
   const auto optical = folder / "figure_1_optical.png", radar_map = folder / "figure_1_radar.png",
              optical_texture = folder / "figure_1_optical_texture.png",
              radar_texture = folder / "figure_1_radar_texture.png";
-  product::write_png(optical, seen);
+  product::write_png(optical, product::with_legend(seen, {.colour_scale = false}));
   product::write_png(radar_map, product::with_legend(labelled));
   // Seen obliquely, they lie nowhere on a map and have no world file.
   geo::write_atomically(optical_texture, product::png_bytes(draped_view(seen, pixels_wide)));
@@ -157,9 +160,9 @@ product::PageSection simple_section(const ResultsPlan& plan, const std::filesyst
                                                                 {.scale_bar = false, .north_arrow = false})));
   return {.heading = "Figure 1: what a radar shows of simple things",
           .paragraphs = {fmt::format(
-              "Objects of {} on {}. A fiftieth of what the walls reflect leaves diffusely. Specks in "
-              "the shadows are echoes that bounced more than once, come late and are found by few "
-              "rays.",
+              "Objects of {} on {}. A fiftieth of what the walls reflect leaves diffusely. Echoes of at most two "
+              "bounces: those of more come late, lie in the shadows and are found by few rays, which would sprinkle "
+              "them.",
               options.object_material == "concrete" ? "concrete" : "the paper's building material",
               options.ground_material)},
           .figures = {{optical, "(a) A prism and a cylinder on a plane, from above, lit from the south-east"},
@@ -177,20 +180,19 @@ product::PageSection scene_section(const Measurement& measurement, const Results
                                    const std::filesystem::path& folder) {
   const MeasuredScene& measured = measurement.scene();
   const auto optical = folder / "figure_5_scene.png", materials = folder / "figure_6_materials.png";
-  const product::Picture ground = material_view(measured.scene, pixels_wide);
-  product::write_png(
-      optical, product::with_attribution(optical_view(measured.scene, measured.geometry, pixels_wide, plan.threads)));
-  product::write_png(materials, product::with_attribution(ground));
+  const MaterialView ground = material_view(measured.scene, pixels_wide);
+  const auto write = [](const std::filesystem::path& path, const product::Picture& picture) {
+    product::write_png(path, product::with_attribution(product::with_legend(picture, {.colour_scale = false})));
+  };
+  write(optical, optical_view(measured.scene, measured.geometry, pixels_wide, plan.threads));
+  write(materials, ground.picture);
   product::PageSection section{
       .heading = "Figures 5 and 6: the scene",
       .figures = {
           {optical,
            "Surfaces in the colours of their materials, from above, lit from the south-east, where the radar stands"}}};
-  const auto& pixels = ground.pixels.values();
-  if (std::ranges::any_of(pixels, [&](const product::Rgba& pixel) { return pixel != pixels[0]; })) {
-    section.figures.push_back({materials,
-                               "Materials of the ground: black concrete, green forest floor, red grass, white water, "
-                               "blue soil, grey others"});
+  if (ground.classes > 1) {
+    section.figures.push_back({materials, "Materials of the ground: " + ground.legend});
   } else {
     section.paragraphs.push_back(
         "The ground is of one material: " +
@@ -199,11 +201,12 @@ product::PageSection scene_section(const Measurement& measurement, const Results
   return section;
 }
 
-/// A baked texture by itself.
+/// A baked texture by itself, as a map reads it: bilinearly in power.
 radar::GroundMap texture_map(const Measurement& measurement, const radar::Aspect& aspect) {
   const scene::Scene& scene = measurement.scene().scene;
   const render::PaperTextures& textures = measurement.paper_textures();
-  radar::GroundMap map{.grid = simulate::map_grid({.area = {}, .cell_m = textures.grid().cell_m}, scene.extent),
+  const double pixel_m = scene.extent.width_m() / static_cast<double>(pixels_wide);
+  radar::GroundMap map{.grid = simulate::map_grid({.area = {}, .cell_m = pixel_m}, scene.extent),
                        .sigma0 = {},
                        .crs = scene.frame.proj(),
                        .metadata = {{"scene", scene.name}, {"attribution", scene.attribution}}};
@@ -224,16 +227,20 @@ product::PageSection texture_section(const Measurement& measurement, const std::
   constexpr double elevations_deg[] = {5.0, 13.0, 21.0, 29.0};
   std::vector<radar::GroundMap> maps;
   product::PictureOptions look{.polarization = radar::Polarization::Sum};
+  // What is brighter, walls and roofs that face the radar, may be white, so that level ground is no darker than it
+  // must.
+  look.top_percentile = 97.0;
   for (const double elevation_deg : elevations_deg) {
     maps.push_back(texture_map(measurement, {radians_from_deg(135.0), radians_from_deg(elevation_deg)}));
-    const double top_db = product::percentile_top_db(maps.back(), {.polarization = look.polarization});
+    const double top_db = product::percentile_top_db(maps.back(), look);
     look.top_db = std::max(look.top_db.value_or(top_db), top_db);
   }
-  look.magnification = magnification_of(maps.front());
   product::PageSection section{
       .heading = "Figure 7: baked reflectivity, seen from the south-east (azimuth 135°)",
-      .paragraphs = {fmt::format("Textures baked in the paper's way, all on one scale, {:.0f} to {:.0f} dB.",
-                                 *look.top_db - look.span_db, *look.top_db)}};
+      .paragraphs = {
+          fmt::format("Textures baked in the paper's way, read bilinearly in power as a map reads them, all on "
+                      "one scale, {:.0f} to {:.0f} dB; walls that face the radar are brighter than that.",
+                      *look.top_db - look.span_db, *look.top_db)}};
   for (std::size_t i = 0; i < maps.size(); ++i) {
     const auto path = folder / fmt::format("figure_7_el{:02.0f}.png", elevations_deg[i]);
     write_map_picture(path, maps[i], look);
@@ -242,28 +249,59 @@ product::PageSection texture_section(const Measurement& measurement, const std::
   return section;
 }
 
-/// One view traced and rendered in two ways, on one scale, and the differences.
-product::PageSection pictured(const Measurement& measurement, const PlannedView& view, const std::string& name,
-                              const std::string& heading, const std::filesystem::path& folder) {
+/// The rim of a picture in the colour of what is not compared.
+void paint_rim(product::Picture& picture, double rim_m) {
+  const auto rim = static_cast<std::size_t>(std::lround(rim_m / picture.grid.cell_m));
+  const std::size_t columns = picture.pixels.columns(), rows = picture.pixels.rows();
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (std::size_t column = 0; column < columns; ++column) {
+      const std::size_t inwards = std::min({column, row, columns - 1 - column, rows - 1 - row});
+      if (inwards < rim) picture.pixels(column, row) = not_compared;
+    }
+  }
+}
+
+/// A way to a map that is pictured.
+struct PicturedWay {
+  Method method;
+  std::string grid;
+  const char* key;  ///< in the names of its files
+
+  [[nodiscard]] std::string words() const { return text_of(method) + ", " + grid; }
+};
+
+/// One view traced and rendered in several ways, on one scale, and the differences.
+product::PageSection pictured(const Measurement& measurement, const ResultsPlan& plan, const PlannedView& view,
+                              const std::string& name, const std::string& heading,
+                              const std::filesystem::path& folder) {
   Truth truth = measurement.truth_of(view);
   truth.mean.metadata["attribution"] = measurement.scene().scene.attribution;
   product::PictureOptions look = product::scope_look();
   look.polarization = radar::Polarization::Sum;
   look.top_db = product::percentile_top_db(truth.mean, look);
   look.magnification = magnification_of(truth.mean);
-  const auto path = [&](const char* what) { return folder / fmt::format("{}_{}.png", name, what); };
+  const product::DifferenceOptions difference{
+      .polarization = look.polarization, .span_db = 40.0, .magnification = look.magnification};
+  const auto path = [&](const std::string& what) { return folder / fmt::format("{}_{}.png", name, what); };
   write_map_picture(path("traced"), truth.mean, look);
-  product::PageSection section{.heading = heading, .figures = {{path("traced"), "Path-traced from the full scene"}}};
-  for (const auto& [method, key] : {std::pair(Method::Paper, "paper"), std::pair(Method::OwnGround, "ours")}) {
-    const radar::GroundMap map = measurement.map_of(view, method);
-    write_map_picture(path(key), map, look);
-    section.figures.push_back({path(key), "From the 8 × 5 looks: " + text_of(method)});
-    const auto difference = folder / fmt::format("{}_{}_difference.png", name, key);
-    const product::Picture over_traced = product::difference_picture(
-        map, truth.mean, {.polarization = radar::Polarization::Sum, .magnification = look.magnification});
-    product::write_png(difference, product::with_attribution(product::with_legend(over_traced)));
-    section.figures.push_back({difference, text_of(method) + " over traced: −10 dB blue, +10 dB red"});
+  product::PageSection section{
+      .heading = heading,
+      .paragraphs = {"Over traced: −20 dB blue, +20 dB red; grey is the rim that is not compared."},
+      .figures = {{path("traced"), "Path-traced from the full scene"}}};
+  std::vector<product::PageFigure> differences;
+  for (const PicturedWay& way : {PicturedWay{Method::Paper, plan.paper_grid().name(), "paper"},
+                                 {Method::OwnGround, plan.paper_grid().name(), "ours"},
+                                 {Method::OwnGround, plan.next_grid().name(), "ours_next"}}) {
+    const radar::GroundMap map = measurement.map_of(view, way.method, way.grid);
+    write_map_picture(path(way.key), map, look);
+    section.figures.push_back({path(way.key), way.words()});
+    const auto difference_path = path(fmt::format("{}_difference", way.key));
+    product::Picture over_traced = product::difference_picture(map, truth.mean, difference);
+    paint_rim(over_traced, plan.rim_m());
+    product::write_png(difference_path, product::with_attribution(product::with_legend(over_traced)));
+    differences.push_back({difference_path, way.words() + ", over traced"});
   }
+  std::ranges::move(differences, std::back_inserter(section.figures));
   return section;
 }
 
@@ -294,9 +332,9 @@ std::vector<product::PageSection> paper_figures(const Measurement& measurement, 
   if (plan.scene_file.empty()) sections.push_back(simple_section(plan, folder));
   std::ranges::move(
       std::vector{scene_section(measurement, plan, folder), texture_section(measurement, folder),
-                  pictured(measurement, plan.views.front(), "figure_8",
+                  pictured(measurement, plan, plan.views.front(), "figure_8",
                            "Figure 8: the paper's view, 20 km away, azimuth 130°, elevation 8.6°, 50 dB", folder),
-                  pictured(measurement, worst, "worst",
+                  pictured(measurement, plan, worst, "worst",
                            "The held-out view that the paper's method does worst on: " + worst.description(), folder)},
       std::back_inserter(sections));
   return sections;

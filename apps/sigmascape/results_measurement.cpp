@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "map_files.h"
+#include "results_processor_time.h"
 #include "results_tile_power.h"
-#include "stopwatch.h"
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
@@ -93,7 +93,7 @@ Measurement::Measurement(const ResultsPlan& plan, const std::filesystem::path& f
       own_ground_(scene_.scene, plan.bake_settings(Method::OwnGround), folder / "atlas_own_ground", progress_),
       even_in_cotangent_(scene_.scene, settings_even_in_cotangent(plan), folder / "atlas_even_in_cotangent",
                          progress_) {
-  if (plan.scene_file.empty()) level_.emplace("level", levelled(scene_.scene));
+  if (plan.has_level_ground()) level_.emplace("level", levelled(scene_.scene));
   make_ready();
 }
 
@@ -196,7 +196,7 @@ void Measurement::compare(const MeasuredScene& measured, const PlannedView& view
 /// paper's grid whose tiles have the power that they have in one of the grid after it.
 void Measurement::compare_renormalized(const Truth& truth, const PlannedView& view) {
   const ReadyMethod& few = ready(Method::OwnGround, plan_.paper_grid().name());
-  const ReadyMethod& many = ready(Method::OwnGround, plan_.grids[2].name());
+  const ReadyMethod& many = ready(Method::OwnGround, plan_.next_grid().name());
   const RenderedMap reference = rendered_map(scene_, view, many, 1);
   RenderedMap renormalized = rendered_map(scene_, view, few, 1);
   const std::size_t tiles = give_power_of_tiles(renormalized.map, reference.map);
@@ -315,7 +315,7 @@ RenderedMap Measurement::rendered_map(const MeasuredScene& measured, const Plann
   const radar::RadarFile file = view.radar();
   const Seen seen{scene, simulate::placed_radar(file, scene.frame, scene.terrain, scene.extent),
                   simulate::map_grid(file.map, scene.extent)};
-  const Stopwatch watch;
+  const ProcessorStopwatch watch;
   const auto image = method.render(seen, level_of_detail);
   const double milliseconds = 1e3 * watch.seconds();
   return {described_map(image, seen.radar, scene.terrain, seen.grid, scene.frame,
@@ -329,8 +329,8 @@ Truth Measurement::truth_of(const PlannedView& view) const {
   return traced_truth(scene_, view, plan_, folder_ / "truth");
 }
 
-radar::GroundMap Measurement::map_of(const PlannedView& view, Method method) const {
-  return rendered_map(scene_, view, ready(method, plan_.paper_grid().name()), 1).map;
+radar::GroundMap Measurement::map_of(const PlannedView& view, Method method, const std::string& grid) const {
+  return rendered_map(scene_, view, ready(method, grid), 1).map;
 }
 
 }  // namespace sigmascape::cli

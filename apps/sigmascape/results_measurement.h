@@ -33,7 +33,7 @@ struct ReadyMethod {
 
 struct RenderedMap {
   radar::GroundMap map;
-  double milliseconds = 0.0;
+  double milliseconds = 0.0;  ///< of processor time
 };
 
 /// Bakes, traces, renders and compares everything that a plan asks for.
@@ -48,8 +48,8 @@ class Measurement {
   [[nodiscard]] const MeasuredScene& scene() const { return scene_; }
 
   [[nodiscard]] Truth truth_of(const PlannedView& view) const;
-  /// The scene as it is, from the paper's grid.
-  [[nodiscard]] radar::GroundMap map_of(const PlannedView& view, Method method) const;
+  /// The scene as it is, from a grid that the method has.
+  [[nodiscard]] radar::GroundMap map_of(const PlannedView& view, Method method, const std::string& grid) const;
   /// The textures of the paper's grid by themselves, texel by texel, with all that they hold.
   [[nodiscard]] const render::PaperTextures& paper_textures() const { return *paper_textures_; }
 

@@ -3,11 +3,18 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "results_columns.h"
+
 namespace sigmascape::cli {
 namespace {
 
-std::string number(double value, const char* format) {
-  return std::isnan(value) ? "–" : fmt::format(fmt::runtime(format), value);
+/// "azimuth 135.0°, elevation 5.0°; azimuth …".
+std::string repeated_views(const ResultsPlan& plan) {
+  std::string text;
+  for (const PlannedView& view : plan.views) {
+    if (view.is_repeated) text += (text.empty() ? "" : "; ") + view.description();
+  }
+  return text;
 }
 
 std::string range_name(const product::LevelError& range) {
@@ -38,16 +45,15 @@ std::string shares_text(const std::vector<product::LevelError>& ranges) {
 }  // namespace
 
 std::string without_noise_section(const ResultsReport& report) {
+  const SceneColumn scene(report.plan);
   std::string rows;
-  std::size_t views = 0;
   for (const ResultsRow& row : report.rows) {
     const ResultsWithoutNoise& free = row.without_noise;
     if (free.views == 0) continue;
-    views = free.views;
-    rows += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} |\n", row.of.scene, text_of(row.of.method),
-                        row.of.baked_samples, number(free.noise_floor.correlation_db, "{:.3f}"),
-                        number(free.measured.correlation_db, "{:.3f}"), number(free.correlation_db, "{:.3f}"),
-                        number(free.measured.rms_db, "{:.2f}"), number(free.rms_db, "{:.2f}"));
+    rows += fmt::format("|{} {} | {} | {} | {} | {} | {} | {} |\n", scene.cell(row.of.scene), text_of(row.of.method),
+                        row.of.baked_samples, number_text(free.noise_floor.correlation_db, 3),
+                        number_text(free.measured.correlation_db, 3), number_text(free.correlation_db, 3),
+                        number_text(free.measured.rms_db, 2), number_text(free.rms_db, 2));
   }
   if (rows.empty()) return {};
   return fmt::format(
@@ -58,9 +64,9 @@ std::string without_noise_section(const ResultsReport& report) {
              "and 0 dB; from fewer, its RMS stays above. Faults that the noise of a cell buries are not brought back, "
              "which flatters correlations the more the farther they are from 1 and the noisier the maps: made examples "
              "of 0.95 come out as 0.957 where two traced maps agree to 0.965.\n\n"
-             "| scene | method | rays a texel | two traced maps: correlation | correlation of dB | without noise | RMS "
-             "[dB] | without noise |\n|---|---|---:|---:|---:|---:|---:|---:|\n",
-             views, report.plan.traced_samples_of(ViewKind::OnGrid)) +
+             "|{} method | rays a texel | two traced maps: correlation | correlation of dB | without noise | RMS "
+             "[dB] | without noise |\n|{}---|---:|---:|---:|---:|---:|---:|\n",
+             repeated_views(report.plan), report.plan.traced_samples_of(ViewKind::OnGrid), scene.head(), scene.rule()) +
          rows + "\n";
 }
 

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <set>
 #include <string_view>
 
 #include "sigmascape/base/parallel.h"
@@ -31,17 +34,30 @@ constexpr MaterialColour material_colours[] = {
     {"leaf", {0.06F, 0.17F, 0.04F}},
 };
 
-/// The colours of the paper's Figure 6: concrete black, trees green, grass red, water white, dirt blue.
-constexpr MaterialColour class_colours[] = {
-    {"water", {1, 1, 1}},
-    {"fresh_water", {1, 1, 1}},
-    {"grass", {0.8F, 0, 0}},
-    {"crops", {0.8F, 0.35F, 0}},
-    {"forest_floor", {0, 0.5F, 0}},
-    {"bare_soil", {0, 0, 0.8F}},
-    {"asphalt", {0.03F, 0.03F, 0.03F}},
-    {"concrete", {0, 0, 0}},
+/// What is shown in one colour on the map of materials.
+struct GroundClass {
+  std::string_view material;
+  const char* legend;
+  Light colour;
 };
+
+/// The colours of the paper's Figure 6: concrete black, trees green, grass red, water white, dirt blue; and two more.
+constexpr GroundClass ground_classes[] = {
+    {"concrete", "black concrete", {0, 0, 0}},
+    {"asphalt", "grey asphalt", {0.22F, 0.22F, 0.22F}},
+    {"forest_floor", "green forest floor", {0, 0.5F, 0}},
+    {"grass", "red grass", {0.8F, 0, 0}},
+    {"crops", "orange crops", {0.8F, 0.35F, 0}},
+    {"water", "white water", {1, 1, 1}},
+    {"fresh_water", "white water", {1, 1, 1}},
+    {"bare_soil", "blue soil", {0, 0, 0.8F}},
+};
+constexpr GroundClass other_ground{"", "violet others", {0.35F, 0.1F, 0.5F}};
+
+const GroundClass& class_of(const scatter::Material& material) {
+  const auto known = std::ranges::find(ground_classes, material.name, &GroundClass::material);
+  return known == std::end(ground_classes) ? other_ground : *known;
+}
 
 std::vector<Light> colours_of(const scene::Scene& scene) {
   std::vector<Light> colours;
@@ -109,22 +125,25 @@ product::Picture optical_view(const scene::Scene& scene, const trace::SceneGeome
   return picture;
 }
 
-product::Picture material_view(const scene::Scene& scene, std::size_t pixels_wide) {
+MaterialView material_view(const scene::Scene& scene, std::size_t pixels_wide) {
   const double pixel_m = scene.extent.width_m() / static_cast<double>(pixels_wide);
-  product::Picture picture;
+  MaterialView view;
+  product::Picture& picture = view.picture;
   picture.grid = {scene.extent.west_m, scene.extent.north_m, pixel_m, pixels_wide,
                   static_cast<std::size_t>(scene.extent.height_m() / pixel_m)};
   picture.pixels = Array2D<product::Rgba>(picture.grid.columns, picture.grid.rows);
   picture.metadata = {{"scene", scene.name}, {"attribution", scene.attribution}};
+  std::set<std::string> legends;
   for (std::size_t row = 0; row < picture.grid.rows; ++row) {
     for (std::size_t column = 0; column < picture.grid.columns; ++column) {
-      const scatter::Material& material = scene.materials[scene.ground.at(picture.grid.centre_of(column, row))];
-      const auto known = std::ranges::find(class_colours, material.name, &MaterialColour::name);
-      const Light light = known == std::end(class_colours) ? unknown_colour : known->colour;
-      picture.pixels(column, row) = {srgb_level(light.x), srgb_level(light.y), srgb_level(light.z)};
+      const GroundClass& seen = class_of(scene.materials[scene.ground.at(picture.grid.centre_of(column, row))]);
+      picture.pixels(column, row) = {srgb_level(seen.colour.x), srgb_level(seen.colour.y), srgb_level(seen.colour.z)};
+      legends.insert(seen.legend);
     }
   }
-  return picture;
+  view.classes = legends.size();
+  view.legend = fmt::format("{}", fmt::join(legends, ", "));
+  return view;
 }
 
 }  // namespace sigmascape::cli

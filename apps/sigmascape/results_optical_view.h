@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "sigmascape/product/picture.h"
 #include "sigmascape/scene/scene.h"
 #include "sigmascape/trace/scene_geometry.h"
@@ -12,8 +14,15 @@ namespace sigmascape::cli {
 [[nodiscard]] product::Picture optical_view(const scene::Scene& scene, const trace::SceneGeometry& geometry,
                                             std::size_t pixels_wide, unsigned threads);
 
-/// What the bare ground is made of, in the colours of the paper's Figure 6: concrete black, trees green, grass red,
-/// water white, soil blue; grey what the paper does not have.
-[[nodiscard]] product::Picture material_view(const scene::Scene& scene, std::size_t pixels_wide);
+/// What the bare ground is made of.
+struct MaterialView {
+  /// In the colours of the paper's Figure 6: concrete black, trees green, grass red, water white, soil blue; and in
+  /// others what the paper does not have.
+  product::Picture picture;
+  std::string legend;       ///< "grey asphalt, red grass": of what occurs
+  std::size_t classes = 0;  ///< that occur
+};
+
+[[nodiscard]] MaterialView material_view(const scene::Scene& scene, std::size_t pixels_wide);
 
 }  // namespace sigmascape::cli

@@ -4,12 +4,13 @@
 #include <utility>
 #include <vector>
 
+#include "results_links.h"
 #include "results_plan.h"
 #include "results_table.h"
+#include "results_vertices.h"
 
 #include "sigmascape/product/comparison_page.h"
 #include "sigmascape/product/plot.h"
-#include "sigmascape/scene/mesh_counts.h"
 
 namespace sigmascape::cli {
 
@@ -23,8 +24,8 @@ struct ResultsReport {
   std::string attribution;   ///< of its data
   std::string machine;       ///< that the times are of
   std::string command_line;  ///< that makes the page again
-  scene::MeshCounts meshes;
-  std::size_t terrain_nodes = 0;         ///< all that maps from textures keep of the meshes
+  PageLinks links;
+  VertexCounts vertices;                 ///< of which maps from textures keep those of the terrain alone
   std::size_t tracing_memory_bytes = 0;  ///< of the full scene's acceleration structures
   std::vector<ViewResult> views;
   std::vector<ResultsRow> rows;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <fmt/format.h>
 
 #include "results_page.h"
@@ -5,7 +6,24 @@
 namespace sigmascape::cli {
 namespace {
 
+constexpr const char* noise_floor_name = "truth against truth";
 constexpr Method methods[] = {Method::Paper, Method::BakedShadows, Method::LevelGround, Method::OwnGround};
+
+/// A level line, as far as the points of a plot reach, where the median of two traced maps of the held-out views is.
+void add_noise_floor(Plot& plot, const ResultsReport& report) {
+  const ResultsRow* row = baseline_row(report.plan, report.rows, report.plan.scene_name(), ViewKind::HeldOut);
+  const ResultsCell* cell = row != nullptr ? row->at_cell(summary_cell_m) : nullptr;
+  if (cell == nullptr) return;
+  PlotSeries floor{.name = noise_floor_name, .joined = true, .dots = false};
+  std::vector<double> reached;
+  for (const PlotSeries& series : plot.series) {
+    for (const auto& [x, y] : series.points) reached.push_back(x);
+  }
+  if (reached.empty()) return;
+  const auto [first, last] = std::ranges::minmax(reached);
+  floor.points = {{first, cell->floor_median.rms_db}, {last, cell->floor_median.rms_db}};
+  plot.series.push_back(floor);
+}
 
 /// RMS error of every view, from the paper's grid, over how far its line of sight is from the nearest baked one.
 Plot by_distance(const ResultsReport& report) {
@@ -26,6 +44,7 @@ Plot by_distance(const ResultsReport& report) {
       series.points.emplace_back(ResultsPlan::distance_deg(view.view, plan.paper_grid()), cell->rms_db);
     }
   }
+  add_noise_floor(plot, report);
   return plot;
 }
 
@@ -46,6 +65,7 @@ Plot by_bytes(const ResultsReport& report) {
       series.points.emplace_back(static_cast<double>(row->atlas.store_bytes) / 1e6, cell->median.rms_db);
     }
   }
+  add_noise_floor(plot, report);
   return plot;
 }
 
@@ -54,7 +74,7 @@ Plot by_cell(const ResultsReport& report) {
             .x_label = "cell [m]",
             .y_label = "RMS [dB]",
             .x_is_logarithmic = true};
-  PlotSeries floor{.name = "truth against truth", .joined = true};
+  PlotSeries floor{.name = noise_floor_name, .joined = true};
   for (const Method method : methods) {
     const ResultsRow* row = find_row(report.rows, {.scene = report.plan.scene_name(),
                                                    .method = method,

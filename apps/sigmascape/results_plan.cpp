@@ -63,7 +63,7 @@ std::string text_of(ViewKind kind) {
     case ViewKind::HeldOut:
       return "held out";
     case ViewKind::Paper:
-      return "paper";
+      return "Figure 8 view";
   }
   return "";
 }

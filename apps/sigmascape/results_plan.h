@@ -100,13 +100,17 @@ struct ResultsPlan {
   /// which goes on in a bake and ends where the terrain does in a traced map: that would be held against the method.
   [[nodiscard]] double rim_m() const;
   [[nodiscard]] double side_m() const { return 2000.0 * scale; }
-  /// "hills" for the paper's scene, "place" for another.
+  /// What the kept files of the scene are named after: "hills" for the paper's scene, "place" for another.
   [[nodiscard]] std::string scene_name() const { return scene_file.empty() ? "hills" : "place"; }
+  /// Whether the same is measured on level ground too, as it is of the paper's scene.
+  [[nodiscard]] bool has_level_ground() const { return scene_file.empty(); }
   /// The grid that all methods have and most tables are about: the paper's with five elevations.
   [[nodiscard]] const LookGrid& paper_grid() const { return grids[1]; }
+  /// The grid after it.
+  [[nodiscard]] const LookGrid& next_grid() const { return grids[2]; }
   /// The paper's grid with the elevations, or the azimuths, of the one after it.
-  [[nodiscard]] LookGrid more_elevations() const { return {paper_grid().azimuths, grids[2].elevations_deg}; }
-  [[nodiscard]] LookGrid more_azimuths() const { return {grids[2].azimuths, paper_grid().elevations_deg}; }
+  [[nodiscard]] LookGrid more_elevations() const { return {paper_grid().azimuths, next_grid().elevations_deg}; }
+  [[nodiscard]] LookGrid more_azimuths() const { return {next_grid().azimuths, paper_grid().elevations_deg}; }
   /// The paper's grid with as many elevations over the same span, evenly spaced in cot ψ. No other grid holds them all,
   /// and so it is baked by itself.
   [[nodiscard]] LookGrid even_in_cotangent() const;

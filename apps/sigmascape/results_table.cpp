@@ -43,6 +43,13 @@ double worst(std::vector<double> values, Badness badness) {
   return values.empty() ? not_defined : *std::ranges::max_element(values, {}, badness);
 }
 
+/// Shadows of few cells say nothing.
+double value_of(const CellComparison& cell, const Metric& metric) {
+  const bool says_little =
+      metric.value == &CellComparison::shadow_iou && cell.shadow_cells < product::least_shadow_cells;
+  return says_little ? not_defined : cell.*metric.value;
+}
+
 struct MedianAndWorst {
   CellComparison median, worst;
 };
@@ -51,7 +58,7 @@ MedianAndWorst over_views(const std::vector<const CellComparison*>& views) {
   MedianAndWorst over{*views.front(), *views.front()};
   for (const Metric& metric : metrics) {
     std::vector<double> values;
-    for (const CellComparison* view : views) values.push_back(view->*metric.value);
+    for (const CellComparison* view : views) values.push_back(value_of(*view, metric));
     over.median.*metric.value = median(values);
     over.worst.*metric.value = worst(values, metric.badness);
   }

@@ -48,8 +48,8 @@ struct ResultsCase {
 struct AtlasCost {
   std::size_t looks = 0;
   std::uintmax_t store_bytes = 0;
-  std::size_t memory_bytes = 0;
-  double bake_seconds = 0.0;  ///< of processor time
+  std::size_t memory_bytes = 0;  ///< as far as it is of the scene's extent
+  double bake_seconds = 0.0;     ///< of processor time
 };
 
 /// One baked map against the truth.
@@ -64,11 +64,11 @@ struct ViewResult {
   /// Of a map that was made twice, at summary_cell_m.
   std::optional<product::NoiseFreeComparison> without_noise = {};
   double trace_seconds = 0.0;  ///< of processor time, for one traced map
-  double render_ms = 0.0;      ///< on the wall
+  double render_ms = 0.0;      ///< of processor time
 };
 
 /// A case at one cell size. Medians and worst values are taken over the views, each number by itself; the worst bias is
-/// the one farthest from zero.
+/// the one farthest from zero. The overlap of shadows is NaN where no view has enough of them.
 struct ResultsCell {
   product::CellComparison median, worst;
   product::CellComparison floor_median, floor_worst;

@@ -9,7 +9,9 @@ namespace {
 
 std::string number_text(double value, int decimals, bool with_sign) {
   if (std::isnan(value)) return "-";
-  return with_sign ? fmt::format("{:+.{}f}", value, decimals) : fmt::format("{:.{}f}", value, decimals);
+  // What rounds to nothing has no sign.
+  const double shown = std::abs(value) < 0.5 * std::pow(10.0, -decimals) ? 0.0 : value;
+  return with_sign && shown != 0.0 ? fmt::format("{:+.{}f}", shown, decimals) : fmt::format("{:.{}f}", shown, decimals);
 }
 
 /// A column of the table: a metric, how it is written, and how wide.
@@ -29,9 +31,14 @@ constexpr Column columns[] = {
 };
 constexpr int column_width = 16;
 
+std::string value_text(const Column& column, const CellComparison& row) {
+  const bool says_little = column.value == &CellComparison::shadow_iou && row.shadow_cells < least_shadow_cells;
+  return says_little ? "-" : number_text(row.*column.value, column.decimals, column.with_sign);
+}
+
 std::string cell_text(const Column& column, const CellComparison& row, const CellComparison* floor) {
-  std::string text = number_text(row.*column.value, column.decimals, column.with_sign);
-  if (floor != nullptr) text += " (" + number_text(floor->*column.value, column.decimals, column.with_sign) + ")";
+  std::string text = value_text(column, row);
+  if (floor != nullptr) text += " (" + value_text(column, *floor) + ")";
   return text;
 }
 
@@ -57,11 +64,13 @@ std::string comparison_table(const MapComparison& comparison, const std::optiona
     for (const Column& column : columns) text += fmt::format(" {:>{}}", cell_text(column, row, floor), column_width);
     text += '\n';
   }
-  text += fmt::format("{}; dB no lower than {} dB; shadow below {} dB; bias of total power, tested over truth\n",
-                      polarization_name(comparison.options.polarization), comparison.options.floor_db,
-                      comparison.options.shadow_db);
-  if (noise_floor) text += "in brackets the noise floor: the truth compared with itself from another seed\n";
-  return text;
+  text += fmt::format(
+      "{}; dB no lower than {} dB; shadow below {} dB, no overlap said of fewer than {} cells; bias of total power, "
+      "tested over truth\n",
+      polarization_name(comparison.options.polarization), comparison.options.floor_db, comparison.options.shadow_db,
+      least_shadow_cells);
+  return text + (noise_floor ? "in brackets the noise floor: the truth compared with itself from another seed\n"
+                             : "noise floor not measured\n");
 }
 
 std::string comparison_json(const MapComparison& comparison, const std::optional<MapComparison>& noise_floor) {

@@ -111,7 +111,7 @@ Picture with_legend(const Picture& picture, const LegendParts& parts) {
   framed.pixels = Array2D<Rgba>(columns, picture.pixels.rows() + strip_height * dot, legend_background);
   std::copy(picture.pixels.values().begin(), picture.pixels.values().end(), framed.pixels.values().begin());
   Strip strip{framed.pixels, picture.pixels.rows(), dot, margin * dot};
-  draw_colour_bar(strip, picture);
+  if (parts.colour_scale) draw_colour_bar(strip, picture);
   if (parts.scale_bar) draw_scale_bar(strip, picture.grid);
   if (parts.north_arrow) draw_north_arrow(strip);
   return framed;

@@ -51,7 +51,8 @@ class PairSums {
             .rms_db = std::sqrt(squared_error_ / static_cast<double>(cells_)),
             .bias_db = total_a_ > 0.0 && total_b_ > 0.0 ? db_from_linear(total_a_ / total_b_) : not_defined,
             .l1 = total_b_ > 0.0 ? total_error_ / total_b_ : not_defined,
-            .shadow_iou = any_shadow_ > 0 ? static_cast<double>(both_shadow_) / static_cast<double>(any_shadow_) : 1.0};
+            .shadow_iou = any_shadow_ > 0 ? static_cast<double>(both_shadow_) / static_cast<double>(any_shadow_) : 1.0,
+            .shadow_cells = any_shadow_};
   }
 
   [[nodiscard]] std::size_t cells() const { return cells_; }

@@ -30,7 +30,8 @@ struct CompareOptions {
 ///     shadow_iou     = |S_a ∩ S_b| / |S_a ∪ S_b|,   S the cells in shadow
 ///
 /// The correlation is NaN where one of the maps is constant. The bias is of total power, so that bright cells decide,
-/// and positive when the tested map is brighter. The overlap of shadows is 1 where neither map has any.
+/// and positive when the tested map is brighter. The overlap of shadows is 1 where neither map has any; of few cells it
+/// says little.
 struct CellComparison {
   double cell_m = 0.0;
   std::size_t cells = 0;
@@ -39,7 +40,11 @@ struct CellComparison {
   double bias_db = 0.0;
   double l1 = 0.0;
   double shadow_iou = 0.0;
+  std::size_t shadow_cells = 0;  ///< |S_a ∪ S_b|
 };
+
+/// Of fewer cells in shadow than these, texts say no overlap: one cell would decide it.
+inline constexpr std::size_t least_shadow_cells = 10;
 
 /// A comparison and what it was made with.
 struct MapComparison {
@@ -56,7 +61,8 @@ struct MapComparison {
                                          const CompareOptions& options = {});
 
 /// The comparison as lines of text for a terminal, with the definitions' options stated. A noise floor (the truth
-/// compared with itself traced from another seed) stands in brackets behind every number.
+/// compared with itself traced from another seed) stands in brackets behind every number;
+/// where none is given, the text says that it was not measured.
 [[nodiscard]] std::string comparison_table(const MapComparison& comparison,
                                            const std::optional<MapComparison>& noise_floor = std::nullopt);
 

@@ -230,9 +230,29 @@ TEST(MapMetrics, TableStatesItsOptionsAndTheNoiseFloorBesideTheNumbers) {
   const GroundMap tested = map_of(4, 4, [](auto c, auto r) { return 2.0 * rough(c, r); });
   const std::string table =
       comparison_table(compare_maps(tested, truth, at_cells({2.0})), compare_maps(truth, truth, at_cells({2.0})));
-  EXPECT_THAT(table, testing::HasSubstr("+3.01 (+0.00)"));
+  EXPECT_THAT(table, testing::HasSubstr("+3.01 (0.00)"));
   EXPECT_THAT(table, testing::HasSubstr("-45 dB"));
   EXPECT_THAT(table, testing::HasSubstr("-35 dB"));
+}
+
+TEST(MapMetrics, TableSaysThatNoNoiseFloorWasMeasured) {
+  const GroundMap map = map_of(4, 4, rough);
+  const MapComparison comparison = compare_maps(map, map, at_cells({2.0}));
+  EXPECT_THAT(comparison_table(comparison), testing::HasSubstr("noise floor not measured"));
+  EXPECT_THAT(comparison_table(comparison, comparison), testing::Not(testing::HasSubstr("not measured")));
+}
+
+TEST(MapMetrics, TableSaysNoOverlapOfFewCellsInShadow) {
+  const auto with_shadow = [](std::size_t cells) {
+    return map_of(8, 8, [cells](auto c, auto r) { return c + 8 * r < cells ? 1e-6 : 1.0; });
+  };
+  const auto iou_text = [&](std::size_t cells) {
+    const GroundMap map = with_shadow(cells);
+    return comparison_table(compare_maps(map, map, at_cells({2.0})));
+  };
+  EXPECT_EQ(compare_maps(with_shadow(3), with_shadow(12), at_cells({2.0})).at.front().shadow_cells, 12U);
+  EXPECT_THAT(iou_text(least_shadow_cells), testing::HasSubstr("1.000\nVV"));
+  EXPECT_THAT(iou_text(least_shadow_cells - 1), testing::HasSubstr(" -\nVV"));
 }
 
 TEST(BlockMean, LeavesOutWhatFillsNoBlock) {

@@ -152,11 +152,15 @@ TEST(Legend, LeavesOutWhatWouldLie) {
   };
   const Picture plain = picture_of(map_of(300, 4, [](auto, auto) { return 1.0; }));
   const Picture turned = with_legend(plain, {.north_arrow = false}),
-                drawn_out = with_legend(plain, {.scale_bar = false});
+                drawn_out = with_legend(plain, {.scale_bar = false}),
+                coloured_at_will = with_legend(plain, {.colour_scale = false});
   EXPECT_TRUE(has_ink(turned, 120, 280));
   EXPECT_FALSE(has_ink(turned, 285, 300));
   EXPECT_FALSE(has_ink(drawn_out, 120, 280));
   EXPECT_TRUE(has_ink(drawn_out, 285, 300));
+  EXPECT_TRUE(has_ink(turned, 80, 116)) << "the end of the colours";
+  EXPECT_FALSE(has_ink(coloured_at_will, 80, 116));
+  EXPECT_TRUE(has_ink(coloured_at_will, 6, 56)) << "the scale bar in their place";
 }
 
 TEST(Legend, NamesTheMiddleOfDifferences) {

@@ -40,15 +40,17 @@ TEST(ResultsCauses, AreWeighedAtTheSameViewsAlone) {
   const auto rows = made_rows(plan);
   EXPECT_THAT(largest_causes(plan, rows, ViewKind::HeldOut),
               AllOf(StartsWith("The largest by RMS is: missing angles (ours"), HasSubstr("from 6.00 to 4.00 dB")));
-  EXPECT_THAT(largest_causes(plan, rows, ViewKind::OnGrid),
-              AllOf(StartsWith("The largest by RMS is: noise of the bake"), HasSubstr("from 9.00 to 4.00 dB")));
+  EXPECT_THAT(
+      largest_causes(plan, rows, ViewKind::OnGrid),
+      AllOf(StartsWith("The largest by RMS is: sampling noise of the bake"), HasSubstr("from 9.00 to 4.00 dB")));
 }
 
 TEST(ResultsCauses, ByRelativeL1MayBeOthersThanByRms) {
   const ResultsPlan plan = made_plan();
-  EXPECT_THAT(largest_causes(plan, made_rows(plan), ViewKind::HeldOut),
-              HasSubstr("By relative L1 it is: shadows on the ground alone (ours: baked against made at run time). "
-                        "Without it L1 falls from 0.800 to 0.500."));
+  EXPECT_THAT(
+      largest_causes(plan, made_rows(plan), ViewKind::HeldOut),
+      HasSubstr("By relative L1 it is: flat-ground shadows on slopes (ours: shadows baked against made at run time). "
+                "Without it L1 falls from 0.800 to 0.500."));
   EXPECT_THAT(largest_causes(plan, made_rows(plan), ViewKind::OnGrid), HasSubstr("No cause adds to the relative L1."));
 }
 

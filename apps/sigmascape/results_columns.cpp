@@ -1,0 +1,56 @@
+#include "results_columns.h"
+
+#include <cmath>
+#include <fmt/format.h>
+
+namespace sigmascape::cli {
+namespace {
+
+/// "0.834 (0.791)".
+template <typename Write>
+std::string with_worst(double median, double worst, int decimals, Write write) {
+  return fmt::format("{} ({})", write(median, decimals), write(worst, decimals));
+}
+
+/// The value as it is written, so that what rounds to nothing is nothing.
+double rounded(double value, int decimals) {
+  const double unit = std::pow(10.0, -decimals);
+  return std::abs(value) < 0.5 * unit ? 0.0 : value;
+}
+
+}  // namespace
+
+std::string number_text(double value, int decimals) {
+  return std::isnan(value) ? "–" : fmt::format("{:.{}f}", rounded(value, decimals), decimals);
+}
+
+std::string signed_text(double value, int decimals) {
+  const double shown = rounded(value, decimals);
+  return std::isnan(value) || shown == 0.0 ? number_text(value, decimals) : fmt::format("{:+.{}f}", shown, decimals);
+}
+
+std::string megabytes(std::uintmax_t bytes) {
+  return number_text(static_cast<double>(bytes) / 1e6, 2);
+}
+
+std::string metrics_text(const product::CellComparison& cell) {
+  return fmt::format("{} | {} | {} | {} | {}", number_text(cell.correlation_db, 3), number_text(cell.rms_db, 2),
+                     signed_text(cell.bias_db, 2), number_text(cell.l1, 3), number_text(cell.shadow_iou, 2));
+}
+
+std::string metrics_text(const product::CellComparison& median, const product::CellComparison& worst,
+                         std::size_t views) {
+  if (views == 1) return metrics_text(median);
+  return fmt::format("{} | {} | {} | {} | {}", with_worst(median.correlation_db, worst.correlation_db, 3, number_text),
+                     with_worst(median.rms_db, worst.rms_db, 2, number_text),
+                     with_worst(median.bias_db, worst.bias_db, 2, signed_text),
+                     with_worst(median.l1, worst.l1, 3, number_text),
+                     with_worst(median.shadow_iou, worst.shadow_iou, 2, number_text));
+}
+
+std::string error_text(const product::CellComparison& cell) {
+  return fmt::format("{} | {} | {} | {}", number_text(cell.correlation_db, 3), number_text(cell.rms_db, 2),
+                     number_text(cell.l1, 3), number_text(cell.shadow_iou, 2));
+}
+
+}  // namespace sigmascape::cli
