@@ -100,6 +100,7 @@ nlohmann::ordered_json summary_of(const atlas::AtlasDescription& atlas, const at
       {"bytes_per_look", summary.bytes_per_look},
       {"relative_standard_error",
        {{"smallest", summary.error.smallest}, {"median", summary.error.median}, {"largest", summary.error.largest}}},
+      {"above_target", summary.above_target ? nlohmann::ordered_json(*summary.above_target) : nullptr},
       {"mantissa_bits", atlas.mantissa_bits},
       {"settings", atlas.settings},
       {"scene_hash", atlas.scene_hash},
@@ -127,6 +128,9 @@ std::string text_of(const atlas::AtlasDescription& atlas, const atlas::AtlasSumm
        fmt::format("{}, {} a look", size_text(static_cast<double>(summary.bytes)), size_text(summary.bytes_per_look)));
   line("texel error", fmt::format("{:.1f} % in the median look, {:.1f} % to {:.1f} %", 100 * summary.error.median,
                                   100 * summary.error.smallest, 100 * summary.error.largest));
+  if (summary.above_target) {
+    line("above target", fmt::format("{:.1f} % of the texels that return anything", 100 * *summary.above_target));
+  }
   for (const auto& [name, value] : atlas.settings) line(name, value);
   line("mantissa bits", fmt::format("{}", atlas.mantissa_bits));
   line("scene hash", atlas.scene_hash);

@@ -1,4 +1,7 @@
 #include <fmt/format.h>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "bake_options.h"
 #include "command.h"
@@ -7,55 +10,92 @@
 #include "terminal_progress.h"
 #include "words.h"
 
+#include "sigmascape/atlas/atlas_summary.h"
+#include "sigmascape/bake/damaged_looks.h"
 #include "sigmascape/bake/plan.h"
 #include "sigmascape/scene/scene_file.h"
 
 namespace sigmascape::cli {
 namespace {
 
-std::string text_of(const bake::BakeReport& report, const std::string& folder, double seconds) {
-  std::string text = fmt::format("{} looks in {} ({} were there already", report.looks, folder, report.already);
+/// What a bake came to, as its summary tells it.
+struct Baked {
+  std::string folder;
+  bake::Shard shard;
+  std::vector<atlas::StoreFault> mended;  ///< looks that were there, damaged, and were baked again
+  bake::BakeReport report;
+  std::optional<double> above_target;  ///< of the whole atlas so far, see atlas::AtlasSummary
+  double seconds = 0.0;
+};
+
+std::string text_of(const Baked& baked) {
+  const bake::BakeReport& report = baked.report;
+  std::string text;
+  for (const atlas::StoreFault& fault : baked.mended)
+    text += fmt::format("{} {}; baked again\n", fault.file.string(), fault.what);
+  text += fmt::format("{} looks in {} ({} were there already", report.looks, baked.folder, report.already);
   if (report.elsewhere > 0) text += fmt::format(", {} baked by another process", report.elsewhere);
-  text += fmt::format("), {:.1f} s, {:.1f} million rays, texel error {:.0f} %", seconds,
+  text += fmt::format("), {:.1f} s, {:.1f} million rays, texel error {:.0f} %", baked.seconds,
                       static_cast<double>(report.counts.rays) / 1e6, 100.0 * report.relative_standard_error);
+  if (baked.above_target) text += fmt::format(", {:.0f} % of texels above the target", 100.0 * *baked.above_target);
   if (report.pyramid > 0) text += fmt::format(", {} textures of the pyramid", report.pyramid);
   return text;
 }
 
-nlohmann::ordered_json summary_of(const bake::BakeReport& report, const bake::Shard& shard, const std::string& folder,
-                                  double seconds) {
-  return {{"atlas", folder},
-          {"shard", {shard.index, shard.count}},
+nlohmann::ordered_json json_of(const Baked& baked) {
+  const bake::BakeReport& report = baked.report;
+  nlohmann::ordered_json mended = nlohmann::ordered_json::array();
+  for (const atlas::StoreFault& fault : baked.mended)
+    mended.push_back({{"file", fault.file.string()}, {"fault", fault.what}});
+  return {{"atlas", baked.folder},
+          {"shard", {baked.shard.index, baked.shard.count}},
           {"looks", report.looks},
           {"already", report.already},
+          {"mended", mended},
           {"elsewhere", report.elsewhere},
           {"pyramid", report.pyramid},
-          {"seconds", seconds},
+          {"seconds", baked.seconds},
           {"paths", report.counts.paths},
           {"rays", report.counts.rays},
           {"echoes", report.counts.echoes},
-          {"relative_standard_error", report.relative_standard_error}};
+          {"relative_standard_error", report.relative_standard_error},
+          {"above_target", baked.above_target ? nlohmann::ordered_json(*baked.above_target) : nullptr}};
 }
 
-void show_plan(const bake::BakePlan& plan, const Output& output) {
-  const std::size_t left = plan.looks - plan.already;
-  output.finish(
-      fmt::format("{} patches, {} jobs of a patch and an aspect each\n"
-                  "{} looks to bake, {} are there already\n"
-                  "{:.1f} million cells to send rays to, gutters around the patches included\n"
-                  "about {} on this machine, about {} for the textures of the whole atlas and their standard errors\n"
-                  "(from {} looks at a piece of 256 x 256 texels in the middle, baked in {})",
-                  plan.patches, plan.jobs, left, plan.already, plan.cells / 1e6, duration_text(plan.seconds),
-                  size_text(plan.bytes), plan.probe_looks, duration_text(plan.probe_seconds)),
-      {{"patches", plan.patches},
-       {"jobs", plan.jobs},
-       {"looks", plan.looks},
-       {"already", plan.already},
-       {"cells", plan.cells},
-       {"seconds", plan.seconds},
-       {"bytes", plan.bytes},
-       {"probe_looks", plan.probe_looks},
-       {"probe_seconds", plan.probe_seconds}});
+/// What an atlas holds besides the textures that a plan weighs.
+const char* on_top_text(bake::Shadows shadows) {
+  return shadows == bake::Shadows::RunTime ? "ground, obstacles and terrain come on top" : "the terrain comes on top";
+}
+
+std::string text_of(const bake::BakePlan& plan, bake::Shadows shadows) {
+  const bool is_whole = plan.jobs_of_share == plan.jobs;
+  std::string text = fmt::format("{} patches, {} jobs of a patch and an aspect each", plan.patches, plan.jobs);
+  if (!is_whole) text += fmt::format(", {} of them in this share", plan.jobs_of_share);
+  text += fmt::format(
+      "\n{} looks to bake, {} are there already\n"
+      "{:.1f} million cells to send rays to, gutters around the patches included\n"
+      "about {} on this machine\n"
+      "about {} for the textures of the whole atlas and their standard errors",
+      plan.looks - plan.already, plan.already, plan.cells / 1e6, duration_text(plan.seconds), size_text(plan.bytes));
+  if (!is_whole) text += fmt::format(", {} of it from this share", size_text(plan.bytes_of_share));
+  return text + fmt::format(
+                    "; {}\n"
+                    "(from {} looks at a piece of 256 x 256 texels in the middle, baked in {})",
+                    on_top_text(shadows), plan.probe_looks, duration_text(plan.probe_seconds));
+}
+
+nlohmann::ordered_json json_of(const bake::BakePlan& plan) {
+  return {{"patches", plan.patches},
+          {"jobs", plan.jobs},
+          {"jobs_of_share", plan.jobs_of_share},
+          {"looks", plan.looks},
+          {"already", plan.already},
+          {"cells", plan.cells},
+          {"seconds", plan.seconds},
+          {"bytes", plan.bytes},
+          {"bytes_of_share", plan.bytes_of_share},
+          {"probe_looks", plan.probe_looks},
+          {"probe_seconds", plan.probe_seconds}};
 }
 
 }  // namespace
@@ -77,7 +117,7 @@ void add_bake_command(CLI::App& app, Output& output) {
                    "bake one of several equal shares, counted from 0: 2/8 is the third of eight")
       ->capture_default_str();
   command->add_flag("--verify", options->verify,
-                    "compare the SHA-256 of looks that are there already, and bake altered ones again");
+                    "compare the SHA-256 of looks that are there already; name altered ones and bake them again");
   command->add_flag("--plan", options->plan,
                     "write nothing; bake a small piece at each elevation and tell what the whole would take");
   command->add_option("--json-log", options->log, "add progress to this file, a JSON object a line");
@@ -91,19 +131,28 @@ void add_bake_command(CLI::App& app, Output& output) {
     const bake::BakeShare share{bake::shard_from(options->shard),
                                 options->verify ? atlas::Scrutiny::Content : atlas::Scrutiny::Size};
     const scene::Scene scene = scene::read_scene(options->scene);
-    if (options->plan)
-      return show_plan(bake::plan(scene, options->bake.settings(), options->folder, share.shard), output);
+    const bake::BakeSettings settings = options->bake.settings();
+    bake::check(settings);
+    if (options->plan) {
+      const bake::BakePlan plan = bake::plan(scene, settings, options->folder, share.shard);
+      return output.finish(text_of(plan, settings.shadows), json_of(plan));
+    }
+    Baked baked;
+    baked.folder = options->folder;
+    baked.shard = share.shard;
+    if (const auto there = atlas::Store::find(options->folder, bake::description_of(scene, settings)))
+      baked.mended = bake::damaged_looks(*there, share.shard, share.scrutiny);
     TerminalProgress terminal;
     const Stopwatch watch;
-    const bake::BakeReport report = [&] {
-      const bake::BakeSettings settings = options->bake.settings();
+    baked.report = [&] {
       if (options->log.empty()) return bake::bake(scene, settings, options->folder, terminal, share);
       ProgressLog log(options->log);
       ProgressToTwo both(terminal, log);
       return bake::bake(scene, settings, options->folder, both, share);
     }();
-    output.finish(text_of(report, options->folder, watch.seconds()),
-                  summary_of(report, share.shard, options->folder, watch.seconds()));
+    baked.seconds = watch.seconds();
+    baked.above_target = atlas::part_above_target(atlas::Store::open(options->folder));
+    output.finish(text_of(baked), json_of(baked));
   });
 }
 

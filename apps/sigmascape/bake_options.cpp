@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <string>
 
+#include "number_within.h"
 #include "word_option.h"
 
 #include "sigmascape/base/units.h"
@@ -20,13 +21,17 @@ void BakeOptions::add_to(CLI::App& command) {
   command.add_option("--elevations-deg", elevations_deg, "grazing angles")->delimiter(',')->capture_default_str();
   command.add_option("--frequencies-ghz", frequencies_ghz, "frequencies")->delimiter(',')->capture_default_str();
   const bake::Sampling usual;
-  auto* target_option = command.add_option("--target-db", target_db, "standard error of a texel that is aimed at")
+  auto* target_option = command
+                            .add_option("--target-db", target_db,
+                                        "standard error aimed at in what the rays to one cell return, as far as "
+                                        "--most-samples goes; 'atlas info' tells what part of the texels is above")
                             ->default_str(fmt::format("{:g}", usual.target_db));
   auto* most_option = command.add_option("--most-samples", most_samples, "rays a texel at most, however noisy it is")
-                          ->default_str(std::to_string(usual.most_samples));
+                          ->default_str(std::to_string(usual.most_samples))
+                          ->check(count_within(bake::pilot_samples, bake::most_samples_a_cell));
   auto* samples_option =
       command.add_option("--samples", samples, "rays a texel everywhere (N_r of the paper) instead of a target")
-          ->check(CLI::Range(2, 1 << 24))
+          ->check(count_within(2, bake::most_samples_a_cell))
           ->excludes(target_option, most_option);
   if (usual_samples > 0) samples_option->default_str(std::to_string(usual_samples));
   auto* preset_option = command.add_option("--preset", preset, "paper: 100 rays a texel everywhere, 8 bounces")

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace sigmascape::bench {
 namespace {
@@ -11,19 +10,6 @@ struct Rung {
   double seconds = 0.0;
   Noise noise;
 };
-
-double total(const std::vector<float>& power) {
-  return std::accumulate(power.begin(), power.end(), 0.0);
-}
-
-/// Of the total of the mean of two maps, whose texels' errors are independent.
-double variance_of_mean(const std::vector<float>& one, const std::vector<float>& other) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < one.size(); ++i) {
-    sum += 0.25 * std::pow(static_cast<double>(one[i]) - static_cast<double>(other[i]), 2.0);
-  }
-  return sum;
-}
 
 /// The time at which the ladder reaches `wanted`; beyond its ends as though error fell with the root of time.
 template <typename Error>
@@ -50,7 +36,7 @@ EqualNoise equal_noise(PaperLooks& looks, const radar::Aspect& aspect, std::uint
   const TimedLook other = looks.plain(aspect, plain_samples, seed + 1);
   const TimedLook direct = looks.direct(aspect, 4, seed);
   const auto texels = noisy_texels(one.power, other.power, direct.power);
-  const double plain_total = 0.5 * (total(one.power) + total(other.power));
+  const Total plain = total_of(one.power, other.power);
 
   EqualNoise result;
   result.plain = noise_of(one.power, other.power, texels);
@@ -59,20 +45,21 @@ EqualNoise equal_noise(PaperLooks& looks, const radar::Aspect& aspect, std::uint
                        static_cast<double>(std::ranges::count_if(direct.power, [](float p) { return p > 0.0F; }));
 
   std::vector<Rung> ladder;
-  double ours_variance = 0.0;
+  double ours_error = 0.0;
   for (const bake::Sampling& sampling : samplings) {
     const TimedLook ours = looks.ours(aspect, sampling, seed + 2), again = looks.ours(aspect, sampling, seed + 3);
     ladder.push_back(
         {0.5 * (ours.processor_seconds + again.processor_seconds), noise_of(ours.power, again.power, texels)});
-    result.mean_ratio = 0.5 * (total(ours.power) + total(again.power)) / plain_total;
-    ours_variance = variance_of_mean(ours.power, again.power);
+    const Total in_all = total_of(ours.power, again.power);
+    result.mean_ratio = in_all.power / plain.power;
+    ours_error = in_all.standard_error;
     result.honesty = honesty_of({ours.power, ours.errors}, {again.power, again.errors}, texels);
     const Noise& reached = ladder.back().noise;
     if (ladder.size() > 1 && reached.median_relative < result.plain.median_relative && reached.l1 < result.plain.l1) {
       break;
     }
   }
-  result.mean_ratio_error = std::sqrt(ours_variance + variance_of_mean(one.power, other.power)) / plain_total;
+  result.mean_ratio_error = std::hypot(ours_error, plain.standard_error) / plain.power;
   result.median_seconds =
       seconds_for(ladder, result.plain.median_relative, [](const Rung& rung) { return rung.noise.median_relative; });
   result.l1_seconds = seconds_for(ladder, result.plain.l1, [](const Rung& rung) { return rung.noise.l1; });

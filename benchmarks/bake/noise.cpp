@@ -37,6 +37,18 @@ Noise noise_of(const std::vector<float>& one, const std::vector<float>& other, c
   return noise;
 }
 
+Total total_of(const std::vector<float>& one, const std::vector<float>& other) {
+  Total total;
+  double variance = 0.0;
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    const double a = static_cast<double>(one[i]), b = static_cast<double>(other[i]);
+    total.power += 0.5 * (a + b);
+    variance += 0.25 * (a - b) * (a - b);
+  }
+  total.standard_error = std::sqrt(variance);
+  return total;
+}
+
 Honesty honesty_of(const MapWithErrors& one, const MapWithErrors& other, const std::vector<std::size_t>& texels) {
   constexpr double interval = 2.042;
   double predicted = 0.0, actual = 0.0;

@@ -20,6 +20,14 @@ struct Noise {
 [[nodiscard]] Noise noise_of(const std::vector<float>& one, const std::vector<float>& other,
                              const std::vector<std::size_t>& texels);
 
+/// The power of a map in all, mean of two independent ones.
+struct Total {
+  double power = 0.0;
+  double standard_error = 0.0;  ///< of the mean; errors of texels are taken to be independent
+};
+
+[[nodiscard]] Total total_of(const std::vector<float>& one, const std::vector<float>& other);
+
 /// What two independent maps say of their own errors against what they differ by.
 struct Honesty {
   double predicted_over_actual = 0.0;  ///< root mean squares over the texels, relative to their mean power

@@ -19,7 +19,7 @@ bake::BakeSettings settings_for(unsigned threads) {
   return settings;
 }
 
-/// The textures of the paper: 1024² texels over the whole scene, whose corner lies on the lattice.
+/// Over the whole scene the textures of the paper: 1024² texels. Its corner lies on the lattice.
 radar::GroundGrid texels_over(const radar::Rectangle& extent, double texel_m) {
   const auto columns = static_cast<std::size_t>(std::round(extent.width_m() / texel_m));
   const auto rows = static_cast<std::size_t>(std::round(extent.height_m() / texel_m));
@@ -58,9 +58,12 @@ class Watch {
 }  // namespace
 
 PaperLooks::PaperLooks(const scene::Scene& scene, int thinning, unsigned threads)
+    : PaperLooks(scene, scene.extent, thinning, threads) {}
+
+PaperLooks::PaperLooks(const scene::Scene& scene, const radar::Rectangle& part, int thinning, unsigned threads)
     : settings_(settings_for(threads)),
       thinning_(thinning),
-      texels_(texels_over(scene.extent, settings_.patches.texel_m)),
+      texels_(texels_over(part, settings_.patches.texel_m)),
       baker_(std::make_unique<bake::LookBaker>(scene, settings_)),
       surfaces_(trace::surface_models(scene, settings_.aspects.frequencies_hz)) {}
 

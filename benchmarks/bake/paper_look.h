@@ -27,6 +27,8 @@ class PaperLooks {
   /// Rays go to one tile of 16 × 16 cells, chosen by lot, of every block of `thinning`² tiles, so that forest, fields
   /// and town keep their shares; 1: to all.
   PaperLooks(const scene::Scene& scene, int thinning, unsigned threads);
+  /// Of a part of the scene, whose corners lie on the lattice of texels.
+  PaperLooks(const scene::Scene& scene, const radar::Rectangle& part, int thinning, unsigned threads);
 
   /// Independent random numbers, no reciprocal weighting, no roulette, everywhere as many rays.
   [[nodiscard]] TimedLook plain(const radar::Aspect& aspect, std::uint32_t samples, std::uint64_t seed);

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <chrono>
-#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fmt/format.h>
@@ -8,49 +7,19 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <sys/mount.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
 
 #include "end_to_end/made_scene.h"
+#include "end_to_end/process.h"
 #include "scratch_folder.h"
 
 namespace sigmascape::end_to_end {
 namespace {
 
 namespace fs = std::filesystem;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-
-struct Ended {
-  int code = -1;  ///< −1: killed
-  std::string printed;
-  long peak_memory_kib = 0;
-  [[nodiscard]] nlohmann::json json() const { return nlohmann::json::parse(printed); }
-};
-
-/// A command line run by a shell of its own, its output in a file.
-class Process {
- public:
-  Process(const std::string& line, fs::path output) : output_(std::move(output)), pid_(::fork()) {
-    if (pid_ != 0) return;
-    const std::string whole = fmt::format("exec > '{}' 2>&1; {}", output_.string(), line);
-    ::execl("/bin/bash", "bash", "-c", whole.c_str(), nullptr);
-    ::_exit(127);
-  }
-  void kill() const { ::kill(pid_, SIGKILL); }
-  [[nodiscard]] Ended ended() const {
-    int status = 0;
-    struct rusage usage {};
-    ::wait4(pid_, &status, 0, &usage);
-    std::ifstream file(output_, std::ios::binary);
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, {std::istreambuf_iterator<char>(file), {}}, usage.ru_maxrss};
-  }
-
- private:
-  fs::path output_;
-  pid_t pid_;
-};
 
 /// Sixteen looks of eight patches, baked once by one process; other tests must come to the same bytes.
 class Shards : public ::testing::Test {
@@ -105,6 +74,17 @@ std::size_t looks_in(const fs::path& atlas) {
     }
   }
   return looks;
+}
+
+/// What a bake says that it has mended, each fault up to its colon.
+std::vector<std::string> mended_by(const Ended& bake) {
+  std::vector<std::string> mended;
+  const nlohmann::json summary = bake.json();
+  for (const nlohmann::json& one : summary.at("mended")) {
+    const std::string fault = one.at("fault");
+    mended.push_back(one.at("file").get<std::string>() + " " + fault.substr(0, fault.find(':')));
+  }
+  return mended;
 }
 
 constexpr const char* a_texture = "patch_-001_+000/az180.0_el30.0_f10.000GHz.tif";
@@ -200,8 +180,10 @@ TEST_F(Shards, DamageIsFoundNamedAndMended) {
 
   const Ended by_size = baked("damaged");
   EXPECT_EQ(by_size.json().at("already"), 15) << "a file of the right size is only found with --verify";
+  EXPECT_THAT(mended_by(by_size), ElementsAre(truncated + " is truncated"));
   const Ended by_content = baked("damaged", "--verify");
   EXPECT_EQ(by_content.json().at("already"), 15);
+  EXPECT_THAT(mended_by(by_content), ElementsAre(a_texture + std::string(" was altered")));
   EXPECT_EQ(run_cli(fmt::format("atlas verify '{}'", path_of("damaged"))).code, 0);
   EXPECT_EQ(difference_of(files_of(folder_ / "damaged"), whole_), "");
 }
@@ -303,7 +285,14 @@ TEST_F(Shards, APlanWritesNothingAndCountsRight) {
   EXPECT_GT(plan.at("bytes").get<double>(), 0.95 * bytes);
   EXPECT_LT(plan.at("bytes").get<double>(), 1.5 * bytes);
   EXPECT_EQ(baked("whole", "--plan").json().at("already"), 16);
-  EXPECT_EQ(baked("planned", "--plan --shard 0/4").json().at("looks"), 4);
+  const nlohmann::json share = baked("planned", "--plan --shard 0/4").json();
+  EXPECT_EQ(share.at("looks"), 4);
+  EXPECT_EQ(share.at("jobs"), 16);
+  EXPECT_EQ(share.at("jobs_of_share"), 4);
+  EXPECT_NEAR(share.at("bytes_of_share").get<double>(), share.at("bytes").get<double>() / 4.0, 1.0);
+  const Ended other = baked("whole", "--plan --seed 2");
+  EXPECT_EQ(other.code, 1);
+  EXPECT_THAT(other.printed, HasSubstr("seed is \"1\" there and \"2\" here"));
 }
 
 TEST_F(Shards, TheLogTellsOfEveryLook) {
@@ -350,7 +339,10 @@ TEST_F(Shards, NonsenseIsRefusedBeforeAnythingIsWritten) {
   };
   EXPECT_THAT(refused("--shard 5/3"), HasSubstr("give 0/3 to 2/3"));
   EXPECT_THAT(refused("--shard 0/0"), HasSubstr("there are no shards"));
-  EXPECT_THAT(refused("--samples 4294967297"), HasSubstr("4294967297 not in range"));
+  for (const char* samples : {"1", "1048577", "4294967297"}) {
+    EXPECT_THAT(refused(std::string("--samples ") + samples),
+                HasSubstr(fmt::format("is {}; give a whole number from 2 to 1048576", samples)));
+  }
   EXPECT_THAT(refused("--elevations-deg 0,30"), HasSubstr("use 0.5° to 89°"));
   EXPECT_THAT(refused("--elevations-deg 90"), HasSubstr("use 0.5° to 89°"));
   EXPECT_THAT(refused("--json-log /nowhere/log"), HasSubstr("/nowhere/log"));

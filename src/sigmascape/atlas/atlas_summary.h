@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "sigmascape/atlas/store.h"
 
@@ -21,8 +22,14 @@ struct AtlasSummary {
   struct Spread {
     double smallest = 0.0, median = 0.0, largest = 0.0;
   } error;
+  /// Part of the texels that return anything whose error is above the target of the bake, over all looks done; nothing
+  /// when the bake had no target.
+  std::optional<double> above_target;
 };
 
 [[nodiscard]] AtlasSummary summary_of(const Store& store);
+
+/// AtlasSummary::above_target alone.
+[[nodiscard]] std::optional<double> part_above_target(const Store& store);
 
 }  // namespace sigmascape::atlas

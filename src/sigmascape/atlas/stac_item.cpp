@@ -211,6 +211,10 @@ std::string item_text(const AtlasDescription& description, const Unit& unit, con
       {"sigmascape:sha256", record.sha256},
       {"sigmascape:attribution", description.attribution},
   });
+  if (record.above_target) {
+    properties["sigmascape:lit_texels"] = record.above_target->lit;
+    properties["sigmascape:above_target"] = record.above_target->above;
+  }
   Json assets = {{"sigma0", sigma0_asset(grid.cell_m, texture_file, record)}};
   if (record.errors) {
     properties["sigmascape:errors_size_bytes"] = record.errors->size_bytes;
@@ -283,6 +287,11 @@ std::optional<TextureRecord> record_from(const std::string& text) {
   }
   if (is("sigmascape:relative_standard_error", &Json::is_number)) {
     record.relative_standard_error = properties.at("sigmascape:relative_standard_error").get<double>();
+  }
+  if (is("sigmascape:lit_texels", &Json::is_number_unsigned) &&
+      is("sigmascape:above_target", &Json::is_number_unsigned)) {
+    record.above_target = {properties.at("sigmascape:lit_texels").get<std::uint64_t>(),
+                           properties.at("sigmascape:above_target").get<std::uint64_t>()};
   }
   if (is("sigmascape:tallest_m", &Json::is_number)) {
     record.tallest_m = properties.at("sigmascape:tallest_m").get<float>();

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "sigmascape/atlas/error_target.h"
 #include "sigmascape/atlas/error_texture.h"
 #include "sigmascape/atlas/half_texture.h"
 #include "sigmascape/atlas/pyramid.h"
@@ -82,9 +83,16 @@ void check_texels(const Array2D<radar::Channels>& texels, std::size_t side, cons
 }  // namespace
 
 Store Store::create(const std::filesystem::path& folder, const AtlasDescription& description) {
+  if (auto store = find(folder, description)) return *std::move(store);
+  geo::write_atomically(folder / collection_name, collection_text(description));
+  // Another process may have been faster.
+  return find(folder, description).value();
+}
+
+std::optional<Store> Store::find(const std::filesystem::path& folder, const AtlasDescription& description) {
   check_description(description);
   const std::filesystem::path file = folder / collection_name;
-  if (!text_of(file)) geo::write_atomically(file, collection_text(description));
+  if (!text_of(file)) return std::nullopt;
   Store store = open(folder);
   if (const auto differs = difference(store.description(), description)) {
     throw Error(file.string(), fmt::format("holds another atlas: {}", *differs),
@@ -131,9 +139,11 @@ void Store::write(PatchIndex patch, LookIndex look, const Array2D<radar::Channel
   const std::string errors = relative_errors.empty()
                                  ? ""
                                  : error_texture_bytes(relative_errors, texels, grid, description_, folder_ / texture);
+  const auto target = error_target(description_);
   write_texture(
       *this, {0, patch}, texture, halves, sigma0_bands,
-      [&](const TextureRecord& record) {
+      [&](TextureRecord record) {
+        if (target && !errors.empty()) record.above_target = texels_above(*target, relative_errors, texels);
         return item_text(description_, {patch, look}, texture, record, facts);
       },
       errors);

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -78,6 +79,10 @@ class Store {
   /// Makes a new store, or opens the one in `folder` when its description is the same: so a bake resumes. Throws Error
   /// when the description makes no sense, or the store there has another one, naming what differs.
   [[nodiscard]] static Store create(const std::filesystem::path& folder, const AtlasDescription& description);
+
+  /// The store in `folder`, if there is one. Writes nothing; throws Error as `create` does.
+  [[nodiscard]] static std::optional<Store> find(const std::filesystem::path& folder,
+                                                 const AtlasDescription& description);
 
   /// Opens a store that exists. Throws Error when there is none or its collection.json cannot be understood.
   [[nodiscard]] static Store open(const std::filesystem::path& folder);

@@ -10,12 +10,11 @@ namespace sigmascape::bake {
 
 namespace {
 
-constexpr std::uint32_t most_samples = 1U << 24U;
-
 void check(const Sampling& sampling, const std::string& where) {
   if (!sampling.is_adaptive()) {
-    if (sampling.samples_per_texel >= 2 && sampling.samples_per_texel <= most_samples) return;
-    throw Error(where, fmt::format("{} samples a texel", sampling.samples_per_texel), "use 2 to 16777216");
+    if (sampling.samples_per_texel >= 2 && sampling.samples_per_texel <= most_samples_a_cell) return;
+    throw Error(where, fmt::format("{} samples a texel", sampling.samples_per_texel),
+                fmt::format("use 2 to {}", most_samples_a_cell));
   }
   if (!(sampling.target_db >= 0.01 && sampling.target_db <= 10.0)) {
     throw Error(where, fmt::format("a target of {:g} dB", sampling.target_db), "use 0.01 to 10");
@@ -23,8 +22,9 @@ void check(const Sampling& sampling, const std::string& where) {
   if (!(sampling.floor_db >= -120.0 && sampling.floor_db <= 60.0)) {
     throw Error(where, fmt::format("a floor of {:g} dB", sampling.floor_db), "use -120 to 60");
   }
-  if (sampling.most_samples < pilot_samples || sampling.most_samples > most_samples) {
-    throw Error(where, fmt::format("at most {} samples a texel", sampling.most_samples), "use 8 to 16777216");
+  if (sampling.most_samples < pilot_samples || sampling.most_samples > most_samples_a_cell) {
+    throw Error(where, fmt::format("at most {} samples a texel", sampling.most_samples),
+                fmt::format("use {} to {}", pilot_samples, most_samples_a_cell));
   }
 }
 

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 #include <vector>
 
 #include "sigmascape/atlas/error_texture.h"
 #include "sigmascape/atlas/pyramid_tiles.h"
 #include "sigmascape/atlas/texture_file.h"
-#include "sigmascape/atlas/texture_name.h"
 #include "sigmascape/bake/bake.h"
 #include "sigmascape/bake/job.h"
 #include "sigmascape/bake/look_baker.h"
@@ -94,12 +94,10 @@ double texels_above(const atlas::AtlasDescription& description) {
   return tiles * static_cast<double>(atlas::tile_side * atlas::tile_side);
 }
 
-/// Looks of a folder count as there when the atlas in it is the same; a bake into another one will be refused anyway.
-bool is_there(const std::filesystem::path& folder, const atlas::AtlasDescription& description, const Job& job,
-              atlas::LookIndex look) {
-  const auto texture =
-      std::filesystem::path(atlas::patch_name(job.patch)) / (atlas::look_name(description.aspects.look(look)) + ".tif");
-  return !atlas::texture_fault(folder, texture, atlas::Scrutiny::Size);
+std::size_t looks_there(const std::optional<atlas::Store>& store, const Job& job) {
+  if (!store) return 0;
+  return static_cast<std::size_t>(
+      std::ranges::count_if(job.looks, [&](atlas::LookIndex look) { return store->is_done(job.patch, look); }));
 }
 
 }  // namespace
@@ -109,6 +107,7 @@ BakePlan plan(const scene::Scene& scene, const BakeSettings& settings, const std
   check(settings);
   check(shard);
   const atlas::AtlasDescription description = description_of(scene, settings);
+  const auto store = atlas::Store::find(folder, description);
   const auto begin = std::chrono::steady_clock::now();
   const Trials trials(scene, settings);
   const std::vector<Trial> found = trials.at_all_elevations();
@@ -123,12 +122,14 @@ BakePlan plan(const scene::Scene& scene, const BakeSettings& settings, const std
   const double sigma0_texels = texels.all_levels + texels_above(description) / static_cast<double>(plan.patches);
   for (std::size_t number = 0; number < jobs.size(); ++number) {
     const Trial& trial = found[number / azimuths % found.size()];
-    plan.bytes += (trial.sigma0_bytes_per_texel * sigma0_texels + trial.error_bytes_per_texel * texels.finest) *
-                  static_cast<double>(jobs.looks_per_job());
+    const double bytes = (trial.sigma0_bytes_per_texel * sigma0_texels + trial.error_bytes_per_texel * texels.finest) *
+                         static_cast<double>(jobs.looks_per_job());
+    plan.bytes += bytes;
     if (!shard.has(number)) continue;
+    ++plan.jobs_of_share;
+    plan.bytes_of_share += bytes;
     const Job job = jobs[number];
-    const auto there = static_cast<std::size_t>(std::ranges::count_if(
-        job.looks, [&](atlas::LookIndex look) { return is_there(folder, description, job, look); }));
+    const std::size_t there = looks_there(store, job);
     plan.looks += job.looks.size();
     plan.already += there;
     if (there == job.looks.size()) continue;

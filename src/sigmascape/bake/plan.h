@@ -12,22 +12,24 @@ namespace sigmascape::bake {
 /// What a bake would come to.
 struct BakePlan {
   std::size_t patches = 0;
-  std::size_t jobs = 0;     ///< patches times aspects: what can be shared out
-  std::size_t looks = 0;    ///< (patch, look) pairs of the share
-  std::size_t already = 0;  ///< of these in the folder
-  double cells = 0.0;       ///< launch cells of the looks that are not there, gutters included
-  double seconds = 0.0;     ///< expected for the looks that are not there, on this machine, with these threads
+  std::size_t jobs = 0;           ///< patches times aspects: what can be shared out
+  std::size_t jobs_of_share = 0;  ///< of these
+  std::size_t looks = 0;          ///< (patch, look) pairs of the share
+  std::size_t already = 0;        ///< of these in the folder
+  double cells = 0.0;             ///< launch cells of the looks that are not there, gutters included
+  double seconds = 0.0;           ///< expected for the looks that are not there, on this machine, with these threads
   /// Expected size of the textures of all looks with their standard errors, all levels, of all shares. The ground, the
   /// obstacles and the terrain that an atlas may hold besides are not in it.
   double bytes = 0.0;
-  double probe_seconds = 0.0;  ///< what finding out took
+  double bytes_of_share = 0.0;  ///< of these, the share's part of the levels above the patches among them
+  double probe_seconds = 0.0;   ///< what finding out took
   std::size_t probe_looks = 0;
 };
 
 /// Plans a bake without writing anything: time and size are those of a trial. For each elevation a piece of 256 × 256
 /// texels in the middle of the scene is baked, each time from another azimuth; a look's time goes with its launch
 /// cells, its size with its texels. So it is as good as the middle of the scene speaks for the rest. Throws Error as
-/// bake does.
+/// bake does, when another scene or other settings are in `folder` as well.
 [[nodiscard]] BakePlan plan(const scene::Scene& scene, const BakeSettings& settings,
                             const std::filesystem::path& folder, const Shard& shard = {});
 

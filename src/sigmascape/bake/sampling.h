@@ -25,6 +25,9 @@ struct Sampling {
   [[nodiscard]] bool is_adaptive() const { return samples_per_texel == 0; }
 };
 
+/// All rays of a cell are asked for at once: as many as this need 20 MiB a thread.
+inline constexpr std::uint32_t most_samples_a_cell = 1U << 20U;
+
 /// Rays that adaptive sampling starts with, each of a sequence of its own.
 inline constexpr std::uint32_t pilot_samples = 8;
 

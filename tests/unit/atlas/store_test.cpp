@@ -64,6 +64,7 @@ TEST_F(StoreTest, NamesAreForPeople) {
 
 TEST_F(StoreTest, OpensAgainWithTheSameDescription) {
   static_cast<void>(Store::create(folder_, example_description()));
+  ASSERT_TRUE(Store::find(folder_, example_description()));
   const Store store = Store::create(folder_, example_description());
   const Store opened = Store::open(folder_);
   EXPECT_EQ(opened.description().aspects, example_description().aspects);
@@ -83,6 +84,11 @@ TEST_F(StoreTest, RefusesAnotherDescriptionAndNamesWhatDiffers) {
   const std::string settings = message_of([&] { static_cast<void>(Store::create(folder_, other)); });
   EXPECT_THAT(settings, HasSubstr("collection.json"));
   EXPECT_THAT(settings, HasSubstr("settings.samples is \"64\" there and \"128\" here"));
+
+  EXPECT_EQ(message_of([&] { static_cast<void>(Store::find(folder_, other)); }), settings);
+  const auto nothing = folder_ / "nothing";
+  EXPECT_FALSE(Store::find(nothing, other));
+  EXPECT_FALSE(std::filesystem::exists(nothing)) << "looking for a store writes nothing";
 
   other = example_description();
   other.scene_hash = "ffff";

@@ -245,7 +245,11 @@ TEST(Bake, SettingsOutOfRangeAreRefused) {
   EXPECT_THAT(message_for(small_bake({13.0, 90.0})), ::testing::HasSubstr("an elevation of 90.00°; use 0.5° to 89°"));
   BakeSettings settings = small_bake();
   settings.sampling.samples_per_texel = 1;
-  EXPECT_THAT(message_for(settings), ::testing::HasSubstr("1 samples a texel"));
+  EXPECT_THAT(message_for(settings), ::testing::HasSubstr("1 samples a texel; use 2 to 1048576"));
+  settings.sampling.samples_per_texel = (1U << 20U) + 1;
+  EXPECT_THAT(message_for(settings), ::testing::HasSubstr("1048577 samples a texel; use 2 to 1048576"));
+  settings.sampling = {.most_samples = (1U << 20U) + 1};
+  EXPECT_THAT(message_for(settings), ::testing::HasSubstr("at most 1048577 samples a texel; use 8 to 1048576"));
   settings = small_bake();
   settings.max_bounces = 0;
   EXPECT_THAT(message_for(settings), ::testing::HasSubstr("0 bounces"));

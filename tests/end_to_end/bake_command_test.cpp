@@ -1,0 +1,119 @@
+#include <array>
+#include <filesystem>
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <pty.h>
+#include <string>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "end_to_end/made_scene.h"
+#include "end_to_end/process.h"
+#include "scratch_folder.h"
+
+namespace sigmascape::end_to_end {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ContainsRegex;
+using ::testing::HasSubstr;
+
+/// Bakes of a few houses, of as few looks as will do.
+class BakeCommand : public ::testing::Test {
+ protected:
+  [[nodiscard]] std::string line(const std::string& subcommand, const std::string& options) const {
+    return fmt::format("exec '{}' {} {}", SIGMASCAPE_CLI, subcommand, options);
+  }
+  [[nodiscard]] std::string bake_line(const std::string& atlas, const std::string& options) const {
+    return line("bake", fmt::format("'{}' --out '{}' {}", scene_.string(), folder_.path(atlas).string(), options));
+  }
+  [[nodiscard]] Ended run(const std::string& line) const { return Process(line, folder_.path("printed.txt")).ended(); }
+  [[nodiscard]] nlohmann::json baked(const std::string& atlas, const std::string& options) const {
+    const Ended ended = run(bake_line(atlas, options + " --json"));
+    EXPECT_EQ(ended.code, 0) << ended.printed;
+    return ended.code == 0 ? ended.json() : nlohmann::json();
+  }
+  [[nodiscard]] nlohmann::json info_of(const std::string& atlas) const {
+    return run(line("atlas info --json", folder_.path(atlas).string())).json();
+  }
+
+  const ScratchFolder folder_;
+  const std::filesystem::path scene_ = write_made_scene(folder_.path("scene"), 240.0, 120.0);
+};
+
+constexpr const char* one_coarse_look = "--texel-m 4 --patch-texels 256 --azimuths 1 --elevations-deg 45";
+
+TEST_F(BakeCommand, ThePresetOfThePaperIsAHundredRaysAndEightBounces) {
+  const std::string options = std::string(one_coarse_look) + " --preset paper";
+  ASSERT_EQ(baked("paper", options).at("looks"), 4);
+  const nlohmann::json settings = info_of("paper").at("settings");
+  EXPECT_EQ(settings.at("samples_per_texel"), "100");
+  EXPECT_EQ(settings.at("max_bounces"), "8");
+  EXPECT_FALSE(settings.contains("target_db"));
+  for (const char* other : {"--samples 10", "--bounces 2", "--target-db 1", "--most-samples 64"}) {
+    const Ended refused = run(bake_line("refused", options + " " + other));
+    EXPECT_NE(refused.code, 0) << other;
+    EXPECT_THAT(refused.printed, HasSubstr("excludes")) << other;
+  }
+}
+
+TEST_F(BakeCommand, WhatPartOfTheTexelsMissesTheTargetIsTold) {
+  const auto part_above = [&](const std::string& atlas, const std::string& options) {
+    const nlohmann::json summary = baked(atlas, std::string(one_coarse_look) + " --bounces 2 " + options);
+    EXPECT_EQ(summary.at("above_target"), info_of(atlas).at("above_target"));
+    return summary.at("above_target");
+  };
+  const double few_rays = part_above("few", "--target-db 0.4 --most-samples 8");
+  const double many_rays = part_above("many", "--target-db 0.4 --most-samples 512");
+  EXPECT_GT(few_rays, 0.1);
+  EXPECT_LT(many_rays, 0.8 * few_rays);
+  EXPECT_TRUE(part_above("none", "--samples 8").is_null()) << "there is no target";
+  const Ended text = run(line("atlas info", folder_.path("few").string()));
+  EXPECT_THAT(text.printed, ContainsRegex("above target +[0-9.]+ % of the texels"));
+  const Ended again = run(bake_line("few", std::string(one_coarse_look) + " --bounces 2 --most-samples 8"));
+  EXPECT_THAT(again.printed, ContainsRegex("[0-9]+ % of texels above the target"));
+}
+
+TEST_F(BakeCommand, APlansTimeIsWithinAFactorOfThreeOfTheBakes) {
+  const std::string options =
+      "--texel-m 0.5 --patch-texels 256 --azimuths 1 --elevations-deg 20,60 --samples 32 --threads 2";
+  const double expected = baked("atlas", options + " --plan").at("seconds");
+  const double taken = baked("atlas", options).at("seconds");
+  EXPECT_GT(expected, taken / 3.0);
+  EXPECT_LT(expected, taken * 3.0);
+}
+
+/// What a command line prints on a terminal.
+std::string printed_on_a_terminal(const std::string& line) {
+  int terminal = -1;
+  const pid_t pid = ::forkpty(&terminal, nullptr, nullptr, nullptr);
+  if (pid == 0) {
+    ::execl("/bin/bash", "bash", "-c", line.c_str(), nullptr);
+    ::_exit(127);
+  }
+  std::string printed;
+  std::array<char, 4096> part{};
+  // Ends with an error when the last process has left the terminal.
+  for (ssize_t length = 1; length > 0;) {
+    length = ::read(terminal, part.data(), part.size());
+    if (length > 0) printed.append(part.data(), static_cast<std::size_t>(length));
+  }
+  int status = 0;
+  ::waitpid(pid, &status, 0);
+  EXPECT_EQ(status, 0) << printed;
+  ::close(terminal);
+  return printed;
+}
+
+TEST_F(BakeCommand, ATerminalShowsLooksRaysErrorAndTimeLeft) {
+  const std::string shown = printed_on_a_terminal(bake_line(
+      "watched", "--texel-m 0.5 --patch-texels 256 --azimuths 2 --elevations-deg 30 --samples 64 --threads 1"));
+  EXPECT_THAT(shown, ContainsRegex("bake: [0-9]+\\.[0-9] of [0-9]+ looks, [0-9.]+ million rays a second, "
+                                   "error [0-9]+ %, [0-9.]+ [a-z]+ left"));
+  EXPECT_THAT(shown.substr(shown.rfind("looks in ")), AllOf(HasSubstr(" s, "), HasSubstr("million rays")));
+}
+
+}  // namespace
+}  // namespace sigmascape::end_to_end
