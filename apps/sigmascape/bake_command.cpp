@@ -10,8 +10,7 @@
 #include "terminal_progress.h"
 #include "words.h"
 
-#include "sigmascape/atlas/atlas_summary.h"
-#include "sigmascape/bake/damaged_looks.h"
+#include "sigmascape/bake/bake.h"
 #include "sigmascape/bake/plan.h"
 #include "sigmascape/scene/scene_file.h"
 
@@ -22,30 +21,30 @@ namespace {
 struct Baked {
   std::string folder;
   bake::Shard shard;
-  std::vector<atlas::StoreFault> mended;  ///< looks that were there, damaged, and were baked again
   bake::BakeReport report;
-  std::optional<double> above_target;  ///< of the whole atlas so far, see atlas::AtlasSummary
   double seconds = 0.0;
 };
 
 std::string text_of(const Baked& baked) {
   const bake::BakeReport& report = baked.report;
   std::string text;
-  for (const atlas::StoreFault& fault : baked.mended)
+  for (const atlas::StoreFault& fault : report.mended)
     text += fmt::format("{} {}; baked again\n", fault.file.string(), fault.what);
   text += fmt::format("{} looks in {} ({} were there already", report.looks, baked.folder, report.already);
   if (report.elsewhere > 0) text += fmt::format(", {} baked by another process", report.elsewhere);
   text += fmt::format("), {:.1f} s, {:.1f} million rays, texel error {:.0f} %", baked.seconds,
                       static_cast<double>(report.counts.rays) / 1e6, 100.0 * report.relative_standard_error);
-  if (baked.above_target) text += fmt::format(", {:.0f} % of texels above the target", 100.0 * *baked.above_target);
+  if (const auto part = report.above_target.part())
+    text += fmt::format(", {:.0f} % of texels above the target", 100.0 * *part);
   if (report.pyramid > 0) text += fmt::format(", {} textures of the pyramid", report.pyramid);
   return text;
 }
 
 nlohmann::ordered_json json_of(const Baked& baked) {
   const bake::BakeReport& report = baked.report;
+  const auto part = report.above_target.part();
   nlohmann::ordered_json mended = nlohmann::ordered_json::array();
-  for (const atlas::StoreFault& fault : baked.mended)
+  for (const atlas::StoreFault& fault : report.mended)
     mended.push_back({{"file", fault.file.string()}, {"fault", fault.what}});
   return {{"atlas", baked.folder},
           {"shard", {baked.shard.index, baked.shard.count}},
@@ -59,7 +58,7 @@ nlohmann::ordered_json json_of(const Baked& baked) {
           {"rays", report.counts.rays},
           {"echoes", report.counts.echoes},
           {"relative_standard_error", report.relative_standard_error},
-          {"above_target", baked.above_target ? nlohmann::ordered_json(*baked.above_target) : nullptr}};
+          {"above_target", part ? nlohmann::ordered_json(*part) : nullptr}};
 }
 
 /// What an atlas holds besides the textures that a plan weighs.
@@ -140,8 +139,6 @@ void add_bake_command(CLI::App& app, Output& output) {
     Baked baked;
     baked.folder = options->folder;
     baked.shard = share.shard;
-    if (const auto there = atlas::Store::find(options->folder, bake::description_of(scene, settings)))
-      baked.mended = bake::damaged_looks(*there, share.shard, share.scrutiny);
     TerminalProgress terminal;
     const Stopwatch watch;
     baked.report = [&] {
@@ -151,7 +148,6 @@ void add_bake_command(CLI::App& app, Output& output) {
       return bake::bake(scene, settings, options->folder, both, share);
     }();
     baked.seconds = watch.seconds();
-    baked.above_target = atlas::part_above_target(atlas::Store::open(options->folder));
     output.finish(text_of(baked), json_of(baked));
   });
 }

@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <optional>
 #include <system_error>
 #include <vector>
 
-#include "sigmascape/atlas/error_target.h"
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/atlas/obstacle_file.h"
 #include "sigmascape/atlas/pyramid.h"
@@ -24,26 +22,6 @@ std::uint64_t bytes_in(const std::filesystem::path& folder) {
     if (!vanished) bytes += size;
   }
   return bytes;
-}
-
-/// Calls `visit` with the record of each look that is done.
-template <typename Visit>
-void visit_looks_done(const Store& store, const Visit& visit) {
-  const AtlasDescription& description = store.description();
-  const PatchBlock patches = description.patches.block_over(description.extent);
-  const std::size_t look_count = description.aspects.look_count();
-  for (std::size_t number = 0; number < store.unit_count(); ++number) {
-    const PatchIndex patch = patches[number / look_count];
-    const auto look = static_cast<LookIndex>(number % look_count);
-    if (!store.is_done(patch, look)) continue;
-    if (const auto record = texture_record(store.folder(), store.texture_path(patch, look))) visit(*record);
-  }
-}
-
-/// Nothing when no texel returns anything.
-std::optional<double> part_of(const TexelsAboveTarget& counts) {
-  if (counts.lit == 0) return std::nullopt;
-  return static_cast<double>(counts.above) / static_cast<double>(counts.lit);
 }
 
 AtlasSummary::Spread spread_of(std::vector<double> errors) {
@@ -75,31 +53,30 @@ void count_pyramid(const Store& store, AtlasSummary& summary) {
 AtlasSummary summary_of(const Store& store) {
   const AtlasDescription& description = store.description();
   AtlasSummary summary;
-  summary.patches = description.patches.block_over(description.extent).size();
+  const PatchBlock patches = description.patches.block_over(description.extent);
+  const std::size_t look_count = description.aspects.look_count();
+  summary.patches = patches.size();
   summary.looks = store.unit_count();
   summary.bytes = bytes_in(store.folder());
   std::vector<double> errors;
   TexelsAboveTarget above_target;
-  visit_looks_done(store, [&](const TextureRecord& record) {
+  for (std::size_t number = 0; number < summary.looks; ++number) {
+    const PatchIndex patch = patches[number / look_count];
+    const auto look = static_cast<LookIndex>(number % look_count);
+    if (!store.is_done(patch, look)) continue;
+    const auto record = texture_record(store.folder(), store.texture_path(patch, look));
+    if (!record) continue;
     ++summary.looks_done;
-    summary.bytes_per_look += static_cast<double>(record.size_bytes);
-    errors.push_back(record.relative_standard_error);
-    above_target += record.above_target.value_or(TexelsAboveTarget{});
-  });
+    summary.bytes_per_look += static_cast<double>(record->size_bytes);
+    errors.push_back(record->relative_standard_error);
+    above_target += record->above_target.value_or(TexelsAboveTarget{});
+  }
   summary.bytes_per_look /= static_cast<double>(std::max<std::size_t>(summary.looks_done, 1));
   summary.error = spread_of(std::move(errors));
-  summary.above_target = part_of(above_target);
+  summary.above_target = above_target.part();
 
   count_pyramid(store, summary);
   return summary;
-}
-
-std::optional<double> part_above_target(const Store& store) {
-  if (!error_target(store.description())) return std::nullopt;
-  TexelsAboveTarget above_target;
-  visit_looks_done(
-      store, [&](const TextureRecord& record) { above_target += record.above_target.value_or(TexelsAboveTarget{}); });
-  return part_of(above_target);
 }
 
 }  // namespace sigmascape::atlas

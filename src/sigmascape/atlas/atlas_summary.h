@@ -29,7 +29,4 @@ struct AtlasSummary {
 
 [[nodiscard]] AtlasSummary summary_of(const Store& store);
 
-/// AtlasSummary::above_target alone.
-[[nodiscard]] std::optional<double> part_above_target(const Store& store);
-
 }  // namespace sigmascape::atlas

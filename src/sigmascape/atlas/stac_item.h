@@ -24,6 +24,11 @@ struct TexelsAboveTarget {
   std::uint64_t lit = 0;  ///< texels that return anything
   std::uint64_t above = 0;
 
+  /// Nothing when no texel returns anything.
+  [[nodiscard]] std::optional<double> part() const {
+    if (lit == 0) return std::nullopt;
+    return static_cast<double>(above) / static_cast<double>(lit);
+  }
   TexelsAboveTarget& operator+=(const TexelsAboveTarget& other) {
     lit += other.lit;
     above += other.above;

@@ -2,15 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fmt/format.h>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sigmascape/atlas/catalogs.h"
+#include "sigmascape/atlas/error_target.h"
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/atlas/pyramid.h"
 #include "sigmascape/atlas/terrain_file.h"
+#include "sigmascape/atlas/texture_file.h"
 #include "sigmascape/bake/claims.h"
 #include "sigmascape/bake/ground_baker.h"
 #include "sigmascape/bake/job.h"
@@ -33,7 +37,7 @@ std::map<std::string, std::string> settings_in_words(const BakeSettings& setting
       {"simd", trace::simd_setting()}};
   if (sampling.is_adaptive()) {
     words["samples_per_texel"] = fmt::format("{} to {}", pilot_samples, sampling.most_samples);
-    words["target_db"] = fmt::format("{:g}", sampling.target_db);
+    words[atlas::target_setting] = fmt::format("{:g}", sampling.target_db);
     words["floor_db"] = fmt::format("{:g}", sampling.floor_db);
   } else {
     words["samples_per_texel"] = std::to_string(sampling.samples_per_texel);
@@ -137,18 +141,31 @@ class BakeRun {
     const std::vector<BakedLook> looks = baker_.bake(job.patch, job.aspect, part);
     for (std::size_t i = 0; i < looks.size(); ++i) {
       report_.counts += looks[i].counts;
-      if (is_done(job, job.looks[i])) continue;
-      const double error = looks[i].relative_standard_error;
-      store_.write(job.patch, job.looks[i], looks[i].sigma0,
-                   {.seed = settings_.seed,
-                    .samples_per_texel = looks[i].samples_per_texel,
-                    .relative_standard_error = error,
-                    .simd = trace::simd_setting(),
-                    .counts = {}},
-                   looks[i].relative_errors);
-      squared_errors_ += error * error;
-      ++baked_;
+      if (!is_done(job, job.looks[i])) write(job.patch, job.looks[i], looks[i]);
     }
+  }
+
+  void write(atlas::PatchIndex patch, atlas::LookIndex number, const BakedLook& look) {
+    note_what_is_mended(store_.texture_path(patch, number));
+    const double error = look.relative_standard_error;
+    store_.write(patch, number, look.sigma0,
+                 {.seed = settings_.seed,
+                  .samples_per_texel = look.samples_per_texel,
+                  .relative_standard_error = error,
+                  .simd = trace::simd_setting(),
+                  .counts = {}},
+                 look.relative_errors);
+    squared_errors_ += error * error;
+    if (const auto target = atlas::error_target(store_.description()))
+      report_.above_target += atlas::texels_above(*target, look.relative_errors, look.sigma0);
+    ++baked_;
+  }
+
+  void note_what_is_mended(const std::filesystem::path& texture) {
+    // The item is written last, so that there was a whole look where there is one.
+    if (!std::filesystem::exists(store_.folder() / atlas::item_path(texture))) return;
+    if (auto fault = atlas::texture_fault(store_.folder(), texture, share_.scrutiny))
+      report_.mended.push_back(std::move(*fault));
   }
 
   void remove_leftovers(const Job& job) const {

@@ -2,7 +2,9 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <vector>
 
+#include "sigmascape/atlas/stac_item.h"
 #include "sigmascape/atlas/store.h"
 #include "sigmascape/bake/bake_settings.h"
 #include "sigmascape/bake/shard.h"
@@ -27,6 +29,9 @@ struct BakeReport {
   trace::TraceCounts counts;
   std::size_t geometry_bytes = 0;
   double relative_standard_error = 0.0;  ///< root mean square over the baked looks of a level-0 texel's
+  /// Texels of the baked looks that missed the target of the bake; none are counted when it had no target.
+  atlas::TexelsAboveTarget above_target = {};
+  std::vector<atlas::StoreFault> mended = {};  ///< files of looks that were there, damaged, and were baked again
 };
 
 /// Bakes the scene, its objects where they stand (`footing_of` says when on level ground instead), into the atlas at

@@ -22,7 +22,7 @@ struct Landed {
 /// With T_b the sum over the K_b of n samples of batch b that land in a texel, T their sum over all batches, the cell's
 /// part of the texel is T / n, and the variance of that
 ///
-///     Σ_b (T_b − T·K_b/n)² / (n² (1 − Σ_b K_b²/n²))                    docs/physics/estimator.md, Eq. (10)
+///     Σ_b (T_b − T·K_b/n)² / (n² (1 − Σ_b K_b²/n²))                    docs/physics/estimator.md, Eq. (14)
 ///
 /// which has the right mean when the batches are independent. Reorders `echoes`.
 void add_cell(std::span<Landed> echoes, const Batches& batches, receiver::GroundAccumulator& patch);
