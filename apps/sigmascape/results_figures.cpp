@@ -106,7 +106,7 @@ radar::GroundMap simple_map(const scene::Scene& scene, const trace::SceneGeometr
   trace::TraceCounts counts;
   const auto image = simulate::traced_image(scene, geometry, radar, grid.extent(),
                                             {.cell_m = grid.cell_m,
-                                             .samples_per_cell = std::min(4 * plan.traced_samples, 2048U),
+                                             .samples_per_cell = std::min(16 * plan.traced_samples, 8192U),
                                              .max_bounces = bounces_of_simple_scene,
                                              .seed = plan.seed,
                                              .threads = plan.threads},
@@ -119,7 +119,7 @@ radar::GroundMap simple_texture(const scene::Scene& scene, const radar::Aspect& 
                                 const ResultsPlan& plan) {
   bake::BakeSettings settings = plan.bake_settings(Method::Paper);
   settings.patches.texel_m = grid.cell_m;
-  settings.sampling.samples_per_texel = std::min(4 * plan.traced_samples, 2048U);
+  settings.sampling.samples_per_texel = std::min(16 * plan.traced_samples, 4096U);
   settings.max_bounces = bounces_of_simple_scene;
   return {.grid = grid,
           .sigma0 = bake::PaperBaker(scene, settings).bake(grid, aspect),
@@ -158,22 +158,23 @@ product::PageSection simple_section(const ResultsPlan& plan, const std::filesyst
   geo::write_atomically(radar_texture,
                         product::png_bytes(product::with_legend(draped_view(baked, pixels_wide),
                                                                 {.scale_bar = false, .north_arrow = false})));
-  return {.heading = "Figure 1: what a radar shows of simple things",
-          .paragraphs = {fmt::format(
-              "Objects of {} on {}. A fiftieth of what the walls reflect leaves diffusely. Echoes of at most two "
-              "bounces: those of more come late, lie in the shadows and are found by few rays, which would sprinkle "
-              "them.",
-              options.object_material == "concrete" ? "concrete" : "the paper's building material",
-              options.ground_material)},
-          .figures = {{optical, "(a) A prism and a cylinder on a plane, from above, lit from the south-east"},
-                      {radar_map,
-                       "(b) The same path-traced for a radar in the south-east, 30° high: the shadow, the layover of "
-                       "wall and roof, "
-                       "the dihedral line where wall and ground meet"},
-                      {optical_texture, "(c) What an eye sees as a texture on the triangles of a heightmap"},
-                      {radar_texture,
-                       "(d) What the radar sees, baked in the paper's way, as a texture on the same; one scale with "
-                       "(b)"}}};
+  return {
+      .heading = "Figure 1: what a radar shows of simple things",
+      .paragraphs = {fmt::format(
+          "Objects of {} on {}. A fiftieth of what the walls reflect leaves diffusely. Echoes of at most two "
+          "bounces: those of more come late, lie in the shadows and are found by few rays. The faint specks left there "
+          "are late echoes of two.",
+          options.object_material == "concrete" ? "concrete" : "the paper's building material",
+          options.ground_material)},
+      .figures = {{optical, "(a) A prism and a cylinder on a plane, from above, lit from the south-east"},
+                  {radar_map,
+                   "(b) The same path-traced for a radar in the south-east, 30° high: the shadow, the layover of "
+                   "wall and roof, "
+                   "the dihedral line where wall and ground meet"},
+                  {optical_texture, "(c) What an eye sees as a texture on the triangles of a heightmap"},
+                  {radar_texture,
+                   "(d) What the radar sees, baked in the paper's way, as a texture on the same; one scale with "
+                   "(b)"}}};
 }
 
 product::PageSection scene_section(const Measurement& measurement, const ResultsPlan& plan,
@@ -227,8 +228,7 @@ product::PageSection texture_section(const Measurement& measurement, const std::
   constexpr double elevations_deg[] = {5.0, 13.0, 21.0, 29.0};
   std::vector<radar::GroundMap> maps;
   product::PictureOptions look{.polarization = radar::Polarization::Sum};
-  // What is brighter, walls and roofs that face the radar, may be white, so that level ground is no darker than it
-  // must.
+  // Walls and crowns that are brighter may be white, so that level ground is no darker than it must.
   look.top_percentile = 97.0;
   for (const double elevation_deg : elevations_deg) {
     maps.push_back(texture_map(measurement, {radians_from_deg(135.0), radians_from_deg(elevation_deg)}));
@@ -239,7 +239,7 @@ product::PageSection texture_section(const Measurement& measurement, const std::
       .heading = "Figure 7: baked reflectivity, seen from the south-east (azimuth 135°)",
       .paragraphs = {
           fmt::format("Textures baked in the paper's way, read bilinearly in power as a map reads them, all on "
-                      "one scale, {:.0f} to {:.0f} dB; walls that face the radar are brighter than that.",
+                      "one scale, {:.0f} to {:.0f} dB; what is brighter is white.",
                       *look.top_db - look.span_db, *look.top_db)}};
   for (std::size_t i = 0; i < maps.size(); ++i) {
     const auto path = folder / fmt::format("figure_7_el{:02.0f}.png", elevations_deg[i]);
