@@ -1,5 +1,6 @@
 #include "results_changes.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -71,9 +72,11 @@ std::string choice_text(const ResultsPlan& plan, const Worth& elevations, const 
   constexpr double clearly = 2.0;  // times as much
   const std::string default_name = default_grid().name(), next = plan.next_grid().name();
   std::string first = fmt::format("elevations and azimuths together, {}", next);
-  if (azimuths.db_a_megabyte() > clearly * elevations.db_a_megabyte())
+  const double by_azimuths = std::max(azimuths.db_a_megabyte(), 0.0);
+  const double by_elevations = std::max(elevations.db_a_megabyte(), 0.0);
+  if (by_azimuths > clearly * by_elevations)
     first = fmt::format("azimuths first, {}, then elevations too, {}", plan.more_azimuths().name(), next);
-  if (elevations.db_a_megabyte() > clearly * azimuths.db_a_megabyte())
+  if (by_elevations > clearly * by_azimuths)
     first = fmt::format("elevations first, {}, then azimuths too, {}", plan.more_elevations().name(), next);
   return fmt::format("The choice: {} while bytes and bakes are dear; where they are not, {}.", default_name, first);
 }

@@ -43,9 +43,8 @@ std::string costs_section(const ResultsReport& report) {
   const ResultsPlan& plan = report.plan;
   return fmt::format(
              "## Bytes and time\n\nMedians over the held-out views, processor time of {}; {} rays a texel, one traced "
-             "map of {} rays "
-             "a "
-             "2 m cell. The store is compressed. In memory, textures with their mips are counted as far as they lie "
+             "map of {} rays a 2 m cell. The store is compressed. In memory, textures with their mips are counted as "
+             "far as they lie "
              "within the {:.0f} m that are mapped: an atlas is loaded by whole patches, whose rest is of what lies "
              "around.\n\n",
              report.machine, plan.baked_samples, plan.traced_samples, plan.side_m()) +

@@ -3,7 +3,7 @@
 #
 #   sbatch --array=0-7 examples/clusters/slurm.sh town.toml --out /shared/atlas --samples 64
 #
-# Everything after the name of this file goes to `sigmascape bake` as it is. Each task tells of its progress in a file of its own,
+# Everything after the name of this file goes to `sigmascape bake` as it is; --shard, --threads and --json-log are given here. Each task tells of its progress in a file of its own,
 # bake-<array>_<task>.jsonl, beside its output.
 #SBATCH --job-name=sigmascape-bake
 #SBATCH --ntasks=1

@@ -22,8 +22,8 @@ struct AtlasSummary {
   struct Spread {
     double smallest = 0.0, median = 0.0, largest = 0.0;
   } error;
-  /// Part of the texels that return anything whose error is above the target of the bake, over all looks done; nothing
-  /// when the bake had no target.
+  /// Part of the texels that return anything whose error is above the target of the bake, over the looks whose items
+  /// tell; nothing when none does, as without a target.
   std::optional<double> above_target;
 };
 
