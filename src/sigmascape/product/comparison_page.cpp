@@ -1,6 +1,5 @@
 #include "sigmascape/product/comparison_page.h"
 
-#include <cmath>
 #include <cstddef>
 #include <fmt/format.h>
 #include <fstream>
@@ -9,6 +8,7 @@
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/geo/atomic_file.h"
+#include "sigmascape/product/metric_text.h"
 
 namespace sigmascape::product {
 namespace {
@@ -94,29 +94,11 @@ std::string figures_html(const std::vector<PageFigure>& figures) {
   return html + "</div>\n";
 }
 
-std::string number(double value, const char* format) {
-  return std::isnan(value) ? std::string("–") : fmt::format(fmt::runtime(format), value);
-}
-
-struct MetricColumn {
-  const char* heading;
-  double CellComparison::*value;
-  const char* format;
-};
-
-constexpr MetricColumn metric_columns[] = {
-    {"correlation of dB", &CellComparison::correlation_db, "{:.3f}"},
-    {"RMS [dB]", &CellComparison::rms_db, "{:.2f}"},
-    {"bias [dB]", &CellComparison::bias_db, "{:+.2f}"},
-    {"relative L1", &CellComparison::l1, "{:.3f}"},
-    {"shadow IoU", &CellComparison::shadow_iou, "{:.3f}"},
-};
-
 std::string metric_row(const CellComparison& row, const CellComparison* floor) {
   std::string html = fmt::format("<tr><th scope=\"row\">{} m</th>", row.cell_m);
   for (const MetricColumn& column : metric_columns) {
-    html += "<td>" + number(row.*column.value, column.format);
-    if (floor != nullptr) html += "<span class=\"floor\">" + number(floor->*column.value, column.format) + "</span>";
+    html += "<td>" + metric_text(column, row, "–");
+    if (floor != nullptr) html += "<span class=\"floor\">" + metric_text(column, *floor, "–") + "</span>";
     html += "</td>";
   }
   return html + "</tr>\n";
@@ -131,12 +113,12 @@ std::string comparison_html(const MapComparison& comparison, const std::optional
   }
   html += "</tbody></table>\n<p class=\"note\">";
   if (noise_floor) html += "Beside each number, paler, the noise floor: the truth against itself from another seed. ";
-  return html +
-         fmt::format(
-             "{}; dB no lower than {} dB; shadow is below {} dB; the bias is that of the total power, tested over "
-             "truth; relative L1 is the sum of absolute differences over the sum of the truth.</p>\n",
-             polarization_name(comparison.options.polarization), comparison.options.floor_db,
-             comparison.options.shadow_db);
+  return html + fmt::format(
+                    "{}; dB no lower than {} dB; shadow is below {} dB, and no overlap is told of fewer than {} cells; "
+                    "the bias is that of the total power, tested over "
+                    "truth; relative L1 is the sum of absolute differences over the sum of the truth.</p>\n",
+                    polarization_name(comparison.options.polarization), comparison.options.floor_db,
+                    comparison.options.shadow_db, least_shadow_cells);
 }
 
 std::string facts_html(const std::vector<PageFact>& facts) {

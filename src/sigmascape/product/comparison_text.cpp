@@ -1,44 +1,17 @@
-#include <cmath>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "sigmascape/product/map_metrics.h"
+#include "sigmascape/product/metric_text.h"
 
 namespace sigmascape::product {
 namespace {
 
-std::string number_text(double value, int decimals, bool with_sign) {
-  if (std::isnan(value)) return "-";
-  // What rounds to nothing has no sign.
-  const double shown = std::abs(value) < 0.5 * std::pow(10.0, -decimals) ? 0.0 : value;
-  return with_sign && shown != 0.0 ? fmt::format("{:+.{}f}", shown, decimals) : fmt::format("{:.{}f}", shown, decimals);
-}
-
-/// A column of the table: a metric, how it is written, and how wide.
-struct Column {
-  const char* name;
-  double CellComparison::*value;
-  int decimals;
-  bool with_sign;
-};
-
-constexpr Column columns[] = {
-    {"correlation_db", &CellComparison::correlation_db, 3, false},
-    {"rms_db", &CellComparison::rms_db, 2, false},
-    {"bias_db", &CellComparison::bias_db, 2, true},
-    {"l1", &CellComparison::l1, 3, false},
-    {"shadow_iou", &CellComparison::shadow_iou, 3, false},
-};
 constexpr int column_width = 16;
 
-std::string value_text(const Column& column, const CellComparison& row) {
-  const bool says_little = column.value == &CellComparison::shadow_iou && row.shadow_cells < least_shadow_cells;
-  return says_little ? "-" : number_text(row.*column.value, column.decimals, column.with_sign);
-}
-
-std::string cell_text(const Column& column, const CellComparison& row, const CellComparison* floor) {
-  std::string text = value_text(column, row);
-  if (floor != nullptr) text += " (" + value_text(column, *floor) + ")";
+std::string cell_text(const MetricColumn& column, const CellComparison& row, const CellComparison* floor) {
+  std::string text = metric_text(column, row, "-");
+  if (floor != nullptr) text += " (" + metric_text(column, *floor, "-") + ")";
   return text;
 }
 
@@ -46,7 +19,7 @@ nlohmann::ordered_json rows_json(const MapComparison& comparison) {
   auto rows = nlohmann::ordered_json::array();
   for (const CellComparison& row : comparison.at) {
     nlohmann::ordered_json object{{"cell_m", row.cell_m}};
-    for (const Column& column : columns) object[column.name] = row.*column.value;
+    for (const MetricColumn& column : metric_columns) object[column.key] = row.*column.value;
     rows.push_back(std::move(object));
   }
   return rows;
@@ -56,12 +29,13 @@ nlohmann::ordered_json rows_json(const MapComparison& comparison) {
 
 std::string comparison_table(const MapComparison& comparison, const std::optional<MapComparison>& noise_floor) {
   std::string text = fmt::format("{:>6} {:>9}", "cell_m", "cells");
-  for (const Column& column : columns) text += fmt::format(" {:>{}}", column.name, column_width);
+  for (const MetricColumn& column : metric_columns) text += fmt::format(" {:>{}}", column.key, column_width);
   text += '\n';
   for (const CellComparison& row : comparison.at) {
     const CellComparison* floor = noise_floor ? noise_floor->at_cell(row.cell_m) : nullptr;
     text += fmt::format("{:>6} {:>9}", row.cell_m, row.cells);
-    for (const Column& column : columns) text += fmt::format(" {:>{}}", cell_text(column, row, floor), column_width);
+    for (const MetricColumn& column : metric_columns)
+      text += fmt::format(" {:>{}}", cell_text(column, row, floor), column_width);
     text += '\n';
   }
   text += fmt::format(
