@@ -1,7 +1,8 @@
 #include "results_columns.h"
 
-#include <cmath>
 #include <fmt/format.h>
+
+#include "sigmascape/product/number_text.h"
 
 namespace sigmascape::cli {
 namespace {
@@ -12,21 +13,14 @@ std::string with_worst(double median, double worst, int decimals, Write write) {
   return fmt::format("{} ({})", write(median, decimals), write(worst, decimals));
 }
 
-/// The value as it is written, so that what rounds to nothing is nothing.
-double rounded(double value, int decimals) {
-  const double unit = std::pow(10.0, -decimals);
-  return std::abs(value) < 0.5 * unit ? 0.0 : value;
-}
-
 }  // namespace
 
 std::string number_text(double value, int decimals) {
-  return std::isnan(value) ? "–" : fmt::format("{:.{}f}", rounded(value, decimals), decimals);
+  return product::number_text(value, decimals, "–");
 }
 
 std::string signed_text(double value, int decimals) {
-  const double shown = rounded(value, decimals);
-  return std::isnan(value) || shown == 0.0 ? number_text(value, decimals) : fmt::format("{:+.{}f}", shown, decimals);
+  return product::signed_text(value, decimals, "–");
 }
 
 std::string megabytes(std::uintmax_t bytes) {
