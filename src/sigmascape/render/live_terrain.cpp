@@ -42,7 +42,7 @@ terrain::TerrainWindow LiveTerrain::window_over(const radar::GroundGrid& cells) 
                               inside(here.south_m - spacing_m, whole.south_m, whole.north_m - spacing_m),
                               inside(here.east_m + spacing_m, whole.west_m + spacing_m, whole.east_m),
                               inside(here.north_m + spacing_m, whole.south_m + spacing_m, whole.north_m)};
-  window.fill(*pyramid_, area, level, std::nullopt, terrain::TileWait::Load);
+  window.fill(*pyramid_, area, level, terrain::TileWait::Load);
   return window;
 }
 

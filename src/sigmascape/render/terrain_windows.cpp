@@ -136,7 +136,7 @@ bool TerrainWindows::next_wish(WindowWish& wish) {
 std::shared_ptr<const GroundWindow> TerrainWindows::made(const WindowWish& wish) {
   auto window = std::make_shared<GroundWindow>(most_nodes_per_side_);
   const terrain::WindowReport report =
-      window->nodes.fill(*pyramid_, with_margin(wish), wish.level, std::nullopt, terrain::TileWait::Load);
+      window->nodes.fill(*pyramid_, with_margin(wish), wish.level, terrain::TileWait::Load);
   window->level = report.level;
   window->error_m = report.error_m;
   window->last_wanted = frame_.load();

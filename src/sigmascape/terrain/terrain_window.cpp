@@ -6,65 +6,30 @@
 namespace sigmascape::terrain {
 namespace {
 
-struct Distances {
-  double nearest_m, farthest_m;
-};
-
-Distances distances_to(const radar::Rectangle& ground, Vec2d point) {
-  const Vec2d nearest{std::clamp(point.x, ground.west_m, ground.east_m),
-                      std::clamp(point.y, ground.south_m, ground.north_m)};
-  const Vec2d farthest{std::max(std::abs(ground.west_m - point.x), std::abs(ground.east_m - point.x)),
-                       std::max(std::abs(ground.south_m - point.y), std::abs(ground.north_m - point.y))};
-  return {length(nearest - point), length(farthest)};
-}
-
-bool overlap(const radar::Rectangle& a, const radar::Rectangle& b) {
-  return a.west_m < b.east_m && a.east_m > b.west_m && a.south_m < b.north_m && a.north_m > b.south_m;
-}
-
 std::int16_t packed(float slope) {
   constexpr float most = 32767.0F;
   return static_cast<std::int16_t>(std::lround(std::clamp(slope * PackedSlope::steps_per_unit, -most, most)));
 }
 
-}  // namespace
-
-bool exact_enough(const TileSummary& summary, const radar::Rectangle& extent, const Refinement& refinement) {
-  const auto error_m = static_cast<double>(summary.error_m);
-  const auto lowest_m = static_cast<double>(summary.lowest_m), highest_m = static_cast<double>(summary.highest_m);
-  const Distances away = distances_to(extent, {refinement.radar.x, refinement.radar.y});
-  const double radar_m = refinement.radar.z;
-  const double steepest = refinement.earth.sin_grazing(radar_m, lowest_m, std::max(away.nearest_m, 1e-3));
-  // Beyond the horizon and beneath a mountain there is no grazing angle; a tenth of a degree stands in.
-  const double flattest =
-      std::clamp(refinement.earth.sin_grazing(radar_m, highest_m, std::max(away.farthest_m, 1e-3)), 1.7e-3, 1.0);
-  const double cotangent = std::sqrt(1.0 - flattest * flattest) / flattest;
-  return error_m * std::max(steepest, 0.0) <= refinement.range_resolution_m / 4.0 &&
-         error_m * cotangent <= refinement.cell_m / 2.0;
-}
-
-std::vector<TileKey> tiles_for(const TerrainPyramid& pyramid, const radar::Rectangle& area, int finest_level,
-                               const std::optional<Refinement>& refinement) {
-  const PyramidLayout& layout = pyramid.layout();
-  std::vector<TileKey> chosen, open{{layout.levels() - 1, 0, 0}};
-  // Level by level from the coarsest, so that the result is in that order.
-  for (std::size_t next = 0; next < open.size(); ++next) {
-    const TileKey key = open[next];
-    const radar::Rectangle extent = layout.extent_of(key);
-    if (!overlap(extent, area)) continue;
-    const bool enough = refinement && exact_enough(pyramid.summary(key), extent, *refinement);
-    if (enough || key.level <= finest_level) {
-      chosen.push_back(key);
-      continue;
-    }
-    for (std::uint32_t row = 2 * key.row; row < 2 * key.row + 2; ++row) {
-      for (std::uint32_t column = 2 * key.column; column < 2 * key.column + 2; ++column) {
-        if (const TileKey child{key.level - 1, column, row}; layout.has(child)) open.push_back(child);
-      }
-    }
+/// The tiles of a level that an area touches; beyond the edge the nearest.
+std::vector<TileKey> tiles_over(const PyramidLayout& layout, const radar::Rectangle& area, int level) {
+  const double side_m = layout.spacing_at(level) * static_cast<double>(HeightTile::cells);
+  const auto within = [](double tile, std::uint32_t count) {
+    return static_cast<std::uint32_t>(std::clamp(tile, 0.0, static_cast<double>(count - 1)));
+  };
+  const std::uint32_t across = layout.across(level), down = layout.down(level);
+  const std::uint32_t first_column = within(std::floor((area.west_m - layout.west_m) / side_m), across);
+  const std::uint32_t last_column = within(std::ceil((area.east_m - layout.west_m) / side_m) - 1.0, across);
+  const std::uint32_t first_row = within(std::floor((layout.north_m - area.north_m) / side_m), down);
+  const std::uint32_t last_row = within(std::ceil((layout.north_m - area.south_m) / side_m) - 1.0, down);
+  std::vector<TileKey> tiles;
+  for (std::uint32_t row = first_row; row <= last_row; ++row) {
+    for (std::uint32_t column = first_column; column <= last_column; ++column) tiles.push_back({level, column, row});
   }
-  return chosen;
+  return tiles;
 }
+
+}  // namespace
 
 TerrainWindow::TerrainWindow(std::size_t most_nodes_per_side, WindowSlopes slopes)
     : most_nodes_(most_nodes_per_side * most_nodes_per_side), slopes_(slopes) {}
@@ -134,8 +99,7 @@ void TerrainWindow::form_slopes() {
   }
 }
 
-WindowReport TerrainWindow::fill(TerrainPyramid& pyramid, const radar::Rectangle& area, int level,
-                                 const std::optional<Refinement>& refinement, TileWait wait) {
+WindowReport TerrainWindow::fill(TerrainPyramid& pyramid, const radar::Rectangle& area, int level, TileWait wait) {
   const PyramidLayout& layout = pyramid.layout();
   const int last = layout.levels() - 1;
   WindowReport report{.level = std::clamp(level, 0, last)};
@@ -147,7 +111,7 @@ WindowReport TerrainWindow::fill(TerrainPyramid& pyramid, const radar::Rectangle
   if (height_m_.size() < nodes) height_m_.resize(nodes);
   if (slopes_ == WindowSlopes::Formed && slope_.size() < nodes) slope_.resize(nodes);
 
-  const std::vector<TileKey> wanted = tiles_for(pyramid, area, report.level, refinement);
+  const std::vector<TileKey> wanted = tiles_over(layout, area, report.level);
   report.tiles = wanted.size();
   for (const TileKey& key : wanted) {
     const auto get = [&](TileKey k) { return wait == TileWait::Load ? pyramid.load(k) : pyramid.resident(k); };

@@ -5,28 +5,11 @@
 #include <vector>
 
 #include "sigmascape/base/vec.h"
-#include "sigmascape/radar/curved_earth.h"
+#include "sigmascape/radar/ground_grid.h"
 #include "sigmascape/terrain/terrain_pyramid.h"
 #include "sigmascape/terrain/terrain_view.h"
 
 namespace sigmascape::terrain {
-
-/// How exact the terrain must be for a radar: what is wrong with a height must not show.
-struct Refinement {
-  Vec3d radar;  ///< height above sea level
-  radar::CurvedEarth earth = {};
-  double range_resolution_m = 1.0;  ///< δr: an error shifts range by err·sin ψ, which may be a quarter of it
-  double cell_m = 1.0;              ///< an error shifts a shadow's edge by err·cot ψ, which may be half of it
-};
-
-/// Whether a tile's surface is exact enough over its extent: err·sin ψ ≤ δr/4 at its steepest and err·cot ψ ≤ cell/2 at
-/// its flattest.
-[[nodiscard]] bool exact_enough(const TileSummary& summary, const radar::Rectangle& extent,
-                                const Refinement& refinement);
-
-/// The fewest tiles that cover `area` exactly enough, none finer than `finest_level`; coarsest first.
-[[nodiscard]] std::vector<TileKey> tiles_for(const TerrainPyramid& pyramid, const radar::Rectangle& area,
-                                             int finest_level, const std::optional<Refinement>& refinement);
 
 /// What a window was made from.
 struct WindowReport {
@@ -48,9 +31,9 @@ enum class WindowSlopes {
 
 /// The terrain of one frame at one spacing: a fixed number of nodes, whatever their spacing.
 ///
-/// Tiles of several levels go into one lattice, whose nodes are those of the window's level; a coarser tile is
-/// interpolated where it stands in. What comes out is one bilinear surface: levels meet without cracks. Slopes are
-/// those between neighbouring nodes on either side, to be interpolated.
+/// Its tiles are of one level. Where one cannot be had its parent stands in, interpolated to the nodes of the window's
+/// level: what comes out is one bilinear surface, in which levels meet without cracks. Slopes are those between
+/// neighbouring nodes on either side, to be interpolated.
 class TerrainWindow {
  public:
   /// Holds up to the square of `most_nodes_per_side`, whatever their proportions. A node takes 8 bytes, or 4 without
@@ -58,9 +41,8 @@ class TerrainWindow {
   explicit TerrainWindow(std::size_t most_nodes_per_side, WindowSlopes slopes = WindowSlopes::Formed);
 
   /// Fills the window with the terrain over `area`, of `level` or the finest that fits. Tiles that cannot be had are
-  /// replaced by their parents. Without a refinement all tiles are of the window's level.
-  WindowReport fill(TerrainPyramid& pyramid, const radar::Rectangle& area, int level,
-                    const std::optional<Refinement>& refinement, TileWait wait);
+  /// replaced by their parents.
+  WindowReport fill(TerrainPyramid& pyramid, const radar::Rectangle& area, int level, TileWait wait);
 
   /// Valid until the next `fill`. Before the first it is empty.
   [[nodiscard]] TerrainView view() const;
