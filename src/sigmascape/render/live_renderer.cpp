@@ -30,7 +30,7 @@ constexpr double seconds_ahead = 1.0;
 constexpr std::size_t steps_ahead = 60;
 
 /// Pieces of terrain that a frame may wish for: nearer ground and that in view, of two levels, and what lies ahead.
-constexpr std::size_t most_wanted_terrain = 5;
+constexpr std::size_t most_wanted_terrain = 5 * TerrainSectors::most;
 
 constexpr double furthest_m = 1e7;
 
@@ -89,6 +89,9 @@ LiveRenderer::LiveRenderer(std::shared_ptr<LiveGround> ground, const LiveSetting
       lattice_({.seed = settings.seed, .cell_m = ground_->description().patches.texel_m, .levels = 1}),
       team_(settings.threads),
       visible_{VisibleGround(settings.visibility, team_.size()), VisibleGround(settings.visibility, team_.size())},
+      sectors_(settings.visibility.method == VisibilityMethod::Rasterization
+                   ? TerrainSectors::undivided(settings.beams)
+                   : TerrainSectors(settings.beams, settings.beam_step_rad)),
       horizon_of_{&visible_[0].horizon(), &visible_[0].horizon()},
       targets_({.frequency_hz = ground_->frequency_hz(),
                 .beams = settings.beams,
@@ -200,10 +203,11 @@ void LiveRenderer::prepare(const Pose& pose) {
   }
 }
 
-radar::Rectangle LiveRenderer::under_beams(Vec3d radar, double near_m, double far_m) const {
-  const HorizonGrid& beams = grid();
-  return ground_under({radar.x, radar.y}, beams.first_azimuth_rad,
-                      beams.azimuth_step_rad * static_cast<double>(settings_.beams), {near_m, far_m});
+radar::Rectangle LiveRenderer::under(Beams beams, Vec3d radar, double near_m, double far_m) const {
+  const HorizonGrid& edges = grid();
+  const double first_rad = edges.first_azimuth_rad + edges.azimuth_step_rad * static_cast<double>(beams.first);
+  return ground_under({radar.x, radar.y}, first_rad,
+                      edges.azimuth_step_rad * static_cast<double>(beams.end - beams.first), {near_m, far_m});
 }
 
 GroundSector LiveRenderer::sector_of(Vec3d radar, double near_m, double far_m) const {
@@ -219,20 +223,24 @@ int LiveRenderer::terrain_level(std::size_t level) const {
   return ground_->terrain().level_for(atlas::texel_side_m(ground_->description().patches, level));
 }
 
-Occluders LiveRenderer::occluders_for(const TerrainWindows::View& terrain, Vec3d radar, std::size_t level) {
+Occluders LiveRenderer::terrain_of(std::size_t sector, const TerrainWindows::View& there, Vec3d radar,
+                                   std::size_t level) {
+  const LiveTerrain& terrain = ground_->terrain();
   const int level_within = terrain_level(level);
   // A picture is drawn of one lattice, whatever the sector; the sweep takes nearer ground from another.
   const bool in_one = settings_.visibility.method == VisibilityMethod::Rasterization;
-  const LiveTerrain::Surface within = ground_->terrain().surface(
-      terrain, level_within, under_beams(radar, in_one ? 0.0 : swept_from_m(), far_m()), wanted_terrain_);
+  const Beams beams = beams_of(sector);
+  const double from_m = in_one ? 0.0 : swept_from_m();
+  const LiveTerrain::Surface within = terrain.surface(there, level_within, under(beams, radar, from_m, far_m()),
+                                                      under(all_beams(), radar, from_m, far_m()), wanted_terrain_);
   Occluders occluders{.terrain = within.view, .lowered_m = within.above_pages_m};
   float error_m = within.error_m;
   if (!in_one && grid().near_m > grid().step_m) {
     // Nearer ground is walked over in longer steps; nodes half as far apart keep its ridges.
     const double step_m = grid().near_m / static_cast<double>(grid().before_near);
-    const LiveTerrain::Surface before =
-        ground_->terrain().surface(terrain, std::max(level_within, ground_->terrain().level_for(step_m / 4.0)),
-                                   under_beams(radar, 0.0, grid().near_m), wanted_terrain_);
+    const LiveTerrain::Surface before = terrain.surface(there, std::max(level_within, terrain.level_for(step_m / 4.0)),
+                                                        under(beams, radar, 0.0, grid().near_m),
+                                                        under(all_beams(), radar, 0.0, grid().near_m), wanted_terrain_);
     occluders.before_near = before.view;
     occluders.lowered_m = std::max(occluders.lowered_m, before.above_pages_m);
     error_m = std::max(error_m, before.error_m);
@@ -241,8 +249,18 @@ Occluders LiveRenderer::occluders_for(const TerrainWindows::View& terrain, Vec3d
   return occluders;
 }
 
+void LiveRenderer::find_terrain(const TerrainWindows::View& there, Vec3d radar, std::size_t level,
+                                SectorOccluders& occluders) {
+  const auto sectors = std::span(occluders).first(sectors_.count());
+  for (std::size_t sector = 0; sector < sectors.size(); ++sector)
+    sectors[sector] = terrain_of(sector, there, radar, level);
+  // How far back a sweep begins follows from it, and with that where obstacles before the bins are laid out.
+  const float lowered_m = std::ranges::max(sectors, {}, &Occluders::lowered_m).lowered_m;
+  for (Occluders& sector : sectors) sector.lowered_m = lowered_m;
+}
+
 void LiveRenderer::find_obstacles(const LiveObstacles::Cache::View& there, Vec3d radar,
-                                  std::span<Occluders> occluders) {
+                                  std::span<SectorOccluders> occluders) {
   const LiveObstacles* const obstacles = ground_->obstacles();
   if (obstacles == nullptr) return;
   using Part = LiveObstacles::Part;
@@ -251,15 +269,16 @@ void LiveRenderer::find_obstacles(const LiveObstacles::Cache::View& there, Vec3d
   coarse += obstacles->lay_out(there, {obstacles->level_for(step_m), sector_of(radar, grid().near_m - step_m, far_m())},
                                Part::UnderBins, obstacles_, wanted_obstacles_);
   for (std::size_t which = 0; which < occluders.size(); ++which) {
-    Occluders& here = occluders[which];
-    here.obstacles = &obstacles_;
-    here.tallest_m = obstacles->tallest_m();
-    const LeadSteps lead = lead_of(grid(), radar, here);
+    for (Occluders& here : occluders[which]) {
+      here.obstacles = &obstacles_;
+      here.tallest_m = obstacles->tallest_m();
+    }
+    const LeadSteps lead = lead_of(grid(), radar, occluders[which].front());
     if (lead.count == 0) continue;
     coarse += obstacles->lay_out(
         there, {obstacles->level_for(lead.step_m), sector_of(radar, lead.from_m - lead.step_m, grid().near_m)},
         Part::BeforeBins, obstacles_before_[which], wanted_obstacles_);
-    here.obstacles_before_near = &obstacles_before_[which];
+    for (Occluders& here : occluders[which]) here.obstacles_before_near = &obstacles_before_[which];
   }
 }
 
@@ -270,14 +289,18 @@ void LiveRenderer::find_visible_ground(const FrameViews& there, const Pose& pose
   horizon_of_ = {&visible_[0].horizon(), &visible_[alike ? 0 : 1].horizon()};
   // Tasks look half a beam beyond their own.
   const std::size_t first_edge = beams.first - std::min<std::size_t>(beams.first, 1);
-  const std::size_t edges = std::min(beams.end + 1, settings_.beams) - first_edge + 1;
+  const std::size_t end = std::min(beams.end + 1, settings_.beams) + 1;
   const std::size_t surfaces = alike ? 1 : 2;
-  for (std::size_t which = 0; which < surfaces; ++which) {
-    occluders_[which] = occluders_for(there.terrain, pose.position, which == 0 ? level : next);
-  }
+  for (std::size_t which = 0; which < surfaces; ++which)
+    find_terrain(there.terrain, pose.position, which == 0 ? level : next, occluders_[which]);
   find_obstacles(there.obstacles, pose.position, std::span(occluders_).first(surfaces));
   for (std::size_t which = 0; which < surfaces; ++which) {
-    visible_[which].find(first_edge, edges, pose.position, occluders_[which], team_);
+    for (std::size_t sector = 0; sector < sectors_.count(); ++sector) {
+      const bool is_last = sector + 1 == sectors_.count();
+      const std::size_t from = std::max(first_edge, sectors_.first_edge(sector));
+      const std::size_t to = std::min(end, sectors_.first_edge(sector + 1) + (is_last ? 1 : 0));
+      if (from < to) visible_[which].find(from, to - from, pose.position, occluders_[which][sector], team_);
+    }
   }
 }
 
@@ -285,7 +308,8 @@ void LiveRenderer::look_at_targets(const Pose& pose, const DetailBlend& levels) 
   const bool alike = horizon_of_[0] == horizon_of_[1];
   const auto next_share = alike ? 0.0F : static_cast<float>(levels.next_share);
   const TargetSight sight{
-      .levels = {{{horizon_of_[0], &occluders_[0], 1.0F - next_share}, {horizon_of_[1], &occluders_[1], next_share}}},
+      .levels = {{{horizon_of_[0], occluders_[0], 1.0F - next_share}, {horizon_of_[1], occluders_[1], next_share}}},
+      .sectors = sectors_,
       .radar_height_m = pose.position.z};
   targets_.look(
       pose.targets,
@@ -324,8 +348,10 @@ void LiveRenderer::look_ahead(const FrameViews& there, const Pose& pose, Beams b
   look_ahead_at_pages(there.pages, pose, beams, level);
   const Vec3d radar = pose.position + pose.velocity_mps * seconds_ahead;
   // Only wished for: what comes back is looked at by the frames to come.
-  (void)ground_->terrain().surface(there.terrain, terrain_level(level), under_beams(radar, swept_from_m(), far_m()),
-                                   wanted_terrain_);
+  for (std::size_t sector = 0; sector < sectors_.count(); ++sector) {
+    const radar::Rectangle area = under(beams_of(sector), radar, swept_from_m(), far_m());
+    (void)ground_->terrain().surface(there.terrain, terrain_level(level), area, area, wanted_terrain_);
+  }
   if (const LiveObstacles* const obstacles = ground_->obstacles()) {
     obstacles->look_ahead(there.obstacles,
                           {obstacles->level_for(grid().step_m), sector_of(radar, grid().near_m, far_m())},

@@ -18,6 +18,7 @@
 #include "sigmascape/render/box_shadows.h"
 #include "sigmascape/render/level_of_detail.h"
 #include "sigmascape/render/live_ground.h"
+#include "sigmascape/render/terrain_sectors.h"
 #include "sigmascape/render/visible_ground.h"
 
 namespace sigmascape::render {
@@ -141,17 +142,25 @@ class LiveRenderer {
   void add_targets(std::size_t first_beam, std::size_t count);
   /// For the beams, and their edges, over the terrain of each level of detail in use.
   void find_visible_ground(const FrameViews& there, const Pose& pose, Beams beams, const DetailBlend& levels);
-  /// What hides ground at a level of detail, as far as it is there; reports what it lacks and asks for it.
-  [[nodiscard]] Occluders occluders_for(const TerrainWindows::View& terrain, Vec3d radar, std::size_t level);
-  /// Lays out what stands on the ground, under the bins and, for each of the occluders in use, before them.
-  void find_obstacles(const LiveObstacles::Cache::View& there, Vec3d radar, std::span<Occluders> occluders);
+  /// What hides ground, sector by sector.
+  using SectorOccluders = std::array<Occluders, TerrainSectors::most>;
+  /// That of a level of detail, as far as it is there; reports what it lacks and asks for it.
+  void find_terrain(const TerrainWindows::View& there, Vec3d radar, std::size_t level, SectorOccluders& occluders);
+  [[nodiscard]] Occluders terrain_of(std::size_t sector, const TerrainWindows::View& there, Vec3d radar,
+                                     std::size_t level);
+  /// Lays out what stands on the ground, under the bins and, for each of the levels in use, before them.
+  void find_obstacles(const LiveObstacles::Cache::View& there, Vec3d radar, std::span<SectorOccluders> occluders);
   /// Asks for what is wanted, instead of what was.
   void request();
   [[nodiscard]] const HorizonGrid& grid() const { return visible_[0].horizon().grid(); }
   /// Of the terrain, for a level of the textures.
   [[nodiscard]] int terrain_level(std::size_t level) const;
-  /// The ground between two distances under all beams.
-  [[nodiscard]] radar::Rectangle under_beams(Vec3d radar, double near_m, double far_m) const;
+  /// The ground between two distances under those beams.
+  [[nodiscard]] radar::Rectangle under(Beams beams, Vec3d radar, double near_m, double far_m) const;
+  [[nodiscard]] Beams all_beams() const { return {0, settings_.beams}; }
+  [[nodiscard]] Beams beams_of(std::size_t sector) const {
+    return {sectors_.first_edge(sector), sectors_.first_edge(sector + 1)};
+  }
   [[nodiscard]] GroundSector sector_of(Vec3d radar, double near_m, double far_m) const;
   /// A sweep's first step ends at the first node.
   [[nodiscard]] double swept_from_m() const { return std::max(grid().near_m - grid().step_m, 0.0); }
@@ -163,7 +172,8 @@ class LiveRenderer {
   WorkerTeam team_;
   terrain::HeightBounds bounds_;  // of the ground that the frame looks at
   std::array<VisibleGround, 2> visible_;
-  std::array<Occluders, 2> occluders_;
+  TerrainSectors sectors_;
+  std::array<SectorOccluders, 2> occluders_;  // of the two levels of detail
   ObstacleMosaic obstacles_;
   std::array<ObstacleMosaic, 2> obstacles_before_;  // the bins
   std::array<const HorizonMap*, 2> horizon_of_;     // of the two levels of detail; the same when so is their terrain

@@ -9,8 +9,10 @@ namespace {
 /// Single precision leaves this much doubt in a slope.
 constexpr double doubt = 1e-6;
 
-double part_seen_at(const TargetSight::Level& level, double radar_height_m, const receiver::TargetFrame::Seen& target) {
+double part_seen_at(const TargetSight& sight, const TargetSight::Level& level,
+                    const receiver::TargetFrame::Seen& target) {
   const HorizonGrid& grid = level.horizon->grid();
+  const double radar_height_m = sight.radar_height_m;
   const auto slope_of = [&](double height_m) {
     return (height_m - radar_height_m) / target.distance_m - grid.drop_per_square_m * target.distance_m;
   };
@@ -29,8 +31,9 @@ double part_seen_at(const TargetSight::Level& level, double radar_height_m, cons
   double slope = slope_of(target.position.z);
   if (slope < ridges) {
     // Hidden where it was put; but on the ground of this frame it may be seen.
-    const double ground_m = terrain::height_at(level.occluders->terrain, {target.position.x, target.position.y}) -
-                            static_cast<double>(level.occluders->lowered_m);
+    const Occluders& occluders = level.occluders[sight.sectors.of_edge(azimuth)];
+    const double ground_m = terrain::height_at(occluders.terrain, {target.position.x, target.position.y}) -
+                            static_cast<double>(occluders.lowered_m);
     slope = std::max(slope, slope_of(ground_m));
     if (slope < ridges) return 0.0;
   }
@@ -47,7 +50,7 @@ float TargetSight::part_seen(const receiver::TargetFrame::Seen& target) const {
   double seen = 0.0;
   for (const Level& level : levels) {
     if (level.share > 0.0F && level.horizon != nullptr) {
-      seen += static_cast<double>(level.share) * part_seen_at(level, radar_height_m, target);
+      seen += static_cast<double>(level.share) * part_seen_at(*this, level, target);
     }
   }
   return static_cast<float>(seen);

@@ -25,7 +25,9 @@ struct ExampleGround {
   std::function<radar::Channels(const radar::Look&)> sigma0;
   /// Factor of a texel by its look and the way from the middle to its centre.
   std::function<float(const radar::Look&, Vec2d)> pattern = [](const radar::Look&, Vec2d) { return 1.0F; };
-  std::vector<double> frequencies_hz = {10e9};  ///< that are baked
+  /// That are baked.
+  std::vector<double> frequencies_hz = {10e9}, azimuths_deg = {0.0, 90.0, 180.0, 270.0},
+                      elevations_deg = {5.0, 13.0, 37.0};
   std::function<double(Vec2d)> height_m = [](Vec2d) { return 0.0; };
   double terrain_spacing_m = 8.0;
   CacheOptions cache = {};
@@ -43,12 +45,9 @@ struct ExampleGround {
     description.extent = {0.0, 0.0, side_m(), side_m()};
     description.patches = {texel_m, atlas::tile_side};
     description.scene_hash = "none";
-    for (const double azimuth : {0.0, 90.0, 180.0, 270.0}) {
-      description.aspects.azimuths_rad.push_back(radians_from_deg(azimuth));
-    }
-    for (const double elevation : {5.0, 13.0, 37.0}) {
+    for (const double azimuth : azimuths_deg) description.aspects.azimuths_rad.push_back(radians_from_deg(azimuth));
+    for (const double elevation : elevations_deg)
       description.aspects.elevations_rad.push_back(radians_from_deg(elevation));
-    }
     description.aspects.frequencies_hz = frequencies_hz;
     if (bare_sigma0) description.settings[atlas::shadows_setting] = atlas::shadows_at_run_time;
     atlas::Store store = atlas::Store::create(folder, description);

@@ -149,7 +149,7 @@ TEST_F(LiveTerrainTest, WhichWindowCoversTheGroundMakesNoDifferenceToABit) {
     std::vector<WindowWish> wanted;
     wanted.reserve(4);
     const TerrainWindows::View there = terrain.windows().view();
-    const LiveTerrain::Surface surface = terrain.surface(there, 0, area, wanted);
+    const LiveTerrain::Surface surface = terrain.surface(there, 0, area, area, wanted);
     ASSERT_TRUE(wanted.empty());
     maps.push_back(horizons_over(surface.view));
     bounds.push_back({surface.view.lowest_m, surface.view.highest_m});
@@ -171,7 +171,7 @@ TEST_F(LiveTerrainTest, WhatStandsInIsLoweredBelowWhatPagesStandOn) {
   const radar::Rectangle area{400.0, 400.0, 1600.0, 1600.0};
   std::vector<WindowWish> wanted;
   wanted.reserve(4);
-  const auto surface_now = [&] { return terrain.surface(terrain.windows().view(), 0, area, wanted); };
+  const auto surface_now = [&] { return terrain.surface(terrain.windows().view(), 0, area, area, wanted); };
   const auto highest_above_pages_m = [&](const LiveTerrain::Surface& surface) {
     double most_m = -1e9;
     for (double x = area.west_m; x < area.east_m; x += 7.0) {
@@ -216,6 +216,55 @@ TEST_F(LiveTerrainTest, HidesNothingByWhatItDoesNotKnowYet) {
   EXPECT_EQ(second.terrain_error_m, 0.0);
   EXPECT_GE(first.lit, second.lit);
   EXPECT_LT(second.lit, second.cells);
+}
+
+TEST(TerrainSectors, AreNoWiderThanAQuarterTurnAndHoldEveryEdgeOnce) {
+  for (const std::size_t beams : {1U, 3U, 7U, 512U}) {
+    for (const double width_rad : {0.01, 0.5 * pi, 0.51 * pi, pi, 1.7 * pi, 2.0 * pi}) {
+      const TerrainSectors sectors(beams, width_rad / static_cast<double>(beams));
+      EXPECT_EQ(sectors.count(),
+                std::min<std::size_t>(beams, static_cast<std::size_t>(std::ceil(2.0 * width_rad / pi))));
+      EXPECT_EQ(sectors.first_edge(0), 0U);
+      EXPECT_EQ(sectors.first_edge(sectors.count()), beams);
+      for (std::size_t edge = 0; edge <= beams; ++edge) {
+        const std::size_t sector = sectors.of_edge(edge);
+        EXPECT_GE(edge, sectors.first_edge(sector));
+        EXPECT_LE(edge, sectors.first_edge(sector + 1));
+      }
+    }
+  }
+}
+
+TEST(LiveTurn, HasTheTerrainOfItsTexelsThoughNoWindowHoldsItWhole) {
+  ExampleGround example = hilly();
+  example.patches_a_side = 4;
+  example.azimuths_deg = {0.0};
+  example.elevations_deg = {2.0, 37.0};
+  example.terrain_spacing_m = 5.0;
+  const ScratchFolder folder;
+  const atlas::Store store = example.store(folder.path("atlas"));
+  const LiveSettings settings{.content = FrameContent::Powers,
+                              .beams = 128,
+                              .ranges = 125,
+                              .beam_step_rad = 2.0 * pi / 128.0,
+                              .range_step_m = 16.0,
+                              .cells_per_bin = 4.0};
+  const Pose pose{.position = {example.middle().x + 3.0, example.middle().y - 8.0, 140.0}, .first_range_m = 0.0};
+  std::vector<float> powers;
+  // A window may hold 3300² nodes, or 504²; the turn has 800², a quarter of it 400².
+  for (const std::size_t budget_mib : {2750U, 64U}) {
+    example.cache.budget_bytes = budget_mib << 20U;
+    const auto ground = example.over(store);
+    LiveRenderer renderer(ground, settings);
+    const Frame& frame = settled_frame(renderer, *ground, pose);
+    EXPECT_EQ(frame.report.terrain_error_m, 0.0) << budget_mib;
+    EXPECT_EQ(frame.report.coarse, 0U) << budget_mib;
+    EXPECT_LT(frame.report.lit, frame.report.cells - frame.report.cells / 20) << "hills hide ground";
+    if (!powers.empty()) {
+      EXPECT_TRUE(std::ranges::equal(frame.powers_m2, powers));
+    }
+    powers.assign(frame.powers_m2.begin(), frame.powers_m2.end());
+  }
 }
 
 TEST_F(LiveTerrainTest, ATileThatIsNotThereCostsItsPlaceAndIsReported) {
