@@ -1,6 +1,7 @@
 #include "frame_cost.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "figures.h"
 
@@ -27,12 +28,16 @@ FrameCost frame_cost(render::LiveRenderer& renderer, render::LiveGround& ground,
                      int repetitions) {
   FrameCost cost;
   cost.report = settled(renderer, ground, pose).report;
+  std::vector<double> walls;
   for (int run = 0; run < repetitions; ++run) {
     const double wall = wall_seconds(), processor = processor_seconds();
     (void)renderer.render(pose);
-    cost.wall = std::min(cost.wall, wall_seconds() - wall);
+    walls.push_back(wall_seconds() - wall);
     cost.processor = std::min(cost.processor, processor_seconds() - processor);
   }
+  std::ranges::sort(walls);
+  cost.wall = walls.front();
+  cost.median_wall = walls[walls.size() / 2];
   return cost;
 }
 

@@ -10,6 +10,7 @@ const render::Frame& settled(render::LiveRenderer& renderer, render::LiveGround&
 /// What a settled frame takes, the least of several.
 struct FrameCost {
   double wall = 1e30, processor = 1e30;  ///< seconds
+  double median_wall = 0.0;
   render::FrameReport report;
 };
 [[nodiscard]] FrameCost frame_cost(render::LiveRenderer& renderer, render::LiveGround& ground, const render::Pose& pose,

@@ -1,7 +1,12 @@
 #include "made_ground.h"
 
+#include <cmath>
 #include <fmt/format.h>
+#include <functional>
+#include <numbers>
 #include <unistd.h>
+#include <utility>
+#include <vector>
 
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/atlas/obstacle_file.h"
@@ -77,20 +82,72 @@ void spread(const atlas::Store& store, bool with_obstacles) {
   }
 }
 
-/// Level ground of any size: all tiles are one.
-std::shared_ptr<terrain::TerrainPyramid> level_ground(const radar::Rectangle& extent) {
+using TileOf =
+    std::function<std::shared_ptr<const terrain::HeightTile>(const terrain::PyramidLayout&, terrain::TileKey)>;
+
+/// Terrain of any size under an extent, of which every tile of a level is said to be alike.
+std::shared_ptr<terrain::TerrainPyramid> terrain_under(
+    const radar::Rectangle& extent, const std::function<terrain::TileSummary(double spacing_m)>& summary,
+    const TileOf& tile) {
   constexpr double margin_m = 500.0, spacing_m = 10.0;
   const auto layout = terrain::PyramidLayout::covering(
       {extent.west_m - margin_m, extent.south_m - margin_m, extent.east_m + margin_m, extent.north_m + margin_m},
       spacing_m);
   std::vector<Array2D<terrain::TileSummary>> summaries;
-  for (int level = 0; level < layout.levels(); ++level) {
-    summaries.emplace_back(layout.across(level), layout.down(level));
-  }
-  const auto tile = std::make_shared<terrain::HeightTile>();
-  tile->height_m.assign(terrain::HeightTile::nodes * terrain::HeightTile::nodes, 0.0F);
+  for (int level = 0; level < layout.levels(); ++level)
+    summaries.emplace_back(layout.across(level), layout.down(level), summary(layout.spacing_at(level)));
   return std::make_shared<terrain::TerrainPyramid>(
-      layout, std::move(summaries), [tile](terrain::TileKey) { return tile; }, std::size_t{16} << 20U);
+      layout, std::move(summaries), [layout, tile](terrain::TileKey key) { return tile(layout, key); },
+      std::size_t{16} << 20U);
+}
+
+/// All tiles are one.
+std::shared_ptr<terrain::TerrainPyramid> level_terrain(const radar::Rectangle& extent) {
+  const auto flat = std::make_shared<terrain::HeightTile>();
+  flat->height_m.assign(terrain::HeightTile::nodes * terrain::HeightTile::nodes, 0.0F);
+  return terrain_under(
+      extent, [](double) { return terrain::TileSummary{}; }, [flat](const auto&, terrain::TileKey) { return flat; });
+}
+
+/// Two waves crosswise, of these lengths.
+constexpr double swell_m = 7000.0, hills_m = 3000.0, swell_height_m = 100.0, hills_height_m = 50.0;
+
+double rolling_height_m(double x, double y) {
+  constexpr double swell = 2.0 * pi / swell_m, hills = 2.0 * pi / hills_m;
+  return swell_height_m * std::sin(swell * x) * std::sin(swell * y) +
+         hills_height_m * std::cos(hills * (x + y)) * std::cos(hills * (x - y));
+}
+
+/// What bilinear interpolation between nodes of that distance may be wrong by: an eighth of the distance's square times
+/// the curvature, along both axes.
+terrain::TileSummary rolling_summary(double spacing_m) {
+  constexpr double swell = 2.0 * pi / swell_m, hills = 2.0 * std::numbers::sqrt2 * pi / hills_m;
+  const double curvature = swell_height_m * swell * swell + 2.0 * hills_height_m * hills * hills;
+  const double highest_m = swell_height_m + hills_height_m;
+  const double error_m = std::min(2.0 / 8.0 * spacing_m * spacing_m * curvature, 2.0 * highest_m);
+  return {static_cast<float>(-highest_m), static_cast<float>(highest_m), static_cast<float>(error_m)};
+}
+
+std::shared_ptr<const terrain::HeightTile> rolling_tile(const terrain::PyramidLayout& layout, terrain::TileKey key) {
+  auto tile = std::make_shared<terrain::HeightTile>();
+  const double spacing_m = layout.spacing_at(key.level);
+  const radar::Rectangle extent = layout.extent_of(key);
+  tile->summary = rolling_summary(spacing_m);
+  for (std::size_t row = 0; row < terrain::HeightTile::nodes; ++row) {
+    for (std::size_t column = 0; column < terrain::HeightTile::nodes; ++column) {
+      tile->height_m.push_back(
+          static_cast<float>(rolling_height_m(extent.west_m + spacing_m * static_cast<double>(column),
+                                              extent.north_m - spacing_m * static_cast<double>(row))));
+    }
+  }
+  return tile;
+}
+
+std::shared_ptr<render::LiveGround> ground_over(const atlas::Store& store,
+                                                std::shared_ptr<terrain::TerrainPyramid> terrain,
+                                                std::size_t budget_bytes) {
+  return std::make_shared<render::LiveGround>(store, std::move(terrain), frequency_hz,
+                                              render::CacheOptions{.budget_bytes = budget_bytes});
 }
 
 }  // namespace
@@ -130,8 +187,11 @@ atlas::Store made_store(const std::filesystem::path& folder, int patches_a_side,
 }
 
 std::shared_ptr<render::LiveGround> made_ground(const atlas::Store& store, std::size_t budget_bytes) {
-  return std::make_shared<render::LiveGround>(store, level_ground(store.description().extent), frequency_hz,
-                                              render::CacheOptions{.budget_bytes = budget_bytes});
+  return ground_over(store, level_terrain(store.description().extent), budget_bytes);
+}
+
+std::shared_ptr<render::LiveGround> rolling_ground(const atlas::Store& store, std::size_t budget_bytes) {
+  return ground_over(store, terrain_under(store.description().extent, rolling_summary, rolling_tile), budget_bytes);
 }
 
 }  // namespace sigmascape::bench

@@ -35,6 +35,10 @@ enum class GroundOf { Textures, Layers };
 [[nodiscard]] atlas::Store made_store(const std::filesystem::path& folder, int patches_a_side,
                                       GroundOf kind = GroundOf::Textures);
 
+/// Hills 150 m high under such a store, 3 and 7 km from one to the next: every tile of the terrain is reckoned when it
+/// is wanted, which takes about as long as to read and decode it.
+[[nodiscard]] std::shared_ptr<render::LiveGround> rolling_ground(const atlas::Store& store, std::size_t budget_bytes);
+
 /// Level ground under such a store.
 [[nodiscard]] std::shared_ptr<render::LiveGround> made_ground(const atlas::Store& store, std::size_t budget_bytes);
 

@@ -3,13 +3,11 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <fmt/format.h>
 #include <malloc.h>
 #include <span>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "figures.h"
@@ -17,6 +15,7 @@
 #include "frame_cost.h"
 #include "made_ground.h"
 #include "paper_frame.h"
+#include "turning_scan.h"
 
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/base/hash.h"
@@ -177,53 +176,6 @@ double cold_frame_seconds(const atlas::Store& store, const View& view, int jumps
   return seconds[seconds.size() / 2];
 }
 
-struct Scan {
-  double p99 = 0.0, processor = 0.0;
-  double coarse_first_turn = 0.0, coarse_part = 0.0;  ///< of the cells of the first turn, and of the later ones
-};
-
-/// What was shown more coarsely than wanted.
-struct CoarseCells {
-  std::size_t coarse = 0, of = 0;
-
-  void add(const render::FrameReport& report) {
-    coarse += report.coarse + report.dark;
-    of += report.cells;
-  }
-  [[nodiscard]] double part() const { return static_cast<double>(coarse) / static_cast<double>(of); }
-};
-
-/// An antenna that turns once in about two seconds, carried northwards at 250 m/s, sixty steps a second of real time:
-/// whoever reads pages has the time between them.
-Scan scanned(const std::shared_ptr<LiveGround>& ground, double seconds) {
-  LiveSettings settings;
-  settings.beam_step_rad = 2.0 * pi / 512.0;
-  settings.range_step_m = 24.0;
-  settings.cells_per_bin = 1.0;
-  LiveRenderer renderer(ground, settings);
-  const radar::Rectangle& extent = ground->description().extent;
-  Pose pose;
-  pose.velocity_mps = {0.0, 250.0, 0.0};
-  pose.first_range_m = 4000.0;
-  constexpr std::size_t beams_a_step = 4;
-  std::vector<double> steps;
-  CoarseCells first_turn, later;
-  const auto begin = std::chrono::steady_clock::now();
-  const double start_processor = processor_seconds();
-  for (std::size_t step = 0; static_cast<double>(step) < 60.0 * seconds; ++step) {
-    pose.position = {extent.width_m() / 2.0, extent.height_m() / 4.0 + 250.0 / 60.0 * static_cast<double>(step),
-                     3000.0};
-    const double start = wall_seconds();
-    const render::Frame& frame = renderer.scan(pose, step * beams_a_step % 512, beams_a_step);
-    steps.push_back(wall_seconds() - start);
-    (step * beams_a_step < settings.beams ? first_turn : later).add(frame.report);
-    std::this_thread::sleep_until(begin + std::chrono::microseconds(1'000'000 * (step + 1) / 60));
-  }
-  const double processor = (processor_seconds() - start_processor) / static_cast<double>(steps.size());
-  std::ranges::sort(steps);
-  return {steps[steps.size() * 99 / 100], processor, first_turn.part(), later.part()};
-}
-
 /// Seconds that an atlas whose ground is kept apart takes to open, the least of several times; of them those that go
 /// into the lists of all its files.
 struct OpeningCost {
@@ -303,20 +255,29 @@ void measure_frames(const atlas::Store& store, const Arguments& arguments, int r
   const FrameCost small = frame_cost(ground, near, repetitions);
   const double per_sample = 1048576.0 / static_cast<double>(small.report.cells);
   figures.add("render.cells", static_cast<double>(small.report.cells), "cells", "that the frame looked at");
-  figures.add("render.frame_ms", 1e3 * small.wall * per_sample, "ms", "for 1,048,576 samples");
+  figures.add("render.frame_ms", 1e3 * small.wall * per_sample, "ms",
+              fmt::format("for 1,048,576 samples, the least of {}; their median {:.1f}", repetitions,
+                          1e3 * small.median_wall * per_sample));
   figures.add("render.frame_processor_ms", 1e3 * small.processor * per_sample, "ms", "all threads together");
   figures.add("render.floor_ratio", small.processor * per_sample / floors.sum(), "", "of processor times");
 
   measure_targets(ground, near, repetitions, figures);
 
   const FrameCost large = frame_cost(ground, wide, repetitions);
-  figures.add(
-      "render.scale_ratio", large.processor / small.processor, "",
-      fmt::format("262 km over 2 km, processor times; {} cells over {}", large.report.cells, small.report.cells));
+  figures.add("render.scale_ratio", large.processor / small.processor, "",
+              fmt::format("262 km over 2 km, processor times; {} cells over {}; {:.2f} of times on the wall",
+                          large.report.cells, small.report.cells, large.median_wall / small.median_wall));
+}
 
-  const Scan scan = scanned(ground, arguments.quick ? 5.0 : 60.0);
+/// An antenna that goes round over hills, from an empty cache.
+void measure_scan(const atlas::Store& store, bool quick, Figures& figures) {
+  const TurningScan scan = turning_scan(rolling_ground(store, budget_bytes), quick ? 5.0 : 60.0);
+  prove(scan.terrain_error_m == 0.0, "a turning antenna has the terrain that it asks for");
+  prove(quick || scan.pages > 0, "a minute of flight reads pages");
   figures.add("render.scan_p99_ms", 1e3 * scan.p99, "ms", "4 of 512 beams of a rotating antenna");
   figures.add("render.scan_processor_ms", 1e3 * scan.processor, "ms", "mean of a step, decoding of pages included");
+  figures.add("render.scan_pages", static_cast<double>(scan.pages), "pages",
+              fmt::format("read after the first turn, in which {} were", scan.pages_first_turn));
   figures.add(
       "render.scan_coarse", scan.coarse_part, "",
       fmt::format("part of the cells shown more coarsely than wanted after the first turn; {:.3f} in that, which "
@@ -328,7 +289,10 @@ void measure(const Arguments& arguments, Figures& figures) {
   const int repetitions = arguments.quick ? 5 : 40;
   const ScratchStore scratch;
   // Patches of 2 km: 262 km a side, of which the store holds one patch and one tile of each coarser level.
-  measure_frames(made_store(scratch.folder() / "whole", 128), arguments, repetitions, figures);
+  const atlas::Store store = made_store(scratch.folder() / "whole", 128);
+  measure_frames(store, arguments, repetitions, figures);
+  give_back_memory();
+  measure_scan(store, arguments.quick, figures);
   give_back_memory();
   measure_ground_apart(scratch.folder() / "apart", repetitions, figures);
   figures.add("render.memory_mib", peak_memory_mib(), "MiB",

@@ -10,6 +10,8 @@
 #include <thread>
 #include <vector>
 
+#include "figures.h"
+
 #include "sigmascape/base/units.h"
 #include "sigmascape/base/worker_team.h"
 #include "sigmascape/render/visible_ground.h"
@@ -20,23 +22,20 @@ using namespace std::chrono_literals;
 using sigmascape::Array2D;
 using sigmascape::Vec3d;
 using sigmascape::WorkerTeam;
+using sigmascape::bench::Figures;
+using sigmascape::bench::prove;
 using sigmascape::render::HorizonGrid;
 using sigmascape::render::VisibilityMethod;
 using sigmascape::render::VisibleGround;
-
-void report(const std::string& name, double value, const std::string& unit) {
-  fmt::print("{{\"name\": \"{}\", \"value\": {:.4g}, \"unit\": \"{}\"}}\n", name, value, unit);
-  std::fflush(stdout);
-}
 
 struct Cost {
   double wall_ms = 1e30, processor_ms = 1e30;  ///< the latter of all threads together
 };
 
 /// Least of many runs: what the work takes when nothing else does.
-Cost least_cost(const std::function<void()>& work) {
+Cost least_cost(std::chrono::milliseconds time, const std::function<void()>& work) {
   Cost least;
-  const auto end = std::chrono::steady_clock::now() + 1500ms;
+  const auto end = std::chrono::steady_clock::now() + time;
   for (int run = 0; run < 5 || std::chrono::steady_clock::now() < end; ++run) {
     const auto start = std::chrono::steady_clock::now();
     const std::clock_t processor_start = std::clock();
@@ -48,11 +47,21 @@ Cost least_cost(const std::function<void()>& work) {
   return least;
 }
 
-void report(const std::string& name, const std::string& unit, double per, const std::function<void()>& work) {
-  const Cost cost = least_cost(work);
-  report(name, cost.wall_ms / per, unit);
-  report(name + ".processor", cost.processor_ms / per, unit);
-}
+/// Times work for a figure, on the wall and of all threads together.
+class Stopwatch {
+ public:
+  Stopwatch(Figures& figures, bool quick) : figures_(figures), time_(quick ? 100ms : 1500ms) {}
+
+  void report(const std::string& name, const std::string& unit, double per, const std::function<void()>& work) {
+    const Cost cost = least_cost(time_, work);
+    figures_.add(name, cost.wall_ms / per, unit);
+    figures_.add(name + ".processor", cost.processor_ms / per, unit);
+  }
+
+ private:
+  Figures& figures_;
+  std::chrono::milliseconds time_;
+};
 
 /// Hills of several sizes, 300 m high.
 sigmascape::terrain::HeightField hills(std::size_t side, double spacing_m) {
@@ -83,9 +92,30 @@ void polar_sweep(const std::vector<float>& slopes, const HorizonGrid& grid, std:
   });
 }
 
+/// Both ways see all of a plane that nothing stands on, and nothing right behind a wall.
+void prove_both_ways(const HorizonGrid& grid, Vec3d radar, WorkerTeam& team) {
+  sigmascape::terrain::HeightField wall{.spacing_m = 8.0, .height_m = Array2D<float>(513, 513, 0.0F)};
+  const sigmascape::terrain::HeightField plane = wall;
+  for (float& height_m : wall.height_m.row(256)) height_m = 300.0F;
+  for (const VisibilityMethod method : {VisibilityMethod::HorizonSweep, VisibilityMethod::Rasterization}) {
+    VisibleGround ground({.method = method}, team.size());
+    ground.reset(grid, false);
+    const auto seen = [&](const sigmascape::terrain::HeightField& field, std::size_t node) {
+      ground.find(0, grid.azimuths, radar, {.terrain = sigmascape::terrain::view_of(field)}, team);
+      const double distance_m = grid.near_m + static_cast<double>(node) * grid.step_m;
+      return -radar.z / distance_m >= static_cast<double>(ground.horizon().slopes(grid.azimuths / 2)[node]) - 1e-6;
+    };
+    prove(seen(plane, 900) && seen(plane, 600), "level ground is seen");
+    prove(!seen(wall, 600) && seen(wall, 100), "a wall hides what is behind it and nothing before it");
+  }
+}
+
 }  // namespace
 
-int main() {
+int main(int count, char** words) {
+  const auto arguments = sigmascape::bench::Arguments::parsed(count, words);
+  Figures figures(arguments.out);
+  Stopwatch stopwatch(figures, arguments.quick);
   const unsigned threads = std::max(1U, std::thread::hardware_concurrency());
   constexpr std::size_t azimuths = 1024, distances = 1024;
   constexpr double millions = static_cast<double>(azimuths * distances) / 1e6;
@@ -98,19 +128,23 @@ int main() {
                          .step_m = 0.96 * across_m / distances,
                          .distances = distances};
 
+  WorkerTeam provers(1);
+  prove_both_ways(grid, radar, provers);
   for (const unsigned used : {1U, threads}) {
     WorkerTeam team(used);
     const std::string at = fmt::format(".threads_{}", used), unit = "ms per million nodes";
     std::vector<float> slopes(azimuths * distances), steepest(slopes.size());
     for (std::size_t i = 0; i < slopes.size(); ++i) slopes[i] = std::sin(static_cast<float>(i));
-    report("visible_ground.floor.write" + at, unit, millions, [&] { std::ranges::fill(steepest, 1.0F); });
-    report("visible_ground.floor.polar_sweep" + at, unit, millions, [&] { polar_sweep(slopes, grid, steepest, team); });
+    stopwatch.report("visible_ground.floor.write" + at, unit, millions, [&] { std::ranges::fill(steepest, 1.0F); });
+    stopwatch.report("visible_ground.floor.polar_sweep" + at, unit, millions,
+                     [&] { polar_sweep(slopes, grid, steepest, team); });
     const auto found = [&](const std::string& name, const sigmascape::terrain::HeightField& field,
                            const sigmascape::render::VisibleGroundSettings& settings) {
       VisibleGround ground(settings, used);
       ground.reset(grid, false);
-      report(name + at, unit, millions,
-             [&] { ground.find(0, azimuths, radar, {.terrain = sigmascape::terrain::view_of(field)}, team); });
+      stopwatch.report(name + at, unit, millions, [&] {
+        ground.find(0, azimuths, radar, {.terrain = sigmascape::terrain::view_of(field)}, team);
+      });
     };
     for (const double spacing_m : {4.0, 8.0, 16.0}) {
       found(fmt::format("visible_ground.sweep.step_{:g}_cells", grid.step_m / spacing_m),
@@ -123,8 +157,8 @@ int main() {
     const auto coarse = hills(513, 8.0);
     sigmascape::render::TerrainRaster drawn;
     const sigmascape::render::RasterSettings settings{.pixels_per_triangle = 16.0, .longest_side = 1024};
-    report("visible_ground.raster.draw_524288_triangles_1024_pixels" + at, "ms", 1.0,
-           [&] { drawn.draw(radar, grid, sigmascape::terrain::view_of(coarse), settings, team); });
+    stopwatch.report("visible_ground.raster.draw_524288_triangles_1024_pixels" + at, "ms", 1.0,
+                     [&] { drawn.draw(radar, grid, sigmascape::terrain::view_of(coarse), settings, team); });
   }
   return 0;
 }
