@@ -40,6 +40,14 @@ HeldFrame flown(const py::object& self, const Triple& position_m, double first_a
   return {*frame, pose, self};
 }
 
+HeldFrame swept(const py::object& self, const Triple& position_m, double first_azimuth_rad, double first_range_m,
+                std::size_t first_beam, std::size_t count, const Triple& velocity_mps) {
+  auto& held = self.cast<SceneFlight&>();
+  const auto pose = pose_from(position_m, first_azimuth_rad, first_range_m, velocity_mps);
+  const render::Frame* const frame = long_call([&] { return &held.flight.scan(pose, first_beam, count); });
+  return {*frame, pose, self};
+}
+
 }  // namespace
 
 void add_live_flight(py::module_& module) {
@@ -59,9 +67,16 @@ void add_live_flight(py::module_& module) {
            "rays_per_cell, bounces: of traced frames, as in LiveTracer. The rest as in LiveRenderer.")
       .def("render", &flown, py::arg("position_m"), py::kw_only(), py::arg("first_azimuth_rad"),
            py::arg("first_range_m"), py::arg("velocity_mps") = Triple{}, "A Frame of all beams.")
+      .def(
+          "scan", &swept, py::arg("position_m"), py::kw_only(), py::arg("first_azimuth_rad"), py::arg("first_range_m"),
+          py::arg("first_beam"), py::arg("count"), py::arg("velocity_mps") = Triple{},
+          "Renders `count` beams from `first_beam` anew, at the level that they need, and leaves the others: one step\n"
+          "of a scanning antenna. A change between levels goes on from step to step.")
       .def_property_readonly(
           "textured_share", [](const SceneFlight& held) { return held.flight.textured_share(); },
-          "Part of the last frame's power that comes from textures: 0 of a traced frame, 1 of one from textures.")
+          "Part of the last frame's power, or of the last step's, that comes from textures: 0 where it is traced, 1 "
+          "from\n"
+          "textures.")
       .def(
           "explained", [](const SceneFlight& held) { return held.flight.explained(); },
           "What the last pose asked for, and why, in a few lines for people.");

@@ -41,6 +41,14 @@ HeldFrame traced(const py::object& self, const Triple& position_m, double first_
   return {*frame, pose, self};
 }
 
+HeldFrame swept(const py::object& self, const Triple& position_m, double first_azimuth_rad, double first_range_m,
+                std::size_t first_beam, std::size_t count) {
+  auto& held = self.cast<SceneTracer&>();
+  const auto pose = pose_from(position_m, first_azimuth_rad, first_range_m);
+  const render::Frame* const frame = long_call([&] { return &held.tracer.scan(pose, first_beam, count); });
+  return {*frame, pose, self};
+}
+
 }  // namespace
 
 void add_live_tracer(py::module_& module) {
@@ -65,6 +73,10 @@ void add_live_tracer(py::module_& module) {
           py::arg("first_range_m"),
           "A Frame of all beams, as LiveRenderer.render gives it; its rays_per_cell and median_error_db say how clear\n"
           "it has become.")
+      .def("scan", &swept, py::arg("position_m"), py::kw_only(), py::arg("first_azimuth_rad"), py::arg("first_range_m"),
+           py::arg("first_beam"), py::arg("count"),
+           "Traces `count` beams from `first_beam` anew, and their ground alone, and leaves the others: one step of a\n"
+           "scanning antenna. The same beams of the same pose get rays added when they come again.")
       .def(
           "advised_detail",
           [](const SceneTracer& held, const Triple& position_m, double first_azimuth_rad, double first_range_m) {

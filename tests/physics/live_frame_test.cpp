@@ -2,10 +2,14 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <numbers>
+#include <tuple>
 
 #include "unit/render/live_ground_example.h"
 #include "validation/validation_record.h"
 
+#include "sigmascape/receiver/receive_chain.h"
+#include "sigmascape/render/frame_image.h"
 #include "sigmascape/render/row_places.h"
 
 namespace sigmascape::render {
@@ -53,32 +57,45 @@ ExampleGround level_ground(bool apart) {
   return ground;
 }
 
+/// Bins of a mip at a distance, at most a third of it deep: where ranges are short, in fewer bins.
+ExampleView view_at(Vec2d middle, double slant_range_m, double elevation_deg, std::size_t mip) {
+  ExampleView view;
+  view.target = middle;
+  view.elevation_deg = elevation_deg;
+  view.slant_range_m = slant_range_m;
+  view.bin_m = 12.0 * static_cast<double>(1U << mip);
+  if (slant_range_m < 3000.0) {
+    view.ranges = 22;
+    view.beams = 24;
+  }
+  return view;
+}
+
 void expect_the_radar_equation(bool apart) {
   const ScratchFolder folder;
   const ExampleGround example = level_ground(apart);
   const atlas::Store store = example.store(folder.path("atlas"));
   atlas::Pyramid(store).make_above(store.units());
   const auto ground = example.over(store);
-  for (const std::size_t mip : {0U, 1U, 2U}) {
-    // The textures' highest elevation is 37°, above which σ0 is held; the ground's is 88°.
-    for (const double elevation_deg : {3.0, 5.0, 8.6, apart ? 37.0 : 21.0}) {
-      ExampleView view;
-      view.target = example.middle();
-      view.elevation_deg = elevation_deg;
-      view.slant_range_m = 6000.0;
-      view.bin_m = 12.0 * static_cast<double>(1U << mip);
-      LiveRenderer renderer(ground, view.settings(FrameContent::Powers));
-      const Frame& frame = settled_frame(renderer, *ground, view.pose());
-      ASSERT_EQ(frame.report.dark + frame.report.coarse, 0U);
-      ASSERT_EQ(frame.report.level, mip);
-      validation::expect_close({.group = "Live frames",
-                                .name = fmt::format("level ground {}, mip {}, {}°, worst of four bands of ranges",
-                                                    apart ? "kept apart" : "in the textures", mip, elevation_deg),
-                                .expected = 0.0,
-                                .measured = worst_db(frame, view.pose().position.z),
-                                .tolerance = 0.05,
-                                .unit = "dB",
-                                .source = "γ sin ψ times the area of the bin"});
+  for (const double slant_range_m : {1000.0, 6000.0, 60e3}) {
+    for (const std::size_t mip : {0U, 1U, 2U}) {
+      // The textures' highest elevation is 37°, above which σ0 is held; the ground's is 88°.
+      for (const double elevation_deg : {3.0, 5.0, 8.6, apart ? 37.0 : 21.0}) {
+        const ExampleView view = view_at(example.middle(), slant_range_m, elevation_deg, mip);
+        LiveRenderer renderer(ground, view.settings(FrameContent::Powers));
+        const Frame& frame = settled_frame(renderer, *ground, view.pose());
+        EXPECT_EQ(frame.report.dark + frame.report.coarse, 0U) << slant_range_m << " m, mip " << mip;
+        EXPECT_EQ(frame.report.level, mip) << slant_range_m << " m, " << elevation_deg << "°";
+        validation::expect_close(
+            {.group = "Live frames",
+             .name = fmt::format("level ground {}, {} km, mip {}, {}°, worst of the bands of ranges",
+                                 apart ? "kept apart" : "in the textures", 1e-3 * slant_range_m, mip, elevation_deg),
+             .expected = 0.0,
+             .measured = worst_db(frame, view.pose().position.z),
+             .tolerance = 0.05,
+             .unit = "dB",
+             .source = "γ sin ψ times the area of the bin"});
+      }
     }
   }
 }
@@ -89,6 +106,73 @@ TEST(LiveFrame, TexturesOfLevelGroundReturnTheirSigma0AtEveryRangeElevationAndMi
 
 TEST(LiveFrame, BareGroundReturnsItsSigma0AtEveryRangeElevationAndMip) {
   expect_the_radar_equation(true);
+}
+
+/// A radar of 10 kW and 30 dB with a pulse of 1 µs, which resolves two bins of the view each way.
+radar::Radar radar_for(const LiveSettings& bins) {
+  radar::Radar radar;
+  radar.frequency_hz = 10e9;
+  radar.range_resolution_m = 2.0 * bins.range_step_m;
+  radar.beam_width_rad = 2.0 * std::numbers::sqrt2 * bins.beam_step_rad;
+  radar.antenna.gain = 1000.0;
+  radar.waveform = {.peak_power_w = 10e3,
+                    .pulse_length_s = 1e-6,
+                    .pulse_repetition_hz = 1000.0,
+                    .window = {.shape = radar::WindowShape::Hamming}};
+  radar.receiver.losses = linear_from_db(4.0);
+  return radar;
+}
+
+/// What level ground of that σ0 returns from a range, compressed:
+///
+///     P = P_t G² λ² σ0 A C / ((4π)³ r⁴ L),   A C = r · θ √(π / (8 ln 2)) · c τ / 2
+///
+/// The area A is the beam's two-way angle times the compressed pulse's length; the latter falls as the gain of
+/// compression C rises, whatever the bandwidth and the window.
+double expected_w(const radar::Radar& radar, double range_m, double sigma0) {
+  const double lambda_m = speed_of_light_mps / radar.frequency_hz;
+  const double beam_rad = radar.beam_width_rad * std::sqrt(pi / (8.0 * std::numbers::ln2));
+  const double gained_area_m2 = range_m * beam_rad * speed_of_light_mps * radar.waveform.pulse_length_s / 2.0;
+  return radar.waveform.peak_power_w * std::pow(radar.antenna.gain * lambda_m, 2.0) * sigma0 * gained_area_m2 /
+         (std::pow(4.0 * pi, 3.0) * std::pow(range_m, 4.0) * radar.receiver.losses);
+}
+
+TEST(LiveFrame, OfLevelGroundHasTheReceivedPowerOfTheRadarEquation) {
+  const ScratchFolder folder;
+  const ExampleGround example = level_ground(false);
+  const atlas::Store store = example.store(folder.path("atlas"));
+  atlas::Pyramid(store).make_above(store.units());
+  const auto ground = example.over(store);
+  for (const double slant_range_m : {1000.0, 6000.0, 60e3}) {
+    const ExampleView view = view_at(example.middle(), slant_range_m, 8.6, 1);
+    const LiveSettings bins = view.settings(FrameContent::Powers);
+    LiveRenderer renderer(ground, bins);
+    const Pose pose = view.pose();
+    const Frame& frame = settled_frame(renderer, *ground, pose);
+    const radar::Radar radar = radar_for(bins);
+    for (const auto& [polarization, name, part] : {std::tuple{radar::Polarization::VV, "VV", 1.0},
+                                                   {radar::Polarization::HH, "HH", 0.5},
+                                                   {radar::Polarization::HV, "HV", 0.1}}) {
+      const auto received = receiver::received_power(radar, image_of(frame, pose), polarization);
+      double sum_w = 0.0, wanted_w = 0.0;
+      for (std::size_t range = 4; range + 4 < view.ranges; ++range) {
+        const double range_m = pose.first_range_m + (static_cast<double>(range) + 0.5) * bins.range_step_m;
+        for (std::size_t beam = 2; beam + 2 < view.beams; ++beam) {
+          sum_w += static_cast<double>(received.signal_w(beam, range));
+          wanted_w += expected_w(radar, range_m, part * gamma * pose.position.z / range_m);
+        }
+      }
+      const auto bins_of_it = static_cast<double>((view.ranges - 8) * (view.beams - 4));
+      validation::expect_close(
+          {.group = "Live frames",
+           .name = fmt::format("received power of level ground at {} km, {}", 1e-3 * slant_range_m, name),
+           .expected = db_from_linear(wanted_w / bins_of_it),
+           .measured = db_from_linear(sum_w / bins_of_it),
+           .tolerance = 0.05,
+           .unit = "dBW",
+           .source = "P_t G² λ² σ0 A C / ((4π)³ r⁴ L)"});
+    }
+  }
 }
 
 TEST(LiveFrame, GroundAHundredKilometresAwayLiesBelowTheTangent) {

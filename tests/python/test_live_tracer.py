@@ -22,6 +22,20 @@ def test_calls_add_rays_until_the_pose_changes(scene):
     assert tracer.render((0.0, -2900.0, 801.0), **POSE).rays_per_cell == 4
 
 
+def test_a_scan_traces_its_beams_alone(scene):
+    tracer = tracer_of(scene, content="powers", rays_per_cell=4, bounces=1)
+    whole = tracer.render(PLACE, **POSE)
+    cells, before = whole.cells, whole.powers_m2.copy()
+    scanning = tracer_of(scene, content="powers", rays_per_cell=4, bounces=1)
+    for beam in range(0, 20, 6):
+        step = scanning.scan(PLACE, **POSE, first_beam=beam, count=6)
+        assert step.cells < cells
+    np.testing.assert_array_equal(step.powers_m2, before)
+    after = scanning.scan((0.0, -2900.0, 790.0), **POSE, first_beam=6, count=6).powers_m2
+    changed = (after != before).any(axis=(1, 2))
+    assert changed[6:12].any() and not changed[:6].any() and not changed[12:].any()
+
+
 def test_a_traced_frame_is_like_one_from_textures(scene, atlas):
     settings = dict(content="powers", beams=20, ranges=30, beam_step_rad=2e-3, range_step_m=3.0)
     ground = sigmascape.LiveGround(atlas.folder, cache_mib=64)

@@ -337,11 +337,11 @@ int sigmascape_scan(sigmascape_renderer* renderer, const sigmascape_pose* pose, 
   return guarded(1, [&] {
     (void)given(renderer, "renderer");
     (void)given(frame, "frame");
-    if (!renderer->renderer) {
-      throw sigmascape::Error("sigmascape_scan", "is asked of a tracer or a flight",
-                              "take sigmascape_render for all beams");
-    }
-    copy(renderer->renderer->scan(pose_from(given(pose, "pose"), *renderer), first_beam, count), *frame);
+    const auto wanted = pose_from(given(pose, "pose"), *renderer);
+    copy(renderer->flight   ? renderer->flight->scan(wanted, first_beam, count)
+         : renderer->tracer ? renderer->tracer->scan(wanted, first_beam, count)
+                            : renderer->renderer->scan(wanted, first_beam, count),
+         *frame);
     return 0;
   });
 }

@@ -110,7 +110,8 @@ void sigmascape_close_scene(sigmascape_scene* scene);
 
 typedef struct sigmascape_tracing {
   double frequency_hz;
-  uint32_t rays_per_cell; /* that each call of sigmascape_render adds while the pose stays the same */
+  uint32_t rays_per_cell; /* that each call of sigmascape_render or sigmascape_scan adds to its beams while the pose
+                             stays the same */
   int max_bounces;
   double
       lattice_m; /* side of the finest cells of scatterers; that of an atlas' texels gives both the same scatterers */
@@ -120,7 +121,7 @@ typedef struct sigmascape_tracing {
 sigmascape_tracing sigmascape_default_tracing(void);
 
 /* A renderer that traces the whole scene into such bins, level of detail 0, for small areas: it takes poses and targets
- * as others do and gives such frames. It renders all beams alone. Null when the settings make no sense. */
+ * as others do and gives such frames. Null when the settings make no sense. */
 sigmascape_renderer* sigmascape_make_tracer(sigmascape_scene* scene, const sigmascape_settings* settings,
                                             const sigmascape_tracing* tracing);
 /* Whether the resolution cell asks for tracing where the tracer's scene is at hand: 0, the level of detail that is
@@ -130,18 +131,19 @@ int sigmascape_advised_detail(sigmascape_renderer* tracer, const sigmascape_pose
 
 /* A renderer that traces what has to be traced and takes textures for the rest, as poses ask: one gives way to the
  * other over some frames, each with its share of the power, and no step shows. The atlas is one of that scene;
- * frequency and lattice_m of the tracing have no say. It renders all beams alone. Null when the settings make no sense.
- */
+ * frequency and lattice_m of the tracing have no say. Null when the settings make no sense. */
 sigmascape_renderer* sigmascape_make_flight(sigmascape_scene* scene, sigmascape_ground* ground,
                                             const sigmascape_settings* settings, const sigmascape_tracing* tracing);
-/* Part of the last frame's power that came from textures: 0 of a traced one. Negative when it is no flight. */
+/* Part of the last frame's power, or of the last step of a scan, that came from textures: 0 where it is traced.
+ * Negative when it is no flight. */
 double sigmascape_textured_share(const sigmascape_renderer* flight);
 
 /* The targets of all frames from now on, in place of those before; copied, tables read. Returns 0 when all went well,
  * and otherwise leaves those before. */
 int sigmascape_set_targets(sigmascape_renderer* renderer, const sigmascape_target* targets, size_t count);
 
-/* Renders all beams, or beams first ... first + count - 1 anew. The frame's arrays live until the next call with this
+/* Renders all beams, or beams first ... first + count - 1 anew and leaves the others: one step of a scanning antenna.
+ * What is counted in a frame is then counted of those beams. The frame's arrays live until the next call with this
  * renderer. Returns 0 when all went well. */
 int sigmascape_render(sigmascape_renderer* renderer, const sigmascape_pose* pose, sigmascape_frame* frame);
 int sigmascape_scan(sigmascape_renderer* renderer, const sigmascape_pose* pose, size_t first_beam, size_t count,

@@ -149,6 +149,8 @@ struct Horizon {
 
   /// Goes over a step of `step_m`, the ground under it and what stands there.
   void pass(const Steps& steps, std::size_t i, double step_m, CrownDepth& crowns) {
+    // Where the map begins below the radar, strides of its first step lie behind it.
+    if (!(steps.distance_m[i] > 0.0F)) return;
     const float slope = steps.slope[i];
     steepest = greater(steepest, slope);
     const PackedObstacle packed = steps.obstacle[i];

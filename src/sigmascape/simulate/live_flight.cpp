@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <fmt/format.h>
+#include <span>
 #include <utility>
 
 #include "sigmascape/base/error.h"
@@ -39,19 +41,39 @@ LiveFlight::LiveFlight(const scene::Scene& scene, const trace::SceneGeometry& ge
     : ground_(std::move(ground)),
       flight_(settled(flight, *ground_)),
       tracer_(scene, geometry, settings, flight_.tracing),
-      renderer_(ground_, settings) {
-  const std::size_t bins = settings.beams * settings.ranges;
+      renderer_(ground_, settings),
+      beams_(settings.beams),
+      numbers_a_beam_(4 * settings.ranges) {
   if (settings.content == render::FrameContent::Amplitudes)
-    amplitudes_m_.resize(4 * bins);
+    amplitudes_m_.resize(beams_ * numbers_a_beam_);
   else
-    powers_m2_.resize(4 * bins);
+    powers_m2_.resize(beams_ * numbers_a_beam_);
 }
 
 const render::Frame& LiveFlight::render(const render::Pose& pose) {
   choose(pose);
-  if (textured_share_ == 0.0) return tracer_.render(pose);
-  if (textured_share_ == 1.0) return renderer_.render(pose);
-  return blended(tracer_.render(pose), renderer_.render(pose));
+  if (textured_share_ == 0.0)
+    frame_ = tracer_.render(pose);
+  else if (textured_share_ == 1.0)
+    frame_ = renderer_.render(pose);
+  else
+    blend(tracer_.render(pose), renderer_.render(pose), {0, beams_ * numbers_a_beam_});
+  return frame_;
+}
+
+const render::Frame& LiveFlight::scan(const render::Pose& pose, std::size_t first_beam, std::size_t count) {
+  choose(pose);
+  keep();
+  first_beam = std::min(first_beam, beams_);
+  count = std::min(count, beams_ - first_beam);
+  const Part part{first_beam * numbers_a_beam_, count * numbers_a_beam_};
+  if (textured_share_ == 0.0)
+    copy(tracer_.scan(pose, first_beam, count), part);
+  else if (textured_share_ == 1.0)
+    copy(renderer_.scan(pose, first_beam, count), part);
+  else
+    blend(tracer_.scan(pose, first_beam, count), renderer_.scan(pose, first_beam, count), part);
+  return frame_;
 }
 
 void LiveFlight::choose(const render::Pose& pose) {
@@ -67,17 +89,40 @@ void LiveFlight::choose(const render::Pose& pose) {
   begun_ = true;
 }
 
-const render::Frame& LiveFlight::blended(const render::Frame& traced, const render::Frame& textured) {
+void LiveFlight::blend(const render::Frame& traced, const render::Frame& textured, Part part) {
   frame_.grid = traced.grid;
   frame_.report = textured_share_ < 0.5 ? traced.report : textured.report;
+  const auto& [first, count] = part;
   if (amplitudes_m_.empty()) {
-    blend_powers(traced.powers_m2, textured.powers_m2, textured_share_, powers_m2_);
+    blend_powers(traced.powers_m2.subspan(first, count), textured.powers_m2.subspan(first, count), textured_share_,
+                 std::span(powers_m2_).subspan(first, count));
     frame_.powers_m2 = powers_m2_;
   } else {
-    blend_amplitudes(traced.amplitudes_m, textured.amplitudes_m, textured_share_, amplitudes_m_);
+    blend_amplitudes(traced.amplitudes_m.subspan(first, count), textured.amplitudes_m.subspan(first, count),
+                     textured_share_, std::span(amplitudes_m_).subspan(first, count));
     frame_.amplitudes_m = amplitudes_m_;
   }
-  return frame_;
+}
+
+void LiveFlight::copy(const render::Frame& shown, Part part) {
+  frame_.grid = shown.grid;
+  frame_.report = shown.report;
+  const auto first = static_cast<std::ptrdiff_t>(part.first);
+  if (amplitudes_m_.empty())
+    std::ranges::copy(shown.powers_m2.subspan(part.first, part.count), powers_m2_.begin() + first);
+  else
+    std::ranges::copy(shown.amplitudes_m.subspan(part.first, part.count), amplitudes_m_.begin() + first);
+}
+
+void LiveFlight::keep() {
+  if (amplitudes_m_.empty()) {
+    if (frame_.powers_m2.data() != powers_m2_.data()) std::ranges::copy(frame_.powers_m2, powers_m2_.begin());
+    frame_.powers_m2 = powers_m2_;
+  } else {
+    if (frame_.amplitudes_m.data() != amplitudes_m_.data())
+      std::ranges::copy(frame_.amplitudes_m, amplitudes_m_.begin());
+    frame_.amplitudes_m = amplitudes_m_;
+  }
 }
 
 std::string LiveFlight::explained() const {

@@ -41,26 +41,41 @@ class LiveFlight {
 
   /// All beams, valid until the next call. Throws Error as LiveTracer::render does where it is traced.
   const render::Frame& render(const render::Pose& pose);
+  /// Beams first … first + count − 1 anew, the others as they were: one step of a scanning antenna, by LiveTracer::scan
+  /// and LiveRenderer::scan. Each step goes on with a change between levels as a frame does, so that it passes over the
+  /// beams that come next, and a turn later all of the picture is of one level.
+  const render::Frame& scan(const render::Pose& pose, std::size_t first_beam, std::size_t count);
 
   /// What the last pose asked for, and why: level 0 to be traced. What is shown follows over some frames.
   [[nodiscard]] const render::DetailChoice& choice() const { return choice_; }
-  /// Part of the last frame's power that comes from textures: 0 of a traced frame, 1 of one from textures.
+  /// Part of the last frame's power, or that of the last step's beams, that comes from textures: 0 where it is traced,
+  /// 1 from textures.
   [[nodiscard]] double textured_share() const { return textured_share_; }
   /// A few lines for people: render::explained, and what is shown meanwhile.
   [[nodiscard]] std::string explained() const;
 
  private:
   void choose(const render::Pose& pose);
-  const render::Frame& blended(const render::Frame& traced, const render::Frame& textured);
+  /// Numbers of a frame: some beams', or all.
+  struct Part {
+    std::size_t first = 0, count = 0;
+  };
+  /// Both with their shares.
+  void blend(const render::Frame& traced, const render::Frame& textured, Part part);
+  void copy(const render::Frame& shown, Part part);
+  /// Takes what was shown last, wherever it lies, for what the beams of a step are to be put into.
+  void keep();
 
   std::shared_ptr<render::LiveGround> ground_;
   LiveFlightSettings flight_;
   LiveTracer tracer_;
   render::LiveRenderer renderer_;
   render::DetailChoice choice_;
+  std::size_t beams_, numbers_a_beam_;
   double textured_share_ = 0.0;
   bool begun_ = false;
-  std::vector<float> powers_m2_;  // of frames of both
+  // What was shown last, unless it lies where the tracer or the renderer has it.
+  std::vector<float> powers_m2_;
   std::vector<std::complex<float>> amplitudes_m_;
   render::Frame frame_;
 };

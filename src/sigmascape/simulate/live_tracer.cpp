@@ -5,10 +5,12 @@
 #include <cmath>
 #include <complex>
 #include <fmt/format.h>
+#include <numbers>
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/curved_earth.h"
+#include "sigmascape/radar/distance_of_range.h"
 #include "sigmascape/radar/rectangle_parts.h"
 #include "sigmascape/render/frame_reach.h"
 #include "sigmascape/render/level_of_detail.h"
@@ -26,6 +28,8 @@ constexpr const char* name = "live tracer";
 /// Of ground in a frame: with what is kept of each, close to a gigabyte.
 constexpr double most_cells = 0x1p24;
 constexpr int coarsest_lattice_level = 23;
+/// From the edge of a beam echoes have a share in the next.
+constexpr double half_a_beam = 0.5;
 
 const render::LiveSettings& checked(const render::LiveSettings& settings) {
   render::check(settings, name);
@@ -83,82 +87,123 @@ LiveTracer::LiveTracer(const scene::Scene& scene, const trace::SceneGeometry& ge
 LiveTracer::~LiveTracer() = default;
 
 const render::Frame& LiveTracer::render(const render::Pose& pose) {
+  return scan(pose, 0, settings_.beams);
+}
+
+const render::Frame& LiveTracer::scan(const render::Pose& pose, std::size_t first_beam, std::size_t count) {
   render::check(pose, name);
+  first_beam = std::min(first_beam, settings_.beams);
+  const Beams beams{first_beam, std::min(count, settings_.beams - first_beam)};
   std::vector<radar::ShadowBox> boxes = boxes_of(pose);
   const bool goes_on = position_ == pose.position && frame_.grid == grid_of(settings_, pose) && boxes_ == boxes;
   // Of a call that is broken off nothing can be gone on with.
   position_.reset();
   if (!goes_on) begin(pose);
-  if (ground_) {
-    ground_->add_passes((tracing_.rays_per_cell - 1) / rays_a_pass + 1, pose.targets, pose.moment.time_s);
-  }
+  TracedGround* const ground = ground_of(pose, beams);
+  if (ground != nullptr)
+    ground->add_passes((tracing_.rays_per_cell - 1) / rays_a_pass + 1, pose.targets, pose.moment.time_s);
   position_ = pose.position;
   boxes_ = std::move(boxes);
-  std::ranges::fill(bins_, 0.0F);
-  if (ground_) show_ground(pose);
-  add_targets(pose);
+  frame_.report = {};
+  const std::size_t numbers_a_beam = settings_.ranges * render::numbers_a_bin(settings_.content);
+  std::ranges::fill(std::span(bins_).subspan(beams.first * numbers_a_beam, beams.count * numbers_a_beam), 0.0F);
+  if (ground != nullptr) show_ground(pose, *ground);
+  add_targets(pose, beams);
   return frame_;
 }
 
 void LiveTracer::begin(const render::Pose& pose) {
-  ground_.reset();
+  steps_.clear();
   frame_.grid = grid_of(settings_, pose);
-  frame_.report = {};
   if (settings_.content == render::FrameContent::Amplitudes) {
     frame_.amplitudes_m = {reinterpret_cast<const std::complex<float>*>(bins_.data()), bins_.size() / 2};
   } else {
     frame_.powers_m2 = bins_;
   }
   look_ = look_of(pose);
-  if (look_.sees_nothing()) return;
-  const double cell_m = lattice_.cell_m(lattice_level(look_));
-  if (const double cells = look_.area.width_m() * look_.area.height_m() / (cell_m * cell_m); cells > most_cells) {
+  if (look_.ground.is_empty()) return;
+  const double cell_m = lattice_cell_m();
+  const radar::Rectangle& area = look_.ground.area;
+  if (const double cells = area.width_m() * area.height_m() / (cell_m * cell_m); cells > most_cells) {
     throw Error(name, fmt::format("is to trace {:.2g} cells of {:.3g} m", cells, cell_m),
                 fmt::format("look at less ground or take wider bins, for at most {:.2g}; a wide area is for "
                             "render::LiveRenderer",
                             most_cells));
   }
-  ground_ =
-      std::make_unique<TracedGround>(TracedView{.scene = scene_,
-                                                .geometry = geometry_,
-                                                .surfaces = surfaces_,
-                                                .radar = look_.radar,
-                                                .bins = frame_.grid,
-                                                .area = look_.area,
-                                                .landing = look_.landing,
-                                                .cell_m = cell_m,
-                                                .max_bounces = tracing_.max_bounces,
-                                                .seed = settings_.seed,
-                                                .threads = settings_.threads,
-                                                .with_cells = settings_.content == render::FrameContent::Amplitudes});
+}
+
+TracedGround* LiveTracer::ground_of(const render::Pose& pose, Beams beams) {
+  if (beams.count == 0 || look_.ground.is_empty()) return nullptr;
+  if (const auto same = std::ranges::find(steps_, beams, &Step::beams); same != steps_.end()) return same->ground.get();
+  std::erase_if(steps_, [&](const Step& step) { return step.beams.overlap(beams); });
+  return steps_.emplace_back(beams, made_ground(pose, beams)).ground.get();
+}
+
+std::unique_ptr<TracedGround> LiveTracer::made_ground(const render::Pose& pose, Beams beams) const {
+  const bool with_cells = settings_.content == render::FrameContent::Amplitudes;
+  const double rim_beams = half_a_beam + (with_cells ? widest_cell_beams() : 0.0);
+  const Footprint ground = footprint(look_, pose, beams, rim_beams);
+  if (ground.is_empty()) return nullptr;
+  return std::make_unique<TracedGround>(TracedView{.scene = scene_,
+                                                   .geometry = geometry_,
+                                                   .surfaces = surfaces_,
+                                                   .radar = look_.radar,
+                                                   .bins = frame_.grid,
+                                                   .first_beam = beams.first,
+                                                   .beams = beams.count,
+                                                   .rim_beams = rim_beams,
+                                                   .area = ground.area,
+                                                   .landing = ground.landing,
+                                                   .cell_m = lattice_cell_m(),
+                                                   .max_bounces = tracing_.max_bounces,
+                                                   .seed = settings_.seed,
+                                                   .threads = settings_.threads,
+                                                   .with_cells = with_cells});
 }
 
 LiveTracer::Look LiveTracer::look_of(const render::Pose& pose) const {
-  const double width_rad = static_cast<double>(settings_.beams) * settings_.beam_step_rad;
-  const auto look_from = [&](Vec3d position) {
-    render::Pose from = pose;
-    from.position = position;
-    const auto [near_m, far_m] =
-        render::frame_reach(settings_, from, lowest_m_, highest_m_, radar::CurvedEarth::flat());
-    // Echoes are shared with bins half a bin away.
-    const double rim_m = settings_.range_step_m;
-    const radar::Rectangle under_bins = render::ground_under(
-        {position.x, position.y}, pose.first_azimuth_rad - 0.5 * settings_.beam_step_rad,
-        std::min(width_rad + settings_.beam_step_rad, 2.0 * pi), {std::max(near_m - rim_m, 0.0), far_m + rim_m});
-    const double layover_m =
-        (geometry_.highest_m() - lowest_m_) * std::max(position.z - lowest_m_, 0.0) / std::max(near_m, rim_m);
-    const radar::Rectangle area = radar::common_part(under_bins, scene_.extent);
-    const double late_m = trace::late_by_m(tallest_m_, trace::Viewpoint::located(position), area);
-    return Look{.radar = position,
-                .area = area,
-                .landing = radar::common_part(under_bins, radar::widened(scene_.extent, late_m + layover_m)),
-                .near_m = near_m,
-                .far_m = far_m};
-  };
-  const Look straight_on = look_from(pose.position);
-  if (straight_on.sees_nothing()) return straight_on;
-  return look_from(
-      radar::CurvedEarth{.refraction = settings_.refraction}.bent(pose.position, straight_on.area.centre()));
+  const Look straight_on = look_from(pose.position, pose);
+  if (straight_on.ground.is_empty()) return straight_on;
+  const radar::CurvedEarth earth{.refraction = settings_.refraction};
+  return look_from(earth.bent(pose.position, straight_on.ground.area.centre()), pose);
+}
+
+LiveTracer::Look LiveTracer::look_from(Vec3d radar, const render::Pose& pose) const {
+  render::Pose from = pose;
+  from.position = radar;
+  const auto [near_m, far_m] = render::frame_reach(settings_, from, lowest_m_, highest_m_, radar::CurvedEarth::flat());
+  Look look{.radar = radar, .near_m = near_m, .far_m = far_m, .ground = {}};
+  look.ground = footprint(look, pose, {0, settings_.beams}, half_a_beam);
+  return look;
+}
+
+LiveTracer::Footprint LiveTracer::footprint(const Look& look, const render::Pose& pose, Beams beams,
+                                            double rim_beams) const {
+  const auto first = static_cast<double>(beams.first), count = static_cast<double>(beams.count);
+  // Echoes are shared with bins half a bin away.
+  const double rim_m = settings_.range_step_m;
+  const radar::Rectangle under_bins = render::ground_under(
+      {look.radar.x, look.radar.y}, pose.first_azimuth_rad + (first - rim_beams) * settings_.beam_step_rad,
+      std::min((count + 2.0 * rim_beams) * settings_.beam_step_rad, 2.0 * pi),
+      {std::max(look.near_m - rim_m, 0.0), look.far_m + rim_m});
+  const double layover_m =
+      (geometry_.highest_m() - lowest_m_) * std::max(look.radar.z - lowest_m_, 0.0) / std::max(look.near_m, rim_m);
+  const radar::Rectangle area = radar::common_part(under_bins, scene_.extent);
+  const double late_m = trace::late_by_m(tallest_m_, trace::Viewpoint::located(look.radar), area);
+  return {.area = area, .landing = radar::common_part(under_bins, radar::widened(scene_.extent, late_m + layover_m))};
+}
+
+double LiveTracer::lattice_cell_m() const {
+  return lattice_.cell_m(lattice_level(look_));
+}
+
+double LiveTracer::widest_cell_beams() const {
+  const double nearest_m =
+      radar::distance_of_range_m(radar::CurvedEarth::flat(), look_.radar.z, lowest_m_,
+                                 std::max(frame_.grid.first_range_m - 0.5 * settings_.range_step_m, 0.0));
+  const double widest = std::numbers::sqrt2 * lattice_cell_m() / (nearest_m * settings_.beam_step_rad);
+  // Below the radar a cell lies in all of them.
+  return std::min(widest, static_cast<double>(settings_.beams));
 }
 
 int LiveTracer::lattice_level(const Look& look) const {
@@ -178,20 +223,21 @@ render::DetailQuestion LiveTracer::question(const render::Pose& pose) const {
   question.tallest_object_m = tallest_m_;
   const double sector_m2 = 0.5 * (look.far_m * look.far_m - look.near_m * look.near_m) *
                            static_cast<double>(settings_.beams) * settings_.beam_step_rad;
-  question.area_m2 = look.sees_nothing() ? 0.0 : std::min(sector_m2, look.area.width_m() * look.area.height_m());
+  const radar::Rectangle& area = look.ground.area;
+  question.area_m2 = look.ground.is_empty() ? 0.0 : std::min(sector_m2, area.width_m() * area.height_m());
   question.terrain_spacing_m = scene_.terrain.spacing_m;
   question.triangles_per_m2 = triangles_per_m2_;
   return question;
 }
 
-void LiveTracer::show_ground(const render::Pose& pose) {
-  const FramePasses& sums = ground_->bins();
-  frame_.report.cells = ground_->squares();
-  frame_.report.lit = ground_->answering();
+void LiveTracer::show_ground(const render::Pose& pose, const TracedGround& ground) {
+  const FramePasses& sums = ground.bins();
+  frame_.report.cells = ground.squares();
+  frame_.report.lit = ground.answering();
   frame_.report.rays_per_cell = sums.passes() * rays_a_pass;
   frame_.report.median_error_db = sums.median_error_db();
   if (settings_.content == render::FrameContent::Amplitudes) {
-    add_scatterers(*ground_,
+    add_scatterers(ground,
                    {.lattice = lattice_,
                     .level = lattice_level(look_),
                     .radar = pose.position,
@@ -200,14 +246,15 @@ void LiveTracer::show_ground(const render::Pose& pose) {
                    {reinterpret_cast<std::complex<float>*>(bins_.data()), bins_.size() / 2});
     return;
   }
-  for (std::size_t bin = 0; bin < settings_.beams * settings_.ranges; ++bin) {
+  const std::size_t first = ground.view().first_beam * settings_.ranges;
+  for (std::size_t bin = 0; bin < ground.view().beams * settings_.ranges; ++bin) {
     const radar::Channels rcs_m2 = sums.mean(bin);
     std::ranges::copy(std::array{rcs_m2.vv, rcs_m2.hh, rcs_m2.hv, rcs_m2.re_vvhh},
-                      bins_.begin() + static_cast<std::ptrdiff_t>(4 * bin));
+                      bins_.begin() + static_cast<std::ptrdiff_t>(4 * (first + bin)));
   }
 }
 
-void LiveTracer::add_targets(const render::Pose& pose) {
+void LiveTracer::add_targets(const render::Pose& pose, Beams beams) {
   targets_.look(pose.targets,
                 {.position = pose.position,
                  .first_azimuth_rad = pose.first_azimuth_rad,
@@ -218,9 +265,9 @@ void LiveTracer::add_targets(const render::Pose& pose) {
                 });
   frame_.report.targets = targets_.seen();
   if (settings_.content == render::FrameContent::Powers) {
-    targets_.add_powers(0, settings_.beams, bins_);
+    targets_.add_powers(beams.first, beams.count, bins_);
   } else {
-    targets_.add_amplitudes(0, settings_.beams,
+    targets_.add_amplitudes(beams.first, beams.count,
                             {reinterpret_cast<std::complex<float>*>(bins_.data()), bins_.size() / 2});
   }
 }

@@ -20,7 +20,7 @@ class TracedGround;
 /// What a traced frame needs to know besides its bins.
 struct LiveTraceSettings {
   double frequency_hz = 10e9;
-  /// Rays a lattice cell that each call of `render` adds, in whole passes of two.
+  /// Rays a lattice cell that each call of `render` or `scan` adds, in whole passes of two.
   std::uint32_t rays_per_cell = 8;
   int max_bounces = 8;
   /// Side of the finest lattice cells, doubled for a frame until its bins tell cells apart no more (cells_per_bin).
@@ -57,27 +57,61 @@ class LiveTracer {
   /// Throws Error for a radar that does not stand above all of the scene, bins that look at more ground than can be
   /// traced, or a bin that is too bright for its sums.
   const render::Frame& render(const render::Pose& pose);
+  /// Beams first … first + count − 1 anew, the others as they were: one step of a scanning antenna, traced as a frame
+  /// of those beams alone, whose report it has. Rays are added to those before where the pose is the same and so are
+  /// the beams, whichever others were asked for in between; beams that overlap with others end those.
+  ///
+  /// At one pose a turn in steps holds the bytes of a whole frame as far as echoes come straight back. Of paths of
+  /// several bounces a step has those that begin no farther beside it than trace::MultibounceReach says, as every frame
+  /// has, and with rays that are weighted by what else is traced: a turn lacks a few thousandths of the power, and its
+  /// noise is its own.
+  const render::Frame& scan(const render::Pose& pose, std::size_t first_beam, std::size_t count);
 
   /// What render::choose_detail is to be asked for such a frame, of this scene; what an atlas offers instead is the
   /// caller's to add (render::with_ground). Throws Error for a pose that is nowhere.
   [[nodiscard]] render::DetailQuestion question(const render::Pose& pose) const;
 
  private:
+  struct Beams {
+    std::size_t first = 0, count = 0;
+
+    [[nodiscard]] bool operator==(const Beams&) const = default;
+    [[nodiscard]] bool overlap(const Beams& other) const {
+      return first < other.first + other.count && other.first < first + count;
+    }
+  };
+  /// Ground that beams look at.
+  struct Footprint {
+    radar::Rectangle area;     ///< of the scene; nothing when its east lies west
+    radar::Rectangle landing;  ///< the same with what its things lay over
+
+    [[nodiscard]] bool is_empty() const { return !(area.east_m > area.west_m && area.north_m > area.south_m); }
+  };
   /// Where the bins of a pose look.
   struct Look {
-    Vec3d radar;               ///< from where lines of sight are straight
-    radar::Rectangle area;     ///< of the scene's ground; nothing when its east lies west
-    radar::Rectangle landing;  ///< the same with what its things lay over
+    Vec3d radar;  ///< from where lines of sight are straight
     double near_m = 0.0, far_m = 0.0;
-
-    [[nodiscard]] bool sees_nothing() const { return !(area.east_m > area.west_m && area.north_m > area.south_m); }
+    Footprint ground;  ///< of all beams
+  };
+  /// Beams that are traced together, call after call.
+  struct Step {
+    Beams beams;
+    std::unique_ptr<TracedGround> ground;  ///< none where they see nothing of the scene
   };
 
   [[nodiscard]] Look look_of(const render::Pose& pose) const;
+  [[nodiscard]] Look look_from(Vec3d radar, const render::Pose& pose) const;
+  [[nodiscard]] Footprint footprint(const Look& look, const render::Pose& pose, Beams beams, double rim_beams) const;
   [[nodiscard]] int lattice_level(const Look& look) const;
+  [[nodiscard]] double lattice_cell_m() const;
+  /// How many beams a cell of the lattice may be wide.
+  [[nodiscard]] double widest_cell_beams() const;
   void begin(const render::Pose& pose);
-  void show_ground(const render::Pose& pose);
-  void add_targets(const render::Pose& pose);
+  /// That of these beams, with what they have been brought since the pose is what it is.
+  [[nodiscard]] TracedGround* ground_of(const render::Pose& pose, Beams beams);
+  [[nodiscard]] std::unique_ptr<TracedGround> made_ground(const render::Pose& pose, Beams beams) const;
+  void show_ground(const render::Pose& pose, const TracedGround& ground);
+  void add_targets(const render::Pose& pose, Beams beams);
 
   const scene::Scene& scene_;
   const trace::SceneGeometry& geometry_;
@@ -94,7 +128,7 @@ class LiveTracer {
   std::optional<Vec3d> position_;
   Look look_;
   std::vector<radar::ShadowBox> boxes_;
-  std::unique_ptr<TracedGround> ground_;  // none where the bins see nothing of the scene
+  std::vector<Step> steps_;
 
   std::vector<float> bins_;  // [beam][range][number]
   render::Frame frame_;

@@ -20,13 +20,14 @@ trace::LaunchArea launch_for(const TracedView& view) {
   radar.position = view.radar;
   auto launch = launch_for_map(view.scene, view.geometry, radar, view.area, view.cell_m);
   // The area is the rectangle about a sector, which may be much larger.
-  const double half_width_rad = 0.5 * static_cast<double>(view.bins.azimuths) * view.bins.azimuth_step_rad;
-  trace::narrow_to(launch, {.radar = view.radar,
-                            .middle_azimuth_rad = view.bins.first_azimuth_rad + half_width_rad,
-                            .half_width_rad = half_width_rad + 0.5 * view.bins.azimuth_step_rad,
-                            .near_range_m = view.bins.first_range_m - view.bins.range_step_m,
-                            .far_range_m = view.bins.first_range_m +
-                                           static_cast<double>(view.bins.ranges + 1) * view.bins.range_step_m});
+  const double half = 0.5 * static_cast<double>(view.beams), step_rad = view.bins.azimuth_step_rad;
+  trace::narrow_to(
+      launch,
+      {.radar = view.radar,
+       .middle_azimuth_rad = view.bins.first_azimuth_rad + (static_cast<double>(view.first_beam) + half) * step_rad,
+       .half_width_rad = (half + view.rim_beams) * step_rad,
+       .near_range_m = view.bins.first_range_m - view.bins.range_step_m,
+       .far_range_m = view.bins.first_range_m + static_cast<double>(view.bins.ranges + 1) * view.bins.range_step_m});
   return launch;
 }
 
@@ -53,7 +54,7 @@ TracedGround::TracedGround(const TracedView& view)
     : view_(view),
       launch_(launch_for(view)),
       tracer_(view.geometry, view.surfaces, launch_.viewpoint, {.max_bounces = view.max_bounces}, view.seed),
-      bins_(view.bins.azimuths * view.bins.ranges),
+      bins_(view.beams * view.bins.ranges),
       cells_(block_over(view)),
       answers_(launch_.cells.size(), 0) {}
 
@@ -67,7 +68,7 @@ void TracedGround::add_passes(std::uint64_t count, std::span<const radar::Target
 }
 
 void TracedGround::add_pass(UnhiddenEchoes& unhidden) {
-  receiver::PowerBins pass(view_.bins.ranges, view_.bins.azimuths);
+  receiver::PowerBins pass(view_.bins.ranges, view_.beams);
   const auto sequence = static_cast<std::uint32_t>(bins_.passes());
   tracer_.trace_tiles(launch_, view_.threads, [&](trace::TilePaths& tile, unsigned worker) {
     std::vector<trace::PathStart> starts;
@@ -107,16 +108,21 @@ void TracedGround::add(const radar::Echo& echo, receiver::PowerBins& pass) {
   const Vec3d place = place_of(echo, view_.radar);
   if (!view_.scene.extent.contains({place.x, place.y})) return;
   const double beam = beam_of(echo.cross), range = (echo.range_m - view_.bins.first_range_m) / view_.bins.range_step_m;
-  pass.add_shared(range, beam, echo.rcs_m2);
-  const auto beams = static_cast<double>(view_.bins.azimuths);
-  if (goes_round(view_.bins)) {
-    if (beam < 0.5) pass.add_shared(range, beam + beams, echo.rcs_m2);
-    if (beam > beams - 0.5) pass.add_shared(range, beam - beams, echo.rcs_m2);
+  const auto first = static_cast<double>(view_.first_beam), count = static_cast<double>(view_.beams);
+  const double round = static_cast<double>(view_.bins.azimuths);
+  bool in_reach = false;
+  // Where beams go round, what lies beyond the last has its share in the first.
+  for (const double turn : {0.0, round, -round}) {
+    if (turn != 0.0 && !goes_round(view_.bins)) break;
+    const double row = beam + turn - first;
+    pass.add_shared(range, row, echo.rcs_m2);
+    in_reach = in_reach || (row > -view_.rim_beams && row < count + view_.rim_beams);
   }
-  if (!view_.with_cells) return;
-  const bool in_reach =
-      range > -0.5 && range < static_cast<double>(view_.bins.ranges) + 0.5 && beam > -0.5 && beam < beams + 0.5;
-  if (!in_reach) return;
+  if (view_.with_cells && in_reach && range > -0.5 && range < static_cast<double>(view_.bins.ranges) + 0.5)
+    add_to_cells(echo, place, beam, range);
+}
+
+void TracedGround::add_to_cells(const radar::Echo& echo, Vec3d place, double beam, double range) {
   const radar::LatticeCell cell = cell_at(landing_of(echo, place), view_.cell_m);
   const LatticeSums::Place middle = middle_of(cell);
   const double turns = view_.bins.azimuth_step_rad * (beam - middle.beam);

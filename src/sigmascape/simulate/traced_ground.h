@@ -29,9 +29,13 @@ struct TracedView {
   const scene::Scene& scene;
   const trace::SceneGeometry& geometry;
   const std::vector<scatter::SurfaceModel>& surfaces;
-  Vec3d radar;  ///< from where lines of sight are straight
-  radar::RangeAzimuthGrid bins;
-  radar::Rectangle area;     ///< of ground that the bins look at
+  Vec3d radar;                            ///< from where lines of sight are straight
+  radar::RangeAzimuthGrid bins;           ///< of the whole frame
+  std::size_t first_beam = 0, beams = 0;  ///< of them those that are traced
+  /// How far beside those an echo has a say in them, in beams: half of one, for echoes are shared between neighbours,
+  /// and with cells as much more as one is wide, for those that reach into a beam are needed whole.
+  double rim_beams = 0.5;
+  radar::Rectangle area;     ///< of ground that the beams look at
   radar::Rectangle landing;  ///< the same with what stands on it laid over beyond its edges: where echoes land
   double cell_m = 1.0;       ///< side of the squares that rays are aimed at, and of the scatterers' cells
   int max_bounces = 8;
@@ -40,7 +44,9 @@ struct TracedView {
   bool with_cells = false;  ///< whether to keep apart what lands on each cell of the scatterers' lattice
 };
 
-/// The ground of one view, traced in passes as often as wanted: bins and cells hold what all of them brought.
+/// The ground of one view, traced in passes as often as wanted: bins and cells hold what all of them brought. Of a beam
+/// they hold the same whether it is traced alone or among others, but for paths of several bounces, whose rays are
+/// weighted by what else is traced.
 class TracedGround {
  public:
   /// Throws Error for a radar that does not stand above the scene.
@@ -50,6 +56,7 @@ class TracedGround {
   void add_passes(std::uint64_t count, std::span<const radar::Target> targets, double time_s);
 
   [[nodiscard]] const TracedView& view() const { return view_; }
+  /// Of the beams that are traced, [beam][range].
   [[nodiscard]] const FramePasses& bins() const { return bins_; }
   [[nodiscard]] const LatticeSums& cells() const { return cells_; }
   /// Squares that rays are aimed at, and those of which anything came back.
@@ -61,6 +68,7 @@ class TracedGround {
  private:
   void add_pass(UnhiddenEchoes& unhidden);
   void add(const radar::Echo& echo, receiver::PowerBins& pass);
+  void add_to_cells(const radar::Echo& echo, Vec3d place, double beam, double range);
   /// Where on the ground someone who knows the ground alone takes an echo to come from.
   [[nodiscard]] Vec2d landing_of(const radar::Echo& echo, Vec3d place) const;
   [[nodiscard]] double beam_of(double azimuth_rad) const;

@@ -41,8 +41,12 @@ class ScattererRow {
 /// Bins of amplitudes, in which a scatterer is shared between four.
 class AmplitudeBins {
  public:
-  AmplitudeBins(const radar::RangeAzimuthGrid& grid, std::span<std::complex<float>> amplitudes_m)
-      : grid_(grid), goes_round_(goes_round(grid)), amplitudes_m_(amplitudes_m) {}
+  AmplitudeBins(const TracedView& view, std::span<std::complex<float>> amplitudes_m)
+      : grid_(view.bins),
+        goes_round_(goes_round(view.bins)),
+        first_beam_(static_cast<std::ptrdiff_t>(view.first_beam)),
+        end_beam_(static_cast<std::ptrdiff_t>(view.first_beam + view.beams)),
+        amplitudes_m_(amplitudes_m) {}
 
   void add(LatticeSums::Place place, const radar::ComplexChannels& amplitude) {
     const double beam = std::floor(place.beam - 0.5), range = std::floor(place.range - 0.5);
@@ -60,7 +64,7 @@ class AmplitudeBins {
   void add_to(std::ptrdiff_t beam, std::ptrdiff_t range, const radar::ComplexChannels& amplitude) {
     const auto beams = static_cast<std::ptrdiff_t>(grid_.azimuths), ranges = static_cast<std::ptrdiff_t>(grid_.ranges);
     if (goes_round_) beam = (beam % beams + beams) % beams;
-    if (beam < 0 || beam >= beams || range < 0 || range >= ranges) return;
+    if (beam < first_beam_ || beam >= end_beam_ || range < 0 || range >= ranges) return;
     auto* const bin = &amplitudes_m_[static_cast<std::size_t>((beam * ranges + range) * 4)];
     bin[0] += amplitude.vv;
     bin[1] += amplitude.hh;
@@ -70,6 +74,7 @@ class AmplitudeBins {
 
   const radar::RangeAzimuthGrid& grid_;
   bool goes_round_;
+  std::ptrdiff_t first_beam_, end_beam_;
   std::span<std::complex<float>> amplitudes_m_;
 };
 
@@ -79,7 +84,7 @@ void add_scatterers(const TracedGround& ground, const ScattererView& view,
                     std::span<std::complex<float>> amplitudes_m) {
   const LatticeBlock& block = ground.cells().block();
   const terrain::HeightField& terrain = ground.view().scene.terrain;
-  AmplitudeBins bins(ground.view().bins, amplitudes_m);
+  AmplitudeBins bins(ground.view(), amplitudes_m);
   const double of_one_pass = 1.0 / static_cast<double>(ground.bins().passes());
   for (std::size_t row = 0; row < block.rows; ++row) {
     const radar::LatticeCell first{block.first.column, block.first.row + static_cast<std::int32_t>(row)};

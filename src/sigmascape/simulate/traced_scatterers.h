@@ -18,7 +18,8 @@ struct ScattererView {
   double frequency_hz = 10e9;
 };
 
-/// Adds traced ground to bins, [beam][range][VV, HH, HV, VH] in metres, as one scatterer a cell of the lattice:
+/// Adds traced ground to its beams among the bins of a frame, [beam][range][VV, HH, HV, VH] in metres, as one scatterer
+/// a cell of the lattice:
 ///
 ///     a(bin) = Σ_cells √w(bin, cell) · √P(cell) ξ(cell) exp(−j 4π R(cell)/λ),   so that  E|a(bin)|² = Σ w P
 ///

@@ -17,6 +17,14 @@
 namespace sigmascape {
 namespace {
 
+/// Whether so many beams from that one on are the same to the byte, and not all dark.
+bool holds_beams_of(const sigmascape_frame& frame, const render::Frame& cpp, std::size_t first_beam,
+                    std::size_t count) {
+  const auto beams = cpp.amplitudes_m.subspan(first_beam * cpp.grid.ranges * 4, count * cpp.grid.ranges * 4);
+  return std::ranges::any_of(beams, [](auto a) { return std::norm(a) > 0.0F; }) &&
+         std::memcmp(frame.amplitudes_m + first_beam * cpp.grid.ranges * 8, beams.data(), beams.size_bytes()) == 0;
+}
+
 TEST(TracerFromC, GivesTheFrameOfTheCppInterface) {
   const ScratchFolder folder;
   const std::string file = end_to_end::write_made_scene(folder.path("town"), 160.0, 160.0).string();
@@ -60,8 +68,11 @@ TEST(TracerFromC, GivesTheFrameOfTheCppInterface) {
   EXPECT_EQ(frame.targets, 1U);
   EXPECT_EQ(frame.rays_per_cell, 8U);
 
-  EXPECT_NE(sigmascape_scan(tracer, &from, 0, 4, &frame), 0);
-  EXPECT_NE(std::string(sigmascape_last_error()).find("tracer"), std::string::npos);
+  ASSERT_EQ(sigmascape_set_targets(tracer, nullptr, 0), 0) << sigmascape_last_error();
+  const render::Frame& step = expected.scan(pose, 5, 4);
+  ASSERT_EQ(sigmascape_scan(tracer, &from, 5, 4, &frame), 0) << sigmascape_last_error();
+  EXPECT_EQ(frame.cells, step.report.cells);
+  EXPECT_TRUE(holds_beams_of(frame, step, 5, 4));
   sigmascape_free_renderer(tracer);
 }
 
@@ -102,7 +113,10 @@ TEST(FlightFromC, TracesWhatIsSeenCloselyAndLeavesTheRestToTextures) {
   EXPECT_EQ(sigmascape_textured_share(flight), 0.0);
   EXPECT_EQ(frame.rays_per_cell, 4U);
   EXPECT_EQ(std::memcmp(frame.amplitudes_m, cpp.amplitudes_m.data(), cpp.amplitudes_m.size_bytes()), 0);
-  EXPECT_NE(sigmascape_scan(flight, &from, 0, 4, &frame), 0);
+  const render::Frame& step = expected.scan(pose, 3, 4);
+  ASSERT_EQ(sigmascape_scan(flight, &from, 3, 4, &frame), 0) << sigmascape_last_error();
+  EXPECT_EQ(frame.cells, step.report.cells);
+  EXPECT_TRUE(holds_beams_of(frame, step, 0, 24)) << "others are left as they were";
   sigmascape_free_renderer(flight);
   EXPECT_LT(sigmascape_textured_share(nullptr), 0.0);
   EXPECT_EQ(sigmascape_make_flight(nullptr, nullptr, &settings, &tracing), nullptr);

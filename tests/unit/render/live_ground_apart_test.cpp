@@ -80,6 +80,49 @@ TEST(LiveGroundApart, BareGroundAnswersWithItsOwnAngleAndAreaAtEveryRange) {
   }
 }
 
+TEST(LiveGroundApart, BinsThatBeginBelowTheRadarShowTheGroundBeyond) {
+  const ScratchFolder folder;
+  ExampleGround example = bare_ground();
+  // A mast straight below.
+  example.obstacle = [](Vec2d p) {
+    return length(Vec3d{p.x, p.y, 0.0}) < 8.0 ? radar::Obstacle{.solid_top_m = 10.0F} : radar::Obstacle{};
+  };
+  const atlas::Store store = example.store(folder.path("atlas"));
+  atlas::Pyramid(store).make_above(store.units());
+  const auto ground = example.over(store);
+  LiveSettings settings;
+  settings.content = FrameContent::Powers;
+  settings.beams = 36;
+  settings.ranges = 40;
+  settings.beam_step_rad = 2.0 * pi / 36.0;
+  settings.range_step_m = 24.0;
+  settings.refraction = 1e9;
+  Pose pose;
+  pose.position = {example.middle().x, example.middle().y, 300.0};
+  pose.first_range_m = 0.0;
+  LiveRenderer renderer(ground, settings);
+  const Frame& frame = settled_frame(renderer, *ground, pose);
+  ASSERT_EQ(frame.report.dark, 0U);
+  // But for the last, which lack what lies beyond.
+  for (std::size_t range = 0; range + 4 < settings.ranges; range += 4) {
+    const double near_m = static_cast<double>(range) * settings.range_step_m,
+                 far_m = near_m + 4.0 * settings.range_step_m;
+    double sum = 0.0;
+    for (std::size_t beam = 0; beam < settings.beams; ++beam) {
+      for (std::size_t r = range; r < range + 4; ++r)
+        sum += static_cast<double>(frame.powers_m2[(beam * settings.ranges + r) * 4]);
+    }
+    // Up to the ground straight below there is air.
+    if (far_m < 300.0 - settings.range_step_m) {
+      EXPECT_EQ(sum, 0.0) << "up to " << far_m << " m";
+    }
+    if (near_m < 400.0) continue;
+    // ∫ γ (h/r) 2π r dr
+    const double expected = gamma * 300.0 * 2.0 * pi * (far_m - near_m);
+    EXPECT_NEAR(db_from_linear(sum / expected), 0.0, 0.05) << "from " << near_m << " m";
+  }
+}
+
 TEST(LiveGroundApart, AWallThrowsAShadowOfItsLength) {
   const ScratchFolder folder;
   ExampleGround example = bare_ground();

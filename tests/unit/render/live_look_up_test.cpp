@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <vector>
@@ -97,13 +98,13 @@ double tolerance(double texel_m, double bin_m) {
   return 5.0 * brightest * places + static_cast<double>(modulation) * evenness;
 }
 
-void expect_the_offline_look_up(const ExampleGround& example, const atlas::Store& store, double frequency_hz) {
-  atlas::Pyramid(store).make_above(store.units());
+void expect_the_offline_look_up(const ExampleGround& example, const atlas::Store& store, double frequency_hz,
+                                double azimuth_deg = 30.0) {
   const auto ground = example.over(store, frequency_hz);
   const atlas::Atlas atlas = atlas::load_atlas(store);
   for (const std::size_t level : {0U, 1U}) {
     const double times = static_cast<double>(1U << level);
-    const ExampleView view{.target = example.middle(), .bin_m = 12.0 * times};
+    const ExampleView view{.target = example.middle(), .azimuth_deg = azimuth_deg, .bin_m = 12.0 * times};
     LiveRenderer renderer(ground, view.settings(FrameContent::Powers));
     const Frame& frame = settled_frame(renderer, *ground, view.pose());
     ASSERT_EQ(frame.report.level, level);
@@ -118,7 +119,7 @@ void expect_the_offline_look_up(const ExampleGround& example, const atlas::Store
     ASSERT_LT(allowed, 0.025);
     EXPECT_NEAR(mean_of(live) / mean, 1.0, allowed / 5.0);
     for (std::size_t i = 0; i < live.size(); ++i) {
-      EXPECT_NEAR(live[i] / mean, offline[i] / mean, allowed) << "level " << level << ", block " << i;
+      EXPECT_NEAR(live[i] / mean, offline[i] / mean, allowed) << azimuth_deg << "°, level " << level << ", block " << i;
     }
   }
 }
@@ -126,7 +127,24 @@ void expect_the_offline_look_up(const ExampleGround& example, const atlas::Store
 TEST(LiveLookUp, HasThePowerOfTheOfflineOneAtTwoLevels) {
   const ScratchFolder folder;
   const ExampleGround example = wavy_ground();
-  expect_the_offline_look_up(example, example.store(folder.path("atlas")), 10e9);
+  const atlas::Store store = example.store(folder.path("atlas"));
+  atlas::Pyramid(store).make_above(store.units());
+  expect_the_offline_look_up(example, store, 10e9);
+}
+
+TEST(LiveLookUp, BlendsAzimuthsAsTheOfflineOneDoesAllRound) {
+  const ScratchFolder folder;
+  ExampleGround example = wavy_ground();
+  // Baked from north, east, south and west, each unlike its neighbours.
+  example.pattern = [](const radar::Look& look, Vec2d) {
+    constexpr std::array<float, 4> brightness{1.0F, 6.0F, 2.0F, 16.0F};
+    return brightness.at(static_cast<std::size_t>(std::lround(look.aspect.azimuth_rad / (pi / 2.0))));
+  };
+  const atlas::Store store = example.store(folder.path("atlas"));
+  atlas::Pyramid(store).make_above(store.units());
+  // Between the last azimuth and north; with north, or another baked azimuth, in the middle of the beams; elsewhere.
+  for (const double azimuth_deg : {350.0, 285.0, 358.0, 0.0, 1.5, 60.0, 90.0, 137.0, 268.0})
+    expect_the_offline_look_up(example, store, 10e9, azimuth_deg);
 }
 
 TEST(LiveLookUp, BlendsTwoBakedFrequenciesByTheLogarithm) {
@@ -139,6 +157,7 @@ TEST(LiveLookUp, BlendsTwoBakedFrequenciesByTheLogarithm) {
     return look.frequency_hz < 10e9 ? waves(from_middle.x) : 4.0F * waves(from_middle.y);
   };
   const atlas::Store store = example.store(folder.path("atlas"));
+  atlas::Pyramid(store).make_above(store.units());
   expect_the_offline_look_up(example, store, between_hz);
 
   // The offline one against paper: the middle of a texel, at a baked aspect.

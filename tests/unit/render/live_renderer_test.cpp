@@ -114,6 +114,74 @@ TEST_F(LiveRendererTest, GivesTheSameBytesForAnyNumberOfThreads) {
   EXPECT_TRUE(std::ranges::equal(first.amplitudes_m, second.amplitudes_m));
 }
 
+/// Hills with a pattern on them, houses and crowns in rows, and ground of its own.
+ExampleGround town_on_hills() {
+  ExampleGround ground = level_ground();
+  ground.height_m = [](Vec2d p) { return 25.0 * std::sin(0.021 * p.x + 0.006 * p.y) * std::cos(0.017 * p.y); };
+  ground.pattern = [](const radar::Look& look, Vec2d p) {
+    return 1.0F + 0.5F * static_cast<float>(std::sin(0.05 * p.x + look.aspect.azimuth_rad));
+  };
+  ground.bare_sigma0 = [](const radar::Look& look) { return constant_gamma(0.03, look); };
+  ground.obstacle = [](Vec2d p) -> radar::Obstacle {
+    const double column = std::fmod(std::abs(p.x), 90.0), row = std::fmod(std::abs(p.y), 70.0);
+    if (column < 12.0 && row < 12.0) return {.solid_top_m = 14.0F};
+    if (column > 40.0 && column < 60.0 && row < 30.0)
+      return {.crown_base_m = 4.0F, .crown_top_m = 12.0F, .crown_extinction_per_m = 0.1F};
+    return {};
+  };
+  return ground;
+}
+
+/// Points, boxes that throw shadows over one another's beams, and a mover that fluctuates.
+std::vector<radar::Target> many_targets(Vec2d middle) {
+  std::vector<radar::Target> targets;
+  for (int i = 0; i < 600; ++i) {
+    radar::Target target;
+    const Vec3d place{middle.x - 450.0 + 1.5 * i, middle.y - 300.0 + static_cast<double>(i * 37 % 600), 30.0};
+    target.track = radar::Track::straight(place, {3.0, -2.0, 0.0});
+    target.rcs_m2 = radar::Channels{20.0F, 10.0F, 1.0F, 5.0F};
+    if (i % 6 == 0) target.size_m = {20.0, 10.0, 24.0};
+    if (i % 10 == 0) target.fluctuation = radar::Swerling::Case1;
+    target.seed = static_cast<std::uint64_t>(i);
+    targets.push_back(target);
+  }
+  return targets;
+}
+
+TEST_F(LiveRendererTest, GivesTheSameBytesOfHillsObstaclesAndTargetsForAnyNumberOfThreads) {
+  const ScratchFolder folder;
+  const ExampleGround example = town_on_hills();
+  const atlas::Store store = example.store(folder.path("atlas"));
+  atlas::Pyramid(store).make_above(store.units());
+  const auto ground = example.over(store);
+  ExampleView view;
+  // Groups of 64 beams, so that there is something to share out.
+  view.beams = 200;
+  view.ranges = 96;
+  view.bin_m = 6.0;
+  const std::vector<radar::Target> targets = many_targets(view.target);
+  Pose pose = view.pose();
+  pose.targets = targets;
+  pose.moment.time_s = 2.0;
+  for (const FrameContent content : {FrameContent::Powers, FrameContent::Amplitudes}) {
+    std::vector<float> powers;
+    std::vector<std::complex<float>> amplitudes;
+    for (const unsigned threads : {1U, 2U, 3U}) {
+      LiveRenderer renderer(ground, view.settings(content, threads));
+      const Frame& frame = settled_frame(renderer, *ground, pose);
+      ASSERT_EQ(frame.report.coarse + frame.report.dark + frame.report.coarse_obstacles, 0U);
+      ASSERT_LT(frame.report.lit, frame.report.cells) << "something is hidden";
+      ASSERT_GT(frame.report.targets, 300U);
+      if (threads == 1) {
+        powers.assign(frame.powers_m2.begin(), frame.powers_m2.end());
+        amplitudes.assign(frame.amplitudes_m.begin(), frame.amplitudes_m.end());
+      }
+      EXPECT_TRUE(std::ranges::equal(frame.powers_m2, powers)) << threads << " threads";
+      EXPECT_TRUE(std::ranges::equal(frame.amplitudes_m, amplitudes)) << threads << " threads";
+    }
+  }
+}
+
 TEST_F(LiveRendererTest, AScanFillsTheFrameBeamByBeam) {
   const auto ground = level_ground().over(*store_);
   const ExampleView view;

@@ -4,9 +4,12 @@
 #include <cmath>
 #include <filesystem>
 #include <gtest/gtest.h>
+#include <memory>
 #include <numeric>
+#include <vector>
 
 #include "live_ground_example.h"
+#include "unit/terrain/round_hills.h"
 
 #include "sigmascape/atlas/pyramid.h"
 #include "sigmascape/terrain/pyramid_builder.h"
@@ -97,6 +100,33 @@ std::shared_ptr<terrain::TerrainPyramid> walls(std::uint32_t tiles_a_side, std::
         return std::shared_ptr<const terrain::HeightTile>(tile);
       },
       budget_bytes);
+}
+
+TEST(LiveTerrainSlopes, AreThoseOfRoundHillsUnderEveryTexel) {
+  const terrain::RoundHills hills;
+  const LiveTerrain ground(std::shared_ptr<terrain::TerrainPyramid>(
+                               new terrain::TerrainPyramid(terrain::pyramid_in_memory(hills.field(1800, 1600)))),
+                           std::size_t{1} << 20U);
+  for (const double texel_m : {5.0, 10.0, 20.0}) {
+    const radar::GroundGrid texels{.west_m = 100.0, .north_m = 1500.0, .cell_m = texel_m, .columns = 256, .rows = 256};
+    const int level = ground.level_for(texel_m);
+    ASSERT_GE(level, 1);
+    std::vector<terrain::PackedSlope> slopes(texels.columns * texels.rows);
+    ground.fill_slopes(texels, slopes);
+    double worst = 0.0;
+    for (std::size_t row = 0; row < texels.rows; ++row) {
+      for (std::size_t column = 0; column < texels.columns; ++column) {
+        const Vec2d expected = hills.slope_at(texels.centre_of(column, row));
+        const terrain::PackedSlope found = slopes[row * texels.columns + column];
+        constexpr auto per_unit = static_cast<double>(terrain::PackedSlope::steps_per_unit);
+        worst = std::max(
+            {worst, std::abs(found.east / per_unit - expected.x), std::abs(found.north / per_unit - expected.y)});
+      }
+    }
+    // Packed once more.
+    const double half_a_step = 0.5 / static_cast<double>(terrain::PackedSlope::steps_per_unit);
+    EXPECT_LT(worst, hills.slope_error(level) + half_a_step) << "texels of " << texel_m << " m";
+  }
 }
 
 TEST_F(LiveTerrainTest, MayBeFarLargerThanMemory) {

@@ -127,6 +127,51 @@ TEST_F(LiveFlightTest, NoStepShowsWhereTracingEnds) {
   }
 }
 
+TEST_F(LiveFlightTest, AScanFillsTheFrameBeamByBeam) {
+  for (const FrameContent content : {FrameContent::Powers, FrameContent::Amplitudes}) {
+    for (const double times : {1.5, 4.0}) {
+      const render::Pose here = pose(times);
+      LiveFlight at_once = flight(content), scanning = flight(content);
+      at_once.render(here);
+      scanning.render(pose(times + 0.01));
+      ground_->wait_until_loaded();
+      // A flight that has traced once adds rays.
+      LiveFlight fresh = flight(content);
+      const std::vector<double> whole = powers_of(times < 2.0 ? fresh.render(here) : at_once.render(here));
+      const render::Frame* swept = nullptr;
+      for (std::size_t beam = 0; beam < 24; beam += 7) swept = &scanning.scan(here, beam, 7);
+      EXPECT_EQ(scanning.textured_share(), times < 2.0 ? 0.0 : 1.0);
+      EXPECT_TRUE(powers_of(*swept) == whole) << times;
+    }
+  }
+}
+
+TEST_F(LiveFlightTest, AScanPassesFromTracingToTexturesStepByStep) {
+  const render::Pose near = pose(1.9), far = pose(3.0);
+  for (const FrameContent content : {FrameContent::Powers, FrameContent::Amplitudes}) {
+    LiveTracer tracer(scene_, *geometry_, bins(content),
+                      {.frequency_hz = 10e9, .rays_per_cell = 2, .lattice_m = example_.texel_m});
+    render::LiveRenderer renderer(ground_, bins(content));
+    renderer.render(far);
+    ground_->wait_until_loaded();
+    const std::vector<double> textured = powers_of(renderer.render(far)), traced = powers_of(tracer.render(far));
+    LiveFlight live = flight(content);
+    const std::vector<double> before = powers_of(live.render(near));
+    const std::size_t beams_a_step = 24 / frames_a_change, numbers_a_step = before.size() / frames_a_change;
+    for (int step = 0; step < frames_a_change; ++step) {
+      const auto number = static_cast<std::size_t>(step);
+      const std::vector<double> shown = powers_of(live.scan(far, number * beams_a_step, beams_a_step));
+      EXPECT_NEAR(live.textured_share(), (step + 1.0) / frames_a_change, 1e-12);
+      for (std::size_t i = 0; i < shown.size(); ++i) {
+        const std::size_t drawn_in = i / numbers_a_step;
+        const double share = (static_cast<double>(drawn_in) + 1.0) / frames_a_change;
+        const double wanted = drawn_in > number ? before[i] : (1.0 - share) * traced[i] + share * textured[i];
+        ASSERT_NEAR(shown[i], wanted, 1e-5 * (std::abs(traced[i]) + std::abs(textured[i]))) << step << ", " << i;
+      }
+    }
+  }
+}
+
 TEST_F(LiveFlightTest, WhatIsInUseIsKeptNearWhereTheChoiceChanges) {
   LiveFlight from_near = flight(FrameContent::Powers), from_afar = flight(FrameContent::Powers);
   for (const double times : {1.9, 2.1, 1.9, 2.1}) {

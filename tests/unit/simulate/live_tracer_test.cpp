@@ -208,6 +208,115 @@ TEST_F(LiveTracerTest, ThreadsAndCallsDoNotMatter) {
   }
 }
 
+radar::Target target_at(Vec3d position, float rcs_m2, Vec3d size_m = {}) {
+  radar::Target target;
+  target.track = radar::Track::straight(position);
+  target.rcs_m2 = radar::Channels{rcs_m2, rcs_m2, 0.0F, rcs_m2};
+  target.size_m = size_m;
+  return target;
+}
+
+/// All that a frame has in its bins.
+std::vector<float> numbers_of(const render::Frame& frame) {
+  std::vector<float> numbers(frame.powers_m2.begin(), frame.powers_m2.end());
+  for (const std::complex<float>& amplitude : frame.amplitudes_m)
+    numbers.insert(numbers.end(), {amplitude.real(), amplitude.imag()});
+  return numbers;
+}
+
+/// A turn of the antenna by so many beams a step.
+std::vector<float> swept(LiveTracer& tracer, const render::Pose& pose, std::size_t beams, std::size_t a_step) {
+  const render::Frame* frame = nullptr;
+  for (std::size_t beam = 0; beam < beams; beam += a_step) frame = &tracer.scan(pose, beam, a_step);
+  return numbers_of(*frame);
+}
+
+TEST_F(LiveTracerTest, AScanFillsTheFrameBeamByBeam) {
+  const std::vector<radar::Target> targets{target_at({0.0, -16.0, 9.0}, 100.0F),
+                                           target_at({9.0, 5.0, 12.0}, 1.0F, {9, 9, 9})};
+  render::Pose pose = bins_.pose();
+  pose.targets = targets;
+  for (const FrameContent content : {FrameContent::Powers, FrameContent::Amplitudes}) {
+    for (const std::size_t a_step : {std::size_t{5}, std::size_t{8}, bins_.count}) {
+      render::LiveSettings settings = bins_.settings(content);
+      // What comes straight back: houses with their layover and shadows.
+      const LiveTraceSettings straight{.rays_per_cell = 4, .max_bounces = 1, .lattice_m = 1.0};
+      LiveTracer at_once(scene_, geometry_, settings, straight);
+      settings.threads = a_step == 5 ? 1 : 3;
+      LiveTracer scanning(scene_, geometry_, settings, straight);
+      for (int turn = 0; turn < 2; ++turn) {
+        const std::vector<float> whole = numbers_of(at_once.render(pose));
+        EXPECT_TRUE(swept(scanning, pose, bins_.count, a_step) == whole) << a_step << " a step, turn " << turn;
+      }
+    }
+  }
+}
+
+TEST_F(LiveTracerTest, AScanAllRoundHasNoSeamEither) {
+  render::LiveSettings settings = bins_.settings(FrameContent::Amplitudes);
+  settings.beams = 30;
+  settings.ranges = 10;
+  settings.beam_step_rad = 2.0 * pi / 30.0;
+  settings.range_step_m = 2.0;
+  render::Pose pose;
+  pose.position = {0.0, 0.0, 60.0};
+  pose.first_azimuth_rad = 0.3;
+  // From the roofs below the radar on, where a cell reaches over several beams.
+  pose.first_range_m = 53.0;
+  for (const FrameContent content : {FrameContent::Powers, FrameContent::Amplitudes}) {
+    settings.content = content;
+    const LiveTraceSettings straight{.rays_per_cell = 4, .max_bounces = 1, .lattice_m = 1.0};
+    LiveTracer at_once(scene_, geometry_, settings, straight), scanning(scene_, geometry_, settings, straight);
+    const std::vector<float> whole = numbers_of(at_once.render(pose));
+    EXPECT_TRUE(swept(scanning, pose, settings.beams, 7) == whole);
+  }
+}
+
+TEST_F(LiveTracerTest, AScanHasThePowerOfTheFrameWhateverTheBounces) {
+  LiveTracer at_once = tracer(FrameContent::Powers, 256), scanning = tracer(FrameContent::Powers, 256);
+  const render::Frame& frame = at_once.render(bins_.pose());
+  const std::vector<float> steps = swept(scanning, bins_.pose(), bins_.count, 4);
+  // Steps of 8 m lack what begins more than 16 m beside them.
+  EXPECT_NEAR(10.0 * std::log10(total(steps) / total(frame.powers_m2)), 0.0, 0.02);
+  std::vector<double> differences;
+  for (std::size_t bin = 0; bin < bins_.count * bins_.count; ++bin) {
+    const double whole = sum_of_bin(frame.powers_m2, bin);
+    if (whole > 0.0) differences.push_back(std::abs(sum_of_bin(steps, bin) / whole - 1.0));
+  }
+  std::ranges::sort(differences);
+  // What the rays leave open in each of the two.
+  const double error = std::pow(10.0, 0.1 * frame.report.median_error_db) - 1.0;
+  EXPECT_LT(differences[differences.size() / 2], error);
+}
+
+TEST_F(LiveTracerTest, AStepOfAScanLeavesTheOtherBeams) {
+  LiveTracer live = tracer(FrameContent::Powers, 2);
+  const std::vector<float> before = numbers_of(live.render(bins_.pose()));
+  const std::size_t a_beam = 4 * bins_.count;
+  render::Pose moved = bins_.pose();
+  moved.position.x += 3.0;
+  const render::Frame& frame = live.scan(moved, 6, 5);
+  const std::vector<float> after = numbers_of(frame);
+  for (std::size_t beam = 0; beam < bins_.count; ++beam) {
+    const auto first = static_cast<std::ptrdiff_t>(beam * a_beam), end = first + static_cast<std::ptrdiff_t>(a_beam);
+    const bool alike = std::equal(before.begin() + first, before.begin() + end, after.begin() + first);
+    EXPECT_EQ(alike, beam < 6 || beam >= 11) << beam;
+  }
+  LiveTracer whole = tracer(FrameContent::Powers, 2);
+  EXPECT_LT(frame.report.cells, whole.render(moved).report.cells) << "only ground under and beside the beams";
+  EXPECT_EQ(numbers_of(live.scan(moved, bins_.count + 3, 4)), after) << "no beam, and nothing new";
+}
+
+TEST_F(LiveTracerTest, StepsThatComeAgainAddRays) {
+  LiveTracer live = tracer(FrameContent::Powers, 4);
+  const render::Pose pose = bins_.pose();
+  EXPECT_EQ(live.scan(pose, 0, 8).report.rays_per_cell, 4U);
+  EXPECT_EQ(live.scan(pose, 8, 8).report.rays_per_cell, 4U);
+  EXPECT_EQ(live.scan(pose, 0, 8).report.rays_per_cell, 8U) << "another step in between";
+  EXPECT_EQ(live.scan(pose, 4, 8).report.rays_per_cell, 4U) << "it overlaps with both";
+  EXPECT_EQ(live.scan(pose, 0, 8).report.rays_per_cell, 4U);
+}
+
 TEST_F(LiveTracerTest, ScatterersStayWhileRaysAreAdded) {
   LiveTracer live = tracer(FrameContent::Amplitudes, 8);
   const auto first = live.render(bins_.pose()).amplitudes_m;
@@ -252,14 +361,6 @@ TEST_F(LiveTracerTest, OnePassTellsNothingOfItsError) {
   LiveTracer live = tracer(FrameContent::Powers, 2);
   EXPECT_TRUE(std::isinf(live.render(bins_.pose()).report.median_error_db));
   EXPECT_TRUE(std::isfinite(live.render(bins_.pose()).report.median_error_db));
-}
-
-radar::Target target_at(Vec3d position, float rcs_m2, Vec3d size_m = {}) {
-  radar::Target target;
-  target.track = radar::Track::straight(position);
-  target.rcs_m2 = radar::Channels{rcs_m2, rcs_m2, 0.0F, rcs_m2};
-  target.size_m = size_m;
-  return target;
 }
 
 TEST_F(LiveTracerTest, TargetsAnswerWhereTheSceneLetsThemBeSeen) {

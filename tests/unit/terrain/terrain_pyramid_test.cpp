@@ -11,6 +11,7 @@
 
 #include "scratch_folder.h"
 #include "unit/geo/ascii_grid.h"
+#include "unit/terrain/round_hills.h"
 
 #include "sigmascape/terrain/pyramid_builder.h"
 #include "sigmascape/terrain/terrain_window.h"
@@ -172,6 +173,25 @@ TEST(TerrainWindow, SlopesAreThoseOfThePlane) {
   const PackedSlope slope = view.slope[40 * view.columns + 50];
   EXPECT_NEAR(slope.east / PackedSlope::steps_per_unit, 0.1F, 1e-3F);
   EXPECT_NEAR(slope.north / PackedSlope::steps_per_unit, 0.25F, 1e-3F);
+}
+
+TEST(TerrainWindow, SlopesOfHillsChangeEvenlyBetweenNodes) {
+  const RoundHills hills;
+  TerrainPyramid pyramid = pyramid_in_memory(hills.field(600, 500));
+  for (const int level : {1, 2}) {
+    TerrainWindow window(500);
+    window.fill(pyramid, {-500.0, 0.0, 1500.0, 1500.0}, level, std::nullopt, TileWait::Load);
+    const TerrainView view = window.view();
+    ASSERT_EQ(view.spacing_m, 5.0 * (1 << level));
+    double worst = 0.0;
+    for (double x = -400.0; x < 1400.0; x += 17.3) {
+      for (double y = 100.0; y < 1400.0; y += 19.7) {
+        const Vec2d found = slope_at(view, {x, y}), expected = hills.slope_at({x, y});
+        worst = std::max({worst, std::abs(found.x - expected.x), std::abs(found.y - expected.y)});
+      }
+    }
+    EXPECT_LT(worst, hills.slope_error(level)) << "level " << level;
+  }
 }
 
 class PyramidOnDisk : public ::testing::Test {
