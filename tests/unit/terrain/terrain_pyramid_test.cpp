@@ -180,7 +180,7 @@ TEST(TerrainWindow, SlopesOfHillsChangeEvenlyBetweenNodes) {
   TerrainPyramid pyramid = pyramid_in_memory(hills.field(600, 500));
   for (const int level : {1, 2}) {
     TerrainWindow window(500);
-    window.fill(pyramid, {-500.0, 0.0, 1500.0, 1500.0}, level, std::nullopt, TileWait::Load);
+    window.fill(pyramid, {-500.0, 0.0, 1500.0, 1500.0}, level, TileWait::Load);
     const TerrainView view = window.view();
     ASSERT_EQ(view.spacing_m, 5.0 * (1 << level));
     double worst = 0.0;
