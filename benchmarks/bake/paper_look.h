@@ -40,7 +40,7 @@ class PaperLooks {
   [[nodiscard]] trace::LaunchArea area_of(const radar::Aspect& aspect) const;
   /// Number of launch cells over those of the whole look.
   [[nodiscard]] double part_of(const radar::Aspect& aspect) const;
-  [[nodiscard]] bake::LookBaker& baker() { return *baker_; }
+  [[nodiscard]] trace::SceneGeometry& geometry() { return baker_->geometry_about(texels_); }
   [[nodiscard]] const bake::BakeSettings& settings() const { return settings_; }
   [[nodiscard]] const radar::GroundGrid& texels() const { return texels_; }
 

@@ -77,7 +77,6 @@ class BakeRun {
         claims_(store.folder()) {}
 
   BakeReport report() {
-    report_.geometry_bytes = baker_.geometry_bytes();
     const std::vector<OpenJob> open = open_jobs();
     std::vector<OpenJob> held_by_others;
     tell_progress();
@@ -88,6 +87,7 @@ class BakeRun {
     make_levels_above();
     atlas::mend_catalogs(store_, share_.scrutiny, [this](std::size_t number) { return share_.shard.has(number); });
     report_.relative_standard_error = mean_error();
+    report_.geometry_bytes = baker_.geometry_bytes();
     return report_;
   }
 

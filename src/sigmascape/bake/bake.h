@@ -27,7 +27,7 @@ struct BakeReport {
   std::size_t elsewhere = 0;  ///< that another process baked in the meantime
   std::size_t pyramid = 0;    ///< textures written of the pyramid above the patches
   trace::TraceCounts counts;
-  std::size_t geometry_bytes = 0;
+  std::size_t geometry_bytes = 0;        ///< of the largest structures for rays that were needed at a time
   double relative_standard_error = 0.0;  ///< root mean square over the baked looks of a level-0 texel's
   /// Texels of the baked looks that missed the target of the bake; none are counted when it had no target.
   atlas::TexelsAboveTarget above_target = {};
@@ -41,8 +41,9 @@ struct BakeReport {
 /// A bake that was broken off goes on where it stopped: looks that are there already are left as they are. Any number
 /// of processes and machines may bake into one folder at once, shards of it or the whole: one that comes to a look that
 /// another is at goes on to the next, and at the end waits for it. The same scene and settings give the same bytes for
-/// any number of threads, any shards and any interruption (under one SIMD setting). The scene is
-/// in memory as a whole, of the patches only the one that is being baked.
+/// any number of threads, any shards and any interruption (under one SIMD setting). The scene's
+/// description is in memory as a whole; of what rays need and of texels there is only what the patch that is being
+/// baked takes.
 ///
 /// Throws Error for settings out of range and when another scene or other settings are in `folder`.
 BakeReport bake(const scene::Scene& scene, const BakeSettings& settings, const std::filesystem::path& folder,

@@ -14,6 +14,7 @@
 #include "sigmascape/receiver/ground_accumulator.h"
 #include "sigmascape/scene/obstacle_raster.h"
 #include "sigmascape/terrain/obstacle_sweep.h"
+#include "sigmascape/trace/late_by.h"
 #include "sigmascape/trace/tile_progress.h"
 
 namespace sigmascape::bake {
@@ -49,8 +50,36 @@ LookBaker::LookBaker(const scene::Scene& scene, const BakeSettings& settings)
     : scene_(scene),
       settings_(settings),
       footing_(footing_of(scene, settings)),
-      geometry_(scene, footing_),
+      heights_(trace::heights_of(scene, footing_)),
+      occupied_(scene::occupied_extent(scene)),
+      tallest_m_(scene::tallest_object_m(scene)),
       surfaces_(trace::surface_models(scene, settings.aspects.frequencies_hz)) {}
+
+trace::SceneGeometry& LookBaker::geometry_about(const radar::GroundGrid& texels) const {
+  trace::Surroundings around = surroundings_of(texels);
+  // Of what lies close together all patches need everything.
+  if (common_part(occupied_, radar::widened(around.place, around.near_m)) == occupied_)
+    around = trace::Surroundings::everything();
+  if (!local_ || local_->around != around) {
+    local_.reset();  // before the next takes memory
+    local_.emplace(around, trace::SceneGeometry(scene_, footing_, around));
+    geometry_bytes_ = std::max(geometry_bytes_, local_->geometry.memory_bytes());
+  }
+  return local_->geometry;
+}
+
+trace::Surroundings LookBaker::surroundings_of(const radar::GroundGrid& texels) const {
+  const double lowest_rad = std::ranges::min(settings_.aspects.elevations_rad);
+  const radar::Rectangle target = radar::common_part(texels.extent(), scene_.extent);
+  const auto flattest = trace::Viewpoint::distant({0.0, lowest_rad});
+  // Rays are launched by whole tiles.
+  const double tile_m = settings_.patches.texel_m * trace::tile_side_cells;
+  const double before_m = trace::late_by_m(tallest_m_, flattest, target) + 2.0 * tile_m;
+  return {.place = radar::widened(target, before_m),
+          .near_m = trace::farthest_bounce_m,
+          .least_slope = std::tan(lowest_rad),
+          .lowest_m = heights_.lowest_m};
+}
 
 Array2D<float> LookBaker::terrain_gains(const radar::GroundGrid& texels, const radar::Aspect& aspect) const {
   const TerrainHorizon horizon(aspect, scene_.terrain, std::min(texels.cell_m, scene_.terrain.spacing_m));
@@ -67,7 +96,7 @@ Array2D<float> LookBaker::terrain_gains(const radar::GroundGrid& texels, const r
 }
 
 radar::AnsweringTops LookBaker::tops_of(const radar::GroundGrid& texels) const {
-  const std::size_t margin = radar::layover_squares(scene::tallest_object_m(scene_), texels.cell_m);
+  const std::size_t margin = radar::layover_squares(tallest_m_, texels.cell_m);
   const double margin_m = static_cast<double>(margin) * texels.cell_m;
   const radar::GroundGrid about{texels.west_m - margin_m, texels.north_m + margin_m, texels.cell_m,
                                 texels.columns + 2 * margin, texels.rows + 2 * margin};
@@ -82,9 +111,9 @@ trace::LaunchArea LookBaker::area_of(const radar::GroundGrid& texels, const rada
   // The scene ends where its extent does; beyond a rim about it texels stay black.
   const auto viewpoint = trace::Viewpoint::distant(aspect);
   const radar::Rectangle target = radar::common_part(texels.extent(), scene_.extent);
-  auto area = trace::launch_area(viewpoint, target, settings_.patches.texel_m, geometry_.lowest_m(),
-                                 geometry_.highest_m() + 1.0, trace::multibounce_reach(scene_, viewpoint, target),
-                                 trace::tile_side_cells);
+  auto area =
+      trace::launch_area(viewpoint, target, settings_.patches.texel_m, heights_.lowest_m, heights_.highest_m + 1.0,
+                         trace::multibounce_reach(scene_, viewpoint, target), trace::tile_side_cells);
   trace::spare_rays(area, scene_, footing_);
   return area;
 }
@@ -98,7 +127,7 @@ std::vector<BakedLook> LookBaker::bake(atlas::PatchIndex patch, const radar::Asp
 std::vector<BakedLook> LookBaker::bake(const radar::GroundGrid& texels, const trace::LaunchArea& area,
                                        const radar::Aspect& aspect, ProgressListener& progress) const {
   const auto viewpoint = trace::Viewpoint::distant(aspect);
-  const trace::PathTracer tracer(geometry_, surfaces_, viewpoint, {.max_bounces = settings_.max_bounces},
+  const trace::PathTracer tracer(geometry_about(texels), surfaces_, viewpoint, {.max_bounces = settings_.max_bounces},
                                  settings_.seed);
 
   std::vector<receiver::GroundAccumulator> accumulators;

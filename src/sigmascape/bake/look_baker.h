@@ -13,6 +13,7 @@
 #include "sigmascape/trace/launch.h"
 #include "sigmascape/trace/path_tracer.h"
 #include "sigmascape/trace/scene_geometry.h"
+#include "sigmascape/trace/scene_heights.h"
 
 namespace sigmascape::bake {
 
@@ -25,8 +26,8 @@ struct BakedLook {
   trace::TraceCounts counts;             ///< of all frequencies together, with the first of them
 };
 
-/// Bakes single looks of one scene, one at a time. What all looks share is made once: the structures for rays, and the
-/// surface models of every frequency.
+/// Bakes single looks of one scene, one at a time. What looks share is made once: the surface models of every frequency
+/// for all, the structures for rays for those of one patch.
 ///
 /// Objects that stand on their own terrain are baked with its slopes and ridges, but without its shadows, which are
 /// made when a map is rendered (render::GroundRenderer): what a texel returns is divided by the part of it that the
@@ -48,10 +49,14 @@ class LookBaker {
   /// or bounce into them.
   [[nodiscard]] trace::LaunchArea area_of(const radar::GroundGrid& texels, const radar::Aspect& aspect) const;
 
-  [[nodiscard]] trace::SceneGeometry& geometry() { return geometry_; }
-  [[nodiscard]] std::size_t geometry_bytes() const { return geometry_.memory_bytes(); }
+  /// What rays can meet that matters to such texels, whatever the look: made when other texels need something else.
+  /// docs/decisions/0129-geometry-by-the-patch.md.
+  trace::SceneGeometry& geometry_about(const radar::GroundGrid& texels) const;
+  /// Of the largest so far.
+  [[nodiscard]] std::size_t geometry_bytes() const { return geometry_bytes_; }
 
  private:
+  [[nodiscard]] trace::Surroundings surroundings_of(const radar::GroundGrid& texels) const;
   /// What each texel is multiplied by to take the terrain's shadow on it out.
   [[nodiscard]] Array2D<float> terrain_gains(const radar::GroundGrid& texels, const radar::Aspect& aspect) const;
   /// Of these texels, with regard to what stands about them.
@@ -60,10 +65,18 @@ class LookBaker {
   const scene::Scene& scene_;
   const BakeSettings& settings_;
   trace::Footing footing_;
-  trace::SceneGeometry geometry_;
+  trace::SceneHeights heights_;
+  radar::Rectangle occupied_;
+  double tallest_m_;
   trace::SpectralSurfaces surfaces_;
   /// Of the patch that was baked last, for its looks come one after another.
-  mutable std::optional<radar::AnsweringTops> tops_;
+  struct Local {
+    trace::Surroundings around;
+    trace::SceneGeometry geometry;
+  };
+  mutable std::optional<Local> local_;
+  mutable std::size_t geometry_bytes_ = 0;
+  mutable std::optional<radar::AnsweringTops> tops_;  // of the same patch
 };
 
 }  // namespace sigmascape::bake

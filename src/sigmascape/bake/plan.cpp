@@ -51,6 +51,8 @@ class Trials {
     const auto& azimuths = settings_.aspects.azimuths_rad;
     const radar::Aspect aspect{azimuths[3 * elevation % azimuths.size()], settings_.aspects.elevations_rad[elevation]};
     const atlas::PatchIndex patch = piece_.patches.patch_at(scene_.extent.centre());
+    // All looks of a patch share it: it is not a look's time.
+    (void)baker_.geometry_about(piece_.patches.texels_of(patch));
     const auto begin = std::chrono::steady_clock::now();
     SilentProgress silent;
     const BakedLook look = baker_.bake(patch, aspect, silent).front();

@@ -16,7 +16,7 @@
 namespace sigmascape::scene {
 namespace {
 
-constexpr double smallest_scale = 0.1, largest_scale = 2.0;
+constexpr double smallest_scale = 0.1, largest_scale = 5.0;
 constexpr std::uint32_t broadleaf_prototypes = 4, conifer_prototypes = 2;
 
 std::size_t nearest_power_of_two(double count) {

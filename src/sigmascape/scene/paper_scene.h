@@ -12,7 +12,7 @@ namespace sigmascape::scene {
 enum class PaperMaterials { Paper, Itu };
 
 struct PaperSceneOptions {
-  double scale = 1.0;  ///< side over the paper's 2 km, 0.1 to 2
+  double scale = 1.0;  ///< side over the paper's 2 km, 0.1 to 5
   std::uint64_t seed = 1;
   PaperMaterials materials = PaperMaterials::Paper;
 };

@@ -116,6 +116,31 @@ MaterialIndex Scene::material_index(const scatter::Material& material) {
   return static_cast<MaterialIndex>(materials.size() - 1);
 }
 
+Buildings part_of(const Buildings& buildings, std::span<const std::uint32_t> numbers) {
+  constexpr std::uint32_t absent = ~0U;
+  const Mesh& all = buildings.mesh;
+  Buildings part;
+  part.mesh.name = all.name;
+  std::vector<std::uint32_t> number_in_part(all.vertices.size(), absent);
+  for (const std::uint32_t number : numbers) {
+    Building building = buildings.items[number];
+    const std::uint32_t first = building.first_vertex;
+    building.first_vertex = static_cast<std::uint32_t>(part.mesh.vertices.size());
+    for (std::uint32_t i = 0; i < building.vertex_count; ++i) {
+      number_in_part[first + i] = building.first_vertex + i;
+      part.mesh.vertices.push_back(all.vertices[first + i]);
+    }
+    part.items.push_back(building);
+  }
+  for (std::size_t t = 0; t < all.triangles.size(); ++t) {
+    const auto& [a, b, c] = all.triangles[t];
+    if (number_in_part[a] == absent) continue;
+    part.mesh.triangles.push_back({number_in_part[a], number_in_part[b], number_in_part[c]});
+    part.mesh.materials.push_back(all.materials[t]);
+  }
+  return part;
+}
+
 void shift(Scene& scene, Vec2d offset) {
   const auto east = static_cast<float>(offset.x), north = static_cast<float>(offset.y);
   auto& extent = scene.extent;
@@ -147,6 +172,21 @@ std::vector<float> prototype_tops_m(const Scene& scene) {
   return tops;
 }
 
+std::vector<float> prototype_radii_m(const Scene& scene) {
+  std::vector<float> radii;
+  for (const Mesh& prototype : scene.prototypes) {
+    radii.push_back(0.0F);
+    for (const Vec3f& vertex : prototype.vertices)
+      radii.back() = std::max(radii.back(), std::hypot(vertex.x, vertex.y));
+  }
+  for (const Crown& crown : scene.crowns) {
+    const auto& [centre, radii_m] = crown.shape;
+    float& radius = radii[crown.prototype];
+    radius = std::max(radius, std::hypot(centre.x, centre.y) + std::max(radii_m.x, radii_m.y));
+  }
+  return radii;
+}
+
 double tallest_object_m(const Scene& scene) {
   const std::vector<float> prototype_top = prototype_tops_m(scene);
   float tallest = top_m(scene.buildings.mesh);
@@ -164,12 +204,7 @@ radar::Rectangle occupied_extent(const Scene& scene) {
   };
   for (const Vec3f& vertex : scene.buildings.mesh.vertices)
     take_in(static_cast<double>(vertex.x), static_cast<double>(vertex.y), 0.0);
-  std::vector<float> radii;
-  for (const Mesh& prototype : scene.prototypes) {
-    radii.push_back(0.0F);
-    for (const Vec3f& vertex : prototype.vertices)
-      radii.back() = std::max(radii.back(), std::hypot(vertex.x, vertex.y));
-  }
+  const std::vector<float> radii = prototype_radii_m(scene);
   for (const Instance& instance : scene.instances) {
     const float radius = radii[instance.prototype] * std::max(instance.scale.x, instance.scale.y);
     take_in(static_cast<double>(instance.x_m), static_cast<double>(instance.y_m), static_cast<double>(radius));

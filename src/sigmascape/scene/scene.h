@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -81,6 +82,9 @@ struct PointTarget {
   radar::Channels rcs_m2;
 };
 
+/// Those of the buildings whose numbers among `items` are given, in that order, with what of the mesh is theirs.
+[[nodiscard]] Buildings part_of(const Buildings& buildings, std::span<const std::uint32_t> numbers);
+
 /// Something that was left out or mended while reading a scene.
 struct Remark {
   std::string what;  ///< "self-crossing footprints repaired"
@@ -116,6 +120,9 @@ void shift(Scene& scene, Vec2d offset);
 
 /// The same of each prototype of a scene, its crown included.
 [[nodiscard]] std::vector<float> prototype_tops_m(const Scene& scene);
+
+/// How far each prototype of a scene reaches from its origin over the ground, unscaled, its crown included.
+[[nodiscard]] std::vector<float> prototype_radii_m(const Scene& scene);
 
 /// Height of the tallest thing above its ground, in metres: what decides how far shadows and layover reach.
 [[nodiscard]] double tallest_object_m(const Scene& scene);

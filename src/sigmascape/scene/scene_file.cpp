@@ -119,7 +119,7 @@ std::optional<PaperSceneOptions> read_paper_options(const TomlSection& root) {
   const auto section = root.section("paper");
   if (!section) return std::nullopt;
   PaperSceneOptions options;
-  options.scale = section->number_or("scale", {0.1, 2.0, ""}, options.scale);
+  options.scale = section->number_or("scale", {0.1, 5.0, ""}, options.scale);
   options.seed = static_cast<std::uint64_t>(section->whole_number_or("seed", {0, 1e15, ""}, 1));
   options.materials =
       section->choice_or("materials", {"paper", "itu"}, "paper") == "itu" ? PaperMaterials::Itu : PaperMaterials::Paper;

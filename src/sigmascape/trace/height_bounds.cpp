@@ -25,18 +25,15 @@ struct Hull {
 };
 
 std::vector<Hull> hulls_of(const scene::Scene& scene) {
+  const std::vector<float> radii = scene::prototype_radii_m(scene);
   std::vector<Hull> hulls(scene.prototypes.size());
   for (std::size_t i = 0; i < hulls.size(); ++i) {
-    for (const Vec3f& v : scene.prototypes[i].vertices) {
-      hulls[i].radius_m = std::max(hulls[i].radius_m, std::hypot(v.x, v.y));
-      widen(hulls[i].heights, {v.z, v.z});
-    }
+    hulls[i].radius_m = radii[i];
+    for (const Vec3f& v : scene.prototypes[i].vertices) widen(hulls[i].heights, {v.z, v.z});
   }
   for (const scene::Crown& crown : scene.crowns) {
     const auto& [centre, radii_m] = crown.shape;
-    Hull& hull = hulls[crown.prototype];
-    hull.radius_m = std::max(hull.radius_m, std::hypot(centre.x, centre.y) + std::max(radii_m.x, radii_m.y));
-    widen(hull.heights, {centre.z - radii_m.z, centre.z + radii_m.z});
+    widen(hulls[crown.prototype].heights, {centre.z - radii_m.z, centre.z + radii_m.z});
   }
   return hulls;
 }

@@ -9,8 +9,6 @@ namespace {
 
 /// Between slopes of bare ground, and among the lowest things.
 constexpr double least_m = 32.0;
-/// In San Francisco 0.3 % of what several bounces return begins farther away (docs/physics/estimator.md).
-constexpr double most_m = 1024.0;
 /// Of the distance before. Ends that lie apart across the line of sight are apart along it, too.
 constexpr double part_beside = 0.5;
 
@@ -28,7 +26,7 @@ double lowest_sine_of_grazing(const Viewpoint& viewpoint, const radar::Rectangle
 }  // namespace
 
 double late_by_m(double tallest_m, const Viewpoint& viewpoint, const radar::Rectangle& target) {
-  return std::clamp(tallest_m / lowest_sine_of_grazing(viewpoint, target), least_m, most_m);
+  return std::clamp(tallest_m / lowest_sine_of_grazing(viewpoint, target), least_m, farthest_bounce_m);
 }
 
 MultibounceReach multibounce_reach(const scene::Scene& scene, const Viewpoint& viewpoint,

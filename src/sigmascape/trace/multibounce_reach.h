@@ -8,6 +8,10 @@
 
 namespace sigmascape::trace {
 
+/// Paths of several bounces that go farther than this are left out where that saves something: in San Francisco 0.3 %
+/// of what several bounces return begins so far away (docs/physics/estimator.md).
+inline constexpr double farthest_bounce_m = 1024.0;
+
 /// How far from where their echoes land paths of several bounces may begin.
 ///
 /// The way between its ends makes an echo late: it lands behind both ends as the radar sees it, never before them.

@@ -70,8 +70,11 @@ void in_packets(std::size_t count, const RayAt& ray_at, const Trace& trace) {
 }  // namespace
 
 SceneGeometry::SceneGeometry(const scene::Scene& scene, Footing footing)
+    : SceneGeometry(scene, footing, Surroundings::everything()) {}
+
+SceneGeometry::SceneGeometry(const scene::Scene& scene, Footing footing, const Surroundings& around)
     : structures_(std::make_unique<SceneStructures>()) {
-  structures_->build(scene, footing);
+  structures_->build(scene, footing, around);
 }
 
 SceneGeometry::~SceneGeometry() = default;

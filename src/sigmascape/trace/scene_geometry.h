@@ -7,6 +7,7 @@
 #include "sigmascape/scene/scene.h"
 #include "sigmascape/trace/crown_crossings.h"
 #include "sigmascape/trace/ray_log.h"
+#include "sigmascape/trace/surroundings.h"
 
 namespace sigmascape::trace {
 
@@ -36,13 +37,15 @@ struct SceneStructures;
 class SceneGeometry {
  public:
   SceneGeometry(const scene::Scene& scene, Footing footing);
+  /// Of what matters alone to paths that begin in a place: memory goes by that, not by the scene.
+  SceneGeometry(const scene::Scene& scene, Footing footing, const Surroundings& around);
   ~SceneGeometry();
   SceneGeometry(SceneGeometry&&) noexcept;
   SceneGeometry& operator=(SceneGeometry&&) noexcept;
 
   [[nodiscard]] Footing footing() const;
   [[nodiscard]] Vec3d origin() const;
-  /// Heights between which everything lies.
+  /// Heights between which everything of the scene lies.
   [[nodiscard]] double lowest_m() const;
   [[nodiscard]] double highest_m() const;
 

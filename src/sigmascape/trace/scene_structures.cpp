@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "sigmascape/base/error.h"
+#include "sigmascape/trace/ground_within.h"
+#include "sigmascape/trace/scene_heights.h"
 
 namespace sigmascape::trace {
 namespace {
@@ -73,29 +76,52 @@ std::vector<std::uint32_t> neighbours_in_a_row(const scene::Scene& scene) {
   return numbers;
 }
 
+/// Numbers of the buildings that matter.
+std::vector<std::uint32_t> buildings_held(const scene::Buildings& buildings, Footing footing,
+                                          const Surroundings& around) {
+  std::vector<std::uint32_t> numbers;
+  for (std::uint32_t number = 0; number < buildings.items.size(); ++number) {
+    const scene::Building& building = buildings.items[number];
+    const auto vertices = std::span(buildings.mesh.vertices).subspan(building.first_vertex, building.vertex_count);
+    const Vec3f first = vertices.empty() ? Vec3f{} : vertices.front();
+    float radius_m = 0.0F, top_m = first.z;
+    for (const Vec3f& vertex : vertices) {
+      radius_m = std::max(radius_m, std::hypot(vertex.x - first.x, vertex.y - first.y));
+      top_m = std::max(top_m, vertex.z);
+    }
+    const float base_m = footing == Footing::Terrain ? building.footing_m : 0.0F;
+    if (around.hold({first.x, first.y}, static_cast<double>(radius_m), static_cast<double>(base_m + top_m)))
+      numbers.push_back(number);
+  }
+  return numbers;
+}
+
 void add_to_sum(void* sum, ssize_t bytes) {
   static_cast<std::atomic<std::int64_t>*>(sum)->fetch_add(bytes);
 }
 
 }  // namespace
 
-void SceneStructures::build(const scene::Scene& scene, Footing on) {
+void SceneStructures::build(const scene::Scene& scene, Footing on, const Surroundings& around) {
   footing = on;
   crowns = scene.crowns;
-  ground = scene.ground;
+  const auto highest_ground_m = static_cast<double>(on == Footing::Terrain ? scene.terrain.highest_m() : 0.0F);
+  const radar::Rectangle within = around.reach(highest_ground_m);
+  ground = ground_within(scene.ground, within);
+  const SceneHeights heights = heights_of(scene, footing);
+  lowest_m = heights.lowest_m;
+  highest_m = heights.highest_m;
   const Vec2d centre = scene.extent.centre();
   origin = {centre.x, centre.y, 0.0};
   open_device();
   top = rtcNewScene(device);
   if (footing == Footing::Terrain) {
-    lowest_m = scene.terrain.lowest_m();
-    highest_m = scene.terrain.highest_m();
     rtcSetSceneFlags(top, RTC_SCENE_FLAG_ROBUST);
-    add_terrain(scene.terrain);
+    add_terrain(ground_within(scene.terrain, within));
   }
-  add_buildings(scene.buildings);
+  add_buildings(scene.buildings, around);
   add_prototypes(scene.prototypes);
-  add_instances(scene);
+  add_instances(scene, around);
   rtcCommitScene(top);
   check();
 }
@@ -181,6 +207,12 @@ void SceneStructures::add_terrain(const terrain::HeightField& field) {
   attach(geometry, {});
 }
 
+void SceneStructures::add_buildings(const scene::Buildings& source, const Surroundings& around) {
+  const std::vector<std::uint32_t> held = buildings_held(source, footing, around);
+  const bool is_all = held.size() == source.items.size();
+  add_buildings(is_all ? source : scene::part_of(source, held));
+}
+
 void SceneStructures::add_buildings(const scene::Buildings& source) {
   if (source.mesh.triangles.empty()) return;
   std::vector<Vec3f> vertices = source.mesh.vertices;
@@ -189,8 +221,6 @@ void SceneStructures::add_buildings(const scene::Buildings& source) {
     for (std::uint32_t i = 0; i < building.vertex_count; ++i) {
       Vec3f& vertex = vertices[building.first_vertex + i];
       vertex = {static_cast<float>(vertex.x - origin.x), static_cast<float>(vertex.y - origin.y), vertex.z + base};
-      highest_m = std::max(highest_m, static_cast<double>(vertex.z));
-      lowest_m = std::min(lowest_m, static_cast<double>(vertex.z));
     }
   }
   BuildingBlocks squares = trace::building_blocks(source, vertices);
@@ -254,14 +284,16 @@ void SceneStructures::attach_crown(RTCScene prototype, scene::Crown& crown) {
   rtcReleaseGeometry(geometry);
 }
 
-void SceneStructures::add_instances(const scene::Scene& scene) {
-  const std::vector<float> tops = scene::prototype_tops_m(scene);
+void SceneStructures::add_instances(const scene::Scene& scene, const Surroundings& around) {
+  const std::vector<float> tops = scene::prototype_tops_m(scene), radii = scene::prototype_radii_m(scene);
   for (const std::uint32_t number : neighbours_in_a_row(scene)) {
     const scene::Instance& instance = scene.instances[number];
     const float c = std::cos(instance.yaw_rad), s = std::sin(instance.yaw_rad);
     const double base = footing == Footing::Terrain ? scene.terrain.height_at({instance.x_m, instance.y_m}) : 0.0;
     const float z = static_cast<float>(base) + instance.lift_m;
     const Vec3f k = instance.scale;
+    const float top_m = z + tops[instance.prototype] * k.z, radius_m = radii[instance.prototype] * std::max(k.x, k.y);
+    if (!around.hold({instance.x_m, instance.y_m}, static_cast<double>(radius_m), static_cast<double>(top_m))) continue;
     // Yaw turns clockwise.
     const std::array<float, 12> transform{k.x * c,
                                           -k.x * s,
@@ -281,7 +313,6 @@ void SceneStructures::add_instances(const scene::Scene& scene) {
                                 .sin_yaw = s,
                                 .inverse_scale = {1.0F / k.x, 1.0F / k.y, 1.0F / k.z},
                                 .inverse_volume_scale = 1.0F / (k.x * k.y * k.z)}});
-    highest_m = std::max(highest_m, static_cast<double>(z + tops[instance.prototype] * k.z));
   }
 }
 

@@ -9,6 +9,7 @@
 #include "sigmascape/trace/placement.h"
 #include "sigmascape/trace/ray_packet.h"
 #include "sigmascape/trace/scene_geometry.h"
+#include "sigmascape/trace/surroundings.h"
 
 namespace sigmascape::trace {
 
@@ -43,7 +44,7 @@ struct SceneStructures {
   SceneStructures(const SceneStructures&) = delete;
   SceneStructures& operator=(const SceneStructures&) = delete;
 
-  void build(const scene::Scene& scene, Footing on);
+  void build(const scene::Scene& scene, Footing on, const Surroundings& around);
 
   std::atomic<std::int64_t> memory{0};
   RTCDevice device = nullptr;
@@ -78,13 +79,14 @@ struct SceneStructures {
                                   const std::vector<Vec3f>& vertices) const;
   void attach(RTCGeometry geometry, const Part& part);
   void add_terrain(const terrain::HeightField& field);
+  void add_buildings(const scene::Buildings& source, const Surroundings& around);
   void add_buildings(const scene::Buildings& source);
   void add(const BuildingBlock& block);
   /// `transform` column by column: where the prototype's x, y and z axes go, then its origin.
   void add_instance(RTCScene prototype, const std::array<float, 12>& transform, const Part& part);
   void add_prototypes(const std::vector<scene::Mesh>& meshes);
   void attach_crown(RTCScene prototype, scene::Crown& crown);
-  void add_instances(const scene::Scene& scene);
+  void add_instances(const scene::Scene& scene, const Surroundings& around);
 };
 
 }  // namespace sigmascape::trace

@@ -289,6 +289,34 @@ TEST(LookBaker, ATowerSeveralPatchesAwayShadesThisOne) {
   for (double y = shadow_m + 3.0; y < 4090.0; y += 8.0) EXPECT_NEAR(power_at({1.0, y}), open, 1e-3 * open) << y;
 }
 
+/// A strip of level ground, 20 km long, with a box every 40 m.
+scene::Scene long_street() {
+  scene::Scene scene = scene_with_block();
+  scene.extent = {-256.0, -512.0, 256.0, 19'968.0};
+  scene.terrain = {-1024.0, 20'992.0, 22'016.0, Array2D<float>(2, 2, 0.0F)};
+  scene.ground.grid = {.west_m = -1024.0, .north_m = 20'992.0, .cell_m = 22'016.0, .columns = 1, .rows = 1};
+  scene.prototypes = {scene::box_mesh({8, 8, 6}, 0)};
+  scene.instances.clear();
+  for (float y = -500.0F; y < 19'960.0F; y += 40.0F) scene.instances.push_back({.y_m = y});
+  return scene;
+}
+
+TEST(LookBaker, RaysNeedOnlyWhatStandsAboutAPatch) {
+  const scene::Scene scene = long_street();
+  const BakeSettings settings = settings_with({.samples_per_texel = 4});
+  const LookBaker baker(scene, settings);
+  const auto bytes_about = [&](double y) {
+    return baker.geometry_about(settings.patches.texels_of(settings.patches.patch_at({1.0, y}))).memory_bytes();
+  };
+  const std::size_t whole = trace::SceneGeometry(scene, trace::Footing::LevelPlane).memory_bytes();
+  const std::size_t in_the_middle = bytes_about(9'000.0);
+  EXPECT_LT(in_the_middle, whole / 2);
+  EXPECT_NEAR(static_cast<double>(bytes_about(14'000.0)), static_cast<double>(in_the_middle),
+              0.1 * static_cast<double>(in_the_middle));
+  EXPECT_GE(baker.geometry_bytes(), in_the_middle);
+  EXPECT_LT(baker.geometry_bytes(), whole / 2);
+}
+
 // Its top lies over to h · tan 5° = 28.5 m before its foot, here into the patch before it.
 TEST(LookBaker, ATowerOfTheNextPatchLiesOverIntoThisOne) {
   scene::Scene scene = scene_with_tower();
