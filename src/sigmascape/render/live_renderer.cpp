@@ -349,7 +349,7 @@ void LiveRenderer::look_ahead_at_pages(const PageCache::View& there, const Pose&
     const double azimuth =
         pose.first_azimuth_rad + static_cast<double>((first + done) % settings_.beams) * settings_.beam_step_rad;
     const Sector sector(azimuth, static_cast<double>(here) * settings_.beam_step_rad, grid.near_m, far_m());
-    add_forecast(there, ground_->pages().source(), {radar, sector, level, ground_m}, wanted_);
+    add_forecast({there, ground_->stand_in()}, ground_->pages().source(), {radar, sector, level, ground_m}, wanted_);
   }
 }
 

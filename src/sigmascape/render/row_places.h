@@ -14,6 +14,7 @@ struct PageHeights {
   double texel_m = 1.0;
   double west_m = 0.0, north_m = 0.0;  ///< from the radar: west edge of column 0, middle of the row
   std::size_t first_column = 0;        ///< of the row's first texel, in the finer columns of `levels_up`
+  std::size_t last_column = 0;         ///< of the page
   std::size_t levels_up = 0;
 };
 

@@ -65,7 +65,7 @@ void hand_over_beam(float* __restrict own, std::size_t count, float* __restrict 
 
 SectorTask::SectorTask(const FrameParts& parts)
     : parts_(parts),
-      pages_(parts.ground.coarsest_level()),
+      pages_(parts.ground.stand_in()),
       stride_(odd_lines(parts.settings)),
       own_bins_(beams_together(parts.settings.beam_step_rad) * stride_ * numbers_a_bin(parts.settings.content) / 16) {}
 
@@ -180,14 +180,15 @@ void SectorTask::place_scatterers(const Place& place) {
 
 PageHeights SectorTask::heights_of(const PageRow& ground) const {
   const GroundPage& page = *ground.page;
-  const radar::GroundGrid texels = atlas::texels_of(patches(), page.key.tile);
+  const radar::GroundGrid texels = page.texels(patches());
   return {.row = page.row_heights(ground.row),
           .north_row = page.row_heights(ground.row > 0 ? ground.row - 1 : 0),
-          .south_row = page.row_heights(std::min(ground.row + 1, atlas::tile_side - 1)),
+          .south_row = page.row_heights(std::min(ground.row + 1, page.side - 1)),
           .texel_m = texels.cell_m,
           .west_m = texels.west_m - pose_->position.x,
           .north_m = texels.centre_of(0, ground.row).y - pose_->position.y,
           .first_column = ground.first_column,
+          .last_column = page.side - 1,
           .levels_up = ground.levels_up};
 }
 
@@ -206,7 +207,7 @@ Horizon SectorTask::horizon() const {
 
 void SectorTask::light_apart_from(const PageRow& ground) {
   constexpr float per_step = 1.0F / terrain::PackedSlope::steps_per_unit;
-  const std::size_t row = ground.row * atlas::tile_side;
+  const std::size_t row = ground.row * ground.page->side;
   for (std::size_t i = 0; i < row_.count; ++i) {
     const std::size_t texel = row + ground.column_of(i);
     row_.slope_east[i] = static_cast<float>(ground.page->slope[texel].east) * per_step;
