@@ -90,6 +90,7 @@ LiveRenderer::LiveRenderer(std::shared_ptr<LiveGround> ground, const LiveSetting
       team_(settings.threads),
       visible_{VisibleGround(settings.visibility, team_.size()), VisibleGround(settings.visibility, team_.size())},
       horizon_of_{&visible_[0].horizon(), &visible_[0].horizon()},
+      terrain_of_{&occluders_[0].terrain, &occluders_[0].terrain},
       targets_({.frequency_hz = ground_->frequency_hz(),
                 .beams = settings.beams,
                 .ranges = settings.ranges,
@@ -101,8 +102,8 @@ LiveRenderer::LiveRenderer(std::shared_ptr<LiveGround> ground, const LiveSetting
   }
   bins_.resize(settings.beams * settings.ranges * numbers_a_bin(settings.content));
   for (unsigned worker = 0; worker < team_.size(); ++worker)
-    tasks_.push_back(
-        std::make_unique<SectorTask>(FrameParts{*ground_, settings_, lattice_, horizon_of_, shadows_, bounds_, bins_}));
+    tasks_.push_back(std::make_unique<SectorTask>(
+        FrameParts{*ground_, settings_, lattice_, horizon_of_, terrain_of_, shadows_, bounds_, bins_}));
   // The tasks' and, after them, what lies ahead.
   wanted_.reserve(PageRows::most_wanted * (team_.size() + 1));
   wanted_terrain_.reserve(most_wanted_terrain);
@@ -268,6 +269,7 @@ void LiveRenderer::find_visible_ground(const FrameViews& there, const Pose& pose
   const auto level = static_cast<std::size_t>(levels.level - 1), next = static_cast<std::size_t>(levels.next - 1);
   const bool alike = terrain_level(level) == terrain_level(next);
   horizon_of_ = {&visible_[0].horizon(), &visible_[alike ? 0 : 1].horizon()};
+  terrain_of_ = {&occluders_[0].terrain, &occluders_[alike ? 0 : 1].terrain};
   // Tasks look half a beam beyond their own.
   const std::size_t first_edge = beams.first - std::min<std::size_t>(beams.first, 1);
   const std::size_t edges = std::min(beams.end + 1, settings_.beams) - first_edge + 1;

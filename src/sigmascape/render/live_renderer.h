@@ -167,6 +167,7 @@ class LiveRenderer {
   ObstacleMosaic obstacles_;
   std::array<ObstacleMosaic, 2> obstacles_before_;  // the bins
   std::array<const HorizonMap*, 2> horizon_of_;     // of the two levels of detail; the same when so is their terrain
+  std::array<const terrain::TerrainView*, 2> terrain_of_;
   receiver::TargetFrame targets_;
   BoxShadows shadows_;
   DetailTransition transition_;

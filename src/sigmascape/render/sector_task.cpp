@@ -22,11 +22,10 @@ void SectorTask::begin_frame(const PageCache::View& view, std::size_t targets) {
 void SectorTask::fill(const Pose& pose, Beams beams, const DetailBlend& levels) {
   const auto level = static_cast<std::size_t>(levels.level - 1), next = static_cast<std::size_t>(levels.next - 1);
   const auto next_share = static_cast<float>(levels.next_share);
-  const auto& [horizon, next_horizon] = parts_.horizons;
   if (level == next || next_share < 1.0F) {
-    add_level(pose, beams, level, *horizon, level == next ? 1.0F : 1.0F - next_share);
+    add_level(pose, beams, level, 0, level == next ? 1.0F : 1.0F - next_share);
   }
-  if (level != next && next_share > 0.0F) add_level(pose, beams, next, *next_horizon, next_share);
+  if (level != next && next_share > 0.0F) add_level(pose, beams, next, 1, next_share);
   hand_over(beams);
 }
 
@@ -78,8 +77,9 @@ void SectorTask::hand_over(Beams beams) {
   }
 }
 
-void SectorTask::add_level(const Pose& pose, Beams beams, std::size_t level, const HorizonMap& horizon, float share) {
-  horizon_ = &horizon;
+void SectorTask::add_level(const Pose& pose, Beams beams, std::size_t level, std::size_t which, float share) {
+  horizon_ = parts_.horizons[which];
+  terrain_ = parts_.terrains[which];
   start(pose, beams, level);
   share_ = share;
   const double tile_m = texel_m_ * static_cast<double>(atlas::tile_side);
@@ -151,7 +151,8 @@ void SectorTask::fill_stretch(const Place& place, std::size_t count) {
     report_.dark += count;
     return;
   }
-  stand_on(row_, heights_of(ground));
+  if (ground.levels_up == 0) stand_on(row_, heights_of(ground));
+  if (ground.levels_up > 0) stand_on(row_, *terrain_, {pose_->position.x, pose_->position.y});
   locate(row_, geometry_);
   report_.lit += light(row_, horizon());
   report_.lit -= shadows_.shade(row_, place.first_column);
@@ -180,16 +181,14 @@ void SectorTask::place_scatterers(const Place& place) {
 
 PageHeights SectorTask::heights_of(const PageRow& ground) const {
   const GroundPage& page = *ground.page;
-  const radar::GroundGrid texels = page.texels(patches());
+  const radar::GroundGrid texels = atlas::texels_of(patches(), page.key.tile);
   return {.row = page.row_heights(ground.row),
           .north_row = page.row_heights(ground.row > 0 ? ground.row - 1 : 0),
-          .south_row = page.row_heights(std::min(ground.row + 1, page.side - 1)),
+          .south_row = page.row_heights(std::min(ground.row + 1, atlas::tile_side - 1)),
           .texel_m = texels.cell_m,
           .west_m = texels.west_m - pose_->position.x,
           .north_m = texels.centre_of(0, ground.row).y - pose_->position.y,
-          .first_column = ground.first_column,
-          .last_column = page.side - 1,
-          .levels_up = ground.levels_up};
+          .first_column = ground.first_column};
 }
 
 Horizon SectorTask::horizon() const {

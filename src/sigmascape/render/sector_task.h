@@ -31,9 +31,10 @@ struct FrameParts {
   /// Of this frame, swept already: over the terrain of the level of detail in use and, while it gives way to the next,
   /// over that of the next.
   const std::array<const HorizonMap*, 2>& horizons;
-  const BoxShadows& shadows;            ///< that the frame's targets cast
-  const terrain::HeightBounds& bounds;  ///< of the ground that this frame looks at
-  std::span<float> bins;                ///< [beam][range][number]
+  const std::array<const terrain::TerrainView*, 2>& terrains;  ///< that they were swept over
+  const BoxShadows& shadows;                                   ///< that the frame's targets cast
+  const terrain::HeightBounds& bounds;                         ///< of the ground that this frame looks at
+  std::span<float> bins;                                       ///< [beam][range][number]
 };
 
 /// Fills some beams of a frame: goes over the lattice cells of their sector, row by row.
@@ -63,7 +64,8 @@ class SectorTask {
   /// Moves the beams' numbers into the frame and leaves zeros behind.
   void hand_over(Beams beams);
   [[nodiscard]] float* own_bins() { return own_bins_.data()->of.data(); }
-  void add_level(const Pose& pose, Beams beams, std::size_t level, const HorizonMap& horizon, float share);
+  /// The first or the second of the two.
+  void add_level(const Pose& pose, Beams beams, std::size_t level, std::size_t which, float share);
   void start(const Pose& pose, Beams beams, std::size_t level);
   void fill_tile(const atlas::TileAddress& tile);
   void fill_stretch(const Place& place, std::size_t count);
@@ -106,6 +108,7 @@ class SectorTask {
   // Of the level in hand.
   const Pose* pose_ = nullptr;
   const HorizonMap* horizon_ = nullptr;
+  const terrain::TerrainView* terrain_ = nullptr;
   std::size_t level_ = 0, first_beam_ = 0;
   double texel_m_ = 1.0;
   double first_azimuth_rad_ = 0.0;

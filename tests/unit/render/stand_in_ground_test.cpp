@@ -219,6 +219,39 @@ TEST(StandInGround, HasTheMeanOfWhatItsTexelsCover) {
   expect_means(store, 64);
 }
 
+double total_vv(const Frame& frame) {
+  double sum = 0.0;
+  for (std::size_t bin = 0; bin < frame.powers_m2.size(); bin += 4) sum += static_cast<double>(frame.powers_m2[bin]);
+  return sum;
+}
+
+// Texels of 32 m over hills 50 m wide: what is seen of them is a matter of the terrain and not of the texels.
+TEST(StandInGround, IsSeenWhereTheTerrainLetsItBeSeen) {
+  const ScratchFolder folder;
+  ExampleGround example = ground_about_the_origin(2);
+  example.sigma0 = [](const radar::Look& look) { return constant_gamma(0.1, look); };
+  example.height_m = [](Vec2d p) { return 5.0 * std::sin(2.0 * pi * p.x / 100.0) * std::sin(2.0 * pi * p.y / 100.0); };
+  const atlas::Store store = example.store(folder.path("atlas"));
+  const ExampleView view{.target = example.middle()};
+  const auto whole = example.over(store);
+  LiveRenderer settled(whole, view.settings(FrameContent::Powers));
+  const Frame& fine = settled_frame(settled, *whole, view.pose());
+  ASSERT_EQ(fine.report.coarse, 0U);
+
+  example.cache.budget_bytes = 10'000'000;
+  const auto ground = example.over(store);
+  ASSERT_EQ(ground->stand_in().side(), 32U);
+  // Nothing but what has been read when it was opened.
+  std::filesystem::remove_all(store.folder());
+  LiveRenderer renderer(ground, view.settings(FrameContent::Powers));
+  const Frame& coarse = settled_frame(renderer, *ground, view.pose());
+  EXPECT_EQ(coarse.report.coarse, coarse.report.cells);
+  EXPECT_EQ(coarse.report.terrain_error_m, 0.0);
+  EXPECT_LT(static_cast<double>(fine.report.lit), 0.9 * static_cast<double>(fine.report.cells));
+  EXPECT_NEAR(static_cast<double>(coarse.report.lit) / static_cast<double>(fine.report.lit), 1.0, 0.01);
+  EXPECT_NEAR(db_from_linear(total_vv(coarse) / total_vv(fine)), 0.0, 0.05);
+}
+
 TEST(StandInGround, LacksThePagesOfALookThatCannotBeRead) {
   const ScratchFolder folder;
   ExampleGround example = ground_about_the_origin(4);
