@@ -35,6 +35,10 @@ enum class GroundOf { Textures, Layers };
 [[nodiscard]] atlas::Store made_store(const std::filesystem::path& folder, int patches_a_side,
                                       GroundOf kind = GroundOf::Textures);
 
+/// Ground about the origin, where four tiles of every level meet, between the paper's eight azimuths and five
+/// elevations: 64 × 64 patches of 256² texels, made like those.
+[[nodiscard]] atlas::Store made_store_of_many_looks(const std::filesystem::path& folder, GroundOf kind);
+
 /// Level ground under such a store.
 [[nodiscard]] std::shared_ptr<render::LiveGround> made_ground(const atlas::Store& store, std::size_t budget_bytes);
 
