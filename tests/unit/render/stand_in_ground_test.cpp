@@ -10,6 +10,7 @@
 #include "live_ground_example.h"
 
 #include "sigmascape/base/error.h"
+#include "sigmascape/base/hash.h"
 
 namespace sigmascape::render {
 namespace {
@@ -81,13 +82,13 @@ void expect_light(const ExampleGround& example, const atlas::Store& store, std::
   }
 }
 
-TEST(StandInGround, TheFirstFrameOfThePapersLooksAboutTheOriginIsNotDark) {
+TEST(StandInGround, LightsTheFirstFrameBetweenThePapersLooksAboutTheOrigin) {
   const ScratchFolder folder;
   const ExampleGround example = ground_about_the_origin(8);
   expect_light(example, example.store(folder.path("atlas")), {0.0, 45.0, 180.0, 225.0, 315.0});
 }
 
-TEST(StandInGround, NorIsItWhereTheGroundIsKeptApart) {
+TEST(StandInGround, LightsTheFirstFrameOfGroundKeptApart) {
   const ScratchFolder folder;
   const ExampleGround example = apart_about_the_origin(8);
   expect_light(example, example.store(folder.path("atlas")), {0.0, 45.0, 180.0, 225.0, 315.0});
@@ -99,16 +100,27 @@ ExampleGround of_thirty_two_azimuths() {
   return example;
 }
 
-TEST(StandInGround, NorIsItBetweenThirtyTwoAzimuths) {
-  const ScratchFolder folder;
-  const ExampleGround example = of_thirty_two_azimuths();
-  expect_light(example, example.store(folder.path("atlas")), {0.0, 11.25, 202.5, 348.75});
+class StandInGroundOfManyLooks : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = std::make_unique<ScratchFolder>();
+    store_ = std::make_unique<atlas::Store>(of_thirty_two_azimuths().store(folder_->path("atlas")));
+  }
+  static void TearDownTestSuite() {
+    store_.reset();
+    folder_.reset();
+  }
+  static inline std::unique_ptr<ScratchFolder> folder_;
+  static inline std::unique_ptr<atlas::Store> store_;
+};
+
+TEST_F(StandInGroundOfManyLooks, LightsTheFirstFrameBetweenThirtyTwoAzimuths) {
+  expect_light(of_thirty_two_azimuths(), *store_, {0.0, 11.25, 202.5, 348.75});
 }
 
-TEST(StandInGround, TakesMoreThanItsPartOfASmallBudgetAndTellsOfOneThatIsTooSmall) {
-  const ScratchFolder folder;
+TEST_F(StandInGroundOfManyLooks, TakesMoreThanItsPartOfASmallBudgetAndTellsOfOneThatIsTooSmall) {
   ExampleGround example = of_thirty_two_azimuths();
-  const atlas::Store store = example.store(folder.path("atlas"));
+  const atlas::Store& store = *store_;
   // 128 pages of 16² texels are 1.2 MB, an eighth of the first budget 0.8 MB.
   example.cache.budget_bytes = 6'000'000;
   EXPECT_EQ(example.over(store)->stand_in().side(), StandInGround::least_side);
@@ -217,6 +229,57 @@ TEST(StandInGround, HasTheMeanOfWhatItsTexelsCover) {
     }
   }
   expect_means(store, 64);
+}
+
+TEST(StandInGround, HasTheReliefUnderItsTexels) {
+  const ScratchFolder folder;
+  const atlas::Store store = apart_about_the_origin(2).store(folder.path("atlas"));
+  const auto height_at = [](Vec2d p) { return static_cast<float>(p.x + 3.0 * p.y); };
+  const auto slope_at = [](Vec2d p) {
+    return terrain::PackedSlope{static_cast<std::int16_t>(p.x), static_cast<std::int16_t>(p.y)};
+  };
+  const auto top_at = [](const atlas::TileAddress& tile, std::size_t texel) {
+    return 20.0F * unit_float(hashed(tile.x, tile.y, static_cast<std::int64_t>(texel)));
+  };
+  const auto fill = [](const radar::GroundGrid& cells, auto numbers, const auto& at) {
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      numbers[i] = at(cells.centre_of(i % cells.columns, i / cells.columns));
+    }
+  };
+  const atlas::Store ground = atlas::open_ground_store(store);
+  const PageSource source(
+      store, [&](const radar::GroundGrid& cells, std::span<float> height_m) { fill(cells, height_m, height_at); }, 10e9,
+      BareGround{
+          ground,
+          [&](const radar::GroundGrid& cells, std::span<terrain::PackedSlope> slope) { fill(cells, slope, slope_at); },
+          [&](const atlas::TileAddress& tile, std::span<float> top_m) {
+            for (std::size_t i = 0; i < top_m.size(); ++i) top_m[i] = top_at(tile, i);
+          }});
+  const StandInGround stand_in(source, 32);
+  ASSERT_EQ(source.ground_pages(), 2U);
+  std::size_t wrong = 0;
+  for (const atlas::TileAddress& tile : {atlas::TileAddress{0, -1, 0}, atlas::TileAddress{0, 0, -1}}) {
+    for (const std::uint32_t number : {0U, 1U}) {
+      const GroundPage* const page = stand_in.find(PageKey::bare_ground(tile, number));
+      ASSERT_NE(page, nullptr);
+      EXPECT_EQ(page->key, PageKey::bare_ground(tile, number));
+      const radar::GroundGrid texels = page->texels(store.description().patches);
+      for (std::size_t texel = 0; texel < page->side * page->side; ++texel) {
+        const std::size_t row = texel / 32, column = texel % 32;
+        const Vec2d centre = texels.centre_of(column, row);
+        float greatest = 0.0F;
+        for (std::size_t r = 8 * row; r < 8 * row + 8; ++r) {
+          for (std::size_t c = 8 * column; c < 8 * column + 8; ++c)
+            greatest = std::max(greatest, top_at(tile, r * 256 + c));
+        }
+        const terrain::PackedSlope slope = slope_at(centre);
+        if (page->height_m[texel] != height_at(centre) || page->top_m[texel] != greatest ||
+            page->slope[texel].east != slope.east || page->slope[texel].north != slope.north)
+          ++wrong;
+      }
+    }
+  }
+  EXPECT_EQ(wrong, 0U);
 }
 
 double total_vv(const Frame& frame) {
