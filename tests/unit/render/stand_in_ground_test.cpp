@@ -118,6 +118,23 @@ TEST_F(StandInGroundOfManyLooks, LightsTheFirstFrameBetweenThirtyTwoAzimuths) {
   expect_light(of_thirty_two_azimuths(), *store_, {0.0, 11.25, 202.5, 348.75});
 }
 
+// Its coarsest level alone is five times what the cache holds.
+TEST_F(StandInGroundOfManyLooks, LeavesTheCacheToWhatIsLookedAt) {
+  ExampleGround example = of_thirty_two_azimuths();
+  example.cache.budget_bytes = std::size_t{64} << 20U;
+  const auto ground = example.over(*store_);
+  ASSERT_GT(128U, 5 * ground->pages().most_pages());
+  for (double azimuth_deg = 0.0; azimuth_deg < 360.0; azimuth_deg += 30.0) {
+    const ExampleView view{.target = example.middle(), .azimuth_deg = azimuth_deg};
+    LiveRenderer renderer(ground, view.settings(FrameContent::Powers));
+    (void)settled_frame(renderer, *ground, view.pose());
+    // Pages of the last two frames make no room.
+    (void)settled_frame(renderer, *ground, view.pose());
+    EXPECT_EQ(renderer.render(view.pose()).report.coarse, 0U) << azimuth_deg;
+  }
+  EXPECT_GT(ground->pages().report().evicted, 0U);
+}
+
 TEST_F(StandInGroundOfManyLooks, TakesMoreThanItsPartOfASmallBudgetAndTellsOfOneThatIsTooSmall) {
   ExampleGround example = of_thirty_two_azimuths();
   const atlas::Store& store = *store_;
