@@ -70,11 +70,9 @@ void find_angles(LatticeRow& row, const RowGeometry& geometry) {
   }
 }
 
-constexpr std::size_t last_column = atlas::tile_side - 1;
-
 void stand_one_on(LatticeRow& row, const PageHeights& heights, std::size_t i, float per_rows) {
-  const std::size_t column = heights.first_column + i;
-  const std::size_t left = std::max<std::size_t>(column, 1) - 1, right = std::min(column + 1, last_column);
+  const std::size_t column = (heights.first_column + i) >> heights.levels_up;
+  const std::size_t left = std::max<std::size_t>(column, 1) - 1, right = std::min(column + 1, heights.last_column);
   const float rise_east = (heights.row[right] - heights.row[left]) / static_cast<float>(right - left);
   const float rise_north = (heights.north_row[column] - heights.south_row[column]) * per_rows;
   const double middle_m = heights.west_m + (static_cast<double>(column) + 0.5) * heights.texel_m;
@@ -83,7 +81,7 @@ void stand_one_on(LatticeRow& row, const PageHeights& heights, std::size_t i, fl
   row.height_m[i] = heights.row[column] + rise_east * east + rise_north * north;
 }
 
-/// Texels that have neighbours on both sides.
+/// Texels whose page is their own and that have neighbours on both sides.
 SIGMASCAPE_VECTOR_TARGETS
 void stand_many_on(LatticeRow& row, const PageHeights& heights, std::size_t first, std::size_t end, float per_rows) {
   const float* const here = heights.row + heights.first_column;
@@ -107,8 +105,12 @@ void stand_all_on(LatticeRow& row, const PageHeights& heights) {
   for (std::size_t i = 0; i < row.count; i += 64 / sizeof(float)) {
     __builtin_prefetch(heights.south_row + heights.first_column + i + atlas::tile_side, 0, 2);
   }
+  if (heights.levels_up > 0) {
+    for (std::size_t i = 0; i < row.count; ++i) stand_one_on(row, heights, i, per_rows);
+    return;
+  }
   const std::size_t first = heights.first_column == 0 ? 1 : 0;
-  const std::size_t end = heights.first_column + row.count > last_column ? row.count - 1 : row.count;
+  const std::size_t end = heights.first_column + row.count > heights.last_column ? row.count - 1 : row.count;
   if (first == 1) stand_one_on(row, heights, 0, per_rows);
   if (first < end) stand_many_on(row, heights, first, end, per_rows);
   if (end < row.count) stand_one_on(row, heights, end, per_rows);

@@ -15,14 +15,15 @@ struct PageHeights {
   const float* south_row = nullptr;
   double texel_m = 1.0;
   double west_m = 0.0, north_m = 0.0;  ///< from the radar: west edge of column 0, middle of the row
-  std::size_t first_column = 0;        ///< of the row's first texel
+  std::size_t first_column = 0;        ///< of the row's first texel, in the finer columns of `levels_up`
+  std::size_t last_column = 0;         ///< of the page
+  std::size_t levels_up = 0;
 };
 
 /// Fills height_m at the scatterers' own places: that of the texel's centre and the slope between its neighbours.
 /// Without the slope, scatterers on a hillside would stand below or above ground, and ground hide itself.
 void stand_on(LatticeRow& row, const PageHeights& heights);
-/// The same on terrain, for texels whose own page is not there: ground as coarse as a page that stands in would vanish
-/// behind the ridges of the terrain that hides.
+/// The same on terrain: ground as coarse as a page that stands in would vanish behind finer ridges.
 void stand_on(LatticeRow& row, const terrain::TerrainView& terrain, Vec2d radar);
 
 /// Fills everything from ground_m to range_bin out of east_m, north_m and height_m.

@@ -151,8 +151,11 @@ void SectorTask::fill_stretch(const Place& place, std::size_t count) {
     report_.dark += count;
     return;
   }
-  if (ground.levels_up == 0) stand_on(row_, heights_of(ground));
-  if (ground.levels_up > 0) stand_on(row_, *terrain_, {pose_->position.x, pose_->position.y});
+  if (ground.levels_up > 0 && hides_as_finely_as(ground)) {
+    stand_on(row_, *terrain_, {pose_->position.x, pose_->position.y});
+  } else {
+    stand_on(row_, heights_of(ground));
+  }
   locate(row_, geometry_);
   report_.lit += light(row_, horizon());
   report_.lit -= shadows_.shade(row_, place.first_column);
@@ -179,16 +182,24 @@ void SectorTask::place_scatterers(const Place& place) {
   move(row_, pose_->position.x, pose_->position.y);
 }
 
+bool SectorTask::hides_as_finely_as(const PageRow& ground) const {
+  const LiveTerrain& terrain = parts_.ground.terrain();
+  const int level = terrain.level_for(std::ldexp(texel_m_, static_cast<int>(ground.levels_up)));
+  return terrain_->spacing_m <= terrain.pyramid().layout().spacing_at(level);
+}
+
 PageHeights SectorTask::heights_of(const PageRow& ground) const {
   const GroundPage& page = *ground.page;
-  const radar::GroundGrid texels = atlas::texels_of(patches(), page.key.tile);
+  const radar::GroundGrid texels = page.texels(patches());
   return {.row = page.row_heights(ground.row),
           .north_row = page.row_heights(ground.row > 0 ? ground.row - 1 : 0),
-          .south_row = page.row_heights(std::min(ground.row + 1, atlas::tile_side - 1)),
+          .south_row = page.row_heights(std::min(ground.row + 1, page.side - 1)),
           .texel_m = texels.cell_m,
           .west_m = texels.west_m - pose_->position.x,
           .north_m = texels.centre_of(0, ground.row).y - pose_->position.y,
-          .first_column = ground.first_column};
+          .first_column = ground.first_column,
+          .last_column = page.side - 1,
+          .levels_up = ground.levels_up};
 }
 
 Horizon SectorTask::horizon() const {

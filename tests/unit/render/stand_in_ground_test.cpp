@@ -11,6 +11,7 @@
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/hash.h"
+#include "sigmascape/terrain/terrain_pyramid.h"
 
 namespace sigmascape::render {
 namespace {
@@ -53,7 +54,7 @@ ExampleGround apart_about_the_origin(int azimuths) {
 
 /// From a baked azimuth, so that γ is that of its look; of the beams in the middle, over level ground: σ0 times the
 /// area of each bin, in decibels off.
-double error_db(const Frame& frame, const ExampleView& view) {
+double error_db(const Frame& frame, const ExampleView& view, double ground_m = 0.0) {
   double sum = 0.0, expected = 0.0;
   const radar::RangeAzimuthGrid& grid = frame.grid;
   for (std::size_t range = 4; range + 4 < view.ranges; ++range) {
@@ -61,8 +62,8 @@ double error_db(const Frame& frame, const ExampleView& view) {
     const double middle = near + grid.range_step_m / 2.0;
     for (std::size_t beam = view.beams / 2 - 4; beam < view.beams / 2 + 4; ++beam) {
       sum += static_cast<double>(frame.powers_m2[(beam * view.ranges + range) * 4]);
-      expected += gamma_from(radians_from_deg(view.azimuth_deg)) * view.pose().position.z / middle * middle *
-                  grid.range_step_m * grid.azimuth_step_rad;
+      expected += gamma_from(radians_from_deg(view.azimuth_deg)) * (view.pose().position.z - ground_m) / middle *
+                  middle * grid.range_step_m * grid.azimuth_step_rad;
     }
   }
   return db_from_linear(sum / expected);
@@ -330,6 +331,42 @@ TEST(StandInGround, IsSeenWhereTheTerrainLetsItBeSeen) {
   EXPECT_LT(static_cast<double>(fine.report.lit), 0.9 * static_cast<double>(fine.report.cells));
   EXPECT_NEAR(static_cast<double>(coarse.report.lit) / static_cast<double>(fine.report.lit), 1.0, 0.01);
   EXPECT_NEAR(db_from_linear(total_vv(coarse) / total_vv(fine)), 0.0, 0.05);
+}
+
+/// Level ground 100 m high, of which the coarsest level of the terrain knows nothing.
+std::shared_ptr<terrain::TerrainPyramid> plateau() {
+  constexpr float height_m = 100.0F;
+  const double spacing_m = 8.0, side_m = spacing_m * terrain::HeightTile::cells * 64;
+  const terrain::PyramidLayout layout{-side_m / 2.0, side_m / 2.0, spacing_m, 64, 64};
+  std::vector<Array2D<terrain::TileSummary>> summaries;
+  const auto summary_of = [&layout, height_m](int level) {
+    return terrain::TileSummary{0.0F, height_m, level + 1 == layout.levels() ? height_m : 0.0F};
+  };
+  for (int level = 0; level < layout.levels(); ++level) {
+    summaries.emplace_back(layout.across(level), layout.down(level), summary_of(level));
+  }
+  return std::make_shared<terrain::TerrainPyramid>(
+      layout, std::move(summaries),
+      [coarsest = layout.levels() - 1, height_m](terrain::TileKey key) {
+        auto tile = std::make_shared<terrain::HeightTile>();
+        tile->height_m.assign(terrain::HeightTile::nodes * terrain::HeightTile::nodes,
+                              key.level == coarsest ? 0.0F : height_m);
+        tile->summary = {0.0F, height_m, key.level == coarsest ? height_m : 0.0F};
+        return std::shared_ptr<const terrain::HeightTile>(tile);
+      },
+      std::size_t{8} << 20U);
+}
+
+TEST(StandInGround, StandsAtItsOwnHeightsUntilTheTerrainIsThere) {
+  const ScratchFolder folder;
+  ExampleGround example = ground_about_the_origin(8);
+  const auto ground = std::make_shared<LiveGround>(example.store(folder.path("atlas")), plateau(), 10e9);
+  const ExampleView view{.target = example.middle(), .azimuth_deg = 45.0, .elevation_deg = 18.0};
+  LiveRenderer renderer(ground, view.settings(FrameContent::Powers));
+  const Frame& frame = renderer.render(view.pose());
+  EXPECT_EQ(frame.report.coarse, frame.report.cells);
+  EXPECT_EQ(frame.report.terrain_error_m, 100.0);
+  EXPECT_NEAR(error_db(frame, view, 100.0), 0.0, 0.05);
 }
 
 TEST(StandInGround, LacksThePagesOfALookThatCannotBeRead) {
