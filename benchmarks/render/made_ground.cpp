@@ -162,15 +162,11 @@ ScratchStore::~ScratchStore() {
   std::filesystem::remove_all(folder_, ignored);
 }
 
-atlas::Store made_store(const std::filesystem::path& folder, int patches_a_side, GroundOf kind) {
-  atlas::AtlasDescription description;
+namespace {
+
+/// Makes a store of what is described.
+atlas::Store filled_store(const std::filesystem::path& folder, atlas::AtlasDescription description, GroundOf kind) {
   description.name = "made for measuring";
-  description.patches = {texel_m, 1024};
-  const double side_m = description.patches.side_m() * patches_a_side;
-  description.extent = {0.0, 0.0, side_m, side_m};
-  description.aspects.azimuths_rad = {0.0, pi};
-  description.aspects.elevations_rad = {radians_from_deg(5.0), radians_from_deg(40.0)};
-  description.aspects.frequencies_hz = {9e9, 11e9};
   description.scene_hash = "none";
   const bool apart = kind == GroundOf::Layers;
   if (apart) description.settings[atlas::shadows_setting] = atlas::shadows_at_run_time;
@@ -184,6 +180,32 @@ atlas::Store made_store(const std::filesystem::path& folder, int patches_a_side,
   }
   spread(store, apart);
   return store;
+}
+
+}  // namespace
+
+atlas::Store made_store(const std::filesystem::path& folder, int patches_a_side, GroundOf kind) {
+  atlas::AtlasDescription description;
+  description.patches = {texel_m, 1024};
+  const double side_m = description.patches.side_m() * patches_a_side;
+  description.extent = {0.0, 0.0, side_m, side_m};
+  description.aspects.azimuths_rad = {0.0, pi};
+  description.aspects.elevations_rad = {radians_from_deg(5.0), radians_from_deg(40.0)};
+  description.aspects.frequencies_hz = {9e9, 11e9};
+  return filled_store(folder, description, kind);
+}
+
+atlas::Store made_store_of_many_looks(const std::filesystem::path& folder, GroundOf kind) {
+  atlas::AtlasDescription description;
+  description.patches = {texel_m, 256};
+  const double half_m = description.patches.side_m() * 32;
+  description.extent = {-half_m, -half_m, half_m, half_m};
+  for (int azimuth = 0; azimuth < 8; ++azimuth) description.aspects.azimuths_rad.push_back(azimuth * pi / 4.0);
+  for (const double elevation_deg : {5.0, 13.0, 21.0, 29.0, 37.0}) {
+    description.aspects.elevations_rad.push_back(radians_from_deg(elevation_deg));
+  }
+  description.aspects.frequencies_hz = {frequency_hz};
+  return filled_store(folder, description, kind);
 }
 
 std::shared_ptr<render::LiveGround> made_ground(const atlas::Store& store, std::size_t budget_bytes) {

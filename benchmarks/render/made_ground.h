@@ -39,6 +39,10 @@ enum class GroundOf { Textures, Layers };
 /// is wanted, which takes about as long as to read and decode it.
 [[nodiscard]] std::shared_ptr<render::LiveGround> rolling_ground(const atlas::Store& store, std::size_t budget_bytes);
 
+/// Ground about the origin, where four tiles of every level meet, between the paper's eight azimuths and five
+/// elevations: 64 × 64 patches of 256² texels, made like those.
+[[nodiscard]] atlas::Store made_store_of_many_looks(const std::filesystem::path& folder, GroundOf kind);
+
 /// Level ground under such a store.
 [[nodiscard]] std::shared_ptr<render::LiveGround> made_ground(const atlas::Store& store, std::size_t budget_bytes);
 

@@ -149,12 +149,12 @@ void measure_targets(const std::shared_ptr<LiveGround>& ground, const View& view
   }
 }
 
-/// The first frame after a jump of 50 km, with a cache that has nothing but the coarsest level.
-double jump_seconds(const atlas::Store& store, const View& view) {
+/// The first frame after a jump eastward, with a cache that has nothing of what is there.
+double jump_seconds(const atlas::Store& store, const View& view, double jump_m) {
   const auto ground = made_ground(store, budget_bytes);
   LiveRenderer renderer(ground, view.settings(FrameContent::Amplitudes));
   Pose elsewhere = view.pose();
-  elsewhere.position.x += 50e3;
+  elsewhere.position.x += jump_m;
   (void)renderer.render(elsewhere);
   ground->wait_until_loaded();
   const double start = wall_seconds();
@@ -166,18 +166,18 @@ double jump_seconds(const atlas::Store& store, const View& view) {
 }
 
 /// The median of so many jumps.
-double cold_frame_seconds(const atlas::Store& store, const View& view, int jumps) {
+double cold_frame_seconds(const atlas::Store& store, const View& view, double jump_m, int jumps) {
   std::vector<double> seconds;
   for (int jump = 0; jump < jumps; ++jump) {
-    seconds.push_back(jump_seconds(store, view));
+    seconds.push_back(jump_seconds(store, view, jump_m));
     give_back_memory();
   }
   std::ranges::sort(seconds);
   return seconds[seconds.size() / 2];
 }
 
-/// Seconds that an atlas whose ground is kept apart takes to open, the least of several times; of them those that go
-/// into the lists of all its files.
+/// Seconds that an atlas takes to open, the least of several times; of them those that go into the lists of all its
+/// files.
 struct OpeningCost {
   double all = 1e30, lists = 1e30;
 
@@ -185,7 +185,7 @@ struct OpeningCost {
     for (int run = 0; run < repetitions; ++run) {
       const double start = wall_seconds();
       const atlas::Store store = atlas::Store::open(folder);
-      (void)atlas::open_ground_store(store);
+      if (atlas::keeps_ground_apart(store)) (void)atlas::open_ground_store(store);
       lists = std::min(lists, wall_seconds() - start);
     }
     for (int run = 0; run < repetitions; ++run) {
@@ -195,6 +195,37 @@ struct OpeningCost {
     }
   }
 };
+
+/// The first frame of all of a ground.
+void prove_first_frame(const std::shared_ptr<LiveGround>& ground, const View& view) {
+  LiveSettings settings = view.settings(FrameContent::Powers);
+  settings.refraction = 1e9;
+  LiveRenderer renderer(ground, settings);
+  const render::Frame& frame = renderer.render(view.pose());
+  prove(frame.report.dark == 0, "the first frame of an atlas of many looks is not dark");
+  // Whatever stands on the ground hides some of it.
+  if (ground->obstacles() != nullptr) return;
+  const double error_db = db_from_linear(vv_power(frame) / expected_power(frame, view.height_m));
+  prove(std::abs(error_db) < 0.05,
+        fmt::format("and its power is that of the radar equation ({:.3f} dB off)", error_db));
+}
+
+/// Atlases whose coarsest level is more than the cache holds.
+void measure_many_looks(const std::filesystem::path& folder, const Arguments& arguments, Figures& figures) {
+  const View view{.south_middle = {0.0, -1024.0}};
+  for (const GroundOf kind : {GroundOf::Textures, GroundOf::Layers}) {
+    const bool apart = kind == GroundOf::Layers;
+    const atlas::Store store = made_store_of_many_looks(folder / (apart ? "apart" : "whole"), kind);
+    prove_first_frame(made_ground(store, budget_bytes), view);
+    const std::string name = apart ? "apart_many_looks" : "many_looks";
+    const int jumps = arguments.quick ? 3 : 9;
+    figures.add(fmt::format("render.cold_{}_ms", name), 1e3 * cold_frame_seconds(store, view, 10e3, jumps), "ms",
+                fmt::format("eight azimuths, five elevations about the origin; median of {} jumps", jumps));
+    const OpeningCost open(store.folder(), 5);
+    figures.add(fmt::format("render.open_{}_ms", name), 1e3 * open.all, "ms", "the least of five");
+    give_back_memory();
+  }
+}
 
 /// Ground that is kept apart from what stands on it: the same 2 km of an atlas of 2 km and of one of 262 km, and all of
 /// that.
@@ -241,7 +272,7 @@ void measure_frames(const atlas::Store& store, const Arguments& arguments, int r
   const View near{.south_middle = {100e3 + 24.0, 100e3}};
   const View wide{.bin_m = 512.0, .first_ground_m = 20e3, .height_m = 12e3, .south_middle = {131e3, 0.0}};
   const int jumps = arguments.quick ? 3 : 9;
-  figures.add("render.cold_frame_ms", 1e3 * cold_frame_seconds(store, near, jumps), "ms",
+  figures.add("render.cold_frame_ms", 1e3 * cold_frame_seconds(store, near, 50e3, jumps), "ms",
               fmt::format("median of {} jumps", jumps));
   const auto ground = made_ground(store, budget_bytes);
   prove_power(ground, near);
@@ -295,6 +326,7 @@ void measure(const Arguments& arguments, Figures& figures) {
   measure_scan(store, arguments.quick, figures);
   give_back_memory();
   measure_ground_apart(scratch.folder() / "apart", repetitions, figures);
+  measure_many_looks(scratch.folder() / "looks", arguments, figures);
   figures.add("render.memory_mib", peak_memory_mib(), "MiB",
               "the most that was resident in all of the above, 512 MiB for pages");
 }

@@ -23,7 +23,7 @@ const char* sigmascape_last_error(void);
 typedef struct sigmascape_ground sigmascape_ground;
 
 /* Opens the folder that `sigmascape bake` wrote. `cache_bytes` bounds the memory of pages, obstacles and terrain
- * together; 0: 512 MiB. Null when it cannot be opened. */
+ * together; 0: 512 MiB. Null when it cannot be opened, or when the bytes hold too little beside the coarsest ground. */
 sigmascape_ground* sigmascape_open_ground(const char* atlas_folder, double frequency_hz, size_t cache_bytes);
 /* Renderers that still use the ground keep it. Null is allowed. */
 void sigmascape_close_ground(sigmascape_ground* ground);
@@ -84,7 +84,8 @@ typedef struct sigmascape_frame {
   const float* amplitudes_m; /* [beam][range][VV, HH, HV, VH][real, imaginary]; |a|^2 is a cross-section in m^2 */
   const float* powers_m2;    /* [beam][range][VV, HH, HV, Re VV HH*]; one of the two is null */
   size_t cells, lit;         /* lattice cells looked at, and seen by the radar */
-  size_t coarse, dark;       /* cells shown more coarsely than wanted, and not at all, for pages were not there yet */
+  size_t coarse, dark;       /* cells shown more coarsely than wanted, for pages were not there yet, and not at all:
+                                outside the atlas, or where its coarsest level cannot be read */
   size_t level;              /* of the textures, 0 the finest */
   double terrain_error_m;    /* by how much the terrain that hides may be wrong, for finer tiles were not there */
   size_t coarse_obstacles;   /* tiles of what stands on the ground, coarser than the bins ask for */

@@ -3,6 +3,7 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "sigmascape/atlas/aspect_cell.h"
@@ -32,10 +33,12 @@ struct PageKey {
   friend constexpr auto operator<=>(const PageKey&, const PageKey&) = default;
 };
 
-/// Everything that a frame needs to know of 256 × 256 texels of ground seen from between a few looks, laid out so that
-/// a stretch of a row is read in one piece, all looks and channels of it.
+/// Everything that a frame needs to know of a tile of ground seen from between a few looks, laid out so that a stretch
+/// of a row is read in one piece, all looks and channels of it. Pages of the store have 256 × 256 texels; those that
+/// stand in for them (StandInGround) fewer, each as the mean of several.
 struct GroundPage {
   PageKey key;
+  std::size_t side = atlas::tile_side;  ///< texels along a side, a multiple of `vector`
   /// 4 or 8, see atlas::AspectCells::looks_of. Of bare ground [elevation][frequency].
   std::size_t looks = 0;
   std::vector<atlas::Half> blocks;                            ///< [row][block][look][channel][column], north up
@@ -55,13 +58,16 @@ struct GroundPage {
   [[nodiscard]] std::size_t block_halves() const { return looks * look_halves; }
   /// The block that holds a texel.
   [[nodiscard]] const atlas::Half* block_of(std::size_t row, std::size_t column) const {
-    return blocks.data() + (row * atlas::tile_side + column) / vector * block_halves();
+    return blocks.data() + (row * side + column) / vector * block_halves();
   }
-  [[nodiscard]] const float* row_heights(std::size_t row) const { return height_m.data() + row * atlas::tile_side; }
-  [[nodiscard]] std::size_t bytes() const {
-    return blocks.capacity() * sizeof(atlas::Half) + (height_m.capacity() + top_m.capacity()) * sizeof(float) +
-           slope.capacity() * sizeof(terrain::PackedSlope) + sizeof(*this);
-  }
+  [[nodiscard]] const float* row_heights(std::size_t row) const { return height_m.data() + row * side; }
+  /// Where the texels are.
+  [[nodiscard]] radar::GroundGrid texels(const atlas::PatchGrid& patches) const;
+
+  /// Takes memory for so many texels a side between so many looks, as `key` says, and keeps what it has.
+  void make_room(std::size_t texels_a_side, std::size_t look_count);
+  /// Takes one of the looks, [row][column][channel].
+  void put_look(std::size_t look, std::span<const atlas::Half> halves, float sigma0_of_stored_1);
 };
 
 }  // namespace sigmascape::render

@@ -1,43 +1,50 @@
 #include "sigmascape/render/live_ground.h"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <utility>
-#include <vector>
 
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/atlas/terrain_file.h"
+#include "sigmascape/base/error.h"
 #include "sigmascape/terrain/height_field_file.h"
 #include "sigmascape/terrain/pyramid_builder.h"
 
 namespace sigmascape::render {
 namespace {
 
-/// Of the budget, the parts that tiles of terrain, windows of them, and tiles of obstacles may take.
-constexpr std::size_t tile_part = 32, window_part = 11, obstacle_part = 8;
-
-ReliefSource relief_of(const LiveTerrain& terrain, const LiveObstacles& obstacles) {
-  return [&](const atlas::TileAddress& tile, std::span<terrain::PackedSlope> slope, std::span<float> top_m) {
-    const ObstacleSource& source = obstacles.cache().source();
-    terrain.fill_slopes(atlas::texels_of(source.description().patches, tile), slope);
-    source.fill_tops(tile, top_m);
-  };
-}
+/// Of the budget, the parts that tiles of terrain, windows of them, tiles of obstacles, and what stands in for pages
+/// may take.
+constexpr std::size_t tile_part = 32, window_part = 11, obstacle_part = 8, stand_in_part = 8;
 
 std::unique_ptr<LiveObstacles> obstacles_of(const atlas::Store& store, const CacheOptions& options) {
   if (!atlas::keeps_ground_apart(store)) return nullptr;
   return std::make_unique<LiveObstacles>(store, options.budget_bytes / obstacle_part, options.scrutiny);
 }
 
-/// What is left for pages.
-std::size_t budget_of_pages(const CacheOptions& options, const LiveObstacles* obstacles) {
-  const std::size_t others = options.budget_bytes / tile_part + options.budget_bytes / window_part +
-                             (obstacles != nullptr ? obstacles->budget_bytes() : 0);
-  return options.budget_bytes - std::min(others, options.budget_bytes);
+/// What is not for pages.
+std::size_t beside_pages(const CacheOptions& options, const LiveObstacles* obstacles) {
+  return options.budget_bytes / tile_part + options.budget_bytes / window_part +
+         (obstacles != nullptr ? obstacles->budget_bytes() : 0);
+}
+
+/// Texels a side of the pages that stand in. Throws Error when they leave no room for a single other.
+std::size_t side_of_stand_in(const PageSource& source, std::size_t budget_bytes, std::size_t others) {
+  const std::size_t side = StandInGround::side_within(source, budget_bytes / stand_in_part);
+  const std::size_t stand_in = StandInGround::bytes_of(source, side), page = source.most_bytes();
+  if (budget_bytes < others + stand_in + page) {
+    throw Error("live ground", fmt::format("has a budget of {} bytes", budget_bytes),
+                fmt::format("terrain and obstacles take {} of them, the coarsest ground of all looks {} and a single "
+                            "page {}; give enough for some tens of pages",
+                            others, stand_in, page));
+  }
+  return side;
 }
 
 std::shared_ptr<const PageSource> source_of(const atlas::Store& store, const LiveTerrain& terrain,
                                             const LiveObstacles* obstacles, double frequency_hz,
                                             atlas::Scrutiny scrutiny) {
+  atlas::check_frequency(store.description().aspects, frequency_hz);
   const HeightSource heights = [&terrain](const radar::GroundGrid& cells, std::span<float> height_m) {
     terrain.fill_heights(cells, height_m);
   };
@@ -45,8 +52,13 @@ std::shared_ptr<const PageSource> source_of(const atlas::Store& store, const Liv
     return std::make_shared<const PageSource>(store, heights, frequency_hz, std::nullopt, scrutiny);
   }
   const atlas::Store ground = atlas::open_ground_store(store);
-  return std::make_shared<const PageSource>(store, heights, frequency_hz,
-                                            BareGround{ground, relief_of(terrain, *obstacles)}, scrutiny);
+  const SlopeSource slopes = [&terrain](const radar::GroundGrid& cells, std::span<terrain::PackedSlope> slope) {
+    terrain.fill_slopes(cells, slope);
+  };
+  const TopSource tops = [obstacles](const atlas::TileAddress& tile, std::span<float> top_m) {
+    obstacles->cache().source().fill_tops(tile, top_m);
+  };
+  return std::make_shared<const PageSource>(store, heights, frequency_hz, BareGround{ground, slopes, tops}, scrutiny);
 }
 
 std::shared_ptr<terrain::TerrainPyramid> terrain_beside(const atlas::Store& store, const CacheOptions& options) {
@@ -66,11 +78,12 @@ LiveGround::LiveGround(const atlas::Store& store, std::shared_ptr<terrain::Terra
     : frequency_hz_(frequency_hz),
       terrain_(std::move(terrain), options.budget_bytes / window_part),
       obstacles_(obstacles_of(store, options)),
-      pages_(source_of(store, terrain_, obstacles_.get(), frequency_hz, options.scrutiny),
-             budget_of_pages(options, obstacles_.get()), options.loaders) {
-  atlas::check_frequency(store.description().aspects, frequency_hz);
-  load_coarsest_level();
-}
+      source_(source_of(store, terrain_, obstacles_.get(), frequency_hz, options.scrutiny)),
+      stand_in_(*source_, side_of_stand_in(*source_, options.budget_bytes, beside_pages(options, obstacles_.get()))),
+      pages_(source_,
+             options.budget_bytes - beside_pages(options, obstacles_.get()) -
+                 StandInGround::bytes_of(*source_, stand_in_.side()),
+             options.loaders) {}
 
 LiveGround::LiveGround(const atlas::Store& store, const terrain::HeightField& terrain, double frequency_hz,
                        const CacheOptions& options)
@@ -89,29 +102,6 @@ void LiveGround::wait_until_loaded() {
   pages_.wait_until_loaded();
   terrain_.windows().wait_until_loaded();
   if (obstacles_) obstacles_->cache().wait_until_loaded();
-}
-
-void LiveGround::load_coarsest_level() {
-  const atlas::PatchGrid& patches = description().patches;
-  const std::size_t level = coarsest_level();
-  const double tile_m = atlas::texel_side_m(patches, level) * static_cast<double>(atlas::tile_side);
-  const radar::Rectangle& extent = description().extent;
-  const auto tile_at = [tile_m](double position) { return static_cast<int>(std::floor(position / tile_m)); };
-  std::vector<PageKey> all;
-  for (int y = tile_at(extent.south_m); y * tile_m < extent.north_m; ++y) {
-    for (int x = tile_at(extent.west_m); x * tile_m < extent.east_m; ++x) {
-      for (std::uint32_t azimuth = 0; azimuth < aspects().azimuth_cells(); ++azimuth) {
-        for (std::uint32_t elevation = 0; elevation < aspects().elevation_cells(); ++elevation) {
-          all.push_back({{level, x, y}, {azimuth, elevation}});
-        }
-      }
-      for (std::uint32_t page = 0; page < pages_.source().ground_pages(); ++page) {
-        all.push_back(PageKey::bare_ground({level, x, y}, page));
-      }
-    }
-  }
-  if (all.size() > pages_.most_pages() / 2) return;
-  pages_.load(all);
 }
 
 }  // namespace sigmascape::render

@@ -8,19 +8,20 @@
 #include "sigmascape/render/live_obstacles.h"
 #include "sigmascape/render/live_terrain.h"
 #include "sigmascape/render/page_cache.h"
+#include "sigmascape/render/stand_in_ground.h"
 #include "sigmascape/terrain/height_field.h"
 
 namespace sigmascape::render {
 
-/// The ground as live renderers share it: pages of reflectivity that come and go, those of the coarsest level that
-/// stay, the terrain and what stands on it, of any size. One for each frequency; safe to use from any number of
-/// renderers at once.
+/// The ground as live renderers share it: pages of reflectivity that come and go, coarse ones that stay, the terrain
+/// and what stands on it, of any size. One for each frequency; safe to use from any number of renderers at once.
 class LiveGround {
  public:
-  /// Reads the coarsest level at once if half the budget holds it for all aspects, the rest when frames ask. Terrain in
-  /// use takes an eighth of the budget and, of an atlas that keeps the ground apart, obstacles another, however large
-  /// the atlas is. Throws Error when the atlas was not baked near the frequency, its store of bare ground is not there
-  /// or the budget does not hold a single page.
+  /// Reads the coarsest level of all looks at once, as coarsely as it fits into an eighth of the budget
+  /// (StandInGround), the rest when frames ask: no frame is dark where the atlas can be read. Terrain in use takes an
+  /// eighth of the budget and, of an atlas that keeps the ground apart, obstacles another, however large the atlas is.
+  /// Throws Error when the atlas was not baked near the frequency, its store of bare ground is not there or the budget
+  /// does not hold a single page besides.
   LiveGround(const atlas::Store& store, std::shared_ptr<terrain::TerrainPyramid> terrain, double frequency_hz,
              const CacheOptions& options = {});
   /// The same over terrain in memory.
@@ -35,6 +36,7 @@ class LiveGround {
 
   [[nodiscard]] double frequency_hz() const { return frequency_hz_; }
   [[nodiscard]] PageCache& pages() { return pages_; }
+  [[nodiscard]] const StandInGround& stand_in() const { return stand_in_; }
   [[nodiscard]] LiveTerrain& terrain() { return terrain_; }
   [[nodiscard]] const LiveTerrain& terrain() const { return terrain_; }
   /// What stands on the ground; null where the textures hold its shadows.
@@ -49,11 +51,11 @@ class LiveGround {
   void wait_until_loaded();
 
  private:
-  void load_coarsest_level();
-
   double frequency_hz_;
   LiveTerrain terrain_;
   std::unique_ptr<LiveObstacles> obstacles_;
+  std::shared_ptr<const PageSource> source_;
+  StandInGround stand_in_;
   PageCache pages_;
 };
 

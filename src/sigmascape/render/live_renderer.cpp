@@ -91,8 +91,9 @@ LiveRenderer::LiveRenderer(std::shared_ptr<LiveGround> ground, const LiveSetting
       visible_{VisibleGround(settings.visibility, team_.size()), VisibleGround(settings.visibility, team_.size())},
       sectors_(settings.visibility.method == VisibilityMethod::Rasterization
                    ? TerrainSectors::undivided(settings.beams)
-                   : TerrainSectors(settings.beams, settings.beam_step_rad)),
+                   : TerrainSectors(settings.beams, settings.beam_step_rad, beams_together(settings.beam_step_rad))),
       horizon_of_{&visible_[0].horizon(), &visible_[0].horizon()},
+      occluders_of_{occluders_[0], occluders_[0]},
       targets_({.frequency_hz = ground_->frequency_hz(),
                 .beams = settings.beams,
                 .ranges = settings.ranges,
@@ -104,8 +105,8 @@ LiveRenderer::LiveRenderer(std::shared_ptr<LiveGround> ground, const LiveSetting
   }
   bins_.resize(settings.beams * settings.ranges * numbers_a_bin(settings.content));
   for (unsigned worker = 0; worker < team_.size(); ++worker)
-    tasks_.push_back(
-        std::make_unique<SectorTask>(FrameParts{*ground_, settings_, lattice_, horizon_of_, shadows_, bounds_, bins_}));
+    tasks_.push_back(std::make_unique<SectorTask>(
+        FrameParts{*ground_, settings_, lattice_, horizon_of_, occluders_of_, sectors_, shadows_, bounds_, bins_}));
   // The tasks' and, after them, what lies ahead.
   wanted_.reserve(PageRows::most_wanted * (team_.size() + 1));
   wanted_terrain_.reserve(most_wanted_terrain);
@@ -287,6 +288,7 @@ void LiveRenderer::find_visible_ground(const FrameViews& there, const Pose& pose
   const auto level = static_cast<std::size_t>(levels.level - 1), next = static_cast<std::size_t>(levels.next - 1);
   const bool alike = terrain_level(level) == terrain_level(next);
   horizon_of_ = {&visible_[0].horizon(), &visible_[alike ? 0 : 1].horizon()};
+  occluders_of_ = {occluders_[0], occluders_[alike ? 0 : 1]};
   // Tasks look half a beam beyond their own.
   const std::size_t first_edge = beams.first - std::min<std::size_t>(beams.first, 1);
   const std::size_t end = std::min(beams.end + 1, settings_.beams) + 1;
@@ -307,10 +309,10 @@ void LiveRenderer::find_visible_ground(const FrameViews& there, const Pose& pose
 void LiveRenderer::look_at_targets(const Pose& pose, const DetailBlend& levels) {
   const bool alike = horizon_of_[0] == horizon_of_[1];
   const auto next_share = alike ? 0.0F : static_cast<float>(levels.next_share);
-  const TargetSight sight{
-      .levels = {{{horizon_of_[0], occluders_[0], 1.0F - next_share}, {horizon_of_[1], occluders_[1], next_share}}},
-      .sectors = sectors_,
-      .radar_height_m = pose.position.z};
+  const TargetSight sight{.levels = {{{horizon_of_[0], occluders_of_[0], 1.0F - next_share},
+                                      {horizon_of_[1], occluders_of_[1], next_share}}},
+                          .sectors = sectors_,
+                          .radar_height_m = pose.position.z};
   targets_.look(
       pose.targets,
       {.position = pose.position,
@@ -375,7 +377,7 @@ void LiveRenderer::look_ahead_at_pages(const PageCache::View& there, const Pose&
     const double azimuth =
         pose.first_azimuth_rad + static_cast<double>((first + done) % settings_.beams) * settings_.beam_step_rad;
     const Sector sector(azimuth, static_cast<double>(here) * settings_.beam_step_rad, grid.near_m, far_m());
-    add_forecast(there, ground_->pages().source(), {radar, sector, level, ground_m}, wanted_);
+    add_forecast({there, ground_->stand_in()}, ground_->pages().source(), {radar, sector, level, ground_m}, wanted_);
   }
 }
 

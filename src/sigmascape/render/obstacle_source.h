@@ -25,6 +25,8 @@ class ObstacleSource {
   void fill_tops(const atlas::TileAddress& tile, std::span<float> top_m) const;
 
   [[nodiscard]] std::size_t levels() const { return tiles_.levels(); }
+  /// Tiles of the coarsest level, so that something can stand in for what is missing.
+  [[nodiscard]] bool stays(const ObstaclePage& page) const { return page.level() + 1 == levels(); }
   /// Of the whole atlas; an upper bound.
   [[nodiscard]] float tallest_m() const { return tiles_.tallest_m(); }
   /// Files met so far that are not as their items say.

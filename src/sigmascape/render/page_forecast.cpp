@@ -21,7 +21,7 @@ bool meets(const Sector& sector, double west_m, double south_m, double side_m) {
 
 class Forecast {
  public:
-  Forecast(const PageCache::View& there, const PageSource& source, double below_m, std::vector<PageKey>& wanted)
+  Forecast(const PagesThere& there, const PageSource& source, double below_m, std::vector<PageKey>& wanted)
       : there_(there), source_(source), below_m_(std::max(below_m, 1.0)), wanted_(wanted) {}
 
   /// The pages of a tile whose south-western corner lies there from the radar.
@@ -50,12 +50,12 @@ class Forecast {
   }
 
   void add(const PageKey& key) {
-    if (wanted_.size() == wanted_.capacity() || there_.find(key) != nullptr) return;
+    if (wanted_.size() == wanted_.capacity() || there_.has(key)) return;
     const auto same = [&key](const PageKey& other) { return other == key; };
     if (std::ranges::none_of(wanted_, same)) wanted_.push_back(key);
   }
 
-  const PageCache::View& there_;
+  PagesThere there_;
   const PageSource& source_;
   double below_m_;
   std::vector<PageKey>& wanted_;
@@ -63,7 +63,7 @@ class Forecast {
 
 }  // namespace
 
-void add_forecast(const PageCache::View& there, const PageSource& source, const ForecastView& view,
+void add_forecast(const PagesThere& there, const PageSource& source, const ForecastView& view,
                   std::vector<PageKey>& wanted) {
   const double tile_m =
       atlas::texel_side_m(source.description().patches, view.level) * static_cast<double>(atlas::tile_side);

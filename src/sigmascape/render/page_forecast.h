@@ -5,6 +5,7 @@
 #include "sigmascape/base/vec.h"
 #include "sigmascape/render/page_cache.h"
 #include "sigmascape/render/sector.h"
+#include "sigmascape/render/stand_in_ground.h"
 
 namespace sigmascape::render {
 
@@ -16,9 +17,20 @@ struct ForecastView {
   double ground_height_m = 0.0;  ///< somewhere in the middle of the terrain: decides the elevation
 };
 
+/// What there is: pages that were read, and those that always are there.
+struct PagesThere {
+  const PageCache::View& read;
+  const StandInGround& stand_in;
+
+  /// Whether a page is there as finely as it can be.
+  [[nodiscard]] bool has(const PageKey& key) const {
+    return read.find(key) != nullptr || (stand_in.levels_above() == 0 && stand_in.find(key) != nullptr);
+  }
+};
+
 /// Adds the pages that a frame will want and that are not there, as far as the room that `wanted` has taken already
 /// goes. Aspects are those of points spread over each tile, on level ground.
-void add_forecast(const PageCache::View& there, const PageSource& source, const ForecastView& view,
+void add_forecast(const PagesThere& there, const PageSource& source, const ForecastView& view,
                   std::vector<PageKey>& wanted);
 
 }  // namespace sigmascape::render

@@ -4,7 +4,7 @@
 
 namespace sigmascape::render {
 
-PageRows::PageRows(std::size_t coarsest_level) : coarsest_level_(coarsest_level) {
+PageRows::PageRows(const StandInGround& stand_in) : stand_in_(stand_in) {
   wanted_.reserve(most_wanted);
 }
 
@@ -22,7 +22,8 @@ PageRow PageRows::row_of(const PageKey& key, std::size_t row, std::size_t column
   }
   PageRow found;
   PageKey above = key;
-  for (std::size_t up = 1; above.tile.level < coarsest_level_ && found.page == nullptr; ++up) {
+  std::size_t up = 1;
+  for (; above.tile.level < stand_in_.coarsest_level() && found.page == nullptr; ++up) {
     // Which quarter of its parent the tile is: rows count from the north, tiles from the south.
     const bool east = (above.tile.x & 1) != 0, south = (above.tile.y & 1) == 0;
     column += east ? atlas::tile_side << (up - 1) : 0;
@@ -30,8 +31,16 @@ PageRow PageRows::row_of(const PageKey& key, std::size_t row, std::size_t column
     above.tile = above.tile.parent();
     found = {view_.find(above), row >> up, column, up};
   }
-  // A coarse page covers much ground: where there is nothing yet it comes first.
-  if (found.page == nullptr) miss(above);
+  if (found.page == nullptr) {
+    const std::size_t levels_up = up - 1 + stand_in_.levels_above();
+    found = {stand_in_.find(above), row >> levels_up, column, levels_up};
+    if (levels_up == 0 && found.page != nullptr) {
+      last_page_ = found.page;
+      return found;
+    }
+    // A page of the coarsest level covers much ground: where there is none, and it would be finer, it comes first.
+    if (stand_in_.levels_above() > 0 || found.page == nullptr) miss(above);
+  }
   miss(key);
   return found;
 }

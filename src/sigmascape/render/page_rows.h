@@ -6,14 +6,16 @@
 #include <vector>
 
 #include "sigmascape/render/page_cache.h"
+#include "sigmascape/render/stand_in_ground.h"
 
 namespace sigmascape::render {
 
-/// A row of the best page there is for a place: the page itself or, until that is there, one of its ancestors.
+/// A row of the best page there is for a place: the page itself or, until that is there, one of its ancestors or what
+/// stands in for the coarsest of them.
 struct PageRow {
   const GroundPage* page = nullptr;
   std::size_t row = 0, first_column = 0;  ///< within the page; of the ancestor's texels the first is cut in halves
-  std::size_t levels_up = 0;
+  std::size_t levels_up = 0;              ///< by which the page's texels are coarser
 
   /// Column in the page of texel `i` of the stretch.
   [[nodiscard]] std::size_t column_of(std::size_t i) const { return (first_column + i) >> levels_up; }
@@ -35,7 +37,7 @@ class PageRows {
   /// Missing pages that one task remembers; the next frame will see the rest.
   static constexpr std::size_t most_wanted = 4096;
 
-  explicit PageRows(std::size_t coarsest_level);
+  explicit PageRows(const StandInGround& stand_in);
 
   void begin_frame(const PageCache::View& view);
   void end_frame() { view_ = {}; }
@@ -50,7 +52,7 @@ class PageRows {
  private:
   void miss(const PageKey& key);
 
-  std::size_t coarsest_level_;
+  const StandInGround& stand_in_;
   PageCache::View view_;
   std::vector<PageKey> wanted_;
   const GroundPage* last_page_ = nullptr;

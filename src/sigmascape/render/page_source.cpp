@@ -9,18 +9,15 @@ namespace {
 using atlas::Half;
 using atlas::tile_side;
 
-/// From [row][column][channel] of one look to its part of all blocks.
-void spread_over_blocks(std::span<const Half> halves, std::size_t look, GroundPage& page) {
-  const Half* from = halves.data();
-  Half* to = page.blocks.data() + look * GroundPage::look_halves;
-  for (std::size_t block = 0; block < tile_side * tile_side / GroundPage::vector; ++block) {
-    for (std::size_t column = 0; column < GroundPage::vector; ++column) {
-      for (std::size_t channel = 0; channel < GroundPage::channels; ++channel) {
-        to[channel * GroundPage::vector + column] = from[column * GroundPage::channels + channel];
-      }
+/// The greatest of the squares of [row][column] that each of fewer covers.
+void find_greatest(std::span<const float> finer, std::size_t finer_side, std::span<float> coarser, std::size_t side) {
+  const std::size_t each = finer_side / side;
+  std::ranges::fill(coarser, 0.0F);
+  for (std::size_t row = 0; row < finer_side; ++row) {
+    for (std::size_t column = 0; column < finer_side; ++column) {
+      float& greatest = coarser[row / each * side + column / each];
+      greatest = std::max(greatest, finer[row * finer_side + column]);
     }
-    from += GroundPage::look_halves;
-    to += page.block_halves();
   }
 }
 
@@ -38,59 +35,65 @@ std::uint32_t PageSource::ground_pages() const {
   return static_cast<std::uint32_t>((elevations + GroundPage::elevations - 1) / GroundPage::elevations);
 }
 
-std::size_t PageSource::most_bytes() const {
-  GroundPage example;
-  constexpr std::size_t texels = tile_side * tile_side;
-  example.blocks.reserve(texels * aspects_.looks_a_cell() * GroundPage::channels);
-  example.height_m.reserve(texels);
-  if (bare_ground_) {
-    example.slope.reserve(texels);
-    example.top_m.reserve(texels);
+std::size_t PageSource::most_bytes(std::size_t side) const {
+  const std::size_t of_looks = looks_a_page() * GroundPage::channels * sizeof(Half);
+  const std::size_t of_relief = sizeof(float) + (bare_ground_ ? sizeof(terrain::PackedSlope) + sizeof(float) : 0);
+  return side * side * (of_looks + of_relief) + sizeof(GroundPage);
+}
+
+std::array<PageSource::StoredLook, atlas::AspectCells::most_looks> PageSource::looks_of(const PageKey& key) const {
+  if (key.is_bare_ground()) return looks_of_ground(key.aspects.elevation);
+  std::array<StoredLook, atlas::AspectCells::most_looks> looks;
+  const auto indices = aspects_.looks_of(key.aspects);
+  for (std::size_t look = 0; look < looks_a_page(); ++look) looks[look] = {&tiles_, indices[look]};
+  return looks;
+}
+
+std::array<PageSource::StoredLook, atlas::AspectCells::most_looks> PageSource::looks_of_ground(
+    std::uint32_t page) const {
+  std::array<StoredLook, atlas::AspectCells::most_looks> looks;
+  if (!bare_ground_) return looks;
+  const std::size_t elevations = bare_ground_->tiles.description().aspects.elevations_rad.size();
+  const std::size_t frequencies = looks_a_page() / GroundPage::elevations;
+  for (std::size_t look = 0; look < looks_a_page(); ++look) {
+    const std::size_t elevation = page * GroundPage::elevations + look / frequencies;
+    if (elevation >= elevations) break;
+    const auto indices = bare_ground_->aspects.looks_of({0, static_cast<std::uint32_t>(elevation)});
+    // Those of one elevation and azimuth lie four apart, a frequency each.
+    looks[look] = {&bare_ground_->tiles, indices[4 * (look % frequencies)]};
   }
-  return example.bytes();
+  return looks;
 }
 
 bool PageSource::fill(GroundPage& page) const {
-  page.looks = aspects_.looks_a_cell();
-  page.blocks.resize(tile_side * tile_side * page.looks * GroundPage::channels);
-  page.height_m.resize(tile_side * tile_side);
-  if (page.key.is_bare_ground()) return fill_ground(page);
-  const auto looks = aspects_.looks_of(page.key.aspects);
+  if (page.key.is_bare_ground() && !bare_ground_) return false;
+  page.make_room(tile_side, looks_a_page());
+  page.scale.fill(0.0F);
+  const auto looks = looks_of(page.key);
   std::vector<Half> halves(atlas::TileReader::tile_halves);
   for (std::size_t look = 0; look < page.looks; ++look) {
-    if (!fill_look(tiles_, looks[look], look, page, halves)) return false;
+    if (looks[look].tiles == nullptr) continue;
+    const double scale = looks[look].tiles->read(page.key.tile, looks[look].index,
+                                                 std::span<Half, atlas::TileReader::tile_halves>(halves));
+    if (scale == 0.0) return false;
+    page.put_look(look, halves, static_cast<float>(scale));
   }
-  heights_(atlas::texels_of(tiles_.description().patches, page.key.tile), page.height_m);
+  fill_relief(page);
   return true;
 }
 
-bool PageSource::fill_ground(GroundPage& page) const {
-  if (!bare_ground_) return false;
-  page.slope.resize(tile_side * tile_side);
-  page.top_m.resize(tile_side * tile_side);
-  const std::size_t elevations = bare_ground_->tiles.description().aspects.elevations_rad.size();
-  const std::size_t frequencies = page.looks / GroundPage::elevations;
-  std::vector<Half> halves(atlas::TileReader::tile_halves);
-  for (std::size_t look = 0; look < page.looks; ++look) {
-    const std::size_t elevation = page.key.aspects.elevation * GroundPage::elevations + look / frequencies;
-    page.scale[look] = 0.0F;
-    if (elevation >= elevations) continue;
-    const auto looks = bare_ground_->aspects.looks_of({0, static_cast<std::uint32_t>(elevation)});
-    // Those of one elevation and azimuth lie four apart, a frequency each.
-    if (!fill_look(bare_ground_->tiles, looks[4 * (look % frequencies)], look, page, halves)) return false;
+void PageSource::fill_relief(GroundPage& page) const {
+  const radar::GroundGrid texels = page.texels(description().patches);
+  heights_(texels, page.height_m);
+  if (!page.key.is_bare_ground()) return;
+  bare_ground_->slopes(texels, page.slope);
+  if (page.side == tile_side) {
+    bare_ground_->tops(page.key.tile, page.top_m);
+    return;
   }
-  heights_(atlas::texels_of(tiles_.description().patches, page.key.tile), page.height_m);
-  bare_ground_->relief(page.key.tile, page.slope, page.top_m);
-  return true;
-}
-
-bool PageSource::fill_look(const atlas::TileReader& tiles, atlas::LookIndex index, std::size_t look, GroundPage& page,
-                           std::vector<Half>& halves) {
-  const double scale = tiles.read(page.key.tile, index, std::span<Half, atlas::TileReader::tile_halves>(halves));
-  if (scale == 0.0) return false;
-  page.scale[look] = static_cast<float>(scale);
-  spread_over_blocks(halves, look, page);
-  return true;
+  std::vector<float> top_m(tile_side * tile_side);
+  bare_ground_->tops(page.key.tile, top_m);
+  find_greatest(top_m, tile_side, page.top_m, page.side);
 }
 
 }  // namespace sigmascape::render

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "sigmascape/atlas/aspect_cell.h"
@@ -13,14 +15,17 @@ namespace sigmascape::render {
 /// Fills heights of the cells' centres of a grid, [row][column], north up.
 using HeightSource = std::function<void(const radar::GroundGrid& cells, std::span<float> height_m)>;
 
-/// Fills slopes of the ground and the height of what stands on it at the centres of a tile's texels, [row][column].
-using ReliefSource =
-    std::function<void(const atlas::TileAddress& tile, std::span<terrain::PackedSlope> slope, std::span<float> top_m)>;
+/// Fills slopes of the ground, likewise.
+using SlopeSource = std::function<void(const radar::GroundGrid& cells, std::span<terrain::PackedSlope> slope)>;
+
+/// Fills how high what answers from the texels of a tile may stand above the ground, [row][column].
+using TopSource = std::function<void(const atlas::TileAddress& tile, std::span<float> top_m)>;
 
 /// The ground by itself, of an atlas that keeps it apart.
 struct BareGround {
   const atlas::Store& sigma0;  ///< of one azimuth
-  ReliefSource relief;
+  SlopeSource slopes;
+  TopSource tops;
 };
 
 /// Makes pages out of what is stored: tiles of a few looks and the terrain under them.
@@ -35,6 +40,19 @@ class PageSource {
   /// or cannot be read: without it the page would be darker than the ground is.
   [[nodiscard]] bool fill(GroundPage& page) const;
 
+  /// Where a look of a page is read.
+  struct StoredLook {
+    const atlas::TileReader* tiles = nullptr;  ///< null where the page has room for more looks than there are
+    atlas::LookIndex index = 0;
+
+    friend constexpr auto operator<=>(const StoredLook&, const StoredLook&) = default;
+  };
+  /// Those of the page of a key, in its order; as many as it has looks.
+  [[nodiscard]] std::array<StoredLook, atlas::AspectCells::most_looks> looks_of(const PageKey& key) const;
+  [[nodiscard]] std::size_t looks_a_page() const { return aspects_.looks_a_cell(); }
+  /// Fills heights and, of bare ground, slopes and tops of a page that has room for them.
+  void fill_relief(GroundPage& page) const;
+
   /// Number of levels that pages can have.
   [[nodiscard]] std::size_t levels() const { return tiles_.levels(); }
   [[nodiscard]] const atlas::AspectCells& aspects() const { return aspects_; }
@@ -48,25 +66,26 @@ class PageSource {
   [[nodiscard]] std::size_t damaged() const {
     return tiles_.damaged() + (bare_ground_ ? bare_ground_->tiles.damaged() : 0);
   }
-  /// Of any page.
-  [[nodiscard]] std::size_t most_bytes() const;
+  /// Of any page with so many texels a side.
+  [[nodiscard]] std::size_t most_bytes(std::size_t side = atlas::tile_side) const;
+  /// Whether a page is never to give way to others: none, for all ground has pages that stand in (StandInGround).
+  [[nodiscard]] static constexpr bool stays(const GroundPage&) { return false; }
   [[nodiscard]] const atlas::AtlasDescription& description() const { return tiles_.description(); }
 
  private:
   struct GroundTiles {
     GroundTiles(const BareGround& ground, double frequency_hz, atlas::Scrutiny scrutiny)
         : tiles(ground.sigma0, scrutiny),
-          relief(ground.relief),
+          slopes(ground.slopes),
+          tops(ground.tops),
           aspects(ground.sigma0.description().aspects, frequency_hz) {}
     atlas::TileReader tiles;
-    ReliefSource relief;
+    SlopeSource slopes;
+    TopSource tops;
     atlas::AspectCells aspects;
   };
 
-  [[nodiscard]] bool fill_ground(GroundPage& page) const;
-  /// Reads one look into its planes; whether it was there.
-  static bool fill_look(const atlas::TileReader& tiles, atlas::LookIndex index, std::size_t look, GroundPage& page,
-                        std::vector<atlas::Half>& halves);
+  [[nodiscard]] std::array<StoredLook, atlas::AspectCells::most_looks> looks_of_ground(std::uint32_t page) const;
 
   atlas::TileReader tiles_;
   HeightSource heights_;

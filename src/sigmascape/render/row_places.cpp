@@ -70,11 +70,9 @@ void find_angles(LatticeRow& row, const RowGeometry& geometry) {
   }
 }
 
-constexpr std::size_t last_column = atlas::tile_side - 1;
-
 void stand_one_on(LatticeRow& row, const PageHeights& heights, std::size_t i, float per_rows) {
   const std::size_t column = (heights.first_column + i) >> heights.levels_up;
-  const std::size_t left = std::max<std::size_t>(column, 1) - 1, right = std::min(column + 1, last_column);
+  const std::size_t left = std::max<std::size_t>(column, 1) - 1, right = std::min(column + 1, heights.last_column);
   const float rise_east = (heights.row[right] - heights.row[left]) / static_cast<float>(right - left);
   const float rise_north = (heights.north_row[column] - heights.south_row[column]) * per_rows;
   const double middle_m = heights.west_m + (static_cast<double>(column) + 0.5) * heights.texel_m;
@@ -112,18 +110,30 @@ void stand_all_on(LatticeRow& row, const PageHeights& heights) {
     return;
   }
   const std::size_t first = heights.first_column == 0 ? 1 : 0;
-  const std::size_t end = heights.first_column + row.count > last_column ? row.count - 1 : row.count;
+  const std::size_t end = heights.first_column + row.count > heights.last_column ? row.count - 1 : row.count;
   if (first == 1) stand_one_on(row, heights, 0, per_rows);
   if (first < end) stand_many_on(row, heights, first, end, per_rows);
   if (end < row.count) stand_one_on(row, heights, end, per_rows);
+}
+
+/// Steps may go on to the end of a vector.
+void go_on_with_last_height(LatticeRow& row) {
+  std::fill_n(row.height_m.begin() + static_cast<std::ptrdiff_t>(row.count), row.whole_vectors() - row.count,
+              row.height_m[row.count - 1]);
 }
 
 }  // namespace
 
 void stand_on(LatticeRow& row, const PageHeights& heights) {
   stand_all_on(row, heights);
-  std::fill_n(row.height_m.begin() + static_cast<std::ptrdiff_t>(row.count), row.whole_vectors() - row.count,
-              row.height_m[row.count - 1]);
+  go_on_with_last_height(row);
+}
+
+void stand_on(LatticeRow& row, const terrain::TerrainView& terrain, Vec2d radar) {
+  for (std::size_t i = 0; i < row.count; ++i) {
+    row.height_m[i] = static_cast<float>(terrain::height_at(terrain, radar + Vec2d{row.east_m[i], row.north_m[i]}));
+  }
+  go_on_with_last_height(row);
 }
 
 void locate(LatticeRow& row, const RowGeometry& geometry) {

@@ -2,7 +2,9 @@
 
 #include <cstddef>
 
+#include "sigmascape/base/vec.h"
 #include "sigmascape/render/lattice_row.h"
+#include "sigmascape/terrain/terrain_view.h"
 
 namespace sigmascape::render {
 
@@ -14,12 +16,15 @@ struct PageHeights {
   double texel_m = 1.0;
   double west_m = 0.0, north_m = 0.0;  ///< from the radar: west edge of column 0, middle of the row
   std::size_t first_column = 0;        ///< of the row's first texel, in the finer columns of `levels_up`
+  std::size_t last_column = 0;         ///< of the page
   std::size_t levels_up = 0;
 };
 
 /// Fills height_m at the scatterers' own places: that of the texel's centre and the slope between its neighbours.
 /// Without the slope, scatterers on a hillside would stand below or above ground, and ground hide itself.
 void stand_on(LatticeRow& row, const PageHeights& heights);
+/// The same on terrain: ground as coarse as a page that stands in would vanish behind finer ridges.
+void stand_on(LatticeRow& row, const terrain::TerrainView& terrain, Vec2d radar);
 
 /// Fills everything from ground_m to range_bin out of east_m, north_m and height_m.
 void locate(LatticeRow& row, const RowGeometry& geometry);

@@ -22,11 +22,10 @@ void SectorTask::begin_frame(const PageCache::View& view, std::size_t targets) {
 void SectorTask::fill(const Pose& pose, Beams beams, const DetailBlend& levels) {
   const auto level = static_cast<std::size_t>(levels.level - 1), next = static_cast<std::size_t>(levels.next - 1);
   const auto next_share = static_cast<float>(levels.next_share);
-  const auto& [horizon, next_horizon] = parts_.horizons;
   if (level == next || next_share < 1.0F) {
-    add_level(pose, beams, level, *horizon, level == next ? 1.0F : 1.0F - next_share);
+    add_level(pose, beams, level, 0, level == next ? 1.0F : 1.0F - next_share);
   }
-  if (level != next && next_share > 0.0F) add_level(pose, beams, next, *next_horizon, next_share);
+  if (level != next && next_share > 0.0F) add_level(pose, beams, next, 1, next_share);
   hand_over(beams);
 }
 
@@ -65,7 +64,7 @@ void hand_over_beam(float* __restrict own, std::size_t count, float* __restrict 
 
 SectorTask::SectorTask(const FrameParts& parts)
     : parts_(parts),
-      pages_(parts.ground.coarsest_level()),
+      pages_(parts.ground.stand_in()),
       stride_(odd_lines(parts.settings)),
       own_bins_(beams_together(parts.settings.beam_step_rad) * stride_ * numbers_a_bin(parts.settings.content) / 16) {}
 
@@ -78,8 +77,9 @@ void SectorTask::hand_over(Beams beams) {
   }
 }
 
-void SectorTask::add_level(const Pose& pose, Beams beams, std::size_t level, const HorizonMap& horizon, float share) {
-  horizon_ = &horizon;
+void SectorTask::add_level(const Pose& pose, Beams beams, std::size_t level, std::size_t which, float share) {
+  horizon_ = parts_.horizons[which];
+  terrain_ = &parts_.occluders[which][parts_.sectors.of_edge(beams.first)].terrain;
   start(pose, beams, level);
   share_ = share;
   const double tile_m = texel_m_ * static_cast<double>(atlas::tile_side);
@@ -151,7 +151,11 @@ void SectorTask::fill_stretch(const Place& place, std::size_t count) {
     report_.dark += count;
     return;
   }
-  stand_on(row_, heights_of(ground));
+  if (ground.levels_up > 0 && hides_as_finely_as(ground)) {
+    stand_on(row_, *terrain_, {pose_->position.x, pose_->position.y});
+  } else {
+    stand_on(row_, heights_of(ground));
+  }
   locate(row_, geometry_);
   report_.lit += light(row_, horizon());
   report_.lit -= shadows_.shade(row_, place.first_column);
@@ -178,16 +182,23 @@ void SectorTask::place_scatterers(const Place& place) {
   move(row_, pose_->position.x, pose_->position.y);
 }
 
+bool SectorTask::hides_as_finely_as(const PageRow& ground) const {
+  const LiveTerrain& terrain = parts_.ground.terrain();
+  const int level = terrain.level_for(std::ldexp(texel_m_, static_cast<int>(ground.levels_up)));
+  return terrain_->spacing_m <= terrain.pyramid().layout().spacing_at(level);
+}
+
 PageHeights SectorTask::heights_of(const PageRow& ground) const {
   const GroundPage& page = *ground.page;
-  const radar::GroundGrid texels = atlas::texels_of(patches(), page.key.tile);
+  const radar::GroundGrid texels = page.texels(patches());
   return {.row = page.row_heights(ground.row),
           .north_row = page.row_heights(ground.row > 0 ? ground.row - 1 : 0),
-          .south_row = page.row_heights(std::min(ground.row + 1, atlas::tile_side - 1)),
+          .south_row = page.row_heights(std::min(ground.row + 1, page.side - 1)),
           .texel_m = texels.cell_m,
           .west_m = texels.west_m - pose_->position.x,
           .north_m = texels.centre_of(0, ground.row).y - pose_->position.y,
           .first_column = ground.first_column,
+          .last_column = page.side - 1,
           .levels_up = ground.levels_up};
 }
 
@@ -206,7 +217,7 @@ Horizon SectorTask::horizon() const {
 
 void SectorTask::light_apart_from(const PageRow& ground) {
   constexpr float per_step = 1.0F / terrain::PackedSlope::steps_per_unit;
-  const std::size_t row = ground.row * atlas::tile_side;
+  const std::size_t row = ground.row * ground.page->side;
   for (std::size_t i = 0; i < row_.count; ++i) {
     const std::size_t texel = row + ground.column_of(i);
     row_.slope_east[i] = static_cast<float>(ground.page->slope[texel].east) * per_step;

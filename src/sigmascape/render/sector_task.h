@@ -31,6 +31,8 @@ struct FrameParts {
   /// Of this frame, swept already: over the terrain of the level of detail in use and, while it gives way to the next,
   /// over that of the next.
   const std::array<const HorizonMap*, 2>& horizons;
+  const std::array<std::span<const Occluders>, 2>& occluders;  ///< that they were swept over, sector by sector
+  const TerrainSectors& sectors;
   const BoxShadows& shadows;            ///< that the frame's targets cast
   const terrain::HeightBounds& bounds;  ///< of the ground that this frame looks at
   std::span<float> bins;                ///< [beam][range][number]
@@ -63,7 +65,8 @@ class SectorTask {
   /// Moves the beams' numbers into the frame and leaves zeros behind.
   void hand_over(Beams beams);
   [[nodiscard]] float* own_bins() { return own_bins_.data()->of.data(); }
-  void add_level(const Pose& pose, Beams beams, std::size_t level, const HorizonMap& horizon, float share);
+  /// The first or the second of the two.
+  void add_level(const Pose& pose, Beams beams, std::size_t level, std::size_t which, float share);
   void start(const Pose& pose, Beams beams, std::size_t level);
   void fill_tile(const atlas::TileAddress& tile);
   void fill_stretch(const Place& place, std::size_t count);
@@ -81,6 +84,8 @@ class SectorTask {
   /// Draws the scatterers' values.
   void draw();
 
+  /// Whether the terrain that hides is known as finely as that which a page stands on that is not the texels' own.
+  [[nodiscard]] bool hides_as_finely_as(const PageRow& ground) const;
   [[nodiscard]] PageHeights heights_of(const PageRow& ground) const;
   [[nodiscard]] Horizon horizon() const;
   [[nodiscard]] const atlas::AspectCells* ground_aspects() const;
@@ -106,6 +111,7 @@ class SectorTask {
   // Of the level in hand.
   const Pose* pose_ = nullptr;
   const HorizonMap* horizon_ = nullptr;
+  const terrain::TerrainView* terrain_ = nullptr;
   std::size_t level_ = 0, first_beam_ = 0;
   double texel_m_ = 1.0;
   double first_azimuth_rad_ = 0.0;

@@ -34,13 +34,12 @@ struct CacheReport {
 /// wanted more.
 ///
 /// A frame takes a view, which never changes under its hands, finds in it what is there, and afterwards says what it
-/// would have liked. It waits neither for a page nor for any thread that deals with pages or with another frame. Pages
-/// of the coarsest level stay once they are there, so that something can stand in for what is missing. Any number of
-/// renderers may share one cache.
+/// would have liked. It waits neither for a page nor for any thread that deals with pages or with another frame. Any
+/// number of renderers may share one cache.
 ///
 /// A `Source` makes pages: it names their type `Source::Page`, fills one in any thread as its `key` says (false when it
-/// cannot be had), and tells how many bytes one takes at most, how many levels there are and how many files were found
-/// damaged.
+/// cannot be had), and tells how many bytes one takes at most, which never give way to others once they are there, and
+/// how many files were found damaged.
 template <typename Source>
 class TileCache {
  public:
@@ -251,13 +250,11 @@ std::shared_ptr<typename TileCache<Source>::Page> TileCache<Source>::empty_page(
 template <typename Source>
 void TileCache<Source>::drop_oldest_page() {
   const Entries& entries = entries_.newest();
-  // Of equally old ones the finer goes: its parent can stand in for it. The coarsest have none and stay.
-  const std::size_t coarsest = source_->levels() - 1;
-  const auto oldest = std::ranges::min_element(entries, {}, [coarsest](const Entry& entry) {
-    const std::size_t level = entry->level();
-    return std::tuple(level == coarsest, entry->last_wanted.load(std::memory_order_relaxed), level);
+  // Of equally old ones the finer goes: its parent can stand in for it.
+  const auto oldest = std::ranges::min_element(entries, {}, [this](const Entry& entry) {
+    return std::tuple(source_->stays(*entry), entry->last_wanted.load(std::memory_order_relaxed), entry->level());
   });
-  if (oldest == entries.end() || (*oldest)->level() == coarsest ||
+  if (oldest == entries.end() || source_->stays(**oldest) ||
       (*oldest)->last_wanted.load(std::memory_order_relaxed) + 1 >= frame_.load())
     return;
   Entries rest;

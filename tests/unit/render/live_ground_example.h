@@ -17,17 +17,18 @@
 
 namespace sigmascape::render {
 
-/// A baked square of so many patches a side, north-east of the origin; each texel is what `sigma0` says of its look,
-/// the height of the ground what `height_m` says of the way from the middle.
+/// A baked square of so many patches a side, north-east of the origin or about it; each texel is what `sigma0` says of
+/// its look, the height of the ground what `height_m` says of the way from the middle.
 struct ExampleGround {
   double texel_m = 4.0;
   int patches_a_side = 2;
+  bool about_origin = false;  ///< where four tiles of any level meet
+  int azimuths = 4;
+  std::vector<double> elevations_deg = {5.0, 13.0, 37.0};
   std::function<radar::Channels(const radar::Look&)> sigma0;
   /// Factor of a texel by its look and the way from the middle to its centre.
   std::function<float(const radar::Look&, Vec2d)> pattern = [](const radar::Look&, Vec2d) { return 1.0F; };
-  /// That are baked.
-  std::vector<double> frequencies_hz = {10e9}, azimuths_deg = {0.0, 90.0, 180.0, 270.0},
-                      elevations_deg = {5.0, 13.0, 37.0};
+  std::vector<double> frequencies_hz = {10e9};  ///< that are baked
   std::function<double(Vec2d)> height_m = [](Vec2d) { return 0.0; };
   double terrain_spacing_m = 8.0;
   CacheOptions cache = {};
@@ -37,17 +38,22 @@ struct ExampleGround {
   std::function<radar::Obstacle(Vec2d)> obstacle = [](Vec2d) { return radar::Obstacle{}; };
 
   [[nodiscard]] double side_m() const { return 256.0 * texel_m * patches_a_side; }
-  [[nodiscard]] Vec2d middle() const { return {side_m() / 2.0, side_m() / 2.0}; }
+  [[nodiscard]] Vec2d south_west() const { return about_origin ? Vec2d{-side_m() / 2.0, -side_m() / 2.0} : Vec2d{}; }
+  [[nodiscard]] Vec2d middle() const { return south_west() + Vec2d{side_m() / 2.0, side_m() / 2.0}; }
 
   [[nodiscard]] atlas::Store store(const std::filesystem::path& folder) const {
     atlas::AtlasDescription description;
     description.name = "example";
-    description.extent = {0.0, 0.0, side_m(), side_m()};
+    const Vec2d corner = south_west();
+    description.extent = {corner.x, corner.y, corner.x + side_m(), corner.y + side_m()};
     description.patches = {texel_m, atlas::tile_side};
     description.scene_hash = "none";
-    for (const double azimuth : azimuths_deg) description.aspects.azimuths_rad.push_back(radians_from_deg(azimuth));
-    for (const double elevation : elevations_deg)
+    for (int azimuth = 0; azimuth < azimuths; ++azimuth) {
+      description.aspects.azimuths_rad.push_back(radians_from_deg(azimuth * 360.0 / azimuths));
+    }
+    for (const double elevation : elevations_deg) {
       description.aspects.elevations_rad.push_back(radians_from_deg(elevation));
+    }
     description.aspects.frequencies_hz = frequencies_hz;
     if (bare_sigma0) description.settings[atlas::shadows_setting] = atlas::shadows_at_run_time;
     atlas::Store store = atlas::Store::create(folder, description);
@@ -108,8 +114,8 @@ struct ExampleGround {
   [[nodiscard]] terrain::HeightField terrain() const {
     constexpr double margin_m = 100.0;
     terrain::HeightField field;
-    field.west_m = -margin_m;
-    field.north_m = side_m() + margin_m;
+    field.west_m = south_west().x - margin_m;
+    field.north_m = south_west().y + side_m() + margin_m;
     field.spacing_m = terrain_spacing_m;
     const auto nodes = static_cast<std::size_t>((side_m() + 2.0 * margin_m) / terrain_spacing_m) + 1;
     field.height_m = Array2D<float>(nodes, nodes);

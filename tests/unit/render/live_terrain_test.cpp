@@ -251,7 +251,7 @@ TEST_F(LiveTerrainTest, HidesNothingByWhatItDoesNotKnowYet) {
 TEST(TerrainSectors, AreNoWiderThanAQuarterTurnAndHoldEveryEdgeOnce) {
   for (const std::size_t beams : {1U, 3U, 7U, 512U}) {
     for (const double width_rad : {0.01, 0.5 * pi, 0.51 * pi, pi, 1.7 * pi, 2.0 * pi}) {
-      const TerrainSectors sectors(beams, width_rad / static_cast<double>(beams));
+      const TerrainSectors sectors(beams, width_rad / static_cast<double>(beams), 1);
       EXPECT_EQ(sectors.count(),
                 std::min<std::size_t>(beams, static_cast<std::size_t>(std::ceil(2.0 * width_rad / pi))));
       EXPECT_EQ(sectors.first_edge(0), 0U);
@@ -265,10 +265,19 @@ TEST(TerrainSectors, AreNoWiderThanAQuarterTurnAndHoldEveryEdgeOnce) {
   }
 }
 
+TEST(TerrainSectors, PartNoBeamsThatAreFilledTogether) {
+  const TerrainSectors sectors(500, 2.0 * pi / 500.0, 64);
+  ASSERT_EQ(sectors.count(), 4U);
+  for (std::size_t sector = 0; sector < 4; ++sector) EXPECT_EQ(sectors.first_edge(sector), sector * 125 / 64 * 64);
+  EXPECT_EQ(sectors.of_edge(63), 0U);
+  EXPECT_EQ(sectors.of_edge(64), 1U);
+  EXPECT_EQ(sectors.of_edge(500), 3U);
+}
+
 TEST(LiveTurn, HasTheTerrainOfItsTexelsThoughNoWindowHoldsItWhole) {
   ExampleGround example = hilly();
   example.patches_a_side = 4;
-  example.azimuths_deg = {0.0};
+  example.azimuths = 1;
   example.elevations_deg = {2.0, 37.0};
   example.terrain_spacing_m = 5.0;
   const ScratchFolder folder;

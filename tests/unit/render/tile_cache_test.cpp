@@ -37,7 +37,7 @@ struct NumberSource {
     for (std::uint64_t& number : page.numbers) number = hashed(page.key, 1);
     return true;
   }
-  static std::size_t levels() { return 2; }
+  static bool stays(const NumberPage&) { return false; }
   static std::size_t most_bytes() { return 1; }
   [[nodiscard]] std::size_t damaged() const { return asked_for_damage(); }
 

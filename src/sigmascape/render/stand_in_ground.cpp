@@ -1,0 +1,112 @@
+#include "sigmascape/render/stand_in_ground.h"
+
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "sigmascape/base/parallel.h"
+#include "sigmascape/render/coarse_look.h"
+
+namespace sigmascape::render {
+
+StandInGround::Layout::Layout(const PageSource& source)
+    : level(source.levels() - 1),
+      azimuths(source.aspects().azimuth_cells()),
+      elevations(source.aspects().elevation_cells()),
+      ground_pages(source.ground_pages()) {
+  const atlas::AtlasDescription& atlas = source.description();
+  const double tile_m = atlas::texel_side_m(atlas.patches, level) * static_cast<double>(atlas::tile_side);
+  const auto first = [tile_m](double edge) { return static_cast<int>(std::floor(edge / tile_m)); };
+  // A tile that only touches an edge has no part in the atlas.
+  const auto last = [tile_m](double edge) { return static_cast<int>(std::ceil(edge / tile_m)) - 1; };
+  west = first(atlas.extent.west_m);
+  south = first(atlas.extent.south_m);
+  across = static_cast<std::size_t>(last(atlas.extent.east_m) - west + 1);
+  up = static_cast<std::size_t>(last(atlas.extent.north_m) - south + 1);
+}
+
+PageKey StandInGround::Layout::key_of(std::size_t page) const {
+  const std::size_t number = page / pages_a_tile(), aspects = page % pages_a_tile();
+  const atlas::TileAddress tile{level, west + static_cast<int>(number % across),
+                                south + static_cast<int>(number / across)};
+  if (aspects >= azimuths * elevations) {
+    return PageKey::bare_ground(tile, static_cast<std::uint32_t>(aspects - azimuths * elevations));
+  }
+  return {tile, {static_cast<std::uint32_t>(aspects / elevations), static_cast<std::uint32_t>(aspects % elevations)}};
+}
+
+std::size_t StandInGround::bytes_of(const PageSource& source, std::size_t side) {
+  return Layout(source).pages() * source.most_bytes(side);
+}
+
+std::size_t StandInGround::side_within(const PageSource& source, std::size_t most_bytes) {
+  std::size_t side = atlas::tile_side;
+  while (side > least_side && bytes_of(source, side) > most_bytes) side /= 2;
+  return side;
+}
+
+StandInGround::StandInGround(const PageSource& source, std::size_t side)
+    : layout_(source), side_(side), pages_(layout_.pages()) {
+  for (std::size_t page = 0; page < pages_.size(); ++page) {
+    pages_[page].key = layout_.key_of(page);
+    pages_[page].make_room(side_, source.looks_a_page());
+  }
+  read_looks(source);
+  parallel_for(layout_.across * layout_.up, 0, [&](std::size_t tile, unsigned) { find_relief(source, tile); });
+}
+
+void StandInGround::read_looks(const PageSource& source) {
+  struct Place {
+    GroundPage* page;
+    std::size_t look;
+  };
+  std::map<std::pair<atlas::TileAddress, PageSource::StoredLook>, std::vector<Place>> places;
+  for (GroundPage& page : pages_) {
+    const auto looks = source.looks_of(page.key);
+    for (std::size_t look = 0; look < page.looks; ++look) {
+      if (looks[look].tiles != nullptr) places[{page.key.tile, looks[look]}].push_back({&page, look});
+    }
+  }
+  const std::vector<std::pair<std::pair<atlas::TileAddress, PageSource::StoredLook>, std::vector<Place>>> all(
+      places.begin(), places.end());
+  parallel_for(all.size(), 0, [&](std::size_t number, unsigned) {
+    const auto& [stored, wanted_in] = all[number];
+    const CoarseLook look = coarse_look(*stored.second.tiles, stored.first, stored.second.index, side_);
+    if (look.scale == 0.0) return;
+    for (const Place& place : wanted_in) {
+      place.page->put_look(place.look, look.halves, static_cast<float>(look.scale));
+    }
+  });
+  for (const auto& [stored, wanted_in] : all) {
+    for (const Place& place : wanted_in) {
+      if (place.page->scale[place.look] == 0.0F) place.page->blocks.clear();
+    }
+  }
+}
+
+void StandInGround::find_relief(const PageSource& source, std::size_t tile) {
+  const std::span pages = std::span(pages_).subspan(tile * layout_.pages_a_tile(), layout_.pages_a_tile());
+  // The last is one of bare ground where there are any, and has everything.
+  GroundPage& of_all = pages.back();
+  source.fill_relief(of_all);
+  for (GroundPage& page : pages.first(pages.size() - 1)) {
+    page.height_m = of_all.height_m;
+    if (!page.key.is_bare_ground()) continue;
+    page.slope = of_all.slope;
+    page.top_m = of_all.top_m;
+  }
+}
+
+const GroundPage* StandInGround::find(const PageKey& key) const {
+  if (key.tile.level != layout_.level) return nullptr;
+  // Before the first they are more than any number of tiles.
+  const auto column = static_cast<std::size_t>(key.tile.x - layout_.west),
+             row = static_cast<std::size_t>(key.tile.y - layout_.south);
+  if (column >= layout_.across || row >= layout_.up) return nullptr;
+  const std::size_t in_tile = key.is_bare_ground() ? layout_.azimuths * layout_.elevations + key.aspects.elevation
+                                                   : key.aspects.azimuth * layout_.elevations + key.aspects.elevation;
+  const GroundPage& page = pages_[(row * layout_.across + column) * layout_.pages_a_tile() + in_tile];
+  return page.blocks.empty() ? nullptr : &page;
+}
+
+}  // namespace sigmascape::render
