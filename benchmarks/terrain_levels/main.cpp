@@ -1,6 +1,7 @@
 // How much does a live frame lose of shadows and ranges on coarse terrain, when its nodes stand two texels apart, one,
 // or half of one, against terrain as fine as it is known?
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>

@@ -74,9 +74,8 @@ void add_live_flight(py::module_& module) {
           "of a scanning antenna. A change between levels goes on from step to step.")
       .def_property_readonly(
           "textured_share", [](const SceneFlight& held) { return held.flight.textured_share(); },
-          "Part of the last frame's power, or of the last step's, that comes from textures: 0 where it is traced, 1 "
-          "from\n"
-          "textures.")
+          "Part of the last frame's power, or of the last step's, that comes from textures:\n"
+          "0 where it is traced, 1 from textures.")
       .def(
           "explained", [](const SceneFlight& held) { return held.flight.explained(); },
           "What the last pose asked for, and why, in a few lines for people.");

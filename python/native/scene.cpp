@@ -94,7 +94,7 @@ void add_scene(py::module_& module) {
           "A box and a cylinder on a plane. Materials are named as in the material library.")
       .def_static("paper", &made_up_town, py::kw_only(), py::arg("scale") = 1.0, py::arg("seed") = 1,
                   py::arg("materials") = "paper", Release(),
-                  "A made-up town by a river with fields, forests and hills; `scale` (0.1 to 2) times 2 km a side.\n"
+                  "A made-up town by a river with fields, forests and hills; `scale` (0.1 to 5) times 2 km a side.\n"
                   "`materials`: 'paper' or 'itu'.")
       .def_property_readonly("name", [](const LoadedScene& s) { return s.scene().name; })
       .def_property_readonly(

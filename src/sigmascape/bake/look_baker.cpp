@@ -69,13 +69,14 @@ trace::SceneGeometry& LookBaker::geometry_about(const radar::GroundGrid& texels)
 }
 
 trace::Surroundings LookBaker::surroundings_of(const radar::GroundGrid& texels) const {
-  const double lowest_rad = std::ranges::min(settings_.aspects.elevations_rad);
+  const auto [lowest_rad, highest_rad] = std::ranges::minmax(settings_.aspects.elevations_rad);
   const radar::Rectangle target = radar::common_part(texels.extent(), scene_.extent);
-  const auto flattest = trace::Viewpoint::distant({0.0, lowest_rad});
-  // Rays are launched by whole tiles.
+  const double late_m = trace::late_by_m(tallest_m_, trace::Viewpoint::distant({0.0, lowest_rad}), target);
+  // Paths begin at what lies over to where they may begin, and cells are launched by whole tiles.
+  const double layover_m = (heights_.highest_m - heights_.lowest_m) * std::tan(highest_rad);
   const double tile_m = settings_.patches.texel_m * trace::tile_side_cells;
-  const double before_m = trace::late_by_m(tallest_m_, flattest, target) + 2.0 * tile_m;
-  return {.place = radar::widened(target, before_m),
+  const double about_m = trace::farthest_beginning_m(late_m) + layover_m + 2.0 * std::max(tile_m, 32.0);
+  return {.place = radar::widened(target, about_m),
           .near_m = trace::farthest_bounce_m,
           .least_slope = std::tan(lowest_rad),
           .lowest_m = heights_.lowest_m};

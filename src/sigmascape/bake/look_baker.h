@@ -49,8 +49,8 @@ class LookBaker {
   /// or bounce into them.
   [[nodiscard]] trace::LaunchArea area_of(const radar::GroundGrid& texels, const radar::Aspect& aspect) const;
 
-  /// What rays can meet that matters to such texels, whatever the look: made when other texels need something else.
-  /// docs/decisions/0129-geometry-by-the-patch.md.
+  /// What rays can meet that matters to such texels, whatever the look; good until other texels are asked for, which
+  /// may need something else. For one thread at a time, as all of this. docs/decisions/0129-geometry-by-the-patch.md.
   trace::SceneGeometry& geometry_about(const radar::GroundGrid& texels) const;
   /// Of the largest so far.
   [[nodiscard]] std::size_t geometry_bytes() const { return geometry_bytes_; }
@@ -69,11 +69,11 @@ class LookBaker {
   radar::Rectangle occupied_;
   double tallest_m_;
   trace::SpectralSurfaces surfaces_;
-  /// Of the patch that was baked last, for its looks come one after another.
   struct Local {
     trace::Surroundings around;
     trace::SceneGeometry geometry;
   };
+  /// Of the patch that was baked last, for its looks come one after another.
   mutable std::optional<Local> local_;
   mutable std::size_t geometry_bytes_ = 0;
   mutable std::optional<radar::AnsweringTops> tops_;  // of the same patch

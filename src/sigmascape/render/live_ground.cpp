@@ -15,7 +15,7 @@ namespace {
 
 /// Of the budget, the parts that tiles of terrain, windows of them, tiles of obstacles, and what stands in for pages
 /// may take.
-constexpr std::size_t tile_part = 32, window_part = 11, obstacle_part = 8, stand_in_part = 8;
+constexpr std::size_t tile_part = 32, window_part = 8, obstacle_part = 8, stand_in_part = 8;
 
 std::unique_ptr<LiveObstacles> obstacles_of(const atlas::Store& store, const CacheOptions& options) {
   if (!atlas::keeps_ground_apart(store)) return nullptr;

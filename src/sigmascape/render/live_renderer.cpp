@@ -34,6 +34,26 @@ constexpr std::size_t most_wanted_terrain = 5 * TerrainSectors::most;
 
 constexpr double furthest_m = 1e7;
 
+/// How far back a sweep begins follows from these, and with that where obstacles before the bins are laid out: for all
+/// sectors at once.
+void make_bounds_alike(std::span<Occluders> sectors) {
+  Occluders widest = sectors.front();
+  for (const Occluders& sector : sectors) {
+    widest.lowered_m = std::max(widest.lowered_m, sector.lowered_m);
+    for (const auto view : {&Occluders::terrain, &Occluders::before_near}) {
+      (widest.*view).lowest_m = std::min((widest.*view).lowest_m, (sector.*view).lowest_m);
+      (widest.*view).highest_m = std::max((widest.*view).highest_m, (sector.*view).highest_m);
+    }
+  }
+  for (Occluders& sector : sectors) {
+    sector.lowered_m = widest.lowered_m;
+    for (const auto view : {&Occluders::terrain, &Occluders::before_near}) {
+      (sector.*view).lowest_m = (widest.*view).lowest_m;
+      (sector.*view).highest_m = (widest.*view).highest_m;
+    }
+  }
+}
+
 bool lies_within(Vec3d vector, double most) {
   return std::abs(vector.x) <= most && std::abs(vector.y) <= most && std::abs(vector.z) <= most;
 }
@@ -255,9 +275,7 @@ void LiveRenderer::find_terrain(const TerrainWindows::View& there, Vec3d radar, 
   const auto sectors = std::span(occluders).first(sectors_.count());
   for (std::size_t sector = 0; sector < sectors.size(); ++sector)
     sectors[sector] = terrain_of(sector, there, radar, level);
-  // How far back a sweep begins follows from it, and with that where obstacles before the bins are laid out.
-  const float lowered_m = std::ranges::max(sectors, {}, &Occluders::lowered_m).lowered_m;
-  for (Occluders& sector : sectors) sector.lowered_m = lowered_m;
+  make_bounds_alike(sectors);
 }
 
 void LiveRenderer::find_obstacles(const LiveObstacles::Cache::View& there, Vec3d radar,

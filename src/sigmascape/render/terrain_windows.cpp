@@ -11,7 +11,8 @@
 namespace sigmascape::render {
 namespace {
 
-constexpr std::size_t windows_in_budget = 6;
+/// Of a turn: four within the bins, four before them, and what comes next.
+constexpr std::size_t windows_in_budget = 9;
 /// A window this small holds the last level of any pyramid.
 constexpr std::size_t least_nodes_per_side = terrain::HeightTile::nodes + 2;
 

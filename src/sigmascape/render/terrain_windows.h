@@ -43,7 +43,7 @@ class TerrainWindows {
   using Entries = std::vector<std::shared_ptr<const GroundWindow>>;
 
  public:
-  /// The budget is that of all windows together; one holds a sixth of it at most.
+  /// The budget is that of all windows together; one holds a ninth of it at most.
   TerrainWindows(std::shared_ptr<terrain::TerrainPyramid> pyramid, std::size_t budget_bytes);
   ~TerrainWindows();
   TerrainWindows(const TerrainWindows&) = delete;

@@ -82,7 +82,8 @@ struct PointTarget {
   radar::Channels rcs_m2;
 };
 
-/// Those of the buildings whose numbers among `items` are given, in that order, with what of the mesh is theirs.
+/// Those of the buildings whose numbers among `items` are given, in that order, with what of the mesh is theirs; of
+/// what belongs to no building nothing.
 [[nodiscard]] Buildings part_of(const Buildings& buildings, std::span<const std::uint32_t> numbers);
 
 /// Something that was left out or mended while reading a scene.

@@ -6,6 +6,7 @@
 #include <complex>
 #include <fmt/format.h>
 #include <numbers>
+#include <numeric>
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
@@ -122,10 +123,8 @@ void LiveTracer::begin(const render::Pose& pose) {
   }
   look_ = look_of(pose);
   if (look_.ground.is_empty()) return;
-  const double cell_m = lattice_cell_m();
-  const radar::Rectangle& area = look_.ground.area;
-  if (const double cells = area.width_m() * area.height_m() / (cell_m * cell_m); cells > most_cells) {
-    throw Error(name, fmt::format("is to trace {:.2g} cells of {:.3g} m", cells, cell_m),
+  if (const double cells = cells_in(look_.ground.area); cells > most_cells) {
+    throw Error(name, fmt::format("is to trace {:.2g} cells of {:.3g} m", cells, lattice_cell_m()),
                 fmt::format("look at less ground or take wider bins, for at most {:.2g}; a wide area is for "
                             "render::LiveRenderer",
                             most_cells));
@@ -136,7 +135,15 @@ TracedGround* LiveTracer::ground_of(const render::Pose& pose, Beams beams) {
   if (beams.count == 0 || look_.ground.is_empty()) return nullptr;
   if (const auto same = std::ranges::find(steps_, beams, &Step::beams); same != steps_.end()) return same->ground.get();
   std::erase_if(steps_, [&](const Step& step) { return step.beams.overlap(beams); });
-  return steps_.emplace_back(beams, made_ground(pose, beams)).ground.get();
+  std::unique_ptr<TracedGround> ground = made_ground(pose, beams);
+  const double cells = ground != nullptr ? cells_in(ground->view().area) : 0.0;
+  TracedGround* const made = steps_.emplace_back(beams, std::move(ground), cells).ground.get();
+  const auto sum = [this] {
+    return std::accumulate(steps_.begin(), steps_.end(), 0.0,
+                           [](double cells_so_far, const Step& step) { return cells_so_far + step.cells; });
+  };
+  while (steps_.size() > 1 && sum() > most_cells) steps_.erase(steps_.begin());
+  return made;
 }
 
 std::unique_ptr<TracedGround> LiveTracer::made_ground(const render::Pose& pose, Beams beams) const {
@@ -195,6 +202,11 @@ LiveTracer::Footprint LiveTracer::footprint(const Look& look, const render::Pose
 
 double LiveTracer::lattice_cell_m() const {
   return lattice_.cell_m(lattice_level(look_));
+}
+
+double LiveTracer::cells_in(const radar::Rectangle& area) const {
+  const double cell_m = lattice_cell_m();
+  return area.width_m() * area.height_m() / (cell_m * cell_m);
 }
 
 double LiveTracer::widest_cell_beams() const {

@@ -59,7 +59,8 @@ class LiveTracer {
   const render::Frame& render(const render::Pose& pose);
   /// Beams first … first + count − 1 anew, the others as they were: one step of a scanning antenna, traced as a frame
   /// of those beams alone, whose report it has. Rays are added to those before where the pose is the same and so are
-  /// the beams, whichever others were asked for in between; beams that overlap with others end those.
+  /// the beams, whichever others were asked for in between; beams that overlap with others end those, and steps end the
+  /// oldest ones when all together look at more ground than one frame may.
   ///
   /// At one pose a turn in steps holds the bytes of a whole frame as far as echoes come straight back. Of paths of
   /// several bounces a step has those that begin no farther beside it than trace::MultibounceReach says, as every frame
@@ -97,6 +98,7 @@ class LiveTracer {
   struct Step {
     Beams beams;
     std::unique_ptr<TracedGround> ground;  ///< none where they see nothing of the scene
+    double cells = 0.0;                    ///< of the lattice, in it
   };
 
   [[nodiscard]] Look look_of(const render::Pose& pose) const;
@@ -104,6 +106,7 @@ class LiveTracer {
   [[nodiscard]] Footprint footprint(const Look& look, const render::Pose& pose, Beams beams, double rim_beams) const;
   [[nodiscard]] int lattice_level(const Look& look) const;
   [[nodiscard]] double lattice_cell_m() const;
+  [[nodiscard]] double cells_in(const radar::Rectangle& area) const;
   /// How many beams a cell of the lattice may be wide.
   [[nodiscard]] double widest_cell_beams() const;
   void begin(const render::Pose& pose);

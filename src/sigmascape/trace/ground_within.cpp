@@ -13,7 +13,8 @@ struct Run {
 
 /// Those from the one that `begin` lies in to the one that `end` lies in, of `of`, and `at_least` so many.
 Run run_between(double begin, double end, std::size_t of, std::size_t at_least) {
-  const auto last_first = static_cast<double>(of - std::min(of, at_least));
+  if (of <= at_least) return {0, of};
+  const auto last_first = static_cast<double>(of - at_least);
   const auto first = static_cast<std::size_t>(std::clamp(std::floor(begin), 0.0, last_first));
   const double after =
       std::clamp(std::floor(end) + 1.0, static_cast<double>(first + at_least), static_cast<double>(of));

@@ -1,6 +1,7 @@
 #include "sigmascape/trace/multibounce_reach.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "sigmascape/trace/late_by.h"
 
@@ -27,6 +28,10 @@ double lowest_sine_of_grazing(const Viewpoint& viewpoint, const radar::Rectangle
 
 double late_by_m(double tallest_m, const Viewpoint& viewpoint, const radar::Rectangle& target) {
   return std::clamp(tallest_m / lowest_sine_of_grazing(viewpoint, target), least_m, farthest_bounce_m);
+}
+
+double farthest_beginning_m(double late_m) {
+  return std::hypot(late_m, part_beside * late_m);
 }
 
 MultibounceReach multibounce_reach(const scene::Scene& scene, const Viewpoint& viewpoint,

@@ -25,6 +25,10 @@ struct MultibounceReach {
   static constexpr double infinite = std::numeric_limits<double>::infinity();
 };
 
+/// How far from a target paths may begin that are late by so much, whatever the azimuth: along the diagonal of what
+/// lies before and what lies beside.
+[[nodiscard]] double farthest_beginning_m(double late_m);
+
 /// The reach for echoes that land in `target`.
 ///
 /// What comes in over the tallest thing of height H and keeps its slope, as between upright mirrors, has met the ground

@@ -18,7 +18,7 @@ namespace sigmascape::trace {
 struct Surroundings {
   radar::Rectangle place;    ///< where paths begin
   double near_m = 0.0;       ///< from there
-  double least_slope = 0.0;  ///< tan ψ of the flattest line of sight
+  double least_slope = 0.0;  ///< tan ψ of the flattest line of sight; 0 if the place is everything
   double lowest_m = 0.0;     ///< no ground of the place lies lower
 
   /// All of a scene, however large.
@@ -34,7 +34,8 @@ struct Surroundings {
   }
   /// Where all stands that matters and is no higher than that.
   [[nodiscard]] radar::Rectangle reach(double top_m) const {
-    return radar::widened(place, std::max(near_m, (top_m - lowest_m) / least_slope));
+    const double shadow_m = least_slope > 0.0 ? (top_m - lowest_m) / least_slope : 0.0;
+    return radar::widened(place, std::max(near_m, shadow_m));
   }
 
   friend bool operator==(const Surroundings&, const Surroundings&) = default;

@@ -338,6 +338,28 @@ TEST(LookBaker, ATowerOfTheNextPatchLiesOverIntoThisOne) {
   for (double y = top_m - 3.0; y > -100.0; y -= 2.0) EXPECT_NEAR(column_power(y), open, 1e-3 * open) << y;
 }
 
+// From 80° a top lies over by h · tan 80° = 1849 m: its roof, as large as its foot, lands three patches before it.
+TEST(LookBaker, ATowerSeveralPatchesAwayLiesOverIntoThisOne) {
+  scene::Scene scene = scene_with_tower();
+  scene.instances.front().y_m = 2600.0F;
+  BakeSettings settings = settings_with({.samples_per_texel = 16});
+  settings.aspects = {{radians_from_deg(180.0)}, {radians_from_deg(80.0)}, {10e9}};
+  settings.max_bounces = 1;
+  const LookBaker baker(scene, settings);
+  SilentProgress silent;
+  const double roof_m = 2600.0 - 326.0 * std::tan(radians_from_deg(80.0));
+  const atlas::PatchIndex patch = settings.patches.patch_at({1.0, roof_m});
+  const BakedLook look = baker.bake(patch, settings.aspects.look(0).aspect, silent).front();
+  const radar::GroundGrid texels = settings.patches.texels_of(patch);
+  const auto column_power = [&](double y) {
+    const Vec2d cell = texels.cells_from({1.0, y});
+    return power(look, static_cast<std::size_t>(cell.y) * texels.columns + static_cast<std::size_t>(cell.x));
+  };
+  const double open = column_power(roof_m - 40.0);
+  EXPECT_GT(open, 0.0);
+  for (double y = roof_m - 17.0; y < roof_m + 18.0; y += 2.0) EXPECT_GT(column_power(y), 2.0 * open) << y;
+}
+
 // Of single bounces, whose weights do not ask where else rays are aimed.
 TEST(LookBaker, PartsOfALaunchAreaAddUpToTheWhole) {
   const scene::Scene scene = scene_with_block();

@@ -290,7 +290,7 @@ TEST(LiveTurn, HasTheTerrainOfItsTexelsThoughNoWindowHoldsItWhole) {
                               .cells_per_bin = 4.0};
   const Pose pose{.position = {example.middle().x + 3.0, example.middle().y - 8.0, 140.0}, .first_range_m = 0.0};
   std::vector<float> powers;
-  // A window may hold 3300² nodes, or 504²; the turn has 800², a quarter of it 400².
+  // A window may hold 3100² nodes, or 480²; the turn has 800², a quarter of it, and some beams, 400 by 520.
   for (const std::size_t budget_mib : {2750U, 64U}) {
     example.cache.budget_bytes = budget_mib << 20U;
     const auto ground = example.over(store);
