@@ -69,10 +69,10 @@ double error_db(const Frame& frame, const ExampleView& view, double ground_m = 0
   return db_from_linear(sum / expected);
 }
 
-/// The first frames of all, from these azimuths.
+/// First frames from these azimuths, each of a ground of which nothing was asked before.
 void expect_light(const ExampleGround& example, const atlas::Store& store, std::initializer_list<double> azimuths_deg) {
-  const auto ground = example.over(store);
   for (const double azimuth_deg : azimuths_deg) {
+    const auto ground = example.over(store);
     ExampleView view{.target = example.middle(), .azimuth_deg = azimuth_deg, .elevation_deg = 18.0};
     view.beams = 32;
     LiveRenderer renderer(ground, view.settings(FrameContent::Powers));
