@@ -252,16 +252,15 @@ Occluders LiveRenderer::terrain_of(std::size_t sector, const TerrainWindows::Vie
   const bool in_one = settings_.visibility.method == VisibilityMethod::Rasterization;
   const Beams beams = beams_of(sector);
   const double from_m = in_one ? 0.0 : swept_from_m();
-  const LiveTerrain::Surface within = terrain.surface(there, level_within, under(beams, radar, from_m, far_m()),
-                                                      under(all_beams(), radar, from_m, far_m()), wanted_terrain_);
+  const LiveTerrain::Surface within =
+      terrain.surface(there, level_within, under(beams, radar, from_m, far_m()), wanted_terrain_);
   Occluders occluders{.terrain = within.view, .lowered_m = within.above_pages_m};
   float error_m = within.error_m;
   if (!in_one && grid().near_m > grid().step_m) {
     // Nearer ground is walked over in longer steps; nodes half as far apart keep its ridges.
     const double step_m = grid().near_m / static_cast<double>(grid().before_near);
     const LiveTerrain::Surface before = terrain.surface(there, std::max(level_within, terrain.level_for(step_m / 4.0)),
-                                                        under(beams, radar, 0.0, grid().near_m),
-                                                        under(all_beams(), radar, 0.0, grid().near_m), wanted_terrain_);
+                                                        under(beams, radar, 0.0, grid().near_m), wanted_terrain_);
     occluders.before_near = before.view;
     occluders.lowered_m = std::max(occluders.lowered_m, before.above_pages_m);
     error_m = std::max(error_m, before.error_m);
@@ -370,7 +369,7 @@ void LiveRenderer::look_ahead(const FrameViews& there, const Pose& pose, Beams b
   // Only wished for: what comes back is looked at by the frames to come.
   for (std::size_t sector = 0; sector < sectors_.count(); ++sector) {
     const radar::Rectangle area = under(beams_of(sector), radar, swept_from_m(), far_m());
-    (void)ground_->terrain().surface(there.terrain, terrain_level(level), area, area, wanted_terrain_);
+    (void)ground_->terrain().surface(there.terrain, terrain_level(level), area, wanted_terrain_);
   }
   if (const LiveObstacles* const obstacles = ground_->obstacles()) {
     obstacles->look_ahead(there.obstacles,

@@ -76,7 +76,7 @@ struct FrameReport {
   std::size_t cells = 0;   ///< lattice cells looked at
   std::size_t lit = 0;     ///< of them seen by the radar
   std::size_t coarse = 0;  ///< of them shown from a coarser level than wanted, for the finer was not there yet
-  std::size_t dark = 0;    ///< for which there was nothing at all: outside the atlas, or its two coarsest levels are damaged
+  std::size_t dark = 0;    ///< for which there was nothing: outside the atlas, or its two coarsest levels are damaged
   std::size_t level = 0;   ///< of the textures, 0 the finest; of two in use that with more of the power
   /// By how much the terrain that hides may be wrong, for tiles of it cannot be had, or were not there yet: then it is
   /// taken to lie so much lower that no ground is hidden by what is not there. 0 when nothing was lacking.
@@ -157,7 +157,6 @@ class LiveRenderer {
   [[nodiscard]] int terrain_level(std::size_t level) const;
   /// The ground between two distances under those beams.
   [[nodiscard]] radar::Rectangle under(Beams beams, Vec3d radar, double near_m, double far_m) const;
-  [[nodiscard]] Beams all_beams() const { return {0, settings_.beams}; }
   [[nodiscard]] Beams beams_of(std::size_t sector) const {
     return {sectors_.first_edge(sector), sectors_.first_edge(sector + 1)};
   }

@@ -78,7 +78,7 @@ void LiveTerrain::fill_slopes(const radar::GroundGrid& cells, std::span<terrain:
 }
 
 LiveTerrain::Surface LiveTerrain::surface(const TerrainWindows::View& there, int level, const radar::Rectangle& area,
-                                          const radar::Rectangle& around, std::vector<WindowWish>& wanted) const {
+                                          std::vector<WindowWish>& wanted) const {
   const WindowWish wish = windows_.wish_for(level, area);
   const GroundWindow* const window = there.find(wish);
   if ((window == nullptr || window->level != wish.level) && wanted.size() < wanted.capacity()) wanted.push_back(wish);
@@ -102,7 +102,7 @@ LiveTerrain::Surface LiveTerrain::surface(const TerrainWindows::View& there, int
   Surface surface{
       .view = window->nodes.view(), .error_m = std::max(of_level, window->error_m), .above_pages_m = of_level};
   // How far a frame looks for what hides must not depend on how far the window reaches beyond the area.
-  const terrain::TileSummary bounds = pyramid_->summary_over(around, window->level);
+  const terrain::TileSummary bounds = pyramid_->summary_over(area, window->level);
   surface.view.lowest_m = bounds.lowest_m - window->error_m;
   surface.view.highest_m = bounds.highest_m + window->error_m;
   return surface;

@@ -41,10 +41,10 @@ class LiveTerrain {
     /// on its parent as well.
     float above_pages_m = 0.0F;
   };
-  /// The best there is of an area, with bounds of the heights under `around`. What would have been better is added to
+  /// The best there is of an area, with bounds of its heights. What would have been better is added to
   /// `wanted`, as far as its memory goes. The surface lives as long as `there`.
   [[nodiscard]] Surface surface(const TerrainWindows::View& there, int level, const radar::Rectangle& area,
-                                const radar::Rectangle& around, std::vector<WindowWish>& wanted) const;
+                                std::vector<WindowWish>& wanted) const;
   [[nodiscard]] TerrainWindows& windows() { return windows_; }
 
   [[nodiscard]] const terrain::TerrainPyramid& pyramid() const { return *pyramid_; }

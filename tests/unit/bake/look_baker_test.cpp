@@ -70,6 +70,12 @@ double power(const BakedLook& look, std::size_t texel) {
   return static_cast<double>(look.sigma0.values()[texel].power(radar::Polarization::Sum));
 }
 
+/// Of the texel under a point.
+double power_at(const BakedLook& look, const radar::GroundGrid& texels, Vec2d point) {
+  const Vec2d cell = texels.cells_from(point);
+  return power(look, static_cast<std::size_t>(cell.y) * texels.columns + static_cast<std::size_t>(cell.x));
+}
+
 double squared_error(const BakedLook& look, std::size_t texel) {
   return std::pow(static_cast<double>(look.relative_errors.values()[texel]) * power(look, texel), 2.0);
 }
@@ -279,14 +285,11 @@ TEST(LookBaker, ATowerSeveralPatchesAwayShadesThisOne) {
   const atlas::PatchIndex patch = settings.patches.patch_at({1.0, 3700.0});
   const BakedLook look = baker.bake(patch, aspect, silent).front();
   const radar::GroundGrid texels = settings.patches.texels_of(patch);
-  const auto power_at = [&](Vec2d point) {
-    const Vec2d cell = texels.cells_from(point);
-    return power(look, static_cast<std::size_t>(cell.y) * texels.columns + static_cast<std::size_t>(cell.x));
-  };
-  const double open = power_at({101.0, 3651.0}), shadow_m = 326.0 / std::tan(radians_from_deg(5.0));
+  const double open = power_at(look, texels, {101.0, 3651.0}), shadow_m = 326.0 / std::tan(radians_from_deg(5.0));
   EXPECT_GT(open, 0.0);
-  for (double y = 3587.0; y < shadow_m - 3.0; y += 8.0) EXPECT_EQ(power_at({1.0, y}), 0.0) << y;
-  for (double y = shadow_m + 3.0; y < 4090.0; y += 8.0) EXPECT_NEAR(power_at({1.0, y}), open, 1e-3 * open) << y;
+  for (double y = 3587.0; y < shadow_m - 3.0; y += 8.0) EXPECT_EQ(power_at(look, texels, {1.0, y}), 0.0) << y;
+  for (double y = shadow_m + 3.0; y < 4090.0; y += 8.0)
+    EXPECT_NEAR(power_at(look, texels, {1.0, y}), open, 1e-3 * open) << y;
 }
 
 /// A strip of level ground, 20 km long, with a box every 40 m.
@@ -329,10 +332,7 @@ TEST(LookBaker, ATowerOfTheNextPatchLiesOverIntoThisOne) {
   const atlas::PatchIndex patch = settings.patches.patch_at({1.0, -1.0});
   const BakedLook look = baker.bake(patch, settings.aspects.look(0).aspect, silent).front();
   const radar::GroundGrid texels = settings.patches.texels_of(patch);
-  const auto column_power = [&](double y) {
-    const Vec2d cell = texels.cells_from({1.0, y});
-    return power(look, static_cast<std::size_t>(cell.y) * texels.columns + static_cast<std::size_t>(cell.x));
-  };
+  const auto column_power = [&](double y) { return power_at(look, texels, {1.0, y}); };
   const double top_m = 1.0 - 326.0 * std::tan(radians_from_deg(5.0)), open = column_power(-101.0);
   for (double y = -1.0; y > top_m + 2.0; y -= 2.0) EXPECT_GT(column_power(y), 3.0 * open) << y;
   for (double y = top_m - 3.0; y > -100.0; y -= 2.0) EXPECT_NEAR(column_power(y), open, 1e-3 * open) << y;
@@ -351,10 +351,7 @@ TEST(LookBaker, ATowerSeveralPatchesAwayLiesOverIntoThisOne) {
   const atlas::PatchIndex patch = settings.patches.patch_at({1.0, roof_m});
   const BakedLook look = baker.bake(patch, settings.aspects.look(0).aspect, silent).front();
   const radar::GroundGrid texels = settings.patches.texels_of(patch);
-  const auto column_power = [&](double y) {
-    const Vec2d cell = texels.cells_from({1.0, y});
-    return power(look, static_cast<std::size_t>(cell.y) * texels.columns + static_cast<std::size_t>(cell.x));
-  };
+  const auto column_power = [&](double y) { return power_at(look, texels, {1.0, y}); };
   const double open = column_power(roof_m - 40.0);
   EXPECT_GT(open, 0.0);
   for (double y = roof_m - 17.0; y < roof_m + 18.0; y += 2.0) EXPECT_GT(column_power(y), 2.0 * open) << y;

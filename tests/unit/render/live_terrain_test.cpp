@@ -179,7 +179,7 @@ TEST_F(LiveTerrainTest, WhichWindowCoversTheGroundMakesNoDifferenceToABit) {
     std::vector<WindowWish> wanted;
     wanted.reserve(4);
     const TerrainWindows::View there = terrain.windows().view();
-    const LiveTerrain::Surface surface = terrain.surface(there, 0, area, area, wanted);
+    const LiveTerrain::Surface surface = terrain.surface(there, 0, area, wanted);
     ASSERT_TRUE(wanted.empty());
     maps.push_back(horizons_over(surface.view));
     bounds.push_back({surface.view.lowest_m, surface.view.highest_m});
@@ -201,7 +201,7 @@ TEST_F(LiveTerrainTest, WhatStandsInIsLoweredBelowWhatPagesStandOn) {
   const radar::Rectangle area{400.0, 400.0, 1600.0, 1600.0};
   std::vector<WindowWish> wanted;
   wanted.reserve(4);
-  const auto surface_now = [&] { return terrain.surface(terrain.windows().view(), 0, area, area, wanted); };
+  const auto surface_now = [&] { return terrain.surface(terrain.windows().view(), 0, area, wanted); };
   const auto highest_above_pages_m = [&](const LiveTerrain::Surface& surface) {
     double most_m = -1e9;
     for (double x = area.west_m; x < area.east_m; x += 7.0) {
