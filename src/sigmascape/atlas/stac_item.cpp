@@ -211,9 +211,9 @@ std::string item_text(const AtlasDescription& description, const Unit& unit, con
       {"sigmascape:sha256", record.sha256},
       {"sigmascape:attribution", description.attribution},
   });
-  if (record.above_target) {
-    properties["sigmascape:lit_texels"] = record.above_target->lit;
-    properties["sigmascape:above_target"] = record.above_target->above;
+  if (facts.above_target) {
+    properties["sigmascape:lit_texels"] = facts.above_target->lit;
+    properties["sigmascape:above_target"] = facts.above_target->above;
   }
   Json assets = {{"sigma0", sigma0_asset(grid.cell_m, texture_file, record)}};
   if (record.errors) {

@@ -19,23 +19,6 @@ struct ErrorsRecord {
   std::string sha256;
 };
 
-/// How many texels of a patch have standard errors above the target of their bake.
-struct TexelsAboveTarget {
-  std::uint64_t lit = 0;  ///< texels that return anything
-  std::uint64_t above = 0;
-
-  /// Nothing when no texel returns anything.
-  [[nodiscard]] std::optional<double> part() const {
-    if (lit == 0) return std::nullopt;
-    return static_cast<double>(above) / static_cast<double>(lit);
-  }
-  TexelsAboveTarget& operator+=(const TexelsAboveTarget& other) {
-    lit += other.lit;
-    above += other.above;
-    return *this;
-  }
-};
-
 /// What an item records of its file.
 struct TextureRecord {
   std::uint64_t size_bytes = 0;
@@ -44,7 +27,7 @@ struct TextureRecord {
   std::string made_from = {};               ///< of a file of the pyramid: names the content of those below; else empty
   double relative_standard_error = 0.0;     ///< of a patch, as in BakeFacts; read only
   std::optional<ErrorsRecord> errors = {};  ///< where there is such a file
-  std::optional<TexelsAboveTarget> above_target = {};  ///< of a patch whose bake had a target
+  std::optional<TexelsAboveTarget> above_target = {};  ///< likewise
   /// Of obstacles: no texel of the file or of those that it was made from is higher. Files of a former kind, which hold
   /// no coarser levels, have an item without it.
   std::optional<float> tallest_m = {};

@@ -7,7 +7,6 @@
 #include <string_view>
 #include <utility>
 
-#include "sigmascape/atlas/error_target.h"
 #include "sigmascape/atlas/error_texture.h"
 #include "sigmascape/atlas/half_texture.h"
 #include "sigmascape/atlas/pyramid.h"
@@ -139,11 +138,9 @@ void Store::write(PatchIndex patch, LookIndex look, const Array2D<radar::Channel
   const std::string errors = relative_errors.empty()
                                  ? ""
                                  : error_texture_bytes(relative_errors, texels, grid, description_, folder_ / texture);
-  const auto target = error_target(description_);
   write_texture(
       *this, {0, patch}, texture, halves, sigma0_bands,
-      [&](TextureRecord record) {
-        if (target && !errors.empty()) record.above_target = texels_above(*target, relative_errors, texels);
+      [&](const TextureRecord& record) {
         return item_text(description_, {patch, look}, texture, record, facts);
       },
       errors);

@@ -13,6 +13,7 @@
 #include "sigmascape/atlas/half_texture.h"
 #include "sigmascape/atlas/mip_chain.h"
 #include "sigmascape/atlas/patch_grid.h"
+#include "sigmascape/atlas/texels_above_target.h"
 #include "sigmascape/base/array2d.h"
 #include "sigmascape/geo/local_frame.h"
 #include "sigmascape/radar/channels.h"
@@ -44,7 +45,8 @@ struct BakeFacts {
   double samples_per_texel = 0.0;        ///< mean
   double relative_standard_error = 0.0;  ///< of the total power of a level-0 texel, root mean square over the patch
   std::string simd;                      ///< the instruction set that the numbers were made with
-  std::map<std::string, std::uint64_t> counts;  ///< what was skipped or lost on the way, by name
+  std::map<std::string, std::uint64_t> counts;         ///< what was skipped or lost on the way, by name
+  std::optional<TexelsAboveTarget> above_target = {};  ///< of a bake that aimed at a standard error
 };
 
 /// One file of the store.

@@ -10,12 +10,12 @@
 #include <vector>
 
 #include "sigmascape/atlas/catalogs.h"
-#include "sigmascape/atlas/error_target.h"
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/atlas/pyramid.h"
 #include "sigmascape/atlas/terrain_file.h"
 #include "sigmascape/atlas/texture_file.h"
 #include "sigmascape/bake/claims.h"
+#include "sigmascape/bake/error_target.h"
 #include "sigmascape/bake/ground_baker.h"
 #include "sigmascape/bake/job.h"
 #include "sigmascape/bake/look_baker.h"
@@ -37,7 +37,7 @@ std::map<std::string, std::string> settings_in_words(const BakeSettings& setting
       {"simd", trace::simd_setting()}};
   if (sampling.is_adaptive()) {
     words["samples_per_texel"] = fmt::format("{} to {}", pilot_samples, sampling.most_samples);
-    words[atlas::target_setting] = fmt::format("{:g}", sampling.target_db);
+    words["target_db"] = fmt::format("{:g}", sampling.target_db);
     words["floor_db"] = fmt::format("{:g}", sampling.floor_db);
   } else {
     words["samples_per_texel"] = std::to_string(sampling.samples_per_texel);
@@ -148,16 +148,17 @@ class BakeRun {
   void write(atlas::PatchIndex patch, atlas::LookIndex number, const BakedLook& look) {
     note_what_is_mended(store_.texture_path(patch, number));
     const double error = look.relative_standard_error;
+    const auto above_target = texels_above_target(look, settings_.sampling);
     store_.write(patch, number, look.sigma0,
                  {.seed = settings_.seed,
                   .samples_per_texel = look.samples_per_texel,
                   .relative_standard_error = error,
                   .simd = trace::simd_setting(),
-                  .counts = {}},
+                  .counts = {},
+                  .above_target = above_target},
                  look.relative_errors);
     squared_errors_ += error * error;
-    if (const auto target = atlas::error_target(store_.description()))
-      report_.above_target += atlas::texels_above(*target, look.relative_errors, look.sigma0);
+    report_.above_target += above_target.value_or(atlas::TexelsAboveTarget{});
     ++baked_;
   }
 

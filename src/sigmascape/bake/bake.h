@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "sigmascape/atlas/stac_item.h"
 #include "sigmascape/atlas/store.h"
+#include "sigmascape/atlas/texels_above_target.h"
 #include "sigmascape/bake/bake_settings.h"
 #include "sigmascape/bake/shard.h"
 #include "sigmascape/base/progress.h"

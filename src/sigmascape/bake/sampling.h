@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "sigmascape/base/units.h"
+
 namespace sigmascape::bake {
 
 /// How many rays each launch cell gets.
@@ -23,6 +25,8 @@ struct Sampling {
 
   friend bool operator==(const Sampling&, const Sampling&) = default;
   [[nodiscard]] bool is_adaptive() const { return samples_per_texel == 0; }
+  /// The target as a part of the power.
+  [[nodiscard]] double relative_target() const { return linear_from_db(target_db) - 1.0; }
 };
 
 /// All rays of a cell are asked for at once: as many as this need 20 MiB a thread.

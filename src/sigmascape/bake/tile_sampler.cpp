@@ -33,7 +33,7 @@ TileSampler::TileSampler(const Sampling& sampling, Shadows shadows, const EchoLa
       ground_apart_(shadows == Shadows::RunTime),
       landing_(landing),
       patch_(patch),
-      target_(linear_from_db(sampling.target_db) - 1.0),
+      target_(sampling.relative_target()),
       floor_(linear_from_db(sampling.floor_db)),
       pilots_(patch.size()),
       pilot_echoes_(patch.size()),
