@@ -26,8 +26,6 @@ namespace sigmascape::simulate {
 namespace {
 
 constexpr const char* name = "live tracer";
-/// Of ground in a frame: with what is kept of each, close to a gigabyte.
-constexpr double most_cells = 0x1p24;
 constexpr int coarsest_lattice_level = 23;
 /// From the edge of a beam echoes have a share in the next.
 constexpr double half_a_beam = 0.5;
@@ -44,6 +42,9 @@ const LiveTraceSettings& checked(const LiveTraceSettings& tracing, const trace::
   if (tracing.rays_per_cell == 0 || tracing.max_bounces < 1) {
     throw Error(name, fmt::format("has {} rays a cell and {} bounces", tracing.rays_per_cell, tracing.max_bounces),
                 "give at least one of each");
+  }
+  if (!(tracing.most_cells >= 1.0)) {
+    throw Error(name, fmt::format("may trace {} cells at a time", tracing.most_cells), "allow one or more");
   }
   if (!(tracing.frequency_hz > 0.0)) {
     throw Error(name, fmt::format("has a frequency of {} Hz", tracing.frequency_hz), "give a positive one");
@@ -123,11 +124,11 @@ void LiveTracer::begin(const render::Pose& pose) {
   }
   look_ = look_of(pose);
   if (look_.ground.is_empty()) return;
-  if (const double cells = cells_in(look_.ground.area); cells > most_cells) {
+  if (const double cells = cells_in(look_.ground.area); cells > tracing_.most_cells) {
     throw Error(name, fmt::format("is to trace {:.2g} cells of {:.3g} m", cells, lattice_cell_m()),
                 fmt::format("look at less ground or take wider bins, for at most {:.2g}; a wide area is for "
                             "render::LiveRenderer",
-                            most_cells));
+                            tracing_.most_cells));
   }
 }
 
@@ -142,7 +143,7 @@ TracedGround* LiveTracer::ground_of(const render::Pose& pose, Beams beams) {
     return std::accumulate(steps_.begin(), steps_.end(), 0.0,
                            [](double cells_so_far, const Step& step) { return cells_so_far + step.cells; });
   };
-  while (steps_.size() > 1 && sum() > most_cells) steps_.erase(steps_.begin());
+  while (steps_.size() > 1 && sum() > tracing_.most_cells) steps_.erase(steps_.begin());
   return made;
 }
 

@@ -27,6 +27,9 @@ struct LiveTraceSettings {
   /// With the texel of an atlas a frame's cells are those of render::LiveRenderer over it and hold the same scatterers.
   /// Bins finer than the finest cells share scatterers.
   double lattice_m = 0.25;
+  /// Lattice cells of ground that are traced at a time, at most: a frame that needs more is refused, of the steps of a
+  /// scan the oldest are forgotten. With what is kept of each, this many take close to a gigabyte.
+  double most_cells = 0x1p24;
 };
 
 /// Level of detail 0 of live frames: the whole scene, path-traced, in the bins and by the poses of

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <numeric>
 #include <vector>
@@ -317,6 +318,32 @@ TEST_F(LiveTracerTest, StepsThatComeAgainAddRays) {
   EXPECT_EQ(live.scan(pose, 0, 8).report.rays_per_cell, 4U);
 }
 
+// Ground of all beams together is one area; of beams each by itself it overlaps, and takes several times as much.
+TEST_F(LiveTracerTest, OfManyStepsTheOldestAreForgotten) {
+  const auto rays_of_second_turn = [&](double most_cells) {
+    LiveTracer live(scene_, geometry_, bins_.settings(FrameContent::Powers),
+                    {.rays_per_cell = 2, .lattice_m = 1.0, .most_cells = most_cells});
+    std::vector<std::uint64_t> rays;
+    for (int turn = 0; turn < 2; ++turn) {
+      rays.clear();
+      for (std::size_t beam = 0; beam < bins_.count; ++beam)
+        rays.push_back(live.scan(bins_.pose(), beam, 1).report.rays_per_cell);
+    }
+    return rays;
+  };
+  EXPECT_THAT(rays_of_second_turn(1e9), testing::Each(4U));
+  double fewest = 1.0;
+  for (bool is_refused = true; is_refused; fewest *= 2.0) {
+    LiveTracer live(scene_, geometry_, bins_.settings(FrameContent::Powers), {.lattice_m = 1.0, .most_cells = fewest});
+    try {
+      live.render(bins_.pose());
+      is_refused = false;
+    } catch (const Error&) {
+    }
+  }
+  EXPECT_THAT(rays_of_second_turn(fewest / 2.0), testing::Each(2U));
+}
+
 TEST_F(LiveTracerTest, ScatterersStayWhileRaysAreAdded) {
   LiveTracer live = tracer(FrameContent::Amplitudes, 8);
   const auto first = live.render(bins_.pose()).amplitudes_m;
@@ -517,6 +544,7 @@ TEST_F(LiveTracerTest, BinsBeyondTheSceneAreDark) {
 
 TEST_F(LiveTracerTest, WhatCannotBeTracedIsRefused) {
   EXPECT_THROW(tracer(FrameContent::Powers, 0), Error);
+  EXPECT_THROW(LiveTracer(scene_, geometry_, bins_.settings(FrameContent::Powers), {.most_cells = 0.0}), Error);
   const trace::SceneGeometry on_a_plane(scene_, trace::Footing::LevelPlane);
   EXPECT_THROW(LiveTracer(scene_, on_a_plane, bins_.settings(FrameContent::Powers)), Error);
   LiveTracer live = tracer(FrameContent::Powers, 2);
