@@ -34,8 +34,7 @@ std::optional<WithOwnLook> with_own_look(const ResultsRow& row, const std::vecto
   ResultsCase own = row.of;
   own.grid = own_look;
   own.change = "";
-  const ResultsRow* own_row = find_row(rows, own);
-  const ResultsCell* own_cell = own_row != nullptr ? own_row->at_cell(summary_cell_m) : nullptr;
+  const ResultsCell* own_cell = summary_cell(find_row(rows, own));
   if (own_cell == nullptr) return std::nullopt;
   return WithOwnLook{row.at_cell(summary_cell_m), own_cell};
 }
@@ -61,7 +60,7 @@ struct Best {
 
 std::optional<Best> best_of(const ResultsPlan& plan, const std::vector<ResultsRow>& rows) {
   const ResultsRow* paper = baseline_row(plan, rows, plan.scene_name(), ViewKind::HeldOut);
-  if (paper == nullptr || paper->at_cell(summary_cell_m) == nullptr) return std::nullopt;
+  if (summary_cell(paper) == nullptr) return std::nullopt;
   return Best{paper, best_combination(plan, rows, paper->atlas.store_bytes),
               best_combination(plan, rows, std::numeric_limits<std::uintmax_t>::max())};
 }
@@ -77,9 +76,8 @@ std::string verdict_on_grid(const ResultsPlan& plan, const std::vector<ResultsRo
   ResultsCase of = best.of;
   of.kind = ViewKind::OnGrid;
   const ResultsRow* row = find_row(rows, of);
-  const ResultsRow* paper = baseline_row(plan, rows, plan.scene_name(), ViewKind::OnGrid);
-  if (row == nullptr || paper == nullptr) return {};
-  const ResultsCell *cell = row->at_cell(summary_cell_m), *paper_cell = paper->at_cell(summary_cell_m);
+  const ResultsCell* cell = summary_cell(row);
+  const ResultsCell* paper_cell = summary_cell(baseline_row(plan, rows, plan.scene_name(), ViewKind::OnGrid));
   if (cell == nullptr || paper_cell == nullptr) return {};
   return fmt::format("At the {} views that were baked they come to {}, the paper's to {}. ", row->views,
                      closeness(cell->median), closeness(paper_cell->median));

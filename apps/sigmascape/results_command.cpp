@@ -11,7 +11,6 @@
 #include "results_measurement.h"
 #include "results_page.h"
 
-#include "sigmascape/base/machine_name.h"
 #include "sigmascape/geo/atomic_file.h"
 
 namespace sigmascape::cli {
@@ -42,14 +41,14 @@ void run_results(const ResultsOptions& options, const Output& output) {
   const ResultsPlan plan = results_plan(options);
   if (!options.page.empty()) geo::check_place_for(options.page);
   const std::filesystem::path folder = options.folder;
-  Measurement measurement(plan, folder);
+  Measurement measurement(plan, folder, options.measured);
   measurement.compare_all();
 
   const scene::Scene& scene = measurement.scene().scene;
   const ResultsReport report{.plan = plan,
                              .scene = scene.name,
                              .attribution = scene.attribution,
-                             .machine = machine_name(),
+                             .machine = measurement.machines(),
                              .command_line = command_line(options, plan),
                              .links = PageLinks(path_within(options.page)),
                              .vertices = vertices_within_extent(scene),
@@ -65,7 +64,10 @@ void run_results(const ResultsOptions& options, const Output& output) {
   std::ranges::move(results_sections(report.rows), std::back_inserter(page.sections));
   geo::write_atomically(folder / "results.json", json.dump(2) + "\n");
   product::write_comparison_page(folder / "index.html", page);
-  if (!options.page.empty()) write_page(options.page, report, folder);
+  if (!options.page.empty()) {
+    write_page(options.page, report, folder);
+    copy_atomically(measurement.kept_file(), std::filesystem::path(options.page).replace_filename("measured.json"));
+  }
   output.finish(fmt::format("{}\nOpen {}", results_markdown(report), (folder / "index.html").string()), json);
 }
 
@@ -81,6 +83,9 @@ void add_results_command(CLI::App& app, Output& output) {
                    "folder for numbers, page, pictures, the atlas and the traced maps; what fits is used again. "
                    "Remove it when the program has changed")
       ->capture_default_str();
+  command->add_option(
+      "--measured", options->measured,
+      "measured.json of such a run, here or elsewhere: the views that are in it are not measured again");
   command->add_option("--page", options->page, "Markdown page to write as well, its pictures beside it");
   command->add_option("--scene", options->scene_file, "scene file (TOML) to measure on, instead of the paper's scene");
   command->add_option("--scale", options->scale, "side of the paper's scene, or of the middle of another, over 2 km");

@@ -56,14 +56,13 @@ SummaryLine line_of(const ResultsRow& row, const ResultsCell& cell) {
 /// How well two traced maps of a view agree, which bounds what can be shown of any method.
 std::string truth_aim(const ResultsReport& report, const std::string& scene, ViewKind kind) {
   constexpr double least = 0.99;
-  const ResultsRow* row = baseline_row(report.plan, report.rows, scene, kind);
-  const ResultsCell* cell = row != nullptr ? row->at_cell(summary_cell_m) : nullptr;
-  if (cell == nullptr) return {};
-  const double correlation = cell->floor_median.correlation_db;
+  const product::CellComparison* floor = noise_floor(report.plan, report.rows, scene, kind);
+  if (floor == nullptr) return {};
+  const double correlation = floor->correlation_db;
   return fmt::format("|{} {} | *truth*, {} rays a cell | | {} | {:.2f} | {} | {} | | |\n",
                      SceneColumn(report.plan).cell(scene), text_of(kind), report.plan.traced_samples_of(kind),
                      number_text(correlation, 3), least, correlation >= least ? "reached" : "missed",
-                     signed_text(cell->floor_median.bias_db, 2));
+                     signed_text(floor->bias_db, 2));
 }
 
 /// A row beside its aims.
@@ -94,7 +93,7 @@ std::string aims_of_scene(const ResultsReport& report, const std::string& scene,
                                                      .baked_samples = samples,
                                                      .kind = ViewKind::OnGrid,
                                                      .change = change});
-      const ResultsCell* cell = row != nullptr ? row->at_cell(summary_cell_m) : nullptr;
+      const ResultsCell* cell = summary_cell(row);
       if (cell != nullptr) text += aim_line(report, *row, *cell, least);
     }
   }

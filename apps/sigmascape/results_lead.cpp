@@ -97,13 +97,12 @@ std::string noise_floor_text(const ResultsReport& report) {
       "and of the relative L1 in the row *truth*, and cannot be shown to show less, and a correlation of √(2ρ/(1 + "
       "ρ)) for the ρ there. ");
   for (const ViewKind kind : {ViewKind::OnGrid, ViewKind::HeldOut}) {
-    const ResultsRow* row = baseline_row(report.plan, report.rows, report.plan.scene_name(), kind);
-    const ResultsCell* cell = row != nullptr ? row->at_cell(summary_cell_m) : nullptr;
-    if (cell == nullptr) continue;
-    const product::CellComparison& floor = cell->floor_median;
-    text += fmt::format("At {:.0f} m cells of {} views these are {} dB, {} and {}. ", summary_cell_m,
-                        kind == ViewKind::OnGrid ? "on-grid" : "held-out", number_text(least_error(floor.rms_db), 2),
-                        number_text(least_error(floor.l1), 3), number_text(most_correlation(floor.correlation_db), 3));
+    const product::CellComparison* floor = noise_floor(report.plan, report.rows, report.plan.scene_name(), kind);
+    if (floor == nullptr) continue;
+    text +=
+        fmt::format("At {:.0f} m cells of {} views these are {} dB, {} and {}. ", summary_cell_m,
+                    kind == ViewKind::OnGrid ? "on-grid" : "held-out", number_text(least_error(floor->rms_db), 2),
+                    number_text(least_error(floor->l1), 3), number_text(most_correlation(floor->correlation_db), 3));
   }
   return text + "\n\n";
 }

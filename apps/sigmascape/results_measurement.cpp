@@ -10,6 +10,7 @@
 #include "results_tile_power.h"
 
 #include "sigmascape/base/error.h"
+#include "sigmascape/base/machine_name.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/scene/scene_file.h"
 #include "sigmascape/simulate/placement.h"
@@ -82,7 +83,8 @@ bake::BakeSettings settings_even_in_cotangent(const ResultsPlan& plan) {
 
 }  // namespace
 
-Measurement::Measurement(const ResultsPlan& plan, const std::filesystem::path& folder)
+Measurement::Measurement(const ResultsPlan& plan, const std::filesystem::path& folder,
+                         const std::filesystem::path& measured)
     : plan_(plan),
       folder_(folder),
       scene_(plan.scene_name(), scene_of(plan)),
@@ -91,8 +93,10 @@ Measurement::Measurement(const ResultsPlan& plan, const std::filesystem::path& f
       baked_shadows_(scene_.scene, plan.bake_settings(Method::BakedShadows), folder / "atlas_baked_shadows", progress_),
       level_ground_(scene_.scene, plan.bake_settings(Method::LevelGround), folder / "atlas_level_ground", progress_),
       own_ground_(scene_.scene, plan.bake_settings(Method::OwnGround), folder / "atlas_own_ground", progress_),
-      even_in_cotangent_(scene_.scene, settings_even_in_cotangent(plan), folder / "atlas_even_in_cotangent",
-                         progress_) {
+      even_in_cotangent_(scene_.scene, settings_even_in_cotangent(plan), folder / "atlas_even_in_cotangent", progress_),
+      kept_(kept_file(), settings_of_views(plan, scene::scene_hash(scene_.scene))) {
+  kept_.go_on();
+  if (!measured.empty()) kept_.take_over(measured);
   if (plan.has_level_ground()) level_.emplace("level", levelled(scene_.scene));
   make_ready();
 }
@@ -166,16 +170,35 @@ void Measurement::compare_all() {
   const auto on_level = level_ ? std::ranges::count_if(plan_.views, is_on_grid) : 0;
   const double views = static_cast<double>(plan_.views.size()) + static_cast<double>(on_level);
   for (const PlannedView& view : plan_.views) {
-    compare(scene_, view);
+    compare_once(scene_, view);
     progress_.advanced("compare", static_cast<double>(++done), views, "views");
     // Level ground tells what hills add; missing angles would hide that.
     if (!level_ || !is_on_grid(view)) continue;
-    compare(*level_, view.from_afar());
+    compare_once(*level_, view.from_afar());
     progress_.advanced("compare", static_cast<double>(++done), views, "views");
   }
   std::ranges::stable_sort(results_, {}, [](const ViewResult& result) {
     return std::tuple(result.of.scene, static_cast<int>(result.of.kind), static_cast<int>(result.of.method));
   });
+}
+
+std::string Measurement::machines() const {
+  return fmt::format("{}", fmt::join(machines_, " and "));
+}
+
+void Measurement::compare_once(const MeasuredScene& measured, const PlannedView& view) {
+  if (kept_.find(measured.name, view) == nullptr) {
+    const std::size_t before = results_.size();
+    compare(measured, view);
+    kept_.add({measured.name,
+               view,
+               machine_name(),
+               {results_.begin() + static_cast<std::ptrdiff_t>(before), results_.end()}});
+    results_.resize(before);
+  }
+  const MeasuredView& kept = *kept_.find(measured.name, view);
+  results_.insert(results_.end(), kept.results.begin(), kept.results.end());
+  machines_.insert(kept.machine);
 }
 
 void Measurement::compare(const MeasuredScene& measured, const PlannedView& view) {

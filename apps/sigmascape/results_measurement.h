@@ -2,8 +2,11 @@
 
 #include <functional>
 #include <optional>
+#include <set>
+#include <string>
 
 #include "results_bake.h"
+#include "results_measured.h"
 #include "results_paper_bake.h"
 #include "results_plan.h"
 #include "results_table.h"
@@ -39,12 +42,17 @@ struct RenderedMap {
 /// Bakes, traces, renders and compares everything that a plan asks for.
 class Measurement {
  public:
-  /// Bakes. What lies in `folder` from an earlier run is used again.
-  Measurement(const ResultsPlan& plan, const std::filesystem::path& folder);
+  /// Bakes. What lies in `folder` from an earlier run is used again; of views that `measured`, unless empty, names a
+  /// file of, nothing is traced.
+  Measurement(const ResultsPlan& plan, const std::filesystem::path& folder, const std::filesystem::path& measured);
 
+  /// Every view is kept in `kept_file` once it is done.
   void compare_all();
+  [[nodiscard]] std::filesystem::path kept_file() const { return folder_ / "measured.json"; }
 
   [[nodiscard]] const std::vector<ViewResult>& results() const { return results_; }
+  /// Those that times were taken on, in a row.
+  [[nodiscard]] std::string machines() const;
   [[nodiscard]] const MeasuredScene& scene() const { return scene_; }
 
   [[nodiscard]] Truth truth_of(const PlannedView& view) const;
@@ -61,6 +69,8 @@ class Measurement {
                                                 std::shared_ptr<const render::PaperTextures> textures,
                                                 const render::PaperLookUp& look_up) const;
   void make_ready();
+  /// Unless it is kept.
+  void compare_once(const MeasuredScene& measured, const PlannedView& view);
   void compare(const MeasuredScene& measured, const PlannedView& view);
   void compare_own_looks(const Truth& truth, const MeasuredScene& measured, const PlannedView& view);
   void compare_renormalized(const Truth& truth, const PlannedView& view);
@@ -95,7 +105,9 @@ class Measurement {
   TimedBake baked_shadows_, level_ground_, own_ground_, even_in_cotangent_;
   std::shared_ptr<const render::PaperTextures> paper_textures_;
   std::vector<ReadyMethod> methods_;
+  MeasuredViews kept_;
   std::vector<ViewResult> results_;
+  std::set<std::string> machines_;
 };
 
 }  // namespace sigmascape::cli

@@ -85,7 +85,9 @@ std::string settings_text(const ResultsPlan& plan) {
          "\nHeld-out views are drawn from the seed, azimuth evenly over the circle and elevation evenly over 3° to "
          "40°; the view of the paper's picture stands by itself." +
          elevation_remark(plan) + "\n\n<details>\n<summary>All views</summary>\n\n" + view_table(plan) +
-         "\n</details>\n";
+         "\n</details>\n\n"
+         "[measured.json](measured.json) holds the numbers of every view; `sigmascape results --measured` goes on from "
+         "them.\n";
 }
 
 }  // namespace

@@ -11,9 +11,8 @@ constexpr Method methods[] = {Method::Paper, Method::BakedShadows, Method::Level
 
 /// A level line, as far as the points of a plot reach, where the median of two traced maps of the held-out views is.
 void add_noise_floor(Plot& plot, const ResultsReport& report) {
-  const ResultsRow* row = baseline_row(report.plan, report.rows, report.plan.scene_name(), ViewKind::HeldOut);
-  const ResultsCell* cell = row != nullptr ? row->at_cell(summary_cell_m) : nullptr;
-  if (cell == nullptr) return;
+  const auto* traced = noise_floor(report.plan, report.rows, report.plan.scene_name(), ViewKind::HeldOut);
+  if (traced == nullptr) return;
   PlotSeries floor{.name = noise_floor_name, .joined = true, .dots = false};
   std::vector<double> reached;
   for (const PlotSeries& series : plot.series) {
@@ -21,7 +20,7 @@ void add_noise_floor(Plot& plot, const ResultsReport& report) {
   }
   if (reached.empty()) return;
   const auto [first, last] = std::ranges::minmax(reached);
-  floor.points = {{first, cell->floor_median.rms_db}, {last, cell->floor_median.rms_db}};
+  floor.points = {{first, traced->rms_db}, {last, traced->rms_db}};
   plot.series.push_back(floor);
 }
 
@@ -60,7 +59,7 @@ Plot by_bytes(const ResultsReport& report) {
                                                      .method = method,
                                                      .grid = grid.name(),
                                                      .baked_samples = report.plan.baked_samples});
-      const ResultsCell* cell = row != nullptr ? row->at_cell(summary_cell_m) : nullptr;
+      const ResultsCell* cell = summary_cell(row);
       if (cell == nullptr) continue;
       series.points.emplace_back(static_cast<double>(row->atlas.store_bytes) / 1e6, cell->median.rms_db);
     }

@@ -18,6 +18,7 @@ namespace sigmascape::cli {
 struct ResultsOptions {
   bool small = false;
   std::string folder = "out/results";
+  std::string measured;          ///< numbers of an earlier run to go on from; empty for none
   std::string page;              ///< Markdown page to write, its pictures beside it; empty for none
   std::string scene_file;        ///< a landscape to measure on instead of the paper's
   std::vector<double> around_m;  ///< east and north from that landscape's middle; empty for the middle itself
@@ -54,6 +55,7 @@ struct PlannedView {
   /// Baked a second time from another seed, to tell the bake's noise; traced maps are made twice in any event.
   bool is_repeated = false;
 
+  friend bool operator==(const PlannedView&, const PlannedView&) = default;
   [[nodiscard]] std::string file_name() const;    ///< "az130.00_el08.60"
   [[nodiscard]] std::string description() const;  ///< "azimuth 130.0°, elevation 8.6°"
   /// 2 m in range and across.

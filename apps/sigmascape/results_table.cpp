@@ -247,6 +247,16 @@ const ResultsRow* baseline_row(const ResultsPlan& plan, const std::vector<Result
                          .kind = kind});
 }
 
+const ResultsCell* summary_cell(const ResultsRow* row) {
+  return row != nullptr ? row->at_cell(summary_cell_m) : nullptr;
+}
+
+const product::CellComparison* noise_floor(const ResultsPlan& plan, const std::vector<ResultsRow>& rows,
+                                           const std::string& scene, ViewKind kind) {
+  const ResultsCell* cell = summary_cell(baseline_row(plan, rows, scene, kind));
+  return cell != nullptr ? &cell->floor_median : nullptr;
+}
+
 nlohmann::ordered_json results_json(const ResultsPlan& plan, const std::vector<ResultsRow>& rows,
                                     const std::vector<ViewResult>& views) {
   nlohmann::ordered_json json{{"settings", settings_json(plan)},

@@ -105,6 +105,13 @@ struct ResultsRow {
 [[nodiscard]] const ResultsRow* baseline_row(const ResultsPlan& plan, const std::vector<ResultsRow>& rows,
                                              const std::string& scene, ViewKind kind);
 
+/// The entry of a row for summary_cell_m; nullptr for no row, and when the maps were too small for it.
+[[nodiscard]] const ResultsCell* summary_cell(const ResultsRow* row);
+
+/// What two traced maps of one of such views differ by at summary_cell_m, medians; nullptr for none.
+[[nodiscard]] const product::CellComparison* noise_floor(const ResultsPlan& plan, const std::vector<ResultsRow>& rows,
+                                                         const std::string& scene, ViewKind kind);
+
 /// {"settings": …, "rows": one entry a case and cell, "views": one entry a map and cell}.
 [[nodiscard]] nlohmann::ordered_json results_json(const ResultsPlan& plan, const std::vector<ResultsRow>& rows,
                                                   const std::vector<ViewResult>& views);
