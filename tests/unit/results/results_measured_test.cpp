@@ -77,6 +77,8 @@ TEST_F(MeasuredViewsTest, KeepAllThatAPageIsMadeOf) {
     const MeasuredView* found = again.find(plan_.scene_name(), view);
     ASSERT_NE(found, nullptr) << view.description();
     EXPECT_EQ(found->machine, "a machine");
+    EXPECT_EQ(found->results.front().by_level.front().from_db, -infinite);
+    EXPECT_EQ(found->results.front().by_level.back().to_db, infinite);
     read.insert(read.end(), found->results.begin(), found->results.end());
   }
   EXPECT_EQ(results_json(plan_, rows_of(read), read), results_json(plan_, rows_of(all), all));
