@@ -1,5 +1,6 @@
 #include "results_columns.h"
 
+#include <cmath>
 #include <fmt/format.h>
 
 #include "sigmascape/product/number_text.h"
@@ -21,6 +22,17 @@ std::string number_text(double value, int decimals) {
 
 std::string signed_text(double value, int decimals) {
   return product::signed_text(value, decimals, "–");
+}
+
+int decimals_that_tell(double value, double aim, int at_least) {
+  constexpr int most = 6;
+  const auto seems_reached = [&](int decimals) {
+    const double scale = std::pow(10.0, decimals);
+    return std::round(value * scale) >= std::round(aim * scale);
+  };
+  int decimals = at_least;
+  while (decimals < most && seems_reached(decimals) != (value >= aim)) ++decimals;
+  return decimals;
 }
 
 std::string megabytes(std::uintmax_t bytes) {

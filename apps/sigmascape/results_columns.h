@@ -15,6 +15,9 @@ namespace sigmascape::cli {
 [[nodiscard]] std::string number_text(double value, int decimals);
 /// The same with its sign: "+0.83".
 [[nodiscard]] std::string signed_text(double value, int decimals);
+/// How many decimals, at least so many, it takes to see on which side of an aim a value lies: 4 for 0.9896 beside 0.99,
+/// which three would show as reached. Six at most.
+[[nodiscard]] int decimals_that_tell(double value, double aim, int at_least);
 /// "26.84".
 [[nodiscard]] std::string megabytes(std::uintmax_t bytes);
 

@@ -61,20 +61,21 @@ std::string truth_aim(const ResultsReport& report, const std::string& scene, Vie
   const double correlation = floor->correlation_db;
   return fmt::format("|{} {} | *truth*, {} rays a cell | | {} | {:.2f} | {} | {} | | |\n",
                      SceneColumn(report.plan).cell(scene), text_of(kind), report.plan.traced_samples_of(kind),
-                     number_text(correlation, 3), least, correlation >= least ? "reached" : "missed",
-                     signed_text(floor->bias_db, 2));
+                     number_text(correlation, decimals_that_tell(correlation, least, 3)), least,
+                     correlation >= least ? "reached" : "missed", signed_text(floor->bias_db, 2));
 }
 
 /// A row beside its aims.
 std::string aim_line(const ResultsReport& report, const ResultsRow& row, const ResultsCell& cell, double least) {
   constexpr double most_bias_db = 0.3;
   const auto mark = [](bool reached) { return reached ? "reached" : "missed"; };
-  const product::CellComparison& median = cell.median;
-  return fmt::format("|{} {} | {}{}{} | {} | {} | {:.2f} | {} | {} | ±{:g} | {} |\n",
-                     SceneColumn(report.plan).cell(row.of.scene), text_of(row.of.kind), text_of(row.of.method),
-                     row.of.change.empty() ? "" : ", ", row.of.change, row.of.baked_samples,
-                     number_text(median.correlation_db, 3), least, mark(median.correlation_db >= least),
-                     signed_text(median.bias_db, 2), most_bias_db, mark(std::abs(median.bias_db) <= most_bias_db));
+  const double correlation = cell.median.correlation_db, bias_db = cell.median.bias_db;
+  return fmt::format(
+      "|{} {} | {}{}{} | {} | {} | {:.2f} | {} | {} | ±{:g} | {} |\n", SceneColumn(report.plan).cell(row.of.scene),
+      text_of(row.of.kind), text_of(row.of.method), row.of.change.empty() ? "" : ", ", row.of.change,
+      row.of.baked_samples, number_text(correlation, decimals_that_tell(correlation, least, 3)), least,
+      mark(correlation >= least), signed_text(bias_db, decimals_that_tell(most_bias_db, std::abs(bias_db), 2)),
+      most_bias_db, mark(std::abs(bias_db) <= most_bias_db));
 }
 
 /// Views that were baked, from the grid as it is baked, and from the same looks with as many rays as the truth has, on

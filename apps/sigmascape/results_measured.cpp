@@ -144,6 +144,7 @@ Json json_of(const MeasuredView& measured) {
           {"azimuth_deg", view.azimuth_deg},
           {"elevation_deg", view.elevation_deg},
           {"slant_range_m", view.slant_range_m},
+          {"traced_samples", view.traced_samples},
           {"repeated", view.is_repeated},
           {"machine", measured.machine},
           {"trace_s", any.trace_seconds},
@@ -159,6 +160,7 @@ MeasuredView view_in(const Json& json) {
                                  .azimuth_deg = json.at("azimuth_deg").get<double>(),
                                  .elevation_deg = json.at("elevation_deg").get<double>(),
                                  .slant_range_m = json.at("slant_range_m").get<double>(),
+                                 .traced_samples = json.at("traced_samples").get<std::uint32_t>(),
                                  .is_repeated = json.at("repeated").get<bool>()},
                         .machine = json.at("machine").get<std::string>(),
                         .results = {}};
@@ -171,7 +173,7 @@ MeasuredView view_in(const Json& json) {
   return measured;
 }
 
-/// "traced_samples was 512, not 1024"; nothing for equal settings.
+/// "was measured with bounces 4, not 8"; nothing for equal settings.
 std::optional<std::string> difference(const Json& kept, const Json& wanted) {
   for (const auto& [key, value] : wanted.items()) {
     if (!kept.contains(key)) return fmt::format("does not say its {}", key);
@@ -208,6 +210,11 @@ const MeasuredView* MeasuredViews::find(const std::string& scene, const PlannedV
 }
 
 void MeasuredViews::add(MeasuredView view) {
+  std::erase_if(views_, [&](const MeasuredView& other) {
+    PlannedView place = other.view;
+    place.traced_samples = view.view.traced_samples;
+    return other.scene == view.scene && place == view.view;
+  });
   views_.push_back(std::move(view));
   write();
 }
@@ -243,8 +250,6 @@ nlohmann::ordered_json settings_of_views(const ResultsPlan& plan, const std::str
           {"rim_m", plan.rim_m()},
           {"grids", std::move(grids)},
           {"baked_samples", plan.baked_samples},
-          {"traced_samples", plan.traced_samples},
-          {"finer_samples", plan.finer_samples},
           {"bounces", plan.bounces},
           {"seed", plan.seed},
           {"floor_db", compare.floor_db},

@@ -32,7 +32,7 @@ class MeasuredViews {
 
   /// What was measured of that view, or nullptr.
   [[nodiscard]] const MeasuredView* find(const std::string& scene, const PlannedView& view) const;
-  /// Adds a view, and writes the file.
+  /// Adds a view, in place of the same with other rays, and writes the file.
   void add(MeasuredView view);
 
  private:

@@ -16,20 +16,23 @@ constexpr double lowest_elevation_deg = 3.0, highest_elevation_deg = 40.0;
 constexpr std::uint64_t held_out_stream = 0x76696577;  // keeps the views' numbers apart from those of the rays
 
 /// A view on the first grid, so that all grids hold it; neighbours in the list differ in both angles.
-PlannedView view_on(const LookGrid& grid, std::size_t index) {
+PlannedView view_on(const ResultsPlan& plan, std::size_t index) {
+  const LookGrid& grid = plan.grids.front();
   const std::size_t azimuth = (3 + 5 * index) % grid.azimuths;
   return {.kind = ViewKind::OnGrid,
           .azimuth_deg = 360.0 * static_cast<double>(azimuth) / grid.azimuths,
-          .elevation_deg = grid.elevations_deg[index % grid.elevations_deg.size()]};
+          .elevation_deg = grid.elevations_deg[index % grid.elevations_deg.size()],
+          .traced_samples = plan.traced_samples_of(ViewKind::OnGrid)};
 }
 
-PlannedView held_out_view(std::uint64_t seed, std::size_t index) {
+PlannedView held_out_view(const ResultsPlan& plan, std::size_t index) {
   const auto uniform = [&](std::uint64_t dimension) {
-    return static_cast<double>(unit_float(hashed(seed, held_out_stream, index, dimension)));
+    return static_cast<double>(unit_float(hashed(plan.seed, held_out_stream, index, dimension)));
   };
   return {.kind = ViewKind::HeldOut,
           .azimuth_deg = 360.0 * uniform(0),
-          .elevation_deg = lowest_elevation_deg + (highest_elevation_deg - lowest_elevation_deg) * uniform(1)};
+          .elevation_deg = lowest_elevation_deg + (highest_elevation_deg - lowest_elevation_deg) * uniform(1),
+          .traced_samples = plan.traced_samples_of(ViewKind::HeldOut)};
 }
 
 /// Places of `values` on `axis`, which holds them all.
@@ -179,13 +182,16 @@ ResultsPlan results_plan(const ResultsOptions& options) {
   plan.seed = options.seed;
   plan.threads = options.threads;
 
-  plan.views = {{ViewKind::Paper, 130.0, 8.6}};
+  plan.views = {{.kind = ViewKind::Paper,
+                 .azimuth_deg = 130.0,
+                 .elevation_deg = 8.6,
+                 .traced_samples = plan.traced_samples_of(ViewKind::Paper)}};
   for (std::size_t i = 0; i < options.on_grid.value_or(options.small ? 3 : 8); ++i) {
-    plan.views.push_back(view_on(plan.grids.front(), i));
+    plan.views.push_back(view_on(plan, i));
     plan.views.back().is_repeated = i < options.repeated;
   }
   for (std::size_t i = 0; i < options.held_out.value_or(options.small ? 4 : 24); ++i)
-    plan.views.push_back(held_out_view(options.seed, i));
+    plan.views.push_back(held_out_view(plan, i));
   return plan;
 }
 

@@ -21,7 +21,7 @@ std::string settings_text(const MeasuredScene& measured, const PlannedView& view
                           std::uint64_t seed) {
   return fmt::format("scene {}, azimuth {} deg, elevation {} deg, {} km, {} samples a cell, {} bounces, seed {}, {}",
                      scene::scene_hash(measured.scene), view.azimuth_deg, view.elevation_deg, view.slant_range_m / 1e3,
-                     plan.traced_samples_of(view.kind), plan.bounces, seed, trace::simd_setting());
+                     view.traced_samples, plan.bounces, seed, trace::simd_setting());
 }
 
 radar::GroundMap traced(const MeasuredScene& measured, const PlannedView& view, const ResultsPlan& plan,
@@ -34,7 +34,7 @@ radar::GroundMap traced(const MeasuredScene& measured, const PlannedView& view, 
   const ProcessorStopwatch watch;
   const auto image = simulate::traced_image(scene, measured.geometry, radar, grid.extent(),
                                             {.cell_m = grid.cell_m,
-                                             .samples_per_cell = plan.traced_samples_of(view.kind),
+                                             .samples_per_cell = view.traced_samples,
                                              .max_bounces = plan.bounces,
                                              .seed = seed,
                                              .threads = plan.threads},

@@ -22,6 +22,15 @@ TEST(ResultsColumns, WhatIsNotDefinedIsADash) {
   EXPECT_EQ(signed_text(not_defined, 2), "–");
 }
 
+TEST(ResultsColumns, RoundingHidesNotOnWhichSideOfAnAimAValueLies) {
+  EXPECT_EQ(decimals_that_tell(0.9896, 0.99, 3), 4);
+  EXPECT_EQ(decimals_that_tell(0.98996, 0.99, 3), 5);
+  EXPECT_EQ(decimals_that_tell(0.9904, 0.99, 3), 3);
+  EXPECT_EQ(decimals_that_tell(0.99, 0.99, 3), 3);
+  EXPECT_EQ(decimals_that_tell(0.985, 0.99, 3), 3);
+  EXPECT_EQ(decimals_that_tell(not_defined, 0.99, 3), 3);
+}
+
 TEST(ResultsColumns, WorstValuesStandInBracketsWhereViewsAreSeveral) {
   const product::CellComparison median{
       .correlation_db = 0.9, .rms_db = 2.0, .bias_db = -0.001, .l1 = 0.1, .shadow_iou = 0.5};

@@ -106,14 +106,29 @@ TEST_F(MeasuredViewsTest, AnotherRunsAreTakenOverAndKept) {
   EXPECT_NE(again.find(plan_.scene_name(), plan_.views.back()), nullptr);
 }
 
+TEST_F(MeasuredViewsTest, AViewIsMeasuredAnewWithMoreRaysWhileOthersStay) {
+  MeasuredViews kept = views("measured.json");
+  kept.add(made_view(plan_, plan_.views.front()));
+  kept.add(made_view(plan_, plan_.views.back()));
+  PlannedView finer = plan_.views.back();
+  finer.traced_samples *= 5;
+  EXPECT_EQ(kept.find(plan_.scene_name(), finer), nullptr);
+  kept.add(made_view(plan_, finer));
+  MeasuredViews again = views("measured.json");
+  again.go_on();
+  EXPECT_NE(again.find(plan_.scene_name(), finer), nullptr);
+  EXPECT_EQ(again.find(plan_.scene_name(), plan_.views.back()), nullptr) << "a page has each view once";
+  EXPECT_NE(again.find(plan_.scene_name(), plan_.views.front()), nullptr);
+}
+
 TEST_F(MeasuredViewsTest, WhatDoesNotFitIsRefusedOrWrittenOver) {
   MeasuredViews kept = views("measured.json");
   kept.add(made_view(plan_, plan_.views.front()));
-  ResultsPlan finer = plan_;
-  finer.traced_samples = 17;
-  const auto settings = settings_of_views(finer, "digest");
+  ResultsPlan fewer = plan_;
+  fewer.bounces = 3;
+  const auto settings = settings_of_views(fewer, "digest");
   EXPECT_THAT(refusal_of({folder_.path("x.json"), settings}, "measured.json"),
-              HasSubstr("was measured with traced_samples 256, not 17"));
+              HasSubstr("was measured with bounces 8, not 3"));
   EXPECT_THAT(refusal_of({folder_.path("x.json"), settings_of_views(plan_, "another")}, "measured.json"),
               HasSubstr("was measured with scene"));
   EXPECT_THAT(refusal_of(views("x.json"), "absent.json"), HasSubstr("cannot be read"));
