@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "scratch_folder.h"
 #include "unit/product/made_up_map.h"
 
 #include "sigmascape/base/error.h"
@@ -30,7 +31,8 @@ TEST(ComparisonPage, TextIsPlainTextAndNothingRunsOrIsFetched) {
 }
 
 TEST(ComparisonPage, PicturesAreInsideThePage) {
-  const auto png = test_folder() / "three_bytes.png";
+  const ScratchFolder folder;
+  const auto png = folder.path("three_bytes.png");
   std::ofstream(png) << "radar";
   const std::string html = comparison_page_html(page_with({.figures = {{png, "Path traced \"truth\""}}}));
   EXPECT_THAT(html, HasSubstr("data:image/png;base64,cmFkYXI=\""));  // RFC 4648 of "radar"
@@ -38,10 +40,11 @@ TEST(ComparisonPage, PicturesAreInsideThePage) {
 }
 
 TEST(ComparisonPage, APictureThatIsNotThereIsAnErrorAndNoPageIsWritten) {
-  const auto folder = test_folder();
-  EXPECT_THROW(write_comparison_page(folder / "index.html", page_with({.figures = {{folder / "absent.png", ""}}})),
-               Error);
-  EXPECT_TRUE(std::filesystem::is_empty(folder));
+  const ScratchFolder folder;
+  EXPECT_THROW(
+      write_comparison_page(folder.path("index.html"), page_with({.figures = {{folder.path("absent.png"), ""}}})),
+      Error);
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path("")));
 }
 
 TEST(ComparisonPage, NumbersStandBesideTheirNoiseFloor) {
@@ -50,7 +53,8 @@ TEST(ComparisonPage, NumbersStandBesideTheirNoiseFloor) {
   const PageSection section{.comparison = compare_maps(tested, truth),
                             .noise_floor = compare_maps(truth, truth),
                             .facts = {{"Rays", "41.9 million"}}};
-  const auto path = test_folder() / "index.html";
+  const ScratchFolder folder;
+  const auto path = folder.path("index.html");
   write_comparison_page(path, page_with(section));
   std::ifstream file(path);
   const std::string html{std::istreambuf_iterator<char>(file), {}};

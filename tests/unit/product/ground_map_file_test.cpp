@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "scratch_folder.h"
 #include "unit/product/made_up_map.h"
 
 #include "sigmascape/base/error.h"
@@ -33,7 +34,8 @@ radar::GroundMap rough_map() {
 }
 
 TEST(GroundMapFile, ReadsBackTheSameMap) {
-  const auto path = test_folder() / "map.tif";
+  const ScratchFolder folder;
+  const auto path = folder.path("map.tif");
   const radar::GroundMap written = rough_map();
   write_ground_map(path, written);
   const radar::GroundMap read = read_ground_map(path);
@@ -48,7 +50,8 @@ TEST(GroundMapFile, ReadsBackTheSameMap) {
 }
 
 TEST(GroundMapFile, AFileMovedByAGisKeepsItsOwnCrs) {
-  const auto path = test_folder() / "map.tif";
+  const ScratchFolder folder;
+  const auto path = folder.path("map.tif");
   write_ground_map(path, rough_map());
   geo::GeoRaster raster = geo::read_geotiff(path);
   raster.placement.west_m += 1000.0;
@@ -60,7 +63,8 @@ TEST(GroundMapFile, AFileMovedByAGisKeepsItsOwnCrs) {
 }
 
 TEST(GroundMapFile, BandsMayStandInAnyOrderAndNodataMayBeANumber) {
-  const auto path = test_folder() / "map.tif";
+  const ScratchFolder folder;
+  const auto path = folder.path("map.tif");
   geo::GeoRaster raster{.placement = {0.0, 0.0, 1.0, "EPSG:25830"}, .bands = {}, .nodata = -1.0F, .metadata = {}};
   for (const char* name : {"RE_VVHH", "HV", "HH", "VV"}) {
     raster.bands.push_back({name, Array2D<float>(2, 1, name == std::string("VV") ? 5.0F : 1.0F)});
@@ -74,28 +78,29 @@ TEST(GroundMapFile, BandsMayStandInAnyOrderAndNodataMayBeANumber) {
 }
 
 TEST(GroundMapFile, OtherFilesAreRefusedWithTheReason) {
-  const auto folder = test_folder();
+  const ScratchFolder folder;
   geo::GeoRaster heights;
   heights.placement = {0.0, 0.0, 1.0, "EPSG:25830"};
   heights.bands.push_back({"height", Array2D<float>(4, 4, 1.0F)});
-  geo::write_geotiff(folder / "heights.tif", heights);
+  geo::write_geotiff(folder.path("heights.tif"), heights);
   try {
-    (void)read_ground_map(folder / "heights.tif");
+    (void)read_ground_map(folder.path("heights.tif"));
     FAIL() << "a height raster was taken for a ground map";
   } catch (const Error& error) {
     EXPECT_THAT(error.what(), testing::HasSubstr("heights.tif"));
     EXPECT_THAT(error.what(), testing::HasSubstr("not a ground map"));
     EXPECT_THAT(error.what(), testing::HasSubstr("VV"));
   }
-  std::ofstream(folder / "text.tif") << "no raster at all";
-  EXPECT_THROW((void)read_ground_map(folder / "text.tif"), Error);
-  EXPECT_THROW((void)read_ground_map(folder / "absent.tif"), Error);
+  std::ofstream(folder.path("text.tif")) << "no raster at all";
+  EXPECT_THROW((void)read_ground_map(folder.path("text.tif")), Error);
+  EXPECT_THROW((void)read_ground_map(folder.path("absent.tif")), Error);
 }
 
 TEST(GroundMapFile, AMapThatDoesNotFitItsGridIsRefused) {
   radar::GroundMap map = rough_map();
   map.grid.columns = 299;
-  const auto path = test_folder() / "map.tif";
+  const ScratchFolder folder;
+  const auto path = folder.path("map.tif");
   EXPECT_THROW(write_ground_map(path, map), Error);
   EXPECT_FALSE(std::filesystem::exists(path));
 }
@@ -103,7 +108,8 @@ TEST(GroundMapFile, AMapThatDoesNotFitItsGridIsRefused) {
 TEST(GroundMapFile, GdalinfoSeesBandsPlaceAndNodata) {
   if (std::system("gdalinfo --version > /dev/null 2>&1") != 0)
     GTEST_SKIP() << "gdalinfo (package gdal-bin) is not installed";
-  const auto path = test_folder() / "map.tif";
+  const ScratchFolder folder;
+  const auto path = folder.path("map.tif");
   write_ground_map(path, rough_map());
   std::string info;
   std::FILE* pipe = popen(("gdalinfo '" + path.string() + "'").c_str(), "r");

@@ -1,11 +1,8 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <functional>
-#include <gtest/gtest.h>
 #include <limits>
-#include <string>
 
 #include "sigmascape/radar/ground_map.h"
 
@@ -26,16 +23,6 @@ inline radar::GroundMap map_of(std::size_t columns, std::size_t rows,
     }
   }
   return map;
-}
-
-/// A folder for the running test alone, empty at its start.
-inline std::filesystem::path test_folder() {
-  const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-  const auto folder = std::filesystem::path(testing::TempDir()) / "sigmascape_product" /
-                      (std::string(info->test_suite_name()) + "." + info->name());
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder);
-  return folder;
 }
 
 }  // namespace sigmascape::product

@@ -67,7 +67,8 @@ Picture small_picture() {
 
 TEST(PngFile, PixelsReadBackAreThoseWritten) {
   const Picture picture = small_picture();
-  const auto path = test_folder() / "map.png";
+  const ScratchFolder folder;
+  const auto path = folder.path("map.png");
   write_png(path, picture);
   const Array2D<Rgba> read = pixels_of(path);
   ASSERT_EQ(read.columns(), 5U);
@@ -90,7 +91,8 @@ TEST(PngFile, AFullDiskLeavesNoWorldFileWithoutPicture) {
 TEST(PngFile, TransparencyIsKept) {
   Picture picture = small_picture();
   picture.pixels(2, 2).alpha = 0;
-  const auto path = test_folder() / "map.png";
+  const ScratchFolder folder;
+  const auto path = folder.path("map.png");
   write_png(path, picture);
   EXPECT_EQ(pixels_of(path)(2, 2).alpha, 0);
   EXPECT_EQ(pixels_of(path)(2, 1).alpha, 255);
@@ -99,7 +101,8 @@ TEST(PngFile, TransparencyIsKept) {
 TEST(PngFile, MetadataTravelsAsText) {
   Picture picture = small_picture();
   picture.metadata["attribution"] = "© Gobierno de España, 2026";
-  const auto path = test_folder() / "map.png";
+  const ScratchFolder folder;
+  const auto path = folder.path("map.png");
   write_png(path, picture);
   const auto texts = texts_of(path);
   EXPECT_EQ(texts.at("attribution"), "© Gobierno de España, 2026");
@@ -108,7 +111,8 @@ TEST(PngFile, MetadataTravelsAsText) {
 }
 
 TEST(PngFile, WorldFileNamesTheCentreOfTheUpperLeftPixel) {
-  const auto path = test_folder() / "map.png";
+  const ScratchFolder folder;
+  const auto path = folder.path("map.png");
   write_png(path, small_picture());
   std::istringstream lines(text_of(std::filesystem::path(path).replace_extension(".pgw")));
   std::vector<double> numbers;
@@ -124,9 +128,9 @@ TEST(PngFile, WhatCannotBeWrittenIsAnErrorAndLeavesNothing) {
   EXPECT_THROW((void)png_bytes(Picture{}), Error);
   Picture picture = small_picture();
   picture.metadata[std::string(80, 'k')] = "too long a key";
-  const auto folder = test_folder();
-  EXPECT_THROW(write_png(folder / "map.png", picture), Error);
-  EXPECT_TRUE(std::filesystem::is_empty(folder));
+  const ScratchFolder folder;
+  EXPECT_THROW(write_png(folder.path("map.png"), picture), Error);
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path("")));
   EXPECT_THROW(write_png("/proc/no/such/place/map.png", small_picture()), Error);
 }
 
