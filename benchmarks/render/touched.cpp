@@ -41,7 +41,7 @@ Touched touched_by(const render::Frame& frame, const render::LiveSettings& setti
   const render::LiveObstacles* const obstacles = ground.obstacles();
   const bool apart = obstacles != nullptr;
   if (apart) {
-    const render::TileBlock block = obstacles->tiles_of(obstacles->level_for(settings.range_step_m / 2.0));
+    const atlas::TileBlock block = obstacles->tiles_of(obstacles->level_for(settings.range_step_m / 2.0));
     const radar::GroundGrid first = atlas::texels_of(ground.description().patches, block.at(0, 0));
     touched.obstacle_cells = nodes_in_view({first.west_m, first.north_m}, first.cell_m, block.across * first.columns,
                                            block.down * first.rows, frame, pose);

@@ -11,9 +11,8 @@ int floored(int value, int divisor) {
 }  // namespace
 
 radar::GroundGrid texels_of(const PatchGrid& patches, const TileAddress& tile) {
-  const double side_m = texel_side_m(patches, tile.level);
-  const double tile_m = side_m * static_cast<double>(tile_side);
-  return {tile.x * tile_m, (tile.y + 1) * tile_m, side_m, tile_side, tile_side};
+  const double tile_m = tile_side_m(patches, tile.level);
+  return {tile.x * tile_m, (tile.y + 1) * tile_m, texel_side_m(patches, tile.level), tile_side, tile_side};
 }
 
 TilePlace place_of(const PatchGrid& patches, const TileAddress& tile) {

@@ -31,6 +31,11 @@ struct TileAddress {
   return patches.texel_m * static_cast<double>(std::uint64_t{1} << level);
 }
 
+/// Side of a tile of that level.
+[[nodiscard]] constexpr double tile_side_m(const PatchGrid& patches, std::size_t level) {
+  return texel_side_m(patches, level) * static_cast<double>(tile_side);
+}
+
 /// The texels of a tile, north up.
 [[nodiscard]] radar::GroundGrid texels_of(const PatchGrid& patches, const TileAddress& tile);
 

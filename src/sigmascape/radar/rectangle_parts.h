@@ -11,6 +11,11 @@ namespace sigmascape::radar {
   return {r.west_m - by_m, r.south_m - by_m, r.east_m + by_m, r.north_m + by_m};
 }
 
+/// The same rectangle elsewhere.
+[[nodiscard]] constexpr Rectangle moved(const Rectangle& r, Vec2d by) {
+  return {r.west_m + by.x, r.south_m + by.y, r.east_m + by.x, r.north_m + by.y};
+}
+
 /// What two rectangles have in common: one whose east lies west of its west, or north south, where that is nothing.
 [[nodiscard]] constexpr Rectangle common_part(const Rectangle& a, const Rectangle& b) {
   return {std::max(a.west_m, b.west_m), std::max(a.south_m, b.south_m), std::min(a.east_m, b.east_m),

@@ -40,11 +40,9 @@ LiveObstacles::LiveObstacles(const atlas::Store& atlas, std::size_t budget_bytes
 }
 
 void LiveObstacles::load_coarsest_level() {
-  const TileBlock block = tiles_of(cache_->source().levels() - 1);
+  const atlas::TileBlock block = tiles_of(cache_->source().levels() - 1);
   std::vector<atlas::TileAddress> all;
-  for (std::size_t row = 0; row < block.down; ++row) {
-    for (std::size_t column = 0; column < block.across; ++column) all.push_back(block.at(column, row));
-  }
+  for (std::size_t number = 0; number < block.size(); ++number) all.push_back(block.at(number));
   cache_->load(all);
 }
 
@@ -54,28 +52,17 @@ std::size_t LiveObstacles::level_for(double step_m) const {
   return level;
 }
 
-TileBlock LiveObstacles::tiles_over(const radar::Rectangle& area, std::size_t level) const {
-  const double tile_m = atlas::texel_side_m(patches(), level) * static_cast<double>(atlas::tile_side);
-  const radar::Rectangle here = radar::common_part(area, extent_);
-  if (here.width_m() <= 0.0 || here.height_m() <= 0.0) return {.level = level};
-  // A tile that only touches an edge has no part in it.
-  const auto first = [tile_m](double edge) { return static_cast<int>(std::floor(edge / tile_m)); };
-  const auto last = [tile_m](double edge) { return static_cast<int>(std::ceil(edge / tile_m)) - 1; };
-  const int west = first(here.west_m), north = last(here.north_m);
-  return {level, west, north, static_cast<std::size_t>(last(here.east_m) - west + 1),
-          static_cast<std::size_t>(north - first(here.south_m) + 1)};
-}
-
-TileBlock LiveObstacles::tiles_for(const Wish& wish, Part part) const {
-  const radar::Rectangle bounds = wish.ground.bounds();
+atlas::TileBlock LiveObstacles::tiles_for(const Wish& wish, Part part) const {
+  const radar::Rectangle area = radar::common_part(wish.ground.bounds(), extent_);
   const double most = share_of(part) * static_cast<double>(cache_->most_pages());
-  TileBlock block = tiles_over(bounds, wish.level);
+  atlas::TileBlock block = atlas::tiles_over(patches(), area, wish.level);
   const auto fits = [&] {
-    const double tile_m = atlas::texel_side_m(patches(), block.level) * static_cast<double>(atlas::tile_side);
-    const auto in_block = static_cast<double>(block.across) * static_cast<double>(block.down);
-    return in_block <= most_in_block && std::min(in_block, wish.ground.squares_met(tile_m)) <= most;
+    const auto in_block = static_cast<double>(block.size());
+    const double met = wish.ground.squares_met(atlas::tile_side_m(patches(), block.level));
+    return in_block <= most_in_block && std::min(in_block, met) <= most;
   };
-  while (block.level + 1 < cache_->source().levels() && !fits()) block = tiles_over(bounds, block.level + 1);
+  while (block.level + 1 < cache_->source().levels() && !fits())
+    block = atlas::tiles_over(patches(), area, block.level + 1);
   return block;
 }
 
@@ -95,7 +82,7 @@ const ObstaclePage* LiveObstacles::best(const Cache::View& there, const atlas::T
 }
 
 template <typename Each>
-void LiveObstacles::for_each_tile(const TileBlock& block, const GroundSector& ground, Each each) const {
+void LiveObstacles::for_each_tile(const atlas::TileBlock& block, const GroundSector& ground, Each each) const {
   for (std::size_t row = 0; row < block.down; ++row) {
     for (std::size_t column = 0; column < block.across; ++column) {
       const atlas::TileAddress tile = block.at(column, row);
@@ -106,7 +93,7 @@ void LiveObstacles::for_each_tile(const TileBlock& block, const GroundSector& gr
 
 std::size_t LiveObstacles::lay_out(const Cache::View& there, const Wish& wish, Part part, ObstacleMosaic& mosaic,
                                    std::vector<atlas::TileAddress>& wanted) const {
-  const TileBlock block = tiles_for(wish, part);
+  const atlas::TileBlock block = tiles_for(wish, part);
   mosaic.reset(patches(), block);
   std::size_t coarser = 0;
   for_each_tile(block, wish.ground, [&](std::size_t column, std::size_t row, const atlas::TileAddress& tile) {

@@ -48,16 +48,17 @@ class LiveObstacles {
   void look_ahead(const Cache::View& there, const Wish& wish, std::vector<atlas::TileAddress>& wanted) const;
 
   /// Tiles of a level with which the atlas shares ground.
-  [[nodiscard]] TileBlock tiles_of(std::size_t level) const { return tiles_over(extent_, level); }
+  [[nodiscard]] atlas::TileBlock tiles_of(std::size_t level) const {
+    return atlas::tiles_over(patches(), extent_, level);
+  }
 
  private:
   [[nodiscard]] const atlas::PatchGrid& patches() const { return cache_->source().description().patches; }
-  [[nodiscard]] TileBlock tiles_over(const radar::Rectangle& area, std::size_t level) const;
   /// Those for a wish, of its level or a coarser one.
-  [[nodiscard]] TileBlock tiles_for(const Wish& wish, Part part) const;
+  [[nodiscard]] atlas::TileBlock tiles_for(const Wish& wish, Part part) const;
   /// Calls `each(column, row, tile)` for the tiles of a block that may share ground with the sector.
   template <typename Each>
-  void for_each_tile(const TileBlock& block, const GroundSector& ground, Each each) const;
+  void for_each_tile(const atlas::TileBlock& block, const GroundSector& ground, Each each) const;
   /// The page for a tile or for an ancestor; null when not even the coarsest is there.
   [[nodiscard]] const ObstaclePage* best(const Cache::View& there, const atlas::TileAddress& tile,
                                          std::vector<atlas::TileAddress>& wanted) const;

@@ -2,12 +2,12 @@
 
 namespace sigmascape::render {
 
-void ObstacleMosaic::reset(const atlas::PatchGrid& patches, const TileBlock& block) {
+void ObstacleMosaic::reset(const atlas::PatchGrid& patches, const atlas::TileBlock& block) {
   block_ = block;
   grid_ = atlas::texels_of(patches, block.at(0, 0));
   grid_.columns *= block.across;
   grid_.rows *= block.down;
-  pieces_.assign(block.across * block.down, Piece{});
+  pieces_.assign(block.size(), Piece{});
 }
 
 void ObstacleMosaic::put(std::size_t column, std::size_t row, const ObstaclePage& page) {

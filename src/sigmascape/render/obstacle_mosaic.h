@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "sigmascape/atlas/tile_block.h"
 #include "sigmascape/base/vec.h"
 #include "sigmascape/radar/ground_grid.h"
 #include "sigmascape/render/obstacle_page.h"
@@ -11,28 +12,16 @@
 
 namespace sigmascape::render {
 
-/// A rectangle of tiles of one level.
-struct TileBlock {
-  std::size_t level = 0;
-  int west = 0, north = 0;  ///< of the north-western tile
-  std::size_t across = 0, down = 0;
-
-  /// Column 0 is the westernmost, row 0 the northernmost.
-  [[nodiscard]] constexpr atlas::TileAddress at(std::size_t column, std::size_t row) const {
-    return {level, west + static_cast<int>(column), north - static_cast<int>(row)};
-  }
-};
-
 /// What stands on the ground under a frame: tiles of one level side by side, each shown by its own page or by that of a
 /// coarser one. It refers to the pages, which live as long as the view that they were found in.
 class ObstacleMosaic {
  public:
   /// Nothing stands in any tile. Keeps its memory as long as the block needs no more of it.
-  void reset(const atlas::PatchGrid& patches, const TileBlock& block);
+  void reset(const atlas::PatchGrid& patches, const atlas::TileBlock& block);
   /// For a tile of the block: its page, or that of an ancestor.
   void put(std::size_t column, std::size_t row, const ObstaclePage& page);
 
-  [[nodiscard]] const TileBlock& block() const { return block_; }
+  [[nodiscard]] const atlas::TileBlock& block() const { return block_; }
   /// All squares, those of tiles without a page included.
   [[nodiscard]] const radar::GroundGrid& grid() const { return grid_; }
 
@@ -56,7 +45,7 @@ class ObstacleMosaic {
   };
   static constexpr PackedObstacle nothing{};
 
-  TileBlock block_;
+  atlas::TileBlock block_;
   radar::GroundGrid grid_{.columns = 0, .rows = 0};
   std::vector<Piece> pieces_;  // [row][column] of the block
 };

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sigmascape/atlas/tile_block.h"
 #include "sigmascape/base/units.h"
+#include "sigmascape/radar/rectangle_parts.h"
 
 namespace sigmascape::render {
 namespace {
@@ -65,23 +67,16 @@ class Forecast {
 
 void add_forecast(const PagesThere& there, const PageSource& source, const ForecastView& view,
                   std::vector<PageKey>& wanted) {
-  const double tile_m =
-      atlas::texel_side_m(source.description().patches, view.level) * static_cast<double>(atlas::tile_side);
-  const radar::Rectangle& extent = source.description().extent;
-  const radar::Rectangle box = view.sector.bounds();
-  const auto tile_at = [tile_m](double position) { return static_cast<int>(std::floor(position / tile_m)); };
-  const int south = tile_at(std::max(view.radar.y + box.south_m, extent.south_m));
-  // A tile that only touches the edge of the atlas is not there.
-  const auto tile_before = [tile_m](double edge) { return static_cast<int>(std::ceil(edge / tile_m)) - 1; };
-  const int north = tile_before(std::min(view.radar.y + box.north_m, extent.north_m));
-  const int west = tile_at(std::max(view.radar.x + box.west_m, extent.west_m));
-  const int east = tile_before(std::min(view.radar.x + box.east_m, extent.east_m));
+  const atlas::AtlasDescription& atlas = source.description();
+  const double tile_m = atlas::tile_side_m(atlas.patches, view.level);
+  const radar::Rectangle seen =
+      radar::common_part(radar::moved(view.sector.bounds(), {view.radar.x, view.radar.y}), atlas.extent);
+  const atlas::TileBlock tiles = atlas::tiles_over(atlas.patches, seen, view.level);
   Forecast forecast(there, source, view.radar.z - view.ground_height_m, wanted);
-  for (int y = south; y <= north; ++y) {
-    for (int x = west; x <= east; ++x) {
-      const Vec2d corner{x * tile_m - view.radar.x, y * tile_m - view.radar.y};
-      if (meets(view.sector, corner.x, corner.y, tile_m)) forecast.add_tile({view.level, x, y}, corner, tile_m);
-    }
+  for (std::size_t number = 0; number < tiles.size(); ++number) {
+    const atlas::TileAddress tile = tiles.at(number);
+    const Vec2d corner{tile.x * tile_m - view.radar.x, tile.y * tile_m - view.radar.y};
+    if (meets(view.sector, corner.x, corner.y, tile_m)) forecast.add_tile(tile, corner, tile_m);
   }
 }
 

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sigmascape/atlas/tile_block.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/base/vector_targets.h"
+#include "sigmascape/radar/rectangle_parts.h"
 #include "sigmascape/render/row_scatterers.h"
 
 namespace sigmascape::render {
@@ -82,14 +84,9 @@ void SectorTask::add_level(const Pose& pose, Beams beams, std::size_t level, std
   terrain_ = &parts_.occluders[which][parts_.sectors.of_edge(beams.first)].terrain;
   start(pose, beams, level);
   share_ = share;
-  const double tile_m = texel_m_ * static_cast<double>(atlas::tile_side);
-  const radar::Rectangle box = sector_.bounds();
-  const auto tile_at = [tile_m](double position) { return static_cast<int>(std::floor(position / tile_m)); };
-  for (int y = tile_at(pose.position.y + box.south_m); y <= tile_at(pose.position.y + box.north_m); ++y) {
-    for (int x = tile_at(pose.position.x + box.west_m); x <= tile_at(pose.position.x + box.east_m); ++x) {
-      fill_tile({level, x, y});
-    }
-  }
+  const radar::Rectangle ground = radar::moved(sector_.bounds(), {pose.position.x, pose.position.y});
+  const atlas::TileBlock tiles = atlas::tiles_over(patches(), ground, level);
+  for (std::size_t number = 0; number < tiles.size(); ++number) fill_tile(tiles.at(number));
 }
 
 void SectorTask::start(const Pose& pose, Beams beams, std::size_t level) {

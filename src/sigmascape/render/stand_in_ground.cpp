@@ -1,6 +1,5 @@
 #include "sigmascape/render/stand_in_ground.h"
 
-#include <cmath>
 #include <map>
 #include <utility>
 
@@ -10,25 +9,14 @@
 namespace sigmascape::render {
 
 StandInGround::Layout::Layout(const PageSource& source)
-    : level(source.levels() - 1),
+    : tiles(atlas::tiles_over(source.description().patches, source.description().extent, source.levels() - 1)),
       azimuths(source.aspects().azimuth_cells()),
       elevations(source.aspects().elevation_cells()),
-      ground_pages(source.ground_pages()) {
-  const atlas::AtlasDescription& atlas = source.description();
-  const double tile_m = atlas::texel_side_m(atlas.patches, level) * static_cast<double>(atlas::tile_side);
-  const auto first = [tile_m](double edge) { return static_cast<int>(std::floor(edge / tile_m)); };
-  // A tile that only touches an edge has no part in the atlas.
-  const auto last = [tile_m](double edge) { return static_cast<int>(std::ceil(edge / tile_m)) - 1; };
-  west = first(atlas.extent.west_m);
-  south = first(atlas.extent.south_m);
-  across = static_cast<std::size_t>(last(atlas.extent.east_m) - west + 1);
-  up = static_cast<std::size_t>(last(atlas.extent.north_m) - south + 1);
-}
+      ground_pages(source.ground_pages()) {}
 
 PageKey StandInGround::Layout::key_of(std::size_t page) const {
-  const std::size_t number = page / pages_a_tile(), aspects = page % pages_a_tile();
-  const atlas::TileAddress tile{level, west + static_cast<int>(number % across),
-                                south + static_cast<int>(number / across)};
+  const atlas::TileAddress tile = tiles.at(page / pages_a_tile());
+  const std::size_t aspects = page % pages_a_tile();
   if (aspects >= azimuths * elevations) {
     return PageKey::bare_ground(tile, static_cast<std::uint32_t>(aspects - azimuths * elevations));
   }
@@ -52,7 +40,7 @@ StandInGround::StandInGround(const PageSource& source, std::size_t side)
     pages_[page].make_room(side_, source.looks_a_page());
   }
   read_looks(source);
-  parallel_for(layout_.across * layout_.up, 0, [&](std::size_t tile, unsigned) { find_relief(source, tile); });
+  parallel_for(layout_.tiles.size(), 0, [&](std::size_t tile, unsigned) { find_relief(source, tile); });
 }
 
 void StandInGround::read_looks(const PageSource& source) {
@@ -98,14 +86,11 @@ void StandInGround::find_relief(const PageSource& source, std::size_t tile) {
 }
 
 const GroundPage* StandInGround::find(const PageKey& key) const {
-  if (key.tile.level != layout_.level) return nullptr;
-  // Before the first they are more than any number of tiles.
-  const auto column = static_cast<std::size_t>(key.tile.x - layout_.west),
-             row = static_cast<std::size_t>(key.tile.y - layout_.south);
-  if (column >= layout_.across || row >= layout_.up) return nullptr;
+  const auto tile = layout_.tiles.number_of(key.tile);
+  if (!tile) return nullptr;
   const std::size_t in_tile = key.is_bare_ground() ? layout_.azimuths * layout_.elevations + key.aspects.elevation
                                                    : key.aspects.azimuth * layout_.elevations + key.aspects.elevation;
-  const GroundPage& page = pages_[(row * layout_.across + column) * layout_.pages_a_tile() + in_tile];
+  const GroundPage& page = pages_[*tile * layout_.pages_a_tile() + in_tile];
   return page.blocks.empty() ? nullptr : &page;
 }
 

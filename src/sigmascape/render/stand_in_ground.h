@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "sigmascape/atlas/tile_block.h"
 #include "sigmascape/render/ground_page.h"
 #include "sigmascape/render/page_source.h"
 
@@ -32,7 +33,7 @@ class StandInGround {
 
   /// The page that stands in for one of the coarsest level; null when there is none.
   [[nodiscard]] const GroundPage* find(const PageKey& key) const;
-  [[nodiscard]] std::size_t coarsest_level() const { return layout_.level; }
+  [[nodiscard]] std::size_t coarsest_level() const { return layout_.tiles.level; }
   /// By how many levels pages are coarser than the coarsest of the store; 0: they are the same.
   [[nodiscard]] std::size_t levels_above() const {
     return static_cast<std::size_t>(std::countr_zero(atlas::tile_side / side_));
@@ -44,12 +45,11 @@ class StandInGround {
   struct Layout {
     explicit Layout(const PageSource& source);
     [[nodiscard]] std::size_t pages_a_tile() const { return azimuths * elevations + ground_pages; }
-    [[nodiscard]] std::size_t pages() const { return across * up * pages_a_tile(); }
+    [[nodiscard]] std::size_t pages() const { return tiles.size() * pages_a_tile(); }
     [[nodiscard]] PageKey key_of(std::size_t page) const;
 
-    std::size_t level, azimuths, elevations, ground_pages;
-    int west, south;         // the south-western tile
-    std::size_t across, up;  // how many there are
+    atlas::TileBlock tiles;
+    std::size_t azimuths, elevations, ground_pages;
   };
 
   /// Reads a look for all pages that share it.

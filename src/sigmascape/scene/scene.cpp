@@ -5,6 +5,7 @@
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/sha256.h"
+#include "sigmascape/radar/rectangle_parts.h"
 
 namespace sigmascape::scene {
 namespace {
@@ -144,7 +145,7 @@ Buildings part_of(const Buildings& buildings, std::span<const std::uint32_t> num
 void shift(Scene& scene, Vec2d offset) {
   const auto east = static_cast<float>(offset.x), north = static_cast<float>(offset.y);
   auto& extent = scene.extent;
-  extent = {extent.west_m + offset.x, extent.south_m + offset.y, extent.east_m + offset.x, extent.north_m + offset.y};
+  extent = radar::moved(extent, offset);
   scene.terrain.west_m += offset.x;
   scene.terrain.north_m += offset.y;
   scene.ground.grid.west_m += offset.x;

@@ -36,7 +36,7 @@ class LeadTest : public testing::Test {
   }
   static MadeObstacles halved(const ObstacleMosaic& fine) {
     const double quarter_m = fine.grid().cell_m / 2.0;
-    const TileBlock& block = fine.block();
+    const atlas::TileBlock& block = fine.block();
     return {patches,
             {block.level + 1, block.west / 2, (block.north - 1) / 2, block.across / 2, block.down / 2},
             [&](Vec2d p) {

@@ -12,7 +12,7 @@ namespace sigmascape::render {
 /// What stands on a block of tiles, each square what `obstacle` says of its centre.
 class MadeObstacles {
  public:
-  MadeObstacles(const atlas::PatchGrid& patches, const TileBlock& block,
+  MadeObstacles(const atlas::PatchGrid& patches, const atlas::TileBlock& block,
                 const std::function<radar::Obstacle(Vec2d)>& obstacle) {
     mosaic_.reset(patches, block);
     for (std::size_t row = 0; row < block.down; ++row) {

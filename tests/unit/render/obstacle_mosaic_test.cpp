@@ -47,7 +47,7 @@ TEST(PartOfTile, IsWhereTheGroundOfATileLiesInThatOfAnAncestor) {
 }
 
 TEST(ObstacleMosaic, ShowsEachTileByItsOwnPageOrThatOfAnAncestor) {
-  const TileBlock block{.level = 1, .west = -2, .north = 1, .across = 3, .down = 2};
+  const atlas::TileBlock block{.level = 1, .west = -2, .north = 1, .across = 3, .down = 2};
   ObstacleMosaic mosaic;
   mosaic.reset(patches, block);
   const auto page_of = [](const atlas::TileAddress& tile) {
