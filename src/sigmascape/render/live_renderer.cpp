@@ -160,7 +160,13 @@ const Frame& LiveRenderer::scan(const Pose& pose, std::size_t first_beam, std::s
   check(pose, "live renderer");
   prepare(pose);
   first_beam = std::min(first_beam, settings_.beams);
-  const std::size_t last_beam = first_beam + std::min(count, settings_.beams - first_beam);
+  fill(pose, {first_beam, first_beam + std::min(count, settings_.beams - first_beam)});
+  // Now that its views are gone: a page that is still looked at makes no room for one that is asked for.
+  request();
+  return frame_;
+}
+
+void LiveRenderer::fill(const Pose& pose, Beams beams) {
   LiveObstacles* const obstacles = ground_->obstacles();
   const FrameViews there{ground_->pages().view(), ground_->terrain().windows().view(),
                          obstacles != nullptr ? obstacles->cache().view() : LiveObstacles::Cache::View()};
@@ -169,14 +175,14 @@ const Frame& LiveRenderer::scan(const Pose& pose, std::size_t first_beam, std::s
   frame_.report = {.level = static_cast<std::size_t>((levels.next_share > 0.5 ? levels.next : levels.level) - 1)};
   wanted_terrain_.clear();
   wanted_obstacles_.clear();
-  find_visible_ground(there, pose, {first_beam, last_beam}, levels);
+  find_visible_ground(there, pose, beams, levels);
   look_at_targets(pose, levels);
   find_shadows_of_targets(pose);
-  const std::size_t group = beams_together(settings_.beam_step_rad), first_group = first_beam / group;
-  const std::size_t tasks = last_beam > first_beam ? (last_beam - 1) / group + 1 - first_group : 0;
+  const std::size_t group = beams_together(settings_.beam_step_rad), first_group = beams.first / group;
+  const std::size_t tasks = beams.end > beams.first ? (beams.end - 1) / group + 1 - first_group : 0;
   team_.run(tasks, [&](std::size_t index, unsigned worker) {
-    const std::size_t first = std::max(first_beam, (first_group + index) * group);
-    const std::size_t end = std::min(last_beam, (first_group + index + 1) * group);
+    const std::size_t first = std::max(beams.first, (first_group + index) * group);
+    const std::size_t end = std::min(beams.end, (first_group + index + 1) * group);
     tasks_[worker]->fill(pose, {first, end - first}, levels);
     add_targets(first, end - first);
   });
@@ -192,9 +198,7 @@ const Frame& LiveRenderer::scan(const Pose& pose, std::size_t first_beam, std::s
     wanted_.insert(wanted_.end(), wanted.begin(), wanted.end());
     task->end_frame();
   }
-  look_ahead(there, pose, {first_beam, last_beam}, static_cast<std::size_t>(levels.next - 1));
-  request();
-  return frame_;
+  look_ahead(there, pose, beams, static_cast<std::size_t>(levels.next - 1));
 }
 
 void LiveRenderer::prepare(const Pose& pose) {

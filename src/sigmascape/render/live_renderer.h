@@ -132,6 +132,8 @@ class LiveRenderer {
     LiveObstacles::Cache::View obstacles;
   };
 
+  /// Those beams from what is there now, and the lists of what is not.
+  void fill(const Pose& pose, Beams beams);
   /// The level of detail, or two while one gives way to the next.
   [[nodiscard]] DetailBlend next_levels();
   /// Asks for what the radar will see a second later, and for the beams that a scan comes to until then.
