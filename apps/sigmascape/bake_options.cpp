@@ -12,6 +12,16 @@
 namespace sigmascape::cli {
 
 void BakeOptions::add_to(CLI::App& command) {
+  add_texels_and_looks(command);
+  add_rays(command);
+  add_what_stands(command);
+  command.add_option("--mantissa-bits", mantissa_bits, "bits kept of each half float, 1 to 10")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 10));
+  command.add_option("--threads", threads, "0: one a processor")->capture_default_str();
+}
+
+void BakeOptions::add_texels_and_looks(CLI::App& command) {
   command.add_option("--texel-m", texel_m, "side of a texel on the ground")->capture_default_str();
   command.add_option("--patch-texels", patch_texels, "texels along a patch: 256, 512, 1024, ...")
       ->capture_default_str();
@@ -20,6 +30,9 @@ void BakeOptions::add_to(CLI::App& command) {
       ->check(CLI::Range(1, 3600));
   command.add_option("--elevations-deg", elevations_deg, "grazing angles")->delimiter(',')->capture_default_str();
   command.add_option("--frequencies-ghz", frequencies_ghz, "frequencies")->delimiter(',')->capture_default_str();
+}
+
+void BakeOptions::add_rays(CLI::App& command) {
   const bake::Sampling usual;
   auto* target_option = command
                             .add_option("--target-db", target_db,
@@ -42,6 +55,9 @@ void BakeOptions::add_to(CLI::App& command) {
       ->excludes(preset_option);
   preset_option->excludes(target_option, most_option, samples_option);
   command.add_option("--seed", seed, "names the random numbers")->capture_default_str();
+}
+
+void BakeOptions::add_what_stands(CLI::App& command) {
   takes_words<bake::Shadows>(
       command.add_option(
           "--shadows", shadows,
@@ -54,10 +70,6 @@ void BakeOptions::add_to(CLI::App& command) {
                          "with --shadows baked"),
       {{"terrain", trace::Footing::Terrain}, {"level", trace::Footing::LevelPlane}})
       ->default_str("terrain");
-  command.add_option("--mantissa-bits", mantissa_bits, "bits kept of each half float, 1 to 10")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 10));
-  command.add_option("--threads", threads, "0: one a processor")->capture_default_str();
 }
 
 bake::BakeSettings BakeOptions::settings() const {

@@ -29,6 +29,11 @@ struct BakeOptions {
 
   void add_to(CLI::App& command);
   [[nodiscard]] bake::BakeSettings settings() const;
+
+ private:
+  void add_texels_and_looks(CLI::App& command);
+  void add_rays(CLI::App& command);
+  void add_what_stands(CLI::App& command);
 };
 
 }  // namespace sigmascape::cli
