@@ -9,7 +9,6 @@ namespace sigmascape::cli {
 std::optional<MeasuredContrast> measured(const Contrast& contrast, const std::vector<ResultsRow>& rows) {
   const ResultsRow* with = find_row(rows, contrast.with);
   const ResultsRow* without = find_row(rows, contrast.without);
-  if (with == nullptr || without == nullptr) return std::nullopt;
   const MeasuredContrast both{with, without, summary_cell(with), summary_cell(without)};
   if (both.with_cell == nullptr || both.without_cell == nullptr) return std::nullopt;
   return both;

@@ -53,29 +53,35 @@ SummaryLine line_of(const ResultsRow& row, const ResultsCell& cell) {
           fmt::format("{:.0f}", row.atlas.bake_seconds)};
 }
 
+const char* mark(bool reached) {
+  return reached ? "reached" : "missed";
+}
+
+/// Three cells: a correlation, its aim, and whether it was reached.
+std::string correlation_beside(double least, double correlation) {
+  return fmt::format("{} | {:.2f} | {}", number_text(correlation, decimals_that_tell(correlation, least, 3)), least,
+                     mark(correlation >= least));
+}
+
 /// How well two traced maps of a view agree, which bounds what can be shown of any method.
 std::string truth_aim(const ResultsReport& report, const std::string& scene, ViewKind kind) {
   constexpr double least = 0.99;
   const product::CellComparison* floor = noise_floor(report.plan, report.rows, scene, kind);
   if (floor == nullptr) return {};
-  const double correlation = floor->correlation_db;
-  return fmt::format("|{} {} | *truth*, {} rays a cell | | {} | {:.2f} | {} | {} | | |\n",
-                     SceneColumn(report.plan).cell(scene), text_of(kind), report.plan.traced_samples_of(kind),
-                     number_text(correlation, decimals_that_tell(correlation, least, 3)), least,
-                     correlation >= least ? "reached" : "missed", signed_text(floor->bias_db, 2));
+  return fmt::format("|{} {} | *truth*, {} rays a cell | | {} | {} | | |\n", SceneColumn(report.plan).cell(scene),
+                     text_of(kind), report.plan.traced_samples_of(kind),
+                     correlation_beside(least, floor->correlation_db), signed_text(floor->bias_db, 2));
 }
 
 /// A row beside its aims.
 std::string aim_line(const ResultsReport& report, const ResultsRow& row, const ResultsCell& cell, double least) {
   constexpr double most_bias_db = 0.3;
-  const auto mark = [](bool reached) { return reached ? "reached" : "missed"; };
-  const double correlation = cell.median.correlation_db, bias_db = cell.median.bias_db;
-  return fmt::format(
-      "|{} {} | {}{}{} | {} | {} | {:.2f} | {} | {} | ±{:g} | {} |\n", SceneColumn(report.plan).cell(row.of.scene),
-      text_of(row.of.kind), text_of(row.of.method), row.of.change.empty() ? "" : ", ", row.of.change,
-      row.of.baked_samples, number_text(correlation, decimals_that_tell(correlation, least, 3)), least,
-      mark(correlation >= least), signed_text(bias_db, decimals_that_tell(most_bias_db, std::abs(bias_db), 2)),
-      most_bias_db, mark(std::abs(bias_db) <= most_bias_db));
+  const double bias_db = cell.median.bias_db, size_db = std::abs(bias_db);
+  return fmt::format("|{} {} | {}{}{} | {} | {} | {} | ±{:g} | {} |\n", SceneColumn(report.plan).cell(row.of.scene),
+                     text_of(row.of.kind), text_of(row.of.method), row.of.change.empty() ? "" : ", ", row.of.change,
+                     row.of.baked_samples, correlation_beside(least, cell.median.correlation_db),
+                     signed_text(bias_db, decimals_that_tell(most_bias_db, size_db, 2)), most_bias_db,
+                     mark(size_db <= most_bias_db));
 }
 
 /// Views that were baked, from the grid as it is baked, and from the same looks with as many rays as the truth has, on

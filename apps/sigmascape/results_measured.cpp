@@ -1,13 +1,14 @@
 #include "results_measured.h"
 
 #include <algorithm>
-#include <cmath>
 #include <fmt/format.h>
 #include <fstream>
 #include <limits>
 #include <optional>
 #include <string_view>
 #include <utility>
+
+#include "results_number.h"
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/geo/atomic_file.h"
@@ -19,11 +20,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 using product::CellComparison;
 using product::LevelError;
-
-/// Written with all digits, so that a page made of kept numbers is the page of the run that measured them.
-Json number(double value) {
-  return std::isfinite(value) ? Json(value) : Json();
-}
 
 double number_in(const Json& json, double absent) {
   return json.is_null() ? absent : json.get<double>();
@@ -209,7 +205,7 @@ const MeasuredView* MeasuredViews::find(const std::string& scene, const PlannedV
   return found == views_.end() ? nullptr : &*found;
 }
 
-void MeasuredViews::add(MeasuredView view) {
+const MeasuredView& MeasuredViews::add(MeasuredView view) {
   std::erase_if(views_, [&](const MeasuredView& other) {
     PlannedView place = other.view;
     place.traced_samples = view.view.traced_samples;
@@ -217,6 +213,7 @@ void MeasuredViews::add(MeasuredView view) {
   });
   views_.push_back(std::move(view));
   write();
+  return views_.back();
 }
 
 void MeasuredViews::read(const std::filesystem::path& file) {

@@ -30,10 +30,10 @@ class MeasuredViews {
   /// naming the first that differs.
   void take_over(const std::filesystem::path& other);
 
-  /// What was measured of that view, or nullptr.
+  /// What was measured of that view, or nullptr; it stays until a view is added.
   [[nodiscard]] const MeasuredView* find(const std::string& scene, const PlannedView& view) const;
   /// Adds a view, in place of the same with other rays, and writes the file.
-  void add(MeasuredView view);
+  const MeasuredView& add(MeasuredView view);
 
  private:
   void read(const std::filesystem::path& file);

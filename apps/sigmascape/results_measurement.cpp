@@ -187,18 +187,15 @@ std::string Measurement::machines() const {
 }
 
 void Measurement::compare_once(const MeasuredScene& measured, const PlannedView& view) {
-  if (kept_.find(measured.name, view) == nullptr) {
-    const std::size_t before = results_.size();
+  const MeasuredView* kept = kept_.find(measured.name, view);
+  if (kept != nullptr) {
+    results_.insert(results_.end(), kept->results.begin(), kept->results.end());
+  } else {
+    const auto before = static_cast<std::ptrdiff_t>(results_.size());
     compare(measured, view);
-    kept_.add({measured.name,
-               view,
-               machine_name(),
-               {results_.begin() + static_cast<std::ptrdiff_t>(before), results_.end()}});
-    results_.resize(before);
+    kept = &kept_.add({measured.name, view, machine_name(), {results_.begin() + before, results_.end()}});
   }
-  const MeasuredView& kept = *kept_.find(measured.name, view);
-  results_.insert(results_.end(), kept.results.begin(), kept.results.end());
-  machines_.insert(kept.machine);
+  machines_.insert(kept->machine);
 }
 
 void Measurement::compare(const MeasuredScene& measured, const PlannedView& view) {

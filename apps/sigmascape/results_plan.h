@@ -52,8 +52,8 @@ struct PlannedView {
   double azimuth_deg = 0.0;
   double elevation_deg = 0.0;
   double slant_range_m = 20e3;  ///< the paper's radar
-  std::uint32_t traced_samples =
-      64;  ///< rays a 2 m cell of each of its two traced maps: ResultsPlan::traced_samples_of
+  /// Rays a 2 m cell of each of its two traced maps: ResultsPlan::traced_samples_of its kind.
+  std::uint32_t traced_samples = 64;
   /// Baked a second time from another seed, to tell the bake's noise; traced maps are made twice in any event.
   bool is_repeated = false;
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "results_number.h"
+
 namespace sigmascape::cli {
 namespace {
 
@@ -139,10 +141,6 @@ ResultsRow row_of(const std::vector<const ViewResult*>& views) {
   return row;
 }
 
-nlohmann::ordered_json number(double value) {
-  return std::isnan(value) ? nlohmann::ordered_json() : nlohmann::ordered_json(value);
-}
-
 nlohmann::ordered_json json_of(const CellComparison& cell) {
   nlohmann::ordered_json json;
   for (const Metric& metric : metrics) json[metric.key] = number(cell.*metric.value);
@@ -151,11 +149,10 @@ nlohmann::ordered_json json_of(const CellComparison& cell) {
 
 /// Bounds at infinity are null.
 nlohmann::ordered_json json_of(const LevelErrors& errors) {
-  const auto bound = [](double db) { return std::isinf(db) ? nlohmann::ordered_json() : nlohmann::ordered_json(db); };
   auto json = nlohmann::ordered_json::array();
   for (const product::LevelError& range : errors) {
-    json.push_back({{"from_db", bound(range.from_db)},
-                    {"to_db", bound(range.to_db)},
+    json.push_back({{"from_db", number(range.from_db)},
+                    {"to_db", number(range.to_db)},
                     {"cells", range.cells},
                     {"squared_error_db2", range.squared_error_db2}});
   }
