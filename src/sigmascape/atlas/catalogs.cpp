@@ -75,6 +75,8 @@ std::size_t mend_catalogs(const Store& store, Scrutiny scrutiny, const std::func
   visit_begun(store, [&](const PyramidTile& tile) {
     if (has(number++)) mend(catalog_path(tile), catalog_text(store.description(), tile));
   });
+  // Never over that of another atlas.
+  static_cast<void>(Store::find(store.folder(), store.description()));
   // Last, so that what it links is there.
   mend(collection_name, collection_text(store.description()));
   return written;

@@ -79,13 +79,22 @@ void check_texels(const Array2D<radar::Channels>& texels, std::size_t side, cons
               "reflectivity must be finite; the bake that made it is at fault");
 }
 
+void check_same(const Store& store, const AtlasDescription& description) {
+  const auto differs = difference(store.description(), description);
+  if (!differs) return;
+  throw Error((store.folder() / collection_name).string(), fmt::format("holds another atlas: {}", *differs),
+              "choose another folder, or remove this one to bake anew");
+}
+
 }  // namespace
 
 Store Store::create(const std::filesystem::path& folder, const AtlasDescription& description) {
   if (auto store = find(folder, description)) return *std::move(store);
-  geo::write_atomically(folder / collection_name, collection_text(description));
-  // Another process may have been faster.
-  return find(folder, description).value();
+  // Another process may have been faster, with another atlas: who comes second takes what is there or is refused.
+  static_cast<void>(geo::write_if_absent(folder / collection_name, collection_text(description)));
+  Store store = open(folder);
+  check_same(store, description);
+  return store;
 }
 
 std::optional<Store> Store::find(const std::filesystem::path& folder, const AtlasDescription& description) {
@@ -93,10 +102,7 @@ std::optional<Store> Store::find(const std::filesystem::path& folder, const Atla
   const std::filesystem::path file = folder / collection_name;
   if (!text_of(file)) return std::nullopt;
   Store store = open(folder);
-  if (const auto differs = difference(store.description(), description)) {
-    throw Error(file.string(), fmt::format("holds another atlas: {}", *differs),
-                "choose another folder, or remove this one to bake anew");
-  }
+  check_same(store, description);
   return store;
 }
 

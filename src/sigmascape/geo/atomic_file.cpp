@@ -2,11 +2,13 @@
 
 #include <atomic>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <deque>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <string>
+#include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
 #include <vector>
@@ -92,7 +94,28 @@ class TemporaryFile {
     path_.clear();
   }
 
+  /// False when something stands there already. A second name is given by one process alone wherever the folder is; an
+  /// answer that a network lost shows in the number of names.
+  [[nodiscard]] bool take_free_name(const std::filesystem::path& final_path) {
+    if (::link(path_.c_str(), final_path.c_str()) == 0) return true;
+    const int error = errno;
+    if (names() == 2) return true;
+    if (error == EEXIST) return false;
+    if (::renameat2(AT_FDCWD, path_.c_str(), AT_FDCWD, final_path.c_str(), RENAME_NOREPLACE) == 0) {
+      path_.clear();
+      return true;
+    }
+    if (errno == EEXIST || std::filesystem::exists(final_path)) return false;
+    rename_to(final_path);
+    return true;
+  }
+
  private:
+  [[nodiscard]] std::size_t names() const {
+    struct stat status {};
+    return ::stat(path_.c_str(), &status) == 0 ? static_cast<std::size_t>(status.st_nlink) : 0;
+  }
+
   std::filesystem::path path_;
 };
 
@@ -177,6 +200,16 @@ void write_atomically(const std::filesystem::path& path, std::uintmax_t room_byt
 
 void write_atomically(const std::filesystem::path& path, std::string_view content) {
   write_atomically(path, [&](const std::filesystem::path& temporary) { fill(temporary, path, content); });
+}
+
+bool write_if_absent(const std::filesystem::path& path, std::string_view content) {
+  make_folder(path);
+  TemporaryFile temporary(path);
+  fill(temporary.path(), path, content);
+  flush_file(temporary.path(), path);
+  if (!temporary.take_free_name(path)) return false;
+  flush_folder(path.parent_path());
+  return true;
 }
 
 void write_together(const std::vector<FileContent>& files) {

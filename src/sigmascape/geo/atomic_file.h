@@ -26,6 +26,11 @@ void write_atomically(const std::filesystem::path& path, std::uintmax_t room_byt
 /// The same for content that is at hand: text, or the bytes of a file made in memory.
 void write_atomically(const std::filesystem::path& path, std::string_view content);
 
+/// The same for what only one may write: false, and nothing is changed, when something stands under `path` already. Of
+/// any number of threads and processes that write the same path at once one is told true, on network file systems too.
+/// Only where a file system has neither second names nor renaming without replacing may two come through.
+[[nodiscard]] bool write_if_absent(const std::filesystem::path& path, std::string_view content);
+
 struct FileContent {
   std::filesystem::path path;
   std::string_view content;

@@ -166,6 +166,18 @@ TEST_F(Catalogs, DamageIsNamedAndMended) {
   EXPECT_EQ(difference_of(files_of(store_.folder()), whole), "");
 }
 
+TEST_F(Catalogs, AreNotMendedOverTheCollectionOfAnotherAtlas) {
+  bake({0, 0});
+  const fs::path collection = store_.folder() / collection_name;
+  AtlasDescription other = store_.description();
+  other.mantissa_bits = 5;
+  const std::string others = collection_text(other);
+  std::ofstream(collection, std::ios::binary) << others;
+  EXPECT_THAT(message_of_error([&] { mend_catalogs(store_, Scrutiny::Content); }),
+              ::testing::HasSubstr("mantissa_bits is 5 there and 10 here"));
+  EXPECT_EQ(files_of(store_.folder()).at(collection_name), others);
+}
+
 // A collection as it was before there were catalogs.
 TEST_F(Catalogs, AnAtlasOfAFormerKindOpensAndIsMended) {
   bake_all();

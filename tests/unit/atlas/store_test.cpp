@@ -1,5 +1,6 @@
 #include "sigmascape/atlas/store.h"
 
+#include <barrier>
 #include <cstdlib>
 #include <fstream>
 #include <functional>
@@ -8,7 +9,9 @@
 #include <iterator>
 #include <limits>
 #include <string>
+#include <thread>
 #include <unistd.h>
+#include <vector>
 
 #include "example_texels.h"
 
@@ -97,6 +100,42 @@ TEST_F(StoreTest, RefusesAnotherDescriptionAndNamesWhatDiffers) {
   other = example_description();
   other.settings["bounces"] = "3";
   EXPECT_THAT(message_of([&] { static_cast<void>(Store::create(folder_, other)); }), HasSubstr("settings.bounces"));
+}
+
+TEST_F(StoreTest, OfTwoThatAreMadeAtOnceWithOtherSettingsOneIsRefused) {
+  AtlasDescription other = example_description();
+  other.settings["samples"] = "128";
+  for (int attempt = 0; attempt < 20; ++attempt) {
+    const auto folder = folder_ / std::to_string(attempt);
+    std::barrier together(2);
+    const auto made = [&](const AtlasDescription& description) {
+      together.arrive_and_wait();
+      return message_of([&] { static_cast<void>(Store::create(folder, description)); });
+    };
+    std::string first, second;
+    {
+      const std::jthread at_once([&] { first = made(example_description()); });
+      second = made(other);
+    }
+    const std::string fine = "nothing was thrown";
+    ASSERT_NE(first == fine, second == fine) << first << second;
+    EXPECT_THAT(first == fine ? second : first, HasSubstr("holds another atlas: settings.samples"));
+    EXPECT_EQ(Store::open(folder).description().settings.at("samples"), first == fine ? "64" : "128");
+  }
+}
+
+TEST_F(StoreTest, OfManyThatAreMadeAtOnceAlikeNoneIsRefused) {
+  std::barrier together(4);
+  {
+    std::vector<std::jthread> bakes;
+    for (int bake = 0; bake < 4; ++bake) {
+      bakes.emplace_back([&] {
+        together.arrive_and_wait();
+        EXPECT_NO_THROW(static_cast<void>(Store::create(folder_, example_description())));
+      });
+    }
+  }
+  EXPECT_TRUE(Store::find(folder_, example_description()));
 }
 
 TEST_F(StoreTest, RefusesDescriptionsThatMakeNoSense) {

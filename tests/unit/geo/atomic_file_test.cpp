@@ -1,9 +1,11 @@
 #include "sigmascape/geo/atomic_file.h"
 
+#include <barrier>
 #include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <iterator>
+#include <mutex>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -52,6 +54,31 @@ TEST_F(AtomicFile, HoldsWhatWasWrittenAndNothingElseIsLeft) {
 TEST_F(AtomicFile, MakesTheFoldersOnItsWay) {
   write_atomically(folder_ / "deep" / "er" / "a.txt", "x");
   EXPECT_EQ(content_of(folder_ / "deep" / "er" / "a.txt"), "x");
+}
+
+TEST_F(AtomicFile, OfManyThatWriteWhatIsAbsentOneIsFirst) {
+  for (int attempt = 0; attempt < 20; ++attempt) {
+    const auto path = folder_ / std::to_string(attempt);
+    std::vector<std::string> first;
+    std::mutex guard;
+    std::barrier together(4);
+    {
+      std::vector<std::jthread> writers;
+      for (const char* content : {"one", "two", "three", "four"}) {
+        writers.emplace_back([&, content] {
+          together.arrive_and_wait();
+          if (!write_if_absent(path, content)) return;
+          const std::lock_guard lock(guard);
+          first.emplace_back(content);
+        });
+      }
+    }
+    ASSERT_EQ(first.size(), 1U);
+    EXPECT_EQ(content_of(path), first.front());
+    EXPECT_FALSE(write_if_absent(path, "five"));
+    EXPECT_EQ(content_of(path), first.front());
+  }
+  EXPECT_EQ(files(), 20U) << "nothing is left beside them";
 }
 
 TEST_F(AtomicFile, AFailingWriterLeavesTheOldFileAndNoOther) {
