@@ -12,8 +12,20 @@
 #SBATCH --output=bake-%A_%a.log
 set -euo pipefail
 
+refuse() {
+  echo "slurm.sh: $1; $2. Nothing was baked." >&2
+  exit 2
+}
+[[ -n "${SLURM_ARRAY_TASK_ID:-}" ]] || refuse "this is no task of a job array" "submit it with 'sbatch --array=0-7', or bake with 'sigmascape bake' itself"
+
 # The number of shares. When only some tasks are submitted again, Slurm counts those alone: give the first count in SHARES.
 shares="${SHARES:-$SLURM_ARRAY_TASK_COUNT}"
+# Shares count from 0. All tasks of an array refuse together, before one has baked the share of another.
+last="$((shares - 1))"
+if [[ -z "${SHARES:-}" && "$SLURM_ARRAY_TASK_MIN-$SLURM_ARRAY_TASK_MAX" != "0-$last" ]]; then
+  refuse "the tasks $SLURM_ARRAY_TASK_MIN to $SLURM_ARRAY_TASK_MAX are not the shares 0 to $last" "submit --array=0-$last, or say in SHARES how many shares there are"
+fi
+((SLURM_ARRAY_TASK_MAX <= last)) || refuse "there is no share $SLURM_ARRAY_TASK_MAX of $shares" "number the tasks 0 to $last"
 
 exec "${SIGMASCAPE:-sigmascape}" bake "$@" \
   --shard "$SLURM_ARRAY_TASK_ID/$shares" \
