@@ -5,11 +5,48 @@
 #include <string>
 
 #include "number_within.h"
+#include "seed_option.h"
 #include "word_option.h"
 
+#include "sigmascape/atlas/patch_grid.h"
+#include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
 
 namespace sigmascape::cli {
+namespace {
+
+/// In ascending order. Throws Error, naming the option, when one is given twice.
+std::vector<double> ascending(std::vector<double> values, const char* option, const char* unit) {
+  std::ranges::sort(values);
+  const auto twice = std::ranges::adjacent_find(values);
+  if (twice == values.end()) return values;
+  throw Error(option, fmt::format("{:g}{} is given twice", *twice, unit), "give each value once");
+}
+
+/// 256 and twice as many again and again, as patches are halved to whole tiles.
+CLI::Validator patch_side() {
+  return {[](std::string& text) {
+            for (std::size_t side = atlas::tile_side; side <= atlas::most_texels_per_side; side *= 2) {
+              if (text == std::to_string(side)) return std::string();
+            }
+            return fmt::format("is {}; give {} times a power of two, up to {}", text, atlas::tile_side,
+                               atlas::most_texels_per_side);
+          },
+          "256, 512, 1024, ..."};
+}
+
+/// Grazing angles at which level ground is lit and has a range.
+CLI::Validator elevation_deg() {
+  return {[](std::string& text) {
+            const std::string fault = number_within(0.5, 89.0)(text);
+            return fault.empty()
+                       ? fault
+                       : fmt::format("{}: a level plane is not lit at 0° and has no ground range at 90°", fault);
+          },
+          "in [0.5 - 89]"};
+}
+
+}  // namespace
 
 void BakeOptions::add_to(CLI::App& command) {
   add_texels_and_looks(command);
@@ -22,14 +59,23 @@ void BakeOptions::add_to(CLI::App& command) {
 }
 
 void BakeOptions::add_texels_and_looks(CLI::App& command) {
-  command.add_option("--texel-m", texel_m, "side of a texel on the ground")->capture_default_str();
+  command.add_option("--texel-m", texel_m, "side of a texel on the ground")
+      ->capture_default_str()
+      ->check(number_within(1e-3, 1e6));
   command.add_option("--patch-texels", patch_texels, "texels along a patch: 256, 512, 1024, ...")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->check(patch_side());
   command.add_option("--azimuths", azimuths, "number of azimuths, evenly spaced from north")
       ->capture_default_str()
       ->check(CLI::Range(1, 3600));
-  command.add_option("--elevations-deg", elevations_deg, "grazing angles")->delimiter(',')->capture_default_str();
-  command.add_option("--frequencies-ghz", frequencies_ghz, "frequencies")->delimiter(',')->capture_default_str();
+  command.add_option("--elevations-deg", elevations_deg, "grazing angles")
+      ->delimiter(',')
+      ->capture_default_str()
+      ->check(elevation_deg());
+  command.add_option("--frequencies-ghz", frequencies_ghz, "frequencies")
+      ->delimiter(',')
+      ->capture_default_str()
+      ->check(number_within(1e-3, 1e3));
 }
 
 void BakeOptions::add_rays(CLI::App& command) {
@@ -44,7 +90,7 @@ void BakeOptions::add_rays(CLI::App& command) {
                           ->check(count_within(bake::pilot_samples, bake::most_samples_a_cell));
   auto* samples_option =
       command.add_option("--samples", samples, "rays a texel everywhere (N_r of the paper) instead of a target")
-          ->check(count_within(2, bake::most_samples_a_cell))
+          ->check(count_within<std::uint32_t>(2, bake::most_samples_a_cell))
           ->excludes(target_option, most_option);
   if (usual_samples > 0) samples_option->default_str(std::to_string(usual_samples));
   auto* preset_option = command.add_option("--preset", preset, "paper: 100 rays a texel everywhere, 8 bounces")
@@ -54,7 +100,7 @@ void BakeOptions::add_rays(CLI::App& command) {
       ->check(CLI::Range(1, 64))
       ->excludes(preset_option);
   preset_option->excludes(target_option, most_option, samples_option);
-  command.add_option("--seed", seed, "names the random numbers")->capture_default_str();
+  add_seed_option(command, seed, "names the random numbers");
 }
 
 void BakeOptions::add_what_stands(CLI::App& command) {
@@ -77,10 +123,10 @@ bake::BakeSettings BakeOptions::settings() const {
   settings.aspects = {};
   for (unsigned i = 0; i < azimuths; ++i)
     settings.aspects.azimuths_rad.push_back(radians_from_deg(360.0 * i / azimuths));
-  for (const double elevation : elevations_deg) settings.aspects.elevations_rad.push_back(radians_from_deg(elevation));
-  for (const double frequency : frequencies_ghz) settings.aspects.frequencies_hz.push_back(frequency * 1e9);
-  std::ranges::sort(settings.aspects.elevations_rad);
-  std::ranges::sort(settings.aspects.frequencies_hz);
+  for (const double elevation : ascending(elevations_deg, "--elevations-deg", "°"))
+    settings.aspects.elevations_rad.push_back(radians_from_deg(elevation));
+  for (const double frequency : ascending(frequencies_ghz, "--frequencies-ghz", " GHz"))
+    settings.aspects.frequencies_hz.push_back(frequency * 1e9);
   settings.patches = {.texel_m = texel_m, .texels_per_side = patch_texels};
   const bool aims_at_an_error = target_db || most_samples;
   settings.sampling.samples_per_texel = samples.value_or(aims_at_an_error ? 0 : usual_samples);

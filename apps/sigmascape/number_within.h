@@ -22,9 +22,10 @@ inline CLI::Validator number_within(double lowest, double highest) {
 }
 
 /// Takes whole numbers from `lowest` to `highest` alone, however long the one that is given.
-inline CLI::Validator count_within(std::uint32_t lowest, std::uint32_t highest) {
+template <typename Count>
+CLI::Validator count_within(Count lowest, Count highest) {
   return {[lowest, highest](std::string& text) {
-            std::uint32_t value = 0;
+            Count value = 0;
             const char* const end = text.data() + text.size();
             const auto [stopped, fault] = std::from_chars(text.data(), end, value);
             if (fault == std::errc{} && stopped == end && value >= lowest && value <= highest) return std::string();

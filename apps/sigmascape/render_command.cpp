@@ -13,6 +13,7 @@
 #include "polarization_option.h"
 #include "received_files.h"
 #include "scope_files.h"
+#include "seed_option.h"
 #include "stopwatch.h"
 #include "terminal_progress.h"
 #include "word_option.h"
@@ -307,10 +308,8 @@ void add_render_command(CLI::App& app, Output& output) {
   command->add_option("--bounces", options->trace.max_bounces, "surfaces a path may meet, at level of detail 0")
       ->capture_default_str()
       ->check(CLI::Range(1, 255));
-  command
-      ->add_option("--seed", options->trace.seed,
-                   "names the random numbers: rays at level of detail 0, speckle of coherent modes")
-      ->capture_default_str();
+  add_seed_option(*command, options->trace.seed,
+                  "names the random numbers: rays at level of detail 0, speckle of coherent modes");
   command->add_option("--threads", options->trace.threads, "0: one a processor")->capture_default_str();
   command->add_flag("--json", output.json, "print the summary as JSON");
   command->footer(

@@ -10,6 +10,7 @@
 #include "results_figures.h"
 #include "results_measurement.h"
 #include "results_page.h"
+#include "seed_option.h"
 
 #include "sigmascape/geo/atomic_file.h"
 
@@ -108,8 +109,7 @@ void add_results_command(CLI::App& app, Output& output) {
                       "rays of views that were baked: a cell of their traced maps, and a texel of their looks when "
                       "those are baked again almost without noise");
   command->add_option("--bounces", options->bounces, "surfaces a path may meet")->capture_default_str();
-  command->add_option("--seed", options->seed, "names the random numbers and draws the held-out views")
-      ->capture_default_str();
+  add_seed_option(*command, options->seed, "names the random numbers and draws the held-out views");
   command->add_option("--threads", options->threads, "0: one a processor")->capture_default_str();
   command->add_flag("--json", output.json, "print the numbers as JSON");
   command->footer(

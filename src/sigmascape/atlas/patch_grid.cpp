@@ -54,11 +54,11 @@ void check(const PatchGrid& grid, std::string_view where) {
     throw Error(fmt::format("{}, texel_m", where), fmt::format("{:g} is out of range", grid.texel_m),
                 "give the side of a texel in metres, above 0");
   }
-  const bool fits =
-      std::has_single_bit(grid.texels_per_side) && grid.texels_per_side >= tile_side && grid.texels_per_side <= 16384;
+  const bool fits = std::has_single_bit(grid.texels_per_side) && grid.texels_per_side >= tile_side &&
+                    grid.texels_per_side <= most_texels_per_side;
   if (!fits) {
     throw Error(fmt::format("{}, texels_per_side", where), fmt::format("{} is not possible", grid.texels_per_side),
-                "give 256, 512, 1024 … up to 16384");
+                fmt::format("give 256, 512, 1024 … up to {}", most_texels_per_side));
   }
 }
 

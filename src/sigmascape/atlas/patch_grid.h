@@ -32,6 +32,8 @@ struct PatchBlock {
 
 /// Side of the smallest level that is stored, and of the tiles of the files, in texels.
 inline constexpr std::size_t tile_side = 256;
+/// Of a patch.
+inline constexpr std::size_t most_texels_per_side = 16384;
 
 /// Square patches that tile the local frame from its origin, so that bakes of neighbouring places fit together texel on
 /// texel.

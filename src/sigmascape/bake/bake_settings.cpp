@@ -1,5 +1,6 @@
 #include "sigmascape/bake/bake_settings.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <string>
 
@@ -40,7 +41,12 @@ void check(const BakeSettings& settings) {
   if (settings.max_bounces < 1 || settings.max_bounces > 64) {
     throw Error(where, fmt::format("{} bounces", settings.max_bounces), "use 1 to 64");
   }
-  for (const double elevation : settings.aspects.elevations_rad) {
+  const auto& elevations = settings.aspects.elevations_rad;
+  if (const auto twice = std::ranges::adjacent_find(elevations); twice != elevations.end()) {
+    throw Error(where, fmt::format("an elevation of {:.2f}° is given twice", deg_from_radians(*twice)),
+                "give each once");
+  }
+  for (const double elevation : elevations) {
     const double degrees = deg_from_radians(elevation);
     if (!(degrees >= 0.5 && degrees <= 89.0)) {
       throw Error(where, fmt::format("an elevation of {:.2f}°", degrees),
