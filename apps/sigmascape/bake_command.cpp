@@ -5,6 +5,7 @@
 
 #include "bake_options.h"
 #include "command.h"
+#include "number_or_null.h"
 #include "progress_log.h"
 #include "stopwatch.h"
 #include "terminal_progress.h"
@@ -12,6 +13,7 @@
 
 #include "sigmascape/bake/bake.h"
 #include "sigmascape/bake/plan.h"
+#include "sigmascape/base/error.h"
 #include "sigmascape/scene/scene_file.h"
 
 namespace sigmascape::cli {
@@ -29,11 +31,14 @@ std::string text_of(const Baked& baked) {
   const bake::BakeReport& report = baked.report;
   std::string text;
   for (const atlas::StoreFault& fault : report.mended)
-    text += fmt::format("{} {}; baked again\n", fault.file.string(), fault.what);
+    text += fmt::format("{} {}; made anew\n", fault.file.string(), fault.what);
   text += fmt::format("{} looks in {} ({} were there already", report.looks, baked.folder, report.already);
   if (report.elsewhere > 0) text += fmt::format(", {} baked by another process", report.elsewhere);
-  text += fmt::format("), {:.1f} s, {:.1f} million rays, texel error {:.0f} %", baked.seconds,
-                      static_cast<double>(report.counts.rays) / 1e6, 100.0 * report.relative_standard_error);
+  text += fmt::format("), {:.1f} s", baked.seconds);
+  if (const auto error = report.relative_standard_error) {
+    text += fmt::format(", {:.1f} million rays, texel error {:.0f} %", static_cast<double>(report.counts.rays) / 1e6,
+                        100.0 * *error);
+  }
   if (const auto part = report.above_target.part())
     text += fmt::format(", {:.0f} % of texels above the target", 100.0 * *part);
   if (report.pyramid > 0) text += fmt::format(", {} textures of the pyramid", report.pyramid);
@@ -42,7 +47,6 @@ std::string text_of(const Baked& baked) {
 
 nlohmann::ordered_json json_of(const Baked& baked) {
   const bake::BakeReport& report = baked.report;
-  const auto part = report.above_target.part();
   nlohmann::ordered_json mended = nlohmann::ordered_json::array();
   for (const atlas::StoreFault& fault : report.mended)
     mended.push_back({{"file", fault.file.string()}, {"fault", fault.what}});
@@ -57,8 +61,8 @@ nlohmann::ordered_json json_of(const Baked& baked) {
           {"paths", report.counts.paths},
           {"rays", report.counts.rays},
           {"echoes", report.counts.echoes},
-          {"relative_standard_error", report.relative_standard_error},
-          {"above_target", part ? nlohmann::ordered_json(*part) : nullptr}};
+          {"relative_standard_error", number_or_null(report.relative_standard_error)},
+          {"above_target", number_or_null(report.above_target.part())}};
 }
 
 /// What an atlas holds besides the textures that a plan weighs.
@@ -141,14 +145,21 @@ void add_bake_command(CLI::App& app, Output& output) {
     baked.shard = share.shard;
     TerminalProgress terminal;
     const Stopwatch watch;
+    bool is_logged = true;
     baked.report = [&] {
       if (options->log.empty()) return bake::bake(scene, settings, options->folder, terminal, share);
       ProgressLog log(options->log);
       ProgressToTwo both(terminal, log);
-      return bake::bake(scene, settings, options->folder, both, share);
+      const bake::BakeReport report = bake::bake(scene, settings, options->folder, both, share);
+      is_logged = log.is_whole();
+      return report;
     }();
     baked.seconds = watch.seconds();
     output.finish(text_of(baked), json_of(baked));
+    if (!is_logged) {
+      throw Error(options->log, "could not be written to its end; all that was to be baked is there",
+                  "give --json-log a file on a disk that has room");
+    }
   });
 }
 

@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "number_or_null.h"
+
 #include "sigmascape/base/error.h"
 
 namespace sigmascape::cli {
@@ -13,13 +15,9 @@ namespace {
 
 constexpr double longest_silence_s = 10.0;
 
-nlohmann::ordered_json number_or_null(std::optional<double> number) {
-  return number ? nlohmann::ordered_json(*number) : nlohmann::ordered_json(nullptr);
-}
-
 }  // namespace
 
-ProgressLog::ProgressLog(const std::filesystem::path& file) : file_(std::fopen(file.c_str(), "a+")) {
+ProgressLog::ProgressLog(const std::filesystem::path& file) : file_name_(file), file_(std::fopen(file.c_str(), "a+")) {
   if (file_ == nullptr) {
     throw Error(file.string(), std::string("cannot be written (") + std::strerror(errno) + ")",
                 "give --json-log a file in a folder that exists");
@@ -34,30 +32,48 @@ ProgressLog::~ProgressLog() {
   std::fclose(file_);
 }
 
-void ProgressLog::advanced(std::string_view task, double done, double total, std::string_view) {
+void ProgressLog::advanced(std::string_view task, double done, double total, std::string_view unit) {
+  if (task != task_) last_done_ = -1.0;
+  task_ = task;
   rate_.advanced(task, done, total);
-  const bool finished_look = done == std::floor(done) && done != last_done_;
-  if (!finished_look && rate_.seconds() - last_seconds_ < longest_silence_s) return;
+  if (unit == "looks") {
+    looks_done_ = done;
+    looks_total_ = total;
+  }
+  const bool finished_one = done == std::floor(done) && done != last_done_;
+  if (!finished_one && rate_.seconds() - last_seconds_ < longest_silence_s) return;
   last_done_ = done;
   last_seconds_ = rate_.seconds();
-  write_line(task);
+  write_line(unit);
 }
 
 void ProgressLog::measured(std::string_view, std::string_view quantity, double value) {
   rate_.measured(quantity, value);
 }
 
-void ProgressLog::write_line(std::string_view task) {
-  const nlohmann::ordered_json line{{"task", task},
-                                    {"looks_done", rate_.done()},
-                                    {"looks_total", rate_.total()},
+void ProgressLog::write_line(std::string_view unit) {
+  const nlohmann::ordered_json line{{"task", task_},
+                                    {"done", rate_.done()},
+                                    {"total", rate_.total()},
+                                    {"unit", unit},
+                                    {"looks_done", number_or_null(looks_done_)},
+                                    {"looks_total", number_or_null(looks_total_)},
                                     {"rays_per_second", number_or_null(rate_.rays_a_second())},
                                     {"relative_standard_error", number_or_null(rate_.relative_standard_error())},
                                     {"seconds", rate_.seconds()},
                                     {"seconds_left", number_or_null(rate_.seconds_left())}};
   const std::string text = line.dump() + "\n";
-  std::fwrite(text.data(), 1, text.size(), file_);
-  std::fflush(file_);
+  const bool is_written = std::fwrite(text.data(), 1, text.size(), file_) == text.size() && std::fflush(file_) == 0;
+  if (is_written) {
+    has_lines_ = true;
+    return;
+  }
+  const int error = errno;
+  std::clearerr(file_);
+  is_whole_ = false;
+  if (has_lines_) return;
+  throw Error(file_name_.string(), std::string("cannot be written (") + std::strerror(error) + ")",
+              "give --json-log a file on a disk that has room");
 }
 
 }  // namespace sigmascape::cli

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "progress_rate.h"
@@ -10,8 +11,9 @@
 
 namespace sigmascape::cli {
 
-/// Writes the progress of a bake for machines: a JSON object a line, flushed line by line, when it begins, at each look
-/// that is finished, and every ten seconds within long ones.
+/// Writes the progress of a bake for machines: a JSON object a line, flushed line by line, when a stage of it begins,
+/// at each look or other unit that is finished, and every ten seconds within long ones. How many looks are there stands
+/// in every line, whatever the stage.
 class ProgressLog final : public ProgressListener {
  public:
   /// Adds to a file that is there: a share that starts again goes on in its log. Throws Error when it cannot be
@@ -21,15 +23,23 @@ class ProgressLog final : public ProgressListener {
   ProgressLog(const ProgressLog&) = delete;
   ProgressLog& operator=(const ProgressLog&) = delete;
 
+  /// Whether every line was written. A disk that fills up meanwhile does not end the bake.
+  [[nodiscard]] bool is_whole() const { return is_whole_; }
+
+  /// Throws Error when not even the first line can be written.
   void advanced(std::string_view task, double done, double total, std::string_view unit) override;
   void measured(std::string_view task, std::string_view quantity, double value) override;
 
  private:
-  void write_line(std::string_view task);
+  void write_line(std::string_view unit);
 
+  std::filesystem::path file_name_;
   std::FILE* file_;
   ProgressRate rate_;
+  std::string task_;
+  std::optional<double> looks_done_, looks_total_;
   double last_done_ = -1.0, last_seconds_ = 0.0;
+  bool has_lines_ = false, is_whole_ = true;
 };
 
 /// Tells two listeners.

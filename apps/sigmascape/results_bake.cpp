@@ -23,7 +23,7 @@ class BakeTimer final : public ProgressListener {
 
   void advanced(std::string_view task, double done, double total, std::string_view unit) override {
     // Textures come in order; those that an earlier run baked are passed over at once and keep their time.
-    const bool is_whole = done == std::floor(done);
+    const bool is_whole = task == "bake" && done == std::floor(done);
     if (is_whole && done > static_cast<double>(seconds_.size())) {
       seconds_.push_back(watch_.seconds());
       geo::write_atomically(file_, nlohmann::json(seconds_).dump());

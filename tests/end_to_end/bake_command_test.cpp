@@ -78,6 +78,14 @@ TEST_F(BakeCommand, WhatPartOfTheTexelsMissesTheTargetIsTold) {
               AllOf(HasSubstr("(4 were there already"), Not(HasSubstr("above the target"))));
 }
 
+TEST_F(BakeCommand, OfNothingThatWasBakedNoErrorIsTold) {
+  const std::string options = std::string(one_coarse_look) + " --samples 8 --bounces 2";
+  EXPECT_GT(baked("again", options).at("relative_standard_error").get<double>(), 0.0);
+  EXPECT_TRUE(baked("again", options).at("relative_standard_error").is_null());
+  EXPECT_THAT(run(bake_line("again", options)).printed,
+              AllOf(HasSubstr("(4 were there already)"), Not(HasSubstr("error")), Not(HasSubstr("rays"))));
+}
+
 TEST_F(BakeCommand, APlansTimeIsWithinAFactorOfThreeOfTheBakes) {
   const std::string options =
       "--texel-m 0.5 --patch-texels 256 --azimuths 1 --elevations-deg 20,60 --samples 32 --threads 2";

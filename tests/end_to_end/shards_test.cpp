@@ -18,8 +18,8 @@ namespace sigmascape::end_to_end {
 namespace {
 
 namespace fs = std::filesystem;
-using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::UnorderedElementsAre;
 
 /// Sixteen looks of eight patches, baked once by one process; other tests must come to the same bytes.
 class Shards : public ::testing::Test {
@@ -164,8 +164,25 @@ TEST_F(Shards, DamageIsFoundNamedAndMended) {
     file.seekp(-1, std::ios::end);
     file.put('?');
   }
+  const std::string altered_item = "patch_-002_+000/az000.0_el30.0_f10.000GHz.json";
+  const std::string removed_item = "patch_-002_-001/az000.0_el30.0_f10.000GHz.json";
+  const std::string of_ground = "ground/patch_+000_+000/az000.0_el02.0_f10.000GHz.tif";
+  {
+    std::string item = whole_.at(altered_item);
+    const std::string scale = "\"sigmascape:scale\": ";
+    std::ofstream(folder_ / "damaged" / altered_item, std::ios::binary)
+        << item.insert(item.find(scale) + scale.size(), "1024");
+  }
+  fs::remove(folder_ / "damaged" / removed_item);
+  fs::resize_file(folder_ / "damaged" / of_ground, 1000);
+  fs::resize_file(folder_ / "damaged/terrain.tif", 100);
   const Ended verified = run_cli(fmt::format("atlas verify '{}'", path_of("damaged")));
   EXPECT_EQ(verified.code, 1);
+  EXPECT_THAT(verified.printed, HasSubstr(altered_item + " was altered: its own SHA-256 is not the recorded one"));
+  EXPECT_THAT(verified.printed,
+              HasSubstr(removed_item + " is missing, so the file that it vouches for does not count"));
+  EXPECT_THAT(verified.printed, HasSubstr(of_ground + " is truncated: 1000 of"));
+  EXPECT_THAT(verified.printed, HasSubstr("terrain.tif is truncated: 100 of"));
   EXPECT_THAT(verified.printed, HasSubstr(truncated + " is truncated: 1000 of"));
   EXPECT_THAT(verified.printed, HasSubstr(a_texture + std::string(" was altered")));
   EXPECT_THAT(verified.printed, HasSubstr(above + " is missing"));
@@ -176,16 +193,63 @@ TEST_F(Shards, DamageIsFoundNamedAndMended) {
   EXPECT_THAT(verified.printed, HasSubstr("ground/" + catalog + " is missing"));
   const Ended as_json = run_cli(fmt::format("atlas verify --json '{}'", path_of("damaged")));
   EXPECT_EQ(as_json.code, 1);
-  EXPECT_EQ(as_json.json().at("faults").size(), 8U);
+  EXPECT_EQ(as_json.json().at("faults").size(), 12U);
 
   const Ended by_size = baked("damaged");
-  EXPECT_EQ(by_size.json().at("already"), 15) << "a file of the right size is only found with --verify";
-  EXPECT_THAT(mended_by(by_size), ElementsAre(truncated + " is truncated"));
+  EXPECT_EQ(by_size.json().at("already"), 13) << "a file of the right size is only found with --verify";
+  const std::string without_file = " is missing, though its item is there";
+  EXPECT_THAT(mended_by(by_size),
+              UnorderedElementsAre(truncated + " is truncated", altered_item + " was altered",
+                                   removed_item + " is missing, so the file that it vouches for does not count",
+                                   obstacles + std::string(" is truncated"), obstacles_above + without_file,
+                                   above + without_file, of_ground + " is truncated", "terrain.tif is truncated",
+                                   catalog_above + " is missing", "ground/" + catalog + " is missing"));
+  const std::string tile = "terrain/level_0/0_0.tif";
+  fs::resize_file(folder_ / "damaged" / tile, 1000);
   const Ended by_content = baked("damaged", "--verify");
   EXPECT_EQ(by_content.json().at("already"), 15);
-  EXPECT_THAT(mended_by(by_content), ElementsAre(a_texture + std::string(" was altered")));
+  EXPECT_THAT(mended_by(by_content),
+              UnorderedElementsAre(a_texture + std::string(" was altered"), tile + " is truncated or was altered",
+                                   catalog + " does not link what the atlas is planned to hold"));
   EXPECT_EQ(run_cli(fmt::format("atlas verify '{}'", path_of("damaged"))).code, 0);
   EXPECT_EQ(difference_of(files_of(folder_ / "damaged"), whole_), "");
+}
+
+// The looks say what the atlas is of, so that nothing is lost with it.
+TEST_F(Shards, ADamagedCollectionIsToldAndMended) {
+  fs::copy(folder_ / "whole", folder_ / "torn", fs::copy_options::recursive);
+  const std::string collection = path_of("torn/collection.json");
+  fs::resize_file(collection, 300);
+  const std::string verify = fmt::format("atlas verify '{}'", path_of("torn"));
+  for (const Ended& ended :
+       {baked("torn"), run_cli(fmt::format("atlas info '{}'", path_of("torn"))), run_cli(verify)}) {
+    EXPECT_EQ(ended.code, 1);
+    EXPECT_THAT(ended.printed, HasSubstr(collection + ": is truncated or was altered"));
+    EXPECT_THAT(ended.printed, HasSubstr("remove this one file and bake again with the same settings"));
+    EXPECT_THAT(ended.printed, Not(HasSubstr("json.exception")));
+  }
+  fs::remove(collection);
+  EXPECT_EQ(baked("torn").json().at("already"), 16);
+  EXPECT_EQ(difference_of(files_of(folder_ / "torn"), whole_), "");
+
+  fs::copy_file(collection, folder_ / "torn/ground/collection.json", fs::copy_options::overwrite_existing);
+  const Ended verified = run_cli(verify);
+  EXPECT_EQ(verified.code, 1);
+  EXPECT_THAT(verified.printed, HasSubstr("ground/collection.json was altered"));
+  EXPECT_THAT(mended_by(baked("torn", "--verify")), UnorderedElementsAre("ground/collection.json was altered"));
+  EXPECT_EQ(difference_of(files_of(folder_ / "torn"), whole_), "");
+}
+
+// Two that begin at once in one folder: one is refused, and the other's atlas is its own.
+TEST_F(Shards, TwoWithDifferentSettingsDoNotMix) {
+  const Process one = start(bake_line("mixed", "--threads 1")),
+                other = start(bake_line("mixed", "--threads 1 --seed 2"));
+  const Ended first = one.ended(), second = other.ended();
+  ASSERT_NE(first.code == 0, second.code == 0) << first.printed << second.printed;
+  EXPECT_THAT((first.code == 0 ? second : first).printed, HasSubstr("holds another atlas: settings.seed is"));
+  const Ended rest = baked("mixed", first.code == 0 ? "" : "--seed 2");
+  EXPECT_EQ(rest.json().at("already"), 16) << "the looks are all of one bake";
+  EXPECT_EQ(run_cli(fmt::format("atlas verify '{}'", path_of("mixed"))).code, 0);
 }
 
 TEST_F(Shards, ThePyramidIsMadeAnewByItself) {
@@ -303,18 +367,54 @@ TEST_F(Shards, TheLogTellsOfEveryLook) {
   double done = -1.0;
   std::size_t lines = 0;
   nlohmann::json json;
+  std::vector<std::string> stages;
+  std::map<std::string, nlohmann::json> last;
   while (std::getline(log, line)) {
-    json = nlohmann::json::parse(line);
-    EXPECT_GT(json.at("looks_done").get<double>(), done);
-    EXPECT_EQ(json.at("looks_total"), 16);
+    const nlohmann::json any = nlohmann::json::parse(line);
+    const std::string task = any.at("task");
+    if (stages.empty() || stages.back() != task) stages.push_back(task);
+    EXPECT_EQ(any.at("looks_total"), 16) << "in every stage";
+    EXPECT_GE(any.at("looks_done").get<double>(), done);
+    last[task] = any;
+    if (task != "bake") continue;
+    json = any;
+    EXPECT_EQ(json.at("done"), json.at("looks_done"));
+    lines += json.at("looks_done").get<double>() > done ? 1 : 0;
     done = json.at("looks_done");
-    ++lines;
   }
+  EXPECT_THAT(stages, testing::ElementsAre("bake", "ground", "pyramid", "bake", "pyramid"));
+  EXPECT_EQ(last["ground"].at("done"), 8);
+  EXPECT_EQ(last["ground"].at("total"), 8);
+  EXPECT_EQ(last["ground"].at("unit"), "patches");
+  EXPECT_EQ(last["pyramid"].at("done"), 2);
+  EXPECT_EQ(last["pyramid"].at("unit"), "layers");
   EXPECT_GE(lines, 17U) << "at the start and after each look";
   EXPECT_EQ(done, 16.0);
   EXPECT_GT(json.at("rays_per_second").get<double>(), 0.0);
   EXPECT_GT(json.at("relative_standard_error").get<double>(), 0.0);
   EXPECT_EQ(json.at("seconds_left"), 0.0);
+}
+
+TEST_F(Shards, ALogThatCannotBeWrittenIsAnError) {
+  const Ended from_the_start = baked("unlogged", "--json-log /dev/full");
+  EXPECT_EQ(from_the_start.code, 1);
+  EXPECT_THAT(from_the_start.printed, HasSubstr("/dev/full: cannot be written (No space left on device)"));
+  EXPECT_FALSE(fs::exists(folder_ / "unlogged/patch_+000_+000"));
+
+  // A disk that fills up meanwhile: what was to be baked is baked all the same.
+  const fs::path disk = folder_ / "log_disk";
+  fs::create_directories(disk);
+  if (::mount("tmpfs", disk.c_str(), "tmpfs", 0, "size=4k") != 0) {
+    GTEST_SKIP() << "a small disk of its own cannot be mounted here: a disk that fills up was NOT tried";
+  }
+  const Ended midway = baked("unlogged", fmt::format("--json-log '{}'", (disk / "log.jsonl").string()));
+  const auto size = fs::file_size(disk / "log.jsonl");
+  ::umount(disk.c_str());
+  EXPECT_EQ(midway.code, 1);
+  EXPECT_EQ(size, 4096U);
+  EXPECT_THAT(midway.printed,
+              HasSubstr("log.jsonl: could not be written to its end; all that was to be baked is there"));
+  EXPECT_EQ(difference_of(files_of(folder_ / "unlogged"), whole_), "");
 }
 
 TEST_F(Shards, TheLogOfAShareThatStartsAgainGoesOn) {
@@ -343,8 +443,15 @@ TEST_F(Shards, NonsenseIsRefusedBeforeAnythingIsWritten) {
     EXPECT_THAT(refused(std::string("--samples ") + samples),
                 HasSubstr(fmt::format("is {}; give a whole number from 2 to 1048576", samples)));
   }
-  EXPECT_THAT(refused("--elevations-deg 0,30"), HasSubstr("use 0.5° to 89°"));
-  EXPECT_THAT(refused("--elevations-deg 90"), HasSubstr("use 0.5° to 89°"));
+  EXPECT_THAT(refused("--elevations-deg 0,30"), HasSubstr("--elevations-deg: is 0; give a number from 0.5 to 89"));
+  EXPECT_THAT(refused("--elevations-deg 90"), HasSubstr("--elevations-deg: is 90; give a number from 0.5 to 89"));
+  EXPECT_THAT(refused("--elevations-deg 30,20,30"), HasSubstr("--elevations-deg: 30° is given twice"));
+  EXPECT_THAT(refused("--frequencies-ghz 10,10"), HasSubstr("--frequencies-ghz: 10 GHz is given twice"));
+  EXPECT_THAT(refused("--patch-texels 300"), HasSubstr("--patch-texels: is 300; give 256 times a power of two"));
+  for (const char* seed : {"-1", "18446744073709551616", "x"}) {
+    EXPECT_THAT(refused(std::string("--seed ") + seed),
+                HasSubstr(fmt::format("--seed: is {}; give a whole number from 0 to 18446744073709551615", seed)));
+  }
   EXPECT_THAT(refused("--json-log /nowhere/log"), HasSubstr("/nowhere/log"));
   EXPECT_FALSE(fs::exists(folder_ / "refused"));
   const Ended other = baked("whole", "--seed 2");

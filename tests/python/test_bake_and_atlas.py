@@ -57,9 +57,11 @@ def test_a_bake_goes_on_where_it_stopped_and_tells_its_progress(scene, tmp_path)
     options = dict(azimuths=2, elevations_deg=[30.0], texel_m=2.0, patch_texels=256, samples=2)
     told = []
     first = sigmascape.bake(scene, tmp_path, **options, progress=lambda *report: told.append(report))
-    assert told[-1][:1] + told[-1][2:] == ("bake", float(first.looks), "looks") and told[-1][1] == first.looks
+    looks = float(first.looks)
+    assert [report for report in told if report[0] == "bake"][-1] == ("bake", looks, looks, "looks")
     again = sigmascape.bake(scene, tmp_path, **options, progress=False)
     assert (first.already, again.already) == (0, first.looks)
+    assert first.relative_standard_error > 0.0 and again.relative_standard_error is None
 
 
 def test_what_a_progress_listener_raises_ends_the_bake(scene, tmp_path):

@@ -64,7 +64,7 @@ AtlasSummary summary_of(const Store& store) {
     const PatchIndex patch = patches[number / look_count];
     const auto look = static_cast<LookIndex>(number % look_count);
     if (!store.is_done(patch, look)) continue;
-    const auto record = texture_record(store.folder(), store.texture_path(patch, look));
+    const auto record = texture_record(store, store.texture_path(patch, look));
     if (!record) continue;
     ++summary.looks_done;
     summary.bytes_per_look += static_cast<double>(record->size_bytes);

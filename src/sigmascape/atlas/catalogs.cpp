@@ -12,11 +12,20 @@
 namespace sigmascape::atlas {
 namespace {
 
+/// Whether a folder holds a file that is whole under its name. Catalogs come before them.
+bool holds_files(const std::filesystem::path& folder) {
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
+    if (!entry.path().filename().string().starts_with('.')) return true;
+  }
+  return false;
+}
+
 std::optional<StoreFault> fault_of(const Store& store, const std::filesystem::path& file, const std::string& right,
                                    Scrutiny scrutiny) {
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(store.folder() / file, error);
-  if (error) return StoreFault{file, "is missing"};
+  if (error) return StoreFault{file, "is missing", !holds_files((store.folder() / file).parent_path())};
   if (size == right.size() && (scrutiny == Scrutiny::Size || text_of(store.folder() / file) == right)) {
     return std::nullopt;
   }
@@ -64,12 +73,18 @@ std::vector<StoreFault> catalog_faults(const Store& store, Scrutiny scrutiny) {
   return faults;
 }
 
-std::size_t mend_catalogs(const Store& store, Scrutiny scrutiny, const std::function<bool(std::size_t number)>& has) {
-  std::size_t written = 0;
+std::vector<StoreFault> mend_catalogs(const Store& store, Scrutiny scrutiny,
+                                      const std::function<bool(std::size_t number)>& has) {
+  std::vector<StoreFault> mended;
+  const std::string collection = collection_text(store.description());
+  // Atlases whose collection links other things may never have had catalogs.
+  const bool had_catalogs = !fault_of(store, collection_name, collection, scrutiny);
   const auto mend = [&](const std::filesystem::path& file, const std::string& right) {
-    if (!fault_of(store, file, right, scrutiny)) return;
+    auto fault = fault_of(store, file, right, scrutiny);
+    if (!fault) return;
+    fault->is_absent = fault->is_absent || (!had_catalogs && !std::filesystem::exists(store.folder() / file));
     geo::write_atomically(store.folder() / file, right);
-    ++written;
+    mended.push_back(std::move(*fault));
   };
   std::size_t number = 0;
   visit_begun(store, [&](const PyramidTile& tile) {
@@ -78,8 +93,8 @@ std::size_t mend_catalogs(const Store& store, Scrutiny scrutiny, const std::func
   // Never over that of another atlas.
   static_cast<void>(Store::find(store.folder(), store.description()));
   // Last, so that what it links is there.
-  mend(collection_name, collection_text(store.description()));
-  return written;
+  mend(collection_name, collection);
+  return mended;
 }
 
 }  // namespace sigmascape::atlas

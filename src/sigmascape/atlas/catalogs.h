@@ -22,9 +22,9 @@ void make_catalogs_over(const std::filesystem::path& folder, const AtlasDescript
 [[nodiscard]] std::vector<StoreFault> catalog_faults(const Store& store, Scrutiny scrutiny);
 
 /// Writes anew those that catalog_faults names: the collection, which in atlases of a former kind linked every item,
-/// and of the catalogs, numbered in an order that any process comes to, the share for which `has` is true. Returns how
-/// many files were written. Throws Error when the collection has become that of another atlas.
-std::size_t mend_catalogs(
+/// and of the catalogs, numbered in an order that any process comes to, the share for which `has` is true. Returns what
+/// was wrong with those that were written. Throws Error when the collection has become that of another atlas.
+std::vector<StoreFault> mend_catalogs(
     const Store& store, Scrutiny scrutiny,
     const std::function<bool(std::size_t number)>& has = [](std::size_t) { return true; });
 

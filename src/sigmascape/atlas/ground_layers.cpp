@@ -4,6 +4,9 @@
 #include <utility>
 
 #include "sigmascape/atlas/obstacle_file.h"
+#include "sigmascape/atlas/stac_catalog.h"
+#include "sigmascape/base/error.h"
+#include "sigmascape/geo/atomic_file.h"
 
 namespace sigmascape::atlas {
 namespace {
@@ -31,6 +34,29 @@ radar::ObstacleMap load_obstacles(const Store& atlas) {
   return map;
 }
 
+AtlasDescription ground_description(const Store& atlas, const std::vector<double>& elevations_rad) {
+  AtlasDescription description = atlas.description();
+  description.name += ", ground alone";
+  description.aspects = {{0.0}, elevations_rad, atlas.description().aspects.frequencies_hz};
+  description.settings = {{"layer", "ground without what stands on it, from any azimuth"}};
+  return description;
+}
+
+/// As faults of an atlas name it.
+std::filesystem::path collection_of_ground() {
+  return std::filesystem::path(ground_folder) / collection_name;
+}
+
+/// What is wrong with the collection in a folder, if there is one, that should say this.
+std::optional<StoreFault> fault_against(const std::filesystem::path& folder, const AtlasDescription& description) {
+  try {
+    static_cast<void>(Store::find(folder, description));
+    return std::nullopt;
+  } catch (const Error&) {
+    return StoreFault{collection_of_ground(), "was altered: it does not say what follows from the atlas"};
+  }
+}
+
 }  // namespace
 
 bool keeps_ground_apart(const AtlasDescription& description) {
@@ -38,12 +64,25 @@ bool keeps_ground_apart(const AtlasDescription& description) {
   return setting != description.settings.end() && setting->second == shadows_at_run_time;
 }
 
-Store create_ground_store(const Store& atlas, const std::vector<double>& elevations_rad) {
-  AtlasDescription description = atlas.description();
-  description.name += ", ground alone";
-  description.aspects = {{0.0}, elevations_rad, atlas.description().aspects.frequencies_hz};
-  description.settings = {{"layer", "ground without what stands on it, from any azimuth"}};
-  return Store::create(ground_folder_of(atlas), description);
+Store create_ground_store(const Store& atlas, const std::vector<double>& elevations_rad,
+                          std::vector<StoreFault>* mended) {
+  const AtlasDescription description = ground_description(atlas, elevations_rad);
+  const std::filesystem::path folder = ground_folder_of(atlas);
+  if (const auto fault = fault_against(folder, description)) {
+    geo::write_atomically(folder / collection_name, collection_text(description));
+    if (mended != nullptr) mended->push_back(*fault);
+  }
+  return Store::create(folder, description);
+}
+
+std::optional<StoreFault> ground_collection_fault(const Store& atlas) {
+  const std::filesystem::path folder = ground_folder_of(atlas);
+  try {
+    return fault_against(folder, ground_description(atlas, Store::open(folder).description().aspects.elevations_rad));
+  } catch (const Error&) {
+    return StoreFault{collection_of_ground(),
+                      std::filesystem::exists(folder / collection_name) ? "is truncated or was altered" : "is missing"};
+  }
 }
 
 std::filesystem::path ground_folder_of(const Store& atlas) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "sigmascape/atlas/atlas.h"
@@ -28,8 +29,13 @@ inline constexpr const char* shadows_at_run_time = "run-time";
 }
 
 /// The store, in the folder `ground` of an atlas, of the ground's own σ0: the same patches and frequencies, azimuth 0
-/// and these elevations. Made when it is not there.
-[[nodiscard]] Store create_ground_store(const Store& atlas, const std::vector<double>& elevations_rad);
+/// and these elevations. Made when it is not there; a collection that says something else, or nothing, is written anew,
+/// since it follows from the atlas, and added to `mended`.
+[[nodiscard]] Store create_ground_store(const Store& atlas, const std::vector<double>& elevations_rad,
+                                        std::vector<StoreFault>* mended = nullptr);
+
+/// What is wrong with the collection of the ground's store, if anything: by itself, and held against the atlas.
+[[nodiscard]] std::optional<StoreFault> ground_collection_fault(const Store& atlas);
 
 [[nodiscard]] std::filesystem::path ground_folder_of(const Store& atlas);
 /// Throws Error when there is none.

@@ -17,7 +17,7 @@ std::optional<std::string> LayerPyramid::made_from(const PyramidTile& tile) cons
       sha.add("black");
       continue;
     }
-    const auto record = texture_record(store_.folder(), file_of(*part));
+    const auto record = texture_record(store_, file_of(*part));
     if (!record) return std::nullopt;
     sha.add(record->sha256);
   }
@@ -61,7 +61,7 @@ bool LayerPyramid::make(const PyramidTile& tile) const {
 }
 
 std::size_t LayerPyramid::make_above(const std::vector<PatchIndex>& patches, Scrutiny scrutiny,
-                                     std::vector<PyramidTile>* left_out) const {
+                                     MakingNotes* notes) const {
   std::size_t written = 0;
   for (std::size_t level = 1; level <= levels(); ++level) {
     std::vector<PatchIndex> wanted;
@@ -71,12 +71,13 @@ std::size_t LayerPyramid::make_above(const std::vector<PatchIndex>& patches, Scr
     wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
     for (const PatchIndex& south_west : wanted) {
       const PyramidTile tile{level, south_west};
-      if (is_done(tile, scrutiny)) continue;
-      if (make(tile)) {
-        ++written;
-      } else if (left_out != nullptr) {
-        left_out->push_back(tile);
-      }
+      auto fault = fault_of(tile, scrutiny);
+      if (!fault) continue;
+      const bool is_made = make(tile);
+      written += is_made ? 1 : 0;
+      if (notes == nullptr) continue;
+      if (!is_made) notes->left_out.push_back(tile);
+      if (is_made && !fault->is_absent) notes->mended.push_back(std::move(*fault));
     }
   }
   return written;

@@ -42,6 +42,12 @@ class PyramidLayer {
   virtual void write(const PyramidTile& tile, const PyramidQuarters& quarters, const std::string& made_from) const = 0;
 };
 
+/// What the making of levels has to tell besides how many files it wrote.
+struct MakingNotes {
+  std::vector<PyramidTile> left_out;  ///< could not be made
+  std::vector<StoreFault> mended;     ///< something of them was there, with this fault
+};
+
 /// The coarser levels of one layer of an atlas: makes them of the patches, and knows which are to be made.
 class LayerPyramid : public PyramidTiles {
  public:
@@ -58,9 +64,9 @@ class LayerPyramid : public PyramidTiles {
   bool make(const PyramidTile& tile) const;
 
   /// Makes, level by level, what is not done and has one of the patches under it. Returns how many files were written;
-  /// what could not be made is added to `left_out`.
+  /// `notes`, if given, are added to.
   std::size_t make_above(const std::vector<PatchIndex>& patches, Scrutiny scrutiny = Scrutiny::Size,
-                         std::vector<PyramidTile>* left_out = nullptr) const;
+                         MakingNotes* notes = nullptr) const;
 
   /// What is wrong with the files of patches that keeps places of the pyramid from being made.
   [[nodiscard]] std::vector<StoreFault> hindrances(const std::vector<PyramidTile>& left_out) const;

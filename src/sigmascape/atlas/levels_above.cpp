@@ -17,9 +17,9 @@ LevelsAbove make_levels_of(const Store& store, Scrutiny scrutiny) {
   const auto patches = store.description().patches.covering(store.description().extent);
   LevelsAbove made;
   for (LookIndex look = 0; look < store.description().aspects.look_count(); ++look) {
-    std::vector<PyramidTile> left_out;
-    const std::size_t written = pyramid.make_above(patches, look, scrutiny, &left_out);
-    made += {written, left_out.size(), pyramid.hindrances(left_out, look)};
+    MakingNotes notes;
+    const std::size_t written = pyramid.make_above(patches, look, scrutiny, &notes);
+    made += {written, notes.left_out.size(), pyramid.hindrances(notes.left_out, look)};
   }
   mend_catalogs(store, scrutiny);
   return made;
@@ -28,9 +28,9 @@ LevelsAbove make_levels_of(const Store& store, Scrutiny scrutiny) {
 LevelsAbove make_levels_of_obstacles(const Store& atlas, Scrutiny scrutiny) {
   const LayerPyramid pyramid = obstacle_pyramid(atlas);
   const auto patches = atlas.description().patches.covering(atlas.description().extent);
-  std::vector<PyramidTile> left_out;
-  const std::size_t written = pyramid.make_above(patches, scrutiny, &left_out);
-  return {written, left_out.size(), pyramid.hindrances(left_out)};
+  MakingNotes notes;
+  const std::size_t written = pyramid.make_above(patches, scrutiny, &notes);
+  return {written, notes.left_out.size(), pyramid.hindrances(notes.left_out)};
 }
 
 LevelsAbove make_levels_of_ground(const Store& atlas, Scrutiny scrutiny) {

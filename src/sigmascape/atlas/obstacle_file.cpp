@@ -80,7 +80,7 @@ std::filesystem::path obstacles_path(const PyramidTile& tile) {
 }
 
 FoundTexture found_obstacles(const Store& atlas, const std::filesystem::path& file, Scrutiny scrutiny) {
-  FoundTexture found = found_texture(atlas.folder(), file, scrutiny);
+  FoundTexture found = found_texture(atlas, file, scrutiny);
   if (!found.fault && !found.record->tallest_m) found.fault = StoreFault{file, obstacles_of_a_former_kind};
   return found;
 }
@@ -101,7 +101,7 @@ Array2D<radar::Obstacle> read_obstacles(const Store& atlas, PatchIndex patch) {
     throw Error((atlas.folder() / fault->file).string(), fault->what, bake_again);
   }
   const std::size_t side = atlas.description().patches.texels_per_side;
-  return std::move(decoded_obstacles(read_texture(atlas.folder(), file, side, 1, bake_again)).front());
+  return std::move(decoded_obstacles(read_texture(atlas, file, side, 1, bake_again)).front());
 }
 
 LayerPyramid obstacle_pyramid(const Store& atlas) {

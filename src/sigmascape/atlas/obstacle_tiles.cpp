@@ -18,7 +18,7 @@ constexpr std::size_t bands = std::tuple_size_v<BandNames>;
 /// The items of a place and, where there is none, those below it.
 float tallest_under(const Store& atlas, const PyramidTiles& places, const PyramidTile& tile) {
   const std::filesystem::path file = obstacles_path(tile);
-  if (const auto record = texture_record(atlas.folder(), file)) {
+  if (const auto record = texture_record(atlas, file)) {
     if (record->tallest_m) return *record->tallest_m;
     throw Error((atlas.folder() / file).string(), obstacles_of_a_former_kind, bake_again);
   }
@@ -33,9 +33,7 @@ float tallest_under(const Store& atlas, const PyramidTiles& places, const Pyrami
 }  // namespace
 
 ObstacleTiles::ObstacleTiles(const Store& atlas, Scrutiny scrutiny)
-    : store_(atlas),
-      places_(store_.description().patches, store_.description().extent),
-      files_(store_.folder(), scrutiny) {
+    : store_(atlas), places_(store_.description().patches, store_.description().extent), files_(store_, scrutiny) {
   for (const PyramidTile& tile : places_.tiles(places_.levels())) {
     tallest_m_ = std::max(tallest_m_, tallest_under(store_, places_, tile));
   }

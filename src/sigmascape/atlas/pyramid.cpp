@@ -27,7 +27,7 @@ class Sigma0Layer final : public PyramidLayer {
   }
 
   [[nodiscard]] FoundTexture found(const std::filesystem::path& file, Scrutiny scrutiny) const override {
-    return found_texture(store_.folder(), file, scrutiny);
+    return found_texture(store_, file, scrutiny);
   }
 
   void write(const PyramidTile& tile, const PyramidQuarters& quarters, const std::string& made_from) const override {
@@ -75,8 +75,8 @@ std::size_t Pyramid::make_above(const std::vector<Unit>& units, Scrutiny scrutin
 }
 
 std::size_t Pyramid::make_above(const std::vector<PatchIndex>& patches, LookIndex look, Scrutiny scrutiny,
-                                std::vector<PyramidTile>* left_out) const {
-  return of(look).make_above(patches, scrutiny, left_out);
+                                MakingNotes* notes) const {
+  return of(look).make_above(patches, scrutiny, notes);
 }
 
 std::vector<StoreFault> Pyramid::hindrances(const std::vector<PyramidTile>& left_out, LookIndex look) const {
@@ -84,7 +84,7 @@ std::vector<StoreFault> Pyramid::hindrances(const std::vector<PyramidTile>& left
 }
 
 HalfTexture Pyramid::read_halves(const PyramidTile& tile, LookIndex look) const {
-  return read_texture(store_.folder(), texture_path(tile, look), tile_side, 1,
+  return read_texture(store_, texture_path(tile, look), tile_side, 1,
                       "finish the bake, or make the pyramid with 'sigmascape atlas pyramid'");
 }
 

@@ -33,7 +33,7 @@ class Pyramid : public PyramidTiles {
   std::size_t make_above(const std::vector<Unit>& units, Scrutiny scrutiny = Scrutiny::Size) const;
   /// The same of one look, of which atlases of many patches need no list with all the others.
   std::size_t make_above(const std::vector<PatchIndex>& patches, LookIndex look, Scrutiny scrutiny,
-                         std::vector<PyramidTile>* left_out = nullptr) const;
+                         MakingNotes* notes = nullptr) const;
   [[nodiscard]] std::vector<StoreFault> hindrances(const std::vector<PyramidTile>& left_out, LookIndex look) const;
 
   /// The texture as it is stored, one level of 256² texels. Throws Error when it is not there or not as its item says.

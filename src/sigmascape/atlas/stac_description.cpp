@@ -12,7 +12,7 @@
 namespace sigmascape::atlas {
 namespace {
 
-constexpr int format_version = 1;
+constexpr int oldest_format_version = 1;
 
 std::vector<double> degrees(const std::vector<double>& angles_rad) {
   std::vector<double> angles_deg(angles_rad.size());
@@ -40,6 +40,7 @@ AtlasDescription undescribed(const std::string& name, const Json& json) {
   description.settings = json.at("settings").get<std::map<std::string, std::string>>();
   description.mantissa_bits = json.at("mantissa_bits").get<int>();
   description.attribution = json.at("attribution").get<std::string>();
+  description.format_version = json.at("format_version").get<int>();
   return description;
 }
 
@@ -50,6 +51,10 @@ std::optional<std::string> first_difference(const Json& there, const Json& here,
     if (!here.contains(key)) return fmt::format("{} is {} there and not given here", name, value.dump());
     const Json& other = here.at(key);
     if (value == other) continue;
+    if (name == "scene_hash") {
+      return fmt::format("its scene is another one (terrain, objects or materials differ): {} is {} there and {} here",
+                         name, value.dump(), other.dump());
+    }
     if (value.is_object() && other.is_object()) return first_difference(value, other, name + ".");
     return fmt::format("{} is {} there and {} here", name, value.dump(), other.dump());
   }
@@ -64,7 +69,7 @@ std::optional<std::string> first_difference(const Json& there, const Json& here,
 Json described(const AtlasDescription& description) {
   const radar::Rectangle& extent = description.extent;
   return {
-      {"format_version", format_version},
+      {"format_version", description.format_version},
       {"frame_latitude_deg", description.frame.latitude_deg()},
       {"frame_longitude_deg", description.frame.longitude_deg()},
       {"frame", description.frame.proj()},
@@ -82,25 +87,36 @@ Json described(const AtlasDescription& description) {
 }
 
 AtlasDescription description_from(const std::string& text, const std::filesystem::path& file) {
+  const auto damaged = [&file] {
+    return Error(file.string(), "is truncated or was altered, and does not tell what this atlas is of",
+                 "remove this one file and bake again with the same settings, which writes it anew and keeps what is "
+                 "baked");
+  };
+  const Json collection = Json::parse(text, nullptr, false);
+  if (!collection.is_object()) throw damaged();
   try {
-    const Json collection = Json::parse(text);
+    if (!collection.contains("sigmascape:atlas")) {
+      throw Error(file.string(), "is not the collection of a Sigmascape atlas",
+                  "choose the folder of an atlas, or an empty one to bake into");
+    }
     const Json& atlas = collection.at("sigmascape:atlas");
     const int version = atlas.at("format_version").get<int>();
-    if (version != format_version) {
-      throw Error(file.string() + ", sigmascape:atlas.format_version", fmt::format("is {}", version),
-                  fmt::format("this version of the library reads {}: bake again, or use the version that wrote it",
-                              format_version));
+    if (version < oldest_format_version || version > newest_format_version) {
+      throw Error(
+          file.string() + ", sigmascape:atlas.format_version", fmt::format("is {}", version),
+          fmt::format("this version of the library reads {} to {}: bake again, or use the version that wrote it",
+                      oldest_format_version, newest_format_version));
     }
     return undescribed(collection.at("id").get<std::string>(), atlas);
-  } catch (const Json::exception& exception) {
-    throw Error(file.string(), fmt::format("is not the collection of a Sigmascape atlas ({})", exception.what()),
-                "choose the folder of an atlas, or an empty one to bake into");
+  } catch (const Json::exception&) {
+    throw damaged();
   }
 }
 
 std::optional<std::string> difference(const AtlasDescription& there, const AtlasDescription& here) {
   // Both as they would stand in a file, since only that can be compared with what was read from one.
-  const auto as_read = [](const AtlasDescription& description) {
+  const auto as_read = [](AtlasDescription description) {
+    description.format_version = newest_format_version;
     return Json::parse(written(described(description), -1));
   };
   return first_difference(as_read(there), as_read(here), "");

@@ -3,12 +3,15 @@
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <map>
 #include <string_view>
+#include <utility>
 
 #include "sigmascape/atlas/error_texture.h"
 #include "sigmascape/atlas/stac_catalog.h"
 #include "sigmascape/atlas/stac_document.h"
 #include "sigmascape/atlas/texture_name.h"
+#include "sigmascape/base/sha256.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/geo/coordinate_reference_system.h"
 
@@ -172,8 +175,53 @@ ItemPlace beside_collection(const AtlasDescription& description) {
   return {Footprint(description, whole_grid(description)), collection, collection};
 }
 
+constexpr const char* own_hash = "sigmascape:item_sha256";
+/// Of items of looks: those of the bake, as the collection has them.
+constexpr const char* settings = "sigmascape:settings";
+
+/// Where in the text of an item the digits of its own hash begin; nothing when it has none.
+std::optional<std::size_t> place_of_own_hash(const std::string& text) {
+  const std::string before = fmt::format("\"{}\": \"", own_hash);
+  const std::size_t found = text.find(before);
+  return found == std::string::npos ? std::nullopt : std::optional(found + before.size());
+}
+
+/// What is wrong with an item by its own hash; empty when nothing is.
+std::string fault_by_own_hash(std::string text, int format_version) {
+  const auto place = place_of_own_hash(text);
+  if (!place) return format_version < 2 ? "" : "was altered: it does not record its own SHA-256";
+  const std::size_t digits = text.find('"', *place) - *place;
+  const std::string recorded = text.substr(*place, digits);
+  text.erase(*place, digits);
+  return sha256_of(text) == recorded ? "" : "was altered: its own SHA-256 is not the recorded one";
+}
+
+/// The settings by which a look was baked, as far as its item tells.
+std::map<std::string, std::string> settings_told_by(const Json& properties) {
+  if (properties.contains(settings)) return properties.at(settings).get<std::map<std::string, std::string>>();
+  std::map<std::string, std::string> told;
+  if (properties.contains("sigmascape:seed")) told["seed"] = properties.at("sigmascape:seed").dump();
+  if (properties.contains("sigmascape:simd")) told["simd"] = properties.at("sigmascape:simd").get<std::string>();
+  return told;
+}
+
+/// What tells that an item does not belong to this atlas; empty when nothing does.
+std::string fault_by_origin(const Json& properties, const AtlasDescription& description) {
+  const auto of_another = [](std::string_view name, const std::string& there, const std::string& here) {
+    return fmt::format("is of another bake: {} is {} there and {} in the collection", name, there, here);
+  };
+  const std::string scene = properties.value("sigmascape:scene_hash", description.scene_hash);
+  if (scene != description.scene_hash) return of_another("scene_hash", scene, description.scene_hash);
+  for (const auto& [name, there] : settings_told_by(properties)) {
+    const auto here = description.settings.find(name);
+    if (here != description.settings.end() && here->second != there) return of_another(name, there, here->second);
+  }
+  return "";
+}
+
 std::string item_of(const std::string& id, const AtlasDescription& description, const ItemPlace& place,
-                    const Json& extensions, const Json& properties, const Json& assets) {
+                    const Json& extensions, Json properties, const Json& assets) {
+  properties[own_hash] = "";
   const Json item = {
       {"type", "Feature"},
       {"stac_version", stac_version},
@@ -187,7 +235,42 @@ std::string item_of(const std::string& id, const AtlasDescription& description, 
       {"links", Json::array({link("root", place.collection), link("parent", place.parent),
                              link("collection", place.collection)})},
   };
-  return written(item, 2) + "\n";
+  std::string text = written(item, 2) + "\n";
+  return text.insert(place_of_own_hash(text).value(), sha256_of(text));
+}
+
+/// Nothing when these are not properties of ours.
+std::optional<TextureRecord> record_from(const Json& properties) {
+  const auto is = [&](const char* key, auto has_type) {
+    return properties.contains(key) && (properties.at(key).*has_type)();
+  };
+  if (!is("sigmascape:size_bytes", &Json::is_number_unsigned) || !is("sigmascape:sha256", &Json::is_string) ||
+      !is("sigmascape:scale", &Json::is_number)) {
+    return std::nullopt;
+  }
+  TextureRecord record{properties.at("sigmascape:size_bytes").get<std::uint64_t>(),
+                       properties.at("sigmascape:sha256").get<std::string>(),
+                       properties.at("sigmascape:scale").get<double>()};
+  if (is("sigmascape:made_from", &Json::is_string)) {
+    record.made_from = properties.at("sigmascape:made_from").get<std::string>();
+  }
+  if (is("sigmascape:relative_standard_error", &Json::is_number)) {
+    record.relative_standard_error = properties.at("sigmascape:relative_standard_error").get<double>();
+  }
+  if (is("sigmascape:lit_texels", &Json::is_number_unsigned) &&
+      is("sigmascape:above_target", &Json::is_number_unsigned)) {
+    record.above_target = {properties.at("sigmascape:lit_texels").get<std::uint64_t>(),
+                           properties.at("sigmascape:above_target").get<std::uint64_t>()};
+  }
+  if (is("sigmascape:tallest_m", &Json::is_number)) {
+    record.tallest_m = properties.at("sigmascape:tallest_m").get<float>();
+  }
+  if (is("sigmascape:errors_size_bytes", &Json::is_number_unsigned) &&
+      is("sigmascape:errors_sha256", &Json::is_string)) {
+    record.errors = {properties.at("sigmascape:errors_size_bytes").get<std::uint64_t>(),
+                     properties.at("sigmascape:errors_sha256").get<std::string>()};
+  }
+  return record;
 }
 
 }  // namespace
@@ -200,6 +283,7 @@ std::string item_text(const AtlasDescription& description, const Unit& unit, con
   properties.update(Json{
       {"sigmascape:patch", {unit.patch.x, unit.patch.y}},
       {"sigmascape:scene_hash", description.scene_hash},
+      {settings, Json(description.settings)},
       {"sigmascape:seed", facts.seed},
       {"sigmascape:samples_per_texel", facts.samples_per_texel},
       {"sigmascape:relative_standard_error", facts.relative_standard_error},
@@ -268,40 +352,21 @@ std::string terrain_item_text(const AtlasDescription& description, const Texture
                                          "data", record)}});
 }
 
-std::optional<TextureRecord> record_from(const std::string& text) {
+FoundItem item_from(const std::string& text, const AtlasDescription& description) {
   const Json item = Json::parse(text, nullptr, false);
-  if (!item.is_object() || !item.contains("properties")) return std::nullopt;
+  const FoundItem none{{}, "cannot be understood"};
+  if (!item.is_object() || !item.contains("properties") || !item.at("properties").is_object()) return none;
   const Json& properties = item.at("properties");
-  const auto is = [&](const char* key, auto has_type) {
-    return properties.is_object() && properties.contains(key) && (properties.at(key).*has_type)();
-  };
-  if (!is("sigmascape:size_bytes", &Json::is_number_unsigned) || !is("sigmascape:sha256", &Json::is_string) ||
-      !is("sigmascape:scale", &Json::is_number)) {
-    return std::nullopt;
+  const auto record = record_from(properties);
+  if (!record) return none;
+  std::string fault = fault_by_own_hash(text, description.format_version);
+  try {
+    if (fault.empty()) fault = fault_by_origin(properties, description);
+  } catch (const Json::exception&) {
+    return none;
   }
-  TextureRecord record{properties.at("sigmascape:size_bytes").get<std::uint64_t>(),
-                       properties.at("sigmascape:sha256").get<std::string>(),
-                       properties.at("sigmascape:scale").get<double>()};
-  if (is("sigmascape:made_from", &Json::is_string)) {
-    record.made_from = properties.at("sigmascape:made_from").get<std::string>();
-  }
-  if (is("sigmascape:relative_standard_error", &Json::is_number)) {
-    record.relative_standard_error = properties.at("sigmascape:relative_standard_error").get<double>();
-  }
-  if (is("sigmascape:lit_texels", &Json::is_number_unsigned) &&
-      is("sigmascape:above_target", &Json::is_number_unsigned)) {
-    record.above_target = {properties.at("sigmascape:lit_texels").get<std::uint64_t>(),
-                           properties.at("sigmascape:above_target").get<std::uint64_t>()};
-  }
-  if (is("sigmascape:tallest_m", &Json::is_number)) {
-    record.tallest_m = properties.at("sigmascape:tallest_m").get<float>();
-  }
-  if (is("sigmascape:errors_size_bytes", &Json::is_number_unsigned) &&
-      is("sigmascape:errors_sha256", &Json::is_string)) {
-    record.errors = {properties.at("sigmascape:errors_size_bytes").get<std::uint64_t>(),
-                     properties.at("sigmascape:errors_sha256").get<std::string>()};
-  }
-  return record;
+  if (!fault.empty()) return {{}, std::move(fault)};
+  return {record, ""};
 }
 
 }  // namespace sigmascape::atlas

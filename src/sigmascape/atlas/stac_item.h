@@ -50,7 +50,14 @@ struct TextureRecord {
 /// The item of the heights of the whole scene, to stand beside them in the folder of the store (atlas/terrain_file.h).
 [[nodiscard]] std::string terrain_item_text(const AtlasDescription& description, const TextureRecord& record);
 
-/// What an item records of its file; nothing when the text is not an item of ours.
-[[nodiscard]] std::optional<TextureRecord> record_from(const std::string& text);
+/// What an item that was read records of its file, or what is wrong with it, "was altered: …".
+struct FoundItem {
+  std::optional<TextureRecord> record;  ///< nothing when something is wrong
+  std::string fault;                    ///< empty when nothing is
+};
+
+/// Of the text of an item in a store of this description. An item vouches for itself as well: it records the SHA-256 of
+/// its text without these digits. Those of atlases whose format is older than 2 need not.
+[[nodiscard]] FoundItem item_from(const std::string& text, const AtlasDescription& description);
 
 }  // namespace sigmascape::atlas

@@ -132,7 +132,7 @@ std::filesystem::path Store::texture_path(PatchIndex patch, LookIndex look) cons
 }
 
 bool Store::is_done(PatchIndex patch, LookIndex look, Scrutiny scrutiny) const {
-  return !texture_fault(folder_, texture_path(patch, look), scrutiny);
+  return !texture_fault(*this, texture_path(patch, look), scrutiny);
 }
 
 void Store::write(PatchIndex patch, LookIndex look, const Array2D<radar::Channels>& texels, const BakeFacts& facts,
@@ -154,10 +154,10 @@ void Store::write(PatchIndex patch, LookIndex look, const Array2D<radar::Channel
 
 Array2D<float> Store::read_errors(PatchIndex patch, LookIndex look) const {
   const std::filesystem::path texture = texture_path(patch, look);
-  if (const auto fault = texture_fault(folder_, texture, Scrutiny::Content)) {
+  if (const auto fault = texture_fault(*this, texture, Scrutiny::Content)) {
     throw Error((folder_ / fault->file).string(), fault->what, bake_again);
   }
-  const auto record = texture_record(folder_, texture);
+  const auto record = texture_record(*this, texture);
   const std::filesystem::path file = folder_ / errors_path(texture);
   if (!record || !record->errors) {
     throw Error(file.string(), "was not baked: the texture came without standard errors", "bake the atlas anew");
@@ -173,7 +173,7 @@ MipChain Store::read(PatchIndex patch, LookIndex look) const {
 }
 
 HalfTexture Store::read_halves(PatchIndex patch, LookIndex look) const {
-  return read_texture(folder_, texture_path(patch, look), description_.patches.texels_per_side,
+  return read_texture(*this, texture_path(patch, look), description_.patches.texels_per_side,
                       description_.patches.stored_levels(), bake_again);
 }
 
@@ -191,7 +191,7 @@ std::vector<StoreFault> Store::verify(Scrutiny scrutiny) const {
   const PatchBlock patches = description_.patches.block_over(description_.extent);
   for (std::size_t number = 0; number < patches.size(); ++number) {
     for (LookIndex look = 0; look < description_.aspects.look_count(); ++look) {
-      if (auto fault = texture_fault(folder_, texture_path(patches[number], look), scrutiny))
+      if (auto fault = texture_fault(*this, texture_path(patches[number], look), scrutiny))
         faults.push_back(std::move(*fault));
     }
   }

@@ -21,6 +21,9 @@
 
 namespace sigmascape::atlas {
 
+/// Of what kind the files of an atlas are that is begun now; docs/store.md tells what the others lack.
+inline constexpr int newest_format_version = 2;
+
 /// What an atlas is of: everything that all of its files have in common. Bakes with equal descriptions give equal
 /// files, so they may be spread over processes and machines, and broken off and resumed.
 struct AtlasDescription {
@@ -37,6 +40,8 @@ struct AtlasDescription {
   /// holds.
   int mantissa_bits = 10;
   std::string attribution;  ///< of the data that the scene was made from
+  /// An atlas keeps that with which it was begun.
+  int format_version = newest_format_version;
 };
 
 /// How one (patch, look) came about: goes into its item, so that a reading can be traced back.
@@ -64,6 +69,7 @@ enum class Scrutiny { Size, Content };
 struct StoreFault {
   std::filesystem::path file;  ///< relative to the store
   std::string what;            ///< "is missing", "is truncated", "was altered", …
+  bool is_absent = false;      ///< nothing of it is there, as before it was made for the first time
 };
 
 /// The terrain that the scene stands on, in the folder of the atlas, so that maps can be rendered without the scene.

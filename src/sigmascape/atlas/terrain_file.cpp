@@ -16,7 +16,7 @@ void vouch_for_terrain(const Store& atlas) {
 }
 
 std::optional<StoreFault> terrain_fault(const Store& atlas, Scrutiny scrutiny) {
-  return texture_fault(atlas.folder(), terrain_name, scrutiny);
+  return texture_fault(atlas, terrain_name, scrutiny);
 }
 
 std::filesystem::path vouched_terrain(const Store& atlas, Scrutiny scrutiny) {

@@ -50,24 +50,19 @@ std::optional<StoreFault> file_fault(const std::filesystem::path& folder, const 
 }
 
 /// Whatever its standard errors are like.
-FoundTexture found_alone(const std::filesystem::path& folder, const std::filesystem::path& texture, Scrutiny scrutiny) {
+FoundTexture found_alone(const Store& store, const std::filesystem::path& texture, Scrutiny scrutiny) {
+  const std::filesystem::path& folder = store.folder();
   const std::filesystem::path item = item_path(texture);
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(folder / texture, error);
   const bool there = !error;
   const std::optional<std::string> text = text_of(folder / item);
-  if (!text && !there) return {{}, StoreFault{texture, "is missing"}};
+  if (!text && !there) return {{}, StoreFault{texture, "is missing", true}};
   if (!text) return {{}, StoreFault{item, "is missing, so the file that it vouches for does not count"}};
-  const auto record = record_from(*text);
-  if (!record) return {{}, StoreFault{item, "cannot be understood"}};
+  const auto [record, fault] = item_from(*text, store.description());
+  if (!record) return {{}, StoreFault{item, fault}};
   if (!there) return {record, StoreFault{texture, "is missing, though its item is there"}};
   return {record, file_fault(folder, texture, size, record->size_bytes, record->sha256, scrutiny)};
-}
-
-std::string sha256_of(const std::string& bytes) {
-  Sha256 sha;
-  sha.add(bytes);
-  return sha.hex_digest();
 }
 
 }  // namespace
@@ -82,22 +77,21 @@ std::filesystem::path item_path(std::filesystem::path texture) {
   return texture.replace_extension(".json");
 }
 
-FoundTexture found_texture(const std::filesystem::path& folder, const std::filesystem::path& texture,
-                           Scrutiny scrutiny) {
-  FoundTexture found = found_alone(folder, texture, scrutiny);
+FoundTexture found_texture(const Store& store, const std::filesystem::path& texture, Scrutiny scrutiny) {
+  FoundTexture found = found_alone(store, texture, scrutiny);
   if (found.fault || !found.record->errors) return found;
   const ErrorsRecord& recorded = *found.record->errors;
   const std::filesystem::path errors = errors_path(texture);
   std::error_code error;
+  const std::filesystem::path& folder = store.folder();
   const std::uintmax_t size = std::filesystem::file_size(folder / errors, error);
   found.fault = error ? StoreFault{errors, "is missing, though its item is there"}
                       : file_fault(folder, errors, size, recorded.size_bytes, recorded.sha256, scrutiny);
   return found;
 }
 
-std::optional<StoreFault> texture_fault(const std::filesystem::path& folder, const std::filesystem::path& texture,
-                                        Scrutiny scrutiny) {
-  return found_texture(folder, texture, scrutiny).fault;
+std::optional<StoreFault> texture_fault(const Store& store, const std::filesystem::path& texture, Scrutiny scrutiny) {
+  return found_texture(store, texture, scrutiny).fault;
 }
 
 bool is_as_recorded(const std::filesystem::path& folder, const std::filesystem::path& texture,
@@ -107,9 +101,9 @@ bool is_as_recorded(const std::filesystem::path& folder, const std::filesystem::
   return !error && !file_fault(folder, texture, size, record.size_bytes, record.sha256, scrutiny);
 }
 
-std::optional<TextureRecord> texture_record(const std::filesystem::path& folder, const std::filesystem::path& texture) {
-  const std::optional<std::string> text = text_of(folder / item_path(texture));
-  return text ? record_from(*text) : std::nullopt;
+std::optional<TextureRecord> texture_record(const Store& store, const std::filesystem::path& texture) {
+  const std::optional<std::string> text = text_of(store.folder() / item_path(texture));
+  return text ? item_from(*text, store.description()).record : std::nullopt;
 }
 
 void write_texture(const Store& store, const PyramidTile& tile, const std::filesystem::path& texture,
@@ -130,11 +124,11 @@ void write_texture(const Store& store, const PyramidTile& tile, const std::files
   geo::write_atomically(folder / item_path(texture), item_for(record));
 }
 
-HalfTexture read_texture(const std::filesystem::path& folder, const std::filesystem::path& texture, std::size_t side,
-                         std::size_t levels, const std::string& remedy) {
-  const auto [record, fault] = found_alone(folder, texture, Scrutiny::Content);
-  if (fault) throw Error((folder / fault->file).string(), fault->what, remedy);
-  return {side, record->scale, read_half_cog(folder / texture, side, levels)};
+HalfTexture read_texture(const Store& store, const std::filesystem::path& texture, std::size_t side, std::size_t levels,
+                         const std::string& remedy) {
+  const auto [record, fault] = found_alone(store, texture, Scrutiny::Content);
+  if (fault) throw Error((store.folder() / fault->file).string(), fault->what, remedy);
+  return {side, record->scale, read_half_cog(store.folder() / texture, side, levels)};
 }
 
 }  // namespace sigmascape::atlas

@@ -31,20 +31,18 @@ struct FoundTexture {
   std::optional<TextureRecord> record;
   std::optional<StoreFault> fault;
 };
-[[nodiscard]] FoundTexture found_texture(const std::filesystem::path& folder, const std::filesystem::path& texture,
-                                         Scrutiny scrutiny);
+[[nodiscard]] FoundTexture found_texture(const Store& store, const std::filesystem::path& texture, Scrutiny scrutiny);
 
 /// What is wrong with a texture, if anything.
-[[nodiscard]] std::optional<StoreFault> texture_fault(const std::filesystem::path& folder,
-                                                      const std::filesystem::path& texture, Scrutiny scrutiny);
+[[nodiscard]] std::optional<StoreFault> texture_fault(const Store& store, const std::filesystem::path& texture,
+                                                      Scrutiny scrutiny);
 
 /// Whether a texture is there and as its record says. Of its standard errors nothing is asked.
 [[nodiscard]] bool is_as_recorded(const std::filesystem::path& folder, const std::filesystem::path& texture,
                                   const TextureRecord& record, Scrutiny scrutiny);
 
-/// What the item of a texture records; nothing when there is none that can be understood.
-[[nodiscard]] std::optional<TextureRecord> texture_record(const std::filesystem::path& folder,
-                                                          const std::filesystem::path& texture);
+/// What the item of a texture records; nothing when there is none or something is wrong with it.
+[[nodiscard]] std::optional<TextureRecord> texture_record(const Store& store, const std::filesystem::path& texture);
 
 /// The file of a texture whose level 0 lies on `grid`.
 [[nodiscard]] std::string texture_bytes(const HalfTexture& halves, const BandNames& bands,
@@ -58,7 +56,7 @@ void write_texture(const Store& store, const PyramidTile& tile, const std::files
 
 /// Reads a texture of so many levels, the first of so many texels a side. Throws Error when it is not there or not as
 /// its item says, to the last bit; `remedy` is what would mend it.
-[[nodiscard]] HalfTexture read_texture(const std::filesystem::path& folder, const std::filesystem::path& texture,
-                                       std::size_t side, std::size_t levels, const std::string& remedy);
+[[nodiscard]] HalfTexture read_texture(const Store& store, const std::filesystem::path& texture, std::size_t side,
+                                       std::size_t levels, const std::string& remedy);
 
 }  // namespace sigmascape::atlas

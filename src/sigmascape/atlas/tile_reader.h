@@ -18,7 +18,7 @@ namespace sigmascape::atlas {
 class TileReader {
  public:
   explicit TileReader(const Store& store, Scrutiny scrutiny = Scrutiny::Content)
-      : store_(store), pyramid_(store_), files_(store_.folder(), scrutiny) {}
+      : store_(store), pyramid_(store_), files_(store_, scrutiny) {}
   TileReader(const TileReader&) = delete;
   TileReader& operator=(const TileReader&) = delete;
 

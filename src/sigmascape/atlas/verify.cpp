@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <utility>
 
 #include "sigmascape/atlas/catalogs.h"
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/atlas/obstacle_file.h"
 #include "sigmascape/atlas/pyramid.h"
 #include "sigmascape/atlas/terrain_file.h"
-#include "sigmascape/base/error.h"
 
 namespace sigmascape::atlas {
 namespace {
@@ -22,14 +22,12 @@ std::vector<StoreFault> faults_of_textures(const Store& store, Scrutiny scrutiny
 }
 
 std::vector<StoreFault> faults_of_ground(const Store& atlas, Scrutiny scrutiny) {
+  // Without its collection nothing tells what should be there.
+  if (auto fault = ground_collection_fault(atlas)) return {std::move(*fault)};
   const auto folder = std::filesystem::relative(ground_folder_of(atlas), atlas.folder());
-  try {
-    std::vector<StoreFault> faults = faults_of_textures(open_ground_store(atlas), scrutiny);
-    for (StoreFault& fault : faults) fault.file = folder / fault.file;
-    return faults;
-  } catch (const Error& error) {
-    return {{folder, error.what()}};
-  }
+  std::vector<StoreFault> faults = faults_of_textures(open_ground_store(atlas), scrutiny);
+  for (StoreFault& fault : faults) fault.file = folder / fault.file;
+  return faults;
 }
 
 }  // namespace

@@ -11,9 +11,11 @@ std::optional<TextureRecord> VouchedFiles::record_of(const std::filesystem::path
     const std::lock_guard lock(guard_);
     if (const auto known = known_.find(file); known != known_.end()) return known->second;
   }
-  std::optional<TextureRecord> record = texture_record(folder_, file);
-  const bool has_item = record.has_value();
-  if (has_item && !is_as_recorded(folder_, file, *record, scrutiny_)) record.reset();
+  const std::optional<std::string> item = text_of(store_.folder() / item_path(file));
+  const bool has_item = item.has_value();
+  std::optional<TextureRecord> record;
+  if (has_item) record = item_from(*item, store_.description()).record;
+  if (record && !is_as_recorded(store_.folder(), file, *record, scrutiny_)) record.reset();
   const std::lock_guard lock(guard_);
   if (!has_item) {
     missing_.insert(file);

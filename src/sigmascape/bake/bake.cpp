@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -76,16 +77,24 @@ class BakeRun {
         jobs_(store.description()),
         claims_(store.folder()) {}
 
-  BakeReport report() {
+  BakeReport report(const scene::Scene& scene) {
+    // Before anything is written, which would make the catalogs above it without a word.
+    mend_catalogs();
     const std::vector<OpenJob> open = open_jobs();
-    std::vector<OpenJob> held_by_others;
     tell_progress();
+    make_terrain(scene);
+    if (settings_.shadows == Shadows::RunTime) {
+      for (atlas::StoreFault& fault : bake_ground(scene, store_, share_.shard, share_.scrutiny, &progress_))
+        note(std::move(fault));
+      tell_progress();
+    }
+    std::vector<OpenJob> held_by_others;
     for (const OpenJob& job : open) {
       if (!bake_job(job, Claims::Wait::No)) held_by_others.push_back(job);
     }
     for (const OpenJob& job : held_by_others) bake_job(job, Claims::Wait::UntilFree);
     make_levels_above();
-    atlas::mend_catalogs(store_, share_.scrutiny, [this](std::size_t number) { return share_.shard.has(number); });
+    mend_catalogs();
     report_.relative_standard_error = mean_error();
     report_.geometry_bytes = baker_.geometry_bytes();
     return report_;
@@ -146,7 +155,8 @@ class BakeRun {
   }
 
   void write(atlas::PatchIndex patch, atlas::LookIndex number, const BakedLook& look) {
-    note_what_is_mended(store_.texture_path(patch, number));
+    if (auto fault = atlas::texture_fault(store_, store_.texture_path(patch, number), share_.scrutiny))
+      note(std::move(*fault));
     const double error = look.relative_standard_error;
     const auto above_target = texels_above_target(look, settings_.sampling);
     store_.write(patch, number, look.sigma0,
@@ -162,11 +172,33 @@ class BakeRun {
     ++baked_;
   }
 
-  void note_what_is_mended(const std::filesystem::path& texture) {
-    // The item is written last, so that there was a whole look where there is one.
-    if (!std::filesystem::exists(store_.folder() / atlas::item_path(texture))) return;
-    if (auto fault = atlas::texture_fault(store_.folder(), texture, share_.scrutiny))
-      report_.mended.push_back(std::move(*fault));
+  void note(atlas::StoreFault fault) {
+    if (!fault.is_absent) report_.mended.push_back(std::move(fault));
+  }
+
+  void mend_catalogs() {
+    for (atlas::StoreFault& fault : atlas::mend_catalogs(
+             store_, share_.scrutiny, [this](std::size_t number) { return share_.shard.has(number); })) {
+      note(std::move(fault));
+    }
+  }
+
+  void make_terrain(const scene::Scene& scene) {
+    const geo::LocalFrame& frame = store_.description().frame;
+    if (auto fault = atlas::terrain_fault(store_, share_.scrutiny)) {
+      terrain::write_height_field(store_.folder() / atlas::terrain_name, scene.terrain, frame.proj());
+      atlas::vouch_for_terrain(store_);
+      note(std::move(*fault));
+    }
+    const auto pyramid = store_.folder() / atlas::terrain_pyramid_name;
+    // One that was made from other heights, by `sigmascape atlas terrain`, is left.
+    const bool mends =
+        share_.scrutiny == atlas::Scrutiny::Content && terrain::holds_pyramid_of(pyramid, scene.terrain, frame);
+    if (mends) {
+      for (const terrain::PyramidFault& fault : terrain::verify_pyramid(pyramid))
+        note({atlas::terrain_pyramid_name / fault.file, fault.what});
+    }
+    if (mends || !terrain::holds_pyramid(pyramid)) terrain::build_pyramid(pyramid, scene.terrain, frame);
   }
 
   void remove_leftovers(const Job& job) const {
@@ -179,26 +211,38 @@ class BakeRun {
   void tell_progress() {
     if (baked_ > 0) {
       progress_.measured("bake", "rays", static_cast<double>(report_.counts.rays));
-      progress_.measured("bake", "relative_standard_error", mean_error());
+      progress_.measured("bake", "relative_standard_error", *mean_error());
     }
     progress_.advanced("bake", static_cast<double>(done_), static_cast<double>(report_.looks), "looks");
   }
 
   void make_levels_above() {
     const atlas::Pyramid pyramid(store_);
+    if (pyramid.levels() == 0) return;
+    std::size_t layers = 0;
+    const auto tell = [&] {
+      progress_.advanced("pyramid", static_cast<double>(layers),
+                         static_cast<double>(jobs_.aspects() * jobs_.looks_per_job()), "layers");
+    };
+    tell();
+    atlas::MakingNotes notes;
     for (std::size_t aspect = 0; aspect < jobs_.aspects(); ++aspect) {
       std::vector<atlas::PatchIndex> patches;
       for (std::size_t number = aspect; number < jobs_.size(); number += jobs_.aspects()) {
         if (share_.shard.has(number)) patches.push_back(jobs_[number].patch);
       }
       for (const atlas::LookIndex look : jobs_[aspect].looks) {
-        report_.pyramid += pyramid.make_above(patches, look, share_.scrutiny);
+        report_.pyramid += pyramid.make_above(patches, look, share_.scrutiny, &notes);
+        ++layers;
+        tell();
       }
     }
+    for (atlas::StoreFault& fault : notes.mended) note(std::move(fault));
   }
 
-  [[nodiscard]] double mean_error() const {
-    return baked_ > 0 ? std::sqrt(squared_errors_ / static_cast<double>(baked_)) : 0.0;
+  [[nodiscard]] std::optional<double> mean_error() const {
+    if (baked_ == 0) return std::nullopt;
+    return std::sqrt(squared_errors_ / static_cast<double>(baked_));
   }
 
   const LookBaker& baker_;
@@ -234,19 +278,8 @@ BakeReport bake(const scene::Scene& scene, const BakeSettings& settings, const s
   // Materials that do not know a frequency are told of before there is a folder.
   static_cast<void>(trace::surface_models(scene, settings.aspects.frequencies_hz));
   const atlas::Store store = atlas::Store::create(folder, description_of(scene, settings));
-  if (atlas::terrain_fault(store, share.scrutiny)) {
-    terrain::write_height_field(folder / atlas::terrain_name, scene.terrain, store.description().frame.proj());
-    atlas::vouch_for_terrain(store);
-  }
-  const auto pyramid = folder / atlas::terrain_pyramid_name;
-  const geo::LocalFrame& frame = store.description().frame;
-  // One that was made from other heights, by `sigmascape atlas terrain`, is left.
-  const bool mends =
-      share.scrutiny == atlas::Scrutiny::Content && terrain::holds_pyramid_of(pyramid, scene.terrain, frame);
-  if (mends || !terrain::holds_pyramid(pyramid)) terrain::build_pyramid(pyramid, scene.terrain, frame);
-  if (settings.shadows == Shadows::RunTime) bake_ground(scene, store, share.shard, share.scrutiny);
   const LookBaker baker(scene, settings);
-  return BakeRun(baker, settings, store, share, progress).report();
+  return BakeRun(baker, settings, store, share, progress).report(scene);
 }
 
 }  // namespace sigmascape::bake

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "sigmascape/atlas/store.h"
@@ -27,11 +28,13 @@ struct BakeReport {
   std::size_t elsewhere = 0;  ///< that another process baked in the meantime
   std::size_t pyramid = 0;    ///< textures written of the pyramid above the patches
   trace::TraceCounts counts;
-  std::size_t geometry_bytes = 0;        ///< of the largest structures for rays that were needed at a time
-  double relative_standard_error = 0.0;  ///< root mean square over the baked looks of a level-0 texel's
+  std::size_t geometry_bytes = 0;  ///< of the largest structures for rays that were needed at a time
+  /// Root mean square over the baked looks of a level-0 texel's; nothing when none was baked.
+  std::optional<double> relative_standard_error = {};
   /// Texels of the baked looks that missed the target of the bake; none are counted when it had no target.
   atlas::TexelsAboveTarget above_target = {};
-  std::vector<atlas::StoreFault> mended = {};  ///< files of looks that were there, damaged, and were baked again
+  /// Files, relative to the atlas, that were damaged or of which a part was missing, and were made anew.
+  std::vector<atlas::StoreFault> mended = {};
 };
 
 /// Bakes the scene, its objects where they stand (`footing_of` says when on level ground instead), into the atlas at
@@ -44,6 +47,9 @@ struct BakeReport {
 /// any number of threads, any shards and any interruption (under one SIMD setting). The scene's
 /// description is in memory as a whole; of what rays need and of texels there is only what the patch that is being
 /// baked takes.
+///
+/// Tells `progress` of the "looks" of the work "bake" as it begins and as each is done, before the first of the ground
+/// (bake_ground), and at the end of the "layers" of the work "pyramid", where there are levels above the patches.
 ///
 /// Throws Error for settings out of range and when another scene or other settings are in `folder`.
 BakeReport bake(const scene::Scene& scene, const BakeSettings& settings, const std::filesystem::path& folder,

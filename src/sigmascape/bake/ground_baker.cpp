@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <utility>
 #include <vector>
 
 #include "sigmascape/atlas/catalogs.h"
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/atlas/obstacle_file.h"
 #include "sigmascape/atlas/pyramid.h"
+#include "sigmascape/atlas/texture_file.h"
 #include "sigmascape/atlas/texture_name.h"
 #include "sigmascape/bake/claims.h"
 #include "sigmascape/bake/job.h"
@@ -76,41 +79,121 @@ void remove_leftovers(const atlas::Store& store, const atlas::Store& ground, con
   geo::remove_leftovers(ground.folder() / name, "az");
 }
 
-}  // namespace
+/// One process's way through the patches of its share.
+class GroundRun {
+ public:
+  GroundRun(const scene::Scene& scene, const atlas::Store& store, const Shard& shard, atlas::Scrutiny scrutiny,
+            ProgressListener& progress)
+      : scene_(scene),
+        store_(store),
+        shard_(shard),
+        scrutiny_(scrutiny),
+        progress_(progress),
+        ground_(atlas::create_ground_store(store, ground_elevations_rad(), &mended_)),
+        looks_(static_cast<atlas::LookIndex>(ground_.description().aspects.look_count())),
+        sigma0_(looks_) {}
 
-void bake_ground(const scene::Scene& scene, const atlas::Store& store, const Shard& shard, atlas::Scrutiny scrutiny) {
-  const atlas::Store ground = atlas::create_ground_store(store, ground_elevations_rad());
-  const atlas::AtlasDescription& description = ground.description();
-  const auto looks = static_cast<atlas::LookIndex>(description.aspects.look_count());
-  std::vector<std::vector<radar::Channels>> sigma0(looks);  // [look][material], of looks that something lacks
+  std::vector<atlas::StoreFault> mended() {
+    mend_catalogs();
+    bake_patches();
+    make_levels_above();
+    mend_catalogs();
+    return std::move(mended_);
+  }
 
-  const Claims claims(store.folder());
-  const std::size_t first_claim = JobList(store.description()).size();
-  std::vector<atlas::PatchIndex> patches_of_share;
-  const atlas::PatchBlock patches = description.patches.block_over(description.extent);
-  for (std::size_t number = 0; number < patches.size(); ++number) {
-    if (!shard.has(number)) continue;
-    const atlas::PatchIndex patch = patches[number];
-    patches_of_share.push_back(patch);
-    const auto claim = claims.take(first_claim + number, Claims::Wait::UntilFree);
-    if (claim && claim->is_exclusive()) remove_leftovers(store, ground, patch);
-    const radar::GroundGrid texels = description.patches.texels_of(patch);
-    if (atlas::obstacles_fault(store, patch, scrutiny)) {
-      atlas::write_obstacles(store, patch, scene::obstacles_of(scene, texels));
+ private:
+  void bake_patches() {
+    const Claims claims(store_.folder());
+    const std::size_t first_claim = JobList(store_.description()).size();
+    const atlas::PatchBlock patches = ground_.description().patches.block_over(ground_.description().extent);
+    std::vector<std::size_t> numbers;
+    for (std::size_t number = 0; number < patches.size(); ++number) {
+      if (shard_.has(number)) numbers.push_back(number);
     }
-    std::vector<std::vector<float>> shares;
-    for (atlas::LookIndex index = 0; index < looks; ++index) {
-      if (ground.is_done(patch, index, scrutiny)) continue;
-      if (sigma0[index].empty()) sigma0[index] = sigma0_of(scene, description, index);
-      if (shares.empty()) shares = shares_of(scene.ground, scene.materials.size(), texels);
-      ground.write(patch, index, mixed(shares, sigma0[index], texels),
-                   {.seed = 0, .samples_per_texel = 0, .relative_standard_error = 0.0, .simd = "none", .counts = {}});
+    const auto tell = [&] {
+      progress_.advanced("ground", static_cast<double>(patches_.size()), static_cast<double>(numbers.size()),
+                         "patches");
+    };
+    tell();
+    for (const std::size_t number : numbers) {
+      const auto claim = claims.take(first_claim + number, Claims::Wait::UntilFree);
+      if (claim && claim->is_exclusive()) remove_leftovers(store_, ground_, patches[number]);
+      bake_patch(patches[number]);
+      patches_.push_back(patches[number]);
+      tell();
     }
   }
-  const atlas::Pyramid pyramid(ground);
-  for (atlas::LookIndex index = 0; index < looks; ++index) pyramid.make_above(patches_of_share, index, scrutiny);
-  atlas::obstacle_pyramid(store).make_above(patches_of_share, scrutiny);
-  atlas::mend_catalogs(ground, scrutiny, [&shard](std::size_t number) { return shard.has(number); });
+
+  void bake_patch(const atlas::PatchIndex& patch) {
+    const atlas::AtlasDescription& description = ground_.description();
+    const radar::GroundGrid texels = description.patches.texels_of(patch);
+    if (auto fault = atlas::obstacles_fault(store_, patch, scrutiny_)) {
+      atlas::write_obstacles(store_, patch, scene::obstacles_of(scene_, texels));
+      note(std::move(*fault), "");
+    }
+    std::vector<std::vector<float>> shares;
+    for (atlas::LookIndex index = 0; index < looks_; ++index) {
+      auto fault = atlas::texture_fault(ground_, ground_.texture_path(patch, index), scrutiny_);
+      if (!fault) continue;
+      if (sigma0_[index].empty()) sigma0_[index] = sigma0_of(scene_, description, index);
+      if (shares.empty()) shares = shares_of(scene_.ground, scene_.materials.size(), texels);
+      ground_.write(patch, index, mixed(shares, sigma0_[index], texels),
+                    {.seed = 0, .samples_per_texel = 0, .relative_standard_error = 0.0, .simd = "none", .counts = {}});
+      note(std::move(*fault), folder());
+    }
+  }
+
+  void make_levels_above() {
+    const atlas::Pyramid pyramid(ground_);
+    if (pyramid.levels() == 0) return;
+    const auto tell = [&](std::size_t done) {
+      progress_.advanced("pyramid", static_cast<double>(done), static_cast<double>(looks_) + 1.0, "layers");
+    };
+    tell(0);
+    atlas::MakingNotes of_ground, of_obstacles;
+    for (atlas::LookIndex index = 0; index < looks_; ++index) {
+      pyramid.make_above(patches_, index, scrutiny_, &of_ground);
+      tell(index + std::size_t{1});
+    }
+    atlas::obstacle_pyramid(store_).make_above(patches_, scrutiny_, &of_obstacles);
+    for (atlas::StoreFault& fault : of_ground.mended) note(std::move(fault), folder());
+    for (atlas::StoreFault& fault : of_obstacles.mended) note(std::move(fault), "");
+    tell(looks_ + std::size_t{1});
+  }
+
+  void mend_catalogs() {
+    for (atlas::StoreFault& fault :
+         atlas::mend_catalogs(ground_, scrutiny_, [this](std::size_t number) { return shard_.has(number); })) {
+      note(std::move(fault), folder());
+    }
+  }
+
+  [[nodiscard]] std::filesystem::path folder() const { return ground_.folder().filename(); }
+
+  void note(atlas::StoreFault fault, const std::filesystem::path& folder) {
+    if (fault.is_absent) return;
+    fault.file = folder / fault.file;
+    mended_.push_back(std::move(fault));
+  }
+
+  const scene::Scene& scene_;
+  const atlas::Store& store_;
+  const Shard& shard_;
+  atlas::Scrutiny scrutiny_;
+  ProgressListener& progress_;
+  std::vector<atlas::StoreFault> mended_;
+  atlas::Store ground_;
+  atlas::LookIndex looks_;
+  std::vector<std::vector<radar::Channels>> sigma0_;  // [look][material], of looks that something lacks
+  std::vector<atlas::PatchIndex> patches_;            // of the share, done
+};
+
+}  // namespace
+
+std::vector<atlas::StoreFault> bake_ground(const scene::Scene& scene, const atlas::Store& store, const Shard& shard,
+                                           atlas::Scrutiny scrutiny, ProgressListener* progress) {
+  SilentProgress silent;
+  return GroundRun(scene, store, shard, scrutiny, progress != nullptr ? *progress : silent).mended();
 }
 
 }  // namespace sigmascape::bake

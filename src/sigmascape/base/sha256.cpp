@@ -35,6 +35,12 @@ std::string Sha256::hex_digest() {
   return hex;
 }
 
+std::string sha256_of(std::string_view bytes) {
+  Sha256 sha;
+  sha.add(bytes);
+  return sha.hex_digest();
+}
+
 std::string sha256_of_file(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) throw Error(path.string(), "cannot be read", "check that the file exists and may be read");

@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <type_traits>
 
 namespace sigmascape {
@@ -34,6 +35,9 @@ class Sha256 {
   struct State;
   std::unique_ptr<State> state_;
 };
+
+/// Digest of bytes that are at hand.
+[[nodiscard]] std::string sha256_of(std::string_view bytes);
 
 /// Digest of a whole file. Throws Error when it cannot be read.
 [[nodiscard]] std::string sha256_of_file(const std::filesystem::path& path);

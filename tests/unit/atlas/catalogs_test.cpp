@@ -156,13 +156,13 @@ TEST_F(Catalogs, DamageIsNamedAndMended) {
   std::fstream(store_.folder() / altered, std::ios::in | std::ios::out | std::ios::binary).put('[');
   std::map<std::string, std::string> named;
   for (const StoreFault& fault : verify(store_)) named[fault.file.string()] = fault.what;
-  EXPECT_EQ(named.erase("ground") + named.erase("terrain.tif"), 2U) << "this example has neither";
+  EXPECT_EQ(named.erase("ground/collection.json") + named.erase("terrain.tif"), 2U) << "this example has neither";
   ASSERT_EQ(named.size(), 2U);
   EXPECT_EQ(named[missing.string()], "is missing");
   EXPECT_THAT(named[altered.string()], ::testing::HasSubstr("was altered"));
-  EXPECT_EQ(mend_catalogs(store_, Scrutiny::Size), 1U) << "the length of the other is right";
-  EXPECT_EQ(mend_catalogs(store_, Scrutiny::Content, [](std::size_t) { return false; }), 0U);
-  EXPECT_EQ(mend_catalogs(store_, Scrutiny::Content), 1U);
+  EXPECT_EQ(mend_catalogs(store_, Scrutiny::Size).size(), 1U) << "the length of the other is right";
+  EXPECT_EQ(mend_catalogs(store_, Scrutiny::Content, [](std::size_t) { return false; }).size(), 0U);
+  EXPECT_EQ(mend_catalogs(store_, Scrutiny::Content).size(), 1U);
   EXPECT_EQ(difference_of(files_of(store_.folder()), whole), "");
 }
 

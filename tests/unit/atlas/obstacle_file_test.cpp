@@ -8,6 +8,7 @@
 
 #include "example_obstacles.h"
 #include "scratch_folder.h"
+#include "sealed_item.h"
 
 #include "sigmascape/atlas/half.h"
 #include "sigmascape/atlas/texture_file.h"
@@ -94,12 +95,7 @@ TEST_F(ObstacleFile, RefusesWhatCannotStand) {
 
 TEST_F(ObstacleFile, AFormerKindIsFoundOutByItsItem) {
   write_obstacles(atlas_, {0, 0}, example_obstacles(atlas_, {0, 0}));
-  const auto item = atlas_.folder() / "patch_+000_+000" / "obstacles.json";
-  std::string text = *text_of(item);
-  const auto record = text.find("\"sigmascape:tallest_m\"");
-  ASSERT_NE(record, std::string::npos);
-  text.erase(record, text.find('\n', record) + 1 - record);
-  folder_.write("a/patch_+000_+000/obstacles.json", text);
+  rewrite_item(atlas_.folder() / "patch_+000_+000" / "obstacles.json", "sigmascape:tallest_m", "sigmascape:something");
   const auto fault = obstacles_fault(atlas_, {0, 0}, Scrutiny::Size);
   ASSERT_TRUE(fault);
   EXPECT_EQ(fault->file, "patch_+000_+000/obstacles.tif");

@@ -10,6 +10,7 @@
 #include "example_obstacles.h"
 #include "example_texels.h"
 #include "scratch_folder.h"
+#include "sealed_item.h"
 
 #include "sigmascape/atlas/levels_above.h"
 #include "sigmascape/atlas/stac_item.h"
@@ -105,7 +106,7 @@ TEST(ObstaclePyramid, WaitsForWhatIsMissingAndFollowsWhatWasMadeAnew) {
   EXPECT_EQ(faults.front().file, obstacles_path({1, {0, 0}}));
   EXPECT_THAT(faults.front().what, HasSubstr("made from other files"));
   EXPECT_EQ(pyramid.make_above({{0, 0}}), 2U);
-  EXPECT_EQ(texture_record(atlas.folder(), obstacles_path({2, {0, 0}}))->tallest_m, 100.0F);
+  EXPECT_EQ(texture_record(atlas, obstacles_path({2, {0, 0}}))->tallest_m, 100.0F);
 }
 
 // One patch without obstacles and one whose item does not say how tall they are: two files of the first level wait for
@@ -116,9 +117,7 @@ TEST(ObstaclePyramid, WhatIsLeftOutIsToldWithItsCause) {
   const fs::path missing = obstacles_path({0, {-3, 0}}), former = obstacles_path({0, {1, -1}});
   fs::remove(atlas.folder() / missing);
   fs::remove(item_path(atlas.folder() / missing));
-  std::string text = *text_of(item_path(atlas.folder() / former));
-  text.replace(text.find("sigmascape:tallest_m"), 20, "sigmascape:something");
-  std::ofstream(item_path(atlas.folder() / former), std::ios::binary) << text;
+  rewrite_item(item_path(atlas.folder() / former), "sigmascape:tallest_m", "sigmascape:something");
 
   const LevelsAbove made = make_levels_above(atlas);
   EXPECT_EQ(made.written, files_above - 4);

@@ -11,6 +11,7 @@
 
 #include "example_obstacles.h"
 #include "scratch_folder.h"
+#include "sealed_item.h"
 
 #include "sigmascape/atlas/stac_item.h"
 #include "sigmascape/atlas/texture_file.h"
@@ -212,9 +213,7 @@ TEST_F(ObstacleTilesTest, AFormerKindIsToldWhenItIsOpened) {
   fs::remove_all(atlas_.folder() / "pyramid_1");
   fs::remove_all(atlas_.folder() / "pyramid_2");
   const fs::path item = item_path(file_of({0, {1, -1}}));
-  std::string text = *text_of(item);
-  text.replace(text.find("sigmascape:tallest_m"), 20, "sigmascape:something");
-  std::ofstream(item, std::ios::binary) << text;
+  rewrite_item(item, "sigmascape:tallest_m", "sigmascape:something");
   EXPECT_THAT(message_of_error([&] { const ObstacleTiles tiles(atlas_); }),
               ::testing::AllOf(HasSubstr("patch_+001_-001/obstacles.tif"), HasSubstr("former kind"),
                                HasSubstr("bake again with the same settings and --verify")));

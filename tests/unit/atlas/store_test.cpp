@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "example_texels.h"
+#include "sealed_item.h"
 
 #include "sigmascape/atlas/half.h"
 #include "sigmascape/base/error.h"
@@ -95,8 +96,10 @@ TEST_F(StoreTest, RefusesAnotherDescriptionAndNamesWhatDiffers) {
 
   other = example_description();
   other.scene_hash = "ffff";
-  EXPECT_THAT(message_of([&] { static_cast<void>(Store::create(folder_, other)); }),
-              HasSubstr("scene_hash is \"0123abcd\" there and \"ffff\" here"));
+  EXPECT_THAT(
+      message_of([&] { static_cast<void>(Store::create(folder_, other)); }),
+      HasSubstr("holds another atlas: its scene is another one (terrain, objects or materials differ): scene_hash "
+                "is \"0123abcd\" there and \"ffff\" here"));
   other = example_description();
   other.settings["bounces"] = "3";
   EXPECT_THAT(message_of([&] { static_cast<void>(Store::create(folder_, other)); }), HasSubstr("settings.bounces"));
@@ -327,6 +330,118 @@ TEST_F(StoreTest, AnItemThatIsNoneDoesNotCount) {
     std::ofstream(item) << text;
     EXPECT_FALSE(store.is_done({0, 0}, 0)) << text;
   }
+}
+
+/// With another number in an item, as an editor or a bad disk would leave it.
+void alter_item(const std::filesystem::path& item, const std::string& from, const std::string& to) {
+  std::string text = bytes_of(item);
+  text.replace(text.find(from), from.size(), to);
+  std::ofstream(item, std::ios::binary) << text;
+}
+
+/// Without one of the properties, that is not the first.
+void erase_property(const std::filesystem::path& item, const std::string& name) {
+  std::string text = bytes_of(item);
+  const std::size_t found = text.find("\"sigmascape:" + name + "\"");
+  const std::size_t comma_before = text.rfind(',', found);
+  std::size_t end = text.find('\n', found);
+  if (text[end - 1] == ',') --end;
+  text.erase(comma_before, end - comma_before);
+  std::ofstream(item, std::ios::binary) << text;
+}
+
+TEST_F(StoreTest, AnAlteredItemIsFoundNamedAndNotRead) {
+  const Store store = Store::create(folder_, example_description());
+  store.write({0, 0}, 0, example_texels(512, 1), {}, Array2D<float>(512, 512, 0.25F));
+  const auto texture = store.texture_path({0, 0}, 0);
+  const auto item = std::filesystem::path(texture).replace_extension(".json");
+  const std::string whole = bytes_of(folder_ / item);
+  const auto refused = [&] {
+    EXPECT_FALSE(store.is_done({0, 0}, 0));
+    const std::string message = message_of([&] { static_cast<void>(store.read({0, 0}, 0)); });
+    EXPECT_THAT(message, HasSubstr((folder_ / item).string()));
+    EXPECT_THAT(message, HasSubstr("--verify"));
+    std::ofstream(folder_ / item, std::ios::binary) << whole;
+    EXPECT_TRUE(store.is_done({0, 0}, 0, Scrutiny::Content));
+    return message;
+  };
+  alter_item(folder_ / item, "\"sigmascape:scale\": ", "\"sigmascape:scale\": 1");
+  EXPECT_THAT(refused(), HasSubstr("was altered: its own SHA-256 is not the recorded one"));
+  erase_property(folder_ / item, "errors_sha256");
+  EXPECT_THAT(refused(), HasSubstr("was altered: its own SHA-256 is not the recorded one"));
+  alter_item(folder_ / item, "\"gsd\": 1.0", "\"gsd\": 2.0");
+  EXPECT_THAT(refused(), HasSubstr("was altered: its own SHA-256 is not the recorded one"));
+  erase_property(folder_ / item, "item_sha256");
+  EXPECT_THAT(refused(), HasSubstr("was altered: it does not record its own SHA-256"));
+}
+
+TEST_F(StoreTest, AnItemOfAnotherBakeDoesNotCount) {
+  const Store store = Store::create(folder_, example_description());
+  store.write({0, 0}, 0, example_texels(512, 1), {});
+  const auto item = (folder_ / store.texture_path({0, 0}, 0)).replace_extension(".json");
+  rewrite_item(item, "\"samples\": \"64\"", "\"samples\": \"32\"");
+  EXPECT_FALSE(store.is_done({0, 0}, 0));
+  EXPECT_THAT(message_of([&] {
+                static_cast<void>(store.read({0, 0}, 0));
+              }),
+              HasSubstr("is of another bake: samples is 32 there and 64 in the collection"));
+  rewrite_item(item, "\"samples\": \"32\"", "\"samples\": \"64\"");
+  EXPECT_TRUE(store.is_done({0, 0}, 0));
+  rewrite_item(item, "\"sigmascape:scene_hash\": \"0123abcd\"", "\"sigmascape:scene_hash\": \"ffff\"");
+  EXPECT_THAT(message_of([&] {
+                static_cast<void>(store.read({0, 0}, 0));
+              }),
+              HasSubstr("is of another bake: scene_hash is ffff there and 0123abcd in the collection"));
+}
+
+// Items of format 1 neither vouch for themselves nor tell more of the settings than seed and instruction set.
+TEST_F(StoreTest, AtlasesOfTheFormerFormatAreReadAndGoOn) {
+  AtlasDescription former = example_description();
+  former.format_version = 1;
+  const Store store = Store::create(folder_, former);
+  store.write({0, 0}, 0, example_texels(512, 1), {7, 64, 0.05, "avx2", {}});
+  const auto item = (folder_ / store.texture_path({0, 0}, 0)).replace_extension(".json");
+  std::string text = bytes_of(item);
+  const std::size_t settings = text.find("\"sigmascape:settings\"");
+  text.erase(settings, text.find("\"sigmascape:seed\"") - settings);
+  std::ofstream(item, std::ios::binary) << text;
+  erase_property(item, "item_sha256");
+
+  const Store opened = Store::create(folder_, example_description());
+  EXPECT_EQ(opened.description().format_version, 1);
+  EXPECT_TRUE(opened.is_done({0, 0}, 0, Scrutiny::Content));
+  EXPECT_NO_THROW(static_cast<void>(opened.read({0, 0}, 0)));
+  opened.write({0, 0}, 1, example_texels(512, 1), {7, 64, 0.05, "avx2", {}});
+  alter_item((folder_ / store.texture_path({0, 0}, 1)).replace_extension(".json"), "\"gsd\": 1.0", "\"gsd\": 2.0");
+  EXPECT_FALSE(opened.is_done({0, 0}, 1)) << "what was written since vouches for itself";
+  alter_item(item, "\"sigmascape:seed\": 7", "\"sigmascape:seed\": 8");
+  EXPECT_THAT(message_of([&] {
+                static_cast<void>(opened.read({0, 0}, 0));
+              }),
+              HasSubstr("is of another bake: seed is 8 there and 7 in the collection"));
+}
+
+TEST_F(StoreTest, ADamagedCollectionIsToldWithWhatMendsIt) {
+  static_cast<void>(filled(folder_));
+  const auto file = folder_ / "collection.json";
+  const std::string whole = bytes_of(file);
+  std::string without_texel = whole;
+  without_texel.replace(without_texel.find("\"texel_m\""), 9, "\"texel_n\"");
+  for (const std::string& damaged :
+       {std::string(), whole.substr(0, whole.size() / 2), std::string("[]"), without_texel}) {
+    std::ofstream(file, std::ios::binary) << damaged;
+    const auto open = [&] { static_cast<void>(Store::open(folder_)); };
+    const auto create = [&] { static_cast<void>(Store::create(folder_, example_description())); };
+    EXPECT_EQ(message_of(open),
+              file.string() +
+                  ": is truncated or was altered, and does not tell what this atlas is of; remove this one "
+                  "file and bake again with the same settings, which writes it anew and keeps what is baked");
+    EXPECT_EQ(message_of(create), message_of(open));
+  }
+  std::filesystem::remove(file);
+  const Store store = Store::create(folder_, example_description());
+  EXPECT_EQ(bytes_of(file), whole);
+  EXPECT_TRUE(store.verify().empty());
 }
 
 TEST_F(StoreTest, TexelsThatDoNotFitOrAreNotFiniteAreRefused) {

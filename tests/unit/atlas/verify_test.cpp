@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <string>
 #include <unistd.h>
+#include <vector>
 
 #include "example_texels.h"
 
@@ -14,6 +15,7 @@
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/atlas/obstacle_file.h"
 #include "sigmascape/atlas/pyramid.h"
+#include "sigmascape/atlas/stac_catalog.h"
 #include "sigmascape/atlas/terrain_file.h"
 #include "sigmascape/base/error.h"
 
@@ -91,8 +93,23 @@ TEST_F(VerifyTest, FindsWhatIsWrongWithTheGround) {
   ASSERT_TRUE(fs::exists(folder_ / texture));
   alter(texture);
   EXPECT_EQ(fault(), texture.string() + " was altered: its SHA-256 is not the recorded one");
+  alter(texture);
+
+  // What the ground's store is of follows from the atlas.
+  const fs::path collection = folder_ / "ground/collection.json";
+  const auto whole_size = fs::file_size(collection);
+  fs::copy_file(folder_ / collection_name, collection, fs::copy_options::overwrite_existing);
+  EXPECT_EQ(fault(), "ground/collection.json was altered: it does not say what follows from the atlas");
+  fs::resize_file(collection, 100);
+  EXPECT_EQ(fault(), "ground/collection.json is truncated or was altered");
+  std::vector<StoreFault> mended;
+  static_cast<void>(create_ground_store(Store::open(folder_), {0.1, 0.5}, &mended));
+  ASSERT_EQ(mended.size(), 1U);
+  EXPECT_EQ(mended.front().file, "ground/collection.json");
+  EXPECT_EQ(fs::file_size(collection), whole_size);
+  EXPECT_EQ(fault(), "none");
   fs::remove_all(folder_ / "ground");
-  EXPECT_TRUE(fault().starts_with("ground ")) << fault();
+  EXPECT_EQ(fault(), "ground/collection.json is missing");
 }
 
 TEST_F(VerifyTest, FindsWhatIsWrongWithObstacles) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "scratch_folder.h"
+#include "sealed_item.h"
 
 #include "sigmascape/atlas/obstacle_file.h"
 #include "sigmascape/atlas/texture_file.h"
@@ -110,9 +111,7 @@ TEST_F(GroundBaker, ObstaclesOfAFormerKindAreMadeAnew) {
   bake_ground(scene_, atlas);
   const auto whole = files_of(atlas.folder());
   const fs::path item = atlas.folder() / "patch_-001_-001" / "obstacles.json";
-  std::string text = *atlas::text_of(item);
-  text.replace(text.find("sigmascape:tallest_m"), 20, "sigmascape:something");
-  std::ofstream(item, std::ios::binary) << text;
+  rewrite_item(item, "sigmascape:tallest_m", "sigmascape:something");
   EXPECT_EQ(faults(atlas), std::vector<std::string>{"patch_-001_-001/obstacles.tif"});
   bake_ground(scene_, atlas);
   EXPECT_EQ(difference_of(files_of(atlas.folder()), whole), "");
