@@ -6,10 +6,10 @@
 #include <system_error>
 
 #include "command.h"
-#include "results_command_line.h"
-#include "results_figures.h"
-#include "results_measurement.h"
-#include "results_page.h"
+#include "results/command_line.h"
+#include "results/figures.h"
+#include "results/measurement.h"
+#include "results/page.h"
 #include "seed_option.h"
 
 #include "sigmascape/geo/atomic_file.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "results_causes.h"
+#include "results/causes.h"
 
 namespace sigmascape::cli {
 

@@ -1,0 +1,96 @@
+#include "results/bake.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+#include "results/processor_time.h"
+
+#include "sigmascape/atlas/ground_layers.h"
+#include "sigmascape/atlas/obstacle_file.h"
+#include "sigmascape/geo/atomic_file.h"
+
+namespace sigmascape::cli {
+namespace {
+
+/// Notes how long each texture took and passes the progress on.
+class BakeTimer final : public ProgressListener {
+ public:
+  BakeTimer(std::filesystem::path file, ProgressListener& next) : file_(std::move(file)), next_(next) {
+    std::ifstream stream(file_);
+    if (stream) seconds_ = nlohmann::json::parse(stream).get<std::vector<double>>();
+  }
+
+  void advanced(std::string_view task, double done, double total, std::string_view unit) override {
+    // Textures come in order; those that an earlier run baked are passed over at once and keep their time.
+    const bool is_whole = task == "bake" && done == std::floor(done);
+    if (is_whole && done > static_cast<double>(seconds_.size())) {
+      seconds_.push_back(watch_.seconds());
+      geo::write_atomically(file_, nlohmann::json(seconds_).dump());
+    }
+    if (is_whole) watch_ = {};
+    next_.advanced(task, done, total, unit);
+  }
+
+  [[nodiscard]] const std::vector<double>& seconds() const { return seconds_; }
+
+ private:
+  std::filesystem::path file_;
+  ProgressListener& next_;
+  ProcessorStopwatch watch_;
+  std::vector<double> seconds_;
+};
+
+std::vector<double> timed_bake(const scene::Scene& scene, const bake::BakeSettings& settings,
+                               const std::filesystem::path& folder, ProgressListener& progress) {
+  BakeTimer timer(folder / "bake_seconds.json", progress);
+  bake::bake(scene, settings, folder, timer);
+  return timer.seconds();
+}
+
+/// What a store holds of the ground apart from what stands on it; it serves every look.
+std::uintmax_t ground_bytes(const atlas::Store& store) {
+  if (!atlas::keeps_ground_apart(store)) return 0;
+  std::uintmax_t bytes = 0;
+  for (const auto& file : std::filesystem::recursive_directory_iterator(store.folder() / "ground")) {
+    if (file.path().extension() == ".tif") bytes += file.file_size();
+  }
+  const atlas::LayerPyramid obstacles = atlas::obstacle_pyramid(store);
+  for (std::size_t level = 0; level <= obstacles.levels(); ++level) {
+    for (const atlas::PyramidTile& tile : obstacles.tiles(level)) {
+      bytes += std::filesystem::file_size(store.folder() / obstacles.file_of(tile));
+    }
+  }
+  return bytes;
+}
+
+/// What of the area of the atlas's patches is the scene's own; the rest of them, of what lies around or empty, is
+/// loaded with it but is no need of maps of the scene.
+double needed_share(const atlas::AtlasDescription& atlas) {
+  const double patch_m2 = atlas.patches.side_m() * atlas.patches.side_m();
+  return atlas.extent.width_m() * atlas.extent.height_m() /
+         (patch_m2 * static_cast<double>(atlas.patches.covering(atlas.extent).size()));
+}
+
+}  // namespace
+
+TimedBake::TimedBake(const scene::Scene& scene, const bake::BakeSettings& settings, const std::filesystem::path& folder,
+                     ProgressListener& progress)
+    : unit_seconds_(timed_bake(scene, settings, folder, progress)), store_(atlas::Store::open(folder)) {}
+
+AtlasCost TimedBake::cost_of(const atlas::AspectSelection& selection, const atlas::Atlas& atlas) const {
+  const auto looks = atlas::selected_looks(store_.description().aspects, selection);
+  const double needed_bytes = needed_share(store_.description()) * static_cast<double>(atlas.memory_bytes());
+  AtlasCost cost{.looks = looks.size(), .store_bytes = 0, .memory_bytes = static_cast<std::size_t>(needed_bytes)};
+  const auto units = store_.units();
+  for (std::size_t i = 0; i < units.size(); ++i) {
+    if (std::ranges::find(looks, units[i].look) == looks.end()) continue;
+    cost.store_bytes +=
+        std::filesystem::file_size(store_.folder() / store_.texture_path(units[i].patch, units[i].look));
+    cost.bake_seconds += unit_seconds_[i];
+  }
+  cost.store_bytes += ground_bytes(store_);
+  return cost;
+}
+
+}  // namespace sigmascape::cli

@@ -1,0 +1,134 @@
+#include "results/causes.h"
+
+#include <fmt/format.h>
+#include <optional>
+
+#include "results/columns.h"
+
+namespace sigmascape::cli {
+namespace {
+
+/// What the error falls by when the cause that adds most to it is switched off.
+struct Fall {
+  std::string cause;
+  double with = 0.0, without = 0.0;
+};
+
+std::optional<Fall> largest(const ResultsPlan& plan, const std::vector<ResultsRow>& rows, ViewKind kind,
+                            double product::CellComparison::*error) {
+  std::optional<Fall> most;
+  for (const Contrast& cause : causes(plan, kind)) {
+    const auto both = measured(cause, rows);
+    if (!both || !are_of_the_same_views(cause)) continue;
+    const double with = both->with_cell->median.*error, without = both->without_cell->median.*error;
+    if (with - without > (most ? most->with - most->without : 0.0))
+      most = {fmt::format("{} ({})", cause.name, cause.how), with, without};
+  }
+  return most;
+}
+
+}  // namespace
+
+bool are_of_the_same_views(const Contrast& contrast) {
+  return contrast.with.scene == contrast.without.scene && contrast.with.kind == contrast.without.kind;
+}
+
+std::vector<Contrast> causes(const ResultsPlan& plan, ViewKind kind) {
+  const auto from_grid = [&](Method method, const char* change = "") {
+    return ResultsCase{.scene = plan.scene_name(),
+                       .method = method,
+                       .grid = plan.paper_grid().name(),
+                       .baked_samples = plan.baked_samples,
+                       .kind = kind,
+                       .change = change};
+  };
+  const auto from_own_look = [&](Method method, std::uint32_t samples, const char* change = "") {
+    ResultsCase of = from_grid(method, change);
+    of.grid = own_look;
+    of.baked_samples = samples;
+    return of;
+  };
+  const ResultsCase paper = from_grid(Method::Paper), own_ground = from_grid(Method::OwnGround),
+                    level_ground = from_grid(Method::LevelGround);
+  std::vector<Contrast> list;
+  // A view that was baked misses no angle.
+  if (kind != ViewKind::OnGrid) {
+    const std::string against = fmt::format("the {} grid against the view's own look", plan.paper_grid().name());
+    list.push_back({"missing angles", "ours on its own ground: " + against, own_ground,
+                    from_own_look(Method::OwnGround, plan.baked_samples)});
+    list.push_back(
+        {"missing angles", "the paper's method: " + against, paper, from_own_look(Method::Paper, plan.baked_samples)});
+  }
+  list.push_back({"flat-ground shadows on slopes", "ours: shadows baked against made at run time",
+                  from_grid(Method::BakedShadows), level_ground});
+  list.push_back({"layover placement and mutual shadowing on slopes",
+                  "ours: baked on level ground against on its own ground", level_ground, own_ground});
+  list.push_back({"mip levels", "the paper's method: mips against the finest level alone", paper,
+                  from_grid(Method::Paper, finest_change)});
+  list.push_back({"half-float texels", "the paper's method: halves against floats",
+                  from_grid(Method::Paper, halves_change), paper});
+  if (kind != ViewKind::OnGrid) return list;
+
+  // Only views that were baked have looks almost without noise.
+  const ResultsCase finer = from_own_look(Method::OwnGround, plan.finer_samples);
+  list.push_back({"sampling noise of the bake",
+                  fmt::format("ours on its own ground, own look: {} rays a texel against {}", plan.baked_samples,
+                              plan.finer_samples),
+                  from_own_look(Method::OwnGround, plan.baked_samples), finer});
+  list.push_back({"texel size",
+                  fmt::format("the same from {} rays: texels of {:.2f} m against {:.2f} m", plan.finer_samples,
+                              plan.texel_m, plan.texel_m / 2.0),
+                  finer, from_own_look(Method::OwnGround, plan.samples_of_finer_texels(), finer_texels_change)});
+  ResultsCase levelled = paper;
+  levelled.scene = "level";
+  list.push_back({"flat-ground shadows and layover on slopes",
+                  "the paper's method: hills against level ground, another truth", paper, levelled});
+  return list;
+}
+
+std::string causes_table(const ResultsPlan& plan, const std::vector<ResultsRow>& rows, ViewKind kind) {
+  std::string text =
+      "| cause | with against without it | with: correlation | RMS [dB] | L1 | IoU | without: correlation | RMS [dB] | "
+      "L1 | IoU |\n|---|---|---:|---:|---:|---:|---:|---:|---:|---:|\n";
+  text += truth_line(plan, rows, kind, " | | | |");
+  for (const Contrast& cause : causes(plan, kind)) {
+    if (const auto both = measured(cause, rows)) {
+      text += fmt::format("| {} | {} | {} | {} |\n", cause.name, cause.how, error_text(both->with_cell->median),
+                          error_text(both->without_cell->median));
+    }
+  }
+  return text;
+}
+
+std::string largest_causes(const ResultsPlan& plan, const std::vector<ResultsRow>& rows, ViewKind kind) {
+  const auto by_rms = largest(plan, rows, kind, &product::CellComparison::rms_db);
+  const auto by_l1 = largest(plan, rows, kind, &product::CellComparison::l1);
+  const std::string rms =
+      by_rms ? fmt::format("by RMS is: {}. Without it the RMS error at {:.0f} m cells falls from {:.2f} to {:.2f} dB.",
+                           by_rms->cause, summary_cell_m, by_rms->with, by_rms->without)
+             : "by RMS is none: no cause adds to it.";
+  std::string l1 = "No cause adds to the relative L1.";
+  if (by_l1 && by_rms && by_l1->cause == by_rms->cause) {
+    l1 = fmt::format("It is by relative L1 too, which falls from {:.3f} to {:.3f}.", by_l1->with, by_l1->without);
+  } else if (by_l1) {
+    l1 = fmt::format("By relative L1 it is: {}. Without it L1 falls from {:.3f} to {:.3f}.", by_l1->cause, by_l1->with,
+                     by_l1->without);
+  }
+  return fmt::format("The largest {} {}", rms, l1);
+}
+
+std::string causes_section(const ResultsPlan& plan, const std::vector<ResultsRow>& rows) {
+  std::string text = fmt::format(
+      "## Why\n\nWhat the error is made of: each cause switched off alone, medians over the views at {:.0f} m cells, "
+      "from the {} grid where nothing else is said. Causes are weighed against those that are measured at the same "
+      "views alone; what is held against another truth stands in its table and is not weighed.\n\n",
+      summary_cell_m, plan.paper_grid().name());
+  for (const ViewKind kind : {ViewKind::HeldOut, ViewKind::OnGrid}) {
+    if (baseline_row(plan, rows, plan.scene_name(), kind) == nullptr) continue;
+    text += fmt::format("### At views that were {}baked\n\n{}\n{}\n\n", kind == ViewKind::OnGrid ? "" : "not ",
+                        causes_table(plan, rows, kind), largest_causes(plan, rows, kind));
+  }
+  return text;
+}
+
+}  // namespace sigmascape::cli

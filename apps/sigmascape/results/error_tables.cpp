@@ -1,0 +1,209 @@
+#include "results/error_tables.h"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <tuple>
+
+#include "results/columns.h"
+#include "results/costs.h"
+
+namespace sigmascape::cli {
+namespace {
+
+constexpr const char* floor_and_cost_heads = "truth: correlation, RMS [dB], IoU | store [MB] | bake [s]";
+constexpr const char* floor_and_cost_rules = "---|---:|---:";
+
+/// How well two traced maps agree at that cell size, and what the atlas takes.
+std::string floor_and_cost(const ResultsCell& cell, const ResultsRow& row) {
+  const product::CellComparison& floor = cell.floor_median;
+  return fmt::format("{}, {}, {} | {} | {:.0f}", number_text(floor.correlation_db, 3), number_text(floor.rms_db, 2),
+                     number_text(floor.shadow_iou, 2), megabytes(row.atlas.store_bytes), row.atlas.bake_seconds);
+}
+
+bool is_side_grid(const ResultsRow& row, const ResultsPlan& plan) {
+  const std::string& grid = row.of.grid;
+  return grid == plan.more_elevations().name() || grid == plan.more_azimuths().name() ||
+         grid == plan.even_in_cotangent().name();
+}
+
+/// A line of the summary; one of several grids has the costs of each.
+struct SummaryLine {
+  ResultsCase of;
+  std::size_t views = 0;
+  std::string metrics;
+  std::string grids = {}, store_mb = {}, bake_s = {};  ///< all empty of the truth
+
+  [[nodiscard]] bool is_as(const SummaryLine& other) const {
+    return of.scene == other.of.scene && of.kind == other.of.kind && of.method == other.of.method &&
+           metrics == other.metrics;
+  }
+  void take_in(const SummaryLine& other) {
+    grids += "; " + other.grids;
+    store_mb += "; " + other.store_mb;
+    bake_s += "; " + other.bake_s;
+  }
+};
+
+SummaryLine line_of(const ResultsRow& row, const ResultsCell& cell) {
+  return {row.of,
+          row.views,
+          metrics_text(cell.median, cell.worst, row.views),
+          row.of.grid,
+          megabytes(row.atlas.store_bytes),
+          fmt::format("{:.0f}", row.atlas.bake_seconds)};
+}
+
+const char* mark(bool reached) {
+  return reached ? "reached" : "missed";
+}
+
+/// Three cells: a correlation, its aim, and whether it was reached.
+std::string correlation_beside(double least, double correlation) {
+  return fmt::format("{} | {:.2f} | {}", number_text(correlation, decimals_that_tell(correlation, least, 3)), least,
+                     mark(correlation >= least));
+}
+
+/// How well two traced maps of a view agree, which bounds what can be shown of any method.
+std::string truth_aim(const ResultsReport& report, const std::string& scene, ViewKind kind) {
+  constexpr double least = 0.99;
+  const product::CellComparison* floor = noise_floor(report.plan, report.rows, scene, kind);
+  if (floor == nullptr) return {};
+  return fmt::format("|{} {} | *truth*, {} rays a cell | | {} | {} | | |\n", SceneColumn(report.plan).cell(scene),
+                     text_of(kind), report.plan.traced_samples_of(kind),
+                     correlation_beside(least, floor->correlation_db), signed_text(floor->bias_db, 2));
+}
+
+/// A row beside its aims.
+std::string aim_line(const ResultsReport& report, const ResultsRow& row, const ResultsCell& cell, double least) {
+  constexpr double most_bias_db = 0.3;
+  const double bias_db = cell.median.bias_db, size_db = std::abs(bias_db);
+  return fmt::format("|{} {} | {}{}{} | {} | {} | {} | ±{:g} | {} |\n", SceneColumn(report.plan).cell(row.of.scene),
+                     text_of(row.of.kind), text_of(row.of.method), row.of.change.empty() ? "" : ", ", row.of.change,
+                     row.of.baked_samples, correlation_beside(least, cell.median.correlation_db),
+                     signed_text(bias_db, decimals_that_tell(most_bias_db, size_db, 2)), most_bias_db,
+                     mark(size_db <= most_bias_db));
+}
+
+/// Views that were baked, from the grid as it is baked, and from the same looks with as many rays as the truth has, on
+/// texels half as wide as well.
+std::string aims_of_scene(const ResultsReport& report, const std::string& scene, double least) {
+  const ResultsPlan& plan = report.plan;
+  std::string text = truth_aim(report, scene, ViewKind::OnGrid);
+  for (const Method method : {Method::Paper, Method::LevelGround, Method::OwnGround}) {
+    for (const auto& [grid, samples, change] :
+         {std::tuple(plan.paper_grid().name(), plan.baked_samples, ""),
+          {std::string(own_look), plan.finer_samples, ""},
+          {std::string(own_look), plan.samples_of_finer_texels(), finer_texels_change}}) {
+      const ResultsRow* row = find_row(report.rows, {.scene = scene,
+                                                     .method = method,
+                                                     .grid = grid,
+                                                     .baked_samples = samples,
+                                                     .kind = ViewKind::OnGrid,
+                                                     .change = change});
+      const ResultsCell* cell = summary_cell(row);
+      if (cell != nullptr) text += aim_line(report, *row, *cell, least);
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string summary_section(const ResultsReport& report) {
+  const ResultsPlan& plan = report.plan;
+  const SceneColumn scene(plan);
+  std::string text = fmt::format("## At {:.0f} m cells\n\n|{} views | method | grid | {} | store [MB] | bake [s] |\n",
+                                 summary_cell_m, scene.head(), metric_heads) +
+                     fmt::format("|{}---|---|---|{}|---:|---:|\n", scene.rule(), metric_rules);
+  std::vector<SummaryLine> lines;
+  std::string last;
+  for (const ResultsRow& row : report.rows) {
+    const ResultsCell* cell = row.at_cell(summary_cell_m);
+    if (cell == nullptr || !is_plain(row, plan) || is_side_grid(row, plan)) continue;
+    const std::string group = row.of.scene + text_of(row.of.kind);
+    if (group != last) {
+      lines.push_back({row.of, row.views, metrics_text(cell->floor_median, cell->floor_worst, row.views)});
+    }
+    last = group;
+    const SummaryLine line = line_of(row, *cell);
+    if (!lines.back().grids.empty() && lines.back().is_as(line)) {
+      lines.back().take_in(line);
+    } else {
+      lines.push_back(line);
+    }
+  }
+  for (const SummaryLine& line : lines) {
+    text += fmt::format("|{} {} ({}) | {} | {} | {} | {} | {} |\n", scene.cell(line.of.scene), text_of(line.of.kind),
+                        line.views, line.grids.empty() ? "*truth*" : text_of(line.of.method), line.grids, line.metrics,
+                        line.store_mb, line.bake_s);
+  }
+  return text + "\nGrids from which all numbers are the same share a row: views that each of them holds.\n\n";
+}
+
+std::string aims_section(const ResultsReport& report) {
+  const ResultsPlan& plan = report.plan;
+  const SceneColumn scene(plan);
+  std::string text = fmt::format(
+      "## What was aimed at\n\nAnd what came out at views that were baked, medians at {:.0f} m cells, from the {} grid "
+      "or, where the rays are more, from the view's own look. Of views that were not baked, an aim is set for the "
+      "truth alone.\n\n",
+      summary_cell_m, plan.paper_grid().name());
+  text += fmt::format("|{} views | method | rays a texel | correlation of dB | aimed at | | bias [dB] | aimed at | |\n",
+                      scene.head());
+  text += fmt::format("|{}---|---|---:|---:|---:|---|---:|---:|---|\n", scene.rule());
+  text += aims_of_scene(report, plan.scene_name(), 0.95);
+  if (plan.has_level_ground()) text += aims_of_scene(report, "level", 0.99);
+  return text + truth_aim(report, plan.scene_name(), ViewKind::HeldOut) + "\n";
+}
+
+std::string cell_section(const ResultsReport& report) {
+  const ResultsPlan& plan = report.plan;
+  std::string text =
+      fmt::format("## By cell size\n\nThe {} grid.\n\n| views | method | cell [m] | {} | {} |\n|---|---|---:|{}|{}|\n",
+                  plan.paper_grid().name(), metric_heads, floor_and_cost_heads, metric_rules, floor_and_cost_rules);
+  for (const ViewKind kind : {ViewKind::OnGrid, ViewKind::HeldOut, ViewKind::Paper}) {
+    for (const Method method : {Method::Paper, Method::LevelGround, Method::OwnGround}) {
+      const ResultsRow* row = find_row(report.rows, {.scene = plan.scene_name(),
+                                                     .method = method,
+                                                     .grid = plan.paper_grid().name(),
+                                                     .baked_samples = plan.baked_samples,
+                                                     .kind = kind});
+      if (row == nullptr) continue;
+      for (const ResultsCell& cell : row->cells) {
+        text += fmt::format("| {} | {} | {:.0f} | {} | {} |\n", text_of(kind), text_of(method), cell.median.cell_m,
+                            metrics_text(cell.median, cell.worst, row->views), floor_and_cost(cell, *row));
+      }
+    }
+  }
+  return text + "\n";
+}
+
+std::string detail_section(const ResultsReport& report) {
+  const ResultsPlan& plan = report.plan;
+  std::string text = fmt::format(
+      "## By level of detail\n\nThe {} grid, ours on its own ground. LOD 1 reads textures from their finest level, "
+      "each "
+      "next one from the level above; one store and one bake serve them all.\n\n"
+      "| LOD | views | cell [m] | {} | {} |\n|---:|---|---:|{}|{}|\n",
+      plan.paper_grid().name(), metric_heads, floor_and_cost_heads, metric_rules, floor_and_cost_rules);
+  for (const ViewKind kind : {ViewKind::OnGrid, ViewKind::HeldOut}) {
+    for (int level = 1; level <= 3; ++level) {
+      const ResultsRow* row = find_row(report.rows, {.scene = plan.scene_name(),
+                                                     .method = Method::OwnGround,
+                                                     .grid = plan.paper_grid().name(),
+                                                     .baked_samples = plan.baked_samples,
+                                                     .kind = kind,
+                                                     .level_of_detail = level});
+      if (row == nullptr) continue;
+      for (const double cell_m : {2.0, 8.0, 32.0}) {
+        const ResultsCell* cell = row->at_cell(cell_m);
+        if (cell == nullptr) continue;
+        text += fmt::format("| {} | {} | {:.0f} | {} | {} |\n", level, text_of(kind), cell_m,
+                            metrics_text(cell->median, cell->worst, row->views), floor_and_cost(*cell, *row));
+      }
+    }
+  }
+  return text + "\n";
+}
+
+}  // namespace sigmascape::cli

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+#include "results/page.h"
+
+namespace sigmascape::cli {
+
+/// Markdown: every scene, kind of view, method and nested grid at 8 m cells. Grids of a method that all its numbers
+/// are the same from, as at views that both hold, share a row.
+[[nodiscard]] std::string summary_section(const ResultsReport& report);
+
+/// Markdown: what was asked for at views that were baked, and what came out.
+[[nodiscard]] std::string aims_section(const ResultsReport& report);
+
+/// Markdown: the paper's grid at every size of cells.
+[[nodiscard]] std::string cell_section(const ResultsReport& report);
+
+/// Markdown: the same of ours by level of detail.
+[[nodiscard]] std::string detail_section(const ResultsReport& report);
+
+}  // namespace sigmascape::cli

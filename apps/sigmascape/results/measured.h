@@ -1,0 +1,50 @@
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "results/table.h"
+
+namespace sigmascape::cli {
+
+/// A view of a scene, and all that was measured there.
+struct MeasuredView {
+  std::string scene;  ///< "hills", "level" or "place"
+  PlannedView view;
+  std::string machine;  ///< that its times are of
+  std::vector<ViewResult> results;
+};
+
+/// What was measured so far, kept in a file of JSON that is written anew after every view, so that a measurement of
+/// hours can be broken off and go on, here or on another machine.
+class MeasuredViews {
+ public:
+  /// Nothing yet; `settings` are all that decides the numbers of a view (settings_of_views).
+  MeasuredViews(std::filesystem::path file, nlohmann::ordered_json settings);
+
+  /// From the file itself, where there is one that fits; one that does not is written over.
+  void go_on();
+  /// Takes over what another run has kept. Throws Error when it cannot be read or was measured with other settings,
+  /// naming the first that differs.
+  void take_over(const std::filesystem::path& other);
+
+  /// What was measured of that view, or nullptr; it stays until a view is added.
+  [[nodiscard]] const MeasuredView* find(const std::string& scene, const PlannedView& view) const;
+  /// Adds a view, in place of the same with other rays, and writes the file.
+  const MeasuredView& add(MeasuredView view);
+
+ private:
+  void read(const std::filesystem::path& file);
+  void write() const;
+
+  std::filesystem::path file_;
+  nlohmann::ordered_json settings_;
+  std::vector<MeasuredView> views_;
+};
+
+/// What decides the numbers of a view besides the view itself: `scene` is a digest of the scene.
+[[nodiscard]] nlohmann::ordered_json settings_of_views(const ResultsPlan& plan, const std::string& scene);
+
+}  // namespace sigmascape::cli

@@ -1,0 +1,356 @@
+#include "results/measurement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+
+#include "map_files.h"
+#include "results/processor_time.h"
+#include "results/tile_power.h"
+
+#include "sigmascape/base/error.h"
+#include "sigmascape/base/machine_name.h"
+#include "sigmascape/base/units.h"
+#include "sigmascape/scene/scene_file.h"
+#include "sigmascape/simulate/placement.h"
+#include "sigmascape/simulate/simulate.h"
+
+namespace sigmascape::cli {
+namespace {
+
+constexpr int coarsest_level_of_detail = 3;
+
+struct PaperChange {
+  const char* name;
+  render::PaperLookUp look_up;
+};
+
+constexpr PaperChange paper_changes[] = {
+    {cotangent_change, {.by_cotangent = true}},
+    {gamma_change, {.blends_gamma = true}},
+    {cotangent_gamma_change, {.by_cotangent = true, .blends_gamma = true}},
+    {map_area_change, {.by_map_area = true}},
+    {finest_change, {.finest_only = true}},
+};
+
+/// The paper's scene, or the middle of another.
+scene::Scene scene_of(const ResultsPlan& plan) {
+  if (plan.scene_file.empty()) return scene::paper_scene({.scale = plan.scale, .materials = plan.materials});
+  scene::Scene scene = scene::read_scene(plan.scene_file);
+  const radar::Rectangle& all = scene.extent;
+  const double half_m = std::min({plan.side_m(), all.width_m(), all.height_m()}) / 2.0;
+  const Vec2d centre = all.centre() + plan.around_m;
+  const radar::Rectangle part{centre.x - half_m, centre.y - half_m, centre.x + half_m, centre.y + half_m};
+  if (part.west_m < all.west_m || part.south_m < all.south_m || part.east_m > all.east_m ||
+      part.north_m > all.north_m) {
+    throw Error(
+        "--around",
+        fmt::format("{:g} m around ({:g}, {:g}) m reach beyond the scene", half_m, plan.around_m.x, plan.around_m.y),
+        fmt::format("choose a place within {:g} m east or west and {:g} m north or south of the scene's middle",
+                    all.width_m() / 2.0 - half_m, all.height_m() / 2.0 - half_m));
+  }
+  scene.extent = part;
+  return scene;
+}
+
+std::uint64_t seed_of_repeats(const ResultsPlan& plan) {
+  return plan.seed + 1;
+}
+
+/// The map with its rim unseen.
+radar::GroundMap without_rim(radar::GroundMap map, double rim_m) {
+  const radar::Rectangle all = map.grid.extent();
+  const radar::Rectangle middle{all.west_m + rim_m, all.south_m + rim_m, all.east_m - rim_m, all.north_m - rim_m};
+  constexpr float unseen = std::numeric_limits<float>::quiet_NaN();
+  for (std::size_t row = 0; row < map.grid.rows; ++row) {
+    for (std::size_t column = 0; column < map.grid.columns; ++column) {
+      if (!middle.contains(map.grid.centre_of(column, row))) map.sigma0(column, row) = {unseen, unseen, unseen, unseen};
+    }
+  }
+  return map;
+}
+
+atlas::AspectGrid grid_of_view(const PlannedView& view) {
+  return {{radians_from_deg(view.azimuth_deg)}, {radians_from_deg(view.elevation_deg)}, {10e9}};
+}
+
+bake::BakeSettings settings_even_in_cotangent(const ResultsPlan& plan) {
+  bake::BakeSettings settings = plan.bake_settings(Method::OwnGround);
+  settings.aspects = plan.even_in_cotangent().aspects();
+  return settings;
+}
+
+}  // namespace
+
+Measurement::Measurement(const ResultsPlan& plan, const std::filesystem::path& folder,
+                         const std::filesystem::path& measured)
+    : plan_(plan),
+      folder_(folder),
+      scene_(plan.scene_name(), scene_of(plan)),
+      paper_bake_(plan, scene_.scene, folder / "paper", plan.seed),
+      paper_bake_again_(plan, scene_.scene, folder / "paper_again", seed_of_repeats(plan)),
+      baked_shadows_(scene_.scene, plan.bake_settings(Method::BakedShadows), folder / "atlas_baked_shadows", progress_),
+      level_ground_(scene_.scene, plan.bake_settings(Method::LevelGround), folder / "atlas_level_ground", progress_),
+      own_ground_(scene_.scene, plan.bake_settings(Method::OwnGround), folder / "atlas_own_ground", progress_),
+      even_in_cotangent_(scene_.scene, settings_even_in_cotangent(plan), folder / "atlas_even_in_cotangent", progress_),
+      kept_(kept_file(), settings_of_views(plan, scene::scene_hash(scene_.scene))) {
+  kept_.go_on();
+  if (!measured.empty()) kept_.take_over(measured);
+  if (plan.has_level_ground()) level_.emplace("level", levelled(scene_.scene));
+  make_ready();
+}
+
+ReadyMethod Measurement::from_store(Method method, const std::string& grid, std::uint32_t samples,
+                                    const TimedBake& bake, const atlas::AspectSelection& selection) const {
+  const auto atlas = std::make_shared<const atlas::Atlas>(atlas::load_atlas(bake.store(), {.aspects = selection}));
+  const unsigned threads = plan_.threads;
+  return {.method = method,
+          .grid = grid,
+          .baked_samples = samples,
+          .cost = bake.cost_of(selection, *atlas),
+          .render = [atlas, threads](const Seen& seen, int level_of_detail) {
+            render::RenderCounts counts;
+            return simulate::baked_image(*atlas, seen.scene.terrain, seen.radar, seen.grid.extent(),
+                                         {.level_of_detail = level_of_detail, .threads = threads}, counts);
+          }};
+}
+
+ReadyMethod Measurement::from_paper_textures(const std::string& grid, std::uint32_t samples, const std::string& change,
+                                             const AtlasCost& cost,
+                                             std::shared_ptr<const render::PaperTextures> textures,
+                                             const render::PaperLookUp& look_up) const {
+  const unsigned threads = plan_.threads;
+  return {.method = Method::Paper,
+          .grid = grid,
+          .baked_samples = samples,
+          .change = change,
+          .cost = cost,
+          .render = [textures = std::move(textures), look_up, threads](const Seen& seen, int) {
+            const auto bins = simulate::bins_for(seen.radar, seen.grid.extent(), seen.scene.terrain);
+            return render::paper_image(*textures, seen.scene.terrain, seen.radar, seen.grid.extent(), bins, look_up,
+                                       threads);
+          }};
+}
+
+void Measurement::make_ready() {
+  const auto paper = [&](const LookGrid& grid, const std::string& change, bool in_halves) {
+    PaperAtlas made = paper_bake_.atlas_of(grid.aspects(), plan_.baked_samples, progress_, in_halves);
+    auto textures = std::make_shared<const render::PaperTextures>(std::move(made.textures));
+    methods_.push_back(from_paper_textures(grid.name(), plan_.baked_samples, change, made.cost, textures, {}));
+    return std::pair(textures, made.cost);
+  };
+  const LookGrid& grid = plan_.paper_grid();
+  paper(plan_.grids.front(), "", false);
+  const auto [textures, cost] = paper(grid, "", false);
+  paper_textures_ = textures;
+  for (const PaperChange& change : paper_changes) {
+    methods_.push_back(
+        from_paper_textures(grid.name(), plan_.baked_samples, change.name, cost, textures, change.look_up));
+  }
+  paper(grid, halves_change, true);
+
+  const auto ours = [&](Method method, const LookGrid& looks, const TimedBake& bake) {
+    const auto selection = ResultsPlan::selection_of(looks, bake.store().description().aspects);
+    methods_.push_back(from_store(method, looks.name(), plan_.baked_samples, bake, selection));
+  };
+  ours(Method::BakedShadows, plan_.grids.front(), baked_shadows_);
+  ours(Method::BakedShadows, grid, baked_shadows_);
+  ours(Method::LevelGround, plan_.grids.front(), level_ground_);
+  ours(Method::LevelGround, grid, level_ground_);
+  for (const LookGrid& looks : plan_.grids) ours(Method::OwnGround, looks, own_ground_);
+  ours(Method::OwnGround, plan_.more_elevations(), own_ground_);
+  ours(Method::OwnGround, plan_.more_azimuths(), own_ground_);
+  ours(Method::OwnGround, plan_.even_in_cotangent(), even_in_cotangent_);
+}
+
+void Measurement::compare_all() {
+  std::size_t done = 0;
+  const auto is_on_grid = [](const PlannedView& view) { return view.kind == ViewKind::OnGrid; };
+  const auto on_level = level_ ? std::ranges::count_if(plan_.views, is_on_grid) : 0;
+  const double views = static_cast<double>(plan_.views.size()) + static_cast<double>(on_level);
+  for (const PlannedView& view : plan_.views) {
+    compare_once(scene_, view);
+    progress_.advanced("compare", static_cast<double>(++done), views, "views");
+    // Level ground tells what hills add; missing angles would hide that.
+    if (!level_ || !is_on_grid(view)) continue;
+    compare_once(*level_, view.from_afar());
+    progress_.advanced("compare", static_cast<double>(++done), views, "views");
+  }
+  std::ranges::stable_sort(results_, {}, [](const ViewResult& result) {
+    return std::tuple(result.of.scene, static_cast<int>(result.of.kind), static_cast<int>(result.of.method));
+  });
+}
+
+std::string Measurement::machines() const {
+  return fmt::format("{}", fmt::join(machines_, " and "));
+}
+
+void Measurement::compare_once(const MeasuredScene& measured, const PlannedView& view) {
+  const MeasuredView* kept = kept_.find(measured.name, view);
+  if (kept != nullptr) {
+    results_.insert(results_.end(), kept->results.begin(), kept->results.end());
+  } else {
+    const auto before = static_cast<std::ptrdiff_t>(results_.size());
+    compare(measured, view);
+    kept = &kept_.add({measured.name, view, machine_name(), {results_.begin() + before, results_.end()}});
+  }
+  machines_.insert(kept->machine);
+}
+
+void Measurement::compare(const MeasuredScene& measured, const PlannedView& view) {
+  const Truth truth = traced_truth(measured, view, plan_, folder_ / "truth");
+  const bool is_main = &measured == &scene_;
+  for (const ReadyMethod& method : methods_) {
+    // What was baked on hills does not stand on level ground.
+    if (!is_main && (!method.change.empty() || method.method == Method::OwnGround)) continue;
+    const bool by_level = is_main && method.method == Method::OwnGround && method.grid == plan_.paper_grid().name();
+    for (int level = 1; level <= (by_level ? coarsest_level_of_detail : 1); ++level)
+      hold_against(truth, measured, view, method, level);
+  }
+  if (is_main) compare_renormalized(truth, view);
+  compare_own_looks(truth, measured, view);
+}
+
+/// What it would bring at most to keep the power of every tile for many looks, and all else for few: a map of the
+/// paper's grid whose tiles have the power that they have in one of the grid after it.
+void Measurement::compare_renormalized(const Truth& truth, const PlannedView& view) {
+  const ReadyMethod& few = ready(Method::OwnGround, plan_.paper_grid().name());
+  const ReadyMethod& many = ready(Method::OwnGround, plan_.next_grid().name());
+  const RenderedMap reference = rendered_map(scene_, view, many, 1);
+  RenderedMap renormalized = rendered_map(scene_, view, few, 1);
+  const std::size_t tiles = give_power_of_tiles(renormalized.map, reference.map);
+  renormalized.milliseconds += reference.milliseconds;
+  ReadyMethod method = few;
+  method.change = renormalized_change;
+  method.cost.store_bytes += tiles * bytes_a_tile * (many.cost.looks - few.cost.looks);
+  results_.push_back(result_of(truth, scene_, view, method, renormalized));
+}
+
+ReadyMethod Measurement::own_look_of(Method method, const MeasuredScene& measured, const PlannedView& view,
+                                     std::uint32_t samples, std::uint64_t seed) {
+  const bool is_again = seed != plan_.seed;
+  if (method == Method::Paper) {
+    PaperAtlas made = (is_again ? paper_bake_again_ : paper_bake_).atlas_of(grid_of_view(view), samples, progress_);
+    auto textures = std::make_shared<const render::PaperTextures>(std::move(made.textures));
+    return from_paper_textures(own_look, samples, "", made.cost, textures, {});
+  }
+  bake::BakeSettings settings = own_look_settings(method, view, samples);
+  settings.seed = seed;
+  return own_look_from(settings, method, measured, view, is_again ? "_again" : "");
+}
+
+ReadyMethod Measurement::own_look_in_finer_texels(Method method, const MeasuredScene& measured,
+                                                  const PlannedView& view) {
+  bake::BakeSettings settings = own_look_settings(method, view, plan_.samples_of_finer_texels());
+  settings.patches.texel_m /= 2.0;
+  ReadyMethod ready = own_look_from(settings, method, measured, view, "_finer_texels");
+  ready.change = finer_texels_change;
+  return ready;
+}
+
+bake::BakeSettings Measurement::own_look_settings(Method method, const PlannedView& view, std::uint32_t samples) const {
+  bake::BakeSettings settings = plan_.bake_settings(method);
+  settings.aspects = grid_of_view(view);
+  settings.sampling.samples_per_texel = samples;
+  return settings;
+}
+
+ReadyMethod Measurement::own_look_from(const bake::BakeSettings& settings, Method method, const MeasuredScene& measured,
+                                       const PlannedView& view, const std::string& ending) {
+  const std::uint32_t samples = settings.sampling.samples_per_texel;
+  const auto store = folder_ / "own_look" / fmt::format("{}_{}_{}{}", measured.name, view.file_name(), samples, ending);
+  return from_store(method, own_look, samples, TimedBake(scene_.scene, settings, store, progress_), {});
+}
+
+/// Without an angle missing, and of baked views almost without noise as well.
+void Measurement::compare_own_looks(const Truth& truth, const MeasuredScene& measured, const PlannedView& view) {
+  const Method ours = &measured == &scene_ ? Method::OwnGround : Method::LevelGround;
+  const bool is_finer_too = view.kind == ViewKind::OnGrid;
+  for (const std::uint32_t samples : {plan_.baked_samples, plan_.finer_samples}) {
+    for (const Method method : {Method::Paper, ours}) {
+      const ReadyMethod once = own_look_of(method, measured, view, samples, plan_.seed);
+      if (view.is_repeated) {
+        const ReadyMethod again = own_look_of(method, measured, view, samples, seed_of_repeats(plan_));
+        hold_against(truth, measured, view, once, 1, &again);
+      } else {
+        hold_against(truth, measured, view, once);
+      }
+    }
+    if (!is_finer_too || samples == plan_.finer_samples) break;
+  }
+  if (is_finer_too) hold_against(truth, measured, view, own_look_in_finer_texels(ours, measured, view));
+}
+
+void Measurement::hold_against(const Truth& truth, const MeasuredScene& measured, const PlannedView& view,
+                               const ReadyMethod& method, int level_of_detail, const ReadyMethod* again) {
+  const RenderedMap rendered = rendered_map(measured, view, method, level_of_detail);
+  ViewResult result = result_of(truth, measured, view, method, rendered);
+  result.of.level_of_detail = level_of_detail;
+  if (again != nullptr && result.comparison.at_cell(summary_cell_m) != nullptr) {
+    const RenderedMap repeated = rendered_map(measured, view, *again, level_of_detail);
+    const radar::GroundMap first = middle_of(rendered.map), second = middle_of(repeated.map);
+    const radar::GroundMap first_truth = middle_of(truth.first), second_truth = middle_of(truth.second);
+    result.without_noise = product::compare_without_noise({first, second}, {first_truth, second_truth}, summary_cell_m,
+                                                          {.polarization = radar::Polarization::Sum});
+  }
+  results_.push_back(std::move(result));
+}
+
+ViewResult Measurement::result_of(const Truth& truth, const MeasuredScene& measured, const PlannedView& view,
+                                  const ReadyMethod& method, const RenderedMap& rendered) const {
+  const std::vector<double> bounds_db(std::begin(level_bounds_db), std::end(level_bounds_db));
+  const product::CompareOptions options{.polarization = radar::Polarization::Sum};
+  const radar::GroundMap tested = middle_of(rendered.map), mean = middle_of(truth.mean);
+  const radar::GroundMap first = middle_of(truth.first), second = middle_of(truth.second);
+  return {.of = {.scene = measured.name,
+                 .method = method.method,
+                 .grid = method.grid,
+                 .baked_samples = method.baked_samples,
+                 .kind = view.kind,
+                 .change = method.change},
+          .view = view,
+          .atlas = method.cost,
+          .comparison = product::compare_maps(tested, mean, options),
+          .noise_floor = product::compare_maps(second, first, options),
+          .by_level = product::errors_by_level(tested, mean, bounds_db, summary_cell_m, options),
+          .noise_by_level = product::errors_by_level(second, first, mean, bounds_db, summary_cell_m, options),
+          .trace_seconds = truth.trace_seconds,
+          .render_ms = rendered.milliseconds};
+}
+
+radar::GroundMap Measurement::middle_of(const radar::GroundMap& map) const {
+  return without_rim(map, plan_.rim_m());
+}
+
+const ReadyMethod& Measurement::ready(Method method, const std::string& grid) const {
+  return *std::ranges::find_if(methods_, [&](const ReadyMethod& candidate) {
+    return candidate.method == method && candidate.grid == grid && candidate.change.empty();
+  });
+}
+
+RenderedMap Measurement::rendered_map(const MeasuredScene& measured, const PlannedView& view, const ReadyMethod& method,
+                                      int level_of_detail) const {
+  const scene::Scene& scene = measured.scene;
+  const radar::RadarFile file = view.radar();
+  const Seen seen{scene, simulate::placed_radar(file, scene.frame, scene.terrain, scene.extent),
+                  simulate::map_grid(file.map, scene.extent)};
+  const ProcessorStopwatch watch;
+  const auto image = method.render(seen, level_of_detail);
+  const double milliseconds = 1e3 * watch.seconds();
+  return {described_map(image, seen.radar, scene.terrain, seen.grid, scene.frame,
+                        {{"scene", scene.name},
+                         {"attribution", scene.attribution},
+                         {"processing", text_of(method.method) + ", " + method.grid}}),
+          milliseconds};
+}
+
+Truth Measurement::truth_of(const PlannedView& view) const {
+  return traced_truth(scene_, view, plan_, folder_ / "truth");
+}
+
+radar::GroundMap Measurement::map_of(const PlannedView& view, Method method, const std::string& grid) const {
+  return rendered_map(scene_, view, ready(method, grid), 1).map;
+}
+
+}  // namespace sigmascape::cli

@@ -1,0 +1,113 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "results/bake.h"
+#include "results/measured.h"
+#include "results/paper_bake.h"
+#include "results/plan.h"
+#include "results/table.h"
+#include "results/truth.h"
+#include "terminal_progress.h"
+
+#include "sigmascape/render/ground_renderer.h"
+
+namespace sigmascape::cli {
+
+/// What is seen of a scene: where the radar stands and what it maps.
+struct Seen {
+  const scene::Scene& scene;
+  radar::Radar radar;
+  radar::GroundGrid grid;
+};
+
+/// One way to a map, ready to be used: an atlas in memory and how maps are rendered from it.
+struct ReadyMethod {
+  Method method = Method::OwnGround;
+  std::string grid;
+  std::uint32_t baked_samples = 0;
+  std::string change = {};
+  AtlasCost cost;
+  std::function<radar::RangeAzimuthImage(const Seen& seen, int level_of_detail)> render;
+};
+
+struct RenderedMap {
+  radar::GroundMap map;
+  double milliseconds = 0.0;  ///< of processor time
+};
+
+/// Bakes, traces, renders and compares everything that a plan asks for.
+class Measurement {
+ public:
+  /// Bakes. What lies in `folder` from an earlier run is used again; of views that `measured`, unless empty, names a
+  /// file of, nothing is traced.
+  Measurement(const ResultsPlan& plan, const std::filesystem::path& folder, const std::filesystem::path& measured);
+
+  /// Every view is kept in `kept_file` once it is done.
+  void compare_all();
+  [[nodiscard]] std::filesystem::path kept_file() const { return folder_ / "measured.json"; }
+
+  [[nodiscard]] const std::vector<ViewResult>& results() const { return results_; }
+  /// Those that times were taken on, in a row.
+  [[nodiscard]] std::string machines() const;
+  [[nodiscard]] const MeasuredScene& scene() const { return scene_; }
+
+  [[nodiscard]] Truth truth_of(const PlannedView& view) const;
+  /// The scene as it is, from a grid that the method has.
+  [[nodiscard]] radar::GroundMap map_of(const PlannedView& view, Method method, const std::string& grid) const;
+  /// The textures of the paper's grid by themselves, texel by texel, with all that they hold.
+  [[nodiscard]] const render::PaperTextures& paper_textures() const { return *paper_textures_; }
+
+ private:
+  [[nodiscard]] ReadyMethod from_store(Method method, const std::string& grid, std::uint32_t samples,
+                                       const TimedBake& bake, const atlas::AspectSelection& selection) const;
+  [[nodiscard]] ReadyMethod from_paper_textures(const std::string& grid, std::uint32_t samples,
+                                                const std::string& change, const AtlasCost& cost,
+                                                std::shared_ptr<const render::PaperTextures> textures,
+                                                const render::PaperLookUp& look_up) const;
+  void make_ready();
+  /// Unless it is kept.
+  void compare_once(const MeasuredScene& measured, const PlannedView& view);
+  void compare(const MeasuredScene& measured, const PlannedView& view);
+  void compare_own_looks(const Truth& truth, const MeasuredScene& measured, const PlannedView& view);
+  void compare_renormalized(const Truth& truth, const PlannedView& view);
+  /// The view's own look, baked for it.
+  [[nodiscard]] ReadyMethod own_look_of(Method method, const MeasuredScene& measured, const PlannedView& view,
+                                        std::uint32_t samples, std::uint64_t seed);
+  /// The same almost without noise, baked on texels half as wide.
+  [[nodiscard]] ReadyMethod own_look_in_finer_texels(Method method, const MeasuredScene& measured,
+                                                     const PlannedView& view);
+  [[nodiscard]] bake::BakeSettings own_look_settings(Method method, const PlannedView& view,
+                                                     std::uint32_t samples) const;
+  /// Baked in a folder named after the scene, the view, its rays and `ending`.
+  [[nodiscard]] ReadyMethod own_look_from(const bake::BakeSettings& settings, Method method,
+                                          const MeasuredScene& measured, const PlannedView& view,
+                                          const std::string& ending);
+  /// Renders and compares; with `again`, which differs from `method` in its seed alone, without noise as well.
+  void hold_against(const Truth& truth, const MeasuredScene& measured, const PlannedView& view,
+                    const ReadyMethod& method, int level_of_detail = 1, const ReadyMethod* again = nullptr);
+  [[nodiscard]] ViewResult result_of(const Truth& truth, const MeasuredScene& measured, const PlannedView& view,
+                                     const ReadyMethod& method, const RenderedMap& rendered) const;
+  [[nodiscard]] const ReadyMethod& ready(Method method, const std::string& grid) const;
+  [[nodiscard]] radar::GroundMap middle_of(const radar::GroundMap& map) const;
+  [[nodiscard]] RenderedMap rendered_map(const MeasuredScene& measured, const PlannedView& view,
+                                         const ReadyMethod& method, int level_of_detail) const;
+
+  const ResultsPlan& plan_;
+  std::filesystem::path folder_;
+  TerminalProgress progress_;
+  MeasuredScene scene_;
+  std::optional<MeasuredScene> level_;
+  PaperBake paper_bake_, paper_bake_again_;
+  TimedBake baked_shadows_, level_ground_, own_ground_, even_in_cotangent_;
+  std::shared_ptr<const render::PaperTextures> paper_textures_;
+  std::vector<ReadyMethod> methods_;
+  MeasuredViews kept_;
+  std::vector<ViewResult> results_;
+  std::set<std::string> machines_;
+};
+
+}  // namespace sigmascape::cli

@@ -1,0 +1,102 @@
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "results/page.h"
+
+namespace sigmascape::cli {
+namespace {
+
+constexpr const char* noise_floor_name = "truth against truth";
+constexpr Method methods[] = {Method::Paper, Method::BakedShadows, Method::LevelGround, Method::OwnGround};
+
+/// A level line, as far as the points of a plot reach, where the median of two traced maps of the held-out views is.
+void add_noise_floor(Plot& plot, const ResultsReport& report) {
+  const auto* traced = noise_floor(report.plan, report.rows, report.plan.scene_name(), ViewKind::HeldOut);
+  if (traced == nullptr) return;
+  PlotSeries floor{.name = noise_floor_name, .joined = true, .dots = false};
+  std::vector<double> reached;
+  for (const PlotSeries& series : plot.series) {
+    for (const auto& [x, y] : series.points) reached.push_back(x);
+  }
+  if (reached.empty()) return;
+  const auto [first, last] = std::ranges::minmax(reached);
+  floor.points = {{first, traced->rms_db}, {last, traced->rms_db}};
+  plot.series.push_back(floor);
+}
+
+/// RMS error of every view, from the paper's grid, over how far its line of sight is from the nearest baked one.
+Plot by_distance(const ResultsReport& report) {
+  const ResultsPlan& plan = report.plan;
+  Plot plot{.title = "Error by distance from the nearest baked look, one point a view",
+            .x_label = "angle between lines of sight [°]",
+            .y_label = fmt::format("RMS at {:.0f} m cells [dB]", summary_cell_m)};
+  for (const Method method : methods) {
+    PlotSeries& series = plot.series.emplace_back(PlotSeries{.name = text_of(method)});
+    for (const ViewResult& view : report.views) {
+      const ResultsCase plain{.scene = plan.scene_name(),
+                              .method = method,
+                              .grid = plan.paper_grid().name(),
+                              .baked_samples = plan.baked_samples,
+                              .kind = view.of.kind};
+      const product::CellComparison* cell = view.comparison.at_cell(summary_cell_m);
+      if (view.of != plain || cell == nullptr) continue;
+      series.points.emplace_back(ResultsPlan::distance_deg(view.view, plan.paper_grid()), cell->rms_db);
+    }
+  }
+  add_noise_floor(plot, report);
+  return plot;
+}
+
+Plot by_bytes(const ResultsReport& report) {
+  Plot plot{.title = "Error of held-out views by bytes stored",
+            .x_label = "store [MB]",
+            .y_label = fmt::format("RMS at {:.0f} m cells [dB]", summary_cell_m),
+            .x_is_logarithmic = true};
+  for (const Method method : methods) {
+    PlotSeries& series = plot.series.emplace_back(PlotSeries{.name = text_of(method), .joined = true});
+    for (const LookGrid& grid : report.plan.grids) {
+      const ResultsRow* row = find_row(report.rows, {.scene = report.plan.scene_name(),
+                                                     .method = method,
+                                                     .grid = grid.name(),
+                                                     .baked_samples = report.plan.baked_samples});
+      const ResultsCell* cell = summary_cell(row);
+      if (cell == nullptr) continue;
+      series.points.emplace_back(static_cast<double>(row->atlas.store_bytes) / 1e6, cell->median.rms_db);
+    }
+  }
+  add_noise_floor(plot, report);
+  return plot;
+}
+
+Plot by_cell(const ResultsReport& report) {
+  Plot plot{.title = "Error of held-out views by cell size, the " + report.plan.paper_grid().name() + " grid",
+            .x_label = "cell [m]",
+            .y_label = "RMS [dB]",
+            .x_is_logarithmic = true};
+  PlotSeries floor{.name = noise_floor_name, .joined = true};
+  for (const Method method : methods) {
+    const ResultsRow* row = find_row(report.rows, {.scene = report.plan.scene_name(),
+                                                   .method = method,
+                                                   .grid = report.plan.paper_grid().name(),
+                                                   .baked_samples = report.plan.baked_samples});
+    if (row == nullptr) continue;
+    PlotSeries& series = plot.series.emplace_back(PlotSeries{.name = text_of(method), .joined = true});
+    floor.points.clear();
+    for (const ResultsCell& cell : row->cells) {
+      series.points.emplace_back(cell.median.cell_m, cell.median.rms_db);
+      floor.points.emplace_back(cell.floor_median.cell_m, cell.floor_median.rms_db);
+    }
+  }
+  plot.series.push_back(floor);
+  return plot;
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string, Plot>> plots_of(const ResultsReport& report) {
+  return {{"error_by_distance.svg", by_distance(report)},
+          {"error_by_bytes.svg", by_bytes(report)},
+          {"error_by_cell.svg", by_cell(report)}};
+}
+
+}  // namespace sigmascape::cli

@@ -1,0 +1,94 @@
+#include "results/truth.h"
+
+#include <fmt/format.h>
+#include <optional>
+
+#include "map_files.h"
+#include "results/processor_time.h"
+
+#include "sigmascape/product/ground_map_file.h"
+#include "sigmascape/simulate/placement.h"
+#include "sigmascape/simulate/simulate.h"
+#include "sigmascape/trace/simd_setting.h"
+
+namespace sigmascape::cli {
+namespace {
+
+constexpr const char* settings_key = "truth_settings";
+constexpr const char* seconds_key = "trace_seconds";
+
+std::string settings_text(const MeasuredScene& measured, const PlannedView& view, const ResultsPlan& plan,
+                          std::uint64_t seed) {
+  return fmt::format("scene {}, azimuth {} deg, elevation {} deg, {} km, {} samples a cell, {} bounces, seed {}, {}",
+                     scene::scene_hash(measured.scene), view.azimuth_deg, view.elevation_deg, view.slant_range_m / 1e3,
+                     view.traced_samples, plan.bounces, seed, trace::simd_setting());
+}
+
+radar::GroundMap traced(const MeasuredScene& measured, const PlannedView& view, const ResultsPlan& plan,
+                        std::uint64_t seed) {
+  const scene::Scene& scene = measured.scene;
+  const radar::RadarFile file = view.radar();
+  const auto radar = simulate::placed_radar(file, scene.frame, scene.terrain, scene.extent);
+  const auto grid = simulate::map_grid(file.map, scene.extent);
+  trace::TraceCounts counts;
+  const ProcessorStopwatch watch;
+  const auto image = simulate::traced_image(scene, measured.geometry, radar, grid.extent(),
+                                            {.cell_m = grid.cell_m,
+                                             .samples_per_cell = view.traced_samples,
+                                             .max_bounces = plan.bounces,
+                                             .seed = seed,
+                                             .threads = plan.threads},
+                                            counts);
+  return described_map(image, radar, scene.terrain, grid, scene.frame,
+                       {{"scene", scene.name},
+                        {"processing", "level of detail 0: path-traced"},
+                        {settings_key, settings_text(measured, view, plan, seed)},
+                        {seconds_key, fmt::format("{:.3f}", watch.seconds())}});
+}
+
+/// The map in that file when it is the one that is wanted.
+std::optional<radar::GroundMap> kept_map(const std::filesystem::path& path, const std::string& settings) {
+  if (!std::filesystem::exists(path)) return std::nullopt;
+  radar::GroundMap map = product::read_ground_map(path);
+  const auto kept = map.metadata.find(settings_key);
+  if (kept == map.metadata.end() || kept->second != settings) return std::nullopt;
+  return map;
+}
+
+radar::GroundMap traced_or_kept(const MeasuredScene& measured, const PlannedView& view, const ResultsPlan& plan,
+                                std::uint64_t seed, const std::filesystem::path& folder) {
+  const auto path = folder / fmt::format("{}_{}_seed{}.tif", measured.name, view.file_name(), seed);
+  if (auto kept = kept_map(path, settings_text(measured, view, plan, seed))) return *std::move(kept);
+  product::write_ground_map(path, traced(measured, view, plan, seed));
+  // Read back, so that a run that traces and one that finds the map hold the same.
+  return product::read_ground_map(path);
+}
+
+radar::GroundMap mean_of(const radar::GroundMap& a, const radar::GroundMap& b) {
+  radar::GroundMap mean = a;
+  for (std::size_t i = 0; i < mean.sigma0.size(); ++i)
+    mean.sigma0.values()[i] = (a.sigma0.values()[i] + b.sigma0.values()[i]) * 0.5F;
+  return mean;
+}
+
+}  // namespace
+
+scene::Scene levelled(scene::Scene scene) {
+  for (float& height_m : scene.terrain.height_m.values()) height_m = 0.0F;
+  for (scene::Building& building : scene.buildings.items) building.footing_m = 0.0F;
+  scene.name += ", levelled";
+  return scene;
+}
+
+Truth traced_truth(const MeasuredScene& measured, const PlannedView& view, const ResultsPlan& plan,
+                   const std::filesystem::path& folder) {
+  Truth truth{.first = traced_or_kept(measured, view, plan, 1001, folder),
+              .second = traced_or_kept(measured, view, plan, 1002, folder),
+              .mean = {}};
+  truth.mean = mean_of(truth.first, truth.second);
+  truth.trace_seconds =
+      (std::stod(truth.first.metadata.at(seconds_key)) + std::stod(truth.second.metadata.at(seconds_key))) / 2.0;
+  return truth;
+}
+
+}  // namespace sigmascape::cli

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <filesystem>
+
+#include "results/plan.h"
+
+#include "sigmascape/radar/ground_map.h"
+#include "sigmascape/scene/scene.h"
+#include "sigmascape/trace/scene_geometry.h"
+
+namespace sigmascape::cli {
+
+/// A scene that is measured, under its short name.
+struct MeasuredScene {
+  std::string name;  ///< "hills" or "level"
+  scene::Scene scene;
+  trace::SceneGeometry geometry;
+
+  MeasuredScene(std::string short_name, scene::Scene of)
+      : name(std::move(short_name)), scene(std::move(of)), geometry(scene, trace::Footing::Terrain) {}
+};
+
+/// The scene with its ground at height zero and every building upon it.
+[[nodiscard]] scene::Scene levelled(scene::Scene scene);
+
+/// The path-traced map of a view, from two traced maps that differ in their seed alone.
+struct Truth {
+  radar::GroundMap first, second;
+  radar::GroundMap mean;       ///< of the two, with half the variance of either: what baked maps are held against
+  double trace_seconds = 0.0;  ///< processor time of one
+};
+
+/// Traces the view, or reads from `folder` what an earlier run traced there with the same scene, view and settings.
+[[nodiscard]] Truth traced_truth(const MeasuredScene& measured, const PlannedView& view, const ResultsPlan& plan,
+                                 const std::filesystem::path& folder);
+
+}  // namespace sigmascape::cli

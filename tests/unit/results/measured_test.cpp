@@ -1,0 +1,149 @@
+#include "results/measured.h"
+
+#include <cmath>
+#include <filesystem>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <limits>
+
+#include "made_rows.h"
+#include "scratch_folder.h"
+
+#include "sigmascape/base/error.h"
+
+namespace sigmascape::cli {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+ViewResult made_result(const ResultsPlan& plan, const PlannedView& view, Method method) {
+  ViewResult result;
+  result.of = made_case(plan, method, view.kind);
+  result.view = view;
+  result.atlas = {40, 1234567, 7654321, 0.1};
+  result.of.change = finest_change;
+  result.of.level_of_detail = 2;
+  result.comparison.at = {{2.0, 40000, 1.0 / 3.0, 6.02, -0.25, 0.5, 0.75, 11},
+                          {8.0, 2500, 0.9, 3.0, 0.125, 0.2, std::nan(""), 0}};
+  result.noise_floor.at = {{8.0, 2500, 0.99, 1.0, 0.0, 0.01, 1.0, 0}};
+  result.by_level = {{-infinite, -30.0, 7, 1.5}, {-30.0, infinite, 8, 2.5}};
+  result.noise_by_level = {{-infinite, infinite, 15, 0.5}};
+  result.trace_seconds = 1.25;
+  result.render_ms = 2.5;
+  if (view.is_repeated) result.without_noise = {.cell_m = 8.0, .cells = 2500, .correlation_db = 0.95, .rms_db = 1.0};
+  return result;
+}
+
+MeasuredView made_view(const ResultsPlan& plan, const PlannedView& view) {
+  return {.scene = plan.scene_name(),
+          .view = view,
+          .machine = "a machine",
+          .results = {made_result(plan, view, Method::Paper), made_result(plan, view, Method::OwnGround)}};
+}
+
+class MeasuredViewsTest : public testing::Test {
+ protected:
+  [[nodiscard]] MeasuredViews views(const std::string& name) const {
+    return {folder_.path(name), settings_of_views(plan_, "digest")};
+  }
+  [[nodiscard]] std::string refusal_of(MeasuredViews measured, const std::string& name) const {
+    try {
+      measured.take_over(folder_.path(name));
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "no refusal";
+  }
+
+  ScratchFolder folder_;
+  ResultsPlan plan_ = made_plan();
+};
+
+// JSON of the results is the numbers that a page is made of.
+TEST_F(MeasuredViewsTest, KeepAllThatAPageIsMadeOf) {
+  MeasuredViews kept = views("measured.json");
+  std::vector<ViewResult> all;
+  for (const PlannedView& view : plan_.views) {
+    const MeasuredView made = made_view(plan_, view);
+    all.insert(all.end(), made.results.begin(), made.results.end());
+    kept.add(made);
+  }
+  MeasuredViews again = views("measured.json");
+  again.go_on();
+  std::vector<ViewResult> read;
+  for (const PlannedView& view : plan_.views) {
+    const MeasuredView* found = again.find(plan_.scene_name(), view);
+    ASSERT_NE(found, nullptr) << view.description();
+    EXPECT_EQ(found->machine, "a machine");
+    EXPECT_EQ(found->results.front().by_level.front().from_db, -infinite);
+    EXPECT_EQ(found->results.front().by_level.back().to_db, infinite);
+    read.insert(read.end(), found->results.begin(), found->results.end());
+  }
+  EXPECT_EQ(results_json(plan_, rows_of(read), read), results_json(plan_, rows_of(all), all));
+}
+
+TEST_F(MeasuredViewsTest, AViewIsFoundByAllThatDecidesIt) {
+  MeasuredViews kept = views("measured.json");
+  const PlannedView& view = plan_.views.front();
+  kept.add(made_view(plan_, view));
+  EXPECT_NE(kept.find(plan_.scene_name(), view), nullptr);
+  EXPECT_EQ(kept.find("level", view), nullptr);
+  EXPECT_EQ(kept.find(plan_.scene_name(), view.from_afar()), nullptr);
+  EXPECT_EQ(kept.find(plan_.scene_name(), plan_.views.back()), nullptr);
+}
+
+TEST_F(MeasuredViewsTest, AnotherRunsAreTakenOverAndKept) {
+  MeasuredViews other = views("other.json");
+  other.add(made_view(plan_, plan_.views.front()));
+  MeasuredViews here = views("here.json");
+  here.add(made_view(plan_, plan_.views.back()));
+  here.take_over(folder_.path("other.json"));
+  MeasuredViews again = views("here.json");
+  again.go_on();
+  EXPECT_NE(again.find(plan_.scene_name(), plan_.views.front()), nullptr);
+  EXPECT_NE(again.find(plan_.scene_name(), plan_.views.back()), nullptr);
+}
+
+TEST_F(MeasuredViewsTest, AViewIsMeasuredAnewWithMoreRaysWhileOthersStay) {
+  MeasuredViews kept = views("measured.json");
+  kept.add(made_view(plan_, plan_.views.front()));
+  kept.add(made_view(plan_, plan_.views.back()));
+  PlannedView finer = plan_.views.back();
+  finer.traced_samples *= 5;
+  EXPECT_EQ(kept.find(plan_.scene_name(), finer), nullptr);
+  kept.add(made_view(plan_, finer));
+  MeasuredViews again = views("measured.json");
+  again.go_on();
+  EXPECT_NE(again.find(plan_.scene_name(), finer), nullptr);
+  EXPECT_EQ(again.find(plan_.scene_name(), plan_.views.back()), nullptr) << "a page has each view once";
+  EXPECT_NE(again.find(plan_.scene_name(), plan_.views.front()), nullptr);
+}
+
+TEST_F(MeasuredViewsTest, WhatDoesNotFitIsRefusedOrWrittenOver) {
+  MeasuredViews kept = views("measured.json");
+  kept.add(made_view(plan_, plan_.views.front()));
+  ResultsPlan fewer = plan_;
+  fewer.bounces = 3;
+  const auto settings = settings_of_views(fewer, "digest");
+  EXPECT_THAT(refusal_of({folder_.path("x.json"), settings}, "measured.json"),
+              HasSubstr("was measured with bounces 8, not 3"));
+  EXPECT_THAT(refusal_of({folder_.path("x.json"), settings_of_views(plan_, "another")}, "measured.json"),
+              HasSubstr("was measured with scene"));
+  EXPECT_THAT(refusal_of(views("x.json"), "absent.json"), HasSubstr("cannot be read"));
+  EXPECT_FALSE(std::filesystem::exists(folder_.path("x.json"))) << "nothing was taken over";
+  MeasuredViews anew(folder_.path("measured.json"), settings);
+  anew.go_on();
+  EXPECT_EQ(anew.find(plan_.scene_name(), plan_.views.front()), nullptr);
+}
+
+TEST_F(MeasuredViewsTest, ADamagedFileIsNamed) {
+  for (const char* text : {"", "{}", "[1, 2", R"({"settings": 1, "views": 2})"}) {
+    folder_.write("damaged.json", text);
+    EXPECT_THAT(refusal_of(views("x.json"), "damaged.json"), HasSubstr("damaged.json")) << text;
+  }
+}
+
+}  // namespace
+}  // namespace sigmascape::cli

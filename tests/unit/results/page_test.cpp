@@ -1,0 +1,112 @@
+#include "results/page.h"
+
+#include <cmath>
+#include <gmock/gmock.h>
+
+#include "made_rows.h"
+
+namespace sigmascape::cli {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+/// A report of made numbers: the paper's method and ours at views of both kinds, from two grids each.
+ResultsReport made_report(bool is_a_place) {
+  ResultsReport report{.plan = made_plan(),
+                       .scene = "Harbour",
+                       .attribution = {},
+                       .machine = "a machine",
+                       .command_line = "sigmascape results",
+                       .links = PageLinks("docs/results/itu/README.md"),
+                       .vertices = {.terrain = 100, .objects = 900},
+                       .tracing_memory_bytes = 1'000'000,
+                       .views = {},
+                       .rows = {},
+                       .figures = {{.heading = "Figures 5 and 6: the scene", .figures = {{"a.png", "above"}}}}};
+  if (is_a_place) report.plan.scene_file = "harbour.toml";
+  for (const ViewKind kind : {ViewKind::OnGrid, ViewKind::HeldOut}) {
+    for (const Method method : {Method::Paper, Method::OwnGround}) {
+      ResultsCase of = made_case(report.plan, method, kind);
+      // What two grids both hold comes out the same, what only one holds does not.
+      const double rms_db = method == Method::Paper ? 8.0 : 5.0;
+      of.grid = report.plan.grids.front().name();
+      report.rows.push_back(made_row(of, kind == ViewKind::OnGrid ? rms_db : rms_db + 1.0, 0.5, 1'000'000));
+      of.grid = report.plan.paper_grid().name();
+      report.rows.push_back(made_row(of, rms_db, 0.5, 2'000'000));
+    }
+  }
+  return report;
+}
+
+TEST(ResultsPage, OpensWithItsSceneTheVerdictAndTheFiguresBeforeTheTables) {
+  const std::string page = results_markdown(made_report(true));
+  EXPECT_THAT(page, StartsWith("# How close the baked map is: Harbour\n"));
+  std::size_t last = 0;
+  for (const char* part : {"Visina", "[Bilbao](../bilbao/README.md)", "At the 4 views that were not baked",
+                           "| *truth* |", "The words of this page", "## Figures 5 and 6", "## How it was measured",
+                           "## At 8 m cells", "## Cheap wins", "## Settings", "<details>", "| view | azimuth"}) {
+    const std::size_t place = page.find(part, last);
+    EXPECT_NE(place, std::string::npos) << part << " is missing or not where it should be";
+    if (place != std::string::npos) last = place;
+  }
+  EXPECT_THAT(page, Not(HasSubstr("](README.md)"))) << "a page links to itself";
+}
+
+TEST(ResultsPage, SharesRowsOfGridsThatAllNumbersAreTheSameFrom) {
+  const std::string page = results_markdown(made_report(true));
+  EXPECT_THAT(page, HasSubstr("| on grid (4) | paper | 8 × 4; 8 × 5 | 0.900 (0.900) | 8.00 (8.00) |"));
+  EXPECT_THAT(page, HasSubstr("| 1.00; 2.00 |"));
+  EXPECT_THAT(page, HasSubstr("| held out (4) | paper | 8 × 4 | 0.900 (0.900) | 9.00 (9.00) |"));
+  EXPECT_THAT(page, HasSubstr("| held out (4) | paper | 8 × 5 | 0.900 (0.900) | 8.00 (8.00) |"));
+}
+
+TEST(ResultsPage, NamesScenesOnlyWhereThereAreTwo) {
+  EXPECT_THAT(results_markdown(made_report(false)), HasSubstr("| hills | on grid (4) | paper |"));
+  EXPECT_THAT(results_markdown(made_report(true)), Not(HasSubstr("place |")));
+}
+
+TEST(ResultsPage, PlotsHaveTheNoiseFloor) {
+  ResultsReport report = made_report(false);
+  ViewResult view{.of = made_case(report.plan, Method::Paper, ViewKind::HeldOut),
+                  .view = report.plan.views.back(),
+                  .atlas = {},
+                  .comparison = {},
+                  .noise_floor = {},
+                  .by_level = {},
+                  .noise_by_level = {}};
+  view.comparison.at = {{.cell_m = summary_cell_m, .rms_db = 5.0}};
+  report.views = {view};
+  for (const auto& [name, plot] : plots_of(report)) {
+    const PlotSeries& floor = plot.series.back();
+    EXPECT_EQ(floor.name, "truth against truth") << name;
+    ASSERT_FALSE(floor.points.empty()) << name;
+    for (const auto& [x, rms_db] : floor.points) EXPECT_EQ(rms_db, 2.0) << name;
+  }
+}
+
+TEST(ResultsPage, SaysNoOverlapOfFewCellsInShadow) {
+  ViewResult view{.of = made_case(made_plan(), Method::Paper, ViewKind::HeldOut),
+                  .view = {},
+                  .atlas = {},
+                  .comparison = {},
+                  .noise_floor = {},
+                  .by_level = {},
+                  .noise_by_level = {}};
+  const auto iou_of = [&](std::vector<std::size_t> shadow_cells) {
+    std::vector<ViewResult> views;
+    for (const std::size_t cells : shadow_cells) {
+      view.comparison.at =
+          view.noise_floor.at = {{.cell_m = 8.0, .shadow_iou = cells < 20 ? 0.0 : 0.6, .shadow_cells = cells}};
+      views.push_back(view);
+    }
+    return rows_of(views).front().cells.front().median.shadow_iou;
+  };
+  EXPECT_TRUE(std::isnan(iou_of({0, product::least_shadow_cells - 1})));
+  EXPECT_EQ(iou_of({product::least_shadow_cells}), 0.0);
+  EXPECT_EQ(iou_of({0, 1, 2, 30}), 0.6) << "views without shadow have no part in the median";
+}
+
+}  // namespace
+}  // namespace sigmascape::cli

@@ -1,0 +1,33 @@
+#include "results/plan.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "made_rows.h"
+
+#include "sigmascape/base/units.h"
+
+namespace sigmascape::cli {
+namespace {
+
+TEST(ResultsPlan, SpacesAsManyElevationsOverTheSameSpanEvenlyInTheCotangent) {
+  const ResultsPlan plan = made_plan();
+  const LookGrid even = plan.even_in_cotangent();
+  const auto& elevations_deg = even.elevations_deg;
+  ASSERT_EQ(elevations_deg.size(), plan.paper_grid().elevations_deg.size());
+  EXPECT_EQ(even.azimuths, plan.paper_grid().azimuths);
+  EXPECT_EQ(elevations_deg.front(), 5.0);
+  EXPECT_EQ(elevations_deg.back(), 37.0);
+  const auto cotangent = [&](std::size_t i) { return 1.0 / std::tan(radians_from_deg(elevations_deg[i])); };
+  for (std::size_t i = 2; i < elevations_deg.size(); ++i)
+    EXPECT_NEAR(cotangent(i - 1) - cotangent(i), cotangent(0) - cotangent(1), 0.02) << i;
+}
+
+TEST(ResultsPlan, TellsGridsOfAsManyLooksApart) {
+  const ResultsPlan plan = made_plan();
+  EXPECT_EQ(plan.paper_grid().name(), "8 × 5");
+  EXPECT_EQ(plan.even_in_cotangent().name(), "8 × 5 in cot ψ");
+}
+
+}  // namespace
+}  // namespace sigmascape::cli
