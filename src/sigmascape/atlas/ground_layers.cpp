@@ -64,6 +64,12 @@ bool keeps_ground_apart(const AtlasDescription& description) {
   return setting != description.settings.end() && setting->second == shadows_at_run_time;
 }
 
+radar::FromAfar from_afar(const AtlasDescription& description) {
+  const auto footing = description.settings.find(footing_setting);
+  const bool on_terrain = footing != description.settings.end() && footing->second == footing_on_terrain;
+  return on_terrain ? radar::FromAfar::Unhidden : radar::FromAfar::Hidden;
+}
+
 Store create_ground_store(const Store& atlas, const std::vector<double>& elevations_rad,
                           std::vector<StoreFault>* mended) {
   const AtlasDescription description = ground_description(atlas, elevations_rad);
@@ -96,7 +102,7 @@ Store open_ground_store(const Store& atlas) {
 GroundLayers load_ground_layers(const Store& atlas, const LoadOptions& options) {
   const Store ground = open_ground_store(atlas);
   radar::ObstacleMap obstacles = load_obstacles(atlas);
-  radar::AnsweringTops tops = radar::answering_tops(obstacles);
+  radar::AnsweringTops tops = radar::answering_tops(obstacles, from_afar(atlas.description()));
   return {load_atlas(ground, {.finest_level = options.finest_level, .threads = options.threads, .aspects = {}}),
           std::move(obstacles), std::move(tops)};
 }

@@ -23,10 +23,17 @@ struct GroundLayers {
 inline constexpr const char* shadows_setting = "shadows";
 inline constexpr const char* shadows_at_run_time = "run-time";
 
+/// What objects stood on when they were baked, and what it says then.
+inline constexpr const char* footing_setting = "footing";
+inline constexpr const char* footing_on_terrain = "terrain";
+
 [[nodiscard]] bool keeps_ground_apart(const AtlasDescription& description);
 [[nodiscard]] inline bool keeps_ground_apart(const Store& store) {
   return keeps_ground_apart(store.description());
 }
+
+/// What becomes of what its textures hold of echoes from afar where terrain hides the ground.
+[[nodiscard]] radar::FromAfar from_afar(const AtlasDescription& description);
 
 /// The store, in the folder `ground` of an atlas, of the ground's own σ0: the same patches and frequencies, azimuth 0
 /// and these elevations. Made when it is not there; a collection that says something else, or nothing, is written anew,

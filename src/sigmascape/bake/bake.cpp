@@ -34,7 +34,8 @@ std::map<std::string, std::string> settings_in_words(const BakeSettings& setting
       {"max_bounces", std::to_string(settings.max_bounces)},
       {"seed", std::to_string(settings.seed)},
       {atlas::shadows_setting, settings.shadows == Shadows::RunTime ? atlas::shadows_at_run_time : "baked"},
-      {"footing", footing_of(settings) == trace::Footing::LevelPlane ? "level" : "terrain"},
+      {atlas::footing_setting,
+       footing_of(settings) == trace::Footing::LevelPlane ? "level" : atlas::footing_on_terrain},
       {"simd", trace::simd_setting()}};
   if (sampling.is_adaptive()) {
     words["samples_per_texel"] = fmt::format("{} to {}", pilot_samples, sampling.most_samples);

@@ -101,7 +101,7 @@ radar::AnsweringTops LookBaker::tops_of(const radar::GroundGrid& texels) const {
   const double margin_m = static_cast<double>(margin) * texels.cell_m;
   const radar::GroundGrid about{texels.west_m - margin_m, texels.north_m + margin_m, texels.cell_m,
                                 texels.columns + 2 * margin, texels.rows + 2 * margin};
-  const radar::AnsweringTops all = radar::answering_tops(scene::obstacles_of(scene_, about));
+  const radar::AnsweringTops all = radar::answering_tops(scene::obstacles_of(scene_, about), radar::FromAfar::Unhidden);
   radar::AnsweringTops within{texels, Array2D<float>(texels.columns, texels.rows)};
   for (std::size_t row = 0; row < texels.rows; ++row)
     std::ranges::copy(all.top_m.row(row + margin).subspan(margin, texels.columns), within.top_m.row(row).begin());

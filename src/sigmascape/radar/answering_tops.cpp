@@ -28,7 +28,7 @@ std::size_t layover_squares(double top_m, double cell_m) {
 }
 
 /// Rows first and then columns: the higher reaches farther, so that what is lost to it in a row would be lost anyway.
-Array2D<float> answering_tops_m(const Array2D<float>& standing_m, double cell_m) {
+Array2D<float> answering_tops_m(const Array2D<float>& standing_m, double cell_m, FromAfar from_afar) {
   Array2D<float> answering_m(standing_m.columns(), standing_m.rows());
   for (std::size_t row = 0; row < standing_m.rows(); ++row) spread(standing_m.row(row), cell_m, answering_m.row(row));
   std::vector<float> line(standing_m.rows()), reaching(standing_m.rows());
@@ -37,13 +37,14 @@ Array2D<float> answering_tops_m(const Array2D<float>& standing_m, double cell_m)
     spread(line, cell_m, reaching);
     for (std::size_t row = 0; row < line.size(); ++row) answering_m(column, row) = reaching[row];
   }
+  if (from_afar == FromAfar::Unhidden) std::ranges::replace(answering_m.values(), 0.0F, unhidden_m);
   return answering_m;
 }
 
-AnsweringTops answering_tops(const ObstacleMap& map) {
+AnsweringTops answering_tops(const ObstacleMap& map, FromAfar from_afar) {
   Array2D<float> standing_m(map.obstacles.columns(), map.obstacles.rows());
   for (std::size_t i = 0; i < standing_m.size(); ++i) standing_m.values()[i] = map.obstacles.values()[i].top_m();
-  return {map.grid, answering_tops_m(standing_m, map.grid.cell_m)};
+  return {map.grid, answering_tops_m(standing_m, map.grid.cell_m, from_afar)};
 }
 
 }  // namespace sigmascape::radar

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 
 #include "sigmascape/base/array2d.h"
 #include "sigmascape/radar/ground_grid.h"
@@ -9,8 +11,16 @@
 
 namespace sigmascape::radar {
 
+/// What answers from squares that nothing standing lies over into: echoes from afar, which came late over several
+/// bounces. docs/decisions/0131-what-comes-from-afar-is-not-hidden.md.
+enum class FromAfar {
+  Hidden,    ///< with the ground that they land on. Of textures baked on level ground, where they land says nothing
+  Unhidden,  ///< by that ground. Textures baked on their own ground hold them as they were seen
+};
+
 /// How high what answers from each square may stand above its ground: as the highest top on it or near enough to lie
-/// over into it, whatever the azimuth.
+/// over into it, whatever the azimuth. Where there is none, infinitely high if what comes from afar is unhidden, else
+/// 0.
 ///
 /// What stands on the ground answers before its foot, from squares on which nothing stands. How much of that a ridge
 /// leaves to be seen is a question of its height, not of what stands on those squares.
@@ -28,7 +38,15 @@ struct AnsweringTops {
 [[nodiscard]] std::size_t layover_squares(double top_m, double cell_m);
 
 /// From the heights of what stands on each square, [column, row].
-[[nodiscard]] Array2D<float> answering_tops_m(const Array2D<float>& standing_m, double cell_m);
-[[nodiscard]] AnsweringTops answering_tops(const ObstacleMap& map);
+[[nodiscard]] Array2D<float> answering_tops_m(const Array2D<float>& standing_m, double cell_m, FromAfar from_afar);
+[[nodiscard]] AnsweringTops answering_tops(const ObstacleMap& map, FromAfar from_afar);
+
+inline constexpr float unhidden_m = std::numeric_limits<float>::infinity();
+
+/// Of two squares as one: the higher of what stands there, unhidden only where nothing does.
+[[nodiscard]] inline float higher_standing_m(float a_m, float b_m) {
+  if (a_m == unhidden_m || b_m == unhidden_m) return std::min(a_m, b_m);
+  return std::max(a_m, b_m);
+}
 
 }  // namespace sigmascape::radar

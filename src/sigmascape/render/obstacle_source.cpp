@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/radar/answering_tops.h"
 #include "sigmascape/render/part_of_tile.h"
 
@@ -58,7 +59,7 @@ void ObstacleSource::fill_tops(const atlas::TileAddress& tile, std::span<float> 
       }
     }
   }
-  const Array2D<float> answering_m = radar::answering_tops_m(about, cell_m);
+  const Array2D<float> answering_m = radar::answering_tops_m(about, cell_m, atlas::from_afar(description()));
   for (std::size_t row = 0; row < side; ++row) {
     std::ranges::copy(answering_m.row(margin + row).subspan(margin, side),
                       top_m.begin() + static_cast<std::ptrdiff_t>(row * side));

@@ -3,20 +3,23 @@
 #include <algorithm>
 #include <utility>
 
+#include "sigmascape/radar/answering_tops.h"
+
 namespace sigmascape::render {
 namespace {
 
 using atlas::Half;
 using atlas::tile_side;
 
-/// The greatest of the squares of [row][column] that each of fewer covers.
-void find_greatest(std::span<const float> finer, std::size_t finer_side, std::span<float> coarser, std::size_t side) {
+/// Of each of fewer squares [row][column] from those that it covers.
+void find_coarser_tops(std::span<const float> finer, std::size_t finer_side, std::span<float> coarser,
+                       std::size_t side) {
   const std::size_t each = finer_side / side;
-  std::ranges::fill(coarser, 0.0F);
+  std::ranges::fill(coarser, radar::unhidden_m);
   for (std::size_t row = 0; row < finer_side; ++row) {
     for (std::size_t column = 0; column < finer_side; ++column) {
-      float& greatest = coarser[row / each * side + column / each];
-      greatest = std::max(greatest, finer[row * finer_side + column]);
+      float& top_m = coarser[row / each * side + column / each];
+      top_m = radar::higher_standing_m(top_m, finer[row * finer_side + column]);
     }
   }
 }
@@ -93,7 +96,7 @@ void PageSource::fill_relief(GroundPage& page) const {
   }
   std::vector<float> top_m(tile_side * tile_side);
   bare_ground_->tops(page.key.tile, top_m);
-  find_greatest(top_m, tile_side, page.top_m, page.side);
+  find_coarser_tops(top_m, tile_side, page.top_m, page.side);
 }
 
 }  // namespace sigmascape::render

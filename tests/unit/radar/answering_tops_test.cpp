@@ -15,12 +15,28 @@ TEST(AnsweringTops, ThingsAnswerAsFarBeforeThemAsTheyLieOver) {
   ObstacleMap map{{0.0, 42.0, 2.0, 21, 21}, Array2D<Obstacle>(21, 21)};
   map.obstacles(10, 10) = {.solid_top_m = 20.0F};
   map.obstacles(11, 10) = {.crown_base_m = 2.0F, .crown_top_m = 6.0F, .crown_extinction_per_m = 0.1F};
-  const AnsweringTops tops = answering_tops(map);
+  const AnsweringTops tops = answering_tops(map, FromAfar::Hidden);
   EXPECT_EQ(tops.at(map.grid.centre_of(13, 7)), 20.0F);
   EXPECT_EQ(tops.at(map.grid.centre_of(11, 10)), 20.0F) << "the higher of two";
   EXPECT_EQ(tops.at(map.grid.centre_of(14, 10)), 0.0F);
   EXPECT_EQ(tops.at(map.grid.centre_of(10, 14)), 0.0F);
   EXPECT_EQ(tops.at({-1.0, 20.0}), 0.0F);
+}
+
+TEST(AnsweringTops, WhereNothingReachesWhatComesFromAfarIsHiddenByNothing) {
+  ObstacleMap map{{0.0, 42.0, 2.0, 21, 21}, Array2D<Obstacle>(21, 21)};
+  map.obstacles(10, 10) = {.solid_top_m = 20.0F};
+  const AnsweringTops tops = answering_tops(map, FromAfar::Unhidden);
+  EXPECT_EQ(tops.at(map.grid.centre_of(13, 10)), 20.0F);
+  EXPECT_EQ(tops.at(map.grid.centre_of(14, 10)), unhidden_m);
+  EXPECT_EQ(tops.at({-1.0, 20.0}), 0.0F) << "of ground outside nothing is known";
+}
+
+TEST(AnsweringTops, OfSquaresTogetherAreThoseOfWhatStandsOnThem) {
+  EXPECT_EQ(higher_standing_m(3.0F, 7.0F), 7.0F);
+  EXPECT_EQ(higher_standing_m(unhidden_m, 7.0F), 7.0F);
+  EXPECT_EQ(higher_standing_m(3.0F, unhidden_m), 3.0F);
+  EXPECT_EQ(higher_standing_m(unhidden_m, unhidden_m), unhidden_m);
 }
 
 TEST(AnsweringTops, AreTheHighestOfAllThatReachASquare) {
@@ -31,7 +47,7 @@ TEST(AnsweringTops, AreTheHighestOfAllThatReachASquare) {
     const float lot = unit_float(hashed(7, i));
     if (lot < 0.1F) standing_m.values()[i] = 900.0F * lot * lot * lot * 100.0F;
   }
-  const Array2D<float> answering_m = answering_tops_m(standing_m, cell_m);
+  const Array2D<float> answering_m = answering_tops_m(standing_m, cell_m, FromAfar::Hidden);
   const auto apart = [](std::size_t a, std::size_t b) { return a > b ? a - b : b - a; };
   for (std::size_t row = 0; row < rows; ++row) {
     for (std::size_t column = 0; column < columns; ++column) {

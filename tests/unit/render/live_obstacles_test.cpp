@@ -32,6 +32,7 @@ atlas::Store town_alone(const std::filesystem::path& folder) {
   description.aspects = {{0.0}, {radians_from_deg(13.0)}, {10e9}};
   description.scene_hash = "none";
   description.settings[atlas::shadows_setting] = atlas::shadows_at_run_time;
+  description.settings[atlas::footing_setting] = atlas::footing_on_terrain;
   atlas::Store store = atlas::Store::create(folder, description);
   ExampleGround example;
   example.texel_m = 2.0;
@@ -177,7 +178,7 @@ TEST_F(LiveObstaclesTest, TopsOfATileKnowOfItsNeighbours) {
     for (std::size_t column = 0; column < about.grid.columns; ++column)
       about.obstacles(column, row) = town(about.grid.centre_of(column, row));
   }
-  const radar::AnsweringTops expected = radar::answering_tops(about);
+  const radar::AnsweringTops expected = radar::answering_tops(about, radar::FromAfar::Unhidden);
   for (std::size_t row = 0; row < texels.rows; ++row) {
     for (std::size_t column = 0; column < texels.columns; ++column) {
       ASSERT_EQ(tops[row * texels.columns + column], expected.at(texels.centre_of(column, row)))
