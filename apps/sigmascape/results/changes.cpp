@@ -129,13 +129,15 @@ std::string changes_table(const ResultsPlan& plan, const std::vector<ResultsRow>
   for (const auto& [contrast, kept] : changes(plan)) {
     const auto both = measured(contrast, rows);
     if (!both) continue;
-    const bool pays = both->without_cell->median.rms_db - both->with_cell->median.rms_db >= least_fall_db;
+    const double fall_db = both->without_cell->median.rms_db - both->with_cell->median.rms_db;
+    std::string mark = kept;
+    if (kept == kept_mark && fall_db < least_fall_db)
+      mark += fall_db <= -least_fall_db ? ", costs here" : ", pays little here";
     const auto side = [](const ResultsRow& row, const ResultsCell& cell) {
       return fmt::format("{} | {} | {:.0f}", error_text(cell.median), megabytes(row.atlas.store_bytes), row.render_ms);
     };
-    text += fmt::format("| {} | {} | {} | {} | {}{} |\n", contrast.name, contrast.how,
-                        side(*both->without, *both->without_cell), side(*both->with, *both->with_cell), kept,
-                        kept == kept_mark && !pays ? ", pays little here" : "");
+    text += fmt::format("| {} | {} | {} | {} | {} |\n", contrast.name, contrast.how,
+                        side(*both->without, *both->without_cell), side(*both->with, *both->with_cell), mark);
   }
   return text;
 }
@@ -164,7 +166,10 @@ std::string changes_section(const ResultsPlan& plan, const std::vector<ResultsRo
       "## Cheap wins\n\nEach change made alone to the method named beside it, from the {} grid where nothing else is "
       "said, held-out views at {:.0f} m cells. *Kept*: `sigmascape bake` and `sigmascape render` do so by themselves. "
       "What was kept though it takes less than {} dB off here was kept for other reasons. *An option*: they do so when "
-      "asked to.\n\n{}\n{}\n\n",
+      "asked to. To keep power when looks are blended takes no change: the blend is linear in power, so that every "
+      "area "
+      "has the blend of its powers. How elevations are best spaced depends on where views are: held-out ones are drawn "
+      "evenly in elevation.\n\n{}\n{}\n\n",
       plan.paper_grid().name(), summary_cell_m, least_fall_db, changes_table(plan, rows), worth_of_looks(plan, rows));
 }
 

@@ -36,23 +36,24 @@ struct ErrorParts {
 /// √(2ρ / (1 + ρ)) of their own correlation ρ.
 [[nodiscard]] double most_correlation(double traced_correlation);
 
-/// Markdown: the paper's method at held-out views, beside it the best combination of the changes that takes no more
-/// bytes and the best of all; empty without held-out views.
+/// Markdown: the paper's method at held-out views, beside it ours from the same looks, the best way that takes no more
+/// bytes, the best of all, and the paper's from the looks of that; empty without held-out views.
 [[nodiscard]] std::string combinations_table(const ResultsPlan& plan, const std::vector<ResultsRow>& rows);
 
 /// Markdown: what limits each of these.
 [[nodiscard]] std::string limits_section(const ResultsPlan& plan, const std::vector<ResultsRow>& rows);
 
 /// The largest of the parts of a way's error, "missing angles", and its share; nothing where its method has no looks of
-/// the views' own.
+/// the views' own. Without a share where the way comes closer than those: it blends several looks, whose noise
+/// averages, so that nothing is told of missing angles.
 struct Limit {
   std::string name;
-  double share = 0.0;
+  std::optional<double> share;
 };
 [[nodiscard]] std::optional<Limit> largest_limit(const ResultsRow& row, const std::vector<ResultsRow>& rows);
 
-/// What is found in short: how close the best way comes at held-out views and at views that were baked, beside the
-/// paper's method, and what limits it; empty without held-out views.
+/// What is found in short: how close our maps come at held-out views from as many looks as the paper's, in what time,
+/// how close the best way does, there and at views that were baked, and what limits it; empty without held-out views.
 [[nodiscard]] std::string verdict(const ResultsPlan& plan, const std::vector<ResultsRow>& rows);
 
 }  // namespace sigmascape::cli

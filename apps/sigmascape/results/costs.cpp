@@ -25,10 +25,10 @@ std::string vertices_text(const ResultsReport& report) {
   const auto [terrain, objects] = report.vertices;
   const auto all = static_cast<double>(terrain + objects);
   return fmt::format(
-      "The scene has {:.4g} million vertices within the square, each tree with its own; a rendered map knows the {} "
-      "nodes of its terrain, {:.3f} % of them. To be traced, the whole scene takes {} MB of acceleration "
+      "The scene has {} vertices within the square, each tree with its own; a rendered map knows the {} "
+      "nodes of its terrain, {:.3g} % of them. To be traced, the whole scene takes {} MB of acceleration "
       "structures{}.\n\n",
-      all / 1e6, terrain, 100.0 * static_cast<double>(terrain) / all, megabytes(report.tracing_memory_bytes),
+      terrain + objects, terrain, 100.0 * static_cast<double>(terrain) / all, megabytes(report.tracing_memory_bytes),
       report.plan.scene_file.empty() ? "" : ", what stands beyond the square included");
 }
 

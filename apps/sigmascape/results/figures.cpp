@@ -161,7 +161,7 @@ product::PageSection simple_section(const ResultsPlan& plan, const std::filesyst
   return {
       .heading = "Figure 1: what a radar shows of simple things",
       .paragraphs = {fmt::format(
-          "Objects of {} on {}. A fiftieth of what the walls reflect leaves diffusely. Echoes of at most two "
+          "Objects of {} on {}. Of what the walls reflect a part of 0.15² leaves diffusely. Echoes of at most two "
           "bounces: those of more come late, lie in the shadows and are found by few rays. The faint specks left there "
           "are late echoes of two.",
           options.object_material == "concrete" ? "concrete" : "the paper's building material",
@@ -270,6 +270,12 @@ struct PicturedWay {
   [[nodiscard]] std::string words() const { return text_of(method) + ", " + grid; }
 };
 
+std::vector<PicturedWay> pictured_ways(const ResultsPlan& plan) {
+  return {{Method::Paper, plan.paper_grid().name(), "paper"},
+          {Method::OwnGround, plan.paper_grid().name(), "ours"},
+          {Method::OwnGround, plan.grids.back().name(), "ours_finest"}};
+}
+
 /// One view traced and rendered in several ways, on one scale, and the differences.
 product::PageSection pictured(const Measurement& measurement, const ResultsPlan& plan, const PlannedView& view,
                               const std::string& name, const std::string& heading,
@@ -286,12 +292,13 @@ product::PageSection pictured(const Measurement& measurement, const ResultsPlan&
   write_map_picture(path("traced"), truth.mean, look);
   product::PageSection section{
       .heading = heading,
-      .paragraphs = {"Over traced: −20 dB blue, +20 dB red; grey is the rim that is not compared."},
+      .paragraphs = {fmt::format("Sum of polarizations in dB of σ0, low-pass filtered as on a scope. Over traced, not "
+                                 "filtered, in cells of {:g} m: −20 dB blue, +20 "
+                                 "dB red; grey is the rim that is not compared.",
+                                 truth.mean.grid.cell_m)},
       .figures = {{path("traced"), "Path-traced from the full scene"}}};
   std::vector<product::PageFigure> differences;
-  for (const PicturedWay& way : {PicturedWay{Method::Paper, plan.paper_grid().name(), "paper"},
-                                 {Method::OwnGround, plan.paper_grid().name(), "ours"},
-                                 {Method::OwnGround, plan.next_grid().name(), "ours_next"}}) {
+  for (const PicturedWay& way : pictured_ways(plan)) {
     const radar::GroundMap map = measurement.map_of(view, way.method, way.grid);
     write_map_picture(path(way.key), map, look);
     section.figures.push_back({path(way.key), way.words()});
@@ -331,11 +338,12 @@ std::vector<product::PageSection> paper_figures(const Measurement& measurement, 
   // Of a real place its own pictures are asked for.
   if (plan.scene_file.empty()) sections.push_back(simple_section(plan, folder));
   std::ranges::move(
-      std::vector{scene_section(measurement, plan, folder), texture_section(measurement, folder),
-                  pictured(measurement, plan, plan.views.front(), "figure_8",
-                           "Figure 8: the paper's view, 20 km away, azimuth 130°, elevation 8.6°, 50 dB", folder),
-                  pictured(measurement, plan, worst, "worst",
-                           "The held-out view that the paper's method does worst on: " + worst.description(), folder)},
+      std::vector{
+          scene_section(measurement, plan, folder), texture_section(measurement, folder),
+          pictured(measurement, plan, plan.views.front(), "figure_8",
+                   "Figure 8: the paper's view, 20 km away, azimuth 130°, elevation 8.6°, 50 dB", folder),
+          pictured(measurement, plan, worst, "worst",
+                   "The held-out view that the paper's method correlates least at: " + worst.description(), folder)},
       std::back_inserter(sections));
   return sections;
 }

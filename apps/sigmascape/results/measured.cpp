@@ -21,6 +21,9 @@ using Json = nlohmann::ordered_json;
 using product::CellComparison;
 using product::LevelError;
 
+/// Raised when maps are made otherwise or more is measured of a view: what was kept before does not go with it.
+constexpr int form_of_views = 2;
+
 double number_in(const Json& json, double absent) {
   return json.is_null() ? absent : json.get<double>();
 }
@@ -242,15 +245,11 @@ nlohmann::ordered_json settings_of_views(const ResultsPlan& plan, const std::str
   Json grids = Json::array();
   for (const LookGrid& grid : plan.grids) grids.push_back(grid.name());
   const product::CompareOptions compare;
-  return {{"scene", scene},
-          {"side_m", plan.side_m()},
-          {"rim_m", plan.rim_m()},
-          {"grids", std::move(grids)},
-          {"baked_samples", plan.baked_samples},
-          {"bounces", plan.bounces},
-          {"seed", plan.seed},
-          {"floor_db", compare.floor_db},
-          {"shadow_db", compare.shadow_db},
+  return {{"form", form_of_views},        {"scene", scene},
+          {"side_m", plan.side_m()},      {"rim_m", plan.rim_m()},
+          {"grids", std::move(grids)},    {"baked_samples", plan.baked_samples},
+          {"bounces", plan.bounces},      {"seed", plan.seed},
+          {"floor_db", compare.floor_db}, {"shadow_db", compare.shadow_db},
           {"simd", trace::simd_setting()}};
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
+#include <tuple>
 
 #include "map_files.h"
 #include "results/processor_time.h"
@@ -141,8 +142,12 @@ void Measurement::make_ready() {
     return std::pair(textures, made.cost);
   };
   const LookGrid& grid = plan_.paper_grid();
-  paper(plan_.grids.front(), "", false);
-  const auto [textures, cost] = paper(grid, "", false);
+  AtlasCost cost;
+  std::shared_ptr<const render::PaperTextures> textures;
+  for (const LookGrid& looks : plan_.grids) {
+    auto made = paper(looks, "", false);
+    if (looks.name() == grid.name()) std::tie(textures, cost) = std::move(made);
+  }
   paper_textures_ = textures;
   for (const PaperChange& change : paper_changes) {
     methods_.push_back(

@@ -1,6 +1,8 @@
 #include "results/noise_tables.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <fmt/format.h>
 
 #include "results/columns.h"
@@ -15,6 +17,10 @@ std::string repeated_views(const ResultsPlan& plan) {
     if (view.is_repeated) text += (text.empty() ? "" : "; ") + view.description();
   }
   return text;
+}
+
+std::ptrdiff_t repeated_count(const ResultsPlan& plan) {
+  return std::ranges::count_if(plan.views, &PlannedView::is_repeated);
 }
 
 std::string range_name(const product::LevelError& range) {
@@ -59,14 +65,15 @@ std::string without_noise_section(const ResultsReport& report) {
   return fmt::format(
              "### Without noise\n\nViews that were baked twice, from two seeds, by their own look: {}. What two bakes "
              "and two traced maps have in common tells their noise from what parts them for good "
-             "(`product/noise_free_metrics.h` has the equations). Medians over these views, measured, and with the "
+             "(`product/noise_free_metrics.h` has the equations). {}easured, and with the "
              "noise of both taken out. From as many rays as the truth has, {}, a method without fault would come to 1 "
              "and 0 dB; from fewer, its RMS stays above. Faults that the noise of a cell buries are not brought back, "
              "which flatters correlations the more the farther they are from 1 and the noisier the maps: made examples "
              "of 0.95 come out as 0.957 where two traced maps agree to 0.965.\n\n"
              "|{} method | rays a texel | two traced maps: correlation | correlation of dB | without noise | RMS "
              "[dB] | without noise |\n|{}---|---:|---:|---:|---:|---:|---:|\n",
-             repeated_views(report.plan), report.plan.traced_samples_of(ViewKind::OnGrid), scene.head(), scene.rule()) +
+             repeated_views(report.plan), repeated_count(report.plan) > 1 ? "Medians over these views, m" : "M",
+             report.plan.traced_samples_of(ViewKind::OnGrid), scene.head(), scene.rule()) +
          rows + "\n";
 }
 

@@ -1,15 +1,17 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "results/combinations.h"
 #include "results/page.h"
 
 namespace sigmascape::cli {
 namespace {
 
-constexpr const char* noise_floor_name = "truth against truth";
+constexpr const char* noise_floor_name = "least that can be shown";
 constexpr Method methods[] = {Method::Paper, Method::BakedShadows, Method::LevelGround, Method::OwnGround};
 
-/// A level line, as far as the points of a plot reach, where the median of two traced maps of the held-out views is.
+/// A level line, as far as the points of a plot reach, at half of what two traced maps of held-out views differ by:
+/// what the noise of their mean leaves of a map without fault.
 void add_noise_floor(Plot& plot, const ResultsReport& report) {
   const auto* traced = noise_floor(report.plan, report.rows, report.plan.scene_name(), ViewKind::HeldOut);
   if (traced == nullptr) return;
@@ -20,7 +22,8 @@ void add_noise_floor(Plot& plot, const ResultsReport& report) {
   }
   if (reached.empty()) return;
   const auto [first, last] = std::ranges::minmax(reached);
-  floor.points = {{first, traced->rms_db}, {last, traced->rms_db}};
+  const double least_db = least_error(traced->rms_db);
+  floor.points = {{first, least_db}, {last, least_db}};
   plot.series.push_back(floor);
 }
 
@@ -84,7 +87,7 @@ Plot by_cell(const ResultsReport& report) {
     floor.points.clear();
     for (const ResultsCell& cell : row->cells) {
       series.points.emplace_back(cell.median.cell_m, cell.median.rms_db);
-      floor.points.emplace_back(cell.floor_median.cell_m, cell.floor_median.rms_db);
+      floor.points.emplace_back(cell.floor_median.cell_m, least_error(cell.floor_median.rms_db));
     }
   }
   plot.series.push_back(floor);
