@@ -14,6 +14,7 @@
 #include "sigmascape/geo/atomic_file.h"
 #include "sigmascape/product/attribution_line.h"
 #include "sigmascape/product/bitmap_font.h"
+#include "sigmascape/product/described_map.h"
 #include "sigmascape/product/legend.h"
 #include "sigmascape/product/png_file.h"
 #include "sigmascape/product/rectangle_fill.h"
@@ -281,7 +282,10 @@ product::PageSection pictured(const Measurement& measurement, const ResultsPlan&
                               const std::string& name, const std::string& heading,
                               const std::filesystem::path& folder) {
   Truth truth = measurement.truth_of(view);
-  truth.mean.metadata["attribution"] = measurement.scene().scene.attribution;
+  const scene::Scene& scene = measurement.scene().scene;
+  truth.mean = product::described_map(std::move(truth.mean),
+                                      simulate::placed_radar(view.radar(), scene.frame, scene.terrain, scene.extent),
+                                      scene.frame, {{"scene", scene.name}, {"attribution", scene.attribution}});
   product::PictureOptions look = product::scope_look();
   look.polarization = radar::Polarization::Sum;
   look.top_db = product::percentile_top_db(truth.mean, look);

@@ -1,12 +1,24 @@
 #include "sigmascape/product/described_map.h"
 
+#include <cmath>
 #include <fmt/format.h>
+#include <optional>
 
+#include "sigmascape/base/units.h"
 #include "sigmascape/product/ground_projection.h"
 #include "sigmascape/product/software.h"
 
 namespace sigmascape::product {
 namespace {
+
+/// From the middle of the map to the radar, clockwise from north; nothing where the radar stands over what is mapped.
+std::optional<double> azimuth_of_radar_deg(const radar::GroundGrid& grid, const radar::Radar& radar) {
+  const Vec2d place{radar.position.x, radar.position.y};
+  if (grid.extent().contains(place)) return std::nullopt;
+  const Vec2d towards = place - grid.extent().centre();
+  const double azimuth_deg = deg_from_radians(std::atan2(towards.x, towards.y));
+  return azimuth_deg < 0.0 ? azimuth_deg + 360.0 : azimuth_deg;
+}
 
 template <typename Map>
 void describe(Map& map, const radar::Radar& radar, const geo::LocalFrame& frame, const Provenance& provenance) {
@@ -15,6 +27,8 @@ void describe(Map& map, const radar::Radar& radar, const geo::LocalFrame& frame,
   map.metadata["radar"] = radar.name;
   map.metadata["radar_position_m"] =
       fmt::format("{:.2f} {:.2f} {:.2f}", radar.position.x, radar.position.y, radar.position.z);
+  if (const auto azimuth_deg = azimuth_of_radar_deg(map.grid, radar))
+    map.metadata[radar_azimuth_key] = fmt::format("{:.2f}", *azimuth_deg);
   map.metadata["radar_velocity_mps"] =
       fmt::format("{:.2f} {:.2f} {:.2f}", radar.velocity_mps.x, radar.velocity_mps.y, radar.velocity_mps.z);
   map.metadata["time_s"] = std::to_string(0);

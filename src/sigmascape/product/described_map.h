@@ -15,6 +15,10 @@ namespace sigmascape::product {
 /// Where a product comes from, as it goes into its metadata.
 using Provenance = std::map<std::string, std::string>;
 
+/// The entry, in degrees clockwise from north, that says where a map's radar stands, as seen from the map's middle. Of
+/// radars over what they map there is none.
+inline constexpr const char* radar_azimuth_key = "radar_azimuth_deg";
+
 /// Notes radar, pose, time and provenance with a map. Time zero is the moment at which radar and targets are where they
 /// are said to be; no clock goes in.
 [[nodiscard]] radar::GroundMap described_map(radar::GroundMap map, const radar::Radar& radar,

@@ -1,14 +1,20 @@
 #include "sigmascape/product/legend.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <fmt/format.h>
+#include <optional>
 #include <string>
+#include <system_error>
 
+#include "sigmascape/base/units.h"
 #include "sigmascape/product/bitmap_font.h"
+#include "sigmascape/product/described_map.h"
 #include "sigmascape/product/legend_look.h"
 #include "sigmascape/product/rectangle_fill.h"
+#include "sigmascape/radar/look.h"
 
 namespace sigmascape::product {
 namespace {
@@ -20,6 +26,8 @@ constexpr std::size_t bar_height = 8;
 constexpr std::size_t gap = 3;
 constexpr std::size_t between_parts = 24;
 constexpr std::size_t arrow_width = 9;
+constexpr std::size_t look_arrow_length = 13;
+constexpr const char* look_word = "radar";
 constexpr std::size_t strip_height = 2 * margin + bar_height + gap + glyph_height;
 
 /// The strip below the picture and how far it is filled.
@@ -92,6 +100,46 @@ void draw_north_arrow(Strip& strip) {
             legend_ink);
 }
 
+/// Where the picture says that its radar stands, seen from its middle.
+std::optional<double> radar_azimuth_rad(const Picture& picture) {
+  const auto told = picture.metadata.find(radar_azimuth_key);
+  if (told == picture.metadata.end()) return std::nullopt;
+  const std::string& text = told->second;
+  double azimuth_deg = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), azimuth_deg);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(azimuth_deg)) return std::nullopt;
+  return radians_from_deg(azimuth_deg);
+}
+
+/// Whether an arrow of so many pixels, its middle in the origin, covers a place `along` its way and `across` it.
+bool is_on_arrow(double along, double across, double length, double thickness) {
+  const double tip = length / 2.0, head = 0.45 * length;
+  if (along < tip - head) return along >= -tip && std::abs(across) <= thickness / 2.0;
+  return along <= tip && std::abs(across) <= 0.7 * (tip - along);
+}
+
+/// Left of the arrow to north: away from the radar, as its waves go and shadows fall.
+void draw_look_arrow(Strip& strip, double radar_azimuth_rad) {
+  const std::size_t width = text_width(look_word, strip.dot);
+  const std::size_t north_arrow = (arrow_width + between_parts / 2) * strip.dot;
+  if (!strip.has_room_for(width + north_arrow)) return;
+  const std::size_t left = strip.pixels.columns() - margin * strip.dot - north_arrow - width;
+  draw_text(strip.pixels, left, strip.text_row(), look_word, strip.dot, legend_ink);
+  const std::size_t side = look_arrow_length * strip.dot;
+  const std::size_t first_column = left + (width - side) / 2;
+  const std::size_t first_row = strip.text_row() - (gap - 1) * strip.dot - side;
+  const Vec2d away = radar::horizontal_direction(radar_azimuth_rad + pi);
+  for (std::size_t y = 0; y < side; ++y) {
+    for (std::size_t x = 0; x < side; ++x) {
+      const double middle = 0.5 * static_cast<double>(side) - 0.5;
+      const Vec2d place{static_cast<double>(x) - middle, middle - static_cast<double>(y)};
+      if (is_on_arrow(dot(place, away), place.x * away.y - place.y * away.x, static_cast<double>(side),
+                      1.3 * static_cast<double>(strip.dot)))
+        strip.pixels(first_column + x, first_row + y) = legend_ink;
+    }
+  }
+}
+
 }  // namespace
 
 double round_length_m(double longest_m) {
@@ -114,6 +162,8 @@ Picture with_legend(const Picture& picture, const LegendParts& parts) {
   if (parts.colour_scale) draw_colour_bar(strip, picture);
   if (parts.scale_bar) draw_scale_bar(strip, picture.grid);
   if (parts.north_arrow) draw_north_arrow(strip);
+  if (const auto azimuth_rad = radar_azimuth_rad(picture); azimuth_rad && parts.north_arrow)
+    draw_look_arrow(strip, *azimuth_rad);
   return framed;
 }
 

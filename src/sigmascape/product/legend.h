@@ -8,13 +8,14 @@ namespace sigmascape::product {
 struct LegendParts {
   bool colour_scale = true;  ///< false where colours stand for no decibels
   bool scale_bar = true;     ///< false where a pixel is not as long one way as the other
-  bool north_arrow = true;   ///< false where north is not at the top
+  bool north_arrow = true;   ///< false where north is not at the top; then no arrow says whence the radar looks
 };
 
 /// The picture with a strip below it: the colour scale with the decibels of its ends (and of the middle, of
-/// differences), a scale bar of a round length,
-/// and an arrow to true north. The ground keeps its pixels and its place. What does not fit beside one another into a
-/// narrow picture is left out from the right; a picture too narrow for a colour scale comes back as it is.
+/// differences), a scale bar of a round length, an arrow the way the radar looks (where the picture's metadata have
+/// radar_azimuth_key) and one to true north. The ground keeps its pixels and its place. What does not fit beside one
+/// another into a narrow picture is left out, the radar's arrow first; a picture too narrow for a colour scale comes
+/// back as it is.
 [[nodiscard]] Picture with_legend(const Picture& picture, const LegendParts& parts = {});
 
 /// The longest of 1, 2, 5, 10, 20, … metres (and of 0.1, 0.2, 0.5, …) that is no longer than `longest_m`, which must be

@@ -1,11 +1,13 @@
 #include "sigmascape/product/picture.h"
 
+#include <array>
 #include <cmath>
 #include <gtest/gtest.h>
 
 #include "unit/product/made_up_map.h"
 
 #include "sigmascape/base/error.h"
+#include "sigmascape/product/described_map.h"
 #include "sigmascape/product/legend.h"
 
 namespace sigmascape::product {
@@ -175,6 +177,30 @@ TEST(Legend, NamesTheMiddleOfDifferences) {
   const GroundMap map = map_of(300, 4, [](auto, auto) { return 1.0; });
   EXPECT_TRUE(has_ink_between_the_ends(with_legend(difference_picture(map, map))));
   EXPECT_FALSE(has_ink_between_the_ends(with_legend(picture_of(map))));
+}
+
+/// Pixels of ink in the squares of the arrow that says whence the radar looks: [top, bottom][left, right].
+std::array<std::array<int, 2>, 2> ink_of_look_arrow(const std::string& radar_azimuth_deg) {
+  Picture picture = picture_of(map_of(300, 4, [](auto, auto) { return 1.0; }));
+  if (!radar_azimuth_deg.empty()) picture.metadata[radar_azimuth_key] = radar_azimuth_deg;
+  const Picture framed = with_legend(picture);
+  std::array<std::array<int, 2>, 2> ink{};
+  for (std::size_t y = 0; y < 13; ++y) {
+    for (std::size_t x = 0; x < 13; ++x) {
+      if (x != 6 && y != 6 && framed.pixels(251 + x, 6 + y).red > 200) ++ink[y / 7][x / 7];
+    }
+  }
+  return ink;
+}
+
+TEST(Legend, AnArrowPointsAwayFromTheRadar) {
+  // Its head has more ink than its tail.
+  const auto east = ink_of_look_arrow("90.00"), north = ink_of_look_arrow("0.00"),
+             south_east = ink_of_look_arrow("135.00");
+  EXPECT_GT(east[0][0] + east[1][0], 2 * (east[0][1] + east[1][1]));
+  EXPECT_GT(north[1][0] + north[1][1], 2 * (north[0][0] + north[0][1]));
+  EXPECT_GT(south_east[0][0], south_east[1][1]);
+  for (const char* none : {"", "above", "nan"}) EXPECT_EQ(ink_of_look_arrow(none)[0][0], 0) << none;
 }
 
 TEST(Legend, RoundLengthsAreOneTwoAndFive) {

@@ -34,6 +34,17 @@ radar::PowerMap made_up_power() {
   return described_map(std::move(map), radar::Radar{.name = "mapper"}, frame, {{"seed", "4"}});
 }
 
+TEST(DescribedMap, SaysWhereTheRadarStandsUnlessOverWhatItMaps) {
+  const radar::PowerMap map = made_up_power();
+  const Vec2d middle = map.grid.extent().centre();
+  const auto described_from = [&](Vec3d position) {
+    return described_map(map, radar::Radar{.position = position}, frame, {}).metadata;
+  };
+  EXPECT_EQ(described_from({middle.x + 1000.0, middle.y - 1000.0, 500.0}).at(radar_azimuth_key), "135.00");
+  EXPECT_EQ(described_from({middle.x - 2000.0, middle.y, 500.0}).at(radar_azimuth_key), "270.00");
+  EXPECT_FALSE(described_from({middle.x, middle.y, 500.0}).contains(radar_azimuth_key));
+}
+
 TEST(PowerMapFile, HoldsWattsPerPolarizationWithTheirUnit) {
   const ScratchFolder folder;
   const auto written = made_up_power();
