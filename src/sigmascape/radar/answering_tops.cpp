@@ -37,7 +37,7 @@ Array2D<float> answering_tops_m(const Array2D<float>& standing_m, double cell_m,
     spread(line, cell_m, reaching);
     for (std::size_t row = 0; row < line.size(); ++row) answering_m(column, row) = reaching[row];
   }
-  if (from_afar == FromAfar::Unhidden) std::ranges::replace(answering_m.values(), 0.0F, unhidden_m);
+  if (from_afar == FromAfar::Unhidden) std::ranges::replace(answering_m.values(), 0.0F, from_afar_m);
   return answering_m;
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 
 #include "sigmascape/base/array2d.h"
 #include "sigmascape/radar/ground_grid.h"
@@ -15,12 +14,15 @@ namespace sigmascape::radar {
 /// bounces. docs/decisions/0131-what-comes-from-afar-is-not-hidden.md.
 enum class FromAfar {
   Hidden,    ///< with the ground that they land on. Of textures baked on level ground, where they land says nothing
-  Unhidden,  ///< by that ground. Textures baked on their own ground hold them as they were seen
+  Unhidden,  ///< by that ground, unless deeply. Textures baked on their own ground hold them as they were seen
 };
 
+/// How high echoes from afar are taken to come from. They seldom land more than 100 m behind what they come from, and
+/// ground that has fallen away by half as much below the line of sight hides that too.
+inline constexpr float from_afar_m = 50.0F;
+
 /// How high what answers from each square may stand above its ground: as the highest top on it or near enough to lie
-/// over into it, whatever the azimuth. Where there is none, infinitely high if what comes from afar is unhidden, else
-/// 0.
+/// over into it, whatever the azimuth. Where there is none, from_afar_m or, if what comes from afar is hidden, 0.
 ///
 /// What stands on the ground answers before its foot, from squares on which nothing stands. How much of that a ridge
 /// leaves to be seen is a question of its height, not of what stands on those squares.
@@ -41,11 +43,10 @@ struct AnsweringTops {
 [[nodiscard]] Array2D<float> answering_tops_m(const Array2D<float>& standing_m, double cell_m, FromAfar from_afar);
 [[nodiscard]] AnsweringTops answering_tops(const ObstacleMap& map, FromAfar from_afar);
 
-inline constexpr float unhidden_m = std::numeric_limits<float>::infinity();
-
-/// Of two squares as one: the higher of what stands there, unhidden only where nothing does.
+/// Of two squares as one: the higher of what stands there, from_afar_m only where nothing does.
 [[nodiscard]] inline float higher_standing_m(float a_m, float b_m) {
-  if (a_m == unhidden_m || b_m == unhidden_m) return std::min(a_m, b_m);
+  if (a_m == from_afar_m) return b_m;
+  if (b_m == from_afar_m) return a_m;
   return std::max(a_m, b_m);
 }
 

@@ -15,7 +15,7 @@ using atlas::tile_side;
 void find_coarser_tops(std::span<const float> finer, std::size_t finer_side, std::span<float> coarser,
                        std::size_t side) {
   const std::size_t each = finer_side / side;
-  std::ranges::fill(coarser, radar::unhidden_m);
+  std::ranges::fill(coarser, radar::from_afar_m);
   for (std::size_t row = 0; row < finer_side; ++row) {
     for (std::size_t column = 0; column < finer_side; ++column) {
       float& top_m = coarser[row / each * side + column / each];

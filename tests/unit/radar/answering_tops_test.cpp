@@ -28,15 +28,15 @@ TEST(AnsweringTops, WhereNothingReachesWhatComesFromAfarIsHiddenByNothing) {
   map.obstacles(10, 10) = {.solid_top_m = 20.0F};
   const AnsweringTops tops = answering_tops(map, FromAfar::Unhidden);
   EXPECT_EQ(tops.at(map.grid.centre_of(13, 10)), 20.0F);
-  EXPECT_EQ(tops.at(map.grid.centre_of(14, 10)), unhidden_m);
+  EXPECT_EQ(tops.at(map.grid.centre_of(14, 10)), from_afar_m);
   EXPECT_EQ(tops.at({-1.0, 20.0}), 0.0F) << "of ground outside nothing is known";
 }
 
 TEST(AnsweringTops, OfSquaresTogetherAreThoseOfWhatStandsOnThem) {
   EXPECT_EQ(higher_standing_m(3.0F, 7.0F), 7.0F);
-  EXPECT_EQ(higher_standing_m(unhidden_m, 7.0F), 7.0F);
-  EXPECT_EQ(higher_standing_m(3.0F, unhidden_m), 3.0F);
-  EXPECT_EQ(higher_standing_m(unhidden_m, unhidden_m), unhidden_m);
+  EXPECT_EQ(higher_standing_m(from_afar_m, 7.0F), 7.0F);
+  EXPECT_EQ(higher_standing_m(3.0F, from_afar_m), 3.0F);
+  EXPECT_EQ(higher_standing_m(from_afar_m, from_afar_m), from_afar_m);
 }
 
 TEST(AnsweringTops, AreTheHighestOfAllThatReachASquare) {
