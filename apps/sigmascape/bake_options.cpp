@@ -38,12 +38,12 @@ CLI::Validator patch_side() {
 /// Grazing angles at which level ground is lit and has a range.
 CLI::Validator elevation_deg() {
   return {[](std::string& text) {
-            const std::string fault = number_within(0.5, 89.0)(text);
+            const std::string fault = number_within(bake::lowest_elevation_deg, bake::highest_elevation_deg)(text);
             return fault.empty()
                        ? fault
                        : fmt::format("{}: a level plane is not lit at 0° and has no ground range at 90°", fault);
           },
-          "in [0.5 - 89]"};
+          fmt::format("in [{:g} - {:g}]", bake::lowest_elevation_deg, bake::highest_elevation_deg)};
 }
 
 }  // namespace

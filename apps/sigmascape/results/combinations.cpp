@@ -216,8 +216,7 @@ std::string verdict(const ResultsPlan& plan, const std::vector<ResultsRow>& rows
   }
   text += fmt::format(
       "A map is made from its textures in {:.2f} s of processor time; traced from the scene it takes {:.0f} s. The "
-      "best "
-      "maps, *{}*, come to {} in {} MB",
+      "best maps, *{}*, come to {} in {} MB",
       of_all.render_ms / 1e3, of_all.trace_seconds, name_of(of_all), closeness(cell.median),
       megabytes(of_all.atlas.store_bytes));
   if (best->paper_alike != nullptr && best->paper_alike != best->of_all) {

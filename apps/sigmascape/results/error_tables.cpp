@@ -147,8 +147,7 @@ std::string aims_section(const ResultsReport& report) {
       "## What was aimed at\n\nAnd what came out at views that were baked, medians at {:.0f} m cells, from the {} grid "
       "or, where the rays are more, from the view's own look. Of views that were not baked, an aim is set for the "
       "truth alone. What is missed with few rays and reached with many is missed for the bake's noise; what comes "
-      "closer "
-      "on narrower texels, for {}.\n\n",
+      "closer on narrower texels, for {}.\n\n",
       summary_cell_m, plan.paper_grid().name(),
       report.links.to("their width", "docs/decisions/0118-texels-and-cells.md"));
   text += fmt::format("|{} views | method | rays a texel | correlation of dB | aimed at | | bias [dB] | aimed at | |\n",

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-#include "results/number.h"
+#include "number_or_null.h"
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/geo/atomic_file.h"
@@ -35,8 +35,9 @@ double number_in(const Json& json) {
 Json json_of(const product::MapComparison& comparison) {
   Json cells = Json::array();
   for (const CellComparison& cell : comparison.at) {
-    cells.push_back({cell.cell_m, cell.cells, number(cell.correlation_db), number(cell.rms_db), number(cell.bias_db),
-                     number(cell.l1), number(cell.shadow_iou), cell.shadow_cells});
+    cells.push_back({cell.cell_m, cell.cells, number_or_null(cell.correlation_db), number_or_null(cell.rms_db),
+                     number_or_null(cell.bias_db), number_or_null(cell.l1), number_or_null(cell.shadow_iou),
+                     cell.shadow_cells});
   }
   return cells;
 }
@@ -59,7 +60,8 @@ product::MapComparison comparison_in(const Json& json) {
 Json json_of(const std::vector<LevelError>& errors) {
   Json ranges = Json::array();
   for (const LevelError& range : errors)
-    ranges.push_back({number(range.from_db), number(range.to_db), range.cells, range.squared_error_db2});
+    ranges.push_back(
+        {number_or_null(range.from_db), number_or_null(range.to_db), range.cells, range.squared_error_db2});
   return ranges;
 }
 
@@ -90,7 +92,8 @@ Json json_of(const ViewResult& result) {
             {"cells", json_of(result.comparison)},
             {"by_level", json_of(result.by_level)}};
   if (const auto& free = result.without_noise)
-    json["without_noise"] = {free->cell_m, free->cells, number(free->correlation_db), number(free->rms_db)};
+    json["without_noise"] = {free->cell_m, free->cells, number_or_null(free->correlation_db),
+                             number_or_null(free->rms_db)};
   return json;
 }
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "results/number.h"
+#include "number_or_null.h"
 
 namespace sigmascape::cli {
 namespace {
@@ -143,7 +143,7 @@ ResultsRow row_of(const std::vector<const ViewResult*>& views) {
 
 nlohmann::ordered_json json_of(const CellComparison& cell) {
   nlohmann::ordered_json json;
-  for (const Metric& metric : metrics) json[metric.key] = number(cell.*metric.value);
+  for (const Metric& metric : metrics) json[metric.key] = number_or_null(cell.*metric.value);
   return json;
 }
 
@@ -151,8 +151,8 @@ nlohmann::ordered_json json_of(const CellComparison& cell) {
 nlohmann::ordered_json json_of(const LevelErrors& errors) {
   auto json = nlohmann::ordered_json::array();
   for (const product::LevelError& range : errors) {
-    json.push_back({{"from_db", number(range.from_db)},
-                    {"to_db", number(range.to_db)},
+    json.push_back({{"from_db", number_or_null(range.from_db)},
+                    {"to_db", number_or_null(range.to_db)},
                     {"cells", range.cells},
                     {"squared_error_db2", range.squared_error_db2}});
   }
@@ -161,8 +161,8 @@ nlohmann::ordered_json json_of(const LevelErrors& errors) {
 
 nlohmann::ordered_json json_of(const ResultsWithoutNoise& free) {
   return {{"views", free.views},
-          {"correlation_db", number(free.correlation_db)},
-          {"rms_db", number(free.rms_db)},
+          {"correlation_db", number_or_null(free.correlation_db)},
+          {"rms_db", number_or_null(free.rms_db)},
           {"measured", json_of(free.measured)},
           {"noise_floor", json_of(free.noise_floor)}};
 }

@@ -48,9 +48,10 @@ void check(const BakeSettings& settings) {
   }
   for (const double elevation : elevations) {
     const double degrees = deg_from_radians(elevation);
-    if (!(degrees >= 0.5 && degrees <= 89.0)) {
+    if (!(degrees >= lowest_elevation_deg && degrees <= highest_elevation_deg)) {
       throw Error(where, fmt::format("an elevation of {:.2f}°", degrees),
-                  "use 0.5° to 89°: a level plane is not lit at 0° and has no ground range at 90°");
+                  fmt::format("use {:g}° to {:g}°: a level plane is not lit at 0° and has no ground range at 90°",
+                              lowest_elevation_deg, highest_elevation_deg));
     }
   }
 }

@@ -15,6 +15,9 @@ enum class Shadows {
   Baked,    ///< in the textures, with the length they have on level ground: the paper's way
 };
 
+/// Elevations of looks: a level plane is not lit at 0° and has no ground range at 90°.
+inline constexpr double lowest_elevation_deg = 0.5, highest_elevation_deg = 89.0;
+
 /// What to bake and how finely.
 struct BakeSettings {
   atlas::AspectGrid aspects = atlas::paper_aspect_grid();

@@ -129,9 +129,9 @@ void draw_look_arrow(Strip& strip, double radar_azimuth_rad) {
   const std::size_t first_column = left + (width - side) / 2;
   const std::size_t first_row = strip.text_row() - (gap - 1) * strip.dot - side;
   const Vec2d away = radar::horizontal_direction(radar_azimuth_rad + pi);
+  const double middle = 0.5 * static_cast<double>(side) - 0.5;
   for (std::size_t y = 0; y < side; ++y) {
     for (std::size_t x = 0; x < side; ++x) {
-      const double middle = 0.5 * static_cast<double>(side) - 0.5;
       const Vec2d place{static_cast<double>(x) - middle, middle - static_cast<double>(y)};
       if (is_on_arrow(dot(place, away), place.x * away.y - place.y * away.x, static_cast<double>(side),
                       1.3 * static_cast<double>(strip.dot)))
