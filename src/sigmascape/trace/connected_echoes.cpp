@@ -26,7 +26,8 @@ void TileTracer::consider_connections(const Company& company, int bounce) {
     to_radar.set(lane, viewpoint_.direction_from(in_world(position)).to<float>());
   }
   const auto first_dimension = static_cast<std::uint32_t>(bounce) * DimensionsPerVertex;
-  const PairLanes draws = phase_draws(company, first_dimension + ConnectPhaseA);
+  PairLanes draws;
+  draw_phases(company, first_dimension + ConnectPhaseA, draws);
   power_ = {};
   for (std::size_t f = 0; f < frequencies_; ++f) {
     surfaces_[f][company.material].pass_on(lanes_[f].fields, company.at, to_radar, draws, passages_[f]);

@@ -31,7 +31,8 @@ void TileTracer::add_direct_echoes(const Company& company, std::size_t frequency
 /// Instead of mean powers those of a draw, with its amplitudes.
 void TileTracer::add_coherent_direct_echoes(const Company& company, std::size_t frequency) {
   const auto& surface = surfaces_[frequency][company.material];
-  const PairLanes draws = phase_draws(company, DimensionsPerVertex + ConnectPhaseA);
+  PairLanes draws;
+  draw_phases(company, DimensionsPerVertex + ConnectPhaseA, draws);
   for (std::size_t lane = 0; lane < company.count(); ++lane) {
     const std::size_t leg = company.leg(lane);
     const Vec3f to_radar = company.at.to_source[lane];

@@ -17,11 +17,13 @@ constexpr float least_cosine = 1e-6F;
 }  // namespace
 
 void TileTracer::carry_on(const Company& company, int bounce) {
+  PairLanes pairs;
+  draw_pairs_for(company.points, static_cast<std::uint32_t>(bounce), pairs);
   VectorLanes directions;
-  surfaces_[company.hero][company.material].sample(
-      company.at, drawn_pairs(company.points, static_cast<std::uint32_t>(bounce)), directions);
+  surfaces_[company.hero][company.material].sample(company.at, pairs, directions);
   const auto first_dimension = static_cast<std::uint32_t>(bounce) * DimensionsPerVertex;
-  const PairLanes draws = phase_draws(company, first_dimension + PhaseA);
+  PairLanes draws;
+  draw_phases(company, first_dimension + PhaseA, draws);
   for (std::size_t f = 0; f < frequencies_; ++f)
     surfaces_[f][company.material].pass_on(lanes_[f].fields, company.at, directions, draws, passages_[f]);
   weigh_directions(company.at, company.extinction_per_m, directions, cosine_, density_);

@@ -114,7 +114,7 @@ void TileTracer::launch(std::span<const PathStart> starts, std::size_t first) {
       aims.i[lane] = cell.i;
       aims.j[lane] = cell.j;
     }
-    aims.within_cell = drawn_pairs(points, 0);
+    draw_pairs_for(points, 0, aims.within_cell);
     launch_towards(aims, count, begin);
   }
   now_.waves.clear();
@@ -122,15 +122,13 @@ void TileTracer::launch(std::span<const PathStart> starts, std::size_t first) {
   for (const Ray& ray : now_.rays) now_.waves.insert(now_.waves.end(), frequencies_, transmitted(ray.direction));
 }
 
-PairLanes TileTracer::drawn_pairs(const SobolLanes& points, std::uint32_t bounce) const {
-  PairLanes pairs;
+void TileTracer::draw_pairs_for(const SobolLanes& points, std::uint32_t bounce, PairLanes& pairs) const {
   if (options_.sampler == Sampler::OwenSobol) {
     draw_pairs(points, bounce, pairs);
   } else {
     draw_independent(points, bounce * DimensionsPerVertex + PairX, pairs.x);
     draw_independent(points, bounce * DimensionsPerVertex + PairY, pairs.y);
   }
-  return pairs;
 }
 
 void TileTracer::launch_towards(const AimLanes& aims, std::size_t count, std::size_t number) {
@@ -219,12 +217,10 @@ void TileTracer::gather_waves(const Company& company, int bounce) {
   for (WaveLanes& waves : lanes_) trace::arrive(density_, waves);
 }
 
-PairLanes TileTracer::phase_draws(const Company& company, std::uint32_t first_dimension) const {
-  PairLanes draws;
-  if (!surfaces_.front()[company.material].draws_phases()) return draws;
+void TileTracer::draw_phases(const Company& company, std::uint32_t first_dimension, PairLanes& draws) const {
+  if (!surfaces_.front()[company.material].draws_phases()) return;
   draw_independent(company.points, first_dimension, draws.x);
   draw_independent(company.points, first_dimension + 1, draws.y);
-  return draws;
 }
 
 scatter::Amplitude TileTracer::roughness_phasor(std::size_t leg, std::size_t frequency, int bounce) const {

@@ -87,8 +87,10 @@ class TileTracer final : public TilePaths {
   void launch(std::span<const PathStart> starts, std::size_t first);
   /// From the given number on as many rays as there are cells.
   void launch_towards(const AimLanes& aims, std::size_t count, std::size_t number);
-  /// Two numbers in [0, 1) a lane that belong together: where in the cell, or the direction after a bounce.
-  [[nodiscard]] PairLanes drawn_pairs(const SobolLanes& points, std::uint32_t bounce) const;
+  /// Two numbers in [0, 1) a lane that belong together: where in the cell, or the direction after a bounce. Filled where
+  /// they are wanted, as all lanes: GCC 12 was seen to keep lanes that a function returns, before they are copied, at a
+  /// place of the stack that is less aligned than they are.
+  void draw_pairs_for(const SobolLanes& points, std::uint32_t bounce, PairLanes& pairs) const;
   /// Finds where each leg ends, on a surface or at a place in a crown before it.
   void find_vertices(int bounce);
   [[nodiscard]] bool find_vertex_among_crowns(std::size_t leg, int bounce);
@@ -147,8 +149,8 @@ class TileTracer final : public TilePaths {
   }
   /// What the company's paths carry, by frequency and lane.
   void gather_waves(const Company& company, int bounce);
-  /// Numbers for the phases of unresolved roughness, by lane, where the surface makes use of them.
-  [[nodiscard]] PairLanes phase_draws(const Company& company, std::uint32_t first_dimension) const;
+  /// Numbers for the phases of unresolved roughness, by lane, where the surface makes use of them; else none are drawn.
+  void draw_phases(const Company& company, std::uint32_t first_dimension, PairLanes& draws) const;
   /// The phase that the unresolved roughness of vertex number `bounce` gives to all fields alike.
   [[nodiscard]] scatter::Amplitude roughness_phasor(std::size_t leg, std::size_t frequency, int bounce) const;
   void append(const Path& path, std::size_t frequency, const radar::Echo& echo);
