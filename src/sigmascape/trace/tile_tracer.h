@@ -87,9 +87,9 @@ class TileTracer final : public TilePaths {
   void launch(std::span<const PathStart> starts, std::size_t first);
   /// From the given number on as many rays as there are cells.
   void launch_towards(const AimLanes& aims, std::size_t count, std::size_t number);
-  /// Two numbers in [0, 1) a lane that belong together: where in the cell, or the direction after a bounce. Filled where
-  /// they are wanted, as all lanes: GCC 12 was seen to keep lanes that a function returns, before they are copied, at a
-  /// place of the stack that is less aligned than they are.
+  /// Two numbers in [0, 1) a lane that belong together: where in the cell, or the direction after a bounce. Filled
+  /// where they are wanted, as all lanes: GCC 12 was seen to keep lanes that a function returns, before they are
+  /// copied, at a place of the stack that is less aligned than they are.
   void draw_pairs_for(const SobolLanes& points, std::uint32_t bounce, PairLanes& pairs) const;
   /// Finds where each leg ends, on a surface or at a place in a crown before it.
   void find_vertices(int bounce);
