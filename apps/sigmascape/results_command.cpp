@@ -105,6 +105,9 @@ void add_results_command(CLI::App& app, Output& output) {
       ->capture_default_str();
   command->add_option("--samples", options->baked_samples, "rays a texel of the bake");
   command->add_option("--traced-samples", options->traced_samples, "rays a cell of each of the two traced maps");
+  command->add_option("--most-traced-samples", options->most_traced_samples,
+                      "the same where two maps of a view that was not baked agree to a correlation of less than 0.99 "
+                      "at 8 m cells: it is traced anew, steep views first; none: all stay with as many rays");
   command->add_option("--finer-samples", options->finer_samples,
                       "rays of views that were baked: a cell of their traced maps, and a texel of their looks when "
                       "those are baked again almost without noise");

@@ -35,6 +35,8 @@ std::string command_line(const ResultsOptions& options, const ResultsPlan& plan)
   line += fmt::format(" --scale {} --held-out {} --on-grid {} --repeated {} --samples {} --traced-samples {}",
                       plan.scale, views(ViewKind::HeldOut), views(ViewKind::OnGrid), options.repeated,
                       plan.baked_samples, plan.traced_samples);
+  if (plan.most_traced_samples > plan.traced_samples)
+    line += fmt::format(" --most-traced-samples {}", plan.most_traced_samples);
   line += fmt::format(" --finer-samples {}", plan.finer_samples);
   if (plan.bounces != usual.bounces) line += fmt::format(" --bounces {}", plan.bounces);
   if (plan.seed != usual.seed) line += fmt::format(" --seed {}", plan.seed);

@@ -41,13 +41,16 @@ bool is_plain(const ResultsRow& row, const ResultsPlan& plan) {
 
 std::string costs_section(const ResultsReport& report) {
   const ResultsPlan& plan = report.plan;
+  const ResultsRow* views = baseline_row(plan, report.rows, plan.scene_name(), ViewKind::HeldOut);
+  const TracedRays rays = views != nullptr ? views->rays : TracedRays{plan.traced_samples, plan.traced_samples};
   return fmt::format(
              "## Bytes and time\n\nMedians over the held-out views, processor time of {}; {} rays a texel, one traced "
-             "map of {} rays a 2 m cell. The store is compressed. In memory, textures with their mips are counted as "
+             "map of {} rays a 2 m cell{}. The store is compressed. In memory, textures with their mips are counted as "
              "far as they lie "
              "within the {:.0f} m that are mapped: an atlas is loaded by whole patches, whose rest is of what lies "
              "around.\n\n",
-             report.machine, plan.baked_samples, plan.traced_samples, plan.side_m()) +
+             report.machine, plan.baked_samples, rays.fewest,
+             rays.most > rays.fewest ? ", in proportion where a view has more" : "", plan.side_m()) +
          cost_table(report) + "\n" + vertices_text(report);
 }
 

@@ -65,12 +65,12 @@ std::string correlation_beside(double least, double correlation) {
 
 /// How well two traced maps of a view agree, which bounds what can be shown of any method.
 std::string truth_aim(const ResultsReport& report, const std::string& scene, ViewKind kind) {
-  constexpr double least = 0.99;
   const product::CellComparison* floor = noise_floor(report.plan, report.rows, scene, kind);
   if (floor == nullptr) return {};
+  const ResultsRow& row = *baseline_row(report.plan, report.rows, scene, kind);
   return fmt::format("|{} {} | *truth*, {} rays a cell | | {} | {} | | |\n", SceneColumn(report.plan).cell(scene),
-                     text_of(kind), report.plan.traced_samples_of(kind),
-                     correlation_beside(least, floor->correlation_db), signed_text(floor->bias_db, 2));
+                     text_of(kind), row.rays.text(),
+                     correlation_beside(least_agreement, floor->correlation_db), signed_text(floor->bias_db, 2));
 }
 
 /// A row beside its aims.

@@ -99,10 +99,12 @@ std::string noise_floor_text(const ResultsReport& report) {
   for (const ViewKind kind : {ViewKind::OnGrid, ViewKind::HeldOut}) {
     const product::CellComparison* floor = noise_floor(report.plan, report.rows, report.plan.scene_name(), kind);
     if (floor == nullptr) continue;
-    text +=
-        fmt::format("At {:.0f} m cells of {} views these are {} dB, {} and {}. ", summary_cell_m,
-                    kind == ViewKind::OnGrid ? "on-grid" : "held-out", number_text(least_error(floor->rms_db), 2),
-                    number_text(least_error(floor->l1), 3), number_text(most_correlation(floor->correlation_db), 3));
+    const ResultsRow& row = *baseline_row(report.plan, report.rows, report.plan.scene_name(), kind);
+    text += fmt::format(
+        "At {:.0f} m cells of {} views these are {} dB, {} and {}; at {} of {} views ρ is {:g} or more. ",
+        summary_cell_m, kind == ViewKind::OnGrid ? "on-grid" : "held-out", number_text(least_error(floor->rms_db), 2),
+        number_text(least_error(floor->l1), 3), number_text(most_correlation(floor->correlation_db), 3),
+        row.agreeing_views, row.views, least_agreement);
   }
   return text + "\n\n";
 }

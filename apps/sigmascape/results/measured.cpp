@@ -185,6 +185,12 @@ std::optional<std::string> difference(const Json& kept, const Json& wanted) {
   return std::nullopt;
 }
 
+/// Whether two views are one but for the rays of their traced maps.
+bool is_same_place(PlannedView one, const PlannedView& other) {
+  one.traced_samples = other.traced_samples;
+  return one == other;
+}
+
 }  // namespace
 
 MeasuredViews::MeasuredViews(std::filesystem::path file, Json settings)
@@ -206,20 +212,24 @@ void MeasuredViews::take_over(const std::filesystem::path& other) {
 }
 
 const MeasuredView* MeasuredViews::find(const std::string& scene, const PlannedView& view) const {
-  const auto found = std::ranges::find_if(
-      views_, [&](const MeasuredView& measured) { return measured.scene == scene && measured.view == view; });
+  const auto found = std::ranges::find_if(views_, [&](const MeasuredView& measured) {
+    return measured.scene == scene && is_same_place(measured.view, view) &&
+           measured.view.traced_samples >= view.traced_samples;
+  });
   return found == views_.end() ? nullptr : &*found;
 }
 
 const MeasuredView& MeasuredViews::add(MeasuredView view) {
-  std::erase_if(views_, [&](const MeasuredView& other) {
-    PlannedView place = other.view;
-    place.traced_samples = view.view.traced_samples;
-    return other.scene == view.scene && place == view.view;
-  });
-  views_.push_back(std::move(view));
+  put(std::move(view));
   write();
   return views_.back();
+}
+
+void MeasuredViews::put(MeasuredView view) {
+  std::erase_if(views_, [&](const MeasuredView& other) {
+    return other.scene == view.scene && is_same_place(other.view, view.view);
+  });
+  views_.push_back(std::move(view));
 }
 
 void MeasuredViews::read(const std::filesystem::path& file) {
@@ -231,7 +241,7 @@ void MeasuredViews::read(const std::filesystem::path& file) {
     if (const auto differs = difference(json.at("settings"), settings_)) throw Error(file.string(), *differs, remedy);
     for (const Json& view : json.at("views")) {
       MeasuredView measured = view_in(view);
-      if (find(measured.scene, measured.view) == nullptr) views_.push_back(std::move(measured));
+      if (find(measured.scene, measured.view) == nullptr) put(std::move(measured));
     }
   } catch (const Json::exception&) {
     throw Error(file.string(), "does not hold measured views", remedy);

@@ -30,13 +30,14 @@ class MeasuredViews {
   /// naming the first that differs.
   void take_over(const std::filesystem::path& other);
 
-  /// What was measured of that view, or nullptr; it stays until a view is added.
+  /// What was measured of that view with as many rays or more, or nullptr; it stays until a view is added.
   [[nodiscard]] const MeasuredView* find(const std::string& scene, const PlannedView& view) const;
-  /// Adds a view, in place of the same with other rays, and writes the file.
+  /// Adds a view, in place of the same with fewer rays, and writes the file.
   const MeasuredView& add(MeasuredView view);
 
  private:
   void read(const std::filesystem::path& file);
+  void put(MeasuredView view);
   void write() const;
 
   std::filesystem::path file_;

@@ -170,17 +170,23 @@ void Measurement::make_ready() {
 }
 
 void Measurement::compare_all() {
-  std::size_t done = 0;
-  const auto is_on_grid = [](const PlannedView& view) { return view.kind == ViewKind::OnGrid; };
-  const auto on_level = level_ ? std::ranges::count_if(plan_.views, is_on_grid) : 0;
-  const double views = static_cast<double>(plan_.views.size()) + static_cast<double>(on_level);
+  std::vector<std::pair<const MeasuredScene*, PlannedView>> all;
   for (const PlannedView& view : plan_.views) {
-    compare_once(scene_, view);
-    progress_.advanced("compare", static_cast<double>(++done), views, "views");
+    all.emplace_back(&scene_, view);
     // Level ground tells what hills add; missing angles would hide that.
-    if (!level_ || !is_on_grid(view)) continue;
-    compare_once(*level_, view.from_afar());
-    progress_.advanced("compare", static_cast<double>(++done), views, "views");
+    if (level_ && view.kind == ViewKind::OnGrid) all.emplace_back(&*level_, view.from_afar());
+  }
+  std::size_t done = 0;
+  for (const auto& [measured, view] : all) {
+    compare_once(*measured, view);
+    progress_.advanced("compare", static_cast<double>(++done), static_cast<double>(all.size()), "views");
+  }
+  compare_anew_what_disagrees();
+  results_.clear();
+  for (const auto& [measured, view] : all) {
+    const MeasuredView* kept = kept_.find(measured->name, view);
+    results_.insert(results_.end(), kept->results.begin(), kept->results.end());
+    machines_.insert(kept->machine);
   }
   std::ranges::stable_sort(results_, {}, [](const ViewResult& result) {
     return std::tuple(result.of.scene, static_cast<int>(result.of.kind), static_cast<int>(result.of.method));
@@ -192,15 +198,28 @@ std::string Measurement::machines() const {
 }
 
 void Measurement::compare_once(const MeasuredScene& measured, const PlannedView& view) {
-  const MeasuredView* kept = kept_.find(measured.name, view);
-  if (kept != nullptr) {
-    results_.insert(results_.end(), kept->results.begin(), kept->results.end());
-  } else {
-    const auto before = static_cast<std::ptrdiff_t>(results_.size());
-    compare(measured, view);
-    kept = &kept_.add({measured.name, view, machine_name(), {results_.begin() + before, results_.end()}});
+  if (kept_.find(measured.name, view) != nullptr) return;
+  results_.clear();
+  compare(measured, view);
+  kept_.add({measured.name, view, machine_name(), std::exchange(results_, {})});
+}
+
+/// Steep views take the least time, so that most of them agree soonest.
+void Measurement::compare_anew_what_disagrees() {
+  std::vector<PlannedView> views;
+  for (const PlannedView& view : plan_.views) {
+    if (view.kind == ViewKind::OnGrid) continue;
+    const ViewResult& any = kept_.find(scene_.name, view)->results.front();
+    const product::CellComparison* floor = any.noise_floor.at_cell(summary_cell_m);
+    if (floor != nullptr && floor->correlation_db < least_agreement) views.push_back(view);
   }
-  machines_.insert(kept->machine);
+  std::ranges::stable_sort(views, std::ranges::greater(), &PlannedView::elevation_deg);
+  std::size_t done = 0;
+  for (PlannedView& view : views) {
+    view.traced_samples = plan_.most_traced_samples;
+    compare_once(scene_, view);
+    progress_.advanced("compare anew", static_cast<double>(++done), static_cast<double>(views.size()), "views");
+  }
 }
 
 void Measurement::compare(const MeasuredScene& measured, const PlannedView& view) {
@@ -351,7 +370,8 @@ RenderedMap Measurement::rendered_map(const MeasuredScene& measured, const Plann
 }
 
 Truth Measurement::truth_of(const PlannedView& view) const {
-  return traced_truth(scene_, view, plan_, folder_ / "truth");
+  const MeasuredView* kept = kept_.find(scene_.name, view);
+  return traced_truth(scene_, kept != nullptr ? kept->view : view, plan_, folder_ / "truth");
 }
 
 radar::GroundMap Measurement::map_of(const PlannedView& view, Method method, const std::string& grid) const {

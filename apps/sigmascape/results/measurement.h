@@ -55,6 +55,7 @@ class Measurement {
   [[nodiscard]] std::string machines() const;
   [[nodiscard]] const MeasuredScene& scene() const { return scene_; }
 
+  /// With the rays that it was measured with.
   [[nodiscard]] Truth truth_of(const PlannedView& view) const;
   /// The scene as it is, from a grid that the method has.
   [[nodiscard]] radar::GroundMap map_of(const PlannedView& view, Method method, const std::string& grid) const;
@@ -71,6 +72,8 @@ class Measurement {
   void make_ready();
   /// Unless it is kept.
   void compare_once(const MeasuredScene& measured, const PlannedView& view);
+  /// Views that were not baked and whose traced maps do not agree, with as many rays as the plan has for them.
+  void compare_anew_what_disagrees();
   void compare(const MeasuredScene& measured, const PlannedView& view);
   void compare_own_looks(const Truth& truth, const MeasuredScene& measured, const PlannedView& view);
   void compare_renormalized(const Truth& truth, const PlannedView& view);

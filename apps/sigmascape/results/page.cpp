@@ -72,15 +72,20 @@ std::string figures_text(const std::vector<product::PageSection>& sections, cons
   return text;
 }
 
-std::string settings_text(const ResultsPlan& plan) {
+std::string settings_text(const ResultsReport& report) {
+  const ResultsPlan& plan = report.plan;
+  const auto rays_of = [&](ViewKind kind) {
+    const ResultsRow* row = baseline_row(plan, report.rows, plan.scene_name(), kind);
+    return row != nullptr ? row->rays.text() : fmt::format("{}", plan.traced_samples_of(kind));
+  };
   return fmt::format(
              "## Settings\n\n"
              "- {} rays a texel of {:.2f} m; each method has a bake of its own, out of whose looks coarser grids are "
              "read too; {} rays where stated\n"
              "- {} rays a 2 m cell in each of the two traced maps of a view, {} where it was baked\n"
              "- {} bounces, seed {}, 10 GHz\n",
-             plan.baked_samples, ResultsPlan::texel_m, plan.finer_samples, plan.traced_samples,
-             plan.traced_samples_of(ViewKind::OnGrid), plan.bounces, plan.seed) +
+             plan.baked_samples, ResultsPlan::texel_m, plan.finer_samples, rays_of(ViewKind::HeldOut),
+             rays_of(ViewKind::OnGrid), plan.bounces, plan.seed) +
          grid_list(plan) +
          "\nHeld-out views are drawn from the seed, azimuth evenly over the circle and elevation evenly over 3° to "
          "40°; the view of the paper's picture stands by itself." +
@@ -99,7 +104,7 @@ std::string results_markdown(const ResultsReport& report) {
   text += without_noise_section(report) + level_section(report) + causes_section(plan, report.rows);
   text += changes_section(plan, report.rows) + limits_section(plan, report.rows);
   for (const auto& [name, plot] : plots_of(report)) text += fmt::format("![{}]({})\n\n", plot.title, name);
-  return text + cell_section(report) + detail_section(report) + costs_section(report) + settings_text(plan);
+  return text + cell_section(report) + detail_section(report) + costs_section(report) + settings_text(report);
 }
 
 std::vector<product::PageSection> results_sections(const std::vector<ResultsRow>& rows) {

@@ -176,6 +176,7 @@ ResultsPlan results_plan(const ResultsOptions& options) {
   if (!options.small) plan.grids.push_back({32, {3, 5, 7, 9, 13, 21, 29, 37}});
   plan.baked_samples = options.baked_samples.value_or(options.small ? 64 : 100);
   plan.traced_samples = options.traced_samples.value_or(options.small ? 256 : 1024);
+  plan.most_traced_samples = std::max(plan.traced_samples, options.most_traced_samples.value_or(0));
   plan.finer_samples =
       options.finer_samples.value_or(std::max(plan.baked_samples, (options.small ? 1 : 4) * plan.traced_samples));
   plan.bounces = options.bounces;

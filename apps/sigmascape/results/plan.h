@@ -24,7 +24,7 @@ struct ResultsOptions {
   std::vector<double> around_m;  ///< east and north from that landscape's middle; empty for the middle itself
   bool itu_materials = false;
   std::optional<double> scale;
-  std::optional<std::uint32_t> held_out, on_grid, baked_samples, finer_samples, traced_samples;
+  std::optional<std::uint32_t> held_out, on_grid, baked_samples, finer_samples, traced_samples, most_traced_samples;
   std::uint32_t repeated = 3;  ///< of the views on the grid, baked twice
   int bounces = 8;
   std::uint64_t seed = 1;
@@ -52,7 +52,7 @@ struct PlannedView {
   double azimuth_deg = 0.0;
   double elevation_deg = 0.0;
   double slant_range_m = 20e3;  ///< the paper's radar
-  /// Rays a 2 m cell of each of its two traced maps: ResultsPlan::traced_samples_of its kind.
+  /// Rays a 2 m cell of each of its two traced maps: ResultsPlan::traced_samples_of its kind, or more.
   std::uint32_t traced_samples = 64;
   /// Baked a second time from another seed, to tell the bake's noise; traced maps are made twice in any event.
   bool is_repeated = false;
@@ -87,6 +87,8 @@ struct ResultsPlan {
   std::uint32_t baked_samples = 16;   ///< rays a texel
   std::uint32_t finer_samples = 64;   ///< rays a texel of looks that are baked again, as free of noise as their truth
   std::uint32_t traced_samples = 64;  ///< rays a 2 m cell of one traced map
+  /// The same of views that were not baked and whose two maps do not agree with fewer (least_agreement).
+  std::uint32_t most_traced_samples = 64;
   int bounces = 8;
   std::uint64_t seed = 1;
   unsigned threads = 0;

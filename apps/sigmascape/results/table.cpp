@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <limits>
 
 #include "number_or_null.h"
@@ -116,11 +117,32 @@ ResultsWithoutNoise without_noise_of(const std::vector<const ViewResult*>& views
           over_views(floor).median};
 }
 
+TracedRays rays_of(const std::vector<const ViewResult*>& views) {
+  const auto [fewest, most] =
+      std::ranges::minmax(views, {}, [](const ViewResult* view) { return view->view.traced_samples; });
+  return {fewest->view.traced_samples, most->view.traced_samples};
+}
+
+/// As long as rays are many, the time goes by their number.
+double median_trace_seconds(const std::vector<const ViewResult*>& views, std::uint32_t rays) {
+  std::vector<double> seconds;
+  for (const ViewResult* view : views) seconds.push_back(view->trace_seconds * rays / view->view.traced_samples);
+  return median(seconds);
+}
+
+bool agrees(const ViewResult* view) {
+  const CellComparison* floor = view->noise_floor.at_cell(summary_cell_m);
+  return floor != nullptr && floor->correlation_db >= least_agreement;
+}
+
 ResultsRow row_of(const std::vector<const ViewResult*>& views) {
+  const TracedRays rays = rays_of(views);
   ResultsRow row{.of = views.front()->of,
                  .views = views.size(),
+                 .agreeing_views = static_cast<std::size_t>(std::ranges::count_if(views, agrees)),
+                 .rays = rays,
                  .atlas = mean_cost(views),
-                 .trace_seconds = median_of(views, &ViewResult::trace_seconds),
+                 .trace_seconds = median_trace_seconds(views, rays.fewest),
                  .render_ms = median_of(views, &ViewResult::render_ms),
                  .cells = {},
                  .by_level = sum_of(views, &ViewResult::by_level),
@@ -197,6 +219,7 @@ nlohmann::ordered_json settings_json(const ResultsPlan& plan) {
           {"baked_samples", plan.baked_samples},
           {"finer_samples", plan.finer_samples},
           {"traced_samples", plan.traced_samples},
+          {"most_traced_samples", plan.most_traced_samples},
           {"traced_maps_a_truth", 2},
           {"rim_m", plan.rim_m()},
           {"bounces", plan.bounces},
@@ -209,6 +232,10 @@ nlohmann::ordered_json settings_json(const ResultsPlan& plan) {
 }
 
 }  // namespace
+
+std::string TracedRays::text() const {
+  return fewest == most ? fmt::format("{}", fewest) : fmt::format("{} to {}", fewest, most);
+}
 
 const ResultsCell* ResultsRow::at_cell(double cell_m) const {
   const auto found = std::ranges::find(cells, cell_m, [](const ResultsCell& cell) { return cell.median.cell_m; });

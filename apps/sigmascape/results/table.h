@@ -18,6 +18,9 @@ namespace sigmascape::cli {
 inline constexpr double summary_cell_m = 8.0;
 inline constexpr double level_bounds_db[] = {-30.0, -15.0};
 
+/// The correlation of dB at summary_cell_m to which two traced maps of a view are to agree.
+inline constexpr double least_agreement = 0.99;
+
 inline constexpr const char* own_look = "own look";
 
 /// Changes of the paper's method.
@@ -81,11 +84,21 @@ struct ResultsWithoutNoise {
   product::CellComparison measured, noise_floor;
 };
 
+/// Rays a 2 m cell of the traced maps of some views.
+struct TracedRays {
+  std::uint32_t fewest = 0, most = 0;
+
+  [[nodiscard]] std::string text() const;  ///< "1024", "1024 to 6144"
+};
+
 struct ResultsRow {
   ResultsCase of;
   std::size_t views = 0;
-  AtlasCost atlas;                              ///< mean over the views
-  double trace_seconds = 0.0, render_ms = 0.0;  ///< medians over the views
+  std::size_t agreeing_views = 0;  ///< whose two traced maps agree to least_agreement
+  TracedRays rays;
+  AtlasCost atlas;             ///< mean over the views
+  double trace_seconds = 0.0;  ///< median over the views, of so many rays as the view with the fewest has
+  double render_ms = 0.0;      ///< median over the views
   std::vector<ResultsCell> cells;
   std::vector<product::LevelError> by_level, noise_by_level;  ///< sums over the views
   ResultsWithoutNoise without_noise = {};

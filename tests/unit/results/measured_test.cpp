@@ -116,9 +116,27 @@ TEST_F(MeasuredViewsTest, AViewIsMeasuredAnewWithMoreRaysWhileOthersStay) {
   kept.add(made_view(plan_, finer));
   MeasuredViews again = views("measured.json");
   again.go_on();
-  EXPECT_NE(again.find(plan_.scene_name(), finer), nullptr);
-  EXPECT_EQ(again.find(plan_.scene_name(), plan_.views.back()), nullptr) << "a page has each view once";
+  for (const PlannedView& wanted : {finer, plan_.views.back()}) {
+    const MeasuredView* found = again.find(plan_.scene_name(), wanted);
+    ASSERT_NE(found, nullptr) << "more rays than wanted are enough";
+    EXPECT_EQ(found->view.traced_samples, finer.traced_samples) << "a page has each view once";
+  }
   EXPECT_NE(again.find(plan_.scene_name(), plan_.views.front()), nullptr);
+}
+
+TEST_F(MeasuredViewsTest, OfTwoRunsEachViewIsThatWithMoreRays) {
+  PlannedView finer = plan_.views.back();
+  finer.traced_samples *= 5;
+  MeasuredViews few = views("few.json"), many = views("many.json");
+  few.add(made_view(plan_, plan_.views.back()));
+  many.add(made_view(plan_, finer));
+  few.take_over(folder_.path("many.json"));
+  many.take_over(folder_.path("few.json"));
+  for (const MeasuredViews* either : {&few, &many}) {
+    const MeasuredView* found = either->find(plan_.scene_name(), plan_.views.back());
+    ASSERT_NE(found, nullptr);
+    EXPECT_EQ(found->view.traced_samples, finer.traced_samples);
+  }
 }
 
 TEST_F(MeasuredViewsTest, WhatDoesNotFitIsRefusedOrWrittenOver) {

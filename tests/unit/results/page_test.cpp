@@ -109,5 +109,27 @@ TEST(ResultsPage, SaysNoOverlapOfFewCellsInShadow) {
   EXPECT_EQ(iou_of({0, 1, 2, 30}), 0.6) << "views without shadow have no part in the median";
 }
 
+TEST(ResultsPage, CountsViewsThatAgreeAndTimesMapsOfAllViewsByAsManyRays) {
+  std::vector<ViewResult> views;
+  for (const auto& [rays, seconds, agreement] :
+       {std::tuple{100U, 10.0, 0.98}, {600U, 66.0, least_agreement}, {100U, 12.0, 0.9899}}) {
+    ViewResult& view = views.emplace_back(ViewResult{.of = made_case(made_plan(), Method::Paper, ViewKind::HeldOut),
+                                                     .view = {},
+                                                     .atlas = {},
+                                                     .comparison = {},
+                                                     .noise_floor = {},
+                                                     .by_level = {},
+                                                     .noise_by_level = {}});
+    view.view.traced_samples = rays;
+    view.trace_seconds = seconds;
+    view.comparison.at = view.noise_floor.at = {{.cell_m = summary_cell_m, .correlation_db = agreement}};
+  }
+  const ResultsRow row = rows_of(views).front();
+  EXPECT_EQ(row.agreeing_views, 1U);
+  EXPECT_EQ(row.rays.text(), "100 to 600");
+  EXPECT_DOUBLE_EQ(row.trace_seconds, 11.0);
+  EXPECT_EQ((TracedRays{100, 100}).text(), "100");
+}
+
 }  // namespace
 }  // namespace sigmascape::cli
