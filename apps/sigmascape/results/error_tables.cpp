@@ -69,8 +69,8 @@ std::string truth_aim(const ResultsReport& report, const std::string& scene, Vie
   if (floor == nullptr) return {};
   const ResultsRow& row = *baseline_row(report.plan, report.rows, scene, kind);
   return fmt::format("|{} {} | *truth*, {} rays a cell | | {} | {} | | |\n", SceneColumn(report.plan).cell(scene),
-                     text_of(kind), row.rays.text(),
-                     correlation_beside(least_agreement, floor->correlation_db), signed_text(floor->bias_db, 2));
+                     text_of(kind), row.rays.text(), correlation_beside(least_agreement, floor->correlation_db),
+                     signed_text(floor->bias_db, 2));
 }
 
 /// A row beside its aims.

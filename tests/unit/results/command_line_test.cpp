@@ -30,7 +30,8 @@ TEST(ResultsCommandLine, HasWhatWasSaidOtherwise) {
   options.most_traced_samples = 6144;
   EXPECT_EQ(line_of(options),
             "sigmascape results --itu-materials --scale 0.5 --held-out 2 --on-grid 8 --repeated 3 --samples 100 "
-            "--traced-samples 1024 --most-traced-samples 6144 --finer-samples 4096 --bounces 3 --seed 7 --out out/results --page docs/page.md");
+            "--traced-samples 1024 --most-traced-samples 6144 --finer-samples 4096 --bounces 3 --seed 7 --out "
+            "out/results --page docs/page.md");
 }
 
 TEST(ResultsCommandLine, NamesNoFolderOfTheMachine) {
