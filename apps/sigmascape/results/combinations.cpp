@@ -176,9 +176,11 @@ std::string combinations_table(const ResultsPlan& plan, const std::vector<Result
                         {"best in the paper's bytes", best->in_its_bytes},
                         {"best of all", best->of_all},
                         {"paper, the looks of the best", best->paper_alike}};
-  std::string text = way_heads + fmt::format("| *truth* | one traced map against another | {} | | | {:.2f} |\n",
-                                             metrics_text(best->paper->at_cell(summary_cell_m)->floor_median),
-                                             best->paper->trace_seconds);
+  std::string text =
+      way_heads + fmt::format("| *truth* | one traced map against another, {} rays a cell | {} | | | {:.2f} |\n",
+                              best->paper->rays.text(),
+                              metrics_text(best->paper->at_cell(summary_cell_m)->floor_median),
+                              best->paper->trace_seconds);
   std::vector<const ResultsRow*> told;
   for (const auto& [what, row] : lines) {
     if (row == nullptr || std::ranges::find(told, row) != told.end()) continue;
@@ -215,9 +217,9 @@ std::string verdict(const ResultsPlan& plan, const std::vector<ResultsRow>& rows
         megabytes(best->alike->atlas.store_bytes), closeness(paper_cell.median), megabytes(paper.atlas.store_bytes));
   }
   text += fmt::format(
-      "A map is made from its textures in {:.2f} s of processor time; traced from the scene it takes {:.0f} s. The "
-      "best maps, *{}*, come to {} in {} MB",
-      of_all.render_ms / 1e3, of_all.trace_seconds, name_of(of_all), closeness(cell.median),
+      "A map is made from its textures in {:.2f} s of processor time; traced from the scene with {} rays a cell it "
+      "takes {:.0f} s. The best maps, *{}*, come to {} in {} MB",
+      of_all.render_ms / 1e3, of_all.rays.fewest, of_all.trace_seconds, name_of(of_all), closeness(cell.median),
       megabytes(of_all.atlas.store_bytes));
   if (best->paper_alike != nullptr && best->paper_alike != best->of_all) {
     text += fmt::format(", the paper's method from as many looks to {} in {} MB",

@@ -17,6 +17,7 @@ inline ResultsRow made_row(const ResultsCase& of, double rms_db, double l1, std:
   ResultsRow row;
   row.of = of;
   row.views = 4;
+  row.rays = {1024, 6144};
   row.atlas.store_bytes = bytes;
   const product::CellComparison cell{
       .cell_m = summary_cell_m, .correlation_db = 0.9, .rms_db = rms_db, .l1 = l1, .shadow_iou = 0.5};
