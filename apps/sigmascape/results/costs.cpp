@@ -41,8 +41,7 @@ bool is_plain(const ResultsRow& row, const ResultsPlan& plan) {
 
 std::string costs_section(const ResultsReport& report) {
   const ResultsPlan& plan = report.plan;
-  const ResultsRow* views = baseline_row(plan, report.rows, plan.scene_name(), ViewKind::HeldOut);
-  const TracedRays rays = views != nullptr ? views->rays : TracedRays{plan.traced_samples, plan.traced_samples};
+  const TracedRays rays = traced_rays(plan, report.rows, plan.scene_name(), ViewKind::HeldOut);
   return fmt::format(
              "## Bytes and time\n\nMedians over the held-out views, processor time of {}; {} rays a texel, one traced "
              "map of {} rays a 2 m cell{}. The store is compressed. In memory, textures with their mips are counted as "

@@ -67,10 +67,9 @@ std::string correlation_beside(double least, double correlation) {
 std::string truth_aim(const ResultsReport& report, const std::string& scene, ViewKind kind) {
   const product::CellComparison* floor = noise_floor(report.plan, report.rows, scene, kind);
   if (floor == nullptr) return {};
-  const ResultsRow& row = *baseline_row(report.plan, report.rows, scene, kind);
   return fmt::format("|{} {} | *truth*, {} rays a cell | | {} | {} | | |\n", SceneColumn(report.plan).cell(scene),
-                     text_of(kind), row.rays.text(), correlation_beside(least_agreement, floor->correlation_db),
-                     signed_text(floor->bias_db, 2));
+                     text_of(kind), traced_rays(report.plan, report.rows, scene, kind).text(),
+                     correlation_beside(least_agreement, floor->correlation_db), signed_text(floor->bias_db, 2));
 }
 
 /// A row beside its aims.

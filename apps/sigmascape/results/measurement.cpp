@@ -182,7 +182,6 @@ void Measurement::compare_all() {
     progress_.advanced("compare", static_cast<double>(++done), static_cast<double>(all.size()), "views");
   }
   compare_anew_what_disagrees();
-  results_.clear();
   for (const auto& [measured, view] : all) {
     const MeasuredView* kept = kept_.find(measured->name, view);
     results_.insert(results_.end(), kept->results.begin(), kept->results.end());
@@ -199,7 +198,6 @@ std::string Measurement::machines() const {
 
 void Measurement::compare_once(const MeasuredScene& measured, const PlannedView& view) {
   if (kept_.find(measured.name, view) != nullptr) return;
-  results_.clear();
   compare(measured, view);
   kept_.add({measured.name, view, machine_name(), std::exchange(results_, {})});
 }
@@ -210,8 +208,7 @@ void Measurement::compare_anew_what_disagrees() {
   for (const PlannedView& view : plan_.views) {
     if (view.kind == ViewKind::OnGrid) continue;
     const ViewResult& any = kept_.find(scene_.name, view)->results.front();
-    const product::CellComparison* floor = any.noise_floor.at_cell(summary_cell_m);
-    if (floor != nullptr && floor->correlation_db < least_agreement) views.push_back(view);
+    if (agreement(any) < least_agreement) views.push_back(view);
   }
   std::ranges::stable_sort(views, std::ranges::greater(), &PlannedView::elevation_deg);
   std::size_t done = 0;

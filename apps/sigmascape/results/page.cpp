@@ -74,10 +74,7 @@ std::string figures_text(const std::vector<product::PageSection>& sections, cons
 
 std::string settings_text(const ResultsReport& report) {
   const ResultsPlan& plan = report.plan;
-  const auto rays_of = [&](ViewKind kind) {
-    const ResultsRow* row = baseline_row(plan, report.rows, plan.scene_name(), kind);
-    return row != nullptr ? row->rays.text() : fmt::format("{}", plan.traced_samples_of(kind));
-  };
+  const auto rays_of = [&](ViewKind kind) { return traced_rays(plan, report.rows, plan.scene_name(), kind).text(); };
   return fmt::format(
              "## Settings\n\n"
              "- {} rays a texel of {:.2f} m; each method has a bake of its own, out of whose looks coarser grids are "

@@ -130,16 +130,12 @@ double median_trace_seconds(const std::vector<const ViewResult*>& views, std::ui
   return median(seconds);
 }
 
-bool agrees(const ViewResult* view) {
-  const CellComparison* floor = view->noise_floor.at_cell(summary_cell_m);
-  return floor != nullptr && floor->correlation_db >= least_agreement;
-}
-
 ResultsRow row_of(const std::vector<const ViewResult*>& views) {
   const TracedRays rays = rays_of(views);
   ResultsRow row{.of = views.front()->of,
                  .views = views.size(),
-                 .agreeing_views = static_cast<std::size_t>(std::ranges::count_if(views, agrees)),
+                 .agreeing_views = static_cast<std::size_t>(std::ranges::count_if(
+                     views, [](const ViewResult* view) { return agreement(*view) >= least_agreement; })),
                  .rays = rays,
                  .atlas = mean_cost(views),
                  .trace_seconds = median_trace_seconds(views, rays.fewest),
@@ -235,6 +231,17 @@ nlohmann::ordered_json settings_json(const ResultsPlan& plan) {
 
 std::string TracedRays::text() const {
   return fewest == most ? fmt::format("{}", fewest) : fmt::format("{} to {}", fewest, most);
+}
+
+double agreement(const ViewResult& view) {
+  const CellComparison* floor = view.noise_floor.at_cell(summary_cell_m);
+  return floor != nullptr ? floor->correlation_db : not_defined;
+}
+
+TracedRays traced_rays(const ResultsPlan& plan, const std::vector<ResultsRow>& rows, const std::string& scene,
+                       ViewKind kind) {
+  if (const ResultsRow* row = baseline_row(plan, rows, scene, kind)) return row->rays;
+  return {plan.traced_samples_of(kind), plan.traced_samples_of(kind)};
 }
 
 const ResultsCell* ResultsRow::at_cell(double cell_m) const {

@@ -70,6 +70,10 @@ struct ViewResult {
   double render_ms = 0.0;      ///< of processor time
 };
 
+/// How well the two traced maps of the view agree: their correlation of dB at summary_cell_m; NaN when they were too
+/// small for such cells.
+[[nodiscard]] double agreement(const ViewResult& view);
+
 /// A case at one cell size. Medians and worst values are taken over the views, each number by itself; the worst bias is
 /// the one farthest from zero. The overlap of shadows is NaN where no view has enough of them.
 struct ResultsCell {
@@ -120,6 +124,10 @@ struct ResultsRow {
 
 /// The entry of a row for summary_cell_m; nullptr for no row, and when the maps were too small for it.
 [[nodiscard]] const ResultsCell* summary_cell(const ResultsRow* row);
+
+/// Rays of the traced maps of such views; those that are planned where none was measured.
+[[nodiscard]] TracedRays traced_rays(const ResultsPlan& plan, const std::vector<ResultsRow>& rows,
+                                     const std::string& scene, ViewKind kind);
 
 /// What two traced maps of one of such views differ by at summary_cell_m, medians; nullptr for none.
 [[nodiscard]] const product::CellComparison* noise_floor(const ResultsPlan& plan, const std::vector<ResultsRow>& rows,
