@@ -10,7 +10,7 @@ namespace sigmascape::cli {
 namespace {
 
 constexpr double quiet_seconds = 2.0;
-constexpr auto refresh_time = std::chrono::milliseconds(200);
+constexpr std::chrono::milliseconds refresh_time{200}, log_time{60'000};
 
 }  // namespace
 
@@ -24,29 +24,29 @@ void TerminalProgress::erase_line() {
   line_shown_ = false;
 }
 
+std::string TerminalProgress::line(double seconds_left) const {
+  const auto rays = rate_.rays_a_second();
+  const auto error = rate_.relative_standard_error();
+  return fmt::format(
+      "{}: {:.1f} of {:.0f} {}, {}{}, {} left", task_, rate_.done(), rate_.total(), unit_,
+      rays ? fmt::format("{:.2f} million rays a second", *rays / 1e6) : fmt::format("{:.3g} a second", rate_.rate()),
+      error ? fmt::format(", error {:.0f} %", 100.0 * *error) : "", duration_text(seconds_left));
+}
+
 void TerminalProgress::advanced(std::string_view task, double done, double total, std::string_view unit) {
-  if (!is_terminal_) return;
-  if (task != task_) {
-    erase_line();
-    task_ = task;
-    shown_ = Clock::now();
-  }
+  if (task != task_) erase_line();
+  task_ = task;
+  unit_ = unit;
   rate_.advanced(task, done, total);
   if (done >= total) return erase_line();
   const auto now = Clock::now();
   const auto left = rate_.seconds_left();
-  if (rate_.seconds() < quiet_seconds || now - shown_ < refresh_time || !left) return;
+  if (!left || now - shown_ < (is_terminal_ ? refresh_time : log_time)) return;
+  if (is_terminal_ && rate_.seconds() < quiet_seconds) return;
   shown_ = now;
-  fmt::print(stderr, "\r\033[K{}: {:.1f} of {:.0f} {}", task, done, total, unit);
-  if (const auto rays = rate_.rays_a_second()) {
-    fmt::print(stderr, ", {:.2f} million rays a second", *rays / 1e6);
-  } else {
-    fmt::print(stderr, ", {:.3g} a second", rate_.rate());
-  }
-  if (const auto error = rate_.relative_standard_error()) fmt::print(stderr, ", error {:.0f} %", 100.0 * *error);
-  fmt::print(stderr, ", {} left", duration_text(*left));
+  fmt::print(stderr, "{}{}{}", is_terminal_ ? "\r\033[K" : "", line(*left), is_terminal_ ? "" : "\n");
   std::fflush(stderr);
-  line_shown_ = true;
+  line_shown_ = is_terminal_;
 }
 
 void TerminalProgress::measured(std::string_view, std::string_view quantity, double value) {

@@ -10,8 +10,8 @@
 namespace sigmascape::cli {
 
 /// Shows work on the terminal as one line with its rate and the time left, for a bake also rays a second and the mean
-/// error so far, once it has taken longer than two seconds.
-/// Says nothing when standard error is not a terminal.
+/// error so far, once it has taken longer than two seconds. Where standard error is not a terminal, as in the log of a
+/// job, a line is written when a minute has gone by since the last, so that work of less than a minute says nothing.
 class TerminalProgress final : public ProgressListener {
  public:
   TerminalProgress();
@@ -26,12 +26,13 @@ class TerminalProgress final : public ProgressListener {
   using Clock = std::chrono::steady_clock;
 
   void erase_line();
+  [[nodiscard]] std::string line(double seconds_left) const;
 
   bool is_terminal_;
   bool line_shown_ = false;
-  std::string task_;
+  std::string task_, unit_;
   ProgressRate rate_;
-  Clock::time_point shown_;
+  Clock::time_point shown_ = Clock::now();
 };
 
 }  // namespace sigmascape::cli
