@@ -102,6 +102,7 @@ nlohmann::ordered_json summary_of(const atlas::AtlasDescription& atlas, const at
        {{"smallest", summary.error.smallest}, {"median", summary.error.median}, {"largest", summary.error.largest}}},
       {"above_target", summary.above_target ? nlohmann::ordered_json(*summary.above_target) : nullptr},
       {"mantissa_bits", atlas.mantissa_bits},
+      {"digits", atlas.digits == atlas::Digits::ToNoise ? "to-noise" : "all"},
       {"settings", atlas.settings},
       {"scene_hash", atlas.scene_hash},
       {"attribution", atlas.attribution}};
@@ -132,7 +133,8 @@ std::string text_of(const atlas::AtlasDescription& atlas, const atlas::AtlasSumm
     line("above target", fmt::format("{:.1f} % of the texels that return anything", 100 * *summary.above_target));
   }
   for (const auto& [name, value] : atlas.settings) line(name, value);
-  line("mantissa bits", fmt::format("{}", atlas.mantissa_bits));
+  line("mantissa bits", fmt::format("{}{}", atlas.mantissa_bits,
+                                    atlas.digits == atlas::Digits::ToNoise ? ", fewer where noise drowns them" : ""));
   line("scene hash", atlas.scene_hash);
   if (!atlas.attribution.empty()) line("data", atlas.attribution);
   text.pop_back();

@@ -10,18 +10,30 @@ namespace {
 constexpr std::size_t bands = std::tuple_size_v<BandNames>;
 static_assert(radar::Channels::count == bands);
 
-/// `bands_of` gives the four numbers of a texel that are rounded.
-template <typename Texel, typename BandsOf>
-HalfTexture rounded(const std::vector<Array2D<Texel>>& chain, double scale, int mantissa_bits, BandsOf bands_of) {
+/// `bands_of` gives the four numbers of a texel that are rounded, `bits_of` to how many bits, by its level and number.
+template <typename Texel, typename BandsOf, typename BitsOf>
+HalfTexture rounded(const std::vector<Array2D<Texel>>& chain, double scale, BitsOf bits_of, BandsOf bands_of) {
   HalfTexture texture{chain.front().columns(), scale, {}};
-  for (const Array2D<Texel>& level : chain) {
+  for (std::size_t level = 0; level < chain.size(); ++level) {
     std::vector<Half>& halves = texture.levels.emplace_back();
-    halves.reserve(level.size() * bands);
-    for (const Texel& texel : level.values()) {
-      for (const float value : bands_of(texel)) halves.push_back(half_from_float(value, mantissa_bits));
+    halves.reserve(chain[level].size() * bands);
+    for (std::size_t i = 0; i < chain[level].size(); ++i) {
+      for (const float value : bands_of(chain[level].values()[i]))
+        halves.push_back(half_from_float(value, bits_of(level, i)));
     }
   }
   return texture;
+}
+
+/// Bands of σ0 under a scale.
+auto bands_under(double scale) {
+  return [gain = static_cast<float>(1.0 / scale)](const radar::Channels& texel) {
+    return std::array{texel.vv * gain, texel.hh * gain, texel.hv * gain, texel.re_vvhh * gain};
+  };
+}
+
+auto always(int mantissa_bits) {
+  return [mantissa_bits](std::size_t, std::size_t) { return mantissa_bits; };
 }
 
 template <typename Texel, typename TexelFrom>
@@ -50,15 +62,17 @@ double fitting_scale(const Array2D<radar::Channels>& level_0) {
 }
 
 HalfTexture encoded(const MipChain& chain, double scale, int mantissa_bits) {
-  const auto gain = static_cast<float>(1.0 / scale);
-  return rounded(chain, scale, mantissa_bits, [gain](const radar::Channels& texel) {
-    return std::array{texel.vv * gain, texel.hh * gain, texel.hv * gain, texel.re_vvhh * gain};
-  });
+  return rounded(chain, scale, always(mantissa_bits), bands_under(scale));
+}
+
+HalfTexture encoded(const MipChain& chain, double scale, const BitsOfTexels& mantissa_bits) {
+  const auto bits_of = [&](std::size_t level, std::size_t i) { return int{mantissa_bits[level].values()[i]}; };
+  return rounded(chain, scale, bits_of, bands_under(scale));
 }
 
 HalfTexture encoded(const ObstacleChain& chain) {
   constexpr int all_bits = 10;
-  return rounded(chain, 1.0, all_bits, [](const radar::Obstacle& texel) {
+  return rounded(chain, 1.0, always(all_bits), [](const radar::Obstacle& texel) {
     return std::array{std::min(texel.solid_top_m, largest_half), std::min(texel.crown_base_m, largest_half),
                       std::min(texel.crown_top_m, largest_half), std::min(texel.crown_extinction_per_m, largest_half)};
   });

@@ -7,6 +7,7 @@
 
 #include "sigmascape/atlas/half.h"
 #include "sigmascape/atlas/mip_chain.h"
+#include "sigmascape/atlas/worthwhile_bits.h"
 
 namespace sigmascape::atlas {
 
@@ -28,6 +29,8 @@ inline constexpr BandNames obstacle_bands{"SOLID_TOP_M", "CROWN_BASE_M", "CROWN_
 
 /// All levels rounded to the nearest half of so many mantissa bits, under the given scale.
 [[nodiscard]] HalfTexture encoded(const MipChain& chain, double scale, int mantissa_bits);
+/// The same, every texel with bits of its own.
+[[nodiscard]] HalfTexture encoded(const MipChain& chain, double scale, const BitsOfTexels& mantissa_bits);
 
 /// Obstacles in metres and per metre as they are, to the nearest half: heights to one part in 2000, extinctions below
 /// 6·10⁻⁵ per metre in steps of 6·10⁻⁸, an optical depth of 0.006 in 100 km. What is beyond the largest half, such as

@@ -12,6 +12,8 @@
 namespace sigmascape::atlas {
 namespace {
 
+constexpr const char* digits_to_noise = "to-noise";
+
 constexpr int oldest_format_version = 1;
 
 std::vector<double> degrees(const std::vector<double>& angles_rad) {
@@ -39,6 +41,7 @@ AtlasDescription undescribed(const std::string& name, const Json& json) {
   description.scene_hash = json.at("scene_hash").get<std::string>();
   description.settings = json.at("settings").get<std::map<std::string, std::string>>();
   description.mantissa_bits = json.at("mantissa_bits").get<int>();
+  if (json.value("digits", "all") == digits_to_noise) description.digits = Digits::ToNoise;
   description.attribution = json.at("attribution").get<std::string>();
   description.format_version = json.at("format_version").get<int>();
   return description;
@@ -68,7 +71,7 @@ std::optional<std::string> first_difference(const Json& there, const Json& here,
 
 Json described(const AtlasDescription& description) {
   const radar::Rectangle& extent = description.extent;
-  return {
+  Json json = {
       {"format_version", description.format_version},
       {"frame_latitude_deg", description.frame.latitude_deg()},
       {"frame_longitude_deg", description.frame.longitude_deg()},
@@ -84,6 +87,9 @@ Json described(const AtlasDescription& description) {
       {"mantissa_bits", description.mantissa_bits},
       {"attribution", description.attribution},
   };
+  // Absent where all are kept, as in atlases from before.
+  if (description.digits == Digits::ToNoise) json["digits"] = digits_to_noise;
+  return json;
 }
 
 AtlasDescription description_from(const std::string& text, const std::filesystem::path& file) {

@@ -88,6 +88,14 @@ void check_same(const Store& store, const AtlasDescription& description) {
 
 }  // namespace
 
+HalfTexture encoded_as(const AtlasDescription& description, const MipChain& chain,
+                       const Array2D<float>& relative_errors) {
+  const double scale = fitting_scale(chain.front());
+  if (description.digits == Digits::All || relative_errors.empty())
+    return encoded(chain, scale, description.mantissa_bits);
+  return encoded(chain, scale, worthwhile_bits(chain, relative_errors, description.mantissa_bits));
+}
+
 Store Store::create(const std::filesystem::path& folder, const AtlasDescription& description) {
   if (auto store = find(folder, description)) return *std::move(store);
   // Another process may have been faster, with another atlas: who comes second takes what is there or is refused.
@@ -139,7 +147,7 @@ void Store::write(PatchIndex patch, LookIndex look, const Array2D<radar::Channel
                   const Array2D<float>& relative_errors) const {
   const std::filesystem::path texture = texture_path(patch, look);
   check_texels(texels, description_.patches.texels_per_side, folder_ / texture);
-  const HalfTexture halves = encoded(mip_chain(texels, tile_side), fitting_scale(texels), description_.mantissa_bits);
+  const HalfTexture halves = encoded_as(description_, mip_chain(texels, tile_side), relative_errors);
   const radar::GroundGrid grid = description_.patches.texels_of(patch);
   const std::string errors = relative_errors.empty()
                                  ? ""

@@ -24,6 +24,12 @@ namespace sigmascape::atlas {
 /// Of what kind the files of an atlas are that is begun now; docs/store.md tells what the others lack.
 inline constexpr int newest_format_version = 2;
 
+/// Which of the mantissa bits that may be kept of a texel are kept.
+enum class Digits {
+  All,
+  ToNoise,  ///< those that its standard error does not drown: worthwhile_bits.h
+};
+
 /// What an atlas is of: everything that all of its files have in common. Bakes with equal descriptions give equal
 /// files, so they may be spread over processes and machines, and broken off and resumed.
 struct AtlasDescription {
@@ -36,13 +42,18 @@ struct AtlasDescription {
   /// Whatever else decides the texels (seed, samples, bounces, SIMD setting…), by name, in words that a person
   /// understands.
   std::map<std::string, std::string> settings;
-  /// Mantissa bits that are kept, 1 to 10: fewer where the bake is noisier than they are fine. 10 keeps all that a half
-  /// holds.
+  /// Mantissa bits that are kept, 1 to 10. 10 keeps all that a half holds.
   int mantissa_bits = 10;
+  Digits digits = Digits::All;
   std::string attribution;  ///< of the data that the scene was made from
   /// An atlas keeps that with which it was begun.
   int format_version = newest_format_version;
 };
+
+/// Halves of a chain as such an atlas stores them. `relative_errors`, if not empty, are those of the total power of the
+/// finest level.
+[[nodiscard]] HalfTexture encoded_as(const AtlasDescription& description, const MipChain& chain,
+                                     const Array2D<float>& relative_errors);
 
 /// How one (patch, look) came about: goes into its item, so that a reading can be traced back.
 struct BakeFacts {

@@ -481,5 +481,36 @@ TEST_F(StoreTest, FewerMantissaBitsMakeSmallerFiles) {
             std::filesystem::file_size(folder_ / "fine" / path) * 7 / 10);
 }
 
+TEST_F(StoreTest, DigitsThatNoiseDrownsAreNotStored) {
+  const Store whole = Store::create(folder_ / "whole", example_description());
+  AtlasDescription description = example_description();
+  description.digits = Digits::ToNoise;
+  const Store rounded = Store::create(folder_ / "rounded", description);
+  EXPECT_EQ(Store::open(folder_ / "rounded").description().digits, Digits::ToNoise);
+  const Array2D<radar::Channels> texels = example_texels(512, 1);
+  constexpr float error = 0.2F;
+  for (const Store* store : {&whole, &rounded}) store->write({0, 0}, 0, texels, {}, Array2D<float>(512, 512, error));
+  const auto path = whole.texture_path({0, 0}, 0);
+  EXPECT_LT(std::filesystem::file_size(folder_ / "rounded" / path),
+            std::filesystem::file_size(folder_ / "whole" / path) * 8 / 10);
+  const MipChain levels = rounded.read({0, 0}, 0);
+  const auto darkest = static_cast<float>(fitting_scale(texels) * 0x1p-14);  // that halves have all their bits of
+  for (std::size_t i = 0; i < texels.size(); ++i) {
+    const float vv = texels.values()[i].vv;
+    ASSERT_NEAR(levels.front().values()[i].vv, vv, std::max(vv, darkest) * error / 8.0F);
+  }
+}
+
+// Who has no errors to go by rounds nothing.
+TEST_F(StoreTest, WithoutErrorsAllDigitsAreStored) {
+  const Store whole = Store::create(folder_ / "whole", example_description());
+  AtlasDescription description = example_description();
+  description.digits = Digits::ToNoise;
+  const Store rounded = Store::create(folder_ / "rounded", description);
+  for (const Store* store : {&whole, &rounded}) store->write({0, 0}, 0, example_texels(512, 1), {});
+  const auto path = whole.texture_path({0, 0}, 0);
+  EXPECT_EQ(bytes_of(folder_ / "rounded" / path), bytes_of(folder_ / "whole" / path));
+}
+
 }  // namespace
 }  // namespace sigmascape::atlas
