@@ -52,9 +52,13 @@ void BakeOptions::add_to(CLI::App& command) {
   add_texels_and_looks(command);
   add_rays(command);
   add_what_stands(command);
-  command.add_option("--mantissa-bits", mantissa_bits, "bits kept of each half float, 1 to 10")
+  command.add_option("--mantissa-bits", mantissa_bits, "bits kept of each half float at most, 1 to 10")
       ->capture_default_str()
       ->check(CLI::Range(1, 10));
+  takes_words<atlas::Digits>(
+      command.add_option("--digits", digits, "of texels: those that their standard errors do not drown, or all"),
+      {{"to-noise", atlas::Digits::ToNoise}, {"all", atlas::Digits::All}})
+      ->default_str("to-noise");
   command.add_option("--threads", threads, "0: one a processor")->capture_default_str();
 }
 
@@ -100,6 +104,12 @@ void BakeOptions::add_rays(CLI::App& command) {
       ->check(CLI::Range(1, 64))
       ->excludes(preset_option);
   preset_option->excludes(target_option, most_option, samples_option);
+  takes_words<bake::Noise>(
+      command.add_option("--noise", noise,
+                         "of what came over several surfaces: texels share what their rays leave in doubt with those "
+                         "around them, or each keeps its own"),
+      {{"shared", bake::Noise::Shared}, {"own", bake::Noise::Own}})
+      ->default_str("shared");
   add_seed_option(command, seed, "names the random numbers");
 }
 
@@ -140,7 +150,9 @@ bake::BakeSettings BakeOptions::settings() const {
   settings.seed = seed;
   settings.shadows = shadows;
   settings.footing = footing;
+  settings.noise = noise;
   settings.mantissa_bits = mantissa_bits;
+  settings.digits = digits;
   settings.threads = threads;
   return settings;
 }

@@ -24,7 +24,9 @@ struct BakeOptions {
   std::uint64_t seed = 1;
   bake::Shadows shadows = bake::Shadows::RunTime;
   trace::Footing footing = trace::Footing::Terrain;
+  bake::Noise noise = bake::Noise::Shared;
   int mantissa_bits = 10;
+  atlas::Digits digits = atlas::Digits::ToNoise;
   unsigned threads = 0;
 
   void add_to(CLI::App& command);

@@ -20,8 +20,14 @@ namespace py = pybind11;
 struct BakeArguments {
   unsigned azimuths = 8;
   std::vector<double> elevations_deg, frequencies_ghz;
-  std::string shadows;
 };
+
+/// Whether a word that has the choice of two is the second; Error when it is neither.
+bool is_second(const char* name, const std::string& word, const char* first, const char* second) {
+  if (word != first && word != second)
+    throw Error(name, "is '" + word + "'", std::string("give '") + first + "' or '" + second + "'");
+  return word == second;
+}
 
 bake::BakeSettings with_axes(bake::BakeSettings settings, const BakeArguments& arguments) {
   settings.aspects = {};
@@ -32,9 +38,6 @@ bake::BakeSettings with_axes(bake::BakeSettings settings, const BakeArguments& a
   for (const double frequency : arguments.frequencies_ghz) settings.aspects.frequencies_hz.push_back(frequency * 1e9);
   std::ranges::sort(settings.aspects.elevations_rad);
   std::ranges::sort(settings.aspects.frequencies_hz);
-  if (arguments.shadows != "run-time" && arguments.shadows != "baked")
-    throw Error("shadows", "is '" + arguments.shadows + "'", "give 'run-time' or 'baked'");
-  settings.shadows = arguments.shadows == "baked" ? bake::Shadows::Baked : bake::Shadows::RunTime;
   return settings;
 }
 
@@ -42,7 +45,8 @@ bake::BakeReport baked(const LoadedScene& scene, const std::filesystem::path& fo
                        const std::vector<double>& elevations_deg, const std::vector<double>& frequencies_ghz,
                        double texel_m, std::size_t patch_texels, std::uint32_t samples, double target_db,
                        std::uint32_t most_samples, int bounces, std::uint64_t seed, const std::string& shadows,
-                       int mantissa_bits, const std::string& shard, unsigned threads, const py::object& progress) {
+                       const std::string& noise, int mantissa_bits, const std::string& digits, const std::string& shard,
+                       unsigned threads, const py::object& progress) {
   bake::BakeSettings settings;
   settings.patches = {.texel_m = texel_m, .texels_per_side = patch_texels};
   settings.sampling.samples_per_texel = samples;
@@ -50,9 +54,12 @@ bake::BakeReport baked(const LoadedScene& scene, const std::filesystem::path& fo
   settings.sampling.most_samples = most_samples;
   settings.max_bounces = bounces;
   settings.seed = seed;
+  settings.shadows = is_second("shadows", shadows, "run-time", "baked") ? bake::Shadows::Baked : bake::Shadows::RunTime;
+  settings.noise = is_second("noise", noise, "shared", "own") ? bake::Noise::Own : bake::Noise::Shared;
   settings.mantissa_bits = mantissa_bits;
+  settings.digits = is_second("digits", digits, "to-noise", "all") ? atlas::Digits::All : atlas::Digits::ToNoise;
   settings.threads = threads;
-  settings = with_axes(settings, {azimuths, elevations_deg, frequencies_ghz, shadows});
+  settings = with_axes(settings, {azimuths, elevations_deg, frequencies_ghz});
   const bake::BakeShare share{bake::shard_from(shard)};
   PythonProgress listener(progress);
   return long_call([&] { return bake::bake(scene.scene(), settings, folder, listener, share); });
@@ -83,14 +90,17 @@ void add_bake(py::module_& module) {
       py::arg("patch_texels") = settings.patches.texels_per_side, py::arg("samples") = 0,
       py::arg("target_db") = sampling.target_db, py::arg("most_samples") = sampling.most_samples,
       py::arg("bounces") = settings.max_bounces, py::arg("seed") = settings.seed, py::arg("shadows") = "run-time",
-      py::arg("mantissa_bits") = settings.mantissa_bits, py::arg("shard") = "0/1", py::arg("threads") = 0,
-      py::arg("progress") = py::none(),
+      py::arg("noise") = "shared", py::arg("mantissa_bits") = settings.mantissa_bits, py::arg("digits") = "to-noise",
+      py::arg("shard") = "0/1", py::arg("threads") = 0, py::arg("progress") = py::none(),
       "Path-traces a scene into the atlas at `folder`. A bake that was broken off (Ctrl-C does so within a second) "
       "goes\n"
       "on where it stopped.\n\n"
       "azimuths: how many, evenly spaced from north. texel_m: side of a texel. patch_texels: 256, 512, 1024, ...\n"
       "samples: rays a texel everywhere; 0: as many as bring its standard error to target_db, most_samples at most.\n"
       "bounces: surfaces a path may meet. shadows: of objects on the ground, made at 'run-time' or 'baked'.\n"
+      "noise: 'shared' where texels share what their rays leave in doubt of what came over several surfaces, or "
+      "'own'.\n"
+      "digits: of texels, those that their standard errors do not drown, 'to-noise', or 'all', mantissa_bits at most.\n"
       "shard: '2/8' bakes the third of eight equal shares. threads: 0 for one a processor.\n"
       "progress: None for a bar by tqdm where that is installed, False for silence, or a callable\n"
       "(task, done, total, unit).");

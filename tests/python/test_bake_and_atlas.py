@@ -64,6 +64,22 @@ def test_a_bake_goes_on_where_it_stopped_and_tells_its_progress(scene, tmp_path)
     assert first.relative_standard_error > 0.0 and again.relative_standard_error is None
 
 
+def test_what_is_in_doubt_is_shared_or_left_where_it_fell(scene, tmp_path):
+    options = dict(azimuths=1, elevations_deg=[30.0], texel_m=2.0, patch_texels=256, samples=4, digits="all", progress=False)
+    levels = {}
+    for noise in ["shared", "own"]:
+        sigmascape.bake(scene, tmp_path / noise, noise=noise, **options)
+        atlas = sigmascape.Atlas(tmp_path / noise)
+        textures = [atlas.texture(patch, azimuth_deg=0.0, elevation_deg=30.0, frequency_ghz=10.0) for patch in atlas.patches]
+        levels[noise] = np.stack([texture.levels[0].astype(float) * texture.scale for texture in textures])
+    assert not np.array_equal(levels["shared"], levels["own"])
+    # Each number is rounded to a half, one part in 2048.
+    assert levels["shared"].sum() == pytest.approx(levels["own"].sum(), rel=5e-4)
+    with pytest.raises(sigmascape.Error, match="noise: is 'loud'; give 'shared' or 'own'"):
+        sigmascape.bake(scene, tmp_path / "loud", noise="loud", **options)
+    assert not (tmp_path / "loud").exists()
+
+
 def test_what_a_progress_listener_raises_ends_the_bake(scene, tmp_path):
     def refuse(*_):
         raise LookupError("enough")

@@ -37,6 +37,7 @@ std::map<std::string, std::string> settings_in_words(const BakeSettings& setting
       {atlas::footing_setting,
        footing_of(settings) == trace::Footing::LevelPlane ? "level" : atlas::footing_on_terrain},
       {"simd", trace::simd_setting()}};
+  if (settings.noise == Noise::Shared) words["noise"] = "shared";
   if (sampling.is_adaptive()) {
     words["samples_per_texel"] = fmt::format("{} to {}", pilot_samples, sampling.most_samples);
     words["target_db"] = fmt::format("{:g}", sampling.target_db);
@@ -269,6 +270,7 @@ atlas::AtlasDescription description_of(const scene::Scene& scene, const BakeSett
           .scene_hash = scene::scene_hash(scene),
           .settings = settings_in_words(settings),
           .mantissa_bits = settings.mantissa_bits,
+          .digits = settings.digits,
           .attribution = scene.attribution};
 }
 

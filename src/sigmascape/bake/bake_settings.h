@@ -4,6 +4,7 @@
 
 #include "sigmascape/atlas/aspect_grid.h"
 #include "sigmascape/atlas/patch_grid.h"
+#include "sigmascape/atlas/store.h"
 #include "sigmascape/bake/sampling.h"
 #include "sigmascape/trace/scene_geometry.h"
 
@@ -13,6 +14,12 @@ namespace sigmascape::bake {
 enum class Shadows {
   RunTime,  ///< made when a map is rendered: ground and obstacles are stored apart from the echoes of objects
   Baked,    ///< in the textures, with the length they have on level ground: the paper's way
+};
+
+/// What becomes of the noise that few rays leave in what comes over several surfaces.
+enum class Noise {
+  Shared,  ///< texels share with those around them what their own rays leave in doubt: bake/noise_sharing.h
+  Own,     ///< every texel keeps what its own rays brought
 };
 
 /// Elevations of looks: a level plane is not lit at 0° and has no ground range at 90°.
@@ -29,8 +36,10 @@ struct BakeSettings {
   Shadows shadows = Shadows::RunTime;
   /// What objects stand on while they are baked. With Shadows::Baked it is the level plane always.
   trace::Footing footing = trace::Footing::Terrain;
+  Noise noise = Noise::Shared;
   int mantissa_bits = 10;  ///< of the stored half floats, see atlas::AtlasDescription
-  unsigned threads = 0;    ///< 0: one a hardware thread; has no effect on the result
+  atlas::Digits digits = atlas::Digits::ToNoise;
+  unsigned threads = 0;  ///< 0: one a hardware thread; has no effect on the result
 };
 
 /// What objects stand on by these settings, whatever the ground.

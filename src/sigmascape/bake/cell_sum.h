@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
+#include "sigmascape/bake/patch_sums.h"
 #include "sigmascape/bake/sampling.h"
 #include "sigmascape/radar/channels.h"
-#include "sigmascape/receiver/ground_accumulator.h"
 
 namespace sigmascape::bake {
 
@@ -14,6 +14,7 @@ namespace sigmascape::bake {
 struct Landed {
   std::uint32_t texel = 0;
   std::uint32_t batch = 0;
+  bool several = false;    ///< came over several surfaces
   radar::Channels rcs_m2;  ///< as though its sample stood for the whole launch cell
 };
 
@@ -25,6 +26,6 @@ struct Landed {
 ///     Σ_b (T_b − T·K_b/n)² / (n² (1 − Σ_b K_b²/n²))                    docs/physics/estimator.md, Eq. (14)
 ///
 /// which has the right mean when the batches are independent. Reorders `echoes`.
-void add_cell(std::span<Landed> echoes, const Batches& batches, receiver::GroundAccumulator& patch);
+void add_cell(std::span<Landed> echoes, const Batches& batches, PatchSums& patch);
 
 }  // namespace sigmascape::bake

@@ -5,13 +5,14 @@
 #include <fmt/format.h>
 
 #include "sigmascape/bake/echo_landing.h"
+#include "sigmascape/bake/noise_sharing.h"
+#include "sigmascape/bake/patch_sums.h"
 #include "sigmascape/bake/terrain_horizon.h"
 #include "sigmascape/bake/tile_sampler.h"
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/parallel.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/rectangle_parts.h"
-#include "sigmascape/receiver/ground_accumulator.h"
 #include "sigmascape/scene/obstacle_raster.h"
 #include "sigmascape/terrain/obstacle_sweep.h"
 #include "sigmascape/trace/late_by.h"
@@ -31,6 +32,45 @@ double gain_of(double part_seen) {
 trace::Footing footing_of(const scene::Scene& scene, const BakeSettings& settings) {
   const bool is_level = scene.terrain.lowest_m() == scene.terrain.highest_m();
   return is_level ? trace::Footing::LevelPlane : footing_of(settings);
+}
+
+/// Takes the terrain's shadow out.
+void brighten(NoisyTexels& texels, const Array2D<float>& gains) {
+  for (std::size_t i = 0; i < gains.size(); ++i) {
+    const float gain = gains.values()[i];
+    texels.power.values()[i] = texels.power.values()[i] * gain;
+    texels.variance.values()[i] *= static_cast<double>(gain) * static_cast<double>(gain);
+  }
+}
+
+NoisyTexels texels_of(const receiver::GroundAccumulator& sums, const Array2D<float>& gains) {
+  NoisyTexels texels{sums.sigma0(), sums.sigma0_variances()};
+  brighten(texels, gains);
+  return texels;
+}
+
+/// Of all power, that of several surfaces as its texels share it.
+void put_shared(const NoisyTexels& several, unsigned threads, NoisyTexels& all) {
+  const NoisyTexels shared = with_noise_shared(several, threads);
+  for (std::size_t i = 0; i < all.power.size(); ++i) {
+    const radar::Channels& before = several.power.values()[i];
+    const radar::Channels& after = shared.power.values()[i];
+    if (after == before) continue;
+    all.power.values()[i] += after + before * -1.0F;
+    double& variance = all.variance.values()[i];
+    const double shared_variance = shared.variance.values()[i];
+    // What first surfaces add to it, which where they vary against it might be less than nothing.
+    variance = shared_variance + std::max(variance - several.variance.values()[i], 0.0);
+  }
+}
+
+Array2D<float> relative_errors(const NoisyTexels& texels) {
+  Array2D<float> errors(texels.power.columns(), texels.power.rows());
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    const double power = static_cast<double>(texels.power.values()[i].power(radar::Polarization::Sum));
+    if (power > 0.0) errors.values()[i] = static_cast<float>(std::sqrt(texels.variance.values()[i]) / power);
+  }
+  return errors;
 }
 
 double root_mean_square_of_lit(const Array2D<float>& errors, const Array2D<radar::Channels>& sigma0) {
@@ -131,12 +171,15 @@ std::vector<BakedLook> LookBaker::bake(const radar::GroundGrid& texels, const tr
   const trace::PathTracer tracer(geometry_about(texels), surfaces_, viewpoint, {.max_bounces = settings_.max_bounces},
                                  settings_.seed);
 
-  std::vector<receiver::GroundAccumulator> accumulators;
-  for (std::size_t f = 0; f < surfaces_.size(); ++f) accumulators.emplace_back(texels);
+  std::vector<PatchSums> sums;
+  for (std::size_t f = 0; f < surfaces_.size(); ++f) {
+    PatchSums& of_frequency = sums.emplace_back(receiver::GroundAccumulator(texels));
+    if (settings_.noise == Noise::Shared) of_frequency.several.emplace(texels);
+  }
   const unsigned workers = thread_count(settings_.threads);
   const bool has_relief = footing_ == trace::Footing::Terrain;
   const EchoLanding landing = has_relief ? EchoLanding(aspect, scene_.terrain) : EchoLanding(aspect);
-  std::vector<TileSampler> samplers(workers, TileSampler(settings_.sampling, settings_.shadows, landing, accumulators));
+  std::vector<TileSampler> samplers(workers, TileSampler(settings_.sampling, settings_.shadows, landing, sums));
   trace::TileProgress tiles(progress, "bake", "look", 0.0, 1.0, 1.0, area.tiles());
   const auto counts = tracer.trace_tiles(area, workers, [&](trace::TilePaths& tile, unsigned worker) {
     samplers[worker].sample(tile, texels.cell_area_m2());
@@ -145,18 +188,18 @@ std::vector<BakedLook> LookBaker::bake(const radar::GroundGrid& texels, const tr
 
   std::vector<BakedLook> looks;
   const Array2D<float> gains = has_relief ? terrain_gains(texels, aspect) : Array2D<float>();
-  for (const receiver::GroundAccumulator& accumulator : accumulators) {
-    if (accumulator.bins().overflows() > 0) {
+  for (const PatchSums& of_frequency : sums) {
+    if (of_frequency.all.bins().overflows() > 0) {
       throw Error(fmt::format("bake of the patch at ({:.0f}, {:.0f}) m, azimuth {:.1f}°, elevation {:.1f}°",
                               texels.extent().west_m, texels.extent().south_m, deg_from_radians(aspect.azimuth_rad),
                               deg_from_radians(aspect.elevation_rad)),
                   "a texel is brighter than the sums can hold", "use a smaller texel or a rougher material");
     }
     BakedLook& look = looks.emplace_back();
-    look.sigma0 = accumulator.sigma0();
-    for (std::size_t i = 0; i < gains.size(); ++i)
-      look.sigma0.values()[i] = look.sigma0.values()[i] * gains.values()[i];
-    look.relative_errors = accumulator.relative_errors();
+    NoisyTexels all = texels_of(of_frequency.all, gains);
+    if (of_frequency.several) put_shared(texels_of(*of_frequency.several, gains), settings_.threads, all);
+    look.relative_errors = relative_errors(all);
+    look.sigma0 = std::move(all.power);
     look.relative_standard_error = root_mean_square_of_lit(look.relative_errors, look.sigma0);
     look.samples_per_texel = area.cells.empty() ? 0.0 : static_cast<double>(counts.paths) / area.whole_cells();
   }

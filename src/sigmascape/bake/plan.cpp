@@ -59,7 +59,7 @@ class Trials {
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
     const auto texels = piece_.patches.texels_of(patch);
     const double cells = baker_.area_of(texels, aspect).whole_cells();
-    const auto halves = atlas::encoded({look.sigma0}, atlas::fitting_scale(look.sigma0), settings_.mantissa_bits);
+    const auto halves = atlas::encoded_as(description_, {look.sigma0}, look.relative_errors);
     const auto sigma0 = atlas::texture_bytes(halves, atlas::sigma0_bands, texels, description_).size();
     const auto errors =
         atlas::error_texture_bytes(look.relative_errors, look.sigma0, texels, description_, scene_.name).size();

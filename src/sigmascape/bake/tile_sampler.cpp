@@ -28,7 +28,7 @@ std::uint32_t spared(std::uint32_t samples, const trace::LaunchCell& cell, std::
 }  // namespace
 
 TileSampler::TileSampler(const Sampling& sampling, Shadows shadows, const EchoLanding& landing,
-                         std::vector<receiver::GroundAccumulator>& patch)
+                         std::vector<PatchSums>& patch)
     : sampling_(sampling),
       ground_apart_(shadows == Shadows::RunTime),
       landing_(landing),
@@ -62,8 +62,8 @@ double TileSampler::keep_landed(const trace::TilePaths& tile, std::size_t freque
   for (const radar::Echo& echo : tile.echoes(frequency, start)) {
     if (ground_apart_ && echo.from_ground) continue;
     power += static_cast<double>(echo.rcs_m2.power(radar::Polarization::Sum));
-    if (const auto texel = patch_[frequency].cell_at(landing_.place_of(echo)))
-      landed.push_back({*texel, starts_[start].sequence, echo.rcs_m2});
+    if (const auto texel = patch_[frequency].all.cell_at(landing_.place_of(echo)))
+      landed.push_back({*texel, starts_[start].sequence, echo.bounces > 1, echo.rcs_m2});
   }
   return power;
 }

@@ -8,8 +8,8 @@
 #include "sigmascape/bake/bake_settings.h"
 #include "sigmascape/bake/cell_sum.h"
 #include "sigmascape/bake/echo_landing.h"
+#include "sigmascape/bake/patch_sums.h"
 #include "sigmascape/bake/sampling.h"
-#include "sigmascape/receiver/ground_accumulator.h"
 #include "sigmascape/trace/path_tracer.h"
 
 namespace sigmascape::bake {
@@ -18,9 +18,8 @@ namespace sigmascape::bake {
 /// scratch space.
 class TileSampler {
  public:
-  /// `patch` has one accumulator a frequency; all are held by reference.
-  TileSampler(const Sampling& sampling, Shadows shadows, const EchoLanding& landing,
-              std::vector<receiver::GroundAccumulator>& patch);
+  /// `patch` has the sums of one frequency after the other; all are held by reference.
+  TileSampler(const Sampling& sampling, Shadows shadows, const EchoLanding& landing, std::vector<PatchSums>& patch);
 
   void sample(trace::TilePaths& tile, double cell_area_m2);
 
@@ -53,7 +52,7 @@ class TileSampler {
   const Sampling& sampling_;
   bool ground_apart_;
   const EchoLanding& landing_;
-  std::vector<receiver::GroundAccumulator>& patch_;
+  std::vector<PatchSums>& patch_;
   double target_;                                     // relative standard error
   double floor_;                                      // σ0
   std::vector<Batches> batches_;                      // [cell]

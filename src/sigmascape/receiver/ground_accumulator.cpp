@@ -45,14 +45,11 @@ Array2D<radar::Channels> GroundAccumulator::sigma0() const {
   return sigma0;
 }
 
-Array2D<float> GroundAccumulator::relative_errors() const {
-  Array2D<float> errors(grid_.columns, grid_.rows);
-  const Array2D<radar::Channels> sums = bins_.sums();
-  for (std::size_t i = 0; i < sums.size(); ++i) {
-    const double power = static_cast<double>(sums.values()[i].power(radar::Polarization::Sum));
-    if (power > 0.0) errors.values()[i] = static_cast<float>(std::sqrt(variances_.sum(i)) / power);
-  }
-  return errors;
+Array2D<double> GroundAccumulator::sigma0_variances() const {
+  Array2D<double> variances(grid_.columns, grid_.rows);
+  const double area_m2 = grid_.cell_area_m2();
+  for (std::size_t i = 0; i < variances.size(); ++i) variances.values()[i] = variances_.sum(i) / (area_m2 * area_m2);
+  return variances;
 }
 
 }  // namespace sigmascape::receiver

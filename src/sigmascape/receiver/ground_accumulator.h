@@ -26,9 +26,8 @@ class GroundAccumulator {
   [[nodiscard]] const PowerBins& bins() const { return bins_; }
   /// [column, row]: cross-section over cell area.
   [[nodiscard]] Array2D<radar::Channels> sigma0() const;
-  /// [column, row]: standard error of the total power (radar::Polarization::Sum) over that power; 0 where there is
-  /// none.
-  [[nodiscard]] Array2D<float> relative_errors() const;
+  /// [column, row]: of the total (radar::Polarization::Sum) of those.
+  [[nodiscard]] Array2D<double> sigma0_variances() const;
 
  private:
   /// Cells along one axis, counted so that grids which are parts of one lattice agree to the last bit on where each

@@ -1,5 +1,6 @@
 #include "sigmascape/bake/look_baker.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <utility>
@@ -150,10 +151,12 @@ class HonestyTally {
   std::size_t covered_ = 0, intervals_ = 0, texels_ = 0;
 };
 
-std::vector<BakedLook> bakes_of_the_block(const Sampling& sampling, int repetitions) {
+std::vector<BakedLook> bakes_of_the_block(const Sampling& sampling, int repetitions, Noise noise = Noise::Own) {
   const scene::Scene scene = scene_with_block();
+  BakeSettings settings = settings_with(sampling);
+  settings.noise = noise;
   std::vector<BakedLook> looks;
-  for (int i = 0; i < repetitions; ++i) looks.push_back(baked(scene, settings_with(sampling), 1000U + unsigned(i)));
+  for (int i = 0; i < repetitions; ++i) looks.push_back(baked(scene, settings, 1000U + unsigned(i)));
   return looks;
 }
 
@@ -203,6 +206,61 @@ TEST(LookBaker, ErrorsAreHonestWithAnAdaptiveNumberOfSamples) {
   expect_stated_error("standard error of a texel, predicted over actual, adaptive sampling", honesty);
 }
 
+double total(const BakedLook& look) {
+  double sum = 0.0;
+  for (std::size_t texel = 0; texel < look.sigma0.size(); ++texel) sum += power(look, texel);
+  return sum;
+}
+
+/// What is stated of the squared error of all texels over what it is.
+double stated_over_actual(const BakedLook& look, const BakedLook& truth) {
+  double stated = 0.0, actual = 0.0;
+  for (std::size_t texel = 0; texel < look.sigma0.size(); ++texel) {
+    stated += squared_error(look, texel);
+    actual += std::pow(power(look, texel) - power(truth, texel), 2.0);
+  }
+  return stated / actual;
+}
+
+double l1(const BakedLook& look, const BakedLook& truth) {
+  double sum = 0.0;
+  for (std::size_t texel = 0; texel < look.sigma0.size(); ++texel)
+    sum += std::abs(power(look, texel) - power(truth, texel));
+  return sum / total(truth);
+}
+
+TEST(LookBaker, SharedNoiseKeepsThePowerAndComesCloserToTheTruth) {
+  const BakedLook truth = bakes_of_the_block({.samples_per_texel = 16384}, 1).front();
+  const auto own = bakes_of_the_block({.samples_per_texel = 8}, 8);
+  const auto shared = bakes_of_the_block({.samples_per_texel = 8}, 8, Noise::Shared);
+  double l1_own = 0.0, l1_shared = 0.0, stated = 0.0;
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    EXPECT_NEAR(total(shared[i]) / total(own[i]), 1.0, 1e-6);
+    l1_own += l1(own[i], truth);
+    l1_shared += l1(shared[i], truth);
+    stated += stated_over_actual(shared[i], truth) / static_cast<double>(shared.size());
+  }
+  EXPECT_LT(l1_shared, 0.9 * l1_own);
+  validation::expect_close({.group = "Error of a bake",
+                            .name = "standard error of texels that share their noise, stated over that from the truth",
+                            .expected = 1.0,
+                            .measured = std::sqrt(stated),
+                            .tolerance = 0.1,
+                            .unit = "1",
+                            .source = "estimator.md, Eq. (17)"});
+}
+
+TEST(LookBaker, FirstSurfacesDoNotShare) {
+  BakeSettings settings = settings_with({.samples_per_texel = 8});
+  settings.max_bounces = 1;
+  const scene::Scene scene = scene_with_block();
+  const BakedLook shared = baked(scene, settings, 1);
+  settings.noise = Noise::Own;
+  const BakedLook own = baked(scene, settings, 1);
+  EXPECT_TRUE(std::ranges::equal(shared.sigma0.values(), own.sigma0.values()));
+  EXPECT_TRUE(std::ranges::equal(shared.relative_errors.values(), own.relative_errors.values()));
+}
+
 /// Mean over bakes of what a whole patch returns, and the standard error of that.
 std::pair<double, double> total_of(const Sampling& sampling, int repetitions) {
   const scene::Scene scene = scene_with_posts();
@@ -211,10 +269,8 @@ std::pair<double, double> total_of(const Sampling& sampling, int repetitions) {
   double sum = 0.0, squares = 0.0;
   for (int i = 0; i < repetitions; ++i) {
     const BakedLook look = baked(scene, settings, 50U + unsigned(i));
-    double total = 0.0;
-    for (std::size_t texel = 0; texel < look.sigma0.size(); ++texel) total += power(look, texel);
-    sum += total;
-    squares += total * total;
+    sum += total(look);
+    squares += total(look) * total(look);
   }
   const double mean = sum / repetitions;
   return {mean, std::sqrt((squares / repetitions - mean * mean) / (repetitions - 1))};

@@ -35,13 +35,13 @@ TEST(GroundAccumulator, SigmaIsCrossSectionOverCellArea) {
   EXPECT_DOUBLE_EQ(accumulator.bins().total()[0], 5.0);
 }
 
-// Variances of independent parts add up; the power of which they are is VV + HH + 2 HV.
-TEST(GroundAccumulator, RelativeErrorIsTheRootOfTheVariancesOverThePower) {
+// Independent parts: their variances add up, and go with the square of the area that σ0 is taken over.
+TEST(GroundAccumulator, VariancesOfPartsAddUp) {
   GroundAccumulator accumulator(grid);
   accumulator.add(7, {1.0F, 2.0F, 0.5F, 0.0F}, 0.36);
   accumulator.add(7, {2.0F, 1.0F, 0.5F, 0.0F}, 0.28);
-  EXPECT_NEAR(accumulator.relative_errors()(7, 0), 0.8 / 8.0, 1e-6);
-  EXPECT_EQ(accumulator.relative_errors()(8, 0), 0.0F);
+  EXPECT_NEAR(accumulator.sigma0_variances()(7, 0), 0.64 / (0.25 * 0.25), 1e-9);
+  EXPECT_EQ(accumulator.sigma0_variances()(8, 0), 0.0);
 }
 
 }  // namespace

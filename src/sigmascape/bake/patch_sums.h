@@ -1,0 +1,16 @@
+#pragma once
+
+#include <optional>
+
+#include "sigmascape/receiver/ground_accumulator.h"
+
+namespace sigmascape::bake {
+
+/// What is summed up of a patch at one frequency.
+struct PatchSums {
+  receiver::GroundAccumulator all;
+  /// What of it came over several surfaces; where that is asked for.
+  std::optional<receiver::GroundAccumulator> several;
+};
+
+}  // namespace sigmascape::bake
