@@ -82,6 +82,15 @@ bake::BakeSettings settings_even_in_cotangent(const ResultsPlan& plan) {
   return settings;
 }
 
+/// Every texel with the noise of its own rays, and all its digits.
+bake::BakeSettings settings_of_own_noise(const ResultsPlan& plan) {
+  bake::BakeSettings settings = plan.bake_settings(Method::OwnGround);
+  settings.aspects = plan.paper_grid().aspects();
+  settings.noise = bake::Noise::Own;
+  settings.digits = atlas::Digits::All;
+  return settings;
+}
+
 }  // namespace
 
 Measurement::Measurement(const ResultsPlan& plan, const std::filesystem::path& folder,
@@ -95,6 +104,7 @@ Measurement::Measurement(const ResultsPlan& plan, const std::filesystem::path& f
       level_ground_(scene_.scene, plan.bake_settings(Method::LevelGround), folder / "atlas_level_ground", progress_),
       own_ground_(scene_.scene, plan.bake_settings(Method::OwnGround), folder / "atlas_own_ground", progress_),
       even_in_cotangent_(scene_.scene, settings_even_in_cotangent(plan), folder / "atlas_even_in_cotangent", progress_),
+      own_noise_(scene_.scene, settings_of_own_noise(plan), folder / "atlas_own_noise", progress_),
       kept_(kept_file(), settings_of_views(plan, scene::scene_hash(scene_.scene))) {
   kept_.go_on();
   if (!measured.empty()) kept_.take_over(measured);
@@ -155,9 +165,10 @@ void Measurement::make_ready() {
   }
   paper(grid, halves_change, true);
 
-  const auto ours = [&](Method method, const LookGrid& looks, const TimedBake& bake) {
+  const auto ours = [&](Method method, const LookGrid& looks, const TimedBake& bake, const char* change = "") {
     const auto selection = ResultsPlan::selection_of(looks, bake.store().description().aspects);
     methods_.push_back(from_store(method, looks.name(), plan_.baked_samples, bake, selection));
+    methods_.back().change = change;
   };
   ours(Method::BakedShadows, plan_.grids.front(), baked_shadows_);
   ours(Method::BakedShadows, grid, baked_shadows_);
@@ -167,6 +178,7 @@ void Measurement::make_ready() {
   ours(Method::OwnGround, plan_.more_elevations(), own_ground_);
   ours(Method::OwnGround, plan_.more_azimuths(), own_ground_);
   ours(Method::OwnGround, plan_.even_in_cotangent(), even_in_cotangent_);
+  ours(Method::OwnGround, grid, own_noise_, own_noise_change);
 }
 
 void Measurement::compare_all() {
@@ -225,7 +237,8 @@ void Measurement::compare(const MeasuredScene& measured, const PlannedView& view
   for (const ReadyMethod& method : methods_) {
     // What was baked on hills does not stand on level ground.
     if (!is_main && (!method.change.empty() || method.method == Method::OwnGround)) continue;
-    const bool by_level = is_main && method.method == Method::OwnGround && method.grid == plan_.paper_grid().name();
+    const bool by_level = is_main && method.method == Method::OwnGround && method.change.empty() &&
+                          method.grid == plan_.paper_grid().name();
     for (int level = 1; level <= (by_level ? coarsest_level_of_detail : 1); ++level)
       hold_against(truth, measured, view, method, level);
   }

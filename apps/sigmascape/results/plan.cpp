@@ -142,7 +142,6 @@ bake::BakeSettings ResultsPlan::bake_settings(Method method) const {
           .seed = seed,
           .shadows = shadows_at_run_time ? bake::Shadows::RunTime : bake::Shadows::Baked,
           .footing = on_own_ground ? trace::Footing::Terrain : trace::Footing::LevelPlane,
-          .mantissa_bits = 10,
           .threads = threads};
 }
 
