@@ -16,6 +16,7 @@ bake::BakeSettings settings_for(unsigned threads) {
   bake::BakeSettings settings;
   settings.threads = threads;
   settings.shadows = bake::Shadows::Baked;
+  settings.noise = bake::Noise::Own;
   return settings;
 }
 
@@ -134,6 +135,13 @@ TimedLook PaperLooks::ours(const radar::Aspect& aspect, const bake::Sampling& sa
   append_power(baked.front().sigma0, look.power);
   const auto errors = baked.front().relative_errors.values();
   look.errors.assign(errors.begin(), errors.end());
+  return look;
+}
+
+TimedLook PaperLooks::shared(const radar::Aspect& aspect, const bake::Sampling& sampling, std::uint64_t seed) {
+  settings_.noise = bake::Noise::Shared;
+  TimedLook look = ours(aspect, sampling, seed);
+  settings_.noise = bake::Noise::Own;
   return look;
 }
 
