@@ -105,11 +105,12 @@ void BakeOptions::add_rays(CLI::App& command) {
       ->excludes(preset_option);
   preset_option->excludes(target_option, most_option, samples_option);
   takes_words<bake::Noise>(
-      command.add_option("--noise", noise,
-                         "of what came over several surfaces: texels share what their rays leave in doubt with those "
-                         "around them, or each keeps its own"),
-      {{"shared", bake::Noise::Shared}, {"own", bake::Noise::Own}})
-      ->default_str("shared");
+      command.add_option(
+          "--noise", noise,
+          "of what came over several surfaces: each texel keeps its own, or texels share what their rays "
+          "leave in doubt with those around them"),
+      {{"own", bake::Noise::Own}, {"shared", bake::Noise::Shared}})
+      ->default_str("own");
   add_seed_option(command, seed, "names the random numbers");
 }
 

@@ -24,7 +24,7 @@ struct BakeOptions {
   std::uint64_t seed = 1;
   bake::Shadows shadows = bake::Shadows::RunTime;
   trace::Footing footing = trace::Footing::Terrain;
-  bake::Noise noise = bake::Noise::Shared;
+  bake::Noise noise = bake::Noise::Own;
   int mantissa_bits = 10;
   atlas::Digits digits = atlas::Digits::ToNoise;
   unsigned threads = 0;

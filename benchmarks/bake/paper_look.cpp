@@ -16,7 +16,6 @@ bake::BakeSettings settings_for(unsigned threads) {
   bake::BakeSettings settings;
   settings.threads = threads;
   settings.shadows = bake::Shadows::Baked;
-  settings.noise = bake::Noise::Own;
   return settings;
 }
 

@@ -34,7 +34,7 @@ class PaperLooks {
   [[nodiscard]] TimedLook plain(const radar::Aspect& aspect, std::uint32_t samples, std::uint64_t seed);
   /// The echoes of first surfaces alone, as plain sampling has them.
   [[nodiscard]] TimedLook direct(const radar::Aspect& aspect, std::uint32_t samples, std::uint64_t seed);
-  /// As LookBaker does it with Noise::Own, so that two maps have nothing wrong in common.
+  /// As LookBaker does it.
   [[nodiscard]] TimedLook ours(const radar::Aspect& aspect, const bake::Sampling& sampling, std::uint64_t seed);
 
   /// The same with Noise::Shared, which a thinned look, full of edges beyond which nothing is, has no use for.

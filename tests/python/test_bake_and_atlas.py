@@ -75,7 +75,7 @@ def test_what_is_in_doubt_is_shared_or_left_where_it_fell(scene, tmp_path):
     assert not np.array_equal(levels["shared"], levels["own"])
     # Each number is rounded to a half, one part in 2048.
     assert levels["shared"].sum() == pytest.approx(levels["own"].sum(), rel=5e-4)
-    with pytest.raises(sigmascape.Error, match="noise: is 'loud'; give 'shared' or 'own'"):
+    with pytest.raises(sigmascape.Error, match="noise: is 'loud'; give 'own' or 'shared'"):
         sigmascape.bake(scene, tmp_path / "loud", noise="loud", **options)
     assert not (tmp_path / "loud").exists()
 

@@ -82,12 +82,10 @@ bake::BakeSettings settings_even_in_cotangent(const ResultsPlan& plan) {
   return settings;
 }
 
-/// Every texel with the noise of its own rays, and all its digits.
-bake::BakeSettings settings_of_own_noise(const ResultsPlan& plan) {
+bake::BakeSettings settings_of_shared_noise(const ResultsPlan& plan) {
   bake::BakeSettings settings = plan.bake_settings(Method::OwnGround);
   settings.aspects = plan.paper_grid().aspects();
-  settings.noise = bake::Noise::Own;
-  settings.digits = atlas::Digits::All;
+  settings.noise = bake::Noise::Shared;
   return settings;
 }
 
@@ -104,7 +102,7 @@ Measurement::Measurement(const ResultsPlan& plan, const std::filesystem::path& f
       level_ground_(scene_.scene, plan.bake_settings(Method::LevelGround), folder / "atlas_level_ground", progress_),
       own_ground_(scene_.scene, plan.bake_settings(Method::OwnGround), folder / "atlas_own_ground", progress_),
       even_in_cotangent_(scene_.scene, settings_even_in_cotangent(plan), folder / "atlas_even_in_cotangent", progress_),
-      own_noise_(scene_.scene, settings_of_own_noise(plan), folder / "atlas_own_noise", progress_),
+      shared_noise_(scene_.scene, settings_of_shared_noise(plan), folder / "atlas_shared_noise", progress_),
       kept_(kept_file(), settings_of_views(plan, scene::scene_hash(scene_.scene))) {
   kept_.go_on();
   if (!measured.empty()) kept_.take_over(measured);
@@ -178,7 +176,7 @@ void Measurement::make_ready() {
   ours(Method::OwnGround, plan_.more_elevations(), own_ground_);
   ours(Method::OwnGround, plan_.more_azimuths(), own_ground_);
   ours(Method::OwnGround, plan_.even_in_cotangent(), even_in_cotangent_);
-  ours(Method::OwnGround, grid, own_noise_, own_noise_change);
+  ours(Method::OwnGround, grid, shared_noise_, shared_noise_change);
 }
 
 void Measurement::compare_all() {

@@ -105,7 +105,7 @@ class Measurement {
   MeasuredScene scene_;
   std::optional<MeasuredScene> level_;
   PaperBake paper_bake_, paper_bake_again_;
-  TimedBake baked_shadows_, level_ground_, own_ground_, even_in_cotangent_, own_noise_;
+  TimedBake baked_shadows_, level_ground_, own_ground_, even_in_cotangent_, shared_noise_;
   std::shared_ptr<const render::PaperTextures> paper_textures_;
   std::vector<ReadyMethod> methods_;
   MeasuredViews kept_;

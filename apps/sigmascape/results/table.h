@@ -32,7 +32,7 @@ inline constexpr const char* finest_change = "no mips";
 inline constexpr const char* halves_change = "half floats";
 /// Changes of ours.
 inline constexpr const char* renormalized_change = "power by tiles";
-inline constexpr const char* own_noise_change = "noise not shared";
+inline constexpr const char* shared_noise_change = "noise shared";
 inline constexpr const char* finer_texels_change = "texels half as wide";
 
 /// What is measured together: all views of one kind of one scene, made in one way.

@@ -18,8 +18,8 @@ enum class Shadows {
 
 /// What becomes of the noise that few rays leave in what comes over several surfaces.
 enum class Noise {
-  Shared,  ///< texels share with those around them what their own rays leave in doubt: bake/noise_sharing.h
   Own,     ///< every texel keeps what its own rays brought
+  Shared,  ///< texels share with those around them what their own rays leave in doubt: bake/noise_sharing.h
 };
 
 /// Elevations of looks: a level plane is not lit at 0° and has no ground range at 90°.
@@ -36,7 +36,7 @@ struct BakeSettings {
   Shadows shadows = Shadows::RunTime;
   /// What objects stand on while they are baked. With Shadows::Baked it is the level plane always.
   trace::Footing footing = trace::Footing::Terrain;
-  Noise noise = Noise::Shared;
+  Noise noise = Noise::Own;
   int mantissa_bits = 10;  ///< of the stored half floats, see atlas::AtlasDescription
   atlas::Digits digits = atlas::Digits::ToNoise;
   unsigned threads = 0;  ///< 0: one a hardware thread; has no effect on the result

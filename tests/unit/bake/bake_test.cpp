@@ -270,10 +270,9 @@ TEST(Bake, StandardErrorDoesNotComeFromOddNumbersOfSamples) {
   EXPECT_LT(baked(bare_scene(), settings, folder.path("a")).relative_standard_error.value(), 0.01);
 }
 
-// Atlases from before texels shared their noise know neither, and go on as they began.
-TEST(Bake, WithOwnNoiseAndAllDigitsTheDescriptionIsThatOfBefore) {
+// Atlases from before texels could share, or be rounded to, their noise know neither and go on as they began.
+TEST(Bake, WithAllDigitsTheDescriptionIsThatOfBefore) {
   BakeSettings settings = small_bake();
-  settings.noise = Noise::Own;
   settings.digits = atlas::Digits::All;
   const ScratchFolder folder;
   const auto store = atlas::Store::create(folder.path("a"), description_of(bare_scene(), settings));
