@@ -55,7 +55,7 @@ bake::BakeReport baked(const LoadedScene& scene, const std::filesystem::path& fo
   settings.max_bounces = bounces;
   settings.seed = seed;
   settings.shadows = is_second("shadows", shadows, "run-time", "baked") ? bake::Shadows::Baked : bake::Shadows::RunTime;
-  settings.noise = is_second("noise", noise, "shared", "own") ? bake::Noise::Own : bake::Noise::Shared;
+  settings.noise = is_second("noise", noise, "own", "shared") ? bake::Noise::Shared : bake::Noise::Own;
   settings.mantissa_bits = mantissa_bits;
   settings.digits = is_second("digits", digits, "to-noise", "all") ? atlas::Digits::All : atlas::Digits::ToNoise;
   settings.threads = threads;
@@ -90,7 +90,7 @@ void add_bake(py::module_& module) {
       py::arg("patch_texels") = settings.patches.texels_per_side, py::arg("samples") = 0,
       py::arg("target_db") = sampling.target_db, py::arg("most_samples") = sampling.most_samples,
       py::arg("bounces") = settings.max_bounces, py::arg("seed") = settings.seed, py::arg("shadows") = "run-time",
-      py::arg("noise") = "shared", py::arg("mantissa_bits") = settings.mantissa_bits, py::arg("digits") = "to-noise",
+      py::arg("noise") = "own", py::arg("mantissa_bits") = settings.mantissa_bits, py::arg("digits") = "to-noise",
       py::arg("shard") = "0/1", py::arg("threads") = 0, py::arg("progress") = py::none(),
       "Path-traces a scene into the atlas at `folder`. A bake that was broken off (Ctrl-C does so within a second) "
       "goes\n"
