@@ -35,10 +35,9 @@ TEST(WorthwhileBits, MeansHaveMore) {
 }
 
 TEST(WorthwhileBits, EachTexelIsRoundedToItsOwn) {
-  Array2D<radar::Channels> texels(2, 1, {1.3F, 0.65F, 0.1F, -1.0F});
-  const HalfTexture texture =
-      encoded({texels}, fitting_scale(texels), BitsOfTexels{Array2D<std::uint8_t>(2, 1, std::uint8_t{10})});
-  BitsOfTexels bits{Array2D<std::uint8_t>(2, 1, std::uint8_t{10})};
+  const Array2D<radar::Channels> texels(2, 2, {1.3F, 0.65F, 0.1F, -1.0F});
+  BitsOfTexels bits{Array2D<std::uint8_t>(2, 2, std::uint8_t{10})};
+  const HalfTexture texture = encoded({texels}, fitting_scale(texels), bits);
   bits[0](1, 0) = 2;
   const HalfTexture rounded = encoded({texels}, fitting_scale(texels), bits);
   EXPECT_EQ(rounded.levels[0][0], texture.levels[0][0]);
