@@ -2,8 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace sigmascape::bench {
+
+double median_of(std::vector<double> values) {
+  if (values.empty()) return 0.0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::ranges::nth_element(values, middle);
+  return *middle;
+}
 
 std::vector<std::size_t> noisy_texels(const std::vector<float>& one, const std::vector<float>& other,
                                       const std::vector<float>& direct) {
@@ -30,10 +38,7 @@ Noise noise_of(const std::vector<float>& one, const std::vector<float>& other, c
   for (const std::size_t i : texels) {
     if (mean(i) > 0.0) relative.push_back(deviation(i) / mean(i));
   }
-  if (relative.empty()) return noise;
-  const auto middle = relative.begin() + static_cast<std::ptrdiff_t>(relative.size() / 2);
-  std::ranges::nth_element(relative, middle);
-  noise.median_relative = *middle;
+  noise.median_relative = median_of(std::move(relative));
   return noise;
 }
 

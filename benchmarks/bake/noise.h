@@ -12,6 +12,9 @@ struct Noise {
   double l1 = 0.0;               ///< sum of the standard deviations over the sum of the means, all texels
 };
 
+/// The value in the middle; of an even number the upper one. 0 of none.
+[[nodiscard]] double median_of(std::vector<double> values);
+
 /// Texels that first surfaces light, as `direct` says, and in which sampling has anything to do: where the pair differs
 /// by more than a thousandth. On open level ground every sample returns the same.
 [[nodiscard]] std::vector<std::size_t> noisy_texels(const std::vector<float>& one, const std::vector<float>& other,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "noise.h"
@@ -57,9 +58,7 @@ MapError error_of(const std::vector<float>& map, const std::vector<float>& truth
   for (const std::size_t i : texels) {
     if (truth[i] > 0.0F) relative.push_back(error(i) / static_cast<double>(truth[i]));
   }
-  const auto middle = relative.begin() + static_cast<std::ptrdiff_t>(relative.size() / 2);
-  std::ranges::nth_element(relative, middle);
-  return {errors / power, rms_db(map, truth), *middle};
+  return {errors / power, rms_db(map, truth), median_of(std::move(relative))};
 }
 
 double total(const std::vector<float>& map) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <utility>
 
 #include "sigmascape/bake/echo_landing.h"
 #include "sigmascape/bake/noise_sharing.h"
@@ -34,18 +35,14 @@ trace::Footing footing_of(const scene::Scene& scene, const BakeSettings& setting
   return is_level ? trace::Footing::LevelPlane : footing_of(settings);
 }
 
-/// Takes the terrain's shadow out.
-void brighten(NoisyTexels& texels, const Array2D<float>& gains) {
+/// With the terrain's shadow taken out.
+NoisyTexels texels_of(const receiver::GroundAccumulator& sums, const Array2D<float>& gains) {
+  NoisyTexels texels{sums.sigma0(), sums.sigma0_variances()};
   for (std::size_t i = 0; i < gains.size(); ++i) {
     const float gain = gains.values()[i];
     texels.power.values()[i] = texels.power.values()[i] * gain;
     texels.variance.values()[i] *= static_cast<double>(gain) * static_cast<double>(gain);
   }
-}
-
-NoisyTexels texels_of(const receiver::GroundAccumulator& sums, const Array2D<float>& gains) {
-  NoisyTexels texels{sums.sigma0(), sums.sigma0_variances()};
-  brighten(texels, gains);
   return texels;
 }
 
