@@ -55,7 +55,7 @@ Total total_of(const std::vector<float>& one, const std::vector<float>& other) {
 }
 
 Honesty honesty_of(const MapWithErrors& one, const MapWithErrors& other, const std::vector<std::size_t>& texels) {
-  constexpr double interval = 2.042;
+  constexpr double interval = 1.979;
   double predicted = 0.0, actual = 0.0;
   std::size_t covered = 0, counted = 0;
   for (const std::size_t i : texels) {

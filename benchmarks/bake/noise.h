@@ -43,7 +43,7 @@ struct MapWithErrors {
   const std::vector<float>& relative_errors;
 };
 
-/// The interval is Student's t for the 30 degrees of freedom of two times 16 batches.
+/// The interval is Student's t for the 128 degrees of freedom of two times 64 pairs.
 [[nodiscard]] Honesty honesty_of(const MapWithErrors& one, const MapWithErrors& other,
                                  const std::vector<std::size_t>& texels);
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -32,24 +31,7 @@ struct Sampling {
 /// All rays of a cell are asked for at once: as many as this need 20 MiB a thread.
 inline constexpr std::uint32_t most_samples_a_cell = 1U << 20U;
 
-/// Rays that adaptive sampling starts with, each of a sequence of its own.
+/// Rays that adaptive sampling starts with.
 inline constexpr std::uint32_t pilot_samples = 8;
-
-/// A number of rays split into batches, each of which is a scrambled sequence of its own: so batches are independent of
-/// one another, and their scatter tells the error of the mean, whatever the points within a sequence do for each other.
-struct Batches {
-  std::uint32_t samples = 0;
-  std::uint32_t count = 1;
-
-  /// Batch number `batch` has this many samples.
-  [[nodiscard]] std::uint32_t size(std::uint32_t batch) const { return samples / count + (batch < samples % count); }
-
-  /// About as many batches as each has samples, 2 to 16: many give a sure error, large ones a small one.
-  [[nodiscard]] static Batches of(std::uint32_t samples, std::uint32_t fewest = 2) {
-    const auto root =
-        static_cast<std::uint32_t>(std::exp2(std::floor(0.5 * std::log2(static_cast<double>(samples)) + 0.5)));
-    return {samples, std::clamp(root, fewest, std::max(fewest, 16U))};
-  }
-};
 
 }  // namespace sigmascape::bake

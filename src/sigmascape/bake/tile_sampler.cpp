@@ -16,7 +16,7 @@ constexpr int neighbourhood = 2;
 /// to stay in the caches.
 constexpr std::size_t paths_at_once = 8192;
 
-/// Two batches of one ray, or there is no telling how far off their mean is.
+/// A pair, or there is no telling how far off their mean is.
 constexpr std::uint32_t fewest_samples = 2;
 
 /// What a cell gets of a number of samples.
@@ -40,19 +40,17 @@ TileSampler::TileSampler(const Sampling& sampling, Shadows shadows, const EchoLa
       pilot_ends_(patch.size()) {}
 
 void TileSampler::sample(trace::TilePaths& tile, double cell_area_m2) {
-  const std::size_t cells = tile.cells().size();
+  const auto cells = tile.cells();
+  samples_.clear();
   if (!sampling_.is_adaptive()) {
-    batches_.clear();
-    for (const trace::LaunchCell& cell : tile.cells())
-      batches_.push_back(Batches::of(spared(sampling_.samples_per_texel, cell, fewest_samples)));
+    for (const trace::LaunchCell& cell : cells)
+      samples_.push_back(spared(sampling_.samples_per_texel, cell, fewest_samples));
     trace_cells(tile, 0);
     return;
   }
   trace_pilots(tile);
-  batches_.clear();
-  for (std::size_t cell = 0; cell < cells; ++cell)
-    batches_.push_back(Batches::of(
-        spared(samples_needed(tile.cells(), cell, cell_area_m2), tile.cells()[cell], pilot_samples), pilot_samples));
+  for (std::size_t cell = 0; cell < cells.size(); ++cell)
+    samples_.push_back(spared(samples_needed(cells, cell, cell_area_m2), cells[cell], pilot_samples));
   trace_cells(tile, pilot_samples);
 }
 
@@ -63,16 +61,14 @@ double TileSampler::keep_landed(const trace::TilePaths& tile, std::size_t freque
     if (ground_apart_ && echo.from_ground) continue;
     power += static_cast<double>(echo.rcs_m2.power(radar::Polarization::Sum));
     if (const auto texel = patch_[frequency].all.cell_at(landing_.place_of(echo)))
-      landed.push_back({*texel, starts_[start].sequence, echo.bounces > 1, echo.rcs_m2});
+      landed.push_back({*texel, starts_[start].sample, echo.bounces > 1, echo.rcs_m2});
   }
   return power;
 }
 
 void TileSampler::trace_pilots(trace::TilePaths& tile) {
   starts_.clear();
-  for (const trace::LaunchCell& cell : tile.cells()) {
-    for (std::uint32_t batch = 0; batch < pilot_samples; ++batch) starts_.push_back({cell, batch, 0});
-  }
+  for (const trace::LaunchCell& cell : tile.cells()) ask_for(cell, 0, pilot_samples);
   tile.follow(starts_);
   for (std::size_t f = 0; f < patch_.size(); ++f) {
     pilots_[f].clear();
@@ -84,11 +80,11 @@ void TileSampler::trace_pilots(trace::TilePaths& tile) {
 
 void TileSampler::note_pilots(const trace::TilePaths& tile, std::size_t frequency, std::size_t cell) {
   Pilot pilot;
-  for (std::uint32_t batch = 0; batch < pilot_samples; ++batch) {
+  for (std::uint32_t sample = 0; sample < pilot_samples; ++sample) {
     // Mean and sum of squares about it, updated sample by sample.
-    const double power = keep_landed(tile, frequency, cell * pilot_samples + batch, pilot_echoes_[frequency]);
+    const double power = keep_landed(tile, frequency, cell * pilot_samples + sample, pilot_echoes_[frequency]);
     const double before = power - pilot.mean_m2;
-    pilot.mean_m2 += before / (batch + 1);
+    pilot.mean_m2 += before / (sample + 1);
     pilot.variance_m4 += before * (power - pilot.mean_m2);
   }
   pilot.variance_m4 /= pilot_samples - 1;
@@ -121,7 +117,7 @@ std::uint32_t TileSampler::samples_needed(std::span<const trace::LaunchCell> cel
 void TileSampler::trace_cells(trace::TilePaths& tile, std::uint32_t pilots) {
   const auto cells = tile.cells();
   std::size_t in_all = 0;
-  for (const Batches& batches : batches_) in_all += batches.samples;
+  for (const std::uint32_t samples : samples_) in_all += samples;
   const std::size_t parts = std::max(std::size_t{1}, (in_all + paths_at_once / 2) / paths_at_once);
   const std::size_t a_part = in_all / parts;
   std::vector<std::size_t> ends;  // of each cell's starts
@@ -130,7 +126,7 @@ void TileSampler::trace_cells(trace::TilePaths& tile, std::uint32_t pilots) {
     ends.clear();
     while (first + ends.size() < cells.size() && starts_.size() < a_part) {
       const std::size_t cell = first + ends.size();
-      ask_for(cells[cell], batches_[cell], pilots);
+      ask_for(cells[cell], pilots, samples_[cell]);
       ends.push_back(starts_.size());
     }
     tile.follow(starts_);
@@ -139,11 +135,9 @@ void TileSampler::trace_cells(trace::TilePaths& tile, std::uint32_t pilots) {
   }
 }
 
-void TileSampler::ask_for(const trace::LaunchCell& cell, const Batches& batches, std::uint32_t pilots) {
-  for (std::uint32_t batch = 0; batch < batches.count; ++batch) {
-    for (std::uint32_t sample = batch < pilots ? 1 : 0; sample < batches.size(batch); ++sample)
-      starts_.push_back({cell, batch, sample});
-  }
+void TileSampler::ask_for(const trace::LaunchCell& cell, std::uint32_t first, std::uint32_t end) {
+  for (std::uint32_t sample = first; sample < end; ++sample)
+    starts_.push_back({.cell = cell, .sequence = 0, .sample = sample});
 }
 
 void TileSampler::add_to_patch(const trace::TilePaths& tile, std::size_t cell, Range starts, bool has_pilots) {
@@ -155,7 +149,7 @@ void TileSampler::add_to_patch(const trace::TilePaths& tile, std::size_t cell, R
                           begin + static_cast<std::ptrdiff_t>(pilot_ends_[f][cell]));
     }
     for (std::size_t start = starts.first; start < starts.end; ++start) keep_landed(tile, f, start, cell_echoes_);
-    add_cell(cell_echoes_, batches_[cell], patch_[f]);
+    cell_sum_.add(cell_echoes_, SamplePairs(samples_[cell]), patch_[f]);
   }
 }
 

@@ -40,10 +40,10 @@ class TileSampler {
   void note_pilots(const trace::TilePaths& tile, std::size_t frequency, std::size_t cell);
   [[nodiscard]] std::uint32_t samples_needed(std::span<const trace::LaunchCell> cells, std::size_t cell,
                                              double cell_area_m2) const;
-  /// Traces what each cell's batches ask for beyond its pilots, which are the first sample of as many batches, and adds
-  /// all of it to the patch.
+  /// Traces the samples of each cell beyond its pilots, which are the first of them, and adds all to the patch.
   void trace_cells(trace::TilePaths& tile, std::uint32_t pilots);
-  void ask_for(const trace::LaunchCell& cell, const Batches& batches, std::uint32_t pilots);
+  /// The samples from `first` up to before `end` of one cell.
+  void ask_for(const trace::LaunchCell& cell, std::uint32_t first, std::uint32_t end);
   void add_to_patch(const trace::TilePaths& tile, std::size_t cell, Range starts, bool has_pilots);
   /// Keeps what a start brought that lands in the patch, and returns the power of all of it.
   double keep_landed(const trace::TilePaths& tile, std::size_t frequency, std::size_t start,
@@ -55,12 +55,13 @@ class TileSampler {
   std::vector<PatchSums>& patch_;
   double target_;                                     // relative standard error
   double floor_;                                      // σ0
-  std::vector<Batches> batches_;                      // [cell]
+  std::vector<std::uint32_t> samples_;                // [cell]: how many
   std::vector<trace::PathStart> starts_;              // asked for and not yet traced
   std::vector<std::vector<Pilot>> pilots_;            // [frequency][cell]
   std::vector<std::vector<Landed>> pilot_echoes_;     // [frequency], cell by cell
   std::vector<std::vector<std::size_t>> pilot_ends_;  // [frequency][cell]: one past the cell's last
   std::vector<Landed> cell_echoes_;
+  CellSum cell_sum_;
 };
 
 }  // namespace sigmascape::bake

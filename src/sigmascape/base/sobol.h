@@ -10,10 +10,11 @@ namespace sigmascape {
 
 /// Owen-scrambled Sobol points, padded in pairs.
 ///
-/// Each pair of dimensions is the (0,2)-sequence of the first two Sobol dimensions, its index order and both
-/// coordinates scrambled by hash-based nested uniform scrambling (Burley, "Practical Hash-based Owen Scrambling", JCGT
-/// 9(4), 2020; the hash is Vegdahl's 2021 improvement of Laine and Karras). Different pairs are independent of one
-/// another; within a pair any 2^k consecutive indices from a multiple of 2^k are perfectly stratified.
+/// Each pair of dimensions is the (0,2)-sequence of the first two Sobol dimensions, both coordinates scrambled by
+/// hash-based nested uniform scrambling, and of all pairs but the first the order of the indices as well (Burley,
+/// "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020; the hash is Vegdahl's 2021 improvement of Laine and
+/// Karras). Different pairs are independent of one another; within a pair any 2^k consecutive indices from a multiple
+/// of 2^k are perfectly stratified.
 class SobolPoint {
  public:
   /// The point number `index` of the sequence named `key` (a pixel, say).
@@ -23,10 +24,25 @@ class SobolPoint {
   [[nodiscard]] constexpr Vec2f pair(std::uint32_t pair) const {
     const std::uint64_t seeds = hashed(key_, pair);
     const std::uint64_t more = mixed(seeds);
-    const std::uint32_t shuffled = owen_scrambled(index_, static_cast<std::uint32_t>(seeds));
+    // One pair may keep its order, from which the others part: so its neighbours are known by their indices.
+    const std::uint32_t shuffled = pair == 0 ? index_ : owen_scrambled(index_, static_cast<std::uint32_t>(seeds));
     const std::uint32_t x = owen_scrambled(reversed_bits(shuffled), static_cast<std::uint32_t>(seeds >> 32U));
     const std::uint32_t y = owen_scrambled(second_sobol_dimension(shuffled), static_cast<std::uint32_t>(more));
     return {as_unit(x), as_unit(y)};
+  }
+
+  /// Of the 2^k points (k > 0) of the run that `index` is in, from a multiple of 2^k, the index of the one beside it in
+  /// the first pair of dimensions: the two that share a box of 2^-a by 2^-b, a + b = k - 1, a = b or a = b + 1.
+  ///
+  /// Scrambling keeps boxes together and indices add without carry, so that the indices of all neighbours differ by the
+  /// same bits. Read as a polynomial over GF(2), these are divisible by x^a, for the first digits of the one coordinate
+  /// are the index's own from the lowest on, and by (x + 1)^b, for those of the other are parities by Pascal's
+  /// triangle, which are the index's Hasse derivatives at 1. Of degree k - 1 only x^a (x + 1)^b is.
+  [[nodiscard]] static constexpr std::uint32_t neighbour(std::uint32_t index, unsigned k) {
+    const unsigned b = (k - 1) / 2, a = k - 1 - b;
+    std::uint32_t difference = 1;
+    for (unsigned i = 0; i < b; ++i) difference ^= difference << 1U;
+    return index ^ (difference << a);
   }
 
   /// A number in [0, 1) that depends on this point and `dimension` but is not stratified: for choices where order does
