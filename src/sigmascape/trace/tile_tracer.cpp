@@ -186,7 +186,7 @@ void TileTracer::arrive(int bounce) {
   for (auto& group : groups_) group.clear();
   const std::size_t materials = surfaces_.front().size();
   for (std::size_t leg = 0; leg < now_.size(); ++leg) {
-    if (meets_[leg] == 0)
+    if (meets_[leg] == 0 || !stops(hits_[leg], now_.rays[leg].direction))
       books_.escapes(path_of(leg), now_.waves.empty() ? std::span<const Wave>() : waves_along(leg));
     else if (bounce > 1 || begins(leg))
       groups_[now_.legs[leg].hero * materials + hits_[leg].material].push_back(static_cast<std::uint32_t>(leg));

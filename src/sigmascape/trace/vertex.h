@@ -20,6 +20,12 @@ inline constexpr float surface_offset_m = 2e-3F;
   return hit.is_in_crown() ? hit.extinction_per_m : dot(direction, hit.normal);
 }
 
+/// Whether what was hit stops a ray of that direction. Rounding lets rays meet faces that they run along: these have no
+/// area for them, and a BRDF has no value there.
+[[nodiscard]] inline bool stops(const SurfaceHit& hit, Vec3f direction) {
+  return density_at(hit, -direction) > 0.0F;
+}
+
 /// Where rays that leave a vertex start.
 [[nodiscard]] inline Vec3f start_from(const SurfaceHit& hit) {
   return hit.is_in_crown() ? hit.position : hit.position + hit.normal * surface_offset_m;
