@@ -115,7 +115,7 @@ TEST(Turned, SceneAndRadarTogetherShowTheSame) {
     bake::BakeSettings settings;
     settings.aspects = {{azimuth_rad}, {radians_from_deg(13.0)}, {frequency_hz}};
     settings.patches = {2.0, 256};
-    settings.sampling.samples_per_texel = 64;
+    settings.sampling.samples_per_texel = 8;
     const ScratchFolder folder;
     SilentProgress silent;
     bake::bake(scene, settings, folder.path("atlas"), silent);
@@ -171,31 +171,40 @@ TEST(LiveFrame, OfThePapersSceneIsTheMapOfTheSameAtlas) {
   settings.aspects.azimuths_rad = {radians_from_deg(90.0), radians_from_deg(135.0)};
   settings.aspects.elevations_rad = {radians_from_deg(5.0), radians_from_deg(13.0)};
   settings.patches.texels_per_side = 256;
-  settings.sampling.samples_per_texel = 2;
+  settings.sampling.samples_per_texel = 8;
   const Vec2d centre = scene.extent.centre();
   for (const bake::Shadows shadows : {bake::Shadows::RunTime, bake::Shadows::Baked}) {
     settings.shadows = shadows;
     const ScratchFolder folder;
     SilentProgress silent;
     bake::bake(scene, settings, folder.path("atlas"), silent);
-    const Bins bins{.target = {centre.x, centre.y, scene.terrain.height_at(centre)},
-                    .azimuth_rad = radians_from_deg(130.0),
-                    .elevation_rad = radians_from_deg(8.6),
-                    .bin_m = 2.0 * settings.patches.texel_m,
-                    .count = 128};
-    const TwoWays two = shown(folder.path("atlas"), scene.terrain, scene.extent, bins);
+    // A frame meets single bright texels at one or two places each, and holds more of them or less by where these lie.
+    constexpr int places = 4;
+    double frames = 0.0, maps = 0.0, correlation = 0.0;
+    for (int place = 0; place < places; ++place) {
+      const double bin_m = 2.0 * settings.patches.texel_m, moved_m = place * bin_m / places;
+      const Bins bins{.target = {centre.x + moved_m, centre.y + moved_m, scene.terrain.height_at(centre)},
+                      .azimuth_rad = radians_from_deg(130.0),
+                      .elevation_rad = radians_from_deg(8.6),
+                      .bin_m = bin_m,
+                      .count = 128};
+      const TwoWays two = shown(folder.path("atlas"), scene.terrain, scene.extent, bins);
+      frames += total_of(two.frame);
+      maps += total_of(two.map);
+      correlation += correlation_of_squares(two, bins.count, 8) / places;
+    }
     const std::string way = shadows == bake::Shadows::RunTime ? "ground apart" : "shadows in the textures";
     validation::expect_close({.group = "Live frames",
                               .name = "paper's scene, " + way + ", whole power against the map",
                               .expected = 0.0,
-                              .measured = db_from_linear(total_of(two.frame) / total_of(two.map)),
-                              .tolerance = 0.15,
+                              .measured = db_from_linear(frames / maps),
+                              .tolerance = 0.1,
                               .unit = "dB",
                               .source = "GroundRenderer's map of the same atlas"});
     validation::expect_at_least({.group = "Live frames",
                                  .name = "paper's scene, " + way + ", correlation of levels over 31 m",
                                  .limit = 0.97,
-                                 .measured = correlation_of_squares(two, bins.count, 8),
+                                 .measured = correlation,
                                  .unit = "1",
                                  .source = "GroundRenderer's map of the same atlas"});
   }

@@ -63,9 +63,8 @@ TEST_F(TracedToErrorTest, StopsOnceTheErrorIsThatOfTheGoal) {
   EXPECT_GT(fine.median_error_db, 0.09);
 }
 
-TEST_F(TracedToErrorTest, TheErrorIsWhatTwoMapsDifferBy) {
-  const TracedToError one = traced(0.2, 1), other = traced(0.2, 2);
-  ASSERT_EQ(one.image.grid, other.image.grid);
+/// What two maps differ by in their median bin, in standard errors that they state of the difference.
+double median_difference(const TracedToError& one, const TracedToError& other) {
   std::vector<double> in_errors;
   for (std::size_t bin = 0; bin < one.image.rcs_m2.size(); ++bin) {
     const auto power = [bin](const TracedToError& map) {
@@ -75,14 +74,24 @@ TEST_F(TracedToErrorTest, TheErrorIsWhatTwoMapsDifferBy) {
     const double error = std::hypot(a * static_cast<double>(one.relative_errors.values()[bin]),
                                     b * static_cast<double>(other.relative_errors.values()[bin]));
     // The flanks of the responses around the area are the area's own noise over again.
-    if (a > 1e-3 * total(one.image) / static_cast<double>(one.image.rcs_m2.size()) && error > 0.0) {
+    if (a > 1e-3 * total(one.image) / static_cast<double>(one.image.rcs_m2.size()) && error > 0.0)
       in_errors.push_back(std::abs(a - b) / error);
-    }
   }
-  std::ranges::sort(in_errors);
-  ASSERT_GT(in_errors.size(), 1000U);
-  // Half of normal deviations are below 0.674 standard errors; of Student's t for few passes a little more.
-  EXPECT_NEAR(in_errors[in_errors.size() / 2], 0.69, 0.08);
+  EXPECT_GT(in_errors.size(), 1000U);
+  const auto middle = in_errors.begin() + static_cast<std::ptrdiff_t>(in_errors.size() / 2);
+  std::ranges::nth_element(in_errors, middle);
+  return *middle;
+}
+
+TEST_F(TracedToErrorTest, TheErrorIsWhatTwoMapsDifferBy) {
+  constexpr int pairs = 6;
+  double mean = 0.0;
+  for (std::uint64_t pair = 0; pair < pairs; ++pair)
+    mean += median_difference(traced(0.2, 2 * pair + 1), traced(0.2, 2 * pair + 2)) / pairs;
+  // Half of normal deviations are below 0.674 standard errors, of Student's t for few passes 0.69. Where power comes
+  // over rare paths most bins state too little.
+  EXPECT_GT(mean, 0.66);
+  EXPECT_LT(mean, 0.80);
 }
 
 TEST_F(TracedToErrorTest, HoldsThePowerOfAMapThatIsTracedAtOnce) {
