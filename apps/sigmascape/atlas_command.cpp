@@ -7,6 +7,7 @@
 
 #include "command.h"
 #include "number_within.h"
+#include "terminal_progress.h"
 #include "words.h"
 
 #include "sigmascape/atlas/atlas_summary.h"
@@ -39,7 +40,8 @@ nlohmann::ordered_json json_of(const std::vector<atlas::StoreFault>& faults) {
 
 void verify(const std::string& folder, const Output& output) {
   const atlas::Store store = atlas::Store::open(folder);
-  std::vector<atlas::StoreFault> faults = atlas::verify(store);
+  TerminalProgress progress;
+  std::vector<atlas::StoreFault> faults = atlas::verify(store, atlas::Scrutiny::Content, &progress);
   const std::size_t texture_faults = faults.size();
   if (const auto pyramid = std::filesystem::path(folder) / atlas::terrain_pyramid_name;
       std::filesystem::exists(pyramid)) {

@@ -194,13 +194,17 @@ HalfTexture Store::read_halves(std::size_t level, PatchIndex patch, LookIndex lo
   return pyramid.read_halves(pyramid.tile_over(patch, level), look);
 }
 
-std::vector<StoreFault> Store::verify(Scrutiny scrutiny) const {
+std::vector<StoreFault> Store::verify(Scrutiny scrutiny, ProgressListener* progress) const {
   std::vector<StoreFault> faults;
   const PatchBlock patches = description_.patches.block_over(description_.extent);
+  std::size_t done = 0;
   for (std::size_t number = 0; number < patches.size(); ++number) {
     for (LookIndex look = 0; look < description_.aspects.look_count(); ++look) {
       if (auto fault = texture_fault(*this, texture_path(patches[number], look), scrutiny))
         faults.push_back(std::move(*fault));
+      ++done;
+      if (progress != nullptr)
+        progress->advanced("verify", static_cast<double>(done), static_cast<double>(unit_count()), "textures");
     }
   }
   return faults;

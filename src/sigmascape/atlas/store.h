@@ -15,6 +15,7 @@
 #include "sigmascape/atlas/patch_grid.h"
 #include "sigmascape/atlas/texels_above_target.h"
 #include "sigmascape/base/array2d.h"
+#include "sigmascape/base/progress.h"
 #include "sigmascape/geo/local_frame.h"
 #include "sigmascape/radar/channels.h"
 #include "sigmascape/radar/ground_grid.h"
@@ -136,8 +137,10 @@ class Store {
   /// `patch`; one level of 256² texels. Throws Error when it is not there or not as its item says.
   [[nodiscard]] HalfTexture read_halves(std::size_t level, PatchIndex patch, LookIndex look) const;
 
-  /// Everything that keeps the patches from being whole, by file; empty when all is well.
-  [[nodiscard]] std::vector<StoreFault> verify(Scrutiny scrutiny = Scrutiny::Content) const;
+  /// Everything that keeps the patches from being whole, by file; empty when all is well. Tells `progress`, where there
+  /// is one, of each texture that it has looked at.
+  [[nodiscard]] std::vector<StoreFault> verify(Scrutiny scrutiny = Scrutiny::Content,
+                                               ProgressListener* progress = nullptr) const;
 
   /// Path of the texture relative to the store, "patch_+000_-001/az045.0_el13.0_f10.000GHz.tif"; its item has the
   /// ending .json.

@@ -14,29 +14,29 @@
 namespace sigmascape::atlas {
 namespace {
 
-std::vector<StoreFault> faults_of_textures(const Store& store, Scrutiny scrutiny) {
+std::vector<StoreFault> faults_of_textures(const Store& store, Scrutiny scrutiny, ProgressListener* progress) {
   std::vector<StoreFault> faults = catalog_faults(store, scrutiny);
-  std::ranges::move(store.verify(scrutiny), std::back_inserter(faults));
+  std::ranges::move(store.verify(scrutiny, progress), std::back_inserter(faults));
   std::ranges::move(Pyramid(store).verify(scrutiny), std::back_inserter(faults));
   return faults;
 }
 
-std::vector<StoreFault> faults_of_ground(const Store& atlas, Scrutiny scrutiny) {
+std::vector<StoreFault> faults_of_ground(const Store& atlas, Scrutiny scrutiny, ProgressListener* progress) {
   // Without its collection nothing tells what should be there.
   if (auto fault = ground_collection_fault(atlas)) return {std::move(*fault)};
   const auto folder = std::filesystem::relative(ground_folder_of(atlas), atlas.folder());
-  std::vector<StoreFault> faults = faults_of_textures(open_ground_store(atlas), scrutiny);
+  std::vector<StoreFault> faults = faults_of_textures(open_ground_store(atlas), scrutiny, progress);
   for (StoreFault& fault : faults) fault.file = folder / fault.file;
   return faults;
 }
 
 }  // namespace
 
-std::vector<StoreFault> verify(const Store& atlas, Scrutiny scrutiny) {
-  std::vector<StoreFault> faults = faults_of_textures(atlas, scrutiny);
+std::vector<StoreFault> verify(const Store& atlas, Scrutiny scrutiny, ProgressListener* progress) {
+  std::vector<StoreFault> faults = faults_of_textures(atlas, scrutiny, progress);
   if (auto fault = terrain_fault(atlas, scrutiny)) faults.push_back(std::move(*fault));
   if (!keeps_ground_apart(atlas)) return faults;
-  std::ranges::move(faults_of_ground(atlas, scrutiny), std::back_inserter(faults));
+  std::ranges::move(faults_of_ground(atlas, scrutiny, progress), std::back_inserter(faults));
   for (const PatchIndex& patch : atlas.description().patches.covering(atlas.description().extent)) {
     if (auto fault = obstacles_fault(atlas, patch, scrutiny)) faults.push_back(std::move(*fault));
   }

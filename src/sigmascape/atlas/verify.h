@@ -7,7 +7,9 @@
 namespace sigmascape::atlas {
 
 /// Everything that is missing of an atlas or not as recorded: catalogs, textures, the pyramid above them, and where the
-/// ground is kept apart its textures and the obstacles of all levels. Files are relative to the atlas.
-[[nodiscard]] std::vector<StoreFault> verify(const Store& atlas, Scrutiny scrutiny = Scrutiny::Content);
+/// ground is kept apart its textures and the obstacles of all levels. Files are relative to the atlas. Tells
+/// `progress`, where there is one, of the textures of the patches, as Store::verify does.
+[[nodiscard]] std::vector<StoreFault> verify(const Store& atlas, Scrutiny scrutiny = Scrutiny::Content,
+                                             ProgressListener* progress = nullptr);
 
 }  // namespace sigmascape::atlas

@@ -114,16 +114,26 @@ class BakeRun {
 
   /// Jobs of the share of which some look is not there. Counts the looks that are.
   [[nodiscard]] std::vector<OpenJob> open_jobs() {
+    for (std::size_t number = 0; number < jobs_.size(); ++number)
+      report_.looks += share_.shard.has(number) ? jobs_.looks_per_job() : 0;
     std::vector<OpenJob> open;
+    std::size_t looked_at = 0;
     for (std::size_t number = 0; number < jobs_.size(); ++number) {
       if (!share_.shard.has(number)) continue;
       const std::size_t missing = missing_looks(jobs_[number]);
-      report_.looks += jobs_.looks_per_job();
       report_.already += jobs_.looks_per_job() - missing;
       if (missing > 0) open.push_back({number, missing});
+      looked_at += jobs_.looks_per_job();
+      tell_verified(looked_at);
     }
     done_ = report_.already;
     return open;
+  }
+
+  /// Sizes are looked up in no time; to read all that is there takes some.
+  void tell_verified(std::size_t textures) {
+    if (share_.scrutiny != atlas::Scrutiny::Content) return;
+    progress_.advanced("verify", static_cast<double>(textures), static_cast<double>(report_.looks), "textures");
   }
 
   [[nodiscard]] std::size_t missing_looks(const Job& job) const {

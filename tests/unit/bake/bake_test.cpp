@@ -299,6 +299,45 @@ class Listener final : public ProgressListener {
   double last = 0.0;
 };
 
+/// Counts what it hears of one task.
+class TaskCount final : public ProgressListener {
+ public:
+  explicit TaskCount(std::string_view task) : task_(task) {}
+  void advanced(std::string_view task, double done, double total, std::string_view unit) override {
+    if (task != task_) return;
+    EXPECT_EQ(unit, "textures");
+    ++times;
+    last = done;
+    whole = total;
+  }
+  std::size_t times = 0;
+  double last = 0.0, whole = 0.0;
+
+ private:
+  std::string_view task_;
+};
+
+TEST(Bake, TellsOfTexturesThatItReadsToVerify) {
+  const ScratchFolder folder;
+  baked(bare_scene(20.0), small_bake(), folder.path("a"));
+  TaskCount glance("verify"), reading("verify");
+  bake(bare_scene(20.0), small_bake(), folder.path("a"), glance);
+  EXPECT_EQ(glance.times, 0U);
+  bake(bare_scene(20.0), small_bake(), folder.path("a"), reading, {{}, atlas::Scrutiny::Content});
+  EXPECT_EQ(reading.times, 4U);
+  EXPECT_EQ(reading.last, 4.0);
+  EXPECT_EQ(reading.whole, 4.0);
+}
+
+TEST(Bake, VerifyTellsOfEachTexture) {
+  const ScratchFolder folder;
+  baked(bare_scene(20.0), small_bake(), folder.path("a"));
+  TaskCount heard("verify");
+  EXPECT_TRUE(atlas::Store::open(folder.path("a")).verify(atlas::Scrutiny::Content, &heard).empty());
+  EXPECT_EQ(heard.times, 4U);
+  EXPECT_EQ(heard.last, heard.whole);
+}
+
 TEST(Bake, TellsOfEachLook) {
   const ScratchFolder folder;
   Listener listener;
