@@ -48,10 +48,10 @@ SIGMASCAPE_VECTOR_TARGETS [[gnu::flatten]] void raise_to_power_of(const scatter:
   for (std::size_t i = 0; i < lane_count; ++i) power[i] = std::max(power[i], fields[i].mean_power());
 }
 
-SIGMASCAPE_VECTOR_TARGETS [[gnu::flatten]] void chances_in_roulette(const FloatLanes& power, float least,
-                                                                    FloatLanes& chance, FloatLanes& gain) {
+SIGMASCAPE_VECTOR_TARGETS [[gnu::flatten]] void chances_in_roulette(const FloatLanes& power, float per_power,
+                                                                    float least, FloatLanes& chance, FloatLanes& gain) {
   for (std::size_t i = 0; i < lane_count; ++i) {
-    chance[i] = std::min(std::max(power[i], least), 1.0F);
+    chance[i] = std::min(std::max(per_power * power[i], least), 1.0F);
     gain[i] = 1.0F / std::sqrt(chance[i]);
   }
 }

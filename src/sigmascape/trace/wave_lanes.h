@@ -47,8 +47,9 @@ void reverse(const scatter::PassageLanes& passage, const FloatLanes& density, co
 /// `power` becomes the greater one of itself and what these fields carry.
 void raise_to_power_of(const scatter::FieldPairLanes& fields, FloatLanes& power);
 
-/// Chances to go on of paths that carry so much, and by how much the fields of those gain that do.
-void chances_in_roulette(const FloatLanes& power, float least, FloatLanes& chance, FloatLanes& gain);
+/// Chances to go on of paths that carry so much, `per_power` times that between `least` and 1, and by how much the
+/// fields of those gain that do.
+void chances_in_roulette(const FloatLanes& power, float per_power, float least, FloatLanes& chance, FloatLanes& gain);
 
 void multiply(scatter::FieldPairLanes& fields, const FloatLanes& factor);
 

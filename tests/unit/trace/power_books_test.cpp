@@ -45,7 +45,8 @@ TEST(PowerBooks, BalanceForEveryMaterial) {
           books_of(walled_scene(material, pit), frequency_within(material), {.max_bounces = 6, .power_books = true});
       ASSERT_GT(books.paths, 1000U);
       const std::string name = material.name + (pit ? ", pit" : ", street");
-      EXPECT_LT(std::abs(books.imbalance()), 3.0 * books.imbalance_error()) << name;
+      // Of some ninety draws one in four would have one beyond three standard errors, one in two hundred beyond four.
+      EXPECT_LT(std::abs(books.imbalance()), 4.0 * books.imbalance_error()) << name;
       EXPECT_LT(books.imbalance_error(), 0.04) << name << ": too noisy to tell";
       EXPECT_GT(books.escaped, 0.0) << name;
       EXPECT_GE(books.cut, 0.0) << name;
