@@ -115,7 +115,7 @@ TEST(Turned, SceneAndRadarTogetherShowTheSame) {
     bake::BakeSettings settings;
     settings.aspects = {{azimuth_rad}, {radians_from_deg(13.0)}, {frequency_hz}};
     settings.patches = {2.0, 256};
-    settings.sampling.samples_per_texel = 8;
+    settings.sampling.samples_per_texel = 64;
     const ScratchFolder folder;
     SilentProgress silent;
     bake::bake(scene, settings, folder.path("atlas"), silent);

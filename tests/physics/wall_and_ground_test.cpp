@@ -178,7 +178,7 @@ TEST(WallAndGround, ConcreteWallOnMediumDryGround) {
     };
     scene::Scene scene = level_scene(material("ground", ground, 0.05));
     add_wall(scene, material("wall", wall, 0.002), 10.0F, 10.0F, pi);
-    return bounce_sums(traced_echoes(scene, {pi, radians_from_deg(45.0)}))[2];
+    return bounce_sums(traced_echoes(scene, {pi, radians_from_deg(45.0)}, {.samples = 1024}))[2];
   };
   const auto real = corner({5.24, -0.503}, {11.915, -2.684});
   const auto ideal = corner({1.0, -1e12}, {1.0, -1e12});

@@ -55,12 +55,12 @@ double total(const radar::RangeAzimuthImage& image) {
 }
 
 TEST_F(TracedToErrorTest, StopsOnceTheErrorIsThatOfTheGoal) {
-  const TracedToError rough = traced(0.2), fine = traced(0.1);
-  EXPECT_LE(rough.median_error_db, 0.2);
-  EXPECT_LE(fine.median_error_db, 0.1);
+  const TracedToError rough = traced(0.1), fine = traced(0.05);
+  EXPECT_LE(rough.median_error_db, 0.1);
+  EXPECT_LE(fine.median_error_db, 0.05);
   // Half the error takes some four times the rays, and no pass more is made than it takes.
   EXPECT_GT(fine.samples_per_cell, 2 * rough.samples_per_cell);
-  EXPECT_GT(fine.median_error_db, 0.09);
+  EXPECT_GT(fine.median_error_db, 0.045);
 }
 
 /// What two maps differ by in their median bin, in standard errors that they state of the difference.
