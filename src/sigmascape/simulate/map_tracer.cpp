@@ -17,6 +17,9 @@
 namespace sigmascape::simulate {
 namespace {
 
+/// Bins after pulse and beam, and the median of their errors, ask for more paths of less each.
+constexpr float survival_per_power = 1.0F;
+
 /// Tells the lots of cells from other numbers that are made of seed and cell.
 constexpr std::uint32_t lot_of_cell = 0x107;
 
@@ -71,7 +74,9 @@ std::vector<radar::RangeAzimuthImage> MapTracer::map(std::span<const LaunchShare
 
 void MapTracer::trace_shares(std::span<const LaunchShare> shares, std::uint64_t seed, trace::TraceCounts& counts,
                              ProgressListener* progress, const RayWatcher& watcher) {
-  const trace::PathTracer tracer(geometry_, surfaces_, launch_.viewpoint, {.max_bounces = settings_.max_bounces}, seed);
+  const trace::PathTracer tracer(geometry_, surfaces_, launch_.viewpoint,
+                                 {.max_bounces = settings_.max_bounces, .survival_per_power = survival_per_power},
+                                 seed);
   std::vector<std::vector<trace::LaunchCell>> drawn(shares.size());
   std::vector<std::span<const trace::LaunchCell>> cells;  // [share]
   std::size_t tile_count = 0;

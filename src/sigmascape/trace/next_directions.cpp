@@ -7,9 +7,8 @@
 namespace sigmascape::trace {
 namespace {
 
-/// A path goes on with so many times the part of the power sent that it still carries for its chance, but with no less
-/// than that: least time for the noise of a bake of the paper's scene (benchmarks/README.md).
-constexpr float survival_per_power = 2.0F, least_survival = 0.05F;
+/// No chance in roulette is less.
+constexpr float least_survival = 0.05F;
 
 constexpr float least_cosine = 1e-6F;
 
@@ -30,7 +29,7 @@ void TileTracer::carry_on(const Company& company, int bounce) {
 
   FloatLanes lots, chances, gains;
   draw_independent(company.points, first_dimension + RouletteChoice, lots);
-  chances_in_roulette(power_, survival_per_power, options_.roulette ? least_survival : 1.0F, chances, gains);
+  chances_in_roulette(power_, options_.survival_per_power, options_.roulette ? least_survival : 1.0F, chances, gains);
   const FloatLanes& pdf = passages_[company.hero].pdf;
   std::array<bool, lane_count> lives{};
   for (std::size_t lane = 0; lane < company.count(); ++lane) {

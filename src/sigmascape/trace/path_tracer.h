@@ -30,6 +30,9 @@ struct PathOptions {
   int max_bounces = 8;
   Estimator estimator = Estimator::Reciprocal;
   bool roulette = true;  ///< end dark paths early, without bias
+  /// A path goes on in roulette with so many times the part of the power sent that it still carries for its chance. Two
+  /// is best for texels of their own, in L1; benchmarks/README.md.
+  float survival_per_power = 2.0F;
   Sampler sampler = Sampler::OwenSobol;
   bool power_books = false;  ///< keep account of what becomes of the power: TraceCounts::power
   bool coherent = false;     ///< hand out amplitudes with the echoes: TileEchoes::amplitudes_m
