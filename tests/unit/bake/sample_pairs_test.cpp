@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <gtest/gtest.h>
+#include <utility>
 
 namespace sigmascape::bake {
 namespace {

@@ -65,6 +65,7 @@ TEST_F(TracedToErrorTest, StopsOnceTheErrorIsThatOfTheGoal) {
 
 /// What two maps differ by in their median bin, in standard errors that they state of the difference.
 double median_difference(const TracedToError& one, const TracedToError& other) {
+  EXPECT_EQ(one.image.grid, other.image.grid);
   std::vector<double> in_errors;
   for (std::size_t bin = 0; bin < one.image.rcs_m2.size(); ++bin) {
     const auto power = [bin](const TracedToError& map) {

@@ -30,7 +30,7 @@ PowerBooks books_of(const scene::Scene& scene, double frequency_hz, const PathOp
   const SceneGeometry geometry(scene, Footing::LevelPlane);
   const PathTracer tracer(geometry, surface_models(scene, frequency_hz), from_south, options, 1);
   const LaunchArea launch = launch_area(from_south, {-8, -8, 8, 8}, 2.0, 0.0, geometry.highest_m() + 1.0, {});
-  return tracer.trace(launch, {0, 64, 64}, 1, [](std::span<const radar::Echo>, unsigned) {}).power;
+  return tracer.trace(launch, {0, 256, 256}, 1, [](std::span<const radar::Echo>, unsigned) {}).power;
 }
 
 double frequency_within(const scatter::Material& material) {
@@ -45,9 +45,8 @@ TEST(PowerBooks, BalanceForEveryMaterial) {
           books_of(walled_scene(material, pit), frequency_within(material), {.max_bounces = 6, .power_books = true});
       ASSERT_GT(books.paths, 1000U);
       const std::string name = material.name + (pit ? ", pit" : ", street");
-      // Of some ninety draws one in four would have one beyond three standard errors, one in two hundred beyond four.
-      EXPECT_LT(std::abs(books.imbalance()), 4.0 * books.imbalance_error()) << name;
-      EXPECT_LT(books.imbalance_error(), 0.04) << name << ": too noisy to tell";
+      EXPECT_LT(std::abs(books.imbalance()), 3.0 * books.imbalance_error()) << name;
+      EXPECT_LT(books.imbalance_error(), 0.02) << name << ": too noisy to tell";
       EXPECT_GT(books.escaped, 0.0) << name;
       EXPECT_GE(books.cut, 0.0) << name;
     }
