@@ -45,9 +45,9 @@ namespace sigmascape::scatter {
 /// c.
 ///
 /// Slopes x < c are visible with density (c − x) exp(−x²)/√π, up to a factor. In the Gaussian area A = 1 + erf(x) the
-/// distribution function becomes c A/2 + exp(−x²)/(2√π), with derivative (c − x)/2: increasing, concave and close to
-/// straight, so that Newton's method converges from a fair guess within three steps and a last one in x itself.
-/// docs/physics/cook_torrance.md, Eq. (9).
+/// distribution function becomes F = c A/2 + exp(−x²)/(2√π), with F′ = (c − x)/2 and F″ = −√π exp(x²)/4: increasing,
+/// concave and close to straight, so that Halley's method converges from a fair guess within two steps and Newton's in
+/// x itself does the rest. docs/physics/cook_torrance.md, Eq. (9).
 [[nodiscard]] inline float beckmann_visible_slope(float cotangent, float u) {
   constexpr float inv_sqrt_pi = std::numbers::inv_sqrtpi_v<float>;
   const float c = std::min(cotangent, 1e6F);
@@ -58,22 +58,23 @@ namespace sigmascape::scatter {
   // Seen from above all slopes are alike and A is uniform; seen at grazing A ≈ end (1 − √(1 − u)). Between the two by
   // fit.
   float area = end * (1.0F - fast_exp((1.0F - 0.53F / (1.0F + 1.3F * c)) * fast_log(1.0F - u)));
-  float x = 0.0F, gauss = 0.0F, excess = 0.0F;
+  float x = 0.0F, gauss = 0.0F, excess = 0.0F, room = 0.0F;
   const auto look = [&] {
     x = gaussian_slope(area);
     gauss = inv_sqrt_pi * fast_exp(-x * x);
     excess = 0.5F * (c * area + gauss) - goal;
+    room = std::max(c - x, 1e-6F);
   };
   const auto step = [&] {
     look();
-    const float newton = area - 2.0F * excess / std::max(c - x, 1e-6F);
-    area = std::min(newton > 0.0F ? newton : 0.5F * area, end);
+    const float newton = 2.0F * excess / room;
+    const float halley = area - newton / std::max(1.0F + 0.25F * newton / (gauss * room), 0.5F);
+    area = std::min(halley > 0.0F ? halley : 0.5F * area, end);
   };
   step();
   step();
-  step();
   look();
-  return x - excess / (std::max(c - x, 1e-6F) * gauss);
+  return x - excess / (room * gauss);
 }
 
 /// A visible facet of a Beckmann surface, of any length: two slopes, the one aside being like that of all facets.
