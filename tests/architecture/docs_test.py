@@ -4,7 +4,8 @@
 Every docs/...md named in src, apps, the README or the other pages exists; every "docs/physics/<page>.md, Eq. (n)" of the sources has a numbered
 equation, a line indented by four spaces that ends in (n), on that page, and no page has two of one number; every relative link in docs and the
 README leads somewhere; every source file that a page names in `room/file.h` form exists, and every `Class::member`, but those of decisions, which
-may tell of what is gone; every page of docs/results that says by which line it was made says the line by which `make results` would make it.
+may tell of what is gone; every page of docs/results that says by which line it was made says the line by which `make results` would make it, and
+every picture beside it is on it.
 """
 import pathlib
 import re
@@ -146,9 +147,19 @@ def pages_of_other_lines(root):
             yield f"{page}: was made by another line than `make results` has for it"
 
 
+def pictures_on_no_page(root):
+    """What a page made anew under other names leaves lying."""
+    for page in sorted((root / "docs" / "results").rglob("README.md")):
+        shown = {target for link in LINK.findall(page.read_text()) for target in link}
+        for picture in sorted(page.parent.glob("*")):
+            if picture.suffix in {".png", ".svg"} and picture.name not in shown:
+                yield f"{picture.relative_to(root)}: the page beside it does not show it"
+
+
 def main():
     root = pathlib.Path(sys.argv[1])
-    checks = (missing_pages, missing_equations, equations_of_one_number, missing_members, missing_sources, broken_links, pages_of_other_lines)
+    checks = (missing_pages, missing_equations, equations_of_one_number, missing_members, missing_sources, broken_links, pages_of_other_lines,
+              pictures_on_no_page)
     found = [fault for check in checks for fault in check(root)]
     for fault in found:
         print(fault)
