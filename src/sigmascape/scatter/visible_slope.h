@@ -68,6 +68,7 @@ namespace sigmascape::scatter {
   const auto step = [&] {
     look();
     const float newton = 2.0F * excess / room;
+    // No more than twice as far as Newton's would go, for far from the root the curve says little.
     const float halley = area - newton / std::max(1.0F + 0.25F * newton / (gauss * room), 0.5F);
     area = std::min(halley > 0.0F ? halley : 0.5F * area, end);
   };
