@@ -15,6 +15,7 @@ namespace sigmascape::statistics_test {
 namespace {
 
 constexpr Vec3f up{0.0F, 0.0F, 1.0F};
+constexpr scatter::Permittivity perfect_conductor{1.0, 0.0, 1e9, 0.0};
 constexpr double incidences_deg[] = {0.0, 10.0, 20.0, 30.0, 40.0, 50.0, 60.0, 70.0, 80.0, 85.0};
 
 Vec3f direction(double incidence_deg, double azimuth_deg) {
@@ -96,8 +97,8 @@ TEST(Passivity, RoughConductorWithMultipleScatterReturnsEverything) {
   using scatter::MicrofacetDistribution;
   for (const auto distribution : {MicrofacetDistribution::Beckmann, MicrofacetDistribution::Ggx}) {
     for (const double alpha : {0.1, 0.3, 0.6, 1.0}) {
-      const scatter::CookTorrance single({{1.0, 0.0, 1e9, 0.0}, alpha, distribution}, 10e9);
-      const scatter::CookTorrance full({{1.0, 0.0, 1e9, 0.0}, alpha, distribution}, 10e9, {.multiple_scatter = true});
+      const scatter::CookTorrance single({perfect_conductor, alpha, distribution}, 10e9);
+      const scatter::CookTorrance full({perfect_conductor, alpha, distribution}, 10e9, {.multiple_scatter = true});
       for (const double incidence_deg : {0.0, 30.0, 60.0, 80.0, 85.0}) {
         const Vec3f to_source = direction(incidence_deg, 200.0);
         const ReturnedPower power = returned_power(full, to_source, 1U << 16U);
@@ -113,6 +114,35 @@ TEST(Passivity, RoughConductorWithMultipleScatterReturnsEverything) {
              .source = "conservation of energy"});
         const ReturnedPower without = returned_power(single, to_source, 1U << 14U);
         EXPECT_LT(without.from_v + without.from_h, power.from_v + power.from_h + 1e-3);
+      }
+    }
+  }
+}
+
+// The diffuse part of walls that are not flat, whose co-polarized elements are correlated, adds to the rest as power.
+TEST(Passivity, RoughConductorThatScattersToo) {
+  for (const double correlation : {0.0, 0.5, 1.0}) {
+    for (const double scattering_coefficient : {0.4, 0.7}) {
+      const scatter::CookTorrance wall({.permittivity = perfect_conductor,
+                                        .alpha = 1.0,
+                                        .distribution = scatter::MicrofacetDistribution::Ggx,
+                                        .scattering_coefficient = scattering_coefficient,
+                                        .depolarization = {0.1, correlation},
+                                        .multiple_scatter = true},
+                                       10e9);
+      for (const double incidence_deg : {0.0, 45.0}) {
+        const ReturnedPower power = returned_power(wall, direction(incidence_deg, 200.0), 1U << 16U);
+        for (const auto& [polarization, returned] : {std::pair{'V', power.from_v}, {'H', power.from_h}}) {
+          validation::expect_close(
+              {.group = "Passivity",
+               .name = fmt::format("rough conductor with multiple scatter and S = {}, ρ = {}, incidence {}°, from {}",
+                                   scattering_coefficient, correlation, incidence_deg, polarization),
+               .expected = 1.0,
+               .measured = returned,
+               .tolerance = 5e-3,
+               .unit = "1",
+               .source = "conservation of energy"});
+        }
       }
     }
   }

@@ -65,9 +65,10 @@ Passage CookTorrance::pass_on(const FieldPair& in, Vec3f to_source, Vec3f to_sin
   FieldPair& out = passage.fields;
   if (multiple_scatter_) out = out + multiple_scatter_->scatter(in, to_source, to_sink, face.normal, draw);
   if (scattered_part_ == 0.0F) return passage;
-  // The diffuse part must not interfere with the lobe on average, so it gets a phase of its own; what of `a` chooses
-  // between the two halves of the draw is left over for it.
-  const float common_phase_rad = static_cast<float>(4.0 * pi) * (draw.a < 0.5F ? draw.a : draw.a - 0.5F);
+  // The diffuse part must not interfere on average with the lobe, nor with what facets pass on to one another, so it
+  // gets a phase of its own: what of `a` is left over by the choice between the two halves of the draw, three times
+  // round where the elements of MultipleScatter go once and twice.
+  const float common_phase_rad = static_cast<float>(12.0 * pi) * (draw.a < 0.5F ? draw.a : draw.a - 0.5F);
   const FieldPair scattered = scattered_polarization_.scatter(in, scattered_, to_source, to_sink, draw);
   out = out * std::sqrt(1.0F - scattered_part_) + scattered.turned(unit_phasor(common_phase_rad));
   return passage;

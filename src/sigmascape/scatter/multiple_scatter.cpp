@@ -87,10 +87,11 @@ FieldPair MultipleScatter::scatter(const FieldPair& in, Vec3f to_source, Vec3f t
   const PolarizationBasis before(-to_source);
   const PolarizationBasis after(to_sink);
   const float amplitude = std::sqrt(0.5F * brdf(dot(to_source, normal), dot(to_sink, normal)));
-  // One uniform phase serves both co-polarized elements: once round for VV, twice round for HH leaves them
-  // uncorrelated.
-  const Amplitude vv = unit_phasor(2.0F * pi_f * draw.a) * amplitude;
-  const Amplitude hh = unit_phasor(4.0F * pi_f * draw.a) * amplitude;
+  // One uniform phase serves both co-polarized elements. Whatever sign a diffuse part draws in either half of `a`, the
+  // elements are uncorrelated with one another and with that part: in each half VV goes once round, HH twice, and the
+  // diffuse part three times (CookTorrance::pass_on).
+  const Amplitude vv = unit_phasor(4.0F * pi_f * draw.a) * amplitude;
+  const Amplitude hh = unit_phasor(8.0F * pi_f * draw.a) * amplitude;
   const Amplitude cross = unit_phasor(2.0F * pi_f * draw.b) * amplitude;
   const auto pass = [&](const Field& e) {
     const Amplitude v_in = e.along(before.v);
