@@ -55,5 +55,17 @@ TEST(Billingsley, MeanStrengthByDepression) {
   }
 }
 
+// The table's angles come to within 0.02° of the step.
+TEST(Billingsley, ForestReturnsMostWhereItsFirstStepEnds) {
+  validation::expect_close(
+      {.group = "Billingsley",
+       .name = "forest, greatest albedo up to 89° of incidence, just above 1° of grazing",
+       .expected = 0.414,
+       .measured = scatter::billingsley({BillingsleyTerrain::Forest, {0.1, 0.5}}).greatest_albedo(),
+       .tolerance = 0.005,
+       .unit = "1",
+       .source = "diffuse.md, Eq. (5), by quadrature in a separate program"});
+}
+
 }  // namespace
 }  // namespace sigmascape::physics_test

@@ -101,4 +101,15 @@ double ReciprocalBackscatter::albedo(double cos_incidence) const {
   return std::max(v, h);
 }
 
+double ReciprocalBackscatter::greatest_albedo() const {
+  const double least = std::cos(89.0 * std::numbers::pi / 180.0);
+  double greatest = 0.0;
+  for (int i = 0; i <= intervals; ++i) {
+    const double square = std::pow(static_cast<double>(table_length) * i / intervals, 2.0);
+    greatest = std::max(greatest, albedo(1.0 - square));
+    if (square >= least) greatest = std::max(greatest, albedo(square));
+  }
+  return greatest;
+}
+
 }  // namespace sigmascape::scatter

@@ -38,6 +38,9 @@ class ReciprocalBackscatter {
   /// The part of arriving power that leaves again, for the transmit polarization that loses less.
   /// docs/physics/diffuse.md, Eq. (5).
   [[nodiscard]] double albedo(double cos_incidence) const;
+  /// The greatest up to 89° of incidence, of all angles at which the law was evaluated, for a law may go in steps.
+  /// Towards grazing any σ0 that does not vanish would return more than arrives in the end.
+  [[nodiscard]] double greatest_albedo() const;
 
  private:
   /// γ^¼ by polarization: two of them make the root of √(γi γo).

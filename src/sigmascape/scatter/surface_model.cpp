@@ -35,10 +35,7 @@ double greatest_albedo(const Material& material, const ModelMaker::Model& model,
     return gamma_at(*p, frequency_hz) * (1.0 + p->depolarization.cross_ratio);
   const auto* table = std::get_if<ReciprocalBackscatter>(&model);
   if (table == nullptr) return 0.0;
-  double greatest = 0.0;
-  for (int degree = 0; degree < 90; ++degree)
-    greatest = std::max(greatest, table->albedo(std::cos(degree * std::numbers::pi / 180.0)));
-  return greatest;
+  return table->greatest_albedo();
 }
 
 void require_known_frequency(const Material& material, double frequency_hz) {
