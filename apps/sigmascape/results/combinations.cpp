@@ -105,15 +105,15 @@ std::string closeness(const product::CellComparison& cell) {
 }
 
 /// The same ways at views that were baked; empty without such views.
-std::string verdict_on_grid(const ResultsPlan& plan, const std::vector<ResultsRow>& rows, const ResultsRow& best) {
+std::string verdict_on_grid(const std::vector<ResultsRow>& rows, const ResultsRow& best) {
   ResultsCase of = best.of;
   of.kind = ViewKind::OnGrid;
   const ResultsRow* row = find_row(rows, of);
-  const ResultsCell* cell = summary_cell(row);
-  const ResultsCell* paper_cell = summary_cell(baseline_row(plan, rows, plan.scene_name(), ViewKind::OnGrid));
-  if (cell == nullptr || paper_cell == nullptr) return {};
-  return fmt::format("At the {} views that were baked they come to {}, the paper's to {}. ", row->views,
-                     closeness(cell->median), closeness(paper_cell->median));
+  if (summary_cell(row) == nullptr) return {};
+  const ResultsRow* paper = by(Method::Paper, *row, rows);
+  if (paper == nullptr) return {};
+  return fmt::format("At the {} views that were baked they come to {}, the paper's from as many looks to {}. ",
+                     row->views, closeness(summary_cell(row)->median), closeness(summary_cell(paper)->median));
 }
 
 }  // namespace
@@ -226,7 +226,7 @@ std::string verdict(const ResultsPlan& plan, const std::vector<ResultsRow>& rows
                         closeness(summary_cell(best->paper_alike)->median),
                         megabytes(best->paper_alike->atlas.store_bytes));
   }
-  text += ". " + verdict_on_grid(plan, rows, of_all);
+  text += ". " + verdict_on_grid(rows, of_all);
   text += fmt::format(
       "Two traced maps of a held-out view differ by {} dB, so that no map could be shown to come closer than {} dB",
       number_text(cell.floor_median.rms_db, 2), number_text(least_error(cell.floor_median.rms_db), 2));

@@ -70,7 +70,8 @@ std::string words(const ResultsReport& report) {
   text += fmt::format(
       "- **correlation** and **RMS** are of the dB of σ0, cell by cell; **bias** is that of total power; **relative "
       "L1** the sum of absolute differences of σ0 over the sum of the truth's; **shadow IoU** the cells that are in "
-      "shadow in both maps over those in either, a dash where they are fewer than {}\n",
+      "shadow in both maps over those in either, of the views whose traced maps have {} or more of them; a dash where "
+      "none has\n",
       product::least_shadow_cells);
   text += fmt::format(
       "- **paper** is the method of the paper {}; its store is counted as the paper counts, four floats a texel and "
@@ -131,8 +132,9 @@ std::string how_it_was_measured(const ResultsReport& report) {
       "row may be of several views. Sum of polarizations VV + HH + 2·HV; dB of σ0 no lower than {:g} dB; a cell is in "
       "shadow below {:g} dB. `product/map_metrics.h` defines the five numbers.\n\n"
       "The radar stands 20 km from the middle of the scene, resolution 2 m in range and across. A rim of {:.0f} m "
-      "along the edges is left out: walls there mirror ground beyond the scene, which is there in a bake but not in a "
-      "traced map.\n\n",
+      "along the edges is left out, where what lies beyond the scene has a part: its ground goes on level there for "
+      "300 m "
+      "and has nothing on it.\n\n",
       product::software_name(), report.command_line, compare.floor_db, compare.shadow_db, plan.rim_m());
   if (plan.has_level_ground()) {
     text +=

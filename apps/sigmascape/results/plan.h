@@ -102,8 +102,8 @@ struct ResultsPlan {
   }
   /// As many rays a square metre as finer_samples, of texels half as wide; two at least, as any bake.
   [[nodiscard]] std::uint32_t samples_of_finer_texels() const { return std::max(finer_samples / 4, 2U); }
-  /// Width of the rim along the scene's edges that is not compared. A wall near the edge mirrors ground beyond it,
-  /// which goes on in a bake and ends where the terrain does in a traced map: that would be held against the method.
+  /// Width of the rim along the scene's edges that is not compared: what lies beyond the scene, bare ground that goes
+  /// on level, has a part in what is returned there.
   [[nodiscard]] double rim_m() const;
   [[nodiscard]] double side_m() const { return 2000.0 * scale; }
   /// What the kept files of the scene are named after: "hills" for the paper's scene, "place" for another.

@@ -46,22 +46,35 @@ double worst(std::vector<double> values, Badness badness) {
   return values.empty() ? not_defined : *std::ranges::max_element(values, {}, badness);
 }
 
-/// Shadows of few cells say nothing.
-double value_of(const CellComparison& cell, const Metric& metric) {
-  const bool says_little =
-      metric.value == &CellComparison::shadow_iou && cell.shadow_cells < product::least_shadow_cells;
-  return says_little ? not_defined : cell.*metric.value;
+/// A view at one cell size: a map against the truth, and one traced map against another.
+struct ViewCell {
+  const CellComparison *tested, *floor;
+
+  /// Shadows of few cells say nothing. The traced maps decide, so that all methods are held to the same views.
+  [[nodiscard]] bool has_shadows() const { return floor->shadow_cells >= product::least_shadow_cells; }
+};
+
+std::vector<ViewCell> at_cells(const std::vector<const ViewResult*>& views, double cell_m) {
+  std::vector<ViewCell> cells;
+  for (const ViewResult* view : views) {
+    const ViewCell cell{view->comparison.at_cell(cell_m), view->noise_floor.at_cell(cell_m)};
+    if (cell.tested != nullptr && cell.floor != nullptr) cells.push_back(cell);
+  }
+  return cells;
 }
 
 struct MedianAndWorst {
   CellComparison median, worst;
 };
 
-MedianAndWorst over_views(const std::vector<const CellComparison*>& views) {
-  MedianAndWorst over{*views.front(), *views.front()};
+MedianAndWorst over_views(const std::vector<ViewCell>& views, const CellComparison* ViewCell::*which) {
+  MedianAndWorst over{*(views.front().*which), *(views.front().*which)};
   for (const Metric& metric : metrics) {
     std::vector<double> values;
-    for (const CellComparison* view : views) values.push_back(value_of(*view, metric));
+    for (const ViewCell& view : views) {
+      if (metric.value == &CellComparison::shadow_iou && !view.has_shadows()) continue;
+      values.push_back(view.*which->*metric.value);
+    }
     over.median.*metric.value = median(values);
     over.worst.*metric.value = worst(values, metric.badness);
   }
@@ -104,17 +117,17 @@ LevelErrors sum_of(const std::vector<const ViewResult*>& views, LevelErrors View
 
 ResultsWithoutNoise without_noise_of(const std::vector<const ViewResult*>& views) {
   std::vector<double> correlations, errors_db;
-  std::vector<const CellComparison*> measured, floor;
+  std::vector<const ViewResult*> repeated;
   for (const ViewResult* view : views) {
     if (!view->without_noise) continue;
     correlations.push_back(view->without_noise->correlation_db);
     errors_db.push_back(view->without_noise->rms_db);
-    measured.push_back(view->comparison.at_cell(summary_cell_m));
-    floor.push_back(view->noise_floor.at_cell(summary_cell_m));
+    repeated.push_back(view);
   }
-  if (measured.empty()) return {};
-  return {measured.size(), median(correlations), median(errors_db), over_views(measured).median,
-          over_views(floor).median};
+  if (repeated.empty()) return {};
+  const std::vector<ViewCell> cells = at_cells(repeated, summary_cell_m);
+  return {repeated.size(), median(correlations), median(errors_db), over_views(cells, &ViewCell::tested).median,
+          over_views(cells, &ViewCell::floor).median};
 }
 
 TracedRays rays_of(const std::vector<const ViewResult*>& views) {
@@ -145,15 +158,9 @@ ResultsRow row_of(const std::vector<const ViewResult*>& views) {
                  .noise_by_level = sum_of(views, &ViewResult::noise_by_level),
                  .without_noise = without_noise_of(views)};
   for (const CellComparison& size : views.front()->comparison.at) {
-    std::vector<const CellComparison*> tested, floor;
-    for (const ViewResult* view : views) {
-      const CellComparison* cell = view->comparison.at_cell(size.cell_m);
-      const CellComparison* noise = view->noise_floor.at_cell(size.cell_m);
-      if (cell != nullptr) tested.push_back(cell);
-      if (noise != nullptr) floor.push_back(noise);
-    }
-    if (floor.empty()) continue;
-    const MedianAndWorst values = over_views(tested), noise = over_views(floor);
+    const std::vector<ViewCell> cells = at_cells(views, size.cell_m);
+    if (cells.empty()) continue;
+    const MedianAndWorst values = over_views(cells, &ViewCell::tested), noise = over_views(cells, &ViewCell::floor);
     row.cells.push_back({values.median, values.worst, noise.median, noise.worst});
   }
   return row;

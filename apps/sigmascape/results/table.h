@@ -76,7 +76,8 @@ struct ViewResult {
 [[nodiscard]] double agreement(const ViewResult& view);
 
 /// A case at one cell size. Medians and worst values are taken over the views, each number by itself; the worst bias is
-/// the one farthest from zero. The overlap of shadows is NaN where no view has enough of them.
+/// the one farthest from zero. The overlap of shadows is of the views whose traced maps have enough of them; NaN for
+/// none.
 struct ResultsCell {
   product::CellComparison median, worst;
   product::CellComparison floor_median, floor_worst;

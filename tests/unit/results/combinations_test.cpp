@@ -116,9 +116,11 @@ TEST(ResultsCombinations, VerdictIsOfTheBestThePapersAndTheNoiseFloor) {
   best.kind = paper.kind = ViewKind::OnGrid;
   rows.push_back(made_row(best, 1.5, 0.1));
   rows.push_back(made_row(paper, 2.5, 0.1));
+  paper.grid = best.grid;
+  rows.push_back(made_row(paper, 2.2, 0.1));
   EXPECT_THAT(verdict(plan, rows),
               HasSubstr("At the 4 views that were baked they come to 1.50 dB RMS and a correlation of "
-                        "0.900, the paper's to 2.50 dB RMS"));
+                        "0.900, the paper's from as many looks to 2.20 dB RMS"));
 }
 
 TEST(ResultsCombinations, SayNothingWithoutHeldOutViews) {

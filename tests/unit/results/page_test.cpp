@@ -109,6 +109,24 @@ TEST(ResultsPage, SaysNoOverlapOfFewCellsInShadow) {
   EXPECT_EQ(iou_of({0, 1, 2, 30}), 0.6) << "views without shadow have no part in the median";
 }
 
+TEST(ResultsPage, TracedMapsDecideWhichViewsHaveShadows) {
+  std::vector<ViewResult> views;
+  for (const auto& [traced_cells, overlap] : {std::pair{product::least_shadow_cells, 0.5}, {std::size_t{0}, 0.0}}) {
+    ViewResult& view = views.emplace_back(ViewResult{.of = made_case(made_plan(), Method::Paper, ViewKind::HeldOut),
+                                                     .view = {},
+                                                     .atlas = {},
+                                                     .comparison = {},
+                                                     .noise_floor = {},
+                                                     .by_level = {},
+                                                     .noise_by_level = {}});
+    view.noise_floor.at = {{.cell_m = 8.0, .shadow_iou = 0.8, .shadow_cells = traced_cells}};
+    view.comparison.at = {{.cell_m = 8.0, .shadow_iou = overlap, .shadow_cells = 100}};
+  }
+  const ResultsCell cell = rows_of(views).front().cells.front();
+  EXPECT_EQ(cell.median.shadow_iou, 0.5);
+  EXPECT_EQ(cell.worst.shadow_iou, 0.5);
+}
+
 TEST(ResultsPage, CountsViewsThatAgreeAndTimesMapsOfAllViewsByAsManyRays) {
   std::vector<ViewResult> views;
   for (const auto& [rays, seconds, agreement] :
