@@ -32,39 +32,45 @@ class Dataset : public ::testing::Test {
     folder_->write("radar.toml",
                    "[radar]\nfrequency_ghz = 10.0\nrange_resolution_m = 4.0\nbeam_width_deg = 0.023\n"
                    "[position]\nslant_range_km = 15.0\nazimuth_deg = 130.0\nelevation_deg = 13.0\n");
-    bake::BakeSettings settings;
-    settings.aspects.azimuths_rad = {0.0, pi};
-    settings.aspects.elevations_rad = {radians_from_deg(8.0), radians_from_deg(21.0)};
-    settings.patches = {.texel_m = 4.0, .texels_per_side = 256};
-    settings.sampling.samples_per_texel = 2;
-    SilentProgress silent;
-    bake::bake(scene::read_scene(folder_->path("scene.toml")), settings, folder_->path("atlas"), silent);
+    bake_into("atlas", 2);
   }
   static void TearDownTestSuite() {
     delete folder_;
     folder_ = nullptr;
   }
 
+  static void bake_into(const std::string& atlas, std::uint32_t samples_per_texel) {
+    bake::BakeSettings settings;
+    settings.aspects.azimuths_rad = {0.0, pi};
+    settings.aspects.elevations_rad = {radians_from_deg(8.0), radians_from_deg(21.0)};
+    settings.patches = {.texel_m = 4.0, .texels_per_side = 256};
+    settings.sampling.samples_per_texel = samples_per_texel;
+    SilentProgress silent;
+    bake::bake(scene::read_scene(folder_->path("scene.toml")), settings, folder_->path(atlas), silent);
+  }
+
   struct Wish {
-    std::string files = "folders", azimuth = "[0, 360]", elevation = "[8, 21]", snr = "[60, 60]", more = "";
+    std::string files = "folders", azimuth = "[0, 360]", elevation = "[8, 21]", range = "[14, 15]";
+    std::string snr = "[60, 60]", more = "";
     std::string sections = "", target = "", number = "[1, 1]";
     std::size_t looks = 0;
     double rcs_db = 45.0;
     std::size_t cells = end_to_end::cells;
+    std::string atlas = "atlas", radar = "radar.toml";
   };
 
   static dataset::DatasetSpec spec(const Wish& wish, const std::string& layer = "") {
     const auto file = folder_->write(
         "spec.toml",
-        fmt::format(
-            "[dataset]\nscene = \"scene.toml\"\natlas = \"atlas\"\nradar = \"radar.toml\"\ncount = {}\nseed = 7\n"
-            "cells = {}\ncell_m = 4.0\nfiles = \"{}\"\nsamples_per_shard = 3\n"
-            "layers = [\"shadow\", \"layover\", \"incidence\", \"range\", \"class\", \"height\"{}]\n{}"
-            "[view]\nazimuth_deg = {}\nelevation_deg = {}\nslant_range_km = [14, 15]\n"
-            "[speckle]\nlooks = {}\n[noise]\nsnr_db = {}\n"
-            "{}[[targets]]\nname = \"reflector\"\nnumber = {}\nrcs_dbsm = [{}, {}]\nheight_m = 2.0\n{}",
-            count, wish.cells, wish.files, layer.empty() ? "" : ", " + layer, wish.more, wish.azimuth, wish.elevation,
-            wish.looks, wish.snr, wish.sections, wish.number, wish.rcs_db, wish.rcs_db, wish.target));
+        fmt::format("[dataset]\nscene = \"scene.toml\"\natlas = \"{}\"\nradar = \"{}\"\ncount = {}\nseed = 7\n"
+                    "cells = {}\ncell_m = 4.0\nfiles = \"{}\"\nsamples_per_shard = 3\n"
+                    "layers = [\"shadow\", \"layover\", \"incidence\", \"range\", \"class\", \"height\"{}]\n{}"
+                    "[view]\nazimuth_deg = {}\nelevation_deg = {}\nslant_range_km = {}\n"
+                    "[speckle]\nlooks = {}\n[noise]\nsnr_db = {}\n"
+                    "{}[[targets]]\nname = \"reflector\"\nnumber = {}\nrcs_dbsm = [{}, {}]\nheight_m = 2.0\n{}",
+                    wish.atlas, wish.radar, count, wish.cells, wish.files, layer.empty() ? "" : ", " + layer, wish.more,
+                    wish.azimuth, wish.elevation, wish.range, wish.looks, wish.snr, wish.sections, wish.number,
+                    wish.rcs_db, wish.rcs_db, wish.target));
     return dataset::read_dataset_spec(file);
   }
 
@@ -120,6 +126,49 @@ TEST_F(Dataset, ManifestTellsTheSha256OfEveryFile) {
   }
   const std::string message = message_of_error([&] { made(dataset::SampleMaker(spec({.looks = 5})), folder); });
   EXPECT_NE(message.find("another dataset"), std::string::npos) << message;
+}
+
+TEST_F(Dataset, GoesOnWithTheSameRadarAndAtlasOnly) {
+  const Wish wish{.atlas = "changing_atlas", .radar = "changing.toml"};
+  const auto radar_of_width = [&](double width_deg) {
+    folder_->write("changing.toml", fmt::format("[radar]\nfrequency_ghz = 10.0\nrange_resolution_m = 4.0\n"
+                                                "beam_width_deg = {}\n",
+                                                width_deg));
+  };
+  const auto begun = [&] {
+    return message_of_error([&] { made(dataset::SampleMaker(spec(wish)), folder_->path("begun"), {.count = 7}); });
+  };
+  radar_of_width(0.023);
+  fs::copy(folder_->path("atlas"), folder_->path("changing_atlas"), fs::copy_options::recursive);
+  EXPECT_EQ(begun(), "");
+  EXPECT_EQ(begun(), "");
+  radar_of_width(0.03);
+  EXPECT_NE(begun().find("holds another dataset: begun with another radar file; choose an empty folder"),
+            std::string::npos)
+      << begun();
+  radar_of_width(0.023);
+  EXPECT_EQ(begun(), "");
+
+  fs::remove_all(folder_->path("changing_atlas"));
+  bake_into("changing_atlas", 3);
+  EXPECT_NE(begun().find("holds another dataset: begun with another atlas;"), std::string::npos) << begun();
+  radar_of_width(0.03);
+  EXPECT_NE(begun().find("begun with another radar file and atlas;"), std::string::npos) << begun();
+}
+
+TEST_F(Dataset, TargetsThatNoWrittenPolarizationShowsAreNotSeen) {
+  const auto seen = [&](const char* polarizations) {
+    const dataset::SampleMaker maker(
+        spec({.more = fmt::format("polarizations = {}\n", polarizations), .number = "[8, 8]", .rcs_db = 70.0}));
+    std::size_t number = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (const auto& target : maker.make(i).targets) number += target.is_seen ? 1 : 0;
+    }
+    return number;
+  };
+  EXPECT_GT(seen("[\"VV\"]"), 0U);
+  EXPECT_EQ(seen("[\"HV\", \"sum\"]"), seen("[\"VV\"]"));
+  EXPECT_EQ(seen("[\"HV\"]"), 0U) << "a target is drawn without a cross-section in HV";
 }
 
 TEST_F(Dataset, AStrongTargetIsTheBrightestCellAndLiesInItsBox) {
@@ -184,7 +233,8 @@ TEST_F(Dataset, CellsInShadowThatNothingLiesOverAreDark) {
 
 TEST_F(Dataset, TracksFollowTargetsFromFrameToFrame) {
   const dataset::SampleMaker maker(
-      spec({.sections = "[sequence]\nframes = 5\ninterval_s = 2.0\nspeed_mps = [100, 100]\n",
+      spec({.elevation = "[9, 19]",
+            .sections = "[sequence]\nframes = 5\ninterval_s = 2.0\nspeed_mps = [100, 100]\n",
             .target = "speed_mps = [4, 4]\n",
             .number = "[8, 8]",
             .rcs_db = 70.0}));
@@ -238,6 +288,33 @@ TEST_F(Dataset, RefusesWhatCannotBeWithTheReason) {
             std::string::npos);
   EXPECT_NE(message({.snr = "[5, 5]\nnoise_sigma0_db = [-40, -30]"}).find("both say"), std::string::npos);
   EXPECT_NE(message({.target = "east_m = [0, 500]\n"}).find("leads out of the map"), std::string::npos);
+}
+
+TEST_F(Dataset, RefusesFlightsOutOfTheAtlasAndOverTheMap) {
+  const auto message = [&](const std::string& elevation, const std::string& range, int speed_mps, int course_deg) {
+    const Wish wish{
+        .azimuth = "[0, 0]",
+        .elevation = elevation,
+        .range = range,
+        .sections = fmt::format("[sequence]\nframes = 20\nspeed_mps = [{0}, {0}]\ncourse_deg = [{1}, {1}]\n", speed_mps,
+                                course_deg)};
+    return message_of_error([&] { dataset::SampleMaker maker(spec(wish)); });
+  };
+  EXPECT_EQ(message("[12, 12]", "[14, 15]", 100, 180), "");
+  EXPECT_EQ(message("[12, 12]", "[14, 15]", 100, 0), "");
+  // To 29 km from 14.5: its last frame is the flattest.
+  EXPECT_NE(message("[12, 12]", "[14, 15]", 760, 0)
+                .find("sequence.speed_mps: leads outside the atlas, which was baked "
+                      "from 8.00 to 21.00 degrees: frame 19 of sequence 0 is seen "
+                      "under 5."),
+            std::string::npos)
+      << message("[12, 12]", "[14, 15]", 760, 0);
+  // To the other side of the map, where it is seen as at the beginning.
+  EXPECT_NE(message("[10, 10]", "[14, 15]", 1500, 180).find("leads outside the atlas"), std::string::npos);
+  EXPECT_NE(message("[20, 20]", "[1.2, 1.2]", 120, 180)
+                .find("sequence.speed_mps: takes the radar over the map, in frame 9 of sequence 0; fly less far"),
+            std::string::npos)
+      << message("[20, 20]", "[1.2, 1.2]", 120, 180);
 }
 
 /// Part of the power, over the cells that `belongs` picks.

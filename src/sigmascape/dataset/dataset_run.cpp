@@ -1,6 +1,7 @@
 #include "sigmascape/dataset/dataset_run.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <fmt/format.h>
 #include <fstream>
@@ -49,20 +50,37 @@ Json identity_of(const SampleMaker& maker) {
   return {{"format", "sigmascape dataset 1"},
           {"spec_sha256", sha256_of(maker.spec().text)},
           {"scene_hash", maker.scene_hash()},
+          {"radar_sha256", maker.spec().radar_hash},
+          {"atlas_sha256", maker.atlas_hashes()},
           {"samples", maker.spec().count},
           {"spec", maker.spec().text}};
 }
 
+/// What a dataset was begun with that is another one now: "scene and atlas".
+std::string difference(const Json& begun, const Json& mine) {
+  constexpr std::array<std::pair<const char*, const char*>, 4> parts{{{"spec_sha256", "specification"},
+                                                                      {"scene_hash", "scene"},
+                                                                      {"radar_sha256", "radar file"},
+                                                                      {"atlas_sha256", "atlas"}}};
+  std::vector<std::string> differing;
+  for (const auto& [key, word] : parts) {
+    if (begun.value(key, Json()) != mine.at(key)) differing.emplace_back(word);
+  }
+  return fmt::format("{}", fmt::join(differing, " and "));
+}
+
 void claim_folder(const SampleMaker& maker, const fs::path& folder) {
   const fs::path file = folder / "dataset.json";
-  const std::string mine = identity_of(maker).dump(1) + "\n";
-  if (!fs::exists(file)) return geo::write_atomically(file, mine);
+  const Json mine = identity_of(maker);
+  if (!fs::exists(file)) return geo::write_atomically(file, mine.dump(1) + "\n");
   std::ifstream stream(file, std::ios::binary);
-  const std::string found{std::istreambuf_iterator<char>(stream), {}};
-  if (found != mine) {
-    throw Error(folder.string(), "holds another dataset, or one of another scene or specification",
-                "choose an empty folder, or the specification that it was begun with");
-  }
+  const Json begun = Json::parse(stream, nullptr, false);
+  if (!begun.is_object()) throw Error(file.string(), "cannot be read", "choose an empty folder");
+  if (begun == mine) return;
+  const std::string differs = difference(begun, mine);
+  throw Error(folder.string(),
+              differs.empty() ? "holds another dataset" : "holds another dataset: begun with another " + differs,
+              "choose an empty folder, or what it was begun with");
 }
 
 std::size_t count_of_lot(const DatasetSpec& spec, std::size_t number) {

@@ -1,13 +1,17 @@
 #include "sigmascape/dataset/dataset_spec.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <fstream>
 #include <iterator>
+#include <variant>
 
+#include "sigmascape/base/sha256.h"
 #include "sigmascape/base/toml_reader.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/dataset/bounce_labels.h"
+#include "sigmascape/simulate/mode_image.h"
 
 namespace sigmascape::dataset {
 namespace {
@@ -37,16 +41,26 @@ radar::Polarization polarization_of(const TomlSection& section, const std::strin
   throw section.fault("polarizations", "names \"" + word + "\"", "choose among VV, HH, HV and sum");
 }
 
+/// Each word makes a file or a row of one, which none can be twice.
+std::vector<std::string> different_words(const TomlSection& section, std::string_view key) {
+  auto words = section.texts(key);
+  for (auto word = words.begin(); word != words.end(); ++word) {
+    if (std::find(words.begin(), word, *word) == word) continue;
+    throw section.fault(key, fmt::format("names \"{}\" twice", *word), "leave out one of them");
+  }
+  return words;
+}
+
 void read_products(const TomlSection& section, DatasetSpec& spec) {
   spec.cells = static_cast<std::size_t>(section.whole_number_or("cells", {8, 8192, "cells"}, 256));
   spec.cell_m = section.number_or("cell_m", {0.05, 10'000.0, "m"}, 2.0);
-  auto words = section.texts("polarizations");
+  auto words = different_words(section, "polarizations");
   if (words.empty()) words = {"VV"};
   for (const std::string& word : words) spec.polarizations.push_back(polarization_of(section, word));
   spec.is_half = section.choice_or("numbers", {"float32", "float16"}, "float32") == "float16";
   spec.in_decibels = section.choice_or("scale", {"linear", "db"}, "linear") == "db";
   spec.with_preview = section.flag_or("preview", true);
-  for (const std::string& name : section.texts("layers")) {
+  for (const std::string& name : different_words(section, "layers")) {
     if (tells_bounces(name)) {
       spec.bounce_layers.push_back(name);
       continue;
@@ -109,6 +123,11 @@ void read_radar_ranges(const TomlSection& section, DatasetSpec& spec) {
   spec.radar_ranges = {.frequency_hz = range("frequency_ghz", {0.1, 300.0, "GHz"}, 1e9),
                        .range_resolution_m = range("range_resolution_m", {0.005, 10'000.0, "m"}, 1.0),
                        .beam_width_rad = range("beam_width_deg", {1e-5, 90.0, "degrees"}, radians_from_deg(1.0))};
+  if (spec.radar_ranges.beam_width_rad &&
+      std::holds_alternative<radar::TabulatedBeam>(spec.radar.radar.antenna.azimuth)) {
+    throw section.fault("beam_width_deg", "and the radar file's antenna.azimuth_csv both give the beam its width",
+                        "leave out one of them");
+  }
   section.refuse_unknown_keys();
 }
 
@@ -188,6 +207,37 @@ std::string text_of(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
+/// What would do nothing: datasets are of real-beam maps, over a flat Earth.
+void check_real_beam(const std::filesystem::path& file, const radar::Radar& radar) {
+  if (radar.mode != radar::Mode::RealBeam) {
+    throw Error(file.string() + ": mode.kind",
+                fmt::format("is {}, and datasets are made of real-beam maps", simulate::word_for(radar.mode)),
+                "take the [mode] out of the radar file, or name another radar file");
+  }
+  if (radar.earth_refraction) {
+    throw Error(file.string() + ": radar.earth_refraction", "is given, and real-beam maps are made over a flat Earth",
+                "leave it out, or name another radar file");
+  }
+}
+
+/// Of a radar file and of the tables that it names.
+std::string radar_hash(const std::filesystem::path& path) {
+  Sha256 digest;
+  digest.add(sha256_of_file(path));
+  if (const auto antenna = TomlSection::read_file(path).section("antenna")) {
+    for (const char* table : {"azimuth_csv", "elevation_csv"}) {
+      if (const auto csv = antenna->optional_file(table)) digest.add(table + sha256_of_file(*csv));
+    }
+  }
+  return digest.hex_digest();
+}
+
+void read_radar(const std::filesystem::path& path, DatasetSpec& spec) {
+  spec.radar = radar::read_radar_file(path, radar::PlaceOfRadar::Optional);
+  spec.radar_hash = radar_hash(path);
+  check_real_beam(path, spec.radar.radar);
+}
+
 }  // namespace
 
 DatasetSpec read_dataset_spec(const std::filesystem::path& path) {
@@ -198,7 +248,7 @@ DatasetSpec read_dataset_spec(const std::filesystem::path& path) {
   spec.text = text_of(path);
   spec.scene = section.file("scene");
   spec.atlas = section.optional_file("atlas");
-  spec.radar = radar::read_radar_file(section.file("radar"), radar::PlaceOfRadar::Optional);
+  read_radar(section.file("radar"), spec);
   constexpr Interval counts{1.0, 1e8, "samples"};
   static_cast<void>(section.number("count", counts));
   spec.count = static_cast<std::size_t>(section.whole_number_or("count", counts, 1));

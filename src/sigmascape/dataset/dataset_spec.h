@@ -81,11 +81,12 @@ struct DatasetSpec {
   Sequence sequence;
   std::vector<TargetClass> targets;
 
-  std::string text;  ///< the file's own text: what two datasets are told apart by
+  std::string text;        ///< the file's own text
+  std::string radar_hash;  ///< SHA-256 of the radar file with its tables; two datasets are told apart by both
 };
 
-/// Reads and checks a dataset file. Throws Error, naming file and key, for what is missing, unknown, out of range or
-/// impossible by itself: a range that ends before it begins.
+/// Reads and checks a dataset file. Throws Error, naming file and key, for what is missing, unknown, given twice, out
+/// of range or impossible by itself: a range that ends before it begins, a radar file with what only other modes have.
 [[nodiscard]] DatasetSpec read_dataset_spec(const std::filesystem::path& path);
 
 }  // namespace sigmascape::dataset

@@ -22,6 +22,11 @@ using Json = nlohmann::ordered_json;
 /// Powers below this are this in decibels: the logarithm of nothing is of no use to anyone.
 constexpr float least_power = 1e-10F;
 
+/// The nearest half that is a number: what is greater than the greatest becomes that.
+atlas::Half finite_half(float value) {
+  return atlas::half_from_float(std::clamp(value, -atlas::largest_half, atlas::largest_half));
+}
+
 std::string map_bytes(const DatasetSpec& spec, const radar::GroundMap& map) {
   std::vector<float> numbers;
   for (const radar::Polarization polarization : spec.polarizations) {
@@ -33,7 +38,7 @@ std::string map_bytes(const DatasetSpec& spec, const radar::GroundMap& map) {
   const std::array<std::size_t, 3> shape{spec.polarizations.size(), map.grid.rows, map.grid.columns};
   if (!spec.is_half) return product::npy_bytes("<f4", shape, std::as_bytes(std::span(numbers)));
   std::vector<atlas::Half> halves(numbers.size());
-  std::ranges::transform(numbers, halves.begin(), [](float v) { return atlas::half_from_float(v); });
+  std::ranges::transform(numbers, halves.begin(), finite_half);
   return product::npy_bytes("<f2", shape, std::as_bytes(std::span(halves)));
 }
 

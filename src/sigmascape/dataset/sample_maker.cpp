@@ -5,12 +5,17 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <iterator>
+#include <nlohmann/json.hpp>
+#include <span>
 
 #include "sigmascape/atlas/ground_layers.h"
+#include "sigmascape/atlas/stac_description.h"
 #include "sigmascape/base/error.h"
+#include "sigmascape/base/sha256.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/dataset/bounce_labels.h"
 #include "sigmascape/dataset/speckle.h"
+#include "sigmascape/dataset/target_box.h"
 #include "sigmascape/product/ground_projection.h"
 #include "sigmascape/receiver/range_azimuth_receiver.h"
 #include "sigmascape/receiver/target_echoes.h"
@@ -23,6 +28,8 @@ namespace {
 
 /// How far above the highest thing the radar must stand.
 constexpr double clearance_m = 2.0;
+/// By how much the rounding of degrees may lead out of an atlas.
+constexpr double slack_rad = 1e-9;
 
 atlas::Store opened_store(const DatasetSpec& spec, const std::filesystem::path& folder, const char* key,
                           const std::string& scene_hash) {
@@ -34,10 +41,10 @@ atlas::Store opened_store(const DatasetSpec& spec, const std::filesystem::path& 
   return store;
 }
 
-/// The atlas of echoes over at most so many surfaces, which must differ from the other in nothing else that shows.
-atlas::Atlas loaded_bounces(const DatasetSpec& spec, std::size_t most, const std::string& scene_hash,
+/// The store of echoes over at most so many surfaces, which must differ from the atlas in nothing else that shows.
+atlas::Store opened_bounces(const DatasetSpec& spec, std::size_t most, const std::string& scene_hash,
                             const atlas::Atlas& all) {
-  const auto store = opened_store(spec, spec.bounce_atlases[most - 1], "bounce_atlases", scene_hash);
+  auto store = opened_store(spec, spec.bounce_atlases[most - 1], "bounce_atlases", scene_hash);
   const auto& settings = store.description().settings;
   const auto bounces = settings.find("max_bounces");
   const std::string where =
@@ -48,7 +55,12 @@ atlas::Atlas loaded_bounces(const DatasetSpec& spec, std::size_t most, const std
                 fmt::format("bake it with --bounces {}", most));
   if (store.description().aspects != all.aspects())
     throw Error(where, "has other looks than the atlas", "bake it with the same azimuths, elevations and frequencies");
-  return atlas::load_atlas(store);
+  return store;
+}
+
+/// What a store is told apart by: of equal descriptions all texels are equal.
+std::string description_hash(const atlas::Store& store) {
+  return sha256_of(atlas::described(store.description()).dump());
 }
 
 std::shared_ptr<const radar::ObstacleMap> obstacles_for(const atlas::Atlas& atlas, const scene::Scene& scene,
@@ -62,47 +74,17 @@ std::shared_ptr<const radar::ObstacleMap> obstacles_for(const atlas::Atlas& atla
                                   static_cast<std::size_t>(all.height_m() / cell_m)}));
 }
 
-radar::Target target_of(const PlannedTarget& planned, const TargetClass& kind, const terrain::HeightField& terrain) {
+radar::Channels rcs_of(const PlannedTarget& planned) {
   const auto rcs = static_cast<float>(planned.rcs_m2);
+  return {rcs, rcs, 0.0F, rcs};
+}
+
+radar::Target target_of(const PlannedTarget& planned, const TargetClass& kind, const terrain::HeightField& terrain) {
   return {.name = kind.name,
           .track = radar::Track::straight(
               {planned.position.x, planned.position.y, terrain.height_at(planned.position) + kind.height_m},
               {planned.velocity_mps.x, planned.velocity_mps.y, 0.0}),
-          .rcs_m2 = radar::Channels{rcs, rcs, 0.0F, rcs}};
-}
-
-/// Where the map shows a point: on the ground at the point's own range and azimuth.
-Vec2d shown_at(Vec3d point, Vec3d radar, const terrain::HeightField& terrain) {
-  const double range_m = length(point - radar);
-  const Vec2d here{radar.x, radar.y};
-  const Vec2d away = Vec2d{point.x, point.y} - here;
-  const Vec2d outwards = away * (1.0 / length(away));
-  Vec2d shown{point.x, point.y};
-  for (int round = 0; round < 8; ++round) {
-    const double drop_m = radar.z - terrain.height_at(shown);
-    shown = here + outwards * std::sqrt(std::max(0.0, range_m * range_m - drop_m * drop_m));
-  }
-  return shown;
-}
-
-/// The box, sides along the map's, about size and response of a target.
-product::TargetBox box_about(Vec2d shown, const radar::Radar& radar, const TargetClass& kind, std::size_t category,
-                             const radar::GroundGrid& grid) {
-  const Vec2d away{shown.x - radar.position.x, shown.y - radar.position.y};
-  const double distance_m = length(away), range_m = std::hypot(distance_m, radar.position.z);
-  const double along_m = radar.range_resolution_m * range_m / distance_m;
-  // Sent and received over the same beam: its two-way half-power width.
-  const double across_m = radar.beam_width_rad * distance_m / std::sqrt(2.0);
-  const double sine = std::abs(away.x) / distance_m, cosine = std::abs(away.y) / distance_m;
-  const double width = (along_m * sine + across_m * cosine + kind.size_m) / grid.cell_m + 1.0;
-  const double height = (along_m * cosine + across_m * sine + kind.size_m) / grid.cell_m + 1.0;
-  const Vec2d cell = grid.cells_from(shown);
-  const auto columns = static_cast<double>(grid.columns), rows = static_cast<double>(grid.rows);
-  const double left = std::clamp(cell.x - width / 2.0, 0.0, columns),
-               right = std::clamp(cell.x + width / 2.0, 0.0, columns);
-  const double top = std::clamp(cell.y - height / 2.0, 0.0, rows),
-               bottom = std::clamp(cell.y + height / 2.0, 0.0, rows);
-  return {category, left, top, right - left, bottom - top};
+          .rcs_m2 = rcs_of(planned)};
 }
 
 double mean_vv(const radar::GroundMap& map) {
@@ -127,6 +109,25 @@ auto shadow_among(radar::LayerStack& labels) {
   return std::ranges::find(labels.layers, "shadow", &radar::Layer::name);
 }
 
+/// Whether anything of a cross-section shows in the polarizations that are written.
+bool shows_in(std::span<const radar::Polarization> written, const radar::Channels& rcs_m2) {
+  return std::ranges::any_of(written, [&](radar::Polarization of) { return rcs_m2.power(of) > 0.0F; });
+}
+
+/// Of a sequence, the frame that comes nearest to the middle of the map. `begin` and `radar` are of its first.
+std::size_t nearest_frame(const SamplePlan& begin, const radar::Radar& radar, const Sequence& sequence) {
+  const Vec2d flight = begin.flight_mps;
+  const double speed2 = dot(flight, flight);
+  if (!(speed2 > 0.0)) return 0;
+  const Vec2d to_map{begin.centre.x - radar.position.x, begin.centre.y - radar.position.y};
+  const double frame = std::round(dot(to_map, flight) / speed2 / sequence.interval_s);
+  return static_cast<std::size_t>(std::clamp(frame, 0.0, static_cast<double>(sequence.frames - 1)));
+}
+
+double half_diagonal_m(const DatasetSpec& spec) {
+  return static_cast<double>(spec.cells) * spec.cell_m / std::sqrt(2.0);
+}
+
 /// Whether a place lies on the map and not in shadow.
 bool is_lit(Vec2d place, const radar::GroundGrid& grid, const Array2D<float>& shadow) {
   if (!grid.extent().contains(place)) return false;
@@ -145,17 +146,23 @@ SampleMaker::SampleMaker(const DatasetSpec& spec)
   if (spec_.level_of_detail == 0) {
     geometry_.emplace(scene_, trace::Footing::Terrain);
   } else {
-    atlas_ = atlas::load_atlas(opened_store(spec_, *spec_.atlas, "atlas", scene_hash_));
+    const auto store = opened_store(spec_, *spec_.atlas, "atlas", scene_hash_);
+    atlas_ = atlas::load_atlas(store);
+    atlas_hashes_.push_back(description_hash(store));
     std::size_t bounces = 0;
     for (const std::string& name : spec_.bounce_layers) bounces = std::max(bounces, bounces_to_know(name));
-    for (std::size_t most = 1; most <= bounces; ++most)
-      bounce_atlases_.push_back(loaded_bounces(spec_, most, scene_hash_, *atlas_));
+    for (std::size_t most = 1; most <= bounces; ++most) {
+      const auto fewer = opened_bounces(spec_, most, scene_hash_, *atlas_);
+      bounce_atlases_.push_back(atlas::load_atlas(fewer));
+      atlas_hashes_.push_back(description_hash(fewer));
+    }
     obstacles_ = obstacles_for(*atlas_, scene_, spec_.cell_m);
     for (const radar::Obstacle& obstacle : obstacles_->obstacles.values())
       tallest_m_ = std::max(tallest_m_, static_cast<double>(obstacle.top_m()));
   }
   check_radars();
   check_views();
+  check_flights();
 }
 
 void SampleMaker::check_radars() const {
@@ -188,7 +195,6 @@ void SampleMaker::check_views() const {
   const std::string file = spec_.file.string();
   if (atlas_) {
     const auto& baked = atlas_->aspects().elevations_rad;
-    constexpr double slack_rad = 1e-9;
     if (spec_.elevation_rad.lowest < baked.front() - slack_rad ||
         spec_.elevation_rad.highest > baked.back() + slack_rad) {
       throw Error(file + ": view.elevation_deg",
@@ -206,10 +212,46 @@ void SampleMaker::check_views() const {
                             highest_m),
                 "begin the range further out, or the elevation higher");
   }
-  const double half_diagonal_m = static_cast<double>(spec_.cells) * spec_.cell_m / std::sqrt(2.0);
-  if (spec_.slant_range_m.lowest * std::cos(spec_.elevation_rad.highest) < half_diagonal_m) {
+  if (spec_.slant_range_m.lowest * std::cos(spec_.elevation_rad.highest) < half_diagonal_m(spec_)) {
     throw Error(file + ": view.slant_range_km", "lets the radar stand over the map", "begin the range further out");
   }
+}
+
+void SampleMaker::check_flights() const {
+  const std::size_t frames = spec_.sequence.frames;
+  if (frames == 1 || !(spec_.sequence.speed_mps.highest > 0.0)) return;
+  for (std::size_t first = 0; first < spec_.count; first += frames) {
+    const SamplePlan begin = plan_of(spec_, centres_, first);
+    // Level flight: the middle of the map is seen steepest from the frame that is nearest to it, flattest from an end.
+    check_frame(plan_of(spec_, centres_, first + nearest_frame(begin, radar_of(begin), spec_.sequence)));
+    check_frame(plan_of(spec_, centres_, first + frames - 1));
+  }
+}
+
+void SampleMaker::check_frame(const SamplePlan& plan) const {
+  const Vec3d to_radar = radar_of(plan).position - middle_of(plan);
+  const double distance_m = length(Vec2d{to_radar.x, to_radar.y});
+  const std::string where = spec_.file.string() + ": sequence.speed_mps";
+  if (distance_m < half_diagonal_m(spec_)) {
+    throw Error(where,
+                fmt::format("takes the radar over the map, in frame {} of sequence {}", plan.frame, plan.sequence),
+                "fly less far by fewer frames, a shorter interval or less speed, or begin further out");
+  }
+  if (!atlas_) return;
+  const double elevation_rad = std::atan2(to_radar.z, distance_m);
+  const auto& baked = atlas_->aspects().elevations_rad;
+  if (elevation_rad >= baked.front() - slack_rad && elevation_rad <= baked.back() + slack_rad) return;
+  throw Error(
+      where,
+      fmt::format("leads outside the atlas, which was baked from {:.2f} to {:.2f} degrees: frame {} of sequence {} "
+                  "is seen under {:.2f}",
+                  deg_from_radians(baked.front()), deg_from_radians(baked.back()), plan.frame, plan.sequence,
+                  deg_from_radians(elevation_rad)),
+      "fly less far, keep view.elevation_deg from the ends of the atlas, or bake more elevations");
+}
+
+Vec3d SampleMaker::middle_of(const SamplePlan& plan) const {
+  return {plan.centre.x, plan.centre.y, scene_.terrain.height_at(plan.centre)};
 }
 
 radar::Radar SampleMaker::radar_of(const SamplePlan& plan) const {
@@ -218,8 +260,7 @@ radar::Radar SampleMaker::radar_of(const SamplePlan& plan) const {
   radar.range_resolution_m = plan.range_resolution_m;
   radar.beam_width_rad = plan.beam_width_rad;
   radar.velocity_mps = {plan.flight_mps.x, plan.flight_mps.y, 0.0};
-  radar.position = radar::position_seeing({plan.centre.x, plan.centre.y, scene_.terrain.height_at(plan.centre)},
-                                          plan.azimuth_rad, plan.elevation_rad, plan.slant_range_m) +
+  radar.position = radar::position_seeing(middle_of(plan), plan.azimuth_rad, plan.elevation_rad, plan.slant_range_m) +
                    radar.velocity_mps * plan.time_s;
   return radar;
 }
@@ -269,13 +310,13 @@ std::vector<SampleTarget> SampleMaker::targets_of(const SamplePlan& plan, const 
   std::vector<SampleTarget> targets;
   for (const PlannedTarget& planned : plan.targets) {
     const TargetClass& kind = spec_.targets[planned.target_class];
-    const Vec3d position = target_of(planned, kind, scene_.terrain).track.position_at(0.0);
+    const radar::Target point = target_of(planned, kind, scene_.terrain);
     SampleTarget target{.planned = planned,
-                        .is_seen = is_lit(planned.position, plan.grid, shadow),
-                        .box = box_about(shown_at(position, radar.position, scene_.terrain), radar, kind,
-                                         planned.target_class, plan.grid)};
+                        .box = target_box(point.track.position_at(0.0), kind.size_m, radar, scene_.terrain, plan.grid)};
+    target.box.category = planned.target_class;
     target.box.track = planned.track;
-    target.is_seen = target.is_seen && target.box.width > 0.0 && target.box.height > 0.0;
+    target.is_seen = shows_in(spec_.polarizations, rcs_of(planned)) && is_lit(planned.position, plan.grid, shadow) &&
+                     target.box.width > 0.0;
     targets.push_back(target);
   }
   return targets;
@@ -302,7 +343,7 @@ Sample SampleMaker::make(std::size_t index) const {
   const radar::Radar radar = radar_of(plan);
   sample.scene_hash = scene_hash_;
   sample.radar_position = radar.position;
-  const Vec3d to_radar = radar.position - Vec3d{plan.centre.x, plan.centre.y, scene_.terrain.height_at(plan.centre)};
+  const Vec3d to_radar = radar.position - middle_of(plan);
   sample.slant_range_m = length(to_radar);
   sample.aspect = {wrapped_azimuth(std::atan2(to_radar.x, to_radar.y)), std::asin(to_radar.z / sample.slant_range_m)};
 

@@ -43,23 +43,31 @@ class SampleMaker {
  public:
   /// Throws Error when a file cannot be read, the atlas is of another scene, or the spec's ranges are impossible with
   /// them: elevations or frequency that were not baked, maps larger than the scene, a radar that would stand in the
-  /// scene or over the map.
+  /// scene or over the map, or come there in a sequence.
   explicit SampleMaker(const DatasetSpec& spec);
 
   [[nodiscard]] const DatasetSpec& spec() const { return spec_; }
   [[nodiscard]] const scene::Scene& scene() const { return scene_; }
   [[nodiscard]] const std::string& scene_hash() const { return scene_hash_; }
+  /// SHA-256 of what the atlases say of themselves, the bounces' after the other; none at level of detail 0.
+  [[nodiscard]] const std::vector<std::string>& atlas_hashes() const { return atlas_hashes_; }
 
   /// Sample number `index`, a pure function of spec and index. Uses the calling thread alone.
   ///
-  /// Targets stand on the ground wherever the spec lets them; those whose ground the radar does not see do not answer.
-  /// A box holds the target's size and the half-power widths of its response, where its range lays them.
+  /// Targets stand on the ground wherever the spec lets them; those whose ground the radar does not see do not answer,
+  /// and nor do those without a cross-section in the polarizations that are written. A box holds the target's size and
+  /// the half-power widths of its response, where its range lays them.
   [[nodiscard]] Sample make(std::size_t index) const;
 
  private:
   void check_views() const;
+  /// What `check_views` asks of the first frame, of the others of every sequence.
+  void check_flights() const;
+  void check_frame(const SamplePlan& plan) const;
   void check_radars() const;
   void check_materials(const Range& frequencies_hz) const;
+  /// The ground in the middle of the map.
+  [[nodiscard]] Vec3d middle_of(const SamplePlan& plan) const;
   [[nodiscard]] radar::Radar radar_of(const SamplePlan& plan) const;
   /// The image of the ground; layers that tell bounces apart are added to `bounces`.
   [[nodiscard]] radar::RangeAzimuthImage ground_image(const radar::Radar& radar, const SamplePlan& plan,
@@ -78,6 +86,7 @@ class SampleMaker {
   std::string scene_hash_;
   radar::Rectangle centres_;
   std::optional<atlas::Atlas> atlas_;
+  std::vector<std::string> atlas_hashes_;
   std::vector<atlas::Atlas> bounce_atlases_;  // of at most one bounce, at most two, …: as many as are asked for
   std::shared_ptr<const radar::ObstacleMap> obstacles_;  // of levels of detail from 1 on
   double tallest_m_ = 0.0;                               // of them

@@ -15,9 +15,7 @@ class DatasetSpecFile : public ::testing::Test {
   /// What is said to a traced dataset of so many samples with these sections; empty when it is taken.
   std::string fault_of(const std::string& count, const std::string& sections = "") {
     folder_.write("scene.toml", "[paper]\n");
-    folder_.write("radar.toml",
-                  "[radar]\nfrequency_ghz = 10.0\nrange_resolution_m = 4.0\nbeam_width_deg = 0.1\n"
-                  "[position]\nslant_range_km = 15.0\nazimuth_deg = 130.0\nelevation_deg = 13.0\n");
+    folder_.write("radar.toml", "[radar]\nfrequency_ghz = 10.0\nrange_resolution_m = 4.0\n" + radar_);
     const auto file =
         folder_.write("spec.toml", "[dataset]\nscene = \"scene.toml\"\nradar = \"radar.toml\"\ncount = " + count +
                                        "\n[view]\nazimuth_deg = [0, 360]\nelevation_deg = [8, 21]\n"
@@ -26,6 +24,7 @@ class DatasetSpecFile : public ::testing::Test {
     return message_of_error([&] { static_cast<void>(read_dataset_spec(file)); });
   }
   ScratchFolder folder_;
+  std::string radar_ = "beam_width_deg = 0.1\n";  // the rest of the radar file
 };
 
 TEST_F(DatasetSpecFile, TakesWholeNumbersOfSamples) {
@@ -40,6 +39,53 @@ TEST_F(DatasetSpecFile, KeepsSequencesWithinReach) {
               HasSubstr("sequence.speed_mps"));
   EXPECT_THAT(fault_of("4", "[sequence]\nframes = 4\ninterval_s = 100\nspeed_mps = [0, 10000]\n"),
               HasSubstr("sequence.speed_mps: takes the radar as far as 3020 km away; stay within 1000 km"));
+}
+
+TEST_F(DatasetSpecFile, RefusesRadarsOfOtherModes) {
+  radar_ = "beam_width_deg = 2.0\n[platform]\nspeed_mps = 150\n[mode]\nkind = \"spotlight\"\n";
+  EXPECT_THAT(
+      fault_of("4"),
+      HasSubstr("radar.toml: mode.kind: is spotlight, and datasets are made of real-beam maps; take the [mode]"));
+  radar_ = "beam_width_deg = 2.0\n[mode]\nkind = \"real-beam\"\n";
+  EXPECT_EQ(fault_of("4"), "");
+  radar_ = "beam_width_deg = 2.0\nearth_refraction = 1.333\n";
+  EXPECT_THAT(fault_of("4"), HasSubstr("radar.toml: radar.earth_refraction: is given, and real-beam maps are made over "
+                                       "a flat Earth"));
+}
+
+TEST_F(DatasetSpecFile, RefusesASecondWidthOfAMeasuredBeam) {
+  const std::string width = "[radar]\nbeam_width_deg = [1, 2]\n";
+  EXPECT_EQ(fault_of("4", width), "");
+  folder_.write("cut.csv", "offset_deg,gain_db\n-4,10\n-2,26.98970004336\n0,30\n2,26.98970004336\n4,10\n");
+  radar_ = "[antenna]\nazimuth_shape = \"table\"\nazimuth_csv = \"cut.csv\"\n";
+  EXPECT_EQ(fault_of("4"), "");
+  EXPECT_THAT(fault_of("4", width), HasSubstr("spec.toml: radar.beam_width_deg: and the radar file's "
+                                              "antenna.azimuth_csv both give the beam its width"));
+}
+
+TEST_F(DatasetSpecFile, TakesNothingTwice) {
+  EXPECT_EQ(fault_of("4\nlayers = [\"shadow\", \"class\"]\npolarizations = [\"VV\", \"HV\"]"), "");
+  EXPECT_THAT(fault_of("4\nlayers = [\"shadow\", \"class\", \"shadow\"]"),
+              HasSubstr("dataset.layers: names \"shadow\" twice; leave out one of them"));
+  EXPECT_THAT(fault_of("4\nlayers = [\"bounce1\", \"bounce1\"]"), HasSubstr("dataset.layers: names \"bounce1\" twice"));
+  EXPECT_THAT(fault_of("4\npolarizations = [\"VV\", \"VV\"]"), HasSubstr("dataset.polarizations: names \"VV\" twice"));
+}
+
+// Which parts of a radar are the same is told by the bytes of its file and of its tables.
+TEST_F(DatasetSpecFile, TellsRadarsApartByFileAndTables) {
+  const auto hash = [&] {
+    EXPECT_EQ(fault_of("4"), "");
+    return read_dataset_spec(folder_.path("spec.toml")).radar_hash;
+  };
+  const std::string even = hash();
+  EXPECT_EQ(hash(), even);
+  radar_ = "beam_width_deg = 0.2\n";
+  EXPECT_NE(hash(), even);
+  radar_ = "[antenna]\nazimuth_shape = \"table\"\nazimuth_csv = \"cut.csv\"\n";
+  folder_.write("cut.csv", "offset_deg,gain_db\n-4,10\n-2,26.98970004336\n0,30\n2,26.98970004336\n4,10\n");
+  const std::string measured = hash();
+  folder_.write("cut.csv", "offset_deg,gain_db\n-4,10\n-1,26.98970004336\n0,30\n1,26.98970004336\n4,10\n");
+  EXPECT_NE(hash(), measured);
 }
 
 }  // namespace
