@@ -17,7 +17,8 @@ namespace sigmascape::simulate {
 /// What the shapes alone tell of a map's cells. A cell stands for the ground in its middle.
 enum class LayerKind {
   Shadow,     ///< 1 where the radar does not see the ground, be it from beneath a roof or from behind a hill; else 0
-  Layover,    ///< 1 where something that the radar sees lies over the ground, at the same range and azimuth; else 0
+  Layover,    ///< 1 where something else that the radar sees, terrain as well, lies over the ground, at the same range
+              ///< and azimuth; else 0
   Incidence,  ///< angle between the terrain's normal and the direction to the radar
   Range,      ///< slant range of the ground
   Class,      ///< number of what is seen from straight above, see class_names
@@ -34,7 +35,8 @@ inline constexpr double crown_hides_below = 0.5;
 /// The layers of the full scene on its terrain, by rays: what level of detail 0 sees. Echoes of a cell that is in
 /// shadow and not in layover are none but those of several bounces.
 ///
-/// A surface lies over a cell when the arc of the cell's range and azimuth meets it, and the radar sees it there.
+/// A surface lies over a cell when an arc of equal range and azimuth from the ground of the cell meets it, and the
+/// radar sees it there. Arcs from places all over the cell are asked, as its echoes are gathered from all of it.
 /// `geometry` stands on the terrain. Classes are the scene's materials.
 [[nodiscard]] radar::LayerStack traced_layers(const scene::Scene& scene, const trace::SceneGeometry& geometry,
                                               const radar::Radar& radar, const radar::GroundGrid& grid,
@@ -52,8 +54,8 @@ struct CoarseGround {
 };
 
 /// The same from terrain and obstacles, as levels of detail from 1 on see them: by a sweep outwards along azimuths that
-/// are half a cell apart. Classes are the scene's materials for bare ground, then one for solid things and one for
-/// crowns.
+/// are half a cell apart. Layover is told for the ground that the radar is above. Classes are the scene's materials for
+/// bare ground, then one for solid things and one for crowns.
 [[nodiscard]] radar::LayerStack swept_layers(const CoarseGround& ground, const radar::Radar& radar,
                                              const radar::GroundGrid& grid, std::span<const LayerKind> kinds,
                                              unsigned threads = 0);

@@ -2,7 +2,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
+#include <vector>
 
 #include "sigmascape/base/parallel.h"
 #include "sigmascape/base/units.h"
@@ -24,8 +26,6 @@ struct SweptSector {
   std::size_t azimuths = 0;
   double near_m = 0.0, step_m = 0.0;
   std::size_t steps = 0;
-  double first_range_m = 0.0, range_step_m = 0.0;
-  std::size_t ranges = 0;
 };
 
 std::array<Vec2d, 4> corners_of(const radar::Rectangle& r) {
@@ -62,15 +62,8 @@ SweptSector sector_of(const CoarseGround& ground, const radar::Radar& radar, con
   sector.near_m = nearest_m(all, here);
   const double below_m = radar.position.z - static_cast<double>(ground.terrain->highest_m());
   const double above_m = radar.position.z - static_cast<double>(ground.terrain->lowest_m());
-  // Far off, a step over the ground is nearly one of slant range; right below the radar it is less, and bins are more.
-  const double near_area_m = nearest_m(area, here);
-  sector.first_range_m = std::hypot(near_area_m, below_m);
-  sector.range_step_m = sector.step_m * std::max(0.05, near_area_m / std::hypot(near_area_m, above_m));
-  sector.ranges =
-      static_cast<std::size_t>(std::ceil((std::hypot(far_m, above_m) - sector.first_range_m) / sector.range_step_m)) +
-      1;
   // Beyond the map things matter as far as they can lie over it: at the range of its far end or nearer.
-  const double last_range_m = sector.first_range_m + static_cast<double>(sector.ranges) * sector.range_step_m;
+  const double last_range_m = std::hypot(far_m, above_m) + sector.step_m;
   const double below_tops_m = std::max(0.0, below_m - ground.tallest_m);
   const double end_m = std::sqrt(last_range_m * last_range_m - below_tops_m * below_tops_m);
   sector.steps =
@@ -78,7 +71,57 @@ SweptSector sector_of(const CoarseGround& ground, const radar::Radar& radar, con
   return sector;
 }
 
-/// What is hidden along each azimuth by distance, and what is lain over by range.
+/// The places along one azimuth, outwards, and what the radar sees between which ranges: tells which of them something
+/// else lies over. Of two places at one range, both below the radar, the farther one is the higher, so that each thing
+/// lies over the places at its range that are nearer than itself.
+class LayoverAlongAzimuth {
+ public:
+  /// The next place outwards, where the ground lies at that slant range.
+  void add_place(double range_m) { ranges_m_.push_back(range_m); }
+
+  /// The ground between the place before the last and the last is seen. It lies over places only where the range has
+  /// gone back, on slopes steeper than the arc of equal range; never over the two that it joins.
+  void add_seen_ground() {
+    if (ranges_m_.size() < 2) return;
+    const std::size_t last = ranges_m_.size() - 1;
+    const auto [first_m, last_m] = std::minmax(ranges_m_[last - 1], ranges_m_[last]);
+    seen_.push_back({last - 1, first_m, last_m});
+  }
+
+  /// Something on the last place is seen between two slant ranges.
+  void add_seen_thing(double first_range_m, double last_range_m) {
+    seen_.push_back({ranges_m_.size() - 1, first_range_m, last_range_m});
+  }
+
+  /// For each place whether something that is seen lies over it.
+  [[nodiscard]] std::vector<bool> lain_over() const {
+    std::vector<std::size_t> by_range(ranges_m_.size());
+    std::iota(by_range.begin(), by_range.end(), std::size_t{0});
+    const auto range_of = [&](std::size_t place) { return ranges_m_[place]; };
+    std::ranges::sort(by_range, {}, range_of);
+    // What is seen comes from near to far, so that the last to be noted at a range is the farthest there.
+    std::vector<std::size_t> farthest_there(by_range.size(), 0);
+    for (const Seen& seen : seen_) {
+      const auto first = std::ranges::lower_bound(by_range, seen.first_range_m, {}, range_of);
+      const auto last = std::ranges::upper_bound(by_range, seen.last_range_m, {}, range_of);
+      std::fill(farthest_there.begin() + (first - by_range.begin()), farthest_there.begin() + (last - by_range.begin()),
+                seen.place);
+    }
+    std::vector<bool> is_lain_over(by_range.size());
+    for (std::size_t i = 0; i < by_range.size(); ++i) is_lain_over[by_range[i]] = farthest_there[i] > by_range[i];
+    return is_lain_over;
+  }
+
+ private:
+  struct Seen {
+    std::size_t place;  // lies over what is nearer than this
+    double first_range_m, last_range_m;
+  };
+  std::vector<double> ranges_m_;
+  std::vector<Seen> seen_;
+};
+
+/// What is hidden and what is lain over along each azimuth, by distance.
 class SweptMasks {
  public:
   SweptMasks(const CoarseGround& ground, const radar::Radar& radar, const radar::GroundGrid& grid, unsigned threads)
@@ -86,20 +129,18 @@ class SweptMasks {
         radar_(radar),
         sector_(sector_of(ground, radar, grid)),
         is_hidden_(sector_.steps, sector_.azimuths, 0),
-        is_lain_over_(sector_.ranges, sector_.azimuths, 0) {
+        is_lain_over_(sector_.steps, sector_.azimuths, 0) {
     parallel_for(sector_.azimuths, threads, [&](std::size_t index, unsigned) { sweep(index); });
   }
 
   struct Masks {
     bool is_hidden = false, is_lain_over = false;
   };
-  [[nodiscard]] Masks at(const LayerPlace& place) const {
-    const Vec2d away{place.ground.x - radar_.position.x, place.ground.y - radar_.position.y};
+  [[nodiscard]] Masks at(Vec2d point) const {
+    const Vec2d away = point - Vec2d{radar_.position.x, radar_.position.y};
     const std::size_t row = row_of(away);
-    const double step = (length(away) - sector_.near_m) / sector_.step_m;
-    const double bin = (place.range_m - sector_.first_range_m) / sector_.range_step_m;
-    return {is_hidden_(drawn_to(step, sector_.steps), row) != 0,
-            is_lain_over_(drawn_to(bin, sector_.ranges), row) != 0};
+    const std::size_t step = drawn_to((length(away) - sector_.near_m) / sector_.step_m, sector_.steps);
+    return {is_hidden_(step, row) != 0, is_lain_over_(step, row) != 0};
   }
 
  private:
@@ -118,6 +159,8 @@ class SweptMasks {
     const double azimuth = sector_.first_azimuth_rad + static_cast<double>(index) * sector_.azimuth_step_rad;
     terrain::ObstacleSweep sight(radar_.position.z);
     double horizon = -std::numeric_limits<double>::infinity();
+    LayoverAlongAzimuth layover;
+    std::vector<std::size_t> steps;
     terrain::GroundProfile profile(*ground_.terrain, ground_.obstacles);
     profile.walk({.origin = {radar_.position.x, radar_.position.y},
                   .direction = radar::horizontal_direction(azimuth),
@@ -125,36 +168,39 @@ class SweptMasks {
                   .step_m = sector_.step_m,
                   .count = sector_.steps},
                  [&](std::size_t step, double distance_m, Vec3d point, const radar::Obstacle& obstacle) {
-                   is_hidden_(step, index) =
-                       sight.advance(distance_m, point.z, obstacle, sector_.step_m).ground < crown_hides_below ? 1 : 0;
+                   const bool is_hidden =
+                       sight.advance(distance_m, point.z, obstacle, sector_.step_m).ground < crown_hides_below;
+                   is_hidden_(step, index) = is_hidden ? 1 : 0;
+                   steps.push_back(step);
+                   layover.add_place(range_m(distance_m, point.z));
+                   if (!is_hidden) layover.add_seen_ground();
                    const double slope = (point.z - radar_.position.z) / distance_m;
                    if (obstacle.top_m() > 0.0F)
-                     lay_over(index, distance_m, point.z, obstacle.top_m(), std::max(horizon, slope));
+                     lay_over(layover, distance_m, point.z, obstacle.top_m(), std::max(horizon, slope));
                    horizon = std::max(horizon, slope + static_cast<double>(obstacle.solid_top_m) / distance_m);
                  });
+    const std::vector<bool> is_lain_over = layover.lain_over();
+    for (std::size_t i = 0; i < steps.size(); ++i) is_lain_over_(steps[i], index) = is_lain_over[i] ? 1 : 0;
   }
 
-  /// Marks the ranges of the part of a thing that rises above the steepest line of sight before it.
-  void lay_over(std::size_t index, double distance_m, double height_m, float top_m, double horizon) {
+  [[nodiscard]] double range_m(double distance_m, double height_m) const {
+    return std::hypot(distance_m, radar_.position.z - height_m);
+  }
+
+  /// Notes the ranges of the part of a thing that rises above the steepest line of sight before it: of its near side
+  /// from there up, and of its top, all the step long.
+  void lay_over(LayoverAlongAzimuth& layover, double distance_m, double height_m, float top_m, double horizon) const {
     const double top = height_m + static_cast<double>(top_m);
-    const double lowest = horizon * distance_m + radar_.position.z;
-    if (lowest >= top) return;
-    const auto bin_of = [&](double height) {
-      const double below_m = radar_.position.z - height;
-      return (std::sqrt(distance_m * distance_m + below_m * below_m) - sector_.first_range_m) / sector_.range_step_m;
-    };
-    const double first = std::max(0.0, bin_of(top)),
-                 last = std::min(static_cast<double>(sector_.ranges) - 1.0, bin_of(lowest));
-    if (last < 0.0) return;
-    for (auto bin = static_cast<std::size_t>(first); static_cast<double>(bin) <= last; ++bin)
-      is_lain_over_(bin, index) = 1;
+    if (horizon * distance_m + radar_.position.z >= top) return;
+    const double near_m = std::max(0.0, distance_m - sector_.step_m / 2.0), far_m = distance_m + sector_.step_m / 2.0;
+    const double lowest = std::min(top, horizon * near_m + radar_.position.z);
+    layover.add_seen_thing(range_m(near_m, top), std::max(range_m(far_m, top), range_m(near_m, lowest)));
   }
 
   const CoarseGround& ground_;
   const radar::Radar& radar_;
   SweptSector sector_;
-  Array2D<std::uint8_t> is_hidden_;     // [step, azimuth]
-  Array2D<std::uint8_t> is_lain_over_;  // [range, azimuth]
+  Array2D<std::uint8_t> is_hidden_, is_lain_over_;  // [step, azimuth]
 };
 
 float class_at(const CoarseGround& ground, Vec2d point, const radar::Obstacle& obstacle, std::size_t materials) {
@@ -177,7 +223,7 @@ radar::LayerStack swept_layers(const CoarseGround& ground, const radar::Radar& r
       const Vec2d point = grid.centre_of(column, row);
       const LayerPlace place(*ground.terrain, radar, point);
       const radar::Obstacle obstacle = ground.obstacles != nullptr ? ground.obstacles->at(point) : radar::Obstacle{};
-      const auto masked = masks ? masks->at(place) : SweptMasks::Masks{};
+      const auto masked = masks ? masks->at(point) : SweptMasks::Masks{};
       const auto value = [&](LayerKind kind) -> float {
         switch (kind) {
           case LayerKind::Shadow:

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "sigmascape/base/parallel.h"
 #include "sigmascape/simulate/layer_place.h"
@@ -16,6 +17,15 @@ constexpr double lift_m = 0.02;
 constexpr double clearance_m = 1.0;
 /// Pieces of an arc bulge from their chords by no more than this part of a cell.
 constexpr double bulge_cells = 0.05;
+/// Arcs a cell: what lies over a sixteenth of it is found as a rule.
+constexpr std::size_t arcs_per_cell = 16;
+
+/// Places spread over a square of side 1 about the origin, so that no two share a row, a column or nearly a diagonal: a
+/// lattice of the golden ratio.
+Vec2d spread_place(std::size_t index) {
+  const double i = static_cast<double>(index) + 0.5;
+  return {i / static_cast<double>(arcs_per_cell) - 0.5, std::fmod(i * std::numbers::phi, 1.0) - 0.5};
+}
 
 /// Asks rays about one cell after the other; one a thread.
 class CellProbe {
@@ -28,9 +38,9 @@ class CellProbe {
     const LayerPlace place(scene_.terrain, radar_, point);
     switch (kind) {
       case LayerKind::Shadow:
-        return is_seen(place.ground) ? 0.0F : 1.0F;
+        return is_seen(ground_met_at(place.ground)) ? 0.0F : 1.0F;
       case LayerKind::Layover:
-        return is_lain_over(place) ? 1.0F : 0.0F;
+        return is_lain_over(point) ? 1.0F : 0.0F;
       case LayerKind::Incidence:
         return place.incidence_rad(scene_.terrain);
       case LayerKind::Range:
@@ -83,37 +93,58 @@ class CellProbe {
     return {static_cast<float>(top_m - distance_m), static_cast<float>(material)};
   }
 
+  /// Whether something lies over any part of a cell, whose echoes are gathered from all of it.
+  bool is_lain_over(Vec2d centre) {
+    for (std::size_t arc = 0; arc < arcs_per_cell; ++arc) {
+      if (is_lain_over(LayerPlace(scene_.terrain, radar_, centre + spread_place(arc) * cell_m_))) return true;
+    }
+    return false;
+  }
+
   /// Follows the arc of equal range and azimuth from the ground to the height of the highest thing.
   bool is_lain_over(const LayerPlace& place) {
     const Vec3d radar = radar_.position;
-    const double range_m = place.range_m;
-    const Vec2d away{place.ground.x - radar.x, place.ground.y - radar.y};
-    const double distance_m = length(away);
+    const Vec3d ground = ground_met_at(place.ground);
+    const Vec2d away{ground.x - radar.x, ground.y - radar.y};
+    const double distance_m = length(away), range_m = length(ground - radar);
     if (distance_m == 0.0) return false;
     const Vec2d outwards = away * (1.0 / distance_m);
     const double lowest = std::asin(std::min(1.0, (radar.z - geometry_.highest_m() - clearance_m) / range_m));
-    const double first = std::atan2(radar.z - place.ground.z, distance_m);
+    const double first = std::atan2(radar.z - ground.z, distance_m) - own_m / range_m;
     const double step = std::sqrt(8.0 * bulge_cells * cell_m_ / range_m);
     const auto at = [&](double depression) {
       return Vec3d{radar.x + outwards.x * range_m * std::cos(depression),
                    radar.y + outwards.y * range_m * std::cos(depression), radar.z - range_m * std::sin(depression)};
     };
-    Vec3d from = place.ground;
+    Vec3d from = at(first);
     for (double depression = first; depression > lowest;) {
       depression = std::max(lowest, depression - step);
       const Vec3d to = at(depression);
-      if (is_visible_between(from, to)) return true;
+      if (is_visible_between(from, to) || is_visible_between(to, from)) return true;
       from = to;
     }
     return false;
   }
 
-  /// Whether a piece of the arc meets something that the radar sees.
+  /// The ground as rays meet it, for whom squares of the terrain are pairs of triangles: it lies as far above or below
+  /// the place as a square is twisted. Asked from ever higher, lest what stands there be met first.
+  Vec3d ground_met_at(Vec3d place) {
+    for (double above_m = lift_m; above_m < highest_twist_m; above_m *= 2.0) {
+      const Vec3d from = place + Vec3d{0.0, 0.0, above_m};
+      trace::SurfaceHit hit;
+      if (geometry_.intersect((from - geometry_.origin()).to<float>(), {0.0F, 0.0F, -1.0F}, hit) && hit.is_ground)
+        return {place.x, place.y, static_cast<double>(hit.position.z) + geometry_.origin().z};
+    }
+    return place;
+  }
+
+  /// Whether a piece of the arc, followed one way, meets something that the radar sees. Terrain is met from outside
+  /// alone: whoever comes up from within a hill does not notice its far side, and learns nothing of what is behind.
   bool is_visible_between(Vec3d from, Vec3d to) {
     const double whole_m = length(to - from);
     if (whole_m == 0.0) return false;
     const Vec3d direction = (to - from) * (1.0 / whole_m);
-    double travelled_m = lift_m;
+    double travelled_m = 0.0;
     while (travelled_m < whole_m) {
       double distance_m = 0.0;
       scene::MaterialIndex material = 0;
@@ -130,6 +161,9 @@ class CellProbe {
   static constexpr double crown_edge_depth = 1e-4;
   /// Behind a surface that the radar does not see the arc is taken up again this much further.
   static constexpr double onward_m = 0.25;
+  /// What the arc meets nearer to its ground than this is that ground itself.
+  static constexpr double own_m = 0.1;
+  static constexpr double highest_twist_m = 100.0;
 
   const scene::Scene& scene_;
   const trace::SceneGeometry& geometry_;

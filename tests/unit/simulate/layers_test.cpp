@@ -28,6 +28,18 @@ scene::Scene box_scene() {
   return scene;
 }
 
+constexpr double foot_m = 16.0;
+
+/// A ridge from west to east with its crest at y = 0 and its feet at ±foot_m, on level ground.
+scene::Scene ridge_scene(double slope_rad) {
+  scene::Scene scene = physics_test::level_scene(lambert("ground"), 512.0);
+  const auto nodes = static_cast<std::size_t>(512.0 / foot_m) + 1;
+  scene.terrain = {-256.0, 256.0, foot_m, Array2D<float>(nodes, nodes)};
+  for (std::size_t column = 0; column < nodes; ++column)
+    scene.terrain.height_m(column, nodes / 2) = static_cast<float>(foot_m * std::tan(slope_rad));
+  return scene;
+}
+
 radar::Radar radar_in_the_south(double elevation_deg) {
   radar::Radar radar;
   radar.position = radar::position_seeing({}, pi, radians_from_deg(elevation_deg), 20e3);
@@ -40,7 +52,7 @@ struct Stretch {
 
 /// Where, along the middle of the map, a mask is set: from the southern edge of its first cell to the northern of its
 /// last, all between being set.
-Stretch stretch_of(const Array2D<float>& mask) {
+Stretch stretch_of(const Array2D<float>& mask, const radar::GroundGrid& map = grid) {
   const std::size_t column = mask.columns() / 2;
   std::size_t first = mask.rows(), last = 0, count = 0;
   for (std::size_t row = 0; row < mask.rows(); ++row) {
@@ -50,7 +62,11 @@ Stretch stretch_of(const Array2D<float>& mask) {
     ++count;
   }
   EXPECT_EQ(count, last - first + 1) << "the mask has gaps";
-  return {grid.north_m - static_cast<double>(last + 1) * cell_m, grid.north_m - static_cast<double>(first) * cell_m};
+  return {map.north_m - static_cast<double>(last + 1) * cell_m, map.north_m - static_cast<double>(first) * cell_m};
+}
+
+std::size_t set_cells(const Array2D<float>& mask) {
+  return mask.size() - static_cast<std::size_t>(std::ranges::count(mask.values(), 0.0F));
 }
 
 enum class Way { Traced, Swept };
@@ -87,6 +103,52 @@ TEST_P(Layers, ABoxLiesOverByHeightTimesTangent) {
     EXPECT_NEAR(layover.south_m, -over_m, cell_m) << elevation_deg;
     EXPECT_NEAR(layover.north_m, std::max(0.0, depth_m - over_m), cell_m) << elevation_deg;
   }
+}
+
+// From 60° the arc of equal range rises by 30°. A slope of 50° folds over the level ground before it, as far as its
+// height times tangent; the far side, seen as well, lies over all of the near one.
+TEST_P(Layers, ASlopeSteeperThanTheArcFoldsOverTheGroundBeforeIt) {
+  const double slope_rad = radians_from_deg(50.0), elevation_rad = radians_from_deg(60.0);
+  const auto stack =
+      layers_of(GetParam(), ridge_scene(slope_rad), radar_in_the_south(60.0), {LayerKind::Layover, LayerKind::Shadow});
+  const Stretch layover = stretch_of(stack.layers[0].values);
+  EXPECT_NEAR(layover.south_m, -foot_m * std::tan(slope_rad) * std::tan(elevation_rad), cell_m);
+  EXPECT_NEAR(layover.north_m, 0.0, cell_m);
+  EXPECT_EQ(set_cells(stack.layers[1].values), 0U);
+}
+
+// Seen from 45° a far side of 60° is hidden: nothing lies over the near one, which itself lies over twelve metres of
+// level ground. Two metres before the crest the map ends, for there it is a matter of the step which side is seen.
+TEST_P(Layers, AHiddenFarSideLiesOverNothing) {
+  const double slope_rad = radians_from_deg(60.0);
+  const radar::GroundGrid map{-4.0, -2.0, cell_m, 8, 58};
+  const auto stack = layers_of(GetParam(), ridge_scene(slope_rad), radar_in_the_south(45.0), {LayerKind::Layover}, map);
+  const Stretch layover = stretch_of(stack.layers[0].values, map);
+  EXPECT_NEAR(layover.south_m, -foot_m * std::tan(slope_rad), cell_m);
+  EXPECT_NEAR(layover.north_m, -foot_m, cell_m);
+}
+
+TEST_P(Layers, GroundFlatterThanTheArcIsNotLainOver) {
+  for (const double slope_deg : {0.0, 25.0, 29.0}) {
+    const auto stack =
+        layers_of(GetParam(), ridge_scene(radians_from_deg(slope_deg)), radar_in_the_south(60.0), {LayerKind::Layover});
+    EXPECT_EQ(set_cells(stack.layers[0].values), 0U) << slope_deg;
+  }
+}
+
+// Rays meet a square of the terrain as two triangles, here up to four metres above or below its saddle, none steeper
+// than 15°.
+TEST_P(Layers, TwistedGroundNeitherLiesOverItselfNorHidesItself) {
+  scene::Scene scene = physics_test::level_scene(lambert("ground"), 512.0);
+  scene.terrain = {-256.0, 256.0, 64.0, Array2D<float>(9, 9)};
+  for (std::size_t row = 0; row < 9; ++row) {
+    for (std::size_t column = 0; column < 9; ++column)
+      scene.terrain.height_m(column, row) = (row + column) % 2 == 0 ? 8.0F : 0.0F;
+  }
+  const auto stack = layers_of(GetParam(), scene, radar_in_the_south(60.0), {LayerKind::Layover, LayerKind::Shadow},
+                               {-64.0, 64.0, 2.0, 64, 64});
+  EXPECT_EQ(set_cells(stack.layers[0].values), 0U);
+  EXPECT_EQ(set_cells(stack.layers[1].values), 0U);
 }
 
 TEST_P(Layers, GroundThatLeansTowardsTheRadarIsMetMoreSteeply) {
@@ -127,6 +189,18 @@ TEST_P(Layers, AreTheSameForAnyThreads) {
 
 INSTANTIATE_TEST_SUITE_P(BothWays, Layers, ::testing::Values(Way::Traced, Way::Swept),
                          [](const auto& way) { return way.param == Way::Traced ? "Traced" : "Swept"; });
+
+// A leaf of 45 cm, 10 m up, seen from 45°: it lies over 45 cm of ground 10 m before it, beside the middle of one cell
+// of a metre, and over nothing else.
+TEST(TracedLayers, ALeafSmallerThanACellLiesOverIt) {
+  scene::Scene scene = physics_test::level_scene(lambert("ground"), 512.0);
+  scene.prototypes.push_back(scene::wall_mesh(0.45F, 0.45F, scene.material_index(lambert("leaf"))));
+  scene.instances.push_back({.x_m = 0.25F, .y_m = 0.48F, .lift_m = 10.0F});
+  const auto stack = layers_of(Way::Traced, scene, radar_in_the_south(45.0), {LayerKind::Layover});
+  EXPECT_EQ(set_cells(stack.layers[0].values), 1U);
+  // Column 4 begins at x = 0, row 169 ends at y = −10.
+  EXPECT_EQ(stack.layers[0].values(4, 169), 1.0F);
+}
 
 TEST(LayerKinds, AnUnknownWordIsToldTheKnownOnes) {
   EXPECT_EQ(layer_kind("layover"), LayerKind::Layover);
