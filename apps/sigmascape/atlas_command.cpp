@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <iterator>
+#include <system_error>
 #include <vector>
 
 #include "command.h"
@@ -38,24 +40,32 @@ nlohmann::ordered_json json_of(const std::vector<atlas::StoreFault>& faults) {
   return list;
 }
 
+/// What is wrong with the tiles of the terrain, by file of the atlas.
+std::vector<atlas::StoreFault> terrain_faults(const std::filesystem::path& atlas) {
+  const std::filesystem::path name = atlas::terrain_pyramid_name;
+  std::error_code error;
+  if (!std::filesystem::exists(atlas / name, error) && !error) return {{name / "", "is missing", true}};
+  std::vector<atlas::StoreFault> faults;
+  for (const terrain::PyramidFault& fault : terrain::verify_pyramid(atlas / name))
+    faults.push_back({name / fault.file, fault.what});
+  return faults;
+}
+
 void verify(const std::string& folder, const Output& output) {
   const atlas::Store store = atlas::Store::open(folder);
   TerminalProgress progress;
   std::vector<atlas::StoreFault> faults = atlas::verify(store, atlas::Scrutiny::Content, &progress);
   const std::size_t texture_faults = faults.size();
-  if (const auto pyramid = std::filesystem::path(folder) / atlas::terrain_pyramid_name;
-      std::filesystem::exists(pyramid)) {
-    for (const terrain::PyramidFault& fault : terrain::verify_pyramid(pyramid)) {
-      faults.push_back({std::filesystem::path(atlas::terrain_pyramid_name) / fault.file, fault.what});
-    }
-  }
+  std::ranges::move(terrain_faults(folder), std::back_inserter(faults));
   std::string text;
   for (const atlas::StoreFault& fault : faults) text += fmt::format("{} {}\n", fault.file.string(), fault.what);
   const std::size_t looks = store.unit_count();
+  const bool is_one = faults.size() == 1;
   text += faults.empty()
               ? fmt::format("{} looks, all whole and as recorded", looks)
               : fmt::format(
-                    "{} faults in {}; 'sigmascape bake … --verify' mends them{}", faults.size(), folder,
+                    "{} fault{} in {}; 'sigmascape bake … --verify' mends {}{}", faults.size(), is_one ? "" : "s",
+                    folder, is_one ? "it" : "them",
                     faults.size() > texture_faults ? ", and 'sigmascape atlas terrain' the terrain that it made" : "");
   output.finish(text, {{"atlas", folder}, {"looks", looks}, {"faults", json_of(faults)}});
   if (!faults.empty()) throw CLI::RuntimeError(1);
@@ -81,33 +91,37 @@ void make_pyramid(const std::string& folder, const Output& output) {
                  {"because", json_of(made.hindrances)}});
 }
 
+/// Null where no look is done.
+nlohmann::ordered_json errors_of(const atlas::AtlasSummary& summary) {
+  if (summary.looks_done == 0) return {{"smallest", nullptr}, {"median", nullptr}, {"largest", nullptr}};
+  return {{"smallest", summary.error.smallest}, {"median", summary.error.median}, {"largest", summary.error.largest}};
+}
+
 nlohmann::ordered_json summary_of(const atlas::AtlasDescription& atlas, const atlas::AtlasSummary& summary) {
-  return {
-      {"name", atlas.name},
-      {"crs", atlas.frame.proj()},
-      {"extent_m", {atlas.extent.west_m, atlas.extent.south_m, atlas.extent.east_m, atlas.extent.north_m}},
-      {"texel_m", atlas.patches.texel_m},
-      {"texels_per_side", atlas.patches.texels_per_side},
-      {"patches", summary.patches},
-      {"azimuths_deg", degrees(atlas.aspects.azimuths_rad)},
-      {"elevations_deg", degrees(atlas.aspects.elevations_rad)},
-      {"frequencies_hz", atlas.aspects.frequencies_hz},
-      {"looks", summary.looks},
-      {"looks_done", summary.looks_done},
-      {"pyramid",
-       {{"levels", summary.pyramid_levels},
-        {"textures", summary.pyramid_textures},
-        {"textures_done", summary.pyramid_done}}},
-      {"bytes", summary.bytes},
-      {"bytes_per_look", summary.bytes_per_look},
-      {"relative_standard_error",
-       {{"smallest", summary.error.smallest}, {"median", summary.error.median}, {"largest", summary.error.largest}}},
-      {"above_target", summary.above_target ? nlohmann::ordered_json(*summary.above_target) : nullptr},
-      {"mantissa_bits", atlas.mantissa_bits},
-      {"digits", atlas.digits == atlas::Digits::ToNoise ? "to-noise" : "all"},
-      {"settings", atlas.settings},
-      {"scene_hash", atlas.scene_hash},
-      {"attribution", atlas.attribution}};
+  return {{"name", atlas.name},
+          {"crs", atlas.frame.proj()},
+          {"extent_m", {atlas.extent.west_m, atlas.extent.south_m, atlas.extent.east_m, atlas.extent.north_m}},
+          {"texel_m", atlas.patches.texel_m},
+          {"texels_per_side", atlas.patches.texels_per_side},
+          {"patches", summary.patches},
+          {"azimuths_deg", degrees(atlas.aspects.azimuths_rad)},
+          {"elevations_deg", degrees(atlas.aspects.elevations_rad)},
+          {"frequencies_hz", atlas.aspects.frequencies_hz},
+          {"looks", summary.looks},
+          {"looks_done", summary.looks_done},
+          {"pyramid",
+           {{"levels", summary.pyramid_levels},
+            {"textures", summary.pyramid_textures},
+            {"textures_done", summary.pyramid_done}}},
+          {"bytes", summary.bytes},
+          {"bytes_per_look", summary.bytes_per_look},
+          {"relative_standard_error", errors_of(summary)},
+          {"above_target", summary.above_target ? nlohmann::ordered_json(*summary.above_target) : nullptr},
+          {"mantissa_bits", atlas.mantissa_bits},
+          {"digits", atlas.digits == atlas::Digits::ToNoise ? "to-noise" : "all"},
+          {"settings", atlas.settings},
+          {"scene_hash", atlas.scene_hash},
+          {"attribution", atlas.attribution}};
 }
 
 std::string text_of(const atlas::AtlasDescription& atlas, const atlas::AtlasSummary& summary) {
@@ -129,8 +143,10 @@ std::string text_of(const atlas::AtlasDescription& atlas, const atlas::AtlasSumm
                               summary.pyramid_done, summary.pyramid_textures));
   line("size",
        fmt::format("{}, {} a look", size_text(static_cast<double>(summary.bytes)), size_text(summary.bytes_per_look)));
-  line("texel error", fmt::format("{:.1f} % in the median look, {:.1f} % to {:.1f} %", 100 * summary.error.median,
-                                  100 * summary.error.smallest, 100 * summary.error.largest));
+  line("texel error", summary.looks_done == 0
+                          ? "none yet"
+                          : fmt::format("{:.1f} % in the median look, {:.1f} % to {:.1f} %", 100 * summary.error.median,
+                                        100 * summary.error.smallest, 100 * summary.error.largest));
   if (summary.above_target) {
     line("above target", fmt::format("{:.1f} % of the texels that return anything", 100 * *summary.above_target));
   }

@@ -15,10 +15,14 @@ namespace sigmascape::atlas {
 namespace {
 
 std::uint64_t bytes_in(const std::filesystem::path& folder) {
+  using Files = std::filesystem::recursive_directory_iterator;
   std::uint64_t bytes = 0;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+  std::error_code error;
+  // Folders that may not be looked into are left out: atlas::verify names them.
+  for (Files files(folder, std::filesystem::directory_options::skip_permission_denied, error);
+       !error && files != Files(); files.increment(error)) {
     std::error_code vanished;
-    const auto size = entry.is_regular_file(vanished) ? entry.file_size(vanished) : 0;
+    const auto size = files->is_regular_file(vanished) ? files->file_size(vanished) : 0;
     if (!vanished) bytes += size;
   }
   return bytes;

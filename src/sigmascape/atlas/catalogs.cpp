@@ -25,18 +25,27 @@ std::optional<StoreFault> fault_of(const Store& store, const std::filesystem::pa
                                    Scrutiny scrutiny) {
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(store.folder() / file, error);
-  if (error) return StoreFault{file, "is missing", !holds_files((store.folder() / file).parent_path())};
-  if (size == right.size() && (scrutiny == Scrutiny::Size || text_of(store.folder() / file) == right)) {
+  if (is_nothing_there(error))
+    return StoreFault{file, "is missing", !holds_files((store.folder() / file).parent_path())};
+  if (error) return StoreFault{file, cannot_be_read(error)};
+  if (size == right.size() && (scrutiny == Scrutiny::Size || text_of(store.folder() / file).text == right)) {
     return std::nullopt;
   }
   return StoreFault{file, "does not link what the atlas is planned to hold: it was altered, or is of a former kind"};
+}
+
+/// As fault_of. The collection of an atlas from before they vouched for themselves stays as it is.
+std::optional<StoreFault> collection_fault(const Store& store, Scrutiny scrutiny) {
+  if (!fault_of(store, collection_name, unsealed_collection_text(store.description()), scrutiny)) return std::nullopt;
+  return fault_of(store, collection_name, collection_text(store.description()), scrutiny);
 }
 
 using Visit = std::function<void(const PyramidTile&)>;
 
 /// Visits a place and those under it of which something is there, finer ones first. Returns whether there was such.
 bool visit_begun(const Store& store, const PyramidTiles& places, const PyramidTile& tile, const Visit& visit) {
-  bool is_begun = std::filesystem::exists(store.folder() / folder_of(tile));
+  std::error_code hidden;
+  bool is_begun = std::filesystem::exists(store.folder() / folder_of(tile), hidden);
   if (tile.level > 0) {
     for (const auto& part : places.parts_of(tile)) {
       if (part && visit_begun(store, places, *part, visit)) is_begun = true;
@@ -64,36 +73,38 @@ void make_catalogs_over(const std::filesystem::path& folder, const AtlasDescript
 
 std::vector<StoreFault> catalog_faults(const Store& store, Scrutiny scrutiny) {
   std::vector<StoreFault> faults;
-  const auto look_at = [&](const std::filesystem::path& file, const std::string& right) {
-    if (auto fault = fault_of(store, file, right, scrutiny)) faults.push_back(std::move(*fault));
+  const auto note = [&](std::optional<StoreFault> fault) {
+    if (fault) faults.push_back(std::move(*fault));
   };
-  look_at(collection_name, collection_text(store.description()));
-  visit_begun(store,
-              [&](const PyramidTile& tile) { look_at(catalog_path(tile), catalog_text(store.description(), tile)); });
+  note(collection_fault(store, scrutiny));
+  visit_begun(store, [&](const PyramidTile& tile) {
+    note(fault_of(store, catalog_path(tile), catalog_text(store.description(), tile), scrutiny));
+  });
   return faults;
 }
 
 std::vector<StoreFault> mend_catalogs(const Store& store, Scrutiny scrutiny,
                                       const std::function<bool(std::size_t number)>& has) {
   std::vector<StoreFault> mended;
-  const std::string collection = collection_text(store.description());
   // Atlases whose collection links other things may never have had catalogs.
-  const bool had_catalogs = !fault_of(store, collection_name, collection, scrutiny);
-  const auto mend = [&](const std::filesystem::path& file, const std::string& right) {
-    auto fault = fault_of(store, file, right, scrutiny);
+  const bool had_catalogs = !collection_fault(store, scrutiny);
+  const auto mend = [&](std::optional<StoreFault> fault, const std::string& right) {
     if (!fault) return;
-    fault->is_absent = fault->is_absent || (!had_catalogs && !std::filesystem::exists(store.folder() / file));
-    geo::write_atomically(store.folder() / file, right);
+    const std::filesystem::path file = store.folder() / fault->file;
+    fault->is_absent = fault->is_absent || (!had_catalogs && !std::filesystem::exists(file));
+    geo::write_atomically(file, right);
     mended.push_back(std::move(*fault));
   };
   std::size_t number = 0;
   visit_begun(store, [&](const PyramidTile& tile) {
-    if (has(number++)) mend(catalog_path(tile), catalog_text(store.description(), tile));
+    if (!has(number++)) return;
+    const std::string right = catalog_text(store.description(), tile);
+    mend(fault_of(store, catalog_path(tile), right, scrutiny), right);
   });
   // Never over that of another atlas.
   static_cast<void>(Store::find(store.folder(), store.description()));
   // Last, so that what it links is there.
-  mend(collection_name, collection);
+  mend(collection_fault(store, scrutiny), collection_text(store.description()));
   return mended;
 }
 

@@ -1,10 +1,12 @@
 #include "sigmascape/atlas/ground_layers.h"
 
 #include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include "sigmascape/atlas/obstacle_file.h"
 #include "sigmascape/atlas/stac_catalog.h"
+#include "sigmascape/atlas/texture_file.h"
 #include "sigmascape/base/error.h"
 #include "sigmascape/geo/atomic_file.h"
 
@@ -86,8 +88,9 @@ std::optional<StoreFault> ground_collection_fault(const Store& atlas) {
   try {
     return fault_against(folder, ground_description(atlas, Store::open(folder).description().aspects.elevations_rad));
   } catch (const Error&) {
-    return StoreFault{collection_of_ground(),
-                      std::filesystem::exists(folder / collection_name) ? "is truncated or was altered" : "is missing"};
+    const std::error_code error = text_of(folder / collection_name).error;
+    if (is_nothing_there(error)) return StoreFault{collection_of_ground(), "is missing"};
+    return StoreFault{collection_of_ground(), error ? cannot_be_read(error) : "is truncated or was altered"};
   }
 }
 

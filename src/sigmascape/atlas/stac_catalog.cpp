@@ -34,20 +34,14 @@ std::string description_of(const PyramidTile& tile) {
       1 << tile.level, x, y);
 }
 
-}  // namespace
-
-std::filesystem::path catalog_path(const PyramidTile& tile) {
-  return folder_of(tile) / catalog_name;
-}
-
-std::string collection_text(const AtlasDescription& description) {
+Json collection_of(const AtlasDescription& description) {
   const Footprint footprint(description, whole_grid(description));
   Json links = Json::array({link("root", fmt::format("./{}", collection_name))});
   const PyramidTiles places(description.patches, description.extent);
   for (const PyramidTile& tile : places.tiles(places.levels())) {
     links.push_back(link("child", "./" + catalog_path(tile).generic_string()));
   }
-  const Json collection = {
+  return {
       {"type", "Collection"},
       {"stac_version", stac_version},
       {"stac_extensions", Json::array()},
@@ -62,7 +56,22 @@ std::string collection_text(const AtlasDescription& description) {
       {"sigmascape:atlas", described(description)},
       {"links", links},
   };
-  return written(collection, 2) + "\n";
+}
+
+}  // namespace
+
+std::filesystem::path catalog_path(const PyramidTile& tile) {
+  return folder_of(tile) / catalog_name;
+}
+
+std::string collection_text(const AtlasDescription& description) {
+  Json collection = collection_of(description);
+  collection[collection_hash] = "";
+  return sealed(written(collection, 2) + "\n", collection_hash);
+}
+
+std::string unsealed_collection_text(const AtlasDescription& description) {
+  return written(collection_of(description), 2) + "\n";
 }
 
 std::string catalog_text(const AtlasDescription& description, const PyramidTile& tile) {

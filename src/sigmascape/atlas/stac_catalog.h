@@ -18,8 +18,13 @@ inline constexpr const char* catalog_name = "catalog.json";
 /// Of a patch (level 0) or a place above; relative to the store.
 [[nodiscard]] std::filesystem::path catalog_path(const PyramidTile& tile);
 
+/// Under this name a collection records the SHA-256 of its own text, without these digits.
+inline constexpr const char* collection_hash = "sigmascape:collection_sha256";
+
 /// The collection.json of an atlas.
 [[nodiscard]] std::string collection_text(const AtlasDescription& description);
+/// As it was before collections vouched for themselves.
+[[nodiscard]] std::string unsealed_collection_text(const AtlasDescription& description);
 
 /// The catalog of a patch or a place above.
 [[nodiscard]] std::string catalog_text(const AtlasDescription& description, const PyramidTile& tile);

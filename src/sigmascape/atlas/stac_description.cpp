@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <iterator>
 #include <vector>
 
+#include "sigmascape/atlas/stac_catalog.h"
 #include "sigmascape/atlas/stac_document.h"
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
@@ -47,24 +50,33 @@ AtlasDescription undescribed(const std::string& name, const Json& json) {
   return description;
 }
 
-/// The first difference between two objects, looked for inside nested ones too.
-std::optional<std::string> first_difference(const Json& there, const Json& here, const std::string& prefix) {
+/// What differs between two objects, inside nested ones too; first of all the scene.
+std::vector<std::string> differences(const Json& there, const Json& here, const std::string& prefix) {
+  std::vector<std::string> found;
   for (const auto& [key, value] : there.items()) {
     const std::string name = prefix + key;
-    if (!here.contains(key)) return fmt::format("{} is {} there and not given here", name, value.dump());
+    if (!here.contains(key)) {
+      found.push_back(fmt::format("{} is {} there and not given here", name, value.dump()));
+      continue;
+    }
     const Json& other = here.at(key);
     if (value == other) continue;
-    if (name == "scene_hash") {
-      return fmt::format("its scene is another one (terrain, objects or materials differ): {} is {} there and {} here",
-                         name, value.dump(), other.dump());
+    if (value.is_object() && other.is_object()) {
+      std::ranges::move(differences(value, other, name + "."), std::back_inserter(found));
+      continue;
     }
-    if (value.is_object() && other.is_object()) return first_difference(value, other, name + ".");
-    return fmt::format("{} is {} there and {} here", name, value.dump(), other.dump());
+    const std::string values = fmt::format("{} is {} there and {} here", name, value.dump(), other.dump());
+    if (name == "scene_hash") {
+      found.insert(found.begin(), "its scene is another one (terrain, objects or materials differ): " + values);
+    } else {
+      found.push_back(values);
+    }
   }
   for (const auto& [key, value] : here.items()) {
-    if (!there.contains(key)) return fmt::format("{}{} is not given there and {} here", prefix, key, value.dump());
+    if (!there.contains(key))
+      found.push_back(fmt::format("{}{} is not given there and {} here", prefix, key, value.dump()));
   }
-  return std::nullopt;
+  return found;
 }
 
 }  // namespace
@@ -93,10 +105,10 @@ Json described(const AtlasDescription& description) {
 }
 
 AtlasDescription description_from(const std::string& text, const std::filesystem::path& file) {
-  const auto damaged = [&file] {
-    return Error(file.string(), "is truncated or was altered, and does not tell what this atlas is of",
-                 "remove this one file and bake again with the same settings, which writes it anew and keeps what is "
-                 "baked");
+  constexpr const char* remedy =
+      "remove this one file and bake again with the same settings, which writes it anew and keeps what is baked";
+  const auto damaged = [&] {
+    return Error(file.string(), "is truncated or was altered, and does not tell what this atlas is of", remedy);
   };
   const Json collection = Json::parse(text, nullptr, false);
   if (!collection.is_object()) throw damaged();
@@ -113,7 +125,9 @@ AtlasDescription description_from(const std::string& text, const std::filesystem
           fmt::format("this version of the library reads {} to {}: bake again, or use the version that wrote it",
                       oldest_format_version, newest_format_version));
     }
-    return undescribed(collection.at("id").get<std::string>(), atlas);
+    AtlasDescription description = undescribed(collection.at("id").get<std::string>(), atlas);
+    if (seal_of(text, collection_hash) == Seal::Broken) throw Error(file.string(), broken_seal, remedy);
+    return description;
   } catch (const Json::exception&) {
     throw damaged();
   }
@@ -125,7 +139,14 @@ std::optional<std::string> difference(const AtlasDescription& there, const Atlas
     description.format_version = newest_format_version;
     return Json::parse(written(described(description), -1));
   };
-  return first_difference(as_read(there), as_read(here), "");
+  std::vector<std::string> found = differences(as_read(there), as_read(here), "");
+  if (found.empty()) return std::nullopt;
+  constexpr std::size_t most_named = 3;
+  if (found.size() > most_named) {
+    found[most_named] = fmt::format("{} more", found.size() - most_named);
+    found.resize(most_named + 1);
+  }
+  return fmt::format("{}", fmt::join(found, ", and "));
 }
 
 }  // namespace sigmascape::atlas

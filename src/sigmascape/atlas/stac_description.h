@@ -15,8 +15,8 @@ namespace sigmascape::atlas {
 /// What a collection was made from. Throws Error, naming `file`, when it is not a collection of ours.
 [[nodiscard]] AtlasDescription description_from(const std::string& text, const std::filesystem::path& file);
 
-/// The first thing in which two descriptions differ, "texel_m is 1.0 there and 2.0 here", if any. The name and
-/// the version of the format may differ.
+/// In what two descriptions differ, "texel_m is 1.0 there and 2.0 here, and …", if anything: who gave two settings
+/// others than before wants to hear of both. The name and the version of the format may differ.
 [[nodiscard]] std::optional<std::string> difference(const AtlasDescription& there, const AtlasDescription& here);
 
 }  // namespace sigmascape::atlas

@@ -3,12 +3,24 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <optional>
 
 #include "sigmascape/atlas/texture_name.h"
+#include "sigmascape/base/sha256.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/geo/raster_placement.h"
 
 namespace sigmascape::atlas {
+namespace {
+
+/// Where the digits of a hash that is recorded under `key` begin; nothing when there is none.
+std::optional<std::size_t> place_of_digits(const std::string& text, std::string_view key) {
+  const std::string before = fmt::format("\"{}\": \"", key);
+  const std::size_t found = text.find(before);
+  return found == std::string::npos ? std::nullopt : std::optional(found + before.size());
+}
+
+}  // namespace
 
 double tidy_deg(double angle_rad) {
   return std::round(deg_from_radians(angle_rad) * 1e9) / 1e9;
@@ -16,6 +28,20 @@ double tidy_deg(double angle_rad) {
 
 std::string written(const Json& json, int indent) {
   return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string sealed(std::string text, std::string_view key) {
+  const std::string digits = sha256_of(text);
+  return text.insert(place_of_digits(text, key).value(), digits);
+}
+
+Seal seal_of(std::string text, std::string_view key) {
+  const auto place = place_of_digits(text, key);
+  if (!place) return Seal::Absent;
+  const std::size_t digits = text.find('"', *place) - *place;
+  const std::string recorded = text.substr(*place, digits);
+  text.erase(*place, digits);
+  return sha256_of(text) == recorded ? Seal::Fits : Seal::Broken;
 }
 
 Json link(const char* relation, const std::string& target) {

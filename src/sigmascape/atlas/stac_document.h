@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 
 #include "sigmascape/atlas/pyramid_tiles.h"
 #include "sigmascape/atlas/store.h"
@@ -24,6 +25,16 @@ inline constexpr const char* no_time = "1970-01-01T00:00:00Z";
 
 /// Text that is not UTF-8 (an old attribution, say) gets replacement characters rather than an exception.
 [[nodiscard]] std::string written(const Json& json, int indent);
+
+/// A text with its own SHA-256 put in where it says `"key": ""`: that of the text without these 64 digits.
+[[nodiscard]] std::string sealed(std::string text, std::string_view key);
+
+/// What is wrong with a document by its own hash, which it records under `key`.
+enum class Seal { Fits, Broken, Absent };
+[[nodiscard]] Seal seal_of(std::string text, std::string_view key);
+
+/// As faults say it of a document whose seal is broken.
+inline constexpr const char* broken_seal = "was altered: its own SHA-256 is not the recorded one";
 
 [[nodiscard]] Json link(const char* relation, const std::string& target);
 

@@ -1,17 +1,19 @@
 #include "sigmascape/atlas/stac_item.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <functional>
 #include <map>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "sigmascape/atlas/error_texture.h"
 #include "sigmascape/atlas/stac_catalog.h"
 #include "sigmascape/atlas/stac_document.h"
 #include "sigmascape/atlas/texture_name.h"
-#include "sigmascape/base/sha256.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/geo/coordinate_reference_system.h"
 
@@ -179,21 +181,24 @@ constexpr const char* own_hash = "sigmascape:item_sha256";
 /// Of items of looks: those of the bake, as the collection has them.
 constexpr const char* settings = "sigmascape:settings";
 
-/// Where in the text of an item the digits of its own hash begin; nothing when it has none.
-std::optional<std::size_t> place_of_own_hash(const std::string& text) {
-  const std::string before = fmt::format("\"{}\": \"", own_hash);
-  const std::size_t found = text.find(before);
-  return found == std::string::npos ? std::nullopt : std::optional(found + before.size());
+/// What is wrong with an item by its own hash; empty when nothing is.
+std::string fault_by_own_hash(const std::string& text, int format_version) {
+  const Seal seal = seal_of(text, own_hash);
+  if (seal == Seal::Broken) return broken_seal;
+  return seal == Seal::Fits || format_version < 2 ? "" : "was altered: it does not record its own SHA-256";
 }
 
-/// What is wrong with an item by its own hash; empty when nothing is.
-std::string fault_by_own_hash(std::string text, int format_version) {
-  const auto place = place_of_own_hash(text);
-  if (!place) return format_version < 2 ? "" : "was altered: it does not record its own SHA-256";
-  const std::size_t digits = text.find('"', *place) - *place;
-  const std::string recorded = text.substr(*place, digits);
-  text.erase(*place, digits);
-  return sha256_of(text) == recorded ? "" : "was altered: its own SHA-256 is not the recorded one";
+/// What the item beside a file of a store is called: "patch_+000_-001_az045.0_el13.0_f10.000GHz".
+std::string id_beside(std::filesystem::path file) {
+  std::string id = file.replace_extension().generic_string();
+  std::ranges::replace(id, '/', '_');
+  return id;
+}
+
+/// What tells that an item was made for another file of such an atlas; empty when nothing does.
+std::string fault_by_place(const Json& item, const std::filesystem::path& file) {
+  const std::string there = item.value("id", ""), here = id_beside(file);
+  return there == here ? "" : fmt::format("is of {} and stands in the place of {}", there, here);
 }
 
 /// The settings by which a look was baked, as far as its item tells.
@@ -205,18 +210,55 @@ std::map<std::string, std::string> settings_told_by(const Json& properties) {
   return told;
 }
 
-/// What tells that an item does not belong to this atlas; empty when nothing does.
-std::string fault_by_origin(const Json& properties, const AtlasDescription& description) {
-  const auto of_another = [](std::string_view name, const std::string& there, const std::string& here) {
-    return fmt::format("is of another bake: {} is {} there and {} in the collection", name, there, here);
+std::string of_another_bake(std::string_view name, const std::string& there, const std::string& here) {
+  return fmt::format("is of another bake: {} is {} there and {} in the collection", name, there, here);
+}
+
+/// What tells that an item is of a look that names of files take for one of this atlas; empty when nothing does.
+std::string fault_by_look(const Json& properties, const AspectGrid& aspects) {
+  const auto fault = [&](const char* name, const std::vector<double>& axis, auto unit_of) {
+    const std::string key = fmt::format("sigmascape:{}", name);
+    if (!properties.contains(key)) return std::string();
+    const auto there = properties.at(key).get<double>();
+    // As closely as a number comes back from radians.
+    const auto is_there = [&](double value) { return std::abs(unit_of(value) - there) <= 1e-8 * (1.0 + there); };
+    if (std::ranges::any_of(axis, is_there)) return std::string();
+    return fmt::format("is of another bake: {} is {} there, which the collection does not have", name, there);
   };
-  const std::string scene = properties.value("sigmascape:scene_hash", description.scene_hash);
-  if (scene != description.scene_hash) return of_another("scene_hash", scene, description.scene_hash);
-  for (const auto& [name, there] : settings_told_by(properties)) {
-    const auto here = description.settings.find(name);
-    if (here != description.settings.end() && here->second != there) return of_another(name, there, here->second);
+  for (const std::string& told :
+       {fault("azimuth_deg", aspects.azimuths_rad, tidy_deg), fault("elevation_deg", aspects.elevations_rad, tidy_deg),
+        fault("frequency_hz", aspects.frequencies_hz, std::identity())}) {
+    if (!told.empty()) return told;
   }
   return "";
+}
+
+/// What tells that an item is of other texels than lie at its place in this atlas; empty when nothing does.
+std::string fault_by_texel(const Json& properties, const PatchGrid& patches) {
+  if (!properties.contains("gsd") || !properties.contains("proj:shape")) return "";
+  const auto level = properties.value("sigmascape:pyramid_level", std::size_t{0});
+  constexpr std::size_t highest_level = 30;  // that patches can be counted under
+  if (level > highest_level) return "cannot be understood";
+  const auto [x, y] = properties.at("sigmascape:patch").get<std::array<int, 2>>();
+  const radar::GroundGrid here = texels_of(patches, {level, {x, y}});
+  const auto texel_m = properties.at("gsd").get<double>();
+  if (std::abs(texel_m - here.cell_m) > 1e-9 * here.cell_m)
+    return of_another_bake("gsd", fmt::format("{}", texel_m), fmt::format("{}", here.cell_m));
+  const Json shape = {here.rows, here.columns};
+  const Json& there = properties.at("proj:shape");
+  return there == shape ? "" : of_another_bake("proj:shape", there.dump(), shape.dump());
+}
+
+/// What tells that an item does not belong to this atlas; empty when nothing does.
+std::string fault_by_origin(const Json& properties, const AtlasDescription& description) {
+  const std::string scene = properties.value("sigmascape:scene_hash", description.scene_hash);
+  if (scene != description.scene_hash) return of_another_bake("scene_hash", scene, description.scene_hash);
+  for (const auto& [name, there] : settings_told_by(properties)) {
+    const auto here = description.settings.find(name);
+    if (here != description.settings.end() && here->second != there) return of_another_bake(name, there, here->second);
+  }
+  std::string fault = fault_by_look(properties, description.aspects);
+  return fault.empty() ? fault_by_texel(properties, description.patches) : fault;
 }
 
 std::string item_of(const std::string& id, const AtlasDescription& description, const ItemPlace& place,
@@ -235,8 +277,7 @@ std::string item_of(const std::string& id, const AtlasDescription& description, 
       {"links", Json::array({link("root", place.collection), link("parent", place.parent),
                              link("collection", place.collection)})},
   };
-  std::string text = written(item, 2) + "\n";
-  return text.insert(place_of_own_hash(text).value(), sha256_of(text));
+  return sealed(written(item, 2) + "\n", own_hash);
 }
 
 /// Nothing when these are not properties of ours.
@@ -352,7 +393,7 @@ std::string terrain_item_text(const AtlasDescription& description, const Texture
                                          "data", record)}});
 }
 
-FoundItem item_from(const std::string& text, const AtlasDescription& description) {
+FoundItem item_from(const std::string& text, const AtlasDescription& description, const std::filesystem::path& file) {
   const Json item = Json::parse(text, nullptr, false);
   const FoundItem none{{}, "cannot be understood"};
   if (!item.is_object() || !item.contains("properties") || !item.at("properties").is_object()) return none;
@@ -361,6 +402,7 @@ FoundItem item_from(const std::string& text, const AtlasDescription& description
   if (!record) return none;
   std::string fault = fault_by_own_hash(text, description.format_version);
   try {
+    if (fault.empty()) fault = fault_by_place(item, file);
     if (fault.empty()) fault = fault_by_origin(properties, description);
   } catch (const Json::exception&) {
     return none;

@@ -56,8 +56,10 @@ struct FoundItem {
   std::string fault;                    ///< empty when nothing is
 };
 
-/// Of the text of an item in a store of this description. An item vouches for itself as well: it records the SHA-256 of
-/// its text without these digits. Those of atlases whose format is older than 2 need not.
-[[nodiscard]] FoundItem item_from(const std::string& text, const AtlasDescription& description);
+/// Of the text of the item beside `file` (relative to the store) in a store of this description. An item vouches for
+/// itself as well: it records the SHA-256 of its text without these digits. Those of atlases whose format is older than
+/// 2 need not. One that is right in itself but of another place, look or texel than stand there is at fault.
+[[nodiscard]] FoundItem item_from(const std::string& text, const AtlasDescription& description,
+                                  const std::filesystem::path& file);
 
 }  // namespace sigmascape::atlas

@@ -108,7 +108,7 @@ Store Store::create(const std::filesystem::path& folder, const AtlasDescription&
 std::optional<Store> Store::find(const std::filesystem::path& folder, const AtlasDescription& description) {
   check_description(description);
   const std::filesystem::path file = folder / collection_name;
-  if (!text_of(file)) return std::nullopt;
+  if (is_nothing_there(text_of(file).error)) return std::nullopt;
   Store store = open(folder);
   check_same(store, description);
   return store;
@@ -116,7 +116,10 @@ std::optional<Store> Store::find(const std::filesystem::path& folder, const Atla
 
 Store Store::open(const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / collection_name;
-  const auto text = text_of(file);
+  const auto [text, error] = text_of(file);
+  if (error && !is_nothing_there(error)) {
+    throw Error(file.string(), cannot_be_read(error), "make it a file that may be read, or choose another folder");
+  }
   if (!text) throw Error(file.string(), "is not there", "choose the folder of an atlas, or bake one first");
   AtlasDescription description = description_from(*text, file);
   check_description(description);

@@ -1,6 +1,8 @@
 #include "sigmascape/atlas/texture_file.h"
 
 #include <algorithm>
+#include <array>
+#include <cerrno>
 #include <fmt/format.h>
 #include <fstream>
 #include <iterator>
@@ -33,44 +35,69 @@ std::string texture_bytes(const HalfTexture& texture, const BandNames& bands, co
 
 namespace {
 
-/// What is wrong with a file that is there, if anything.
+/// Nothing when the file cannot be read.
+std::optional<std::string> digest_of(const std::filesystem::path& file) {
+  try {
+    return sha256_of_file(file);
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+}
+
+/// What is wrong with a file that an item records, if anything.
 std::optional<StoreFault> file_fault(const std::filesystem::path& folder, const std::filesystem::path& file,
-                                     std::uintmax_t size, std::uint64_t recorded_size, const std::string& sha256,
-                                     Scrutiny scrutiny) {
+                                     std::uint64_t recorded_size, const std::string& sha256, Scrutiny scrutiny) {
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(folder / file, error);
+  if (is_nothing_there(error)) return StoreFault{file, "is missing, though its item is there"};
+  if (error) return StoreFault{file, cannot_be_read(error)};
   if (size < recorded_size) {
     return StoreFault{file, fmt::format("is truncated: {} of {} bytes", size, recorded_size)};
   }
   if (size > recorded_size) {
     return StoreFault{file, fmt::format("was altered: {} bytes instead of {}", size, recorded_size)};
   }
-  if (scrutiny == Scrutiny::Content && sha256_of_file(folder / file) != sha256) {
-    return StoreFault{file, "was altered: its SHA-256 is not the recorded one"};
-  }
+  if (scrutiny == Scrutiny::Size) return std::nullopt;
+  const auto digest = digest_of(folder / file);
+  if (!digest) return StoreFault{file, "cannot be read"};
+  if (*digest != sha256) return StoreFault{file, "was altered: its SHA-256 is not the recorded one"};
   return std::nullopt;
 }
 
 /// Whatever its standard errors are like.
 FoundTexture found_alone(const Store& store, const std::filesystem::path& texture, Scrutiny scrutiny) {
-  const std::filesystem::path& folder = store.folder();
-  const std::filesystem::path item = item_path(texture);
-  std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(folder / texture, error);
-  const bool there = !error;
-  const std::optional<std::string> text = text_of(folder / item);
-  if (!text && !there) return {{}, StoreFault{texture, "is missing", true}};
-  if (!text) return {{}, StoreFault{item, "is missing, so the file that it vouches for does not count"}};
-  const auto [record, fault] = item_from(*text, store.description());
-  if (!record) return {{}, StoreFault{item, fault}};
-  if (!there) return {record, StoreFault{texture, "is missing, though its item is there"}};
-  return {record, file_fault(folder, texture, size, record->size_bytes, record->sha256, scrutiny)};
+  const auto item = found_item(store, texture);
+  if (!item) {
+    std::error_code error;
+    static_cast<void>(std::filesystem::file_size(store.folder() / texture, error));
+    if (is_nothing_there(error)) return {{}, StoreFault{texture, "is missing", true}};
+    return {{}, StoreFault{item_path(texture), "is missing, so the file that it vouches for does not count"}};
+  }
+  if (!item->record) return {{}, StoreFault{item_path(texture), item->fault}};
+  const TextureRecord& record = *item->record;
+  return {record, file_fault(store.folder(), texture, record.size_bytes, record.sha256, scrutiny)};
 }
 
 }  // namespace
 
-std::optional<std::string> text_of(const std::filesystem::path& file) {
+FileText text_of(const std::filesystem::path& file) {
+  const auto told_by_system = [] { return std::error_code(errno, std::generic_category()); };
   std::ifstream stream(file, std::ios::binary);
-  if (!stream) return std::nullopt;
-  return std::string{std::istreambuf_iterator<char>(stream), {}};
+  if (!stream) return {{}, told_by_system()};
+  std::string text;
+  std::array<char, 1 << 16> part{};
+  while (stream.read(part.data(), part.size()) || stream.gcount() > 0)
+    text.append(part.data(), static_cast<std::size_t>(stream.gcount()));
+  if (stream.bad()) return {{}, told_by_system()};
+  return {std::move(text), {}};
+}
+
+bool is_nothing_there(const std::error_code& error) {
+  return error == std::errc::no_such_file_or_directory || error == std::errc::not_a_directory;
+}
+
+std::string cannot_be_read(const std::error_code& error) {
+  return fmt::format("cannot be read ({})", error.message());
 }
 
 std::filesystem::path item_path(std::filesystem::path texture) {
@@ -81,13 +108,15 @@ FoundTexture found_texture(const Store& store, const std::filesystem::path& text
   FoundTexture found = found_alone(store, texture, scrutiny);
   if (found.fault || !found.record->errors) return found;
   const ErrorsRecord& recorded = *found.record->errors;
-  const std::filesystem::path errors = errors_path(texture);
-  std::error_code error;
-  const std::filesystem::path& folder = store.folder();
-  const std::uintmax_t size = std::filesystem::file_size(folder / errors, error);
-  found.fault = error ? StoreFault{errors, "is missing, though its item is there"}
-                      : file_fault(folder, errors, size, recorded.size_bytes, recorded.sha256, scrutiny);
+  found.fault = file_fault(store.folder(), errors_path(texture), recorded.size_bytes, recorded.sha256, scrutiny);
   return found;
+}
+
+std::optional<FoundItem> found_item(const Store& store, const std::filesystem::path& texture) {
+  const auto [text, error] = text_of(store.folder() / item_path(texture));
+  if (text) return item_from(*text, store.description(), texture);
+  if (is_nothing_there(error)) return std::nullopt;
+  return FoundItem{{}, cannot_be_read(error)};
 }
 
 std::optional<StoreFault> texture_fault(const Store& store, const std::filesystem::path& texture, Scrutiny scrutiny) {
@@ -96,14 +125,12 @@ std::optional<StoreFault> texture_fault(const Store& store, const std::filesyste
 
 bool is_as_recorded(const std::filesystem::path& folder, const std::filesystem::path& texture,
                     const TextureRecord& record, Scrutiny scrutiny) {
-  std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(folder / texture, error);
-  return !error && !file_fault(folder, texture, size, record.size_bytes, record.sha256, scrutiny);
+  return !file_fault(folder, texture, record.size_bytes, record.sha256, scrutiny);
 }
 
 std::optional<TextureRecord> texture_record(const Store& store, const std::filesystem::path& texture) {
-  const std::optional<std::string> text = text_of(store.folder() / item_path(texture));
-  return text ? item_from(*text, store.description()).record : std::nullopt;
+  const auto item = found_item(store, texture);
+  return item ? item->record : std::nullopt;
 }
 
 void write_texture(const Store& store, const PyramidTile& tile, const std::filesystem::path& texture,

@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <system_error>
 
 #include "sigmascape/atlas/half_texture.h"
 #include "sigmascape/atlas/pyramid_tiles.h"
@@ -20,8 +21,17 @@ namespace sigmascape::atlas {
 inline constexpr const char* bake_again =
     "start the bake again with the same settings and --verify, which makes anew what is missing or was altered";
 
-/// Everything in a file; nothing when it cannot be read.
-[[nodiscard]] std::optional<std::string> text_of(const std::filesystem::path& file);
+/// Everything in a file; nothing, and why, when it is not there or cannot be read.
+struct FileText {
+  std::optional<std::string> text = {};
+  std::error_code error = {};
+};
+[[nodiscard]] FileText text_of(const std::filesystem::path& file);
+
+/// Whether the system said that there is nothing of a name, rather than that it may not be read.
+[[nodiscard]] bool is_nothing_there(const std::error_code& error);
+/// As faults say it of what is there: "cannot be read (Is a directory)".
+[[nodiscard]] std::string cannot_be_read(const std::error_code& error);
 
 /// The item beside a texture: the same name with the ending .json.
 [[nodiscard]] std::filesystem::path item_path(std::filesystem::path texture);
@@ -32,6 +42,9 @@ struct FoundTexture {
   std::optional<StoreFault> fault;
 };
 [[nodiscard]] FoundTexture found_texture(const Store& store, const std::filesystem::path& texture, Scrutiny scrutiny);
+
+/// What the item beside a texture records, or what is wrong with it; nothing when there is no item.
+[[nodiscard]] std::optional<FoundItem> found_item(const Store& store, const std::filesystem::path& texture);
 
 /// What is wrong with a texture, if anything.
 [[nodiscard]] std::optional<StoreFault> texture_fault(const Store& store, const std::filesystem::path& texture,

@@ -11,13 +11,13 @@ std::optional<TextureRecord> VouchedFiles::record_of(const std::filesystem::path
     const std::lock_guard lock(guard_);
     if (const auto known = known_.find(file); known != known_.end()) return known->second;
   }
-  const std::optional<std::string> item = text_of(store_.folder() / item_path(file));
-  const bool has_item = item.has_value();
+  // One that cannot be read now may be another time.
+  const std::optional<std::string> item = text_of(store_.folder() / item_path(file)).text;
   std::optional<TextureRecord> record;
-  if (has_item) record = item_from(*item, store_.description()).record;
+  if (item) record = item_from(*item, store_.description(), file).record;
   if (record && !is_as_recorded(store_.folder(), file, *record, scrutiny_)) record.reset();
   const std::lock_guard lock(guard_);
-  if (!has_item) {
+  if (!item) {
     missing_.insert(file);
     return std::nullopt;
   }

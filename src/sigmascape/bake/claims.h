@@ -9,10 +9,10 @@ namespace sigmascape::bake {
 
 /// Keeps processes that bake into one folder at once from doing the same job twice.
 ///
-/// Each job, and after them the ground of each patch, is a byte of the empty file ".claims" in that folder, and whoever
-/// bakes it holds a lock on that byte. Locks end with the process that holds them, however it ends, so none can be left
-/// behind. Nothing depends on them but time: where a file system cannot lock, a job may be baked twice, to the same
-/// bytes.
+/// Each job, after them the ground of each patch, and last the terrain, is a byte of the empty file ".claims" in that
+/// folder, and whoever bakes it holds a lock on that byte. Locks end with the process that holds them, however it ends,
+/// so none can be left behind. Nothing depends on them but time: where a file system cannot lock, a job may be baked
+/// twice, to the same bytes.
 class Claims {
  public:
   enum class Wait { No, UntilFree };

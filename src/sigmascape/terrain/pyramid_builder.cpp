@@ -120,7 +120,7 @@ TileSummary joined_with_children(TileKey key, TileSummary joined, const Array2D<
 bool holds(const std::filesystem::path& folder, std::string_view name, const PyramidHeading& heading) {
   if (!std::filesystem::exists(folder / name)) return false;
   try {
-    return read_heading(folder / name) == heading;
+    return read_heading(folder / name).is_of_heights_of(heading);
   } catch (const Error&) {
     return false;
   }
@@ -151,7 +151,7 @@ std::shared_ptr<const HeightTile> whole_tile(const std::filesystem::path& folder
 /// Where a pyramid is built: in its folder, or beside it while the folder holds a finished one of other heights, which
 /// stays until it can be replaced. The name is always the same, so that what was interrupted goes on.
 std::filesystem::path building_site(const std::filesystem::path& folder, const PyramidHeading& heading) {
-  if (!holds_pyramid(folder) || holds(folder, heading_name, heading)) return folder;
+  if (heading_fault(folder) || holds(folder, heading_name, heading)) return folder;
   return folder.parent_path() / fmt::format(".{}.unfinished", folder.filename().string());
 }
 
@@ -184,10 +184,13 @@ std::size_t build_tiles_on_disk(const std::filesystem::path& folder, const Pyram
   const auto summaries = build_tiles(
       layout, finest, keep, [&](TileKey key) { return read_tile(folder, key); },
       [&](TileKey key) { return whole_tile(folder, key); });
+  PyramidHeading whole = heading;
   for (int level = 0; level < layout.levels(); ++level) {
     write_index(folder, layout, crs, level, summaries[static_cast<std::size_t>(level)]);
+    whole.index_sha256.push_back(sha256_of_file(index_path(folder, level)));
   }
-  if (!finished) write_heading(folder / heading_name, heading);
+  const bool is_told = finished && read_heading(folder / heading_name).index_sha256 == whole.index_sha256;
+  if (!is_told) write_heading(folder / heading_name, whole);
   std::filesystem::remove(folder / unfinished_heading_name);
   return written;
 }
@@ -205,6 +208,23 @@ PyramidHeading heading_of(const HeightField& field, const geo::LocalFrame& frame
   hash.add_values(field.height_m.values());
   hash.add(fmt::format("{} {} {} {}", field.west_m, field.north_m, field.spacing_m, frame.proj()));
   return {PyramidLayout::covering(field.extent(), field.spacing_m), hash.hex_digest()};
+}
+
+/// What is wrong with one of the files of a folder, if anything; `read` throws Error when it is not as it was written.
+template <typename Read>
+std::optional<PyramidFault> fault_of(const std::filesystem::path& folder, const std::filesystem::path& file,
+                                     const Read& read) {
+  std::error_code error;
+  const bool is_there = std::filesystem::exists(file, error);
+  const std::filesystem::path name = file.lexically_relative(folder);
+  if (error) return PyramidFault{name, fmt::format("cannot be read ({})", error.message())};
+  if (!is_there) return PyramidFault{name, "is missing"};
+  try {
+    static_cast<void>(read());
+    return std::nullopt;
+  } catch (const Error&) {
+    return PyramidFault{name, "is truncated or was altered"};
+  }
 }
 
 /// Nodes of a tile from a field, whose edge goes on beyond it.
@@ -320,36 +340,32 @@ std::size_t build_pyramid(const std::filesystem::path& folder, const HeightField
 }
 
 bool holds_pyramid(const std::filesystem::path& folder) {
-  return std::filesystem::exists(folder / heading_name);
+  std::error_code hidden;
+  return std::filesystem::exists(folder / heading_name, hidden) || hidden;
 }
 
 bool holds_pyramid_of(const std::filesystem::path& folder, const HeightField& field, const geo::LocalFrame& frame) {
   return holds(folder, heading_name, heading_of(field, frame));
 }
 
+std::optional<PyramidFault> heading_fault(const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / heading_name;
+  return fault_of(folder, file, [&] { return read_heading(file); });
+}
+
 std::vector<PyramidFault> verify_pyramid(const std::filesystem::path& folder) {
+  if (const auto fault = heading_fault(folder)) return {*fault};
   std::vector<PyramidFault> faults;
   const auto check = [&](const std::filesystem::path& file, auto read) {
-    if (!std::filesystem::exists(file)) {
-      faults.push_back({file.lexically_relative(folder), "is missing"});
-      return false;
-    }
-    try {
-      (void)read();
-      return true;
-    } catch (const Error&) {
-      faults.push_back({file.lexically_relative(folder), "is truncated or was altered"});
-      return false;
-    }
+    if (auto fault = fault_of(folder, file, read)) faults.push_back(std::move(*fault));
   };
-  PyramidHeading heading;
-  if (!check(folder / heading_name, [&] { return heading = read_heading(folder / heading_name); })) return faults;
+  const PyramidHeading heading = read_heading(folder / heading_name);
   for (int level = 0; level < heading.layout.levels(); ++level) {
-    (void)check(index_path(folder, level), [&] { return read_index(folder, heading.layout, level); });
+    check(index_path(folder, level), [&] { return read_index(folder, heading, level); });
     for (std::uint32_t row = 0; row < heading.layout.down(level); ++row) {
       for (std::uint32_t column = 0; column < heading.layout.across(level); ++column) {
         const TileKey key{level, column, row};
-        (void)check(tile_path(folder, key), [&] { return read_tile(folder, key); });
+        check(tile_path(folder, key), [&] { return read_tile(folder, key); });
       }
     }
   }
@@ -360,7 +376,7 @@ TerrainPyramid open_pyramid(const std::filesystem::path& folder, std::size_t bud
   const PyramidHeading heading = read_heading(folder / heading_name);
   std::vector<Array2D<TileSummary>> summaries;
   for (int level = 0; level < heading.layout.levels(); ++level) {
-    summaries.push_back(read_index(folder, heading.layout, level));
+    summaries.push_back(read_index(folder, heading, level));
   }
   return {heading.layout, std::move(summaries), [folder](TileKey key) { return read_tile(folder, key); }, budget_bytes};
 }

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,7 +43,7 @@ std::size_t build_pyramid(const std::filesystem::path& folder, const TerrainSour
 /// The same from a field in memory.
 std::size_t build_pyramid(const std::filesystem::path& folder, const HeightField& field, const geo::LocalFrame& frame);
 
-/// Whether a folder holds a finished pyramid.
+/// Whether a folder holds the heading of a finished pyramid, whatever that is like.
 [[nodiscard]] bool holds_pyramid(const std::filesystem::path& folder);
 /// Whether it was made from this field.
 [[nodiscard]] bool holds_pyramid_of(const std::filesystem::path& folder, const HeightField& field,
@@ -50,8 +51,12 @@ std::size_t build_pyramid(const std::filesystem::path& folder, const HeightField
 
 struct PyramidFault {
   std::filesystem::path file;  ///< relative to the folder
-  std::string what;            ///< "is missing", "is truncated or was altered"
+  std::string what;            ///< "is missing", "is truncated or was altered", "cannot be read (…)"
 };
+
+/// What is wrong with the heading of a finished pyramid, if anything: without one that can be understood the rest
+/// counts for nothing.
+[[nodiscard]] std::optional<PyramidFault> heading_fault(const std::filesystem::path& folder);
 
 /// Reads every file of a pyramid on disk and returns those that are not as they were written.
 [[nodiscard]] std::vector<PyramidFault> verify_pyramid(const std::filesystem::path& folder);

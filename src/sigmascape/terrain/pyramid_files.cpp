@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <charconv>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <fstream>
+#include <iterator>
+#include <map>
 #include <system_error>
 #include <utility>
 
@@ -23,6 +27,39 @@ std::string digest_of(TileKey key, const std::vector<float>& heights) {
   digest.add(fmt::format("{} {} {} ", key.level, key.column, key.row));
   digest.add_values(std::span(heights));
   return digest.hex_digest();
+}
+
+using Metadata = std::map<std::string, std::string>;
+
+/// Of a tile's heights and what it says of them and of those below; none of these may be absent.
+std::string digest_of(const Metadata& tile) {
+  Sha256 digest;
+  for (const char* name : {"heights_sha256", "lowest_m", "highest_m", "error_m"}) digest.add(tile.at(name) + " ");
+  return digest.hex_digest();
+}
+
+constexpr std::string_view own_hash = "heading_sha256 = \"";
+constexpr std::size_t sha256_digits = 64;
+
+/// A heading with the SHA-256 of its own text at the end.
+std::string sealed(std::string text) {
+  text += fmt::format("{}\"\n", own_hash);
+  const std::string digits = sha256_of(text);
+  return text.insert(text.size() - std::string_view("\"\n").size(), digits);
+}
+
+/// Whether a heading is not what its own hash says.
+bool is_altered(const std::filesystem::path& file_name, const std::string& recorded) {
+  std::ifstream file(file_name, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(file), {}};
+  const std::size_t found = text.find(own_hash);
+  if (found == std::string::npos || recorded.size() != sha256_digits) return true;
+  text.erase(found + own_hash.size(), sha256_digits);
+  return sha256_of(text) != recorded;
+}
+
+Error altered(const std::filesystem::path& file) {
+  return {file.string(), "has been altered since it was written", "build the pyramid again"};
 }
 
 }  // namespace
@@ -47,6 +84,7 @@ void write_tile(const std::filesystem::path& folder, const PyramidLayout& layout
                    {"highest_m", fmt::format("{}", tile.summary.highest_m)},
                    {"error_m", fmt::format("{}", tile.summary.error_m)},
                    {"heights_sha256", digest_of(key, tile.height_m)}}};
+  raster.metadata["tile_sha256"] = digest_of(raster.metadata);
   std::ranges::copy(tile.height_m, raster.bands[0].values.values().begin());
   geo::write_geotiff(tile_path(folder, key), raster);
 }
@@ -60,9 +98,7 @@ std::shared_ptr<const HeightTile> read_tile(const std::filesystem::path& folder,
   }
   HeightTile tile{.height_m = {heights.values().begin(), heights.values().end()}};
   const auto digest = raster.metadata.find("heights_sha256");
-  if (digest == raster.metadata.end() || digest->second != digest_of(key, tile.height_m)) {
-    throw Error(path.string(), "has been altered since it was written", "build the pyramid again");
-  }
+  if (digest == raster.metadata.end() || digest->second != digest_of(key, tile.height_m)) throw altered(path);
   const auto number = [&](const char* name) {
     const auto found = raster.metadata.find(name);
     float value = 0.0F;
@@ -73,6 +109,9 @@ std::shared_ptr<const HeightTile> read_tile(const std::filesystem::path& folder,
     return value;
   };
   tile.summary = {number("lowest_m"), number("highest_m"), number("error_m")};
+  // Tiles of a former kind vouch for their heights alone.
+  const auto whole = raster.metadata.find("tile_sha256");
+  if (whole != raster.metadata.end() && whole->second != digest_of(raster.metadata)) throw altered(path);
   return std::make_shared<const HeightTile>(std::move(tile));
 }
 
@@ -93,9 +132,12 @@ void write_index(const std::filesystem::path& folder, const PyramidLayout& layou
        .metadata = {}});
 }
 
-Array2D<TileSummary> read_index(const std::filesystem::path& folder, const PyramidLayout& layout, int level) {
+Array2D<TileSummary> read_index(const std::filesystem::path& folder, const PyramidHeading& heading, int level) {
   const geo::GeoRaster raster = geo::read_geotiff(index_path(folder, level));
-  Array2D<TileSummary> summaries(layout.across(level), layout.down(level));
+  const std::vector<std::string>& recorded = heading.index_sha256;
+  if (!recorded.empty() && sha256_of_file(index_path(folder, level)) != recorded[static_cast<std::size_t>(level)])
+    throw altered(index_path(folder, level));
+  Array2D<TileSummary> summaries(heading.layout.across(level), heading.layout.down(level));
   if (raster.bands.size() != 3 || raster.bands[0].values.size() != summaries.size()) {
     throw Error(index_path(folder, level).string(), "does not belong to this pyramid", "build the pyramid again");
   }
@@ -113,18 +155,25 @@ PyramidHeading read_heading(const std::filesystem::path& file_name) {
                                     file.number("spacing_m", {1e-3, 1e6, "m"}),
                                     static_cast<std::uint32_t>(file.number("tiles_across", count)),
                                     static_cast<std::uint32_t>(file.number("tiles_down", count))},
-                         .source_hash = file.text("source_hash")};
+                         .source_hash = file.text("source_hash"),
+                         .index_sha256 = file.texts("index_sha256")};
+  const auto recorded = file.optional_text("heading_sha256");
   file.refuse_unknown_keys();
+  const std::size_t indexes = heading.index_sha256.size();
+  if (indexes != 0 && indexes != static_cast<std::size_t>(heading.layout.levels())) throw altered(file_name);
+  if (recorded && is_altered(file_name, *recorded)) throw altered(file_name);
   return heading;
 }
 
 void write_heading(const std::filesystem::path& file_name, const PyramidHeading& heading) {
   const PyramidLayout& layout = heading.layout;
-  geo::write_atomically(
-      file_name, fmt::format("west_m = {:.17g}\nnorth_m = {:.17g}\nspacing_m = {:.17g}\ntiles_across = {}\n"
-                             "tiles_down = {}\nsource_hash = \"{}\"\n",
-                             layout.west_m, layout.north_m, layout.spacing_m, layout.tiles_across, layout.tiles_down,
-                             heading.source_hash));
+  std::string text = fmt::format(
+      "west_m = {:.17g}\nnorth_m = {:.17g}\nspacing_m = {:.17g}\ntiles_across = {}\n"
+      "tiles_down = {}\nsource_hash = \"{}\"\n",
+      layout.west_m, layout.north_m, layout.spacing_m, layout.tiles_across, layout.tiles_down, heading.source_hash);
+  if (!heading.index_sha256.empty())
+    text += fmt::format("index_sha256 = [\n  \"{}\",\n]\n", fmt::join(heading.index_sha256, "\",\n  \""));
+  geo::write_atomically(file_name, sealed(std::move(text)));
 }
 
 }  // namespace sigmascape::terrain

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "sigmascape/base/array2d.h"
 #include "sigmascape/terrain/height_tile.h"
@@ -14,8 +15,13 @@ namespace sigmascape::terrain {
 struct PyramidHeading {
   PyramidLayout layout;
   std::string source_hash;
+  /// SHA-256 of the index of each level; none while the pyramid is unfinished, nor in those of a former kind.
+  std::vector<std::string> index_sha256 = {};
 
-  friend bool operator==(const PyramidHeading&, const PyramidHeading&) = default;
+  /// Whether it is of the same heights, from which the indexes follow.
+  [[nodiscard]] bool is_of_heights_of(const PyramidHeading& other) const {
+    return layout == other.layout && source_hash == other.source_hash;
+  }
 };
 
 /// The files of a pyramid's folder: `level_<k>/<column>_<row>.tif` a tile, `level_<k>.tif` lowest, highest and error of
@@ -35,10 +41,13 @@ void write_tile(const std::filesystem::path& folder, const PyramidLayout& layout
 
 void write_index(const std::filesystem::path& folder, const PyramidLayout& layout, const std::string& crs, int level,
                  const Array2D<TileSummary>& summaries);
-[[nodiscard]] Array2D<TileSummary> read_index(const std::filesystem::path& folder, const PyramidLayout& layout,
+/// Throws Error when the index is missing, truncated or not as the heading says.
+[[nodiscard]] Array2D<TileSummary> read_index(const std::filesystem::path& folder, const PyramidHeading& heading,
                                               int level);
 
 void write_heading(const std::filesystem::path& file_name, const PyramidHeading& heading);
+/// Throws Error when the heading is missing, truncated or was altered: it records the SHA-256 of its own text, without
+/// these digits. Those of a former kind do not, and are taken as they are.
 [[nodiscard]] PyramidHeading read_heading(const std::filesystem::path& file_name);
 
 }  // namespace sigmascape::terrain

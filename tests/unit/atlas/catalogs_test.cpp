@@ -183,6 +183,7 @@ TEST_F(Catalogs, AnAtlasOfAFormerKindOpensAndIsMended) {
   bake_all();
   const auto whole = files_of(store_.folder());
   json collection = parsed(store_.folder() / collection_name);
+  collection.erase(collection_hash);
   collection["links"] = {{{"rel", "item"}, {"href", "./patch_+000_+000/az000.0_el13.0_f10.000GHz.json"}}};
   std::ofstream(store_.folder() / collection_name) << collection.dump(2) << "\n";
   for (const auto& [name, content] : whole) {

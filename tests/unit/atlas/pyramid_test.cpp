@@ -43,6 +43,25 @@ void alter(const std::filesystem::path& path) {
   file.put(byte);
 }
 
+TEST(Pyramid, OneInThePlaceOfAnotherIsFound) {
+  const ScratchFolder folder;
+  const Store store = Store::create(folder.path("a"), wide_description());
+  for (const Unit& unit : store.units()) store.write(unit.patch, unit.look, example_texels(256, 1), {});
+  const Pyramid pyramid(store);
+  pyramid.make_above(store.units());
+  ASSERT_TRUE(pyramid.verify().empty());
+  const auto west = folder.path("a") / pyramid.texture_path({1, {-2, 0}}, 0);
+  const auto east = folder.path("a") / pyramid.texture_path({1, {0, 0}}, 0);
+  std::filesystem::copy_file(std::filesystem::path(west).replace_extension(".json"),
+                             std::filesystem::path(east).replace_extension(".json"),
+                             std::filesystem::copy_options::overwrite_existing);
+  const auto faults = pyramid.verify(Scrutiny::Size);
+  ASSERT_FALSE(faults.empty());
+  EXPECT_EQ(faults.front().what,
+            "is of pyramid_1_patch_-002_+000_az000.0_el13.0_f10.000GHz and stands in the place of "
+            "pyramid_1_patch_+000_+000_az000.0_el13.0_f10.000GHz");
+}
+
 TEST(Pyramid, GoesOnUntilTilesMeetAtTheOrigin) {
   const ScratchFolder folder;
   const auto levels_of = [&](const radar::Rectangle& extent) {

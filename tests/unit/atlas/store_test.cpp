@@ -103,6 +103,16 @@ TEST_F(StoreTest, RefusesAnotherDescriptionAndNamesWhatDiffers) {
   other = example_description();
   other.settings["bounces"] = "3";
   EXPECT_THAT(message_of([&] { static_cast<void>(Store::create(folder_, other)); }), HasSubstr("settings.bounces"));
+  other.mantissa_bits = 9;
+  other.attribution = "another";
+  other.settings = {{"samples", "32"}, {"seed", "8"}};
+  EXPECT_THAT(message_of([&] { static_cast<void>(Store::create(folder_, other)); }),
+              HasSubstr("mantissa_bits is 10 there and 9 here, and 1 more; choose"));
+  other = example_description();
+  other.settings = {{"samples", "32"}, {"seed", "8"}};
+  EXPECT_THAT(message_of([&] { static_cast<void>(Store::create(folder_, other)); }),
+              HasSubstr("settings.samples is \"64\" there and \"32\" here, and settings.seed is \"7\" there and \"8\" "
+                        "here; choose"));
 }
 
 TEST_F(StoreTest, OfTwoThatAreMadeAtOnceWithOtherSettingsOneIsRefused) {
@@ -392,6 +402,110 @@ TEST_F(StoreTest, AnItemOfAnotherBakeDoesNotCount) {
                 static_cast<void>(store.read({0, 0}, 0));
               }),
               HasSubstr("is of another bake: scene_hash is ffff there and 0123abcd in the collection"));
+}
+
+/// A texture, its item and its standard errors in the place of another's, each as it was written.
+void copy_look(const Store& store, const std::filesystem::path& from, const std::filesystem::path& to) {
+  for (const char* ending : {".tif", ".json"}) {
+    std::filesystem::copy_file((store.folder() / from).replace_extension(ending),
+                               (store.folder() / to).replace_extension(ending),
+                               std::filesystem::copy_options::overwrite_existing);
+  }
+}
+
+TEST_F(StoreTest, ALookInThePlaceOfAnotherIsFoundNamedAndNotRead) {
+  const Store store = filled(folder_);
+  const auto told_of = [&](PatchIndex patch, LookIndex look, const std::filesystem::path& from) {
+    const auto there = store.texture_path(patch, look);
+    copy_look(store, from, there);
+    EXPECT_FALSE(store.is_done(patch, look));
+    const auto faults = store.verify();
+    if (faults.size() != 1) return std::string("not one fault");
+    EXPECT_EQ(faults.front().file, std::filesystem::path(there).replace_extension(".json"));
+    EXPECT_THAT(message_of([&] { static_cast<void>(store.read(patch, look)); }), HasSubstr(faults.front().what));
+    store.write(patch, look, example_texels(512, look), {});
+    return faults.front().what;
+  };
+  EXPECT_EQ(told_of({0, 0}, 1, store.texture_path({0, 0}, 0)),
+            "is of patch_+000_+000_az000.0_el05.0_f10.000GHz and stands in the place of "
+            "patch_+000_+000_az135.0_el05.0_f10.000GHz");
+  EXPECT_EQ(told_of({0, 0}, 2, store.texture_path({-1, 0}, 2)),
+            "is of patch_-001_+000_az000.0_el13.0_f10.000GHz and stands in the place of "
+            "patch_+000_+000_az000.0_el13.0_f10.000GHz");
+  EXPECT_TRUE(store.verify().empty());
+}
+
+// Names of files are rounded, and do not tell how large texels are.
+TEST_F(StoreTest, ALookOfTheSameNameFromAnotherAtlasDoesNotCount) {
+  const Store store = filled(folder_ / "here");
+  const auto told_of = [&](const AtlasDescription& other) {
+    const auto folder = folder_ / std::to_string(other.patches.texel_m + other.aspects.azimuths_rad[1]);
+    const Store there = Store::create(folder, other);
+    there.write({0, 0}, 1, example_texels(other.patches.texels_per_side, 1), {});
+    for (const char* ending : {".tif", ".json"}) {
+      std::filesystem::copy_file((folder / there.texture_path({0, 0}, 1)).replace_extension(ending),
+                                 (store.folder() / store.texture_path({0, 0}, 1)).replace_extension(ending),
+                                 std::filesystem::copy_options::overwrite_existing);
+    }
+    return message_of([&] { static_cast<void>(store.read({0, 0}, 1)); });
+  };
+  AtlasDescription other = example_description();
+  other.aspects.azimuths_rad[1] = radians_from_deg(135.04);
+  EXPECT_THAT(told_of(other),
+              HasSubstr("is of another bake: azimuth_deg is 135.04 there, which the collection does not have"));
+  other = example_description();
+  other.patches = {2.0, 256};
+  EXPECT_THAT(told_of(other), HasSubstr("is of another bake: gsd is 2 there and 1 in the collection"));
+  other.patches = {1.0, 1024};
+  EXPECT_THAT(told_of(other),
+              HasSubstr("is of another bake: proj:shape is [1024,1024] there and [512,512] in the collection"));
+}
+
+TEST_F(StoreTest, AnAlteredCollectionIsNamedWithWhatMendsIt) {
+  static_cast<void>(filled(folder_));
+  const auto file = folder_ / "collection.json";
+  const std::string whole = bytes_of(file);
+  for (const auto& [from, to] :
+       {std::pair("\"attribution\": \"made up\"", "\"attribution\": \"made down\""),
+        std::pair("\"id\": \"example\"", "\"id\": \"sample\""),
+        std::pair("\"mantissa_bits\": 10", "\"mantissa_bits\": 5"), std::pair("-512.0", "-511.0"),
+        std::pair("\"scene_hash\": \"0123abcd\"", "\"scene_hash\": \"ffff\"")}) {
+    alter_item(file, from, to);
+    EXPECT_EQ(
+        message_of([&] { static_cast<void>(Store::open(folder_)); }),
+        file.string() +
+            ": was altered: its own SHA-256 is not the recorded one; remove this one file and bake again with the "
+            "same settings, which writes it anew and keeps what is baked")
+        << to;
+    std::ofstream(file, std::ios::binary) << whole;
+  }
+  std::filesystem::remove(file);
+  EXPECT_TRUE(Store::create(folder_, example_description()).verify().empty());
+  EXPECT_EQ(bytes_of(file), whole);
+}
+
+// What cannot be read is not taken for missing, and is named.
+TEST_F(StoreTest, AFolderInThePlaceOfAFileIsNamed) {
+  const Store store = filled(folder_);
+  const auto put_folder = [&](const std::filesystem::path& file) {
+    std::filesystem::remove(folder_ / file);
+    std::filesystem::create_directory(folder_ / file);
+    return file;
+  };
+  const auto item = put_folder(store.texture_path({0, 0}, 0).replace_extension(".json"));
+  const auto texture = put_folder(store.texture_path({0, 0}, 1));
+  const auto faults = store.verify();
+  ASSERT_EQ(faults.size(), 2U);
+  EXPECT_EQ(faults[0].file, item);
+  EXPECT_EQ(faults[0].what, "cannot be read (Is a directory)");
+  EXPECT_EQ(faults[1].file, texture);
+  EXPECT_EQ(faults[1].what, "cannot be read (Is a directory)");
+  const auto collection = folder_ / put_folder("collection.json");
+  const std::string told =
+      collection.string() +
+      ": cannot be read (Is a directory); make it a file that may be read, or choose another folder";
+  EXPECT_EQ(message_of([&] { static_cast<void>(Store::open(folder_)); }), told);
+  EXPECT_EQ(message_of([&] { static_cast<void>(Store::create(folder_, example_description())); }), told);
 }
 
 // Items of format 1 neither vouch for themselves nor tell more of the settings than seed and instruction set.

@@ -10,8 +10,10 @@
 #include <vector>
 
 #include "example_texels.h"
+#include "scratch_folder.h"
 
 #include "sigmascape/atlas/atlas.h"
+#include "sigmascape/atlas/catalogs.h"
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/atlas/obstacle_file.h"
 #include "sigmascape/atlas/pyramid.h"
@@ -121,6 +123,31 @@ TEST_F(VerifyTest, FindsWhatIsWrongWithObstacles) {
   EXPECT_EQ(fault(), obstacles.string() + " is missing, though its item is there");
   fs::remove((folder_ / obstacles).replace_extension(".json"));
   EXPECT_EQ(fault(), obstacles.string() + " is missing");
+}
+
+TEST_F(VerifyTest, FindsObstaclesInThePlaceOfOthers) {
+  for (const char* file : {"obstacles.tif", "obstacles.json"}) {
+    fs::copy_file(folder_ / "patch_-001_+000" / file, folder_ / "patch_+000_+000" / file,
+                  fs::copy_options::overwrite_existing);
+  }
+  EXPECT_EQ(fault(Scrutiny::Size),
+            "patch_+000_+000/obstacles.json is of patch_-001_+000_obstacles and stands in the place of "
+            "patch_+000_+000_obstacles");
+}
+
+// Those of atlases from before say nothing of themselves, and stay as they are.
+TEST_F(VerifyTest, CollectionsThatDoNotVouchForThemselvesAreWhole) {
+  for (const fs::path& folder : {folder_, folder_ / "ground"}) {
+    const std::string former = unsealed_collection_text(Store::open(folder).description());
+    EXPECT_EQ(former.find(collection_hash), std::string::npos);
+    std::ofstream(folder / collection_name, std::ios::binary) << former;
+  }
+  const auto before = files_of(folder_);
+  EXPECT_EQ(fault(), "none");
+  EXPECT_TRUE(mend_catalogs(Store::open(folder_), Scrutiny::Content).empty());
+  EXPECT_EQ(difference_of(files_of(folder_), before), "");
+  std::ofstream(folder_ / collection_name, std::ios::app) << "\n";
+  EXPECT_THAT(fault(), testing::StartsWith("collection.json does not link"));
 }
 
 /// What load_atlas says of it.

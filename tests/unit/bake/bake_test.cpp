@@ -1,16 +1,20 @@
 #include "sigmascape/bake/bake.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include "scratch_folder.h"
 
 #include "sigmascape/atlas/store.h"
+#include "sigmascape/bake/claims.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/scene/solid_mesh.h"
 
@@ -187,8 +191,76 @@ TEST(Bake, TwoAtOnceShareTheWork) {
     const std::jthread other([&] { first = baked(scene, small_bake(), folder.path("both")); });
     second = baked(scene, small_bake(), folder.path("both"));
   }
+  EXPECT_THAT(first.mended, ::testing::IsEmpty());
+  EXPECT_THAT(second.mended, ::testing::IsEmpty());
   EXPECT_EQ(first.looks - first.already - first.elsewhere + second.looks - second.already - second.elsewhere, 4U);
   EXPECT_EQ(difference_of(files_of(folder.path("one")), files_of(folder.path("both"))), "");
+}
+
+/// What a bake says that it has mended, "file what".
+std::vector<std::string> words_of(const std::vector<atlas::StoreFault>& faults) {
+  std::vector<std::string> words;
+  for (const atlas::StoreFault& fault : faults) words.push_back(fault.file.string() + " " + fault.what);
+  return words;
+}
+
+TEST(Bake, AHeadingOfTheTerrainThatCannotBeUnderstoodIsMendedAndTold) {
+  const ScratchFolder folder;
+  const scene::Scene scene = bare_scene(20.0);
+  baked(scene, small_bake({40.0}), folder.path("a"));
+  const auto whole = files_of(folder.path("a"));
+  SilentProgress silent;
+  for (const atlas::Scrutiny scrutiny : {atlas::Scrutiny::Size, atlas::Scrutiny::Content}) {
+    std::filesystem::resize_file(folder.path("a") / "terrain/pyramid.toml", 30);
+    const BakeReport report = bake(scene, small_bake({40.0}), folder.path("a"), silent, {{}, scrutiny});
+    EXPECT_THAT(words_of(report.mended), ::testing::ElementsAre("terrain/pyramid.toml is truncated or was altered"));
+    EXPECT_EQ(difference_of(files_of(folder.path("a")), whole), "");
+  }
+  std::filesystem::remove_all(folder.path("a") / "terrain");
+  EXPECT_THAT(baked(scene, small_bake({40.0}), folder.path("a")).mended, ::testing::IsEmpty()) << "it was absent";
+  EXPECT_EQ(difference_of(files_of(folder.path("a")), whole), "");
+}
+
+// As it is between a shard's terrain.tif and the item that vouches for it.
+TEST(Bake, WaitsForTheTerrainThatAnotherIsAt) {
+  const ScratchFolder folder;
+  const scene::Scene scene = bare_scene(20.0);
+  const BakeSettings settings = small_bake({40.0});
+  baked(scene, settings, folder.path("whole"));
+  const auto copy = [&](const char* name) {
+    std::filesystem::copy(folder.path("whole") / name, folder.path("a") / name,
+                          std::filesystem::copy_options::recursive);
+  };
+  const auto store = atlas::Store::create(folder.path("a"), description_of(scene, settings));
+  copy("terrain.tif");
+  const std::size_t jobs = 2, patches = 1;
+  BakeReport report;
+  {
+    const Claims claims(folder.path("a"));
+    auto claim = claims.take(jobs + patches, Claims::Wait::No);
+    ASSERT_TRUE(claim);
+    const std::jthread other([&] { report = baked(scene, settings, folder.path("a")); });
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    EXPECT_FALSE(std::filesystem::exists(folder.path("a") / "terrain.json")) << "it did not wait";
+    EXPECT_FALSE(std::filesystem::exists(folder.path("a") / "terrain"));
+    copy("terrain.json");
+    copy("terrain");
+    const Claims::Claim given_back = std::move(*claim);
+  }
+  EXPECT_THAT(words_of(report.mended), ::testing::IsEmpty());
+  EXPECT_EQ(difference_of(files_of(folder.path("a")), files_of(folder.path("whole"))), "");
+}
+
+// Six digits would not tell these from one another.
+TEST(Bake, TargetsThatDifferAreNotTakenForOneAnother) {
+  const ScratchFolder folder;
+  BakeSettings settings = small_bake({40.0});
+  settings.sampling = {.target_db = 0.5, .most_samples = 8};
+  EXPECT_EQ(description_of(bare_scene(20.0), settings).settings.at("target_db"), "0.5");
+  static_cast<void>(atlas::Store::create(folder.path("a"), description_of(bare_scene(20.0), settings)));
+  settings.sampling.target_db = 0.50000001;
+  EXPECT_THAT(message_of_error([&] { baked(bare_scene(20.0), settings, folder.path("a")); }),
+              ::testing::HasSubstr("settings.target_db is \"0.5\" there and \"0.50000001\" here"));
 }
 
 // What a killed writer left is cleared away when its look is baked again.

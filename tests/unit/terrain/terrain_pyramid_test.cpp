@@ -13,6 +13,7 @@
 #include "unit/geo/ascii_grid.h"
 #include "unit/terrain/round_hills.h"
 
+#include "sigmascape/geo/geo_raster.h"
 #include "sigmascape/terrain/pyramid_builder.h"
 #include "sigmascape/terrain/terrain_window.h"
 
@@ -403,6 +404,70 @@ TEST_F(PyramidOnDisk, VerificationNamesWhatIsMissingOrDamaged) {
   std::filesystem::remove(tile("pyramid.toml"));
   ASSERT_EQ(verify_pyramid(folder_.path("pyramid")).size(), 1U);
   EXPECT_EQ(verify_pyramid(folder_.path("pyramid"))[0].file, "pyramid.toml");
+}
+
+/// The one fault of a pyramid, "file what".
+std::string only_fault(const std::filesystem::path& folder) {
+  const auto faults = verify_pyramid(folder);
+  if (faults.empty()) return "none";
+  return faults.size() == 1 ? faults.front().file.string() + " " + faults.front().what : "several";
+}
+
+void alter(const std::filesystem::path& file, const std::string& from, const std::string& to) {
+  std::string text;
+  {
+    std::ifstream stream(file, std::ios::binary);
+    text = {std::istreambuf_iterator<char>(stream), {}};
+  }
+  ASSERT_NE(text.find(from), std::string::npos) << from;
+  std::ofstream(file, std::ios::binary) << text.replace(text.find(from), from.size(), to);
+}
+
+// As written by somebody who knows what a GeoTIFF is, so that the file is whole in itself.
+TEST_F(PyramidOnDisk, AlteredHeadingsIndexesAndSummariesAreFoundAndMended) {
+  const auto whole = files_of(folder_.path("pyramid"));
+  const auto mended = [&] {
+    build_pyramid(folder_.path("pyramid"), field_, {43.0, -3.0});
+    return difference_of(files_of(folder_.path("pyramid")), whole);
+  };
+  for (const auto& [from, to] :
+       {std::pair("north_m = 2000", "north_m = 2001"), std::pair("spacing_m = 5", "spacing_m = 6"),
+        std::pair("index_sha256", "index_sha255")}) {
+    alter(tile("pyramid.toml"), from, to);
+    EXPECT_EQ(only_fault(folder_.path("pyramid")), "pyramid.toml is truncated or was altered") << to;
+    EXPECT_FALSE(message_of_error([&] { static_cast<void>(open_pyramid(folder_.path("pyramid"), 0)); }).empty());
+    EXPECT_EQ(mended(), "") << to;
+  }
+  {
+    geo::GeoRaster index = geo::read_geotiff(tile("level_0.tif"));
+    index.bands[1].values.values()[3] += 100.0F;
+    geo::write_geotiff(tile("level_0.tif"), index);
+  }
+  EXPECT_EQ(only_fault(folder_.path("pyramid")), "level_0.tif is truncated or was altered");
+  EXPECT_THAT(message_of_error([&] { static_cast<void>(open_pyramid(folder_.path("pyramid"), 0)); }),
+              HasSubstr("level_0.tif: has been altered"));
+  EXPECT_EQ(mended(), "");
+  {
+    geo::GeoRaster summary = geo::read_geotiff(tile("level_1/0_0.tif"));
+    summary.metadata["error_m"] = "0";
+    geo::write_geotiff(tile("level_1/0_0.tif"), summary);
+  }
+  EXPECT_EQ(only_fault(folder_.path("pyramid")), "level_1/0_0.tif is truncated or was altered");
+  EXPECT_EQ(mended(), "");
+}
+
+// They tell neither their own hash nor those of the indexes, nor tiles that of their summary.
+TEST_F(PyramidOnDisk, ThoseOfAFormerKindAreTakenAsTheyAre) {
+  std::string heading = files_of(folder_.path("pyramid")).at("pyramid.toml");
+  heading.erase(heading.find("index_sha256"));
+  std::ofstream(tile("pyramid.toml"), std::ios::binary) << heading;
+  geo::GeoRaster former = geo::read_geotiff(tile("level_0/0_0.tif"));
+  ASSERT_EQ(former.metadata.erase("tile_sha256"), 1U);
+  geo::write_geotiff(tile("level_0/0_0.tif"), former);
+  EXPECT_EQ(only_fault(folder_.path("pyramid")), "none");
+  EXPECT_TRUE(holds_pyramid_of(folder_.path("pyramid"), field_, {43.0, -3.0}));
+  EXPECT_NE(open_pyramid(folder_.path("pyramid"), 100 * HeightTile::bytes).load({0, 0, 0}), nullptr);
+  EXPECT_EQ(build_pyramid(folder_.path("pyramid"), field_, {43.0, -3.0}), 0U) << "no tile is made again";
 }
 
 TEST_F(PyramidOnDisk, ManyThreadsMayAsk) {
