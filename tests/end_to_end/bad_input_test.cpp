@@ -23,7 +23,7 @@ class BadInput : public ::testing::Test {
   [[nodiscard]] std::string said_to(const std::string& arguments) const {
     const auto said = folder_.path("said");
     const int status = std::system(
-        fmt::format("cd '{}' && '{}' {} > said 2>&1", folder_.path(".").string(), SIGMASCAPE_CLI, arguments).c_str());
+        fmt::format("cd '{}' && ('{}' {}) > said 2>&1", folder_.path(".").string(), SIGMASCAPE_CLI, arguments).c_str());
     EXPECT_TRUE(WIFEXITED(status)) << arguments << " was killed";
     if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return "";
     std::ifstream stream(said);
@@ -82,6 +82,43 @@ TEST_F(BadInput, FilesThatCannotBeWrittenAreRefusedBeforeTheWork) {
     EXPECT_THAT(said_to(fmt::format("render radar.toml --scene none.toml {} {}", option, name)),
                 HasSubstr(fmt::format("{}: cannot be written (Not a directory); choose a folder that exists", name)));
   }
+}
+
+TEST_F(BadInput, EmptyNamesAreNotTheFolderOneStandsIn) {
+  EXPECT_THAT(said_to("bake none.toml --out ''"), StartsWith("--out: is empty; give a name or a value"));
+  EXPECT_THAT(said_to("bake none.toml --out="), StartsWith("--out: is empty"));
+  EXPECT_THAT(said_to("atlas info ''"), StartsWith("word 3 of the command line: is empty"));
+  EXPECT_THAT(said_to("bake none.toml --out atlas"), StartsWith("sigmascape: none.toml"));
+}
+
+TEST_F(BadInput, WhatCannotBePrintedIsNotLostWithoutAWord) {
+  write_made_scene(folder_.path("scene"), 200.0, 200.0);
+  for (const char* arguments : {"scene info scene/scene.toml", "scene info --json scene/scene.toml", "bake --help"}) {
+    EXPECT_THAT(said_to(fmt::format("{} > /dev/full", arguments)),
+                AllOf(StartsWith("sigmascape: standard output: cannot be written"),
+                      HasSubstr("; send it to where there is room\n")))
+        << arguments;
+  }
+}
+
+TEST_F(BadInput, NamesOfFilesMayBeOfAnyBytesInASummaryToo) {
+  write_made_scene(folder_.path("scene"), 200.0, 200.0);
+  EXPECT_EQ(
+      said_to(
+          "bake scene/scene.toml --out $(printf 'at\\377las') --texel-m 4 --patch-texels 256 --samples 2 --azimuths 1 "
+          "--elevations-deg 20 --json"),
+      "");
+}
+
+TEST_F(BadInput, TexelsOfAnotherSizeThanTheSceneAreRefusedBeforeTheWork) {
+  write_made_scene(folder_.path("scene"), 200.0, 200.0);
+  EXPECT_THAT(said_to("bake scene/scene.toml --out atlas --texel-m 1e6"),
+              HasSubstr("texels of 1e+06 m make patches of 512000 km; use texels of 1953"));
+  for (const char* plan : {"", " --plan"}) {
+    EXPECT_THAT(said_to(fmt::format("bake scene/scene.toml --out atlas --texel-m 0.001{}", plan)),
+                AllOf(HasSubstr("with texels of 0.001 m a patch sends rays to"), HasSubstr("use larger texels")));
+  }
+  EXPECT_FALSE(is_there("atlas"));
 }
 
 TEST_F(BadInput, MapsInDegreesAreNotComparedByMetres) {

@@ -20,6 +20,7 @@
 #include "sigmascape/bake/ground_baker.h"
 #include "sigmascape/bake/job.h"
 #include "sigmascape/bake/look_baker.h"
+#include "sigmascape/bake/patch_room.h"
 #include "sigmascape/geo/atomic_file.h"
 #include "sigmascape/terrain/height_field_file.h"
 #include "sigmascape/terrain/pyramid_builder.h"
@@ -40,8 +41,8 @@ std::map<std::string, std::string> settings_in_words(const BakeSettings& setting
   if (settings.noise == Noise::Shared) words["noise"] = "shared";
   if (sampling.is_adaptive()) {
     words["samples_per_texel"] = fmt::format("{} to {}", pilot_samples, sampling.most_samples);
-    words["target_db"] = fmt::format("{:g}", sampling.target_db);
-    words["floor_db"] = fmt::format("{:g}", sampling.floor_db);
+    words["target_db"] = fmt::format("{}", sampling.target_db);
+    words["floor_db"] = fmt::format("{}", sampling.floor_db);
   } else {
     words["samples_per_texel"] = std::to_string(sampling.samples_per_texel);
   }
@@ -196,21 +197,53 @@ class BakeRun {
   }
 
   void make_terrain(const scene::Scene& scene) {
+    if (!atlas::terrain_fault(store_, share_.scrutiny) && pyramid_faults(scene).empty()) return;
+    // Two at once would take each other's unfinished files for those of other heights.
+    const auto claim = claims_.take(terrain_claim(), Claims::Wait::UntilFree);
+    make_heights(scene);
+    make_pyramid(scene);
+  }
+
+  /// After the jobs and the ground of each patch.
+  [[nodiscard]] std::size_t terrain_claim() const {
+    const atlas::AtlasDescription& description = store_.description();
+    return jobs_.size() + description.patches.block_over(description.extent).size();
+  }
+
+  void make_heights(const scene::Scene& scene) {
+    auto fault = atlas::terrain_fault(store_, share_.scrutiny);
+    if (!fault) return;
     const geo::LocalFrame& frame = store_.description().frame;
-    if (auto fault = atlas::terrain_fault(store_, share_.scrutiny)) {
-      terrain::write_height_field(store_.folder() / atlas::terrain_name, scene.terrain, frame.proj());
-      atlas::vouch_for_terrain(store_);
-      note(std::move(*fault));
-    }
-    const auto pyramid = store_.folder() / atlas::terrain_pyramid_name;
-    // One that was made from other heights, by `sigmascape atlas terrain`, is left.
-    const bool mends =
-        share_.scrutiny == atlas::Scrutiny::Content && terrain::holds_pyramid_of(pyramid, scene.terrain, frame);
-    if (mends) {
-      for (const terrain::PyramidFault& fault : terrain::verify_pyramid(pyramid))
-        note({atlas::terrain_pyramid_name / fault.file, fault.what});
-    }
-    if (mends || !terrain::holds_pyramid(pyramid)) terrain::build_pyramid(pyramid, scene.terrain, frame);
+    terrain::write_height_field(store_.folder() / atlas::terrain_name, scene.terrain, frame.proj());
+    atlas::vouch_for_terrain(store_);
+    note(std::move(*fault));
+  }
+
+  void make_pyramid(const scene::Scene& scene) {
+    std::vector<atlas::StoreFault> faults = pyramid_faults(scene);
+    if (faults.empty()) return;
+    terrain::build_pyramid(pyramid_folder(), scene.terrain, store_.description().frame);
+    for (atlas::StoreFault& fault : faults) note(std::move(fault));
+  }
+
+  [[nodiscard]] std::filesystem::path pyramid_folder() const { return store_.folder() / atlas::terrain_pyramid_name; }
+
+  /// What is wrong with the terrain's tiles. Those that were made from other heights, by `sigmascape atlas terrain`,
+  /// are left as they are; without a heading that can be understood nothing tells of what heights they are.
+  [[nodiscard]] std::vector<atlas::StoreFault> pyramid_faults(const scene::Scene& scene) const {
+    const auto as_of_atlas = [](const terrain::PyramidFault& fault, bool is_absent) {
+      return atlas::StoreFault{atlas::terrain_pyramid_name / fault.file, fault.what, is_absent};
+    };
+    const std::filesystem::path folder = pyramid_folder();
+    if (const auto fault = terrain::heading_fault(folder))
+      return {as_of_atlas(*fault, !terrain::holds_pyramid(folder))};
+    std::vector<atlas::StoreFault> faults;
+    const bool is_read = share_.scrutiny == atlas::Scrutiny::Content &&
+                         terrain::holds_pyramid_of(folder, scene.terrain, store_.description().frame);
+    if (!is_read) return faults;
+    for (const terrain::PyramidFault& fault : terrain::verify_pyramid(folder))
+      faults.push_back(as_of_atlas(fault, false));
+    return faults;
   }
 
   void remove_leftovers(const Job& job) const {
@@ -288,6 +321,7 @@ BakeReport bake(const scene::Scene& scene, const BakeSettings& settings, const s
                 ProgressListener& progress, const BakeShare& share) {
   check(settings);
   check(share.shard);
+  check_room(scene, settings);
   // Materials that do not know a frequency are told of before there is a folder.
   static_cast<void>(trace::surface_models(scene, settings.aspects.frequencies_hz));
   const atlas::Store store = atlas::Store::create(folder, description_of(scene, settings));

@@ -11,6 +11,9 @@ namespace sigmascape::bake {
 
 namespace {
 
+/// Side of a patch at most. What lies farther from the origin of a local frame than a few of them has no place in it.
+constexpr double longest_patch_m = 1e6;
+
 void check(const Sampling& sampling, const std::string& where) {
   if (!sampling.is_adaptive()) {
     if (sampling.samples_per_texel >= 2 && sampling.samples_per_texel <= most_samples_a_cell) return;
@@ -40,6 +43,13 @@ void check(const BakeSettings& settings) {
   check(settings.sampling, where);
   if (settings.max_bounces < 1 || settings.max_bounces > 64) {
     throw Error(where, fmt::format("{} bounces", settings.max_bounces), "use 1 to 64");
+  }
+  if (!(settings.patches.side_m() <= longest_patch_m)) {
+    throw Error(where,
+                fmt::format("texels of {:g} m make patches of {:g} km", settings.patches.texel_m,
+                            settings.patches.side_m() / 1000.0),
+                fmt::format("use texels of {:g} m or less",
+                            longest_patch_m / static_cast<double>(settings.patches.texels_per_side)));
   }
   const auto& elevations = settings.aspects.elevations_rad;
   if (const auto twice = std::ranges::adjacent_find(elevations); twice != elevations.end()) {

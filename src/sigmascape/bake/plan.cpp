@@ -11,6 +11,7 @@
 #include "sigmascape/bake/bake.h"
 #include "sigmascape/bake/job.h"
 #include "sigmascape/bake/look_baker.h"
+#include "sigmascape/bake/patch_room.h"
 
 namespace sigmascape::bake {
 namespace {
@@ -108,6 +109,7 @@ BakePlan plan(const scene::Scene& scene, const BakeSettings& settings, const std
               const Shard& shard) {
   check(settings);
   check(shard);
+  check_room(scene, settings);
   const atlas::AtlasDescription description = description_of(scene, settings);
   const auto store = atlas::Store::find(folder, description);
   const auto begin = std::chrono::steady_clock::now();

@@ -1,10 +1,14 @@
 #include "sigmascape/base/toml_reader.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <fstream>
+#include <iterator>
 #include <numeric>
 #include <set>
 #include <sstream>
@@ -32,6 +36,14 @@ std::string as_written(const toml::node& node) {
   std::ostringstream text;
   node.visit([&text](const auto& value) { text << value; });
   return text.str();
+}
+
+std::string content_of(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(stream), {}};
+  if (stream.is_open() && !stream.bad()) return text;
+  throw Error(file.string(), fmt::format("cannot be read ({})", std::strerror(errno)),
+              "allow it to be read, or give the path of another file");
 }
 
 std::string range_text(Interval allowed) {
@@ -65,9 +77,11 @@ TomlSection TomlSection::read_file(const std::filesystem::path& file) {
                                                       : "the file does not exist",
                 "give the path of a TOML file");
   }
+  // Read here: the parser tells of a file that it may not open as of one with a fault in line 0.
+  const std::string text = content_of(file);
   try {
     auto table = std::make_shared<Table>();
-    table->root = std::make_shared<const toml::table>(toml::parse_file(file.string()));
+    table->root = std::make_shared<const toml::table>(toml::parse(text, file.string()));
     table->table = table->root.get();
     table->file = file;
     return TomlSection(table);

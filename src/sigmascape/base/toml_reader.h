@@ -26,7 +26,7 @@ struct Interval {
 /// been asked, throws for any other, with the known key that it may have been meant to be.
 class TomlSection {
  public:
-  /// The root table of a file. Throws Error when the file is missing or is not TOML, with the line.
+  /// The root table of a file. Throws Error when the file is missing or cannot be read, or is not TOML, with the line.
   [[nodiscard]] static TomlSection read_file(const std::filesystem::path& file);
 
   /// File and full key, as errors name them: "bilbao.toml: terrain.spacing_m".

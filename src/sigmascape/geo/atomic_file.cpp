@@ -23,9 +23,10 @@ bool is_full(int error) {
 }
 
 [[noreturn]] void fail(const std::filesystem::path& path, int error) {
-  throw Error(
-      path.string(), fmt::format("cannot be written ({})", std::strerror(error)),
-      is_full(error) ? "free some space or choose another disk" : "choose a folder that exists and may be written to");
+  throw Error(path.string(), fmt::format("cannot be written ({})", std::strerror(error)),
+              error == EFBIG   ? "let files grow larger (ulimit -f) or choose another disk"
+              : is_full(error) ? "free some space or choose another disk"
+                               : "choose a folder that exists and may be written to");
 }
 
 /// Closes a file descriptor when leaving, whatever happens.

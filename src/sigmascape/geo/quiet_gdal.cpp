@@ -1,5 +1,6 @@
 #include "sigmascape/geo/quiet_gdal.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <gdal_priv.h>
 #include <mutex>
@@ -22,7 +23,9 @@ bool QuietGdal::failed() {
 }
 
 std::string QuietGdal::complaint() {
-  const std::string message = CPLGetLastErrorMsg();
+  std::string message = CPLGetLastErrorMsg();
+  // OGR quotes a condition below its fault, with an arrow under the place.
+  message.resize(std::min({message.size(), message.find(". Occurred around"), message.find('\n')}));
   return message.empty() ? "no reason was given" : message;
 }
 

@@ -17,7 +17,7 @@ class QuietGdal {
   QuietGdal& operator=(const QuietGdal&) = delete;
 
   [[nodiscard]] static bool failed();
-  /// What GDAL said last.
+  /// What GDAL said last, in one line.
   [[nodiscard]] static std::string complaint();
 
  private:

@@ -200,6 +200,22 @@ float mean_over_cell(const Window<float>& window, const PixelNet& net, std::size
   return found > 0 ? static_cast<float>(sum / found) : nan_height;
 }
 
+/// Throws Error when a CRS of degrees is stated for numbers that cannot be latitudes.
+void require_latitudes(const std::array<double, 6>& crs_from_pixel, int columns, int rows, const std::string& crs,
+                       const std::string& where) {
+  if (reference_from(crs, where).IsGeographic() == 0) return;
+  // Rasters of the whole globe may reach half a cell beyond the poles, where their outermost cells have their centres.
+  const double slack = 0.51 * (std::abs(crs_from_pixel[4]) + std::abs(crs_from_pixel[5]));
+  const double north_west = crs_from_pixel[3], down = crs_from_pixel[5] * rows, across = crs_from_pixel[4] * columns;
+  const auto [lowest, highest] =
+      std::minmax({north_west, north_west + down, north_west + across, north_west + down + across});
+  if (lowest >= -90.0 - slack && highest <= 90.0 + slack) return;
+  throw Error(where,
+              fmt::format("'{}' counts in degrees, and the raster's rows lie at {:.10g} to {:.10g}, which are none",
+                          crs.substr(0, 60), lowest, highest),
+              "state the coordinate reference system of its numbers, such as EPSG:25830 for metres");
+}
+
 }  // namespace
 
 Raster::Raster(const RasterBand& wanted) : source_(std::make_unique<Source>()) {
@@ -218,12 +234,14 @@ Raster::Raster(const RasterBand& wanted) : source_(std::make_unique<Source>()) {
                 "state it with the key crs, for example crs = \"EPSG:25830\", or write it into the file with "
                 "gdal_edit.py -a_srs");
   }
-  require_known_reference(source.crs, wanted.crs.empty() ? source.name : source.name + ": crs");
+  const std::string where = wanted.crs.empty() ? source.name : source.name + ": crs";
+  require_known_reference(source.crs, where);
   if (source.dataset->GetGeoTransform(source.crs_from_pixel.data()) != CE_None ||
       GDALInvGeoTransform(source.crs_from_pixel.data(), source.pixel_from_crs.data()) == 0) {
     throw Error(source.name, "does not say where its cells lie",
                 "georeference it, for example with gdal_translate -a_ullr");
   }
+  require_latitudes(source.crs_from_pixel, source.columns(), source.rows(), source.crs, where);
 }
 
 Raster::~Raster() = default;

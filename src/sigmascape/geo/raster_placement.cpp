@@ -21,8 +21,11 @@ std::array<Vec2d, 4> geographic_corners(const RasterPlacement& placement, std::s
   const std::unique_ptr<OGRCoordinateTransformation> transformation(
       OGRCreateCoordinateTransformation(&local, &geographic));
   if (!transformation || transformation->Transform(4, x.data(), y.data()) == FALSE) {
-    throw Error(fmt::format("CRS \"{}\"", placement.crs), "has no longitude and latitude for the corners of the raster",
-                "place the raster where its CRS is valid");
+    throw Error("raster",
+                fmt::format("reaches from {:.6g} to {:.6g} east and {:.6g} to {:.6g} north, which is beyond what its "
+                            "CRS \"{}\" has longitudes and latitudes for",
+                            placement.west_m, east_m, south_m, placement.north_m, placement.crs.substr(0, 60)),
+                "use smaller cells, or place it where its CRS is valid");
   }
   return {Vec2d{x[0], y[0]}, Vec2d{x[1], y[1]}, Vec2d{x[2], y[2]}, Vec2d{x[3], y[3]}};
 }

@@ -217,7 +217,7 @@ FeatureSet read_features(const VectorSource& source, const LocalFrame& frame) {
   std::size_t of_other_kinds = 0;
 
   OGRLayer* layer = nullptr;
-  CPLErrorReset();
+  const QuietGdal quiet;
   // The data set is walked as a whole: OpenStreetMap files yield the features of all layers in one pass.
   while (const OGRFeatureUniquePtr row = next_feature(*dataset, layer)) {
     Interruption::heed();
@@ -239,8 +239,8 @@ FeatureSet read_features(const VectorSource& source, const LocalFrame& frame) {
     }
     result.features.push_back(std::move(feature));
   }
-  if (CPLGetLastErrorType() == CE_Failure) {
-    throw Error(source.file.string(), fmt::format("cannot be read to its end ({})", CPLGetLastErrorMsg()),
+  if (QuietGdal::failed()) {
+    throw Error(source.file.string(), fmt::format("cannot be read to its end ({})", QuietGdal::complaint()),
                 "replace the damaged file");
   }
   if (!osm && of_other_kinds > 0 && result.features.empty() && result.nowhere == 0) {

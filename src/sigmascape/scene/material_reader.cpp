@@ -136,7 +136,20 @@ std::vector<std::string> model_names() {
   return names;
 }
 
-scatter::Material read_material(const TomlSection& section, const std::string& name) {
+/// A material of the library. Throws Error, and tells of one of the file's `own` that it cannot be a base.
+const scatter::Material& base_of(const TomlSection& section, const std::string& name,
+                                 const std::vector<std::string>& own) {
+  if (find_in_library(name) == nullptr && std::ranges::find(own, name) != own.end()) {
+    throw section.fault("base", fmt::format("names '{}' of the same file, and takes names of the library only", name),
+                        "name the library material that both start from, and state the constants again");
+  }
+  static const MaterialTable library;
+  return library.material(name, section.where("base"));
+}
+
+/// `own`: the names of all materials of the file.
+scatter::Material read_material(const TomlSection& section, const std::string& name,
+                                const std::vector<std::string>& own) {
   const auto base = section.optional_text("base");
   const bool has_model = section.has("model");
   if (base.has_value() == has_model) {
@@ -146,7 +159,7 @@ scatter::Material read_material(const TomlSection& section, const std::string& n
   }
   scatter::Material material;
   if (base) {
-    material = MaterialTable().material(*base, section.where("base"));
+    material = base_of(section, *base, own);
   } else {
     const std::string model = section.choice_or("model", model_names(), "");
     material.model = std::ranges::find(models(), model, &NamedModel::name)->model;
@@ -163,7 +176,8 @@ scatter::Material read_material(const TomlSection& section, const std::string& n
 MaterialTable::MaterialTable(const TomlSection& root) {
   const auto materials = root.section("materials");
   if (!materials) return;
-  for (const std::string& name : materials->keys()) own_[name] = read_material(*materials->section(name), name);
+  const std::vector<std::string> names = materials->keys();
+  for (const std::string& name : names) own_[name] = read_material(*materials->section(name), name, names);
 }
 
 bool MaterialTable::knows(const std::string& name) const {

@@ -58,6 +58,19 @@ void refuse_names_not_in_file(const MeshSource& source, const ImportedMesh& impo
   }
 }
 
+/// Throws Error when a vertex is not a number or lies farther from the mesh's origin than any object reaches.
+void check_reach(const Mesh& mesh, const std::string& file) {
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+    const double reach_m = length(mesh.vertices[i].to<double>());
+    if (!std::isfinite(reach_m)) throw Error(file, fmt::format("vertex {} is not a number", i + 1), "export it again");
+    if (reach_m <= longest_mesh_reach_m) continue;
+    throw Error(file, fmt::format("vertex {} lies {:.6g} m from the mesh's origin", i + 1, reach_m),
+                fmt::format("keep it within {:g} km: state scale, such as 0.001 for a file in millimetres, or move the "
+                            "mesh to its own origin",
+                            longest_mesh_reach_m / 1000.0));
+  }
+}
+
 Mesh prototype_of(Scene& scene, const MeshSource& source, const MaterialTable& materials, FlawTally& tally) {
   const ImportedMesh imported = read_file(source.file);
   const std::string name = source.file.string();
@@ -66,11 +79,7 @@ Mesh prototype_of(Scene& scene, const MeshSource& source, const MaterialTable& m
   Mesh mesh;
   mesh.name = source.file.stem().string();
   mesh.vertices = vertices_in_scene_axes(imported, source.up, source.scale);
-  const auto bad = std::ranges::find_if_not(
-      mesh.vertices, [](Vec3f v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); });
-  if (bad != mesh.vertices.end()) {
-    throw Error(name, fmt::format("vertex {} is not a number", bad - mesh.vertices.begin() + 1), "export it again");
-  }
+  check_reach(mesh, name);
   std::vector<MaterialIndex> index;
   for (const std::string& own : imported.material_names)
     index.push_back(scene.material_index(counterpart(own, source, materials)));

@@ -16,6 +16,10 @@ namespace sigmascape::scene {
 
 enum class UpAxis { Y, Z };
 
+/// How far from its origin a mesh may reach, when it has been brought to metres: more than any object has, and less
+/// than most that was meant in other units or placed by the coordinates of a map.
+inline constexpr double longest_mesh_reach_m = 50e3;
+
 /// A mesh file, what its surfaces are made of, and where copies of it stand.
 struct MeshSource {
   std::filesystem::path file;
@@ -36,7 +40,7 @@ struct MeshSource {
                                           const FlawLimit& limit);
 
 /// Adds the mesh as a prototype and its placements as instances. Throws Error when the mesh has no faces, a vertex is
-/// not a number, or a material name of the file has no counterpart.
+/// not a number or lies beyond `longest_mesh_reach_m`, or a material name of the file has no counterpart.
 void add_mesh(Scene& scene, const MeshSource& source, const MaterialTable& materials);
 
 /// The mesh in the scene's axes, x east, y forward, z up, and metres. Of a file with y up (glTF, whose models face +z),

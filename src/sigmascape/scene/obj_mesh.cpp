@@ -1,7 +1,12 @@
+#include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <fmt/format.h>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <sstream>
+#include <string_view>
 #include <tiny_obj_loader.h>
 
 #include "sigmascape/base/error.h"
@@ -26,6 +31,46 @@ std::string material_file_for(const std::string& text) {
   return file;
 }
 
+constexpr std::string_view blanks = " \t\r";
+/// Of a faulty line, in an error.
+constexpr std::size_t longest_quote = 60;
+
+/// Takes the first word, none at the end, off a line.
+std::string_view next_word(std::string_view& line) {
+  line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
+  const std::string_view word = line.substr(0, line.find_first_of(blanks));
+  line.remove_prefix(word.size());
+  return word;
+}
+
+/// Whether a word is one number that single precision, in which the loader counts, can hold.
+bool is_coordinate(std::string_view word) {
+  if (word.starts_with('+')) word.remove_prefix(1);
+  double value = 0.0;
+  const char* const end = word.data() + word.size();
+  const auto [stopped, fault] = std::from_chars(word.data(), end, value);
+  return fault == std::errc{} && stopped == end &&
+         std::abs(value) <= static_cast<double>(std::numeric_limits<float>::max());
+}
+
+/// The loader takes what it cannot read for 0. Throws Error that names the first line of a vertex whose three
+/// coordinates are not all there as finite numbers.
+void check_vertices(std::string_view text, const std::filesystem::path& file) {
+  for (std::size_t number = 1; !text.empty(); ++number) {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+    std::string_view words = line;
+    if (next_word(words) != "v") continue;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (is_coordinate(next_word(words))) continue;
+      throw Error(fmt::format("{}:{}", file.string(), number),
+                  fmt::format("'{}' does not hold three finite numbers",
+                              line.substr(0, std::min(line.find_last_not_of(blanks) + 1, longest_quote))),
+                  "write a vertex as v x y z with decimal points, such as v 0.5 1 0");
+    }
+  }
+}
+
 }  // namespace
 
 ImportedMesh read_obj(const std::filesystem::path& file) {
@@ -33,6 +78,7 @@ ImportedMesh read_obj(const std::filesystem::path& file) {
   std::ostringstream text;
   text << stream.rdbuf();
   if (!stream) throw Error(file.string(), "cannot be read", "check that it is a readable file");
+  check_vertices(text.str(), file);
   tinyobj::ObjReader reader;
   if (!reader.ParseFromString("mtllib names\n" + text.str(), material_file_for(text.str()))) {
     throw Error(file.string(), fmt::format("is not a Wavefront OBJ file ({})", reader.Error()), "export it again");

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "sigmascape/base/interruption.h"
+
 namespace sigmascape::scene {
 namespace {
 
@@ -80,8 +82,10 @@ class FoliageRaster {
  public:
   explicit FoliageRaster(const radar::GroundGrid& cells) : cells_(cells), foliage_(cells.columns, cells.rows) {}
 
-  /// Adds a triangle, cut until its pieces are small against the cells.
+  /// Adds a triangle, cut until its pieces are small against the cells. What lies beside the grid is not cut: the work
+  /// grows with the cells that a triangle covers, however large it is.
   void add(const Corners& triangle, const terrain::HeightField& ground) {
+    if (lies_beside_grid(triangle)) return;
     const auto [a, b, c] = triangle;
     const std::array<double, 3> sides{plan_distance(a, b), plan_distance(b, c), plan_distance(c, a)};
     const auto longest = std::ranges::max_element(sides);
@@ -109,6 +113,14 @@ class FoliageRaster {
   static double plan_distance(Vec3d a, Vec3d b) {
     const double x = a.x - b.x, y = a.y - b.y;
     return std::sqrt(x * x + y * y);
+  }
+
+  [[nodiscard]] bool lies_beside_grid(const Corners& triangle) const {
+    const auto [a, b, c] = triangle;
+    const auto [west, east] = std::minmax({a.x, b.x, c.x});
+    const auto [south, north] = std::minmax({a.y, b.y, c.y});
+    const radar::Rectangle grid = cells_.extent();
+    return east < grid.west_m || west > grid.east_m || north < grid.south_m || south > grid.north_m;
   }
 
   void add_piece(const Corners& piece, const terrain::HeightField& ground) {
@@ -145,6 +157,7 @@ bool is_closed(const Mesh& mesh) {
     return Point{vertex.x, vertex.y, vertex.z};
   };
   for (const auto& triangle : mesh.triangles) {
+    Interruption::heed();
     for (std::size_t i = 0; i < 3; ++i) {
       const Point a = point(triangle[i]), b = point(triangle[(i + 1) % 3]);
       ++triangles_of_edge[std::minmax(a, b)];
@@ -161,7 +174,10 @@ void add_buildings(const Scene& scene, RoofRaster& roofs) {
       vertices[building.first_vertex + i].z += static_cast<double>(building.footing_m);
     }
   }
-  for (const auto& triangle : scene.buildings.mesh.triangles) roofs.add(corners_of(triangle, vertices), scene.terrain);
+  for (const auto& triangle : scene.buildings.mesh.triangles) {
+    Interruption::heed();
+    roofs.add(corners_of(triangle, vertices), scene.terrain);
+  }
 }
 
 /// Distance of a mesh's farthest vertex from the upright line through its origin.
@@ -182,6 +198,7 @@ void add_instances(const Scene& scene, const radar::Rectangle& area, RoofRaster&
   }
   std::vector<Vec3d> vertices;
   for (const Instance& instance : scene.instances) {
+    Interruption::heed();
     const Mesh& mesh = scene.prototypes[instance.prototype];
     const double reach =
         reaches_m[instance.prototype] * static_cast<double>(std::max(instance.scale.x, instance.scale.y));
@@ -217,6 +234,7 @@ radar::ObstacleMap obstacles_of(const Scene& scene, const radar::GroundGrid& gri
   add_instances(scene, grid.extent(), roofs, foliage);
   radar::ObstacleMap map{grid, Array2D<radar::Obstacle>(grid.columns, grid.rows)};
   for (std::size_t row = 0; row < grid.rows; ++row) {
+    Interruption::heed();
     for (std::size_t column = 0; column < grid.columns; ++column) {
       map.obstacles(column, row).solid_top_m = roofs.solid_top_m(column, row);
       foliage.write_to(map.obstacles(column, row), column, row);

@@ -14,6 +14,7 @@ namespace sigmascape::scene {
 ///     κ = A / (2 · cell area · (top − base))
 ///
 /// for surfaces of all orientations alike show half their area on the mean of all directions (Cauchy).
+/// Throws Interrupted when this thread is told to stop (base/interruption.h): large scenes on fine cells take a minute.
 [[nodiscard]] radar::ObstacleMap obstacles_of(const Scene& scene, const radar::GroundGrid& grid);
 
 }  // namespace sigmascape::scene

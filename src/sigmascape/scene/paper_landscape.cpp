@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sigmascape/base/hash.h"
+#include "sigmascape/base/interruption.h"
 #include "sigmascape/scene/value_noise.h"
 
 namespace sigmascape::scene {
@@ -27,6 +28,7 @@ template <typename Function>
 terrain::HeightField field_of(const PaperSceneSize& size, const Function& function) {
   terrain::HeightField field = empty_field(size);
   for (std::size_t row = 0; row < size.height_nodes; ++row) {
+    Interruption::heed();
     for (std::size_t column = 0; column < size.height_nodes; ++column) {
       const Vec2d p{field.west_m + field.spacing_m * static_cast<double>(column),
                     field.north_m - field.spacing_m * static_cast<double>(row)};
@@ -116,6 +118,7 @@ double exceeded_by(const terrain::HeightField& field, double share) {
 void paint_fields(PaperLandscape& landscape, const PaperLayout& layout, const terrain::HeightField& fitness,
                   double threshold) {
   for (std::size_t i = 0; i < landscape.fields.size(); ++i) {
+    Interruption::heed();
     const ConvexPolygon& field = landscape.fields[i];
     const float kind = unit_float(hashed(layout.seed, 8, i));
     const double drawn = 0.05 * unit_float(hashed(layout.seed, 9, i));
@@ -131,6 +134,7 @@ void paint_fields(PaperLandscape& landscape, const PaperLayout& layout, const te
 void paint_tracks(PaperLandscape& landscape, const PaperLayout& layout) {
   constexpr double half_width_m = 1.6;
   for (std::size_t i = 0; i < landscape.fields.size(); ++i) {
+    Interruption::heed();
     const ConvexPolygon& field = landscape.fields[i];
     for (std::size_t edge = 0; edge < field.size(); ++edge) {
       if (unit_float(hashed(layout.seed, 11, i, edge)) > 0.15F) continue;
@@ -145,6 +149,7 @@ void paint_forest_and_water(PaintedGround& ground, const terrain::HeightField& s
                             const terrain::HeightField& fitness, double threshold) {
   constexpr double beach_m = 2.0;
   for (std::size_t row = 0; row < ground.grid().rows; ++row) {
+    Interruption::heed();
     for (std::size_t column = 0; column < ground.grid().columns; ++column) {
       const Vec2d p = ground.grid().centre_of(column, row);
       const double inland = shore.height_at(p);

@@ -5,6 +5,7 @@
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/hash.h"
+#include "sigmascape/base/interruption.h"
 #include "sigmascape/scene/paper_landscape.h"
 #include "sigmascape/scene/paper_layout.h"
 #include "sigmascape/scene/paper_town.h"
@@ -150,8 +151,10 @@ Scene paper_scene(const PaperSceneOptions& options) {
   const PaperPalette materials(scene, options.materials);
   scene.buildings.mesh.name = "buildings";
   const PaperTown town = paper_town(layout, landscape, materials.town());
-  for (const RoofedBuilding& shape : town.buildings)
+  for (const RoofedBuilding& shape : town.buildings) {
+    Interruption::heed();
     append_roofed_building(scene.buildings, shape, footing_m(landscape.terrain, shape));
+  }
   append(scene.instances, paper_trees(layout, landscape, town, add_tree_prototypes(scene, materials.tree())));
   append(scene.instances,
          paper_traffic(layout, landscape, town, add_vehicle_prototypes(scene, materials.index("metal"))));

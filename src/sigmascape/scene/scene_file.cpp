@@ -1,5 +1,6 @@
 #include "sigmascape/scene/scene_file.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <optional>
 #include <vector>
@@ -79,13 +80,23 @@ auto read_each(const TomlSection& root, std::string_view key, const Read& read) 
   return sources;
 }
 
+/// Under which maps and atlases go, on one line each.
+std::string read_name(const TomlSection& section, const std::string& name_of_file) {
+  const std::string name = section.text_or("name", name_of_file);
+  if (name.empty()) throw section.fault("name", "is empty", "give a name, or leave the key out");
+  const auto is_control = [](char c) { return (c >= '\0' && c < ' ') || c == '\x7f'; };
+  if (std::ranges::any_of(name, is_control))
+    throw section.fault("name", "holds a line break or another control character", "write the name on one line");
+  return name;
+}
+
 SceneDescription read_description(const std::filesystem::path& toml) {
   const TomlSection root = TomlSection::read_file(toml);
   SceneDescription described;
   FlawLimit limit;
   described.name = toml.stem().string();
   if (const auto section = root.section("scene")) {
-    described.name = section->text_or("name", described.name);
+    described.name = read_name(*section, described.name);
     described.attribution = section->text_or("attribution", "");
     described.place = read_scene_place(*section);
     limit.strict = section->flag_or("strict", false);

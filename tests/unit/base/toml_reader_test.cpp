@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "scratch_folder.h"
 
@@ -53,6 +54,22 @@ TEST_F(TomlReader, FoldersAndEmptyNamesAreNoFiles) {
               HasSubstr("is a folder; give the path of a TOML file"));
   EXPECT_THAT(message_of_error([&] { static_cast<void>(TomlSection::read_file("")); }),
               HasSubstr("name of a TOML file: is empty"));
+}
+
+// Root may read everything, so that it is somebody else who asks.
+TEST_F(TomlReader, FilesThatMayNotBeReadAreNotToldOfAsWrittenWrongly) {
+  const auto file = folder_.write("locked.toml", "x = 1\n");
+  std::filesystem::permissions(file, std::filesystem::perms::none);
+  const uid_t own = ::geteuid();
+  constexpr uid_t nobody = 65534;
+  if (own == 0) {
+    ASSERT_EQ(::seteuid(nobody), 0);
+  }
+  const std::string message = message_of_error([&] { static_cast<void>(TomlSection::read_file(file)); });
+  if (own == 0) {
+    ASSERT_EQ(::seteuid(own), 0);
+  }
+  EXPECT_THAT(message, HasSubstr("locked.toml: cannot be read (Permission denied); allow it to be read"));
 }
 
 TEST_F(TomlReader, WrongTypeSaysWhatIsThere) {

@@ -1,6 +1,9 @@
 #include "sigmascape/geo/raster_placement.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "scratch_folder.h"
 
 #include "sigmascape/geo/local_frame.h"
 
@@ -15,6 +18,15 @@ TEST(RasterPlacement, GeographicCornersLieAroundTheOriginOfTheFrame) {
   EXPECT_LT(corners[0].y, corners[3].y);
   EXPECT_LT(corners[0].x, corners[1].x);
   EXPECT_NEAR(corners[2].y, corners[3].y, 1e-7);
+}
+
+TEST(RasterPlacement, WhatReachesBeyondTheCrsIsToldByHowFar) {
+  const std::string crs = LocalFrame(43.0, -3.0).proj();
+  EXPECT_THAT(message_of_error([&] {
+                static_cast<void>(geographic_corners({0.0, 2.56e8, 1e6, crs}, 256, 256));
+              }),
+              testing::AllOf(testing::HasSubstr("raster: reaches from 0 to 2.56e+08 east and 0 to 2.56e+08 north"),
+                             testing::HasSubstr("use smaller cells")));
 }
 
 }  // namespace

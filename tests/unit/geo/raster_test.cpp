@@ -1,6 +1,7 @@
 #include "sigmascape/geo/raster.h"
 
 #include <cmath>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <limits>
 
@@ -9,6 +10,9 @@
 
 namespace sigmascape::geo {
 namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
 
 const LocalFrame frame(43.312, -2.986);
 constexpr AsciiGrid utm{500'600.0, 4'795'000.0, 10.0, 100, 80};
@@ -126,6 +130,21 @@ TEST(Raster, CrsThatIsNotKnownIsLaidToTheKeyThatStatesIt) {
               std::string::npos)
         << message;
   }
+}
+
+TEST(Raster, NumbersThatAreNoDegreesAreNotLaidToTheFrame) {
+  const ScratchFolder folder;
+  constexpr AsciiGrid in_metres{501'000.0, 4'790'550.0, 10.0, 4, 5};
+  const auto file = folder.write("m.asc", in_metres.text([](double, double) { return 1.0; }));
+  EXPECT_THAT(message_of_error([&] {
+                static_cast<void>(Raster({file, 1, "EPSG:4326"}));
+              }),
+              AllOf(HasSubstr("m.asc: crs: 'EPSG:4326' counts in degrees"),
+                    HasSubstr("rows lie at 4790550 to 4790600, which are none"), HasSubstr("EPSG:25830 for metres")));
+  // Of the whole globe, with cells centred on the poles.
+  constexpr AsciiGrid globe{-180.5, -90.5, 1.0, 361, 181};
+  const auto whole = folder.write("globe.asc", globe.text([](double, double) { return 1.0; }));
+  EXPECT_NO_THROW(Raster({whole, 1, "EPSG:4326"}));
 }
 
 TEST(Raster, MissingFileWrongFormatAndWrongBandAreErrors) {

@@ -11,7 +11,10 @@
 namespace sigmascape::geo {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
+
 const LocalFrame frame(45.0, 7.0);
 
 TEST(VectorSource, ReadsPolygonsWithHolesAndAttributes) {
@@ -100,6 +103,20 @@ TEST(VectorSource, ConditionChoosesFeaturesAndMustFit) {
   source.where = "hight > 0";
   EXPECT_THAT(message_of_error([&] { static_cast<void>(read_features(source, frame)); }),
               HasSubstr("the condition 'hight > 0'"));
+  source.where = "height = = 3";
+  EXPECT_THAT(message_of_error([&] { static_cast<void>(read_features(source, frame)); }),
+              AllOf(HasSubstr("(SQL Expression Parsing Error: syntax error, unexpected '=')"), Not(HasSubstr("\n"))));
+}
+
+TEST(VectorSource, CoordinatesThatAreNoNumbersAreCountedWithoutAWordOfGdals) {
+  const ScratchFolder folder;
+  const auto file = folder.write("t.csv", "x,y\n7,45\nabc,45\n");
+  testing::internal::CaptureStderr();
+  const auto found = read_features(
+      {.file = file, .kind = GeometryKind::Points, .crs = "EPSG:4326", .x_column = "x", .y_column = "y"}, frame);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  EXPECT_EQ(found.features.size(), 1U);
+  EXPECT_EQ(found.nowhere, 1U);
 }
 
 TEST(VectorSource, FeaturesNowhereAreCounted) {

@@ -1,5 +1,6 @@
 #include "sigmascape/scene/mesh_reader.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -8,6 +9,7 @@
 namespace sigmascape::scene {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
@@ -20,6 +22,27 @@ TEST(ObjMesh, ReadsFacesAndMaterialNamesWithoutAMaterialFile) {
   EXPECT_EQ(mesh.triangles.size(), 3U);
   EXPECT_THAT(mesh.material_names, ElementsAre("itu_brick", "roof"));
   EXPECT_EQ(mesh.materials[2], 1U);
+}
+
+TEST(ObjMesh, ReadsNumbersInEveryUsualSpelling) {
+  const ScratchFolder folder;
+  const auto mesh = read_obj(folder.write(
+      "spelt.obj",
+      "# v x\r\n\tv\t+1.5  -2. 3e1 1.0\r\nv .5 0 -1E-3 0.2 0.3 0.4\r\nv 0 0 0 # here\r\nvn a b c\r\nf 1 2 3\r\n"));
+  ASSERT_EQ(mesh.vertices.size(), 3U);
+  EXPECT_EQ(mesh.vertices[0], (Vec3d{1.5, -2.0, 30.0}));
+  EXPECT_NEAR(mesh.vertices[1].z, -1e-3, 1e-9);
+}
+
+TEST(ObjMesh, NumbersThatCannotBeReadNameTheirLine) {
+  const ScratchFolder folder;
+  for (const char* const vertex :
+       {"v nan 1 0", "v inf 1 0", "v abc 1 0", "v 0,5 1 0", "v 1", "v", "v 1 2 3m", "v 1e39 0 0"}) {
+    const auto file = folder.write("bad.obj", fmt::format("v 0 0 0\nv 1 0 0\n{}\nf 1 2 3\n", vertex));
+    EXPECT_THAT(message_of_error([&] { static_cast<void>(read_obj(file)); }),
+                AllOf(HasSubstr(fmt::format("bad.obj:3: '{}' does not hold three finite numbers", vertex)),
+                      HasSubstr("write a vertex as v x y z with decimal points")));
+  }
 }
 
 /// One triangle (0 0 0), (1 0 0), (0 1 2) in a node moved by (10, 0, 0) and doubled, as JSON with its buffer inside.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sigmascape/base/interruption.h"
 #include "sigmascape/scene/solid_mesh.h"
 
 namespace sigmascape::scene {
@@ -56,6 +57,40 @@ TEST(ObstacleRaster, OpenMeshesArePorousByTheirArea) {
   EXPECT_FLOAT_EQ(sheet.crown_base_m, 3.0F);
   EXPECT_FLOAT_EQ(sheet.crown_top_m, 7.0F);
   EXPECT_NEAR(sheet.crown_extinction_per_m, 0.25, 1e-5);
+}
+
+// A sheet at 3 m and 7 m that reaches 10^30 m beyond the cells on two sides.
+TEST(ObstacleRaster, MeshesMayReachHoweverFarBeyondTheCells) {
+  Scene scene = empty_scene();
+  scene.prototypes.push_back({.name = "sheet",
+                              .vertices = {{-8, -8, 3}, {1e30F, -8, 3}, {-8, 1e30F, 3}},
+                              .triangles = {{0, 1, 2}},
+                              .materials = {0}});
+  scene.instances.push_back({});
+  scene.instances.push_back({.lift_m = 4.0F});
+  const auto map = obstacles_of(scene, cells);
+  EXPECT_NEAR(map.at({9.0, 9.0}).crown_base_m, 3.0, 1e-4);
+  EXPECT_NEAR(map.at({9.0, 9.0}).crown_top_m, 7.0, 1e-4);
+  EXPECT_EQ(map.at({-9.5, 0.0}), radar::Obstacle{});
+}
+
+// Each loop by itself: over buildings, prototypes and instances where there are no cells, over cells where nothing
+// stands.
+TEST(ObstacleRaster, CanBeToldToStop) {
+  constexpr radar::GroundGrid no_cells{-10.0, 10.0, 2.0, 0, 0};
+  const Scene nothing = empty_scene();
+  Scene building = empty_scene(), prototype = empty_scene(), instance = empty_scene();
+  building.buildings.mesh = box_mesh({4.0F, 4.0F, 7.0F}, 0);
+  prototype.prototypes.push_back(box_mesh({4.0F, 4.0F, 7.0F}, 0));
+  instance.prototypes.push_back({.name = "nothing", .vertices = {}, .triangles = {}, .materials = {}});
+  instance.instances.push_back({});
+  EXPECT_NO_THROW((void)obstacles_of(instance, no_cells));
+  const Interruption stop([] { return true; });
+  EXPECT_NO_THROW((void)obstacles_of(nothing, no_cells)) << "there is no loop to end";
+  EXPECT_THROW((void)obstacles_of(building, no_cells), Interrupted);
+  EXPECT_THROW((void)obstacles_of(prototype, no_cells), Interrupted);
+  EXPECT_THROW((void)obstacles_of(instance, no_cells), Interrupted);
+  EXPECT_THROW((void)obstacles_of(nothing, cells), Interrupted);
 }
 
 }  // namespace

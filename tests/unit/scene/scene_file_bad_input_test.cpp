@@ -112,6 +112,20 @@ TEST_F(BadInput, UnknownMaterialSuggestsTheNearest) {
               HasSubstr("buildings[1].wall_material: the material 'concret' is not known; did you mean concrete?"));
 }
 
+TEST_F(BadInput, BasesAreMaterialsOfTheLibrary) {
+  const std::string own = "[materials.b]\nmodel = \"lambert\"\nalbedo = 0.5\n[materials.a]\nbase = \"b\"\n";
+  EXPECT_THAT(place_.fault(own), AllOf(HasSubstr("materials.a.base: names 'b' of the same file"),
+                                       HasSubstr("takes names of the library only")));
+  EXPECT_THAT(place_.fault("[materials.a]\nbase = \"concret\"\n"), HasSubstr("did you mean concrete?"));
+  EXPECT_EQ(place_.fault("[materials.concrete]\nbase = \"concrete\"\n"), "") << "a change of the library's own";
+}
+
+TEST_F(BadInput, NamesOfScenesAreOneLineOfText) {
+  EXPECT_THAT(place_.fault("", "[scene]\nname = \"\"\n"), HasSubstr("scene.name: is empty; give a name"));
+  EXPECT_THAT(place_.fault("", "[scene]\nname = \"two\\nlines\"\n"), HasSubstr("scene.name: holds a line break"));
+  EXPECT_EQ(place_.fault("", "[scene]\nname = \"Bilbão\"\n"), "");
+}
+
 TEST_F(BadInput, MeshWithoutFacesOrMaterials) {
   place_.write("points.obj", "v 0 0 0\nv 1 0 0\n");
   EXPECT_THAT(place_.fault("[[meshes]]\nfile = \"points.obj\"\npositions_m = [[0, 0]]\n"),
@@ -127,6 +141,16 @@ TEST_F(BadInput, MeshWithoutFacesOrMaterials) {
               HasSubstr("the material 'chewing_gum' of"));
   EXPECT_THAT(place_.fault("[[meshes]]\nfile = \"hut.obj\"\nmaterial = \"metal\"\n"),
               HasSubstr("does not say where the mesh stands"));
+}
+
+TEST_F(BadInput, MeshesInOtherUnitsOrFarFromTheirOrigin) {
+  const std::string section = "[[meshes]]\nfile = \"m.obj\"\nmaterial = \"metal\"\npositions_m = [[0, 0]]\n";
+  place_.write("m.obj", "v 0 0 0\nv 1e30 0 0\nv 0 1e30 0\nf 1 2 3\n");
+  EXPECT_THAT(place_.fault(section), AllOf(HasSubstr("m.obj: vertex 2 lies 1e+30 m from the mesh's origin"),
+                                           HasSubstr("within 50 km: state scale, such as 0.001")));
+  place_.write("m.obj", "v 0 0 0\nv 60000 0 0\nv 0 0 60000\nf 1 2 3\n");
+  EXPECT_THAT(place_.fault(section), HasSubstr("vertex 2 lies 60000 m"));
+  EXPECT_EQ(place_.fault(section + "scale = 0.001\n"), "");
 }
 
 TEST_F(BadInput, FlawsAreMendedCountedAndNamedButNotWhenStrictOrCommon) {

@@ -1,0 +1,61 @@
+#include "sigmascape/bake/patch_room.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "sigmascape/base/error.h"
+#include "sigmascape/radar/rectangle_parts.h"
+#include "sigmascape/trace/launch.h"
+#include "sigmascape/trace/multibounce_reach.h"
+#include "sigmascape/trace/scene_heights.h"
+
+namespace sigmascape::bake {
+namespace {
+
+/// As LookBaker::area_of takes the area before it spares rays, but with cells so large that some ten thousand fill it.
+double cells_at(const scene::Scene& scene, const BakeSettings& settings, const radar::Rectangle& target,
+                const radar::Aspect& aspect) {
+  constexpr double along_a_side = 256.0;
+  const auto [lowest_m, highest_m] = trace::heights_of(scene, footing_of(settings));
+  const double top_m = highest_m + 1.0, texel_m = settings.patches.texel_m;
+  const auto viewpoint = trace::Viewpoint::distant(aspect);
+  const trace::MultibounceReach reach = trace::multibounce_reach(scene, viewpoint, target);
+  const double slope = std::tan(aspect.elevation_rad);
+  const double side_m = std::max(target.width_m(), target.height_m()) + (top_m - lowest_m) * (slope + 1.0 / slope) +
+                        std::max(reach.before_m, reach.beside_m);
+  const double coarse_m = std::max(texel_m, side_m / along_a_side), finer = coarse_m / texel_m;
+  const auto area = trace::launch_area(viewpoint, target, coarse_m, lowest_m, top_m, reach);
+  return static_cast<double>(area.cells.size()) * finer * finer;
+}
+
+}  // namespace
+
+double cells_of_a_patch(const scene::Scene& scene, const BakeSettings& settings) {
+  // All patches have the same side: the one about the scene's middle is cut off least by the edge.
+  const radar::Rectangle patch = settings.patches.texels_of(settings.patches.patch_at(scene.extent.centre())).extent();
+  const radar::Rectangle target = radar::common_part(patch, scene.extent);
+  const auto [lowest_rad, highest_rad] = std::ranges::minmax(settings.aspects.elevations_rad);
+  const double azimuth_rad = settings.aspects.azimuths_rad.front();
+  return std::max(cells_at(scene, settings, target, {azimuth_rad, lowest_rad}),
+                  cells_at(scene, settings, target, {azimuth_rad, highest_rad}));
+}
+
+void check_room(const scene::Scene& scene, const BakeSettings& settings, double memory_bytes) {
+  const double cells = cells_of_a_patch(scene, settings);
+  const double bytes = cells * static_cast<double>(sizeof(trace::LaunchCell));
+  if (bytes <= memory_bytes) return;
+  throw Error("bake settings",
+              fmt::format("with texels of {:g} m a patch sends rays to {:.2g} cells, of which the list alone takes "
+                          "{:.3g} GB of memory, and there are {:.3g}",
+                          settings.patches.texel_m, cells, bytes / 1e9, memory_bytes / 1e9),
+              "use larger texels");
+}
+
+void check_room(const scene::Scene& scene, const BakeSettings& settings) {
+  check_room(scene, settings,
+             static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE)));
+}
+
+}  // namespace sigmascape::bake

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "sigmascape/bake/bake_settings.h"
+#include "sigmascape/scene/scene.h"
+
+namespace sigmascape::bake {
+
+/// About how many cells one patch of the scene sends rays to, gutters included, at the elevation that asks for most:
+/// within a few percent before any are spared, and of texels of any size within a moment.
+[[nodiscard]] double cells_of_a_patch(const scene::Scene& scene, const BakeSettings& settings);
+
+/// Throws Error when the list of these cells alone takes more than so many bytes of memory, as with texels of
+/// millimetres. Nothing of that size is allocated for the answer.
+void check_room(const scene::Scene& scene, const BakeSettings& settings, double memory_bytes);
+/// The same for the memory that this machine has.
+void check_room(const scene::Scene& scene, const BakeSettings& settings);
+
+}  // namespace sigmascape::bake
