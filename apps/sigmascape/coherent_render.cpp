@@ -17,11 +17,17 @@ namespace sigmascape::cli {
 
 namespace {
 
-void write_slant_image(const CoherentRequest& request, const simulate::ComplexModeImage& image, Provenance words) {
-  words["looks"] = std::to_string(1);
+void write_slant_image(const CoherentRequest& request, const simulate::ModeRequest& wanted,
+                       const radar::CoherentPlan& plan) {
+  const simulate::ComplexModeImage image = simulate::complex_mode_image(wanted, plan);
+  Provenance words = simulate::source_of(wanted);
+  words.insert(request.origin.begin(), request.origin.end());
   words["crs"] = request.scene.frame.proj();
-  const auto record = [&](const auto& of) { return product::iq_record(of, request.radar, words); };
-  product::write_iq(request.slant_file, std::visit(record, image));
+  product::IqRecord record =
+      std::visit([&](const auto& of) { return product::iq_record(of, request.radar, words); }, image);
+  // What the image knows itself, as the interval of its pulses, is nearer to the truth than the plan.
+  record.numbers.merge(simulate::numbers_of_one_look(plan));
+  product::write_iq(request.slant_file, record);
 }
 
 }  // namespace
@@ -60,8 +66,7 @@ CoherentMap coherent_map(const CoherentRequest& request) {
   CoherentMap made{.map = std::visit(project, simulate::mode_image(wanted, plan))};
   made.seconds = watch.seconds();
   made.provenance = simulate::provenance_of(wanted, plan);
-  if (!request.slant_file.empty())
-    write_slant_image(request, simulate::complex_mode_image(wanted, plan), made.provenance);
+  if (!request.slant_file.empty()) write_slant_image(request, wanted, plan);
   made.cost = {{"mode", simulate::word_for(request.radar.mode)},
                {"interval_s", plan.interval_s},
                {"looks", plan.looks},

@@ -26,6 +26,7 @@ struct CoherentRequest {
   const std::vector<radar::Target>& targets;
   std::uint64_t seed = 1;
   unsigned threads = 0;
+  const Provenance& origin;     ///< what every file says of the scene
   std::string slant_file = {};  ///< for the complex image in slant geometry, of one look; none when empty
 };
 

@@ -1,7 +1,7 @@
 #include "iq_files.h"
 
 #include <algorithm>
-#include <utility>
+#include <fmt/format.h>
 
 #include "number_within.h"
 
@@ -11,6 +11,26 @@
 #include "sigmascape/simulate/coherent.h"
 
 namespace sigmascape::cli {
+namespace {
+
+/// What is in the pulses and where they come from. The map that is made beside them may have come about in another way,
+/// and what is said of that is not said here.
+Provenance words_of_pulses(const IqFiles& files, const IqRequest& request) {
+  const bool calibrated = files.unit == "V";
+  Provenance words = request.origin;
+  words["processing"] = "scatterers from terrain and atlas";
+  words["antenna_pattern"] = calibrated ? "left in" : "none";
+  words["thermal_noise"] = calibrated ? "in it" : "none";
+  words["wind_mps"] = fmt::format("{:g}", request.radar.wind_mps);
+  words["targets"] = std::to_string(request.targets.size());
+  words["crs"] = request.scene.frame.proj();
+  words["seed"] = std::to_string(request.seed);
+  const auto& baked_with = request.atlas->description().settings;
+  if (const auto found = baked_with.find("seed"); found != baked_with.end()) words["atlas_seed"] = found->second;
+  return words;
+}
+
+}  // namespace
 
 void add_iq_options(CLI::App& command, IqFiles& files) {
   command.add_option("--iq", files.file,
@@ -39,7 +59,7 @@ void check(const IqFiles& files, bool has_atlas) {
   if (!has_atlas) throw Error("--iq", "needs an atlas", "name with --atlas the one that `sigmascape bake` made");
 }
 
-void write_iq_files(const IqFiles& files, const IqRequest& request, Provenance provenance) {
+void write_iq_files(const IqFiles& files, const IqRequest& request) {
   if (files.file.empty()) return;
   const atlas::Atlas textures = atlas::load_atlas(*request.atlas);
   const simulate::CoherentScene scene{
@@ -53,10 +73,7 @@ void write_iq_files(const IqFiles& files, const IqRequest& request, Provenance p
                                                 .seed = request.seed,
                                                 .calibrated = files.unit == "V",
                                                 .threads = request.threads});
-  provenance["processing"] = "scatterers from terrain and atlas";
-  provenance["crs"] = request.scene.frame.proj();
-  provenance["seed"] = std::to_string(request.seed);
-  product::write_iq(files.file, product::iq_record(history, request.radar, std::move(provenance)));
+  product::write_iq(files.file, product::iq_record(history, request.radar, words_of_pulses(files, request)));
 }
 
 }  // namespace sigmascape::cli

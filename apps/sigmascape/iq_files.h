@@ -35,6 +35,7 @@ struct IqRequest {
   bool extrapolate = false;
   std::uint64_t seed = 1;
   unsigned threads = 0;
+  const Provenance& origin;  ///< what every file says of the scene
 };
 
 /// The frequency at which the atlas is asked for this radar: the radar's own or, when extrapolation is wanted, the
@@ -45,6 +46,6 @@ struct IqRequest {
 void check(const IqFiles& files, bool has_atlas);
 
 /// Writes the pulses that the radar records of the area, if they were asked for.
-void write_iq_files(const IqFiles& files, const IqRequest& request, Provenance provenance);
+void write_iq_files(const IqFiles& files, const IqRequest& request);
 
 }  // namespace sigmascape::cli

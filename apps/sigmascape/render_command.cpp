@@ -26,6 +26,7 @@
 #include "sigmascape/product/png_file.h"
 #include "sigmascape/product/reprojection.h"
 #include "sigmascape/radar/radar_file.h"
+#include "sigmascape/radar/radar_warnings.h"
 #include "sigmascape/render/level_of_detail.h"
 #include "sigmascape/scene/scene_file.h"
 #include "sigmascape/simulate/coherent.h"
@@ -84,6 +85,13 @@ Rendered traced(const RenderOptions& options, const scene::Scene& scene, const r
   return rendered;
 }
 
+/// What every file says of the scene.
+Provenance origin_of(const scene::Scene& scene, const std::string& hash) {
+  Provenance origin{{"scene", scene.name}, {"scene_hash", hash}};
+  if (!scene.attribution.empty()) origin["attribution"] = scene.attribution;
+  return origin;
+}
+
 /// The atlas that was named, held against the scene; none when none is needed.
 std::optional<atlas::Store> atlas_of(const RenderOptions& options, const std::string& scene_hash) {
   if (options.level_of_detail > 0 && options.atlas.empty()) {
@@ -100,12 +108,12 @@ std::optional<atlas::Store> atlas_of(const RenderOptions& options, const std::st
 }
 
 Rendered baked(const RenderOptions& options, const scene::Scene& scene, const atlas::Store& store,
-               const radar::Radar& radar, const radar::GroundGrid& grid) {
+               const radar::Radar& radar, const radar::GroundGrid& grid, const Provenance& origin) {
   const atlas::Atlas textures = atlas::load_atlas(store);
   const auto targets = all_targets(scene, options.targets);
   if (radar.mode != radar::Mode::RealBeam) {
     auto made = coherent_map({scene, textures, radar, texture_frequency_hz(textures, radar, options.extrapolate), grid,
-                              options.level_of_detail, targets, options.trace.seed, options.trace.threads,
+                              options.level_of_detail, targets, options.trace.seed, options.trace.threads, origin,
                               options.iq.slant_image});
     return {.coherent = std::move(made.map),
             .seconds = made.seconds,
@@ -138,9 +146,8 @@ void check_coherent(const RenderOptions& options, const radar::Radar& radar) {
       throw Error("--slant-image", "is a complex image, and a real beam has power alone",
                   "give the radar file another [mode], or take --snr for power over range and azimuth");
     }
-    if (!radar.earth_refraction) return;
-    throw Error(options.radar + ": radar.earth_refraction", "is given, and real-beam maps are made over a flat Earth",
-                "leave it out, or choose another [mode]");
+    radar::check_earth(radar, options.radar);
+    return;
   }
   if (options.level_of_detail == 0) {
     throw Error(
@@ -225,11 +232,10 @@ void render(const RenderOptions& options, std::optional<radar::Polarization> pol
           ? render::explained(render::choose_detail(
                 simulate::map_question(scene, radar, grid, store ? &*store : nullptr), {.rule = options.detail_rule}))
           : "";
-  Rendered rendered =
-      options.level_of_detail == 0 ? traced(options, scene, radar, grid) : baked(options, scene, *store, radar, grid);
-  rendered.provenance["scene"] = scene.name;
-  rendered.provenance["scene_hash"] = hash;
-  if (!scene.attribution.empty()) rendered.provenance["attribution"] = scene.attribution;
+  const Provenance origin = origin_of(scene, hash);
+  Rendered rendered = options.level_of_detail == 0 ? traced(options, scene, radar, grid)
+                                                   : baked(options, scene, *store, radar, grid, origin);
+  rendered.provenance.insert(origin.begin(), origin.end());
 
   const auto look = look_of(options, polarization.value_or(radar.polarization));
   const bool is_real_beam = !rendered.coherent;
@@ -237,10 +243,8 @@ void render(const RenderOptions& options, std::optional<radar::Polarization> pol
     write_received(options.received, radar, rendered.image, look.polarization, options.trace.seed,
                    options.trace.threads, rendered.provenance);
   }
-  write_iq_files(options.iq,
-                 {store ? &*store : nullptr, scene, all_targets(scene, options.targets), radar, grid.extent(),
-                  options.extrapolate, options.trace.seed, options.trace.threads},
-                 rendered.provenance);
+  write_iq_files(options.iq, {store ? &*store : nullptr, scene, all_targets(scene, options.targets), radar,
+                              grid.extent(), options.extrapolate, options.trace.seed, options.trace.threads, origin});
   write_maps(options, scene, radar, grid, rendered, look);
   if (is_real_beam) write_scopes(options.scopes, radar, rendered.image, look);
 

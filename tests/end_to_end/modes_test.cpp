@@ -1,9 +1,12 @@
+#include <array>
 #include <cmath>
+#include <complex>
 #include <cstdlib>
 #include <cstring>
 #include <fmt/format.h>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "end_to_end/made_scene.h"
 #include "scratch_folder.h"
@@ -127,22 +130,139 @@ class Modes : public ::testing::Test {
     EXPECT_NEAR(db_from_linear(ratio(119) / ratio(0)), 30.0 * std::log10(1.0 + 119.0 * std::cos(0.349) / 5000.0), 0.03);
   }
 
-  /// The complex image before it is brought onto the ground, of the modes that have one.
+  [[nodiscard]] nlohmann::json json(const std::string& name) const {
+    return nlohmann::json::parse(std::ifstream(folder_.path(name)));
+  }
+  /// What the file of the complex image of a mode says of itself.
+  [[nodiscard]] nlohmann::json slant_image(const std::string& mode) const {
+    EXPECT_EQ(render(mode, fmt::format("--lod 1 --slant-image '{}'", folder_.path("slant.npy").string())), 0)
+        << printed();
+    return json("slant.json");
+  }
+
+  /// The complex image before it is brought onto the ground, of the modes that have one, under every ending.
   void expect_slant_images() const {
     folder_.write("targets.toml", "[[targets]]\nposition_m = [-20, 10]\nrcs_dbsm = 40\n");
-    for (const std::string kind : {"spotlight", "stripmap"}) {
-      const auto image = folder_.path(kind + ".npy");
-      ASSERT_EQ(render("[mode]\nkind = \"" + kind + "\"\n", fmt::format("--lod 1 --slant-image '{}'", image.string())),
-                0)
-          << printed();
-      std::ifstream description(folder_.path(kind + ".json"));
-      const std::string words{std::istreambuf_iterator<char>(description), {}};
-      EXPECT_NE(words.find(kind == "stripmap" ? "along_track" : "doppler"), std::string::npos) << words;
-      EXPECT_GT(fs::file_size(image), 100'000U);
+    for (const std::string kind : {"spotlight", "stripmap", "doppler-beam-sharpening"}) {
+      SCOPED_TRACE(kind);
+      for (const std::string ending : {".npy", ".npz", ".h5", ".sigmf-meta"}) {
+        const auto image = folder_.path(kind + ending);
+        ASSERT_EQ(
+            render("[mode]\nkind = \"" + kind + "\"\n", fmt::format("--lod 1 --slant-image '{}'", image.string())), 0)
+            << printed();
+        const fs::path samples = ending == ".sigmf-meta" ? folder_.path(kind + ".sigmf-data") : image;
+        EXPECT_GT(fs::file_size(samples), 20'000U) << samples;
+      }
+      const auto said = json(kind + ".json");
+      EXPECT_EQ(said["axes"][1], kind == "stripmap" ? "along_track" : "doppler");
+      EXPECT_TRUE(said["interval_s"].is_number()) << said["interval_s"];
+      EXPECT_EQ(said["mode"], kind);
+      EXPECT_TRUE(said.contains("scene_hash"));
+      // Abeam, but for the difference between the middle of the map and that of the scene.
+      const double off_course_deg = said["angle_off_course_deg"].get<double>();
+      EXPECT_NEAR(off_course_deg, 90.0, 0.1);
+      if (kind == "stripmap") {
+        EXPECT_NEAR(said["squint_rad"].get<double>(), radians_from_deg(90.0 - off_course_deg), 1e-5);
+      }
+      EXPECT_FALSE(said.contains("squint_deg"));
+      const auto global = json(kind + ".sigmf-meta")["global"];
+      EXPECT_FALSE(global.contains("core:sample_rate"));
+      EXPECT_EQ(global["sigmascape:interval_s"], said["interval_s"]);
     }
     EXPECT_EQ(render("", "--lod 1 --slant-image x.npy"), 1);
     EXPECT_NE(printed().find("--slant-image: is a complex image, and a real beam has power alone"), std::string::npos)
         << printed();
+  }
+
+  /// An image of all pulses is that of a mode of one look that is as many times sharper.
+  void expect_slant_images_of_one_look() const {
+    for (const std::string kind : {"spotlight", "stripmap"}) {
+      SCOPED_TRACE(kind);
+      const auto mode = [&](int along_m, int looks) {
+        return fmt::format("[mode]\nkind = \"{}\"\nalong_resolution_m = {}\nlooks = {}\n", kind, along_m, looks);
+      };
+      const auto of_four = slant_image(mode(8, 4)), of_one = slant_image(mode(2, 1));
+      EXPECT_EQ(map().metadata.at("along_resolution_m"), "2");
+      EXPECT_EQ(of_four["looks"], 1);
+      EXPECT_NEAR(of_four["along_resolution_m"].get<double>(), 2.0, 1e-9);
+      const std::string cell = kind == "stripmap" ? "along_cell_m" : "doppler_cell_hz";
+      for (const std::string& key : {std::string("along_resolution_m"), std::string("interval_s"), cell})
+        EXPECT_NEAR(of_four[key].get<double>() / of_one[key].get<double>(), 1.0, 1e-3) << key;
+    }
+  }
+
+  /// Beside the map of a mode, pulses speak of themselves: of their own interval, and of noise and pattern that the map
+  /// has not and they have.
+  void expect_pulses_to_speak_of_themselves() const {
+    const auto pulses = [&](const std::string& unit) {
+      EXPECT_EQ(render("[mode]\nkind = \"spotlight\"\n", fmt::format("--lod 1 --iq '{}' --interval-s 0.05 --iq-unit {}",
+                                                                     folder_.path("own.npy").string(), unit)),
+                0)
+          << printed();
+      return json("own.json");
+    };
+    const auto volts = pulses("V"), metres = pulses("m");
+    EXPECT_EQ(volts["interval_s"], 0.05);
+    EXPECT_EQ(volts["antenna_pattern"], "left in");
+    EXPECT_EQ(volts["thermal_noise"], "in it");
+    EXPECT_EQ(volts["processing"], "scatterers from terrain and atlas");
+    EXPECT_EQ(volts["targets"], "1");
+    EXPECT_EQ(metres["antenna_pattern"], "none");
+    EXPECT_EQ(metres["thermal_noise"], "none");
+    for (const char* of_the_map : {"looks", "along_resolution_m", "angle_off_course_deg", "mode"})
+      EXPECT_FALSE(volts.contains(of_the_map)) << of_the_map;
+    for (const char* of_every_file : {"scene", "scene_hash", "crs", "seed", "software"})
+      EXPECT_TRUE(volts.contains(of_every_file)) << of_every_file;
+  }
+
+  /// A gate that holds nothing of what is mapped is refused with the key that says so.
+  void expect_an_empty_gate_to_name_its_key() const {
+    EXPECT_EQ(render("[receiver]\nfirst_range_km = 20\n",
+                     fmt::format("--lod 1 --iq '{}'", folder_.path("late.npy").string())),
+              1);
+    EXPECT_NE(printed().find("radar test: receiver.first_range_km: opens the range gate at 20 km"), std::string::npos)
+        << printed();
+  }
+
+  /// Pulses over an Earth that curves say all that leads from a place to its range.
+  void expect_pulses_to_say_how_the_earth_bends() const {
+    folder_.write("targets.toml", "[[targets]]\nposition_m = [-20, 10]\nheight_m = 90\nrcs_dbsm = 80\n");
+    std::string text = radar_text("[mode]\nkind = \"spotlight\"\ninterval_s = 0.1\n");
+    text.replace(text.find("elevation_deg = 20\nslant_range_km = 5"), 36, "elevation_deg = 5\nslant_range_km = 60");
+    text.insert(text.find("[position]"), "earth_refraction = 1.25\n");
+    folder_.write("bent.toml", text);
+    ASSERT_EQ(
+        run(fmt::format(
+            "render '{}' --scene '{}' --atlas '{}' --targets '{}' --lod 1 --iq '{}' --interval-s 0.002 --out '{}'",
+            folder_.path("bent.toml").string(), scene_.string(), folder_.path("atlas").string(),
+            folder_.path("targets.toml").string(), folder_.path("bent.sigmf-meta").string(),
+            folder_.path("map.tif").string())),
+        0)
+        << printed();
+    EXPECT_EQ(map().metadata.at("earth_refraction"), "1.25");
+    const auto said = json("bent.sigmf-meta");
+    const auto number = [&](const std::string& key) { return said["global"]["sigmascape:" + key].get<double>(); };
+    // The brightest VV sample of the first pulse is the target's.
+    const auto ranges = static_cast<std::size_t>(number("fast_count"));
+    std::vector<std::complex<float>> pulse(3 * ranges);
+    std::ifstream(folder_.path("bent.sigmf-data"), std::ios::binary)
+        .read(reinterpret_cast<char*>(pulse.data()), static_cast<std::streamsize>(pulse.size() * sizeof(pulse[0])));
+    std::size_t brightest = 0;
+    for (std::size_t i = 0; i < ranges; ++i)
+      if (std::abs(pulse[3 * i]) > std::abs(pulse[3 * brightest])) brightest = i;
+    const double found_m = number("first_range_m") + static_cast<double>(brightest) * number("range_step_m");
+    // docs/iq_files.md, in its own words and from the file alone.
+    const double radius_m = number("earth_refraction") * 6'371'008.8, height_m = 100.0;
+    const double east_m = -20.0 - number("earth_foot_east_m"), north_m = 10.0 - number("earth_foot_north_m");
+    const double distance_m = std::hypot(east_m, north_m);
+    const double stretch = (radius_m + height_m) * std::sin(distance_m / radius_m) / distance_m;
+    const auto at = said["captures"][0]["sigmascape:position_m"].get<std::array<double, 3>>();
+    const double expected_m = std::hypot(number("earth_foot_east_m") + stretch * east_m - at[0],
+                                         number("earth_foot_north_m") + stretch * north_m - at[1],
+                                         (radius_m + height_m) * std::cos(distance_m / radius_m) - radius_m - at[2]);
+    EXPECT_NEAR(found_m, expected_m, number("range_step_m"));
+    const double straight_m = std::hypot(-20.0 - at[0], 10.0 - at[1], height_m - at[2]);
+    EXPECT_GT(std::abs(straight_m - expected_m), 10.0) << "the bend must be more than what is allowed for";
   }
 
   void expect_the_choice_of_detail_to_be_explained() const {
@@ -254,9 +374,13 @@ TEST_F(Modes, MapTheGroundAndTheTargets) {
   expect_extrapolation_on_request();
   expect_volts_of_targets();
   expect_slant_images();
+  expect_slant_images_of_one_look();
+  expect_pulses_to_speak_of_themselves();
+  expect_an_empty_gate_to_name_its_key();
   expect_the_choice_of_detail_to_be_explained();
   expect_power_of_real_beams_alone();
   expect_a_bent_earth_in_coherent_modes_alone();
+  expect_pulses_to_say_how_the_earth_bends();
   folder_.write("targets.toml", "[[targets]]\nposition_m = [9000, 0]\nrcs_dbsm = 20\n");
   EXPECT_EQ(render("", "--lod 1"), 1);
   EXPECT_NE(printed().find("outside the terrain"), std::string::npos) << printed();

@@ -1,7 +1,10 @@
 #include "sigmascape/product/iq_file.h"
 
+#include <algorithm>
+#include <array>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/product/iq_formats.h"
@@ -34,6 +37,25 @@ void check(const std::filesystem::path& path, const IqRecord& record) {
   }
 }
 
+Error said_twice(const std::filesystem::path& path, const std::string& key) {
+  return Error(path.string(), fmt::format("would say {} twice", key),
+               "report this: it is a fault of the program and not of what it was given");
+}
+
+/// Every key stands in a file once: formats differ in what they make of a second one. Whoever fills the record is to
+/// blame, and no user can help it.
+void check_keys(const std::filesystem::path& path, const IqRecord& record) {
+  constexpr std::array<std::string_view, 6> own{"kind", "quantity", "unit", "axes", "units", "polarizations"};
+  const auto refuse_own = [&](const std::string& key) {
+    if (std::ranges::find(own, key) != own.end()) throw said_twice(path, key);
+  };
+  for (const auto& [key, number] : record.numbers) refuse_own(key);
+  for (const auto& [key, word] : record.words) {
+    refuse_own(key);
+    if (record.numbers.contains(key)) throw said_twice(path, key);
+  }
+}
+
 }  // namespace
 
 void check_iq_name(const std::filesystem::path& path) {
@@ -46,6 +68,7 @@ void check_iq_name(const std::filesystem::path& path) {
 void write_iq(const std::filesystem::path& path, const IqRecord& record) {
   check_iq_name(path);
   check(path, record);
+  check_keys(path, record);
   writers().at(path.extension().string())(path, record);
 }
 

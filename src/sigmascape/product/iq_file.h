@@ -15,7 +15,8 @@ namespace sigmascape::product {
 ///     .h5          HDF5: a dataset a polarization as compound {r, i}, axes as dimension scales, units as attributes
 ///     .sigmf-meta  SigMF, with the samples in .sigmf-data: cf32_le, a channel a polarization, a capture a pulse
 ///
-/// Throws Error for another ending, when the record's axes do not fit its samples, and when a file cannot be written.
+/// Throws Error for another ending, when the record's axes do not fit its samples, when it says a key twice, and when a
+/// file cannot be written.
 void write_iq(const std::filesystem::path& path, const IqRecord& record);
 
 /// Throws Error when `write_iq` would not know what to write under this name: for asking before the work.

@@ -28,7 +28,20 @@ std::span<const std::complex<float>> numbers_of(const Array2D<radar::ComplexChan
           samples.size() * radar::ComplexChannels::count};
 }
 
+/// Over an Earth that curves, ranges and positions are those of a space in which rays are straight, and the local frame
+/// is bent about the foot that the radar has in the middle of the interval.
+void describe_earth(IqRecord& record, const radar::Radar& radar) {
+  if (!radar.earth_refraction) return;
+  record.numbers["earth_refraction"] = *radar.earth_refraction;
+  record.numbers["earth_foot_east_m"] = radar.position.x;
+  record.numbers["earth_foot_north_m"] = radar.position.y;
+  record.words["positions"] =
+      "of the platform: in the straight space over the k-Earth, k = earth_refraction, into which points of the local "
+      "frame are bent about earth_foot: docs/iq_files.md";
+}
+
 void describe(IqRecord& record, const radar::Radar& radar) {
+  describe_earth(record, radar);
   record.words["software"] = software_name();
   record.words["radar"] = radar.name;
   record.numbers["range_resolution_m"] = radar.range_resolution_m;
@@ -59,6 +72,7 @@ IqRecord iq_record(const radar::PhaseHistory& history, const radar::Radar& radar
       .platform = {},
       .numbers = {{"frequency_hz", history.frequency_hz},
                   {"bandwidth_hz", history.bandwidth_hz},
+                  {"interval_s", static_cast<double>(history.pulses.size()) / radar.waveform.pulse_repetition_hz},
                   {"first_range_m", history.first_range_m},
                   {"range_step_m", history.range_step_m}},
       .words = std::move(words)};

@@ -31,7 +31,7 @@ struct IqRecord {
   std::span<const std::complex<float>> samples;   ///< [slow][fast][polarization]
   std::vector<radar::Motion> platform;            ///< one for each place on the slow axis, or one for all
   std::map<std::string, double> numbers = {};     ///< with their units in their names
-  std::map<std::string, std::string> words = {};  ///< where it comes from
+  std::map<std::string, std::string> words = {};  ///< where it comes from; no key of `numbers` again
 };
 
 /// What comes out of `simulate::phase_history`, of `simulate::range_doppler_image` and `stripmap_image`, and of a live

@@ -17,8 +17,8 @@ Json global_of(const IqRecord& record) {
               {"core:description", record.kind + ": " + record.quantity},
               {"core:recorder", "Sigmascape"},
               {"core:extensions", Json::array({{{"name", "sigmascape"}, {"version", "1.0.0"}, {"optional", true}}})}};
-  if (record.fast.unit == "m" && record.fast.values.size() > 1) {
-    // Samples over slant range follow one another in time by 2 Δr / c.
+  if (record.fast.name == "slant_range" && record.fast.values.size() > 1) {
+    // Samples over slant range follow one another in time by 2 Δr / c; along the track or over Doppler they do not.
     global["core:sample_rate"] = speed_of_light_mps / (2.0 * (record.fast.values[1] - record.fast.values[0]));
   }
   const Json description = Json::parse(iq_description(record));

@@ -14,45 +14,111 @@
 namespace sigmascape::radar {
 namespace {
 
-/// Half-power width across range for an interval of one second, all looks together.
-double resolution_in_a_second_m(const Radar& radar, double range_m, double squint_rad) {
-  const double width = WindowResponse(radar.waveform.window).half_power_width();
-  return width * radar.processing.looks *
-         cross_range_resolution_m(range_m, wavelength_m(radar.frequency_hz), length(radar.velocity_mps), 1.0,
-                                  squint_rad);
+/// Where the middle of the area lies as the radar flies: on the map and above it.
+struct Sight {
+  Vec3d away;  ///< from the radar
+  double range_m, ground_range_m, off_course_rad, horizontal_speed_mps;
+};
+
+Sight sight_of(const Radar& radar, Vec3d away) {
+  return {away, length(away), std::hypot(away.x, away.y), off_course_rad(radar.velocity_mps, away),
+          std::hypot(radar.velocity_mps.x, radar.velocity_mps.y)};
 }
 
-void plan_interval(const Radar& radar, double range_m, CoherentPlan& plan) {
+/// The smaller of the angles to the course and to where the radar comes from.
+double off_the_line_rad(double off_course_rad) {
+  return std::min(off_course_rad, pi - off_course_rad);
+}
+
+bool beam_straddles_course(const Radar& radar, const Sight& sight) {
+  return off_the_line_rad(sight.off_course_rad) < radar.beam_width_rad / 2.0;
+}
+
+[[noreturn]] void refuse_straight_ahead(const Radar& radar, const Sight& sight, const char* advice) {
+  throw Error(
+      title_of(radar),
+      fmt::format("flies straight towards or away from what it maps, {:.2g}° off its course, where Doppler does "
+                  "not tell places apart",
+                  deg_from_radians(off_the_line_rad(sight.off_course_rad))),
+      advice);
+}
+
+/// Window's half-power width times looks: cells of one look in the width of the finished map.
+double cells_of_width(const Radar& radar) {
+  return WindowResponse(radar.waveform.window).half_power_width() * radar.processing.looks;
+}
+
+/// Half-power width on the ground along constant range for an interval of one second, all looks together.
+double resolution_in_a_second_m(const Radar& radar, const Sight& sight) {
+  return cells_of_width(radar) * cross_range_resolution_m(sight.range_m, wavelength_m(radar.frequency_hz),
+                                                          sight.horizontal_speed_mps, 1.0, sight.off_course_rad);
+}
+
+/// The widest that a cell becomes, on the course itself: cos φ falls by half a cell of Doppler to both sides.
+/// docs/physics/doppler.md, Eq. (3a).
+double width_on_course_m(const Radar& radar, const Sight& sight, double interval_s) {
+  const double cells_mps = 4.0 * sight.horizontal_speed_mps * interval_s * sight.ground_range_m / sight.range_m;
+  const double fall = cells_of_width(radar) * wavelength_m(radar.frequency_hz) / cells_mps;
+  return 2.0 * sight.ground_range_m * std::acos(std::max(-1.0, 1.0 - fall));
+}
+
+void plan_interval(const Radar& radar, const Sight& sight, CoherentPlan& plan) {
   const Processing& asked = radar.processing;
-  const double in_a_second_m = resolution_in_a_second_m(radar, range_m, plan.squint_rad);
-  if (!asked.interval_s && std::sin(plan.squint_rad) < std::sin(radar.beam_width_rad / 2.0)) {
-    throw Error(
-        title_of(radar),
-        fmt::format("flies straight towards or away from what it maps, {:.2g}° off its course, where Doppler does "
-                    "not tell places apart",
-                    deg_from_radians(plan.squint_rad)),
-        "map ground farther to the side, or state mode.interval_s");
+  if (!(sight.ground_range_m > 0.0)) {
+    throw Error(title_of(radar), "is straight above what it maps, where nothing lies across",
+                "map ground farther to the side");
   }
-  const double wanted_m = radar.mode == Mode::DopplerBeamSharpening
-                              ? radar.beam_width_rad * range_m / asked.sharpening.value_or(usual_sharpening)
-                              : asked.along_resolution_m.value_or(radar.range_resolution_m);
+  if (!asked.interval_s && beam_straddles_course(radar, sight))
+    refuse_straight_ahead(radar, sight, "map ground farther to the side, or state mode.interval_s");
+  const double in_a_second_m = resolution_in_a_second_m(radar, sight);
+  const double wanted_m =
+      radar.mode == Mode::DopplerBeamSharpening
+          ? radar.beam_width_rad * sight.ground_range_m / asked.sharpening.value_or(usual_sharpening)
+          : asked.along_resolution_m.value_or(radar.range_resolution_m);
   plan.interval_s = asked.interval_s.value_or(in_a_second_m / wanted_m);
-  plan.along_resolution_m = in_a_second_m / plan.interval_s;
+  plan.along_resolution_m = std::min(in_a_second_m / plan.interval_s, width_on_course_m(radar, sight, plan.interval_s));
 }
 
-void plan_strip(const Radar& radar, double range_m, CoherentPlan& plan) {
-  const double width = WindowResponse(radar.waveform.window).half_power_width();
-  const double sine = std::sin(plan.squint_rad);
-  const double finest_m =
-      plan.looks * width * wavelength_m(radar.frequency_hz) / (4.0 * std::sin(radar.beam_width_rad / 2.0) * sine);
+/// The sine of the angle ahead of broadside at which the point is seen as one edge of the beam passes it. The beam
+/// keeps its azimuth, and the point is seen less or more steeply the earlier or later it is passed.
+double sine_at_edge(const Radar& radar, Vec3d away, double edge_rad) {
+  const Vec3d flight = radar.velocity_mps;
+  const double azimuth = std::atan2(away.x, away.y) + edge_rad;
+  const auto beside_edge = [&](Vec3d v) { return v.x * std::cos(azimuth) - v.y * std::sin(azimuth); };
+  const Vec3d then = away - flight * (beside_edge(away) / beside_edge(flight));
+  return dot(then, flight) / (length(then) * length(flight));
+}
+
+/// What the beam's Doppler band gives along the flight: w n λ/(2 |sin φ₁ − sin φ₂|). docs/physics/doppler.md, Eq. (5a).
+double finest_of_strip_m(const Radar& radar, const Sight& sight) {
+  const double half_beam = radar.beam_width_rad / 2.0;
+  const double sines =
+      std::abs(sine_at_edge(radar, sight.away, half_beam) - sine_at_edge(radar, sight.away, -half_beam));
+  return cells_of_width(radar) * wavelength_m(radar.frequency_hz) / (2.0 * sines);
+}
+
+/// To three digits that are not refused in turn.
+double rounded_up(double value) {
+  const double step = std::pow(10.0, std::floor(std::log10(value)) - 2.0);
+  return std::ceil(value / step) * step;
+}
+
+void plan_strip(const Radar& radar, const Sight& sight, CoherentPlan& plan) {
+  if (!(sight.ground_range_m > 0.0) || beam_straddles_course(radar, sight))
+    refuse_straight_ahead(radar, sight, "map ground farther to the side");
+  const double finest_m = finest_of_strip_m(radar, sight);
   plan.along_resolution_m = radar.processing.along_resolution_m.value_or(std::max(finest_m, radar.range_resolution_m));
   if (plan.along_resolution_m < finest_m * (1.0 - 1e-9)) {
     throw Error(title_of(radar),
                 fmt::format("cannot map a strip to {:g} m along the flight with {} looks of a beam of {:.3g}°",
                             plan.along_resolution_m, plan.looks, deg_from_radians(radar.beam_width_rad)),
-                fmt::format("give mode.along_resolution_m of at least {:.3g}, fewer looks or a wider beam", finest_m));
+                fmt::format("give mode.along_resolution_m of at least {:.3g}, fewer looks or a wider beam",
+                            rounded_up(finest_m)));
   }
-  plan.interval_s = resolution_in_a_second_m(radar, range_m, plan.squint_rad) / sine / plan.along_resolution_m;
+  // Band over Doppler rate, which the whole speed and the angle in space decide.
+  const double sine = std::sin(plan.squint_rad);
+  plan.interval_s = cells_of_width(radar) * wavelength_m(radar.frequency_hz) * sight.range_m /
+                    (2.0 * length(radar.velocity_mps) * sine * sine * plan.along_resolution_m);
 }
 
 std::array<Vec3d, 4> corners_of(const Rectangle& area, double height_m) {
@@ -68,18 +134,18 @@ CoherentPlan coherent_plan(const Radar& radar, Vec3d aim) {
   const double speed_mps = length(radar.velocity_mps);
   if (!(speed_mps > 0.0))
     throw Error(title_of(radar), "stands still", "give platform.speed_mps: coherent modes live from motion");
-  const Vec3d away = aim - radar.position;
-  const double range_m = length(away);
-  CoherentPlan plan{
-      .looks = radar.processing.looks,
-      .squint_rad = std::acos(std::clamp(dot(away, radar.velocity_mps) / (range_m * speed_mps), -1.0, 1.0))};
+  const Sight sight = sight_of(radar, aim - radar.position);
+  CoherentPlan plan{.looks = radar.processing.looks,
+                    .squint_rad = std::acos(
+                        std::clamp(dot(sight.away, radar.velocity_mps) / (sight.range_m * speed_mps), -1.0, 1.0))};
   if (radar.mode == Mode::Stripmap) {
-    plan_strip(radar, range_m, plan);
+    plan_strip(radar, sight, plan);
   } else {
-    plan_interval(radar, range_m, plan);
+    plan_interval(radar, sight, plan);
   }
   plan.blind_wedge_rad =
-      blind_wedge_rad(wavelength_m(radar.frequency_hz), speed_mps, plan.interval_s / plan.looks, radar.beam_width_rad);
+      blind_wedge_rad(wavelength_m(radar.frequency_hz), sight.horizontal_speed_mps, plan.interval_s / plan.looks,
+                      radar.beam_width_rad, std::atan2(std::abs(sight.away.z), sight.ground_range_m));
   return plan;
 }
 
@@ -87,11 +153,10 @@ std::vector<std::string> plan_warnings(const Radar& radar, const CoherentPlan& p
                                        double height_m) {
   std::vector<std::string> warnings;
   const Vec3d ahead = normalized(radar.velocity_mps);
-  double nearest_nose_rad = pi, least_side = 0.0, most_side = 0.0, least_hz = 1e300, most_hz = -1e300;
+  double off_the_line = pi, least_side = 0.0, most_side = 0.0, least_hz = 1e300, most_hz = -1e300;
   for (const Vec3d corner : corners_of(area, height_m)) {
     const Vec3d away = corner - radar.position;
-    const double along = dot(away, ahead) / length(away);
-    nearest_nose_rad = std::min(nearest_nose_rad, std::acos(std::clamp(along, -1.0, 1.0)));
+    off_the_line = std::min(off_the_line, off_the_line_rad(off_course_rad(radar.velocity_mps, away)));
     const double side = ahead.x * away.y - ahead.y * away.x;
     least_side = std::min(least_side, side);
     most_side = std::max(most_side, side);
@@ -100,13 +165,14 @@ std::vector<std::string> plan_warnings(const Radar& radar, const CoherentPlan& p
     least_hz = std::min(least_hz, frequency_hz);
     most_hz = std::max(most_hz, frequency_hz);
   }
-  if (radar.mode == Mode::DopplerBeamSharpening && nearest_nose_rad < plan.blind_wedge_rad) {
+  const bool on_both_sides = least_side < 0.0 && most_side > 0.0;
+  if (radar.mode != Mode::Stripmap && (on_both_sides || off_the_line < plan.blind_wedge_rad)) {
     warnings.push_back(fmt::format(
-        "part of what is mapped lies in the blind wedge ahead, within {:.3g}° of the course, where it is no "
+        "part of what is mapped lies in the blind wedge about the course, within {:.3g}° of it, where it is no "
         "sharper than the real beam; map ground farther to the side or use a longer mode.interval_s",
         deg_from_radians(plan.blind_wedge_rad)));
   }
-  if (least_side < 0.0 && most_side > 0.0) {
+  if (on_both_sides) {
     warnings.push_back(
         "what is mapped lies on both sides of the course, and left and right have the same Doppler and fall onto one "
         "another; map one side");

@@ -13,23 +13,25 @@ struct CoherentPlan {
   int looks = 1;
   double interval_s = 0.0;          ///< of all looks together; with stripmap that for which a point is processed
   double along_resolution_m = 0.0;  ///< half-power width across range in the middle of the area, on the finished map
-  double squint_rad = 0.0;          ///< of the middle of the area, off the direction of flight
-  double blind_wedge_rad = 0.0;     ///< half-angle about the nose within which it is no sharper than the real beam
+  double squint_rad = 0.0;          ///< of the middle of the area, off the direction of flight, in space
+  double blind_wedge_rad = 0.0;     ///< on the map, about the course: within it is no sharper than the real beam
 };
 
 /// By how much Doppler beam sharpening narrows the beam when the radar file does not say.
 inline constexpr double usual_sharpening = 16.0;
 
-/// The plan for an area whose middle lies at `aim`. With w the half-power width of the window over the pulses in cells,
-/// n looks and θ_b the beam:
+/// The plan for an area whose middle lies at `aim`, on level ground at slant range r and ground range g. With w the
+/// half-power width of the window over the pulses in cells, n looks, θ_b the beam, v the horizontal speed and φ the
+/// horizontal angle off the course:
 ///
-///   - Doppler beam sharpening by N: θ_b/N = w n λ/(2 v T sin θ);
-///   - spotlight to δ: δ = w n λ r/(2 v T sin θ), δ the range resolution when left open;
-///   - stripmap to δ ≥ n λ w/(4 sin(θ_b/2)), what the beam's Doppler band gives; the coarser of that and the range
-///     resolution when left open.                                        docs/physics/doppler.md, Eqs. (3), (4)
+///   - Doppler beam sharpening by N: g θ_b/N = w n λ r/(2 v T sin φ);
+///   - spotlight to δ: δ = w n λ r/(2 v T sin φ), δ the range resolution when left open;
+///   - stripmap to δ ≥ w n λ/(2 |sin φ₁ − sin φ₂|), what the Doppler band between the edges of the beam gives; the
+///     coarser of that and the range resolution when left open.       docs/physics/doppler.md, Eqs. (3), (4), (5a)
 ///
-/// Throws Error when the radar stands still, when the middle lies so near the nose or the tail that the beam straddles
-/// it and no interval is stated, and when stripmap is asked for more than the beam gives.
+/// Throws Error when the radar stands still, when the middle lies so near the course, ahead or behind, that the beam
+/// straddles it and no interval is stated, when it lies straight below, and when stripmap is asked for more than the
+/// beam gives.
 [[nodiscard]] CoherentPlan coherent_plan(const Radar& radar, Vec3d aim);
 
 /// What a radar engineer would object to before this plan maps an area at this height, one sentence each: ground in the

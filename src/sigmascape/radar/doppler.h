@@ -36,19 +36,28 @@ struct Motion {
   return frequency_hz - pulse_repetition_hz * std::floor((frequency_hz - first_hz) / pulse_repetition_hz);
 }
 
-/// Cross-range that one Doppler cell of a coherent interval T is wide at squint θ off the flight direction:
-/// λ r / (2 v T sin θ). It grows without bounds towards the nose, where all ground has nearly one Doppler.
-/// docs/physics/doppler.md, Eq. (3).
-[[nodiscard]] inline double cross_range_resolution_m(double range_m, double wavelength_m, double speed_mps,
-                                                     double interval_s, double squint_rad) {
-  return wavelength_m * range_m / (2.0 * speed_mps * interval_s * std::abs(std::sin(squint_rad)));
+/// The angle between the course and the direction to a place, 0 to π, both on the map: a horizontal angle, as a beam's
+/// is. What climbs or dives straight flies towards every place.
+[[nodiscard]] inline double off_course_rad(Vec3d velocity_mps, Vec3d away) {
+  return std::atan2(std::abs(velocity_mps.x * away.y - velocity_mps.y * away.x),
+                    velocity_mps.x * away.x + velocity_mps.y * away.y);
 }
 
-/// The squint below which sharpening by Doppler does not narrow a real beam of this width: λ/(2 v T θ_b) = sin θ.
-/// docs/physics/doppler.md, Eq. (4).
-[[nodiscard]] inline double blind_wedge_rad(double wavelength_m, double speed_mps, double interval_s,
-                                            double beam_width_rad) {
-  return std::asin(std::fmin(1.0, wavelength_m / (2.0 * speed_mps * interval_s * beam_width_rad)));
+/// Width on level ground, along constant range, of one Doppler cell of a coherent interval T, at horizontal speed v and
+/// so far off the course φ: λ r/(2 v T sin φ). A vertical speed changes the Doppler of all ground at one range alike
+/// and tells none of it apart. The width grows without bounds towards the course, where all of it has nearly one.
+/// docs/physics/doppler.md, Eq. (3).
+[[nodiscard]] inline double cross_range_resolution_m(double range_m, double wavelength_m, double horizontal_speed_mps,
+                                                     double interval_s, double off_course_rad) {
+  return wavelength_m * range_m / (2.0 * horizontal_speed_mps * interval_s * std::abs(std::sin(off_course_rad)));
+}
+
+/// The angle off the course below which sharpening by Doppler does not narrow a real beam of this width, at this angle
+/// of depression: λ/(2 v T θ_b cos ψ) = sin φ. docs/physics/doppler.md, Eq. (4).
+[[nodiscard]] inline double blind_wedge_rad(double wavelength_m, double horizontal_speed_mps, double interval_s,
+                                            double beam_width_rad, double depression_rad) {
+  const double cells_of_beam = 2.0 * horizontal_speed_mps * interval_s * beam_width_rad * std::cos(depression_rad);
+  return std::asin(std::fmin(1.0, wavelength_m / cells_of_beam));
 }
 
 /// How far along the flight direction a broadside mover appears from where it is: −r ṙ/V, ṙ its own part of the range

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <initializer_list>
 
 #include "sigmascape/base/toml_reader.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/polarization_words.h"
+#include "sigmascape/radar/radar_bounds.h"
 #include "sigmascape/radar/radar_file_sections.h"
 #include "sigmascape/radar/range_response.h"
 
@@ -25,19 +27,19 @@ bool states(const TomlSection& file, std::string_view section, std::string_view 
   return found && found->has(key);
 }
 
-Radar radar_of(const TomlSection& file, const TomlSection& section) {
-  Radar radar;
+/// All that a file says of the radar itself, and nothing of place and map.
+RadarFile described_radar(const TomlSection& file, const TomlSection& section) {
+  RadarFile read;
+  Radar& radar = read.radar;
   radar.name = section.text_or("name", "radar");
-  radar.frequency_hz = section.number("frequency_ghz", {0.1, 300.0, "GHz"}) * 1e9;
+  radar.frequency_hz = section.number("frequency_ghz", bounds::frequencies_ghz) * 1e9;
   radar.polarization = polarization_of(section);
-  constexpr Interval resolutions_m{0.005, 10'000.0, "m"};
-  constexpr Interval widths_deg{1e-5, 90.0, "degrees"};
   radar.range_resolution_m = states(file, "waveform", "bandwidth_mhz")
-                                 ? section.number_or("range_resolution_m", resolutions_m, 0.0)
-                                 : section.number("range_resolution_m", resolutions_m);
-  radar.beam_width_rad =
-      radians_from_deg(states(file, "antenna", "azimuth_csv") ? section.number_or("beam_width_deg", widths_deg, 0.0)
-                                                              : section.number("beam_width_deg", widths_deg));
+                                 ? section.number_or("range_resolution_m", bounds::range_resolutions_m, 0.0)
+                                 : section.number("range_resolution_m", bounds::range_resolutions_m);
+  radar.beam_width_rad = radians_from_deg(states(file, "antenna", "azimuth_csv")
+                                              ? section.number_or("beam_width_deg", bounds::beam_widths_deg, 0.0)
+                                              : section.number("beam_width_deg", bounds::beam_widths_deg));
   radar.earth_refraction = section.optional_number("earth_refraction", {0.1, 1e3, ": k of the k-Earth, 4/3 as a rule"});
   radar.wind_mps = section.number_or("wind_mps", {0.0, 40.0, "m/s"}, 0.0);
   radar.atmosphere_per_m =
@@ -49,22 +51,40 @@ Radar radar_of(const TomlSection& file, const TomlSection& section) {
   } else {
     radar.waveform.pulse_length_s = 1.0 / bandwidth_of(radar.range_resolution_m, radar.waveform.window);
   }
-  read_antenna(file.section("antenna"), radar);
+  read.has_shortest_pulse = !states(file, "waveform", "pulse_length_us");
+  read.antenna_efficiency = read_antenna(file.section("antenna"), radar);
   if (const auto platform = file.section("platform")) read_platform(*platform, radar);
   if (const auto receiver = file.section("receiver")) read_receiver(*receiver, radar);
   if (const auto scan = file.section("scan")) read_scan(*scan, radar);
   if (const auto mode = file.section("mode")) read_mode(*mode, radar);
-  return radar;
+  return read;
 }
 
 bool has_any(const TomlSection& section, std::initializer_list<std::string_view> keys) {
   return std::ranges::any_of(keys, [&](std::string_view key) { return section.has(key); });
 }
 
+constexpr const char* ways_to_say_where =
+    "give azimuth_deg, elevation_deg and slant_range_km, or altitude_m with latitude_deg and longitude_deg, or "
+    "altitude_m with east_m and north_m";
+
+/// Keys of other ways to say where the radar stands than that of `own`.
+void refuse_other_places(const TomlSection& section, std::initializer_list<std::string_view> own,
+                         std::initializer_list<std::string_view> others) {
+  const auto is_there = [&](std::string_view key) { return section.has(key); };
+  const auto other = std::ranges::find_if(others, is_there);
+  if (other == others.end()) return;
+  throw section.fault(
+      *other, fmt::format("means nothing where {} says where the radar stands", *std::ranges::find_if(own, is_there)),
+      fmt::format("leave it out, or {}", ways_to_say_where));
+}
+
 std::variant<SeenFrom, LocalPlace, GeographicPlace> place_of(const TomlSection& section) {
   const auto altitude_m = [&] { return section.number("altitude_m", {1.0, 1e6, "m above mean sea level"}); };
   std::variant<SeenFrom, LocalPlace, GeographicPlace> place;
-  if (has_any(section, {"slant_range_km", "azimuth_deg", "elevation_deg"})) {
+  if (has_any(section, {"azimuth_deg", "elevation_deg", "slant_range_km"})) {
+    refuse_other_places(section, {"azimuth_deg", "elevation_deg", "slant_range_km"},
+                        {"latitude_deg", "longitude_deg", "east_m", "north_m", "altitude_m"});
     SeenFrom seen{.azimuth_rad = radians_from_deg(section.number("azimuth_deg", {-360.0, 360.0, "degrees"})),
                   .elevation_rad = radians_from_deg(section.number("elevation_deg", {0.5, 89.0, "degrees"})),
                   .slant_range_m = section.number("slant_range_km", {0.1, 1000.0, "km"}) * 1e3,
@@ -78,14 +98,14 @@ std::variant<SeenFrom, LocalPlace, GeographicPlace> place_of(const TomlSection& 
     if (east) seen.target = Vec2d{*east, *north};
     place = seen;
   } else if (has_any(section, {"latitude_deg", "longitude_deg"})) {
+    refuse_other_places(section, {"latitude_deg", "longitude_deg"},
+                        {"east_m", "north_m", "target_east_m", "target_north_m"});
     place = GeographicPlace{section.number("latitude_deg", {-90.0, 90.0, "degrees"}),
                             section.number("longitude_deg", {-180.0, 180.0, "degrees"}), altitude_m()};
   } else if (!has_any(section, {"east_m", "north_m", "altitude_m"})) {
-    throw Error(
-        section.where(), "does not say where the radar stands",
-        "give azimuth_deg, elevation_deg and slant_range_km, or altitude_m with latitude_deg and longitude_deg, "
-        "or altitude_m with east_m and north_m");
+    throw Error(section.where(), "does not say where the radar stands", ways_to_say_where);
   } else {
+    refuse_other_places(section, {"east_m", "north_m", "altitude_m"}, {"target_east_m", "target_north_m"});
     place = LocalPlace{{section.number("east_m", anywhere_m), section.number("north_m", anywhere_m), altitude_m()}};
   }
   section.refuse_unknown_keys();
@@ -94,7 +114,7 @@ std::variant<SeenFrom, LocalPlace, GeographicPlace> place_of(const TomlSection& 
 
 MapRequest map_of(const TomlSection& section) {
   MapRequest map;
-  map.cell_m = section.number_or("cell_m", {0.05, 10'000.0, "m"}, map.cell_m);
+  map.cell_m = section.number_or("cell_m", bounds::cells_m, map.cell_m);
   if (section.has("west_m") || section.has("east_m") || section.has("south_m") || section.has("north_m")) {
     map.area = Rectangle{section.number("west_m", anywhere_m), section.number("south_m", anywhere_m),
                          section.number("east_m", anywhere_m), section.number("north_m", anywhere_m)};
@@ -116,11 +136,35 @@ TomlSection required_section(const TomlSection& file, std::string_view key) {
 
 RadarFile read_radar_file(const std::filesystem::path& path, PlaceOfRadar need) {
   const TomlSection file = TomlSection::read_file(path);
-  RadarFile read{.radar = radar_of(file, required_section(file, "radar")), .place = SeenFrom{}, .map = {}};
+  RadarFile read = described_radar(file, required_section(file, "radar"));
   if (need == PlaceOfRadar::Required || file.has("position")) read.place = place_of(required_section(file, "position"));
   if (const auto map = file.section("map")) read.map = map_of(*map);
   file.refuse_unknown_keys();
   return read;
+}
+
+void set_beam_width(RadarFile& file, double width_rad) {
+  Radar& radar = file.radar;
+  if (std::holds_alternative<TabulatedBeam>(radar.antenna.azimuth)) {
+    throw Error("beam_width_deg", "is that of the antenna's table, antenna.azimuth_csv of the radar file",
+                "give the file another table, or another azimuth_shape");
+  }
+  radar.beam_width_rad = width_rad;
+  if (file.antenna_efficiency) radar.antenna.gain = *file.antenna_efficiency * directivity(radar.antenna, width_rad);
+}
+
+void set_range_resolution(RadarFile& file, double resolution_m) {
+  Waveform& waveform = file.radar.waveform;
+  const double shortest_s = 1.0 / bandwidth_of(resolution_m, waveform.window);
+  if (file.has_shortest_pulse) {
+    waveform.pulse_length_s = shortest_s;
+  } else if (waveform.pulse_length_s < shortest_s * (1.0 - 1e-9)) {
+    throw Error(
+        "range_resolution_m",
+        fmt::format("is {:g}, coarser than a pulse of {:g} µs can be", resolution_m, waveform.pulse_length_s * 1e6),
+        fmt::format("give at most {:.6g}", range_resolution_of(1.0 / waveform.pulse_length_s, waveform.window)));
+  }
+  file.radar.range_resolution_m = resolution_m;
 }
 
 }  // namespace sigmascape::radar

@@ -40,7 +40,21 @@ struct RadarFile {
   Radar radar;  ///< its position is yet to be resolved from `place`
   std::variant<SeenFrom, LocalPlace, GeographicPlace> place;
   MapRequest map;
+  /// Of an antenna whose gain follows from the shape of its beam; none where the gain itself is stated.
+  std::optional<double> antenna_efficiency = {};
+  /// Whether the pulse is as short as its bandwidth lets it be, rather than of a stated length.
+  bool has_shortest_pulse = false;
 };
+
+/// Makes the real beam so wide in azimuth, one-way at half power, as the file would be read with another
+/// `beam_width_deg`: a gain that follows from the beam goes with it, one that is stated stays. Throws Error for a
+/// measured beam, whose table has the width.
+void set_beam_width(RadarFile& file, double width_rad);
+
+/// Makes the compressed pulse so wide, at half power, as the file would be read with another `range_resolution_m`: a
+/// pulse that is as short as can be goes with it. Throws Error where a pulse of the stated length has not the bandwidth
+/// for it.
+void set_range_resolution(RadarFile& file, double resolution_m);
 
 /// Whether a file must say where the radar stands, or may leave it to whoever reads it.
 enum class PlaceOfRadar { Required, Optional };

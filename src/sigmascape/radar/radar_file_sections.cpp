@@ -10,6 +10,7 @@
 
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/pattern_table.h"
+#include "sigmascape/radar/radar_bounds.h"
 #include "sigmascape/radar/range_response.h"
 
 namespace sigmascape::radar {
@@ -38,6 +39,21 @@ void refuse_keys_of_other_shapes(const TomlSection& section, const std::string& 
     throw section.fault(key, fmt::format("means nothing where {} is \"{}\"", shape_key, shape),
                         fmt::format("leave it out, or state {} = \"{}\"", shape_key, wanted));
   }
+}
+
+/// A key that says more of what another one states.
+void refuse_key_without(const TomlSection& section, const std::string& key, const std::string& wanted) {
+  if (!section.has(key) || section.has(wanted)) return;
+  throw section.fault(key, fmt::format("means nothing where {} is not stated", wanted),
+                      fmt::format("leave it out, or state {}", wanted));
+}
+
+/// A key that some shapes do without.
+void refuse_key_of_shape(const TomlSection& section, const std::string& key, const std::string& shape_key,
+                         const std::string& shape) {
+  if (!section.has(key)) return;
+  throw section.fault(key, fmt::format("means nothing where {} is \"{}\"", shape_key, shape),
+                      fmt::format("leave it out, or state another {}", shape_key));
 }
 
 /// A cut of the antenna; `width_rad` becomes that of the table when there is one.
@@ -76,8 +92,11 @@ void read_elevation(const TomlSection& section, Antenna& antenna) {
                                {"elevation_side_lobe_db", "taylor"},
                                {"elevation_taylor_terms", "taylor"},
                                {"steepest_depression_deg", "cosecant-squared"}});
-  if (shape != "even" && shape != "table")
+  if (shape == "even" || shape == "table") {
+    refuse_key_of_shape(section, "elevation_width_deg", "elevation_shape", shape);
+  } else {
     antenna.elevation_width_rad = radians_from_deg(section.number("elevation_width_deg", {1e-3, 90.0, "degrees"}));
+  }
   antenna.elevation = shape == "cosecant-squared" ? BeamShape{cosecant_of(section, antenna.tilt_rad)}
                                                   : beam_of(section, "elevation", shape, antenna.elevation_width_rad);
 }
@@ -122,10 +141,10 @@ void read_processing(const TomlSection& section, const std::string& kind, Radar&
   }
   refuse_idle_keys(section, kind);
   Processing& processing = radar.processing;
-  processing.interval_s = section.optional_number("interval_s", {1e-4, 1e3, "s"});
-  processing.along_resolution_m = section.optional_number("along_resolution_m", {0.01, 10'000.0, "m"});
-  processing.sharpening = section.optional_number("sharpening", {1.0, 1e4, "times narrower than the beam"});
-  processing.looks = static_cast<int>(section.whole_number_or("looks", {1.0, 1000.0, "looks"}, 1));
+  processing.interval_s = section.optional_number("interval_s", bounds::intervals_s);
+  processing.along_resolution_m = section.optional_number("along_resolution_m", bounds::along_resolutions_m);
+  processing.sharpening = section.optional_number("sharpening", bounds::sharpenings);
+  processing.looks = static_cast<int>(section.whole_number_or("looks", bounds::looks, 1));
   processing.ambiguities = section.flag_or("ambiguities", processing.ambiguities);
   processing.antenna_pattern = section.flag_or("antenna_pattern", processing.antenna_pattern);
   processing.thermal_noise = section.flag_or("thermal_noise", processing.thermal_noise);
@@ -149,11 +168,11 @@ void read_platform(const TomlSection& section, Radar& radar) {
   section.refuse_unknown_keys();
 }
 
-void read_antenna(const std::optional<TomlSection>& section, Radar& radar) {
+std::optional<double> read_antenna(const std::optional<TomlSection>& section, Radar& radar) {
   Antenna& antenna = radar.antenna;
   if (!section) {
     antenna.gain = directivity(antenna, radar.beam_width_rad);
-    return;
+    return 1.0;
   }
   const std::string shape =
       section->choice_or("azimuth_shape", {"gaussian", "uniform", "cosine", "hamming", "taylor", "table"}, "gaussian");
@@ -167,13 +186,15 @@ void read_antenna(const std::optional<TomlSection>& section, Radar& radar) {
   read_elevation(*section, antenna);
   if (const auto floor_db = section->optional_number("side_lobe_floor_db", {-200.0, -10.0, "dB below the peak"}))
     antenna.side_lobe_floor = linear_from_db(*floor_db);
+  std::optional<double> efficiency;
   if (const auto gain_dbi = section->optional_number("gain_dbi", {-10.0, 80.0, "dB over isotropic"})) {
     antenna.gain = linear_from_db(*gain_dbi);
   } else {
-    const double efficiency = section->number_or("efficiency", {0.01, 1.0, "of the power"}, 1.0);
-    antenna.gain = efficiency * directivity(antenna, radar.beam_width_rad);
+    efficiency = section->number_or("efficiency", {0.01, 1.0, "of the power"}, 1.0);
+    antenna.gain = *efficiency * directivity(antenna, radar.beam_width_rad);
   }
   section->refuse_unknown_keys();
+  return efficiency;
 }
 
 void read_waveform(const TomlSection& section, Radar& radar) {
@@ -190,7 +211,7 @@ void read_waveform(const TomlSection& section, Radar& radar) {
   const double bandwidth_hz = bandwidth_of(radar.range_resolution_m, waveform.window);
   waveform.peak_power_w = section.number_or("peak_power_w", {1e-6, 1e9, "W"}, waveform.peak_power_w);
   waveform.pulse_repetition_hz =
-      section.number_or("pulse_repetition_hz", {1.0, 1e6, "Hz"}, waveform.pulse_repetition_hz);
+      section.number_or("pulse_repetition_hz", bounds::pulse_repetitions_hz, waveform.pulse_repetition_hz);
   waveform.pulse_length_s = section.number_or("pulse_length_us", {1e-4, 1e5, "µs"}, 1e6 / bandwidth_hz) * 1e-6;
   if (waveform.pulse_length_s * bandwidth_hz < 1.0 - 1e-9) {
     throw section.fault("pulse_length_us",
@@ -216,6 +237,7 @@ void read_receiver(const TomlSection& section, Radar& radar) {
   if (receiver.last_range_m && *receiver.last_range_m <= receiver.first_range_m.value_or(0.0))
     throw section.fault("last_range_km", "does not lie beyond the gate's opening",
                         "exchange the two, or leave one out");
+  refuse_key_without(section, "stc_exponent", "stc_full_gain_range_km");
   if (section.has("stc_full_gain_range_km")) {
     receiver.sensitivity_time_control =
         SensitivityTimeControl{section.number("stc_full_gain_range_km", {1e-3, 10'000.0, "km"}) * 1e3,
@@ -224,6 +246,7 @@ void read_receiver(const TomlSection& section, Radar& radar) {
   const std::string detector = section.choice_or("detector", {"linear", "square-law", "log"}, "square-law");
   receiver.detector = detector == "linear" ? Detector::Linear : detector == "log" ? Detector::Log : Detector::SquareLaw;
   receiver.pulses_integrated = static_cast<int>(section.whole_number_or("pulses_integrated", {1.0, 1e4, "pulses"}, 1));
+  refuse_key_without(section, "adc_full_scale_v", "adc_bits");
   if (section.has("adc_bits")) {
     receiver.analog_to_digital =
         AnalogToDigital{static_cast<int>(section.whole_number_or("adc_bits", {1.0, 24.0, "bits"}, 12)),
@@ -236,6 +259,8 @@ void read_scan(const TomlSection& section, Radar& radar) {
   const std::string kind = section.choice_or("kind", {"fixed", "sector", "rotating"}, "rotating");
   Scan& scan = radar.scan;
   scan.kind = kind == "fixed" ? ScanKind::Fixed : kind == "sector" ? ScanKind::Sector : ScanKind::Rotating;
+  refuse_keys_of_other_shapes(section, "kind", kind, {{"sector_deg", "sector"}});
+  if (scan.kind == ScanKind::Fixed) refuse_key_of_shape(section, "rate_deg_per_s", "kind", kind);
   if (const auto azimuth_deg = section.optional_number("azimuth_deg", {-360.0, 360.0, "degrees"}))
     scan.azimuth_rad = radians_from_deg(*azimuth_deg);
   if (scan.kind == ScanKind::Sector)

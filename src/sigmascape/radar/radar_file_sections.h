@@ -10,8 +10,9 @@ namespace sigmascape::radar {
 
 /// [platform]: how the carrier moves.
 void read_platform(const TomlSection& section, Radar& radar);
-/// [antenna]; without one, pass nothing: the gain follows from the beam.
-void read_antenna(const std::optional<TomlSection>& section, Radar& radar);
+/// [antenna]; without one, pass nothing: the gain follows from the beam. Returns by what efficiency it does, or nothing
+/// where it is stated.
+[[nodiscard]] std::optional<double> read_antenna(const std::optional<TomlSection>& section, Radar& radar);
 /// [waveform]; gives the radar its range resolution when it states a bandwidth.
 void read_waveform(const TomlSection& section, Radar& radar);
 void read_receiver(const TomlSection& section, Radar& radar);

@@ -8,9 +8,13 @@
 
 namespace sigmascape::radar {
 
+/// Throws Error, naming the `earth_refraction` of this file, for a radar that makes real-beam maps over an Earth that
+/// curves: those are made over a flat one.
+void check_earth(const Radar& radar, const std::string& file);
+
 /// What a radar engineer would object to before this radar maps these bins onto cells of `cell_m`, one sentence each:
 /// a swath longer than the unambiguous range, one outside the range gate, one in which the transmitter deafens the
-/// receiver, cells too coarse for the beam.
+/// receiver, cells so coarse beside beam or pulse that more than 1 % of a point's power is lost between them.
 [[nodiscard]] std::vector<std::string> radar_warnings(const Radar& radar, const RangeAzimuthGrid& bins, double cell_m);
 
 }  // namespace sigmascape::radar

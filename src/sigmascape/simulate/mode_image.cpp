@@ -80,18 +80,32 @@ ComplexModeImage complex_mode_image(const ModeRequest& request, const radar::Coh
   return range_doppler_image(ready.scene, request.radar, ready.area, ready.settings);
 }
 
-std::map<std::string, std::string> provenance_of(const ModeRequest& request, const radar::CoherentPlan& plan) {
+std::map<std::string, std::string> source_of(const ModeRequest& request) {
   return {{"processing", fmt::format("level of detail {}: coherent, from terrain and atlas", request.level_of_detail)},
           {"mode", word_for(request.radar.mode)},
-          {"interval_s", fmt::format("{:.6g}", plan.interval_s)},
-          {"looks", std::to_string(plan.looks)},
-          {"along_resolution_m", fmt::format("{:.4g}", plan.along_resolution_m)},
-          {"squint_deg", fmt::format("{:.4g}", deg_from_radians(plan.squint_rad))},
           {"antenna_pattern", request.radar.processing.antenna_pattern ? "left in" : "none"},
           {"thermal_noise", request.radar.processing.thermal_noise ? "in it" : "none"},
           {"wind_mps", fmt::format("{:g}", request.radar.wind_mps)},
           {"targets", std::to_string(request.targets.size())},
           {"seed", std::to_string(request.seed)}};
+}
+
+std::map<std::string, double> numbers_of_one_look(const radar::CoherentPlan& plan) {
+  return {{"interval_s", plan.interval_s},
+          {"looks", 1.0},
+          {"along_resolution_m", plan.along_resolution_m / plan.looks},
+          {"angle_off_course_deg", deg_from_radians(plan.squint_rad)}};
+}
+
+std::map<std::string, std::string> provenance_of(const ModeRequest& request, const radar::CoherentPlan& plan) {
+  std::map<std::string, std::string> words = source_of(request);
+  words["interval_s"] = fmt::format("{:.6g}", plan.interval_s);
+  words["looks"] = std::to_string(plan.looks);
+  words["along_resolution_m"] = fmt::format("{:.4g}", plan.along_resolution_m);
+  words["angle_off_course_deg"] = fmt::format("{:.4g}", deg_from_radians(plan.squint_rad));
+  if (request.radar.earth_refraction)
+    words["earth_refraction"] = fmt::format("{:.6g}", *request.radar.earth_refraction);
+  return words;
 }
 
 }  // namespace sigmascape::simulate

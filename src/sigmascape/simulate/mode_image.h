@@ -48,7 +48,16 @@ using ModeImage = std::variant<radar::PowerImage<radar::RangeDopplerImage>, rada
 using ComplexModeImage = std::variant<radar::RangeDopplerImage, radar::StripmapImage>;
 [[nodiscard]] ComplexModeImage complex_mode_image(const ModeRequest& request, const radar::CoherentPlan& plan);
 
-/// Where a map of it comes from: mode, interval, looks, resolution, squint, targets, seed.
+/// Where what is made of the request comes from, in words that go for its map and for its complex image alike:
+/// processing, mode, what was left in, wind, targets, seed.
+[[nodiscard]] std::map<std::string, std::string> source_of(const ModeRequest& request);
+
+/// What the plan comes to in the complex image, which is one look of all pulses and sharper than the map of several by
+/// their number: interval, looks, half-power width across range, angle off the course; units in the names.
+[[nodiscard]] std::map<std::string, double> numbers_of_one_look(const radar::CoherentPlan& plan);
+
+/// Where a map of it comes from: the source, and interval, looks, resolution and angle off the course of the finished
+/// map.
 [[nodiscard]] std::map<std::string, std::string> provenance_of(const ModeRequest& request,
                                                                const radar::CoherentPlan& plan);
 

@@ -3,10 +3,13 @@
 #include <cmath>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <string>
+#include <utility>
 
 #include "scratch_folder.h"
 
 #include "sigmascape/base/units.h"
+#include "sigmascape/radar/doppler.h"
 
 namespace sigmascape::radar {
 namespace {
@@ -48,6 +51,115 @@ TEST(CoherentPlan, IntervalsGiveTheWantedResolution) {
   EXPECT_NEAR(coherent_plan(radar, place_at(90.0)).along_resolution_m, cells * 0.03 * 10e3 / (2.0 * 200.0), 1e-3);
 }
 
+/// Level ground 10 km away, so far off the nose on the map and seen at this depression from the origin.
+Vec3d ground_at(double off_course_deg, double depression_deg) {
+  const double ground_m = 10e3 * std::cos(radians_from_deg(depression_deg)), off = radians_from_deg(off_course_deg);
+  return {ground_m * std::sin(off), ground_m * std::cos(off), -10e3 * std::sin(radians_from_deg(depression_deg))};
+}
+
+/// By how many Doppler cells of the interval two places differ that lie a resolution apart along the same range.
+double cells_apart(const Radar& radar, Vec3d aim, const CoherentPlan& plan) {
+  const double half_angle = plan.along_resolution_m / std::hypot(aim.x, aim.y) / 2.0;
+  const auto turned = [&](double angle) {
+    return Vec3d{aim.x * std::cos(angle) - aim.y * std::sin(angle), aim.x * std::sin(angle) + aim.y * std::cos(angle),
+                 aim.z};
+  };
+  const auto frequency_hz = [&](Vec3d place) {
+    return doppler_hz(range_rate_mps({radar.position, radar.velocity_mps}, {place}), wavelength_m(radar.frequency_hz));
+  };
+  return std::abs(frequency_hz(turned(half_angle)) - frequency_hz(turned(-half_angle))) * plan.interval_s;
+}
+
+TEST(CoherentPlan, ResolvesOnTheGroundHoweverSteeplyItLooksAndClimbs) {
+  for (const Mode mode : {Mode::DopplerBeamSharpening, Mode::Spotlight}) {
+    Radar radar = flying_north(mode);
+    for (const auto& [off_course_deg, depression_deg] :
+         {std::pair{90.0, 20.0}, {30.0, 40.0}, {8.0, 20.0}, {165.0, 60.0}}) {
+      const Vec3d aim = ground_at(off_course_deg, depression_deg);
+      for (const double climb_mps : {0.0, 60.0, -60.0}) {
+        radar.velocity_mps = {0.0, 200.0, climb_mps};
+        const CoherentPlan plan = coherent_plan(radar, aim);
+        EXPECT_NEAR(cells_apart(radar, aim, plan), cells, 2e-3) << off_course_deg << ' ' << climb_mps;
+        EXPECT_NEAR(plan.along_resolution_m,
+                    mode == Mode::Spotlight ? radar.range_resolution_m
+                                            : radar.beam_width_rad * std::hypot(aim.x, aim.y) / usual_sharpening,
+                    1e-9);
+      }
+    }
+  }
+}
+
+TEST(CoherentPlan, AStripsBeamHasLessDopplerTheSteeperItLooks) {
+  Radar radar = flying_north(Mode::Stripmap);
+  radar.range_resolution_m = 0.01;
+  const double half_beam = radians_from_deg(1.0);
+  // Level and at ψ when it is abeam, a point α ahead of broadside is seen under sin φ' = sin α/√(1 + tan²ψ cos²α).
+  const auto sine = [](double depression_deg, double ahead) {
+    const double slope = std::tan(radians_from_deg(depression_deg)) * std::cos(ahead);
+    return std::sin(ahead) / std::sqrt(1.0 + slope * slope);
+  };
+  for (const double depression_deg : {0.0, 20.0, 60.0}) {
+    const double sines = 2.0 * sine(depression_deg, half_beam);
+    EXPECT_NEAR(coherent_plan(radar, ground_at(90.0, depression_deg)).along_resolution_m, cells * 0.03 / (2.0 * sines),
+                1e-4);
+    EXPECT_NEAR(sines, 2.0 * std::sin(half_beam) * std::cos(radians_from_deg(depression_deg)), 2e-5);
+  }
+  // 30° ahead of broadside, where the ground is 5 km abeam and 3 km below.
+  const double ahead = radians_from_deg(30.0), abeam_deg = deg_from_radians(std::atan2(3.0, 5.0));
+  const double sines = sine(abeam_deg, ahead + half_beam) - sine(abeam_deg, ahead - half_beam);
+  const Vec3d aim{5e3, 5e3 * std::tan(ahead), -3e3};
+  EXPECT_NEAR(coherent_plan(radar, aim).along_resolution_m, cells * 0.03 / (2.0 * sines), 1e-4);
+  // What is advised is not refused in turn.
+  radar.processing.along_resolution_m = 0.01;
+  const std::string message = message_of_error([&] { static_cast<void>(coherent_plan(radar, aim)); });
+  radar.processing.along_resolution_m = std::stod(message.substr(message.find("at least ") + 9));
+  EXPECT_NO_THROW(static_cast<void>(coherent_plan(radar, aim)));
+  // A climb has a Doppler of its own that changes little while the beam passes.
+  radar.processing.along_resolution_m.reset();
+  const double level_m = coherent_plan(radar, ground_at(90.0, 20.0)).along_resolution_m;
+  radar.velocity_mps = {0.0, 200.0, 20.0};
+  EXPECT_NEAR(coherent_plan(radar, ground_at(90.0, 20.0)).along_resolution_m / level_m, 1.0, 0.05);
+}
+
+TEST(CoherentPlan, StraightAheadIsRefusedHoweverSteeplyItLooks) {
+  for (const Mode mode : {Mode::DopplerBeamSharpening, Mode::Spotlight, Mode::Stripmap}) {
+    const Radar radar = flying_north(mode);
+    for (const double off_course_deg : {0.0, 0.9, 179.5}) {
+      const auto plan = [&] { static_cast<void>(coherent_plan(radar, ground_at(off_course_deg, 30.0))); };
+      EXPECT_THAT(message_of_error(plan), HasSubstr("flies straight towards or away"));
+    }
+    EXPECT_NO_THROW(static_cast<void>(coherent_plan(radar, ground_at(1.1, 30.0))));
+  }
+  Radar radar = flying_north(Mode::DopplerBeamSharpening);
+  radar.processing.interval_s = 0.1;
+  // Straight ahead half a cell of Doppler below the highest: to both sides where cos φ = 1 − w λ/(4 v T cos ψ).
+  const double ground_m = 10e3 * std::cos(radians_from_deg(30.0));
+  const double width_m =
+      2.0 * ground_m * std::acos(1.0 - cells * 0.03 / (4.0 * 200.0 * 0.1 * std::cos(radians_from_deg(30.0))));
+  EXPECT_NEAR(coherent_plan(radar, ground_at(0.0, 30.0)).along_resolution_m, width_m, 0.01);
+  radar.velocity_mps = {0.0, 0.0, 200.0};
+  EXPECT_TRUE(std::isfinite(coherent_plan(radar, ground_at(0.0, 30.0)).along_resolution_m));
+  EXPECT_THAT(message_of_error([&] {
+                static_cast<void>(coherent_plan(radar, {0.0, 0.0, -5e3}));
+              }),
+              HasSubstr("straight above what it maps"));
+}
+
+TEST(CoherentPlan, WarnsOfTheBlindWedgeOnTheMap) {
+  Radar radar = flying_north(Mode::DopplerBeamSharpening);
+  radar.processing.interval_s = 0.01;
+  // λ/(2 v T θ_b cos ψ) = 0.2149 / cos 60° = sin 25.5°; 20° off the course the angle in space is 62°.
+  const auto plan = coherent_plan(radar, ground_at(45.0, 60.0));
+  EXPECT_NEAR(deg_from_radians(plan.blind_wedge_rad), 25.45, 0.02);
+  const Vec3d inside = ground_at(20.0, 60.0);
+  const Rectangle there{inside.x - 10.0, inside.y - 10.0, inside.x + 10.0, inside.y + 10.0};
+  EXPECT_THAT(plan_warnings(radar, plan, there, inside.z), ::testing::Contains(HasSubstr("blind wedge")));
+  const Rectangle behind{inside.x - 10.0, -inside.y - 10.0, inside.x + 10.0, -inside.y + 10.0};
+  EXPECT_THAT(plan_warnings(radar, plan, behind, inside.z), ::testing::Contains(HasSubstr("blind wedge")));
+  radar.mode = Mode::Spotlight;
+  EXPECT_THAT(plan_warnings(radar, plan, there, inside.z), ::testing::Contains(HasSubstr("blind wedge")));
+}
+
 TEST(CoherentPlan, AStripIsNoSharperThanItsBeam) {
   Radar radar = flying_north(Mode::Stripmap);
   radar.range_resolution_m = 0.1;
@@ -72,7 +184,7 @@ TEST(CoherentPlan, WhereDopplerTellsNothingIsSaid) {
   const auto plan = coherent_plan(radar, place_at(45.0));
   // λ/(2 v T θ_b) = 0.03 / (2 · 200 · 0.01 · 0.0349) = 0.2149 = sin 12.4°.
   EXPECT_THAT(plan_warnings(radar, plan, {1000.0, 9000.0, 1500.0, 9500.0}, 0.0),
-              ::testing::Contains(HasSubstr("blind wedge ahead, within 12.4°")));
+              ::testing::Contains(HasSubstr("blind wedge about the course, within 12.4° of it")));
   EXPECT_THAT(plan_warnings(radar, plan, {-500.0, 9000.0, 500.0, 9500.0}, 0.0),
               ::testing::Contains(HasSubstr("both sides of the course")));
   radar.waveform.pulse_repetition_hz = 100.0;

@@ -1,5 +1,6 @@
 #include "sigmascape/radar/radar_file.h"
 
+#include <fmt/format.h>
 #include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -100,6 +101,25 @@ TEST_F(RadarFileTest, KeysOfAnotherShapeSayWhichShapeTheyAreOf) {
               HasSubstr(": waveform.side_lobe_db: means nothing where window is \"cosine\""));
 }
 
+TEST_F(RadarFileTest, KeysOfWhatIsNotStatedSayWhatTheyBelongTo) {
+  const auto fault = [&](const std::string& section) { return fault_of(radar_section + position_section + section); };
+  EXPECT_EQ(fault("[receiver]\nadc_full_scale_v = 2\n"),
+            ": receiver.adc_full_scale_v: means nothing where adc_bits is not stated; leave it out, or state adc_bits");
+  EXPECT_EQ(fault("[receiver]\nstc_exponent = 2\n"),
+            ": receiver.stc_exponent: means nothing where stc_full_gain_range_km is not stated; leave it out, or state "
+            "stc_full_gain_range_km");
+  for (const std::string shape : {"even", "table"}) {
+    EXPECT_EQ(fault("[antenna]\nelevation_shape = \"" + shape + "\"\nelevation_width_deg = 3\n"),
+              ": antenna.elevation_width_deg: means nothing where elevation_shape is \"" + shape +
+                  "\"; leave it out, or state another elevation_shape");
+  }
+  EXPECT_THAT(fault("[antenna]\nelevation_width_deg = 3\n"), HasSubstr("means nothing where elevation_shape is"));
+  EXPECT_EQ(fault("[scan]\nrate_deg_per_s = 90\nsector_deg = 60\n"),
+            ": scan.sector_deg: means nothing where kind is \"rotating\"; leave it out, or state kind = \"sector\"");
+  EXPECT_EQ(fault("[scan]\nkind = \"fixed\"\nrate_deg_per_s = 90\n"),
+            ": scan.rate_deg_per_s: means nothing where kind is \"fixed\"; leave it out, or state another kind");
+}
+
 TEST_F(RadarFileTest, MissingKeysAreNamed) {
   EXPECT_EQ(fault_of("[radar]\nrange_resolution_m = 3.0\nbeam_width_deg = 0.01\n" + position_section),
             ": radar.frequency_ghz: is missing; give a number from 0.1 to 300 GHz");
@@ -120,8 +140,19 @@ TEST_F(RadarFileTest, UnknownKeysComeWithAHint) {
 }
 
 TEST_F(RadarFileTest, TwoKindsOfPlaceAreRefused) {
-  EXPECT_THAT(fault_of(radar_section + position_section + "latitude_deg = 43\n"),
-              HasSubstr(": position.latitude_deg: is not a known key"));
+  EXPECT_EQ(fault_of(radar_section + position_section + "east_m = 10\n"),
+            ": position.east_m: means nothing where azimuth_deg says where the radar stands; leave it out, or give "
+            "azimuth_deg, elevation_deg and slant_range_km, or altitude_m with latitude_deg and longitude_deg, or "
+            "altitude_m with east_m and north_m");
+  for (const std::string key : {"latitude_deg", "longitude_deg", "north_m", "altitude_m"}) {
+    EXPECT_THAT(fault_of(radar_section + position_section + key + " = 43\n"),
+                HasSubstr(": position." + key + ": means nothing where azimuth_deg says where the radar stands"));
+  }
+  const std::string height = radar_section + "[position]\naltitude_m = 1000\n";
+  EXPECT_THAT(fault_of(height + "longitude_deg = 1\nlatitude_deg = 43\nnorth_m = 0\n"),
+              HasSubstr(": position.north_m: means nothing where latitude_deg says where the radar stands"));
+  EXPECT_THAT(fault_of(height + "north_m = 1\neast_m = 43\ntarget_east_m = 0\n"),
+              HasSubstr(": position.target_east_m: means nothing where east_m says where the radar stands"));
 }
 
 TEST_F(RadarFileTest, OutOfRangeNamesTheUnit) {
@@ -282,6 +313,63 @@ TEST_F(RadarFileTest, GainFollowsFromTheBeam) {
   EXPECT_NEAR(radar.antenna.gain / (16.0 * std::numbers::ln2 / (theta * phi)), 1.0, 0.002);
 }
 
+// What is changed afterwards is what the file would have been read to say.
+TEST_F(RadarFileTest, AnotherBeamWidthIsThatOfAnotherFile) {
+  const auto file_of = [&](double width_deg, const std::string& antenna) {
+    return read(fmt::format("[radar]\nfrequency_ghz = 9.6\nrange_resolution_m = 3\nbeam_width_deg = {}\n", width_deg) +
+                position_section + antenna);
+  };
+  for (const std::string antenna : {"", "[antenna]\nazimuth_shape = \"taylor\"\nefficiency = 0.4\n"}) {
+    RadarFile changed = file_of(2.0, antenna);
+    const RadarFile expected = file_of(0.5, antenna);
+    set_beam_width(changed, radians_from_deg(0.5));
+    EXPECT_EQ(changed.radar.beam_width_rad, expected.radar.beam_width_rad);
+    EXPECT_EQ(changed.radar.antenna.gain, expected.radar.antenna.gain);
+  }
+  RadarFile stated = file_of(2.0, "[antenna]\ngain_dbi = 33\n");
+  set_beam_width(stated, radians_from_deg(0.5));
+  EXPECT_DOUBLE_EQ(stated.radar.antenna.gain, linear_from_db(33.0));
+}
+
+TEST_F(RadarFileTest, AMeasuredBeamKeepsItsWidth) {
+  folder_.write("cut.csv", "offset_deg,gain_db\n-4,10\n-2,26.98970004336\n0,30\n2,26.98970004336\n4,10\n");
+  RadarFile file = read("[radar]\nfrequency_ghz = 9.6\nrange_resolution_m = 3\n" + position_section +
+                        "[antenna]\nazimuth_shape = \"table\"\nazimuth_csv = \"cut.csv\"\n");
+  const double width_rad = file.radar.beam_width_rad;
+  EXPECT_THAT(message_of_error([&] { set_beam_width(file, 0.5 * width_rad); }),
+              HasSubstr("beam_width_deg: is that of the antenna's table"));
+  EXPECT_EQ(file.radar.beam_width_rad, width_rad);
+}
+
+TEST_F(RadarFileTest, AnotherRangeResolutionIsThatOfAnotherFile) {
+  const auto file_of = [&](double resolution_m, const std::string& waveform) {
+    return read(
+        fmt::format("[radar]\nfrequency_ghz = 9.6\nrange_resolution_m = {}\nbeam_width_deg = 1\n", resolution_m) +
+        position_section + waveform);
+  };
+  for (const std::string waveform : {"", "[waveform]\nwindow = \"hamming\"\n", "[waveform]\npulse_length_us = 3\n"}) {
+    RadarFile changed = file_of(2.0, waveform);
+    const RadarFile expected = file_of(6.0, waveform);
+    set_range_resolution(changed, 6.0);
+    EXPECT_EQ(changed.radar.range_resolution_m, 6.0);
+    EXPECT_EQ(changed.radar.waveform.pulse_length_s, expected.radar.waveform.pulse_length_s);
+  }
+  RadarFile stated = file_of(2.0, "[waveform]\npulse_length_us = 0.1\n");
+  EXPECT_THAT(message_of_error([&] { set_range_resolution(stated, 40.0); }),
+              HasSubstr("range_resolution_m: is 40, coarser than a pulse of 0.1 µs can be; give at most 1"));
+  EXPECT_EQ(stated.radar.range_resolution_m, 2.0);
+}
+
+TEST(RealBeams, LookOverAFlatEarth) {
+  Radar radar{.name = "far", .earth_refraction = 4.0 / 3.0};
+  EXPECT_EQ(
+      message_of_error([&] { check_earth(radar, "far.toml"); }),
+      "far.toml: radar.earth_refraction: is given, and real-beam maps are made over a flat Earth; leave it out, or "
+      "choose another [mode]");
+  radar.mode = Mode::Spotlight;
+  EXPECT_NO_THROW(check_earth(radar, "far.toml"));
+}
+
 TEST(ExampleRadars, AreReadAndHearTheGround) {
   int count = 0;
   for (const auto& entry : std::filesystem::directory_iterator(SIGMASCAPE_SOURCE_DIR "/examples/radars")) {
@@ -328,7 +416,7 @@ TEST_F(RadarWarnings, TellOfDeafRangesGatesAndCells) {
   radar_.receiver.last_range_m.reset();
   radar_.beam_width_rad = 1e-4;
   EXPECT_THAT(radar_warnings(radar_, swath(20e3, 25e3), 10.0),
-              ::testing::ElementsAre(HasSubstr("the beam of 1.41 m is narrower than half a map cell")));
+              ::testing::ElementsAre(HasSubstr("the beam of 1.41 m is narrower than the map's cells")));
 }
 
 TEST_F(RadarWarnings, SayNothingOfTheBeamRightBelowTheRadar) {

@@ -1,0 +1,136 @@
+#include "sigmascape/product/iq_file.h"
+
+#include <fstream>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "scratch_folder.h"
+
+namespace sigmascape::product {
+namespace {
+
+using ::testing::HasSubstr;
+
+const std::vector<std::string> endings{".npy", ".npz", ".h5", ".sigmf-meta"};
+
+radar::Radar moving_radar() {
+  radar::Radar radar;
+  radar.position = {300.0, -4000.0, 1500.0};
+  radar.velocity_mps = {100.0, 0.0, 0.0};
+  radar.waveform.pulse_repetition_hz = 2000.0;
+  return radar;
+}
+
+radar::PhaseHistory two_pulses() {
+  return {.frequency_hz = 10e9,
+          .bandwidth_hz = 75e6,
+          .first_range_m = 4000.0,
+          .range_step_m = 1.5,
+          .pulses = {{-0.0005, {}}, {0.0, {}}},
+          .samples = Array2D<radar::ComplexChannels>(3, 2)};
+}
+
+radar::RangeDopplerImage doppler_image() {
+  radar::RangeDopplerImage image;
+  image.range_m = {4000.0, 1.5, 3};
+  image.doppler_hz = {-1.0, 0.5, 4};
+  image.amplitude_m = Array2D<radar::ComplexChannels>(4, 3);
+  image.interval_s = 1.9965;
+  return image;
+}
+
+radar::StripmapImage strip_image() {
+  radar::StripmapImage image;
+  image.closest_range_m = {4000.0, 1.5, 3};
+  image.along_m = {-10.0, 2.0, 4};
+  image.amplitude_m = Array2D<radar::ComplexChannels>(4, 3);
+  return image;
+}
+
+nlohmann::json json_of(const std::filesystem::path& path) {
+  return nlohmann::json::parse(std::ifstream(path));
+}
+
+TEST(IqFile, HasEveryKindUnderEveryEnding) {
+  const ScratchFolder folder;
+  const radar::Radar radar = moving_radar();
+  const auto history = two_pulses();
+  const auto doppler = doppler_image();
+  const auto strip = strip_image();
+  const std::vector<IqRecord> records{iq_record(history, radar), iq_record(doppler, radar), iq_record(strip, radar)};
+  for (const IqRecord& record : records) {
+    for (const std::string& ending : endings) {
+      SCOPED_TRACE(record.kind + ending);
+      const auto file = folder.path(record.kind + ending);
+      write_iq(file, record);
+      EXPECT_GT(std::filesystem::file_size(file), 100U);
+    }
+  }
+}
+
+/// JSON would let the second win and HDF5 refuse it: no ending may make anything of such a record.
+TEST(IqFile, SaysNoKeyTwice) {
+  const ScratchFolder folder;
+  const auto doppler = doppler_image();
+  const IqRecord rounded = iq_record(doppler, moving_radar(), {{"interval_s", "2.0"}});
+  const IqRecord of_its_own = iq_record(doppler, moving_radar(), {{"kind", "another"}});
+  for (const std::string& ending : endings) {
+    SCOPED_TRACE(ending);
+    EXPECT_THAT(message_of_error([&] { write_iq(folder.path("image" + ending), rounded); }),
+                HasSubstr("image" + ending + ": would say interval_s twice; report this"));
+    EXPECT_THAT(message_of_error([&] { write_iq(folder.path("image" + ending), of_its_own); }),
+                HasSubstr("would say kind twice"));
+  }
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path(".")));
+}
+
+TEST(IqFile, KeepsNumbersAsTheyAre) {
+  const auto doppler = doppler_image();
+  EXPECT_EQ(nlohmann::json::parse(iq_description(iq_record(doppler, moving_radar())))["interval_s"], 1.9965);
+  const auto history = two_pulses();
+  EXPECT_EQ(nlohmann::json::parse(iq_description(iq_record(history, moving_radar())))["interval_s"], 0.001);
+}
+
+/// Samples a second are c/(2 Δr) over slant range and nothing over metres of another kind.
+TEST(IqFile, HasASampleRateOverSlantRangeAlone) {
+  const ScratchFolder folder;
+  const auto global_of = [&](const IqRecord& record) {
+    write_iq(folder.path("x.sigmf-meta"), record);
+    return json_of(folder.path("x.sigmf-meta"))["global"];
+  };
+  const auto history = two_pulses();
+  EXPECT_DOUBLE_EQ(global_of(iq_record(history, moving_radar()))["core:sample_rate"], 299'792'458.0 / 3.0);
+  const auto strip = strip_image();
+  EXPECT_FALSE(global_of(iq_record(strip, moving_radar())).contains("core:sample_rate"));
+  const auto doppler = doppler_image();
+  EXPECT_FALSE(global_of(iq_record(doppler, moving_radar())).contains("core:sample_rate"));
+  const std::vector<std::complex<float>> frame(2 * 3 * 4);
+  const radar::RangeAzimuthGrid grid{.first_range_m = 1000.0,
+                                     .range_step_m = 2.5,
+                                     .ranges = 3,
+                                     .first_azimuth_rad = 0.0,
+                                     .azimuth_step_rad = 0.01,
+                                     .azimuths = 2};
+  EXPECT_DOUBLE_EQ(global_of(iq_record(grid, frame, {}, 10e9))["core:sample_rate"], 299'792'458.0 / 5.0);
+}
+
+TEST(IqFile, SaysHowTheEarthBendsAndAboutWhichFoot) {
+  radar::Radar radar = moving_radar();
+  const auto history = two_pulses();
+  const auto doppler = doppler_image();
+  const auto strip = strip_image();
+  EXPECT_FALSE(iq_record(history, radar).numbers.contains("earth_refraction"));
+  EXPECT_FALSE(iq_record(history, radar).words.contains("positions"));
+  radar.earth_refraction = 1.3;
+  for (const IqRecord& record : {iq_record(history, radar), iq_record(doppler, radar), iq_record(strip, radar)}) {
+    SCOPED_TRACE(record.kind);
+    EXPECT_EQ(record.numbers.at("earth_refraction"), 1.3);
+    EXPECT_EQ(record.numbers.at("earth_foot_east_m"), 300.0);
+    EXPECT_EQ(record.numbers.at("earth_foot_north_m"), -4000.0);
+    EXPECT_THAT(record.words.at("positions"), HasSubstr("bent about earth_foot"));
+  }
+}
+
+}  // namespace
+}  // namespace sigmascape::product

@@ -1,0 +1,29 @@
+#include "sigmascape/radar/radar_warnings.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace sigmascape::radar {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// A beam wide beside any cell, and a pulse of so many metres.
+std::vector<std::string> warnings_of_pulse(double resolution_m, double cell_m) {
+  const Radar radar{.range_resolution_m = resolution_m,
+                    .beam_width_rad = 0.1,
+                    .waveform = {.pulse_length_s = 1e-7, .pulse_repetition_hz = 1000.0}};
+  return radar_warnings(radar, {.first_range_m = 20e3, .range_step_m = 10.0, .ranges = 100}, cell_m);
+}
+
+/// tests/physics/map_cells_test.cpp measures what is lost on either side of this ratio.
+TEST(WarningsOfCells, BeginWherePowerIsLost) {
+  EXPECT_THAT(warnings_of_pulse(4.0, 4.0), ::testing::IsEmpty());
+  EXPECT_THAT(warnings_of_pulse(3.85, 4.0), ::testing::IsEmpty());
+  EXPECT_THAT(warnings_of_pulse(3.8, 4.0),
+              ::testing::ElementsAre(HasSubstr("the pulse of 3.8 m is narrower than the map's cells of 4 m")));
+  EXPECT_THAT(warnings_of_pulse(2.0, 4.0), ::testing::ElementsAre(HasSubstr("use cells of at most 2 m")));
+}
+
+}  // namespace
+}  // namespace sigmascape::radar
