@@ -3,6 +3,7 @@
 #include <pybind11/stl/filesystem.h>
 
 #include "array_view.h"
+#include "given_number.h"
 #include "loaded_atlas.h"
 #include "long_call.h"
 #include "parts.h"
@@ -27,6 +28,10 @@ py::array_t<double> gigahertz(std::vector<double> frequencies) {
   return copied_array(frequencies);
 }
 
+double checked_azimuth(double azimuth_deg) {
+  return within("azimuth_deg", azimuth_deg, -1e6, 1e6);
+}
+
 /// The place of a value on an axis on which it must stand.
 std::size_t place_on(const std::vector<double>& axis, double value, const char* name) {
   for (std::size_t i = 0; i < axis.size(); ++i) {
@@ -38,6 +43,7 @@ std::size_t place_on(const std::vector<double>& axis, double value, const char* 
 std::shared_ptr<atlas::HalfTexture> texture(const LoadedAtlas& loaded, std::array<int, 2> patch, double azimuth_deg,
                                             double elevation_deg, double frequency_ghz) {
   const atlas::AspectGrid& axes = loaded.description().aspects;
+  checked_azimuth(azimuth_deg);
   const auto look =
       axes.index_of(place_on(axes.azimuths_rad, wrapped_azimuth(radians_from_deg(azimuth_deg)), "azimuth_deg"),
                     place_on(axes.elevations_rad, radians_from_deg(elevation_deg), "elevation_deg"),
@@ -62,6 +68,9 @@ py::array_t<float> sigma0_at(const LoadedAtlas& loaded, const Points& x_m, const
                              double elevation_deg, double frequency_ghz, double level) {
   if (x_m.ndim() != y_m.ndim() || !std::equal(x_m.shape(), x_m.shape() + x_m.ndim(), y_m.shape()))
     throw Error("x_m and y_m", "differ in shape", "give as many eastings as northings");
+  checked_azimuth(azimuth_deg);
+  within("elevation_deg", elevation_deg, -90.0, 90.0);
+  within("level", level, 0.0, 100.0);
   std::vector<py::ssize_t> shape(x_m.shape(), x_m.shape() + x_m.ndim());
   shape.push_back(radar::Channels::count);
   py::array_t<float> result(shape);
@@ -154,7 +163,10 @@ void add_atlas(py::module_& module) {
       .def_property_readonly(
           "terrain_m",
           [](const py::object& self) {
-            return layer_view<float>(self.cast<const LoadedAtlas&>().terrain().height_m, 0, self, Access::ReadOnly);
+            const auto& loaded = self.cast<const LoadedAtlas&>();
+            // Another thread that reads it may want the GIL meanwhile.
+            const auto* const terrain = long_call([&] { return &loaded.terrain(); });
+            return layer_view<float>(terrain->height_m, 0, self, Access::ReadOnly);
           },
           "Heights under the scene, float32 [row, column], north up; no copy.")
       .def("texture", &texture, py::arg("patch"), py::kw_only(), py::arg("azimuth_deg"), py::arg("elevation_deg"),

@@ -5,14 +5,21 @@
 #include <string>
 
 #include "sigmascape/base/error.h"
+#include "sigmascape/base/toml_reader.h"
 
 namespace sigmascape::python {
 
 /// An argument or attribute called `name`, unless it lies outside these bounds or is no number, which raises.
 inline double within(const std::string& name, double value, double lowest, double highest) {
   if (!(value >= lowest && value <= highest))
-    throw Error(name, fmt::format("is {:g}", value), fmt::format("give a number from {:g} to {:g}", lowest, highest));
+    throw Error(name, fmt::format("is {:.10g}", value),
+                fmt::format("give a number from {:.10g} to {:.10g}", lowest, highest));
   return value;
+}
+
+/// The same within what a file may say. `units` is how many of the argument's unit go on one of the file's.
+inline double within(const std::string& name, double value, const Interval& allowed, double units = 1.0) {
+  return within(name, value, allowed.lowest * units, allowed.highest * units);
 }
 
 inline double positive(const std::string& name, double value) {

@@ -2,8 +2,12 @@
 
 #include <array>
 #include <cstdint>
+#include <fmt/format.h>
 #include <pybind11/pybind11.h>
 #include <string>
+
+#include "held.h"
+#include "long_call.h"
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/render/live_renderer.h"
@@ -17,7 +21,28 @@ struct HeldFrame {
   render::Frame frame;
   render::Pose pose;
   pybind11::object renderer;
+  Turns* turns;  ///< of the renderer
 };
+
+/// What `draw` does with the Live behind `self`, for which others wait their turn.
+template <typename Live, typename Draw>
+HeldFrame drawn(const pybind11::object& self, const render::Pose& pose, const Draw& draw) {
+  const auto& held = self.cast<const Held<Live>&>();
+  // A copy of what is told about the bins, taken before the next caller's frame is.
+  const render::Frame frame =
+      long_call([&] { return held.in_turn([&](Live& live) -> render::Frame { return draw(live); }); });
+  return {frame, pose, self, &held.turns()};
+}
+
+/// Throws Error for a step of a scan that begins behind the last beam or is of none; beams behind the last are left
+/// out.
+inline void check_step(std::size_t first_beam, std::size_t count, std::size_t beams) {
+  if (first_beam >= beams) {
+    throw Error("first_beam", fmt::format("is {}, and there are {} beams", first_beam, beams),
+                fmt::format("give 0 to {}", beams - 1));
+  }
+  if (count == 0) throw Error("count", "is 0", "give 1 or more");
+}
 
 inline render::Pose pose_from(const Triple& position_m, double first_azimuth_rad, double first_range_m,
                               const Triple& velocity_mps = {}) {

@@ -2,6 +2,7 @@
 #include <pybind11/stl/filesystem.h>
 
 #include "array_view.h"
+#include "given_number.h"
 #include "loaded_atlas.h"
 #include "long_call.h"
 #include "parts.h"
@@ -9,6 +10,7 @@
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/product/iq_file.h"
+#include "sigmascape/radar/radar_bounds.h"
 #include "sigmascape/radar/radar_file.h"
 #include "sigmascape/simulate/coherent.h"
 #include "sigmascape/simulate/placement.h"
@@ -36,6 +38,7 @@ using Maker = Signal (*)(const simulate::CoherentScene&, const radar::Radar&, co
 template <typename Signal>
 Described<Signal> made(Maker<Signal> make, const LoadedAtlas& atlas, const radar::RadarFile& radar_file,
                        const Targets& given, const simulate::CoherentSettings& settings) {
+  if (settings.scatterer_spacing_m != 0.0) positive("scatterer_spacing_m", settings.scatterer_spacing_m);
   const radar::RadarFile asked = radar_file;
   return long_call([&]() -> Described<Signal> {
     const atlas::AtlasDescription& description = atlas.description();
@@ -76,11 +79,12 @@ Described<radar::RangeDopplerImage> range_doppler(const LoadedAtlas& atlas, cons
 Described<radar::StripmapImage> stripmap(const LoadedAtlas& atlas, const radar::RadarFile& radar,
                                          double along_resolution_m, const Targets& targets, double scatterer_spacing_m,
                                          std::uint64_t seed, unsigned threads) {
-  return made(&simulate::stripmap_image, atlas, radar, targets,
-              {.along_resolution_m = along_resolution_m,
-               .scatterer_spacing_m = scatterer_spacing_m,
-               .seed = seed,
-               .threads = threads});
+  return made(
+      &simulate::stripmap_image, atlas, radar, targets,
+      {.along_resolution_m = within("along_resolution_m", along_resolution_m, radar::bounds::along_resolutions_m),
+       .scatterer_spacing_m = scatterer_spacing_m,
+       .seed = seed,
+       .threads = threads});
 }
 
 /// What all kinds have in common; `samples` finds the array in the signal.

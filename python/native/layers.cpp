@@ -10,6 +10,7 @@
 #include "long_call.h"
 #include "parts.h"
 #include "python_progress.h"
+#include "trace_arguments.h"
 
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/base/error.h"
@@ -33,8 +34,18 @@ std::vector<simulate::LayerKind> shapes_in(const std::vector<std::string>& names
   return kinds;
 }
 
+void check_names(const std::vector<std::string>& names) {
+  if (names.empty()) throw Error("names", "is empty", "name the layers that are wanted");
+  for (std::size_t i = 1; i < names.size(); ++i) {
+    if (std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(i), names[i]) !=
+        names.begin() + static_cast<std::ptrdiff_t>(i))
+      throw Error("names", "has '" + names[i] + "' twice", "name each layer once");
+  }
+}
+
 LayerStack traced(const LoadedScene& scene, const std::vector<std::string>& names, const radar::Radar& radar,
                   const radar::GroundGrid& grid, const simulate::TraceSettings& settings, ProgressListener& progress) {
+  check_rays(settings);
   LayerStack stack =
       simulate::traced_layers(scene.scene(), scene.geometry(), radar, grid, shapes_in(names), settings.threads);
   if (std::ranges::none_of(names, dataset::tells_bounces)) return stack;
@@ -61,7 +72,8 @@ LayerStack swept(const LoadedScene& loaded, const std::vector<std::string>& name
 LayerStack layers(const LoadedScene& scene, const radar::RadarFile& radar_file, const std::vector<std::string>& names,
                   int lod, std::uint32_t samples, int bounces, std::uint64_t seed, unsigned threads,
                   const py::object& progress) {
-  if (names.empty()) throw Error("names", "is empty", "name the layers that are wanted");
+  check_names(names);
+  checked_lod(lod);
   const radar::RadarFile asked = radar_file;
   PythonProgress listener(progress);
   return long_call([&] {
@@ -81,29 +93,41 @@ LayerStack layers(const LoadedScene& scene, const radar::RadarFile& radar_file, 
 }
 
 const radar::Layer& layer_of(const LayerStack& stack, const std::string& name) {
-  for (const radar::Layer& layer : stack.layers) {
-    if (layer.name == name) return layer;
-  }
-  throw py::key_error(name);
+  const auto found = std::ranges::find(stack.layers, name, &radar::Layer::name);
+  if (found == stack.layers.end()) throw py::key_error(name);
+  return *found;
+}
+
+/// As of a dict, any key may be asked for.
+bool contains(const LayerStack& stack, const py::object& key) {
+  return py::isinstance<py::str>(key) &&
+         std::ranges::find(stack.layers, key.cast<std::string>(), &radar::Layer::name) != stack.layers.end();
+}
+
+std::vector<std::string> names_of(const LayerStack& stack) {
+  std::vector<std::string> names;
+  for (const radar::Layer& layer : stack.layers) names.push_back(layer.name);
+  return names;
 }
 
 }  // namespace
 
 void add_layers(py::module_& module) {
   py::class_<LayerStack, std::shared_ptr<LayerStack>>(
-      module, "Layers", "What lies where in a map, cell for cell; layers[name] is float32 [row, column], north up.")
+      module, "Layers",
+      "What lies where in a map, cell for cell; layers[name] is float32 [row, column], north up. Goes through its\n"
+      "names as a dict does.")
       .def(
           "__getitem__",
           [](const py::object& self, const std::string& name) {
             return layer_view<float>(layer_of(self.cast<const LayerStack&>(), name).values, 0, self, Access::ReadWrite);
           },
           py::arg("name"), "float32 [row, column], sharing the stack's memory; angles in radians.")
-      .def_property_readonly("names",
-                             [](const LayerStack& stack) {
-                               std::vector<std::string> names;
-                               for (const radar::Layer& layer : stack.layers) names.push_back(layer.name);
-                               return names;
-                             })
+      .def("__contains__", &contains, py::arg("name"))
+      .def("__len__", [](const LayerStack& stack) { return stack.layers.size(); })
+      .def("__iter__", [](const LayerStack& stack) { return py::iter(py::cast(names_of(stack))); })
+      .def("keys", &names_of, "The names, as `names` has them: with them dict(layers) holds all arrays.")
+      .def_property_readonly("names", &names_of)
       .def_property_readonly(
           "units",
           [](const LayerStack& stack) {

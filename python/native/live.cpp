@@ -2,11 +2,13 @@
 #include <pybind11/stl/filesystem.h>
 
 #include "array_view.h"
+#include "given_number.h"
 #include "held_frame.h"
 #include "parts.h"
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/product/iq_file.h"
+#include "sigmascape/radar/radar_bounds.h"
 #include "sigmascape/render/live_renderer.h"
 
 namespace sigmascape::python {
@@ -14,39 +16,36 @@ namespace {
 
 namespace py = pybind11;
 using render::LiveGround;
-using render::LiveRenderer;
 using Release = py::call_guard<py::gil_scoped_release>;
+
+struct GroundRenderer {
+  std::size_t beams;
+  render::LiveRenderer renderer;
+};
 
 HeldFrame rendered(const py::object& self, const Triple& position_m, double first_azimuth_rad, double first_range_m,
                    const Triple& velocity_mps) {
-  auto& renderer = self.cast<LiveRenderer&>();
   const auto pose = pose_from(position_m, first_azimuth_rad, first_range_m, velocity_mps);
-  const render::Frame* frame = nullptr;
-  {
-    const py::gil_scoped_release release;
-    frame = &renderer.render(pose);
-  }
-  return {*frame, pose, self};
+  return drawn<GroundRenderer>(self, pose, [&](GroundRenderer& live) { return live.renderer.render(pose); });
 }
 
 HeldFrame scanned(const py::object& self, const Triple& position_m, double first_azimuth_rad, double first_range_m,
                   std::size_t first_beam, std::size_t count, const Triple& velocity_mps) {
-  auto& renderer = self.cast<LiveRenderer&>();
   const auto pose = pose_from(position_m, first_azimuth_rad, first_range_m, velocity_mps);
-  const render::Frame* frame = nullptr;
-  {
-    const py::gil_scoped_release release;
-    frame = &renderer.scan(pose, first_beam, count);
-  }
-  return {*frame, pose, self};
+  return drawn<GroundRenderer>(self, pose, [&](GroundRenderer& live) {
+    check_step(first_beam, count, live.beams);
+    return live.renderer.scan(pose, first_beam, count);
+  });
 }
 
-std::unique_ptr<LiveRenderer> made_renderer(const std::shared_ptr<LiveGround>& ground, const std::string& content,
-                                            std::size_t beams, std::size_t ranges, double beam_step_rad,
-                                            double range_step_m, double cells_per_bin, std::uint64_t seed,
-                                            unsigned threads, double refraction) {
-  return std::make_unique<LiveRenderer>(ground, settings_from(content, beams, ranges, beam_step_rad, range_step_m,
-                                                              cells_per_bin, seed, threads, refraction));
+std::unique_ptr<Held<GroundRenderer>> made_renderer(const Held<LiveGround>& ground, const std::string& content,
+                                                    std::size_t beams, std::size_t ranges, double beam_step_rad,
+                                                    double range_step_m, double cells_per_bin, std::uint64_t seed,
+                                                    unsigned threads, double refraction) {
+  const auto settings =
+      settings_from(content, beams, ranges, beam_step_rad, range_step_m, cells_per_bin, seed, threads, refraction);
+  return std::make_unique<Held<GroundRenderer>>(
+      "LiveRenderer", std::shared_ptr<GroundRenderer>(new GroundRenderer{beams, {ground.here(), settings}}));
 }
 
 template <typename Number>
@@ -57,9 +56,12 @@ py::object numbers_of(const HeldFrame& held, std::span<const Number> numbers) {
   return array_view(numbers.data(), {beams, ranges, 4}, held.renderer, Access::ReadOnly);
 }
 
+/// The bins are the renderer's: nobody is to draw into them meanwhile.
 void save(const HeldFrame& held, const std::filesystem::path& path, double frequency_ghz) {
+  within("frequency_ghz", frequency_ghz, radar::bounds::frequencies_ghz);
   if (held.frame.amplitudes_m.empty())
     throw Error(path.string(), "cannot hold powers", "make the renderer with content='amplitudes'");
+  const std::scoped_lock turn(*held.turns);
   product::write_iq(path, product::iq_record(held.frame.grid, held.frame.amplitudes_m,
                                              {held.pose.position, held.pose.velocity_mps}, frequency_ghz * 1e9));
 }
@@ -115,34 +117,37 @@ void add_frame(py::module_& module) {
 }  // namespace
 
 void add_live(py::module_& module) {
-  py::class_<LiveGround, std::shared_ptr<LiveGround>>(
-      module, "LiveGround",
-      "An atlas with its terrain as live renderers share it: pages come and go within a bound on memory.")
-      .def(py::init(
-               [](const std::filesystem::path& folder, double frequency_ghz, std::size_t cache_mib, unsigned loaders) {
-                 return LiveGround::open(folder, frequency_ghz * 1e9,
-                                         {.budget_bytes = cache_mib << 20U, .loaders = loaders});
-               }),
+  py::class_<Held<LiveGround>>(module, "LiveGround",
+                               "An atlas with its terrain as live renderers share it: pages come and go within a bound "
+                               "on memory. Of the process\n"
+                               "that made it: others, forked ones too, make their own.")
+      .def(py::init([](const std::filesystem::path& folder, double frequency_ghz, std::size_t cache_mib,
+                       unsigned loaders) {
+             return std::make_unique<Held<LiveGround>>(
+                 "LiveGround",
+                 LiveGround::open(folder, frequency_ghz * 1e9, {.budget_bytes = cache_mib << 20U, .loaders = loaders}));
+           }),
            py::arg("folder"), py::kw_only(), py::arg("frequency_ghz") = 10.0, py::arg("cache_mib") = 512,
            py::arg("loaders") = 1, Release())
       .def(
-          "wait", [](LiveGround& ground) { ground.wait_until_loaded(); }, Release(),
+          "wait", [](const Held<LiveGround>& ground) { ground.here()->wait_until_loaded(); }, Release(),
           "Returns when all pages and all terrain that frames have asked for are there.")
-      .def_property_readonly("frequency_ghz", [](const LiveGround& g) { return g.frequency_hz() / 1e9; })
+      .def_property_readonly("frequency_ghz", [](const Held<LiveGround>& g) { return g.here()->frequency_hz() / 1e9; })
       .def(
           "height_at",
-          [](const LiveGround& g, double x, double y) {
-            return g.terrain().height_at({x, y});
+          [](const Held<LiveGround>& g, double x, double y) {
+            return g.here()->terrain().height_at({x, y});
           },
           py::arg("x_m"), py::arg("y_m"));
 
   add_frame(module);
 
   const render::LiveSettings settings;
-  py::class_<LiveRenderer>(
+  py::class_<Held<GroundRenderer>>(
       module, "LiveRenderer",
       "The live radar picture of a wide area: hand it a pose, get what the receiver has in its bins.\n"
-      "It never waits for pages; what was not there in time is shown from a coarser level.")
+      "It never waits for pages; what was not there in time is shown from a coarser level. Calls of several threads\n"
+      "queue up, and a process that was forked off the one that made it makes its own.")
       .def(py::init(&made_renderer), py::arg("ground"), py::kw_only(), py::arg("content") = "amplitudes",
            py::arg("beams") = settings.beams, py::arg("ranges") = settings.ranges,
            py::arg("beam_step_rad") = settings.beam_step_rad, py::arg("range_step_m") = settings.range_step_m,

@@ -14,38 +14,47 @@ namespace py = pybind11;
 
 /// A flight and the scene that it traces.
 struct SceneFlight {
+  std::size_t beams;
   std::shared_ptr<LoadedScene> scene;
   simulate::LiveFlight flight;
 };
 
-std::unique_ptr<SceneFlight> made_flight(std::shared_ptr<LoadedScene> scene,
-                                         const std::shared_ptr<render::LiveGround>& ground, const std::string& content,
-                                         std::size_t beams, std::size_t ranges, double beam_step_rad,
-                                         double range_step_m, double cells_per_bin, std::uint64_t seed,
-                                         unsigned threads, double refraction, std::uint32_t rays_per_cell,
-                                         int bounces) {
+std::unique_ptr<Held<SceneFlight>> made_flight(std::shared_ptr<LoadedScene> scene,
+                                               const Held<render::LiveGround>& ground, const std::string& content,
+                                               std::size_t beams, std::size_t ranges, double beam_step_rad,
+                                               double range_step_m, double cells_per_bin, std::uint64_t seed,
+                                               unsigned threads, double refraction, std::uint32_t rays_per_cell,
+                                               int bounces) {
   const auto settings =
       settings_from(content, beams, ranges, beam_step_rad, range_step_m, cells_per_bin, seed, threads, refraction);
   const simulate::LiveFlightSettings flight{.tracing = {.rays_per_cell = rays_per_cell, .max_bounces = bounces}};
   const auto& loaded = *scene;
-  return std::unique_ptr<SceneFlight>(new SceneFlight{
-      .scene = std::move(scene), .flight = {loaded.scene(), loaded.geometry(), ground, settings, flight}});
+  std::shared_ptr<SceneFlight> made(
+      new SceneFlight{.beams = beams,
+                      .scene = std::move(scene),
+                      .flight = {loaded.scene(), loaded.geometry(), ground.here(), settings, flight}});
+  return std::make_unique<Held<SceneFlight>>("LiveFlight", std::move(made));
 }
 
 HeldFrame flown(const py::object& self, const Triple& position_m, double first_azimuth_rad, double first_range_m,
                 const Triple& velocity_mps) {
-  auto& held = self.cast<SceneFlight&>();
   const auto pose = pose_from(position_m, first_azimuth_rad, first_range_m, velocity_mps);
-  const render::Frame* const frame = long_call([&] { return &held.flight.render(pose); });
-  return {*frame, pose, self};
+  return drawn<SceneFlight>(self, pose, [&](SceneFlight& live) { return live.flight.render(pose); });
 }
 
 HeldFrame swept(const py::object& self, const Triple& position_m, double first_azimuth_rad, double first_range_m,
                 std::size_t first_beam, std::size_t count, const Triple& velocity_mps) {
-  auto& held = self.cast<SceneFlight&>();
   const auto pose = pose_from(position_m, first_azimuth_rad, first_range_m, velocity_mps);
-  const render::Frame* const frame = long_call([&] { return &held.flight.scan(pose, first_beam, count); });
-  return {*frame, pose, self};
+  return drawn<SceneFlight>(self, pose, [&](SceneFlight& live) {
+    check_step(first_beam, count, live.beams);
+    return live.flight.scan(pose, first_beam, count);
+  });
+}
+
+/// What the flight tells of its last frame.
+template <typename Tell>
+auto told(const Held<SceneFlight>& held, const Tell& tell) {
+  return long_call([&] { return held.in_turn([&](const SceneFlight& live) { return tell(live.flight); }); });
 }
 
 }  // namespace
@@ -53,11 +62,11 @@ HeldFrame swept(const py::object& self, const Triple& position_m, double first_a
 void add_live_flight(py::module_& module) {
   const render::LiveSettings settings;
   const simulate::LiveTraceSettings tracing;
-  py::class_<SceneFlight>(
+  py::class_<Held<SceneFlight>>(
       module, "LiveFlight",
       "Live frames along a flight path at the level of detail that they need: traced as by LiveTracer where a small\n"
       "area is looked at closely, from the textures of an atlas of the same scene elsewhere. One gives way to the\n"
-      "other over some frames, so that no step shows.")
+      "other over some frames, so that no step shows. Threads and processes share it as they do a LiveRenderer.")
       .def(py::init(&made_flight), py::arg("scene"), py::arg("ground"), py::kw_only(),
            py::arg("content") = "amplitudes", py::arg("beams") = settings.beams, py::arg("ranges") = settings.ranges,
            py::arg("beam_step_rad") = settings.beam_step_rad, py::arg("range_step_m") = settings.range_step_m,
@@ -73,11 +82,17 @@ void add_live_flight(py::module_& module) {
           "Renders `count` beams from `first_beam` anew, at the level that they need, and leaves the others: one step\n"
           "of a scanning antenna. A change between levels goes on from step to step.")
       .def_property_readonly(
-          "textured_share", [](const SceneFlight& held) { return held.flight.textured_share(); },
+          "textured_share",
+          [](const Held<SceneFlight>& held) {
+            return told(held, [](const simulate::LiveFlight& flight) { return flight.textured_share(); });
+          },
           "Part of the last frame's power, or of the last step's, that comes from textures:\n"
           "0 where it is traced, 1 from textures.")
       .def(
-          "explained", [](const SceneFlight& held) { return held.flight.explained(); },
+          "explained",
+          [](const Held<SceneFlight>& held) {
+            return told(held, [](const simulate::LiveFlight& flight) { return flight.explained(); });
+          },
           "What the last pose asked for, and why, in a few lines for people.");
 }
 

@@ -4,7 +4,6 @@
 
 #include "held_frame.h"
 #include "loaded_scene.h"
-#include "long_call.h"
 #include "parts.h"
 
 #include "sigmascape/render/level_of_detail.h"
@@ -16,37 +15,39 @@ namespace py = pybind11;
 
 /// A tracer and the scene that it looks at.
 struct SceneTracer {
+  std::size_t beams;
   std::shared_ptr<LoadedScene> scene;
   simulate::LiveTracer tracer;
 };
 
-std::unique_ptr<SceneTracer> made_tracer(std::shared_ptr<LoadedScene> scene, const std::string& content,
-                                         std::size_t beams, std::size_t ranges, double beam_step_rad,
-                                         double range_step_m, double cells_per_bin, std::uint64_t seed,
-                                         unsigned threads, double refraction, double frequency_ghz,
-                                         std::uint32_t rays_per_cell, int bounces, double lattice_m) {
+std::unique_ptr<Held<SceneTracer>> made_tracer(std::shared_ptr<LoadedScene> scene, const std::string& content,
+                                               std::size_t beams, std::size_t ranges, double beam_step_rad,
+                                               double range_step_m, double cells_per_bin, std::uint64_t seed,
+                                               unsigned threads, double refraction, double frequency_ghz,
+                                               std::uint32_t rays_per_cell, int bounces, double lattice_m) {
   const auto settings =
       settings_from(content, beams, ranges, beam_step_rad, range_step_m, cells_per_bin, seed, threads, refraction);
   const auto& loaded = *scene;
-  return std::unique_ptr<SceneTracer>(new SceneTracer{
+  std::shared_ptr<SceneTracer> tracer(new SceneTracer{
+      .beams = beams,
       .scene = std::move(scene),
       .tracer = {
           loaded.scene(), loaded.geometry(), settings, {frequency_ghz * 1e9, rays_per_cell, bounces, lattice_m}}});
+  return std::make_unique<Held<SceneTracer>>("LiveTracer", std::move(tracer));
 }
 
 HeldFrame traced(const py::object& self, const Triple& position_m, double first_azimuth_rad, double first_range_m) {
-  auto& held = self.cast<SceneTracer&>();
   const auto pose = pose_from(position_m, first_azimuth_rad, first_range_m);
-  const render::Frame* const frame = long_call([&] { return &held.tracer.render(pose); });
-  return {*frame, pose, self};
+  return drawn<SceneTracer>(self, pose, [&](SceneTracer& live) { return live.tracer.render(pose); });
 }
 
 HeldFrame swept(const py::object& self, const Triple& position_m, double first_azimuth_rad, double first_range_m,
                 std::size_t first_beam, std::size_t count) {
-  auto& held = self.cast<SceneTracer&>();
   const auto pose = pose_from(position_m, first_azimuth_rad, first_range_m);
-  const render::Frame* const frame = long_call([&] { return &held.tracer.scan(pose, first_beam, count); });
-  return {*frame, pose, self};
+  return drawn<SceneTracer>(self, pose, [&](SceneTracer& live) {
+    check_step(first_beam, count, live.beams);
+    return live.tracer.scan(pose, first_beam, count);
+  });
 }
 
 }  // namespace
@@ -54,10 +55,11 @@ HeldFrame swept(const py::object& self, const Triple& position_m, double first_a
 void add_live_tracer(py::module_& module) {
   const render::LiveSettings settings;
   const simulate::LiveTraceSettings tracing;
-  py::class_<SceneTracer>(
+  py::class_<Held<SceneTracer>>(
       module, "LiveTracer",
       "Level of detail 0 of live frames: the whole scene, path-traced, in the bins of LiveRenderer and with its\n"
-      "speckle. For small areas. While the pose stays the same each call adds rays to those before.")
+      "speckle. For small areas. While the pose stays the same each call adds rays to those before. Threads and\n"
+      "processes share it as they do a LiveRenderer.")
       .def(
           py::init(&made_tracer), py::arg("scene"), py::kw_only(), py::arg("content") = "amplitudes",
           py::arg("beams") = settings.beams, py::arg("ranges") = settings.ranges,
@@ -79,9 +81,9 @@ void add_live_tracer(py::module_& module) {
            "scanning antenna. The same beams of the same pose get rays added when they come again.")
       .def(
           "advised_detail",
-          [](const SceneTracer& held, const Triple& position_m, double first_azimuth_rad, double first_range_m) {
+          [](const Held<SceneTracer>& held, const Triple& position_m, double first_azimuth_rad, double first_range_m) {
             const auto pose = pose_from(position_m, first_azimuth_rad, first_range_m);
-            return render::choose_detail(held.tracer.question(pose)).level;
+            return render::choose_detail(held.here()->tracer.question(pose)).level;
           },
           py::arg("position_m"), py::kw_only(), py::arg("first_azimuth_rad"), py::arg("first_range_m"),
           "The level of detail that the resolution cell asks for at this pose: 0 where the scene should be traced.");

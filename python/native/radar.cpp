@@ -7,6 +7,7 @@
 #include "polarization.h"
 
 #include "sigmascape/base/units.h"
+#include "sigmascape/radar/radar_bounds.h"
 #include "sigmascape/radar/radar_file.h"
 #include "sigmascape/simulate/placement.h"
 
@@ -17,6 +18,7 @@ namespace py = pybind11;
 using radar::RadarFile;
 using Triple = std::array<double, 3>;
 using Area = std::array<double, 4>;
+namespace bounds = radar::bounds;
 
 Triple triple_of(const Vec3d& v) {
   return {v.x, v.y, v.z};
@@ -48,22 +50,52 @@ void set_mode(RadarFile& file, const std::string& word) {
   file.radar.mode = found->second;
 }
 
-constexpr double furthest_m = 1e7, fastest_mps = 2e4;
+constexpr double furthest_m = 1e7, fastest_mps = 2e4, hz_per_ghz = 1e9;
 
+void set_frequency_hz(RadarFile& file, double frequency_hz) {
+  file.radar.frequency_hz = within("frequency_hz", frequency_hz, bounds::frequencies_ghz, hz_per_ghz);
+}
+
+void set_range_resolution_m(RadarFile& file, double range_resolution_m) {
+  radar::set_range_resolution(file, within("range_resolution_m", range_resolution_m, bounds::range_resolutions_m));
+}
+
+void set_beam_width_deg(RadarFile& file, double beam_width_deg) {
+  radar::set_beam_width(file, radians_from_deg(within("beam_width_deg", beam_width_deg, bounds::beam_widths_deg)));
+}
+
+void set_cell_m(RadarFile& file, double cell_m) {
+  file.map.cell_m = within("cell_m", cell_m, bounds::cells_m);
+}
+
+void set_area_m(RadarFile& file, const std::optional<Area>& area_m) {
+  if (!area_m) {
+    file.map.area.reset();
+    return;
+  }
+  const auto [west_m, south_m, east_m, north_m] = all_within("area_m", *area_m, -furthest_m, furthest_m);
+  if (!(east_m > west_m && north_m > south_m)) {
+    throw Error("area_m",
+                fmt::format("reaches from {:g} m to {:g} m east and from {:g} m to {:g} m north", west_m, east_m,
+                            south_m, north_m),
+                "give west, south, east, north");
+  }
+  file.map.area = radar::Rectangle{west_m, south_m, east_m, north_m};
+}
+
+/// What a file that states no more than this says.
 RadarFile made(const std::string& name, double frequency_hz, double range_resolution_m, double beam_width_deg,
                const std::string& polarization, double cell_m) {
-  positive("frequency_hz", frequency_hz);
-  positive("range_resolution_m", range_resolution_m);
-  positive("beam_width_deg", beam_width_deg);
-  positive("cell_m", cell_m);
   RadarFile file;
+  file.antenna_efficiency = 1.0;
+  file.has_shortest_pulse = true;
   file.radar.name = name;
-  file.radar.frequency_hz = frequency_hz;
-  file.radar.range_resolution_m = range_resolution_m;
-  file.radar.beam_width_rad = radians_from_deg(beam_width_deg);
   file.radar.polarization = polarization_from(polarization);
   file.place = radar::LocalPlace{};
-  file.map.cell_m = cell_m;
+  set_frequency_hz(file, frequency_hz);
+  set_range_resolution_m(file, range_resolution_m);
+  set_beam_width_deg(file, beam_width_deg);
+  set_cell_m(file, cell_m);
   return file;
 }
 
@@ -80,25 +112,13 @@ void see_from(RadarFile& file, double azimuth_deg, double elevation_deg, double 
   file.place = seen;
 }
 
-/// A property of the radar that is a plain number with its unit in its name.
-template <typename Class>
-void number(Class& binding, const char* name, double radar::Radar::*member, const char* doc) {
-  binding.def_property(
-      name, [member](const RadarFile& f) { return f.radar.*member; },
-      [member, name](RadarFile& f, double value) {
-        positive(name, value);
-        f.radar.*member = value;
-      },
-      doc);
-}
-
 template <typename Class>
 void optional_number(Class& binding, const char* name, std::optional<double> radar::Processing::*member,
-                     const char* doc) {
+                     const Interval& allowed, const char* doc) {
   binding.def_property(
       name, [member](const RadarFile& f) { return f.radar.processing.*member; },
-      [member, name](RadarFile& f, const std::optional<double>& value) {
-        if (value) positive(name, *value);
+      [member, name, allowed](RadarFile& f, const std::optional<double>& value) {
+        if (value) within(name, *value, allowed);
         f.radar.processing.*member = value;
       },
       doc);
@@ -114,7 +134,7 @@ void add_radar(py::module_& module) {
   binding
       .def(py::init(&made), py::kw_only(), py::arg("name") = "radar", py::arg("frequency_hz") = 10e9,
            py::arg("range_resolution_m") = 2.0, py::arg("beam_width_deg") = 0.5, py::arg("polarization") = "vv",
-           py::arg("cell_m") = 2.0)
+           py::arg("cell_m") = 2.0, "All else is what a radar file leaves out: the gain follows from the beam.")
       .def_static(
           "read", [](const std::filesystem::path& path) { return radar::read_radar_file(path); }, py::arg("path"),
           "Reads a radar file (TOML).")
@@ -123,11 +143,9 @@ void add_radar(py::module_& module) {
           [](RadarFile& f, const std::string& name) { f.radar.name = name; })
       .def_property(
           "beam_width_deg", [](const RadarFile& f) { return deg_from_radians(f.radar.beam_width_rad); },
-          [](RadarFile& f, double value) {
-            positive("beam_width_deg", value);
-            f.radar.beam_width_rad = radians_from_deg(value);
-          },
-          "One-way half-power width of the real beam in azimuth.")
+          &set_beam_width_deg,
+          "One-way half-power width of the real beam in azimuth. The antenna's gain goes with it where the radar file\n"
+          "states none. Not to be set where the file names a table of the beam.")
       .def_property(
           "polarization", [](const RadarFile& f) { return word_of(f.radar.polarization); },
           [](RadarFile& f, const std::string& word) { f.radar.polarization = polarization_from(word); },
@@ -142,27 +160,17 @@ void add_radar(py::module_& module) {
       .def_property(
           "pulse_repetition_hz", [](const RadarFile& f) { return f.radar.waveform.pulse_repetition_hz; },
           [](RadarFile& f, double value) {
-            positive("pulse_repetition_hz", value);
-            f.radar.waveform.pulse_repetition_hz = value;
+            f.radar.waveform.pulse_repetition_hz = within("pulse_repetition_hz", value, bounds::pulse_repetitions_hz);
           })
       .def_property(
-          "cell_m", [](const RadarFile& f) { return f.map.cell_m; },
-          [](RadarFile& f, double value) {
-            positive("cell_m", value);
-            f.map.cell_m = value;
-          },
-          "Side of the map's cells.")
+          "cell_m", [](const RadarFile& f) { return f.map.cell_m; }, &set_cell_m, "Side of the map's cells.")
       .def_property(
           "area_m",
           [](const RadarFile& f) -> std::optional<Area> {
             if (!f.map.area) return std::nullopt;
             return Area{f.map.area->west_m, f.map.area->south_m, f.map.area->east_m, f.map.area->north_m};
           },
-          [](RadarFile& f, const std::optional<Area>& a) {
-            f.map.area.reset();
-            if (a) f.map.area = radar::Rectangle{(*a)[0], (*a)[1], (*a)[2], (*a)[3]};
-          },
-          "What is mapped: west, south, east, north; None for the whole scene.")
+          &set_area_m, "What is mapped: west, south, east, north; None for the whole scene.")
       .def(
           "stand_at",
           [](RadarFile& f, const Triple& position) {
@@ -182,19 +190,25 @@ void add_radar(py::module_& module) {
           py::arg("scene"), "Where the radar stands over a scene: x, y, altitude in metres.")
       .def("__copy__", [](const RadarFile& f) { return RadarFile(f); })
       .def("__repr__", [](const RadarFile& f) { return "<sigmascape.Radar '" + f.radar.name + "'>"; });
-  optional_number(binding, "interval_s", &radar::Processing::interval_s,
+  optional_number(binding, "interval_s", &radar::Processing::interval_s, bounds::intervals_s,
                   "Time over which coherent modes add up pulses; None: what the resolution asks for.");
-  optional_number(binding, "along_resolution_m", &radar::Processing::along_resolution_m,
+  optional_number(binding, "along_resolution_m", &radar::Processing::along_resolution_m, bounds::along_resolutions_m,
                   "Half-power width across range that spotlight and stripmap process to; None: as fine as in range.");
-  optional_number(binding, "sharpening", &radar::Processing::sharpening,
+  optional_number(binding, "sharpening", &radar::Processing::sharpening, bounds::sharpenings,
                   "By what factor Doppler beam sharpening narrows the beam; None: 16.");
   binding.def_property(
       "looks", [](const RadarFile& f) { return f.radar.processing.looks; },
-      [](RadarFile& f, int looks) { f.radar.processing.looks = static_cast<int>(within("looks", looks, 1, 1000)); },
+      [](RadarFile& f, int looks) {
+        f.radar.processing.looks = static_cast<int>(within("looks", looks, bounds::looks));
+      },
       "Images of coherent modes whose powers are averaged.");
-  number(binding, "frequency_hz", &radar::Radar::frequency_hz, "Carrier frequency.");
-  number(binding, "range_resolution_m", &radar::Radar::range_resolution_m,
-         "Half-power width of the pulse after compression.");
+  binding.def_property(
+      "frequency_hz", [](const RadarFile& f) { return f.radar.frequency_hz; }, &set_frequency_hz, "Carrier frequency.");
+  binding.def_property(
+      "range_resolution_m", [](const RadarFile& f) { return f.radar.range_resolution_m; }, &set_range_resolution_m,
+      "Half-power width of the pulse after compression. A pulse whose length the radar file does not state is as "
+      "short\n"
+      "as the bandwidth for it allows.");
 }
 
 }  // namespace sigmascape::python

@@ -2,13 +2,13 @@
 #include <optional>
 #include <pybind11/stl.h>
 
-#include "given_number.h"
 #include "loaded_atlas.h"
 #include "loaded_scene.h"
 #include "long_call.h"
 #include "parts.h"
 #include "python_progress.h"
 #include "targets.h"
+#include "trace_arguments.h"
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/product/described_map.h"
@@ -91,8 +91,7 @@ Seen traced(const LoadedScene* scene, const Wish& wish, const simulate::TraceSet
                 fmt::format("0 traces power alone, and {} needs amplitudes", simulate::word_for(wish.radar.mode)),
                 "give the atlas that bake() made, or set the radar's mode to 'real-beam'");
   }
-  within("samples", settings.samples_per_cell, 1, 1U << 24U);
-  within("bounces", settings.max_bounces, 1, 255);
+  check_rays(settings);
   trace::TraceCounts counts;
   auto image = simulate::traced_image(scene->scene(), scene->geometry(), wish.radar, wish.grid.extent(), settings,
                                       counts, &progress);
@@ -150,12 +149,12 @@ auto mapped(const std::shared_ptr<LoadedScene>& scene, const radar::RadarFile& r
             const std::shared_ptr<LoadedAtlas>& atlas, const Effort& effort, const py::object& progress,
             const MapOf& map_of) {
   const radar::RadarFile asked = radar_file;
-  const int level_of_detail = effort.lod.value_or(atlas ? 1 : 0);
-  if (level_of_detail < 0) throw Error("lod", "is negative", "give 0 to trace the scene, 1 and up to use the atlas");
+  const int level_of_detail = checked_lod(effort.lod.value_or(atlas ? 1 : 0));
   PythonProgress listener(progress);
   return long_call([&] {
     const Ground ground = ground_of(scene.get(), level_of_detail > 0 ? atlas.get() : nullptr);
     const auto radar = simulate::placed_radar(asked, *ground.frame, *ground.terrain, ground.extent);
+    radar::check_earth(radar, radar::title_of(radar));
     const auto grid = simulate::map_grid(asked.map, ground.extent);
     tell(radar::radar_warnings(radar, simulate::bins_for(radar, grid.extent(), *ground.terrain), grid.cell_m), radar);
     // Those of the scene answer to rays by themselves.

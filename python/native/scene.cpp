@@ -44,6 +44,11 @@ py::list remarks_of(const scene::Scene& scene) {
   return list;
 }
 
+/// Another thread that makes it may want the GIL meanwhile.
+std::string hash_of(const LoadedScene& loaded) {
+  return long_call([&] { return loaded.hash(); });
+}
+
 py::dict info_of(const LoadedScene& loaded) {
   const scene::Scene& scene = loaded.scene();
   py::dict info;
@@ -57,7 +62,7 @@ py::dict info_of(const LoadedScene& loaded) {
   info["point_targets"] = scene.point_targets.size();
   info["materials"] = materials_of(scene);
   info["remarks"] = remarks_of(scene);
-  info["scene_hash"] = loaded.hash();
+  info["scene_hash"] = hash_of(loaded);
   info["attribution"] = scene.attribution;
   return info;
 }
@@ -66,13 +71,14 @@ std::shared_ptr<LoadedScene> made_up_town(double scale, std::uint64_t seed, cons
   if (materials != "paper" && materials != "itu")
     throw Error("materials", "is '" + materials + "'", "give 'paper' or 'itu'");
   const auto constants = materials == "itu" ? scene::PaperMaterials::Itu : scene::PaperMaterials::Paper;
-  return std::make_shared<LoadedScene>(scene::paper_scene({.scale = scale, .seed = seed, .materials = constants}));
+  return long_call([&] {
+    return std::make_shared<LoadedScene>(scene::paper_scene({.scale = scale, .seed = seed, .materials = constants}));
+  });
 }
 
 }  // namespace
 
 void add_scene(py::module_& module) {
-  using Release = py::call_guard<py::gil_scoped_release>;
   py::class_<LoadedScene, std::shared_ptr<LoadedScene>>(module, "Scene",
                                                         "A landscape: terrain, land cover, buildings, trees, vehicles, "
                                                         "materials. Its local frame has x east and y north\n"
@@ -86,14 +92,16 @@ void add_scene(py::module_& module) {
       .def_static(
           "simple",
           [](double side_m, const std::string& ground, const std::string& objects) {
-            return std::make_shared<LoadedScene>(
-                scene::simple_scene({.side_m = side_m, .ground_material = ground, .object_material = objects}));
+            return long_call([&] {
+              return std::make_shared<LoadedScene>(
+                  scene::simple_scene({.side_m = side_m, .ground_material = ground, .object_material = objects}));
+            });
           },
           py::kw_only(), py::arg("side_m") = 128.0, py::arg("ground_material") = "concrete",
-          py::arg("object_material") = "concrete", Release(),
+          py::arg("object_material") = "concrete",
           "A box and a cylinder on a plane. Materials are named as in the material library.")
       .def_static("paper", &made_up_town, py::kw_only(), py::arg("scale") = 1.0, py::arg("seed") = 1,
-                  py::arg("materials") = "paper", Release(),
+                  py::arg("materials") = "paper",
                   "A made-up town by a river with fields, forests and hills; `scale` (0.1 to 5) times 2 km a side.\n"
                   "`materials`: 'paper' or 'itu'.")
       .def_property_readonly("name", [](const LoadedScene& s) { return s.scene().name; })
@@ -108,9 +116,7 @@ void add_scene(py::module_& module) {
       .def_property_readonly(
           "extent_m", [](const LoadedScene& s) { return tuple_of(s.scene().extent); }, "West, south, east, north.")
       .def_property_readonly("attribution", [](const LoadedScene& s) { return s.scene().attribution; })
-      .def_property_readonly(
-          "hash", [](const LoadedScene& s) { return s.hash(); },
-          "A digest of everything that affects how the scene scatters.")
+      .def_property_readonly("hash", &hash_of, "A digest of everything that affects how the scene scatters.")
       .def_property_readonly(
           "terrain_m",
           [](const py::object& self) {

@@ -51,6 +51,13 @@ def test_a_look_that_was_not_baked_is_refused(atlas):
         atlas.texture((0, 0), azimuth_deg=0.0, elevation_deg=20.0, frequency_ghz=10.0)
     with pytest.raises(sigmascape.Error):
         atlas.sigma0_at([0.0], [0.0], azimuth_deg=0.0, elevation_deg=20.0, frequency_ghz=35.0)
+    for wrong in (float("nan"), float("inf")):
+        with pytest.raises(sigmascape.Error, match="azimuth_deg: is"):
+            atlas.texture((0, 0), azimuth_deg=wrong, elevation_deg=15.0, frequency_ghz=10.0)
+    look = dict(azimuth_deg=0.0, elevation_deg=15.0, frequency_ghz=10.0, level=0.0)
+    for name in ("azimuth_deg", "elevation_deg", "level"):
+        with pytest.raises(sigmascape.Error, match=f"{name}: is nan"):
+            atlas.sigma0_at([0.0], [0.0], **(look | {name: float("nan")}))
 
 
 def test_a_bake_goes_on_where_it_stopped_and_tells_its_progress(scene, tmp_path):

@@ -29,10 +29,11 @@ except KeyboardInterrupt:
 
 CALLS = {
     "trace": "radar.cell_m = 0.1; sigmascape.render(scene, radar, samples=400, progress=False)",
-    "baked": "radar.cell_m = 0.02; sigmascape.render(scene, radar, atlas=atlas, threads=1)",
+    "baked": "radar.range_resolution_m, radar.cell_m = 0.05, 0.05; sigmascape.render(scene, radar, atlas=atlas, threads=1)",
     "focused": "sigmascape.range_doppler(atlas, radar, interval_s=0.05, scatterer_spacing_m=0.03, threads=1)",
     "pulses": "radar.range_resolution_m = 0.2; sigmascape.phase_history(atlas, radar, interval_s=10.0)",
     "layers": "radar.cell_m = 0.1; sigmascape.layers(scene, radar, ['bounce1'], samples=400, progress=False)",
+    "scene": "sigmascape.Scene.paper(scale=5.0)",
     "dataset": "sigmascape.make_dataset(sys.argv[2], sys.argv[3], progress=False)",
 }
 

@@ -27,6 +27,18 @@ def pulses(atlas, moving_radar):
     return sigmascape.phase_history(atlas, moving_radar, interval_s=0.02, seed=7)
 
 
+@pytest.mark.parametrize("call, options, words", [
+    (sigmascape.phase_history, dict(scatterer_spacing_m=-1.0), "scatterer_spacing_m: is -1; give a number above 0"),
+    (sigmascape.range_doppler, dict(scatterer_spacing_m=float("nan")), "scatterer_spacing_m: is nan"),
+    (sigmascape.stripmap, dict(scatterer_spacing_m=float("inf")), "scatterer_spacing_m: is inf"),
+    (sigmascape.stripmap, dict(along_resolution_m=1e-9), "along_resolution_m: is 1e-09; give a number from 0.01 to 10000"),
+    (sigmascape.stripmap, dict(along_resolution_m=float("inf")), "along_resolution_m: is inf"),
+])
+def test_signals_that_cannot_be_are_refused(atlas, moving_radar, call, options, words):
+    with pytest.raises(sigmascape.Error, match=words):
+        call(atlas, moving_radar, **options)
+
+
 def test_pulses_are_a_view_with_axes(pulses):
     samples, axes = pulses.samples, pulses.axes
     assert samples.dtype == np.complex64 and samples.shape[0] == 40 and samples.shape[2] == 3
@@ -169,9 +181,12 @@ def test_what_cannot_be_written_is_refused(atlas, pulses, moving_radar, tmp_path
         pulses.save(tmp_path / "file" / "pulses.h5")
 
 
-def test_the_command_line_writes_the_same_pulses(tmp_path):
-    (tmp_path / "scene.toml").write_text("[paper]\nscale = 0.1\n")
-    (tmp_path / "radar.toml").write_text("""
+@pytest.fixture(scope="module")
+def small_place(tmp_path_factory):
+    """A scene, a radar that flies past it and the atlas that the command line baked for it."""
+    folder = tmp_path_factory.mktemp("place")
+    (folder / "scene.toml").write_text("[paper]\nscale = 0.1\n")
+    (folder / "radar.toml").write_text("""
 [radar]
 frequency_ghz = 10.0
 range_resolution_m = 5.0
@@ -186,12 +201,36 @@ heading_deg = 40.0
 [map]
 cell_m = 5.0
 """)
-    program = os.environ["SIGMASCAPE_CLI"]
-    subprocess.run([program, "bake", tmp_path / "scene.toml", "--out", tmp_path / "atlas", "--azimuths", "2", "--elevations-deg", "20",
-                    "--samples", "2", "--texel-m", "4", "--patch-texels", "256"], check=True)
-    subprocess.run([program, "render", tmp_path / "radar.toml", "--scene", tmp_path / "scene.toml", "--atlas", tmp_path / "atlas",
-                    "--lod", "1", "--iq", tmp_path / "pulses.npy", "--interval-s", "0.01"], check=True)
-    radar = sigmascape.Radar.read(tmp_path / "radar.toml")
-    ours = sigmascape.phase_history(sigmascape.Atlas(tmp_path / "atlas"), radar, interval_s=0.01)
+    subprocess.run([os.environ["SIGMASCAPE_CLI"], "bake", folder / "scene.toml", "--out", folder / "atlas", "--azimuths", "2",
+                    "--elevations-deg", "20", "--samples", "2", "--texel-m", "4", "--patch-texels", "256"], check=True)
+    return folder
+
+
+@pytest.mark.parametrize("kind", ["spotlight", "stripmap", "doppler-beam-sharpening"])
+def test_slant_images_say_the_same_under_every_ending(small_place, tmp_path, kind):
+    (tmp_path / "radar.toml").write_text((small_place / "radar.toml").read_text() + f"[mode]\nkind = \"{kind}\"\nlooks = 2\n")
+    for ending in ["npy", "npz", "h5", "sigmf-meta"]:
+        subprocess.run([os.environ["SIGMASCAPE_CLI"], "render", tmp_path / "radar.toml", "--scene", small_place / "scene.toml", "--atlas",
+                        small_place / "atlas", "--lod", "1", "--slant-image", tmp_path / f"image.{ending}"], check=True)
+    described = json.loads((tmp_path / "image.json").read_text())
+    assert isinstance(described["interval_s"], float) and described["looks"] == 1 and described["mode"] == kind
+    assert json.loads(np.load(tmp_path / "image.npz")["description_json"].tobytes()) == described
+    meta = json.loads((tmp_path / "image.sigmf-meta").read_text())["global"]
+    assert all(meta[f"sigmascape:{key}"] == value for key, value in described.items())
+    samples = np.load(tmp_path / "image.npy")
+    with h5py.File(tmp_path / "image.h5") as file:
+        assert np.array_equal(file["VV"][:], samples[..., 0]) and samples.any()
+        for key, value in described.items():
+            if key in ("axes", "units", "unit", "polarizations"):
+                continue  # in HDF5 as datasets and their attributes
+            said = file.attrs[key]
+            assert (said.decode() if isinstance(said, bytes) else said) == value, key
+
+
+def test_the_command_line_writes_the_same_pulses(small_place, tmp_path):
+    subprocess.run([os.environ["SIGMASCAPE_CLI"], "render", small_place / "radar.toml", "--scene", small_place / "scene.toml", "--atlas",
+                    small_place / "atlas", "--lod", "1", "--iq", tmp_path / "pulses.npy", "--interval-s", "0.01"], check=True)
+    radar = sigmascape.Radar.read(small_place / "radar.toml")
+    ours = sigmascape.phase_history(sigmascape.Atlas(small_place / "atlas"), radar, interval_s=0.01)
     assert ours.samples.any()
     assert np.array_equal(np.load(tmp_path / "pulses.npy"), ours.samples)

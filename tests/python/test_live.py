@@ -51,3 +51,24 @@ def test_wrong_settings_are_refused(atlas):
         sigmascape.LiveRenderer(ground, content="colours")
     with pytest.raises(sigmascape.Error):
         sigmascape.LiveGround(atlas.folder, frequency_ghz=94.0)
+
+
+def test_steps_of_a_scan_begin_with_a_beam_that_there_is(atlas, scene):
+    settings = dict(beams=30, ranges=40, beam_step_rad=2e-3, range_step_m=3.0)
+    ground = sigmascape.LiveGround(atlas.folder, cache_mib=64)
+    for live in (sigmascape.LiveRenderer(ground, **settings), sigmascape.LiveTracer(scene, **settings),
+                 sigmascape.LiveFlight(scene, ground, **settings)):
+        with pytest.raises(sigmascape.Error, match="first_beam: is 30, and there are 30 beams; give 0 to 29"):
+            live.scan(PLACE, **POSE, first_beam=30, count=1)
+        with pytest.raises(sigmascape.Error, match="count: is 0"):
+            live.scan(PLACE, **POSE, first_beam=0, count=0)
+
+
+def test_a_frame_is_saved_with_a_frequency_of_radars(atlas, tmp_path):
+    frame = renderer_of(atlas).render(PLACE, **POSE)
+    frame.save(tmp_path / "frame.npy", frequency_ghz=10.0)
+    assert np.array_equal(np.load(tmp_path / "frame.npy"), frame.amplitudes_m)
+    for wrong in (float("nan"), 0.0, 1e10):
+        with pytest.raises(sigmascape.Error, match="frequency_ghz: is"):
+            frame.save(tmp_path / "wrong.npy", frequency_ghz=wrong)
+    assert not (tmp_path / "wrong.npy").exists()

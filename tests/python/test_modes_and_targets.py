@@ -91,6 +91,20 @@ def test_targets_come_from_files_too(tmp_path, atlas, radar):
     assert brightest(sigmascape.render(None, radar, atlas=atlas, targets=[moving])) == pytest.approx((20.0, -10.0), abs=2.1)
 
 
+@pytest.mark.parametrize("names, options, words", [
+    (["bounce1"], dict(samples=0), "samples: is 0; give a number from 1 to 16777216"),
+    (["bounce1"], dict(bounces=0), "bounces: is 0; give a number from 1 to 255"),
+    (["bounce1"], dict(bounces=-5), "bounces: is -5"),
+    (["bounce1"], dict(bounces=300), "bounces: is 300"),
+    (["shadow"], dict(lod=-1), "lod: is negative"),
+    (["shadow", "height", "shadow"], {}, "names: has 'shadow' twice; name each layer once"),
+    ([], {}, "names: is empty"),
+])
+def test_layers_that_cannot_be_are_refused(scene, radar, names, options, words):
+    with pytest.raises(sigmascape.Error, match=words):
+        sigmascape.layers(scene, radar, names, **options)
+
+
 @pytest.mark.parametrize("lod", [0, 1])
 def test_layers_lie_on_the_map(scene, radar, lod, tmp_path):
     names = ["height", "shadow", "incidence", "range", "class"]
@@ -104,6 +118,9 @@ def test_layers_lie_on_the_map(scene, radar, lod, tmp_path):
     assert np.degrees(layers["incidence"][open_ground]).mean() == pytest.approx(75.0, abs=1.0)
     assert layers["range"][0].mean() > layers["range"][-1].mean() + 80.0
     assert len(sigmascape.class_names(scene)) > layers["class"].max()
+    assert list(layers) == list(layers.keys()) == names and len(layers) == 5
+    assert "shadow" in layers and "layover" not in layers and 3 not in layers
+    assert dict(layers).keys() == set(names)
     layers.save(tmp_path / "layers.tif")
     with pytest.raises(KeyError):
         layers["layover"]

@@ -58,6 +58,21 @@ def test_wrong_arguments_are_refused(scene, atlas, radar):
         sigmascape.render(scene, radar, atlas=atlas)
 
 
+@pytest.mark.parametrize("call", [sigmascape.render, sigmascape.received_power])
+def test_real_beam_maps_are_of_a_flat_earth(scene, atlas, tmp_path, call):
+    (tmp_path / "radar.toml").write_text("[radar]\nname = 'far'\nfrequency_ghz = 10\nrange_resolution_m = 2\nbeam_width_deg = 1\n"
+                                         "earth_refraction = 1.3333\n[position]\nazimuth_deg = 180\nelevation_deg = 15\n"
+                                         "slant_range_km = 2.5\n")
+    radar = sigmascape.Radar.read(tmp_path / "radar.toml")
+    for options in (dict(atlas=atlas), dict(samples=2, progress=False)):
+        with pytest.raises(sigmascape.Error, match="radar far: radar.earth_refraction: is given, and real-beam maps are made over a flat Earth; "
+                                                   "leave it out, or choose another"):
+            call(scene, radar, **options)
+    if call is sigmascape.render:
+        radar.mode, radar.velocity_mps, radar.pulse_repetition_hz = "spotlight", (100.0, 0.0, 0.0), 4000.0
+        assert np.nanmax(call(scene, radar, atlas=atlas).vv) > 0.0
+
+
 def test_maps_equal_those_of_the_command_line(tmp_path):
     """The same files, once through the program and once through the module: the same numbers and metadata."""
     scene_file, radar_file = tmp_path / "scene.toml", tmp_path / "radar.toml"

@@ -47,6 +47,68 @@ def test_attributes_of_a_radar_are_read_back():
     assert radar.mode == "real-beam" and radar.area_m is None
 
 
+TABLE = "offset_deg,gain_db\n-4,10\n-2,27\n0,30\n2,27\n4,10\n"
+
+
+def radar_of(folder, keys="range_resolution_m = 4.0\nbeam_width_deg = 2.0", sections=""):
+    """A radar that is read from a file; all of its place is made up."""
+    (folder / "cut.csv").write_text(TABLE)
+    (folder / "radar.toml").write_text(f"[radar]\nfrequency_ghz = 10.0\n{keys}\n[position]\nazimuth_deg = 180.0\nelevation_deg = 15.0\n"
+                                       f"slant_range_km = 2.5\n{sections}\n")
+    return sigmascape.Radar.read(folder / "radar.toml")
+
+
+def gain_db(radar):
+    return float(sigmascape.antenna_gain_db(radar, [0.0])[0])
+
+
+@pytest.mark.parametrize("antenna", ["", "azimuth_shape = 'taylor'", "efficiency = 0.5\nelevation_shape = 'gaussian'\nelevation_width_deg = 3.0",
+                                     "gain_dbi = 33.0"])
+def test_the_gain_goes_with_the_beam_as_the_file_would_have_it(antenna, atlas, tmp_path):
+    sections = f"[antenna]\n{antenna}" if antenna else ""
+    wide = radar_of(tmp_path, sections=sections)
+    narrow = radar_of(tmp_path, "range_resolution_m = 4.0\nbeam_width_deg = 0.5", sections)
+    wide.beam_width_deg = 0.5
+    assert gain_db(wide) == gain_db(narrow)
+    set_power, read_power = (sigmascape.received_power(None, radar, atlas=atlas).vv for radar in (wide, narrow))
+    assert np.array_equal(set_power, read_power, equal_nan=True)
+    if "gain_dbi" in antenna:
+        assert gain_db(wide) == pytest.approx(33.0)
+
+
+def test_a_radar_made_of_its_numbers_is_that_of_a_file(tmp_path):
+    for made in (sigmascape.Radar(range_resolution_m=4.0, beam_width_deg=2.0), sigmascape.Radar()):
+        made.range_resolution_m, made.beam_width_deg = 4.0, 2.0
+        made.see_from(azimuth_deg=180.0, elevation_deg=15.0, slant_range_m=2500.0)
+        read = radar_of(tmp_path)
+        # 4π over the solid angle of a Gaussian fan that is even in elevation: 4 √(π ln 2) / θ.
+        assert gain_db(made) == gain_db(read) == pytest.approx(10 * np.log10(4.0 * np.sqrt(np.pi * np.log(2)) / np.radians(2.0)), abs=0.01)
+
+
+def test_pulses_have_the_length_that_the_file_leaves_open(atlas, tmp_path):
+    """In volts, which pulse compression raises by the pulse's length times its bandwidth."""
+    def volts(radar):
+        radar.velocity_mps = (100.0, 0.0, 0.0)
+        return np.abs(sigmascape.phase_history(atlas, radar, interval_s=0.002, calibrated=True).samples).mean()
+
+    fine, coarse = (f"range_resolution_m = {width}\nbeam_width_deg = 2.0" for width in (2.0, 4.0))
+    changed = radar_of(tmp_path, fine)
+    changed.range_resolution_m = 4.0
+    assert volts(changed) == volts(radar_of(tmp_path, coarse))
+    stated = radar_of(tmp_path, fine, "[waveform]\npulse_length_us = 0.1")
+    with pytest.raises(sigmascape.Error, match="range_resolution_m: is 40, coarser than a pulse of 0.1 µs can be; give at most 1"):
+        stated.range_resolution_m = 40.0
+    assert stated.range_resolution_m == 2.0
+
+
+def test_the_width_of_a_measured_beam_is_its_tables(tmp_path):
+    radar = radar_of(tmp_path, "range_resolution_m = 4.0", "[antenna]\nazimuth_shape = 'table'\nazimuth_csv = 'cut.csv'")
+    width, gain = radar.beam_width_deg, gain_db(radar)
+    with pytest.raises(sigmascape.Error, match="beam_width_deg: is that of the antenna's table, antenna.azimuth_csv of the radar file; give"):
+        radar.beam_width_deg = 0.5
+    assert (radar.beam_width_deg, gain_db(radar)) == (width, gain)
+
+
 @pytest.mark.parametrize("action, words", [
     (lambda: sigmascape.Scene.read("/does/not/exist.toml"), "/does/not/exist.toml: the file does not exist; give"),
     (lambda: sigmascape.Radar(polarization="xx"), "polarization: is 'xx'; give 'vv'"),
@@ -58,7 +120,14 @@ def test_attributes_of_a_radar_are_read_back():
     (lambda: sigmascape.Radar().stand_at((0.0, float("nan"), 0.0)), "position_m: is nan"),
     (lambda: setattr(sigmascape.Radar(), "velocity_mps", (float("inf"), 0.0, 0.0)), "velocity_mps: is inf"),
     (lambda: setattr(sigmascape.Radar(), "looks", 0), "looks: is 0; give a number from 1 to 1000"),
-    (lambda: setattr(sigmascape.Radar(), "cell_m", 0.0), "cell_m: is 0; give a number above 0"),
+    (lambda: setattr(sigmascape.Radar(), "cell_m", 0.0), "cell_m: is 0; give a number from 0.05 to 10000"),
+    (lambda: setattr(sigmascape.Radar(), "cell_m", 1e-9), "cell_m: is 1e-09; give"),
+    (lambda: sigmascape.Radar(cell_m=1e-9), "cell_m: is 1e-09; give"),
+    (lambda: setattr(sigmascape.Radar(), "beam_width_deg", 91.0), "beam_width_deg: is 91; give a number from 1e-05 to 90"),
+    (lambda: setattr(sigmascape.Radar(), "frequency_hz", 1e12), "frequency_hz: is 1e\\+12; give a number from 100000000 to 3e\\+11"),
+    (lambda: setattr(sigmascape.Radar(), "interval_s", 1e9), "interval_s: is 1000000000; give a number from 0.0001 to 1000"),
+    (lambda: setattr(sigmascape.Radar(), "area_m", (float("nan"),) * 4), "area_m: is nan"),
+    (lambda: setattr(sigmascape.Radar(), "area_m", (10.0, 0.0, 0.0, 10.0)), "area_m: reaches from 10 m to 0 m east and from 0 m to 10 m north"),
     (lambda: sigmascape.Target((float("nan"), 0.0)), "position_m: is nan"),
     (lambda: sigmascape.Target(rcs_dbsm=float("inf")), "rcs_dbsm: is inf; give a number from -100 to 100"),
     (lambda: sigmascape.Target(size_m=(1.0, -2.0, 3.0)), "size_m: is -2"),
