@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 #include <complex>
 #include <gtest/gtest.h>
@@ -108,7 +109,38 @@ TEST(DopplerBeamSharpening, resolves_lambda_r_over_2vT_sine_squint) {
     const double cell_m = half_power_bins(image.amplitude_m) * apart_m / std::abs(bins_apart) / 0.886;
     const double expected = radar::cross_range_resolution_m(e.range_m, 0.03, e.speed_mps, e.interval_s, squint);
     validation::expect_close({group, "DBS cell at " + std::to_string(static_cast<int>(e.squint_deg)) + "° squint",
-                              expected, cell_m, 0.05 * expected, "m", "λr/(2vT sin θ)"});
+                              expected, cell_m, 0.05 * expected, "m", "λr/(2vT sin φ)"});
+  }
+}
+
+/// On level ground, from above and in a climb: as fine as the horizontal angle says, however far off the course the
+/// line of sight points down.
+TEST(DopplerBeamSharpening, resolves_along_constant_range_by_the_angle_on_the_map) {
+  const auto radar = even_band_radar(15.0);
+  const double range_m = 8000.0, speed_mps = 150.0, repetition_hz = 2000.0, interval_s = 0.4;
+  for (const auto& [off_deg, depression_deg, climb_mps] :
+       {std::array{8.0, 20.0, 0.0}, {15.0, 40.0, 0.0}, {30.0, 40.0, 40.0}}) {
+    const double off = radians_from_deg(off_deg), height_m = range_m * std::sin(radians_from_deg(depression_deg));
+    const auto track = radar::Track::straight({0.0, 0.0, height_m}, {0.0, speed_mps, climb_mps});
+    const Vec3d aim = ahead(range_m, off, height_m);
+    receiver::DopplerImager imager(radar, track,
+                                   {.pulses = static_cast<std::size_t>(interval_s * repetition_hz),
+                                    .repetition_hz = repetition_hz,
+                                    .window = even,
+                                    .oversampling = 16.0},
+                                   {range_m - 100.0, range_m + 100.0, 2.0}, aim);
+    const std::vector<radar::Scatterer> point{point_at(aim)};
+    imager.add(point);
+    const auto image = imager.image();
+    const double apart_m = 2.0, angle = apart_m / std::hypot(aim.x, aim.y);
+    const double bins_apart = image.place_of({ahead(range_m, off + angle, height_m)}).x - image.place_of({aim}).x;
+    const double cell_m = half_power_bins(image.amplitude_m) * apart_m / std::abs(bins_apart) / 0.886;
+    const double expected = radar::cross_range_resolution_m(range_m, 0.03, speed_mps, interval_s, off);
+    validation::expect_close({group,
+                              "DBS cell " + std::to_string(static_cast<int>(off_deg)) + "° off the course, " +
+                                  std::to_string(static_cast<int>(depression_deg)) + "° down" +
+                                  (climb_mps > 0.0 ? ", climbing" : ""),
+                              expected, cell_m, 0.02 * expected, "m", "λr/(2vT sin φ)"});
   }
 }
 
@@ -182,9 +214,12 @@ TEST(DopplerBeamSharpening, is_blind_ahead) {
                 radar::range_rate_mps(platform, {ahead(range_m, -off, 10.0)}), 1e-9);
   }
   const double beam = radians_from_deg(3.0), interval_s = 0.1;
-  const double wedge = radar::blind_wedge_rad(0.03, 150.0, interval_s, beam);
-  EXPECT_NEAR(radar::cross_range_resolution_m(range_m, 0.03, 150.0, interval_s, wedge), range_m * beam, 1e-6);
-  EXPECT_GT(radar::cross_range_resolution_m(range_m, 0.03, 150.0, interval_s, wedge / 2.0), range_m * beam);
+  for (const double depression_deg : {0.0, 40.0}) {
+    const double depression = radians_from_deg(depression_deg), width_m = range_m * std::cos(depression) * beam;
+    const double wedge = radar::blind_wedge_rad(0.03, 150.0, interval_s, beam, depression);
+    EXPECT_NEAR(radar::cross_range_resolution_m(range_m, 0.03, 150.0, interval_s, wedge), width_m, 1e-6);
+    EXPECT_GT(radar::cross_range_resolution_m(range_m, 0.03, 150.0, interval_s, wedge / 2.0), width_m);
+  }
 }
 
 /// 5 m/s towards the radar, 100 m/s, 20 km: a kilometre.

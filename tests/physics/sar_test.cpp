@@ -157,6 +157,38 @@ TEST(PhaseHistory, folds_what_comes_second_time_around) {
   }
 }
 
+/// Every echo comes once an unambiguous range. In a gate little shorter than that, a point near one end has side lobes
+/// at the other: sinc of the cells to each of its images within the 64 cells about the gate.
+TEST(PhaseHistory, repeats_echoes_around_a_gate_near_the_unambiguous_range) {
+  const auto radar = even_band_radar(15.0);
+  const double repetition_hz = 200e3, unambiguous_m = speed_of_light_mps / (2.0 * repetition_hz);
+  const double first_m = 8100.0, last_m = 8100.0 + unambiguous_m - 40.0;
+  const receiver::PulseReceiver pulses(radar, {first_m, last_m, 2.0});
+  const auto sinc = [](double x) { return std::abs(x) < 1e-9 ? 1.0 : std::sin(pi * x) / (pi * x); };
+  double farthest = 0.0;
+  for (const double range_m : {first_m + 7.0, 0.5 * (first_m + last_m), last_m - 9.0, last_m + 15.0,
+                               first_m + 50.0 + unambiguous_m, last_m - 30.0 - 2.0 * unambiguous_m}) {
+    const std::vector<radar::Scatterer> point{point_at({range_m, 0.0, 0.0})};
+    const auto history = pulses.receive(radar::Track::straight({}), {.repetition_hz = repetition_hz}, point, {});
+    const double cell_m = speed_of_light_mps / (2.0 * history.bandwidth_hz);
+    const double turns = 2.0 * range_m * radar.frequency_hz / speed_of_light_mps;
+    const std::complex<double> turned_back = std::polar(1.0, 2.0 * pi * std::remainder(turns, 1.0));
+    for (std::size_t m = 0; m < history.samples.columns(); ++m) {
+      const double at_m = history.first_range_m + static_cast<double>(m) * history.range_step_m;
+      double expected = 0.0;
+      for (int fold = -4; fold <= 4; ++fold) {
+        const double image_m = range_m + fold * unambiguous_m;
+        if (image_m > first_m - 64.0 * cell_m && image_m < last_m + 64.0 * cell_m)
+          expected += sinc((at_m - image_m) / cell_m);
+      }
+      const auto off = std::complex<double>(history.samples(m, 0).vv) * turned_back - expected;
+      farthest = std::max(farthest, std::abs(off));
+    }
+  }
+  validation::expect_close({group, "echoes in a gate 40 m shorter than the unambiguous range, greatest error", 0.0,
+                            farthest, 0.02, "of a peak", "sum of sincs"});
+}
+
 TEST(PhaseHistory, does_not_depend_on_the_number_of_threads) {
   const auto radar = even_band_radar(5.0);
   std::vector<radar::Scatterer> points;

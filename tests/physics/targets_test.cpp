@@ -1,6 +1,8 @@
 #include <cmath>
 #include <complex>
 #include <gtest/gtest.h>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "validation/validation_record.h"
@@ -10,9 +12,12 @@
 #include "sigmascape/radar/corner_reflector.h"
 #include "sigmascape/radar/noise.h"
 #include "sigmascape/radar/radar_equation.h"
+#include "sigmascape/radar/range_ambiguity.h"
 #include "sigmascape/radar/range_response.h"
+#include "sigmascape/receiver/bin_response.h"
 #include "sigmascape/receiver/calibrated_voltage.h"
 #include "sigmascape/receiver/pulse_receiver.h"
+#include "sigmascape/receiver/receive_chain.h"
 #include "sigmascape/receiver/target_echoes.h"
 #include "sigmascape/simulate/coherent.h"
 #include "sigmascape/simulate/simulate.h"
@@ -177,6 +182,42 @@ TEST(CalibratedPulses, return_the_radar_equation_in_volts) {
   validation::expect_close({group, "peak power of 10 m² at 8 km over the radar equation's", 0.0,
                             db_from_linear(best / radar.receiver.impedance_ohm / expected_w), 0.1, "dB",
                             "P_t G² λ² σ e^(−2αr)/((4π)³ r⁴ L) · G_c"});
+}
+
+/// Power of a point by the receive chain, which lays the radar equation over bins, and by pulses in volts.
+TEST(CalibratedPulses, are_eclipsed_as_the_receive_chain_has_it) {
+  auto radar = looking_north(3.0);
+  radar.waveform.pulse_length_s = 20e-6;
+  const Vec3d place{};
+  const std::vector<radar::Target> targets{target_of(10.0F, place)};
+  const double step_m = radar.range_resolution_m / 2.0, step_rad = radar.beam_width_rad / 2.0;
+  const double bins_of_a_point =
+      receiver::range_response(radar, step_m).peak_bins * receiver::azimuth_response(radar, step_rad).peak_bins;
+  const auto rcs_m2 = static_cast<float>(10.0 / bins_of_a_point);
+  const radar::RangeAzimuthImage image{.grid = {8000.0 - step_m / 2.0, step_m, 1, -step_rad / 2.0, step_rad, 1},
+                                       .radar_position = radar.position,
+                                       .rcs_m2 = Array2D<radar::Channels>(1, 1, {rcs_m2, rcs_m2, 0.0F, rcs_m2})};
+  // An echo that comes back 53.4 µs after its pulse meets the next one 60 µs after it; another has just been sent.
+  for (const auto& [interval_us, heard] : {std::pair{500.0, 1.0}, {60.0, 0.3314}, {45.0, 0.4186}}) {
+    radar.waveform.pulse_repetition_hz = 1e6 / interval_us;
+    EXPECT_NEAR(radar::uneclipsed_part(8000.0, 20e-6, 1e6 / interval_us), heard, 1e-3);
+    const auto chain = receiver::received_power(radar, image, radar::Polarization::VV);
+    const receiver::PulseReceiver receiver(radar, {7900.0, 8100.0, 4.0});
+    const auto history = receiver.receive(radar::Track::straight(radar.position, radar.velocity_mps),
+                                          {.count = 1, .repetition_hz = 1e6 / interval_us}, {}, targets,
+                                          receiver::calibrated_voltage(radar, receiver::towards(place)));
+    double best = 0.0;
+    for (const auto& sample : history.samples.values()) best = std::max<double>(best, std::norm(sample.vv));
+    const double signal_w = best / radar.receiver.impedance_ohm / radar.receiver.gain;
+    const double expected_db = db_from_linear(static_cast<double>(chain.signal_w(0, 0)) / chain.noise_w);
+    validation::expect_close({group,
+                              "signal to noise of pulses every " + std::to_string(static_cast<int>(interval_us)) +
+                                  " µs, a point at 8 km under pulses of 20 µs",
+                              expected_db, db_from_linear(signal_w / radar::noise_power_w(radar)), 0.1, "dB",
+                              "receive chain"});
+    EXPECT_NEAR(expected_db - db_from_linear(radar::signal_to_noise(radar, 10.0, 8000.0)), 2.0 * db_from_linear(heard),
+                0.02);
+  }
 }
 
 TEST(CalibratedPulses, tell_in_their_file_what_leads_back_to_square_metres) {

@@ -12,6 +12,7 @@
 #include "sigmascape/radar/complex_gaussian.h"
 #include "sigmascape/radar/noise.h"
 #include "sigmascape/radar/radar_equation.h"
+#include "sigmascape/radar/range_ambiguity.h"
 #include "sigmascape/receiver/fourier.h"
 
 namespace sigmascape::receiver {
@@ -34,6 +35,10 @@ BeamAzimuth towards(Vec3d point) {
   };
 }
 
+BeamAzimuth fixed_at(double azimuth_rad) {
+  return [azimuth_rad](const radar::Pulse&) { return azimuth_rad; };
+}
+
 BeamAzimuth abeam(double clockwise_rad) {
   return [clockwise_rad](const radar::Pulse& pulse) {
     return std::atan2(pulse.platform.velocity_mps.x, pulse.platform.velocity_mps.y) + clockwise_rad;
@@ -43,15 +48,16 @@ BeamAzimuth abeam(double clockwise_rad) {
 VoltageGain calibrated_voltage(const radar::Radar& radar, BeamAzimuth beam) {
   const double atmosphere_per_m = radar.atmosphere_per_m;
   const double volts_in_vacuum_at_1_m = radar::received_voltage_v(radar, 1.0, 1.0) * std::exp(atmosphere_per_m);
-  return [volts_in_vacuum_at_1_m, atmosphere_per_m, pattern = radar::antenna_pattern(radar), beam = std::move(beam)](
-             const radar::Pulse& pulse, Vec3d position, double range_m) {
+  return [volts_in_vacuum_at_1_m, atmosphere_per_m, waveform = radar.waveform, pattern = radar::antenna_pattern(radar),
+          beam = std::move(beam)](const radar::Pulse& pulse, Vec3d position, double range_m) {
     const Vec3d away = position - pulse.platform.position;
     const double offset = std::remainder(std::atan2(away.x, away.y) - beam(pulse), 2.0 * pi);
     const double elevation = std::asin(away.z / range_m);
     // One way in voltage, squared for both ways; the peak is in the radar equation already.
     const double one_way = pattern.voltage(offset, elevation);
-    return static_cast<float>(volts_in_vacuum_at_1_m * one_way * one_way * std::exp(-atmosphere_per_m * range_m) /
-                              (pattern.peak_gain() * range_m * range_m));
+    const double heard = radar::uneclipsed_part(range_m, waveform.pulse_length_s, waveform.pulse_repetition_hz);
+    return static_cast<float>(volts_in_vacuum_at_1_m * heard * one_way * one_way *
+                              std::exp(-atmosphere_per_m * range_m) / (pattern.peak_gain() * range_m * range_m));
   };
 }
 

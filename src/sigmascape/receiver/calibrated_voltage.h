@@ -14,13 +14,16 @@ using BeamAzimuth = std::function<double(const radar::Pulse& pulse)>;
 
 /// The axis follows a point of the ground, as in a spotlight.
 [[nodiscard]] BeamAzimuth towards(Vec3d point);
+/// The axis keeps an azimuth, as that of an antenna that does not scan.
+[[nodiscard]] BeamAzimuth fixed_at(double azimuth_rad);
 /// The axis keeps an angle clockwise from the direction of flight, as in a strip map.
 [[nodiscard]] BeamAzimuth abeam(double clockwise_rad);
 
 /// Volts across the receiver's impedance, behind its gain and the compression of the pulse, of a cross-section of 1 m²:
 ///
-///     v = g_φ² g_ε² √(P_t G₀² λ² e^(−2αr) / ((4π)³ r⁴ L) · G_c G_r R)      docs/physics/doppler.md, Eq. (10)
+///     v = f g_φ² g_ε² √(P_t G₀² λ² e^(−2αr) / ((4π)³ r⁴ L) · G_c G_r R)      docs/physics/doppler.md, Eq. (10)
 ///
+/// f is the part of the echo that is heard before the next pulse deafens the receiver (radar::uneclipsed_part).
 /// |v|²/R is the peak power of its echo there; a sample's real part is I, its imaginary part Q, of the complex
 /// envelope's r.m.s. value.
 [[nodiscard]] VoltageGain calibrated_voltage(const radar::Radar& radar, BeamAzimuth beam);

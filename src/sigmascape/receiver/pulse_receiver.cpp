@@ -25,11 +25,16 @@ void PulseReceiver::add(Line& line, const radar::Pulse& pulse, Vec3d position, d
   double delay_m = range_m - range_.start_m;
   delay_m -= unambiguous_range_m * std::floor(delay_m / unambiguous_range_m);
   if (!(delay_m < range_.period_m)) return;
-  const auto fine = static_cast<double>(transform_.fine_samples());
-  const double place = delay_m / range_.period_m * fine + static_cast<double>(Line::margin);
   const std::complex<float> phase = carrier_phase(range_m, wavelength_m(frequency_hz_));
   const float voltage = gain ? gain(pulse, position, range_m) : 1.0F;
   const radar::ComplexChannels received = amplitude * (phase * voltage);
+  // A train of pulses echoes once every unambiguous range: what stands beside the gate has side lobes in it.
+  for (; delay_m < range_.period_m; delay_m += unambiguous_range_m) spread(line, delay_m, received);
+}
+
+void PulseReceiver::spread(Line& line, double delay_m, const radar::ComplexChannels& received) const {
+  const auto fine = static_cast<double>(transform_.fine_samples());
+  const double place = delay_m / range_.period_m * fine + static_cast<double>(Line::margin);
   const auto weights = kernel_.weights(place);
   radar::ComplexChannels* const to = &line.fine[static_cast<std::size_t>(SpreadingKernel::first_tap(place))];
   for (std::size_t tap = 0; tap < weights.size(); ++tap) to[tap] += received * weights[tap];

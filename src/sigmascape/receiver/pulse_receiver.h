@@ -24,7 +24,8 @@ struct PulseTrain {
 
 /// Makes the phase history of points: every pulse sees every point at its exact range, with the carrier's exact phase
 /// and the band's exact response, at twice the band spread and transformed. Stop and go: the platform stands still
-/// while a pulse is under way. What answers from beyond the unambiguous range folds into the gate.
+/// while a pulse is under way. Echoes repeat with the pulses, once every unambiguous range: what answers from beyond it
+/// folds into the gate, and what folds beside the gate has its side lobes there, from the next 64 resolution cells.
 class PulseReceiver {
  public:
   /// Throws Error when the gate is empty, sampled too thinly, or wider than the unambiguous range.
@@ -41,6 +42,7 @@ class PulseReceiver {
   struct Line;
   void add(Line& line, const radar::Pulse& pulse, Vec3d position, double range_m,
            const radar::ComplexChannels& amplitude, double unambiguous_range_m, const VoltageGain& gain) const;
+  void spread(Line& line, double delay_m, const radar::ComplexChannels& received) const;
 
   double frequency_hz_;
   GatedAxis range_;

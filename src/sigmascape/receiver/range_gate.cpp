@@ -5,6 +5,7 @@
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
+#include "sigmascape/radar/radar_title.h"
 #include "sigmascape/radar/range_response.h"
 
 namespace sigmascape::receiver {
@@ -18,6 +19,27 @@ constexpr double most_cells = 1e7;
 std::size_t odd(double at_least) {
   const auto count = static_cast<std::size_t>(std::ceil(at_least));
   return count + 1 - count % 2;
+}
+
+/// What is wrong with a gate that ends before it begins. The radar file may have set one end, and what is mapped the
+/// other: then the file's key is named.
+Error empty_gate(const radar::Radar& radar, const RangeGate& gate) {
+  const auto of_file = [&](const char* key) { return fmt::format("{}: receiver.{}", radar::title_of(radar), key); };
+  const double first_km = gate.first_range_m / 1e3, last_km = gate.last_range_m / 1e3;
+  if (radar.receiver.first_range_m == gate.first_range_m) {
+    return Error(
+        of_file("first_range_km"),
+        fmt::format("opens the range gate at {:.6g} km, and what is mapped ends at {:.6g} km", first_km, last_km),
+        "open it nearer, or map what lies farther away");
+  }
+  if (radar.receiver.last_range_m == gate.last_range_m) {
+    return Error(
+        of_file("last_range_km"),
+        fmt::format("closes the range gate at {:.6g} km, and what is mapped begins at {:.6g} km", last_km, first_km),
+        "close it farther away, or map what lies nearer");
+  }
+  return Error("range gate", fmt::format("goes from {:g} m to {:g} m", gate.first_range_m, gate.last_range_m),
+               "let it end beyond where it begins");
 }
 
 }  // namespace
@@ -38,10 +60,7 @@ GatedAxis guarded_axis(double first_m, double last_m, double cell_m, double over
 }
 
 GatedAxis gated_axis(const radar::Radar& radar, const RangeGate& gate) {
-  if (!(gate.last_range_m > gate.first_range_m) || !(gate.first_range_m >= 0.0)) {
-    throw Error("range gate", fmt::format("goes from {} m to {} m", gate.first_range_m, gate.last_range_m),
-                "let it end beyond where it begins");
-  }
+  if (!(gate.last_range_m > gate.first_range_m) || !(gate.first_range_m >= 0.0)) throw empty_gate(radar, gate);
   if (!(gate.oversampling >= 1.0)) {
     throw Error("range gate", fmt::format("has {} samples a resolution", gate.oversampling),
                 "give at least 1: fewer would lose part of the band");

@@ -136,7 +136,14 @@ double squint_of(const radar::Radar& radar, Vec3d aim) {
   return std::asin(dot(normalized(aim - radar.position), normalized(radar.velocity_mps)));
 }
 
+/// Where the antenna points that the radar file fixes, if it does. Spotlights are steered whatever the scan.
+std::optional<double> fixed_azimuth_rad(const radar::Radar& radar) {
+  const bool fixed = radar.scan.kind == radar::ScanKind::Fixed && radar.mode != radar::Mode::Spotlight;
+  return fixed ? radar.scan.azimuth_rad : std::nullopt;
+}
+
 receiver::BeamAzimuth beam_of(const radar::Radar& radar, Vec3d aim) {
+  if (const auto azimuth_rad = fixed_azimuth_rad(radar)) return receiver::fixed_at(*azimuth_rad);
   if (radar.mode != radar::Mode::Stripmap) return receiver::towards(aim);
   const Vec3d away = aim - radar.position;
   return receiver::abeam(std::atan2(away.x, away.y) - std::atan2(radar.velocity_mps.x, radar.velocity_mps.y));
@@ -148,7 +155,7 @@ receiver::VoltageGain image_gain(const radar::Radar& radar, Vec3d aim) {
   if (radar.mode == radar::Mode::Stripmap) return receiver::pattern_gain(radar);
   const bool scans = radar.scan.kind != radar::ScanKind::Fixed;
   if (radar.mode == radar::Mode::DopplerBeamSharpening && scans) return receiver::pattern_gain(radar);
-  return receiver::pattern_gain(radar, receiver::towards(aim));
+  return receiver::pattern_gain(radar, beam_of(radar, aim));
 }
 
 /// The ground whose ghosts fall into an area.
@@ -169,7 +176,15 @@ radar::Rectangle joined(const radar::Rectangle& a, const radar::Rectangle& b) {
 std::size_t pulses_in(const radar::Radar& radar, const CoherentSettings& settings) {
   if (!(settings.interval_s > 0.0 && settings.interval_s <= 1e4))
     throw Error("coherent interval", fmt::format("is {:g} s", settings.interval_s), "give more than 0, up to 10000 s");
-  return static_cast<std::size_t>(std::max(2.0, std::round(settings.interval_s * radar.waveform.pulse_repetition_hz)));
+  const double repetition_hz = radar.waveform.pulse_repetition_hz;
+  const double pulses = std::round(settings.interval_s * repetition_hz);
+  if (pulses < 2.0) {
+    throw Error("coherent interval",
+                fmt::format("of {:g} s is shorter than two pulses at a pulse repetition frequency of {:g} Hz",
+                            settings.interval_s, repetition_hz),
+                fmt::format("give at least {:g} s, or send more pulses", 2.0 / repetition_hz));
+  }
+  return static_cast<std::size_t>(pulses);
 }
 
 receiver::DopplerImager doppler_imager(const CoherentScene& scene, const radar::Radar& radar,

@@ -39,17 +39,20 @@ struct CoherentSettings {
 };
 
 /// The pulses of one interval, before any processing: I and Q, at the radar's pulse repetition frequency, over the gate
-/// that `area` or the radar file asks for. The beam follows the middle of the area, or with Mode::Stripmap keeps the
-/// direction that it has at time zero. Targets are seen where terrain and what the atlas knows to stand there let them,
+/// that `area` or the radar file asks for. The beam keeps the azimuth of a scan that fixes one. Otherwise, and as a
+/// spotlight in any case, it follows the middle of the area, or with Mode::Stripmap keeps the direction that it has at
+/// time zero. Targets are seen where terrain and what the atlas knows to stand there let them,
 /// as at time zero. Cost goes with pulses × scatterers.
 ///
-/// Throws Error when the radar does not move, the gate is longer than the unambiguous range, or the area is too large.
+/// Throws Error when the radar does not move, the interval holds less than two pulses, the gate is longer than the
+/// unambiguous range, or the area is too large.
 [[nodiscard]] radar::PhaseHistory phase_history(const CoherentScene& scene, const radar::Radar& radar,
                                                 const radar::Rectangle& area, const CoherentSettings& settings);
 
 /// Doppler beam sharpening or spotlight SAR of the area as a focused image in slant range and Doppler, in metres.
-/// `radar.processing` says whether with the antenna's pattern and with noise. The beam of a spotlight, and that of a
-/// scan of one direction, points to the middle of the area; a scanning one is taken to pass over every place.
+/// `radar.processing` says whether with the antenna's pattern and with noise. The beam of a spotlight points
+/// to the middle of the area, and so does that of a scan of one direction which does not say where; a scanning one is
+/// taken to pass over every place. Throws Error when the interval holds less than two pulses.
 [[nodiscard]] radar::RangeDopplerImage range_doppler_image(const CoherentScene& scene, const radar::Radar& radar,
                                                            const radar::Rectangle& area,
                                                            const CoherentSettings& settings);

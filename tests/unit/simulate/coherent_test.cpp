@@ -1,0 +1,87 @@
+#include "sigmascape/simulate/coherent.h"
+
+#include <algorithm>
+#include <cmath>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <vector>
+
+#include "scratch_folder.h"
+
+#include "sigmascape/base/units.h"
+
+namespace sigmascape::simulate {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr radar::Rectangle area{-50.0, -50.0, 50.0, 50.0};
+
+/// Looks north from 8 km to the south on ground that returns nothing, with a beam of 2°, and flies east.
+radar::Radar looking_north(radar::Mode mode) {
+  radar::Radar radar;
+  radar.position = radar::position_seeing({}, pi, radians_from_deg(20.0), 8000.0);
+  radar.velocity_mps = {100.0, 0.0, 0.0};
+  radar.beam_width_rad = radians_from_deg(2.0);
+  radar.waveform.pulse_repetition_hz = 2000.0;
+  radar.mode = mode;
+  return radar;
+}
+
+const terrain::HeightField level{
+    .west_m = -1000.0, .north_m = 1000.0, .spacing_m = 50.0, .height_m = Array2D<float>(41, 41, 0.0F)};
+
+radar::PhaseHistory pulses_of(const radar::Radar& radar, const CoherentSettings& settings) {
+  radar::Target bright;
+  bright.track = radar::Track::straight({0.0, 0.0, 1.0});
+  bright.rcs_m2 = radar::Channels{1e8F, 1e8F, 0.0F, 1e8F};
+  const std::vector<radar::Target> targets{bright};
+  return phase_history({&level, [](Vec2d, const radar::Aspect&) { return radar::Channels{}; }, targets}, radar, area,
+                       settings);
+}
+
+double brightest_db(const radar::Radar& radar) {
+  const auto history = pulses_of(radar, {.interval_s = 0.002, .calibrated = true});
+  float best = 0.0F;
+  for (const auto& sample : history.samples.values()) best = std::max(best, std::norm(sample.vv));
+  return db_from_linear(static_cast<double>(best));
+}
+
+/// Half a beam off the axis is half the power, out and back.
+TEST(Volts, KnowWhereAnAntennaIsFixed) {
+  for (const radar::Mode mode : {radar::Mode::RealBeam, radar::Mode::DopplerBeamSharpening, radar::Mode::Stripmap}) {
+    radar::Radar radar = looking_north(mode);
+    const double on_axis_db = brightest_db(radar);
+    radar.scan = {.kind = radar::ScanKind::Fixed};
+    EXPECT_NEAR(brightest_db(radar), on_axis_db, 1e-3);
+    radar.scan.azimuth_rad = 0.0;
+    EXPECT_NEAR(brightest_db(radar), on_axis_db, 1e-3);
+    radar.scan.azimuth_rad = radians_from_deg(1.0);
+    EXPECT_NEAR(brightest_db(radar) - on_axis_db, -6.02, 0.05);
+    radar.scan.azimuth_rad = radians_from_deg(359.0);
+    EXPECT_NEAR(brightest_db(radar) - on_axis_db, -6.02, 0.05);
+  }
+}
+
+/// A spotlight is the beam that is steered, and a scan that moves is taken to have come to the middle.
+TEST(Volts, FollowTheMiddleOtherwise) {
+  radar::Radar radar = looking_north(radar::Mode::Spotlight);
+  const double on_axis_db = brightest_db(radar);
+  radar.scan = {.kind = radar::ScanKind::Fixed, .azimuth_rad = radians_from_deg(1.0)};
+  EXPECT_NEAR(brightest_db(radar), on_axis_db, 1e-3);
+  radar.mode = radar::Mode::RealBeam;
+  radar.scan.kind = radar::ScanKind::Rotating;
+  EXPECT_NEAR(brightest_db(radar), on_axis_db, 1e-3);
+}
+
+TEST(CoherentInterval, HoldsTwoPulsesAtLeast) {
+  const radar::Radar radar = looking_north(radar::Mode::RealBeam);
+  EXPECT_EQ(pulses_of(radar, {.interval_s = 2.0 / 2000.0}).pulses.size(), 2U);
+  const auto shorter = [&] { static_cast<void>(pulses_of(radar, {.interval_s = 0.0005})); };
+  const std::string message = message_of_error(shorter);
+  EXPECT_THAT(message, HasSubstr("of 0.0005 s is shorter than two pulses at a pulse repetition frequency of 2000 Hz"));
+  EXPECT_THAT(message, HasSubstr("give at least 0.001 s"));
+}
+
+}  // namespace
+}  // namespace sigmascape::simulate
