@@ -39,8 +39,8 @@ enum sigmascape_content {
 typedef struct sigmascape_settings {
   enum sigmascape_content content;
   size_t beams, ranges; /* bins */
-  double beam_step_rad; /* azimuth from bin to bin */
-  double range_step_m;  /* slant range from bin to bin */
+  double beam_step_rad; /* azimuth from bin to bin: an eighth of a turn at most, all beams together a turn */
+  double range_step_m;  /* slant range from bin to bin: all together 1e7 m at most */
   double cells_per_bin; /* lattice cells along the smaller side of a bin on the ground */
   uint64_t seed;        /* names the scatterers */
   unsigned threads;     /* 0: one a hardware thread; has no effect on the result */
@@ -89,7 +89,7 @@ typedef struct sigmascape_frame {
   size_t level;              /* of the textures, 0 the finest */
   double terrain_error_m;    /* by how much the terrain that hides may be wrong, for finer tiles were not there */
   size_t coarse_obstacles;   /* tiles of what stands on the ground, coarser than the bins ask for */
-  size_t targets;            /* that stand in the bins and are seen */
+  size_t targets;            /* that stand in the bins and are seen, by a step's beams of a scan */
   uint64_t rays_per_cell;    /* of a traced frame: that it is made of; 0 of one from textures */
   double median_error_db;    /* of a traced frame: standard error of a bin's mean power, in the median over the bins */
 } sigmascape_frame;

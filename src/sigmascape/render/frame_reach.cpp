@@ -8,14 +8,36 @@
 #include "sigmascape/render/sector.h"
 
 namespace sigmascape::render {
+namespace {
+
+struct SlantRanges {
+  double near_m, far_m;
+};
+
+double far_range_m(const LiveSettings& settings, const Pose& pose) {
+  return pose.first_range_m + static_cast<double>(settings.ranges) * settings.range_step_m;
+}
+
+FrameReach reach_between(SlantRanges ranges, const Pose& pose, double lowest_m, double highest_m,
+                         const radar::CurvedEarth& earth) {
+  // Nothing is farther for its slant range than what is as high as the radar.
+  const double far_height_m = std::min(highest_m, pose.position.z);
+  return {radar::distance_of_range_m(earth, pose.position.z, lowest_m, ranges.near_m),
+          radar::distance_of_range_m(earth, pose.position.z, far_height_m, ranges.far_m)};
+}
+
+}  // namespace
 
 FrameReach frame_reach(const LiveSettings& settings, const Pose& pose, double lowest_m, double highest_m,
                        const radar::CurvedEarth& earth) {
-  const double far_range_m = pose.first_range_m + static_cast<double>(settings.ranges) * settings.range_step_m;
-  // Nothing is farther for its slant range than what is as high as the radar.
-  const double far_height_m = std::min(highest_m, pose.position.z);
-  return {radar::distance_of_range_m(earth, pose.position.z, lowest_m, pose.first_range_m),
-          radar::distance_of_range_m(earth, pose.position.z, far_height_m, far_range_m)};
+  return reach_between({pose.first_range_m, far_range_m(settings, pose)}, pose, lowest_m, highest_m, earth);
+}
+
+FrameReach sharing_reach(const LiveSettings& settings, const Pose& pose, double lowest_m, double highest_m,
+                         const radar::CurvedEarth& earth) {
+  const double half_m = 0.5 * settings.range_step_m;
+  return reach_between({std::max(pose.first_range_m - half_m, 0.0), far_range_m(settings, pose) + half_m}, pose,
+                       lowest_m, highest_m, earth);
 }
 
 radar::Rectangle ground_under(Vec2d radar, double first_azimuth_rad, double width_rad, FrameReach reach) {

@@ -8,15 +8,14 @@
 
 namespace sigmascape::render {
 
-/// Distances over the ground between which all that is in a frame's bins lies.
-struct FrameReach {
-  double near_m = 0.0, far_m = 0.0;
-};
-
-/// For ground between two heights: what is in the first bin lies no nearer, and what is in the last no farther
-/// (docs/physics/curved_earth.md, Eq. (4)).
+/// Where all that is in a frame's bins lies, for ground between two heights: what is in the first bin lies no nearer,
+/// and what is in the last no farther (docs/physics/curved_earth.md, Eq. (4)).
 [[nodiscard]] FrameReach frame_reach(const LiveSettings& settings, const Pose& pose, double lowest_m, double highest_m,
                                      const radar::CurvedEarth& earth);
+
+/// The same of all ground that has a share in the bins: half a bin farther at either end.
+[[nodiscard]] FrameReach sharing_reach(const LiveSettings& settings, const Pose& pose, double lowest_m,
+                                       double highest_m, const radar::CurvedEarth& earth);
 
 /// The smallest rectangle about the ground between two directions and two distances from a place. The sector may be a
 /// whole turn wide.

@@ -180,6 +180,8 @@ CrownDepth::Range slopes_of_ground(const HorizonGrid& grid, Vec3d radar, const O
 LeadSteps lead_of(const HorizonGrid& grid, Vec3d radar, const Occluders& occluders) {
   const double clear_m = nearest_occluder_m(grid, radar, occluders);
   const double step_m = std::max((grid.near_m - clear_m) / static_cast<double>(grid.before_near), grid.step_m);
+  // Nothing lies between the radar and a map that begins below it, however short its steps.
+  if (!(step_m > 0.0)) return {grid.near_m, grid.step_m, 0};
   const auto count = static_cast<std::size_t>((grid.near_m - clear_m) / step_m);
   return {grid.near_m - (static_cast<double>(count) - 0.5) * step_m, step_m, count};
 }

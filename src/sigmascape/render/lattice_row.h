@@ -28,6 +28,7 @@ struct LatticeRow {
   using Of = std::array<T, most + GroundPage::vector>;
 
   std::size_t count = 0;
+  bool turns = false;  ///< beside or behind the radar, where azimuth may go either way from texel to texel
   [[nodiscard]] std::size_t whole_vectors() const { return whole_vectors(count); }
   /// A number of texels rounded up.
   [[nodiscard]] static constexpr std::size_t whole_vectors(std::size_t texels) {
@@ -71,6 +72,7 @@ struct RowGeometry {
   double middle_beam = 0.0;  ///< of the middle direction, in units of bins
   double beams_per_rad = 1.0;
   double first_range_m = 0.0, ranges_per_m = 1.0;
+  double cell_m = 0.0;  ///< texels stand so far apart, and each scatterer up to half a diagonal from its texel's middle
 };
 
 }  // namespace sigmascape::render

@@ -15,6 +15,7 @@
 #include "sigmascape/render/page_forecast.h"
 #include "sigmascape/render/sector.h"
 #include "sigmascape/render/sector_task.h"
+#include "sigmascape/render/target_count.h"
 #include "sigmascape/render/target_sight.h"
 
 namespace sigmascape::render {
@@ -33,6 +34,12 @@ constexpr std::size_t steps_ahead = 60;
 constexpr std::size_t most_wanted_terrain = 5 * TerrainSectors::most;
 
 constexpr double furthest_m = 1e7;
+/// Beams wider than that are no beams: what lies beside them would come from behind the radar.
+constexpr double widest_beam_rad = pi / 4.0;
+/// A turn that was divided by a number of beams comes back as one but for rounding.
+constexpr double hairs_breadth_rad = 1e-6;
+/// Bins that all ground is farther away than look at so much of it below the radar, none of which answers in them.
+constexpr double least_reach_m = 1.0;
 
 /// How far back a sweep begins follows from these, and with that where obstacles before the bins are laid out: for all
 /// sectors at once.
@@ -60,18 +67,31 @@ bool lies_within(Vec3d vector, double most) {
 
 }  // namespace
 
+bool goes_round(std::size_t beams, double beam_step_rad) {
+  return std::abs(static_cast<double>(beams) * beam_step_rad - 2.0 * pi) < hairs_breadth_rad;
+}
+
 void check(const LiveSettings& settings, const std::string& where) {
   constexpr std::size_t most_bins = 1U << 26U;
   if (settings.beams == 0 || settings.ranges == 0 || settings.ranges > most_bins / settings.beams) {
     throw Error(where, fmt::format("has {} beams of {} ranges", settings.beams, settings.ranges),
                 fmt::format("give at least one of each and no more than {} bins", most_bins));
   }
-  if (!(settings.beam_step_rad > 0.0 && static_cast<double>(settings.beams) * settings.beam_step_rad <= 2.0 * pi)) {
+  const double turn_rad = static_cast<double>(settings.beams) * settings.beam_step_rad;
+  if (!(settings.beam_step_rad > 0.0 && turn_rad < 2.0 * pi + hairs_breadth_rad)) {
     throw Error(where, fmt::format("has beams {} rad apart", settings.beam_step_rad),
                 "give a positive step; all beams together go round once at most");
   }
+  if (!(settings.beam_step_rad <= widest_beam_rad + hairs_breadth_rad)) {
+    throw Error(where, fmt::format("has beams {} rad apart", settings.beam_step_rad),
+                fmt::format("give at most {:.4f}, an eighth of a turn", widest_beam_rad));
+  }
   if (!(settings.range_step_m > 0.0 && settings.range_step_m <= furthest_m)) {
     throw Error(where, fmt::format("has ranges {} m apart", settings.range_step_m), "give a positive step of metres");
+  }
+  if (const double length_m = static_cast<double>(settings.ranges) * settings.range_step_m; length_m > furthest_m) {
+    throw Error(where, fmt::format("has ranges over {:g} m together", length_m),
+                fmt::format("give no more than {:g} m of them", furthest_m));
   }
   if (!(settings.cells_per_bin >= 0.25 && settings.cells_per_bin <= 64.0)) {
     throw Error(where, fmt::format("has {} lattice cells a bin", settings.cells_per_bin), "give 0.25 to 64");
@@ -176,7 +196,7 @@ void LiveRenderer::fill(const Pose& pose, Beams beams) {
   wanted_terrain_.clear();
   wanted_obstacles_.clear();
   find_visible_ground(there, pose, beams, levels);
-  look_at_targets(pose, levels);
+  look_at_targets(pose, beams, levels);
   find_shadows_of_targets(pose);
   const std::size_t group = beams_together(settings_.beam_step_rad), first_group = beams.first / group;
   const std::size_t tasks = beams.end > beams.first ? (beams.end - 1) / group + 1 - first_group : 0;
@@ -206,17 +226,18 @@ void LiveRenderer::prepare(const Pose& pose) {
   bounds_ = ground_->terrain().bounds_over(ground_under({pose.position.x, pose.position.y}, pose.first_azimuth_rad,
                                                         settings_.beam_step_rad * static_cast<double>(settings_.beams),
                                                         {0.0, far_range_m}));
-  const auto [near_m, far_m] =
-      frame_reach(settings_, pose, static_cast<double>(bounds_.lowest_m), static_cast<double>(bounds_.highest_m),
-                  {.refraction = settings_.refraction});
+  const auto lowest_m = static_cast<double>(bounds_.lowest_m), highest_m = static_cast<double>(bounds_.highest_m);
+  const radar::CurvedEarth earth{.refraction = settings_.refraction};
+  under_bins_ = frame_reach(settings_, pose, lowest_m, highest_m, earth);
+  const auto [near_m, far_m] = sharing_reach(settings_, pose, lowest_m, highest_m, earth);
   HorizonGrid grid;
   grid.first_azimuth_rad = pose.first_azimuth_rad;
   grid.azimuth_step_rad = settings_.beam_step_rad;
   grid.azimuths = settings_.beams + 1;
   grid.near_m = near_m;
-  grid.distances = 2 * settings_.ranges;
-  grid.step_m = (far_m - near_m) / static_cast<double>(grid.distances);
-  grid.drop_per_square_m = 0.5 * radar::CurvedEarth{.refraction = settings_.refraction}.curvature_per_m();
+  grid.distances = 2 * (settings_.ranges + 1);
+  grid.step_m = std::max(far_m - near_m, least_reach_m) / static_cast<double>(grid.distances);
+  grid.drop_per_square_m = 0.5 * earth.curvature_per_m();
   for (VisibleGround& ground : visible_) ground.reset(grid, ground_->obstacles() != nullptr);
 
   frame_.grid = {pose.first_range_m,     settings_.range_step_m,  settings_.ranges,
@@ -318,30 +339,42 @@ void LiveRenderer::find_visible_ground(const FrameViews& there, const Pose& pose
     find_terrain(there.terrain, pose.position, which == 0 ? level : next, occluders_[which]);
   find_obstacles(there.obstacles, pose.position, std::span(occluders_).first(surfaces));
   for (std::size_t which = 0; which < surfaces; ++which) {
-    for (std::size_t sector = 0; sector < sectors_.count(); ++sector) {
-      const bool is_last = sector + 1 == sectors_.count();
-      const std::size_t from = std::max(first_edge, sectors_.first_edge(sector));
-      const std::size_t to = std::min(end, sectors_.first_edge(sector + 1) + (is_last ? 1 : 0));
-      if (from < to) visible_[which].find(from, to - from, pose.position, occluders_[which][sector], team_);
-    }
+    find_along_edges(pose, which, {first_edge, end});
+    // Where beams go round, targets beside the first have a share in the last, and the other way round.
+    if (!goes_round(settings_.beams, settings_.beam_step_rad) || beams.first == beams.end) continue;
+    const std::size_t last = settings_.beams;
+    if (beams.end == last) find_along_edges(pose, which, {0, std::min<std::size_t>(2, first_edge)});
+    if (beams.first == 0) find_along_edges(pose, which, {std::max(end, last - 1), last + 1});
   }
 }
 
-void LiveRenderer::look_at_targets(const Pose& pose, const DetailBlend& levels) {
+void LiveRenderer::find_along_edges(const Pose& pose, std::size_t which, Beams edges) {
+  for (std::size_t sector = 0; sector < sectors_.count(); ++sector) {
+    const bool is_last = sector + 1 == sectors_.count();
+    const std::size_t from = std::max(edges.first, sectors_.first_edge(sector));
+    const std::size_t to = std::min(edges.end, sectors_.first_edge(sector + 1) + (is_last ? 1 : 0));
+    if (from < to) visible_[which].find(from, to - from, pose.position, occluders_[which][sector], team_);
+  }
+}
+
+void LiveRenderer::look_at_targets(const Pose& pose, Beams beams, const DetailBlend& levels) {
   const bool alike = horizon_of_[0] == horizon_of_[1];
   const auto next_share = alike ? 0.0F : static_cast<float>(levels.next_share);
   const TargetSight sight{.levels = {{{horizon_of_[0], occluders_of_[0], 1.0F - next_share},
                                       {horizon_of_[1], occluders_of_[1], next_share}}},
                           .sectors = sectors_,
                           .radar_height_m = pose.position.z};
+  TargetCount count(settings_, beams.first, beams.end - beams.first);
   targets_.look(
       pose.targets,
       {.position = pose.position,
        .first_azimuth_rad = pose.first_azimuth_rad,
        .first_range_m = pose.first_range_m,
        .earth = {.refraction = settings_.refraction}},
-      pose.moment, [&sight](const receiver::TargetFrame::Seen& target) { return sight.part_seen(target); }, &team_);
-  frame_.report.targets = targets_.seen();
+      pose.moment,
+      [&](const receiver::TargetFrame::Seen& target) { return count.counted(target.beam, sight.part_seen(target)); },
+      &team_);
+  frame_.report.targets = count.seen_of(targets_.seen());
 }
 
 void LiveRenderer::find_shadows_of_targets(const Pose& pose) {
@@ -403,9 +436,9 @@ void LiveRenderer::look_ahead_at_pages(const PageCache::View& there, const Pose&
 }
 
 DetailBlend LiveRenderer::next_levels() {
-  const HorizonGrid& grid = this->grid();
-  DetailQuestion question = with_ground(
-      question_of_bins(settings_, grid.near_m, grid.step_m * static_cast<double>(grid.distances)), *ground_);
+  const auto [near_m, far_m] = under_bins_;
+  DetailQuestion question =
+      with_ground(question_of_bins(settings_, near_m, std::max(far_m - near_m, least_reach_m)), *ground_);
   // Live frames come from the atlas however small they are.
   question.tallest_object_m = 0.0;
   question.area_m2 = std::numeric_limits<double>::infinity();

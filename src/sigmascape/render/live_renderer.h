@@ -40,10 +40,11 @@ struct LiveSettings {
   FrameContent content = FrameContent::Amplitudes;
   /// The bins: as many beams and ranges as `bins` says. Where they begin is said by each pose.
   std::size_t beams = 512, ranges = 512;
-  double beam_step_rad = 2e-3, range_step_m = 15.0;
-  double cells_per_bin = 2.0;  ///< lattice cells along the smaller side of a bin on the ground
-  std::uint64_t seed = 1;      ///< names the scatterers
-  unsigned threads = 0;        ///< 0: one a hardware thread; has no effect on the result
+  double beam_step_rad = 2e-3;  ///< an eighth of a turn at most, all beams together a turn
+  double range_step_m = 15.0;   ///< all ranges together 10⁷ m at most
+  double cells_per_bin = 2.0;   ///< lattice cells along the smaller side of a bin on the ground
+  std::uint64_t seed = 1;       ///< names the scatterers
+  unsigned threads = 0;         ///< 0: one a hardware thread; has no effect on the result
   /// k of the k-Earth, by which ground at distance d lies d²/(2 k R) lower: for horizons, ranges and grazing angles
   /// alike. A great number makes it flat.
   double refraction = 4.0 / 3.0;
@@ -51,6 +52,9 @@ struct LiveSettings {
   /// the shadows of what stands on the ground.
   VisibleGroundSettings visibility = {};
 };
+
+/// Whether the first of so many beams lies next to the last one.
+[[nodiscard]] bool goes_round(std::size_t beams, double beam_step_rad);
 
 /// Throws Error, naming `where`, for settings from which no frame can come.
 void check(const LiveSettings& settings, const std::string& where);
@@ -73,7 +77,7 @@ void check(const Pose& pose, const std::string& where);
 
 /// What a frame cost and what it lacked.
 struct FrameReport {
-  std::size_t cells = 0;   ///< lattice cells looked at
+  std::size_t cells = 0;   ///< lattice cells looked at; where the atlas ends they are counted alone
   std::size_t lit = 0;     ///< of them seen by the radar
   std::size_t coarse = 0;  ///< of them shown from a coarser level than wanted, for the finer was not there yet
   std::size_t dark = 0;    ///< for which there was nothing: outside the atlas, or its two coarsest levels are damaged
@@ -85,12 +89,17 @@ struct FrameReport {
   /// steps, for finer ones were not there yet, cannot be had or are more than the budget holds: shadows are those of
   /// several obstacles together. 0 when nothing was lacking, and where the textures hold the shadows.
   std::size_t coarse_obstacles = 0;
-  std::size_t targets = 0;  ///< of those of the pose that stand in the bins and are seen
+  std::size_t targets = 0;  ///< of those of the pose that stand in the bins and are seen, by a step's beams of a scan
   /// Of a frame that was traced (simulate::LiveTracer): rays a cell that it is made of; 0 of one from textures.
   std::uint64_t rays_per_cell = 0;
   /// And the standard error of a bin's mean power, 10 lg(1 + s/P), in the median over the bins that answer to at
   /// least half of the rays' passes; infinite while too few rays were sent to tell.
   double median_error_db = 0.0;
+};
+
+/// Distances over the ground between which all that is in a frame's bins lies.
+struct FrameReach {
+  double near_m = 0.0, far_m = 0.0;
 };
 
 /// A frame, valid until the next one.
@@ -139,11 +148,14 @@ class LiveRenderer {
   /// Asks for what the radar will see a second later, and for the beams that a scan comes to until then.
   void look_ahead(const FrameViews& there, const Pose& pose, Beams beams, std::size_t level);
   void look_ahead_at_pages(const PageCache::View& there, const Pose& pose, Beams beams, std::size_t level);
-  void look_at_targets(const Pose& pose, const DetailBlend& levels);
+  /// All of them, for the next takes what is placed; those that the beams see are reported.
+  void look_at_targets(const Pose& pose, Beams beams, const DetailBlend& levels);
   void find_shadows_of_targets(const Pose& pose);
   void add_targets(std::size_t first_beam, std::size_t count);
   /// For the beams, and their edges, over the terrain of each level of detail in use.
   void find_visible_ground(const FrameViews& there, const Pose& pose, Beams beams, const DetailBlend& levels);
+  /// Along edges of beams, from the first to before the end, over the terrain of one level of detail in use.
+  void find_along_edges(const Pose& pose, std::size_t which, Beams edges);
   /// What hides ground, sector by sector.
   using SectorOccluders = std::array<Occluders, TerrainSectors::most>;
   /// That of a level of detail, as far as it is there; reports what it lacks and asks for it.
@@ -172,6 +184,7 @@ class LiveRenderer {
   radar::ScattererLattice lattice_;
   WorkerTeam team_;
   terrain::HeightBounds bounds_;  // of the ground that the frame looks at
+  FrameReach under_bins_;         // what levels of detail follow from
   std::array<VisibleGround, 2> visible_;
   TerrainSectors sectors_;
   std::array<SectorOccluders, 2> occluders_;  // of the two levels of detail

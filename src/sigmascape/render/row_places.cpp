@@ -70,6 +70,36 @@ void find_angles(LatticeRow& row, const RowGeometry& geometry) {
   }
 }
 
+/// Where a place lies from the middle direction.
+struct FromMiddle {
+  double ahead_m, across_m;
+
+  FromMiddle(const LatticeRow& row, std::size_t i, const RowGeometry& geometry)
+      : ahead_m(row.east_m[i] * geometry.sin_middle + row.north_m[i] * geometry.cos_middle),
+        across_m(row.east_m[i] * geometry.cos_middle - row.north_m[i] * geometry.sin_middle) {}
+
+  /// How far within an eighth of a turn either way.
+  [[nodiscard]] double within_m() const { return ahead_m - std::abs(across_m); }
+};
+
+/// Whether a texel may lie where the small arc is none. What both ends of a row lie within all of it does, but for how
+/// far scatterers stand from the middles of their texels.
+bool may_turn(const LatticeRow& row, const RowGeometry& geometry) {
+  const double spare_m = 2.5 * geometry.cell_m;
+  return FromMiddle(row, 0, geometry).within_m() < spare_m ||
+         FromMiddle(row, row.count - 1, geometry).within_m() < spare_m;
+}
+
+/// The same texels whatever else is in the row: bytes of a beam do not depend on which others are filled with it.
+void find_large_angles(LatticeRow& row, const RowGeometry& geometry) {
+  for (std::size_t i = 0; i < row.count; ++i) {
+    const FromMiddle place(row, i, geometry);
+    if (place.within_m() > 0.0) continue;
+    row.beam[i] =
+        static_cast<float>(geometry.middle_beam + std::atan2(place.across_m, place.ahead_m) * geometry.beams_per_rad);
+  }
+}
+
 void stand_one_on(LatticeRow& row, const PageHeights& heights, std::size_t i, float per_rows) {
   const std::size_t column = (heights.first_column + i) >> heights.levels_up;
   const std::size_t left = std::max<std::size_t>(column, 1) - 1, right = std::min(column + 1, heights.last_column);
@@ -139,6 +169,8 @@ void stand_on(LatticeRow& row, const terrain::TerrainView& terrain, Vec2d radar)
 void locate(LatticeRow& row, const RowGeometry& geometry) {
   find_ranges(row, geometry);
   find_angles(row, geometry);
+  row.turns = may_turn(row, geometry);
+  if (row.turns) find_large_angles(row, geometry);
 }
 
 }  // namespace sigmascape::render

@@ -26,7 +26,8 @@ void stand_on(LatticeRow& row, const PageHeights& heights);
 /// The same on terrain: ground as coarse as a page that stands in would vanish behind finer ridges.
 void stand_on(LatticeRow& row, const terrain::TerrainView& terrain, Vec2d radar);
 
-/// Fills everything from ground_m to range_bin out of east_m, north_m and height_m.
+/// Fills everything from ground_m to range_bin out of east_m, north_m and height_m. Beams are counted up to half a turn
+/// from the middle direction.
 void locate(LatticeRow& row, const RowGeometry& geometry);
 
 }  // namespace sigmascape::render

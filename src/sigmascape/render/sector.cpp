@@ -6,6 +6,7 @@
 #include "sigmascape/base/units.h"
 #include "sigmascape/base/vec.h"
 #include "sigmascape/radar/look.h"
+#include "sigmascape/radar/rectangle_parts.h"
 
 namespace sigmascape::render {
 namespace {
@@ -23,13 +24,15 @@ void keep_positive(Sector::Stretch& stretch, double a, double b) {
 
 }  // namespace
 
-Sector::Sector(double first_azimuth_rad, double width_rad, double near_m, double far_m)
+Sector::Sector(double first_azimuth_rad, double width_rad, double near_m, double far_m, double margin_m)
     : first_azimuth_rad_(first_azimuth_rad),
       width_rad_(width_rad),
-      near_m_(near_m),
-      far_m_(far_m),
+      near_m_(std::max(near_m - margin_m, 0.0)),
+      far_m_(far_m + margin_m),
+      margin_m_(margin_m),
       left_(radar::horizontal_direction(first_azimuth_rad)),
-      right_(radar::horizontal_direction(first_azimuth_rad + width_rad)) {}
+      right_(radar::horizontal_direction(first_azimuth_rad + width_rad)),
+      middle_(radar::horizontal_direction(first_azimuth_rad + 0.5 * width_rad)) {}
 
 Sector::Stretches Sector::along_row(double north_m) const {
   Stretches stretches;
@@ -37,8 +40,10 @@ Sector::Stretches Sector::along_row(double north_m) const {
   if (outer <= 0.0) return stretches;
   Stretch whole{-std::sqrt(outer), std::sqrt(outer)};
   // Right of the left edge and left of the right edge.
-  keep_positive(whole, left_.y, -left_.x * north_m);
-  keep_positive(whole, -right_.y, right_.x * north_m);
+  keep_positive(whole, left_.y, margin_m_ - left_.x * north_m);
+  keep_positive(whole, -right_.y, margin_m_ + right_.x * north_m);
+  // So far beside them, the edges meet far behind the radar.
+  if (margin_m_ > 0.0) keep_positive(whole, middle_.x, margin_m_ + middle_.y * north_m);
   if (whole.east_m <= whole.west_m) return stretches;
 
   const double inner = near_m_ * near_m_ - north_m * north_m;
@@ -70,7 +75,8 @@ radar::Rectangle Sector::bounds() const {
        crossing < first_azimuth_rad_ + width_rad_; crossing += pi / 2.0) {
     include(crossing, far_m_);
   }
-  return box;
+  // Along a diagonal the margin reaches farther than its width.
+  return radar::widened(box, 2.0 * margin_m_);
 }
 
 }  // namespace sigmascape::render

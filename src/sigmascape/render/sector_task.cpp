@@ -39,6 +39,36 @@ std::size_t odd_lines(const LiveSettings& settings) {
   return ((settings.ranges + a_line - 1) / a_line | 1U) * a_line;
 }
 
+/// All that patches may have been written for.
+radar::Rectangle stored_by(const atlas::AtlasDescription& atlas) {
+  const double side_m = atlas.patches.side_m();
+  const auto before = [side_m](double edge_m) { return std::floor(edge_m / side_m) * side_m; };
+  const auto after = [side_m](double edge_m) { return std::ceil(edge_m / side_m) * side_m; };
+  return {before(atlas.extent.west_m), before(atlas.extent.south_m), after(atlas.extent.east_m),
+          after(atlas.extent.north_m)};
+}
+
+/// Tiles as columns and rows of the lattice, counted eastwards and northwards.
+struct LatticeBlock {
+  double west, east, south, north;
+
+  explicit LatticeBlock(const atlas::TileBlock& tiles)
+      : west(static_cast<double>(tiles.west) * side),
+        east(west + static_cast<double>(tiles.across) * side),
+        south(north_of(tiles) - static_cast<double>(tiles.down) * side),
+        north(north_of(tiles)) {}
+
+  /// Of the cells of a row from one column to before another those within.
+  [[nodiscard]] double cells_of_row(double row, double from, double to) const {
+    if (row < south || row >= north) return 0.0;
+    return std::max(std::min(to, east) - std::max(from, west), 0.0);
+  }
+
+ private:
+  static constexpr auto side = static_cast<double>(atlas::tile_side);
+  static double north_of(const atlas::TileBlock& tiles) { return static_cast<double>(tiles.north + 1) * side; }
+};
+
 /// Counts places from the radar.
 SIGMASCAPE_VECTOR_TARGETS
 void move(LatticeRow& row, double radar_east_m, double radar_north_m) {
@@ -67,6 +97,7 @@ void hand_over_beam(float* __restrict own, std::size_t count, float* __restrict 
 SectorTask::SectorTask(const FrameParts& parts)
     : parts_(parts),
       pages_(parts.ground.stand_in()),
+      stored_(stored_by(parts.ground.description())),
       stride_(odd_lines(parts.settings)),
       own_bins_(beams_together(parts.settings.beam_step_rad) * stride_ * numbers_a_bin(parts.settings.content) / 16) {}
 
@@ -85,8 +116,27 @@ void SectorTask::add_level(const Pose& pose, Beams beams, std::size_t level, std
   start(pose, beams, level);
   share_ = share;
   const radar::Rectangle ground = radar::moved(sector_.bounds(), {pose.position.x, pose.position.y});
-  const atlas::TileBlock tiles = atlas::tiles_over(patches(), ground, level);
+  const atlas::TileBlock tiles = atlas::tiles_over(patches(), radar::common_part(ground, stored_), level);
   for (std::size_t number = 0; number < tiles.size(); ++number) fill_tile(tiles.at(number));
+  if (tiles.size() < atlas::tiles_over(patches(), ground, level).size()) count_outside(tiles, ground);
+}
+
+void SectorTask::count_outside(const atlas::TileBlock& inside, const radar::Rectangle& ground) {
+  constexpr double most_rows = 2048.0;
+  const double first = std::floor(ground.south_m / texel_m_), end = std::ceil(ground.north_m / texel_m_);
+  const double every = std::ceil((end - first) / most_rows);
+  const LatticeBlock block(inside);
+  double cells = 0.0;
+  for (double row = first; row < end; row += every) {
+    const Sector::Stretches stretches = sector_.along_row((row + 0.5) * texel_m_ - pose_->position.y);
+    for (std::size_t s = 0; s < stretches.count; ++s) {
+      const double from = std::ceil((stretches.of[s].west_m + pose_->position.x) / texel_m_ - 0.5);
+      const double to = std::floor((stretches.of[s].east_m + pose_->position.x) / texel_m_ - 0.5) + 1.0;
+      if (to > from) cells += (to - from - block.cells_of_row(row, from, to)) * every;
+    }
+  }
+  report_.cells += static_cast<std::size_t>(cells);
+  report_.dark += static_cast<std::size_t>(cells);
 }
 
 void SectorTask::start(const Pose& pose, Beams beams, std::size_t level) {
@@ -102,10 +152,9 @@ void SectorTask::start(const Pose& pose, Beams beams, std::size_t level) {
   const double middle = first_azimuth_rad_ + static_cast<double>(group) * step / 2.0;
   const HorizonGrid& horizon = horizon_->grid();
   // A scatterer is shared with bins half a beam away, and stands up to half a texel's diagonal from its middle.
-  const double margin = std::min(0.5 * step + 0.75 * texel_m_ / std::max(horizon.near_m, texel_m_), 1.5 * step);
-  sector_ = Sector(pose.first_azimuth_rad + static_cast<double>(beams.first) * step - margin,
-                   static_cast<double>(beams.count) * step + 2.0 * margin, horizon.near_m,
-                   horizon.near_m + horizon.step_m * static_cast<double>(horizon.distances));
+  sector_ = Sector(pose.first_azimuth_rad + (static_cast<double>(beams.first) - 0.5) * step,
+                   static_cast<double>(beams.count + 1) * step, horizon.near_m,
+                   horizon.near_m + horizon.step_m * static_cast<double>(horizon.distances), 0.75 * texel_m_);
   geometry_ = {.radar_height_m = pose.position.z,
                .drop_per_square_m = horizon.drop_per_square_m,
                .sin_middle = std::sin(middle),
@@ -113,7 +162,8 @@ void SectorTask::start(const Pose& pose, Beams beams, std::size_t level) {
                .middle_beam = static_cast<double>(group) / 2.0,
                .beams_per_rad = 1.0 / step,
                .first_range_m = pose.first_range_m,
-               .ranges_per_m = 1.0 / settings.range_step_m};
+               .ranges_per_m = 1.0 / settings.range_step_m,
+               .cell_m = texel_m_};
   bins_ = {own_bins(), beams.first - first_beam_, beams.first - first_beam_ + beams.count, settings.ranges, stride_};
 }
 
@@ -310,8 +360,8 @@ void SectorTask::blend_by_aspect(const Place& place, float area_m2) {
       const float part = at_zero + per_beam * row_.beam[i];
       return part >= 0.0F && part < 1.0F && aspects().elevation_cell(row_.cotangent[i]) == cell.elevation;
     };
-    // Azimuth goes one way along a row. Most rows lie in one cell from end to end.
-    if (!one_elevation || !within(row_.count - 1)) {
+    // Azimuth goes one way along a row that does not pass the radar. Most rows lie in one cell from end to end.
+    if (!one_elevation || row_.turns || !within(row_.count - 1)) {
       end = begin + 1;
       while (end < row_.count && within(end)) ++end;
     }

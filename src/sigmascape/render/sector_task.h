@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "sigmascape/atlas/tile_block.h"
 #include "sigmascape/radar/scatterer_lattice.h"
 #include "sigmascape/render/box_shadows.h"
 #include "sigmascape/render/lattice_row.h"
@@ -68,6 +69,10 @@ class SectorTask {
   /// The first or the second of the two.
   void add_level(const Pose& pose, Beams beams, std::size_t level, std::size_t which, float share);
   void start(const Pose& pose, Beams beams, std::size_t level);
+  /// Reports the cells of the sector outside the tiles that it was looked up in, all within a rectangle of the ground:
+  /// there the atlas has nothing, and however far a radar looks beyond a small one, they are not gone over. Of more
+  /// than some thousand rows every second, third … one is counted for all.
+  void count_outside(const atlas::TileBlock& inside, const radar::Rectangle& ground);
   void fill_tile(const atlas::TileAddress& tile);
   void fill_stretch(const Place& place, std::size_t count);
   /// Puts the scatterers of the stretch in their places.
@@ -100,6 +105,7 @@ class SectorTask {
 
   FrameParts parts_;
   PageRows pages_;
+  radar::Rectangle stored_;  // what the atlas has patches of
   FrameReport report_;
 
   std::size_t stride_;  // bins between beams: a row across the beams must fit the caches

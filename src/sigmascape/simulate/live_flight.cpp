@@ -81,11 +81,14 @@ void LiveFlight::choose(const render::Pose& pose) {
   // What is being left is as good as left: a change that has begun is gone on with.
   const render::DetailSettings detail = begun_ ? settings_in_use(flight_.detail, choice_.level == 0) : flight_.detail;
   choice_ = render::choose_detail(question, detail);
+  can_trace_ = tracer_.can_trace(pose);
   const double wanted = choice_.level == 0 ? 0.0 : 1.0, step = begun_ ? 1.0 / flight_.frames_a_change : 1.0;
   textured_share_ =
       wanted > textured_share_ ? std::min(textured_share_ + step, wanted) : std::max(textured_share_ - step, wanted);
   // Thirty thirtieths are not quite one.
   if (std::abs(textured_share_ - wanted) < 0.5 * step) textured_share_ = wanted;
+  // What cannot be traced gives way at once: there is nothing to share with.
+  if (!can_trace_) textured_share_ = 1.0;
   begun_ = true;
 }
 
@@ -127,6 +130,11 @@ void LiveFlight::keep() {
 
 std::string LiveFlight::explained() const {
   std::string text = render::explained(choice_);
+  if (!can_trace_ && choice_.level == 0) {
+    text +=
+        "  from textures all the same: the radar does not stand above all of the scene, or looks at more of it than "
+        "may be traced\n";
+  }
   if (textured_share_ > 0.0 && textured_share_ < 1.0) {
     text += fmt::format("  on the way there: {:.0f} % of the power is traced, the rest from textures\n",
                         100.0 * (1.0 - textured_share_));

@@ -28,7 +28,8 @@ struct LiveFlightSettings {
 /// Live frames along a flight path at whatever level of detail they need: traced (level 0, LiveTracer) where a small
 /// area is looked at closely, from textures (levels from 1 on, render::LiveRenderer) elsewhere. Between the two no step
 /// shows: one gives way to the other over some frames, each with its share of the power (simulate/frame_blend.h). While
-/// only one is in use only that one is drawn, and costs.
+/// only one is in use only that one is drawn, and costs. Poses that LiveTracer::can_trace says no to are shown from
+/// textures at once, whatever the choice: below the scene's highest point nothing is traced.
 ///
 /// For one caller at a time. Bytes do not depend on the number of threads.
 class LiveFlight {
@@ -39,14 +40,16 @@ class LiveFlight {
              std::shared_ptr<render::LiveGround> ground, const render::LiveSettings& settings,
              const LiveFlightSettings& flight = {});
 
-  /// All beams, valid until the next call. Throws Error as LiveTracer::render does where it is traced.
+  /// All beams, valid until the next call. Throws Error for a pose that is nowhere, and where it is traced for a bin
+  /// that is too bright for its sums.
   const render::Frame& render(const render::Pose& pose);
   /// Beams first … first + count − 1 anew, the others as they were: one step of a scanning antenna, by LiveTracer::scan
   /// and LiveRenderer::scan. Each step goes on with a change between levels as a frame does, so that it passes over the
   /// beams that come next, and a turn later all of the picture is of one level.
   const render::Frame& scan(const render::Pose& pose, std::size_t first_beam, std::size_t count);
 
-  /// What the last pose asked for, and why: level 0 to be traced. What is shown follows over some frames.
+  /// What the last pose asked for, and why: level 0 to be traced. What is shown follows over some frames, or stays
+  /// textures where the pose cannot be traced.
   [[nodiscard]] const render::DetailChoice& choice() const { return choice_; }
   /// Part of the last frame's power, or that of the last step's beams, that comes from textures: 0 where it is traced,
   /// 1 from textures.
@@ -73,7 +76,7 @@ class LiveFlight {
   render::DetailChoice choice_;
   std::size_t beams_, numbers_a_beam_;
   double textured_share_ = 0.0;
-  bool begun_ = false;
+  bool begun_ = false, can_trace_ = true;
   // What was shown last, unless it lies where the tracer or the renderer has it.
   std::vector<float> powers_m2_;
   std::vector<std::complex<float>> amplitudes_m_;

@@ -15,6 +15,7 @@
 #include "sigmascape/radar/rectangle_parts.h"
 #include "sigmascape/render/frame_reach.h"
 #include "sigmascape/render/level_of_detail.h"
+#include "sigmascape/render/target_count.h"
 #include "sigmascape/scene/mesh_counts.h"
 #include "sigmascape/simulate/launch_for_map.h"
 #include "sigmascape/simulate/target_sight.h"
@@ -27,6 +28,8 @@ namespace {
 
 constexpr const char* name = "live tracer";
 constexpr int coarsest_lattice_level = 23;
+/// Rays start so far above the scene, and the radar must stand above their start (launch_for_map).
+constexpr double launch_clearance_m = 1.0;
 /// From the edge of a beam echoes have a share in the next.
 constexpr double half_a_beam = 0.5;
 
@@ -88,6 +91,14 @@ LiveTracer::LiveTracer(const scene::Scene& scene, const trace::SceneGeometry& ge
 
 LiveTracer::~LiveTracer() = default;
 
+bool LiveTracer::can_trace(const render::Pose& pose) const {
+  render::check(pose, name);
+  const Look look = look_of(pose);
+  if (look.ground.is_empty()) return true;
+  return look.radar.z > geometry_.highest_m() + launch_clearance_m &&
+         cells_in(look.ground.area, look) <= tracing_.most_cells;
+}
+
 const render::Frame& LiveTracer::render(const render::Pose& pose) {
   return scan(pose, 0, settings_.beams);
 }
@@ -124,8 +135,8 @@ void LiveTracer::begin(const render::Pose& pose) {
   }
   look_ = look_of(pose);
   if (look_.ground.is_empty()) return;
-  if (const double cells = cells_in(look_.ground.area); cells > tracing_.most_cells) {
-    throw Error(name, fmt::format("is to trace {:.2g} cells of {:.3g} m", cells, lattice_cell_m()),
+  if (const double cells = cells_in(look_.ground.area, look_); cells > tracing_.most_cells) {
+    throw Error(name, fmt::format("is to trace {:.2g} cells of {:.3g} m", cells, lattice_cell_m(look_)),
                 fmt::format("look at less ground or take wider bins, for at most {:.2g}; a wide area is for "
                             "render::LiveRenderer",
                             tracing_.most_cells));
@@ -137,7 +148,7 @@ TracedGround* LiveTracer::ground_of(const render::Pose& pose, Beams beams) {
   if (const auto same = std::ranges::find(steps_, beams, &Step::beams); same != steps_.end()) return same->ground.get();
   std::erase_if(steps_, [&](const Step& step) { return step.beams.overlap(beams); });
   std::unique_ptr<TracedGround> ground = made_ground(pose, beams);
-  const double cells = ground != nullptr ? cells_in(ground->view().area) : 0.0;
+  const double cells = ground != nullptr ? cells_in(ground->view().area, look_) : 0.0;
   TracedGround* const made = steps_.emplace_back(beams, std::move(ground), cells).ground.get();
   const auto sum = [this] {
     return std::accumulate(steps_.begin(), steps_.end(), 0.0,
@@ -162,7 +173,7 @@ std::unique_ptr<TracedGround> LiveTracer::made_ground(const render::Pose& pose, 
                                                    .rim_beams = rim_beams,
                                                    .area = ground.area,
                                                    .landing = ground.landing,
-                                                   .cell_m = lattice_cell_m(),
+                                                   .cell_m = lattice_cell_m(look_),
                                                    .max_bounces = tracing_.max_bounces,
                                                    .seed = settings_.seed,
                                                    .threads = settings_.threads,
@@ -201,12 +212,12 @@ LiveTracer::Footprint LiveTracer::footprint(const Look& look, const render::Pose
   return {.area = area, .landing = radar::common_part(under_bins, radar::widened(scene_.extent, late_m + layover_m))};
 }
 
-double LiveTracer::lattice_cell_m() const {
-  return lattice_.cell_m(lattice_level(look_));
+double LiveTracer::lattice_cell_m(const Look& look) const {
+  return lattice_.cell_m(lattice_level(look));
 }
 
-double LiveTracer::cells_in(const radar::Rectangle& area) const {
-  const double cell_m = lattice_cell_m();
+double LiveTracer::cells_in(const radar::Rectangle& area, const Look& look) const {
+  const double cell_m = lattice_cell_m(look);
   return area.width_m() * area.height_m() / (cell_m * cell_m);
 }
 
@@ -214,7 +225,7 @@ double LiveTracer::widest_cell_beams() const {
   const double nearest_m =
       radar::distance_of_range_m(radar::CurvedEarth::flat(), look_.radar.z, lowest_m_,
                                  std::max(frame_.grid.first_range_m - 0.5 * settings_.range_step_m, 0.0));
-  const double widest = std::numbers::sqrt2 * lattice_cell_m() / (nearest_m * settings_.beam_step_rad);
+  const double widest = std::numbers::sqrt2 * lattice_cell_m(look_) / (nearest_m * settings_.beam_step_rad);
   // Below the radar a cell lies in all of them.
   return std::min(widest, static_cast<double>(settings_.beams));
 }
@@ -268,15 +279,17 @@ void LiveTracer::show_ground(const render::Pose& pose, const TracedGround& groun
 }
 
 void LiveTracer::add_targets(const render::Pose& pose, Beams beams) {
+  render::TargetCount count(settings_, beams.first, beams.count);
   targets_.look(pose.targets,
                 {.position = pose.position,
                  .first_azimuth_rad = pose.first_azimuth_rad,
                  .first_range_m = pose.first_range_m,
                  .earth = {.refraction = settings_.refraction}},
                 pose.moment, [&](const receiver::TargetFrame::Seen& target) {
-                  return static_cast<float>(part_seen(geometry_, surfaces_, look_.radar, target.position));
+                  const double part = part_seen(geometry_, surfaces_, look_.radar, target.position);
+                  return count.counted(target.beam, static_cast<float>(part));
                 });
-  frame_.report.targets = targets_.seen();
+  frame_.report.targets = count.seen_of(targets_.seen());
   if (settings_.content == render::FrameContent::Powers) {
     targets_.add_powers(beams.first, beams.count, bins_);
   } else {

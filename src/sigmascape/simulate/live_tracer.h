@@ -57,8 +57,11 @@ class LiveTracer {
              const LiveTraceSettings& tracing = {});
   ~LiveTracer();
 
-  /// Throws Error for a radar that does not stand above all of the scene, bins that look at more ground than can be
-  /// traced, or a bin that is too bright for its sums.
+  /// Whether the radar stands above all of the scene and its bins look at no more ground than may be traced at a time;
+  /// always where they look at none. Throws Error for a pose that is nowhere.
+  [[nodiscard]] bool can_trace(const render::Pose& pose) const;
+
+  /// Throws Error for what can_trace says no to, and for a bin that is too bright for its sums.
   const render::Frame& render(const render::Pose& pose);
   /// Beams first … first + count − 1 anew, the others as they were: one step of a scanning antenna, traced as a frame
   /// of those beams alone, whose report it has. Rays are added to those before where the pose is the same and so are
@@ -108,8 +111,8 @@ class LiveTracer {
   [[nodiscard]] Look look_from(Vec3d radar, const render::Pose& pose) const;
   [[nodiscard]] Footprint footprint(const Look& look, const render::Pose& pose, Beams beams, double rim_beams) const;
   [[nodiscard]] int lattice_level(const Look& look) const;
-  [[nodiscard]] double lattice_cell_m() const;
-  [[nodiscard]] double cells_in(const radar::Rectangle& area) const;
+  [[nodiscard]] double lattice_cell_m(const Look& look) const;
+  [[nodiscard]] double cells_in(const radar::Rectangle& area, const Look& look) const;
   /// How many beams a cell of the lattice may be wide.
   [[nodiscard]] double widest_cell_beams() const;
   void begin(const render::Pose& pose);

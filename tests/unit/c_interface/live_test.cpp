@@ -153,6 +153,11 @@ TEST_F(LiveFromC, SaysWhatIsWrong) {
   overflowing.ranges = std::size_t{1} << 31U;
   overflowing.beam_step_rad = 1e-12;
   EXPECT_EQ(sigmascape_make_renderer(ground, &overflowing), nullptr);
+  sigmascape_settings wide = settings;
+  wide.beams = 1;
+  wide.beam_step_rad = 1.0;
+  EXPECT_EQ(sigmascape_make_renderer(ground, &wide), nullptr);
+  EXPECT_NE(std::string(sigmascape_last_error()).find("an eighth of a turn"), std::string::npos);
   sigmascape_settings of_nothing = settings;
   constexpr int no_content = 7;
   std::memcpy(&of_nothing.content, &no_content, sizeof no_content);

@@ -54,9 +54,31 @@ TEST(FrameReach, NoBinIsDarkForTheEarthsCurvature) {
     return sum;
   };
   ASSERT_GT(of_range(16), 0.0);
-  // The first bin shares with one that is none.
-  for (std::size_t range = 1; range + 1 < settings.ranges; ++range)
+  for (std::size_t range = 0; range < settings.ranges; ++range)
     EXPECT_NEAR(of_range(range) / of_range(16), 1.0, 0.1) << range;
+}
+
+TEST(FrameReach, TheFirstBinAndTheLastHoldAsMuchOfEvenGroundAsTheOthers) {
+  const ScratchFolder folder;
+  ExampleGround example;
+  example.sigma0 = [](const radar::Look& look) { return constant_gamma(0.1, look); };
+  const atlas::Store store = example.store(folder.path("atlas"));
+  atlas::Pyramid(store).make_above(store.units());
+  const auto ground = example.over(store);
+  ExampleView view;
+  view.slant_range_m = 8000.0;
+  LiveSettings settings = view.settings(FrameContent::Powers);
+  settings.cells_per_bin = 3.0;
+  LiveRenderer renderer(ground, settings);
+  const Frame& frame = settled_frame(renderer, *ground, view.pose());
+  const auto of_range = [&](std::size_t range) {
+    double sum = 0.0;
+    for (std::size_t beam = 2; beam + 2 < view.beams; ++beam)
+      sum += static_cast<double>(frame.powers_m2[(beam * view.ranges + range) * 4]);
+    return sum;
+  };
+  for (const std::size_t range : {std::size_t{0}, view.ranges - 1})
+    EXPECT_NEAR(db_from_linear(of_range(range) / of_range(view.ranges / 2)), 0.0, 0.15) << range;
 }
 
 }  // namespace

@@ -147,5 +147,13 @@ TEST_F(LeadTest, WhatStandsBeforeTheFirstNodeHidesInLongStepsAsInShortOnes) {
   }
 }
 
+TEST_F(LeadTest, AMapOfNoLengthBelowTheRadarHasNoLead) {
+  HorizonGrid grid = LeadTest::grid();
+  grid.near_m = grid.step_m = 0.0;
+  static const terrain::HeightField field{
+      .west_m = -5000.0, .north_m = 5000.0, .spacing_m = 100.0, .height_m = Array2D<float>(101, 101, 0.0F)};
+  EXPECT_EQ(lead_of(grid, radar, {.terrain = terrain::view_of(field)}).count, 0U);
+}
+
 }  // namespace
 }  // namespace sigmascape::render

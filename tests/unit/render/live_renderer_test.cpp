@@ -1,12 +1,17 @@
 #include "sigmascape/render/live_renderer.h"
 
 #include <algorithm>
+#include <cmath>
+#include <complex>
+#include <ctime>
 #include <gtest/gtest.h>
+#include <string>
 #include <vector>
 
 #include "live_ground_example.h"
 
 #include "sigmascape/atlas/pyramid.h"
+#include "sigmascape/base/error.h"
 
 namespace sigmascape::render {
 namespace {
@@ -273,6 +278,163 @@ TEST_F(LiveRendererTest, MemoryStaysWithinTheBudget) {
     EXPECT_LE(ground->pages().report().bytes, small.cache.budget_bytes);
   }
   EXPECT_GT(ground->pages().report().evicted, 0U);
+}
+
+/// Of all numbers in a frame.
+double largest(const Frame& frame) {
+  double most = 0.0;
+  for (const float power : frame.powers_m2) most = std::max(most, std::abs(static_cast<double>(power)));
+  for (const std::complex<float>& amplitude : frame.amplitudes_m)
+    most = std::max(most, static_cast<double>(std::abs(amplitude)));
+  return most;
+}
+
+TEST_F(LiveRendererTest, BinsNearerThanAllGroundHoldTargetsAndNothingElse) {
+  const auto ground = level_ground().over(*store_);
+  const Vec2d middle = ExampleGround{}.middle();
+  LiveSettings settings;
+  settings.beams = settings.ranges = 32;
+  settings.beam_step_rad = 0.01;
+  settings.range_step_m = 15.0;
+  for (const FrameContent content : {FrameContent::Powers, FrameContent::Amplitudes}) {
+    settings.content = content;
+    for (const double refraction : {4.0 / 3.0, 1e9}) {
+      settings.refraction = refraction;
+      for (const Vec3d position :
+           {Vec3d{middle.x, middle.y, 12e3}, {1e7, 1e7, 1e4}, {0.0, 0.0, 1e6}, {0.0, 0.0, 1e7}}) {
+        LiveRenderer renderer(ground, settings);
+        Pose pose{.position = position, .first_range_m = 1000.0};
+        const Frame& empty = settled_frame(renderer, *ground, pose);
+        EXPECT_EQ(largest(empty), 0.0) << position.z;
+        // Three beams from the left, in the middle of a bin.
+        const double azimuth_rad = 3.5 * settings.beam_step_rad, distance_m = 300.0;
+        radar::Target target;
+        target.track = radar::Track::straight(
+            position + Vec3d{std::sin(azimuth_rad) * distance_m, std::cos(azimuth_rad) * distance_m, -1000.0});
+        target.rcs_m2 = radar::Channels{10.0F, 10.0F, 0.0F, 10.0F};
+        pose.targets = {&target, 1};
+        const Frame& frame = renderer.render(pose);
+        EXPECT_EQ(frame.report.targets, 1U) << position.z;
+        EXPECT_GT(largest(frame), 1.0) << position.z;
+      }
+    }
+  }
+}
+
+TEST_F(LiveRendererTest, GroundBeyondTheAtlasIsCountedButNotGoneOver) {
+  const auto ground = level_ground().over(*store_);
+  LiveSettings settings;
+  settings.content = FrameContent::Powers;
+  settings.beams = 200;
+  settings.beam_step_rad = 2.0 * pi / 200.0;
+  // Two hundred kilometres in the finest texels, far more than anything shows.
+  settings.ranges = 500;
+  settings.range_step_m = 400.0;
+  settings.cells_per_bin = 64.0;
+  settings.refraction = 1e9;
+  const Vec2d middle = ExampleGround{}.middle();
+  const Pose pose{.position = {middle.x, middle.y, 1000.0}, .first_range_m = 1000.0};
+  LiveRenderer renderer(ground, settings);
+  const std::clock_t begun = std::clock();
+  const Frame& frame = settled_frame(renderer, *ground, pose);
+  // To go over all of its cells takes a minute of processor time.
+  EXPECT_LT(static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC, 20.0);
+  const double cell_m = ExampleGround{}.texel_m * static_cast<double>(1U << frame.report.level);
+  const double far_m = 1000.0 + 500.5 * 400.0;
+  const double all = pi * far_m * far_m / (cell_m * cell_m);
+  const double inside = std::pow(ExampleGround{}.side_m() / cell_m, 2.0);
+  // Those at the edges of beams that are filled apart, half a beam wide, are looked at from both sides.
+  const double twice = std::ceil(200.0 / std::floor(0.75 / settings.beam_step_rad)) / 200.0;
+  EXPECT_NEAR(static_cast<double>(frame.report.cells) / all, 1.0 + twice, 0.005);
+  EXPECT_NEAR(static_cast<double>(frame.report.cells - frame.report.dark) / inside, 1.0 + twice, 0.02);
+  EXPECT_EQ(frame.report.lit, frame.report.cells - frame.report.dark);
+}
+
+/// Every channel of every bin, as they are.
+std::vector<float> numbers_of(const Frame& frame) {
+  std::vector<float> numbers(frame.powers_m2.begin(), frame.powers_m2.end());
+  for (const std::complex<float>& a : frame.amplitudes_m) numbers.insert(numbers.end(), {a.real(), a.imag()});
+  return numbers;
+}
+
+TEST_F(LiveRendererTest, TheAltitudeReturnIsThatOfAFrameHoweverAScanIsCut) {
+  const auto ground = level_ground().over(*store_);
+  const Vec2d middle = ExampleGround{}.middle();
+  constexpr double height_m = 300.0;
+  LiveSettings settings;
+  settings.beams = 128;
+  settings.ranges = 32;
+  settings.beam_step_rad = 2.0 * pi / 128.0;
+  settings.range_step_m = 1.0;
+  settings.refraction = 1e9;
+  const Pose pose{.position = {middle.x + 3.0, middle.y + 5.0, height_m}, .first_range_m = height_m - 4.0};
+  for (const FrameContent content : {FrameContent::Powers, FrameContent::Amplitudes}) {
+    settings.content = content;
+    LiveRenderer at_once(ground, settings);
+    const Frame& frame = settled_frame(at_once, *ground, pose);
+    const std::vector<float> whole = numbers_of(frame);
+    if (content == FrameContent::Powers) {
+      double sum = 0.0;
+      for (std::size_t beam = 0; beam < settings.beams; ++beam) {
+        for (std::size_t range = 0; range < 20; ++range) sum += frame.powers_m2[(beam * settings.ranges + range) * 4];
+      }
+      // The disc that the first bins reach over, with the σ0 of the steepest elevation baked.
+      const double disc_m2 = pi * ((height_m + 16.0) * (height_m + 16.0) - height_m * height_m);
+      EXPECT_NEAR(db_from_linear(sum / (gamma * std::sin(radians_from_deg(37.0)) * disc_m2)), 0.0, 0.1);
+    }
+    for (const std::size_t a_step : {64UL, 7UL, 1UL}) {
+      LiveRenderer scanning(ground, settings);
+      for (std::size_t beam = 0; beam < settings.beams; beam += a_step) scanning.scan(pose, beam, a_step);
+      EXPECT_TRUE(numbers_of(scanning.scan(pose, 0, 0)) == whole) << a_step;
+    }
+  }
+}
+
+TEST_F(LiveRendererTest, ATurnOfAnyNumberOfBeamsHasThePowerOfTheGround) {
+  const auto ground = level_ground().over(*store_);
+  const Vec2d middle = ExampleGround{}.middle();
+  constexpr double height_m = 400.0;
+  for (const std::size_t beams : {8UL, 9UL, 13UL, 100UL, 200UL}) {
+    LiveSettings settings;
+    settings.content = FrameContent::Powers;
+    settings.beams = beams;
+    settings.ranges = 20;
+    settings.beam_step_rad = 2.0 * pi / static_cast<double>(beams);
+    settings.range_step_m = 10.0;
+    settings.refraction = 1e9;
+    const Pose pose{.position = {middle.x, middle.y, height_m}, .first_azimuth_rad = 0.3, .first_range_m = 820.0};
+    LiveRenderer renderer(ground, settings);
+    const Frame& frame = settled_frame(renderer, *ground, pose);
+    for (std::size_t beam = 0; beam < beams; ++beam) {
+      double sum = 0.0, expected = 0.0;
+      for (std::size_t range = 0; range < settings.ranges; ++range) {
+        sum += frame.powers_m2[(beam * settings.ranges + range) * 4];
+        expected += expected_rcs(frame.grid, range, height_m, gamma);
+      }
+      EXPECT_NEAR(db_from_linear(sum / expected), 0.0, 0.3) << beam << " of " << beams;
+    }
+  }
+}
+
+TEST(LiveSettings, WhatNoFrameCanComeFromIsRefused) {
+  const auto error_of = [](const LiveSettings& settings) -> std::string {
+    try {
+      check(settings, "these");
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  // Whole turns, as they come back from a division, and no more.
+  for (std::size_t beams = 8; beams <= 4096; ++beams) {
+    const double step_rad = 2.0 * pi / static_cast<double>(beams);
+    ASSERT_EQ(error_of({.beams = beams, .beam_step_rad = step_rad}), "") << beams;
+    ASSERT_NE(error_of({.beams = beams, .beam_step_rad = step_rad * (1.0 + 1e-5)}), "") << beams;
+  }
+  EXPECT_NE(error_of({.beams = 1, .beam_step_rad = 0.8}).find("an eighth of a turn"), std::string::npos);
+  EXPECT_EQ(error_of({.beams = 1, .beam_step_rad = pi / 4.0}), "");
+  EXPECT_NE(error_of({.ranges = 100'000, .range_step_m = 101.0}).find("1e+07 m"), std::string::npos);
+  EXPECT_EQ(error_of({.ranges = 100'000, .range_step_m = 99.0}), "");
 }
 
 }  // namespace

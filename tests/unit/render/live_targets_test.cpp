@@ -6,6 +6,9 @@
 
 #include "sigmascape/atlas/atlas.h"
 #include "sigmascape/atlas/pyramid.h"
+#include "sigmascape/radar/radar_equation.h"
+#include "sigmascape/receiver/receive_chain.h"
+#include "sigmascape/render/frame_image.h"
 #include "sigmascape/render/ground_renderer.h"
 
 namespace sigmascape::render {
@@ -321,6 +324,89 @@ TEST_F(LiveTargetsTest, ShadowsOfAScanAreThoseOfAFrame) {
   pose.targets = {};
   const std::size_t lit = whole.report.lit;
   EXPECT_GT(at_once.render(pose).report.lit, lit);
+}
+
+TEST_F(LiveTargetsTest, AStepOfAScanCountsThoseThatItsBeamsSee) {
+  const auto ground = level_ground().over(*store_);
+  const Vec2d middle = ExampleGround{}.middle();
+  LiveSettings settings;
+  settings.content = FrameContent::Powers;
+  settings.beams = 36;
+  settings.ranges = 64;
+  settings.beam_step_rad = 2.0 * pi / 36.0;
+  settings.range_step_m = 8.0;
+  settings.threads = 2;
+  Pose pose{.position = {middle.x, middle.y, 500.0}, .first_range_m = 450.0};
+  // In the middles of beams 4, 5 and 20, and a tenth of a beam beside the first: with a share in the last.
+  std::vector<radar::Target> targets;
+  for (const double beam : {4.5, 5.5, 20.5, 0.1}) {
+    const double azimuth_rad = beam * settings.beam_step_rad;
+    targets.push_back(standing(middle + Vec2d{std::sin(azimuth_rad), std::cos(azimuth_rad)} * 400.0, 2.0, 1e4F));
+  }
+  pose.targets = targets;
+  LiveRenderer whole(ground, settings), scanning(ground, settings);
+  EXPECT_EQ(settled_frame(whole, *ground, pose).report.targets, 4U);
+  const auto seen_by = [&](std::size_t first, std::size_t count) {
+    return scanning.scan(pose, first, count).report.targets;
+  };
+  EXPECT_EQ(seen_by(10, 6), 0U);
+  EXPECT_EQ(seen_by(4, 1), 1U);
+  EXPECT_EQ(seen_by(2, 8), 2U);
+  EXPECT_EQ(seen_by(35, 1), 1U) << "the one beside the first beam";
+  EXPECT_EQ(seen_by(0, 1), 1U);
+  EXPECT_EQ(seen_by(18, 0), 0U);
+  EXPECT_EQ(seen_by(0, 36), 4U);
+}
+
+TEST_F(LiveTargetsTest, HaveTheWattsOfTheRadarEquationHoweverFineTheBins) {
+  const auto ground = level_ground().over(*store_);
+  const Vec2d middle = ExampleGround{}.middle();
+  constexpr double rcs_m2 = 1e9, resolution_m = 15.0, beam_rad = 0.02, distance_m = 9000.0, height_m = 1000.0;
+  for (const FrameContent content : {FrameContent::Powers, FrameContent::Amplitudes}) {
+    for (const double bins_a_cell : {0.5, 1.0, 2.0, 4.0}) {
+      LiveSettings settings;
+      settings.content = content;
+      settings.beams = settings.ranges = 41;
+      settings.beam_step_rad = beam_rad / bins_a_cell;
+      settings.range_step_m = resolution_m / bins_a_cell;
+      const radar::CurvedEarth earth{.refraction = settings.refraction};
+      const double range_m = earth.slant_range_m(height_m, 200.0, distance_m);
+      Pose pose{.position = {middle.x, middle.y - distance_m, height_m},
+                .first_azimuth_rad = -20.5 * settings.beam_step_rad,
+                .first_range_m = range_m - 20.5 * settings.range_step_m};
+      const std::vector<radar::Target> targets{standing(middle, 200.0, rcs_m2)};
+      pose.targets = targets;
+      LiveRenderer renderer(ground, settings);
+      const Frame& frame = settled_frame(renderer, *ground, pose);
+      radar::Radar radar;
+      radar.position = pose.position;
+      radar.frequency_hz = 10e9;
+      radar.range_resolution_m = resolution_m;
+      radar.beam_width_rad = beam_rad;
+      radar.antenna.gain = 1000.0;
+      radar.waveform.peak_power_w = 2000.0;
+      const auto received = receiver::received_power(radar, image_of(frame, pose, radar), radar::Polarization::VV);
+      const double lambda_m = wavelength_m(10e9);
+      const double expected_w = 2000.0 * 1e6 * lambda_m * lambda_m * rcs_m2 /
+                                (std::pow(4.0 * pi, 3.0) * std::pow(range_m, 4.0)) * radar::compression_gain(radar);
+      EXPECT_NEAR(db_from_linear(static_cast<double>(received.signal_w(20, 20)) / expected_w), 0.0, 0.05)
+          << bins_a_cell << " bins a resolution cell";
+    }
+  }
+}
+
+TEST_F(LiveTargetsTest, TheBeamIsLaidOverTheFirstBeamAndTheLastWhereTheyMeet) {
+  std::vector<float> powers(16 * 4 * 4, 0.0F);
+  Frame frame;
+  frame.grid = {1000.0, 10.0, 4, 0.0, 2.0 * pi / 16.0, 16};
+  frame.powers_m2 = powers;
+  powers[2 * 4] = 1.0F;  // of beam 0
+  radar::Radar radar;
+  radar.range_resolution_m = 10.0;
+  radar.beam_width_rad = 2.0 * frame.grid.azimuth_step_rad;
+  const radar::RangeAzimuthImage image = image_of(frame, {}, radar);
+  EXPECT_GT(image.rcs_m2(1, 2).vv, 0.1F);
+  EXPECT_FLOAT_EQ(image.rcs_m2(15, 2).vv, image.rcs_m2(1, 2).vv);
 }
 
 }  // namespace

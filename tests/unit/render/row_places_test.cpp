@@ -1,8 +1,10 @@
 #include "sigmascape/render/row_places.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
 #include <memory>
 
+#include "sigmascape/base/units.h"
 #include "sigmascape/radar/curved_earth.h"
 
 namespace sigmascape::render {
@@ -27,6 +29,31 @@ TEST(RowPlaces, SlantRangesAreThoseOfTheCurvedEarth) {
     for (std::size_t i = 0; i < row->count; ++i) {
       const double expected_m = earth.slant_range_m(radar_height_m, static_cast<double>(height_m), distances_m[i]);
       EXPECT_NEAR(row->range_m[i], expected_m, 1e-3) << distances_m[i] << " m away, " << height_m << " m high";
+    }
+  }
+}
+
+TEST(RowPlaces, AzimuthsAreRightAllRoundTheRadar) {
+  constexpr double middle_rad = 0.7, beams_per_rad = 50.0;
+  const RowGeometry geometry{.radar_height_m = 100.0,
+                             .sin_middle = std::sin(middle_rad),
+                             .cos_middle = std::cos(middle_rad),
+                             .middle_beam = 8.0,
+                             .beams_per_rad = beams_per_rad,
+                             .cell_m = 1.0};
+  const auto row = std::make_unique<LatticeRow>();
+  row->height_m.fill(0.0F);
+  for (const double north_m : {-3.3, -0.4, 0.4, 3.3, 80.0}) {
+    row->count = 120;
+    for (std::size_t i = 0; i < row->whole_vectors(); ++i) {
+      row->east_m[i] = static_cast<double>(i) - 60.3;
+      row->north_m[i] = north_m;
+    }
+    locate(*row, geometry);
+    for (std::size_t i = 0; i < row->count; ++i) {
+      const double off_rad = std::remainder(std::atan2(row->east_m[i], north_m) - middle_rad, 2.0 * pi);
+      EXPECT_NEAR(static_cast<double>(row->beam[i]), 8.0 + off_rad * beams_per_rad, 2e-5 * beams_per_rad)
+          << row->east_m[i] << ", " << north_m;
     }
   }
 }

@@ -1,5 +1,6 @@
 #include "sigmascape/render/sector.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -46,6 +47,47 @@ TEST(Sector, BoundsAreTight) {
   EXPECT_NEAR(box.west_m, -500.0, 1e-9);
   EXPECT_NEAR(box.east_m, 500.0, 1e-9);
   EXPECT_NEAR(box.south_m, 100.0 * std::cos(radians_from_deg(30.0)), 1e-9);
+}
+
+/// How far a place is from a sector about north.
+double distance_to(double half_width_rad, double near_m, double far_m, Vec2d p) {
+  double least = 1e300;
+  for (int a = -200; a <= 200; ++a) {
+    const double azimuth = half_width_rad * a / 200.0;
+    const Vec2d along{std::sin(azimuth), std::cos(azimuth)};
+    const double distance = std::clamp(p.x * along.x + p.y * along.y, near_m, far_m);
+    least = std::min(least, length(p - along * distance));
+  }
+  return least;
+}
+
+TEST(Sector, AMarginReachesToAllSides) {
+  constexpr double margin_m = 3.0;
+  for (const double width_rad : {0.01, 0.7, 1.5}) {
+    for (const double near_m : {0.0, 20.0}) {
+      const Sector sector(-0.5 * width_rad, width_rad, near_m, 60.0, margin_m);
+      const radar::Rectangle box = sector.bounds();
+      for (double y = -10.25; y < 70.0; y += 0.5) {
+        const auto stretches = sector.along_row(y);
+        for (double x = -70.25; x < 70.0; x += 0.5) {
+          bool inside = false;
+          for (std::size_t s = 0; s < stretches.count; ++s)
+            inside = inside || (x >= stretches.of[s].west_m && x <= stretches.of[s].east_m);
+          const double distance_m = distance_to(0.5 * width_rad, near_m, 60.0, {x, y});
+          if (distance_m < margin_m - 0.1) {
+            ASSERT_TRUE(inside) << x << " " << y << ", " << width_rad;
+          }
+          // At corners it is no rounder than a square.
+          if (distance_m > 2.0 * margin_m) {
+            ASSERT_FALSE(inside) << x << " " << y << ", " << width_rad;
+          }
+          if (inside) {
+            ASSERT_TRUE(box.contains({x, y})) << x << " " << y;
+          }
+        }
+      }
+    }
+  }
 }
 
 }  // namespace

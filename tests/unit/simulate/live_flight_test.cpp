@@ -192,6 +192,42 @@ TEST_F(LiveFlightTest, WhatIsInUseIsKeptNearWhereTheChoiceChanges) {
   EXPECT_EQ(from_near.textured_share(), 0.0);
 }
 
+TEST_F(LiveFlightTest, WhatCannotBeTracedIsShownFromTextures) {
+  LiveFlight live = flight(FrameContent::Powers);
+  const LiveTracer tracer(scene_, *geometry_, bins(FrameContent::Powers),
+                          {.frequency_hz = 10e9, .rays_per_cell = 2, .lattice_m = example_.texel_m});
+  const render::Pose above = pose(1.3);
+  live.render(above);
+  ASSERT_EQ(live.textured_share(), 0.0);
+  EXPECT_TRUE(tracer.can_trace(above));
+  // Under the top of the tower, and in frames before that and after.
+  render::Pose below = above;
+  below.position.z = geometry_->highest_m() - 1.0;
+  EXPECT_FALSE(tracer.can_trace(below));
+  for (int step = 0; step < 2; ++step) {
+    render::LiveRenderer renderer(ground_, bins(FrameContent::Powers));
+    renderer.render(below);
+    ground_->wait_until_loaded();
+    const std::vector<double> textured = powers_of(renderer.render(below));
+    EXPECT_TRUE(powers_of(step == 0 ? live.render(below) : live.scan(below, 0, 24)) == textured);
+    EXPECT_EQ(live.choice().level, 0);
+    EXPECT_EQ(live.textured_share(), 1.0);
+    EXPECT_NE(live.explained().find("does not stand above all of the scene"), std::string::npos) << live.explained();
+  }
+  live.render(above);
+  EXPECT_NEAR(live.textured_share(), 1.0 - 1.0 / frames_a_change, 1e-12);
+  EXPECT_EQ(live.explained().find("does not stand above"), std::string::npos) << live.explained();
+}
+
+TEST_F(LiveFlightTest, WhatIsTooMuchToTraceIsShownFromTextures) {
+  LiveFlightSettings few = settings();
+  few.tracing.most_cells = 10.0;
+  LiveFlight live(scene_, *geometry_, ground_, bins(FrameContent::Powers), few);
+  live.render(pose(1.3));
+  EXPECT_EQ(live.choice().level, 0);
+  EXPECT_EQ(live.textured_share(), 1.0);
+}
+
 TEST_F(LiveFlightTest, ExplainsWhichTerrainItsFramesStandOn) {
   render::LiveSettings coarse = bins(FrameContent::Powers);
   coarse.cells_per_bin = 1.0;

@@ -555,5 +555,48 @@ TEST_F(LiveTracerTest, WhatCannotBeTracedIsRefused) {
   EXPECT_GT(total(live.render(bins_.pose()).powers_m2), 0.0) << "a refused pose leaves a tracer that works";
 }
 
+TEST_F(LiveTracerTest, SaysWhatItCanTraceAsItDoes) {
+  LiveTracer live = tracer(FrameContent::Powers, 2);
+  EXPECT_TRUE(live.can_trace(bins_.pose()));
+  EXPECT_NO_THROW(live.render(bins_.pose()));
+  // From beside the scene, to either side of where rays begin.
+  render::Pose pose = bins_.pose();
+  pose.first_range_m = 380.0;
+  pose.position = {0.0, -400.0, geometry_.highest_m() + 1.01};
+  EXPECT_TRUE(live.can_trace(pose));
+  for (const double above_m : {0.99, 0.0, -3.0}) {
+    pose.position.z = geometry_.highest_m() + above_m;
+    EXPECT_FALSE(live.can_trace(pose)) << above_m;
+    EXPECT_THROW(live.render(pose), Error) << above_m;
+  }
+  LiveTracer few(scene_, geometry_, bins_.settings(FrameContent::Powers), {.lattice_m = 1.0, .most_cells = 10.0});
+  EXPECT_FALSE(few.can_trace(bins_.pose()));
+  EXPECT_THROW(few.render(bins_.pose()), Error);
+  // Bins that see nothing of the scene are dark from anywhere.
+  render::Pose away = bins_.pose();
+  away.position = {0.0, -80e3, 0.0};
+  EXPECT_TRUE(live.can_trace(away));
+  EXPECT_NO_THROW(live.render(away));
+}
+
+TEST_F(LiveTracerTest, AStepOfAScanCountsTheTargetsThatItsBeamsSee) {
+  std::vector<radar::Target> targets(2);
+  const double far_m = slant_range_m * std::cos(elevation_rad);
+  render::Pose pose = bins_.pose();
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    const double azimuth_rad =
+        pose.first_azimuth_rad + (i == 0 ? 4.5 : 15.5) * bins_.settings(FrameContent::Powers).beam_step_rad;
+    targets[i].track = radar::Track::straight(Vec3d{pose.position.x, pose.position.y, 12.0} +
+                                              Vec3d{std::sin(azimuth_rad), std::cos(azimuth_rad), 0.0} * far_m);
+    targets[i].rcs_m2 = radar::Channels{1.0F, 1.0F, 0.0F, 1.0F};
+  }
+  pose.targets = targets;
+  LiveTracer live = tracer(FrameContent::Powers, 2);
+  EXPECT_EQ(live.render(pose).report.targets, 2U);
+  EXPECT_EQ(live.scan(pose, 0, 8).report.targets, 1U);
+  EXPECT_EQ(live.scan(pose, 12, 12).report.targets, 1U);
+  EXPECT_EQ(live.scan(pose, 8, 4).report.targets, 0U);
+}
+
 }  // namespace
 }  // namespace sigmascape::simulate
