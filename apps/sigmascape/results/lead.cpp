@@ -133,8 +133,7 @@ std::string how_it_was_measured(const ResultsReport& report) {
       "shadow below {:g} dB. `product/map_metrics.h` defines the five numbers.\n\n"
       "The radar stands 20 km from the middle of the scene, resolution 2 m in range and across. A rim of {:.0f} m "
       "along the edges is left out, where what lies beyond the scene has a part: its ground goes on level there for "
-      "300 m "
-      "and has nothing on it.\n\n",
+      "300 m and has nothing on it.\n\n",
       product::software_name(), report.command_line, compare.floor_db, compare.shadow_db, plan.rim_m());
   if (plan.has_level_ground()) {
     text +=

@@ -15,11 +15,11 @@ namespace sigmascape::bake {
 namespace {
 
 /// As LookBaker::area_of takes the area before it spares rays, but with cells so large that some ten thousand fill it.
-double cells_at(const scene::Scene& scene, const BakeSettings& settings, const radar::Rectangle& target,
-                const radar::Aspect& aspect) {
+double cells_at(const scene::Scene& scene, const trace::SceneHeights& heights, double texel_m,
+                const radar::Rectangle& target, const radar::Aspect& aspect) {
   constexpr double along_a_side = 256.0;
-  const auto [lowest_m, highest_m] = trace::heights_of(scene, footing_of(settings));
-  const double top_m = highest_m + 1.0, texel_m = settings.patches.texel_m;
+  const auto [lowest_m, highest_m] = heights;
+  const double top_m = highest_m + 1.0;
   const auto viewpoint = trace::Viewpoint::distant(aspect);
   const trace::MultibounceReach reach = trace::multibounce_reach(scene, viewpoint, target);
   const double slope = std::tan(aspect.elevation_rad);
@@ -38,8 +38,11 @@ double cells_of_a_patch(const scene::Scene& scene, const BakeSettings& settings)
   const radar::Rectangle target = radar::common_part(patch, scene.extent);
   const auto [lowest_rad, highest_rad] = std::ranges::minmax(settings.aspects.elevations_rad);
   const double azimuth_rad = settings.aspects.azimuths_rad.front();
-  return std::max(cells_at(scene, settings, target, {azimuth_rad, lowest_rad}),
-                  cells_at(scene, settings, target, {azimuth_rad, highest_rad}));
+  const trace::SceneHeights heights = trace::heights_of(scene, footing_of(settings));
+  const auto cells_seen_from = [&](double elevation_rad) {
+    return cells_at(scene, heights, settings.patches.texel_m, target, {azimuth_rad, elevation_rad});
+  };
+  return std::max(cells_seen_from(lowest_rad), cells_seen_from(highest_rad));
 }
 
 void check_room(const scene::Scene& scene, const BakeSettings& settings, double memory_bytes) {

@@ -11,6 +11,7 @@
 #include "sigmascape/base/toml_reader.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/dataset/bounce_labels.h"
+#include "sigmascape/radar/radar_bounds.h"
 #include "sigmascape/simulate/mode_image.h"
 
 namespace sigmascape::dataset {
@@ -53,7 +54,7 @@ std::vector<std::string> different_words(const TomlSection& section, std::string
 
 void read_products(const TomlSection& section, DatasetSpec& spec) {
   spec.cells = static_cast<std::size_t>(section.whole_number_or("cells", {8, 8192, "cells"}, 256));
-  spec.cell_m = section.number_or("cell_m", {0.05, 10'000.0, "m"}, 2.0);
+  spec.cell_m = section.number_or("cell_m", radar::bounds::cells_m, 2.0);
   auto words = different_words(section, "polarizations");
   if (words.empty()) words = {"VV"};
   for (const std::string& word : words) spec.polarizations.push_back(polarization_of(section, word));
@@ -120,9 +121,10 @@ void read_radar_ranges(const TomlSection& section, DatasetSpec& spec) {
     if (const auto found = optional_range(section, key, allowed)) return scaled(*found, factor);
     return std::nullopt;
   };
-  spec.radar_ranges = {.frequency_hz = range("frequency_ghz", {0.1, 300.0, "GHz"}, 1e9),
-                       .range_resolution_m = range("range_resolution_m", {0.005, 10'000.0, "m"}, 1.0),
-                       .beam_width_rad = range("beam_width_deg", {1e-5, 90.0, "degrees"}, radians_from_deg(1.0))};
+  spec.radar_ranges = {
+      .frequency_hz = range("frequency_ghz", radar::bounds::frequencies_ghz, 1e9),
+      .range_resolution_m = range("range_resolution_m", radar::bounds::range_resolutions_m, 1.0),
+      .beam_width_rad = range("beam_width_deg", radar::bounds::beam_widths_deg, radians_from_deg(1.0))};
   if (spec.radar_ranges.beam_width_rad &&
       std::holds_alternative<radar::TabulatedBeam>(spec.radar.radar.antenna.azimuth)) {
     throw section.fault("beam_width_deg", "and the radar file's antenna.azimuth_csv both give the beam its width",

@@ -1,10 +1,7 @@
 #include "sigmascape/scatter/surface_model.h"
 
-#include <algorithm>
-#include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <numbers>
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/scatter/billingsley.h"

@@ -13,8 +13,12 @@ constexpr double clearance_m = 1.0;
 
 }  // namespace
 
+bool stands_above(double radar_m, double highest_m) {
+  return radar_m > highest_m + clearance_m;
+}
+
 void check_above(const radar::Radar& radar, double highest_m) {
-  if (radar.position.z <= highest_m + clearance_m) {
+  if (!stands_above(radar.position.z, highest_m)) {
     throw Error(radar::title_of(radar),
                 fmt::format("stands at {:.0f} m, below the highest point of the scene at {:.0f} m", radar.position.z,
                             highest_m),

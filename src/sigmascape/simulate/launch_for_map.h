@@ -6,6 +6,9 @@
 
 namespace sigmascape::simulate {
 
+/// Whether a radar at a height stands above where rays over a scene of that highest point start.
+[[nodiscard]] bool stands_above(double radar_m, double highest_m);
+
 /// Throws Error for a radar that does not stand above what is so high.
 void check_above(const radar::Radar& radar, double highest_m);
 

@@ -28,8 +28,6 @@ namespace {
 
 constexpr const char* name = "live tracer";
 constexpr int coarsest_lattice_level = 23;
-/// Rays start so far above the scene, and the radar must stand above their start (launch_for_map).
-constexpr double launch_clearance_m = 1.0;
 /// From the edge of a beam echoes have a share in the next.
 constexpr double half_a_beam = 0.5;
 
@@ -95,8 +93,7 @@ bool LiveTracer::can_trace(const render::Pose& pose) const {
   render::check(pose, name);
   const Look look = look_of(pose);
   if (look.ground.is_empty()) return true;
-  return look.radar.z > geometry_.highest_m() + launch_clearance_m &&
-         cells_in(look.ground.area, look) <= tracing_.most_cells;
+  return stands_above(look.radar.z, geometry_.highest_m()) && cells_in(look.ground.area, look) <= tracing_.most_cells;
 }
 
 const render::Frame& LiveTracer::render(const render::Pose& pose) {

@@ -40,6 +40,17 @@ ResultsReport made_report(bool is_a_place) {
   return report;
 }
 
+/// Of the paper's method at a held-out view, with nothing measured.
+ViewResult unmeasured_view() {
+  return {.of = made_case(made_plan(), Method::Paper, ViewKind::HeldOut),
+          .view = {},
+          .atlas = {},
+          .comparison = {},
+          .noise_floor = {},
+          .by_level = {},
+          .noise_by_level = {}};
+}
+
 TEST(ResultsPage, OpensWithItsSceneTheVerdictAndTheFiguresBeforeTheTables) {
   const std::string page = results_markdown(made_report(true));
   EXPECT_THAT(page, StartsWith("# How close the baked map is: Harbour\n"));
@@ -88,13 +99,7 @@ TEST(ResultsPage, PlotsHaveTheLeastErrorThatCanBeShown) {
 }
 
 TEST(ResultsPage, SaysNoOverlapOfFewCellsInShadow) {
-  ViewResult view{.of = made_case(made_plan(), Method::Paper, ViewKind::HeldOut),
-                  .view = {},
-                  .atlas = {},
-                  .comparison = {},
-                  .noise_floor = {},
-                  .by_level = {},
-                  .noise_by_level = {}};
+  ViewResult view = unmeasured_view();
   const auto iou_of = [&](std::vector<std::size_t> shadow_cells) {
     std::vector<ViewResult> views;
     for (const std::size_t cells : shadow_cells) {
@@ -112,13 +117,7 @@ TEST(ResultsPage, SaysNoOverlapOfFewCellsInShadow) {
 TEST(ResultsPage, TracedMapsDecideWhichViewsHaveShadows) {
   std::vector<ViewResult> views;
   for (const auto& [traced_cells, overlap] : {std::pair{product::least_shadow_cells, 0.5}, {std::size_t{0}, 0.0}}) {
-    ViewResult& view = views.emplace_back(ViewResult{.of = made_case(made_plan(), Method::Paper, ViewKind::HeldOut),
-                                                     .view = {},
-                                                     .atlas = {},
-                                                     .comparison = {},
-                                                     .noise_floor = {},
-                                                     .by_level = {},
-                                                     .noise_by_level = {}});
+    ViewResult& view = views.emplace_back(unmeasured_view());
     view.noise_floor.at = {{.cell_m = 8.0, .shadow_iou = 0.8, .shadow_cells = traced_cells}};
     view.comparison.at = {{.cell_m = 8.0, .shadow_iou = overlap, .shadow_cells = 100}};
   }
@@ -131,13 +130,7 @@ TEST(ResultsPage, CountsViewsThatAgreeAndTimesMapsOfAllViewsByAsManyRays) {
   std::vector<ViewResult> views;
   for (const auto& [rays, seconds, agreement] :
        {std::tuple{100U, 10.0, 0.98}, {600U, 66.0, least_agreement}, {100U, 12.0, 0.9899}}) {
-    ViewResult& view = views.emplace_back(ViewResult{.of = made_case(made_plan(), Method::Paper, ViewKind::HeldOut),
-                                                     .view = {},
-                                                     .atlas = {},
-                                                     .comparison = {},
-                                                     .noise_floor = {},
-                                                     .by_level = {},
-                                                     .noise_by_level = {}});
+    ViewResult& view = views.emplace_back(unmeasured_view());
     view.view.traced_samples = rays;
     view.trace_seconds = seconds;
     view.comparison.at = view.noise_floor.at = {{.cell_m = summary_cell_m, .correlation_db = agreement}};
