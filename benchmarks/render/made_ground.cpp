@@ -1,9 +1,14 @@
 #include "made_ground.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <fstream>
 #include <functional>
+#include <iterator>
 #include <numbers>
+#include <string>
+#include <string_view>
 #include <unistd.h>
 #include <utility>
 #include <vector>
@@ -11,6 +16,8 @@
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/atlas/obstacle_file.h"
 #include "sigmascape/atlas/pyramid.h"
+#include "sigmascape/atlas/stac_catalog.h"
+#include "sigmascape/atlas/stac_document.h"
 #include "sigmascape/base/hash.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/terrain/terrain_pyramid.h"
@@ -56,14 +63,69 @@ void write_obstacles(const atlas::Store& store) {
   atlas::write_obstacles(store, written, map);
 }
 
-/// Lets the places of a level show what stands in the folder of the one that is over the written patch.
+constexpr std::string_view item_hash = "sigmascape:item_sha256";
+
+std::string text_of(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// An item without its name and without its own hash, so that either can be another's.
+class ItemWithoutName {
+ public:
+  ItemWithoutName(const std::filesystem::path& item, std::string_view place) : text_(text_of(item)) {
+    constexpr std::size_t digits = 64;
+    const std::string before = fmt::format("\"{}\": \"", item_hash);
+    text_.erase(text_.find(before) + before.size(), digits);
+    place_at_ = text_.find(fmt::format("\"id\": \"{}_", place)) + std::string_view("\"id\": \"").size();
+    text_.erase(place_at_, place.size());
+  }
+
+  /// The same as of another place.
+  [[nodiscard]] std::string of(std::string_view place) const {
+    return atlas::sealed(std::string(text_).insert(place_at_, place), item_hash);
+  }
+
+ private:
+  std::string text_;
+  std::size_t place_at_ = 0;
+};
+
+/// What stands in the folder of a place, to be shown by other places.
+struct ShownFiles {
+  std::vector<std::filesystem::path> shared;  ///< that are the same everywhere
+  std::vector<std::pair<std::filesystem::path, ItemWithoutName>> items;
+
+  ShownFiles(const std::filesystem::path& folder, std::string_view place) {
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+      if (entry.path().filename() == atlas::catalog_name) continue;  // which who reads textures does not
+      if (entry.path().extension() == ".json") {
+        items.emplace_back(entry.path().filename(), ItemWithoutName(entry.path(), place));
+      } else {
+        shared.push_back(entry.path());
+      }
+    }
+  }
+};
+
+/// What items of a folder call it: "pyramid_2_patch_+000_+000".
+std::string item_name_of(const std::filesystem::path& folder) {
+  std::string name = folder.generic_string();
+  std::ranges::replace(name, '/', '_');
+  return name;
+}
+
+/// Lets the places of a level show what stands in the folder of the one that is over the written patch: their files are
+/// links, their items say where they stand.
 void link_places(const atlas::Store& store, const atlas::PyramidTiles& places, std::size_t level) {
-  const auto from = store.folder() / atlas::folder_of(places.tile_over(written, level));
+  const std::filesystem::path from = atlas::folder_of(places.tile_over(written, level));
+  const ShownFiles shown(store.folder() / from, item_name_of(from));
   for (const atlas::PyramidTile& tile : places.tiles(level)) {
-    const auto to = store.folder() / atlas::folder_of(tile);
-    if (from == to || std::filesystem::exists(to)) continue;
-    std::filesystem::create_directories(to.parent_path());
-    std::filesystem::create_directory_symlink(from, to);
+    const std::filesystem::path place = atlas::folder_of(tile), to = store.folder() / place;
+    if (!std::filesystem::create_directories(to)) continue;
+    for (const auto& file : shown.shared) std::filesystem::create_hard_link(file, to / file.filename());
+    for (const auto& [name, item] : shown.items)
+      std::ofstream(to / name, std::ios::binary) << item.of(item_name_of(place));
   }
 }
 
