@@ -168,10 +168,10 @@ double TomlSection::number_or(std::string_view key, Interval allowed, double fal
 }
 
 std::int64_t TomlSection::whole_number_or(std::string_view key, Interval allowed, std::int64_t fallback) const {
-  const auto value = optional_number(key, allowed);
-  if (!value) return fallback;
-  if (!find(*table_->table, key)->is_integer()) throw fault(key, fmt::format("is {:g}", *value), "give a whole number");
-  return *find(*table_->table, key)->value<std::int64_t>();
+  if (!optional_number(key, allowed)) return fallback;
+  const toml::node& node = *find(*table_->table, key);
+  if (!node.is_integer()) throw fault(key, fmt::format("is {}", as_written(node)), "give a whole number");
+  return *node.value<std::int64_t>();
 }
 
 bool TomlSection::flag_or(std::string_view key, bool fallback) const {

@@ -130,6 +130,13 @@ void read_radar_ranges(const TomlSection& section, DatasetSpec& spec) {
     throw section.fault("beam_width_deg", "and the radar file's antenna.azimuth_csv both give the beam its width",
                         "leave out one of them");
   }
+  const double coarsest_m = radar::coarsest_range_resolution_m(spec.radar);
+  if (spec.radar_ranges.range_resolution_m && spec.radar_ranges.range_resolution_m->highest > coarsest_m) {
+    throw section.fault("range_resolution_m",
+                        fmt::format("reaches {:g} m, coarser than the radar file's waveform.pulse_length_us can be",
+                                    spec.radar_ranges.range_resolution_m->highest),
+                        fmt::format("stay within {:.6g} m, or leave the length of the pulse out", coarsest_m));
+  }
   section.refuse_unknown_keys();
 }
 

@@ -255,14 +255,15 @@ Vec3d SampleMaker::middle_of(const SamplePlan& plan) const {
 }
 
 radar::Radar SampleMaker::radar_of(const SamplePlan& plan) const {
-  radar::Radar radar = spec_.radar.radar;
+  radar::RadarFile drawn = spec_.radar;
+  if (spec_.radar_ranges.range_resolution_m) radar::set_range_resolution(drawn, plan.range_resolution_m);
+  if (spec_.radar_ranges.beam_width_rad) radar::set_beam_width(drawn, plan.beam_width_rad);
+  radar::Radar& radar = drawn.radar;
   radar.frequency_hz = plan.frequency_hz;
-  radar.range_resolution_m = plan.range_resolution_m;
-  radar.beam_width_rad = plan.beam_width_rad;
   radar.velocity_mps = {plan.flight_mps.x, plan.flight_mps.y, 0.0};
   radar.position = radar::position_seeing(middle_of(plan), plan.azimuth_rad, plan.elevation_rad, plan.slant_range_m) +
                    radar.velocity_mps * plan.time_s;
-  return radar;
+  return drawn.radar;
 }
 
 radar::RangeAzimuthImage SampleMaker::ground_image(const radar::Radar& radar, const SamplePlan& plan,

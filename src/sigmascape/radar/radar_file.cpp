@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <initializer_list>
+#include <limits>
 
 #include "sigmascape/base/toml_reader.h"
 #include "sigmascape/base/units.h"
@@ -153,17 +154,22 @@ void set_beam_width(RadarFile& file, double width_rad) {
   if (file.antenna_efficiency) radar.antenna.gain = *file.antenna_efficiency * directivity(radar.antenna, width_rad);
 }
 
+double coarsest_range_resolution_m(const RadarFile& file) {
+  if (file.has_shortest_pulse) return std::numeric_limits<double>::infinity();
+  const Waveform& waveform = file.radar.waveform;
+  return range_resolution_of(1.0 / waveform.pulse_length_s, waveform.window);
+}
+
 void set_range_resolution(RadarFile& file, double resolution_m) {
   Waveform& waveform = file.radar.waveform;
-  const double shortest_s = 1.0 / bandwidth_of(resolution_m, waveform.window);
-  if (file.has_shortest_pulse) {
-    waveform.pulse_length_s = shortest_s;
-  } else if (waveform.pulse_length_s < shortest_s * (1.0 - 1e-9)) {
+  const double coarsest_m = coarsest_range_resolution_m(file);
+  if (resolution_m > coarsest_m * (1.0 + 1e-9)) {
     throw Error(
         "range_resolution_m",
         fmt::format("is {:g}, coarser than a pulse of {:g} µs can be", resolution_m, waveform.pulse_length_s * 1e6),
-        fmt::format("give at most {:.6g}", range_resolution_of(1.0 / waveform.pulse_length_s, waveform.window)));
+        fmt::format("give at most {:.6g}", coarsest_m));
   }
+  if (file.has_shortest_pulse) waveform.pulse_length_s = 1.0 / bandwidth_of(resolution_m, waveform.window);
   file.radar.range_resolution_m = resolution_m;
 }
 

@@ -51,6 +51,10 @@ struct RadarFile {
 /// measured beam, whose table has the width.
 void set_beam_width(RadarFile& file, double width_rad);
 
+/// The widest that the compressed pulse can be at half power: what a pulse of the stated length is without being coded;
+/// infinite where the pulse is as short as can be.
+[[nodiscard]] double coarsest_range_resolution_m(const RadarFile& file);
+
 /// Makes the compressed pulse so wide, at half power, as the file would be read with another `range_resolution_m`: a
 /// pulse that is as short as can be goes with it. Throws Error where a pulse of the stated length has not the bandwidth
 /// for it.

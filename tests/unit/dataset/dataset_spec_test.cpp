@@ -63,6 +63,16 @@ TEST_F(DatasetSpecFile, RefusesASecondWidthOfAMeasuredBeam) {
                                               "antenna.azimuth_csv both give the beam its width"));
 }
 
+TEST_F(DatasetSpecFile, RefusesResolutionsThatAStatedPulseCannotHave) {
+  const std::string upto_9_m = "[radar]\nrange_resolution_m = [1, 9]\n";
+  EXPECT_EQ(fault_of("4", upto_9_m), "") << "a pulse as short as can be goes with the resolution";
+  radar_ = "beam_width_deg = 0.1\n[waveform]\npulse_length_us = 0.04\n";
+  EXPECT_EQ(fault_of("4", "[radar]\nrange_resolution_m = [1, 5.3]\n"), "");
+  EXPECT_THAT(fault_of("4", upto_9_m),
+              HasSubstr("spec.toml: radar.range_resolution_m: reaches 9 m, coarser than the radar file's "
+                        "waveform.pulse_length_us can be; stay within "));
+}
+
 TEST_F(DatasetSpecFile, TakesNothingTwice) {
   EXPECT_EQ(fault_of("4\nlayers = [\"shadow\", \"class\"]\npolarizations = [\"VV\", \"HV\"]"), "");
   EXPECT_THAT(fault_of("4\nlayers = [\"shadow\", \"class\", \"shadow\"]"),
