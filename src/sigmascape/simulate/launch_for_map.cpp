@@ -11,6 +11,20 @@ namespace {
 /// Rays start this far above the highest point, and the radar must stand above their start.
 constexpr double clearance_m = 1.0;
 
+/// Lists of so many cells take some 16 GiB.
+constexpr double most_aimed_cells = 0x1p30;
+
+void check_aim(const radar::Radar& radar, double highest_m, double cells) {
+  if (cells > most_aimed_cells) {
+    throw Error(radar::title_of(radar),
+                fmt::format("stands {:.3g} m above the highest point of the scene: rays that pass it come down so far "
+                            "behind the map that {:.2g} cells are to be aimed at",
+                            radar.position.z - highest_m, cells),
+                fmt::format("place the radar higher, or map less ground or larger cells, for at most {:.2g}",
+                            most_aimed_cells));
+  }
+}
+
 }  // namespace
 
 bool stands_above(double radar_m, double highest_m) {
@@ -19,19 +33,28 @@ bool stands_above(double radar_m, double highest_m) {
 
 void check_above(const radar::Radar& radar, double highest_m) {
   if (!stands_above(radar.position.z, highest_m)) {
-    throw Error(radar::title_of(radar),
-                fmt::format("stands at {:.0f} m, below the highest point of the scene at {:.0f} m", radar.position.z,
-                            highest_m),
-                "place the radar above the scene");
+    throw Error(
+        radar::title_of(radar),
+        fmt::format("stands at {:.1f} m, and the highest point of the scene at {:.1f} m", radar.position.z, highest_m),
+        "place the radar above the scene, by more than a metre");
   }
+}
+
+double aimed_cells(const trace::SceneGeometry& geometry, const trace::Viewpoint& viewpoint,
+                   const radar::Rectangle& area, double cell_m, const trace::MultibounceReach& reach) {
+  const radar::Rectangle aimed =
+      trace::aimed_extent(viewpoint, area, geometry.lowest_m(), geometry.highest_m() + clearance_m, reach);
+  return aimed.width_m() * aimed.height_m() / (cell_m * cell_m);
 }
 
 trace::LaunchArea launch_for_map(const scene::Scene& scene, const trace::SceneGeometry& geometry,
                                  const radar::Radar& radar, const radar::Rectangle& area, double cell_m) {
   check_above(radar, geometry.highest_m());
   const auto viewpoint = trace::Viewpoint::located(radar.position);
-  auto launch = trace::launch_area(viewpoint, area, cell_m, geometry.lowest_m(), geometry.highest_m() + clearance_m,
-                                   trace::multibounce_reach(scene, viewpoint, area));
+  const trace::MultibounceReach reach = trace::multibounce_reach(scene, viewpoint, area);
+  check_aim(radar, geometry.highest_m(), aimed_cells(geometry, viewpoint, area, cell_m, reach));
+  auto launch =
+      trace::launch_area(viewpoint, area, cell_m, geometry.lowest_m(), geometry.highest_m() + clearance_m, reach);
   trace::spare_rays(launch, scene, geometry.footing());
   return launch;
 }

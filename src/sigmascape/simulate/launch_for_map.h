@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sigmascape/base/vec.h"
 #include "sigmascape/radar/radar.h"
 #include "sigmascape/scene/scene.h"
 #include "sigmascape/trace/launch.h"
@@ -12,8 +13,13 @@ namespace sigmascape::simulate {
 /// Throws Error for a radar that does not stand above what is so high.
 void check_above(const radar::Radar& radar, double highest_m);
 
+/// How many cells trace::aimed_extent holds for a map of `area`: they grow without end where the radar stands hardly
+/// above the highest point of the scene, which it must stand above.
+[[nodiscard]] double aimed_cells(const trace::SceneGeometry& geometry, const trace::Viewpoint& viewpoint,
+                                 const radar::Rectangle& area, double cell_m, const trace::MultibounceReach& reach);
+
 /// From where rays go out for a map of `area`: the same for all passes over it. Throws Error for a radar that does not
-/// stand above the scene.
+/// stand above the scene, and for one so little above it that a list of the cells to aim at would be endless.
 [[nodiscard]] trace::LaunchArea launch_for_map(const scene::Scene& scene, const trace::SceneGeometry& geometry,
                                                const radar::Radar& radar, const radar::Rectangle& area, double cell_m);
 

@@ -22,12 +22,16 @@
 #include "sigmascape/simulate/traced_ground.h"
 #include "sigmascape/simulate/traced_scatterers.h"
 #include "sigmascape/trace/late_by.h"
+#include "sigmascape/trace/multibounce_reach.h"
 
 namespace sigmascape::simulate {
 namespace {
 
 constexpr const char* name = "live tracer";
 constexpr int coarsest_lattice_level = 23;
+/// Times as many cells as may be traced are rays aimed at, at most: what the list of them takes is less than what is
+/// kept of those that are traced.
+constexpr double most_aimed_per_traced = 4.0;
 /// From the edge of a beam echoes have a share in the next.
 constexpr double half_a_beam = 0.5;
 
@@ -84,6 +88,7 @@ LiveTracer::LiveTracer(const scene::Scene& scene, const trace::SceneGeometry& ge
       lowest_m_(static_cast<double>(scene.terrain.lowest_m())),
       highest_m_(static_cast<double>(scene.terrain.highest_m())),
       tallest_m_(scene::tallest_object_m(scene)),
+      occupied_(scene::occupied_extent(scene)),
       triangles_per_m2_(scene::triangles_per_m2(scene)),
       bins_(settings.beams * settings.ranges * render::numbers_a_bin(settings.content)) {}
 
@@ -93,7 +98,8 @@ bool LiveTracer::can_trace(const render::Pose& pose) const {
   render::check(pose, name);
   const Look look = look_of(pose);
   if (look.ground.is_empty()) return true;
-  return stands_above(look.radar.z, geometry_.highest_m()) && cells_in(look.ground.area, look) <= tracing_.most_cells;
+  return stands_above(look.radar.z, geometry_.highest_m()) && cells_in(look.ground.area, look) <= tracing_.most_cells &&
+         cells_aimed_at(look) <= most_aimed_per_traced * tracing_.most_cells;
 }
 
 const render::Frame& LiveTracer::render(const render::Pose& pose) {
@@ -137,6 +143,17 @@ void LiveTracer::begin(const render::Pose& pose) {
                 fmt::format("look at less ground or take wider bins, for at most {:.2g}; a wide area is for "
                             "render::LiveRenderer",
                             tracing_.most_cells));
+  }
+  if (!stands_above(look_.radar.z, geometry_.highest_m())) return;  // which is told where rays are to start
+  if (const double cells = cells_aimed_at(look_); cells > most_aimed_per_traced * tracing_.most_cells) {
+    throw Error(
+        name,
+        fmt::format("is to aim rays at {:.2g} cells of {:.3g} m from {:.3g} m above the highest point of the "
+                    "scene: they come down far behind the ground that the bins look at",
+                    cells, lattice_cell_m(look_), look_.radar.z - geometry_.highest_m()),
+        fmt::format("fly higher, look at less ground or take wider bins, for at most {:.2g}; so low a flight is "
+                    "for render::LiveRenderer",
+                    most_aimed_per_traced * tracing_.most_cells));
   }
 }
 
@@ -216,6 +233,13 @@ double LiveTracer::lattice_cell_m(const Look& look) const {
 double LiveTracer::cells_in(const radar::Rectangle& area, const Look& look) const {
   const double cell_m = lattice_cell_m(look);
   return area.width_m() * area.height_m() / (cell_m * cell_m);
+}
+
+double LiveTracer::cells_aimed_at(const Look& look) const {
+  const auto viewpoint = trace::Viewpoint::located(look.radar);
+  const radar::Rectangle& area = look.ground.area;
+  return aimed_cells(geometry_, viewpoint, area, lattice_cell_m(look),
+                     trace::multibounce_reach(tallest_m_, occupied_, viewpoint, area));
 }
 
 double LiveTracer::widest_cell_beams() const {

@@ -57,8 +57,9 @@ class LiveTracer {
              const LiveTraceSettings& tracing = {});
   ~LiveTracer();
 
-  /// Whether the radar stands above all of the scene and its bins look at no more ground than may be traced at a time;
-  /// always where they look at none. Throws Error for a pose that is nowhere.
+  /// Whether the radar stands above all of the scene and its bins look at no more ground than may be traced at a time,
+  /// nor so flatly past the highest point that rays would have to be aimed at several times as much behind it; always
+  /// where they look at none. Throws Error for a pose that is nowhere.
   [[nodiscard]] bool can_trace(const render::Pose& pose) const;
 
   /// Throws Error for what can_trace says no to, and for a bin that is too bright for its sums.
@@ -113,6 +114,7 @@ class LiveTracer {
   [[nodiscard]] int lattice_level(const Look& look) const;
   [[nodiscard]] double lattice_cell_m(const Look& look) const;
   [[nodiscard]] double cells_in(const radar::Rectangle& area, const Look& look) const;
+  [[nodiscard]] double cells_aimed_at(const Look& look) const;
   /// How many beams a cell of the lattice may be wide.
   [[nodiscard]] double widest_cell_beams() const;
   void begin(const render::Pose& pose);
@@ -131,6 +133,7 @@ class LiveTracer {
   receiver::TargetFrame targets_;
   double lowest_m_, highest_m_;  // of the terrain
   double tallest_m_;             // of what stands on it
+  radar::Rectangle occupied_;    // by the scene with all that stands there
   double triangles_per_m2_;      // of all meshes
 
   // Of the pose in hand.

@@ -65,16 +65,26 @@ std::vector<LaunchRing> rings_about(const Viewpoint& viewpoint, const radar::Rec
   return rings;
 }
 
-/// How far behind the target the farthest aim point lies. The distance is a convex function of that to the radar, so
-/// that the nearest point of the target or a corner has the greatest.
-double greatest_reach_m(const LaunchArea& area) {
-  const radar::Rectangle r = radar::widened(area.rings.back().upright(), area.rim_m());
-  const auto reach_of = [&](Vec2d p) {
-    return area.viewpoint.aim_behind_landing_m({p.x, p.y, area.plane_height_m}, area.top_height_m);
+/// A rectangle of the plane, and where lines of sight come down that pass over it below the top.
+///
+/// Seen from the radar the plane is stretched outwards, by ever less than in proportion with the distance, and what
+/// lies nearer in azimuth to an axis goes farther along it: an edge goes farthest at a corner, or straight before the
+/// radar.
+radar::Rectangle with_what_is_behind(const Viewpoint& viewpoint, const radar::Rectangle& over, double plane_height_m,
+                                     double top_height_m) {
+  radar::Rectangle all = over;
+  const Vec2d nearest = viewpoint.nearest_point(over);
+  const auto take_in = [&](Vec2d place) {
+    const Vec3d landing{place.x, place.y, plane_height_m};
+    const Vec2d aim =
+        place - level_part(viewpoint.direction_from(landing)) * viewpoint.aim_behind_landing_m(landing, top_height_m);
+    all = {std::min(all.west_m, aim.x), std::min(all.south_m, aim.y), std::max(all.east_m, aim.x),
+           std::max(all.north_m, aim.y)};
   };
-  double reach = reach_of(area.viewpoint.nearest_point(r));
-  for (const Vec2d corner : corners_of(r)) reach = std::max(reach, reach_of(corner));
-  return reach;
+  std::ranges::for_each(corners_of(over), take_in);
+  for (const double x : {over.west_m, over.east_m}) take_in({x, nearest.y});
+  for (const double y : {over.south_m, over.north_m}) take_in({nearest.x, y});
+  return all;
 }
 
 /// Tells from which ring paths can begin that a square's rays lead to.
@@ -248,6 +258,12 @@ double LaunchArea::whole_cells() const {
   return sum;
 }
 
+radar::Rectangle aimed_extent(const Viewpoint& viewpoint, const radar::Rectangle& target, double plane_height_m,
+                              double top_height_m, const MultibounceReach& reach) {
+  return with_what_is_behind(viewpoint, ring_about(viewpoint, target, plane_height_m, reach).upright(), plane_height_m,
+                             top_height_m);
+}
+
 LaunchArea launch_area(const Viewpoint& viewpoint, const radar::Rectangle& target, double cell_m, double plane_height_m,
                        double top_height_m, const MultibounceReach& reach, int grain) {
   LaunchArea area{.cell_m = cell_m,
@@ -260,13 +276,15 @@ LaunchArea launch_area(const Viewpoint& viewpoint, const radar::Rectangle& targe
                   .reach = reach,
                   .rings = rings_about(viewpoint, target, plane_height_m, reach),
                   .shares = {}};
-  const radar::Rectangle& outermost = area.rings.back().upright();
-  const double spread = area.rim_m() + cell_m * grain + greatest_reach_m(area);
+  const radar::Rectangle aimed =
+      radar::widened(with_what_is_behind(viewpoint, radar::widened(area.rings.back().upright(), area.rim_m()),
+                                         plane_height_m, top_height_m),
+                     cell_m * grain);
   // Tiles of the lattice, and squares of a tile.
   const double tile_m = cell_m * tile;
   const auto tile_at = [tile_m](double metres) { return static_cast<std::int32_t>(std::floor(metres / tile_m)); };
-  const std::int32_t west = tile_at(outermost.west_m - spread), east = tile_at(outermost.east_m + spread);
-  const std::int32_t south = tile_at(outermost.south_m - spread), north = tile_at(outermost.north_m + spread);
+  const std::int32_t west = tile_at(aimed.west_m), east = tile_at(aimed.east_m);
+  const std::int32_t south = tile_at(aimed.south_m), north = tile_at(aimed.north_m);
   const std::int32_t squares = tile / grain;
   area.shares = LaunchShares(west * squares, south * squares, static_cast<std::size_t>((east - west + 1) * squares),
                              static_cast<std::size_t>((north - south + 1) * squares));

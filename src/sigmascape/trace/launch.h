@@ -113,7 +113,13 @@ void spare_rays(LaunchArea& area, const scene::Scene& scene, Footing footing);
 /// sector and what lies within reach of it, and all paths that begin there (LaunchArea::counts_from).
 void narrow_to(LaunchArea& area, const HeardSector& heard);
 
-/// The launch area for echoes that land in `target`.
+/// The least upright rectangle that holds what rays for such a target are aimed at: the target, where paths that land
+/// there may begin, and behind both as far as their lines of sight stay below the top. Without end where the radar
+/// stands hardly above the top.
+[[nodiscard]] radar::Rectangle aimed_extent(const Viewpoint& viewpoint, const radar::Rectangle& target,
+                                            double plane_height_m, double top_height_m, const MultibounceReach& reach);
+
+/// The launch area for echoes that land in `target`, whose aimed_extent counts in cells must fit into 32 bits.
 ///
 /// A surface at height h above the plane is hit by rays aimed h cot ψ behind it and lands h tan ψ before it, so aim
 /// points reach h_max (cot ψ + tan ψ) behind the target, each along its own line of sight where the radar has a place.

@@ -34,10 +34,15 @@ double farthest_beginning_m(double late_m) {
   return std::hypot(late_m, part_beside * late_m);
 }
 
+MultibounceReach multibounce_reach(double tallest_m, const radar::Rectangle& occupied, const Viewpoint& viewpoint,
+                                   const radar::Rectangle& target) {
+  const double before_m = late_by_m(tallest_m, viewpoint, target);
+  return {.before_m = before_m, .beside_m = part_beside * before_m, .within = occupied};
+}
+
 MultibounceReach multibounce_reach(const scene::Scene& scene, const Viewpoint& viewpoint,
                                    const radar::Rectangle& target) {
-  const double before_m = late_by_m(scene::tallest_object_m(scene), viewpoint, target);
-  return {.before_m = before_m, .beside_m = part_beside * before_m, .within = scene::occupied_extent(scene)};
+  return multibounce_reach(scene::tallest_object_m(scene), scene::occupied_extent(scene), viewpoint, target);
 }
 
 }  // namespace sigmascape::trace

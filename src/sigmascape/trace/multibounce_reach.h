@@ -36,5 +36,8 @@ struct MultibounceReach {
 /// Surfaces that scatter send more steeply and less steeply as well: so it is a length to go by, not a bound.
 [[nodiscard]] MultibounceReach multibounce_reach(const scene::Scene& scene, const Viewpoint& viewpoint,
                                                  const radar::Rectangle& target);
+/// The same over a scene of that tallest thing that occupies that extent, for who asks often.
+[[nodiscard]] MultibounceReach multibounce_reach(double tallest_m, const radar::Rectangle& occupied,
+                                                 const Viewpoint& viewpoint, const radar::Rectangle& target);
 
 }  // namespace sigmascape::trace

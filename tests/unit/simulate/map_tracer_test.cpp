@@ -1,9 +1,11 @@
 #include "sigmascape/simulate/map_tracer.h"
 
 #include <algorithm>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "physics/level_scene.h"
+#include "scratch_folder.h"
 
 namespace sigmascape::simulate {
 namespace {
@@ -33,6 +35,28 @@ TEST(MapTracer, OneMapKnowsNothingOfThoseBefore) {
   const LaunchShare halves[] = {west, east};
   const auto in_halves = tracer.map(halves, 1, counts).front();
   EXPECT_TRUE(std::ranges::equal(first.rcs_m2.values(), in_halves.rcs_m2.values()));
+}
+
+// Rays past the highest point come down behind the map at its height times the distance over what the radar has above
+// it.
+TEST(MapTracer, ARadarHardlyAboveTheSceneIsRefused) {
+  const scatter::Material ground{.name = "ground", .model = scatter::LambertParameters{0.5, {0.0, 1.0}}, .source = {}};
+  scene::Scene scene = physics_test::level_scene(ground, 128.0);
+  scene.prototypes.push_back(scene::box_mesh({8.0F, 6.0F, 70.0F}, 0));
+  scene.instances.push_back({});
+  const trace::SceneGeometry geometry(scene, trace::Footing::Terrain);
+  radar::Radar radar;
+  radar.range_resolution_m = 3.0;
+  radar.beam_width_rad = 3.0 / 20e3;
+  const auto fault_from = [&](double above_m) {
+    radar.position = {0.0, -5000.0, geometry.highest_m() + above_m};
+    return message_of_error([&] {
+      static_cast<void>(MapTracer(scene, geometry, radar, {-30.0, -30.0, 30.0, 30.0}, {.cell_m = 0.5, .threads = 2}));
+    });
+  };
+  EXPECT_EQ(fault_from(200.0), "");
+  EXPECT_THAT(fault_from(1.0001), ::testing::HasSubstr("stands 1 m above the highest point of the scene: rays that"));
+  EXPECT_THAT(fault_from(0.5), ::testing::HasSubstr("and the highest point of the scene at 70.0 m; place"));
 }
 
 }  // namespace

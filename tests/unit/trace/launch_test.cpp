@@ -142,6 +142,22 @@ TEST(LaunchArea, LaunchesNothingBeforeTheTargetAndLittleBeside) {
               1500.0);
 }
 
+TEST(LaunchArea, AimsAtTheTargetAndBehindItAlone) {
+  const double elevation = radians(10.0);
+  const double reach_m = top_m / std::tan(elevation) + top_m * std::tan(elevation);
+  const radar::Rectangle aimed = aimed_extent(Viewpoint::distant({radians(180.0), elevation}), target, 0.0, top_m, {});
+  EXPECT_NEAR(aimed.south_m, target.south_m, 1e-9);
+  EXPECT_NEAR(aimed.north_m, target.north_m + reach_m, 1e-6);
+  EXPECT_NEAR(aimed.west_m, target.west_m, 1e-6);
+  EXPECT_NEAR(aimed.east_m, target.east_m, 1e-6);
+  // Seen from a place the shadow of the top over the far edge is longer by the ratio of heights: similar triangles.
+  const Vec3d radar{0.0, -2000.0, 80.0};
+  const radar::Rectangle behind = aimed_extent(Viewpoint::located(radar), target, 0.0, top_m, {});
+  const double far_m = target.north_m - radar.y, stands_m = std::sqrt(far_m * far_m + 80.0 * 80.0 - 20.0 * 20.0);
+  EXPECT_NEAR(behind.north_m, radar.y + stands_m * 80.0 / 20.0, 1e-6);
+  EXPECT_NEAR(behind.south_m, target.south_m, 1e-9);
+}
+
 // Echoes of several bounces land behind where they begin, and midway across.
 TEST(LaunchArea, ReachWidensTheTargetBeforeAndBeside) {
   const LaunchArea area =
