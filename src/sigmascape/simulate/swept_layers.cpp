@@ -175,8 +175,11 @@ class SweptMasks {
                    layover.add_place(range_m(distance_m, point.z));
                    if (!is_hidden) layover.add_seen_ground();
                    const double slope = (point.z - radar_.position.z) / distance_m;
-                   if (obstacle.top_m() > 0.0F)
-                     lay_over(layover, distance_m, point.z, obstacle.top_m(), std::max(horizon, slope));
+                   const Column column{distance_m, point.z, std::max(horizon, slope)};
+                   if (obstacle.solid_top_m > 0.0F) lay_over(layover, column, 0.0F, obstacle.solid_top_m);
+                   if (obstacle.crown_top_m > obstacle.solid_top_m)
+                     lay_over(layover, column, std::max(obstacle.crown_base_m, obstacle.solid_top_m),
+                              obstacle.crown_top_m);
                    horizon = std::max(horizon, slope + static_cast<double>(obstacle.solid_top_m) / distance_m);
                  });
     const std::vector<bool> is_lain_over = layover.lain_over();
@@ -187,13 +190,21 @@ class SweptMasks {
     return std::hypot(distance_m, radar_.position.z - height_m);
   }
 
+  /// What stands on one step of an azimuth.
+  struct Column {
+    double distance_m = 0.0, ground_m = 0.0;
+    double horizon = 0.0;  ///< slope of the steepest line of sight to what is solid before it, and to its own ground
+  };
+
   /// Notes the ranges of the part of a thing that rises above the steepest line of sight before it: of its near side
-  /// from there up, and of its top, all the step long.
-  void lay_over(LayoverAlongAzimuth& layover, double distance_m, double height_m, float top_m, double horizon) const {
-    const double top = height_m + static_cast<double>(top_m);
-    if (horizon * distance_m + radar_.position.z >= top) return;
-    const double near_m = std::max(0.0, distance_m - sector_.step_m / 2.0), far_m = distance_m + sector_.step_m / 2.0;
-    const double lowest = std::min(top, horizon * near_m + radar_.position.z);
+  /// from there up, and of its top, all the step long. Of crowns, which let through, every step has a near side.
+  void lay_over(LayoverAlongAzimuth& layover, const Column& column, float base_m, float top_m) const {
+    const double base = column.ground_m + static_cast<double>(base_m);
+    const double top = column.ground_m + static_cast<double>(top_m);
+    if (column.horizon * column.distance_m + radar_.position.z >= top) return;
+    const double near_m = std::max(0.0, column.distance_m - sector_.step_m / 2.0);
+    const double far_m = column.distance_m + sector_.step_m / 2.0;
+    const double lowest = std::min(top, std::max(base, column.horizon * near_m + radar_.position.z));
     layover.add_seen_thing(range_m(near_m, top), std::max(range_m(far_m, top), range_m(near_m, lowest)));
   }
 

@@ -202,6 +202,22 @@ TEST(TracedLayers, ALeafSmallerThanACellLiesOverIt) {
   EXPECT_EQ(stack.layers[0].values(4, 169), 1.0F);
 }
 
+// Leaves between 10 and 12 m above four metres of ground, seen from 45°: each lies over the ground as far before it as
+// it is high, and the bare stem over nothing.
+TEST(SweptLayers, ACrownLiesOverFromItsBaseUp) {
+  const scene::Scene scene = physics_test::level_scene(lambert("ground"), 512.0);
+  radar::ObstacleMap obstacles{{-256.0, 256.0, 0.5, 1024, 1024}, Array2D<radar::Obstacle>(1024, 1024)};
+  for (std::size_t row = 504; row < 512; ++row) {
+    for (std::size_t column = 0; column < 1024; ++column)
+      obstacles.obstacles(column, row) = {.crown_base_m = 10.0F, .crown_top_m = 12.0F, .crown_extinction_per_m = 0.1F};
+  }
+  const auto stack = swept_layers({&scene.terrain, &obstacles, &scene.ground, scene.materials.size()},
+                                  radar_in_the_south(45.0), grid, std::vector{LayerKind::Layover}, 1);
+  const Stretch layover = stretch_of(stack.layers[0].values);
+  EXPECT_NEAR(layover.south_m, -12.0, cell_m);
+  EXPECT_NEAR(layover.north_m, 4.0 - 10.0, cell_m);
+}
+
 TEST(LayerKinds, AnUnknownWordIsToldTheKnownOnes) {
   EXPECT_EQ(layer_kind("layover"), LayerKind::Layover);
   const std::string message = message_of_error([] { (void)layer_kind("shade"); });
