@@ -1,4 +1,5 @@
 #include <array>
+#include <nlohmann/json.hpp>
 
 #include "sigmascape/geo/atomic_file.h"
 #include "sigmascape/product/iq_file.h"
@@ -8,6 +9,13 @@
 
 namespace sigmascape::product {
 namespace {
+
+constexpr const char* positions_name = "platform_position_m";
+constexpr const char* velocities_name = "platform_velocity_mps";
+
+std::string axis_name(const IqAxis& axis) {
+  return axis.name + "_" + axis.unit;
+}
 
 std::string samples_bytes(const IqRecord& record) {
   const std::array shape{record.slow.values.size(), record.fast.values.size(), record.polarizations.size()};
@@ -30,20 +38,37 @@ ZipEntry words_entry(const std::string& name, const std::string& words) {
   return {name + ".npy", npy_bytes("|u1", shape, std::as_bytes(std::span(words)))};
 }
 
+/// The description with what other formats keep as arrays of their own.
+std::string description_with_places(const IqRecord& record) {
+  using Json = nlohmann::ordered_json;
+  Json json = Json::parse(iq_description(record));
+  for (const IqAxis* axis : {&record.slow, &record.fast}) json[axis_name(*axis)] = axis->values;
+  const auto add_vectors = [&](const char* name, Vec3d radar::Motion::*member) {
+    json[name] = Json::array();
+    for (const radar::Motion& motion : record.platform) {
+      const Vec3d& v = motion.*member;
+      json[name].push_back({v.x, v.y, v.z});
+    }
+  };
+  add_vectors(positions_name, &radar::Motion::position);
+  add_vectors(velocities_name, &radar::Motion::velocity_mps);
+  return json.dump() + "\n";
+}
+
 }  // namespace
 
 void write_iq_npy(const std::filesystem::path& path, const IqRecord& record) {
-  const std::string description = iq_description(record), samples = samples_bytes(record);
+  const std::string description = description_with_places(record), samples = samples_bytes(record);
   geo::write_together({{std::filesystem::path(path).replace_extension(".json"), description}, {path, samples}});
 }
 
 void write_iq_npz(const std::filesystem::path& path, const IqRecord& record) {
   geo::write_atomically(
       path, zip_bytes({{"samples.npy", samples_bytes(record)},
-                       numbers_entry(record.slow.name + "_" + record.slow.unit, record.slow.values),
-                       numbers_entry(record.fast.name + "_" + record.fast.unit, record.fast.values),
-                       vectors_entry("platform_position_m", platform_numbers(record, &radar::Motion::position)),
-                       vectors_entry("platform_velocity_mps", platform_numbers(record, &radar::Motion::velocity_mps)),
+                       numbers_entry(axis_name(record.slow), record.slow.values),
+                       numbers_entry(axis_name(record.fast), record.fast.values),
+                       vectors_entry(positions_name, platform_numbers(record, &radar::Motion::position)),
+                       vectors_entry(velocities_name, platform_numbers(record, &radar::Motion::velocity_mps)),
                        words_entry("description_json", iq_description(record))},
                       path.string()));
 }

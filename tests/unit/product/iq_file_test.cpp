@@ -69,6 +69,20 @@ TEST(IqFile, HasEveryKindUnderEveryEnding) {
   }
 }
 
+TEST(IqFile, TellsBesideAnArrayWhereItsSamplesStand) {
+  const ScratchFolder folder;
+  const radar::Radar radar = moving_radar();
+  radar::PhaseHistory history = two_pulses();
+  history.pulses[0].platform = {.position = {299.95, -4000.0, 1500.0}, .velocity_mps = radar.velocity_mps};
+  history.pulses[1].platform = {.position = radar.position, .velocity_mps = radar.velocity_mps};
+  write_iq(folder.path("pulses.npy"), iq_record(history, radar));
+  const nlohmann::json told = json_of(folder.path("pulses.json"));
+  EXPECT_EQ(told.at("slant_range_m"), nlohmann::json({4000.0, 4001.5, 4003.0}));
+  EXPECT_EQ(told.at("pulse_time_s"), nlohmann::json({-0.0005, 0.0}));
+  EXPECT_EQ(told.at("platform_position_m"), nlohmann::json({{299.95, -4000.0, 1500.0}, {300.0, -4000.0, 1500.0}}));
+  EXPECT_EQ(told.at("platform_velocity_mps"), nlohmann::json({{100.0, 0.0, 0.0}, {100.0, 0.0, 0.0}}));
+}
+
 /// JSON would let the second win and HDF5 refuse it: no ending may make anything of such a record.
 TEST(IqFile, SaysNoKeyTwice) {
   const ScratchFolder folder;
