@@ -35,7 +35,7 @@ results-small: packages ## Measure how close baked maps come to traced ones, sma
 RESULTS_PAPER ?= --scale 0.2 --held-out 24 --on-grid 3 --repeated 1 --samples 100 --traced-samples 1024 --most-traced-samples 6144 --finer-samples 5120
 RESULTS_ITU ?= --small --scale 0.2 --held-out 24 --on-grid 3 --repeated 1 --samples 64 --traced-samples 512 --finer-samples 512
 RESULTS_BILBAO ?= --small --scale 0.2 --held-out 24 --on-grid 3 --repeated 1 --samples 64 --traced-samples 768 --finer-samples 768
-RESULTS_SAN_FRANCISCO ?= --small --scale 0.2 --held-out 24 --on-grid 3 --repeated 1 --samples 32 --traced-samples 128 --finer-samples 256
+RESULTS_SAN_FRANCISCO ?= --small --scale 0.2 --held-out 24 --on-grid 3 --repeated 1 --samples 32 --traced-samples 768 --finer-samples 512
 
 results: packages ## Measure as docs/results was, on real places too, and write it anew: hours, goes on where it was broken off
 	$(call configure,release)
