@@ -72,6 +72,10 @@ void write_iq(const std::filesystem::path& path, const IqRecord& record) {
   writers().at(path.extension().string())(path, record);
 }
 
+std::string axis_name(const IqAxis& axis) {
+  return axis.name + "_" + axis.unit;
+}
+
 std::vector<double> platform_numbers(const IqRecord& record, Vec3d radar::Motion::*member) {
   std::vector<double> numbers;
   for (const radar::Motion& motion : record.platform) {

@@ -13,10 +13,6 @@ namespace {
 constexpr const char* positions_name = "platform_position_m";
 constexpr const char* velocities_name = "platform_velocity_mps";
 
-std::string axis_name(const IqAxis& axis) {
-  return axis.name + "_" + axis.unit;
-}
-
 std::string samples_bytes(const IqRecord& record) {
   const std::array shape{record.slow.values.size(), record.fast.values.size(), record.polarizations.size()};
   return npy_bytes("<c8", shape, std::as_bytes(record.samples));

@@ -36,7 +36,7 @@ Json captures_of(const IqRecord& record) {
     captures.push_back(
         {{"core:sample_start", i * record.fast.values.size()},
          {"core:frequency", record.numbers.at("frequency_hz")},
-         {"sigmascape:" + record.slow.name + "_" + record.slow.unit, record.slow.values[i]},
+         {"sigmascape:" + axis_name(record.slow), record.slow.values[i]},
          {"sigmascape:position_m", {motion.position.x, motion.position.y, motion.position.z}},
          {"sigmascape:velocity_mps", {motion.velocity_mps.x, motion.velocity_mps.y, motion.velocity_mps.z}}});
   }

@@ -11,6 +11,10 @@ namespace {
 /// Rays start this far above the highest point, and the radar must stand above their start.
 constexpr double clearance_m = 1.0;
 
+double start_height_m(const trace::SceneGeometry& geometry) {
+  return geometry.highest_m() + clearance_m;
+}
+
 /// Lists of so many cells take some 16 GiB.
 constexpr double most_aimed_cells = 0x1p30;
 
@@ -43,7 +47,7 @@ void check_above(const radar::Radar& radar, double highest_m) {
 double aimed_cells(const trace::SceneGeometry& geometry, const trace::Viewpoint& viewpoint,
                    const radar::Rectangle& area, double cell_m, const trace::MultibounceReach& reach) {
   const radar::Rectangle aimed =
-      trace::aimed_extent(viewpoint, area, geometry.lowest_m(), geometry.highest_m() + clearance_m, reach);
+      trace::aimed_extent(viewpoint, area, geometry.lowest_m(), start_height_m(geometry), reach);
   return aimed.width_m() * aimed.height_m() / (cell_m * cell_m);
 }
 
@@ -53,8 +57,7 @@ trace::LaunchArea launch_for_map(const scene::Scene& scene, const trace::SceneGe
   const auto viewpoint = trace::Viewpoint::located(radar.position);
   const trace::MultibounceReach reach = trace::multibounce_reach(scene, viewpoint, area);
   check_aim(radar, geometry.highest_m(), aimed_cells(geometry, viewpoint, area, cell_m, reach));
-  auto launch =
-      trace::launch_area(viewpoint, area, cell_m, geometry.lowest_m(), geometry.highest_m() + clearance_m, reach);
+  auto launch = trace::launch_area(viewpoint, area, cell_m, geometry.lowest_m(), start_height_m(geometry), reach);
   trace::spare_rays(launch, scene, geometry.footing());
   return launch;
 }

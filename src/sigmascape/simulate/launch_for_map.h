@@ -1,6 +1,5 @@
 #pragma once
 
-#include "sigmascape/base/vec.h"
 #include "sigmascape/radar/radar.h"
 #include "sigmascape/scene/scene.h"
 #include "sigmascape/trace/launch.h"
