@@ -118,7 +118,7 @@ nlohmann::ordered_json summary_of(const atlas::AtlasDescription& atlas, const at
           {"relative_standard_error", errors_of(summary)},
           {"above_target", summary.above_target ? nlohmann::ordered_json(*summary.above_target) : nullptr},
           {"mantissa_bits", atlas.mantissa_bits},
-          {"digits", atlas.digits == atlas::Digits::ToNoise ? "to-noise" : "all"},
+          {"digits", atlas::word_for(atlas.digits)},
           {"settings", atlas.settings},
           {"scene_hash", atlas.scene_hash},
           {"attribution", atlas.attribution}};
@@ -178,7 +178,7 @@ void build_terrain(const std::string& folder, const terrain::TerrainSource& sour
                    const Output& output) {
   const atlas::Store store = atlas::Store::open(folder);
   const geo::LocalFrame& frame = store.description().frame;
-  const geo::Extent raster = geo::Raster(source.raster).extent_in(frame);
+  const geo::Extent raster = geo::Raster(source.raster).outline_in(frame).extent_inside();
   check_overlap(source, raster, store.description().extent);
   const auto pyramid = std::filesystem::path(folder) / atlas::terrain_pyramid_name;
   const std::size_t written = terrain::build_pyramid(

@@ -31,6 +31,11 @@ enum class Digits {
   ToNoise,  ///< those that its standard error does not drown: worthwhile_bits.h
 };
 
+/// As files and options spell it.
+[[nodiscard]] constexpr const char* word_for(Digits digits) {
+  return digits == Digits::ToNoise ? "to-noise" : "all";
+}
+
 /// What an atlas is of: everything that all of its files have in common. Bakes with equal descriptions give equal
 /// files, so they may be spread over processes and machines, and broken off and resumed.
 struct AtlasDescription {

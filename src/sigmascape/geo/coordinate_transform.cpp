@@ -73,6 +73,17 @@ Vec2d position_in_frame(const LocalFrame& frame, GeographicPosition place) {
   return position;
 }
 
+GeographicPosition place_on_globe(const std::string& crs, Vec2d position, const std::string& where) {
+  const OGRSpatialReference own = horizontal_reference(crs, where), globe = horizontal_reference("EPSG:4326", where);
+  const std::unique_ptr<OGRCoordinateTransformation> way(OGRCreateCoordinateTransformation(&own, &globe));
+  const QuietGdal quiet;
+  if (!way || way->Transform(1, &position.x, &position.y) == 0) {
+    throw Error(where, "its centre has no place on the globe",
+                "check its georeference and coordinate reference system");
+  }
+  return {position.y, position.x};
+}
+
 GeographicPosition place_on_globe(const LocalFrame& frame, Vec2d position) {
   CoordinateTransform("EPSG:4326", frame, "position").to_crs({&position, 1});
   return {position.y, position.x};

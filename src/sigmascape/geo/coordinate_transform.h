@@ -43,6 +43,9 @@ void require_known_reference(const std::string& crs, const std::string& where);
 
 /// Where a place on the globe lies in a frame.
 [[nodiscard]] Vec2d position_in_frame(const LocalFrame& frame, GeographicPosition place);
+/// Where a place of another CRS lies on the globe. Throws Error at `where` when it is not understood or does not reach
+/// there.
+[[nodiscard]] GeographicPosition place_on_globe(const std::string& crs, Vec2d position, const std::string& where);
 /// Where a point of a frame lies on the globe.
 [[nodiscard]] GeographicPosition place_on_globe(const LocalFrame& frame, Vec2d position);
 

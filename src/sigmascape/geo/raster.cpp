@@ -2,14 +2,19 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <fmt/format.h>
 #include <gdal_priv.h>
 #include <ogr_spatialref.h>
+#include <optional>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/interruption.h"
+#include "sigmascape/geo/axis_units.h"
 #include "sigmascape/geo/heeding_progress.h"
 #include "sigmascape/geo/quiet_gdal.h"
 #include "sigmascape/geo/spatial_reference.h"
@@ -32,10 +37,36 @@ GDALDatasetUniquePtr open_raster(const std::filesystem::path& file) {
   return dataset;
 }
 
-double metres_per_unit(const std::string& unit) {
-  if (unit == "ft" || unit == "foot" || unit == "feet") return 0.3048;
-  if (unit == "us-ft" || unit == "ftUS" || unit == "US survey foot") return 1200.0 / 3937.0;
-  return 1.0;
+/// Names of units are spelled in many ways: in capitals, with blanks, hyphens and underscores.
+std::string plainly_spelled(const std::string& unit) {
+  std::string letters;
+  for (const char c : unit) {
+    if (std::isalpha(static_cast<unsigned char>(c)) != 0)
+      letters += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  }
+  return letters;
+}
+
+/// Of a band that states no unit, a metre.
+std::optional<double> metres_per_unit(const std::string& unit) {
+  struct LengthUnit {
+    double metres;
+    std::vector<std::string_view> names;
+  };
+  static const std::array<LengthUnit, 6> known{{
+      {1.0, {"", "m", "metre", "metres", "meter", "meters"}},
+      {0.1, {"dm", "decimetre", "decimetres", "decimeter", "decimeters"}},
+      {0.01, {"cm", "centimetre", "centimetres", "centimeter", "centimeters"}},
+      {0.001, {"mm", "millimetre", "millimetres", "millimeter", "millimeters"}},
+      {0.3048, {"ft", "foot", "feet", "internationalfoot", "internationalfeet"}},
+      {1200.0 / 3937.0,
+       {"usft", "ftus", "usfoot", "usfeet", "footus", "feetus", "ussurveyfoot", "ussurveyfeet", "surveyfoot",
+        "surveyfeet"}},
+  }};
+  for (const LengthUnit& length : known) {
+    if (std::ranges::find(length.names, plainly_spelled(unit)) != length.names.end()) return length.metres;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -47,6 +78,7 @@ struct Raster::Source {
   std::string crs;
   std::array<double, 6> crs_from_pixel{};
   std::array<double, 6> pixel_from_crs{};
+  double full_turn = 0.0;
 
   [[nodiscard]] int columns() const { return dataset->GetRasterXSize(); }
   [[nodiscard]] int rows() const { return dataset->GetRasterYSize(); }
@@ -54,9 +86,17 @@ struct Raster::Source {
     const auto& g = crs_from_pixel;
     return {g[0] + column * g[1] + row * g[2], g[3] + column * g[4] + row * g[5]};
   }
-  [[nodiscard]] Vec2d pixel_position(Vec2d p) const {
+  [[nodiscard]] Vec2d middle() const { return crs_position(columns() / 2.0, rows() / 2.0); }
+  /// Replaces positions in the CRS by positions in pixels. Longitudes come as −180° to 180°, whatever turn the raster
+  /// counts them in: one of them is taken on the turn of the raster, the others on that of this one, for they are
+  /// neighbours.
+  void to_pixels(std::span<Vec2d> positions) const {
+    const double one = on_turn_of(positions[positions.size() / 2].x, middle().x, full_turn);
     const auto& g = pixel_from_crs;
-    return {g[0] + p.x * g[1] + p.y * g[2], g[3] + p.x * g[4] + p.y * g[5]};
+    for (Vec2d& p : positions) {
+      const double x = on_turn_of(p.x, one, full_turn);
+      p = {g[0] + x * g[1] + p.y * g[2], g[3] + x * g[4] + p.y * g[5]};
+    }
   }
 };
 
@@ -66,8 +106,8 @@ namespace {
 /// where no projection bends by more than a millimetre.
 class PixelNet {
  public:
-  template <typename PixelPosition>
-  PixelNet(const Lattice& lattice, const CoordinateTransform& transform, const PixelPosition& pixel_position)
+  template <typename ToPixels>
+  PixelNet(const Lattice& lattice, const CoordinateTransform& transform, const ToPixels& to_pixels)
       : stride_(std::clamp<std::size_t>(static_cast<std::size_t>(100.0 / lattice.spacing_m), 1, 64)),
         knots_(lattice.columns / stride_ + 2, lattice.rows / stride_ + 2) {
     const double step_m = lattice.spacing_m * static_cast<double>(stride_);
@@ -78,7 +118,7 @@ class PixelNet {
       }
     }
     transform.to_crs(knots_.values());
-    for (Vec2d& knot : knots_.values()) knot = pixel_position(knot);
+    to_pixels(knots_.values());
   }
 
   /// At a place between the lattice points, which may lie half a spacing outside them.
@@ -242,6 +282,7 @@ Raster::Raster(const RasterBand& wanted) : source_(std::make_unique<Source>()) {
                 "georeference it, for example with gdal_translate -a_ullr");
   }
   require_latitudes(source.crs_from_pixel, source.columns(), source.rows(), source.crs, where);
+  source.full_turn = full_turn(source.crs);
 }
 
 Raster::~Raster() = default;
@@ -249,15 +290,7 @@ Raster::Raster(Raster&&) noexcept = default;
 Raster& Raster::operator=(Raster&&) noexcept = default;
 
 GeographicPosition Raster::centre() const {
-  Vec2d place = source_->crs_position(source_->columns() / 2.0, source_->rows() / 2.0);
-  const OGRSpatialReference globe = reference_from("EPSG:4326", source_->name);
-  const OGRSpatialReference own = reference_from(source_->crs, source_->name);
-  const std::unique_ptr<OGRCoordinateTransformation> way(OGRCreateCoordinateTransformation(&own, &globe));
-  if (!way || way->Transform(1, &place.x, &place.y) == 0) {
-    throw Error(source_->name, "its centre has no place on the globe",
-                "check its georeference and coordinate reference system");
-  }
-  return {place.y, place.x};
+  return place_on_globe(source_->crs, source_->middle(), source_->name);
 }
 
 double Raster::cell_m() const {
@@ -270,8 +303,8 @@ double Raster::cell_m() const {
   return std::min(length(corners[1] - corners[0]), length(corners[2] - corners[0]));
 }
 
-Extent Raster::extent_in(const LocalFrame& frame) const {
-  constexpr int steps = 64;
+RasterOutline Raster::outline_in(const LocalFrame& frame) const {
+  constexpr int steps = 256;
   const double columns = source_->columns(), rows = source_->rows();
   std::vector<Vec2d> left, right, top, bottom;
   for (int i = 0; i <= steps; ++i) {
@@ -283,23 +316,22 @@ Extent Raster::extent_in(const LocalFrame& frame) const {
   }
   const CoordinateTransform transform(source_->crs, frame, source_->name);
   for (auto* edge : {&left, &right, &top, &bottom}) transform.to_frame(*edge);
-  // A raster may be stored south up or east first: the edges are told apart by where they lie.
-  if (left[steps / 2].x > right[steps / 2].x) std::swap(left, right);
-  if (bottom[steps / 2].y > top[steps / 2].y) std::swap(bottom, top);
-  const auto by_x = [](Vec2d a, Vec2d b) { return a.x < b.x; };
-  const auto by_y = [](Vec2d a, Vec2d b) { return a.y < b.y; };
-  return {std::ranges::max_element(left, by_x)->x, std::ranges::max_element(bottom, by_y)->y,
-          std::ranges::min_element(right, by_x)->x, std::ranges::min_element(top, by_y)->y};
+  return RasterOutline::of(std::move(left), std::move(right), std::move(bottom), std::move(top));
 }
 
 Array2D<float> Raster::heights_on(const Lattice& lattice, const LocalFrame& frame, PlausibleHeights plausible) const {
   const CoordinateTransform transform(source_->crs, frame, source_->name);
-  const PixelNet net(lattice, transform, [this](Vec2d p) { return source_->pixel_position(p); });
+  const PixelNet net(lattice, transform, [this](std::span<Vec2d> knots) { source_->to_pixels(knots); });
   auto window = read_window<float>(*source_->band, net.knots(), GDT_Float32, source_->name);
   Array2D<float> heights(lattice.columns, lattice.rows, nan_height);
   if (window.value.empty()) return heights;
-  const double to_metres = metres_per_unit(source_->band->GetUnitType());
-  const double scale = source_->band->GetScale() * to_metres, offset = source_->band->GetOffset() * to_metres;
+  const std::optional<double> to_metres = metres_per_unit(source_->band->GetUnitType());
+  if (!to_metres) {
+    throw Error(source_->name,
+                fmt::format("counts heights in '{}', which is no known unit", source_->band->GetUnitType()),
+                "convert it to metres, or state the unit as m, ft or us-ft, for example with gdal_edit.py -units m");
+  }
+  const double scale = source_->band->GetScale() * *to_metres, offset = source_->band->GetOffset() * *to_metres;
   for (std::size_t i = 0; i < window.value.size(); ++i) {
     float& height = window.value.values()[i];
     height = static_cast<float>(static_cast<double>(height) * scale + offset);
@@ -323,7 +355,7 @@ Array2D<float> Raster::heights_on(const Lattice& lattice, const LocalFrame& fram
 
 Array2D<std::int32_t> Raster::classes_on(const Lattice& lattice, const LocalFrame& frame) const {
   const CoordinateTransform transform(source_->crs, frame, source_->name);
-  const PixelNet net(lattice, transform, [this](Vec2d p) { return source_->pixel_position(p); });
+  const PixelNet net(lattice, transform, [this](std::span<Vec2d> knots) { source_->to_pixels(knots); });
   const auto window = read_window<std::int32_t>(*source_->band, net.knots(), GDT_Int32, source_->name);
   Array2D<std::int32_t> classes(lattice.columns, lattice.rows, no_class);
   if (window.value.empty()) return classes;

@@ -10,6 +10,7 @@
 #include "sigmascape/geo/coordinate_transform.h"
 #include "sigmascape/geo/lattice.h"
 #include "sigmascape/geo/local_frame.h"
+#include "sigmascape/geo/raster_outline.h"
 
 namespace sigmascape::geo {
 
@@ -41,12 +42,13 @@ class Raster {
   [[nodiscard]] GeographicPosition centre() const;
   /// The shorter side of the cell at the centre, on the ground.
   [[nodiscard]] double cell_m() const;
-  /// The largest rectangle of the frame's own directions inside the raster's four edges.
-  [[nodiscard]] Extent extent_in(const LocalFrame& frame) const;
+  /// Its edges in a frame.
+  [[nodiscard]] RasterOutline outline_in(const LocalFrame& frame) const;
 
   /// Bilinear heights in metres, [column, row] of the lattice; NaN outside the raster and where it holds no data. Where
-  /// the lattice is coarser than the raster, the mean over the lattice cell. Values in feet (as the band states) become
-  /// metres; the vertical datum stays whatever it is.
+  /// the lattice is coarser than the raster, the mean over the lattice cell. Values in feet, or in
+  /// what else the band states, become metres; the vertical datum stays whatever it is. Throws Error for a unit that is
+  /// not known.
   [[nodiscard]] Array2D<float> heights_on(const Lattice& lattice, const LocalFrame& frame,
                                           PlausibleHeights plausible = {}) const;
   /// Class of the nearest cell, [column, row] of the lattice; `no_class` outside the raster and where it holds no data.

@@ -102,8 +102,12 @@ ReadTerrain read_terrain(const TerrainSource& source, const geo::LocalFrame& fra
                          std::optional<radar::Rectangle> wanted) {
   const std::string name = source.raster.file.string();
   const geo::Raster raster(source.raster);
-  const geo::Extent available = raster.extent_in(frame);
-  if (!wanted) wanted = radar::Rectangle{available.west_m, available.south_m, available.east_m, available.north_m};
+  const geo::RasterOutline outline = raster.outline_in(frame);
+  if (!wanted) {
+    const geo::Extent inside = outline.extent_inside();
+    wanted = radar::Rectangle{inside.west_m, inside.south_m, inside.east_m, inside.north_m};
+  }
+  const geo::Extent available = outline.extent_around();
   const bool overlap = wanted->west_m < available.east_m && wanted->east_m > available.west_m &&
                        wanted->south_m < available.north_m && wanted->north_m > available.south_m;
   if (!overlap) {

@@ -24,7 +24,7 @@ Vec2d utm_position(Vec2d in_frame) {
 }
 
 Lattice lattice_inside(const Raster& raster, double spacing_m) {
-  const Extent extent = raster.extent_in(frame);
+  const Extent extent = raster.outline_in(frame).extent_inside();
   return {extent.west_m, extent.north_m, spacing_m,
           static_cast<std::size_t>((extent.east_m - extent.west_m) / spacing_m),
           static_cast<std::size_t>((extent.north_m - extent.south_m) / spacing_m)};
@@ -61,6 +61,59 @@ TEST(Raster, GeographicRasterIsNotTransposed) {
   EXPECT_NEAR(raster.centre().longitude_deg, -2.988, 1e-6);
   // 0.0002° is 22.2 m northward and cos 43.3° of that eastward.
   EXPECT_NEAR(raster.cell_m(), 22.26 * std::cos(43.315 * M_PI / 180.0), 0.05);
+}
+
+/// Heights of a raster in degrees that rise eastward and northward, about a frame's origin.
+void expect_slope_across(double longitude_deg, double west_deg) {
+  const ScratchFolder folder;
+  const LocalFrame there(50.0, longitude_deg);
+  const AsciiGrid degrees{west_deg, 49.99, 0.0002, 100, 100};
+  const Raster raster({folder.write("degrees.asc", degrees.text([&](double x, double y) {
+                         return 1e5 * (x - west_deg) + 1e5 * (y - 49.99);
+                       })),
+                       1, "EPSG:4326"});
+  const Extent extent = raster.outline_in(there).extent_inside();
+  EXPECT_NEAR(extent.west_m, -717.0, 3.0);  // 0.01° of 71.7 km
+  EXPECT_NEAR(extent.east_m, 717.0, 3.0);
+  const auto heights = raster.heights_on({-600.0, 600.0, 10.0, 121, 121}, there);
+  const auto classes = raster.classes_on({-600.0, 600.0, 10.0, 121, 121}, there);
+  for (std::size_t row = 0; row < 121; row += 20) {
+    for (std::size_t column = 0; column < 121; column += 20) {
+      const auto place =
+          place_on_globe(there, {-600.0 + 10.0 * static_cast<double>(column), 600.0 - 10.0 * static_cast<double>(row)});
+      double east_deg = place.longitude_deg - west_deg;
+      east_deg -= 360.0 * std::round(east_deg / 360.0);
+      EXPECT_NEAR(static_cast<double>(heights(column, row)), 1e5 * east_deg + 1e5 * (place.latitude_deg - 49.99), 0.1);
+      EXPECT_NE(classes(column, row), no_class);
+    }
+  }
+}
+
+TEST(Raster, LongitudesMayBeCountedFromAnywhere) {
+  expect_slope_across(180.0, 179.99);
+  expect_slope_across(-180.0, -180.01);
+  expect_slope_across(-10.0, 349.99);
+  expect_slope_across(0.0, -0.01);
+}
+
+TEST(Raster, UnitsOfHeightsAreThoseOfTheBand) {
+  const ScratchFolder folder;
+  folder.write("plane.asc", utm.text([](double, double) { return 100.0; }));
+  const auto height_in = [&](const std::string& unit) {
+    const auto file = folder.write("unit.vrt", R"(<VRTDataset rasterXSize="100" rasterYSize="80"><SRS>EPSG:25830</SRS>
+      <GeoTransform>500600, 10, 0, 4795800, 0, -10</GeoTransform><VRTRasterBand dataType="Float32" band="1"><UnitType>)" +
+                                                   unit + R"(</UnitType><SimpleSource><SourceFilename relativeToVRT="1"
+      >plane.asc</SourceFilename><SourceBand>1</SourceBand></SimpleSource></VRTRasterBand></VRTDataset>)");
+    const Raster raster({file, 1, ""});
+    const Extent extent = raster.outline_in(frame).extent_inside();
+    return raster.heights_on({extent.west_m + 100.0, extent.north_m - 100.0, 10.0, 1, 1}, frame)(0, 0);
+  };
+  for (const char* metre : {"", "m", "Metre", "meters"}) EXPECT_FLOAT_EQ(height_in(metre), 100.0F) << metre;
+  for (const char* foot : {"ft", "Feet", "foot"}) EXPECT_FLOAT_EQ(height_in(foot), 30.48F) << foot;
+  for (const char* foot : {"us-ft", "US survey foot", "Foot_US"}) EXPECT_FLOAT_EQ(height_in(foot), 30.480061F) << foot;
+  EXPECT_FLOAT_EQ(height_in("cm"), 1.0F);
+  EXPECT_THAT(message_of_error([&] { static_cast<void>(height_in("fathom")); }),
+              HasSubstr("unit.vrt: counts heights in 'fathom', which is no known unit; convert it to metres"));
 }
 
 TEST(Raster, CoarseLatticeTakesTheMeanOfItsCell) {

@@ -51,7 +51,7 @@ TEST(ToldToStop, ReadingRasters) {
   const ScratchFolder folder;
   constexpr AsciiGrid utm{500'600.0, 4'795'000.0, 10.0, 100, 80};
   const Raster raster({folder.write("plane.asc", utm.text([](double, double) { return 1.0; })), 1, "EPSG:25830"});
-  const Extent extent = raster.extent_in(frame);
+  const Extent extent = raster.outline_in(frame).extent_inside();
   const Lattice lattice{extent.west_m, extent.north_m, 10.0, 50, 40};
   EXPECT_EQ(raster.heights_on(lattice, frame)(20, 20), 1.0F);
   const StopAfter stop(0);

@@ -1,0 +1,52 @@
+#include "sigmascape/geo/axis_units.h"
+
+#include <array>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <ogr_spatialref.h>
+
+#include "sigmascape/geo/coordinate_transform.h"
+#include "sigmascape/geo/spatial_reference.h"
+
+namespace sigmascape::geo {
+namespace {
+
+constexpr double radians_per_deg = std::numbers::pi / 180.0;
+
+bool is_unit(double given, double unit) {
+  return std::abs(given - unit) < 1e-9 * unit;
+}
+
+}  // namespace
+
+std::string axis_unit(const std::string& crs) {
+  const auto reference = known_reference(crs);
+  if (!reference) return "m";
+  if (reference->IsGeographic() != 0) return is_unit(reference->GetAngularUnits(), radians_per_deg) ? "deg" : "units";
+  const double metres = reference->GetLinearUnits();
+  if (is_unit(metres, 1.0)) return "m";
+  if (is_unit(metres, 0.3048)) return "ft";
+  return is_unit(metres, 1200.0 / 3937.0) ? "us_ft" : "units";
+}
+
+double ground_metres_per_unit(const std::string& crs, Vec2d place) {
+  if (!known_reference(crs)) return 1.0;
+  const GeographicPosition middle = place_on_globe(crs, place, "map");
+  const double turn = full_turn(crs), step = turn > 0.0 ? 1e-7 * turn : 1.0;
+  std::array ends{place - Vec2d{0.5 * step, 0.0}, place + Vec2d{0.5 * step, 0.0}};
+  CoordinateTransform(crs, LocalFrame(middle.latitude_deg, middle.longitude_deg), "map").to_frame(ends);
+  const double metres = length(ends[1] - ends[0]) / step;
+  return std::isfinite(metres) && metres > 0.0 ? metres : 1.0;
+}
+
+double full_turn(const std::string& crs) {
+  const auto reference = known_reference(crs);
+  return reference && reference->IsGeographic() != 0 ? 2.0 * std::numbers::pi / reference->GetAngularUnits() : 0.0;
+}
+
+double on_turn_of(double x, double other, double full_turn) {
+  return full_turn > 0.0 ? x + full_turn * std::round((other - x) / full_turn) : x;
+}
+
+}  // namespace sigmascape::geo

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+
+#include "sigmascape/base/vec.h"
+
+namespace sigmascape::geo {
+
+/// What a coordinate reference system counts its places in, as names end in it: "m", "deg", "ft", "us_ft", and "units"
+/// for all else. A system that is not known, as made-up maps have, counts in metres.
+[[nodiscard]] std::string axis_unit(const std::string& crs);
+
+/// Metres of ground to a unit of x at a place of the system: of a degree of longitude, or of a metre of a projection
+/// that stretches. 1 where the system is not known or does not reach there.
+[[nodiscard]] double ground_metres_per_unit(const std::string& crs, Vec2d place);
+
+/// 360° of longitude in the unit of x; 0 where x is no longitude.
+[[nodiscard]] double full_turn(const std::string& crs);
+
+/// The same longitude, counted by whole turns more or less so that it is nearest to another. With a turn of 0 it stays
+/// what it is.
+[[nodiscard]] double on_turn_of(double x, double other, double full_turn);
+
+}  // namespace sigmascape::geo

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include "sigmascape/base/vec.h"
+#include "sigmascape/geo/lattice.h"
+
+namespace sigmascape::geo {
+
+/// The four edges of a raster in a local frame, each as points along it, in metres.
+struct RasterOutline {
+  std::vector<Vec2d> west, east, south, north;
+
+  /// From opposite edges, in any order: a raster may be stored south up, east first or on its side, and the edges are
+  /// told apart by where they lie.
+  static RasterOutline of(std::vector<Vec2d> one, std::vector<Vec2d> opposite, std::vector<Vec2d> other,
+                          std::vector<Vec2d> opposite_other);
+
+  /// The largest rectangle of the frame's own directions that was found inside: between the innermost points of the
+  /// edges, or about the middle where edges run so slantwise that this is more.
+  [[nodiscard]] Extent extent_inside() const;
+  /// The smallest that holds all of it.
+  [[nodiscard]] Extent extent_around() const;
+};
+
+}  // namespace sigmascape::geo
