@@ -9,6 +9,8 @@
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
 #include <set>
+#include <tuple>
+#include <utility>
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/interruption.h"
@@ -61,27 +63,41 @@ void require_columns(GDALDataset& dataset, const VectorSource& source) {
   }
 }
 
-/// Leaves only the wanted layer's features to be read, and of those only the ones that meet the condition.
-void choose_layers(GDALDataset& dataset, const VectorSource& source) {
-  const std::string name = source.file.string();
+bool is_osm(GDALDataset& dataset) {
+  return std::string(dataset.GetDriverName()) == "OSM";
+}
+
+/// Leaves only the layer's features that meet the condition to be read; nothing, or why it does not fit. Databases look
+/// at it only when a feature is asked for; OpenStreetMap files would be read through for one.
+std::optional<std::string> condition_fault(OGRLayer& layer, const std::string& condition, bool ask_for_one) {
+  const QuietGdal quiet;
+  if (layer.SetAttributeFilter(condition.c_str()) != OGRERR_NONE) return QuietGdal::complaint();
+  if (!ask_for_one) return std::nullopt;
+  const OGRFeatureUniquePtr one(layer.GetNextFeature());
+  layer.ResetReading();
+  return one == nullptr && QuietGdal::failed() ? std::optional(QuietGdal::complaint()) : std::nullopt;
+}
+
+/// The layer that is named, or all, less those whose features cannot meet the condition, for they lack its attributes.
+std::vector<OGRLayer*> wanted_layers(GDALDataset& dataset, const VectorSource& source) {
+  std::vector<OGRLayer*> wanted;
   std::vector<std::string> names, condition_faults;
   for (OGRLayer* layer : dataset.GetLayers()) {
     names.emplace_back(layer->GetName());
-    if (source.where.empty()) continue;
-    const QuietGdal quiet;
-    if (layer->SetAttributeFilter(source.where.c_str()) != OGRERR_NONE)
-      condition_faults.push_back(QuietGdal::complaint());
+    if (!source.layer.empty() && source.layer != names.back()) continue;
+    const auto fault = source.where.empty() ? std::nullopt : condition_fault(*layer, source.where, !is_osm(dataset));
+    if (fault) condition_faults.push_back(*fault);
+    if (!fault) wanted.push_back(layer);
   }
-  if (!source.layer.empty() && std::ranges::find(names, source.layer) == names.end()) {
+  if (!wanted.empty() || names.empty()) return wanted;
+  const std::string name = source.file.string();
+  if (condition_faults.empty()) {
     throw Error(name, fmt::format("has no layer '{}'", source.layer),
                 fmt::format("choose among its layers {}", fmt::join(names, ", ")));
   }
-  if (!names.empty() && condition_faults.size() == names.size()) {
-    throw Error(
-        name,
-        fmt::format("the condition '{}' does not fit its attributes ({})", source.where, condition_faults.front()),
-        "correct the key where");
-  }
+  throw Error(
+      name, fmt::format("the condition '{}' does not fit its attributes ({})", source.where, condition_faults.front()),
+      "correct the key where");
 }
 
 std::vector<Vec2d> positions_of(const OGRSimpleCurve& line) {
@@ -176,13 +192,40 @@ class LayerTransforms {
   std::map<OGRLayer*, CoordinateTransform> transforms_;
 };
 
-/// The next feature of any layer; before there is one a file may have to be read through.
-OGRFeatureUniquePtr next_feature(GDALDataset& dataset, OGRLayer*& layer) {
-  HeedingProgress heeding;
-  OGRFeatureUniquePtr feature(dataset.GetNextFeature(&layer, nullptr, HeedingProgress::advanced, &heeding));
-  heeding.settle();
-  return feature;
-}
+/// Yields the features of some layers, one after another. OpenStreetMap files are walked as a whole, for they yield the
+/// features of all layers in one pass; of others nothing is read that is not wanted.
+class FeatureWalk {
+ public:
+  FeatureWalk(GDALDataset& dataset, std::vector<OGRLayer*> wanted) : dataset_(dataset), wanted_(std::move(wanted)) {}
+
+  /// With its layer; null after the last one.
+  std::pair<OGRFeatureUniquePtr, OGRLayer*> next() { return is_osm(dataset_) ? next_of_all() : next_by_layer(); }
+
+ private:
+  /// Before there is one the file may have to be read through.
+  std::pair<OGRFeatureUniquePtr, OGRLayer*> next_of_all() {
+    while (true) {
+      OGRLayer* layer = nullptr;
+      HeedingProgress heeding;
+      OGRFeatureUniquePtr feature(dataset_.GetNextFeature(&layer, nullptr, HeedingProgress::advanced, &heeding));
+      heeding.settle();
+      if (feature == nullptr || std::ranges::find(wanted_, layer) != wanted_.end()) return {std::move(feature), layer};
+      Interruption::heed();
+    }
+  }
+
+  std::pair<OGRFeatureUniquePtr, OGRLayer*> next_by_layer() {
+    for (; at_ < wanted_.size(); ++at_) {
+      OGRFeatureUniquePtr feature(wanted_[at_]->GetNextFeature());
+      if (feature != nullptr) return {std::move(feature), wanted_[at_]};
+    }
+    return {};
+  }
+
+  GDALDataset& dataset_;
+  std::vector<OGRLayer*> wanted_;
+  std::size_t at_ = 0;
+};
 
 /// Whether a feature carries a tag given as "key" or "key=value".
 bool carries_tag(const Feature& feature, const std::string& tag) {
@@ -209,19 +252,16 @@ std::optional<std::string> Feature::attribute(const std::string& name) const {
 FeatureSet read_features(const VectorSource& source, const LocalFrame& frame) {
   const GDALDatasetUniquePtr dataset = open_vector(source);
   require_columns(*dataset, source);
-  choose_layers(*dataset, source);
-  const bool osm = std::string(dataset->GetDriverName()) == "OSM";
+  FeatureWalk walk(*dataset, wanted_layers(*dataset, source));
+  const bool osm = is_osm(*dataset);
   LayerTransforms transforms(source, frame);
   FeatureSet result;
   std::set<std::string> names;
   std::size_t of_other_kinds = 0;
 
-  OGRLayer* layer = nullptr;
   const QuietGdal quiet;
-  // The data set is walked as a whole: OpenStreetMap files yield the features of all layers in one pass.
-  while (const OGRFeatureUniquePtr row = next_feature(*dataset, layer)) {
+  for (auto [row, layer] = walk.next(); row != nullptr; std::tie(row, layer) = walk.next()) {
     Interruption::heed();
-    if (!source.layer.empty() && source.layer != layer->GetName()) continue;
     Feature feature;
     feature.id = fmt::format("layer {}, feature {}", layer->GetName(), row->GetFID());
     const OGRGeometry* geometry = row->GetGeometryRef();

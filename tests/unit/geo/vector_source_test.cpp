@@ -1,12 +1,18 @@
 #include "sigmascape/geo/vector_source.h"
 
+#include <gdal_priv.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <ogrsf_frmts.h>
+#include <utility>
+#include <vector>
 
 #include "scratch_folder.h"
 
 #include "sigmascape/geo/coordinate_transform.h"
 #include "sigmascape/geo/osm_tags.h"
+#include "sigmascape/geo/quiet_gdal.h"
+#include "sigmascape/geo/spatial_reference.h"
 
 namespace sigmascape::geo {
 namespace {
@@ -106,6 +112,47 @@ TEST(VectorSource, ConditionChoosesFeaturesAndMustFit) {
   source.where = "height = = 3";
   EXPECT_THAT(message_of_error([&] { static_cast<void>(read_features(source, frame)); }),
               AllOf(HasSubstr("(SQL Expression Parsing Error: syntax error, unexpected '=')"), Not(HasSubstr("\n"))));
+}
+
+/// Two houses in one layer, 12 and 4 m high, and three parcels in another that know no heights.
+std::filesystem::path town(const ScratchFolder& folder, const char* driver, const std::string& name) {
+  const auto file = folder.path(name);
+  GDALDatasetUniquePtr data(gdal_driver(driver).Create(file.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+  const OGRSpatialReference globe = reference_from("EPSG:4326", name);
+  const auto add = [&](const char* layer_name, std::size_t count, std::vector<double> heights) {
+    OGRLayer& layer = *data->CreateLayer(layer_name, const_cast<OGRSpatialReference*>(&globe), wkbPoint);
+    OGRFieldDefn height("height_m", OFTReal);
+    if (!heights.empty()) {
+      EXPECT_EQ(layer.CreateField(&height), OGRERR_NONE);
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      const OGRFeatureUniquePtr feature(OGRFeature::CreateFeature(layer.GetLayerDefn()));
+      OGRPoint place(7.0, 45.0);
+      EXPECT_EQ(feature->SetGeometry(&place), OGRERR_NONE);
+      if (!heights.empty()) feature->SetField("height_m", heights[i]);
+      EXPECT_EQ(layer.CreateFeature(feature.get()), OGRERR_NONE);
+    }
+  };
+  add("parcels", 3, {});
+  add("houses", 2, {12.0, 4.0});
+  return file;
+}
+
+TEST(VectorSource, ConditionIsOfTheLayersThatHaveItsAttributes) {
+  const ScratchFolder folder;
+  for (const auto& [driver, name] : {std::pair{"GPKG", "town.gpkg"}, std::pair{"ESRI Shapefile", "town"}}) {
+    VectorSource source{
+        .file = town(folder, driver, name), .kind = GeometryKind::Points, .layer = "houses", .where = "height_m > 5"};
+    EXPECT_EQ(read_features(source, frame).features.size(), 1U) << driver;
+    source.layer = "";
+    EXPECT_EQ(read_features(source, frame).features.size(), 1U) << driver;
+    source.layer = "parcels";
+    EXPECT_THAT(message_of_error([&] { static_cast<void>(read_features(source, frame)); }),
+                HasSubstr("the condition 'height_m > 5' does not fit its attributes"))
+        << driver;
+    source.where = "";
+    EXPECT_EQ(read_features(source, frame).features.size(), 3U) << driver;
+  }
 }
 
 TEST(VectorSource, CoordinatesThatAreNoNumbersAreCountedWithoutAWordOfGdals) {
