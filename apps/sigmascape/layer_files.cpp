@@ -7,6 +7,7 @@
 #include "sigmascape/base/error.h"
 #include "sigmascape/dataset/bounce_labels.h"
 #include "sigmascape/product/layer_file.h"
+#include "sigmascape/product/reprojection.h"
 #include "sigmascape/scene/obstacle_raster.h"
 #include "sigmascape/simulate/layers.h"
 
@@ -28,10 +29,7 @@ radar::LayerStack shape_layers(const std::vector<std::string>& names, const scen
     const trace::SceneGeometry geometry(scene, trace::Footing::Terrain);
     return simulate::traced_layers(scene, geometry, radar, grid, kinds, source.trace.threads);
   }
-  const radar::GroundGrid whole{scene.extent.west_m, scene.extent.north_m, grid.cell_m,
-                                static_cast<std::size_t>(scene.extent.width_m() / grid.cell_m),
-                                static_cast<std::size_t>(scene.extent.height_m() / grid.cell_m)};
-  const auto obstacles = scene::obstacles_of(scene, whole);
+  const auto obstacles = scene::obstacles_of(scene, grid.cell_m);
   return simulate::swept_layers({&scene.terrain, &obstacles, &scene.ground, scene.materials.size()}, radar, grid, kinds,
                                 source.trace.threads);
 }
@@ -69,8 +67,8 @@ void check(const LayerFiles& files, int level_of_detail) {
 }
 
 void write_layers(const LayerFiles& files, const scene::Scene& scene, const radar::Radar& radar,
-                  const radar::GroundGrid& grid, const std::map<std::string, std::string>& metadata,
-                  const LayerSource& source) {
+                  const radar::GroundGrid& grid, const std::string& crs,
+                  const std::map<std::string, std::string>& metadata, const LayerSource& source) {
   if (files.names.empty()) return;
   radar::LayerStack stack = shape_layers(files.names, scene, radar, grid, source);
   if (std::ranges::any_of(files.names, dataset::tells_bounces)) {
@@ -83,7 +81,7 @@ void write_layers(const LayerFiles& files, const scene::Scene& scene, const rada
   stack.metadata = metadata;
   stack.metadata.erase("quantity");
   stack.metadata["classes"] = fmt::format("{}", fmt::join(simulate::class_names(scene), ", "));
-  product::write_layers(files.file, stack);
+  product::write_layers(files.file, crs.empty() ? stack : product::reprojected(stack, scene.frame, crs));
 }
 
 }  // namespace sigmascape::cli

@@ -28,9 +28,10 @@ struct LayerSource {
   simulate::TraceSettings trace = {};
 };
 
-/// Writes the layers asked for, if any, over the cells of the map. `metadata` goes with them.
+/// Writes the layers asked for, if any, over the cells of the map: in its coordinate system, the scene's frame where
+/// `crs` is empty. `metadata` goes with them.
 void write_layers(const LayerFiles& files, const scene::Scene& scene, const radar::Radar& radar,
-                  const radar::GroundGrid& grid, const std::map<std::string, std::string>& metadata,
-                  const LayerSource& source);
+                  const radar::GroundGrid& grid, const std::string& crs,
+                  const std::map<std::string, std::string>& metadata, const LayerSource& source);
 
 }  // namespace sigmascape::cli

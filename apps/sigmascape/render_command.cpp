@@ -212,7 +212,7 @@ void write_maps(const RenderOptions& options, const scene::Scene& scene, const r
     product::write_map(options.power_file,
                        options.crs.empty() ? power : product::reprojected(power, scene.frame, options.crs), scale);
   }
-  write_layers(options.layers, scene, radar, grid, map.metadata,
+  write_layers(options.layers, scene, radar, grid, options.crs, map.metadata,
                {.atlas = options.level_of_detail == 0 ? "" : options.atlas, .trace = options.trace});
   if (!options.picture_file.empty()) write_map_picture(options.picture_file, map, look);
 }
@@ -299,7 +299,7 @@ void add_render_command(CLI::App& app, Output& output) {
   command->add_option("--top-db", options->top_db, "sigma0 shown brightest; by default that of the brightest few cells")
       ->check(number_within(-1000.0, 1000.0));
   add_polarization_option(*command, *polarization);
-  command->add_option("--crs", options->crs, "coordinate system of the maps: EPSG code, PROJ string or WKT");
+  command->add_option("--crs", options->crs, "coordinate system of maps and layers: EPSG code, PROJ string or WKT");
   add_scope_options(*command, options->scopes);
   add_received_options(*command, options->received);
   add_layer_options(*command, options->layers);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "sigmascape/geo/atomic_file.h"
 #include "sigmascape/product/legend.h"
 #include "sigmascape/product/png_file.h"
 #include "sigmascape/product/scope_layout.h"
@@ -25,6 +26,11 @@ radar::GroundMap drawn_out(const radar::GroundMap& bins) {
   return wide;
 }
 
+/// Without a world file: in slant range pixels have no place on a map.
+void write_scope(const std::string& file, const product::Picture& picture) {
+  geo::write_atomically(file, product::png_bytes(picture));
+}
+
 }  // namespace
 
 void add_scope_options(CLI::App& command, ScopeFiles& files) {
@@ -40,11 +46,11 @@ void write_scopes(const ScopeFiles& files, const radar::Radar& radar, const rada
   if (!files.ppi.empty()) {
     const double up_rad = files.up == "heading" ? radar.heading_rad : 0.0;
     const auto picture = product::picture_of(product::ppi(image, {.up_rad = up_rad}), look);
-    product::write_png(files.ppi, product::with_legend(picture, {.north_arrow = files.up == "north"}));
+    write_scope(files.ppi, product::with_legend(picture, {.north_arrow = files.up == "north"}));
   }
   if (!files.b_scope.empty()) {
     const auto picture = product::picture_of(drawn_out(product::b_scope(image)), look);
-    product::write_png(files.b_scope, product::with_legend(picture, {.scale_bar = false, .north_arrow = false}));
+    write_scope(files.b_scope, product::with_legend(picture, {.scale_bar = false, .north_arrow = false}));
   }
 }
 

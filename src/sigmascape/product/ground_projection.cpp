@@ -11,17 +11,21 @@ namespace {
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
-/// Bilinear between the four nearest bins; NaN where one of them is missing.
-radar::Channels bins_at(const Array2D<radar::Channels>& bins, double column, double row) {
+/// Bilinear between the four nearest bins, which may lie at both ends where they go round; NaN where one of them is
+/// missing.
+radar::Channels bins_at(const Array2D<radar::Channels>& bins, bool goes_round, double column, double row) {
   const double left = std::floor(column - 0.5), top = std::floor(row - 0.5);
-  if (left < 0.0 || top < 0.0 || left + 1.0 >= static_cast<double>(bins.columns()) ||
+  const auto columns = static_cast<double>(bins.columns());
+  const bool is_between = left >= 0.0 && left + 1.0 < columns;
+  if (!(is_between || (goes_round && left >= -1.0 && left < columns)) || top < 0.0 ||
       top + 1.0 >= static_cast<double>(bins.rows())) {
     return {nan, nan, nan, nan};
   }
-  const auto c = static_cast<std::size_t>(left), r = static_cast<std::size_t>(top);
+  const std::size_t c = left < 0.0 ? bins.columns() - 1 : static_cast<std::size_t>(left);
+  const std::size_t next = (c + 1) % bins.columns(), r = static_cast<std::size_t>(top);
   const auto u = static_cast<float>(column - 0.5 - left), v = static_cast<float>(row - 0.5 - top);
-  return bins(c, r) * ((1.0F - u) * (1.0F - v)) + bins(c + 1, r) * (u * (1.0F - v)) +
-         bins(c, r + 1) * ((1.0F - u) * v) + bins(c + 1, r + 1) * (u * v);
+  return bins(c, r) * ((1.0F - u) * (1.0F - v)) + bins(next, r) * (u * (1.0F - v)) + bins(c, r + 1) * ((1.0F - u) * v) +
+         bins(next, r + 1) * (u * v);
 }
 
 /// Bins and where the radar stood.
@@ -44,8 +48,9 @@ Array2D<radar::Channels> laid_on_cells(const SeenBins& seen, const terrain::Heig
       const Vec3d away = Vec3d{point.x, point.y, terrain.height_at(point)} - seen.radar_position;
       const double range_m = length(away);
       const double azimuth = middle + turned_by_least(std::atan2(away.x, away.y) - middle);
-      const radar::Channels here = bins_at(seen.bins, (azimuth - bins.first_azimuth_rad) / bins.azimuth_step_rad,
-                                           (range_m - bins.first_range_m) / bins.range_step_m);
+      const radar::Channels here =
+          bins_at(seen.bins, bins.goes_round(), (azimuth - bins.first_azimuth_rad) / bins.azimuth_step_rad,
+                  (range_m - bins.first_range_m) / bins.range_step_m);
       cells(column, row) = here * static_cast<float>(factor_at(range_m));
     }
   });

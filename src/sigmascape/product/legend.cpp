@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "sigmascape/base/units.h"
+#include "sigmascape/geo/axis_units.h"
 #include "sigmascape/product/bitmap_font.h"
 #include "sigmascape/product/described_map.h"
 #include "sigmascape/product/legend_look.h"
@@ -67,9 +68,18 @@ void draw_colour_bar(Strip& strip, const Picture& picture) {
   strip.column += length + between_parts * strip.dot;
 }
 
-void draw_scale_bar(Strip& strip, const radar::GroundGrid& grid) {
-  const double length_m = round_length_m(0.25 * grid.extent().width_m());
-  const auto length = static_cast<std::size_t>(std::lround(length_m / grid.cell_m));
+/// As wide as a pixel is on the ground in the middle of the picture, whatever its coordinate system counts in.
+double ground_pixel_m(const Picture& picture) {
+  const auto crs = picture.metadata.find("crs");
+  const double metres_per_unit =
+      crs == picture.metadata.end() ? 1.0 : geo::ground_metres_per_unit(crs->second, picture.grid.extent().centre());
+  return picture.grid.cell_m * metres_per_unit;
+}
+
+void draw_scale_bar(Strip& strip, const Picture& picture) {
+  const double pixel_m = ground_pixel_m(picture);
+  const double length_m = round_length_m(0.25 * pixel_m * static_cast<double>(picture.grid.columns));
+  const auto length = static_cast<std::size_t>(std::lround(length_m / pixel_m));
   const std::string label =
       length_m >= 1000.0 ? fmt::format("{} km", length_m / 1000.0) : fmt::format("{} m", length_m);
   const std::size_t label_width = text_width(label, strip.dot);
@@ -160,7 +170,7 @@ Picture with_legend(const Picture& picture, const LegendParts& parts) {
   std::copy(picture.pixels.values().begin(), picture.pixels.values().end(), framed.pixels.values().begin());
   Strip strip{framed.pixels, picture.pixels.rows(), dot, margin * dot};
   if (parts.colour_scale) draw_colour_bar(strip, picture);
-  if (parts.scale_bar) draw_scale_bar(strip, picture.grid);
+  if (parts.scale_bar) draw_scale_bar(strip, picture);
   if (parts.north_arrow) draw_north_arrow(strip);
   if (const auto azimuth_rad = radar_azimuth_rad(picture); azimuth_rad && parts.north_arrow)
     draw_look_arrow(strip, *azimuth_rad);

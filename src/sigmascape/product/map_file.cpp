@@ -8,6 +8,7 @@
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/geo/atomic_file.h"
+#include "sigmascape/geo/axis_units.h"
 #include "sigmascape/product/decibels.h"
 #include "sigmascape/product/map_geotiff.h"
 #include "sigmascape/product/npy_bytes.h"
@@ -38,13 +39,14 @@ std::string numbers_bytes(const MapView& map, MapScale scale) {
 
 std::string description_of(const MapView& map, MapScale scale) {
   const bool is_linear = scale == MapScale::Linear;
+  const std::string place = geo::axis_unit(map.crs);
   const std::string unit = is_linear ? map.quantity.unit : map.quantity.decibel_unit;
   nlohmann::ordered_json json{{"quantity", is_linear ? map.quantity.words : map.quantity.decibel_words},
                               {"axes", {"row", "column", "channel"}},
                               {"channels", {"VV", "HH", "HV"}},
-                              {"west_m", map.grid.west_m},
-                              {"north_m", map.grid.north_m},
-                              {"cell_m", map.grid.cell_m},
+                              {"west_" + place, map.grid.west_m},
+                              {"north_" + place, map.grid.north_m},
+                              {"cell_" + place, map.grid.cell_m},
                               {"rows", map.grid.rows},
                               {"columns", map.grid.columns},
                               {"crs", map.crs}};
@@ -70,10 +72,11 @@ ZipEntry words_entry(const std::string& name, const std::string& words) {
 
 std::string archive_of(const MapView& map, MapScale scale, const std::string& where) {
   const std::string name = scale == MapScale::Linear ? map.quantity.name : map.quantity.decibel_name;
+  const std::string place = geo::axis_unit(map.crs);
   const Vec2d corner = map.grid.centre_of(0, 0);
   return zip_bytes({{name + ".npy", numbers_bytes(map, scale)},
-                    axis_entry("x_m", corner.x, map.grid.cell_m, map.grid.columns),
-                    axis_entry("y_m", corner.y, -map.grid.cell_m, map.grid.rows),
+                    axis_entry("x_" + place, corner.x, map.grid.cell_m, map.grid.columns),
+                    axis_entry("y_" + place, corner.y, -map.grid.cell_m, map.grid.rows),
                     words_entry("description_json", description_of(map, scale))},
                    where);
 }

@@ -10,6 +10,7 @@
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
+#include "sigmascape/geo/axis_units.h"
 #include "sigmascape/geo/geo_raster.h"
 #include "sigmascape/product/decibels.h"
 
@@ -40,9 +41,9 @@ bool has_band(const MappedQuantity& quantity, const ChannelBand& channel, MapSca
   return !is_correlation(channel) || (quantity.has_correlation && scale == MapScale::Linear);
 }
 
-std::string grid_text(const radar::GroundGrid& grid) {
-  return fmt::format("west {} m, north {} m, cell {} m, {} x {} cells", grid.west_m, grid.north_m, grid.cell_m,
-                     grid.columns, grid.rows);
+std::string grid_text(const radar::GroundGrid& grid, const std::string& crs) {
+  return fmt::format("west {} {unit}, north {} {unit}, cell {} {unit}, {} x {} cells", grid.west_m, grid.north_m,
+                     grid.cell_m, grid.columns, grid.rows, fmt::arg("unit", geo::axis_unit(crs)));
 }
 
 geo::NamedBand band_of(const MapView& map, const ChannelBand& channel, MapScale scale) {
@@ -109,7 +110,7 @@ void write_map_geotiff(const std::filesystem::path& path, const MapView& map, Ma
     if (has_band(map.quantity, channel, scale)) raster.bands.push_back(band_of(map, channel, scale));
   }
   raster.metadata[frame_key] = map.crs;
-  raster.metadata[grid_key] = grid_text(map.grid);
+  raster.metadata[grid_key] = grid_text(map.grid, map.crs);
   raster.metadata[quantity_key] = scale == MapScale::Linear ? map.quantity.tag : map.quantity.decibel_tag;
   geo::write_geotiff(path, raster);
 }
@@ -135,7 +136,7 @@ MapContent read_map_geotiff(const std::filesystem::path& path, const MappedQuant
   const std::string frame = taken(map, frame_key);
   const std::string grid = taken(map, grid_key);
   (void)taken(map, quantity_key);
-  map.crs = grid == grid_text(map.grid) ? frame : raster.placement.crs;
+  map.crs = grid == grid_text(map.grid, frame) ? frame : raster.placement.crs;
   return map;
 }
 

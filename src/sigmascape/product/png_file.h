@@ -20,7 +20,7 @@ void check_png_name(const std::filesystem::path& path);
 [[nodiscard]] std::string png_bytes(const Picture& picture);
 
 /// The six lines of a world file: pixel size east, two rotations (zero), pixel size south (negative), and the centre of
-/// the upper left pixel, east and north, all in metres of the local frame.
+/// the upper left pixel, east and north, all in the unit of the grid.
 [[nodiscard]] std::string world_file_text(const radar::GroundGrid& grid);
 
 }  // namespace sigmascape::product

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
-#include <utility>
 #include <vector>
 
 #include "sigmascape/base/error.h"
+#include "sigmascape/geo/axis_units.h"
 #include "sigmascape/geo/coordinate_transform.h"
 
 namespace sigmascape::product {
@@ -15,7 +15,13 @@ namespace {
 
 using radar::Channels;
 
-constexpr float unseen = std::numeric_limits<float>::quiet_NaN();
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+
+/// What a cell holds that nobody saw.
+template <typename Value>
+constexpr Value unseen{nan};
+template <>
+constexpr Channels unseen<Channels>{nan, nan, nan, nan};
 
 /// Points along the four sides of a rectangle: a straight side may become a bow.
 std::vector<Vec2d> outline_of(const radar::Rectangle& area) {
@@ -39,24 +45,30 @@ radar::Rectangle box_about(const std::vector<Vec2d>& points) {
 }
 
 /// Side of a square that is as large, in the units of the system, as a cell in the middle of the map.
-double equal_cell(const geo::CoordinateTransform& transform, const radar::GroundGrid& grid) {
+double equal_cell(const geo::CoordinateTransform& transform, const radar::GroundGrid& grid, double full_turn) {
   const Vec2d middle = grid.extent().centre();
   std::vector<Vec2d> corner{middle, middle + Vec2d{grid.cell_m, 0.0}, middle + Vec2d{0.0, grid.cell_m}};
   transform.to_crs(corner);
+  for (Vec2d& p : corner) p.x = geo::on_turn_of(p.x, corner.front().x, full_turn);
   const Vec2d east = corner[1] - corner[0], north = corner[2] - corner[0];
   return std::sqrt(std::abs(east.x * north.y - east.y * north.x));
 }
 
-/// NaN where one of the four cells about the point is missing or unseen.
-Channels value_at(const radar::GroundGrid& grid, const Array2D<Channels>& values, Vec2d point) {
+/// How a new cell is read from the old ones: of masks, and of classes that stand for names, there is no mean.
+enum class Reading { Bilinear, Nearest };
+
+/// NaN beyond the cells and, of a bilinear reading, where one of the four about the point is missing or unseen.
+template <typename Value>
+Value value_at(const radar::GroundGrid& grid, const Array2D<Value>& values, Vec2d point, Reading reading) {
   const Vec2d cells = grid.cells_from(point);
-  const double column = cells.x - 0.5, row = cells.y - 0.5;
   const bool inside = cells.x >= 0.0 && cells.y >= 0.0 && cells.x <= static_cast<double>(grid.columns) &&
                       cells.y <= static_cast<double>(grid.rows);
-  if (!inside) return {unseen, unseen, unseen, unseen};
+  if (!inside) return unseen<Value>;
   const auto first = [](double position, std::size_t count) {
     return static_cast<std::size_t>(std::clamp(std::floor(position), 0.0, static_cast<double>(count - 1)));
   };
+  if (reading == Reading::Nearest) return values(first(cells.x, grid.columns), first(cells.y, grid.rows));
+  const double column = cells.x - 0.5, row = cells.y - 0.5;
   const std::size_t c = first(column, grid.columns), r = first(row, grid.rows);
   const std::size_t next_c = std::min(c + 1, grid.columns - 1), next_r = std::min(r + 1, grid.rows - 1);
   const auto u = static_cast<float>(std::clamp(column - static_cast<double>(c), 0.0, 1.0));
@@ -64,12 +76,6 @@ Channels value_at(const radar::GroundGrid& grid, const Array2D<Channels>& values
   return values(c, r) * ((1.0F - u) * (1.0F - v)) + values(next_c, r) * (u * (1.0F - v)) +
          values(c, next_r) * ((1.0F - u) * v) + values(next_c, next_r) * (u * v);
 }
-
-/// Cells and where they lie.
-struct PlacedCells {
-  radar::GroundGrid grid;
-  Array2D<Channels> values;
-};
 
 radar::GroundGrid turned_grid(const radar::GroundGrid& grid, const geo::CoordinateTransform& transform,
                               const std::string& crs, std::optional<double> cell) {
@@ -79,44 +85,68 @@ radar::GroundGrid turned_grid(const radar::GroundGrid& grid, const geo::Coordina
     throw Error("coordinate system of the map", fmt::format("{} does not reach there", crs),
                 "choose one that is made for the place");
   }
+  // Across the meridian of 180° longitudes go on beyond it.
+  const double turn = geo::full_turn(crs), first = outline.front().x;
+  for (Vec2d& p : outline) p.x = geo::on_turn_of(p.x, first, turn);
   const radar::Rectangle box = box_about(outline);
-  const double side = cell.value_or(equal_cell(transform, grid));
+  const double side = cell.value_or(equal_cell(transform, grid, turn));
   if (!(side > 0.0)) throw Error("cell of the map", fmt::format("{} is no size", side), "give a positive one");
   return {box.west_m, box.north_m, side, static_cast<std::size_t>(std::ceil(box.width_m() / side)),
           static_cast<std::size_t>(std::ceil(box.height_m() / side))};
 }
 
-PlacedCells turned(const radar::GroundGrid& grid, const Array2D<Channels>& values, const geo::LocalFrame& frame,
-                   const std::string& crs, std::optional<double> cell) {
-  const geo::CoordinateTransform transform(crs, frame, "coordinate system of the map");
-  PlacedCells turned{.grid = turned_grid(grid, transform, crs, cell), .values = {}};
-  turned.values = Array2D<Channels>(turned.grid.columns, turned.grid.rows);
-  std::vector<Vec2d> places(turned.grid.columns);
-  for (std::size_t row = 0; row < turned.grid.rows; ++row) {
-    for (std::size_t column = 0; column < places.size(); ++column) places[column] = turned.grid.centre_of(column, row);
+template <typename Value>
+Array2D<Value> turned(const radar::GroundGrid& grid, const Array2D<Value>& values, const radar::GroundGrid& turned_grid,
+                      const geo::CoordinateTransform& transform, Reading reading) {
+  Array2D<Value> turned(turned_grid.columns, turned_grid.rows);
+  std::vector<Vec2d> places(turned_grid.columns);
+  for (std::size_t row = 0; row < turned_grid.rows; ++row) {
+    for (std::size_t column = 0; column < places.size(); ++column) places[column] = turned_grid.centre_of(column, row);
     transform.to_frame(places);
     for (std::size_t column = 0; column < places.size(); ++column)
-      turned.values(column, row) = value_at(grid, values, places[column]);
+      turned(column, row) = value_at(grid, values, places[column], reading);
   }
   return turned;
+}
+
+geo::CoordinateTransform transform_to(const std::string& crs, const geo::LocalFrame& frame) {
+  return {crs, frame, "coordinate system of the map"};
 }
 
 }  // namespace
 
 radar::GroundMap reprojected(const radar::GroundMap& map, const geo::LocalFrame& frame, const std::string& crs,
                              std::optional<double> cell) {
-  PlacedCells cells = turned(map.grid, map.sigma0, frame, crs, cell);
-  return {.grid = cells.grid, .sigma0 = std::move(cells.values), .crs = crs, .metadata = map.metadata};
+  const auto transform = transform_to(crs, frame);
+  const radar::GroundGrid grid = turned_grid(map.grid, transform, crs, cell);
+  return {.grid = grid,
+          .sigma0 = turned(map.grid, map.sigma0, grid, transform, Reading::Bilinear),
+          .crs = crs,
+          .metadata = map.metadata};
 }
 
 radar::PowerMap reprojected(const radar::PowerMap& map, const geo::LocalFrame& frame, const std::string& crs,
                             std::optional<double> cell) {
-  PlacedCells cells = turned(map.grid, map.power_w, frame, crs, cell);
-  return {.grid = cells.grid,
-          .power_w = std::move(cells.values),
+  const auto transform = transform_to(crs, frame);
+  const radar::GroundGrid grid = turned_grid(map.grid, transform, crs, cell);
+  return {.grid = grid,
+          .power_w = turned(map.grid, map.power_w, grid, transform, Reading::Bilinear),
           .noise_w = map.noise_w,
           .crs = crs,
           .metadata = map.metadata};
+}
+
+radar::LayerStack reprojected(const radar::LayerStack& stack, const geo::LocalFrame& frame, const std::string& crs,
+                              std::optional<double> cell) {
+  const auto transform = transform_to(crs, frame);
+  const radar::GroundGrid grid = turned_grid(stack.grid, transform, crs, cell);
+  radar::LayerStack result{.grid = grid, .layers = {}, .crs = crs, .metadata = stack.metadata};
+  for (const radar::Layer& layer : stack.layers) {
+    const Reading reading = layer.unit.empty() ? Reading::Nearest : Reading::Bilinear;
+    result.layers.push_back(
+        {layer.name, layer.unit, turned(stack.grid, layer.values, grid, transform, reading), layer.is_classes});
+  }
+  return result;
 }
 
 }  // namespace sigmascape::product

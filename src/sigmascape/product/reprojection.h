@@ -5,6 +5,7 @@
 
 #include "sigmascape/geo/local_frame.h"
 #include "sigmascape/radar/ground_map.h"
+#include "sigmascape/radar/layer_stack.h"
 #include "sigmascape/radar/power_map.h"
 
 namespace sigmascape::product {
@@ -16,6 +17,10 @@ namespace sigmascape::product {
 /// when the system is not understood or does not reach there.
 [[nodiscard]] radar::GroundMap reprojected(const radar::GroundMap& map, const geo::LocalFrame& frame,
                                            const std::string& crs, std::optional<double> cell = {});
+
+/// The same for layers; classes and masks are those of the nearest cell.
+[[nodiscard]] radar::LayerStack reprojected(const radar::LayerStack& stack, const geo::LocalFrame& frame,
+                                            const std::string& crs, std::optional<double> cell = {});
 
 /// The same for power.
 [[nodiscard]] radar::PowerMap reprojected(const radar::PowerMap& map, const geo::LocalFrame& frame,

@@ -24,16 +24,24 @@ Channels sigma0_of(const radar::RangeAzimuthImage& image, std::size_t azimuth, s
   return image.rcs_m2(azimuth, range) * static_cast<float>(1.0 / area_m2);
 }
 
-/// Bilinear between the centres of the bins, in units of bins; held at the outer ones.
+/// Bilinear between the centres of the bins, in units of bins; held at the outer ones, but where azimuths go round.
 Channels sigma0_at(const radar::RangeAzimuthImage& image, double azimuth, double range) {
   const auto neighbours = [](double position, std::size_t count) {
     const double held = std::clamp(position - 0.5, 0.0, static_cast<double>(count - 1));
     const auto first = std::min(static_cast<std::size_t>(held), count > 1 ? count - 2 : 0);
     return std::pair{first, static_cast<float>(held - static_cast<double>(first))};
   };
-  const auto [a, u] = neighbours(azimuth, image.grid.azimuths);
+  const std::size_t azimuths = image.grid.azimuths;
+  auto [a, u] = neighbours(azimuth, azimuths);
   const auto [r, v] = neighbours(range, image.grid.ranges);
-  const std::size_t next_a = std::min(a + 1, image.grid.azimuths - 1), next_r = std::min(r + 1, image.grid.ranges - 1);
+  std::size_t next_a = std::min(a + 1, azimuths - 1);
+  const std::size_t next_r = std::min(r + 1, image.grid.ranges - 1);
+  const double past_last = azimuth - 0.5 - static_cast<double>(azimuths - 1);
+  if (image.grid.goes_round() && (azimuth < 0.5 || past_last > 0.0)) {
+    a = azimuths - 1;
+    next_a = 0;
+    u = static_cast<float>(azimuth < 0.5 ? azimuth + 0.5 : past_last);
+  }
   return sigma0_of(image, a, r) * ((1.0F - u) * (1.0F - v)) + sigma0_of(image, next_a, r) * (u * (1.0F - v)) +
          sigma0_of(image, a, next_r) * ((1.0F - u) * v) + sigma0_of(image, next_a, next_r) * (u * v);
 }

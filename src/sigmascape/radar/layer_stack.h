@@ -21,7 +21,7 @@ struct Layer {
 struct LayerStack {
   GroundGrid grid;
   std::vector<Layer> layers;
-  std::string crs;  ///< of the local frame, as PROJ understands it
+  std::string crs;  ///< as PROJ understands it
   std::map<std::string, std::string> metadata;
 };
 

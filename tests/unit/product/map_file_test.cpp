@@ -2,9 +2,12 @@
 
 #include <array>
 #include <cmath>
+#include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <iterator>
 #include <limits>
+#include <string>
 
 #include "full_disk.h"
 #include "scratch_folder.h"
@@ -29,6 +32,11 @@ radar::GroundMap small_map() {
   return map;
 }
 
+std::string text_of(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
 TEST(MapFile, HoldsDecibelsWhereTheyAreAskedFor) {
   const ScratchFolder folder;
   write_map(folder.path("map.tif"), small_map(), MapScale::Decibels);
@@ -45,6 +53,21 @@ TEST(MapFile, HoldsDecibelsWhereTheyAreAskedFor) {
   EXPECT_TRUE(std::isnan(again.sigma0(0, 0).re_vvhh));
   EXPECT_TRUE(std::isnan(again.sigma0(2, 1).vv));
   EXPECT_EQ(again.metadata, small_map().metadata);
+}
+
+TEST(MapFile, PlacesAreNamedWithTheUnitThatTheyHave) {
+  const ScratchFolder folder;
+  radar::GroundMap map = small_map();
+  map.crs = "EPSG:4326";
+  write_map(folder.path("map.npy"), map);
+  EXPECT_THAT(text_of(folder.path("map.json")),
+              testing::AllOf(testing::HasSubstr("\"west_deg\": 10.0"), testing::HasSubstr("\"cell_deg\": 2.0"),
+                             testing::Not(testing::HasSubstr("_m\""))));
+  write_map(folder.path("map.npz"), map);
+  EXPECT_THAT(text_of(folder.path("map.npz")), testing::HasSubstr("x_deg.npy"));
+  write_map(folder.path("map.tif"), map);
+  EXPECT_EQ(geo::read_geotiff(folder.path("map.tif")).metadata.at("SIGMASCAPE_GRID"),
+            "west 10 deg, north 20 deg, cell 2 deg, 3 x 2 cells");
 }
 
 TEST(MapFile, AFullDiskLeavesNoDescriptionWithoutNumbers) {

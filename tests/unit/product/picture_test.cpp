@@ -143,6 +143,25 @@ TEST(Legend, ScaleBarHasItsRoundLength) {
   EXPECT_EQ(longest, 50U);
 }
 
+TEST(Legend, ScaleBarIsOfTheGroundInAnyCoordinateSystem) {
+  // Cells of 2e-5°, of which at 60° north 1.116 m go eastward: a quarter of 300 is 84 m, the bar 50 m = 45 pixels.
+  GroundMap map = map_of(300, 4, [](auto, auto) { return 1.0; });
+  map.grid.west_m = 10.0;
+  map.grid.north_m = 60.0;
+  map.grid.cell_m = 2e-5;
+  map.crs = "EPSG:4326";
+  const Picture framed = with_legend(picture_of(map));
+  std::size_t longest = 0;
+  for (std::size_t row = 4; row < framed.pixels.rows(); ++row) {
+    std::size_t run = 0;
+    for (std::size_t column = 120; column < 280; ++column) {
+      run = framed.pixels(column, row).red > 200 ? run + 1 : 0;
+      longest = std::max(longest, run);
+    }
+  }
+  EXPECT_EQ(longest, 45U);
+}
+
 TEST(Legend, LeavesOutWhatWouldLie) {
   // The arrow stands at the right, the bar between it and the colours.
   const auto has_ink = [](const Picture& framed, std::size_t first, std::size_t last) {

@@ -1,5 +1,6 @@
 #include "sigmascape/product/reprojection.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -53,6 +54,38 @@ INSTANTIATE_TEST_SUITE_P(Systems, Reprojection, testing::Values("EPSG:25830", "E
 TEST(Reprojection, RefusesWhatIsNoSystem) {
   EXPECT_THROW((void)reprojected(map_of_a_slope(), bilbao, "EPSG:none"), Error);
   EXPECT_THROW((void)reprojected(map_of_a_slope(), bilbao, "EPSG:25830", -1.0), Error);
+}
+
+TEST(Reprojection, LayersLieOnTheCellsOfTheMap) {
+  const radar::GroundMap map = map_of_a_slope();
+  radar::LayerStack stack{.grid = map.grid, .layers = {}, .crs = map.crs, .metadata = {}};
+  Array2D<float> masks(100, 100), heights(100, 100);
+  for (std::size_t row = 0; row < 100; ++row) {
+    for (std::size_t column = 0; column < 100; ++column) {
+      masks(column, row) = (column + row) % 2 == 0 ? 1.0F : 0.0F;
+      heights(column, row) = map.sigma0(column, row).vv;
+    }
+  }
+  stack.layers = {{.name = "shadow", .unit = "", .values = masks}, {.name = "height", .unit = "m", .values = heights}};
+  const radar::LayerStack turned = reprojected(stack, bilbao, "EPSG:4326");
+  const radar::GroundMap of_map = reprojected(map, bilbao, "EPSG:4326");
+  EXPECT_EQ(turned.grid, of_map.grid);
+  EXPECT_EQ(turned.crs, "EPSG:4326");
+  for (std::size_t i = 0; i < of_map.sigma0.size(); ++i) {
+    const float mask = turned.layers[0].values.values()[i], height = turned.layers[1].values.values()[i];
+    ASSERT_TRUE(std::isnan(mask) || mask == 0.0F || mask == 1.0F);
+    if (!std::isnan(height)) {
+      ASSERT_FLOAT_EQ(height, of_map.sigma0.values()[i].vv);
+    }
+  }
+}
+
+TEST(Reprojection, MapsMayLieAcrossTheMeridianOf180Degrees) {
+  const geo::LocalFrame fiji(-17.0, 180.0);
+  const radar::GroundMap map = reprojected(map_of_a_slope(), fiji, "EPSG:4326");
+  EXPECT_NEAR(map.grid.extent().width_m(), 2000.0 / 106.5e3, 2e-4);
+  const auto seen = std::ranges::count_if(map.sigma0.values(), [](const auto& cell) { return cell.vv > 0.0F; });
+  EXPECT_GT(static_cast<double>(seen), 0.9 * static_cast<double>(map.sigma0.size()));
 }
 
 }  // namespace
