@@ -146,8 +146,9 @@ class Demo {
 
   [[nodiscard]] radar::GroundMap baked_map(const radar::Radar& radar, const radar::GroundGrid& grid) const {
     render::RenderCounts counts;
+    const std::vector<radar::Target> targets = simulate::targets_of(scene_);
     const auto image = simulate::baked_image(*atlas_, scene_.terrain, radar, grid.extent(),
-                                             {.threads = options_.bake.threads}, counts);
+                                             {.threads = options_.bake.threads, .targets = targets}, counts);
     return described_map(image, radar, scene_.terrain, grid, scene_.frame,
                          provenance("level of detail 1: from terrain and atlas"));
   }

@@ -62,9 +62,7 @@ LayerStack swept(const LoadedScene& loaded, const std::vector<std::string>& name
       throw Error("layer '" + name + "'", "is not known without rays, where all bounces are one sum", "use lod=0");
   }
   const scene::Scene& scene = loaded.scene();
-  const auto cells = [&](double length_m) { return static_cast<std::size_t>(length_m / grid.cell_m); };
-  const auto obstacles = scene::obstacles_of(scene, {scene.extent.west_m, scene.extent.north_m, grid.cell_m,
-                                                     cells(scene.extent.width_m()), cells(scene.extent.height_m())});
+  const auto obstacles = scene::obstacles_of(scene, grid.cell_m);
   return simulate::swept_layers({&scene.terrain, &obstacles, &scene.ground, scene.materials.size()}, radar, grid,
                                 shapes_in(names), threads);
 }

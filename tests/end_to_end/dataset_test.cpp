@@ -388,5 +388,37 @@ TEST(DatasetOfHouses, KnowsWhatPartCameOverSeveralSurfaces) {
   }
 }
 
+// A scene's own targets are in the picture whether it is traced or rendered from an atlas.
+TEST(DatasetOfATarget, ShowsItAtEveryLevelOfDetail) {
+  const ScratchFolder folder;
+  const auto scene = write_made_scene(folder.path("place"), 200, 200);
+  std::ofstream(scene, std::ios::app) << "\n[[point_targets]]\nposition_m = [21, 13]\nheight_m = 30\nrcs_dbsm = 50\n";
+  folder.write("radar.toml",
+               "[radar]\nfrequency_ghz = 10.0\nrange_resolution_m = 2.0\nbeam_width_deg = 0.011\n"
+               "[position]\nslant_range_km = 15.0\nazimuth_deg = 180.0\nelevation_deg = 21.0\n");
+  bake::BakeSettings settings;
+  settings.aspects.azimuths_rad = {0.0, pi};
+  settings.aspects.elevations_rad = {radians_from_deg(21.0)};
+  settings.patches = {.texel_m = 2.0, .texels_per_side = 256};
+  settings.sampling.samples_per_texel = 2;
+  SilentProgress silent;
+  bake::bake(scene::read_scene(scene), settings, folder.path("atlas"), silent);
+  const auto power_of = [&](const std::string& atlas) {
+    const auto file = folder.write(
+        "spec.toml",
+        "[dataset]\nscene = \"place/scene.toml\"\n" + atlas +
+            "radar = \"radar.toml\"\ncount = 1\ncells = 64\ncell_m = 2.0\n[view]\nazimuth_deg = [180, 180]\n"
+            "elevation_deg = [21, 21]\nslant_range_km = [15, 15]\n[speckle]\nlooks = 0\n");
+    const dataset::Sample sample = dataset::SampleMaker(dataset::read_dataset_spec(file)).make(0);
+    double sum = 0.0;
+    for (const radar::Channels& cell : sample.map.sigma0.values())
+      sum += std::isnan(cell.vv) ? 0.0 : static_cast<double>(cell.vv);
+    return sum;
+  };
+  const double baked = power_of("atlas = \"atlas\"\n"), traced = power_of("");
+  EXPECT_GT(traced, 1e4) << "a target of 50 dBsm in cells of 4 m²";
+  EXPECT_NEAR(baked / traced, 1.0, 0.05);
+}
+
 }  // namespace
 }  // namespace sigmascape::end_to_end

@@ -17,10 +17,10 @@
 #include "sigmascape/dataset/speckle.h"
 #include "sigmascape/dataset/target_box.h"
 #include "sigmascape/product/ground_projection.h"
-#include "sigmascape/receiver/range_azimuth_receiver.h"
 #include "sigmascape/receiver/target_echoes.h"
 #include "sigmascape/scene/obstacle_raster.h"
 #include "sigmascape/scene/scene_file.h"
+#include "sigmascape/simulate/placement.h"
 #include "sigmascape/simulate/simulate.h"
 
 namespace sigmascape::dataset {
@@ -68,10 +68,7 @@ std::shared_ptr<const radar::ObstacleMap> obstacles_for(const atlas::Atlas& atla
   if (atlas.ground_layers() != nullptr) {
     return std::make_shared<const radar::ObstacleMap>(atlas.ground_layers()->obstacles);
   }
-  const radar::Rectangle all = scene.extent;
-  return std::make_shared<const radar::ObstacleMap>(
-      scene::obstacles_of(scene, {all.west_m, all.north_m, cell_m, static_cast<std::size_t>(all.width_m() / cell_m),
-                                  static_cast<std::size_t>(all.height_m() / cell_m)}));
+  return std::make_shared<const radar::ObstacleMap>(scene::obstacles_of(scene, cell_m));
 }
 
 radar::Channels rcs_of(const PlannedTarget& planned) {
@@ -270,9 +267,11 @@ radar::RangeAzimuthImage SampleMaker::ground_image(const radar::Radar& radar, co
                                                    std::vector<radar::Layer>& bounces) const {
   if (atlas_) {
     render::RenderCounts counts;
+    const std::vector<radar::Target> targets = simulate::targets_of(scene_);
     const auto image_from = [&](const atlas::Atlas& atlas) {
       return simulate::baked_image(atlas, scene_.terrain, radar, plan.grid.extent(),
-                                   {.level_of_detail = spec_.level_of_detail, .threads = 1}, counts);
+                                   {.level_of_detail = spec_.level_of_detail, .threads = 1, .targets = targets},
+                                   counts);
     };
     auto image = image_from(*atlas_);
     std::vector<radar::RangeAzimuthImage> up_to;
@@ -332,9 +331,9 @@ Array2D<radar::Channels> SampleMaker::steady_sigma0(const std::vector<SampleTarg
     seen.push_back(target_of(target.planned, spec_.targets[target.planned.target_class], scene_.terrain));
   }
   if (seen.empty()) return {};
-  receiver::RangeAzimuthReceiver receiver(radar, bins);
-  receiver.add(receiver::target_echoes(seen, radar, {}));
-  return product::ground_map(receiver.image(), scene_.terrain, grid).sigma0;
+  radar::RangeAzimuthImage image{bins, radar.position, Array2D<radar::Channels>(bins.azimuths, bins.ranges)};
+  receiver::add_echoes(image, radar, receiver::target_echoes(seen, radar, {}));
+  return product::ground_map(image, scene_.terrain, grid).sigma0;
 }
 
 Sample SampleMaker::make(std::size_t index) const {

@@ -67,33 +67,31 @@ geo::Polygons mended_shape(const geo::Feature& feature, const BuildingSource& so
   return geo::simplified(shape, source.simplify_m);
 }
 
-bool lies_inside(const geo::Feature& feature, const radar::Rectangle& extent) {
+/// By the mean of its corners.
+bool lies_inside(const geo::Polygon& polygon, const radar::Rectangle& extent) {
   Vec2d sum;
-  double count = 0.0;
-  for (const geo::Polygon& polygon : feature.polygons) {
-    for (const Vec2d& corner : polygon.outer) {
-      sum = sum + corner;
-      count += 1.0;
-    }
-  }
-  return count > 0.0 && extent.contains(sum * (1.0 / count));
+  for (const Vec2d& corner : polygon.outer) sum = sum + corner;
+  return !polygon.outer.empty() && extent.contains(sum * (1.0 / static_cast<double>(polygon.outer.size())));
 }
 
 std::size_t collect_footprints(Scene& scene, const BuildingSource& source, std::size_t source_number, FlawTally& tally,
                                std::vector<Footprint>& footprints) {
-  const auto found = geo::read_features(source.vector, scene.frame);
+  auto found = geo::read_features(source.vector, scene.frame);
   for (const auto& attribute : {source.height_attribute, source.levels_attribute}) {
     if (attribute) require_attribute(found, *attribute, source.where);
   }
   tally.flaw("features without usable coordinates, left out", found.first_nowhere, found.nowhere);
   const MaterialIndex wall = scene.material_index(source.wall), roof = scene.material_index(source.roof);
   std::size_t inside = found.nowhere;
-  for (const geo::Feature& feature : found.features) {
+  for (geo::Feature& feature : found.features) {
     Interruption::heed();
-    if (!lies_inside(feature, scene.extent)) {
+    const std::size_t outside =
+        std::erase_if(feature.polygons, [&](const geo::Polygon& part) { return !lies_inside(part, scene.extent); });
+    if (feature.polygons.empty()) {
       tally.note("buildings outside the scene, left out", feature.id);
       continue;
     }
+    tally.note("parts of buildings outside the scene, left out", feature.id, outside);
     ++inside;
     auto shape = mended_shape(feature, source, tally);
     if (geo::area_m2(shape) < source.min_area_m2) {

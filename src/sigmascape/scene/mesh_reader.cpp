@@ -138,8 +138,9 @@ void add_mesh(Scene& scene, const MeshSource& source, const MaterialTable& mater
   Mesh prototype = prototype_of(scene, source, materials, of_faces);
   const auto number = static_cast<std::uint32_t>(scene.prototypes.size());
   scene.prototypes.push_back(std::move(prototype));
-  const auto positions = positions_in(scene, source.placements);
-  for (const Vec2d& position : positions) {
+  const FoundPlaces places = places_in(scene, source.placements);
+  of_places.flaw("positions without usable coordinates, left out", places.first_nowhere, places.nowhere);
+  for (const Vec2d& position : places.positions) {
     if (!scene.extent.contains(position)) {
       of_places.note("meshes outside the scene, left out", fmt::format("({:.1f}, {:.1f}) m", position.x, position.y));
       continue;
@@ -151,7 +152,7 @@ void add_mesh(Scene& scene, const MeshSource& source, const MaterialTable& mater
                                .yaw_rad = static_cast<float>(source.yaw_rad),
                                .speed_mps = static_cast<float>(source.speed_mps)});
   }
-  of_places.settle(source.file.string(), positions.size(), source.limit, scene.remarks);
+  of_places.settle(source.file.string(), places.positions.size() + places.nowhere, source.limit, scene.remarks);
 }
 
 }  // namespace sigmascape::scene

@@ -4,32 +4,16 @@
 #include <fmt/format.h>
 #include <fstream>
 #include <limits>
-#include <map>
 #include <sstream>
 #include <string_view>
 #include <tiny_obj_loader.h>
+#include <vector>
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/scene/imported_mesh.h"
 
 namespace sigmascape::scene {
 namespace {
-
-/// A material file that merely names every material that the text uses: the loader forgets names that it finds in no
-/// such file.
-std::string material_file_for(const std::string& text) {
-  std::istringstream lines(text);
-  std::map<std::string, bool> names;
-  for (std::string line; std::getline(lines, line);) {
-    const auto start = line.find_first_not_of(" \t");
-    if (start == std::string::npos || line.compare(start, 7, "usemtl ") != 0) continue;
-    std::istringstream words(line.substr(start + 7));
-    if (std::string name; words >> name) names[name] = true;
-  }
-  std::string file;
-  for (const auto& [name, unused] : names) file += fmt::format("newmtl {}\n", name);
-  return file;
-}
 
 constexpr std::string_view blanks = " \t\r";
 /// Of a faulty line, in an error.
@@ -41,6 +25,38 @@ std::string_view next_word(std::string_view& line) {
   const std::string_view word = line.substr(0, line.find_first_of(blanks));
   line.remove_prefix(word.size());
   return word;
+}
+
+/// The text with materials by number, for the loader ends their names at the first blank.
+struct NumberedMaterials {
+  std::string text;
+  std::vector<std::string> names;
+
+  /// A material file that merely names them all: the loader forgets what it finds in no such file.
+  [[nodiscard]] std::string file() const {
+    std::string file;
+    for (std::size_t number = 0; number < names.size(); ++number) file += fmt::format("newmtl {}\n", number);
+    return file;
+  }
+};
+
+NumberedMaterials with_numbered_materials(std::string_view text) {
+  NumberedMaterials numbered;
+  while (!text.empty()) {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+    std::string_view name = line;
+    if (next_word(name) != "usemtl" || name.find_first_not_of(blanks) == std::string_view::npos) {
+      numbered.text += fmt::format("{}\n", line);
+      continue;
+    }
+    name.remove_prefix(name.find_first_not_of(blanks));
+    name = name.substr(0, name.find_last_not_of(blanks) + 1);
+    const auto known = std::ranges::find(numbered.names, name);
+    numbered.text += fmt::format("usemtl {}\n", known - numbered.names.begin());
+    if (known == numbered.names.end()) numbered.names.emplace_back(name);
+  }
+  return numbered;
 }
 
 /// Whether a word is one number that single precision, in which the loader counts, can hold.
@@ -80,7 +96,8 @@ ImportedMesh read_obj(const std::filesystem::path& file) {
   if (!stream) throw Error(file.string(), "cannot be read", "check that it is a readable file");
   check_vertices(text.str(), file);
   tinyobj::ObjReader reader;
-  if (!reader.ParseFromString("mtllib names\n" + text.str(), material_file_for(text.str()))) {
+  const NumberedMaterials numbered = with_numbered_materials(text.str());
+  if (!reader.ParseFromString("mtllib names\n" + numbered.text, numbered.file())) {
     throw Error(file.string(), fmt::format("is not a Wavefront OBJ file ({})", reader.Error()), "export it again");
   }
 
@@ -105,7 +122,7 @@ ImportedMesh read_obj(const std::filesystem::path& file) {
       const int material = shape.mesh.material_ids[face];
       mesh.triangles.push_back(triangle);
       mesh.materials.push_back(
-          mesh.material_index(material < 0 ? "" : reader.GetMaterials()[static_cast<std::size_t>(material)].name));
+          mesh.material_index(material < 0 ? "" : numbered.names[static_cast<std::size_t>(material)]));
     }
   }
   return mesh;

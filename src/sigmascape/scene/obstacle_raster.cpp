@@ -243,4 +243,13 @@ radar::ObstacleMap obstacles_of(const Scene& scene, const radar::GroundGrid& gri
   return map;
 }
 
+radar::ObstacleMap obstacles_of(const Scene& scene, double cell_m) {
+  // The last cells may reach beyond the scene, but by no rounding.
+  const auto cells = [cell_m](double length_m) {
+    return static_cast<std::size_t>(std::ceil(length_m / cell_m - 1e-6));
+  };
+  return obstacles_of(scene, radar::GroundGrid{scene.extent.west_m, scene.extent.north_m, cell_m,
+                                               cells(scene.extent.width_m()), cells(scene.extent.height_m())});
+}
+
 }  // namespace sigmascape::scene

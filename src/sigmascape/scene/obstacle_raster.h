@@ -17,4 +17,7 @@ namespace sigmascape::scene {
 /// Throws Interrupted when this thread is told to stop (base/interruption.h): large scenes on fine cells take a minute.
 [[nodiscard]] radar::ObstacleMap obstacles_of(const Scene& scene, const radar::GroundGrid& grid);
 
+/// The same over all of the scene, in cells from its north-western corner on.
+[[nodiscard]] radar::ObstacleMap obstacles_of(const Scene& scene, double cell_m);
+
 }  // namespace sigmascape::scene

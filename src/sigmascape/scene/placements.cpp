@@ -24,18 +24,21 @@ Placements read_placements(const TomlSection& section) {
   return placements;
 }
 
-std::vector<Vec2d> positions_in(const Scene& scene, const Placements& placements) {
-  std::vector<Vec2d> positions;
+FoundPlaces places_in(const Scene& scene, const Placements& placements) {
+  FoundPlaces places;
+  std::vector<Vec2d>& positions = places.positions;
   for (const auto& [x, y] : placements.in_frame_m) positions.push_back({x, y});
   for (const auto& [latitude_deg, longitude_deg] : placements.lat_lon_deg) {
     positions.push_back(geo::position_in_frame(scene.frame, {latitude_deg, longitude_deg}));
   }
   if (placements.points) {
-    for (const geo::Feature& feature : geo::read_features(*placements.points, scene.frame).features) {
+    const geo::FeatureSet found = geo::read_features(*placements.points, scene.frame);
+    for (const geo::Feature& feature : found.features)
       positions.insert(positions.end(), feature.points.begin(), feature.points.end());
-    }
+    places.nowhere = found.nowhere;
+    places.first_nowhere = found.first_nowhere;
   }
-  return positions;
+  return places;
 }
 
 }  // namespace sigmascape::scene

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "sigmascape/base/toml_reader.h"
@@ -22,7 +24,13 @@ struct Placements {
 /// Reads positions_m, positions_lat_lon_deg and [positions].
 [[nodiscard]] Placements read_placements(const TomlSection& section);
 
-/// All places in the scene's frame, in the order frame, globe, file.
-[[nodiscard]] std::vector<Vec2d> positions_in(const Scene& scene, const Placements& placements);
+/// Places in the scene's frame.
+struct FoundPlaces {
+  std::vector<Vec2d> positions;  ///< in the order frame, globe, file
+  std::size_t nowhere = 0;       ///< of the file's, those that have no place in the frame
+  std::string first_nowhere;
+};
+
+[[nodiscard]] FoundPlaces places_in(const Scene& scene, const Placements& placements);
 
 }  // namespace sigmascape::scene

@@ -37,7 +37,7 @@ void add_point_target(Scene& scene, const PointTargetSource& source) {
   if (source.in_frame_m) placement.in_frame_m = {*source.in_frame_m};
   if (source.lat_lon_deg) placement.lat_lon_deg = {*source.lat_lon_deg};
   PointTarget target = source.target;
-  target.position = positions_in(scene, placement).front();
+  target.position = places_in(scene, placement).positions.front();
   if (!scene.extent.contains(target.position)) {
     throw Error(source.where,
                 fmt::format("stands at ({:.1f}, {:.1f}) m, outside the scene", target.position.x, target.position.y),

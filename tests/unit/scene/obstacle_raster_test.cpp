@@ -93,5 +93,16 @@ TEST(ObstacleRaster, CanBeToldToStop) {
   EXPECT_THROW((void)obstacles_of(nothing, cells), Interrupted);
 }
 
+// The scene is 20 m wide: of cells of 3 m the seventh stands half outside, and holds what stands inside.
+TEST(ObstacleRaster, OverAllOfASceneLeavesNoRimOut) {
+  Scene scene = empty_scene();
+  scene.prototypes.push_back(box_mesh({4.0F, 4.0F, 7.0F}, 0));
+  scene.instances.push_back({.x_m = 9.0F, .y_m = -9.0F});
+  const auto map = obstacles_of(scene, 3.0);
+  EXPECT_EQ(map.grid.columns, 7U);
+  EXPECT_FLOAT_EQ(map.at({9.0, -9.0}).solid_top_m, 7.0F);
+  EXPECT_EQ(obstacles_of(scene, 2.0).grid.columns, 10U);
+}
+
 }  // namespace
 }  // namespace sigmascape::scene

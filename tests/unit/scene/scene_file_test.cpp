@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <variant>
@@ -71,6 +72,23 @@ TEST(SceneFile, BuildingsRiseToTheirHeightFromTheLowestGround) {
   EXPECT_NEAR(static_cast<double>(scene.buildings.items[0].footing_m), 0.05 * 200.0, 0.1);
   EXPECT_NEAR(tallest_object_m(scene), 12.5, 1e-5);
   for (const Vec3f& vertex : scene.buildings.mesh.vertices) EXPECT_TRUE(vertex.z == 0.0F || vertex.z == 12.5F);
+}
+
+// Blocks of a town may be one feature: of those that lie partly outside the parts within stand.
+TEST(SceneFile, PartsOfABuildingAreInsideOrOutsideEachByItself) {
+  const MadeUpPlace place;
+  const auto square = [](double west, double south) {
+    const double w = MadeUpPlace::east_of_origin_m + west, s = MadeUpPlace::north_of_origin_m + south;
+    return fmt::format("[[[{0},{1}],[{2},{1}],[{2},{3}],[{0},{3}],[{0},{1}]]]", w, s, w + 20.0, s + 20.0);
+  };
+  place.write_houses(R"({"type":"Feature","properties":{"h":9},"geometry":{"type":"MultiPolygon","coordinates":[)" +
+                     square(0, 0) + "," + square(100, 50) + "," + square(3000, 0) + "," + square(3100, 0) + "," +
+                     square(3200, 0) + "]}}");
+  const Scene scene = place.read(houses_section);
+  EXPECT_EQ(remark_count(scene, "parts of buildings outside the scene"), 3U);
+  float easternmost_m = -1e9F;
+  for (const Vec3f& vertex : scene.buildings.mesh.vertices) easternmost_m = std::max(easternmost_m, vertex.x);
+  EXPECT_NEAR(easternmost_m, 120.0F, 1.0F);
 }
 
 TEST(SceneFile, LevelsAndDefaultStandInForHeights) {
@@ -170,6 +188,20 @@ TEST(SceneFile, MeshesStandWhereTheyShouldWithTheirMaterials) {
   EXPECT_EQ(scene.materials[mast.materials[0]].name, "metal");
   EXPECT_EQ(scene.materials[mast.materials[1]].name, "wood");
   EXPECT_EQ(remark_count(scene, "meshes outside the scene"), 1U);
+}
+
+TEST(SceneFile, MeshesWithoutUsableCoordinatesAreCounted) {
+  const MadeUpPlace place;
+  place.write("mast.obj", "v 0 0 0\nv 1 0 0\nv 0 0 9\nf 1 2 3\n");
+  place.write("masts.csv", "x,y\n501100,4795500\n501200,4795500\n501150,inf\n");
+  const std::string masts =
+      "[[meshes]]\nfile = \"mast.obj\"\nmaterial = \"metal\"\n"
+      "positions = {file = \"masts.csv\", crs = \"EPSG:25830\", x = \"x\", y = \"y\"}\n";
+  const Scene scene = place.read(masts);
+  EXPECT_EQ(scene.instances.size(), 2U);
+  EXPECT_EQ(remark_count(scene, "positions without usable coordinates"), 1U);
+  EXPECT_THAT(place.fault(masts, "[scene]\nstrict = true\n"),
+              ::testing::HasSubstr("positions without usable coordinates"));
 }
 
 TEST(SceneFile, PointTargetsCarryTheirCrossSection) {
