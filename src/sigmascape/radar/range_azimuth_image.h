@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 
 #include "sigmascape/base/array2d.h"
+#include "sigmascape/base/units.h"
 #include "sigmascape/base/vec.h"
 #include "sigmascape/radar/channels.h"
 
@@ -17,6 +19,11 @@ struct RangeAzimuthGrid {
   double first_azimuth_rad = 0.0;  ///< left edge of bin column 0
   double azimuth_step_rad = 1e-3;
   std::size_t azimuths = 0;
+
+  /// Whether the first azimuth lies next to the last one.
+  [[nodiscard]] bool goes_round() const {
+    return std::abs(static_cast<double>(azimuths) * azimuth_step_rad - 2.0 * pi) < 1e-6;
+  }
 
   friend constexpr bool operator==(const RangeAzimuthGrid&, const RangeAzimuthGrid&) = default;
 };

@@ -15,7 +15,8 @@
 namespace sigmascape::receiver {
 namespace {
 
-constexpr int depression_steps = 1 << 14;
+// Of the elevation pattern's table: so many to its half-power width, within what cache and memory bear.
+constexpr double elevation_steps_a_width = 256.0, fewest_elevation_steps = 0x1p12, most_elevation_steps = 0x1p20;
 constexpr double most_bins = 0x1p27;
 
 using Bins = Array2D<radar::Channels>;
@@ -25,22 +26,24 @@ bool is_dark(std::span<const radar::Channels> row) {
   return std::ranges::all_of(row, [](const radar::Channels& bin) { return bin == radar::Channels{}; });
 }
 
-/// Every bin spreads over its neighbours in its row; what leaves the row is lost, as it is to a receiver's gate. Bins
-/// are many, and memory for another image of them would cost more than the sums do: here and below only what is
-/// overwritten before its turn is kept elsewhere.
-void spread_along_rows(Bins& bins, const std::vector<float>& weights) {
-  const auto reach = static_cast<std::ptrdiff_t>(weights.size() / 2);
-  const auto columns = static_cast<std::ptrdiff_t>(bins.columns());
-  std::vector<radar::Channels> from(bins.columns());
+/// Every bin spreads over its neighbours in its row. What leaves the row is lost, as it is to a receiver's gate, or
+/// where the row goes round comes in at the other end. Bins are many, and memory for another image of them would cost
+/// more than the sums do: here and below only what is overwritten before its turn is kept elsewhere.
+void spread_along_rows(Bins& bins, const std::vector<float>& weights, bool goes_round) {
+  const std::size_t reach = weights.size() / 2, columns = bins.columns();
+  // The row, and what lies beyond its ends as far as a bin spreads.
+  std::vector<radar::Channels> from(columns + 2 * reach);
   for (std::size_t row = 0; row < bins.rows(); ++row) {
     const auto to = bins.row(row);
     if (is_dark(to)) continue;
-    std::ranges::copy(to, from.begin());
+    std::ranges::copy(to, from.begin() + static_cast<std::ptrdiff_t>(reach));
+    for (std::size_t beyond = 0; goes_round && beyond < reach; ++beyond) {
+      from[reach - 1 - beyond] = to[columns - 1 - beyond % columns];
+      from[reach + columns + beyond] = to[beyond % columns];
+    }
     std::ranges::fill(to, radar::Channels{});
-    for (std::ptrdiff_t k = -reach; k <= reach; ++k) {
-      const float weight = weights[static_cast<std::size_t>(k + reach)];
-      for (std::ptrdiff_t column = std::max<std::ptrdiff_t>(0, -k); column < std::min(columns, columns - k); ++column)
-        to[static_cast<std::size_t>(column)] += from[static_cast<std::size_t>(column + k)] * weight;
+    for (std::size_t k = 0; k <= 2 * reach; ++k) {
+      for (std::size_t column = 0; column < columns; ++column) to[column] += from[column + k] * weights[k];
     }
   }
 }
@@ -66,23 +69,26 @@ void spread_along_columns(Bins& bins, const std::vector<float>& weights) {
   }
 }
 
-/// Two-way relative gain at evenly spaced sines of the depression angle; empty for an antenna that does not tell
+/// Two-way relative gain at evenly spaced depression angles from −90° to 90°; empty for an antenna that does not tell
 /// elevations apart.
 std::vector<float> gain_over_depression(const radar::Radar& radar) {
   const auto pattern = radar::antenna_pattern(radar);
   if (pattern.elevation().even()) return {};
+  const double wanted = std::ceil(elevation_steps_a_width * pi / radar.antenna.elevation_width_rad);
+  const double steps = std::clamp(wanted, fewest_elevation_steps, most_elevation_steps);
   std::vector<float> gain;
-  for (int k = 0; k <= depression_steps; ++k) {
-    const double elevation = -std::asin(2.0 * k / depression_steps - 1.0);
+  for (double k = 0.0; k <= steps; ++k) {
+    const double elevation = pi * (0.5 - k / steps);
     gain.push_back(static_cast<float>(pattern.elevation().two_way_power(elevation - pattern.tilt_rad())));
   }
   return gain;
 }
 
 float interpolated(const std::vector<float>& gain, float sin_depression) {
-  const float place = (std::clamp(sin_depression, -1.0F, 1.0F) + 1.0F) * (0.5F * depression_steps);
+  const double depression_rad = std::asin(std::clamp(static_cast<double>(sin_depression), -1.0, 1.0));
+  const double place = (depression_rad / pi + 0.5) * static_cast<double>(gain.size() - 1);
   const auto left = std::min(static_cast<std::size_t>(place), gain.size() - 2);
-  return std::lerp(gain[left], gain[left + 1], place - static_cast<float>(left));
+  return std::lerp(gain[left], gain[left + 1], static_cast<float>(place - static_cast<double>(left)));
 }
 
 /// Whether the beam's axis comes to this column. The other modes make their own azimuths.
@@ -118,6 +124,7 @@ void check(const radar::Radar& radar, const radar::RangeAzimuthGrid& grid) {
 
 radar::RangeAzimuthGrid grid_covering(const radar::Radar& radar, std::span<const Vec3d> points, double oversampling) {
   double nearest = 1e30, farthest = 0.0, leftmost = 1e30, rightmost = -1e30;
+  bool goes_round = false;
   const Vec3d first = points.front() - radar.position;
   const double middle = std::atan2(first.x, first.y);
   for (const Vec3d& point : points) {
@@ -128,19 +135,24 @@ radar::RangeAzimuthGrid grid_covering(const radar::Radar& radar, std::span<const
     farthest = std::max(farthest, length(away));
     leftmost = std::min(leftmost, azimuth);
     rightmost = std::max(rightmost, azimuth);
+    goes_round = goes_round || (away.x == 0.0 && away.y == 0.0);
   }
   const double beam_rad = radar::antenna_pattern(radar).azimuth().two_way_width_rad();
   const double range_step = radar.range_resolution_m / oversampling;
   const double azimuth_step = beam_rad / oversampling;
   const double spare_range = room_for(range_response(radar, range_step), oversampling) * range_step;
   const double spare_azimuth = room_for(azimuth_response(radar, azimuth_step), oversampling) * azimuth_step;
-  const radar::RangeAzimuthGrid grid{
+  radar::RangeAzimuthGrid grid{
       .first_range_m = nearest - spare_range,
       .range_step_m = range_step,
       .ranges = static_cast<std::size_t>(std::ceil((farthest - nearest + 2.0 * spare_range) / range_step)),
       .first_azimuth_rad = leftmost - spare_azimuth,
       .azimuth_step_rad = azimuth_step,
       .azimuths = static_cast<std::size_t>(std::ceil((rightmost - leftmost + 2.0 * spare_azimuth) / azimuth_step))};
+  if (goes_round) {
+    grid.azimuths = static_cast<std::size_t>(std::ceil(2.0 * pi / azimuth_step));
+    grid.azimuth_step_rad = 2.0 * pi / static_cast<double>(grid.azimuths);
+  }
   check(radar, grid);
   return grid;
 }
@@ -160,7 +172,8 @@ std::optional<RangeAzimuthReceiver::Heard> RangeAzimuthReceiver::heard(const rad
   if (range_m < gate_start_m_ || range_m >= gate_start_m_ + unambiguous_m_) {
     range_m = radar::apparent_range_m(echo.range_m, gate_start_m_, radar_.waveform.pulse_repetition_hz);
     const double nearer = range_m / echo.range_m;
-    rcs_m2 = rcs_m2 * static_cast<float>(nearer * nearer * nearer * nearer);
+    const double through_air = std::exp(-2.0 * radar_.atmosphere_per_m * (echo.range_m - range_m));
+    rcs_m2 = rcs_m2 * static_cast<float>(nearer * nearer * nearer * nearer * through_air);
   }
   if (range_m > gate_end_m_) return std::nullopt;
   if (!gain_over_depression_.empty()) rcs_m2 = rcs_m2 * interpolated(gain_over_depression_, echo.sin_depression);
@@ -168,12 +181,19 @@ std::optional<RangeAzimuthReceiver::Heard> RangeAzimuthReceiver::heard(const rad
 }
 
 void RangeAzimuthReceiver::add(std::span<const radar::Echo> echoes) {
-  const double middle = grid_.first_azimuth_rad + 0.5 * static_cast<double>(grid_.azimuths) * grid_.azimuth_step_rad;
+  const bool goes_round = grid_.goes_round();
+  const auto turn = static_cast<double>(grid_.azimuths);
+  const double middle = grid_.first_azimuth_rad + 0.5 * turn * grid_.azimuth_step_rad;
   for (const radar::Echo& echo : echoes) {
     const auto at = heard(echo);
     if (!at) continue;
     const double azimuth = middle + turned_by_least(echo.cross - middle);
-    bins_.add_shared((azimuth - grid_.first_azimuth_rad) / grid_.azimuth_step_rad, at->row, at->rcs_m2);
+    const double column = (azimuth - grid_.first_azimuth_rad) / grid_.azimuth_step_rad;
+    bins_.add_shared(column, at->row, at->rcs_m2);
+    if (!goes_round) continue;
+    // The share of the bin at the other end.
+    if (column < 0.5) bins_.add_shared(column + turn, at->row, at->rcs_m2);
+    if (column > turn - 0.5) bins_.add_shared(column - turn, at->row, at->rcs_m2);
   }
 }
 
@@ -186,10 +206,14 @@ void RangeAzimuthReceiver::add_to_azimuth(std::size_t column, std::span<const ra
 }
 
 radar::RangeAzimuthImage RangeAzimuthReceiver::image() const {
+  if (bins_.overflows() > 0) {
+    throw Error("map of " + radar::title_of(radar_), "a bin is brighter than the sums can hold, 6.7e7 m²",
+                "use finer resolution or rougher materials");
+  }
   const auto pulse = range_response(radar_, grid_.range_step_m).weights;
   const auto beam = azimuth_response(radar_, grid_.azimuth_step_rad).weights;
   radar::RangeAzimuthImage image{grid_, radar_.position, bins_.sums()};
-  spread_along_rows(image.rcs_m2, beam);
+  spread_along_rows(image.rcs_m2, beam, grid_.goes_round());
   spread_along_columns(image.rcs_m2, pulse);
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   for (std::size_t column = 0; column < grid_.azimuths; ++column) {

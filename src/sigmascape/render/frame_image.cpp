@@ -64,8 +64,7 @@ radar::RangeAzimuthImage image_of(const Frame& frame, const Pose& pose) {
 radar::RangeAzimuthImage image_of(const Frame& frame, const Pose& pose, const radar::Radar& radar) {
   radar::RangeAzimuthImage image = image_of(frame, pose);
   const radar::RangeAzimuthGrid& grid = image.grid;
-  spread_over_beams(image.rcs_m2, receiver::azimuth_response(radar, grid.azimuth_step_rad).weights,
-                    goes_round(grid.azimuths, grid.azimuth_step_rad));
+  spread_over_beams(image.rcs_m2, receiver::azimuth_response(radar, grid.azimuth_step_rad).weights, grid.goes_round());
   spread_over_ranges(image.rcs_m2, receiver::range_response(radar, grid.range_step_m).weights);
   return image;
 }

@@ -108,7 +108,6 @@ radar::RangeAzimuthImage GroundRenderer::render(const radar::Radar& radar, const
     counts.ground_samples += part.ground_samples;
     counts.visible += part.visible;
   }
-  counts.overflows += receiver.bins().overflows();
   return receiver.image();
 }
 

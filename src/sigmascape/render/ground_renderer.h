@@ -28,7 +28,6 @@ struct RenderSettings {
 struct RenderCounts {
   std::size_t ground_samples = 0;  ///< points of ground in the sector
   std::size_t visible = 0;         ///< of them not wholly hidden
-  std::size_t overflows = 0;       ///< echoes left out because their bin was full
 };
 
 /// LOD ≥ 1: the ground map from terrain and baked reflectivity alone.

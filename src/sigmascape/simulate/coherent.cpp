@@ -21,7 +21,6 @@
 #include "sigmascape/receiver/doppler_imager.h"
 #include "sigmascape/receiver/pattern_gain.h"
 #include "sigmascape/receiver/pulse_receiver.h"
-#include "sigmascape/receiver/range_azimuth_receiver.h"
 #include "sigmascape/receiver/stripmap_imager.h"
 #include "sigmascape/receiver/target_echoes.h"
 
@@ -255,6 +254,7 @@ receiver::StripmapImager stripmap_imager(const CoherentScene& scene, const radar
                                    .window = radar.waveform.window,
                                    .oversampling = image_oversampling,
                                    .squint_rad = squint_of(radar, aim),
+                                   .ground_m = aim.z,
                                    .dwell = settings.dwell},
                                   gate_over(radar, span_of(area, *scene.terrain, here, closest), image_oversampling),
                                   image_gain(radar, aim));
@@ -337,10 +337,7 @@ void add_targets(radar::RangeAzimuthImage& image, const radar::Radar& radar, con
   if (targets.empty()) return;
   const auto seen = seen_targets(targets, moment.time_s,
                                  [&](Vec3d position) { return part_seen(surroundings, radar.position, position); });
-  receiver::RangeAzimuthReceiver receiver(radar, image.grid);
-  receiver.add(receiver::target_echoes(seen, radar, moment));
-  const auto answers = receiver.image();
-  for (std::size_t i = 0; i < image.rcs_m2.size(); ++i) image.rcs_m2.values()[i] += answers.rcs_m2.values()[i];
+  receiver::add_echoes(image, radar, receiver::target_echoes(seen, radar, moment));
 }
 
 }  // namespace sigmascape::simulate

@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
-#include "sigmascape/base/error.h"
 #include "sigmascape/base/hash.h"
 #include "sigmascape/base/parallel.h"
-#include "sigmascape/radar/radar_title.h"
 #include "sigmascape/receiver/range_azimuth_receiver.h"
 #include "sigmascape/receiver/target_echoes.h"
 #include "sigmascape/simulate/launch_for_map.h"
@@ -67,9 +65,10 @@ std::vector<radar::RangeAzimuthImage> MapTracer::map(std::span<const LaunchShare
                                                      const RayWatcher& watcher) {
   for (const auto& receiver : receivers_) receiver->clear();
   trace_shares(shares, seed, counts, progress, watcher);
-  add_point_targets();
-  add_targets();
-  return images();
+  auto images = this->images();
+  // Which come straight back.
+  receiver::add_echoes(images.front(), radar_, echoes_of_targets());
+  return images;
 }
 
 void MapTracer::trace_shares(std::span<const LaunchShare> shares, std::uint64_t seed, trace::TraceCounts& counts,
@@ -112,37 +111,28 @@ void MapTracer::add(std::span<const radar::Echo> echoes) {
   }
 }
 
-void MapTracer::add_point_targets() {
+std::vector<radar::Echo> MapTracer::echoes_of_targets() const {
+  const auto seen = seen_targets(settings_.targets, 0.0, [&](Vec3d position) {
+    return part_seen(geometry_, surfaces_, radar_.position, position);
+  });
+  std::vector<radar::Echo> echoes = receiver::target_echoes(seen, radar_, {});
   for (const scene::PointTarget& target : scene_.point_targets) {
     const Vec3d position{target.position.x, target.position.y,
                          scene_.terrain.height_at(target.position) + target.height_m};
     const Vec3f to_radar = launch_.viewpoint.direction_from(position).to<float>();
     if (geometry_.occluded((position - geometry_.origin()).to<float>(), to_radar)) continue;
-    const radar::Echo echo{.range_m = launch_.viewpoint.range_of(position),
-                           .cross = launch_.viewpoint.cross_of(position),
-                           .rcs_m2 = target.rcs_m2,
-                           .bounces = 1,
-                           .sin_depression = to_radar.z};
-    receivers_.front()->add({&echo, 1});
+    echoes.push_back({.range_m = launch_.viewpoint.range_of(position),
+                      .cross = launch_.viewpoint.cross_of(position),
+                      .rcs_m2 = target.rcs_m2,
+                      .bounces = 1,
+                      .sin_depression = to_radar.z});
   }
-}
-
-void MapTracer::add_targets() {
-  const auto seen = seen_targets(settings_.targets, 0.0, [&](Vec3d position) {
-    return part_seen(geometry_, surfaces_, radar_.position, position);
-  });
-  receivers_.front()->add(receiver::target_echoes(seen, radar_, {}));
+  return echoes;
 }
 
 std::vector<radar::RangeAzimuthImage> MapTracer::images() const {
   std::vector<radar::RangeAzimuthImage> images;
-  for (const auto& receiver : receivers_) {
-    if (receiver->bins().overflows() > 0) {
-      throw Error("map of " + radar::title_of(radar_), "a bin is brighter than the sums can hold",
-                  "use finer resolution or rougher materials");
-    }
-    images.push_back(receiver->image());
-  }
+  for (const auto& receiver : receivers_) images.push_back(receiver->image());
   return images;
 }
 

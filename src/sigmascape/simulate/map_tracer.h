@@ -51,10 +51,10 @@ class MapTracer {
  private:
   void trace_shares(std::span<const LaunchShare> shares, std::uint64_t seed, trace::TraceCounts& counts,
                     ProgressListener* progress, const RayWatcher& watcher);
-  void add_point_targets();
-  void add_targets();
   void add(std::span<const radar::Echo> echoes);
   [[nodiscard]] std::vector<radar::RangeAzimuthImage> images() const;
+  /// Of point targets and targets that the scene lets be seen.
+  [[nodiscard]] std::vector<radar::Echo> echoes_of_targets() const;
 
   const scene::Scene& scene_;
   const trace::SceneGeometry& geometry_;

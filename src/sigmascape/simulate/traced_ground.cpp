@@ -46,10 +46,6 @@ LatticeBlock block_over(const TracedView& view) {
 
 }  // namespace
 
-bool goes_round(const radar::RangeAzimuthGrid& bins) {
-  return std::abs(static_cast<double>(bins.azimuths) * bins.azimuth_step_rad - 2.0 * pi) < 1e-6;
-}
-
 TracedGround::TracedGround(const TracedView& view)
     : view_(view),
       launch_(launch_for(view)),
@@ -113,7 +109,7 @@ void TracedGround::add(const radar::Echo& echo, receiver::PowerBins& pass) {
   bool in_reach = false;
   // Where beams go round, what lies beyond the last has its share in the first.
   for (const double turn : {0.0, round, -round}) {
-    if (turn != 0.0 && !goes_round(view_.bins)) break;
+    if (turn != 0.0 && !view_.bins.goes_round()) break;
     const double row = beam + turn - first;
     pass.add_shared(range, row, echo.rcs_m2);
     in_reach = in_reach || (row > -view_.rim_beams && row < count + view_.rim_beams);

@@ -21,9 +21,6 @@ namespace sigmascape::simulate {
 /// pass do not find (docs/decisions/0066-tracing-to-an-error.md).
 inline constexpr std::uint32_t rays_a_pass = 2;
 
-/// Whether the last beam has the first for its neighbour.
-[[nodiscard]] bool goes_round(const radar::RangeAzimuthGrid& bins);
-
 /// What is to be traced. All that is referred to must outlive the TracedGround.
 struct TracedView {
   const scene::Scene& scene;

@@ -43,7 +43,7 @@ class AmplitudeBins {
  public:
   AmplitudeBins(const TracedView& view, std::span<std::complex<float>> amplitudes_m)
       : grid_(view.bins),
-        goes_round_(goes_round(view.bins)),
+        goes_round_(view.bins.goes_round()),
         first_beam_(static_cast<std::ptrdiff_t>(view.first_beam)),
         end_beam_(static_cast<std::ptrdiff_t>(view.first_beam + view.beams)),
         amplitudes_m_(amplitudes_m) {}

@@ -139,5 +139,21 @@ TEST(GroundMap, CellsOutsideTheBinsAreMissing) {
   EXPECT_EQ(map.grid, grid);
 }
 
+// All round a radar that stands over the map, even across the azimuth at which its bins begin.
+TEST(GroundMap, BinsThatGoRoundLeaveNoSeam) {
+  radar::RangeAzimuthImage image;
+  image.radar_position = {0, 0, 200};
+  image.grid = {.first_range_m = 190.0,
+                .range_step_m = 1.0,
+                .ranges = 60,
+                .first_azimuth_rad = radians_from_deg(20.0),
+                .azimuth_step_rad = 2.0 * pi / 72.0,
+                .azimuths = 72};
+  image.rcs_m2 = Array2D<Channels>(72, 60, {1, 1, 1, 1});
+  const radar::GroundGrid grid{.west_m = -90, .north_m = 90, .cell_m = 3.0, .columns = 60, .rows = 60};
+  const radar::GroundMap map = ground_map(image, plane(0, 0), grid);
+  for (const Channels& cell : map.sigma0.values()) ASSERT_GT(cell.vv, 0.0F);
+}
+
 }  // namespace
 }  // namespace sigmascape::product

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <numbers>
 #include <vector>
+
+#include "scratch_folder.h"
 
 #include "sigmascape/base/units.h"
 
@@ -214,6 +217,89 @@ TEST(RangeAzimuthReceiver, WhatLeavesTheGateIsLost) {
   receiver.add({&echo, 1});
   EXPECT_EQ(receiver.bins().total()[0], 0.0);
   EXPECT_EQ(receiver.bins().overflows(), 0U);
+}
+
+// Right below itself a radar has all azimuths, and its last beam lies next to its first.
+TEST(GridCovering, GoesAllRoundWhenTheRadarStandsOverAPoint) {
+  radar::Radar radar = example_radar({10.0, -20.0, 300.0});
+  radar.beam_width_rad = 0.05;
+  std::vector<Vec3d> points = square(100.0);
+  EXPECT_FALSE(grid_covering(radar, points).goes_round());
+  points.push_back({10.0, -20.0, 0.0});
+  const radar::RangeAzimuthGrid grid = grid_covering(radar, points);
+  ASSERT_TRUE(grid.goes_round());
+  EXPECT_LE(grid.azimuth_step_rad, 0.05 / std::numbers::sqrt2 / 2.0);
+  EXPECT_LT(grid.first_range_m, 300.0);
+
+  const auto response_at = [&](double azimuth_rad) {
+    const radar::Echo echo{.range_m = 310.0, .cross = azimuth_rad, .rcs_m2 = {1, 1, 1, 1}};
+    RangeAzimuthReceiver receiver(radar, grid);
+    receiver.add({&echo, 1});
+    return receiver.image();
+  };
+  constexpr std::size_t steps = 29;
+  for (const double within : {0.1, 0.5, 0.9}) {
+    const double azimuth_rad = grid.first_azimuth_rad + within * grid.azimuth_step_rad;
+    const auto across = response_at(azimuth_rad);
+    const auto inside = response_at(azimuth_rad + static_cast<double>(steps) * grid.azimuth_step_rad);
+    double power = 0.0;
+    for (std::size_t row = 0; row < grid.ranges; ++row) {
+      for (std::size_t column = 0; column < grid.azimuths; ++column) {
+        const float here = across.rcs_m2(column, row).vv;
+        ASSERT_NEAR(here, inside.rcs_m2((column + steps) % grid.azimuths, row).vv, 1e-6F);
+        power += static_cast<double>(here);
+      }
+    }
+    EXPECT_NEAR(power, 1.0, 1e-4) << within;
+  }
+}
+
+// exp(−8 ln 2 (ε/θ)²) both ways, however narrow the beam is and wherever it points.
+TEST(RangeAzimuthReceiver, HearsThroughTheElevationPattern) {
+  struct Case {
+    double tilt_deg, width_deg, offset_deg;
+  };
+  for (const Case& c : {Case{-5.0, 3.0, 1.1}, {-60.0, 0.02, 0.011}, {-60.0, 0.02, 0.002}, {-90.0, 1.0, 0.43}}) {
+    radar::Radar radar = example_radar();
+    radar.antenna.elevation = radar::GaussianBeam{};
+    radar.antenna.elevation_width_rad = radians_from_deg(c.width_deg);
+    radar.antenna.tilt_rad = radians_from_deg(c.tilt_deg);
+    radar::Echo echo = echo_at(radar, {0, 0, 0});
+    echo.sin_depression = static_cast<float>(std::sin(radians_from_deg(-c.tilt_deg - c.offset_deg)));
+    RangeAzimuthReceiver receiver(radar, grid_covering(radar, square(60.0)));
+    receiver.add({&echo, 1});
+    // As far off as the sine says in single precision.
+    const double offset_deg = -c.tilt_deg - deg_from_radians(std::asin(static_cast<double>(echo.sin_depression)));
+    const double expected = std::exp(-8.0 * std::numbers::ln2 * std::pow(offset_deg / c.width_deg, 2));
+    EXPECT_NEAR(db_from_linear(receiver.bins().total()[0]), db_from_linear(expected), 0.02)
+        << c.tilt_deg << "° " << c.width_deg << "°";
+  }
+}
+
+// The power that comes back from r through air, as though it came from where it appears: σ (r'/r)⁴ exp(−2α(r − r')).
+TEST(RangeAzimuthReceiver, FoldedEchoesKeepThePowerThatTheyHad) {
+  radar::Radar radar = example_radar();
+  radar.atmosphere_per_m = 1e-4;
+  radar.receiver.first_range_m = 10'000.0;
+  radar.waveform.pulse_repetition_hz = speed_of_light_mps / (2.0 * 3000.0);
+  const radar::RangeAzimuthGrid grid = grid_covering(radar, square(60.0));
+  radar::Echo echo = echo_at(radar, {0, 0, 0});
+  const double appears_m = echo.range_m;
+  echo.range_m += 3000.0;
+  RangeAzimuthReceiver receiver(radar, grid);
+  receiver.add({&echo, 1});
+  EXPECT_NEAR(receiver.bins().total()[0],
+              std::pow(appears_m / (appears_m + 3000.0), 4) * std::exp(-2.0 * 1e-4 * 3000.0), 1e-5);
+}
+
+TEST(RangeAzimuthReceiver, BrighterThanTheSumsIsAnError) {
+  const radar::Radar radar = example_radar();
+  RangeAzimuthReceiver receiver(radar, grid_covering(radar, square(60.0)));
+  radar::Echo echo = echo_at(radar, {0, 0, 0});
+  echo.rcs_m2 = echo.rcs_m2 * 1e9F;
+  receiver.add({&echo, 1});
+  EXPECT_THAT(message_of_error([&] { static_cast<void>(receiver.image()); }),
+              testing::HasSubstr("a bin is brighter than the sums can hold"));
 }
 
 }  // namespace

@@ -2,8 +2,10 @@
 
 #include <cmath>
 #include <gtest/gtest.h>
+#include <vector>
 
 #include "sigmascape/base/units.h"
+#include "sigmascape/receiver/range_azimuth_receiver.h"
 
 namespace sigmascape::receiver {
 namespace {
@@ -30,6 +32,22 @@ TEST(TargetEchoes, come_from_every_target_at_its_place_and_time) {
   ASSERT_EQ(scatterers.size(), 3U);
   EXPECT_EQ(scatterers[0].position, (Vec3d{4000.0, 3000.0, 0.0}));
   EXPECT_NEAR(std::abs(scatterers[2].amplitude_m.hh), 2e-3, 1e-9);
+}
+
+// The brightest that a file may state is 100 dBsm.
+TEST(AddEchoes, HoldsTargetsOfAnyBrightness) {
+  radar::Radar radar;
+  radar.position = {0.0, -8000.0, 3000.0};
+  const std::vector<Vec3d> corners{{-60, -60, 0}, {60, -60, 0}, {60, 60, 0}, {-60, 60, 0}};
+  const radar::RangeAzimuthGrid bins = grid_covering(radar, corners);
+  for (const float rcs_m2 : {1e-3F, 1.0F, 1e8F, 1e10F}) {
+    const radar::Echo echo{.range_m = length(radar.position), .cross = 0.0, .rcs_m2 = {rcs_m2, rcs_m2, 0.0F, rcs_m2}};
+    radar::RangeAzimuthImage image{bins, radar.position, Array2D<radar::Channels>(bins.azimuths, bins.ranges)};
+    add_echoes(image, radar, {&echo, 1});
+    double sum = 0.0;
+    for (const radar::Channels& bin : image.rcs_m2.values()) sum += static_cast<double>(bin.vv);
+    EXPECT_NEAR(sum / static_cast<double>(rcs_m2), 1.0, 1e-4) << rcs_m2;
+  }
 }
 
 }  // namespace

@@ -33,5 +33,21 @@ TEST(BinsFor, HoldEveryPointOfTheArea) {
   }
 }
 
+// A radar over the map sees it all round.
+TEST(BinsFor, HoldEveryPointAroundARadarOverTheArea) {
+  const radar::Rectangle area{-1000, -1000, 1000, 1000};
+  const terrain::HeightField terrain{-1000, 1000, 2000, Array2D<float>(2, 2, 80.0F)};
+  for (const Vec2d foot : {Vec2d{0, 0}, {-900, 120}, {1000, -1000}, {0, 1000}}) {
+    radar::Radar radar;
+    radar.position = {foot.x, foot.y, 700.0};
+    radar.beam_width_rad = 0.02;
+    const radar::RangeAzimuthGrid bins = bins_for(radar, area, terrain);
+    EXPECT_TRUE(bins.goes_round()) << foot.x << " " << foot.y;
+    EXPECT_LT(bins.first_range_m, 620.0);
+    EXPECT_GT(bins.first_range_m + static_cast<double>(bins.ranges) * bins.range_step_m,
+              std::hypot(1000.0 + std::abs(foot.x), 1000.0 + std::abs(foot.y), 620.0));
+  }
+}
+
 }  // namespace
 }  // namespace sigmascape::simulate
