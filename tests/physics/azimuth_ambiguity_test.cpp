@@ -210,5 +210,25 @@ TEST(AzimuthAmbiguity, falls_into_maps_from_beside_them) {
   EXPECT_GT(power(true), 0.0);
 }
 
+/// What is 3 km above the sea is seen as what is not, from as high above it.
+TEST(AzimuthAmbiguity, goes_by_the_height_above_the_ground) {
+  auto radar = thin_radar();
+  const auto ghosts_over = [&](double ground_m) {
+    radar.position = {0.0, 0.0, ground_m + 0.3 * range_m};
+    return receiver::StripmapImager(radar, {radar.position, radar.velocity_mps},
+                                    {.first_along_m = -100.0,
+                                     .last_along_m = 100.0,
+                                     .resolution_m = 4.0,
+                                     .window = radar.waveform.window,
+                                     .ground_m = ground_m},
+                                    {range_m - 20.0, range_m + 20.0, 1.5})
+        .ambiguities();
+  };
+  const auto low = ghosts_over(0.0), high = ghosts_over(0.9 * range_m);
+  ASSERT_FALSE(low.empty());
+  ASSERT_EQ(high.size(), low.size());
+  for (std::size_t i = 0; i < low.size(); ++i) EXPECT_NEAR(high[i].power, low[i].power, 1e-9 * low[i].power);
+}
+
 }  // namespace
 }  // namespace sigmascape

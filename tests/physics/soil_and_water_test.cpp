@@ -107,6 +107,22 @@ TEST(Vegetation, LeavesByMoisture) {
   }
 }
 
+// Of dry clay the fit of conductivity would leave water with less than nothing.
+TEST(Soil, HasAPermittivityWhereverItMayBeAskedFor) {
+  for (const double sand : {5.0, 40.0, 90.0}) {
+    for (const double clay : {5.0, 20.0, 47.4, 90.0}) {
+      if (sand + clay >= 100.0) continue;
+      for (const double moisture : {0.01, 0.03, 0.05, 0.1, 0.5}) {
+        for (double f = 0.3e9; f <= 40e9; f *= 1.2) {
+          const Complex permittivity = SoilPermittivity{sand, clay, moisture}.relative_at(f);
+          ASSERT_GE(permittivity.real(), 1.0) << sand << " " << clay << " " << moisture << " " << f;
+          ASSERT_LE(permittivity.imag(), 0.0) << sand << " " << clay << " " << moisture << " " << f;
+        }
+      }
+    }
+  }
+}
+
 // Passive materials lose energy and never beat vacuum, wherever the laws are used.
 TEST(Permittivity, EveryLawIsPassive) {
   const Permittivity laws[] = {WaterPermittivity{0.0, 0.0},       WaterPermittivity{30.0, 38.0},

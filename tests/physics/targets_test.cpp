@@ -283,5 +283,17 @@ TEST(CornerReflectors, AreWhatSentinel1IsCalibratedWith) {
               9.0, 1e-12);
 }
 
+/// Leaves that the wind moves towards the radar, straight below it, are heard like those that stand.
+TEST(CalibratedPulses, hear_what_moves_below_the_radar) {
+  auto radar = looking_north(3.0);
+  radar.antenna.elevation = radar::GaussianBeam{};
+  radar.antenna.elevation_width_rad = radians_from_deg(60.0);
+  const auto voltage = receiver::calibrated_voltage(radar, receiver::towards({}));
+  const radar::Pulse pulse{0.0, {{0.0, 0.0, 1000.0}, {100.0, 0.0, 0.0}}};
+  const float nearer = voltage(pulse, {}, 999.999), still = voltage(pulse, {}, 1000.0);
+  ASSERT_GT(still, 0.0F);
+  EXPECT_NEAR(nearer / still, 1.0F, 1e-4F);
+}
+
 }  // namespace
 }  // namespace sigmascape

@@ -93,8 +93,11 @@ double AntennaCut::voltage(double offset_rad) const {
 double AntennaCut::two_way_width_rad() const {
   if (std::holds_alternative<GaussianBeam>(shape_)) return width_rad_ / std::numbers::sqrt2;
   const double limit = std::min(pi, 2.0 * width_rad_);
+  double peak_offset_rad = 0.0;
+  if (const auto* table = std::get_if<TabulatedBeam>(&shape_))
+    peak_offset_rad = std::ranges::max_element(table->samples, {}, &TabulatedBeam::Sample::power)->offset * width_rad_;
   const auto towards = [&](double side) {
-    return falling_through(0.5, limit, [&](double offset) { return two_way_power(side * offset); });
+    return falling_through(0.5, limit, [&](double offset) { return two_way_power(peak_offset_rad + side * offset); });
   };
   return towards(-1.0) + towards(1.0);
 }

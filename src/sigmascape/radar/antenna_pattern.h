@@ -67,7 +67,8 @@ class AntennaCut {
     const double one_way = power(offset_rad);
     return one_way * one_way;
   }
-  /// Full width at which the two-way power, the square of the one-way power, is half of its peak; of a symmetric beam.
+  /// Full width at which the two-way power, the square of the one-way power, is half of its peak. The peak of a
+  /// measured cut may lie off the axis.
   [[nodiscard]] double two_way_width_rad() const;
   /// Beyond this offset to either side the two-way power is nothing at all, too small for a double; infinite where it
   /// never is.

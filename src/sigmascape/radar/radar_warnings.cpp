@@ -20,8 +20,10 @@ void check_unambiguous(const Radar& radar, Swath swath, std::vector<std::string>
   if (length_m > unambiguous_m) {
     warnings.push_back(
         fmt::format("the swath of {:.4g} km is longer than the unambiguous range of {:.4g} km at a pulse repetition "
-                    "frequency of {:g} Hz, and folds over; use at most {:.4g} Hz",
-                    length_m / 1e3, unambiguous_m / 1e3, prf_hz, speed_of_light_mps / (2.0 * length_m)));
+                    "frequency of {:g} Hz, {}; use at most {:.4g} Hz",
+                    length_m / 1e3, unambiguous_m / 1e3, prf_hz,
+                    radar.mode == Mode::RealBeam ? "and folds over" : "which pulses show and maps of this mode do not",
+                    speed_of_light_mps / (2.0 * length_m)));
   }
 }
 

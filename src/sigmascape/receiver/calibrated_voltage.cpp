@@ -52,7 +52,7 @@ VoltageGain calibrated_voltage(const radar::Radar& radar, BeamAzimuth beam) {
           beam = std::move(beam)](const radar::Pulse& pulse, Vec3d position, double range_m) {
     const Vec3d away = position - pulse.platform.position;
     const double offset = std::remainder(std::atan2(away.x, away.y) - beam(pulse), 2.0 * pi);
-    const double elevation = std::asin(away.z / range_m);
+    const double elevation = std::asin(away.z / length(away));
     // One way in voltage, squared for both ways; the peak is in the radar equation already.
     const double one_way = pattern.voltage(offset, elevation);
     const double heard = radar::uneclipsed_part(range_m, waveform.pulse_length_s, waveform.pulse_repetition_hz);

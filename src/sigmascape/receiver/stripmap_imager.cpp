@@ -118,7 +118,8 @@ std::vector<AzimuthAmbiguity> StripmapImager::ambiguities() const {
   constexpr int parts = 64;
   const double near_m = frame_.closest_range_m.first,
                far_m = frame_.closest_range_m.middle_of(static_cast<double>(range_.samples));
-  const double sine_depression = std::min(0.99, std::abs(frame_.platform.position.z) / (0.5 * (near_m + far_m)));
+  const double height_m = std::abs(frame_.platform.position.z - strip_.ground_m);
+  const double sine_depression = std::min(0.99, height_m / (0.5 * (near_m + far_m)));
   const int most = static_cast<int>(4.0 * speed_mps_ / (wavelength_m(frame_.frequency_hz) * repetition_hz_)) + 1;
   std::vector<AzimuthAmbiguity> found;
   for (int order = -most; order <= most; ++order) {

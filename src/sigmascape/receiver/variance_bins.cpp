@@ -7,21 +7,28 @@
 namespace sigmascape::receiver {
 namespace {
 
-constexpr double fine_units_per_m4 = 0x1p44;
-constexpr double coarse_units_per_m4 = 0x1p4;
-constexpr double coarse_from_m4 = 0x1p10;
-constexpr double most_m4 = 0x1p56;
+/// Variances of one size: below `end_m4`, and of the next smaller size beneath.
+struct Size {
+  double end_m4, units_per_m4;
+};
+
+// √end · 2²⁶ m² · units stays below 2⁶³ for each.
+constexpr std::array<Size, 4> known_sizes{{{0x1p-40, 0x1p56}, {0x1p-20, 0x1p46}, {0x1p4, 0x1p34}, {0x1p52, 0x1p10}}};
 
 }  // namespace
 
 void VarianceBins::add(std::size_t bin, double variance_m4) {
-  const bool is_fine = variance_m4 < coarse_from_m4;
-  const double units = is_fine ? variance_m4 * fine_units_per_m4 : std::min(variance_m4, most_m4) * coarse_units_per_m4;
-  std::atomic_ref(is_fine ? fine_[bin] : coarse_[bin]).fetch_add(std::llrint(units), std::memory_order_relaxed);
+  std::size_t size = 0;
+  while (size + 1 < sizes && variance_m4 >= known_sizes[size].end_m4) ++size;
+  const double units = std::min(variance_m4, known_sizes.back().end_m4) * known_sizes[size].units_per_m4;
+  std::atomic_ref(sums_[bin][size]).fetch_add(std::llrint(units), std::memory_order_relaxed);
 }
 
 double VarianceBins::sum(std::size_t bin) const {
-  return static_cast<double>(fine_[bin]) / fine_units_per_m4 + static_cast<double>(coarse_[bin]) / coarse_units_per_m4;
+  double sum_m4 = 0.0;
+  for (std::size_t size = 0; size < sizes; ++size)
+    sum_m4 += static_cast<double>(sums_[bin][size]) / known_sizes[size].units_per_m4;
+  return sum_m4;
 }
 
 }  // namespace sigmascape::receiver

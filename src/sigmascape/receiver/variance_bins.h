@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -8,18 +9,25 @@ namespace sigmascape::receiver {
 
 /// Sums variances of cross-sections, m⁴, from any number of threads, with a result that does not depend on their order.
 ///
-/// Integers again, as in PowerBins, but squares span twice the decades. So every bin has two sums: of small variances
-/// in units of 2⁻⁴⁴ m⁴, whose root is 2.4e-7 m², and of those from 2¹⁰ m⁴ in units of 2⁻⁴ m⁴. What is beyond 2⁵⁶ m⁴
-/// counts as that much.
+/// Integers again, as in PowerBins, but squares span twice the decades. So every bin has four sums, each of variances
+/// of one size in units of its own: the finest is 2⁻⁵⁶ m⁴, whose root is 3.7e-9 m², and from the next size on a
+/// variance is told to 1 part in 64 or better. A part's standard deviation s is no larger than the part itself, so that
+///
+///     Σ s² ≤ max s · Σ s ≤ max s · 2²⁶ m²
+///
+/// for what PowerBins can hold, and no sum runs over.
 class VarianceBins {
  public:
-  explicit VarianceBins(std::size_t bins) : fine_(bins, 0), coarse_(bins, 0) {}
+  explicit VarianceBins(std::size_t bins) : sums_(bins, Sums{}) {}
 
   void add(std::size_t bin, double variance_m4);
   [[nodiscard]] double sum(std::size_t bin) const;
 
  private:
-  std::vector<std::int64_t> fine_, coarse_;
+  static constexpr std::size_t sizes = 4;
+  using Sums = std::array<std::int64_t, sizes>;
+
+  std::vector<Sums> sums_;
 };
 
 }  // namespace sigmascape::receiver

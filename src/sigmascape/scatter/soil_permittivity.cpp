@@ -34,7 +34,8 @@ std::complex<double> SoilPermittivity::relative_at(double frequency_hz) const {
   const double pores = (specific_gravity - density) / (specific_gravity * volumetric_moisture);
   const std::complex<double> conduction = effective_conductivity(*this, f_ghz) * (18.0 / f_ghz * pores);
   const std::complex<double> water = WaterPermittivity{temperature_c}.relative_at(frequency_hz);
-  const double water_real = water.real() + conduction.real();
+  // In dry clay the fit takes more away at low frequencies than the water has; no less than vacuum is left.
+  const double water_real = std::max(1.0, water.real() + conduction.real());
   const double water_loss = -water.imag() + conduction.imag();
 
   const double exponent_real = 1.2748 - 0.00519 * sand_percent - 0.00152 * clay_percent;

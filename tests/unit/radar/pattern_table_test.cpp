@@ -1,5 +1,6 @@
 #include "sigmascape/radar/pattern_table.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -44,6 +45,23 @@ TEST(PatternTable, FaultsAreToldWithTheirLine) {
   EXPECT_THAT(fault_of("offset_deg,gain_db\n"), HasSubstr("fewer than three lines"));
   EXPECT_THAT(message_of_error([&] { static_cast<void>(read_pattern_table(folder.path("none.csv"))); }),
               HasSubstr("none.csv: cannot be read"));
+}
+
+// A beam whose peak lies off the axis is as wide as one whose peak does not.
+TEST(PatternTable, WidthIsThatAboutThePeak) {
+  ScratchFolder folder;
+  const AntennaCut made(GaussianBeam{}, radians_from_deg(4.0));
+  for (const double peak_deg : {0.0, 2.0, -5.0}) {
+    std::string text;
+    for (int k = -120; k <= 120; ++k) {
+      const double offset_deg = 0.1 * k;
+      text += fmt::format("{},{:.9f}\n", offset_deg,
+                          std::max(-60.0, db_from_linear(made.power(radians_from_deg(offset_deg - peak_deg)))));
+    }
+    const PatternTable read = read_pattern_table(folder.write("cut.csv", text));
+    EXPECT_NEAR(AntennaCut(read.beam, read.half_power_width_rad).two_way_width_rad(), made.two_way_width_rad(), 1e-4)
+        << peak_deg;
+  }
 }
 
 }  // namespace
