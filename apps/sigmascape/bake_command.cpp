@@ -119,11 +119,15 @@ void add_bake_command(CLI::App& app, Output& output) {
       ->add_option("--shard", options->shard,
                    "bake one of several equal shares, counted from 0: 2/8 is the third of eight")
       ->capture_default_str();
-  command->add_flag("--verify", options->verify,
-                    "compare the SHA-256 of looks that are there already; name altered ones and bake them again");
-  command->add_flag("--plan", options->plan,
-                    "write nothing; bake a small piece at each elevation and tell what the whole would take");
-  command->add_option("--json-log", options->log, "add progress to this file, a JSON object a line");
+  auto* verify_option =
+      command->add_flag("--verify", options->verify,
+                        "compare the SHA-256 of looks that are there already; name altered ones and bake them again");
+  auto* log_option = command->add_option("--json-log", options->log, "add progress to this file, a JSON object a line");
+  command
+      ->add_flag("--plan", options->plan,
+                 "write nothing; bake a small piece at each elevation and tell what the whole would take")
+      ->excludes(verify_option)
+      ->excludes(log_option);
   command->add_flag("--json", output.json, "print the summary as JSON");
   command->footer(
       "Examples:\n"

@@ -65,7 +65,7 @@ void BakeOptions::add_to(CLI::App& command) {
 void BakeOptions::add_texels_and_looks(CLI::App& command) {
   command.add_option("--texel-m", texel_m, "side of a texel on the ground")
       ->capture_default_str()
-      ->check(number_within(1e-3, 1e6));
+      ->check(number_within(bake::smallest_texel_m, 1e6));
   command.add_option("--patch-texels", patch_texels, "texels along a patch: 256, 512, 1024, ...")
       ->capture_default_str()
       ->check(patch_side());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 
@@ -13,9 +14,9 @@ inline constexpr float largest_half = 65504.0F;
 
 /// The nearest half; of two equally near the even one. Beyond 65520 infinity; NaN stays NaN.
 ///
-/// With `mantissa_bits` below 10 the nearest half whose lowest mantissa bits are zero: noise that is not stored
-/// compresses well. Below 2⁻¹⁴ the steps stay those of the smallest normal numbers at that width. Written in integers
-/// because compilers differ in what they do with a half type of their own.
+/// With `mantissa_bits` below 10 the nearest half of a significand so wide: noise that is not stored compresses well.
+/// Below 2⁻¹⁴ it is as wide as long as steps of 2⁻²⁴ allow. Written in integers because compilers differ in what they
+/// do with a half type of their own.
 [[nodiscard]] constexpr Half half_from_float(float value, int mantissa_bits = 10) {
   constexpr std::uint32_t infinity = 0x7f800000U;
   const auto bits = std::bit_cast<std::uint32_t>(value);
@@ -29,14 +30,14 @@ inline constexpr float largest_half = 65504.0F;
 
   // The value as a 24-bit significand; `dropped` of its bits lie below the last one that is kept.
   const std::uint32_t significand = (magnitude & 0x007fffffU) | 0x00800000U;
-  const int denormal_shift = exponent < -14 ? -14 - exponent : 0;
-  const auto dropped = static_cast<std::uint32_t>(23 - mantissa_bits + denormal_shift);
+  const int below_lowest_step = exponent < -14 ? -1 - exponent : 13;
+  const auto dropped = static_cast<std::uint32_t>(std::max(23 - mantissa_bits, below_lowest_step));
   if (dropped > 24U) return static_cast<Half>(sign);
   const std::uint32_t kept = significand >> dropped;
   const std::uint32_t rest = significand & ((1U << dropped) - 1U);
   const std::uint32_t half_way = 1U << (dropped - 1U);
   const bool up = rest > half_way || (rest == half_way && (kept & 1U) != 0);
-  const std::uint32_t rounded = (kept + (up ? 1U : 0U)) << static_cast<unsigned>(10 - mantissa_bits);
+  const std::uint32_t rounded = (kept + (up ? 1U : 0U)) << (dropped - static_cast<unsigned>(below_lowest_step));
 
   // The leading bit of a normal number adds one to the exponent field, and so does a carry out of the mantissa.
   const std::uint32_t exponent_field = exponent < -14 ? 0U : static_cast<std::uint32_t>(exponent + 14);

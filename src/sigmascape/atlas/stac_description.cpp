@@ -15,8 +15,6 @@
 namespace sigmascape::atlas {
 namespace {
 
-constexpr const char* digits_to_noise = "to-noise";
-
 constexpr int oldest_format_version = 1;
 
 std::vector<double> degrees(const std::vector<double>& angles_rad) {
@@ -44,7 +42,7 @@ AtlasDescription undescribed(const std::string& name, const Json& json) {
   description.scene_hash = json.at("scene_hash").get<std::string>();
   description.settings = json.at("settings").get<std::map<std::string, std::string>>();
   description.mantissa_bits = json.at("mantissa_bits").get<int>();
-  if (json.value("digits", "all") == digits_to_noise) description.digits = Digits::ToNoise;
+  if (json.value("digits", "all") == word_for(Digits::ToNoise)) description.digits = Digits::ToNoise;
   description.attribution = json.at("attribution").get<std::string>();
   description.format_version = json.at("format_version").get<int>();
   return description;
@@ -100,7 +98,7 @@ Json described(const AtlasDescription& description) {
       {"attribution", description.attribution},
   };
   // Absent where all are kept, as in atlases from before.
-  if (description.digits == Digits::ToNoise) json["digits"] = digits_to_noise;
+  if (description.digits == Digits::ToNoise) json["digits"] = word_for(Digits::ToNoise);
   return json;
 }
 

@@ -180,6 +180,8 @@ ItemPlace beside_collection(const AtlasDescription& description) {
 constexpr const char* own_hash = "sigmascape:item_sha256";
 /// Of items of looks: those of the bake, as the collection has them.
 constexpr const char* settings = "sigmascape:settings";
+constexpr const char* mantissa_bits = "sigmascape:mantissa_bits";
+constexpr const char* kept_digits = "sigmascape:digits";
 
 /// What is wrong with an item by its own hash; empty when nothing is.
 std::string fault_by_own_hash(const std::string& text, int format_version) {
@@ -249,6 +251,15 @@ std::string fault_by_texel(const Json& properties, const PatchGrid& patches) {
   return there == shape ? "" : of_another_bake("proj:shape", there.dump(), shape.dump());
 }
 
+/// What tells that an item's texels were rounded otherwise than those of this atlas; empty when nothing does.
+std::string fault_by_digits(const Json& properties, const AtlasDescription& description) {
+  const int bits = properties.value(mantissa_bits, description.mantissa_bits);
+  if (bits != description.mantissa_bits)
+    return of_another_bake("mantissa_bits", std::to_string(bits), std::to_string(description.mantissa_bits));
+  const std::string here = word_for(description.digits), there = properties.value(kept_digits, here);
+  return there == here ? "" : of_another_bake("digits", there, here);
+}
+
 /// What tells that an item does not belong to this atlas; empty when nothing does.
 std::string fault_by_origin(const Json& properties, const AtlasDescription& description) {
   const std::string scene = properties.value("sigmascape:scene_hash", description.scene_hash);
@@ -258,6 +269,7 @@ std::string fault_by_origin(const Json& properties, const AtlasDescription& desc
     if (here != description.settings.end() && here->second != there) return of_another_bake(name, there, here->second);
   }
   std::string fault = fault_by_look(properties, description.aspects);
+  if (fault.empty()) fault = fault_by_digits(properties, description);
   return fault.empty() ? fault_by_texel(properties, description.patches) : fault;
 }
 
@@ -331,7 +343,8 @@ std::string item_text(const AtlasDescription& description, const Unit& unit, con
       {"sigmascape:simd", facts.simd},
       {"sigmascape:counts", Json(facts.counts)},
       {"sigmascape:scale", record.scale},
-      {"sigmascape:mantissa_bits", description.mantissa_bits},
+      {mantissa_bits, description.mantissa_bits},
+      {kept_digits, word_for(description.digits)},
       {"sigmascape:size_bytes", record.size_bytes},
       {"sigmascape:sha256", record.sha256},
       {"sigmascape:attribution", description.attribution},

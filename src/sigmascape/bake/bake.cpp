@@ -237,12 +237,14 @@ class BakeRun {
     const std::filesystem::path folder = pyramid_folder();
     if (const auto fault = terrain::heading_fault(folder))
       return {as_of_atlas(*fault, !terrain::holds_pyramid(folder))};
+    const bool is_read = share_.scrutiny == atlas::Scrutiny::Content;
+    std::vector<terrain::PyramidFault> found;
+    if (!is_read) found = terrain::missing_files(folder);
+    if (!is_read && found.empty()) return {};
+    if (!terrain::holds_pyramid_of(folder, scene.terrain, store_.description().frame)) return {};
+    if (is_read) found = terrain::verify_pyramid(folder);
     std::vector<atlas::StoreFault> faults;
-    const bool is_read = share_.scrutiny == atlas::Scrutiny::Content &&
-                         terrain::holds_pyramid_of(folder, scene.terrain, store_.description().frame);
-    if (!is_read) return faults;
-    for (const terrain::PyramidFault& fault : terrain::verify_pyramid(folder))
-      faults.push_back(as_of_atlas(fault, false));
+    for (const terrain::PyramidFault& fault : found) faults.push_back(as_of_atlas(fault, false));
     return faults;
   }
 

@@ -44,6 +44,11 @@ void check(const BakeSettings& settings) {
   if (settings.max_bounces < 1 || settings.max_bounces > 64) {
     throw Error(where, fmt::format("{} bounces", settings.max_bounces), "use 1 to 64");
   }
+  if (!(settings.patches.texel_m >= smallest_texel_m)) {
+    throw Error(where, fmt::format("texels of {:g} m", settings.patches.texel_m),
+                fmt::format("use texels of {:g} m or more: of smaller ones the sums of what comes back are too coarse",
+                            smallest_texel_m));
+  }
   if (!(settings.patches.side_m() <= longest_patch_m)) {
     throw Error(where,
                 fmt::format("texels of {:g} m make patches of {:g} km", settings.patches.texel_m,

@@ -25,6 +25,10 @@ enum class Noise {
 /// Elevations of looks: a level plane is not lit at 0° and has no ground range at 90°.
 inline constexpr double lowest_elevation_deg = 0.5, highest_elevation_deg = 89.0;
 
+/// Of smaller texels, cross-sections come near the units in which they and their variances are summed
+/// (receiver/power_bins.h, receiver/variance_bins.h).
+inline constexpr double smallest_texel_m = 0.01;
+
 /// What to bake and how finely.
 struct BakeSettings {
   atlas::AspectGrid aspects = atlas::paper_aspect_grid();

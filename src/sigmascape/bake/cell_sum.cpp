@@ -1,6 +1,7 @@
 #include "sigmascape/bake/cell_sum.h"
 
 #include <algorithm>
+#include <array>
 #include <tuple>
 
 namespace sigmascape::bake {
@@ -38,13 +39,17 @@ void CellSum::add_texel(std::span<const Landed> echoes, const SamplePairs& pairs
 template <typename Counts>
 CellSum::Part CellSum::part_of(std::span<const Landed> echoes, const SamplePairs& pairs, const Counts& counts) {
   const double n = pairs.samples();
-  Part part;
+  // A million equal echoes, one after another, are more than single precision can add up.
+  std::array<double, radar::Channels::count> sum_m2{};
   for (const Landed& echo : echoes) {
     if (!counts(echo)) continue;
-    part.rcs_m2 += echo.rcs_m2;
+    const radar::Channels& m2 = echo.rcs_m2;
+    sum_m2 = {sum_m2[0] + static_cast<double>(m2.vv), sum_m2[1] + static_cast<double>(m2.hh),
+              sum_m2[2] + static_cast<double>(m2.hv), sum_m2[3] + static_cast<double>(m2.re_vvhh)};
     power_m2_[echo.sample] += total_m2(echo);
   }
-  part.rcs_m2 = part.rcs_m2 * static_cast<float>(1.0 / n);
+  const auto mean = [&](std::size_t channel) { return static_cast<float>(sum_m2[channel] / n); };
+  Part part{.rcs_m2 = {mean(0), mean(1), mean(2), mean(3)}};
   part.variance_m4 = squared_differences(echoes, pairs) / (n * n);
   for (const Landed& echo : echoes) power_m2_[echo.sample] = 0.0;
   return part;

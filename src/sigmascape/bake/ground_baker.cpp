@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -43,30 +44,30 @@ std::vector<radar::Channels> sigma0_of(const scene::Scene& scene, const atlas::A
   return sigma0;
 }
 
-/// What part of each texel is made of each material: [texel][material].
-std::vector<std::vector<float>> shares_of(const scene::MaterialMap& ground, std::size_t materials,
-                                          const radar::GroundGrid& texels) {
+/// What part of each texel is made of each material: [texel, material].
+std::vector<float> shares_of(const scene::MaterialMap& ground, std::size_t materials, const radar::GroundGrid& texels) {
   // A point a material cell, but no more than tell a share to a few percent.
   const auto points = static_cast<std::size_t>(std::clamp(std::ceil(texels.cell_m / ground.grid.cell_m), 1.0, 8.0));
   const double spacing_m = texels.cell_m / static_cast<double>(points);
   const float share = 1.0F / static_cast<float>(points * points);
-  std::vector<std::vector<float>> shares(texels.columns * texels.rows, std::vector<float>(materials, 0.0F));
+  std::vector<float> shares(texels.columns * texels.rows * materials, 0.0F);
   for (std::size_t j = 0; j < texels.rows * points; ++j) {
     for (std::size_t i = 0; i < texels.columns * points; ++i) {
       const Vec2d point{texels.west_m + (static_cast<double>(i) + 0.5) * spacing_m,
                         texels.north_m - (static_cast<double>(j) + 0.5) * spacing_m};
-      shares[j / points * texels.columns + i / points][ground.at(point)] += share;
+      shares[(j / points * texels.columns + i / points) * materials + ground.at(point)] += share;
     }
   }
   return shares;
 }
 
-Array2D<radar::Channels> mixed(const std::vector<std::vector<float>>& shares,
-                               const std::vector<radar::Channels>& sigma0, const radar::GroundGrid& texels) {
+Array2D<radar::Channels> mixed(std::span<const float> shares, const std::vector<radar::Channels>& sigma0,
+                               const radar::GroundGrid& texels) {
   Array2D<radar::Channels> mixture(texels.columns, texels.rows);
   for (std::size_t texel = 0; texel < mixture.size(); ++texel) {
     for (std::size_t material = 0; material < sigma0.size(); ++material) {
-      if (shares[texel][material] > 0.0F) mixture.values()[texel] += sigma0[material] * shares[texel][material];
+      const float share = shares[texel * sigma0.size() + material];
+      if (share > 0.0F) mixture.values()[texel] += sigma0[material] * share;
     }
   }
   return mixture;
@@ -131,7 +132,7 @@ class GroundRun {
       atlas::write_obstacles(store_, patch, scene::obstacles_of(scene_, texels));
       note(std::move(*fault), "");
     }
-    std::vector<std::vector<float>> shares;
+    std::vector<float> shares;
     for (atlas::LookIndex index = 0; index < looks_; ++index) {
       auto fault = atlas::texture_fault(ground_, ground_.texture_path(patch, index), scrutiny_);
       if (!fault) continue;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -45,7 +46,23 @@ double cells_of_a_patch(const scene::Scene& scene, const BakeSettings& settings)
   return std::max(cells_seen_from(lowest_rad), cells_seen_from(highest_rad));
 }
 
+double bytes_of_sums(const BakeSettings& settings) {
+  // Four powers and variances of four sizes, and again of what came over several surfaces where that is kept apart.
+  constexpr auto of_sums = static_cast<double>(8 * sizeof(std::int64_t));
+  const double texels = std::pow(static_cast<double>(settings.patches.texels_per_side), 2);
+  const double sums = settings.noise == Noise::Shared ? 2.0 : 1.0;
+  return texels * static_cast<double>(settings.aspects.frequencies_hz.size()) * sums * of_sums;
+}
+
 void check_room(const scene::Scene& scene, const BakeSettings& settings, double memory_bytes) {
+  if (const double sums = bytes_of_sums(settings); sums > memory_bytes) {
+    throw Error("bake settings",
+                fmt::format("what comes back to a patch of {0} × {0} texels at {1} frequencies is summed up in {2:.3g} "
+                            "GB of memory, and there are {3:.3g}",
+                            settings.patches.texels_per_side, settings.aspects.frequencies_hz.size(), sums / 1e9,
+                            memory_bytes / 1e9),
+                "use fewer texels a patch");
+  }
   const double cells = cells_of_a_patch(scene, settings);
   const double bytes = cells * static_cast<double>(sizeof(trace::LaunchCell));
   if (bytes <= memory_bytes) return;

@@ -220,10 +220,25 @@ std::optional<PyramidFault> fault_of(const std::filesystem::path& folder, const 
   if (error) return PyramidFault{name, fmt::format("cannot be read ({})", error.message())};
   if (!is_there) return PyramidFault{name, "is missing"};
   try {
-    static_cast<void>(read());
+    read();
     return std::nullopt;
   } catch (const Error&) {
     return PyramidFault{name, "is truncated or was altered"};
+  }
+}
+
+/// Calls `on_file(file, read)` for every file that the heading speaks of; `read()` reads it whole.
+template <typename OnFile>
+void for_each_file(const std::filesystem::path& folder, const OnFile& on_file) {
+  const PyramidHeading heading = read_heading(folder / heading_name);
+  for (int level = 0; level < heading.layout.levels(); ++level) {
+    on_file(index_path(folder, level), [&] { static_cast<void>(read_index(folder, heading, level)); });
+    for (std::uint32_t row = 0; row < heading.layout.down(level); ++row) {
+      for (std::uint32_t column = 0; column < heading.layout.across(level); ++column) {
+        const TileKey key{level, column, row};
+        on_file(tile_path(folder, key), [&] { static_cast<void>(read_tile(folder, key)); });
+      }
+    }
   }
 }
 
@@ -350,25 +365,25 @@ bool holds_pyramid_of(const std::filesystem::path& folder, const HeightField& fi
 
 std::optional<PyramidFault> heading_fault(const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / heading_name;
-  return fault_of(folder, file, [&] { return read_heading(file); });
+  return fault_of(folder, file, [&] { static_cast<void>(read_heading(file)); });
 }
 
 std::vector<PyramidFault> verify_pyramid(const std::filesystem::path& folder) {
   if (const auto fault = heading_fault(folder)) return {*fault};
   std::vector<PyramidFault> faults;
-  const auto check = [&](const std::filesystem::path& file, auto read) {
+  for_each_file(folder, [&](const std::filesystem::path& file, const auto& read) {
     if (auto fault = fault_of(folder, file, read)) faults.push_back(std::move(*fault));
-  };
-  const PyramidHeading heading = read_heading(folder / heading_name);
-  for (int level = 0; level < heading.layout.levels(); ++level) {
-    check(index_path(folder, level), [&] { return read_index(folder, heading, level); });
-    for (std::uint32_t row = 0; row < heading.layout.down(level); ++row) {
-      for (std::uint32_t column = 0; column < heading.layout.across(level); ++column) {
-        const TileKey key{level, column, row};
-        check(tile_path(folder, key), [&] { return read_tile(folder, key); });
-      }
-    }
-  }
+  });
+  return faults;
+}
+
+std::vector<PyramidFault> missing_files(const std::filesystem::path& folder) {
+  if (const auto fault = heading_fault(folder)) return {*fault};
+  std::vector<PyramidFault> faults;
+  for_each_file(folder, [&](const std::filesystem::path& file, const auto&) {
+    std::error_code error;
+    if (!std::filesystem::exists(file, error)) faults.push_back({file.lexically_relative(folder), "is missing"});
+  });
   return faults;
 }
 

@@ -61,6 +61,9 @@ struct PyramidFault {
 /// Reads every file of a pyramid on disk and returns those that are not as they were written.
 [[nodiscard]] std::vector<PyramidFault> verify_pyramid(const std::filesystem::path& folder);
 
+/// Those that are not there at all, its heading among them; reads nothing else.
+[[nodiscard]] std::vector<PyramidFault> missing_files(const std::filesystem::path& folder);
+
 /// Opens a pyramid on disk. Throws Error when it is not there, not finished, or lacks its coarsest tile.
 [[nodiscard]] TerrainPyramid open_pyramid(const std::filesystem::path& folder, std::size_t budget_bytes);
 

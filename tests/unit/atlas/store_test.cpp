@@ -402,6 +402,17 @@ TEST_F(StoreTest, AnItemOfAnotherBakeDoesNotCount) {
                 static_cast<void>(store.read({0, 0}, 0));
               }),
               HasSubstr("is of another bake: scene_hash is ffff there and 0123abcd in the collection"));
+  rewrite_item(item, "\"sigmascape:scene_hash\": \"ffff\"", "\"sigmascape:scene_hash\": \"0123abcd\"");
+  for (const auto& [here, there, told] :
+       {std::array{"\"sigmascape:mantissa_bits\": 10", "\"sigmascape:mantissa_bits\": 4",
+                   "mantissa_bits is 4 there and 10"},
+        std::array{"\"sigmascape:digits\": \"all\"", "\"sigmascape:digits\": \"to-noise\"",
+                   "digits is to-noise there and all"}}) {
+    rewrite_item(item, here, there);
+    EXPECT_THAT(message_of([&] { static_cast<void>(store.read({0, 0}, 0)); }), HasSubstr(told));
+    rewrite_item(item, there, here);
+  }
+  EXPECT_TRUE(store.is_done({0, 0}, 0));
 }
 
 /// A texture, its item and its standard errors in the place of another's, each as it was written.

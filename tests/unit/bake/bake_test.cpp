@@ -221,6 +221,19 @@ TEST(Bake, AHeadingOfTheTerrainThatCannotBeUnderstoodIsMendedAndTold) {
   EXPECT_EQ(difference_of(files_of(folder.path("a")), whole), "");
 }
 
+TEST(Bake, FilesOfTheTerrainThatAreMissingAreMendedAndTold) {
+  const ScratchFolder folder;
+  const scene::Scene scene = bare_scene(20.0);
+  baked(scene, small_bake({40.0}), folder.path("a"));
+  const auto whole = files_of(folder.path("a"));
+  for (const char* file : {"terrain/level_0.tif", "terrain/level_0/0_0.tif"}) {
+    std::filesystem::remove(folder.path("a") / file);
+    EXPECT_THAT(words_of(baked(scene, small_bake({40.0}), folder.path("a")).mended),
+                ::testing::ElementsAre(std::string(file) + " is missing"));
+    EXPECT_EQ(difference_of(files_of(folder.path("a")), whole), "");
+  }
+}
+
 // As it is between a shard's terrain.tif and the item that vouches for it.
 TEST(Bake, WaitsForTheTerrainThatAnotherIsAt) {
   const ScratchFolder folder;

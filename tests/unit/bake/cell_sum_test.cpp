@@ -82,5 +82,12 @@ TEST(CellSum, StatesTheVarianceOfSamplesThatAreIndependent) {
   }
 }
 
+TEST(CellSum, AddsUpAMillionSamples) {
+  std::vector<Landed> echoes;
+  constexpr std::uint32_t samples = 1U << 20U;
+  for (std::uint32_t sample = 0; sample < samples; ++sample) echoes.push_back(landed(sample, 0.0158F));
+  EXPECT_NEAR(sum_of(echoes, samples).power, 0.0158, 1e-7);
+}
+
 }  // namespace
 }  // namespace sigmascape::bake

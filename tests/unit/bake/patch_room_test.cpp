@@ -51,8 +51,21 @@ TEST(PatchRoom, TexelsSoSmallThatMemoryRunsOutAreRefused) {
   EXPECT_THROW(check_room(scene, settings_of(1e-3)), Error) << "whatever this machine has";
 }
 
+TEST(PatchRoom, PatchesOfSoManyTexelsThatMemoryRunsOutAreRefused) {
+  BakeSettings settings = settings_of(0.5);
+  settings.patches.texels_per_side = 16384;
+  settings.aspects.frequencies_hz = {1e9, 3e9, 10e9};
+  EXPECT_EQ(bytes_of_sums(settings), 16384.0 * 16384.0 * 3.0 * 64.0);
+  EXPECT_THAT(
+      message_of_error([&] { check_room(scene::simple_scene(), settings, 24e9); }),
+      testing::AllOf(testing::HasSubstr("a patch of 16384 × 16384 texels at 3 frequencies is summed up in 51.5"),
+                     testing::HasSubstr("use fewer texels a patch")));
+}
+
 TEST(BakeSettings, PatchesFitIntoALocalFrame) {
   EXPECT_NO_THROW(check(settings_of(3900.0)));
+  EXPECT_THAT(message_of_error([] { check(settings_of(0.001)); }),
+              testing::HasSubstr("bake settings: texels of 0.001 m; use texels of 0.01 m or more"));
   EXPECT_THAT(message_of_error([] { check(settings_of(1e6)); }),
               testing::HasSubstr("texels of 1e+06 m make patches of 256000 km; use texels of 3906.25 m or less"));
 }

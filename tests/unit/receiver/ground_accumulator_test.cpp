@@ -44,5 +44,16 @@ TEST(GroundAccumulator, VariancesOfPartsAddUp) {
   EXPECT_EQ(accumulator.sigma0_variances()(8, 0), 0.0);
 }
 
+// Parts of every size, thousands of them, as one corner of walls sends into a texel.
+TEST(GroundAccumulator, VariancesOfManyPartsOfAnySizeAddUp) {
+  for (const double deviation_m2 : {1e-7, 1e-5, 1e-3, 0.1, 3.9, 31.0, 1e3, 1e4}) {
+    GroundAccumulator accumulator(grid);
+    constexpr int parts = 5000;
+    for (int i = 0; i < parts; ++i) accumulator.add(7, {}, deviation_m2 * deviation_m2);
+    const double expected = parts * deviation_m2 * deviation_m2 / (0.25 * 0.25);
+    EXPECT_NEAR(accumulator.sigma0_variances()(7, 0), expected, 0.01 * expected) << deviation_m2;
+  }
+}
+
 }  // namespace
 }  // namespace sigmascape::receiver
