@@ -6,6 +6,7 @@
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/toml_reader.h"
+#include "sigmascape/base/vec.h"
 
 namespace sigmascape::python {
 
@@ -26,6 +27,12 @@ inline double positive(const std::string& name, double value) {
   if (!(value > 0.0) || !std::isfinite(value))
     throw Error(name, fmt::format("is {:g}", value), "give a number above 0");
   return value;
+}
+
+/// A place in a local frame.
+inline Vec2d checked_place(double x_m, double y_m) {
+  constexpr double farthest_m = 1e7;
+  return {within("x_m", x_m, -farthest_m, farthest_m), within("y_m", y_m, -farthest_m, farthest_m)};
 }
 
 /// Every number of an array.

@@ -136,7 +136,7 @@ void add_live(py::module_& module) {
       .def(
           "height_at",
           [](const Held<LiveGround>& g, double x, double y) {
-            return g.here()->terrain().height_at({x, y});
+            return g.here()->terrain().height_at(checked_place(x, y));
           },
           py::arg("x_m"), py::arg("y_m"));
 

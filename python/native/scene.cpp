@@ -2,6 +2,7 @@
 #include <pybind11/stl/filesystem.h>
 
 #include "array_view.h"
+#include "given_number.h"
 #include "loaded_scene.h"
 #include "long_call.h"
 #include "parts.h"
@@ -149,7 +150,7 @@ void add_scene(py::module_& module) {
       .def(
           "height_at",
           [](const LoadedScene& s, double x_m, double y_m) {
-            return s.scene().terrain.height_at({x_m, y_m});
+            return s.scene().terrain.height_at(checked_place(x_m, y_m));
           },
           py::arg("x_m"), py::arg("y_m"), "Height of the bare ground at a point, in metres.")
       .def("info", &info_of, "Extent, counts, materials and what was mended while reading, as a dict.")

@@ -95,6 +95,17 @@ def test_what_a_progress_listener_raises_ends_the_bake(scene, tmp_path):
         sigmascape.bake(scene, tmp_path, azimuths=2, elevations_deg=[30.0], texel_m=2.0, patch_texels=256, samples=2, progress=refuse)
 
 
+def test_an_atlas_without_looks_has_no_error_to_tell(scene, tmp_path):
+    def refuse(*_):
+        raise LookupError("enough")
+
+    options = dict(azimuths=8, elevations_deg=[30.0], texel_m=1.0, patch_texels=256, samples=16)
+    with pytest.raises(LookupError):
+        sigmascape.bake(scene, tmp_path, **options, progress=refuse)
+    info = sigmascape.Atlas(tmp_path).info()
+    assert info["looks_done"] == 0 and info["relative_standard_error"] is None
+
+
 def test_other_threads_run_during_a_bake(scene, tmp_path):
     ticks, done = [], threading.Event()
 

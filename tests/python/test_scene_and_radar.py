@@ -13,6 +13,8 @@ def test_a_scene_tells_what_it_is(scene):
     assert info["scene_hash"] == scene.hash != sigmascape.Scene.simple(side_m=98.0).hash
     assert "concrete" in [material["name"] for material in info["materials"]]
     assert scene.height_at(3.0, 4.0) == 0.0
+    with pytest.raises(sigmascape.Error, match="x_m: is nan"):
+        scene.height_at(float("nan"), 4.0)
 
 
 def test_arrays_of_a_scene_are_views_of_its_memory(scene):

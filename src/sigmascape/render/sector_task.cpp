@@ -351,7 +351,10 @@ void SectorTask::blend_by_aspect(const Place& place, float area_m2) {
   while (begin < row_.count) {
     const atlas::AspectCell cell{azimuth_cell_at(row_.beam[begin]), aspects().elevation_cell(row_.cotangent[begin])};
     const double start = aspects().azimuth_start(cell.azimuth), width = aspects().azimuth_width(cell.azimuth);
-    const double offset = wrapped_azimuth(first_azimuth_rad_ + pi - start + pi) - pi;
+    const double of_first_beam = wrapped_azimuth(first_azimuth_rad_ + pi - start + pi) - pi;
+    // A cell may be wider than half a turn: counted by whole turns so that this place lies in it.
+    const double here = of_first_beam + parts_.settings.beam_step_rad * static_cast<double>(row_.beam[begin]);
+    const double offset = of_first_beam - 2.0 * pi * std::round((here - 0.5 * width) / (2.0 * pi));
     const auto per_beam = static_cast<float>(parts_.settings.beam_step_rad / width);
     const auto at_zero = static_cast<float>(offset / width);
     const auto& cotangents = aspects().cotangents();

@@ -437,5 +437,38 @@ TEST(LiveSettings, WhatNoFrameCanComeFromIsRefused) {
   EXPECT_EQ(error_of({.ranges = 100'000, .range_step_m = 99.0}), "");
 }
 
+// Of two looks one shines and the other is dark: a place takes of each by how far round it is, be it half a turn.
+TEST(LiveRenderer, BlendsLooksThatAreHalfATurnApart) {
+  ExampleGround example = level_ground();
+  example.azimuths = 2;
+  example.pattern = [](const radar::Look& look, Vec2d) {
+    return std::abs(look.aspect.azimuth_rad) < 1.0 ? 1.0F : 0.0F;
+  };
+  const ScratchFolder folder;
+  const atlas::Store store = example.store(folder.path("atlas"));
+  atlas::Pyramid(store).make_above(store.units());
+  const auto ground = example.over(store);
+  for (const double azimuth_deg : {0.0, 90.0, 179.0, 270.0}) {
+    ExampleView view;
+    view.azimuth_deg = azimuth_deg;
+    LiveRenderer renderer(ground, view.settings(FrameContent::Powers));
+    Pose pose = view.pose();
+    // The left edge of beam 0 exactly where the radar is seen under that azimuth.
+    pose.first_azimuth_rad = radians_from_deg(azimuth_deg) + pi;
+    const Frame& frame = settled_frame(renderer, *ground, pose);
+    for (const std::size_t beam : {0U, 1U, 9U}) {
+      double sum = 0.0, expected = 0.0;
+      for (std::size_t range = 8; range + 8 < view.ranges; ++range) {
+        sum += static_cast<double>(frame.powers_m2[(beam * view.ranges + range) * 4]);
+        expected += expected_rcs(frame.grid, range, pose.position.z, gamma);
+      }
+      const double seen_from_deg = azimuth_deg + deg_from_radians((static_cast<double>(beam) + 0.5) *
+                                                                  view.settings(FrameContent::Powers).beam_step_rad);
+      const double share = std::abs(1.0 - std::fmod(seen_from_deg, 360.0) / 180.0);
+      EXPECT_NEAR(sum / expected, share, 0.02) << azimuth_deg << "°, beam " << beam;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace sigmascape::render
