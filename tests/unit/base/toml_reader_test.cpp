@@ -44,6 +44,15 @@ TEST_F(TomlReader, MissingKeyNamesFileAndKey) {
               HasSubstr("scene.toml: t.file: is missing"));
 }
 
+TEST_F(TomlReader, NumbersThatAreNotWholeAreToldAsTheyAre) {
+  for (const std::string written : {"8.0", "2.5"}) {
+    EXPECT_THAT(message_of_error([&] {
+                  static_cast<void>(section("n = " + written).whole_number_or("n", {0, 99, ""}, 1));
+                }),
+                HasSubstr("scene.toml: n: is " + written + "; give a whole number"));
+  }
+}
+
 TEST_F(TomlReader, PlacesWithinListsNameTheWholeWay) {
   const auto inner = section("[[r]]\n[[r]]\n[[r.s]]\n[[r.s]]\nx = 1").sections("r")[1].sections("s")[1];
   EXPECT_THAT(inner.where("x"), EndsWith("scene.toml: r[2].s[2].x"));
