@@ -333,19 +333,27 @@ double part_of_several(const dataset::Sample& sample, const Belongs& belongs) {
   return several / all;
 }
 
+const char* const radar_in_the_south =
+    "[radar]\nfrequency_ghz = 10.0\nrange_resolution_m = 2.0\nbeam_width_deg = 0.011\n"
+    "[position]\nslant_range_km = 15.0\nazimuth_deg = 180.0\nelevation_deg = 21.0\n";
+
+/// Looks from its elevation.
+bake::BakeSettings seen_from_the_south(std::uint32_t samples_per_texel) {
+  bake::BakeSettings settings;
+  settings.aspects.azimuths_rad = {0.0, pi};
+  settings.aspects.elevations_rad = {radians_from_deg(21.0)};
+  settings.patches = {.texel_m = 2.0, .texels_per_side = 256};
+  settings.sampling.samples_per_texel = samples_per_texel;
+  return settings;
+}
+
 // Smooth houses on grass: a wall answers hardly by itself but by the corner that it makes with the ground, at its foot;
 // open grass answers at once.
 TEST(DatasetOfHouses, KnowsWhatPartCameOverSeveralSurfaces) {
   const ScratchFolder folder;
   const auto scene = write_made_scene(folder.path("place"), 200, 200);
-  folder.write("radar.toml",
-               "[radar]\nfrequency_ghz = 10.0\nrange_resolution_m = 2.0\nbeam_width_deg = 0.011\n"
-               "[position]\nslant_range_km = 15.0\nazimuth_deg = 180.0\nelevation_deg = 21.0\n");
-  bake::BakeSettings settings;
-  settings.aspects.azimuths_rad = {0.0, pi};
-  settings.aspects.elevations_rad = {radians_from_deg(21.0)};
-  settings.patches = {.texel_m = 2.0, .texels_per_side = 256};
-  settings.sampling.samples_per_texel = 8;
+  folder.write("radar.toml", radar_in_the_south);
+  bake::BakeSettings settings = seen_from_the_south(8);
   SilentProgress silent;
   for (const auto& [name, bounces] : {std::pair{"atlas", 4}, {"first_bounce", 1}}) {
     settings.max_bounces = bounces;
@@ -393,16 +401,9 @@ TEST(DatasetOfATarget, ShowsItAtEveryLevelOfDetail) {
   const ScratchFolder folder;
   const auto scene = write_made_scene(folder.path("place"), 200, 200);
   std::ofstream(scene, std::ios::app) << "\n[[point_targets]]\nposition_m = [21, 13]\nheight_m = 30\nrcs_dbsm = 50\n";
-  folder.write("radar.toml",
-               "[radar]\nfrequency_ghz = 10.0\nrange_resolution_m = 2.0\nbeam_width_deg = 0.011\n"
-               "[position]\nslant_range_km = 15.0\nazimuth_deg = 180.0\nelevation_deg = 21.0\n");
-  bake::BakeSettings settings;
-  settings.aspects.azimuths_rad = {0.0, pi};
-  settings.aspects.elevations_rad = {radians_from_deg(21.0)};
-  settings.patches = {.texel_m = 2.0, .texels_per_side = 256};
-  settings.sampling.samples_per_texel = 2;
+  folder.write("radar.toml", radar_in_the_south);
   SilentProgress silent;
-  bake::bake(scene::read_scene(scene), settings, folder.path("atlas"), silent);
+  bake::bake(scene::read_scene(scene), seen_from_the_south(2), folder.path("atlas"), silent);
   const auto power_of = [&](const std::string& atlas) {
     const auto file = folder.write(
         "spec.toml",

@@ -51,6 +51,8 @@ def test_wrong_settings_are_refused(atlas):
         sigmascape.LiveRenderer(ground, content="colours")
     with pytest.raises(sigmascape.Error):
         sigmascape.LiveGround(atlas.folder, frequency_ghz=94.0)
+    with pytest.raises(sigmascape.Error, match="y_m: is nan"):
+        ground.height_at(0.0, float("nan"))
 
 
 def test_steps_of_a_scan_begin_with_a_beam_that_there_is(atlas, scene):
