@@ -11,7 +11,7 @@ namespace sigmascape::geo {
 [[nodiscard]] std::string axis_unit(const std::string& crs);
 
 /// Metres of ground to a unit of x at a place of the system: of a degree of longitude, or of a metre of a projection
-/// that stretches. 1 where the system is not known or does not reach there.
+/// that stretches. 1 where the system is not known. Throws Error when it does not reach there.
 [[nodiscard]] double ground_metres_per_unit(const std::string& crs, Vec2d place);
 
 /// 360° of longitude in the unit of x; 0 where x is no longitude.

@@ -37,24 +37,25 @@ GDALDatasetUniquePtr open_raster(const std::filesystem::path& file) {
   return dataset;
 }
 
-/// Names of units are spelled in many ways: in capitals, with blanks, hyphens and underscores.
+/// Names of units are spelled in many ways: in capitals, with blanks, dots, hyphens and underscores.
 std::string plainly_spelled(const std::string& unit) {
-  std::string letters;
+  std::string plain;
   for (const char c : unit) {
-    if (std::isalpha(static_cast<unsigned char>(c)) != 0)
-      letters += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (std::string_view(" .-_").find(c) == std::string_view::npos)
+      plain += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   }
-  return letters;
+  return plain;
 }
 
 /// Of a band that states no unit, a metre.
 std::optional<double> metres_per_unit(const std::string& unit) {
+  if (unit.empty()) return 1.0;
   struct LengthUnit {
     double metres;
     std::vector<std::string_view> names;
   };
   static const std::array<LengthUnit, 6> known{{
-      {1.0, {"", "m", "metre", "metres", "meter", "meters"}},
+      {1.0, {"m", "metre", "metres", "meter", "meters"}},
       {0.1, {"dm", "decimetre", "decimetres", "decimeter", "decimeters"}},
       {0.01, {"cm", "centimetre", "centimetres", "centimeter", "centimeters"}},
       {0.001, {"mm", "millimetre", "millimetres", "millimeter", "millimeters"}},
@@ -87,11 +88,17 @@ struct Raster::Source {
     return {g[0] + column * g[1] + row * g[2], g[3] + column * g[4] + row * g[5]};
   }
   [[nodiscard]] Vec2d middle() const { return crs_position(columns() / 2.0, rows() / 2.0); }
+  /// Whether its last column lies next to its first.
+  [[nodiscard]] bool goes_round() const {
+    const double turn = std::abs(crs_from_pixel[1]) * columns();
+    return full_turn > 0.0 && std::abs(turn - full_turn) < 0.5 * std::abs(crs_from_pixel[1]);
+  }
   /// Replaces positions in the CRS by positions in pixels. Longitudes come as −180° to 180°, whatever turn the raster
   /// counts them in: one of them is taken on the turn of the raster, the others on that of this one, for they are
   /// neighbours.
   void to_pixels(std::span<Vec2d> positions) const {
-    const double one = on_turn_of(positions[positions.size() / 2].x, middle().x, full_turn);
+    const auto found = std::ranges::find_if(positions, [](Vec2d p) { return std::isfinite(p.x); });
+    const double one = found != positions.end() ? on_turn_of(found->x, middle().x, full_turn) : 0.0;
     const auto& g = pixel_from_crs;
     for (Vec2d& p : positions) {
       const double x = on_turn_of(p.x, one, full_turn);
@@ -156,22 +163,38 @@ struct Window {
   }
 };
 
+/// What a raster covers, in pixels.
+struct Coverage {
+  int columns = 0, rows = 0;
+  bool goes_round = false;
+
+  [[nodiscard]] bool holds(Vec2d pixel) const {
+    constexpr double slack = 1e-3;
+    return (goes_round || (pixel.x >= -slack && pixel.x <= columns + slack)) && pixel.y >= -slack &&
+           pixel.y <= rows + slack;
+  }
+};
+
 template <typename T>
-Window<T> read_window(GDALRasterBand& band, std::span<const Vec2d> corners, GDALDataType type,
+Window<T> read_window(GDALRasterBand& band, const Coverage& coverage, std::span<const Vec2d> corners, GDALDataType type,
                       const std::string& name) {
-  const int columns = band.GetXSize(), rows = band.GetYSize();
-  double west = columns, east = 0.0, north = rows, south = 0.0;
+  const auto [columns, rows, goes_round] = coverage;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  double west = infinity, east = -infinity, north = infinity, south = -infinity;
   for (const Vec2d& corner : corners) {
     if (!std::isfinite(corner.x) || !std::isfinite(corner.y)) continue;
-    west = std::min(west, corner.x - 2.0);
-    east = std::max(east, corner.x + 2.0);
-    north = std::min(north, corner.y - 2.0);
-    south = std::max(south, corner.y + 2.0);
+    west = std::min(west, std::floor(corner.x - 2.0));
+    east = std::max(east, std::ceil(corner.x + 2.0));
+    north = std::min(north, std::floor(corner.y - 2.0));
+    south = std::max(south, std::ceil(corner.y + 2.0));
   }
-  const int first_column = static_cast<int>(std::clamp(std::floor(west), 0.0, static_cast<double>(columns)));
-  const int first_row = static_cast<int>(std::clamp(std::floor(north), 0.0, static_cast<double>(rows)));
-  const int width = static_cast<int>(std::clamp(std::ceil(east), 0.0, static_cast<double>(columns))) - first_column;
-  const int height = static_cast<int>(std::clamp(std::ceil(south), 0.0, static_cast<double>(rows))) - first_row;
+  const auto within = [](double position, int count) {
+    return static_cast<int>(std::clamp(position, 0.0, static_cast<double>(count)));
+  };
+  const int first_row = within(north, rows), height = within(south, rows) - first_row;
+  // Columns of a raster that goes round are counted on beyond its ends.
+  const int first_column = goes_round && west < infinity ? static_cast<int>(west) : within(west, columns);
+  const int width = goes_round && west < infinity ? within(east - west, columns) : within(east, columns) - first_column;
   if (width <= 0 || height <= 0) return {};
 
   Window<T> window;
@@ -185,21 +208,24 @@ Window<T> read_window(GDALRasterBand& band, std::span<const Vec2d> corners, GDAL
   extra.pfnProgress = HeedingProgress::advanced;
   extra.pProgressData = &heeding;
   const QuietGdal quiet;
-  const CPLErr read = band.RasterIO(GF_Read, first_column, first_row, width, height, window.value.values().data(),
-                                    width, height, type, 0, 0, &extra);
-  const CPLErr masked =
-      band.GetMaskBand()->RasterIO(GF_Read, first_column, first_row, width, height, window.valid.values().data(), width,
-                                   height, GDT_Byte, 0, 0, &extra);
+  bool is_read = true;
+  const auto read = [&](GDALRasterBand& from, int column, int piece, auto* to, GDALDataType as) {
+    const auto bytes = static_cast<GSpacing>(sizeof(*to));
+    return from.RasterIO(GF_Read, column, first_row, piece, height, to, piece, height, as, bytes, bytes * width,
+                         &extra) == CE_None;
+  };
+  for (int done = 0, piece = 0; done < width && is_read; done += piece) {
+    const int column = ((first_column + done) % columns + columns) % columns;
+    piece = std::min(width - done, columns - column);
+    is_read =
+        read(band, column, piece, &window.value.values()[static_cast<std::size_t>(done)], type) &&
+        read(*band.GetMaskBand(), column, piece, &window.valid.values()[static_cast<std::size_t>(done)], GDT_Byte);
+  }
   heeding.settle();
-  if (read != CE_None || masked != CE_None) {
+  if (!is_read) {
     throw Error(name, fmt::format("its cells cannot be read ({})", QuietGdal::complaint()), "replace the damaged file");
   }
   return window;
-}
-
-bool inside(Vec2d pixel, int columns, int rows) {
-  constexpr double slack = 1e-3;
-  return pixel.x >= -slack && pixel.y >= -slack && pixel.x <= columns + slack && pixel.y <= rows + slack;
 }
 
 /// Bilinear between cell centres. Cells without data take no part; where the nearest one has none, neither has the
@@ -223,14 +249,14 @@ float bilinear(const Window<float>& window, Vec2d pixel) {
 
 /// Mean of n × n bilinear samples spread over the lattice cell around a point.
 float mean_over_cell(const Window<float>& window, const PixelNet& net, std::size_t column, std::size_t row, int n,
-                     int columns, int rows) {
+                     const Coverage& coverage) {
   double sum = 0.0;
   int found = 0;
   for (int j = 0; j < n; ++j) {
     for (int i = 0; i < n; ++i) {
       const Vec2d pixel =
           net.at(static_cast<double>(column) + (i + 0.5) / n - 0.5, static_cast<double>(row) + (j + 0.5) / n - 0.5);
-      if (!inside(pixel, columns, rows)) continue;
+      if (!coverage.holds(pixel)) continue;
       const float height = bilinear(window, pixel);
       if (std::isnan(height)) continue;
       sum += static_cast<double>(height);
@@ -304,7 +330,7 @@ double Raster::cell_m() const {
 }
 
 RasterOutline Raster::outline_in(const LocalFrame& frame) const {
-  constexpr int steps = 256;
+  constexpr int steps = 1024;
   const double columns = source_->columns(), rows = source_->rows();
   std::vector<Vec2d> left, right, top, bottom;
   for (int i = 0; i <= steps; ++i) {
@@ -322,7 +348,8 @@ RasterOutline Raster::outline_in(const LocalFrame& frame) const {
 Array2D<float> Raster::heights_on(const Lattice& lattice, const LocalFrame& frame, PlausibleHeights plausible) const {
   const CoordinateTransform transform(source_->crs, frame, source_->name);
   const PixelNet net(lattice, transform, [this](std::span<Vec2d> knots) { source_->to_pixels(knots); });
-  auto window = read_window<float>(*source_->band, net.knots(), GDT_Float32, source_->name);
+  const Coverage coverage{source_->columns(), source_->rows(), source_->goes_round()};
+  auto window = read_window<float>(*source_->band, coverage, net.knots(), GDT_Float32, source_->name);
   Array2D<float> heights(lattice.columns, lattice.rows, nan_height);
   if (window.value.empty()) return heights;
   const std::optional<double> to_metres = metres_per_unit(source_->band->GetUnitType());
@@ -344,10 +371,9 @@ Array2D<float> Raster::heights_on(const Lattice& lattice, const LocalFrame& fram
     Interruption::heed();
     for (std::size_t column = 0; column < lattice.columns; ++column) {
       const Vec2d pixel = net.at(static_cast<double>(column), static_cast<double>(row));
-      if (!inside(pixel, source_->columns(), source_->rows())) continue;
+      if (!coverage.holds(pixel)) continue;
       heights(column, row) =
-          samples == 1 ? bilinear(window, pixel)
-                       : mean_over_cell(window, net, column, row, samples, source_->columns(), source_->rows());
+          samples == 1 ? bilinear(window, pixel) : mean_over_cell(window, net, column, row, samples, coverage);
     }
   }
   return heights;
@@ -356,14 +382,15 @@ Array2D<float> Raster::heights_on(const Lattice& lattice, const LocalFrame& fram
 Array2D<std::int32_t> Raster::classes_on(const Lattice& lattice, const LocalFrame& frame) const {
   const CoordinateTransform transform(source_->crs, frame, source_->name);
   const PixelNet net(lattice, transform, [this](std::span<Vec2d> knots) { source_->to_pixels(knots); });
-  const auto window = read_window<std::int32_t>(*source_->band, net.knots(), GDT_Int32, source_->name);
+  const Coverage coverage{source_->columns(), source_->rows(), source_->goes_round()};
+  const auto window = read_window<std::int32_t>(*source_->band, coverage, net.knots(), GDT_Int32, source_->name);
   Array2D<std::int32_t> classes(lattice.columns, lattice.rows, no_class);
   if (window.value.empty()) return classes;
   for (std::size_t row = 0; row < lattice.rows; ++row) {
     Interruption::heed();
     for (std::size_t column = 0; column < lattice.columns; ++column) {
       const Vec2d pixel = net.at(static_cast<double>(column), static_cast<double>(row));
-      if (!inside(pixel, source_->columns(), source_->rows())) continue;
+      if (!coverage.holds(pixel)) continue;
       const std::size_t i = window.column_of(pixel.x), j = window.row_of(pixel.y);
       if (window.valid(i, j) != 0) classes(column, row) = window.value(i, j);
     }

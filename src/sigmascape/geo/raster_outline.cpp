@@ -35,8 +35,18 @@ Extent between_innermost_points(const RasterOutline& outline) {
           std::ranges::min_element(outline.east, by_x)->x, std::ranges::min_element(outline.north, by_y)->y};
 }
 
+/// The farthest that two neighbouring points of the edges lie apart.
+double spacing_m(const RasterOutline& outline) {
+  double widest_m = 0.0;
+  for (const auto* edge : edges_of(outline)) {
+    for (std::size_t i = 0; i + 1 < edge->size(); ++i)
+      widest_m = std::max(widest_m, length((*edge)[i + 1] - (*edge)[i]));
+  }
+  return widest_m;
+}
+
 /// The largest rectangle about the middle that holds no point of the edges, of those from 32 times as high as wide to
-/// 32 times as wide as high.
+/// 32 times as wide as high, less what its corners may reach out between two points.
 Extent largest_about_middle(const RasterOutline& outline) {
   const Vec2d middle = (middle_of(outline.west) + middle_of(outline.east)) * 0.5;
   Vec2d largest;
@@ -52,7 +62,9 @@ Extent largest_about_middle(const RasterOutline& outline) {
     const Vec2d half = shape * size_m;
     if (half.x * half.y > largest.x * largest.y) largest = half;
   }
-  return {middle.x - largest.x, middle.y - largest.y, middle.x + largest.x, middle.y + largest.y};
+  const double rim_m = 0.5 * spacing_m(outline);
+  const Vec2d half{std::max(0.0, largest.x - rim_m), std::max(0.0, largest.y - rim_m)};
+  return {middle.x - half.x, middle.y - half.y, middle.x + half.x, middle.y + half.y};
 }
 
 }  // namespace

@@ -67,15 +67,13 @@ bool is_osm(GDALDataset& dataset) {
   return std::string(dataset.GetDriverName()) == "OSM";
 }
 
-/// Leaves only the layer's features that meet the condition to be read; nothing, or why it does not fit. Databases look
-/// at it only when a feature is asked for; OpenStreetMap files would be read through for one.
-std::optional<std::string> condition_fault(OGRLayer& layer, const std::string& condition, bool ask_for_one) {
+/// Leaves only the layer's features that meet the condition to be read; nothing, or why it does not fit. Asked of OGR's
+/// own SQL first: databases take an attribute that they do not know for text, or look only when a feature is read.
+std::optional<std::string> condition_fault(OGRLayer& layer, const std::string& condition) {
   const QuietGdal quiet;
-  if (layer.SetAttributeFilter(condition.c_str()) != OGRERR_NONE) return QuietGdal::complaint();
-  if (!ask_for_one) return std::nullopt;
-  const OGRFeatureUniquePtr one(layer.GetNextFeature());
-  layer.ResetReading();
-  return one == nullptr && QuietGdal::failed() ? std::optional(QuietGdal::complaint()) : std::nullopt;
+  const bool fits = OGRFeatureQuery().Compile(&layer, condition.c_str()) == OGRERR_NONE &&
+                    layer.SetAttributeFilter(condition.c_str()) == OGRERR_NONE;
+  return fits ? std::nullopt : std::optional(QuietGdal::complaint());
 }
 
 /// The layer that is named, or all, less those whose features cannot meet the condition, for they lack its attributes.
@@ -85,7 +83,7 @@ std::vector<OGRLayer*> wanted_layers(GDALDataset& dataset, const VectorSource& s
   for (OGRLayer* layer : dataset.GetLayers()) {
     names.emplace_back(layer->GetName());
     if (!source.layer.empty() && source.layer != names.back()) continue;
-    const auto fault = source.where.empty() ? std::nullopt : condition_fault(*layer, source.where, !is_osm(dataset));
+    const auto fault = source.where.empty() ? std::nullopt : condition_fault(*layer, source.where);
     if (fault) condition_faults.push_back(*fault);
     if (!fault) wanted.push_back(layer);
   }

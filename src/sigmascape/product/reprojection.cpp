@@ -44,14 +44,22 @@ radar::Rectangle box_about(const std::vector<Vec2d>& points) {
   return box;
 }
 
-/// Side of a square that is as large, in the units of the system, as a cell in the middle of the map.
-double equal_cell(const geo::CoordinateTransform& transform, const radar::GroundGrid& grid, double full_turn) {
-  const Vec2d middle = grid.extent().centre();
-  std::vector<Vec2d> corner{middle, middle + Vec2d{grid.cell_m, 0.0}, middle + Vec2d{0.0, grid.cell_m}};
+/// Side of a square that is as large, in the units of the system, as a cell at a place of the map.
+double equal_cell(const geo::CoordinateTransform& transform, Vec2d place, double cell_m, double full_turn) {
+  std::vector<Vec2d> corner{place, place + Vec2d{cell_m, 0.0}, place + Vec2d{0.0, cell_m}};
   transform.to_crs(corner);
   for (Vec2d& p : corner) p.x = geo::on_turn_of(p.x, corner.front().x, full_turn);
   const Vec2d east = corner[1] - corner[0], north = corner[2] - corner[0];
   return std::sqrt(std::abs(east.x * north.y - east.y * north.x));
+}
+
+/// That of a cell in the middle of the map, or of one a quarter away where a seam of the system tears the middle apart.
+double equal_cell(const geo::CoordinateTransform& transform, const radar::GroundGrid& grid, double full_turn) {
+  const radar::Rectangle extent = grid.extent();
+  const Vec2d quarter{0.25 * extent.width_m(), 0.25 * extent.height_m()};
+  const double middle = equal_cell(transform, extent.centre(), grid.cell_m, full_turn),
+               beside = equal_cell(transform, extent.centre() - quarter, grid.cell_m, full_turn);
+  return middle > 2.0 * beside ? beside : middle;
 }
 
 /// How a new cell is read from the old ones: of masks, and of classes that stand for names, there is no mean.
@@ -89,7 +97,13 @@ radar::GroundGrid turned_grid(const radar::GroundGrid& grid, const geo::Coordina
   const double turn = geo::full_turn(crs), first = outline.front().x;
   for (Vec2d& p : outline) p.x = geo::on_turn_of(p.x, first, turn);
   const radar::Rectangle box = box_about(outline);
-  const double side = cell.value_or(equal_cell(transform, grid, turn));
+  const double equal_side = equal_cell(transform, grid, turn), side = cell.value_or(equal_side);
+  const auto cells = static_cast<double>(grid.columns * grid.rows);
+  constexpr double most_times_as_large = 100.0;
+  if (box.width_m() * box.height_m() > most_times_as_large * cells * equal_side * equal_side) {
+    throw Error("coordinate system of the map", fmt::format("{} tears the map apart, there or far from there", crs),
+                "choose one that is made for the place");
+  }
   if (!(side > 0.0)) throw Error("cell of the map", fmt::format("{} is no size", side), "give a positive one");
   return {box.west_m, box.north_m, side, static_cast<std::size_t>(std::ceil(box.width_m() / side)),
           static_cast<std::size_t>(std::ceil(box.height_m() / side))};

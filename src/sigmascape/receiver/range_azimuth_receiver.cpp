@@ -142,10 +142,11 @@ radar::RangeAzimuthGrid grid_covering(const radar::Radar& radar, std::span<const
   const double azimuth_step = beam_rad / oversampling;
   const double spare_range = room_for(range_response(radar, range_step), oversampling) * range_step;
   const double spare_azimuth = room_for(azimuth_response(radar, azimuth_step), oversampling) * azimuth_step;
+  const double first_range = std::max(0.0, nearest - spare_range);
   radar::RangeAzimuthGrid grid{
-      .first_range_m = nearest - spare_range,
+      .first_range_m = first_range,
       .range_step_m = range_step,
-      .ranges = static_cast<std::size_t>(std::ceil((farthest - nearest + 2.0 * spare_range) / range_step)),
+      .ranges = static_cast<std::size_t>(std::ceil((farthest + spare_range - first_range) / range_step)),
       .first_azimuth_rad = leftmost - spare_azimuth,
       .azimuth_step_rad = azimuth_step,
       .azimuths = static_cast<std::size_t>(std::ceil((rightmost - leftmost + 2.0 * spare_azimuth) / azimuth_step))};

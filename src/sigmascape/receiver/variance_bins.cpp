@@ -12,8 +12,8 @@ struct Size {
   double end_m4, units_per_m4;
 };
 
-// √end · 2²⁶ m² · units stays below 2⁶³ for each.
-constexpr std::array<Size, 4> known_sizes{{{0x1p-40, 0x1p56}, {0x1p-20, 0x1p46}, {0x1p4, 0x1p34}, {0x1p52, 0x1p10}}};
+// √end · 2²⁸ m² · units stays below 2⁶³ for each.
+constexpr std::array<Size, 4> known_sizes{{{0x1p-38, 0x1p53}, {0x1p-20, 0x1p44}, {0x1p4, 0x1p32}, {0x1p56, 0x1p6}}};
 
 }  // namespace
 

@@ -51,6 +51,7 @@ NumberedMaterials with_numbered_materials(std::string_view text) {
       continue;
     }
     name.remove_prefix(name.find_first_not_of(blanks));
+    name = name.substr(0, name.find(" #"));
     name = name.substr(0, name.find_last_not_of(blanks) + 1);
     const auto known = std::ranges::find(numbered.names, name);
     numbered.text += fmt::format("usemtl {}\n", known - numbered.names.begin());

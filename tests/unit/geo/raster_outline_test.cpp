@@ -40,8 +40,8 @@ TEST(RasterOutline, SquareHoweverItIsTurned) {
         << deg;
     for (const double x : {inside.west_m, inside.east_m}) {
       for (const double y : {inside.south_m, inside.north_m}) {
-        EXPECT_LT(std::abs(x * cosine + y * sine), 1.01 * half_m) << deg;
-        EXPECT_LT(std::abs(y * cosine - x * sine), 1.01 * half_m) << deg;
+        EXPECT_LT(std::abs(x * cosine + y * sine), half_m + 1e-6) << deg;
+        EXPECT_LT(std::abs(y * cosine - x * sine), half_m + 1e-6) << deg;
       }
     }
     for (const double reach_m : {-around.west_m, -around.south_m, around.east_m, around.north_m})

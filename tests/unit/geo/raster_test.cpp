@@ -96,6 +96,25 @@ TEST(Raster, LongitudesMayBeCountedFromAnywhere) {
   expect_slope_across(0.0, -0.01);
 }
 
+// Its seam lies where its longitudes begin, and a place across it is a place like others.
+TEST(Raster, ThatGoesRoundTheGlobeHasNoSeam) {
+  const ScratchFolder folder;
+  const AsciiGrid globe{-180.0, -90.0, 0.5, 720, 360};
+  const Raster raster(
+      {folder.write("globe.asc", globe.text([](double x, double y) { return 100.0 * std::cos(x * M_PI / 180.0) + y; })),
+       1, "EPSG:4326"});
+  for (const double longitude_deg : {180.0, 179.9, 0.0}) {
+    const LocalFrame there(10.0, longitude_deg);
+    const auto heights = raster.heights_on({-60e3, 60e3, 2000.0, 61, 61}, there);
+    const auto classes = raster.classes_on({-60e3, 60e3, 2000.0, 61, 61}, there);
+    for (std::size_t i = 0; i < 61; i += 5) {
+      const auto place = place_on_globe(there, {-60e3 + 2000.0 * static_cast<double>(i), 0.0});
+      EXPECT_NEAR(heights(i, 30), 100.0 * std::cos(place.longitude_deg * M_PI / 180.0) + place.latitude_deg, 0.1);
+      EXPECT_NE(classes(i, 30), no_class);
+    }
+  }
+}
+
 TEST(Raster, UnitsOfHeightsAreThoseOfTheBand) {
   const ScratchFolder folder;
   folder.write("plane.asc", utm.text([](double, double) { return 100.0; }));
@@ -112,6 +131,9 @@ TEST(Raster, UnitsOfHeightsAreThoseOfTheBand) {
   for (const char* foot : {"ft", "Feet", "foot"}) EXPECT_FLOAT_EQ(height_in(foot), 30.48F) << foot;
   for (const char* foot : {"us-ft", "US survey foot", "Foot_US"}) EXPECT_FLOAT_EQ(height_in(foot), 30.480061F) << foot;
   EXPECT_FLOAT_EQ(height_in("cm"), 1.0F);
+  for (const char* unknown : {"0.1 m", "'", "%"})
+    EXPECT_THAT(message_of_error([&] { static_cast<void>(height_in(unknown)); }), HasSubstr("is no known unit"))
+        << unknown;
   EXPECT_THAT(message_of_error([&] { static_cast<void>(height_in("fathom")); }),
               HasSubstr("unit.vrt: counts heights in 'fathom', which is no known unit; convert it to metres"));
 }

@@ -146,6 +146,9 @@ TEST(VectorSource, ConditionIsOfTheLayersThatHaveItsAttributes) {
     EXPECT_EQ(read_features(source, frame).features.size(), 1U) << driver;
     source.layer = "";
     EXPECT_EQ(read_features(source, frame).features.size(), 1U) << driver;
+    source.where = "\"height_m\" > 5";
+    EXPECT_EQ(read_features(source, frame).features.size(), 1U) << driver;
+    source.where = "height_m > 5";
     source.layer = "parcels";
     EXPECT_THAT(message_of_error([&] { static_cast<void>(read_features(source, frame)); }),
                 HasSubstr("the condition 'height_m > 5' does not fit its attributes"))

@@ -86,6 +86,7 @@ TEST(Reprojection, MapsMayLieAcrossTheMeridianOf180Degrees) {
   EXPECT_NEAR(map.grid.extent().width_m(), 2000.0 / 106.5e3, 2e-4);
   const auto seen = std::ranges::count_if(map.sigma0.values(), [](const auto& cell) { return cell.vv > 0.0F; });
   EXPECT_GT(static_cast<double>(seen), 0.9 * static_cast<double>(map.sigma0.size()));
+  EXPECT_THROW((void)reprojected(map_of_a_slope(), fiji, "EPSG:3857"), Error) << "whose seam lies there";
 }
 
 }  // namespace

@@ -65,6 +65,28 @@ TEST(Ppi, IsEmptyOutsideTheSector) {
   EXPECT_NEAR(static_cast<double>(seen) * map.grid.cell_area_m2() / sector_m2, 1.0, 0.01);
 }
 
+// Half way from the last beam to the first there is half of either.
+TEST(Ppi, GoesOnAcrossTheEndOfAWholeTurn) {
+  radar::RangeAzimuthImage image;
+  image.grid = {.first_range_m = 0.0,
+                .range_step_m = 10.0,
+                .ranges = 40,
+                .first_azimuth_rad = 0.0,
+                .azimuth_step_rad = pi / 4.0,
+                .azimuths = 8};
+  image.rcs_m2 = Array2D<radar::Channels>(8, 40);
+  for (std::size_t range = 0; range < 40; ++range) image.rcs_m2(7, range) = {1, 1, 1, 1};
+  const radar::GroundMap scope = ppi(image, {});
+  const auto at = [&](double azimuth_rad) {
+    const Vec2d cells = scope.grid.cells_from(Vec2d{std::sin(azimuth_rad), std::cos(azimuth_rad)} * 205.0);
+    return scope.sigma0(static_cast<std::size_t>(cells.x), static_cast<std::size_t>(cells.y)).vv;
+  };
+  const float full = at(7.5 * pi / 4.0);
+  EXPECT_NEAR(at(0.01) / full, 0.5F, 0.03F);
+  EXPECT_NEAR(at(-0.01) / full, 0.5F, 0.03F);
+  EXPECT_NEAR(at(0.25 * pi / 4.0) / full, 0.25F, 0.03F);
+}
+
 TEST(BScope, HasAzimuthToTheRightAndRangeUpwards) {
   const auto image = image_with_point(40, 70);
   const radar::GroundMap map = b_scope(image);

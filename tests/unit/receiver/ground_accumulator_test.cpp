@@ -40,7 +40,7 @@ TEST(GroundAccumulator, VariancesOfPartsAddUp) {
   GroundAccumulator accumulator(grid);
   accumulator.add(7, {1.0F, 2.0F, 0.5F, 0.0F}, 0.36);
   accumulator.add(7, {2.0F, 1.0F, 0.5F, 0.0F}, 0.28);
-  EXPECT_NEAR(accumulator.sigma0_variances()(7, 0), 0.64 / (0.25 * 0.25), 1e-9);
+  EXPECT_NEAR(accumulator.sigma0_variances()(7, 0), 0.64 / (0.25 * 0.25), 1e-8);
   EXPECT_EQ(accumulator.sigma0_variances()(8, 0), 0.0);
 }
 
@@ -53,6 +53,10 @@ TEST(GroundAccumulator, VariancesOfManyPartsOfAnySizeAddUp) {
     const double expected = parts * deviation_m2 * deviation_m2 / (0.25 * 0.25);
     EXPECT_NEAR(accumulator.sigma0_variances()(7, 0), expected, 0.01 * expected) << deviation_m2;
   }
+  // The brightest that powers hold: four parts of VV + HH + 2 HV = 2²⁶ m², each from one sample alone.
+  GroundAccumulator brightest(grid);
+  for (int i = 0; i < 4; ++i) brightest.add(7, {}, std::exp2(52.0));
+  EXPECT_NEAR(brightest.sigma0_variances()(7, 0) / (4.0 * std::exp2(52.0) * 16.0), 1.0, 1e-6);
 }
 
 }  // namespace

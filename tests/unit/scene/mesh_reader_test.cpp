@@ -26,9 +26,9 @@ TEST(ObjMesh, ReadsFacesAndMaterialNamesWithoutAMaterialFile) {
 
 TEST(ObjMesh, NamesOfMaterialsMayHoldBlanks) {
   const ScratchFolder folder;
-  const auto mesh = read_obj(folder.write(
-      "hut.obj",
-      "v 0 0 0\nv 1 0 0\nv 1 1 0\nusemtl my wall\r\nf 1 2 3\nusemtl\tmy roof \nf 1 2 3\nusemtl my wall\nf 1 2 3\n"));
+  const auto mesh = read_obj(folder.write("hut.obj",
+                                          "v 0 0 0\nv 1 0 0\nv 1 1 0\nusemtl my wall\r\nf 1 2 3\nusemtl\tmy roof # of "
+                                          "tin\nf 1 2 3\nusemtl my wall\nf 1 2 3\n"));
   EXPECT_THAT(mesh.material_names, ElementsAre("my wall", "my roof"));
   EXPECT_THAT(mesh.materials, ElementsAre(0U, 1U, 0U));
 }
