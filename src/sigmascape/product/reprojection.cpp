@@ -101,7 +101,7 @@ radar::GroundGrid turned_grid(const radar::GroundGrid& grid, const geo::Coordina
   const auto cells = static_cast<double>(grid.columns * grid.rows);
   constexpr double most_times_as_large = 100.0;
   if (box.width_m() * box.height_m() > most_times_as_large * cells * equal_side * equal_side) {
-    throw Error("coordinate system of the map", fmt::format("{} tears the map apart, there or far from there", crs),
+    throw Error("coordinate system of the map", fmt::format("{} has a seam there that tears the map apart", crs),
                 "choose one that is made for the place");
   }
   if (!(side > 0.0)) throw Error("cell of the map", fmt::format("{} is no size", side), "give a positive one");
