@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/radar/rectangle_parts.h"
+#include "sigmascape/receiver/ground_accumulator.h"
 #include "sigmascape/trace/launch.h"
 #include "sigmascape/trace/multibounce_reach.h"
 #include "sigmascape/trace/scene_heights.h"
@@ -47,9 +47,9 @@ double cells_of_a_patch(const scene::Scene& scene, const BakeSettings& settings)
 }
 
 double bytes_of_sums(const BakeSettings& settings) {
-  // Four powers and variances of four sizes, and again of what came over several surfaces where that is kept apart.
-  constexpr auto of_sums = static_cast<double>(8 * sizeof(std::int64_t));
+  constexpr auto of_sums = static_cast<double>(receiver::GroundAccumulator::bytes_a_cell);
   const double texels = std::pow(static_cast<double>(settings.patches.texels_per_side), 2);
+  // What came over several surfaces is summed up by itself as well where its noise is to be shared.
   const double sums = settings.noise == Noise::Shared ? 2.0 : 1.0;
   return texels * static_cast<double>(settings.aspects.frequencies_hz.size()) * sums * of_sums;
 }

@@ -3,16 +3,15 @@
 #include <array>
 #include <cmath>
 #include <memory>
-#include <numbers>
 #include <ogr_spatialref.h>
 
+#include "sigmascape/base/units.h"
 #include "sigmascape/geo/coordinate_transform.h"
+#include "sigmascape/geo/foot.h"
 #include "sigmascape/geo/spatial_reference.h"
 
 namespace sigmascape::geo {
 namespace {
-
-constexpr double radians_per_deg = std::numbers::pi / 180.0;
 
 bool is_unit(double given, double unit) {
   return std::abs(given - unit) < 1e-9 * unit;
@@ -23,11 +22,12 @@ bool is_unit(double given, double unit) {
 std::string axis_unit(const std::string& crs) {
   const auto reference = known_reference(crs);
   if (!reference) return "m";
-  if (reference->IsGeographic() != 0) return is_unit(reference->GetAngularUnits(), radians_per_deg) ? "deg" : "units";
+  if (reference->IsGeographic() != 0)
+    return is_unit(reference->GetAngularUnits(), radians_from_deg(1.0)) ? "deg" : "units";
   const double metres = reference->GetLinearUnits();
   if (is_unit(metres, 1.0)) return "m";
-  if (is_unit(metres, 0.3048)) return "ft";
-  return is_unit(metres, 1200.0 / 3937.0) ? "us_ft" : "units";
+  if (is_unit(metres, foot_m)) return "ft";
+  return is_unit(metres, us_survey_foot_m) ? "us_ft" : "units";
 }
 
 double ground_metres_per_unit(const std::string& crs, Vec2d place) {
@@ -42,7 +42,7 @@ double ground_metres_per_unit(const std::string& crs, Vec2d place) {
 
 double full_turn(const std::string& crs) {
   const auto reference = known_reference(crs);
-  return reference && reference->IsGeographic() != 0 ? 2.0 * std::numbers::pi / reference->GetAngularUnits() : 0.0;
+  return reference && reference->IsGeographic() != 0 ? 2.0 * pi / reference->GetAngularUnits() : 0.0;
 }
 
 double on_turn_of(double x, double other, double full_turn) {

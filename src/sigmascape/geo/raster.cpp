@@ -15,6 +15,7 @@
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/interruption.h"
 #include "sigmascape/geo/axis_units.h"
+#include "sigmascape/geo/foot.h"
 #include "sigmascape/geo/heeding_progress.h"
 #include "sigmascape/geo/quiet_gdal.h"
 #include "sigmascape/geo/spatial_reference.h"
@@ -59,8 +60,8 @@ std::optional<double> metres_per_unit(const std::string& unit) {
       {0.1, {"dm", "decimetre", "decimetres", "decimeter", "decimeters"}},
       {0.01, {"cm", "centimetre", "centimetres", "centimeter", "centimeters"}},
       {0.001, {"mm", "millimetre", "millimetres", "millimeter", "millimeters"}},
-      {0.3048, {"ft", "foot", "feet", "internationalfoot", "internationalfeet"}},
-      {1200.0 / 3937.0,
+      {foot_m, {"ft", "foot", "feet", "internationalfoot", "internationalfeet"}},
+      {us_survey_foot_m,
        {"usft", "ftus", "usfoot", "usfeet", "footus", "feetus", "ussurveyfoot", "ussurveyfeet", "surveyfoot",
         "surveyfeet"}},
   }};
@@ -69,6 +70,18 @@ std::optional<double> metres_per_unit(const std::string& unit) {
   }
   return std::nullopt;
 }
+
+/// What a raster covers, in pixels.
+struct Coverage {
+  int columns = 0, rows = 0;
+  bool goes_round = false;  ///< its last column lies next to its first
+
+  [[nodiscard]] bool holds(Vec2d pixel) const {
+    constexpr double slack = 1e-3;
+    return (goes_round || (pixel.x >= -slack && pixel.x <= columns + slack)) && pixel.y >= -slack &&
+           pixel.y <= rows + slack;
+  }
+};
 
 }  // namespace
 
@@ -88,10 +101,9 @@ struct Raster::Source {
     return {g[0] + column * g[1] + row * g[2], g[3] + column * g[4] + row * g[5]};
   }
   [[nodiscard]] Vec2d middle() const { return crs_position(columns() / 2.0, rows() / 2.0); }
-  /// Whether its last column lies next to its first.
-  [[nodiscard]] bool goes_round() const {
-    const double turn = std::abs(crs_from_pixel[1]) * columns();
-    return full_turn > 0.0 && std::abs(turn - full_turn) < 0.5 * std::abs(crs_from_pixel[1]);
+  [[nodiscard]] Coverage coverage() const {
+    const double cell = std::abs(crs_from_pixel[1]), turn = cell * columns();
+    return {columns(), rows(), full_turn > 0.0 && std::abs(turn - full_turn) < 0.5 * cell};
   }
   /// Replaces positions in the CRS by positions in pixels. Longitudes come as −180° to 180°, whatever turn the raster
   /// counts them in: one of them is taken on the turn of the raster, the others on that of this one, for they are
@@ -160,18 +172,6 @@ struct Window {
  private:
   [[nodiscard]] static std::size_t drawn_in(double position, std::size_t count) {
     return static_cast<std::size_t>(std::clamp(std::floor(position), 0.0, static_cast<double>(count - 1)));
-  }
-};
-
-/// What a raster covers, in pixels.
-struct Coverage {
-  int columns = 0, rows = 0;
-  bool goes_round = false;
-
-  [[nodiscard]] bool holds(Vec2d pixel) const {
-    constexpr double slack = 1e-3;
-    return (goes_round || (pixel.x >= -slack && pixel.x <= columns + slack)) && pixel.y >= -slack &&
-           pixel.y <= rows + slack;
   }
 };
 
@@ -348,7 +348,7 @@ RasterOutline Raster::outline_in(const LocalFrame& frame) const {
 Array2D<float> Raster::heights_on(const Lattice& lattice, const LocalFrame& frame, PlausibleHeights plausible) const {
   const CoordinateTransform transform(source_->crs, frame, source_->name);
   const PixelNet net(lattice, transform, [this](std::span<Vec2d> knots) { source_->to_pixels(knots); });
-  const Coverage coverage{source_->columns(), source_->rows(), source_->goes_round()};
+  const Coverage coverage = source_->coverage();
   auto window = read_window<float>(*source_->band, coverage, net.knots(), GDT_Float32, source_->name);
   Array2D<float> heights(lattice.columns, lattice.rows, nan_height);
   if (window.value.empty()) return heights;
@@ -382,7 +382,7 @@ Array2D<float> Raster::heights_on(const Lattice& lattice, const LocalFrame& fram
 Array2D<std::int32_t> Raster::classes_on(const Lattice& lattice, const LocalFrame& frame) const {
   const CoordinateTransform transform(source_->crs, frame, source_->name);
   const PixelNet net(lattice, transform, [this](std::span<Vec2d> knots) { source_->to_pixels(knots); });
-  const Coverage coverage{source_->columns(), source_->rows(), source_->goes_round()};
+  const Coverage coverage = source_->coverage();
   const auto window = read_window<std::int32_t>(*source_->band, coverage, net.knots(), GDT_Int32, source_->name);
   Array2D<std::int32_t> classes(lattice.columns, lattice.rows, no_class);
   if (window.value.empty()) return classes;

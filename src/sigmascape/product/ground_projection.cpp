@@ -40,6 +40,7 @@ template <typename FactorAt>
 Array2D<radar::Channels> laid_on_cells(const SeenBins& seen, const terrain::HeightField& terrain,
                                        const radar::GroundGrid& grid, unsigned threads, const FactorAt& factor_at) {
   const radar::RangeAzimuthGrid& bins = seen.grid;
+  const bool goes_round = bins.goes_round();
   const double middle = bins.first_azimuth_rad + 0.5 * static_cast<double>(bins.azimuths) * bins.azimuth_step_rad;
   Array2D<radar::Channels> cells(grid.columns, grid.rows);
   parallel_for(grid.rows, threads, [&](std::size_t row, unsigned) {
@@ -49,7 +50,7 @@ Array2D<radar::Channels> laid_on_cells(const SeenBins& seen, const terrain::Heig
       const double range_m = length(away);
       const double azimuth = middle + turned_by_least(std::atan2(away.x, away.y) - middle);
       const radar::Channels here =
-          bins_at(seen.bins, bins.goes_round(), (azimuth - bins.first_azimuth_rad) / bins.azimuth_step_rad,
+          bins_at(seen.bins, goes_round, (azimuth - bins.first_azimuth_rad) / bins.azimuth_step_rad,
                   (range_m - bins.first_range_m) / bins.range_step_m);
       cells(column, row) = here * static_cast<float>(factor_at(range_m));
     }

@@ -10,6 +10,11 @@
 
 namespace sigmascape::radar {
 
+/// Whether so many azimuths make a whole turn, so that the first lies next to the last.
+[[nodiscard]] inline bool goes_round(std::size_t azimuths, double azimuth_step_rad) {
+  return std::abs(static_cast<double>(azimuths) * azimuth_step_rad - 2.0 * pi) < 1e-6;
+}
+
 /// The bins of a radar's receive buffer: slant range by azimuth. Azimuth is that of the direction from the radar,
 /// clockwise from north, not wrapped: it grows steadily across the sector even through north.
 struct RangeAzimuthGrid {
@@ -20,10 +25,7 @@ struct RangeAzimuthGrid {
   double azimuth_step_rad = 1e-3;
   std::size_t azimuths = 0;
 
-  /// Whether the first azimuth lies next to the last one.
-  [[nodiscard]] bool goes_round() const {
-    return std::abs(static_cast<double>(azimuths) * azimuth_step_rad - 2.0 * pi) < 1e-6;
-  }
+  [[nodiscard]] bool goes_round() const { return radar::goes_round(azimuths, azimuth_step_rad); }
 
   friend constexpr bool operator==(const RangeAzimuthGrid&, const RangeAzimuthGrid&) = default;
 };

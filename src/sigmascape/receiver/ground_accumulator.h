@@ -15,6 +15,8 @@ namespace sigmascape::receiver {
 /// Where an echo stands is bake::EchoLanding's to say.
 class GroundAccumulator {
  public:
+  static constexpr std::size_t bytes_a_cell = PowerBins::bytes_a_bin + VarianceBins::bytes_a_bin;
+
   explicit GroundAccumulator(const radar::GroundGrid& grid);
 
   /// The cell around a point of the ground, row by row from the north-west; nothing outside the grid.

@@ -35,6 +35,8 @@ class PowerLine {
 /// has no order. What does not fit is left out and counted.
 class PowerBins {
  public:
+  static constexpr std::size_t bytes_a_bin = radar::Channels::count * sizeof(std::int64_t);
+
   PowerBins(std::size_t columns, std::size_t rows);
 
   [[nodiscard]] std::size_t columns() const { return columns_; }

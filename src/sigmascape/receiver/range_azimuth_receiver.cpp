@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <fmt/format.h>
 #include <limits>
 
@@ -11,6 +10,7 @@
 #include "sigmascape/radar/radar_title.h"
 #include "sigmascape/radar/range_ambiguity.h"
 #include "sigmascape/receiver/bin_response.h"
+#include "sigmascape/receiver/response_spread.h"
 
 namespace sigmascape::receiver {
 namespace {
@@ -18,56 +18,6 @@ namespace {
 // Of the elevation pattern's table: so many to its half-power width, within what cache and memory bear.
 constexpr double elevation_steps_a_width = 256.0, fewest_elevation_steps = 0x1p12, most_elevation_steps = 0x1p20;
 constexpr double most_bins = 0x1p27;
-
-using Bins = Array2D<radar::Channels>;
-
-/// Images of a few targets are dark nearly everywhere.
-bool is_dark(std::span<const radar::Channels> row) {
-  return std::ranges::all_of(row, [](const radar::Channels& bin) { return bin == radar::Channels{}; });
-}
-
-/// Every bin spreads over its neighbours in its row. What leaves the row is lost, as it is to a receiver's gate, or
-/// where the row goes round comes in at the other end. Bins are many, and memory for another image of them would cost
-/// more than the sums do: here and below only what is overwritten before its turn is kept elsewhere.
-void spread_along_rows(Bins& bins, const std::vector<float>& weights, bool goes_round) {
-  const std::size_t reach = weights.size() / 2, columns = bins.columns();
-  // The row, and what lies beyond its ends as far as a bin spreads.
-  std::vector<radar::Channels> from(columns + 2 * reach);
-  for (std::size_t row = 0; row < bins.rows(); ++row) {
-    const auto to = bins.row(row);
-    if (is_dark(to)) continue;
-    std::ranges::copy(to, from.begin() + static_cast<std::ptrdiff_t>(reach));
-    for (std::size_t beyond = 0; goes_round && beyond < reach; ++beyond) {
-      from[reach - 1 - beyond] = to[columns - 1 - beyond % columns];
-      from[reach + columns + beyond] = to[beyond % columns];
-    }
-    std::ranges::fill(to, radar::Channels{});
-    for (std::size_t k = 0; k <= 2 * reach; ++k) {
-      for (std::size_t column = 0; column < columns; ++column) to[column] += from[column + k] * weights[k];
-    }
-  }
-}
-
-/// The same in columns.
-void spread_along_columns(Bins& bins, const std::vector<float>& weights) {
-  const auto reach = static_cast<std::ptrdiff_t>(weights.size() / 2), rows = static_cast<std::ptrdiff_t>(bins.rows());
-  // Of the row in hand and those before it, as they were.
-  Bins kept(bins.columns(), static_cast<std::size_t>(reach) + 1);
-  std::vector<std::uint8_t> dark(bins.rows());
-  for (std::size_t row = 0; row < bins.rows(); ++row) dark[row] = is_dark(bins.row(row)) ? 1 : 0;
-  const auto kept_row = [&kept](std::ptrdiff_t row) { return kept.row(static_cast<std::size_t>(row) % kept.rows()); };
-  for (std::ptrdiff_t row = 0; row < rows; ++row) {
-    const auto to = bins.row(static_cast<std::size_t>(row));
-    std::ranges::copy(to, kept_row(row).begin());
-    if (dark[static_cast<std::size_t>(row)] == 0) std::ranges::fill(to, radar::Channels{});
-    for (std::ptrdiff_t k = std::max(-reach, -row); k <= std::min(reach, rows - 1 - row); ++k) {
-      if (dark[static_cast<std::size_t>(row + k)] != 0) continue;
-      const float weight = weights[static_cast<std::size_t>(k + reach)];
-      const auto from = k <= 0 ? kept_row(row + k) : bins.row(static_cast<std::size_t>(row + k));
-      for (std::size_t column = 0; column < to.size(); ++column) to[column] += from[column] * weight;
-    }
-  }
-}
 
 /// Two-way relative gain at evenly spaced depression angles from −90° to 90°; empty for an antenna that does not tell
 /// elevations apart.
@@ -211,11 +161,8 @@ radar::RangeAzimuthImage RangeAzimuthReceiver::image() const {
     throw Error("map of " + radar::title_of(radar_), "a bin is brighter than the sums can hold, 6.7e7 m²",
                 "use finer resolution or rougher materials");
   }
-  const auto pulse = range_response(radar_, grid_.range_step_m).weights;
-  const auto beam = azimuth_response(radar_, grid_.azimuth_step_rad).weights;
   radar::RangeAzimuthImage image{grid_, radar_.position, bins_.sums()};
-  spread_along_rows(image.rcs_m2, beam, grid_.goes_round());
-  spread_along_columns(image.rcs_m2, pulse);
+  spread_responses(image, radar_);
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   for (std::size_t column = 0; column < grid_.azimuths; ++column) {
     if (looked_at(radar_, grid_, column)) continue;

@@ -23,6 +23,17 @@ std::vector<radar::Echo> target_echoes(std::span<const radar::Target> targets, c
   return echoes;
 }
 
+std::vector<radar::Scatterer> target_scatterers(std::span<const radar::Target> targets, const radar::Radar& radar,
+                                                const radar::Moment& moment) {
+  std::vector<radar::Scatterer> scatterers;
+  scatterers.reserve(targets.size());
+  for (const radar::Target& target : targets) {
+    const radar::Channels rcs = radar::rcs_of(target, radar.position, radar.frequency_hz, moment);
+    scatterers.push_back({target.track.position_at(moment.time_s), radar::steady_amplitude(rcs)});
+  }
+  return scatterers;
+}
+
 void add_echoes(radar::RangeAzimuthImage& image, const radar::Radar& radar, std::span<const radar::Echo> echoes) {
   if (echoes.empty()) return;
   double sum_m2 = 0.0;
@@ -37,17 +48,6 @@ void add_echoes(radar::RangeAzimuthImage& image, const radar::Radar& radar, std:
   receiver.add(fitting);
   const radar::RangeAzimuthImage answers = receiver.image();
   for (std::size_t i = 0; i < image.rcs_m2.size(); ++i) image.rcs_m2.values()[i] += answers.rcs_m2.values()[i] * unit;
-}
-
-std::vector<radar::Scatterer> target_scatterers(std::span<const radar::Target> targets, const radar::Radar& radar,
-                                                const radar::Moment& moment) {
-  std::vector<radar::Scatterer> scatterers;
-  scatterers.reserve(targets.size());
-  for (const radar::Target& target : targets) {
-    const radar::Channels rcs = radar::rcs_of(target, radar.position, radar.frequency_hz, moment);
-    scatterers.push_back({target.track.position_at(moment.time_s), radar::steady_amplitude(rcs)});
-  }
-  return scatterers;
 }
 
 }  // namespace sigmascape::receiver

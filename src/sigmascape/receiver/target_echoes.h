@@ -17,12 +17,12 @@ namespace sigmascape::receiver {
 [[nodiscard]] std::vector<radar::Echo> target_echoes(std::span<const radar::Target> targets, const radar::Radar& radar,
                                                      const radar::Moment& moment);
 
-/// Adds echoes to an image of the radar's bins, however bright they are: where the units of PowerBins cannot hold them
-/// they are summed in units so much coarser that they fit.
-void add_echoes(radar::RangeAzimuthImage& image, const radar::Radar& radar, std::span<const radar::Echo> echoes);
-
 /// The same for modes that keep phase: a scatterer each, to be given the phase of its way like those of the ground.
 [[nodiscard]] std::vector<radar::Scatterer> target_scatterers(std::span<const radar::Target> targets,
                                                               const radar::Radar& radar, const radar::Moment& moment);
+
+/// Adds echoes to an image of the radar's bins, however bright they are: where the units of PowerBins cannot hold them
+/// they are summed in units so much coarser that they fit.
+void add_echoes(radar::RangeAzimuthImage& image, const radar::Radar& radar, std::span<const radar::Echo> echoes);
 
 }  // namespace sigmascape::receiver

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "sigmascape/base/units.h"
+#include "sigmascape/radar/range_azimuth_image.h"
 #include "sigmascape/receiver/carrier_phase.h"
 
 namespace sigmascape::receiver {
@@ -50,15 +51,11 @@ double angle_of(double ahead_m, double right_m, double distance_m) {
   return 4.0 * quarter * series;
 }
 
-bool all_round(const TargetFrameBins& bins) {
-  return std::abs(static_cast<double>(bins.beams) * bins.beam_step_rad - 2.0 * pi) < 1e-6;
-}
-
 }  // namespace
 
 TargetFrame::TargetFrame(TargetFrameBins bins)
     : bins_(std::move(bins)),
-      goes_round_(all_round(bins_)),
+      goes_round_(radar::goes_round(bins_.beams, bins_.beam_step_rad)),
       ranges_per_m_(1.0 / bins_.range_step_m),
       beams_per_rad_(1.0 / bins_.beam_step_rad),
       starts_(bins_.beams + bins_.across.taps()) {}

@@ -18,16 +18,18 @@ namespace sigmascape::receiver {
 ///
 /// for the VV + HH + 2 HV that PowerBins can hold, and no sum runs over.
 class VarianceBins {
+  static constexpr std::size_t sizes = 4;
+  using Sums = std::array<std::int64_t, sizes>;
+
  public:
+  static constexpr std::size_t bytes_a_bin = sizeof(Sums);
+
   explicit VarianceBins(std::size_t bins) : sums_(bins, Sums{}) {}
 
   void add(std::size_t bin, double variance_m4);
   [[nodiscard]] double sum(std::size_t bin) const;
 
  private:
-  static constexpr std::size_t sizes = 4;
-  using Sums = std::array<std::int64_t, sizes>;
-
   std::vector<Sums> sums_;
 };
 

@@ -67,10 +67,6 @@ bool lies_within(Vec3d vector, double most) {
 
 }  // namespace
 
-bool goes_round(std::size_t beams, double beam_step_rad) {
-  return std::abs(static_cast<double>(beams) * beam_step_rad - 2.0 * pi) < hairs_breadth_rad;
-}
-
 void check(const LiveSettings& settings, const std::string& where) {
   constexpr std::size_t most_bins = 1U << 26U;
   if (settings.beams == 0 || settings.ranges == 0 || settings.ranges > most_bins / settings.beams) {
@@ -341,7 +337,7 @@ void LiveRenderer::find_visible_ground(const FrameViews& there, const Pose& pose
   for (std::size_t which = 0; which < surfaces; ++which) {
     find_along_edges(pose, which, {first_edge, end});
     // Where beams go round, targets beside the first have a share in the last, and the other way round.
-    if (!goes_round(settings_.beams, settings_.beam_step_rad) || beams.first == beams.end) continue;
+    if (!radar::goes_round(settings_.beams, settings_.beam_step_rad) || beams.first == beams.end) continue;
     const std::size_t last = settings_.beams;
     if (beams.end == last) find_along_edges(pose, which, {0, std::min<std::size_t>(2, first_edge)});
     if (beams.first == 0) find_along_edges(pose, which, {std::max(end, last - 1), last + 1});

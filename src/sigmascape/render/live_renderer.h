@@ -53,9 +53,6 @@ struct LiveSettings {
   VisibleGroundSettings visibility = {};
 };
 
-/// Whether the first of so many beams lies next to the last one.
-[[nodiscard]] bool goes_round(std::size_t beams, double beam_step_rad);
-
 /// Throws Error, naming `where`, for settings from which no frame can come.
 void check(const LiveSettings& settings, const std::string& where);
 

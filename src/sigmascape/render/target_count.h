@@ -17,7 +17,8 @@ class TargetCount {
       : is_whole_(count == settings.beams),
         first_(static_cast<std::ptrdiff_t>(first)),
         end_(static_cast<std::ptrdiff_t>(first + count)),
-        turn_(goes_round(settings.beams, settings.beam_step_rad) ? static_cast<std::ptrdiff_t>(settings.beams) : 0) {}
+        turn_(radar::goes_round(settings.beams, settings.beam_step_rad) ? static_cast<std::ptrdiff_t>(settings.beams)
+                                                                        : 0) {}
 
   /// Gives back the part that is seen of a target, 0 to 1, which stands at `beam` (receiver::TargetFrame::Seen).
   float counted(double beam, float part_seen) {

@@ -3,11 +3,12 @@
 #include <charconv>
 #include <cmath>
 
+#include "sigmascape/geo/foot.h"
+
 namespace sigmascape::scene {
 namespace {
 
-constexpr double foot_m = 0.3048;
-constexpr double inch_m = foot_m / 12.0;
+constexpr double inch_m = geo::foot_m / 12.0;
 
 void skip_spaces(std::string_view& text) {
   while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
@@ -30,13 +31,13 @@ std::optional<double> metres_from_text(std::string_view text) {
   if (!number) return std::nullopt;
   while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
   if (text.empty() || text == "m" || text == "metres" || text == "meters") return number;
-  if (text == "ft" || text == "feet" || text == "'") return *number * foot_m;
+  if (text == "ft" || text == "feet" || text == "'") return *number * geo::foot_m;
   if (text.front() != '\'' || text.back() != '"') return std::nullopt;
   text.remove_prefix(1);
   text.remove_suffix(1);
   const auto inches = take_number(text);
   if (!inches || !text.empty()) return std::nullopt;
-  return *number * foot_m + *inches * inch_m;
+  return *number * geo::foot_m + *inches * inch_m;
 }
 
 }  // namespace sigmascape::scene

@@ -19,6 +19,13 @@ constexpr std::string_view blanks = " \t\r";
 /// Of a faulty line, in an error.
 constexpr std::size_t longest_quote = 60;
 
+/// Takes the first line off a text.
+std::string_view next_line(std::string_view& text) {
+  const std::string_view line = text.substr(0, text.find('\n'));
+  text.remove_prefix(std::min(line.size() + 1, text.size()));
+  return line;
+}
+
 /// Takes the first word, none at the end, off a line.
 std::string_view next_word(std::string_view& line) {
   line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
@@ -43,8 +50,7 @@ struct NumberedMaterials {
 NumberedMaterials with_numbered_materials(std::string_view text) {
   NumberedMaterials numbered;
   while (!text.empty()) {
-    const std::string_view line = text.substr(0, text.find('\n'));
-    text.remove_prefix(std::min(line.size() + 1, text.size()));
+    const std::string_view line = next_line(text);
     std::string_view name = line;
     if (next_word(name) != "usemtl" || name.find_first_not_of(blanks) == std::string_view::npos) {
       numbered.text += fmt::format("{}\n", line);
@@ -74,8 +80,7 @@ bool is_coordinate(std::string_view word) {
 /// coordinates are not all there as finite numbers.
 void check_vertices(std::string_view text, const std::filesystem::path& file) {
   for (std::size_t number = 1; !text.empty(); ++number) {
-    const std::string_view line = text.substr(0, text.find('\n'));
-    text.remove_prefix(std::min(line.size() + 1, text.size()));
+    const std::string_view line = next_line(text);
     std::string_view words = line;
     if (next_word(words) != "v") continue;
     for (int axis = 0; axis < 3; ++axis) {
