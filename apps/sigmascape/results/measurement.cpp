@@ -14,6 +14,7 @@
 #include "sigmascape/base/machine_name.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/scene/scene_file.h"
+#include "sigmascape/simulate/coherent.h"
 #include "sigmascape/simulate/placement.h"
 #include "sigmascape/simulate/simulate.h"
 
@@ -120,8 +121,10 @@ ReadyMethod Measurement::from_store(Method method, const std::string& grid, std:
           .cost = bake.cost_of(selection, *atlas),
           .render = [atlas, threads](const Seen& seen, int level_of_detail) {
             render::RenderCounts counts;
+            const std::vector<radar::Target> targets = simulate::targets_of(seen.scene);
             return simulate::baked_image(*atlas, seen.scene.terrain, seen.radar, seen.grid.extent(),
-                                         {.level_of_detail = level_of_detail, .threads = threads}, counts);
+                                         {.level_of_detail = level_of_detail, .threads = threads, .targets = targets},
+                                         counts);
           }};
 }
 
@@ -137,8 +140,10 @@ ReadyMethod Measurement::from_paper_textures(const std::string& grid, std::uint3
           .cost = cost,
           .render = [textures = std::move(textures), look_up, threads](const Seen& seen, int) {
             const auto bins = simulate::bins_for(seen.radar, seen.grid.extent(), seen.scene.terrain);
-            return render::paper_image(*textures, seen.scene.terrain, seen.radar, seen.grid.extent(), bins, look_up,
-                                       threads);
+            auto image = render::paper_image(*textures, seen.scene.terrain, seen.radar, seen.grid.extent(), bins,
+                                             look_up, threads);
+            simulate::add_targets(image, seen.radar, {seen.scene.terrain}, simulate::targets_of(seen.scene), {});
+            return image;
           }};
 }
 
