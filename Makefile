@@ -3,7 +3,8 @@
 JOBS ?= $(shell nproc)
 CCACHE := $(shell command -v ccache 2> /dev/null)
 
-configure = cmake --preset $(1) $(if $(CCACHE),-DCMAKE_CXX_COMPILER_LAUNCHER=$(CCACHE))
+# What includes precompiled headers is not kept by ccache.
+configure = cmake --preset $(1) $(if $(CCACHE),-DCMAKE_CXX_COMPILER_LAUNCHER=$(CCACHE) -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON)
 build = cmake --build build/$(1) --parallel $(JOBS)
 run_tests = ctest --test-dir build/$(1) --parallel $(JOBS) --output-on-failure
 sanitized = tools/with_sanitizer_options

@@ -65,7 +65,7 @@ std::string table_row(const Material& material) {
 }
 
 TEST(MaterialLibrary, PageListsEveryMaterialAsItIs) {
-  std::ifstream file(std::string(SIGMASCAPE_SOURCE_DIR) + "/docs/physics/materials.md");
+  std::ifstream file(SIGMASCAPE_SOURCE_DIR "/docs/physics/materials.md");
   std::stringstream page;
   page << file.rdbuf();
   for (const Material& material : material_library()) {

@@ -1,6 +1,7 @@
 #include "sigmascape/trace/launch.h"
 
 #include <cmath>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <set>
 #include <vector>
@@ -53,10 +54,9 @@ std::vector<Landing> viewpoints() {
 }
 
 std::string description(const Landing& landing) {
-  return std::string(landing.distant ? "distant" : "located") + " from azimuth " +
-         std::to_string(deg_from_radians(landing.aspect.azimuth_rad)) + "°, elevation " +
-         std::to_string(deg_from_radians(landing.aspect.elevation_rad)) + "°, height " +
-         std::to_string(landing.radar.z) + " m";
+  return fmt::format("{} from azimuth {}°, elevation {}°, height {} m", landing.distant ? "distant" : "located",
+                     deg_from_radians(landing.aspect.azimuth_rad), deg_from_radians(landing.aspect.elevation_rad),
+                     landing.radar.z);
 }
 
 bool covers(const LaunchArea& area, Vec2d point) {
