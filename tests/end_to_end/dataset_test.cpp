@@ -84,7 +84,6 @@ class Dataset : public ::testing::Test {
 };
 ScratchFolder* Dataset::folder_ = nullptr;
 
-// One suite, for its atlas takes the longest; tests run as processes of their own.
 TEST_F(Dataset, HasTheSameBytesForAnyThreadsSharesAndInterruptions) {
   for (const char* files : {"folders", "webdataset"}) {
     const dataset::SampleMaker maker(spec({.files = files, .looks = 1}));

@@ -24,7 +24,7 @@ std::string text_of(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// The demo on a small scene, run once: tests run as processes of their own, so there is one test.
+/// The demo on a small scene, run once.
 class Demo : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -32,7 +32,7 @@ class Demo : public ::testing::Test {
     fs::create_directories(folder_);
     // A quarter of the demo's area and only the looks around the two views.
     code_ = run_program(
-        fmt::format("demo --out '{}' --scale 0.15 --azimuths 8 --elevations-deg 5,13 --samples 32 --traced-samples 128",
+        fmt::format("demo --out '{}' --scale 0.15 --azimuths 8 --elevations-deg 5,13 --samples 16 --traced-samples 96",
                     (folder_ / "demo").string()),
         folder_ / "printed.txt");
   }

@@ -21,11 +21,10 @@ std::string text_of(const fs::path& file) {
 }
 
 /// A measurement of the smallest scene with hardly any rays, made twice into the same folder, the second time with some
-/// of the first one's views taken over. All that is asked of it is one test, for every test runs in a process of its
-/// own and would have to measure again.
+/// of the first one's views taken over.
 class Results : public ::testing::Test {
  protected:
-  void SetUp() override {
+  static void SetUpTestSuite() {
     fs::create_directories(folder_);
     ASSERT_EQ(run("first.md"), 0) << text_of(folder_ / "printed.txt");
     first_ = nlohmann::json::parse(text_of(folder_ / "out/results.json"));
@@ -37,9 +36,9 @@ class Results : public ::testing::Test {
         << text_of(folder_ / "printed.txt");
     second_ = nlohmann::json::parse(text_of(folder_ / "out/results.json"));
   }
-  void TearDown() override { fs::remove_all(folder_); }
+  static void TearDownTestSuite() { fs::remove_all(folder_); }
 
-  [[nodiscard]] int run(const char* page, const std::string& more = "") const {
+  [[nodiscard]] static int run(const char* page, const std::string& more = "") {
     const std::string line = fmt::format(
         "'{}' results --small --scale 0.1 --samples 2 --traced-samples 4 --held-out 2 --on-grid 1 --out '{}' --page "
         "'{}' {} > '{}' 2>&1",
@@ -50,7 +49,7 @@ class Results : public ::testing::Test {
   }
 
   /// As if a run elsewhere had been broken off.
-  void keep_every_other_view() const {
+  static void keep_every_other_view() {
     nlohmann::json measured = nlohmann::json::parse(text_of(folder_ / "measured.json"));
     nlohmann::json some = nlohmann::json::array();
     for (std::size_t i = 0; i < measured.at("views").size(); i += 2) some.push_back(measured.at("views").at(i));
@@ -59,19 +58,10 @@ class Results : public ::testing::Test {
     fs::remove(folder_ / "out/measured.json");
   }
 
-  void expect_numbers_page_and_pictures() const;
-  void expect_the_papers_textures_counted_as_the_paper_counts() const;
-  void expect_every_method_in_every_kind_of_view() const;
-  void expect_more_looks_and_bytes_of_finer_grids() const;
-  void expect_tiles_given_the_power_of_a_finer_grid() const;
-  void expect_errors_by_level_that_make_up_the_rms() const;
-  void expect_baked_views_without_noise() const;
-  void expect_worst_no_better_than_median() const;
-  void expect_the_second_run_to_say_the_same_from_what_is_there() const;
-
-  fs::path folder_ = fs::temp_directory_path() / fmt::format("sigmascape_results_test_{}", getpid());
-  nlohmann::json first_, second_;
-  std::map<fs::path, fs::file_time_type> written_;
+  static inline const fs::path folder_ =
+      fs::temp_directory_path() / fmt::format("sigmascape_results_test_{}", getpid());
+  static inline nlohmann::json first_, second_;
+  static inline std::map<fs::path, fs::file_time_type> written_;
 };
 
 std::string place_of(const nlohmann::json& view) {
@@ -86,7 +76,7 @@ std::map<std::string, std::vector<double>> times_of_frames(const nlohmann::json&
   return times;
 }
 
-void Results::expect_numbers_page_and_pictures() const {
+TEST_F(Results, AreNumbersPageAndPictures) {
   for (const char* name : {"results.json", "index.html"}) EXPECT_TRUE(fs::exists(folder_ / "out" / name)) << name;
   const std::string page = text_of(folder_ / "first.md");
   EXPECT_EQ(page.find(folder_.string()), std::string::npos) << "the page names a folder";
@@ -109,7 +99,7 @@ void Results::expect_numbers_page_and_pictures() const {
   EXPECT_EQ(pictures, 3U + 4 + 2 + 4 + 7 + 7) << "plots, Figures 1, 5 and 6, 7, 8, and the worst view";
 }
 
-void Results::expect_the_papers_textures_counted_as_the_paper_counts() const {
+TEST_F(Results, CountThePapersTexturesAsThePaperCounts) {
   // 200 m in texels of 2 km / 1024, four floats each. At full size and 32 looks it is the paper's 537 MB.
   const double texels = std::pow(200.0 / (2000.0 / 1024.0), 2.0);
   std::map<std::string, double> bytes;
@@ -122,7 +112,7 @@ void Results::expect_the_papers_textures_counted_as_the_paper_counts() const {
   EXPECT_NEAR(bytes.at("8 × 5half floats"), 40 * texels * 8.0, 1.0);
 }
 
-void Results::expect_every_method_in_every_kind_of_view() const {
+TEST_F(Results, HaveEveryMethodInEveryKindOfView) {
   std::map<std::string, std::set<std::string>> kinds;
   for (const auto& row : first_.at("rows")) {
     if (row.at("grid") == "8 × 5" && row.at("scene") == "hills") kinds[row.at("method")].insert(row.at("view_kind"));
@@ -132,7 +122,7 @@ void Results::expect_every_method_in_every_kind_of_view() const {
     EXPECT_EQ(kinds[method], all) << method;
 }
 
-void Results::expect_more_looks_and_bytes_of_finer_grids() const {
+TEST_F(Results, HaveMoreLooksAndBytesOfFinerGrids) {
   std::map<std::string, std::pair<int, std::uintmax_t>> cost;
   for (const auto& row : first_.at("rows")) {
     if (row.at("method") == "ours, on its own ground") cost[row.at("grid")] = {row.at("looks"), row.at("bytes")};
@@ -158,7 +148,7 @@ nlohmann::json row_of(const nlohmann::json& results, const nlohmann::json& wante
   return {};
 }
 
-void Results::expect_tiles_given_the_power_of_a_finer_grid() const {
+TEST_F(Results, GiveTilesThePowerOfAFinerGrid) {
   const nlohmann::json own{{"method", "ours, on its own ground"}, {"scene", "hills"}, {"view_kind", "held out"}};
   auto by_tiles = own, finer = own;
   by_tiles.update({{"grid", "8 × 5"}, {"change", "power by tiles"}});
@@ -173,7 +163,7 @@ void Results::expect_tiles_given_the_power_of_a_finer_grid() const {
             0.01);
 }
 
-void Results::expect_errors_by_level_that_make_up_the_rms() const {
+TEST_F(Results, HaveErrorsByLevelThatMakeUpTheRms) {
   std::size_t compared = 0;
   for (const auto& row : first_.at("rows")) {
     if (row.at("cell_m") != 8.0 || row.at("views") != 1) continue;
@@ -190,7 +180,7 @@ void Results::expect_errors_by_level_that_make_up_the_rms() const {
   EXPECT_GT(compared, 20U);
 }
 
-void Results::expect_baked_views_without_noise() const {
+TEST_F(Results, TellOfBakedViewsWithoutNoise) {
   std::set<std::string> cases;
   for (const auto& row : first_.at("rows")) {
     EXPECT_EQ(row.contains("without_noise"), row.at("cell_m") == 8.0 && row.at("view_kind") == "on grid" &&
@@ -211,7 +201,7 @@ void Results::expect_baked_views_without_noise() const {
   EXPECT_EQ(cases, all);
 }
 
-void Results::expect_worst_no_better_than_median() const {
+TEST_F(Results, HaveAWorstNoBetterThanTheMedian) {
   std::size_t compared = 0;
   for (const auto& row : first_.at("rows")) {
     for (const auto& [median, worst] : {std::pair("median", "worst"), {"noise_floor_median", "noise_floor_worst"}}) {
@@ -227,7 +217,7 @@ void Results::expect_worst_no_better_than_median() const {
   EXPECT_GT(compared, 100U);
 }
 
-void Results::expect_the_second_run_to_say_the_same_from_what_is_there() const {
+TEST_F(Results, SayTheSameASecondTimeFromWhatIsThere) {
   // View by view: times of frames are those of the first run where it was taken over.
   const auto first = times_of_frames(first_), second = times_of_frames(second_);
   const auto some = nlohmann::json::parse(text_of(folder_ / "some.json")).at("views");
@@ -244,18 +234,6 @@ void Results::expect_the_second_run_to_say_the_same_from_what_is_there() const {
     for (const char* same : {"median", "worst", "noise_floor_median", "bytes", "bake_s", "trace_s"})
       EXPECT_EQ(second_.at("rows").at(i).at(same), first_.at("rows").at(i).at(same)) << i << " " << same;
   }
-}
-
-TEST_F(Results, OfTheSmallestSceneKeepTheirPromises) {
-  expect_numbers_page_and_pictures();
-  expect_the_papers_textures_counted_as_the_paper_counts();
-  expect_every_method_in_every_kind_of_view();
-  expect_more_looks_and_bytes_of_finer_grids();
-  expect_tiles_given_the_power_of_a_finer_grid();
-  expect_errors_by_level_that_make_up_the_rms();
-  expect_baked_views_without_noise();
-  expect_worst_no_better_than_median();
-  expect_the_second_run_to_say_the_same_from_what_is_there();
 }
 
 }  // namespace
