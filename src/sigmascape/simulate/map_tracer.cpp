@@ -8,6 +8,7 @@
 #include "sigmascape/receiver/range_azimuth_receiver.h"
 #include "sigmascape/receiver/target_echoes.h"
 #include "sigmascape/simulate/launch_for_map.h"
+#include "sigmascape/simulate/placement.h"
 #include "sigmascape/simulate/target_sight.h"
 #include "sigmascape/simulate/unhidden_echoes.h"
 #include "sigmascape/trace/tile_progress.h"
@@ -112,22 +113,11 @@ void MapTracer::add(std::span<const radar::Echo> echoes) {
 }
 
 std::vector<radar::Echo> MapTracer::echoes_of_targets() const {
-  const auto seen = seen_targets(settings_.targets, 0.0, [&](Vec3d position) {
-    return part_seen(geometry_, surfaces_, radar_.position, position);
-  });
-  std::vector<radar::Echo> echoes = receiver::target_echoes(seen, radar_, {});
-  for (const scene::PointTarget& target : scene_.point_targets) {
-    const Vec3d position{target.position.x, target.position.y,
-                         scene_.terrain.height_at(target.position) + target.height_m};
-    const Vec3f to_radar = launch_.viewpoint.direction_from(position).to<float>();
-    if (geometry_.occluded((position - geometry_.origin()).to<float>(), to_radar)) continue;
-    echoes.push_back({.range_m = launch_.viewpoint.range_of(position),
-                      .cross = launch_.viewpoint.cross_of(position),
-                      .rcs_m2 = target.rcs_m2,
-                      .bounces = 1,
-                      .sin_depression = to_radar.z});
-  }
-  return echoes;
+  std::vector<radar::Target> targets = targets_of(scene_);
+  targets.insert(targets.end(), settings_.targets.begin(), settings_.targets.end());
+  const auto seen = seen_targets(
+      targets, 0.0, [&](Vec3d position) { return part_seen(geometry_, surfaces_, radar_.position, position); });
+  return receiver::target_echoes(seen, radar_, {});
 }
 
 std::vector<radar::RangeAzimuthImage> MapTracer::images() const {

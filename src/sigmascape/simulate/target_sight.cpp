@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "sigmascape/atlas/ground_layers.h"
+#include "sigmascape/simulate/ground_met.h"
 #include "sigmascape/trace/crown_crossings.h"
 
 namespace sigmascape::simulate {
@@ -28,6 +29,8 @@ const radar::ObstacleMap* obstacles_of(const render::Reflectivity& sigma0) {
 
 double part_seen(const Surroundings& surroundings, Vec3d radar_position, Vec3d point) {
   const auto& [terrain, obstacles, earth] = surroundings;
+  const Vec2d place{point.x, point.y};
+  if (terrain.extent().contains(place)) point.z = std::max(point.z, terrain.height_at(place));
   const Vec3d way = radar_position - point;
   const double distance_m = std::hypot(way.x, way.y);
   if (distance_m == 0.0) return 1.0;
@@ -39,9 +42,9 @@ double part_seen(const Surroundings& surroundings, Vec3d radar_position, Vec3d p
   for (double d = step_m; d < distance_m; d += step_m) {
     const double height_m = point.z + d * rise - 0.5 * earth.curvature_per_m() * d * (distance_m - d);
     if (rise >= 0.0 && height_m > highest_m && earth.curvature_per_m() == 0.0) break;
-    const Vec2d under = Vec2d{point.x, point.y} + direction * d;
+    const Vec2d under = place + direction * d;
     if (!terrain.extent().contains(under)) {
-      if (terrain.extent().contains({point.x, point.y})) break;
+      if (terrain.extent().contains(place)) break;
       continue;
     }
     const double above_m = height_m - terrain.height_at(under);
@@ -57,12 +60,16 @@ double part_seen(const Surroundings& surroundings, Vec3d radar_position, Vec3d p
 
 double part_seen(const trace::SceneGeometry& geometry, const std::vector<scatter::SurfaceModel>& surfaces,
                  Vec3d radar_position, Vec3d point) {
-  const Vec3f from = (point - geometry.origin()).to<float>(), to_radar = normalized(radar_position - point).to<float>();
-  if (!geometry.has_crowns()) return geometry.occluded(from, to_radar) ? 0.0 : 1.0;
+  // A point on the ground, or a little under it where a square of the terrain is twisted, would be within what it
+  // stands on.
+  const Vec3d start{point.x, point.y, std::max(point.z, ground_met_at(geometry, point).z + ray_lift_m)};
+  const Vec3d way = radar_position - start;
+  const auto distance_m = static_cast<float>(length(way));
   trace::CrownCrossings crowns;
   crowns.begin(surfaces);
-  if (geometry.occluded(from, to_radar, crowns)) return 0.0;
-  return std::exp(-static_cast<double>(crowns.optical_depth()));
+  const Vec3f from = (start - geometry.origin()).to<float>();
+  if (geometry.occluded(from, normalized(way).to<float>(), crowns, distance_m)) return 0.0;
+  return std::exp(-static_cast<double>(crowns.optical_depth(distance_m)));
 }
 
 }  // namespace sigmascape::simulate

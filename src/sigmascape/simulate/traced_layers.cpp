@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "sigmascape/base/parallel.h"
+#include "sigmascape/simulate/ground_met.h"
 #include "sigmascape/simulate/layer_place.h"
 #include "sigmascape/simulate/layers.h"
 #include "sigmascape/trace/path_tracer.h"
@@ -11,8 +12,6 @@
 namespace sigmascape::simulate {
 namespace {
 
-/// Rays leave a surface this far above it.
-constexpr double lift_m = 0.02;
 /// Arcs and rays from above reach this far over the highest thing.
 constexpr double clearance_m = 1.0;
 /// Pieces of an arc bulge from their chords by no more than this part of a cell.
@@ -38,7 +37,7 @@ class CellProbe {
     const LayerPlace place(scene_.terrain, radar_, point);
     switch (kind) {
       case LayerKind::Shadow:
-        return is_seen(ground_met_at(place.ground)) ? 0.0F : 1.0F;
+        return is_seen(ground_met_at(geometry_, place.ground)) ? 0.0F : 1.0F;
       case LayerKind::Layover:
         return is_lain_over(point) ? 1.0F : 0.0F;
       case LayerKind::Incidence:
@@ -76,7 +75,7 @@ class CellProbe {
 
   bool is_seen(Vec3d point) {
     const Vec3d to_radar = normalized(radar_.position - point);
-    const Vec3f start = (point + to_radar * lift_m - geometry_.origin()).to<float>();
+    const Vec3f start = (point + to_radar * ray_lift_m - geometry_.origin()).to<float>();
     crowns_.begin(surfaces_);
     return !geometry_.occluded(start, to_radar.to<float>(), crowns_) &&
            std::exp(-crowns_.optical_depth()) >= static_cast<float>(crown_hides_below);
@@ -104,7 +103,7 @@ class CellProbe {
   /// Follows the arc of equal range and azimuth from the ground to the height of the highest thing.
   bool is_lain_over(const LayerPlace& place) {
     const Vec3d radar = radar_.position;
-    const Vec3d ground = ground_met_at(place.ground);
+    const Vec3d ground = ground_met_at(geometry_, place.ground);
     const Vec2d away{ground.x - radar.x, ground.y - radar.y};
     const double distance_m = length(away), range_m = length(ground - radar);
     if (distance_m == 0.0) return false;
@@ -124,18 +123,6 @@ class CellProbe {
       from = to;
     }
     return false;
-  }
-
-  /// The ground as rays meet it, for whom squares of the terrain are pairs of triangles: it lies as far above or below
-  /// the place as a square is twisted. Asked from ever higher, lest what stands there be met first.
-  Vec3d ground_met_at(Vec3d place) {
-    for (double above_m = lift_m; above_m < highest_twist_m; above_m *= 2.0) {
-      const Vec3d from = place + Vec3d{0.0, 0.0, above_m};
-      trace::SurfaceHit hit;
-      if (geometry_.intersect((from - geometry_.origin()).to<float>(), {0.0F, 0.0F, -1.0F}, hit) && hit.is_ground)
-        return {place.x, place.y, static_cast<double>(hit.position.z) + geometry_.origin().z};
-    }
-    return place;
   }
 
   /// Whether a piece of the arc, followed one way, meets something that the radar sees. Terrain is met from outside
@@ -163,7 +150,6 @@ class CellProbe {
   static constexpr double onward_m = 0.25;
   /// What the arc meets nearer to its ground than this is that ground itself.
   static constexpr double own_m = 0.1;
-  static constexpr double highest_twist_m = 100.0;
 
   const scene::Scene& scene_;
   const trace::SceneGeometry& geometry_;

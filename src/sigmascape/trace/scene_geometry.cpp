@@ -107,10 +107,10 @@ bool SceneGeometry::intersect(Vec3f ray_origin, Vec3f direction, SurfaceHit& hit
   return intersect(Ray{ray_origin, direction}, hit, &crowns);
 }
 bool SceneGeometry::occluded(Vec3f ray_origin, Vec3f direction) const {
-  return occluded(Ray{ray_origin, direction}, nullptr);
+  return occluded(Ray{ray_origin, direction}, nullptr, far_away);
 }
-bool SceneGeometry::occluded(Vec3f ray_origin, Vec3f direction, CrownCrossings& crowns) const {
-  return occluded(Ray{ray_origin, direction}, &crowns);
+bool SceneGeometry::occluded(Vec3f ray_origin, Vec3f direction, CrownCrossings& crowns, float length_m) const {
+  return occluded(Ray{ray_origin, direction}, &crowns, length_m);
 }
 
 float SceneStructures::plane_distance_m(const Ray& ray) const {
@@ -201,10 +201,10 @@ bool SceneGeometry::intersect(const Ray& ray, SurfaceHit& hit, CrownCrossings* c
   return s.meet(ray, found_by(query), hit);
 }
 
-bool SceneGeometry::occluded(const Ray& ray, CrownCrossings* crowns) const {
-  if (structures_->log != nullptr) structures_->log->push_back({.ray = ray, .length_m = far_away});
+bool SceneGeometry::occluded(const Ray& ray, CrownCrossings* crowns, float length_m) const {
+  if (structures_->log != nullptr) structures_->log->push_back({.ray = ray, .length_m = length_m});
   RayContext context = context_for(crowns);
-  RTCRay query = query_along(ray, far_away).ray;
+  RTCRay query = query_along(ray, length_m).ray;
   rtcOccluded1(structures_->top, &context.embree, &query);
   return query.tfar < 0.0F;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 
@@ -63,7 +64,9 @@ class SceneGeometry {
   [[nodiscard]] bool has_crowns() const;
   /// The same two, adding to `crowns` those that the ray crosses, be it behind the surface.
   [[nodiscard]] bool intersect(Vec3f ray_origin, Vec3f direction, SurfaceHit& hit, CrownCrossings& crowns) const;
-  [[nodiscard]] bool occluded(Vec3f ray_origin, Vec3f direction, CrownCrossings& crowns) const;
+  /// With `length_m`, of what is no farther along the ray; crowns that reach beyond it are noted whole.
+  [[nodiscard]] bool occluded(Vec3f ray_origin, Vec3f direction, CrownCrossings& crowns,
+                              float length_m = std::numeric_limits<float>::infinity()) const;
 
   /// Notes every ray from now on, until it is given null. Not for several threads at once.
   void log_to(RayLog* log);
@@ -77,7 +80,7 @@ class SceneGeometry {
 
  private:
   [[nodiscard]] bool intersect(const Ray& ray, SurfaceHit& hit, CrownCrossings* crowns) const;
-  [[nodiscard]] bool occluded(const Ray& ray, CrownCrossings* crowns) const;
+  [[nodiscard]] bool occluded(const Ray& ray, CrownCrossings* crowns, float length_m) const;
   std::unique_ptr<SceneStructures> structures_;
 };
 

@@ -2,6 +2,9 @@
 
 #include <cmath>
 #include <gtest/gtest.h>
+#include <random>
+
+#include "physics/level_scene.h"
 
 #include "sigmascape/base/units.h"
 
@@ -69,6 +72,41 @@ TEST(TargetSight, fades_in_crowns) {
               std::exp(-kappa * 20.0 / std::cos(radians_from_deg(elevation_deg))), 1e-3);
   // At 60° the line is above them all.
   EXPECT_EQ(part_seen({level, &crowns}, radar_at(60.0), {0.0, 0.0, 5.5}), 1.0);
+}
+
+/// On level ground, on a slope and where squares are twisted; none of them so steep that it would hide a point.
+TEST(TargetSight, of_rays_reaches_points_that_lie_on_the_ground) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> place(-180.0, 180.0);
+  std::uniform_real_distribution<float> bump(0.0F, 2.0F);
+  for (const char* ground : {"level", "sloping", "rough"}) {
+    auto scene = physics_test::level_scene(scatter::Material{.name = "ground", .model = {}, .source = {}}, 400.0);
+    scene.terrain = {-200.0, 200.0, 10.0, Array2D<float>(41, 41, 0.0F)};
+    for (std::size_t row = 0; row < scene.terrain.height_m.rows(); ++row) {
+      for (std::size_t column = 0; column < scene.terrain.height_m.columns(); ++column) {
+        float& height_m = scene.terrain.height_m(column, row);
+        if (ground == std::string("sloping")) height_m = 700.0F + 3.7F * static_cast<float>(column);
+        if (ground == std::string("rough")) height_m = 300.0F + bump(random);
+      }
+    }
+    const trace::SceneGeometry geometry(scene, trace::Footing::Terrain);
+    const auto surfaces = trace::surface_models(scene, 10e9);
+    for (int i = 0; i < 200; ++i) {
+      const Vec2d on_map{place(random), place(random)};
+      const Vec3d point{on_map.x, on_map.y, scene.terrain.height_at(on_map)};
+      EXPECT_EQ(part_seen(geometry, surfaces, point + radar_at(40.0), point), 1.0) << ground << " " << i;
+      const Vec3d dug_in = point - Vec3d{0.0, 0.0, 3.0};
+      EXPECT_EQ(part_seen(geometry, surfaces, point + radar_at(40.0), dug_in), 1.0) << ground << " " << i;
+      EXPECT_EQ(part_seen({scene.terrain}, point + radar_at(40.0), dug_in), 1.0) << ground << " " << i;
+    }
+  }
+}
+
+TEST(TargetSight, of_rays_ends_at_the_radar) {
+  const auto scene = physics_test::level_scene(scatter::Material{.name = "ground", .model = {}, .source = {}}, 400.0);
+  const trace::SceneGeometry geometry(scene, trace::Footing::Terrain);
+  const auto surfaces = trace::surface_models(scene, 10e9);
+  EXPECT_EQ(part_seen(geometry, surfaces, {0.0, 0.0, 400.0}, {50.0, 20.0, 710.0}), 1.0);
 }
 
 TEST(SeenTargets, leave_out_what_is_hidden_and_weaken_what_fades) {
