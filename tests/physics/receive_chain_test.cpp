@@ -82,6 +82,26 @@ TEST(ReceivedPower, OfAPointIsTheRadarEquation) {
               db_from_linear(brightest(received.signal_w) / received.noise_w), 0.1, "dB", "radar equation");
 }
 
+// The radar equation takes the gain of the peak, wherever the measured beam has it.
+TEST(ReceivedPower, OfABeamThatLooksAsideAndOfOneWithANullOnItsAxis) {
+  radar::TabulatedBeam aside, null_on_axis;
+  for (double offset = -3.0; offset <= 3.0; offset += 0.05) {
+    aside.samples.push_back({offset, std::exp2(-4.0 * std::pow(offset - 0.5, 2.0))});
+    const double lobes = std::exp2(-4.0 * std::pow(std::abs(offset) - 0.8, 2.0));
+    null_on_axis.samples.push_back(
+        {offset, std::max(1e-3, lobes * std::pow(std::min(1.0, std::abs(offset) / 0.5), 2.0))});
+  }
+  for (const auto& [name, beam] : {std::pair("peak power of 10 m², beam half a width aside", aside),
+                                   {"the same, null on the axis", null_on_axis}}) {
+    radar::Radar radar = plain_radar();
+    radar.antenna.azimuth = beam;
+    const auto grid = bins_about(radar, 20e3, 60, 8.0);
+    const auto received = received_power(radar, image_of(radar, grid, {point(20e3, 10.0)}), radar::Polarization::VV);
+    expect_case(name, db_from_linear(radar::received_power_w(radar, 10.0, 20e3) * radar::compression_gain(radar)),
+                db_from_linear(brightest(received.signal_w)), 0.1, "dBW", "radar equation");
+  }
+}
+
 TEST(ReceivedPower, FallsWithTheFourthPowerOfRange) {
   const radar::Radar radar = plain_radar();
   double nearest = 0.0;

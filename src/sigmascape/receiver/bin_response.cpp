@@ -10,7 +10,7 @@
 namespace sigmascape::receiver {
 namespace {
 
-/// `power(k)` for bins k = −reach … reach, cut where no more than `left_out` of the sum lies beyond on both sides.
+/// `power(k)`, which is one at its peak, for bins k = −reach … reach, cut where no more than `left_out` of the sum lies beyond on both sides.
 template <typename Power>
 BinResponse sampled(int reach, double left_out, Power&& power) {
   std::vector<double> at_least(static_cast<std::size_t>(reach) + 2, 0.0);  // of |k| ≥ index
@@ -23,7 +23,7 @@ BinResponse sampled(int reach, double left_out, Power&& power) {
   const double sum = total - at_least[static_cast<std::size_t>(kept) + 1];
   BinResponse response;
   for (int k = -kept; k <= kept; ++k) response.weights.push_back(static_cast<float>(power(k) / sum));
-  response.peak_bins = sum / power(0);
+  response.peak_bins = sum;
   return response;
 }
 

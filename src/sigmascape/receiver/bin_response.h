@@ -10,8 +10,8 @@ namespace sigmascape::receiver {
 struct BinResponse {
   /// Odd in number, the middle one for the bin itself; they sum to one.
   std::vector<float> weights;
-  /// One over what the bin keeps: the response's energy in bins of its peak. A point of cross-section σ has σ over
-  /// `peak_bins` in its brightest bin.
+  /// The response's energy in bins of its peak, wherever that lies. A point of cross-section σ has σ over `peak_bins`
+  /// in a bin that the response's peak falls on.
   double peak_bins = 1.0;
 };
 

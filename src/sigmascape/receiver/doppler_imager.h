@@ -51,6 +51,8 @@ class DopplerImager {
   /// Multilook: mean power of so many images, each from a part of the pulses: finer in grey values, coarser in Doppler
   /// by as much. [Doppler, range], m².
   [[nodiscard]] Array2D<radar::Channels> power(std::size_t looks, unsigned threads = 0) const;
+  /// See ResponsePlane.
+  [[nodiscard]] double cells_of_a_look(std::size_t looks) const { return plane_.cells_of_a_look(looks); }
 
  private:
   [[nodiscard]] PlacedAmplitude placed(const radar::Motion& seen, double own_range_rate_mps,

@@ -17,7 +17,7 @@ Array2D<radar::ComplexChannels> noisy_rows(const ResponsePlane& plane, const Row
   const auto unit_noise = plane.noise(noise.seed, subband, threads);
   for (std::size_t row = 0; row < count; ++row) {
     // A look adds up fewer pulses.
-    const auto amplitude = static_cast<float>(std::sqrt(noise.power(row) * static_cast<double>(subband.looks)));
+    const auto amplitude = static_cast<float>(std::sqrt(noise.power(row) * plane.cells_of_a_look(subband.looks)));
     for (std::size_t column = 0; column < rows.columns(); ++column)
       rows(column, row) += unit_noise(column, first + row) * amplitude;
   }

@@ -21,7 +21,8 @@ struct ResponseAxis {
   bool periodic = false;
 };
 
-/// A part of the band: look number `look` of `looks` equal ones.
+/// A part of the band: look number `look` of `looks` equal ones. What is left over where it does not divide by them is
+/// not used.
 struct Subband {
   std::size_t look = 0;
   std::size_t looks = 1;

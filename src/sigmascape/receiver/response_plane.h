@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -22,6 +24,11 @@ class ResponsePlane {
   ResponsePlane(const ResponseAxis& columns, const ResponseAxis& rows);
 
   [[nodiscard]] const ResponseAxis& columns() const { return columns_; }
+  /// How many times as wide as those of all of the band the resolution cells of a look are: as there are looks, and
+  /// more where the band does not divide by them.
+  [[nodiscard]] double cells_of_a_look(std::size_t looks) const {
+    return static_cast<double>(columns_.band) / static_cast<double>(std::max<std::size_t>(1, columns_.band / looks));
+  }
 
   /// Adds amplitudes at places in units of bins.
   void add(std::span<const PlacedAmplitude> placed, unsigned threads = 0);

@@ -64,6 +64,8 @@ class StripmapImager {
   [[nodiscard]] const radar::StripmapImage& frame() const { return frame_; }
   /// See DopplerImager::power. [along, closest range], m².
   [[nodiscard]] Array2D<radar::Channels> power(std::size_t looks, unsigned threads = 0) const;
+  /// See ResponsePlane.
+  [[nodiscard]] double cells_of_a_look(std::size_t looks) const { return plane_.cells_of_a_look(looks); }
 
  private:
   struct Seen;

@@ -69,10 +69,13 @@ std::array<double, 2> span_of(const radar::Rectangle& area, const terrain::Heigh
   return {least, most};
 }
 
-receiver::RangeGate gate_over(const radar::Radar& radar, std::array<double, 2> ranges_m, double oversampling) {
+/// Of the ranges that the area spans, or that the receiver states: `over_slant` times those.
+receiver::RangeGate gate_over(const radar::Radar& radar, std::array<double, 2> ranges_m, double oversampling,
+                              double over_slant = 1.0) {
   const double spare_m = 2.0 * radar.range_resolution_m;
-  return {radar.receiver.first_range_m.value_or(std::max(0.0, ranges_m[0] - spare_m)),
-          radar.receiver.last_range_m.value_or(ranges_m[1] + spare_m), oversampling};
+  const auto& [first_m, last_m] = std::pair(radar.receiver.first_range_m, radar.receiver.last_range_m);
+  return {first_m ? *first_m * over_slant : std::max(0.0, ranges_m[0] - spare_m),
+          last_m ? *last_m * over_slant : ranges_m[1] + spare_m, oversampling};
 }
 
 receiver::RangeGate gate_over(const radar::Radar& radar, const radar::Rectangle& area,
@@ -247,17 +250,20 @@ receiver::StripmapImager stripmap_imager(const CoherentScene& scene, const radar
   const Vec2d here{radar.position.x, radar.position.y};
   const auto along_m = span_of(area, *scene.terrain, here, along);
   const Vec3d aim = middle_of(area, *scene.terrain, radar);
+  const double squint_rad = squint_of(radar, aim);
+  // The axis of a strip is of closest ranges, of which the slant range that the receiver knows is the longer one.
+  const auto gate =
+      gate_over(radar, span_of(area, *scene.terrain, here, closest), image_oversampling, std::cos(squint_rad));
   receiver::StripmapImager imager(radar, {radar.position, radar.velocity_mps},
                                   {.first_along_m = along_m[0],
                                    .last_along_m = along_m[1],
                                    .resolution_m = settings.along_resolution_m,
                                    .window = radar.waveform.window,
                                    .oversampling = image_oversampling,
-                                   .squint_rad = squint_of(radar, aim),
+                                   .squint_rad = squint_rad,
                                    .ground_m = aim.z,
                                    .dwell = settings.dwell},
-                                  gate_over(radar, span_of(area, *scene.terrain, here, closest), image_oversampling),
-                                  image_gain(radar, aim));
+                                  gate, image_gain(radar, aim));
   if (radar.processing.thermal_noise) imager.add(receiver::EquivalentNoise(radar, settings.seed));
   const auto targets = targets_seen(scene, radar);
   imager.add(scatterers_of(scene, radar, area, settings), settings.threads);
@@ -270,15 +276,17 @@ receiver::StripmapImager stripmap_imager(const CoherentScene& scene, const radar
 }
 
 /// The frame of an image in cells of one look.
-radar::RangeDopplerImage frame_of(radar::RangeDopplerImage image, const radar::Radar& radar, std::size_t looks) {
-  image.earth = radar::earth_of(radar);
-  image.doppler_cell_hz *= static_cast<double>(looks);
-  return image;
+radar::RangeDopplerImage frame_of(const receiver::DopplerImager& imager, const radar::Radar& radar, std::size_t looks) {
+  radar::RangeDopplerImage frame = imager.frame();
+  frame.earth = radar::earth_of(radar);
+  frame.doppler_cell_hz *= imager.cells_of_a_look(looks);
+  return frame;
 }
-radar::StripmapImage frame_of(radar::StripmapImage image, const radar::Radar& radar, std::size_t looks) {
-  image.earth = radar::earth_of(radar);
-  image.along_cell_m *= static_cast<double>(looks);
-  return image;
+radar::StripmapImage frame_of(const receiver::StripmapImager& imager, const radar::Radar& radar, std::size_t looks) {
+  radar::StripmapImage frame = imager.frame();
+  frame.earth = radar::earth_of(radar);
+  frame.along_cell_m *= imager.cells_of_a_look(looks);
+  return frame;
 }
 
 }  // namespace
@@ -322,14 +330,14 @@ radar::PowerImage<radar::RangeDopplerImage> range_doppler_power(const CoherentSc
                                                                 const radar::Rectangle& area,
                                                                 const CoherentSettings& settings, std::size_t looks) {
   const auto imager = doppler_imager(scene, radar, area, settings);
-  return {frame_of(imager.frame(), radar, looks), imager.power(looks, settings.threads)};
+  return {frame_of(imager, radar, looks), imager.power(looks, settings.threads)};
 }
 
 radar::PowerImage<radar::StripmapImage> stripmap_power(const CoherentScene& scene, const radar::Radar& radar,
                                                        const radar::Rectangle& area, const CoherentSettings& settings,
                                                        std::size_t looks) {
   const auto imager = stripmap_imager(scene, radar, area, settings);
-  return {frame_of(imager.frame(), radar, looks), imager.power(looks, settings.threads)};
+  return {frame_of(imager, radar, looks), imager.power(looks, settings.threads)};
 }
 
 void add_targets(radar::RangeAzimuthImage& image, const radar::Radar& radar, const Surroundings& surroundings,

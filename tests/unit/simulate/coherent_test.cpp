@@ -47,6 +47,48 @@ double brightest_db(const radar::Radar& radar) {
   return db_from_linear(static_cast<double>(best));
 }
 
+/// Ground is as bright in the cells of one look as in those of four, and so is noise, where pulses are left over.
+TEST(Looks, HaveCellsOfThePulsesThatTheyHave) {
+  radar::Radar radar = looking_north(radar::Mode::Spotlight);
+  radar.waveform.window = {.shape = radar::WindowShape::Rectangular};
+  for (const bool is_noise : {false, true}) {
+    radar.processing.thermal_noise = is_noise;
+    const float sigma0 = is_noise ? 0.0F : 1.0F;
+    const CoherentScene scene{&level, [sigma0](Vec2d, const radar::Aspect&) {
+                                return radar::Channels{sigma0, sigma0, 0.0F, sigma0};
+                              }};
+    const auto power_a_cell = [&](std::size_t looks) {
+      const auto image =
+          range_doppler_power(scene, radar, {-200.0, -200.0, 200.0, 200.0}, {.interval_s = 0.0055}, looks);
+      double sum = 0.0;
+      for (const radar::Channels& bin : image.power_m2.values()) sum += static_cast<double>(bin.vv);
+      return sum / static_cast<double>(image.power_m2.size()) / image.frame.doppler_cell_hz;
+    };
+    EXPECT_NEAR(db_from_linear(power_a_cell(4) / power_a_cell(1)), 0.0, 0.3) << "eleven pulses, two a look";
+  }
+}
+
+/// Ground is as far from the squinted antenna as its gate says.
+TEST(Strip, OfASquintedAntennaKeepsToTheGateOfItsReceiver) {
+  radar::Radar radar = looking_north(radar::Mode::Stripmap);
+  radar.position = radar::position_seeing({}, radians_from_deg(225.0), radians_from_deg(20.0), 8000.0);
+  radar::Target bright;
+  bright.track = radar::Track::straight({0.0, 0.0, 0.0});
+  bright.rcs_m2 = radar::Channels{1e8F, 1e8F, 0.0F, 1e8F};
+  const std::vector<radar::Target> targets{bright};
+  const CoherentScene scene{&level, [](Vec2d, const radar::Aspect&) { return radar::Channels{}; }, targets};
+  const auto brightest_m2 = [&] {
+    const auto image = stripmap_image(scene, radar, area, {.along_resolution_m = 2.0});
+    float best = 0.0F;
+    for (const auto& sample : image.amplitude_m.values()) best = std::max(best, std::norm(sample.vv));
+    return static_cast<double>(best);
+  };
+  const double without_gate_m2 = brightest_m2();
+  radar.receiver.first_range_m = 7900.0;
+  radar.receiver.last_range_m = 8100.0;
+  EXPECT_NEAR(db_from_linear(brightest_m2() / without_gate_m2), 0.0, 0.5);
+}
+
 /// Half a beam off the axis is half the power, out and back.
 TEST(Volts, KnowWhereAnAntennaIsFixed) {
   for (const radar::Mode mode : {radar::Mode::RealBeam, radar::Mode::DopplerBeamSharpening, radar::Mode::Stripmap}) {
