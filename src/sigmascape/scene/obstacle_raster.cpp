@@ -14,12 +14,16 @@ namespace {
 
 using Corners = std::array<Vec3d, 3>;
 
-/// Points along a cell's side at which it is asked whether a roof covers it.
+/// Points along a cell's side at which it is asked whether a roof covers it, and how much of a crown.
 constexpr std::size_t points_per_side = 5;
 
 /// Twice the area of the triangle's shadow at noon, positive when it runs anticlockwise from above.
 double twice_plan_area(Vec3d a, Vec3d b, Vec3d c) {
   return (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
+}
+
+std::size_t index_from(double cells, std::size_t count) {
+  return static_cast<std::size_t>(std::clamp(std::floor(cells), 0.0, static_cast<double>(count)));
 }
 
 /// Buildings seen from above on points finer than the cells.
@@ -65,12 +69,23 @@ class RoofRaster {
   }
 
  private:
-  static std::size_t index_from(double cells, std::size_t count) {
-    return static_cast<std::size_t>(std::clamp(std::floor(cells), 0.0, static_cast<double>(count)));
-  }
-
   radar::GroundGrid points_;
   Array2D<float> height_m_;
+};
+
+/// An instance of a crown that is a medium.
+struct StandingCrown {
+  Vec3d centre;   ///< in the scene's frame
+  Vec3d radii_m;  ///< along its own axes, the third upright
+  double cos_yaw = 1.0, sin_yaw = 0.0;
+  double extinction_per_m = 0.0;
+
+  /// Half the length of the upright line through it at a place; 0 beside it.
+  [[nodiscard]] double half_chord_m(Vec2d place) const {
+    const double x = place.x - centre.x, y = place.y - centre.y;
+    const double u = (x * cos_yaw - y * sin_yaw) / radii_m.x, v = (x * sin_yaw + y * cos_yaw) / radii_m.y;
+    return radii_m.z * std::sqrt(std::max(0.0, 1.0 - u * u - v * v));
+  }
 };
 
 /// The surface that stands over one cell.
@@ -98,6 +113,27 @@ class FoliageRaster {
     const Vec3d middle = (from + to) * 0.5;
     add({from, middle, opposite}, ground);
     add({middle, to, opposite}, ground);
+  }
+
+  /// Adds as much surface as even leaves of that extinction have: docs/physics/vegetation.md, Eq. (1).
+  void add(const StandingCrown& crown, const terrain::HeightField& ground) {
+    const double reach_m = std::max(crown.radii_m.x, crown.radii_m.y);
+    const radar::GroundGrid points{cells_.west_m, cells_.north_m, cells_.cell_m / static_cast<double>(points_per_side),
+                                   cells_.columns * points_per_side, cells_.rows * points_per_side};
+    const Vec2d first = points.cells_from({crown.centre.x - reach_m, crown.centre.y + reach_m}),
+                last = points.cells_from({crown.centre.x + reach_m, crown.centre.y - reach_m});
+    for (std::size_t row = index_from(first.y, points.rows); row < index_from(last.y + 1.0, points.rows); ++row) {
+      for (std::size_t column = index_from(first.x, points.columns); column < index_from(last.x + 1.0, points.columns);
+           ++column) {
+        const Vec2d place = points.centre_of(column, row);
+        const double half_m = crown.half_chord_m(place);
+        if (half_m == 0.0) continue;
+        const double middle_m = crown.centre.z - ground.height_at(place);
+        add_surface(foliage_(column / points_per_side, row / points_per_side),
+                    4.0 * crown.extinction_per_m * half_m * points.cell_area_m2(), middle_m - half_m,
+                    middle_m + half_m);
+      }
+    }
   }
 
   void write_to(radar::Obstacle& obstacle, std::size_t column, std::size_t row) const {
@@ -133,11 +169,15 @@ class FoliageRaster {
     }
     const double ground_m = ground.height_at(middle);
     const auto [lowest, highest] = std::minmax({a.z, b.z, c.z});
-    Foliage& foliage = foliage_(static_cast<std::size_t>(cell.x), static_cast<std::size_t>(cell.y));
-    const double base_m = std::max(0.0, lowest - ground_m);
+    add_surface(foliage_(static_cast<std::size_t>(cell.x), static_cast<std::size_t>(cell.y)),
+                length(cross(b - a, c - a)) / 2.0, lowest - ground_m, highest - ground_m);
+  }
+
+  static void add_surface(Foliage& foliage, double area_m2, double lowest_m, double highest_m) {
+    const double base_m = std::max(0.0, lowest_m);
     foliage.base_m = foliage.area_m2 == 0.0 ? base_m : std::min(foliage.base_m, base_m);
-    foliage.top_m = std::max(foliage.top_m, highest - ground_m);
-    foliage.area_m2 += length(cross(b - a, c - a)) / 2.0;
+    foliage.top_m = std::max(foliage.top_m, highest_m);
+    foliage.area_m2 += area_m2;
   }
 
   radar::GroundGrid cells_;
@@ -180,40 +220,52 @@ void add_buildings(const Scene& scene, RoofRaster& roofs) {
   }
 }
 
-/// Distance of a mesh's farthest vertex from the upright line through its origin.
-double reach_m(const Mesh& mesh) {
-  double reach = 0.0;
-  for (const Vec3f& vertex : mesh.vertices) {
-    reach = std::max(reach, std::hypot(static_cast<double>(vertex.x), static_cast<double>(vertex.y)));
+/// Where an instance's prototype goes.
+class Standing {
+ public:
+  Standing(const Instance& instance, const terrain::HeightField& terrain)
+      : scale_(instance.scale.to<double>()),
+        origin_{static_cast<double>(instance.x_m), static_cast<double>(instance.y_m),
+                terrain.height_at({instance.x_m, instance.y_m}) + static_cast<double>(instance.lift_m)},
+        cos_yaw_(std::cos(static_cast<double>(instance.yaw_rad))),
+        sin_yaw_(std::sin(static_cast<double>(instance.yaw_rad))) {}
+
+  [[nodiscard]] Vec3d place_of(Vec3f point) const {
+    const Vec3d scaled = scaled_by(point);
+    return origin_ +
+           Vec3d{scaled.x * cos_yaw_ + scaled.y * sin_yaw_, scaled.y * cos_yaw_ - scaled.x * sin_yaw_, scaled.z};
   }
-  return reach;
-}
+  [[nodiscard]] StandingCrown crown_of(const Crown& crown, const scatter::CrownParameters& medium) const {
+    const double size = crown.grows_with_tree ? std::cbrt(scale_.x * scale_.y * scale_.z) : 1.0;
+    return {place_of(crown.shape.centre), scaled_by(crown.shape.radii_m), cos_yaw_, sin_yaw_,
+            medium.extinction_per_m / size};
+  }
+
+ private:
+  [[nodiscard]] Vec3d scaled_by(Vec3f point) const {
+    return {static_cast<double>(point.x) * scale_.x, static_cast<double>(point.y) * scale_.y,
+            static_cast<double>(point.z) * scale_.z};
+  }
+
+  Vec3d scale_, origin_;
+  double cos_yaw_, sin_yaw_;
+};
 
 void add_instances(const Scene& scene, const radar::Rectangle& area, RoofRaster& roofs, FoliageRaster& foliage) {
   std::vector<bool> is_solid;
-  std::vector<double> reaches_m;
-  for (const Mesh& mesh : scene.prototypes) {
-    is_solid.push_back(is_closed(mesh));
-    reaches_m.push_back(reach_m(mesh));
-  }
+  for (const Mesh& mesh : scene.prototypes) is_solid.push_back(is_closed(mesh));
+  const std::vector<float> reaches_m = prototype_radii_m(scene);
   std::vector<Vec3d> vertices;
   for (const Instance& instance : scene.instances) {
     Interruption::heed();
     const Mesh& mesh = scene.prototypes[instance.prototype];
-    const double reach =
-        reaches_m[instance.prototype] * static_cast<double>(std::max(instance.scale.x, instance.scale.y));
+    const auto reach =
+        static_cast<double>(reaches_m[instance.prototype] * std::max(instance.scale.x, instance.scale.y));
     const radar::Rectangle near{area.west_m - reach, area.south_m - reach, area.east_m + reach, area.north_m + reach};
     if (!near.contains({instance.x_m, instance.y_m})) continue;
-    const Vec3d origin{static_cast<double>(instance.x_m), static_cast<double>(instance.y_m),
-                       scene.terrain.height_at({instance.x_m, instance.y_m}) + static_cast<double>(instance.lift_m)};
-    const double c = std::cos(static_cast<double>(instance.yaw_rad)),
-                 s = std::sin(static_cast<double>(instance.yaw_rad));
+    const Standing standing(instance, scene.terrain);
     vertices.clear();
-    for (const Vec3f& vertex : mesh.vertices) {
-      const Vec3d scaled =
-          Vec3f{vertex.x * instance.scale.x, vertex.y * instance.scale.y, vertex.z * instance.scale.z}.to<double>();
-      vertices.push_back(origin + Vec3d{scaled.x * c + scaled.y * s, scaled.y * c - scaled.x * s, scaled.z});
-    }
+    for (const Vec3f& vertex : mesh.vertices) vertices.push_back(standing.place_of(vertex));
     for (const auto& triangle : mesh.triangles) {
       const Corners corners = corners_of(triangle, vertices);
       if (is_solid[instance.prototype]) {
@@ -221,6 +273,11 @@ void add_instances(const Scene& scene, const radar::Rectangle& area, RoofRaster&
       } else {
         foliage.add(corners, scene.terrain);
       }
+    }
+    for (const Crown& crown : scene.crowns) {
+      if (crown.prototype == instance.prototype)
+        foliage.add(standing.crown_of(crown, std::get<scatter::CrownParameters>(scene.materials[crown.medium].model)),
+                    scene.terrain);
     }
   }
 }

@@ -233,6 +233,7 @@ std::string scene_hash(const Scene& scene) {
   for (const Crown& crown : scene.crowns) {
     sha.add_value(crown.prototype);
     sha.add_value(crown.medium);
+    sha.add_value(crown.grows_with_tree);
     for (const Vec3f v : {crown.shape.centre, crown.shape.radii_m}) {
       for (const float value : {v.x, v.y, v.z}) sha.add_value(value);
     }

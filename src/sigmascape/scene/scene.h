@@ -46,7 +46,10 @@ struct Ellipsoid {
 struct Crown {
   std::uint32_t prototype = 0;
   Ellipsoid shape;           ///< in the prototype's frame
-  MaterialIndex medium = 0;  ///< a material of CrownParameters; its extinction is by metres in the world
+  MaterialIndex medium = 0;  ///< a material of CrownParameters
+  /// Whether its leaves grow with the tree, so that its extinction is by metres of the prototype and as much passes
+  /// through a large tree as through a small one. Otherwise it is by metres in the world.
+  bool grows_with_tree = false;
 };
 
 /// One placement of a prototype (a tree, a vehicle, a tower). Its origin stands on the ground, wherever that is: on the

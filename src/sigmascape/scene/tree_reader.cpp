@@ -67,7 +67,8 @@ std::uint32_t add_prototypes(Scene& scene, const TreeSource& source) {
       } else {
         scene.crowns.push_back({.prototype = static_cast<std::uint32_t>(scene.prototypes.size()),
                                 .shape = crown_ellipsoid(form),
-                                .medium = scene.material_index(medium_of(source, form))});
+                                .medium = scene.material_index(medium_of(source, form)),
+                                .grows_with_tree = !source.crown.has_value()});
         scene.prototypes.push_back(bare_tree_mesh(form, bark, seed));
       }
     }

@@ -15,7 +15,7 @@ void CrownCrossings::add(const CrownCrossing& crossing) {
 }
 
 float CrownCrossings::extinction_of(const CrownCrossing& crossing) const {
-  return (*surfaces_)[crossing.medium].medium()->extinction_per_m();
+  return (*surfaces_)[crossing.medium].medium()->extinction_per_m() * crossing.extinction_scale;
 }
 
 float CrownCrossings::optical_depth(float distance_m) const {

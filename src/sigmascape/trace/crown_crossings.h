@@ -14,6 +14,7 @@ namespace sigmascape::trace {
 struct CrownCrossing {
   float enter_m = 0.0F;
   float leave_m = 0.0F;
+  float extinction_scale = 1.0F;  ///< of this tree's medium, by its size
   scene::MaterialIndex medium = 0;
   unsigned tree = 0;  ///< tells instances apart
 };
@@ -22,7 +23,7 @@ struct CrownCrossing {
 struct Interception {
   float distance_m = 0.0F;
   scene::MaterialIndex medium = 0;
-  float extinction_per_m = 0.0F;  ///< of that medium
+  float extinction_per_m = 0.0F;  ///< of that medium in that tree
 };
 
 /// The crowns along one ray. Each is homogeneous, so that everything follows in closed form; where several overlap,

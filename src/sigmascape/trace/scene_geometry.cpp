@@ -28,8 +28,8 @@ RTCRayHit query_along(const Ray& ray, float length_m) {
   return query;
 }
 
-RayContext context_for(CrownCrossings* crowns) {
-  RayContext context{{}, crowns};
+RayContext context_for(CrownCrossings* crowns, const SceneStructures& structures) {
+  RayContext context{{}, crowns, structures.parts.data()};
   rtcInitIntersectContext(&context.embree);
   context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
   return context;
@@ -195,7 +195,7 @@ bool SceneGeometry::intersect(const Ray& ray, SurfaceHit& hit, CrownCrossings* c
   const SceneStructures& s = *structures_;
   const float length_m = s.plane_distance_m(ray);
   if (s.log != nullptr) s.log->push_back({.ray = ray, .length_m = length_m, .asks_first = true});
-  RayContext context = context_for(crowns);
+  RayContext context = context_for(crowns, *structures_);
   RTCRayHit query = query_along(ray, length_m);
   rtcIntersect1(s.top, &context.embree, &query);
   return s.meet(ray, found_by(query), hit);
@@ -203,7 +203,7 @@ bool SceneGeometry::intersect(const Ray& ray, SurfaceHit& hit, CrownCrossings* c
 
 bool SceneGeometry::occluded(const Ray& ray, CrownCrossings* crowns, float length_m) const {
   if (structures_->log != nullptr) structures_->log->push_back({.ray = ray, .length_m = length_m});
-  RayContext context = context_for(crowns);
+  RayContext context = context_for(crowns, *structures_);
   RTCRay query = query_along(ray, length_m).ray;
   rtcOccluded1(structures_->top, &context.embree, &query);
   return query.tfar < 0.0F;
@@ -220,7 +220,7 @@ void SceneGeometry::intersect(std::span<const Ray> rays, std::span<SurfaceHit> h
       s.log->push_back({ray, s.plane_distance_m(ray), true, i == 0});
     }
   }
-  RayContext context = context_for(nullptr);
+  RayContext context = context_for(nullptr, *structures_);
   in_packets(
       rays.size(), [&](std::size_t i) -> const Ray& { return rays[number_of(i)]; },
       [&](RayPacket& packet, std::size_t lanes, std::size_t first) {
@@ -240,7 +240,7 @@ void SceneGeometry::occluded(std::span<const Ray> rays, std::span<std::uint8_t> 
   if (s.log != nullptr) {
     for (std::size_t i = 0; i < rays.size(); ++i) s.log->push_back({rays[numbers[i]], far_away, false, i == 0});
   }
-  RayContext context = context_for(nullptr);
+  RayContext context = context_for(nullptr, *structures_);
   in_packets(
       rays.size(), [&](std::size_t i) -> const Ray& { return rays[numbers[i]]; },
       [&](RayPacket& packet, std::size_t lanes, std::size_t first) {
@@ -257,7 +257,7 @@ void SceneGeometry::log_to(RayLog* log) {
 
 std::size_t SceneGeometry::replay(const RayLog& log) const {
   const FlushDenormals flush;
-  RayContext context = context_for(nullptr);
+  RayContext context = context_for(nullptr, *structures_);
   std::size_t met = 0;
   for (auto begin = log.begin(); begin != log.end();) {
     const bool asks_first = begin->asks_first;

@@ -19,7 +19,7 @@ constexpr std::size_t most_grid_nodes = 32767;  // along a side of Embree's grid
 /// Crowns are never hit: a ray that crosses one is told so and goes on. Embree gives it in the prototype's frame, where
 /// distances along the ray are what they are outside.
 void cross_crown(const scene::Crown& crown, const RTCRay& ray, RTCIntersectContext* context) {
-  CrownCrossings* crowns = reinterpret_cast<RayContext*>(context)->crowns;
+  const auto& [embree, crowns, parts] = *reinterpret_cast<const RayContext*>(context);
   if (crowns == nullptr) return;
   const Vec3f r = crown.shape.radii_m, c = crown.shape.centre;
   const Vec3d o = Vec3f{(ray.org_x - c.x) / r.x, (ray.org_y - c.y) / r.y, (ray.org_z - c.z) / r.z}.to<double>();
@@ -30,8 +30,12 @@ void cross_crown(const scene::Crown& crown, const RTCRay& ray, RTCIntersectConte
   if (half2 <= 0.0) return;
   const double half = std::sqrt(half2);
   if (nearest + half <= 0.0) return;
-  crowns->add({static_cast<float>(std::max(0.0, nearest - half)), static_cast<float>(nearest + half), crown.medium,
-               context->instID[0]});
+  const unsigned tree = embree.instID[0];
+  crowns->add({.enter_m = static_cast<float>(std::max(0.0, nearest - half)),
+               .leave_m = static_cast<float>(nearest + half),
+               .extinction_scale = crown.grows_with_tree ? std::cbrt(parts[tree].placement.inverse_volume_scale) : 1.0F,
+               .medium = crown.medium,
+               .tree = tree});
 }
 
 const scene::Crown& crown_of(void* user_data) {

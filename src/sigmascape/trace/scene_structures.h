@@ -13,18 +13,19 @@
 
 namespace sigmascape::trace {
 
-/// What Embree hands on to the crowns that a ray passes.
-struct RayContext {
-  RTCIntersectContext embree;  // first, since Embree knows no more of it
-  CrownCrossings* crowns;
-};
-
 /// What a top-level geometry of the Embree scene stands for, by its number.
 struct Part {
   const FaceTraits* faces = nullptr;  ///< one a quad, areas before scaling; null: the terrain
   Placement placement = {};           ///< of an instance
 
   [[nodiscard]] bool is_terrain() const { return faces == nullptr; }
+};
+
+/// What Embree hands on to the crowns that a ray passes.
+struct RayContext {
+  RTCIntersectContext embree;  // first, since Embree knows no more of it
+  CrownCrossings* crowns;
+  const Part* parts;
 };
 
 /// What Embree found at the end of a ray.

@@ -42,6 +42,7 @@ TEST(Crown, FollowsFromTheLeaves) {
   const Ellipsoid crown = crown_ellipsoid(TreeForm::Broadleaf);
   const auto& medium = medium_of(scene, scene.crowns[0]);
   EXPECT_DOUBLE_EQ(medium.extinction_per_m, effective_extinction_per_m(tree, 1, crown));
+  EXPECT_TRUE(scene.crowns[0].grows_with_tree);
   // Its leaves crowd in places, so that more passes than if they did not.
   const double even = even_extinction_per_m(surface_area_m2(tree, 1), volume_m3(crown));
   EXPECT_LT(medium.extinction_per_m, even);
@@ -58,6 +59,7 @@ TEST(Crown, IsAsTheSceneFileStates) {
   const Scene scene = read(own);
   const auto& medium = medium_of(scene, scene.crowns[0]);
   EXPECT_NEAR(std::exp(-medium.extinction_per_m * 5.0), std::pow(10.0, -1.0), 1e-9) << "10 dB in five metres";
+  EXPECT_FALSE(scene.crowns[0].grows_with_tree);
   EXPECT_EQ(medium.albedo, 0.3);
   EXPECT_FALSE(medium.shares_gaps);
   EXPECT_NEAR(medium.depolarization.cross_ratio, 0.1, 1e-12);

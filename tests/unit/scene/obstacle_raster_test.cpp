@@ -1,6 +1,7 @@
 #include "sigmascape/scene/obstacle_raster.h"
 
 #include <gtest/gtest.h>
+#include <numbers>
 
 #include "sigmascape/base/interruption.h"
 #include "sigmascape/scene/solid_mesh.h"
@@ -60,6 +61,36 @@ TEST(ObstacleRaster, OpenMeshesArePorousByTheirArea) {
 }
 
 // A sheet at 3 m and 7 m that reaches 10^30 m beyond the cells on two sides.
+// An ellipsoid of 3 m by 2 m by 1.5 m about a point 5 m up, doubled: what cells hold of it together is κ V, κ by its
+// own metres or by those of the world.
+TEST(ObstacleRaster, CrownsThatAreMediaInterceptWhatTheyDoInTheScene) {
+  constexpr double volume_m3 = 4.0 / 3.0 * std::numbers::pi * 6.0 * 4.0 * 3.0;
+  for (const bool grows : {false, true}) {
+    Scene scene = empty_scene();
+    scene.prototypes.push_back({});
+    scene.crowns.push_back(
+        {.prototype = 0,
+         .shape = {{0.0F, 0.0F, 5.0F}, {3.0F, 2.0F, 1.5F}},
+         .medium = scene.material_index(
+             {.name = "medium", .model = scatter::CrownParameters{.extinction_per_m = 0.4}, .source = {}}),
+         .grows_with_tree = grows});
+    scene.instances.push_back({.yaw_rad = 1.57079633F, .scale = {2.0F, 2.0F, 2.0F}});
+    const auto map = obstacles_of(scene, cells);
+    double depth_m2 = 0.0;
+    for (const radar::Obstacle& cell : map.obstacles.values()) {
+      depth_m2 += static_cast<double>(cell.crown_extinction_per_m) *
+                  static_cast<double>(cell.crown_top_m - cell.crown_base_m) * cells.cell_area_m2();
+      EXPECT_EQ(cell.solid_top_m, 0.0F);
+    }
+    EXPECT_NEAR(depth_m2 / volume_m3, grows ? 0.2 : 0.4, 0.004);
+    EXPECT_NEAR(map.at({0.5, 0.5}).crown_top_m, 13.0, 0.02);
+    EXPECT_NEAR(map.at({0.5, 0.5}).crown_base_m, 7.0, 0.02);
+    // Turned by a quarter, it is long from north to south.
+    EXPECT_GT(map.at({0.5, 5.0}).crown_top_m, 0.0F);
+    EXPECT_EQ(map.at({5.0, 0.5}).crown_top_m, 0.0F);
+  }
+}
+
 TEST(ObstacleRaster, MeshesMayReachHoweverFarBeyondTheCells) {
   Scene scene = empty_scene();
   scene.prototypes.push_back({.name = "sheet",

@@ -94,6 +94,25 @@ TEST(Crown, RaysCrossScaledEllipsoidsAlongTheirChords) {
   EXPECT_EQ(depth({50, 0, 4}, {1, 0, 0}), 0.0F) << "behind the ray";
 }
 
+// The same line through the same leaves, whatever their size; a medium that is stated knows metres of the world.
+TEST(Crown, OfATallTreeLetsPassWhatThatOfASmallOneDoes) {
+  const auto depth_at = [](float scale, bool grows) {
+    scene::Scene scene = crown_scene({{400.0F, 400.0F, 4.0F}, {4.0F, 2.0F, 3.0F}}, {0.3, 0.5, {}, true, none});
+    scene.crowns[0].grows_with_tree = grows;
+    scene.crowns[0].shape.centre = {0.0F, 0.0F, 4.0F};
+    scene.instances = {{.x_m = 0.0F, .y_m = 0.0F, .scale = {scale, scale, scale}}};
+    const SceneGeometry geometry(scene, Footing::LevelPlane);
+    const auto surfaces = surface_models(scene, frequency_hz);
+    CrownCrossings crowns;
+    crowns.begin(surfaces);
+    EXPECT_FALSE(geometry.occluded({-100.0F, 0.5F * scale, 4.5F * scale}, {1.0F, 0.0F, 0.0F}, crowns));
+    return crowns.optical_depth();
+  };
+  EXPECT_NEAR(depth_at(1.0F, true), depth_at(1.0F, false), 1e-5F);
+  EXPECT_NEAR(depth_at(2.5F, true), depth_at(1.0F, true), 1e-4F);
+  EXPECT_NEAR(depth_at(2.5F, false), 2.5F * depth_at(1.0F, false), 1e-4F);
+}
+
 TEST(Crown, GroundBeneathIsWeakenedByTheWayThrough) {
   for (const bool shares_gaps : {true, false}) {
     for (const double elevation_deg : {30.0, 60.0}) {
