@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <iterator>
+#include <numeric>
 
 #include "results/processor_time.h"
 
@@ -25,6 +27,8 @@ class BakeTimer final : public ProgressListener {
     // Textures come in order; those that an earlier run baked are passed over at once and keep their time.
     const bool is_whole = task == "bake" && done == std::floor(done);
     if (is_whole && done > static_cast<double>(seconds_.size())) {
+      // Of those that another run baked, or one that ended before it could write, no time is known.
+      seconds_.resize(static_cast<std::size_t>(done) - 1, unknown);
       seconds_.push_back(watch_.seconds());
       geo::write_atomically(file_, nlohmann::json(seconds_).dump());
     }
@@ -32,9 +36,20 @@ class BakeTimer final : public ProgressListener {
     next_.advanced(task, done, total, unit);
   }
 
-  [[nodiscard]] const std::vector<double>& seconds() const { return seconds_; }
+  /// Of each texture; where none is known the mean of the others.
+  [[nodiscard]] std::vector<double> seconds(std::size_t textures) const {
+    std::vector<double> seconds = seconds_;
+    seconds.resize(textures, unknown);
+    std::vector<double> known;
+    std::ranges::copy_if(seconds, std::back_inserter(known), [](double one) { return one != unknown; });
+    const double sum = std::accumulate(known.begin(), known.end(), 0.0);
+    std::ranges::replace(seconds, unknown, known.empty() ? 0.0 : sum / static_cast<double>(known.size()));
+    return seconds;
+  }
 
  private:
+  static constexpr double unknown = -1.0;
+
   std::filesystem::path file_;
   ProgressListener& next_;
   ProcessorStopwatch watch_;
@@ -45,7 +60,7 @@ std::vector<double> timed_bake(const scene::Scene& scene, const bake::BakeSettin
                                const std::filesystem::path& folder, ProgressListener& progress) {
   BakeTimer timer(folder / "bake_seconds.json", progress);
   bake::bake(scene, settings, folder, timer);
-  return timer.seconds();
+  return timer.seconds(atlas::Store::open(folder).units().size());
 }
 
 /// What a store holds of the ground apart from what stands on it; it serves every look.

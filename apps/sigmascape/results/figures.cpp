@@ -316,13 +316,14 @@ product::PageSection pictured(const Measurement& measurement, const ResultsPlan&
   return section;
 }
 
-PlannedView worst_view(const Measurement& measurement, const ResultsPlan& plan) {
+/// None where no view was held out.
+std::optional<PlannedView> worst_view(const Measurement& measurement, const ResultsPlan& plan) {
   const ResultsCase wanted{.scene = plan.scene_name(),
                            .method = Method::Paper,
                            .grid = plan.paper_grid().name(),
                            .baked_samples = plan.baked_samples,
                            .kind = ViewKind::HeldOut};
-  PlannedView worst = plan.views.front();
+  std::optional<PlannedView> worst;
   double lowest = 2.0;
   for (const ViewResult& result : measurement.results()) {
     const product::CellComparison* cell = result.comparison.at_cell(8.0);
@@ -337,18 +338,19 @@ PlannedView worst_view(const Measurement& measurement, const ResultsPlan& plan) 
 
 std::vector<product::PageSection> paper_figures(const Measurement& measurement, const ResultsPlan& plan,
                                                 const std::filesystem::path& folder) {
-  const PlannedView worst = worst_view(measurement, plan);
   std::vector<product::PageSection> sections;
   // Of a real place its own pictures are asked for.
   if (plan.scene_file.empty()) sections.push_back(simple_section(plan, folder));
   std::ranges::move(
-      std::vector{
-          scene_section(measurement, plan, folder), texture_section(measurement, folder),
-          pictured(measurement, plan, plan.views.front(), "figure_8",
-                   "Figure 8: the paper's view, 20 km away, azimuth 130°, elevation 8.6°, 50 dB", folder),
-          pictured(measurement, plan, worst, "worst",
-                   "The held-out view that the paper's method correlates least at: " + worst.description(), folder)},
+      std::vector{scene_section(measurement, plan, folder), texture_section(measurement, folder),
+                  pictured(measurement, plan, plan.views.front(), "figure_8",
+                           "Figure 8: the paper's view, 20 km away, azimuth 130°, elevation 8.6°, 50 dB", folder)},
       std::back_inserter(sections));
+  if (const auto worst = worst_view(measurement, plan)) {
+    sections.push_back(
+        pictured(measurement, plan, *worst, "worst",
+                 "The held-out view that the paper's method correlates least at: " + worst->description(), folder));
+  }
   return sections;
 }
 

@@ -132,9 +132,10 @@ std::string how_it_was_measured(const ResultsReport& report) {
       "row may be of several views. Sum of polarizations VV + HH + 2·HV; dB of σ0 no lower than {:g} dB; a cell is in "
       "shadow below {:g} dB. `product/map_metrics.h` defines the five numbers.\n\n"
       "The radar stands 20 km from the middle of the scene, resolution 2 m in range and across. A rim of {:.0f} m "
-      "along the edges is left out, where what lies beyond the scene has a part: its ground goes on level there for "
-      "300 m and has nothing on it.\n\n",
-      product::software_name(), report.command_line, compare.floor_db, compare.shadow_db, plan.rim_m());
+      "along the edges is left out, where what lies beyond has a part: {}.\n\n",
+      product::software_name(), report.command_line, compare.floor_db, compare.shadow_db, plan.rim_m(),
+      plan.scene_file.empty() ? "ground that goes on level for 300 m and has nothing on it"
+                              : "the place goes on there with all that stands on it");
   if (plan.has_level_ground()) {
     text +=
         "*hills* is the scene as it is; *level* the same with its ground at height zero, at views that were baked and "

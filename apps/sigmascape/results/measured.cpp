@@ -179,6 +179,7 @@ MeasuredView view_in(const Json& json) {
 std::optional<std::string> difference(const Json& kept, const Json& wanted) {
   for (const auto& [key, value] : wanted.items()) {
     if (!kept.contains(key)) return fmt::format("does not say its {}", key);
+    if (key == "form" && kept.at(key) != value) return "was kept by another version of this program";
     if (kept.at(key) != value)
       return fmt::format("was measured with {} {}, not {}", key, kept.at(key).dump(), value.dump());
   }
@@ -214,7 +215,8 @@ void MeasuredViews::take_over(const std::filesystem::path& other) {
 const MeasuredView* MeasuredViews::find(const std::string& scene, const PlannedView& view) const {
   const auto found = std::ranges::find_if(views_, [&](const MeasuredView& measured) {
     return measured.scene == scene && is_same_place(measured.view, view) &&
-           measured.view.traced_samples >= view.traced_samples;
+           (view.kind == ViewKind::OnGrid ? measured.view.traced_samples == view.traced_samples
+                                          : measured.view.traced_samples >= view.traced_samples);
   });
   return found == views_.end() ? nullptr : &*found;
 }

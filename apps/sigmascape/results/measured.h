@@ -30,7 +30,8 @@ class MeasuredViews {
   /// naming the first that differs.
   void take_over(const std::filesystem::path& other);
 
-  /// What was measured of that view with as many rays or more, or nullptr; it stays until a view is added.
+  /// What was measured of that view with as many rays or more, or nullptr; it stays until a view is added. Of views on
+  /// the grid, whose looks are baked again with the rays of their truth, with as many alone.
   [[nodiscard]] const MeasuredView* find(const std::string& scene, const PlannedView& view) const;
   /// Adds a view, in place of the same with fewer rays, and writes the file.
   const MeasuredView& add(MeasuredView view);

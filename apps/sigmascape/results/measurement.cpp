@@ -41,7 +41,12 @@ scene::Scene scene_of(const ResultsPlan& plan) {
   if (plan.scene_file.empty()) return scene::paper_scene({.scale = plan.scale, .materials = plan.materials});
   scene::Scene scene = scene::read_scene(plan.scene_file);
   const radar::Rectangle& all = scene.extent;
-  const double half_m = std::min({plan.side_m(), all.width_m(), all.height_m()}) / 2.0;
+  const double half_m = plan.side_m() / 2.0, most_m = std::min(all.width_m(), all.height_m());
+  if (plan.side_m() > most_m) {
+    throw Error("--scale",
+                fmt::format("{:g} asks for {:g} m, and the scene is {:g} m wide", plan.scale, plan.side_m(), most_m),
+                fmt::format("give one of at most {:g}", plan.scale * most_m / plan.side_m()));
+  }
   const Vec2d centre = all.centre() + plan.around_m;
   const radar::Rectangle part{centre.x - half_m, centre.y - half_m, centre.x + half_m, centre.y + half_m};
   if (part.west_m < all.west_m || part.south_m < all.south_m || part.east_m > all.east_m ||
@@ -77,6 +82,16 @@ atlas::AspectGrid grid_of_view(const PlannedView& view) {
   return {{radians_from_deg(view.azimuth_deg)}, {radians_from_deg(view.elevation_deg)}, {10e9}};
 }
 
+/// Asked before any work, since a file of other settings is refused.
+MeasuredViews kept_views(const ResultsPlan& plan, const scene::Scene& scene, const std::filesystem::path& file,
+                         const std::filesystem::path& measured) {
+  std::filesystem::create_directories(file.parent_path());
+  MeasuredViews kept(file, settings_of_views(plan, scene::scene_hash(scene)));
+  kept.go_on();
+  if (!measured.empty()) kept.take_over(measured);
+  return kept;
+}
+
 bake::BakeSettings settings_even_in_cotangent(const ResultsPlan& plan) {
   bake::BakeSettings settings = plan.bake_settings(Method::OwnGround);
   settings.aspects = plan.even_in_cotangent().aspects();
@@ -97,16 +112,14 @@ Measurement::Measurement(const ResultsPlan& plan, const std::filesystem::path& f
     : plan_(plan),
       folder_(folder),
       scene_(plan.scene_name(), scene_of(plan)),
+      kept_(kept_views(plan, scene_.scene, kept_file(), measured)),
       paper_bake_(plan, scene_.scene, folder / "paper", plan.seed),
       paper_bake_again_(plan, scene_.scene, folder / "paper_again", seed_of_repeats(plan)),
       baked_shadows_(scene_.scene, plan.bake_settings(Method::BakedShadows), folder / "atlas_baked_shadows", progress_),
       level_ground_(scene_.scene, plan.bake_settings(Method::LevelGround), folder / "atlas_level_ground", progress_),
       own_ground_(scene_.scene, plan.bake_settings(Method::OwnGround), folder / "atlas_own_ground", progress_),
       even_in_cotangent_(scene_.scene, settings_even_in_cotangent(plan), folder / "atlas_even_in_cotangent", progress_),
-      shared_noise_(scene_.scene, settings_of_shared_noise(plan), folder / "atlas_shared_noise", progress_),
-      kept_(kept_file(), settings_of_views(plan, scene::scene_hash(scene_.scene))) {
-  kept_.go_on();
-  if (!measured.empty()) kept_.take_over(measured);
+      shared_noise_(scene_.scene, settings_of_shared_noise(plan), folder / "atlas_shared_noise", progress_) {
   if (plan.has_level_ground()) level_.emplace("level", levelled(scene_.scene));
   make_ready();
 }

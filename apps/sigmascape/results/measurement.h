@@ -103,12 +103,12 @@ class Measurement {
   std::filesystem::path folder_;
   TerminalProgress progress_;
   MeasuredScene scene_;
+  MeasuredViews kept_;
   std::optional<MeasuredScene> level_;
   PaperBake paper_bake_, paper_bake_again_;
   TimedBake baked_shadows_, level_ground_, own_ground_, even_in_cotangent_, shared_noise_;
   std::shared_ptr<const render::PaperTextures> paper_textures_;
   std::vector<ReadyMethod> methods_;
-  MeasuredViews kept_;
   std::vector<ViewResult> results_;
   std::set<std::string> machines_;
 };

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <numbers>
+#include <utility>
 
+#include "sigmascape/base/error.h"
 #include "sigmascape/base/hash.h"
 #include "sigmascape/base/units.h"
 
@@ -178,6 +180,10 @@ ResultsPlan results_plan(const ResultsOptions& options) {
   plan.most_traced_samples = std::max(plan.traced_samples, options.most_traced_samples.value_or(0));
   plan.finer_samples =
       options.finer_samples.value_or(std::max(plan.baked_samples, (options.small ? 1 : 4) * plan.traced_samples));
+  for (const auto& [option, rays] :
+       {std::pair("--samples", plan.baked_samples), {"--finer-samples", plan.finer_samples}}) {
+    if (rays < 2) throw Error(option, fmt::format("is {}", rays), "give at least 2, which tell the noise of a texel");
+  }
   plan.bounces = options.bounces;
   plan.seed = options.seed;
   plan.threads = options.threads;
