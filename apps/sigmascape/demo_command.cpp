@@ -111,7 +111,7 @@ class Demo {
     page_.attribution = scene_.attribution;
     page_.sections.push_back(
         {.heading = "The bake",
-         .facts = {{"Looks", std::to_string(bake_report_.looks)},
+         .facts = {{"Looks", std::to_string(bake_report_.looks) + already_in_words()},
                    {"Time", fmt::format("{:.1f} s", bake_seconds_)},
                    {"Rays", fmt::format("{:.1f} million", static_cast<double>(bake_report_.counts.rays) / 1e6)},
                    {"Trees and vehicles", std::to_string(scene_.instances.size())},
@@ -124,12 +124,16 @@ class Demo {
                         {"rays", bake_report_.counts.rays}};
     geo::write_atomically(folder_ / "comparison.json", summary_.dump(2) + "\n");
     summary_["page"] = (folder_ / "index.html").string();
-    output.finish(fmt::format("{}: {} looks baked in {:.1f} s\n{}\nOpen {}", scene_.name, bake_report_.looks,
-                              bake_seconds_, text_, (folder_ / "index.html").string()),
+    output.finish(fmt::format("{}: {} looks{} baked in {:.1f} s\n{}\nOpen {}", scene_.name, bake_report_.looks,
+                              already_in_words(), bake_seconds_, text_, (folder_ / "index.html").string()),
                   summary_);
   }
 
  private:
+  /// Time and rays are of those that were not there.
+  [[nodiscard]] std::string already_in_words() const {
+    return bake_report_.already == 0 ? "" : fmt::format(" ({} there already)", bake_report_.already);
+  }
   [[nodiscard]] radar::GroundMap traced_map(const radar::Radar& radar, const radar::GroundGrid& grid,
                                             std::uint64_t seed) {
     trace::TraceCounts counts;

@@ -59,6 +59,7 @@ void check(const LayerFiles& files, int level_of_detail) {
   if (files.names.empty() && files.file.empty()) return;
   if (files.names.empty()) throw Error("--layers", "is missing beside --layers-out", "name the layers to write");
   if (files.file.empty()) throw Error("--layers-out", "is missing beside --layers", "name the file to write");
+  product::check_layer_name(files.file);
   (void)shapes_in(files.names);
   for (const std::string& name : files.names) {
     if (level_of_detail > 0 && dataset::tells_bounces(name))

@@ -8,9 +8,7 @@ namespace sigmascape::cli {
 
 void write_map_picture(const std::filesystem::path& path, const radar::GroundMap& map,
                        const product::PictureOptions& options) {
-  product::Picture picture = product::with_attribution(product::with_legend(product::picture_of(map, options)));
-  picture.metadata = map.metadata;
-  product::write_png(path, picture);
+  product::write_png(path, product::with_attribution(product::with_legend(product::picture_of(map, options))));
 }
 
 }  // namespace sigmascape::cli

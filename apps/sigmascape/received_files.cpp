@@ -34,14 +34,23 @@ void add_received_options(CLI::App& command, ReceivedFiles& files) {
                      "output of the detector, with noise, over range and azimuth to write (.npy, with a .json)");
 }
 
-void write_received(const ReceivedFiles& files, const radar::Radar& radar, const radar::RangeAzimuthImage& image,
-                    radar::Polarization polarization, std::uint64_t seed, unsigned threads,
-                    const Provenance& provenance) {
+void check(const ReceivedFiles& files) {
+  for (const std::string& file : {files.snr, files.video})
+    if (!file.empty()) product::check_range_azimuth_name(file);
+}
+
+void check(const ReceivedFiles& files, radar::Polarization polarization) {
   if (files.snr.empty() && files.video.empty()) return;
   if (polarization == radar::Polarization::Sum) {
     throw Error("--snr and --video", "cannot give the sum of polarizations, which no receiver has",
                 "choose with --polarization vv, hh, hv or vh");
   }
+}
+
+void write_received(const ReceivedFiles& files, const radar::Radar& radar, const radar::RangeAzimuthImage& image,
+                    radar::Polarization polarization, std::uint64_t seed, unsigned threads,
+                    const Provenance& provenance) {
+  if (files.snr.empty() && files.video.empty()) return;
   auto received = receiver::received_power(radar, image, polarization);
   product::RangeAzimuthLabel label{.quantity = "signal-to-noise ratio of one pulse, linear power",
                                    .numbers = {{"noise_w", received.noise_w},

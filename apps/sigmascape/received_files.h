@@ -21,8 +21,12 @@ struct ReceivedFiles {
 
 void add_received_options(CLI::App& command, ReceivedFiles& files);
 
-/// Passes an image through the receive chain and writes what was asked for. Throws Error when `polarization` is none
-/// that a receiver has.
+/// Throws Error for names that do not tell their kind of file.
+void check(const ReceivedFiles& files);
+/// Throws Error when something is asked for of a polarization that no receiver has.
+void check(const ReceivedFiles& files, radar::Polarization polarization);
+
+/// Passes an image through the receive chain and writes what was asked for.
 void write_received(const ReceivedFiles& files, const radar::Radar& radar, const radar::RangeAzimuthImage& image,
                     radar::Polarization polarization, std::uint64_t seed, unsigned threads,
                     const Provenance& provenance);

@@ -21,6 +21,7 @@
 #include "sigmascape/atlas/store.h"
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
+#include "sigmascape/geo/coordinate_transform.h"
 #include "sigmascape/product/iq_file.h"
 #include "sigmascape/product/map_file.h"
 #include "sigmascape/product/png_file.h"
@@ -69,9 +70,6 @@ Rendered traced(const RenderOptions& options, const scene::Scene& scene, const r
   const trace::SceneGeometry geometry(scene, trace::Footing::Terrain);
   simulate::TraceSettings settings = options.trace;
   settings.cell_m = grid.cell_m;
-  std::vector<radar::Target> targets;
-  if (!options.targets.empty()) targets = placed_targets(scene, options.targets);
-  settings.targets = targets;
   trace::TraceCounts counts;
   TerminalProgress progress;
   const Stopwatch watch;
@@ -172,6 +170,7 @@ void check_coherent(const RenderOptions& options, const radar::Radar& radar) {
 /// What names alone tell, before the work.
 void check_files(const RenderOptions& options) {
   check(options.layers, options.level_of_detail);
+  check(options.received);
   check(options.iq, !options.atlas.empty());
   for (const std::string& map : {options.map_file, options.power_file})
     if (!map.empty()) product::check_map_name(map);
@@ -217,10 +216,16 @@ void write_maps(const RenderOptions& options, const scene::Scene& scene, const r
   if (!options.picture_file.empty()) write_map_picture(options.picture_file, map, look);
 }
 
-void render(const RenderOptions& options, std::optional<radar::Polarization> polarization, const Output& output) {
+void render(RenderOptions options, std::optional<radar::Polarization> polarization, const Output& output) {
   check_files(options);
   const auto radar_file = radar::read_radar_file(options.radar);
+  const auto look = look_of(options, polarization.value_or(radar_file.radar.polarization));
+  check(options.received, look.polarization);
   const scene::Scene scene = scene::read_scene(options.scene);
+  if (!options.crs.empty()) static_cast<void>(geo::CoordinateTransform(options.crs, scene.frame, "--crs"));
+  std::vector<radar::Target> targets;
+  if (!options.targets.empty()) targets = placed_targets(scene, options.targets);
+  options.trace.targets = targets;
   const auto radar = simulate::placed_radar(radar_file, scene.frame, scene.terrain, scene.extent);
   const auto grid = simulate::map_grid(radar_file.map, scene.extent);
   check_coherent(options, radar);
@@ -237,7 +242,6 @@ void render(const RenderOptions& options, std::optional<radar::Polarization> pol
                                                    : baked(options, scene, *store, radar, grid, origin);
   rendered.provenance.insert(origin.begin(), origin.end());
 
-  const auto look = look_of(options, polarization.value_or(radar.polarization));
   const bool is_real_beam = !rendered.coherent;
   if (is_real_beam) {
     write_received(options.received, radar, rendered.image, look.polarization, options.trace.seed,
@@ -246,7 +250,7 @@ void render(const RenderOptions& options, std::optional<radar::Polarization> pol
   write_iq_files(options.iq, {store ? &*store : nullptr, scene, all_targets(scene, options.targets), radar,
                               grid.extent(), options.extrapolate, options.trace.seed, options.trace.threads, origin});
   write_maps(options, scene, radar, grid, rendered, look);
-  if (is_real_beam) write_scopes(options.scopes, radar, rendered.image, look);
+  if (is_real_beam) write_scopes(options.scopes, radar, rendered.image, look, rendered.provenance);
 
   nlohmann::ordered_json summary{{"map", options.map_file},         {"power", options.power_file},
                                  {"picture", options.picture_file}, {"level_of_detail", options.level_of_detail},

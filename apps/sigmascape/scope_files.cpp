@@ -3,9 +3,11 @@
 #include <algorithm>
 
 #include "sigmascape/geo/atomic_file.h"
+#include "sigmascape/product/attribution_line.h"
 #include "sigmascape/product/legend.h"
 #include "sigmascape/product/png_file.h"
 #include "sigmascape/product/scope_layout.h"
+#include "sigmascape/product/software.h"
 
 namespace sigmascape::cli {
 namespace {
@@ -27,8 +29,11 @@ radar::GroundMap drawn_out(const radar::GroundMap& bins) {
 }
 
 /// Without a world file: in slant range pixels have no place on a map.
-void write_scope(const std::string& file, const product::Picture& picture) {
-  geo::write_atomically(file, product::png_bytes(picture));
+void write_scope(const std::string& file, radar::GroundMap bins, const product::PictureOptions& look,
+                 const product::LegendParts& parts, const Provenance& provenance) {
+  bins.metadata = provenance;
+  const auto picture = product::with_legend(product::picture_of(bins, look), parts);
+  geo::write_atomically(file, product::png_bytes(product::with_attribution(picture)));
 }
 
 }  // namespace
@@ -42,15 +47,17 @@ void add_scope_options(CLI::App& command, ScopeFiles& files) {
 }
 
 void write_scopes(const ScopeFiles& files, const radar::Radar& radar, const radar::RangeAzimuthImage& image,
-                  const product::PictureOptions& look) {
+                  const product::PictureOptions& look, const Provenance& provenance) {
+  Provenance told = provenance;
+  told["radar"] = radar.name;
+  told["software"] = product::software_name();
   if (!files.ppi.empty()) {
     const double up_rad = files.up == "heading" ? radar.heading_rad : 0.0;
-    const auto picture = product::picture_of(product::ppi(image, {.up_rad = up_rad}), look);
-    write_scope(files.ppi, product::with_legend(picture, {.north_arrow = files.up == "north"}));
+    write_scope(files.ppi, product::ppi(image, {.up_rad = up_rad}), look, {.north_arrow = files.up == "north"}, told);
   }
   if (!files.b_scope.empty()) {
-    const auto picture = product::picture_of(drawn_out(product::b_scope(image)), look);
-    write_scope(files.b_scope, product::with_legend(picture, {.scale_bar = false, .north_arrow = false}));
+    write_scope(files.b_scope, drawn_out(product::b_scope(image)), look, {.scale_bar = false, .north_arrow = false},
+                told);
   }
 }
 

@@ -3,6 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
+#include "map_files.h"
+
 #include "sigmascape/product/picture.h"
 #include "sigmascape/radar/radar.h"
 #include "sigmascape/radar/range_azimuth_image.h"
@@ -16,8 +18,8 @@ struct ScopeFiles {
 
 void add_scope_options(CLI::App& command, ScopeFiles& files);
 
-/// Writes the pictures that were asked for, painted as `look` says.
+/// Writes the pictures that were asked for, painted as `look` says, with what `provenance` tells of the image.
 void write_scopes(const ScopeFiles& files, const radar::Radar& radar, const radar::RangeAzimuthImage& image,
-                  const product::PictureOptions& look);
+                  const product::PictureOptions& look, const Provenance& provenance);
 
 }  // namespace sigmascape::cli

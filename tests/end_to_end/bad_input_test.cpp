@@ -84,6 +84,25 @@ TEST_F(BadInput, FilesThatCannotBeWrittenAreRefusedBeforeTheWork) {
   }
 }
 
+TEST_F(BadInput, WhatAMapCannotBeIsRefusedBeforeItIsTraced) {
+  write_radar();
+  const auto scene = write_made_scene(folder_.path("scene"), 200.0, 200.0);
+  // So many rays would take an hour.
+  const auto said_of = [&](const std::string& options) {
+    return said_to(
+        fmt::format("render radar.toml --scene '{}' --samples 1000000 --out map.tif {}", scene.string(), options));
+  };
+  EXPECT_THAT(said_of("--crs EPSG:99999"), AllOf(HasSubstr("--crs"), HasSubstr("EPSG:99999")));
+  EXPECT_THAT(said_of("--snr power.bin"), HasSubstr("power.bin: would not be known for a NumPy file"));
+  EXPECT_THAT(said_of("--video video.tif"), HasSubstr("video.tif: would not be known for a NumPy file"));
+  EXPECT_THAT(said_of("--snr power.npy --polarization sum"), HasSubstr("cannot give the sum of polarizations"));
+  EXPECT_THAT(said_of("--layers shadow --layers-out layers.png"), HasSubstr("layers.png: would not be known for"));
+  EXPECT_THAT(said_to("results --small --finer-samples 1 --out results"), HasSubstr("--finer-samples: is 1"));
+  EXPECT_THAT(said_to("results --small --measured none.json --out results"), HasSubstr("none.json: cannot be read"));
+  EXPECT_THAT(said_to(fmt::format("results --small --scene '{}' --out results", scene.string())),
+              HasSubstr("asks for 400 m, and the scene is 200 m wide; give one of at most 0.1"));
+}
+
 TEST_F(BadInput, EmptyNamesAreNotTheFolderOneStandsIn) {
   EXPECT_THAT(said_to("bake none.toml --out ''"), StartsWith("--out: is empty; give a name or a value"));
   EXPECT_THAT(said_to("bake none.toml --out="), StartsWith("--out: is empty"));

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "sigmascape/product/rectangle_fill.h"
 
@@ -96,6 +97,13 @@ constexpr Glyph glyphs[] = {
     {U'*', {0b00000, 0b00100, 0b10101, 0b01110, 0b10101, 0b00100, 0b00000}},
     {U'%', {0b11001, 0b11001, 0b00010, 0b00100, 0b01000, 0b10011, 0b10011}},
     {U'\'', {0b00100, 0b00100, 0b01000, 0b00000, 0b00000, 0b00000, 0b00000}},
+    {U'"', {0b01010, 0b01010, 0b01010, 0b00000, 0b00000, 0b00000, 0b00000}},
+    {U'&', {0b01100, 0b10010, 0b10100, 0b01000, 0b10101, 0b10010, 0b01101}},
+    {U';', {0b00000, 0b01100, 0b01100, 0b00000, 0b01100, 0b00100, 0b01000}},
+    {U'?', {0b01110, 0b10001, 0b00001, 0b00010, 0b00100, 0b00000, 0b00100}},
+    {U'!', {0b00100, 0b00100, 0b00100, 0b00100, 0b00100, 0b00000, 0b00100}},
+    {U'#', {0b01010, 0b01010, 0b11111, 0b01010, 0b11111, 0b01010, 0b01010}},
+    {U'@', {0b01110, 0b10001, 0b00001, 0b01101, 0b10101, 0b10101, 0b01110}},
     {U'|', {0b00100, 0b00100, 0b00100, 0b00100, 0b00100, 0b00100, 0b00100}},
     {U'<', {0b00010, 0b00100, 0b01000, 0b10000, 0b01000, 0b00100, 0b00010}},
     {U'>', {0b01000, 0b00100, 0b00010, 0b00001, 0b00010, 0b00100, 0b01000}},
@@ -108,10 +116,24 @@ constexpr Glyph glyphs[] = {
     {U'\u00b7', {0b00000, 0b00000, 0b00000, 0b01100, 0b01100, 0b00000, 0b00000}},  // ·
 };
 
+/// Letters from À to ſ without their accents.
+constexpr std::u32string_view plain_letters =
+    U"AAAAAAACEEEEIIIIDNOOOOOxOUUUUYTsaaaaaaaceeeeiiiidnooooo/ouuuuyty"
+    U"AaAaAaCcCcCcCcDdDdEeEeEeEeEeGgGgGgGgHhHhIiIiIiIiIiIiJjKkkLlLlLlLlLlNnNnNnnNnOoOoOoOoRrRrRrSsSsSsSsTtTtTtUuUuUuUuU"
+    U"uUuWw"
+    U"YyYZzZzZzs";
+constexpr char32_t first_accented = U'\u00c0', last_accented = U'\u017f';
+static_assert(plain_letters.size() == last_accented - first_accented + 1);
+
+/// A letter that the font does not have, accents aside, is a question mark.
 const Glyph* glyph_of(char32_t letter) {
-  const auto* found =
-      std::find_if(std::begin(glyphs), std::end(glyphs), [&](const Glyph& g) { return g.letter == letter; });
-  return found == std::end(glyphs) ? nullptr : found;
+  if (letter == U' ') return nullptr;
+  if (letter >= first_accented && letter <= last_accented) letter = plain_letters[letter - first_accented];
+  const auto of = [](char32_t wanted) {
+    return std::find_if(std::begin(glyphs), std::end(glyphs), [&](const Glyph& g) { return g.letter == wanted; });
+  };
+  const auto* found = of(letter);
+  return found == std::end(glyphs) ? of(U'?') : found;
 }
 
 void draw_glyph(Array2D<Rgba>& pixels, std::size_t column, std::size_t row, const Glyph& glyph, std::size_t dot_size,

@@ -2,10 +2,16 @@
 
 #include <limits>
 
+#include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/geo/geo_raster.h"
 
 namespace sigmascape::product {
+
+void check_layer_name(const std::filesystem::path& path) {
+  if (path.extension() == ".tif" || path.extension() == ".tiff") return;
+  throw Error(path.string(), "would not be known for a GeoTIFF, which layers are written as", "end the name in .tif");
+}
 
 void write_layers(const std::filesystem::path& path, const radar::LayerStack& stack) {
   geo::GeoRaster raster{.placement = {stack.grid.west_m, stack.grid.north_m, stack.grid.cell_m, stack.crs},

@@ -6,6 +6,9 @@
 
 namespace sigmascape::product {
 
+/// Throws Error for a name that does not end in .tif.
+void check_layer_name(const std::filesystem::path& path);
+
 /// Writes layers as one float32 GeoTIFF, atomically: a band for each layer that is named after it, angles in degrees,
 /// NaN where nothing is known; tags UNIT_<layer> tell the units. Throws Error when layers do not fit the grid or the
 /// file cannot be written.

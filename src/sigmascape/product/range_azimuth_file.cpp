@@ -28,10 +28,14 @@ std::string description(const radar::RangeAzimuthGrid& grid, const RangeAzimuthL
 
 }  // namespace
 
-void write_range_azimuth(const std::filesystem::path& path, const radar::RangeAzimuthGrid& grid,
-                         const Array2D<float>& bins, const RangeAzimuthLabel& label) {
+void check_range_azimuth_name(const std::filesystem::path& path) {
   if (path.extension() != ".npy")
     throw Error(path.string(), "would not be known for a NumPy file", "give a name that ends in .npy");
+}
+
+void write_range_azimuth(const std::filesystem::path& path, const radar::RangeAzimuthGrid& grid,
+                         const Array2D<float>& bins, const RangeAzimuthLabel& label) {
+  check_range_azimuth_name(path);
   const std::array<std::size_t, 2> shape{bins.rows(), bins.columns()};
   const std::string words = description(grid, label), numbers = npy_bytes("<f4", shape, std::as_bytes(bins.values()));
   geo::write_together({{std::filesystem::path(path).replace_extension(".json"), words}, {path, numbers}});

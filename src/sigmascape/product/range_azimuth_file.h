@@ -16,6 +16,9 @@ struct RangeAzimuthLabel {
   std::map<std::string, std::string> words;
 };
 
+/// Throws Error for a name that does not end in .npy.
+void check_range_azimuth_name(const std::filesystem::path& path);
+
 /// Writes bins as a NumPy file (.npy, format 1.0: float32, little-endian, [range, azimuth]) and beside it, with the
 /// extension .json, where the bins lie and what they hold. Both or neither. Throws Error when the disk is full or the
 /// file is not called .npy.

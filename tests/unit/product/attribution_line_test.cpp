@@ -1,5 +1,6 @@
 #include "sigmascape/product/attribution_line.h"
 
+#include <algorithm>
 #include <gmock/gmock.h>
 
 namespace sigmascape::product {
@@ -43,6 +44,16 @@ TEST(AttributionLine, IsAsManyLinesAsTheWidthAsksFor) {
   EXPECT_EQ(bright_pixels_below(with_attribution(picture_with(text, 400)), 20),
             bright_pixels_below(with_attribution(picture_with(text, 120)), 20))
       << "letters are lost";
+}
+
+TEST(AttributionLine, HasALetterForEachLetter) {
+  const auto is_equal = [](const char* one, const char* other) {
+    const Picture first = with_attribution(picture_with(one, 400)), second = with_attribution(picture_with(other, 400));
+    return std::ranges::equal(first.pixels.values(), second.pixels.values());
+  };
+  EXPECT_TRUE(is_equal("Instituto Geográfico Nacional, élève, Łódź", "Instituto Geografico Nacional, eleve, Lodz"));
+  EXPECT_TRUE(is_equal("日本", "??"));
+  EXPECT_FALSE(is_equal("a & b; \"c\"!", "a   b   c  "));
 }
 
 TEST(AttributionLine, IsLeftOutWhereThereIsNoneOrNoRoom) {
