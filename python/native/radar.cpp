@@ -20,8 +20,9 @@ using Triple = std::array<double, 3>;
 using Area = std::array<double, 4>;
 namespace bounds = radar::bounds;
 
-Triple triple_of(const Vec3d& v) {
-  return {v.x, v.y, v.z};
+/// Not to be changed in place, as what is got of a radar is a copy.
+py::tuple tuple_of(const Vec3d& v) {
+  return py::make_tuple(v.x, v.y, v.z);
 }
 Vec3d vec_of(const Triple& v) {
   return {v[0], v[1], v[2]};
@@ -151,7 +152,7 @@ void add_radar(py::module_& module) {
           [](RadarFile& f, const std::string& word) { f.radar.polarization = polarization_from(word); },
           "What pictures show; maps hold all: 'vv', 'hh', 'hv', 'vh' or 'sum'.")
       .def_property(
-          "velocity_mps", [](const RadarFile& f) { return triple_of(f.radar.velocity_mps); },
+          "velocity_mps", [](const RadarFile& f) { return tuple_of(f.radar.velocity_mps); },
           [](RadarFile& f, const Triple& v) {
             f.radar.velocity_mps = vec_of(all_within("velocity_mps", v, -fastest_mps, fastest_mps));
           },
@@ -166,9 +167,9 @@ void add_radar(py::module_& module) {
           "cell_m", [](const RadarFile& f) { return f.map.cell_m; }, &set_cell_m, "Side of the map's cells.")
       .def_property(
           "area_m",
-          [](const RadarFile& f) -> std::optional<Area> {
+          [](const RadarFile& f) -> std::optional<py::tuple> {
             if (!f.map.area) return std::nullopt;
-            return Area{f.map.area->west_m, f.map.area->south_m, f.map.area->east_m, f.map.area->north_m};
+            return py::make_tuple(f.map.area->west_m, f.map.area->south_m, f.map.area->east_m, f.map.area->north_m);
           },
           &set_area_m, "What is mapped: west, south, east, north; None for the whole scene.")
       .def(
@@ -185,7 +186,7 @@ void add_radar(py::module_& module) {
           "position_over",
           [](const RadarFile& f, const LoadedScene& loaded) {
             const scene::Scene& scene = loaded.scene();
-            return triple_of(simulate::placed_radar(f, scene.frame, scene.terrain, scene.extent).position);
+            return tuple_of(simulate::placed_radar(f, scene.frame, scene.terrain, scene.extent).position);
           },
           py::arg("scene"), "Where the radar stands over a scene: x, y, altitude in metres.")
       .def("__copy__", [](const RadarFile& f) { return RadarFile(f); })

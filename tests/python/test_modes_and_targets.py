@@ -91,6 +91,27 @@ def test_targets_come_from_files_too(tmp_path, atlas, radar):
     assert brightest(sigmascape.render(None, radar, atlas=atlas, targets=[moving])) == pytest.approx((20.0, -10.0), abs=2.1)
 
 
+def test_targets_fluctuate_each_for_itself(atlas, radar):
+    def added(places, **options):
+        targets = [sigmascape.Target(place, rcs_dbsm=60.0, swerling=1, **options) for place in places]
+        maps = [sigmascape.render(None, radar, atlas=atlas, targets=given) for given in (targets, [])]
+        return np.nansum(maps[0].vv.astype(float)) - np.nansum(maps[1].vv.astype(float))
+
+    one, other = (12.0, -8.0), (-20.0, -30.0)
+    assert added([one, other]) != pytest.approx(2.0 * added([one]), rel=0.05)
+    assert added([one, other], seed=7) == pytest.approx(2.0 * added([one], seed=7), rel=0.05)
+
+
+def test_wind_is_told_where_it_blows(scene, atlas, tmp_path):
+    (tmp_path / "radar.toml").write_text(
+        "[radar]\nfrequency_ghz = 10\nrange_resolution_m = 4\nbeam_width_deg = 1\nwind_mps = 8\n[mode]\nkind = \"spotlight\"\n"
+        "[position]\nazimuth_deg = 180\nelevation_deg = 15\nslant_range_km = 2.4\n[platform]\nspeed_mps = 100\nheading_deg = 90\n"
+        "[waveform]\npulse_repetition_hz = 4000\n[map]\ncell_m = 2\n")
+    radar = sigmascape.Radar.read(tmp_path / "radar.toml")
+    assert sigmascape.render(None, radar, atlas=atlas).metadata["wind_mps"] == "0"
+    assert sigmascape.render(scene, radar, atlas=atlas).metadata["wind_mps"] == "8"
+
+
 @pytest.mark.parametrize("names, options, words", [
     (["bounce1"], dict(samples=0), "samples: is 0; give a number from 1 to 16777216"),
     (["bounce1"], dict(bounces=0), "bounces: is 0; give a number from 1 to 255"),

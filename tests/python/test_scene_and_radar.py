@@ -36,7 +36,7 @@ def test_the_radar_stands_where_it_is_seen_from(scene):
     # Eastwards by the ground range, up by half of the slant range.
     assert radar.position_over(scene) == pytest.approx((10.0 + 2000.0 * np.sqrt(0.75), -5.0, 1000.0))
     radar.stand_at((1.0, 2.0, 3000.0))
-    assert radar.position_over(scene) == [1.0, 2.0, 3000.0]
+    assert radar.position_over(scene) == (1.0, 2.0, 3000.0)
 
 
 def test_attributes_of_a_radar_are_read_back():
@@ -45,7 +45,7 @@ def test_attributes_of_a_radar_are_read_back():
     assert radar.beam_width_deg == pytest.approx(0.7) and radar.polarization == "hh" and radar.name == "r"
     other = copy.copy(radar)
     other.mode, other.velocity_mps, other.area_m = "stripmap", (0.0, 100.0, 0.0), (0.0, 0.0, 10.0, 20.0)
-    assert (other.mode, other.velocity_mps, other.area_m) == ("stripmap", [0.0, 100.0, 0.0], [0.0, 0.0, 10.0, 20.0])
+    assert (other.mode, other.velocity_mps, other.area_m) == ("stripmap", (0.0, 100.0, 0.0), (0.0, 0.0, 10.0, 20.0))
     assert radar.mode == "real-beam" and radar.area_m is None
 
 

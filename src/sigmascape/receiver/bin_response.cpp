@@ -10,7 +10,8 @@
 namespace sigmascape::receiver {
 namespace {
 
-/// `power(k)`, which is one at its peak, for bins k = −reach … reach, cut where no more than `left_out` of the sum lies beyond on both sides.
+/// `power(k)`, which is one at its peak, for bins k = −reach … reach, cut where no more than `left_out` of the sum lies
+/// beyond on both sides.
 template <typename Power>
 BinResponse sampled(int reach, double left_out, Power&& power) {
   std::vector<double> at_least(static_cast<std::size_t>(reach) + 2, 0.0);  // of |k| ≥ index

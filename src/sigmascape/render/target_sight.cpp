@@ -11,6 +11,8 @@ constexpr double doubt = 1e-6;
 
 double part_seen_at(const TargetSight& sight, const TargetSight::Level& level,
                     const receiver::TargetFrame::Seen& target) {
+  // Straight below the radar nothing stands in between.
+  if (!(target.distance_m > 0.0)) return 1.0;
   const HorizonGrid& grid = level.horizon->grid();
   const double radar_height_m = sight.radar_height_m;
   const auto slope_of = [&](double height_m) {

@@ -85,7 +85,7 @@ std::map<std::string, std::string> source_of(const ModeRequest& request) {
           {"mode", word_for(request.radar.mode)},
           {"antenna_pattern", request.radar.processing.antenna_pattern ? "left in" : "none"},
           {"thermal_noise", request.radar.processing.thermal_noise ? "in it" : "none"},
-          {"wind_mps", fmt::format("{:g}", request.radar.wind_mps)},
+          {"wind_mps", fmt::format("{:g}", request.windblown ? request.radar.wind_mps : 0.0)},
           {"targets", std::to_string(request.targets.size())},
           {"seed", std::to_string(request.seed)}};
 }

@@ -108,6 +108,17 @@ TEST_F(LiveTargetsTest, OnlyTerrainHidesThemHoweverCoarse) {
   }
 }
 
+TEST_F(LiveTargetsTest, AreSeenStraightBelowTheRadar) {
+  const auto ground = level_ground().over(*store_);
+  LiveRenderer renderer(ground, {.beams = 64, .ranges = 64, .beam_step_rad = 2.0 * pi / 64.0, .range_step_m = 8.0});
+  const std::vector<radar::Target> targets{standing({0.0, 0.0}, 2.0)};
+  Pose pose;
+  pose.position = {0.0, 0.0, 300.0};
+  pose.first_range_m = 250.0;
+  pose.targets = targets;
+  EXPECT_EQ(renderer.render(pose).report.targets, 1U);
+}
+
 TEST_F(LiveTargetsTest, StandOnTheGroundOfTheFrame) {
   // Coarse terrain lies above these hollows; what was put on their floors is seen all the same.
   ExampleGround hollows = level_ground();
