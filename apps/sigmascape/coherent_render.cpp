@@ -32,14 +32,11 @@ void write_slant_image(const CoherentRequest& request, const simulate::ModeReque
 
 }  // namespace
 
-std::vector<radar::Target> placed_targets(const scene::Scene& scene, const std::string& file) {
-  return simulate::placed_targets(radar::read_target_file(file), scene.frame, scene.terrain);
-}
-
 std::vector<radar::Target> all_targets(const scene::Scene& scene, const std::string& file) {
   auto targets = simulate::targets_of(scene);
   if (file.empty()) return targets;
-  for (radar::Target& target : placed_targets(scene, file)) targets.push_back(std::move(target));
+  for (radar::Target& target : simulate::placed_targets(radar::read_target_file(file), scene.frame, scene.terrain))
+    targets.push_back(std::move(target));
   return targets;
 }
 

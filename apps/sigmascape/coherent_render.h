@@ -41,9 +41,7 @@ struct CoherentMap {
 /// what `radar::plan_warnings` finds.
 [[nodiscard]] CoherentMap coherent_map(const CoherentRequest& request);
 
-/// The targets of a file, placed in the scene.
-[[nodiscard]] std::vector<radar::Target> placed_targets(const scene::Scene& scene, const std::string& file);
-/// The targets of the scene and, when it is named, of a file.
+/// The targets of the scene, then, when it is named, those of a file, placed in it.
 [[nodiscard]] std::vector<radar::Target> all_targets(const scene::Scene& scene, const std::string& file);
 
 }  // namespace sigmascape::cli

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <map>
 #include <optional>
+#include <span>
 
 #include "coherent_render.h"
 #include "command.h"
@@ -106,9 +107,9 @@ std::optional<atlas::Store> atlas_of(const RenderOptions& options, const std::st
 }
 
 Rendered baked(const RenderOptions& options, const scene::Scene& scene, const atlas::Store& store,
-               const radar::Radar& radar, const radar::GroundGrid& grid, const Provenance& origin) {
+               const radar::Radar& radar, const radar::GroundGrid& grid, const std::vector<radar::Target>& targets,
+               const Provenance& origin) {
   const atlas::Atlas textures = atlas::load_atlas(store);
-  const auto targets = all_targets(scene, options.targets);
   if (radar.mode != radar::Mode::RealBeam) {
     auto made = coherent_map({scene, textures, radar, texture_frequency_hz(textures, radar, options.extrapolate), grid,
                               options.level_of_detail, targets, options.trace.seed, options.trace.threads, origin,
@@ -223,9 +224,9 @@ void render(RenderOptions options, std::optional<radar::Polarization> polarizati
   check(options.received, look.polarization);
   const scene::Scene scene = scene::read_scene(options.scene);
   if (!options.crs.empty()) static_cast<void>(geo::CoordinateTransform(options.crs, scene.frame, "--crs"));
-  std::vector<radar::Target> targets;
-  if (!options.targets.empty()) targets = placed_targets(scene, options.targets);
-  options.trace.targets = targets;
+  const std::vector<radar::Target> targets = all_targets(scene, options.targets);
+  // Those of the scene come first, and a tracer knows them by itself.
+  options.trace.targets = std::span(targets).subspan(scene.point_targets.size());
   const auto radar = simulate::placed_radar(radar_file, scene.frame, scene.terrain, scene.extent);
   const auto grid = simulate::map_grid(radar_file.map, scene.extent);
   check_coherent(options, radar);
@@ -239,7 +240,7 @@ void render(RenderOptions options, std::optional<radar::Polarization> polarizati
           : "";
   const Provenance origin = origin_of(scene, hash);
   Rendered rendered = options.level_of_detail == 0 ? traced(options, scene, radar, grid)
-                                                   : baked(options, scene, *store, radar, grid, origin);
+                                                   : baked(options, scene, *store, radar, grid, targets, origin);
   rendered.provenance.insert(origin.begin(), origin.end());
 
   const bool is_real_beam = !rendered.coherent;
@@ -247,8 +248,8 @@ void render(RenderOptions options, std::optional<radar::Polarization> polarizati
     write_received(options.received, radar, rendered.image, look.polarization, options.trace.seed,
                    options.trace.threads, rendered.provenance);
   }
-  write_iq_files(options.iq, {store ? &*store : nullptr, scene, all_targets(scene, options.targets), radar,
-                              grid.extent(), options.extrapolate, options.trace.seed, options.trace.threads, origin});
+  write_iq_files(options.iq, {store ? &*store : nullptr, scene, targets, radar, grid.extent(), options.extrapolate,
+                              options.trace.seed, options.trace.threads, origin});
   write_maps(options, scene, radar, grid, rendered, look);
   if (is_real_beam) write_scopes(options.scopes, radar, rendered.image, look, rendered.provenance);
 

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 #include <numeric>
+#include <utility>
 
 #include "results/processor_time.h"
 
@@ -56,11 +57,14 @@ class BakeTimer final : public ProgressListener {
   std::vector<double> seconds_;
 };
 
-std::vector<double> timed_bake(const scene::Scene& scene, const bake::BakeSettings& settings,
-                               const std::filesystem::path& folder, ProgressListener& progress) {
+std::pair<atlas::Store, std::vector<double>> timed_bake(const scene::Scene& scene, const bake::BakeSettings& settings,
+                                                        const std::filesystem::path& folder,
+                                                        ProgressListener& progress) {
   BakeTimer timer(folder / "bake_seconds.json", progress);
   bake::bake(scene, settings, folder, timer);
-  return timer.seconds(atlas::Store::open(folder).units().size());
+  auto store = atlas::Store::open(folder);
+  const std::size_t textures = store.units().size();
+  return {std::move(store), timer.seconds(textures)};
 }
 
 /// What a store holds of the ground apart from what stands on it; it serves every look.
@@ -91,7 +95,7 @@ double needed_share(const atlas::AtlasDescription& atlas) {
 
 TimedBake::TimedBake(const scene::Scene& scene, const bake::BakeSettings& settings, const std::filesystem::path& folder,
                      ProgressListener& progress)
-    : unit_seconds_(timed_bake(scene, settings, folder, progress)), store_(atlas::Store::open(folder)) {}
+    : TimedBake(timed_bake(scene, settings, folder, progress)) {}
 
 AtlasCost TimedBake::cost_of(const atlas::AspectSelection& selection, const atlas::Atlas& atlas) const {
   const auto looks = atlas::selected_looks(store_.description().aspects, selection);

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <utility>
+#include <vector>
 
 #include "results/table.h"
 
@@ -24,8 +26,11 @@ class TimedBake {
   [[nodiscard]] AtlasCost cost_of(const atlas::AspectSelection& selection, const atlas::Atlas& atlas) const;
 
  private:
-  std::vector<double> unit_seconds_;  ///< in the order of Store::units
+  explicit TimedBake(std::pair<atlas::Store, std::vector<double>> timed)
+      : store_(std::move(timed.first)), unit_seconds_(std::move(timed.second)) {}
+
   atlas::Store store_;
+  std::vector<double> unit_seconds_;  ///< in the order of Store::units
 };
 
 }  // namespace sigmascape::cli

@@ -33,6 +33,8 @@ struct GeoRaster {
 /// Throws Error when the raster has no bands or bands of different size, the CRS is not understood, or the disk is
 /// full.
 void write_geotiff(const std::filesystem::path& path, const GeoRaster& raster);
+/// Whether a file of that name is known for a GeoTIFF: .tif or .tiff.
+[[nodiscard]] bool is_geotiff_name(const std::filesystem::path& path);
 
 /// Reads every band of a north-up GeoTIFF with square cells as float; a band's scale and offset are applied. Throws
 /// Error when the file cannot be read whole, is not north up or has no CRS. `placement.crs` is the file's CRS as WKT2.

@@ -96,6 +96,10 @@ GDALDatasetUniquePtr raster_in_memory(const GeoRaster& raster) {
 
 }  // namespace
 
+bool is_geotiff_name(const std::filesystem::path& path) {
+  return path.extension() == ".tif" || path.extension() == ".tiff";
+}
+
 void write_geotiff(const std::filesystem::path& path, const GeoRaster& raster) {
   check_bands(path, raster);
   const QuietGdal quiet;

@@ -9,7 +9,7 @@
 namespace sigmascape::product {
 
 void check_layer_name(const std::filesystem::path& path) {
-  if (path.extension() == ".tif" || path.extension() == ".tiff") return;
+  if (geo::is_geotiff_name(path)) return;
   throw Error(path.string(), "would not be known for a GeoTIFF, which layers are written as", "end the name in .tif");
 }
 

@@ -9,6 +9,7 @@
 #include "sigmascape/base/error.h"
 #include "sigmascape/geo/atomic_file.h"
 #include "sigmascape/geo/axis_units.h"
+#include "sigmascape/geo/geo_raster.h"
 #include "sigmascape/product/decibels.h"
 #include "sigmascape/product/map_geotiff.h"
 #include "sigmascape/product/npy_bytes.h"
@@ -16,10 +17,6 @@
 
 namespace sigmascape::product {
 namespace {
-
-bool is_geotiff(const std::filesystem::path& path) {
-  return path.extension() == ".tif" || path.extension() == ".tiff";
-}
 
 bool holds_correlation(const MapView& map, MapScale scale) {
   return map.quantity.has_correlation && scale == MapScale::Linear;
@@ -83,7 +80,7 @@ std::string archive_of(const MapView& map, MapScale scale, const std::string& wh
 
 void write_view(const std::filesystem::path& path, const MapView& map, MapScale scale) {
   check_map_name(path);
-  if (is_geotiff(path)) return write_map_geotiff(path, map, scale);
+  if (geo::is_geotiff_name(path)) return write_map_geotiff(path, map, scale);
   if (path.extension() == ".npz") return geo::write_atomically(path, archive_of(map, scale, path.string()));
   const std::string description = description_of(map, scale), numbers = numbers_bytes(map, scale);
   geo::write_together({{std::filesystem::path(path).replace_extension(".json"), description}, {path, numbers}});
@@ -92,7 +89,7 @@ void write_view(const std::filesystem::path& path, const MapView& map, MapScale 
 }  // namespace
 
 void check_map_name(const std::filesystem::path& path) {
-  if (is_geotiff(path) || path.extension() == ".npy" || path.extension() == ".npz") return;
+  if (geo::is_geotiff_name(path) || path.extension() == ".npy" || path.extension() == ".npz") return;
   throw Error(path.string(), "is no kind of file that maps are written as", "end the name in .tif, .npy or .npz");
 }
 

@@ -22,17 +22,32 @@ double twice_plan_area(Vec3d a, Vec3d b, Vec3d c) {
   return (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
 }
 
-std::size_t index_from(double cells, std::size_t count) {
-  return static_cast<std::size_t>(std::clamp(std::floor(cells), 0.0, static_cast<double>(count)));
+/// The points of cells.
+radar::GroundGrid points_of(const radar::GroundGrid& cells) {
+  return {cells.west_m, cells.north_m, cells.cell_m / static_cast<double>(points_per_side),
+          cells.columns * points_per_side, cells.rows * points_per_side};
+}
+
+/// Calls `visit(column, row)` for those that a rectangle may cover.
+template <typename Visit>
+void for_points_under(const radar::Rectangle& rectangle, const radar::GroundGrid& points, const Visit& visit) {
+  const auto index_from = [](double cells, std::size_t count) {
+    return static_cast<std::size_t>(std::clamp(std::floor(cells), 0.0, static_cast<double>(count)));
+  };
+  const Vec2d first = points.cells_from({rectangle.west_m, rectangle.north_m}),
+              last = points.cells_from({rectangle.east_m, rectangle.south_m});
+  for (std::size_t row = index_from(first.y, points.rows); row < index_from(last.y + 1.0, points.rows); ++row) {
+    for (std::size_t column = index_from(first.x, points.columns); column < index_from(last.x + 1.0, points.columns);
+         ++column)
+      visit(column, row);
+  }
 }
 
 /// Buildings seen from above on points finer than the cells.
 class RoofRaster {
  public:
   explicit RoofRaster(const radar::GroundGrid& cells)
-      : points_{cells.west_m, cells.north_m, cells.cell_m / static_cast<double>(points_per_side),
-                cells.columns * points_per_side, cells.rows * points_per_side},
-        height_m_(points_.columns, points_.rows) {}
+      : points_(points_of(cells)), height_m_(points_.columns, points_.rows) {}
 
   void add(const Corners& triangle, const terrain::HeightField& ground) {
     const auto [a, b, c] = triangle;
@@ -40,18 +55,14 @@ class RoofRaster {
     if (std::abs(whole) < 1e-9) return;  // a wall
     const auto [west, east] = std::minmax({a.x, b.x, c.x});
     const auto [south, north] = std::minmax({a.y, b.y, c.y});
-    const Vec2d first = points_.cells_from({west, north}), last = points_.cells_from({east, south});
-    for (std::size_t row = index_from(first.y, points_.rows); row < index_from(last.y + 1.0, points_.rows); ++row) {
-      for (std::size_t column = index_from(first.x, points_.columns);
-           column < index_from(last.x + 1.0, points_.columns); ++column) {
-        const Vec2d p = points_.centre_of(column, row);
-        const Vec3d at{p.x, p.y, 0.0};
-        const double of_b = twice_plan_area(a, at, c) / whole, of_c = twice_plan_area(a, b, at) / whole;
-        if (of_b < 0.0 || of_c < 0.0 || of_b + of_c > 1.0) continue;
-        const double height = a.z + of_b * (b.z - a.z) + of_c * (c.z - a.z) - ground.height_at(p);
-        height_m_(column, row) = std::max(height_m_(column, row), static_cast<float>(height));
-      }
-    }
+    for_points_under({west, south, east, north}, points_, [&](std::size_t column, std::size_t row) {
+      const Vec2d p = points_.centre_of(column, row);
+      const Vec3d at{p.x, p.y, 0.0};
+      const double of_b = twice_plan_area(a, at, c) / whole, of_c = twice_plan_area(a, b, at) / whole;
+      if (of_b < 0.0 || of_c < 0.0 || of_b + of_c > 1.0) return;
+      const double height = a.z + of_b * (b.z - a.z) + of_c * (c.z - a.z) - ground.height_at(p);
+      height_m_(column, row) = std::max(height_m_(column, row), static_cast<float>(height));
+    });
   }
 
   /// The highest roof over a cell that is at least half covered, else 0.
@@ -118,22 +129,18 @@ class FoliageRaster {
   /// Adds as much surface as even leaves of that extinction have: docs/physics/vegetation.md, Eq. (1).
   void add(const StandingCrown& crown, const terrain::HeightField& ground) {
     const double reach_m = std::max(crown.radii_m.x, crown.radii_m.y);
-    const radar::GroundGrid points{cells_.west_m, cells_.north_m, cells_.cell_m / static_cast<double>(points_per_side),
-                                   cells_.columns * points_per_side, cells_.rows * points_per_side};
-    const Vec2d first = points.cells_from({crown.centre.x - reach_m, crown.centre.y + reach_m}),
-                last = points.cells_from({crown.centre.x + reach_m, crown.centre.y - reach_m});
-    for (std::size_t row = index_from(first.y, points.rows); row < index_from(last.y + 1.0, points.rows); ++row) {
-      for (std::size_t column = index_from(first.x, points.columns); column < index_from(last.x + 1.0, points.columns);
-           ++column) {
-        const Vec2d place = points.centre_of(column, row);
-        const double half_m = crown.half_chord_m(place);
-        if (half_m == 0.0) continue;
-        const double middle_m = crown.centre.z - ground.height_at(place);
-        add_surface(foliage_(column / points_per_side, row / points_per_side),
-                    4.0 * crown.extinction_per_m * half_m * points.cell_area_m2(), middle_m - half_m,
-                    middle_m + half_m);
-      }
-    }
+    const auto& [x, y, z] = crown.centre;
+    const radar::GroundGrid points = points_of(cells_);
+    for_points_under({x - reach_m, y - reach_m, x + reach_m, y + reach_m}, points,
+                     [&](std::size_t column, std::size_t row) {
+                       const Vec2d place = points.centre_of(column, row);
+                       const double half_m = crown.half_chord_m(place);
+                       if (half_m == 0.0) return;
+                       const double middle_m = crown.centre.z - ground.height_at(place);
+                       add_surface(foliage_(column / points_per_side, row / points_per_side),
+                                   4.0 * crown.extinction_per_m * half_m * points.cell_area_m2(), middle_m - half_m,
+                                   middle_m + half_m);
+                     });
   }
 
   void write_to(radar::Obstacle& obstacle, std::size_t column, std::size_t row) const {
@@ -225,6 +232,7 @@ class Standing {
  public:
   Standing(const Instance& instance, const terrain::HeightField& terrain)
       : scale_(instance.scale.to<double>()),
+        size_(instance.size()),
         origin_{static_cast<double>(instance.x_m), static_cast<double>(instance.y_m),
                 terrain.height_at({instance.x_m, instance.y_m}) + static_cast<double>(instance.lift_m)},
         cos_yaw_(std::cos(static_cast<double>(instance.yaw_rad))),
@@ -236,9 +244,8 @@ class Standing {
            Vec3d{scaled.x * cos_yaw_ + scaled.y * sin_yaw_, scaled.y * cos_yaw_ - scaled.x * sin_yaw_, scaled.z};
   }
   [[nodiscard]] StandingCrown crown_of(const Crown& crown, const scatter::CrownParameters& medium) const {
-    const double size = crown.grows_with_tree ? std::cbrt(scale_.x * scale_.y * scale_.z) : 1.0;
     return {place_of(crown.shape.centre), scaled_by(crown.shape.radii_m), cos_yaw_, sin_yaw_,
-            medium.extinction_per_m / size};
+            medium.extinction_per_m * static_cast<double>(crown.extinction_scale(size_))};
   }
 
  private:
@@ -247,7 +254,9 @@ class Standing {
             static_cast<double>(point.z) * scale_.z};
   }
 
-  Vec3d scale_, origin_;
+  Vec3d scale_;
+  float size_;
+  Vec3d origin_;
   double cos_yaw_, sin_yaw_;
 };
 

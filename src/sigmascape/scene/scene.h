@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -50,6 +51,9 @@ struct Crown {
   /// Whether its leaves grow with the tree, so that its extinction is by metres of the prototype and as much passes
   /// through a large tree as through a small one. Otherwise it is by metres in the world.
   bool grows_with_tree = false;
+
+  /// What the extinction is multiplied by in a tree of that Instance::size.
+  [[nodiscard]] float extinction_scale(float size) const { return grows_with_tree ? 1.0F / size : 1.0F; }
 };
 
 /// One placement of a prototype (a tree, a vehicle, a tower). Its origin stands on the ground, wherever that is: on the
@@ -61,6 +65,9 @@ struct Instance {
   float yaw_rad = 0.0F;  ///< clockwise from north: where the prototype's +y axis points
   Vec3f scale{1.0F, 1.0F, 1.0F};
   float speed_mps = 0.0F;  ///< along the prototype's +y axis
+
+  /// Over that of the prototype: the cube root of the volume it is scaled by.
+  [[nodiscard]] float size() const { return std::cbrt(scale.x * scale.y * scale.z); }
 };
 
 /// A building among Scene::buildings: a run of vertices that share one footing.

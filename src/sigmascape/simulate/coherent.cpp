@@ -73,7 +73,7 @@ std::array<double, 2> span_of(const radar::Rectangle& area, const terrain::Heigh
 receiver::RangeGate gate_over(const radar::Radar& radar, std::array<double, 2> ranges_m, double oversampling,
                               double over_slant = 1.0) {
   const double spare_m = 2.0 * radar.range_resolution_m;
-  const auto& [first_m, last_m] = std::pair(radar.receiver.first_range_m, radar.receiver.last_range_m);
+  const auto &first_m = radar.receiver.first_range_m, &last_m = radar.receiver.last_range_m;
   return {first_m ? *first_m * over_slant : std::max(0.0, ranges_m[0] - spare_m),
           last_m ? *last_m * over_slant : ranges_m[1] + spare_m, oversampling};
 }

@@ -29,7 +29,7 @@ RTCRayHit query_along(const Ray& ray, float length_m) {
 }
 
 RayContext context_for(CrownCrossings* crowns, const SceneStructures& structures) {
-  RayContext context{{}, crowns, structures.parts.data()};
+  RayContext context{{}, crowns, structures.tree_sizes.data()};
   rtcInitIntersectContext(&context.embree);
   context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
   return context;

@@ -19,7 +19,7 @@ constexpr std::size_t most_grid_nodes = 32767;  // along a side of Embree's grid
 /// Crowns are never hit: a ray that crosses one is told so and goes on. Embree gives it in the prototype's frame, where
 /// distances along the ray are what they are outside.
 void cross_crown(const scene::Crown& crown, const RTCRay& ray, RTCIntersectContext* context) {
-  const auto& [embree, crowns, parts] = *reinterpret_cast<const RayContext*>(context);
+  const auto& [embree, crowns, tree_sizes] = *reinterpret_cast<const RayContext*>(context);
   if (crowns == nullptr) return;
   const Vec3f r = crown.shape.radii_m, c = crown.shape.centre;
   const Vec3d o = Vec3f{(ray.org_x - c.x) / r.x, (ray.org_y - c.y) / r.y, (ray.org_z - c.z) / r.z}.to<double>();
@@ -33,7 +33,7 @@ void cross_crown(const scene::Crown& crown, const RTCRay& ray, RTCIntersectConte
   const unsigned tree = embree.instID[0];
   crowns->add({.enter_m = static_cast<float>(std::max(0.0, nearest - half)),
                .leave_m = static_cast<float>(nearest + half),
-               .extinction_scale = crown.grows_with_tree ? std::cbrt(parts[tree].placement.inverse_volume_scale) : 1.0F,
+               .extinction_scale = crown.extinction_scale(tree_sizes[tree]),
                .medium = crown.medium,
                .tree = tree});
 }
@@ -317,6 +317,9 @@ void SceneStructures::add_instances(const scene::Scene& scene, const Surrounding
                                 .sin_yaw = s,
                                 .inverse_scale = {1.0F / k.x, 1.0F / k.y, 1.0F / k.z},
                                 .inverse_volume_scale = 1.0F / (k.x * k.y * k.z)}});
+    if (crowns.empty()) continue;
+    tree_sizes.resize(parts.size(), 1.0F);
+    tree_sizes.back() = instance.size();
   }
 }
 

@@ -13,19 +13,19 @@
 
 namespace sigmascape::trace {
 
+/// What Embree hands on to the crowns that a ray passes.
+struct RayContext {
+  RTCIntersectContext embree;  // first, since Embree knows no more of it
+  CrownCrossings* crowns;
+  const float* tree_sizes;  ///< SceneStructures::tree_sizes
+};
+
 /// What a top-level geometry of the Embree scene stands for, by its number.
 struct Part {
   const FaceTraits* faces = nullptr;  ///< one a quad, areas before scaling; null: the terrain
   Placement placement = {};           ///< of an instance
 
   [[nodiscard]] bool is_terrain() const { return faces == nullptr; }
-};
-
-/// What Embree hands on to the crowns that a ray passes.
-struct RayContext {
-  RTCIntersectContext embree;  // first, since Embree knows no more of it
-  CrownCrossings* crowns;
-  const Part* parts;
 };
 
 /// What Embree found at the end of a ray.
@@ -53,6 +53,7 @@ struct SceneStructures {
   std::vector<RTCScene> prototypes, building_blocks;
   std::vector<Part> parts;
   std::vector<scene::Crown> crowns;
+  std::vector<float> tree_sizes;  ///< scene::Instance::size of each part that is one; none in scenes without crowns
   scene::MaterialMap ground;
   std::vector<std::vector<FaceTraits>> prototype_faces;
   std::vector<FaceTraits> building_faces;

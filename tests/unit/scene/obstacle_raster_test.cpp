@@ -60,7 +60,6 @@ TEST(ObstacleRaster, OpenMeshesArePorousByTheirArea) {
   EXPECT_NEAR(sheet.crown_extinction_per_m, 0.25, 1e-5);
 }
 
-// A sheet at 3 m and 7 m that reaches 10^30 m beyond the cells on two sides.
 // An ellipsoid of 3 m by 2 m by 1.5 m about a point 5 m up, doubled: what cells hold of it together is κ V, κ by its
 // own metres or by those of the world.
 TEST(ObstacleRaster, CrownsThatAreMediaInterceptWhatTheyDoInTheScene) {
@@ -91,6 +90,7 @@ TEST(ObstacleRaster, CrownsThatAreMediaInterceptWhatTheyDoInTheScene) {
   }
 }
 
+// A sheet at 3 m and 7 m that reaches 10^30 m beyond the cells on two sides.
 TEST(ObstacleRaster, MeshesMayReachHoweverFarBeyondTheCells) {
   Scene scene = empty_scene();
   scene.prototypes.push_back({.name = "sheet",
