@@ -77,8 +77,10 @@ struct FrameReport {
   std::size_t cells = 0;   ///< lattice cells looked at; where the atlas ends they are counted alone
   std::size_t lit = 0;     ///< of them seen by the radar
   std::size_t coarse = 0;  ///< of them shown from a coarser level than wanted, for the finer was not there yet
-  std::size_t dark = 0;    ///< for which there was nothing: outside the atlas, or its two coarsest levels are damaged
-  std::size_t level = 0;   ///< of the textures, 0 the finest; of two in use that with more of the power
+  /// Others of them for which there was nothing, of the ground or of what stands on it: outside the atlas, or its two
+  /// coarsest levels are damaged.
+  std::size_t dark = 0;
+  std::size_t level = 0;  ///< of the textures, 0 the finest; of two in use that with more of the power
   /// By how much the terrain that hides may be wrong, for tiles of it cannot be had, or were not there yet: then it is
   /// taken to lie so much lower that no ground is hidden by what is not there. 0 when nothing was lacking.
   double terrain_error_m = 0.0;

@@ -208,8 +208,10 @@ void SectorTask::fill_stretch(const Place& place, std::size_t count) {
   report_.lit -= shadows_.shade(row_, place.first_column);
   if (apart) light_apart_from(ground);
   const auto area_m2 = static_cast<float>(texel_m_ * texel_m_) * share_;
-  blend_by_aspect(place, area_m2);
-  if (apart) add_bare_ground(place, area_m2);
+  Shortfall shortfall = blend_by_aspect(place, area_m2);
+  if (apart) shortfall.join(add_bare_ground(place, area_m2), count);
+  report_.coarse += shortfall.coarse;
+  report_.dark += shortfall.dark;
   if (parts_.settings.content == FrameContent::Powers) {
     deposit_powers(row_, bins_);
   } else {
@@ -274,26 +276,40 @@ void SectorTask::light_apart_from(const PageRow& ground) {
   light_apart(row_, horizon());
 }
 
-void SectorTask::add_bare_ground(const Place& place, float area_m2) {
-  const Extremes cotangent = face(row_, geometry_, area_m2);
-  if (cotangent.least <= cotangent.greatest) {
-    const atlas::AspectCells& elevations = *ground_aspects();
-    add_bare_elevations(place, elevations.elevation_cell(cotangent.greatest),
-                        elevations.elevation_cell(cotangent.least) + (elevations.elevation_count() > 1 ? 1U : 0U));
-  }
-  join_lights(row_);
+SectorTask::Shortfall SectorTask::of(const PageRow& source, std::size_t count) {
+  if (source.page == nullptr) return {.coarse = 0, .dark = count};
+  return {.coarse = source.levels_up > 0 ? count : 0, .dark = 0};
 }
 
-void SectorTask::add_bare_elevations(const Place& place, std::uint32_t first, std::uint32_t last) {
+void SectorTask::Shortfall::join(const Shortfall& other, std::size_t count) {
+  dark = std::max(dark, other.dark);
+  coarse = std::min(std::max(coarse, other.coarse), count - dark);
+}
+
+SectorTask::Shortfall SectorTask::add_bare_ground(const Place& place, float area_m2) {
+  const Extremes cotangent = face(row_, geometry_, area_m2);
+  Shortfall shortfall;
+  if (cotangent.least <= cotangent.greatest) {
+    const atlas::AspectCells& elevations = *ground_aspects();
+    shortfall =
+        add_bare_elevations(place, elevations.elevation_cell(cotangent.greatest),
+                            elevations.elevation_cell(cotangent.least) + (elevations.elevation_count() > 1 ? 1U : 0U));
+  }
+  join_lights(row_);
+  return shortfall;
+}
+
+SectorTask::Shortfall SectorTask::add_bare_elevations(const Place& place, std::uint32_t first, std::uint32_t last) {
   constexpr std::uint32_t a_page = GroundPage::elevations;
+  Shortfall shortfall;
   for (std::uint32_t number = first / a_page; number <= last / a_page; ++number) {
     const PageRow source = pages_.row_of(PageKey::bare_ground(place.tile, number), place.row, place.first_column);
-    if (source.page == nullptr) report_.dark += row_.count;
-    if (source.levels_up > 0) report_.coarse += row_.count;
+    shortfall.join(of(source, row_.count), row_.count);
     if (source.page == nullptr) continue;
     const std::uint32_t lowest = number * a_page;
     add_ground(row_, ground_looks(source, std::max(first, lowest), std::min(last + 1, lowest + a_page)));
   }
+  return shortfall;
 }
 
 GroundLooks SectorTask::ground_looks(const PageRow& source, std::uint32_t first, std::uint32_t end) {
@@ -344,7 +360,8 @@ std::uint32_t SectorTask::azimuth_cell_at(float beam) const {
   return aspects().azimuth_cell(first_azimuth_rad_ + static_cast<double>(beam) * parts_.settings.beam_step_rad + pi);
 }
 
-void SectorTask::blend_by_aspect(const Place& place, float area_m2) {
+SectorTask::Shortfall SectorTask::blend_by_aspect(const Place& place, float area_m2) {
+  Shortfall shortfall;
   const Extremes cotangent = cotangent_extremes(row_);
   const bool one_elevation = aspects().elevation_cell(cotangent.least) == aspects().elevation_cell(cotangent.greatest);
   std::size_t begin = 0;
@@ -382,13 +399,13 @@ void SectorTask::blend_by_aspect(const Place& place, float area_m2) {
              .sine = {aspects().sine(cell.elevation), aspects().sine(cell.elevation + 1U)},
              .frequency_part = {aspects().frequency_part(0), aspects().frequency_part(1)}});
     }
-    if (source.page == nullptr) {
-      blend_nothing(row_, begin, end - begin);
-      report_.dark += end - begin;
-    }
-    if (source.levels_up > 0) report_.coarse += end - begin;
+    if (source.page == nullptr) blend_nothing(row_, begin, end - begin);
+    const Shortfall piece = of(source, end - begin);
+    shortfall.coarse += piece.coarse;
+    shortfall.dark += piece.dark;
     begin = end;
   }
+  return shortfall;
 }
 
 void SectorTask::draw() {

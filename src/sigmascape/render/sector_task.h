@@ -63,6 +63,16 @@ class SectorTask {
     std::size_t row = 0, first_column = 0;
   };
 
+  /// How many texels of a stretch are shown more coarsely than wanted, and for how many something is not there at all.
+  struct Shortfall {
+    std::size_t coarse = 0, dark = 0;
+
+    /// With what another source of the same stretch lacks, which lacks it for all `count` texels or for none: each
+    /// texel counts once.
+    void join(const Shortfall& other, std::size_t count);
+  };
+  [[nodiscard]] static Shortfall of(const PageRow& source, std::size_t count);
+
   /// Moves the beams' numbers into the frame and leaves zeros behind.
   void hand_over(Beams beams);
   [[nodiscard]] float* own_bins() { return own_bins_.data()->of.data(); }
@@ -80,12 +90,12 @@ class SectorTask {
   /// Tells what is seen of the ground from what is seen of the things on it.
   void light_apart_from(const PageRow& ground);
   /// Adds the bare ground of the stretch: each texel by the elevations about its own local grazing angle.
-  void add_bare_ground(const Place& place, float area_m2);
-  void add_bare_elevations(const Place& place, std::uint32_t first, std::uint32_t last);
+  Shortfall add_bare_ground(const Place& place, float area_m2);
+  Shortfall add_bare_elevations(const Place& place, std::uint32_t first, std::uint32_t last);
   /// Those of the elevations from `first` to before `end`, all of one page.
   [[nodiscard]] GroundLooks ground_looks(const PageRow& source, std::uint32_t first, std::uint32_t end);
   /// Cuts the stretch where the aspect passes from one cell to the next, and blends each piece from its own page.
-  void blend_by_aspect(const Place& place, float area_m2);
+  Shortfall blend_by_aspect(const Place& place, float area_m2);
   /// Draws the scatterers' values.
   void draw();
 

@@ -123,6 +123,19 @@ TEST(LiveGroundApart, BinsThatBeginBelowTheRadarShowTheGroundBeyond) {
   }
 }
 
+TEST(LiveGroundApart, ACellThatLacksBothGroundAndObjectsCountsOnce) {
+  const ScratchFolder folder;
+  const ExampleGround example = bare_ground();
+  const atlas::Store store = example.store(folder.path("atlas"));
+  atlas::Pyramid(store).make_above(store.units());
+  const auto ground = example.over(store);
+  const ExampleView view;
+  LiveRenderer renderer(ground, view.settings(FrameContent::Powers));
+  const FrameReport cold = renderer.render(view.pose()).report;
+  EXPECT_EQ(cold.dark, 0U);
+  EXPECT_EQ(cold.coarse, cold.cells);
+}
+
 TEST(LiveGroundApart, AWallThrowsAShadowOfItsLength) {
   const ScratchFolder folder;
   ExampleGround example = bare_ground();
