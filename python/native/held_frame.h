@@ -3,18 +3,32 @@
 #include <array>
 #include <cstdint>
 #include <fmt/format.h>
+#include <map>
 #include <pybind11/pybind11.h>
 #include <string>
+#include <utility>
 
 #include "held.h"
 #include "long_call.h"
 
 #include "sigmascape/base/error.h"
+#include "sigmascape/geo/local_frame.h"
 #include "sigmascape/render/live_renderer.h"
 
 namespace sigmascape::python {
 
 using Triple = std::array<double, 3>;
+using Words = std::map<std::string, std::string>;
+
+/// What the files of live frames say of where they come from.
+inline Words origin_words(const std::string& processing, const geo::LocalFrame& frame, const std::string& scene,
+                          const std::string& scene_hash, std::uint64_t seed) {
+  return {{"processing", processing},
+          {"crs", frame.proj()},
+          {"scene", scene},
+          {"scene_hash", scene_hash},
+          {"seed", std::to_string(seed)}};
+}
 
 /// A frame and what made it, in whose memory it lies.
 struct HeldFrame {
@@ -22,6 +36,7 @@ struct HeldFrame {
   render::Pose pose;
   pybind11::object renderer;
   Turns* turns;  ///< of the renderer
+  Words words;   ///< where it comes from, for files
 };
 
 /// What `draw` does with the Live behind `self`, for which others wait their turn.
@@ -29,9 +44,10 @@ template <typename Live, typename Draw>
 HeldFrame drawn(const pybind11::object& self, const render::Pose& pose, const Draw& draw) {
   const auto& held = self.cast<const Held<Live>&>();
   // A copy of what is told about the bins, taken before the next caller's frame is.
-  const render::Frame frame =
-      long_call([&] { return held.in_turn([&](Live& live) -> render::Frame { return draw(live); }); });
-  return {frame, pose, self, &held.turns()};
+  const auto [frame, words] = long_call([&] {
+    return held.in_turn([&](Live& live) { return std::pair<render::Frame, Words>(draw(live), live.words); });
+  });
+  return {frame, pose, self, &held.turns(), words};
 }
 
 /// Throws Error for a step of a scan that begins behind the last beam or is of none; beams behind the last are left

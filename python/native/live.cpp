@@ -20,6 +20,7 @@ using Release = py::call_guard<py::gil_scoped_release>;
 
 struct GroundRenderer {
   std::size_t beams;
+  Words words;
   render::LiveRenderer renderer;
 };
 
@@ -44,8 +45,11 @@ std::unique_ptr<Held<GroundRenderer>> made_renderer(const Held<LiveGround>& grou
                                                     unsigned threads, double refraction) {
   const auto settings =
       settings_from(content, beams, ranges, beam_step_rad, range_step_m, cells_per_bin, seed, threads, refraction);
+  const atlas::AtlasDescription& atlas = ground.here()->description();
+  const Words words =
+      origin_words("live frame from terrain and atlas", atlas.frame, atlas.name, atlas.scene_hash, seed);
   return std::make_unique<Held<GroundRenderer>>(
-      "LiveRenderer", std::shared_ptr<GroundRenderer>(new GroundRenderer{beams, {ground.here(), settings}}));
+      "LiveRenderer", std::shared_ptr<GroundRenderer>(new GroundRenderer{beams, words, {ground.here(), settings}}));
 }
 
 template <typename Number>
@@ -62,8 +66,9 @@ void save(const HeldFrame& held, const std::filesystem::path& path, double frequ
   if (held.frame.amplitudes_m.empty())
     throw Error(path.string(), "cannot hold powers", "make the renderer with content='amplitudes'");
   const std::scoped_lock turn(*held.turns);
-  product::write_iq(path, product::iq_record(held.frame.grid, held.frame.amplitudes_m,
-                                             {held.pose.position, held.pose.velocity_mps}, frequency_ghz * 1e9));
+  product::write_iq(
+      path, product::iq_record(held.frame.grid, held.frame.amplitudes_m, {held.pose.position, held.pose.velocity_mps},
+                               frequency_ghz * 1e9, held.words));
 }
 
 template <typename Class>
@@ -121,16 +126,18 @@ void add_live(py::module_& module) {
                                "An atlas with its terrain as live renderers share it: pages come and go within a bound "
                                "on memory. Of the process\n"
                                "that made it: others, forked ones too, make their own.")
-      .def(py::init([](const std::filesystem::path& folder, double frequency_ghz, std::size_t cache_mib,
-                       unsigned loaders) {
-             return std::make_unique<Held<LiveGround>>(
-                 "LiveGround",
-                 LiveGround::open(folder, frequency_ghz * 1e9, {.budget_bytes = cache_mib << 20U, .loaders = loaders}));
-           }),
+      .def(py::init(
+               [](const std::filesystem::path& folder, double frequency_ghz, std::size_t cache_mib, unsigned loaders) {
+                 return long_call([&] {
+                   return std::make_unique<Held<LiveGround>>(
+                       "LiveGround", LiveGround::open(folder, frequency_ghz * 1e9,
+                                                      {.budget_bytes = cache_mib << 20U, .loaders = loaders}));
+                 });
+               }),
            py::arg("folder"), py::kw_only(), py::arg("frequency_ghz") = 10.0, py::arg("cache_mib") = 512,
-           py::arg("loaders") = 1, Release())
+           py::arg("loaders") = 1)
       .def(
-          "wait", [](const Held<LiveGround>& ground) { ground.here()->wait_until_loaded(); }, Release(),
+          "wait", [](const Held<LiveGround>& ground) { long_call([&] { ground.here()->wait_until_loaded(); }); },
           "Returns when all pages and all terrain that frames have asked for are there.")
       .def_property_readonly("frequency_ghz", [](const Held<LiveGround>& g) { return g.here()->frequency_hz() / 1e9; })
       .def(

@@ -15,6 +15,7 @@ namespace py = pybind11;
 /// A flight and the scene that it traces.
 struct SceneFlight {
   std::size_t beams;
+  Words words;
   std::shared_ptr<LoadedScene> scene;
   simulate::LiveFlight flight;
 };
@@ -31,6 +32,8 @@ std::unique_ptr<Held<SceneFlight>> made_flight(std::shared_ptr<LoadedScene> scen
   const auto& loaded = *scene;
   std::shared_ptr<SceneFlight> made(
       new SceneFlight{.beams = beams,
+                      .words = origin_words("live frame, path-traced or from terrain and atlas", loaded.scene().frame,
+                                            loaded.scene().name, loaded.hash(), seed),
                       .scene = std::move(scene),
                       .flight = {loaded.scene(), loaded.geometry(), ground.here(), settings, flight}});
   return std::make_unique<Held<SceneFlight>>("LiveFlight", std::move(made));

@@ -16,6 +16,7 @@ namespace py = pybind11;
 /// A tracer and the scene that it looks at.
 struct SceneTracer {
   std::size_t beams;
+  Words words;
   std::shared_ptr<LoadedScene> scene;
   simulate::LiveTracer tracer;
 };
@@ -30,6 +31,7 @@ std::unique_ptr<Held<SceneTracer>> made_tracer(std::shared_ptr<LoadedScene> scen
   const auto& loaded = *scene;
   std::shared_ptr<SceneTracer> tracer(new SceneTracer{
       .beams = beams,
+      .words = origin_words("live frame, path-traced", loaded.scene().frame, loaded.scene().name, loaded.hash(), seed),
       .scene = std::move(scene),
       .tracer = {
           loaded.scene(), loaded.geometry(), settings, {frequency_ghz * 1e9, rays_per_cell, bounces, lattice_m}}});

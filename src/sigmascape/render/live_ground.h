@@ -47,7 +47,7 @@ class LiveGround {
   /// Of the levels that the store has.
   [[nodiscard]] std::size_t coarsest_level() const { return pages_.source().levels() - 1; }
   /// Returns when everything that frames have asked for is there or cannot be: for callers who would rather wait than
-  /// see less.
+  /// see less. Throws Interrupted when this thread is told to stop (base/interruption.h).
   void wait_until_loaded();
 
  private:

@@ -1,11 +1,13 @@
 #include "sigmascape/render/terrain_windows.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <iterator>
 #include <tuple>
 #include <utility>
 
+#include "sigmascape/base/interruption.h"
 #include "sigmascape/radar/rectangle_parts.h"
 
 namespace sigmascape::render {
@@ -84,8 +86,13 @@ WindowWish TerrainWindows::wish_for(int level, const radar::Rectangle& area) con
 }
 
 void TerrainWindows::wait_until_loaded() {
+  using namespace std::chrono_literals;
   std::unique_lock lock(guard_);
-  request_done_.wait(lock, [this] { return wishes_.empty() && !busy_; });
+  while (!request_done_.wait_for(lock, 50ms, [this] { return wishes_.empty() && !busy_; })) {
+    lock.unlock();
+    Interruption::heed();
+    lock.lock();
+  }
 }
 
 void TerrainWindows::load(std::span<const WindowWish> wanted) {

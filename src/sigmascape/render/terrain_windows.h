@@ -77,7 +77,7 @@ class TerrainWindows {
 
   // These are for callers who would rather wait than see less.
 
-  /// Returns when all that was asked for is there.
+  /// Returns when all that was asked for is there. Throws Interrupted when this thread is told to stop.
   void wait_until_loaded();
   /// Asks for windows and waits for them.
   void load(std::span<const WindowWish> wanted);

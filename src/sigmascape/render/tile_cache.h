@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <cstdint>
 #include <fmt/format.h>
@@ -15,6 +16,7 @@
 #include <vector>
 
 #include "sigmascape/base/error.h"
+#include "sigmascape/base/interruption.h"
 #include "sigmascape/render/published.h"
 #include "sigmascape/render/wishes.h"
 
@@ -27,7 +29,7 @@ struct CacheReport {
   std::uint64_t evicted = 0;
   std::uint64_t absent = 0;   ///< pages asked for that the store does not have, or not whole
   std::size_t damaged = 0;    ///< files of the store, met so far, that are not as their items say
-  std::uint64_t refused = 0;  ///< times that no page could give way: the budget is below what one frame looks at
+  std::uint64_t refused = 0;  ///< times that no page could give way: the budget is below what frames look at
 };
 
 /// Pages of ground, or of what stands on it, loaded behind the back of whoever renders and dropped when others are
@@ -80,7 +82,7 @@ class TileCache {
 
   // These are for callers who would rather wait than see less.
 
-  /// Returns when all that was asked for is there or cannot be.
+  /// Returns when all that was asked for is there or cannot be. Throws Interrupted when this thread is told to stop.
   void wait_until_loaded();
   /// Asks for pages and waits for them.
   void load(std::span<const Key> wanted);
@@ -100,8 +102,10 @@ class TileCache {
   void load_pages();
   // All of these with the guard held.
   [[nodiscard]] bool next_wanted(Key& key);
-  [[nodiscard]] std::shared_ptr<Page> empty_page();
-  void drop_oldest_page();
+  /// Null when there is none: all are looked at, or give way to `wanted` pages once the frames of now are done.
+  [[nodiscard]] std::shared_ptr<Page> empty_page(std::size_t wanted);
+  /// Drops up to so many pages that no frame has looked at lately.
+  void drop_oldest_pages(std::size_t most);
   void publish(std::shared_ptr<Page> page);
 
   std::shared_ptr<const Source> source_;
@@ -160,8 +164,13 @@ const typename TileCache<Source>::Page* TileCache<Source>::View::find(const Key&
 
 template <typename Source>
 void TileCache<Source>::wait_until_loaded() {
+  using namespace std::chrono_literals;
   std::unique_lock lock(guard_);
-  request_done_.wait(lock, [this] { return wishes_.empty() && loading_.empty(); });
+  while (!request_done_.wait_for(lock, 50ms, [this] { return wishes_.empty() && loading_.empty(); })) {
+    lock.unlock();
+    Interruption::heed();
+    lock.lock();
+  }
 }
 
 template <typename Source>
@@ -194,10 +203,10 @@ void TileCache<Source>::load_pages() {
       lock.lock();
       continue;
     }
-    const std::shared_ptr<Page> page = empty_page();
+    const std::shared_ptr<Page> page = empty_page(1 + wishes_.size());
     if (!page) {
-      // Everything there is looked at: what is wanted now has to wait until frames look elsewhere.
-      ++report_.refused;
+      // Everything there is looked at: what is wanted now has to wait until frames look elsewhere, and ask again.
+      if (retired_.empty()) ++report_.refused;
       wishes_.clear();
       request_done_.notify_all();
       continue;
@@ -231,7 +240,7 @@ bool TileCache<Source>::next_wanted(Key& key) {
 }
 
 template <typename Source>
-std::shared_ptr<typename TileCache<Source>::Page> TileCache<Source>::empty_page() {
+std::shared_ptr<typename TileCache<Source>::Page> TileCache<Source>::empty_page(std::size_t wanted) {
   const auto free_one = [this]() -> std::shared_ptr<Page> {
     entries_.forget_unread();
     const auto free = std::ranges::find_if(retired_, [](const auto& page) { return page.use_count() == 1; });
@@ -243,27 +252,37 @@ std::shared_ptr<typename TileCache<Source>::Page> TileCache<Source>::empty_page(
   if (auto page = free_one()) return page;
   const std::size_t pages = entries_.newest().size() + retired_.size() + loading_.size();
   if (pages < most_pages()) return std::make_shared<Page>();
-  drop_oldest_page();
-  return free_one();
+  if (retired_.empty()) drop_oldest_pages(1);
+  if (auto page = free_one()) return page;
+  // What gave way is still read. When frames are done with it, there is room for all that is wanted.
+  if (retired_.size() < wanted) drop_oldest_pages(wanted - retired_.size());
+  return nullptr;
 }
 
 template <typename Source>
-void TileCache<Source>::drop_oldest_page() {
-  const Entries& entries = entries_.newest();
+void TileCache<Source>::drop_oldest_pages(std::size_t most) {
+  struct Aged {
+    std::uint64_t last_wanted;
+    std::size_t level;
+    Entry entry;
+  };
+  std::vector<Aged> old;
+  for (const Entry& entry : entries_.newest()) {
+    const std::uint64_t last_wanted = entry->last_wanted.load(std::memory_order_relaxed);
+    if (!source_->stays(*entry) && last_wanted + 1 < frame_.load()) old.push_back({last_wanted, entry->level(), entry});
+  }
   // Of equally old ones the finer goes: its parent can stand in for it.
-  const auto oldest = std::ranges::min_element(entries, {}, [this](const Entry& entry) {
-    return std::tuple(source_->stays(*entry), entry->last_wanted.load(std::memory_order_relaxed), entry->level());
-  });
-  if (oldest == entries.end() || source_->stays(**oldest) ||
-      (*oldest)->last_wanted.load(std::memory_order_relaxed) + 1 >= frame_.load())
-    return;
-  Entries rest;
-  rest.reserve(entries.size());
-  std::ranges::copy_if(entries, std::back_inserter(rest), [&](const Entry& entry) { return entry != *oldest; });
-  // Whoever found the page may read on; its memory is used again when the last of them has let go.
-  retired_.push_back(std::const_pointer_cast<Page>(*oldest));
+  std::ranges::stable_sort(old, {}, [](const Aged& page) { return std::tuple(page.last_wanted, page.level); });
+  old.resize(std::min(old.size(), most));
+  Entries rest = entries_.newest();
+  for (const Aged& page : old) {
+    std::erase(rest, page.entry);
+    // Whoever found it may read on; its memory is used again when the last of them has let go.
+    retired_.push_back(std::const_pointer_cast<Page>(page.entry));
+  }
+  if (old.empty()) return;
   entries_.store(std::move(rest));
-  ++report_.evicted;
+  report_.evicted += old.size();
 }
 
 template <typename Source>

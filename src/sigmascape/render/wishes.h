@@ -23,7 +23,7 @@ class Wishes {
   /// Of one asker.
   struct Box {
     explicit Box(std::size_t most) : list(most) {}
-    [[nodiscard]] bool has_more() const { return taken < list.fetched().size(); }
+    [[nodiscard]] std::size_t left() const { return list.fetched().size() - taken; }
 
     NewestList<Item> list;
     std::size_t taken = 0;   // of the list fetched last
@@ -68,18 +68,22 @@ class Wishes {
     fetch();
     Box* last = nullptr;
     for (const auto& box : boxes_) {
-      if (box->has_more() && (last == nullptr || box->turn > last->turn)) last = box.get();
+      if (box->left() > 0 && (last == nullptr || box->turn > last->turn)) last = box.get();
     }
     if (last == nullptr) return false;
     wish = last->list.fetched()[last->taken++];
     return true;
   }
 
-  [[nodiscard]] bool empty() {
+  /// How many there are.
+  [[nodiscard]] std::size_t size() {
     const std::lock_guard lock(guard_);
     fetch();
-    return std::ranges::none_of(boxes_, [](const auto& box) { return box->has_more(); });
+    std::size_t count = 0;
+    for (const auto& box : boxes_) count += box->left();
+    return count;
   }
+  [[nodiscard]] bool empty() { return size() == 0; }
 
   void clear() {
     const std::lock_guard lock(guard_);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "sigmascape/base/hash.h"
+#include "sigmascape/base/interruption.h"
 
 namespace sigmascape::render {
 namespace {
@@ -33,6 +34,7 @@ struct NumberSource {
   using Page = NumberPage;
 
   bool fill(NumberPage& page) const {
+    before_filling();
     page.numbers.resize(256);
     for (std::uint64_t& number : page.numbers) number = hashed(page.key, 1);
     return true;
@@ -42,6 +44,7 @@ struct NumberSource {
   [[nodiscard]] std::size_t damaged() const { return asked_for_damage(); }
 
   std::function<std::size_t()> asked_for_damage = [] { return std::size_t{0}; };
+  std::function<void()> before_filling = [] {};
 };
 
 using Cache = TileCache<NumberSource>;
@@ -123,13 +126,54 @@ TEST(TileCache, KeepsAPageForWhoeverLooksAtIt) {
   (void)cache.view();
   (void)cache.view();
   cache.load(std::array<Key, 1>{9});
-  EXPECT_EQ(cache.report().refused, 1U);
+  EXPECT_EQ(cache.view().find(9), nullptr);
   EXPECT_TRUE(seven->is_as_named());
   EXPECT_EQ(seven->key, 7U);
   view = {};
   cache.load(std::array<Key, 1>{9});
   EXPECT_NE(cache.view().find(9), nullptr);
+  EXPECT_EQ(cache.report().refused, 0U) << "pages gave way";
+}
+
+TEST(TileCache, RefusesWhatIsWantedBesideAllThatFramesLookAt) {
+  Cache cache(std::make_shared<const NumberSource>(), 2);
+  cache.load(std::array<Key, 2>{7, 8});
+  const Cache::View view = cache.view();
+  ASSERT_NE(view.find(7), nullptr);
+  ASSERT_NE(view.find(8), nullptr);
+  cache.load(std::array<Key, 1>{9});
   EXPECT_EQ(cache.report().refused, 1U);
+  EXPECT_EQ(cache.report().evicted, 0U);
+}
+
+// A renderer without a pause: there always is a frame that holds all pages that were there when it began.
+TEST(TileCache, MakesRoomForAllThatIsWantedWithinAFrame) {
+  Cache cache(std::make_shared<const NumberSource>(), 8);
+  cache.load(std::array<Key, 8>{0, 1, 2, 3, 4, 5, 6, 7});
+  (void)cache.view();
+  (void)cache.view();
+  const std::array<Key, 4> wanted{10, 11, 12, 13};
+  Cache::View frame = cache.view();
+  cache.load(wanted);
+  frame = cache.view();
+  cache.load(wanted);
+  frame = cache.view();
+  for (const Key key : wanted) EXPECT_NE(frame.find(key), nullptr) << key;
+  EXPECT_EQ(cache.report().evicted, 4U);
+  EXPECT_EQ(cache.report().refused, 0U);
+}
+
+TEST(TileCache, WhoWaitsCanBeToldToStop) {
+  std::promise<void> go_on;
+  const std::shared_future<void> may_go_on = go_on.get_future().share();
+  auto source = std::make_shared<NumberSource>();
+  source->before_filling = [&] { may_go_on.wait(); };
+  Cache cache(source, 8);
+  {
+    const Interruption interruption([] { return true; });
+    EXPECT_THROW(cache.load(std::array<Key, 1>{1}), Interrupted);
+  }
+  go_on.set_value();
 }
 
 // A thread that has locked what loaders lock is stopped there.
