@@ -144,44 +144,79 @@ TEST(DopplerBeamSharpening, resolves_along_constant_range_by_the_angle_on_the_ma
   }
 }
 
-TEST(DopplerBeamSharpening, is_what_a_processor_makes_of_the_pulses) {
-  const auto radar = even_band_radar(60.0);
-  const double repetition_hz = 2000.0;
-  constexpr std::size_t count = 41;
-  const auto track = radar::Track::straight({0.0, 0.0, 3000.0}, {0.0, 100.0, 0.0});
-  const double squint = radians_from_deg(60.0), range_m = 20'000.0;
-  const Vec3d aim = ahead(range_m, squint, 3000.0);
-  std::vector<radar::Scatterer> points{point_at(aim), point_at(aim + Vec3d{150.0, 300.0, 0.0}),
-                                       point_at(aim + Vec3d{-300.0, 400.0, 20.0}),
-                                       point_at(aim + Vec3d{130.0, -900.0, 0.0})};
-  points[1].amplitude_m.vv = {0.0F, 0.7F};
-  const receiver::RangeGate gate{range_m - 1000.0, range_m + 1000.0, 1.5};
-  receiver::DopplerImager imager(radar, track, {.pulses = count, .repetition_hz = repetition_hz, .window = even}, gate,
-                                 aim);
-  imager.add(points);
-  const auto image = imager.image();
-
-  const receiver::PulseReceiver pulses(radar, gate);
-  const auto history = pulses.receive(
-      track, {.first_time_s = -20.0 / repetition_hz, .count = count, .repetition_hz = repetition_hz}, points, {});
-  ASSERT_EQ(history.samples.columns(), image.amplitude_m.rows());
+/// Power by which an image differs from a Fourier transform over pulses, term by term, over that of the transform.
+double difference(const radar::RangeDopplerImage& image, const radar::PhaseHistory& history) {
   double error = 0.0, power = 0.0;
   for (std::size_t row = 0; row < image.range_m.bins; ++row) {
     for (std::size_t column = 0; column < image.doppler_hz.bins; ++column) {
       const double frequency = image.doppler_hz.middle_of(static_cast<double>(column) + 0.5);
       std::complex<double> sum;
-      for (std::size_t n = 0; n < count; ++n) {
+      for (std::size_t n = 0; n < history.pulses.size(); ++n) {
         sum += std::complex<double>(history.samples(row, n).vv) *
                std::polar(1.0, -2.0 * pi * frequency * history.pulses[n].time_s);
       }
-      sum /= static_cast<double>(count);
+      sum /= static_cast<double>(history.pulses.size());
       error += std::norm(sum - std::complex<double>(image.amplitude_m(column, row).vv));
       power += std::norm(sum);
     }
   }
+  return error / power;
+}
+
+/// 41 pulses about time zero, from 3 km, 20 km away at 60° of squint.
+struct ImageAndPulses {
+  radar::Radar radar = even_band_radar(60.0);
+  double repetition_hz = 2000.0;
+  std::size_t count = 41;
+  radar::Track track = radar::Track::straight({0.0, 0.0, 3000.0}, {0.0, 100.0, 0.0});
+  double range_m = 20'000.0;
+  Vec3d aim = ahead(range_m, radians_from_deg(60.0), 3000.0);
+
+  [[nodiscard]] double difference_of(const std::vector<radar::Scatterer>& points,
+                                     const std::vector<radar::Target>& targets) const {
+    const receiver::RangeGate gate{range_m - 1000.0, range_m + 1000.0, 1.5};
+    receiver::DopplerImager imager(radar, track, {.pulses = count, .repetition_hz = repetition_hz, .window = even},
+                                   gate, aim);
+    imager.add(points);
+    imager.add(targets);
+    const auto image = imager.image();
+    const auto history = receiver::PulseReceiver(radar, gate)
+                             .receive(track,
+                                      {.first_time_s = -static_cast<double>(count / 2) / repetition_hz,
+                                       .count = count,
+                                       .repetition_hz = repetition_hz},
+                                      points, targets);
+    EXPECT_EQ(history.samples.columns(), image.amplitude_m.rows());
+    return difference(image, history);
+  }
+};
+
+TEST(DopplerBeamSharpening, is_what_a_processor_makes_of_the_pulses) {
+  const ImageAndPulses example;
+  std::vector<radar::Scatterer> points{point_at(example.aim), point_at(example.aim + Vec3d{150.0, 300.0, 0.0}),
+                                       point_at(example.aim + Vec3d{-300.0, 400.0, 20.0}),
+                                       point_at(example.aim + Vec3d{130.0, -900.0, 0.0})};
+  points[1].amplitude_m.vv = {0.0F, 0.7F};
   // What is left: 1 m of range walk against cells of 60 m, and 3° of Doppler change.
-  validation::expect_close({group, "image against transformed pulses, relative error power", 0.0, error / power, 1e-3,
-                            "1", "independent DFT"});
+  validation::expect_close({group, "image against transformed pulses, relative error power", 0.0,
+                            example.difference_of(points, {}), 1e-3, "1", "independent DFT"});
+}
+
+/// Each pulse has a draw of its own, and what that spreads over Doppler is in the image too.
+TEST(DopplerBeamSharpening, is_what_a_processor_makes_of_targets_that_change_by_pulse) {
+  for (const auto fluctuation : {radar::Swerling::Case2, radar::Swerling::Case4, radar::Swerling::Case3}) {
+    for (const std::size_t count : {41UL, 40UL}) {
+      ImageAndPulses example;
+      example.count = count;
+      radar::Target target;
+      target.track = radar::Track::straight(example.aim, {});
+      target.rcs_m2 = radar::Channels{1.0F, 1.0F, 0.0F, 1.0F};
+      target.fluctuation = fluctuation;
+      target.seed = 5;
+      EXPECT_LT(example.difference_of({}, {target}), 1e-3)
+          << "case " << static_cast<int>(fluctuation) << ", " << count << " pulses";
+    }
+  }
 }
 
 TEST(DopplerBeamSharpening, folds_at_the_pulse_repetition_frequency) {

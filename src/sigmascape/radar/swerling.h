@@ -9,6 +9,10 @@ namespace sigmascape::radar {
 /// Cases 1 and 3 are drawn anew each dwell, 2 and 4 each pulse.
 enum class Swerling { Case0, Case1, Case2, Case3, Case4 };
 
+[[nodiscard]] constexpr bool changes_by_pulse(Swerling swerling) {
+  return swerling == Swerling::Case2 || swerling == Swerling::Case4;
+}
+
 /// The factor, of mean one, by which the cross-section differs from its mean: a pure function of its arguments.
 /// docs/physics/targets.md, Eqs. (1), (2).
 [[nodiscard]] double fluctuation(Swerling swerling, std::uint64_t target_seed, std::uint64_t dwell,

@@ -18,13 +18,17 @@ Motion motion_of(const Target& target, double time_s) {
   return {target.track.position_at(time_s), target.track.velocity_at(time_s)};
 }
 
+Channels mean_rcs_of(const Target& target, Vec3d seen_from, double frequency_hz, double time_s) {
+  if (const auto* const constant = std::get_if<Channels>(&target.rcs_m2)) return *constant;
+  const Vec3d away = seen_from - target.track.position_at(time_s);
+  const double azimuth = std::atan2(away.x, away.y) - heading_of(target, time_s);
+  const double elevation = std::atan2(away.z, std::hypot(away.x, away.y));
+  return std::get<RcsTable>(target.rcs_m2).at({{azimuth, elevation}, frequency_hz});
+}
+
 Channels rcs_of(const Target& target, Vec3d seen_from, double frequency_hz, const Moment& moment) {
   const auto factor = static_cast<float>(fluctuation(target.fluctuation, target.seed, moment.dwell, moment.pulse));
-  if (const auto* const constant = std::get_if<Channels>(&target.rcs_m2)) return *constant * factor;
-  const Vec3d away = seen_from - target.track.position_at(moment.time_s);
-  const double azimuth = std::atan2(away.x, away.y) - heading_of(target, moment.time_s);
-  const double elevation = std::atan2(away.z, std::hypot(away.x, away.y));
-  return std::get<RcsTable>(target.rcs_m2).at({{azimuth, elevation}, frequency_hz}) * factor;
+  return mean_rcs_of(target, seen_from, frequency_hz, moment.time_s) * factor;
 }
 
 Target weakened(Target target, double part) {

@@ -38,7 +38,9 @@ struct Moment {
 /// Where its nose points, clockwise from true north.
 [[nodiscard]] double heading_of(const Target& target, double time_s);
 
-/// Cross-section as seen from a place at a moment, fluctuation included.
+/// Cross-section as seen from a place, the mean of its fluctuation.
+[[nodiscard]] Channels mean_rcs_of(const Target& target, Vec3d seen_from, double frequency_hz, double time_s);
+/// The same at a moment, fluctuation included.
 [[nodiscard]] Channels rcs_of(const Target& target, Vec3d seen_from, double frequency_hz, const Moment& moment);
 
 /// The same target with so small a part of its cross-section, however that is given.

@@ -81,14 +81,15 @@ void DopplerImager::add(std::span<const radar::Target> targets) {
   const double speed2 = dot(frame_.platform.velocity_mps, frame_.platform.velocity_mps);
   for (const radar::Target& target : targets) {
     const radar::Motion motion = radar::motion_of(target, interval_.middle_time_s);
-    const radar::Channels rcs = radar::rcs_of(target, frame_.platform.position, frame_.frequency_hz,
-                                              {interval_.middle_time_s, interval_.dwell, 0});
+    const radar::Channels rcs =
+        radar::mean_rcs_of(target, frame_.platform.position, frame_.frequency_hz, interval_.middle_time_s);
     const PlacedAmplitude whole = placed(motion, 0.0, radar::steady_amplitude(rcs));
     // Ground at the same range and Doppler, which is in focus, differs in Doppler rate by the relative speed alone.
     const Vec3d relative = motion.velocity_mps - frame_.platform.velocity_mps;
     const double range_m = length(motion.position - frame_.platform.position);
     const double rate_error = -2.0 * (dot(relative, relative) - speed2) / (range_m * wavelength);
-    for (const SmearedPart& part : smeared(rate_error, frame_.interval_s)) {
+    for (const SmearedPart& part :
+         smeared(target, rate_error, {frame_.interval_s, interval_.pulses, interval_.dwell})) {
       places.push_back({whole.column + part.cells * bins_a_cell, whole.row, whole.amplitude * part.amplitude});
     }
   }

@@ -26,7 +26,7 @@ ResponseTransform::ResponseTransform(const ResponseAxis& axis, const Subband& su
       forward_(fine_, Fourier::Direction::Forward),
       backward_(bins_, Fourier::Direction::Backward) {
   const std::size_t width = axis.band / subband.looks;
-  first_ = -static_cast<std::ptrdiff_t>(axis.band / 2) + static_cast<std::ptrdiff_t>(subband.look * width);
+  first_ = -(static_cast<std::ptrdiff_t>(axis.band) - 1) / 2 + static_cast<std::ptrdiff_t>(subband.look * width);
   const std::vector<double> window = radar::window_weights(axis.window, width);
   const double sum = std::accumulate(window.begin(), window.end(), 0.0);
   const double power = std::inner_product(window.begin(), window.end(), window.begin(), 0.0);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sigmascape/base/units.h"
+#include "sigmascape/receiver/fourier.h"
 
 namespace sigmascape::receiver {
 namespace {
@@ -35,6 +36,34 @@ std::vector<SmearedPart> smeared(double doppler_rate_error_hz_per_s, double inte
   }
   const auto scale = static_cast<float>(1.0 / std::sqrt(power));
   for (SmearedPart& part : parts) part.amplitude *= scale;
+  return parts;
+}
+
+std::vector<SmearedPart> smeared(const radar::Target& target, double doppler_rate_error_hz_per_s, const Dwell& dwell) {
+  const auto voltage = [&](std::size_t pulse) {
+    return static_cast<float>(std::sqrt(radar::fluctuation(target.fluctuation, target.seed, dwell.number, pulse)));
+  };
+  if (!radar::changes_by_pulse(target.fluctuation)) {
+    std::vector<SmearedPart> parts = smeared(doppler_rate_error_hz_per_s, dwell.interval_s);
+    for (SmearedPart& part : parts) part.amplitude *= voltage(0);
+    return parts;
+  }
+  const auto count = static_cast<double>(dwell.pulses), before_middle = static_cast<double>(dwell.pulses / 2);
+  const double chirp = pi * doppler_rate_error_hz_per_s * dwell.interval_s * dwell.interval_s;
+  std::vector<std::complex<float>> pulses(dwell.pulses), series(dwell.pulses);
+  for (std::size_t n = 0; n < dwell.pulses; ++n) {
+    const double t = (static_cast<double>(n) - before_middle) / count;
+    pulses[n] = voltage(n) * std::complex<float>(std::polar(1.0, chirp * t * t));
+  }
+  Fourier(dwell.pulses, Fourier::Direction::Forward).transform(pulses, series);
+  std::vector<SmearedPart> parts;
+  const auto half = static_cast<std::ptrdiff_t>(dwell.pulses / 2);
+  for (std::size_t k = 0; k < dwell.pulses; ++k) {
+    // From the first pulse's time to that of the middle.
+    const auto m = static_cast<double>((static_cast<std::ptrdiff_t>(k) + half) % std::ssize(series) - half);
+    parts.push_back(
+        {m, series[k] * std::complex<float>(std::polar(1.0 / count, 2.0 * pi * m * before_middle / count))});
+  }
   return parts;
 }
 

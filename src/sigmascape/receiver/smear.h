@@ -1,7 +1,11 @@
 #pragma once
 
 #include <complex>
+#include <cstddef>
+#include <cstdint>
 #include <vector>
+
+#include "sigmascape/radar/target.h"
 
 namespace sigmascape::receiver {
 
@@ -18,5 +22,18 @@ struct SmearedPart {
 ///
 /// one part each at m cells. Powers add up to one. A point that is in focus has one part.
 [[nodiscard]] std::vector<SmearedPart> smeared(double doppler_rate_error_hz_per_s, double interval_s);
+
+/// The pulses that a target is looked at with, and the number of their dwell.
+struct Dwell {
+  double interval_s = 0.0;
+  std::size_t pulses = 1;
+  std::uint64_t number = 0;
+};
+
+/// The same of a target of one square metre in the mean that fluctuates. One that changes from pulse to pulse is spread
+/// over all Doppler: a part for each pulse, the Fourier series of the phases times √q of the pulses. What is left at
+/// its place has π/4 of the mean power in Swerling's case 2 and 9π/32 in case 4, of many pulses.
+[[nodiscard]] std::vector<SmearedPart> smeared(const radar::Target& target, double doppler_rate_error_hz_per_s,
+                                               const Dwell& dwell);
 
 }  // namespace sigmascape::receiver

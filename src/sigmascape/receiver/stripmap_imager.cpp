@@ -218,17 +218,22 @@ void StripmapImager::add_part(const radar::Target& target, const Fold& fold, flo
   const radar::Motion motion = radar::motion_of(target, time_s);
   const Seen seen = seen_from(time_s, motion, fold);
   const Vec3d seen_at = frame_.platform.position + frame_.platform.velocity_mps * time_s;
-  const radar::Channels rcs = radar::rcs_of(target, seen_at, frame_.frequency_hz, {time_s, strip_.dwell, 0});
+  const radar::Channels rcs = radar::mean_rcs_of(target, seen_at, frame_.frequency_hz, time_s);
   const PlacedAmplitude whole = placed(seen, motion.position, radar::steady_amplitude(rcs) * share);
   if (fold.observed != fold.processed) {
-    places.push_back(whole);
+    // A ghost is smeared already; of what changes with every pulse it has the mean power.
+    const double factor = radar::changes_by_pulse(target.fluctuation)
+                              ? 1.0
+                              : radar::fluctuation(target.fluctuation, target.seed, strip_.dwell, 0);
+    places.push_back({whole.column, whole.row, whole.amplitude * static_cast<float>(std::sqrt(factor))});
     return;
   }
   const Vec3d relative = motion.velocity_mps - frame_.platform.velocity_mps;
   const double rate_error = -2.0 * (dot(relative, relative) - speed_mps_ * speed_mps_) / (seen.range_m * wavelength);
   // The time for which the processed band sees a point: band over Doppler rate.
   const double interval_s = band_per_m_ * wavelength * seen.range_m / (2.0 * speed_mps_ * cosine * cosine);
-  for (const SmearedPart& part : smeared(rate_error, interval_s)) {
+  const auto pulses = static_cast<std::size_t>(std::max(1.0, std::round(interval_s * repetition_hz_)));
+  for (const SmearedPart& part : smeared(target, rate_error, {interval_s, pulses, strip_.dwell})) {
     places.push_back({whole.column + part.cells * bins_a_cell, whole.row, whole.amplitude * part.amplitude});
   }
 }

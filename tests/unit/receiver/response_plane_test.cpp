@@ -19,7 +19,7 @@ std::complex<double> answer(const ResponseAxis& axis, double bin, double place) 
   const std::vector<double> weights = radar::window_weights(axis.window, axis.band);
   std::complex<double> sum;
   for (std::size_t k = 0; k < weights.size(); ++k) {
-    const double cycles = static_cast<double>(k) - std::floor(static_cast<double>(axis.band) / 2.0);
+    const double cycles = static_cast<double>(k) - std::floor((static_cast<double>(axis.band) - 1.0) / 2.0);
     sum += std::polar(weights[k], 2.0 * pi * cycles * (bin - (place - 0.5)) / static_cast<double>(axis.bins));
   }
   return sum / std::accumulate(weights.begin(), weights.end(), 0.0);
