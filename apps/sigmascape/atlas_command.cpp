@@ -68,7 +68,7 @@ void verify(const std::string& folder, const Output& output) {
                     folder, is_one ? "it" : "them",
                     faults.size() > texture_faults ? ", and 'sigmascape atlas terrain' the terrain that it made" : "");
   output.finish(text, {{"atlas", folder}, {"looks", looks}, {"faults", json_of(faults)}});
-  if (!faults.empty()) throw CLI::RuntimeError(1);
+  if (!faults.empty()) end_with(1);
 }
 
 /// What could not be made and why, to stand behind what was.
@@ -197,18 +197,18 @@ void build_terrain(const std::string& folder, const terrain::TerrainSource& sour
                  {"extent_m", {extent.west_m, extent.south_m, extent.east_m, extent.north_m}}});
 }
 
-void add_terrain_command(CLI::App& added, const std::shared_ptr<std::string>& folder, Output& output) {
+void add_terrain_command(Command added, const std::shared_ptr<std::string>& folder, Output& output) {
   const auto source = std::make_shared<terrain::TerrainSource>();
   const auto spacing_m = std::make_shared<double>(0.0);
   const auto no_data_height_m = std::make_shared<double>(0.0);
-  added.add_option("RASTER", source->raster.file, "elevation in any format that GDAL reads")->required();
-  added.add_option("--band", source->raster.band, "band of the raster")->capture_default_str();
+  added.add_option("RASTER", source->raster.file, "elevation in any format that GDAL reads").required();
+  added.add_option("--band", source->raster.band, "band of the raster").capture_default_str();
   added.add_option("--crs", source->raster.crs, "instead of the raster's own coordinate system");
   added.add_option("--spacing", *spacing_m, "metres between heights; the raster's own cell if not given")
-      ->check(number_within(0.01, 1e5));
+      .check(number_within(0.01, 1e5));
   added.add_option("--no-data-height", *no_data_height_m, "height in metres where the raster has none")
-      ->capture_default_str()
-      ->check(number_within(-12'000.0, 10'000.0));
+      .capture_default_str()
+      .check(number_within(-12'000.0, 10'000.0));
   added.callback([folder, source, spacing_m, no_data_height_m, &output] {
     if (*spacing_m > 0.0) source->spacing_m = *spacing_m;
     build_terrain(*folder, *source, *no_data_height_m, output);
@@ -217,19 +217,19 @@ void add_terrain_command(CLI::App& added, const std::shared_ptr<std::string>& fo
 
 }  // namespace
 
-void add_atlas_command(CLI::App& app, Output& output) {
-  auto* command = app.add_subcommand("atlas", "Look after an atlas of baked textures");
-  command->require_subcommand(1);
+void add_atlas_command(Command app, Output& output) {
+  const auto command = app.add_subcommand("atlas", "Look after an atlas of baked textures");
+  command.require_subcommand(1);
   auto folder = std::make_shared<std::string>();
   const auto subcommand = [&](const char* name, const char* description, const char* example) {
-    auto* added = command->add_subcommand(name, description);
-    added->add_option("FOLDER", *folder, "folder of the atlas")->required();
-    added->add_flag("--json", output.json, "print as JSON");
-    added->footer(fmt::format("Example:\n  sigmascape atlas {}", example));
+    const auto added = command.add_subcommand(name, description);
+    added.add_option("FOLDER", *folder, "folder of the atlas").required();
+    added.add_flag("--json", output.json, "print as JSON");
+    added.footer(fmt::format("Example:\n  sigmascape atlas {}", example));
     return added;
   };
   subcommand("info", "Print axes, patches, looks done, size, errors, settings and sources", "info out/bilbao_atlas")
-      ->callback([folder, &output] {
+      .callback([folder, &output] {
         const atlas::Store store = atlas::Store::open(*folder);
         const atlas::AtlasSummary summary = atlas::summary_of(store);
         output.finish(text_of(store.description(), summary), summary_of(store.description(), summary));
@@ -239,16 +239,15 @@ void add_atlas_command(CLI::App& app, Output& output) {
       "Compare every file, the terrain's tiles included, with its recorded SHA-256; ends with 1 when one is missing or "
       "differs",
       "verify out/bilbao_atlas")
-      ->callback([folder, &output] { verify(*folder, output); });
+      .callback([folder, &output] { verify(*folder, output); });
   subcommand("pyramid", "Make what is missing of the levels above the patches, from the patches that are there",
              "pyramid out/bilbao_atlas")
-      ->callback([folder, &output] { make_pyramid(*folder, output); });
-  add_terrain_command(
-      *subcommand("terrain",
-                  "Put terrain of any size beside the atlas, in tiles, for live frames that look beyond "
-                  "the scene; tiles that are there and whole are left",
-                  "terrain out/bilbao_atlas dem.tif --spacing 10"),
-      folder, output);
+      .callback([folder, &output] { make_pyramid(*folder, output); });
+  add_terrain_command(subcommand("terrain",
+                                 "Put terrain of any size beside the atlas, in tiles, for live frames that look beyond "
+                                 "the scene; tiles that are there and whole are left",
+                                 "terrain out/bilbao_atlas dem.tif --spacing 10"),
+                      folder, output);
 }
 
 }  // namespace sigmascape::cli

@@ -103,38 +103,39 @@ nlohmann::ordered_json json_of(const bake::BakePlan& plan) {
 
 }  // namespace
 
-void add_bake_command(CLI::App& app, Output& output) {
-  auto* command = app.add_subcommand("bake", "Path-trace a scene into an atlas of reflectivity textures");
+void add_bake_command(Command app, Output& output) {
+  const auto command = app.add_subcommand("bake", "Path-trace a scene into an atlas of reflectivity textures");
   struct Options {
     std::string scene, folder, log, shard = "0/1";
     bool verify = false, plan = false;
     BakeOptions bake;
   };
   auto options = std::make_shared<Options>();
-  command->add_option("SCENE", options->scene, "scene file (TOML)")->required();
-  command->add_option("--out", options->folder, "folder of the atlas; a bake that was broken off goes on there")
-      ->required();
-  options->bake.add_to(*command);
+  command.add_option("SCENE", options->scene, "scene file (TOML)").required();
+  command.add_option("--out", options->folder, "folder of the atlas; a bake that was broken off goes on there")
+      .required();
+  options->bake.add_to(command);
   command
-      ->add_option("--shard", options->shard,
-                   "bake one of several equal shares, counted from 0: 2/8 is the third of eight")
-      ->capture_default_str();
-  auto* verify_option =
-      command->add_flag("--verify", options->verify,
-                        "compare the SHA-256 of looks that are there already; name altered ones and bake them again");
-  auto* log_option = command->add_option("--json-log", options->log, "add progress to this file, a JSON object a line");
+      .add_option("--shard", options->shard,
+                  "bake one of several equal shares, counted from 0: 2/8 is the third of eight")
+      .capture_default_str();
+  const auto verify_option =
+      command.add_flag("--verify", options->verify,
+                       "compare the SHA-256 of looks that are there already; name altered ones and bake them again");
+  const auto log_option =
+      command.add_option("--json-log", options->log, "add progress to this file, a JSON object a line");
   command
-      ->add_flag("--plan", options->plan,
-                 "write nothing; bake a small piece at each elevation and tell what the whole would take")
-      ->excludes(verify_option)
-      ->excludes(log_option);
-  command->add_flag("--json", output.json, "print the summary as JSON");
-  command->footer(
+      .add_flag("--plan", options->plan,
+                "write nothing; bake a small piece at each elevation and tell what the whole would take")
+      .excludes(verify_option)
+      .excludes(log_option);
+  command.add_flag("--json", output.json, "print the summary as JSON");
+  command.footer(
       "Examples:\n"
       "  sigmascape bake examples/bilbao/bilbao.toml --out out/bilbao_atlas --samples 16\n"
       "  sigmascape bake town.toml --out atlas --azimuths 16 --elevations-deg 3,5,8,13,21,34\n"
       "  sigmascape bake town.toml --out /shared/atlas --shard 2/8     (see docs/clusters.md)");
-  command->callback([options, &output] {
+  command.callback([options, &output] {
     const bake::BakeShare share{bake::shard_from(options->shard),
                                 options->verify ? atlas::Scrutiny::Content : atlas::Scrutiny::Size};
     const scene::Scene scene = scene::read_scene(options->scene);

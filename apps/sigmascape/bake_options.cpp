@@ -24,109 +24,103 @@ std::vector<double> ascending(std::vector<double> values, const char* option, co
 }
 
 /// 256 and twice as many again and again, as patches are halved to whole tiles.
-CLI::Validator patch_side() {
-  return {[](std::string& text) {
+Validator patch_side() {
+  return {[](const std::string& word) {
             for (std::size_t side = atlas::tile_side; side <= atlas::most_texels_per_side; side *= 2) {
-              if (text == std::to_string(side)) return std::string();
+              if (word == std::to_string(side)) return std::string();
             }
-            return fmt::format("is {}; give {} times a power of two, up to {}", text, atlas::tile_side,
+            return fmt::format("is {}; give {} times a power of two, up to {}", word, atlas::tile_side,
                                atlas::most_texels_per_side);
           },
           "256, 512, 1024, ..."};
 }
 
 /// Grazing angles at which level ground is lit and has a range.
-CLI::Validator elevation_deg() {
-  return {[](std::string& text) {
-            const std::string fault = number_within(bake::lowest_elevation_deg, bake::highest_elevation_deg)(text);
-            return fault.empty()
-                       ? fault
-                       : fmt::format("{}: a level plane is not lit at 0° and has no ground range at 90°", fault);
-          },
-          fmt::format("in [{:g} - {:g}]", bake::lowest_elevation_deg, bake::highest_elevation_deg)};
+Validator elevation_deg() {
+  return {
+      [](const std::string& word) {
+        const std::string fault = number_within(bake::lowest_elevation_deg, bake::highest_elevation_deg).fault(word);
+        return fault.empty() ? fault
+                             : fmt::format("{}: a level plane is not lit at 0° and has no ground range at 90°", fault);
+      },
+      fmt::format("in [{:g} - {:g}]", bake::lowest_elevation_deg, bake::highest_elevation_deg)};
 }
 
 }  // namespace
 
-void BakeOptions::add_to(CLI::App& command) {
+void BakeOptions::add_to(Command command) {
   add_texels_and_looks(command);
   add_rays(command);
   add_what_stands(command);
   command.add_option("--mantissa-bits", mantissa_bits, "bits kept of each half float at most, 1 to 10")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 10));
-  takes_words<atlas::Digits>(
-      command.add_option("--digits", digits, "of texels: those that their standard errors do not drown, or all"),
-      {{"to-noise", atlas::Digits::ToNoise}, {"all", atlas::Digits::All}})
-      ->default_str("to-noise");
-  command.add_option("--threads", threads, "0: one a processor")->capture_default_str();
+      .capture_default_str()
+      .check(count_within(1, 10));
+  add_word_option(command, "--digits", digits, {{"to-noise", atlas::Digits::ToNoise}, {"all", atlas::Digits::All}},
+                  "of texels: those that their standard errors do not drown, or all")
+      .default_str("to-noise");
+  command.add_option("--threads", threads, "0: one a processor").capture_default_str();
 }
 
-void BakeOptions::add_texels_and_looks(CLI::App& command) {
+void BakeOptions::add_texels_and_looks(Command command) {
   command.add_option("--texel-m", texel_m, "side of a texel on the ground")
-      ->capture_default_str()
-      ->check(number_within(bake::smallest_texel_m, 1e6));
+      .capture_default_str()
+      .check(number_within(bake::smallest_texel_m, 1e6));
   command.add_option("--patch-texels", patch_texels, "texels along a patch: 256, 512, 1024, ...")
-      ->capture_default_str()
-      ->check(patch_side());
+      .capture_default_str()
+      .check(patch_side());
   command.add_option("--azimuths", azimuths, "number of azimuths, evenly spaced from north")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 3600));
+      .capture_default_str()
+      .check(count_within(1, 3600));
   command.add_option("--elevations-deg", elevations_deg, "grazing angles")
-      ->delimiter(',')
-      ->capture_default_str()
-      ->check(elevation_deg());
+      .delimiter(',')
+      .capture_default_str()
+      .check(elevation_deg());
   command.add_option("--frequencies-ghz", frequencies_ghz, "frequencies")
-      ->delimiter(',')
-      ->capture_default_str()
-      ->check(number_within(1e-3, 1e3));
+      .delimiter(',')
+      .capture_default_str()
+      .check(number_within(1e-3, 1e3));
 }
 
-void BakeOptions::add_rays(CLI::App& command) {
+void BakeOptions::add_rays(Command command) {
   const bake::Sampling usual;
-  auto* target_option = command
-                            .add_option("--target-db", target_db,
-                                        "standard error aimed at in what the rays to one cell return, as far as "
-                                        "--most-samples goes; 'atlas info' tells what part of the texels is above")
-                            ->default_str(fmt::format("{:g}", usual.target_db));
-  auto* most_option = command.add_option("--most-samples", most_samples, "rays a texel at most, however noisy it is")
-                          ->default_str(std::to_string(usual.most_samples))
-                          ->check(count_within(bake::pilot_samples, bake::most_samples_a_cell));
-  auto* samples_option =
+  const auto target_option = command
+                                 .add_option("--target-db", target_db,
+                                             "standard error aimed at in what the rays to one cell return, as far as "
+                                             "--most-samples goes; 'atlas info' tells what part of the texels is above")
+                                 .default_str(fmt::format("{:g}", usual.target_db));
+  const auto most_option =
+      command.add_option("--most-samples", most_samples, "rays a texel at most, however noisy it is")
+          .default_str(std::to_string(usual.most_samples))
+          .check(count_within(bake::pilot_samples, bake::most_samples_a_cell));
+  const auto samples_option =
       command.add_option("--samples", samples, "rays a texel everywhere (N_r of the paper) instead of a target")
-          ->check(count_within<std::uint32_t>(2, bake::most_samples_a_cell))
-          ->excludes(target_option, most_option);
-  if (usual_samples > 0) samples_option->default_str(std::to_string(usual_samples));
-  auto* preset_option = command.add_option("--preset", preset, "paper: 100 rays a texel everywhere, 8 bounces")
-                            ->check(CLI::IsMember({"paper"}));
+          .check(count_within<std::uint32_t>(2, bake::most_samples_a_cell))
+          .excludes(target_option, most_option);
+  if (usual_samples > 0) samples_option.default_str(std::to_string(usual_samples));
+  const auto preset_option =
+      command.add_option("--preset", preset, "paper: 100 rays a texel everywhere, 8 bounces").check(one_of({"paper"}));
   command.add_option("--bounces", bounces, "surfaces a path may meet (N_b of the paper)")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 64))
-      ->excludes(preset_option);
-  preset_option->excludes(target_option, most_option, samples_option);
-  takes_words<bake::Noise>(
-      command.add_option(
-          "--noise", noise,
-          "of what came over several surfaces: each texel keeps its own, or texels share what their rays "
-          "leave in doubt with those around them"),
-      {{"own", bake::Noise::Own}, {"shared", bake::Noise::Shared}})
-      ->default_str("own");
+      .capture_default_str()
+      .check(count_within(1, 64))
+      .excludes(preset_option);
+  preset_option.excludes(target_option, most_option, samples_option);
+  add_word_option(command, "--noise", noise, {{"own", bake::Noise::Own}, {"shared", bake::Noise::Shared}},
+                  "of what came over several surfaces: each texel keeps its own, or texels share what their rays "
+                  "leave in doubt with those around them")
+      .default_str("own");
   add_seed_option(command, seed, "names the random numbers");
 }
 
-void BakeOptions::add_what_stands(CLI::App& command) {
-  takes_words<bake::Shadows>(
-      command.add_option(
-          "--shadows", shadows,
-          "of objects on the ground: made at run time from stored obstacles, or baked as on level ground"),
-      {{"run-time", bake::Shadows::RunTime}, {"baked", bake::Shadows::Baked}})
-      ->default_str("run-time");
-  takes_words<trace::Footing>(
-      command.add_option("--footing", footing,
-                         "what objects stand on while they are baked: their own terrain, or level ground; always level "
-                         "with --shadows baked"),
-      {{"terrain", trace::Footing::Terrain}, {"level", trace::Footing::LevelPlane}})
-      ->default_str("terrain");
+void BakeOptions::add_what_stands(Command command) {
+  add_word_option(command, "--shadows", shadows,
+                  {{"run-time", bake::Shadows::RunTime}, {"baked", bake::Shadows::Baked}},
+                  "of objects on the ground: made at run time from stored obstacles, or baked as on level ground")
+      .default_str("run-time");
+  add_word_option(command, "--footing", footing,
+                  {{"terrain", trace::Footing::Terrain}, {"level", trace::Footing::LevelPlane}},
+                  "what objects stand on while they are baked: their own terrain, or level ground; always level "
+                  "with --shadows baked")
+      .default_str("terrain");
 }
 
 bake::BakeSettings BakeOptions::settings() const {

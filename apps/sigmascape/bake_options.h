@@ -1,9 +1,10 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "command_parser.h"
 
 #include "sigmascape/bake/bake.h"
 
@@ -29,13 +30,13 @@ struct BakeOptions {
   atlas::Digits digits = atlas::Digits::ToNoise;
   unsigned threads = 0;
 
-  void add_to(CLI::App& command);
+  void add_to(Command command);
   [[nodiscard]] bake::BakeSettings settings() const;
 
  private:
-  void add_texels_and_looks(CLI::App& command);
-  void add_rays(CLI::App& command);
-  void add_what_stands(CLI::App& command);
+  void add_texels_and_looks(Command command);
+  void add_rays(Command command);
+  void add_what_stands(Command command);
 };
 
 }  // namespace sigmascape::cli

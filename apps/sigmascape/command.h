@@ -1,9 +1,10 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
-#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <string>
+
+#include "command_parser.h"
 
 namespace sigmascape::cli {
 
@@ -16,14 +17,14 @@ struct Output {
 };
 
 /// Each adds its subcommand, with examples in its help; its work runs when CLI11 has parsed the line.
-void add_scene_command(CLI::App& app, Output& output);
-void add_bake_command(CLI::App& app, Output& output);
-void add_atlas_command(CLI::App& app, Output& output);
-void add_render_command(CLI::App& app, Output& output);
-void add_dataset_command(CLI::App& app, Output& output);
-void add_compare_command(CLI::App& app, Output& output);
-void add_plot_command(CLI::App& app, Output& output);
-void add_demo_command(CLI::App& app, Output& output);
-void add_results_command(CLI::App& app, Output& output);
+void add_scene_command(Command app, Output& output);
+void add_bake_command(Command app, Output& output);
+void add_atlas_command(Command app, Output& output);
+void add_render_command(Command app, Output& output);
+void add_dataset_command(Command app, Output& output);
+void add_compare_command(Command app, Output& output);
+void add_plot_command(Command app, Output& output);
+void add_demo_command(Command app, Output& output);
+void add_results_command(Command app, Output& output);
 
 }  // namespace sigmascape::cli

@@ -24,26 +24,24 @@ radar::GroundMap metric_map(const std::string& file) {
 
 }  // namespace
 
-void add_compare_command(CLI::App& app, Output& output) {
-  auto* command = app.add_subcommand("compare", "Say how close one ground map comes to another");
+void add_compare_command(Command app, Output& output) {
+  const auto command = app.add_subcommand("compare", "Say how close one ground map comes to another");
   struct Options {
     std::string tested, truth, repeated;
     product::CompareOptions compare;
   };
   auto options = std::make_shared<Options>();
-  command->add_option("TESTED", options->tested, "ground map (GeoTIFF from render)")->required();
-  command->add_option("TRUTH", options->truth, "ground map held to be right")->required();
-  command->add_option("--noise-floor", options->repeated,
-                      "the truth traced again with another seed: how close two of them come");
-  command->add_option("--cells-m", options->compare.cells_m, "cell sizes to average to before comparing")
-      ->delimiter(',');
-  command->add_option("--floor-db", options->compare.floor_db, "darker cells count as this dark")
-      ->capture_default_str();
-  command->add_option("--shadow-db", options->compare.shadow_db, "darker cells are shadow")->capture_default_str();
-  add_polarization_option(*command, options->compare.polarization);
-  command->add_flag("--json", output.json, "print as JSON");
-  command->footer("Example:\n  sigmascape compare baked.tif traced.tif --noise-floor traced_again.tif");
-  command->callback([options, &output] {
+  command.add_option("TESTED", options->tested, "ground map (GeoTIFF from render)").required();
+  command.add_option("TRUTH", options->truth, "ground map held to be right").required();
+  command.add_option("--noise-floor", options->repeated,
+                     "the truth traced again with another seed: how close two of them come");
+  command.add_option("--cells-m", options->compare.cells_m, "cell sizes to average to before comparing").delimiter(',');
+  command.add_option("--floor-db", options->compare.floor_db, "darker cells count as this dark").capture_default_str();
+  command.add_option("--shadow-db", options->compare.shadow_db, "darker cells are shadow").capture_default_str();
+  add_polarization_option(command, options->compare.polarization);
+  command.add_flag("--json", output.json, "print as JSON");
+  command.footer("Example:\n  sigmascape compare baked.tif traced.tif --noise-floor traced_again.tif");
+  command.callback([options, &output] {
     const auto truth = metric_map(options->truth);
     const auto comparison = product::compare_maps(metric_map(options->tested), truth, options->compare);
     std::optional<product::MapComparison> floor;

@@ -9,26 +9,26 @@
 
 namespace sigmascape::cli {
 
-void add_dataset_command(CLI::App& app, Output& output) {
-  auto* command = app.add_subcommand("dataset", "Make labelled radar images of a scene by the thousand");
+void add_dataset_command(Command app, Output& output) {
+  const auto command = app.add_subcommand("dataset", "Make labelled radar images of a scene by the thousand");
   struct Options {
     std::string spec, folder, shard = "0/1";
     unsigned threads = 0;
   };
   auto options = std::make_shared<Options>();
-  command->add_option("SPEC", options->spec, "dataset file (TOML)")->required();
-  command->add_option("--out", options->folder, "folder to fill; a run that was broken off goes on there")->required();
+  command.add_option("SPEC", options->spec, "dataset file (TOML)").required();
+  command.add_option("--out", options->folder, "folder to fill; a run that was broken off goes on there").required();
   command
-      ->add_option("--shard", options->shard,
-                   "make one of several equal shares, counted from 0: 2/8 is the third of eight")
-      ->capture_default_str();
-  command->add_option("--threads", options->threads, "0: one a processor")->capture_default_str();
-  command->add_flag("--json", output.json, "print the summary as JSON");
-  command->footer(
+      .add_option("--shard", options->shard,
+                  "make one of several equal shares, counted from 0: 2/8 is the third of eight")
+      .capture_default_str();
+  command.add_option("--threads", options->threads, "0: one a processor").capture_default_str();
+  command.add_flag("--json", output.json, "print the summary as JSON");
+  command.footer(
       "Examples:\n"
       "  sigmascape dataset examples/datasets/san_francisco.toml --out out/san_francisco_samples\n"
       "  sigmascape dataset spec.toml --out /shared/samples --shard 2/8     (see docs/datasets.md)");
-  command->callback([options, &output] {
+  command.callback([options, &output] {
     const bake::Shard shard = bake::shard_from(options->shard);
     const dataset::SampleMaker maker(dataset::read_dataset_spec(options->spec));
     TerminalProgress progress;

@@ -211,22 +211,22 @@ void run_demo(const DemoOptions& options, const Output& output) {
 
 }  // namespace
 
-void add_demo_command(CLI::App& app, Output& output) {
-  auto* command = app.add_subcommand("demo", "Bake a scene, map it both ways, and show how close they are");
+void add_demo_command(Command app, Output& output) {
+  const auto command = app.add_subcommand("demo", "Bake a scene, map it both ways, and show how close they are");
   auto options = std::make_shared<DemoOptions>();
   options->bake.usual_samples = 12;
   options->bake.patch_texels = 256;
-  command->add_option("--scene", options->scene, "scene file (TOML); by default a small version of the paper's scene");
-  command->add_option("--radar", options->radar, "radar file (TOML); by default the paper's view and a baked one");
-  command->add_option("--out", options->folder, "folder for pictures, maps and the page")->capture_default_str();
-  command->add_option("--scale", options->scale, "size of the paper's scene, 1 being 2 km")->capture_default_str();
-  command->add_option("--traced-samples", options->traced_samples, "rays a cell of the traced map")
-      ->capture_default_str();
-  options->bake.add_to(*command);
-  command->add_flag("--json", output.json, "print the summary as JSON");
-  command->footer(
+  command.add_option("--scene", options->scene, "scene file (TOML); by default a small version of the paper's scene");
+  command.add_option("--radar", options->radar, "radar file (TOML); by default the paper's view and a baked one");
+  command.add_option("--out", options->folder, "folder for pictures, maps and the page").capture_default_str();
+  command.add_option("--scale", options->scale, "size of the paper's scene, 1 being 2 km").capture_default_str();
+  command.add_option("--traced-samples", options->traced_samples, "rays a cell of the traced map")
+      .capture_default_str();
+  options->bake.add_to(command);
+  command.add_flag("--json", output.json, "print the summary as JSON");
+  command.footer(
       "Examples:\n  sigmascape demo\n  sigmascape demo --scene examples/bilbao/bilbao.toml --out out/bilbao");
-  command->callback([options, &output] { run_demo(*options, output); });
+  command.callback([options, &output] { run_demo(*options, output); });
 }
 
 }  // namespace sigmascape::cli

@@ -32,20 +32,20 @@ Provenance words_of_pulses(const IqFiles& files, const IqRequest& request) {
 
 }  // namespace
 
-void add_iq_options(CLI::App& command, IqFiles& files) {
+void add_iq_options(Command command, IqFiles& files) {
   command.add_option("--iq", files.file,
                      "pulses as complex numbers to write, from the atlas (.npy, .npz, .h5 or .sigmf-meta)");
   command.add_option("--interval-s", files.interval_s, "time over which --iq records pulses")
-      ->capture_default_str()
-      ->check(number_within(1e-6, 1e4));
+      .capture_default_str()
+      .check(number_within(1e-6, 1e4));
   command.add_option("--slant-image", files.slant_image,
                      "complex image of a coherent mode in slant geometry to write (endings as for --iq)");
   command
       .add_option(
           "--iq-unit", files.unit,
           "of --iq: V, behind antenna, receiver and with thermal noise, or m, the root of cross-sections without")
-      ->capture_default_str()
-      ->check(CLI::IsMember({"m", "V"}));
+      .capture_default_str()
+      .check(one_of({"m", "V"}));
 }
 
 double texture_frequency_hz(const atlas::Atlas& textures, const radar::Radar& radar, bool extrapolate) {

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <string>
 #include <vector>
 
+#include "command_parser.h"
 #include "map_files.h"
 
 #include "sigmascape/atlas/atlas.h"
@@ -23,7 +23,7 @@ struct IqFiles {
   std::string slant_image;
 };
 
-void add_iq_options(CLI::App& command, IqFiles& files);
+void add_iq_options(Command command, IqFiles& files);
 
 /// What the atlas, the scene's terrain and the radar make of it.
 struct IqRequest {

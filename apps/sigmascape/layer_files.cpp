@@ -45,13 +45,13 @@ std::vector<radar::Layer> bounce_layers(const std::vector<std::string>& names, c
 
 }  // namespace
 
-void add_layer_options(CLI::App& command, LayerFiles& files) {
+void add_layer_options(Command command, LayerFiles& files) {
   command
       .add_option("--layers", files.names,
                   "layers over the map's cells: shadow, layover, incidence, range, class, height; at level of detail 0 "
                   "also bounce1, bounce2, ... (sigma0 by number of bounces) and multibounce (part of the power that "
                   "came over more than one)")
-      ->delimiter(',');
+      .delimiter(',');
   command.add_option("--layers-out", files.file, "GeoTIFF to write them to, a band for each");
 }
 

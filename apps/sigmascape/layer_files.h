@@ -1,9 +1,10 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <map>
 #include <string>
 #include <vector>
+
+#include "command_parser.h"
 
 #include "sigmascape/radar/radar.h"
 #include "sigmascape/scene/scene.h"
@@ -17,7 +18,7 @@ struct LayerFiles {
   std::string file;
 };
 
-void add_layer_options(CLI::App& command, LayerFiles& files);
+void add_layer_options(Command command, LayerFiles& files);
 
 /// Throws Error when a layer is not known or not to be had at this level of detail, or when file or names are missing.
 void check(const LayerFiles& files, int level_of_detail);

@@ -1,3 +1,4 @@
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
@@ -75,15 +76,15 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   app.set_version_flag("--version", product::software_version());
   Output output;
-  add_scene_command(app, output);
-  add_bake_command(app, output);
-  add_atlas_command(app, output);
-  add_render_command(app, output);
-  add_dataset_command(app, output);
-  add_compare_command(app, output);
-  add_plot_command(app, output);
-  add_demo_command(app, output);
-  add_results_command(app, output);
+  add_scene_command(Command(app), output);
+  add_bake_command(Command(app), output);
+  add_atlas_command(Command(app), output);
+  add_render_command(Command(app), output);
+  add_dataset_command(Command(app), output);
+  add_compare_command(Command(app), output);
+  add_plot_command(Command(app), output);
+  add_demo_command(Command(app), output);
+  add_results_command(Command(app), output);
   try {
     refuse_empty_values(argc, argv);
     refuse_unknown_command(app, argc, argv);

@@ -122,56 +122,53 @@ void plot_aspects(const PlotOptions& options, const Output& output) {
 
 }  // namespace
 
-void add_plot_command(CLI::App& app, Output& output) {
-  auto* command = app.add_subcommand("plot", "Draw what materials, radars, maps and atlases do, as SVG or PNG");
-  command->require_subcommand(1);
+void add_plot_command(Command app, Output& output) {
+  const auto command = app.add_subcommand("plot", "Draw what materials, radars, maps and atlases do, as SVG or PNG");
+  command.require_subcommand(1);
   auto options = std::make_shared<PlotOptions>();
   const auto subcommand = [&](const char* name, const char* description, const char* example) {
-    auto* added = command->add_subcommand(name, description);
-    added->add_option("--out", options->out, "picture to draw (.svg or .png)")
-        ->required()
-        ->check(
-            CLI::Validator([](std::string& file) { return product::check_plot_name(file), std::string(); }, "FILE"));
-    added->add_flag("--json", output.json, "print the numbers as JSON");
-    added->footer(fmt::format("Example:\n  sigmascape plot {}", example));
+    const auto added = command.add_subcommand(name, description);
+    added.add_option("--out", options->out, "picture to draw (.svg or .png)")
+        .required()
+        .check({[](const std::string& file) { return product::check_plot_name(file), std::string(); }, "FILE"});
+    added.add_flag("--json", output.json, "print the numbers as JSON");
+    added.footer(fmt::format("Example:\n  sigmascape plot {}", example));
     return added;
   };
 
-  auto* sigma0 = subcommand("sigma0", "sigma0 of materials over grazing angle",
-                            "sigma0 grass concrete --frequency-ghz 10 --out sigma0.svg");
-  sigma0->add_option("MATERIAL", options->materials, "names of materials; all of --scene when there are none");
-  sigma0->add_option("--scene", options->scene, "scene file whose materials are known too");
-  sigma0->add_option("--frequency-ghz", options->frequency_ghz)
-      ->capture_default_str()
-      ->check(number_within(0.1, 300.0));
-  add_polarization_option(*sigma0, options->polarization);
-  sigma0->callback([options, &output] {
+  const auto sigma0 = subcommand("sigma0", "sigma0 of materials over grazing angle",
+                                 "sigma0 grass concrete --frequency-ghz 10 --out sigma0.svg");
+  sigma0.add_option("MATERIAL", options->materials, "names of materials; all of --scene when there are none");
+  sigma0.add_option("--scene", options->scene, "scene file whose materials are known too");
+  sigma0.add_option("--frequency-ghz", options->frequency_ghz).capture_default_str().check(number_within(0.1, 300.0));
+  add_polarization_option(sigma0, options->polarization);
+  sigma0.callback([options, &output] {
     const auto materials = wanted_materials(*options);
     if (materials.empty()) throw Error("MATERIAL", "is missing", "name a material, or a scene with --scene");
     finish(*options, sigma0_plot(materials, options->frequency_ghz * 1e9, options->polarization), output);
   });
 
-  auto* antenna = subcommand("antenna", "One-way antenna pattern in azimuth and elevation",
-                             "antenna examples/radars/fighter_ground_map.toml --reach-deg 20 --out antenna.svg");
-  antenna->add_option("RADAR", options->input, "radar file (TOML)")->required();
-  antenna->add_option("--reach-deg", options->reach_deg, "angle to either side of the axis")
-      ->capture_default_str()
-      ->check(number_within(1e-5, 90.0));
-  antenna->callback([options, &output] {
+  const auto antenna = subcommand("antenna", "One-way antenna pattern in azimuth and elevation",
+                                  "antenna examples/radars/fighter_ground_map.toml --reach-deg 20 --out antenna.svg");
+  antenna.add_option("RADAR", options->input, "radar file (TOML)").required();
+  antenna.add_option("--reach-deg", options->reach_deg, "angle to either side of the axis")
+      .capture_default_str()
+      .check(number_within(1e-5, 90.0));
+  antenna.callback([options, &output] {
     const auto radar = radar::read_radar_file(options->input, radar::PlaceOfRadar::Optional).radar;
     finish(*options, antenna_plot(radar, radians_from_deg(options->reach_deg)), output);
   });
 
-  auto* response = subcommand("response", "Answer to a point: the compressed pulse, or the two-way beam",
-                              "response examples/radars/fighter_ground_map.toml --along range --out pulse.svg");
-  response->add_option("RADAR", options->input, "radar file (TOML)")->required();
-  response->add_option("--along", options->along, "range or azimuth")
-      ->capture_default_str()
-      ->check(CLI::IsMember({"range", "azimuth"}));
-  response->add_option("--widths", options->widths, "half-power widths to either side")
-      ->capture_default_str()
-      ->check(number_within(0.5, 200.0));
-  response->callback([options, &output] {
+  const auto response = subcommand("response", "Answer to a point: the compressed pulse, or the two-way beam",
+                                   "response examples/radars/fighter_ground_map.toml --along range --out pulse.svg");
+  response.add_option("RADAR", options->input, "radar file (TOML)").required();
+  response.add_option("--along", options->along, "range or azimuth")
+      .capture_default_str()
+      .check(one_of({"range", "azimuth"}));
+  response.add_option("--widths", options->widths, "half-power widths to either side")
+      .capture_default_str()
+      .check(number_within(0.5, 200.0));
+  response.callback([options, &output] {
     const auto radar = radar::read_radar_file(options->input, radar::PlaceOfRadar::Optional).radar;
     finish(*options,
            options->along == "range" ? range_response_plot(radar, options->widths)
@@ -179,36 +176,34 @@ void add_plot_command(CLI::App& app, Output& output) {
            output);
   });
 
-  auto* histogram =
+  const auto histogram =
       subcommand("histogram", "Spread of a map's powers beside the exponential density, or of I/Q beside Rayleigh's",
                  "histogram map.tif --area=-200,-200,0,0 --out histogram.svg");
-  histogram->add_option("FILE", options->input, "ground map (GeoTIFF from render) or pulses (.npy from render --iq)")
-      ->required();
-  histogram->add_option("--area", options->area_m, "part of a map: west, south, east, north in metres of its frame")
-      ->delimiter(',')
-      ->expected(4);
-  histogram->add_option("--looks", options->looks, "looks of the map: more than one follow Gamma")
-      ->capture_default_str()
-      ->check(number_within(0.5, 1000.0));
-  histogram->add_option("--bins", options->bins, "bars of the histogram")
-      ->capture_default_str()
-      ->check(CLI::Range(5, 500));
-  add_polarization_option(*histogram, options->polarization);
-  histogram->callback([options, &output] { plot_histogram(*options, output); });
+  histogram.add_option("FILE", options->input, "ground map (GeoTIFF from render) or pulses (.npy from render --iq)")
+      .required();
+  histogram.add_option("--area", options->area_m, "part of a map: west, south, east, north in metres of its frame")
+      .delimiter(',')
+      .expected(4);
+  histogram.add_option("--looks", options->looks, "looks of the map: more than one follow Gamma")
+      .capture_default_str()
+      .check(number_within(0.5, 1000.0));
+  histogram.add_option("--bins", options->bins, "bars of the histogram")
+      .capture_default_str()
+      .check(count_within(5, 500));
+  add_polarization_option(histogram, options->polarization);
+  histogram.callback([options, &output] { plot_histogram(*options, output); });
 
-  auto* aspects = subcommand("aspects", "sigma0 of one place of an atlas by the direction it is seen from",
-                             "aspects out/bilbao_atlas --at 120,-340 --out aspects.svg");
-  aspects->add_option("ATLAS", options->input, "folder of the atlas")->required();
-  aspects->add_option("--at", options->at, "x,y of the place in metres of the atlas' frame")
-      ->delimiter(',')
-      ->required();
-  aspects->add_flag("--lat-lon", options->is_latitude_longitude, "--at is latitude and longitude in degrees");
-  aspects->add_option("--over", options->over, "azimuth or elevation")
-      ->capture_default_str()
-      ->check(CLI::IsMember({"azimuth", "elevation"}));
-  aspects->add_option("--frequency-ghz", options->frequency_ghz)->capture_default_str();
-  add_polarization_option(*aspects, options->polarization);
-  aspects->callback([options, &output] { plot_aspects(*options, output); });
+  const auto aspects = subcommand("aspects", "sigma0 of one place of an atlas by the direction it is seen from",
+                                  "aspects out/bilbao_atlas --at 120,-340 --out aspects.svg");
+  aspects.add_option("ATLAS", options->input, "folder of the atlas").required();
+  aspects.add_option("--at", options->at, "x,y of the place in metres of the atlas' frame").delimiter(',').required();
+  aspects.add_flag("--lat-lon", options->is_latitude_longitude, "--at is latitude and longitude in degrees");
+  aspects.add_option("--over", options->over, "azimuth or elevation")
+      .capture_default_str()
+      .check(one_of({"azimuth", "elevation"}));
+  aspects.add_option("--frequency-ghz", options->frequency_ghz).capture_default_str();
+  add_polarization_option(aspects, options->polarization);
+  aspects.callback([options, &output] { plot_aspects(*options, output); });
 }
 
 }  // namespace sigmascape::cli

@@ -6,9 +6,9 @@
 
 namespace sigmascape::cli {
 
-void add_polarization_option(CLI::App& command, radar::Polarization& polarization) {
-  takes_words(command.add_option("--polarization", polarization, "vv, hh, hv, vh, or sum for VV + HH + 2 HV"),
-              radar::polarization_words());
+Option add_polarization_option(Command command, radar::Polarization& polarization) {
+  return add_word_option(command, "--polarization", polarization, radar::polarization_words(),
+                         "vv, hh, hv, vh, or sum for VV + HH + 2 HV");
 }
 
 }  // namespace sigmascape::cli

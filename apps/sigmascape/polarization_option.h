@@ -1,12 +1,12 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "command_parser.h"
 
 #include "sigmascape/radar/channels.h"
 
 namespace sigmascape::cli {
 
 /// Adds --polarization vv|hh|hv|vh|sum.
-void add_polarization_option(CLI::App& command, radar::Polarization& polarization);
+Option add_polarization_option(Command command, radar::Polarization& polarization);
 
 }  // namespace sigmascape::cli

@@ -26,7 +26,7 @@ const char* video_quantity(radar::Detector detector) {
 
 }  // namespace
 
-void add_received_options(CLI::App& command, ReceivedFiles& files) {
+void add_received_options(Command command, ReceivedFiles& files) {
   command.add_option(
       "--snr", files.snr,
       "signal-to-noise ratio of one pulse over range and azimuth to write (.npy, with a .json beside it)");

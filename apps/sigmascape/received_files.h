@@ -1,9 +1,9 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <string>
 
+#include "command_parser.h"
 #include "map_files.h"
 
 #include "sigmascape/geo/local_frame.h"
@@ -19,7 +19,7 @@ struct ReceivedFiles {
   std::string snr, video;
 };
 
-void add_received_options(CLI::App& command, ReceivedFiles& files);
+void add_received_options(Command command, ReceivedFiles& files);
 
 /// Throws Error for names that do not tell their kind of file.
 void check(const ReceivedFiles& files);

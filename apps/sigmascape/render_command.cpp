@@ -267,71 +267,69 @@ void render(RenderOptions options, std::optional<radar::Polarization> polarizati
 
 }  // namespace
 
-void add_render_command(CLI::App& app, Output& output) {
-  auto* command = app.add_subcommand("render", "Make the ground map that a radar sees");
+void add_render_command(Command app, Output& output) {
+  const auto command = app.add_subcommand("render", "Make the ground map that a radar sees");
   auto options = std::make_shared<RenderOptions>();
   auto polarization = std::make_shared<radar::Polarization>(radar::Polarization::VV);
-  command->add_option("RADAR", options->radar, "radar file (TOML)")->required();
-  command->add_option("--scene", options->scene, "scene file (TOML)")->required();
-  command->add_option("--atlas", options->atlas, "folder of the atlas that was baked from the scene");
-  command->add_option("--targets", options->targets, "targets and movers to add (TOML); see docs/target_file.md");
-  auto* level = command
-                    ->add_option("--lod", options->level_of_detail,
-                                 "level of detail: 0 traces the scene, 1 and up use the atlas; when nothing is said 1 "
-                                 "with an atlas, 0 without")
-                    ->check(CLI::Range(0, 16));
-  auto* explain = command->add_flag("--explain", options->explain,
-                                    "say which level of detail the resolution cell asks for, and why");
-  takes_words(command->add_option("--detail-rule", options->detail_rule,
-                                  "what that goes by: cell, how far layover and shadow reach over the resolution cell "
-                                  "(when nothing is said), or paper, 16 pixels a triangle"),
-              std::map<std::string, render::DetailRule>{{"cell", render::DetailRule::LayoverAndShadow},
-                                                        {"paper", render::DetailRule::PixelsPerTriangle}})
-      ->needs(explain);
-  command->add_option("--out", options->map_file,
-                      "ground map to write: sigma0 as cloud-optimised GeoTIFF (.tif) or for NumPy (.npy, .npz)");
-  command->add_option("--power", options->power_file,
-                      "mean power of one pulse at the antenna's terminals to write, over the ground map's cells, in W "
-                      "(.tif, .npy, .npz)");
-  command->add_flag("--db", options->in_decibels, "write maps in dB, power in dBW, instead of linear");
-  command->add_option("--png", options->picture_file, "picture to write");
-  command->add_option("--style", options->style, "grey or scope")
-      ->capture_default_str()
-      ->check(CLI::IsMember({"grey", "scope"}));
-  command->add_option("--span-db", options->span_db, "span of the picture from dark to bright")
-      ->capture_default_str()
-      ->check(number_within(0.01, 1000.0));
-  command->add_option("--top-db", options->top_db, "sigma0 shown brightest; by default that of the brightest few cells")
-      ->check(number_within(-1000.0, 1000.0));
-  add_polarization_option(*command, *polarization);
-  command->add_option("--crs", options->crs, "coordinate system of maps and layers: EPSG code, PROJ string or WKT");
-  add_scope_options(*command, options->scopes);
-  add_received_options(*command, options->received);
-  add_layer_options(*command, options->layers);
-  add_iq_options(*command, options->iq);
-  command->add_flag("--extrapolate", options->extrapolate,
-                    "at a frequency that was not baked, use the nearest that was");
-  command->add_option("--samples", options->trace.samples_per_cell, "rays a map cell, at level of detail 0")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 1 << 24));
-  command->add_option("--bounces", options->trace.max_bounces, "surfaces a path may meet, at level of detail 0")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 255));
-  add_seed_option(*command, options->trace.seed,
+  command.add_option("RADAR", options->radar, "radar file (TOML)").required();
+  command.add_option("--scene", options->scene, "scene file (TOML)").required();
+  command.add_option("--atlas", options->atlas, "folder of the atlas that was baked from the scene");
+  command.add_option("--targets", options->targets, "targets and movers to add (TOML); see docs/target_file.md");
+  const auto level =
+      command
+          .add_option("--lod", options->level_of_detail,
+                      "level of detail: 0 traces the scene, 1 and up use the atlas; when nothing is said 1 "
+                      "with an atlas, 0 without")
+          .check(count_within(0, 16));
+  const auto explain = command.add_flag("--explain", options->explain,
+                                        "say which level of detail the resolution cell asks for, and why");
+  add_word_option(
+      command, "--detail-rule", options->detail_rule,
+      {{"cell", render::DetailRule::LayoverAndShadow}, {"paper", render::DetailRule::PixelsPerTriangle}},
+      "what that goes by: cell, how far layover and shadow reach over the resolution cell (when nothing is said), or "
+      "paper, 16 pixels a triangle")
+      .needs(explain);
+  command.add_option("--out", options->map_file,
+                     "ground map to write: sigma0 as cloud-optimised GeoTIFF (.tif) or for NumPy (.npy, .npz)");
+  command.add_option("--power", options->power_file,
+                     "mean power of one pulse at the antenna's terminals to write, over the ground map's cells, in W "
+                     "(.tif, .npy, .npz)");
+  command.add_flag("--db", options->in_decibels, "write maps in dB, power in dBW, instead of linear");
+  command.add_option("--png", options->picture_file, "picture to write");
+  command.add_option("--style", options->style, "grey or scope").capture_default_str().check(one_of({"grey", "scope"}));
+  command.add_option("--span-db", options->span_db, "span of the picture from dark to bright")
+      .capture_default_str()
+      .check(number_within(0.01, 1000.0));
+  command.add_option("--top-db", options->top_db, "sigma0 shown brightest; by default that of the brightest few cells")
+      .check(number_within(-1000.0, 1000.0));
+  const auto stated = add_polarization_option(command, *polarization);
+  command.add_option("--crs", options->crs, "coordinate system of maps and layers: EPSG code, PROJ string or WKT");
+  add_scope_options(command, options->scopes);
+  add_received_options(command, options->received);
+  add_layer_options(command, options->layers);
+  add_iq_options(command, options->iq);
+  command.add_flag("--extrapolate", options->extrapolate,
+                   "at a frequency that was not baked, use the nearest that was");
+  command.add_option("--samples", options->trace.samples_per_cell, "rays a map cell, at level of detail 0")
+      .capture_default_str()
+      .check(count_within(1, 1 << 24));
+  command.add_option("--bounces", options->trace.max_bounces, "surfaces a path may meet, at level of detail 0")
+      .capture_default_str()
+      .check(count_within(1, 255));
+  add_seed_option(command, options->trace.seed,
                   "names the random numbers: rays at level of detail 0, speckle of coherent modes");
-  command->add_option("--threads", options->trace.threads, "0: one a processor")->capture_default_str();
-  command->add_flag("--json", output.json, "print the summary as JSON");
-  command->footer(
+  command.add_option("--threads", options->trace.threads, "0: one a processor").capture_default_str();
+  command.add_flag("--json", output.json, "print the summary as JSON");
+  command.footer(
       "Examples:\n"
       "  sigmascape render radar.toml --scene town.toml --out traced.tif --png traced.png\n"
       "  sigmascape render radar.toml --scene town.toml --atlas atlas --lod 1 --out baked.tif --png baked.png --style "
       "scope\n"
       "  sigmascape render radar.toml --scene town.toml --layers shadow,layover,bounce1,bounce2 --layers-out "
       "layers.tif");
-  command->callback([command, level, options, polarization, &output] {
-    if (level->empty()) options->level_of_detail = options->atlas.empty() ? 0 : 1;
-    const bool states_one = command->get_option("--polarization")->count() > 0;
-    render(*options, states_one ? std::optional(*polarization) : std::nullopt, output);
+  command.callback([level, stated, options, polarization, &output] {
+    if (!level.is_given()) options->level_of_detail = options->atlas.empty() ? 0 : 1;
+    render(*options, stated.is_given() ? std::optional(*polarization) : std::nullopt, output);
   });
 }
 

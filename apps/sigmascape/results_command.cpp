@@ -74,51 +74,51 @@ void run_results(const ResultsOptions& options, const Output& output) {
 
 }  // namespace
 
-void add_results_command(CLI::App& app, Output& output) {
-  auto* command =
+void add_results_command(Command app, Output& output) {
+  const auto command =
       app.add_subcommand("results", "Measure how close baked maps come to traced ones, by grid, view and cell size");
   auto options = std::make_shared<ResultsOptions>();
-  command->add_flag("--small", options->small, "a fifth of the scene's side, few views and rays: minutes, not hours");
+  command.add_flag("--small", options->small, "a fifth of the scene's side, few views and rays: minutes, not hours");
   command
-      ->add_option("--out", options->folder,
-                   "folder for numbers, page, pictures, the atlas and the traced maps; what fits is used again. "
-                   "Remove it when the program has changed")
-      ->capture_default_str();
-  command->add_option(
-      "--measured", options->measured,
-      "measured.json of such a run, here or elsewhere: the views that are in it are not measured again");
-  command->add_option("--page", options->page, "Markdown page to write as well, its pictures beside it");
-  command->add_option("--scene", options->scene_file, "scene file (TOML) to measure on, instead of the paper's scene");
-  command->add_option("--scale", options->scale, "side of the paper's scene, or of the middle of another, over 2 km");
+      .add_option("--out", options->folder,
+                  "folder for numbers, page, pictures, the atlas and the traced maps; what fits is used again. "
+                  "Remove it when the program has changed")
+      .capture_default_str();
+  command.add_option("--measured", options->measured,
+                     "measured.json of such a run, here or elsewhere: the views that are in it are not measured again");
+  command.add_option("--page", options->page, "Markdown page to write as well, its pictures beside it");
+  const auto scene = command.add_option("--scene", options->scene_file,
+                                        "scene file (TOML) to measure on, instead of the paper's scene");
+  command.add_option("--scale", options->scale, "side of the paper's scene, or of the middle of another, over 2 km");
   command
-      ->add_option("--around", options->around_m,
-                   "of another scene: the middle of what is measured, in metres east and north of the scene's own")
-      ->expected(2)
-      ->needs("--scene");
-  command->add_flag("--itu-materials", options->itu_materials,
-                    "the paper's scene with walls and trees of real materials instead of the paper's");
-  command->add_option("--held-out", options->held_out, "number of views that were not baked");
-  command->add_option("--on-grid", options->on_grid, "number of views that were baked");
+      .add_option("--around", options->around_m,
+                  "of another scene: the middle of what is measured, in metres east and north of the scene's own")
+      .expected(2)
+      .needs(scene);
+  command.add_flag("--itu-materials", options->itu_materials,
+                   "the paper's scene with walls and trees of real materials instead of the paper's");
+  command.add_option("--held-out", options->held_out, "number of views that were not baked");
+  command.add_option("--on-grid", options->on_grid, "number of views that were baked");
   command
-      ->add_option("--repeated", options->repeated,
-                   "number of those that are baked twice, which tells the noise of the bake")
-      ->capture_default_str();
-  command->add_option("--samples", options->baked_samples, "rays a texel of the bake");
-  command->add_option("--traced-samples", options->traced_samples, "rays a cell of each of the two traced maps");
-  command->add_option("--most-traced-samples", options->most_traced_samples,
-                      "the same where two maps of a view that was not baked agree to a correlation of less than 0.99 "
-                      "at 8 m cells: it is traced anew, steep views first; none: all stay with as many rays");
-  command->add_option("--finer-samples", options->finer_samples,
-                      "rays of views that were baked: a cell of their traced maps, and a texel of their looks when "
-                      "those are baked again almost without noise");
-  command->add_option("--bounces", options->bounces, "surfaces a path may meet")->capture_default_str();
-  add_seed_option(*command, options->seed, "names the random numbers and draws the held-out views");
-  command->add_option("--threads", options->threads, "0: one a processor")->capture_default_str();
-  command->add_flag("--json", output.json, "print the numbers as JSON");
-  command->footer(
+      .add_option("--repeated", options->repeated,
+                  "number of those that are baked twice, which tells the noise of the bake")
+      .capture_default_str();
+  command.add_option("--samples", options->baked_samples, "rays a texel of the bake");
+  command.add_option("--traced-samples", options->traced_samples, "rays a cell of each of the two traced maps");
+  command.add_option("--most-traced-samples", options->most_traced_samples,
+                     "the same where two maps of a view that was not baked agree to a correlation of less than 0.99 "
+                     "at 8 m cells: it is traced anew, steep views first; none: all stay with as many rays");
+  command.add_option("--finer-samples", options->finer_samples,
+                     "rays of views that were baked: a cell of their traced maps, and a texel of their looks when "
+                     "those are baked again almost without noise");
+  command.add_option("--bounces", options->bounces, "surfaces a path may meet").capture_default_str();
+  add_seed_option(command, options->seed, "names the random numbers and draws the held-out views");
+  command.add_option("--threads", options->threads, "0: one a processor").capture_default_str();
+  command.add_flag("--json", output.json, "print the numbers as JSON");
+  command.footer(
       "Examples:\n  sigmascape results --small\n"
       "  sigmascape results --scene examples/bilbao/bilbao.toml --around 350 400 --out out/results/bilbao");
-  command->callback([options, &output] { run_results(*options, output); });
+  command.callback([options, &output] { run_results(*options, output); });
 }
 
 }  // namespace sigmascape::cli

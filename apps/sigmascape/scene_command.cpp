@@ -73,16 +73,16 @@ std::string text_of(const scene::Scene& scene, const scene::MeshCounts& counts, 
 
 }  // namespace
 
-void add_scene_command(CLI::App& app, Output& output) {
-  auto* command = app.add_subcommand("scene", "Look at a scene file");
-  command->require_subcommand(1);
-  auto* info =
-      command->add_subcommand("info", "Print extent, counts, memory, materials, and what was skipped or mended");
+void add_scene_command(Command app, Output& output) {
+  const auto command = app.add_subcommand("scene", "Look at a scene file");
+  command.require_subcommand(1);
+  const auto info =
+      command.add_subcommand("info", "Print extent, counts, memory, materials, and what was skipped or mended");
   auto file = std::make_shared<std::string>();
-  info->add_option("SCENE", *file, "scene file (TOML)")->required();
-  info->add_flag("--json", output.json, "print as JSON");
-  info->footer("Example:\n  sigmascape scene info examples/bilbao/bilbao.toml");
-  info->callback([file, &output] {
+  info.add_option("SCENE", *file, "scene file (TOML)").required();
+  info.add_flag("--json", output.json, "print as JSON");
+  info.footer("Example:\n  sigmascape scene info examples/bilbao/bilbao.toml");
+  info.callback([file, &output] {
     const scene::Scene scene = scene::read_scene(*file);
     const scene::MeshCounts counts = scene::mesh_counts(scene);
     const std::size_t bytes = trace::SceneGeometry(scene, trace::Footing::Terrain).memory_bytes();

@@ -38,12 +38,12 @@ void write_scope(const std::string& file, radar::GroundMap bins, const product::
 
 }  // namespace
 
-void add_scope_options(CLI::App& command, ScopeFiles& files) {
+void add_scope_options(Command command, ScopeFiles& files) {
   command.add_option("--ppi", files.ppi, "picture of the sector as a plan position indicator shows it");
   command.add_option("--b-scope", files.b_scope, "picture of range over azimuth");
   command.add_option("--up", files.up, "what is at the top of the plan position indicator: north or heading")
-      ->capture_default_str()
-      ->check(CLI::IsMember({"north", "heading"}));
+      .capture_default_str()
+      .check(one_of({"north", "heading"}));
 }
 
 void write_scopes(const ScopeFiles& files, const radar::Radar& radar, const radar::RangeAzimuthImage& image,

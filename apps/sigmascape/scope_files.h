@@ -1,8 +1,8 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 
+#include "command_parser.h"
 #include "map_files.h"
 
 #include "sigmascape/product/picture.h"
@@ -16,7 +16,7 @@ struct ScopeFiles {
   std::string ppi, b_scope, up = "north";
 };
 
-void add_scope_options(CLI::App& command, ScopeFiles& files);
+void add_scope_options(Command command, ScopeFiles& files);
 
 /// Writes the pictures that were asked for, painted as `look` says, with what `provenance` tells of the image.
 void write_scopes(const ScopeFiles& files, const radar::Radar& radar, const radar::RangeAzimuthImage& image,

@@ -50,8 +50,9 @@ TEST_F(BadInput, NotANumberIsNoNumberOfAnOption) {
   EXPECT_THAT(said_to("plot response radar.toml --widths nan --out plot.svg"), refused("--widths"));
   EXPECT_THAT(said_to("plot histogram map.tif --looks nan --out plot.svg"), refused("--looks"));
   EXPECT_THAT(said_to("render radar.toml --scene none.toml --samples 0"),
-              HasSubstr("--samples: Value 0 not in range 1"));
-  EXPECT_THAT(said_to("render radar.toml --scene none.toml --bounces 256"), HasSubstr("256 not in range 1 to 255"));
+              HasSubstr("--samples: is 0; give a whole number from 1 to"));
+  EXPECT_THAT(said_to("render radar.toml --scene none.toml --bounces 256"),
+              HasSubstr("--bounces: is 256; give a whole number from 1 to 255"));
   EXPECT_FALSE(is_there("plot.svg"));
 }
 
@@ -154,7 +155,8 @@ TEST_F(BadInput, OptionsThatContradictOneAnotherAreRefused) {
   EXPECT_THAT(said_to("bake none.toml --out atlas --samples 4 --target-db 1"),
               HasSubstr("--target-db excludes --samples"));
   EXPECT_THAT(said_to("bake none.toml --out atlas --samples 4 --preset paper"), HasSubstr("excludes"));
-  EXPECT_THAT(said_to("bake none.toml --out atlas --bounces 100"), HasSubstr("100 not in range 1 to 64"));
+  EXPECT_THAT(said_to("bake none.toml --out atlas --bounces 100"),
+              HasSubstr("--bounces: is 100; give a whole number from 1 to 64"));
 }
 
 TEST_F(BadInput, WordsThatAnOptionDoesNotKnowAreToldWithThoseThatItKnows) {

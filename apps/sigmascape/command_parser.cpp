@@ -1,0 +1,116 @@
+#include "command_parser.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <optional>
+
+namespace sigmascape::cli {
+
+Validator one_of(const std::vector<std::string>& words) {
+  return {[words](const std::string& word) {
+            if (std::ranges::find(words, word) != words.end()) return std::string();
+            return fmt::format("is {}; choose among {}", word, fmt::join(words, ", "));
+          },
+          fmt::format("{{{}}}", fmt::join(words, ","))};
+}
+
+Option Option::required() const {
+  of_->required();
+  return *this;
+}
+
+Option Option::capture_default_str() const {
+  of_->capture_default_str();
+  return *this;
+}
+
+Option Option::default_str(const std::string& text) const {
+  of_->default_str(text);
+  return *this;
+}
+
+Option Option::check(const Validator& validator) const {
+  of_->check(
+      CLI::Validator([fault = validator.fault](std::string& word) { return fault(word); }, validator.description));
+  return *this;
+}
+
+Option Option::delimiter(char between) const {
+  of_->delimiter(between);
+  return *this;
+}
+
+Option Option::expected(int values) const {
+  of_->expected(values);
+  return *this;
+}
+
+Option Option::type_name(const std::string& name) const {
+  of_->type_name(name);
+  return *this;
+}
+
+Option Option::needs(const Option& other) const {
+  of_->needs(other.of_);
+  return *this;
+}
+
+void Option::exclude(const Option& other) const {
+  of_->excludes(other.of_);
+}
+
+bool Option::is_given() const {
+  return of_->count() > 0;
+}
+
+Command Command::add_subcommand(const std::string& name, const std::string& description) const {
+  return Command(*of_->add_subcommand(name, description));
+}
+
+void Command::require_subcommand(int count) const {
+  of_->require_subcommand(count);
+}
+
+template <typename Variable>
+Option Command::add_option(const std::string& name, Variable& variable, const std::string& description) const {
+  return Option(*of_->add_option(name, variable, description));
+}
+
+Option Command::add_option_function(const std::string& name, const std::function<void(const std::string&)>& take,
+                                    const std::string& description) const {
+  return Option(*of_->add_option_function<std::string>(name, take, description));
+}
+
+Option Command::add_flag(const std::string& name, bool& variable, const std::string& description) const {
+  return Option(*of_->add_flag(name, variable, description));
+}
+
+void Command::callback(const std::function<void()>& work) const {
+  of_->callback(work);
+}
+
+void Command::footer(const std::string& text) const {
+  of_->footer(text);
+}
+
+void end_with(int code) {
+  throw CLI::RuntimeError(code);
+}
+
+template Option Command::add_option(const std::string&, std::string&, const std::string&) const;
+template Option Command::add_option(const std::string&, std::filesystem::path&, const std::string&) const;
+template Option Command::add_option(const std::string&, double&, const std::string&) const;
+template Option Command::add_option(const std::string&, int&, const std::string&) const;
+template Option Command::add_option(const std::string&, std::uint32_t&, const std::string&) const;
+template Option Command::add_option(const std::string&, std::uint64_t&, const std::string&) const;
+template Option Command::add_option(const std::string&, std::optional<double>&, const std::string&) const;
+template Option Command::add_option(const std::string&, std::optional<std::uint32_t>&, const std::string&) const;
+template Option Command::add_option(const std::string&, std::array<double, 2>&, const std::string&) const;
+template Option Command::add_option(const std::string&, std::vector<std::string>&, const std::string&) const;
+template Option Command::add_option(const std::string&, std::vector<double>&, const std::string&) const;
+
+}  // namespace sigmascape::cli
