@@ -124,6 +124,18 @@ TEST_F(MeasuredViewsTest, AViewIsMeasuredAnewWithMoreRaysWhileOthersStay) {
   EXPECT_NE(again.find(plan_.scene_name(), plan_.views.front()), nullptr);
 }
 
+// Their looks are baked with as many rays as their maps are traced with, so that more are another measurement.
+TEST_F(MeasuredViewsTest, AViewOnTheGridIsFoundByItsOwnRaysAlone) {
+  MeasuredViews kept = views("measured.json");
+  PlannedView on_grid = plan_.views.front();
+  on_grid.kind = ViewKind::OnGrid;
+  PlannedView fewer = on_grid;
+  fewer.traced_samples /= 2;
+  kept.add(made_view(plan_, on_grid));
+  EXPECT_NE(kept.find(plan_.scene_name(), on_grid), nullptr);
+  EXPECT_EQ(kept.find(plan_.scene_name(), fewer), nullptr);
+}
+
 TEST_F(MeasuredViewsTest, OfTwoRunsEachViewIsThatWithMoreRays) {
   PlannedView finer = plan_.views.back();
   finer.traced_samples *= 5;
