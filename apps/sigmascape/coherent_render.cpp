@@ -32,10 +32,11 @@ void write_slant_image(const CoherentRequest& request, const simulate::ModeReque
 
 }  // namespace
 
-std::vector<radar::Target> all_targets(const scene::Scene& scene, const std::string& file) {
+std::vector<radar::Target> all_targets(const scene::Scene& scene, const std::string& file, std::uint64_t seed) {
   auto targets = simulate::targets_of(scene);
   if (file.empty()) return targets;
-  for (radar::Target& target : simulate::placed_targets(radar::read_target_file(file), scene.frame, scene.terrain))
+  for (radar::Target& target :
+       simulate::placed_targets(radar::read_target_file(file), scene.frame, scene.terrain, seed))
     targets.push_back(std::move(target));
   return targets;
 }

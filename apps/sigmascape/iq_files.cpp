@@ -41,9 +41,9 @@ void add_iq_options(Command command, IqFiles& files) {
   command.add_option("--slant-image", files.slant_image,
                      "complex image of a coherent mode in slant geometry to write (endings as for --iq)");
   command
-      .add_option(
-          "--iq-unit", files.unit,
-          "of --iq: V, behind antenna, receiver and with thermal noise, or m, the root of cross-sections without")
+      .add_option("--iq-unit", files.unit,
+                  "of --iq: V, behind the antenna and with the receiver's thermal noise, or m, the root of "
+                  "cross-sections without")
       .capture_default_str()
       .check(one_of({"m", "V"}));
 }

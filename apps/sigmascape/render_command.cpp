@@ -224,7 +224,7 @@ void render(RenderOptions options, std::optional<radar::Polarization> polarizati
   check(options.received, look.polarization);
   const scene::Scene scene = scene::read_scene(options.scene);
   if (!options.crs.empty()) static_cast<void>(geo::CoordinateTransform(options.crs, scene.frame, "--crs"));
-  const std::vector<radar::Target> targets = all_targets(scene, options.targets);
+  const std::vector<radar::Target> targets = all_targets(scene, options.targets, options.trace.seed);
   // Those of the scene come first, and a tracer knows them by itself.
   options.trace.targets = std::span(targets).subspan(scene.point_targets.size());
   const auto radar = simulate::placed_radar(radar_file, scene.frame, scene.terrain, scene.extent);

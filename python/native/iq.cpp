@@ -44,7 +44,7 @@ Described<Signal> made(Maker<Signal> make, const LoadedAtlas& atlas, const radar
     const atlas::AtlasDescription& description = atlas.description();
     const auto radar = simulate::placed_radar(asked, description.frame, atlas.terrain(), description.extent);
     const auto area = simulate::map_grid(asked.map, description.extent).extent();
-    const auto targets = all_targets(nullptr, given, description.frame, atlas.terrain());
+    const auto targets = all_targets(nullptr, given, description.frame, atlas.terrain(), settings.seed);
     const simulate::CoherentScene scene{
         &atlas.terrain(), render::reflectivity_of(atlas.textures(), radar.frequency_hz, radar.range_resolution_m),
         targets};

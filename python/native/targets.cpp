@@ -102,7 +102,7 @@ void add_targets(py::module_& module) {
            "height_m: of the phase centre above the ground (half of size_m's height when None), or altitude_m above\n"
            "mean sea level. heading_deg: clockwise from north, of nose and motion. way_points: (time_s, x_m, y_m,\n"
            "height_m) each, instead of position and speed. swerling: case of fluctuation, 0 steady; seed: of it,\n"
-           "the target's place in the list when 0, so that no two fade together.\n"
+           "when 0 that of the call with the target's place in the list, so that no two fade together.\n"
            "size_m: length, width, height of what casts a shadow.")
       .def_property_readonly("name", [](const TargetSource& t) { return t.target.name; })
       .def("__repr__", [](const TargetSource& t) { return "<sigmascape.Target '" + t.target.name + "'>"; });

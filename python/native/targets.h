@@ -10,20 +10,15 @@
 
 namespace sigmascape::python {
 
-/// Those of the scene, when there is one, and the ones given, on this terrain. One without a seed has its place in the
-/// list for one, as targets of a file do, so that no two fade together.
+/// Those of the scene, when there is one, and the ones given, on this terrain, as simulate::placed_targets has them.
 [[nodiscard]] inline std::vector<radar::Target> all_targets(const scene::Scene* scene,
                                                             const std::vector<radar::TargetSource>& given,
                                                             const geo::LocalFrame& frame,
-                                                            const terrain::HeightField& terrain) {
+                                                            const terrain::HeightField& terrain, std::uint64_t seed) {
   std::vector<radar::Target> targets;
   if (scene != nullptr) targets = simulate::targets_of(*scene);
-  std::uint64_t number = 0;
-  for (radar::Target& target : simulate::placed_targets(given, frame, terrain)) {
-    ++number;
-    if (target.seed == 0) target.seed = number;
+  for (radar::Target& target : simulate::placed_targets(given, frame, terrain, seed))
     targets.push_back(std::move(target));
-  }
   return targets;
 }
 

@@ -92,14 +92,16 @@ def test_targets_come_from_files_too(tmp_path, atlas, radar):
 
 
 def test_targets_fluctuate_each_for_itself(atlas, radar):
-    def added(places, **options):
+    def added(places, run=1, **options):
         targets = [sigmascape.Target(place, rcs_dbsm=60.0, swerling=1, **options) for place in places]
-        maps = [sigmascape.render(None, radar, atlas=atlas, targets=given) for given in (targets, [])]
+        maps = [sigmascape.render(None, radar, atlas=atlas, targets=given, seed=run) for given in (targets, [])]
         return np.nansum(maps[0].vv.astype(float)) - np.nansum(maps[1].vv.astype(float))
 
     one, other = (12.0, -8.0), (-20.0, -30.0)
     assert added([one, other]) != pytest.approx(2.0 * added([one]), rel=0.05)
     assert added([one, other], seed=7) == pytest.approx(2.0 * added([one], seed=7), rel=0.05)
+    assert added([one], run=2) != pytest.approx(added([one]), rel=0.05)
+    assert added([one], run=2, seed=7) == pytest.approx(added([one], seed=7), rel=0.05)
 
 
 def test_wind_is_told_where_it_blows(scene, atlas, tmp_path):

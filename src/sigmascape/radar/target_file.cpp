@@ -90,7 +90,6 @@ TargetSource read_target(const TomlSection& section, std::uint64_t number) {
   source.target.name = section.text_or("name", fmt::format("target {}", number));
   source.target.rcs_m2 = read_rcs(section);
   source.target.fluctuation = static_cast<Swerling>(section.whole_number_or("swerling", {0.0, 4.0, "cases"}, 0));
-  source.target.seed = number;
   if (const auto size_m = row_of<3>(section, "size_m", {0.0, 10'000.0, "m"}))
     source.target.size_m = {(*size_m)[0], (*size_m)[1], (*size_m)[2]};
   read_motion(section, source);

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -233,7 +234,11 @@ void StripmapImager::add_part(const radar::Target& target, const Fold& fold, flo
   // The time for which the processed band sees a point: band over Doppler rate.
   const double interval_s = band_per_m_ * wavelength * seen.range_m / (2.0 * speed_mps_ * cosine * cosine);
   const auto pulses = static_cast<std::size_t>(std::max(1.0, std::round(interval_s * repetition_hz_)));
+  // What changes from pulse to pulse is spread over all Doppler, of which the processor keeps its band.
+  const double reach_cells = radar::changes_by_pulse(target.fluctuation) ? 0.5 * interval_s * band_per_m_ * speed_mps_
+                                                                         : std::numeric_limits<double>::infinity();
   for (const SmearedPart& part : smeared(target, rate_error, {interval_s, pulses, strip_.dwell})) {
+    if (std::abs(part.cells) > reach_cells) continue;
     places.push_back({whole.column + part.cells * bins_a_cell, whole.row, whole.amplitude * part.amplitude});
   }
 }

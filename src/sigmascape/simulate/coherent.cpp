@@ -86,6 +86,27 @@ receiver::RangeGate gate_over(const radar::Radar& radar, const radar::Rectangle&
                    oversampling);
 }
 
+/// Of the ranges that the area spans while the radar flies past from one time to another.
+receiver::RangeGate gate_over(const radar::Radar& radar, const radar::Rectangle& area,
+                              const terrain::HeightField& terrain, double oversampling, double from_s, double to_s) {
+  const Vec3d velocity = radar.velocity_mps;
+  const auto range_m = [&](Vec3d point, double time_s) {
+    return length(bent(radar, point) - (radar.position + velocity * time_s));
+  };
+  const auto closest_m = [&](Vec3d point) {
+    const double abeam_s = dot(bent(radar, point) - radar.position, velocity) / dot(velocity, velocity);
+    return range_m(point, std::clamp(abeam_s, from_s, to_s));
+  };
+  const auto farthest_m = [&](Vec3d point) { return std::max(range_m(point, from_s), range_m(point, to_s)); };
+  double least_m = std::numeric_limits<double>::infinity(), most_m = 0.0;
+  for (const double time_s : {from_s, 0.0, to_s}) {
+    const Vec3d foot = radar.position + velocity * time_s;
+    least_m = std::min(least_m, span_of(area, terrain, {foot.x, foot.y}, closest_m)[0]);
+    most_m = std::max(most_m, span_of(area, terrain, {foot.x, foot.y}, farthest_m)[1]);
+  }
+  return gate_over(radar, {least_m, most_m}, oversampling);
+}
+
 /// Gives each scatterer of a plant the velocity that is drawn for its place.
 void blow_on(std::vector<radar::Scatterer>& scatterers, const Windblown& windblown, const radar::Radar& radar,
              const CoherentSettings& settings) {
@@ -296,7 +317,10 @@ radar::PhaseHistory phase_history(const CoherentScene& scene, const radar::Radar
   check_moves(radar);
   const double repetition_hz = radar.waveform.pulse_repetition_hz;
   const std::size_t count = pulses_in(radar, settings), before_now = count / 2;
-  const receiver::PulseReceiver receiver(radar, gate_over(radar, area, *scene.terrain, pulse_oversampling));
+  const double first_s = -static_cast<double>(before_now) / repetition_hz,
+               last_s = static_cast<double>(count - before_now) / repetition_hz;
+  const receiver::PulseReceiver receiver(radar,
+                                         gate_over(radar, area, *scene.terrain, pulse_oversampling, first_s, last_s));
   const auto ground = scatterers_of(scene, radar, area, settings);
   const auto targets = targets_seen(scene, radar);
   const receiver::VoltageGain gain =

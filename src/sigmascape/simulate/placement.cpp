@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "sigmascape/base/error.h"
+#include "sigmascape/base/hash.h"
 #include "sigmascape/geo/coordinate_transform.h"
 #include "sigmascape/radar/radar_title.h"
 
@@ -85,7 +86,7 @@ radar::GroundGrid map_grid(const radar::MapRequest& request, const radar::Rectan
 }
 
 std::vector<radar::Target> placed_targets(std::span<const radar::TargetSource> sources, const geo::LocalFrame& frame,
-                                          const terrain::HeightField& terrain) {
+                                          const terrain::HeightField& terrain, std::uint64_t seed) {
   std::vector<radar::Target> targets;
   for (const radar::TargetSource& source : sources) {
     const TargetPlacer placer{frame, terrain, source.where};
@@ -94,6 +95,7 @@ std::vector<radar::Target> placed_targets(std::span<const radar::TargetSource> s
     radar::Target target = source.target;
     target.track = way_points.size() == 1 ? radar::Track::straight(way_points.front().position, source.velocity_mps)
                                           : radar::Track::through(std::move(way_points), source.where);
+    if (target.seed == 0) target.seed = hashed(seed, targets.size() + 1);
     targets.push_back(std::move(target));
   }
   return targets;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -21,10 +22,11 @@ namespace sigmascape::simulate {
 [[nodiscard]] radar::GroundGrid map_grid(const radar::MapRequest& request, const radar::Rectangle& extent);
 
 /// The targets of a file on this terrain. What moves at an even velocity keeps the altitude that it has at time zero;
-/// between way-points it climbs evenly. Throws Error for a place above ground that lies outside the terrain.
+/// between way-points it climbs evenly. One without a seed of its own (0) fluctuates by `seed` and its place in the
+/// list. Throws Error for a place above ground that lies outside the terrain.
 [[nodiscard]] std::vector<radar::Target> placed_targets(std::span<const radar::TargetSource> sources,
                                                         const geo::LocalFrame& frame,
-                                                        const terrain::HeightField& terrain);
+                                                        const terrain::HeightField& terrain, std::uint64_t seed);
 
 /// The point targets of a scene, as targets at rest.
 [[nodiscard]] std::vector<radar::Target> targets_of(const scene::Scene& scene);

@@ -31,9 +31,10 @@ radar::Radar looking_north(radar::Mode mode) {
 const terrain::HeightField level{
     .west_m = -1000.0, .north_m = 1000.0, .spacing_m = 50.0, .height_m = Array2D<float>(41, 41, 0.0F)};
 
-radar::PhaseHistory pulses_of(const radar::Radar& radar, const CoherentSettings& settings) {
+radar::PhaseHistory pulses_of(const radar::Radar& radar, const CoherentSettings& settings,
+                              Vec3d place = {0.0, 0.0, 1.0}) {
   radar::Target bright;
-  bright.track = radar::Track::straight({0.0, 0.0, 1.0});
+  bright.track = radar::Track::straight(place);
   bright.rcs_m2 = radar::Channels{1e8F, 1e8F, 0.0F, 1e8F};
   const std::vector<radar::Target> targets{bright};
   return phase_history({&level, [](Vec2d, const radar::Aspect&) { return radar::Channels{}; }, targets}, radar, area,
@@ -65,6 +66,24 @@ TEST(Looks, HaveCellsOfThePulsesThatTheyHave) {
       return sum / static_cast<double>(image.power_m2.size()) / image.frame.doppler_cell_hz;
     };
     EXPECT_NEAR(db_from_linear(power_a_cell(4) / power_a_cell(1)), 0.0, 0.3) << "eleven pulses, two a look";
+  }
+}
+
+/// 200 m in two seconds, of which a squinted beam sees the better part as range.
+TEST(Pulses, AreRecordedWhereTheAreaIsAtEachOfThem) {
+  radar::Radar radar = looking_north(radar::Mode::Spotlight);
+  radar.waveform.pulse_repetition_hz = 200.0;
+  for (const double azimuth_deg : {120.0, 180.0, 225.0}) {
+    radar.position = radar::position_seeing({}, radians_from_deg(azimuth_deg), radians_from_deg(20.0), 8000.0);
+    for (const double side_m : {-45.0, 45.0}) {
+      const auto history = pulses_of(radar, {.interval_s = 2.0}, {side_m, -side_m, 1.0});
+      for (std::size_t n = 0; n < history.samples.rows(); n += 21) {
+        float best = 0.0F;
+        for (const auto& sample : history.samples.row(n)) best = std::max(best, std::norm(sample.vv));
+        // Between two samples of the pulse a decibel or so is lost.
+        EXPECT_NEAR(db_from_linear(static_cast<double>(best)), 79.2, 0.9) << azimuth_deg << "°, pulse " << n;
+      }
+    }
   }
 }
 
