@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
@@ -42,7 +44,12 @@ std::size_t place_on(const std::vector<double>& axis, double value, const char* 
 
 std::shared_ptr<atlas::HalfTexture> texture(const LoadedAtlas& loaded, std::array<int, 2> patch, double azimuth_deg,
                                             double elevation_deg, double frequency_ghz) {
-  const atlas::AspectGrid& axes = loaded.description().aspects;
+  const atlas::AtlasDescription& description = loaded.description();
+  const auto patches = description.patches.covering(description.extent);
+  if (std::ranges::find(patches, atlas::PatchIndex{patch[0], patch[1]}) == patches.end())
+    throw Error("patch", fmt::format("is ({}, {}), and there is none such", patch[0], patch[1]),
+                "choose from the patches of the atlas");
+  const atlas::AspectGrid& axes = description.aspects;
   checked_azimuth(azimuth_deg);
   const auto look =
       axes.index_of(place_on(axes.azimuths_rad, wrapped_azimuth(radians_from_deg(azimuth_deg)), "azimuth_deg"),

@@ -3,6 +3,7 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include "given_number.h"
 #include "parts.h"
 #include "polarization.h"
 
@@ -10,6 +11,7 @@
 #include "sigmascape/base/units.h"
 #include "sigmascape/product/plot.h"
 #include "sigmascape/product/plot_file.h"
+#include "sigmascape/radar/radar_bounds.h"
 #include "sigmascape/radar/radar_file.h"
 #include "sigmascape/radar/range_response.h"
 #include "sigmascape/scatter/surface_sigma0.h"
@@ -26,13 +28,17 @@ std::vector<py::ssize_t> shape_of(const Numbers& numbers) {
 }
 
 py::array_t<float> material_sigma0(const std::string& name, const Numbers& grazing_deg, double frequency_ghz) {
+  within("frequency_ghz", frequency_ghz, radar::bounds::frequencies_ghz);
   const scatter::SurfaceModel model(scatter::library_material(name), frequency_ghz * 1e9);
   auto shape = shape_of(grazing_deg);
   shape.push_back(radar::Channels::count);
   py::array_t<float> result(shape);
   auto* out = reinterpret_cast<radar::Channels*>(result.mutable_data());
-  for (py::ssize_t i = 0; i < grazing_deg.size(); ++i)
-    out[i] = scatter::surface_sigma0(model, radians_from_deg(grazing_deg.data()[i]));
+  // Along a surface nothing comes back: the limit, where angles and fields themselves are not defined.
+  for (py::ssize_t i = 0; i < grazing_deg.size(); ++i) {
+    const double degrees = within("grazing_deg", grazing_deg.data()[i], 0.0, 90.0);
+    out[i] = degrees > 0.0 ? scatter::surface_sigma0(model, radians_from_deg(degrees)) : radar::Channels{};
+  }
   return result;
 }
 

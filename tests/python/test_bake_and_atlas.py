@@ -49,6 +49,8 @@ def test_sigma0_at_the_middle_of_a_texel_is_the_texel(atlas):
 def test_a_look_that_was_not_baked_is_refused(atlas):
     with pytest.raises(sigmascape.Error, match="elevation_deg"):
         atlas.texture((0, 0), azimuth_deg=0.0, elevation_deg=20.0, frequency_ghz=10.0)
+    with pytest.raises(sigmascape.Error, match="patch: is \\(-5, 0\\)"):
+        atlas.texture((-5, 0), azimuth_deg=0.0, elevation_deg=15.0, frequency_ghz=10.0)
     with pytest.raises(sigmascape.Error):
         atlas.sigma0_at([0.0], [0.0], azimuth_deg=0.0, elevation_deg=20.0, frequency_ghz=35.0)
     for wrong in (float("nan"), float("inf")):

@@ -20,6 +20,13 @@ def test_sigma0_of_a_material_is_that_of_its_law():
     with pytest.raises(sigmascape.Error, match="grass"):
         sigmascape.material_sigma0("gras", grazing)
     assert "urban" in sigmascape.material_names()
+    for name in ["concrete", "metal", "glass", "urban"]:
+        assert np.all(sigmascape.material_sigma0(name, 0.0) == 0.0)
+    for wrong in (-10.0, 120.0, float("nan")):
+        with pytest.raises(sigmascape.Error, match="grazing_deg"):
+            sigmascape.material_sigma0("urban", [30.0, wrong])
+    with pytest.raises(sigmascape.Error, match="frequency_ghz"):
+        sigmascape.material_sigma0("urban", 30.0, frequency_ghz=0.0)
 
 
 def test_antenna_and_pulse_are_at_half_power_where_they_should_be():

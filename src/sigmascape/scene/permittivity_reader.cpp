@@ -11,6 +11,9 @@ bool read_constant(const TomlSection& section, scatter::Permittivity& permittivi
   const auto conductivity = section.optional_number("conductivity_s_per_m", {0.0, 1e9, "S/m"});
   if (!relative && !conductivity) return false;
   const auto* stated = std::get_if<scatter::PowerLawPermittivity>(&permittivity.law());
+  if (!relative && (stated == nullptr || stated->a == scatter::PowerLawPermittivity{}.a))
+    throw section.fault("conductivity_s_per_m", "is stated without a permittivity to go with it",
+                        "state permittivity as well");
   scatter::PowerLawPermittivity law = stated != nullptr ? *stated : scatter::PowerLawPermittivity{};
   if (relative) law.a = *relative, law.b = 0.0;
   if (conductivity) law.c = *conductivity, law.d = 0.0;

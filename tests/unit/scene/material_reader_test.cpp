@@ -104,6 +104,14 @@ TEST_F(MaterialReader, PermittivityIsStatedOnce) {
   EXPECT_THROW(read("model = \"cook_torrance\"\nplant = {humidity = 0.6}\n"), Error);
 }
 
+// Of vacuum nothing is reflected, and nobody asks for that by saying nothing.
+TEST_F(MaterialReader, MirrorsSayWhatTheyAreOf) {
+  EXPECT_THROW(read("model = \"cook_torrance\"\nalpha = 0.3\n"), Error);
+  EXPECT_THROW(read("model = \"cook_torrance\"\nconductivity_s_per_m = 5\n"), Error);
+  EXPECT_THROW(read("base = \"sea_water\"\nconductivity_s_per_m = 5\n"), Error);
+  EXPECT_NO_THROW(read("base = \"concrete\"\nconductivity_s_per_m = 0.5\n"));
+}
+
 // A permittivity of one's own is not bound by where the base was measured.
 TEST_F(MaterialReader, NewPermittivityDropsTheBasesFrequencies) {
   EXPECT_EQ(read("base = \"wet_ground\"\n").highest_frequency_hz, 10e9);
