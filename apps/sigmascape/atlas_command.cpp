@@ -17,6 +17,7 @@
 #include "sigmascape/atlas/store.h"
 #include "sigmascape/atlas/texture_file.h"
 #include "sigmascape/atlas/verify.h"
+#include "sigmascape/bake/claims.h"
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/geo/raster.h"
@@ -181,6 +182,9 @@ void build_terrain(const std::string& folder, const terrain::TerrainSource& sour
   const geo::Extent raster = geo::Raster(source.raster).outline_in(frame).extent_inside();
   check_overlap(source, raster, store.description().extent);
   const auto pyramid = std::filesystem::path(folder) / atlas::terrain_pyramid_name;
+  // Two at once would take each other's unfinished files for those of other heights.
+  const bake::Claims claims(folder);
+  const auto claim = claims.take(bake::terrain_claim(store.description()), bake::Claims::Wait::UntilFree);
   const std::size_t written = terrain::build_pyramid(
       pyramid, source, frame, {raster.west_m, raster.south_m, raster.east_m, raster.north_m}, no_data_height_m);
   const terrain::TerrainPyramid built = terrain::open_pyramid(pyramid, 0);

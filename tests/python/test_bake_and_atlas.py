@@ -147,3 +147,10 @@ def test_ctrl_c_ends_a_bake_that_calls_no_python(tmp_path):
     finally:
         process.kill()
     assert told == "interrupted\n" and process.returncode == 0
+
+
+def test_a_bake_of_no_looks_is_refused(scene, tmp_path):
+    for none in (dict(azimuths=0), dict(elevations_deg=[]), dict(frequencies_ghz=[])):
+        with pytest.raises(sigmascape.Error, match="has no values"):
+            sigmascape.bake(scene, tmp_path / "atlas", texel_m=2.0, patch_texels=256, samples=2, progress=False, **none)
+    assert not (tmp_path / "atlas").exists()

@@ -199,15 +199,9 @@ class BakeRun {
   void make_terrain(const scene::Scene& scene) {
     if (!atlas::terrain_fault(store_, share_.scrutiny) && pyramid_faults(scene).empty()) return;
     // Two at once would take each other's unfinished files for those of other heights.
-    const auto claim = claims_.take(terrain_claim(), Claims::Wait::UntilFree);
+    const auto claim = claims_.take(terrain_claim(store_.description()), Claims::Wait::UntilFree);
     make_heights(scene);
     make_pyramid(scene);
-  }
-
-  /// After the jobs and the ground of each patch.
-  [[nodiscard]] std::size_t terrain_claim() const {
-    const atlas::AtlasDescription& description = store_.description();
-    return jobs_.size() + description.patches.block_over(description.extent).size();
   }
 
   void make_heights(const scene::Scene& scene) {

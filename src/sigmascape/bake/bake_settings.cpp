@@ -69,6 +69,8 @@ void check(const BakeSettings& settings) {
                               lowest_elevation_deg, highest_elevation_deg));
     }
   }
+  atlas::check(settings.patches, where);
+  atlas::check(settings.aspects, where);
 }
 
 }  // namespace sigmascape::bake

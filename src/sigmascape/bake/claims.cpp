@@ -1,24 +1,28 @@
 #include "sigmascape/bake/claims.h"
 
 #include <cerrno>
+#include <chrono>
 #include <fcntl.h>
+#include <thread>
 #include <unistd.h>
+
+#include "sigmascape/bake/job.h"
+#include "sigmascape/base/interruption.h"
 
 namespace sigmascape::bake {
 namespace {
 
 /// Locks of the open file rather than of the process (F_OFD_…), so that two bakes within one process exclude each other
 /// as well.
-bool set_lock(int descriptor, std::size_t byte, short type, Claims::Wait wait) {
+bool set_lock(int descriptor, std::size_t byte, short type) {
   struct flock lock {};
   lock.l_type = type;
   lock.l_whence = SEEK_SET;
   lock.l_start = static_cast<off_t>(byte);
   lock.l_len = 1;
-  const int command = wait == Claims::Wait::UntilFree ? F_OFD_SETLKW : F_OFD_SETLK;
   int result = 0;
   do {
-    result = ::fcntl(descriptor, command, &lock);
+    result = ::fcntl(descriptor, F_OFD_SETLK, &lock);
   } while (result != 0 && errno == EINTR);
   return result == 0;
 }
@@ -33,14 +37,23 @@ Claims::~Claims() {
 }
 
 Claims::Claim::~Claim() {
-  if (claims_ != nullptr) set_lock(claims_->descriptor_, job_, F_UNLCK, Wait::No);
+  if (claims_ != nullptr) set_lock(claims_->descriptor_, job_, F_UNLCK);
 }
 
 std::optional<Claims::Claim> Claims::take(std::size_t job, Wait wait) const {
-  if (set_lock(descriptor_, job, F_WRLCK, wait)) return Claim(this, job);
-  const bool held_by_another = errno == EAGAIN || errno == EACCES;
-  if (held_by_another) return std::nullopt;
-  return Claim(nullptr, job);
+  // Asked for again and again rather than slept on, so that who waits can be told to stop.
+  while (!set_lock(descriptor_, job, F_WRLCK)) {
+    const bool held_by_another = errno == EAGAIN || errno == EACCES;
+    if (!held_by_another) return Claim(nullptr, job);
+    if (wait == Wait::No) return std::nullopt;
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    Interruption::heed();
+  }
+  return Claim(this, job);
+}
+
+std::size_t terrain_claim(const atlas::AtlasDescription& description) {
+  return JobList(description).size() + description.patches.block_over(description.extent).size();
 }
 
 }  // namespace sigmascape::bake

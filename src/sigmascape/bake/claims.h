@@ -5,6 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "sigmascape/atlas/store.h"
+
 namespace sigmascape::bake {
 
 /// Keeps processes that bake into one folder at once from doing the same job twice.
@@ -13,6 +15,7 @@ namespace sigmascape::bake {
 /// folder, and whoever bakes it holds a lock on that byte. Locks end with the process that holds them, however it ends,
 /// so none can be left behind. Nothing depends on them but time: where a file system cannot lock, a job may be baked
 /// twice, to the same bytes.
+/// Bakes and `sigmascape atlas terrain` alike make the terrain with its claim in hand.
 class Claims {
  public:
   enum class Wait { No, UntilFree };
@@ -40,11 +43,15 @@ class Claims {
   Claims(const Claims&) = delete;
   Claims& operator=(const Claims&) = delete;
 
-  /// Claims job number `job`; nothing when another has it and waiting is not wanted.
+  /// Claims job number `job`; nothing when another has it and waiting is not wanted. Throws Interrupted when this
+  /// thread is told to stop while it waits.
   [[nodiscard]] std::optional<Claim> take(std::size_t job, Wait wait) const;
 
  private:
   int descriptor_;
 };
+
+/// The number of the claim to an atlas' terrain.
+[[nodiscard]] std::size_t terrain_claim(const atlas::AtlasDescription& description);
 
 }  // namespace sigmascape::bake

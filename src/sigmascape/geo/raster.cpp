@@ -4,11 +4,14 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <cpl_string.h>
+#include <filesystem>
 #include <fmt/format.h>
 #include <gdal_priv.h>
 #include <ogr_spatialref.h>
 #include <optional>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -314,6 +317,17 @@ Raster::Raster(const RasterBand& wanted) : source_(std::make_unique<Source>()) {
 Raster::~Raster() = default;
 Raster::Raster(Raster&&) noexcept = default;
 Raster& Raster::operator=(Raster&&) noexcept = default;
+
+std::vector<std::filesystem::path> Raster::files() const {
+  const CPLStringList listed(source_->dataset->GetFileList());
+  std::vector<std::filesystem::path> files;
+  for (int i = 0; i < listed.size(); ++i) {
+    std::error_code error;
+    if (std::filesystem::is_regular_file(listed[i], error)) files.emplace_back(listed[i]);
+  }
+  std::ranges::sort(files);
+  return files;
+}
 
 GeographicPosition Raster::centre() const {
   return place_on_globe(source_->crs, source_->middle(), source_->name);

@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "sigmascape/base/array2d.h"
 #include "sigmascape/geo/coordinate_transform.h"
@@ -39,6 +40,9 @@ class Raster {
   Raster(Raster&&) noexcept;
   Raster& operator=(Raster&&) noexcept;
 
+  /// All that it is read from, in order of their names: of a mosaic (VRT) what it is put together from, and files
+  /// beside it that say more of it, as far as these are files on disk.
+  [[nodiscard]] std::vector<std::filesystem::path> files() const;
   [[nodiscard]] GeographicPosition centre() const;
   /// The shorter side of the cell at the centre, on the ground.
   [[nodiscard]] double cell_m() const;

@@ -313,7 +313,7 @@ std::size_t build_pyramid(const std::filesystem::path& folder, const TerrainSour
                 fmt::format("choose a spacing that makes no more than {} a side", most_tiles_a_side));
   }
   Sha256 hash;
-  hash.add(sha256_of_file(source.raster.file));
+  for (const std::filesystem::path& file : raster.files()) hash.add(sha256_of_file(file));
   hash.add(fmt::format("{} {} {} {} {} {}", source.raster.band, source.raster.crs, source.plausible.lowest_m,
                        source.plausible.highest_m, no_data_height_m, frame.proj()));
   const PyramidHeading heading{layout, hash.hex_digest()};

@@ -7,6 +7,8 @@
 
 #include "scratch_folder.h"
 
+#include "sigmascape/base/interruption.h"
+
 namespace sigmascape::bake {
 namespace {
 
@@ -44,6 +46,14 @@ TEST(Claims, EndWithAKilledProcess) {
   ::waitpid(child, nullptr, 0);
   ::close(ready[0]);
   ::close(ready[1]);
+}
+
+TEST(Claims, WhoWaitsCanBeToldToStop) {
+  const ScratchFolder folder;
+  const Claims one(folder.path("")), two(folder.path(""));
+  const auto claim = one.take(5, Claims::Wait::No);
+  const Interruption interruption([] { return true; });
+  EXPECT_THROW(static_cast<void>(two.take(5, Claims::Wait::UntilFree)), Interrupted);
 }
 
 // A folder that cannot be written to stands for a file system that cannot lock.

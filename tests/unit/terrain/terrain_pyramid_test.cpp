@@ -512,5 +512,26 @@ TEST(PyramidFromRaster, ReadsATileAtATime) {
   }
 }
 
+TEST(PyramidFromRaster, IsMadeAnewWhenAPartOfAMosaicHasChanged) {
+  const ScratchFolder folder;
+  const geo::AsciiGrid grid{500'600.0, 4'795'000.0, 10.0, 100, 80};
+  folder.write("mosaic.vrt", R"(<VRTDataset rasterXSize="100" rasterYSize="80"><SRS>EPSG:25830</SRS>
+      <GeoTransform>500600, 10, 0, 4795800, 0, -10</GeoTransform><VRTRasterBand dataType="Float32" band="1"><SimpleSource>
+      <SourceFilename relativeToVRT="1">heights.asc</SourceFilename><SourceBand>1</SourceBand>
+      </SimpleSource></VRTRasterBand></VRTDataset>)");
+  TerrainSource source;
+  source.raster.file = folder.path("mosaic.vrt").string();
+  source.spacing_m = 5.0;
+  const geo::LocalFrame frame(43.312, -2.986);
+  for (const double height_m : {100.0, 500.0}) {
+    folder.write("heights.asc", grid.text([height_m](double, double) { return height_m; }));
+    const radar::Rectangle extent = read_terrain(source, frame, std::nullopt).field.extent();
+    EXPECT_GT(build_pyramid(folder.path("pyramid"), source, frame, extent), 0U) << height_m;
+    TerrainPyramid pyramid = open_pyramid(folder.path("pyramid"), 100 * HeightTile::bytes);
+    EXPECT_EQ(pyramid.load({0, 0, 0})->height_m[0], static_cast<float>(height_m));
+    EXPECT_EQ(build_pyramid(folder.path("pyramid"), source, frame, extent), 0U) << "nothing has changed";
+  }
+}
+
 }  // namespace
 }  // namespace sigmascape::terrain
