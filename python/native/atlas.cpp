@@ -45,8 +45,8 @@ std::size_t place_on(const std::vector<double>& axis, double value, const char* 
 std::shared_ptr<atlas::HalfTexture> texture(const LoadedAtlas& loaded, std::array<int, 2> patch, double azimuth_deg,
                                             double elevation_deg, double frequency_ghz) {
   const atlas::AtlasDescription& description = loaded.description();
-  const auto patches = description.patches.covering(description.extent);
-  if (std::ranges::find(patches, atlas::PatchIndex{patch[0], patch[1]}) == patches.end())
+  const auto [first, last] = description.patches.block_over(description.extent);
+  if (patch[0] < first.x || patch[0] > last.x || patch[1] < first.y || patch[1] > last.y)
     throw Error("patch", fmt::format("is ({}, {}), and there is none such", patch[0], patch[1]),
                 "choose from the patches of the atlas");
   const atlas::AspectGrid& axes = description.aspects;

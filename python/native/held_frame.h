@@ -3,32 +3,20 @@
 #include <array>
 #include <cstdint>
 #include <fmt/format.h>
-#include <map>
 #include <pybind11/pybind11.h>
 #include <string>
 #include <utility>
 
 #include "held.h"
 #include "long_call.h"
+#include "origin_words.h"
 
 #include "sigmascape/base/error.h"
-#include "sigmascape/geo/local_frame.h"
 #include "sigmascape/render/live_renderer.h"
 
 namespace sigmascape::python {
 
 using Triple = std::array<double, 3>;
-using Words = std::map<std::string, std::string>;
-
-/// What the files of live frames say of where they come from.
-inline Words origin_words(const std::string& processing, const geo::LocalFrame& frame, const std::string& scene,
-                          const std::string& scene_hash, std::uint64_t seed) {
-  return {{"processing", processing},
-          {"crs", frame.proj()},
-          {"scene", scene},
-          {"scene_hash", scene_hash},
-          {"seed", std::to_string(seed)}};
-}
 
 /// A frame and what made it, in whose memory it lies.
 struct HeldFrame {

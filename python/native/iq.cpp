@@ -5,6 +5,7 @@
 #include "given_number.h"
 #include "loaded_atlas.h"
 #include "long_call.h"
+#include "origin_words.h"
 #include "parts.h"
 #include "targets.h"
 
@@ -26,7 +27,7 @@ template <typename Signal>
 struct Described {
   Signal signal;
   radar::Radar radar;
-  std::map<std::string, std::string> words;
+  Words words;
 
   [[nodiscard]] product::IqRecord record() const { return product::iq_record(signal, radar, words); }
 };
@@ -48,13 +49,9 @@ Described<Signal> made(Maker<Signal> make, const LoadedAtlas& atlas, const radar
     const simulate::CoherentScene scene{
         &atlas.terrain(), render::reflectivity_of(atlas.textures(), radar.frequency_hz, radar.range_resolution_m),
         targets};
-    return {make(scene, radar, area, settings),
-            radar,
-            {{"processing", "scatterers from terrain and atlas"},
-             {"crs", description.frame.proj()},
-             {"scene", description.name},
-             {"scene_hash", description.scene_hash},
-             {"seed", std::to_string(settings.seed)}}};
+    return {make(scene, radar, area, settings), radar,
+            origin_words("scatterers from terrain and atlas", description.frame, description.name,
+                         description.scene_hash, settings.seed)};
   });
 }
 

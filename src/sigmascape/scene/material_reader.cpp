@@ -81,11 +81,12 @@ struct ConstantsReader {
     read_depolarization(section, sea.depolarization);
   }
   void operator()(scatter::CookTorranceParameters& mirrors) const {
-    const bool states_one = read_permittivity(section, mirrors.permittivity);
-    if (states_one) leave_frequencies_to_the_model();
-    if (!states_one && section.has("model"))
+    if (read_permittivity(section, mirrors.permittivity)) {
+      leave_frequencies_to_the_model();
+    } else if (section.has("model")) {
       throw section.fault("permittivity", "is missing, without which nothing is reflected",
                           "give permittivity, permittivity_law, or a table water, soil or plant");
+    }
     mirrors.alpha = section.number_or("alpha", {0.001, 2.0, ""}, mirrors.alpha);
     mirrors.scattering_coefficient =
         section.number_or("scattering_coefficient", {0.0, 1.0, ""}, mirrors.scattering_coefficient);

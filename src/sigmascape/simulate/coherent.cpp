@@ -78,17 +78,10 @@ receiver::RangeGate gate_over(const radar::Radar& radar, std::array<double, 2> r
           last_m ? *last_m * over_slant : ranges_m[1] + spare_m, oversampling};
 }
 
+/// Of the ranges that the area spans at time zero, or while the radar flies past from one time to another.
 receiver::RangeGate gate_over(const radar::Radar& radar, const radar::Rectangle& area,
-                              const terrain::HeightField& terrain, double oversampling) {
-  return gate_over(radar,
-                   span_of(area, terrain, {radar.position.x, radar.position.y},
-                           [&](Vec3d point) { return length(bent(radar, point) - radar.position); }),
-                   oversampling);
-}
-
-/// Of the ranges that the area spans while the radar flies past from one time to another.
-receiver::RangeGate gate_over(const radar::Radar& radar, const radar::Rectangle& area,
-                              const terrain::HeightField& terrain, double oversampling, double from_s, double to_s) {
+                              const terrain::HeightField& terrain, double oversampling, double from_s = 0.0,
+                              double to_s = 0.0) {
   const Vec3d velocity = radar.velocity_mps;
   const auto range_m = [&](Vec3d point, double time_s) {
     return length(bent(radar, point) - (radar.position + velocity * time_s));
