@@ -17,6 +17,11 @@ void RayPacket::forget_hits() {
   std::ranges::fill(query.hit.instID[0], RTC_INVALID_GEOMETRY_ID);
 }
 
+void RayPacket::forget_hit(std::size_t lane) {
+  query.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
+  query.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
+}
+
 void RayPacket::set_lengths(float length_m) {
   std::ranges::fill(query.ray.tfar, length_m);
 }

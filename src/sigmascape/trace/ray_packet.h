@@ -33,7 +33,13 @@ struct RayPacket {
     query.ray.dir_y[lane] = ray.direction.y;
     query.ray.dir_z[lane] = ray.direction.z;
   }
+  [[nodiscard]] Ray ray(std::size_t lane) const {
+    return {{query.ray.org_x[lane], query.ray.org_y[lane], query.ray.org_z[lane]},
+            {query.ray.dir_x[lane], query.ray.dir_y[lane], query.ray.dir_z[lane]}};
+  }
+  [[nodiscard]] bool has_met(std::size_t lane) const { return query.hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID; }
   void forget_hits();
+  void forget_hit(std::size_t lane);
   void set_lengths(float length_m);
 };
 

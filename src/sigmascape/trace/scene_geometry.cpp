@@ -16,6 +16,11 @@ namespace {
 const Part no_part{};
 
 constexpr float far_away = std::numeric_limits<float>::infinity();
+/// How far a ray may go before single precision tells where it ends no better than to a quarter of a millimetre, an
+/// eighth of what surfaces are left by. docs/decisions/0144-far-surfaces-are-met-twice.md.
+constexpr float longest_exact_m = 2048.0F;
+/// More than a ray may be wrong about its length, be it as flat as a thousandth.
+constexpr double nearby_m = 16.0;
 constexpr unsigned flush_to_zero = 0x8000U;
 constexpr unsigned denormals_are_zero = 0x0040U;
 
@@ -26,6 +31,12 @@ RTCRayHit query_along(const Ray& ray, float length_m) {
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   return query;
+}
+
+/// The same ray, begun shortly before it ends.
+Ray begun_nearby(const Ray& ray, float length_m) {
+  const double ahead_m = static_cast<double>(length_m) - nearby_m;
+  return {(ray.origin.to<double>() + ray.direction.to<double>() * ahead_m).to<float>(), ray.direction};
 }
 
 RayContext context_for(CrownCrossings* crowns, const SceneStructures& structures) {
@@ -157,7 +168,7 @@ bool SceneStructures::meet(const Ray& ray, const Found& found, SurfaceHit& hit) 
 
 template <typename NumberOf>
 void SceneStructures::meet(const RayPacket& packet, std::size_t lanes, const NumberOf& number_of,
-                           std::span<const Ray> rays, std::span<SurfaceHit> hits, std::span<std::uint8_t> meets) const {
+                           std::span<SurfaceHit> hits, std::span<std::uint8_t> meets) const {
   // Parts and faces lie all over memory: all are asked for before the first is waited for.
   std::array<const FaceTraits*, lane_count> faces{};
   for (std::size_t lane = 0; lane < lanes; ++lane) {
@@ -180,7 +191,7 @@ void SceneStructures::meet(const RayPacket& packet, std::size_t lanes, const Num
   for (std::size_t lane = 0; lane < lanes; ++lane) {
     const std::size_t i = number_of(lane);
     if (faces[lane] == nullptr) {
-      meets[i] = meet(rays[i], found_by(packet, lane), hits[i]) ? 1 : 0;
+      meets[i] = meet(packet.ray(lane), found_by(packet, lane), hits[i]) ? 1 : 0;
       continue;
     }
     hits[i] = {.position = met.position[lane],
@@ -191,6 +202,25 @@ void SceneStructures::meet(const RayPacket& packet, std::size_t lanes, const Num
   }
 }
 
+void SceneStructures::meet_again_from_nearby(RayPacket& packet, RayContext& context) const {
+  bool any = false;
+  for (std::size_t lane = 0; lane < lane_count; ++lane) {
+    const bool is_far = packet.has_met(lane) && packet.query.ray.tfar[lane] > longest_exact_m;
+    packet.valid[lane] = is_far ? -1 : 0;
+    any |= is_far;
+  }
+  if (!any) return;
+  for (std::size_t lane = 0; lane < lane_count; ++lane) {
+    if (packet.valid[lane] == 0) continue;
+    const Ray rest = begun_nearby(packet.ray(lane), packet.query.ray.tfar[lane]);
+    packet.set_ray(lane, rest);
+    packet.query.ray.tfar[lane] = plane_distance_m(rest);
+    packet.forget_hit(lane);
+    if (log != nullptr) log->push_back({rest, packet.query.ray.tfar[lane], true, true});
+  }
+  rtcIntersect16(packet.valid, top, &context.embree, &packet.query);
+}
+
 bool SceneGeometry::intersect(const Ray& ray, SurfaceHit& hit, CrownCrossings* crowns) const {
   const SceneStructures& s = *structures_;
   const float length_m = s.plane_distance_m(ray);
@@ -198,7 +228,14 @@ bool SceneGeometry::intersect(const Ray& ray, SurfaceHit& hit, CrownCrossings* c
   RayContext context = context_for(crowns, *structures_);
   RTCRayHit query = query_along(ray, length_m);
   rtcIntersect1(s.top, &context.embree, &query);
-  return s.meet(ray, found_by(query), hit);
+  const Found found = found_by(query);
+  if (found.nothing() || found.distance_m <= longest_exact_m) return s.meet(ray, found, hit);
+  const Ray rest = begun_nearby(ray, found.distance_m);
+  query = query_along(rest, s.plane_distance_m(rest));
+  if (s.log != nullptr) s.log->push_back({.ray = rest, .length_m = query.ray.tfar, .asks_first = true});
+  context.crowns = nullptr;  // they were noted on the whole way
+  rtcIntersect1(s.top, &context.embree, &query);
+  return s.meet(rest, found_by(query), hit);
 }
 
 bool SceneGeometry::occluded(const Ray& ray, CrownCrossings* crowns, float length_m) const {
@@ -229,8 +266,9 @@ void SceneGeometry::intersect(std::span<const Ray> rays, std::span<SurfaceHit> h
         else
           packet.set_lengths(far_away);
         rtcIntersect16(packet.valid, s.top, &context.embree, &packet.query);
+        s.meet_again_from_nearby(packet, context);
         s.meet(
-            packet, lanes, [&](std::size_t lane) { return number_of(first + lane); }, rays, hits, meets);
+            packet, lanes, [&](std::size_t lane) { return number_of(first + lane); }, hits, meets);
       });
 }
 

@@ -50,7 +50,9 @@ class SceneGeometry {
   [[nodiscard]] double lowest_m() const;
   [[nodiscard]] double highest_m() const;
 
-  /// Finds the first surface along the ray; `origin` and the hit's position are relative to origin().
+  /// Finds the first surface along the ray; `origin` and the hit's position are relative to origin(). However far the
+  /// ray comes from, the position is as exact as single precision holds it, the ray itself only to the step of its
+  /// start.
   [[nodiscard]] bool intersect(Vec3f ray_origin, Vec3f direction, SurfaceHit& hit) const;
   [[nodiscard]] bool occluded(Vec3f ray_origin, Vec3f direction) const;
 

@@ -70,8 +70,10 @@ struct SceneStructures {
   [[nodiscard]] bool meet(const Ray& ray, const Found& found, SurfaceHit& hit) const;
   /// The same for the first so many rays of a packet; `number_of(lane)` says which they are.
   template <typename NumberOf>
-  void meet(const RayPacket& packet, std::size_t lanes, const NumberOf& number_of, std::span<const Ray> rays,
-            std::span<SurfaceHit> hits, std::span<std::uint8_t> meets) const;
+  void meet(const RayPacket& packet, std::size_t lanes, const NumberOf& number_of, std::span<SurfaceHit> hits,
+            std::span<std::uint8_t> meets) const;
+  /// Those of a packet that have met something far away meet it again from near by.
+  void meet_again_from_nearby(RayPacket& packet, RayContext& context) const;
   void hit_plane(const Ray& ray, float distance_m, SurfaceHit& hit) const;
 
  private:

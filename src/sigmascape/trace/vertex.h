@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "sigmascape/scatter/facet.h"
 #include "sigmascape/trace/scene_geometry.h"
 
@@ -7,8 +10,11 @@ namespace sigmascape::trace {
 
 /// What a vertex of a path is to waves, be it on a surface or within a crown.
 
-/// Surfaces are left by this much along the normal, so that a ray does not meet again what it starts from.
-inline constexpr float surface_offset_m = 2e-3F;
+/// Surfaces are left by this much along the normal, so that a ray does not meet again what it starts from: 2 mm, and
+/// beyond 4 km from the origin, where single precision has steps of half a millimetre and more, four to eight of these.
+[[nodiscard]] inline float surface_offset_m(Vec3f position) {
+  return std::max({2e-3F, std::abs(position.x) * 0x1p-21F, std::abs(position.y) * 0x1p-21F});
+}
 
 /// The cosine between a direction and the normal; in a crown, which has none, one.
 [[nodiscard]] inline float cosine_at(const SurfaceHit& hit, Vec3f direction) {
@@ -28,7 +34,7 @@ inline constexpr float surface_offset_m = 2e-3F;
 
 /// Where rays that leave a vertex start.
 [[nodiscard]] inline Vec3f start_from(const SurfaceHit& hit) {
-  return hit.is_in_crown() ? hit.position : hit.position + hit.normal * surface_offset_m;
+  return hit.is_in_crown() ? hit.position : hit.position + hit.normal * surface_offset_m(hit.position);
 }
 
 [[nodiscard]] inline scatter::Facet face_of(const SurfaceHit& hit) {
