@@ -22,6 +22,8 @@
 #include "sigmascape/scene/scene_file.h"
 #include "sigmascape/simulate/placement.h"
 #include "sigmascape/simulate/simulate.h"
+#include "sigmascape/simulate/target_sight.h"
+#include "sigmascape/trace/path_tracer.h"
 
 namespace sigmascape::dataset {
 namespace {
@@ -139,7 +141,9 @@ SampleMaker::SampleMaker(const DatasetSpec& spec)
     : spec_(spec),
       scene_(scene::read_scene(spec.scene)),
       scene_hash_(scene::scene_hash(scene_)),
+      reflectors_(simulate::targets_of(scene_)),
       centres_(centres_of(spec, scene_.extent)) {
+  scene_.point_targets.clear();  // speckle is of the ground alone
   if (spec_.level_of_detail == 0) {
     geometry_.emplace(scene_, trace::Footing::Terrain);
   } else {
@@ -267,11 +271,9 @@ radar::RangeAzimuthImage SampleMaker::ground_image(const radar::Radar& radar, co
                                                    std::vector<radar::Layer>& bounces) const {
   if (atlas_) {
     render::RenderCounts counts;
-    const std::vector<radar::Target> targets = simulate::targets_of(scene_);
     const auto image_from = [&](const atlas::Atlas& atlas) {
       return simulate::baked_image(atlas, scene_.terrain, radar, plan.grid.extent(),
-                                   {.level_of_detail = spec_.level_of_detail, .threads = 1, .targets = targets},
-                                   counts);
+                                   {.level_of_detail = spec_.level_of_detail, .threads = 1}, counts);
     };
     auto image = image_from(*atlas_);
     std::vector<radar::RangeAzimuthImage> up_to;
@@ -322,10 +324,21 @@ std::vector<SampleTarget> SampleMaker::targets_of(const SamplePlan& plan, const 
   return targets;
 }
 
+std::vector<radar::Target> SampleMaker::reflectors_seen(const radar::Radar& radar) const {
+  if (reflectors_.empty()) return {};
+  const auto seen_by = [&](const auto& part_seen_of) { return simulate::seen_targets(reflectors_, 0.0, part_seen_of); };
+  if (!geometry_) {
+    const simulate::Surroundings surroundings{.terrain = scene_.terrain, .obstacles = obstacles_.get()};
+    return seen_by([&](Vec3d place) { return simulate::part_seen(surroundings, radar.position, place); });
+  }
+  const auto surfaces = trace::surface_models(scene_, radar.frequency_hz);
+  return seen_by([&](Vec3d place) { return simulate::part_seen(*geometry_, surfaces, radar.position, place); });
+}
+
 Array2D<radar::Channels> SampleMaker::steady_sigma0(const std::vector<SampleTarget>& targets, const radar::Radar& radar,
                                                     const radar::RangeAzimuthGrid& bins,
                                                     const radar::GroundGrid& grid) const {
-  std::vector<radar::Target> seen;
+  std::vector<radar::Target> seen = reflectors_seen(radar);
   for (const SampleTarget& target : targets) {
     if (!target.is_seen) continue;
     seen.push_back(target_of(target.planned, spec_.targets[target.planned.target_class], scene_.terrain));

@@ -13,6 +13,7 @@
 #include "sigmascape/radar/layer_stack.h"
 #include "sigmascape/radar/look.h"
 #include "sigmascape/radar/range_azimuth_image.h"
+#include "sigmascape/radar/target.h"
 #include "sigmascape/scene/scene.h"
 #include "sigmascape/trace/scene_geometry.h"
 
@@ -69,21 +70,24 @@ class SampleMaker {
   /// The ground in the middle of the map.
   [[nodiscard]] Vec3d middle_of(const SamplePlan& plan) const;
   [[nodiscard]] radar::Radar radar_of(const SamplePlan& plan) const;
-  /// The image of the ground; layers that tell bounces apart are added to `bounces`.
+  /// The image of the ground without any target; layers that tell bounces apart are added to `bounces`.
   [[nodiscard]] radar::RangeAzimuthImage ground_image(const radar::Radar& radar, const SamplePlan& plan,
                                                       std::vector<radar::Layer>& bounces) const;
   [[nodiscard]] radar::LayerStack labels(const radar::Radar& radar, const radar::GroundGrid& grid) const;
   /// Where the planned targets show, and whether the radar sees them: `shadow` is the map's own.
   [[nodiscard]] std::vector<SampleTarget> targets_of(const SamplePlan& plan, const radar::Radar& radar,
                                                      const Array2D<float>& shadow) const;
-  /// σ0 of the seen targets, which has no speckle; empty when none is seen.
+  /// Those of the scene's own targets that the radar sees.
+  [[nodiscard]] std::vector<radar::Target> reflectors_seen(const radar::Radar& radar) const;
+  /// σ0 of the seen targets and reflectors, which has no speckle; empty when none is seen.
   [[nodiscard]] Array2D<radar::Channels> steady_sigma0(const std::vector<SampleTarget>& targets,
                                                        const radar::Radar& radar, const radar::RangeAzimuthGrid& bins,
                                                        const radar::GroundGrid& grid) const;
 
   DatasetSpec spec_;
-  scene::Scene scene_;
-  std::string scene_hash_;
+  scene::Scene scene_;                     // without its point targets
+  std::string scene_hash_;                 // with them
+  std::vector<radar::Target> reflectors_;  // the scene's point targets
   radar::Rectangle centres_;
   std::optional<atlas::Atlas> atlas_;
   std::vector<std::string> atlas_hashes_;
