@@ -185,20 +185,26 @@ void build_terrain(const std::string& folder, const terrain::TerrainSource& sour
   // Two at once would take each other's unfinished files for those of other heights.
   const bake::Claims claims(folder);
   const auto claim = claims.take(bake::terrain_claim(store.description()), bake::Claims::Wait::UntilFree);
-  const std::size_t written = terrain::build_pyramid(
+  const terrain::PyramidBuild build = terrain::build_pyramid(
       pyramid, source, frame, {raster.west_m, raster.south_m, raster.east_m, raster.north_m}, no_data_height_m);
   const terrain::TerrainPyramid built = terrain::open_pyramid(pyramid, 0);
   const terrain::PyramidLayout& layout = built.layout();
   const radar::Rectangle extent = layout.extent();
-  output.finish(fmt::format("{} levels, {} x {} tiles of {} cells of {:g} m: {:.0f} m x {:.0f} m; {} tiles written",
-                            layout.levels(), layout.tiles_across, layout.tiles_down, terrain::HeightTile::cells,
-                            layout.spacing_m, extent.width_m(), extent.height_m(), written),
-                {{"atlas", folder},
-                 {"written", written},
-                 {"levels", layout.levels()},
-                 {"tiles", {layout.tiles_across, layout.tiles_down}},
-                 {"spacing_m", layout.spacing_m},
-                 {"extent_m", {extent.west_m, extent.south_m, extent.east_m, extent.north_m}}});
+  std::string text =
+      fmt::format("{} levels, {} x {} tiles of {} cells of {:g} m: {:.0f} m x {:.0f} m; {} tiles written",
+                  layout.levels(), layout.tiles_across, layout.tiles_down, terrain::HeightTile::cells, layout.spacing_m,
+                  extent.width_m(), extent.height_m(), build.tiles_written);
+  if (build.nodes_without_height > 0) {
+    text += fmt::format("\n{} nodes have no height in {} and lie at {:g} m: --no-data-height, or fill them first",
+                        build.nodes_without_height, source.raster.file.filename().string(), no_data_height_m);
+  }
+  output.finish(text, {{"atlas", folder},
+                       {"written", build.tiles_written},
+                       {"nodes_without_height", build.nodes_without_height},
+                       {"levels", layout.levels()},
+                       {"tiles", {layout.tiles_across, layout.tiles_down}},
+                       {"spacing_m", layout.spacing_m},
+                       {"extent_m", {extent.west_m, extent.south_m, extent.east_m, extent.north_m}}});
 }
 
 void add_terrain_command(Command added, const std::shared_ptr<std::string>& folder, Output& output) {

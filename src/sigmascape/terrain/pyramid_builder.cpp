@@ -255,6 +255,19 @@ std::vector<float> nodes_of_field(const HeightField& field, TileKey key) {
   return nodes;
 }
 
+/// How many nodes of a tile lie in an extent and have no height; those that the next tile has as well are its own.
+std::size_t holes_within(const Array2D<float>& heights, const geo::Lattice& tile, const radar::Rectangle& extent) {
+  std::size_t holes = 0;
+  for (std::size_t row = 0; row < HeightTile::cells; ++row) {
+    const double y_m = tile.north_m - static_cast<double>(row) * tile.spacing_m;
+    for (std::size_t column = 0; column < HeightTile::cells; ++column) {
+      const double x_m = tile.west_m + static_cast<double>(column) * tile.spacing_m;
+      holes += std::isnan(heights(column, row)) && extent.contains({x_m, y_m}) ? 1 : 0;
+    }
+  }
+  return holes;
+}
+
 }  // namespace
 
 std::vector<Array2D<TileSummary>> build_tiles(const PyramidLayout& layout, const FinestHeights& finest,
@@ -301,8 +314,8 @@ TerrainPyramid pyramid_in_memory(const HeightField& field) {
   return {layout, std::move(summaries), read, tiles->size() * HeightTile::bytes};
 }
 
-std::size_t build_pyramid(const std::filesystem::path& folder, const TerrainSource& source,
-                          const geo::LocalFrame& frame, const radar::Rectangle& extent, double no_data_height_m) {
+PyramidBuild build_pyramid(const std::filesystem::path& folder, const TerrainSource& source,
+                           const geo::LocalFrame& frame, const radar::Rectangle& extent, double no_data_height_m) {
   const geo::Raster raster(source.raster);
   const double spacing_m = source.spacing_m.value_or(raster.cell_m());
   const auto layout = PyramidLayout::covering(extent, spacing_m);
@@ -317,12 +330,12 @@ std::size_t build_pyramid(const std::filesystem::path& folder, const TerrainSour
   hash.add(fmt::format("{} {} {} {} {} {}", source.raster.band, source.raster.crs, source.plausible.lowest_m,
                        source.plausible.highest_m, no_data_height_m, frame.proj()));
   const PyramidHeading heading{layout, hash.hex_digest()};
-  std::size_t asked = 0;
+  std::size_t asked = 0, without_height = 0;
   bool holds_heights = false, is_empty = false;
   const auto nodes_of = [&](TileKey key) {
     const radar::Rectangle tile = layout.extent_of(key);
-    const Array2D<float> heights = raster.heights_on(
-        {tile.west_m, tile.north_m, spacing_m, HeightTile::nodes, HeightTile::nodes}, frame, source.plausible);
+    const geo::Lattice lattice{tile.west_m, tile.north_m, spacing_m, HeightTile::nodes, HeightTile::nodes};
+    const Array2D<float> heights = raster.heights_on(lattice, frame, source.plausible);
     std::vector<float> nodes(heights.values().begin(), heights.values().end());
     holds_heights = holds_heights || std::ranges::any_of(nodes, [](float height) { return !std::isnan(height); });
     is_empty = ++asked == std::size_t{layout.tiles_across} * layout.tiles_down && !holds_heights;
@@ -332,11 +345,13 @@ std::size_t build_pyramid(const std::filesystem::path& folder, const TerrainSour
                               source.plausible.highest_m),
                   "give a raster, or a band of it, of elevations in metres");
     }
+    without_height += holes_within(heights, lattice, extent);
     for (float& height : nodes) height = std::isnan(height) ? static_cast<float>(no_data_height_m) : height;
     return nodes;
   };
   try {
-    return build_on_disk(folder, heading, frame, nodes_of);
+    const std::size_t written = build_on_disk(folder, heading, frame, nodes_of);
+    return {written, without_height};
   } catch (const Error&) {
     // Of nothing there is nothing to go on from.
     if (is_empty) {

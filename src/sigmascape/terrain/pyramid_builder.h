@@ -30,17 +30,22 @@ using FinestHeights = std::function<std::vector<float>(TileKey)>;
 /// A pyramid in memory over a field, which is copied; beyond the field its edge goes on.
 [[nodiscard]] TerrainPyramid pyramid_in_memory(const HeightField& field);
 
+struct PyramidBuild {
+  std::size_t tiles_written = 0;
+  /// Nodes of level 0, of the tiles written and within the extent, of which the source tells no height.
+  std::size_t nodes_without_height = 0;
+};
+
 /// Builds a pyramid on disk from any raster that GDAL reads, a tile at a time: neither source nor pyramid need fit into
-/// memory. Nodes without data get `no_data_height_m`. Tiles that are there and whole are left, if they were made from
-/// the same heights: what was interrupted goes on, what was damaged is mended. What a folder held of other heights
-/// stays until the new ones are whole. Returns how many tiles were written. Throws Error when the source cannot be read
-/// or the disk is full.
+/// memory. Nodes without a height get `no_data_height_m`. Tiles that are there and whole are left, if they were made
+/// from the same heights: what was interrupted goes on, what was damaged is mended. What a folder held of other heights
+/// stays until the new ones are whole. Throws Error when the source cannot be read or the disk is full.
 ///
 /// The folder: see pyramid_files.h; without its heading the rest counts for nothing.
-std::size_t build_pyramid(const std::filesystem::path& folder, const TerrainSource& source,
-                          const geo::LocalFrame& frame, const radar::Rectangle& extent, double no_data_height_m = 0.0);
+PyramidBuild build_pyramid(const std::filesystem::path& folder, const TerrainSource& source,
+                           const geo::LocalFrame& frame, const radar::Rectangle& extent, double no_data_height_m = 0.0);
 
-/// The same from a field in memory.
+/// The same from a field in memory. Returns how many tiles were written.
 std::size_t build_pyramid(const std::filesystem::path& folder, const HeightField& field, const geo::LocalFrame& frame);
 
 /// Whether a folder holds the heading of a finished pyramid, whatever that is like.
