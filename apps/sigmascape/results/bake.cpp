@@ -21,7 +21,12 @@ class BakeTimer final : public ProgressListener {
  public:
   BakeTimer(std::filesystem::path file, ProgressListener& next) : file_(std::move(file)), next_(next) {
     std::ifstream stream(file_);
-    if (stream) seconds_ = nlohmann::json::parse(stream).get<std::vector<double>>();
+    if (!stream) return;
+    try {
+      seconds_ = nlohmann::json::parse(stream).get<std::vector<double>>();
+    } catch (const nlohmann::json::exception&) {
+      // Textures that are there are not baked again to be timed: their times are unknown, as of another run's.
+    }
   }
 
   void advanced(std::string_view task, double done, double total, std::string_view unit) override {

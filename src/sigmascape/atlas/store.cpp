@@ -28,7 +28,7 @@ void check_names(const AspectGrid& aspects) {
   for (LookIndex look = 0; look < aspects.look_count(); ++look) {
     const std::string name = look_name(aspects.look(look));
     if (names.insert(name).second) continue;
-    throw Error("atlas, looks", fmt::format("two are called {}", name), "keep them 0.1 degrees and 1 MHz apart");
+    throw Error("atlas, looks", fmt::format("two are called {}", name), "choose angles that differ in tenths of a degree and frequencies in MHz, both rounded");
   }
 }
 
