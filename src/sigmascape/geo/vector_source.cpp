@@ -247,13 +247,14 @@ std::optional<std::string> Feature::attribute(const std::string& name) const {
   return found == attributes.end() ? std::nullopt : std::optional(found->second);
 }
 
-FeatureSet read_features(const VectorSource& source, const LocalFrame& frame) {
+FeatureCensus for_each_feature(const VectorSource& source, const LocalFrame& frame,
+                               const std::function<void(Feature&&)>& visit) {
   const GDALDatasetUniquePtr dataset = open_vector(source);
   require_columns(*dataset, source);
   FeatureWalk walk(*dataset, wanted_layers(*dataset, source));
   const bool osm = is_osm(*dataset);
   LayerTransforms transforms(source, frame);
-  FeatureSet result;
+  FeatureCensus census;
   std::set<std::string> names;
   std::size_t of_other_kinds = 0;
 
@@ -272,22 +273,30 @@ FeatureSet read_features(const VectorSource& source, const LocalFrame& frame) {
     if (osm && !source.osm_tag.empty() && !carries_tag(feature, source.osm_tag)) continue;
     for (const auto& [name, value] : feature.attributes) names.insert(name);
     if (!has_geometry(feature) || !bring_to_frame(feature, transforms.of(*layer))) {
-      if (result.nowhere++ == 0) result.first_nowhere = feature.id;
+      if (census.nowhere++ == 0) census.first_nowhere = feature.id;
       continue;
     }
-    result.features.push_back(std::move(feature));
+    ++census.features;
+    const QuietGdal apart;  // what a visitor asks of GDAL is no fault of the file
+    visit(std::move(feature));
   }
   if (QuietGdal::failed()) {
     throw Error(source.file.string(), fmt::format("cannot be read to its end ({})", QuietGdal::complaint()),
                 "replace the damaged file");
   }
-  if (!osm && of_other_kinds > 0 && result.features.empty() && result.nowhere == 0) {
+  if (!osm && of_other_kinds > 0 && census.features == 0 && census.nowhere == 0) {
     throw Error(source.file.string(),
                 fmt::format("none of its {} features is {}", of_other_kinds, word_for(source.kind)),
                 "choose another layer or file");
   }
-  result.attribute_names.assign(names.begin(), names.end());
-  return result;
+  census.attribute_names.assign(names.begin(), names.end());
+  return census;
+}
+
+std::vector<Feature> read_features(const VectorSource& source, const LocalFrame& frame) {
+  std::vector<Feature> features;
+  for_each_feature(source, frame, [&](Feature&& feature) { features.push_back(std::move(feature)); });
+  return features;
 }
 
 }  // namespace sigmascape::geo

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -39,15 +40,21 @@ struct Feature {
   [[nodiscard]] std::optional<std::string> attribute(const std::string& name) const;
 };
 
-struct FeatureSet {
-  std::vector<Feature> features;
+/// What is known of a file once all its features have been seen.
+struct FeatureCensus {
+  std::size_t features = 0;                  ///< that have a place in the frame
   std::vector<std::string> attribute_names;  ///< all that occur, sorted
   std::size_t nowhere = 0;  ///< features without geometry or with coordinates that have no place in the frame
   std::string first_nowhere;
 };
 
-/// Reads all features of the wanted kind and passes over those of other kinds. Throws Error when the file is missing or
-/// unreadable, names no CRS, lacks the layer or the coordinate columns asked for, or has features of other kinds alone.
-[[nodiscard]] FeatureSet read_features(const VectorSource& source, const LocalFrame& frame);
+/// Hands over the features of the wanted kind one by one, so that a file of a whole country needs no more memory than
+/// what is kept of it, and passes over those of other kinds. Throws Error when the file is missing or unreadable, names
+/// no CRS, lacks the layer or the coordinate columns asked for, or has features of other kinds alone.
+FeatureCensus for_each_feature(const VectorSource& source, const LocalFrame& frame,
+                               const std::function<void(Feature&&)>& visit);
+
+/// All of them at once.
+[[nodiscard]] std::vector<Feature> read_features(const VectorSource& source, const LocalFrame& frame);
 
 }  // namespace sigmascape::geo

@@ -76,33 +76,31 @@ bool lies_inside(const geo::Polygon& polygon, const radar::Rectangle& extent) {
 
 std::size_t collect_footprints(Scene& scene, const BuildingSource& source, std::size_t source_number, FlawTally& tally,
                                std::vector<Footprint>& footprints) {
-  auto found = geo::read_features(source.vector, scene.frame);
-  for (const auto& attribute : {source.height_attribute, source.levels_attribute}) {
-    if (attribute) require_attribute(found, *attribute, source.where);
-  }
-  tally.flaw("features without usable coordinates, left out", found.first_nowhere, found.nowhere);
   const MaterialIndex wall = scene.material_index(source.wall), roof = scene.material_index(source.roof);
-  std::size_t inside = found.nowhere;
-  for (geo::Feature& feature : found.features) {
-    Interruption::heed();
+  std::size_t inside = 0;
+  const auto census = geo::for_each_feature(source.vector, scene.frame, [&](geo::Feature&& feature) {
     const std::size_t outside =
         std::erase_if(feature.polygons, [&](const geo::Polygon& part) { return !lies_inside(part, scene.extent); });
     if (feature.polygons.empty()) {
       tally.note("buildings outside the scene, left out", feature.id);
-      continue;
+      return;
     }
     tally.note("parts of buildings outside the scene, left out", feature.id, outside);
     ++inside;
     auto shape = mended_shape(feature, source, tally);
     if (geo::area_m2(shape) < source.min_area_m2) {
       tally.note("buildings smaller than min_area_m2, left out", feature.id);
-      continue;
+      return;
     }
     if (const auto height = height_m(feature, source, tally)) {
-      footprints.push_back({std::move(shape), *height, wall, roof, source_number, feature.id});
+      footprints.push_back({std::move(shape), *height, wall, roof, source_number, std::move(feature.id)});
     }
+  });
+  for (const auto& attribute : {source.height_attribute, source.levels_attribute}) {
+    if (attribute) require_attribute(census, *attribute, source.where);
   }
-  return inside;
+  tally.flaw("features without usable coordinates, left out", census.first_nowhere, census.nowhere);
+  return inside + census.nowhere;
 }
 
 }  // namespace

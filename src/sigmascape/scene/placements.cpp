@@ -32,11 +32,11 @@ FoundPlaces places_in(const Scene& scene, const Placements& placements) {
     positions.push_back(geo::position_in_frame(scene.frame, {latitude_deg, longitude_deg}));
   }
   if (placements.points) {
-    const geo::FeatureSet found = geo::read_features(*placements.points, scene.frame);
-    for (const geo::Feature& feature : found.features)
+    const auto census = geo::for_each_feature(*placements.points, scene.frame, [&](const geo::Feature& feature) {
       positions.insert(positions.end(), feature.points.begin(), feature.points.end());
-    places.nowhere = found.nowhere;
-    places.first_nowhere = found.first_nowhere;
+    });
+    places.nowhere = census.nowhere;
+    places.first_nowhere = census.first_nowhere;
   }
   return places;
 }

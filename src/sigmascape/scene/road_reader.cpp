@@ -94,25 +94,23 @@ RoadSource read_road_source(const TomlSection& section, const MaterialTable& mat
 }
 
 void add_roads(Scene& scene, const RoadSource& source, const WaterMask& water) {
-  const auto found = geo::read_features(source.vector, scene.frame);
-  for (const auto& attribute : {source.width_attribute, source.class_attribute}) {
-    if (attribute) require_attribute(found, *attribute, source.where);
-  }
   FlawTally tally;
-  tally.flaw("features without usable coordinates, left out", found.first_nowhere, found.nowhere);
   const MaterialIndex paving = scene.material_index(source.paving);
   std::optional<TrafficFlow> flow;
   if (source.traffic) flow.emplace(scene, *source.traffic);
-  for (const geo::Feature& feature : found.features) {
-    Interruption::heed();
+  const auto census = geo::for_each_feature(source.vector, scene.frame, [&](const geo::Feature& feature) {
     const auto width = width_m(feature, source, tally);
-    if (!width) continue;
+    if (!width) return;
     for (const auto& line : feature.lines) {
       pave(scene.ground, water, line, *width / 2.0, paving);
       if (flow) flow->fill(line, *width, water);
     }
+  });
+  for (const auto& attribute : {source.width_attribute, source.class_attribute}) {
+    if (attribute) require_attribute(census, *attribute, source.where);
   }
-  tally.settle(source.vector.file.string(), found.features.size() + found.nowhere, source.limit, scene.remarks);
+  tally.flaw("features without usable coordinates, left out", census.first_nowhere, census.nowhere);
+  tally.settle(source.vector.file.string(), census.features + census.nowhere, source.limit, scene.remarks);
 }
 
 }  // namespace sigmascape::scene

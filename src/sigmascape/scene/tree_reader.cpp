@@ -113,18 +113,12 @@ TreeSource read_tree_source(const TomlSection& section, const MaterialTable& mat
 }
 
 void add_trees(Scene& scene, const TreeSource& source, const WaterMask& water) {
-  const auto found = geo::read_features(source.vector, scene.frame);
-  for (const auto& attribute : {source.height_attribute, source.crown_radius_attribute}) {
-    if (attribute) require_attribute(found, *attribute, source.where);
-  }
   const std::uint32_t first_prototype = add_prototypes(scene, source);
   const std::uint64_t prototypes = scene.prototypes.size() - first_prototype;
   FlawTally tally;
-  tally.flaw("features without usable coordinates, left out", found.first_nowhere, found.nowhere);
-  std::size_t inside = found.nowhere;
+  std::size_t inside = 0;
   std::uint64_t number = 0;
-  for (const geo::Feature& feature : found.features) {
-    Interruption::heed();
+  const auto census = geo::for_each_feature(source.vector, scene.frame, [&](const geo::Feature& feature) {
     for (const Vec2d& position : feature.points) {
       const std::uint64_t draw = hashed(source.seed, number++);
       if (!scene.extent.contains(position)) {
@@ -145,8 +139,12 @@ void add_trees(Scene& scene, const TreeSource& source, const WaterMask& water) {
                                  .yaw_rad = unit_float(mixed(draw)) * static_cast<float>(2.0 * pi),
                                  .scale = tree_scale(static_cast<float>(*height), static_cast<float>(crown))});
     }
+  });
+  for (const auto& attribute : {source.height_attribute, source.crown_radius_attribute}) {
+    if (attribute) require_attribute(census, *attribute, source.where);
   }
-  tally.settle(source.vector.file.string(), inside, source.limit, scene.remarks);
+  tally.flaw("features without usable coordinates, left out", census.first_nowhere, census.nowhere);
+  tally.settle(source.vector.file.string(), inside + census.nowhere, source.limit, scene.remarks);
 }
 
 }  // namespace sigmascape::scene

@@ -25,9 +25,9 @@ FlawLimit read_flaw_limit(const TomlSection& section, const FlawLimit& of_scene)
   return {section.number_or("max_flawed_share", {0.0, 1.0, ""}, of_scene.max_share), of_scene.strict};
 }
 
-void require_attribute(const geo::FeatureSet& features, const std::string& attribute, const std::string& where) {
-  const auto& names = features.attribute_names;
-  if (features.features.empty() || std::ranges::find(names, attribute) != names.end()) return;
+void require_attribute(const geo::FeatureCensus& census, const std::string& attribute, const std::string& where) {
+  const auto& names = census.attribute_names;
+  if (census.features == 0 || std::ranges::find(names, attribute) != names.end()) return;
   const auto nearest = nearest_word(attribute, names);
   throw Error(
       where, fmt::format("no feature has the attribute '{}'", attribute),

@@ -13,6 +13,6 @@ namespace sigmascape::scene {
 [[nodiscard]] FlawLimit read_flaw_limit(const TomlSection& section, const FlawLimit& of_scene);
 
 /// Throws Error when no feature carries the attribute that a key names.
-void require_attribute(const geo::FeatureSet& features, const std::string& attribute, const std::string& where);
+void require_attribute(const geo::FeatureCensus& census, const std::string& attribute, const std::string& where);
 
 }  // namespace sigmascape::scene

@@ -30,7 +30,7 @@ TEST(ToldToStop, ReadingFeatures) {
       .file = file, .kind = GeometryKind::Points, .crs = "EPSG:4326", .x_column = "east", .y_column = "north"};
   {
     const StopAfter stop(1000);
-    EXPECT_EQ(read_features(source, frame).features.size(), 2U);
+    EXPECT_EQ(read_features(source, frame).size(), 2U);
   }
   const StopAfter stop(0);
   EXPECT_THROW(static_cast<void>(read_features(source, frame)), Interrupted);
@@ -42,7 +42,7 @@ TEST(ToldToStop, ReadingAnExtractOfOpenStreetMap) {
                                  "<?xml version='1.0'?><osm version='0.6'>"
                                  "<node id='1' lat='43.312' lon='-2.986'><tag k='natural' v='tree'/></node></osm>");
   const VectorSource source{.file = file, .kind = GeometryKind::Points};
-  EXPECT_EQ(read_features(source, frame).features.size(), 1U);
+  EXPECT_EQ(read_features(source, frame).size(), 1U);
   const StopAfter stop(0);
   EXPECT_THROW(static_cast<void>(read_features(source, frame)), Interrupted);
 }

@@ -30,8 +30,8 @@ TEST(VectorSource, ReadsPolygonsWithHolesAndAttributes) {
     [[[7.0,45.0],[7.001,45.0],[7.001,45.001],[7.0,45.001],[7.0,45.0]],[[7.0002,45.0002],[7.0004,45.0002],[7.0004,45.0004],[7.0002,45.0002]]],
     [[[7.002,45.0],[7.003,45.0],[7.003,45.001],[7.002,45.0]]]]}}]})");
   const auto found = read_features({.file = file}, frame);
-  ASSERT_EQ(found.features.size(), 1U);
-  const Feature& hall = found.features[0];
+  ASSERT_EQ(found.size(), 1U);
+  const Feature& hall = found[0];
   EXPECT_EQ(hall.attribute("height_m"), "12.5");
   EXPECT_EQ(hall.attribute("name"), "town hall");
   EXPECT_FALSE(hall.attribute("levels").has_value());
@@ -48,10 +48,10 @@ TEST(VectorSource, TableOfCoordinatesNeedsACrsAndItsColumns) {
   const VectorSource source{
       .file = file, .kind = GeometryKind::Points, .crs = "EPSG:4326", .x_column = "east", .y_column = "north"};
   const auto found = read_features(source, frame);
-  ASSERT_EQ(found.features.size(), 2U);
-  EXPECT_NEAR(found.features[0].points[0].x, 78.85, 0.1);
-  EXPECT_NEAR(found.features[1].points[0].y, 111.13, 0.1);
-  EXPECT_EQ(found.features[1].attribute("height"), "8");
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_NEAR(found[0].points[0].x, 78.85, 0.1);
+  EXPECT_NEAR(found[1].points[0].y, 111.13, 0.1);
+  EXPECT_EQ(found[1].attribute("height"), "8");
 
   VectorSource without_crs = source;
   without_crs.crs.clear();
@@ -72,7 +72,7 @@ TEST(VectorSource, PassesOverOtherKindsOfFeaturesButNotWhenThereIsNothingElse) {
   const auto collection = [&](const std::string& features) {
     return folder.write("mixed.geojson", R"({"type":"FeatureCollection","features":[)" + features + "]}");
   };
-  EXPECT_EQ(read_features({.file = collection(point + "," + area)}, frame).features.size(), 1U);
+  EXPECT_EQ(read_features({.file = collection(point + "," + area)}, frame).size(), 1U);
   EXPECT_THAT(
       message_of_error([&] { static_cast<void>(read_features({.file = collection(point + "," + point)}, frame)); }),
       HasSubstr("mixed.geojson: none of its 2 features is an area; choose another layer or file"));
@@ -86,14 +86,14 @@ TEST(VectorSource, OpenStreetMapTagsBecomeAttributes) {
     <way id="11"><nd ref="1"/><nd ref="2"/><nd ref="3"/><nd ref="1"/><tag k="landuse" v="forest"/></way>
     <way id="12"><nd ref="1"/><nd ref="2"/><tag k="highway" v="primary"/><tag k="lanes" v="2"/></way></osm>)");
   const auto houses = read_features({.file = file, .osm_tag = "building"}, frame);
-  ASSERT_EQ(houses.features.size(), 1U);
-  EXPECT_EQ(houses.features[0].attribute("height"), "17");
-  EXPECT_EQ(houses.features[0].attribute("building:levels"), "5");
+  ASSERT_EQ(houses.size(), 1U);
+  EXPECT_EQ(houses[0].attribute("height"), "17");
+  EXPECT_EQ(houses[0].attribute("building:levels"), "5");
   const auto roads = read_features({.file = file, .kind = GeometryKind::Lines, .osm_tag = "highway"}, frame);
-  ASSERT_EQ(roads.features.size(), 1U);
-  EXPECT_EQ(roads.features[0].lines[0].size(), 2U);
-  EXPECT_EQ(roads.features[0].attribute("lanes"), "2");
-  EXPECT_TRUE(read_features({.file = file, .osm_tag = "building=church"}, frame).features.empty());
+  ASSERT_EQ(roads.size(), 1U);
+  EXPECT_EQ(roads[0].lines[0].size(), 2U);
+  EXPECT_EQ(roads[0].attribute("lanes"), "2");
+  EXPECT_TRUE(read_features({.file = file, .osm_tag = "building=church"}, frame).empty());
 }
 
 TEST(VectorSource, ConditionChoosesFeaturesAndMustFit) {
@@ -105,7 +105,7 @@ TEST(VectorSource, ConditionChoosesFeaturesAndMustFit) {
                       .crs = "EPSG:4326",
                       .x_column = "x",
                       .y_column = "y"};
-  EXPECT_EQ(read_features(source, frame).features.size(), 1U);
+  EXPECT_EQ(read_features(source, frame).size(), 1U);
   source.where = "hight > 0";
   EXPECT_THAT(message_of_error([&] { static_cast<void>(read_features(source, frame)); }),
               HasSubstr("the condition 'hight > 0'"));
@@ -143,18 +143,18 @@ TEST(VectorSource, ConditionIsOfTheLayersThatHaveItsAttributes) {
   for (const auto& [driver, name] : {std::pair{"GPKG", "town.gpkg"}, std::pair{"ESRI Shapefile", "town"}}) {
     VectorSource source{
         .file = town(folder, driver, name), .kind = GeometryKind::Points, .layer = "houses", .where = "height_m > 5"};
-    EXPECT_EQ(read_features(source, frame).features.size(), 1U) << driver;
+    EXPECT_EQ(read_features(source, frame).size(), 1U) << driver;
     source.layer = "";
-    EXPECT_EQ(read_features(source, frame).features.size(), 1U) << driver;
+    EXPECT_EQ(read_features(source, frame).size(), 1U) << driver;
     source.where = "\"height_m\" > 5";
-    EXPECT_EQ(read_features(source, frame).features.size(), 1U) << driver;
+    EXPECT_EQ(read_features(source, frame).size(), 1U) << driver;
     source.where = "height_m > 5";
     source.layer = "parcels";
     EXPECT_THAT(message_of_error([&] { static_cast<void>(read_features(source, frame)); }),
                 HasSubstr("the condition 'height_m > 5' does not fit its attributes"))
         << driver;
     source.where = "";
-    EXPECT_EQ(read_features(source, frame).features.size(), 3U) << driver;
+    EXPECT_EQ(read_features(source, frame).size(), 3U) << driver;
   }
 }
 
@@ -162,11 +162,12 @@ TEST(VectorSource, CoordinatesThatAreNoNumbersAreCountedWithoutAWordOfGdals) {
   const ScratchFolder folder;
   const auto file = folder.write("t.csv", "x,y\n7,45\nabc,45\n");
   testing::internal::CaptureStderr();
-  const auto found = read_features(
-      {.file = file, .kind = GeometryKind::Points, .crs = "EPSG:4326", .x_column = "x", .y_column = "y"}, frame);
+  const auto census = for_each_feature(
+      {.file = file, .kind = GeometryKind::Points, .crs = "EPSG:4326", .x_column = "x", .y_column = "y"}, frame,
+      [](const Feature&) {});
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
-  EXPECT_EQ(found.features.size(), 1U);
-  EXPECT_EQ(found.nowhere, 1U);
+  EXPECT_EQ(census.features, 1U);
+  EXPECT_EQ(census.nowhere, 1U);
 }
 
 TEST(VectorSource, FeaturesNowhereAreCounted) {
@@ -174,9 +175,12 @@ TEST(VectorSource, FeaturesNowhereAreCounted) {
   const auto file = folder.write("f.geojson", R"({"type":"FeatureCollection","features":[
     {"type":"Feature","properties":{},"geometry":null},
     {"type":"Feature","properties":{},"geometry":{"type":"Point","coordinates":[7.0,45.0]}}]})");
-  const auto found = read_features({.file = file, .kind = GeometryKind::Points}, frame);
-  EXPECT_EQ(found.features.size(), 1U);
-  EXPECT_EQ(found.nowhere, 1U);
+  std::vector<std::string> seen;
+  const auto census = for_each_feature({.file = file, .kind = GeometryKind::Points}, frame,
+                                       [&](const Feature& feature) { seen.push_back(feature.id); });
+  EXPECT_EQ(seen, (std::vector<std::string>{"layer f, feature 1"}));
+  EXPECT_EQ(census.nowhere, 1U);
+  EXPECT_EQ(census.first_nowhere, "layer f, feature 0");
 }
 
 TEST(VectorSource, MissingFileAndLayerAreErrors) {

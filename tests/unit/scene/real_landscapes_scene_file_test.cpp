@@ -72,7 +72,7 @@ TEST_F(Bilbao, BuildingsAreAsManyAsTheFileHolds) {
 TEST_F(Bilbao, RoofsCoverTheUnionOfTheFootprints) {
   const auto found = geo::read_features({.file = data_folder() / "bilbao" / "buildings_utm30n.geojson"}, scene_->frame);
   geo::Polygons all;
-  for (const auto& feature : found.features) {
+  for (const auto& feature : found) {
     Vec2d middle;
     for (const Vec2d& corner : feature.polygons[0].outer)
       middle = middle + corner * (1.0 / static_cast<double>(feature.polygons[0].outer.size()));
