@@ -32,11 +32,12 @@ void write_slant_image(const CoherentRequest& request, const simulate::ModeReque
 
 }  // namespace
 
-std::vector<radar::Target> all_targets(const scene::Scene& scene, const std::string& file, std::uint64_t seed) {
+std::vector<radar::Target> all_targets(const scene::Scene& scene, const std::string& file, std::uint64_t seed,
+                                       double at_s) {
   auto targets = simulate::targets_of(scene);
   if (file.empty()) return targets;
   for (radar::Target& target :
-       simulate::placed_targets(radar::read_target_file(file), scene.frame, scene.terrain, seed))
+       simulate::placed_targets(radar::read_target_file(file), scene.frame, scene.terrain, seed, at_s))
     targets.push_back(std::move(target));
   return targets;
 }
@@ -53,6 +54,7 @@ CoherentMap coherent_map(const CoherentRequest& request) {
                                                       : simulate::Windblown{},
                                      .level_of_detail = request.level_of_detail,
                                      .seed = request.seed,
+                                     .dwell = request.dwell,
                                      .threads = request.threads};
   const auto [plan, warnings] = simulate::mode_plan(wanted);
   for (const std::string& warning : warnings)

@@ -24,9 +24,9 @@ struct CoherentRequest {
   const radar::GroundGrid& grid;
   int level_of_detail = 1;
   const std::vector<radar::Target>& targets;
-  std::uint64_t seed = 1;
+  std::uint64_t seed = 1, dwell = 0;
   unsigned threads = 0;
-  const Provenance& origin;     ///< what every file says of the scene
+  const Provenance& origin;     ///< what every file says of the scene and the moment
   std::string slant_file = {};  ///< for the complex image in slant geometry, of one look; none when empty
 };
 
@@ -41,8 +41,9 @@ struct CoherentMap {
 /// what `radar::plan_warnings` finds.
 [[nodiscard]] CoherentMap coherent_map(const CoherentRequest& request);
 
-/// The targets of the scene, then, when it is named, those of a file, placed in it; these fluctuate by the seed.
+/// The targets of the scene, then, when it is named, those of a file, placed in it as they are `at_s`; these fluctuate
+/// by the seed.
 [[nodiscard]] std::vector<radar::Target> all_targets(const scene::Scene& scene, const std::string& file,
-                                                     std::uint64_t seed);
+                                                     std::uint64_t seed, double at_s);
 
 }  // namespace sigmascape::cli

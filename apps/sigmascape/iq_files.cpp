@@ -25,6 +25,7 @@ Provenance words_of_pulses(const IqFiles& files, const IqRequest& request) {
   words["targets"] = std::to_string(request.targets.size());
   words["crs"] = request.scene.frame.proj();
   words["seed"] = std::to_string(request.seed);
+  words["dwell"] = std::to_string(request.dwell);
   const auto& baked_with = request.atlas->description().settings;
   if (const auto found = baked_with.find("seed"); found != baked_with.end()) words["atlas_seed"] = found->second;
   return words;
@@ -71,6 +72,7 @@ void write_iq_files(const IqFiles& files, const IqRequest& request) {
   const auto history = simulate::phase_history(scene, request.radar, request.area,
                                                {.interval_s = files.interval_s,
                                                 .seed = request.seed,
+                                                .dwell = request.dwell,
                                                 .calibrated = files.unit == "V",
                                                 .threads = request.threads});
   product::write_iq(files.file, product::iq_record(history, request.radar, words_of_pulses(files, request)));

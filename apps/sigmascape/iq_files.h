@@ -33,9 +33,9 @@ struct IqRequest {
   const radar::Radar& radar;
   const radar::Rectangle& area;
   bool extrapolate = false;
-  std::uint64_t seed = 1;
+  std::uint64_t seed = 1, dwell = 0;
   unsigned threads = 0;
-  const Provenance& origin;  ///< what every file says of the scene
+  const Provenance& origin;  ///< what every file says of the scene and the moment
 };
 
 /// The frequency at which the atlas is asked for this radar: the radar's own or, when extrapolation is wanted, the

@@ -1,5 +1,6 @@
 #include <array>
 #include <fmt/format.h>
+#include <limits>
 #include <map>
 #include <optional>
 #include <span>
@@ -27,8 +28,10 @@
 #include "sigmascape/product/map_file.h"
 #include "sigmascape/product/png_file.h"
 #include "sigmascape/product/reprojection.h"
+#include "sigmascape/radar/radar_bounds.h"
 #include "sigmascape/radar/radar_file.h"
 #include "sigmascape/radar/radar_warnings.h"
+#include "sigmascape/receiver/equivalent_noise.h"
 #include "sigmascape/render/level_of_detail.h"
 #include "sigmascape/scene/scene_file.h"
 #include "sigmascape/simulate/coherent.h"
@@ -54,7 +57,8 @@ struct RenderOptions {
   std::string crs;
   bool in_decibels = false;
   LayerFiles layers;
-  simulate::TraceSettings trace;
+  double at_s = 0.0;
+  simulate::TraceSettings trace;  ///< and the seed and dwell of all else
 };
 
 /// What was rendered and at what cost.
@@ -80,13 +84,14 @@ Rendered traced(const RenderOptions& options, const scene::Scene& scene, const r
   rendered.cost = {{"paths", counts.paths}, {"rays", counts.rays}};
   rendered.provenance = {{"processing", "level of detail 0: path-traced"},
                          {"seed", std::to_string(settings.seed)},
+                         {"dwell", std::to_string(settings.dwell)},
                          {"samples_per_cell", std::to_string(settings.samples_per_cell)}};
   return rendered;
 }
 
-/// What every file says of the scene.
-Provenance origin_of(const scene::Scene& scene, const std::string& hash) {
-  Provenance origin{{"scene", scene.name}, {"scene_hash", hash}};
+/// What every file says of the scene and the moment.
+Provenance origin_of(const scene::Scene& scene, const std::string& hash, double at_s) {
+  Provenance origin{{"scene", scene.name}, {"scene_hash", hash}, {"at_s", fmt::format("{:g}", at_s)}};
   if (!scene.attribution.empty()) origin["attribution"] = scene.attribution;
   return origin;
 }
@@ -112,8 +117,8 @@ Rendered baked(const RenderOptions& options, const scene::Scene& scene, const at
   const atlas::Atlas textures = atlas::load_atlas(store);
   if (radar.mode != radar::Mode::RealBeam) {
     auto made = coherent_map({scene, textures, radar, texture_frequency_hz(textures, radar, options.extrapolate), grid,
-                              options.level_of_detail, targets, options.trace.seed, options.trace.threads, origin,
-                              options.iq.slant_image});
+                              options.level_of_detail, targets, options.trace.seed, options.trace.dwell,
+                              options.trace.threads, origin, options.iq.slant_image});
     return {.coherent = std::move(made.map),
             .seconds = made.seconds,
             .cost = std::move(made.cost),
@@ -127,11 +132,12 @@ Rendered baked(const RenderOptions& options, const scene::Scene& scene, const at
                          .threads = options.trace.threads,
                          .texture_frequency_hz = texture_frequency_hz(textures, radar, options.extrapolate),
                          .targets = targets},
-                        counts)};
+                        counts, options.trace.dwell)};
   rendered.seconds = watch.seconds();
   rendered.cost = {{"ground_samples", counts.ground_samples}, {"visible", counts.visible}};
   rendered.provenance = {
-      {"processing", fmt::format("level of detail {}: from terrain and atlas", options.level_of_detail)}};
+      {"processing", fmt::format("level of detail {}: from terrain and atlas", options.level_of_detail)},
+      {"dwell", std::to_string(options.trace.dwell)}};
   if (const auto seed = store.description().settings.find("seed"); seed != store.description().settings.end())
     rendered.provenance["atlas_seed"] = seed->second;
   return rendered;
@@ -224,10 +230,10 @@ void render(RenderOptions options, std::optional<radar::Polarization> polarizati
   check(options.received, look.polarization);
   const scene::Scene scene = scene::read_scene(options.scene);
   if (!options.crs.empty()) static_cast<void>(geo::CoordinateTransform(options.crs, scene.frame, "--crs"));
-  const std::vector<radar::Target> targets = all_targets(scene, options.targets, options.trace.seed);
+  const std::vector<radar::Target> targets = all_targets(scene, options.targets, options.trace.seed, options.at_s);
   // Those of the scene come first, and a tracer knows them by itself.
   options.trace.targets = std::span(targets).subspan(scene.point_targets.size());
-  const auto radar = simulate::placed_radar(radar_file, scene.frame, scene.terrain, scene.extent);
+  const auto radar = simulate::placed_radar(radar_file, scene.frame, scene.terrain, scene.extent, options.at_s);
   const auto grid = simulate::map_grid(radar_file.map, scene.extent);
   check_coherent(options, radar);
   warn_of(radar, simulate::bins_for(radar, grid.extent(), scene.terrain), grid.cell_m);
@@ -238,18 +244,19 @@ void render(RenderOptions options, std::optional<radar::Polarization> polarizati
           ? render::explained(render::choose_detail(
                 simulate::map_question(scene, radar, grid, store ? &*store : nullptr), {.rule = options.detail_rule}))
           : "";
-  const Provenance origin = origin_of(scene, hash);
+  const Provenance origin = origin_of(scene, hash, options.at_s);
   Rendered rendered = options.level_of_detail == 0 ? traced(options, scene, radar, grid)
                                                    : baked(options, scene, *store, radar, grid, targets, origin);
   rendered.provenance.insert(origin.begin(), origin.end());
 
   const bool is_real_beam = !rendered.coherent;
   if (is_real_beam) {
-    write_received(options.received, radar, rendered.image, look.polarization, options.trace.seed,
-                   options.trace.threads, rendered.provenance);
+    write_received(options.received, radar, rendered.image, look.polarization,
+                   receiver::noise_seed(options.trace.seed, options.trace.dwell), options.trace.threads,
+                   rendered.provenance);
   }
   write_iq_files(options.iq, {store ? &*store : nullptr, scene, targets, radar, grid.extent(), options.extrapolate,
-                              options.trace.seed, options.trace.threads, origin});
+                              options.trace.seed, options.trace.dwell, options.trace.threads, origin});
   write_maps(options, scene, radar, grid, rendered, look);
   if (is_real_beam) write_scopes(options.scopes, radar, rendered.image, look, rendered.provenance);
 
@@ -318,6 +325,17 @@ void add_render_command(Command app, Output& output) {
       .check(count_within(1, 255));
   add_seed_option(command, options->trace.seed,
                   "names the random numbers: rays at level of detail 0, speckle of coherent modes");
+  command
+      .add_option("--at-s", options->at_s, "moment in seconds: how long radar and targets have moved since time zero")
+      .capture_default_str()
+      .check(number_within(radar::bounds::moments_s.lowest, radar::bounds::moments_s.highest));
+  command
+      .add_option(
+          "--dwell", options->trace.dwell,
+          "which look at the same ground this is: each has thermal noise and fluctuating targets of its own, and "
+          "all the same speckle")
+      .capture_default_str()
+      .check(count_within<std::uint64_t>(0, std::numeric_limits<std::uint64_t>::max()));
   command.add_option("--threads", options->trace.threads, "0: one a processor").capture_default_str();
   command.add_flag("--json", output.json, "print the summary as JSON");
   command.footer(

@@ -14,6 +14,7 @@
 #include "sigmascape/product/described_map.h"
 #include "sigmascape/product/ground_projection.h"
 #include "sigmascape/product/slant_projection.h"
+#include "sigmascape/radar/radar_bounds.h"
 #include "sigmascape/radar/radar_file.h"
 #include "sigmascape/radar/radar_title.h"
 #include "sigmascape/radar/radar_warnings.h"
@@ -64,6 +65,8 @@ struct Effort {
   std::uint32_t samples;
   int bounces;
   std::uint64_t seed;
+  double at_s;
+  std::uint64_t dwell;
   unsigned threads;
 };
 
@@ -99,11 +102,12 @@ Seen traced(const LoadedScene* scene, const Wish& wish, const simulate::TraceSet
           {},
           {{"processing", "level of detail 0: path-traced"},
            {"seed", std::to_string(settings.seed)},
+           {"dwell", std::to_string(settings.dwell)},
            {"samples_per_cell", std::to_string(settings.samples_per_cell)}}};
 }
 
 Seen coherent(const atlas::Atlas& textures, const Wish& wish, const LoadedScene* scene, int level_of_detail,
-              std::uint64_t seed, unsigned threads) {
+              const Effort& effort) {
   const simulate::ModeRequest request{.atlas = textures,
                                       .terrain = *wish.ground.terrain,
                                       .radar = wish.radar,
@@ -114,8 +118,9 @@ Seen coherent(const atlas::Atlas& textures, const Wish& wish, const LoadedScene*
                                                        ? simulate::windblown_of(scene->scene(), wish.grid.extent())
                                                        : simulate::Windblown{},
                                       .level_of_detail = level_of_detail,
-                                      .seed = seed,
-                                      .threads = threads};
+                                      .seed = effort.seed,
+                                      .dwell = effort.dwell,
+                                      .threads = effort.threads};
   const auto [plan, warnings] = simulate::mode_plan(request);
   tell(warnings, wish.radar);
   const auto project = [&](const auto& image) {
@@ -125,19 +130,20 @@ Seen coherent(const atlas::Atlas& textures, const Wish& wish, const LoadedScene*
           simulate::provenance_of(request, plan)};
 }
 
-Seen baked(const LoadedAtlas* atlas, const Wish& wish, const render::RenderSettings& settings, std::uint64_t seed,
+Seen baked(const LoadedAtlas* atlas, const Wish& wish, const render::RenderSettings& settings, const Effort& effort,
            const LoadedScene* scene) {
   if (atlas == nullptr) {
     throw Error("atlas", fmt::format("is None at level of detail {}", settings.level_of_detail),
                 "give the Atlas that bake() made, or lod=0");
   }
   if (wish.radar.mode != radar::Mode::RealBeam)
-    return coherent(atlas->textures(), wish, scene, settings.level_of_detail, seed, settings.threads);
+    return coherent(atlas->textures(), wish, scene, settings.level_of_detail, effort);
   render::RenderCounts counts;
-  auto image =
-      simulate::baked_image(atlas->textures(), *wish.ground.terrain, wish.radar, wish.grid.extent(), settings, counts);
+  auto image = simulate::baked_image(atlas->textures(), *wish.ground.terrain, wish.radar, wish.grid.extent(), settings,
+                                     counts, effort.dwell);
   product::Provenance provenance{
-      {"processing", fmt::format("level of detail {}: from terrain and atlas", settings.level_of_detail)}};
+      {"processing", fmt::format("level of detail {}: from terrain and atlas", settings.level_of_detail)},
+      {"dwell", std::to_string(effort.dwell)}};
   const auto& baked_with = atlas->description().settings;
   if (const auto found = baked_with.find("seed"); found != baked_with.end()) provenance["atlas_seed"] = found->second;
   return {std::move(image), {}, std::move(provenance)};
@@ -149,17 +155,18 @@ auto mapped(const std::shared_ptr<LoadedScene>& scene, const radar::RadarFile& r
             const std::shared_ptr<LoadedAtlas>& atlas, const Effort& effort, const py::object& progress,
             const MapOf& map_of) {
   const radar::RadarFile asked = radar_file;
+  within("at_s", effort.at_s, radar::bounds::moments_s);
   const int level_of_detail = checked_lod(effort.lod.value_or(atlas ? 1 : 0));
   PythonProgress listener(progress);
   return long_call([&] {
     const Ground ground = ground_of(scene.get(), level_of_detail > 0 ? atlas.get() : nullptr);
-    const auto radar = simulate::placed_radar(asked, *ground.frame, *ground.terrain, ground.extent);
+    const auto radar = simulate::placed_radar(asked, *ground.frame, *ground.terrain, ground.extent, effort.at_s);
     radar::check_earth(radar, radar::title_of(radar));
     const auto grid = simulate::map_grid(asked.map, ground.extent);
     tell(radar::radar_warnings(radar, simulate::bins_for(radar, grid.extent(), *ground.terrain), grid.cell_m), radar);
     // Those of the scene answer to rays by themselves.
     const scene::Scene* owner = scene && level_of_detail > 0 ? &scene->scene() : nullptr;
-    const auto targets = all_targets(owner, effort.targets, *ground.frame, *ground.terrain, effort.seed);
+    const auto targets = all_targets(owner, effort.targets, *ground.frame, *ground.terrain, effort.seed, effort.at_s);
     const Wish wish{ground, radar, grid, targets};
     Seen seen = level_of_detail == 0
                     ? traced(scene.get(), wish,
@@ -168,13 +175,15 @@ auto mapped(const std::shared_ptr<LoadedScene>& scene, const radar::RadarFile& r
                               .max_bounces = effort.bounces,
                               .seed = effort.seed,
                               .threads = effort.threads,
-                              .targets = targets},
+                              .targets = targets,
+                              .dwell = effort.dwell},
                              listener)
                     : baked(atlas.get(), wish,
-                            {.level_of_detail = level_of_detail, .threads = effort.threads, .targets = targets},
-                            effort.seed, scene.get());
+                            {.level_of_detail = level_of_detail, .threads = effort.threads, .targets = targets}, effort,
+                            scene.get());
     seen.provenance["scene"] = ground.name;
     seen.provenance["scene_hash"] = ground.hash;
+    seen.provenance["at_s"] = fmt::format("{:g}", effort.at_s);
     if (!ground.attribution.empty()) seen.provenance["attribution"] = ground.attribution;
     return product::described_map(map_of(seen, wish), radar, *ground.frame, seen.provenance);
   });
@@ -183,8 +192,9 @@ auto mapped(const std::shared_ptr<LoadedScene>& scene, const radar::RadarFile& r
 radar::GroundMap rendered(const std::shared_ptr<LoadedScene>& scene, const radar::RadarFile& radar,
                           std::optional<int> lod, const std::shared_ptr<LoadedAtlas>& atlas,
                           const std::vector<radar::TargetSource>& targets, std::uint32_t samples, int bounces,
-                          std::uint64_t seed, unsigned threads, const py::object& progress) {
-  return mapped(scene, radar, atlas, {lod, targets, samples, bounces, seed, threads}, progress,
+                          std::uint64_t seed, double at_s, std::uint64_t dwell, unsigned threads,
+                          const py::object& progress) {
+  return mapped(scene, radar, atlas, {lod, targets, samples, bounces, seed, at_s, dwell, threads}, progress,
                 [&](Seen& seen, const Wish& wish) {
                   return seen.image ? product::ground_map(*seen.image, *wish.ground.terrain, wish.grid, threads)
                                     : std::move(seen.coherent);
@@ -194,14 +204,15 @@ radar::GroundMap rendered(const std::shared_ptr<LoadedScene>& scene, const radar
 radar::PowerMap received(const std::shared_ptr<LoadedScene>& scene, const radar::RadarFile& radar,
                          std::optional<int> lod, const std::shared_ptr<LoadedAtlas>& atlas,
                          const std::vector<radar::TargetSource>& targets, std::uint32_t samples, int bounces,
-                         std::uint64_t seed, unsigned threads, const py::object& progress) {
+                         std::uint64_t seed, double at_s, std::uint64_t dwell, unsigned threads,
+                         const py::object& progress) {
   if (radar.radar.mode != radar::Mode::RealBeam) {
     throw Error("radar.mode",
                 fmt::format("is {}, which works on many pulses, and received power is of single ones",
                             simulate::word_for(radar.radar.mode)),
                 "call render() for sigma0, or set the mode to 'real-beam'");
   }
-  return mapped(scene, radar, atlas, {lod, targets, samples, bounces, seed, threads}, progress,
+  return mapped(scene, radar, atlas, {lod, targets, samples, bounces, seed, at_s, dwell, threads}, progress,
                 [&](const Seen& seen, const Wish& wish) {
                   return product::power_map(receiver::received_image(wish.radar, *seen.image), *wish.ground.terrain,
                                             wish.grid, threads);
@@ -216,22 +227,23 @@ void add_render(py::module_& module) {
       "render", &rendered, py::arg("scene").none(true), py::arg("radar"), py::kw_only(), py::arg("lod") = py::none(),
       py::arg("atlas") = py::none(), py::arg("targets") = std::vector<radar::TargetSource>{},
       py::arg("samples") = settings.samples_per_cell, py::arg("bounces") = settings.max_bounces,
-      py::arg("seed") = settings.seed, py::arg("threads") = 0, py::arg("progress") = py::none(),
+      py::arg("seed") = settings.seed, py::arg("at_s") = 0.0, py::arg("dwell") = settings.dwell, py::arg("threads") = 0,
+      py::arg("progress") = py::none(),
       "The GroundMap that `radar` sees.\n\n"
       "lod: level of detail; 0 path-traces the scene with `samples` rays a cell, 1 and up use `atlas`. Without it,\n"
       "1 where an atlas is given, else 0. With an atlas `scene` may be None: the atlas knows its terrain, but not the\n"
       "point targets of the scene. The radar's mode decides what is made of the echoes; others than 'real-beam' need "
       "an\n"
       "atlas and a radar that moves. targets: of Target, to add.\n"
-      "samples, bounces: at level of detail 0. seed: of the rays there, else of speckle. threads: 0 for one a\n"
-      "processor; has no effect on the result.\n"
+      "samples, bounces: at level of detail 0. seed: of the rays there, else of speckle. at_s, dwell: as for\n"
+      "phase_history(). threads: 0 for one a processor; has no effect on the result.\n"
       "progress: as for bake().");
   module.def(
       "received_power", &received, py::arg("scene").none(true), py::arg("radar"), py::kw_only(),
       py::arg("lod") = py::none(), py::arg("atlas") = py::none(),
       py::arg("targets") = std::vector<radar::TargetSource>{}, py::arg("samples") = settings.samples_per_cell,
-      py::arg("bounces") = settings.max_bounces, py::arg("seed") = settings.seed, py::arg("threads") = 0,
-      py::arg("progress") = py::none(),
+      py::arg("bounces") = settings.max_bounces, py::arg("seed") = settings.seed, py::arg("at_s") = 0.0,
+      py::arg("dwell") = settings.dwell, py::arg("threads") = 0, py::arg("progress") = py::none(),
       "The PowerMap that `radar` receives: float32 [row, column] in W for VV, HH and HV over the cells of render()'s\n"
       "map. The mean power, without speckle, of one compressed pulse at the antenna's terminals when the beam points "
       "at\n"

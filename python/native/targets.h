@@ -14,10 +14,11 @@ namespace sigmascape::python {
 [[nodiscard]] inline std::vector<radar::Target> all_targets(const scene::Scene* scene,
                                                             const std::vector<radar::TargetSource>& given,
                                                             const geo::LocalFrame& frame,
-                                                            const terrain::HeightField& terrain, std::uint64_t seed) {
+                                                            const terrain::HeightField& terrain, std::uint64_t seed,
+                                                            double at_s) {
   std::vector<radar::Target> targets;
   if (scene != nullptr) targets = simulate::targets_of(*scene);
-  for (radar::Target& target : simulate::placed_targets(given, frame, terrain, seed))
+  for (radar::Target& target : simulate::placed_targets(given, frame, terrain, seed, at_s))
     targets.push_back(std::move(target));
   return targets;
 }

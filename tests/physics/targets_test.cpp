@@ -270,6 +270,32 @@ TEST(CalibratedPulses, carry_noise_of_kTBF_with_the_band_of_the_pulse) {
       std::exception);
 }
 
+// Looks at the same ground are added up to bring out what noise hides: it must be another each time, and speckle must
+// not. The difference of two recordings is then noise alone, of twice the power of each.
+TEST(CalibratedPulses, of_another_dwell_have_other_noise_over_the_same_speckle) {
+  const auto terrain = level_ground();
+  const auto radar = looking_north(5.0);
+  const auto recorded = [&](std::uint64_t dwell) {
+    return simulate::phase_history(
+        {&terrain, even(0.05F)}, radar, {-400.0, -400.0, 400.0, 400.0},
+        {.interval_s = 0.01, .scatterer_spacing_m = 2.0, .seed = 4, .dwell = dwell, .calibrated = true});
+  };
+  const auto first = recorded(1), again = recorded(1), second = recorded(2);
+  double power = 0.0, repeated = 0.0, ground = 0.0;
+  const auto a = first.samples.values(), b = second.samples.values(), c = again.samples.values();
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    power += std::norm(std::complex<double>(a[i].vv) - std::complex<double>(b[i].vv));
+    repeated += std::norm(std::complex<double>(a[i].vv) - std::complex<double>(c[i].vv));
+    ground += std::norm(std::complex<double>(a[i].vv));
+  }
+  const double noise = radar::noise_power_w(radar) * radar.receiver.gain * radar.receiver.impedance_ohm;
+  const auto count = static_cast<double>(a.size());
+  EXPECT_GT(ground / count, 10.0 * noise) << "or speckle would not show";
+  validation::expect_close({group, "difference of two dwells over noise of both", 0.0,
+                            db_from_linear(power / count / (2.0 * noise)), 0.2, "dB", "k T₀ B F"});
+  EXPECT_EQ(repeated, 0.0);
+}
+
 TEST(CornerReflectors, AreWhatSentinel1IsCalibratedWith) {
   const double wavelength = wavelength_m(5.405e9);
   const auto expect_dbsm = [](const char* name, double expected, double rcs_m2) {

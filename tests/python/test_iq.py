@@ -239,3 +239,23 @@ def test_the_command_line_writes_the_same_pulses(small_place, tmp_path):
     ours = sigmascape.phase_history(sigmascape.Atlas(small_place / "atlas"), radar, interval_s=0.01)
     assert ours.samples.any()
     assert np.array_equal(np.load(tmp_path / "pulses.npy"), ours.samples)
+
+
+def test_a_later_moment_is_what_has_moved_there(scene, atlas, moving_radar):
+    """Radar and targets have moved, the ground's speckle is the same: as if all had been placed there."""
+    there = sigmascape.Radar(name="mover", range_resolution_m=3.0, beam_width_deg=1.0, cell_m=2.0)
+    start = np.array(moving_radar.position_over(scene))
+    there.stand_at(tuple(start + 2.0 * np.array(moving_radar.velocity_mps)))
+    there.velocity_mps = moving_radar.velocity_mps
+    there.pulse_repetition_hz = 2000.0
+    lorry = dict(heading_deg=0.0, speed_mps=8.0, rcs_dbsm=40.0, altitude_m=2.0)
+    then = sigmascape.phase_history(atlas, moving_radar, interval_s=0.02, seed=7, at_s=2.0,
+                                    targets=[sigmascape.Target((3.0, -20.0), **lorry)])
+    moved = sigmascape.phase_history(atlas, there, interval_s=0.02, seed=7,
+                                     targets=[sigmascape.Target((3.0, -4.0), **lorry)])
+    assert then.samples.any() and then.samples.shape == moved.samples.shape
+    scale = np.abs(moved.samples).max()
+    assert np.abs(then.samples - moved.samples).max() < 1e-3 * scale
+    assert then.metadata["at_s"] == "2" and then.metadata["dwell"] == "0"
+    with pytest.raises(sigmascape.Error, match="at_s: is nan; give a number from -1000000 to 1000000"):
+        sigmascape.phase_history(atlas, moving_radar, at_s=float("nan"))

@@ -13,6 +13,7 @@ inline constexpr Interval intervals_s{1e-4, 1e3, "s"};
 inline constexpr Interval along_resolutions_m{0.01, 10'000.0, "m"};
 inline constexpr Interval sharpenings{1.0, 1e4, "times narrower than the beam"};
 inline constexpr Interval looks{1.0, 1000.0, "looks"};
+inline constexpr Interval moments_s{-1e6, 1e6, "s"};
 inline constexpr Interval cells_m{0.05, 10'000.0, "m"};
 
 }  // namespace sigmascape::radar::bounds

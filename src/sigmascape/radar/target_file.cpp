@@ -7,6 +7,7 @@
 
 #include "sigmascape/base/toml_reader.h"
 #include "sigmascape/base/units.h"
+#include "sigmascape/radar/radar_bounds.h"
 #include "sigmascape/radar/rcs_section.h"
 #include "sigmascape/radar/rcs_table.h"
 
@@ -75,7 +76,7 @@ void read_motion(const TomlSection& section, TargetSource& source) {
     if (section.has(key)) throw section.fault(key, "and way_points both say how it moves", "leave out one of them");
   }
   for (const TomlSection& leg : legs) {
-    const double time_s = leg.number("time_s", {-1e6, 1e6, "s"});
+    const double time_s = leg.number("time_s", bounds::moments_s);
     if (!source.places.empty() && time_s <= source.places.back().time_s)
       throw leg.fault("time_s", "is not later than that of the way-point before", "put them in the order of time");
     source.places.push_back(place_of(leg, default_height_m));

@@ -35,6 +35,12 @@ Track Track::shifted(Vec3d by_m) const {
   return track;
 }
 
+Track Track::counted_from(double time_s) const {
+  Track track = *this;
+  for (WayPoint& point : track.way_points_) point.time_s -= time_s;
+  return track;
+}
+
 Vec3d Track::position_at(double time_s) const {
   if (way_points_.size() == 1) {
     return way_points_[0].position + velocity_mps_ * (time_s - way_points_[0].time_s);

@@ -26,6 +26,8 @@ class Track {
 
   /// The same way, elsewhere.
   [[nodiscard]] Track shifted(Vec3d by_m) const;
+  /// The same motion, with that moment as time zero.
+  [[nodiscard]] Track counted_from(double time_s) const;
 
   [[nodiscard]] Vec3d position_at(double time_s) const;
   [[nodiscard]] Vec3d velocity_at(double time_s) const;

@@ -1,9 +1,15 @@
 #include "sigmascape/receiver/equivalent_noise.h"
 
+#include "sigmascape/base/hash.h"
 #include "sigmascape/radar/noise.h"
 #include "sigmascape/radar/radar_equation.h"
 
 namespace sigmascape::receiver {
+
+std::uint64_t noise_seed(std::uint64_t seed, std::uint64_t dwell) {
+  constexpr std::uint64_t of_noise = 0x6e6f697365;  // no other draw is named so
+  return hashed(seed, of_noise, dwell);
+}
 
 double EquivalentNoise::rcs_m2(double range_m, double pulses, double noise_bandwidth) const {
   return noise_bandwidth / (radar::signal_to_noise(radar_, 1.0, range_m) * pulses);

@@ -6,6 +6,10 @@
 
 namespace sigmascape::receiver {
 
+/// By what the noise of one dwell is drawn: others of the same ground, whose speckle the seed alone draws, have other
+/// noise.
+[[nodiscard]] std::uint64_t noise_seed(std::uint64_t seed, std::uint64_t dwell);
+
 /// Thermal noise as an image in metres has it: what cross-section would give as much power.
 ///
 ///     σ_N(r) = k T₀ B F / (P_t G₀² λ² e^(−2αr) G_c / ((4π)³ r⁴ L)) · n_w / N          docs/physics/doppler.md, Eq.

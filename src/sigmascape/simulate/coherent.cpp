@@ -216,7 +216,8 @@ receiver::DopplerImager doppler_imager(const CoherentScene& scene, const radar::
                                   .dwell = settings.dwell},
                                  gate_over(radar, area, *scene.terrain, image_oversampling), aim,
                                  image_gain(radar, aim));
-  if (radar.processing.thermal_noise) imager.add(receiver::EquivalentNoise(radar, settings.seed));
+  if (radar.processing.thermal_noise)
+    imager.add(receiver::EquivalentNoise(radar, receiver::noise_seed(settings.seed, settings.dwell)));
   imager.add(scatterers_of(scene, radar, area, settings), settings.threads);
   imager.add(targets_seen(scene, radar));
   return imager;
@@ -278,7 +279,8 @@ receiver::StripmapImager stripmap_imager(const CoherentScene& scene, const radar
                                    .ground_m = aim.z,
                                    .dwell = settings.dwell},
                                   gate, image_gain(radar, aim));
-  if (radar.processing.thermal_noise) imager.add(receiver::EquivalentNoise(radar, settings.seed));
+  if (radar.processing.thermal_noise)
+    imager.add(receiver::EquivalentNoise(radar, receiver::noise_seed(settings.seed, settings.dwell)));
   const auto targets = targets_seen(scene, radar);
   imager.add(scatterers_of(scene, radar, area, settings), settings.threads);
   imager.add(targets);
@@ -325,7 +327,8 @@ radar::PhaseHistory phase_history(const CoherentScene& scene, const radar::Radar
                                    .repetition_hz = repetition_hz,
                                    .dwell = settings.dwell},
                                   ground, targets, gain, settings.threads);
-  if (settings.calibrated) receiver::add_thermal_noise(history, radar, settings.seed, settings.threads);
+  if (settings.calibrated)
+    receiver::add_thermal_noise(history, radar, receiver::noise_seed(settings.seed, settings.dwell), settings.threads);
   return history;
 }
 

@@ -31,8 +31,8 @@ struct CoherentSettings {
   double along_resolution_m = 1.0;
   /// Side of the cells that hold a scatterer each; 0 for half the range resolution.
   double scatterer_spacing_m = 0.0;
-  std::uint64_t seed = 1;   ///< of speckle and noise
-  std::uint64_t dwell = 0;  ///< by which fluctuating targets are drawn
+  std::uint64_t seed = 1;   ///< of speckle, targets and noise
+  std::uint64_t dwell = 0;  ///< by which fluctuating targets and noise are drawn anew, and speckle is not
   /// Volts behind the receiver, with antenna, radar equation and thermal noise, instead of metres without.
   bool calibrated = false;
   unsigned threads = 0;

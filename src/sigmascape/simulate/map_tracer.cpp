@@ -117,7 +117,7 @@ std::vector<radar::Echo> MapTracer::echoes_of_targets() const {
   targets.insert(targets.end(), settings_.targets.begin(), settings_.targets.end());
   const auto seen = seen_targets(
       targets, 0.0, [&](Vec3d position) { return part_seen(geometry_, surfaces_, radar_.position, position); });
-  return receiver::target_echoes(seen, radar_, {});
+  return receiver::target_echoes(seen, radar_, {.dwell = settings_.dwell});
 }
 
 std::vector<radar::RangeAzimuthImage> MapTracer::images() const {

@@ -38,6 +38,7 @@ Prepared prepared(const ModeRequest& request, const radar::CoherentPlan& plan) {
                        .along_resolution_m = of_all_looks_m,
                        .scatterer_spacing_m = finest_m / 2.0,
                        .seed = request.seed,
+                       .dwell = request.dwell,
                        .threads = request.threads},
           .area = with_rim(request.grid.extent(), 2.0 * std::max(radar.range_resolution_m, plan.along_resolution_m))};
 }
@@ -87,7 +88,8 @@ std::map<std::string, std::string> source_of(const ModeRequest& request) {
           {"thermal_noise", request.radar.processing.thermal_noise ? "in it" : "none"},
           {"wind_mps", fmt::format("{:g}", request.windblown ? request.radar.wind_mps : 0.0)},
           {"targets", std::to_string(request.targets.size())},
-          {"seed", std::to_string(request.seed)}};
+          {"seed", std::to_string(request.seed)},
+          {"dwell", std::to_string(request.dwell)}};
 }
 
 std::map<std::string, double> numbers_of_one_look(const radar::CoherentPlan& plan) {

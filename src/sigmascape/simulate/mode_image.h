@@ -25,6 +25,7 @@ struct ModeRequest {
   Windblown windblown = {};  ///< where leaves move, see CoherentScene
   int level_of_detail = 1;
   std::uint64_t seed = 1;
+  std::uint64_t dwell = 0;  ///< as in CoherentSettings
   unsigned threads = 0;
 };
 
@@ -49,7 +50,7 @@ using ComplexModeImage = std::variant<radar::RangeDopplerImage, radar::StripmapI
 [[nodiscard]] ComplexModeImage complex_mode_image(const ModeRequest& request, const radar::CoherentPlan& plan);
 
 /// Where what is made of the request comes from, in words that go for its map and for its complex image alike:
-/// processing, mode, what was left in, wind, targets, seed.
+/// processing, mode, what was left in, wind, targets, seed, dwell.
 [[nodiscard]] std::map<std::string, std::string> source_of(const ModeRequest& request);
 
 /// What the plan comes to in the complex image, which is one look of all pulses and sharper than the map of several by

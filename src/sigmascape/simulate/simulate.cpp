@@ -48,12 +48,14 @@ std::vector<radar::RangeAzimuthImage> traced_bounces(const scene::Scene& scene, 
 
 radar::RangeAzimuthImage baked_image(const atlas::Atlas& atlas, const terrain::HeightField& terrain,
                                      const radar::Radar& radar, const radar::Rectangle& area,
-                                     const render::RenderSettings& settings, render::RenderCounts& counts) {
+                                     const render::RenderSettings& settings, render::RenderCounts& counts,
+                                     std::uint64_t dwell) {
   check_above(radar, terrain.highest_m());
   auto image =
       render::GroundRenderer(atlas, terrain).render(radar, area, bins_for(radar, area, terrain), settings, counts);
   const auto* const apart = atlas.ground_layers();
-  add_targets(image, radar, {terrain, apart != nullptr ? &apart->obstacles : nullptr}, settings.targets, {});
+  add_targets(image, radar, {terrain, apart != nullptr ? &apart->obstacles : nullptr}, settings.targets,
+              {.dwell = dwell});
   return image;
 }
 

@@ -26,6 +26,7 @@ struct TraceSettings {
   /// Beside the scene's own: they answer where the scene lets them be seen, and their boxes hide what stands behind,
   /// at time zero.
   std::span<const radar::Target> targets = {};
+  std::uint64_t dwell = 0;  ///< by which fluctuating targets are drawn
 };
 
 /// The receive bins for a radar that maps `area`.
@@ -47,10 +48,10 @@ struct TraceSettings {
     ProgressListener* progress = nullptr);
 
 /// LOD ≥ 1: terrain and atlas, into the same bins. The targets of the settings answer where terrain and, of an atlas
-/// that keeps the ground apart, houses and crowns let them be seen.
+/// that keeps the ground apart, houses and crowns let them be seen, and fluctuate by the dwell.
 [[nodiscard]] radar::RangeAzimuthImage baked_image(const atlas::Atlas& atlas, const terrain::HeightField& terrain,
                                                    const radar::Radar& radar, const radar::Rectangle& area,
-                                                   const render::RenderSettings& settings,
-                                                   render::RenderCounts& counts);
+                                                   const render::RenderSettings& settings, render::RenderCounts& counts,
+                                                   std::uint64_t dwell = 0);
 
 }  // namespace sigmascape::simulate

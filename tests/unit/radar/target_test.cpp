@@ -27,6 +27,18 @@ TEST(Track, that_is_straight_never_ends) {
   EXPECT_EQ(track.velocity_at(1e6), (Vec3d{10.0, 0.0, -1.0}));
 }
 
+TEST(Track, counts_from_another_moment) {
+  const Track straight = Track::straight({1.0, 2.0, 3.0}, {10.0, 0.0, -1.0});
+  const Track legs = Track::through({{10.0, {0.0, 0.0, 0.0}}, {20.0, {100.0, 0.0, 10.0}}});
+  for (const Track& track : {straight, legs}) {
+    const Track later = track.counted_from(4.0);
+    for (const double time_s : {-3.0, 0.0, 7.5, 12.0, 40.0}) {
+      EXPECT_EQ(later.position_at(time_s), track.position_at(time_s + 4.0));
+      EXPECT_EQ(later.velocity_at(time_s), track.velocity_at(time_s + 4.0));
+    }
+  }
+}
+
 TEST(Track, refuses_way_points_out_of_order) {
   EXPECT_THROW((void)Track::through({}), Error);
   EXPECT_THROW((void)Track::through({{1.0, {}}, {1.0, {1.0, 0.0, 0.0}}}), Error);
