@@ -33,11 +33,11 @@ void write_slant_image(const CoherentRequest& request, const simulate::ModeReque
 }  // namespace
 
 std::vector<radar::Target> all_targets(const scene::Scene& scene, const std::string& file, std::uint64_t seed,
-                                       double at_s) {
+                                       double time_s) {
   auto targets = simulate::targets_of(scene);
   if (file.empty()) return targets;
   for (radar::Target& target :
-       simulate::placed_targets(radar::read_target_file(file), scene.frame, scene.terrain, seed, at_s))
+       simulate::placed_targets(radar::read_target_file(file), scene.frame, scene.terrain, seed, time_s))
     targets.push_back(std::move(target));
   return targets;
 }

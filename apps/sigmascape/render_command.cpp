@@ -57,7 +57,7 @@ struct RenderOptions {
   std::string crs;
   bool in_decibels = false;
   LayerFiles layers;
-  double at_s = 0.0;
+  double time_s = 0.0;
   simulate::TraceSettings trace;  ///< and the seed and dwell of all else
 };
 
@@ -90,8 +90,8 @@ Rendered traced(const RenderOptions& options, const scene::Scene& scene, const r
 }
 
 /// What every file says of the scene and the moment.
-Provenance origin_of(const scene::Scene& scene, const std::string& hash, double at_s) {
-  Provenance origin{{"scene", scene.name}, {"scene_hash", hash}, {"at_s", fmt::format("{:g}", at_s)}};
+Provenance origin_of(const scene::Scene& scene, const std::string& hash, double time_s) {
+  Provenance origin{{"scene", scene.name}, {"scene_hash", hash}, {"time_s", fmt::format("{:g}", time_s)}};
   if (!scene.attribution.empty()) origin["attribution"] = scene.attribution;
   return origin;
 }
@@ -230,10 +230,10 @@ void render(RenderOptions options, std::optional<radar::Polarization> polarizati
   check(options.received, look.polarization);
   const scene::Scene scene = scene::read_scene(options.scene);
   if (!options.crs.empty()) static_cast<void>(geo::CoordinateTransform(options.crs, scene.frame, "--crs"));
-  const std::vector<radar::Target> targets = all_targets(scene, options.targets, options.trace.seed, options.at_s);
+  const std::vector<radar::Target> targets = all_targets(scene, options.targets, options.trace.seed, options.time_s);
   // Those of the scene come first, and a tracer knows them by itself.
   options.trace.targets = std::span(targets).subspan(scene.point_targets.size());
-  const auto radar = simulate::placed_radar(radar_file, scene.frame, scene.terrain, scene.extent, options.at_s);
+  const auto radar = simulate::placed_radar(radar_file, scene.frame, scene.terrain, scene.extent, options.time_s);
   const auto grid = simulate::map_grid(radar_file.map, scene.extent);
   check_coherent(options, radar);
   warn_of(radar, simulate::bins_for(radar, grid.extent(), scene.terrain), grid.cell_m);
@@ -244,7 +244,7 @@ void render(RenderOptions options, std::optional<radar::Polarization> polarizati
           ? render::explained(render::choose_detail(
                 simulate::map_question(scene, radar, grid, store ? &*store : nullptr), {.rule = options.detail_rule}))
           : "";
-  const Provenance origin = origin_of(scene, hash, options.at_s);
+  const Provenance origin = origin_of(scene, hash, options.time_s);
   Rendered rendered = options.level_of_detail == 0 ? traced(options, scene, radar, grid)
                                                    : baked(options, scene, *store, radar, grid, targets, origin);
   rendered.provenance.insert(origin.begin(), origin.end());
@@ -326,7 +326,8 @@ void add_render_command(Command app, Output& output) {
   add_seed_option(command, options->trace.seed,
                   "names the random numbers: rays at level of detail 0, speckle of coherent modes");
   command
-      .add_option("--at-s", options->at_s, "moment in seconds: how long radar and targets have moved since time zero")
+      .add_option("--time-s", options->time_s,
+                  "moment in seconds: how long radar and targets have moved since time zero")
       .capture_default_str()
       .check(number_within(radar::bounds::moments_s.lowest, radar::bounds::moments_s.highest));
   command

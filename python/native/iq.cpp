@@ -39,21 +39,21 @@ using Maker = Signal (*)(const simulate::CoherentScene&, const radar::Radar&, co
 
 template <typename Signal>
 Described<Signal> made(Maker<Signal> make, const LoadedAtlas& atlas, const radar::RadarFile& radar_file,
-                       const Targets& given, double at_s, const simulate::CoherentSettings& settings) {
-  within("at_s", at_s, radar::bounds::moments_s);
+                       const Targets& given, double time_s, const simulate::CoherentSettings& settings) {
+  within("time_s", time_s, radar::bounds::moments_s);
   if (settings.scatterer_spacing_m != 0.0) positive("scatterer_spacing_m", settings.scatterer_spacing_m);
   const radar::RadarFile asked = radar_file;
   return long_call([&]() -> Described<Signal> {
     const atlas::AtlasDescription& description = atlas.description();
-    const auto radar = simulate::placed_radar(asked, description.frame, atlas.terrain(), description.extent, at_s);
+    const auto radar = simulate::placed_radar(asked, description.frame, atlas.terrain(), description.extent, time_s);
     const auto area = simulate::map_grid(asked.map, description.extent).extent();
-    const auto targets = all_targets(nullptr, given, description.frame, atlas.terrain(), settings.seed, at_s);
+    const auto targets = all_targets(nullptr, given, description.frame, atlas.terrain(), settings.seed, time_s);
     const simulate::CoherentScene scene{
         &atlas.terrain(), render::reflectivity_of(atlas.textures(), radar.frequency_hz, radar.range_resolution_m),
         targets};
     Words words = origin_words("scatterers from terrain and atlas", description.frame, description.name,
                                description.scene_hash, settings.seed);
-    words["at_s"] = fmt::format("{:g}", at_s);
+    words["time_s"] = fmt::format("{:g}", time_s);
     words["dwell"] = std::to_string(settings.dwell);
     return {make(scene, radar, area, settings), radar, std::move(words)};
   });
@@ -61,8 +61,8 @@ Described<Signal> made(Maker<Signal> make, const LoadedAtlas& atlas, const radar
 
 Described<radar::PhaseHistory> phase_history(const LoadedAtlas& atlas, const radar::RadarFile& radar, double interval_s,
                                              const Targets& targets, bool calibrated, double scatterer_spacing_m,
-                                             std::uint64_t seed, double at_s, std::uint64_t dwell, unsigned threads) {
-  return made(&simulate::phase_history, atlas, radar, targets, at_s,
+                                             std::uint64_t seed, double time_s, std::uint64_t dwell, unsigned threads) {
+  return made(&simulate::phase_history, atlas, radar, targets, time_s,
               {.interval_s = interval_s,
                .scatterer_spacing_m = scatterer_spacing_m,
                .seed = seed,
@@ -73,9 +73,9 @@ Described<radar::PhaseHistory> phase_history(const LoadedAtlas& atlas, const rad
 
 Described<radar::RangeDopplerImage> range_doppler(const LoadedAtlas& atlas, const radar::RadarFile& radar,
                                                   double interval_s, const Targets& targets, double scatterer_spacing_m,
-                                                  std::uint64_t seed, double at_s, std::uint64_t dwell,
+                                                  std::uint64_t seed, double time_s, std::uint64_t dwell,
                                                   unsigned threads) {
-  return made(&simulate::range_doppler_image, atlas, radar, targets, at_s,
+  return made(&simulate::range_doppler_image, atlas, radar, targets, time_s,
               {.interval_s = interval_s,
                .scatterer_spacing_m = scatterer_spacing_m,
                .seed = seed,
@@ -85,9 +85,9 @@ Described<radar::RangeDopplerImage> range_doppler(const LoadedAtlas& atlas, cons
 
 Described<radar::StripmapImage> stripmap(const LoadedAtlas& atlas, const radar::RadarFile& radar,
                                          double along_resolution_m, const Targets& targets, double scatterer_spacing_m,
-                                         std::uint64_t seed, double at_s, std::uint64_t dwell, unsigned threads) {
+                                         std::uint64_t seed, double time_s, std::uint64_t dwell, unsigned threads) {
   return made(
-      &simulate::stripmap_image, atlas, radar, targets, at_s,
+      &simulate::stripmap_image, atlas, radar, targets, time_s,
       {.along_resolution_m = within("along_resolution_m", along_resolution_m, radar::bounds::along_resolutions_m),
        .scatterer_spacing_m = scatterer_spacing_m,
        .seed = seed,
@@ -150,21 +150,21 @@ void add_iq(py::module_& module) {
   module.def(
       "phase_history", &phase_history, py::arg("atlas"), py::arg("radar"), py::kw_only(), py::arg("interval_s") = 0.1,
       py::arg("targets") = Targets{}, py::arg("calibrated") = false, py::arg("scatterer_spacing_m") = 0.0,
-      py::arg("seed") = 1, py::arg("at_s") = 0.0, py::arg("dwell") = 0, py::arg("threads") = 0,
+      py::arg("seed") = 1, py::arg("time_s") = 0.0, py::arg("dwell") = 0, py::arg("threads") = 0,
       "The pulses of one interval over the radar's area: a PhaseHistory. The radar must move (velocity_mps).\n\n"
       "interval_s: about time zero, when the radar is at its position. targets: of Target. calibrated: volts behind\n"
       "the receiver with thermal noise, instead of metres. scatterer_spacing_m: side of the cells that hold a\n"
       "scatterer each; 0 for half the range resolution. seed: of speckle, targets and noise.\n"
-      "at_s: moment, s; radar and targets have moved so long since time zero. dwell: which look at the same ground\n"
+      "time_s: moment, s; radar and targets have moved so long since time zero. dwell: which look at the same ground\n"
       "this is; each has noise and fluctuating targets of its own, and all the same speckle.");
   module.def("range_doppler", &range_doppler, py::arg("atlas"), py::arg("radar"), py::kw_only(),
              py::arg("interval_s") = 0.1, py::arg("targets") = Targets{}, py::arg("scatterer_spacing_m") = 0.0,
-             py::arg("seed") = 1, py::arg("at_s") = 0.0, py::arg("dwell") = 0, py::arg("threads") = 0,
+             py::arg("seed") = 1, py::arg("time_s") = 0.0, py::arg("dwell") = 0, py::arg("threads") = 0,
              "Doppler beam sharpening or spotlight SAR of the radar's area: a RangeDopplerImage. Arguments as for\n"
              "phase_history(). render() with the radar's mode set lays such an image onto the ground.");
   module.def("stripmap", &stripmap, py::arg("atlas"), py::arg("radar"), py::kw_only(),
              py::arg("along_resolution_m") = 1.0, py::arg("targets") = Targets{}, py::arg("scatterer_spacing_m") = 0.0,
-             py::arg("seed") = 1, py::arg("at_s") = 0.0, py::arg("dwell") = 0, py::arg("threads") = 0,
+             py::arg("seed") = 1, py::arg("time_s") = 0.0, py::arg("dwell") = 0, py::arg("threads") = 0,
              "Stripmap SAR of the radar's area: a StripmapImage. along_resolution_m: half-power width along the\n"
              "flight. Other arguments as for phase_history().");
 }

@@ -65,7 +65,7 @@ struct Effort {
   std::uint32_t samples;
   int bounces;
   std::uint64_t seed;
-  double at_s;
+  double time_s;
   std::uint64_t dwell;
   unsigned threads;
 };
@@ -155,18 +155,18 @@ auto mapped(const std::shared_ptr<LoadedScene>& scene, const radar::RadarFile& r
             const std::shared_ptr<LoadedAtlas>& atlas, const Effort& effort, const py::object& progress,
             const MapOf& map_of) {
   const radar::RadarFile asked = radar_file;
-  within("at_s", effort.at_s, radar::bounds::moments_s);
+  within("time_s", effort.time_s, radar::bounds::moments_s);
   const int level_of_detail = checked_lod(effort.lod.value_or(atlas ? 1 : 0));
   PythonProgress listener(progress);
   return long_call([&] {
     const Ground ground = ground_of(scene.get(), level_of_detail > 0 ? atlas.get() : nullptr);
-    const auto radar = simulate::placed_radar(asked, *ground.frame, *ground.terrain, ground.extent, effort.at_s);
+    const auto radar = simulate::placed_radar(asked, *ground.frame, *ground.terrain, ground.extent, effort.time_s);
     radar::check_earth(radar, radar::title_of(radar));
     const auto grid = simulate::map_grid(asked.map, ground.extent);
     tell(radar::radar_warnings(radar, simulate::bins_for(radar, grid.extent(), *ground.terrain), grid.cell_m), radar);
     // Those of the scene answer to rays by themselves.
     const scene::Scene* owner = scene && level_of_detail > 0 ? &scene->scene() : nullptr;
-    const auto targets = all_targets(owner, effort.targets, *ground.frame, *ground.terrain, effort.seed, effort.at_s);
+    const auto targets = all_targets(owner, effort.targets, *ground.frame, *ground.terrain, effort.seed, effort.time_s);
     const Wish wish{ground, radar, grid, targets};
     Seen seen = level_of_detail == 0
                     ? traced(scene.get(), wish,
@@ -183,7 +183,7 @@ auto mapped(const std::shared_ptr<LoadedScene>& scene, const radar::RadarFile& r
                             scene.get());
     seen.provenance["scene"] = ground.name;
     seen.provenance["scene_hash"] = ground.hash;
-    seen.provenance["at_s"] = fmt::format("{:g}", effort.at_s);
+    seen.provenance["time_s"] = fmt::format("{:g}", effort.time_s);
     if (!ground.attribution.empty()) seen.provenance["attribution"] = ground.attribution;
     return product::described_map(map_of(seen, wish), radar, *ground.frame, seen.provenance);
   });
@@ -192,9 +192,9 @@ auto mapped(const std::shared_ptr<LoadedScene>& scene, const radar::RadarFile& r
 radar::GroundMap rendered(const std::shared_ptr<LoadedScene>& scene, const radar::RadarFile& radar,
                           std::optional<int> lod, const std::shared_ptr<LoadedAtlas>& atlas,
                           const std::vector<radar::TargetSource>& targets, std::uint32_t samples, int bounces,
-                          std::uint64_t seed, double at_s, std::uint64_t dwell, unsigned threads,
+                          std::uint64_t seed, double time_s, std::uint64_t dwell, unsigned threads,
                           const py::object& progress) {
-  return mapped(scene, radar, atlas, {lod, targets, samples, bounces, seed, at_s, dwell, threads}, progress,
+  return mapped(scene, radar, atlas, {lod, targets, samples, bounces, seed, time_s, dwell, threads}, progress,
                 [&](Seen& seen, const Wish& wish) {
                   return seen.image ? product::ground_map(*seen.image, *wish.ground.terrain, wish.grid, threads)
                                     : std::move(seen.coherent);
@@ -204,7 +204,7 @@ radar::GroundMap rendered(const std::shared_ptr<LoadedScene>& scene, const radar
 radar::PowerMap received(const std::shared_ptr<LoadedScene>& scene, const radar::RadarFile& radar,
                          std::optional<int> lod, const std::shared_ptr<LoadedAtlas>& atlas,
                          const std::vector<radar::TargetSource>& targets, std::uint32_t samples, int bounces,
-                         std::uint64_t seed, double at_s, std::uint64_t dwell, unsigned threads,
+                         std::uint64_t seed, double time_s, std::uint64_t dwell, unsigned threads,
                          const py::object& progress) {
   if (radar.radar.mode != radar::Mode::RealBeam) {
     throw Error("radar.mode",
@@ -212,7 +212,7 @@ radar::PowerMap received(const std::shared_ptr<LoadedScene>& scene, const radar:
                             simulate::word_for(radar.radar.mode)),
                 "call render() for sigma0, or set the mode to 'real-beam'");
   }
-  return mapped(scene, radar, atlas, {lod, targets, samples, bounces, seed, at_s, dwell, threads}, progress,
+  return mapped(scene, radar, atlas, {lod, targets, samples, bounces, seed, time_s, dwell, threads}, progress,
                 [&](const Seen& seen, const Wish& wish) {
                   return product::power_map(receiver::received_image(wish.radar, *seen.image), *wish.ground.terrain,
                                             wish.grid, threads);
@@ -227,22 +227,22 @@ void add_render(py::module_& module) {
       "render", &rendered, py::arg("scene").none(true), py::arg("radar"), py::kw_only(), py::arg("lod") = py::none(),
       py::arg("atlas") = py::none(), py::arg("targets") = std::vector<radar::TargetSource>{},
       py::arg("samples") = settings.samples_per_cell, py::arg("bounces") = settings.max_bounces,
-      py::arg("seed") = settings.seed, py::arg("at_s") = 0.0, py::arg("dwell") = settings.dwell, py::arg("threads") = 0,
-      py::arg("progress") = py::none(),
+      py::arg("seed") = settings.seed, py::arg("time_s") = 0.0, py::arg("dwell") = settings.dwell,
+      py::arg("threads") = 0, py::arg("progress") = py::none(),
       "The GroundMap that `radar` sees.\n\n"
       "lod: level of detail; 0 path-traces the scene with `samples` rays a cell, 1 and up use `atlas`. Without it,\n"
       "1 where an atlas is given, else 0. With an atlas `scene` may be None: the atlas knows its terrain, but not the\n"
       "point targets of the scene. The radar's mode decides what is made of the echoes; others than 'real-beam' need "
       "an\n"
       "atlas and a radar that moves. targets: of Target, to add.\n"
-      "samples, bounces: at level of detail 0. seed: of the rays there, else of speckle. at_s, dwell: as for\n"
+      "samples, bounces: at level of detail 0. seed: of the rays there, else of speckle. time_s, dwell: as for\n"
       "phase_history(). threads: 0 for one a processor; has no effect on the result.\n"
       "progress: as for bake().");
   module.def(
       "received_power", &received, py::arg("scene").none(true), py::arg("radar"), py::kw_only(),
       py::arg("lod") = py::none(), py::arg("atlas") = py::none(),
       py::arg("targets") = std::vector<radar::TargetSource>{}, py::arg("samples") = settings.samples_per_cell,
-      py::arg("bounces") = settings.max_bounces, py::arg("seed") = settings.seed, py::arg("at_s") = 0.0,
+      py::arg("bounces") = settings.max_bounces, py::arg("seed") = settings.seed, py::arg("time_s") = 0.0,
       py::arg("dwell") = settings.dwell, py::arg("threads") = 0, py::arg("progress") = py::none(),
       "The PowerMap that `radar` receives: float32 [row, column] in W for VV, HH and HV over the cells of render()'s\n"
       "map. The mean power, without speckle, of one compressed pulse at the antenna's terminals when the beam points "

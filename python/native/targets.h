@@ -15,10 +15,10 @@ namespace sigmascape::python {
                                                             const std::vector<radar::TargetSource>& given,
                                                             const geo::LocalFrame& frame,
                                                             const terrain::HeightField& terrain, std::uint64_t seed,
-                                                            double at_s) {
+                                                            double time_s) {
   std::vector<radar::Target> targets;
   if (scene != nullptr) targets = simulate::targets_of(*scene);
-  for (radar::Target& target : simulate::placed_targets(given, frame, terrain, seed, at_s))
+  for (radar::Target& target : simulate::placed_targets(given, frame, terrain, seed, time_s))
     targets.push_back(std::move(target));
   return targets;
 }

@@ -249,13 +249,13 @@ def test_a_later_moment_is_what_has_moved_there(scene, atlas, moving_radar):
     there.velocity_mps = moving_radar.velocity_mps
     there.pulse_repetition_hz = 2000.0
     lorry = dict(heading_deg=0.0, speed_mps=8.0, rcs_dbsm=40.0, altitude_m=2.0)
-    then = sigmascape.phase_history(atlas, moving_radar, interval_s=0.02, seed=7, at_s=2.0,
+    then = sigmascape.phase_history(atlas, moving_radar, interval_s=0.02, seed=7, time_s=2.0,
                                     targets=[sigmascape.Target((3.0, -20.0), **lorry)])
     moved = sigmascape.phase_history(atlas, there, interval_s=0.02, seed=7,
                                      targets=[sigmascape.Target((3.0, -4.0), **lorry)])
     assert then.samples.any() and then.samples.shape == moved.samples.shape
     scale = np.abs(moved.samples).max()
     assert np.abs(then.samples - moved.samples).max() < 1e-3 * scale
-    assert then.metadata["at_s"] == "2" and then.metadata["dwell"] == "0"
-    with pytest.raises(sigmascape.Error, match="at_s: is nan; give a number from -1000000 to 1000000"):
-        sigmascape.phase_history(atlas, moving_radar, at_s=float("nan"))
+    assert then.metadata["time_s"] == "2" and then.metadata["dwell"] == "0"
+    with pytest.raises(sigmascape.Error, match="time_s: is nan; give a number from -1000000 to 1000000"):
+        sigmascape.phase_history(atlas, moving_radar, time_s=float("nan"))

@@ -31,7 +31,7 @@ void describe(Map& map, const radar::Radar& radar, const geo::LocalFrame& frame,
     map.metadata[radar_azimuth_key] = fmt::format("{:.2f}", *azimuth_deg);
   map.metadata["radar_velocity_mps"] =
       fmt::format("{:.2f} {:.2f} {:.2f}", radar.velocity_mps.x, radar.velocity_mps.y, radar.velocity_mps.z);
-  map.metadata["time_s"] = std::to_string(0);
+  map.metadata.try_emplace("time_s", "0");
   map.metadata["software"] = software_name();
   map.metadata["frequency_hz"] = fmt::format("{:.0f}", radar.frequency_hz);
   map.metadata["range_resolution_m"] = fmt::format("{}", radar.range_resolution_m);

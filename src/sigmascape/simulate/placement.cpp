@@ -60,9 +60,9 @@ struct TargetPlacer {
 }  // namespace
 
 radar::Radar placed_radar(const radar::RadarFile& file, const geo::LocalFrame& frame,
-                          const terrain::HeightField& terrain, const radar::Rectangle& extent, double at_s) {
+                          const terrain::HeightField& terrain, const radar::Rectangle& extent, double time_s) {
   radar::Radar radar = file.radar;
-  radar.position = std::visit(Placer{frame, terrain, extent}, file.place) + radar.velocity_mps * at_s;
+  radar.position = std::visit(Placer{frame, terrain, extent}, file.place) + radar.velocity_mps * time_s;
   const Vec2d away = Vec2d{radar.position.x, radar.position.y} - extent.centre();
   if (!(length(away) <= furthest_m)) {
     throw Error(radar::title_of(radar),
@@ -86,7 +86,7 @@ radar::GroundGrid map_grid(const radar::MapRequest& request, const radar::Rectan
 }
 
 std::vector<radar::Target> placed_targets(std::span<const radar::TargetSource> sources, const geo::LocalFrame& frame,
-                                          const terrain::HeightField& terrain, std::uint64_t seed, double at_s) {
+                                          const terrain::HeightField& terrain, std::uint64_t seed, double time_s) {
   std::vector<radar::Target> targets;
   for (const radar::TargetSource& source : sources) {
     const TargetPlacer placer{frame, terrain, source.where};
@@ -95,7 +95,7 @@ std::vector<radar::Target> placed_targets(std::span<const radar::TargetSource> s
     radar::Target target = source.target;
     target.track = way_points.size() == 1 ? radar::Track::straight(way_points.front().position, source.velocity_mps)
                                           : radar::Track::through(std::move(way_points), source.where);
-    target.track = target.track.counted_from(at_s);
+    target.track = target.track.counted_from(time_s);
     if (target.seed == 0) target.seed = hashed(seed, targets.size() + 1);
     targets.push_back(std::move(target));
   }

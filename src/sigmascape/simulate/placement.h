@@ -12,23 +12,23 @@
 
 namespace sigmascape::simulate {
 
-/// The radar of a file, put where it stands over this terrain, or where it has flown to `at_s` seconds after that.
+/// The radar of a file, put where it stands over this terrain, or where it has flown to by `time_s`.
 /// `extent` is what the scene covers. Throws Error when it would stand more than 1000 km from there.
 [[nodiscard]] radar::Radar placed_radar(const radar::RadarFile& file, const geo::LocalFrame& frame,
                                         const terrain::HeightField& terrain, const radar::Rectangle& extent,
-                                        double at_s = 0.0);
+                                        double time_s = 0.0);
 
 /// The cells of the map that the file asks for, whole cells within the extent. Throws Error when the area and the
 /// extent have nothing in common.
 [[nodiscard]] radar::GroundGrid map_grid(const radar::MapRequest& request, const radar::Rectangle& extent);
 
-/// The targets of a file on this terrain, their moment `at_s` taken for time zero. What moves at an even velocity keeps
-/// the altitude that it has at time zero; between way-points it climbs evenly. One without a seed of its own (0)
+/// The targets of a file on this terrain, their moment `time_s` taken for time zero. What moves at an even velocity
+/// keeps the altitude that it has at time zero; between way-points it climbs evenly. One without a seed of its own (0)
 /// fluctuates by `seed` and its place in the list. Throws Error for a place above ground that lies outside the terrain.
 [[nodiscard]] std::vector<radar::Target> placed_targets(std::span<const radar::TargetSource> sources,
                                                         const geo::LocalFrame& frame,
                                                         const terrain::HeightField& terrain, std::uint64_t seed,
-                                                        double at_s = 0.0);
+                                                        double time_s = 0.0);
 
 /// The point targets of a scene, as targets at rest.
 [[nodiscard]] std::vector<radar::Target> targets_of(const scene::Scene& scene);
