@@ -1,6 +1,7 @@
 #include "sigmascape/simulate/layers.h"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
@@ -16,6 +17,7 @@
 #include "sigmascape/base/error.h"
 #include "sigmascape/dataset/bounce_labels.h"
 #include "sigmascape/product/layer_file.h"
+#include "sigmascape/radar/radar_bounds.h"
 #include "sigmascape/radar/radar_file.h"
 #include "sigmascape/scene/obstacle_raster.h"
 #include "sigmascape/simulate/placement.h"
@@ -68,15 +70,16 @@ LayerStack swept(const LoadedScene& loaded, const std::vector<std::string>& name
 }
 
 LayerStack layers(const LoadedScene& scene, const radar::RadarFile& radar_file, const std::vector<std::string>& names,
-                  int lod, std::uint32_t samples, int bounces, std::uint64_t seed, unsigned threads,
+                  int lod, std::uint32_t samples, int bounces, std::uint64_t seed, double time_s, unsigned threads,
                   const py::object& progress) {
+  within("time_s", time_s, radar::bounds::moments_s);
   check_names(names);
   checked_lod(lod);
   const radar::RadarFile asked = radar_file;
   PythonProgress listener(progress);
   return long_call([&] {
     const scene::Scene& ground = scene.scene();
-    const auto radar = simulate::placed_radar(asked, ground.frame, ground.terrain, ground.extent);
+    const auto radar = simulate::placed_radar(asked, ground.frame, ground.terrain, ground.extent, time_s);
     const auto grid = simulate::map_grid(asked.map, ground.extent);
     const simulate::TraceSettings settings{
         .cell_m = grid.cell_m, .samples_per_cell = samples, .max_bounces = bounces, .seed = seed, .threads = threads};
@@ -85,7 +88,10 @@ LayerStack layers(const LoadedScene& scene, const radar::RadarFile& radar_file, 
     std::ranges::stable_sort(stack.layers, {},
                              [&](const radar::Layer& layer) { return std::ranges::find(names, layer.name); });
     stack.crs = ground.frame.proj();
-    stack.metadata = {{"radar", radar.name}, {"scene", ground.name}, {"scene_hash", scene.hash()}};
+    stack.metadata = {{"radar", radar.name},
+                      {"scene", ground.name},
+                      {"scene_hash", scene.hash()},
+                      {"time_s", fmt::format("{:g}", time_s)}};
     return stack;
   });
 }
@@ -140,8 +146,8 @@ void add_layers(py::module_& module) {
           py::arg("path"), py::call_guard<py::gil_scoped_release>(),
           "Writes a GeoTIFF with a band a layer, angles in degrees.");
   module.def("layers", &layers, py::arg("scene"), py::arg("radar"), py::arg("names"), py::kw_only(), py::arg("lod") = 0,
-             py::arg("samples") = 16, py::arg("bounces") = 8, py::arg("seed") = 1, py::arg("threads") = 0,
-             py::arg("progress") = py::none(),
+             py::arg("samples") = 16, py::arg("bounces") = 8, py::arg("seed") = 1, py::arg("time_s") = 0.0,
+             py::arg("threads") = 0, py::arg("progress") = py::none(),
              "The Layers called `names` over the cells of the radar's map: 'shadow', 'layover', 'incidence', 'range',\n"
              "'class', 'height', and at level of detail 0 'bounce1', 'bounce2', ... (sigma0 by number of bounces) and\n"
              "'multibounce' (the part that came over more than one). lod: 0 asks rays over the full scene, 1 terrain\n"

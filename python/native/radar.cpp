@@ -184,11 +184,13 @@ void add_radar(py::module_& module) {
            "clockwise from true north, elevation above the horizontal.")
       .def(
           "position_over",
-          [](const RadarFile& f, const LoadedScene& loaded) {
+          [](const RadarFile& f, const LoadedScene& loaded, double time_s) {
+            within("time_s", time_s, bounds::moments_s);
             const scene::Scene& scene = loaded.scene();
-            return tuple_of(simulate::placed_radar(f, scene.frame, scene.terrain, scene.extent).position);
+            return tuple_of(simulate::placed_radar(f, scene.frame, scene.terrain, scene.extent, time_s).position);
           },
-          py::arg("scene"), "Where the radar stands over a scene: x, y, altitude in metres.")
+          py::arg("scene"), py::arg("time_s") = 0.0,
+          "Where the radar is over a scene at a moment: x, y, altitude in metres.")
       .def("__copy__", [](const RadarFile& f) { return RadarFile(f); })
       .def("__repr__", [](const RadarFile& f) { return "<sigmascape.Radar '" + f.radar.name + "'>"; });
   optional_number(binding, "interval_s", &radar::Processing::interval_s, bounds::intervals_s,

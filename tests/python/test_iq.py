@@ -246,6 +246,9 @@ def test_a_later_moment_is_what_has_moved_there(scene, atlas, moving_radar):
     there = sigmascape.Radar(name="mover", range_resolution_m=3.0, beam_width_deg=1.0, cell_m=2.0)
     start = np.array(moving_radar.position_over(scene))
     there.stand_at(tuple(start + 2.0 * np.array(moving_radar.velocity_mps)))
+    assert moving_radar.position_over(scene, 2.0) == pytest.approx(there.position_over(scene))
+    seen_then = sigmascape.layers(scene, moving_radar, ["range"], time_s=2.0)["range"]
+    assert np.allclose(seen_then, sigmascape.layers(scene, there, ["range"])["range"])
     there.velocity_mps = moving_radar.velocity_mps
     there.pulse_repetition_hz = 2000.0
     lorry = dict(heading_deg=0.0, speed_mps=8.0, rcs_dbsm=40.0, altitude_m=2.0)
