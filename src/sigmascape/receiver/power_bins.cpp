@@ -15,16 +15,10 @@ constexpr double units_per_m2 = 0x1p36;
 }  // namespace
 
 void PowerLine::add(std::size_t bin, const radar::Channels& rcs_m2) {
-  const std::array<double, radar::Channels::count> added{
-      static_cast<double>(rcs_m2.vv) * units_per_m2, static_cast<double>(rcs_m2.hh) * units_per_m2,
-      static_cast<double>(rcs_m2.hv) * units_per_m2, static_cast<double>(rcs_m2.re_vvhh) * units_per_m2};
-  std::int64_t* const sums = &units_[bin * radar::Channels::count];
-  for (std::size_t channel = 0; channel < added.size(); ++channel) {
-    if (std::abs(added[channel] + static_cast<double>(sums[channel])) < most_units) {
-      sums[channel] += std::llrint(added[channel]);
-    } else {
-      ++overflows_;
-    }
+  std::size_t number = bin * radar::Channels::count;
+  for (const float value : {rcs_m2.vv, rcs_m2.hh, rcs_m2.hv, rcs_m2.re_vvhh}) {
+    if (!add_finely_alone(units_[number], rests_[number], static_cast<double>(value) * units_per_m2)) ++overflows_;
+    ++number;
   }
   first_ = std::min(first_, bin);
   end_ = std::max(end_, bin + 1);
@@ -58,35 +52,36 @@ PowerBins::PowerBins(std::size_t columns, std::size_t rows)
     : columns_(columns),
       rows_(rows),
       units_(columns * rows * radar::Channels::count, 0),
+      rests_(units_.size(), 0),
       locks_(std::make_unique<std::array<RowLock, locks>>()) {}
 
 void PowerBins::clear() {
   std::ranges::fill(units_, 0);
+  std::ranges::fill(rests_, 0U);
   overflows_ = 0;
 }
 
-void PowerBins::add_to_held(std::int64_t* bin, const radar::Channels& rcs_m2) {
+void PowerBins::add_to_held(std::size_t column, std::size_t row, const radar::Channels& rcs_m2) {
+  std::size_t number = (row * columns_ + column) * radar::Channels::count;
   for (const float value : {rcs_m2.vv, rcs_m2.hh, rcs_m2.hv, rcs_m2.re_vvhh}) {
-    if (!add_units_alone(*bin++, static_cast<double>(value) * units_per_m2))
+    if (!add_finely_alone(units_[number], rests_[number], static_cast<double>(value) * units_per_m2))
       std::atomic_ref(overflows_).fetch_add(1, std::memory_order_relaxed);
+    ++number;
   }
 }
 
 void PowerBins::add(std::size_t column, std::size_t row, const radar::Channels& rcs_m2) {
   const HeldRow held(*this, row);
-  add_to_held(&units_[(row * columns_ + column) * radar::Channels::count], rcs_m2);
+  add_to_held(column, row, rcs_m2);
 }
 
 void PowerBins::add_column(std::size_t column, const PowerLine& line) {
   for (std::size_t row = line.first_; row < line.end_; ++row) {
-    std::int64_t* const sums = &units_[(row * columns_ + column) * radar::Channels::count];
-    const std::int64_t* const added = &line.units_[row * radar::Channels::count];
     for (std::size_t channel = 0; channel < radar::Channels::count; ++channel) {
-      if (std::abs(static_cast<double>(sums[channel]) + static_cast<double>(added[channel])) > most_units) {
+      const std::size_t to = (row * columns_ + column) * radar::Channels::count + channel;
+      const std::size_t from = row * radar::Channels::count + channel;
+      if (!add_sum_alone(units_[to], rests_[to], line.units_[from], line.rests_[from]))
         std::atomic_ref(overflows_).fetch_add(1, std::memory_order_relaxed);
-      } else {
-        sums[channel] += added[channel];
-      }
     }
   }
   if (line.overflows_ > 0) std::atomic_ref(overflows_).fetch_add(line.overflows_, std::memory_order_relaxed);
@@ -106,15 +101,19 @@ void PowerBins::add_shared(double column, double row, const radar::Channels& rcs
       if (!(c >= 0.0 && c < static_cast<double>(columns_))) continue;
       const float share =
           (across == 1 ? right_share : 1.0F - right_share) * (down == 1 ? lower_share : 1.0F - lower_share);
-      add_to_held(&units_[(of_row * columns_ + static_cast<std::size_t>(c)) * radar::Channels::count], rcs_m2 * share);
+      add_to_held(static_cast<std::size_t>(c), of_row, rcs_m2 * share);
     }
   }
 }
 
+double PowerBins::in_m2(std::size_t number) const {
+  return (static_cast<double>(units_[number]) + static_cast<double>(rests_[number]) / parts_a_unit) / units_per_m2;
+}
+
 radar::Channels PowerBins::sum(std::size_t column, std::size_t row) const {
-  const std::int64_t* bin = &units_[(row * columns_ + column) * radar::Channels::count];
-  const auto m2 = [](std::int64_t units) { return static_cast<float>(static_cast<double>(units) / units_per_m2); };
-  return {m2(bin[0]), m2(bin[1]), m2(bin[2]), m2(bin[3])};
+  const std::size_t bin = (row * columns_ + column) * radar::Channels::count;
+  const auto m2 = [&](std::size_t channel) { return static_cast<float>(in_m2(bin + channel)); };
+  return {m2(0), m2(1), m2(2), m2(3)};
 }
 
 Array2D<radar::Channels> PowerBins::sums() const {
@@ -127,8 +126,7 @@ Array2D<radar::Channels> PowerBins::sums() const {
 
 std::array<double, radar::Channels::count> PowerBins::total() const {
   std::array<double, radar::Channels::count> total{};
-  for (std::size_t i = 0; i < units_.size(); ++i)
-    total[i % radar::Channels::count] += static_cast<double>(units_[i]) / units_per_m2;
+  for (std::size_t i = 0; i < units_.size(); ++i) total[i % radar::Channels::count] += in_m2(i);
   return total;
 }
 

@@ -14,7 +14,8 @@ namespace sigmascape::receiver {
 /// A line of bins for one thread alone. Sums are those of PowerBins, which takes them up.
 class PowerLine {
  public:
-  explicit PowerLine(std::size_t bins) : units_(bins * radar::Channels::count, 0), first_(bins) {}
+  explicit PowerLine(std::size_t bins)
+      : units_(bins * radar::Channels::count, 0), rests_(units_.size(), 0), first_(bins) {}
 
   /// Adds at a position in units of bins, shared between the two nearest as PowerBins::add_shared does.
   void add_shared(double place, const radar::Channels& rcs_m2);
@@ -24,18 +25,20 @@ class PowerLine {
   void add(std::size_t bin, const radar::Channels& rcs_m2);
 
   std::vector<std::int64_t> units_;  // [bin, channel]
-  std::size_t first_, end_ = 0;      // of the bins that have been added to
+  std::vector<std::uint32_t> rests_;
+  std::size_t first_, end_ = 0;  // of the bins that have been added to
   std::uint64_t overflows_ = 0;
 };
 
 /// Sums cross-sections into a rectangle of bins, from any number of threads, with a result that does not depend on
 /// their order.
 ///
-/// Sums are kept as 64-bit integers in units of 2⁻³⁶ m² (1.5e-11 m²), which hold up to 6.7e7 m² a bin; integer addition
-/// has no order. What does not fit is left out and counted.
+/// Sums are kept as 64-bit integers in units of 2⁻³⁶ m² (1.5e-11 m²), which hold up to 6.7e7 m² a bin, and as 2⁻³²
+/// parts of a unit, so that what many weak echoes bring is not rounded to nothing; integer addition has no order. What
+/// does not fit is left out and counted.
 class PowerBins {
  public:
-  static constexpr std::size_t bytes_a_bin = radar::Channels::count * sizeof(std::int64_t);
+  static constexpr std::size_t bytes_a_bin = radar::Channels::count * (sizeof(std::int64_t) + sizeof(std::uint32_t));
 
   PowerBins(std::size_t columns, std::size_t rows);
 
@@ -72,10 +75,12 @@ class PowerBins {
   static constexpr std::size_t locks = 64;
   class HeldRow;
 
-  void add_to_held(std::int64_t* bin, const radar::Channels& rcs_m2);
+  void add_to_held(std::size_t column, std::size_t row, const radar::Channels& rcs_m2);
+  [[nodiscard]] double in_m2(std::size_t number) const;
 
   std::size_t columns_, rows_;
-  std::vector<std::int64_t> units_;  // [row, column, channel]
+  std::vector<std::int64_t> units_;   // [row, column, channel]
+  std::vector<std::uint32_t> rests_;  // the same
   std::unique_ptr<std::array<RowLock, locks>> locks_;
   std::uint64_t overflows_ = 0;
 };

@@ -7,16 +7,15 @@
 #include "sigmascape/receiver/fixed_point_sum.h"
 
 namespace sigmascape::simulate {
-namespace {
 
-constexpr double units_per_m2 = 0x1p30;
-
-}  // namespace
-
-LatticeSums::LatticeSums(const LatticeBlock& block) : block_(block), cells_(block.columns * block.rows) {}
+LatticeSums::LatticeSums(const LatticeBlock& block, double cell_m)
+    // A power of two, by which all is multiplied exactly.
+    : block_(block),
+      units_per_m2_(std::exp2(std::ceil(36.0 - 2.0 * std::log2(cell_m)))),
+      cells_(block.columns * block.rows) {}
 
 void LatticeSums::add_units(std::int64_t& sum, double value) {
-  if (!receiver::add_units(sum, value * units_per_m2))
+  if (!receiver::add_units(sum, value * units_per_m2_))
     std::atomic_ref(overflows_).fetch_add(1, std::memory_order_relaxed);
 }
 
@@ -40,7 +39,7 @@ LatticeSums::Sum LatticeSums::sum(std::size_t column, std::size_t row, double sc
   const auto number = [&sums](Number which) { return static_cast<double>(sums[which]); };
   const double power = number(Vv) + number(Hh) + 2.0 * number(Hv);
   if (!(power > 0.0)) return {};
-  const auto m2 = [&](Number which) { return static_cast<float>(number(which) / units_per_m2 * scale); };
+  const auto m2 = [&](Number which) { return static_cast<float>(number(which) / units_per_m2_ * scale); };
   return {{m2(Vv), m2(Hh), m2(Hv), m2(ReVvhh)}, {number(BeamMoment) / power, number(RangeMoment) / power}};
 }
 

@@ -17,11 +17,13 @@ struct LatticeBlock {
 };
 
 /// What echoes bring to the cells of a lattice: their power and where in the bins its middle lies. From any number of
-/// threads, with a result that does not depend on their order: sums are 64-bit integers in units of 2⁻³⁰ m², which hold
-/// up to 4e9 m² a cell. What does not fit is left out and counted.
+/// threads, with a result that does not depend on their order: sums are 64-bit integers in units of 2⁻³⁶ times the
+/// cell's area, or up to half of that, which hold as much as ground of a σ0 of 75 dB returns. What does not fit is left
+/// out and counted.
 class LatticeSums {
  public:
-  explicit LatticeSums(const LatticeBlock& block);
+  /// `cell_m`: side of a cell.
+  LatticeSums(const LatticeBlock& block, double cell_m);
 
   [[nodiscard]] const LatticeBlock& block() const { return block_; }
 
@@ -47,6 +49,7 @@ class LatticeSums {
   void add_units(std::int64_t& sum, double value);
 
   LatticeBlock block_;
+  double units_per_m2_;
   std::vector<std::array<std::int64_t, Count>> cells_;  // [row, column]
   std::uint64_t overflows_ = 0;
 };

@@ -51,7 +51,7 @@ TracedGround::TracedGround(const TracedView& view)
       launch_(launch_for(view)),
       tracer_(view.geometry, view.surfaces, launch_.viewpoint, {.max_bounces = view.max_bounces}, view.seed),
       bins_(view.beams * view.bins.ranges),
-      cells_(block_over(view)),
+      cells_(block_over(view), view.cell_m),
       answers_(launch_.cells.size(), 0) {}
 
 std::size_t TracedGround::answering() const {

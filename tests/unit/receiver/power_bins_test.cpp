@@ -156,6 +156,34 @@ TEST(PowerBins, HoldsWeakEchoesBesideStrongOnes) {
   EXPECT_NEAR(bins.total()[0], 10'001.0, 1e-3);
 }
 
+// Ground in the side lobes of a pattern, water in cells of centimetres: each echo below what a unit holds.
+TEST(PowerBins, EchoesOfASmallPartOfAUnitAddUp) {
+  for (const float rcs_m2 : {1e-9F, 1e-12F, -3e-13F, 1e-15F}) {
+    PowerBins bins(2, 2), columns(1, 4);
+    PowerLine line(4);
+    double sum = 0.0;
+    for (int i = 0; i < 10'000; ++i) {
+      const float varied = rcs_m2 * (1.0F + 1e-4F * static_cast<float>(i));
+      bins.add_shared(1.0 + 1e-5 * i, 1.0, all(varied));
+      line.add_shared(1.0 + 1e-5 * i, all(varied));
+      sum += static_cast<double>(varied);
+    }
+    columns.add_column(0, line);
+    EXPECT_NEAR(bins.total()[0] / sum, 1.0, 1e-5) << rcs_m2;
+    EXPECT_NEAR(columns.total()[0] / sum, 1.0, 1e-5) << rcs_m2;
+  }
+}
+
+TEST(PowerBins, SmallPartsDoNotDependOnOrderEither) {
+  PowerBins forwards(1, 1), backwards(1, 1);
+  const auto part = [](int i) { return all(1e-11F * static_cast<float>(std::sin(0.7 * i)) + 1e-13F); };
+  for (int i = 0; i < 1000; ++i) {
+    forwards.add(0, 0, part(i));
+    backwards.add(0, 0, part(999 - i));
+  }
+  EXPECT_EQ(forwards.total(), backwards.total());
+}
+
 TEST(PowerBins, ForgetsWhatItIsToldToForget) {
   PowerBins bins(2, 3);
   bins.add_shared(1.0, 2.0, all(3.0F));
