@@ -19,7 +19,7 @@ namespace {
 
 void write_slant_image(const CoherentRequest& request, const simulate::ModeRequest& wanted,
                        const radar::CoherentPlan& plan) {
-  const simulate::ComplexModeImage image = simulate::complex_mode_image(wanted, plan);
+  const simulate::ModeImage image = simulate::mode_image(wanted, plan);
   Provenance words = simulate::source_of(wanted);
   words.insert(request.origin.begin(), request.origin.end());
   words["crs"] = request.scene.frame.proj();
@@ -60,10 +60,11 @@ CoherentMap coherent_map(const CoherentRequest& request) {
   for (const std::string& warning : warnings)
     fmt::print(stderr, "warning: {}: {}\n", radar::title_of(request.radar), warning);
   const Stopwatch watch;
-  const auto project = [&](const auto& image) {
-    return product::projected_to_ground(image, request.scene.terrain, request.grid);
-  };
-  CoherentMap made{.map = std::visit(project, simulate::mode_image(wanted, plan))};
+  product::LooksOnGround looks(request.scene.terrain, request.grid, request.threads);
+  simulate::mode_looks(wanted, plan, [&](const simulate::ModeImage& look) {
+    std::visit([&](const auto& image) { looks.add(image); }, look);
+  });
+  CoherentMap made{.map = looks.map()};
   made.seconds = watch.seconds();
   made.provenance = simulate::provenance_of(wanted, plan);
   if (!request.slant_file.empty()) write_slant_image(request, wanted, plan);

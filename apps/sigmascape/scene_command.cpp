@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cstddef>
 #include <fmt/format.h>
 
 #include "command.h"
@@ -14,6 +16,11 @@ bool has_multiple_scatter(const scatter::Material& material) {
   return mirrors != nullptr && mirrors->multiple_scatter;
 }
 
+std::ptrdiff_t moving(const scene::Scene& scene) {
+  return std::ranges::count_if(scene.instances,
+                               [](const scene::Instance& instance) { return instance.speed_mps > 0.0F; });
+}
+
 nlohmann::ordered_json summary_of(const scene::Scene& scene, const scene::MeshCounts& counts,
                                   std::size_t geometry_bytes) {
   nlohmann::ordered_json json;
@@ -24,6 +31,7 @@ nlohmann::ordered_json summary_of(const scene::Scene& scene, const scene::MeshCo
   json["tallest_object_m"] = scene::tallest_object_m(scene);
   json["buildings"] = scene.buildings.items.size();
   json["instances"] = scene.instances.size();
+  json["instances_with_speed"] = moving(scene);
   json["point_targets"] = scene.point_targets.size();
   json["vertices"] = {{"unique", counts.unique_vertices}, {"instanced", counts.instanced_vertices}};
   json["triangles"] = {{"unique", counts.unique_triangles}, {"instanced", counts.instanced_triangles}};
@@ -56,6 +64,8 @@ std::string text_of(const scene::Scene& scene, const scene::MeshCounts& counts, 
                                  scene.ground.grid.cell_m));
   line("buildings", fmt::format("{}", scene.buildings.items.size()));
   line("instances", fmt::format("{} of {} prototypes", scene.instances.size(), scene.prototypes.size()));
+  if (const auto count = moving(scene); count > 0)
+    line("with a speed", fmt::format("{}, which are seen at rest: movers come from a targets file", count));
   line("tallest object", fmt::format("{:.1f} m", scene::tallest_object_m(scene)));
   line("vertices", fmt::format("{} unique, {} instanced", counts.unique_vertices, counts.instanced_vertices));
   line("triangles", fmt::format("{} unique, {} instanced", counts.unique_triangles, counts.instanced_triangles));

@@ -123,11 +123,11 @@ Seen coherent(const atlas::Atlas& textures, const Wish& wish, const LoadedScene*
                                       .threads = effort.threads};
   const auto [plan, warnings] = simulate::mode_plan(request);
   tell(warnings, wish.radar);
-  const auto project = [&](const auto& image) {
-    return product::projected_to_ground(image, *wish.ground.terrain, wish.grid);
-  };
-  return {std::nullopt, std::visit(project, simulate::mode_image(request, plan)),
-          simulate::provenance_of(request, plan)};
+  product::LooksOnGround looks(*wish.ground.terrain, wish.grid, effort.threads);
+  simulate::mode_looks(request, plan, [&](const simulate::ModeImage& look) {
+    std::visit([&](const auto& image) { looks.add(image); }, look);
+  });
+  return {std::nullopt, looks.map(), simulate::provenance_of(request, plan)};
 }
 
 Seen baked(const LoadedAtlas* atlas, const Wish& wish, const render::RenderSettings& settings, const Effort& effort,

@@ -24,10 +24,11 @@ radar::GroundMap spotlight(const scene::Scene& scene, std::size_t looks) {
   radar.waveform.pulse_repetition_hz = 2000.0;
   const double interval_s = wavelength_m(frequency_hz) * 5e3 / (2.0 * 100.0 * 1.5);
   const simulate::CoherentScene seen{&scene.terrain, render::reflectivity_of(atlas, frequency_hz, 2.0)};
-  return product::projected_to_ground(
-      simulate::range_doppler_power(seen, radar, {-150.0, -150.0, 150.0, 150.0},
-                                    {.interval_s = interval_s, .scatterer_spacing_m = 0.5, .seed = 7}, looks),
-      scene.terrain, {-120.0, 120.0, 1.0, 240, 240});
+  product::LooksOnGround map(scene.terrain, {-120.0, 120.0, 1.0, 240, 240});
+  simulate::range_doppler_looks(seen, radar, {-150.0, -150.0, 150.0, 150.0},
+                                {.interval_s = interval_s, .scatterer_spacing_m = 0.5, .seed = 7}, looks,
+                                [&](const radar::RangeDopplerImage& look) { map.add(look); });
+  return map.map();
 }
 
 double mean_over(const radar::GroundMap& map, const radar::Rectangle& part) {
@@ -53,6 +54,15 @@ double spread_of(const radar::GroundMap& map) {
   return squares * static_cast<double>(map.sigma0.size()) / (sum * sum) - 1.0;
 }
 
+/// Of the cells, those below a tenth of the mean.
+double dark_part_of(const radar::GroundMap& map) {
+  double sum = 0.0, dark = 0.0;
+  for (const radar::Channels& cell : map.sigma0.values()) sum += static_cast<double>(cell.vv);
+  const auto cells = static_cast<double>(map.sigma0.size());
+  for (const radar::Channels& cell : map.sigma0.values()) dark += static_cast<double>(cell.vv) < 0.1 * sum / cells;
+  return dark / cells;
+}
+
 const double open_ground = ground_gamma * std::sin(radians_from_deg(seen_elevation_deg));
 
 /// An atlas that keeps the ground apart has nothing of it in its textures; a coherent image shows it all the same.
@@ -65,9 +75,13 @@ TEST(CoherentGroundApart, bare_ground_kept_apart_has_its_sigma0) {
   validation::expect_close({"Coherent maps", "the same in four looks", 0.0,
                             db_from_linear(mean_over(looked, {-120.0, -120.0, 120.0, 120.0}) / open_ground), 0.1,
                             "dB over γ sin ψ", "definition of constant gamma"});
-  // Interpolation between bins evens out the finer image a little more.
-  validation::expect_close({"Coherent maps", "variance over mean² of one look over that of four", 4.0,
-                            spread_of(map) / spread_of(looked), 0.8, "", "independent looks"});
+  // A power that was interpolated between bins would be 0.78, and hardly ever dark.
+  validation::expect_close({"Coherent maps", "variance over mean² of one look, on the ground", 1.0, spread_of(map),
+                            0.06, "", "exponential speckle"});
+  validation::expect_close({"Coherent maps", "variance over mean² of four looks, on the ground", 0.25,
+                            spread_of(looked), 0.03, "", "independent looks"});
+  validation::expect_close({"Coherent maps", "part of the cells below a tenth of the mean, on the ground",
+                            1.0 - std::exp(-0.1), dark_part_of(map), 0.01, "", "exponential speckle"});
 }
 
 /// The shadow of the roof's far edge is dark for h / tan ψ behind the box, and the ground beyond it is not.

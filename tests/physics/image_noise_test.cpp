@@ -83,13 +83,18 @@ TEST(ImageNoise, is_what_one_pulse_has_over_the_pulses) {
   EXPECT_GT(std::abs(near) / power, 0.5);
   EXPECT_LT(std::abs(far) / power, 0.1);
   // Looks: each adds up a quarter of the pulses, and four of them are averaged.
-  const auto looks = simulate::range_doppler_power({&terrain, even(0.0F)}, radar, {-500.0, -500.0, 500.0, 500.0},
-                                                   {.interval_s = 0.2, .seed = 3}, 4);
+  Array2D<double> looks(image.amplitude_m.columns(), image.amplitude_m.rows());
+  simulate::range_doppler_looks({&terrain, even(0.0F)}, radar, {-500.0, -500.0, 500.0, 500.0},
+                                {.interval_s = 0.2, .seed = 3}, 4, [&](const radar::RangeDopplerImage& look) {
+                                  for (std::size_t i = 0; i < looks.size(); ++i)
+                                    looks.values()[i] +=
+                                        0.25 * static_cast<double>(std::norm(look.amplitude_m.values()[i].vv));
+                                });
   double mean = 0.0, square = 0.0, count = 0.0;
   for (std::size_t row = middle - 40; row < middle + 40; ++row) {
-    for (const auto& bin : looks.power_m2.row(row)) {
-      mean += static_cast<double>(bin.vv);
-      square += static_cast<double>(bin.vv * bin.vv);
+    for (const double bin : looks.row(row)) {
+      mean += bin;
+      square += bin * bin;
       count += 1.0;
     }
   }

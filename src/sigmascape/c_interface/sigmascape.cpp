@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <fmt/format.h>
 #include <memory>
 #include <span>
 #include <string>
@@ -53,6 +54,7 @@ struct sigmascape_scene {
 
 /// From textures, traced, or the one or the other: one of the three is there.
 struct sigmascape_renderer {
+  std::size_t beams = 0;
   std::unique_ptr<LiveRenderer> renderer = {};
   std::shared_ptr<TracedScene> scene = {};
   std::unique_ptr<LiveTracer> tracer = {};
@@ -247,7 +249,8 @@ sigmascape_settings sigmascape_default_settings(void) {
 sigmascape_renderer* sigmascape_make_renderer(sigmascape_ground* ground, const sigmascape_settings* settings) {
   return guarded<sigmascape_renderer*>(nullptr, [&] {
     const LiveSettings live = settings_from(given(settings, "settings"));
-    return new sigmascape_renderer{.renderer = std::make_unique<LiveRenderer>(given(ground, "ground").ground, live)};
+    return new sigmascape_renderer{.beams = live.beams,
+                                   .renderer = std::make_unique<LiveRenderer>(given(ground, "ground").ground, live)};
   });
 }
 
@@ -273,9 +276,10 @@ sigmascape_renderer* sigmascape_make_tracer(sigmascape_scene* scene, const sigma
                                             const sigmascape_tracing* tracing) {
   return guarded<sigmascape_renderer*>(nullptr, [&] {
     const auto& traced = given(scene, "scene").scene;
-    return new sigmascape_renderer{.scene = traced,
-                                   .tracer = std::make_unique<LiveTracer>(traced->scene, traced->geometry,
-                                                                          settings_from(given(settings, "settings")),
+    const LiveSettings live = settings_from(given(settings, "settings"));
+    return new sigmascape_renderer{.beams = live.beams,
+                                   .scene = traced,
+                                   .tracer = std::make_unique<LiveTracer>(traced->scene, traced->geometry, live,
                                                                           tracing_from(given(tracing, "tracing")))};
   });
 }
@@ -284,10 +288,12 @@ sigmascape_renderer* sigmascape_make_flight(sigmascape_scene* scene, sigmascape_
                                             const sigmascape_settings* settings, const sigmascape_tracing* tracing) {
   return guarded<sigmascape_renderer*>(nullptr, [&] {
     const auto& traced = given(scene, "scene").scene;
+    const LiveSettings live = settings_from(given(settings, "settings"));
     return new sigmascape_renderer{
+        .beams = live.beams,
         .scene = traced,
         .flight = std::make_unique<LiveFlight>(
-            traced->scene, traced->geometry, given(ground, "ground").ground, settings_from(given(settings, "settings")),
+            traced->scene, traced->geometry, given(ground, "ground").ground, live,
             sigmascape::simulate::LiveFlightSettings{.tracing = tracing_from(given(tracing, "tracing"))})};
   });
 }
@@ -337,6 +343,11 @@ int sigmascape_scan(sigmascape_renderer* renderer, const sigmascape_pose* pose, 
   return guarded(1, [&] {
     (void)given(renderer, "renderer");
     (void)given(frame, "frame");
+    if (first_beam >= renderer->beams || count == 0) {
+      throw sigmascape::Error("step of a scan",
+                              fmt::format("is of {} beams from beam {} on, of {}", count, first_beam, renderer->beams),
+                              fmt::format("begin at 0 to {}, with a count of 1 or more", renderer->beams - 1));
+    }
     const auto wanted = pose_from(given(pose, "pose"), *renderer);
     copy(renderer->flight   ? renderer->flight->scan(wanted, first_beam, count)
          : renderer->tracer ? renderer->tracer->scan(wanted, first_beam, count)

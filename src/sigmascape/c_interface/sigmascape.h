@@ -144,6 +144,7 @@ double sigmascape_textured_share(const sigmascape_renderer* flight);
 int sigmascape_set_targets(sigmascape_renderer* renderer, const sigmascape_target* targets, size_t count);
 
 /* Renders all beams, or beams first ... first + count - 1 anew and leaves the others: one step of a scanning antenna.
+ * A step that goes beyond the last beam ends there; one that begins there, or of no beam, is refused.
  * What is counted in a frame is then counted of those beams. The frame's arrays live until the next call with this
  * renderer. Returns 0 when all went well. */
 int sigmascape_render(sigmascape_renderer* renderer, const sigmascape_pose* pose, sigmascape_frame* frame);

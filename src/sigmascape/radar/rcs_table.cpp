@@ -147,7 +147,11 @@ RcsTable read_rcs_table(const std::filesystem::path& path) {
     throw Error(path.string(), "cannot be read", "name a file of comma-separated values");
   Reader reader{path};
   // Ordered as the table is: frequency, elevation, azimuth.
-  std::map<std::array<double, 3>, Channels> entries;
+  struct Entry {
+    Channels rcs_m2;
+    double stated_azimuth_deg;
+  };
+  std::map<std::array<double, 3>, Entry> entries;
   std::string line;
   for (std::size_t number = 1; std::getline(file, line); ++number) {
     const std::size_t first = line.find_first_not_of(" \t\r");
@@ -159,8 +163,13 @@ RcsTable read_rcs_table(const std::filesystem::path& path) {
     const Row row = reader.read_row(line, number);
     const std::array<double, 3> key{row[Frequency].value_or(0.0) * 1e9, radians_from_deg(row[Elevation].value_or(0.0)),
                                     wrapped_azimuth(radians_from_deg(*row[Azimuth]))};
-    if (!entries.emplace(key, channels_of(row)).second) {
-      throw Error(reader.at_line(number), "repeats an azimuth, elevation and frequency", "give each once");
+    // Tables often close the circle and tell 360° as well as 0°.
+    const auto [place, is_new] = entries.emplace(key, Entry{channels_of(row), *row[Azimuth]});
+    const Entry& before = place->second;
+    if (!is_new && !(before.rcs_m2 == channels_of(row) && before.stated_azimuth_deg != *row[Azimuth])) {
+      throw Error(reader.at_line(number),
+                  fmt::format("tells a second time what is returned at an azimuth of {:g}°", *row[Azimuth]),
+                  "give each azimuth, elevation and frequency once; whole turns make no difference");
     }
   }
   if (entries.empty()) throw Error(path.string(), "holds no cross-sections", "give at least one line of numbers");
@@ -170,11 +179,11 @@ RcsTable read_rcs_table(const std::filesystem::path& path) {
     const auto place = std::lower_bound(axis.begin(), axis.end(), value);
     if (place == axis.end() || *place != value) axis.insert(place, value);
   };
-  for (const auto& [key, rcs] : entries) {
+  for (const auto& [key, entry] : entries) {
     insert(table.frequencies_hz, key[0]);
     insert(table.elevations_rad, key[1]);
     insert(table.azimuths_rad, key[2]);
-    table.rcs_m2.push_back(rcs);
+    table.rcs_m2.push_back(entry.rcs_m2);
   }
   const std::size_t whole = table.frequencies_hz.size() * table.elevations_rad.size() * table.azimuths_rad.size();
   if (whole != entries.size()) {

@@ -57,11 +57,4 @@ struct StripmapImage {
   [[nodiscard]] Vec2d place_of(Vec3d point) const;
 };
 
-/// The power of an image of either kind, in m²: the mean over looks, each from a part of the band across range.
-template <typename Image>
-struct PowerImage {
-  Image frame;                 ///< without amplitudes; its cell across range is that of one look
-  Array2D<Channels> power_m2;  ///< axes in the order of the image's amplitudes
-};
-
 }  // namespace sigmascape::radar

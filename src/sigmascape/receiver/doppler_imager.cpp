@@ -105,14 +105,11 @@ void DopplerImager::add(const EquivalentNoise& noise) {
             .seed = noise.seed()};
 }
 
-radar::RangeDopplerImage DopplerImager::image(unsigned threads) const {
+radar::RangeDopplerImage DopplerImager::image(const Subband& part, unsigned threads) const {
   radar::RangeDopplerImage image = frame_;
-  image.amplitude_m = noisy_rows(plane_, noise_, range_.guard, range_.samples, {}, threads);
+  image.amplitude_m = noisy_rows(plane_, noise_, range_.guard, range_.samples, part, threads);
+  image.doppler_cell_hz *= plane_.cells_of_a_look(part.looks);
   return image;
-}
-
-Array2D<radar::Channels> DopplerImager::power(std::size_t looks, unsigned threads) const {
-  return multilooked(plane_, noise_, looks, range_.guard, range_.samples, threads);
 }
 
 }  // namespace sigmascape::receiver

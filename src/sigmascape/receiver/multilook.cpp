@@ -10,6 +10,10 @@ namespace sigmascape::receiver {
 
 Array2D<radar::ComplexChannels> noisy_rows(const ResponsePlane& plane, const RowNoise& noise, std::size_t first,
                                            std::size_t count, const Subband& subband, unsigned threads) {
+  if (subband.looks < 1 || subband.looks > plane.columns().band) {
+    throw Error("multilook", fmt::format("{} looks of {} pulses are asked for", subband.looks, plane.columns().band),
+                "take at least one pulse a look");
+  }
   const auto all = plane.bins(subband, threads);
   Array2D<radar::ComplexChannels> rows(all.columns(), count);
   for (std::size_t row = 0; row < count; ++row) std::ranges::copy(all.row(first + row), rows.row(row).begin());
@@ -22,22 +26,6 @@ Array2D<radar::ComplexChannels> noisy_rows(const ResponsePlane& plane, const Row
       rows(column, row) += unit_noise(column, first + row) * amplitude;
   }
   return rows;
-}
-
-Array2D<radar::Channels> multilooked(const ResponsePlane& plane, const RowNoise& noise, std::size_t looks,
-                                     std::size_t first, std::size_t count, unsigned threads) {
-  if (looks < 1 || looks > plane.columns().band) {
-    throw Error("multilook", fmt::format("{} looks of {} pulses are asked for", looks, plane.columns().band),
-                "take at least one pulse a look");
-  }
-  Array2D<radar::Channels> mean(plane.columns().bins, count);
-  for (std::size_t look = 0; look < looks; ++look) {
-    const auto bins = noisy_rows(plane, noise, first, count, {look, looks}, threads);
-    for (std::size_t i = 0; i < bins.size(); ++i) {
-      mean.values()[i] += radar::power_of(bins.values()[i]) * (1.0F / static_cast<float>(looks));
-    }
-  }
-  return mean;
 }
 
 }  // namespace sigmascape::receiver

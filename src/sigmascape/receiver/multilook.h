@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "sigmascape/base/array2d.h"
-#include "sigmascape/radar/channels.h"
+#include "sigmascape/radar/complex_channels.h"
 #include "sigmascape/receiver/response_plane.h"
 
 namespace sigmascape::receiver {
@@ -18,15 +18,10 @@ struct RowNoise {
 };
 
 /// Rows `first` … `first + count − 1` of the plane, of a part of the band over columns, with noise. `row` of the noise
-/// counts from `first`.
+/// counts from `first`. The mean power of L looks of even clutter has L times the mean² over variance of one, and an
+/// L-th of its resolution: docs/physics/speckle.md, Eq. (6). Throws Error when there are more looks than frequencies.
 [[nodiscard]] Array2D<radar::ComplexChannels> noisy_rows(const ResponsePlane& plane, const RowNoise& noise,
                                                          std::size_t first, std::size_t count,
                                                          const Subband& subband = {}, unsigned threads = 0);
-
-/// Mean power over looks of equal parts of the band over columns, of those rows: L looks of even clutter have L times
-/// the mean² over variance of one, and an L-th of its resolution. Throws Error when there are more looks than
-/// frequencies. docs/physics/speckle.md, Eq. (6).
-[[nodiscard]] Array2D<radar::Channels> multilooked(const ResponsePlane& plane, const RowNoise& noise, std::size_t looks,
-                                                   std::size_t first, std::size_t count, unsigned threads = 0);
 
 }  // namespace sigmascape::receiver

@@ -280,23 +280,15 @@ void StripmapImager::add(const EquivalentNoise& noise) {
             .seed = noise.seed()};
 }
 
-radar::StripmapImage StripmapImager::image(unsigned threads) const {
+radar::StripmapImage StripmapImager::image(const Subband& part, unsigned threads) const {
   radar::StripmapImage image = frame_;
-  const auto rows = noisy_rows(plane_, noise_, range_.guard, range_.samples, {}, threads);
+  const auto rows = noisy_rows(plane_, noise_, range_.guard, range_.samples, part, threads);
+  image.along_cell_m *= plane_.cells_of_a_look(part.looks);
   image.amplitude_m = Array2D<radar::ComplexChannels>(along_.samples, range_.samples);
   for (std::size_t row = 0; row < rows.rows(); ++row) {
     std::ranges::copy(rows.row(row).subspan(along_.guard, along_.samples), image.amplitude_m.row(row).begin());
   }
   return image;
-}
-
-Array2D<radar::Channels> StripmapImager::power(std::size_t looks, unsigned threads) const {
-  const auto all = multilooked(plane_, noise_, looks, range_.guard, range_.samples, threads);
-  Array2D<radar::Channels> strip(along_.samples, range_.samples);
-  for (std::size_t row = 0; row < all.rows(); ++row) {
-    std::ranges::copy(all.row(row).subspan(along_.guard, along_.samples), strip.row(row).begin());
-  }
-  return strip;
 }
 
 }  // namespace sigmascape::receiver

@@ -59,13 +59,9 @@ class StripmapImager {
   /// Thermal noise, in place of what there was of it.
   void add(const EquivalentNoise& noise);
 
-  [[nodiscard]] radar::StripmapImage image(unsigned threads = 0) const;
-  /// An image without amplitudes: where bins lie and how large cells are.
-  [[nodiscard]] const radar::StripmapImage& frame() const { return frame_; }
-  /// See DopplerImager::power. [along, closest range], m².
-  [[nodiscard]] Array2D<radar::Channels> power(std::size_t looks, unsigned threads = 0) const;
-  /// See ResponsePlane.
-  [[nodiscard]] double cells_of_a_look(std::size_t looks) const { return plane_.cells_of_a_look(looks); }
+  /// All pulses as one look, or one of several that have equal parts of them: each has speckle and noise of its own,
+  /// and cells that are wider across range by as much as it has fewer pulses. Throws Error when a look would have none.
+  [[nodiscard]] radar::StripmapImage image(const Subband& part = {}, unsigned threads = 0) const;
 
  private:
   struct Seen;

@@ -291,18 +291,15 @@ receiver::StripmapImager stripmap_imager(const CoherentScene& scene, const radar
   return imager;
 }
 
-/// The frame of an image in cells of one look.
-radar::RangeDopplerImage frame_of(const receiver::DopplerImager& imager, const radar::Radar& radar, std::size_t looks) {
-  radar::RangeDopplerImage frame = imager.frame();
-  frame.earth = radar::earth_of(radar);
-  frame.doppler_cell_hz *= imager.cells_of_a_look(looks);
-  return frame;
-}
-radar::StripmapImage frame_of(const receiver::StripmapImager& imager, const radar::Radar& radar, std::size_t looks) {
-  radar::StripmapImage frame = imager.frame();
-  frame.earth = radar::earth_of(radar);
-  frame.along_cell_m *= imager.cells_of_a_look(looks);
-  return frame;
+/// Every look of an imager, with the Earth under it.
+template <typename Imager, typename Visit>
+void show_looks(const Imager& imager, const radar::Radar& radar, std::size_t looks, unsigned threads,
+                const Visit& visit) {
+  for (std::size_t look = 0; look < looks; ++look) {
+    auto image = imager.image({look, looks}, threads);
+    image.earth = radar::earth_of(radar);
+    visit(image);
+  }
 }
 
 }  // namespace
@@ -332,32 +329,30 @@ radar::PhaseHistory phase_history(const CoherentScene& scene, const radar::Radar
   return history;
 }
 
+void range_doppler_looks(const CoherentScene& scene, const radar::Radar& radar, const radar::Rectangle& area,
+                         const CoherentSettings& settings, std::size_t looks,
+                         const std::function<void(const radar::RangeDopplerImage&)>& visit) {
+  show_looks(doppler_imager(scene, radar, area, settings), radar, looks, settings.threads, visit);
+}
+
+void stripmap_looks(const CoherentScene& scene, const radar::Radar& radar, const radar::Rectangle& area,
+                    const CoherentSettings& settings, std::size_t looks,
+                    const std::function<void(const radar::StripmapImage&)>& visit) {
+  show_looks(stripmap_imager(scene, radar, area, settings), radar, looks, settings.threads, visit);
+}
+
 radar::RangeDopplerImage range_doppler_image(const CoherentScene& scene, const radar::Radar& radar,
                                              const radar::Rectangle& area, const CoherentSettings& settings) {
-  auto image = doppler_imager(scene, radar, area, settings).image(settings.threads);
-  image.earth = radar::earth_of(radar);
-  return image;
+  radar::RangeDopplerImage whole;
+  range_doppler_looks(scene, radar, area, settings, 1, [&](const radar::RangeDopplerImage& look) { whole = look; });
+  return whole;
 }
 
 radar::StripmapImage stripmap_image(const CoherentScene& scene, const radar::Radar& radar, const radar::Rectangle& area,
                                     const CoherentSettings& settings) {
-  auto image = stripmap_imager(scene, radar, area, settings).image(settings.threads);
-  image.earth = radar::earth_of(radar);
-  return image;
-}
-
-radar::PowerImage<radar::RangeDopplerImage> range_doppler_power(const CoherentScene& scene, const radar::Radar& radar,
-                                                                const radar::Rectangle& area,
-                                                                const CoherentSettings& settings, std::size_t looks) {
-  const auto imager = doppler_imager(scene, radar, area, settings);
-  return {frame_of(imager, radar, looks), imager.power(looks, settings.threads)};
-}
-
-radar::PowerImage<radar::StripmapImage> stripmap_power(const CoherentScene& scene, const radar::Radar& radar,
-                                                       const radar::Rectangle& area, const CoherentSettings& settings,
-                                                       std::size_t looks) {
-  const auto imager = stripmap_imager(scene, radar, area, settings);
-  return {frame_of(imager, radar, looks), imager.power(looks, settings.threads)};
+  radar::StripmapImage whole;
+  stripmap_looks(scene, radar, area, settings, 1, [&](const radar::StripmapImage& look) { whole = look; });
+  return whole;
 }
 
 void add_targets(radar::RangeAzimuthImage& image, const radar::Radar& radar, const Surroundings& surroundings,

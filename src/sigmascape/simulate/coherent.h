@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 
 #include "sigmascape/radar/ground_grid.h"
@@ -62,17 +63,14 @@ struct CoherentSettings {
 [[nodiscard]] radar::StripmapImage stripmap_image(const CoherentScene& scene, const radar::Radar& radar,
                                                   const radar::Rectangle& area, const CoherentSettings& settings);
 
-/// The same as power, the mean of `looks` images from equal parts of the pulses, each coarser across range by as much.
-[[nodiscard]] radar::PowerImage<radar::RangeDopplerImage> range_doppler_power(const CoherentScene& scene,
-                                                                              const radar::Radar& radar,
-                                                                              const radar::Rectangle& area,
-                                                                              const CoherentSettings& settings,
-                                                                              std::size_t looks);
-[[nodiscard]] radar::PowerImage<radar::StripmapImage> stripmap_power(const CoherentScene& scene,
-                                                                     const radar::Radar& radar,
-                                                                     const radar::Rectangle& area,
-                                                                     const CoherentSettings& settings,
-                                                                     std::size_t looks);
+/// The same as so many looks, one after the other: images from equal parts of the pulses, each coarser across range by
+/// as much, whose mean power has less speckle.
+void range_doppler_looks(const CoherentScene& scene, const radar::Radar& radar, const radar::Rectangle& area,
+                         const CoherentSettings& settings, std::size_t looks,
+                         const std::function<void(const radar::RangeDopplerImage&)>& visit);
+void stripmap_looks(const CoherentScene& scene, const radar::Radar& radar, const radar::Rectangle& area,
+                    const CoherentSettings& settings, std::size_t looks,
+                    const std::function<void(const radar::StripmapImage&)>& visit);
 
 /// Adds the targets that the radar sees in these surroundings to an image of the power mode, of whatever level of
 /// detail.

@@ -9,12 +9,17 @@
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/render/detail_of_ground.h"
+#include "sigmascape/scene/scene.h"
 #include "sigmascape/simulate/frame_blend.h"
 
 namespace sigmascape::simulate {
 namespace {
 
-LiveFlightSettings settled(LiveFlightSettings flight, const render::LiveGround& ground) {
+LiveFlightSettings settled(LiveFlightSettings flight, const scene::Scene& scene, const render::LiveGround& ground) {
+  if (ground.description().scene_hash != scene::scene_hash(scene)) {
+    throw Error("live flight", fmt::format("is over an atlas that was baked from another scene than '{}'", scene.name),
+                "bake this scene, or give the scene that the atlas was made from");
+  }
   if (flight.frames_a_change < 1) {
     throw Error("live flight", fmt::format("is to change levels within {} frames", flight.frames_a_change),
                 "give at least one");
@@ -39,7 +44,7 @@ LiveFlight::LiveFlight(const scene::Scene& scene, const trace::SceneGeometry& ge
                        std::shared_ptr<render::LiveGround> ground, const render::LiveSettings& settings,
                        const LiveFlightSettings& flight)
     : ground_(std::move(ground)),
-      flight_(settled(flight, *ground_)),
+      flight_(settled(flight, scene, *ground_)),
       tracer_(scene, geometry, settings, flight_.tracing),
       renderer_(ground_, settings),
       beams_(settings.beams),

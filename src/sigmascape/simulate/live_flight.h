@@ -34,8 +34,8 @@ struct LiveFlightSettings {
 /// For one caller at a time. Bytes do not depend on the number of threads.
 class LiveFlight {
  public:
-  /// Scene and geometry, on its terrain, must outlive the flight; the atlas is one of that scene. Throws Error as
-  /// LiveTracer and LiveRenderer do, and for a change that takes no frame.
+  /// Scene and geometry, on its terrain, must outlive the flight. Throws Error as LiveTracer and LiveRenderer do,
+  /// for an atlas of another scene and for a change that takes no frame.
   LiveFlight(const scene::Scene& scene, const trace::SceneGeometry& geometry,
              std::shared_ptr<render::LiveGround> ground, const render::LiveSettings& settings,
              const LiveFlightSettings& flight = {});

@@ -44,9 +44,10 @@ const LiveTraceSettings& checked(const LiveTraceSettings& tracing, const trace::
   if (geometry.footing() != trace::Footing::Terrain) {
     throw Error(name, "is to trace objects on a level plane, as bakes do", "make the geometry with Footing::Terrain");
   }
-  if (tracing.rays_per_cell == 0 || tracing.max_bounces < 1) {
+  constexpr std::uint32_t most_rays = 1U << 16U;  // a frame of a day
+  if (tracing.rays_per_cell == 0 || tracing.rays_per_cell > most_rays || tracing.max_bounces < 1) {
     throw Error(name, fmt::format("has {} rays a cell and {} bounces", tracing.rays_per_cell, tracing.max_bounces),
-                "give at least one of each");
+                fmt::format("give 1 to {} rays and one bounce or more", most_rays));
   }
   if (!(tracing.most_cells >= 1.0)) {
     throw Error(name, fmt::format("may trace {} cells at a time", tracing.most_cells), "allow one or more");

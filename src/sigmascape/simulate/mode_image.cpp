@@ -66,15 +66,16 @@ ModePlan mode_plan(const ModeRequest& request) {
   return planned;
 }
 
-ModeImage mode_image(const ModeRequest& request, const radar::CoherentPlan& plan) {
+void mode_looks(const ModeRequest& request, const radar::CoherentPlan& plan,
+                const std::function<void(const ModeImage&)>& visit) {
   const Prepared ready = prepared(request, plan);
   const auto looks = static_cast<std::size_t>(plan.looks);
   if (request.radar.mode == radar::Mode::Stripmap)
-    return stripmap_power(ready.scene, request.radar, ready.area, ready.settings, looks);
-  return range_doppler_power(ready.scene, request.radar, ready.area, ready.settings, looks);
+    return stripmap_looks(ready.scene, request.radar, ready.area, ready.settings, looks, visit);
+  return range_doppler_looks(ready.scene, request.radar, ready.area, ready.settings, looks, visit);
 }
 
-ComplexModeImage complex_mode_image(const ModeRequest& request, const radar::CoherentPlan& plan) {
+ModeImage mode_image(const ModeRequest& request, const radar::CoherentPlan& plan) {
   const Prepared ready = prepared(request, plan);
   if (request.radar.mode == radar::Mode::Stripmap)
     return stripmap_image(ready.scene, request.radar, ready.area, ready.settings);

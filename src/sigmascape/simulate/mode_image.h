@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <span>
 #include <string>
@@ -38,16 +39,16 @@ struct ModePlan {
 /// Throws Error as coherent_plan does.
 [[nodiscard]] ModePlan mode_plan(const ModeRequest& request);
 
-/// Power in slant range and Doppler, or along the track for stripmap.
-using ModeImage = std::variant<radar::PowerImage<radar::RangeDopplerImage>, radar::PowerImage<radar::StripmapImage>>;
+/// In slant range and Doppler, or along the track for stripmap: amplitudes in metres.
+using ModeImage = std::variant<radar::RangeDopplerImage, radar::StripmapImage>;
 
 /// The image of the radar's mode, doppler-beam-sharpening, spotlight or stripmap, that covers the grid and what answers
-/// in its outermost cells. Throws Error when the atlas was not baked at the frequency at which it is asked.
+/// in its outermost cells, look after look. Throws Error when the atlas was not baked at the frequency at which it is
+/// asked.
+void mode_looks(const ModeRequest& request, const radar::CoherentPlan& plan,
+                const std::function<void(const ModeImage&)>& visit);
+/// The same as one look of all pulses.
 [[nodiscard]] ModeImage mode_image(const ModeRequest& request, const radar::CoherentPlan& plan);
-
-/// The same of one look, of all pulses, as it is before it becomes power: amplitudes in metres.
-using ComplexModeImage = std::variant<radar::RangeDopplerImage, radar::StripmapImage>;
-[[nodiscard]] ComplexModeImage complex_mode_image(const ModeRequest& request, const radar::CoherentPlan& plan);
 
 /// Where what is made of the request comes from, in words that go for its map and for its complex image alike:
 /// processing, mode, what was left in, wind, targets, seed, dwell.

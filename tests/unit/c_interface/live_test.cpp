@@ -203,10 +203,14 @@ TEST_F(LiveFromC, PosesAndTargetsThatAreNowhereAreRefused) {
   EXPECT_THAT(said_of_target([&](auto& target) { target.way_points = way, target.way_point_count = 2; }),
               HasSubstr("moves in a way"));
 
-  // A step of a scan that begins or ends beyond the last beam takes those that are there.
+  // A step of a scan that ends beyond the last beam takes those that are there; of none there would be stale beams.
   const sigmascape_pose pose = said_in_c(render::ExampleView().pose());
   EXPECT_EQ(sigmascape_scan(renderer, &pose, 3, std::numeric_limits<std::size_t>::max(), &frame), 0);
-  EXPECT_EQ(sigmascape_scan(renderer, &pose, std::numeric_limits<std::size_t>::max(), 2, &frame), 0);
+  for (const std::size_t first : {settings.beams, std::numeric_limits<std::size_t>::max()}) {
+    EXPECT_NE(sigmascape_scan(renderer, &pose, first, 2, &frame), 0);
+    EXPECT_THAT(sigmascape_last_error(), HasSubstr("step of a scan: is of 2 beams from beam"));
+  }
+  EXPECT_NE(sigmascape_scan(renderer, &pose, 0, 0, &frame), 0);
   sigmascape_free_renderer(renderer);
   sigmascape_close_ground(ground);
 }

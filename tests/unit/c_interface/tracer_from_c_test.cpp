@@ -81,6 +81,7 @@ TEST(FlightFromC, TracesWhatIsSeenCloselyAndLeavesTheRestToTextures) {
   const std::string file = end_to_end::write_made_scene(folder.path("town"), 160.0, 160.0).string();
   render::ExampleGround example;
   example.sigma0 = [](const radar::Look& look) { return render::constant_gamma(0.1, look); };
+  example.scene_hash = scene::scene_hash(scene::read_scene(file));
   const auto store = example.store(folder.path("atlas"));
   terrain::write_height_field(folder.path("atlas") / atlas::terrain_name, example.terrain(),
                               store.description().frame.proj());

@@ -62,7 +62,13 @@ TEST_F(RcsTableFile, says_in_which_line_it_is_wrong) {
   EXPECT_THAT(fault_of("azimuth_deg, vv, hh_dbsm\n0, 1, 2\n"), HasSubstr("line 1: has an unknown column \"vv\""));
   EXPECT_THAT(fault_of("azimuth_deg, vv_dbsm\n0, 1\n"), HasSubstr("must have one column hh_dbsm"));
   EXPECT_THAT(fault_of("azimuth_deg, vv_dbsm, hh_dbsm\n0, 1\n"), HasSubstr("line 2: has 2 fields"));
-  EXPECT_THAT(fault_of("azimuth_deg, vv_dbsm, hh_dbsm\n0, 1, 2\n0, 1, 2\n"), HasSubstr("line 3: repeats"));
+  EXPECT_THAT(fault_of("azimuth_deg, vv_dbsm, hh_dbsm\n0, 1, 2\n0, 1, 2\n"),
+              HasSubstr("line 3: tells a second time what is returned at an azimuth of 0°"));
+  EXPECT_THAT(
+      fault_of("azimuth_deg, vv_dbsm, hh_dbsm\n0, 1, 2\n360, 1, 3\n"),
+      HasSubstr("line 3: tells a second time what is returned at an azimuth of 360°; give each azimuth, elevation and "
+                "frequency once; whole turns make no difference"));
+  EXPECT_EQ(fault_of("azimuth_deg, vv_dbsm, hh_dbsm\n0, 1, 2\n180, 3, 4\n360, 1, 2\n"), "") << "a closed circle";
   EXPECT_THAT(fault_of("azimuth_deg, vv_dbsm, hh_dbsm\n"), HasSubstr("holds no cross-sections"));
   EXPECT_THAT(fault_of("azimuth_deg, elevation_deg, vv_dbsm, hh_dbsm\n0, 0, 1, 2\n90, 10, 1, 2\n"),
               HasSubstr("holds 2 of the 4 combinations"));

@@ -32,6 +32,7 @@ struct ExampleGround {
   std::function<double(Vec2d)> height_m = [](Vec2d) { return 0.0; };
   double terrain_spacing_m = 8.0;
   CacheOptions cache = {};
+  std::string scene_hash = "none";  ///< of which the atlas says that it was made
   /// Set: the atlas keeps the ground apart; its textures hold objects alone, `bare_sigma0` is the ground's own σ0 and
   /// what stands on it is what `obstacle` says of the way from the middle.
   std::function<radar::Channels(const radar::Look&)> bare_sigma0 = nullptr;
@@ -47,7 +48,7 @@ struct ExampleGround {
     const Vec2d corner = south_west();
     description.extent = {corner.x, corner.y, corner.x + side_m(), corner.y + side_m()};
     description.patches = {texel_m, atlas::tile_side};
-    description.scene_hash = "none";
+    description.scene_hash = scene_hash;
     for (int azimuth = 0; azimuth < azimuths; ++azimuth) {
       description.aspects.azimuths_rad.push_back(radians_from_deg(azimuth * 360.0 / azimuths));
     }

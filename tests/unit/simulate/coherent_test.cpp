@@ -59,11 +59,15 @@ TEST(Looks, HaveCellsOfThePulsesThatTheyHave) {
                                 return radar::Channels{sigma0, sigma0, 0.0F, sigma0};
                               }};
     const auto power_a_cell = [&](std::size_t looks) {
-      const auto image =
-          range_doppler_power(scene, radar, {-200.0, -200.0, 200.0, 200.0}, {.interval_s = 0.0055}, looks);
       double sum = 0.0;
-      for (const radar::Channels& bin : image.power_m2.values()) sum += static_cast<double>(bin.vv);
-      return sum / static_cast<double>(image.power_m2.size()) / image.frame.doppler_cell_hz;
+      range_doppler_looks(scene, radar, {-200.0, -200.0, 200.0, 200.0}, {.interval_s = 0.0055}, looks,
+                          [&](const radar::RangeDopplerImage& look) {
+                            double power = 0.0;
+                            for (const auto& bin : look.amplitude_m.values())
+                              power += static_cast<double>(std::norm(bin.vv));
+                            sum += power / static_cast<double>(look.amplitude_m.size()) / look.doppler_cell_hz;
+                          });
+      return sum / static_cast<double>(looks);
     };
     EXPECT_NEAR(db_from_linear(power_a_cell(4) / power_a_cell(1)), 0.0, 0.3) << "eleven pulses, two a look";
   }

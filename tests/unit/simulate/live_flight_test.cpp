@@ -29,9 +29,6 @@ class LiveFlightTest : public testing::Test {
       const auto vv = static_cast<float>(gamma * std::sin(look.aspect.elevation_rad));
       return radar::Channels{vv, vv, 0.1F * vv, 0.5F * vv};
     };
-    const atlas::Store store = example_.store(folder_.path("atlas"));
-    atlas::Pyramid(store).make_above(store.units());
-    ground_ = example_.over(store);
     const scatter::Material soil{
         .name = "gamma", .model = scatter::ConstantGammaParameters{gamma, {0.1, 0.5}}, .source = {}};
     scene_ = physics_test::level_scene(soil, 2000.0);
@@ -39,6 +36,10 @@ class LiveFlightTest : public testing::Test {
     scene_.instances.push_back({.x_m = 900.0F, .y_m = 900.0F});
     scene::shift(scene_, example_.middle());
     geometry_ = std::make_unique<trace::SceneGeometry>(scene_, trace::Footing::Terrain);
+    example_.scene_hash = scene::scene_hash(scene_);
+    const atlas::Store store = example_.store(folder_.path("atlas"));
+    atlas::Pyramid(store).make_above(store.units());
+    ground_ = example_.over(store);
   }
 
   [[nodiscard]] static render::LiveSettings bins(FrameContent content) {
@@ -89,6 +90,12 @@ double total_db(const std::vector<double>& powers) {
   double sum = 0.0;
   for (std::size_t i = 0; i < powers.size(); i += 4) sum += powers[i];
   return db_from_linear(sum);
+}
+
+TEST_F(LiveFlightTest, RefusesTheAtlasOfAnotherScene) {
+  scene_.instances.push_back({.x_m = 800.0F, .y_m = 900.0F});
+  EXPECT_THAT(message_of_error([&] { static_cast<void>(flight(FrameContent::Powers)); }),
+              testing::HasSubstr("live flight: is over an atlas that was baked from another scene than"));
 }
 
 TEST_F(LiveFlightTest, NoStepShowsWhereTracingEnds) {
