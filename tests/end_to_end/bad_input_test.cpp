@@ -138,7 +138,7 @@ TEST_F(BadInput, TexelsOfAnotherSizeThanTheSceneAreRefusedBeforeTheWork) {
     EXPECT_THAT(said_to(fmt::format("bake scene/scene.toml --out atlas --texel-m 0.01 --patch-texels 16384 "
                                     "--frequencies-ghz 1,2,3,4,5,6,7,8,9,10,11,12{}",
                                     plan)),
-                AllOf(HasSubstr("a patch of 16384 × 16384 texels at 12 frequencies is summed up in 206 GB"),
+                AllOf(HasSubstr("a patch of 16384 × 16384 texels at 12 frequencies is summed up in 258 GB"),
                       HasSubstr("use fewer texels a patch")));
   }
   EXPECT_FALSE(is_there("atlas"));

@@ -414,7 +414,8 @@ TEST(DatasetOfATarget, ShowsItSteadyAtEveryLevelOfDetail) {
     const dataset::SampleMaker maker(dataset::read_dataset_spec(file));
     std::array<double, 4> sums{};
     for (std::size_t i = 0; i < sums.size(); ++i) {
-      for (const radar::Channels& cell : maker.make(i).map.sigma0.values())
+      const dataset::Sample sample = maker.make(i);
+      for (const radar::Channels& cell : sample.map.sigma0.values())
         sums.at(i) += std::isnan(cell.vv) ? 0.0 : static_cast<double>(cell.vv);
     }
     std::ranges::sort(sums);

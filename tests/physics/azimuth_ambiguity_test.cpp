@@ -169,7 +169,8 @@ TEST(AzimuthAmbiguity, of_even_ground_is_the_integral_of_the_pattern) {
       if (ghosts && std::abs(ambiguity.order) <= 2) imager.add(scatterers, 0, ambiguity.order);
     }
     double sum = 0.0;
-    for (const auto& bin : imager.image().amplitude_m.values()) sum += static_cast<double>(std::norm(bin.vv));
+    const auto image = imager.image();
+    for (const auto& bin : image.amplitude_m.values()) sum += static_cast<double>(std::norm(bin.vv));
     return sum;
   };
   const radar::AntennaCut beam = radar::antenna_pattern(radar).azimuth();

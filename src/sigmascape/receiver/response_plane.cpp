@@ -3,8 +3,10 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <fmt/format.h>
 #include <vector>
 
+#include "sigmascape/base/error.h"
 #include "sigmascape/base/hash.h"
 #include "sigmascape/base/parallel.h"
 #include "sigmascape/radar/complex_gaussian.h"
@@ -42,6 +44,17 @@ void to_bins_along_rows(const ResponseTransform& across, const Array2D<std::comp
   });
 }
 
+/// The first of two axes, whose bins memory can hold: all that is needed on the way to them takes some 190 bytes each.
+const ResponseAxis& held_with(const ResponseAxis& columns, const ResponseAxis& rows) {
+  constexpr double most_bins = 0x1p26;
+  if (static_cast<double>(columns.bins) * static_cast<double>(rows.bins) > most_bins) {
+    throw Error(
+        "coherent image", fmt::format("would have {} by {} bins", columns.bins, rows.bins),
+        fmt::format("map less, resolve less or send fewer pulses a second, for at most {:.1e} bins", most_bins));
+  }
+  return columns;
+}
+
 /// Where the sample at an index with margin belongs in the period.
 std::size_t folded(std::size_t index, std::size_t fine) {
   return (index + 2 * fine - margin) % fine;
@@ -50,7 +63,7 @@ std::size_t folded(std::size_t index, std::size_t fine) {
 }  // namespace
 
 ResponsePlane::ResponsePlane(const ResponseAxis& columns, const ResponseAxis& rows)
-    : columns_(columns),
+    : columns_(held_with(columns, rows)),
       rows_(rows),
       fine_columns_(ResponseTransform(columns).fine_samples()),
       fine_rows_(ResponseTransform(rows).fine_samples()),

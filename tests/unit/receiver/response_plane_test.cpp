@@ -2,8 +2,11 @@
 
 #include <cmath>
 #include <complex>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <numeric>
+
+#include "scratch_folder.h"
 
 #include "sigmascape/base/hash.h"
 #include "sigmascape/base/units.h"
@@ -77,6 +80,12 @@ TEST(ResponsePlane, does_not_depend_on_the_number_of_threads) {
   many.add(placed, 5);
   const auto a = one.bins({}, 1), b = many.bins({}, 5);
   for (std::size_t i = 0; i < a.size(); ++i) EXPECT_EQ(a.values()[i], b.values()[i]);
+}
+
+TEST(ResponsePlane, refuses_more_bins_than_memory_holds) {
+  const ResponseAxis axis{.bins = 1 << 14, .band = 10'000, .window = even};
+  EXPECT_THAT(message_of_error([&] { const ResponsePlane plane(axis, axis); }),
+              testing::HasSubstr("coherent image: would have 16384 by 16384 bins; map less"));
 }
 
 }  // namespace
