@@ -9,9 +9,7 @@
 #include "sigmascape/product/iq_file.h"
 #include "sigmascape/product/slant_projection.h"
 #include "sigmascape/radar/radar_title.h"
-#include "sigmascape/radar/target_file.h"
 #include "sigmascape/simulate/mode_image.h"
-#include "sigmascape/simulate/placement.h"
 
 namespace sigmascape::cli {
 
@@ -31,16 +29,6 @@ void write_slant_image(const CoherentRequest& request, const simulate::ModeReque
 }
 
 }  // namespace
-
-std::vector<radar::Target> all_targets(const scene::Scene& scene, const std::string& file, std::uint64_t seed,
-                                       double time_s) {
-  auto targets = simulate::targets_of(scene);
-  if (file.empty()) return targets;
-  for (radar::Target& target :
-       simulate::placed_targets(radar::read_target_file(file), scene.frame, scene.terrain, seed, time_s))
-    targets.push_back(std::move(target));
-  return targets;
-}
 
 CoherentMap coherent_map(const CoherentRequest& request) {
   const simulate::ModeRequest wanted{.atlas = request.atlas,

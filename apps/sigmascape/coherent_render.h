@@ -41,9 +41,4 @@ struct CoherentMap {
 /// what `radar::plan_warnings` finds.
 [[nodiscard]] CoherentMap coherent_map(const CoherentRequest& request);
 
-/// The targets of the scene, then, when it is named, those of a file, placed in it as they are at `time_s`; these
-/// fluctuate by the seed.
-[[nodiscard]] std::vector<radar::Target> all_targets(const scene::Scene& scene, const std::string& file,
-                                                     std::uint64_t seed, double time_s);
-
 }  // namespace sigmascape::cli

@@ -31,6 +31,7 @@
 #include "sigmascape/radar/radar_bounds.h"
 #include "sigmascape/radar/radar_file.h"
 #include "sigmascape/radar/radar_warnings.h"
+#include "sigmascape/radar/target_file.h"
 #include "sigmascape/receiver/equivalent_noise.h"
 #include "sigmascape/render/level_of_detail.h"
 #include "sigmascape/scene/scene_file.h"
@@ -230,7 +231,10 @@ void render(RenderOptions options, std::optional<radar::Polarization> polarizati
   check(options.received, look.polarization);
   const scene::Scene scene = scene::read_scene(options.scene);
   if (!options.crs.empty()) static_cast<void>(geo::CoordinateTransform(options.crs, scene.frame, "--crs"));
-  const std::vector<radar::Target> targets = all_targets(scene, options.targets, options.trace.seed, options.time_s);
+  const auto added =
+      options.targets.empty() ? std::vector<radar::TargetSource>() : radar::read_target_file(options.targets);
+  const std::vector<radar::Target> targets =
+      simulate::all_targets(&scene, added, scene.frame, scene.terrain, options.trace.seed, options.time_s);
   // Those of the scene come first, and a tracer knows them by itself.
   options.trace.targets = std::span(targets).subspan(scene.point_targets.size());
   const auto radar = simulate::placed_radar(radar_file, scene.frame, scene.terrain, scene.extent, options.time_s);

@@ -8,7 +8,6 @@
 #include "long_call.h"
 #include "origin_words.h"
 #include "parts.h"
-#include "targets.h"
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/product/iq_file.h"
@@ -47,7 +46,8 @@ Described<Signal> made(Maker<Signal> make, const LoadedAtlas& atlas, const radar
     const atlas::AtlasDescription& description = atlas.description();
     const auto radar = simulate::placed_radar(asked, description.frame, atlas.terrain(), description.extent, time_s);
     const auto area = simulate::map_grid(asked.map, description.extent).extent();
-    const auto targets = all_targets(nullptr, given, description.frame, atlas.terrain(), settings.seed, time_s);
+    const auto targets =
+        simulate::all_targets(nullptr, given, description.frame, atlas.terrain(), settings.seed, time_s);
     const simulate::CoherentScene scene{
         &atlas.terrain(), render::reflectivity_of(atlas.textures(), radar.frequency_hz, radar.range_resolution_m),
         targets};

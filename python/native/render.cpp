@@ -7,7 +7,6 @@
 #include "long_call.h"
 #include "parts.h"
 #include "python_progress.h"
-#include "targets.h"
 #include "trace_arguments.h"
 
 #include "sigmascape/base/error.h"
@@ -166,7 +165,8 @@ auto mapped(const std::shared_ptr<LoadedScene>& scene, const radar::RadarFile& r
     tell(radar::radar_warnings(radar, simulate::bins_for(radar, grid.extent(), *ground.terrain), grid.cell_m), radar);
     // Those of the scene answer to rays by themselves.
     const scene::Scene* owner = scene && level_of_detail > 0 ? &scene->scene() : nullptr;
-    const auto targets = all_targets(owner, effort.targets, *ground.frame, *ground.terrain, effort.seed, effort.time_s);
+    const auto targets =
+        simulate::all_targets(owner, effort.targets, *ground.frame, *ground.terrain, effort.seed, effort.time_s);
     const Wish wish{ground, radar, grid, targets};
     Seen seen = level_of_detail == 0
                     ? traced(scene.get(), wish,

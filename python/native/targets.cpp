@@ -1,5 +1,3 @@
-#include "targets.h"
-
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
@@ -12,6 +10,7 @@
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
+#include "sigmascape/radar/target_file.h"
 
 namespace sigmascape::python {
 namespace {

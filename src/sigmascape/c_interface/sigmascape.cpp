@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <exception>
 #include <fmt/format.h>
 #include <memory>
 #include <span>
 #include <string>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -189,7 +191,10 @@ auto tracing_shared_with_cpp(Tracing& tracing) {
   return std::tie(tracing.frequency_hz, tracing.rays_per_cell, tracing.max_bounces, tracing.lattice_m);
 }
 
-FrameContent content_from(sigmascape_content content) {
+/// C lets an enumeration hold any number, C++ does not let it be read as one.
+FrameContent content_from(const sigmascape_content& wanted) {
+  std::underlying_type_t<sigmascape_content> content{};
+  std::memcpy(&content, &wanted, sizeof content);
   switch (content) {
     case SIGMASCAPE_AMPLITUDES:
       return FrameContent::Amplitudes;

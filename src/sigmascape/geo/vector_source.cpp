@@ -293,10 +293,4 @@ FeatureCensus for_each_feature(const VectorSource& source, const LocalFrame& fra
   return census;
 }
 
-std::vector<Feature> read_features(const VectorSource& source, const LocalFrame& frame) {
-  std::vector<Feature> features;
-  for_each_feature(source, frame, [&](Feature&& feature) { features.push_back(std::move(feature)); });
-  return features;
-}
-
 }  // namespace sigmascape::geo

@@ -54,7 +54,4 @@ struct FeatureCensus {
 FeatureCensus for_each_feature(const VectorSource& source, const LocalFrame& frame,
                                const std::function<void(Feature&&)>& visit);
 
-/// All of them at once.
-[[nodiscard]] std::vector<Feature> read_features(const VectorSource& source, const LocalFrame& frame);
-
 }  // namespace sigmascape::geo

@@ -82,12 +82,12 @@ void LooksOnGround::add(const radar::StripmapImage& look) {
 template <typename Image>
 void LooksOnGround::find_places(const Image& image) {
   found_ = Array2D<Found>(grid_.columns, grid_.rows);
+  const double bins_a_cell = cell_of(image);
   parallel_for(grid_.rows, threads_, [&](std::size_t row, unsigned) {
     for (std::size_t column = 0; column < grid_.columns; ++column) {
       const Vec2d centre = grid_.centre_of(column, row);
       const Vec3d point{centre.x, centre.y, terrain_.height_at(centre)};
-      found_(column, row) = {image.place_of(point) - Vec2d{0.5, 0.5},
-                             1.0 / (bin_area_m2(image, point) * cell_of(image))};
+      found_(column, row) = {image.place_of(point) - Vec2d{0.5, 0.5}, 1.0 / (bin_area_m2(image, point) * bins_a_cell)};
     }
   });
 }

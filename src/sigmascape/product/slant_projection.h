@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <vector>
 
 #include "sigmascape/base/array2d.h"
 #include "sigmascape/product/band_interpolation.h"

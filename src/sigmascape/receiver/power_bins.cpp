@@ -12,14 +12,19 @@ namespace {
 
 constexpr double units_per_m2 = 0x1p36;
 
+/// Adds to the sums of a bin, for one thread at a time. Returns how many of the channels do not fit.
+std::uint64_t add_channels(std::int64_t* units, std::uint32_t* rests, const radar::Channels& rcs_m2) {
+  std::uint64_t overflows = 0;
+  for (const float value : {rcs_m2.vv, rcs_m2.hh, rcs_m2.hv, rcs_m2.re_vvhh})
+    overflows += add_finely_alone(*units++, *rests++, static_cast<double>(value) * units_per_m2) ? 0 : 1;
+  return overflows;
+}
+
 }  // namespace
 
 void PowerLine::add(std::size_t bin, const radar::Channels& rcs_m2) {
-  std::size_t number = bin * radar::Channels::count;
-  for (const float value : {rcs_m2.vv, rcs_m2.hh, rcs_m2.hv, rcs_m2.re_vvhh}) {
-    if (!add_finely_alone(units_[number], rests_[number], static_cast<double>(value) * units_per_m2)) ++overflows_;
-    ++number;
-  }
+  const std::size_t number = bin * radar::Channels::count;
+  overflows_ += add_channels(&units_[number], &rests_[number], rcs_m2);
   first_ = std::min(first_, bin);
   end_ = std::max(end_, bin + 1);
 }
@@ -62,12 +67,9 @@ void PowerBins::clear() {
 }
 
 void PowerBins::add_to_held(std::size_t column, std::size_t row, const radar::Channels& rcs_m2) {
-  std::size_t number = (row * columns_ + column) * radar::Channels::count;
-  for (const float value : {rcs_m2.vv, rcs_m2.hh, rcs_m2.hv, rcs_m2.re_vvhh}) {
-    if (!add_finely_alone(units_[number], rests_[number], static_cast<double>(value) * units_per_m2))
-      std::atomic_ref(overflows_).fetch_add(1, std::memory_order_relaxed);
-    ++number;
-  }
+  const std::size_t number = (row * columns_ + column) * radar::Channels::count;
+  const std::uint64_t overflows = add_channels(&units_[number], &rests_[number], rcs_m2);
+  if (overflows > 0) std::atomic_ref(overflows_).fetch_add(overflows, std::memory_order_relaxed);
 }
 
 void PowerBins::add(std::size_t column, std::size_t row, const radar::Channels& rcs_m2) {

@@ -291,15 +291,18 @@ receiver::StripmapImager stripmap_imager(const CoherentScene& scene, const radar
   return imager;
 }
 
-/// Every look of an imager, with the Earth under it.
+/// An imager's image of some of the pulses, with the Earth under it.
+template <typename Imager>
+auto image_of(const Imager& imager, const radar::Radar& radar, const receiver::Subband& part, unsigned threads) {
+  auto image = imager.image(part, threads);
+  image.earth = radar::earth_of(radar);
+  return image;
+}
+
 template <typename Imager, typename Visit>
 void show_looks(const Imager& imager, const radar::Radar& radar, std::size_t looks, unsigned threads,
                 const Visit& visit) {
-  for (std::size_t look = 0; look < looks; ++look) {
-    auto image = imager.image({look, looks}, threads);
-    image.earth = radar::earth_of(radar);
-    visit(image);
-  }
+  for (std::size_t look = 0; look < looks; ++look) visit(image_of(imager, radar, {look, looks}, threads));
 }
 
 }  // namespace
@@ -343,16 +346,12 @@ void stripmap_looks(const CoherentScene& scene, const radar::Radar& radar, const
 
 radar::RangeDopplerImage range_doppler_image(const CoherentScene& scene, const radar::Radar& radar,
                                              const radar::Rectangle& area, const CoherentSettings& settings) {
-  radar::RangeDopplerImage whole;
-  range_doppler_looks(scene, radar, area, settings, 1, [&](const radar::RangeDopplerImage& look) { whole = look; });
-  return whole;
+  return image_of(doppler_imager(scene, radar, area, settings), radar, {}, settings.threads);
 }
 
 radar::StripmapImage stripmap_image(const CoherentScene& scene, const radar::Radar& radar, const radar::Rectangle& area,
                                     const CoherentSettings& settings) {
-  radar::StripmapImage whole;
-  stripmap_looks(scene, radar, area, settings, 1, [&](const radar::StripmapImage& look) { whole = look; });
-  return whole;
+  return image_of(stripmap_imager(scene, radar, area, settings), radar, {}, settings.threads);
 }
 
 void add_targets(radar::RangeAzimuthImage& image, const radar::Radar& radar, const Surroundings& surroundings,

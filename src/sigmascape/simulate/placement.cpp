@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <iterator>
 #include <utility>
 
 #include "sigmascape/base/error.h"
@@ -110,6 +111,15 @@ std::vector<radar::Target> targets_of(const scene::Scene& scene) {
                        .track = radar::Track::straight({point.position.x, point.position.y, height_m}),
                        .rcs_m2 = point.rcs_m2});
   }
+  return targets;
+}
+
+std::vector<radar::Target> all_targets(const scene::Scene* scene, std::span<const radar::TargetSource> given,
+                                       const geo::LocalFrame& frame, const terrain::HeightField& terrain,
+                                       std::uint64_t seed, double time_s) {
+  std::vector<radar::Target> targets;
+  if (scene != nullptr) targets = targets_of(*scene);
+  std::ranges::move(placed_targets(given, frame, terrain, seed, time_s), std::back_inserter(targets));
   return targets;
 }
 

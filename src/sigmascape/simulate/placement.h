@@ -33,4 +33,10 @@ namespace sigmascape::simulate {
 /// The point targets of a scene, as targets at rest.
 [[nodiscard]] std::vector<radar::Target> targets_of(const scene::Scene& scene);
 
+/// Those of the scene, where there is one, and then the given ones, placed as above.
+[[nodiscard]] std::vector<radar::Target> all_targets(const scene::Scene* scene,
+                                                     std::span<const radar::TargetSource> given,
+                                                     const geo::LocalFrame& frame, const terrain::HeightField& terrain,
+                                                     std::uint64_t seed, double time_s = 0.0);
+
 }  // namespace sigmascape::simulate

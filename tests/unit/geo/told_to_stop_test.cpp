@@ -3,6 +3,7 @@
 
 #include "scratch_folder.h"
 #include "unit/geo/ascii_grid.h"
+#include "unit/geo/read_features.h"
 
 #include "sigmascape/base/interruption.h"
 #include "sigmascape/geo/raster.h"

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "scratch_folder.h"
+#include "unit/geo/read_features.h"
 
 #include "sigmascape/geo/coordinate_transform.h"
 #include "sigmascape/geo/osm_tags.h"

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <gtest/gtest.h>
 
+#include "unit/geo/read_features.h"
 #include "unit/scene/made_up_place.h"
 
 #include "sigmascape/geo/coordinate_transform.h"
