@@ -2,8 +2,8 @@
 #include <pybind11/stl/filesystem.h>
 
 #include "array_view.h"
+#include "drawn_live.h"
 #include "given_number.h"
-#include "held_frame.h"
 #include "parts.h"
 
 #include "sigmascape/base/error.h"
@@ -18,38 +18,26 @@ namespace py = pybind11;
 using render::LiveGround;
 using Release = py::call_guard<py::gil_scoped_release>;
 
-struct GroundRenderer {
-  std::size_t beams;
-  Words words;
-  render::LiveRenderer renderer;
-};
+using GroundRenderer = DrawnLive<render::LiveRenderer>;
 
-HeldFrame rendered(const py::object& self, const Triple& position_m, double first_azimuth_rad, double first_range_m,
-                   const Triple& velocity_mps) {
-  const auto pose = pose_from(position_m, first_azimuth_rad, first_range_m, velocity_mps);
-  return drawn<GroundRenderer>(self, pose, [&](GroundRenderer& live) { return live.renderer.render(pose); });
-}
-
-HeldFrame scanned(const py::object& self, const Triple& position_m, double first_azimuth_rad, double first_range_m,
-                  std::size_t first_beam, std::size_t count, const Triple& velocity_mps) {
-  const auto pose = pose_from(position_m, first_azimuth_rad, first_range_m, velocity_mps);
-  return drawn<GroundRenderer>(self, pose, [&](GroundRenderer& live) {
-    check_step(first_beam, count, live.beams);
-    return live.renderer.scan(pose, first_beam, count);
-  });
-}
-
-std::unique_ptr<Held<GroundRenderer>> made_renderer(const Held<LiveGround>& ground, const std::string& content,
+std::unique_ptr<Held<GroundRenderer>> made_renderer(const Held<LiveGround>& held, const std::string& content,
                                                     std::size_t beams, std::size_t ranges, double beam_step_rad,
                                                     double range_step_m, double cells_per_bin, std::uint64_t seed,
                                                     unsigned threads, double refraction) {
   const auto settings =
       settings_from(content, beams, ranges, beam_step_rad, range_step_m, cells_per_bin, seed, threads, refraction);
-  const atlas::AtlasDescription& atlas = ground.here()->description();
-  const Words words =
-      origin_words("live frame from terrain and atlas", atlas.frame, atlas.name, atlas.scene_hash, seed);
-  return std::make_unique<Held<GroundRenderer>>(
-      "LiveRenderer", std::shared_ptr<GroundRenderer>(new GroundRenderer{beams, words, {ground.here(), settings}}));
+  const std::shared_ptr<LiveGround>& ground = held.here();
+  const atlas::AtlasDescription& atlas = ground->description();
+  std::shared_ptr<GroundRenderer> made(new GroundRenderer{
+      .beams = beams,
+      .seed = seed,
+      .words = origin_words("live frame from terrain and atlas", atlas.frame, atlas.name, atlas.scene_hash, seed),
+      .frame = atlas.frame,
+      .scene = nullptr,
+      .ground = ground->terrain(),
+      .drawer = {ground, settings},
+      .targets = {}});
+  return std::make_unique<Held<GroundRenderer>>("LiveRenderer", std::move(made));
 }
 
 template <typename Number>
@@ -104,6 +92,7 @@ void add_frame(py::module_& module) {
         "Of them shown more coarsely than wanted, for the finer was not there yet.");
   count(binding, "dark", &Report::dark, "Cells for which there was nothing at all.");
   count(binding, "level", &Report::level, "Of the textures, 0 the finest.");
+  count(binding, "targets", &Report::targets, "That stand in the bins and are seen, by a step's beams of a scan.");
   binding.def_property_readonly(
       "terrain_error_m", [](const HeldFrame& f) { return f.frame.report.terrain_error_m; },
       "By how much the terrain that hides may be wrong, for finer tiles were not there yet or cannot be had.");
@@ -150,25 +139,23 @@ void add_live(py::module_& module) {
   add_frame(module);
 
   const render::LiveSettings settings;
-  py::class_<Held<GroundRenderer>>(
+  py::class_<Held<GroundRenderer>> binding(
       module, "LiveRenderer",
       "The live radar picture of a wide area: hand it a pose, get what the receiver has in its bins.\n"
       "It never waits for pages; what was not there in time is shown from a coarser level. Calls of several threads\n"
-      "queue up, and a process that was forked off the one that made it makes its own.")
-      .def(py::init(&made_renderer), py::arg("ground"), py::kw_only(), py::arg("content") = "amplitudes",
-           py::arg("beams") = settings.beams, py::arg("ranges") = settings.ranges,
-           py::arg("beam_step_rad") = settings.beam_step_rad, py::arg("range_step_m") = settings.range_step_m,
-           py::arg("cells_per_bin") = settings.cells_per_bin, py::arg("seed") = settings.seed, py::arg("threads") = 0,
-           py::arg("refraction") = settings.refraction, Release(),
-           "content: 'amplitudes' (I/Q with speckle) or 'powers' (their mean). refraction: k of the k-Earth.")
-      .def("render", &rendered, py::arg("position_m"), py::kw_only(), py::arg("first_azimuth_rad"),
-           py::arg("first_range_m"), py::arg("velocity_mps") = Triple{},
-           "A Frame of all beams. position_m: x, y of the local frame, altitude above mean sea level.\n"
-           "first_azimuth_rad: left edge of beam 0, clockwise from north. first_range_m: near edge of range bin 0.\n"
-           "velocity_mps: says which ground to fetch ahead of time.")
-      .def("scan", &scanned, py::arg("position_m"), py::kw_only(), py::arg("first_azimuth_rad"),
-           py::arg("first_range_m"), py::arg("first_beam"), py::arg("count"), py::arg("velocity_mps") = Triple{},
-           "Renders `count` beams from `first_beam` anew and leaves the others: one step of a scanning antenna.");
+      "queue up, and a process that was forked off the one that made it makes its own.");
+  binding.def(py::init(&made_renderer), py::arg("ground"), py::kw_only(), py::arg("content") = "amplitudes",
+              py::arg("beams") = settings.beams, py::arg("ranges") = settings.ranges,
+              py::arg("beam_step_rad") = settings.beam_step_rad, py::arg("range_step_m") = settings.range_step_m,
+              py::arg("cells_per_bin") = settings.cells_per_bin, py::arg("seed") = settings.seed,
+              py::arg("threads") = 0, py::arg("refraction") = settings.refraction, Release(),
+              "content: 'amplitudes' (I/Q with speckle) or 'powers' (their mean). refraction: k of the k-Earth.");
+  bind_drawing(
+      binding,
+      "A Frame of all beams. position_m: x, y of the local frame, altitude above mean sea level.\n"
+      "first_azimuth_rad: left edge of beam 0, clockwise from north. first_range_m: near edge of range bin 0.\n"
+      "velocity_mps: says which ground to fetch ahead of time. time_s, dwell, pulse: of the targets.",
+      "Renders `count` beams from `first_beam` anew and leaves the others: one step of a scanning antenna.");
 }
 
 }  // namespace sigmascape::python

@@ -1,9 +1,6 @@
 #include "sigmascape/simulate/live_flight.h"
 
-#include <pybind11/stl.h>
-
-#include "held_frame.h"
-#include "loaded_scene.h"
+#include "drawn_live.h"
 #include "long_call.h"
 #include "parts.h"
 
@@ -12,13 +9,7 @@ namespace {
 
 namespace py = pybind11;
 
-/// A flight and the scene that it traces.
-struct SceneFlight {
-  std::size_t beams;
-  Words words;
-  std::shared_ptr<LoadedScene> scene;
-  simulate::LiveFlight flight;
-};
+using SceneFlight = DrawnLive<simulate::LiveFlight>;
 
 std::unique_ptr<Held<SceneFlight>> made_flight(std::shared_ptr<LoadedScene> scene,
                                                const Held<render::LiveGround>& ground, const std::string& content,
@@ -30,34 +21,24 @@ std::unique_ptr<Held<SceneFlight>> made_flight(std::shared_ptr<LoadedScene> scen
       settings_from(content, beams, ranges, beam_step_rad, range_step_m, cells_per_bin, seed, threads, refraction);
   const simulate::LiveFlightSettings flight{.tracing = {.rays_per_cell = rays_per_cell, .max_bounces = bounces}};
   const auto& loaded = *scene;
-  std::shared_ptr<SceneFlight> made(
-      new SceneFlight{.beams = beams,
-                      .words = origin_words("live frame, path-traced or from terrain and atlas", loaded.scene().frame,
-                                            loaded.scene().name, loaded.hash(), seed),
-                      .scene = std::move(scene),
-                      .flight = {loaded.scene(), loaded.geometry(), ground.here(), settings, flight}});
+  const scene::Scene& seen = loaded.scene();
+  std::shared_ptr<SceneFlight> made(new SceneFlight{
+      .beams = beams,
+      .seed = seed,
+      .words =
+          origin_words("live frame, path-traced or from terrain and atlas", seen.frame, seen.name, loaded.hash(), seed),
+      .frame = seen.frame,
+      .scene = std::move(scene),
+      .ground = seen.terrain,
+      .drawer = {seen, loaded.geometry(), ground.here(), settings, flight},
+      .targets = simulate::targets_of(seen)});
   return std::make_unique<Held<SceneFlight>>("LiveFlight", std::move(made));
-}
-
-HeldFrame flown(const py::object& self, const Triple& position_m, double first_azimuth_rad, double first_range_m,
-                const Triple& velocity_mps) {
-  const auto pose = pose_from(position_m, first_azimuth_rad, first_range_m, velocity_mps);
-  return drawn<SceneFlight>(self, pose, [&](SceneFlight& live) { return live.flight.render(pose); });
-}
-
-HeldFrame swept(const py::object& self, const Triple& position_m, double first_azimuth_rad, double first_range_m,
-                std::size_t first_beam, std::size_t count, const Triple& velocity_mps) {
-  const auto pose = pose_from(position_m, first_azimuth_rad, first_range_m, velocity_mps);
-  return drawn<SceneFlight>(self, pose, [&](SceneFlight& live) {
-    check_step(first_beam, count, live.beams);
-    return live.flight.scan(pose, first_beam, count);
-  });
 }
 
 /// What the flight tells of its last frame.
 template <typename Tell>
 auto told(const Held<SceneFlight>& held, const Tell& tell) {
-  return long_call([&] { return held.in_turn([&](const SceneFlight& live) { return tell(live.flight); }); });
+  return long_call([&] { return held.in_turn([&](const SceneFlight& live) { return tell(live.drawer); }); });
 }
 
 }  // namespace
@@ -65,11 +46,12 @@ auto told(const Held<SceneFlight>& held, const Tell& tell) {
 void add_live_flight(py::module_& module) {
   const render::LiveSettings settings;
   const simulate::LiveTraceSettings tracing;
-  py::class_<Held<SceneFlight>>(
+  py::class_<Held<SceneFlight>> binding(
       module, "LiveFlight",
       "Live frames along a flight path at the level of detail that they need: traced as by LiveTracer where a small\n"
       "area is looked at closely, from the textures of an atlas of the same scene elsewhere. One gives way to the\n"
-      "other over some frames, so that no step shows. Threads and processes share it as they do a LiveRenderer.")
+      "other over some frames, so that no step shows. Threads and processes share it as they do a LiveRenderer.");
+  binding
       .def(py::init(&made_flight), py::arg("scene"), py::arg("ground"), py::kw_only(),
            py::arg("content") = "amplitudes", py::arg("beams") = settings.beams, py::arg("ranges") = settings.ranges,
            py::arg("beam_step_rad") = settings.beam_step_rad, py::arg("range_step_m") = settings.range_step_m,
@@ -77,13 +59,6 @@ void add_live_flight(py::module_& module) {
            py::arg("refraction") = settings.refraction, py::arg("rays_per_cell") = tracing.rays_per_cell,
            py::arg("bounces") = tracing.max_bounces, py::call_guard<py::gil_scoped_release>(),
            "rays_per_cell, bounces: of traced frames, as in LiveTracer. The rest as in LiveRenderer.")
-      .def("render", &flown, py::arg("position_m"), py::kw_only(), py::arg("first_azimuth_rad"),
-           py::arg("first_range_m"), py::arg("velocity_mps") = Triple{}, "A Frame of all beams.")
-      .def(
-          "scan", &swept, py::arg("position_m"), py::kw_only(), py::arg("first_azimuth_rad"), py::arg("first_range_m"),
-          py::arg("first_beam"), py::arg("count"), py::arg("velocity_mps") = Triple{},
-          "Renders `count` beams from `first_beam` anew, at the level that they need, and leaves the others: one step\n"
-          "of a scanning antenna. A change between levels goes on from step to step.")
       .def_property_readonly(
           "textured_share",
           [](const Held<SceneFlight>& held) {
@@ -97,6 +72,10 @@ void add_live_flight(py::module_& module) {
             return told(held, [](const simulate::LiveFlight& flight) { return flight.explained(); });
           },
           "What the last pose asked for, and why, in a few lines for people.");
+  bind_drawing(
+      binding, "A Frame of all beams, as LiveRenderer.render gives it.",
+      "Renders `count` beams from `first_beam` anew, at the level that they need, and leaves the others: one step\n"
+      "of a scanning antenna. A change between levels goes on from step to step.");
 }
 
 }  // namespace sigmascape::python

@@ -1,9 +1,6 @@
 #include "sigmascape/simulate/live_tracer.h"
 
-#include <pybind11/stl.h>
-
-#include "held_frame.h"
-#include "loaded_scene.h"
+#include "drawn_live.h"
 #include "parts.h"
 
 #include "sigmascape/render/level_of_detail.h"
@@ -13,13 +10,7 @@ namespace {
 
 namespace py = pybind11;
 
-/// A tracer and the scene that it looks at.
-struct SceneTracer {
-  std::size_t beams;
-  Words words;
-  std::shared_ptr<LoadedScene> scene;
-  simulate::LiveTracer tracer;
-};
+using SceneTracer = DrawnLive<simulate::LiveTracer>;
 
 std::unique_ptr<Held<SceneTracer>> made_tracer(std::shared_ptr<LoadedScene> scene, const std::string& content,
                                                std::size_t beams, std::size_t ranges, double beam_step_rad,
@@ -29,27 +20,17 @@ std::unique_ptr<Held<SceneTracer>> made_tracer(std::shared_ptr<LoadedScene> scen
   const auto settings =
       settings_from(content, beams, ranges, beam_step_rad, range_step_m, cells_per_bin, seed, threads, refraction);
   const auto& loaded = *scene;
-  std::shared_ptr<SceneTracer> tracer(new SceneTracer{
+  const scene::Scene& seen = loaded.scene();
+  std::shared_ptr<SceneTracer> made(new SceneTracer{
       .beams = beams,
-      .words = origin_words("live frame, path-traced", loaded.scene().frame, loaded.scene().name, loaded.hash(), seed),
+      .seed = seed,
+      .words = origin_words("live frame, path-traced", seen.frame, seen.name, loaded.hash(), seed),
+      .frame = seen.frame,
       .scene = std::move(scene),
-      .tracer = {
-          loaded.scene(), loaded.geometry(), settings, {frequency_ghz * 1e9, rays_per_cell, bounces, lattice_m}}});
-  return std::make_unique<Held<SceneTracer>>("LiveTracer", std::move(tracer));
-}
-
-HeldFrame traced(const py::object& self, const Triple& position_m, double first_azimuth_rad, double first_range_m) {
-  const auto pose = pose_from(position_m, first_azimuth_rad, first_range_m);
-  return drawn<SceneTracer>(self, pose, [&](SceneTracer& live) { return live.tracer.render(pose); });
-}
-
-HeldFrame swept(const py::object& self, const Triple& position_m, double first_azimuth_rad, double first_range_m,
-                std::size_t first_beam, std::size_t count) {
-  const auto pose = pose_from(position_m, first_azimuth_rad, first_range_m);
-  return drawn<SceneTracer>(self, pose, [&](SceneTracer& live) {
-    check_step(first_beam, count, live.beams);
-    return live.tracer.scan(pose, first_beam, count);
-  });
+      .ground = seen.terrain,
+      .drawer = {seen, loaded.geometry(), settings, {frequency_ghz * 1e9, rays_per_cell, bounces, lattice_m}},
+      .targets = simulate::targets_of(seen)});
+  return std::make_unique<Held<SceneTracer>>("LiveTracer", std::move(made));
 }
 
 }  // namespace
@@ -57,38 +38,35 @@ HeldFrame swept(const py::object& self, const Triple& position_m, double first_a
 void add_live_tracer(py::module_& module) {
   const render::LiveSettings settings;
   const simulate::LiveTraceSettings tracing;
-  py::class_<Held<SceneTracer>>(
+  py::class_<Held<SceneTracer>> binding(
       module, "LiveTracer",
       "Level of detail 0 of live frames: the whole scene, path-traced, in the bins of LiveRenderer and with its\n"
       "speckle. For small areas. While the pose stays the same each call adds rays to those before. Threads and\n"
-      "processes share it as they do a LiveRenderer.")
-      .def(
-          py::init(&made_tracer), py::arg("scene"), py::kw_only(), py::arg("content") = "amplitudes",
-          py::arg("beams") = settings.beams, py::arg("ranges") = settings.ranges,
-          py::arg("beam_step_rad") = settings.beam_step_rad, py::arg("range_step_m") = settings.range_step_m,
-          py::arg("cells_per_bin") = settings.cells_per_bin, py::arg("seed") = settings.seed, py::arg("threads") = 0,
-          py::arg("refraction") = settings.refraction, py::arg("frequency_ghz") = tracing.frequency_hz / 1e9,
-          py::arg("rays_per_cell") = tracing.rays_per_cell, py::arg("bounces") = tracing.max_bounces,
-          py::arg("lattice_m") = tracing.lattice_m, py::call_guard<py::gil_scoped_release>(),
-          "rays_per_cell: that each call adds. lattice_m: side of the finest cells of the scatterers; with that of an\n"
-          "atlas' texels both levels draw the same ones. The rest as in LiveRenderer.")
-      .def(
-          "render", &traced, py::arg("position_m"), py::kw_only(), py::arg("first_azimuth_rad"),
-          py::arg("first_range_m"),
-          "A Frame of all beams, as LiveRenderer.render gives it; its rays_per_cell and median_error_db say how clear\n"
-          "it has become.")
-      .def("scan", &swept, py::arg("position_m"), py::kw_only(), py::arg("first_azimuth_rad"), py::arg("first_range_m"),
-           py::arg("first_beam"), py::arg("count"),
-           "Traces `count` beams from `first_beam` anew, and their ground alone, and leaves the others: one step of a\n"
-           "scanning antenna. The same beams of the same pose get rays added when they come again.")
-      .def(
-          "advised_detail",
-          [](const Held<SceneTracer>& held, const Triple& position_m, double first_azimuth_rad, double first_range_m) {
-            const auto pose = pose_from(position_m, first_azimuth_rad, first_range_m);
-            return render::choose_detail(held.here()->tracer.question(pose)).level;
-          },
-          py::arg("position_m"), py::kw_only(), py::arg("first_azimuth_rad"), py::arg("first_range_m"),
-          "The level of detail that the resolution cell asks for at this pose: 0 where the scene should be traced.");
+      "processes share it as they do a LiveRenderer.");
+  binding.def(
+      py::init(&made_tracer), py::arg("scene"), py::kw_only(), py::arg("content") = "amplitudes",
+      py::arg("beams") = settings.beams, py::arg("ranges") = settings.ranges,
+      py::arg("beam_step_rad") = settings.beam_step_rad, py::arg("range_step_m") = settings.range_step_m,
+      py::arg("cells_per_bin") = settings.cells_per_bin, py::arg("seed") = settings.seed, py::arg("threads") = 0,
+      py::arg("refraction") = settings.refraction, py::arg("frequency_ghz") = tracing.frequency_hz / 1e9,
+      py::arg("rays_per_cell") = tracing.rays_per_cell, py::arg("bounces") = tracing.max_bounces,
+      py::arg("lattice_m") = tracing.lattice_m, py::call_guard<py::gil_scoped_release>(),
+      "rays_per_cell: that each call adds. lattice_m: side of the finest cells of the scatterers; with that of an\n"
+      "atlas' texels both levels draw the same ones. The rest as in LiveRenderer.");
+  bind_drawing(
+      binding,
+      "A Frame of all beams, as LiveRenderer.render gives it; its rays_per_cell and median_error_db say how\n"
+      "clear it has become.",
+      "Traces `count` beams from `first_beam` anew, and their ground alone, and leaves the others: one step of a\n"
+      "scanning antenna. The same beams of the same pose get rays added when they come again.");
+  binding.def(
+      "advised_detail",
+      [](const Held<SceneTracer>& held, const Triple& position_m, double first_azimuth_rad, double first_range_m) {
+        const auto pose = pose_from(position_m, first_azimuth_rad, first_range_m);
+        return render::choose_detail(held.here()->drawer.question(pose)).level;
+      },
+      py::arg("position_m"), py::kw_only(), py::arg("first_azimuth_rad"), py::arg("first_range_m"),
+      "The level of detail that the resolution cell asks for at this pose: 0 where the scene should be traced.");
 }
 
 }  // namespace sigmascape::python

@@ -10,7 +10,8 @@ import pytest
 
 import sigmascape
 
-# Left alone, each of these takes a second or more, most take minutes; the map from an atlas takes 0.4 s on a fast machine. The radar sees 96 x 96 m, so that work comes from resolution and from rays.
+# Left alone, most of these take minutes, the map from an atlas 0.4 s on a fast machine. The radar sees 96 x 96 m, so that work comes from
+# resolution and from rays.
 PREPARED = """
 import sys, sigmascape
 scene = sigmascape.Scene.simple(side_m=96.0)

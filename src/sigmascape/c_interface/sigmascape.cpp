@@ -21,6 +21,7 @@
 #include "sigmascape/scene/scene_file.h"
 #include "sigmascape/simulate/live_flight.h"
 #include "sigmascape/simulate/live_tracer.h"
+#include "sigmascape/simulate/placement.h"
 #include "sigmascape/trace/scene_geometry.h"
 
 using sigmascape::radar::Target;
@@ -61,7 +62,7 @@ struct sigmascape_renderer {
   std::shared_ptr<TracedScene> scene = {};
   std::unique_ptr<LiveTracer> tracer = {};
   std::unique_ptr<LiveFlight> flight = {};
-  std::vector<sigmascape::radar::Target> targets = {};
+  std::vector<Target> targets = {};  ///< those of the scene, where there is one, then those that were set
 };
 
 namespace {
@@ -285,7 +286,8 @@ sigmascape_renderer* sigmascape_make_tracer(sigmascape_scene* scene, const sigma
     return new sigmascape_renderer{.beams = live.beams,
                                    .scene = traced,
                                    .tracer = std::make_unique<LiveTracer>(traced->scene, traced->geometry, live,
-                                                                          tracing_from(given(tracing, "tracing")))};
+                                                                          tracing_from(given(tracing, "tracing"))),
+                                   .targets = sigmascape::simulate::targets_of(traced->scene)};
   });
 }
 
@@ -299,7 +301,8 @@ sigmascape_renderer* sigmascape_make_flight(sigmascape_scene* scene, sigmascape_
         .scene = traced,
         .flight = std::make_unique<LiveFlight>(
             traced->scene, traced->geometry, given(ground, "ground").ground, live,
-            sigmascape::simulate::LiveFlightSettings{.tracing = tracing_from(given(tracing, "tracing"))})};
+            sigmascape::simulate::LiveFlightSettings{.tracing = tracing_from(given(tracing, "tracing"))}),
+        .targets = sigmascape::simulate::targets_of(traced->scene)};
   });
 }
 
@@ -323,7 +326,7 @@ int sigmascape_set_targets(sigmascape_renderer* renderer, const sigmascape_targe
     (void)given(renderer, "renderer");
     if (count > 0) (void)given(targets, "targets");
     std::vector<Target> made;
-    made.reserve(count);
+    if (renderer->scene) made = sigmascape::simulate::targets_of(renderer->scene->scene);
     for (std::size_t i = 0; i < count; ++i) made.push_back(target_from(targets[i], i));
     renderer->targets = std::move(made);
     return 0;

@@ -139,8 +139,8 @@ sigmascape_renderer* sigmascape_make_flight(sigmascape_scene* scene, sigmascape_
  * Negative when it is no flight. */
 double sigmascape_textured_share(const sigmascape_renderer* flight);
 
-/* The targets of all frames from now on, in place of those before; copied, tables read. Returns 0 when all went well,
- * and otherwise leaves those before. */
+/* The targets of all frames from now on, in place of those set before; copied, tables read. The point targets of a
+ * tracer's or a flight's scene answer besides. Returns 0 when all went well, and otherwise leaves those before. */
 int sigmascape_set_targets(sigmascape_renderer* renderer, const sigmascape_target* targets, size_t count);
 
 /* Renders all beams, or beams first ... first + count - 1 anew and leaves the others: one step of a scanning antenna.

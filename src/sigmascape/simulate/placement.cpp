@@ -37,7 +37,7 @@ struct Placer {
 /// Puts the places of one target where they are.
 struct TargetPlacer {
   const geo::LocalFrame& frame;
-  const terrain::HeightField& terrain;
+  const TargetGround& ground;
   const std::string& where;
 
   Vec2d operator()(Vec2d place) const { return place; }
@@ -46,14 +46,14 @@ struct TargetPlacer {
   }
   [[nodiscard]] radar::WayPoint way_point(const radar::TargetPlace& source) const {
     const Vec2d place = std::visit(*this, source.place);
-    const radar::Rectangle extent = terrain.extent();
+    const radar::Rectangle& extent = ground.extent;
     if (source.above_ground && !extent.contains(place)) {
       throw Error(
           where, fmt::format("has a place at ({:.1f}, {:.1f}) m, outside the terrain", place.x, place.y),
           fmt::format("move it to between {:.0f} and {:.0f} m east, {:.0f} and {:.0f} m north, or state altitude_m",
                       extent.west_m, extent.east_m, extent.south_m, extent.north_m));
     }
-    const double ground_m = source.above_ground ? terrain.height_at(place) : 0.0;
+    const double ground_m = source.above_ground ? ground.height_at(place) : 0.0;
     return {source.time_s, {place.x, place.y, ground_m + source.height_m}};
   }
 };
@@ -86,11 +86,18 @@ radar::GroundGrid map_grid(const radar::MapRequest& request, const radar::Rectan
   return {west, north, request.cell_m, static_cast<std::size_t>(columns), static_cast<std::size_t>(rows)};
 }
 
+TargetGround::TargetGround(const terrain::HeightField& terrain)
+    : extent(terrain.extent()), height_at([&terrain](Vec2d place) { return terrain.height_at(place); }) {}
+
+TargetGround::TargetGround(const render::LiveTerrain& terrain)
+    : extent(terrain.pyramid().layout().extent()),
+      height_at([&terrain](Vec2d place) { return terrain.height_at(place); }) {}
+
 std::vector<radar::Target> placed_targets(std::span<const radar::TargetSource> sources, const geo::LocalFrame& frame,
-                                          const terrain::HeightField& terrain, std::uint64_t seed, double time_s) {
+                                          const TargetGround& ground, std::uint64_t seed, double time_s) {
   std::vector<radar::Target> targets;
   for (const radar::TargetSource& source : sources) {
-    const TargetPlacer placer{frame, terrain, source.where};
+    const TargetPlacer placer{frame, ground, source.where};
     std::vector<radar::WayPoint> way_points;
     for (const radar::TargetPlace& place : source.places) way_points.push_back(placer.way_point(place));
     radar::Target target = source.target;
@@ -115,11 +122,11 @@ std::vector<radar::Target> targets_of(const scene::Scene& scene) {
 }
 
 std::vector<radar::Target> all_targets(const scene::Scene* scene, std::span<const radar::TargetSource> given,
-                                       const geo::LocalFrame& frame, const terrain::HeightField& terrain,
-                                       std::uint64_t seed, double time_s) {
+                                       const geo::LocalFrame& frame, const TargetGround& ground, std::uint64_t seed,
+                                       double time_s) {
   std::vector<radar::Target> targets;
   if (scene != nullptr) targets = targets_of(*scene);
-  std::ranges::move(placed_targets(given, frame, terrain, seed, time_s), std::back_inserter(targets));
+  std::ranges::move(placed_targets(given, frame, ground, seed, time_s), std::back_inserter(targets));
   return targets;
 }
 

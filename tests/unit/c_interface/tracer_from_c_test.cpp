@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <gtest/gtest.h>
 #include <string>
 
@@ -73,6 +75,41 @@ TEST(TracerFromC, GivesTheFrameOfTheCppInterface) {
   ASSERT_EQ(sigmascape_scan(tracer, &from, 5, 4, &frame), 0) << sigmascape_last_error();
   EXPECT_EQ(frame.cells, step.report.cells);
   EXPECT_TRUE(holds_beams_of(frame, step, 5, 4));
+  sigmascape_free_renderer(tracer);
+}
+
+TEST(TracerFromC, TargetsOfTheSceneAnswerBesidesThoseThatAreSet) {
+  const ScratchFolder folder;
+  const std::filesystem::path file = end_to_end::write_made_scene(folder.path("town"), 160.0, 160.0);
+  std::ofstream(file, std::ios::app)
+      << "\n[[point_targets]]\nposition_m = [0.0, 0.0]\nheight_m = 40.0\nrcs_dbsm = 40.0\n";
+  render::ExampleView view;
+  view.target = {};
+  view.bin_m = 4.0;
+  view.beams = view.ranges = 24;
+  sigmascape_scene* scene = sigmascape_open_scene(file.c_str());
+  ASSERT_NE(scene, nullptr) << sigmascape_last_error();
+  const sigmascape_settings settings = said_in_c(view.settings(render::FrameContent::Powers));
+  sigmascape_tracing tracing = sigmascape_default_tracing();
+  tracing.rays_per_cell = 1;
+  sigmascape_renderer* tracer = sigmascape_make_tracer(scene, &settings, &tracing);
+  ASSERT_NE(tracer, nullptr) << sigmascape_last_error();
+  sigmascape_close_scene(scene);
+
+  const sigmascape_pose pose = said_in_c(view.pose());
+  sigmascape_frame frame = {};
+  const auto targets_seen = [&] {
+    EXPECT_EQ(sigmascape_render(tracer, &pose, &frame), 0) << sigmascape_last_error();
+    return frame.targets;
+  };
+  EXPECT_EQ(targets_seen(), 1U);
+  sigmascape_target above = {};
+  above.position_m[2] = 60.0;
+  above.rcs_m2[0] = 1e4F;
+  ASSERT_EQ(sigmascape_set_targets(tracer, &above, 1), 0) << sigmascape_last_error();
+  EXPECT_EQ(targets_seen(), 2U);
+  ASSERT_EQ(sigmascape_set_targets(tracer, nullptr, 0), 0) << sigmascape_last_error();
+  EXPECT_EQ(targets_seen(), 1U);
   sigmascape_free_renderer(tracer);
 }
 

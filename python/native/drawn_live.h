@@ -1,0 +1,140 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <fmt/format.h>
+#include <memory>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "held.h"
+#include "held_frame.h"
+#include "loaded_scene.h"
+#include "long_call.h"
+#include "origin_words.h"
+
+#include "sigmascape/base/error.h"
+#include "sigmascape/render/live_renderer.h"
+#include "sigmascape/simulate/placement.h"
+
+namespace sigmascape::python {
+
+using Triple = std::array<double, 3>;
+
+/// What Python holds of a class that draws live frames, `Drawer`, and what that draws on.
+template <typename Drawer>
+struct DrawnLive {
+  std::size_t beams;
+  std::uint64_t seed;
+  Words words;
+  geo::LocalFrame frame;
+  std::shared_ptr<LoadedScene> scene;  ///< whose point targets answer besides those that are set; null: none
+  simulate::TargetGround ground;
+  Drawer drawer;
+  std::vector<radar::Target> targets;
+
+  void set_targets(const std::vector<radar::TargetSource>& given) {
+    targets = simulate::all_targets(scene ? &scene->scene() : nullptr, given, frame, ground, seed);
+  }
+};
+
+/// Throws Error for a step of a scan that begins behind the last beam or is of none; beams behind the last are left
+/// out.
+inline void check_step(std::size_t first_beam, std::size_t count, std::size_t beams) {
+  if (first_beam >= beams) {
+    throw Error("first_beam", fmt::format("is {}, and there are {} beams", first_beam, beams),
+                fmt::format("give 0 to {}", beams - 1));
+  }
+  if (count == 0) throw Error("count", "is 0", "give 1 or more");
+}
+
+inline render::Pose pose_from(const Triple& position_m, double first_azimuth_rad, double first_range_m,
+                              const Triple& velocity_mps = {}, const radar::Moment& moment = {}) {
+  return {.position = {position_m[0], position_m[1], position_m[2]},
+          .first_azimuth_rad = first_azimuth_rad,
+          .first_range_m = first_range_m,
+          .velocity_mps = {velocity_mps[0], velocity_mps[1], velocity_mps[2]},
+          .moment = moment};
+}
+
+inline render::LiveSettings settings_from(const std::string& content, std::size_t beams, std::size_t ranges,
+                                          double beam_step_rad, double range_step_m, double cells_per_bin,
+                                          std::uint64_t seed, unsigned threads, double refraction) {
+  if (content != "amplitudes" && content != "powers")
+    throw Error("content", "is '" + content + "'", "give 'amplitudes' or 'powers'");
+  return {.content = content == "powers" ? render::FrameContent::Powers : render::FrameContent::Amplitudes,
+          .beams = beams,
+          .ranges = ranges,
+          .beam_step_rad = beam_step_rad,
+          .range_step_m = range_step_m,
+          .cells_per_bin = cells_per_bin,
+          .seed = seed,
+          .threads = threads,
+          .refraction = refraction};
+}
+
+/// What `draw` makes of the pose with the drawer behind `self`, for which others wait their turn.
+template <typename Drawer, typename Draw>
+HeldFrame drawn(const pybind11::object& self, const render::Pose& pose, const Draw& draw) {
+  const auto& held = self.cast<const Held<DrawnLive<Drawer>>&>();
+  // A copy of what is told about the bins, taken before the next caller's frame is.
+  const auto [frame, words] = long_call([&] {
+    return held.in_turn([&](DrawnLive<Drawer>& live) {
+      render::Pose with_targets = pose;
+      with_targets.targets = live.targets;
+      return std::pair<render::Frame, Words>(draw(live, with_targets), live.words);
+    });
+  });
+  return {frame, pose, self, &held.turns(), words};
+}
+
+/// Binds `render`, `scan` and `set_targets`, which all of these classes have. The words say what is particular to one.
+template <typename Drawer>
+void bind_drawing(pybind11::class_<Held<DrawnLive<Drawer>>>& binding, const char* of_render, const char* of_scan) {
+  namespace py = pybind11;
+  const py::kw_only by_keyword;
+  const py::arg position("position_m"), azimuth("first_azimuth_rad"), range("first_range_m");
+  const auto velocity = py::arg("velocity_mps") = Triple{};
+  const auto time = py::arg("time_s") = 0.0;
+  const auto dwell = py::arg("dwell") = std::uint64_t{0};
+  const auto pulse = py::arg("pulse") = std::uint64_t{0};
+  binding.def(
+      "render",
+      [](const py::object& self, const Triple& position_m, double first_azimuth_rad, double first_range_m,
+         const Triple& velocity_mps, double time_s, std::uint64_t dwell_number, std::uint64_t pulse_number) {
+        return drawn<Drawer>(
+            self,
+            pose_from(position_m, first_azimuth_rad, first_range_m, velocity_mps, {time_s, dwell_number, pulse_number}),
+            [](auto& live, const render::Pose& pose) { return live.drawer.render(pose); });
+      },
+      position, by_keyword, azimuth, range, velocity, time, dwell, pulse, of_render);
+  binding.def(
+      "scan",
+      [](const py::object& self, const Triple& position_m, double first_azimuth_rad, double first_range_m,
+         std::size_t first_beam, std::size_t count, const Triple& velocity_mps, double time_s,
+         std::uint64_t dwell_number, std::uint64_t pulse_number) {
+        return drawn<Drawer>(
+            self,
+            pose_from(position_m, first_azimuth_rad, first_range_m, velocity_mps, {time_s, dwell_number, pulse_number}),
+            [&](auto& live, const render::Pose& pose) {
+              check_step(first_beam, count, live.beams);
+              return live.drawer.scan(pose, first_beam, count);
+            });
+      },
+      position, by_keyword, azimuth, range, py::arg("first_beam"), py::arg("count"), velocity, time, dwell, pulse,
+      of_scan);
+  binding.def(
+      "set_targets",
+      [](const Held<DrawnLive<Drawer>>& held, const std::vector<radar::TargetSource>& targets) {
+        long_call([&] { held.in_turn([&](DrawnLive<Drawer>& live) { live.set_targets(targets); }); });
+      },
+      py::arg("targets"),
+      "The Targets of all frames from now on, in place of those set before. They stand on the finest terrain that\n"
+      "there is; time_s of a frame says where those that move are, dwell and pulse how those fade that fluctuate.\n"
+      "Point targets of the scene answer besides, where frames are drawn from a Scene.");
+}
+
+}  // namespace sigmascape::python
