@@ -7,6 +7,8 @@
 #include "results/columns.h"
 #include "results/costs.h"
 
+#include "sigmascape/bake/sampling.h"
+
 namespace sigmascape::cli {
 namespace {
 
@@ -63,11 +65,18 @@ std::string correlation_beside(double least, double correlation) {
                      mark(correlation >= least));
 }
 
+/// Of a texel: a number, or what decides about it.
+std::string rays_text(std::uint32_t samples) {
+  if (samples != 0) return fmt::format("{}", samples);
+  const bake::Sampling adaptive;
+  return fmt::format("to {:g} dB, at most {}", adaptive.target_db, adaptive.most_samples);
+}
+
 /// How well two traced maps of a view agree, which bounds what can be shown of any method.
 std::string truth_aim(const ResultsReport& report, const std::string& scene, ViewKind kind) {
   const product::CellComparison* floor = noise_floor(report.plan, report.rows, scene, kind);
   if (floor == nullptr) return {};
-  return fmt::format("|{} {} | *truth*, {} rays a cell | | {} | {} | | |\n", SceneColumn(report.plan).cell(scene),
+  return fmt::format("|{} {} | *truth*, {} rays a cell | | | {} | {} | | |\n", SceneColumn(report.plan).cell(scene),
                      text_of(kind), traced_rays(report.plan, report.rows, scene, kind).text(),
                      correlation_beside(least_agreement, floor->correlation_db), signed_text(floor->bias_db, 2));
 }
@@ -76,21 +85,23 @@ std::string truth_aim(const ResultsReport& report, const std::string& scene, Vie
 std::string aim_line(const ResultsReport& report, const ResultsRow& row, const ResultsCell& cell, double least) {
   constexpr double most_bias_db = 0.3;
   const double bias_db = cell.median.bias_db, size_db = std::abs(bias_db);
-  return fmt::format("|{} {} | {}{}{} | {} | {} | {} | ±{:g} | {} |\n", SceneColumn(report.plan).cell(row.of.scene),
-                     text_of(row.of.kind), text_of(row.of.method), row.of.change.empty() ? "" : ", ", row.of.change,
-                     row.of.baked_samples, correlation_beside(least, cell.median.correlation_db),
-                     signed_text(bias_db, decimals_that_tell(most_bias_db, size_db, 2)), most_bias_db,
-                     mark(size_db <= most_bias_db));
+  return fmt::format(
+      "|{} {} | {}{}{} | {} | {:.1f} | {} | {} | ±{:g} | {} |\n", SceneColumn(report.plan).cell(row.of.scene),
+      text_of(row.of.kind), text_of(row.of.method), row.of.change.empty() ? "" : ", ", row.of.change,
+      rays_text(row.of.baked_samples), row.atlas.bake_seconds / static_cast<double>(row.atlas.looks),
+      correlation_beside(least, cell.median.correlation_db),
+      signed_text(bias_db, decimals_that_tell(most_bias_db, size_db, 2)), most_bias_db, mark(size_db <= most_bias_db));
 }
 
-/// Views that were baked, from the grid as it is baked, and from the same looks with as many rays as the truth has, on
-/// texels half as wide as well.
+/// Views that were baked, from the grid as it is measured, from the same looks with rays where the noise is, as they
+/// are baked by default, and with as many rays as the truth has, on texels half as wide as well.
 std::string aims_of_scene(const ResultsReport& report, const std::string& scene, double least) {
   const ResultsPlan& plan = report.plan;
   std::string text = truth_aim(report, scene, ViewKind::OnGrid);
   for (const Method method : {Method::Paper, Method::LevelGround, Method::OwnGround}) {
     for (const auto& [grid, samples, change] :
          {std::tuple(plan.paper_grid().name(), plan.baked_samples, ""),
+          {std::string(own_look), 0U, adaptive_change},
           {std::string(own_look), plan.finer_samples, ""},
           {std::string(own_look), plan.samples_of_finer_texels(), finer_texels_change}}) {
       const ResultsRow* row = find_row(report.rows, {.scene = scene,
@@ -144,14 +155,15 @@ std::string aims_section(const ResultsReport& report) {
   const SceneColumn scene(plan);
   std::string text = fmt::format(
       "## What was aimed at\n\nAnd what came out at views that were baked, medians at {:.0f} m cells, from the {} grid "
-      "or, where the rays are more, from the view's own look. Of views that were not baked, an aim is set for the "
-      "truth alone. What is missed with few rays and reached with many is missed for the bake's noise; what comes "
+      "or, where the rays are others, from the view's own look. *Rays where the noise is* are what `sigmascape bake` "
+      "takes by itself. Of views that were not baked, an aim is set for the truth alone. What is missed with few rays "
+      "and reached with many is missed for the bake's noise; what comes "
       "closer on narrower texels, for {}.\n\n",
       summary_cell_m, plan.paper_grid().name(),
       report.links.to("their width", "docs/decisions/0118-texels-and-cells.md"));
-  text += fmt::format("|{} views | method | rays a texel | correlation of dB | aimed at | | bias [dB] | aimed at | |\n",
-                      scene.head());
-  text += fmt::format("|{}---|---|---:|---:|---:|---|---:|---:|---|\n", scene.rule());
+  text += fmt::format("|{} views | method | rays a texel | bake of a look [s] | ", scene.head()) +
+          "correlation of dB | aimed at | | bias [dB] | aimed at | |\n";
+  text += fmt::format("|{}---|---|---:|---:|---:|---:|---|---:|---:|---|\n", scene.rule());
   text += aims_of_scene(report, plan.scene_name(), 0.95);
   if (plan.has_level_ground()) text += aims_of_scene(report, "level", 0.99);
   return text + truth_aim(report, plan.scene_name(), ViewKind::HeldOut) + "\n";

@@ -290,6 +290,15 @@ ReadyMethod Measurement::own_look_of(Method method, const MeasuredScene& measure
   return own_look_from(settings, method, measured, view, is_again ? "_again" : "");
 }
 
+ReadyMethod Measurement::own_look_with_rays_where_noise_is(Method method, const MeasuredScene& measured,
+                                                           const PlannedView& view) {
+  bake::BakeSettings settings = own_look_settings(method, view, 0);
+  settings.sampling = {};
+  ReadyMethod ready = own_look_from(settings, method, measured, view, "_adaptive");
+  ready.change = adaptive_change;
+  return ready;
+}
+
 ReadyMethod Measurement::own_look_in_finer_texels(Method method, const MeasuredScene& measured,
                                                   const PlannedView& view) {
   bake::BakeSettings settings = own_look_settings(method, view, plan_.samples_of_finer_texels());
@@ -313,7 +322,7 @@ ReadyMethod Measurement::own_look_from(const bake::BakeSettings& settings, Metho
   return from_store(method, own_look, samples, TimedBake(scene_.scene, settings, store, progress_), {});
 }
 
-/// Without an angle missing, and of baked views almost without noise as well.
+/// Without an angle missing, and of baked views with rays where the noise is and almost without noise as well.
 void Measurement::compare_own_looks(const Truth& truth, const MeasuredScene& measured, const PlannedView& view) {
   const Method ours = &measured == &scene_ ? Method::OwnGround : Method::LevelGround;
   const bool is_finer_too = view.kind == ViewKind::OnGrid;
@@ -329,7 +338,9 @@ void Measurement::compare_own_looks(const Truth& truth, const MeasuredScene& mea
     }
     if (!is_finer_too || samples == plan_.finer_samples) break;
   }
-  if (is_finer_too) hold_against(truth, measured, view, own_look_in_finer_texels(ours, measured, view));
+  if (!is_finer_too) return;
+  hold_against(truth, measured, view, own_look_with_rays_where_noise_is(ours, measured, view));
+  hold_against(truth, measured, view, own_look_in_finer_texels(ours, measured, view));
 }
 
 void Measurement::hold_against(const Truth& truth, const MeasuredScene& measured, const PlannedView& view,

@@ -80,6 +80,9 @@ class Measurement {
   /// The view's own look, baked for it.
   [[nodiscard]] ReadyMethod own_look_of(Method method, const MeasuredScene& measured, const PlannedView& view,
                                         std::uint32_t samples, std::uint64_t seed);
+  /// As `sigmascape bake` samples it by itself.
+  [[nodiscard]] ReadyMethod own_look_with_rays_where_noise_is(Method method, const MeasuredScene& measured,
+                                                              const PlannedView& view);
   /// The same almost without noise, baked on texels half as wide.
   [[nodiscard]] ReadyMethod own_look_in_finer_texels(Method method, const MeasuredScene& measured,
                                                      const PlannedView& view);

@@ -34,13 +34,15 @@ inline constexpr const char* halves_change = "half floats";
 inline constexpr const char* renormalized_change = "power by tiles";
 inline constexpr const char* shared_noise_change = "noise shared";
 inline constexpr const char* finer_texels_change = "texels half as wide";
+/// As `sigmascape bake` does if not told otherwise: bake::Sampling's own target, no fixed number of rays.
+inline constexpr const char* adaptive_change = "rays where the noise is";
 
 /// What is measured together: all views of one kind of one scene, made in one way.
 struct ResultsCase {
   std::string scene;  ///< "hills", "level" or "place"
   Method method = Method::OwnGround;
-  std::string grid;  ///< "8 × 5", or own_look for the one look that is the view's own
-  std::uint32_t baked_samples = 0;
+  std::string grid;                 ///< "8 × 5", or own_look for the one look that is the view's own
+  std::uint32_t baked_samples = 0;  ///< rays a texel; 0: as many as each wants
   ViewKind kind = ViewKind::HeldOut;
   std::string change = {};  ///< what of the method is otherwise, one of the names below; empty for nothing
   int level_of_detail = 1;
