@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <fmt/format.h>
 #include <memory>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
@@ -40,16 +39,6 @@ struct DrawnLive {
     targets = simulate::all_targets(scene ? &scene->scene() : nullptr, given, frame, ground, seed);
   }
 };
-
-/// Throws Error for a step of a scan that begins behind the last beam or is of none; beams behind the last are left
-/// out.
-inline void check_step(std::size_t first_beam, std::size_t count, std::size_t beams) {
-  if (first_beam >= beams) {
-    throw Error("first_beam", fmt::format("is {}, and there are {} beams", first_beam, beams),
-                fmt::format("give 0 to {}", beams - 1));
-  }
-  if (count == 0) throw Error("count", "is 0", "give 1 or more");
-}
 
 inline render::Pose pose_from(const Triple& position_m, double first_azimuth_rad, double first_range_m,
                               const Triple& velocity_mps = {}, const radar::Moment& moment = {}) {
@@ -120,7 +109,7 @@ void bind_drawing(pybind11::class_<Held<DrawnLive<Drawer>>>& binding, const char
             self,
             pose_from(position_m, first_azimuth_rad, first_range_m, velocity_mps, {time_s, dwell_number, pulse_number}),
             [&](auto& live, const render::Pose& pose) {
-              check_step(first_beam, count, live.beams);
+              render::check_step(first_beam, count, live.beams);
               return live.drawer.scan(pose, first_beam, count);
             });
       },

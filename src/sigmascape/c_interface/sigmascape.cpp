@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstring>
 #include <exception>
-#include <fmt/format.h>
 #include <memory>
 #include <span>
 #include <string>
@@ -351,11 +350,7 @@ int sigmascape_scan(sigmascape_renderer* renderer, const sigmascape_pose* pose, 
   return guarded(1, [&] {
     (void)given(renderer, "renderer");
     (void)given(frame, "frame");
-    if (first_beam >= renderer->beams || count == 0) {
-      throw sigmascape::Error("step of a scan",
-                              fmt::format("is of {} beams from beam {} on, of {}", count, first_beam, renderer->beams),
-                              fmt::format("begin at 0 to {}, with a count of 1 or more", renderer->beams - 1));
-    }
+    sigmascape::render::check_step(first_beam, count, renderer->beams);
     const auto wanted = pose_from(given(pose, "pose"), *renderer);
     copy(renderer->flight   ? renderer->flight->scan(wanted, first_beam, count)
          : renderer->tracer ? renderer->tracer->scan(wanted, first_beam, count)

@@ -119,6 +119,14 @@ void check(const Pose& pose, const std::string& where) {
     throw Error(where, fmt::format("is at time {} s", pose.moment.time_s), "give a number");
 }
 
+void check_step(std::size_t first_beam, std::size_t count, std::size_t beams) {
+  if (first_beam >= beams) {
+    throw Error("first_beam", fmt::format("is {}, and there are {} beams", first_beam, beams),
+                fmt::format("give 0 to {}", beams - 1));
+  }
+  if (count == 0) throw Error("count", "is 0", "give 1 or more");
+}
+
 LiveRenderer::LiveRenderer(std::shared_ptr<LiveGround> ground, const LiveSettings& settings)
     : ground_(std::move(ground)),
       settings_(checked(settings)),

@@ -72,6 +72,10 @@ struct Pose {
 /// velocities that are beyond all that a radar looks at from the Earth.
 void check(const Pose& pose, const std::string& where);
 
+/// For callers to whom a step of a scan without a beam is a mistake: throws Error for one of no beams, and for one that
+/// begins behind the last of `beams`. One that goes on behind the last is of those that are there.
+void check_step(std::size_t first_beam, std::size_t count, std::size_t beams);
+
 /// What a frame cost and what it lacked.
 struct FrameReport {
   std::size_t cells = 0;   ///< lattice cells looked at; where the atlas ends they are counted alone
