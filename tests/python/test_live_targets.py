@@ -82,8 +82,8 @@ def test_a_target_outside_the_terrain_is_named(live):
 
 def test_targets_of_the_scene_answer_besides(tmp_path):
     (tmp_path / "dem.asc").write_text("ncols 60\nnrows 60\nxllcorner 500000\nyllcorner 4800000\ncellsize 4\n" + ("0 " * 60 + "\n") * 60)
-    (tmp_path / "scene.toml").write_text('[terrain]\nfile = "dem.asc"\ncrs = "EPSG:25830"\n[[point_targets]]\nname = "reflector"\nposition_m = [20.0, -40.0]\n'
-                                         'height_m = 2.0\nrcs_dbsm = 60.0\n')
+    (tmp_path / "scene.toml").write_text('[terrain]\nfile = "dem.asc"\ncrs = "EPSG:25830"\n'
+                                         '[[point_targets]]\nposition_m = [20.0, -40.0]\nheight_m = 2.0\nrcs_dbsm = 60.0\n')
     tracer = sigmascape.LiveTracer(sigmascape.Scene.read(tmp_path / "scene.toml"), rays_per_cell=1, **BINS)
     frame = tracer.render(PLACE, **POSE)
     assert frame.targets == 1 and brightest(frame)[0] == bin_of(20.0, -40.0, 2.0)[0]

@@ -157,8 +157,7 @@ std::string aims_section(const ResultsReport& report) {
       "## What was aimed at\n\nAnd what came out at views that were baked, medians at {:.0f} m cells, from the {} grid "
       "or, where the rays are others, from the view's own look. *Rays where the noise is* are what `sigmascape bake` "
       "takes by itself. Of views that were not baked, an aim is set for the truth alone. What is missed with few rays "
-      "and reached with many is missed for the bake's noise; what comes "
-      "closer on narrower texels, for {}.\n\n",
+      "and reached with many is missed for the bake's noise; what comes closer on narrower texels, for {}.\n\n",
       summary_cell_m, plan.paper_grid().name(),
       report.links.to("their width", "docs/decisions/0118-texels-and-cells.md"));
   text += fmt::format("|{} views | method | rays a texel | bake of a look [s] | ", scene.head()) +

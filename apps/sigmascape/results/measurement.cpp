@@ -292,9 +292,7 @@ ReadyMethod Measurement::own_look_of(Method method, const MeasuredScene& measure
 
 ReadyMethod Measurement::own_look_with_rays_where_noise_is(Method method, const MeasuredScene& measured,
                                                            const PlannedView& view) {
-  bake::BakeSettings settings = own_look_settings(method, view, 0);
-  settings.sampling = {};
-  ReadyMethod ready = own_look_from(settings, method, measured, view, "_adaptive");
+  ReadyMethod ready = own_look_from(own_look_settings(method, view, 0), method, measured, view, "_adaptive");
   ready.change = adaptive_change;
   return ready;
 }

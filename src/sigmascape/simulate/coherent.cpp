@@ -299,6 +299,7 @@ auto image_of(const Imager& imager, const radar::Radar& radar, const receiver::S
   return image;
 }
 
+/// Every look, one after another.
 template <typename Imager, typename Visit>
 void show_looks(const Imager& imager, const radar::Radar& radar, std::size_t looks, unsigned threads,
                 const Visit& visit) {

@@ -2,6 +2,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <fmt/format.h>
 #include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -208,7 +209,9 @@ TEST_F(LiveFromC, PosesAndTargetsThatAreNowhereAreRefused) {
   EXPECT_EQ(sigmascape_scan(renderer, &pose, 3, std::numeric_limits<std::size_t>::max(), &frame), 0);
   for (const std::size_t first : {settings.beams, std::numeric_limits<std::size_t>::max()}) {
     EXPECT_NE(sigmascape_scan(renderer, &pose, first, 2, &frame), 0);
-    EXPECT_THAT(sigmascape_last_error(), HasSubstr("first_beam: is "));
+    EXPECT_THAT(sigmascape_last_error(),
+                HasSubstr(fmt::format("first_beam: is {}, and there are {} beams; give 0 to {}", first, settings.beams,
+                                      settings.beams - 1)));
   }
   EXPECT_NE(sigmascape_scan(renderer, &pose, 0, 0, &frame), 0);
   EXPECT_THAT(sigmascape_last_error(), HasSubstr("count: is 0"));
