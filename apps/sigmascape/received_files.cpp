@@ -6,7 +6,6 @@
 #include "sigmascape/product/ground_projection.h"
 #include "sigmascape/product/range_azimuth_file.h"
 #include "sigmascape/radar/radar_title.h"
-#include "sigmascape/radar/radar_warnings.h"
 #include "sigmascape/receiver/receive_chain.h"
 
 namespace sigmascape::cli {
@@ -78,9 +77,8 @@ radar::PowerMap received_map(const radar::Radar& radar, const radar::RangeAzimut
                        provenance);
 }
 
-void warn_of(const radar::Radar& radar, const radar::RangeAzimuthGrid& bins, double cell_m) {
-  for (const std::string& warning : radar::radar_warnings(radar, bins, cell_m))
-    fmt::print(stderr, "warning: {}: {}\n", radar::title_of(radar), warning);
+void warn_of(const radar::Radar& radar, std::span<const std::string> warnings) {
+  for (const std::string& warning : warnings) fmt::print(stderr, "warning: {}: {}\n", radar::title_of(radar), warning);
 }
 
 }  // namespace sigmascape::cli

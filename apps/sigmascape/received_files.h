@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 
 #include "command_parser.h"
@@ -37,7 +38,7 @@ void write_received(const ReceivedFiles& files, const radar::Radar& radar, const
                                            const geo::LocalFrame& frame, const Provenance& provenance,
                                            unsigned threads);
 
-/// Says on standard error what `radar_warnings` finds.
-void warn_of(const radar::Radar& radar, const radar::RangeAzimuthGrid& bins, double cell_m);
+/// Says on standard error what whoever maps with this radar should know (simulate::map_warnings).
+void warn_of(const radar::Radar& radar, std::span<const std::string> warnings);
 
 }  // namespace sigmascape::cli

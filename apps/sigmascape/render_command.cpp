@@ -37,6 +37,7 @@
 #include "sigmascape/scene/scene_file.h"
 #include "sigmascape/simulate/coherent.h"
 #include "sigmascape/simulate/map_question.h"
+#include "sigmascape/simulate/map_warnings.h"
 #include "sigmascape/simulate/mode_image.h"
 #include "sigmascape/simulate/placement.h"
 #include "sigmascape/simulate/simulate.h"
@@ -240,7 +241,7 @@ void render(RenderOptions options, std::optional<radar::Polarization> polarizati
   const auto radar = simulate::placed_radar(radar_file, scene.frame, scene.terrain, scene.extent, options.time_s);
   const auto grid = simulate::map_grid(radar_file.map, scene.extent);
   check_coherent(options, radar);
-  warn_of(radar, simulate::bins_for(radar, grid.extent(), scene.terrain), grid.cell_m);
+  warn_of(radar, simulate::map_warnings(radar, radar_file.map, scene.terrain, scene.extent));
   const std::string hash = scene::scene_hash(scene);
   const std::optional<atlas::Store> store = atlas_of(options, hash);
   const std::string advice =

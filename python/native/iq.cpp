@@ -8,12 +8,14 @@
 #include "long_call.h"
 #include "origin_words.h"
 #include "parts.h"
+#include "python_warnings.h"
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/product/iq_file.h"
 #include "sigmascape/radar/radar_bounds.h"
 #include "sigmascape/radar/radar_file.h"
 #include "sigmascape/simulate/coherent.h"
+#include "sigmascape/simulate/map_warnings.h"
 #include "sigmascape/simulate/placement.h"
 
 namespace sigmascape::python {
@@ -46,6 +48,7 @@ Described<Signal> made(Maker<Signal> make, const LoadedAtlas& atlas, const radar
     const atlas::AtlasDescription& description = atlas.description();
     const auto radar = simulate::placed_radar(asked, description.frame, atlas.terrain(), description.extent, time_s);
     const auto area = simulate::map_grid(asked.map, description.extent).extent();
+    warn_of(radar, simulate::map_warnings(radar, asked.map, atlas.terrain(), description.extent));
     const auto targets =
         simulate::all_targets(nullptr, given, description.frame, atlas.terrain(), settings.seed, time_s);
     const simulate::CoherentScene scene{

@@ -11,6 +11,7 @@
 #include "long_call.h"
 #include "parts.h"
 #include "python_progress.h"
+#include "python_warnings.h"
 #include "trace_arguments.h"
 
 #include "sigmascape/atlas/ground_layers.h"
@@ -20,6 +21,7 @@
 #include "sigmascape/radar/radar_bounds.h"
 #include "sigmascape/radar/radar_file.h"
 #include "sigmascape/scene/obstacle_raster.h"
+#include "sigmascape/simulate/map_warnings.h"
 #include "sigmascape/simulate/placement.h"
 
 namespace sigmascape::python {
@@ -81,6 +83,7 @@ LayerStack layers(const LoadedScene& scene, const radar::RadarFile& radar_file, 
     const scene::Scene& ground = scene.scene();
     const auto radar = simulate::placed_radar(asked, ground.frame, ground.terrain, ground.extent, time_s);
     const auto grid = simulate::map_grid(asked.map, ground.extent);
+    warn_of(radar, simulate::map_warnings(radar, asked.map, ground.terrain, ground.extent));
     const simulate::TraceSettings settings{
         .cell_m = grid.cell_m, .samples_per_cell = samples, .max_bounces = bounces, .seed = seed, .threads = threads};
     LayerStack stack =

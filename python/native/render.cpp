@@ -7,6 +7,7 @@
 #include "long_call.h"
 #include "parts.h"
 #include "python_progress.h"
+#include "python_warnings.h"
 #include "trace_arguments.h"
 
 #include "sigmascape/base/error.h"
@@ -18,6 +19,7 @@
 #include "sigmascape/radar/radar_title.h"
 #include "sigmascape/radar/radar_warnings.h"
 #include "sigmascape/receiver/receive_chain.h"
+#include "sigmascape/simulate/map_warnings.h"
 #include "sigmascape/simulate/mode_image.h"
 #include "sigmascape/simulate/placement.h"
 #include "sigmascape/simulate/simulate.h"
@@ -77,14 +79,6 @@ struct Wish {
   const std::vector<radar::Target>& targets;
 };
 
-void tell(const std::vector<std::string>& warnings, const radar::Radar& radar) {
-  for (const std::string& warning : warnings) {
-    const std::string text = fmt::format("{}: {}", radar::title_of(radar), warning);
-    const py::gil_scoped_acquire gil;
-    if (PyErr_WarnEx(PyExc_UserWarning, text.c_str(), 1) != 0) throw py::error_already_set();
-  }
-}
-
 Seen traced(const LoadedScene* scene, const Wish& wish, const simulate::TraceSettings& settings,
             ProgressListener& progress) {
   if (scene == nullptr) throw Error("scene", "is None at level of detail 0", "give the Scene that is to be traced");
@@ -121,7 +115,7 @@ Seen coherent(const atlas::Atlas& textures, const Wish& wish, const LoadedScene*
                                       .dwell = effort.dwell,
                                       .threads = effort.threads};
   const auto [plan, warnings] = simulate::mode_plan(request);
-  tell(warnings, wish.radar);
+  warn_of(wish.radar, warnings);
   product::LooksOnGround looks(*wish.ground.terrain, wish.grid, effort.threads);
   simulate::mode_looks(request, plan, [&](const simulate::ModeImage& look) {
     std::visit([&](const auto& image) { looks.add(image); }, look);
@@ -162,7 +156,7 @@ auto mapped(const std::shared_ptr<LoadedScene>& scene, const radar::RadarFile& r
     const auto radar = simulate::placed_radar(asked, *ground.frame, *ground.terrain, ground.extent, effort.time_s);
     radar::check_earth(radar, radar::title_of(radar));
     const auto grid = simulate::map_grid(asked.map, ground.extent);
-    tell(radar::radar_warnings(radar, simulate::bins_for(radar, grid.extent(), *ground.terrain), grid.cell_m), radar);
+    warn_of(radar, simulate::map_warnings(radar, asked.map, *ground.terrain, ground.extent));
     // Those of the scene answer to rays by themselves.
     const scene::Scene* owner = scene && level_of_detail > 0 ? &scene->scene() : nullptr;
     const auto targets =

@@ -58,6 +58,15 @@ def test_wrong_arguments_are_refused(scene, atlas, radar):
         sigmascape.render(scene, radar, atlas=atlas)
 
 
+def test_an_area_beyond_the_scene_is_cut_off_with_a_warning(scene, atlas, radar):
+    radar.area_m = (-20.0, -20.0, 20.0, 100.0)
+    radar.velocity_mps = (120.0, 0.0, 0.0)
+    for call in [lambda: sigmascape.render(scene, radar, atlas=atlas), lambda: sigmascape.layers(scene, radar, ["shadow"]),
+                 lambda: sigmascape.range_doppler(atlas, radar)]:
+        with pytest.warns(UserWarning, match="52 m in the north, and is cut off there; 20 x 34 cells"):
+            call()
+
+
 @pytest.mark.parametrize("call", [sigmascape.render, sigmascape.received_power])
 def test_real_beam_maps_are_of_a_flat_earth(scene, atlas, tmp_path, call):
     (tmp_path / "radar.toml").write_text("[radar]\nname = 'far'\nfrequency_ghz = 10\nrange_resolution_m = 2\nbeam_width_deg = 1\n"

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "sigmascape/radar/radar.h"
+
+namespace sigmascape::python {
+
+/// Tells Python, as UserWarning, what whoever maps with this radar should know (simulate::map_warnings). Called with or
+/// without the interpreter's lock. Throws what a filter makes of a warning.
+void warn_of(const radar::Radar& radar, std::span<const std::string> warnings);
+
+}  // namespace sigmascape::python
