@@ -195,8 +195,10 @@ Corners corners_of(const std::array<std::uint32_t, 3>& triangle, const std::vect
   return {vertices[triangle[0]], vertices[triangle[1]], vertices[triangle[2]]};
 }
 
-/// Whether a mesh encloses what is inside it: each edge belongs to an even number of triangles.
-bool is_closed(const Mesh& mesh) {
+/// Whether a mesh stands for a body rather than for leaves: at most half of its edges are open, which belong to an odd
+/// number of triangles. Houses and cars are often drawn without their underside or with gaps; of a leaf, a card of one
+/// or two triangles, nearly all edges are open.
+bool is_solid(const Mesh& mesh) {
   using Point = std::array<float, 3>;
   std::map<std::pair<Point, Point>, std::size_t> triangles_of_edge;
   const auto point = [&](std::uint32_t index) {
@@ -210,7 +212,8 @@ bool is_closed(const Mesh& mesh) {
       ++triangles_of_edge[std::minmax(a, b)];
     }
   }
-  return std::ranges::all_of(triangles_of_edge, [](const auto& edge) { return edge.second % 2 == 0; });
+  const auto open = std::ranges::count_if(triangles_of_edge, [](const auto& edge) { return edge.second % 2 == 1; });
+  return 2 * static_cast<std::size_t>(open) <= triangles_of_edge.size();
 }
 
 void add_buildings(const Scene& scene, RoofRaster& roofs) {
@@ -261,8 +264,8 @@ class Standing {
 };
 
 void add_instances(const Scene& scene, const radar::Rectangle& area, RoofRaster& roofs, FoliageRaster& foliage) {
-  std::vector<bool> is_solid;
-  for (const Mesh& mesh : scene.prototypes) is_solid.push_back(is_closed(mesh));
+  std::vector<bool> solid;  // [prototype]
+  for (const Mesh& mesh : scene.prototypes) solid.push_back(is_solid(mesh));
   const std::vector<float> reaches_m = prototype_radii_m(scene);
   std::vector<Vec3d> vertices;
   for (const Instance& instance : scene.instances) {
@@ -277,7 +280,7 @@ void add_instances(const Scene& scene, const radar::Rectangle& area, RoofRaster&
     for (const Vec3f& vertex : mesh.vertices) vertices.push_back(standing.place_of(vertex));
     for (const auto& triangle : mesh.triangles) {
       const Corners corners = corners_of(triangle, vertices);
-      if (is_solid[instance.prototype]) {
+      if (solid[instance.prototype]) {
         roofs.add(corners, scene.terrain);
       } else {
         foliage.add(corners, scene.terrain);

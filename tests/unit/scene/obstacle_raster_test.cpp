@@ -1,5 +1,6 @@
 #include "sigmascape/scene/obstacle_raster.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <numbers>
 
@@ -32,6 +33,22 @@ TEST(ObstacleRaster, ClosedMeshesAreSolidWhereTheyCoverHalfACell) {
   EXPECT_EQ(map.at({0.5, 2.1}), radar::Obstacle{});  // a fifth of the cell
   EXPECT_EQ(map.at({2.1, 0.5}), radar::Obstacle{});
   EXPECT_EQ(map.at({50.0, 0.0}), radar::Obstacle{});
+}
+
+// Of its 18 edges four are open.
+TEST(ObstacleRaster, AHouseWithoutItsUndersideIsSolid) {
+  Scene scene = empty_scene();
+  Mesh house = box_mesh({4.0F, 4.8F, 7.0F}, 0);
+  const auto lies_on_the_ground = [&](const std::array<std::uint32_t, 3>& triangle) {
+    return std::ranges::all_of(triangle, [&](std::uint32_t corner) { return house.vertices[corner].z <= 0.0F; });
+  };
+  ASSERT_EQ(std::erase_if(house.triangles, lies_on_the_ground), 2U);
+  house.materials.resize(house.triangles.size());
+  scene.prototypes.push_back(house);
+  scene.instances.push_back({.x_m = 0.0F, .y_m = 0.0F});
+  const auto map = obstacles_of(scene, cells);
+  EXPECT_FLOAT_EQ(map.at({1.0, 1.0}).solid_top_m, 7.0F);
+  EXPECT_EQ(map.at({1.0, 1.0}).crown_top_m, 0.0F);
 }
 
 TEST(ObstacleRaster, HeightsAreAboveTheGroundBelow) {
