@@ -65,8 +65,10 @@ void draw_speckle(radar::GroundMap& map, const Array2D<radar::Channels>& targets
       const auto noise = settings.noise > 0.0F ? draws.noise.row(row) : std::span<const radar::DrawnCell>{};
       for (std::size_t column = 0; column < map.grid.columns; ++column) {
         const radar::Channels mean = map.sigma0(column, row);
-        radar::ComplexChannels amplitude = ground.empty() ? steady(mean) : radar::polarized(ground[column], mean);
-        if (!targets.empty()) amplitude += steady(targets(column, row));
+        const radar::Channels target = targets.empty() ? radar::Channels() : targets(column, row);
+        // Without speckle ground and target have no phase between them: in the mean over all phases powers add.
+        radar::ComplexChannels amplitude =
+            ground.empty() ? steady(mean + target) : radar::polarized(ground[column], mean) + steady(target);
         if (!noise.empty()) amplitude += radar::polarized(noise[column], of_noise);
         sums(column, row) += radar::power_of(amplitude);
       }

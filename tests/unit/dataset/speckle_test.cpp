@@ -42,5 +42,16 @@ TEST(Speckle, WithoutLooksIsNoiseAboutASteadyEcho) {
   EXPECT_EQ(moments_of(2.0F, 0.0F, 0).variance, 0.0);
 }
 
+// Where a target stands on ground and nothing is drawn, powers add: amplitudes would give (√2 + √8)² = 18.
+TEST(Speckle, WithoutLooksAddsTheTargetsPowerToTheGrounds) {
+  const radar::Channels ground{2.0F, 1.0F, 0.5F, 0.25F}, target{8.0F, 4.0F, 0.0F, -1.0F};
+  radar::GroundMap map{
+      .grid = {0.0, 0.0, 1.0, 1, 1}, .sigma0 = Array2D<radar::Channels>(1, 1, ground), .crs = {}, .metadata = {}};
+  draw_speckle(map, Array2D<radar::Channels>(1, 1, target), {.looks = 0, .noise = 0.0F, .seed = 3});
+  EXPECT_FLOAT_EQ(map.sigma0(0, 0).vv, 10.0F);
+  EXPECT_FLOAT_EQ(map.sigma0(0, 0).hh, 5.0F);
+  EXPECT_FLOAT_EQ(map.sigma0(0, 0).hv, 0.5F);
+}
+
 }  // namespace
 }  // namespace sigmascape::dataset
