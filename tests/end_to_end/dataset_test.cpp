@@ -105,6 +105,13 @@ TEST_F(Dataset, HasTheSameBytesForAnyThreadsSharesAndInterruptions) {
     const auto report = made(maker, shared);
     EXPECT_EQ(report.already, count - 3);
     EXPECT_EQ(difference_of(files_of(shared), expected), "") << files << ", gone on with";
+
+    // As a careless hand leaves it: one lot without its samples, another with an index that tells nothing.
+    const bool in_folders = std::string(files) == "folders";
+    fs::remove_all(shared / (in_folders ? "samples/000004" : "shard-000001.tar"));
+    folder_->write(fs::path(std::string("shared_") + files) / "index/000000.json", "{}");
+    EXPECT_EQ(made(maker, shared).already, count - 6);
+    EXPECT_EQ(difference_of(files_of(shared), expected), "") << files << ", mended";
   }
 }
 
@@ -365,6 +372,13 @@ TEST(DatasetOfHouses, KnowsWhatPartCameOverSeveralSurfaces) {
       "layers = [\"class\", \"bounce1\", \"multibounce\"]\n"
       "[view]\nazimuth_deg = [180, 180]\nelevation_deg = [21, 21]\nslant_range_km = [15, 15]\n[speckle]\nlooks = 0\n");
   const dataset::SampleMaker maker(dataset::read_dataset_spec(file));
+  settings.seed = 5;
+  fs::remove_all(folder.path("first_bounce"));
+  bake::bake(scene::read_scene(scene), settings, folder.path("first_bounce"), silent);
+  EXPECT_NE(message_of_error([&] {
+              dataset::SampleMaker(dataset::read_dataset_spec(file));
+            }).find("first_bounce: was baked with seed 5, and the atlas with 1; bake it with all options"),
+            std::string::npos);
   const dataset::Sample sample = maker.make(0);
   ASSERT_EQ(sample.labels.layers.back().name, "multibounce");
   const auto& classes = sample.labels.layers.front().values;

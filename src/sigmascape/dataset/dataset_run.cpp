@@ -87,6 +87,32 @@ std::size_t count_of_lot(const DatasetSpec& spec, std::size_t number) {
   return std::min(spec.samples_per_shard, spec.count - number * spec.samples_per_shard);
 }
 
+/// Whether the files that an index lists are there in their length.
+bool are_whole(const Json& files, const fs::path& folder) {
+  return std::ranges::all_of(files, [&](const Json& file) {
+    std::error_code absent;
+    return fs::file_size(folder / file.at("name").get<std::string>(), absent) == file.at("bytes").get<std::size_t>() &&
+           !absent;
+  });
+}
+
+/// Whether a lot stands in the folder with all its files. What an index no longer tells counts as lost.
+bool is_made(const SampleMaker& maker, const fs::path& folder, std::size_t number) {
+  std::ifstream stream(index_path(folder, number), std::ios::binary);
+  const Json index = Json::parse(stream, nullptr, false);
+  try {
+    const Json& samples = index.at("samples");
+    if (samples.size() != count_of_lot(maker.spec(), number)) return false;
+    if (!std::ranges::all_of(samples, [](const Json& sample) { return sample.at("boxes").is_array(); })) return false;
+    if (maker.spec().arrangement == Arrangement::WebDataset) return are_whole(Json::array({index.at("tar")}), folder);
+    return std::ranges::all_of(samples, [&](const Json& sample) {
+      return are_whole(sample.at("files"), folder / "samples" / sample_name(sample.at("sample").get<std::size_t>()));
+    });
+  } catch (const Json::exception&) {
+    return false;
+  }
+}
+
 /// One lot of samples on its way into files.
 class Lot {
  public:
@@ -219,7 +245,7 @@ DatasetReport make_dataset(const SampleMaker& maker, const fs::path& folder, con
   for (std::size_t number = share.index; number < lots; number += share.count) {
     const std::size_t count = count_of_lot(maker.spec(), number);
     report.samples += count;
-    if (fs::exists(index_path(folder, number))) {
+    if (is_made(maker, folder, number)) {
       report.already += count;
     } else {
       lacking.push_back(number);
@@ -239,7 +265,7 @@ DatasetReport make_dataset(const SampleMaker& maker, const fs::path& folder, con
   tell(wanted.samples());
   report.is_complete = true;
   for (std::size_t number = 0; number < lots; ++number)
-    report.is_complete = report.is_complete && fs::exists(index_path(folder, number));
+    report.is_complete = report.is_complete && is_made(maker, folder, number);
   if (report.is_complete) write_summary(maker, folder, lots);
   return report;
 }

@@ -43,9 +43,35 @@ atlas::Store opened_store(const DatasetSpec& spec, const std::filesystem::path& 
   return store;
 }
 
-/// The store of echoes over at most so many surfaces, which must differ from the atlas in nothing else that shows.
+/// Throws Error for a store that differs from the atlas in more than the surfaces that a path may meet: what the one
+/// holds less the other would be the difference of two bakes then, not of bounces.
+void check_same_bake(const atlas::AtlasDescription& fewer, const atlas::AtlasDescription& all,
+                     const std::string& where) {
+  if (fewer.aspects != all.aspects)
+    throw Error(where, "has other looks than the atlas", "bake it with the same azimuths, elevations and frequencies");
+  const std::string remedy = "bake it with all options of the atlas but --bounces";
+  if (fewer.patches != all.patches)
+    throw Error(where,
+                fmt::format("has texels of {:g} m, and the atlas of {:g} m, or other patches", fewer.patches.texel_m,
+                            all.patches.texel_m),
+                remedy);
+  const auto word = [](const atlas::AtlasDescription& description, const std::string& key) {
+    const auto found = description.settings.find(key);
+    return found == description.settings.end() ? std::string("none") : found->second;
+  };
+  for (const auto& settings : {fewer.settings, all.settings}) {
+    for (const auto& [key, value] : settings) {
+      if (key == "max_bounces" || word(fewer, key) == word(all, key)) continue;
+      throw Error(where,
+                  fmt::format("was baked with {} {}, and the atlas with {}", key, word(fewer, key), word(all, key)),
+                  remedy);
+    }
+  }
+}
+
+/// The store of echoes over at most so many surfaces.
 atlas::Store opened_bounces(const DatasetSpec& spec, std::size_t most, const std::string& scene_hash,
-                            const atlas::Atlas& all) {
+                            const atlas::AtlasDescription& all) {
   auto store = opened_store(spec, spec.bounce_atlases[most - 1], "bounce_atlases", scene_hash);
   const auto& settings = store.description().settings;
   const auto bounces = settings.find("max_bounces");
@@ -55,8 +81,7 @@ atlas::Store opened_bounces(const DatasetSpec& spec, std::size_t most, const std
     throw Error(where,
                 fmt::format("does not hold the echoes over {} surface{} and no more", most, most == 1 ? "" : "s"),
                 fmt::format("bake it with --bounces {}", most));
-  if (store.description().aspects != all.aspects())
-    throw Error(where, "has other looks than the atlas", "bake it with the same azimuths, elevations and frequencies");
+  check_same_bake(store.description(), all, where);
   return store;
 }
 
@@ -153,7 +178,7 @@ SampleMaker::SampleMaker(const DatasetSpec& spec)
     std::size_t bounces = 0;
     for (const std::string& name : spec_.bounce_layers) bounces = std::max(bounces, bounces_to_know(name));
     for (std::size_t most = 1; most <= bounces; ++most) {
-      const auto fewer = opened_bounces(spec_, most, scene_hash_, *atlas_);
+      const auto fewer = opened_bounces(spec_, most, scene_hash_, store.description());
       bounce_atlases_.push_back(atlas::load_atlas(fewer));
       atlas_hashes_.push_back(description_hash(fewer));
     }
