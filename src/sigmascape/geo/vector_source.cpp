@@ -225,11 +225,11 @@ class FeatureWalk {
   std::size_t at_ = 0;
 };
 
-/// Whether a feature carries a tag given as "key" or "key=value".
+/// Whether a feature carries a tag given as "key", with any value but "no", or as "key=value".
 bool carries_tag(const Feature& feature, const std::string& tag) {
   const auto equals = tag.find('=');
   const auto value = feature.attribute(tag.substr(0, equals));
-  return value && (equals == std::string::npos || *value == tag.substr(equals + 1));
+  return value && (equals == std::string::npos ? *value != "no" : *value == tag.substr(equals + 1));
 }
 
 std::string_view word_for(GeometryKind kind) {

@@ -37,6 +37,12 @@ std::optional<double> width_m(const geo::Feature& feature, const RoadSource& sou
   return source.width_m;
 }
 
+/// As OpenStreetMap and extracts from it tell: tunnel=yes, building_passage and others; of tables also T.
+bool runs_underground(const geo::Feature& feature) {
+  const auto tunnel = feature.attribute("tunnel");
+  return tunnel && *tunnel != "" && *tunnel != "no" && *tunnel != "F" && *tunnel != "false" && *tunnel != "0";
+}
+
 double distance_m(Vec2d point, Vec2d from, Vec2d to) {
   const Vec2d along = to - from;
   const double square = dot(along, along);
@@ -99,6 +105,10 @@ void add_roads(Scene& scene, const RoadSource& source, const WaterMask& water) {
   std::optional<TrafficFlow> flow;
   if (source.traffic) flow.emplace(scene, *source.traffic);
   const auto census = geo::for_each_feature(source.vector, scene.frame, [&](const geo::Feature& feature) {
+    if (runs_underground(feature)) {
+      tally.note("roads in tunnels, left out", feature.id);
+      return;
+    }
     const auto width = width_m(feature, source, tally);
     if (!width) return;
     for (const auto& line : feature.lines) {

@@ -85,7 +85,8 @@ TEST(VectorSource, OpenStreetMapTagsBecomeAttributes) {
     <node id="1" lat="45.0" lon="7.0"/><node id="2" lat="45.0" lon="7.001"/><node id="3" lat="45.001" lon="7.001"/>
     <way id="10"><nd ref="1"/><nd ref="2"/><nd ref="3"/><nd ref="1"/><tag k="building" v="yes"/><tag k="height" v="17"/><tag k="building:levels" v="5"/></way>
     <way id="11"><nd ref="1"/><nd ref="2"/><nd ref="3"/><nd ref="1"/><tag k="landuse" v="forest"/></way>
-    <way id="12"><nd ref="1"/><nd ref="2"/><tag k="highway" v="primary"/><tag k="lanes" v="2"/></way></osm>)");
+    <way id="12"><nd ref="1"/><nd ref="2"/><tag k="highway" v="primary"/><tag k="lanes" v="2"/></way>
+    <way id="13"><nd ref="1"/><nd ref="2"/><nd ref="3"/><nd ref="1"/><tag k="building" v="no"/></way></osm>)");
   const auto houses = read_features({.file = file, .osm_tag = "building"}, frame);
   ASSERT_EQ(houses.size(), 1U);
   EXPECT_EQ(houses[0].attribute("height"), "17");

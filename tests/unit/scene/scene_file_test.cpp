@@ -147,6 +147,18 @@ TEST(SceneFile, RoadsArePavedStripsOfTheirWidth) {
   EXPECT_EQ(material_at(scene, {-450.0, 100.0}), "grass");
 }
 
+TEST(SceneFile, RoadsInTunnelsAreNotPaved) {
+  const MadeUpPlace place;
+  for (const auto& [tunnel, material] : {std::pair{"yes", "grass"}, {"building_passage", "grass"}, {"no", "asphalt"}}) {
+    std::string road = one_road;
+    road.replace(road.find("\"primary\""), 9, std::string("\"primary\",\"tunnel\":\"") + tunnel + "\"");
+    place.write("roads.geojson", road);
+    const Scene scene = place.read("cell_m = 1\n[[roads]]\nfile = \"roads.geojson\"\nwidth_m = 20\n");
+    EXPECT_EQ(material_at(scene, {0.0, 100.0}), material) << tunnel;
+    EXPECT_EQ(remark_count(scene, "roads in tunnels"), material == std::string("grass") ? 1U : 0U) << tunnel;
+  }
+}
+
 TEST(SceneFile, RoadsStayNarrowWithoutLandCover) {
   const MadeUpPlace place;
   place.write("roads.geojson", one_road);
