@@ -1,7 +1,5 @@
 #include "sigmascape/atlas/vouched_files.h"
 
-#include <algorithm>
-
 #include "sigmascape/atlas/texture_file.h"
 
 namespace sigmascape::atlas {
@@ -10,6 +8,7 @@ std::optional<TextureRecord> VouchedFiles::record_of(const std::filesystem::path
   {
     const std::lock_guard lock(guard_);
     if (const auto known = known_.find(file); known != known_.end()) return known->second;
+    if (damaged_.holds(file)) return std::nullopt;
   }
   // One that cannot be read now may be another time.
   const std::optional<std::string> item = text_of(store_.folder() / item_path(file)).text;
@@ -22,7 +21,12 @@ std::optional<TextureRecord> VouchedFiles::record_of(const std::filesystem::path
     return std::nullopt;
   }
   missing_.erase(file);
-  return known_.emplace(file, std::move(record)).first->second;
+  if (!record) {
+    damaged_.add(file);
+    return std::nullopt;
+  }
+  damaged_.erase(file);
+  return known_.emplace(file, std::move(*record)).first->second;
 }
 
 void VouchedFiles::did_not_decode(const std::filesystem::path& file) const {
@@ -32,8 +36,7 @@ void VouchedFiles::did_not_decode(const std::filesystem::path& file) const {
 
 std::size_t VouchedFiles::damaged() const {
   const std::lock_guard lock(guard_);
-  const auto altered = std::ranges::count_if(known_, [](const auto& file) { return !file.second; });
-  return static_cast<std::size_t>(altered) + undecoded_.size();
+  return damaged_.size() + undecoded_.size();
 }
 
 std::size_t VouchedFiles::missing() const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <filesystem>
 #include <map>
@@ -10,14 +11,16 @@
 
 #include "sigmascape/atlas/stac_item.h"
 #include "sigmascape/atlas/store.h"
+#include "sigmascape/base/failed_lately.h"
 
 namespace sigmascape::atlas {
 
-/// Files of a store that readers of single tiles come back to again and again: each is held against its item once.
-/// Any number of threads.
+/// Files of a store that readers of single tiles come back to again and again: each is held against its item once, and
+/// again after a while if something was wrong (FailedLately). Any number of threads.
 class VouchedFiles {
  public:
-  VouchedFiles(Store store, Scrutiny scrutiny) : store_(std::move(store)), scrutiny_(scrutiny) {}
+  VouchedFiles(Store store, Scrutiny scrutiny, std::chrono::milliseconds patience = before_another_try)
+      : store_(std::move(store)), scrutiny_(scrutiny), damaged_(patience) {}
 
   /// What the item of a file (relative to the store) records; nothing when there is none, when something is wrong with
   /// it, or when the file is not as it says. What has no item is looked for again each time: it may be baked meanwhile.
@@ -27,7 +30,8 @@ class VouchedFiles {
   /// kind.
   void did_not_decode(const std::filesystem::path& file) const;
 
-  /// Files asked for so far that have an item but are not as it says, or it is wrong, or did not decode.
+  /// Files asked for so far that have an item and, when last looked at, were not as it says, or it was wrong, or that
+  /// did not decode.
   [[nodiscard]] std::size_t damaged() const;
   /// Files without an item when they were last asked for.
   [[nodiscard]] std::size_t missing() const;
@@ -36,7 +40,8 @@ class VouchedFiles {
   Store store_;
   Scrutiny scrutiny_;
   mutable std::mutex guard_;
-  mutable std::map<std::filesystem::path, std::optional<TextureRecord>> known_;  // nothing of the damaged ones
+  mutable std::map<std::filesystem::path, TextureRecord> known_;
+  mutable FailedLately<std::filesystem::path> damaged_;
   mutable std::set<std::filesystem::path> missing_, undecoded_;
 };
 

@@ -1,5 +1,7 @@
 #include "sigmascape/base/worker_team.h"
 
+#include <system_error>
+
 #include "sigmascape/base/parallel.h"
 
 namespace sigmascape {
@@ -8,7 +10,11 @@ WorkerTeam::WorkerTeam(unsigned threads) {
   const unsigned members = thread_count(threads);
   helpers_.reserve(members - 1);
   for (unsigned worker = 1; worker < members; ++worker) {
-    helpers_.emplace_back([this, worker] { serve(worker); });
+    try {
+      helpers_.emplace_back([this, worker] { serve(worker); });
+    } catch (const std::system_error&) {
+      return;  // The system gives no more threads: those that there are do the work.
+    }
   }
 }
 

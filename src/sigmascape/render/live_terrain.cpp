@@ -81,7 +81,8 @@ LiveTerrain::Surface LiveTerrain::surface(const TerrainWindows::View& there, int
                                           std::vector<WindowWish>& wanted) const {
   const WindowWish wish = windows_.wish_for(level, area);
   const GroundWindow* const window = there.find(wish);
-  if ((window == nullptr || window->level != wish.level) && wanted.size() < wanted.capacity()) wanted.push_back(wish);
+  const bool is_wanting = window == nullptr || window->level != wish.level || window->is_worth_another_try();
+  if (is_wanting && wanted.size() < wanted.capacity()) wanted.push_back(wish);
   if (window == nullptr) {
     const int last = pyramid_->levels() - 1;
     const terrain::PyramidLayout& layout = pyramid_->layout();

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <iterator>
+#include <new>
 #include <tuple>
 #include <utility>
 
@@ -66,7 +67,7 @@ TerrainWindows::View TerrainWindows::view() {
 const GroundWindow* TerrainWindows::View::find(const WindowWish& wish) const {
   const GroundWindow* best = nullptr;
   const auto distance = [&wish](const GroundWindow& window) {
-    return std::pair(std::abs(window.level - wish.level), window.level);
+    return std::tuple(std::abs(window.level - wish.level), window.level, window.error_m);
   };
   for (const auto& window : *entries_) {
     if (window->covers(wish.area) && (best == nullptr || distance(*window) < distance(*best))) best = window.get();
@@ -125,7 +126,7 @@ void TerrainWindows::make_windows() {
     lock.unlock();
     auto window = made(wish);
     lock.lock();
-    publish(std::move(window));
+    if (window) publish(std::move(window));
     busy_ = false;
     request_done_.notify_all();
   }
@@ -134,21 +135,24 @@ void TerrainWindows::make_windows() {
 bool TerrainWindows::next_wish(WindowWish& wish) {
   while (wishes_.take(wish)) {
     const bool there = std::ranges::any_of(entries_.newest(), [&wish](const auto& window) {
-      return window->level == wish.level && window->covers(wish.area);
+      return window->level == wish.level && window->covers(wish.area) && !window->is_worth_another_try();
     });
     if (!there) return true;
   }
   return false;
 }
 
-std::shared_ptr<const GroundWindow> TerrainWindows::made(const WindowWish& wish) {
+std::shared_ptr<const GroundWindow> TerrainWindows::made(const WindowWish& wish) try {
   auto window = std::make_shared<GroundWindow>(most_nodes_per_side_);
   const terrain::WindowReport report =
       window->nodes.fill(*pyramid_, with_margin(wish), wish.level, terrain::TileWait::Load);
   window->level = report.level;
   window->error_m = report.error_m;
+  if (!report.lacking.empty()) window->try_again_at = std::chrono::steady_clock::now() + pyramid_->patience();
   window->last_wanted = frame_.load();
   return window;
+} catch (const std::bad_alloc&) {
+  return nullptr;
 }
 
 radar::Rectangle TerrainWindows::with_margin(const WindowWish& wish) const {

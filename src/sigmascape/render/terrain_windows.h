@@ -1,10 +1,12 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <thread>
 #include <vector>
@@ -29,9 +31,14 @@ struct GroundWindow {
   terrain::TerrainWindow nodes;
   int level = 0;
   float error_m = 0.0F;  ///< by how much it may differ from that level, where tiles could not be had
+  /// From when on tiles that could not be had are worth another try; nothing when it has all.
+  std::optional<std::chrono::steady_clock::time_point> try_again_at = {};
   mutable std::atomic<std::uint64_t> last_wanted{0};
 
   [[nodiscard]] bool covers(const radar::Rectangle& area) const;
+  [[nodiscard]] bool is_worth_another_try() const {
+    return try_again_at && std::chrono::steady_clock::now() > *try_again_at;
+  }
 };
 
 /// Terrain as frames want it, joined in lattices behind the back of whoever renders.
@@ -52,8 +59,8 @@ class TerrainWindows {
   /// What was there at one moment. Must not outlive the windows.
   class View {
    public:
-    /// Of the windows that cover the area the one whose level comes nearest to the wish, the finer of two; null when
-    /// there is none. Marks it as wanted by this view's frame.
+    /// Of the windows that cover the area the one whose level comes nearest to the wish, the finer of two and the one
+    /// with the lesser error; null when there is none. Marks it as wanted by this view's frame.
     [[nodiscard]] const GroundWindow* find(const WindowWish& wish) const;
 
    private:
@@ -87,6 +94,7 @@ class TerrainWindows {
 
  private:
   void make_windows();
+  /// Null when there is no memory for it: frames ask again.
   [[nodiscard]] std::shared_ptr<const GroundWindow> made(const WindowWish& wish);
   [[nodiscard]] radar::Rectangle with_margin(const WindowWish& wish) const;
   // All of these with the guard held.

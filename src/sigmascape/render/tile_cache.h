@@ -9,13 +9,17 @@
 #include <iterator>
 #include <memory>
 #include <mutex>
+#include <new>
+#include <optional>
 #include <span>
+#include <system_error>
 #include <thread>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 #include "sigmascape/base/error.h"
+#include "sigmascape/base/failed_lately.h"
 #include "sigmascape/base/interruption.h"
 #include "sigmascape/render/published.h"
 #include "sigmascape/render/wishes.h"
@@ -27,9 +31,10 @@ struct CacheReport {
   std::size_t bytes = 0;     ///< that they take
   std::uint64_t loaded = 0;  ///< since the start
   std::uint64_t evicted = 0;
-  std::uint64_t absent = 0;   ///< pages asked for that the store does not have, or not whole
-  std::size_t damaged = 0;    ///< files of the store, met so far, that are not as their items say
-  std::uint64_t refused = 0;  ///< times that no page could give way: the budget is below what frames look at
+  std::size_t absent = 0;   ///< pages that, when last asked for, the store did not have, or not whole
+  std::size_t damaged = 0;  ///< files of the store, met so far, that are not as their items say
+  /// Times that no page could give way, so that the budget is below what frames look at, or the system had no memory.
+  std::uint64_t refused = 0;
 };
 
 /// Pages of ground, or of what stands on it, loaded behind the back of whoever renders and dropped when others are
@@ -40,8 +45,8 @@ struct CacheReport {
 /// number of renderers may share one cache.
 ///
 /// A `Source` makes pages: it names their type `Source::Page`, fills one in any thread as its `key` says (false when it
-/// cannot be had), and tells how many bytes one takes at most, which never give way to others once they are there, and
-/// how many files were found damaged.
+/// cannot be had, which is tried again now and then), and tells how many bytes one takes at most, which never give way
+/// to others once they are there, and how many files were found damaged.
 template <typename Source>
 class TileCache {
  public:
@@ -52,8 +57,10 @@ class TileCache {
   using Entries = std::vector<std::shared_ptr<const Page>>;  // ordered by key
 
  public:
-  /// Throws Error when the budget does not hold a single page.
-  TileCache(std::shared_ptr<const Source> source, std::size_t budget_bytes, unsigned loaders = 1);
+  /// Throws Error when the budget does not hold a single page, or when the system gives no thread to load them. One
+  /// that gives fewer than `loaders` is made do with.
+  TileCache(std::shared_ptr<const Source> source, std::size_t budget_bytes, unsigned loaders = 1,
+            std::chrono::milliseconds patience = before_another_try);
   ~TileCache();
   TileCache(const TileCache&) = delete;
   TileCache& operator=(const TileCache&) = delete;
@@ -82,7 +89,8 @@ class TileCache {
 
   // These are for callers who would rather wait than see less.
 
-  /// Returns when all that was asked for is there or cannot be. Throws Interrupted when this thread is told to stop.
+  /// Returns when all that was asked for is there or cannot be. Frames that others are at are given a second to let go
+  /// of pages that have to give way. Throws Interrupted when this thread is told to stop.
   void wait_until_loaded();
   /// Asks for pages and waits for them.
   void load(std::span<const Key> wanted);
@@ -96,11 +104,14 @@ class TileCache {
   using Entry = std::shared_ptr<const Page>;
 
   [[nodiscard]] static const Key& key_of(const Entry& entry) { return entry->key; }
-  [[nodiscard]] static bool holds(const std::vector<Key>& keys, const Key& key) {
-    return std::ranges::find(keys, key) != keys.end();
-  }
+  [[nodiscard]] bool is_loading(const Key& key) const { return std::ranges::find(loading_, key) != loading_.end(); }
   void load_pages();
+  /// Nothing when there is no memory for what it takes.
+  [[nodiscard]] std::optional<bool> filled(Page& page) const;
   // All of these with the guard held.
+  /// Loads the page while others may have the guard. False when it has to wait until it is asked for again.
+  [[nodiscard]] bool load_one(const Key& key, std::unique_lock<std::mutex>& lock);
+  void wait_for_loaders(std::unique_lock<std::mutex>& lock);
   [[nodiscard]] bool next_wanted(Key& key);
   /// Null when there is none: all are looked at, or give way to `wanted` pages once the frames of now are done.
   [[nodiscard]] std::shared_ptr<Page> empty_page(std::size_t wanted);
@@ -116,7 +127,9 @@ class TileCache {
   Wishes<Key> wishes_;
   Published<Entries> entries_;
   std::vector<std::shared_ptr<Page>> retired_;  // no longer found; others share one that a frame may still read
-  std::vector<Key> loading_, absent_;
+  std::vector<Key> loading_;
+  FailedLately<Key> absent_;
+  bool has_put_off_ = false;  // wishes that pages still looked at were in the way of
   std::atomic<std::uint64_t> frame_{0};
   std::size_t page_bytes_ = 0;  // of one
   CacheReport report_;
@@ -125,15 +138,21 @@ class TileCache {
 };
 
 template <typename Source>
-TileCache<Source>::TileCache(std::shared_ptr<const Source> source, std::size_t budget_bytes, unsigned loaders)
-    : source_(std::move(source)), budget_bytes_(budget_bytes), entries_(Entries()) {
+TileCache<Source>::TileCache(std::shared_ptr<const Source> source, std::size_t budget_bytes, unsigned loaders,
+                             std::chrono::milliseconds patience)
+    : source_(std::move(source)), budget_bytes_(budget_bytes), entries_(Entries()), absent_(patience) {
   page_bytes_ = source_->most_bytes();
   if (most_pages() == 0) {
     throw Error("page cache", fmt::format("has a budget of {} bytes", budget_bytes_),
                 fmt::format("a page of ground takes {} bytes; give some tens of them", page_bytes_));
   }
   for (unsigned loader = 0; loader < std::max(1U, loaders); ++loader) {
-    loaders_.emplace_back([this] { load_pages(); });
+    try {
+      loaders_.emplace_back([this] { load_pages(); });
+    } catch (const std::system_error&) {
+      if (loaders_.empty()) throw Error("page cache", "gets no thread from the system", "allow more threads");
+      return;
+    }
   }
 }
 
@@ -165,7 +184,22 @@ const typename TileCache<Source>::Page* TileCache<Source>::View::find(const Key&
 template <typename Source>
 void TileCache<Source>::wait_until_loaded() {
   using namespace std::chrono_literals;
+  const auto long_enough = std::chrono::steady_clock::now() + 1s;
   std::unique_lock lock(guard_);
+  wait_for_loaders(lock);
+  while (has_put_off_ && std::chrono::steady_clock::now() < long_enough) {
+    has_put_off_ = false;
+    lock.unlock();
+    std::this_thread::sleep_for(1ms);
+    wishes_.renew();
+    lock.lock();
+    wait_for_loaders(lock);
+  }
+}
+
+template <typename Source>
+void TileCache<Source>::wait_for_loaders(std::unique_lock<std::mutex>& lock) {
+  using namespace std::chrono_literals;
   while (!request_done_.wait_for(lock, 50ms, [this] { return wishes_.empty() && loading_.empty(); })) {
     lock.unlock();
     Interruption::heed();
@@ -185,6 +219,7 @@ CacheReport TileCache<Source>::report() const {
   const std::lock_guard lock(guard_);
   CacheReport report = report_;
   report.pages = entries_.newest().size();
+  report.absent = absent_.size();
   report.damaged = source_->damaged();
   report.bytes = (report.pages + retired_.size() + loading_.size()) * page_bytes_;
   return report;
@@ -203,38 +238,57 @@ void TileCache<Source>::load_pages() {
       lock.lock();
       continue;
     }
-    const std::shared_ptr<Page> page = empty_page(1 + wishes_.size());
-    if (!page) {
-      // Everything there is looked at: what is wanted now has to wait until frames look elsewhere, and ask again.
-      if (retired_.empty()) ++report_.refused;
-      wishes_.clear();
-      request_done_.notify_all();
-      continue;
-    }
-    loading_.push_back(key);
-    lock.unlock();
-    page->key = key;
-    const bool found = source_->fill(*page);
-    lock.lock();
-    std::erase(loading_, key);
-    if (found) {
-      ++report_.loaded;
-      page->last_wanted = frame_.load();
-      publish(page);
-    } else {
-      ++report_.absent;
-      absent_.push_back(key);
-      retired_.push_back(page);
-    }
+    if (!load_one(key, lock)) wishes_.clear();
     request_done_.notify_all();
   }
+}
+
+template <typename Source>
+bool TileCache<Source>::load_one(const Key& key, std::unique_lock<std::mutex>& lock) try {
+  const std::shared_ptr<Page> page = empty_page(1 + wishes_.size());
+  if (!page) {
+    // Everything there is looked at: what is wanted now has to wait until frames look elsewhere, and ask again.
+    if (retired_.empty()) ++report_.refused;
+    has_put_off_ = !retired_.empty();
+    return false;
+  }
+  loading_.reserve(loading_.size() + 1);
+  retired_.reserve(retired_.size() + 1);
+  loading_.push_back(key);
+  lock.unlock();
+  page->key = key;
+  const std::optional<bool> found = filled(*page);
+  lock.lock();
+  std::erase(loading_, key);
+  if (!found) throw std::bad_alloc();
+  if (*found) {
+    page->last_wanted = frame_.load();
+    publish(page);
+    absent_.erase(key);
+    ++report_.loaded;
+  } else {
+    retired_.push_back(page);
+    absent_.add(key);
+  }
+  return true;
+} catch (const std::bad_alloc&) {
+  // There may be memory when frames ask again.
+  ++report_.refused;
+  return false;
+}
+
+template <typename Source>
+std::optional<bool> TileCache<Source>::filled(Page& page) const try {
+  return source_->fill(page);
+} catch (const std::bad_alloc&) {
+  return std::nullopt;
 }
 
 template <typename Source>
 bool TileCache<Source>::next_wanted(Key& key) {
   while (wishes_.take(key)) {
     const bool there = std::ranges::binary_search(entries_.newest(), key, {}, &key_of);
-    if (!there && !holds(loading_, key) && !holds(absent_, key)) return true;
+    if (!there && !is_loading(key) && !absent_.holds(key)) return true;
   }
   return false;
 }

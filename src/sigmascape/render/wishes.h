@@ -91,6 +91,16 @@ class Wishes {
     for (const auto& box : boxes_) box->taken = box->list.fetched().size();
   }
 
+  /// What was taken or cleared is wished for again, by all who have not asked for something else since.
+  void renew() {
+    {
+      const std::lock_guard lock(guard_);
+      fetch();
+      for (const auto& box : boxes_) box->taken = 0;
+    }
+    ring();
+  }
+
   /// A count of the calls so far. Look for wishes after it was taken, and none is slept through by wait_beyond().
   [[nodiscard]] std::uint32_t calls() const { return calls_.load(); }
   /// Returns when there have been more calls than so many.

@@ -10,11 +10,12 @@
 namespace sigmascape::terrain {
 
 TerrainPyramid::TerrainPyramid(const PyramidLayout& layout, std::vector<Array2D<TileSummary>> summaries, Reader reader,
-                               std::size_t budget_bytes)
+                               std::size_t budget_bytes, std::chrono::milliseconds patience)
     : layout_(layout),
       summaries_(std::move(summaries)),
       reader_(std::move(reader)),
-      budget_bytes_(std::max(budget_bytes, 2 * HeightTile::bytes)) {
+      budget_bytes_(std::max(budget_bytes, 2 * HeightTile::bytes)),
+      failed_(patience) {
   const TileKey top{layout_.levels() - 1, 0, 0};
   held_[top] = {reader_(top), std::numeric_limits<std::uint64_t>::max()};
 }
@@ -67,7 +68,7 @@ std::shared_ptr<const HeightTile> TerrainPyramid::load(TileKey key) {
   if (auto tile = resident(key)) return tile;
   {
     const std::lock_guard lock(guard_);
-    if (faults_.contains(key)) return nullptr;
+    if (failed_.holds(key)) return nullptr;
   }
   // Read without the lock: others need not wait for this disk. Two threads may read the same tile; the first is kept.
   std::shared_ptr<const HeightTile> tile;
@@ -79,9 +80,12 @@ std::shared_ptr<const HeightTile> TerrainPyramid::load(TileKey key) {
   }
   const std::lock_guard lock(guard_);
   if (!tile) {
-    faults_.emplace(key, fault);
+    faults_.insert_or_assign(key, fault);
+    failed_.add(key);
     return nullptr;
   }
+  faults_.erase(key);
+  failed_.erase(key);
   const auto [place, added] = held_.try_emplace(key, Held{tile, ++clock_});
   if (added) make_room();
   return added ? tile : place->second.tile;

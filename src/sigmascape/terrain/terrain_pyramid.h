@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <functional>
 #include <map>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "sigmascape/base/array2d.h"
+#include "sigmascape/base/failed_lately.h"
 #include "sigmascape/terrain/height_tile.h"
 
 namespace sigmascape::terrain {
@@ -37,7 +39,7 @@ class TerrainPyramid {
 
   /// `summaries` holds one array a level, [column, row]. Throws what `reader` throws for the last level's tile.
   TerrainPyramid(const PyramidLayout& layout, std::vector<Array2D<TileSummary>> summaries, Reader reader,
-                 std::size_t budget_bytes);
+                 std::size_t budget_bytes, std::chrono::milliseconds patience = before_another_try);
 
   [[nodiscard]] const PyramidLayout& layout() const { return layout_; }
   [[nodiscard]] int levels() const { return layout_.levels(); }
@@ -52,12 +54,16 @@ class TerrainPyramid {
 
   /// The tile if it is in memory, else nothing; never waits for a disk.
   [[nodiscard]] std::shared_ptr<const HeightTile> resident(TileKey key);
-  /// The tile, read if need be; nothing when it cannot be had, which is then remembered as a fault and not tried again.
+  /// The tile, read if need be; nothing when it cannot be had, which is then remembered as a fault and not tried again
+  /// for a while (FailedLately).
   [[nodiscard]] std::shared_ptr<const HeightTile> load(TileKey key);
+
+  /// How long tiles that could not be had are left alone.
+  [[nodiscard]] std::chrono::milliseconds patience() const { return failed_.patience(); }
 
   [[nodiscard]] std::size_t resident_bytes() const;
   [[nodiscard]] std::size_t budget_bytes() const { return budget_bytes_; }
-  /// Every tile that could not be had so far.
+  /// Every tile that could not be had when it was last tried.
   [[nodiscard]] std::vector<TileFault> faults() const;
 
  private:
@@ -74,6 +80,7 @@ class TerrainPyramid {
   mutable std::mutex guard_;
   std::map<TileKey, Held> held_;
   std::map<TileKey, std::string> faults_;
+  FailedLately<TileKey> failed_;
   std::uint64_t clock_ = 0;
 };
 

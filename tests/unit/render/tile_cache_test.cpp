@@ -6,6 +6,7 @@
 #include <functional>
 #include <future>
 #include <gtest/gtest.h>
+#include <new>
 #include <span>
 #include <thread>
 #include <vector>
@@ -35,6 +36,7 @@ struct NumberSource {
 
   bool fill(NumberPage& page) const {
     before_filling();
+    if (is_out()) return false;
     page.numbers.resize(256);
     for (std::uint64_t& number : page.numbers) number = hashed(page.key, 1);
     return true;
@@ -45,6 +47,7 @@ struct NumberSource {
 
   std::function<std::size_t()> asked_for_damage = [] { return std::size_t{0}; };
   std::function<void()> before_filling = [] {};
+  std::function<bool()> is_out = [] { return false; };
 };
 
 using Cache = TileCache<NumberSource>;
@@ -161,6 +164,64 @@ TEST(TileCache, MakesRoomForAllThatIsWantedWithinAFrame) {
   for (const Key key : wanted) EXPECT_NE(frame.find(key), nullptr) << key;
   EXPECT_EQ(cache.report().evicted, 4U);
   EXPECT_EQ(cache.report().refused, 0U);
+}
+
+// Another's frame looks at all pages when somebody asks for one more, and is done a little later.
+TEST(TileCache, WhoWaitsGivesFramesTimeToLetGo) {
+  Cache cache(std::make_shared<const NumberSource>(), 2);
+  cache.load(std::array<Key, 2>{7, 8});
+  Cache::View frame = cache.view();
+  (void)cache.view();
+  (void)cache.view();
+  const std::jthread renderer([&frame] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    frame = {};
+  });
+  cache.load(std::array<Key, 1>{9});
+  EXPECT_NE(cache.view().find(9), nullptr);
+  EXPECT_EQ(cache.report().refused, 0U);
+}
+
+TEST(TileCache, AsksAgainForWhatCouldNotBeHad) {
+  std::atomic<bool> is_out = true;
+  std::atomic<int> asked = 0;
+  auto source = std::make_shared<NumberSource>();
+  source->is_out = [&] {
+    ++asked;
+    return is_out.load();
+  };
+  const std::array<Key, 1> wanted{5};
+  {
+    Cache patient(source, 4, 1, std::chrono::hours(1));
+    patient.load(wanted);
+    patient.load(wanted);
+    EXPECT_EQ(asked, 1) << "not at once";
+    EXPECT_EQ(patient.report().absent, 1U);
+  }
+  Cache cache(source, 4, 1, std::chrono::milliseconds(0));
+  cache.load(wanted);
+  EXPECT_EQ(cache.view().find(5), nullptr);
+  EXPECT_EQ(cache.report().absent, 1U);
+  is_out = false;
+  cache.load(wanted);
+  EXPECT_NE(cache.view().find(5), nullptr);
+  EXPECT_EQ(cache.report().absent, 0U);
+}
+
+TEST(TileCache, GoesOnWhereThereIsNoMemoryForAPage) {
+  std::atomic<bool> is_short = true;
+  auto source = std::make_shared<NumberSource>();
+  source->before_filling = [&] {
+    if (is_short) throw std::bad_alloc();
+  };
+  Cache cache(source, 4);
+  cache.load(std::array<Key, 2>{5, 6});
+  EXPECT_EQ(cache.view().find(5), nullptr);
+  EXPECT_GE(cache.report().refused, 1U);
+  is_short = false;
+  cache.load(std::array<Key, 2>{5, 6});
+  EXPECT_NE(cache.view().find(5), nullptr);
+  EXPECT_NE(cache.view().find(6), nullptr);
 }
 
 TEST(TileCache, WhoWaitsCanBeToldToStop) {
