@@ -28,7 +28,6 @@ struct LatticeRow {
   using Of = std::array<T, most + GroundPage::vector>;
 
   std::size_t count = 0;
-  bool turns = false;  ///< beside or behind the radar, where azimuth may go either way from texel to texel
   [[nodiscard]] std::size_t whole_vectors() const { return whole_vectors(count); }
   /// A number of texels rounded up.
   [[nodiscard]] static constexpr std::size_t whole_vectors(std::size_t texels) {

@@ -92,9 +92,9 @@ void check(const LiveSettings& settings, const std::string& where) {
   if (!(settings.cells_per_bin >= 0.25 && settings.cells_per_bin <= 64.0)) {
     throw Error(where, fmt::format("has {} lattice cells a bin", settings.cells_per_bin), "give 0.25 to 64");
   }
-  if (!(settings.refraction > 0.0)) {
+  if (!(settings.refraction >= 0.1)) {
     throw Error(where, fmt::format("has a refraction of {}", settings.refraction),
-                "give 4/3, or more for a flatter Earth");
+                "give 4/3, less down to 0.1, or more for a flatter Earth");
   }
 }
 

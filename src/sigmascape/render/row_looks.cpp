@@ -257,6 +257,22 @@ void add_two_frequencies(const GroundLooks& looks, const CornerWeights& weights,
   add_blocks<2>(looks, weights, count, returned);
 }
 
+/// Numbers in the order of floats: vector units compare integers in any order. Its own inverse.
+std::int32_t ordered(std::int32_t bits) {
+  return bits ^ ((bits >> 31) & 0x7fffffff);
+}
+
+SIGMASCAPE_VECTOR_TARGETS
+Extremes extremes(const float* values, std::size_t count) {
+  std::int32_t least = ordered(std::bit_cast<std::int32_t>(values[0])), greatest = least;
+  for (std::size_t i = 1; i < count; ++i) {
+    const std::int32_t value = ordered(std::bit_cast<std::int32_t>(values[i]));
+    least = value < least ? value : least;
+    greatest = value > greatest ? value : greatest;
+  }
+  return {std::bit_cast<float>(ordered(least)), std::bit_cast<float>(ordered(greatest))};
+}
+
 }  // namespace
 
 SIGMASCAPE_VECTOR_TARGETS
@@ -296,16 +312,12 @@ void add_ground(LatticeRow& row, const GroundLooks& looks) {
   (looks.frequencies == 2 ? add_two_frequencies : add_one_frequency)(looks, weights, reckoned, returned_from(row, 0));
 }
 
-SIGMASCAPE_VECTOR_TARGETS
 Extremes cotangent_extremes(const LatticeRow& row) {
-  // Positive floats stand in the order of their bits, and vector units compare integers in any order.
-  std::int32_t least = std::bit_cast<std::int32_t>(row.cotangent[0]), greatest = least;
-  for (std::size_t i = 1; i < row.count; ++i) {
-    const auto bits = std::bit_cast<std::int32_t>(row.cotangent[i]);
-    least = bits < least ? bits : least;
-    greatest = bits > greatest ? bits : greatest;
-  }
-  return {std::bit_cast<float>(least), std::bit_cast<float>(greatest)};
+  return extremes(row.cotangent.data(), row.count);
+}
+
+Extremes beam_extremes(const LatticeRow& row) {
+  return extremes(row.beam.data(), row.count);
 }
 
 void blend(LatticeRow& row, std::size_t first, std::size_t count, const BlendOf& looks) {

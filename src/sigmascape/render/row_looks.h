@@ -11,8 +11,9 @@ namespace sigmascape::render {
 struct Extremes {
   float least, greatest;
 };
-/// Of `cotangent`, which is positive everywhere.
+/// Of the texels that there are.
 [[nodiscard]] Extremes cotangent_extremes(const LatticeRow& row);
+[[nodiscard]] Extremes beam_extremes(const LatticeRow& row);
 
 /// Looks that lie about the aspect of a stretch of texels.
 struct BlendOf {

@@ -169,8 +169,7 @@ void stand_on(LatticeRow& row, const terrain::TerrainView& terrain, Vec2d radar)
 void locate(LatticeRow& row, const RowGeometry& geometry) {
   find_ranges(row, geometry);
   find_angles(row, geometry);
-  row.turns = may_turn(row, geometry);
-  if (row.turns) find_large_angles(row, geometry);
+  if (may_turn(row, geometry)) find_large_angles(row, geometry);
 }
 
 }  // namespace sigmascape::render

@@ -364,6 +364,7 @@ SectorTask::Shortfall SectorTask::blend_by_aspect(const Place& place, float area
   Shortfall shortfall;
   const Extremes cotangent = cotangent_extremes(row_);
   const bool one_elevation = aspects().elevation_cell(cotangent.least) == aspects().elevation_cell(cotangent.greatest);
+  const Extremes beams = beam_extremes(row_);
   std::size_t begin = 0;
   while (begin < row_.count) {
     const atlas::AspectCell cell{azimuth_cell_at(row_.beam[begin]), aspects().elevation_cell(row_.cotangent[begin])};
@@ -376,14 +377,17 @@ SectorTask::Shortfall SectorTask::blend_by_aspect(const Place& place, float area
     const auto at_zero = static_cast<float>(offset / width);
     const auto& cotangents = aspects().cotangents();
     std::size_t end = row_.count;
-    const auto within = [&](std::size_t i) {
-      const float part = at_zero + per_beam * row_.beam[i];
-      return part >= 0.0F && part < 1.0F && aspects().elevation_cell(row_.cotangent[i]) == cell.elevation;
+    const auto is_of_azimuth = [&](float beam) {
+      const float part = at_zero + per_beam * beam;
+      return part >= 0.0F && part < 1.0F;
     };
-    // Azimuth goes one way along a row that does not pass the radar. Most rows lie in one cell from end to end.
-    if (!one_elevation || row_.turns || !within(row_.count - 1)) {
+    // Most rows lie in one cell from end to end.
+    if (!one_elevation || !is_of_azimuth(beams.least) || !is_of_azimuth(beams.greatest)) {
       end = begin + 1;
-      while (end < row_.count && within(end)) ++end;
+      while (end < row_.count && is_of_azimuth(row_.beam[end]) &&
+             aspects().elevation_cell(row_.cotangent[end]) == cell.elevation) {
+        ++end;
+      }
     }
     const PageRow source = pages_.row_of({place.tile, cell}, place.row, place.first_column + begin);
     if (source.page != nullptr) {

@@ -147,6 +147,44 @@ TEST(LiveLookUp, BlendsAzimuthsAsTheOfflineOneDoesAllRound) {
     expect_the_offline_look_up(example, store, 10e9, azimuth_deg);
 }
 
+// Beneath the radar texels of one row, each answering from a place of its own within it, lie to and fro across the
+// azimuth at which the baked looks change.
+TEST(LiveLookUp, OfATexelDoesNotDependOnItsRow) {
+  const ScratchFolder folder;
+  ExampleGround example = wavy_ground();
+  example.azimuths = 8;
+  example.pattern = [](const radar::Look& look, Vec2d) {
+    return std::lround(look.aspect.azimuth_rad / (pi / 4.0)) % 2 == 0 ? 1.0F : 16.0F;
+  };
+  const atlas::Store store = example.store(folder.path("atlas"));
+  atlas::Pyramid(store).make_above(store.units());
+  const auto ground = example.over(store);
+  constexpr std::size_t beams = 90;
+  constexpr double height_m = 60.0;
+  LiveSettings settings;
+  settings.content = FrameContent::Powers;
+  settings.beams = beams;
+  settings.beam_step_rad = 2.0 * pi / static_cast<double>(beams);
+  settings.ranges = 64;
+  settings.range_step_m = 1.0;
+  settings.refraction = 1e9;
+  std::vector<float> whole;
+  for (const std::size_t a_step : {beams, 11UL, 3UL}) {
+    LiveRenderer renderer(ground, settings);
+    std::vector<float> powers;
+    for (double aside = 0.0; aside < 8.0; aside += 0.7) {
+      const Pose pose{.position = {example.middle().x + aside, example.middle().y + 0.3 * aside, height_m},
+                      .first_range_m = height_m - 2.0};
+      settled_frame(renderer, *ground, pose);
+      for (std::size_t beam = 0; beam < beams; beam += a_step) renderer.scan(pose, beam, a_step);
+      const Frame& frame = renderer.scan(pose, 0, 0);
+      powers.insert(powers.end(), frame.powers_m2.begin(), frame.powers_m2.end());
+    }
+    if (whole.empty()) whole = powers;
+    EXPECT_TRUE(powers == whole) << a_step;
+  }
+}
+
 TEST(LiveLookUp, BlendsTwoBakedFrequenciesByTheLogarithm) {
   const ScratchFolder folder;
   ExampleGround example = wavy_ground();

@@ -321,6 +321,18 @@ TEST_F(LiveRendererTest, BinsNearerThanAllGroundHoldTargetsAndNothingElse) {
   }
 }
 
+TEST(LiveSettingsCheck, RefractionMayNotBendBeamsAllTheWayAwayFromTheGround) {
+  LiveSettings settings;
+  for (const double refraction : {0.1, 1.0, 4.0 / 3.0, 1e9}) {
+    settings.refraction = refraction;
+    EXPECT_NO_THROW(check(settings, "here")) << refraction;
+  }
+  for (const double refraction : {0.0, 0.05, -1.0, std::nan("")}) {
+    settings.refraction = refraction;
+    EXPECT_THROW(check(settings, "here"), Error) << refraction;
+  }
+}
+
 TEST_F(LiveRendererTest, GroundBeyondTheAtlasIsCountedButNotGoneOver) {
   const auto ground = level_ground().over(*store_);
   LiveSettings settings;
