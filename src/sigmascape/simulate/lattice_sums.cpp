@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstdlib>
 
 #include "sigmascape/receiver/fixed_point_sum.h"
 
@@ -32,6 +33,16 @@ void LatticeSums::add(radar::LatticeCell cell, const radar::Channels& rcs_m2, Pl
   add_units(sums[ReVvhh], static_cast<double>(rcs_m2.re_vvhh));
   add_units(sums[BeamMoment], power * place.beam);
   add_units(sums[RangeMoment], power * place.range);
+}
+
+void LatticeSums::make_room() {
+  constexpr auto half_full = static_cast<std::int64_t>(receiver::most_units / 2.0);
+  const auto is_full = [](std::int64_t sum) { return std::abs(sum) > half_full; };
+  if (std::ranges::none_of(cells_, [&](const auto& sums) { return std::ranges::any_of(sums, is_full); })) return;
+  for (auto& sums : cells_) {
+    for (std::int64_t& sum : sums) sum /= 2;
+  }
+  units_per_m2_ /= 2.0;
 }
 
 LatticeSums::Sum LatticeSums::sum(std::size_t column, std::size_t row, double scale) const {

@@ -18,8 +18,8 @@ struct LatticeBlock {
 
 /// What echoes bring to the cells of a lattice: their power and where in the bins its middle lies. From any number of
 /// threads, with a result that does not depend on their order: sums are 64-bit integers in units of 2⁻³⁶ times the
-/// cell's area, or up to half of that, which hold as much as ground of a σ0 of 75 dB returns. What does not fit is left
-/// out and counted.
+/// cell's area at first, or up to half of that, which hold as much as ground of a σ0 of 75 dB returns. What does not
+/// fit is left out and counted.
 class LatticeSums {
  public:
   /// `cell_m`: side of a cell.
@@ -34,6 +34,10 @@ class LatticeSums {
   };
   /// An echo in a cell outside the block goes to the nearest inside.
   void add(radar::LatticeCell cell, const radar::Channels& rcs_m2, Place place);
+
+  /// To be called now and then, while nobody adds: once a sum is more than half full, all go on in units twice as
+  /// large.
+  void make_room();
 
   struct Sum {
     radar::Channels rcs_m2;  ///< the sum times `scale`

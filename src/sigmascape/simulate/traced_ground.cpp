@@ -92,6 +92,7 @@ void TracedGround::add_pass(UnhiddenEchoes& unhidden) {
     throw Error("traced frame", "a bin is brighter than the sums can hold", "use finer bins or rougher materials");
   }
   bins_.add(pass);
+  cells_.make_room();
 }
 
 double TracedGround::beam_of(double azimuth_rad) const {
