@@ -1,6 +1,7 @@
 #include "sigmascape/render/ground_renderer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -14,17 +15,19 @@ namespace sigmascape::render {
 namespace {
 
 /// Ground samples a bin outwards, where samples step evenly over the ground and bins over slant range: with two, their
-/// linear sharing between bins shows no beat. Across, one sample stands on the centre of every bin.
+/// linear sharing between bins shows no beat.
 constexpr double samples_per_range_bin = 2.0;
+/// Across, strips two texels wide lie side by side in a bin, up to so many.
+constexpr double most_strips_a_bin = 32.0;
 
-/// One azimuth's worth of ground: which of it is seen, and what comes back.
+/// A strip of ground, one azimuth's worth: which of it is seen, and what comes back.
 class AzimuthStrip {
  public:
   AzimuthStrip(const ReflectingGround& ground, const radar::TargetShadows& shadows, Vec3d radar_position,
                const radar::Rectangle& area)
       : ground_(ground), shadows_(shadows), radar_position_(radar_position), area_(area) {}
 
-  void sweep(double azimuth_rad, double azimuth_step_rad, double near_m, double far_m, double step_m,
+  void sweep(double azimuth_rad, double width_rad, double near_m, double far_m, double step_m,
              std::vector<radar::Echo>& echoes, RenderCounts& counts) const {
     const radar::GroundStretch wanted =
         radar::stretch_within(area_, {radar_position_.x, radar_position_.y}, radar::horizontal_direction(azimuth_rad));
@@ -41,7 +44,7 @@ class AzimuthStrip {
                    ++counts.visible;
                    const Vec3d away = radar_position_ - point;
                    const double range_m = length(away);
-                   const double map_area_m2 = distance_m * azimuth_step_rad * step_m;
+                   const double map_area_m2 = distance_m * width_rad * step_m;
                    echoes.push_back(
                        {.range_m = range_m,
                         .cross = azimuth_rad,
@@ -58,6 +61,13 @@ class AzimuthStrip {
   const radar::Rectangle& area_;
 };
 
+std::array<Vec2d, 4> corners_of(const radar::Rectangle& area) {
+  return {{{area.west_m, area.south_m},
+           {area.east_m, area.south_m},
+           {area.west_m, area.north_m},
+           {area.east_m, area.north_m}}};
+}
+
 struct Reach {
   double near_m, far_m;
 };
@@ -68,14 +78,43 @@ Reach distances_to(const radar::Radar& radar, const radar::Rectangle& ground) {
   const Vec2d p{radar.position.x, radar.position.y};
   const Vec2d nearest{std::clamp(p.x, ground.west_m, ground.east_m), std::clamp(p.y, ground.south_m, ground.north_m)};
   double farthest = 0.0;
-  for (const Vec2d corner : {Vec2d{ground.west_m, ground.south_m},
-                             {ground.east_m, ground.south_m},
-                             {ground.west_m, ground.north_m},
-                             {ground.east_m, ground.north_m}}) {
-    farthest = std::max(farthest, length(corner - p));
-  }
+  for (const Vec2d corner : corners_of(ground)) farthest = std::max(farthest, length(corner - p));
   return {length(nearest - p), farthest};
 }
+
+/// Azimuths as turns from a middle.
+struct AzimuthSpan {
+  double left_rad, right_rad;
+
+  [[nodiscard]] double width_rad() const { return std::max(right_rad - left_rad, 0.0); }
+};
+
+/// Under which an area is seen: all of them from above it.
+class AzimuthsOfArea {
+ public:
+  AzimuthsOfArea(Vec2d radar, const radar::Rectangle& area) {
+    if (area.contains(radar)) return;
+    const Vec2d to_middle = area.centre() - radar;
+    middle_rad_ = std::atan2(to_middle.x, to_middle.y);
+    span_ = {0.0, 0.0};
+    for (const Vec2d corner : corners_of(area)) {
+      const Vec2d away = corner - radar;
+      const double turn_rad = turned_by_least(std::atan2(away.x, away.y) - middle_rad_);
+      span_ = {std::min(span_.left_rad, turn_rad), std::max(span_.right_rad, turn_rad)};
+    }
+  }
+
+  [[nodiscard]] double middle_rad() const { return middle_rad_; }
+  /// What they have in common with a bin.
+  [[nodiscard]] AzimuthSpan within(double first_rad, double width_rad) const {
+    const double left_rad = turned_by_least(first_rad + 0.5 * width_rad - middle_rad_) - 0.5 * width_rad;
+    return {std::max(left_rad, span_.left_rad), std::min(left_rad + width_rad, span_.right_rad)};
+  }
+
+ private:
+  double middle_rad_ = 0.0;
+  AzimuthSpan span_{-2.0 * pi, 2.0 * pi};
+};
 
 }  // namespace
 
@@ -94,14 +133,22 @@ radar::RangeAzimuthImage GroundRenderer::render(const radar::Radar& radar, const
   const ReflectingGround ground(*atlas_, *terrain_, radar.position, frequency_hz, level, settings.slope);
   const radar::TargetShadows shadows(settings.targets, 0.0, radar.position);
   const AzimuthStrip strip(ground, shadows, radar.position, area);
+  const AzimuthsOfArea azimuths({radar.position.x, radar.position.y}, area);
+  const double farthest_m = distances_to(radar, area).far_m;
+  const double strip_m = 2.0 * atlas_->patches().texel_m * std::exp2(level);
   const unsigned workers = thread_count(settings.threads);
   std::vector<std::vector<radar::Echo>> echoes(workers);
   std::vector<RenderCounts> strip_counts(workers);
   parallel_for(grid.azimuths, workers, [&](std::size_t index, unsigned worker) {
     echoes[worker].clear();
-    const double azimuth = grid.first_azimuth_rad + (static_cast<double>(index) + 0.5) * grid.azimuth_step_rad;
-    strip.sweep(azimuth, grid.azimuth_step_rad, reach.near_m, reach.far_m, step_m, echoes[worker],
-                strip_counts[worker]);
+    const double first_rad = grid.first_azimuth_rad + static_cast<double>(index) * grid.azimuth_step_rad;
+    const AzimuthSpan span = azimuths.within(first_rad, grid.azimuth_step_rad);
+    const double strips = std::clamp(std::ceil(span.width_rad() * farthest_m / strip_m), 1.0, most_strips_a_bin);
+    const double width_rad = span.width_rad() / strips;
+    for (double number = 0.5; number < strips && width_rad > 0.0; ++number) {
+      strip.sweep(azimuths.middle_rad() + span.left_rad + number * width_rad, width_rad, reach.near_m, reach.far_m,
+                  step_m, echoes[worker], strip_counts[worker]);
+    }
     receiver.add_to_azimuth(index, echoes[worker]);
   });
   for (const RenderCounts& part : strip_counts) {

@@ -147,6 +147,34 @@ TEST(GroundRenderer, EveryLevelKeepsThePower) {
   }
 }
 
+// However few bins hold it, and whether or not the middle of one falls on it.
+TEST(GroundRenderer, AnAreaNarrowerThanABinKeepsItsPower) {
+  const ScratchFolder folder;
+  const atlas::Atlas atlas = atlas_of(folder, {20.0}, [](Vec2d, const radar::Aspect&) { return 0.1; });
+  for (const double beam_deg : {0.3, 1.0, 4.0, 12.0}) {
+    for (const double azimuth_deg : {0.0, 37.0, 359.0}) {
+      radar::Radar radar = radar_seeing(azimuth_deg, 20.0);
+      radar.beam_width_rad = radians_from_deg(beam_deg);
+      EXPECT_NEAR(rendered(atlas, level_terrain(), radar).total() / (0.1 * 300.0 * 300.0), 1.0, 0.01)
+          << beam_deg << "°, " << azimuth_deg << "°";
+    }
+  }
+}
+
+// Strips of bright texels run outwards, many to a bin.
+TEST(GroundRenderer, ABinWiderThanItIsLongIsTheMeanOfItsWidth) {
+  const ScratchFolder folder;
+  const atlas::Atlas atlas = atlas_of(folder, {20.0}, [](Vec2d p, const radar::Aspect&) {
+    return static_cast<int>(std::floor(p.x / 2.0)) % 5 == 0 ? 0.5 : 0.0;
+  });
+  radar::Radar radar = radar_seeing(180.0, 20.0);
+  radar.beam_width_rad = 100.0 / 20e3;
+  const Rendered map = rendered(atlas, level_terrain(), radar);
+  const std::size_t azimuths = map.image.grid.azimuths, ranges = map.image.grid.ranges;
+  for (std::size_t azimuth = azimuths / 2 - 1; azimuth <= azimuths / 2 + 1; ++azimuth)
+    EXPECT_NEAR(map.sigma0(azimuth, ranges / 2) / 0.1, 1.0, 0.1) << azimuth;
+}
+
 TEST(GroundRenderer, ThreadsDoNotMatter) {
   const ScratchFolder folder;
   const atlas::Atlas atlas = atlas_of(folder, {20.0}, constant_gamma);
