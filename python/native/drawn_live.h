@@ -34,6 +34,7 @@ struct DrawnLive {
   simulate::TargetGround ground;
   Drawer drawer;
   std::vector<radar::Target> targets;
+  std::uint64_t frames = 0;  ///< drawn so far; the bins hold the last
 
   void set_targets(const std::vector<radar::TargetSource>& given) {
     targets = simulate::all_targets(scene ? &scene->scene() : nullptr, given, frame, ground, seed);
@@ -70,14 +71,22 @@ template <typename Drawer, typename Draw>
 HeldFrame drawn(const pybind11::object& self, const render::Pose& pose, const Draw& draw) {
   const auto& held = self.cast<const Held<DrawnLive<Drawer>>&>();
   // A copy of what is told about the bins, taken before the next caller's frame is.
-  const auto [frame, words] = long_call([&] {
+  HeldFrame frame = long_call([&] {
     return held.in_turn([&](DrawnLive<Drawer>& live) {
       render::Pose with_targets = pose;
       with_targets.targets = live.targets;
-      return std::pair<render::Frame, Words>(draw(live, with_targets), live.words);
+      ++live.frames;
+      return HeldFrame{.frame = draw(live, with_targets),
+                       .pose = pose,
+                       .renderer = {},
+                       .turns = &held.turns(),
+                       .number = live.frames,
+                       .newest = &live.frames,
+                       .words = live.words};
     });
   });
-  return {frame, pose, self, &held.turns(), words};
+  frame.renderer = self;
+  return frame;
 }
 
 /// Binds `render`, `scan` and `set_targets`, which all of these classes have. The words say what is particular to one.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <pybind11/pybind11.h>
 
 #include "origin_words.h"
@@ -14,8 +15,10 @@ struct HeldFrame {
   render::Frame frame;
   render::Pose pose;  ///< without its targets, which may change with the next
   pybind11::object renderer;
-  Turns* turns;  ///< of the renderer
-  Words words;   ///< where it comes from, for files
+  Turns* turns;                 ///< of the renderer
+  std::uint64_t number;         ///< among the renderer's frames
+  const std::uint64_t* newest;  ///< number of the one that the renderer's bins hold, for whoever has the turn
+  Words words;                  ///< where it comes from, for files
 };
 
 }  // namespace sigmascape::python

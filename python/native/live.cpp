@@ -54,6 +54,9 @@ void save(const HeldFrame& held, const std::filesystem::path& path, double frequ
   if (held.frame.amplitudes_m.empty())
     throw Error(path.string(), "cannot hold powers", "make the renderer with content='amplitudes'");
   const std::scoped_lock turn(*held.turns);
+  if (held.number != *held.newest)
+    throw Error(path.string(), "cannot hold a frame whose bins hold a later one of its renderer",
+                "save each frame before the next is drawn");
   product::write_iq(
       path, product::iq_record(held.frame.grid, held.frame.amplitudes_m, {held.pose.position, held.pose.velocity_mps},
                                frequency_ghz * 1e9, held.words));
@@ -80,7 +83,8 @@ void add_frame(py::module_& module) {
           "float32 [beam, range, 4]: VV, HH, HV, Re VV HH* in m^2. None when amplitudes were asked for.")
       .def("save", &save, py::arg("path"), py::kw_only(), py::arg("frequency_ghz"),
            py::call_guard<py::gil_scoped_release>(),
-           "Writes the amplitudes as .npy (with .json), .npz, .h5 or .sigmf-meta; docs/iq_files.md.")
+           "Writes the amplitudes as .npy (with .json), .npz, .h5 or .sigmf-meta, before the renderer draws its next\n"
+           "frame; docs/iq_files.md.")
       .def_property_readonly("first_range_m", [](const HeldFrame& f) { return f.frame.grid.first_range_m; })
       .def_property_readonly("range_step_m", [](const HeldFrame& f) { return f.frame.grid.range_step_m; })
       .def_property_readonly("first_azimuth_rad", [](const HeldFrame& f) { return f.frame.grid.first_azimuth_rad; })

@@ -68,6 +68,17 @@ def test_steps_of_a_scan_begin_with_a_beam_that_there_is(atlas, scene):
             live.scan(PLACE, **POSE, first_beam=0, count=0)
 
 
+def test_a_frame_is_saved_before_the_next_is_drawn(atlas, tmp_path):
+    renderer = renderer_of(atlas)
+    first = renderer.render(PLACE, **POSE)
+    first.save(tmp_path / "first.npy", frequency_ghz=10.0)
+    second = renderer.scan(PLACE, **POSE, first_beam=3, count=2)
+    with pytest.raises(sigmascape.Error, match="again.npy: .*save each frame before the next is drawn"):
+        first.save(tmp_path / "again.npy", frequency_ghz=10.0)
+    assert not (tmp_path / "again.npy").exists()
+    second.save(tmp_path / "second.npy", frequency_ghz=10.0)
+
+
 def test_a_frame_is_saved_with_a_frequency_of_radars(atlas, tmp_path):
     frame = renderer_of(atlas).render(PLACE, **POSE)
     frame.save(tmp_path / "frame.npy", frequency_ghz=10.0)
