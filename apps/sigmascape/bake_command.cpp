@@ -7,6 +7,7 @@
 #include "command.h"
 #include "number_or_null.h"
 #include "progress_log.h"
+#include "scene_warnings.h"
 #include "stopwatch.h"
 #include "terminal_progress.h"
 #include "words.h"
@@ -141,6 +142,7 @@ void add_bake_command(Command app, Output& output) {
     const scene::Scene scene = scene::read_scene(options->scene);
     const bake::BakeSettings settings = options->bake.settings();
     bake::check(settings);
+    warn_of_scene(scene);
     if (options->plan) {
       const bake::BakePlan plan = bake::plan(scene, settings, options->folder, share.shard);
       return output.finish(text_of(plan, settings.shadows), json_of(plan));

@@ -9,11 +9,23 @@ namespace sigmascape::python {
 
 namespace py = pybind11;
 
+namespace {
+
+void warn(const std::string& text) {
+  const py::gil_scoped_acquire gil;
+  if (PyErr_WarnEx(PyExc_UserWarning, text.c_str(), 1) != 0) throw py::error_already_set();
+}
+
+}  // namespace
+
 void warn_of(const radar::Radar& radar, std::span<const std::string> warnings) {
-  for (const std::string& warning : warnings) {
-    const std::string text = fmt::format("{}: {}", radar::title_of(radar), warning);
-    const py::gil_scoped_acquire gil;
-    if (PyErr_WarnEx(PyExc_UserWarning, text.c_str(), 1) != 0) throw py::error_already_set();
+  for (const std::string& warning : warnings) warn(fmt::format("{}: {}", radar::title_of(radar), warning));
+}
+
+void warn_of(const scene::Scene& scene) {
+  for (const scene::Remark& remark : scene.remarks) {
+    if (!remark.is_likely_a_mistake) continue;
+    warn(fmt::format("{}: {}: {}, first {}", scene.name, remark.what, remark.count, remark.first));
   }
 }
 

@@ -4,11 +4,14 @@
 #include <string>
 
 #include "sigmascape/radar/radar.h"
+#include "sigmascape/scene/scene.h"
 
 namespace sigmascape::python {
 
 /// Tells Python, as UserWarning, what whoever maps with this radar should know (simulate::map_warnings). Called with or
 /// without the interpreter's lock. Throws what a filter makes of a warning.
 void warn_of(const radar::Radar& radar, std::span<const std::string> warnings);
+/// The same of what in the scene's remarks is likely a mistake, as a file of which nothing was used.
+void warn_of(const scene::Scene& scene);
 
 }  // namespace sigmascape::python

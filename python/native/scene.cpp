@@ -6,6 +6,7 @@
 #include "loaded_scene.h"
 #include "long_call.h"
 #include "parts.h"
+#include "python_warnings.h"
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/scene/paper_scene.h"
@@ -87,9 +88,16 @@ void add_scene(py::module_& module) {
       .def_static(
           "read",
           [](const std::filesystem::path& path) {
-            return long_call([&] { return std::make_shared<LoadedScene>(scene::read_scene(path)); });
+            return long_call([&] {
+              auto loaded = std::make_shared<LoadedScene>(scene::read_scene(path));
+              warn_of(loaded->scene());
+              return loaded;
+            });
           },
-          py::arg("path"), "Reads a scene file (TOML, docs/scene_file.md) and all data that it names.")
+          py::arg("path"),
+          "Reads a scene file (TOML, docs/scene_file.md) and all data that it names. Warns (UserWarning) of what is\n"
+          "likely a mistake, such as a file of which nothing is used; info()['remarks'] tells all that was mended or "
+          "left out.")
       .def_static(
           "simple",
           [](double side_m, const std::string& ground, const std::string& objects) {

@@ -139,3 +139,16 @@ def test_errors_say_where_what_and_what_would_be_right(action, words):
     with pytest.raises(sigmascape.Error, match=words):
         action()
     assert issubclass(sigmascape.Error, ValueError)
+
+
+def test_a_file_of_which_nothing_is_used_makes_a_warning(tmp_path):
+    frame = "+proj=tmerc +lat_0=43 +lon_0=-3 +k=1 +x_0=0 +y_0=0 +datum=WGS84 +units=m"
+    (tmp_path / "heights.asc").write_text(
+        "ncols 4\nnrows 4\nxllcorner -100\nyllcorner -100\ncellsize 50\n" + "10 " * 16)
+    (tmp_path / "trees.csv").write_text("x,y,h\n5000,0,10\n6000,0,10\n")
+    path = tmp_path / "place.toml"
+    path.write_text(f'[terrain]\nfile = "heights.asc"\ncrs = "{frame}"\n'
+                    f'[[trees]]\nfile = "trees.csv"\ncrs = "{frame}"\nx = "x"\ny = "y"\nheight_attribute = "h"\n')
+    with pytest.warns(UserWarning, match="place: trees outside the scene, .*nothing of the file is used: 2, first"):
+        scene = sigmascape.Scene.read(path)
+    assert [remark["count"] for remark in scene.info()["remarks"]] == [2]

@@ -30,6 +30,15 @@ std::string axis_unit(const std::string& crs) {
   return is_unit(metres, us_survey_foot_m) ? "us_ft" : "units";
 }
 
+std::optional<double> metres_per_vertical_unit(const std::string& crs) {
+  constexpr int vertical = 2;
+  const auto reference = known_reference(crs);
+  if (!reference || reference->GetAxesCount() <= vertical || reference->IsGeocentric() != 0) return std::nullopt;
+  double metres = 0.0;
+  const bool is_told = reference->GetAxis(nullptr, vertical, nullptr, &metres) != nullptr && metres > 0.0;
+  return is_told ? std::optional(metres) : std::nullopt;
+}
+
 double ground_metres_per_unit(const std::string& crs, Vec2d place) {
   if (!known_reference(crs)) return 1.0;
   const GeographicPosition middle = place_on_globe(crs, place, "map");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "sigmascape/base/vec.h"
@@ -9,6 +10,10 @@ namespace sigmascape::geo {
 /// What a coordinate reference system counts its places in, as names end in it: "m", "deg", "ft", "us_ft", and "units"
 /// for all else. A system that is not known, as made-up maps have, counts in metres.
 [[nodiscard]] std::string axis_unit(const std::string& crs);
+
+/// Metres to a unit of the vertical axis that a coordinate reference system has beside its two of places, as a compound
+/// one does; nothing where it has none or is not known.
+[[nodiscard]] std::optional<double> metres_per_vertical_unit(const std::string& crs);
 
 /// Metres of ground to a unit of x at a place of the system: of a degree of longitude, or of a metre of a projection
 /// that stretches. 1 where the system is not known. Throws Error when it does not reach there.

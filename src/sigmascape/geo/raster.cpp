@@ -51,9 +51,7 @@ std::string plainly_spelled(const std::string& unit) {
   return plain;
 }
 
-/// Of a band that states no unit, a metre.
 std::optional<double> metres_per_unit(const std::string& unit) {
-  if (unit.empty()) return 1.0;
   struct LengthUnit {
     double metres;
     std::vector<std::string_view> names;
@@ -93,6 +91,7 @@ struct Raster::Source {
   GDALDatasetUniquePtr dataset;
   GDALRasterBand* band = nullptr;
   std::string crs;
+  std::string stated_unit;
   std::array<double, 6> crs_from_pixel{};
   std::array<double, 6> pixel_from_crs{};
   double full_turn = 0.0;
@@ -297,6 +296,7 @@ Raster::Raster(const RasterBand& wanted) : source_(std::make_unique<Source>()) {
   }
   source.band = source.dataset->GetRasterBand(wanted.band);
   source.crs = wanted.crs;
+  source.stated_unit = wanted.unit;
   if (source.crs.empty()) source.crs = source.dataset->GetProjectionRef();
   if (source.crs.empty()) {
     throw Error(source.name, "carries no coordinate reference system",
@@ -359,6 +359,22 @@ RasterOutline Raster::outline_in(const LocalFrame& frame) const {
   return RasterOutline::of(std::move(left), std::move(right), std::move(bottom), std::move(top));
 }
 
+HeightUnit Raster::height_unit() const {
+  const std::string name = source_->stated_unit.empty() ? source_->band->GetUnitType() : source_->stated_unit;
+  if (!name.empty()) {
+    if (const auto metres = metres_per_unit(name)) return {*metres};
+    throw Error(source_->name, fmt::format("counts heights in '{}', which is no known unit", name),
+                "convert it to metres, or state the unit as m, ft or us-ft, with the key unit or with gdal_edit.py "
+                "-units m");
+  }
+  // A reference stated in place of the file's own may be one of places alone.
+  for (const std::string& crs : {source_->crs, std::string(source_->dataset->GetProjectionRef())}) {
+    if (const auto metres = metres_per_vertical_unit(crs)) return {*metres};
+  }
+  const std::string of_places = axis_unit(source_->crs);
+  return {.is_guess = of_places == "ft" || of_places == "us_ft"};
+}
+
 Array2D<float> Raster::heights_on(const Lattice& lattice, const LocalFrame& frame, PlausibleHeights plausible) const {
   const CoordinateTransform transform(source_->crs, frame, source_->name);
   const PixelNet net(lattice, transform, [this](std::span<Vec2d> knots) { source_->to_pixels(knots); });
@@ -366,13 +382,8 @@ Array2D<float> Raster::heights_on(const Lattice& lattice, const LocalFrame& fram
   auto window = read_window<float>(*source_->band, coverage, net.knots(), GDT_Float32, source_->name);
   Array2D<float> heights(lattice.columns, lattice.rows, nan_height);
   if (window.value.empty()) return heights;
-  const std::optional<double> to_metres = metres_per_unit(source_->band->GetUnitType());
-  if (!to_metres) {
-    throw Error(source_->name,
-                fmt::format("counts heights in '{}', which is no known unit", source_->band->GetUnitType()),
-                "convert it to metres, or state the unit as m, ft or us-ft, for example with gdal_edit.py -units m");
-  }
-  const double scale = source_->band->GetScale() * *to_metres, offset = source_->band->GetOffset() * *to_metres;
+  const double to_metres = height_unit().metres;
+  const double scale = source_->band->GetScale() * to_metres, offset = source_->band->GetOffset() * to_metres;
   for (std::size_t i = 0; i < window.value.size(); ++i) {
     float& height = window.value.values()[i];
     height = static_cast<float>(static_cast<double>(height) * scale + offset);

@@ -15,11 +15,18 @@
 
 namespace sigmascape::geo {
 
-/// Which band of which file, and in what coordinate reference system when the file does not say.
+/// Which band of which file, and what of it the file does not say or says wrongly.
 struct RasterBand {
   std::filesystem::path file;
   int band = 1;
-  std::string crs;  ///< overrides the file's own when not empty
+  std::string crs;     ///< overrides the file's own when not empty
+  std::string unit{};  ///< of heights, "m", "ft" or "us-ft": overrides the file's own when not empty
+};
+
+/// What heights of a raster are counted in.
+struct HeightUnit {
+  double metres = 1.0;
+  bool is_guess = false;  ///< nothing states it, and the map's own axes are in feet: taken to be metres all the same
 };
 
 /// Heights outside this range count as no data: voids that a file does not declare, spikes.
@@ -49,10 +56,13 @@ class Raster {
   /// Its edges in a frame.
   [[nodiscard]] RasterOutline outline_in(const LocalFrame& frame) const;
 
+  /// What is stated of it, else what the band says, else what the vertical axis of its coordinate reference system
+  /// says, else metres. Throws Error for a unit that is not known.
+  [[nodiscard]] HeightUnit height_unit() const;
   /// Bilinear heights in metres, [column, row] of the lattice; NaN outside the raster and where it holds no data. Where
   /// the lattice is coarser than the raster, the mean over the lattice cell. Values in feet, or in
-  /// what else the band states, become metres; the vertical datum stays whatever it is. Throws Error for a unit that is
-  /// not known.
+  /// whatever else their unit is, become metres; the vertical datum stays whatever it is. Throws Error for a unit that
+  /// is not known.
   [[nodiscard]] Array2D<float> heights_on(const Lattice& lattice, const LocalFrame& frame,
                                           PlausibleHeights plausible = {}) const;
   /// Class of the nearest cell, [column, row] of the lattice; `no_class` outside the raster and where it holds no data.

@@ -19,6 +19,7 @@
 #include "sigmascape/geo/osm_tags.h"
 #include "sigmascape/geo/quiet_gdal.h"
 #include "sigmascape/geo/spatial_reference.h"
+#include "sigmascape/geo/tag_condition.h"
 
 namespace sigmascape::geo {
 namespace {
@@ -76,18 +77,37 @@ std::optional<std::string> condition_fault(OGRLayer& layer, const std::string& c
   return fits ? std::nullopt : std::optional(QuietGdal::complaint());
 }
 
+/// In which OGR packs the tags of OpenStreetMap that have no column of their own, as do the files that it converts.
+constexpr const char* packed_tags = "other_tags";
+
+/// A layer, and what its features are still to be asked when OGR cannot ask it by itself.
+struct WantedLayer {
+  OGRLayer* layer = nullptr;
+  std::unique_ptr<TagCondition> condition{};
+};
+
+/// Leaves only what meets the condition to be read or asked; nothing, or why it does not fit.
+std::optional<std::string> condition_fault(WantedLayer& wanted, const std::string& condition) {
+  const auto fault = condition_fault(*wanted.layer, condition);
+  const OGRFeatureDefn& columns = *wanted.layer->GetLayerDefn();
+  if (!fault || columns.GetFieldIndex(packed_tags) < 0) return fault;
+  wanted.condition = std::make_unique<TagCondition>(columns, condition);
+  return wanted.condition->fault();
+}
+
 /// The layer that is named, or all, less those whose features cannot meet the condition, for they lack its attributes.
-std::vector<OGRLayer*> wanted_layers(GDALDataset& dataset, const VectorSource& source) {
-  std::vector<OGRLayer*> wanted;
+std::vector<WantedLayer> wanted_layers(GDALDataset& dataset, const VectorSource& source) {
+  std::vector<WantedLayer> layers;
   std::vector<std::string> names, condition_faults;
   for (OGRLayer* layer : dataset.GetLayers()) {
     names.emplace_back(layer->GetName());
     if (!source.layer.empty() && source.layer != names.back()) continue;
-    const auto fault = source.where.empty() ? std::nullopt : condition_fault(*layer, source.where);
+    WantedLayer wanted{layer};
+    const auto fault = source.where.empty() ? std::nullopt : condition_fault(wanted, source.where);
     if (fault) condition_faults.push_back(*fault);
-    if (!fault) wanted.push_back(layer);
+    if (!fault) layers.push_back(std::move(wanted));
   }
-  if (!wanted.empty() || names.empty()) return wanted;
+  if (!layers.empty() || names.empty()) return layers;
   const std::string name = source.file.string();
   if (condition_faults.empty()) {
     throw Error(name, fmt::format("has no layer '{}'", source.layer),
@@ -152,14 +172,15 @@ bool bring_to_frame(Feature& feature, const CoordinateTransform& transform) {
   return good;
 }
 
-void read_attributes(const OGRFeature& row, bool osm, Feature& feature) {
+void read_attributes(const OGRFeature& row, Feature& feature) {
   for (int i = 0; i < row.GetFieldCount(); ++i) {
     if (!row.IsFieldSetAndNotNull(i)) continue;
     const std::string name = row.GetFieldDefnRef(i)->GetNameRef();
     // GetFieldAsString is not const only because it caches its answer.
     std::string text = const_cast<OGRFeature&>(row).GetFieldAsString(i);
-    if (osm && name == "other_tags") {
-      feature.attributes.merge(unpacked_tags(text));
+    auto tags = name == packed_tags ? unpacked_tags(text) : std::map<std::string, std::string>();
+    if (!tags.empty()) {
+      feature.attributes.merge(tags);
     } else if (!text.empty()) {
       feature.attributes[name] = std::move(text);
     }
@@ -194,34 +215,38 @@ class LayerTransforms {
 /// features of all layers in one pass; of others nothing is read that is not wanted.
 class FeatureWalk {
  public:
-  FeatureWalk(GDALDataset& dataset, std::vector<OGRLayer*> wanted) : dataset_(dataset), wanted_(std::move(wanted)) {}
+  FeatureWalk(GDALDataset& dataset, std::vector<WantedLayer> wanted) : dataset_(dataset), wanted_(std::move(wanted)) {}
 
   /// With its layer; null after the last one.
-  std::pair<OGRFeatureUniquePtr, OGRLayer*> next() { return is_osm(dataset_) ? next_of_all() : next_by_layer(); }
+  std::pair<OGRFeatureUniquePtr, const WantedLayer*> next() {
+    return is_osm(dataset_) ? next_of_all() : next_by_layer();
+  }
 
  private:
   /// Before there is one the file may have to be read through.
-  std::pair<OGRFeatureUniquePtr, OGRLayer*> next_of_all() {
+  std::pair<OGRFeatureUniquePtr, const WantedLayer*> next_of_all() {
     while (true) {
       OGRLayer* layer = nullptr;
       HeedingProgress heeding;
       OGRFeatureUniquePtr feature(dataset_.GetNextFeature(&layer, nullptr, HeedingProgress::advanced, &heeding));
       heeding.settle();
-      if (feature == nullptr || std::ranges::find(wanted_, layer) != wanted_.end()) return {std::move(feature), layer};
+      if (feature == nullptr) return {};
+      const auto found = std::ranges::find(wanted_, layer, &WantedLayer::layer);
+      if (found != wanted_.end()) return {std::move(feature), &*found};
       Interruption::heed();
     }
   }
 
-  std::pair<OGRFeatureUniquePtr, OGRLayer*> next_by_layer() {
+  std::pair<OGRFeatureUniquePtr, const WantedLayer*> next_by_layer() {
     for (; at_ < wanted_.size(); ++at_) {
-      OGRFeatureUniquePtr feature(wanted_[at_]->GetNextFeature());
-      if (feature != nullptr) return {std::move(feature), wanted_[at_]};
+      OGRFeatureUniquePtr feature(wanted_[at_].layer->GetNextFeature());
+      if (feature != nullptr) return {std::move(feature), &wanted_[at_]};
     }
     return {};
   }
 
   GDALDataset& dataset_;
-  std::vector<OGRLayer*> wanted_;
+  std::vector<WantedLayer> wanted_;
   std::size_t at_ = 0;
 };
 
@@ -256,11 +281,12 @@ FeatureCensus for_each_feature(const VectorSource& source, const LocalFrame& fra
   LayerTransforms transforms(source, frame);
   FeatureCensus census;
   std::set<std::string> names;
-  std::size_t of_other_kinds = 0;
+  std::size_t of_this_kind = 0, of_other_kinds = 0;
 
   const QuietGdal quiet;
-  for (auto [row, layer] = walk.next(); row != nullptr; std::tie(row, layer) = walk.next()) {
+  for (auto [row, wanted] = walk.next(); row != nullptr; std::tie(row, wanted) = walk.next()) {
     Interruption::heed();
+    OGRLayer* const layer = wanted->layer;
     Feature feature;
     feature.id = fmt::format("layer {}, feature {}", layer->GetName(), row->GetFID());
     const OGRGeometry* geometry = row->GetGeometryRef();
@@ -269,8 +295,10 @@ FeatureCensus for_each_feature(const VectorSource& source, const LocalFrame& fra
       ++of_other_kinds;
       continue;
     }
-    read_attributes(*row, osm, feature);
+    ++of_this_kind;
+    read_attributes(*row, feature);
     if (osm && !source.osm_tag.empty() && !carries_tag(feature, source.osm_tag)) continue;
+    if (wanted->condition && !wanted->condition->is_met_by(*row, feature.attributes)) continue;
     for (const auto& [name, value] : feature.attributes) names.insert(name);
     if (!has_geometry(feature) || !bring_to_frame(feature, transforms.of(*layer))) {
       if (census.nowhere++ == 0) census.first_nowhere = feature.id;
@@ -284,7 +312,7 @@ FeatureCensus for_each_feature(const VectorSource& source, const LocalFrame& fra
     throw Error(source.file.string(), fmt::format("cannot be read to its end ({})", QuietGdal::complaint()),
                 "replace the damaged file");
   }
-  if (!osm && of_other_kinds > 0 && census.features == 0 && census.nowhere == 0) {
+  if (!osm && of_other_kinds > 0 && of_this_kind == 0) {
     throw Error(source.file.string(),
                 fmt::format("none of its {} features is {}", of_other_kinds, word_for(source.kind)),
                 "choose another layer or file");

@@ -31,8 +31,8 @@ struct VectorSource {
 /// One thing on the map, in the local frame. Of the three geometries, only that of the kind asked for is filled.
 struct Feature {
   std::string id;  ///< "layer buildings, feature 17"
-  std::map<std::string, std::string>
-      attributes;  ///< those that are set; of OpenStreetMap also those inside `other_tags`
+  /// Those that are set. Tags of OpenStreetMap inside `other_tags` are among them, in files converted from it as well.
+  std::map<std::string, std::string> attributes;
   std::vector<Vec2d> points;
   std::vector<std::vector<Vec2d>> lines;
   std::vector<Polygon> polygons;  ///< as found: not necessarily valid

@@ -77,12 +77,13 @@ bool lies_inside(const geo::Polygon& polygon, const radar::Rectangle& extent) {
 std::size_t collect_footprints(Scene& scene, const BuildingSource& source, std::size_t source_number, FlawTally& tally,
                                std::vector<Footprint>& footprints) {
   const MaterialIndex wall = scene.material_index(source.wall), roof = scene.material_index(source.roof);
+  const std::string all_outside = "buildings outside the scene, left out";
   std::size_t inside = 0;
   const auto census = geo::for_each_feature(source.vector, scene.frame, [&](geo::Feature&& feature) {
     const std::size_t outside =
         std::erase_if(feature.polygons, [&](const geo::Polygon& part) { return !lies_inside(part, scene.extent); });
     if (feature.polygons.empty()) {
-      tally.note("buildings outside the scene, left out", feature.id);
+      tally.note(all_outside, feature.id);
       return;
     }
     tally.note("parts of buildings outside the scene, left out", feature.id, outside);
@@ -99,7 +100,8 @@ std::size_t collect_footprints(Scene& scene, const BuildingSource& source, std::
   for (const auto& attribute : {source.height_attribute, source.levels_attribute}) {
     if (attribute) require_attribute(census, *attribute, source.where);
   }
-  tally.flaw("features without usable coordinates, left out", census.first_nowhere, census.nowhere);
+  if (inside == 0) tally.leaves_nothing(all_outside);
+  tell_of_census(census, source.vector, tally);
   return inside + census.nowhere;
 }
 

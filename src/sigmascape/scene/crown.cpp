@@ -103,6 +103,11 @@ double effective_extinction_per_m(const Mesh& mesh, MaterialIndex leaf, const El
   return 0.5 * (low + high);
 }
 
+bool makes_crowns(const scatter::Material& leaf) {
+  return std::holds_alternative<scatter::CookTorranceParameters>(leaf.model) ||
+         std::holds_alternative<scatter::LambertParameters>(leaf.model);
+}
+
 scatter::Material crown_material(const scatter::Material& leaf, double extinction_per_m) {
   scatter::CrownParameters crown;
   crown.extinction_per_m = extinction_per_m;

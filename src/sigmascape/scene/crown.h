@@ -23,8 +23,11 @@ namespace sigmascape::scene {
 /// material: less than the even one where leaves crowd. docs/physics/vegetation.md, Eq. (9).
 [[nodiscard]] double effective_extinction_per_m(const Mesh& mesh, MaterialIndex leaf, const Ellipsoid& crown);
 
-/// The medium of that extinction which scatters as leaves of a material do, a facet surface or Lambert's. Throws Error
-/// for other materials.
+/// Whether crowns can be made of leaves of that material: of a facet surface or Lambert's, of which it is known how
+/// much they scatter.
+[[nodiscard]] bool makes_crowns(const scatter::Material& leaf);
+
+/// The medium of that extinction which scatters as leaves of a material do. Throws Error for those that make none.
 [[nodiscard]] scatter::Material crown_material(const scatter::Material& leaf, double extinction_per_m);
 
 }  // namespace sigmascape::scene

@@ -7,11 +7,18 @@
 
 namespace sigmascape::scene {
 
-void FlawTally::add(const std::string& kind, const std::string& which, std::size_t count, bool is_flaw) {
-  if (count == 0) return;
+Remark& FlawTally::add(const std::string& kind, const std::string& which, std::size_t count, bool is_flaw) {
   auto entry = std::ranges::find(entries_, kind, [](const Entry& e) { return e.remark.what; });
   if (entry == entries_.end()) entry = entries_.insert(entry, {Remark{kind, 0, which}, is_flaw});
   entry->remark.count += count;
+  return entry->remark;
+}
+
+void FlawTally::leaves_nothing(const std::string& kind) {
+  const auto entry = std::ranges::find(entries_, kind, [](const Entry& e) { return e.remark.what; });
+  if (entry == entries_.end()) return;
+  entry->remark.what += ", so that nothing of the file is used";
+  entry->remark.is_likely_a_mistake = true;
 }
 
 void FlawTally::settle(const std::string& where, std::size_t total, const FlawLimit& limit,
@@ -24,7 +31,7 @@ void FlawTally::settle(const std::string& where, std::size_t total, const FlawLi
                   limit.strict ? "correct the data, or set strict = false to go on without them"
                                : "correct the data, or raise max_flawed_share to go on without them");
     }
-    remarks.push_back({remark.what, remark.count, first});
+    remarks.push_back({remark.what, remark.count, first, remark.is_likely_a_mistake});
   }
 }
 

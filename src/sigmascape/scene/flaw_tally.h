@@ -18,11 +18,20 @@ struct FlawLimit {
 class FlawTally {
  public:
   /// A fault of the data: counts against the limit. `kind` is a phrase such as "trees standing in water, left out".
-  void flaw(const std::string& kind, const std::string& which, std::size_t count = 1) { add(kind, which, count, true); }
+  void flaw(const std::string& kind, const std::string& which, std::size_t count = 1) {
+    if (count > 0) add(kind, which, count, true);
+  }
   /// Something left out by rights, such as what lies outside the scene.
   void note(const std::string& kind, const std::string& which, std::size_t count = 1) {
-    add(kind, which, count, false);
+    if (count > 0) add(kind, which, count, false);
   }
+  /// Something that a file is hardly meant to be like: a note of which those are warned who work with the scene.
+  void mistake(const std::string& kind, const std::string& which) {
+    add(kind, which, 1, false).is_likely_a_mistake = true;
+  }
+
+  /// Says of what was noted of a kind, if anything was, that it is all that the source holds: likely a mistake.
+  void leaves_nothing(const std::string& kind);
 
   /// Turns the counts into remarks of the scene. Throws Error at `where` (a file) when a flaw is too common among
   /// `total` features.
@@ -33,7 +42,7 @@ class FlawTally {
     Remark remark;
     bool is_flaw;
   };
-  void add(const std::string& kind, const std::string& which, std::size_t count, bool is_flaw);
+  Remark& add(const std::string& kind, const std::string& which, std::size_t count, bool is_flaw);
   std::vector<Entry> entries_;
 };
 

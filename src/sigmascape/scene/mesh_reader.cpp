@@ -139,12 +139,15 @@ void add_mesh(Scene& scene, const MeshSource& source, const MaterialTable& mater
   const auto number = static_cast<std::uint32_t>(scene.prototypes.size());
   scene.prototypes.push_back(std::move(prototype));
   const FoundPlaces places = places_in(scene, source.placements);
+  const std::string outside = "meshes outside the scene, left out";
+  std::size_t inside = 0;
   of_places.flaw("positions without usable coordinates, left out", places.first_nowhere, places.nowhere);
   for (const Vec2d& position : places.positions) {
     if (!scene.extent.contains(position)) {
-      of_places.note("meshes outside the scene, left out", fmt::format("({:.1f}, {:.1f}) m", position.x, position.y));
+      of_places.note(outside, fmt::format("({:.1f}, {:.1f}) m", position.x, position.y));
       continue;
     }
+    ++inside;
     scene.instances.push_back({.prototype = number,
                                .x_m = static_cast<float>(position.x),
                                .y_m = static_cast<float>(position.y),
@@ -152,6 +155,7 @@ void add_mesh(Scene& scene, const MeshSource& source, const MaterialTable& mater
                                .yaw_rad = static_cast<float>(source.yaw_rad),
                                .speed_mps = static_cast<float>(source.speed_mps)});
   }
+  if (inside == 0) of_places.leaves_nothing(outside);
   of_places.settle(source.file.string(), places.positions.size() + places.nowhere, source.limit, scene.remarks);
 }
 

@@ -1,11 +1,14 @@
 #include "sigmascape/scene/road_reader.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <span>
+#include <utility>
 
 #include "sigmascape/base/interruption.h"
+#include "sigmascape/radar/rectangle_parts.h"
 #include "sigmascape/scene/attribute_number.h"
 #include "sigmascape/scene/vector_section.h"
 
@@ -37,10 +40,24 @@ std::optional<double> width_m(const geo::Feature& feature, const RoadSource& sou
   return source.width_m;
 }
 
-/// As OpenStreetMap and extracts from it tell: tunnel=yes, building_passage and others; of tables also T.
-bool runs_underground(const geo::Feature& feature) {
-  const auto tunnel = feature.attribute("tunnel");
-  return tunnel && *tunnel != "" && *tunnel != "no" && *tunnel != "F" && *tunnel != "false" && *tunnel != "0";
+/// Whether a feature is so in any way, as OpenStreetMap and extracts from it tell: tunnel=yes, tunnel=building_passage,
+/// covered=arcade and others; of tables also T.
+bool is_said_of(const geo::Feature& feature, const std::string& attribute) {
+  const auto said = feature.attribute(attribute);
+  return said && *said != "" && *said != "no" && *said != "F" && *said != "false" && *said != "0";
+}
+
+/// What hides a road from above, by the attribute that tells it, as remarks call it.
+constexpr std::array<std::pair<const char*, const char*>, 2> hidings{
+    {{"tunnel", "roads in tunnels, left out"}, {"covered", "roads under cover, left out"}}};
+
+/// By the box about its line, drawn out by half the width.
+bool reaches_into(const radar::Rectangle& extent, std::span<const Vec2d> line, double half_width_m) {
+  if (line.empty()) return false;
+  const radar::Rectangle within = radar::widened(extent, half_width_m);
+  const auto [west, east] = std::ranges::minmax(line, {}, &Vec2d::x);
+  const auto [south, north] = std::ranges::minmax(line, {}, &Vec2d::y);
+  return west.x <= within.east_m && east.x >= within.west_m && south.y <= within.north_m && north.y >= within.south_m;
 }
 
 double distance_m(Vec2d point, Vec2d from, Vec2d to) {
@@ -100,17 +117,25 @@ RoadSource read_road_source(const TomlSection& section, const MaterialTable& mat
 }
 
 void add_roads(Scene& scene, const RoadSource& source, const WaterMask& water) {
+  const std::string outside = "roads outside the scene, left out";
+  std::size_t inside = 0;
   FlawTally tally;
   const MaterialIndex paving = scene.material_index(source.paving);
   std::optional<TrafficFlow> flow;
   if (source.traffic) flow.emplace(scene, *source.traffic);
   const auto census = geo::for_each_feature(source.vector, scene.frame, [&](const geo::Feature& feature) {
-    if (runs_underground(feature)) {
-      tally.note("roads in tunnels, left out", feature.id);
+    const auto hiding =
+        std::ranges::find_if(hidings, [&](const auto& hides) { return is_said_of(feature, hides.first); });
+    if (hiding != hidings.end()) {
+      tally.note(hiding->second, feature.id);
       return;
     }
     const auto width = width_m(feature, source, tally);
     if (!width) return;
+    const bool is_inside = std::ranges::any_of(
+        feature.lines, [&](const auto& line) { return reaches_into(scene.extent, line, *width / 2.0); });
+    inside += is_inside ? 1 : 0;
+    tally.note(outside, feature.id, is_inside ? 0 : 1);
     for (const auto& line : feature.lines) {
       pave(scene.ground, water, line, *width / 2.0, paving);
       if (flow) flow->fill(line, *width, water);
@@ -119,7 +144,8 @@ void add_roads(Scene& scene, const RoadSource& source, const WaterMask& water) {
   for (const auto& attribute : {source.width_attribute, source.class_attribute}) {
     if (attribute) require_attribute(census, *attribute, source.where);
   }
-  tally.flaw("features without usable coordinates, left out", census.first_nowhere, census.nowhere);
+  if (inside == 0) tally.leaves_nothing(outside);
+  tell_of_census(census, source.vector, tally);
   tally.settle(source.vector.file.string(), census.features + census.nowhere, source.limit, scene.remarks);
 }
 

@@ -101,6 +101,8 @@ struct Remark {
   std::string what;  ///< "self-crossing footprints repaired"
   std::size_t count = 0;
   std::string first;  ///< the first one, by file and feature
+  /// Rather than what data are like: those who go on to work with the scene are warned of it.
+  bool is_likely_a_mistake = false;
 };
 
 /// What the radar looks at, in one local frame: x east, y north, z up, metres.

@@ -54,6 +54,8 @@ TerrainSection read_terrain_section(const TomlSection& section, const FlawLimit&
   terrain::TerrainSource& source = terrain.source;
   source.raster = {section.file("file"), static_cast<int>(section.whole_number_or("band", {1, 10000, ""}, 1)),
                    section.text_or("crs", "")};
+  if (section.has("unit")) source.raster.unit = section.choice_or("unit", {"m", "ft", "us-ft"}, "m");
+  source.where = section.where();
   source.spacing_m = section.optional_number("spacing_m", {0.1, 10000.0, "m"});
   source.smooth_within_m = section.number_or("smooth_within_m", {0.0, 100.0, "m"}, 0.0);
   constexpr Interval heights{-12000.0, 9000.0, "m"};
@@ -142,10 +144,17 @@ std::optional<PaperSceneOptions> read_paper_options(const TomlSection& root) {
 void add_terrain(Scene& scene, const SceneDescription& described) {
   const auto& [source, water, limit] = described.terrain;
   scene.frame = frame_of(described.place, source.raster);
-  auto [field, filled] = terrain::read_terrain(source, scene.frame, extent_in(described.place, scene.frame));
+  auto [field, filled, unit_is_guess] =
+      terrain::read_terrain(source, scene.frame, extent_in(described.place, scene.frame));
+  const std::string which = fmt::format("band {}", source.raster.band);
   FlawTally tally;
-  tally.flaw("terrain nodes without data or with implausible heights, interpolated",
-             fmt::format("band {}", source.raster.band), filled);
+  if (unit_is_guess) {
+    tally.mistake(
+        "terrain without a unit of heights on a map in feet, taken to be in metres "
+        "([terrain] unit = \"ft\" or \"us-ft\" says otherwise)",
+        which);
+  }
+  tally.flaw("terrain nodes without data or with implausible heights, interpolated", which, filled);
   tally.settle(source.raster.file.string(), field.height_m.size(), limit, scene.remarks);
   scene.terrain = std::move(field);
   scene.extent = scene.terrain.extent();

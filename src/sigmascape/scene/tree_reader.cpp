@@ -100,8 +100,14 @@ TreeSource read_tree_source(const TomlSection& section, const MaterialTable& mat
   source.leaf = materials.named_by(section, "leaf_material", "leaf");
   if (section.choice_or("kind", {"leaves", "crowns"}, "leaves") == "crowns") {
     source.kind = CrownKind::Medium;
-    if (const auto crown = section.optional_text("crown_material"))
+    if (const auto crown = section.optional_text("crown_material")) {
       source.crown = materials.crown(*crown, section.where("crown_material"));
+    } else if (!makes_crowns(source.leaf)) {
+      throw section.fault(
+          "leaf_material",
+          fmt::format("'{}' has no albedo that is known, so that no crowns can be made of it", source.leaf.name),
+          "use a material of model cook_torrance or lambert, or name a crown_material");
+    }
   }
   source.bark = materials.named_by(section, "bark_material", "bark");
   source.limit = read_flaw_limit(section, limit);
@@ -115,6 +121,7 @@ TreeSource read_tree_source(const TomlSection& section, const MaterialTable& mat
 void add_trees(Scene& scene, const TreeSource& source, const WaterMask& water) {
   const std::uint32_t first_prototype = add_prototypes(scene, source);
   const std::uint64_t prototypes = scene.prototypes.size() - first_prototype;
+  const std::string outside = "trees outside the scene, left out";
   FlawTally tally;
   std::size_t inside = 0;
   std::uint64_t number = 0;
@@ -122,7 +129,7 @@ void add_trees(Scene& scene, const TreeSource& source, const WaterMask& water) {
     for (const Vec2d& position : feature.points) {
       const std::uint64_t draw = hashed(source.seed, number++);
       if (!scene.extent.contains(position)) {
-        tally.note("trees outside the scene, left out", feature.id);
+        tally.note(outside, feature.id);
         continue;
       }
       ++inside;
@@ -143,7 +150,8 @@ void add_trees(Scene& scene, const TreeSource& source, const WaterMask& water) {
   for (const auto& attribute : {source.height_attribute, source.crown_radius_attribute}) {
     if (attribute) require_attribute(census, *attribute, source.where);
   }
-  tally.flaw("features without usable coordinates, left out", census.first_nowhere, census.nowhere);
+  if (inside == 0) tally.leaves_nothing(outside);
+  tell_of_census(census, source.vector, tally);
   tally.settle(source.vector.file.string(), inside + census.nowhere, source.limit, scene.remarks);
 }
 

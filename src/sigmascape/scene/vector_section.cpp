@@ -25,6 +25,13 @@ FlawLimit read_flaw_limit(const TomlSection& section, const FlawLimit& of_scene)
   return {section.number_or("max_flawed_share", {0.0, 1.0, ""}, of_scene.max_share), of_scene.strict};
 }
 
+void tell_of_census(const geo::FeatureCensus& census, const geo::VectorSource& source, FlawTally& tally) {
+  tally.flaw("features without usable coordinates, left out", census.first_nowhere, census.nowhere);
+  if (census.features > 0 || census.nowhere > 0) return;
+  tally.mistake("files without a feature that is asked for, of which nothing is used",
+                source.where.empty() ? "has none" : fmt::format("none meets where = \"{}\"", source.where));
+}
+
 void require_attribute(const geo::FeatureCensus& census, const std::string& attribute, const std::string& where) {
   const auto& names = census.attribute_names;
   if (census.features == 0 || std::ranges::find(names, attribute) != names.end()) return;

@@ -138,11 +138,12 @@ void remove_pyramid(const std::filesystem::path& folder) {
   for (const auto& level : levels) std::filesystem::remove_all(level);
 }
 
-/// A tile that is there and whole.
-std::shared_ptr<const HeightTile> whole_tile(const std::filesystem::path& folder, TileKey key) {
+/// A tile that is there, whole and in its place.
+std::shared_ptr<const HeightTile> whole_tile(const std::filesystem::path& folder, const PyramidLayout& layout,
+                                             const std::string& crs, TileKey key) {
   if (!std::filesystem::exists(tile_path(folder, key))) return nullptr;
   try {
-    return read_tile(folder, key);
+    return read_tile_in_place(folder, layout, crs, key);
   } catch (const Error&) {
     return nullptr;
   }
@@ -183,7 +184,7 @@ std::size_t build_tiles_on_disk(const std::filesystem::path& folder, const Pyram
   };
   const auto summaries = build_tiles(
       layout, finest, keep, [&](TileKey key) { return read_tile(folder, key); },
-      [&](TileKey key) { return whole_tile(folder, key); });
+      [&](TileKey key) { return whole_tile(folder, layout, crs, key); });
   PyramidHeading whole = heading;
   for (int level = 0; level < layout.levels(); ++level) {
     write_index(folder, layout, crs, level, summaries[static_cast<std::size_t>(level)]);
@@ -227,16 +228,19 @@ std::optional<PyramidFault> fault_of(const std::filesystem::path& folder, const 
   }
 }
 
-/// Calls `on_file(file, read)` for every file that the heading speaks of; `read()` reads it whole.
+/// Calls `on_file(file, read)` for every file that the heading speaks of; `read(crs)` reads it whole.
 template <typename OnFile>
 void for_each_file(const std::filesystem::path& folder, const OnFile& on_file) {
   const PyramidHeading heading = read_heading(folder / heading_name);
   for (int level = 0; level < heading.layout.levels(); ++level) {
-    on_file(index_path(folder, level), [&] { static_cast<void>(read_index(folder, heading, level)); });
+    on_file(index_path(folder, level),
+            [&](const std::string&) { static_cast<void>(read_index(folder, heading, level)); });
     for (std::uint32_t row = 0; row < heading.layout.down(level); ++row) {
       for (std::uint32_t column = 0; column < heading.layout.across(level); ++column) {
         const TileKey key{level, column, row};
-        on_file(tile_path(folder, key), [&] { static_cast<void>(read_tile(folder, key)); });
+        on_file(tile_path(folder, key), [&](const std::string& crs) {
+          static_cast<void>(read_tile_in_place(folder, heading.layout, crs, key));
+        });
       }
     }
   }
@@ -329,6 +333,7 @@ PyramidBuild build_pyramid(const std::filesystem::path& folder, const TerrainSou
   for (const std::filesystem::path& file : raster.files()) hash.add(sha256_of_file(file));
   hash.add(fmt::format("{} {} {} {} {} {}", source.raster.band, source.raster.crs, source.plausible.lowest_m,
                        source.plausible.highest_m, no_data_height_m, frame.proj()));
+  if (const double unit_m = raster.height_unit().metres; unit_m != 1.0) hash.add(fmt::format(" {}", unit_m));
   const PyramidHeading heading{layout, hash.hex_digest()};
   std::size_t asked = 0, without_height = 0;
   bool holds_heights = false, is_empty = false;
@@ -383,11 +388,12 @@ std::optional<PyramidFault> heading_fault(const std::filesystem::path& folder) {
   return fault_of(folder, file, [&] { static_cast<void>(read_heading(file)); });
 }
 
-std::vector<PyramidFault> verify_pyramid(const std::filesystem::path& folder) {
+std::vector<PyramidFault> verify_pyramid(const std::filesystem::path& folder, const geo::LocalFrame& frame) {
   if (const auto fault = heading_fault(folder)) return {*fault};
   std::vector<PyramidFault> faults;
+  const std::string crs = frame.proj();
   for_each_file(folder, [&](const std::filesystem::path& file, const auto& read) {
-    if (auto fault = fault_of(folder, file, read)) faults.push_back(std::move(*fault));
+    if (auto fault = fault_of(folder, file, [&] { read(crs); })) faults.push_back(std::move(*fault));
   });
   return faults;
 }

@@ -63,8 +63,10 @@ struct PyramidFault {
 /// counts for nothing.
 [[nodiscard]] std::optional<PyramidFault> heading_fault(const std::filesystem::path& folder);
 
-/// Reads every file of a pyramid on disk and returns those that are not as they were written.
-[[nodiscard]] std::vector<PyramidFault> verify_pyramid(const std::filesystem::path& folder);
+/// Reads every file of a pyramid on disk and returns those that are not as they were written: tiles that say that they
+/// lie elsewhere in `frame`, in which the pyramid was built, among them.
+[[nodiscard]] std::vector<PyramidFault> verify_pyramid(const std::filesystem::path& folder,
+                                                       const geo::LocalFrame& frame);
 
 /// Those that are not there at all, its heading among them; reads nothing else.
 [[nodiscard]] std::vector<PyramidFault> missing_files(const std::filesystem::path& folder);

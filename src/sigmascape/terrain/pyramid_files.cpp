@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <fstream>
@@ -14,6 +15,7 @@
 #include "sigmascape/base/sha256.h"
 #include "sigmascape/base/toml_reader.h"
 #include "sigmascape/geo/atomic_file.h"
+#include "sigmascape/geo/coordinate_reference_system.h"
 #include "sigmascape/geo/geo_raster.h"
 
 namespace sigmascape::terrain {
@@ -62,36 +64,22 @@ Error altered(const std::filesystem::path& file) {
   return {file.string(), "has been altered since it was written", "build the pyramid again"};
 }
 
-}  // namespace
-
-std::filesystem::path tile_path(const std::filesystem::path& folder, TileKey key) {
-  return folder / fmt::format("level_{}", key.level) / fmt::format("{}_{}.tif", key.column, key.row);
-}
-
-std::filesystem::path index_path(const std::filesystem::path& folder, int level) {
-  return folder / fmt::format("level_{}.tif", level);
-}
-
-void write_tile(const std::filesystem::path& folder, const PyramidLayout& layout, const std::string& crs, TileKey key,
-                const HeightTile& tile) {
+/// Where a tile's file lies: its cells have the nodes in their middles.
+geo::RasterPlacement placement_of(const PyramidLayout& layout, const std::string& crs, TileKey key) {
   const radar::Rectangle extent = layout.extent_of(key);
   const double spacing_m = layout.spacing_at(key.level);
-  geo::GeoRaster raster{
-      .placement = {extent.west_m - 0.5 * spacing_m, extent.north_m + 0.5 * spacing_m, spacing_m, crs},
-      .bands = {{"height_m", Array2D<float>(HeightTile::nodes, HeightTile::nodes)}},
-      .nodata = std::nullopt,
-      .metadata = {{"lowest_m", fmt::format("{}", tile.summary.lowest_m)},
-                   {"highest_m", fmt::format("{}", tile.summary.highest_m)},
-                   {"error_m", fmt::format("{}", tile.summary.error_m)},
-                   {"heights_sha256", digest_of(key, tile.height_m)}}};
-  raster.metadata["tile_sha256"] = digest_of(raster.metadata);
-  std::ranges::copy(tile.height_m, raster.bands[0].values.values().begin());
-  geo::write_geotiff(tile_path(folder, key), raster);
+  return {extent.west_m - 0.5 * spacing_m, extent.north_m + 0.5 * spacing_m, spacing_m, crs};
 }
 
-std::shared_ptr<const HeightTile> read_tile(const std::filesystem::path& folder, TileKey key) {
-  const std::filesystem::path path = tile_path(folder, key);
-  const geo::GeoRaster raster = geo::read_geotiff(path);
+/// But for what rounding may do.
+bool is_same_place(const geo::RasterPlacement& a, const geo::RasterPlacement& b) {
+  const double least_m = 1e-6 * b.cell_m;
+  return std::abs(a.west_m - b.west_m) <= least_m && std::abs(a.north_m - b.north_m) <= least_m &&
+         std::abs(a.cell_m - b.cell_m) <= least_m && geo::is_same_crs(a.crs, b.crs);
+}
+
+std::shared_ptr<const HeightTile> tile_in(const geo::GeoRaster& raster, const std::filesystem::path& path,
+                                          TileKey key) {
   const Array2D<float>& heights = raster.bands.at(0).values;
   if (heights.columns() != HeightTile::nodes || heights.rows() != HeightTile::nodes) {
     throw Error(path.string(), "is not a terrain tile of 257 × 257 nodes", "build the pyramid again");
@@ -113,6 +101,43 @@ std::shared_ptr<const HeightTile> read_tile(const std::filesystem::path& folder,
   const auto whole = raster.metadata.find("tile_sha256");
   if (whole != raster.metadata.end() && whole->second != digest_of(raster.metadata)) throw altered(path);
   return std::make_shared<const HeightTile>(std::move(tile));
+}
+
+}  // namespace
+
+std::filesystem::path tile_path(const std::filesystem::path& folder, TileKey key) {
+  return folder / fmt::format("level_{}", key.level) / fmt::format("{}_{}.tif", key.column, key.row);
+}
+
+std::filesystem::path index_path(const std::filesystem::path& folder, int level) {
+  return folder / fmt::format("level_{}.tif", level);
+}
+
+void write_tile(const std::filesystem::path& folder, const PyramidLayout& layout, const std::string& crs, TileKey key,
+                const HeightTile& tile) {
+  geo::GeoRaster raster{.placement = placement_of(layout, crs, key),
+                        .bands = {{"height_m", Array2D<float>(HeightTile::nodes, HeightTile::nodes)}},
+                        .nodata = std::nullopt,
+                        .metadata = {{"lowest_m", fmt::format("{}", tile.summary.lowest_m)},
+                                     {"highest_m", fmt::format("{}", tile.summary.highest_m)},
+                                     {"error_m", fmt::format("{}", tile.summary.error_m)},
+                                     {"heights_sha256", digest_of(key, tile.height_m)}}};
+  raster.metadata["tile_sha256"] = digest_of(raster.metadata);
+  std::ranges::copy(tile.height_m, raster.bands[0].values.values().begin());
+  geo::write_geotiff(tile_path(folder, key), raster);
+}
+
+std::shared_ptr<const HeightTile> read_tile(const std::filesystem::path& folder, TileKey key) {
+  const std::filesystem::path path = tile_path(folder, key);
+  return tile_in(geo::read_geotiff(path), path, key);
+}
+
+std::shared_ptr<const HeightTile> read_tile_in_place(const std::filesystem::path& folder, const PyramidLayout& layout,
+                                                     const std::string& crs, TileKey key) {
+  const std::filesystem::path path = tile_path(folder, key);
+  const geo::GeoRaster raster = geo::read_geotiff(path);
+  if (!is_same_place(raster.placement, placement_of(layout, crs, key))) throw altered(path);
+  return tile_in(raster, path, key);
 }
 
 void write_index(const std::filesystem::path& folder, const PyramidLayout& layout, const std::string& crs, int level,

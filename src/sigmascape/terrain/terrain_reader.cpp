@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
+#include <unistd.h>
 #include <utility>
 #include <vector>
 
@@ -62,6 +63,23 @@ void relax(Array2D<float>& heights, Node node, const Limit& limited) {
   height = limited(height + over_relaxation * (neighbour_mean(heights, node) - height));
 }
 
+/// Throws Error, which names a spacing that would do, when the heights of a rectangle are more than memory holds.
+void require_room(const radar::Rectangle& wanted, double spacing_m, const TerrainSource& source) {
+  const double columns = std::floor(wanted.width_m() / spacing_m) + 1.0,
+               rows = std::floor(wanted.height_m() / spacing_m) + 1.0;
+  const double bytes = columns * rows * bytes_a_height,
+               memory = static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
+  if (bytes <= memory) return;
+  const double fitting_m = spacing_m * std::sqrt(bytes / memory),
+               second_digit_m = std::pow(10.0, std::floor(std::log10(fitting_m)) - 1.0);
+  throw Error(source.where.empty() ? source.raster.file.string() : source.where + ".spacing_m",
+              fmt::format("heights every {:g} m over {:.0f} × {:.0f} m are {:.0f} × {:.0f}, for which a scene takes "
+                          "{:.3g} GB of memory, and there are {:.3g}",
+                          spacing_m, wanted.width_m(), wanted.height_m(), columns, rows, bytes / 1e9, memory / 1e9),
+              fmt::format("choose a spacing of {:g} m or more, or a smaller extent",
+                          std::ceil(fitting_m / second_digit_m) * second_digit_m));
+}
+
 }  // namespace
 
 std::size_t fill_holes(Array2D<float>& heights) {
@@ -117,6 +135,7 @@ ReadTerrain read_terrain(const TerrainSource& source, const geo::LocalFrame& fra
   }
 
   const double spacing_m = source.spacing_m.value_or(raster.cell_m());
+  require_room(*wanted, spacing_m, source);
   const auto columns = static_cast<std::size_t>(wanted->width_m() / spacing_m + 1e-6) + 1;
   const auto rows = static_cast<std::size_t>(wanted->height_m() / spacing_m + 1e-6) + 1;
   if (columns < 2 || rows < 2) {
@@ -126,6 +145,7 @@ ReadTerrain read_terrain(const TerrainSource& source, const geo::LocalFrame& fra
                 "choose a smaller spacing_m or a larger extent");
   }
   ReadTerrain result;
+  result.unit_is_guess = raster.height_unit().is_guess;
   Array2D<float> heights =
       raster.heights_on({wanted->west_m, wanted->north_m, spacing_m, columns, rows}, frame, source.plausible);
   const auto holes = count_holes(heights);

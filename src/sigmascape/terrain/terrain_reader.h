@@ -14,6 +14,7 @@ namespace sigmascape::terrain {
 /// Where heights come from and what is done with them on the way.
 struct TerrainSource {
   geo::RasterBand raster;
+  std::string where{};              ///< the section, as errors name it; empty: they name the raster
   std::optional<double> spacing_m;  ///< of the height field; by default the raster's own cell
   double smooth_within_m = 0.0;     ///< see smooth_within; 0 leaves heights alone
   geo::PlausibleHeights plausible;
@@ -23,10 +24,16 @@ struct TerrainSource {
 struct ReadTerrain {
   HeightField field;
   std::size_t filled_nodes = 0;  ///< had no data, or no plausible ones, and were interpolated
+  bool unit_is_guess = false;    ///< as geo::HeightUnit has it
 };
 
+/// What a scene with so many heights takes in memory for them: while it is read, and later with the map of materials
+/// and the structures for rays above them, it is up to some forty bytes each.
+inline constexpr double bytes_a_height = 40.0;
+
 /// Reads heights over a rectangle of the frame, or, without one, over all of the raster. Throws Error when the
-/// rectangle and the raster do not overlap or more than the stated share of nodes has no data.
+/// rectangle and the raster do not overlap, more than the stated share of nodes has no data, or a scene of so many
+/// heights takes more memory than this machine has; of those nothing is allocated.
 [[nodiscard]] ReadTerrain read_terrain(const TerrainSource& source, const geo::LocalFrame& frame,
                                        std::optional<radar::Rectangle> wanted);
 

@@ -1,6 +1,7 @@
 #include "sigmascape/geo/atomic_file.h"
 
 #include <barrier>
+#include <chrono>
 #include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,6 +9,7 @@
 #include <mutex>
 #include <stdexcept>
 #include <string>
+#include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
 #include <vector>
@@ -186,6 +188,42 @@ TEST_F(AtomicFile, ManyWritersOfOneNameNeverMix) {
   ASSERT_EQ(content.size(), 20000U);
   EXPECT_EQ(content, std::string(20000, content.front()));
   EXPECT_EQ(files(), 1U);
+}
+
+TEST_F(AtomicFile, WhatAnEndedProcessLeftIsRemoved) {
+  const pid_t child = ::fork();
+  if (child == 0) write_atomically(folder_ / "a.txt", [](const std::filesystem::path&) { ::_exit(0); });
+  ::waitpid(child, nullptr, 0);
+  ASSERT_EQ(files(), 1U);
+  remove_leftovers(folder_, "b");
+  EXPECT_EQ(files(), 1U) << "it is of another file";
+  remove_leftovers(folder_, "a");
+  EXPECT_EQ(files(), 0U);
+}
+
+TEST_F(AtomicFile, WhatIsBeingWrittenIsNoLeftover) {
+  write_atomically(folder_ / "a.txt", [&](const std::filesystem::path& temporary) {
+    std::ofstream(temporary) << "half";
+    remove_leftovers(folder_, "a");
+    EXPECT_TRUE(std::filesystem::exists(temporary));
+  });
+  EXPECT_EQ(content_of(folder_ / "a.txt"), "half");
+}
+
+// The process of that number may be alive on a host whose locks do not reach here.
+TEST_F(AtomicFile, WhatIsOfAnotherHostIsRemovedWhenItIsOld) {
+  for (const char* name : {".a.txt.0123456789abcdef-99999999-0.tmp", ".a.txt.99-0.tmp"}) {
+    std::ofstream(folder_ / name) << "half";
+    remove_leftovers(folder_, "a");
+    EXPECT_TRUE(std::filesystem::exists(folder_ / name)) << name;
+    const auto now = std::filesystem::file_time_type::clock::now();
+    std::filesystem::last_write_time(folder_ / name, now - std::chrono::hours(12));
+    remove_leftovers(folder_, "a");
+    EXPECT_TRUE(std::filesystem::exists(folder_ / name)) << name;
+    std::filesystem::last_write_time(folder_ / name, now - std::chrono::hours(30));
+    remove_leftovers(folder_, "a");
+    EXPECT_FALSE(std::filesystem::exists(folder_ / name)) << name;
+  }
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <string>
 
 #include "sigmascape/base/error.h"
+#include "sigmascape/geo/axis_units.h"
+#include "sigmascape/geo/foot.h"
 #include "sigmascape/geo/local_frame.h"
 
 namespace sigmascape::geo {
@@ -16,6 +18,15 @@ TEST(CoordinateReferenceSystem, TellsDegreesFromMetres) {
   EXPECT_TRUE(is_in_degrees("EPSG:4326"));
   EXPECT_FALSE(is_in_degrees("EPSG:25830"));
   EXPECT_FALSE(is_in_degrees(LocalFrame(43.26, -2.93).proj()));
+}
+
+TEST(CoordinateReferenceSystem, MayCountHeightsInAUnitOfTheirOwn) {
+  EXPECT_DOUBLE_EQ(metres_per_vertical_unit("EPSG:2263+6360").value(), us_survey_foot_m);
+  EXPECT_DOUBLE_EQ(metres_per_vertical_unit("EPSG:4326+8228").value(), foot_m);
+  EXPECT_DOUBLE_EQ(metres_per_vertical_unit("EPSG:2263+5703").value(), 1.0);
+  EXPECT_DOUBLE_EQ(metres_per_vertical_unit("EPSG:4979").value(), 1.0);
+  for (const char* without : {"EPSG:2263", "EPSG:4326", "EPSG:4978", "somewhere", ""})
+    EXPECT_FALSE(metres_per_vertical_unit(without).has_value()) << without;
 }
 
 TEST(CoordinateReferenceSystem, ALocalFrameHasAName) {

@@ -115,17 +115,24 @@ TEST(Raster, ThatGoesRoundTheGlobeHasNoSeam) {
   }
 }
 
+/// A plain at 100 of that unit, which is empty where the band states none.
+std::filesystem::path plain_at_100(const ScratchFolder& folder, const std::string& crs, const std::string& unit) {
+  folder.write("plane.asc", utm.text([](double, double) { return 100.0; }));
+  return folder.write("unit.vrt", R"(<VRTDataset rasterXSize="100" rasterYSize="80"><SRS>)" + crs + R"(</SRS>
+      <GeoTransform>500600, 10, 0, 4795800, 0, -10</GeoTransform><VRTRasterBand dataType="Float32" band="1"><UnitType>)" +
+                                      unit + R"(</UnitType><SimpleSource><SourceFilename relativeToVRT="1"
+      >plane.asc</SourceFilename><SourceBand>1</SourceBand></SimpleSource></VRTRasterBand></VRTDataset>)");
+}
+
+float height_on(const Raster& raster) {
+  const Extent extent = raster.outline_in(frame).extent_inside();
+  return raster.heights_on({extent.west_m + 100.0, extent.north_m - 100.0, 10.0, 1, 1}, frame)(0, 0);
+}
+
 TEST(Raster, UnitsOfHeightsAreThoseOfTheBand) {
   const ScratchFolder folder;
-  folder.write("plane.asc", utm.text([](double, double) { return 100.0; }));
   const auto height_in = [&](const std::string& unit) {
-    const auto file = folder.write("unit.vrt", R"(<VRTDataset rasterXSize="100" rasterYSize="80"><SRS>EPSG:25830</SRS>
-      <GeoTransform>500600, 10, 0, 4795800, 0, -10</GeoTransform><VRTRasterBand dataType="Float32" band="1"><UnitType>)" +
-                                                   unit + R"(</UnitType><SimpleSource><SourceFilename relativeToVRT="1"
-      >plane.asc</SourceFilename><SourceBand>1</SourceBand></SimpleSource></VRTRasterBand></VRTDataset>)");
-    const Raster raster({file, 1, ""});
-    const Extent extent = raster.outline_in(frame).extent_inside();
-    return raster.heights_on({extent.west_m + 100.0, extent.north_m - 100.0, 10.0, 1, 1}, frame)(0, 0);
+    return height_on(Raster({plain_at_100(folder, "EPSG:25830", unit), 1, ""}));
   };
   for (const char* metre : {"", "m", "Metre", "meters"}) EXPECT_FLOAT_EQ(height_in(metre), 100.0F) << metre;
   for (const char* foot : {"ft", "Feet", "foot"}) EXPECT_FLOAT_EQ(height_in(foot), 30.48F) << foot;
@@ -136,6 +143,45 @@ TEST(Raster, UnitsOfHeightsAreThoseOfTheBand) {
         << unknown;
   EXPECT_THAT(message_of_error([&] { static_cast<void>(height_in("fathom")); }),
               HasSubstr("unit.vrt: counts heights in 'fathom', which is no known unit; convert it to metres"));
+}
+
+TEST(Raster, UnitsOfHeightsAreThoseOfTheVerticalAxisWhereTheBandStatesNone) {
+  const ScratchFolder folder;
+  const std::string in_us_feet = "EPSG:25830+6360", in_feet = "EPSG:25830+8228", in_metres = "EPSG:25830+5773";
+  const auto height_in = [&](const std::string& crs, const std::string& unit, const std::string& stated_crs) {
+    return height_on(Raster({plain_at_100(folder, crs, unit), 1, stated_crs}));
+  };
+  EXPECT_FLOAT_EQ(height_in(in_us_feet, "", ""), 30.480061F);
+  EXPECT_FLOAT_EQ(height_in(in_feet, "", ""), 30.48F);
+  EXPECT_FLOAT_EQ(height_in(in_metres, "", ""), 100.0F);
+  EXPECT_FLOAT_EQ(height_in(in_feet, "m", ""), 100.0F) << "the band is nearer to its heights";
+  EXPECT_FLOAT_EQ(height_in("EPSG:25830", "", in_feet), 30.48F);
+  EXPECT_FLOAT_EQ(height_in(in_feet, "", in_metres), 100.0F);
+  EXPECT_FLOAT_EQ(height_in(in_feet, "", "EPSG:25830"), 30.48F) << "the one stated is of places alone";
+}
+
+TEST(Raster, StatedUnitOfHeightsOverridesTheFile) {
+  const ScratchFolder folder;
+  const auto file = plain_at_100(folder, "EPSG:25830+8228", "fathom");
+  EXPECT_FLOAT_EQ(height_on(Raster({file, 1, "", "m"})), 100.0F);
+  EXPECT_FLOAT_EQ(height_on(Raster({file, 1, "", "ft"})), 30.48F);
+  EXPECT_FLOAT_EQ(height_on(Raster({file, 1, "", "us-ft"})), 30.480061F);
+}
+
+// Most of such rasters hold metres, or say what they hold.
+TEST(Raster, MapsInFeetAloneMakeHeightsInMetresThatAreAGuess) {
+  const ScratchFolder folder;
+  const auto unit_of = [&](const std::string& crs, const std::string& unit, const std::string& stated) {
+    return Raster({plain_at_100(folder, crs, unit), 1, "", stated}).height_unit();
+  };
+  for (const char* in_feet : {"EPSG:2263", "EPSG:2222"}) {
+    EXPECT_EQ(unit_of(in_feet, "", "").metres, 1.0) << in_feet;
+    EXPECT_TRUE(unit_of(in_feet, "", "").is_guess) << in_feet;
+    EXPECT_FALSE(unit_of(in_feet, "m", "").is_guess) << in_feet;
+    EXPECT_FALSE(unit_of(in_feet, "", "m").is_guess) << in_feet;
+  }
+  EXPECT_FALSE(unit_of("EPSG:2263+6360", "", "").is_guess);
+  EXPECT_FALSE(unit_of("EPSG:25830", "", "").is_guess);
 }
 
 TEST(Raster, CoarseLatticeTakesTheMeanOfItsCell) {

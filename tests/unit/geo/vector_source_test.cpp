@@ -98,6 +98,73 @@ TEST(VectorSource, OpenStreetMapTagsBecomeAttributes) {
   EXPECT_TRUE(read_features({.file = file, .osm_tag = "building=church"}, frame).empty());
 }
 
+/// Three ways of a town: the second runs under an arcade and the third is a house of five levels.
+std::filesystem::path ways(const ScratchFolder& folder) {
+  return folder.write("town.osm", R"(<osm version="0.6">
+    <node id="1" lat="45.0" lon="7.0"/><node id="2" lat="45.0" lon="7.001"/><node id="3" lat="45.001" lon="7.001"/>
+    <way id="10"><nd ref="1"/><nd ref="2"/><tag k="highway" v="primary"/><tag k="lanes" v="2"/></way>
+    <way id="11"><nd ref="1"/><nd ref="2"/><tag k="highway" v="service"/><tag k="covered" v="arcade"/></way>
+    <way id="12"><nd ref="1"/><nd ref="2"/><nd ref="3"/><nd ref="1"/><tag k="building" v="yes"/><tag k="building:levels" v="5"/></way></osm>)");
+}
+
+TEST(VectorSource, ConditionSeesTagsOfOpenStreetMapThatHaveNoColumn) {
+  const ScratchFolder folder;
+  VectorSource source{.file = ways(folder), .kind = GeometryKind::Lines, .osm_tag = "highway"};
+  const auto found = [&](const std::string& condition) {
+    source.where = condition;
+    std::vector<std::string> ids;
+    for (const Feature& feature : read_features(source, frame)) ids.push_back(feature.attribute("osm_id").value());
+    return ids;
+  };
+  using Ids = std::vector<std::string>;
+  EXPECT_EQ(found("covered IS NULL"), Ids{"10"});
+  EXPECT_EQ(found("covered = 'arcade'"), Ids{"11"});
+  EXPECT_EQ(found("highway = 'service' AND covered IS NOT NULL"), Ids{"11"});
+  EXPECT_EQ(found("highway = 'primary' OR \"covered\" IN ('yes', 'it''s so', 'arcade')"), (Ids{"10", "11"}));
+  EXPECT_EQ(found("CAST(lanes AS integer) >= 2 AND NOT FID = 11"), Ids{"10"});
+  EXPECT_EQ(found("lanes LIKE '2' AND OGR_GEOMETRY = 'LINESTRING'"), Ids{"10"});
+  EXPECT_EQ(found("other_tags IS NOT NULL AND lanes IS NULL"), Ids{"11"});
+  EXPECT_EQ(found("highway = 'primary'"), Ids{"10"});
+  EXPECT_EQ(found("surface = 'paved'"), Ids{});
+  source.kind = GeometryKind::Areas;
+  source.osm_tag = "building";
+  source.where = "CAST(\"building:levels\" AS float) > 4.5";
+  EXPECT_EQ(read_features(source, frame).size(), 1U);
+  source.where = "CAST(\"building:levels\" AS float) > 5.5";
+  EXPECT_TRUE(read_features(source, frame).empty());
+}
+
+TEST(VectorSource, ConditionOnTagsMustBeOneOfOgr) {
+  const ScratchFolder folder;
+  VectorSource source{.file = ways(folder), .kind = GeometryKind::Lines, .where = "lanes > 1"};
+  const auto fault = [&] { return message_of_error([&] { static_cast<void>(read_features(source, frame)); }); };
+  EXPECT_THAT(fault(), AllOf(HasSubstr("town.osm: the condition 'lanes > 1' does not fit its attributes"),
+                             HasSubstr("Type mismatch"), Not(HasSubstr("not recognised"))));
+  source.where = "covered = = 'yes'";
+  EXPECT_THAT(fault(), HasSubstr("syntax error"));
+}
+
+TEST(VectorSource, FilesConvertedFromOpenStreetMapHaveItsTagsToo) {
+  const ScratchFolder folder;
+  const std::string at = R"("geometry":{"type":"Point","coordinates":[7.0,45.0]}})";
+  const auto file =
+      folder.write("trees.geojson", R"({"type":"FeatureCollection","features":[
+    {"type":"Feature","properties":{"name":"a","other_tags":"\"height\"=>\"12\",\"name\"=>\"b\""},)" +
+                                        at + R"(,{"type":"Feature","properties":{"other_tags":"none"},)" + at +
+                                        R"(,{"type":"Feature","properties":{"name":"c"},"geometry":
+    {"type":"LineString","coordinates":[[7.0,45.0],[7.1,45.0]]}}]})");
+  VectorSource source{.file = file, .kind = GeometryKind::Points};
+  const auto all = read_features(source, frame);
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_EQ(all[0].attribute("height"), "12");
+  EXPECT_EQ(all[0].attribute("name"), "a") << "its own column";
+  EXPECT_EQ(all[1].attribute("other_tags"), "none") << "no tags";
+  source.where = "CAST(height AS float) > 10";
+  EXPECT_EQ(read_features(source, frame).size(), 1U);
+  source.where = "CAST(height AS float) > 20";
+  EXPECT_TRUE(read_features(source, frame).empty()) << "which is no lack of points";
+}
+
 TEST(VectorSource, ConditionChoosesFeaturesAndMustFit) {
   const ScratchFolder folder;
   const auto file = folder.write("t.csv", "x,y,height\n7,45,12\n7,45,-8\n");

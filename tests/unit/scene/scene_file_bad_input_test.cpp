@@ -53,6 +53,33 @@ TEST_F(BadInput, ValuesOutOfRange) {
               HasSubstr("materials.m.albedo: is 1.5"));
 }
 
+TEST_F(BadInput, UnitOfHeightsIsOneOfThree) {
+  EXPECT_THAT(fault_of("[terrain]\nfile = \"heights.asc\"\nunit = \"feet\"\n"),
+              HasSubstr("bad.toml: terrain.unit: is \"feet\"; choose among m, ft, us-ft"));
+}
+
+// 4 × 10¹² heights are more than any machine holds.
+TEST_F(BadInput, SpacingThatMakesMoreHeightsThanMemoryHolds) {
+  const std::string scene =
+      "[scene]\nextent = {west_m = -100000, south_m = -100000, east_m = 100000, north_m = 100000}\n"
+      "[terrain]\nfile = \"heights.asc\"\ncrs = \"EPSG:25830\"\n";
+  EXPECT_THAT(fault_of(scene + "spacing_m = 0.1\n"),
+              AllOf(HasSubstr("bad.toml: terrain.spacing_m: heights every 0.1 m over 200000 × 200000 m are 2000001 × "
+                              "2000001, for which a scene takes 1.6e+05 GB of memory"),
+                    HasSubstr("choose a spacing of ")));
+}
+
+TEST_F(BadInput, LeavesWithoutAnAlbedoMakeNoCrowns) {
+  place_.write("trees.csv", "x,y,h\n501100,4795500,12\n");
+  const std::string trees =
+      "[[trees]]\nfile = \"trees.csv\"\ncrs = \"EPSG:25830\"\nx = \"x\"\ny = \"y\"\nheight_attribute = \"h\"\n"
+      "leaf_material = \"grass\"\n";
+  EXPECT_THAT(place_.fault(trees + "kind = \"crowns\"\n"),
+              AllOf(HasSubstr("place.toml: trees[1].leaf_material: 'grass' has no albedo that is known"),
+                    HasSubstr("name a crown_material")));
+  EXPECT_EQ(place_.fault(trees), "") << "of leaves as triangles";
+}
+
 TEST_F(BadInput, RasterWithoutCrs) {
   EXPECT_THAT(fault_of("[terrain]\nfile = \"heights.asc\"\n"),
               HasSubstr("heights.asc: carries no coordinate reference system"));

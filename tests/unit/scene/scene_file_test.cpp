@@ -64,6 +64,36 @@ TEST(SceneFile, ExtentAndSpacingAreAsWanted) {
   EXPECT_NEAR(scene.terrain.height_at({0.0, 100.0}), 0.05 * 300.0, 0.1);
 }
 
+TEST(SceneFile, HeightsAreInTheStatedUnit) {
+  const MadeUpPlace place;
+  place.write("level.asc", MadeUpPlace::grid.text([](double, double) { return 100.0; }));
+  const auto height_in = [&](const std::string& unit) {
+    return read_scene(place.write("unit.toml", "[terrain]\nfile = \"level.asc\"\ncrs = \"EPSG:25830\"\n" + unit))
+        .terrain.height_at({0.0, 0.0});
+  };
+  EXPECT_NEAR(height_in(""), 100.0, 1e-4);
+  EXPECT_NEAR(height_in("unit = \"m\"\n"), 100.0, 1e-4);
+  EXPECT_NEAR(height_in("unit = \"ft\"\n"), 30.48, 1e-4);
+  EXPECT_NEAR(height_in("unit = \"us-ft\"\n"), 30.48006, 1e-4);
+}
+
+TEST(SceneFile, HeightsOnAMapInFeetAreSaidToBeTakenForMetres) {
+  const MadeUpPlace place;
+  constexpr geo::AsciiGrid in_feet{1'000'000.0, 200'000.0, 50.0, 40, 40};
+  place.write("new_york.asc", in_feet.text([](double, double) { return 100.0; }));
+  const auto read_as = [&](const std::string& keys) {
+    return read_scene(place.write("feet.toml", "[terrain]\nfile = \"new_york.asc\"\n" + keys));
+  };
+  const Scene silent = read_as("crs = \"EPSG:2263\"\n");
+  EXPECT_NEAR(silent.terrain.height_at({0.0, 0.0}), 100.0, 1e-4);
+  ASSERT_EQ(remark_count(silent, "without a unit of heights on a map in feet, taken to be in metres"), 1U);
+  EXPECT_THAT(silent.remarks[0].first, HasSubstr("new_york.asc: band 1"));
+  const Scene vertical = read_as("crs = \"EPSG:2263+6360\"\n");
+  EXPECT_NEAR(vertical.terrain.height_at({0.0, 0.0}), 30.48006, 1e-4);
+  EXPECT_TRUE(vertical.remarks.empty());
+  EXPECT_TRUE(read_as("crs = \"EPSG:2263\"\nunit = \"m\"\n").remarks.empty());
+}
+
 TEST(SceneFile, BuildingsRiseToTheirHeightFromTheLowestGround) {
   const MadeUpPlace place;
   place.write_houses(MadeUpPlace::house(-20, 0, 20, 40, R"("h":12.5)"));
@@ -157,6 +187,58 @@ TEST(SceneFile, RoadsInTunnelsAreNotPaved) {
     EXPECT_EQ(material_at(scene, {0.0, 100.0}), material) << tunnel;
     EXPECT_EQ(remark_count(scene, "roads in tunnels"), material == std::string("grass") ? 1U : 0U) << tunnel;
   }
+}
+
+TEST(SceneFile, RoadsUnderCoverAreNotPaved) {
+  const MadeUpPlace place;
+  for (const auto& [covered, material] : {std::pair{"yes", "grass"}, {"arcade", "grass"}, {"no", "asphalt"}}) {
+    std::string road = one_road;
+    road.replace(road.find("\"primary\""), 9, std::string("\"primary\",\"covered\":\"") + covered + "\"");
+    place.write("roads.geojson", road);
+    const Scene scene = place.read("cell_m = 1\n[[roads]]\nfile = \"roads.geojson\"\nwidth_m = 20\n");
+    EXPECT_EQ(material_at(scene, {0.0, 100.0}), material) << covered;
+    EXPECT_EQ(remark_count(scene, "roads under cover"), material == std::string("grass") ? 1U : 0U) << covered;
+  }
+}
+
+TEST(SceneFile, RoadsOutsideTheSceneAreCounted) {
+  const MadeUpPlace place;
+  std::string two_roads = one_road;
+  two_roads.insert(two_roads.rfind("]}"), R"(,{"type":"Feature","properties":{"highway":"primary"},"geometry":
+    {"type":"LineString","coordinates":[[509000,4795500],[509500,4795500]]}})");
+  place.write("roads.geojson", two_roads);
+  const Scene scene = place.read("[[roads]]\nfile = \"roads.geojson\"\nwidth_m = 20\n");
+  EXPECT_EQ(remark_count(scene, "roads outside the scene, left out"), 1U);
+  EXPECT_EQ(remark_count(scene, "nothing of the file is used"), 0U);
+}
+
+TEST(SceneFile, FilesWhollyOutsideTheSceneMakeARemark) {
+  const MadeUpPlace place;
+  place.write_houses(MadeUpPlace::house(3000, 0, 3020, 20, R"("h":9)") + "," +
+                     MadeUpPlace::house(4000, 0, 4020, 20, R"("h":9)"));
+  place.write("trees.csv", "x,y,h\n509000,4795500,10\n");
+  std::string road = one_road;
+  road.replace(road.find("[[500700,4795500],[501500,4795500]]"), 35, "[[509000,4795500],[509500,4795500]]");
+  place.write("roads.geojson", road);
+  place.write("mast.obj", "v 0 0 0\nv 1 0 0\nv 0 0 9\nf 1 2 3\n");
+  const Scene scene = place.read(houses_section + trees_section +
+                                 "[[roads]]\nfile = \"roads.geojson\"\nwidth_m = 20\n"
+                                 "[[meshes]]\nfile = \"mast.obj\"\nmaterial = \"metal\"\npositions_m = [[5000, 0]]\n");
+  const std::string nothing = " outside the scene, left out, so that nothing of the file is used";
+  EXPECT_EQ(remark_count(scene, "buildings" + nothing), 2U);
+  EXPECT_EQ(remark_count(scene, "trees" + nothing), 1U);
+  EXPECT_EQ(remark_count(scene, "roads" + nothing), 1U);
+  EXPECT_EQ(remark_count(scene, "meshes" + nothing), 1U);
+  EXPECT_TRUE(std::ranges::all_of(scene.remarks, &Remark::is_likely_a_mistake));
+}
+
+TEST(SceneFile, FilesWithoutWhatIsAskedForMakeARemark) {
+  const MadeUpPlace place;
+  place.write_houses(MadeUpPlace::house(-20, 0, 20, 40, R"("h":12.5)"));
+  const Scene scene = place.read(houses_section + "where = \"h > 100\"\n");
+  ASSERT_EQ(remark_count(scene, "files without a feature that is asked for, of which nothing is used"), 1U);
+  EXPECT_THAT(scene.remarks.back().first, HasSubstr("houses.geojson: none meets where = \"h > 100\""));
+  EXPECT_EQ(remark_count(place.read(houses_section), "files without"), 0U);
 }
 
 TEST(SceneFile, RoadsStayNarrowWithoutLandCover) {

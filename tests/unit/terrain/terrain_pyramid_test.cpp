@@ -2,6 +2,7 @@
 
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <fstream>
 #include <gmock/gmock.h>
@@ -246,6 +247,35 @@ TEST_F(PyramidOnDisk, AMissingTileGivesItsParentAndAReport) {
   EXPECT_GT(surface.height_at(inside), 50.0);
 }
 
+TEST(TerrainPyramid, AsksAgainForATileThatCouldNotBeHad) {
+  TerrainPyramid whole = pyramid_in_memory(rough());
+  const TileKey key{0, 1, 1};
+  bool is_short = true;
+  int asked = 0;
+  const TerrainPyramid::Reader reader = [&](TileKey wanted) {
+    asked += wanted == key ? 1 : 0;
+    if (is_short && wanted == key) throw Error("1_1.tif", "cannot be read", "try again");
+    return whole.load(wanted);
+  };
+  std::vector<Array2D<TileSummary>> summaries;
+  for (int level = 0; level < whole.levels(); ++level) {
+    auto& of_level = summaries.emplace_back(whole.layout().across(level), whole.layout().down(level));
+    for (std::uint32_t row = 0; row < of_level.rows(); ++row)
+      for (std::uint32_t column = 0; column < of_level.columns(); ++column)
+        of_level(column, row) = whole.summary({level, column, row});
+  }
+  TerrainPyramid patient(whole.layout(), summaries, reader, 8 * HeightTile::bytes, std::chrono::hours(1));
+  EXPECT_EQ(patient.load(key), nullptr);
+  EXPECT_EQ(patient.load(key), nullptr);
+  EXPECT_EQ(asked, 1) << "not at once";
+  TerrainPyramid pyramid(whole.layout(), summaries, reader, 8 * HeightTile::bytes, std::chrono::milliseconds(0));
+  EXPECT_EQ(pyramid.load(key), nullptr);
+  EXPECT_EQ(pyramid.faults().size(), 1U);
+  is_short = false;
+  EXPECT_NE(pyramid.load(key), nullptr);
+  EXPECT_TRUE(pyramid.faults().empty());
+}
+
 TEST_F(PyramidOnDisk, TruncatedAndAlteredTilesAreNotTaken) {
   std::filesystem::resize_file(tile("level_0/0_0.tif"), 900);
   std::filesystem::copy_file(tile("level_0/2_1.tif"), tile("level_0/3_1.tif"),
@@ -327,7 +357,7 @@ TEST_F(PyramidOnDisk, GoesOnWhereItWasInterrupted) {
   // 3 × 2 tiles of level 1, 2 of level 2, 1 of level 3 and the two of level 0.
   EXPECT_EQ(build_pyramid(folder_.path("pyramid"), field_, {43.0, -3.0}), 6U + 2U + 1U + 2U);
   EXPECT_FALSE(std::filesystem::exists(tile("unfinished.toml")));
-  EXPECT_THAT(verify_pyramid(folder_.path("pyramid")), ::testing::IsEmpty());
+  EXPECT_THAT(verify_pyramid(folder_.path("pyramid"), {43.0, -3.0}), ::testing::IsEmpty());
   for (const auto& [file, when] : times_in(folder_.path("pyramid"))) {
     if (file.parent_path() == "level_0" && file.filename() != "3_2.tif" && file.filename() != "4_2.tif") {
       EXPECT_EQ(before.at(file), when) << file;
@@ -361,7 +391,7 @@ TEST_F(PyramidOnDisk, StaysUntilOtherHeightsAreWhole) {
   EXPECT_FALSE(message_of_error([&] {
                  build_pyramid(folder_.path("pyramid"), cut, {43.0, -3.0}, {0.0, 0.0, 100.0, 100.0});
                }).empty());
-  EXPECT_THAT(verify_pyramid(folder_.path("pyramid")), ::testing::IsEmpty());
+  EXPECT_THAT(verify_pyramid(folder_.path("pyramid"), {43.0, -3.0}), ::testing::IsEmpty());
 
   const geo::AsciiGrid grid{500'600.0, 4'795'000.0, 100.0, 20, 20};
   cut.raster.file = folder_.write("nothing.asc", grid.text([](double, double) { return 1e30; }));
@@ -372,27 +402,27 @@ TEST_F(PyramidOnDisk, StaysUntilOtherHeightsAreWhole) {
                 HasSubstr("nothing.asc: holds no heights"));
     EXPECT_FALSE(std::filesystem::exists(folder_.path(".pyramid.unfinished")));
   }
-  EXPECT_THAT(verify_pyramid(folder_.path("pyramid")), ::testing::IsEmpty());
+  EXPECT_THAT(verify_pyramid(folder_.path("pyramid"), {43.0, -3.0}), ::testing::IsEmpty());
 
   const float before = field_.height_m(0, 0);
   for (float& height : field_.height_m.values()) height += 1.0F;
   EXPECT_EQ(build_pyramid(folder_.path("pyramid"), field_, {43.0, -3.0}),
             static_cast<std::size_t>(layout.tiles_across * layout.tiles_down) + 6U + 2U + 1U);
-  EXPECT_THAT(verify_pyramid(folder_.path("pyramid")), ::testing::IsEmpty());
+  EXPECT_THAT(verify_pyramid(folder_.path("pyramid"), {43.0, -3.0}), ::testing::IsEmpty());
   TerrainPyramid pyramid = open_pyramid(folder_.path("pyramid"), 100 * HeightTile::bytes);
   EXPECT_EQ(pyramid.load({0, 0, 0})->height_m[0], before + 1.0F);
   EXPECT_FALSE(std::filesystem::exists(folder_.path(".pyramid.unfinished")));
 }
 
 TEST_F(PyramidOnDisk, VerificationNamesWhatIsMissingOrDamaged) {
-  EXPECT_THAT(verify_pyramid(folder_.path("pyramid")), ::testing::IsEmpty());
+  EXPECT_THAT(verify_pyramid(folder_.path("pyramid"), {43.0, -3.0}), ::testing::IsEmpty());
   std::filesystem::remove(tile("level_1/2_1.tif"));
   std::filesystem::resize_file(tile("level_0/0_0.tif"), 900);
   std::filesystem::copy_file(tile("level_0/2_1.tif"), tile("level_0/3_1.tif"),
                              std::filesystem::copy_options::overwrite_existing);
   std::filesystem::remove(tile("level_2.tif"));
   std::vector<std::string> faults;
-  for (const PyramidFault& fault : verify_pyramid(folder_.path("pyramid"))) {
+  for (const PyramidFault& fault : verify_pyramid(folder_.path("pyramid"), {43.0, -3.0})) {
     faults.push_back(fault.file.string() + " " + fault.what);
   }
   EXPECT_THAT(faults, ::testing::ElementsAre("level_0/0_0.tif is truncated or was altered",
@@ -400,15 +430,15 @@ TEST_F(PyramidOnDisk, VerificationNamesWhatIsMissingOrDamaged) {
                                              "level_1/2_1.tif is missing", "level_2.tif is missing"));
   // The same heights mend what they name, and no more.
   EXPECT_EQ(build_pyramid(folder_.path("pyramid"), field_, {43.0, -3.0}), 3U);
-  EXPECT_THAT(verify_pyramid(folder_.path("pyramid")), ::testing::IsEmpty());
+  EXPECT_THAT(verify_pyramid(folder_.path("pyramid"), {43.0, -3.0}), ::testing::IsEmpty());
   std::filesystem::remove(tile("pyramid.toml"));
-  ASSERT_EQ(verify_pyramid(folder_.path("pyramid")).size(), 1U);
-  EXPECT_EQ(verify_pyramid(folder_.path("pyramid"))[0].file, "pyramid.toml");
+  ASSERT_EQ(verify_pyramid(folder_.path("pyramid"), {43.0, -3.0}).size(), 1U);
+  EXPECT_EQ(verify_pyramid(folder_.path("pyramid"), {43.0, -3.0})[0].file, "pyramid.toml");
 }
 
 /// The one fault of a pyramid, "file what".
 std::string only_fault(const std::filesystem::path& folder) {
-  const auto faults = verify_pyramid(folder);
+  const auto faults = verify_pyramid(folder, {43.0, -3.0});
   if (faults.empty()) return "none";
   return faults.size() == 1 ? faults.front().file.string() + " " + faults.front().what : "several";
 }
@@ -454,6 +484,29 @@ TEST_F(PyramidOnDisk, AlteredHeadingsIndexesAndSummariesAreFoundAndMended) {
   }
   EXPECT_EQ(only_fault(folder_.path("pyramid")), "level_1/0_0.tif is truncated or was altered");
   EXPECT_EQ(mended(), "");
+}
+
+// Their heights are as they were, and a GIS would show them elsewhere.
+TEST_F(PyramidOnDisk, TilesThatSayThatTheyLieElsewhereAreFoundAndMended) {
+  const auto whole = files_of(folder_.path("pyramid"));
+  const auto moved = [](geo::RasterPlacement placement, double east_m, double cell_m) {
+    placement.west_m += east_m;
+    placement.cell_m = cell_m;
+    return placement;
+  };
+  const geo::GeoRaster right = geo::read_geotiff(tile("level_1/1_0.tif"));
+  geo::RasterPlacement northward = right.placement, in_another_frame = right.placement;
+  northward.north_m += 1000.0;
+  in_another_frame.crs = geo::LocalFrame(43.001, -3.0).proj();
+  for (const geo::RasterPlacement& wrong : {moved(right.placement, 0.1, right.placement.cell_m),
+                                            moved(right.placement, 0.0, 11.0), northward, in_another_frame}) {
+    geo::GeoRaster elsewhere = right;
+    elsewhere.placement = wrong;
+    geo::write_geotiff(tile("level_1/1_0.tif"), elsewhere);
+    EXPECT_EQ(only_fault(folder_.path("pyramid")), "level_1/1_0.tif is truncated or was altered");
+    EXPECT_EQ(build_pyramid(folder_.path("pyramid"), field_, {43.0, -3.0}), 1U);
+    EXPECT_EQ(difference_of(files_of(folder_.path("pyramid")), whole), "");
+  }
 }
 
 // They tell neither their own hash nor those of the indexes, nor tiles that of their summary.

@@ -7,6 +7,8 @@
 #include "scratch_folder.h"
 #include "unit/geo/ascii_grid.h"
 
+#include "sigmascape/terrain/pyramid_builder.h"
+
 namespace sigmascape::terrain {
 namespace {
 
@@ -69,6 +71,31 @@ TEST_F(TerrainReader, ExtentWithoutOverlapIsAnErrorThatSaysWhereTheTerrainIs) {
                 static_cast<void>(read_terrain(flat, frame, radar::Rectangle{90'000, 0, 91'000, 1'000}));
               }),
               HasSubstr("does not overlap the scene's extent; move the extent into"));
+}
+
+TEST_F(TerrainReader, MoreHeightsThanMemoryHoldsAreAnErrorThatSaysWhatSpacingWouldDo) {
+  TerrainSource fine = source([](double, double) { return 1.0; });
+  fine.spacing_m = 0.1;
+  const radar::Rectangle wide{-100'000.0, -100'000.0, 100'000.0, 100'000.0};
+  const std::string fault = message_of_error([&] { static_cast<void>(read_terrain(fine, frame, wide)); });
+  EXPECT_THAT(fault, HasSubstr("heights.asc: heights every 0.1 m over 200000 × 200000 m are 2000001 × 2000001"));
+  const std::string proposal = "choose a spacing of ";
+  ASSERT_THAT(fault, HasSubstr(proposal));
+  const double fitting_m = std::stod(fault.substr(fault.find(proposal) + proposal.size()));
+  EXPECT_GT(fitting_m, 0.1);
+  fine.spacing_m = 0.9 * fitting_m;
+  EXPECT_THAT(message_of_error([&] { static_cast<void>(read_terrain(fine, frame, wide)); }), HasSubstr(proposal));
+}
+
+TEST_F(TerrainReader, PyramidsOfHeightsInAnotherUnitAreMadeAnew) {
+  TerrainSource level = source([](double, double) { return 100.0; });
+  level.spacing_m = 20.0;
+  const radar::Rectangle extent = read_terrain(level, frame, std::nullopt).field.extent();
+  const auto tiles_written = [&] { return build_pyramid(folder_.path("pyramid"), level, frame, extent).tiles_written; };
+  EXPECT_GT(tiles_written(), 0U);
+  EXPECT_EQ(tiles_written(), 0U);
+  level.raster.unit = "ft";
+  EXPECT_GT(tiles_written(), 0U);
 }
 
 /// Whole-metre heights of a slope of 3 %, as rounding leaves them.
