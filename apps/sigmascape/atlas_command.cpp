@@ -42,12 +42,12 @@ nlohmann::ordered_json json_of(const std::vector<atlas::StoreFault>& faults) {
 }
 
 /// What is wrong with the tiles of the terrain, by file of the atlas.
-std::vector<atlas::StoreFault> terrain_faults(const std::filesystem::path& atlas) {
+std::vector<atlas::StoreFault> terrain_faults(const atlas::Store& atlas) {
   const std::filesystem::path name = atlas::terrain_pyramid_name;
   std::error_code error;
-  if (!std::filesystem::exists(atlas / name, error) && !error) return {{name / "", "is missing", true}};
+  if (!std::filesystem::exists(atlas.folder() / name, error) && !error) return {{name / "", "is missing", true}};
   std::vector<atlas::StoreFault> faults;
-  for (const terrain::PyramidFault& fault : terrain::verify_pyramid(atlas / name))
+  for (const terrain::PyramidFault& fault : terrain::verify_pyramid(atlas.folder() / name, atlas.description().frame))
     faults.push_back({name / fault.file, fault.what});
   return faults;
 }
@@ -57,7 +57,7 @@ void verify(const std::string& folder, const Output& output) {
   TerminalProgress progress;
   std::vector<atlas::StoreFault> faults = atlas::verify(store, atlas::Scrutiny::Content, &progress);
   const std::size_t texture_faults = faults.size();
-  std::ranges::move(terrain_faults(folder), std::back_inserter(faults));
+  std::ranges::move(terrain_faults(store), std::back_inserter(faults));
   std::string text;
   for (const atlas::StoreFault& fault : faults) text += fmt::format("{} {}\n", fault.file.string(), fault.what);
   const std::size_t looks = store.unit_count();

@@ -1,6 +1,7 @@
 #include <array>
 #include <filesystem>
 #include <fmt/format.h>
+#include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -93,6 +94,31 @@ TEST_F(BakeCommand, APlansTimeIsWithinAFactorOfThreeOfTheBakes) {
   const double taken = baked("atlas", options).at("seconds");
   EXPECT_GT(expected, taken / 3.0);
   EXPECT_LT(expected, taken * 3.0);
+}
+
+// On standard error, so that a summary in JSON stays what it is; what lies outside by rights is for `scene info` alone.
+TEST_F(BakeCommand, WhatIsLikelyAMistakeInTheSceneIsSaidOnceWhereverItIsWorkedOn) {
+  std::ofstream(scene_, std::ios::app) << "[[buildings]]\nfile = \"houses.csv\"\ncrs = \"EPSG:25830\"\n"
+                                          "height_attribute = \"height\"\nwhere = \"height = 'unheard of'\"\n";
+  folder_.write("radar.toml",
+                "[radar]\nfrequency_ghz = 10\nrange_resolution_m = 4\nbeam_width_deg = 0.1\n"
+                "[position]\nazimuth_deg = 180\nelevation_deg = 20\nslant_range_km = 5\n");
+  const std::string few = std::string(one_coarse_look) + " --samples 2 --bounces 1 --json";
+  const std::string traced =
+      fmt::format("'{}' --scene '{}' --samples 1 --out '{}' --json", folder_.path("radar.toml").string(),
+                  scene_.string(), folder_.path("map.tif").string());
+  for (const std::string& command :
+       {bake_line("said", few), bake_line("planned", few + " --plan"), line("render", traced)}) {
+    const Ended ended = run(command);
+    ASSERT_EQ(ended.code, 0) << ended.printed;
+    EXPECT_TRUE(ended.json().is_object());
+    const std::string warning =
+        "warning: scene: files without a feature that is asked for, of which nothing is used: 1";
+    const std::size_t found = ended.said.find(warning);
+    ASSERT_NE(found, std::string::npos) << ended.said;
+    EXPECT_THAT(ended.said.substr(found), ContainsRegex("first .*houses.csv: none meets where .*\n"));
+    EXPECT_EQ(ended.said.find("warning: scene", found + 1), std::string::npos) << ended.said;
+  }
 }
 
 /// What a command line prints on a terminal.

@@ -41,6 +41,8 @@ AtlasDescription ground_description(const Store& atlas, const std::vector<double
   description.name += ", ground alone";
   description.aspects = {{0.0}, elevations_rad, atlas.description().aspects.frequencies_hz};
   description.settings = {{"layer", "ground without what stands on it, from any azimuth"}};
+  if (atlas.description().settings.contains(physics_revision_setting))
+    description.settings[physics_revision_setting] = atlas.description().physics_revision();
   return description;
 }
 

@@ -135,6 +135,7 @@ std::optional<std::string> difference(const AtlasDescription& there, const Atlas
   // Both as they would stand in a file, since only that can be compared with what was read from one.
   const auto as_read = [](AtlasDescription description) {
     description.format_version = newest_format_version;
+    description.settings[physics_revision_setting] = description.physics_revision();
     return Json::parse(written(described(description), -1));
   };
   std::vector<std::string> found = differences(as_read(there), as_read(here), "");

@@ -180,6 +180,8 @@ ItemPlace beside_collection(const AtlasDescription& description) {
 constexpr const char* own_hash = "sigmascape:item_sha256";
 /// Of items of looks: those of the bake, as the collection has them.
 constexpr const char* settings = "sigmascape:settings";
+/// Of items of all files; those without it are of the first.
+constexpr const char* physics_revision = "sigmascape:physics_revision";
 constexpr const char* mantissa_bits = "sigmascape:mantissa_bits";
 constexpr const char* kept_digits = "sigmascape:digits";
 
@@ -264,6 +266,9 @@ std::string fault_by_digits(const Json& properties, const AtlasDescription& desc
 std::string fault_by_origin(const Json& properties, const AtlasDescription& description) {
   const std::string scene = properties.value("sigmascape:scene_hash", description.scene_hash);
   if (scene != description.scene_hash) return of_another_bake("scene_hash", scene, description.scene_hash);
+  const std::string physics = properties.value(physics_revision, "1");
+  if (physics != description.physics_revision())
+    return of_another_bake(physics_revision_setting, physics, description.physics_revision());
   for (const auto& [name, there] : settings_told_by(properties)) {
     const auto here = description.settings.find(name);
     if (here != description.settings.end() && here->second != there) return of_another_bake(name, there, here->second);
@@ -276,6 +281,8 @@ std::string fault_by_origin(const Json& properties, const AtlasDescription& desc
 std::string item_of(const std::string& id, const AtlasDescription& description, const ItemPlace& place,
                     const Json& extensions, Json properties, const Json& assets) {
   properties[own_hash] = "";
+  if (description.settings.contains(physics_revision_setting))
+    properties[physics_revision] = description.physics_revision();
   const Json item = {
       {"type", "Feature"},
       {"stac_version", stac_version},

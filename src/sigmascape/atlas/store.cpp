@@ -28,7 +28,8 @@ void check_names(const AspectGrid& aspects) {
   for (LookIndex look = 0; look < aspects.look_count(); ++look) {
     const std::string name = look_name(aspects.look(look));
     if (names.insert(name).second) continue;
-    throw Error("atlas, looks", fmt::format("two are called {}", name), "choose angles that differ in tenths of a degree and frequencies in MHz, both rounded");
+    throw Error("atlas, looks", fmt::format("two are called {}", name),
+                "choose angles that differ in tenths of a degree and frequencies in MHz, both rounded");
   }
 }
 
@@ -87,6 +88,11 @@ void check_same(const Store& store, const AtlasDescription& description) {
 }
 
 }  // namespace
+
+std::string AtlasDescription::physics_revision() const {
+  const auto told = settings.find(physics_revision_setting);
+  return told == settings.end() ? "1" : told->second;
+}
 
 HalfTexture encoded_as(const AtlasDescription& description, const MipChain& chain,
                        const Array2D<float>& relative_errors) {

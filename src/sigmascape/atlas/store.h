@@ -31,6 +31,10 @@ enum class Digits {
   ToNoise,  ///< those that its standard error does not drown: worthwhile_bits.h
 };
 
+/// The setting that tells by which revision of the physics texels were made, where that is not the first:
+/// AtlasDescription::physics_revision.
+inline constexpr const char* physics_revision_setting = "physics_revision";
+
 /// As files and options spell it.
 [[nodiscard]] constexpr const char* word_for(Digits digits) {
   return digits == Digits::ToNoise ? "to-noise" : "all";
@@ -54,6 +58,9 @@ struct AtlasDescription {
   std::string attribution;  ///< of the data that the scene was made from
   /// An atlas keeps that with which it was begun.
   int format_version = newest_format_version;
+
+  /// By which revision of the physics the texels were made, as the settings tell: "1" where they do not.
+  [[nodiscard]] std::string physics_revision() const;
 };
 
 /// Halves of a chain as such an atlas stores them. `relative_errors`, if not empty, are those of the total power of the
@@ -86,7 +93,9 @@ enum class Scrutiny { Size, Content };
 struct StoreFault {
   std::filesystem::path file;  ///< relative to the store
   std::string what;            ///< "is missing", "is truncated", "was altered", …
-  bool is_absent = false;      ///< nothing of it is there, as before it was made for the first time
+  /// Nothing of it is there, as before it was made for the first time, or it is being made or was a moment ago: no
+  /// damage to tell of when it is made.
+  bool is_absent = false;
 };
 
 /// The terrain that the scene stands on, in the folder of the atlas, so that maps can be rendered without the scene.

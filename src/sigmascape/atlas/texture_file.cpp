@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <fmt/format.h>
 #include <fstream>
 #include <iterator>
@@ -64,6 +65,13 @@ std::optional<StoreFault> file_fault(const std::filesystem::path& folder, const 
   return std::nullopt;
 }
 
+/// Whether a file was written so lately that its item may be on its way.
+bool is_just_written(const std::filesystem::path& file) {
+  std::error_code error;
+  const auto written = std::filesystem::last_write_time(file, error);
+  return !error && std::filesystem::file_time_type::clock::now() - written < std::chrono::minutes(1);
+}
+
 /// Whatever its standard errors are like.
 FoundTexture found_alone(const Store& store, const std::filesystem::path& texture, Scrutiny scrutiny) {
   const auto item = found_item(store, texture);
@@ -71,7 +79,9 @@ FoundTexture found_alone(const Store& store, const std::filesystem::path& textur
     std::error_code error;
     static_cast<void>(std::filesystem::file_size(store.folder() / texture, error));
     if (is_nothing_there(error)) return {{}, StoreFault{texture, "is missing", true}};
-    return {{}, StoreFault{item_path(texture), "is missing, so the file that it vouches for does not count"}};
+    return {{},
+            StoreFault{item_path(texture), "is missing, so the file that it vouches for does not count",
+                       is_just_written(store.folder() / texture)}};
   }
   if (!item->record) return {{}, StoreFault{item_path(texture), item->fault}};
   const TextureRecord& record = *item->record;

@@ -38,6 +38,8 @@ std::map<std::string, std::string> settings_in_words(const BakeSettings& setting
       {atlas::footing_setting,
        footing_of(settings) == trace::Footing::LevelPlane ? "level" : atlas::footing_on_terrain},
       {"simd", trace::simd_setting()}};
+  // The first is told by nothing, as in atlases from before there were revisions.
+  if (physics_revision > 1) words[atlas::physics_revision_setting] = std::to_string(physics_revision);
   if (settings.noise == Noise::Shared) words["noise"] = "shared";
   if (sampling.is_adaptive()) {
     words["samples_per_texel"] = fmt::format("{} to {}", pilot_samples, sampling.most_samples);
@@ -149,7 +151,7 @@ class BakeRun {
     const Job job = jobs_[open.number];
     const std::size_t missing = missing_looks(job);
     if (missing > 0) {
-      if (claim->is_exclusive()) remove_leftovers(job);
+      remove_leftovers(job);
       bake_and_write(job, open.missing);
     }
     report_.elsewhere += open.missing - std::min(missing, open.missing);
@@ -236,7 +238,7 @@ class BakeRun {
     if (!is_read) found = terrain::missing_files(folder);
     if (!is_read && found.empty()) return {};
     if (!terrain::holds_pyramid_of(folder, scene.terrain, store_.description().frame)) return {};
-    if (is_read) found = terrain::verify_pyramid(folder);
+    if (is_read) found = terrain::verify_pyramid(folder, store_.description().frame);
     std::vector<atlas::StoreFault> faults;
     for (const terrain::PyramidFault& fault : found) faults.push_back(as_of_atlas(fault, false));
     return faults;

@@ -25,6 +25,13 @@ enum class Noise {
 /// Elevations of looks: a level plane is not lit at 0° and has no ground range at 90°.
 inline constexpr double lowest_elevation_deg = 0.5, highest_elevation_deg = 89.0;
 
+/// By which revision of the physics texels are made. To be raised by one with every change after which the same scene
+/// and settings give other textures, ground or obstacles than before, be it in scattering, in paths, in what stands for
+/// an obstacle or in how texels are summed and rounded: atlases that were begun before are refused then, rather than
+/// gone on with half and half. Not with changes in how a scene is read, which its hash tells, nor with those of formats
+/// (atlas::newest_format_version).
+inline constexpr int physics_revision = 1;
+
 /// Of smaller texels, cross-sections come near the units in which they and their variances are summed
 /// (receiver/power_bins.h, receiver/variance_bins.h).
 inline constexpr double smallest_texel_m = 0.01;

@@ -13,8 +13,8 @@ namespace sigmascape::bake {
 ///
 /// Each job, after them the ground of each patch, and last the terrain, is a byte of the empty file ".claims" in that
 /// folder, and whoever bakes it holds a lock on that byte. Locks end with the process that holds them, however it ends,
-/// so none can be left behind. Nothing depends on them but time: where a file system cannot lock, a job may be baked
-/// twice, to the same bytes.
+/// so none can be left behind. Nothing depends on them but time: where a file system cannot lock, or keeps the locks of
+/// each host to itself, a job may be baked twice, to the same bytes.
 /// Bakes and `sigmascape atlas terrain` alike make the terrain with its claim in hand.
 class Claims {
  public:
@@ -28,8 +28,6 @@ class Claims {
     Claim(const Claim&) = delete;
     Claim& operator=(const Claim&) = delete;
     ~Claim();
-    /// Whether nobody else can be doing the job; false where the file system cannot lock.
-    [[nodiscard]] bool is_exclusive() const { return claims_ != nullptr; }
 
    private:
     friend class Claims;

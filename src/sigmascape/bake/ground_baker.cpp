@@ -73,7 +73,7 @@ Array2D<radar::Channels> mixed(std::span<const float> shares, const std::vector<
   return mixture;
 }
 
-/// What killed processes left of a patch's ground and obstacles. Another may be writing a catalog there.
+/// What killed processes left of a patch's ground and obstacles.
 void remove_leftovers(const atlas::Store& store, const atlas::Store& ground, const atlas::PatchIndex& patch) {
   const std::string name = atlas::patch_name(patch);
   geo::remove_leftovers(store.folder() / name, "obstacles");
@@ -118,7 +118,7 @@ class GroundRun {
     tell();
     for (const std::size_t number : numbers) {
       const auto claim = claims.take(first_claim + number, Claims::Wait::UntilFree);
-      if (claim && claim->is_exclusive()) remove_leftovers(store_, ground_, patches[number]);
+      remove_leftovers(store_, ground_, patches[number]);
       bake_patch(patches[number]);
       patches_.push_back(patches[number]);
       tell();

@@ -1,12 +1,17 @@
 #include "sigmascape/geo/atomic_file.h"
 
+#include <array>
 #include <atomic>
 #include <cerrno>
+#include <charconv>
+#include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <deque>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <fstream>
 #include <string>
 #include <sys/stat.h>
 #include <system_error>
@@ -14,6 +19,7 @@
 #include <vector>
 
 #include "sigmascape/base/error.h"
+#include "sigmascape/base/sha256.h"
 
 namespace sigmascape::geo {
 namespace {
@@ -59,11 +65,49 @@ class OpenFile {
   int descriptor_;
 };
 
-/// One that this process has not given before, in the same folder.
+constexpr std::string_view temporary_ending = ".tmp";
+
+/// Names where processes are numbered as this one is: the host since it was started last, and of it the space that a
+/// container has for processes of its own. Empty where the system does not tell.
+std::string name_of_numbering() {
+  std::string start;
+  std::ifstream("/proc/sys/kernel/random/boot_id") >> start;
+  std::error_code error;
+  const std::filesystem::path space = std::filesystem::read_symlink("/proc/self/ns/pid", error);
+  std::array<char, 256> host{};
+  if (start.empty() || error || ::gethostname(host.data(), host.size() - 1) != 0) return "";
+  return sha256_of(fmt::format("{} {} {}", host.data(), start, space.string())).substr(0, 16);
+}
+
+const std::string& numbering() {
+  static const std::string name = name_of_numbering();
+  return name;
+}
+
+/// One that this process has not given before, in the same folder; it tells who has given it.
 std::filesystem::path temporary_name_for(const std::filesystem::path& final_path) {
   static std::atomic<unsigned> serial{0};
-  return final_path.parent_path() /
-         fmt::format(".{}.{}-{}.tmp", final_path.filename().string(), ::getpid(), serial.fetch_add(1));
+  return final_path.parent_path() / fmt::format(".{}.{}-{}-{}{}", final_path.filename().string(), numbering(),
+                                                ::getpid(), serial.fetch_add(1), temporary_ending);
+}
+
+/// Whether a temporary file has a name that was given by a process which has ended, as far as can be seen from here.
+bool is_of_ended_process(std::string_view name) {
+  name.remove_suffix(temporary_ending.size());
+  name.remove_prefix(name.rfind('.') + 1);
+  const std::string here = numbering() + "-";
+  if (numbering().empty() || !name.starts_with(here)) return false;
+  name.remove_prefix(here.size());
+  pid_t process = 0;
+  if (std::from_chars(name.data(), name.data() + name.size(), process).ec != std::errc() || process <= 0) return false;
+  return ::kill(process, 0) != 0 && errno == ESRCH;
+}
+
+/// Whether nobody can be at work on a file any more. Clocks of hosts that share it differ by less than a day.
+bool is_long_untouched(const std::filesystem::path& path) {
+  std::error_code error;
+  const auto written = std::filesystem::last_write_time(path, error);
+  return !error && std::filesystem::file_time_type::clock::now() - written > std::chrono::hours(24);
 }
 
 /// An empty file of a name that nobody else has, removed again unless it was renamed.
@@ -248,7 +292,8 @@ void remove_leftovers(const std::filesystem::path& folder, std::string_view begi
   std::vector<std::filesystem::path> leftovers;
   for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
     const std::string name = entry.path().filename().string();
-    if (name.starts_with(prefix) && name.ends_with(".tmp")) leftovers.push_back(entry.path());
+    if (!name.starts_with(prefix) || !name.ends_with(temporary_ending)) continue;
+    if (is_of_ended_process(name) || is_long_untouched(entry.path())) leftovers.push_back(entry.path());
   }
   for (const std::filesystem::path& leftover : leftovers) std::filesystem::remove(leftover, ignored);
 }

@@ -45,8 +45,10 @@ void write_together(const std::vector<FileContent>& files);
 /// `path` is a folder, or the first of its parents that exists is none or may not be written to. Writes nothing.
 void check_place_for(const std::filesystem::path& path);
 
-/// Removes from `folder` the temporary files that killed writers left of files whose names begin with `beginning`. Only
-/// for those who know that nobody is writing such a file now: his would vanish under him, and he would fail.
+/// Removes from `folder` the temporary files that killed writers left of files whose names begin with `beginning`, as
+/// far as they surely belong to nobody: their writer was a process of this host, or container, that has ended, or they
+/// were last written more than a day ago. Those of other hosts and containers stay until then, since they may be being
+/// written; so anybody may call it at any time.
 void remove_leftovers(const std::filesystem::path& folder, std::string_view beginning);
 
 }  // namespace sigmascape::geo

@@ -1,6 +1,7 @@
 #include "sigmascape/atlas/obstacle_tiles.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -171,6 +172,23 @@ TEST_F(ObstacleTilesTest, DamageIsCountedAndNotRead) {
   write_obstacles(atlas_, {-3, 0}, example_obstacles(atlas_, {-3, 0}));
   EXPECT_TRUE(tiles.read({1, -3, 0}, texels_));
   EXPECT_EQ(tiles.damaged(), damaged - 1);
+}
+
+// As after a shortage of open files, or when somebody bakes anew what was damaged.
+TEST_F(ObstacleTilesTest, ADamagedFileIsLookedAtAgainAfterAWhile) {
+  fill(example_obstacles);
+  const fs::path file = obstacles_path({0, {0, 0}});
+  const VouchedFiles patient(atlas_, Scrutiny::Content, std::chrono::hours(1));
+  const VouchedFiles files(atlas_, Scrutiny::Content, std::chrono::milliseconds(0));
+  alter(atlas_.folder() / file);
+  for (const VouchedFiles* of : {&patient, &files}) {
+    EXPECT_FALSE(of->record_of(file));
+    EXPECT_EQ(of->damaged(), 1U);
+  }
+  alter(atlas_.folder() / file);
+  EXPECT_FALSE(patient.record_of(file)) << "not at once";
+  EXPECT_TRUE(files.record_of(file));
+  EXPECT_EQ(files.damaged(), 0U);
 }
 
 TEST_F(ObstacleTilesTest, BySizeAloneAlteredContentIsNotFound) {

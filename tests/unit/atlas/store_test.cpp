@@ -415,6 +415,32 @@ TEST_F(StoreTest, AnItemOfAnotherBakeDoesNotCount) {
   EXPECT_TRUE(store.is_done({0, 0}, 0));
 }
 
+// Those from before there were revisions tell none.
+TEST_F(StoreTest, WhatTellsNoRevisionOfThePhysicsIsOfTheFirst) {
+  EXPECT_EQ(filled(folder_).description().physics_revision(), "1");
+  AtlasDescription later = example_description();
+  later.settings[physics_revision_setting] = "1";
+  EXPECT_EQ(Store::create(folder_, later).description().settings, example_description().settings)
+      << "it goes on as it was begun";
+  later.settings[physics_revision_setting] = "2";
+  EXPECT_THAT(message_of([&] { static_cast<void>(Store::create(folder_, later)); }),
+              HasSubstr("settings.physics_revision is \"1\" there and \"2\" here"));
+
+  // A collection that was removed is written anew by whatever bake comes first.
+  std::filesystem::remove(folder_ / "collection.json");
+  const Store store = Store::create(folder_, later);
+  EXPECT_THAT(message_of([&] {
+                static_cast<void>(store.read({0, 0}, 0));
+              }),
+              HasSubstr("is of another bake: physics_revision is 1 there and 2 in the collection"));
+  store.write({0, 0}, 0, example_texels(512, 1), {});
+  EXPECT_TRUE(store.is_done({0, 0}, 0));
+  std::filesystem::remove(folder_ / "collection.json");
+  const Store first = Store::create(folder_, example_description());
+  EXPECT_FALSE(first.is_done({0, 0}, 0));
+  EXPECT_TRUE(first.is_done({0, 0}, 1));
+}
+
 /// A texture, its item and its standard errors in the place of another's, each as it was written.
 void copy_look(const Store& store, const std::filesystem::path& from, const std::filesystem::path& to) {
   for (const char* ending : {".tif", ".json"}) {

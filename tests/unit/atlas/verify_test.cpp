@@ -19,6 +19,7 @@
 #include "sigmascape/atlas/pyramid.h"
 #include "sigmascape/atlas/stac_catalog.h"
 #include "sigmascape/atlas/terrain_file.h"
+#include "sigmascape/atlas/texture_file.h"
 #include "sigmascape/base/error.h"
 
 namespace sigmascape::atlas {
@@ -148,6 +149,23 @@ TEST_F(VerifyTest, CollectionsThatDoNotVouchForThemselvesAreWhole) {
   EXPECT_EQ(difference_of(files_of(folder_), before), "");
   std::ofstream(folder_ / collection_name, std::ios::app) << "\n";
   EXPECT_THAT(fault(), testing::StartsWith("collection.json does not link"));
+}
+
+// As when its collection was lost and a bake of a later revision began in its folder.
+TEST_F(VerifyTest, GroundAndObstaclesOfOtherPhysicsDoNotCount) {
+  AtlasDescription later = Store::open(folder_).description();
+  later.settings[physics_revision_setting] = "2";
+  fs::remove(folder_ / collection_name);
+  const Store atlas = Store::create(folder_, later);
+  constexpr const char* of_another = "is of another bake: physics_revision is 1 there and 2 in the collection";
+  const auto obstacles = obstacles_fault(atlas, {0, 0}, Scrutiny::Size);
+  ASSERT_TRUE(obstacles);
+  EXPECT_EQ(obstacles->what, of_another);
+  EXPECT_TRUE(ground_collection_fault(atlas));
+  const Store ground = create_ground_store(atlas, {0.1, 0.5});
+  const auto texture = texture_fault(ground, ground.texture_path({0, 0}, 0), Scrutiny::Size);
+  ASSERT_TRUE(texture);
+  EXPECT_EQ(texture->what, of_another);
 }
 
 /// What load_atlas says of it.

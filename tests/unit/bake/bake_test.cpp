@@ -7,6 +7,7 @@
 #include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <string>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -276,7 +277,7 @@ TEST(Bake, TargetsThatDifferAreNotTakenForOneAnother) {
               ::testing::HasSubstr("settings.target_db is \"0.5\" there and \"0.50000001\" here"));
 }
 
-// What a killed writer left is cleared away when its look is baked again.
+// What a killed writer left is cleared away when its look is baked again, and nothing that another host may be writing.
 TEST(Bake, LeftoversOfKilledWritersGo) {
   const ScratchFolder folder;
   const scene::Scene scene = scene_with_box();
@@ -284,9 +285,33 @@ TEST(Bake, LeftoversOfKilledWritersGo) {
   const auto whole = files_of(folder.path("a"));
   const auto store = atlas::Store::open(folder.path("a"));
   const auto texture = folder.path("a") / store.texture_path({0, 0}, 2);
-  std::filesystem::rename(texture, texture.parent_path() / ("." + texture.filename().string() + ".99-0.tmp"));
+  const auto leftover = texture.parent_path() / ("." + texture.filename().string() + ".99-0.tmp");
+  std::filesystem::rename(texture, leftover);
+  std::filesystem::last_write_time(leftover, std::filesystem::file_time_type::clock::now() - std::chrono::hours(30));
+  const auto another_s = texture.parent_path() / ("." + texture.filename().string() + ".0123456789abcdef-99-0.tmp");
+  std::ofstream(another_s) << "half";
   EXPECT_EQ(baked(scene, small_bake(), folder.path("a")).already, 3U);
+  EXPECT_TRUE(std::filesystem::remove(another_s));
   EXPECT_EQ(difference_of(files_of(folder.path("a")), whole), "");
+}
+
+// As another host leaves it for a moment whose locks do not reach here, between a texture and its item.
+TEST(Bake, ATextureWhoseItemIsOnItsWayIsNoDamage) {
+  const ScratchFolder folder;
+  const scene::Scene scene = scene_with_box();
+  baked(scene, small_bake(), folder.path("a"));
+  const auto store = atlas::Store::open(folder.path("a"));
+  const auto texture = folder.path("a") / store.texture_path({0, 0}, 2);
+  const auto item = std::filesystem::path(texture).replace_extension(".json");
+  const auto mended_after = [&](std::chrono::minutes age) {
+    std::filesystem::remove(item);
+    std::filesystem::last_write_time(texture, std::filesystem::file_time_type::clock::now() - age);
+    return words_of(baked(scene, small_bake(), folder.path("a")).mended);
+  };
+  EXPECT_THAT(mended_after(std::chrono::minutes(0)), ::testing::IsEmpty());
+  EXPECT_TRUE(std::filesystem::exists(item));
+  EXPECT_THAT(mended_after(std::chrono::minutes(5)),
+              ::testing::ElementsAre(::testing::HasSubstr(".json is missing, so the file that it vouches for")));
 }
 
 // A sliver of the extent may reach into a patch that has nothing else.
@@ -324,6 +349,19 @@ TEST(Bake, OtherSettingsAreRefusedNamingTheDifference) {
   BakeSettings more_threads = small_bake({40.0});
   more_threads.threads = 3;
   EXPECT_EQ(message_for(scene, more_threads), "");
+}
+
+TEST(Bake, AnAtlasOfOtherPhysicsIsRefused) {
+  const ScratchFolder folder;
+  const scene::Scene scene = bare_scene(20.0);
+  const std::string here = std::to_string(physics_revision), later = std::to_string(physics_revision + 1);
+  atlas::AtlasDescription description = description_of(scene, small_bake({40.0}));
+  EXPECT_EQ(description.physics_revision(), here);
+  description.settings[atlas::physics_revision_setting] = later;
+  static_cast<void>(atlas::Store::create(folder.path("a"), description));
+  EXPECT_THAT(message_of_error([&] { baked(scene, small_bake({40.0}), folder.path("a")); }),
+              ::testing::HasSubstr("holds another atlas: settings.physics_revision is \"" + later + "\" there and \"" +
+                                   here + "\" here"));
 }
 
 TEST(Bake, SettingsOutOfRangeAreRefused) {

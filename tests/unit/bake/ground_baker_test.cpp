@@ -1,5 +1,6 @@
 #include "sigmascape/bake/ground_baker.h"
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
@@ -92,9 +93,15 @@ TEST_F(GroundBaker, DamagedObstaclesAreMadeAnew) {
   fs::remove(atlas::item_path(file({0, {-1, 0}})));
   fs::resize_file(file({1, {0, -2}}), 1000);
   // As a killed process leaves them.
-  fs::rename(file({0, {1, 0}}), file({0, {1, 0}}).parent_path() / ".obstacles.tif.99-0.tmp");
+  const fs::path leftover = file({0, {1, 0}}).parent_path() / ".obstacles.tif.99-0.tmp";
+  fs::rename(file({0, {1, 0}}), leftover);
+  fs::last_write_time(leftover, fs::file_time_type::clock::now() - std::chrono::hours(30));
+  // As another host is about to write them.
+  const fs::path another_s = file({0, {1, -1}}).parent_path() / ".obstacles.tif.0123456789abcdef-99-0.tmp";
+  std::ofstream(another_s) << "half";
   EXPECT_EQ(faults(atlas).size(), 5U);
   bake_ground(scene_, atlas);
+  EXPECT_TRUE(fs::remove(another_s));
   EXPECT_EQ(difference_of(files_of(atlas.folder()), whole), "");
 
   alter(file({0, {-2, -1}}));
