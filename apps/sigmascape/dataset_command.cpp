@@ -1,11 +1,14 @@
 #include <fmt/format.h>
 
 #include "command.h"
+#include "received_files.h"
+#include "scene_warnings.h"
 #include "stopwatch.h"
 #include "terminal_progress.h"
 
 #include "sigmascape/bake/shard.h"
 #include "sigmascape/dataset/dataset_run.h"
+#include "sigmascape/dataset/dataset_warnings.h"
 
 namespace sigmascape::cli {
 
@@ -31,6 +34,9 @@ void add_dataset_command(Command app, Output& output) {
   command.callback([options, &output] {
     const bake::Shard shard = bake::shard_from(options->shard);
     const dataset::SampleMaker maker(dataset::read_dataset_spec(options->spec));
+    const scene::Scene& scene = maker.scene();
+    warn_of_scene(scene);
+    warn_of(maker.spec().radar.radar, dataset::dataset_warnings(maker.spec(), scene.terrain, scene.extent));
     TerminalProgress progress;
     const Stopwatch watch;
     const auto report =

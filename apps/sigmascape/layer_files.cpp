@@ -7,6 +7,7 @@
 #include "sigmascape/base/error.h"
 #include "sigmascape/dataset/bounce_labels.h"
 #include "sigmascape/product/layer_file.h"
+#include "sigmascape/product/map_metrics.h"
 #include "sigmascape/product/reprojection.h"
 #include "sigmascape/scene/obstacle_raster.h"
 #include "sigmascape/simulate/layers.h"
@@ -27,11 +28,11 @@ radar::LayerStack shape_layers(const std::vector<std::string>& names, const scen
   const auto kinds = shapes_in(names);
   if (source.atlas.empty()) {
     const trace::SceneGeometry geometry(scene, trace::Footing::Terrain);
-    return simulate::traced_layers(scene, geometry, radar, grid, kinds, source.trace.threads);
+    return simulate::traced_layers(scene, geometry, radar, grid, kinds, source.trace.threads, source.trace.targets);
   }
   const auto obstacles = scene::obstacles_of(scene, grid.cell_m);
   return simulate::swept_layers({&scene.terrain, &obstacles, &scene.ground, scene.materials.size()}, radar, grid, kinds,
-                                source.trace.threads);
+                                source.trace.threads, source.trace.targets);
 }
 
 std::vector<radar::Layer> bounce_layers(const std::vector<std::string>& names, const scene::Scene& scene,
@@ -50,7 +51,7 @@ void add_layer_options(Command command, LayerFiles& files) {
       .add_option("--layers", files.names,
                   "layers over the map's cells: shadow, layover, incidence, range, class, height; at level of detail 0 "
                   "also bounce1, bounce2, ... (sigma0 by number of bounces) and multibounce (part of the power that "
-                  "came over more than one)")
+                  "came over more than one), of --polarization or else the radar file's")
       .delimiter(',');
   command.add_option("--layers-out", files.file, "GeoTIFF to write them to, a band for each");
 }
@@ -81,6 +82,8 @@ void write_layers(const LayerFiles& files, const scene::Scene& scene, const rada
   stack.crs = scene.frame.proj();
   stack.metadata = metadata;
   stack.metadata.erase("quantity");
+  if (std::ranges::any_of(files.names, dataset::tells_bounces))
+    stack.metadata["bounce_polarization"] = product::polarization_name(radar.polarization);
   stack.metadata["classes"] = fmt::format("{}", fmt::join(simulate::class_names(scene), ", "));
   product::write_layers(files.file, crs.empty() ? stack : product::reprojected(stack, scene.frame, crs));
 }

@@ -23,14 +23,15 @@ void add_layer_options(Command command, LayerFiles& files);
 /// Throws Error when a layer is not known or not to be had at this level of detail, or when file or names are missing.
 void check(const LayerFiles& files, int level_of_detail);
 
-/// Where layers come from: rays over the full scene, or with an atlas what levels of detail from 1 on know.
+/// Where layers come from: rays over the full scene, or with an atlas what levels of detail from 1 on know. Behind the
+/// boxes of the trace's targets the radar sees nothing, in either.
 struct LayerSource {
   std::string atlas = {};
   simulate::TraceSettings trace = {};
 };
 
 /// Writes the layers asked for, if any, over the cells of the map: in its coordinate system, the scene's frame where
-/// `crs` is empty. `metadata` goes with them.
+/// `crs` is empty. `metadata` goes with them. Those that tell bounces apart are of the radar's polarization.
 void write_layers(const LayerFiles& files, const scene::Scene& scene, const radar::Radar& radar,
                   const radar::GroundGrid& grid, const std::string& crs,
                   const std::map<std::string, std::string>& metadata, const LayerSource& source);

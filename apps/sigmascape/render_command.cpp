@@ -14,6 +14,7 @@
 #include "number_within.h"
 #include "polarization_option.h"
 #include "received_files.h"
+#include "scene_warnings.h"
 #include "scope_files.h"
 #include "seed_option.h"
 #include "stopwatch.h"
@@ -197,6 +198,13 @@ void check_files(const RenderOptions& options) {
                                                  {"--slant-image", options.iq.slant_image}}));
 }
 
+/// The radar of the file, whose polarization an option may have changed.
+radar::RadarFile radar_file_of(const RenderOptions& options, std::optional<radar::Polarization> polarization) {
+  radar::RadarFile file = radar::read_radar_file(options.radar);
+  if (polarization) file.radar.polarization = *polarization;
+  return file;
+}
+
 product::PictureOptions look_of(const RenderOptions& options, radar::Polarization polarization) {
   product::PictureOptions look = options.style == "scope" ? product::scope_look() : product::PictureOptions{};
   look.polarization = polarization;
@@ -227,8 +235,8 @@ void write_maps(const RenderOptions& options, const scene::Scene& scene, const r
 
 void render(RenderOptions options, std::optional<radar::Polarization> polarization, const Output& output) {
   check_files(options);
-  const auto radar_file = radar::read_radar_file(options.radar);
-  const auto look = look_of(options, polarization.value_or(radar_file.radar.polarization));
+  const auto radar_file = radar_file_of(options, polarization);
+  const auto look = look_of(options, radar_file.radar.polarization);
   check(options.received, look.polarization);
   const scene::Scene scene = scene::read_scene(options.scene);
   if (!options.crs.empty()) static_cast<void>(geo::CoordinateTransform(options.crs, scene.frame, "--crs"));
@@ -241,6 +249,7 @@ void render(RenderOptions options, std::optional<radar::Polarization> polarizati
   const auto radar = simulate::placed_radar(radar_file, scene.frame, scene.terrain, scene.extent, options.time_s);
   const auto grid = simulate::map_grid(radar_file.map, scene.extent);
   check_coherent(options, radar);
+  warn_of_scene(scene);
   warn_of(radar, simulate::map_warnings(radar, radar_file.map, scene.terrain, scene.extent));
   const std::string hash = scene::scene_hash(scene);
   const std::optional<atlas::Store> store = atlas_of(options, hash);

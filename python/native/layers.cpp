@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
+#include <span>
 
 #include "array_view.h"
 #include "loaded_atlas.h"
@@ -18,6 +20,7 @@
 #include "sigmascape/base/error.h"
 #include "sigmascape/dataset/bounce_labels.h"
 #include "sigmascape/product/layer_file.h"
+#include "sigmascape/product/map_metrics.h"
 #include "sigmascape/radar/radar_bounds.h"
 #include "sigmascape/radar/radar_file.h"
 #include "sigmascape/scene/obstacle_raster.h"
@@ -50,8 +53,8 @@ void check_names(const std::vector<std::string>& names) {
 LayerStack traced(const LoadedScene& scene, const std::vector<std::string>& names, const radar::Radar& radar,
                   const radar::GroundGrid& grid, const simulate::TraceSettings& settings, ProgressListener& progress) {
   check_rays(settings);
-  LayerStack stack =
-      simulate::traced_layers(scene.scene(), scene.geometry(), radar, grid, shapes_in(names), settings.threads);
+  LayerStack stack = simulate::traced_layers(scene.scene(), scene.geometry(), radar, grid, shapes_in(names),
+                                             settings.threads, settings.targets);
   if (std::ranges::none_of(names, dataset::tells_bounces)) return stack;
   for (radar::Layer& layer :
        dataset::traced_bounce_layers(names, scene.scene(), scene.geometry(), radar, grid, settings, &progress))
@@ -60,7 +63,7 @@ LayerStack traced(const LoadedScene& scene, const std::vector<std::string>& name
 }
 
 LayerStack swept(const LoadedScene& loaded, const std::vector<std::string>& names, const radar::Radar& radar,
-                 const radar::GroundGrid& grid, unsigned threads) {
+                 const radar::GroundGrid& grid, std::span<const radar::Target> targets, unsigned threads) {
   for (const std::string& name : names) {
     if (dataset::tells_bounces(name))
       throw Error("layer '" + name + "'", "is not known without rays, where all bounces are one sum", "use lod=0");
@@ -68,11 +71,12 @@ LayerStack swept(const LoadedScene& loaded, const std::vector<std::string>& name
   const scene::Scene& scene = loaded.scene();
   const auto obstacles = scene::obstacles_of(scene, grid.cell_m);
   return simulate::swept_layers({&scene.terrain, &obstacles, &scene.ground, scene.materials.size()}, radar, grid,
-                                shapes_in(names), threads);
+                                shapes_in(names), threads, targets);
 }
 
 LayerStack layers(const LoadedScene& scene, const radar::RadarFile& radar_file, const std::vector<std::string>& names,
-                  int lod, std::uint32_t samples, int bounces, std::uint64_t seed, double time_s, unsigned threads,
+                  int lod, const std::vector<radar::TargetSource>& targets, std::uint32_t samples, int bounces,
+                  std::uint64_t seed, double time_s, std::uint64_t dwell, unsigned threads,
                   const py::object& progress) {
   within("time_s", time_s, radar::bounds::moments_s);
   check_names(names);
@@ -84,17 +88,26 @@ LayerStack layers(const LoadedScene& scene, const radar::RadarFile& radar_file, 
     const auto radar = simulate::placed_radar(asked, ground.frame, ground.terrain, ground.extent, time_s);
     const auto grid = simulate::map_grid(asked.map, ground.extent);
     warn_of(radar, simulate::map_warnings(radar, asked.map, ground.terrain, ground.extent));
-    const simulate::TraceSettings settings{
-        .cell_m = grid.cell_m, .samples_per_cell = samples, .max_bounces = bounces, .seed = seed, .threads = threads};
-    LayerStack stack =
-        lod == 0 ? traced(scene, names, radar, grid, settings, listener) : swept(scene, names, radar, grid, threads);
+    const auto placed = simulate::placed_targets(targets, ground.frame, ground.terrain, seed, time_s);
+    const simulate::TraceSettings settings{.cell_m = grid.cell_m,
+                                           .samples_per_cell = samples,
+                                           .max_bounces = bounces,
+                                           .seed = seed,
+                                           .threads = threads,
+                                           .targets = placed,
+                                           .dwell = dwell};
+    LayerStack stack = lod == 0 ? traced(scene, names, radar, grid, settings, listener)
+                                : swept(scene, names, radar, grid, placed, threads);
     std::ranges::stable_sort(stack.layers, {},
                              [&](const radar::Layer& layer) { return std::ranges::find(names, layer.name); });
     stack.crs = ground.frame.proj();
     stack.metadata = {{"radar", radar.name},
                       {"scene", ground.name},
                       {"scene_hash", scene.hash()},
+                      {"classes", fmt::format("{}", fmt::join(simulate::class_names(ground), ", "))},
                       {"time_s", fmt::format("{:g}", time_s)}};
+    if (std::ranges::any_of(names, dataset::tells_bounces))
+      stack.metadata["bounce_polarization"] = product::polarization_name(radar.polarization);
     return stack;
   });
 }
@@ -145,16 +158,22 @@ void add_layers(py::module_& module) {
           "By name; empty for masks and classes.")
       .def(
           "save",
-          [](const LayerStack& stack, const std::filesystem::path& path) { product::write_layers(path, stack); },
+          [](const LayerStack& stack, const std::filesystem::path& path) {
+            product::check_layer_name(path);
+            product::write_layers(path, stack);
+          },
           py::arg("path"), py::call_guard<py::gil_scoped_release>(),
-          "Writes a GeoTIFF with a band a layer, angles in degrees.");
-  module.def("layers", &layers, py::arg("scene"), py::arg("radar"), py::arg("names"), py::kw_only(), py::arg("lod") = 0,
-             py::arg("samples") = 16, py::arg("bounces") = 8, py::arg("seed") = 1, py::arg("time_s") = 0.0,
-             py::arg("threads") = 0, py::arg("progress") = py::none(),
-             "The Layers called `names` over the cells of the radar's map: 'shadow', 'layover', 'incidence', 'range',\n"
-             "'class', 'height', and at level of detail 0 'bounce1', 'bounce2', ... (sigma0 by number of bounces) and\n"
-             "'multibounce' (the part that came over more than one). lod: 0 asks rays over the full scene, 1 terrain\n"
-             "and obstacles. Other arguments as for render(); docs/datasets.md says what each layer is.");
+          "Writes a GeoTIFF (.tif) with a band a layer, angles in degrees.");
+  module.def(
+      "layers", &layers, py::arg("scene"), py::arg("radar"), py::arg("names"), py::kw_only(), py::arg("lod") = 0,
+      py::arg("targets") = std::vector<radar::TargetSource>{}, py::arg("samples") = 16, py::arg("bounces") = 8,
+      py::arg("seed") = 1, py::arg("time_s") = 0.0, py::arg("dwell") = 0, py::arg("threads") = 0,
+      py::arg("progress") = py::none(),
+      "The Layers called `names` over the cells of the radar's map: 'shadow', 'layover', 'incidence', 'range',\n"
+      "'class', 'height', and at level of detail 0 'bounce1', 'bounce2', ... (sigma0 by number of bounces) and\n"
+      "'multibounce' (the part that came over more than one). lod: 0 asks rays over the full scene, 1 terrain\n"
+      "and obstacles. targets: of Target, whose boxes throw shadows, and which answer in the layers of bounces.\n"
+      "Other arguments as for render(); docs/datasets.md says what each layer is.");
   module.def(
       "class_names", [](const LoadedScene& scene) { return simulate::class_names(scene.scene()); }, py::arg("scene"),
       "Names of the numbers in the layer 'class', as a list.");

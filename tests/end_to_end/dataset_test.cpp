@@ -8,9 +8,11 @@
 #include <nlohmann/json.hpp>
 
 #include "end_to_end/made_scene.h"
+#include "end_to_end/process.h"
 #include "scratch_folder.h"
 
 #include "sigmascape/bake/bake.h"
+#include "sigmascape/bake/claims.h"
 #include "sigmascape/base/sha256.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/dataset/dataset_run.h"
@@ -39,8 +41,10 @@ class Dataset : public ::testing::Test {
     folder_ = nullptr;
   }
 
-  static void bake_into(const std::string& atlas, std::uint32_t samples_per_texel) {
+  static void bake_into(const std::string& atlas, std::uint32_t samples_per_texel,
+                        bake::Noise noise = bake::Noise::Own) {
     bake::BakeSettings settings;
+    settings.noise = noise;
     settings.aspects.azimuths_rad = {0.0, pi};
     settings.aspects.elevations_rad = {radians_from_deg(8.0), radians_from_deg(21.0)};
     settings.patches = {.texel_m = 4.0, .texels_per_side = 256};
@@ -160,6 +164,72 @@ TEST_F(Dataset, GoesOnWithTheSameRadarAndAtlasOnly) {
   EXPECT_NE(begun().find("holds another dataset: begun with another atlas;"), std::string::npos) << begun();
   radar_of_width(0.03);
   EXPECT_NE(begun().find("begun with another radar file and atlas;"), std::string::npos) << begun();
+}
+
+// Lots of three samples each, of which another run is at the second.
+TEST_F(Dataset, RefusesToMakeWhatAnotherRunIsMaking) {
+  const dataset::SampleMaker maker(spec({}));
+  const fs::path folder = folder_->path("two_runs");
+  made(maker, folder, {.index = 2, .count = 7});
+  const auto said = [&](dataset::DatasetShare share) { return message_of_error([&] { made(maker, folder, share); }); };
+  {
+    const bake::Claims other(folder);
+    const auto claim = other.take(1, bake::Claims::Wait::No);
+    ASSERT_TRUE(claim);
+    EXPECT_EQ(said({}), folder.string() +
+                            ": is being filled with the same samples by another run; wait until that has "
+                            "ended, or give each run a --shard of its own");
+    EXPECT_EQ(said({.index = 1, .count = 2}), said({}));
+    EXPECT_EQ(said({.index = 0, .count = 2}), "");
+  }
+  EXPECT_TRUE(made(maker, folder).is_complete);
+  const bake::Claims other(folder);
+  const auto claim = other.take(1, bake::Claims::Wait::No);
+  EXPECT_EQ(said({}), "") << "nothing of it is lacking";
+}
+
+// What an index tells may be damaged where nobody looks until all is told together.
+TEST_F(Dataset, NamesADamagedIndex) {
+  const dataset::SampleMaker maker(spec({.files = "webdataset"}));
+  const fs::path folder = folder_->path("damaged");
+  made(maker, folder);
+  std::ifstream stream(folder / "index/000001.json");
+  const auto whole = nlohmann::json::parse(stream);
+  const auto said_of = [&](const nlohmann::json& index) {
+    folder_->write("damaged/index/000001.json", index.dump());
+    return message_of_error([&] { made(maker, folder, {.index = 0, .count = 2}); });
+  };
+  EXPECT_EQ(said_of(whole), "");
+  const std::string expected = (folder / "index/000001.json").string() +
+                               ": is damaged; remove the file and run its share again, which makes its samples anew";
+  auto without_files = whole, without_pixels = whole, with_half_a_box = whole;
+  without_files["samples"][2].erase("files");
+  without_pixels["samples"][0]["thumbnail"] = "no pixels";
+  with_half_a_box["samples"][1]["boxes"] = {{0, 1.0}};
+  EXPECT_EQ(said_of(without_files), expected);
+  EXPECT_EQ(said_of(without_pixels), expected);
+  EXPECT_EQ(said_of(with_half_a_box), expected);
+  fs::remove(folder / "index/000001.json");
+  EXPECT_TRUE(made(maker, folder).is_complete);
+}
+
+// Each of two bakes that share their noise does so in its own way; what comes over one surface is not shared.
+TEST_F(Dataset, RefusesOrdersOfBouncesThatSharedNoiseHides) {
+  bake_into("shared_noise", 2, bake::Noise::Shared);
+  const auto said_of = [&](const char* layer) {
+    return message_of_error([&] {
+      dataset::SampleMaker maker(
+          spec({.more = "bounce_atlases = [\"shared_noise\", \"shared_noise\", \"shared_noise\"]\n",
+                .atlas = "shared_noise"},
+               layer));
+    });
+  };
+  EXPECT_NE(said_of("\"bounce3\"")
+                .find("spec.toml: dataset.layers: asks for bounce3, which bakes with --noise shared do "
+                      "not tell"),
+            std::string::npos)
+      << said_of("\"bounce3\"");
+  EXPECT_NE(said_of("\"bounce2\"").find("does not hold the echoes over 1 surface and no more"), std::string::npos);
 }
 
 TEST_F(Dataset, TargetsThatNoWrittenPolarizationShowsAreNotSeen) {
@@ -351,6 +421,37 @@ bake::BakeSettings seen_from_the_south(std::uint32_t samples_per_texel) {
   settings.patches = {.texel_m = 2.0, .texels_per_side = 256};
   settings.sampling.samples_per_texel = samples_per_texel;
   return settings;
+}
+
+// What should be known of a scene and of a radar is said once, before the samples.
+TEST(DatasetCommand, WarnsOfItsSceneAndOfCellsThatAreTooCoarse) {
+  const ScratchFolder folder;
+  write_made_scene(folder.path("place"), 200, 200);
+  std::ofstream(folder.path("place/scene.toml"), std::ios::app)
+      << "[[buildings]]\nfile = \"houses.csv\"\ncrs = \"EPSG:25830\"\nheight_attribute = \"height\"\n"
+         "where = \"height = 'unheard of'\"\n";
+  folder.write("radar.toml", radar_in_the_south);
+  folder.write("spec.toml",
+               "[dataset]\nscene = \"place/scene.toml\"\nradar = \"radar.toml\"\ncount = 2\ncells = 8\ncell_m = 8.0\n"
+               "samples_per_cell = 1\npreview = false\n[view]\nazimuth_deg = [180, 180]\nelevation_deg = [21, 21]\n"
+               "slant_range_km = [15, 20]\n");
+  const Ended ended =
+      Process(fmt::format("cd '{}' && '{}' dataset spec.toml --out samples", folder.path("").string(), SIGMASCAPE_CLI),
+              folder.path("printed.txt"))
+          .ended();
+  EXPECT_EQ(ended.code, 0) << ended.printed;
+  const std::string& printed = ended.said;
+  const auto times_said = [&](const std::string& words) {
+    std::size_t times = 0;
+    for (std::size_t at = printed.find(words); at != std::string::npos; at = printed.find(words, at + 1)) ++times;
+    return times;
+  };
+  EXPECT_EQ(times_said("warning: scene: files without a feature that is asked for, of which nothing is used: 1"), 1U)
+      << printed;
+  EXPECT_EQ(times_said("warning: radar: in maps 15 km away the pulse of 2 m is narrower than the map's cells of 8 m"),
+            1U)
+      << printed;
+  EXPECT_EQ(times_said("in maps "), 1U) << printed;
 }
 
 // Smooth houses on grass: a wall answers hardly by itself but by the corner that it makes with the ground, at its foot;

@@ -145,8 +145,37 @@ def test_layers_lie_on_the_map(scene, radar, lod, tmp_path):
     assert "shadow" in layers and "layover" not in layers and 3 not in layers
     assert dict(layers).keys() == set(names)
     layers.save(tmp_path / "layers.tif")
+    with pytest.raises(sigmascape.Error, match="layers.npz"):
+        layers.save(tmp_path / "layers.npz")
+    assert not (tmp_path / "layers.npz").exists()
     with pytest.raises(KeyError):
         layers["layover"]
+
+
+@pytest.mark.parametrize("lod", [0, 1])
+def test_targets_throw_their_shadows_in_layers(scene, radar, lod):
+    names = ["shadow", "layover", "height", "class", "incidence", "range"]
+    hall = sigmascape.Target((-30.0, -30.0), rcs_dbsm=0.0, size_m=(8.0, 12.0, 6.0))
+    without = sigmascape.layers(scene, radar, names, lod=lod)
+    with_it = sigmascape.layers(scene, radar, names, lod=lod, targets=[hall])
+    darker = with_it["shadow"] - without["shadow"]
+    assert darker.min() == 0.0
+    # From the south at 15 degrees: 12 m wide, and 8 m and 6 m / tan 15 degrees = 22 m long; cells of 4 square metres.
+    rows, columns = np.nonzero(darker)
+    assert 0.5 * 12.0 * 30.0 / 4.0 < rows.size <= 1.2 * 12.0 * 32.0 / 4.0
+    assert 48.0 - 2.0 * (rows.max() + 1) == pytest.approx(-34.0, abs=2.0)
+    assert np.all(np.abs(-48.0 + 2.0 * columns + 1.0 + 30.0) < 8.0)
+    assert np.all(with_it["layover"] <= without["layover"])
+    for name in names[2:]:
+        assert np.array_equal(with_it[name], without[name])
+
+
+def test_targets_answer_in_layers_of_bounces(scene, radar):
+    options = dict(samples=2, bounces=2, targets=[sigmascape.Target((-20.0, -30.0), rcs_dbsm=60.0, swerling=1)], progress=False)
+    for dwell in [0, 1]:
+        layers = sigmascape.layers(scene, radar, ["bounce1", "bounce2"], dwell=dwell, **options)
+        whole = sigmascape.render(scene, radar, lod=0, dwell=dwell, **options).vv
+        assert np.allclose(layers["bounce1"] + layers["bounce2"], whole, rtol=1e-3, atol=1e-6, equal_nan=True)
 
 
 def test_orders_of_bounces_add_up_to_the_map(scene, radar):

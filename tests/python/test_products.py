@@ -166,6 +166,31 @@ def test_orders_of_bounces_are_layers_of_the_command_line_too(made):
     # With --bounces 2 there is nothing else.
     assert np.allclose(bands["bounce1"] + bands["bounce2"], whole, rtol=1e-3, atol=1e-7, equal_nan=True)
     assert set(np.unique(bands["shadow"])) == {0.0, 1.0}
+    assert layers.GetMetadataItem("bounce_polarization") == "VV" and layers.GetMetadataItem("classes")
+
+
+def test_orders_of_bounces_are_of_the_polarization_that_is_asked_for(made):
+    sigmascape_cli("render", made / "radar.toml", "--scene", made / "scene.toml", "--samples", 1, "--bounces", 2, "--polarization", "hv",
+                   "--layers", "bounce1,bounce2", "--layers-out", made / "layers_hv.tif")
+    layers, whole = gdal.Open(str(made / "layers_hv.tif")), sigmascape.GroundMap.read(made / "map.tif")
+    both = layers.ReadAsArray().sum(axis=0)
+    assert np.allclose(both, whole.hv, rtol=1e-3, atol=1e-7, equal_nan=True)
+    assert not np.allclose(both, whole.vv, rtol=1e-3, atol=1e-7, equal_nan=True)
+    assert layers.GetMetadataItem("bounce_polarization") == "HV"
+
+
+def test_targets_of_the_command_line_throw_their_shadows_in_layers_too(made):
+    (made / "targets.toml").write_text('[[targets]]\nname = "hall"\nposition_m = [100, 100]\nrcs_dbsm = 0\nsize_m = [20, 20, 40]\n')
+
+    def shadow_of(name, *options):
+        sigmascape_cli("render", made / "radar.toml", "--scene", made / "scene.toml", "--samples", 1, "--layers", "shadow,layover",
+                       "--layers-out", made / name, *options)
+        return gdal.Open(str(made / name)).ReadAsArray()
+
+    shadow, layover = shadow_of("without_target.tif")
+    darker, less = shadow_of("with_target.tif", "--targets", made / "targets.toml")
+    assert np.all(darker >= shadow) and np.sum(darker > shadow) > 100
+    assert np.all(less <= layover)
 
 
 def test_a_picture_lies_where_its_world_file_says(made):

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "sigmascape/bake/claims.h"
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/parallel.h"
 #include "sigmascape/base/sha256.h"
@@ -72,7 +73,7 @@ std::string difference(const Json& begun, const Json& mine) {
 void claim_folder(const SampleMaker& maker, const fs::path& folder) {
   const fs::path file = folder / "dataset.json";
   const Json mine = identity_of(maker);
-  if (!fs::exists(file)) return geo::write_atomically(file, mine.dump(1) + "\n");
+  if (!fs::exists(file) && geo::write_if_absent(file, mine.dump(1) + "\n")) return;
   std::ifstream stream(file, std::ios::binary);
   const Json begun = Json::parse(stream, nullptr, false);
   if (!begun.is_object()) throw Error(file.string(), "cannot be read", "choose an empty folder");
@@ -165,7 +166,7 @@ class Lot {
 
   void write_folder(std::size_t sample_number, const std::vector<SampleFile>& files) const {
     const fs::path folder = folder_ / "samples" / sample_name(sample_number);
-    // What a killed run of this share may have left; nobody else writes here.
+    // What a killed run may have left.
     if (fs::exists(folder)) geo::remove_leftovers(folder, "");
     for (const SampleFile& file : files) geo::write_atomically(folder / file.name, file.bytes);
   }
@@ -227,6 +228,36 @@ class LackingLots {
   std::map<std::size_t, std::shared_ptr<Lot>> begun_;
 };
 
+/// The lots of a share as they were found, and the right to make those that are lacking.
+struct FoundShare {
+  std::size_t samples = 0, already = 0;
+  std::vector<std::size_t> lacking;
+  std::vector<bake::Claims::Claim> claims;  ///< each on a lot
+};
+
+/// Two runs that make the same lot come to the same bytes, in the time of two: whoever finds a lot that he lacks in
+/// another's hands stops. Where a file system cannot lock, nobody does.
+FoundShare claimed_share(const SampleMaker& maker, const fs::path& folder, const DatasetShare& share, std::size_t lots,
+                         const bake::Claims& claims) {
+  FoundShare found;
+  for (std::size_t number = share.index; number < lots; number += share.count) {
+    const std::size_t count = count_of_lot(maker.spec(), number);
+    found.samples += count;
+    auto claim = claims.take(number, bake::Claims::Wait::No);
+    if (is_made(maker, folder, number)) {
+      found.already += count;
+      continue;
+    }
+    if (!claim) {
+      throw Error(folder.string(), "is being filled with the same samples by another run",
+                  "wait until that has ended, or give each run a --shard of its own");
+    }
+    found.claims.push_back(std::move(*claim));
+    found.lacking.push_back(number);
+  }
+  return found;
+}
+
 void check(const DatasetShare& share) {
   if (share.index < share.count) return;
   throw Error(fmt::format("shard {}/{}", share.index, share.count), "is not one of the shards",
@@ -240,22 +271,14 @@ DatasetReport make_dataset(const SampleMaker& maker, const fs::path& folder, con
   check(share);
   claim_folder(maker, folder);
   const std::size_t size = maker.spec().samples_per_shard, lots = (maker.spec().count + size - 1) / size;
-  DatasetReport report;
-  std::vector<std::size_t> lacking;
-  for (std::size_t number = share.index; number < lots; number += share.count) {
-    const std::size_t count = count_of_lot(maker.spec(), number);
-    report.samples += count;
-    if (is_made(maker, folder, number)) {
-      report.already += count;
-    } else {
-      lacking.push_back(number);
-    }
-  }
+  const bake::Claims claims(folder);
+  const FoundShare found = claimed_share(maker, folder, share, lots, claims);
+  DatasetReport report{.samples = found.samples, .already = found.already};
   const auto tell = [&](std::size_t made) {
     progress.advanced("dataset", static_cast<double>(report.already + made), static_cast<double>(report.samples),
                       "samples");
   };
-  LackingLots wanted(maker, folder, std::move(lacking));
+  LackingLots wanted(maker, folder, found.lacking);
   std::atomic<std::size_t> made{0};
   parallel_for(wanted.samples(), share.threads, [&](std::size_t index, unsigned worker) {
     wanted.make(index);

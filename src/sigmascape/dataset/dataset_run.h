@@ -27,8 +27,8 @@ struct DatasetReport {
 /// file in `index` is. A run that was broken off goes on with the lot it was at. Equal specs give equal bytes for any
 /// threads, shares and interruptions. Memory does not grow with the number of samples until the last files are written.
 ///
-/// Throws Error when another dataset is in the folder, or one begun with another radar file or atlas, or when a file
-/// cannot be written.
+/// Throws Error when another dataset is in the folder, or one begun with another radar file or atlas, when another run,
+/// in whatever process, is making some of these samples there, or when a file cannot be written.
 DatasetReport make_dataset(const SampleMaker& maker, const std::filesystem::path& folder, const DatasetShare& share,
                            ProgressListener& progress);
 

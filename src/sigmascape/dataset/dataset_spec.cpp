@@ -185,10 +185,11 @@ void read_bounce_atlases(const TomlSection& section, DatasetSpec& spec) {
   if (!folders.empty() && !spec.bounce_atlases.empty())
     throw section.fault("bounce_atlases", "stands beside first_bounce_atlas", "leave one of the two out");
   for (const std::string& folder : folders) {
-    spec.bounce_atlases.push_back(spec.file.parent_path() / folder);
-    if (!std::filesystem::is_directory(spec.bounce_atlases.back()))
-      throw section.fault("bounce_atlases", fmt::format("the folder {} does not exist", folder),
+    const auto path = expanded_path(folder, spec.file.parent_path(), section.where("bounce_atlases"));
+    if (!std::filesystem::is_directory(path))
+      throw section.fault("bounce_atlases", fmt::format("the folder {} does not exist", path.string()),
                           "correct the path, which is relative to the TOML file");
+    spec.bounce_atlases.push_back(path);
   }
 }
 
@@ -287,6 +288,9 @@ DatasetSpec read_dataset_spec(const std::filesystem::path& path) {
   if (const auto sequence = file.section("sequence")) read_sequence(*sequence, spec);
   for (const TomlSection& target : file.sections("targets")) {
     spec.targets.push_back(target_class(target));
+    const std::string& name = spec.targets.back().name;
+    if (std::ranges::count(spec.targets, name, &TargetClass::name) > 1)
+      throw target.fault("name", "'" + name + "' is that of another class of targets", "give each class its own");
     check_places(target, spec.targets.back(), spec);
   }
   file.refuse_unknown_keys();

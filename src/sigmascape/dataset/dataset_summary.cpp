@@ -1,8 +1,13 @@
 #include "sigmascape/dataset/dataset_summary.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/dataset/sample_files.h"
@@ -16,14 +21,14 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-Json index_of(const fs::path& folder, std::size_t lot) {
-  const fs::path path = index_path(folder, lot);
-  std::ifstream stream(path);
-  Json json = Json::parse(stream, nullptr, false);
-  if (json.is_discarded() || !json.contains("samples"))
-    throw Error(path.string(), "cannot be read", "remove the file: its samples will be made again");
-  return json;
-}
+/// What an index tells of a lot, gone through to the end before anything of it is used.
+struct LotTold {
+  std::vector<product::CocoImage> images;
+  std::vector<Array2D<std::uint8_t>> thumbnails;
+  Json samples = Json::array();
+  Json tar;  ///< null where samples are in folders
+  std::size_t bytes = 0;
+};
 
 Array2D<std::uint8_t> pixels_of(const std::string& hex) {
   Array2D<std::uint8_t> pixels(sheet_side, sheet_side);
@@ -49,8 +54,35 @@ product::CocoImage image_of(const DatasetSpec& spec, const Json& entry) {
                            .video = sample / spec.sequence.frames,
                            .frame = sample % spec.sequence.frames};
   for (const Json& box : entry.at("boxes"))
-    image.boxes.push_back({box[0].get<std::size_t>(), box[1], box[2], box[3], box[4], box[5].get<std::size_t>()});
+    image.boxes.push_back(
+        {box.at(0).get<std::size_t>(), box.at(1), box.at(2), box.at(3), box.at(4), box.at(5).get<std::size_t>()});
   return image;
+}
+
+LotTold told_by(const DatasetSpec& spec, const Json& index) {
+  LotTold told;
+  for (const Json& entry : index.at("samples")) {
+    told.images.push_back(image_of(spec, entry));
+    if (entry.contains("thumbnail")) told.thumbnails.push_back(pixels_of(entry.at("thumbnail")));
+    for (const Json& file : entry.at("files")) told.bytes += file.at("bytes").get<std::size_t>();
+    told.samples.push_back({{"sample", entry.at("sample")}, {"files", entry.at("files")}});
+  }
+  if (index.contains("tar")) told.tar = index.at("tar");
+  return told;
+}
+
+LotTold told_of(const DatasetSpec& spec, const fs::path& folder, std::size_t lot) {
+  const fs::path path = index_path(folder, lot);
+  const Error damaged(path.string(), "is damaged",
+                      "remove the file and run its share again, which makes its samples anew");
+  std::ifstream stream(path);
+  try {
+    return told_by(spec, Json::parse(stream));
+  } catch (const Json::exception&) {
+    throw damaged;
+  } catch (const std::invalid_argument&) {  // pixels that are no numbers
+    throw damaged;
+  }
 }
 
 }  // namespace
@@ -76,14 +108,12 @@ void write_summary(const SampleMaker& maker, const fs::path& folder, std::size_t
   Json samples = Json::array(), tars = Json::array();
   std::size_t bytes = 0;
   for (std::size_t lot = 0; lot < lots; ++lot) {
-    const Json index = index_of(folder, lot);
-    for (const Json& entry : index.at("samples")) {
-      boxes.images.push_back(image_of(spec, entry));
-      if (entry.contains("thumbnail")) thumbnails.push_back(pixels_of(entry.at("thumbnail")));
-      for (const Json& file : entry.at("files")) bytes += file.at("bytes").get<std::size_t>();
-      samples.push_back({{"sample", entry.at("sample")}, {"files", entry.at("files")}});
-    }
-    if (index.contains("tar")) tars.push_back(index.at("tar"));
+    LotTold told = told_of(spec, folder, lot);
+    std::ranges::move(told.images, std::back_inserter(boxes.images));
+    std::ranges::move(told.thumbnails, std::back_inserter(thumbnails));
+    for (Json& sample : told.samples) samples.push_back(std::move(sample));
+    if (!told.tar.is_null()) tars.push_back(std::move(told.tar));
+    bytes += told.bytes;
   }
   std::size_t annotations = 0;
   for (const product::CocoImage& image : boxes.images) annotations += image.boxes.size();

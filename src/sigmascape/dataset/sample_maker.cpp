@@ -14,6 +14,7 @@
 #include "sigmascape/base/sha256.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/dataset/bounce_labels.h"
+#include "sigmascape/dataset/sample_radar.h"
 #include "sigmascape/dataset/speckle.h"
 #include "sigmascape/dataset/target_box.h"
 #include "sigmascape/product/ground_projection.h"
@@ -85,6 +86,19 @@ atlas::Store opened_bounces(const DatasetSpec& spec, std::size_t most, const std
   return store;
 }
 
+/// Throws Error for orders of bounces that bakes with shared noise do not tell. Up to two surfaces they do, for echoes
+/// of one are not shared. Of two bakes that share, each by the doubt in its own texels, one less the other is less than
+/// nothing in places.
+void check_tells_orders(const DatasetSpec& spec, std::size_t bounces, const atlas::AtlasDescription& all) {
+  const auto noise = all.settings.find("noise");
+  if (bounces <= 2 || noise == all.settings.end() || noise->second != "shared") return;
+  throw Error(
+      spec.file.string() + ": dataset.layers",
+      fmt::format("asks for bounce{}, which bakes with --noise shared do not tell, for each shares its own noise",
+                  bounces),
+      "bake atlas and bounce_atlases without it, or ask for bounce1, bounce2 and multibounce alone");
+}
+
 /// What a store is told apart by: of equal descriptions all texels are equal.
 std::string description_hash(const atlas::Store& store) {
   return sha256_of(atlas::described(store.description()).dump());
@@ -138,16 +152,6 @@ bool shows_in(std::span<const radar::Polarization> written, const radar::Channel
   return std::ranges::any_of(written, [&](radar::Polarization of) { return rcs_m2.power(of) > 0.0F; });
 }
 
-/// Of a sequence, the frame that comes nearest to the middle of the map. `begin` and `radar` are of its first.
-std::size_t nearest_frame(const SamplePlan& begin, const radar::Radar& radar, const Sequence& sequence) {
-  const Vec2d flight = begin.flight_mps;
-  const double speed2 = dot(flight, flight);
-  if (!(speed2 > 0.0)) return 0;
-  const Vec2d to_map{begin.centre.x - radar.position.x, begin.centre.y - radar.position.y};
-  const double frame = std::round(dot(to_map, flight) / speed2 / sequence.interval_s);
-  return static_cast<std::size_t>(std::clamp(frame, 0.0, static_cast<double>(sequence.frames - 1)));
-}
-
 double half_diagonal_m(const DatasetSpec& spec) {
   return static_cast<double>(spec.cells) * spec.cell_m / std::sqrt(2.0);
 }
@@ -177,6 +181,7 @@ SampleMaker::SampleMaker(const DatasetSpec& spec)
     atlas_hashes_.push_back(description_hash(store));
     std::size_t bounces = 0;
     for (const std::string& name : spec_.bounce_layers) bounces = std::max(bounces, bounces_to_know(name));
+    check_tells_orders(spec_, bounces, store.description());
     for (std::size_t most = 1; most <= bounces; ++most) {
       const auto fewer = opened_bounces(spec_, most, scene_hash_, store.description());
       bounce_atlases_.push_back(atlas::load_atlas(fewer));
@@ -245,17 +250,17 @@ void SampleMaker::check_views() const {
 
 void SampleMaker::check_flights() const {
   const std::size_t frames = spec_.sequence.frames;
-  if (frames == 1 || !(spec_.sequence.speed_mps.highest > 0.0)) return;
+  if (!flies(spec_.sequence)) return;
   for (std::size_t first = 0; first < spec_.count; first += frames) {
     const SamplePlan begin = plan_of(spec_, centres_, first);
     // Level flight: the middle of the map is seen steepest from the frame that is nearest to it, flattest from an end.
-    check_frame(plan_of(spec_, centres_, first + nearest_frame(begin, radar_of(begin), spec_.sequence)));
+    check_frame(plan_of(spec_, centres_, first + nearest_frame(spec_, begin, scene_.terrain)));
     check_frame(plan_of(spec_, centres_, first + frames - 1));
   }
 }
 
 void SampleMaker::check_frame(const SamplePlan& plan) const {
-  const Vec3d to_radar = radar_of(plan).position - middle_of(plan);
+  const Vec3d to_radar = radar_of(spec_, plan, scene_.terrain).position - middle_of(plan, scene_.terrain);
   const double distance_m = length(Vec2d{to_radar.x, to_radar.y});
   const std::string where = spec_.file.string() + ": sequence.speed_mps";
   if (distance_m < half_diagonal_m(spec_)) {
@@ -274,22 +279,6 @@ void SampleMaker::check_frame(const SamplePlan& plan) const {
                   deg_from_radians(baked.front()), deg_from_radians(baked.back()), plan.frame, plan.sequence,
                   deg_from_radians(elevation_rad)),
       "fly less far, keep view.elevation_deg from the ends of the atlas, or bake more elevations");
-}
-
-Vec3d SampleMaker::middle_of(const SamplePlan& plan) const {
-  return {plan.centre.x, plan.centre.y, scene_.terrain.height_at(plan.centre)};
-}
-
-radar::Radar SampleMaker::radar_of(const SamplePlan& plan) const {
-  radar::RadarFile drawn = spec_.radar;
-  if (spec_.radar_ranges.range_resolution_m) radar::set_range_resolution(drawn, plan.range_resolution_m);
-  if (spec_.radar_ranges.beam_width_rad) radar::set_beam_width(drawn, plan.beam_width_rad);
-  radar::Radar& radar = drawn.radar;
-  radar.frequency_hz = plan.frequency_hz;
-  radar.velocity_mps = {plan.flight_mps.x, plan.flight_mps.y, 0.0};
-  radar.position = radar::position_seeing(middle_of(plan), plan.azimuth_rad, plan.elevation_rad, plan.slant_range_m) +
-                   radar.velocity_mps * plan.time_s;
-  return drawn.radar;
 }
 
 radar::RangeAzimuthImage SampleMaker::ground_image(const radar::Radar& radar, const SamplePlan& plan,
@@ -378,10 +367,10 @@ Sample SampleMaker::make(std::size_t index) const {
   Sample sample;
   sample.plan = plan_of(spec_, centres_, index);
   const SamplePlan& plan = sample.plan;
-  const radar::Radar radar = radar_of(plan);
+  const radar::Radar radar = radar_of(spec_, plan, scene_.terrain);
   sample.scene_hash = scene_hash_;
   sample.radar_position = radar.position;
-  const Vec3d to_radar = radar.position - middle_of(plan);
+  const Vec3d to_radar = radar.position - middle_of(plan, scene_.terrain);
   sample.slant_range_m = length(to_radar);
   sample.aspect = {wrapped_azimuth(std::atan2(to_radar.x, to_radar.y)), std::asin(to_radar.z / sample.slant_range_m)};
 

@@ -43,8 +43,8 @@ struct Sample {
 class SampleMaker {
  public:
   /// Throws Error when a file cannot be read, the atlas is of another scene, or the spec's ranges are impossible with
-  /// them: elevations or frequency that were not baked, maps larger than the scene, a radar that would stand in the
-  /// scene or over the map, or come there in a sequence.
+  /// them: elevations or frequency that were not baked, orders of bounces that these bakes do not tell, maps larger
+  /// than the scene, a radar that would stand in the scene or over the map, or come there in a sequence.
   explicit SampleMaker(const DatasetSpec& spec);
 
   [[nodiscard]] const DatasetSpec& spec() const { return spec_; }
@@ -67,9 +67,6 @@ class SampleMaker {
   void check_frame(const SamplePlan& plan) const;
   void check_radars() const;
   void check_materials(const Range& frequencies_hz) const;
-  /// The ground in the middle of the map.
-  [[nodiscard]] Vec3d middle_of(const SamplePlan& plan) const;
-  [[nodiscard]] radar::Radar radar_of(const SamplePlan& plan) const;
   /// The image of the ground without any target; layers that tell bounces apart are added to `bounces`.
   [[nodiscard]] radar::RangeAzimuthImage ground_image(const radar::Radar& radar, const SamplePlan& plan,
                                                       std::vector<radar::Layer>& bounces) const;

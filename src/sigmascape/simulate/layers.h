@@ -9,6 +9,7 @@
 #include "sigmascape/radar/layer_stack.h"
 #include "sigmascape/radar/obstacle.h"
 #include "sigmascape/radar/radar.h"
+#include "sigmascape/radar/target.h"
 #include "sigmascape/scene/scene.h"
 #include "sigmascape/trace/scene_geometry.h"
 
@@ -37,10 +38,12 @@ inline constexpr double crown_hides_below = 0.5;
 ///
 /// A surface lies over a cell when an arc of equal range and azimuth from the ground of the cell meets it, and the
 /// radar sees it there. Arcs from places all over the cell are asked, as its echoes are gathered from all of it.
-/// `geometry` stands on the terrain. Classes are the scene's materials.
+/// `geometry` stands on the terrain. Classes are the scene's materials. Behind the boxes of `targets` the radar sees
+/// nothing, at time zero; otherwise they are in no layer, for each answers from one place alone.
 [[nodiscard]] radar::LayerStack traced_layers(const scene::Scene& scene, const trace::SceneGeometry& geometry,
                                               const radar::Radar& radar, const radar::GroundGrid& grid,
-                                              std::span<const LayerKind> kinds, unsigned threads = 0);
+                                              std::span<const LayerKind> kinds, unsigned threads = 0,
+                                              std::span<const radar::Target> targets = {});
 
 /// What levels of detail from 1 on know of the ground. All must outlive the call.
 struct CoarseGround {
@@ -55,10 +58,11 @@ struct CoarseGround {
 
 /// The same from terrain and obstacles, as levels of detail from 1 on see them: by a sweep outwards along azimuths that
 /// are half a cell apart. Layover is told for the ground that the radar is above. Classes are the scene's materials for
-/// bare ground, then one for solid things and one for crowns.
+/// bare ground, then one for solid things and one for crowns. Where a box of `targets` hides the ground, nothing that
+/// stands on it is seen either, as in the map.
 [[nodiscard]] radar::LayerStack swept_layers(const CoarseGround& ground, const radar::Radar& radar,
                                              const radar::GroundGrid& grid, std::span<const LayerKind> kinds,
-                                             unsigned threads = 0);
+                                             unsigned threads = 0, std::span<const radar::Target> targets = {});
 
 /// Names of the classes in the order of their numbers: the materials, then what swept_layers adds to them.
 [[nodiscard]] std::vector<std::string> class_names(const scene::Scene& scene);

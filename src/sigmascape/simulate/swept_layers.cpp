@@ -9,6 +9,7 @@
 #include "sigmascape/base/parallel.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/look.h"
+#include "sigmascape/radar/target_shadows.h"
 #include "sigmascape/simulate/layer_place.h"
 #include "sigmascape/simulate/layers.h"
 #include "sigmascape/terrain/ground_profile.h"
@@ -124,9 +125,11 @@ class LayoverAlongAzimuth {
 /// What is hidden and what is lain over along each azimuth, by distance.
 class SweptMasks {
  public:
-  SweptMasks(const CoarseGround& ground, const radar::Radar& radar, const radar::GroundGrid& grid, unsigned threads)
+  SweptMasks(const CoarseGround& ground, const radar::Radar& radar, const radar::GroundGrid& grid,
+             const radar::TargetShadows& shadows, unsigned threads)
       : ground_(ground),
         radar_(radar),
+        shadows_(shadows),
         sector_(sector_of(ground, radar, grid)),
         is_hidden_(sector_.steps, sector_.azimuths, 0),
         is_lain_over_(sector_.steps, sector_.azimuths, 0) {
@@ -168,18 +171,17 @@ class SweptMasks {
                   .step_m = sector_.step_m,
                   .count = sector_.steps},
                  [&](std::size_t step, double distance_m, Vec3d point, const radar::Obstacle& obstacle) {
+                   const bool is_behind_target = shadows_.hide(point);
                    const bool is_hidden =
-                       sight.advance(distance_m, point.z, obstacle, sector_.step_m).ground < crown_hides_below;
+                       sight.advance(distance_m, point.z, obstacle, sector_.step_m).ground < crown_hides_below ||
+                       is_behind_target;
                    is_hidden_(step, index) = is_hidden ? 1 : 0;
                    steps.push_back(step);
                    layover.add_place(range_m(distance_m, point.z));
                    if (!is_hidden) layover.add_seen_ground();
                    const double slope = (point.z - radar_.position.z) / distance_m;
                    const Column column{distance_m, point.z, std::max(horizon, slope)};
-                   if (obstacle.solid_top_m > 0.0F) lay_over(layover, column, 0.0F, obstacle.solid_top_m);
-                   if (obstacle.crown_top_m > obstacle.solid_top_m)
-                     lay_over(layover, column, std::max(obstacle.crown_base_m, obstacle.solid_top_m),
-                              obstacle.crown_top_m);
+                   if (!is_behind_target) lay_over(layover, column, obstacle);
                    horizon = std::max(horizon, slope + static_cast<double>(obstacle.solid_top_m) / distance_m);
                  });
     const std::vector<bool> is_lain_over = layover.lain_over();
@@ -196,6 +198,13 @@ class SweptMasks {
     double horizon = 0.0;  ///< slope of the steepest line of sight to what is solid before it, and to its own ground
   };
 
+  /// Notes what of an obstacle is seen, solid things and crowns.
+  void lay_over(LayoverAlongAzimuth& layover, const Column& column, const radar::Obstacle& obstacle) const {
+    if (obstacle.solid_top_m > 0.0F) lay_over(layover, column, 0.0F, obstacle.solid_top_m);
+    if (obstacle.crown_top_m > obstacle.solid_top_m)
+      lay_over(layover, column, std::max(obstacle.crown_base_m, obstacle.solid_top_m), obstacle.crown_top_m);
+  }
+
   /// Notes the ranges of the part of a thing that rises above the steepest line of sight before it: of its near side
   /// from there up, and of its top, all the step long. Of crowns, which let through, every step has a near side.
   void lay_over(LayoverAlongAzimuth& layover, const Column& column, float base_m, float top_m) const {
@@ -210,6 +219,7 @@ class SweptMasks {
 
   const CoarseGround& ground_;
   const radar::Radar& radar_;
+  const radar::TargetShadows& shadows_;
   SweptSector sector_;
   Array2D<std::uint8_t> is_hidden_, is_lain_over_;  // [step, azimuth]
 };
@@ -223,12 +233,14 @@ float class_at(const CoarseGround& ground, Vec2d point, const radar::Obstacle& o
 }  // namespace
 
 radar::LayerStack swept_layers(const CoarseGround& ground, const radar::Radar& radar, const radar::GroundGrid& grid,
-                               std::span<const LayerKind> kinds, unsigned threads) {
+                               std::span<const LayerKind> kinds, unsigned threads,
+                               std::span<const radar::Target> targets) {
   radar::LayerStack stack = empty_layers(grid, kinds);
   const bool wants_masks = std::ranges::any_of(
       kinds, [](LayerKind kind) { return kind == LayerKind::Shadow || kind == LayerKind::Layover; });
   std::optional<SweptMasks> masks;
-  if (wants_masks) masks.emplace(ground, radar, grid, threads);
+  const radar::TargetShadows shadows(targets, 0.0, radar.position);
+  if (wants_masks) masks.emplace(ground, radar, grid, shadows, threads);
   parallel_for(grid.rows, threads, [&](std::size_t row, unsigned) {
     for (std::size_t column = 0; column < grid.columns; ++column) {
       const Vec2d point = grid.centre_of(column, row);

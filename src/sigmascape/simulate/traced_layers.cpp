@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "sigmascape/base/parallel.h"
+#include "sigmascape/radar/target_shadows.h"
 #include "sigmascape/simulate/ground_met.h"
 #include "sigmascape/simulate/layer_place.h"
 #include "sigmascape/simulate/layers.h"
@@ -30,8 +31,8 @@ Vec2d spread_place(std::size_t index) {
 class CellProbe {
  public:
   CellProbe(const scene::Scene& scene, const trace::SceneGeometry& geometry, const radar::Radar& radar, double cell_m,
-            const std::vector<scatter::SurfaceModel>& surfaces)
-      : scene_(scene), geometry_(geometry), radar_(radar), cell_m_(cell_m), surfaces_(surfaces) {}
+            const std::vector<scatter::SurfaceModel>& surfaces, const radar::TargetShadows& shadows)
+      : scene_(scene), geometry_(geometry), radar_(radar), cell_m_(cell_m), surfaces_(surfaces), shadows_(shadows) {}
 
   float value(LayerKind kind, Vec2d point) {
     const LayerPlace place(scene_.terrain, radar_, point);
@@ -74,6 +75,7 @@ class CellProbe {
   }
 
   bool is_seen(Vec3d point) {
+    if (shadows_.hide(point)) return false;
     const Vec3d to_radar = normalized(radar_.position - point);
     const Vec3f start = (point + to_radar * ray_lift_m - geometry_.origin()).to<float>();
     crowns_.begin(surfaces_);
@@ -156,6 +158,7 @@ class CellProbe {
   const radar::Radar& radar_;
   double cell_m_;
   const std::vector<scatter::SurfaceModel>& surfaces_;
+  const radar::TargetShadows& shadows_;
   trace::CrownCrossings crowns_;
 };
 
@@ -163,12 +166,14 @@ class CellProbe {
 
 radar::LayerStack traced_layers(const scene::Scene& scene, const trace::SceneGeometry& geometry,
                                 const radar::Radar& radar, const radar::GroundGrid& grid,
-                                std::span<const LayerKind> kinds, unsigned threads) {
+                                std::span<const LayerKind> kinds, unsigned threads,
+                                std::span<const radar::Target> targets) {
   radar::LayerStack stack = empty_layers(grid, kinds);
+  const radar::TargetShadows shadows(targets, 0.0, radar.position);
   const auto surfaces = trace::surface_models(scene, radar.frequency_hz);
   parallel_for(grid.rows, threads, [&](std::size_t row, unsigned) {
     const trace::FlushDenormals flush;
-    CellProbe probe(scene, geometry, radar, grid.cell_m, surfaces);
+    CellProbe probe(scene, geometry, radar, grid.cell_m, surfaces, shadows);
     for (std::size_t layer = 0; layer < kinds.size(); ++layer) {
       for (std::size_t column = 0; column < grid.columns; ++column) {
         stack.layers[layer].values(column, row) = probe.value(kinds[layer], grid.centre_of(column, row));

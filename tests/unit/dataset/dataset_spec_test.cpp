@@ -81,6 +81,25 @@ TEST_F(DatasetSpecFile, TakesNothingTwice) {
   EXPECT_THAT(fault_of("4\npolarizations = [\"VV\", \"VV\"]"), HasSubstr("dataset.polarizations: names \"VV\" twice"));
 }
 
+TEST_F(DatasetSpecFile, TakesNoTwoClassesOfOneName) {
+  const std::string boat = "[[targets]]\nname = \"boat\"\nnumber = [1, 2]\nrcs_dbsm = [10, 20]\n";
+  EXPECT_EQ(fault_of("4", boat), "");
+  EXPECT_THAT(fault_of("4", boat + boat), HasSubstr("name: 'boat' is that of another class of targets; give each"));
+}
+
+TEST_F(DatasetSpecFile, FillsVariablesIntoThePathsOfAllAtlases) {
+  const std::string bounces = "4\nbounce_atlases = [\"${SIGMASCAPE_NO_SUCH_NAME:-once}/of\", \"twice\"]";
+  EXPECT_THAT(fault_of(bounces), HasSubstr("dataset.bounce_atlases: the folder " + folder_.path("once/of").string() +
+                                           " does not exist; correct the path"));
+  std::filesystem::create_directories(folder_.path("once/of"));
+  std::filesystem::create_directories(folder_.path("twice"));
+  EXPECT_EQ(fault_of(bounces), "");
+  EXPECT_THAT(read_dataset_spec(folder_.path("spec.toml")).bounce_atlases,
+              ::testing::ElementsAre(folder_.path("once/of"), folder_.path("twice")));
+  EXPECT_THAT(fault_of("4\nbounce_atlases = [\"${SIGMASCAPE_NO_SUCH_NAME}\"]"),
+              HasSubstr("bounce_atlases: the environment variable SIGMASCAPE_NO_SUCH_NAME is not set"));
+}
+
 // Which parts of a radar are the same is told by the bytes of its file and of its tables.
 TEST_F(DatasetSpecFile, TellsRadarsApartByFileAndTables) {
   const auto hash = [&] {

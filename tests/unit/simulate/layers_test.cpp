@@ -73,12 +73,14 @@ enum class Way { Traced, Swept };
 
 radar::LayerStack layers_of(Way way, const scene::Scene& scene, const radar::Radar& radar,
                             const std::vector<LayerKind>& kinds, const radar::GroundGrid& map = grid,
-                            unsigned threads = 1) {
+                            unsigned threads = 1, const std::vector<radar::Target>& targets = {}) {
   if (way == Way::Traced) {
-    return traced_layers(scene, trace::SceneGeometry(scene, trace::Footing::Terrain), radar, map, kinds, threads);
+    return traced_layers(scene, trace::SceneGeometry(scene, trace::Footing::Terrain), radar, map, kinds, threads,
+                         targets);
   }
   const auto obstacles = scene::obstacles_of(scene, {-256.0, 256.0, 0.5, 1024, 1024});
-  return swept_layers({&scene.terrain, &obstacles, &scene.ground, scene.materials.size()}, radar, map, kinds, threads);
+  return swept_layers({&scene.terrain, &obstacles, &scene.ground, scene.materials.size()}, radar, map, kinds, threads,
+                      targets);
 }
 
 class Layers : public ::testing::TestWithParam<Way> {};
@@ -103,6 +105,36 @@ TEST_P(Layers, ABoxLiesOverByHeightTimesTangent) {
     EXPECT_NEAR(layover.south_m, -over_m, cell_m) << elevation_deg;
     EXPECT_NEAR(layover.north_m, std::max(0.0, depth_m - over_m), cell_m) << elevation_deg;
   }
+}
+
+/// As a box of that length towards north, as wide as the map, whose near side stands at `south_m`.
+radar::Target target_at(double south_m, double length_m, double tall_m) {
+  return {.name = "target",
+          .track = radar::Track::straight({0.0, south_m + length_m / 2.0, tall_m / 2.0}),
+          .rcs_m2 = radar::Channels{},
+          .size_m = {length_m, static_cast<double>(width_m), tall_m}};
+}
+
+// As over a box of the scene, but that its faces do not answer: it lies over nothing.
+TEST_P(Layers, ATargetHidesItsFootprintAndHeightOverTangent) {
+  const scene::Scene level = physics_test::level_scene(lambert("ground"), 512.0);
+  const auto target = target_at(0.0, depth_m, height_m);
+  const auto stack = layers_of(GetParam(), level, radar_in_the_south(29.0), {LayerKind::Shadow, LayerKind::Layover},
+                               grid, 1, {target});
+  const Stretch shadow = stretch_of(stack.layers[0].values);
+  EXPECT_NEAR(shadow.south_m, 0.0, cell_m);
+  EXPECT_NEAR(shadow.north_m, depth_m + height_m / std::tan(radians_from_deg(29.0)), cell_m);
+  EXPECT_EQ(set_cells(stack.layers[1].values), 0U);
+}
+
+// Ninety metres high and thirty before it, the target hides all of the box.
+TEST_P(Layers, WhatATargetHidesLiesOverNothing) {
+  const auto in_front = target_at(-30.0, 10.0, 90.0);
+  const auto layover_of = [&](const std::vector<radar::Target>& targets) {
+    return layers_of(GetParam(), box_scene(), radar_in_the_south(45.0), {LayerKind::Layover}, grid, 1, targets);
+  };
+  EXPECT_GT(set_cells(layover_of({}).layers[0].values), 0U);
+  EXPECT_EQ(set_cells(layover_of({in_front}).layers[0].values), 0U);
 }
 
 // From 60° the arc of equal range rises by 30°. A slope of 50° folds over the level ground before it, as far as its

@@ -1,0 +1,87 @@
+#include "sigmascape/dataset/dataset_warnings.h"
+
+#include <fmt/format.h>
+#include <optional>
+
+#include "sigmascape/dataset/sample_plan.h"
+#include "sigmascape/dataset/sample_radar.h"
+#include "sigmascape/radar/radar_warnings.h"
+#include "sigmascape/simulate/simulate.h"
+
+namespace sigmascape::dataset {
+namespace {
+
+/// A sample by how far its radar is from the middle of its map.
+struct FarSample {
+  SamplePlan plan;
+  double slant_range_m = 0.0;
+};
+
+/// Those whose radars are nearest and farthest.
+class Ends {
+ public:
+  Ends(const DatasetSpec& spec, const terrain::HeightField& terrain) : spec_(spec), terrain_(terrain) {}
+
+  void add(const SamplePlan& plan) {
+    const double range_m = length(radar_of(spec_, plan, terrain_).position - middle_of(plan, terrain_));
+    if (!nearest_ || range_m < nearest_->slant_range_m) nearest_ = {plan, range_m};
+    if (!farthest_ || range_m > farthest_->slant_range_m) farthest_ = {plan, range_m};
+  }
+  [[nodiscard]] const FarSample& nearest() const { return *nearest_; }
+  [[nodiscard]] const FarSample& farthest() const { return *farthest_; }
+
+ private:
+  const DatasetSpec& spec_;
+  const terrain::HeightField& terrain_;
+  std::optional<FarSample> nearest_, farthest_;
+};
+
+/// As flat as can be, where the swath is the longest.
+SamplePlan seen_from(double slant_range_m, SamplePlan plan, const DatasetSpec& spec) {
+  plan.slant_range_m = slant_range_m;
+  plan.elevation_rad = spec.elevation_rad.lowest;
+  return plan;
+}
+
+SamplePlan with_finest_radar(SamplePlan plan, const RadarRanges& drawn) {
+  if (drawn.range_resolution_m) plan.range_resolution_m = drawn.range_resolution_m->lowest;
+  if (drawn.beam_width_rad) plan.beam_width_rad = drawn.beam_width_rad->lowest;
+  return plan;
+}
+
+Ends ends_of(const DatasetSpec& spec, const terrain::HeightField& terrain, const radar::Rectangle& centres) {
+  Ends ends(spec, terrain);
+  if (!flies(spec.sequence)) {
+    for (const double range_m : {spec.slant_range_m.lowest, spec.slant_range_m.highest})
+      ends.add(seen_from(range_m, plan_of(spec, centres, 0), spec));
+    return ends;
+  }
+  const std::size_t frames = spec.sequence.frames;
+  for (std::size_t first = 0; first < spec.count; first += frames) {
+    const SamplePlan begin = plan_of(spec, centres, first);
+    for (const std::size_t frame : {std::size_t{0}, nearest_frame(spec, begin, terrain), frames - 1})
+      ends.add(plan_of(spec, centres, first + frame));
+  }
+  return ends;
+}
+
+}  // namespace
+
+std::vector<std::string> dataset_warnings(const DatasetSpec& spec, const terrain::HeightField& terrain,
+                                          const radar::Rectangle& scene_extent) {
+  const Ends ends = ends_of(spec, terrain, centres_of(spec, scene_extent));
+  std::vector<std::string> warnings;
+  const auto add = [&](const FarSample& sample, double cell_m) {
+    const SamplePlan plan = with_finest_radar(sample.plan, spec.radar_ranges);
+    const radar::Radar radar = radar_of(spec, plan, terrain);
+    const auto bins = simulate::bins_for(radar, plan.grid.extent(), terrain);
+    for (const std::string& warning : radar::radar_warnings(radar, bins, cell_m))
+      warnings.push_back(fmt::format("in maps {:.4g} km away {}", sample.slant_range_m / 1e3, warning));
+  };
+  add(ends.nearest(), spec.cell_m);
+  // Farther away a beam is only wider, and cells are not asked about again.
+  if (ends.farthest().slant_range_m > ends.nearest().slant_range_m) add(ends.farthest(), 0.0);
+  return warnings;
+}
+
+}  // namespace sigmascape::dataset
