@@ -14,11 +14,16 @@
 namespace sigmascape::render {
 namespace {
 
-/// Ground samples a bin outwards, where samples step evenly over the ground and bins over slant range: with two, their
-/// linear sharing between bins shows no beat.
-constexpr double samples_per_range_bin = 2.0;
-/// Across, strips two texels wide lie side by side in a bin, up to so many.
-constexpr double most_strips_a_bin = 32.0;
+/// Samples stand about a texel apart. A bin that is larger than that, in range or across, holds up to so many along
+/// that side.
+constexpr double most_samples_a_side = 32.0;
+/// Outwards, where samples step evenly over the ground and bins over slant range, two show no beat between them: they
+/// are shared linearly between bins.
+constexpr double fewest_samples_outwards = 2.0;
+
+/// Of the distance to the farthest ground of a map, that to the nearest whose bins' widths are asked for: under a radar
+/// that stands over its map they narrow to nothing.
+constexpr double nearest_part = 0.25;
 
 /// A strip of ground, one azimuth's worth: which of it is seen, and what comes back.
 class AzimuthStrip {
@@ -123,9 +128,9 @@ radar::RangeAzimuthImage GroundRenderer::render(const radar::Radar& radar, const
                                                 RenderCounts& counts) const {
   const double frequency_hz = settings.texture_frequency_hz.value_or(radar.frequency_hz);
   atlas_->check_frequency(frequency_hz);
-  const Reach reach = distances_to(radar, terrain_->extent());
-  const double step_m = grid.range_step_m / samples_per_range_bin;
-  const double cell_m = std::min(radar.range_resolution_m, radar.beam_width_rad * reach.near_m);
+  const Reach reach = distances_to(radar, terrain_->extent()), mapped = distances_to(radar, area);
+  const double cell_m =
+      std::min(radar.range_resolution_m, radar.beam_width_rad * std::max(mapped.near_m, mapped.far_m * nearest_part));
   // Two texels a resolution cell: what is finer the receiver would only average away.
   const double level = std::max(settings.level_of_detail - 1.0, atlas_->level_for(cell_m / 2.0));
 
@@ -134,8 +139,9 @@ radar::RangeAzimuthImage GroundRenderer::render(const radar::Radar& radar, const
   const radar::TargetShadows shadows(settings.targets, 0.0, radar.position);
   const AzimuthStrip strip(ground, shadows, radar.position, area);
   const AzimuthsOfArea azimuths({radar.position.x, radar.position.y}, area);
-  const double farthest_m = distances_to(radar, area).far_m;
-  const double strip_m = 2.0 * atlas_->patches().texel_m * std::exp2(level);
+  const double apart_m = atlas_->patches().texel_m * std::exp2(level);
+  const double step_m = grid.range_step_m / std::clamp(std::round(grid.range_step_m / apart_m), fewest_samples_outwards,
+                                                       most_samples_a_side);
   const unsigned workers = thread_count(settings.threads);
   std::vector<std::vector<radar::Echo>> echoes(workers);
   std::vector<RenderCounts> strip_counts(workers);
@@ -143,7 +149,7 @@ radar::RangeAzimuthImage GroundRenderer::render(const radar::Radar& radar, const
     echoes[worker].clear();
     const double first_rad = grid.first_azimuth_rad + static_cast<double>(index) * grid.azimuth_step_rad;
     const AzimuthSpan span = azimuths.within(first_rad, grid.azimuth_step_rad);
-    const double strips = std::clamp(std::ceil(span.width_rad() * farthest_m / strip_m), 1.0, most_strips_a_bin);
+    const double strips = std::clamp(std::round(span.width_rad() * mapped.far_m / apart_m), 1.0, most_samples_a_side);
     const double width_rad = span.width_rad() / strips;
     for (double number = 0.5; number < strips && width_rad > 0.0; ++number) {
       strip.sweep(azimuths.middle_rad() + span.left_rad + number * width_rad, width_rad, reach.near_m, reach.far_m,

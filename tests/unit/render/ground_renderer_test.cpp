@@ -175,6 +175,19 @@ TEST(GroundRenderer, ABinWiderThanItIsLongIsTheMeanOfItsWidth) {
     EXPECT_NEAR(map.sigma0(azimuth, ranges / 2) / 0.1, 1.0, 0.1) << azimuth;
 }
 
+TEST(GroundRenderer, ABinLongerThanItIsWideIsTheMeanOfItsLength) {
+  const ScratchFolder folder;
+  const atlas::Atlas atlas = atlas_of(folder, {20.0}, [](Vec2d p, const radar::Aspect&) {
+    return static_cast<int>(std::floor(p.y / 2.0)) % 5 == 0 ? 0.5 : 0.0;
+  });
+  radar::Radar radar = radar_seeing(180.0, 20.0);
+  radar.range_resolution_m = 80.0;
+  const Rendered map = rendered(atlas, level_terrain(), radar);
+  const std::size_t azimuths = map.image.grid.azimuths, ranges = map.image.grid.ranges;
+  for (std::size_t range = ranges / 2 - 1; range <= ranges / 2 + 1; ++range)
+    EXPECT_NEAR(map.sigma0(azimuths / 2, range) / 0.1, 1.0, 0.1) << range;
+}
+
 TEST(GroundRenderer, ThreadsDoNotMatter) {
   const ScratchFolder folder;
   const atlas::Atlas atlas = atlas_of(folder, {20.0}, constant_gamma);
