@@ -4,7 +4,6 @@
 #include <bit>
 #include <cmath>
 #include <fmt/format.h>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -14,7 +13,7 @@
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/window_response.h"
 #include "sigmascape/receiver/carrier_phase.h"
-#include "sigmascape/receiver/smear.h"
+#include "sigmascape/receiver/strip_target.h"
 
 namespace sigmascape::receiver {
 namespace {
@@ -45,6 +44,12 @@ GatedAxis along_axis(const Strip& strip) {
                       strip.window);
 }
 
+/// Of closest ranges, by cos φ of which slant ranges differ.
+GatedAxis closest_range_axis(radar::Radar radar, const RangeGate& gate, double squint_rad) {
+  radar.range_resolution_m *= std::cos(squint_rad);
+  return gated_axis(radar, gate);
+}
+
 radar::ImageAxis image_axis(const GatedAxis& axis) {
   return {axis.start_m + static_cast<double>(axis.guard) * axis.step_m, axis.step_m, axis.samples};
 }
@@ -65,14 +70,14 @@ struct StripmapImager::Fold {
 StripmapImager::StripmapImager(const radar::Radar& radar, const radar::Motion& platform, const Strip& strip,
                                const RangeGate& gate, VoltageGain gain)
     : strip_(strip),
-      range_(gated_axis(radar, gate)),
       along_(along_axis(strip)),
+      range_(closest_range_axis(radar, gate, strip.squint_rad)),
       gain_(std::move(gain)),
       speed_mps_(length(moving(platform).velocity_mps)),
       band_per_m_(band_per_m(strip)),
       repetition_hz_(radar.waveform.pulse_repetition_hz),
       direction_(normalized(platform.velocity_mps)),
-      azimuth_(radar::antenna_pattern(radar).azimuth()),
+      pattern_(radar::antenna_pattern(radar).azimuth(), strip.squint_rad),
       response_(strip.window),
       window_terms_(radar::cosine_terms(strip.window)),
       plane_(along_.axis, range_.axis) {
@@ -84,6 +89,19 @@ StripmapImager::StripmapImager(const radar::Radar& radar, const radar::Motion& p
   frame_.closest_range_cell_m =
       speed_of_light_mps / (2.0 * range_.bandwidth_hz) * radar::WindowResponse(radar.waveform.window).noise_bandwidth();
   frame_.along_cell_m = radar::WindowResponse(strip.window).noise_bandwidth() / band_per_m(strip);
+  const double near_m = frame_.closest_range_m.first / std::cos(strip.squint_rad), pulses = pulses_a_metre() * near_m;
+  if (!(pulses >= 2.0)) {
+    throw Error(
+        "stripmap",
+        fmt::format("processes {:.2g} pulses of what is {:.0f} m away, at a pulse repetition frequency of {:g} Hz",
+                    pulses, near_m, repetition_hz_),
+        fmt::format("send at least {:.3g} a second", 2.0 / pulses * repetition_hz_));
+  }
+}
+
+double StripmapImager::pulses_a_metre() const {
+  const double cosine = std::cos(strip_.squint_rad);
+  return repetition_hz_ * band_per_m_ * wavelength_m(frame_.frequency_hz) / (2.0 * speed_mps_ * cosine * cosine);
 }
 
 StripmapImager::Fold StripmapImager::unfolded() const {
@@ -103,15 +121,9 @@ StripmapImager::Fold StripmapImager::fold_of(int order, double part_of_band) con
   return {processed + folded, processed, window / std::sqrt(response_.noise_bandwidth())};
 }
 
-/// The two-way pattern where the point is seen over that where the processor believes it, under the window; nothing
-/// where there is no ground with that Doppler. docs/physics/doppler.md, Eq. (14).
+/// Of what stands still, under the window. docs/physics/doppler.md, Eq. (14).
 double StripmapImager::ghost_voltage(const Fold& fold, double sine_depression) const {
-  const double cosine = std::sqrt(1.0 - sine_depression * sine_depression);
-  if (std::abs(fold.observed) >= cosine || std::abs(fold.processed) >= cosine) return 0.0;
-  const double axis = std::asin(std::clamp(std::sin(strip_.squint_rad) / cosine, -1.0, 1.0));
-  const double there = azimuth_.power(std::asin(fold.observed / cosine) - axis);
-  const double here = azimuth_.power(std::asin(fold.processed / cosine) - axis);
-  return here > 0.0 ? fold.window * there / here : 0.0;
+  return fold.window * pattern_.voltage(fold.observed, fold.processed, sine_depression);
 }
 
 std::vector<AzimuthAmbiguity> StripmapImager::ambiguities() const {
@@ -151,16 +163,6 @@ StripmapImager::Seen StripmapImager::seen(Vec3d position, double own_range_rate_
   const double way_m = along_m - closest_m * fold.observed / cosine;
   const double sine = std::clamp(fold.processed - own_range_rate_mps / speed_mps_, -1.0, 1.0);
   return {way_m / speed_mps_, range_m, way_m + range_m * sine, range_m * std::sqrt(1.0 - sine * sine)};
-}
-
-/// What moves, at the time when the line of sight stands there.
-StripmapImager::Seen StripmapImager::seen_from(double time_s, const radar::Motion& target, const Fold& fold) const {
-  const Vec3d away = target.position - (frame_.platform.position + frame_.platform.velocity_mps * time_s);
-  const double range_m = length(away);
-  const double own_rate = dot(target.velocity_mps, away) / range_m;
-  const double seen_at = dot(away, direction_) / range_m - (fold.observed - fold.processed);
-  const double sine = std::clamp(seen_at - own_rate / speed_mps_, -1.0, 1.0);
-  return {time_s, range_m, speed_mps_ * time_s + range_m * sine, range_m * std::sqrt(1.0 - sine * sine)};
 }
 
 PlacedAmplitude StripmapImager::placed(const Seen& seen, Vec3d position,
@@ -203,65 +205,22 @@ void StripmapImager::add(std::span<const radar::Scatterer> ground, unsigned thre
   plane_.add(places, threads);
 }
 
-/// The part of a target that one fold shows.
-void StripmapImager::add_part(const radar::Target& target, const Fold& fold, float share,
-                              std::vector<PlacedAmplitude>& places) const {
-  const double wavelength = wavelength_m(frame_.frequency_hz);
-  const double bins_a_cell = 1.0 / (band_per_m_ * along_.step_m);
-  const double sine = fold.observed, cosine = std::sqrt(1.0 - sine * sine);
-  // The beam reaches a slower mover after few steps of: where it is then, when the beam gets there.
-  double time_s = 0.0;
-  for (int step = 0; step < 20; ++step) {
-    const Vec3d away = target.track.position_at(time_s) - frame_.platform.position;
-    const double along_m = dot(away, direction_);
-    time_s = (along_m - length(away - direction_ * along_m) * sine / cosine) / speed_mps_;
-  }
-  const radar::Motion motion = radar::motion_of(target, time_s);
-  const Seen seen = seen_from(time_s, motion, fold);
-  const Vec3d seen_at = frame_.platform.position + frame_.platform.velocity_mps * time_s;
-  const radar::Channels rcs = radar::mean_rcs_of(target, seen_at, frame_.frequency_hz, time_s);
-  const PlacedAmplitude whole = placed(seen, motion.position, radar::steady_amplitude(rcs) * share);
-  if (fold.observed != fold.processed) {
-    // A ghost is smeared already; of what changes with every pulse it has the mean power.
-    const double factor = radar::changes_by_pulse(target.fluctuation)
-                              ? 1.0
-                              : radar::fluctuation(target.fluctuation, target.seed, strip_.dwell, 0);
-    places.push_back({whole.column, whole.row, whole.amplitude * static_cast<float>(std::sqrt(factor))});
-    return;
-  }
-  const Vec3d relative = motion.velocity_mps - frame_.platform.velocity_mps;
-  const double rate_error = -2.0 * (dot(relative, relative) - speed_mps_ * speed_mps_) / (seen.range_m * wavelength);
-  // The time for which the processed band sees a point: band over Doppler rate.
-  const double interval_s = band_per_m_ * wavelength * seen.range_m / (2.0 * speed_mps_ * cosine * cosine);
-  const auto pulses = static_cast<std::size_t>(std::max(1.0, std::round(interval_s * repetition_hz_)));
-  // What changes from pulse to pulse is spread over all Doppler, of which the processor keeps its band.
-  const double reach_cells = radar::changes_by_pulse(target.fluctuation) ? 0.5 * interval_s * band_per_m_ * speed_mps_
-                                                                         : std::numeric_limits<double>::infinity();
-  for (const SmearedPart& part : smeared(target, rate_error, {interval_s, pulses, strip_.dwell})) {
-    if (std::abs(part.cells) > reach_cells) continue;
-    places.push_back({whole.column + part.cells * bins_a_cell, whole.row, whole.amplitude * part.amplitude});
-  }
-}
-
 void StripmapImager::add(std::span<const radar::Target> targets, int order) {
+  const StripProcessing processing{.platform = frame_.platform,
+                                   .wavelength_m = wavelength_m(frame_.frequency_hz),
+                                   .repetition_hz = repetition_hz_,
+                                   .squint_rad = strip_.squint_rad,
+                                   .band_per_m = band_per_m_,
+                                   .closest_range_cell_m = frame_.closest_range_cell_m,
+                                   .dwell = strip_.dwell};
   std::vector<PlacedAmplitude> places;
   for (const radar::Target& target : targets) {
-    if (order == 0) {
-      add_part(target, unfolded(), 1.0F, places);
-      continue;
-    }
-    // As many parts as range cells through which the processor lets the ghost wander.
-    const Vec3d position = target.track.position_at(0.0), away = position - frame_.platform.position;
-    const double sine_depression = away.z / length(away - direction_ * dot(away, direction_));
-    const Fold first = fold_of(order, -0.5), last = fold_of(order, 0.5);
-    if (std::max(std::abs(first.observed), std::abs(last.observed)) >= 1.0) continue;
-    const double wander_m =
-        std::abs(seen(position, 0.0, first).closest_range_m - seen(position, 0.0, last).closest_range_m);
-    const int parts = static_cast<int>(std::clamp(std::round(wander_m / frame_.closest_range_cell_m), 1.0, 256.0));
-    for (int part = 0; part < parts; ++part) {
-      const Fold fold = fold_of(order, (part + 0.5) / parts - 0.5);
-      const double voltage = ghost_voltage(fold, sine_depression) / std::sqrt(parts);
-      if (voltage != 0.0) add_part(target, fold, static_cast<float>(voltage), places);
+    for (const StripPart& part : strip_parts(target, processing, pattern_, order)) {
+      const TargetPassage& at = part.seen;
+      const Vec3d seen_from = at.target.position - at.away;
+      const auto rcs = radar::mean_rcs_of(target, seen_from, frame_.frequency_hz, at.time_s);
+      places.push_back(placed({at.time_s, at.range_m, part.along_m, part.closest_range_m}, at.target.position,
+                              radar::steady_amplitude(rcs) * part.amplitude));
     }
   }
   plane_.add(places);
@@ -269,10 +228,8 @@ void StripmapImager::add(std::span<const radar::Target> targets, int order) {
 
 void StripmapImager::add(const EquivalentNoise& noise) {
   const double cosine = std::cos(strip_.squint_rad);
-  const double pulses_a_metre =
-      repetition_hz_ * band_per_m_ * wavelength_m(frame_.frequency_hz) / (2.0 * speed_mps_ * cosine * cosine);
   noise_ = {.power =
-                [noise, cosine, pulses_a_metre, closest_m = frame_.closest_range_m,
+                [noise, cosine, pulses_a_metre = pulses_a_metre(), closest_m = frame_.closest_range_m,
                  bandwidth = response_.noise_bandwidth()](std::size_t row) {
                   const double range_m = closest_m.middle_of(static_cast<double>(row) + 0.5) / cosine;
                   return noise.rcs_m2(range_m, pulses_a_metre * range_m, bandwidth);

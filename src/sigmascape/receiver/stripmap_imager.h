@@ -12,6 +12,7 @@
 #include "sigmascape/receiver/multilook.h"
 #include "sigmascape/receiver/range_gate.h"
 #include "sigmascape/receiver/response_plane.h"
+#include "sigmascape/receiver/strip_pattern.h"
 #include "sigmascape/receiver/voltage_gain.h"
 
 namespace sigmascape::receiver {
@@ -39,7 +40,7 @@ struct AzimuthAmbiguity {
 
 /// Stripmap SAR in the image domain: every point answers at its closest slant range and its place along the flight,
 /// with the exact responses of band and processed Doppler; movers stand where a point at rest would have their range
-/// and Doppler as the beam passes them, and are smeared over what its Doppler rate differs. Slant geometry; the
+/// and Doppler, and are smeared over what their Doppler rate differs. Slant geometry; the
 /// antenna's gain is that on the axis of the beam unless `gain` says otherwise. Ghosts are added on request, one order
 /// after the other. docs/physics/doppler.md, Eqs. (5), (6), (13), (14).
 class StripmapImager {
@@ -53,7 +54,8 @@ class StripmapImager {
   [[nodiscard]] std::vector<AzimuthAmbiguity> ambiguities() const;
 
   /// Points where they are or, of an order other than 0, their ghosts. A ghost of ground is put in one place of the
-  /// patch over which the processor smears it, drawn for each scatterer, that of a target in many.
+  /// patch over which the processor smears it, drawn for each scatterer; of targets all is shown (strip_parts), movers
+  /// as weak as the beam leaves them and folded as the pulses fold them, with order 0 the brightest of their images.
   void add(std::span<const radar::Scatterer> ground, unsigned threads = 0, int order = 0);
   void add(std::span<const radar::Target> targets, int order = 0);
   /// Thermal noise, in place of what there was of it.
@@ -65,22 +67,22 @@ class StripmapImager {
 
  private:
   struct Seen;
+  /// That are processed of a point, for each metre of its slant range.
+  [[nodiscard]] double pulses_a_metre() const;
   struct Fold;
   [[nodiscard]] Fold unfolded() const;
   [[nodiscard]] Fold fold_of(int order, double part_of_band) const;
   [[nodiscard]] double ghost_voltage(const Fold& fold, double sine_depression) const;
   [[nodiscard]] Seen seen(Vec3d position, double own_range_rate_mps, const Fold& fold) const;
-  [[nodiscard]] Seen seen_from(double time_s, const radar::Motion& target, const Fold& fold) const;
   [[nodiscard]] PlacedAmplitude placed(const Seen& seen, Vec3d position, const radar::ComplexChannels& amplitude) const;
-  void add_part(const radar::Target& target, const Fold& fold, float share, std::vector<PlacedAmplitude>& places) const;
 
   Strip strip_;
-  GatedAxis range_, along_;
+  GatedAxis along_, range_;
   VoltageGain gain_;
   radar::StripmapImage frame_;  // without bins
   double speed_mps_, band_per_m_, repetition_hz_;
   Vec3d direction_;
-  radar::AntennaCut azimuth_;
+  StripPattern pattern_;
   radar::WindowResponse response_;
   std::vector<radar::CosineTerm> window_terms_;
   ResponsePlane plane_;
