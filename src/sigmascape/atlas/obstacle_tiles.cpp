@@ -53,10 +53,9 @@ bool ObstacleTiles::read(const TileAddress& tile, std::span<radar::Obstacle> obs
   const std::filesystem::path file = obstacles_path(place.file);
   if (!files_.record_of(file)) return false;
   std::vector<Half> halves(tile_texels * bands);
-  if (!read_half_tile(store_.folder() / file, place.level, place.index, halves)) {
-    files_.did_not_decode(file);
-    return false;
-  }
+  const bool decodes = read_half_tile(store_.folder() / file, place.level, place.index, halves);
+  files_.tell(file, place.level, decodes);
+  if (!decodes) return false;
   for (std::size_t i = 0; i < obstacles.size(); ++i) obstacles[i] = obstacle_from(&halves[i * bands]);
   return true;
 }

@@ -15,9 +15,9 @@ double TileReader::read(const TileAddress& tile, LookIndex look, std::span<Half,
   const std::filesystem::path texture = pyramid_.texture_path(place.file, look);
   const auto record = files_.record_of(texture);
   if (!record) return 0.0;
-  if (read_half_tile(store_.folder() / texture, place.level, place.index, halves)) return record->scale;
-  files_.did_not_decode(texture);
-  return 0.0;
+  const bool decodes = read_half_tile(store_.folder() / texture, place.level, place.index, halves);
+  files_.tell(texture, place.level, decodes);
+  return decodes ? record->scale : 0.0;
 }
 
 }  // namespace sigmascape::atlas

@@ -21,6 +21,8 @@ std::optional<TextureRecord> VouchedFiles::record_of(const std::filesystem::path
     return std::nullopt;
   }
   missing_.erase(file);
+  // Another thread may have found it sound meanwhile.
+  if (const auto known = known_.find(file); known != known_.end()) return known->second;
   if (!record) {
     damaged_.add(file);
     return std::nullopt;
@@ -29,14 +31,21 @@ std::optional<TextureRecord> VouchedFiles::record_of(const std::filesystem::path
   return known_.emplace(file, std::move(*record)).first->second;
 }
 
-void VouchedFiles::did_not_decode(const std::filesystem::path& file) const {
+void VouchedFiles::tell(const std::filesystem::path& file, std::size_t level, bool decodes) const {
   const std::lock_guard lock(guard_);
-  undecoded_.insert(file);
+  if (decodes) {
+    undecoded_.erase({file, level});
+  } else {
+    undecoded_.emplace(file, level);
+    known_.erase(file);
+  }
 }
 
 std::size_t VouchedFiles::damaged() const {
   const std::lock_guard lock(guard_);
-  return damaged_.size() + undecoded_.size();
+  std::set<std::filesystem::path> undecoded;
+  for (const auto& [file, level] : undecoded_) undecoded.insert(file);
+  return damaged_.size() + undecoded.size();
 }
 
 std::size_t VouchedFiles::missing() const {

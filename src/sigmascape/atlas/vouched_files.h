@@ -26,9 +26,9 @@ class VouchedFiles {
   /// it, or when the file is not as it says. What has no item is looked for again each time: it may be baked meanwhile.
   [[nodiscard]] std::optional<TextureRecord> record_of(const std::filesystem::path& file) const;
 
-  /// To be told of a file that is as its item says and whose tile does not decode all the same, as that of a former
-  /// kind.
-  void did_not_decode(const std::filesystem::path& file) const;
+  /// To be told whether a tile of a level of a file that is as its item says decodes: that of a former kind, say, does
+  /// not. The file is held against its item again before the next tile of one that did not.
+  void tell(const std::filesystem::path& file, std::size_t level, bool decodes) const;
 
   /// Files asked for so far that have an item and, when last looked at, were not as it says, or it was wrong, or that
   /// did not decode.
@@ -42,7 +42,8 @@ class VouchedFiles {
   mutable std::mutex guard_;
   mutable std::map<std::filesystem::path, TextureRecord> known_;
   mutable FailedLately<std::filesystem::path> damaged_;
-  mutable std::set<std::filesystem::path> missing_, undecoded_;
+  mutable std::set<std::filesystem::path> missing_;
+  mutable std::set<std::pair<std::filesystem::path, std::size_t>> undecoded_;  ///< files and levels
 };
 
 }  // namespace sigmascape::atlas

@@ -1,6 +1,6 @@
 #include "sigmascape/base/worker_team.h"
 
-#include <system_error>
+#include <exception>
 
 #include "sigmascape/base/parallel.h"
 
@@ -12,8 +12,8 @@ WorkerTeam::WorkerTeam(unsigned threads) {
   for (unsigned worker = 1; worker < members; ++worker) {
     try {
       helpers_.emplace_back([this, worker] { serve(worker); });
-    } catch (const std::system_error&) {
-      return;  // The system gives no more threads: those that there are do the work.
+    } catch (const std::exception&) {
+      return;  // There are no more threads, or no memory for them: those that there are do the work.
     }
   }
 }

@@ -5,9 +5,11 @@
 #include <cmath>
 #include <iterator>
 #include <new>
+#include <system_error>
 #include <tuple>
 #include <utility>
 
+#include "sigmascape/base/error.h"
 #include "sigmascape/base/interruption.h"
 #include "sigmascape/radar/rectangle_parts.h"
 
@@ -46,8 +48,13 @@ TerrainWindows::TerrainWindows(std::shared_ptr<terrain::TerrainPyramid> pyramid,
           least_nodes_per_side,
           static_cast<std::size_t>(
               std::sqrt(static_cast<double>(budget_bytes) / static_cast<double>(windows_in_budget * sizeof(float)))))),
-      entries_(Entries()),
-      maker_([this] { make_windows(); }) {}
+      entries_(Entries()) {
+  try {
+    maker_ = std::jthread([this] { make_windows(); });
+  } catch (const std::system_error&) {
+    throw Error("terrain", "gets no thread from the system", "allow more threads");
+  }
+}
 
 TerrainWindows::~TerrainWindows() {
   {
@@ -126,7 +133,7 @@ void TerrainWindows::make_windows() {
     lock.unlock();
     auto window = made(wish);
     lock.lock();
-    if (window) publish(std::move(window));
+    if (window) publish(std::move(window), wish);
     busy_ = false;
     request_done_.notify_all();
   }
@@ -168,10 +175,17 @@ radar::Rectangle TerrainWindows::with_margin(const WindowWish& wish) const {
   return nodes_over(area, spacing_m) > most ? wish.area : area;
 }
 
-void TerrainWindows::publish(std::shared_ptr<const GroundWindow> window) {
+void TerrainWindows::publish(std::shared_ptr<const GroundWindow> window, const WindowWish& wish) try {
   entries_.forget_unread();
   std::erase_if(retired_, [](const auto& old) { return old.use_count() == 1; });
   Entries entries = entries_.newest();
+  // What lacked tiles then does not stay beside what lacks no more of them now.
+  std::erase_if(entries, [&](const auto& old) {
+    const bool gives_way =
+        old->try_again_at && old->level == window->level && old->error_m >= window->error_m && old->covers(wish.area);
+    if (gives_way) retired_.push_back(old);
+    return gives_way;
+  });
   entries.push_back(std::move(window));
   const auto bytes = [&entries] {
     std::size_t sum = 0;
@@ -186,6 +200,8 @@ void TerrainWindows::publish(std::shared_ptr<const GroundWindow> window) {
     entries.erase(oldest);
   }
   entries_.store(std::move(entries));
+} catch (const std::bad_alloc&) {
+  // There may be memory when frames ask again.
 }
 
 }  // namespace sigmascape::render

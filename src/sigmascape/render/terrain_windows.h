@@ -99,7 +99,7 @@ class TerrainWindows {
   [[nodiscard]] radar::Rectangle with_margin(const WindowWish& wish) const;
   // All of these with the guard held.
   [[nodiscard]] bool next_wish(WindowWish& wish);
-  void publish(std::shared_ptr<const GroundWindow> window);
+  void publish(std::shared_ptr<const GroundWindow> window, const WindowWish& wish);
 
   std::shared_ptr<terrain::TerrainPyramid> pyramid_;
   std::size_t budget_bytes_, most_nodes_per_side_;

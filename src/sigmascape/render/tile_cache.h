@@ -5,6 +5,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
+#include <exception>
 #include <fmt/format.h>
 #include <iterator>
 #include <memory>
@@ -12,7 +13,6 @@
 #include <new>
 #include <optional>
 #include <span>
-#include <system_error>
 #include <thread>
 #include <tuple>
 #include <utility>
@@ -109,8 +109,8 @@ class TileCache {
   /// Nothing when there is no memory for what it takes.
   [[nodiscard]] std::optional<bool> filled(Page& page) const;
   // All of these with the guard held.
-  /// Loads the page while others may have the guard. False when it has to wait until it is asked for again.
-  [[nodiscard]] bool load_one(const Key& key, std::unique_lock<std::mutex>& lock);
+  /// Loads the page while others may have the guard.
+  void load_one(const Key& key, std::unique_lock<std::mutex>& lock);
   void wait_for_loaders(std::unique_lock<std::mutex>& lock);
   [[nodiscard]] bool next_wanted(Key& key);
   /// Null when there is none: all are looked at, or give way to `wanted` pages once the frames of now are done.
@@ -129,7 +129,6 @@ class TileCache {
   std::vector<std::shared_ptr<Page>> retired_;  // no longer found; others share one that a frame may still read
   std::vector<Key> loading_;
   FailedLately<Key> absent_;
-  bool has_put_off_ = false;  // wishes that pages still looked at were in the way of
   std::atomic<std::uint64_t> frame_{0};
   std::size_t page_bytes_ = 0;  // of one
   CacheReport report_;
@@ -149,7 +148,7 @@ TileCache<Source>::TileCache(std::shared_ptr<const Source> source, std::size_t b
   for (unsigned loader = 0; loader < std::max(1U, loaders); ++loader) {
     try {
       loaders_.emplace_back([this] { load_pages(); });
-    } catch (const std::system_error&) {
+    } catch (const std::exception&) {  // no thread, or no memory for one
       if (loaders_.empty()) throw Error("page cache", "gets no thread from the system", "allow more threads");
       return;
     }
@@ -187,9 +186,9 @@ void TileCache<Source>::wait_until_loaded() {
   const auto long_enough = std::chrono::steady_clock::now() + 1s;
   std::unique_lock lock(guard_);
   wait_for_loaders(lock);
-  while (has_put_off_ && std::chrono::steady_clock::now() < long_enough) {
-    has_put_off_ = false;
+  while (wishes_.has_put_off() && std::chrono::steady_clock::now() < long_enough) {
     lock.unlock();
+    Interruption::heed();
     std::this_thread::sleep_for(1ms);
     wishes_.renew();
     lock.lock();
@@ -238,20 +237,21 @@ void TileCache<Source>::load_pages() {
       lock.lock();
       continue;
     }
-    if (!load_one(key, lock)) wishes_.clear();
+    load_one(key, lock);
     request_done_.notify_all();
   }
 }
 
 template <typename Source>
-bool TileCache<Source>::load_one(const Key& key, std::unique_lock<std::mutex>& lock) try {
+void TileCache<Source>::load_one(const Key& key, std::unique_lock<std::mutex>& lock) try {
   const std::shared_ptr<Page> page = empty_page(1 + wishes_.size());
-  if (!page) {
+  if (!page && retired_.empty()) {
     // Everything there is looked at: what is wanted now has to wait until frames look elsewhere, and ask again.
-    if (retired_.empty()) ++report_.refused;
-    has_put_off_ = !retired_.empty();
-    return false;
+    ++report_.refused;
+    return wishes_.clear();
   }
+  // What gave way is still looked at.
+  if (!page) return wishes_.put_off();
   loading_.reserve(loading_.size() + 1);
   retired_.reserve(retired_.size() + 1);
   loading_.push_back(key);
@@ -270,11 +270,10 @@ bool TileCache<Source>::load_one(const Key& key, std::unique_lock<std::mutex>& l
     retired_.push_back(page);
     absent_.add(key);
   }
-  return true;
 } catch (const std::bad_alloc&) {
   // There may be memory when frames ask again.
   ++report_.refused;
-  return false;
+  wishes_.clear();
 }
 
 template <typename Source>
@@ -328,14 +327,13 @@ void TileCache<Source>::drop_oldest_pages(std::size_t most) {
   // Of equally old ones the finer goes: its parent can stand in for it.
   std::ranges::stable_sort(old, {}, [](const Aged& page) { return std::tuple(page.last_wanted, page.level); });
   old.resize(std::min(old.size(), most));
-  Entries rest = entries_.newest();
-  for (const Aged& page : old) {
-    std::erase(rest, page.entry);
-    // Whoever found it may read on; its memory is used again when the last of them has let go.
-    retired_.push_back(std::const_pointer_cast<Page>(page.entry));
-  }
   if (old.empty()) return;
+  Entries rest = entries_.newest();
+  for (const Aged& page : old) std::erase(rest, page.entry);
+  retired_.reserve(retired_.size() + old.size());
   entries_.store(std::move(rest));
+  // Whoever found one may read on; its memory is used again when the last of them has let go.
+  for (const Aged& page : old) retired_.push_back(std::const_pointer_cast<Page>(page.entry));
   report_.evicted += old.size();
 }
 

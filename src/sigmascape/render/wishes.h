@@ -23,11 +23,12 @@ class Wishes {
   /// Of one asker.
   struct Box {
     explicit Box(std::size_t most) : list(most) {}
-    [[nodiscard]] std::size_t left() const { return list.fetched().size() - taken; }
+    [[nodiscard]] std::size_t left() const { return is_put_off ? 0 : list.fetched().size() - taken; }
 
     NewestList<Item> list;
     std::size_t taken = 0;   // of the list fetched last
     std::uint64_t turn = 0;  // when it was fetched
+    bool is_put_off = false;
   };
 
  public:
@@ -72,6 +73,7 @@ class Wishes {
     }
     if (last == nullptr) return false;
     wish = last->list.fetched()[last->taken++];
+    taken_from_ = last;
     return true;
   }
 
@@ -91,12 +93,26 @@ class Wishes {
     for (const auto& box : boxes_) box->taken = box->list.fetched().size();
   }
 
-  /// What was taken or cleared is wished for again, by all who have not asked for something else since.
+  /// What is left, and whose list was taken from last, counts as not wished for until those who asked ask again, or
+  /// renew() is called.
+  void put_off() {
+    const std::lock_guard lock(guard_);
+    fetch();
+    for (const auto& box : boxes_) {
+      if (box->left() == 0 && box.get() != taken_from_) continue;
+      box->is_put_off = true;
+      box->taken = 0;
+    }
+  }
+  [[nodiscard]] bool has_put_off() {
+    const std::lock_guard lock(guard_);
+    fetch();
+    return std::ranges::any_of(boxes_, [](const auto& box) { return box->is_put_off; });
+  }
   void renew() {
     {
       const std::lock_guard lock(guard_);
-      fetch();
-      for (const auto& box : boxes_) box->taken = 0;
+      for (const auto& box : boxes_) box->is_put_off = false;
     }
     ring();
   }
@@ -125,12 +141,14 @@ class Wishes {
     for (const auto& box : boxes_) {
       if (!box->list.fetch()) continue;
       box->taken = 0;
+      box->is_put_off = false;
       box->turn = ++turns_;
     }
   }
 
   std::mutex guard_;  // of the boxes, but for what their askers write
   std::vector<std::unique_ptr<Box>> boxes_;
+  const Box* taken_from_ = nullptr;  // last; it may be gone
   std::uint64_t turns_ = 0;
   // Of the width that the system itself waits on: the library would share its own word, and its sleepers, with others.
   std::atomic<std::uint32_t> calls_{0};

@@ -65,6 +65,20 @@ TEST_F(TerrainWindowsTest, AreMadeAnewWhenTilesThatCouldNotBeHadAreThere) {
   EXPECT_FALSE(found->is_worth_another_try());
 }
 
+TEST_F(TerrainWindowsTest, DoNotGatherWhereATileIsNeverThere) {
+  reading = [](TileKey key) {
+    if (key == TileKey{0, 1, 1}) throw Error("0_1_1", "cannot be read", "try again");
+  };
+  TerrainWindows windows(pyramid(), 64U << 20U);
+  windows.load(whole);
+  const std::size_t of_one = windows.bytes();
+  for (int again = 0; again < 6; ++again) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(3));
+    windows.load(whole);
+  }
+  EXPECT_LE(windows.bytes(), 2 * of_one) << "the last and one that may still be looked at";
+}
+
 TEST_F(TerrainWindowsTest, GoOnWhereThereIsNoMemoryForOne) {
   bool is_short = false;
   reading = [&](TileKey) {
