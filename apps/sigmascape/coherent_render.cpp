@@ -31,19 +31,18 @@ void write_slant_image(const CoherentRequest& request, const simulate::ModeReque
 }  // namespace
 
 CoherentMap coherent_map(const CoherentRequest& request) {
-  const simulate::ModeRequest wanted{.atlas = request.atlas,
-                                     .terrain = request.scene.terrain,
-                                     .radar = request.radar,
-                                     .grid = request.grid,
-                                     .texture_frequency_hz = request.texture_frequency_hz,
-                                     .targets = request.targets,
-                                     .windblown = request.radar.wind_mps > 0.0
-                                                      ? simulate::windblown_of(request.scene, request.grid.extent())
-                                                      : simulate::Windblown{},
-                                     .level_of_detail = request.level_of_detail,
-                                     .seed = request.seed,
-                                     .dwell = request.dwell,
-                                     .threads = request.threads};
+  const simulate::ModeRequest wanted{
+      .atlas = request.atlas,
+      .terrain = request.scene.terrain,
+      .radar = request.radar,
+      .grid = request.grid,
+      .texture_frequency_hz = request.texture_frequency_hz,
+      .targets = request.targets,
+      .windblown = request.radar.wind_mps > 0.0 ? simulate::windblown_of(request.scene) : simulate::Windblown{},
+      .level_of_detail = request.level_of_detail,
+      .seed = request.seed,
+      .dwell = request.dwell,
+      .threads = request.threads};
   const auto [plan, warnings] = simulate::mode_plan(wanted);
   for (const std::string& warning : warnings)
     fmt::print(stderr, "warning: {}: {}\n", radar::title_of(request.radar), warning);

@@ -9,6 +9,7 @@
 #include "sigmascape/base/error.h"
 #include "sigmascape/product/iq_file.h"
 #include "sigmascape/simulate/coherent.h"
+#include "sigmascape/simulate/scatterer_spacing.h"
 
 namespace sigmascape::cli {
 namespace {
@@ -63,14 +64,17 @@ void check(const IqFiles& files, bool has_atlas) {
 void write_iq_files(const IqFiles& files, const IqRequest& request) {
   if (files.file.empty()) return;
   const atlas::Atlas textures = atlas::load_atlas(*request.atlas);
+  const double frequency_hz = texture_frequency_hz(textures, request.radar, request.extrapolate);
+  textures.check_frequency(frequency_hz);
+  const double spacing_m =
+      simulate::pulse_scatterer_spacing_m(request.radar, request.area, request.scene.terrain, files.interval_s);
+  const double level = std::max(request.level_of_detail - 1.0, textures.level_for(spacing_m));
   const simulate::CoherentScene scene{
-      &request.scene.terrain,
-      render::reflectivity_of(textures, texture_frequency_hz(textures, request.radar, request.extrapolate),
-                              request.radar.range_resolution_m),
-      request.targets,
-      request.radar.wind_mps > 0.0 ? simulate::windblown_of(request.scene, request.area) : simulate::Windblown{}};
+      &request.scene.terrain, render::AtlasReflectivity{&textures, frequency_hz, level}, request.targets,
+      request.radar.wind_mps > 0.0 ? simulate::windblown_of(request.scene) : simulate::Windblown{}};
   const auto history = simulate::phase_history(scene, request.radar, request.area,
                                                {.interval_s = files.interval_s,
+                                                .scatterer_spacing_m = spacing_m,
                                                 .seed = request.seed,
                                                 .dwell = request.dwell,
                                                 .calibrated = files.unit == "V",

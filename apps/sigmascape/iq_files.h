@@ -32,6 +32,7 @@ struct IqRequest {
   const std::vector<radar::Target>& targets;
   const radar::Radar& radar;
   const radar::Rectangle& area;
+  int level_of_detail = 0;  ///< of the map beside them
   bool extrapolate = false;
   std::uint64_t seed = 1, dwell = 0;
   unsigned threads = 0;

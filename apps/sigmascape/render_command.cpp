@@ -140,6 +140,7 @@ Rendered baked(const RenderOptions& options, const scene::Scene& scene, const at
   rendered.cost = {{"ground_samples", counts.ground_samples}, {"visible", counts.visible}};
   rendered.provenance = {
       {"processing", fmt::format("level of detail {}: from terrain and atlas", options.level_of_detail)},
+      {"seed", std::to_string(options.trace.seed)},
       {"dwell", std::to_string(options.trace.dwell)}};
   if (const auto seed = store.description().settings.find("seed"); seed != store.description().settings.end())
     rendered.provenance["atlas_seed"] = seed->second;
@@ -269,8 +270,9 @@ void render(RenderOptions options, std::optional<radar::Polarization> polarizati
                    receiver::noise_seed(options.trace.seed, options.trace.dwell), options.trace.threads,
                    rendered.provenance);
   }
-  write_iq_files(options.iq, {store ? &*store : nullptr, scene, targets, radar, grid.extent(), options.extrapolate,
-                              options.trace.seed, options.trace.dwell, options.trace.threads, origin});
+  write_iq_files(options.iq,
+                 {store ? &*store : nullptr, scene, targets, radar, grid.extent(), options.level_of_detail,
+                  options.extrapolate, options.trace.seed, options.trace.dwell, options.trace.threads, origin});
   write_maps(options, scene, radar, grid, rendered, look);
   if (is_real_beam) write_scopes(options.scopes, radar, rendered.image, look, rendered.provenance);
 

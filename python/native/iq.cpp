@@ -17,6 +17,7 @@
 #include "sigmascape/simulate/coherent.h"
 #include "sigmascape/simulate/map_warnings.h"
 #include "sigmascape/simulate/placement.h"
+#include "sigmascape/simulate/scatterer_spacing.h"
 
 namespace sigmascape::python {
 namespace {
@@ -38,9 +39,14 @@ template <typename Signal>
 using Maker = Signal (*)(const simulate::CoherentScene&, const radar::Radar&, const radar::Rectangle&,
                          const simulate::CoherentSettings&);
 
+/// The spacing of scatterers that a signal of an area has when none is given.
+using UsualSpacing = double (*)(const radar::Radar&, const radar::Rectangle&, const terrain::HeightField&,
+                                const simulate::CoherentSettings&);
+
 template <typename Signal>
-Described<Signal> made(Maker<Signal> make, const LoadedAtlas& atlas, const radar::RadarFile& radar_file,
-                       const Targets& given, double time_s, const simulate::CoherentSettings& settings) {
+Described<Signal> made(Maker<Signal> make, UsualSpacing usual_spacing_m, const LoadedAtlas& atlas,
+                       const radar::RadarFile& radar_file, const Targets& given, double time_s,
+                       simulate::CoherentSettings settings) {
   within("time_s", time_s, radar::bounds::moments_s);
   if (settings.scatterer_spacing_m != 0.0) positive("scatterer_spacing_m", settings.scatterer_spacing_m);
   const radar::RadarFile asked = radar_file;
@@ -51,8 +57,10 @@ Described<Signal> made(Maker<Signal> make, const LoadedAtlas& atlas, const radar
     warn_of(radar, simulate::map_warnings(radar, asked.map, atlas.terrain(), description.extent));
     const auto targets =
         simulate::all_targets(nullptr, given, description.frame, atlas.terrain(), settings.seed, time_s);
+    if (settings.scatterer_spacing_m == 0.0)
+      settings.scatterer_spacing_m = usual_spacing_m(radar, area, atlas.terrain(), settings);
     const simulate::CoherentScene scene{
-        &atlas.terrain(), render::reflectivity_of(atlas.textures(), radar.frequency_hz, radar.range_resolution_m),
+        &atlas.terrain(), render::reflectivity_of(atlas.textures(), radar.frequency_hz, settings.scatterer_spacing_m),
         targets};
     Words words = origin_words("scatterers from terrain and atlas", description.frame, description.name,
                                description.scene_hash, settings.seed);
@@ -62,10 +70,28 @@ Described<Signal> made(Maker<Signal> make, const LoadedAtlas& atlas, const radar
   });
 }
 
+double spacing_of_pulses_m(const radar::Radar& radar, const radar::Rectangle& area, const terrain::HeightField& terrain,
+                           const simulate::CoherentSettings& settings) {
+  return simulate::pulse_scatterer_spacing_m(radar, area, terrain, settings.interval_s);
+}
+
+double spacing_of_sharpened_m(const radar::Radar& radar, const radar::Rectangle& area,
+                              const terrain::HeightField& terrain, const simulate::CoherentSettings& settings) {
+  const Vec2d middle = area.centre();
+  return simulate::scatterer_spacing_m(
+      radar,
+      simulate::resolution_of_interval_m(radar, {middle.x, middle.y, terrain.height_at(middle)}, settings.interval_s));
+}
+
+double spacing_of_strip_m(const radar::Radar& radar, const radar::Rectangle&, const terrain::HeightField&,
+                          const simulate::CoherentSettings& settings) {
+  return simulate::scatterer_spacing_m(radar, settings.along_resolution_m);
+}
+
 Described<radar::PhaseHistory> phase_history(const LoadedAtlas& atlas, const radar::RadarFile& radar, double interval_s,
                                              const Targets& targets, bool calibrated, double scatterer_spacing_m,
                                              std::uint64_t seed, double time_s, std::uint64_t dwell, unsigned threads) {
-  return made(&simulate::phase_history, atlas, radar, targets, time_s,
+  return made(&simulate::phase_history, &spacing_of_pulses_m, atlas, radar, targets, time_s,
               {.interval_s = interval_s,
                .scatterer_spacing_m = scatterer_spacing_m,
                .seed = seed,
@@ -78,7 +104,7 @@ Described<radar::RangeDopplerImage> range_doppler(const LoadedAtlas& atlas, cons
                                                   double interval_s, const Targets& targets, double scatterer_spacing_m,
                                                   std::uint64_t seed, double time_s, std::uint64_t dwell,
                                                   unsigned threads) {
-  return made(&simulate::range_doppler_image, atlas, radar, targets, time_s,
+  return made(&simulate::range_doppler_image, &spacing_of_sharpened_m, atlas, radar, targets, time_s,
               {.interval_s = interval_s,
                .scatterer_spacing_m = scatterer_spacing_m,
                .seed = seed,
@@ -90,7 +116,7 @@ Described<radar::StripmapImage> stripmap(const LoadedAtlas& atlas, const radar::
                                          double along_resolution_m, const Targets& targets, double scatterer_spacing_m,
                                          std::uint64_t seed, double time_s, std::uint64_t dwell, unsigned threads) {
   return made(
-      &simulate::stripmap_image, atlas, radar, targets, time_s,
+      &simulate::stripmap_image, &spacing_of_strip_m, atlas, radar, targets, time_s,
       {.along_resolution_m = within("along_resolution_m", along_resolution_m, radar::bounds::along_resolutions_m),
        .scatterer_spacing_m = scatterer_spacing_m,
        .seed = seed,
@@ -157,7 +183,9 @@ void add_iq(py::module_& module) {
       "The pulses of one interval over the radar's area: a PhaseHistory. The radar must move (velocity_mps).\n\n"
       "interval_s: about time zero, when the radar is at its position. targets: of Target. calibrated: volts behind\n"
       "the receiver with thermal noise, instead of metres. scatterer_spacing_m: side of the cells that hold a\n"
-      "scatterer each; 0 for half the range resolution. seed: of speckle, targets and noise.\n"
+      "scatterer each; 0 for half of what the pulses tell apart at the finest, in range or across it, and for the "
+      "cells\n"
+      "of its map where radar.mode makes one. seed: of speckle, targets and noise.\n"
       "time_s: moment, s; radar and targets have moved so long since time zero. dwell: which look at the same ground\n"
       "this is; each has noise and fluctuating targets of its own, and all the same speckle.");
   module.def("range_doppler", &range_doppler, py::arg("atlas"), py::arg("radar"), py::kw_only(),

@@ -54,7 +54,7 @@ void set_mode(RadarFile& file, const std::string& word) {
 constexpr double furthest_m = 1e7, fastest_mps = 2e4, hz_per_ghz = 1e9;
 
 void set_frequency_hz(RadarFile& file, double frequency_hz) {
-  file.radar.frequency_hz = within("frequency_hz", frequency_hz, bounds::frequencies_ghz, hz_per_ghz);
+  radar::set_frequency(file, within("frequency_hz", frequency_hz, bounds::frequencies_ghz, hz_per_ghz));
 }
 
 void set_range_resolution_m(RadarFile& file, double range_resolution_m) {

@@ -108,7 +108,7 @@ Seen coherent(const atlas::Atlas& textures, const Wish& wish, const LoadedScene*
                                       .texture_frequency_hz = wish.radar.frequency_hz,
                                       .targets = wish.targets,
                                       .windblown = scene != nullptr && wish.radar.wind_mps > 0.0
-                                                       ? simulate::windblown_of(scene->scene(), wish.grid.extent())
+                                                       ? simulate::windblown_of(scene->scene())
                                                        : simulate::Windblown{},
                                       .level_of_detail = level_of_detail,
                                       .seed = effort.seed,
@@ -136,6 +136,7 @@ Seen baked(const LoadedAtlas* atlas, const Wish& wish, const render::RenderSetti
                                      counts, effort.dwell);
   product::Provenance provenance{
       {"processing", fmt::format("level of detail {}: from terrain and atlas", settings.level_of_detail)},
+      {"seed", std::to_string(effort.seed)},
       {"dwell", std::to_string(effort.dwell)}};
   const auto& baked_with = atlas->description().settings;
   if (const auto found = baked_with.find("seed"); found != baked_with.end()) provenance["atlas_seed"] = found->second;

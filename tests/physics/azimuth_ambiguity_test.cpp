@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <vector>
 
+#include "physics/textbook_strip.h"
 #include "validation/validation_record.h"
 
 #include "sigmascape/base/units.h"
@@ -46,34 +47,13 @@ struct Patch {
   [[nodiscard]] Patch over(double cells) const { return {energy * cells, along_m / energy, across_m / energy}; }
 };
 
-/// The pulses, focused at a place of the strip by turning back those under which its Doppler lies in the processed
-/// band, with the pattern undone: what a strip-map processor of the textbook makes, written for this test alone.
-std::complex<double> focused(const radar::PhaseHistory& history, const radar::AntennaCut& beam, double s, double r) {
-  std::complex<double> sum;
-  double count = 0.0;
-  for (std::size_t n = 0; n < history.pulses.size(); ++n) {
-    const double along = s - history.pulses[n].platform.position.y, distance = std::hypot(along, r);
-    const double doppler_hz = 2.0 * speed_mps * along / (wavelength * distance);
-    if (std::abs(doppler_hz) > processed_hz / 2.0) continue;
-    const double place = (distance - history.first_range_m) / history.range_step_m;
-    const auto m = static_cast<std::size_t>(place);
-    const double part = place - static_cast<double>(m);
-    const std::complex<double> sample = std::complex<double>(history.samples(m, n).vv) * (1.0 - part) +
-                                        std::complex<double>(history.samples(m + 1, n).vv) * part;
-    sum += sample * std::polar(1.0 / beam.power(std::asin(along / distance)),
-                               std::remainder(4.0 * pi * distance / wavelength, 2.0 * pi));
-    count += 1.0;
-  }
-  return sum / count;
-}
-
-Patch from_pulses(const radar::PhaseHistory& history, const radar::AntennaCut& beam, double middle_m,
+Patch from_pulses(const radar::PhaseHistory& history, const TextbookStrip& processor, double middle_m,
                   double half_along_m, double half_across_m) {
   constexpr double step_m = 0.6;
   Patch patch;
   for (double r = range_m - half_across_m; r <= range_m + half_across_m; r += step_m) {
     for (double s = middle_m - half_along_m; s <= middle_m + half_along_m; s += step_m)
-      patch.add(std::norm(focused(history, beam, s, r)), s, r);
+      patch.add(std::norm(processor.focused(history, s, r)), s, r);
   }
   return patch.over(step_m * step_m);
 }
@@ -95,6 +75,7 @@ Patch from_image(const radar::StripmapImage& image, double middle_m, double half
 TEST(AzimuthAmbiguity, is_where_and_what_a_processor_makes_of_thin_pulses) {
   const auto radar = thin_radar();
   const radar::AntennaCut beam = radar::antenna_pattern(radar).azimuth();
+  const TextbookStrip processor{wavelength, speed_mps, processed_hz, beam};
   radar::Target target;
   target.track = radar::Track::straight(point);
   target.rcs_m2 = radar::Channels{1.0F, 1.0F, 0.0F, 1.0F};
@@ -121,12 +102,12 @@ TEST(AzimuthAmbiguity, is_where_and_what_a_processor_makes_of_thin_pulses) {
   for (const auto& ambiguity : ghosts.ambiguities()) ghosts.add(targets, ambiguity.order);
   const auto image = ghosts.image();
 
-  const Patch main_pulses = from_pulses(pulses_about(0.0), beam, 0.0, 12.0, 12.0),
+  const Patch main_pulses = from_pulses(pulses_about(0.0), processor, 0.0, 12.0, 12.0),
               main_image = from_image(alone.image(), 0.0, 40.0);
   EXPECT_NEAR(db_from_linear(main_image.energy / main_pulses.energy), 0.0, 0.4);
   for (const int side : {-1, 1}) {
     const double there_m = side * shift_m;
-    const Patch of_pulses = from_pulses(pulses_about(there_m), beam, there_m, 40.0, 20.0);
+    const Patch of_pulses = from_pulses(pulses_about(there_m), processor, there_m, 40.0, 20.0);
     const Patch of_image = from_image(image, there_m, 60.0);
     const std::string name = side < 0 ? ", behind" : ", ahead";
     validation::expect_close({group, "energy of the first ghost over the point's" + name,
@@ -156,7 +137,7 @@ TEST(AzimuthAmbiguity, of_even_ground_is_the_integral_of_the_pattern) {
   // A strip so long that ghosts of the first orders fall into its middle third from both sides.
   const auto scatterers = render::ground_scatterers(
       terrain, even, radar::ScattererLattice({.seed = 5, .cell_m = 2.0}),
-      {.radar_position = radar.position, .area = {ground_m - 90.0, -1150.0, ground_m + 60.0, 1150.0}});
+      {.vantage = radar::Vantage(radar.position), .area = {ground_m - 90.0, -1150.0, ground_m + 60.0, 1150.0}});
   const auto power_of = [&](bool ghosts) {
     receiver::StripmapImager imager(radar, {radar.position, radar.velocity_mps},
                                     {.first_along_m = -100.0,

@@ -109,7 +109,8 @@ TEST(CurvedImages, see_ground_at_its_grazing_angle_as_far_as_the_horizon) {
   const radar::ScattererLattice lattice({.seed = 1, .cell_m = 4.0});
   const auto seen_from = [&](double height_m) {
     return render::ground_scatterers(
-        terrain, field, lattice, {.radar_position = {0.0, 0.0, height_m}, .area = area, .threads = 1, .earth = earth});
+        terrain, field, lattice,
+        {.vantage = radar::Vantage(Vec3d{0.0, 0.0, height_m}), .area = area, .threads = 1, .earth = earth});
   };
   EXPECT_GT(seen_from(5000.0).size(), 2000U);
   validation::expect_close({group, "grazing angle 60 km off",

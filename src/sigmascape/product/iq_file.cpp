@@ -35,6 +35,10 @@ void check(const std::filesystem::path& path, const IqRecord& record) {
     throw Error(path.string(), fmt::format("{} motions of the platform were given", record.platform.size()),
                 "give one, or one for each place on the slow axis");
   }
+  if (!record.beam_azimuth_rad.empty() && record.beam_azimuth_rad.size() != record.slow.values.size()) {
+    throw Error(path.string(), fmt::format("{} azimuths of the beam were given", record.beam_azimuth_rad.size()),
+                "give one for each place on the slow axis, or none");
+  }
 }
 
 Error said_twice(const std::filesystem::path& path, const std::string& key) {

@@ -1,5 +1,6 @@
 #include <array>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <hdf5.h>
 #include <hdf5_hl.h>
 #include <mutex>
@@ -72,10 +73,15 @@ Handle dataset(hid_t file, const std::string& name, hid_t type, const std::array
                 "H5Dcreate2");
 }
 
+void write_numbers(hid_t file, const std::string& name, const std::string& unit, const std::vector<double>& numbers) {
+  const Handle set = dataset<1>(file, name, H5T_IEEE_F64LE, {numbers.size()});
+  checked(H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data()), "H5Dwrite");
+  put_attribute(set, "units", unit);
+}
+
 void write_axis(hid_t file, const IqAxis& axis) {
-  const Handle set = dataset<1>(file, axis.name, H5T_IEEE_F64LE, {axis.values.size()});
-  checked(H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, axis.values.data()), "H5Dwrite");
-  put_attribute(set, "units", axis.unit);
+  write_numbers(file, axis.name, axis.unit, axis.values);
+  const Handle set(H5Dopen2(file, axis.name.c_str(), H5P_DEFAULT), H5Dclose, "H5Dopen2");
   checked(H5DSset_scale(set, axis.name.c_str()), "H5DSset_scale");
 }
 
@@ -116,12 +122,17 @@ void write_file(const std::filesystem::path& path, const IqRecord& record) {
                     "H5Fcreate");
   put_attribute(file, "kind", record.kind);
   put_attribute(file, "quantity", record.quantity);
+  put_attribute(file, "unit", record.unit);
+  put_attribute(file, "axes", fmt::format("{}, {}", record.slow.name, record.fast.name));
+  put_attribute(file, "units", fmt::format("{}, {}", record.slow.unit, record.fast.unit));
+  put_attribute(file, "polarizations", fmt::format("{}", fmt::join(record.polarizations, ", ")));
   for (const auto& [name, number] : record.numbers) put_attribute(file, name, number);
   for (const auto& [name, word] : record.words) put_attribute(file, name, word);
   write_axis(file, record.slow);
   write_axis(file, record.fast);
   write_vectors(file, "platform_position", "m", platform_numbers(record, &radar::Motion::position));
   write_vectors(file, "platform_velocity", "m/s", platform_numbers(record, &radar::Motion::velocity_mps));
+  if (!record.beam_azimuth_rad.empty()) write_numbers(file, "beam_azimuth", "rad", record.beam_azimuth_rad);
   for (std::size_t i = 0; i < record.polarizations.size(); ++i) write_polarization(file, record, i);
 }
 
@@ -131,7 +142,8 @@ std::uintmax_t most_bytes(const IqRecord& record) {
   const std::uintmax_t samples = record.samples.size() * sizeof(record.samples[0]);
   const std::uintmax_t axes = (record.slow.values.size() + record.fast.values.size()) * sizeof(double);
   const std::uintmax_t platform = record.platform.size() * sizeof(record.platform[0]);
-  return samples + axes + platform + said_about_them;
+  const std::uintmax_t beam = record.beam_azimuth_rad.size() * sizeof(double);
+  return samples + axes + platform + beam + said_about_them;
 }
 
 }  // namespace

@@ -12,6 +12,7 @@ namespace {
 
 constexpr const char* positions_name = "platform_position_m";
 constexpr const char* velocities_name = "platform_velocity_mps";
+constexpr const char* beam_name = "beam_azimuth_rad";
 
 std::string samples_bytes(const IqRecord& record) {
   const std::array shape{record.slow.values.size(), record.fast.values.size(), record.polarizations.size()};
@@ -48,6 +49,7 @@ std::string description_with_places(const IqRecord& record) {
   };
   add_vectors(positions_name, &radar::Motion::position);
   add_vectors(velocities_name, &radar::Motion::velocity_mps);
+  if (!record.beam_azimuth_rad.empty()) json[beam_name] = record.beam_azimuth_rad;
   return json.dump() + "\n";
 }
 
@@ -59,14 +61,14 @@ void write_iq_npy(const std::filesystem::path& path, const IqRecord& record) {
 }
 
 void write_iq_npz(const std::filesystem::path& path, const IqRecord& record) {
-  geo::write_atomically(
-      path, zip_bytes({{"samples.npy", samples_bytes(record)},
-                       numbers_entry(axis_name(record.slow), record.slow.values),
-                       numbers_entry(axis_name(record.fast), record.fast.values),
-                       vectors_entry(positions_name, platform_numbers(record, &radar::Motion::position)),
-                       vectors_entry(velocities_name, platform_numbers(record, &radar::Motion::velocity_mps)),
-                       words_entry("description_json", iq_description(record))},
-                      path.string()));
+  std::vector<ZipEntry> entries{{"samples.npy", samples_bytes(record)},
+                                numbers_entry(axis_name(record.slow), record.slow.values),
+                                numbers_entry(axis_name(record.fast), record.fast.values),
+                                vectors_entry(positions_name, platform_numbers(record, &radar::Motion::position)),
+                                vectors_entry(velocities_name, platform_numbers(record, &radar::Motion::velocity_mps))};
+  if (!record.beam_azimuth_rad.empty()) entries.push_back(numbers_entry(beam_name, record.beam_azimuth_rad));
+  entries.push_back(words_entry("description_json", iq_description(record)));
+  geo::write_atomically(path, zip_bytes(entries, path.string()));
 }
 
 }  // namespace sigmascape::product

@@ -1,6 +1,7 @@
 #include "sigmascape/product/iq_record.h"
 
 #include <cmath>
+#include <variant>
 
 #include "sigmascape/base/units.h"
 #include "sigmascape/product/software.h"
@@ -40,8 +41,50 @@ void describe_earth(IqRecord& record, const radar::Radar& radar) {
       "frame are bent about earth_foot: docs/iq_files.md";
 }
 
+/// A taper as a radar file names it, and its side lobes under keys that begin with `prefix`.
+std::string described_taper(IqRecord& record, const std::string& prefix, const radar::Window& window,
+                            const char* rectangular) {
+  switch (window.shape) {
+    case radar::WindowShape::Rectangular:
+      return rectangular;
+    case radar::WindowShape::Cosine:
+      return "cosine";
+    case radar::WindowShape::Hamming:
+      return "hamming";
+    case radar::WindowShape::Taylor:
+      record.numbers[prefix + "side_lobe_db"] = db_from_linear(window.taylor_side_lobe);
+      record.numbers[prefix + "taylor_terms"] = window.taylor_terms;
+      return "taylor";
+  }
+  return "";
+}
+
+std::string described_beam(IqRecord& record, const std::string& prefix, const radar::BeamShape& beam) {
+  if (std::holds_alternative<radar::EvenBeam>(beam)) return "even";
+  if (std::holds_alternative<radar::GaussianBeam>(beam)) return "gaussian";
+  if (std::holds_alternative<radar::TabulatedBeam>(beam)) return "table";
+  if (const auto* cosecant = std::get_if<radar::CosecantSquaredBeam>(&beam)) {
+    record.numbers["steepest_depression_rad"] = cosecant->steepest_depression_rad;
+    return "cosecant-squared";
+  }
+  return described_taper(record, prefix, std::get<radar::ApertureBeam>(beam).taper, "uniform");
+}
+
+/// Of an antenna whose pattern is in the samples: its cuts, and where it points in elevation.
+void describe_antenna(IqRecord& record, const radar::Radar& radar) {
+  const radar::Antenna& antenna = radar.antenna;
+  record.words["azimuth_shape"] = described_beam(record, "azimuth_", antenna.azimuth);
+  record.words["elevation_shape"] = described_beam(record, "elevation_", antenna.elevation);
+  if (!std::holds_alternative<radar::EvenBeam>(antenna.elevation))
+    record.numbers["elevation_width_rad"] = antenna.elevation_width_rad;
+  record.numbers["tilt_rad"] = antenna.tilt_rad;
+  record.numbers["gain_dbi"] = db_from_linear(antenna.gain);
+  if (antenna.side_lobe_floor > 0.0) record.numbers["side_lobe_floor_db"] = db_from_linear(antenna.side_lobe_floor);
+}
+
 void describe(IqRecord& record, const radar::Radar& radar) {
   describe_earth(record, radar);
+  record.words["window"] = described_taper(record, "window_", radar.waveform.window, "rectangular");
   record.words["software"] = software_name();
   record.words["radar"] = radar.name;
   record.numbers["range_resolution_m"] = radar.range_resolution_m;
@@ -79,9 +122,13 @@ IqRecord iq_record(const radar::PhaseHistory& history, const radar::Radar& radar
   for (const radar::Pulse& pulse : history.pulses) {
     record.slow.values.push_back(pulse.time_s);
     record.platform.push_back(pulse.platform);
+    if (pulse.beam_azimuth_rad) record.beam_azimuth_rad.push_back(*pulse.beam_azimuth_rad);
   }
   describe(record, radar);
-  if (record.unit == "V") describe_calibration(record, radar);
+  if (record.unit == "V") {
+    describe_calibration(record, radar);
+    describe_antenna(record, radar);
+  }
   return record;
 }
 
@@ -101,6 +148,7 @@ IqRecord iq_record(const radar::RangeDopplerImage& image, const radar::Radar& ra
                               {"doppler_cell_hz", image.doppler_cell_hz}},
                   .words = std::move(words)};
   describe(record, radar);
+  if (radar.processing.antenna_pattern) describe_antenna(record, radar);
   return record;
 }
 
@@ -120,6 +168,7 @@ IqRecord iq_record(const radar::StripmapImage& image, const radar::Radar& radar,
                               {"along_cell_m", image.along_cell_m}},
                   .words = std::move(words)};
   describe(record, radar);
+  if (radar.processing.antenna_pattern) describe_antenna(record, radar);
   return record;
 }
 

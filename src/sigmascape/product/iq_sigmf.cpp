@@ -1,4 +1,5 @@
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "sigmascape/base/units.h"
 #include "sigmascape/geo/atomic_file.h"
@@ -33,12 +34,13 @@ Json captures_of(const IqRecord& record) {
   Json captures = Json::array();
   for (std::size_t i = 0; i < record.slow.values.size(); ++i) {
     const radar::Motion& motion = record.platform[record.platform.size() == 1 ? 0 : i];
-    captures.push_back(
-        {{"core:sample_start", i * record.fast.values.size()},
-         {"core:frequency", record.numbers.at("frequency_hz")},
-         {"sigmascape:" + axis_name(record.slow), record.slow.values[i]},
-         {"sigmascape:position_m", {motion.position.x, motion.position.y, motion.position.z}},
-         {"sigmascape:velocity_mps", {motion.velocity_mps.x, motion.velocity_mps.y, motion.velocity_mps.z}}});
+    Json capture{{"core:sample_start", i * record.fast.values.size()},
+                 {"core:frequency", record.numbers.at("frequency_hz")},
+                 {"sigmascape:" + axis_name(record.slow), record.slow.values[i]},
+                 {"sigmascape:position_m", {motion.position.x, motion.position.y, motion.position.z}},
+                 {"sigmascape:velocity_mps", {motion.velocity_mps.x, motion.velocity_mps.y, motion.velocity_mps.z}}};
+    if (!record.beam_azimuth_rad.empty()) capture["sigmascape:beam_azimuth_rad"] = record.beam_azimuth_rad[i];
+    captures.push_back(std::move(capture));
   }
   return captures;
 }

@@ -18,7 +18,8 @@ namespace sigmascape::product {
 ///
 /// The amplitude a is interpolated between bins before it becomes power, so that speckle keeps its law: an exponential
 /// one of a single look, and the mean of several looks has that of so many. Right at any squint; towards the nose A
-/// grows without bounds, and left and right of it look alike. NaN where there is no bin.
+/// grows without bounds, and left and right of it look alike. NaN where there is no bin; Doppler begins anew after its
+/// last bin and has one everywhere.
 class LooksOnGround {
  public:
   LooksOnGround(const terrain::HeightField& terrain, const radar::GroundGrid& grid, unsigned threads = 0);

@@ -62,6 +62,37 @@ double width_on_course_m(const Radar& radar, const Sight& sight, double interval
   return 2.0 * sight.ground_range_m * std::acos(std::max(-1.0, 1.0 - fall));
 }
 
+/// What no interval resolves, for no path sees a place from more than all sides: w n λ/4. docs/physics/doppler.md,
+/// Eq. (3b).
+double finest_of_any_interval_m(const Radar& radar) {
+  return cells_of_width(radar) * wavelength_m(radar.frequency_hz) / 4.0;
+}
+
+/// In three digits, and no more, or no less, than the value.
+double three_digits_of(double value, double (*rounded)(double)) {
+  const double step = std::pow(10.0, std::floor(std::log10(value)) - 2.0);
+  return rounded(value / step) * step;
+}
+double rounded_up(double value) {
+  return three_digits_of(value, [](double steps) { return std::ceil(steps); });
+}
+double rounded_down(double value) {
+  return three_digits_of(value, [](double steps) { return std::floor(steps); });
+}
+
+/// What would not be refused of the key that asks for this width.
+std::string advice_for_coarser(const Radar& radar, double width_m, double interval_s, double finest_m) {
+  const double too_fine = finest_m / width_m;
+  const std::string fewer_looks = radar.processing.looks > 1 ? " or fewer looks" : "";
+  if (radar.processing.interval_s)
+    return fmt::format("give mode.interval_s of less than {:g}{}", rounded_down(interval_s / too_fine), fewer_looks);
+  if (radar.mode == Mode::DopplerBeamSharpening) {
+    const double sharpening = radar.processing.sharpening.value_or(usual_sharpening);
+    return fmt::format("give mode.sharpening of less than {:g}{}", rounded_down(sharpening / too_fine), fewer_looks);
+  }
+  return fmt::format("give mode.along_resolution_m of more than {:g}{}", rounded_up(finest_m), fewer_looks);
+}
+
 void plan_interval(const Radar& radar, const Sight& sight, CoherentPlan& plan) {
   const Processing& asked = radar.processing;
   if (!(sight.ground_range_m > 0.0)) {
@@ -76,7 +107,16 @@ void plan_interval(const Radar& radar, const Sight& sight, CoherentPlan& plan) {
           ? radar.beam_width_rad * sight.ground_range_m / asked.sharpening.value_or(usual_sharpening)
           : asked.along_resolution_m.value_or(radar.range_resolution_m);
   plan.interval_s = asked.interval_s.value_or(in_a_second_m / wanted_m);
-  plan.along_resolution_m = std::min(in_a_second_m / plan.interval_s, width_on_course_m(radar, sight, plan.interval_s));
+  const double width_m = in_a_second_m / plan.interval_s, finest_m = finest_of_any_interval_m(radar);
+  if (width_m <= finest_m) {
+    throw Error(
+        title_of(radar),
+        fmt::format("cannot map to {:.3g} m across range{} at a wavelength of {:.3g} m, however long it flies past",
+                    width_m, plan.looks > 1 ? fmt::format(" with {} looks", plan.looks) : "",
+                    wavelength_m(radar.frequency_hz)),
+        advice_for_coarser(radar, width_m, plan.interval_s, finest_m));
+  }
+  plan.along_resolution_m = std::min(width_m, width_on_course_m(radar, sight, plan.interval_s));
 }
 
 /// The sine of the angle ahead of broadside at which the point is seen as one edge of the beam passes it. The beam
@@ -97,12 +137,6 @@ double finest_of_strip_m(const Radar& radar, const Sight& sight) {
   return cells_of_width(radar) * wavelength_m(radar.frequency_hz) / (2.0 * sines);
 }
 
-/// To three digits that are not refused in turn.
-double rounded_up(double value) {
-  const double step = std::pow(10.0, std::floor(std::log10(value)) - 2.0);
-  return std::ceil(value / step) * step;
-}
-
 void plan_strip(const Radar& radar, const Sight& sight, CoherentPlan& plan) {
   if (!(sight.ground_range_m > 0.0) || beam_straddles_course(radar, sight))
     refuse_straight_ahead(radar, sight, "map ground farther to the side");
@@ -119,6 +153,31 @@ void plan_strip(const Radar& radar, const Sight& sight, CoherentPlan& plan) {
   const double sine = std::sin(plan.squint_rad);
   plan.interval_s = cells_of_width(radar) * wavelength_m(radar.frequency_hz) * sight.range_m /
                     (2.0 * length(radar.velocity_mps) * sine * sine * plan.along_resolution_m);
+}
+
+/// What the pulses of the interval resolve across range, with all that the line of sight turns meanwhile and not only
+/// at the rate that it has in the middle: w n λ/(2 |q·(u₁ − u₂)|). docs/physics/doppler.md, Eq. (3b).
+double width_of_turn_m(const Radar& radar, const Sight& sight, double interval_s) {
+  const Vec3d flown = radar.velocity_mps * (interval_s / 2.0);
+  const Vec3d turned = normalized(sight.away + flown) - normalized(sight.away - flown);
+  const double across = std::abs(sight.away.x * turned.y - sight.away.y * turned.x) / sight.ground_range_m;
+  return cells_of_width(radar) * wavelength_m(radar.frequency_hz) / (2.0 * across);
+}
+
+void check_turn(const Radar& radar, const CoherentPlan& plan, Vec3d middle, std::vector<std::string>& warnings) {
+  const Sight sight = sight_of(radar, middle - radar.position);
+  if (beam_straddles_course(radar, sight)) return;
+  const double width_m = width_of_turn_m(radar, sight, plan.interval_s);
+  if (width_m <= 1.05 * resolution_in_a_second_m(radar, sight) / plan.interval_s) return;
+  warnings.push_back(
+      fmt::format("the interval of {:.3g} s is that of small angles, and the line of sight turns so far in it that "
+                  "pulses resolve {:.3g} m across range and not the {:.3g} m of this map; map more coarsely, or count "
+                  "on a longer interval",
+                  plan.interval_s, width_m, plan.along_resolution_m));
+}
+
+double doppler_of_hz(const Radar& radar, Vec3d place) {
+  return doppler_hz(range_rate_mps({radar.position, radar.velocity_mps}, {place}), wavelength_m(radar.frequency_hz));
 }
 
 std::array<Vec3d, 4> corners_of(const Rectangle& area, double height_m) {
@@ -160,8 +219,7 @@ std::vector<std::string> plan_warnings(const Radar& radar, const CoherentPlan& p
     const double side = ahead.x * away.y - ahead.y * away.x;
     least_side = std::min(least_side, side);
     most_side = std::max(most_side, side);
-    const double frequency_hz =
-        doppler_hz(range_rate_mps({radar.position, radar.velocity_mps}, {corner}), wavelength_m(radar.frequency_hz));
+    const double frequency_hz = doppler_of_hz(radar, corner);
     least_hz = std::min(least_hz, frequency_hz);
     most_hz = std::max(most_hz, frequency_hz);
   }
@@ -177,7 +235,10 @@ std::vector<std::string> plan_warnings(const Radar& radar, const CoherentPlan& p
         "what is mapped lies on both sides of the course, and left and right have the same Doppler and fall onto one "
         "another; map one side");
   }
-  const double prf_hz = radar.waveform.pulse_repetition_hz;
+  const Vec2d centre = area.centre();
+  const Vec3d middle{centre.x, centre.y, height_m};
+  if (radar.mode != Mode::Stripmap) check_turn(radar, plan, middle, warnings);
+  const double prf_hz = radar.waveform.pulse_repetition_hz, middle_hz = doppler_of_hz(radar, middle);
   if (radar.mode == Mode::Stripmap) {
     const double width = WindowResponse(radar.waveform.window).half_power_width();
     const double band_hz = plan.looks * width * length(radar.velocity_mps) / plan.along_resolution_m;
@@ -192,6 +253,12 @@ std::vector<std::string> plan_warnings(const Radar& radar, const CoherentPlan& p
         fmt::format("the Doppler of what is mapped spans {:.4g} Hz, more than the pulse repetition "
                     "frequency of {:g} Hz, and folds over; map less or send more pulses",
                     most_hz - least_hz, prf_hz));
+  } else if (const double reach_hz = std::max(most_hz - middle_hz, middle_hz - least_hz); 2.0 * reach_hz > prf_hz) {
+    warnings.push_back(
+        fmt::format("the Doppler of what is mapped reaches {:.4g} Hz from that of its middle, more than half of the "
+                    "pulse repetition frequency of {:g} Hz, and the slant image has what lies beyond at its other end; "
+                    "map less or send more pulses",
+                    reach_hz, prf_hz));
   }
   return warnings;
 }

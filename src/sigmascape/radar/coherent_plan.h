@@ -30,12 +30,13 @@ inline constexpr double usual_sharpening = 16.0;
 ///     coarser of that and the range resolution when left open.       docs/physics/doppler.md, Eqs. (3), (4), (5a)
 ///
 /// Throws Error when the radar stands still, when the middle lies so near the course, ahead or behind, that the beam
-/// straddles it and no interval is stated, when it lies straight below, and when stripmap is asked for more than the
-/// beam gives.
+/// straddles it and no interval is stated, when it lies straight below, when stripmap is asked for more than the beam
+/// gives, and when the others are for w n λ/4 or less, which no flight resolves (Eq. 3b).
 [[nodiscard]] CoherentPlan coherent_plan(const Radar& radar, Vec3d aim);
 
 /// What a radar engineer would object to before this plan maps an area at this height, one sentence each: ground in the
-/// blind wedge, ground on both sides of the track, Doppler that folds.
+/// blind wedge, ground on both sides of the track, an interval in which the line of sight turns so far that pulses
+/// would resolve 5 % less than the plan says, Doppler that folds or goes round the end of the image's axis.
 [[nodiscard]] std::vector<std::string> plan_warnings(const Radar& radar, const CoherentPlan& plan,
                                                      const Rectangle& area, double height_m);
 

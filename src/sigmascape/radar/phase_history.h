@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,8 @@ namespace sigmascape::radar {
 struct Pulse {
   double time_s = 0.0;
   Motion platform;
+  /// Where the beam's axis pointed, clockwise from true north, if the record has the antenna in it.
+  std::optional<double> beam_azimuth_rad = {};
 };
 
 /// What a pulse radar records: for every pulse the compressed echo over slant range, as complex numbers (I and Q), a

@@ -28,6 +28,12 @@ bool states(const TomlSection& file, std::string_view section, std::string_view 
   return found && found->has(key);
 }
 
+/// What is wrong with a resolution whose band reaches below the frequency zero.
+std::string too_fine(const Radar& radar, double resolution_m) {
+  return fmt::format("is {:g}, which takes {:.6g} MHz about {:g} GHz, a band that reaches down to no frequency at all",
+                     resolution_m, bandwidth_of(resolution_m, radar.waveform.window) / 1e6, radar.frequency_hz / 1e9);
+}
+
 /// All that a file says of the radar itself, and nothing of place and map.
 RadarFile described_radar(const TomlSection& file, const TomlSection& section) {
   RadarFile read;
@@ -51,6 +57,11 @@ RadarFile described_radar(const TomlSection& file, const TomlSection& section) {
     read_waveform(*waveform, radar);
   } else {
     radar.waveform.pulse_length_s = 1.0 / bandwidth_of(radar.range_resolution_m, radar.waveform.window);
+  }
+  if (const double finest_m = finest_range_resolution_m(radar);
+      section.has("range_resolution_m") && radar.range_resolution_m <= finest_m) {
+    throw section.fault("range_resolution_m", too_fine(radar, radar.range_resolution_m),
+                        fmt::format("give more than {:.6g}", finest_m));
   }
   read.has_shortest_pulse = !states(file, "waveform", "pulse_length_us");
   read.antenna_efficiency = read_antenna(file.section("antenna"), radar);
@@ -160,6 +171,10 @@ double coarsest_range_resolution_m(const RadarFile& file) {
   return range_resolution_of(1.0 / waveform.pulse_length_s, waveform.window);
 }
 
+double finest_range_resolution_m(const Radar& radar) {
+  return range_resolution_of(widest_band_hz(radar.frequency_hz), radar.waveform.window);
+}
+
 void set_range_resolution(RadarFile& file, double resolution_m) {
   Waveform& waveform = file.radar.waveform;
   const double coarsest_m = coarsest_range_resolution_m(file);
@@ -169,8 +184,25 @@ void set_range_resolution(RadarFile& file, double resolution_m) {
         fmt::format("is {:g}, coarser than a pulse of {:g} µs can be", resolution_m, waveform.pulse_length_s * 1e6),
         fmt::format("give at most {:.6g}", coarsest_m));
   }
+  if (const double finest_m = finest_range_resolution_m(file.radar); resolution_m <= finest_m) {
+    throw Error("range_resolution_m", too_fine(file.radar, resolution_m),
+                fmt::format("give more than {:.6g}", finest_m));
+  }
   if (file.has_shortest_pulse) waveform.pulse_length_s = 1.0 / bandwidth_of(resolution_m, waveform.window);
   file.radar.range_resolution_m = resolution_m;
+}
+
+void set_frequency(RadarFile& file, double frequency_hz) {
+  const double bandwidth_hz = bandwidth_of(file.radar.range_resolution_m, file.radar.waveform.window);
+  if (bandwidth_hz >= widest_band_hz(frequency_hz)) {
+    throw Error(
+        "frequency_hz",
+        fmt::format("is {:g}, about which a band of {:.6g} Hz, for a range_resolution_m of {:g}, reaches down to "
+                    "no frequency at all",
+                    frequency_hz, bandwidth_hz, file.radar.range_resolution_m),
+        fmt::format("give more than {:.6g}, or first a coarser range_resolution_m", bandwidth_hz / 2.0));
+  }
+  file.radar.frequency_hz = frequency_hz;
 }
 
 }  // namespace sigmascape::radar

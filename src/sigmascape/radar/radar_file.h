@@ -55,10 +55,17 @@ void set_beam_width(RadarFile& file, double width_rad);
 /// infinite where the pulse is as short as can be.
 [[nodiscard]] double coarsest_range_resolution_m(const RadarFile& file);
 
+/// The half-power width that the compressed pulse must exceed: that of a band about its carrier which begins at no
+/// frequency at all.
+[[nodiscard]] double finest_range_resolution_m(const Radar& radar);
+
 /// Makes the compressed pulse so wide, at half power, as the file would be read with another `range_resolution_m`: a
 /// pulse that is as short as can be goes with it. Throws Error where a pulse of the stated length has not the bandwidth
-/// for it.
+/// for it, and where the carrier has no room for it.
 void set_range_resolution(RadarFile& file, double resolution_m);
+
+/// Puts the radar at another carrier. Throws Error where that has no room for the bandwidth of the pulse.
+void set_frequency(RadarFile& file, double frequency_hz);
 
 /// Whether a file must say where the radar stands, or may leave it to whoever reads it.
 enum class PlaceOfRadar { Required, Optional };

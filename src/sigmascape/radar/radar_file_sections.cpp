@@ -24,11 +24,17 @@ Window window_of(const TomlSection& section, const std::string& prefix, const st
   if (shape == "cosine") return {.shape = WindowShape::Cosine};
   if (shape == "hamming") return {.shape = WindowShape::Hamming};
   const Window defaults;
-  return {.shape = WindowShape::Taylor,
-          .taylor_side_lobe = linear_from_db(
-              section.number_or(prefix + "side_lobe_db", below_peak_db, db_from_linear(defaults.taylor_side_lobe))),
-          .taylor_terms = static_cast<int>(
-              section.whole_number_or(prefix + "taylor_terms", {2.0, 20.0, "terms"}, defaults.taylor_terms))};
+  const std::string terms_key = prefix + "taylor_terms";
+  const double side_lobe_db =
+      section.number_or(prefix + "side_lobe_db", below_peak_db, db_from_linear(defaults.taylor_side_lobe));
+  const int asked = static_cast<int>(section.whole_number_or(terms_key, {2.0, 32.0, "terms"}, defaults.taylor_terms));
+  const double side_lobe = linear_from_db(side_lobe_db);
+  const int needed = taylor_terms_for(side_lobe, asked);
+  if (section.has(terms_key) && asked < needed) {
+    throw section.fault(terms_key, fmt::format("is {}, too few to hold side lobes at {:g} dB", asked, side_lobe_db),
+                        fmt::format("give at least {}, or leave it out", needed));
+  }
+  return {.shape = WindowShape::Taylor, .taylor_side_lobe = side_lobe, .taylor_terms = needed};
 }
 
 /// Keys that are right with another shape and would do nothing with this: `{key, shape}`.
@@ -205,6 +211,12 @@ void read_waveform(const TomlSection& section, Radar& radar) {
   if (const auto bandwidth_mhz = section.optional_number("bandwidth_mhz", {1e-3, 20'000.0, "MHz"})) {
     if (radar.range_resolution_m > 0.0) {
       throw section.fault("bandwidth_mhz", "and radar.range_resolution_m say the same thing", "leave out one of them");
+    }
+    if (*bandwidth_mhz * 1e6 >= widest_band_hz(radar.frequency_hz)) {
+      throw section.fault("bandwidth_mhz",
+                          fmt::format("is {:g}, a band about {:g} GHz that reaches down to no frequency at all",
+                                      *bandwidth_mhz, radar.frequency_hz / 1e9),
+                          fmt::format("give less than {:g}", widest_band_hz(radar.frequency_hz) / 1e6));
     }
     radar.range_resolution_m = range_resolution_of(*bandwidth_mhz * 1e6, waveform.window);
   }

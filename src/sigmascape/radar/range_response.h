@@ -37,4 +37,9 @@ class RangeResponse {
 /// The half-power width of the compressed pulse of this bandwidth.
 [[nodiscard]] double range_resolution_of(double bandwidth_hz, const Window& window);
 
+/// The bandwidth about a carrier that no pulse has, for its lower edge would be at no frequency at all: 2 f.
+[[nodiscard]] constexpr double widest_band_hz(double frequency_hz) {
+  return 2.0 * frequency_hz;
+}
+
 }  // namespace sigmascape::radar

@@ -4,14 +4,18 @@
 #include <vector>
 
 #include "sigmascape/radar/shadow_box.h"
+#include "sigmascape/radar/vantage.h"
 
 namespace sigmascape::radar {
 
-/// The shadows that targets with a size cast on what stands behind them, at one moment and as seen from one place:
-/// `hides` for many places and many targets. Where no shadow can lie is told from azimuth and distance alone.
+/// The shadows that targets with a size cast on what stands behind them, at one moment and as seen from one place, or
+/// as the beam of a strip passes them: `hides` for many places and many targets. Where no shadow can lie is told from
+/// azimuth and distance alone.
 class TargetShadows {
  public:
   TargetShadows(std::span<const Target> targets, double time_s, Vec3d radar_position);
+  /// Each at the time at which it is looked at.
+  TargetShadows(std::span<const Target> targets, const Vantage& vantage);
 
   [[nodiscard]] bool empty() const { return casting_.empty(); }
   /// Whether a target stands between a place and the radar.
@@ -24,8 +28,10 @@ class TargetShadows {
     double nearest_m = 0.0;     ///< over the ground
     double half_width_m = 0.0;  ///< across that direction, at the target
   };
+  void add(const Target& target, double time_s);
+  [[nodiscard]] bool may_hide(const Casting& casting, Vec2d place, Vec2d away) const;
 
-  Vec3d radar_position_;
+  Vantage vantage_;
   std::vector<Casting> casting_;
 };
 

@@ -63,4 +63,16 @@ double WindowResponse::noise_bandwidth() const {
   return mean_square;
 }
 
+int taylor_terms_for(double side_lobe, int fewest) {
+  // Where it is met it is met by some hundredths of a decibel.
+  const double met = 1.001 * side_lobe;
+  int terms = fewest;
+  const auto peak = [&] {
+    return WindowResponse({.shape = WindowShape::Taylor, .taylor_side_lobe = side_lobe, .taylor_terms = terms})
+        .peak_side_lobe();
+  };
+  while (peak() > met) ++terms;
+  return terms;
+}
+
 }  // namespace sigmascape::radar

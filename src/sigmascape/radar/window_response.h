@@ -40,4 +40,8 @@ class WindowResponse {
   double half_power_width_ = 0.0, first_null_ = 0.0;
 };
 
+/// The n̄, of `fewest` and more, from which on a Taylor window has no side lobe above its design level: with fewer the
+/// first ones are higher than that, the more so the lower it is. docs/physics/waveform.md, "Windows".
+[[nodiscard]] int taylor_terms_for(double side_lobe, int fewest);
+
 }  // namespace sigmascape::radar

@@ -13,6 +13,7 @@
 #include "sigmascape/render/line_of_sight.h"
 #include "sigmascape/render/reflecting_ground.h"
 #include "sigmascape/render/sight_map.h"
+#include "sigmascape/render/strip_sight_map.h"
 
 namespace sigmascape::render {
 namespace {
@@ -29,26 +30,35 @@ using SeenSigma0 = std::function<radar::Channels(Vec3d point, ReflectingGround::
 SeenSigma0 seen(const ReflectivityField& field, const terrain::HeightField& terrain, const ScattererRequest& request,
                 double) {
   return [&, highest_m = terrain.highest_m()](Vec3d point, ReflectingGround::Looks&) {
-    if (!line_of_sight(terrain, highest_m, request.radar_position, point, request.earth)) return radar::Channels{};
-    const Vec3d away = request.radar_position - point;
+    const Vec3d radar = request.vantage.place_for({point.x, point.y});
+    if (!line_of_sight(terrain, highest_m, radar, point, request.earth)) return radar::Channels{};
+    const Vec3d away = radar - point;
     const double distance_m = std::hypot(away.x, away.y);
-    return field({point.x, point.y}, {azimuth_to(request.radar_position, point),
-                                      std::atan2(away.z - request.earth.drop_m(distance_m), distance_m)});
+    return field({point.x, point.y},
+                 {azimuth_to(radar, point), std::atan2(away.z - request.earth.drop_m(distance_m), distance_m)});
   };
 }
 
 SeenSigma0 seen(const AtlasReflectivity& textures, const terrain::HeightField& terrain, const ScattererRequest& request,
                 double side_m) {
-  const ReflectingGround ground(*textures.atlas, terrain, request.radar_position, textures.frequency_hz, textures.level,
-                                SlopeModel::Upright, request.earth);
+  const Vec2d middle = request.area.centre();
+  const ReflectingGround ground(*textures.atlas, terrain, request.vantage.place_for(middle), textures.frequency_hz,
+                                textures.level, SlopeModel::Upright, request.earth);
   // What hides is known no finer than its cells: two steps a cell find its edges.
   const double step_m = std::max(side_m, ground.told_cell_m() / 2.0);
-  auto sights = std::make_shared<const SightMap>(ground, request.radar_position, terrain.extent(), request.area, step_m,
-                                                 request.threads);
-  return [&, ground, sights = std::move(sights)](Vec3d point, ReflectingGround::Looks& looks) {
-    const double to_radar_rad = wrapped_azimuth(azimuth_to(request.radar_position, point));
-    return ground.sigma0(point, to_radar_rad, sights->at({point.x, point.y}), looks);
+  const auto seen_by = [&](auto sights) -> SeenSigma0 {
+    return [&request, ground, sights = std::move(sights)](Vec3d point, ReflectingGround::Looks& looks) {
+      const Vec3d radar = request.vantage.place_for({point.x, point.y});
+      return ground.seen_from(radar).sigma0(point, wrapped_azimuth(azimuth_to(radar, point)),
+                                            sights->at({point.x, point.y}), looks);
+    };
   };
+  if (request.vantage.beams()) {
+    return seen_by(std::make_shared<const StripSightMap>(ground, request.vantage, terrain.extent(), request.area,
+                                                         step_m, request.threads));
+  }
+  return seen_by(std::make_shared<const SightMap>(ground, request.vantage.place_for(middle), terrain.extent(),
+                                                  request.area, step_m, request.threads));
 }
 
 }  // namespace
@@ -68,7 +78,9 @@ std::vector<radar::Scatterer> ground_scatterers(const terrain::HeightField& terr
     throw Error("ground scatterers",
                 fmt::format("an area of {:.0f} m by {:.0f} m in cells of {} m is asked for", area.width_m(),
                             area.height_m(), side_m),
-                fmt::format("give an area of at most {:.0f} cells", most_cells));
+                fmt::format("give an area of at most {:.0f} cells, or larger cells by pulses over a shorter interval "
+                            "or an image of coarser resolution",
+                            most_cells));
   }
   // Cells belong to the area whole or not at all, by their middle: neighbouring areas share none.
   const auto first_of = [side_m](double edge_m) { return static_cast<std::int32_t>(std::ceil(edge_m / side_m - 0.5)); };
@@ -76,7 +88,7 @@ std::vector<radar::Scatterer> ground_scatterers(const terrain::HeightField& terr
   const std::int32_t south = first_of(area.south_m), north = first_of(area.north_m);
   const SeenSigma0 sigma0_seen =
       std::visit([&](const auto& source) { return seen(source, terrain, request, side_m); }, sigma0);
-  const radar::TargetShadows shadows(targets, request.time_s, request.radar_position);
+  const radar::TargetShadows shadows(targets, request.vantage);
   const auto cell_area = static_cast<float>(side_m * side_m);
 
   std::vector<std::vector<radar::Scatterer>> rows(static_cast<std::size_t>(std::max(0, north - south)));

@@ -12,6 +12,7 @@
 #include "sigmascape/radar/scatterer.h"
 #include "sigmascape/radar/scatterer_lattice.h"
 #include "sigmascape/radar/target.h"
+#include "sigmascape/radar/vantage.h"
 #include "sigmascape/terrain/height_field.h"
 
 namespace sigmascape::render {
@@ -33,10 +34,11 @@ using Reflectivity = std::variant<ReflectivityField, AtlasReflectivity>;
 [[nodiscard]] Reflectivity reflectivity_of(const atlas::Atlas& atlas, double frequency_hz, double cell_m);
 
 struct ScattererRequest {
-  Vec3d radar_position;  ///< from where visibility and aspect are reckoned: the middle of the flight
+  /// From where visibility and aspect are reckoned, and by that when targets cast their shadows: the middle of the
+  /// flight, or for a strip wherever its beam passes.
+  radar::Vantage vantage;
   radar::Rectangle area;
-  int level = 0;        ///< of the lattice; its cells should be no larger than half the finest resolution
-  double time_s = 0.0;  ///< when targets cast their shadows
+  int level = 0;  ///< of the lattice; its cells should be no larger than half the finest resolution
   unsigned threads = 0;
   radar::CurvedEarth earth = radar::CurvedEarth::flat();  ///< for sight and aspect; places are in the local frame
 };

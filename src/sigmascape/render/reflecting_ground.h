@@ -50,6 +50,13 @@ class ReflectingGround {
         slope_(slope),
         earth_(earth) {}
 
+  /// The same ground as a radar at another place meets it.
+  [[nodiscard]] ReflectingGround seen_from(Vec3d radar_position) const {
+    ReflectingGround other = *this;
+    other.radar_position_ = radar_position;
+    return other;
+  }
+
   /// Side of the squares in which is told what hides and what answers.
   [[nodiscard]] double told_cell_m() const {
     return ground_ != nullptr ? ground_->obstacles.grid.cell_m : atlas_->patches().texel_m;

@@ -14,8 +14,10 @@
 #include "sigmascape/base/hash.h"
 #include "sigmascape/base/parallel.h"
 #include "sigmascape/base/units.h"
+#include "sigmascape/radar/doppler.h"
 #include "sigmascape/radar/radar_title.h"
 #include "sigmascape/radar/rectangle_parts.h"
+#include "sigmascape/radar/vantage.h"
 #include "sigmascape/radar/windblown_vegetation.h"
 #include "sigmascape/receiver/calibrated_voltage.h"
 #include "sigmascape/receiver/doppler_imager.h"
@@ -23,6 +25,7 @@
 #include "sigmascape/receiver/pulse_receiver.h"
 #include "sigmascape/receiver/stripmap_imager.h"
 #include "sigmascape/receiver/target_echoes.h"
+#include "sigmascape/simulate/scatterer_spacing.h"
 
 namespace sigmascape::simulate {
 namespace {
@@ -42,10 +45,15 @@ Vec3d bent(const radar::Radar& radar, Vec3d point) {
   return radar::earth_of(radar).bent(point, {radar.position.x, radar.position.y});
 }
 
-/// The middle of the area, likewise.
-Vec3d middle_of(const radar::Rectangle& area, const terrain::HeightField& terrain, const radar::Radar& radar) {
+/// The middle of the area in the local frame.
+Vec3d local_middle_of(const radar::Rectangle& area, const terrain::HeightField& terrain) {
   const Vec2d middle = area.centre();
-  return bent(radar, {middle.x, middle.y, terrain.height_at(middle)});
+  return {middle.x, middle.y, terrain.height_at(middle)};
+}
+
+/// The middle of the area in the straight space.
+Vec3d middle_of(const radar::Rectangle& area, const terrain::HeightField& terrain, const radar::Radar& radar) {
+  return bent(radar, local_middle_of(area, terrain));
 }
 
 /// The ranges, or what else `measure` gives, that the area spans between its lowest and highest ground.
@@ -115,19 +123,26 @@ void blow_on(std::vector<radar::Scatterer>& scatterers, const Windblown& windblo
   });
 }
 
+/// From where the radar maps a strip about this middle. Towards the course, where no strip is planned, its beam passes
+/// over nothing, and it looks from where it is at time zero.
+radar::Vantage vantage_of_strip(const radar::Radar& radar, Vec2d middle) {
+  const Vec2d away = middle - Vec2d{radar.position.x, radar.position.y};
+  const double off_course_rad = radar::off_course_rad(radar.velocity_mps, {away.x, away.y, 0.0});
+  if (std::min(off_course_rad, pi - off_course_rad) < radar.beam_width_rad / 2.0) return radar::Vantage(radar.position);
+  return radar::Vantage(radar::PassingBeam{.position = radar.position,
+                                           .velocity_mps = radar.velocity_mps,
+                                           .outwards = away * (1.0 / length(away)),
+                                           .earth = radar::earth_of(radar)});
+}
+
 std::vector<radar::Scatterer> scatterers_of(const CoherentScene& scene, const radar::Radar& radar,
-                                            const radar::Rectangle& area, const CoherentSettings& settings) {
-  const double spacing_m =
-      settings.scatterer_spacing_m > 0.0 ? settings.scatterer_spacing_m : radar.range_resolution_m / 2.0;
-  const radar::ScattererLattice lattice({.seed = settings.seed, .cell_m = spacing_m, .levels = 1});
-  auto scatterers = render::ground_scatterers(*scene.terrain, scene.sigma0, lattice,
-                                              {.radar_position = radar.position,
-                                               .area = area,
-                                               .level = 0,
-                                               .time_s = 0.0,
-                                               .threads = settings.threads,
-                                               .earth = radar::earth_of(radar)},
-                                              scene.targets);
+                                            const radar::Vantage& vantage, const radar::Rectangle& area,
+                                            const CoherentSettings& settings) {
+  const radar::ScattererLattice lattice({.seed = settings.seed, .cell_m = settings.scatterer_spacing_m, .levels = 1});
+  auto scatterers = render::ground_scatterers(
+      *scene.terrain, scene.sigma0, lattice,
+      {.vantage = vantage, .area = area, .level = 0, .threads = settings.threads, .earth = radar::earth_of(radar)},
+      scene.targets);
   if (radar.wind_mps > 0.0 && scene.windblown) blow_on(scatterers, scene.windblown, radar, settings);
   if (radar.earth_refraction) {
     for (radar::Scatterer& scatterer : scatterers) scatterer.position = bent(radar, scatterer.position);
@@ -135,14 +150,23 @@ std::vector<radar::Scatterer> scatterers_of(const CoherentScene& scene, const ra
   return scatterers;
 }
 
-/// Those that are seen at time zero, in the straight space under the radar.
-std::vector<radar::Target> targets_seen(const CoherentScene& scene, const radar::Radar& radar) {
+/// The settings with a spacing of scatterers, this one where none was asked for.
+CoherentSettings spaced(CoherentSettings settings, double spacing_m) {
+  if (!(settings.scatterer_spacing_m > 0.0)) settings.scatterer_spacing_m = spacing_m;
+  return settings;
+}
+
+/// Those of which something is seen when they are looked at, in the straight space under the radar.
+std::vector<radar::Target> targets_seen(const CoherentScene& scene, const radar::Radar& radar,
+                                        const radar::Vantage& vantage) {
   const Surroundings surroundings{*scene.terrain, obstacles_of(scene.sigma0), radar::earth_of(radar)};
-  auto seen = seen_targets(scene.targets, 0.0,
-                           [&](Vec3d position) { return part_seen(surroundings, radar.position, position); });
-  for (radar::Target& target : seen) {
-    const Vec3d position = target.track.position_at(0.0);
-    target.track = target.track.shifted(bent(radar, position) - position);
+  std::vector<radar::Target> seen;
+  for (const radar::Target& target : scene.targets) {
+    const Vec3d position = target.track.position_at(vantage.time_s_for(target));
+    const double part = part_seen(surroundings, vantage.place_for({position.x, position.y}), position);
+    if (!(part > 0.0)) continue;
+    seen.push_back(radar::weakened(target, part));
+    seen.back().track = target.track.shifted(bent(radar, position) - position);
   }
   return seen;
 }
@@ -204,8 +228,11 @@ std::size_t pulses_in(const radar::Radar& radar, const CoherentSettings& setting
 }
 
 receiver::DopplerImager doppler_imager(const CoherentScene& scene, const radar::Radar& radar,
-                                       const radar::Rectangle& area, const CoherentSettings& settings) {
+                                       const radar::Rectangle& area, const CoherentSettings& asked) {
   check_moves(radar);
+  const double across_m = resolution_of_interval_m(radar, local_middle_of(area, *scene.terrain), asked.interval_s);
+  const CoherentSettings settings = spaced(asked, scatterer_spacing_m(radar, across_m));
+  const radar::Vantage vantage(radar.position);
   const Vec3d aim = middle_of(area, *scene.terrain, radar);
   receiver::DopplerImager imager(radar, radar::Track::straight(radar.position, radar.velocity_mps),
                                  {.middle_time_s = 0.0,
@@ -218,15 +245,15 @@ receiver::DopplerImager doppler_imager(const CoherentScene& scene, const radar::
                                  image_gain(radar, aim));
   if (radar.processing.thermal_noise)
     imager.add(receiver::EquivalentNoise(radar, receiver::noise_seed(settings.seed, settings.dwell)));
-  imager.add(scatterers_of(scene, radar, area, settings), settings.threads);
-  imager.add(targets_seen(scene, radar));
+  imager.add(scatterers_of(scene, radar, vantage, area, settings), settings.threads);
+  imager.add(targets_seen(scene, radar, vantage));
   return imager;
 }
 
 /// Adds what ground beside the area, and within it, folds into it.
 void add_ghosts(receiver::StripmapImager& imager, std::span<const receiver::AzimuthAmbiguity> ambiguities,
-                const CoherentScene& scene, const radar::Radar& radar, const radar::Rectangle& area,
-                const CoherentSettings& settings) {
+                const CoherentScene& scene, const radar::Radar& radar, const radar::Vantage& vantage,
+                const radar::Rectangle& area, const CoherentSettings& settings) {
   const Vec3d direction = normalized(radar.velocity_mps);
   const auto ground_of = [&](const receiver::AzimuthAmbiguity& ambiguity) {
     return radar::common_part(seen_as(area, ambiguity, direction), scene.terrain->extent());
@@ -245,18 +272,20 @@ void add_ghosts(receiver::StripmapImager& imager, std::span<const receiver::Azim
   // Where the orders' grounds overlap, what answers there is found once for all of them.
   const bool together = all_m2 < sum_m2;
   std::vector<radar::Scatterer> ground;
-  if (together) ground = scatterers_of(scene, radar, *all, settings);
+  if (together) ground = scatterers_of(scene, radar, vantage, *all, settings);
   for (const receiver::AzimuthAmbiguity& ambiguity : ambiguities) {
     const radar::Rectangle there = ground_of(ambiguity);
     if (!has_ground(there)) continue;
-    if (!together) ground = scatterers_of(scene, radar, there, settings);
+    if (!together) ground = scatterers_of(scene, radar, vantage, there, settings);
     imager.add(ground, settings.threads, ambiguity.order);
   }
 }
 
 receiver::StripmapImager stripmap_imager(const CoherentScene& scene, const radar::Radar& radar,
-                                         const radar::Rectangle& area, const CoherentSettings& settings) {
+                                         const radar::Rectangle& area, const CoherentSettings& asked) {
   check_moves(radar);
+  const CoherentSettings settings = spaced(asked, scatterer_spacing_m(radar, asked.along_resolution_m));
+  const radar::Vantage vantage = vantage_of_strip(radar, area.centre());
   const Vec3d direction = normalized(radar.velocity_mps);
   const auto along = [&](Vec3d point) { return dot(bent(radar, point) - radar.position, direction); };
   const auto closest = [&](Vec3d point) {
@@ -281,13 +310,13 @@ receiver::StripmapImager stripmap_imager(const CoherentScene& scene, const radar
                                   gate, image_gain(radar, aim));
   if (radar.processing.thermal_noise)
     imager.add(receiver::EquivalentNoise(radar, receiver::noise_seed(settings.seed, settings.dwell)));
-  const auto targets = targets_seen(scene, radar);
-  imager.add(scatterers_of(scene, radar, area, settings), settings.threads);
+  const auto targets = targets_seen(scene, radar, vantage);
+  imager.add(scatterers_of(scene, radar, vantage, area, settings), settings.threads);
   imager.add(targets);
   if (!radar.processing.ambiguities) return imager;
   const auto ambiguities = imager.ambiguities();
   for (const receiver::AzimuthAmbiguity& ambiguity : ambiguities) imager.add(targets, ambiguity.order);
-  add_ghosts(imager, ambiguities, scene, radar, area, settings);
+  add_ghosts(imager, ambiguities, scene, radar, vantage, area, settings);
   return imager;
 }
 
@@ -309,16 +338,20 @@ void show_looks(const Imager& imager, const radar::Radar& radar, std::size_t loo
 }  // namespace
 
 radar::PhaseHistory phase_history(const CoherentScene& scene, const radar::Radar& radar, const radar::Rectangle& area,
-                                  const CoherentSettings& settings) {
+                                  const CoherentSettings& asked) {
   check_moves(radar);
   const double repetition_hz = radar.waveform.pulse_repetition_hz;
-  const std::size_t count = pulses_in(radar, settings), before_now = count / 2;
+  const std::size_t count = pulses_in(radar, asked), before_now = count / 2;
   const double first_s = -static_cast<double>(before_now) / repetition_hz,
                last_s = static_cast<double>(count - before_now) / repetition_hz;
   const receiver::PulseReceiver receiver(radar,
                                          gate_over(radar, area, *scene.terrain, pulse_oversampling, first_s, last_s));
-  const auto ground = scatterers_of(scene, radar, area, settings);
-  const auto targets = targets_seen(scene, radar);
+  const CoherentSettings settings =
+      spaced(asked, pulse_scatterer_spacing_m(radar, area, *scene.terrain, asked.interval_s));
+  const radar::Vantage vantage =
+      radar.mode == radar::Mode::Stripmap ? vantage_of_strip(radar, area.centre()) : radar::Vantage(radar.position);
+  const auto ground = scatterers_of(scene, radar, vantage, area, settings);
+  const auto targets = targets_seen(scene, radar, vantage);
   const receiver::VoltageGain gain =
       settings.calibrated ? receiver::calibrated_voltage(radar, beam_of(radar, middle_of(area, *scene.terrain, radar)))
                           : receiver::VoltageGain{};
@@ -328,8 +361,11 @@ radar::PhaseHistory phase_history(const CoherentScene& scene, const radar::Radar
                                    .repetition_hz = repetition_hz,
                                    .dwell = settings.dwell},
                                   ground, targets, gain, settings.threads);
-  if (settings.calibrated)
+  if (settings.calibrated) {
+    const receiver::BeamAzimuth beam = beam_of(radar, middle_of(area, *scene.terrain, radar));
+    for (radar::Pulse& pulse : history.pulses) pulse.beam_azimuth_rad = beam(pulse);
     receiver::add_thermal_noise(history, radar, receiver::noise_seed(settings.seed, settings.dwell), settings.threads);
+  }
   return history;
 }
 

@@ -30,7 +30,8 @@ struct CoherentSettings {
   double interval_s = 0.1;
   /// Half-power width along the flight that stripmap processes to, with all looks together.
   double along_resolution_m = 1.0;
-  /// Side of the cells that hold a scatterer each; 0 for half the range resolution.
+  /// Side of the cells that hold a scatterer each; 0 for half of what is told apart at the finest, in range or across
+  /// it: `scatterer_spacing_m`, and for pulses `pulse_scatterer_spacing_m`.
   double scatterer_spacing_m = 0.0;
   std::uint64_t seed = 1;   ///< of speckle, targets and noise
   std::uint64_t dwell = 0;  ///< by which fluctuating targets and noise are drawn anew, and speckle is not
@@ -42,11 +43,11 @@ struct CoherentSettings {
 /// The pulses of one interval, before any processing: I and Q, at the radar's pulse repetition frequency, over the gate
 /// that `area` or the radar file asks for. The beam keeps the azimuth of a scan that fixes one. Otherwise, and as a
 /// spotlight in any case, it follows the middle of the area, or with Mode::Stripmap keeps the direction that it has at
-/// time zero. Targets are seen where terrain and what the atlas knows to stand there let them,
-/// as at time zero. Cost goes with pulses × scatterers.
+/// time zero. Ground and targets are seen where terrain and what the atlas knows to stand there let them, as at time
+/// zero, or with Mode::Stripmap as for `stripmap_image`. Cost goes with pulses × scatterers.
 ///
 /// Throws Error when the radar does not move, the interval holds less than two pulses, the gate is longer than the
-/// unambiguous range, or the area is too large.
+/// unambiguous range, or the area has too many scatterers.
 [[nodiscard]] radar::PhaseHistory phase_history(const CoherentScene& scene, const radar::Radar& radar,
                                                 const radar::Rectangle& area, const CoherentSettings& settings);
 
@@ -58,8 +59,10 @@ struct CoherentSettings {
                                                            const radar::Rectangle& area,
                                                            const CoherentSettings& settings);
 
-/// Stripmap SAR of the area, at the squint under which the radar sees its middle at time zero, in metres. Ground beyond
-/// the area takes part where its azimuth ambiguities fall into it.
+/// Stripmap SAR of the area, at the squint under which the radar sees its middle at time zero, in metres. All ground
+/// and every target are looked at from where the platform is as its beam passes over them, under the azimuth in which
+/// the middle is seen at time zero: aspect, grazing angle and shadows are those of that moment. Ground beyond the area
+/// takes part where its azimuth ambiguities fall into it.
 [[nodiscard]] radar::StripmapImage stripmap_image(const CoherentScene& scene, const radar::Radar& radar,
                                                   const radar::Rectangle& area, const CoherentSettings& settings);
 

@@ -5,6 +5,7 @@
 
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/rectangle_parts.h"
+#include "sigmascape/simulate/scatterer_spacing.h"
 
 namespace sigmascape::simulate {
 namespace {
@@ -30,13 +31,13 @@ Prepared prepared(const ModeRequest& request, const radar::CoherentPlan& plan) {
   const radar::Radar& radar = request.radar;
   request.atlas.check_frequency(request.texture_frequency_hz);
   const double of_all_looks_m = plan.along_resolution_m / plan.looks;
-  const double finest_m = std::min(radar.range_resolution_m, of_all_looks_m);
-  const double level = std::max(request.level_of_detail - 1.0, request.atlas.level_for(finest_m / 2.0));
+  const double spacing_m = scatterer_spacing_m(radar, of_all_looks_m);
+  const double level = std::max(request.level_of_detail - 1.0, request.atlas.level_for(spacing_m));
   return {.scene = {&request.terrain, render::AtlasReflectivity{&request.atlas, request.texture_frequency_hz, level},
                     request.targets, request.windblown},
           .settings = {.interval_s = plan.interval_s,
                        .along_resolution_m = of_all_looks_m,
-                       .scatterer_spacing_m = finest_m / 2.0,
+                       .scatterer_spacing_m = spacing_m,
                        .seed = request.seed,
                        .dwell = request.dwell,
                        .threads = request.threads},

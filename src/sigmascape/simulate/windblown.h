@@ -10,8 +10,9 @@ namespace sigmascape::simulate {
 /// Whether what grows at a point moves in the wind. Called from several threads at once.
 using Windblown = std::function<bool(Vec2d point)>;
 
-/// By the scene: under crowns of trees and on ground whose material is a plant cover. The scene must outlive it.
-[[nodiscard]] Windblown windblown_of(const scene::Scene& scene, const radar::Rectangle& area);
+/// By the scene, wherever in it: under crowns of trees and on ground whose material is a plant cover. The scene must
+/// outlive it. Crowns are looked for where and when they are first asked for, 2 km square at a time.
+[[nodiscard]] Windblown windblown_of(const scene::Scene& scene);
 
 /// Whether a material of this name stands for plants: grass, crops, shrubs, forest and farmland of any model, but not
 /// what lies beneath trees.

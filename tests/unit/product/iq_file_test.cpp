@@ -146,5 +146,77 @@ TEST(IqFile, SaysHowTheEarthBendsAndAboutWhichFoot) {
   }
 }
 
+TEST(IqFile, SaysUnderWhichWindowItsBandIs) {
+  radar::Radar radar = moving_radar();
+  radar.waveform.window.taylor_side_lobe = 1e-6;
+  radar.waveform.window.taylor_terms = 9;
+  const auto history = two_pulses();
+  const auto doppler = doppler_image();
+  const auto strip = strip_image();
+  for (const IqRecord& record : {iq_record(history, radar), iq_record(doppler, radar), iq_record(strip, radar)}) {
+    SCOPED_TRACE(record.kind);
+    EXPECT_EQ(record.words.at("window"), "taylor");
+    EXPECT_DOUBLE_EQ(record.numbers.at("window_side_lobe_db"), -60.0);
+    EXPECT_EQ(record.numbers.at("window_taylor_terms"), 9.0);
+  }
+  radar.waveform.window.shape = radar::WindowShape::Rectangular;
+  EXPECT_EQ(iq_record(history, radar).words.at("window"), "rectangular");
+  EXPECT_FALSE(iq_record(history, radar).numbers.contains("window_side_lobe_db"));
+}
+
+TEST(IqFile, DescribesTheAntennaThatIsInTheSamples) {
+  radar::Radar radar = moving_radar();
+  radar.antenna = {.azimuth = radar::ApertureBeam{{.taylor_side_lobe = 1e-3, .taylor_terms = 5}},
+                   .elevation = radar::CosecantSquaredBeam{0.5},
+                   .elevation_width_rad = 0.06,
+                   .tilt_rad = -0.1,
+                   .gain = 100.0,
+                   .side_lobe_floor = 1e-5};
+  auto history = two_pulses();
+  const auto in_metres = iq_record(history, radar);
+  EXPECT_FALSE(in_metres.words.contains("azimuth_shape"));
+  EXPECT_FALSE(in_metres.numbers.contains("tilt_rad"));
+  history.unit = "V";
+  const auto doppler = doppler_image();
+  const auto strip = strip_image();
+  EXPECT_FALSE(iq_record(doppler, radar).numbers.contains("tilt_rad"));
+  radar.processing.antenna_pattern = true;
+  for (const IqRecord& record : {iq_record(history, radar), iq_record(doppler, radar), iq_record(strip, radar)}) {
+    SCOPED_TRACE(record.kind);
+    EXPECT_EQ(record.words.at("azimuth_shape"), "taylor");
+    EXPECT_DOUBLE_EQ(record.numbers.at("azimuth_side_lobe_db"), -30.0);
+    EXPECT_EQ(record.numbers.at("azimuth_taylor_terms"), 5.0);
+    EXPECT_EQ(record.words.at("elevation_shape"), "cosecant-squared");
+    EXPECT_EQ(record.numbers.at("elevation_width_rad"), 0.06);
+    EXPECT_EQ(record.numbers.at("steepest_depression_rad"), 0.5);
+    EXPECT_EQ(record.numbers.at("tilt_rad"), -0.1);
+    EXPECT_DOUBLE_EQ(record.numbers.at("gain_dbi"), 20.0);
+    EXPECT_DOUBLE_EQ(record.numbers.at("side_lobe_floor_db"), -50.0);
+  }
+  radar.antenna.elevation = radar::EvenBeam{};
+  EXPECT_EQ(iq_record(history, radar).words.at("elevation_shape"), "even");
+  EXPECT_FALSE(iq_record(history, radar).numbers.contains("elevation_width_rad"));
+}
+
+TEST(IqFile, TellsOfEachPulseWhereTheBeamPointed) {
+  const ScratchFolder folder;
+  const radar::Radar radar = moving_radar();
+  auto history = two_pulses();
+  write_iq(folder.path("bare.npy"), iq_record(history, radar));
+  EXPECT_FALSE(json_of(folder.path("bare.json")).contains("beam_azimuth_rad"));
+  history.pulses[0].beam_azimuth_rad = 0.25;
+  history.pulses[1].beam_azimuth_rad = 0.5;
+  const IqRecord record = iq_record(history, radar);
+  for (const std::string& ending : endings) write_iq(folder.path("pulses" + ending), record);
+  EXPECT_EQ(json_of(folder.path("pulses.json")).at("beam_azimuth_rad"), nlohmann::json({0.25, 0.5}));
+  const auto captures = json_of(folder.path("pulses.sigmf-meta")).at("captures");
+  EXPECT_EQ(captures.at(0).at("sigmascape:beam_azimuth_rad"), 0.25);
+  EXPECT_EQ(captures.at(1).at("sigmascape:beam_azimuth_rad"), 0.5);
+  IqRecord short_of_one = record;
+  short_of_one.beam_azimuth_rad.pop_back();
+  EXPECT_THAT(message_of_error([&] { write_iq(folder.path("short.npy"), short_of_one); }),
+              HasSubstr("1 azimuths of the beam were given; give one for each place on the slow axis, or none"));
+}
+
 }  // namespace
 }  // namespace sigmascape::product

@@ -145,6 +145,71 @@ TEST(CoherentPlan, StraightAheadIsRefusedHoweverSteeplyItLooks) {
               HasSubstr("straight above what it maps"));
 }
 
+/// A wavelength of 1 m, which an even window resolves to more than 0.2215 m.
+TEST(CoherentPlan, NoIntervalResolvesLessThanAllSidesGive) {
+  const auto refused = [](const Radar& radar) {
+    return message_of_error([&] { static_cast<void>(coherent_plan(radar, place_at(90.0))); });
+  };
+  Radar radar = flying_north(Mode::Spotlight);
+  radar.frequency_hz = speed_of_light_mps;
+  radar.processing.along_resolution_m = 0.1;
+  EXPECT_EQ(refused(radar),
+            "radar: cannot map to 0.1 m across range at a wavelength of 1 m, however long it flies past; "
+            "give mode.along_resolution_m of more than 0.222");
+  radar.processing.along_resolution_m = 0.222;
+  EXPECT_EQ(refused(radar), "");
+  radar.processing.looks = 3;
+  EXPECT_THAT(refused(radar), ::testing::EndsWith("give mode.along_resolution_m of more than 0.665 or fewer looks"));
+
+  radar.processing = {};
+  radar.processing.interval_s = 1000.0;
+  EXPECT_THAT(refused(radar), ::testing::EndsWith("give mode.interval_s of less than 100"));
+  radar.processing.interval_s = 99.9;
+  EXPECT_EQ(refused(radar), "");
+
+  // 349 m of beam over 0.2215 m.
+  radar = flying_north(Mode::DopplerBeamSharpening);
+  radar.frequency_hz = speed_of_light_mps;
+  radar.processing.sharpening = 5000.0;
+  EXPECT_THAT(refused(radar), ::testing::EndsWith("give mode.sharpening of less than 1570"));
+  radar.processing.sharpening = 1570.0;
+  EXPECT_EQ(refused(radar), "");
+}
+
+TEST(CoherentPlan, WarnsWhereTheLineOfSightTurnsFar) {
+  // Abeam and level the pulses of T turn by Δ, tan Δ/2 = v T/2 r, and resolve w λ/(4 sin Δ/2), of which the plan has
+  // cos Δ/2.
+  Radar radar = flying_north(Mode::Spotlight);
+  radar.frequency_hz = speed_of_light_mps;
+  const auto warnings_at = [&](double width_m) {
+    radar.processing.along_resolution_m = width_m;
+    return plan_warnings(radar, coherent_plan(radar, place_at(90.0)), {9999.0, -1.0, 10001.0, 1.0}, 0.0);
+  };
+  // tan Δ/2 is 0.2215/δ, and 1/cos Δ/2 is 1.05 at δ = 0.692.
+  EXPECT_THAT(warnings_at(0.70), ::testing::IsEmpty());
+  EXPECT_THAT(warnings_at(0.68), ::testing::ElementsAre(HasSubstr("turns so far in it")));
+  EXPECT_THAT(warnings_at(0.443),
+              ::testing::ElementsAre(HasSubstr("resolve 0.495 m across range and not the 0.443 m of this map")));
+}
+
+TEST(CoherentPlan, WarnsOfDopplerThatGoesRoundTheImagesEnd) {
+  // From 50° off the nose to 70° and 10 km away at least, the Doppler reaches farther from its middle upwards.
+  Radar radar = flying_north(Mode::DopplerBeamSharpening);
+  const Rectangle area{7000.0, 0.0, 8000.0, 6000.0};
+  const auto doppler = [&](double x, double y) { return 2.0 * 200.0 / 0.03 * y / std::hypot(x, y); };
+  const double most_hz = doppler(7000.0, 6000.0), middle_hz = doppler(7500.0, 3000.0);
+  const double span_hz = most_hz - doppler(7000.0, 0.0), reach_hz = middle_hz;
+  ASSERT_GT(2.0 * reach_hz, span_hz * 1.01);
+  const auto plan = coherent_plan(radar, {7500.0, 3000.0, 0.0});
+  radar.waveform.pulse_repetition_hz = span_hz * 1.005;
+  EXPECT_THAT(plan_warnings(radar, plan, area, 0.0),
+              ::testing::ElementsAre(HasSubstr("reaches 4952 Hz from that of its middle, more than half")));
+  radar.waveform.pulse_repetition_hz = span_hz * 0.99;
+  EXPECT_THAT(plan_warnings(radar, plan, area, 0.0), ::testing::ElementsAre(HasSubstr("folds over")));
+  radar.waveform.pulse_repetition_hz = 2.0 * reach_hz * 1.01;
+  EXPECT_THAT(plan_warnings(radar, plan, area, 0.0), ::testing::IsEmpty());
+}
+
 TEST(CoherentPlan, WarnsOfTheBlindWedgeOnTheMap) {
   Radar radar = flying_north(Mode::DopplerBeamSharpening);
   radar.processing.interval_s = 0.01;

@@ -16,6 +16,7 @@
 namespace sigmascape::radar {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
 
@@ -288,6 +289,58 @@ TEST_F(RadarFileTest, BadWaveformsAreRefused) {
   EXPECT_THAT(fault_of(simple + "[waveform]\npulse_length_us = 600\npulse_repetition_hz = 1000\n"),
               HasSubstr("give at most 500"));
   EXPECT_THAT(fault_of(simple + "[waveform]\nwindow = \"kaiser\"\n"), HasSubstr("choose among rectangular"));
+}
+
+// Of windows over the band and over the aperture.
+TEST_F(RadarFileTest, TaylorWindowsHoldTheSideLobesThatAreStated) {
+  const auto terms = [&](const std::string& keys) {
+    return read(simple + "[waveform]\n" + keys).radar.waveform.window.taylor_terms;
+  };
+  EXPECT_EQ(terms(""), 6);
+  EXPECT_EQ(terms("side_lobe_db = -35\n"), 6);
+  EXPECT_EQ(terms("side_lobe_db = -35\ntaylor_terms = 5\n"), 5);
+  for (const int level_db : {-10, -50, -60, -80, -100}) {
+    const Radar radar = read(simple + fmt::format("[waveform]\nside_lobe_db = {0}\n[antenna]\nazimuth_shape = "
+                                                  "\"taylor\"\nazimuth_side_lobe_db = {0}\n",
+                                                  level_db))
+                            .radar;
+    for (const Window& window : {radar.waveform.window, std::get<ApertureBeam>(radar.antenna.azimuth).taper})
+      EXPECT_NEAR(db_from_linear(WindowResponse(window).peak_side_lobe()), level_db - 0.1, 0.11);
+  }
+  EXPECT_EQ(fault_of(simple + "[waveform]\nside_lobe_db = -80\ntaylor_terms = 6\n"),
+            ": waveform.taylor_terms: is 6, too few to hold side lobes at -80 dB; give at least 15, or leave it out");
+  EXPECT_EQ(terms("side_lobe_db = -80\ntaylor_terms = 15\n"), 15);
+  EXPECT_THAT(
+      fault_of(simple + "[antenna]\nelevation_shape = \"taylor\"\nelevation_width_deg = 5\n"
+                        "elevation_side_lobe_db = -30\nelevation_taylor_terms = 2\n"),
+      HasSubstr(": antenna.elevation_taylor_terms: is 2, too few to hold side lobes at -30 dB; give at least 3"));
+}
+
+// The lower edge of a band of 2 f is at the frequency zero.
+TEST_F(RadarFileTest, BandsThatTheCarrierHasNoRoomForAreRefused) {
+  const auto with = [](const std::string& resolution, const std::string& bandwidth) {
+    return "[radar]\nfrequency_ghz = 0.3\nbeam_width_deg = 1.0\n" + resolution + position_section +
+           "[waveform]\nwindow = \"rectangular\"\n" + bandwidth;
+  };
+  EXPECT_EQ(
+      fault_of(with("", "bandwidth_mhz = 2000\n")),
+      ": waveform.bandwidth_mhz: is 2000, a band about 0.3 GHz that reaches down to no frequency at all; give less "
+      "than 600");
+  EXPECT_THAT(fault_of(with("", "bandwidth_mhz = 600\n")), HasSubstr(": waveform.bandwidth_mhz: is 600"));
+  EXPECT_NO_THROW(static_cast<void>(read(with("", "bandwidth_mhz = 599\n"))));
+  // 0.8859 c/(2 · 600 MHz).
+  EXPECT_THAT(
+      fault_of(with("range_resolution_m = 0.2\n", "")),
+      AllOf(HasSubstr(": radar.range_resolution_m: is 0.2, which takes 663.9"), HasSubstr("give more than 0.2213")));
+  RadarFile file = read(with("range_resolution_m = 0.222\n", ""));
+  EXPECT_THAT(message_of_error([&] { set_range_resolution(file, 0.2); }), HasSubstr("give more than 0.2213"));
+  EXPECT_EQ(file.radar.range_resolution_m, 0.222);
+  EXPECT_THAT(message_of_error([&] { set_frequency(file, 0.29e9); }),
+              HasSubstr("frequency_hz: is 2.9e+08, about which a band of"));
+  EXPECT_EQ(file.radar.frequency_hz, 0.3e9);
+  set_frequency(file, 9e9);
+  set_range_resolution(file, 0.2);
+  EXPECT_EQ(file.radar.frequency_hz, 9e9);
 }
 
 TEST_F(RadarFileTest, BadAntennasAndScansAreRefused) {

@@ -9,6 +9,8 @@
 #include "scratch_folder.h"
 
 #include "sigmascape/base/units.h"
+#include "sigmascape/radar/coherent_plan.h"
+#include "sigmascape/simulate/scatterer_spacing.h"
 
 namespace sigmascape::simulate {
 namespace {
@@ -110,6 +112,95 @@ TEST(Strip, OfASquintedAntennaKeepsToTheGateOfItsReceiver) {
   radar.receiver.first_range_m = 7900.0;
   radar.receiver.last_range_m = 8100.0;
   EXPECT_NEAR(db_from_linear(brightest_m2() / without_gate_m2), 0.0, 0.5);
+}
+
+/// Of everything that answers, the azimuths from the ground to the radar and the places.
+struct Asked {
+  std::vector<double> azimuths_rad;
+  std::vector<Vec2d> places;
+
+  [[nodiscard]] render::Reflectivity field() {
+    return render::ReflectivityField([this](Vec2d place, const radar::Aspect& aspect) {
+      azimuths_rad.push_back(std::abs(aspect.azimuth_rad));
+      places.push_back(place);
+      return radar::Channels{1.0F, 1.0F, 0.0F, 1.0F};
+    });
+  }
+  [[nodiscard]] double least_rad() const { return std::ranges::min(azimuths_rad); }
+};
+
+/// Two seconds of pulses tell metres apart across ranges of 60 m.
+TEST(Pulses, HaveScatterersForWhatTheyCanBeProcessedTo) {
+  radar::Radar radar = looking_north(radar::Mode::RealBeam);
+  radar.range_resolution_m = 60.0;
+  radar.waveform.pulse_repetition_hz = 4.0;
+  Asked asked;
+  static_cast<void>(phase_history({&level, asked.field()}, radar, area, {.interval_s = 2.0, .threads = 1}));
+  const double across_m = resolution_of_interval_m(radar, {}, 2.0);
+  EXPECT_LT(across_m, 1.0);
+  EXPECT_NEAR(static_cast<double>(asked.places.size()) * across_m * across_m / 4.0, 100.0 * 100.0, 300.0);
+}
+
+TEST(Pulses, AreOfTheScatterersOfTheirMap) {
+  radar::Radar radar = looking_north(radar::Mode::Spotlight);
+  radar.range_resolution_m = 60.0;
+  radar.processing.along_resolution_m = 2.0;
+  const radar::CoherentPlan plan = radar::coherent_plan(radar, {});
+  Asked of_pulses, of_map;
+  static_cast<void>(phase_history({&level, of_pulses.field()}, radar, area, {.interval_s = 0.002, .threads = 1}));
+  static_cast<void>(
+      range_doppler_image({&level, of_map.field()}, radar, area,
+                          {.interval_s = plan.interval_s,
+                           .scatterer_spacing_m = scatterer_spacing_m(radar, plan.along_resolution_m / plan.looks),
+                           .threads = 1}));
+  EXPECT_EQ(of_pulses.places, of_map.places);
+}
+
+TEST(Images, HaveScatterersForWhatTheyTellApart) {
+  radar::Radar radar = looking_north(radar::Mode::Spotlight);
+  radar.range_resolution_m = 60.0;
+  Asked sharpened, strip;
+  static_cast<void>(range_doppler_image({&level, sharpened.field()}, radar, area, {.interval_s = 1.0, .threads = 1}));
+  static_cast<void>(stripmap_image({&level, strip.field()}, radar, area, {.along_resolution_m = 4.0, .threads = 1}));
+  EXPECT_GT(sharpened.places.size(), 15'000U);
+  // Ghosts of the strip ask for ground beyond the area.
+  EXPECT_GE(strip.places.size(), 2500U);
+}
+
+/// A strip's beam looks north wherever it passes; from one place over 1 km the azimuth changes by 45°.
+TEST(Strip, SeesAllGroundUnderTheAzimuthOfItsBeam) {
+  radar::Radar radar = looking_north(radar::Mode::Stripmap);
+  radar.position = {0.0, -600.0, 300.0};
+  constexpr radar::Rectangle long_area{-500.0, -100.0, 500.0, 100.0};
+  const CoherentSettings settings{.interval_s = 0.002, .scatterer_spacing_m = 20.0, .threads = 1};
+  Asked of_strip, of_pulses, of_spotlight;
+  static_cast<void>(stripmap_image({&level, of_strip.field()}, radar, long_area, settings));
+  static_cast<void>(phase_history({&level, of_pulses.field()}, radar, long_area, settings));
+  static_cast<void>(range_doppler_image({&level, of_spotlight.field()}, radar, long_area, settings));
+  EXPECT_NEAR(of_strip.least_rad(), pi, 1e-9);
+  EXPECT_NEAR(of_pulses.least_rad(), pi, 1e-9);
+  EXPECT_LT(of_spotlight.least_rad(), pi - 0.6);
+}
+
+/// A tower stands before the target as seen from the place at time zero, 200 m along, and beside it as the beam passes.
+TEST(Strip, SeesTargetsAsItsBeamPassesThem) {
+  terrain::HeightField terrain{
+      .west_m = -300.0, .north_m = 100.0, .spacing_m = 2.0, .height_m = Array2D<float>(301, 101, 0.0F)};
+  for (std::size_t row = 48; row <= 52; ++row)
+    for (std::size_t column = 245; column <= 248; ++column) terrain.height_m(column, row) = 25.0F;
+  radar::Radar radar = looking_north(radar::Mode::Stripmap);
+  radar.position = {0.0, -600.0, 300.0};
+  radar.processing.ambiguities = false;
+  radar::Target bright;
+  bright.track = radar::Track::straight({200.0, 20.0, 1.0});
+  bright.rcs_m2 = radar::Channels{1e6F, 1e6F, 0.0F, 1e6F};
+  const std::vector<radar::Target> targets{bright};
+  const CoherentScene scene{&terrain, [](Vec2d, const radar::Aspect&) { return radar::Channels{}; }, targets};
+  ASSERT_EQ(part_seen({terrain}, radar.position, {200.0, 20.0, 1.0}), 0.0);
+  const auto image = stripmap_image(scene, radar, {-250.0, -50.0, 250.0, 50.0}, {.along_resolution_m = 2.0});
+  float best = 0.0F;
+  for (const auto& bin : image.amplitude_m.values()) best = std::max(best, std::norm(bin.vv));
+  EXPECT_NEAR(db_from_linear(static_cast<double>(best)), 60.0, 1.5);
 }
 
 /// Half a beam off the axis is half the power, out and back.

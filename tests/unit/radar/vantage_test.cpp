@@ -1,0 +1,105 @@
+#include "sigmascape/radar/vantage.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <vector>
+
+#include "sigmascape/base/units.h"
+#include "sigmascape/radar/look.h"
+#include "sigmascape/radar/target_shadows.h"
+
+namespace sigmascape::radar {
+namespace {
+
+/// Flies east and climbs, and looks so far off north.
+PassingBeam flying_east(double azimuth_deg = 0.0) {
+  return {.position = {100.0, -500.0, 300.0},
+          .velocity_mps = {80.0, 0.0, 2.0},
+          .outwards = horizontal_direction(radians_from_deg(azimuth_deg))};
+}
+
+Target moving(Vec3d position, Vec3d velocity_mps) {
+  Target target;
+  target.track = Track::straight(position, velocity_mps);
+  return target;
+}
+
+TEST(Vantage, OfOnePlaceIsThatAtTimeZero) {
+  const Vantage vantage(Vec3d{1.0, 2.0, 3.0});
+  EXPECT_FALSE(vantage.beams());
+  EXPECT_EQ(vantage.place_for({500.0, -70.0}), (Vec3d{1.0, 2.0, 3.0}));
+  EXPECT_EQ(vantage.time_s_for(moving({500.0, -70.0, 0.0}, {10.0, 0.0, 0.0})), 0.0);
+}
+
+TEST(Vantage, OfAStripSeesEveryPlaceUnderOneAzimuth) {
+  for (const double azimuth_deg : {0.0, 35.0, -50.0}) {
+    const Vantage vantage(flying_east(azimuth_deg));
+    for (const Vec2d point : {Vec2d{100.0, 0.0}, {700.0, 40.0}, {-900.0, 2000.0}}) {
+      const Vec3d place = vantage.place_for(point);
+      const double time_s = (place.x - 100.0) / 80.0;
+      EXPECT_NEAR(place.y, -500.0, 1e-9);
+      EXPECT_NEAR(place.z, 300.0 + 2.0 * time_s, 1e-9);
+      EXPECT_NEAR(std::atan2(point.x - place.x, point.y - place.y), radians_from_deg(azimuth_deg), 1e-12);
+    }
+  }
+  EXPECT_NEAR(Vantage(flying_east()).place_for({700.0, 40.0}).x, 700.0, 1e-9);
+}
+
+/// Left and right are seen at once, and as far ahead of broadside.
+TEST(Vantage, OfAStripLooksToBothSidesAlike) {
+  const Vantage vantage(flying_east(35.0));
+  const Vec3d north = vantage.place_for({100.0, 200.0}), south = vantage.place_for({100.0, -1200.0});
+  EXPECT_NEAR(north.x, south.x, 1e-9);
+  EXPECT_LT(north.x, 100.0);
+}
+
+TEST(Vantage, RisesOverARoundEarth) {
+  PassingBeam beam = flying_east();
+  beam.velocity_mps.z = 0.0;
+  beam.earth = CurvedEarth{};
+  EXPECT_NEAR(Vantage(beam).place_for({20'100.0, 0.0}).z, 300.0 + beam.earth.drop_m(20'000.0), 1e-6);
+}
+
+TEST(Vantage, MeetsMoversWhereTheyAreThen) {
+  const Vantage vantage(flying_east(20.0));
+  const Target legs = [] {
+    Target target;
+    target.track = Track::through({{0.0, {400.0, 100.0, 0.0}}, {2.0, {430.0, 100.0, 0.0}}, {9.0, {430.0, 260.0, 0.0}}});
+    return target;
+  }();
+  for (const Target& target : {moving({400.0, 100.0, 0.0}, {15.0, -5.0, 0.0}), legs}) {
+    const double time_s = vantage.time_s_for(target);
+    const Vec3d there = target.track.position_at(time_s), place = vantage.place_for({there.x, there.y});
+    EXPECT_GT(time_s, 0.5);
+    EXPECT_NEAR(place.x, 100.0 + 80.0 * time_s, 1e-6);
+  }
+  EXPECT_EQ(vantage.time_s_for(moving({400.0, 100.0, 0.0}, {200.0, 0.0, 0.0})), 0.0) << "outruns the beam";
+}
+
+/// A box 200 m ahead, of which the place at time zero would see the shadow aslant.
+TEST(TargetShadows, OfAStripLieStraightBehindWhatThePassingBeamMeets) {
+  Target box = moving({300.0, 0.0, 10.0}, {});
+  box.size_m = {10.0, 10.0, 20.0};
+  const std::vector<Target> targets{box};
+  const TargetShadows passing(targets, Vantage(flying_east())), still(targets, 0.0, flying_east().position);
+  EXPECT_TRUE(passing.hide({300.0, 25.0, 0.0}));
+  EXPECT_TRUE(passing.hide({303.0, 25.0, 0.0}));
+  EXPECT_FALSE(passing.hide({310.0, 25.0, 0.0}));
+  EXPECT_FALSE(passing.hide({300.0, -25.0, 0.0}));
+  EXPECT_FALSE(passing.hide({300.0, 60.0, 0.0}));
+  EXPECT_FALSE(still.hide({300.0, 25.0, 0.0}));
+  EXPECT_TRUE(still.hide({310.0, 25.0, 0.0}));
+}
+
+TEST(TargetShadows, OfAStripAreWhereAMoverIsThen) {
+  Target lorry = moving({300.0, 0.0, 10.0}, {20.0, 0.0, 0.0});
+  lorry.size_m = {10.0, 10.0, 20.0};
+  const std::vector<Target> targets{lorry};
+  const TargetShadows shadows(targets, Vantage(flying_east()));
+  const double along_m = 300.0 + 20.0 * 200.0 / (80.0 - 20.0);
+  EXPECT_TRUE(shadows.hide({along_m, 20.0, 0.0}));
+  EXPECT_FALSE(shadows.hide({300.0, 20.0, 0.0}));
+}
+
+}  // namespace
+}  // namespace sigmascape::radar
