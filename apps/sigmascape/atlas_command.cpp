@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,6 +11,7 @@
 #include "command.h"
 #include "number_within.h"
 #include "terminal_progress.h"
+#include "word_option.h"
 #include "words.h"
 
 #include "sigmascape/atlas/atlas_summary.h"
@@ -174,13 +176,24 @@ void check_overlap(const terrain::TerrainSource& source, const geo::Extent& rast
                           extent.east_m, extent.south_m, extent.north_m));
 }
 
+/// Before the work, which may be long.
+void warn_of_guessed_unit(const terrain::TerrainSource& source, const geo::Raster& heights) {
+  if (!heights.height_unit().is_guess) return;
+  fmt::print(stderr,
+             "warning: {}: states no unit of heights on a map in feet, taken to be in metres; --unit ft or us-ft says "
+             "otherwise\n",
+             source.raster.file.string());
+}
+
 /// Heights from a raster that reach as far as it does, in tiles beside the atlas.
 void build_terrain(const std::string& folder, const terrain::TerrainSource& source, double no_data_height_m,
                    const Output& output) {
   const atlas::Store store = atlas::Store::open(folder);
   const geo::LocalFrame& frame = store.description().frame;
-  const geo::Extent raster = geo::Raster(source.raster).outline_in(frame).extent_inside();
+  const geo::Raster heights(source.raster);
+  const geo::Extent raster = heights.outline_in(frame).extent_inside();
   check_overlap(source, raster, store.description().extent);
+  warn_of_guessed_unit(source, heights);
   const auto pyramid = std::filesystem::path(folder) / atlas::terrain_pyramid_name;
   // Two at once would take each other's unfinished files for those of other heights.
   const bake::Claims claims(folder);
@@ -214,6 +227,8 @@ void add_terrain_command(Command added, const std::shared_ptr<std::string>& fold
   added.add_option("RASTER", source->raster.file, "elevation in any format that GDAL reads").required();
   added.add_option("--band", source->raster.band, "band of the raster").capture_default_str();
   added.add_option("--crs", source->raster.crs, "instead of the raster's own coordinate system");
+  add_word_option(added, "--unit", source->raster.unit, {{"m", "m"}, {"ft", "ft"}, {"us-ft", "us-ft"}},
+                  "unit of heights, instead of the raster's own");
   added.add_option("--spacing", *spacing_m, "metres between heights; the raster's own cell if not given")
       .check(number_within(0.01, 1e5));
   added.add_option("--no-data-height", *no_data_height_m, "height in metres where the raster has none")

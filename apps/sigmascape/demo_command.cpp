@@ -4,6 +4,7 @@
 #include "bake_options.h"
 #include "command.h"
 #include "map_files.h"
+#include "scene_warnings.h"
 #include "stopwatch.h"
 #include "terminal_progress.h"
 
@@ -201,9 +202,15 @@ std::vector<View> views_of(const DemoOptions& options) {
           {"baked_view", "A view that was baked: 20 km away, 13° elevation, azimuth 135°", paper_radar(135.0, 13.0)}};
 }
 
+scene::Scene scene_of(const DemoOptions& options) {
+  if (options.scene.empty()) return scene::paper_scene({.scale = options.scale});
+  scene::Scene scene = scene::read_scene(options.scene);
+  warn_of_scene(scene);
+  return scene;
+}
+
 void run_demo(const DemoOptions& options, const Output& output) {
-  Demo demo(options,
-            options.scene.empty() ? scene::paper_scene({.scale = options.scale}) : scene::read_scene(options.scene));
+  Demo demo(options, scene_of(options));
   demo.bake();
   for (const View& view : views_of(options)) demo.compare_at(view);
   demo.finish(output);

@@ -2,14 +2,14 @@
 
 #include <cstdio>
 #include <fmt/format.h>
+#include <string>
+
+#include "sigmascape/scene/scene_warnings.h"
 
 namespace sigmascape::cli {
 
 void warn_of_scene(const scene::Scene& scene) {
-  for (const scene::Remark& remark : scene.remarks) {
-    if (!remark.is_likely_a_mistake) continue;
-    fmt::print(stderr, "warning: {}: {}: {}, first {}\n", scene.name, remark.what, remark.count, remark.first);
-  }
+  for (const std::string& warning : scene::warnings_of(scene)) fmt::print(stderr, "warning: {}\n", warning);
 }
 
 }  // namespace sigmascape::cli

@@ -4,8 +4,7 @@
 
 namespace sigmascape::cli {
 
-/// Says on standard error, a line each, what of the scene's remarks is likely a mistake, as a file of which nothing was
-/// used: whoever works on with it should know. `scene info` tells all of them.
+/// Says scene::warnings_of() on standard error. `scene info` tells all remarks.
 void warn_of_scene(const scene::Scene& scene);
 
 }  // namespace sigmascape::cli

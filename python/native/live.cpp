@@ -153,7 +153,8 @@ void add_live(py::module_& module) {
               py::arg("beam_step_rad") = settings.beam_step_rad, py::arg("range_step_m") = settings.range_step_m,
               py::arg("cells_per_bin") = settings.cells_per_bin, py::arg("seed") = settings.seed,
               py::arg("threads") = 0, py::arg("refraction") = settings.refraction, Release(),
-              "content: 'amplitudes' (I/Q with speckle) or 'powers' (their mean). refraction: k of the k-Earth.");
+              "content: 'amplitudes' (I/Q with speckle) or 'powers' (their mean). refraction: k of the k-Earth, 0.1 at "
+              "least.");
   bind_drawing(
       binding,
       "A Frame of all beams. position_m: x, y of the local frame, altitude above mean sea level.\n"

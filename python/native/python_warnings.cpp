@@ -4,6 +4,7 @@
 #include <pybind11/pybind11.h>
 
 #include "sigmascape/radar/radar_title.h"
+#include "sigmascape/scene/scene_warnings.h"
 
 namespace sigmascape::python {
 
@@ -23,10 +24,7 @@ void warn_of(const radar::Radar& radar, std::span<const std::string> warnings) {
 }
 
 void warn_of(const scene::Scene& scene) {
-  for (const scene::Remark& remark : scene.remarks) {
-    if (!remark.is_likely_a_mistake) continue;
-    warn(fmt::format("{}: {}: {}, first {}", scene.name, remark.what, remark.count, remark.first));
-  }
+  for (const std::string& warning : scene::warnings_of(scene)) warn(warning);
 }
 
 }  // namespace sigmascape::python

@@ -11,7 +11,7 @@ namespace sigmascape::python {
 /// Tells Python, as UserWarning, what whoever maps with this radar should know (simulate::map_warnings). Called with or
 /// without the interpreter's lock. Throws what a filter makes of a warning.
 void warn_of(const radar::Radar& radar, std::span<const std::string> warnings);
-/// The same of what in the scene's remarks is likely a mistake, as a file of which nothing was used.
+/// The same of scene::warnings_of().
 void warn_of(const scene::Scene& scene);
 
 }  // namespace sigmascape::python

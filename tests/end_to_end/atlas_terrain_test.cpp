@@ -12,11 +12,13 @@
 #include "sigmascape/atlas/store.h"
 #include "sigmascape/atlas/terrain_file.h"
 #include "sigmascape/terrain/height_field_file.h"
+#include "sigmascape/terrain/pyramid_builder.h"
 
 namespace sigmascape::end_to_end {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 using Json = nlohmann::json;
 
 /// `sigmascape atlas` on a small atlas near Bilbao, and terrain that reaches 4 km about it.
@@ -89,6 +91,26 @@ TEST_F(AtlasTerrain, IsMadeVerifiedAndMended) {
   EXPECT_EQ(verify(), 0) << told();
 }
 
+TEST_F(AtlasTerrain, HeightsWithoutAUnitOnAMapInFeetAreMetresWithAWarning) {
+  constexpr double feet_per_m = 3937.0 / 1200.0;
+  const geo::AsciiGrid grid{497'000.0 * feet_per_m, 4'792'000.0 * feet_per_m, 66.0, 400, 400};
+  const std::string in_feet = folder_.write("feet.asc", grid.text([](double, double) { return 100.0; })).string();
+  const auto height_m = [&](const std::string& unit) {
+    const std::string crs = "+proj=utm +zone=30 +ellps=GRS80 +units=us-ft";
+    EXPECT_EQ(run(fmt::format("atlas terrain '{}' '{}' --crs '{}' {}", atlas_.string(), in_feet, crs, unit)), 0)
+        << told();
+    return terrain::open_pyramid(atlas_ / atlas::terrain_pyramid_name, 0).summary({0, 0, 0}).highest_m;
+  };
+  const std::string warning = "feet.asc: states no unit of heights on a map in feet, taken to be in metres";
+  EXPECT_FLOAT_EQ(height_m(""), 100.0F);
+  EXPECT_THAT(told(), HasSubstr("warning: "));
+  EXPECT_THAT(told(), HasSubstr(warning));
+  EXPECT_FLOAT_EQ(height_m("--unit us-ft"), 30.480061F);
+  EXPECT_THAT(told(), Not(HasSubstr(warning)));
+  EXPECT_FLOAT_EQ(height_m("--unit m"), 100.0F);
+  EXPECT_THAT(told(), Not(HasSubstr(warning)));
+}
+
 TEST_F(AtlasTerrain, RefusesInOneSentence) {
   const std::string far = raster(700'000.0, "far.asc"), near = raster(497'000.0, "near.asc");
   const auto message = [&](const std::string& raster, const std::string& more) {
@@ -102,6 +124,7 @@ TEST_F(AtlasTerrain, RefusesInOneSentence) {
   EXPECT_THAT(message(near, "--spacing 1e-8"), HasSubstr("0.01 to 100000"));
   EXPECT_THAT(message("/nowhere.tif", ""), HasSubstr("/nowhere.tif"));
   EXPECT_THAT(message(near, "--band 3"), HasSubstr("band 3"));
+  EXPECT_THAT(message(near, "--unit fathom"), HasSubstr("--unit: is fathom; choose among ft, m, us-ft"));
   EXPECT_THAT(message(near, "--no-data-height nan"), HasSubstr("--no-data-height"));
   EXPECT_FALSE(std::filesystem::exists(atlas_ / "terrain"));
   std::ofstream(atlas_ / "collection.json") << "{";

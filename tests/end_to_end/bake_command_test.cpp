@@ -121,6 +121,19 @@ TEST_F(BakeCommand, WhatIsLikelyAMistakeInTheSceneIsSaidOnceWhereverItIsWorkedOn
   }
 }
 
+// Of runs that take long, at once: these end for another reason when they have read the scene.
+TEST_F(BakeCommand, WhatIsLikelyAMistakeInTheSceneIsSaidBeforeItIsMeasured) {
+  std::ofstream(scene_, std::ios::app) << "[[buildings]]\nfile = \"houses.csv\"\ncrs = \"EPSG:25830\"\n"
+                                          "height_attribute = \"height\"\nwhere = \"height = 'unheard of'\"\n";
+  for (const std::string& command : {line("demo", fmt::format("--scene '{0}' --out '{0}/demo'", scene_.string())),
+                                     line("results", fmt::format("--scene '{}' --scale 100 --out '{}'", scene_.string(),
+                                                                 folder_.path("results").string()))}) {
+    const Ended ended = run(command);
+    EXPECT_EQ(ended.code, 1) << ended.printed;
+    EXPECT_THAT(ended.said, HasSubstr("warning: scene: files without a feature that is asked for")) << command;
+  }
+}
+
 /// What a command line prints on a terminal.
 std::string printed_on_a_terminal(const std::string& line) {
   int terminal = -1;

@@ -215,6 +215,14 @@ class Modes : public ::testing::Test {
       EXPECT_TRUE(volts.contains(of_every_file)) << of_every_file;
   }
 
+  /// What is drawn, as the noise of the detector and fluctuating targets, can be drawn again.
+  void expect_what_is_drawn_to_name_its_seed() const {
+    EXPECT_EQ(render("", fmt::format("--lod 1 --seed 7 --video '{}'", folder_.path("video.npy").string())), 0)
+        << printed();
+    EXPECT_EQ(json("video.json")["seed"], "7");
+    EXPECT_EQ(map().metadata.at("seed"), "7");
+  }
+
   /// A gate that holds nothing of what is mapped is refused with the key that says so.
   void expect_an_empty_gate_to_name_its_key() const {
     EXPECT_EQ(render("[receiver]\nfirst_range_km = 20\n",
@@ -376,6 +384,7 @@ TEST_F(Modes, MapTheGroundAndTheTargets) {
   expect_slant_images();
   expect_slant_images_of_one_look();
   expect_pulses_to_speak_of_themselves();
+  expect_what_is_drawn_to_name_its_seed();
   expect_an_empty_gate_to_name_its_key();
   expect_the_choice_of_detail_to_be_explained();
   expect_power_of_real_beams_alone();

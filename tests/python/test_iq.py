@@ -97,6 +97,24 @@ def test_hdf5_opens_with_plain_h5py(pulses, tmp_path):
         assert file["platform_position"].shape == (40, 3)
         assert file.attrs["frequency_hz"] == 10e9 and file.attrs["radar"].decode() == "mover"
         assert file.attrs["scene_hash"].decode() == pulses.metadata["scene_hash"]
+        said = {name: file.attrs[name].decode() for name in ("kind", "unit", "axes", "units", "polarizations")}
+        assert said == {"kind": "phase history", "unit": "m", "axes": "pulse_time, slant_range", "units": "s, m",
+                        "polarizations": "VV, HH, HV"}
+
+
+def test_pulses_in_volts_say_where_the_beam_pointed(atlas, moving_radar, pulses, tmp_path):
+    volts = sigmascape.phase_history(atlas, moving_radar, interval_s=0.02, calibrated=True)
+    volts.save(tmp_path / "volts.npz")
+    archive = np.load(tmp_path / "volts.npz")
+    east_m, north_m, _ = archive["platform_position_m"].T
+    # Onto the middle of the map from each of the places in turn.
+    assert archive["beam_azimuth_rad"] == pytest.approx(np.arctan2(-east_m, -north_m), abs=1e-9)
+    volts.save(tmp_path / "volts.h5")
+    with h5py.File(tmp_path / "volts.h5") as file:
+        assert np.array_equal(file["beam_azimuth"], archive["beam_azimuth_rad"])
+        assert file.attrs["azimuth_shape"].decode() == "gaussian" and file.attrs["window"].decode() == "taylor"
+    pulses.save(tmp_path / "metres.npz")
+    assert "beam_azimuth_rad" not in np.load(tmp_path / "metres.npz")
 
 
 def test_hdf5_keeps_to_what_matlab_reads(pulses, tmp_path):
@@ -232,13 +250,28 @@ def test_slant_images_say_the_same_under_every_ending(small_place, tmp_path, kin
             assert (said.decode() if isinstance(said, bytes) else said) == value, key
 
 
-def test_the_command_line_writes_the_same_pulses(small_place, tmp_path):
-    subprocess.run([os.environ["SIGMASCAPE_CLI"], "render", small_place / "radar.toml", "--scene", small_place / "scene.toml", "--atlas",
+@pytest.mark.parametrize("mode", ["", "[mode]\nkind = \"spotlight\"\nalong_resolution_m = 2\n"])
+def test_the_command_line_writes_the_same_pulses(small_place, tmp_path, mode):
+    (tmp_path / "radar.toml").write_text((small_place / "radar.toml").read_text() + mode)
+    subprocess.run([os.environ["SIGMASCAPE_CLI"], "render", tmp_path / "radar.toml", "--scene", small_place / "scene.toml", "--atlas",
                     small_place / "atlas", "--lod", "1", "--iq", tmp_path / "pulses.npy", "--interval-s", "0.01"], check=True)
-    radar = sigmascape.Radar.read(small_place / "radar.toml")
-    ours = sigmascape.phase_history(sigmascape.Atlas(small_place / "atlas"), radar, interval_s=0.01)
+    radar, atlas = sigmascape.Radar.read(tmp_path / "radar.toml"), sigmascape.Atlas(small_place / "atlas")
+    ours = sigmascape.phase_history(atlas, radar, interval_s=0.01)
     assert ours.samples.any()
     assert np.array_equal(np.load(tmp_path / "pulses.npy"), ours.samples)
+    # Of a map to 2 m they have its scatterers, of the interval alone those of the range resolution.
+    by_range = sigmascape.phase_history(atlas, radar, interval_s=0.01, scatterer_spacing_m=2.5)
+    assert np.array_equal(ours.samples, by_range.samples) == (mode == "")
+
+
+def test_scatterers_are_as_fine_as_what_the_pulses_tell_apart(atlas, moving_radar):
+    """In 0.4 s that is a metre across ranges of 3 m, in 0.01 s far more than 3 m."""
+    for record, interval_s, by_range in [(sigmascape.phase_history, 0.01, True), (sigmascape.phase_history, 0.4, False),
+                                         (sigmascape.range_doppler, 0.01, True), (sigmascape.range_doppler, 0.4, False)]:
+        usual = record(atlas, moving_radar, interval_s=interval_s).samples
+        assert np.array_equal(usual, record(atlas, moving_radar, interval_s=interval_s, scatterer_spacing_m=1.5).samples) == by_range
+    strip = sigmascape.stripmap(atlas, moving_radar, along_resolution_m=1.0).samples
+    assert np.array_equal(strip, sigmascape.stripmap(atlas, moving_radar, along_resolution_m=1.0, scatterer_spacing_m=0.5).samples)
 
 
 def test_a_later_moment_is_what_has_moved_there(scene, atlas, moving_radar):

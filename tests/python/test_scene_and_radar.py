@@ -103,6 +103,15 @@ def test_pulses_have_the_length_that_the_file_leaves_open(atlas, tmp_path):
     assert stated.range_resolution_m == 2.0
 
 
+def test_a_radar_has_no_band_that_its_carrier_has_no_room_for():
+    with pytest.raises(sigmascape.Error, match="range_resolution_m: is 0.1, .* reaches down to no frequency at all; give more than 0.31"):
+        sigmascape.Radar(frequency_hz=0.3e9, range_resolution_m=0.1)
+    radar = sigmascape.Radar(range_resolution_m=0.1)
+    with pytest.raises(sigmascape.Error, match="frequency_hz: is 3e.08, .* or first a coarser range_resolution_m"):
+        radar.frequency_hz = 0.3e9
+    assert (radar.frequency_hz, radar.range_resolution_m) == (10e9, 0.1)
+
+
 def test_the_width_of_a_measured_beam_is_its_tables(tmp_path):
     radar = radar_of(tmp_path, "range_resolution_m = 4.0", "[antenna]\nazimuth_shape = 'table'\nazimuth_csv = 'cut.csv'")
     width, gain = radar.beam_width_deg, gain_db(radar)

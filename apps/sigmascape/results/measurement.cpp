@@ -9,6 +9,7 @@
 #include "map_files.h"
 #include "results/processor_time.h"
 #include "results/tile_power.h"
+#include "scene_warnings.h"
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/machine_name.h"
@@ -40,6 +41,7 @@ constexpr PaperChange paper_changes[] = {
 scene::Scene scene_of(const ResultsPlan& plan) {
   if (plan.scene_file.empty()) return scene::paper_scene({.scale = plan.scale, .materials = plan.materials});
   scene::Scene scene = scene::read_scene(plan.scene_file);
+  warn_of_scene(scene);
   const radar::Rectangle& all = scene.extent;
   const double half_m = plan.side_m() / 2.0, most_m = std::min(all.width_m(), all.height_m());
   if (plan.side_m() > most_m) {

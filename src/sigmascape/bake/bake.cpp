@@ -38,7 +38,7 @@ std::map<std::string, std::string> settings_in_words(const BakeSettings& setting
       {atlas::footing_setting,
        footing_of(settings) == trace::Footing::LevelPlane ? "level" : atlas::footing_on_terrain},
       {"simd", trace::simd_setting()}};
-  // The first is told by nothing, as in atlases from before there were revisions.
+  // An atlas that tells none is of the first.
   if (physics_revision > 1) words[atlas::physics_revision_setting] = std::to_string(physics_revision);
   if (settings.noise == Noise::Shared) words["noise"] = "shared";
   if (sampling.is_adaptive()) {

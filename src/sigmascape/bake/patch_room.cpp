@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "sigmascape/base/error.h"
+#include "sigmascape/base/machine_memory.h"
 #include "sigmascape/radar/rectangle_parts.h"
 #include "sigmascape/receiver/ground_accumulator.h"
 #include "sigmascape/trace/launch.h"
@@ -74,8 +74,7 @@ void check_room(const scene::Scene& scene, const BakeSettings& settings, double 
 }
 
 void check_room(const scene::Scene& scene, const BakeSettings& settings) {
-  check_room(scene, settings,
-             static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE)));
+  check_room(scene, settings, machine_memory_bytes());
 }
 
 }  // namespace sigmascape::bake

@@ -44,7 +44,7 @@ typedef struct sigmascape_settings {
   double cells_per_bin; /* lattice cells along the smaller side of a bin on the ground */
   uint64_t seed;        /* names the scatterers */
   unsigned threads;     /* 0: one a hardware thread; has no effect on the result */
-  double refraction;    /* k of the k-Earth, usually 4/3 */
+  double refraction;    /* k of the k-Earth, usually 4/3; 0.1 at least */
 } sigmascape_settings;
 
 /* What the C++ interface takes when nothing is said. */

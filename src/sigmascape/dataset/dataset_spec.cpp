@@ -116,6 +116,21 @@ void read_sequence(const TomlSection& section, DatasetSpec& spec) {
   section.refuse_unknown_keys();
 }
 
+/// The finest pulse may be drawn with the lowest carrier, which must have room for its band.
+void check_room_for_band(const TomlSection& section, const DatasetSpec& spec) {
+  const auto &frequency_hz = spec.radar_ranges.frequency_hz, &range_resolution_m = spec.radar_ranges.range_resolution_m;
+  radar::Radar radar = spec.radar.radar;
+  if (frequency_hz) radar.frequency_hz = frequency_hz->lowest;
+  if (range_resolution_m) radar.range_resolution_m = range_resolution_m->lowest;
+  const double finest_m = radar::finest_range_resolution_m(radar);
+  if (radar.range_resolution_m > finest_m) return;
+  throw section.fault(range_resolution_m ? "range_resolution_m" : "frequency_ghz",
+                      fmt::format("lets a pulse of {:g} m be drawn, whose band about {:g} GHz reaches down to no "
+                                  "frequency at all",
+                                  radar.range_resolution_m, radar.frequency_hz / 1e9),
+                      fmt::format("stay above {:.6g} m there, or draw higher frequencies", finest_m));
+}
+
 void read_radar_ranges(const TomlSection& section, DatasetSpec& spec) {
   const auto range = [&](std::string_view key, Interval allowed, double factor) -> std::optional<Range> {
     if (const auto found = optional_range(section, key, allowed)) return scaled(*found, factor);
@@ -137,6 +152,7 @@ void read_radar_ranges(const TomlSection& section, DatasetSpec& spec) {
                                     spec.radar_ranges.range_resolution_m->highest),
                         fmt::format("stay within {:.6g} m, or leave the length of the pulse out", coarsest_m));
   }
+  check_room_for_band(section, spec);
   section.refuse_unknown_keys();
 }
 

@@ -14,10 +14,10 @@ Vec3d middle_of(const SamplePlan& plan, const terrain::HeightField& terrain) {
 
 radar::Radar radar_of(const DatasetSpec& spec, const SamplePlan& plan, const terrain::HeightField& terrain) {
   radar::RadarFile drawn = spec.radar;
+  drawn.radar.frequency_hz = plan.frequency_hz;
   if (spec.radar_ranges.range_resolution_m) radar::set_range_resolution(drawn, plan.range_resolution_m);
   if (spec.radar_ranges.beam_width_rad) radar::set_beam_width(drawn, plan.beam_width_rad);
   radar::Radar& radar = drawn.radar;
-  radar.frequency_hz = plan.frequency_hz;
   radar.velocity_mps = {plan.flight_mps.x, plan.flight_mps.y, 0.0};
   radar.position =
       radar::position_seeing(middle_of(plan, terrain), plan.azimuth_rad, plan.elevation_rad, plan.slant_range_m) +

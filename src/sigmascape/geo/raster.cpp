@@ -363,9 +363,10 @@ HeightUnit Raster::height_unit() const {
   const std::string name = source_->stated_unit.empty() ? source_->band->GetUnitType() : source_->stated_unit;
   if (!name.empty()) {
     if (const auto metres = metres_per_unit(name)) return {*metres};
-    throw Error(source_->name, fmt::format("counts heights in '{}', which is no known unit", name),
-                "convert it to metres, or state the unit as m, ft or us-ft, with the key unit or with gdal_edit.py "
-                "-units m");
+    throw Error(
+        source_->name, fmt::format("counts heights in '{}', which is no known unit", name),
+        "convert it to metres, or state the unit as m, ft or us-ft: with unit in a scene's [terrain], with --unit "
+        "of 'atlas terrain', or in the file with gdal_edit.py -units");
   }
   // A reference stated in place of the file's own may be one of places alone.
   for (const std::string& crs : {source_->crs, std::string(source_->dataset->GetProjectionRef())}) {

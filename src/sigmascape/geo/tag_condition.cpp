@@ -60,6 +60,12 @@ TagCondition::TagCondition(const OGRFeatureDefn& columns, const std::string& con
   }
 }
 
+std::vector<std::string> TagCondition::tags() const {
+  std::vector<std::string> names;
+  for (const int tag : asked_tags_) names.emplace_back(columns_->GetFieldDefn(tag)->GetNameRef());
+  return names;
+}
+
 bool TagCondition::is_met_by(const OGRFeature& row, const std::map<std::string, std::string>& attributes) {
   OGRFeature asked(columns_.get());
   asked.SetFID(row.GetFID());

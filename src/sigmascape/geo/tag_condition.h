@@ -18,6 +18,8 @@ class TagCondition {
 
   /// Why the condition cannot be asked of such features; nothing when it can.
   [[nodiscard]] const std::optional<std::string>& fault() const { return fault_; }
+  /// Those that it names and that are no column of the layer, misspelled ones among them.
+  [[nodiscard]] std::vector<std::string> tags() const;
   /// Whether a row of the layer, whose tags are unpacked among its attributes, meets it.
   [[nodiscard]] bool is_met_by(const OGRFeature& row, const std::map<std::string, std::string>& attributes);
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <gdal_priv.h>
+#include <iterator>
 #include <ogrsf_frmts.h>
 #include <set>
 #include <tuple>
@@ -94,6 +95,33 @@ std::optional<std::string> condition_fault(WantedLayer& wanted, const std::strin
   wanted.condition = std::make_unique<TagCondition>(columns, condition);
   return wanted.condition->fault();
 }
+
+/// Names in conditions that are no column of any of the layers, as long as no feature carries them.
+class UnknownTags {
+ public:
+  explicit UnknownTags(const std::vector<WantedLayer>& layers) {
+    for (const WantedLayer& wanted : layers) {
+      if (wanted.condition) std::ranges::copy(wanted.condition->tags(), std::inserter(names_, names_.end()));
+    }
+    for (const WantedLayer& wanted : layers) {
+      std::erase_if(names_, [&](const std::string& name) {
+        return wanted.layer->GetLayerDefn()->GetFieldIndex(name.c_str()) >= 0;
+      });
+    }
+  }
+  /// Of a feature that a condition is asked of.
+  void look_at(const std::map<std::string, std::string>& attributes) {
+    any_asked_ = true;
+    std::erase_if(names_, [&](const std::string& name) { return attributes.contains(name); });
+  }
+  [[nodiscard]] std::vector<std::string> left() const {
+    return any_asked_ ? std::vector(names_.begin(), names_.end()) : std::vector<std::string>();
+  }
+
+ private:
+  std::set<std::string> names_;
+  bool any_asked_ = false;
+};
 
 /// The layer that is named, or all, less those whose features cannot meet the condition, for they lack its attributes.
 std::vector<WantedLayer> wanted_layers(GDALDataset& dataset, const VectorSource& source) {
@@ -276,7 +304,9 @@ FeatureCensus for_each_feature(const VectorSource& source, const LocalFrame& fra
                                const std::function<void(Feature&&)>& visit) {
   const GDALDatasetUniquePtr dataset = open_vector(source);
   require_columns(*dataset, source);
-  FeatureWalk walk(*dataset, wanted_layers(*dataset, source));
+  std::vector<WantedLayer> layers = wanted_layers(*dataset, source);
+  UnknownTags unknown_tags(layers);
+  FeatureWalk walk(*dataset, std::move(layers));
   const bool osm = is_osm(*dataset);
   LayerTransforms transforms(source, frame);
   FeatureCensus census;
@@ -298,7 +328,10 @@ FeatureCensus for_each_feature(const VectorSource& source, const LocalFrame& fra
     ++of_this_kind;
     read_attributes(*row, feature);
     if (osm && !source.osm_tag.empty() && !carries_tag(feature, source.osm_tag)) continue;
-    if (wanted->condition && !wanted->condition->is_met_by(*row, feature.attributes)) continue;
+    if (wanted->condition) {
+      unknown_tags.look_at(feature.attributes);
+      if (!wanted->condition->is_met_by(*row, feature.attributes)) continue;
+    }
     for (const auto& [name, value] : feature.attributes) names.insert(name);
     if (!has_geometry(feature) || !bring_to_frame(feature, transforms.of(*layer))) {
       if (census.nowhere++ == 0) census.first_nowhere = feature.id;
@@ -317,6 +350,7 @@ FeatureCensus for_each_feature(const VectorSource& source, const LocalFrame& fra
                 fmt::format("none of its {} features is {}", of_other_kinds, word_for(source.kind)),
                 "choose another layer or file");
   }
+  census.unknown_tags = unknown_tags.left();
   census.attribute_names.assign(names.begin(), names.end());
   return census;
 }

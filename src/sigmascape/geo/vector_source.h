@@ -46,6 +46,9 @@ struct FeatureCensus {
   std::vector<std::string> attribute_names;  ///< all that occur, sorted
   std::size_t nowhere = 0;  ///< features without geometry or with coordinates that have no place in the frame
   std::string first_nowhere;
+  /// Names in the condition that are no column of a layer and no tag of a feature that was asked, sorted: they were
+  /// NULL for all of them, be it that they are misspelled or that nothing has them. None when no feature was asked.
+  std::vector<std::string> unknown_tags;
 };
 
 /// Hands over the features of the wanted kind one by one, so that a file of a whole country needs no more memory than

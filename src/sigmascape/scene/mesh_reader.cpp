@@ -141,7 +141,6 @@ void add_mesh(Scene& scene, const MeshSource& source, const MaterialTable& mater
   const FoundPlaces places = places_in(scene, source.placements);
   const std::string outside = "meshes outside the scene, left out";
   std::size_t inside = 0;
-  of_places.flaw("positions without usable coordinates, left out", places.first_nowhere, places.nowhere);
   for (const Vec2d& position : places.positions) {
     if (!scene.extent.contains(position)) {
       of_places.note(outside, fmt::format("({:.1f}, {:.1f}) m", position.x, position.y));
@@ -156,7 +155,13 @@ void add_mesh(Scene& scene, const MeshSource& source, const MaterialTable& mater
                                .speed_mps = static_cast<float>(source.speed_mps)});
   }
   if (inside == 0) of_places.leaves_nothing(outside);
-  of_places.settle(source.file.string(), places.positions.size() + places.nowhere, source.limit, scene.remarks);
+  of_places.settle(source.file.string(), places.positions.size(), source.limit, scene.remarks);
+  if (const auto& points = source.placements.points) {
+    FlawTally of_points;
+    tell_of_census(places.of_file, *points, of_points);
+    of_points.settle(points->file.string(), places.of_file.features + places.of_file.nowhere, source.limit,
+                     scene.remarks);
+  }
 }
 
 }  // namespace sigmascape::scene

@@ -32,11 +32,9 @@ FoundPlaces places_in(const Scene& scene, const Placements& placements) {
     positions.push_back(geo::position_in_frame(scene.frame, {latitude_deg, longitude_deg}));
   }
   if (placements.points) {
-    const auto census = geo::for_each_feature(*placements.points, scene.frame, [&](const geo::Feature& feature) {
+    places.of_file = geo::for_each_feature(*placements.points, scene.frame, [&](const geo::Feature& feature) {
       positions.insert(positions.end(), feature.points.begin(), feature.points.end());
     });
-    places.nowhere = census.nowhere;
-    places.first_nowhere = census.first_nowhere;
   }
   return places;
 }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,8 +26,7 @@ struct Placements {
 /// Places in the scene's frame.
 struct FoundPlaces {
   std::vector<Vec2d> positions;  ///< in the order frame, globe, file
-  std::size_t nowhere = 0;       ///< of the file's, those that have no place in the frame
-  std::string first_nowhere;
+  geo::FeatureCensus of_file{};  ///< of `Placements::points`
 };
 
 [[nodiscard]] FoundPlaces places_in(const Scene& scene, const Placements& placements);

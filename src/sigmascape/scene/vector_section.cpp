@@ -25,8 +25,26 @@ FlawLimit read_flaw_limit(const TomlSection& section, const FlawLimit& of_scene)
   return {section.number_or("max_flawed_share", {0.0, 1.0, ""}, of_scene.max_share), of_scene.strict};
 }
 
+namespace {
+
+/// A condition, and what may have been meant where it names a tag that no feature carries.
+std::string explained(const std::string& condition, const std::string& unknown_tag,
+                      const std::vector<std::string>& known) {
+  const std::string condition_text = fmt::format("where = \"{}\"", condition);
+  if (condition.find(fmt::format("\"{}\"", unknown_tag)) != std::string::npos)
+    return fmt::format("{} (a text stands in single quotes: '{}')", condition_text, unknown_tag);
+  const auto nearest = nearest_word(unknown_tag, known);
+  return nearest ? fmt::format("{} (did you mean {}?)", condition_text, *nearest) : condition_text;
+}
+
+}  // namespace
+
 void tell_of_census(const geo::FeatureCensus& census, const geo::VectorSource& source, FlawTally& tally) {
   tally.flaw("features without usable coordinates, left out", census.first_nowhere, census.nowhere);
+  for (const std::string& tag : census.unknown_tags) {
+    tally.mistake(fmt::format("conditions on the tag {}, which no feature carries", tag),
+                  explained(source.where, tag, census.attribute_names));
+  }
   if (census.features > 0 || census.nowhere > 0) return;
   tally.mistake("files without a feature that is asked for, of which nothing is used",
                 source.where.empty() ? "has none" : fmt::format("none meets where = \"{}\"", source.where));

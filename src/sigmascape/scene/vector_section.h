@@ -12,7 +12,8 @@ namespace sigmascape::scene {
 /// The section's own max_flawed_share, or the scene's.
 [[nodiscard]] FlawLimit read_flaw_limit(const TomlSection& section, const FlawLimit& of_scene);
 
-/// Tallies what may be wrong with any file: features without usable coordinates, or none at all that is asked for.
+/// Tallies what may be wrong with any file: features without usable coordinates, or none at all that is asked for, or a
+/// condition that names a tag of which the file knows nothing.
 void tell_of_census(const geo::FeatureCensus& census, const geo::VectorSource& source, FlawTally& tally);
 
 /// Throws Error when no feature carries the attribute that a key names.

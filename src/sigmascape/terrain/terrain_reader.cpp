@@ -4,15 +4,19 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
-#include <unistd.h>
 #include <utility>
 #include <vector>
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/interruption.h"
+#include "sigmascape/base/machine_memory.h"
+#include "sigmascape/terrain/fitting_spacing.h"
 
 namespace sigmascape::terrain {
 namespace {
+
+/// What reading takes of memory for every height: the height, and what the raster has under it meanwhile.
+constexpr double bytes_a_height = 12.0;
 
 std::size_t count_holes(const Array2D<float>& heights) {
   return static_cast<std::size_t>(std::ranges::count_if(heights.values(), [](float h) { return std::isnan(h); }));
@@ -63,21 +67,19 @@ void relax(Array2D<float>& heights, Node node, const Limit& limited) {
   height = limited(height + over_relaxation * (neighbour_mean(heights, node) - height));
 }
 
-/// Throws Error, which names a spacing that would do, when the heights of a rectangle are more than memory holds.
+/// Throws Error, which names a spacing that would do, when reading the heights of a rectangle takes more memory than
+/// there is.
 void require_room(const radar::Rectangle& wanted, double spacing_m, const TerrainSource& source) {
   const double columns = std::floor(wanted.width_m() / spacing_m) + 1.0,
                rows = std::floor(wanted.height_m() / spacing_m) + 1.0;
-  const double bytes = columns * rows * bytes_a_height,
-               memory = static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
+  const double bytes = columns * rows * bytes_a_height, memory = machine_memory_bytes();
   if (bytes <= memory) return;
-  const double fitting_m = spacing_m * std::sqrt(bytes / memory),
-               second_digit_m = std::pow(10.0, std::floor(std::log10(fitting_m)) - 1.0);
   throw Error(source.where.empty() ? source.raster.file.string() : source.where + ".spacing_m",
-              fmt::format("heights every {:g} m over {:.0f} × {:.0f} m are {:.0f} × {:.0f}, for which a scene takes "
-                          "{:.3g} GB of memory, and there are {:.3g}",
+              fmt::format("heights every {:g} m over {:.0f} × {:.0f} m are {:.0f} × {:.0f}, which take {:.3g} GB of "
+                          "memory to read, and there are {:.3g}",
                           spacing_m, wanted.width_m(), wanted.height_m(), columns, rows, bytes / 1e9, memory / 1e9),
               fmt::format("choose a spacing of {:g} m or more, or a smaller extent",
-                          std::ceil(fitting_m / second_digit_m) * second_digit_m));
+                          fitting_spacing_m(spacing_m, bytes, memory)));
 }
 
 }  // namespace

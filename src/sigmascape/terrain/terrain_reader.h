@@ -27,13 +27,9 @@ struct ReadTerrain {
   bool unit_is_guess = false;    ///< as geo::HeightUnit has it
 };
 
-/// What a scene with so many heights takes in memory for them: while it is read, and later with the map of materials
-/// and the structures for rays above them, it is up to some forty bytes each.
-inline constexpr double bytes_a_height = 40.0;
-
 /// Reads heights over a rectangle of the frame, or, without one, over all of the raster. Throws Error when the
-/// rectangle and the raster do not overlap, more than the stated share of nodes has no data, or a scene of so many
-/// heights takes more memory than this machine has; of those nothing is allocated.
+/// rectangle and the raster do not overlap, more than the stated share of nodes has no data, or reading so many heights
+/// takes more memory than this machine has; of those nothing is allocated.
 [[nodiscard]] ReadTerrain read_terrain(const TerrainSource& source, const geo::LocalFrame& frame,
                                        std::optional<radar::Rectangle> wanted);
 

@@ -21,6 +21,19 @@ Run run_between(double begin, double end, std::size_t of, std::size_t at_least) 
   return {first, static_cast<std::size_t>(after) - first};
 }
 
+/// The nodes that a field's surface over a rectangle hangs on.
+struct NodeRuns {
+  Run columns, rows;
+};
+NodeRuns nodes_within(const terrain::HeightField& field, const radar::Rectangle& part) {
+  const auto nodes = [&field](double metres) { return metres / field.spacing_m; };
+  // A cell hangs on the node after it as well.
+  return {run_between(nodes(part.west_m - field.west_m), nodes(part.east_m - field.west_m) + 1.0,
+                      field.height_m.columns(), 2),
+          run_between(nodes(field.north_m - part.north_m), nodes(field.north_m - part.south_m) + 1.0,
+                      field.height_m.rows(), 2)};
+}
+
 template <typename Value>
 Array2D<Value> piece(const Array2D<Value>& whole, Run columns, Run rows) {
   Array2D<Value> part(columns.count, rows.count);
@@ -32,16 +45,16 @@ Array2D<Value> piece(const Array2D<Value>& whole, Run columns, Run rows) {
 }  // namespace
 
 terrain::HeightField ground_within(const terrain::HeightField& field, const radar::Rectangle& part) {
-  const auto nodes = [&field](double metres) { return metres / field.spacing_m; };
-  // A cell hangs on the node after it as well.
-  const Run columns = run_between(nodes(part.west_m - field.west_m), nodes(part.east_m - field.west_m) + 1.0,
-                                  field.height_m.columns(), 2);
-  const Run rows = run_between(nodes(field.north_m - part.north_m), nodes(field.north_m - part.south_m) + 1.0,
-                               field.height_m.rows(), 2);
+  const auto [columns, rows] = nodes_within(field, part);
   return {.west_m = field.west_m + static_cast<double>(columns.first) * field.spacing_m,
           .north_m = field.north_m - static_cast<double>(rows.first) * field.spacing_m,
           .spacing_m = field.spacing_m,
           .height_m = piece(field.height_m, columns, rows)};
+}
+
+std::size_t heights_within(const terrain::HeightField& field, const radar::Rectangle& part) {
+  const auto [columns, rows] = nodes_within(field, part);
+  return columns.count * rows.count;
 }
 
 scene::MaterialMap ground_within(const scene::MaterialMap& map, const radar::Rectangle& part) {

@@ -37,6 +37,7 @@ struct SceneStructures;
 /// grid that is only hit from above and goes on for 300 m beyond its edges.
 class SceneGeometry {
  public:
+  /// Throws Error when the terrain and what rays need over it take more memory than this machine has.
   SceneGeometry(const scene::Scene& scene, Footing footing);
   /// Of what matters alone to paths that begin in a place: memory goes by that, not by the scene.
   SceneGeometry(const scene::Scene& scene, Footing footing, const Surroundings& around);

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "sigmascape/base/error.h"
+#include "sigmascape/base/machine_memory.h"
+#include "sigmascape/trace/ground_room.h"
 #include "sigmascape/trace/ground_within.h"
 #include "sigmascape/trace/scene_heights.h"
 
@@ -111,6 +113,7 @@ void SceneStructures::build(const scene::Scene& scene, Footing on, const Surroun
   crowns = scene.crowns;
   const auto highest_ground_m = static_cast<double>(on == Footing::Terrain ? scene.terrain.highest_m() : 0.0F);
   const radar::Rectangle within = around.reach(highest_ground_m);
+  if (on == Footing::Terrain) require_room(scene, within, machine_memory_bytes());
   ground = ground_within(scene.ground, within);
   const SceneHeights heights = heights_of(scene, footing);
   lowest_m = heights.lowest_m;

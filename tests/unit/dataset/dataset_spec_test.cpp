@@ -73,6 +73,18 @@ TEST_F(DatasetSpecFile, RefusesResolutionsThatAStatedPulseCannotHave) {
                         "waveform.pulse_length_us can be; stay within "));
 }
 
+TEST_F(DatasetSpecFile, RefusesPulsesForWhoseBandACarrierHasNoRoom) {
+  const auto drawn = [&](const std::string& frequencies_ghz, const std::string& resolutions_m) {
+    return fault_of("4",
+                    "[radar]\nfrequency_ghz = " + frequencies_ghz + "\nrange_resolution_m = " + resolutions_m + "\n");
+  };
+  EXPECT_EQ(drawn("[1, 9]", "[0.1, 9]"), "");
+  // 1.2479 c/(4 f) for the usual window.
+  EXPECT_THAT(drawn("[0.5, 9]", "[0.1, 9]"),
+              HasSubstr("spec.toml: radar.range_resolution_m: lets a pulse of 0.1 m be drawn, whose band about 0.5 GHz "
+                        "reaches down to no frequency at all; stay above 0.187"));
+}
+
 TEST_F(DatasetSpecFile, TakesNothingTwice) {
   EXPECT_EQ(fault_of("4\nlayers = [\"shadow\", \"class\"]\npolarizations = [\"VV\", \"HV\"]"), "");
   EXPECT_THAT(fault_of("4\nlayers = [\"shadow\", \"class\", \"shadow\"]"),

@@ -142,7 +142,8 @@ TEST(Raster, UnitsOfHeightsAreThoseOfTheBand) {
     EXPECT_THAT(message_of_error([&] { static_cast<void>(height_in(unknown)); }), HasSubstr("is no known unit"))
         << unknown;
   EXPECT_THAT(message_of_error([&] { static_cast<void>(height_in("fathom")); }),
-              HasSubstr("unit.vrt: counts heights in 'fathom', which is no known unit; convert it to metres"));
+              AllOf(HasSubstr("unit.vrt: counts heights in 'fathom', which is no known unit; convert it to metres"),
+                    HasSubstr("unit in a scene's [terrain]"), HasSubstr("--unit of 'atlas terrain'")));
 }
 
 TEST(Raster, UnitsOfHeightsAreThoseOfTheVerticalAxisWhereTheBandStatesNone) {

@@ -134,6 +134,26 @@ TEST(VectorSource, ConditionSeesTagsOfOpenStreetMapThatHaveNoColumn) {
   EXPECT_TRUE(read_features(source, frame).empty());
 }
 
+TEST(VectorSource, TagsOfAConditionThatNoFeatureCarriesAreNamed) {
+  const ScratchFolder folder;
+  VectorSource source{.file = ways(folder), .kind = GeometryKind::Lines, .osm_tag = "highway"};
+  const auto unknown = [&](const std::string& condition) {
+    source.where = condition;
+    return for_each_feature(source, frame, [](const Feature&) {}).unknown_tags;
+  };
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(unknown("highway = \"primary\""), Names{"primary"});
+  EXPECT_EQ(unknown("highway = 'primary' OR highwy IS NULL"), Names{"highwy"});
+  EXPECT_EQ(unknown("surface = 'paved' OR location IS NULL OR highwy = lanes"),
+            (Names{"highwy", "location", "surface"}));
+  EXPECT_EQ(unknown("\"building:levels\" IS NULL"), Names{"building:levels"}) << "houses are not asked";
+  EXPECT_EQ(unknown("covered = 'yes' OR CAST(lanes AS integer) > 4"), Names{}) << "carried, if not so";
+  EXPECT_EQ(unknown("Highway IS NOT NULL OR z_order IS NULL OR barrier IS NULL"), Names{}) << "columns";
+  EXPECT_EQ(unknown(""), Names{});
+  source.osm_tag = "waterway";
+  EXPECT_EQ(unknown("highwy IS NULL"), Names{}) << "nothing was asked";
+}
+
 TEST(VectorSource, ConditionOnTagsMustBeOneOfOgr) {
   const ScratchFolder folder;
   VectorSource source{.file = ways(folder), .kind = GeometryKind::Lines, .where = "lanes > 1"};

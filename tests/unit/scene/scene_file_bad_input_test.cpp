@@ -65,7 +65,7 @@ TEST_F(BadInput, SpacingThatMakesMoreHeightsThanMemoryHolds) {
       "[terrain]\nfile = \"heights.asc\"\ncrs = \"EPSG:25830\"\n";
   EXPECT_THAT(fault_of(scene + "spacing_m = 0.1\n"),
               AllOf(HasSubstr("bad.toml: terrain.spacing_m: heights every 0.1 m over 200000 × 200000 m are 2000001 × "
-                              "2000001, for which a scene takes 1.6e+05 GB of memory"),
+                              "2000001, which take 4.8e+04 GB of memory to read"),
                     HasSubstr("choose a spacing of ")));
 }
 

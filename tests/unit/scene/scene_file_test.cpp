@@ -14,6 +14,7 @@
 namespace sigmascape::scene {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 const std::string houses_section = "[[buildings]]\nfile = \"houses.geojson\"\nheight_attribute = \"h\"\n";
@@ -232,6 +233,36 @@ TEST(SceneFile, FilesWhollyOutsideTheSceneMakeARemark) {
   EXPECT_TRUE(std::ranges::all_of(scene.remarks, &Remark::is_likely_a_mistake));
 }
 
+/// Two roads and a stream of OpenStreetMap through the middle of the place.
+const char* const mapped_ways = R"(<osm version="0.6">
+  <node id="1" lat="43.31143" lon="-2.990"/><node id="2" lat="43.31143" lon="-2.982"/>
+  <way id="10"><nd ref="1"/><nd ref="2"/><tag k="highway" v="primary"/><tag k="lanes" v="2"/></way>
+  <way id="11"><nd ref="1"/><nd ref="2"/><tag k="highway" v="service"/></way>
+  <way id="12"><nd ref="1"/><nd ref="2"/><tag k="waterway" v="stream"/><tag k="location" v="underground"/></way></osm>)";
+
+TEST(SceneFile, ConditionsOnTagsThatNothingCarriesMakeRemarks) {
+  const MadeUpPlace place;
+  place.write("roads.osm", mapped_ways);
+  const auto scene_where = [&](const std::string& condition) {
+    return place.read("[[roads]]\nfile = \"roads.osm\"\nwidth_m = 20\nwhere = '''" + condition + "'''\n");
+  };
+  const auto remark_on = [](const Scene& scene, const std::string& tag) {
+    const auto found =
+        std::ranges::find(scene.remarks, "conditions on the tag " + tag + ", which no feature carries", &Remark::what);
+    if (found == scene.remarks.end()) return std::string();
+    EXPECT_TRUE(found->is_likely_a_mistake);
+    return found->first;
+  };
+  EXPECT_THAT(remark_on(scene_where(R"(highway = "primary")"), "primary"),
+              HasSubstr(R"(roads.osm: where = "highway = "primary"" (a text stands in single quotes: 'primary'))"));
+  EXPECT_THAT(remark_on(scene_where("highway = 'primary' OR highwy IS NULL"), "highwy"),
+              HasSubstr("(did you mean highway?)"));
+  const Scene overground = scene_where("location IS NULL OR location <> 'underground'");
+  EXPECT_EQ(material_at(overground, {0.0, 0.0}), "asphalt") << "and no error";
+  EXPECT_THAT(remark_on(overground, "location"), HasSubstr("roads.osm: where ="));
+  EXPECT_TRUE(scene_where("highway = 'primary' AND lanes = '2'").remarks.empty());
+}
+
 TEST(SceneFile, FilesWithoutWhatIsAskedForMakeARemark) {
   const MadeUpPlace place;
   place.write_houses(MadeUpPlace::house(-20, 0, 20, 40, R"("h":12.5)"));
@@ -293,9 +324,20 @@ TEST(SceneFile, MeshesWithoutUsableCoordinatesAreCounted) {
       "positions = {file = \"masts.csv\", crs = \"EPSG:25830\", x = \"x\", y = \"y\"}\n";
   const Scene scene = place.read(masts);
   EXPECT_EQ(scene.instances.size(), 2U);
-  EXPECT_EQ(remark_count(scene, "positions without usable coordinates"), 1U);
+  EXPECT_EQ(remark_count(scene, "features without usable coordinates"), 1U);
   EXPECT_THAT(place.fault(masts, "[scene]\nstrict = true\n"),
-              ::testing::HasSubstr("positions without usable coordinates"));
+              AllOf(HasSubstr("masts.csv: layer masts, feature 3"), HasSubstr("features without usable coordinates")));
+}
+
+TEST(SceneFile, PositionsOfMeshesThatNothingMeetsMakeARemark) {
+  const MadeUpPlace place;
+  place.write("mast.obj", "v 0 0 0\nv 1 0 0\nv 0 0 9\nf 1 2 3\n");
+  place.write("masts.csv", "x,y,kind\n501100,4795500,pole\n");
+  const Scene scene = place.read(
+      "[[meshes]]\nfile = \"mast.obj\"\nmaterial = \"metal\"\n"
+      "positions = {file = \"masts.csv\", crs = \"EPSG:25830\", x = \"x\", y = \"y\", where = \"kind = 'mast'\"}\n");
+  ASSERT_EQ(remark_count(scene, "files without a feature that is asked for"), 1U);
+  EXPECT_THAT(scene.remarks.back().first, HasSubstr("masts.csv: none meets where"));
 }
 
 TEST(SceneFile, PointTargetsCarryTheirCrossSection) {

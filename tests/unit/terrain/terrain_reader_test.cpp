@@ -7,6 +7,7 @@
 #include "scratch_folder.h"
 #include "unit/geo/ascii_grid.h"
 
+#include "sigmascape/base/machine_memory.h"
 #include "sigmascape/terrain/pyramid_builder.h"
 
 namespace sigmascape::terrain {
@@ -85,6 +86,21 @@ TEST_F(TerrainReader, MoreHeightsThanMemoryHoldsAreAnErrorThatSaysWhatSpacingWou
   EXPECT_GT(fitting_m, 0.1);
   fine.spacing_m = 0.9 * fitting_m;
   EXPECT_THAT(message_of_error([&] { static_cast<void>(read_terrain(fine, frame, wide)); }), HasSubstr(proposal));
+}
+
+// Maps from an atlas need the heights alone, not what rays need over them, which is three times as much.
+TEST_F(TerrainReader, RoomForReadingIsEnough) {
+  TerrainSource fine = source([](double, double) { return 1.0; });
+  fine.raster.unit = "fathom";  // refused before a height is read
+  const auto fault_at = [&](double bytes_a_height) {
+    const double side_m = std::sqrt(machine_memory_bytes() / bytes_a_height) * 0.01;
+    fine.spacing_m = 0.01;
+    return message_of_error([&] {
+      static_cast<void>(read_terrain(fine, frame, radar::Rectangle{0.0, 0.0, side_m, side_m}));
+    });
+  };
+  EXPECT_THAT(fault_at(15.0), HasSubstr("counts heights in 'fathom'"));
+  EXPECT_THAT(fault_at(10.0), HasSubstr("GB of memory to read"));
 }
 
 TEST_F(TerrainReader, PyramidsOfHeightsInAnotherUnitAreMadeAnew) {
