@@ -41,7 +41,7 @@ class StripTarget {
     constexpr int most_steps = 8;
     int fold = 0;
     for (int step = 0; step < most_steps; ++step) {
-      const auto seen = passage(sine_at(0.0), fold, 0.0);
+      const auto seen = passage(processing_.sine_at(0.0), fold, 0.0);
       if (!seen) return std::nullopt;
       const double own_rate_mps = dot(seen->target.velocity_mps, seen->away) / seen->range_m;
       const auto next = static_cast<int>(-std::clamp(std::round(own_rate_mps / fold_mps()), -most_folds, most_folds));
@@ -52,7 +52,7 @@ class StripTarget {
   }
 
   [[nodiscard]] std::optional<Believed> believed(double part_of_band, int fold, double near_s) const {
-    const double sine = sine_at(part_of_band);
+    const double sine = processing_.sine_at(part_of_band);
     if (!(std::abs(sine) < 1.0)) return std::nullopt;
     const auto seen = passage(sine, fold, near_s);
     if (!seen) return std::nullopt;
@@ -71,16 +71,13 @@ class StripTarget {
 
   /// Turns of the phase that a point at rest has there.
   [[nodiscard]] double turns_of_rest(double part_of_band, double along_m, double closest_range_m) const {
-    const double sine = sine_at(part_of_band);
+    const double sine = processing_.sine_at(part_of_band);
     return -2.0 * (closest_range_m * std::sqrt(1.0 - sine * sine) + along_m * sine) / processing_.wavelength_m;
   }
 
   /// Pulses for which the band sees a point at rest that far away.
   [[nodiscard]] std::size_t pulses(double range_m) const {
-    const double cosine = std::cos(processing_.squint_rad);
-    const double interval_s =
-        processing_.band_per_m * processing_.wavelength_m * range_m / (2.0 * speed_mps_ * cosine * cosine);
-    return static_cast<std::size_t>(std::max(1.0, std::round(interval_s * processing_.repetition_hz)));
+    return static_cast<std::size_t>(std::max(1.0, std::round(processing_.pulses_a_metre() * range_m)));
   }
   /// Cells through which the band reaches, of those over which all Doppler spreads a target.
   [[nodiscard]] double band_in_cells(double range_m) const {
@@ -88,9 +85,6 @@ class StripTarget {
   }
 
  private:
-  [[nodiscard]] double sine_at(double part_of_band) const {
-    return std::sin(processing_.squint_rad) + 0.5 * processing_.wavelength_m * processing_.band_per_m * part_of_band;
-  }
   /// By how much closing in differs from fold to fold.
   [[nodiscard]] double fold_mps() const { return 0.5 * processing_.wavelength_m * processing_.repetition_hz; }
   [[nodiscard]] double closing(double sine, int fold) const { return speed_mps_ * sine + fold * fold_mps(); }
@@ -209,6 +203,15 @@ void fluctuate(Band& band, const radar::Target& target, std::uint64_t dwell, boo
 }
 
 }  // namespace
+
+double StripProcessing::sine_at(double part_of_band) const {
+  return std::sin(squint_rad) + 0.5 * wavelength_m * band_per_m * part_of_band;
+}
+
+double StripProcessing::pulses_a_metre() const {
+  const double cosine = std::cos(squint_rad);
+  return repetition_hz * band_per_m * wavelength_m / (2.0 * length(platform.velocity_mps) * cosine * cosine);
+}
 
 std::vector<StripPart> strip_parts(const radar::Target& target, const StripProcessing& processing,
                                    const StripPattern& pattern, int order) {

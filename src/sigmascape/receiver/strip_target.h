@@ -19,6 +19,11 @@ struct StripProcessing {
   double band_per_m = 0.0;  ///< cycles a metre along the flight that are kept, about those of the squint
   double closest_range_cell_m = 0.0;
   std::uint64_t dwell = 0;
+
+  /// Of the angle ahead of broadside at a place of the band, from −½ to ½: docs/physics/doppler.md, Eq. (13).
+  [[nodiscard]] double sine_at(double part_of_band) const;
+  /// That are processed of a point, for each metre of its slant range.
+  [[nodiscard]] double pulses_a_metre() const;
 };
 
 /// A point of a strip that shows a part of a target's band, as if it stood there at rest.

@@ -13,7 +13,6 @@
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/window_response.h"
 #include "sigmascape/receiver/carrier_phase.h"
-#include "sigmascape/receiver/strip_target.h"
 
 namespace sigmascape::receiver {
 namespace {
@@ -89,7 +88,8 @@ StripmapImager::StripmapImager(const radar::Radar& radar, const radar::Motion& p
   frame_.closest_range_cell_m =
       speed_of_light_mps / (2.0 * range_.bandwidth_hz) * radar::WindowResponse(radar.waveform.window).noise_bandwidth();
   frame_.along_cell_m = radar::WindowResponse(strip.window).noise_bandwidth() / band_per_m(strip);
-  const double near_m = frame_.closest_range_m.first / std::cos(strip.squint_rad), pulses = pulses_a_metre() * near_m;
+  const double near_m = frame_.closest_range_m.first / std::cos(strip.squint_rad),
+               pulses = processing().pulses_a_metre() * near_m;
   if (!(pulses >= 2.0)) {
     throw Error(
         "stripmap",
@@ -99,9 +99,14 @@ StripmapImager::StripmapImager(const radar::Radar& radar, const radar::Motion& p
   }
 }
 
-double StripmapImager::pulses_a_metre() const {
-  const double cosine = std::cos(strip_.squint_rad);
-  return repetition_hz_ * band_per_m_ * wavelength_m(frame_.frequency_hz) / (2.0 * speed_mps_ * cosine * cosine);
+StripProcessing StripmapImager::processing() const {
+  return {.platform = frame_.platform,
+          .wavelength_m = wavelength_m(frame_.frequency_hz),
+          .repetition_hz = repetition_hz_,
+          .squint_rad = strip_.squint_rad,
+          .band_per_m = band_per_m_,
+          .closest_range_cell_m = frame_.closest_range_cell_m,
+          .dwell = strip_.dwell};
 }
 
 StripmapImager::Fold StripmapImager::unfolded() const {
@@ -111,9 +116,8 @@ StripmapImager::Fold StripmapImager::unfolded() const {
 
 /// `part_of_band`: from −½ to ½ of the processed Doppler band. docs/physics/doppler.md, Eq. (13).
 StripmapImager::Fold StripmapImager::fold_of(int order, double part_of_band) const {
-  const double wavelength = wavelength_m(frame_.frequency_hz);
-  const double processed = std::sin(strip_.squint_rad) + 0.5 * wavelength * band_per_m_ * part_of_band;
-  const double folded = order * wavelength * repetition_hz_ / (2.0 * speed_mps_);
+  const double processed = processing().sine_at(part_of_band);
+  const double folded = order * wavelength_m(frame_.frequency_hz) * repetition_hz_ / (2.0 * speed_mps_);
   double window = 0.0;
   for (const radar::CosineTerm& term : window_terms_)
     window += term.amplitude * std::cos(2.0 * pi * term.cycles * part_of_band);
@@ -206,16 +210,10 @@ void StripmapImager::add(std::span<const radar::Scatterer> ground, unsigned thre
 }
 
 void StripmapImager::add(std::span<const radar::Target> targets, int order) {
-  const StripProcessing processing{.platform = frame_.platform,
-                                   .wavelength_m = wavelength_m(frame_.frequency_hz),
-                                   .repetition_hz = repetition_hz_,
-                                   .squint_rad = strip_.squint_rad,
-                                   .band_per_m = band_per_m_,
-                                   .closest_range_cell_m = frame_.closest_range_cell_m,
-                                   .dwell = strip_.dwell};
+  const StripProcessing processed = processing();
   std::vector<PlacedAmplitude> places;
   for (const radar::Target& target : targets) {
-    for (const StripPart& part : strip_parts(target, processing, pattern_, order)) {
+    for (const StripPart& part : strip_parts(target, processed, pattern_, order)) {
       const TargetPassage& at = part.seen;
       const Vec3d seen_from = at.target.position - at.away;
       const auto rcs = radar::mean_rcs_of(target, seen_from, frame_.frequency_hz, at.time_s);
@@ -229,7 +227,7 @@ void StripmapImager::add(std::span<const radar::Target> targets, int order) {
 void StripmapImager::add(const EquivalentNoise& noise) {
   const double cosine = std::cos(strip_.squint_rad);
   noise_ = {.power =
-                [noise, cosine, pulses_a_metre = pulses_a_metre(), closest_m = frame_.closest_range_m,
+                [noise, cosine, pulses_a_metre = processing().pulses_a_metre(), closest_m = frame_.closest_range_m,
                  bandwidth = response_.noise_bandwidth()](std::size_t row) {
                   const double range_m = closest_m.middle_of(static_cast<double>(row) + 0.5) / cosine;
                   return noise.rcs_m2(range_m, pulses_a_metre * range_m, bandwidth);

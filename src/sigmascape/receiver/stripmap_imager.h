@@ -13,6 +13,7 @@
 #include "sigmascape/receiver/range_gate.h"
 #include "sigmascape/receiver/response_plane.h"
 #include "sigmascape/receiver/strip_pattern.h"
+#include "sigmascape/receiver/strip_target.h"
 #include "sigmascape/receiver/voltage_gain.h"
 
 namespace sigmascape::receiver {
@@ -67,8 +68,7 @@ class StripmapImager {
 
  private:
   struct Seen;
-  /// That are processed of a point, for each metre of its slant range.
-  [[nodiscard]] double pulses_a_metre() const;
+  [[nodiscard]] StripProcessing processing() const;
   struct Fold;
   [[nodiscard]] Fold unfolded() const;
   [[nodiscard]] Fold fold_of(int order, double part_of_band) const;

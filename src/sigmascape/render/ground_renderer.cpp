@@ -1,13 +1,13 @@
 #include "sigmascape/render/ground_renderer.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
 
 #include "sigmascape/base/parallel.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/echo.h"
+#include "sigmascape/radar/rectangle_distances.h"
 #include "sigmascape/radar/target_shadows.h"
 #include "sigmascape/receiver/range_azimuth_receiver.h"
 
@@ -66,27 +66,6 @@ class AzimuthStrip {
   const radar::Rectangle& area_;
 };
 
-std::array<Vec2d, 4> corners_of(const radar::Rectangle& area) {
-  return {{{area.west_m, area.south_m},
-           {area.east_m, area.south_m},
-           {area.west_m, area.north_m},
-           {area.east_m, area.north_m}}};
-}
-
-struct Reach {
-  double near_m, far_m;
-};
-
-/// Nearest and farthest horizontal distance from the radar to ground that matters: terrain nearer than the area may
-/// hide it.
-Reach distances_to(const radar::Radar& radar, const radar::Rectangle& ground) {
-  const Vec2d p{radar.position.x, radar.position.y};
-  const Vec2d nearest{std::clamp(p.x, ground.west_m, ground.east_m), std::clamp(p.y, ground.south_m, ground.north_m)};
-  double farthest = 0.0;
-  for (const Vec2d corner : corners_of(ground)) farthest = std::max(farthest, length(corner - p));
-  return {length(nearest - p), farthest};
-}
-
 /// Azimuths as turns from a middle.
 struct AzimuthSpan {
   double left_rad, right_rad;
@@ -102,7 +81,7 @@ class AzimuthsOfArea {
     const Vec2d to_middle = area.centre() - radar;
     middle_rad_ = std::atan2(to_middle.x, to_middle.y);
     span_ = {0.0, 0.0};
-    for (const Vec2d corner : corners_of(area)) {
+    for (const Vec2d corner : radar::corners_of(area)) {
       const Vec2d away = corner - radar;
       const double turn_rad = turned_by_least(std::atan2(away.x, away.y) - middle_rad_);
       span_ = {std::min(span_.left_rad, turn_rad), std::max(span_.right_rad, turn_rad)};
@@ -128,9 +107,10 @@ radar::RangeAzimuthImage GroundRenderer::render(const radar::Radar& radar, const
                                                 RenderCounts& counts) const {
   const double frequency_hz = settings.texture_frequency_hz.value_or(radar.frequency_hz);
   atlas_->check_frequency(frequency_hz);
-  const Reach reach = distances_to(radar, terrain_->extent()), mapped = distances_to(radar, area);
-  const double cell_m =
-      std::min(radar.range_resolution_m, radar.beam_width_rad * std::max(mapped.near_m, mapped.far_m * nearest_part));
+  const Vec2d foot{radar.position.x, radar.position.y};
+  const double far_of_map_m = radar::farthest_m(area, foot);
+  const double near_of_map_m = std::max(radar::nearest_m(area, foot), far_of_map_m * nearest_part);
+  const double cell_m = std::min(radar.range_resolution_m, radar.beam_width_rad * near_of_map_m);
   // Two texels a resolution cell: what is finer the receiver would only average away.
   const double level = std::max(settings.level_of_detail - 1.0, atlas_->level_for(cell_m / 2.0));
 
@@ -138,10 +118,12 @@ radar::RangeAzimuthImage GroundRenderer::render(const radar::Radar& radar, const
   const ReflectingGround ground(*atlas_, *terrain_, radar.position, frequency_hz, level, settings.slope);
   const radar::TargetShadows shadows(settings.targets, 0.0, radar.position);
   const AzimuthStrip strip(ground, shadows, radar.position, area);
-  const AzimuthsOfArea azimuths({radar.position.x, radar.position.y}, area);
+  const AzimuthsOfArea azimuths(foot, area);
   const double apart_m = atlas_->patches().texel_m * std::exp2(level);
   const double step_m = grid.range_step_m / std::clamp(std::round(grid.range_step_m / apart_m), fewest_samples_outwards,
                                                        most_samples_a_side);
+  // Terrain nearer than the area may hide it.
+  const double near_m = radar::nearest_m(terrain_->extent(), foot), far_m = radar::farthest_m(terrain_->extent(), foot);
   const unsigned workers = thread_count(settings.threads);
   std::vector<std::vector<radar::Echo>> echoes(workers);
   std::vector<RenderCounts> strip_counts(workers);
@@ -149,11 +131,11 @@ radar::RangeAzimuthImage GroundRenderer::render(const radar::Radar& radar, const
     echoes[worker].clear();
     const double first_rad = grid.first_azimuth_rad + static_cast<double>(index) * grid.azimuth_step_rad;
     const AzimuthSpan span = azimuths.within(first_rad, grid.azimuth_step_rad);
-    const double strips = std::clamp(std::round(span.width_rad() * mapped.far_m / apart_m), 1.0, most_samples_a_side);
+    const double strips = std::clamp(std::round(span.width_rad() * far_of_map_m / apart_m), 1.0, most_samples_a_side);
     const double width_rad = span.width_rad() / strips;
     for (double number = 0.5; number < strips && width_rad > 0.0; ++number) {
-      strip.sweep(azimuths.middle_rad() + span.left_rad + number * width_rad, width_rad, reach.near_m, reach.far_m,
-                  step_m, echoes[worker], strip_counts[worker]);
+      strip.sweep(azimuths.middle_rad() + span.left_rad + number * width_rad, width_rad, near_m, far_m, step_m,
+                  echoes[worker], strip_counts[worker]);
     }
     receiver.add_to_azimuth(index, echoes[worker]);
   });

@@ -1,11 +1,8 @@
 #pragma once
 
-#include <limits>
-
-#include "sigmascape/base/array2d.h"
 #include "sigmascape/radar/ground_grid.h"
 #include "sigmascape/render/reflecting_ground.h"
-#include "sigmascape/terrain/obstacle_sweep.h"
+#include "sigmascape/render/sight_grid.h"
 
 namespace sigmascape::render {
 
@@ -20,14 +17,11 @@ class SightMap {
   [[nodiscard]] terrain::Sight at(Vec2d point) const;
 
  private:
-  struct Parts {
-    float ground = 0.0F, hidden_m = std::numeric_limits<float>::infinity();
-  };
   [[nodiscard]] double azimuth_of(Vec2d point) const;
 
   Vec2d origin_;
   double middle_rad_ = 0.0, first_azimuth_rad_ = 0.0, azimuth_step_rad_ = 0.0, near_m_ = 0.0, step_m_ = 1.0;
-  Array2D<Parts> parts_;  // [distance, azimuth]
+  SightGrid sights_;  // lines are azimuths
 };
 
 }  // namespace sigmascape::render

@@ -4,22 +4,16 @@
 #include <cmath>
 
 #include "sigmascape/base/parallel.h"
+#include "sigmascape/radar/rectangle_distances.h"
 
 namespace sigmascape::render {
 namespace {
-
-std::array<Vec2d, 4> corners_of(const radar::Rectangle& area) {
-  return {Vec2d{area.west_m, area.south_m},
-          {area.west_m, area.north_m},
-          {area.east_m, area.south_m},
-          {area.east_m, area.north_m}};
-}
 
 /// The least and the most of what grows evenly over the ground.
 template <typename Measure>
 std::array<double, 2> span_over(const radar::Rectangle& area, const Measure& measure) {
   std::array<double, 4> values{};
-  std::ranges::transform(corners_of(area), values.begin(), measure);
+  std::ranges::transform(radar::corners_of(area), values.begin(), measure);
   return {std::ranges::min(values), std::ranges::max(values)};
 }
 
@@ -47,31 +41,23 @@ StripSightMap::Side StripSightMap::side_of(const ReflectingGround& ground, const
   const auto before = static_cast<std::size_t>(std::max(0.0, (distances_m[0] - start_m) / step_m_ - 1.0));
   side.first_across_m = lines_m[0];
   side.near_m = start_m + static_cast<double>(before) * step_m_;
-  side.parts = Array2D<Parts>(static_cast<std::size_t>(std::max(0.0, (far_m - side.near_m) / step_m_)) + 2,
-                              static_cast<std::size_t>((lines_m[1] - lines_m[0]) / step_m_) + 1);
+  side.sights = SightGrid(before, static_cast<std::size_t>(std::max(0.0, (far_m - side.near_m) / step_m_)) + 2,
+                          static_cast<std::size_t>((lines_m[1] - lines_m[0]) / step_m_) + 1);
   const double azimuth_rad = std::atan2(beam.outwards.x, beam.outwards.y);
-  parallel_for(side.parts.rows(), threads, [&](std::size_t row, unsigned) {
+  parallel_for(side.sights.lines(), threads, [&](std::size_t row, unsigned) {
     const double across_m = side.first_across_m + (static_cast<double>(row) + 0.5) * step_m_;
     ground.seen_from(beam.platform_at(beam.time_s(across_m)))
         .walk(azimuth_rad, start_m, far_m + step_m_, step_m_,
-              [&](std::size_t step, double, Vec3d, const terrain::Sight& sight) {
-                if (step < before || step - before >= side.parts.columns()) return;
-                side.parts(step - before, row) = {static_cast<float>(sight.ground), static_cast<float>(sight.hidden_m)};
-              });
+              [&](std::size_t step, double, Vec3d, const terrain::Sight& sight) { side.sights.put(step, row, sight); });
   });
   return side;
 }
 
 terrain::Sight StripSightMap::at(Vec2d point) const {
-  const auto index_of = [](double place, std::size_t count) {
-    return static_cast<std::size_t>(std::clamp(place, 0.0, static_cast<double>(count - 1)));
-  };
   const Side& side = sides_[0].beam.looks_to(point) ? sides_[0] : sides_[1];
-  if (side.parts.empty()) return {};
-  const Parts& parts =
-      side.parts(index_of((side.beam.distance_m(point) - side.near_m) / step_m_, side.parts.columns()),
-                 index_of((side.beam.across_m(point) - side.first_across_m) / step_m_, side.parts.rows()));
-  return {static_cast<double>(parts.ground), static_cast<double>(parts.hidden_m)};
+  if (side.sights.empty()) return {};
+  return side.sights.at((side.beam.distance_m(point) - side.near_m) / step_m_,
+                        (side.beam.across_m(point) - side.first_across_m) / step_m_);
 }
 
 }  // namespace sigmascape::render

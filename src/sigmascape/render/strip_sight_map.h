@@ -1,13 +1,11 @@
 #pragma once
 
 #include <array>
-#include <limits>
 
-#include "sigmascape/base/array2d.h"
 #include "sigmascape/radar/ground_grid.h"
 #include "sigmascape/radar/vantage.h"
 #include "sigmascape/render/reflecting_ground.h"
-#include "sigmascape/terrain/obstacle_sweep.h"
+#include "sigmascape/render/sight_grid.h"
 
 namespace sigmascape::render {
 
@@ -23,14 +21,11 @@ class StripSightMap {
   [[nodiscard]] terrain::Sight at(Vec2d point) const;
 
  private:
-  struct Parts {
-    float ground = 0.0F, hidden_m = std::numeric_limits<float>::infinity();
-  };
-  /// What one of the two beams sees; no parts where the area does not lie on its side.
+  /// What one of the two beams sees; nothing where the area does not lie on its side.
   struct Side {
     radar::PassingBeam beam;
     double first_across_m = 0.0, near_m = 0.0;
-    Array2D<Parts> parts;  // [distance, line]
+    SightGrid sights;
   };
   [[nodiscard]] Side side_of(const ReflectingGround& ground, const radar::PassingBeam& beam,
                              const radar::Rectangle& terrain_extent, const radar::Rectangle& area,

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -9,6 +8,7 @@
 #include "sigmascape/base/parallel.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/look.h"
+#include "sigmascape/radar/rectangle_distances.h"
 #include "sigmascape/radar/target_shadows.h"
 #include "sigmascape/simulate/layer_place.h"
 #include "sigmascape/simulate/layers.h"
@@ -29,46 +29,33 @@ struct SweptSector {
   std::size_t steps = 0;
 };
 
-std::array<Vec2d, 4> corners_of(const radar::Rectangle& r) {
-  return {Vec2d{r.west_m, r.south_m}, {r.east_m, r.south_m}, {r.west_m, r.north_m}, {r.east_m, r.north_m}};
-}
-
-double nearest_m(const radar::Rectangle& r, Vec2d p) {
-  return length(Vec2d{std::clamp(p.x, r.west_m, r.east_m), std::clamp(p.y, r.south_m, r.north_m)} - p);
-}
-
-double farthest_m(const radar::Rectangle& r, Vec2d p) {
-  double farthest = 0.0;
-  for (const Vec2d corner : corners_of(r)) farthest = std::max(farthest, length(corner - p));
-  return farthest;
-}
-
 SweptSector sector_of(const CoarseGround& ground, const radar::Radar& radar, const radar::GroundGrid& grid) {
   const Vec2d here{radar.position.x, radar.position.y};
   const radar::Rectangle area = grid.extent(), all = ground.terrain->extent();
   const Vec2d middle = area.centre() - here;
   const double middle_rad = std::atan2(middle.x, middle.y);
   double half_rad = 0.0;
-  for (const Vec2d corner : corners_of(area)) {
+  for (const Vec2d corner : radar::corners_of(area)) {
     const Vec2d away = corner - here;
     half_rad = std::max(half_rad, std::abs(std::remainder(std::atan2(away.x, away.y) - middle_rad, 2.0 * pi)));
   }
   if (area.contains(here)) half_rad = pi;
   SweptSector sector;
-  const double far_m = farthest_m(area, here);
+  const double far_m = radar::farthest_m(area, here);
   sector.step_m = grid.cell_m / steps_per_cell;
   sector.azimuth_step_rad = sector.step_m / far_m;
   sector.azimuths = static_cast<std::size_t>(std::ceil(2.0 * half_rad / sector.azimuth_step_rad)) + 1;
   sector.first_azimuth_rad = middle_rad - half_rad;
-  sector.near_m = nearest_m(all, here);
+  sector.near_m = radar::nearest_m(all, here);
   const double below_m = radar.position.z - static_cast<double>(ground.terrain->highest_m());
   const double above_m = radar.position.z - static_cast<double>(ground.terrain->lowest_m());
   // Beyond the map things matter as far as they can lie over it: at the range of its far end or nearer.
   const double last_range_m = std::hypot(far_m, above_m) + sector.step_m;
   const double below_tops_m = std::max(0.0, below_m - ground.tallest_m);
   const double end_m = std::sqrt(last_range_m * last_range_m - below_tops_m * below_tops_m);
-  sector.steps =
-      static_cast<std::size_t>(std::ceil((std::min(farthest_m(all, here), end_m) - sector.near_m) / sector.step_m)) + 1;
+  sector.steps = static_cast<std::size_t>(
+                     std::ceil((std::min(radar::farthest_m(all, here), end_m) - sector.near_m) / sector.step_m)) +
+                 1;
   return sector;
 }
 

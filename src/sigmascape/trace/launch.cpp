@@ -11,6 +11,7 @@
 
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/ground_stretch.h"
+#include "sigmascape/radar/rectangle_distances.h"
 #include "sigmascape/radar/rectangle_parts.h"
 #include "sigmascape/trace/height_bounds.h"
 
@@ -26,10 +27,6 @@ Vec2d level_part(Vec3d direction) {
   return horizontal > 0.0 ? Vec2d{direction.x / horizontal, direction.y / horizontal} : Vec2d{};
 }
 
-std::array<Vec2d, 4> corners_of(const radar::Rectangle& r) {
-  return {{{r.west_m, r.south_m}, {r.east_m, r.south_m}, {r.west_m, r.north_m}, {r.east_m, r.north_m}}};
-}
-
 /// The target and all places so far before and beside it where anything may begin.
 LaunchRing ring_about(const Viewpoint& viewpoint, const radar::Rectangle& target, double plane_height_m,
                       const MultibounceReach& reach) {
@@ -38,7 +35,7 @@ LaunchRing ring_about(const Viewpoint& viewpoint, const radar::Rectangle& target
   };
   const Vec2d from_centre = towards_from(target.centre());
   LaunchRing ring(dot(from_centre, from_centre) > 0.0 ? from_centre : Vec2d{0.0, 1.0});
-  for (const Vec2d corner : corners_of(target)) {
+  for (const Vec2d corner : radar::corners_of(target)) {
     ring.take_in(corner);
     const Vec2d towards = towards_from(corner);
     const Vec2d before = towards * reach.before_m, beside = Vec2d{towards.y, -towards.x} * reach.beside_m;
@@ -81,7 +78,7 @@ radar::Rectangle with_what_is_behind(const Viewpoint& viewpoint, const radar::Re
     all = {std::min(all.west_m, aim.x), std::min(all.south_m, aim.y), std::max(all.east_m, aim.x),
            std::max(all.north_m, aim.y)};
   };
-  std::ranges::for_each(corners_of(over), take_in);
+  std::ranges::for_each(radar::corners_of(over), take_in);
   for (const double x : {over.west_m, over.east_m}) take_in({x, nearest.y});
   for (const double y : {over.south_m, over.north_m}) take_in({nearest.x, y});
   return all;
@@ -239,7 +236,7 @@ bool LaunchArea::counts_always(std::span<const LaunchCell> aimed_at) const {
   // Rays that begin at a corner and end at one enclose all others, and what they enclose is convex as a ring is. Single
   // precision moves vertices by less than this.
   constexpr double rounding_m = 0.1;
-  return std::ranges::all_of(corners_of(aims), [&](Vec2d corner) {
+  return std::ranges::all_of(radar::corners_of(aims), [&](Vec2d corner) {
     const Vec3d aim{corner.x, corner.y, plane_height_m}, to_radar = viewpoint.direction_from(aim);
     const Vec3d start = aim + to_radar * ((top_height_m - plane_height_m) / to_radar.z);
     return rings.back().contains(corner, counting_rim_m() - rounding_m) &&
