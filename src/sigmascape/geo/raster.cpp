@@ -20,6 +20,7 @@
 #include "sigmascape/geo/axis_units.h"
 #include "sigmascape/geo/foot.h"
 #include "sigmascape/geo/heeding_progress.h"
+#include "sigmascape/geo/is_absent.h"
 #include "sigmascape/geo/quiet_gdal.h"
 #include "sigmascape/geo/spatial_reference.h"
 
@@ -29,8 +30,7 @@ namespace {
 constexpr float nan_height = std::numeric_limits<float>::quiet_NaN();
 
 GDALDatasetUniquePtr open_raster(const std::filesystem::path& file) {
-  if (!std::filesystem::exists(file))
-    throw Error(file.string(), "the file does not exist", "correct the path of the raster");
+  if (is_absent(file)) throw Error(file.string(), "the file does not exist", "correct the path of the raster");
   const QuietGdal quiet;
   register_gdal_drivers();
   GDALDatasetUniquePtr dataset(GDALDataset::Open(file.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY));

@@ -6,6 +6,7 @@
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/geo/geo_raster.h"
+#include "sigmascape/geo/is_absent.h"
 #include "sigmascape/geo/quiet_gdal.h"
 #include "sigmascape/geo/spatial_reference.h"
 
@@ -71,7 +72,7 @@ GeoRaster read_geotiff(const std::filesystem::path& path) {
   const GDALDatasetUniquePtr dataset(
       GDALDataset::Open(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers.data(), nullptr, nullptr));
   if (!dataset) {
-    if (!std::filesystem::exists(path)) throw Error(path.string(), "the file does not exist", "correct the path");
+    if (is_absent(path)) throw Error(path.string(), "the file does not exist", "correct the path");
     throw Error(path.string(), fmt::format("cannot be opened as GeoTIFF ({})", QuietGdal::complaint()),
                 "check the path and the format");
   }

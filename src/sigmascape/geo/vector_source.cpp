@@ -17,6 +17,7 @@
 #include "sigmascape/base/interruption.h"
 #include "sigmascape/geo/coordinate_transform.h"
 #include "sigmascape/geo/heeding_progress.h"
+#include "sigmascape/geo/is_absent.h"
 #include "sigmascape/geo/osm_tags.h"
 #include "sigmascape/geo/quiet_gdal.h"
 #include "sigmascape/geo/spatial_reference.h"
@@ -27,8 +28,7 @@ namespace {
 
 GDALDatasetUniquePtr open_vector(const VectorSource& source) {
   const std::string name = source.file.string();
-  if (!std::filesystem::exists(source.file))
-    throw Error(name, "the file does not exist", "correct the path of the vector data");
+  if (is_absent(source.file)) throw Error(name, "the file does not exist", "correct the path of the vector data");
   CPLStringList options;
   if (!source.x_column.empty()) {
     options.SetNameValue("X_POSSIBLE_NAMES", source.x_column.c_str());
@@ -123,13 +123,27 @@ class UnknownTags {
   bool any_asked_ = false;
 };
 
-/// The layer that is named, or all, less those whose features cannot meet the condition, for they lack its attributes.
+Error without_places(const VectorSource& source) {
+  const std::string remedy = source.kind != GeometryKind::Points
+                                 ? "give data that hold lines or areas, such as GeoJSON or GeoPackage"
+                             : source.x_column.empty() ? "name its columns of coordinates with the keys x and y"
+                                                       : "save it as CSV, of which columns of coordinates are read";
+  return {source.file.string(), "is a table without places", remedy};
+}
+
+/// The layer that is named, or all, less those that are tables without places, such as the styles that a GIS keeps in a
+/// GeoPackage, and those whose features cannot meet the condition, for they lack its attributes.
 std::vector<WantedLayer> wanted_layers(GDALDataset& dataset, const VectorSource& source) {
   std::vector<WantedLayer> layers;
   std::vector<std::string> names, condition_faults;
+  bool has_tables = false;
   for (OGRLayer* layer : dataset.GetLayers()) {
     names.emplace_back(layer->GetName());
     if (!source.layer.empty() && source.layer != names.back()) continue;
+    if (layer->GetGeomType() == wkbNone) {
+      has_tables = true;
+      continue;
+    }
     WantedLayer wanted{layer};
     const auto fault = source.where.empty() ? std::nullopt : condition_fault(wanted, source.where);
     if (fault) condition_faults.push_back(*fault);
@@ -137,6 +151,7 @@ std::vector<WantedLayer> wanted_layers(GDALDataset& dataset, const VectorSource&
   }
   if (!layers.empty() || names.empty()) return layers;
   const std::string name = source.file.string();
+  if (condition_faults.empty() && has_tables) throw without_places(source);
   if (condition_faults.empty()) {
     throw Error(name, fmt::format("has no layer '{}'", source.layer),
                 fmt::format("choose among its layers {}", fmt::join(names, ", ")));
@@ -289,6 +304,17 @@ std::string_view word_for(GeometryKind kind) {
   return kind == GeometryKind::Points ? "a point" : kind == GeometryKind::Lines ? "a line" : "an area";
 }
 
+/// A feature that has no place in the frame, and why where it has coordinates.
+std::string named_nowhere(const std::string& id, const OGRGeometry* geometry) {
+  if (geometry == nullptr || geometry->IsEmpty() != FALSE) return id;
+  OGREnvelope box;
+  geometry->getEnvelope(&box);
+  return fmt::format(
+      "{} (at {:.10g}, {:.10g}, which has no place in the scene's frame: the key crs can state another reference "
+      "system)",
+      id, box.MinX, box.MinY);
+}
+
 bool has_geometry(const Feature& feature) {
   return !feature.points.empty() || !feature.lines.empty() || !feature.polygons.empty();
 }
@@ -334,7 +360,7 @@ FeatureCensus for_each_feature(const VectorSource& source, const LocalFrame& fra
     }
     for (const auto& [name, value] : feature.attributes) names.insert(name);
     if (!has_geometry(feature) || !bring_to_frame(feature, transforms.of(*layer))) {
-      if (census.nowhere++ == 0) census.first_nowhere = feature.id;
+      if (census.nowhere++ == 0) census.first_nowhere = named_nowhere(feature.id, geometry);
       continue;
     }
     ++census.features;

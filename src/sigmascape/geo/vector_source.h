@@ -44,8 +44,8 @@ struct Feature {
 struct FeatureCensus {
   std::size_t features = 0;                  ///< that have a place in the frame
   std::vector<std::string> attribute_names;  ///< all that occur, sorted
-  std::size_t nowhere = 0;  ///< features without geometry or with coordinates that have no place in the frame
-  std::string first_nowhere;
+  std::size_t nowhere = 0;    ///< features without geometry or with coordinates that have no place in the frame
+  std::string first_nowhere;  ///< by its id, and its coordinates if it has any
   /// Names in the condition that are no column of a layer and no tag of a feature that was asked, sorted: they were
   /// NULL for all of them, be it that they are misspelled or that nothing has them. None when no feature was asked.
   std::vector<std::string> unknown_tags;
@@ -53,7 +53,8 @@ struct FeatureCensus {
 
 /// Hands over the features of the wanted kind one by one, so that a file of a whole country needs no more memory than
 /// what is kept of it, and passes over those of other kinds. Throws Error when the file is missing or unreadable, names
-/// no CRS, lacks the layer or the coordinate columns asked for, or has features of other kinds alone.
+/// no CRS, lacks the layer or the coordinate columns asked for, is a table without places, or has features of other
+/// kinds alone.
 FeatureCensus for_each_feature(const VectorSource& source, const LocalFrame& frame,
                                const std::function<void(Feature&&)>& visit);
 

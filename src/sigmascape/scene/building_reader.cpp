@@ -42,6 +42,21 @@ std::optional<double> stated_height_m(const geo::Feature& feature, const Buildin
   return std::nullopt;
 }
 
+/// Whether a feature's attribute is a number above 0.
+bool counts_some(const geo::Feature& feature, const std::string& attribute) {
+  const auto count = number_in(feature, attribute);
+  return count && *count > 0.0;
+}
+
+/// Whether nothing of a building stands above the ground, as OpenStreetMap and Overture Maps tell: it lies underground
+/// outright, or has levels beneath the ground, none above and no height. A layer below 0 alone says only that something
+/// passes over it.
+bool is_underground(const geo::Feature& feature, const BuildingSource& source) {
+  if (feature.attribute("location") == "underground" || is_said_of(feature, "is_underground")) return true;
+  return number_in(feature, "building:levels") == 0.0 && counts_some(feature, "building:levels:underground") &&
+         !counts_some(feature, "roof:levels") && !stated_height_m(feature, source);
+}
+
 /// Height of a building, or nothing when it is to be left out.
 std::optional<double> height_m(const geo::Feature& feature, const BuildingSource& source, FlawTally& tally) {
   if (!source.height_attribute && !source.levels_attribute) return source.default_height_m;
@@ -77,13 +92,18 @@ bool lies_inside(const geo::Polygon& polygon, const radar::Rectangle& extent) {
 std::size_t collect_footprints(Scene& scene, const BuildingSource& source, std::size_t source_number, FlawTally& tally,
                                std::vector<Footprint>& footprints) {
   const MaterialIndex wall = scene.material_index(source.wall), roof = scene.material_index(source.roof);
-  const std::string all_outside = "buildings outside the scene, left out";
+  const std::string all_outside = "buildings outside the scene, left out",
+                    all_beneath = "buildings underground, left out";
   std::size_t inside = 0;
   const auto census = geo::for_each_feature(source.vector, scene.frame, [&](geo::Feature&& feature) {
     const std::size_t outside =
         std::erase_if(feature.polygons, [&](const geo::Polygon& part) { return !lies_inside(part, scene.extent); });
     if (feature.polygons.empty()) {
       tally.note(all_outside, feature.id);
+      return;
+    }
+    if (is_underground(feature, source)) {
+      tally.note(all_beneath, feature.id);
       return;
     }
     tally.note("parts of buildings outside the scene, left out", feature.id, outside);
@@ -100,7 +120,9 @@ std::size_t collect_footprints(Scene& scene, const BuildingSource& source, std::
   for (const auto& attribute : {source.height_attribute, source.levels_attribute}) {
     if (attribute) require_attribute(census, *attribute, source.where);
   }
-  if (inside == 0) tally.leaves_nothing(all_outside);
+  if (inside == 0) {
+    for (const std::string& kind : {all_outside, all_beneath}) tally.leaves_nothing(kind);
+  }
   tell_of_census(census, source.vector, tally);
   return inside + census.nowhere;
 }
@@ -116,6 +138,9 @@ BuildingSource read_building_source(const TomlSection& section, const MaterialTa
   source.height_attribute = section.optional_text("height_attribute");
   source.levels_attribute = section.optional_text("levels_attribute");
   source.metres_per_level = section.number_or("metres_per_level", {1.5, 10.0, "m"}, source.metres_per_level);
+  if (section.has("metres_per_level") && !source.levels_attribute) {
+    throw section.fault("metres_per_level", "stands without levels_attribute", "add levels_attribute or remove it");
+  }
   source.default_height_m = section.optional_number("default_height_m", height_range);
   source.min_area_m2 = section.number_or("min_area_m2", {0.0, 1e6, "m²"}, source.min_area_m2);
   source.simplify_m = section.number_or("simplify_m", {0.0, 10.0, "m"}, source.simplify_m);

@@ -78,6 +78,7 @@ Mesh prototype_of(Scene& scene, const MeshSource& source, const MaterialTable& m
   refuse_names_not_in_file(source, imported);
   Mesh mesh;
   mesh.name = source.file.stem().string();
+  mesh.is_solid = source.is_solid;
   mesh.vertices = vertices_in_scene_axes(imported, source.up, source.scale);
   check_reach(mesh, name);
   std::vector<MaterialIndex> index;
@@ -106,6 +107,7 @@ MeshSource read_mesh_source(const TomlSection& section, const MaterialTable& mat
   source.scale = section.number_or("scale", {1e-4, 1e4, ""}, 1.0);
   source.yaw_rad = radians_from_deg(section.number_or("yaw_deg", {-360.0, 360.0, "degrees"}, 0.0));
   source.lift_m = section.number_or("lift_m", {-1000.0, 10000.0, "m"}, 0.0);
+  if (section.has("solid")) source.is_solid = section.flag_or("solid", false);
   source.speed_mps = section.number_or("speed_kmh", {0.0, 2000.0, "km/h"}, 0.0) / 3.6;
   if (section.has("material")) source.material = materials.named_by(section, "material", "");
   if (const auto names = section.section("materials")) {

@@ -29,6 +29,7 @@ struct MeshSource {
   std::map<std::string, scatter::Material> material_by_name;  ///< for the file's own names
   std::optional<scatter::Material> material;                  ///< for all others
   Placements placements;
+  std::optional<bool> is_solid;  ///< see Mesh::is_solid
   double yaw_rad = 0.0;
   double lift_m = 0.0;
   double speed_mps = 0.0;

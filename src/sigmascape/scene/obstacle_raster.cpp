@@ -195,10 +195,11 @@ Corners corners_of(const std::array<std::uint32_t, 3>& triangle, const std::vect
   return {vertices[triangle[0]], vertices[triangle[1]], vertices[triangle[2]]};
 }
 
-/// Whether a mesh stands for a body rather than for leaves: at most half of its edges are open, which belong to an odd
-/// number of triangles. Houses and cars are often drawn without their underside or with gaps; of a leaf, a card of one
-/// or two triangles, nearly all edges are open.
+/// Whether a mesh stands for a body rather than for leaves, if it does not state which: at most half of its edges are
+/// open, which belong to an odd number of triangles. Houses and cars are often drawn without their underside or with
+/// gaps; of a leaf, a card of one or two triangles, nearly all edges are open.
 bool is_solid(const Mesh& mesh) {
+  if (mesh.is_solid) return *mesh.is_solid;
   using Point = std::array<float, 3>;
   std::map<std::pair<Point, Point>, std::size_t> triangles_of_edge;
   const auto point = [&](std::uint32_t index) {

@@ -7,10 +7,11 @@ namespace sigmascape::scene {
 
 /// What of the scene stands on each cell of `grid`, its heights above the scene's own terrain.
 ///
-/// Buildings and instances of meshes of which at most half of the edges are open (belong to an odd number of triangles)
-/// are solid: a cell of which they cover half or more has the height of their highest roof there. Instances of other
-/// meshes, such as trees with their leaves, are porous: their surface, spread evenly over the space between the lowest
-/// and the highest of it that stands over the cell, gives an extinction of
+/// Buildings are solid, and so are instances of meshes that are stated to be or, where nothing is stated, of which at
+/// most half of the edges are open (belong to an odd number of triangles): a cell of which they cover half or more has
+/// the height of their highest roof there. Instances of other meshes, such as trees with their leaves, are porous:
+/// their surface, spread evenly over the space between the lowest and the highest of it that stands over the cell,
+/// gives an extinction of
 ///
 ///     κ = A / (2 · cell area · (top − base))
 ///

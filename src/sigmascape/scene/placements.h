@@ -2,7 +2,8 @@
 
 #include <array>
 #include <optional>
-#include <string>
+#include <span>
+#include <string_view>
 #include <vector>
 
 #include "sigmascape/base/toml_reader.h"
@@ -22,6 +23,10 @@ struct Placements {
 
 /// Reads positions_m, positions_lat_lon_deg and [positions].
 [[nodiscard]] Placements read_placements(const TomlSection& section);
+
+/// Throws Error at a key whose pairs are not latitudes and longitudes.
+void require_on_globe(const TomlSection& section, std::string_view key,
+                      std::span<const std::array<double, 2>> lat_lon_deg);
 
 /// Places in the scene's frame.
 struct FoundPlaces {

@@ -25,6 +25,7 @@ PointTargetSource read_point_target_source(const TomlSection& section) {
   source.target.rcs_m2 = radar::rcs_of_section(section);
   source.in_frame_m = single_position(section, "position_m", {-1e6, 1e6, "m"});
   source.lat_lon_deg = single_position(section, "position_lat_lon_deg", {-360.0, 360.0, "degrees"});
+  if (source.lat_lon_deg) require_on_globe(section, "position_lat_lon_deg", {&*source.lat_lon_deg, 1});
   section.refuse_unknown_keys();
   if (source.in_frame_m.has_value() == source.lat_lon_deg.has_value()) {
     throw Error(section.where(), "states its position not once", "give either position_m or position_lat_lon_deg");

@@ -40,13 +40,6 @@ std::optional<double> width_m(const geo::Feature& feature, const RoadSource& sou
   return source.width_m;
 }
 
-/// Whether a feature is so in any way, as OpenStreetMap and extracts from it tell: tunnel=yes, tunnel=building_passage,
-/// covered=arcade and others; of tables also T.
-bool is_said_of(const geo::Feature& feature, const std::string& attribute) {
-  const auto said = feature.attribute(attribute);
-  return said && *said != "" && *said != "no" && *said != "F" && *said != "false" && *said != "0";
-}
-
 /// What hides a road from above, by the attribute that tells it, as remarks call it.
 constexpr std::array<std::pair<const char*, const char*>, 2> hidings{
     {{"tunnel", "roads in tunnels, left out"}, {"covered", "roads under cover, left out"}}};

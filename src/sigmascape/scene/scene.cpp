@@ -229,7 +229,10 @@ std::string scene_hash(const Scene& scene) {
     sha.add_value(material.model.index());
     std::visit(ModelHasher{sha}, material.model);
   }
-  for (const Mesh& mesh : scene.prototypes) add_mesh(sha, mesh);
+  for (const Mesh& mesh : scene.prototypes) {
+    add_mesh(sha, mesh);
+    if (mesh.is_solid) sha.add_value(*mesh.is_solid);
+  }
   for (const Crown& crown : scene.crowns) {
     sha.add_value(crown.prototype);
     sha.add_value(crown.medium);

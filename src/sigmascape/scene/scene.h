@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -36,6 +37,9 @@ struct Mesh {
   std::vector<Vec3f> vertices;
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<MaterialIndex> materials;  ///< one a triangle
+  /// Whether it is a solid obstacle rather than a porous one; where that is not stated its edges tell
+  /// (scene/obstacle_raster.h). Traced rays meet its triangles either way.
+  std::optional<bool> is_solid{};
 };
 
 struct Ellipsoid {

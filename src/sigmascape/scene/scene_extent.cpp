@@ -21,7 +21,11 @@ void read_extent(const TomlSection& section, ScenePlace& place) {
   const bool empty = in_degrees ? place.extent_deg->east_deg <= place.extent_deg->west_deg ||
                                       place.extent_deg->north_deg <= place.extent_deg->south_deg
                                 : place.extent_m->width_m() <= 0.0 || place.extent_m->height_m() <= 0.0;
-  if (empty) throw Error(section.where(), "holds no area", "east must be greater than west and north than south");
+  if (empty) {
+    throw Error(section.where(), "holds no area",
+                in_degrees ? "east must be greater than west and north than south: across 180°, count on to 180.1 or so"
+                           : "east must be greater than west and north than south");
+  }
 }
 
 }  // namespace

@@ -109,6 +109,9 @@ TreeSource read_tree_source(const TomlSection& section, const MaterialTable& mat
           "use a material of model cook_torrance or lambert, or name a crown_material");
     }
   }
+  if (section.has("crown_material") && source.kind != CrownKind::Medium) {
+    throw section.fault("crown_material", "stands without kind = \"crowns\"", "add kind = \"crowns\" or remove it");
+  }
   source.bark = materials.named_by(section, "bark_material", "bark");
   source.limit = read_flaw_limit(section, limit);
   section.refuse_unknown_keys();

@@ -39,6 +39,11 @@ std::string explained(const std::string& condition, const std::string& unknown_t
 
 }  // namespace
 
+bool is_said_of(const geo::Feature& feature, const std::string& attribute) {
+  const auto said = feature.attribute(attribute);
+  return said && *said != "" && *said != "no" && *said != "F" && *said != "false" && *said != "0";
+}
+
 void tell_of_census(const geo::FeatureCensus& census, const geo::VectorSource& source, FlawTally& tally) {
   tally.flaw("features without usable coordinates, left out", census.first_nowhere, census.nowhere);
   for (const std::string& tag : census.unknown_tags) {

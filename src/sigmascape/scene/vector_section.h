@@ -12,6 +12,10 @@ namespace sigmascape::scene {
 /// The section's own max_flawed_share, or the scene's.
 [[nodiscard]] FlawLimit read_flaw_limit(const TomlSection& section, const FlawLimit& of_scene);
 
+/// Whether a feature is so in any way, as OpenStreetMap and extracts from it tell: tunnel=yes, tunnel=building_passage,
+/// covered=arcade and others; of tables also T.
+[[nodiscard]] bool is_said_of(const geo::Feature& feature, const std::string& attribute);
+
 /// Tallies what may be wrong with any file: features without usable coordinates, or none at all that is asked for, or a
 /// condition that names a tag of which the file knows nothing.
 void tell_of_census(const geo::FeatureCensus& census, const geo::VectorSource& source, FlawTally& tally);

@@ -1,6 +1,7 @@
 #include "sigmascape/geo/raster.h"
 
 #include <cmath>
+#include <filesystem>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <limits>
@@ -275,6 +276,9 @@ TEST(Raster, MissingFileWrongFormatAndWrongBandAreErrors) {
               Raster({folder.path("none.tif"), 1, ""});
             }).find("does not exist"),
             std::string::npos);
+  const auto loop = folder.path("loop.tif");
+  std::filesystem::create_symlink(loop, loop);
+  EXPECT_NE(message_of_error([&] { Raster({loop, 1, ""}); }).find("loop.tif: is not a raster"), std::string::npos);
   const auto text = folder.write("notes.txt", "no raster");
   EXPECT_NE(message_of_error([&] { Raster({text, 1, ""}); }).find("is not a raster"), std::string::npos);
   const auto one_band = folder.write("flat.asc", utm.text([](double, double) { return 7.0; }));

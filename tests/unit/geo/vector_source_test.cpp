@@ -247,6 +247,37 @@ TEST(VectorSource, ConditionIsOfTheLayersThatHaveItsAttributes) {
   }
 }
 
+// QGIS keeps the styles of a GeoPackage in such a table.
+TEST(VectorSource, TablesWithoutPlacesAreNotAskedForAny) {
+  const ScratchFolder folder;
+  const auto file = town(folder, "GPKG", "town.gpkg");
+  {
+    const GDALDatasetUniquePtr data(GDALDataset::Open(file.c_str(), GDAL_OF_VECTOR | GDAL_OF_UPDATE));
+    OGRLayer& styles = *data->CreateLayer("layer_styles", nullptr, wkbNone);
+    for (int i = 0; i < 9; ++i) {
+      const OGRFeatureUniquePtr row(OGRFeature::CreateFeature(styles.GetLayerDefn()));
+      ASSERT_EQ(styles.CreateFeature(row.get()), OGRERR_NONE);
+    }
+  }
+  VectorSource source{.file = file, .kind = GeometryKind::Points};
+  const auto census = for_each_feature(source, frame, [](const Feature&) {});
+  EXPECT_EQ(census.features, 5U);
+  EXPECT_EQ(census.nowhere, 0U);
+  source.layer = "layer_styles";
+  EXPECT_THAT(message_of_error([&] { static_cast<void>(read_features(source, frame)); }),
+              HasSubstr("town.gpkg: is a table without places"));
+}
+
+TEST(VectorSource, TablesNeedTheNamesOfTheirColumnsOfCoordinates) {
+  const ScratchFolder folder;
+  const auto file = folder.write("trees.csv", "lon,lat\n7,45\n");
+  EXPECT_THAT(
+      message_of_error([&] { static_cast<void>(read_features({.file = file, .kind = GeometryKind::Points}, frame)); }),
+      HasSubstr("trees.csv: is a table without places; name its columns of coordinates with the keys x and y"));
+  EXPECT_THAT(message_of_error([&] { static_cast<void>(read_features({.file = file}, frame)); }),
+              HasSubstr("give data that hold lines or areas"));
+}
+
 TEST(VectorSource, CoordinatesThatAreNoNumbersAreCountedWithoutAWordOfGdals) {
   const ScratchFolder folder;
   const auto file = folder.write("t.csv", "x,y\n7,45\nabc,45\n");

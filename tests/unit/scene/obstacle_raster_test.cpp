@@ -77,6 +77,26 @@ TEST(ObstacleRaster, OpenMeshesArePorousByTheirArea) {
   EXPECT_NEAR(sheet.crown_extinction_per_m, 0.25, 1e-5);
 }
 
+TEST(ObstacleRaster, WhatIsStatedOfAMeshCountsInsteadOfItsEdges) {
+  Scene scene = empty_scene();
+  Mesh roof{.name = "roof",
+            .vertices = {{-2, -2, 4}, {2, -2, 4}, {2, 2, 4}, {-2, 2, 4}},
+            .triangles = {{0, 1, 2}, {0, 2, 3}},
+            .materials = {0, 0}};
+  roof.is_solid = true;
+  Mesh deck = box_mesh({4.0F, 4.0F, 1.0F}, 0);
+  deck.is_solid = false;
+  scene.prototypes = {roof, deck};
+  scene.instances.push_back({.prototype = 0, .x_m = -4.0F, .y_m = 0.0F});
+  scene.instances.push_back({.prototype = 1, .x_m = 4.0F, .y_m = 0.0F, .lift_m = 6.0F});
+  const auto map = obstacles_of(scene, cells);
+  EXPECT_FLOAT_EQ(map.at({-3.0, 1.0}).solid_top_m, 4.0F);
+  EXPECT_EQ(map.at({-3.0, 1.0}).crown_top_m, 0.0F);
+  EXPECT_EQ(map.at({5.0, 1.0}).solid_top_m, 0.0F);
+  EXPECT_FLOAT_EQ(map.at({5.0, 1.0}).crown_base_m, 6.0F);
+  EXPECT_FLOAT_EQ(map.at({5.0, 1.0}).crown_top_m, 7.0F);
+}
+
 // An ellipsoid of 3 m by 2 m by 1.5 m about a point 5 m up, doubled: what cells hold of it together is κ V, κ by its
 // own metres or by those of the world.
 TEST(ObstacleRaster, CrownsThatAreMediaInterceptWhatTheyDoInTheScene) {

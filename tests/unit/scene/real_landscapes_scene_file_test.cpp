@@ -138,6 +138,8 @@ TEST(SanFrancisco, DowntownStandsWithItsTowers) {
   EXPECT_GT(scene.buildings.items.size(), 2000U);
   // 433 of the 2,096 OpenStreetMap buildings carry neither height nor levels.
   EXPECT_NEAR(static_cast<double>(remark_count(scene, "buildings without a height")), 433.0, 15.0);
+  // The stations beneath Market Street.
+  EXPECT_EQ(remark_count(scene, "buildings underground"), 4U);
   // gdallocationinfo: 71.3 m on the slope of Nob Hill in the west; the bay lies level in the north-east.
   const Vec2d bay = geo::position_in_frame(scene.frame, {37.7990, -122.3910});
   EXPECT_EQ(material_at(scene, bay), "water");

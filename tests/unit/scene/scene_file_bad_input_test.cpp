@@ -11,6 +11,7 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 const std::string houses_section = "[[buildings]]\nfile = \"houses.geojson\"\nheight_attribute = \"h\"\n";
 
@@ -41,6 +42,43 @@ TEST_F(BadInput, UnknownKeysAndSections) {
   EXPECT_THAT(place_.fault("cel_m = 5\n"), HasSubstr("land_cover.cel_m: is not a known key; did you mean cell_m?"));
   EXPECT_THAT(place_.fault("", "[scene]\nsrict = true\n"),
               HasSubstr("scene.srict: is not a known key; did you mean strict?"));
+}
+
+TEST_F(BadInput, KeysThatOthersCallFor) {
+  EXPECT_THAT(fault_of("[terrain]\nfile = \"heights.asc\"\ncrs = \"EPSG:25830\"\n[land_cover]\nband = 1\n"),
+              HasSubstr("bad.toml: land_cover.band: stands without file"));
+  place_.write("trees.csv", "x,y\n501100,4795500\n");
+  EXPECT_THAT(place_.fault("[[trees]]\nfile = \"trees.csv\"\ndefault_height_m = 5\ncrown_material = \"crown\"\n"),
+              HasSubstr("trees[1].crown_material: stands without kind = \"crowns\""));
+  place_.write_houses(MadeUpPlace::house(0, 0, 9, 9, "\"h\":5"));
+  EXPECT_THAT(place_.fault(houses_section + "metres_per_level = 3\n"),
+              HasSubstr("buildings[1].metres_per_level: stands without levels_attribute"));
+}
+
+TEST_F(BadInput, ExtentsAcrossTheAntimeridianAreCountedOn) {
+  EXPECT_THAT(
+      place_.fault("", "[scene]\nextent = {west_deg = 179.9, south_deg = 0, east_deg = -179.9, north_deg = 1}\n"),
+      AllOf(HasSubstr("scene.extent: holds no area"), HasSubstr("across 180°, count on to 180.1")));
+  EXPECT_THAT(place_.fault("", "[scene]\nextent = {west_m = 1, south_m = 0, east_m = 0, north_m = 1}\n"),
+              Not(HasSubstr("180°")));
+}
+
+TEST_F(BadInput, LatitudesOfPointTargetsAndMeshes) {
+  EXPECT_THAT(place_.fault("[[point_targets]]\nposition_lat_lon_deg = [200, 10]\nrcs_dbsm = 10\n"),
+              HasSubstr("point_targets[1].position_lat_lon_deg: holds a latitude beyond 90°"));
+  place_.write("hut.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  EXPECT_THAT(
+      place_.fault("[[meshes]]\nfile = \"hut.obj\"\nmaterial = \"wood\"\npositions_lat_lon_deg = [[10, 400]]\n"),
+      HasSubstr("meshes[1].positions_lat_lon_deg: holds a longitude beyond 360°"));
+}
+
+TEST_F(BadInput, FootprintsInAnotherReferenceThanTheirFileSays) {
+  place_.write("houses.geojson",
+               R"({"type":"FeatureCollection","features":[)" + MadeUpPlace::house(0, 0, 20, 20, "\"h\":5") + "]}");
+  EXPECT_THAT(
+      place_.fault(houses_section),
+      HasSubstr("feature 0 (at 501100, 4795400, which has no place in the scene's frame: the key crs can state"));
+  EXPECT_EQ(place_.fault(houses_section + "crs = \"EPSG:25830\"\n"), "");
 }
 
 TEST_F(BadInput, ValuesOutOfRange) {

@@ -122,6 +122,37 @@ TEST(SceneFile, PartsOfABuildingAreInsideOrOutsideEachByItself) {
   EXPECT_NEAR(easternmost_m, 120.0F, 1.0F);
 }
 
+TEST(SceneFile, BuildingsUndergroundAreNotRaised) {
+  const MadeUpPlace place;
+  const auto raised = [&](const std::string& tags) {
+    place.write_houses(MadeUpPlace::house(-20, 0, 0, 20, R"("h":null,)" + tags) + "," +
+                       MadeUpPlace::house(40, 0, 60, 20, R"("h":9)"));
+    const Scene scene = place.read(houses_section + "default_height_m = 7\n");
+    EXPECT_EQ(scene.buildings.items.size() + remark_count(scene, "buildings underground, left out"), 2U) << tags;
+    return scene.buildings.items.size() == 2;
+  };
+  EXPECT_FALSE(raised(R"("location":"underground")"));
+  EXPECT_FALSE(raised(R"("location":"underground","layer":"-1","building:levels:underground":"3")"));
+  EXPECT_FALSE(raised(R"("building:levels":"0","building:levels:underground":"2")"));
+  EXPECT_FALSE(raised(R"("is_underground":true)")) << "as Overture Maps has it";
+  EXPECT_TRUE(raised(R"("location":"outdoor","is_underground":false)"));
+  EXPECT_TRUE(raised(R"("layer":"-1")")) << "something passes over it";
+  EXPECT_TRUE(raised(R"("building:levels:underground":"2")")) << "a cellar";
+  EXPECT_TRUE(raised(R"("building:levels":"4","building:levels:underground":"2")"));
+  EXPECT_TRUE(raised(R"("building:levels":"0","building:levels:underground":"1","roof:levels":"1")"));
+  place.write_houses(
+      MadeUpPlace::house(-20, 0, 0, 20, R"("h":3,"building:levels":"0","building:levels:underground":"2")"));
+  EXPECT_EQ(place.read(houses_section).buildings.items.size(), 1U) << "with a height that is stated";
+}
+
+TEST(SceneFile, AFileOfBuildingsUndergroundAloneMakesARemark) {
+  const MadeUpPlace place;
+  place.write_houses(MadeUpPlace::house(-20, 0, 0, 20, R"("h":9,"location":"underground")"));
+  const Scene scene = place.read(houses_section);
+  ASSERT_EQ(remark_count(scene, "buildings underground, left out, so that nothing of the file is used"), 1U);
+  EXPECT_TRUE(scene.remarks.back().is_likely_a_mistake);
+}
+
 TEST(SceneFile, LevelsAndDefaultStandInForHeights) {
   const MadeUpPlace place;
   place.write_houses(MadeUpPlace::house(-20, 0, 0, 20, R"("h":null,"levels":"4")") + "," +
@@ -313,6 +344,20 @@ TEST(SceneFile, MeshesStandWhereTheyShouldWithTheirMaterials) {
   EXPECT_EQ(scene.materials[mast.materials[0]].name, "metal");
   EXPECT_EQ(scene.materials[mast.materials[1]].name, "wood");
   EXPECT_EQ(remark_count(scene, "meshes outside the scene"), 1U);
+}
+
+// A sheet is porous by its edges; what is stated counts instead, and is part of what the scene is.
+TEST(SceneFile, MeshesAreSolidAsStated) {
+  const MadeUpPlace place;
+  place.write("roof.obj", "v -5 -5 4\nv 5 -5 4\nv 5 5 4\nv -5 5 4\nf 1 2 3 4\n");
+  const std::string roof = "[[meshes]]\nfile = \"roof.obj\"\nmaterial = \"metal\"\npositions_m = [[0, 100]]\n";
+  const Scene silent = place.read(roof), solid = place.read(roof + "solid = true\n"),
+              porous = place.read(roof + "solid = false\n");
+  EXPECT_EQ(silent.prototypes.back().is_solid, std::nullopt);
+  EXPECT_EQ(solid.prototypes.back().is_solid, true);
+  EXPECT_EQ(porous.prototypes.back().is_solid, false);
+  EXPECT_NE(scene_hash(silent), scene_hash(solid));
+  EXPECT_NE(scene_hash(porous), scene_hash(solid));
 }
 
 TEST(SceneFile, MeshesWithoutUsableCoordinatesAreCounted) {
