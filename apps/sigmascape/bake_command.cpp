@@ -95,6 +95,7 @@ nlohmann::ordered_json json_of(const bake::BakePlan& plan) {
           {"looks", plan.looks},
           {"already", plan.already},
           {"cells", plan.cells},
+          {"jobs_counted", plan.jobs_counted},
           {"seconds", plan.seconds},
           {"bytes", plan.bytes},
           {"bytes_of_share", plan.bytes_of_share},

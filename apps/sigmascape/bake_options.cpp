@@ -6,6 +6,7 @@
 
 #include "number_within.h"
 #include "seed_option.h"
+#include "threads_option.h"
 #include "word_option.h"
 
 #include "sigmascape/atlas/patch_grid.h"
@@ -58,7 +59,7 @@ void BakeOptions::add_to(Command command) {
   add_word_option(command, "--digits", digits, {{"to-noise", atlas::Digits::ToNoise}, {"all", atlas::Digits::All}},
                   "of texels: those that their standard errors do not drown, or all")
       .default_str("to-noise");
-  command.add_option("--threads", threads, "0: one a processor").capture_default_str();
+  add_threads_option(command, threads);
 }
 
 void BakeOptions::add_texels_and_looks(Command command) {
@@ -87,7 +88,8 @@ void BakeOptions::add_rays(Command command) {
                                  .add_option("--target-db", target_db,
                                              "standard error aimed at in what the rays to one cell return, as far as "
                                              "--most-samples goes; 'atlas info' tells what part of the texels is above")
-                                 .default_str(fmt::format("{:g}", usual.target_db));
+                                 .default_str(fmt::format("{:g}", usual.target_db))
+                                 .check(number_within(bake::least_target_db, bake::most_target_db));
   const auto most_option =
       command.add_option("--most-samples", most_samples, "rays a texel at most, however noisy it is")
           .default_str(std::to_string(usual.most_samples))

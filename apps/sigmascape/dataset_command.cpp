@@ -5,6 +5,7 @@
 #include "scene_warnings.h"
 #include "stopwatch.h"
 #include "terminal_progress.h"
+#include "threads_option.h"
 
 #include "sigmascape/bake/shard.h"
 #include "sigmascape/dataset/dataset_run.h"
@@ -25,7 +26,7 @@ void add_dataset_command(Command app, Output& output) {
       .add_option("--shard", options->shard,
                   "make one of several equal shares, counted from 0: 2/8 is the third of eight")
       .capture_default_str();
-  command.add_option("--threads", options->threads, "0: one a processor").capture_default_str();
+  add_threads_option(command, options->threads);
   command.add_flag("--json", output.json, "print the summary as JSON");
   command.footer(
       "Examples:\n"

@@ -19,6 +19,7 @@
 #include "seed_option.h"
 #include "stopwatch.h"
 #include "terminal_progress.h"
+#include "threads_option.h"
 #include "word_option.h"
 
 #include "sigmascape/atlas/store.h"
@@ -353,7 +354,7 @@ void add_render_command(Command app, Output& output) {
           "all the same speckle")
       .capture_default_str()
       .check(count_within<std::uint64_t>(0, std::numeric_limits<std::uint64_t>::max()));
-  command.add_option("--threads", options->trace.threads, "0: one a processor").capture_default_str();
+  add_threads_option(command, options->trace.threads);
   command.add_flag("--json", output.json, "print the summary as JSON");
   command.footer(
       "Examples:\n"

@@ -11,6 +11,7 @@
 #include "results/measurement.h"
 #include "results/page.h"
 #include "seed_option.h"
+#include "threads_option.h"
 
 #include "sigmascape/geo/atomic_file.h"
 
@@ -113,7 +114,7 @@ void add_results_command(Command app, Output& output) {
                      "those are baked again almost without noise");
   command.add_option("--bounces", options->bounces, "surfaces a path may meet").capture_default_str();
   add_seed_option(command, options->seed, "names the random numbers and draws the held-out views");
-  command.add_option("--threads", options->threads, "0: one a processor").capture_default_str();
+  add_threads_option(command, options->threads);
   command.add_flag("--json", output.json, "print the numbers as JSON");
   command.footer(
       "Examples:\n  sigmascape results --small\n"

@@ -15,6 +15,7 @@
 
 #include "sigmascape/atlas/store.h"
 #include "sigmascape/bake/bake.h"
+#include "sigmascape/bake/plan.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/scene/paper_scene.h"
 
@@ -187,6 +188,31 @@ void measure_looks(const scene::Scene& scene, bool quick, Figures& figures) {
               of_what + fmt::format("{} mantissa bits", whole_halves.mantissa_bits));
 }
 
+/// Whether a bake takes the time that its plan tells before it is begun.
+void measure_plan(const scene::Scene& scene, bool quick, Figures& figures) {
+  const auto folder = std::filesystem::temp_directory_path() / fmt::format("sigmascape_bench_plan_{}", getpid());
+  bake::BakeSettings settings;
+  // Four patches, each of a sixteenth of the paper's texels.
+  settings.patches = {.texel_m = 2.0 * settings.patches.texel_m, .texels_per_side = 256};
+  settings.threads = 2;
+  settings.sampling = {.samples_per_texel = quick ? 8U : 50U};
+  settings.shadows = bake::Shadows::Baked;
+  settings.aspects.azimuths_rad.resize(quick ? 1 : 2);
+
+  const bake::BakePlan plan = bake::plan(scene, settings, folder);
+  SilentProgress silent;
+  const double start = bench::wall_seconds();
+  const bake::BakeReport report = bake::bake(scene, settings, folder, silent);
+  const double taken = bench::wall_seconds() - start;
+  std::filesystem::remove_all(folder);
+  bench::prove(report.looks == plan.looks && report.already == 0, "the looks that were planned are baked, all of them");
+  figures.add(
+      "bake.plan_over_actual", plan.seconds / taken, "1",
+      fmt::format("{} looks of four patches of 256 x 256 texels: {:.1f} s planned, {:.1f} s taken, on the wall; "
+                  "needs two idle cores",
+                  plan.looks, plan.seconds, taken));
+}
+
 void measure_threads(const scene::Scene& scene, bool quick, Figures& figures) {
   bench::PaperLooks one(scene, quick ? 12 : 4, 1), two(scene, quick ? 12 : 4, 2);
   const radar::Aspect aspect{radians_from_deg(45.0), radians_from_deg(21.0)};
@@ -220,6 +246,7 @@ int main(int count, char** words) {
   measure_bias(scene, quick, figures);
   measure_sharing(scene, quick, figures);
   measure_looks(scene, quick, figures);
+  measure_plan(scene, quick, figures);
   measure_threads(scene, quick, figures);
   measure_embree_share(scene, figures);
   return 0;

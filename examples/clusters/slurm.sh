@@ -10,6 +10,9 @@
 #SBATCH --cpus-per-task=8
 #SBATCH --mem=4G
 #SBATCH --output=bake-%A_%a.log
+# A task whose machine failed, or that was preempted, is queued again, goes on where its share stopped, and adds to its output.
+#SBATCH --requeue
+#SBATCH --open-mode=append
 set -euo pipefail
 
 refuse() {
@@ -20,6 +23,7 @@ refuse() {
 
 # The number of shares. When only some tasks are submitted again, Slurm counts those alone: give the first count in SHARES.
 shares="${SHARES:-$SLURM_ARRAY_TASK_COUNT}"
+[[ "$shares" =~ ^[1-9][0-9]{0,8}$ ]] || refuse "SHARES is '$shares', which is no number of shares" "say how many there are, as SHARES=8"
 # Shares count from 0. All tasks of an array refuse together, before one has baked the share of another.
 last="$((shares - 1))"
 if [[ -z "${SHARES:-}" && "$SLURM_ARRAY_TASK_MIN-$SLURM_ARRAY_TASK_MAX" != "0-$last" ]]; then

@@ -60,11 +60,19 @@ class IndexedJob:
         check(spec["completionMode"] == "Indexed", "each pod has an index")
         self.completions, self.parallelism = spec["completions"], spec["parallelism"]
         check(0 < self.parallelism <= self.completions, "some pods run at a time, no more than there are")
-        check(spec["backoffLimit"] > 0, "a pod that failed is started again")
+        check(spec["backoffLimitPerIndex"] > 0, "a pod that failed is started again, whatever became of others")
         pod = spec["template"]["spec"]
-        check(pod["restartPolicy"] in ("Never", "OnFailure"), "pods of a Job may not restart always")
+        check(pod["restartPolicy"] == "Never", "the limit of an index and the policy of failures want pods that do not restart")
         check(len(pod["containers"]) == 1, "a pod is one container")
+        self.check_failures(spec["podFailurePolicy"]["rules"], pod["containers"][0]["name"])
         self.check_container(pod["containers"][0], pod["volumes"])
+
+    def check_failures(self, rules, container):
+        """The first rule that fits decides."""
+        taken_away = {"action": "Ignore", "onPodConditions": [{"type": "DisruptionTarget", "status": "True"}]}
+        check(rules[0] == taken_away, "pods that the cluster takes away do not count as failed")
+        not_understood = {"containerName": container, "operator": "In", "values": [2]}
+        check(rules[1:] == [{"action": "FailJob", "onExitCodes": not_understood}], "a line that is not understood is not tried again")
 
     def check_container(self, container, volumes):
         check(re.fullmatch(r"[\w./-]+:[\w.-]+", container["image"]), "the image has a name and a tag")

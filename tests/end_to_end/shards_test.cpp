@@ -490,6 +490,10 @@ TEST_F(Shards, NonsenseIsRefusedBeforeAnythingIsWritten) {
   };
   EXPECT_THAT(refused("--shard 5/3"), HasSubstr("give 0/3 to 2/3"));
   EXPECT_THAT(refused("--shard 0/0"), HasSubstr("there are no shards"));
+  for (const char* threads : {"-1", "all", "1025"}) {
+    EXPECT_THAT(refused(std::string("--threads ") + threads),
+                HasSubstr(fmt::format("--threads: is {}; give a whole number from 0 to 1024", threads)));
+  }
   for (const char* samples : {"1", "1048577", "4294967297"}) {
     EXPECT_THAT(refused(std::string("--samples ") + samples),
                 HasSubstr(fmt::format("is {}; give a whole number from 2 to 1048576", samples)));

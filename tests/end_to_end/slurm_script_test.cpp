@@ -47,6 +47,15 @@ TEST_F(SlurmScript, EveryTaskOfAnArrayThatIsNumberedOtherwiseRefuses) {
   EXPECT_THAT(too_many.printed, HasSubstr("there is no share 8 of 8"));
 }
 
+TEST_F(SlurmScript, SharesThatAreNoNumberAreRefused) {
+  for (const char* shares : {"0", "-8", "eight", "08", "2/8"}) {
+    const Ended refused = task(fmt::format("SHARES={} ", shares) + array(2, 2, 5, 2));
+    EXPECT_EQ(refused.code, 2) << shares;
+    EXPECT_THAT(refused.printed,
+                HasSubstr(fmt::format("SHARES is '{}', which is no number of shares; say how many there are", shares)));
+  }
+}
+
 TEST_F(SlurmScript, OutsideAnArrayItSaysSo) {
   const Ended refused = task("--unset=SLURM_ARRAY_TASK_ID");
   EXPECT_EQ(refused.code, 2);

@@ -20,8 +20,9 @@ void check(const Sampling& sampling, const std::string& where) {
     throw Error(where, fmt::format("{} samples a texel", sampling.samples_per_texel),
                 fmt::format("use 2 to {}", most_samples_a_cell));
   }
-  if (!(sampling.target_db >= 0.01 && sampling.target_db <= 10.0)) {
-    throw Error(where, fmt::format("a target of {:g} dB", sampling.target_db), "use 0.01 to 10");
+  if (!(sampling.target_db >= least_target_db && sampling.target_db <= most_target_db)) {
+    throw Error(where, fmt::format("a target of {:g} dB", sampling.target_db),
+                fmt::format("use {:g} to {:g}", least_target_db, most_target_db));
   }
   if (!(sampling.floor_db >= -120.0 && sampling.floor_db <= 60.0)) {
     throw Error(where, fmt::format("a floor of {:g} dB", sampling.floor_db), "use -120 to 60");

@@ -151,7 +151,7 @@ trace::LaunchArea LookBaker::area_of(const radar::GroundGrid& texels, const rada
   const radar::Rectangle target = radar::common_part(texels.extent(), scene_.extent);
   auto area =
       trace::launch_area(viewpoint, target, settings_.patches.texel_m, heights_.lowest_m, heights_.highest_m + 1.0,
-                         trace::multibounce_reach(scene_, viewpoint, target), trace::tile_side_cells);
+                         trace::multibounce_reach(tallest_m_, occupied_, viewpoint, target), trace::tile_side_cells);
   trace::spare_rays(area, scene_, footing_);
   return area;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -12,6 +13,8 @@
 #include "sigmascape/bake/job.h"
 #include "sigmascape/bake/look_baker.h"
 #include "sigmascape/bake/patch_room.h"
+#include "sigmascape/base/hash.h"
+#include "sigmascape/base/parallel.h"
 
 namespace sigmascape::bake {
 namespace {
@@ -38,8 +41,14 @@ class Trials {
     for (std::size_t i = 0; i < settings_.aspects.elevations_rad.size(); ++i) trials.push_back(at_elevation(i));
     return trials;
   }
-  [[nodiscard]] double cells_of(atlas::PatchIndex patch, const radar::Aspect& aspect) const {
-    return baker_.area_of(settings_.patches.texels_of(patch), aspect).whole_cells();
+  /// Launch cells of these jobs together.
+  [[nodiscard]] double cells_of(const JobList& jobs, const std::vector<std::size_t>& numbers) const {
+    std::vector<double> cells(numbers.size());
+    parallel_for(numbers.size(), thread_count(settings_.threads), [&](std::size_t i, unsigned) {
+      const Job job = jobs[numbers[i]];
+      cells[i] = baker_.area_of(settings_.patches.texels_of(job.patch), job.aspect).whole_cells();
+    });
+    return std::accumulate(cells.begin(), cells.end(), 0.0);
   }
 
  private:
@@ -97,6 +106,22 @@ double texels_above(const atlas::AtlasDescription& description) {
   return tiles * static_cast<double>(atlas::tile_side * atlas::tile_side);
 }
 
+/// Of one elevation's open jobs the cells of so many are counted. Each needs a look at all that stands in the scene,
+/// and the mean of that many is surer than the time that the trial tells.
+constexpr std::size_t most_counted = 64;
+
+/// One, by lot, of each of equal stretches of a row of jobs: in step with neither rows of patches nor azimuths.
+std::vector<std::size_t> some_of(const std::vector<std::size_t>& numbers) {
+  const std::size_t count = std::min(numbers.size(), most_counted);
+  const auto stretch = static_cast<double>(numbers.size()) / static_cast<double>(std::max<std::size_t>(count, 1));
+  std::vector<std::size_t> some;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double place = (static_cast<double>(i) + static_cast<double>(unit_float(hashed(i)))) * stretch;
+    some.push_back(numbers[static_cast<std::size_t>(place)]);
+  }
+  return some;
+}
+
 std::size_t looks_there(const std::optional<atlas::Store>& store, const Job& job) {
   if (!store) return 0;
   return static_cast<std::size_t>(
@@ -124,8 +149,10 @@ BakePlan plan(const scene::Scene& scene, const BakeSettings& settings, const std
   plan.patches = plan.jobs / (azimuths * found.size());
   const PatchTexels texels(settings.patches);
   const double sigma0_texels = texels.all_levels + texels_above(description) / static_cast<double>(plan.patches);
+  std::vector<std::vector<std::size_t>> open(found.size());  // numbers of jobs, by elevation
   for (std::size_t number = 0; number < jobs.size(); ++number) {
-    const Trial& trial = found[number / azimuths % found.size()];
+    const std::size_t elevation = number / azimuths % found.size();
+    const Trial& trial = found[elevation];
     const double bytes = (trial.sigma0_bytes_per_texel * sigma0_texels + trial.error_bytes_per_texel * texels.finest) *
                          static_cast<double>(jobs.looks_per_job());
     plan.bytes += bytes;
@@ -136,10 +163,16 @@ BakePlan plan(const scene::Scene& scene, const BakeSettings& settings, const std
     const std::size_t there = looks_there(store, job);
     plan.looks += job.looks.size();
     plan.already += there;
-    if (there == job.looks.size()) continue;
-    const double cells = trials.cells_of(job.patch, job.aspect);
+    if (there < job.looks.size()) open[elevation].push_back(number);
+  }
+  for (std::size_t elevation = 0; elevation < found.size(); ++elevation) {
+    const std::vector<std::size_t> counted = some_of(open[elevation]);
+    if (counted.empty()) continue;
+    const double standing_for = static_cast<double>(open[elevation].size()) / static_cast<double>(counted.size());
+    const double cells = standing_for * trials.cells_of(jobs, counted);
+    plan.jobs_counted += counted.size();
     plan.cells += cells;
-    plan.seconds += trial.seconds_per_cell * cells;
+    plan.seconds += found[elevation].seconds_per_cell * cells;
   }
   return plan;
 }

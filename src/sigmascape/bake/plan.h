@@ -17,7 +17,10 @@ struct BakePlan {
   std::size_t looks = 0;          ///< (patch, look) pairs of the share
   std::size_t already = 0;        ///< of these in the folder
   double cells = 0.0;             ///< launch cells of the looks that are not there, gutters included
-  double seconds = 0.0;           ///< expected for the looks that are not there, on this machine, with these threads
+  /// Jobs whose cells were counted: all of which a look is missing, but of many at one elevation 64, spread evenly over
+  /// them, which stand for the others.
+  std::size_t jobs_counted = 0;
+  double seconds = 0.0;  ///< expected for the looks that are not there, on this machine, with these threads
   /// Expected size of the textures of all looks with their standard errors, all levels, of all shares. The ground, the
   /// obstacles and the terrain that an atlas may hold besides are not in it.
   double bytes = 0.0;

@@ -31,6 +31,9 @@ struct Sampling {
 /// All rays of a cell are asked for at once: as many as this need 20 MiB a thread.
 inline constexpr std::uint32_t most_samples_a_cell = 1U << 20U;
 
+/// What a target may be.
+inline constexpr double least_target_db = 0.01, most_target_db = 10.0;
+
 /// Rays that adaptive sampling starts with.
 inline constexpr std::uint32_t pilot_samples = 8;
 

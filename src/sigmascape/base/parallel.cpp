@@ -11,13 +11,6 @@
 
 namespace sigmascape {
 
-namespace {
-
-/// Far more than processors, fewer than what systems refuse.
-constexpr unsigned most_threads = 1024;
-
-}  // namespace
-
 unsigned thread_count(unsigned wanted) {
   return wanted != 0 ? std::min(wanted, most_threads) : std::max(1U, std::thread::hardware_concurrency());
 }

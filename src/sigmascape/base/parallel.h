@@ -5,7 +5,10 @@
 
 namespace sigmascape {
 
-/// The number of threads to use when asked for `wanted`: that many, 1024 at most, or one per hardware thread
+/// Far more than processors, fewer than what systems refuse.
+inline constexpr unsigned most_threads = 1024;
+
+/// The number of threads to use when asked for `wanted`: that many, `most_threads` at most, or one per hardware thread
 /// when it is zero.
 [[nodiscard]] unsigned thread_count(unsigned wanted);
 

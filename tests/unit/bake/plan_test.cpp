@@ -1,0 +1,107 @@
+#include "sigmascape/bake/plan.h"
+
+#include <filesystem>
+#include <gtest/gtest.h>
+#include <vector>
+
+#include "scratch_folder.h"
+
+#include "sigmascape/bake/bake.h"
+#include "sigmascape/bake/job.h"
+#include "sigmascape/bake/look_baker.h"
+#include "sigmascape/base/units.h"
+#include "sigmascape/scene/solid_mesh.h"
+
+namespace sigmascape::bake {
+namespace {
+
+/// Level ground from the origin to the north-east, with a tower near the middle.
+scene::Scene scene_with_tower(double side_m) {
+  scene::Scene scene;
+  scene.name = "tower";
+  scene.extent = {0, 0, side_m, side_m};
+  scene.terrain = {0, side_m, side_m, Array2D<float>(2, 2, 0.0F)};
+  const scatter::Material stone{.name = "stone", .model = scatter::LambertParameters{0.3, {0.1, 0.5}}, .source = {}};
+  scene.ground = {{0, side_m, side_m, 1, 1}, Array2D<scene::MaterialIndex>(1, 1, scene.material_index(stone))};
+  scene.prototypes.push_back(scene::box_mesh({20, 20, 60}, scene.material_index(stone)));
+  const auto middle_m = static_cast<float>(0.45 * side_m);
+  scene.instances.push_back({.x_m = middle_m, .y_m = middle_m});
+  return scene;
+}
+
+/// So many azimuths, and patches of 512 m.
+BakeSettings settings_with(unsigned azimuths) {
+  BakeSettings settings;
+  settings.aspects = {{}, {radians_from_deg(15.0), radians_from_deg(40.0)}, {10e9}};
+  for (unsigned i = 0; i < azimuths; ++i)
+    settings.aspects.azimuths_rad.push_back(radians_from_deg(360.0 * i / azimuths));
+  settings.patches = {2.0, 256};
+  settings.sampling.samples_per_texel = 2;
+  settings.max_bounces = 2;
+  settings.threads = 2;
+  return settings;
+}
+
+/// Of all jobs, one by one.
+double all_cells(const scene::Scene& scene, const BakeSettings& settings) {
+  const LookBaker baker(scene, settings);
+  const JobList jobs(description_of(scene, settings));
+  double cells = 0.0;
+  for (std::size_t number = 0; number < jobs.size(); ++number) {
+    const Job job = jobs[number];
+    cells += baker.area_of(settings.patches.texels_of(job.patch), job.aspect).whole_cells();
+  }
+  return cells;
+}
+
+TEST(BakePlan, CountsTheCellsOfEachOfAFewJobs) {
+  const ScratchFolder folder;
+  const scene::Scene scene = scene_with_tower(1000.0);
+  const BakeSettings settings = settings_with(3);
+  const BakePlan whole = plan(scene, settings, folder.path("none"));
+  EXPECT_EQ(whole.jobs, 4U * 3U * 2U);
+  EXPECT_EQ(whole.jobs_counted, whole.jobs);
+  const double cells = all_cells(scene, settings);
+  EXPECT_NEAR(whole.cells, cells, 1e-9 * cells);
+
+  double of_shares = 0.0;
+  for (std::size_t index = 0; index < 5; ++index)
+    of_shares += plan(scene, settings, folder.path("none"), {.index = index, .count = 5}).cells;
+  EXPECT_NEAR(of_shares, cells, 1e-9 * cells);
+  EXPECT_FALSE(std::filesystem::exists(folder.path("none")));
+}
+
+// Else the plan of a large scene, which is to tell how long a bake takes, would itself take hours.
+TEST(BakePlan, OfManyJobsSomeStandForTheOthers) {
+  const ScratchFolder folder;
+  const scene::Scene scene = scene_with_tower(2300.0);
+  const BakeSettings settings = settings_with(8);
+  const BakePlan many = plan(scene, settings, folder.path("none"));
+  EXPECT_EQ(many.jobs, 25U * 8U * 2U);
+  EXPECT_EQ(many.looks, many.jobs);
+  EXPECT_EQ(many.jobs_counted, 2U * 64U);
+  const double cells = all_cells(scene, settings);
+  EXPECT_NEAR(many.cells, cells, 0.05 * cells);
+}
+
+TEST(BakePlan, OfWhatIsThereNothingIsLeft) {
+  const ScratchFolder folder;
+  const scene::Scene scene = scene_with_tower(100.0);
+  const BakeSettings settings = settings_with(2);
+  SilentProgress silent;
+  bake(scene, settings, folder.path("a"), silent,
+       {.shard = {.index = 0, .count = 2}, .scrutiny = atlas::Scrutiny::Size});
+  const BakePlan half = plan(scene, settings, folder.path("a"));
+  EXPECT_EQ(half.looks, 4U);
+  EXPECT_EQ(half.already, 2U);
+  EXPECT_EQ(half.jobs_counted, 2U);
+  EXPECT_GT(half.seconds, 0.0);
+  const BakePlan done = plan(scene, settings, folder.path("a"), {.index = 0, .count = 2});
+  EXPECT_EQ(done.already, done.looks);
+  EXPECT_EQ(done.cells, 0.0);
+  EXPECT_EQ(done.seconds, 0.0);
+  EXPECT_GT(done.bytes, 0.0);
+}
+
+}  // namespace
+}  // namespace sigmascape::bake
