@@ -5,6 +5,7 @@
 #include <cstring>
 #include <exception>
 #include <memory>
+#include <new>
 #include <span>
 #include <string>
 #include <tuple>
@@ -82,6 +83,8 @@ template <typename Result, typename Action>
 Result guarded(Result otherwise, Action action) noexcept {
   try {
     return action();
+  } catch (const std::bad_alloc&) {
+    remember("memory: is not enough for this; ask for fewer bins or cells, or for a smaller cache");
   } catch (const std::exception& failure) {
     remember(failure.what());
   } catch (...) {
@@ -237,8 +240,8 @@ void sigmascape_close_ground(sigmascape_ground* ground) {
   delete ground;
 }
 
-void sigmascape_wait_for_pages(sigmascape_ground* ground) {
-  (void)guarded(1, [&] {
+int sigmascape_wait_for_pages(sigmascape_ground* ground) {
+  return guarded(1, [&] {
     given(ground, "ground").ground->wait_until_loaded();
     return 0;
   });

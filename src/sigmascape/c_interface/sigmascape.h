@@ -22,14 +22,17 @@ const char* sigmascape_last_error(void);
 /* Baked reflectivity with its terrain, which may be far larger than memory. */
 typedef struct sigmascape_ground sigmascape_ground;
 
-/* Opens the folder that `sigmascape bake` wrote. `cache_bytes` bounds the memory of pages, obstacles and terrain
- * together; 0: 512 MiB. Null when it cannot be opened, or when the bytes hold too little beside the coarsest ground. */
+/* Opens the folder that `sigmascape bake` wrote, for one frequency; radars of several open it several times.
+ * `cache_bytes` bounds the memory of pages, obstacles and terrain together; 0: 512 MiB. Renderers that look at
+ * different ground need it for each. Null when it cannot be opened, was not baked near the frequency, or when the bytes
+ * hold too little beside the coarsest ground. */
 sigmascape_ground* sigmascape_open_ground(const char* atlas_folder, double frequency_hz, size_t cache_bytes);
 /* Renderers that still use the ground keep it. Null is allowed. */
 void sigmascape_close_ground(sigmascape_ground* ground);
-/* Returns when all pages and all terrain that frames have asked for are there. For whoever would rather wait than see
- * less. */
-void sigmascape_wait_for_pages(sigmascape_ground* ground);
+/* Returns when all pages and all terrain that frames have asked for are there, or cannot be had. For whoever would
+ * rather wait than see less; renderers on other threads that go on asking make it longer. Returns 0 when all went
+ * well. */
+int sigmascape_wait_for_pages(sigmascape_ground* ground);
 
 enum sigmascape_content {
   SIGMASCAPE_AMPLITUDES = 0, /* I/Q with speckle */
@@ -81,7 +84,8 @@ typedef struct sigmascape_target {
 
 typedef struct sigmascape_frame {
   size_t beams, ranges;
-  const float* amplitudes_m; /* [beam][range][VV, HH, HV, VH][real, imaginary]; |a|^2 is a cross-section in m^2 */
+  const float* amplitudes_m; /* [beam][range][VV, HH, HV, VH][real, imaginary]; |a|^2 is a cross-section in m^2, the
+                                phase that of the way out and back, -4 pi r/lambda */
   const float* powers_m2;    /* [beam][range][VV, HH, HV, Re VV HH*]; one of the two is null */
   size_t cells, lit;         /* lattice cells looked at, and seen by the radar */
   size_t coarse, dark;       /* cells shown more coarsely than wanted, for pages were not there yet, and not at all:
@@ -144,7 +148,8 @@ double sigmascape_textured_share(const sigmascape_renderer* flight);
 int sigmascape_set_targets(sigmascape_renderer* renderer, const sigmascape_target* targets, size_t count);
 
 /* Renders all beams, or beams first ... first + count - 1 anew and leaves the others: one step of a scanning antenna.
- * A step that goes beyond the last beam ends there; one that begins there, or of no beam, is refused.
+ * A step that goes beyond the last beam ends there; one that begins there, or of no beam, is refused. An antenna turns
+ * by the beams of its steps, while first_azimuth_rad stays: beams that are left lie where they were drawn.
  * What is counted in a frame is then counted of those beams. The frame's arrays live until the next call with this
  * renderer. Returns 0 when all went well. */
 int sigmascape_render(sigmascape_renderer* renderer, const sigmascape_pose* pose, sigmascape_frame* frame);

@@ -10,6 +10,7 @@
 #include "sigmascape/atlas/half.h"
 #include "sigmascape/atlas/tile_reader.h"
 #include "sigmascape/radar/channels.h"
+#include "sigmascape/render/shortage.h"
 #include "sigmascape/terrain/terrain_view.h"
 
 namespace sigmascape::render {
@@ -45,8 +46,13 @@ struct GroundPage {
   std::array<float, atlas::AspectCells::most_looks> scale{};  ///< σ0 of a stored 1, a look
   std::vector<float> height_m;                                ///< [row][column], of the texel's centre, orthometric
   // Of bare ground alone:
-  std::vector<terrain::PackedSlope> slope;            ///< [row][column]
-  std::vector<float> top_m;                           ///< [row][column], as of radar::AnsweringTops
+  std::vector<terrain::PackedSlope> slope;  ///< [row][column]
+  std::vector<float> top_m;                 ///< [row][column], as of radar::AnsweringTops
+
+  /// The terrain under it could not be had as finely as it should be: heights are those of coarser tiles.
+  bool stands_on_coarser_terrain = false;
+  std::vector<Shortage> shortages;  ///< of heights, slopes and tops
+  mutable AnotherTry another_try;
   mutable std::atomic<std::uint64_t> last_wanted{0};  ///< number of the frame that last read it
 
   static constexpr std::size_t elevations = 4;  ///< of a page of bare ground
@@ -55,6 +61,8 @@ struct GroundPage {
   static constexpr std::size_t look_halves = channels * vector;  ///< of a block
 
   [[nodiscard]] std::size_t level() const { return key.tile.level; }
+  /// Whether it is worth making anew when what it lacks can be had.
+  [[nodiscard]] bool lacks_something() const { return !shortages.empty(); }
   [[nodiscard]] std::size_t block_halves() const { return looks * look_halves; }
   /// The block that holds a texel.
   [[nodiscard]] const atlas::Half* block_of(std::size_t row, std::size_t column) const {

@@ -6,6 +6,7 @@
 
 #include "sigmascape/base/parallel.h"
 #include "sigmascape/base/units.h"
+#include "sigmascape/radar/azimuth_span.h"
 #include "sigmascape/radar/echo.h"
 #include "sigmascape/radar/rectangle_distances.h"
 #include "sigmascape/radar/target_shadows.h"
@@ -66,39 +67,18 @@ class AzimuthStrip {
   const radar::Rectangle& area_;
 };
 
-/// Azimuths as turns from a middle.
-struct AzimuthSpan {
-  double left_rad, right_rad;
+/// Under which an area is seen. From above it these are all, and no bin is cut where they close.
+radar::AzimuthSpan azimuths_to_sweep(const radar::Rectangle& area, Vec2d foot) {
+  if (area.contains(foot)) return {.middle_rad = 0.0, .left_rad = -2.0 * pi, .right_rad = 2.0 * pi};
+  return radar::azimuths_of(area, foot);
+}
 
-  [[nodiscard]] double width_rad() const { return std::max(right_rad - left_rad, 0.0); }
-};
-
-/// Under which an area is seen: all of them from above it.
-class AzimuthsOfArea {
- public:
-  AzimuthsOfArea(Vec2d radar, const radar::Rectangle& area) {
-    if (area.contains(radar)) return;
-    const Vec2d to_middle = area.centre() - radar;
-    middle_rad_ = std::atan2(to_middle.x, to_middle.y);
-    span_ = {0.0, 0.0};
-    for (const Vec2d corner : radar::corners_of(area)) {
-      const Vec2d away = corner - radar;
-      const double turn_rad = turned_by_least(std::atan2(away.x, away.y) - middle_rad_);
-      span_ = {std::min(span_.left_rad, turn_rad), std::max(span_.right_rad, turn_rad)};
-    }
-  }
-
-  [[nodiscard]] double middle_rad() const { return middle_rad_; }
-  /// What they have in common with a bin.
-  [[nodiscard]] AzimuthSpan within(double first_rad, double width_rad) const {
-    const double left_rad = turned_by_least(first_rad + 0.5 * width_rad - middle_rad_) - 0.5 * width_rad;
-    return {std::max(left_rad, span_.left_rad), std::min(left_rad + width_rad, span_.right_rad)};
-  }
-
- private:
-  double middle_rad_ = 0.0;
-  AzimuthSpan span_{-2.0 * pi, 2.0 * pi};
-};
+/// What azimuths have in common with a bin, about the same middle.
+radar::AzimuthSpan within_bin(const radar::AzimuthSpan& azimuths, double first_rad, double width_rad) {
+  const double left_rad = turned_by_least(first_rad + 0.5 * width_rad - azimuths.middle_rad) - 0.5 * width_rad;
+  return {azimuths.middle_rad, std::max(left_rad, azimuths.left_rad),
+          std::min(left_rad + width_rad, azimuths.right_rad)};
+}
 
 }  // namespace
 
@@ -118,7 +98,7 @@ radar::RangeAzimuthImage GroundRenderer::render(const radar::Radar& radar, const
   const ReflectingGround ground(*atlas_, *terrain_, radar.position, frequency_hz, level, settings.slope);
   const radar::TargetShadows shadows(settings.targets, 0.0, radar.position);
   const AzimuthStrip strip(ground, shadows, radar.position, area);
-  const AzimuthsOfArea azimuths(foot, area);
+  const radar::AzimuthSpan azimuths = azimuths_to_sweep(area, foot);
   const double apart_m = atlas_->patches().texel_m * std::exp2(level);
   const double step_m = grid.range_step_m / std::clamp(std::round(grid.range_step_m / apart_m), fewest_samples_outwards,
                                                        most_samples_a_side);
@@ -130,11 +110,12 @@ radar::RangeAzimuthImage GroundRenderer::render(const radar::Radar& radar, const
   parallel_for(grid.azimuths, workers, [&](std::size_t index, unsigned worker) {
     echoes[worker].clear();
     const double first_rad = grid.first_azimuth_rad + static_cast<double>(index) * grid.azimuth_step_rad;
-    const AzimuthSpan span = azimuths.within(first_rad, grid.azimuth_step_rad);
-    const double strips = std::clamp(std::round(span.width_rad() * far_of_map_m / apart_m), 1.0, most_samples_a_side);
-    const double width_rad = span.width_rad() / strips;
+    const radar::AzimuthSpan span = within_bin(azimuths, first_rad, grid.azimuth_step_rad);
+    const double seen_rad = std::max(span.right_rad - span.left_rad, 0.0);
+    const double strips = std::clamp(std::round(seen_rad * far_of_map_m / apart_m), 1.0, most_samples_a_side);
+    const double width_rad = seen_rad / strips;
     for (double number = 0.5; number < strips && width_rad > 0.0; ++number) {
-      strip.sweep(azimuths.middle_rad() + span.left_rad + number * width_rad, width_rad, near_m, far_m, step_m,
+      strip.sweep(span.middle_rad + span.left_rad + number * width_rad, width_rad, near_m, far_m, step_m,
                   echoes[worker], strip_counts[worker]);
     }
     receiver.add_to_azimuth(index, echoes[worker]);

@@ -46,17 +46,17 @@ std::shared_ptr<const PageSource> source_of(const atlas::Store& store, const Liv
                                             atlas::Scrutiny scrutiny) {
   atlas::check_frequency(store.description().aspects, frequency_hz);
   const HeightSource heights = [&terrain](const radar::GroundGrid& cells, std::span<float> height_m) {
-    terrain.fill_heights(cells, height_m);
+    return terrain.fill_heights(cells, height_m);
   };
   if (obstacles == nullptr) {
     return std::make_shared<const PageSource>(store, heights, frequency_hz, std::nullopt, scrutiny);
   }
   const atlas::Store ground = atlas::open_ground_store(store);
   const SlopeSource slopes = [&terrain](const radar::GroundGrid& cells, std::span<terrain::PackedSlope> slope) {
-    terrain.fill_slopes(cells, slope);
+    return terrain.fill_slopes(cells, slope);
   };
   const TopSource tops = [obstacles](const atlas::TileAddress& tile, std::span<float> top_m) {
-    obstacles->cache().source().fill_tops(tile, top_m);
+    return obstacles->cache().source().fill_tops(tile, top_m);
   };
   return std::make_shared<const PageSource>(store, heights, frequency_hz, BareGround{ground, slopes, tops}, scrutiny);
 }
@@ -83,7 +83,7 @@ LiveGround::LiveGround(const atlas::Store& store, std::shared_ptr<terrain::Terra
       pages_(source_,
              options.budget_bytes - beside_pages(options, obstacles_.get()) -
                  StandInGround::bytes_of(*source_, stand_in_.side()),
-             options.loaders) {}
+             options.loaders, terrain_.pyramid().patience()) {}
 
 LiveGround::LiveGround(const atlas::Store& store, const terrain::HeightField& terrain, double frequency_hz,
                        const CacheOptions& options)

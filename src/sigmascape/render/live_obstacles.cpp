@@ -70,12 +70,12 @@ const ObstaclePage* LiveObstacles::best(const Cache::View& there, const atlas::T
                                         std::vector<atlas::TileAddress>& wanted) const {
   const std::size_t coarsest = cache_->source().levels() - 1;
   const ObstaclePage* page = there.find(tile);
-  if (page == nullptr) want(tile, wanted);
+  if (page == nullptr || page->another_try.is_due()) want(tile, wanted);
   atlas::TileAddress above = tile;
   for (std::size_t up = 1; above.level < coarsest && (up == 1 || page == nullptr); ++up) {
     above = above.parent();
     const ObstaclePage* const there_above = there.find(above);
-    if (up == 1 && there_above == nullptr) want(above, wanted);
+    if (there_above != nullptr ? there_above->another_try.is_due() : up == 1) want(above, wanted);
     if (page == nullptr) page = there_above;
   }
   return page;

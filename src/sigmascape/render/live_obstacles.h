@@ -59,7 +59,8 @@ class LiveObstacles {
   /// Calls `each(column, row, tile)` for the tiles of a block that may share ground with the sector.
   template <typename Each>
   void for_each_tile(const atlas::TileBlock& block, const GroundSector& ground, Each each) const;
-  /// The page for a tile or for an ancestor; null when not even the coarsest is there.
+  /// The page for a tile or for an ancestor; null when not even the coarsest is there. Wants what is missing, and anew
+  /// what may have been mended.
   [[nodiscard]] const ObstaclePage* best(const Cache::View& there, const atlas::TileAddress& tile,
                                          std::vector<atlas::TileAddress>& wanted) const;
   void load_coarsest_level();

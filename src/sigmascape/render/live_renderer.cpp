@@ -38,6 +38,8 @@ constexpr double furthest_m = 1e7;
 constexpr double widest_beam_rad = pi / 4.0;
 /// A turn that was divided by a number of beams comes back as one but for rounding.
 constexpr double hairs_breadth_rad = 1e-6;
+/// Sides of a picture of the terrain: a tile of it, and 4 GiB.
+constexpr std::size_t least_picture_px = TerrainRaster::tile_side, most_picture_px = 1U << 15U;
 /// Bins that all ground is farther away than look at so much of it below the radar, none of which answers in them.
 constexpr double least_reach_m = 1.0;
 
@@ -91,6 +93,15 @@ void check(const LiveSettings& settings, const std::string& where) {
   }
   if (!(settings.cells_per_bin >= 0.25 && settings.cells_per_bin <= 64.0)) {
     throw Error(where, fmt::format("has {} lattice cells a bin", settings.cells_per_bin), "give 0.25 to 64");
+  }
+  const RasterSettings& raster = settings.visibility.raster;
+  if (!(raster.pixels_per_triangle > 0.0 && std::isfinite(raster.pixels_per_triangle))) {
+    throw Error(where, fmt::format("is to draw {} pixels a triangle", raster.pixels_per_triangle),
+                "give a positive number; the paper has 16");
+  }
+  if (raster.longest_side < least_picture_px || raster.longest_side > most_picture_px) {
+    throw Error(where, fmt::format("is to draw {} pixels a side", raster.longest_side),
+                fmt::format("give {} to {}", least_picture_px, most_picture_px));
   }
   if (!(settings.refraction >= 0.1)) {
     throw Error(where, fmt::format("has a refraction of {}", settings.refraction),
@@ -231,6 +242,12 @@ void LiveRenderer::prepare(const Pose& pose) {
                                                         settings_.beam_step_rad * static_cast<double>(settings_.beams),
                                                         {0.0, far_range_m}));
   const auto lowest_m = static_cast<double>(bounds_.lowest_m), highest_m = static_cast<double>(bounds_.highest_m);
+  if (settings_.visibility.method == VisibilityMethod::Rasterization && !(pose.position.z > highest_m)) {
+    throw Error(
+        "live renderer",
+        fmt::format("stands at {:g} m and is to draw terrain of up to {:g} m from above", pose.position.z, highest_m),
+        "fly higher, or take the horizon sweep");
+  }
   const radar::CurvedEarth earth{.refraction = settings_.refraction};
   under_bins_ = frame_reach(settings_, pose, lowest_m, highest_m, earth);
   const auto [near_m, far_m] = sharing_reach(settings_, pose, lowest_m, highest_m, earth);

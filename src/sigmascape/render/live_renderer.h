@@ -48,8 +48,8 @@ struct LiveSettings {
   /// k of the k-Earth, by which ground at distance d lies d²/(2 k R) lower: for horizons, ranges and grazing angles
   /// alike. A great number makes it flat.
   double refraction = 4.0 / 3.0;
-  /// How visible ground is found. Rasterization is the paper's way: slower, and only over atlases whose textures hold
-  /// the shadows of what stands on the ground.
+  /// How visible ground is found. Rasterization is the paper's way: slower, only over atlases whose textures hold the
+  /// shadows of what stands on the ground, and only from above all terrain up to the last bin: other poses are refused.
   VisibleGroundSettings visibility = {};
 };
 
@@ -108,7 +108,8 @@ struct FrameReach {
 /// A frame, valid until the next one.
 struct Frame {
   radar::RangeAzimuthGrid grid;
-  /// [beam][range][VV, HH, HV, VH], metres: |a|² is a cross-section in m². Empty when powers were asked for.
+  /// [beam][range][VV, HH, HV, VH], metres: |a|² is a cross-section in m², and the phase that of the way out and back,
+  /// −4π r/λ, which falls as range r grows. Empty when powers were asked for.
   std::span<const std::complex<float>> amplitudes_m;
   /// [beam][range][VV, HH, HV, Re VV·HH*], m². Empty when amplitudes were asked for.
   std::span<const float> powers_m2;
@@ -127,9 +128,11 @@ class LiveRenderer {
   LiveRenderer(std::shared_ptr<LiveGround> ground, const LiveSettings& settings);
   ~LiveRenderer();
 
-  /// All beams.
+  /// All beams. Throws Error for a pose that `check` refuses, and then leaves the frame as it was.
   const Frame& render(const Pose& pose);
-  /// Beams first … first + count − 1 anew, the others as they were: one step of a scanning antenna.
+  /// Beams first … first + count − 1 anew, the others as they were: one step of a scanning antenna. Theirs is the pose
+  /// with which they were drawn, although the frame's grid is that of the last one: an antenna turns by its beams,
+  /// while first_azimuth_rad and first_range_m stay.
   const Frame& scan(const Pose& pose, std::size_t first_beam, std::size_t count);
 
  private:

@@ -28,7 +28,7 @@ int LiveTerrain::level_for(double texel_m) const {
   return terrain_level_for(texel_m, pyramid_->layout().spacing_m, pyramid_->levels());
 }
 
-terrain::TerrainWindow LiveTerrain::window_over(const radar::GroundGrid& cells) const {
+LiveTerrain::GroundUnderCells LiveTerrain::ground_under(const radar::GroundGrid& cells) const {
   const int level = level_for(cells.cell_m);
   // Between nodes that stand wide apart the ground is rounder than the facets that they span.
   terrain::TerrainWindow window(most_nodes_under_page,
@@ -42,8 +42,20 @@ terrain::TerrainWindow LiveTerrain::window_over(const radar::GroundGrid& cells) 
                               inside(here.south_m - spacing_m, whole.south_m, whole.north_m - spacing_m),
                               inside(here.east_m + spacing_m, whole.west_m + spacing_m, whole.east_m),
                               inside(here.north_m + spacing_m, whole.south_m + spacing_m, whole.north_m)};
-  window.fill(*pyramid_, area, level, terrain::TileWait::Load);
-  return window;
+  const terrain::WindowReport report = window.fill(*pyramid_, area, level, terrain::TileWait::Load);
+  return {std::move(window), shortage_of(report)};
+}
+
+Shortage LiveTerrain::shortage_of(const terrain::WindowReport& report) const {
+  if (report.lacking.empty()) return {};
+  return [pyramid = pyramid_, lacking = report.lacking, standing_in = report.standing_in] {
+    for (std::size_t i = 0; i < lacking.size(); ++i) {
+      for (terrain::TileKey key = lacking[i]; key.level < standing_in[i].level; key = key.parent()) {
+        if (pyramid->load(key) != nullptr) return true;
+      }
+    }
+    return false;
+  };
 }
 
 double LiveTerrain::height_at(Vec2d point) const {
@@ -55,8 +67,8 @@ double LiveTerrain::height_at(Vec2d point) const {
   return static_cast<double>(height_m);
 }
 
-void LiveTerrain::fill_heights(const radar::GroundGrid& cells, std::span<float> height_m) const {
-  const terrain::TerrainWindow window = window_over(cells);
+Shortage LiveTerrain::fill_heights(const radar::GroundGrid& cells, std::span<float> height_m) const {
+  auto [window, shortage] = ground_under(cells);
   const terrain::TerrainView ground = window.view();
   for (std::size_t row = 0; row < cells.rows; ++row) {
     for (std::size_t column = 0; column < cells.columns; ++column) {
@@ -64,10 +76,11 @@ void LiveTerrain::fill_heights(const radar::GroundGrid& cells, std::span<float> 
           static_cast<float>(terrain::height_at(ground, cells.centre_of(column, row)));
     }
   }
+  return std::move(shortage);
 }
 
-void LiveTerrain::fill_slopes(const radar::GroundGrid& cells, std::span<terrain::PackedSlope> slope) const {
-  const terrain::TerrainWindow window = window_over(cells);
+Shortage LiveTerrain::fill_slopes(const radar::GroundGrid& cells, std::span<terrain::PackedSlope> slope) const {
+  auto [window, shortage] = ground_under(cells);
   const terrain::TerrainView ground = window.view();
   for (std::size_t row = 0; row < cells.rows; ++row) {
     for (std::size_t column = 0; column < cells.columns; ++column) {
@@ -75,6 +88,7 @@ void LiveTerrain::fill_slopes(const radar::GroundGrid& cells, std::span<terrain:
       slope[row * cells.columns + column] = {packed(rise.x), packed(rise.y)};
     }
   }
+  return std::move(shortage);
 }
 
 LiveTerrain::Surface LiveTerrain::surface(const TerrainWindows::View& there, int level, const radar::Rectangle& area,

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "sigmascape/render/shortage.h"
 #include "sigmascape/render/terrain_windows.h"
 #include "sigmascape/terrain/terrain_pyramid.h"
 #include "sigmascape/terrain/terrain_view.h"
@@ -28,10 +29,11 @@ class LiveTerrain {
   /// Level 0; reads a tile if need be.
   [[nodiscard]] double height_at(Vec2d point) const;
 
-  /// Heights at the centres of cells, [row][column], north up, of the level that belongs to their size. Reads tiles.
-  void fill_heights(const radar::GroundGrid& cells, std::span<float> height_m) const;
+  /// Heights at the centres of cells, [row][column], north up, of the level that belongs to their size. Reads tiles;
+  /// gives back what of them cannot be had, so that coarser ones stand in.
+  Shortage fill_heights(const radar::GroundGrid& cells, std::span<float> height_m) const;
   /// And slopes, those of the finest level of its facets.
-  void fill_slopes(const radar::GroundGrid& cells, std::span<terrain::PackedSlope> slope) const;
+  Shortage fill_slopes(const radar::GroundGrid& cells, std::span<terrain::PackedSlope> slope) const;
 
   /// The ground as one frame has it.
   struct Surface {
@@ -50,7 +52,12 @@ class LiveTerrain {
   [[nodiscard]] const terrain::TerrainPyramid& pyramid() const { return *pyramid_; }
 
  private:
-  [[nodiscard]] terrain::TerrainWindow window_over(const radar::GroundGrid& cells) const;
+  struct GroundUnderCells {
+    terrain::TerrainWindow window;
+    Shortage shortage;
+  };
+  [[nodiscard]] GroundUnderCells ground_under(const radar::GroundGrid& cells) const;
+  [[nodiscard]] Shortage shortage_of(const terrain::WindowReport& report) const;
 
   std::shared_ptr<terrain::TerrainPyramid> pyramid_;
   std::shared_ptr<const terrain::HeightTile> coarsest_;

@@ -7,6 +7,7 @@
 
 #include "sigmascape/atlas/tile_address.h"
 #include "sigmascape/radar/obstacle.h"
+#include "sigmascape/render/shortage.h"
 
 namespace sigmascape::render {
 
@@ -28,6 +29,7 @@ struct ObstaclePage {
   std::vector<PackedObstacle> of;  ///< [row][column], north up
   /// By how many levels what it was made from is coarser than it should be, for the tile itself cannot be read.
   std::size_t levels_lacking = 0;
+  mutable AnotherTry another_try;
   mutable std::atomic<std::uint64_t> last_wanted{0};  ///< number of the frame that last read it
 
   static constexpr std::size_t squares = atlas::tile_side * atlas::tile_side;

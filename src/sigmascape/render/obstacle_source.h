@@ -20,9 +20,18 @@ class ObstacleSource {
 
   /// Fills `page` with what `page.key` names; its memory is used again. There is always something.
   [[nodiscard]] bool fill(ObstaclePage& page) const;
+  /// Whether a page was made from a coarser tile.
+  [[nodiscard]] static bool lacks_something(const ObstaclePage& page) { return page.levels_lacking > 0; }
+  /// Whether the tile itself, or one that is less coarse than that which stands in, can be read by now.
+  [[nodiscard]] bool can_be_better(const ObstaclePage& page) const {
+    return can_be_read(page.key, page.levels_lacking);
+  }
+  [[nodiscard]] bool renew(const ObstaclePage&, ObstaclePage& page) const { return fill(page); }
+
   /// How high what answers from the texels of a tile may stand, [row][column], north up: radar::AnsweringTops of the
-  /// tile's level, with regard to the tiles about it.
-  void fill_tops(const atlas::TileAddress& tile, std::span<float> top_m) const;
+  /// tile's level, with regard to the tiles about it. Gives back what of all these cannot be read, which must not be
+  /// asked after the source is gone.
+  Shortage fill_tops(const atlas::TileAddress& tile, std::span<float> top_m) const;
 
   [[nodiscard]] std::size_t levels() const { return tiles_.levels(); }
   /// Tiles of the coarsest level, so that something can stand in for what is missing.
@@ -41,8 +50,14 @@ class ObstacleSource {
   /// Calls `each` for every square, in order; by how many levels they are coarser than asked for.
   template <typename Each>
   std::size_t for_each_square(const atlas::TileAddress& tile, Each each) const;
-  /// The height of what stands on each square of a tile, [column, row].
-  [[nodiscard]] Array2D<float> standing_m(const atlas::TileAddress& tile) const;
+  /// The height of what stands on each square of a tile, [column, row], and by how many levels it is coarser.
+  struct Standing {
+    Array2D<float> top_m;
+    std::size_t levels_lacking = 0;
+  };
+  [[nodiscard]] Standing standing_on(const atlas::TileAddress& tile) const;
+  /// Whether any of so many levels of a tile, its own and the next, can be read.
+  [[nodiscard]] bool can_be_read(atlas::TileAddress tile, std::size_t levels) const;
 
   atlas::ObstacleTiles tiles_;
 };

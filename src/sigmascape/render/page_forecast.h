@@ -24,7 +24,7 @@ struct PagesThere {
 
   /// Whether a page is there as finely as it can be.
   [[nodiscard]] bool has(const PageKey& key) const {
-    return read.find(key) != nullptr || (stand_in.levels_above() == 0 && stand_in.find(key) != nullptr);
+    return read.find(key) != nullptr || stand_in.is_as_good_as_read(stand_in.find(key));
   }
 };
 

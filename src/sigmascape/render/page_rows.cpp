@@ -16,7 +16,7 @@ void PageRows::begin_frame(const PageCache::View& view) {
 
 PageRow PageRows::row_of(const PageKey& key, std::size_t row, std::size_t column) {
   if (last_page_ != nullptr && last_page_->key == key) return {last_page_, row, column, 0};
-  if (const GroundPage* page = view_.find(key)) {
+  if (const GroundPage* page = read_page(key)) {
     last_page_ = page;
     return {page, row, column, 0};
   }
@@ -29,20 +29,26 @@ PageRow PageRows::row_of(const PageKey& key, std::size_t row, std::size_t column
     column += east ? atlas::tile_side << (up - 1) : 0;
     row += south ? atlas::tile_side << (up - 1) : 0;
     above.tile = above.tile.parent();
-    found = {view_.find(above), row >> up, column, up};
+    found = {read_page(above), row >> up, column, up};
   }
   if (found.page == nullptr) {
     const std::size_t levels_up = up - 1 + stand_in_.levels_above();
     found = {stand_in_.find(above), row >> levels_up, column, levels_up};
+    // A page of the coarsest level covers much ground: where there is none, and it would be finer, it comes first.
+    if (!stand_in_.is_as_good_as_read(found.page)) miss(above);
     if (levels_up == 0 && found.page != nullptr) {
       last_page_ = found.page;
       return found;
     }
-    // A page of the coarsest level covers much ground: where there is none, and it would be finer, it comes first.
-    if (stand_in_.levels_above() > 0 || found.page == nullptr) miss(above);
   }
   miss(key);
   return found;
+}
+
+const GroundPage* PageRows::read_page(const PageKey& key) {
+  const GroundPage* const page = view_.find(key);
+  if (page != nullptr && page->another_try.is_due()) miss(key);
+  return page;
 }
 
 void PageRows::miss(const PageKey& key) {

@@ -31,7 +31,7 @@ struct TexelBlocks {
   std::size_t lane = 0;                 ///< of the first texel, its column in the first block
 };
 
-/// Finds rows of pages for one task of a frame, and remembers which pages were missing.
+/// Finds rows of pages for one task of a frame, and remembers which pages were missing or lack something.
 class PageRows {
  public:
   /// Missing pages that one task remembers; the next frame will see the rest.
@@ -50,6 +50,8 @@ class PageRows {
   TexelBlocks blocks_of(const PageRow& source, std::size_t count);
 
  private:
+  /// One that was read, if it is there.
+  [[nodiscard]] const GroundPage* read_page(const PageKey& key);
   void miss(const PageKey& key);
 
   const StandInGround& stand_in_;

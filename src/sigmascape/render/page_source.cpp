@@ -87,16 +87,30 @@ bool PageSource::fill(GroundPage& page) const {
 
 void PageSource::fill_relief(GroundPage& page) const {
   const radar::GroundGrid texels = page.texels(description().patches);
-  heights_(texels, page.height_m);
+  page.shortages.clear();
+  const auto keep = [&page](Shortage shortage) {
+    if (shortage) page.shortages.push_back(std::move(shortage));
+  };
+  keep(heights_(texels, page.height_m));
+  page.stands_on_coarser_terrain = page.lacks_something();
   if (!page.key.is_bare_ground()) return;
-  bare_ground_->slopes(texels, page.slope);
-  if (page.side == tile_side) {
-    bare_ground_->tops(page.key.tile, page.top_m);
-    return;
-  }
+  keep(bare_ground_->slopes(texels, page.slope));
+  if (page.side == tile_side) return keep(bare_ground_->tops(page.key.tile, page.top_m));
   std::vector<float> top_m(tile_side * tile_side);
-  bare_ground_->tops(page.key.tile, top_m);
+  keep(bare_ground_->tops(page.key.tile, top_m));
   find_coarser_tops(top_m, tile_side, page.top_m, page.side);
+}
+
+bool PageSource::can_be_better(const GroundPage& page) {
+  return std::ranges::any_of(page.shortages, [](const Shortage& shortage) { return shortage(); });
+}
+
+bool PageSource::renew(const GroundPage& former, GroundPage& page) const {
+  page.make_room(former.side, former.looks);
+  page.blocks = former.blocks;
+  page.scale = former.scale;
+  fill_relief(page);
+  return true;
 }
 
 }  // namespace sigmascape::render

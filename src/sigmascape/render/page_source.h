@@ -12,14 +12,14 @@
 
 namespace sigmascape::render {
 
-/// Fills heights of the cells' centres of a grid, [row][column], north up.
-using HeightSource = std::function<void(const radar::GroundGrid& cells, std::span<float> height_m)>;
+/// Fills heights of the cells' centres of a grid, [row][column], north up, and tells what was lacking.
+using HeightSource = std::function<Shortage(const radar::GroundGrid& cells, std::span<float> height_m)>;
 
 /// Fills slopes of the ground, likewise.
-using SlopeSource = std::function<void(const radar::GroundGrid& cells, std::span<terrain::PackedSlope> slope)>;
+using SlopeSource = std::function<Shortage(const radar::GroundGrid& cells, std::span<terrain::PackedSlope> slope)>;
 
-/// Fills how high what answers from the texels of a tile may stand above the ground, [row][column].
-using TopSource = std::function<void(const atlas::TileAddress& tile, std::span<float> top_m)>;
+/// Fills how high what answers from the texels of a tile may stand above the ground, [row][column], likewise.
+using TopSource = std::function<Shortage(const atlas::TileAddress& tile, std::span<float> top_m)>;
 
 /// The ground by itself, of an atlas that keeps it apart.
 struct BareGround {
@@ -40,6 +40,13 @@ class PageSource {
   /// or cannot be read: without it the page would be darker than the ground is.
   [[nodiscard]] bool fill(GroundPage& page) const;
 
+  /// Whether something coarser stands in for terrain or obstacles under a page.
+  [[nodiscard]] static bool lacks_something(const GroundPage& page) { return page.lacks_something(); }
+  /// Whether any of what it lacks can be had by now.
+  [[nodiscard]] static bool can_be_better(const GroundPage& page);
+  /// Fills `page` with what is in a former one of the same key, over the terrain that there is now; always true.
+  [[nodiscard]] bool renew(const GroundPage& former, GroundPage& page) const;
+
   /// Where a look of a page is read.
   struct StoredLook {
     const atlas::TileReader* tiles = nullptr;  ///< null where the page has room for more looks than there are
@@ -50,7 +57,7 @@ class PageSource {
   /// Those of the page of a key, in its order; as many as it has looks.
   [[nodiscard]] std::array<StoredLook, atlas::AspectCells::most_looks> looks_of(const PageKey& key) const;
   [[nodiscard]] std::size_t looks_a_page() const { return aspects_.looks_a_cell(); }
-  /// Fills heights and, of bare ground, slopes and tops of a page that has room for them.
+  /// Fills heights and, of bare ground, slopes and tops of a page that has room for them, and what is lacking there.
   void fill_relief(GroundPage& page) const;
 
   /// Number of levels that pages can have.

@@ -198,7 +198,7 @@ void SectorTask::fill_stretch(const Place& place, std::size_t count) {
     report_.dark += count;
     return;
   }
-  if (ground.levels_up > 0 && hides_as_finely_as(ground)) {
+  if ((ground.levels_up > 0 || ground.page->stands_on_coarser_terrain) && hides_as_finely_as(ground)) {
     stand_on(row_, *terrain_, {pose_->position.x, pose_->position.y});
   } else {
     stand_on(row_, heights_of(ground));

@@ -99,7 +99,8 @@ class SectorTask {
   /// Draws the scatterers' values.
   void draw();
 
-  /// Whether the terrain that hides is known as finely as that which a page stands on that is not the texels' own.
+  /// Whether the terrain that hides is known as finely as that which a page should stand on, where the page is not the
+  /// texels' own or stands on coarser terrain.
   [[nodiscard]] bool hides_as_finely_as(const PageRow& ground) const;
   [[nodiscard]] PageHeights heights_of(const PageRow& ground) const;
   [[nodiscard]] Horizon horizon() const;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sigmascape/radar/azimuth_span.h"
 #include "sigmascape/radar/ground_grid.h"
 #include "sigmascape/render/reflecting_ground.h"
 #include "sigmascape/render/sight_grid.h"
@@ -17,10 +18,9 @@ class SightMap {
   [[nodiscard]] terrain::Sight at(Vec2d point) const;
 
  private:
-  [[nodiscard]] double azimuth_of(Vec2d point) const;
-
   Vec2d origin_;
-  double middle_rad_ = 0.0, first_azimuth_rad_ = 0.0, azimuth_step_rad_ = 0.0, near_m_ = 0.0, step_m_ = 1.0;
+  radar::AzimuthSpan azimuths_;
+  double azimuth_step_rad_ = 0.0, near_m_ = 0.0, step_m_ = 1.0;
   SightGrid sights_;  // lines are azimuths
 };
 

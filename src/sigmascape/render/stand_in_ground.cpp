@@ -79,6 +79,8 @@ void StandInGround::find_relief(const PageSource& source, std::size_t tile) {
   source.fill_relief(of_all);
   for (GroundPage& page : pages.first(pages.size() - 1)) {
     page.height_m = of_all.height_m;
+    page.stands_on_coarser_terrain = of_all.stands_on_coarser_terrain;
+    page.shortages = of_all.shortages;
     if (!page.key.is_bare_ground()) continue;
     page.slope = of_all.slope;
     page.top_m = of_all.top_m;

@@ -33,6 +33,11 @@ class StandInGround {
 
   /// The page that stands in for one of the coarsest level; null when there is none.
   [[nodiscard]] const GroundPage* find(const PageKey& key) const;
+  /// Whether a page of the coarsest level, or none, is as good as any that could be read: of as many texels, and it
+  /// lacked no terrain when all was opened.
+  [[nodiscard]] bool is_as_good_as_read(const GroundPage* page) const {
+    return page != nullptr && levels_above() == 0 && !page->lacks_something();
+  }
   [[nodiscard]] std::size_t coarsest_level() const { return layout_.tiles.level; }
   /// By how many levels pages are coarser than the coarsest of the store; 0: they are the same.
   [[nodiscard]] std::size_t levels_above() const {

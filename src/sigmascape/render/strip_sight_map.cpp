@@ -7,17 +7,6 @@
 #include "sigmascape/radar/rectangle_distances.h"
 
 namespace sigmascape::render {
-namespace {
-
-/// The least and the most of what grows evenly over the ground.
-template <typename Measure>
-std::array<double, 2> span_over(const radar::Rectangle& area, const Measure& measure) {
-  std::array<double, 4> values{};
-  std::ranges::transform(radar::corners_of(area), values.begin(), measure);
-  return {std::ranges::min(values), std::ranges::max(values)};
-}
-
-}  // namespace
 
 StripSightMap::StripSightMap(const ReflectingGround& ground, const radar::Vantage& vantage,
                              const radar::Rectangle& terrain_extent, const radar::Rectangle& area, double step_m,
@@ -32,12 +21,12 @@ StripSightMap::Side StripSightMap::side_of(const ReflectingGround& ground, const
   Side side;
   side.beam = beam;
   const auto distance_of = [&](Vec2d point) { return beam.distance_m(point); };
-  const std::array<double, 2> distances_m = span_over(area, distance_of);
+  const std::array<double, 2> distances_m = radar::span_over(area, distance_of);
   if (distances_m[1] < 0.0) return side;
-  const std::array<double, 2> lines_m = span_over(area, [&](Vec2d point) { return beam.across_m(point); });
+  const std::array<double, 2> lines_m = radar::span_over(area, [&](Vec2d point) { return beam.across_m(point); });
   const double far_m = distances_m[1] + step_m_;
   // Terrain nearer than the area may hide it; only what lies in the area is kept.
-  const double start_m = std::max(0.0, span_over(terrain_extent, distance_of)[0]);
+  const double start_m = std::max(0.0, radar::span_over(terrain_extent, distance_of)[0]);
   const auto before = static_cast<std::size_t>(std::max(0.0, (distances_m[0] - start_m) / step_m_ - 1.0));
   side.first_across_m = lines_m[0];
   side.near_m = start_m + static_cast<double>(before) * step_m_;

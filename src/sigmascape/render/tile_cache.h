@@ -27,9 +27,10 @@
 namespace sigmascape::render {
 
 struct CacheReport {
-  std::size_t pages = 0;     ///< there now
-  std::size_t bytes = 0;     ///< that they take
-  std::uint64_t loaded = 0;  ///< since the start
+  std::size_t pages = 0;      ///< there now
+  std::size_t bytes = 0;      ///< that they take
+  std::uint64_t loaded = 0;   ///< since the start
+  std::uint64_t renewed = 0;  ///< made anew, when some of what they had lacked could be had
   std::uint64_t evicted = 0;
   std::size_t absent = 0;   ///< pages that, when last asked for, the store did not have, or not whole
   std::size_t damaged = 0;  ///< files of the store, met so far, that are not as their items say
@@ -47,6 +48,10 @@ struct CacheReport {
 /// A `Source` makes pages: it names their type `Source::Page`, fills one in any thread as its `key` says (false when it
 /// cannot be had, which is tried again now and then), and tells how many bytes one takes at most, which never give way
 /// to others once they are there, and how many files were found damaged.
+///
+/// A page may lack something for which something coarser stands in (`Source::lacks_something`). Its `another_try` is
+/// due a while later; when a frame asks for it then, the source tells whether it can be better by now
+/// (`can_be_better`), and only if so makes another from it (`renew`) that takes its place.
 template <typename Source>
 class TileCache {
  public:
@@ -106,17 +111,27 @@ class TileCache {
   [[nodiscard]] static const Key& key_of(const Entry& entry) { return entry->key; }
   [[nodiscard]] bool is_loading(const Key& key) const { return std::ranges::find(loading_, key) != loading_.end(); }
   void load_pages();
-  /// Nothing when there is no memory for what it takes.
-  [[nodiscard]] std::optional<bool> filled(Page& page) const;
+  /// From a former one, where there is one. Nothing when there is no memory for what it takes.
+  [[nodiscard]] std::optional<bool> filled(Page& page, const Entry& former) const;
+  [[nodiscard]] bool can_be_better(const Page& page) const;
   // All of these with the guard held.
-  /// Loads the page while others may have the guard.
+  /// Null when it is not there.
+  [[nodiscard]] Entry there(const Key& key) const;
+  /// What `work` gives back, which is called while others may have the guard, but not load this page. It must not
+  /// throw.
+  template <typename Work>
+  auto away_with(const Key& key, std::unique_lock<std::mutex>& lock, Work work);
+  /// Loads the page, or makes it anew, while others may have the guard.
   void load_one(const Key& key, std::unique_lock<std::mutex>& lock);
   void wait_for_loaders(std::unique_lock<std::mutex>& lock);
   [[nodiscard]] bool next_wanted(Key& key);
-  /// Null when there is none: all are looked at, or give way to `wanted` pages once the frames of now are done.
-  [[nodiscard]] std::shared_ptr<Page> empty_page(std::size_t wanted);
+  /// Null when there is none: all are looked at, or give way once the frames of now are done. To one that is to be made
+  /// anew one other gives way, to one that is not there as many as are wanted.
+  [[nodiscard]] std::shared_ptr<Page> empty_page(bool is_anew);
   /// Drops up to so many pages that no frame has looked at lately.
   void drop_oldest_pages(std::size_t most);
+  void drop(std::span<const Entry> pages);
+  /// In place of one of the same key.
   void publish(std::shared_ptr<Page> page);
 
   std::shared_ptr<const Source> source_;
@@ -127,7 +142,8 @@ class TileCache {
   Wishes<Key> wishes_;
   Published<Entries> entries_;
   std::vector<std::shared_ptr<Page>> retired_;  // no longer found; others share one that a frame may still read
-  std::vector<Key> loading_;
+  std::vector<Key> loading_;                    // or looked after
+  std::size_t in_hand_ = 0;                     // pages that are being filled
   FailedLately<Key> absent_;
   std::atomic<std::uint64_t> frame_{0};
   std::size_t page_bytes_ = 0;  // of one
@@ -220,7 +236,7 @@ CacheReport TileCache<Source>::report() const {
   report.pages = entries_.newest().size();
   report.absent = absent_.size();
   report.damaged = source_->damaged();
-  report.bytes = (report.pages + retired_.size() + loading_.size()) * page_bytes_;
+  report.bytes = (report.pages + retired_.size() + in_hand_) * page_bytes_;
   return report;
 }
 
@@ -243,32 +259,69 @@ void TileCache<Source>::load_pages() {
 }
 
 template <typename Source>
+typename TileCache<Source>::Entry TileCache<Source>::there(const Key& key) const {
+  const Entries& entries = entries_.newest();
+  const auto found = std::ranges::lower_bound(entries, key, {}, &key_of);
+  return found != entries.end() && (*found)->key == key ? *found : nullptr;
+}
+
+template <typename Source>
+template <typename Work>
+auto TileCache<Source>::away_with(const Key& key, std::unique_lock<std::mutex>& lock, Work work) {
+  loading_.push_back(key);
+  lock.unlock();
+  const auto result = work();
+  lock.lock();
+  std::erase(loading_, key);
+  return result;
+}
+
+template <typename Source>
 void TileCache<Source>::load_one(const Key& key, std::unique_lock<std::mutex>& lock) try {
-  const std::shared_ptr<Page> page = empty_page(1 + wishes_.size());
+  const Entry former = there(key);
+  if (former && !away_with(key, lock, [&] { return can_be_better(*former); })) {
+    return former->another_try.after(absent_.patience());
+  }
+  if (there(key) != former) return;  // it gave way meanwhile
+  const std::shared_ptr<Page> page = empty_page(former != nullptr);
   if (!page && retired_.empty()) {
-    // Everything there is looked at: what is wanted now has to wait until frames look elsewhere, and ask again.
+    // Everything there is looked at. A page that is to be made anew gives way to itself, and is read as one that is not
+    // there.
+    if (former && !source_->stays(*former)) {
+      drop({&former, 1});
+      return wishes_.put_off();
+    }
+    // What is wanted now has to wait until frames look elsewhere, and ask again.
+    if (former) former->another_try.after(absent_.patience());
     ++report_.refused;
     return wishes_.clear();
   }
   // What gave way is still looked at.
   if (!page) return wishes_.put_off();
-  loading_.reserve(loading_.size() + 1);
   retired_.reserve(retired_.size() + 1);
-  loading_.push_back(key);
-  lock.unlock();
+  loading_.reserve(loading_.size() + 1);
   page->key = key;
-  const std::optional<bool> found = filled(*page);
-  lock.lock();
-  std::erase(loading_, key);
+  ++in_hand_;
+  const std::optional<bool> found = away_with(key, lock, [&] { return filled(*page, former); });
+  --in_hand_;
   if (!found) throw std::bad_alloc();
   if (*found) {
     page->last_wanted = frame_.load();
+    if (source_->lacks_something(*page)) {
+      page->another_try.after(absent_.patience());
+    } else {
+      page->another_try.never();
+    }
     publish(page);
     absent_.erase(key);
-    ++report_.loaded;
+    ++(former ? report_.renewed : report_.loaded);
   } else {
     retired_.push_back(page);
-    absent_.add(key);
+    if (former) {
+      former->another_try.after(absent_.patience());
+    } else {
+      absent_.add(key);
+    }
   }
 } catch (const std::bad_alloc&) {
   // There may be memory when frames ask again.
@@ -277,23 +330,33 @@ void TileCache<Source>::load_one(const Key& key, std::unique_lock<std::mutex>& l
 }
 
 template <typename Source>
-std::optional<bool> TileCache<Source>::filled(Page& page) const try {
-  return source_->fill(page);
+std::optional<bool> TileCache<Source>::filled(Page& page, const Entry& former) const try {
+  return former ? source_->renew(*former, page) : source_->fill(page);
 } catch (const std::bad_alloc&) {
   return std::nullopt;
+} catch (const std::exception&) {  // the system's own, of a disk that is gone: frames go on without the page
+  return false;
+}
+
+template <typename Source>
+bool TileCache<Source>::can_be_better(const Page& page) const try {
+  return source_->can_be_better(page);
+} catch (const std::exception&) {
+  return false;
 }
 
 template <typename Source>
 bool TileCache<Source>::next_wanted(Key& key) {
   while (wishes_.take(key)) {
-    const bool there = std::ranges::binary_search(entries_.newest(), key, {}, &key_of);
-    if (!there && !is_loading(key) && !absent_.holds(key)) return true;
+    if (is_loading(key)) continue;
+    const Entry found = there(key);
+    if (found ? found->another_try.is_due() : !absent_.holds(key)) return true;
   }
   return false;
 }
 
 template <typename Source>
-std::shared_ptr<typename TileCache<Source>::Page> TileCache<Source>::empty_page(std::size_t wanted) {
+std::shared_ptr<typename TileCache<Source>::Page> TileCache<Source>::empty_page(bool is_anew) {
   const auto free_one = [this]() -> std::shared_ptr<Page> {
     entries_.forget_unread();
     const auto free = std::ranges::find_if(retired_, [](const auto& page) { return page.use_count() == 1; });
@@ -303,11 +366,13 @@ std::shared_ptr<typename TileCache<Source>::Page> TileCache<Source>::empty_page(
     return page;
   };
   if (auto page = free_one()) return page;
-  const std::size_t pages = entries_.newest().size() + retired_.size() + loading_.size();
+  const std::size_t pages = entries_.newest().size() + retired_.size() + in_hand_;
   if (pages < most_pages()) return std::make_shared<Page>();
   if (retired_.empty()) drop_oldest_pages(1);
   if (auto page = free_one()) return page;
   // What gave way is still read. When frames are done with it, there is room for all that is wanted.
+  const auto is_absent = [this](const Key& key) { return there(key) == nullptr; };
+  const std::size_t wanted = 1 + (is_anew ? 0 : wishes_.count_if(is_absent));
   if (retired_.size() < wanted) drop_oldest_pages(wanted - retired_.size());
   return nullptr;
 }
@@ -327,22 +392,35 @@ void TileCache<Source>::drop_oldest_pages(std::size_t most) {
   // Of equally old ones the finer goes: its parent can stand in for it.
   std::ranges::stable_sort(old, {}, [](const Aged& page) { return std::tuple(page.last_wanted, page.level); });
   old.resize(std::min(old.size(), most));
-  if (old.empty()) return;
+  std::vector<Entry> dropped;
+  for (Aged& page : old) dropped.push_back(std::move(page.entry));
+  drop(dropped);
+}
+
+template <typename Source>
+void TileCache<Source>::drop(std::span<const Entry> pages) {
+  if (pages.empty()) return;
   Entries rest = entries_.newest();
-  for (const Aged& page : old) std::erase(rest, page.entry);
-  retired_.reserve(retired_.size() + old.size());
+  for (const Entry& page : pages) std::erase(rest, page);
+  retired_.reserve(retired_.size() + pages.size());
   entries_.store(std::move(rest));
   // Whoever found one may read on; its memory is used again when the last of them has let go.
-  for (const Aged& page : old) retired_.push_back(std::const_pointer_cast<Page>(page.entry));
-  report_.evicted += old.size();
+  for (const Entry& page : pages) retired_.push_back(std::const_pointer_cast<Page>(page));
+  report_.evicted += pages.size();
 }
 
 template <typename Source>
 void TileCache<Source>::publish(std::shared_ptr<Page> page) {
   Entries grown = entries_.newest();
   const auto place = std::ranges::lower_bound(grown, page->key, {}, &key_of);
-  grown.insert(place, std::move(page));
+  Entry former;
+  if (place != grown.end() && (*place)->key == page->key) {
+    former = std::exchange(*place, std::move(page));
+  } else {
+    grown.insert(place, std::move(page));
+  }
   entries_.store(std::move(grown));
+  if (former) retired_.push_back(std::const_pointer_cast<Page>(former));
 }
 
 }  // namespace sigmascape::render

@@ -24,6 +24,7 @@ class Wishes {
   struct Box {
     explicit Box(std::size_t most) : list(most) {}
     [[nodiscard]] std::size_t left() const { return is_put_off ? 0 : list.fetched().size() - taken; }
+    [[nodiscard]] std::span<const Item> wishes_left() const { return std::span(list.fetched()).last(left()); }
 
     NewestList<Item> list;
     std::size_t taken = 0;   // of the list fetched last
@@ -79,10 +80,15 @@ class Wishes {
 
   /// How many there are.
   [[nodiscard]] std::size_t size() {
+    return count_if([](const Item&) { return true; });
+  }
+  /// Of how many `holds` is true.
+  template <typename Holds>
+  [[nodiscard]] std::size_t count_if(Holds holds) {
     const std::lock_guard lock(guard_);
     fetch();
     std::size_t count = 0;
-    for (const auto& box : boxes_) count += box->left();
+    for (const auto& box : boxes_) count += static_cast<std::size_t>(std::ranges::count_if(box->wishes_left(), holds));
     return count;
   }
   [[nodiscard]] bool empty() { return size() == 0; }

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <limits>
+#include <new>
 #include <utility>
-
-#include "sigmascape/base/error.h"
 
 namespace sigmascape::terrain {
 
@@ -75,8 +75,10 @@ std::shared_ptr<const HeightTile> TerrainPyramid::load(TileKey key) {
   std::string fault;
   try {
     tile = reader_(key);
-  } catch (const Error& error) {
-    fault = error.what();
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& failure) {  // the system's own among them, of a disk that is gone or a broken link
+    fault = failure.what();
   }
   const std::lock_guard lock(guard_);
   if (!tile) {

@@ -34,7 +34,7 @@ struct HeightBounds {
 /// forgotten meanwhile; reading a tile in hand takes no lock.
 class TerrainPyramid {
  public:
-  /// Reads one tile; throws Error when it is missing or damaged.
+  /// Reads one tile; throws Error, or whatever the system does, when it is missing or damaged.
   using Reader = std::function<std::shared_ptr<const HeightTile>(TileKey)>;
 
   /// `summaries` holds one array a level, [column, row]. Throws what `reader` throws for the last level's tile.

@@ -117,13 +117,15 @@ WindowReport TerrainWindow::fill(TerrainPyramid& pyramid, const radar::Rectangle
     const auto get = [&](TileKey k) { return wait == TileWait::Load ? pyramid.load(k) : pyramid.resident(k); };
     TileKey source = key;
     auto tile = get(source);
-    if (!tile) report.lacking.push_back(key);
     while (!tile && source.level < last) {
       source = source.parent();
       tile = get(source);
     }
     if (tile) copy(report.level, key, source, *tile);
-    if (source != key) report.error_m = std::max(report.error_m, pyramid.summary(source).error_m);
+    if (source == key) continue;
+    report.lacking.push_back(key);
+    report.standing_in.push_back(source);
+    report.error_m = std::max(report.error_m, pyramid.summary(source).error_m);
   }
   const auto filled = std::span(height_m_).first(nodes);
   const auto [lowest, highest] = std::ranges::minmax_element(filled);

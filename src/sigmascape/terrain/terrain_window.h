@@ -15,8 +15,9 @@ namespace sigmascape::terrain {
 struct WindowReport {
   int level = 0;          ///< whose nodes the window has: coarser than asked for when it would not fit otherwise
   std::size_t tiles = 0;  ///< that were wanted
-  std::vector<TileKey> lacking = {};  ///< of them those for which a coarser one stands in
-  float error_m = 0.0F;               ///< the greatest error of those that stand in
+  std::vector<TileKey> lacking = {};      ///< of them those for which a coarser one stands in
+  std::vector<TileKey> standing_in = {};  ///< and which one, of each
+  float error_m = 0.0F;                   ///< the greatest error of those that stand in
 };
 
 enum class TileWait {

@@ -54,7 +54,7 @@ TEST_F(LiveFromC, GivesTheFrameOfTheCppInterface) {
   const sigmascape_pose pose = said_in_c(view.pose());
   sigmascape_frame frame;
   ASSERT_EQ(sigmascape_render(renderer, &pose, &frame), 0);
-  sigmascape_wait_for_pages(ground);
+  EXPECT_EQ(sigmascape_wait_for_pages(ground), 0);
   sigmascape_close_ground(ground);
   ASSERT_EQ(sigmascape_scan(renderer, &pose, 0, settings.beams, &frame), 0);
   EXPECT_EQ(frame.powers_m2, nullptr);
@@ -140,6 +140,8 @@ TEST_F(LiveFromC, SaysWhatIsWrong) {
   EXPECT_EQ(sigmascape_open_ground("/nowhere", 10e9, 0), nullptr);
   EXPECT_NE(std::string(sigmascape_last_error()).find("/nowhere"), std::string::npos);
   EXPECT_EQ(sigmascape_open_ground(nullptr, 10e9, 0), nullptr);
+  EXPECT_NE(sigmascape_wait_for_pages(nullptr), 0);
+  EXPECT_NE(std::string(sigmascape_last_error()).find("ground: is null"), std::string::npos);
   EXPECT_EQ(sigmascape_open_ground(atlas().c_str(), 3e9, 0), nullptr);
   EXPECT_NE(std::string(sigmascape_last_error()).find("GHz"), std::string::npos) << sigmascape_last_error();
   const sigmascape_settings settings = sigmascape_default_settings();

@@ -1,9 +1,12 @@
 #include "sigmascape/render/live_obstacles.h"
 
 #include <algorithm>
+#include <array>
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <gtest/gtest.h>
+#include <memory>
 #include <vector>
 
 #include "live_ground_example.h"
@@ -215,6 +218,39 @@ TEST_F(LiveObstaclesTest, AFileThatCannotBeReadIsReplacedByItsParent) {
   obstacles.cache().wait_until_loaded();
   EXPECT_EQ(looker.lay_out(wish), 1U) << "is told";
   EXPECT_GT(places_of(looker.mosaic, wish.ground).with_something, 500U);
+}
+
+TEST_F(LiveObstaclesTest, AFileThatIsMendedTakesItsPlaceAgain) {
+  const auto mended = folder_->path("mended");
+  std::filesystem::copy(store_->folder(), mended, std::filesystem::copy_options::recursive);
+  // Without an item, which is looked for again each time.
+  const auto item = mended / "patch_+001_+001" / "obstacles.json", aside = folder_->path("aside.json");
+  ASSERT_TRUE(std::filesystem::exists(item));
+  std::filesystem::rename(item, aside);
+  const atlas::Store store = atlas::Store::open(mended);
+  const auto source = std::make_shared<const ObstacleSource>(store);
+  std::vector<float> tops(ObstaclePage::squares), sound_tops(ObstaclePage::squares);
+  const Shortage shortage = source->fill_tops({0, 1, 1}, tops);
+  ASSERT_TRUE(shortage);
+  EXPECT_FALSE(shortage());
+  EXPECT_TRUE(source->fill_tops({0, 0, 1}, tops)) << "a neighbour";
+
+  LiveObstacles::Cache cache(source, 8 * tile_bytes, 1, std::chrono::milliseconds(0));
+  const std::array<atlas::TileAddress, 1> wanted{atlas::TileAddress{0, 1, 1}};
+  for (int again = 0; again < 3; ++again) cache.load(wanted);
+  ASSERT_NE(cache.view().find(wanted[0]), nullptr);
+  EXPECT_EQ(cache.view().find(wanted[0])->levels_lacking, 1U);
+  EXPECT_EQ(cache.report().renewed, 0U);
+
+  std::filesystem::rename(aside, item);
+  EXPECT_TRUE(shortage());
+  EXPECT_FALSE(source->fill_tops(wanted[0], tops));
+  EXPECT_FALSE(ObstacleSource(*store_).fill_tops(wanted[0], sound_tops));
+  EXPECT_EQ(tops, sound_tops);
+  cache.load(wanted);
+  ASSERT_NE(cache.view().find(wanted[0]), nullptr);
+  EXPECT_EQ(cache.view().find(wanted[0])->levels_lacking, 0U);
+  EXPECT_EQ(cache.report().renewed, 1U);
 }
 
 TEST_F(LiveObstaclesTest, WhereNoneCanBeReadNothingStands) {

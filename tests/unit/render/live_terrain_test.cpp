@@ -1,21 +1,30 @@
 #include "sigmascape/render/live_terrain.h"
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <limits>
 #include <memory>
 #include <numeric>
+#include <thread>
 #include <vector>
 
 #include "live_ground_example.h"
 #include "unit/terrain/round_hills.h"
 
 #include "sigmascape/atlas/pyramid.h"
+#include "sigmascape/base/error.h"
 #include "sigmascape/terrain/pyramid_builder.h"
 
 namespace sigmascape::render {
 namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
 
 double hills(Vec2d p) {
   return 40.0 + 30.0 * std::sin(0.012 * p.x + 0.005 * p.y) + 12.0 * std::cos(0.031 * p.y - 0.013 * p.x) +
@@ -323,6 +332,93 @@ TEST_F(LiveTerrainTest, ATileThatIsNotThereCostsItsPlaceAndIsReported) {
   EXPECT_NEAR(db_from_linear(with_fault / total(settled_frame(expected, *sound, view.pose()))), 0.0, 1.0);
 }
 
+/// 9 km of the example's hills: their coarsest level is coarser than any texels of the atlas ask for.
+terrain::HeightField wide_hills(const ExampleGround& example) {
+  constexpr std::size_t nodes = 1120;
+  const double half_m = 0.5 * example.terrain_spacing_m * static_cast<double>(nodes - 1);
+  terrain::HeightField field{.west_m = example.middle().x - half_m,
+                             .north_m = example.middle().y + half_m,
+                             .spacing_m = example.terrain_spacing_m,
+                             .height_m = Array2D<float>(nodes, nodes)};
+  for (std::size_t row = 0; row < nodes; ++row) {
+    for (std::size_t column = 0; column < nodes; ++column) {
+      const Vec2d node{field.west_m + field.spacing_m * static_cast<double>(column),
+                       field.north_m - field.spacing_m * static_cast<double>(row)};
+      field.height_m(column, row) = static_cast<float>(example.height_m(node - example.middle()));
+    }
+  }
+  return field;
+}
+
+/// The same, but that none but the last level's tile can be had while it is short of them.
+std::shared_ptr<terrain::TerrainPyramid> short_of(const terrain::HeightField& field,
+                                                  const std::atomic<bool>& is_short) {
+  const auto whole =
+      std::shared_ptr<terrain::TerrainPyramid>(new terrain::TerrainPyramid(terrain::pyramid_in_memory(field)));
+  std::vector<Array2D<terrain::TileSummary>> summaries;
+  for (int level = 0; level < whole->levels(); ++level) {
+    auto& of_level = summaries.emplace_back(whole->layout().across(level), whole->layout().down(level));
+    for (std::uint32_t row = 0; row < of_level.rows(); ++row)
+      for (std::uint32_t column = 0; column < of_level.columns(); ++column)
+        of_level(column, row) = whole->summary({level, column, row});
+  }
+  return std::make_shared<terrain::TerrainPyramid>(
+      whole->layout(), std::move(summaries),
+      [whole, &is_short](terrain::TileKey key) {
+        if (is_short && key.level + 1 < whole->levels()) throw Error("tile", "cannot be opened", "close other files");
+        return whole->load(key);
+      },
+      std::size_t{64} << 20U, std::chrono::milliseconds(1));
+}
+
+/// Frames of bins of a size over terrain that is there, over terrain that was short of tiles when the atlas was opened
+/// and first looked at, and of the same ground when they have come.
+void expect_pages_to_be_made_anew(const ExampleGround& example, const atlas::Store& store, double bin_m) {
+  const terrain::HeightField field = wide_hills(example);
+  ExampleView view{.target = example.middle()};
+  view.bin_m = bin_m;
+  view.beams = view.ranges = 40;
+  const auto whole = std::make_shared<LiveGround>(store, field, 10e9);
+  LiveRenderer expected(whole, view.settings(FrameContent::Powers));
+  const Frame& sound = settled_frame(expected, *whole, view.pose());
+  ASSERT_EQ(sound.report.terrain_error_m, 0.0);
+  EXPECT_EQ(whole->pages().report().renewed, 0U);
+
+  std::atomic<bool> is_short = true;
+  const auto ground = std::make_shared<LiveGround>(store, short_of(field, is_short), 10e9);
+  LiveRenderer renderer(ground, view.settings(FrameContent::Powers));
+  const Frame& frame = settled_frame(renderer, *ground, view.pose());
+  EXPECT_GT(frame.report.terrain_error_m, 1.0);
+  EXPECT_FALSE(std::ranges::equal(frame.powers_m2, sound.powers_m2));
+  EXPECT_EQ(ground->pages().report().renewed, 0U) << "there was nothing better";
+  is_short = false;
+  std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  settled_frame(renderer, *ground, view.pose());
+  EXPECT_EQ(frame.report.terrain_error_m, 0.0);
+  EXPECT_GT(ground->pages().report().renewed, 0U);
+  EXPECT_TRUE(std::ranges::equal(frame.powers_m2, sound.powers_m2));
+  // What is whole is left as it is.
+  const std::uint64_t renewed = ground->pages().report().renewed;
+  std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  settled_frame(renderer, *ground, view.pose());
+  EXPECT_EQ(ground->pages().report().renewed, renewed);
+}
+
+TEST_F(LiveTerrainTest, PagesAreMadeAnewWhenTheirTerrainHasCome) {
+  // The wider bins are of the coarsest level, which is made when the atlas is opened.
+  for (const double bin_m : {12.0, 40.0}) expect_pages_to_be_made_anew(example_, *store_, bin_m);
+}
+
+TEST(LiveTerrainApart, PagesOfBareGroundAreMadeAnewWithItsSlopes) {
+  ExampleGround example = hilly();
+  example.bare_sigma0 = [](const radar::Look& look) { return constant_gamma(0.1, look); };
+  example.sigma0 = [](const radar::Look&) { return radar::Channels{}; };
+  const ScratchFolder folder;
+  const atlas::Store store = example.store(folder.path("atlas"));
+  atlas::Pyramid(store).make_above(store.units());
+  for (const double bin_m : {12.0, 40.0}) expect_pages_to_be_made_anew(example, store, bin_m);
+}
+
 TEST_F(LiveTerrainTest, ThePapersPictureShowsTheFrameOfTheSweep) {
   const auto ground = example_.over(*store_);
   for (const double elevation_deg : {5.0, 13.0}) {
@@ -342,6 +438,35 @@ TEST_F(LiveTerrainTest, ThePapersPictureShowsTheFrameOfTheSweep) {
     }
     EXPECT_NEAR(db_from_linear(total(raster) / total(sweep)), 0.0, 0.1) << elevation_deg;
     EXPECT_LT(differ / total(sweep), 0.05) << elevation_deg;
+  }
+}
+
+TEST_F(LiveTerrainTest, ThePapersPictureIsRefusedWhereItCannotBeDrawn) {
+  const auto ground = example_.over(*store_);
+  const ExampleView view;
+  LiveSettings settings = view.settings(FrameContent::Powers);
+  settings.visibility = {.method = VisibilityMethod::Rasterization};
+  LiveRenderer drawn(ground, settings);
+  const Frame& frame = drawn.render(view.pose());
+  const std::vector<float> powers(frame.powers_m2.begin(), frame.powers_m2.end());
+  Pose among_hills = view.pose();
+  among_hills.position.z = 60.0;
+  EXPECT_THAT(message_of_error([&] { drawn.render(among_hills); }),
+              AllOf(HasSubstr("stands at 60 m"), HasSubstr("horizon sweep")));
+  EXPECT_TRUE(std::ranges::equal(frame.powers_m2, powers)) << "stays as it was";
+  settings.visibility.method = VisibilityMethod::HorizonSweep;
+  EXPECT_NO_THROW(LiveRenderer(ground, settings).render(among_hills));
+
+  settings.visibility.method = VisibilityMethod::Rasterization;
+  for (const double pixels :
+       {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    settings.visibility.raster.pixels_per_triangle = pixels;
+    EXPECT_THAT(message_of_error([&] { LiveRenderer(ground, settings); }), HasSubstr("pixels a triangle"));
+  }
+  settings.visibility.raster.pixels_per_triangle = 16.0;
+  for (const std::size_t side : {std::size_t{0}, std::size_t{3}, std::size_t{1} << 40U}) {
+    settings.visibility.raster.longest_side = side;
+    EXPECT_THAT(message_of_error([&] { LiveRenderer(ground, settings); }), HasSubstr("pixels a side"));
   }
 }
 

@@ -180,7 +180,12 @@ float sigma0_of(const GroundPage& page, std::size_t row, std::size_t column, std
 /// level 0 under it.
 void expect_means(const atlas::Store& store, std::size_t side) {
   const PageSource source(
-      store, [](const radar::GroundGrid&, std::span<float> height_m) { std::ranges::fill(height_m, 7.0F); }, 10e9);
+      store,
+      [](const radar::GroundGrid&, std::span<float> height_m) {
+        std::ranges::fill(height_m, 7.0F);
+        return Shortage();
+      },
+      10e9);
   const StandInGround stand_in(source, side);
   const atlas::PatchGrid& patches = store.description().patches;
   const auto& aspects = store.description().aspects;
@@ -266,13 +271,21 @@ TEST(StandInGround, HasTheReliefUnderItsTexels) {
   };
   const atlas::Store ground = atlas::open_ground_store(store);
   const PageSource source(
-      store, [&](const radar::GroundGrid& cells, std::span<float> height_m) { fill(cells, height_m, height_at); }, 10e9,
-      BareGround{
-          ground,
-          [&](const radar::GroundGrid& cells, std::span<terrain::PackedSlope> slope) { fill(cells, slope, slope_at); },
-          [&](const atlas::TileAddress& tile, std::span<float> top_m) {
-            for (std::size_t i = 0; i < top_m.size(); ++i) top_m[i] = top_at(tile, i);
-          }});
+      store,
+      [&](const radar::GroundGrid& cells, std::span<float> height_m) {
+        fill(cells, height_m, height_at);
+        return Shortage();
+      },
+      10e9,
+      BareGround{ground,
+                 [&](const radar::GroundGrid& cells, std::span<terrain::PackedSlope> slope) {
+                   fill(cells, slope, slope_at);
+                   return Shortage();
+                 },
+                 [&](const atlas::TileAddress& tile, std::span<float> top_m) {
+                   for (std::size_t i = 0; i < top_m.size(); ++i) top_m[i] = top_at(tile, i);
+                   return Shortage();
+                 }});
   const StandInGround stand_in(source, 32);
   ASSERT_EQ(source.ground_pages(), 2U);
   std::size_t wrong = 0;

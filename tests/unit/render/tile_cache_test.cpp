@@ -3,16 +3,19 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <filesystem>
 #include <functional>
 #include <future>
 #include <gtest/gtest.h>
 #include <new>
 #include <span>
+#include <system_error>
 #include <thread>
 #include <vector>
 
 #include "sigmascape/base/hash.h"
 #include "sigmascape/base/interruption.h"
+#include "sigmascape/render/shortage.h"
 
 namespace sigmascape::render {
 namespace {
@@ -23,6 +26,8 @@ using Key = std::uint64_t;
 struct NumberPage {
   Key key = 0;
   std::vector<std::uint64_t> numbers;
+  bool lacks_something = false;
+  mutable AnotherTry another_try;
   mutable std::atomic<std::uint64_t> last_wanted{0};
 
   [[nodiscard]] static std::size_t level() { return 0; }
@@ -39,8 +44,12 @@ struct NumberSource {
     if (is_out()) return false;
     page.numbers.resize(256);
     for (std::uint64_t& number : page.numbers) number = hashed(page.key, 1);
+    page.lacks_something = is_short_of(page.key);
     return true;
   }
+  static bool lacks_something(const NumberPage& page) { return page.lacks_something; }
+  bool can_be_better(const NumberPage& page) const { return !is_short_of(page.key); }
+  bool renew(const NumberPage&, NumberPage& page) const { return fill(page); }
   static bool stays(const NumberPage&) { return false; }
   static std::size_t most_bytes() { return 1; }
   [[nodiscard]] std::size_t damaged() const { return asked_for_damage(); }
@@ -48,6 +57,7 @@ struct NumberSource {
   std::function<std::size_t()> asked_for_damage = [] { return std::size_t{0}; };
   std::function<void()> before_filling = [] {};
   std::function<bool()> is_out = [] { return false; };
+  std::function<bool(Key)> is_short_of = [](Key) { return false; };
 };
 
 using Cache = TileCache<NumberSource>;
@@ -206,6 +216,101 @@ TEST(TileCache, AsksAgainForWhatCouldNotBeHad) {
   cache.load(wanted);
   EXPECT_NE(cache.view().find(5), nullptr);
   EXPECT_EQ(cache.report().absent, 0U);
+}
+
+/// A source that is short of something for all pages as long as it is told to be.
+std::shared_ptr<NumberSource> short_source(const std::atomic<bool>& is_short) {
+  auto source = std::make_shared<NumberSource>();
+  source->is_short_of = [&is_short](Key) { return is_short.load(); };
+  return source;
+}
+
+constexpr std::chrono::milliseconds at_once{0};
+
+TEST(TileCache, MakesAnewWhatLackedSomethingOnceThatCanBeHad) {
+  std::atomic<bool> is_short = true;
+  const std::array<Key, 2> wanted{5, 6};
+  Cache cache(short_source(is_short), 4, 1, at_once);
+  cache.load(wanted);
+  {
+    const Cache::View view = cache.view();
+    ASSERT_NE(view.find(5), nullptr);
+    EXPECT_TRUE(view.find(5)->another_try.is_due());
+    is_short = false;
+    // A frame that looks at the former pages has them as they were.
+    cache.load(wanted);
+    EXPECT_TRUE(view.find(5)->lacks_something);
+    EXPECT_TRUE(view.find(5)->is_as_named());
+  }
+  const Cache::View view = cache.view();
+  for (const Key key : wanted) {
+    ASSERT_NE(view.find(key), nullptr) << key;
+    EXPECT_FALSE(view.find(key)->lacks_something) << key;
+    EXPECT_FALSE(view.find(key)->another_try.is_due()) << key;
+    EXPECT_TRUE(view.find(key)->is_as_named()) << key;
+  }
+  EXPECT_EQ(cache.report().renewed, 2U);
+  EXPECT_EQ(cache.report().loaded, 2U);
+  EXPECT_EQ(cache.report().pages, 2U);
+}
+
+TEST(TileCache, LeavesWhatLacksSomethingAloneForAWhile) {
+  std::atomic<bool> is_short = true;
+  Cache cache(short_source(is_short), 4, 1, std::chrono::hours(1));
+  const std::array<Key, 1> wanted{5};
+  cache.load(wanted);
+  is_short = false;
+  EXPECT_FALSE(cache.view().find(5)->another_try.is_due());
+  cache.load(wanted);
+  EXPECT_EQ(cache.report().renewed, 0U);
+}
+
+TEST(TileCache, GivesNothingUpForWhatIsNeverThere) {
+  const std::atomic<bool> is_short = true;
+  Cache cache(short_source(is_short), 2, 1, at_once);
+  const std::array<Key, 1> wanted{5};
+  cache.load(std::array<Key, 2>{5, 6});
+  const NumberPage* const five = cache.view().find(5);
+  for (int again = 0; again < 6; ++again) {
+    (void)cache.view();
+    cache.load(wanted);
+  }
+  EXPECT_EQ(cache.view().find(5), five);
+  EXPECT_NE(cache.view().find(6), nullptr);
+  EXPECT_EQ(cache.report().renewed + cache.report().evicted + cache.report().refused, 0U);
+}
+
+TEST(TileCache, MakesAnewAPageThatFillsTheCacheAlone) {
+  std::atomic<bool> is_short = true;
+  Cache cache(short_source(is_short), 1, 1, at_once);
+  const std::array<Key, 1> wanted{5};
+  cache.load(wanted);
+  is_short = false;
+  ASSERT_NE(cache.view().find(5), nullptr);
+  cache.load(wanted);
+  // Whatever gave way, a frame later it is asked for again.
+  cache.load(wanted);
+  const Cache::View view = cache.view();
+  ASSERT_NE(view.find(5), nullptr);
+  EXPECT_FALSE(view.find(5)->lacks_something);
+  EXPECT_EQ(cache.report().refused, 0U);
+  EXPECT_LE(cache.report().bytes, 1U);
+}
+
+// The system's own exceptions, of a link that leads nowhere or a disk that is gone, are thrown in the loader's thread.
+TEST(TileCache, GoesOnWhateverASourceThrows) {
+  std::atomic<bool> is_gone = true;
+  auto source = std::make_shared<NumberSource>();
+  source->before_filling = [&] {
+    if (is_gone) throw std::filesystem::filesystem_error("status", std::make_error_code(std::errc::io_error));
+  };
+  Cache cache(source, 4, 1, at_once);
+  cache.load(std::array<Key, 1>{5});
+  EXPECT_EQ(cache.view().find(5), nullptr);
+  EXPECT_EQ(cache.report().absent, 1U);
+  is_gone = false;
+  cache.load(std::array<Key, 1>{5});
+  EXPECT_NE(cache.view().find(5), nullptr);
 }
 
 TEST(TileCache, GoesOnWhereThereIsNoMemoryForAPage) {

@@ -87,6 +87,22 @@ void raise_to(std::atomic<int>& most, int number) {
   while (before < number && !most.compare_exchange_weak(before, number)) continue;
 }
 
+TEST(Wishes, AreCountedUnlessTakenOrPutOff) {
+  Wishes<int> wishes;
+  Wishes<int>::Asker asker = wishes.asker(4);
+  asker.request(std::array{1, 2, 3, 5});
+  const auto is_odd = [](int wish) { return wish % 2 == 1; };
+  EXPECT_EQ(wishes.count_if(is_odd), 3U);
+  int wish = 0;
+  ASSERT_TRUE(wishes.take(wish));
+  EXPECT_EQ(wishes.count_if(is_odd), 2U);
+  EXPECT_EQ(wishes.size(), 3U);
+  wishes.put_off();
+  EXPECT_EQ(wishes.count_if(is_odd), 0U);
+  wishes.renew();
+  EXPECT_EQ(wishes.count_if(is_odd), 3U);
+}
+
 // Askers ask, come and go while two others load.
 TEST(Wishes, NoneIsSleptThroughWhileAskersComeAndGo) {
   constexpr int lists = 4000;

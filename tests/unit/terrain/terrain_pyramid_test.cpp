@@ -276,6 +276,16 @@ TEST(TerrainPyramid, AsksAgainForATileThatCouldNotBeHad) {
   EXPECT_TRUE(pyramid.faults().empty());
 }
 
+// What the system says of it is no Error; before a loader that nobody waits for it would end the program.
+TEST_F(PyramidOnDisk, ALinkToItselfIsAFault) {
+  std::filesystem::remove(tile("level_0/0_0.tif"));
+  std::filesystem::create_symlink(tile("level_0/0_0.tif"), tile("level_0/0_0.tif"));
+  TerrainPyramid pyramid = open_pyramid(folder_.path("pyramid"), 100 * HeightTile::bytes);
+  EXPECT_EQ(pyramid.load({0, 0, 0}), nullptr);
+  ASSERT_EQ(pyramid.faults().size(), 1U);
+  EXPECT_THAT(pyramid.faults()[0].message, ::testing::HasSubstr("0_0.tif"));
+}
+
 TEST_F(PyramidOnDisk, TruncatedAndAlteredTilesAreNotTaken) {
   std::filesystem::resize_file(tile("level_0/0_0.tif"), 900);
   std::filesystem::copy_file(tile("level_0/2_1.tif"), tile("level_0/3_1.tif"),
@@ -290,6 +300,8 @@ TEST_F(PyramidOnDisk, TruncatedAndAlteredTilesAreNotTaken) {
   const auto report = window.fill(pyramid, area_, 0, TileWait::Load);
   EXPECT_THAT(report.lacking, ::testing::UnorderedElementsAre(TileKey{0, 0, 0}, TileKey{0, 2, 0}, TileKey{0, 3, 1}));
   EXPECT_EQ(pyramid.faults().size(), report.lacking.size());
+  EXPECT_THAT(report.standing_in,
+              ::testing::UnorderedElementsAre(TileKey{1, 0, 0}, TileKey{1, 1, 0}, TileKey{1, 1, 0}));
 }
 
 TEST_F(PyramidOnDisk, WithoutWaitingTheCoarsestStandsIn) {
