@@ -88,7 +88,8 @@ std::vector<Contrast> causes(const ResultsPlan& plan, ViewKind kind) {
 
 std::string causes_table(const ResultsPlan& plan, const std::vector<ResultsRow>& rows, ViewKind kind) {
   std::string text =
-      "| cause | with against without it | with: correlation | RMS [dB] | L1 | IoU | without: correlation | RMS [dB] | "
+      "| cause | how it is switched off | with it: correlation | RMS [dB] | L1 | IoU | without it: correlation | RMS "
+      "[dB] | "
       "L1 | IoU |\n|---|---|---:|---:|---:|---:|---:|---:|---:|---:|\n";
   text += truth_line(plan, rows, kind, " | | | |");
   for (const Contrast& cause : causes(plan, kind)) {
@@ -119,9 +120,10 @@ std::string largest_causes(const ResultsPlan& plan, const std::vector<ResultsRow
 
 std::string causes_section(const ResultsPlan& plan, const std::vector<ResultsRow>& rows) {
   std::string text = fmt::format(
-      "## Why\n\nWhat the error is made of: each cause switched off alone, medians over the views at {:.0f} m cells, "
-      "from the {} grid where nothing else is said. Causes are weighed against those that are measured at the same "
-      "views alone; what is held against another truth stands in its table and is not weighed.\n\n",
+      "## Why\n\nWhat the error is made of: each line switches one cause off and leaves all else as it is, and what "
+      "the error falls by is that cause's part. Medians over the views at {:.0f} m cells, from the {} grid where "
+      "nothing else is said. The largest cause is named below each table, among those whose two maps are held against "
+      "one truth.\n\n",
       summary_cell_m, plan.paper_grid().name());
   for (const ViewKind kind : {ViewKind::HeldOut, ViewKind::OnGrid}) {
     if (baseline_row(plan, rows, plan.scene_name(), kind) == nullptr) continue;

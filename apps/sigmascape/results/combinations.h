@@ -52,8 +52,9 @@ struct Limit {
 };
 [[nodiscard]] std::optional<Limit> largest_limit(const ResultsRow& row, const std::vector<ResultsRow>& rows);
 
-/// What is found in short: how close our maps come at held-out views from as many looks as the paper's, in what time,
-/// how close the best way does, there and at views that were baked, and what limits it; empty without held-out views.
+/// What is found, in three sentences: how far our maps and the paper's are from traced ones at held-out views, from the
+/// paper's looks; how far the best are, there and at views that were baked, and what keeps them there; what a map
+/// takes, and below what no error can be shown. Empty without held-out views.
 [[nodiscard]] std::string verdict(const ResultsPlan& plan, const std::vector<ResultsRow>& rows);
 
 }  // namespace sigmascape::cli

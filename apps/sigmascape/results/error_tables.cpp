@@ -12,7 +12,7 @@
 namespace sigmascape::cli {
 namespace {
 
-constexpr const char* floor_and_cost_heads = "truth: correlation, RMS [dB], IoU | store [MB] | bake [s]";
+constexpr const char* floor_and_cost_heads = "of the truth: correlation, RMS [dB], shadow IoU | store [MB] | bake [s]";
 constexpr const char* floor_and_cost_rules = "---|---:|---:";
 
 /// How well two traced maps agree at that cell size, and what the atlas takes.
@@ -117,14 +117,44 @@ std::string aims_of_scene(const ResultsReport& report, const std::string& scene,
   return text;
 }
 
+std::string cell_heads() {
+  return fmt::format("| views | method | looks | cell [m] | {} | {} |\n|---|---|---|---:|{}|{}|\n", metric_heads,
+                     floor_and_cost_heads, metric_rules, floor_and_cost_rules);
+}
+
+/// A line below cell_heads for each cell size.
+std::string lines_by_cell(const ResultsRow& row) {
+  std::string text;
+  for (const ResultsCell& cell : row.cells) {
+    text +=
+        fmt::format("| {} | {} | {} | {:.0f} | {} | {} |\n", text_of(row.of.kind), text_of(row.of.method), row.of.grid,
+                    cell.median.cell_m, metrics_text(cell.median, cell.worst, row.views), floor_and_cost(cell, row));
+  }
+  return text;
+}
+
+/// Every method from every grid that it has, at views of every kind.
+std::string cells_of_every_grid(const ResultsReport& report) {
+  const ResultsPlan& plan = report.plan;
+  std::string text = cell_heads();
+  for (const ResultsRow& row : report.rows) {
+    if (row.of.scene == plan.scene_name() && is_plain(row, plan)) text += lines_by_cell(row);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string summary_section(const ResultsReport& report) {
   const ResultsPlan& plan = report.plan;
   const SceneColumn scene(plan);
-  std::string text = fmt::format("## At {:.0f} m cells\n\n|{} views | method | grid | {} | store [MB] | bake [s] |\n",
-                                 summary_cell_m, scene.head(), metric_heads) +
-                     fmt::format("|{}---|---|---|{}|---:|---:|\n", scene.rule(), metric_rules);
+  std::string text =
+      fmt::format(
+          "## Every method and grid of looks, at {:.0f} m cells\n\nMedians over the views, whose number stands behind "
+          "their kind, and in brackets the worst. Grids that hold the same looks for all these views share a row.\n\n"
+          "|{} views | method | looks | {} | store [MB] | bake [s] |\n",
+          summary_cell_m, scene.head(), metric_heads) +
+      fmt::format("|{}---|---|---|{}|---:|---:|\n", scene.rule(), metric_rules);
   std::vector<SummaryLine> lines;
   std::string last;
   for (const ResultsRow& row : report.rows) {
@@ -147,21 +177,21 @@ std::string summary_section(const ResultsReport& report) {
                         line.views, line.grids.empty() ? "*truth*" : text_of(line.of.method), line.grids, line.metrics,
                         line.store_mb, line.bake_s);
   }
-  return text + "\nGrids from which all numbers are the same share a row: views that each of them holds.\n\n";
+  return text + "\n";
 }
 
 std::string aims_section(const ResultsReport& report) {
   const ResultsPlan& plan = report.plan;
   const SceneColumn scene(plan);
   std::string text = fmt::format(
-      "## What was aimed at\n\nAnd what came out at views that were baked, medians at {:.0f} m cells, from the {} grid "
-      "or, where the rays are others, from the view's own look. *Rays where the noise is* are what `sigmascape bake` "
-      "takes by itself. Of views that were not baked, an aim is set for the truth alone. What is missed with few rays "
-      "and reached with many is missed for the bake's noise; what comes closer on narrower texels, for {}.\n\n",
-      summary_cell_m, plan.paper_grid().name(),
+      "## What was aimed at, and what came out\n\nAims are set for views that were baked, and for the truth at all "
+      "views; numbers are medians at {:.0f} m cells. Rows with {} rays are from the {} grid, others from a bake of the "
+      "view's own look. *Rays where the noise is* are what `sigmascape bake` takes by itself. An aim that {} rays miss "
+      "and {} reach is missed because of the bake's noise; what more is gained by narrower texels was lost to {}.\n\n",
+      summary_cell_m, plan.baked_samples, plan.paper_grid().name(), plan.baked_samples, plan.finer_samples,
       report.links.to("their width", "docs/decisions/0118-texels-and-cells.md"));
   text += fmt::format("|{} views | method | rays a texel | bake of a look [s] | ", scene.head()) +
-          "correlation of dB | aimed at | | bias [dB] | aimed at | |\n";
+          "correlation of dB | aim | | bias [dB] | aim | |\n";
   text += fmt::format("|{}---|---|---:|---:|---:|---:|---|---:|---:|---|\n", scene.rule());
   text += aims_of_scene(report, plan.scene_name(), 0.95);
   if (plan.has_level_ground()) text += aims_of_scene(report, "level", 0.99);
@@ -170,9 +200,7 @@ std::string aims_section(const ResultsReport& report) {
 
 std::string cell_section(const ResultsReport& report) {
   const ResultsPlan& plan = report.plan;
-  std::string text =
-      fmt::format("## By cell size\n\nThe {} grid.\n\n| views | method | cell [m] | {} | {} |\n|---|---|---:|{}|{}|\n",
-                  plan.paper_grid().name(), metric_heads, floor_and_cost_heads, metric_rules, floor_and_cost_rules);
+  std::string text = fmt::format("## By cell size\n\nFrom the {} grid.\n\n", plan.paper_grid().name()) + cell_heads();
   for (const ViewKind kind : {ViewKind::OnGrid, ViewKind::HeldOut, ViewKind::Paper}) {
     for (const Method method : {Method::Paper, Method::LevelGround, Method::OwnGround}) {
       const ResultsRow* row = find_row(report.rows, {.scene = plan.scene_name(),
@@ -180,22 +208,18 @@ std::string cell_section(const ResultsReport& report) {
                                                      .grid = plan.paper_grid().name(),
                                                      .baked_samples = plan.baked_samples,
                                                      .kind = kind});
-      if (row == nullptr) continue;
-      for (const ResultsCell& cell : row->cells) {
-        text += fmt::format("| {} | {} | {:.0f} | {} | {} |\n", text_of(kind), text_of(method), cell.median.cell_m,
-                            metrics_text(cell.median, cell.worst, row->views), floor_and_cost(cell, *row));
-      }
+      if (row != nullptr) text += lines_by_cell(*row);
     }
   }
-  return text + "\n";
+  return text + "\n<details>\n<summary>The same from every grid of looks</summary>\n\n" + cells_of_every_grid(report) +
+         "\n</details>\n\n";
 }
 
 std::string detail_section(const ResultsReport& report) {
   const ResultsPlan& plan = report.plan;
   std::string text = fmt::format(
-      "## By level of detail\n\nThe {} grid, ours on its own ground. LOD 1 reads textures from their finest level, "
-      "each "
-      "next one from the level above; one store and one bake serve them all.\n\n"
+      "## By level of detail\n\nFrom the {} grid, ours on its own ground. LOD 1 reads textures from their finest "
+      "level, each next one from mips of texels twice as wide; one store and one bake serve them all.\n\n"
       "| LOD | views | cell [m] | {} | {} |\n|---:|---|---:|{}|{}|\n",
       plan.paper_grid().name(), metric_heads, floor_and_cost_heads, metric_rules, floor_and_cost_rules);
   for (const ViewKind kind : {ViewKind::OnGrid, ViewKind::HeldOut}) {

@@ -13,7 +13,7 @@ namespace sigmascape::cli {
 /// Markdown: what was asked for at views that were baked, and what came out.
 [[nodiscard]] std::string aims_section(const ResultsReport& report);
 
-/// Markdown: the paper's grid at every size of cells.
+/// Markdown: the paper's grid at every size of cells, and folded away every grid.
 [[nodiscard]] std::string cell_section(const ResultsReport& report);
 
 /// Markdown: the same of ours by level of detail.

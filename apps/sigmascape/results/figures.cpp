@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "map_files.h"
+#include "results/captions.h"
 #include "results/draped_view.h"
 #include "results/optical_view.h"
 
@@ -160,23 +161,23 @@ product::PageSection simple_section(const ResultsPlan& plan, const std::filesyst
   geo::write_atomically(radar_texture,
                         product::png_bytes(product::with_legend(draped_view(baked, pixels_wide),
                                                                 {.scale_bar = false, .north_arrow = false})));
-  return {
-      .heading = "Figure 1: what a radar shows of simple things",
-      .paragraphs = {fmt::format(
-          "Objects of {} on {}. Of what the walls reflect a part of 0.15² leaves diffusely. Echoes of at most two "
-          "bounces: those of more come late, lie in the shadows and are found by few rays. The faint specks left there "
-          "are late echoes of two.",
-          options.object_material == "concrete" ? "concrete" : "the paper's building material",
-          options.ground_material)},
-      .figures = {{optical, "(a) A prism and a cylinder on a plane, from above, lit from the south-east"},
-                  {radar_map,
-                   "(b) The same path-traced for a radar in the south-east, 30° high: the shadow, the layover of "
-                   "wall and roof, "
-                   "the dihedral line where wall and ground meet"},
-                  {optical_texture, "(c) What an eye sees as a texture on the triangles of a heightmap"},
-                  {radar_texture,
-                   "(d) What the radar sees, baked in the paper's way, as a texture on the same; one scale with "
-                   "(b)"}}};
+  return {.heading = "Figure 1: what a radar shows of simple things",
+          .paragraphs = {fmt::format(
+              "Objects of {} on {}. Of what the walls reflect, a part of 0.15² leaves diffusely: walls that only "
+              "mirror would show no layover. Echoes have at most two bounces; those of more arrive late, so that they "
+              "lie in the shadows, and few rays find them. The faint specks in the shadows are late echoes of two.",
+              options.object_material == "concrete" ? "concrete" : "the paper's building material",
+              options.ground_material)},
+          .figures = {
+              {optical, "(a) A prism and a cylinder on a plane, from above, lit from the south-east"},
+              {radar_map,
+               "(b) The same path-traced for a radar in the south-east, 30° high, dB of σ0: the shadow behind each "
+               "object, the layover of wall and roof in front of it, the bright dihedral line where wall and "
+               "ground meet"},
+              {optical_texture, "(c) What an eye sees, view (a), as a texture on the triangles of a heightmap"},
+              {radar_texture,
+               "(d) What the radar sees, baked in the paper's way, as a texture on the same triangles; on the scale "
+               "of (b)"}}};
 }
 
 product::PageSection scene_section(const Measurement& measurement, const ResultsPlan& plan,
@@ -240,8 +241,9 @@ product::PageSection texture_section(const Measurement& measurement, const std::
   product::PageSection section{
       .heading = "Figure 7: baked reflectivity, seen from the south-east (azimuth 135°)",
       .paragraphs = {
-          fmt::format("Textures baked in the paper's way, read bilinearly in power as a map reads them, all on "
-                      "one scale, {:.0f} to {:.0f} dB; what is brighter is white.",
+          fmt::format("Textures baked in the paper's way, on flat ground, from four elevations: dB of σ0, sum of "
+                      "polarizations, read bilinearly in power as a map reads them, all on one scale, {:.0f} to {:.0f} "
+                      "dB; what is brighter is white.",
                       *look.top_db - look.span_db, *look.top_db)}};
   for (std::size_t i = 0; i < maps.size(); ++i) {
     const auto path = folder / fmt::format("figure_7_el{:02.0f}.png", elevations_deg[i]);
@@ -278,6 +280,21 @@ std::vector<PicturedWay> pictured_ways(const ResultsPlan& plan) {
           {Method::OwnGround, plan.grids.back().name(), "ours_finest"}};
 }
 
+/// Of a map from textures; with what was measured of it, where it was.
+std::string measured_caption(const Measurement& measurement, const ResultsPlan& plan, const PlannedView& view,
+                             const PicturedWay& way) {
+  const ViewResult* result = find_view(measurement.results(), plan, view, way.method, way.grid);
+  return result != nullptr ? caption_of(*result) : way.words();
+}
+
+/// The same of the traced map.
+std::string measured_caption(const Measurement& measurement, const ResultsPlan& plan, const PlannedView& view) {
+  const PicturedWay way = pictured_ways(plan).front();
+  const ViewResult* result = find_view(measurement.results(), plan, view, way.method, way.grid);
+  if (result == nullptr) return "Path-traced from the full scene";
+  return traced_caption(*result, measurement.scene().geometry.memory_bytes());
+}
+
 /// One view traced and rendered in several ways, on one scale, and the differences.
 product::PageSection pictured(const Measurement& measurement, const ResultsPlan& plan, const PlannedView& view,
                               const std::string& name, const std::string& heading,
@@ -297,21 +314,23 @@ product::PageSection pictured(const Measurement& measurement, const ResultsPlan&
   write_map_picture(path("traced"), truth.mean, look);
   product::PageSection section{
       .heading = heading,
-      .paragraphs = {fmt::format("Sum of polarizations in dB of σ0, low-pass filtered as on a scope. Over traced, not "
-                                 "filtered, in cells of {:g} m: −20 dB blue, +20 "
-                                 "dB red; grey is the rim that is not compared.",
-                                 truth.mean.grid.cell_m)},
-      .figures = {{path("traced"), "Path-traced from the full scene"}}};
+      .paragraphs = {fmt::format(
+          "The green pictures are of the sum of polarizations in dB of σ0, all on one scale of {:g} dB, low-pass "
+          "filtered as on a scope. The others are error maps, the rendered map over the traced one in cells of {:g} m, "
+          "not filtered: red is too bright, blue too dark, 20 dB or more in full colour; grey is the rim that is not "
+          "compared. Seconds are the processor time of one map.",
+          look.span_db, truth.mean.grid.cell_m)},
+      .figures = {{path("traced"), measured_caption(measurement, plan, view)}}};
   std::vector<product::PageFigure> differences;
   for (const PicturedWay& way : pictured_ways(plan)) {
     const radar::GroundMap map = measurement.map_of(view, way.method, way.grid);
     write_map_picture(path(way.key), map, look);
-    section.figures.push_back({path(way.key), way.words()});
+    section.figures.push_back({path(way.key), measured_caption(measurement, plan, view, way)});
     const auto difference_path = path(fmt::format("{}_difference", way.key));
     product::Picture over_traced = product::difference_picture(map, truth.mean, difference);
     paint_rim(over_traced, plan.rim_m());
     product::write_png(difference_path, product::with_attribution(product::with_legend(over_traced)));
-    differences.push_back({difference_path, way.words() + ", over traced"});
+    differences.push_back({difference_path, "Error map: " + way.words()});
   }
   std::ranges::move(differences, std::back_inserter(section.figures));
   return section;
@@ -348,9 +367,9 @@ std::vector<product::PageSection> paper_figures(const Measurement& measurement, 
                            "Figure 8: the paper's view, 20 km away, azimuth 130°, elevation 8.6°, 50 dB", folder)},
       std::back_inserter(sections));
   if (const auto worst = worst_view(measurement, plan)) {
-    sections.push_back(
-        pictured(measurement, plan, *worst, "worst",
-                 "The held-out view that the paper's method correlates least at: " + worst->description(), folder));
+    sections.push_back(pictured(
+        measurement, plan, *worst, "worst",
+        "The worst view: where the paper's method correlates least with the truth, " + worst->description(), folder));
   }
   return sections;
 }

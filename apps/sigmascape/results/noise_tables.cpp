@@ -63,13 +63,14 @@ std::string without_noise_section(const ResultsReport& report) {
   }
   if (rows.empty()) return {};
   return fmt::format(
-             "### Without noise\n\nViews that were baked twice, from two seeds, by their own look: {}. What two bakes "
-             "and two traced maps have in common tells their noise from what parts them for good "
-             "(`product/noise_free_metrics.h` has the equations). {}easured, and with the "
-             "noise of both taken out. From as many rays as the truth has, {}, a method without fault would come to 1 "
-             "and 0 dB; from fewer, its RMS stays above. Faults that the noise of a cell buries are not brought back, "
-             "which flatters correlations the more the farther they are from 1 and the noisier the maps: made examples "
-             "of 0.95 come out as 0.957 where two traced maps agree to 0.965.\n\n"
+             "### Without noise\n\nHow much of this is noise, and how much a fault that more rays do not mend? Views "
+             "that were baked were baked once more, from another seed: {}. From two bakes and two traced maps the "
+             "noise "
+             "of both can be taken out (`product/noise_free_metrics.h` has the equations). {}easured, and so. With {} "
+             "rays a texel, as many as the truth has a cell, a bake without fault would come to a correlation of 1 and "
+             "an RMS of 0 dB; with fewer its RMS stays above. A fault that noise buries is not found, so that these "
+             "correlations come out somewhat too high, the more so the noisier the maps: made examples of 0.95 come "
+             "out as 0.957 where two traced maps agree to 0.965.\n\n"
              "|{} method | rays a texel | two traced maps: correlation | correlation of dB | without noise | RMS "
              "[dB] | without noise |\n|{}---|---:|---:|---:|---:|---:|---:|\n",
              repeated_views(report.plan), repeated_count(report.plan) > 1 ? "Medians over these views, m" : "M",
@@ -83,7 +84,7 @@ std::string level_section(const ResultsReport& report) {
   const auto add = [&](ViewKind kind, const std::string& name, const std::vector<product::LevelError>& ranges) {
     if (heads.empty()) {
       for (const product::LevelError& range : ranges)
-        heads += fmt::format(" {}: cells | squared error | RMS [dB] |", range_name(range));
+        heads += fmt::format(" {}: share of cells | of squared error | RMS [dB] |", range_name(range));
       heads += "\n|---|---|";
       for (std::size_t i = 0; i < 3 * ranges.size(); ++i) heads += "---:|";
       heads += "\n";
@@ -108,8 +109,9 @@ std::string level_section(const ResultsReport& report) {
     }
   }
   return fmt::format(
-             "## Where the error is\n\nThe cells of {:.0f} m of all views together, parted by the level of σ0 in "
-             "the mean of the traced maps.\n\n| views | map |",
+             "## Where the error is\n\nAll {:.0f} m cells of all views together, sorted by how bright the truth is "
+             "there, its σ0: how many of the cells are so bright, how much of the map's whole squared error is theirs, "
+             "and their own RMS.\n\n| views | map |",
              summary_cell_m) +
          heads + rows + "\n";
 }

@@ -77,8 +77,8 @@ std::string settings_text(const ResultsReport& report) {
   const auto rays_of = [&](ViewKind kind) { return traced_rays(plan, report.rows, plan.scene_name(), kind).text(); };
   return fmt::format(
              "## Settings\n\n"
-             "- {} rays a texel of {:.2f} m; each method has a bake of its own, out of whose looks coarser grids are "
-             "read too; {} rays where stated\n"
+             "- {} rays a texel of {:.2f} m, {} where stated. Each method is baked once, from its finest grid; coarser "
+             "grids are looks of the same bake, and the one in cot ψ has its own\n"
              "- {} rays a 2 m cell in each of the two traced maps of a view, {} where it was baked\n"
              "- {} bounces, seed {}, 10 GHz\n",
              plan.baked_samples, ResultsPlan::texel_m, plan.finer_samples, rays_of(ViewKind::HeldOut),
@@ -100,6 +100,7 @@ std::string results_markdown(const ResultsReport& report) {
   text += how_it_was_measured(report) + summary_section(report) + aims_section(report);
   text += without_noise_section(report) + level_section(report) + causes_section(plan, report.rows);
   text += changes_section(plan, report.rows) + limits_section(plan, report.rows);
+  text += "## Error by angle, bytes and cell size\n\n";
   for (const auto& [name, plot] : plots_of(report)) text += fmt::format("![{}]({})\n\n", plot.title, name);
   return text + cell_section(report) + detail_section(report) + costs_section(report) + settings_text(report);
 }

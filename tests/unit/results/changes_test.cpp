@@ -37,7 +37,8 @@ TEST(ResultsChanges, SayWhatTheNextGridTakesAndGives) {
   const ResultsPlan plan = made_plan();
   EXPECT_THAT(
       worth_of_looks(plan, made_rows(plan, 5.8, 4.0)),
-      AllOf(HasSubstr("More azimuths, 16 × 5, take 2.00 dB off the RMS error for 10.00 MB: 0.200 dB a megabyte."),
+      AllOf(HasSubstr(
+                "More azimuths, 16 × 5 looks, take 2.00 dB off the RMS error for 10.00 MB more: 0.200 dB a megabyte."),
             HasSubstr("`sigmascape bake` takes 8 × 5 looks by default. 16 × 6 looks (`--azimuths 16 "
                       "--elevations-deg 5,9,13,21,29,37`) take 2.5 times the bytes, 25.00 instead of 10.00 MB, "
                       "and 2.4 times the processor time of the bake, 240 instead of 100 s, for an RMS error of "

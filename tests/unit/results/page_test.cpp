@@ -1,7 +1,9 @@
 #include "results/page.h"
 
 #include <cmath>
+#include <fmt/format.h>
 #include <gmock/gmock.h>
+#include <tuple>
 
 #include "made_rows.h"
 
@@ -55,9 +57,12 @@ TEST(ResultsPage, OpensWithItsSceneTheVerdictAndTheFiguresBeforeTheTables) {
   const std::string page = results_markdown(made_report(true));
   EXPECT_THAT(page, StartsWith("# How close the baked map is: Harbour\n"));
   std::size_t last = 0;
-  for (const char* part : {"Visina", "[Bilbao](../bilbao/README.md)", "A map is made from its textures", "| *truth* |",
-                           "The words of this page", "## Figures 5 and 6", "## How it was measured", "## At 8 m cells",
-                           "## Cheap wins", "## Settings", "<details>", "| view | azimuth"}) {
+  for (const char* part :
+       {"Maps rendered from textures that were baked", "Such a map takes", "Visina", "its Figures 5 to 8",
+        "[Bilbao](../bilbao/README.md)", "| *truth* |", "The words of this page", "## Figures 5 and 6",
+        "## How it was measured", "## Every method and grid of looks, at 8 m cells", "## Why", "## Cheap wins",
+        "## Error by angle, bytes and cell size", "## By cell size", "## Bytes and time", "## Settings", "<details>",
+        "| view | azimuth"}) {
     const std::size_t place = page.find(part, last);
     EXPECT_NE(place, std::string::npos) << part << " is missing or not where it should be";
     if (place != std::string::npos) last = place;
@@ -76,6 +81,44 @@ TEST(ResultsPage, SharesRowsOfGridsThatAllNumbersAreTheSameFrom) {
 TEST(ResultsPage, NamesScenesOnlyWhereThereAreTwo) {
   EXPECT_THAT(results_markdown(made_report(false)), HasSubstr("| hills | on grid (4) | paper |"));
   EXPECT_THAT(results_markdown(made_report(true)), Not(HasSubstr("place |")));
+}
+
+TEST(ResultsPage, SaysWhyItIsNotTheWholeOfThePapersScene) {
+  EXPECT_THAT(results_markdown(made_report(false)),
+              HasSubstr("a scene made up after the paper's, 400 m a side instead of the paper's 2 km "
+                        "([why](../../decisions/0134-pages-of-four-hundred-metres.md))"));
+  ResultsReport whole = made_report(false);
+  whole.plan.scale = 1.0;
+  EXPECT_THAT(results_markdown(whole), HasSubstr("a scene made up after the paper's, 2000 m a side, with"));
+}
+
+TEST(ResultsPage, HasEveryGridByCellSizeFoldedAway) {
+  const std::string page = results_markdown(made_report(true));
+  const std::size_t folded = page.find("<summary>The same from every grid of looks</summary>");
+  ASSERT_NE(folded, std::string::npos);
+  for (const auto& [looks, rms, store] : {std::tuple("8 × 4", "9.00", "1.00"), {"8 × 5", "8.00", "2.00"}}) {
+    const std::size_t line =
+        page.find(fmt::format("| held out | paper | {} | 8 | 0.900 (0.900) | {}", looks, rms), folded);
+    ASSERT_NE(line, std::string::npos) << looks;
+    EXPECT_THAT(page.substr(line, page.find('\n', line) - line), HasSubstr(fmt::format("| {} | ", store)));
+  }
+  EXPECT_EQ(page.find("| held out | paper | 8 × 4 | 8 |"), page.find("| held out | paper | 8 × 4 | 8 |", folded))
+      << "in the open table stands the paper's grid alone";
+}
+
+TEST(ResultsPage, HasTimeAndMemoryOfTracingBesideThoseOfMaps) {
+  ResultsReport report = made_report(true);
+  for (ResultsRow& row : report.rows) {
+    row.trace_seconds = 19.49;
+    row.render_ms = 128.0;
+    row.atlas.looks = 40;
+    row.atlas.memory_bytes = 35'790'000;
+    row.atlas.bake_seconds = 100.0;
+  }
+  const std::string page = results_markdown(report);
+  EXPECT_THAT(page, HasSubstr("| *path-traced*, 1024 rays a cell | | | | 1.00 | | | 19.5 |"));
+  EXPECT_THAT(page, HasSubstr("| paper | 8 × 5 | 40 | 2.00 | 35.79 | 100 | 2.5 | 0.128 |"));
+  EXPECT_THAT(page, HasSubstr("the scene has 1000 within the square"));
 }
 
 TEST(ResultsPage, PlotsHaveTheLeastErrorThatCanBeShown) {
