@@ -4,10 +4,13 @@
 #include <fmt/format.h>
 
 #include "number_within.h"
+#include "received_files.h"
 
 #include "sigmascape/atlas/atlas.h"
 #include "sigmascape/base/error.h"
 #include "sigmascape/product/iq_file.h"
+#include "sigmascape/radar/look.h"
+#include "sigmascape/receiver/receiver_output.h"
 #include "sigmascape/simulate/coherent.h"
 #include "sigmascape/simulate/scatterer_spacing.h"
 
@@ -20,6 +23,9 @@ Provenance words_of_pulses(const IqFiles& files, const IqRequest& request) {
   const bool calibrated = files.unit == "V";
   Provenance words = request.origin;
   words["processing"] = "scatterers from terrain and atlas";
+  const Vec2d middle = request.area.centre();
+  words["look_side"] =
+      radar::look_side(request.radar.velocity_mps, Vec3d{middle.x, middle.y, 0.0} - request.radar.position);
   words["antenna_pattern"] = calibrated ? "left in" : "none";
   words["thermal_noise"] = calibrated ? "in it" : "none";
   words["wind_mps"] = fmt::format("{:g}", request.radar.wind_mps);
@@ -79,6 +85,7 @@ void write_iq_files(const IqFiles& files, const IqRequest& request) {
                                                 .dwell = request.dwell,
                                                 .calibrated = files.unit == "V",
                                                 .threads = request.threads});
+  warn_of(request.radar, receiver::output_warnings(history));
   product::write_iq(files.file, product::iq_record(history, request.radar, words_of_pulses(files, request)));
 }
 

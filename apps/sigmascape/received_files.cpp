@@ -4,7 +4,9 @@
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/product/ground_projection.h"
+#include "sigmascape/product/map_metrics.h"
 #include "sigmascape/product/range_azimuth_file.h"
+#include "sigmascape/product/software.h"
 #include "sigmascape/radar/radar_title.h"
 #include "sigmascape/receiver/receive_chain.h"
 
@@ -57,6 +59,10 @@ void write_received(const ReceivedFiles& files, const radar::Radar& radar, const
                                                {"impedance_ohm", radar.receiver.impedance_ohm}},
                                    .words = provenance};
   label.words["radar"] = radar.name;
+  label.words["polarization"] = product::polarization_name(polarization);
+  label.words["radar_position_m"] =
+      fmt::format("{:.2f} {:.2f} {:.2f}", radar.position.x, radar.position.y, radar.position.z);
+  label.words["software"] = product::software_name();
   if (!files.video.empty()) {
     const auto detected = receiver::detected_image(radar, received, seed, threads);
     product::RangeAzimuthLabel video = label;

@@ -12,8 +12,10 @@
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/product/iq_file.h"
+#include "sigmascape/radar/look.h"
 #include "sigmascape/radar/radar_bounds.h"
 #include "sigmascape/radar/radar_file.h"
+#include "sigmascape/receiver/receiver_output.h"
 #include "sigmascape/simulate/coherent.h"
 #include "sigmascape/simulate/map_warnings.h"
 #include "sigmascape/simulate/placement.h"
@@ -66,6 +68,8 @@ Described<Signal> made(Maker<Signal> make, UsualSpacing usual_spacing_m, const L
                                description.scene_hash, settings.seed);
     words["time_s"] = fmt::format("{:g}", time_s);
     words["dwell"] = std::to_string(settings.dwell);
+    const Vec2d middle = area.centre();
+    words["look_side"] = radar::look_side(radar.velocity_mps, Vec3d{middle.x, middle.y, 0.0} - radar.position);
     return {make(scene, radar, area, settings), radar, std::move(words)};
   });
 }
@@ -91,13 +95,15 @@ double spacing_of_strip_m(const radar::Radar& radar, const radar::Rectangle&, co
 Described<radar::PhaseHistory> phase_history(const LoadedAtlas& atlas, const radar::RadarFile& radar, double interval_s,
                                              const Targets& targets, bool calibrated, double scatterer_spacing_m,
                                              std::uint64_t seed, double time_s, std::uint64_t dwell, unsigned threads) {
-  return made(&simulate::phase_history, &spacing_of_pulses_m, atlas, radar, targets, time_s,
-              {.interval_s = interval_s,
-               .scatterer_spacing_m = scatterer_spacing_m,
-               .seed = seed,
-               .dwell = dwell,
-               .calibrated = calibrated,
-               .threads = threads});
+  auto pulses = made(&simulate::phase_history, &spacing_of_pulses_m, atlas, radar, targets, time_s,
+                     {.interval_s = interval_s,
+                      .scatterer_spacing_m = scatterer_spacing_m,
+                      .seed = seed,
+                      .dwell = dwell,
+                      .calibrated = calibrated,
+                      .threads = threads});
+  warn_of(pulses.radar, receiver::output_warnings(pulses.signal));
+  return pulses;
 }
 
 Described<radar::RangeDopplerImage> range_doppler(const LoadedAtlas& atlas, const radar::RadarFile& radar,
@@ -181,11 +187,11 @@ void add_iq(py::module_& module) {
       py::arg("targets") = Targets{}, py::arg("calibrated") = false, py::arg("scatterer_spacing_m") = 0.0,
       py::arg("seed") = 1, py::arg("time_s") = 0.0, py::arg("dwell") = 0, py::arg("threads") = 0,
       "The pulses of one interval over the radar's area: a PhaseHistory. The radar must move (velocity_mps).\n\n"
-      "interval_s: about time zero, when the radar is at its position. targets: of Target. calibrated: volts behind\n"
-      "the receiver with thermal noise, instead of metres. scatterer_spacing_m: side of the cells that hold a\n"
-      "scatterer each; 0 for half of what the pulses tell apart at the finest, in range or across it, and for the "
-      "cells\n"
-      "of its map where radar.mode makes one. seed: of speckle, targets and noise.\n"
+      "interval_s: about time zero, when the radar is at its position. targets: of Target. calibrated: volts at the\n"
+      "receiver's output with thermal noise, and through time control and converter where the radar file has them,\n"
+      "instead of metres. scatterer_spacing_m: side of the cells that hold a scatterer each; 0 for half of what the\n"
+      "pulses tell apart at the finest, in range or across it, and for the cells of its map where radar.mode makes\n"
+      "one. seed: of speckle, targets and noise.\n"
       "time_s: moment, s; radar and targets have moved so long since time zero. dwell: which look at the same ground\n"
       "this is; each has noise and fluctuating targets of its own, and all the same speckle.");
   module.def("range_doppler", &range_doppler, py::arg("atlas"), py::arg("radar"), py::kw_only(),

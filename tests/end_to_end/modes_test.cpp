@@ -174,6 +174,24 @@ class Modes : public ::testing::Test {
         << printed();
   }
 
+  /// Map and complex image that keep the antenna's pattern say where its axis points: to the middle, whence the radar
+  /// is seen the other way round.
+  void expect_patterns_to_say_where_the_beam_points() const {
+    for (const std::string kind : {"spotlight", "stripmap"}) {
+      SCOPED_TRACE(kind);
+      const auto said = slant_image("[mode]\nkind = \"" + kind + "\"\nantenna_pattern = true\n");
+      const auto metadata = map().metadata;
+      const double beam_deg = std::stod(metadata.at("beam_azimuth_deg"));
+      EXPECT_NEAR(std::abs(std::remainder(beam_deg - std::stod(metadata.at("radar_azimuth_deg")), 360.0)), 180.0, 0.02);
+      ASSERT_EQ(said["beam_azimuth_rad"].size(), 1U);
+      const double image_deg = deg_from_radians(said["beam_azimuth_rad"][0].get<double>());
+      EXPECT_NEAR(std::remainder(beam_deg - image_deg, 360.0), 0.0, 0.02);
+      EXPECT_EQ(said["look_side"], metadata.at("look_side"));
+    }
+    EXPECT_FALSE(slant_image("[mode]\nkind = \"spotlight\"\n").contains("beam_azimuth_rad"));
+    EXPECT_FALSE(map().metadata.contains("beam_azimuth_deg"));
+  }
+
   /// An image of all pulses is that of a mode of one look that is as many times sharper.
   void expect_slant_images_of_one_look() const {
     for (const std::string kind : {"spotlight", "stripmap"}) {
@@ -383,6 +401,7 @@ TEST_F(Modes, MapTheGroundAndTheTargets) {
   expect_volts_of_targets();
   expect_slant_images();
   expect_slant_images_of_one_look();
+  expect_patterns_to_say_where_the_beam_points();
   expect_pulses_to_speak_of_themselves();
   expect_what_is_drawn_to_name_its_seed();
   expect_an_empty_gate_to_name_its_key();

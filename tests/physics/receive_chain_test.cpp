@@ -13,6 +13,7 @@
 #include "sigmascape/radar/radar_equation.h"
 #include "sigmascape/radar/range_ambiguity.h"
 #include "sigmascape/receiver/bin_response.h"
+#include "sigmascape/receiver/calibrated_voltage.h"
 #include "sigmascape/receiver/range_azimuth_receiver.h"
 #include "sigmascape/simulate/simulate.h"
 
@@ -100,6 +101,29 @@ TEST(ReceivedPower, OfABeamThatLooksAsideAndOfOneWithANullOnItsAxis) {
     expect_case(name, db_from_linear(radar::received_power_w(radar, 10.0, 20e3) * radar::compression_gain(radar)),
                 db_from_linear(brightest(received.signal_w)), 0.1, "dBW", "radar equation");
   }
+}
+
+// Offsets of a table are clockwise: a beam that looks to the right of its axis meets a point when the axis stands to
+// the left of it, and there a map of the real beam shows it. Pulses meet the same point from the same axis.
+TEST(ReceivedPower, OfABeamThatLooksToTheRightIsToTheLeftOfThePoint) {
+  radar::TabulatedBeam aside;
+  for (double offset = -3.0; offset <= 3.0; offset += 0.05)
+    aside.samples.push_back({offset, std::exp2(-4.0 * std::pow(offset - 0.5, 2.0))});
+  radar::Radar radar = plain_radar();
+  radar.antenna.azimuth = aside;
+  const auto grid = bins_about(radar, 20e3, 60, 8.0);
+  const auto image = image_of(radar, grid, {point(20e3, 10.0)});
+  std::size_t best = 0;
+  for (std::size_t column = 0; column < grid.azimuths; ++column) {
+    if (image.rcs_m2(column, 60).vv > image.rcs_m2(best, 60).vv) best = column;
+  }
+  const double seen_rad = grid.first_azimuth_rad + (static_cast<double>(best) + 0.5) * grid.azimuth_step_rad;
+  EXPECT_NEAR(seen_rad, -0.5 * radar.beam_width_rad, grid.azimuth_step_rad);
+  const radar::Pulse pulse{0.0, {{0.0, 0.0, 1000.0}, {}}};
+  const auto volts = [&](double axis_rad) {
+    return calibrated_voltage(radar, fixed_at(axis_rad))(pulse, {0.0, 20e3, 1000.0}, 20e3);
+  };
+  EXPECT_GT(volts(seen_rad), 10.0F * volts(-seen_rad));
 }
 
 TEST(ReceivedPower, FallsWithTheFourthPowerOfRange) {

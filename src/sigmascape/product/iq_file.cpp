@@ -35,9 +35,9 @@ void check(const std::filesystem::path& path, const IqRecord& record) {
     throw Error(path.string(), fmt::format("{} motions of the platform were given", record.platform.size()),
                 "give one, or one for each place on the slow axis");
   }
-  if (!record.beam_azimuth_rad.empty() && record.beam_azimuth_rad.size() != record.slow.values.size()) {
+  if (!record.beam_azimuth_rad.empty() && record.beam_azimuth_rad.size() != record.platform.size()) {
     throw Error(path.string(), fmt::format("{} azimuths of the beam were given", record.beam_azimuth_rad.size()),
-                "give one for each place on the slow axis, or none");
+                "give one for each motion of the platform, or none");
   }
 }
 

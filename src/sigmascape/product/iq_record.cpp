@@ -1,6 +1,7 @@
 #include "sigmascape/product/iq_record.h"
 
 #include <cmath>
+#include <optional>
 #include <variant>
 
 #include "sigmascape/base/units.h"
@@ -92,12 +93,33 @@ void describe(IqRecord& record, const radar::Radar& radar) {
   record.numbers["pulse_repetition_hz"] = radar.waveform.pulse_repetition_hz;
 }
 
+/// With the antenna, if its pattern is in the image, and where its axis pointed, if at one azimuth.
+void describe_image(IqRecord& record, std::optional<double> beam_azimuth_rad, const radar::Radar& radar) {
+  describe(record, radar);
+  if (!radar.processing.antenna_pattern) return;
+  describe_antenna(record, radar);
+  if (beam_azimuth_rad) record.beam_azimuth_rad = {*beam_azimuth_rad};
+}
+
 /// What turns volts back into watts and cross-sections.
 void describe_calibration(IqRecord& record, const radar::Radar& radar) {
   record.numbers["impedance_ohm"] = radar.receiver.impedance_ohm;
   record.numbers["noise_power_w"] = radar::noise_power_w(radar) * radar.receiver.gain;
   record.numbers["volts_from_1_m2_at_1_km"] = radar::received_voltage_v(radar, 1.0, 1e3);
   record.numbers["atmosphere_db_per_km"] = db_from_linear(std::exp(1e3 * radar.atmosphere_per_m));
+}
+
+/// What the receiver did to volts before they were recorded.
+void describe_output(IqRecord& record, const radar::PhaseHistory& history) {
+  if (const auto& control = history.sensitivity_time_control) {
+    record.numbers["stc_full_gain_range_m"] = control->full_gain_range_m;
+    record.numbers["stc_exponent"] = control->exponent;
+  }
+  if (const auto& converter = history.analog_to_digital) {
+    record.numbers["adc_bits"] = converter->bits;
+    record.numbers["adc_full_scale_v"] = converter->full_scale_v;
+    record.numbers["saturated_samples"] = static_cast<double>(history.saturated);
+  }
 }
 
 }  // namespace
@@ -127,6 +149,7 @@ IqRecord iq_record(const radar::PhaseHistory& history, const radar::Radar& radar
   describe(record, radar);
   if (record.unit == "V") {
     describe_calibration(record, radar);
+    describe_output(record, history);
     describe_antenna(record, radar);
   }
   return record;
@@ -136,7 +159,7 @@ IqRecord iq_record(const radar::RangeDopplerImage& image, const radar::Radar& ra
                    std::map<std::string, std::string> words) {
   IqRecord record{.kind = "range-Doppler image",
                   .unit = "m",
-                  .quantity = amplitude_words,
+                  .quantity = "|a|^2 is a cross-section in m^2; a point at range r has the phase -4 pi r f / c",
                   .slow = {"slant_range", "m", middles(image.range_m)},
                   .fast = {"doppler", "Hz", middles(image.doppler_hz)},
                   .polarizations = {"VV", "HH", "HV"},
@@ -147,8 +170,7 @@ IqRecord iq_record(const radar::RangeDopplerImage& image, const radar::Radar& ra
                               {"range_cell_m", image.range_cell_m},
                               {"doppler_cell_hz", image.doppler_cell_hz}},
                   .words = std::move(words)};
-  describe(record, radar);
-  if (radar.processing.antenna_pattern) describe_antenna(record, radar);
+  describe_image(record, image.beam_azimuth_rad, radar);
   return record;
 }
 
@@ -156,7 +178,7 @@ IqRecord iq_record(const radar::StripmapImage& image, const radar::Radar& radar,
                    std::map<std::string, std::string> words) {
   IqRecord record{.kind = "stripmap image",
                   .unit = "m",
-                  .quantity = amplitude_words,
+                  .quantity = "|a|^2 is a cross-section in m^2; a point of closest range r has the phase -4 pi r f / c",
                   .slow = {"closest_slant_range", "m", middles(image.closest_range_m)},
                   .fast = {"along_track", "m", middles(image.along_m)},
                   .polarizations = {"VV", "HH", "HV"},
@@ -167,8 +189,7 @@ IqRecord iq_record(const radar::StripmapImage& image, const radar::Radar& radar,
                               {"closest_range_cell_m", image.closest_range_cell_m},
                               {"along_cell_m", image.along_cell_m}},
                   .words = std::move(words)};
-  describe(record, radar);
-  if (radar.processing.antenna_pattern) describe_antenna(record, radar);
+  describe_image(record, image.beam_azimuth_rad, radar);
   return record;
 }
 

@@ -26,6 +26,10 @@ Json global_of(const IqRecord& record) {
   for (const auto& [key, value] : description.items()) global["sigmascape:" + key] = value;
   global["sigmascape:fast_first"] = record.fast.values.front();
   global["sigmascape:fast_count"] = record.fast.values.size();
+  if (record.fast.values.size() > 1) {
+    global["sigmascape:fast_step"] =
+        (record.fast.values.back() - record.fast.values.front()) / static_cast<double>(record.fast.values.size() - 1);
+  }
   return global;
 }
 
@@ -33,13 +37,14 @@ Json global_of(const IqRecord& record) {
 Json captures_of(const IqRecord& record) {
   Json captures = Json::array();
   for (std::size_t i = 0; i < record.slow.values.size(); ++i) {
-    const radar::Motion& motion = record.platform[record.platform.size() == 1 ? 0 : i];
+    const std::size_t moment = record.platform.size() == 1 ? 0 : i;
+    const radar::Motion& motion = record.platform[moment];
     Json capture{{"core:sample_start", i * record.fast.values.size()},
                  {"core:frequency", record.numbers.at("frequency_hz")},
                  {"sigmascape:" + axis_name(record.slow), record.slow.values[i]},
                  {"sigmascape:position_m", {motion.position.x, motion.position.y, motion.position.z}},
                  {"sigmascape:velocity_mps", {motion.velocity_mps.x, motion.velocity_mps.y, motion.velocity_mps.z}}};
-    if (!record.beam_azimuth_rad.empty()) capture["sigmascape:beam_azimuth_rad"] = record.beam_azimuth_rad[i];
+    if (!record.beam_azimuth_rad.empty()) capture["sigmascape:beam_azimuth_rad"] = record.beam_azimuth_rad[moment];
     captures.push_back(std::move(capture));
   }
   return captures;

@@ -20,11 +20,14 @@ void write_layers(const std::filesystem::path& path, const radar::LayerStack& st
                         .metadata = stack.metadata};
   for (const radar::Layer& layer : stack.layers) {
     const bool is_angle = layer.unit == "rad";
-    geo::NamedBand band{layer.name, layer.values, layer.is_classes};
+    geo::NamedBand band{.name = layer.name,
+                        .values = layer.values,
+                        .is_classes = layer.is_classes,
+                        .unit = is_angle ? "deg" : layer.unit};
     if (is_angle) {
       for (float& value : band.values.values()) value = static_cast<float>(deg_from_radians(value));
     }
-    if (!layer.unit.empty()) raster.metadata["UNIT_" + layer.name] = is_angle ? "deg" : layer.unit;
+    if (!band.unit.empty()) raster.metadata["UNIT_" + layer.name] = band.unit;
     raster.bands.push_back(std::move(band));
   }
   geo::write_geotiff(path, raster);

@@ -46,6 +46,7 @@ std::string description_of(const MapView& map, MapScale scale) {
                               {"cell_" + place, map.grid.cell_m},
                               {"rows", map.grid.rows},
                               {"columns", map.grid.columns},
+                              {"edges", "west and north are those of the north-western cell; rows go south"},
                               {"crs", map.crs}};
   if (holds_correlation(map, scale)) json["channels"].push_back("RE_VVHH");
   if (!unit.empty()) json["unit"] = unit;

@@ -20,7 +20,10 @@ std::string description(const radar::RangeAzimuthGrid& grid, const RangeAzimuthL
                               {"ranges", grid.ranges},
                               {"first_azimuth_deg", deg_from_radians(grid.first_azimuth_rad)},
                               {"azimuth_step_deg", deg_from_radians(grid.azimuth_step_rad)},
-                              {"azimuths", grid.azimuths}};
+                              {"azimuths", grid.azimuths},
+                              {"edges",
+                               "first_range_m, of slant range, and first_azimuth_deg, clockwise from true "
+                               "north, are where bin 0 begins; its middle lies half a step further"}};
   for (const auto& [key, number] : label.numbers) json[key] = number;
   for (const auto& [key, word] : label.words) json[key] = word;
   return json.dump(2) + "\n";

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "sigmascape/base/error.h"
@@ -123,6 +125,13 @@ Array2D<Value> turned(const radar::GroundGrid& grid, const Array2D<Value>& value
   return turned;
 }
 
+/// Positions that are told, as the radar's, stay in the local frame, which the system of the map no longer names.
+std::map<std::string, std::string> with_frame(std::map<std::string, std::string> metadata,
+                                              const geo::LocalFrame& frame) {
+  metadata["local_frame"] = frame.proj();
+  return metadata;
+}
+
 geo::CoordinateTransform transform_to(const std::string& crs, const geo::LocalFrame& frame) {
   return {crs, frame, "coordinate system of the map"};
 }
@@ -136,7 +145,7 @@ radar::GroundMap reprojected(const radar::GroundMap& map, const geo::LocalFrame&
   return {.grid = grid,
           .sigma0 = turned(map.grid, map.sigma0, grid, transform, Reading::Bilinear),
           .crs = crs,
-          .metadata = map.metadata};
+          .metadata = with_frame(map.metadata, frame)};
 }
 
 radar::PowerMap reprojected(const radar::PowerMap& map, const geo::LocalFrame& frame, const std::string& crs,
@@ -147,14 +156,14 @@ radar::PowerMap reprojected(const radar::PowerMap& map, const geo::LocalFrame& f
           .power_w = turned(map.grid, map.power_w, grid, transform, Reading::Bilinear),
           .noise_w = map.noise_w,
           .crs = crs,
-          .metadata = map.metadata};
+          .metadata = with_frame(map.metadata, frame)};
 }
 
 radar::LayerStack reprojected(const radar::LayerStack& stack, const geo::LocalFrame& frame, const std::string& crs,
                               std::optional<double> cell) {
   const auto transform = transform_to(crs, frame);
   const radar::GroundGrid grid = turned_grid(stack.grid, transform, crs, cell);
-  radar::LayerStack result{.grid = grid, .layers = {}, .crs = crs, .metadata = stack.metadata};
+  radar::LayerStack result{.grid = grid, .layers = {}, .crs = crs, .metadata = with_frame(stack.metadata, frame)};
   for (const radar::Layer& layer : stack.layers) {
     const Reading reading = layer.unit.empty() ? Reading::Nearest : Reading::Bilinear;
     result.layers.push_back(

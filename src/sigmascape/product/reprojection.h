@@ -13,8 +13,9 @@ namespace sigmascape::product {
 /// The same map, north up, in another coordinate system: "EPSG:25830", a PROJ string or WKT.
 ///
 /// Cells are squares of `cell` units of that system; by default as large as those of the map, in degrees where the
-/// system counts in them. σ0 is bilinear between the map's cells, in linear power, and NaN beyond them. Throws Error
-/// when the system is not understood or does not reach there.
+/// system counts in them. σ0 is bilinear between the map's cells, in linear power, and NaN beyond them. The metadata
+/// keep what they say of the radar in the local frame, and name that as `local_frame`. Throws Error when the system is
+/// not understood or does not reach there.
 [[nodiscard]] radar::GroundMap reprojected(const radar::GroundMap& map, const geo::LocalFrame& frame,
                                            const std::string& crs, std::optional<double> cell = {});
 

@@ -26,8 +26,9 @@ struct ApertureBeam {
 struct CosecantSquaredBeam {
   double steepest_depression_rad = 0.7;
 };
-/// Measured: one-way power relative to the peak over the offset in units of the half-power width. Offsets increase;
-/// between them decibels are linear; beyond the ends the gain is that of the end.
+/// Measured: one-way power relative to the peak over the offset in units of the half-power width, clockwise from the
+/// axis in azimuth and upwards in elevation. Offsets increase; between them decibels are linear; beyond the ends the
+/// gain is that of the end.
 struct TabulatedBeam {
   struct Sample {
     double offset = 0.0;

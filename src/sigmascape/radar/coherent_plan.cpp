@@ -1,7 +1,6 @@
 #include "sigmascape/radar/coherent_plan.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -9,6 +8,7 @@
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/doppler.h"
 #include "sigmascape/radar/radar_title.h"
+#include "sigmascape/radar/rectangle_distances.h"
 #include "sigmascape/radar/window_response.h"
 
 namespace sigmascape::radar {
@@ -178,13 +178,6 @@ void check_turn(const Radar& radar, const CoherentPlan& plan, Vec3d middle, std:
 
 double doppler_of_hz(const Radar& radar, Vec3d place) {
   return doppler_hz(range_rate_mps({radar.position, radar.velocity_mps}, {place}), wavelength_m(radar.frequency_hz));
-}
-
-std::array<Vec3d, 4> corners_of(const Rectangle& area, double height_m) {
-  return {Vec3d{area.west_m, area.south_m, height_m},
-          {area.west_m, area.north_m, height_m},
-          {area.east_m, area.south_m, height_m},
-          {area.east_m, area.north_m, height_m}};
 }
 
 }  // namespace

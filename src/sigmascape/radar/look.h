@@ -30,4 +30,11 @@ struct Look {
   return {horizontal.x * cos_elevation, horizontal.y * cos_elevation, std::sin(aspect.elevation_rad)};
 }
 
+/// To which side of its course a radar looks at a place, on the map: "left" or "right", or "neither" when the place
+/// lies on the line of the course or the radar stands still.
+[[nodiscard]] inline const char* look_side(Vec3d velocity_mps, Vec3d away) {
+  const double leftwards = velocity_mps.x * away.y - velocity_mps.y * away.x;
+  return leftwards > 0.0 ? "left" : leftwards < 0.0 ? "right" : "neither";
+}
+
 }  // namespace sigmascape::radar

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -7,6 +8,7 @@
 #include "sigmascape/base/array2d.h"
 #include "sigmascape/radar/complex_channels.h"
 #include "sigmascape/radar/doppler.h"
+#include "sigmascape/radar/receiver.h"
 
 namespace sigmascape::radar {
 
@@ -37,6 +39,10 @@ struct PhaseHistory {
   Array2D<ComplexChannels> samples;
   /// What a sample of one stands for: "V" at the radar's reference, or "m", the square root of a cross-section.
   std::string unit = "m";
+  /// What samples in volts, noise and all, have been through in the receiver, in this order.
+  std::optional<SensitivityTimeControl> sensitivity_time_control = {};
+  std::optional<AnalogToDigital> analog_to_digital = {};
+  std::uint64_t saturated = 0;  ///< samples of one polarization of which the converter has clipped I or Q
 };
 
 }  // namespace sigmascape::radar

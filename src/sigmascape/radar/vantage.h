@@ -5,6 +5,7 @@
 
 #include "sigmascape/base/vec.h"
 #include "sigmascape/radar/curved_earth.h"
+#include "sigmascape/radar/radar.h"
 #include "sigmascape/radar/target.h"
 
 namespace sigmascape::radar {
@@ -51,5 +52,12 @@ class Vantage {
   Vec3d place_;
   std::optional<std::array<PassingBeam, 2>> beams_;
 };
+
+/// From where a radar maps a strip about this middle, under the azimuth in which it sees that at time zero. Towards the
+/// course, where no strip is planned, its beam passes over nothing, and it looks from where it is at time zero.
+[[nodiscard]] Vantage vantage_of_strip(const Radar& radar, Vec2d middle);
+
+/// From where a radar maps ground about this middle in its mode: that of a strip, or its place at time zero.
+[[nodiscard]] Vantage vantage_of(const Radar& radar, Vec2d middle);
 
 }  // namespace sigmascape::radar

@@ -145,12 +145,12 @@ void add_noise(std::span<std::complex<float>> volts, double noise_w, double impe
 
 std::uint64_t digitise(std::span<std::complex<float>> volts, const radar::AnalogToDigital& converter) {
   std::uint64_t saturated = 0;
-  const double limit_v = converter.full_scale_v;
   const auto convert = [&](float v) {
     return static_cast<float>(radar::digitised_v(converter, static_cast<double>(v)));
   };
   for (std::complex<float>& v : volts) {
-    if (std::abs(static_cast<double>(v.real())) > limit_v || std::abs(static_cast<double>(v.imag())) > limit_v)
+    if (radar::saturates(converter, static_cast<double>(v.real())) ||
+        radar::saturates(converter, static_cast<double>(v.imag())))
       ++saturated;
     v = {convert(v.real()), convert(v.imag())};
   }

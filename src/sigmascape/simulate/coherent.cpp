@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "sigmascape/base/error.h"
@@ -16,6 +17,7 @@
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/doppler.h"
 #include "sigmascape/radar/radar_title.h"
+#include "sigmascape/radar/rectangle_distances.h"
 #include "sigmascape/radar/rectangle_parts.h"
 #include "sigmascape/radar/vantage.h"
 #include "sigmascape/radar/windblown_vegetation.h"
@@ -23,6 +25,7 @@
 #include "sigmascape/receiver/doppler_imager.h"
 #include "sigmascape/receiver/pattern_gain.h"
 #include "sigmascape/receiver/pulse_receiver.h"
+#include "sigmascape/receiver/receiver_output.h"
 #include "sigmascape/receiver/stripmap_imager.h"
 #include "sigmascape/receiver/target_echoes.h"
 #include "sigmascape/simulate/scatterer_spacing.h"
@@ -61,18 +64,15 @@ template <typename Measure>
 std::array<double, 2> span_of(const radar::Rectangle& area, const terrain::HeightField& terrain, Vec2d nearest,
                               const Measure& measure) {
   double least = std::numeric_limits<double>::infinity(), most = -least;
-  const Vec2d inside{std::clamp(nearest.x, area.west_m, area.east_m),
-                     std::clamp(nearest.y, area.south_m, area.north_m)};
+  const auto take_in = [&](Vec3d point) {
+    const double value = measure(point);
+    least = std::min(least, value);
+    most = std::max(most, value);
+  };
+  const Vec2d inside = radar::nearest_point(area, nearest);
   for (const double height : {static_cast<double>(terrain.lowest_m()), static_cast<double>(terrain.highest_m())}) {
-    for (const Vec2d corner : {Vec2d{area.west_m, area.south_m},
-                               {area.west_m, area.north_m},
-                               {area.east_m, area.south_m},
-                               {area.east_m, area.north_m},
-                               inside}) {
-      const double value = measure(Vec3d{corner.x, corner.y, height});
-      least = std::min(least, value);
-      most = std::max(most, value);
-    }
+    std::ranges::for_each(radar::corners_of(area, height), take_in);
+    take_in({inside.x, inside.y, height});
   }
   return {least, most};
 }
@@ -121,18 +121,6 @@ void blow_on(std::vector<radar::Scatterer>& scatterers, const Windblown& windblo
           hashed(settings.seed, std::bit_cast<std::uint64_t>(place.x), std::bit_cast<std::uint64_t>(place.y)));
     }
   });
-}
-
-/// From where the radar maps a strip about this middle. Towards the course, where no strip is planned, its beam passes
-/// over nothing, and it looks from where it is at time zero.
-radar::Vantage vantage_of_strip(const radar::Radar& radar, Vec2d middle) {
-  const Vec2d away = middle - Vec2d{radar.position.x, radar.position.y};
-  const double off_course_rad = radar::off_course_rad(radar.velocity_mps, {away.x, away.y, 0.0});
-  if (std::min(off_course_rad, pi - off_course_rad) < radar.beam_width_rad / 2.0) return radar::Vantage(radar.position);
-  return radar::Vantage(radar::PassingBeam{.position = radar.position,
-                                           .velocity_mps = radar.velocity_mps,
-                                           .outwards = away * (1.0 / length(away)),
-                                           .earth = radar::earth_of(radar)});
 }
 
 std::vector<radar::Scatterer> scatterers_of(const CoherentScene& scene, const radar::Radar& radar,
@@ -189,13 +177,31 @@ receiver::BeamAzimuth beam_of(const radar::Radar& radar, Vec3d aim) {
   return receiver::abeam(std::atan2(away.x, away.y) - std::atan2(radar.velocity_mps.x, radar.velocity_mps.y));
 }
 
-/// What the pattern leaves of an image made in metres, or nothing where that is not asked for.
-receiver::VoltageGain image_gain(const radar::Radar& radar, Vec3d aim) {
-  if (!radar.processing.antenna_pattern) return {};
-  if (radar.mode == radar::Mode::Stripmap) return receiver::pattern_gain(radar);
+/// Of a sharpened or spotlight image; none where it passes over every place as it scans, or as that of a strip does.
+receiver::BeamAzimuth beam_of_image(const radar::Radar& radar, Vec3d aim) {
   const bool scans = radar.scan.kind != radar::ScanKind::Fixed;
-  if (radar.mode == radar::Mode::DopplerBeamSharpening && scans) return receiver::pattern_gain(radar);
-  return receiver::pattern_gain(radar, beam_of(radar, aim));
+  if (radar.mode == radar::Mode::Stripmap || (radar.mode == radar::Mode::DopplerBeamSharpening && scans)) return {};
+  return beam_of(radar, aim);
+}
+
+/// What the pattern leaves of an image made in metres, or nothing where that is not asked for.
+receiver::VoltageGain image_gain(const radar::Radar& radar, receiver::BeamAzimuth beam) {
+  return radar.processing.antenna_pattern ? receiver::pattern_gain(radar, std::move(beam)) : receiver::VoltageGain{};
+}
+
+/// Where that beam points in the middle of the interval, if an image has its pattern.
+std::optional<double> azimuth_of_image_beam(const radar::Radar& radar, const radar::Rectangle& area) {
+  const Vec2d middle = area.centre();
+  const receiver::BeamAzimuth beam = beam_of_image(radar, {middle.x, middle.y, 0.0});
+  if (!radar.processing.antenna_pattern || !beam) return std::nullopt;
+  return beam({.platform = {radar.position, radar.velocity_mps}});
+}
+
+/// The same of a strip, all along it.
+std::optional<double> azimuth_of_strip_beam(const radar::Radar& radar, const radar::Rectangle& area) {
+  if (!radar.processing.antenna_pattern) return std::nullopt;
+  const Vec2d away = area.centre() - Vec2d{radar.position.x, radar.position.y};
+  return std::atan2(away.x, away.y);
 }
 
 /// The ground whose ghosts fall into an area.
@@ -242,7 +248,7 @@ receiver::DopplerImager doppler_imager(const CoherentScene& scene, const radar::
                                   .oversampling = image_oversampling,
                                   .dwell = settings.dwell},
                                  gate_over(radar, area, *scene.terrain, image_oversampling), aim,
-                                 image_gain(radar, aim));
+                                 image_gain(radar, beam_of_image(radar, aim)));
   if (radar.processing.thermal_noise)
     imager.add(receiver::EquivalentNoise(radar, receiver::noise_seed(settings.seed, settings.dwell)));
   imager.add(scatterers_of(scene, radar, vantage, area, settings), settings.threads);
@@ -285,7 +291,7 @@ receiver::StripmapImager stripmap_imager(const CoherentScene& scene, const radar
                                          const radar::Rectangle& area, const CoherentSettings& asked) {
   check_moves(radar);
   const CoherentSettings settings = spaced(asked, scatterer_spacing_m(radar, asked.along_resolution_m));
-  const radar::Vantage vantage = vantage_of_strip(radar, area.centre());
+  const radar::Vantage vantage = radar::vantage_of_strip(radar, area.centre());
   const Vec3d direction = normalized(radar.velocity_mps);
   const auto along = [&](Vec3d point) { return dot(bent(radar, point) - radar.position, direction); };
   const auto closest = [&](Vec3d point) {
@@ -307,7 +313,7 @@ receiver::StripmapImager stripmap_imager(const CoherentScene& scene, const radar
                                    .squint_rad = squint_rad,
                                    .ground_m = aim.z,
                                    .dwell = settings.dwell},
-                                  gate, image_gain(radar, aim));
+                                  gate, image_gain(radar, {}));
   if (radar.processing.thermal_noise)
     imager.add(receiver::EquivalentNoise(radar, receiver::noise_seed(settings.seed, settings.dwell)));
   const auto targets = targets_seen(scene, radar, vantage);
@@ -320,19 +326,21 @@ receiver::StripmapImager stripmap_imager(const CoherentScene& scene, const radar
   return imager;
 }
 
-/// An imager's image of some of the pulses, with the Earth under it.
+/// An imager's image of some of the pulses, with the Earth under it and where its beam points.
 template <typename Imager>
-auto image_of(const Imager& imager, const radar::Radar& radar, const receiver::Subband& part, unsigned threads) {
+auto image_of(const Imager& imager, const radar::Radar& radar, std::optional<double> azimuth_rad,
+              const receiver::Subband& part, unsigned threads) {
   auto image = imager.image(part, threads);
   image.earth = radar::earth_of(radar);
+  image.beam_azimuth_rad = azimuth_rad;
   return image;
 }
 
 /// Every look, one after another.
 template <typename Imager, typename Visit>
-void show_looks(const Imager& imager, const radar::Radar& radar, std::size_t looks, unsigned threads,
-                const Visit& visit) {
-  for (std::size_t look = 0; look < looks; ++look) visit(image_of(imager, radar, {look, looks}, threads));
+void show_looks(const Imager& imager, const radar::Radar& radar, std::optional<double> azimuth_rad, std::size_t looks,
+                unsigned threads, const Visit& visit) {
+  for (std::size_t look = 0; look < looks; ++look) visit(image_of(imager, radar, azimuth_rad, {look, looks}, threads));
 }
 
 }  // namespace
@@ -348,8 +356,7 @@ radar::PhaseHistory phase_history(const CoherentScene& scene, const radar::Radar
                                          gate_over(radar, area, *scene.terrain, pulse_oversampling, first_s, last_s));
   const CoherentSettings settings =
       spaced(asked, pulse_scatterer_spacing_m(radar, area, *scene.terrain, asked.interval_s));
-  const radar::Vantage vantage =
-      radar.mode == radar::Mode::Stripmap ? vantage_of_strip(radar, area.centre()) : radar::Vantage(radar.position);
+  const radar::Vantage vantage = radar::vantage_of(radar, area.centre());
   const auto ground = scatterers_of(scene, radar, vantage, area, settings);
   const auto targets = targets_seen(scene, radar, vantage);
   const receiver::VoltageGain gain =
@@ -365,30 +372,39 @@ radar::PhaseHistory phase_history(const CoherentScene& scene, const radar::Radar
     const receiver::BeamAzimuth beam = beam_of(radar, middle_of(area, *scene.terrain, radar));
     for (radar::Pulse& pulse : history.pulses) pulse.beam_azimuth_rad = beam(pulse);
     receiver::add_thermal_noise(history, radar, receiver::noise_seed(settings.seed, settings.dwell), settings.threads);
+    receiver::bring_to_output(history, radar, settings.threads);
   }
   return history;
+}
+
+std::optional<double> beam_azimuth_rad(const radar::Radar& radar, const radar::Rectangle& area) {
+  return radar.mode == radar::Mode::Stripmap ? azimuth_of_strip_beam(radar, area) : azimuth_of_image_beam(radar, area);
 }
 
 void range_doppler_looks(const CoherentScene& scene, const radar::Radar& radar, const radar::Rectangle& area,
                          const CoherentSettings& settings, std::size_t looks,
                          const std::function<void(const radar::RangeDopplerImage&)>& visit) {
-  show_looks(doppler_imager(scene, radar, area, settings), radar, looks, settings.threads, visit);
+  show_looks(doppler_imager(scene, radar, area, settings), radar, azimuth_of_image_beam(radar, area), looks,
+             settings.threads, visit);
 }
 
 void stripmap_looks(const CoherentScene& scene, const radar::Radar& radar, const radar::Rectangle& area,
                     const CoherentSettings& settings, std::size_t looks,
                     const std::function<void(const radar::StripmapImage&)>& visit) {
-  show_looks(stripmap_imager(scene, radar, area, settings), radar, looks, settings.threads, visit);
+  show_looks(stripmap_imager(scene, radar, area, settings), radar, azimuth_of_strip_beam(radar, area), looks,
+             settings.threads, visit);
 }
 
 radar::RangeDopplerImage range_doppler_image(const CoherentScene& scene, const radar::Radar& radar,
                                              const radar::Rectangle& area, const CoherentSettings& settings) {
-  return image_of(doppler_imager(scene, radar, area, settings), radar, {}, settings.threads);
+  return image_of(doppler_imager(scene, radar, area, settings), radar, azimuth_of_image_beam(radar, area), {},
+                  settings.threads);
 }
 
 radar::StripmapImage stripmap_image(const CoherentScene& scene, const radar::Radar& radar, const radar::Rectangle& area,
                                     const CoherentSettings& settings) {
-  return image_of(stripmap_imager(scene, radar, area, settings), radar, {}, settings.threads);
+  return image_of(stripmap_imager(scene, radar, area, settings), radar, azimuth_of_strip_beam(radar, area), {},
+                  settings.threads);
 }
 
 void add_targets(radar::RangeAzimuthImage& image, const radar::Radar& radar, const Surroundings& surroundings,

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 
 #include "sigmascape/radar/ground_grid.h"
@@ -35,7 +36,8 @@ struct CoherentSettings {
   double scatterer_spacing_m = 0.0;
   std::uint64_t seed = 1;   ///< of speckle, targets and noise
   std::uint64_t dwell = 0;  ///< by which fluctuating targets and noise are drawn anew, and speckle is not
-  /// Volts behind the receiver, with antenna, radar equation and thermal noise, instead of metres without.
+  /// Volts at the receiver's output, with antenna, radar equation, thermal noise and, where the radar has them,
+  /// sensitivity time control and converter, instead of metres without.
   bool calibrated = false;
   unsigned threads = 0;
 };
@@ -74,6 +76,11 @@ void range_doppler_looks(const CoherentScene& scene, const radar::Radar& radar, 
 void stripmap_looks(const CoherentScene& scene, const radar::Radar& radar, const radar::Rectangle& area,
                     const CoherentSettings& settings, std::size_t looks,
                     const std::function<void(const radar::StripmapImage&)>& visit);
+
+/// Where the axis of the beam points whose pattern the image of the radar's mode keeps: in the middle of the interval,
+/// of a strip all along it, clockwise from true north. Nothing where the image keeps no pattern, and where a scanning
+/// beam passes over every place.
+[[nodiscard]] std::optional<double> beam_azimuth_rad(const radar::Radar& radar, const radar::Rectangle& area);
 
 /// Adds the targets that the radar sees in these surroundings to an image of the power mode, of whatever level of
 /// detail.

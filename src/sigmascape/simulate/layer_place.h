@@ -4,7 +4,6 @@
 #include <string_view>
 
 #include "sigmascape/radar/layer_stack.h"
-#include "sigmascape/radar/radar.h"
 #include "sigmascape/simulate/layers.h"
 #include "sigmascape/terrain/height_field.h"
 
@@ -12,13 +11,13 @@ namespace sigmascape::simulate {
 
 /// Where the ground of a map's cell is, and how the radar sees it.
 struct LayerPlace {
-  Vec3d ground;
+  Vec3d ground, seen_from;
   double range_m = 0.0;
   Vec3d to_radar;  ///< unit
 
-  LayerPlace(const terrain::HeightField& terrain, const radar::Radar& radar, Vec2d point)
-      : ground{point.x, point.y, terrain.height_at(point)} {
-    const Vec3d away = radar.position - ground;
+  LayerPlace(const terrain::HeightField& terrain, Vec3d from, Vec2d point)
+      : ground{point.x, point.y, terrain.height_at(point)}, seen_from(from) {
+    const Vec3d away = seen_from - ground;
     range_m = length(away);
     to_radar = away * (1.0 / range_m);
   }

@@ -15,7 +15,9 @@
 
 namespace sigmascape::simulate {
 
-/// What the shapes alone tell of a map's cells. A cell stands for the ground in its middle.
+/// What the shapes alone tell of a map's cells. A cell stands for the ground in its middle, and is seen from where the
+/// radar is at time zero, or with Mode::Stripmap from where it is as its beam passes (radar::vantage_of). The Earth is
+/// flat.
 enum class LayerKind {
   Shadow,     ///< 1 where the radar does not see the ground, be it from beneath a roof or from behind a hill; else 0
   Layover,    ///< 1 where something else that the radar sees, terrain as well, lies over the ground, at the same range
@@ -39,7 +41,8 @@ inline constexpr double crown_hides_below = 0.5;
 /// A surface lies over a cell when an arc of equal range and azimuth from the ground of the cell meets it, and the
 /// radar sees it there. Arcs from places all over the cell are asked, as its echoes are gathered from all of it.
 /// `geometry` stands on the terrain. Classes are the scene's materials. Behind the boxes of `targets` the radar sees
-/// nothing, at time zero; otherwise they are in no layer, for each answers from one place alone.
+/// nothing, at the time at which each is looked at; otherwise they are in no layer, for each answers from one place
+/// alone.
 [[nodiscard]] radar::LayerStack traced_layers(const scene::Scene& scene, const trace::SceneGeometry& geometry,
                                               const radar::Radar& radar, const radar::GroundGrid& grid,
                                               std::span<const LayerKind> kinds, unsigned threads = 0,
@@ -56,10 +59,10 @@ struct CoarseGround {
   double tallest_m = std::numeric_limits<double>::infinity();
 };
 
-/// The same from terrain and obstacles, as levels of detail from 1 on see them: by a sweep outwards along azimuths that
-/// are half a cell apart. Layover is told for the ground that the radar is above. Classes are the scene's materials for
-/// bare ground, then one for solid things and one for crowns. Where a box of `targets` hides the ground, nothing that
-/// stands on it is seen either, as in the map.
+/// The same from terrain and obstacles, as levels of detail from 1 on see them: by a sweep outwards along azimuths, or
+/// a strip's parallel lines, that are half a cell apart. Layover is told for the ground that the radar is above.
+/// Classes are the scene's materials for bare ground, then one for solid things and one for crowns. Where a box of
+/// `targets` hides the ground, nothing that stands on it is seen either, as in the map.
 [[nodiscard]] radar::LayerStack swept_layers(const CoarseGround& ground, const radar::Radar& radar,
                                              const radar::GroundGrid& grid, std::span<const LayerKind> kinds,
                                              unsigned threads = 0, std::span<const radar::Target> targets = {});

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "sigmascape/base/units.h"
+#include "sigmascape/radar/look.h"
 #include "sigmascape/radar/rectangle_parts.h"
 #include "sigmascape/simulate/scatterer_spacing.h"
 
@@ -86,6 +87,8 @@ ModeImage mode_image(const ModeRequest& request, const radar::CoherentPlan& plan
 std::map<std::string, std::string> source_of(const ModeRequest& request) {
   return {{"processing", fmt::format("level of detail {}: coherent, from terrain and atlas", request.level_of_detail)},
           {"mode", word_for(request.radar.mode)},
+          {"look_side", radar::look_side(request.radar.velocity_mps,
+                                         middle_of(request.grid, request.terrain) - request.radar.position)},
           {"antenna_pattern", request.radar.processing.antenna_pattern ? "left in" : "none"},
           {"thermal_noise", request.radar.processing.thermal_noise ? "in it" : "none"},
           {"wind_mps", fmt::format("{:g}", request.windblown ? request.radar.wind_mps : 0.0)},
@@ -107,6 +110,8 @@ std::map<std::string, std::string> provenance_of(const ModeRequest& request, con
   words["looks"] = std::to_string(plan.looks);
   words["along_resolution_m"] = fmt::format("{:.4g}", plan.along_resolution_m);
   words["angle_off_course_deg"] = fmt::format("{:.4g}", deg_from_radians(plan.squint_rad));
+  if (const auto azimuth_rad = beam_azimuth_rad(request.radar, request.grid.extent()))
+    words["beam_azimuth_deg"] = fmt::format("{:.3f}", deg_from_radians(wrapped_azimuth(*azimuth_rad)));
   if (request.radar.earth_refraction)
     words["earth_refraction"] = fmt::format("{:.6g}", *request.radar.earth_refraction);
   return words;

@@ -51,7 +51,7 @@ void mode_looks(const ModeRequest& request, const radar::CoherentPlan& plan,
 [[nodiscard]] ModeImage mode_image(const ModeRequest& request, const radar::CoherentPlan& plan);
 
 /// Where what is made of the request comes from, in words that go for its map and for its complex image alike:
-/// processing, mode, what was left in, wind, targets, seed, dwell.
+/// processing, mode, side of the course, what was left in, wind, targets, seed, dwell.
 [[nodiscard]] std::map<std::string, std::string> source_of(const ModeRequest& request);
 
 /// What the plan comes to in the complex image, which is one look of all pulses and sharper than the map of several by
@@ -59,7 +59,7 @@ void mode_looks(const ModeRequest& request, const radar::CoherentPlan& plan,
 [[nodiscard]] std::map<std::string, double> numbers_of_one_look(const radar::CoherentPlan& plan);
 
 /// Where a map of it comes from: the source, and interval, looks, resolution and angle off the course of the finished
-/// map.
+/// map; of one that keeps the antenna's pattern also where the beam points, unless that passes over every place.
 [[nodiscard]] std::map<std::string, std::string> provenance_of(const ModeRequest& request,
                                                                const radar::CoherentPlan& plan);
 

@@ -1,11 +1,11 @@
 #include "sigmascape/simulate/simulate.h"
 
-#include <algorithm>
 #include <array>
 #include <utility>
 #include <vector>
 
 #include "sigmascape/atlas/ground_layers.h"
+#include "sigmascape/radar/rectangle_distances.h"
 #include "sigmascape/receiver/range_azimuth_receiver.h"
 #include "sigmascape/simulate/coherent.h"
 #include "sigmascape/simulate/launch_for_map.h"
@@ -17,8 +17,7 @@ namespace sigmascape::simulate {
 radar::RangeAzimuthGrid bins_for(const radar::Radar& radar, const radar::Rectangle& area,
                                  const terrain::HeightField& terrain) {
   // Of a straight edge that faces the radar the middle is nearer than its ends.
-  const Vec2d nearest{std::clamp(radar.position.x, area.west_m, area.east_m),
-                      std::clamp(radar.position.y, area.south_m, area.north_m)};
+  const Vec2d nearest = radar::nearest_point(area, {radar.position.x, radar.position.y});
   std::array<Vec3d, 10> points;
   std::size_t count = 0;
   for (const double height : {static_cast<double>(terrain.lowest_m()), static_cast<double>(terrain.highest_m())}) {

@@ -5,6 +5,7 @@
 
 #include "sigmascape/base/parallel.h"
 #include "sigmascape/radar/target_shadows.h"
+#include "sigmascape/radar/vantage.h"
 #include "sigmascape/simulate/ground_met.h"
 #include "sigmascape/simulate/layer_place.h"
 #include "sigmascape/simulate/layers.h"
@@ -30,15 +31,20 @@ Vec2d spread_place(std::size_t index) {
 /// Asks rays about one cell after the other; one a thread.
 class CellProbe {
  public:
-  CellProbe(const scene::Scene& scene, const trace::SceneGeometry& geometry, const radar::Radar& radar, double cell_m,
-            const std::vector<scatter::SurfaceModel>& surfaces, const radar::TargetShadows& shadows)
-      : scene_(scene), geometry_(geometry), radar_(radar), cell_m_(cell_m), surfaces_(surfaces), shadows_(shadows) {}
+  CellProbe(const scene::Scene& scene, const trace::SceneGeometry& geometry, const radar::Vantage& vantage,
+            double cell_m, const std::vector<scatter::SurfaceModel>& surfaces, const radar::TargetShadows& shadows)
+      : scene_(scene),
+        geometry_(geometry),
+        vantage_(vantage),
+        cell_m_(cell_m),
+        surfaces_(surfaces),
+        shadows_(shadows) {}
 
   float value(LayerKind kind, Vec2d point) {
-    const LayerPlace place(scene_.terrain, radar_, point);
+    const LayerPlace place = place_at(point);
     switch (kind) {
       case LayerKind::Shadow:
-        return is_seen(ground_met_at(geometry_, place.ground)) ? 0.0F : 1.0F;
+        return is_seen(ground_met_at(geometry_, place.ground), place.seen_from) ? 0.0F : 1.0F;
       case LayerKind::Layover:
         return is_lain_over(point) ? 1.0F : 0.0F;
       case LayerKind::Incidence:
@@ -58,6 +64,8 @@ class CellProbe {
     float height_m, material;
   };
 
+  [[nodiscard]] LayerPlace place_at(Vec2d point) const { return {scene_.terrain, vantage_.place_for(point), point}; }
+
   /// Where a ray meets a surface or is more than half intercepted by crowns.
   bool meets(Vec3d from, Vec3d direction, double depth, double& distance_m, scene::MaterialIndex& material) {
     trace::SurfaceHit hit;
@@ -74,9 +82,9 @@ class CellProbe {
     return is_hit;
   }
 
-  bool is_seen(Vec3d point) {
+  bool is_seen(Vec3d point, Vec3d radar) {
     if (shadows_.hide(point)) return false;
-    const Vec3d to_radar = normalized(radar_.position - point);
+    const Vec3d to_radar = normalized(radar - point);
     const Vec3f start = (point + to_radar * ray_lift_m - geometry_.origin()).to<float>();
     crowns_.begin(surfaces_);
     return !geometry_.occluded(start, to_radar.to<float>(), crowns_) &&
@@ -97,14 +105,14 @@ class CellProbe {
   /// Whether something lies over any part of a cell, whose echoes are gathered from all of it.
   bool is_lain_over(Vec2d centre) {
     for (std::size_t arc = 0; arc < arcs_per_cell; ++arc) {
-      if (is_lain_over(LayerPlace(scene_.terrain, radar_, centre + spread_place(arc) * cell_m_))) return true;
+      if (is_lain_over(place_at(centre + spread_place(arc) * cell_m_))) return true;
     }
     return false;
   }
 
   /// Follows the arc of equal range and azimuth from the ground to the height of the highest thing.
   bool is_lain_over(const LayerPlace& place) {
-    const Vec3d radar = radar_.position;
+    const Vec3d radar = place.seen_from;
     const Vec3d ground = ground_met_at(geometry_, place.ground);
     const Vec2d away{ground.x - radar.x, ground.y - radar.y};
     const double distance_m = length(away), range_m = length(ground - radar);
@@ -121,7 +129,7 @@ class CellProbe {
     for (double depression = first; depression > lowest;) {
       depression = std::max(lowest, depression - step);
       const Vec3d to = at(depression);
-      if (is_visible_between(from, to) || is_visible_between(to, from)) return true;
+      if (is_visible_between(from, to, radar) || is_visible_between(to, from, radar)) return true;
       from = to;
     }
     return false;
@@ -129,7 +137,7 @@ class CellProbe {
 
   /// Whether a piece of the arc, followed one way, meets something that the radar sees. Terrain is met from outside
   /// alone: whoever comes up from within a hill does not notice its far side, and learns nothing of what is behind.
-  bool is_visible_between(Vec3d from, Vec3d to) {
+  bool is_visible_between(Vec3d from, Vec3d to, Vec3d radar) {
     const double whole_m = length(to - from);
     if (whole_m == 0.0) return false;
     const Vec3d direction = (to - from) * (1.0 / whole_m);
@@ -140,7 +148,7 @@ class CellProbe {
       if (!meets(from + direction * travelled_m, direction, crown_edge_depth, distance_m, material)) return false;
       travelled_m += distance_m;
       if (travelled_m > whole_m) return false;
-      if (is_seen(from + direction * travelled_m)) return true;
+      if (is_seen(from + direction * travelled_m, radar)) return true;
       travelled_m += onward_m;
     }
     return false;
@@ -155,7 +163,7 @@ class CellProbe {
 
   const scene::Scene& scene_;
   const trace::SceneGeometry& geometry_;
-  const radar::Radar& radar_;
+  const radar::Vantage& vantage_;
   double cell_m_;
   const std::vector<scatter::SurfaceModel>& surfaces_;
   const radar::TargetShadows& shadows_;
@@ -169,11 +177,12 @@ radar::LayerStack traced_layers(const scene::Scene& scene, const trace::SceneGeo
                                 std::span<const LayerKind> kinds, unsigned threads,
                                 std::span<const radar::Target> targets) {
   radar::LayerStack stack = empty_layers(grid, kinds);
-  const radar::TargetShadows shadows(targets, 0.0, radar.position);
+  const radar::Vantage vantage = radar::vantage_of(radar, grid.extent().centre());
+  const radar::TargetShadows shadows(targets, vantage);
   const auto surfaces = trace::surface_models(scene, radar.frequency_hz);
   parallel_for(grid.rows, threads, [&](std::size_t row, unsigned) {
     const trace::FlushDenormals flush;
-    CellProbe probe(scene, geometry, radar, grid.cell_m, surfaces, shadows);
+    CellProbe probe(scene, geometry, vantage, grid.cell_m, surfaces, shadows);
     for (std::size_t layer = 0; layer < kinds.size(); ++layer) {
       for (std::size_t column = 0; column < grid.columns; ++column) {
         stack.layers[layer].values(column, row) = probe.value(kinds[layer], grid.centre_of(column, row));

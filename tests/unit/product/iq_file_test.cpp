@@ -215,7 +215,37 @@ TEST(IqFile, TellsOfEachPulseWhereTheBeamPointed) {
   IqRecord short_of_one = record;
   short_of_one.beam_azimuth_rad.pop_back();
   EXPECT_THAT(message_of_error([&] { write_iq(folder.path("short.npy"), short_of_one); }),
-              HasSubstr("1 azimuths of the beam were given; give one for each place on the slow axis, or none"));
+              HasSubstr("1 azimuths of the beam were given; give one for each motion of the platform, or none"));
+}
+
+TEST(IqFile, TellsWhereTheBeamPointedWhosePatternIsInAnImage) {
+  const ScratchFolder folder;
+  radar::Radar radar = moving_radar();
+  auto doppler = doppler_image();
+  auto strip = strip_image();
+  doppler.beam_azimuth_rad = strip.beam_azimuth_rad = 0.25;
+  EXPECT_TRUE(iq_record(doppler, radar).beam_azimuth_rad.empty()) << "an image without pattern";
+  radar.processing.antenna_pattern = true;
+  for (const IqRecord& record : {iq_record(doppler, radar), iq_record(strip, radar)}) {
+    SCOPED_TRACE(record.kind);
+    for (const std::string& ending : endings) write_iq(folder.path("image" + ending), record);
+    EXPECT_EQ(json_of(folder.path("image.json")).at("beam_azimuth_rad"), nlohmann::json({0.25}));
+    for (const auto& capture : json_of(folder.path("image.sigmf-meta")).at("captures"))
+      EXPECT_EQ(capture.at("sigmascape:beam_azimuth_rad"), 0.25);
+  }
+  doppler.beam_azimuth_rad.reset();
+  EXPECT_TRUE(iq_record(doppler, radar).beam_azimuth_rad.empty()) << "of a beam that scans";
+}
+
+/// The slow axis stands in the captures, the fast one nowhere else.
+TEST(IqFile, GivesAReaderOfSigmfTheWholeFastAxis) {
+  const ScratchFolder folder;
+  const auto strip = strip_image();
+  write_iq(folder.path("x.sigmf-meta"), iq_record(strip, moving_radar()));
+  const auto global = json_of(folder.path("x.sigmf-meta"))["global"];
+  EXPECT_EQ(global["sigmascape:fast_first"], -10.0);
+  EXPECT_DOUBLE_EQ(global["sigmascape:fast_step"], 2.0);
+  EXPECT_EQ(global["sigmascape:fast_count"], 4);
 }
 
 }  // namespace

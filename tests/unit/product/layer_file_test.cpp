@@ -23,6 +23,8 @@ TEST(LayerFile, HoldsABandForEachLayerWithAnglesInDegrees) {
   EXPECT_EQ(raster.bands[0].name, "incidence");
   EXPECT_NEAR(raster.bands[0].values(2, 1), 30.0, 1e-5);
   EXPECT_EQ(raster.metadata.at("UNIT_incidence"), "deg");
+  EXPECT_EQ(raster.bands[0].unit, "deg");
+  EXPECT_EQ(raster.bands[1].unit, "");
   EXPECT_EQ(raster.bands[1].name, "shadow");
   EXPECT_EQ(raster.bands[1].values(0, 0), 1.0F);
   EXPECT_EQ(raster.placement.west_m, 10.0);

@@ -62,6 +62,7 @@ TEST(MapFile, PlacesAreNamedWithTheUnitThatTheyHave) {
   write_map(folder.path("map.npy"), map);
   EXPECT_THAT(text_of(folder.path("map.json")),
               testing::AllOf(testing::HasSubstr("\"west_deg\": 10.0"), testing::HasSubstr("\"cell_deg\": 2.0"),
+                             testing::HasSubstr("west and north are those of the north-western cell"),
                              testing::Not(testing::HasSubstr("_m\""))));
   write_map(folder.path("map.npz"), map);
   EXPECT_THAT(text_of(folder.path("map.npz")), testing::HasSubstr("x_deg.npy"));

@@ -115,7 +115,9 @@ TEST(PowerMap, KeepsItsWattsInAnotherCoordinateSystem) {
   const auto turned = reprojected(map, frame, "EPSG:25830");
   EXPECT_EQ(turned.crs, "EPSG:25830");
   EXPECT_EQ(turned.noise_w, map.noise_w);
-  EXPECT_EQ(turned.metadata, map.metadata);
+  auto kept = turned.metadata;
+  EXPECT_EQ(kept.extract("local_frame").mapped(), frame.proj()) << "in which the radar's place is told";
+  EXPECT_EQ(kept, map.metadata);
   std::size_t seen = 0;
   for (const auto& cell : turned.power_w.values()) {
     if (std::isnan(cell.vv)) continue;

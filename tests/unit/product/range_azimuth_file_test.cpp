@@ -59,6 +59,7 @@ TEST(RangeAzimuthFile, IsTheFormatThatNumpyDocuments) {
   const std::string json = bytes_of(folder.path("snr.json"));
   EXPECT_THAT(json, HasSubstr("\"quantity\": \"made up\""));
   EXPECT_THAT(json, HasSubstr("\"range_step_m\": 2.5"));
+  EXPECT_THAT(json, HasSubstr("where bin 0 begins; its middle lies half a step further"));
   EXPECT_THAT(json, HasSubstr("\"noise_w\": 1e-12"));
 }
 

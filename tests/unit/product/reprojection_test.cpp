@@ -51,6 +51,15 @@ TEST_P(Reprojection, KeepsEveryPlaceWhereItIs) {
 
 INSTANTIATE_TEST_SUITE_P(Systems, Reprojection, testing::Values("EPSG:25830", "EPSG:4326", "EPSG:3857"));
 
+// Where the radar is told to be is in that frame still.
+TEST(Reprojection, NamesTheFrameThatItCameFrom) {
+  radar::GroundMap map = map_of_a_slope();
+  map.metadata = {{"radar_position_m", "1.00 2.00 3.00"}};
+  const auto turned = reprojected(map, bilbao, "EPSG:4326");
+  EXPECT_EQ(turned.metadata.at("radar_position_m"), "1.00 2.00 3.00");
+  EXPECT_EQ(turned.metadata.at("local_frame"), bilbao.proj());
+}
+
 TEST(Reprojection, RefusesWhatIsNoSystem) {
   EXPECT_THROW((void)reprojected(map_of_a_slope(), bilbao, "EPSG:none"), Error);
   EXPECT_THROW((void)reprojected(map_of_a_slope(), bilbao, "EPSG:25830", -1.0), Error);

@@ -34,5 +34,13 @@ TEST(DirectionToRadar, SouthEastIsEastAndSouth) {
   EXPECT_NEAR(to_radar.y, -std::cos(radians_from_deg(50.0)) * std::cos(radians_from_deg(13.0)), 1e-12);
 }
 
+TEST(LookSide, IsThatOfTheCourseOnTheMap) {
+  const Vec3d eastwards{100.0, 0.0, 5.0};
+  EXPECT_STREQ(look_side(eastwards, {50.0, 10.0, -900.0}), "left");
+  EXPECT_STREQ(look_side(eastwards, {-50.0, -10.0, -900.0}), "right");
+  EXPECT_STREQ(look_side(eastwards, {50.0, 0.0, -900.0}), "neither");
+  EXPECT_STREQ(look_side({}, {50.0, 10.0, 0.0}), "neither");
+}
+
 }  // namespace
 }  // namespace sigmascape::radar

@@ -101,5 +101,17 @@ TEST(TargetShadows, OfAStripAreWhereAMoverIsThen) {
   EXPECT_FALSE(shadows.hide({300.0, 20.0, 0.0}));
 }
 
+TEST(Vantage, OfARadarIsThatOfItsMode) {
+  Radar radar;
+  radar.position = {100.0, -500.0, 300.0};
+  radar.velocity_mps = {80.0, 0.0, 0.0};
+  EXPECT_FALSE(vantage_of(radar, {100.0, 0.0}).beams());
+  radar.mode = Mode::Stripmap;
+  EXPECT_EQ(vantage_of(radar, {100.0, 0.0}).place_for({260.0, 40.0}), (Vec3d{260.0, -500.0, 300.0}));
+  EXPECT_FALSE(vantage_of(radar, {5000.0, -500.0}).beams()) << "towards the course";
+  radar.velocity_mps = {};
+  EXPECT_FALSE(vantage_of(radar, {100.0, 0.0}).beams()) << "of a radar that stands";
+}
+
 }  // namespace
 }  // namespace sigmascape::radar

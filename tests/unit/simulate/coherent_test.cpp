@@ -230,6 +230,49 @@ TEST(Volts, FollowTheMiddleOtherwise) {
   EXPECT_NEAR(brightest_db(radar), on_axis_db, 1e-3);
 }
 
+/// Where the axis of the beam points whose pattern is in them, if it keeps to a place or an azimuth.
+TEST(Images, KnowWhereTheBeamPointsWhosePatternTheyKeep) {
+  const CoherentScene scene{&level, [](Vec2d, const radar::Aspect&) { return radar::Channels{}; }};
+  constexpr radar::Rectangle eastern{50.0, -50.0, 150.0, 50.0};
+  const auto image_of = [&](const radar::Radar& radar) {
+    return range_doppler_image(scene, radar, eastern, {.interval_s = 0.002});
+  };
+  radar::Radar radar = looking_north(radar::Mode::Spotlight);
+  const double to_middle_rad = std::atan2(100.0 - radar.position.x, -radar.position.y);
+  EXPECT_FALSE(image_of(radar).beam_azimuth_rad);
+  EXPECT_FALSE(beam_azimuth_rad(radar, eastern));
+  radar.processing.antenna_pattern = true;
+  EXPECT_NEAR(image_of(radar).beam_azimuth_rad.value(), to_middle_rad, 1e-12);
+  EXPECT_EQ(image_of(radar).beam_azimuth_rad, beam_azimuth_rad(radar, eastern));
+  radar.mode = radar::Mode::DopplerBeamSharpening;
+  EXPECT_FALSE(image_of(radar).beam_azimuth_rad) << "a scanning beam passes over every place";
+  radar.scan = {.kind = radar::ScanKind::Fixed, .azimuth_rad = 0.25};
+  EXPECT_EQ(image_of(radar).beam_azimuth_rad, 0.25);
+  radar.mode = radar::Mode::Stripmap;
+  const auto strip = stripmap_image(scene, radar, eastern, {.along_resolution_m = 4.0});
+  EXPECT_NEAR(strip.beam_azimuth_rad.value(), to_middle_rad, 1e-12);
+  EXPECT_EQ(strip.beam_azimuth_rad, beam_azimuth_rad(radar, eastern));
+}
+
+/// Whatever the mode in the radar file, the beam of a strip passes over every place of it.
+TEST(Strip, IsAsBrightAtItsEndsAsInItsMiddle) {
+  radar::Target bright;
+  bright.track = radar::Track::straight({500.0, 0.0, 0.0});
+  bright.rcs_m2 = radar::Channels{1e8F, 1e8F, 0.0F, 1e8F};
+  const std::vector<radar::Target> targets{bright};
+  const CoherentScene scene{&level, [](Vec2d, const radar::Aspect&) { return radar::Channels{}; }, targets};
+  const auto brightest_m2 = [&](radar::Mode mode) {
+    radar::Radar radar = looking_north(mode);
+    radar.processing.antenna_pattern = true;
+    radar.processing.ambiguities = false;
+    const auto strip = stripmap_image(scene, radar, {-600.0, -50.0, 600.0, 50.0}, {.along_resolution_m = 4.0});
+    float best = 0.0F;
+    for (const auto& sample : strip.amplitude_m.values()) best = std::max(best, std::norm(sample.vv));
+    return static_cast<double>(best);
+  };
+  EXPECT_NEAR(db_from_linear(brightest_m2(radar::Mode::Spotlight) / brightest_m2(radar::Mode::Stripmap)), 0.0, 1e-3);
+}
+
 TEST(CoherentInterval, HoldsTwoPulsesAtLeast) {
   const radar::Radar radar = looking_north(radar::Mode::RealBeam);
   EXPECT_EQ(pulses_of(radar, {.interval_s = 2.0 / 2000.0}).pulses.size(), 2U);

@@ -1,5 +1,6 @@
 #include "sigmascape/simulate/layers.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -208,6 +209,70 @@ TEST_P(Layers, FromAboveTheRoofIsSeenAndTheGroundAroundIt) {
   EXPECT_EQ(names.at(static_cast<std::size_t>(stack.layers[1].values(4, on_ground))), "ground");
   EXPECT_EQ(names.at(static_cast<std::size_t>(stack.layers[1].values(4, on_roof))),
             GetParam() == Way::Traced ? "box" : "solid object");
+}
+
+/// Maps a strip as it flies east, and passes the box of the scene two seconds after time zero.
+radar::Radar radar_of_a_strip(double y_m) {
+  radar::Radar radar;
+  radar.position = {-100.0, y_m, 120.0};
+  radar.velocity_mps = {50.0, 0.0, 0.0};
+  radar.mode = radar::Mode::Stripmap;
+  return radar;
+}
+
+/// The mask in the column of cells west of x = −15 m, which the box stands in.
+Array2D<float> column_of_box(const radar::LayerStack& stack, std::size_t layer) {
+  const auto column = static_cast<std::size_t>((-15.0 - stack.grid.west_m) / stack.grid.cell_m) - 1;
+  Array2D<float> mask(1, stack.grid.rows);
+  for (std::size_t row = 0; row < stack.grid.rows; ++row) mask(0, row) = stack.layers[layer].values(column, row);
+  return mask;
+}
+
+// The beam looks north wherever it passes. From the place at time zero, 100 m before, the shadow would slant to the
+// east and end at y = 25 m in this column.
+TEST_P(Layers, OfAStripAreAsItsBeamPasses) {
+  const radar::GroundGrid map{-220.0, 80.0, cell_m, 240, 120};
+  const auto stack = layers_of(GetParam(), box_scene(), radar_of_a_strip(-200.0),
+                               {LayerKind::Shadow, LayerKind::Layover, LayerKind::Range, LayerKind::Incidence}, map);
+  const Stretch shadow = stretch_of(column_of_box(stack, 0), map);
+  EXPECT_NEAR(shadow.south_m, 0.0, cell_m);
+  EXPECT_NEAR(shadow.north_m, -200.0 + 212.0 * 120.0 / 100.0, cell_m);
+  EXPECT_NEAR(stretch_of(column_of_box(stack, 1), map).south_m, -200.0 + std::sqrt(200.0 * 200.0 + 1e4 - 120.0 * 120.0),
+              cell_m);
+  for (const std::size_t column : {std::size_t{0}, std::size_t{239}}) {
+    EXPECT_NEAR(stack.layers[2].values(column, 0), std::hypot(279.5, 120.0), 1e-3);
+    EXPECT_NEAR(stack.layers[3].values(column, 0), std::atan2(279.5, 120.0), 1e-4);
+  }
+}
+
+TEST_P(Layers, OfAStripOnBothSidesOfTheTrackAreOfTwoBeams) {
+  scene::Scene scene = box_scene();
+  scene.instances.push_back({.y_m = -206.0F});
+  const radar::GroundGrid map{-220.0, 150.0, cell_m, 240, 400};
+  const auto stack = layers_of(GetParam(), scene, radar_of_a_strip(-100.0), {LayerKind::Shadow}, map);
+  const Array2D<float> column = column_of_box(stack, 0);
+  Array2D<float> north(1, 250), south(1, 150);
+  std::ranges::copy(column.values().subspan(0, 250), north.values().begin());
+  std::ranges::copy(column.values().subspan(250), south.values().begin());
+  const Stretch northern = stretch_of(north, map);
+  EXPECT_NEAR(northern.south_m, 0.0, cell_m);
+  EXPECT_NEAR(northern.north_m, -100.0 + 112.0 * 120.0 / 100.0, cell_m);
+  const Stretch southern = stretch_of(south, {map.west_m, -100.0, cell_m, 240, 150});
+  EXPECT_NEAR(southern.north_m, -200.0, cell_m);
+  EXPECT_NEAR(southern.south_m, -100.0 - 112.0 * 120.0 / 100.0, cell_m);
+}
+
+// A target is hidden behind as it is looked at: it drives north, and is passed where it then is.
+TEST_P(Layers, OfAStripHaveTheShadowsOfTargetsAsItsBeamPasses) {
+  const scene::Scene level = physics_test::level_scene(lambert("ground"), 512.0);
+  const radar::GroundGrid map{-220.0, 80.0, cell_m, 240, 120};
+  radar::Target target = target_at(0.0, depth_m, height_m);
+  // Two seconds on it stands as the box does.
+  target.track = radar::Track::straight({0.0, depth_m / 2.0 - 20.0, height_m / 2.0}, {0.0, 10.0, 0.0});
+  const auto stack = layers_of(GetParam(), level, radar_of_a_strip(-200.0), {LayerKind::Shadow}, map, 1, {target});
+  const Stretch shadow = stretch_of(column_of_box(stack, 0), map);
+  EXPECT_NEAR(shadow.south_m, 0.0, cell_m);
+  EXPECT_NEAR(shadow.north_m, -200.0 + 212.0 * 120.0 / 100.0, cell_m);
 }
 
 TEST_P(Layers, AreTheSameForAnyThreads) {
