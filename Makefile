@@ -26,7 +26,7 @@ demo: packages ## Build, then make the demo's maps and page under out/demo
 
 measure = build/release/apps/sigmascape/sigmascape results
 
-results-small: packages ## Measure how close baked maps come to traced ones, small: a quarter of an hour
+results-small: packages ## Measure how close baked maps come to traced ones, small: a quarter of an hour on two cores
 	$(call configure,release)
 	$(call build,release) --target sigmascape_cli
 	$(measure) --small --out out/results_small
@@ -38,7 +38,7 @@ RESULTS_ITU ?= --small --scale 0.2 --held-out 24 --on-grid 3 --repeated 1 --samp
 RESULTS_BILBAO ?= --small --scale 0.2 --held-out 24 --on-grid 3 --repeated 1 --samples 64 --traced-samples 768 --finer-samples 768
 RESULTS_SAN_FRANCISCO ?= --small --scale 0.2 --held-out 24 --on-grid 3 --repeated 1 --samples 32 --traced-samples 768 --finer-samples 512
 
-results: packages ## Measure as docs/results was, on real places too, and write it anew: hours, goes on where it was broken off
+results: packages ## Measure as docs/results was, on real places too, and write it anew: ten hours on two cores, goes on where it was broken off
 	$(call configure,release)
 	$(call build,release) --target sigmascape_cli
 	$(measure) $(RESULTS_PAPER) --out out/results/paper --page docs/results/README.md
