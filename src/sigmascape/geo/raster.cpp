@@ -2,15 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <cpl_string.h>
 #include <filesystem>
 #include <fmt/format.h>
 #include <gdal_priv.h>
 #include <ogr_spatialref.h>
-#include <optional>
-#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -18,9 +15,9 @@
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/interruption.h"
 #include "sigmascape/geo/axis_units.h"
-#include "sigmascape/geo/foot.h"
 #include "sigmascape/geo/heeding_progress.h"
 #include "sigmascape/geo/is_absent.h"
+#include "sigmascape/geo/length_unit.h"
 #include "sigmascape/geo/quiet_gdal.h"
 #include "sigmascape/geo/spatial_reference.h"
 
@@ -39,37 +36,6 @@ GDALDatasetUniquePtr open_raster(const std::filesystem::path& file) {
                 "give a GeoTIFF, DTED, HGT or another GDAL raster");
   }
   return dataset;
-}
-
-/// Names of units are spelled in many ways: in capitals, with blanks, dots, hyphens and underscores.
-std::string plainly_spelled(const std::string& unit) {
-  std::string plain;
-  for (const char c : unit) {
-    if (std::string_view(" .-_").find(c) == std::string_view::npos)
-      plain += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  }
-  return plain;
-}
-
-std::optional<double> metres_per_unit(const std::string& unit) {
-  struct LengthUnit {
-    double metres;
-    std::vector<std::string_view> names;
-  };
-  static const std::array<LengthUnit, 6> known{{
-      {1.0, {"m", "metre", "metres", "meter", "meters"}},
-      {0.1, {"dm", "decimetre", "decimetres", "decimeter", "decimeters"}},
-      {0.01, {"cm", "centimetre", "centimetres", "centimeter", "centimeters"}},
-      {0.001, {"mm", "millimetre", "millimetres", "millimeter", "millimeters"}},
-      {foot_m, {"ft", "foot", "feet", "internationalfoot", "internationalfeet"}},
-      {us_survey_foot_m,
-       {"usft", "ftus", "usfoot", "usfeet", "footus", "feetus", "ussurveyfoot", "ussurveyfeet", "surveyfoot",
-        "surveyfeet"}},
-  }};
-  for (const LengthUnit& length : known) {
-    if (std::ranges::find(length.names, plainly_spelled(unit)) != length.names.end()) return length.metres;
-  }
-  return std::nullopt;
 }
 
 /// What a raster covers, in pixels.

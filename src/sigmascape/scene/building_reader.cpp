@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "sigmascape/base/interruption.h"
-#include "sigmascape/scene/attribute_number.h"
 #include "sigmascape/scene/building_extrusion.h"
 #include "sigmascape/scene/footprint.h"
 #include "sigmascape/scene/vector_section.h"
@@ -14,23 +13,17 @@ namespace {
 
 constexpr Interval height_range{0.5, 2000.0, "m"};
 
-std::optional<double> number_in(const geo::Feature& feature, const std::optional<std::string>& attribute) {
-  if (!attribute) return std::nullopt;
-  const auto text = feature.attribute(*attribute);
-  return text ? metres_from_text(*text) : std::nullopt;
-}
-
 void refuse_negative(double value, const geo::Feature& feature, const std::string& attribute,
                      const BuildingSource& source) {
   if (value >= 0.0) return;
   throw Error(fmt::format("{}: {}", source.vector.file.string(), feature.id),
-              fmt::format("its {} is {:g}", attribute, value),
+              fmt::format("its {} is {}", attribute, *feature.attribute(attribute)),
               "correct it to a height above the ground, or leave such features out with the key where");
 }
 
 /// Height from the feature itself: its height, else its levels. Zero counts as unknown.
 std::optional<double> stated_height_m(const geo::Feature& feature, const BuildingSource& source) {
-  if (const auto height = number_in(feature, source.height_attribute)) {
+  if (const auto height = number_in(feature, source.height_attribute, source.metres_per_plain_number)) {
     refuse_negative(*height, feature, *source.height_attribute, source);
     if (*height >= height_range.lowest && *height <= height_range.highest) return height;
   }
@@ -60,7 +53,9 @@ bool is_underground(const geo::Feature& feature, const BuildingSource& source) {
 /// Height of a building, or nothing when it is to be left out.
 std::optional<double> height_m(const geo::Feature& feature, const BuildingSource& source, FlawTally& tally) {
   if (!source.height_attribute && !source.levels_attribute) return source.default_height_m;
+  tell_of_doubtful_comma(feature, source.height_attribute, tally);
   if (const auto stated = stated_height_m(feature, source)) return stated;
+  tell_of_doubtful_comma(feature, source.levels_attribute, tally);
   tally.flaw(source.default_height_m ? fmt::format("buildings without a height, given {:g} m", *source.default_height_m)
                                      : "buildings without a height, left out",
              feature.id);
@@ -137,6 +132,7 @@ BuildingSource read_building_source(const TomlSection& section, const MaterialTa
   source.vector.osm_tag = "building";
   source.height_attribute = section.optional_text("height_attribute");
   source.levels_attribute = section.optional_text("levels_attribute");
+  source.metres_per_plain_number = read_metres_per_plain_number(section, {"height_attribute"});
   source.metres_per_level = section.number_or("metres_per_level", {1.5, 10.0, "m"}, source.metres_per_level);
   if (section.has("metres_per_level") && !source.levels_attribute) {
     throw section.fault("metres_per_level", "stands without levels_attribute", "add levels_attribute or remove it");

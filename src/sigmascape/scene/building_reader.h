@@ -17,6 +17,7 @@ struct BuildingSource {
   geo::VectorSource vector;
   std::string where;  ///< the section, as errors name it
   std::optional<std::string> height_attribute, levels_attribute;
+  double metres_per_plain_number = 1.0;  ///< of heights without a unit of their own
   double metres_per_level = 3.2;
   std::optional<double> default_height_m;  ///< of those without; when absent they are left out
   double min_area_m2 = 4.0;

@@ -9,7 +9,6 @@
 
 #include "sigmascape/base/interruption.h"
 #include "sigmascape/radar/rectangle_parts.h"
-#include "sigmascape/scene/attribute_number.h"
 #include "sigmascape/scene/vector_section.h"
 
 namespace sigmascape::scene {
@@ -27,9 +26,9 @@ const std::map<std::string, double> usual_width_m = {
 
 std::optional<double> width_m(const geo::Feature& feature, const RoadSource& source, FlawTally& tally) {
   if (source.width_attribute) {
-    const auto text = feature.attribute(*source.width_attribute);
-    const auto stated = text ? metres_from_text(*text) : std::nullopt;
+    const auto stated = number_in(feature, source.width_attribute, source.metres_per_plain_number);
     if (stated && *stated >= width_range.lowest && *stated <= width_range.highest) return stated;
+    tell_of_doubtful_comma(feature, source.width_attribute, tally);
   }
   if (source.class_attribute) {
     const auto name = feature.attribute(*source.class_attribute);
@@ -92,6 +91,7 @@ RoadSource read_road_source(const TomlSection& section, const MaterialTable& mat
   source.vector = read_vector_source(section, geo::GeometryKind::Lines);
   source.vector.osm_tag = "highway";
   source.width_attribute = section.optional_text("width_attribute");
+  source.metres_per_plain_number = read_metres_per_plain_number(section, {"width_attribute"});
   source.class_attribute = section.optional_text("class_attribute");
   source.width_m_by_class = usual_width_m;
   if (const auto widths = section.section("width_m_by_class")) {

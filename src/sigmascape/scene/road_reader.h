@@ -20,6 +20,7 @@ struct RoadSource {
   geo::VectorSource vector;
   std::string where;  ///< the section, as errors name it
   std::optional<std::string> width_attribute, class_attribute;
+  double metres_per_plain_number = 1.0;  ///< of widths without a unit of their own
   std::map<std::string, double> width_m_by_class;
   std::optional<double> width_m;  ///< of those without; when absent they are left out
   scatter::Material paving;

@@ -5,7 +5,6 @@
 #include "sigmascape/base/hash.h"
 #include "sigmascape/base/interruption.h"
 #include "sigmascape/base/units.h"
-#include "sigmascape/scene/attribute_number.h"
 #include "sigmascape/scene/crown.h"
 #include "sigmascape/scene/vector_section.h"
 
@@ -16,21 +15,16 @@ namespace {
 constexpr double tallest_tree_m = 125.0;
 constexpr double widest_crown_m = 40.0;
 
-std::optional<double> number_in(const geo::Feature& feature, const std::optional<std::string>& attribute) {
-  if (!attribute) return std::nullopt;
-  const auto text = feature.attribute(*attribute);
-  return text ? metres_from_text(*text) : std::nullopt;
-}
-
 std::optional<double> height_m(const geo::Feature& feature, const TreeSource& source, FlawTally& tally) {
   if (!source.height_attribute) return source.default_height_m;
-  const auto stated = number_in(feature, source.height_attribute);
+  const auto stated = number_in(feature, source.height_attribute, source.metres_per_plain_number);
   if (stated && *stated < 0.0) {
     throw Error(fmt::format("{}: {}", source.vector.file.string(), feature.id),
-                fmt::format("its {} is {:g}", *source.height_attribute, *stated),
+                fmt::format("its {} is {}", *source.height_attribute, *feature.attribute(*source.height_attribute)),
                 "correct it to a height above the ground, or leave such features out with the key where");
   }
   if (stated && *stated > 0.0 && *stated <= tallest_tree_m) return stated;
+  tell_of_doubtful_comma(feature, source.height_attribute, tally);
   tally.flaw(source.default_height_m ? fmt::format("trees without a height, given {:g} m", *source.default_height_m)
                                      : "trees without a height, left out",
              feature.id);
@@ -40,8 +34,9 @@ std::optional<double> height_m(const geo::Feature& feature, const TreeSource& so
 double crown_radius_m(const geo::Feature& feature, const TreeSource& source, double height_m, FlawTally& tally) {
   const double usual = source.crown_radius_per_height * height_m;
   if (!source.crown_radius_attribute) return usual;
-  const auto stated = number_in(feature, source.crown_radius_attribute);
+  const auto stated = number_in(feature, source.crown_radius_attribute, source.metres_per_plain_number);
   if (stated && *stated > 0.0 && *stated <= widest_crown_m) return *stated;
+  tell_of_doubtful_comma(feature, source.crown_radius_attribute, tally);
   tally.flaw("trees without a crown radius, given the usual one", feature.id);
   return usual;
 }
@@ -85,6 +80,8 @@ TreeSource read_tree_source(const TomlSection& section, const MaterialTable& mat
   source.vector.osm_tag = "natural=tree";
   source.height_attribute = section.optional_text("height_attribute");
   source.crown_radius_attribute = section.optional_text("crown_radius_attribute");
+  source.metres_per_plain_number =
+      read_metres_per_plain_number(section, {"height_attribute", "crown_radius_attribute"});
   source.default_height_m = section.optional_number("default_height_m", {0.1, tallest_tree_m, "m"});
   source.crown_radius_per_height =
       section.number_or("crown_radius_per_height", {0.02, 2.0, ""}, source.crown_radius_per_height);

@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "sigmascape/geo/length_unit.h"
+#include "sigmascape/scene/attribute_number.h"
+
 namespace sigmascape::scene {
 
 geo::VectorSource read_vector_source(const TomlSection& section, geo::GeometryKind kind) {
@@ -19,6 +22,15 @@ geo::VectorSource read_vector_source(const TomlSection& section, geo::GeometryKi
     throw section.fault(source.x_column.empty() ? "x" : "y", "is missing", "name both coordinate columns, x and y");
   }
   return source;
+}
+
+double read_metres_per_plain_number(const TomlSection& section, const std::vector<std::string_view>& keys_of_lengths) {
+  const std::string unit = section.choice_or("unit", {"m", "cm", "ft", "us-ft"}, "m");
+  if (section.has("unit") && std::ranges::none_of(keys_of_lengths, [&](auto key) { return section.has(key); })) {
+    const std::string keys = fmt::format("{}", fmt::join(keys_of_lengths, " or "));
+    throw section.fault("unit", "stands without " + keys, fmt::format("add {} or remove it", keys));
+  }
+  return geo::metres_per_unit(unit).value();
 }
 
 FlawLimit read_flaw_limit(const TomlSection& section, const FlawLimit& of_scene) {
@@ -42,6 +54,22 @@ std::string explained(const std::string& condition, const std::string& unknown_t
 bool is_said_of(const geo::Feature& feature, const std::string& attribute) {
   const auto said = feature.attribute(attribute);
   return said && *said != "" && *said != "no" && *said != "F" && *said != "false" && *said != "0";
+}
+
+std::optional<double> number_in(const geo::Feature& feature, const std::optional<std::string>& attribute,
+                                double metres_per_plain_number) {
+  if (!attribute) return std::nullopt;
+  const auto text = feature.attribute(*attribute);
+  return text ? metres_from_text(*text, metres_per_plain_number) : std::nullopt;
+}
+
+void tell_of_doubtful_comma(const geo::Feature& feature, const std::optional<std::string>& attribute,
+                            FlawTally& tally) {
+  if (!attribute) return;
+  const auto text = feature.attribute(*attribute);
+  if (!text || !has_doubtful_comma(*text)) return;
+  tally.flaw(fmt::format("values of {} whose comma may part decimals or thousands, passed over", *attribute),
+             fmt::format("{} ({})", feature.id, *text));
 }
 
 void tell_of_census(const geo::FeatureCensus& census, const geo::VectorSource& source, FlawTally& tally) {

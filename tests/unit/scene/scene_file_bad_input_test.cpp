@@ -96,6 +96,17 @@ TEST_F(BadInput, UnitOfHeightsIsOneOfThree) {
               HasSubstr("bad.toml: terrain.unit: is \"feet\"; choose among m, ft, us-ft"));
 }
 
+TEST_F(BadInput, UnitsOfAttributesAreKnownAndHaveAnAttribute) {
+  place_.write_houses(MadeUpPlace::house(0, 0, 9, 9, "\"h\":5,\"n\":2"));
+  place_.write("trees.csv", "x,y\n501100,4795500\n");
+  EXPECT_THAT(place_.fault(houses_section + "unit = \"fathom\"\n"),
+              HasSubstr("place.toml: buildings[1].unit: is \"fathom\"; choose among m, cm, ft, us-ft"));
+  EXPECT_THAT(place_.fault("[[buildings]]\nfile = \"houses.geojson\"\nlevels_attribute = \"n\"\nunit = \"ft\"\n"),
+              HasSubstr("buildings[1].unit: stands without height_attribute; add height_attribute or remove it"));
+  EXPECT_THAT(place_.fault("[[trees]]\nfile = \"trees.csv\"\ndefault_height_m = 5\nunit = \"ft\"\n"),
+              HasSubstr("trees[1].unit: stands without height_attribute or crown_radius_attribute"));
+}
+
 // 4 × 10¹² heights are more than any machine holds.
 TEST_F(BadInput, SpacingThatMakesMoreHeightsThanMemoryHolds) {
   const std::string scene =
@@ -155,6 +166,11 @@ TEST_F(BadInput, NegativeBuildingHeightNamesFileAndFeature) {
   place_.write_houses(MadeUpPlace::house(0, 0, 9, 9, "\"h\":5") + "," + MadeUpPlace::house(20, 0, 29, 9, "\"h\":-4.5"));
   EXPECT_THAT(place_.fault(houses_section),
               AllOf(HasSubstr("houses.geojson"), HasSubstr("feature 1: its h is -4.5"), HasSubstr("where")));
+}
+
+TEST_F(BadInput, NegativeHeightsAreToldAsTheFileHasThem) {
+  place_.write_houses(MadeUpPlace::house(0, 0, 9, 9, "\"h\":-4.5"));
+  EXPECT_THAT(place_.fault(houses_section + "unit = \"ft\"\n"), HasSubstr("its h is -4.5"));
 }
 
 TEST_F(BadInput, NegativeTreeHeightNamesFileAndFeature) {

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <utility>
 #include <variant>
 
 #include "unit/scene/made_up_place.h"
@@ -153,6 +154,10 @@ TEST(SceneFile, AFileOfBuildingsUndergroundAloneMakesARemark) {
   EXPECT_TRUE(scene.remarks.back().is_likely_a_mistake);
 }
 
+float top_m(const Scene& scene, std::size_t building) {
+  return scene.buildings.mesh.vertices[scene.buildings.items.at(building).first_vertex + 1].z;
+}
+
 TEST(SceneFile, LevelsAndDefaultStandInForHeights) {
   const MadeUpPlace place;
   place.write_houses(MadeUpPlace::house(-20, 0, 0, 20, R"("h":null,"levels":"4")") + "," +
@@ -161,13 +166,62 @@ TEST(SceneFile, LevelsAndDefaultStandInForHeights) {
   const Scene scene =
       place.read(houses_section + "levels_attribute = \"levels\"\nmetres_per_level = 3\ndefault_height_m = 7\n");
   ASSERT_EQ(scene.buildings.items.size(), 3U);
-  const auto top = [&](std::size_t i) {
-    return static_cast<double>(scene.buildings.mesh.vertices[scene.buildings.items[i].first_vertex + 1].z);
-  };
-  EXPECT_NEAR(top(0), 12.0, 1e-5);
-  EXPECT_NEAR(top(1), 9.144, 1e-5);
-  EXPECT_NEAR(top(2), 7.0, 1e-5);
+  EXPECT_FLOAT_EQ(top_m(scene, 0), 12.0F);
+  EXPECT_FLOAT_EQ(top_m(scene, 1), 9.144F);
+  EXPECT_FLOAT_EQ(top_m(scene, 2), 7.0F);
   EXPECT_EQ(remark_count(scene, "without a height"), 1U);
+}
+
+// A house of 100 ft, one that says of itself that it has 12 m, one of two storeys.
+TEST(SceneFile, PlainHeightsOfBuildingsAreInTheStatedUnit) {
+  const MadeUpPlace place;
+  place.write_houses(MadeUpPlace::house(-20, 0, 0, 20, R"("h":"100","levels":null)") + "," +
+                     MadeUpPlace::house(40, 0, 60, 20, R"("h":"12 m","levels":null)") + "," +
+                     MadeUpPlace::house(80, 0, 99, 20, R"("h":null,"levels":"2")"));
+  const std::string section = houses_section + "levels_attribute = \"levels\"\nmetres_per_level = 3\n";
+  for (const auto& [unit, metres] :
+       {std::pair{"m", 100.0F}, std::pair{"cm", 1.0F}, std::pair{"ft", 30.48F}, std::pair{"us-ft", 30.480061F}}) {
+    const Scene scene = place.read(section + "unit = \"" + unit + "\"\n");
+    ASSERT_EQ(scene.buildings.items.size(), 3U) << unit;
+    EXPECT_FLOAT_EQ(top_m(scene, 0), metres) << unit;
+    EXPECT_EQ(top_m(scene, 1), 12.0F) << unit;
+    EXPECT_EQ(top_m(scene, 2), 6.0F) << unit;
+  }
+  const Scene silent = place.read(section);
+  EXPECT_EQ(top_m(silent, 0), 100.0F);
+  EXPECT_EQ(scene_hash(silent), scene_hash(place.read(section + "unit = \"m\"\n")));
+}
+
+TEST(SceneFile, PlainHeightsAndCrownsOfTreesAreInTheStatedUnit) {
+  const MadeUpPlace place;
+  place.write("trees.csv", "x,y,h,r\n501100,4795500,50,10\n501200,4795500,15 m,3 m\n");
+  const std::string section = trees_section + "crown_radius_attribute = \"r\"\n";
+  const auto is_as_tall_and_wide = [](const Instance& tree, double height_m, double radius_m) {
+    EXPECT_NEAR(static_cast<double>(tree.scale.z * tree_height_m), height_m, 1e-4);
+    EXPECT_NEAR(static_cast<double>(tree.scale.x * tree_crown_radius_m), radius_m, 1e-4);
+  };
+  const Scene in_feet = place.read(section + "unit = \"ft\"\n");
+  ASSERT_EQ(in_feet.instances.size(), 2U);
+  is_as_tall_and_wide(in_feet.instances[0], 15.24, 3.048);
+  is_as_tall_and_wide(in_feet.instances[1], 15.0, 3.0);
+  EXPECT_EQ(scene_hash(place.read(section)), scene_hash(place.read(section + "unit = \"m\"\n")));
+  EXPECT_NE(scene_hash(place.read(section)), scene_hash(in_feet));
+}
+
+TEST(SceneFile, DecimalCommasCountAndDoubtfulOnesAreTold) {
+  const MadeUpPlace place;
+  place.write_houses(MadeUpPlace::house(-20, 0, 0, 20, R"("h":"3,5")") + "," +
+                     MadeUpPlace::house(40, 0, 60, 20, R"("h":"1,234")"));
+  const Scene scene = place.read(houses_section + "default_height_m = 7\n");
+  ASSERT_EQ(scene.buildings.items.size(), 2U);
+  EXPECT_EQ(top_m(scene, 0), 3.5F);
+  EXPECT_EQ(top_m(scene, 1), 7.0F);
+  EXPECT_EQ(remark_count(scene, "buildings without a height, given 7 m"), 1U);
+  const auto told = std::ranges::find(
+      scene.remarks, "values of h whose comma may part decimals or thousands, passed over", &Remark::what);
+  ASSERT_NE(told, scene.remarks.end());
+  EXPECT_EQ(told->count, 1U);
+  EXPECT_THAT(told->first, HasSubstr("feature 1 (1,234)"));
 }
 
 TEST(SceneFile, TreesStandOnTheTerrainAndNotInWater) {
@@ -207,6 +261,17 @@ TEST(SceneFile, RoadsArePavedStripsOfTheirWidth) {
   EXPECT_EQ(material_at(scene, {0.0, 92.0}), "asphalt");
   EXPECT_EQ(material_at(scene, {0.0, 112.0}), "grass");
   EXPECT_EQ(material_at(scene, {-450.0, 100.0}), "grass");
+}
+
+TEST(SceneFile, PlainWidthsOfRoadsAreInTheStatedUnit) {
+  const MadeUpPlace place;
+  std::string road = one_road;
+  place.write("roads.geojson", road.replace(road.find("primary"), 7, "40"));
+  const std::string section = "cell_m = 1\n[[roads]]\nfile = \"roads.geojson\"\nwidth_attribute = \"highway\"\n";
+  EXPECT_EQ(material_at(place.read(section), {0.0, 115.0}), "asphalt");
+  const Scene in_feet = place.read(section + "unit = \"ft\"\n");
+  EXPECT_EQ(material_at(in_feet, {0.0, 105.0}), "asphalt");
+  EXPECT_EQ(material_at(in_feet, {0.0, 108.0}), "grass");
 }
 
 TEST(SceneFile, RoadsInTunnelsAreNotPaved) {
