@@ -9,7 +9,6 @@
 #include "sigmascape/atlas/atlas.h"
 #include "sigmascape/base/error.h"
 #include "sigmascape/product/iq_file.h"
-#include "sigmascape/radar/look.h"
 #include "sigmascape/receiver/receiver_output.h"
 #include "sigmascape/simulate/coherent.h"
 #include "sigmascape/simulate/scatterer_spacing.h"
@@ -23,9 +22,7 @@ Provenance words_of_pulses(const IqFiles& files, const IqRequest& request) {
   const bool calibrated = files.unit == "V";
   Provenance words = request.origin;
   words["processing"] = "scatterers from terrain and atlas";
-  const Vec2d middle = request.area.centre();
-  words["look_side"] =
-      radar::look_side(request.radar.velocity_mps, Vec3d{middle.x, middle.y, 0.0} - request.radar.position);
+  words["look_side"] = simulate::look_side(request.radar, request.area);
   words["antenna_pattern"] = calibrated ? "left in" : "none";
   words["thermal_noise"] = calibrated ? "in it" : "none";
   words["wind_mps"] = fmt::format("{:g}", request.radar.wind_mps);

@@ -60,8 +60,7 @@ void write_received(const ReceivedFiles& files, const radar::Radar& radar, const
                                    .words = provenance};
   label.words["radar"] = radar.name;
   label.words["polarization"] = product::polarization_name(polarization);
-  label.words["radar_position_m"] =
-      fmt::format("{:.2f} {:.2f} {:.2f}", radar.position.x, radar.position.y, radar.position.z);
+  label.words["radar_position_m"] = product::vector_text(radar.position);
   label.words["software"] = product::software_name();
   if (!files.video.empty()) {
     const auto detected = receiver::detected_image(radar, received, seed, threads);

@@ -12,7 +12,6 @@
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/product/iq_file.h"
-#include "sigmascape/radar/look.h"
 #include "sigmascape/radar/radar_bounds.h"
 #include "sigmascape/radar/radar_file.h"
 #include "sigmascape/receiver/receiver_output.h"
@@ -68,8 +67,7 @@ Described<Signal> made(Maker<Signal> make, UsualSpacing usual_spacing_m, const L
                                description.scene_hash, settings.seed);
     words["time_s"] = fmt::format("{:g}", time_s);
     words["dwell"] = std::to_string(settings.dwell);
-    const Vec2d middle = area.centre();
-    words["look_side"] = radar::look_side(radar.velocity_mps, Vec3d{middle.x, middle.y, 0.0} - radar.position);
+    words["look_side"] = simulate::look_side(radar, area);
     return {make(scene, radar, area, settings), radar, std::move(words)};
   });
 }

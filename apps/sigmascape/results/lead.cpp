@@ -42,12 +42,11 @@ std::string scene_title(const ResultsReport& report) {
 std::string scene_in_words(const ResultsReport& report) {
   const ResultsPlan& plan = report.plan;
   if (plan.scene_file.empty()) {
-    const std::string size = plan.scale < 1.0
-                                 ? fmt::format("{:.0f} m a side instead of the paper's 2 km ({})", plan.side_m(),
-                                               report.links.to("why",
-                                                               "docs/decisions/0134-pages-of-four-"
-                                                               "hundred-metres.md"))
-                                 : fmt::format("{:.0f} m a side", plan.side_m());
+    std::string size = fmt::format("{:.0f} m a side", plan.side_m());
+    if (plan.scale < 1.0) {
+      size += fmt::format(" instead of the paper's 2 km ({})",
+                          report.links.to("why", "docs/decisions/0134-pages-of-four-hundred-metres.md"));
+    }
     return fmt::format("a scene made up after the paper's, {}, with {} materials", size,
                        has_the_papers_materials(plan) ? "the paper's" : "real buildings' (ITU-R P.2040)");
   }

@@ -25,12 +25,10 @@ void describe(Map& map, const radar::Radar& radar, const geo::LocalFrame& frame,
   map.crs = frame.proj();
   map.metadata = provenance;
   map.metadata["radar"] = radar.name;
-  map.metadata["radar_position_m"] =
-      fmt::format("{:.2f} {:.2f} {:.2f}", radar.position.x, radar.position.y, radar.position.z);
+  map.metadata["radar_position_m"] = vector_text(radar.position);
   if (const auto azimuth_deg = azimuth_of_radar_deg(map.grid, radar))
     map.metadata[radar_azimuth_key] = fmt::format("{:.2f}", *azimuth_deg);
-  map.metadata["radar_velocity_mps"] =
-      fmt::format("{:.2f} {:.2f} {:.2f}", radar.velocity_mps.x, radar.velocity_mps.y, radar.velocity_mps.z);
+  map.metadata["radar_velocity_mps"] = vector_text(radar.velocity_mps);
   map.metadata.try_emplace("time_s", "0");
   map.metadata["software"] = software_name();
   map.metadata["frequency_hz"] = fmt::format("{:.0f}", radar.frequency_hz);
@@ -39,6 +37,10 @@ void describe(Map& map, const radar::Radar& radar, const geo::LocalFrame& frame,
 }
 
 }  // namespace
+
+std::string vector_text(Vec3d vector) {
+  return fmt::format("{:.2f} {:.2f} {:.2f}", vector.x, vector.y, vector.z);
+}
 
 radar::GroundMap described_map(radar::GroundMap map, const radar::Radar& radar, const geo::LocalFrame& frame,
                                const Provenance& provenance) {

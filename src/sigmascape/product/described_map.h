@@ -19,6 +19,9 @@ using Provenance = std::map<std::string, std::string>;
 /// radars over what they map there is none.
 inline constexpr const char* radar_azimuth_key = "radar_azimuth_deg";
 
+/// A place of the radar or its velocity, as products tell it.
+[[nodiscard]] std::string vector_text(Vec3d vector);
+
 /// Notes radar, pose, time and provenance with a map. Time zero is the moment at which radar and targets are where they
 /// are said to be; no clock goes in.
 [[nodiscard]] radar::GroundMap described_map(radar::GroundMap map, const radar::Radar& radar,

@@ -6,6 +6,7 @@
 #include "sigmascape/base/interruption.h"
 #include "sigmascape/scene/building_extrusion.h"
 #include "sigmascape/scene/footprint.h"
+#include "sigmascape/scene/partner_key.h"
 #include "sigmascape/scene/vector_section.h"
 
 namespace sigmascape::scene {
@@ -13,22 +14,14 @@ namespace {
 
 constexpr Interval height_range{0.5, 2000.0, "m"};
 
-void refuse_negative(double value, const geo::Feature& feature, const std::string& attribute,
-                     const BuildingSource& source) {
-  if (value >= 0.0) return;
-  throw Error(fmt::format("{}: {}", source.vector.file.string(), feature.id),
-              fmt::format("its {} is {}", attribute, *feature.attribute(attribute)),
-              "correct it to a height above the ground, or leave such features out with the key where");
-}
-
 /// Height from the feature itself: its height, else its levels. Zero counts as unknown.
 std::optional<double> stated_height_m(const geo::Feature& feature, const BuildingSource& source) {
   if (const auto height = number_in(feature, source.height_attribute, source.metres_per_plain_number)) {
-    refuse_negative(*height, feature, *source.height_attribute, source);
+    refuse_negative(*height, feature, *source.height_attribute, source.vector);
     if (*height >= height_range.lowest && *height <= height_range.highest) return height;
   }
   if (const auto levels = number_in(feature, source.levels_attribute)) {
-    refuse_negative(*levels, feature, *source.levels_attribute, source);
+    refuse_negative(*levels, feature, *source.levels_attribute, source.vector);
     if (*levels > 0.0 && *levels * source.metres_per_level <= height_range.highest)
       return *levels * source.metres_per_level;
   }
@@ -134,9 +127,7 @@ BuildingSource read_building_source(const TomlSection& section, const MaterialTa
   source.levels_attribute = section.optional_text("levels_attribute");
   source.metres_per_plain_number = read_metres_per_plain_number(section, {"height_attribute"});
   source.metres_per_level = section.number_or("metres_per_level", {1.5, 10.0, "m"}, source.metres_per_level);
-  if (section.has("metres_per_level") && !source.levels_attribute) {
-    throw section.fault("metres_per_level", "stands without levels_attribute", "add levels_attribute or remove it");
-  }
+  refuse_without(section, "metres_per_level", "levels_attribute", source.levels_attribute.has_value());
   source.default_height_m = section.optional_number("default_height_m", height_range);
   source.min_area_m2 = section.number_or("min_area_m2", {0.0, 1e6, "m²"}, source.min_area_m2);
   source.simplify_m = section.number_or("simplify_m", {0.0, 10.0, "m"}, source.simplify_m);

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <set>
 
+#include "sigmascape/scene/partner_key.h"
 #include "sigmascape/scene/vector_section.h"
 
 namespace sigmascape::scene {
@@ -121,9 +122,7 @@ LandCoverSource read_land_cover_source(const TomlSection& section, const Materia
     source.raster = geo::RasterBand{*file, static_cast<int>(section.whole_number_or("band", {1, 10000, ""}, 1)),
                                     section.text_or("crs", "")};
   }
-  for (const char* key : {"band", "crs"}) {
-    if (section.has(key) && !source.raster) throw section.fault(key, "stands without file", "add file or remove it");
-  }
+  for (const char* key : {"band", "crs"}) refuse_without(section, key, "file", source.raster.has_value());
   source.cell_m = section.optional_number("cell_m", {0.05, 10000.0, "m"});
   source.nodata = materials.named_by(section, "nodata_material", "grass");
   source.limit = read_flaw_limit(section, limit);

@@ -11,6 +11,7 @@
 #include "sigmascape/scene/material_reader.h"
 #include "sigmascape/scene/mesh_reader.h"
 #include "sigmascape/scene/paper_scene.h"
+#include "sigmascape/scene/partner_key.h"
 #include "sigmascape/scene/point_target_reader.h"
 #include "sigmascape/scene/road_reader.h"
 #include "sigmascape/scene/scene_extent.h"
@@ -70,8 +71,7 @@ TerrainSection read_terrain_section(const TomlSection& section, const FlawLimit&
   terrain.limit = read_flaw_limit(section, limit);
   source.largest_hole_share = terrain.limit.max_share;
   section.refuse_unknown_keys();
-  if (within_m && !level_m)
-    throw section.fault("water_within_m", "stands without water_level_m", "add water_level_m or remove it");
+  refuse_without(section, "water_within_m", "water_level_m", level_m.has_value());
   return terrain;
 }
 

@@ -6,6 +6,7 @@
 #include "sigmascape/base/interruption.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/scene/crown.h"
+#include "sigmascape/scene/partner_key.h"
 #include "sigmascape/scene/vector_section.h"
 
 namespace sigmascape::scene {
@@ -18,11 +19,7 @@ constexpr double widest_crown_m = 40.0;
 std::optional<double> height_m(const geo::Feature& feature, const TreeSource& source, FlawTally& tally) {
   if (!source.height_attribute) return source.default_height_m;
   const auto stated = number_in(feature, source.height_attribute, source.metres_per_plain_number);
-  if (stated && *stated < 0.0) {
-    throw Error(fmt::format("{}: {}", source.vector.file.string(), feature.id),
-                fmt::format("its {} is {}", *source.height_attribute, *feature.attribute(*source.height_attribute)),
-                "correct it to a height above the ground, or leave such features out with the key where");
-  }
+  if (stated) refuse_negative(*stated, feature, *source.height_attribute, source.vector);
   if (stated && *stated > 0.0 && *stated <= tallest_tree_m) return stated;
   tell_of_doubtful_comma(feature, source.height_attribute, tally);
   tally.flaw(source.default_height_m ? fmt::format("trees without a height, given {:g} m", *source.default_height_m)
@@ -106,9 +103,7 @@ TreeSource read_tree_source(const TomlSection& section, const MaterialTable& mat
           "use a material of model cook_torrance or lambert, or name a crown_material");
     }
   }
-  if (section.has("crown_material") && source.kind != CrownKind::Medium) {
-    throw section.fault("crown_material", "stands without kind = \"crowns\"", "add kind = \"crowns\" or remove it");
-  }
+  refuse_without(section, "crown_material", "kind = \"crowns\"", source.kind == CrownKind::Medium);
   source.bark = materials.named_by(section, "bark_material", "bark");
   source.limit = read_flaw_limit(section, limit);
   section.refuse_unknown_keys();

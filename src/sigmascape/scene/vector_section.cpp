@@ -6,6 +6,7 @@
 
 #include "sigmascape/geo/length_unit.h"
 #include "sigmascape/scene/attribute_number.h"
+#include "sigmascape/scene/partner_key.h"
 
 namespace sigmascape::scene {
 
@@ -26,10 +27,8 @@ geo::VectorSource read_vector_source(const TomlSection& section, geo::GeometryKi
 
 double read_metres_per_plain_number(const TomlSection& section, const std::vector<std::string_view>& keys_of_lengths) {
   const std::string unit = section.choice_or("unit", {"m", "cm", "ft", "us-ft"}, "m");
-  if (section.has("unit") && std::ranges::none_of(keys_of_lengths, [&](auto key) { return section.has(key); })) {
-    const std::string keys = fmt::format("{}", fmt::join(keys_of_lengths, " or "));
-    throw section.fault("unit", "stands without " + keys, fmt::format("add {} or remove it", keys));
-  }
+  refuse_without(section, "unit", fmt::format("{}", fmt::join(keys_of_lengths, " or ")),
+                 std::ranges::any_of(keys_of_lengths, [&](auto key) { return section.has(key); }));
   return geo::metres_per_unit(unit).value();
 }
 
@@ -61,6 +60,14 @@ std::optional<double> number_in(const geo::Feature& feature, const std::optional
   if (!attribute) return std::nullopt;
   const auto text = feature.attribute(*attribute);
   return text ? metres_from_text(*text, metres_per_plain_number) : std::nullopt;
+}
+
+void refuse_negative(double value, const geo::Feature& feature, const std::string& attribute,
+                     const geo::VectorSource& source) {
+  if (value >= 0.0) return;
+  throw Error(fmt::format("{}: {}", source.file.string(), feature.id),
+              fmt::format("its {} is {}", attribute, *feature.attribute(attribute)),
+              "correct it to a height above the ground, or leave such features out with the key where");
 }
 
 void tell_of_doubtful_comma(const geo::Feature& feature, const std::optional<std::string>& attribute,

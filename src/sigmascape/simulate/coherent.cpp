@@ -16,6 +16,7 @@
 #include "sigmascape/base/parallel.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/doppler.h"
+#include "sigmascape/radar/look.h"
 #include "sigmascape/radar/radar_title.h"
 #include "sigmascape/radar/rectangle_distances.h"
 #include "sigmascape/radar/rectangle_parts.h"
@@ -379,6 +380,11 @@ radar::PhaseHistory phase_history(const CoherentScene& scene, const radar::Radar
 
 std::optional<double> beam_azimuth_rad(const radar::Radar& radar, const radar::Rectangle& area) {
   return radar.mode == radar::Mode::Stripmap ? azimuth_of_strip_beam(radar, area) : azimuth_of_image_beam(radar, area);
+}
+
+const char* look_side(const radar::Radar& radar, const radar::Rectangle& area) {
+  const Vec2d middle = area.centre();
+  return radar::look_side(radar.velocity_mps, Vec3d{middle.x, middle.y, 0.0} - radar.position);
 }
 
 void range_doppler_looks(const CoherentScene& scene, const radar::Radar& radar, const radar::Rectangle& area,

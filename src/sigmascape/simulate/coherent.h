@@ -82,6 +82,9 @@ void stripmap_looks(const CoherentScene& scene, const radar::Radar& radar, const
 /// beam passes over every place.
 [[nodiscard]] std::optional<double> beam_azimuth_rad(const radar::Radar& radar, const radar::Rectangle& area);
 
+/// To which side of its course the radar looks at an area (radar::look_side).
+[[nodiscard]] const char* look_side(const radar::Radar& radar, const radar::Rectangle& area);
+
 /// Adds the targets that the radar sees in these surroundings to an image of the power mode, of whatever level of
 /// detail.
 void add_targets(radar::RangeAzimuthImage& image, const radar::Radar& radar, const Surroundings& surroundings,

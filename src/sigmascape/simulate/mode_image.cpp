@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include "sigmascape/base/units.h"
-#include "sigmascape/radar/look.h"
 #include "sigmascape/radar/rectangle_parts.h"
 #include "sigmascape/simulate/scatterer_spacing.h"
 
@@ -87,8 +86,7 @@ ModeImage mode_image(const ModeRequest& request, const radar::CoherentPlan& plan
 std::map<std::string, std::string> source_of(const ModeRequest& request) {
   return {{"processing", fmt::format("level of detail {}: coherent, from terrain and atlas", request.level_of_detail)},
           {"mode", word_for(request.radar.mode)},
-          {"look_side", radar::look_side(request.radar.velocity_mps,
-                                         middle_of(request.grid, request.terrain) - request.radar.position)},
+          {"look_side", look_side(request.radar, request.grid.extent())},
           {"antenna_pattern", request.radar.processing.antenna_pattern ? "left in" : "none"},
           {"thermal_noise", request.radar.processing.thermal_noise ? "in it" : "none"},
           {"wind_mps", fmt::format("{:g}", request.windblown ? request.radar.wind_mps : 0.0)},

@@ -10,6 +10,7 @@
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/sha256.h"
+#include "sigmascape/geo/is_absent.h"
 #include "sigmascape/terrain/pyramid_files.h"
 
 namespace sigmascape::terrain {
@@ -375,8 +376,7 @@ std::size_t build_pyramid(const std::filesystem::path& folder, const HeightField
 }
 
 bool holds_pyramid(const std::filesystem::path& folder) {
-  std::error_code hidden;
-  return std::filesystem::exists(folder / heading_name, hidden) || hidden;
+  return !geo::is_absent(folder / heading_name);
 }
 
 bool holds_pyramid_of(const std::filesystem::path& folder, const HeightField& field, const geo::LocalFrame& frame) {
