@@ -1,6 +1,7 @@
 #include "sigmascape/base/worker_team.h"
 
 #include <exception>
+#include <utility>
 
 #include "sigmascape/base/parallel.h"
 
@@ -40,12 +41,19 @@ void WorkerTeam::run_erased(std::size_t count, Call call, void* context) {
   take_indices(0);
   std::unique_lock lock(guard_);
   work_is_done_.wait(lock, [this] { return busy_ == 0; });
+  if (thrown_) std::rethrow_exception(std::exchange(thrown_, nullptr));
 }
 
 void WorkerTeam::take_indices(unsigned worker) {
-  for (std::size_t index = next_.fetch_add(1, std::memory_order_relaxed); index < count_;
-       index = next_.fetch_add(1, std::memory_order_relaxed)) {
-    call_(context_, index, worker);
+  try {
+    for (std::size_t index = next_.fetch_add(1, std::memory_order_relaxed); index < count_;
+         index = next_.fetch_add(1, std::memory_order_relaxed)) {
+      call_(context_, index, worker);
+    }
+  } catch (...) {
+    next_.store(count_, std::memory_order_relaxed);
+    const std::lock_guard lock(guard_);
+    if (!thrown_) thrown_ = std::current_exception();
   }
 }
 

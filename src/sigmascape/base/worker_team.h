@@ -4,6 +4,7 @@
 #include <condition_variable>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -23,7 +24,9 @@ class WorkerTeam {
   [[nodiscard]] unsigned size() const { return static_cast<unsigned>(helpers_.size()) + 1; }
 
   /// Calls `body(index, worker)` once for every index below `count`, each on the thread that is free first, and returns
-  /// when all are done. `body` must not throw and must not call run(). One caller at a time.
+  /// when all are done. What `body` throws ends the round: indices that no thread has taken yet are left out, and the
+  /// first that was thrown reaches the caller when all threads have stopped. `body` must not call run(). One caller at
+  /// a time.
   template <typename Body>
   void run(std::size_t count, Body body) {
     run_erased(
@@ -47,6 +50,7 @@ class WorkerTeam {
   void* context_ = nullptr;
   std::size_t count_ = 0;
   std::atomic<std::size_t> next_{0};
+  std::exception_ptr thrown_;  // first of this round
   std::vector<std::jthread> helpers_;
 };
 

@@ -2,7 +2,10 @@
 
 #include <atomic>
 #include <gtest/gtest.h>
+#include <new>
 #include <numeric>
+#include <stdexcept>
+#include <thread>
 #include <vector>
 
 namespace sigmascape {
@@ -34,6 +37,33 @@ TEST(WorkerTeam, OfOneWorksOnTheCallingThread) {
   WorkerTeam team(1);
   const auto caller = std::this_thread::get_id();
   team.run(5, [&](std::size_t, unsigned) { EXPECT_EQ(std::this_thread::get_id(), caller); });
+}
+
+TEST(WorkerTeam, HandsToTheCallerWhatAnyOfItsMembersThrew) {
+  WorkerTeam team(3);
+  for (unsigned thrower = 0; thrower < team.size(); ++thrower) {
+    std::atomic<unsigned> arrived{0};
+    const auto meet_and_throw = [&](std::size_t, unsigned worker) {
+      ++arrived;
+      while (arrived < team.size()) std::this_thread::yield();  // so that every member has one
+      if (worker == thrower) throw std::bad_alloc();
+    };
+    EXPECT_THROW(team.run(team.size(), meet_and_throw), std::bad_alloc) << thrower;
+    std::atomic<int> done{0};
+    team.run(100, [&](std::size_t, unsigned) { ++done; });
+    EXPECT_EQ(done, 100) << "the next round is whole";
+  }
+}
+
+TEST(WorkerTeam, BeginsNothingMoreOnceOneThrew) {
+  WorkerTeam team(1);
+  int begun = 0;
+  const auto throw_at_the_third = [&](std::size_t index, unsigned) {
+    ++begun;
+    if (index == 2) throw std::length_error("third");
+  };
+  EXPECT_THROW(team.run(10, throw_at_the_third), std::length_error);
+  EXPECT_EQ(begun, 3);
 }
 
 }  // namespace
