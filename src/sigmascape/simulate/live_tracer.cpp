@@ -223,7 +223,7 @@ LiveTracer::Footprint LiveTracer::footprint(const Look& look, const render::Pose
   const double layover_m =
       (geometry_.highest_m() - lowest_m_) * std::max(look.radar.z - lowest_m_, 0.0) / std::max(look.near_m, rim_m);
   const radar::Rectangle area = radar::common_part(under_bins, scene_.extent);
-  const double late_m = trace::late_by_m(tallest_m_, trace::Viewpoint::located(look.radar), area);
+  const double late_m = trace::late_by_m(tallest_m_, trace::Viewpoint::located(look.radar), area, scene_.terrain);
   return {.area = area, .landing = radar::common_part(under_bins, radar::widened(scene_.extent, late_m + layover_m))};
 }
 
@@ -239,8 +239,8 @@ double LiveTracer::cells_in(const radar::Rectangle& area, const Look& look) cons
 double LiveTracer::cells_aimed_at(const Look& look) const {
   const auto viewpoint = trace::Viewpoint::located(look.radar);
   const radar::Rectangle& area = look.ground.area;
-  return aimed_cells(geometry_, viewpoint, area, lattice_cell_m(look),
-                     trace::multibounce_reach(tallest_m_, occupied_, viewpoint, area));
+  const double late_m = trace::late_by_m(tallest_m_, viewpoint, area, scene_.terrain);
+  return aimed_cells(geometry_, viewpoint, area, lattice_cell_m(look), trace::reach_of_late(late_m, occupied_));
 }
 
 double LiveTracer::widest_cell_beams() const {

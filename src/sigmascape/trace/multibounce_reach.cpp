@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sigmascape/radar/rectangle_distances.h"
 #include "sigmascape/trace/late_by.h"
 
 namespace sigmascape::trace {
@@ -13,36 +14,51 @@ constexpr double least_m = 32.0;
 /// Of the distance before. Ends that lie apart across the line of sight are apart along it, too.
 constexpr double part_beside = 0.5;
 
-double lowest_sine_of_grazing(const Viewpoint& viewpoint, const radar::Rectangle& target) {
+/// Of level ground at height zero where there is no terrain, which from infinitely far away is seen as any other.
+double lowest_sine_of_grazing(const Viewpoint& viewpoint, const radar::Rectangle& target,
+                              const terrain::HeightField* terrain) {
   double sine = 1.0;
-  for (const Vec3d corner : {Vec3d{target.west_m, target.south_m, 0.0},
-                             {target.east_m, target.south_m, 0.0},
-                             {target.west_m, target.north_m, 0.0},
-                             {target.east_m, target.north_m, 0.0}}) {
-    sine = std::min(sine, viewpoint.direction_from(corner).z);
+  for (const Vec2d corner : radar::corners_of(target)) {
+    const double height_m = terrain != nullptr ? terrain->height_at(corner) : 0.0;
+    sine = std::min(sine, viewpoint.direction_from({corner.x, corner.y, height_m}).z);
   }
   return sine;
+}
+
+double late_when_seen_under(double sine_of_grazing, double tallest_m) {
+  // A radar that stands lower than some of the ground sees it under no angle.
+  return sine_of_grazing > 0.0 ? std::clamp(tallest_m / sine_of_grazing, least_m, farthest_bounce_m)
+                               : farthest_bounce_m;
 }
 
 }  // namespace
 
 double late_by_m(double tallest_m, const Viewpoint& viewpoint, const radar::Rectangle& target) {
-  return std::clamp(tallest_m / lowest_sine_of_grazing(viewpoint, target), least_m, farthest_bounce_m);
+  return late_when_seen_under(lowest_sine_of_grazing(viewpoint, target, nullptr), tallest_m);
+}
+
+double late_by_m(double tallest_m, const Viewpoint& viewpoint, const radar::Rectangle& target,
+                 const terrain::HeightField& terrain) {
+  return late_when_seen_under(lowest_sine_of_grazing(viewpoint, target, &terrain), tallest_m);
 }
 
 double farthest_beginning_m(double late_m) {
   return std::hypot(late_m, part_beside * late_m);
 }
 
+MultibounceReach reach_of_late(double late_m, const radar::Rectangle& occupied) {
+  return {.before_m = late_m, .beside_m = part_beside * late_m, .within = occupied};
+}
+
 MultibounceReach multibounce_reach(double tallest_m, const radar::Rectangle& occupied, const Viewpoint& viewpoint,
                                    const radar::Rectangle& target) {
-  const double before_m = late_by_m(tallest_m, viewpoint, target);
-  return {.before_m = before_m, .beside_m = part_beside * before_m, .within = occupied};
+  return reach_of_late(late_by_m(tallest_m, viewpoint, target), occupied);
 }
 
 MultibounceReach multibounce_reach(const scene::Scene& scene, const Viewpoint& viewpoint,
                                    const radar::Rectangle& target) {
-  return multibounce_reach(scene::tallest_object_m(scene), scene::occupied_extent(scene), viewpoint, target);
+  return reach_of_late(late_by_m(scene::tallest_object_m(scene), viewpoint, target, scene.terrain),
+                       scene::occupied_extent(scene));
 }
 
 }  // namespace sigmascape::trace

@@ -98,6 +98,23 @@ TEST(MultibounceReach, FollowsHeightAndSlope) {
   EXPECT_EQ(multibounce_reach(plain_scene(0.0), Viewpoint::distant(from_south), place).before_m, 32.0);
 }
 
+// High ground is seen from a place as flatly as low ground from as far above it.
+TEST(MultibounceReach, OfARadarAtAPlaceFollowsItsHeightAboveTheGround) {
+  const radar::Rectangle place{-10, -10, 10, 10};
+  const auto before = [&](float ground_m, double above_m) {
+    scene::Scene scene = plain_scene(0.0, ground_m);
+    add_box(scene, {10, 10, 40}, {0, 0}, 0.5);
+    const double radar_m = static_cast<double>(ground_m) + above_m;
+    return multibounce_reach(scene, Viewpoint::located({10.0, -4010.0, radar_m}), place).before_m;
+  };
+  // Farthest away are the northern corners, by 4020 m northwards and 20 m aside at most.
+  const double farthest_m = std::sqrt(4020.0 * 4020.0 + 20.0 * 20.0 + 1000.0 * 1000.0);
+  EXPECT_NEAR(before(0.0F, 1000.0), 40.0 * farthest_m / 1000.0, 1e-6);
+  EXPECT_NEAR(before(2000.0F, 1000.0), 40.0 * farthest_m / 1000.0, 1e-6);
+  // One that stands lower than the ground sees none of it, be it far away or not.
+  EXPECT_EQ(before(2000.0F, -10.0), 1024.0);
+}
+
 TEST(MultibounceReach, EndsWhereNothingStands) {
   scene::Scene scene = plain_scene(0.0);
   scene.extent = {-50, -50, 50, 50};
