@@ -65,7 +65,7 @@ void verify(const std::string& folder, const Output& output) {
   const std::size_t looks = store.unit_count();
   const bool is_one = faults.size() == 1;
   text += faults.empty()
-              ? fmt::format("{} looks, all whole and as recorded", looks)
+              ? fmt::format("{}, all whole and as recorded", counted(looks, "look", "looks"))
               : fmt::format(
                     "{} fault{} in {}; 'sigmascape bake … --verify' mends {}{}", faults.size(), is_one ? "" : "s",
                     folder, is_one ? "it" : "them",
@@ -227,7 +227,7 @@ void add_terrain_command(Command added, const std::shared_ptr<std::string>& fold
   added.add_option("RASTER", source->raster.file, "elevation in any format that GDAL reads").required();
   added.add_option("--band", source->raster.band, "band of the raster").capture_default_str();
   added.add_option("--crs", source->raster.crs, "instead of the raster's own coordinate system");
-  add_word_option(added, "--unit", source->raster.unit, {{"m", "m"}, {"ft", "ft"}, {"us-ft", "us-ft"}},
+  add_word_option(added, "--unit", source->raster.unit, {{"m", "m"}, {"cm", "cm"}, {"ft", "ft"}, {"us-ft", "us-ft"}},
                   "unit of heights, instead of the raster's own");
   added.add_option("--spacing", *spacing_m, "metres between heights; the raster's own cell if not given")
       .check(number_within(0.01, 1e5));

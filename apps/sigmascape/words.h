@@ -3,8 +3,14 @@
 #include <cstdint>
 #include <fmt/format.h>
 #include <string>
+#include <string_view>
 
 namespace sigmascape::cli {
+
+/// "1 patch", "12 patches".
+inline std::string counted(std::uint64_t number, std::string_view one, std::string_view many) {
+  return fmt::format("{} {}", number, number == 1 ? one : many);
+}
 
 /// "12 s", "40 min", "3.5 h".
 inline std::string duration_text(double seconds) {

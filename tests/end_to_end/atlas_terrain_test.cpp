@@ -124,7 +124,7 @@ TEST_F(AtlasTerrain, RefusesInOneSentence) {
   EXPECT_THAT(message(near, "--spacing 1e-8"), HasSubstr("0.01 to 100000"));
   EXPECT_THAT(message("/nowhere.tif", ""), HasSubstr("/nowhere.tif"));
   EXPECT_THAT(message(near, "--band 3"), HasSubstr("band 3"));
-  EXPECT_THAT(message(near, "--unit fathom"), HasSubstr("--unit: is fathom; choose among ft, m, us-ft"));
+  EXPECT_THAT(message(near, "--unit fathom"), HasSubstr("--unit: is fathom; choose among cm, ft, m, us-ft"));
   EXPECT_THAT(message(near, "--no-data-height nan"), HasSubstr("--no-data-height"));
   EXPECT_FALSE(std::filesystem::exists(atlas_ / "terrain"));
   std::ofstream(atlas_ / "collection.json") << "{";

@@ -331,7 +331,7 @@ HeightUnit Raster::height_unit() const {
     if (const auto metres = metres_per_unit(name)) return {*metres};
     throw Error(
         source_->name, fmt::format("counts heights in '{}', which is no known unit", name),
-        "convert it to metres, or state the unit as m, ft or us-ft: with unit in a scene's [terrain], with --unit "
+        "convert it to metres, or state the unit as m, cm, ft or us-ft: with unit in a scene's [terrain], with --unit "
         "of 'atlas terrain', or in the file with gdal_edit.py -units");
   }
   // A reference stated in place of the file's own may be one of places alone.

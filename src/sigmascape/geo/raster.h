@@ -20,7 +20,7 @@ struct RasterBand {
   std::filesystem::path file;
   int band = 1;
   std::string crs;     ///< overrides the file's own when not empty
-  std::string unit{};  ///< of heights, "m", "ft" or "us-ft": overrides the file's own when not empty
+  std::string unit{};  ///< of heights, "m", "cm", "ft" or "us-ft": overrides the file's own when not empty
 };
 
 /// What heights of a raster are counted in.

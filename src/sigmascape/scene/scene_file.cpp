@@ -55,7 +55,7 @@ TerrainSection read_terrain_section(const TomlSection& section, const FlawLimit&
   terrain::TerrainSource& source = terrain.source;
   source.raster = {section.file("file"), static_cast<int>(section.whole_number_or("band", {1, 10000, ""}, 1)),
                    section.text_or("crs", "")};
-  if (section.has("unit")) source.raster.unit = section.choice_or("unit", {"m", "ft", "us-ft"}, "m");
+  if (section.has("unit")) source.raster.unit = section.choice_or("unit", {"m", "cm", "ft", "us-ft"}, "m");
   source.where = section.where();
   source.spacing_m = section.optional_number("spacing_m", {0.1, 10000.0, "m"});
   source.smooth_within_m = section.number_or("smooth_within_m", {0.0, 100.0, "m"}, 0.0);

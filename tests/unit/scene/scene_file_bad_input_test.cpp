@@ -93,7 +93,7 @@ TEST_F(BadInput, ValuesOutOfRange) {
 
 TEST_F(BadInput, UnitOfHeightsIsOneOfThree) {
   EXPECT_THAT(fault_of("[terrain]\nfile = \"heights.asc\"\nunit = \"feet\"\n"),
-              HasSubstr("bad.toml: terrain.unit: is \"feet\"; choose among m, ft, us-ft"));
+              HasSubstr("bad.toml: terrain.unit: is \"feet\"; choose among m, cm, ft, us-ft"));
 }
 
 TEST_F(BadInput, UnitsOfAttributesAreKnownAndHaveAnAttribute) {

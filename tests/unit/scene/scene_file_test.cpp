@@ -75,6 +75,7 @@ TEST(SceneFile, HeightsAreInTheStatedUnit) {
   };
   EXPECT_NEAR(height_in(""), 100.0, 1e-4);
   EXPECT_NEAR(height_in("unit = \"m\"\n"), 100.0, 1e-4);
+  EXPECT_NEAR(height_in("unit = \"cm\"\n"), 1.0, 1e-4);
   EXPECT_NEAR(height_in("unit = \"ft\"\n"), 30.48, 1e-4);
   EXPECT_NEAR(height_in("unit = \"us-ft\"\n"), 30.48006, 1e-4);
 }
