@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <optional>
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/dataset/bounce_labels.h"
@@ -30,8 +31,10 @@ radar::LayerStack shape_layers(const std::vector<std::string>& names, const scen
     const trace::SceneGeometry geometry(scene, trace::Footing::Terrain);
     return simulate::traced_layers(scene, geometry, radar, grid, kinds, source.trace.threads, source.trace.targets);
   }
-  const auto obstacles = scene::obstacles_of(scene, grid.cell_m);
-  return simulate::swept_layers({&scene.terrain, &obstacles, &scene.ground, scene.materials.size()}, radar, grid, kinds,
+  std::optional<radar::ObstacleMap> of_scene;
+  if (source.obstacles == nullptr) of_scene = scene::obstacles_of(scene, grid.cell_m);
+  const radar::ObstacleMap* obstacles = of_scene ? &*of_scene : source.obstacles;
+  return simulate::swept_layers({&scene.terrain, obstacles, &scene.ground, scene.materials.size()}, radar, grid, kinds,
                                 source.trace.threads, source.trace.targets);
 }
 

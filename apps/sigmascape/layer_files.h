@@ -6,6 +6,7 @@
 
 #include "command_parser.h"
 
+#include "sigmascape/radar/obstacle.h"
 #include "sigmascape/radar/radar.h"
 #include "sigmascape/scene/scene.h"
 #include "sigmascape/simulate/simulate.h"
@@ -27,6 +28,8 @@ void check(const LayerFiles& files, int level_of_detail);
 /// boxes of the trace's targets the radar sees nothing, in either.
 struct LayerSource {
   std::string atlas = {};
+  /// What stood on the ground when the map was made, where the atlas knows; else the scene tells, on the map's cells.
+  const radar::ObstacleMap* obstacles = nullptr;
   simulate::TraceSettings trace = {};
 };
 

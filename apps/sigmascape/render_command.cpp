@@ -72,6 +72,7 @@ struct Rendered {
   double seconds = 0.0;
   nlohmann::ordered_json cost = {};
   Provenance provenance = {};
+  std::optional<radar::ObstacleMap> obstacles = {};  ///< of the atlas, for the layers that are asked for
 };
 
 Rendered traced(const RenderOptions& options, const scene::Scene& scene, const radar::Radar& radar,
@@ -115,6 +116,13 @@ std::optional<atlas::Store> atlas_of(const RenderOptions& options, const std::st
   return store;
 }
 
+/// What throws the shadows of the map; nothing where no layers are asked for, or the atlas holds them with its
+/// textures.
+std::optional<radar::ObstacleMap> obstacles_for_layers(const RenderOptions& options, const atlas::Atlas& textures) {
+  if (options.layers.names.empty() || textures.ground_layers() == nullptr) return std::nullopt;
+  return textures.ground_layers()->obstacles;
+}
+
 Rendered baked(const RenderOptions& options, const scene::Scene& scene, const atlas::Store& store,
                const radar::Radar& radar, const radar::GroundGrid& grid, const std::vector<radar::Target>& targets,
                const Provenance& origin) {
@@ -126,7 +134,8 @@ Rendered baked(const RenderOptions& options, const scene::Scene& scene, const at
     return {.coherent = std::move(made.map),
             .seconds = made.seconds,
             .cost = std::move(made.cost),
-            .provenance = std::move(made.provenance)};
+            .provenance = std::move(made.provenance),
+            .obstacles = obstacles_for_layers(options, textures)};
   }
   render::RenderCounts counts;
   const Stopwatch watch;
@@ -138,6 +147,7 @@ Rendered baked(const RenderOptions& options, const scene::Scene& scene, const at
                          .targets = targets},
                         counts, options.trace.dwell)};
   rendered.seconds = watch.seconds();
+  rendered.obstacles = obstacles_for_layers(options, textures);
   rendered.cost = {{"ground_samples", counts.ground_samples}, {"visible", counts.visible}};
   rendered.provenance = {
       {"processing", fmt::format("level of detail {}: from terrain and atlas", options.level_of_detail)},
@@ -231,7 +241,9 @@ void write_maps(const RenderOptions& options, const scene::Scene& scene, const r
                        options.crs.empty() ? power : product::reprojected(power, scene.frame, options.crs), scale);
   }
   write_layers(options.layers, scene, radar, grid, options.crs, map.metadata,
-               {.atlas = options.level_of_detail == 0 ? "" : options.atlas, .trace = options.trace});
+               {.atlas = options.level_of_detail == 0 ? "" : options.atlas,
+                .obstacles = rendered.obstacles ? &*rendered.obstacles : nullptr,
+                .trace = options.trace});
   if (!options.picture_file.empty()) write_map_picture(options.picture_file, map, look);
 }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <fmt/format.h>
 #include <fstream>
@@ -16,6 +17,7 @@
 #include "sigmascape/base/sha256.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/dataset/dataset_run.h"
+#include "sigmascape/geo/geo_raster.h"
 #include "sigmascape/scene/scene_file.h"
 
 namespace sigmascape::end_to_end {
@@ -106,6 +108,9 @@ TEST_F(Dataset, HasTheSameBytesForAnyThreadsSharesAndInterruptions) {
     // As a kill leaves it: a lot without its index, and nothing told of the whole.
     fs::remove(shared / "index/000002.json");
     fs::remove(shared / "manifest.json");
+    const fs::path half_written =
+        folder_->write(std::string("shared_") + files + "/.manifest.json.0-1-0.tmp", "half of it");
+    fs::last_write_time(half_written, fs::file_time_type::clock::now() - std::chrono::hours(48));
     const auto report = made(maker, shared);
     EXPECT_EQ(report.already, count - 3);
     EXPECT_EQ(difference_of(files_of(shared), expected), "") << files << ", gone on with";
@@ -507,6 +512,43 @@ TEST(DatasetOfHouses, KnowsWhatPartCameOverSeveralSurfaces) {
     const float all = sample.map.sigma0.values()[i].vv;
     if (!(part.values()[i] > 0.0F)) continue;
     EXPECT_NEAR(first.values()[i], all * (1.0F - part.values()[i]), 1e-5F * all) << i;
+  }
+}
+
+// Texels of 8 m make houses of 17 × 12 m larger or smaller than cells of 1 m do, in the map and so in its labels.
+TEST(DatasetOfHouses, HasTheLabelsOfTheSameMapThatIsRendered) {
+  const ScratchFolder folder;
+  const auto scene = write_made_scene(folder.path("place"), 200, 200);
+  bake::BakeSettings settings = seen_from_the_south(2);
+  settings.patches.texel_m = 8.0;
+  SilentProgress silent;
+  bake::bake(scene::read_scene(scene), settings, folder.path("atlas"), silent);
+  folder.write("radar.toml", std::string(radar_in_the_south) +
+                                 "[map]\ncell_m = 1.0\nwest_m = -32\nsouth_m = -32\neast_m = 32\nnorth_m = 32\n");
+  const auto file = folder.write(
+      "spec.toml",
+      "[dataset]\nscene = \"place/scene.toml\"\natlas = \"atlas\"\nradar = \"radar.toml\"\ncount = 1\ncells = 64\n"
+      "cell_m = 1.0\nlayers = [\"shadow\", \"layover\", \"class\", \"height\"]\n"
+      "[view]\nazimuth_deg = [180, 180]\nelevation_deg = [21, 21]\nslant_range_km = [15, 15]\n"
+      "target_east_m = [0, 0]\ntarget_north_m = [0, 0]\n[speckle]\nlooks = 0\n");
+  const dataset::Sample sample = dataset::SampleMaker(dataset::read_dataset_spec(file)).make(0);
+  const Ended ended = Process(fmt::format("cd '{}' && '{}' render radar.toml --scene place/scene.toml --atlas atlas "
+                                          "--layers shadow,layover,class,height --layers-out layers.tif",
+                                          folder.path("").string(), SIGMASCAPE_CLI),
+                              folder.path("printed.txt"))
+                          .ended();
+  ASSERT_EQ(ended.code, 0) << ended.printed;
+  const auto rendered = geo::read_geotiff(folder.path("layers.tif"));
+  ASSERT_EQ(rendered.placement.west_m, sample.map.grid.west_m);
+  ASSERT_EQ(rendered.placement.north_m, sample.map.grid.north_m);
+  ASSERT_EQ(rendered.bands.size(), sample.labels.layers.size());
+  for (std::size_t k = 0; k < rendered.bands.size(); ++k) {
+    const auto& [labels, band] = std::pair{sample.labels.layers[k].values, rendered.bands[k].values};
+    ASSERT_EQ(labels.size(), band.size());
+    std::size_t differing = 0;
+    for (std::size_t i = 0; i < band.size(); ++i) differing += labels.values()[i] != band.values()[i] ? 1 : 0;
+    // Radars that are placed by other sums may disagree about a cell at an edge.
+    EXPECT_LE(differing, 8U) << rendered.bands[k].name << " of " << band.size();
   }
 }
 

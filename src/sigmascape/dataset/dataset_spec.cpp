@@ -18,7 +18,17 @@ namespace sigmascape::dataset {
 namespace {
 
 constexpr Interval anywhere_m{-1e7, 1e7, "m"};
+/// Room for ranges across north from either side of it.
+constexpr Interval bearings_deg{-360.0, 720.0, "degrees clockwise from north"};
 constexpr double farthest_km = 1000.0;
+
+/// How a range is to be written whose first end is the greater: of bearings one across north may be meant.
+std::string remedy_of_turned_ends(double first, double last, Interval allowed) {
+  const std::string turned = "put the smaller number first";
+  if (allowed.unit != bearings_deg.unit) return turned;
+  return fmt::format("write [{:g}, {:g}] for what leads across north, or else {}", first,
+                     last + 360.0 * std::ceil((first - last) / 360.0), turned);
+}
 
 Range range_of(const TomlSection& section, std::string_view key, Interval allowed) {
   const auto ends = section.numbers(key, allowed);
@@ -26,7 +36,7 @@ Range range_of(const TomlSection& section, std::string_view key, Interval allowe
     throw section.fault(key, "is not a range", "give its least and its greatest number, as in [10, 20]");
   if (ends[0] > ends[1])
     throw section.fault(key, fmt::format("begins at {} and ends before that, at {}", ends[0], ends[1]),
-                        "put the smaller number first");
+                        remedy_of_turned_ends(ends[0], ends[1], allowed));
   return {ends[0], ends[1]};
 }
 
@@ -69,7 +79,7 @@ void read_products(const TomlSection& section, DatasetSpec& spec) {
     try {
       spec.layers.push_back(simulate::layer_kind(name));
     } catch (const Error& unknown) {
-      throw Error(section.where("layers"), unknown.what(), "correct the word");
+      throw Error(section.where("layers"), unknown.what(), "of bounces there are bounce1 to bounce9 and multibounce");
     }
   }
   spec.arrangement = section.choice_or("files", {"folders", "webdataset"}, "folders") == "folders"
@@ -80,7 +90,7 @@ void read_products(const TomlSection& section, DatasetSpec& spec) {
 }
 
 void read_view(const TomlSection& section, DatasetSpec& spec) {
-  spec.azimuth_rad = scaled(range_of(section, "azimuth_deg", {-360.0, 720.0, "degrees"}), radians_from_deg(1.0));
+  spec.azimuth_rad = scaled(range_of(section, "azimuth_deg", bearings_deg), radians_from_deg(1.0));
   spec.elevation_rad = scaled(range_of(section, "elevation_deg", {0.5, 89.0, "degrees"}), radians_from_deg(1.0));
   spec.slant_range_m = scaled(range_of(section, "slant_range_km", {0.1, farthest_km, "km"}), 1e3);
   if (section.has("target_east_m")) spec.target_east_m = range_of(section, "target_east_m", anywhere_m);
@@ -99,8 +109,7 @@ void read_sequence(const TomlSection& section, DatasetSpec& spec) {
   sequence.interval_s = section.number_or("interval_s", {1e-3, 1e4, "s"}, 1.0);
   sequence.speed_mps = optional_range(section, "speed_mps", {0.0, 20'000.0, "m/s"}).value_or(Range{});
   sequence.course_rad =
-      scaled(optional_range(section, "course_deg", {-360.0, 720.0, "degrees clockwise from north"}).value_or(Range{}),
-             radians_from_deg(1.0));
+      scaled(optional_range(section, "course_deg", bearings_deg).value_or(Range{}), radians_from_deg(1.0));
   const double furthest_m = spec.slant_range_m.highest +
                             sequence.speed_mps.highest * sequence.interval_s * static_cast<double>(sequence.frames - 1);
   if (furthest_m > farthest_km * 1e3) {
@@ -167,17 +176,17 @@ void read_noise(const TomlSection& section, DatasetSpec& spec) {
 }
 
 TargetClass target_class(const TomlSection& section) {
-  TargetClass target{.name = section.text("name"),
-                     .number = range_of(section, "number", {0.0, 10'000.0, "targets"}),
-                     .rcs_db = range_of(section, "rcs_dbsm", {-60.0, 100.0, "dB over 1 m²"}),
-                     .size_m = section.number_or("size_m", {0.0, 1000.0, "m"}, 0.0),
-                     .height_m = section.number_or("height_m", {0.0, 1000.0, "m"}, 1.0),
-                     .speed_mps = optional_range(section, "speed_mps", {0.0, 20'000.0, "m/s"}).value_or(Range{}),
-                     .heading_rad = scaled(
-                         optional_range(section, "heading_deg", {-360.0, 720.0, "degrees"}).value_or(Range{0.0, 360.0}),
-                         radians_from_deg(1.0)),
-                     .east_m = optional_range(section, "east_m", anywhere_m),
-                     .north_m = optional_range(section, "north_m", anywhere_m)};
+  TargetClass target{
+      .name = section.text("name"),
+      .number = range_of(section, "number", {0.0, 10'000.0, "targets"}),
+      .rcs_db = range_of(section, "rcs_dbsm", {-60.0, 100.0, "dB over 1 m²"}),
+      .size_m = section.number_or("size_m", {0.0, 1000.0, "m"}, 0.0),
+      .height_m = section.number_or("height_m", {0.0, 1000.0, "m"}, 1.0),
+      .speed_mps = optional_range(section, "speed_mps", {0.0, 20'000.0, "m/s"}).value_or(Range{}),
+      .heading_rad = scaled(optional_range(section, "heading_deg", bearings_deg).value_or(Range{0.0, 360.0}),
+                            radians_from_deg(1.0)),
+      .east_m = optional_range(section, "east_m", anywhere_m),
+      .north_m = optional_range(section, "north_m", anywhere_m)};
   if (target.number.lowest != std::floor(target.number.lowest) ||
       target.number.highest != std::floor(target.number.highest)) {
     throw section.fault("number", "is not in whole targets", "give two whole numbers");

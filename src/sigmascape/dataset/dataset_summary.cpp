@@ -103,6 +103,8 @@ void write_summary(const SampleMaker& maker, const fs::path& folder, std::size_t
   const DatasetSpec& spec = maker.spec();
   product::CocoBoxes boxes;
   boxes.has_videos = spec.sequence.frames > 1;
+  boxes.description = fmt::format("radar images of {}", maker.scene().name);
+  boxes.contributor = maker.scene().attribution;
   for (const TargetClass& target : spec.targets) boxes.categories.push_back(target.name);
   std::vector<Array2D<std::uint8_t>> thumbnails;
   Json samples = Json::array(), tars = Json::array();
@@ -128,6 +130,8 @@ void write_summary(const SampleMaker& maker, const fs::path& folder, std::size_t
                 {"classes", simulate::class_names(maker.scene())}};
   if (!tars.empty()) manifest["tars"] = tars;
   manifest["samples"] = samples;
+  // What runs that were killed while they wrote these may have left.
+  geo::remove_leftovers(folder, "");
   geo::write_atomically(folder / "annotations.json", product::coco_json(boxes));
   geo::write_atomically(folder / "contact_sheet.png", product::png_bytes(product::contact_sheet(thumbnails)));
   geo::write_atomically(folder / "manifest.json", manifest.dump(1) + "\n");

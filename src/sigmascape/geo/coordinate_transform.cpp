@@ -15,6 +15,14 @@ namespace {
 OGRSpatialReference horizontal_reference(const std::string& crs, const std::string& where) {
   OGRSpatialReference reference = reference_from(crs, where);
   if (reference.IsCompound()) reference.StripVertical();
+  const bool is_geocentric = reference.IsGeocentric() != 0;
+  if (is_geocentric || reference.IsVertical() != 0) {
+    throw Error(where,
+                fmt::format("'{}' counts {}", crs.substr(0, 60),
+                            is_geocentric ? "places from the middle of the Earth, and none along the ground"
+                                          : "heights and no places"),
+                "choose a system of places on the ground, such as EPSG:25830 or EPSG:4326");
+  }
   reference.DemoteTo2D(nullptr);
   return reference;
 }
@@ -46,6 +54,7 @@ struct CoordinateTransform::Ways {
 
 CoordinateTransform::CoordinateTransform(const std::string& crs, const LocalFrame& frame, const std::string& where)
     : ways_(std::make_unique<Ways>()) {
+  const QuietGdal quiet;
   const OGRSpatialReference outside = horizontal_reference(crs, where);
   const OGRSpatialReference inside = horizontal_reference(frame.proj(), where);
   ways_->to_frame.reset(OGRCreateCoordinateTransformation(&outside, &inside));
@@ -74,9 +83,9 @@ Vec2d position_in_frame(const LocalFrame& frame, GeographicPosition place) {
 }
 
 GeographicPosition place_on_globe(const std::string& crs, Vec2d position, const std::string& where) {
+  const QuietGdal quiet;
   const OGRSpatialReference own = horizontal_reference(crs, where), globe = horizontal_reference("EPSG:4326", where);
   const std::unique_ptr<OGRCoordinateTransformation> way(OGRCreateCoordinateTransformation(&own, &globe));
-  const QuietGdal quiet;
   if (!way || way->Transform(1, &position.x, &position.y) == 0) {
     throw Error(where, "its centre has no place on the globe",
                 "check its georeference and coordinate reference system");

@@ -36,7 +36,13 @@ std::string coco_json(const CocoBoxes& boxes) {
         annotations.back()["track_id"] = tracks.try_emplace({image.video, box.track}, tracks.size() + 1).first->second;
     }
   }
-  Json json{{"images", images}, {"annotations", annotations}, {"categories", categories}};
+  Json info{{"description", boxes.description}};
+  if (!boxes.contributor.empty()) info["contributor"] = boxes.contributor;
+  Json json{{"info", info},
+            {"licenses", Json::array()},
+            {"images", images},
+            {"annotations", annotations},
+            {"categories", categories}};
   if (boxes.has_videos) json["videos"] = videos;
   return json.dump(1) + "\n";
 }

@@ -24,12 +24,15 @@ struct CocoImage {
 struct CocoBoxes {
   std::vector<std::string> categories;
   std::vector<CocoImage> images;
-  bool has_videos = false;  ///< images follow one another in videos, and boxes belong to tracks
+  bool has_videos = false;       ///< images follow one another in videos, and boxes belong to tracks
+  std::string description = {};  ///< what the images show
+  std::string contributor = {};  ///< whom the data are owed to; may be empty
 };
 
-/// Boxes as COCO object detection JSON: `images`, `categories` (numbered from 1) and `annotations` (numbered from 1 in
-/// the order of images), boxes as [x, y, width, height]. With videos also `videos`, of every image `video_id` and
-/// `frame_id`, and of every annotation `track_id`, the same through all images of a video and numbered from 1.
+/// Boxes as COCO object detection JSON: `info`, `licenses` (none are told; readers ask for both), `images`,
+/// `categories` (numbered from 1) and `annotations` (numbered from 1 in the order of images), boxes as [x, y, width,
+/// height]. With videos also `videos`, of every image `video_id` and `frame_id`, and of every annotation `track_id`,
+/// the same through all images of a video and numbered from 1.
 [[nodiscard]] std::string coco_json(const CocoBoxes& boxes);
 
 }  // namespace sigmascape::product

@@ -8,6 +8,7 @@
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/product/iq_formats.h"
+#include "sigmascape/product/json_text.h"
 
 namespace sigmascape::product {
 namespace {
@@ -98,7 +99,7 @@ std::string iq_description(const IqRecord& record) {
                               {"polarizations", record.polarizations}};
   for (const auto& [key, number] : record.numbers) json[key] = number;
   for (const auto& [key, word] : record.words) json[key] = word;
-  return json.dump(2) + "\n";
+  return json_text(json, 2);
 }
 
 }  // namespace sigmascape::product

@@ -5,6 +5,7 @@
 #include "sigmascape/geo/atomic_file.h"
 #include "sigmascape/product/iq_file.h"
 #include "sigmascape/product/iq_formats.h"
+#include "sigmascape/product/json_text.h"
 
 namespace sigmascape::product {
 namespace {
@@ -54,7 +55,7 @@ Json captures_of(const IqRecord& record) {
 
 void write_iq_sigmf(const std::filesystem::path& path, const IqRecord& record) {
   const Json meta{{"global", global_of(record)}, {"captures", captures_of(record)}, {"annotations", Json::array()}};
-  const std::string words = meta.dump(2) + "\n";
+  const std::string words = json_text(meta, 2);
   const auto bytes = std::as_bytes(record.samples);
   geo::write_together({{std::filesystem::path(path).replace_extension(".sigmf-data"),
                         std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size())},

@@ -19,10 +19,10 @@ void write_layers(const std::filesystem::path& path, const radar::LayerStack& st
                         .nodata = std::numeric_limits<float>::quiet_NaN(),
                         .metadata = stack.metadata};
   for (const radar::Layer& layer : stack.layers) {
-    const bool is_angle = layer.unit == "rad";
+    const bool is_angle = layer.unit == "rad", is_mask = layer.unit.empty();
     geo::NamedBand band{.name = layer.name,
                         .values = layer.values,
-                        .is_classes = layer.is_classes,
+                        .is_classes = layer.is_classes || is_mask,
                         .unit = is_angle ? "deg" : layer.unit};
     if (is_angle) {
       for (float& value : band.values.values()) value = static_cast<float>(deg_from_radians(value));

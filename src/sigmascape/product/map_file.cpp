@@ -11,6 +11,7 @@
 #include "sigmascape/geo/axis_units.h"
 #include "sigmascape/geo/geo_raster.h"
 #include "sigmascape/product/decibels.h"
+#include "sigmascape/product/json_text.h"
 #include "sigmascape/product/map_geotiff.h"
 #include "sigmascape/product/npy_bytes.h"
 #include "sigmascape/product/zip_bytes.h"
@@ -53,7 +54,7 @@ std::string description_of(const MapView& map, MapScale scale) {
   for (const auto& [key, word] : map.metadata) {
     if (!json.contains(key)) json[key] = word;
   }
-  return json.dump(1) + "\n";
+  return json_text(json, 1);
 }
 
 ZipEntry axis_entry(const std::string& name, double first, double step, std::size_t count) {

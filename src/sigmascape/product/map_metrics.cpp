@@ -7,6 +7,7 @@
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
+#include "sigmascape/geo/axis_units.h"
 #include "sigmascape/product/block_mean.h"
 #include "sigmascape/product/same_cells.h"
 
@@ -75,6 +76,25 @@ PairSums sums_over_blocks(const radar::GroundMap& tested, const radar::GroundMap
   return sums;
 }
 
+/// The sizes where none are named: the usual ones, or where the maps' cells go into none of those, as 5 m do not, some of
+/// their own.
+std::vector<double> sizes_to_compare_at(const radar::GroundGrid& grid) {
+  std::vector<double> sizes_m;
+  for (const double size_m : usual_cells_m)
+    if (block_factor(size_m, grid) != 0) sizes_m.push_back(size_m);
+  if (!sizes_m.empty()) return sizes_m;
+  for (const double cells : {1.0, 2.0, 4.0, 8.0, 16.0}) sizes_m.push_back(cells * grid.cell_m);
+  return sizes_m;
+}
+
+void require_metres(const radar::GroundMap& map, const char* which) {
+  const std::string unit = geo::axis_unit(map.crs);
+  if (unit == "m") return;
+  throw Error("maps to compare",
+              fmt::format("{} counts its places in {}, and cells are compared by their metres", which, unit),
+              "render it in a system that counts in metres, or in the scene's own");
+}
+
 }  // namespace
 
 const CellComparison* MapComparison::at_cell(double cell_m) const {
@@ -84,13 +104,14 @@ const CellComparison* MapComparison::at_cell(double cell_m) const {
 
 MapComparison compare_maps(const radar::GroundMap& tested, const radar::GroundMap& truth,
                            const CompareOptions& options) {
+  require_metres(tested, "the tested map");
+  require_metres(truth, "the truth");
   require_same_cells(tested, truth);
   const bool usual = options.cells_m.empty();
   MapComparison comparison{options, {}};
-  if (usual) comparison.options.cells_m.assign(std::begin(usual_cells_m), std::end(usual_cells_m));
+  if (usual) comparison.options.cells_m = sizes_to_compare_at(truth.grid);
 
   for (const double cell_m : comparison.options.cells_m) {
-    if (usual && block_factor(cell_m, truth.grid) == 0) continue;
     const std::size_t factor = required_block_factor(cell_m, truth.grid);
     const PairSums sums = sums_over_blocks(tested, truth, options, factor);
     if (sums.cells() > 0) {
@@ -101,11 +122,9 @@ MapComparison compare_maps(const radar::GroundMap& tested, const radar::GroundMa
     }
   }
   if (comparison.at.empty()) {
-    throw Error(
-        "maps to compare",
-        fmt::format("no cell of 2, 4, 8, 16 or 32 m is a multiple of the maps' {} m cells and seen wholly by both",
-                    truth.grid.cell_m),
-        "compare maps of the same ground, or name the cell sizes");
+    throw Error("maps to compare",
+                fmt::format("no cell of {:g} m was seen wholly by both", comparison.options.cells_m.front()),
+                "compare maps of the same ground, or name smaller cells");
   }
   comparison.options.cells_m.clear();
   for (const CellComparison& row : comparison.at) comparison.options.cells_m.push_back(row.cell_m);

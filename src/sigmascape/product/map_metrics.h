@@ -13,7 +13,8 @@ namespace sigmascape::product {
 /// How two maps are held against one another.
 struct CompareOptions {
   /// Cell sizes, in metres, to which both maps are averaged in linear power; each a multiple of the maps' cell. Empty
-  /// stands for those of 2, 4, 8, 16, 32 that are such multiples and leave a cell to compare.
+  /// stands for those of 2, 4, 8, 16, 32 that are such multiples, or where none is for 1, 2, 4, 8, 16 times the maps'
+  /// cell, and of these for those that leave a cell to compare.
   std::vector<double> cells_m = {};
   radar::Polarization polarization = radar::Polarization::Sum;
   double floor_db = -45.0;   ///< σ0 below this counts as this in correlation_db and rms_db
@@ -55,8 +56,9 @@ struct MapComparison {
   [[nodiscard]] const CellComparison* at_cell(double cell_m) const;
 };
 
-/// Compares two maps of the same cells. Throws Error when grid or frame differ (saying how), when a cell size is no
-/// multiple of the maps' cell, and when no cell is left that both maps saw.
+/// Compares two maps of the same cells. Throws Error for a frame that counts in something else than metres, when grid
+/// or frame differ (saying how), when a cell size is no multiple of the maps' cell, and when no cell is left that both
+/// maps saw.
 [[nodiscard]] MapComparison compare_maps(const radar::GroundMap& tested, const radar::GroundMap& truth,
                                          const CompareOptions& options = {});
 

@@ -7,6 +7,7 @@
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/geo/atomic_file.h"
+#include "sigmascape/product/json_text.h"
 #include "sigmascape/product/npy_bytes.h"
 
 namespace sigmascape::product {
@@ -26,7 +27,7 @@ std::string description(const radar::RangeAzimuthGrid& grid, const RangeAzimuthL
                                "north, are where bin 0 begins; its middle lies half a step further"}};
   for (const auto& [key, number] : label.numbers) json[key] = number;
   for (const auto& [key, word] : label.words) json[key] = word;
-  return json.dump(2) + "\n";
+  return json_text(json, 2);
 }
 
 }  // namespace

@@ -85,6 +85,30 @@ TEST_F(DatasetSpecFile, RefusesPulsesForWhoseBandACarrierHasNoRoom) {
                         "reaches down to no frequency at all; stay above 0.187"));
 }
 
+TEST_F(DatasetSpecFile, TellsHowToWriteBearingsAcrossNorth) {
+  const auto course = [&](const char* ends) {
+    return fault_of("4", std::string("[sequence]\nframes = 2\ncourse_deg = ") + ends + "\n");
+  };
+  EXPECT_THAT(course("[350, 10]"), HasSubstr("sequence.course_deg: begins at 350 and ends before that, at 10; write "
+                                             "[350, 370] for what leads across north, or else put the smaller number "
+                                             "first"));
+  EXPECT_THAT(course("[10, -20]"), HasSubstr("write [10, 340] for"));
+  EXPECT_EQ(course("[350, 370]"), "");
+  EXPECT_THAT(fault_of("4", "[noise]\nsnr_db = [20, 10]\n"),
+              HasSubstr("noise.snr_db: begins at 20 and ends before that, at 10; put the smaller number first"));
+}
+
+TEST_F(DatasetSpecFile, NamesAllLayersThatThereAre) {
+  folder_.write("scene.toml", "[paper]\n");
+  folder_.write("radar.toml", "[radar]\nfrequency_ghz = 10.0\nrange_resolution_m = 4.0\nbeam_width_deg = 0.1\n");
+  const auto file = folder_.write(
+      "spec.toml", "[dataset]\nscene = \"scene.toml\"\nradar = \"radar.toml\"\ncount = 1\nlayers = [\"bounce\"]\n");
+  EXPECT_THAT(
+      message_of_error([&] { static_cast<void>(read_dataset_spec(file)); }),
+      HasSubstr("dataset.layers: layer \"bounce\": is not known; choose among shadow, layover, incidence, range, "
+                "class, height; of bounces there are bounce1 to bounce9 and multibounce"));
+}
+
 TEST_F(DatasetSpecFile, TakesNothingTwice) {
   EXPECT_EQ(fault_of("4\nlayers = [\"shadow\", \"class\"]\npolarizations = [\"VV\", \"HV\"]"), "");
   EXPECT_THAT(fault_of("4\nlayers = [\"shadow\", \"class\", \"shadow\"]"),

@@ -47,5 +47,25 @@ TEST(CoordinateTransform, UnknownCrsIsAnError) {
       << message;
 }
 
+// The first two of its three numbers would put everything somewhere else.
+TEST(CoordinateTransform, CrsWithoutPlacesOnTheGroundIsAnError) {
+  const auto said_of = [](const char* crs) {
+    testing::internal::CaptureStderr();
+    const std::string message = message_of_error([&] { CoordinateTransform(crs, LocalFrame(), "roads.csv"); });
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << "GDAL has no say beside the message";
+    return message;
+  };
+  EXPECT_EQ(said_of("EPSG:4978"),
+            "roads.csv: 'EPSG:4978' counts places from the middle of the Earth, and none along the ground; choose a "
+            "system of places on the ground, such as EPSG:25830 or EPSG:4326");
+  EXPECT_EQ(said_of("EPSG:5773"),
+            "roads.csv: 'EPSG:5773' counts heights and no places; choose a system of places on the ground, such as "
+            "EPSG:25830 or EPSG:4326");
+  // The Moon's latitudes.
+  EXPECT_NE(said_of("IAU_2015:30100").find("no transformation is known from 'IAU_2015:30100'"), std::string::npos);
+  EXPECT_NO_THROW(CoordinateTransform("EPSG:4979", LocalFrame(), "roads.csv")) << "latitude, longitude and height";
+  EXPECT_NO_THROW(CoordinateTransform("EPSG:4326+5773", LocalFrame(), "roads.csv"));
+}
+
 }  // namespace
 }  // namespace sigmascape::geo

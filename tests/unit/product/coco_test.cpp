@@ -37,6 +37,18 @@ TEST(Coco, TracksAreOneNumberThroughAVideoAndAnotherInTheNext) {
   EXPECT_EQ(boxes[0].at("area"), 12.0);
 }
 
+// COCO's own reader, pycocotools, copies `info` when it loads results, and some of its releases fail without.
+TEST(Coco, HasAllThatReadersAskFor) {
+  CocoBoxes boxes = example();
+  boxes.description = "radar images of a town";
+  boxes.contributor = "© OpenStreetMap contributors";
+  const auto json = nlohmann::json::parse(coco_json(boxes));
+  EXPECT_EQ(json.at("info").at("description"), "radar images of a town");
+  EXPECT_EQ(json.at("info").at("contributor"), "© OpenStreetMap contributors");
+  EXPECT_TRUE(json.at("licenses").is_array());
+  for (const char* list : {"images", "annotations", "categories"}) EXPECT_FALSE(json.at(list).empty()) << list;
+}
+
 TEST(Coco, WithoutVideosThereAreNoTracks) {
   CocoBoxes boxes = example();
   boxes.has_videos = false;

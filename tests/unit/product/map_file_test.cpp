@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <iterator>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "full_disk.h"
@@ -69,6 +70,16 @@ TEST(MapFile, PlacesAreNamedWithTheUnitThatTheyHave) {
   write_map(folder.path("map.tif"), map);
   EXPECT_EQ(geo::read_geotiff(folder.path("map.tif")).metadata.at("SIGMASCAPE_GRID"),
             "west 10 deg, north 20 deg, cell 2 deg, 3 x 2 cells");
+}
+
+// A scene is called after its file, and the names of files are bytes.
+TEST(MapFile, NamesThatAreNoTextDoNotKeepAMapFromBeingWritten) {
+  const ScratchFolder folder;
+  radar::GroundMap map = small_map();
+  map.metadata["scene"] = "caf\xe9";
+  write_map(folder.path("map.npy"), map);
+  EXPECT_EQ(nlohmann::json::parse(text_of(folder.path("map.json"))).at("scene"), "caf\uFFFD");
+  EXPECT_NO_THROW(write_map(folder.path("map.npz"), map));
 }
 
 TEST(MapFile, AFullDiskLeavesNoDescriptionWithoutNumbers) {

@@ -181,6 +181,16 @@ TEST(MapMetrics, MapsOfDifferentCellsAreRefusedSayingHow) {
   expect_error([&] { (void)compare_maps(elsewhere, truth); }, "EPSG:32630");
 }
 
+// Cells of 2 feet would pass for cells of 2 m.
+TEST(MapMetrics, MapsThatDoNotCountInMetresAreRefused) {
+  GroundMap map = map_of(8, 8, rough);
+  map.crs = "EPSG:2263";
+  expect_error([&] { (void)compare_maps(map, map, at_cells({2.0})); },
+               "the tested map counts its places in us_ft, and cells are compared by their metres");
+  map.crs = "EPSG:4326";
+  expect_error([&] { (void)compare_maps(map_of(8, 8, rough), map); }, "the truth counts its places in deg");
+}
+
 // A GIS that cuts a map out gives it the frame in words of its own.
 TEST(MapMetrics, MapsOfOneFrameInOtherWordsAreCompared) {
   GroundMap truth = map_of(8, 8, rough);
