@@ -114,6 +114,53 @@ TEST(Materials, ModelsKeepTheirOwnFrequencies) {
   EXPECT_TRUE(refused(scatter::CookTorranceParameters{.permittivity = scatter::SoilPermittivity{}}, 94e9));
 }
 
+// Vacuum has the least permittivity, and what does not amplify a conductivity that is not negative.
+TEST(Materials, WhosePermittivityNothingHasAreRefused) {
+  const auto refusal = [](const scatter::Material::Model& parameters) -> std::string {
+    try {
+      const scatter::SurfaceModel model({.name = "own", .model = parameters, .source = {}}, 9e9);
+      return "";
+    } catch (const Error& error) {
+      return error.what();
+    }
+  };
+  const auto mirrors = [&](double a, double b, double c, double d) {
+    return refusal(scatter::CookTorranceParameters{.permittivity = {a, b, c, d}});
+  };
+  EXPECT_EQ(mirrors(1.0, 0.0, 0.0, 0.0), "");
+  EXPECT_EQ(mirrors(30.0, -0.4, 0.15, 1.3), "");
+  EXPECT_EQ(mirrors(1.0, 0.0, 1e9, 0.0), "");
+  EXPECT_NE(mirrors(0.0, 0.0, 0.0, 0.0), "");
+  EXPECT_NE(mirrors(-5.0, 0.0, 0.0, 0.0), "");
+  EXPECT_NE(mirrors(5.0, 0.0, 1.0, 1e9), "");
+  EXPECT_NE(mirrors(5.0, -1.0, 0.0, 0.0), "");
+  // σ/(ω ε₀) of −1 S/m at 9 GHz.
+  const std::string amplifier = mirrors(5.0, 0.0, -1.0, 0.0);
+  EXPECT_NE(amplifier.find("own"), std::string::npos) << amplifier;
+  EXPECT_NE(amplifier.find("9 GHz is 5 with a loss of -1.997"), std::string::npos) << amplifier;
+
+  scatter::CrownParameters crown;
+  crown.leaf = scatter::Permittivity{0.5};
+  EXPECT_NE(refusal(crown), "");
+  crown.leaf = scatter::Permittivity{20.0};
+  EXPECT_EQ(refusal(crown), "");
+}
+
+TEST(Materials, ThatReturnMoreThanArrivesAreRefused) {
+  const auto white = [](double albedo) {
+    return scatter::SurfaceModel({.name = "own", .model = scatter::LambertParameters{albedo, {}}, .source = {}}, 9e9);
+  };
+  EXPECT_NO_THROW((void)white(1.0));
+  EXPECT_THROW((void)white(1.1), Error);
+
+  scatter::CrownParameters crown{.albedo = 1.1};
+  const auto leaves = [&] { return scatter::SurfaceModel({.name = "own", .model = crown, .source = {}}, 9e9); };
+  EXPECT_THROW((void)leaves(), Error);
+  // What mirrors return, their permittivity decides.
+  crown.leaf = scatter::Permittivity{20.0};
+  EXPECT_NO_THROW((void)leaves());
+}
+
 TEST(Materials, KnownFrequenciesShowTheGapOfShrubs) {
   const auto known = scatter::known_frequencies(scatter::library_material("ulaby_dobson_shrubs"));
   ASSERT_EQ(known.size(), 2U);

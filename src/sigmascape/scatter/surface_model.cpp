@@ -1,5 +1,6 @@
 #include "sigmascape/scatter/surface_model.h"
 
+#include <complex>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -30,6 +31,8 @@ struct ModelMaker {
 double greatest_albedo(const Material& material, const ModelMaker::Model& model, double frequency_hz) {
   if (const auto* p = std::get_if<ConstantGammaParameters>(&material.model))
     return gamma_at(*p, frequency_hz) * (1.0 + p->depolarization.cross_ratio);
+  if (const auto* p = std::get_if<LambertParameters>(&material.model)) return p->albedo;
+  if (const auto* p = std::get_if<CrownParameters>(&material.model)) return p->leaf ? 0.0 : p->albedo;
   const auto* table = std::get_if<ReciprocalBackscatter>(&model);
   if (table == nullptr) return 0.0;
   return table->greatest_albedo();
@@ -46,10 +49,33 @@ void require_known_frequency(const Material& material, double frequency_hz) {
                             : fmt::format("use {} or another material", fmt::join(known, " or ")));
 }
 
+const Permittivity* permittivity_of(const Material& material) {
+  if (const auto* mirrors = std::get_if<CookTorranceParameters>(&material.model)) return &mirrors->permittivity;
+  const auto* crown = std::get_if<CrownParameters>(&material.model);
+  return crown != nullptr && crown->leaf ? &*crown->leaf : nullptr;
+}
+
+/// Four constants of a power law may make anything of a material: a source of power where the conductivity is negative,
+/// and a perfect mirror where the permittivity is.
+void require_passive_permittivity(const Material& material, double frequency_hz) {
+  /// Squares have to be numbers in single precision. Copper has 1e10 at 100 MHz.
+  constexpr double greatest = 1e18;
+  const Permittivity* permittivity = permittivity_of(material);
+  if (permittivity == nullptr) return;
+  const std::complex<double> relative = permittivity->relative_at(frequency_hz);
+  if (relative.real() >= 1.0 && relative.imag() <= 0.0 && std::abs(relative) <= greatest) return;
+  throw Error(
+      "material " + material.name,
+      fmt::format("its relative permittivity at {:g} GHz is {:.4g} with a loss of {:.4g}, which no material has",
+                  frequency_hz / 1e9, relative.real(), -relative.imag()),
+      "state constants that make it 1, as of vacuum, or more and its conductivity 0 or more");
+}
+
 }  // namespace
 
 SurfaceModel::Model SurfaceModel::model_of(const Material& material, double frequency_hz) {
   require_known_frequency(material, frequency_hz);
+  require_passive_permittivity(material, frequency_hz);
   Model model = std::visit(ModelMaker{frequency_hz}, material.model);
   if (const double albedo = greatest_albedo(material, model, frequency_hz); albedo > 1.0) {
     throw Error("material " + material.name, fmt::format("it would return {:.2f} times the power that arrives", albedo),
