@@ -112,6 +112,13 @@ sigmascape::render::Pose pose_from(const sigmascape_pose& pose, const sigmascape
           .moment = {pose.time_s, pose.dwell, pose.pulse}};
 }
 
+/// What renderers of one kind alone have. `name`: of the argument; `maker`: of such renderers.
+template <typename T>
+const T& of_its_kind(const std::unique_ptr<T>& drawer, const char* name, const char* maker) {
+  if (!drawer) throw sigmascape::Error(name, "is a renderer of another kind", std::string("give one of ") + maker);
+  return *drawer;
+}
+
 Track track_from(const sigmascape_target& target, const std::string& where) {
   if (target.way_points == nullptr) {
     return Track::straight(vector_from(target.position_m), vector_from(target.velocity_mps));
@@ -132,6 +139,10 @@ void check(const sigmascape_target& target, const std::string& where) {
   if (target.swerling < 0 || target.swerling > 4) {
     throw sigmascape::Error(where, "has a Swerling case of " + std::to_string(target.swerling), "give 0 to 4");
   }
+  if (target.way_points == nullptr && target.way_point_count > 0) {
+    throw sigmascape::Error(where, "has " + std::to_string(target.way_point_count) + " way-points at null",
+                            "give what way_points points to, or a count of 0");
+  }
   const auto way_points =
       std::span(target.way_points, target.way_points == nullptr ? std::size_t{0} : target.way_point_count);
   const bool places = std::ranges::all_of(way_points, [](const sigmascape_way_point& point) {
@@ -143,6 +154,12 @@ void check(const sigmascape_target& target, const std::string& where) {
   }
   if (!all_finite(target.rcs_m2) || std::ranges::min(std::span(target.rcs_m2).first<3>()) < 0.0F) {
     throw sigmascape::Error(where, "has a cross-section that no target has", "give VV, HH and HV of 0 m2 or more");
+  }
+  // Beyond rounding, no two channels have more in common than either has power.
+  const double most_common_m2 = 1.001 * std::sqrt(double{target.rcs_m2[0]} * double{target.rcs_m2[1]});
+  if (!(std::abs(double{target.rcs_m2[3]}) <= most_common_m2)) {
+    throw sigmascape::Error(where, "has a Re VV HH* that is larger than the square root of VV times HH",
+                            "give the four of rcs_m2 as VV, HH, HV and Re VV HH*, all in m2");
   }
   if (!all_finite(target.size_m) || std::ranges::min(target.size_m) < 0.0) {
     throw sigmascape::Error(where, "has a size that no box has", "give lengths of 0 m or more");
@@ -309,12 +326,14 @@ sigmascape_renderer* sigmascape_make_flight(sigmascape_scene* scene, sigmascape_
 }
 
 double sigmascape_textured_share(const sigmascape_renderer* flight) {
-  return guarded(-1.0, [&] { return given(given(flight, "flight").flight.get(), "the flight").textured_share(); });
+  return guarded(-1.0, [&] {
+    return of_its_kind(given(flight, "flight").flight, "flight", "sigmascape_make_flight").textured_share();
+  });
 }
 
 int sigmascape_advised_detail(sigmascape_renderer* tracer, const sigmascape_pose* pose) {
   return guarded(-1, [&] {
-    const auto& traced = given(given(tracer, "tracer").tracer.get(), "the tracer's scene");
+    const auto& traced = of_its_kind(given(tracer, "tracer").tracer, "tracer", "sigmascape_make_tracer");
     return sigmascape::render::choose_detail(traced.question(pose_from(given(pose, "pose"), *tracer))).level;
   });
 }

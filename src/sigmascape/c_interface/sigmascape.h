@@ -73,7 +73,7 @@ typedef struct sigmascape_target {
   double velocity_mps[3];
   const sigmascape_way_point* way_points; /* instead of both: times increase; null: none */
   size_t way_point_count;
-  float rcs_m2[4];       /* VV, HH, HV, Re VV HH* */
+  float rcs_m2[4];       /* VV, HH, HV, Re VV HH*, which is no larger than sqrt(VV HH) */
   const char* rcs_table; /* instead of rcs_m2: a file of cross-sections by aspect (docs/target_file.md); null: none */
   double heading_rad;    /* of the table's nose while the target stands, clockwise from true north */
   int swerling;          /* 0 steady, 1 to 4 fluctuating */
@@ -102,7 +102,7 @@ typedef struct sigmascape_renderer sigmascape_renderer;
 
 /* Null when the settings make no sense. */
 sigmascape_renderer* sigmascape_make_renderer(sigmascape_ground* ground, const sigmascape_settings* settings);
-/* Of a renderer, a tracer or a flight. */
+/* Of a renderer, a tracer or a flight. Null is allowed. */
 void sigmascape_free_renderer(sigmascape_renderer* renderer);
 
 /* A landscape, ready for rays. */

@@ -202,6 +202,14 @@ TEST_F(LiveFromC, PosesAndTargetsThatAreNowhereAreRefused) {
   EXPECT_THAT(said_of_target([&](auto& target) { target.position_m[1] = nan; }), HasSubstr("target 0: moves in a way"));
   EXPECT_THAT(said_of_target([&](auto& target) { target.rcs_m2[1] = -1.0F; }), HasSubstr("cross-section"));
   EXPECT_THAT(said_of_target([&](auto& target) { target.size_m[2] = nan; }), HasSubstr("size"));
+  // VV of 1 m2 and no HH have nothing in common; of VV and HH of 1 m2 and 4 m2 it is 2 m2 at most.
+  EXPECT_THAT(said_of_target([&](auto& target) { target.rcs_m2[3] = 1.0F; }), HasSubstr("Re VV HH*"));
+  EXPECT_THAT(said_of_target([&](auto& target) { target.rcs_m2[1] = 4.0F, target.rcs_m2[3] = -2.1F; }),
+              HasSubstr("Re VV HH*"));
+  sigmascape_target alike = {};
+  alike.rcs_m2[0] = 1.0F, alike.rcs_m2[1] = 4.0F, alike.rcs_m2[3] = -2.0F;
+  EXPECT_EQ(sigmascape_set_targets(renderer, &alike, 1), 0) << sigmascape_last_error();
+  EXPECT_THAT(said_of_target([&](auto& target) { target.way_point_count = 2; }), HasSubstr("2 way-points at null"));
   const sigmascape_way_point way[2] = {{0.0, {}}, {1.0, {infinite, 0.0, 0.0}}};
   EXPECT_THAT(said_of_target([&](auto& target) { target.way_points = way, target.way_point_count = 2; }),
               HasSubstr("moves in a way"));
@@ -217,6 +225,12 @@ TEST_F(LiveFromC, PosesAndTargetsThatAreNowhereAreRefused) {
   }
   EXPECT_NE(sigmascape_scan(renderer, &pose, 0, 0, &frame), 0);
   EXPECT_THAT(sigmascape_last_error(), HasSubstr("count: is 0"));
+
+  // What tracers and flights alone can tell.
+  EXPECT_LT(sigmascape_advised_detail(renderer, &pose), 0);
+  EXPECT_STREQ(sigmascape_last_error(), "tracer: is a renderer of another kind; give one of sigmascape_make_tracer");
+  EXPECT_LT(sigmascape_textured_share(renderer), 0.0);
+  EXPECT_STREQ(sigmascape_last_error(), "flight: is a renderer of another kind; give one of sigmascape_make_flight");
   sigmascape_free_renderer(renderer);
   sigmascape_close_ground(ground);
 }
