@@ -5,10 +5,12 @@
 #include <pybind11/stl/filesystem.h>
 
 #include "array_view.h"
+#include "gil.h"
 #include "given_number.h"
 #include "loaded_atlas.h"
 #include "long_call.h"
 #include "parts.h"
+#include "text_with_file_names.h"
 
 #include "sigmascape/atlas/atlas_summary.h"
 #include "sigmascape/base/error.h"
@@ -83,6 +85,7 @@ py::array_t<float> sigma0_at(const LoadedAtlas& loaded, const Points& x_m, const
   py::array_t<float> result(shape);
   const auto count = static_cast<std::size_t>(x_m.size());
   const double *x = x_m.data(), *y = y_m.data();
+  for (std::size_t i = 0; i < count; ++i) (void)checked_place(x[i], y[i]);
   auto* out = reinterpret_cast<radar::Channels*>(result.mutable_data());
   long_call([&] {
     const atlas::Atlas& textures = loaded.textures();
@@ -177,7 +180,7 @@ void add_atlas(py::module_& module) {
           },
           "Heights under the scene, float32 [row, column], north up; no copy.")
       .def("texture", &texture, py::arg("patch"), py::kw_only(), py::arg("azimuth_deg"), py::arg("elevation_deg"),
-           py::arg("frequency_ghz"), py::call_guard<py::gil_scoped_release>(),
+           py::arg("frequency_ghz"), py::call_guard<WithoutGil>(),
            "The stored Texture of one patch from one baked look. Where shadows are made at run time it holds all "
            "echoes\n"
            "but the bare ground's own.")
@@ -185,12 +188,14 @@ void add_atlas(py::module_& module) {
            py::arg("elevation_deg"), py::arg("frequency_ghz"), py::arg("level") = 0.0,
            "sigma0 of the textures at points, interpolated in place, level and look (linear power): float32 [..., 4] "
            "for\n"
-           "x_m and y_m of shape [...]. 0 outside the atlas.")
+           "x_m and y_m of shape [...], within 1e7 m of the origin. 0 outside the atlas.")
       .def(
           "load", [](const LoadedAtlas& a) { long_call([&a] { (void)a.textures(); }); },
           "Reads all textures now rather than when first needed.")
       .def("info", &info_of, "What is there, how large and how noisy it is, as a dict.")
-      .def("__repr__", [](const LoadedAtlas& a) { return "<sigmascape.Atlas '" + a.store().folder().string() + "'>"; });
+      .def("__repr__", [](const LoadedAtlas& a) {
+        return text_with_file_names("<sigmascape.Atlas '" + a.store().folder().string() + "'>");
+      });
 }
 
 }  // namespace sigmascape::python

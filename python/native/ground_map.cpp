@@ -2,6 +2,7 @@
 #include <pybind11/stl/filesystem.h>
 
 #include "array_view.h"
+#include "gil.h"
 #include "map_cells.h"
 #include "parts.h"
 #include "polarization.h"
@@ -45,7 +46,7 @@ std::vector<product::CellComparison> compared(const GroundMap& tested, const Gro
                                               const std::vector<double>& cells_m, const std::string& polarization,
                                               double floor_db, double shadow_db) {
   const product::CompareOptions options{cells_m, polarization_from(polarization), floor_db, shadow_db};
-  const py::gil_scoped_release release;
+  const WithoutGil released;
   return product::compare_maps(tested, truth, options).at;
 }
 
@@ -68,7 +69,7 @@ void add_comparison(py::module_& module) {
       py::arg("cells_m") = std::vector<double>{}, py::arg("polarization") = "sum", py::arg("floor_db") = -45.0,
       py::arg("shadow_db") = -35.0,
       "How close the map `tested` comes to `truth`, at each of `cells_m` (empty: 2, 4, 8, 16, 32 where they can\n"
-      "be): a list of CellComparison.");
+      "be, or where none can 1 to 16 times the maps' own): a list of CellComparison.");
 }
 
 }  // namespace
@@ -83,7 +84,7 @@ void add_ground_map(py::module_& module) {
   binding
       .def_static(
           "read", [](const std::filesystem::path& path) { return product::read_ground_map(path); }, py::arg("path"),
-          py::call_guard<py::gil_scoped_release>(), "Reads a GeoTIFF that save() or `sigmascape render` wrote.")
+          py::call_guard<WithoutGil>(), "Reads a GeoTIFF that save() or `sigmascape render` wrote.")
       .def_property_readonly(
           "sigma0",
           [](const py::object& self) {
@@ -95,7 +96,7 @@ void add_ground_map(py::module_& module) {
       .def("db", &decibels, py::arg("polarization") = "vv", py::kw_only(), py::arg("floor_db") = -60.0,
            "10 lg sigma0, float32 [row, column]; not darker than `floor_db`, NaN where the radar did not look.")
       .def("save", &save, py::arg("path"), py::kw_only(), py::arg("db") = false, py::arg("polarization") = "vv",
-           py::arg("span_db") = 50.0, py::arg("top_db") = py::none(), py::call_guard<py::gil_scoped_release>(),
+           py::arg("span_db") = 50.0, py::arg("top_db") = py::none(), py::call_guard<WithoutGil>(),
            "Writes a cloud-optimised GeoTIFF (.tif: sigma0, CRS, metadata), NumPy files (.npy with .json, .npz), or a\n"
            "picture with its legend and world file (.png). db: sigma0 in decibels instead of linear; the other\n"
            "arguments are for pictures.")

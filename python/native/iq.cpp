@@ -3,6 +3,7 @@
 #include <pybind11/stl/filesystem.h>
 
 #include "array_view.h"
+#include "gil.h"
 #include "given_number.h"
 #include "loaded_atlas.h"
 #include "long_call.h"
@@ -161,7 +162,7 @@ void add_signal(py::module_& module, const char* name, const char* doc, const ch
           "What the file says beside samples and axes, as a dict.")
       .def(
           "save", [](const Held& held, const std::filesystem::path& path) { product::write_iq(path, held.record()); },
-          py::arg("path"), py::call_guard<py::gil_scoped_release>(),
+          py::arg("path"), py::call_guard<WithoutGil>(),
           "Writes .npy (with .json), .npz, .h5 or .sigmf-meta (with .sigmf-data); docs/iq_files.md.");
 }
 

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "array_view.h"
+#include "gil.h"
 #include "loaded_atlas.h"
 #include "loaded_scene.h"
 #include "long_call.h"
@@ -162,7 +163,7 @@ void add_layers(py::module_& module) {
             product::check_layer_name(path);
             product::write_layers(path, stack);
           },
-          py::arg("path"), py::call_guard<py::gil_scoped_release>(),
+          py::arg("path"), py::call_guard<WithoutGil>(),
           "Writes a GeoTIFF (.tif) with a band a layer, angles in degrees.");
   module.def(
       "layers", &layers, py::arg("scene"), py::arg("radar"), py::arg("names"), py::kw_only(), py::arg("lod") = 0,

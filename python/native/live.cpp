@@ -3,6 +3,7 @@
 
 #include "array_view.h"
 #include "drawn_live.h"
+#include "gil.h"
 #include "given_number.h"
 #include "parts.h"
 
@@ -16,7 +17,7 @@ namespace {
 
 namespace py = pybind11;
 using render::LiveGround;
-using Release = py::call_guard<py::gil_scoped_release>;
+using Release = py::call_guard<WithoutGil>;
 
 using GroundRenderer = DrawnLive<render::LiveRenderer>;
 
@@ -81,8 +82,7 @@ void add_frame(py::module_& module) {
       .def_property_readonly(
           "powers_m2", [](const HeldFrame& f) { return numbers_of(f, f.frame.powers_m2); },
           "float32 [beam, range, 4]: VV, HH, HV, Re VV HH* in m^2. None when amplitudes were asked for.")
-      .def("save", &save, py::arg("path"), py::kw_only(), py::arg("frequency_ghz"),
-           py::call_guard<py::gil_scoped_release>(),
+      .def("save", &save, py::arg("path"), py::kw_only(), py::arg("frequency_ghz"), py::call_guard<WithoutGil>(),
            "Writes the amplitudes as .npy (with .json), .npz, .h5 or .sigmf-meta, before the renderer draws its next\n"
            "frame; docs/iq_files.md.")
       .def_property_readonly("first_range_m", [](const HeldFrame& f) { return f.frame.grid.first_range_m; })

@@ -1,6 +1,7 @@
 #include "sigmascape/simulate/live_flight.h"
 
 #include "drawn_live.h"
+#include "gil.h"
 #include "long_call.h"
 #include "parts.h"
 
@@ -52,12 +53,12 @@ void add_live_flight(py::module_& module) {
       "area is looked at closely, from the textures of an atlas of the same scene elsewhere. One gives way to the\n"
       "other over some frames, so that no step shows. Threads and processes share it as they do a LiveRenderer.");
   binding
-      .def(py::init(&made_flight), py::arg("scene"), py::arg("ground"), py::kw_only(),
+      .def(py::init(&made_flight), py::arg("scene").none(false), py::arg("ground"), py::kw_only(),
            py::arg("content") = "amplitudes", py::arg("beams") = settings.beams, py::arg("ranges") = settings.ranges,
            py::arg("beam_step_rad") = settings.beam_step_rad, py::arg("range_step_m") = settings.range_step_m,
            py::arg("cells_per_bin") = settings.cells_per_bin, py::arg("seed") = settings.seed, py::arg("threads") = 0,
            py::arg("refraction") = settings.refraction, py::arg("rays_per_cell") = tracing.rays_per_cell,
-           py::arg("bounces") = tracing.max_bounces, py::call_guard<py::gil_scoped_release>(),
+           py::arg("bounces") = tracing.max_bounces, py::call_guard<WithoutGil>(),
            "rays_per_cell, bounces: of traced frames, as in LiveTracer. The rest as in LiveRenderer.")
       .def_property_readonly(
           "textured_share",

@@ -1,6 +1,7 @@
 #include "sigmascape/simulate/live_tracer.h"
 
 #include "drawn_live.h"
+#include "gil.h"
 #include "parts.h"
 
 #include "sigmascape/render/level_of_detail.h"
@@ -44,13 +45,13 @@ void add_live_tracer(py::module_& module) {
       "speckle. For small areas. While the pose stays the same each call adds rays to those before. Threads and\n"
       "processes share it as they do a LiveRenderer.");
   binding.def(
-      py::init(&made_tracer), py::arg("scene"), py::kw_only(), py::arg("content") = "amplitudes",
+      py::init(&made_tracer), py::arg("scene").none(false), py::kw_only(), py::arg("content") = "amplitudes",
       py::arg("beams") = settings.beams, py::arg("ranges") = settings.ranges,
       py::arg("beam_step_rad") = settings.beam_step_rad, py::arg("range_step_m") = settings.range_step_m,
       py::arg("cells_per_bin") = settings.cells_per_bin, py::arg("seed") = settings.seed, py::arg("threads") = 0,
       py::arg("refraction") = settings.refraction, py::arg("frequency_ghz") = tracing.frequency_hz / 1e9,
       py::arg("rays_per_cell") = tracing.rays_per_cell, py::arg("bounces") = tracing.max_bounces,
-      py::arg("lattice_m") = tracing.lattice_m, py::call_guard<py::gil_scoped_release>(),
+      py::arg("lattice_m") = tracing.lattice_m, py::call_guard<WithoutGil>(),
       "rays_per_cell: that each call adds. lattice_m: side of the finest cells of the scatterers; with that of an\n"
       "atlas' texels both levels draw the same ones. The rest as in LiveRenderer.");
   bind_drawing(

@@ -3,6 +3,8 @@
 #include <optional>
 #include <pybind11/pybind11.h>
 
+#include "gil.h"
+
 #include "sigmascape/base/interruption.h"
 
 namespace sigmascape::python {
@@ -14,9 +16,9 @@ template <typename Work>
 auto long_call(const Work& work) {
   std::optional<pybind11::error_already_set> raised;
   try {
-    const pybind11::gil_scoped_release release;
+    const WithoutGil released;
     const Interruption interruption([&raised] {
-      const pybind11::gil_scoped_acquire gil;
+      const WithGil gil;
       if (PyErr_CheckSignals() == 0) return false;
       raised.emplace();
       return true;

@@ -1,6 +1,7 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include "gil.h"
 #include "map_cells.h"
 #include "parts.h"
 #include "polarization.h"
@@ -40,7 +41,7 @@ void add_power_map(py::module_& module) {
   binding
       .def_static(
           "read", [](const std::filesystem::path& path) { return product::read_power_map(path); }, py::arg("path"),
-          py::call_guard<py::gil_scoped_release>(), "Reads a GeoTIFF that save() or `sigmascape render --power` wrote.")
+          py::call_guard<WithoutGil>(), "Reads a GeoTIFF that save() or `sigmascape render --power` wrote.")
       .def_readonly("noise_w", &PowerMap::noise_w, "Mean noise beside the signal, in W: k T0 B F, the same everywhere.")
       .def_readonly("metadata", &PowerMap::metadata, "Where the map comes from, text by name.")
       .def(
@@ -51,7 +52,7 @@ void add_power_map(py::module_& module) {
           [](const PowerMap& map, const std::filesystem::path& path, bool db) {
             product::write_map(path, map, db ? product::MapScale::Decibels : product::MapScale::Linear);
           },
-          py::arg("path"), py::kw_only(), py::arg("db") = false, py::call_guard<py::gil_scoped_release>(),
+          py::arg("path"), py::kw_only(), py::arg("db") = false, py::call_guard<WithoutGil>(),
           "Writes a cloud-optimised GeoTIFF (.tif: bands VV, HH, HV with unit, CRS, metadata) or NumPy files (.npy\n"
           "with .json, .npz). db: dBW instead of W.")
       .def("__repr__", [](const PowerMap& m) {

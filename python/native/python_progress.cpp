@@ -1,5 +1,7 @@
 #include "python_progress.h"
 
+#include "gil.h"
+
 namespace sigmascape::python {
 namespace {
 
@@ -25,7 +27,7 @@ void PythonProgress::advanced(std::string_view task, double done, double total, 
   const auto now = Clock::now();
   if (done < total && now - told_ < telling_time) return;
   told_ = now;
-  const py::gil_scoped_acquire gil;
+  const WithGil gil;
   if (PyErr_CheckSignals() != 0) throw py::error_already_set();
   if (!listener_.is_none()) listener_(task, done, total, unit);
 }

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 #include <pybind11/pybind11.h>
 
+#include "gil.h"
+#include "text_with_file_names.h"
+
 #include "sigmascape/radar/radar_title.h"
 #include "sigmascape/scene/scene_warnings.h"
 
@@ -13,8 +16,9 @@ namespace py = pybind11;
 namespace {
 
 void warn(const std::string& text) {
-  const py::gil_scoped_acquire gil;
-  if (PyErr_WarnEx(PyExc_UserWarning, text.c_str(), 1) != 0) throw py::error_already_set();
+  const WithGil gil;
+  if (PyErr_WarnFormat(PyExc_UserWarning, 1, "%U", text_with_file_names(text).ptr()) != 0)
+    throw py::error_already_set();
 }
 
 }  // namespace

@@ -192,6 +192,8 @@ void add_radar(py::module_& module) {
           py::arg("scene"), py::arg("time_s") = 0.0,
           "Where the radar is over a scene at a moment: x, y, altitude in metres.")
       .def("__copy__", [](const RadarFile& f) { return RadarFile(f); })
+      .def(
+          "__deepcopy__", [](const RadarFile& f, const py::dict&) { return RadarFile(f); }, py::arg("memo"))
       .def("__repr__", [](const RadarFile& f) { return "<sigmascape.Radar '" + f.radar.name + "'>"; });
   optional_number(binding, "interval_s", &radar::Processing::interval_s, bounds::intervals_s,
                   "Time over which coherent modes add up pulses; None: what the resolution asks for.");

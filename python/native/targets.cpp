@@ -10,6 +10,7 @@
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
+#include "sigmascape/radar/radar_bounds.h"
 #include "sigmascape/radar/target_file.h"
 
 namespace sigmascape::python {
@@ -34,18 +35,41 @@ radar::Channels rcs_of(double rcs_dbsm, const std::optional<double>& hv_dbsm, co
   return {co, co, hv_dbsm ? static_cast<float>(linear_from_db(*hv_dbsm)) : 0.0F, bounces == "odd" ? co : -co};
 }
 
+void check(const WayPoint& point) {
+  const auto& [time_s, x_m, y_m, height_m] = point;
+  within("way_points: time_s", time_s, radar::bounds::moments_s);
+  within("way_points: x_m", x_m, -1e7, 1e7);
+  within("way_points: y_m", y_m, -1e7, 1e7);
+  within("way_points: height_m", height_m, 0.0, 1e6);
+}
+
+/// As in files: a track says all of where the target is.
+void check_alone(const TargetArguments& arguments) {
+  const auto refuse_when = [](bool is_given, const char* name, const char* told) {
+    if (is_given) throw Error(name, fmt::format("and way_points both say {}", told), "leave out one of them");
+  };
+  refuse_when(arguments.position_m != Pair{}, "position_m", "where it is");
+  refuse_when(arguments.speed_mps != 0.0, "speed_mps", "how it moves");
+  refuse_when(arguments.climb_mps != 0.0, "climb_mps", "how it moves");
+  refuse_when(arguments.height_m.has_value(), "height_m", "how high it is");
+  if (arguments.altitude_m) {
+    throw Error("altitude_m", "is given, and way_points are above the ground",
+                "leave it out, or state the altitude of each way-point in a targets file, for read_targets()");
+  }
+}
+
 void place(TargetSource& source, const TargetArguments& arguments) {
   if (arguments.height_m && arguments.altitude_m)
     throw Error("altitude_m", "and height_m both say how high the target is", "leave out one of them");
+  if (!arguments.way_points.empty()) check_alone(arguments);
   const double height_m = arguments.altitude_m.value_or(arguments.height_m.value_or(source.target.size_m.z / 2.0));
-  const bool above_ground = !arguments.altitude_m;
   source.target.heading_rad = radians_from_deg(arguments.heading_deg);
   if (arguments.way_points.empty()) {
     const double heading_rad = source.target.heading_rad;
     source.places = {{.time_s = 0.0,
                       .place = Vec2d{arguments.position_m[0], arguments.position_m[1]},
                       .height_m = height_m,
-                      .above_ground = above_ground}};
+                      .above_ground = !arguments.altitude_m}};
     source.velocity_mps = {arguments.speed_mps * std::sin(heading_rad), arguments.speed_mps * std::cos(heading_rad),
                            arguments.climb_mps};
     return;
@@ -54,7 +78,7 @@ void place(TargetSource& source, const TargetArguments& arguments) {
     if (!source.places.empty() && point[0] <= source.places.back().time_s)
       throw Error("way_points", "do not follow one another in time", "put them in the order of time");
     source.places.push_back(
-        {.time_s = point[0], .place = Vec2d{point[1], point[2]}, .height_m = point[3], .above_ground = above_ground});
+        {.time_s = point[0], .place = Vec2d{point[1], point[2]}, .height_m = point[3], .above_ground = true});
   }
 }
 
@@ -73,7 +97,7 @@ TargetSource made(const Pair& position_m, const std::string& name, double rcs_db
   within("speed_mps", speed_mps, 0.0, 2e4);
   within("heading_deg", heading_deg, -1e6, 1e6);
   within("climb_mps", climb_mps, -1000.0, 1000.0);
-  for (const WayPoint& point : way_points) all_within("way_points", point, -1e7, 1e7);
+  for (const WayPoint& point : way_points) check(point);
   all_within("size_m", size_m, 0.0, 1e4);
   TargetSource source;
   source.where = name;
@@ -100,10 +124,14 @@ void add_targets(py::module_& module) {
            "hv_dbsm: in HV, none when None. bounces: 'odd' or 'even', VV and HH in or out of phase.\n"
            "height_m: of the phase centre above the ground (half of size_m's height when None), or altitude_m above\n"
            "mean sea level. heading_deg: clockwise from north, of nose and motion. way_points: (time_s, x_m, y_m,\n"
-           "height_m) each, instead of position and speed. swerling: case of fluctuation, 0 steady; seed: of it,\n"
-           "when 0 that of the call with the target's place in the list, so that no two fade together.\n"
+           "height_m above the ground) each, instead of position, height and speed. swerling: case of fluctuation,\n"
+           "0 steady; seed: of it, when 0 that of the call with the target's place in the list, so that no two fade\n"
+           "together.\n"
            "size_m: length, width, height of what casts a shadow.")
       .def_property_readonly("name", [](const TargetSource& t) { return t.target.name; })
+      .def("__copy__", [](const TargetSource& t) { return TargetSource(t); })
+      .def(
+          "__deepcopy__", [](const TargetSource& t, const py::dict&) { return TargetSource(t); }, py::arg("memo"))
       .def("__repr__", [](const TargetSource& t) { return "<sigmascape.Target '" + t.target.name + "'>"; });
   module.def(
       "read_targets", [](const std::filesystem::path& path) { return radar::read_target_file(path); }, py::arg("path"),

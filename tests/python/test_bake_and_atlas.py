@@ -20,6 +20,12 @@ def test_the_atlas_has_the_axes_that_were_baked(atlas, scene):
     assert atlas.terrain_m.dtype == np.float32 and not atlas.terrain_m.flags.owndata
 
 
+def test_an_atlas_opens_in_a_folder_whose_name_is_not_utf_8(atlas, tmp_path):
+    link = tmp_path / os.fsdecode(b"atl\xe4s")
+    link.symlink_to(os.path.abspath(atlas.folder), target_is_directory=True)
+    assert repr(sigmascape.Atlas(link)) == f"<sigmascape.Atlas '{link}'>"
+
+
 def test_textures_are_half_floats_without_a_copy(atlas):
     texture = atlas.texture((0, 0), azimuth_deg=180.0, elevation_deg=15.0, frequency_ghz=10.0)
     level = texture.levels[0]
@@ -60,6 +66,17 @@ def test_a_look_that_was_not_baked_is_refused(atlas):
     for name in ("azimuth_deg", "elevation_deg", "level"):
         with pytest.raises(sigmascape.Error, match=f"{name}: is nan"):
             atlas.sigma0_at([0.0], [0.0], **(look | {name: float("nan")}))
+
+
+def test_sigma0_at_no_place_is_refused_and_nothing_outside_the_atlas(atlas):
+    look = dict(azimuth_deg=90.0, elevation_deg=35.0, frequency_ghz=10.0)
+    for wrong in (float("nan"), float("inf"), 1e300):
+        with pytest.raises(sigmascape.Error, match="^x_m: is "):
+            atlas.sigma0_at([0.0, wrong], [0.0, 0.0], **look)
+        with pytest.raises(sigmascape.Error, match="^y_m: is "):
+            atlas.sigma0_at(0.0, wrong, **look)
+    assert not atlas.sigma0_at([1e7, -1e7], [0.0, 1e7], **look).any()
+    assert atlas.sigma0_at([], [], **look).shape == (0, 4)
 
 
 def test_a_bake_goes_on_where_it_stopped_and_tells_its_progress(scene, tmp_path):

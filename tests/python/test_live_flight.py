@@ -49,6 +49,8 @@ def test_a_scan_shows_its_beams_at_the_level_they_need(scene, ground, bins):
 
 
 def test_wrong_settings_are_refused(scene, ground):
+    with pytest.raises(TypeError, match="scene: sigmascape.Scene"):
+        sigmascape.LiveFlight(None, ground)
     with pytest.raises(sigmascape.Error, match="content"):
         sigmascape.LiveFlight(scene, ground, content="colours")
     with pytest.raises(sigmascape.Error, match="rays"):

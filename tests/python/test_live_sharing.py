@@ -85,6 +85,24 @@ assert os.waitpid(child, 0)[1] == 0
 assert live["LiveRenderer"].render(place, **pose).lit > 0
 """
 
+DAEMON = """
+import time
+work = {
+    "short frames": lambda live=made("LiveRenderer", opened()): live.render(place, **pose),
+    "long frames": lambda live=sigmascape.LiveTracer(scene, beams=128, ranges=128, beam_step_rad=2e-4, range_step_m=0.5, rays_per_cell=64):
+        live.render(place, **pose),
+    "a map": lambda radar=sigmascape.Radar(cell_m=0.2): (radar.see_from(azimuth_deg=180.0, elevation_deg=15.0, slant_range_m=2500.0),
+        sigmascape.render(scene, radar, samples=2000, progress=lambda *told: None)),
+    "a scene": lambda: sigmascape.Scene.paper(scale=5.0),
+}[sys.argv[2]]
+def go_on():
+    while True:
+        work()
+threading.Thread(target=go_on, daemon=True).start()
+time.sleep(0.5)  # into the work
+print("end", flush=True)
+"""
+
 
 def told_by(code, *arguments):
     return subprocess.run([sys.executable, "-c", MADE + code, *arguments], stdout=subprocess.PIPE, text=True, timeout=300,
@@ -99,3 +117,10 @@ def test_calls_of_several_threads_queue_up(atlas, name):
 @pytest.mark.skipif("tsan" in os.environ.get("LD_PRELOAD", ""), reason="the thread sanitizer ends processes that fork and make threads")
 def test_a_forked_process_makes_its_own(atlas):
     assert told_by(FORK, atlas.folder) == "its own\n"
+
+
+@pytest.mark.parametrize("work", ["short frames", "long frames", "a map", "a scene"])
+def test_a_process_ends_while_a_daemon_thread_is_at_work(atlas, work):
+    ended = subprocess.run([sys.executable, "-W", "ignore", "-c", MADE + DAEMON, atlas.folder, work], stdout=subprocess.PIPE,
+                           stderr=subprocess.PIPE, text=True, timeout=300, env=os.environ)
+    assert (ended.stdout, ended.stderr, ended.returncode) == ("end\n", "", 0)

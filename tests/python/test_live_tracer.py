@@ -54,6 +54,8 @@ def test_the_choice_is_level_0_for_a_small_area(scene):
 
 
 def test_wrong_settings_are_refused(scene):
+    with pytest.raises(TypeError, match="scene: sigmascape.Scene"):
+        sigmascape.LiveTracer(None)
     with pytest.raises(sigmascape.Error, match="content"):
         tracer_of(scene, content="colours")
     with pytest.raises(sigmascape.Error, match="rays"):

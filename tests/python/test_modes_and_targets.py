@@ -92,6 +92,24 @@ def test_targets_come_from_files_too(tmp_path, atlas, radar):
     assert brightest(sigmascape.render(None, radar, atlas=atlas, targets=[moving])) == pytest.approx((20.0, -10.0), abs=2.1)
 
 
+@pytest.mark.parametrize("name, value", [("position_m", (5.0, 0.0)), ("speed_mps", 3.0), ("climb_mps", 1.0), ("height_m", 0.0),
+                                         ("altitude_m", 3000.0)])
+def test_way_points_alone_say_where_a_target_is(name, value):
+    """As the keys of a targets file, of which none is read over."""
+    with pytest.raises(sigmascape.Error, match=f"^{name}: .*way_points"):
+        sigmascape.Target(way_points=[(0.0, 0.0, 0.0, 2.0), (9.0, 40.0, 0.0, 2.0)], **{name: value})
+    sigmascape.Target(way_points=[(0.0, 0.0, 0.0, 2.0)], heading_deg=90.0, size_m=(4.0, 2.0, 2.0))
+
+
+@pytest.mark.parametrize("name, point", [("time_s", (float("nan"), 0.0, 0.0, 2.0)), ("x_m", (0.0, float("inf"), 0.0, 2.0)),
+                                         ("y_m", (0.0, 0.0, -2e7, 2.0)), ("height_m", (0.0, 0.0, 0.0, -0.5)),
+                                         ("height_m", (0.0, 0.0, 0.0, 2e6))])
+def test_way_points_keep_to_the_bounds_of_a_targets_file(name, point):
+    """Those of docs/target_file.md: under the ground no target would ever be seen."""
+    with pytest.raises(sigmascape.Error, match=f"^way_points: {name}: is .*give a number from"):
+        sigmascape.Target(way_points=[point])
+
+
 def test_targets_fluctuate_each_for_itself(atlas, radar):
     def added(places, run=1, **options):
         targets = [sigmascape.Target(place, rcs_dbsm=60.0, swerling=1, **options) for place in places]

@@ -1,4 +1,5 @@
 import copy
+import os
 
 import numpy as np
 import pytest
@@ -47,6 +48,22 @@ def test_attributes_of_a_radar_are_read_back():
     other.mode, other.velocity_mps, other.area_m = "stripmap", (0.0, 100.0, 0.0), (0.0, 0.0, 10.0, 20.0)
     assert (other.mode, other.velocity_mps, other.area_m) == ("stripmap", (0.0, 100.0, 0.0), (0.0, 0.0, 10.0, 20.0))
     assert radar.mode == "real-beam" and radar.area_m is None
+
+
+def test_settings_that_hold_radars_and_targets_copy_deeply():
+    settings = {"radar": sigmascape.Radar(name="r"), "targets": [sigmascape.Target(name="t")]}
+    other = copy.deepcopy(settings)
+    other["radar"].name = "other"
+    assert settings["radar"].name == "r" and [target.name for target in other["targets"]] == ["t"]
+    assert copy.copy(settings["targets"][0]).name == "t"
+
+
+def test_errors_name_files_whose_names_are_not_utf_8(tmp_path):
+    latin = tmp_path / os.fsdecode(b"pl\xe4ne")
+    for read in [sigmascape.Scene.read, sigmascape.Radar.read, sigmascape.Atlas]:
+        with pytest.raises(sigmascape.Error) as told:
+            read(latin)
+        assert str(latin) in str(told.value)
 
 
 TABLE = "offset_deg,gain_db\n-4,10\n-2,27\n0,30\n2,27\n4,10\n"
