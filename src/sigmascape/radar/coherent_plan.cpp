@@ -9,6 +9,7 @@
 #include "sigmascape/radar/doppler.h"
 #include "sigmascape/radar/radar_title.h"
 #include "sigmascape/radar/rectangle_distances.h"
+#include "sigmascape/radar/strip_beam.h"
 #include "sigmascape/radar/window_response.h"
 
 namespace sigmascape::radar {
@@ -16,7 +17,7 @@ namespace {
 
 /// Where the middle of the area lies as the radar flies: on the map and above it.
 struct Sight {
-  Vec3d away;  ///< from the radar
+  Vec3d away;  ///< from the radar, at time zero or, of a strip, as its beam passes
   double range_m, ground_range_m, off_course_rad, horizontal_speed_mps;
 };
 
@@ -186,7 +187,7 @@ CoherentPlan coherent_plan(const Radar& radar, Vec3d aim) {
   const double speed_mps = length(radar.velocity_mps);
   if (!(speed_mps > 0.0))
     throw Error(title_of(radar), "stands still", "give platform.speed_mps: coherent modes live from motion");
-  const Sight sight = sight_of(radar, aim - radar.position);
+  const Sight sight = sight_of(radar, radar.mode == Mode::Stripmap ? way_as_passed(radar, aim) : aim - radar.position);
   CoherentPlan plan{.looks = radar.processing.looks,
                     .squint_rad = std::acos(
                         std::clamp(dot(sight.away, radar.velocity_mps) / (sight.range_m * speed_mps), -1.0, 1.0))};

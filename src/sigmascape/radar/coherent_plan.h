@@ -13,8 +13,9 @@ struct CoherentPlan {
   int looks = 1;
   double interval_s = 0.0;          ///< of all looks together; with stripmap that for which a point is processed
   double along_resolution_m = 0.0;  ///< half-power width across range in the middle of the area, on the finished map
-  double squint_rad = 0.0;          ///< of the middle of the area, off the direction of flight, in space
-  double blind_wedge_rad = 0.0;     ///< on the map, about the course: within it is no sharper than the real beam
+  /// Of the middle of the area, off the direction of flight, in space: at time zero or, of a strip, as its beam passes.
+  double squint_rad = 0.0;
+  double blind_wedge_rad = 0.0;  ///< on the map, about the course: within it is no sharper than the real beam
 };
 
 /// By how much Doppler beam sharpening narrows the beam when the radar file does not say.
@@ -30,8 +31,9 @@ inline constexpr double usual_sharpening = 16.0;
 ///     coarser of that and the range resolution when left open.       docs/physics/doppler.md, Eqs. (3), (4), (5a)
 ///
 /// Throws Error when the radar stands still, when the middle lies so near the course, ahead or behind, that the beam
-/// straddles it and no interval is stated, when it lies straight below, when stripmap is asked for more than the beam
-/// gives, and when the others are for w n λ/4 or less, which no flight resolves (Eq. 3b).
+/// straddles it and no interval is stated, when it lies straight below, when a strip's fixed beam never passes over it
+/// (radar/strip_beam.h), when stripmap is asked for more than the beam gives, and when the others are for w n λ/4 or
+/// less, which no flight resolves (Eq. 3b).
 [[nodiscard]] CoherentPlan coherent_plan(const Radar& radar, Vec3d aim);
 
 /// What a radar engineer would object to before this plan maps an area at this height, one sentence each: ground in the

@@ -1,10 +1,8 @@
 #include "sigmascape/radar/vantage.h"
 
-#include <algorithm>
 #include <cmath>
 
-#include "sigmascape/base/units.h"
-#include "sigmascape/radar/doppler.h"
+#include "sigmascape/radar/strip_beam.h"
 
 namespace sigmascape::radar {
 namespace {
@@ -63,13 +61,10 @@ double Vantage::time_s_for(const Target& target) const {
 }
 
 Vantage vantage_of_strip(const Radar& radar, Vec2d middle) {
-  const Vec2d away = middle - Vec2d{radar.position.x, radar.position.y};
-  const double off_course = off_course_rad(radar.velocity_mps, {away.x, away.y, 0.0});
-  if (std::min(off_course, pi - off_course) < radar.beam_width_rad / 2.0) return Vantage(radar.position);
-  return Vantage(PassingBeam{.position = radar.position,
-                             .velocity_mps = radar.velocity_mps,
-                             .outwards = away * (1.0 / length(away)),
-                             .earth = earth_of(radar)});
+  const Vec2d outwards = strip_direction(radar, middle);
+  if (straddles_course(radar, outwards)) return Vantage(radar.position);
+  return Vantage(PassingBeam{
+      .position = radar.position, .velocity_mps = radar.velocity_mps, .outwards = outwards, .earth = earth_of(radar)});
 }
 
 Vantage vantage_of(const Radar& radar, Vec2d middle) {

@@ -53,8 +53,8 @@ class Vantage {
   std::optional<std::array<PassingBeam, 2>> beams_;
 };
 
-/// From where a radar maps a strip about this middle, under the azimuth in which it sees that at time zero. Towards the
-/// course, where no strip is planned, its beam passes over nothing, and it looks from where it is at time zero.
+/// From where a radar maps a strip about this middle, under the azimuth of its beam (radar/strip_beam.h). Towards the
+/// course, where no strip is planned, that passes over nothing, and it looks from where it is at time zero.
 [[nodiscard]] Vantage vantage_of_strip(const Radar& radar, Vec2d middle);
 
 /// From where a radar maps ground about this middle in its mode: that of a strip, or its place at time zero.

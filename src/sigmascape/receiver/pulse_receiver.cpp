@@ -3,10 +3,12 @@
 #include <cmath>
 #include <complex>
 #include <fmt/format.h>
+#include <limits>
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/parallel.h"
 #include "sigmascape/base/units.h"
+#include "sigmascape/radar/range_ambiguity.h"
 #include "sigmascape/receiver/carrier_phase.h"
 
 namespace sigmascape::receiver {
@@ -40,17 +42,30 @@ void PulseReceiver::spread(Line& line, double delay_m, const radar::ComplexChann
   for (std::size_t tap = 0; tap < weights.size(); ++tap) to[tap] += received * weights[tap];
 }
 
+void PulseReceiver::check(const PulseTrain& train, double memory_bytes) const {
+  const double gate_m = static_cast<double>(range_.samples) * range_.step_m;
+  const double unambiguous_m = radar::unambiguous_range_m(train.repetition_hz);
+  if (!(gate_m < unambiguous_m)) {
+    throw Error("range gate", fmt::format("is {:.0f} m long", gate_m),
+                fmt::format("at {:.0f} pulses a second no more than {:.0f} m can be told apart", train.repetition_hz,
+                            unambiguous_m));
+  }
+  const double bytes = static_cast<double>(train.count) * static_cast<double>(range_.samples) *
+                       static_cast<double>(sizeof(radar::ComplexChannels));
+  if (bytes > memory_bytes) {
+    throw Error("coherent interval",
+                fmt::format("has {} pulses of {} samples each, which take {:.3g} GB of memory, and there are {:.3g}",
+                            train.count, range_.samples, bytes / 1e9, memory_bytes / 1e9),
+                "record a shorter interval or a shorter range gate, or send fewer pulses a second");
+  }
+}
+
 radar::PhaseHistory PulseReceiver::receive(const radar::Track& platform, const PulseTrain& train,
                                            std::span<const radar::Scatterer> ground,
                                            std::span<const radar::Target> targets, const VoltageGain& gain,
                                            unsigned threads) const {
-  const double unambiguous_m = speed_of_light_mps / (2.0 * train.repetition_hz);
-  const double step_m = range_.step_m;
-  if (!(static_cast<double>(range_.samples) * step_m < unambiguous_m)) {
-    throw Error("range gate", fmt::format("is {:.0f} m long", static_cast<double>(range_.samples) * step_m),
-                fmt::format("at {:.0f} pulses a second no more than {:.0f} m can be told apart", train.repetition_hz,
-                            unambiguous_m));
-  }
+  check(train, std::numeric_limits<double>::infinity());
+  const double unambiguous_m = radar::unambiguous_range_m(train.repetition_hz), step_m = range_.step_m;
   radar::PhaseHistory history{.frequency_hz = frequency_hz_,
                               .bandwidth_hz = range_.bandwidth_hz,
                               .first_range_m = range_.start_m + static_cast<double>(range_.guard) * step_m,

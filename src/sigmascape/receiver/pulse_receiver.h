@@ -28,8 +28,12 @@ struct PulseTrain {
 /// folds into the gate, and what folds beside the gate has its side lobes there, from the next 64 resolution cells.
 class PulseReceiver {
  public:
-  /// Throws Error when the gate is empty, sampled too thinly, or wider than the unambiguous range.
+  /// Throws Error when the gate is empty or sampled too thinly.
   PulseReceiver(const radar::Radar& radar, const RangeGate& gate);
+
+  /// Throws Error when the gate is wider than the unambiguous range of these pulses, or when their samples take more
+  /// than so much memory. receive() asks the first itself; this is for who has much to make before it.
+  void check(const PulseTrain& train, double memory_bytes) const;
 
   /// The record of pulses from a platform on a track. Same numbers for any number of threads. Amplitudes are metres,
   /// the square root of cross-sections, or, with a gain, volts.

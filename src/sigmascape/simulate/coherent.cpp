@@ -13,6 +13,7 @@
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/hash.h"
+#include "sigmascape/base/machine_memory.h"
 #include "sigmascape/base/parallel.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/doppler.h"
@@ -20,6 +21,7 @@
 #include "sigmascape/radar/radar_title.h"
 #include "sigmascape/radar/rectangle_distances.h"
 #include "sigmascape/radar/rectangle_parts.h"
+#include "sigmascape/radar/strip_beam.h"
 #include "sigmascape/radar/vantage.h"
 #include "sigmascape/radar/windblown_vegetation.h"
 #include "sigmascape/receiver/calibrated_voltage.h"
@@ -148,6 +150,7 @@ CoherentSettings spaced(CoherentSettings settings, double spacing_m) {
 /// Those of which something is seen when they are looked at, in the straight space under the radar.
 std::vector<radar::Target> targets_seen(const CoherentScene& scene, const radar::Radar& radar,
                                         const radar::Vantage& vantage) {
+  if (scene.targets.empty()) return {};
   const Surroundings surroundings{*scene.terrain, obstacles_of(scene.sigma0), radar::earth_of(radar)};
   std::vector<radar::Target> seen;
   for (const radar::Target& target : scene.targets) {
@@ -160,9 +163,9 @@ std::vector<radar::Target> targets_seen(const CoherentScene& scene, const radar:
   return seen;
 }
 
-/// The angle of the middle of the area ahead of broadside, at time zero.
+/// The angle of the middle of a strip ahead of broadside, as the beam passes over it.
 double squint_of(const radar::Radar& radar, Vec3d aim) {
-  return std::asin(dot(normalized(aim - radar.position), normalized(radar.velocity_mps)));
+  return std::asin(dot(normalized(radar::way_as_passed(radar, aim)), normalized(radar.velocity_mps)));
 }
 
 /// Where the antenna points that the radar file fixes, if it does. Spotlights are steered whatever the scan.
@@ -201,6 +204,7 @@ std::optional<double> azimuth_of_image_beam(const radar::Radar& radar, const rad
 /// The same of a strip, all along it.
 std::optional<double> azimuth_of_strip_beam(const radar::Radar& radar, const radar::Rectangle& area) {
   if (!radar.processing.antenna_pattern) return std::nullopt;
+  if (const auto azimuth_rad = radar::fixed_strip_azimuth_rad(radar)) return azimuth_rad;
   const Vec2d away = area.centre() - Vec2d{radar.position.x, radar.position.y};
   return std::atan2(away.x, away.y);
 }
@@ -355,6 +359,9 @@ radar::PhaseHistory phase_history(const CoherentScene& scene, const radar::Radar
                last_s = static_cast<double>(count - before_now) / repetition_hz;
   const receiver::PulseReceiver receiver(radar,
                                          gate_over(radar, area, *scene.terrain, pulse_oversampling, first_s, last_s));
+  const receiver::PulseTrain train{
+      .first_time_s = first_s, .count = count, .repetition_hz = repetition_hz, .dwell = asked.dwell};
+  receiver.check(train, machine_memory_bytes());
   const CoherentSettings settings =
       spaced(asked, pulse_scatterer_spacing_m(radar, area, *scene.terrain, asked.interval_s));
   const radar::Vantage vantage = radar::vantage_of(radar, area.centre());
@@ -363,12 +370,8 @@ radar::PhaseHistory phase_history(const CoherentScene& scene, const radar::Radar
   const receiver::VoltageGain gain =
       settings.calibrated ? receiver::calibrated_voltage(radar, beam_of(radar, middle_of(area, *scene.terrain, radar)))
                           : receiver::VoltageGain{};
-  auto history = receiver.receive(radar::Track::straight(radar.position, radar.velocity_mps),
-                                  {.first_time_s = -static_cast<double>(before_now) / repetition_hz,
-                                   .count = count,
-                                   .repetition_hz = repetition_hz,
-                                   .dwell = settings.dwell},
-                                  ground, targets, gain, settings.threads);
+  auto history = receiver.receive(radar::Track::straight(radar.position, radar.velocity_mps), train, ground, targets,
+                                  gain, settings.threads);
   if (settings.calibrated) {
     const receiver::BeamAzimuth beam = beam_of(radar, middle_of(area, *scene.terrain, radar));
     for (radar::Pulse& pulse : history.pulses) pulse.beam_azimuth_rad = beam(pulse);

@@ -237,6 +237,39 @@ TEST(CoherentPlan, AStripIsNoSharperThanItsBeam) {
   EXPECT_THAT(message_of_error(plan), HasSubstr("give mode.along_resolution_m of at least 0.381"));
 }
 
+/// 30° ahead of broadside, where a place that is abeam at time zero will be seen 5 km across, 5 km · tan 30° ahead and
+/// 3 km below.
+TEST(CoherentPlan, AStripsFixedBeamSeesWhatItMapsAsItPasses) {
+  Radar radar = flying_north(Mode::Stripmap);
+  const Vec3d aim{5e3, 0.0, -3e3}, way{5e3, 5e3 * std::tan(radians_from_deg(30.0)), -3e3};
+  EXPECT_NEAR(coherent_plan(radar, aim).squint_rad, radians_from_deg(90.0), 1e-12);
+  radar.scan = {.kind = ScanKind::Fixed, .azimuth_rad = radians_from_deg(60.0)};
+  const CoherentPlan plan = coherent_plan(radar, aim);
+  const double sine = std::sqrt(1.0 - way.y * way.y / dot(way, way));
+  EXPECT_NEAR(std::cos(plan.squint_rad), way.y / length(way), 1e-12);
+  // Band over Doppler rate.
+  EXPECT_NEAR(plan.interval_s / (cells * 0.03 * length(way) / (2.0 * 200.0 * sine * sine * plan.along_resolution_m)),
+              1.0, 1e-4);
+}
+
+TEST(CoherentPlan, AStripsFixedBeamThatNeverSeesWhatItMapsIsRefused) {
+  Radar radar = flying_north(Mode::Stripmap);
+  const auto refused = [&](double azimuth_deg) {
+    radar.scan = {.kind = ScanKind::Fixed, .azimuth_rad = radians_from_deg(azimuth_deg)};
+    return message_of_error([&] { static_cast<void>(coherent_plan(radar, place_at(90.0))); });
+  };
+  EXPECT_EQ(refused(270.0),
+            "radar: points the beam of its strip to the left of its course, and what it maps lies to the right; "
+            "give scan.azimuth_deg on that side, or leave it out");
+  EXPECT_EQ(refused(-0.5),
+            "radar: points the beam of its strip along its course, 0.5° off, where it passes over nothing; "
+            "give scan.azimuth_deg farther to the side, or leave it out");
+  EXPECT_THAT(refused(179.5), HasSubstr("along its course"));
+  EXPECT_EQ(refused(91.1), "");
+  radar.mode = Mode::Spotlight;
+  EXPECT_EQ(refused(270.0), "");
+}
+
 TEST(CoherentPlan, WhereDopplerTellsNothingIsSaid) {
   Radar radar = flying_north(Mode::DopplerBeamSharpening);
   const auto ahead = [&] { static_cast<void>(coherent_plan(radar, place_at(0.5))); };

@@ -113,5 +113,16 @@ TEST(Vantage, OfARadarIsThatOfItsMode) {
   EXPECT_FALSE(vantage_of(radar, {100.0, 0.0}).beams()) << "of a radar that stands";
 }
 
+TEST(Vantage, OfAStripKeepsToTheAzimuthAtWhichTheScanIsFixed) {
+  Radar radar;
+  radar.position = {100.0, -500.0, 300.0};
+  radar.velocity_mps = {80.0, 0.0, 0.0};
+  radar.mode = Mode::Stripmap;
+  radar.scan = {.kind = ScanKind::Fixed, .azimuth_rad = radians_from_deg(35.0)};
+  const Vec3d place = vantage_of(radar, {100.0, 0.0}).place_for({260.0, 40.0});
+  EXPECT_NEAR(place.x, 260.0 - 540.0 * std::tan(radians_from_deg(35.0)), 1e-9);
+  EXPECT_NEAR(place.y, -500.0, 1e-9);
+}
+
 }  // namespace
 }  // namespace sigmascape::radar

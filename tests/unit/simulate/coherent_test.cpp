@@ -141,6 +141,19 @@ TEST(Pulses, HaveScatterersForWhatTheyCanBeProcessedTo) {
   EXPECT_NEAR(static_cast<double>(asked.places.size()) * across_m * across_m / 4.0, 100.0 * 100.0, 300.0);
 }
 
+/// What takes minutes comes after what may be refused.
+TEST(Pulses, AreRefusedBeforeTheGroundIsLookedAt) {
+  radar::Radar radar = looking_north(radar::Mode::RealBeam);
+  radar.waveform.pulse_repetition_hz = 1e6;
+  Asked asked;
+  const CoherentScene scene{&level, asked.field()};
+  const auto record = [&] {
+    static_cast<void>(phase_history(scene, radar, {-100.0, -100.0, 100.0, 100.0}, {.interval_s = 1e-4, .threads = 1}));
+  };
+  EXPECT_THAT(message_of_error(record), HasSubstr("range gate"));
+  EXPECT_THAT(asked.places, ::testing::IsEmpty());
+}
+
 TEST(Pulses, AreOfTheScatterersOfTheirMap) {
   radar::Radar radar = looking_north(radar::Mode::Spotlight);
   radar.range_resolution_m = 60.0;
@@ -180,6 +193,22 @@ TEST(Strip, SeesAllGroundUnderTheAzimuthOfItsBeam) {
   EXPECT_NEAR(of_strip.least_rad(), pi, 1e-9);
   EXPECT_NEAR(of_pulses.least_rad(), pi, 1e-9);
   EXPECT_LT(of_spotlight.least_rad(), pi - 0.6);
+}
+
+/// 20° ahead of abeam; over the middle it passes when the platform is 600 m · tan 20° short of it.
+TEST(Strip, LooksWhereItsAntennaIsFixed) {
+  radar::Radar radar = looking_north(radar::Mode::Stripmap);
+  radar.position = {0.0, -600.0, 300.0};
+  radar.scan = {.kind = radar::ScanKind::Fixed, .azimuth_rad = radians_from_deg(20.0)};
+  const CoherentSettings settings{
+      .interval_s = 0.002, .along_resolution_m = 2.0, .scatterer_spacing_m = 20.0, .threads = 1};
+  Asked of_strip, of_pulses;
+  const auto strip = stripmap_image({&level, of_strip.field()}, radar, area, settings);
+  static_cast<void>(phase_history({&level, of_pulses.field()}, radar, area, settings));
+  EXPECT_NEAR(of_strip.least_rad(), radians_from_deg(160.0), 1e-9);
+  EXPECT_NEAR(of_pulses.least_rad(), radians_from_deg(160.0), 1e-9);
+  const Vec3d way{600.0 * std::tan(radians_from_deg(20.0)), 600.0, -300.0};
+  EXPECT_NEAR(strip.squint_rad, std::asin(way.x / length(way)), 1e-9);
 }
 
 /// A tower stands before the target as seen from the place at time zero, 200 m along, and beside it as the beam passes.
@@ -249,6 +278,8 @@ TEST(Images, KnowWhereTheBeamPointsWhosePatternTheyKeep) {
   radar.scan = {.kind = radar::ScanKind::Fixed, .azimuth_rad = 0.25};
   EXPECT_EQ(image_of(radar).beam_azimuth_rad, 0.25);
   radar.mode = radar::Mode::Stripmap;
+  EXPECT_EQ(stripmap_image(scene, radar, eastern, {.along_resolution_m = 4.0}).beam_azimuth_rad, 0.25);
+  radar.scan = {};
   const auto strip = stripmap_image(scene, radar, eastern, {.along_resolution_m = 4.0});
   EXPECT_NEAR(strip.beam_azimuth_rad.value(), to_middle_rad, 1e-12);
   EXPECT_EQ(strip.beam_azimuth_rad, beam_azimuth_rad(radar, eastern));
