@@ -52,6 +52,7 @@ radar::RangeAzimuthImage baked_image(const atlas::Atlas& atlas, const terrain::H
   check_above(radar, terrain.highest_m());
   auto image =
       render::GroundRenderer(atlas, terrain).render(radar, area, bins_for(radar, area, terrain), settings, counts);
+  if (settings.targets.empty()) return image;
   const auto* const apart = atlas.ground_layers();
   add_targets(image, radar, {terrain, apart != nullptr ? &apart->obstacles : nullptr}, settings.targets,
               {.dwell = dwell});

@@ -9,17 +9,15 @@
 #include "sigmascape/trace/crown_crossings.h"
 
 namespace sigmascape::simulate {
-namespace {
 
-double tallest_m(const radar::ObstacleMap* obstacles) {
-  float tallest = 0.0F;
+double highest_m_of(const terrain::HeightField& terrain, const radar::ObstacleMap* obstacles) {
+  float tallest_m = 0.0F;
   if (obstacles != nullptr) {
-    for (const radar::Obstacle& obstacle : obstacles->obstacles.values()) tallest = std::max(tallest, obstacle.top_m());
+    for (const radar::Obstacle& obstacle : obstacles->obstacles.values())
+      tallest_m = std::max(tallest_m, obstacle.top_m());
   }
-  return static_cast<double>(tallest);
+  return static_cast<double>(terrain.highest_m()) + static_cast<double>(tallest_m);
 }
-
-}  // namespace
 
 const radar::ObstacleMap* obstacles_of(const render::Reflectivity& sigma0) {
   const auto* const textures = std::get_if<render::AtlasReflectivity>(&sigma0);
@@ -28,7 +26,7 @@ const radar::ObstacleMap* obstacles_of(const render::Reflectivity& sigma0) {
 }
 
 double part_seen(const Surroundings& surroundings, Vec3d radar_position, Vec3d point) {
-  const auto& [terrain, obstacles, earth] = surroundings;
+  const auto& [terrain, obstacles, earth, highest_m] = surroundings;
   const Vec2d place{point.x, point.y};
   if (terrain.extent().contains(place)) point.z = std::max(point.z, terrain.height_at(place));
   const Vec3d way = radar_position - point;
@@ -37,7 +35,6 @@ double part_seen(const Surroundings& surroundings, Vec3d radar_position, Vec3d p
   const double rise = way.z / distance_m;
   const Vec2d direction{way.x / distance_m, way.y / distance_m};
   const double step_m = obstacles != nullptr ? std::min(obstacles->grid.cell_m, terrain.spacing_m) : terrain.spacing_m;
-  const double highest_m = static_cast<double>(terrain.highest_m()) + tallest_m(obstacles);
   double depth = 0.0;
   for (double d = step_m; d < distance_m; d += step_m) {
     const double height_m = point.z + d * rise - 0.5 * earth.curvature_per_m() * d * (distance_m - d);

@@ -13,12 +13,16 @@
 
 namespace sigmascape::simulate {
 
-/// What may stand between a target and the radar where there are only terrain and an atlas.
+/// No ground of this terrain and nothing that stands on it is higher. Takes a look at all of both.
+[[nodiscard]] double highest_m_of(const terrain::HeightField& terrain, const radar::ObstacleMap* obstacles);
+
+/// What may stand between targets and the radar where there are only terrain and an atlas. Made once for all of them.
 struct Surroundings {
   const terrain::HeightField& terrain;
   /// What stands on the ground, of an atlas that keeps it apart; without it only the terrain hides.
   const radar::ObstacleMap* obstacles = nullptr;
   radar::CurvedEarth earth = radar::CurvedEarth::flat();
+  double highest_m = highest_m_of(terrain, obstacles);
 };
 
 /// The obstacles that a reflectivity knows of, or none.

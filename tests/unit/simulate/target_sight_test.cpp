@@ -62,6 +62,19 @@ TEST(TargetSight, ends_at_a_house_that_is_taller_than_the_line) {
   EXPECT_EQ(part_seen({level, &tall}, radar, {0.0, 50.0, 5.0}), 1.0);
 }
 
+/// Looking for it takes as long as the map is large, and targets are many.
+TEST(TargetSight, finds_what_is_highest_once_for_all_targets) {
+  const auto ridge = ground(true);
+  const auto houses = block_of({.solid_top_m = 12.0F});
+  EXPECT_EQ((Surroundings{ridge}.highest_m), 35.0);
+  Surroundings surroundings{ridge, &houses};
+  EXPECT_EQ(surroundings.highest_m, 35.0 + 12.0);
+  const Vec3d point{0.0, 0.0, 6.0};
+  ASSERT_EQ(part_seen(surroundings, radar_at(10.0), point), 0.0);
+  surroundings.highest_m = 0.0;
+  EXPECT_EQ(part_seen(surroundings, radar_at(10.0), point), 1.0) << "a line above what is said to be highest is free";
+}
+
 /// The line crosses 20 m of crowns: e^(−κ · 20 m / cos ψ).
 TEST(TargetSight, fades_in_crowns) {
   const auto level = ground(false);
