@@ -99,7 +99,8 @@ SectorTask::SectorTask(const FrameParts& parts)
       pages_(parts.ground.stand_in()),
       stored_(stored_by(parts.ground.description())),
       stride_(odd_lines(parts.settings)),
-      own_bins_(beams_together(parts.settings.beam_step_rad) * stride_ * numbers_a_bin(parts.settings.content) / 16) {}
+      own_bins_(std::min(beams_together(parts.settings.beam_step_rad), parts.settings.beams) * stride_ *
+                numbers_a_bin(parts.settings.content) / 16) {}
 
 void SectorTask::hand_over(Beams beams) {
   const std::size_t group = beams_together(parts_.settings.beam_step_rad);

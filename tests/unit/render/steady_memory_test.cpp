@@ -83,5 +83,20 @@ TEST(SteadyMemory, LiveFramesTakeNoneOnceTheirPagesAreThere) {
   }
 }
 
+/// One long beam, as of an altimeter, is a frame of 4 MB, and a thread fills it in as much of its own.
+TEST(Memory, OfAFrameOfOneBeamIsThatOfOneBeam) {
+  const ScratchFolder folder;
+  ExampleGround example;
+  example.patches_a_side = 1;
+  example.sigma0 = [](const radar::Look& look) { return constant_gamma(0.1, look); };
+  const auto ground = example.over(example.store(folder.path("atlas")));
+  LiveSettings settings{.beams = 1, .ranges = std::size_t{1} << 17U, .beam_step_rad = 2e-3, .range_step_m = 1.0};
+  settings.threads = 1;
+  const std::size_t before = allocated_bytes();
+  const LiveRenderer renderer(ground, settings);
+  const std::size_t frame_bytes = settings.ranges * numbers_a_bin(settings.content) * sizeof(float);
+  EXPECT_LT(allocated_bytes() - before, 4 * frame_bytes);
+}
+
 }  // namespace
 }  // namespace sigmascape::render
