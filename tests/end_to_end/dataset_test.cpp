@@ -552,6 +552,26 @@ TEST(DatasetOfHouses, HasTheLabelsOfTheSameMapThatIsRendered) {
   }
 }
 
+// A scene without a name of its own is called after its file, which may have been named in Latin-1. JSON is UTF-8, and
+// what is told of all samples is written when the last of them is made.
+TEST(DatasetOfHouses, IsToldOfAPlaceWhoseNameIsNotUtf8) {
+  const ScratchFolder folder;
+  const fs::path scene = write_made_scene(folder.path("place"), 200, 200), odd = folder.path("place/caf\xe9.toml");
+  fs::rename(scene, odd);
+  folder.write("place/scene.toml", "");
+  folder.write("radar.toml", radar_in_the_south);
+  auto spec = dataset::read_dataset_spec(folder.write(
+      "spec.toml",
+      "[dataset]\nscene = \"place/scene.toml\"\nradar = \"radar.toml\"\ncount = 1\ncells = 8\ncell_m = 2.0\n"
+      "samples_per_cell = 1\n[view]\nazimuth_deg = [180, 180]\nelevation_deg = [21, 21]\nslant_range_km = [15, 15]\n"));
+  spec.scene = odd;
+  SilentProgress silent;
+  EXPECT_TRUE(dataset::make_dataset(dataset::SampleMaker(spec), folder.path("told"), {}, silent).is_complete);
+  std::ifstream manifest(folder.path("told/manifest.json")), boxes(folder.path("told/annotations.json"));
+  EXPECT_EQ(nlohmann::json::parse(manifest).at("scene"), "caf\ufffd");
+  EXPECT_EQ(nlohmann::json::parse(boxes).at("info").at("description"), "radar images of caf\ufffd");
+}
+
 // A scene's own targets are in the picture whether it is traced or rendered from an atlas, and as steady as a
 // reflector: an exponential draw would leave the brightest of four samples some six times as bright as the darkest.
 TEST(DatasetOfATarget, ShowsItSteadyAtEveryLevelOfDetail) {

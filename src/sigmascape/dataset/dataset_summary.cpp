@@ -13,6 +13,7 @@
 #include "sigmascape/dataset/sample_files.h"
 #include "sigmascape/geo/atomic_file.h"
 #include "sigmascape/product/contact_sheet.h"
+#include "sigmascape/product/json_text.h"
 #include "sigmascape/product/png_file.h"
 
 namespace sigmascape::dataset {
@@ -134,7 +135,7 @@ void write_summary(const SampleMaker& maker, const fs::path& folder, std::size_t
   geo::remove_leftovers(folder, "");
   geo::write_atomically(folder / "annotations.json", product::coco_json(boxes));
   geo::write_atomically(folder / "contact_sheet.png", product::png_bytes(product::contact_sheet(thumbnails)));
-  geo::write_atomically(folder / "manifest.json", manifest.dump(1) + "\n");
+  geo::write_atomically(folder / "manifest.json", product::json_text(manifest, 1));
 }
 
 }  // namespace sigmascape::dataset

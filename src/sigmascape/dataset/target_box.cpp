@@ -72,6 +72,11 @@ double end_of_stretch(const GroundLine& line, double half_m, double step_m, doub
   }
 }
 
+/// Whether something of a length about a middle reaches into the map, which is so many cells long; all in cells.
+bool reaches_in(double middle, double length, double cells) {
+  return middle + length / 2.0 > 0.0 && middle - length / 2.0 < cells;
+}
+
 }  // namespace
 
 std::optional<ShownStretch> shown_stretch(Vec3d target, const radar::Radar& radar, const terrain::HeightField& terrain,
@@ -97,15 +102,17 @@ product::TargetBox target_box(Vec3d target, double size_m, const radar::Radar& r
   // Sent and received over the same beam: its two-way half-power width.
   const double across_m = radar.beam_width_rad * middle_m / std::sqrt(2.0);
   const double sine = std::abs(line.outwards().x), cosine = std::abs(line.outwards().y);
-  const double width = (along_m * sine + across_m * cosine + size_m) / grid.cell_m + 1.0;
-  const double height = (along_m * cosine + across_m * sine + size_m) / grid.cell_m + 1.0;
+  const double wide = (along_m * sine + across_m * cosine) / grid.cell_m;
+  const double tall = (along_m * cosine + across_m * sine) / grid.cell_m;
   const Vec2d cell = grid.cells_from(line.place(middle_m));
   const auto columns = static_cast<double>(grid.columns), rows = static_cast<double>(grid.rows);
+  // Of a response beyond the map's edge the room about it alone would leave a sliver of a box, with no echo in it.
+  if (!reaches_in(cell.x, wide, columns) || !reaches_in(cell.y, tall, rows)) return {};
+  const double width = wide + size_m / grid.cell_m + 1.0, height = tall + size_m / grid.cell_m + 1.0;
   const double left = std::clamp(cell.x - width / 2.0, 0.0, columns),
                right = std::clamp(cell.x + width / 2.0, 0.0, columns);
   const double top = std::clamp(cell.y - height / 2.0, 0.0, rows),
                bottom = std::clamp(cell.y + height / 2.0, 0.0, rows);
-  if (!(right > left && bottom > top)) return {};
   return {.x = left, .y = top, .width = right - left, .height = bottom - top};
 }
 

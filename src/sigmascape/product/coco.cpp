@@ -6,6 +6,8 @@
 #include <set>
 #include <utility>
 
+#include "sigmascape/product/json_text.h"
+
 namespace sigmascape::product {
 
 std::string coco_json(const CocoBoxes& boxes) {
@@ -44,7 +46,7 @@ std::string coco_json(const CocoBoxes& boxes) {
             {"annotations", annotations},
             {"categories", categories}};
   if (boxes.has_videos) json["videos"] = videos;
-  return json.dump(1) + "\n";
+  return json_text(json, 1);
 }
 
 }  // namespace sigmascape::product

@@ -76,8 +76,8 @@ PairSums sums_over_blocks(const radar::GroundMap& tested, const radar::GroundMap
   return sums;
 }
 
-/// The sizes where none are named: the usual ones, or where the maps' cells go into none of those, as 5 m do not, some of
-/// their own.
+/// The sizes where none are named: the usual ones, or where the maps' cells go into none of those, as 5 m do not, some
+/// of their own.
 std::vector<double> sizes_to_compare_at(const radar::GroundGrid& grid) {
   std::vector<double> sizes_m;
   for (const double size_m : usual_cells_m)

@@ -137,6 +137,26 @@ TEST(TargetBox, HoldsTheResponseNearestTheTargetOnSteepFlanks) {
 }
 
 // From 80 degrees above, a balloon 4 km up is nearer than any ground.
+// Of a plain the ground whose range is the target's to within half the resolution is known in closed form. Here it ends
+// in the north at the map's southern edge, while the target stands further north, on the map, with 5 m of its size to
+// each side and half a cell beyond that.
+TEST(TargetBox, IsEmptyWhereTheMapEndsBeforeTheResponse) {
+  const terrain::HeightField terrain = ridge(0.0);
+  const radar::Radar radar = seeing_from(180.0, 45.0);
+  const auto box_of_response_up_to = [&](double north_m) {
+    const double altitude_m = radar.position.z - plain_m, target_north_m = -120.0;
+    const double range_m = std::hypot(north_m - radar.position.y, altitude_m) - radar.range_resolution_m / 2.0;
+    const double away_m = target_north_m - radar.position.y;
+    const double height_m = altitude_m - std::sqrt(range_m * range_m - away_m * away_m);
+    return target_box(above(terrain, {0.0, target_north_m}, height_m), 10.0, radar, terrain, grid);
+  };
+  const auto beyond = box_of_response_up_to(-129.0), across = box_of_response_up_to(-127.0);
+  EXPECT_EQ(beyond.width, 0.0);
+  EXPECT_EQ(beyond.height, 0.0);
+  EXPECT_NEAR(across.height, 1.0 + 5.0 + 0.5, 1e-3);
+  EXPECT_EQ(across.y + across.height, 256.0);
+}
+
 TEST(TargetBox, IsEmptyForWhatNoGroundShows) {
   const auto plain = ridge(0.0);
   const Vec3d balloon = above(plain, {0.0, 0.0}, 4000.0);

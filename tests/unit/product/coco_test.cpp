@@ -49,6 +49,19 @@ TEST(Coco, HasAllThatReadersAskFor) {
   for (const char* list : {"images", "annotations", "categories"}) EXPECT_FALSE(json.at(list).empty()) << list;
 }
 
+// A scene without a name of its own is called after its file, whose name may be in Latin-1.
+TEST(Coco, WordsThatAreNotUtf8AreWrittenAllTheSame) {
+  CocoBoxes boxes = example();
+  boxes.description = "radar images of caf\xe9";
+  boxes.contributor =
+      "Oficina de Catastro de C\xe1"
+      "diz";
+  const auto json = nlohmann::json::parse(coco_json(boxes));
+  EXPECT_EQ(json.at("info").at("description"), "radar images of caf\ufffd");
+  EXPECT_EQ(json.at("info").at("contributor"), "Oficina de Catastro de C\ufffddiz");
+  EXPECT_EQ(json.at("annotations").size(), 4U);
+}
+
 TEST(Coco, WithoutVideosThereAreNoTracks) {
   CocoBoxes boxes = example();
   boxes.has_videos = false;

@@ -201,6 +201,19 @@ TEST(MapMetrics, MapsOfOneFrameInOtherWordsAreCompared) {
   EXPECT_NO_THROW((void)compare_maps(cut_out, truth, at_cells({2.0})));
 }
 
+TEST(MapMetrics, MapsWhoseCellsGoIntoNoUsualSizeAreComparedAtTheirOwn) {
+  GroundMap map = map_of(40, 24, rough);
+  const auto sizes_at = [&](double cell_m) {
+    map.grid.cell_m = cell_m;
+    std::vector<double> sizes;
+    for (const CellComparison& row : compare_maps(map, map).at) sizes.push_back(row.cell_m);
+    return sizes;
+  };
+  EXPECT_THAT(sizes_at(5.0), testing::ElementsAre(5.0, 10.0, 20.0, 40.0, 80.0));
+  EXPECT_THAT(sizes_at(1.0), testing::ElementsAre(2.0, 4.0, 8.0, 16.0)) << "of 32 m there is none in 24 m";
+  EXPECT_THAT(sizes_at(4.0), testing::ElementsAre(4.0, 8.0, 16.0, 32.0));
+}
+
 TEST(MapMetrics, CellSizesThatCannotBeAreRefused) {
   const GroundMap map = map_of(8, 8, rough);
   expect_error([&] { (void)compare_maps(map, map, at_cells({3.0})); }, "3 m is no multiple");
