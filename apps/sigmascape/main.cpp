@@ -1,8 +1,10 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <fmt/format.h>
@@ -10,6 +12,8 @@
 #include <new>
 #include <string>
 #include <string_view>
+#include <unistd.h>
+#include <vector>
 
 #include "command.h"
 
@@ -41,16 +45,63 @@ void Output::finish(const std::string& text, const nlohmann::ordered_json& summa
 
 namespace {
 
+/// "bake", "atlas info", or the program's own name.
+std::string words_of(const CLI::App& command) {
+  const CLI::App* above = command.get_parent();
+  if (above == nullptr) return "sigmascape";
+  return above->get_parent() == nullptr ? command.get_name() : words_of(*above) + " " + command.get_name();
+}
+
+[[noreturn]] void refuse(std::string_view word, const std::string& what, const std::vector<std::string>& known,
+                         const std::string& otherwise) {
+  const auto nearest = nearest_word(word, known);
+  throw CLI::ParseError(
+      fmt::format("{}: {}; {}", word, what, nearest ? fmt::format("did you mean {}?", *nearest) : otherwise),
+      CLI::ExitCodes::ExtrasError);
+}
+
+/// The command, and the command under it, that the line names: the last word of theirs is at `last`, 0 for none.
+struct NamedCommand {
+  const CLI::App* command;
+  int last;
+};
+
 /// CLI11 would only say that a command is required.
-void refuse_unknown_command(const CLI::App& app, int argc, char** argv) {
-  if (argc < 2 || *argv[1] == '-') return;
-  std::vector<std::string> names;
-  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
-  if (std::ranges::find(names, argv[1]) != names.end()) return;
-  const auto nearest = nearest_word(argv[1], names);
-  const std::string remedy =
-      nearest ? fmt::format("did you mean {}?", *nearest) : fmt::format("choose among {}", fmt::join(names, ", "));
-  throw CLI::ParseError(fmt::format("{}: is no command; {}", argv[1], remedy), CLI::ExitCodes::ExtrasError);
+NamedCommand named_command(const CLI::App& app, int argc, char** argv) {
+  NamedCommand named{&app, 0};
+  for (int i = 1; i < argc && *argv[i] != '-'; ++i) {
+    const std::vector<const CLI::App*> under = named.command->get_subcommands(nullptr);
+    if (under.empty()) break;
+    const auto found = std::ranges::find(under, argv[i], &CLI::App::get_name);
+    if (found == under.end()) {
+      std::vector<std::string> names;
+      for (const CLI::App* command : under) names.push_back(command->get_name());
+      const bool is_root = named.command == &app;
+      refuse(argv[i], is_root ? "is no command" : "is no command of " + words_of(*named.command), names,
+             fmt::format("choose among {}", fmt::join(names, ", ")));
+    }
+    named = {*found, i};
+  }
+  return named;
+}
+
+/// CLI11 would list what it did not expect from its end, and before that ask for what a misspelled option was to be.
+void refuse_unknown_options(const NamedCommand& named, int argc, char** argv) {
+  std::vector<std::string> known;
+  for (const CLI::Option* option : named.command->get_options()) {
+    for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+    for (const std::string& name : option->get_snames()) known.push_back("-" + name);
+  }
+  for (int i = named.last + 1; i < argc; ++i) {
+    const std::string_view word = argv[i];
+    if (word == "--") return;  // what stands behind is no option
+    // Numbers may be negative.
+    const bool is_option =
+        word.size() > 1 && word[0] == '-' && (word[1] == '-' || std::isalpha(static_cast<unsigned char>(word[1])) != 0);
+    const std::string_view name = word.substr(0, word.find('='));
+    if (!is_option || std::ranges::find(known, name) != known.end()) continue;
+    refuse(name, "is no option of " + words_of(*named.command), known, "choose among those that --help tells");
+  }
 }
 
 /// No option has a use for an empty value, and as the name of a folder it would be the one that the user stands in.
@@ -87,7 +138,7 @@ int run(int argc, char** argv) {
   add_results_command(Command(app), output);
   try {
     refuse_empty_values(argc, argv);
-    refuse_unknown_command(app, argc, argv);
+    refuse_unknown_options(named_command(app, argc, argv), argc, argv);
     app.parse(argc, argv);
   } catch (const CLI::RuntimeError& ended) {
     return ended.get_exit_code();
@@ -100,7 +151,20 @@ int run(int argc, char** argv) {
 }  // namespace
 }  // namespace sigmascape::cli
 
+namespace {
+
+/// The first process of a container is spared signals that it does not handle: an eviction would wait for its end in
+/// vain. It ends by them here as any other process does, with the code that a shell gives for that.
+void end_by_signals_as_first_process() {
+  if (::getpid() != 1) return;
+  for (const int signal : {SIGTERM, SIGINT, SIGHUP})
+    static_cast<void>(std::signal(signal, [](int by) { std::_Exit(128 + by); }));
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
+  end_by_signals_as_first_process();
   // A file that may not grow further is told of by the failed write, as a full disk is, and not by the end of this.
   static_cast<void>(std::signal(SIGXFSZ, SIG_IGN));
   try {

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """Runs the pods of examples/clusters/kubernetes.yaml without Kubernetes: their own command, once for each index, in a folder in place of the
-volume. One is killed at work and started again, as the job would do it. The atlas must be that of a local bake, byte for byte.
+volume. One is killed at work, one evicted, and both started again, as the job would do it. The atlas must be that of a local bake, byte for byte.
 
 Usage: kubernetes_test.py SIGMASCAPE SOURCE_FOLDER. Ends with 77 where PyYAML is not installed.
 """
@@ -8,6 +8,7 @@ import json
 import os
 import pathlib
 import re
+import shutil
 import signal
 import subprocess
 import sys
@@ -90,11 +91,11 @@ class IndexedJob:
         check(mounted == {"data": "/data"}, "the volume is /data")
         check([volume["name"] for volume in volumes if "persistentVolumeClaim" in volume] == ["data"], "the volume is one that pods share")
 
-    def pod(self, index, volume, sigmascape):
-        """Starts the command of one pod with a folder for its volume."""
+    def pod(self, index, volume, sigmascape, within=()):
+        """Starts the command of one pod with a folder for its volume, by the command `within`."""
         environment = os.environ | self.variables | {"JOB_COMPLETION_INDEX": str(index), "PATH": f"{sigmascape.parent}:{os.environ['PATH']}"}
         script = self.arguments[0].replace("/data", str(volume))
-        return subprocess.Popen([*self.command, script], cwd="/", env=environment, stdout=subprocess.DEVNULL)
+        return subprocess.Popen([*within, *self.command, script], cwd="/", env=environment, stdout=subprocess.DEVNULL)
 
 
 def looks_done(log):
@@ -112,6 +113,32 @@ def kill_at_work(pod, log):
     check(1 <= looks_done(log) < json.loads(log.read_text().split("\n")[0])["looks_total"], "the killed pod left looks to bake")
 
 
+# As a container runtime starts it: a command is the first process of its own, which signals that it does not handle do not end.
+CONTAINER = ("unshare", "--user", "--map-root-user", "--pid", "--fork")
+
+
+def containers_are_allowed():
+    allowed = shutil.which(CONTAINER[0]) and subprocess.run([*CONTAINER, "true"], capture_output=True).returncode == 0
+    if not allowed:
+        print("SKIPPED: process namespaces are not allowed here; eviction was NOT tried.", file=sys.stderr)
+    return allowed
+
+
+def evict_at_work(container, log):
+    """Asks a pod to end when it has baked a look, as a cluster does half a minute before it kills it."""
+    while looks_done(log) < 1 and container.poll() is None:
+        time.sleep(0.005)
+    first = pathlib.Path(f"/proc/{container.pid}/task/{container.pid}/children").read_text().split()
+    check(len(first) == 1, "the pod is at work")
+    os.kill(int(first[0]), signal.SIGTERM)
+    try:
+        code = container.wait(timeout=10)
+    except subprocess.TimeoutExpired:
+        os.kill(int(first[0]), signal.SIGKILL)
+        code = container.wait()
+    check(code == 128 + signal.SIGTERM, f"an evicted pod ends by the signal, not with {code}")
+
+
 def files_of(atlas):
     """By name. What a killed process was writing may stay where another might be writing it: the collection, catalogs, the pyramid."""
     def may_stay(name):
@@ -124,6 +151,9 @@ def files_of(atlas):
 def bake_by_pods(job, volume, sigmascape):
     killed = 3
     kill_at_work(job.pod(killed, volume, sigmascape), volume / "logs" / f"bake-{killed}.jsonl")
+    evicted = 5
+    if containers_are_allowed():
+        evict_at_work(job.pod(evicted, volume, sigmascape, CONTAINER), volume / "logs" / f"bake-{evicted}.jsonl")
     for first in range(0, job.completions, job.parallelism):
         pods = [job.pod(index, volume, sigmascape) for index in range(first, min(first + job.parallelism, job.completions))]
         check([pod.wait() for pod in pods] == [0] * len(pods), "every pod ends well")
