@@ -87,7 +87,7 @@ std::string left_out_text(const atlas::LevelsAbove& made) {
 
 void make_pyramid(const std::string& folder, const Output& output) {
   const atlas::LevelsAbove made = atlas::make_levels_above(atlas::Store::open(folder));
-  output.finish(fmt::format("{} textures written{}", made.written, left_out_text(made)),
+  output.finish(fmt::format("{} written{}", counted(made.written, "texture", "textures"), left_out_text(made)),
                 {{"atlas", folder},
                  {"written", made.written},
                  {"left_out", made.left_out},
@@ -142,8 +142,9 @@ std::string text_of(const atlas::AtlasDescription& atlas, const atlas::AtlasSumm
   for (double& frequency : frequencies_ghz) frequency /= 1e9;
   line("frequencies", fmt::format("{:g} GHz", fmt::join(frequencies_ghz, ", ")));
   line("looks done", fmt::format("{} of {}", summary.looks_done, summary.looks));
-  line("pyramid", fmt::format("{} levels above the patches, {} of {} textures", summary.pyramid_levels,
-                              summary.pyramid_done, summary.pyramid_textures));
+  line("pyramid",
+       fmt::format("{} above the patches, {} of {} textures", counted(summary.pyramid_levels, "level", "levels"),
+                   summary.pyramid_done, summary.pyramid_textures));
   line("size",
        fmt::format("{}, {} a look", size_text(static_cast<double>(summary.bytes)), size_text(summary.bytes_per_look)));
   line("texel error", summary.looks_done == 0
@@ -203,13 +204,15 @@ void build_terrain(const std::string& folder, const terrain::TerrainSource& sour
   const terrain::TerrainPyramid built = terrain::open_pyramid(pyramid, 0);
   const terrain::PyramidLayout& layout = built.layout();
   const radar::Rectangle extent = layout.extent();
-  std::string text =
-      fmt::format("{} levels, {} x {} tiles of {} cells of {:g} m: {:.0f} m x {:.0f} m; {} tiles written",
-                  layout.levels(), layout.tiles_across, layout.tiles_down, terrain::HeightTile::cells, layout.spacing_m,
-                  extent.width_m(), extent.height_m(), build.tiles_written);
+  std::string text = fmt::format("{}, {} x {} tiles of {} cells of {:g} m: {:.0f} m x {:.0f} m; {} written",
+                                 counted(layout.levels(), "level", "levels"), layout.tiles_across, layout.tiles_down,
+                                 terrain::HeightTile::cells, layout.spacing_m, extent.width_m(), extent.height_m(),
+                                 counted(build.tiles_written, "tile", "tiles"));
   if (build.nodes_without_height > 0) {
-    text += fmt::format("\n{} nodes have no height in {} and lie at {:g} m: --no-data-height, or fill them first",
-                        build.nodes_without_height, source.raster.file.filename().string(), no_data_height_m);
+    text += fmt::format("\n{} no height in {} and {} at {:g} m: --no-data-height, or fill them first",
+                        counted(build.nodes_without_height, "node has", "nodes have"),
+                        source.raster.file.filename().string(), build.nodes_without_height == 1 ? "lies" : "lie",
+                        no_data_height_m);
   }
   output.finish(text, {{"atlas", folder},
                        {"written", build.tiles_written},

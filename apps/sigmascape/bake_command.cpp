@@ -33,7 +33,8 @@ std::string text_of(const Baked& baked) {
   std::string text;
   for (const atlas::StoreFault& fault : report.mended)
     text += fmt::format("{} {}; made anew\n", fault.file.string(), fault.what);
-  text += fmt::format("{} looks in {} ({} were there already", report.looks, baked.folder, report.already);
+  text +=
+      fmt::format("{} in {} ({} already there", counted(report.looks, "look", "looks"), baked.folder, report.already);
   if (report.elsewhere > 0) text += fmt::format(", {} baked by another process", report.elsewhere);
   text += fmt::format("), {:.1f} s", baked.seconds);
   if (const auto error = report.relative_standard_error) {
@@ -42,7 +43,7 @@ std::string text_of(const Baked& baked) {
   }
   if (const auto part = report.above_target.part())
     text += fmt::format(", {:.0f} % of texels above the target", 100.0 * *part);
-  if (report.pyramid > 0) text += fmt::format(", {} textures of the pyramid", report.pyramid);
+  if (report.pyramid > 0) text += fmt::format(", {} of the pyramid", counted(report.pyramid, "texture", "textures"));
   return text;
 }
 
@@ -73,19 +74,22 @@ const char* on_top_text(bake::Shadows shadows) {
 
 std::string text_of(const bake::BakePlan& plan, bake::Shadows shadows) {
   const bool is_whole = plan.jobs_of_share == plan.jobs;
-  std::string text = fmt::format("{} patches, {} jobs of a patch and an aspect each", plan.patches, plan.jobs);
+  std::string text = fmt::format("{}, {} of a patch and an aspect each", counted(plan.patches, "patch", "patches"),
+                                 counted(plan.jobs, "job", "jobs"));
   if (!is_whole) text += fmt::format(", {} of them in this share", plan.jobs_of_share);
   text += fmt::format(
-      "\n{} looks to bake, {} are there already\n"
+      "\n{} to bake, {} already there\n"
       "{:.1f} million cells to send rays to, gutters around the patches included\n"
       "about {} on this machine\n"
       "about {} for the textures of the whole atlas and their standard errors",
-      plan.looks - plan.already, plan.already, plan.cells / 1e6, duration_text(plan.seconds), size_text(plan.bytes));
+      counted(plan.looks - plan.already, "look", "looks"), plan.already, plan.cells / 1e6, duration_text(plan.seconds),
+      size_text(plan.bytes));
   if (!is_whole) text += fmt::format(", {} of it from this share", size_text(plan.bytes_of_share));
   return text + fmt::format(
                     "; {}\n"
-                    "(from {} looks at a piece of 256 x 256 texels in the middle, baked in {})",
-                    on_top_text(shadows), plan.probe_looks, duration_text(plan.probe_seconds));
+                    "(from {} at a piece of 256 x 256 texels in the middle, baked in {})",
+                    on_top_text(shadows), counted(plan.probe_looks, "look", "looks"),
+                    duration_text(plan.probe_seconds));
 }
 
 nlohmann::ordered_json json_of(const bake::BakePlan& plan) {

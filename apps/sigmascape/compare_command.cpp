@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "command.h"
+#include "number_within.h"
 #include "polarization_option.h"
 
 #include "sigmascape/base/error.h"
@@ -35,9 +36,17 @@ void add_compare_command(Command app, Output& output) {
   command.add_option("TRUTH", options->truth, "ground map held to be right").required();
   command.add_option("--noise-floor", options->repeated,
                      "the truth traced again with another seed: how close two of them come");
-  command.add_option("--cells-m", options->compare.cells_m, "cell sizes to average to before comparing").delimiter(',');
-  command.add_option("--floor-db", options->compare.floor_db, "darker cells count as this dark").capture_default_str();
-  command.add_option("--shadow-db", options->compare.shadow_db, "darker cells are shadow").capture_default_str();
+  command
+      .add_option("--cells-m", options->compare.cells_m,
+                  "cell sizes to average to before comparing; when nothing is said 2, 4, 8, 16 and 32 where the maps' "
+                  "cells go into them, else 1 to 16 times these")
+      .delimiter(',');
+  command.add_option("--floor-db", options->compare.floor_db, "darker cells count as this dark")
+      .capture_default_str()
+      .check(number_within(-1000.0, 1000.0));
+  command.add_option("--shadow-db", options->compare.shadow_db, "darker cells are shadow")
+      .capture_default_str()
+      .check(number_within(-1000.0, 1000.0));
   add_polarization_option(command, options->compare.polarization);
   command.add_flag("--json", output.json, "print as JSON");
   command.footer("Example:\n  sigmascape compare baked.tif traced.tif --noise-floor traced_again.tif");

@@ -6,6 +6,7 @@
 #include "stopwatch.h"
 #include "terminal_progress.h"
 #include "threads_option.h"
+#include "words.h"
 
 #include "sigmascape/bake/shard.h"
 #include "sigmascape/dataset/dataset_run.h"
@@ -45,9 +46,9 @@ void add_dataset_command(Command app, Output& output) {
     const double seconds = watch.seconds();
     const std::size_t made = report.samples - report.already;
     const double rate = seconds > 0.0 ? static_cast<double>(made) / seconds : 0.0;
-    output.finish(fmt::format("{} samples in {} ({} were there already), {:.1f} s, {:.1f} a second{}", report.samples,
-                              options->folder, report.already, seconds, rate,
-                              report.is_complete ? "" : "; other shares are still lacking"),
+    output.finish(fmt::format("{} in {} ({} already there), {:.1f} s, {:.1f} a second{}",
+                              counted(report.samples, "sample", "samples"), options->folder, report.already, seconds,
+                              rate, report.is_complete ? "" : "; other shares are still lacking"),
                   {{"dataset", options->folder},
                    {"samples", report.samples},
                    {"already", report.already},

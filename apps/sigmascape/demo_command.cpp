@@ -4,10 +4,13 @@
 #include "bake_options.h"
 #include "command.h"
 #include "map_files.h"
+#include "number_within.h"
 #include "scene_warnings.h"
 #include "stopwatch.h"
 #include "terminal_progress.h"
+#include "words.h"
 
+#include "sigmascape/atlas/aspect_grid.h"
 #include "sigmascape/atlas/store.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/geo/atomic_file.h"
@@ -61,6 +64,13 @@ class Demo {
         folder_(options.folder),
         scene_(std::move(scene)),
         geometry_(scene_, trace::Footing::Terrain) {}
+
+  /// What would only be found out after the bake.
+  void check(const View& view) const {
+    const auto radar = simulate::placed_radar(view.radar, scene_.frame, scene_.terrain, scene_.extent);
+    static_cast<void>(simulate::map_grid(view.radar.map, scene_.extent));
+    atlas::check_frequency(options_.bake.settings().aspects, radar.frequency_hz);
+  }
 
   void bake() {
     const Stopwatch watch;
@@ -125,8 +135,9 @@ class Demo {
                         {"rays", bake_report_.counts.rays}};
     geo::write_atomically(folder_ / "comparison.json", summary_.dump(2) + "\n");
     summary_["page"] = (folder_ / "index.html").string();
-    output.finish(fmt::format("{}: {} looks{} baked in {:.1f} s\n{}\nOpen {}", scene_.name, bake_report_.looks,
-                              already_in_words(), bake_seconds_, text_, (folder_ / "index.html").string()),
+    output.finish(fmt::format("{}: {}{} baked in {:.1f} s\n{}\nOpen {}", scene_.name,
+                              counted(bake_report_.looks, "look", "looks"), already_in_words(), bake_seconds_, text_,
+                              (folder_ / "index.html").string()),
                   summary_);
   }
 
@@ -210,9 +221,11 @@ scene::Scene scene_of(const DemoOptions& options) {
 }
 
 void run_demo(const DemoOptions& options, const Output& output) {
+  const std::vector<View> views = views_of(options);
   Demo demo(options, scene_of(options));
+  for (const View& view : views) demo.check(view);
   demo.bake();
-  for (const View& view : views_of(options)) demo.compare_at(view);
+  for (const View& view : views) demo.compare_at(view);
   demo.finish(output);
 }
 
@@ -228,7 +241,8 @@ void add_demo_command(Command app, Output& output) {
   command.add_option("--out", options->folder, "folder for pictures, maps and the page").capture_default_str();
   command.add_option("--scale", options->scale, "size of the paper's scene, 1 being 2 km").capture_default_str();
   command.add_option("--traced-samples", options->traced_samples, "rays a cell of the traced map")
-      .capture_default_str();
+      .capture_default_str()
+      .check(count_within<std::uint32_t>(1, 1U << 24U));
   options->bake.add_to(command);
   command.add_flag("--json", output.json, "print the summary as JSON");
   command.footer(

@@ -210,6 +210,17 @@ void check_files(const RenderOptions& options) {
                                                  {"--slant-image", options.iq.slant_image}}));
 }
 
+/// All the work would be for a line of text.
+void warn_of_no_file(const RenderOptions& options) {
+  for (const std::string& file :
+       {options.map_file, options.power_file, options.picture_file, options.scopes.ppi, options.scopes.b_scope,
+        options.layers.file, options.received.snr, options.received.video, options.iq.file, options.iq.slant_image}) {
+    if (!file.empty()) return;
+  }
+  if (!options.explain)
+    fmt::print(stderr, "warning: no file is written; name one with --out, --png or another option\n");
+}
+
 /// The radar of the file, whose polarization an option may have changed.
 radar::RadarFile radar_file_of(const RenderOptions& options, std::optional<radar::Polarization> polarization) {
   radar::RadarFile file = radar::read_radar_file(options.radar);
@@ -263,6 +274,7 @@ void render(RenderOptions options, std::optional<radar::Polarization> polarizati
   const auto radar = simulate::placed_radar(radar_file, scene.frame, scene.terrain, scene.extent, options.time_s);
   const auto grid = simulate::map_grid(radar_file.map, scene.extent);
   check_coherent(options, radar);
+  warn_of_no_file(options);
   warn_of_scene(scene);
   warn_of(radar, simulate::map_warnings(radar, radar_file.map, scene.terrain, scene.extent));
   const std::string hash = scene::scene_hash(scene);

@@ -43,6 +43,7 @@ void run_results(const ResultsOptions& options, const Output& output) {
   const ResultsPlan plan = results_plan(options);
   if (!options.page.empty()) geo::check_place_for(options.page);
   const std::filesystem::path folder = options.folder;
+  geo::check_place_for(folder / "results.json");
   Measurement measurement(plan, folder, options.measured);
   measurement.compare_all();
 

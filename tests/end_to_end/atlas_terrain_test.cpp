@@ -91,6 +91,19 @@ TEST_F(AtlasTerrain, IsMadeVerifiedAndMended) {
   EXPECT_EQ(verify(), 0) << told();
 }
 
+TEST_F(AtlasTerrain, OneIsCountedAsOne) {
+  const std::string heights = raster(497'000.0, "heights.asc");
+  const auto said_at = [&](int spacing_m) {
+    EXPECT_EQ(
+        run(fmt::format("atlas terrain '{}' '{}' --crs EPSG:25830 --spacing {}", atlas_.string(), heights, spacing_m)),
+        0);
+    return told();
+  };
+  // 8 km are 80 of the 256 cells of a tile, or 800.
+  EXPECT_THAT(said_at(100), testing::AllOf(testing::StartsWith("1 level, "), HasSubstr("; 1 tile written")));
+  EXPECT_THAT(said_at(10), testing::AllOf(HasSubstr(" levels, "), HasSubstr(" tiles written")));
+}
+
 TEST_F(AtlasTerrain, HeightsWithoutAUnitOnAMapInFeetAreMetresWithAWarning) {
   constexpr double feet_per_m = 3937.0 / 1200.0;
   const geo::AsciiGrid grid{497'000.0 * feet_per_m, 4'792'000.0 * feet_per_m, 66.0, 400, 400};

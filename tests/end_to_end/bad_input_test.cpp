@@ -100,6 +100,8 @@ TEST_F(BadInput, WhatAMapCannotBeIsRefusedBeforeItIsTraced) {
   EXPECT_THAT(said_of("--layers shadow --layers-out layers.png"), HasSubstr("layers.png: would not be known for"));
   EXPECT_THAT(said_to("results --small --finer-samples 1 --out results"), HasSubstr("--finer-samples: is 1"));
   EXPECT_THAT(said_to("results --small --measured none.json --out results"), HasSubstr("none.json: cannot be read"));
+  EXPECT_THAT(said_to("results --small --out radar.toml"),
+              HasSubstr("radar.toml/results.json: cannot be written (Not a directory); choose a folder"));
   EXPECT_THAT(said_to(fmt::format("results --small --scene '{}' --out results", scene.string())),
               HasSubstr("asks for 400 m, and the scene is 200 m wide; give one of at most 0.1"));
 }
@@ -169,6 +171,64 @@ TEST_F(BadInput, WordsThatAnOptionDoesNotKnowAreToldWithThoseThatItKnows) {
 TEST_F(BadInput, CommandsThatAreNotKnownAreToldWithTheNearest) {
   EXPECT_THAT(said_to("bakke town.toml"), HasSubstr("bakke: is no command; did you mean bake?"));
   EXPECT_THAT(said_to("photograph"), HasSubstr("photograph: is no command; choose among scene, bake, atlas"));
+}
+
+TEST_F(BadInput, WordsThatNoCommandOrOptionIsCalledAreToldWithTheNearest) {
+  EXPECT_THAT(said_to("scene infos town.toml"), StartsWith("infos: is no command of scene; did you mean info?"));
+  EXPECT_THAT(said_to("atlas merge a b"),
+              StartsWith("merge: is no command of atlas; choose among info, verify, pyramid, terrain"));
+  // Rather than that --scene is required, which somebody who wrote --scen believes to have given.
+  EXPECT_THAT(said_to("render radar.toml --scen town.toml"),
+              StartsWith("--scen: is no option of render; did you mean --scene?"));
+  EXPECT_THAT(said_to("render radar.toml --scene town.toml --polarisation=vv"),
+              StartsWith("--polarisation: is no option of render; did you mean --polarization?"));
+  EXPECT_THAT(said_to("plot sigma0 grass -out a.svg"),
+              StartsWith("-out: is no option of plot sigma0; did you mean --out?"));
+  EXPECT_THAT(said_to("scene info town.toml --by-the-way"),
+              StartsWith("--by-the-way: is no option of scene info; choose among those that --help tells"));
+  EXPECT_THAT(said_to("render radar.toml --scene town.toml --top-db -30"), StartsWith("sigmascape: radar.toml"));
+}
+
+TEST_F(BadInput, MapsThatNobodyKeepsAreMadeWithAWarning) {
+  write_radar();
+  write_made_scene(folder_.path("town"), 120, 120);
+  const auto warned = [&](const std::string& options) {
+    EXPECT_EQ(said_to("render radar.toml --scene town/scene.toml --lod 0 --samples 1 " + options), "");
+    std::ifstream stream(folder_.path("said"));
+    const std::string said{std::istreambuf_iterator<char>(stream), {}};
+    return said.find("warning: no file is written; name one with --out, --png") != std::string::npos;
+  };
+  EXPECT_TRUE(warned(""));
+  EXPECT_FALSE(warned("--png map.png"));
+  EXPECT_FALSE(warned("--layers shadow --layers-out layers.tif"));
+  EXPECT_FALSE(warned("--explain"));
+}
+
+TEST_F(BadInput, WhatADemoCannotMapIsRefusedBeforeItIsBaked) {
+  const auto scene = write_made_scene(folder_.path("scene"), 200.0, 200.0);
+  // So many rays would take an hour.
+  const auto said_of = [&](const std::string& options) {
+    return said_to(fmt::format("demo --scene '{}' --samples 1000000 --out demo {}", scene.string(), options));
+  };
+  EXPECT_THAT(said_of("--traced-samples 0"), StartsWith("--traced-samples: is 0; give a whole number from 1 to"));
+  EXPECT_THAT(said_of("--radar none.toml"), HasSubstr("none.toml: the file does not exist"));
+  write_radar();
+  EXPECT_THAT(said_of("--radar radar.toml --frequencies-ghz 3"), HasSubstr("10 GHz is not in this atlas"));
+  folder_.write("elsewhere.toml",
+                "[radar]\nfrequency_ghz = 10\nrange_resolution_m = 4\nbeam_width_deg = 0.1\n"
+                "[position]\nazimuth_deg = 180\nelevation_deg = 20\nslant_range_km = 5\n"
+                "[map]\nwest_m = 500\nsouth_m = 500\neast_m = 600\nnorth_m = 600\n");
+  EXPECT_THAT(said_of("--radar elsewhere.toml"), HasSubstr("map area: has no cell in common with the scene"));
+  folder_.write("coarse.toml",
+                "[radar]\nfrequency_ghz = 10\nrange_resolution_m = 4\nbeam_width_deg = 0.1\n"
+                "[position]\nazimuth_deg = 180\nelevation_deg = 20\nslant_range_km = 5\n[map]\ncell_m = 500\n");
+  EXPECT_THAT(said_of("--radar coarse.toml"), HasSubstr("and cells of 500 m; make cell_m smaller"));
+  EXPECT_FALSE(is_there("demo"));
+}
+
+TEST_F(BadInput, DecibelsOfAComparisonAreNumbers) {
+  EXPECT_THAT(said_to("compare a.tif b.tif --floor-db nan"), StartsWith("--floor-db: is nan; give a number from"));
+  EXPECT_THAT(said_to("compare a.tif b.tif --shadow-db inf"), StartsWith("--shadow-db: is inf; give a number from"));
 }
 
 TEST_F(BadInput, PulsesWithoutAnAtlasOrUnderAnotherNameAreRefusedBeforeTheWork) {

@@ -84,7 +84,7 @@ TEST_F(BakeCommand, WhatPartOfTheTexelsMissesTheTargetIsTold) {
   const std::string few_again = std::string(one_coarse_look) + " --bounces 2 --target-db 0.4 --most-samples 8";
   EXPECT_THAT(run(bake_line("fresh", few_again)).printed, ContainsRegex("[0-9]+ % of texels above the target"));
   EXPECT_THAT(run(bake_line("few", few_again)).printed,
-              AllOf(HasSubstr("(4 were there already"), Not(HasSubstr("above the target"))));
+              AllOf(HasSubstr("(4 already there"), Not(HasSubstr("above the target"))));
 }
 
 TEST_F(BakeCommand, OfNothingThatWasBakedNoErrorIsTold) {
@@ -92,7 +92,7 @@ TEST_F(BakeCommand, OfNothingThatWasBakedNoErrorIsTold) {
   EXPECT_GT(baked("again", options).at("relative_standard_error").get<double>(), 0.0);
   EXPECT_TRUE(baked("again", options).at("relative_standard_error").is_null());
   EXPECT_THAT(run(bake_line("again", options)).printed,
-              AllOf(HasSubstr("(4 were there already)"), Not(HasSubstr("error")), Not(HasSubstr("rays"))));
+              AllOf(HasSubstr("(4 already there)"), Not(HasSubstr("error")), Not(HasSubstr("rays"))));
 }
 
 // On standard error, so that a summary in JSON stays what it is; what lies outside by rights is for `scene info` alone.

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "results/columns.h"
+#include "words.h"
 
 namespace sigmascape::cli {
 namespace {
@@ -112,8 +113,8 @@ std::string found_from_the_papers_looks(const ResultsPlan& plan, const Best& bes
   const LookGrid& looks = plan.paper_grid();
   const std::string baked_for = fmt::format("the paper's {} directions ({} azimuths at {} elevations each)",
                                             looks.name(), looks.azimuths, looks.elevations_deg.size());
-  const std::string where =
-      fmt::format("medians over {} views from other directions, at {:.0f} m cells", best.paper->views, summary_cell_m);
+  const std::string where = fmt::format("medians over {} from other directions, at {:.0f} m cells",
+                                        counted(best.paper->views, "view", "views"), summary_cell_m);
   if (best.alike == nullptr) {
     return fmt::format(
         "Maps rendered by the paper's method from textures that were baked for {} differ from "
@@ -134,7 +135,8 @@ std::string found_on_grid(const std::vector<ResultsRow>& rows, const ResultsRow&
   if (summary_cell(row) == nullptr) return {};
   const ResultsRow* paper = by(Method::Paper, *row, rows);
   const std::string beside = paper == nullptr || paper == row ? "" : fmt::format(" (the paper's {})", rms_text(*paper));
-  return fmt::format(" and by {}{} at {} views that were baked", rms_text(*row), beside, row->views);
+  return fmt::format(" and by {}{} at {} that {} baked", rms_text(*row), beside, counted(row->views, "view", "views"),
+                     row->views == 1 ? "was" : "were");
 }
 
 /// How far the best maps are from traced ones, and what keeps them there.

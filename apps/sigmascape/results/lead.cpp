@@ -4,6 +4,7 @@
 
 #include "results/columns.h"
 #include "results/combinations.h"
+#include "words.h"
 
 #include "sigmascape/product/software.h"
 
@@ -122,9 +123,10 @@ std::string noise_floor_text(const ResultsReport& report) {
     const ResultsRow& row = *baseline_row(report.plan, report.rows, report.plan.scene_name(), kind);
     text += fmt::format(
         "- {}: RMS {} dB, relative L1 {}, correlation {}; the two traced maps agree to {:g} or more, as was aimed at, "
-        "at {} of {} views\n",
+        "at {} of {}\n",
         text_of(kind), number_text(least_error(floor->rms_db), 2), number_text(least_error(floor->l1), 3),
-        number_text(most_correlation(floor->correlation_db), 3), least_agreement, row.agreeing_views, row.views);
+        number_text(most_correlation(floor->correlation_db), 3), least_agreement, row.agreeing_views,
+        counted(row.views, "view", "views"));
   }
   return text + "\n";
 }

@@ -249,7 +249,9 @@ std::optional<TomlSection> TomlSection::section(std::string_view key) const {
   if (!has(key)) return std::nullopt;
   const toml::node& node = *find(*table_->table, key);
   if (!node.is_table())
-    throw fault(key, fmt::format("is {}", as_written(node)), fmt::format("write it as a table, [{}]", key));
+    throw fault(key, fmt::format("is {}", as_written(node)),
+                fmt::format("write it as a table, {}",
+                            table_->place.empty() ? fmt::format("[{}]", key) : fmt::format("{} = {{…}}", key)));
   auto inner = std::make_shared<Table>(*table_);
   inner->table = node.as_table();
   inner->place = fmt::format("{}{}{}", table_->place, table_->place.empty() ? "" : ".", key);

@@ -373,7 +373,9 @@ FeatureCensus for_each_feature(const VectorSource& source, const LocalFrame& fra
   }
   if (!osm && of_other_kinds > 0 && of_this_kind == 0) {
     throw Error(source.file.string(),
-                fmt::format("none of its {} features is {}", of_other_kinds, word_for(source.kind)),
+                of_other_kinds == 1
+                    ? fmt::format("its only feature is not {}", word_for(source.kind))
+                    : fmt::format("none of its {} features is {}", of_other_kinds, word_for(source.kind)),
                 "choose another layer or file");
   }
   census.unknown_tags = unknown_tags.left();

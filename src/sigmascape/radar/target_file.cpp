@@ -27,7 +27,8 @@ std::optional<std::array<double, Count>> row_of(const TomlSection& section, std:
   const auto values = section.numbers(key, allowed);
   if (!section.has(key)) return std::nullopt;
   if (values.size() != Count)
-    throw section.fault(key, fmt::format("holds {} numbers", values.size()), fmt::format("give {}", Count));
+    throw section.fault(key, fmt::format("holds {} number{}", values.size(), values.size() == 1 ? "" : "s"),
+                        fmt::format("give {}", Count));
   std::array<double, Count> row{};
   std::copy(values.begin(), values.end(), row.begin());
   return row;

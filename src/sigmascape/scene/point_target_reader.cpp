@@ -11,7 +11,9 @@ namespace {
 std::optional<std::array<double, 2>> single_position(const TomlSection& section, std::string_view key, Interval range) {
   const auto values = section.numbers(key, range);
   if (!section.has(key)) return std::nullopt;
-  if (values.size() != 2) throw section.fault(key, fmt::format("holds {} numbers", values.size()), "give two");
+  if (values.size() != 2)
+    throw section.fault(key, fmt::format("holds {} number{}", values.size(), values.size() == 1 ? "" : "s"),
+                        "give two");
   return std::array{values[0], values[1]};
 }
 

@@ -80,6 +80,12 @@ radar::GroundGrid map_grid(const radar::MapRequest& request, const radar::Rectan
   const double columns = std::floor((east - west) / request.cell_m + 1e-9),
                rows = std::floor((north - south) / request.cell_m + 1e-9);
   if (columns < 1.0 || rows < 1.0) {
+    if (east > west && north > south) {
+      throw Error("map area",
+                  fmt::format("has {:g} x {:g} m in common with the scene and cells of {:g} m", east - west,
+                              north - south, request.cell_m),
+                  "make cell_m smaller, or the area larger");
+    }
     throw Error("map area", "has no cell in common with the scene",
                 "choose an area within the extent that `sigmascape scene info` prints");
   }

@@ -21,6 +21,15 @@ class TomlReader : public ::testing::Test {
   ScratchFolder folder_;
 };
 
+TEST_F(TomlReader, WhatIsNoTableIsToldAsOneThatStandsThere) {
+  EXPECT_THAT(message_of_error([&] { static_cast<void>(section("t = 1").section("t")); }),
+              EndsWith("scene.toml: t: is 1; write it as a table, [t]"));
+  // [extent] would be another table, of which nobody knows.
+  EXPECT_THAT(message_of_error(
+                  [&] { static_cast<void>(section("[scene]\nextent = [1, 2]").section("scene")->section("extent")); }),
+              EndsWith("scene.extent: is [ 1, 2 ]; write it as a table, extent = {…}"));
+}
+
 TEST_F(TomlReader, ReadsEveryKindOfValue) {
   const auto root = section(
       "name = \"a\"\nn = 3\nx = 2.5\non = true\nlist = [1, 2]\npairs = [[1, 2.5]]\nwords = [\"p\"]\n[t]\ny = "

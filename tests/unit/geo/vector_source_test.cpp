@@ -77,6 +77,8 @@ TEST(VectorSource, PassesOverOtherKindsOfFeaturesButNotWhenThereIsNothingElse) {
   EXPECT_THAT(
       message_of_error([&] { static_cast<void>(read_features({.file = collection(point + "," + point)}, frame)); }),
       HasSubstr("mixed.geojson: none of its 2 features is an area; choose another layer or file"));
+  EXPECT_THAT(message_of_error([&] { static_cast<void>(read_features({.file = collection(point)}, frame)); }),
+              HasSubstr("mixed.geojson: its only feature is not an area; choose another layer or file"));
 }
 
 TEST(VectorSource, OpenStreetMapTagsBecomeAttributes) {
