@@ -7,6 +7,7 @@
 #include "sigmascape/base/parallel.h"
 #include "sigmascape/receiver/range_azimuth_receiver.h"
 #include "sigmascape/receiver/target_echoes.h"
+#include "sigmascape/simulate/answering_ground.h"
 #include "sigmascape/simulate/launch_for_map.h"
 #include "sigmascape/simulate/placement.h"
 #include "sigmascape/simulate/target_sight.h"
@@ -52,7 +53,7 @@ MapTracer::MapTracer(const scene::Scene& scene, const trace::SceneGeometry& geom
       geometry_(geometry),
       radar_(radar),
       settings_(settings),
-      launch_(launch_for_map(scene, geometry, radar, area, settings.cell_m)),
+      launch_(launch_for_map(scene, geometry, radar, answering_ground(radar, area, scene.extent), settings.cell_m)),
       bins_(bins_for(radar, area, scene.terrain)),
       surfaces_(trace::surface_models(scene, radar.frequency_hz)) {
   for (std::size_t order = 0; order < orders; ++order)

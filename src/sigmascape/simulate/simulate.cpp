@@ -7,6 +7,7 @@
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/radar/rectangle_distances.h"
 #include "sigmascape/receiver/range_azimuth_receiver.h"
+#include "sigmascape/simulate/answering_ground.h"
 #include "sigmascape/simulate/coherent.h"
 #include "sigmascape/simulate/launch_for_map.h"
 #include "sigmascape/simulate/map_tracer.h"
@@ -50,8 +51,9 @@ radar::RangeAzimuthImage baked_image(const atlas::Atlas& atlas, const terrain::H
                                      const render::RenderSettings& settings, render::RenderCounts& counts,
                                      std::uint64_t dwell) {
   check_above(radar, terrain.highest_m());
+  const radar::Rectangle answering = answering_ground(radar, area, terrain.extent());
   auto image =
-      render::GroundRenderer(atlas, terrain).render(radar, area, bins_for(radar, area, terrain), settings, counts);
+      render::GroundRenderer(atlas, terrain).render(radar, answering, bins_for(radar, area, terrain), settings, counts);
   if (settings.targets.empty()) return image;
   const auto* const apart = atlas.ground_layers();
   add_targets(image, radar, {terrain, apart != nullptr ? &apart->obstacles : nullptr}, settings.targets,
