@@ -19,7 +19,8 @@ std::vector<Change> changes_of_the_paper(const ResultsCase& paper) {
   for (const auto& [change, kept] : {std::pair(cotangent_change, "only with γ"),
                                      {gamma_change, "only in cot ψ"},
                                      {cotangent_gamma_change, kept_mark},
-                                     {map_area_change, kept_mark}}) {
+                                     {map_area_change, kept_mark},
+                                     {middle_change, kept_mark}}) {
     ResultsCase changed = paper;
     changed.change = change;
     list.push_back({{change, text_of(Method::Paper), changed, paper}, kept});
@@ -103,7 +104,7 @@ std::vector<Change> changes(const ResultsPlan& plan) {
   const std::string before = text_of(Method::OwnGround), next = plan.next_grid().name();
   std::vector<Change> list = changes_of_the_paper(paper);
   list.push_back(
-      {{"ours: echoes straight into texels, γ in cot ψ, map area, half floats", text_of(Method::Paper), baked, paper},
+      {{"ours: echoes straight into texels, what is kept of these, half floats", text_of(Method::Paper), baked, paper},
        kept_mark});
   list.push_back({{"shadows made at run time", text_of(Method::BakedShadows), level, baked}, kept_mark});
   list.push_back({{"objects baked on their own ground", text_of(Method::LevelGround), own, level}, kept_mark});

@@ -34,6 +34,7 @@ constexpr PaperChange paper_changes[] = {
     {gamma_change, {.blends_gamma = true}},
     {cotangent_gamma_change, {.by_cotangent = true, .blends_gamma = true}},
     {map_area_change, {.by_map_area = true}},
+    {middle_change, {.in_the_middle = true}},
     {finest_change, {.finest_only = true}},
 };
 
@@ -226,8 +227,11 @@ std::string Measurement::machines() const {
   return fmt::format("{}", fmt::join(machines_, " and "));
 }
 
-void Measurement::compare_once(const MeasuredScene& measured, const PlannedView& view) {
+void Measurement::compare_once(const MeasuredScene& measured, PlannedView view) {
   if (kept_.find(measured.name, view) != nullptr) return;
+  // Maps of more rays serve as well, but on the grid, where looks are baked with as many.
+  if (view.kind != ViewKind::OnGrid)
+    view.traced_samples = std::max(view.traced_samples, samples_kept(measured, view, plan_, folder_ / "truth"));
   compare(measured, view);
   kept_.add({measured.name, view, machine_name(), std::exchange(results_, {})});
 }

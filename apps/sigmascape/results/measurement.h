@@ -71,7 +71,7 @@ class Measurement {
                                                 const render::PaperLookUp& look_up) const;
   void make_ready();
   /// Unless it is kept.
-  void compare_once(const MeasuredScene& measured, const PlannedView& view);
+  void compare_once(const MeasuredScene& measured, PlannedView view);
   /// Views that were not baked and whose traced maps do not agree, with as many rays as the plan has for them.
   void compare_anew_what_disagrees();
   void compare(const MeasuredScene& measured, const PlannedView& view);

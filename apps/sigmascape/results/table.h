@@ -28,6 +28,7 @@ inline constexpr const char* cotangent_change = "elevations blended in cot ψ";
 inline constexpr const char* gamma_change = "γ blended instead of σ0";
 inline constexpr const char* cotangent_gamma_change = "γ blended in cot ψ";
 inline constexpr const char* map_area_change = "map area instead of the slope's";
+inline constexpr const char* middle_change = "azimuths blended over the middle 12°";
 inline constexpr const char* finest_change = "no mips";
 inline constexpr const char* halves_change = "half floats";
 /// Changes of ours.

@@ -1,6 +1,8 @@
 #include "results/truth.h"
 
+#include <algorithm>
 #include <fmt/format.h>
+#include <limits>
 #include <optional>
 
 #include "map_files.h"
@@ -15,13 +17,22 @@ namespace sigmascape::cli {
 namespace {
 
 constexpr const char* settings_key = "truth_settings";
+constexpr const char* samples_key = "truth_samples_per_cell";
 constexpr const char* seconds_key = "trace_seconds";
 
+constexpr std::uint64_t first_seed = 1001, second_seed = 1002;
+
+/// All that decides a map but the number of its rays.
 std::string settings_text(const MeasuredScene& measured, const PlannedView& view, const ResultsPlan& plan,
                           std::uint64_t seed) {
-  return fmt::format("scene {}, azimuth {} deg, elevation {} deg, {} km, {} samples a cell, {} bounces, seed {}, {}",
+  return fmt::format("scene {}, azimuth {} deg, elevation {} deg, {} km, {} bounces, seed {}, {}",
                      scene::scene_hash(measured.scene), view.azimuth_deg, view.elevation_deg, view.slant_range_m / 1e3,
-                     view.traced_samples, plan.bounces, seed, trace::simd_setting());
+                     plan.bounces, seed, trace::simd_setting());
+}
+
+std::filesystem::path map_file(const MeasuredScene& measured, const PlannedView& view, std::uint64_t seed,
+                               const std::filesystem::path& folder) {
+  return folder / fmt::format("{}_{}_seed{}.tif", measured.name, view.file_name(), seed);
 }
 
 radar::GroundMap traced(const MeasuredScene& measured, const PlannedView& view, const ResultsPlan& plan,
@@ -43,22 +54,30 @@ radar::GroundMap traced(const MeasuredScene& measured, const PlannedView& view, 
                        {{"scene", scene.name},
                         {"processing", "level of detail 0: path-traced"},
                         {settings_key, settings_text(measured, view, plan, seed)},
+                        {samples_key, std::to_string(view.traced_samples)},
                         {seconds_key, fmt::format("{:.3f}", watch.seconds())}});
 }
 
-/// The map in that file when it is the one that is wanted.
+/// The map of any number of rays in that file when it is of those settings.
 std::optional<radar::GroundMap> kept_map(const std::filesystem::path& path, const std::string& settings) {
   if (!std::filesystem::exists(path)) return std::nullopt;
   radar::GroundMap map = product::read_ground_map(path);
   const auto kept = map.metadata.find(settings_key);
-  if (kept == map.metadata.end() || kept->second != settings) return std::nullopt;
+  if (kept == map.metadata.end() || kept->second != settings || !map.metadata.contains(samples_key))
+    return std::nullopt;
   return map;
+}
+
+std::uint32_t samples_of(const radar::GroundMap& map) {
+  return static_cast<std::uint32_t>(std::stoul(map.metadata.at(samples_key)));
 }
 
 radar::GroundMap traced_or_kept(const MeasuredScene& measured, const PlannedView& view, const ResultsPlan& plan,
                                 std::uint64_t seed, const std::filesystem::path& folder) {
-  const auto path = folder / fmt::format("{}_{}_seed{}.tif", measured.name, view.file_name(), seed);
-  if (auto kept = kept_map(path, settings_text(measured, view, plan, seed))) return *std::move(kept);
+  const auto path = map_file(measured, view, seed, folder);
+  if (auto kept = kept_map(path, settings_text(measured, view, plan, seed));
+      kept && samples_of(*kept) == view.traced_samples)
+    return *std::move(kept);
   product::write_ground_map(path, traced(measured, view, plan, seed));
   // Read back, so that a run that traces and one that finds the map hold the same.
   return product::read_ground_map(path);
@@ -80,10 +99,20 @@ scene::Scene levelled(scene::Scene scene) {
   return scene;
 }
 
+std::uint32_t samples_kept(const MeasuredScene& measured, const PlannedView& view, const ResultsPlan& plan,
+                           const std::filesystem::path& folder) {
+  std::uint32_t fewest = std::numeric_limits<std::uint32_t>::max();
+  for (const std::uint64_t seed : {first_seed, second_seed}) {
+    const auto kept = kept_map(map_file(measured, view, seed, folder), settings_text(measured, view, plan, seed));
+    fewest = std::min(fewest, kept ? samples_of(*kept) : 0U);
+  }
+  return fewest;
+}
+
 Truth traced_truth(const MeasuredScene& measured, const PlannedView& view, const ResultsPlan& plan,
                    const std::filesystem::path& folder) {
-  Truth truth{.first = traced_or_kept(measured, view, plan, 1001, folder),
-              .second = traced_or_kept(measured, view, plan, 1002, folder),
+  Truth truth{.first = traced_or_kept(measured, view, plan, first_seed, folder),
+              .second = traced_or_kept(measured, view, plan, second_seed, folder),
               .mean = {}};
   truth.mean = mean_of(truth.first, truth.second);
   truth.trace_seconds =

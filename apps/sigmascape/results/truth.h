@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 
 #include "results/plan.h"
@@ -29,6 +30,11 @@ struct Truth {
   radar::GroundMap mean;       ///< of the two, with half the variance of either: what baked maps are held against
   double trace_seconds = 0.0;  ///< processor time of one
 };
+
+/// Rays a cell of the two maps of the view that an earlier run has left in `folder`, with the same scene and settings;
+/// 0 where they are not both there.
+[[nodiscard]] std::uint32_t samples_kept(const MeasuredScene& measured, const PlannedView& view,
+                                         const ResultsPlan& plan, const std::filesystem::path& folder);
 
 /// Traces the view, or reads from `folder` what an earlier run traced there with the same scene, view and settings.
 [[nodiscard]] Truth traced_truth(const MeasuredScene& measured, const PlannedView& view, const ResultsPlan& plan,

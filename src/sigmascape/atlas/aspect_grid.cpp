@@ -33,11 +33,11 @@ Between between(const std::vector<double>& axis, double value, Scale scale) {
 
 Between between_azimuths(const std::vector<double>& axis, double azimuth_rad) {
   const double wrapped = wrapped_azimuth(azimuth_rad);
-  if (wrapped >= axis.front() && wrapped < axis.back()) return between(axis, wrapped, std::identity{});
-  const std::size_t last = axis.size() - 1;
-  const double gap = axis.front() + 2.0 * pi - axis.back();
-  const double past_last = wrapped >= axis.back() ? wrapped - axis.back() : wrapped + 2.0 * pi - axis.back();
-  return {last, 0, last == 0 ? 0.0 : past_last / gap};
+  const auto above = static_cast<std::size_t>(std::ranges::upper_bound(axis, wrapped) - axis.begin());
+  const std::size_t first = (above + axis.size() - 1) % axis.size(), second = above % axis.size();
+  if (first == second) return {};
+  const double gap = wrapped_azimuth(axis[second] - axis[first]);
+  return {first, second, part_of_second_azimuth(wrapped_azimuth(wrapped - axis[first]) / gap, gap)};
 }
 
 double cotangent(double angle_rad) {

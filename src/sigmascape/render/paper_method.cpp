@@ -22,13 +22,14 @@ struct Between {
   double fraction = 0.0;
 };
 
-Between between_azimuths(const std::vector<double>& axis, double azimuth_rad) {
+Between between_azimuths(const std::vector<double>& axis, double azimuth_rad, bool in_the_middle) {
   const double turned = wrapped_azimuth(azimuth_rad);
   const auto above = static_cast<std::size_t>(std::ranges::upper_bound(axis, turned) - axis.begin());
   const std::size_t first = (above + axis.size() - 1) % axis.size(), second = above % axis.size();
   if (first == second) return {};
   const double gap = wrapped_azimuth(axis[second] - axis[first]);
-  return {first, second, wrapped_azimuth(turned - axis[first]) / gap};
+  const double fraction = wrapped_azimuth(turned - axis[first]) / gap;
+  return {first, second, in_the_middle ? atlas::part_of_second_azimuth(fraction, gap) : fraction};
 }
 
 Between between_elevations(const std::vector<double>& axis, double elevation_rad, bool by_cotangent) {
@@ -159,7 +160,7 @@ std::size_t PaperTextures::memory_bytes() const {
 }
 
 atlas::AspectWeights PaperTextures::weights_for(const radar::Aspect& aspect, const PaperLookUp& look_up) const {
-  const Between azimuth = between_azimuths(aspects_.azimuths_rad, aspect.azimuth_rad);
+  const Between azimuth = between_azimuths(aspects_.azimuths_rad, aspect.azimuth_rad, look_up.in_the_middle);
   const Between elevation = between_elevations(aspects_.elevations_rad, aspect.elevation_rad, look_up.by_cotangent);
   const double held = std::clamp(aspect.elevation_rad, aspects_.elevations_rad.front(), aspects_.elevations_rad.back());
   atlas::AspectWeights weights;

@@ -23,6 +23,8 @@ struct PaperLookUp {
   bool blends_gamma = false;
   /// A sample stands for its area on the map instead of that of its slope, which is what Eq. (5) comes to.
   bool by_map_area = false;
+  /// Azimuths are blended over the middle of their gap alone, as atlas::azimuth_blend_rad says.
+  bool in_the_middle = false;
   /// Textures are read at their finest level, however coarse the pixels.
   bool finest_only = false;
 };

@@ -57,11 +57,11 @@ void find_corner_weights(const LatticeRow& row, std::size_t first, std::size_t c
   float* const high_right = weights[3].from_lane(looks.blocks.lane, count);
   const float span = looks.cotangent[0] - looks.cotangent[1];
   const float per_cotangent = span > 0.0F ? 1.0F / span : 0.0F;
-  const float azimuth_offset = looks.azimuth_offset, azimuth_per_beam = looks.azimuth_per_beam;
+  const float at_zero = looks.second_azimuth_at_zero, per_beam = looks.second_azimuth_per_beam;
   const float lowest = looks.cotangent[0], highest_sine = looks.sine[1];
   SIGMASCAPE_INDEPENDENT_TURNS
   for (std::size_t i = 0; i < count; ++i) {
-    const float right = lesser(greater(azimuth_offset + azimuth_per_beam * beam[i], 0.0F), 1.0F);
+    const float right = lesser(greater(at_zero + per_beam * beam[i], 0.0F), 1.0F);
     const float high = lesser(greater((lowest - cotangent[i]) * per_cotangent, 0.0F), 1.0F);
     // Above the highest baked elevation σ0 is held, below the lowest γ = σ0 / sin ψ.
     const float whole = lesser(sine[i], highest_sine) * lit[i];

@@ -20,11 +20,11 @@ struct BlendOf {
   TexelBlocks blocks;
   const atlas::Half* next_blocks = nullptr;  ///< of the row that comes next, to be fetched meanwhile; may be null
   const float* scale = nullptr;
-  std::size_t looks = 4;           ///< or 8, see GroundPage
-  float area_m2 = 1.0F;            ///< of a texel
-  float azimuth_offset = 0.0F;     ///< part of the cell of azimuth at beam 0
-  float azimuth_per_beam = 0.0F;   ///< and its growth with beams
-  std::array<float, 2> cotangent;  ///< of the two elevations
+  std::size_t looks = 4;                 ///< or 8, see GroundPage
+  float area_m2 = 1.0F;                  ///< of a texel
+  float second_azimuth_at_zero = 0.0F;   ///< part of the cell's second azimuth at beam 0, before it is held to 0 and 1
+  float second_azimuth_per_beam = 0.0F;  ///< and its growth with beams
+  std::array<float, 2> cotangent;        ///< of the two elevations
   std::array<float, 2> sine;
   std::array<float, 2> frequency_part;
 };

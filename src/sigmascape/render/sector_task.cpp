@@ -376,6 +376,7 @@ SectorTask::Shortfall SectorTask::blend_by_aspect(const Place& place, float area
     const double offset = of_first_beam - 2.0 * pi * std::round((here - 0.5 * width) / (2.0 * pi));
     const auto per_beam = static_cast<float>(parts_.settings.beam_step_rad / width);
     const auto at_zero = static_cast<float>(offset / width);
+    const double steepness = atlas::azimuth_blend_steepness(width);
     const auto& cotangents = aspects().cotangents();
     std::size_t end = row_.count;
     const auto is_of_azimuth = [&](float beam) {
@@ -398,8 +399,8 @@ SectorTask::Shortfall SectorTask::blend_by_aspect(const Place& place, float area
              .scale = source.page->scale.data(),
              .looks = source.page->looks,
              .area_m2 = area_m2,
-             .azimuth_offset = at_zero,
-             .azimuth_per_beam = per_beam,
+             .second_azimuth_at_zero = static_cast<float>(0.5 + steepness * (offset / width - 0.5)),
+             .second_azimuth_per_beam = static_cast<float>(steepness * parts_.settings.beam_step_rad / width),
              .cotangent = {cotangents[cell.elevation], cotangents[cell.elevation + 1U]},
              .sine = {aspects().sine(cell.elevation), aspects().sine(cell.elevation + 1U)},
              .frequency_part = {aspects().frequency_part(0), aspects().frequency_part(1)}});

@@ -18,15 +18,16 @@ AspectGrid uneven_grid() {
   return grid;
 }
 
-/// Part of each look by the cells: linear over a cell's width in azimuth, over its two cotangents in elevation, where
-/// γ = σ0 / sin ψ is blended, and by the parts of the frequencies.
+/// Part of each look by the cells: linear over the middle of a cell's width in azimuth, over its two cotangents in
+/// elevation, where γ = σ0 / sin ψ is blended, and by the parts of the frequencies.
 std::map<LookIndex, double> parts_by_cells(const AspectCells& cells, const radar::Aspect& aspect) {
   const double cotangent = 1.0 / std::tan(aspect.elevation_rad);
   const AspectCell cell{cells.azimuth_cell(aspect.azimuth_rad), cells.elevation_cell(static_cast<float>(cotangent))};
-  const double along =
-      wrapped_azimuth(aspect.azimuth_rad - cells.azimuth_start(cell.azimuth)) / cells.azimuth_width(cell.azimuth);
+  const double width_rad = cells.azimuth_width(cell.azimuth);
+  const double along = wrapped_azimuth(aspect.azimuth_rad - cells.azimuth_start(cell.azimuth)) / width_rad;
   EXPECT_GE(along, 0.0);
   EXPECT_LE(along, 1.0);
+  const double right = part_of_second_azimuth(along, width_rad);
   const double below = static_cast<double>(cells.cotangents()[cell.elevation]);
   const double above = static_cast<double>(cells.cotangents()[cell.elevation + 1U]);
   const double up = (below - cotangent) / (below - above);
@@ -34,7 +35,7 @@ std::map<LookIndex, double> parts_by_cells(const AspectCells& cells, const radar
   std::map<LookIndex, double> parts;
   for (std::size_t i = 0; i < cells.looks_a_cell(); ++i) {
     const std::size_t azimuth = i % 2, elevation = i / 2 % 2;
-    parts[looks[i]] += (azimuth == 1 ? along : 1.0 - along) * (elevation == 1 ? up : 1.0 - up) *
+    parts[looks[i]] += (azimuth == 1 ? right : 1.0 - right) * (elevation == 1 ? up : 1.0 - up) *
                        std::sin(aspect.elevation_rad) / static_cast<double>(cells.sine(cell.elevation + elevation)) *
                        static_cast<double>(cells.frequency_part(i / 4));
   }
@@ -45,8 +46,8 @@ TEST(AspectCells, GiveEveryLookThePartThatTheMapsGiveIt) {
   const AspectGrid grid = uneven_grid();
   for (const double frequency_hz : {4e9, 6e9, 9e9, 15e9}) {
     const AspectCells cells(grid, frequency_hz);
-    for (const double azimuth_deg :
-         {0.0, 5.0, 11.9, 12.1, 39.0, 75.0, 150.0, 189.0, 260.0, 329.0, 331.0, 350.0, 359.9}) {
+    for (const double azimuth_deg : {0.0, 5.0, 11.9, 12.1, 24.0, 29.0, 39.0, 75.0, 143.0, 150.0, 171.0, 189.0, 260.0,
+                                     329.0, 331.0, 350.0, 359.9}) {
       for (const double elevation_deg : {5.5, 8.6, 12.9, 20.0, 36.0}) {
         const radar::Aspect aspect{radians_from_deg(azimuth_deg), radians_from_deg(elevation_deg)};
         std::map<LookIndex, double> parts = parts_by_cells(cells, aspect);

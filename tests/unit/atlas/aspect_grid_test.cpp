@@ -85,11 +85,29 @@ TEST(AspectWeights, EveryBakedLookHasTheOneWeightOne) {
 TEST(AspectWeights, AzimuthClosesOnItself) {
   const AspectGrid grid = paper_aspect_grid();
   for (const double turn_deg : {-720.0, 0.0, 360.0}) {
-    const auto weights = as_map(weights_for(grid, aspect_deg(350.0 + turn_deg, 5.0), 10e9));
+    const auto weights = as_map(weights_for(grid, aspect_deg(340.5 + turn_deg, 5.0), 10e9));
     ASSERT_EQ(weights.size(), 2U);
-    EXPECT_NEAR(weights.at(grid.index_of(7, 0, 0)), 10.0 / 45.0, 1e-6);
-    EXPECT_NEAR(weights.at(grid.index_of(0, 0, 0)), 35.0 / 45.0, 1e-6);
+    EXPECT_NEAR(weights.at(grid.index_of(7, 0, 0)), 3.0 / 12.0, 1e-6);
+    EXPECT_NEAR(weights.at(grid.index_of(0, 0, 0)), 9.0 / 12.0, 1e-6);
   }
+}
+
+// Azimuths 45° apart are blended over 12° about the middle, those 10° apart over all 10°.
+TEST(AspectWeights, NeighboursFarApartAreBlendedInTheMiddleAlone) {
+  AspectGrid grid = paper_aspect_grid();
+  const auto part_of_second = [&](double azimuth_deg) {
+    const auto weights = as_map(weights_for(grid, aspect_deg(azimuth_deg, 5.0), 10e9));
+    const auto second = weights.find(grid.index_of(1, 0, 0));
+    return second == weights.end() ? 0.0 : second->second;
+  };
+  EXPECT_EQ(part_of_second(1.0), 0.0);
+  EXPECT_EQ(part_of_second(16.4), 0.0);
+  EXPECT_NEAR(part_of_second(22.5), 0.5, 1e-6);
+  EXPECT_NEAR(part_of_second(27.0), 10.5 / 12.0, 1e-6);
+  EXPECT_NEAR(part_of_second(28.6), 1.0, 1e-6);
+  grid.azimuths_rad = {0.0, radians_from_deg(10.0)};
+  EXPECT_NEAR(part_of_second(1.0), 0.1, 1e-6);
+  EXPECT_NEAR(part_of_second(8.0), 0.8, 1e-6);
 }
 
 TEST(AspectWeights, AGapAcrossNorthThatDoesNotTouchItIsSpanned) {
@@ -97,9 +115,10 @@ TEST(AspectWeights, AGapAcrossNorthThatDoesNotTouchItIsSpanned) {
   grid.azimuths_rad = {radians_from_deg(20.0), radians_from_deg(320.0)};
   const auto west_of_north = as_map(weights_for(grid, aspect_deg(350.0, 5.0), 10e9));
   EXPECT_NEAR(west_of_north.at(1), 0.5, 1e-6);
-  const auto east_of_north = as_map(weights_for(grid, aspect_deg(5.0, 5.0), 10e9));
-  EXPECT_NEAR(east_of_north.at(0), 0.75, 1e-6);
-  EXPECT_NEAR(east_of_north.at(1), 0.25, 1e-6);
+  const auto east_of_that = as_map(weights_for(grid, aspect_deg(353.0, 5.0), 10e9));
+  EXPECT_NEAR(east_of_that.at(0), 0.75, 1e-6);
+  EXPECT_NEAR(east_of_that.at(1), 0.25, 1e-6);
+  EXPECT_NEAR(as_map(weights_for(grid, aspect_deg(5.0, 5.0), 10e9)).at(0), 1.0, 1e-6);
 }
 
 TEST(AspectWeights, ASingleAzimuthServesAllDirections) {

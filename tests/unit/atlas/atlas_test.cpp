@@ -106,8 +106,8 @@ TEST_F(AtlasTest, AzimuthIsInterpolatedAcrossNorth) {
     const bool north_west = std::abs(deg_from_radians(look.aspect.azimuth_rad) - 315.0) < 1e-6;
     return radar::Channels{north ? 9.0F : (north_west ? 4.5F : 100.0F), 0.0F, 0.0F, 0.0F};
   }));
-  const radar::Aspect aspect{radians_from_deg(350.0), radians_from_deg(13.0)};
-  EXPECT_NEAR(atlas.sigma0_at({100.0, 100.0}, aspect, 10e9, 0.0).vv, 8.0F, 1e-5F);
+  const radar::Aspect aspect{radians_from_deg(340.5), radians_from_deg(13.0)};
+  EXPECT_NEAR(atlas.sigma0_at({100.0, 100.0}, aspect, 10e9, 0.0).vv, 7.875F, 1e-5F);
 }
 
 TEST_F(AtlasTest, PowerIsInterpolatedLinearlyAndNotInDecibels) {

@@ -142,8 +142,9 @@ TEST(LiveLookUp, BlendsAzimuthsAsTheOfflineOneDoesAllRound) {
   };
   const atlas::Store store = example.store(folder.path("atlas"));
   atlas::Pyramid(store).make_above(store.units());
-  // Between the last azimuth and north; with north, or another baked azimuth, in the middle of the beams; elsewhere.
-  for (const double azimuth_deg : {350.0, 285.0, 358.0, 0.0, 1.5, 60.0, 90.0, 137.0, 268.0})
+  // Between the last azimuth and north; with north, or another baked azimuth, in the middle of the beams; where two
+  // are blended; elsewhere.
+  for (const double azimuth_deg : {350.0, 312.0, 319.0, 285.0, 358.0, 0.0, 1.5, 46.0, 60.0, 90.0, 133.0, 137.0, 268.0})
     expect_the_offline_look_up(example, store, 10e9, azimuth_deg);
 }
 
