@@ -36,7 +36,7 @@ std::filesystem::path map_file(const MeasuredScene& measured, const PlannedView&
 }
 
 radar::GroundMap traced(const MeasuredScene& measured, const PlannedView& view, const ResultsPlan& plan,
-                        std::uint64_t seed) {
+                        std::uint32_t samples, std::uint64_t seed) {
   const scene::Scene& scene = measured.scene;
   const radar::RadarFile file = view.radar();
   const auto radar = simulate::placed_radar(file, scene.frame, scene.terrain, scene.extent);
@@ -45,7 +45,7 @@ radar::GroundMap traced(const MeasuredScene& measured, const PlannedView& view, 
   const ProcessorStopwatch watch;
   const auto image = simulate::traced_image(scene, measured.geometry, radar, grid.extent(),
                                             {.cell_m = grid.cell_m,
-                                             .samples_per_cell = view.traced_samples,
+                                             .samples_per_cell = samples,
                                              .max_bounces = plan.bounces,
                                              .seed = seed,
                                              .threads = plan.threads},
@@ -54,7 +54,7 @@ radar::GroundMap traced(const MeasuredScene& measured, const PlannedView& view, 
                        {{"scene", scene.name},
                         {"processing", "level of detail 0: path-traced"},
                         {settings_key, settings_text(measured, view, plan, seed)},
-                        {samples_key, std::to_string(view.traced_samples)},
+                        {samples_key, std::to_string(samples)},
                         {seconds_key, fmt::format("{:.3f}", watch.seconds())}});
 }
 
@@ -72,22 +72,44 @@ std::uint32_t samples_of(const radar::GroundMap& map) {
   return static_cast<std::uint32_t>(std::stoul(map.metadata.at(samples_key)));
 }
 
+/// The map that both make together when each has so many rays.
+radar::GroundMap mean_of(const radar::GroundMap& a, std::uint32_t rays_of_a, const radar::GroundMap& b,
+                         std::uint32_t rays_of_b) {
+  const float part_of_b = static_cast<float>(rays_of_b) / static_cast<float>(rays_of_a + rays_of_b);
+  radar::GroundMap mean = a;
+  for (std::size_t i = 0; i < mean.sigma0.size(); ++i)
+    mean.sigma0.values()[i] = a.sigma0.values()[i] * (1.0F - part_of_b) + b.sigma0.values()[i] * part_of_b;
+  return mean;
+}
+
+double seconds_of(const radar::GroundMap& map) {
+  return std::stod(map.metadata.at(seconds_key));
+}
+
+/// The map `kept` with as many rays more as the view still wants. These have a seed of their own, which keeps the two
+/// maps of a view apart: one has odd seeds, the other even ones.
+radar::GroundMap traced_on(const radar::GroundMap& kept, const MeasuredScene& measured, const PlannedView& view,
+                           const ResultsPlan& plan, std::uint64_t seed) {
+  const std::uint32_t before = samples_of(kept);
+  const std::uint32_t more = view.traced_samples - before;
+  const radar::GroundMap added = traced(measured, view, plan, more, seed + 2 * std::uint64_t{before});
+  radar::GroundMap map = mean_of(kept, before, added, more);
+  map.metadata[samples_key] = std::to_string(view.traced_samples);
+  map.metadata[seconds_key] = fmt::format("{:.3f}", seconds_of(kept) + seconds_of(added));
+  return map;
+}
+
 radar::GroundMap traced_or_kept(const MeasuredScene& measured, const PlannedView& view, const ResultsPlan& plan,
                                 std::uint64_t seed, const std::filesystem::path& folder) {
   const auto path = map_file(measured, view, seed, folder);
-  if (auto kept = kept_map(path, settings_text(measured, view, plan, seed));
-      kept && samples_of(*kept) == view.traced_samples)
-    return *std::move(kept);
-  product::write_ground_map(path, traced(measured, view, plan, seed));
+  auto kept = kept_map(path, settings_text(measured, view, plan, seed));
+  if (kept && samples_of(*kept) == view.traced_samples) return *std::move(kept);
+  if (kept && samples_of(*kept) < view.traced_samples)
+    product::write_ground_map(path, traced_on(*kept, measured, view, plan, seed));
+  else
+    product::write_ground_map(path, traced(measured, view, plan, view.traced_samples, seed));
   // Read back, so that a run that traces and one that finds the map hold the same.
   return product::read_ground_map(path);
-}
-
-radar::GroundMap mean_of(const radar::GroundMap& a, const radar::GroundMap& b) {
-  radar::GroundMap mean = a;
-  for (std::size_t i = 0; i < mean.sigma0.size(); ++i)
-    mean.sigma0.values()[i] = (a.sigma0.values()[i] + b.sigma0.values()[i]) * 0.5F;
-  return mean;
 }
 
 }  // namespace
@@ -114,9 +136,8 @@ Truth traced_truth(const MeasuredScene& measured, const PlannedView& view, const
   Truth truth{.first = traced_or_kept(measured, view, plan, first_seed, folder),
               .second = traced_or_kept(measured, view, plan, second_seed, folder),
               .mean = {}};
-  truth.mean = mean_of(truth.first, truth.second);
-  truth.trace_seconds =
-      (std::stod(truth.first.metadata.at(seconds_key)) + std::stod(truth.second.metadata.at(seconds_key))) / 2.0;
+  truth.mean = mean_of(truth.first, 1, truth.second, 1);
+  truth.trace_seconds = (seconds_of(truth.first) + seconds_of(truth.second)) / 2.0;
   return truth;
 }
 

@@ -37,6 +37,7 @@ struct Truth {
                                          const ResultsPlan& plan, const std::filesystem::path& folder);
 
 /// Traces the view, or reads from `folder` what an earlier run traced there with the same scene, view and settings.
+/// Where that has fewer rays than the view wants, the missing ones are traced and both count as one map.
 [[nodiscard]] Truth traced_truth(const MeasuredScene& measured, const PlannedView& view, const ResultsPlan& plan,
                                  const std::filesystem::path& folder);
 
