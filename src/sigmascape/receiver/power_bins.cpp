@@ -79,6 +79,7 @@ void PowerBins::add(std::size_t column, std::size_t row, const radar::Channels& 
 
 void PowerBins::add_column(std::size_t column, const PowerLine& line) {
   for (std::size_t row = line.first_; row < line.end_; ++row) {
+    const HeldRow held(*this, row);
     for (std::size_t channel = 0; channel < radar::Channels::count; ++channel) {
       const std::size_t to = (row * columns_ + column) * radar::Channels::count + channel;
       const std::size_t from = row * radar::Channels::count + channel;

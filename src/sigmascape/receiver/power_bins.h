@@ -56,8 +56,7 @@ class PowerBins {
   /// lost. What falls outside the bins is left out.
   void add_shared(double column, double row, const radar::Channels& rcs_m2);
 
-  /// Adds a line of bins, one a row, to a column. Threads may do so at once to different columns, while none adds
-  /// otherwise.
+  /// Adds a line of bins, one a row, to a column.
   void add_column(std::size_t column, const PowerLine& line);
 
   [[nodiscard]] radar::Channels sum(std::size_t column, std::size_t row) const;

@@ -18,6 +18,8 @@ namespace {
 // Of the elevation pattern's table: so many to its half-power width, within what cache and memory bear.
 constexpr double elevation_steps_a_width = 256.0, fewest_elevation_steps = 0x1p12, most_elevation_steps = 0x1p20;
 constexpr double most_bins = 0x1p27;
+/// An azimuth so near the middle of a column, in columns, is there: what is left is rounding.
+constexpr double middle_of_column = 1e-6;
 
 /// Two-way relative gain at evenly spaced depression angles from −90° to 90°; empty for an antenna that does not tell
 /// elevations apart.
@@ -131,15 +133,19 @@ std::optional<RangeAzimuthReceiver::Heard> RangeAzimuthReceiver::heard(const rad
   return Heard{(range_m - grid_.first_range_m) / grid_.range_step_m, rcs_m2};
 }
 
+double RangeAzimuthReceiver::column_of(double azimuth_rad) const {
+  const double middle_rad =
+      grid_.first_azimuth_rad + 0.5 * static_cast<double>(grid_.azimuths) * grid_.azimuth_step_rad;
+  return (middle_rad + turned_by_least(azimuth_rad - middle_rad) - grid_.first_azimuth_rad) / grid_.azimuth_step_rad;
+}
+
 void RangeAzimuthReceiver::add(std::span<const radar::Echo> echoes) {
   const bool goes_round = grid_.goes_round();
   const auto turn = static_cast<double>(grid_.azimuths);
-  const double middle = grid_.first_azimuth_rad + 0.5 * turn * grid_.azimuth_step_rad;
   for (const radar::Echo& echo : echoes) {
     const auto at = heard(echo);
     if (!at) continue;
-    const double azimuth = middle + turned_by_least(echo.cross - middle);
-    const double column = (azimuth - grid_.first_azimuth_rad) / grid_.azimuth_step_rad;
+    const double column = column_of(echo.cross);
     bins_.add_shared(column, at->row, at->rcs_m2);
     if (!goes_round) continue;
     // The share of the bin at the other end.
@@ -148,12 +154,25 @@ void RangeAzimuthReceiver::add(std::span<const radar::Echo> echoes) {
   }
 }
 
-void RangeAzimuthReceiver::add_to_azimuth(std::size_t column, std::span<const radar::Echo> echoes) {
-  PowerLine line(grid_.ranges);
+void RangeAzimuthReceiver::add_at_azimuth(double azimuth_rad, std::span<const radar::Echo> echoes) {
+  const double place = column_of(azimuth_rad) - 0.5;
+  const double left = std::floor(place + middle_of_column);
+  const double right_share = place - left < middle_of_column ? 0.0 : place - left;
+  PowerLine in_left(grid_.ranges), in_right(right_share > 0.0 ? grid_.ranges : 0);
   for (const radar::Echo& echo : echoes) {
-    if (const auto at = heard(echo)) line.add_shared(at->row, at->rcs_m2);
+    const auto at = heard(echo);
+    if (!at) continue;
+    in_left.add_shared(at->row, at->rcs_m2 * static_cast<float>(1.0 - right_share));
+    if (right_share > 0.0) in_right.add_shared(at->row, at->rcs_m2 * static_cast<float>(right_share));
   }
-  bins_.add_column(column, line);
+  add_line(left, in_left);
+  if (right_share > 0.0) add_line(left + 1.0, in_right);
+}
+
+void RangeAzimuthReceiver::add_line(double column, const PowerLine& line) {
+  const auto columns = static_cast<double>(grid_.azimuths);
+  if (grid_.goes_round()) column -= columns * std::floor(column / columns);
+  if (column >= 0.0 && column < columns) bins_.add_column(static_cast<std::size_t>(column), line);
 }
 
 radar::RangeAzimuthImage RangeAzimuthReceiver::image() const {

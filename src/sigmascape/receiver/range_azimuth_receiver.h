@@ -31,9 +31,9 @@ class RangeAzimuthReceiver {
   /// May be called from several threads at once.
   void add(std::span<const radar::Echo> echoes);
 
-  /// The same for echoes that all stand in the middle of one column of bins, whatever they say themselves; several
-  /// times as quick. May be called from several threads at once for different columns, while none calls `add`.
-  void add_to_azimuth(std::size_t column, std::span<const radar::Echo> echoes);
+  /// The same for echoes that all stand at one azimuth, whatever they say themselves; several times as quick. May be
+  /// called from several threads at once.
+  void add_at_azimuth(double azimuth_rad, std::span<const radar::Echo> echoes);
 
   /// Forgets what was added.
   void clear() { bins_.clear(); }
@@ -44,6 +44,10 @@ class RangeAzimuthReceiver {
   [[nodiscard]] radar::RangeAzimuthImage image() const;
 
  private:
+  /// Of an azimuth, in units of columns.
+  [[nodiscard]] double column_of(double azimuth_rad) const;
+  /// Nothing for a column beyond the bins; where these go all round, columns do.
+  void add_line(double column, const PowerLine& line);
   /// Where in range the receiver hears an echo, in units of bins, and how strongly.
   struct Heard {
     double row = 0.0;

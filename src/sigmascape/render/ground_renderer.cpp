@@ -108,17 +108,17 @@ radar::RangeAzimuthImage GroundRenderer::render(const radar::Radar& radar, const
   std::vector<std::vector<radar::Echo>> echoes(workers);
   std::vector<RenderCounts> strip_counts(workers);
   parallel_for(grid.azimuths, workers, [&](std::size_t index, unsigned worker) {
-    echoes[worker].clear();
     const double first_rad = grid.first_azimuth_rad + static_cast<double>(index) * grid.azimuth_step_rad;
     const radar::AzimuthSpan span = within_bin(azimuths, first_rad, grid.azimuth_step_rad);
     const double seen_rad = std::max(span.right_rad - span.left_rad, 0.0);
     const double strips = std::clamp(std::round(seen_rad * far_of_map_m / apart_m), 1.0, most_samples_a_side);
     const double width_rad = seen_rad / strips;
     for (double number = 0.5; number < strips && width_rad > 0.0; ++number) {
-      strip.sweep(span.middle_rad + span.left_rad + number * width_rad, width_rad, near_m, far_m, step_m,
-                  echoes[worker], strip_counts[worker]);
+      const double azimuth_rad = span.middle_rad + span.left_rad + number * width_rad;
+      echoes[worker].clear();
+      strip.sweep(azimuth_rad, width_rad, near_m, far_m, step_m, echoes[worker], strip_counts[worker]);
+      receiver.add_at_azimuth(azimuth_rad, echoes[worker]);
     }
-    receiver.add_to_azimuth(index, echoes[worker]);
   });
   for (const RenderCounts& part : strip_counts) {
     counts.ground_samples += part.ground_samples;

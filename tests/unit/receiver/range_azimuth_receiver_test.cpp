@@ -105,14 +105,16 @@ TEST(RangeAzimuthReceiver, EchoesOfOneAzimuthAreTheSameWhenAddedAtOnce) {
   RangeAzimuthReceiver one_by_one(radar, grid), at_once(radar, grid);
   for (std::size_t column = 0; column < grid.azimuths; column += 3) {
     std::vector<radar::Echo> echoes;
-    const double azimuth = grid.first_azimuth_rad + (static_cast<double>(column) + 0.5) * grid.azimuth_step_rad;
+    // Middles of columns, and places between them.
+    const double place = static_cast<double>(column) + (column % 2 == 0 ? 0.5 : 0.8);
+    const double azimuth = grid.first_azimuth_rad + place * grid.azimuth_step_rad;
     for (double distance_m = 9'900.0; distance_m < 10'100.0; distance_m += 0.7) {
       echoes.push_back(echo_at(radar, radar.position + Vec3d{distance_m * std::sin(azimuth),
                                                              distance_m * std::cos(azimuth), -radar.position.z}));
       echoes.back().sin_depression = 0.3F;
     }
     one_by_one.add(echoes);
-    at_once.add_to_azimuth(column, echoes);
+    at_once.add_at_azimuth(azimuth, echoes);
   }
   const auto a = one_by_one.image(), b = at_once.image();
   double greatest = 0.0;

@@ -188,6 +188,30 @@ TEST(GroundRenderer, ABinLongerThanItIsWideIsTheMeanOfItsLength) {
     EXPECT_NEAR(map.sigma0(azimuths / 2, range) / 0.1, 1.0, 0.1) << range;
 }
 
+// Wherever the bins begin, which follow the edges of the area.
+TEST(GroundRenderer, WideBinsKeepThePlaceOfWhatTheyHold) {
+  const ScratchFolder folder;
+  const atlas::Atlas atlas =
+      atlas_of(folder, {20.0}, [](Vec2d p, const radar::Aspect&) { return p.x >= 230.0 && p.x < 238.0 ? 1.0 : 0.0; });
+  radar::Radar radar = radar_seeing(180.0, 20.0);
+  radar.beam_width_rad = 100.0 / 20e3;
+  for (const double east_m : {380.0, 388.0, 396.0, 404.0}) {
+    const Rendered map = rendered(atlas, level_terrain(), radar, {}, {106, 196, east_m, 316});
+    double power = 0.0, moment = 0.0;
+    for (std::size_t range = 0; range < map.image.grid.ranges; ++range) {
+      for (std::size_t azimuth = 0; azimuth < map.image.grid.azimuths; ++azimuth) {
+        const double azimuth_rad =
+            map.image.grid.first_azimuth_rad + (static_cast<double>(azimuth) + 0.5) * map.image.grid.azimuth_step_rad;
+        const auto here = static_cast<double>(map.image.rcs_m2(azimuth, range).vv);
+        power += here;
+        moment += here * azimuth_rad;
+      }
+    }
+    const double ground_m = 256.0 - radar.position.y;
+    EXPECT_NEAR(radar.position.x + ground_m * std::tan(moment / power), 234.0, 0.3) << "area to " << east_m << " m";
+  }
+}
+
 TEST(GroundRenderer, ThreadsDoNotMatter) {
   const ScratchFolder folder;
   const atlas::Atlas atlas = atlas_of(folder, {20.0}, constant_gamma);
