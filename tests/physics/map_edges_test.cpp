@@ -34,20 +34,27 @@ double worst_at_the_edge_db(const radar::RangeAzimuthImage& image, const scene::
   return worst_db;
 }
 
-// A beam half as wide as the part, as wide, and twice.
-TEST(MapEdges, GroundBesideTheMapAnswersInItsOutermostCells) {
-  const scatter::Material ground{
-      .name = "gamma", .model = scatter::ConstantGammaParameters{gamma, {0.1, 0.5}}, .source = {}};
-  const scene::Scene scene = level_scene(ground, side_m);
+scene::Scene ground_of_constant_gamma() {
+  return level_scene({.name = "gamma", .model = scatter::ConstantGammaParameters{gamma, {0.1, 0.5}}, .source = {}},
+                     side_m);
+}
+
+atlas::Atlas baked(const scene::Scene& scene, const ScratchFolder& folder) {
   bake::BakeSettings settings;
   settings.aspects.azimuths_rad = {0.0};
   settings.aspects.elevations_rad = {radians_from_deg(elevation_deg)};
   settings.patches = {2.0, 256};
   settings.sampling.samples_per_texel = 4;
-  const ScratchFolder folder;
   SilentProgress silent;
   bake::bake(scene, settings, folder.path("atlas"), silent);
-  const atlas::Atlas atlas = atlas::load_atlas(atlas::Store::open(folder.path("atlas")));
+  return atlas::load_atlas(atlas::Store::open(folder.path("atlas")));
+}
+
+// A beam half as wide as the part, as wide, and twice.
+TEST(MapEdges, GroundBesideTheMapAnswersInItsOutermostCells) {
+  const scene::Scene scene = ground_of_constant_gamma();
+  const ScratchFolder folder;
+  const atlas::Atlas atlas = baked(scene, folder);
   const trace::SceneGeometry geometry(scene, trace::Footing::Terrain);
 
   for (const double azimuth_deg : {0.0, 205.0}) {
@@ -73,6 +80,62 @@ TEST(MapEdges, GroundBesideTheMapAnswersInItsOutermostCells) {
       expect("traced", simulate::traced_image(scene, geometry, radar, part.extent(), {.samples_per_cell = 16}, traced));
     }
   }
+}
+
+/// Of the cells of the part that one, in decibels, in which its own map is farthest from that of the whole scene.
+double worst_against_the_whole_db(const atlas::Atlas& atlas, const scene::Scene& scene, const radar::Radar& radar,
+                                  const radar::GroundGrid& grid) {
+  render::RenderCounts counts;
+  const auto map_of = [&](const radar::Rectangle& area) {
+    return product::ground_map(simulate::baked_image(atlas, scene.terrain, radar, area, {}, counts), scene.terrain,
+                               grid);
+  };
+  const auto own = map_of(grid.extent()), whole = map_of(scene.extent);
+  double worst_db = 0.0;
+  for (std::size_t i = 0; i < own.sigma0.size(); ++i) {
+    const double error_db = db_from_linear(static_cast<double>(own.sigma0.values()[i].vv) /
+                                           static_cast<double>(whole.sigma0.values()[i].vv));
+    if (std::abs(error_db) > std::abs(worst_db)) worst_db = error_db;
+  }
+  return worst_db;
+}
+
+void expect_part_of_the_whole(const atlas::Atlas& atlas, const scene::Scene& scene, const radar::Radar& radar,
+                              const radar::GroundGrid& grid) {
+  validation::expect_close({.group = "From scene to map",
+                            .name = fmt::format("map of {:g} m by {:g} m as part of one of 512 m, {}",
+                                                grid.extent().width_m(), grid.extent().height_m(), radar.name),
+                            .expected = 0.0,
+                            .measured = worst_against_the_whole_db(atlas, scene, radar, grid),
+                            .tolerance = 0.25,
+                            .unit = "dB",
+                            .source = "the same ground"});
+}
+
+// Ranges change least at the point nearest to the radar, which lies on an edge of the map and not at a corner.
+TEST(MapEdges, OfSteepMapsTheNearestEdgeHasGroundBeside) {
+  const scene::Scene scene = ground_of_constant_gamma();
+  const ScratchFolder folder;
+  radar::Radar radar;
+  constexpr radar::GroundGrid strip{-60, 192, 4.0, 24, 96};
+  radar.name = "from 15 m beside its long side and 400 m up";
+  radar.position = {strip.extent().west_m - 15.0, strip.extent().centre().y, 400.0};
+  radar.range_resolution_m = 2.0;
+  radar.beam_width_rad = radians_from_deg(3.0);
+  expect_part_of_the_whole(baked(scene, folder), scene, radar, strip);
+}
+
+TEST(MapEdges, LobesBesideTheAxisHaveTheirGround) {
+  const scene::Scene scene = ground_of_constant_gamma();
+  const ScratchFolder folder;
+  radar::Radar radar;
+  radar.name = "two lobes 70 m beside the axis";
+  radar.position = radar::position_seeing({}, 0.0, radians_from_deg(elevation_deg), distance_m);
+  radar.range_resolution_m = 8.0;
+  radar.beam_width_rad = radians_from_deg(0.4);
+  radar.antenna.azimuth = radar::TabulatedBeam{
+      {{-4.0, 1e-4}, {-3.0, 1e-2}, {-2.0, 1.0}, {-1.0, 1e-2}, {1.0, 1e-2}, {2.0, 1.0}, {3.0, 1e-2}, {4.0, 1e-4}}};
+  expect_part_of_the_whole(baked(scene, folder), scene, radar, part);
 }
 
 }  // namespace

@@ -2,37 +2,64 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "sigmascape/radar/antenna_pattern.h"
 #include "sigmascape/radar/rectangle_distances.h"
+#include "sigmascape/receiver/bin_response.h"
 
 namespace sigmascape::simulate {
 namespace {
 
 constexpr double range_resolutions_beside = 4.0;
 
+constexpr double part_from_beyond = 0.01;
+constexpr double steps_a_width = 32.0;
+
+/// Off the axis, to either side: what lies beyond brings the beam no more than `part_from_beyond`.
+double reach_of_beam_rad(const radar::Radar& radar) {
+  const double step_rad = radar::antenna_pattern(radar).azimuth().two_way_width_rad() / steps_a_width;
+  const std::vector<float> weights = receiver::azimuth_response(radar, step_rad).weights;
+  const std::size_t middle = weights.size() / 2;
+  std::size_t steps = middle;
+  for (double left = 0.0, right = 0.0; steps > 0; --steps) {
+    left += static_cast<double>(weights[middle - steps]);
+    right += static_cast<double>(weights[middle + steps]);
+    if (std::max(left, right) > part_from_beyond) break;
+  }
+  return static_cast<double>(steps) * step_rad;
+}
+
+/// Where a range resolution and a beam's width reach farthest over the ground: its corners, and the point nearest to
+/// the radar, where ranges change least.
+std::vector<Vec2d> places_at_edge(const radar::Rectangle& area, Vec2d foot) {
+  std::vector<Vec2d> places{radar::nearest_point(area, foot)};
+  for (const Vec2d corner : radar::corners_of(area)) places.push_back(corner);
+  return places;
+}
+
 }  // namespace
 
 radar::Rectangle answering_ground(const radar::Radar& radar, const radar::Rectangle& area,
                                   const radar::Rectangle& extent) {
-  const double width_rad = radar::antenna_pattern(radar).azimuth().two_way_width_rad();
+  const double reach_rad = reach_of_beam_rad(radar);
   const Vec2d foot{radar.position.x, radar.position.y};
   radar::Rectangle answering = area;
-  for (const Vec2d corner : radar::corners_of(area)) {
-    const Vec2d away = corner - foot;
+  for (const Vec2d place : places_at_edge(area, foot)) {
+    const Vec2d away = place - foot;
     const double distance_m = length(away);
     if (distance_m == 0.0) continue;
     const double range_m = std::hypot(distance_m, radar.position.z);
     const double along_m = range_resolutions_beside * radar.range_resolution_m * range_m / distance_m;
-    const double across_m = width_rad * distance_m;
+    const double across_m = reach_rad * distance_m;
     const Vec2d outwards{std::abs(away.x) / distance_m, std::abs(away.y) / distance_m};
     const double east_m = outwards.x * along_m + outwards.y * across_m;
     const double north_m = outwards.y * along_m + outwards.x * across_m;
     // Never less than the area itself, wherever the extent ends.
-    answering.west_m = std::min(answering.west_m, std::max(corner.x - east_m, extent.west_m));
-    answering.east_m = std::max(answering.east_m, std::min(corner.x + east_m, extent.east_m));
-    answering.south_m = std::min(answering.south_m, std::max(corner.y - north_m, extent.south_m));
-    answering.north_m = std::max(answering.north_m, std::min(corner.y + north_m, extent.north_m));
+    answering.west_m = std::min(answering.west_m, std::max(place.x - east_m, extent.west_m));
+    answering.east_m = std::max(answering.east_m, std::min(place.x + east_m, extent.east_m));
+    answering.south_m = std::min(answering.south_m, std::max(place.y - north_m, extent.south_m));
+    answering.north_m = std::max(answering.north_m, std::min(place.y + north_m, extent.north_m));
   }
   return answering;
 }

@@ -5,11 +5,9 @@
 
 namespace sigmascape::simulate {
 
-/// The ground that answers in the cells of a real-beam map of `area`: the area, and what of `extent` lies within a
-/// two-way half-power width of the beam, or four range resolutions, beside it.
-///
-/// A beam that is aimed at the edge of the area has half of its footprint beyond it. What lies farther away than this
-/// is 0.9 % of all the ground that a Gaussian beam takes in there.
+/// The ground that answers in the cells of a real-beam map of `area`: the area, and what of `extent` lies beside it
+/// within four range resolutions, or so near that a beam aimed at the edge of the area takes no more than 1 % of its
+/// power from beyond: the two-way half-power width of a Gaussian beam, more where there are lobes beside the axis.
 [[nodiscard]] radar::Rectangle answering_ground(const radar::Radar& radar, const radar::Rectangle& area,
                                                 const radar::Rectangle& extent);
 

@@ -20,12 +20,14 @@ constexpr double most_aimed_cells = 0x1p30;
 
 void check_aim(const radar::Radar& radar, double highest_m, double cells) {
   if (cells > most_aimed_cells) {
-    throw Error(radar::title_of(radar),
-                fmt::format("stands {:.3g} m above the highest point of the scene: rays that pass it come down so far "
-                            "behind the map that {:.2g} cells are to be aimed at",
-                            radar.position.z - highest_m, cells),
-                fmt::format("place the radar higher, or map less ground or larger cells, for at most {:.2g}",
-                            most_aimed_cells));
+    throw Error(
+        radar::title_of(radar),
+        fmt::format("stands {:.3g} m above the highest point of the scene, and of the ground that answers in the "
+                    "map's cells, what its beam takes in beside them and what lies behind tall objects included, "
+                    "{:.2g} cells are to be aimed at",
+                    radar.position.z - highest_m, cells),
+        fmt::format("map larger cells or less ground, with a narrower beam or from higher up, for at most {:.2g}",
+                    most_aimed_cells));
   }
 }
 
