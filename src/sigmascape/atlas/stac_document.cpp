@@ -4,6 +4,8 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "sigmascape/atlas/texture_name.h"
 #include "sigmascape/base/sha256.h"
@@ -65,22 +67,63 @@ radar::GroundGrid whole_grid(const AtlasDescription& description) {
   return grid;
 }
 
-Footprint::Footprint(const AtlasDescription& description, const radar::GroundGrid& grid) {
-  const auto corners = geo::geographic_corners({grid.west_m, grid.north_m, grid.cell_m, description.frame.proj()},
-                                               grid.columns, grid.rows);
-  double west = corners[0].x, south = corners[0].y, east = west, north = south;
-  Json ring = Json::array();
-  for (const std::size_t i : {0U, 1U, 2U, 3U, 0U}) {
-    const double longitude = std::round(corners[i].x * 1e9) / 1e9;
-    const double latitude = std::round(corners[i].y * 1e9) / 1e9;
-    ring.push_back({longitude, latitude});
-    west = std::min(west, longitude);
-    east = std::max(east, longitude);
-    south = std::min(south, latitude);
-    north = std::max(north, latitude);
+namespace {
+
+using Ring = std::vector<Vec2d>;
+
+double nine_decimals(double degrees) {
+  return std::round(degrees * 1e9) / 1e9;
+}
+
+/// In [-180°, 180°].
+double usual_longitude(double degrees) {
+  return nine_decimals(degrees < -180.0 ? degrees + 360.0 : degrees > 180.0 ? degrees - 360.0 : degrees);
+}
+
+/// What of a convex ring lies where `inside` is positive: Sutherland's and Hodgman's clipping by one line.
+template <typename Inside>
+Ring part_of(std::span<const Vec2d> ring, const Inside& inside) {
+  Ring part;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Vec2d here = ring[i], next = ring[(i + 1) % ring.size()];
+    const double depth = inside(here), depth_of_next = inside(next);
+    if (depth > 0.0) part.push_back(here);
+    if ((depth > 0.0) != (depth_of_next > 0.0))
+      part.push_back(here + (next - here) * (depth / (depth - depth_of_next)));
   }
-  polygon = {{"type", "Polygon"}, {"coordinates", Json::array({ring})}};
-  box = {west, south, east, north};
+  return part;
+}
+
+Json closed(std::span<const Vec2d> ring, double turned_deg) {
+  Json places = Json::array();
+  for (std::size_t i = 0; i <= ring.size(); ++i) {
+    const Vec2d place = ring[i % ring.size()];
+    places.push_back({nine_decimals(place.x + turned_deg), nine_decimals(place.y)});
+  }
+  return places;
+}
+
+}  // namespace
+
+Footprint::Footprint(const AtlasDescription& description, const radar::GroundGrid& grid) {
+  auto corners = geo::geographic_corners({grid.west_m, grid.north_m, grid.cell_m, description.frame.proj()},
+                                         grid.columns, grid.rows);
+  // About the first corner, so that none is torn from the others where longitudes begin anew.
+  for (Vec2d& corner : corners) corner.x = corners[0].x + std::remainder(corner.x - corners[0].x, 360.0);
+  const auto [west, east] = std::ranges::minmax(corners, {}, &Vec2d::x);
+  const auto [south, north] = std::ranges::minmax(corners, {}, &Vec2d::y);
+  box = {usual_longitude(west.x), nine_decimals(south.y), usual_longitude(east.x), nine_decimals(north.y)};
+  const double antimeridian = west.x < -180.0 ? -180.0 : 180.0;
+  const Ring before = part_of(corners, [&](Vec2d place) { return antimeridian - place.x; });
+  const Ring beyond = part_of(corners, [&](Vec2d place) { return place.x - antimeridian; });
+  if (before.size() < 3 || beyond.size() < 3) {
+    polygon = {{"type", "Polygon"}, {"coordinates", Json::array({closed(corners, 0.0)})}};
+    return;
+  }
+  const bool is_west = antimeridian < 0.0;
+  polygon = {{"type", "MultiPolygon"},
+             {"coordinates", Json::array({Json::array({closed(before, is_west ? 360.0 : 0.0)}),
+                                          Json::array({closed(beyond, is_west ? 0.0 : -360.0)})})}};
 }
 
 }  // namespace sigmascape::atlas

@@ -47,7 +47,8 @@ inline constexpr const char* broken_seal = "was altered: its own SHA-256 is not 
 /// All patches as one grid of texels.
 [[nodiscard]] radar::GroundGrid whole_grid(const AtlasDescription& description);
 
-/// A ring of longitudes and latitudes. Nine decimals of a degree are a tenth of a millimetre.
+/// A ring of longitudes and latitudes; two where it crosses the antimeridian, and then the box's west lies east of its
+/// east (RFC 7946, 3.1.9 and 5.2). Nine decimals of a degree are a tenth of a millimetre.
 struct Footprint {
   Json polygon, box;
 
