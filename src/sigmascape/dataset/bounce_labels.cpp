@@ -23,7 +23,8 @@ radar::Layer part_beyond(const Array2D<float>& first, const Array2D<float>& all)
       .name = std::string(multibounce), .unit = "1", .values = Array2D<float>(all.columns(), all.rows())};
   for (std::size_t i = 0; i < all.size(); ++i) {
     const float whole = all.values()[i];
-    layer.values.values()[i] = whole > 0.0F ? std::clamp(1.0F - first.values()[i] / whole, 0.0F, 1.0F) : 0.0F;
+    // What the radar did not look at stays NaN.
+    layer.values.values()[i] = whole == 0.0F ? 0.0F : std::clamp(1.0F - first.values()[i] / whole, 0.0F, 1.0F);
   }
   return layer;
 }
@@ -84,8 +85,10 @@ std::vector<radar::Layer> baked_bounce_layers(std::span<const std::string> names
     }
     if (order > 1) {
       const Array2D<float> fewer = power_on_ground(up_to[order - 2], terrain, grid, polarization);
-      for (std::size_t i = 0; i < power.size(); ++i)
-        power.values()[i] = std::max(0.0F, power.values()[i] - fewer.values()[i]);
+      for (std::size_t i = 0; i < power.size(); ++i) {
+        const float more = power.values()[i] - fewer.values()[i];
+        power.values()[i] = more < 0.0F ? 0.0F : more;
+      }
     }
     layers.push_back({name, "m2/m2", std::move(power)});
   }
