@@ -63,7 +63,8 @@ std::optional<radar::GroundMap> kept_map(const std::filesystem::path& path, cons
   if (!std::filesystem::exists(path)) return std::nullopt;
   radar::GroundMap map = product::read_ground_map(path);
   const auto kept = map.metadata.find(settings_key);
-  if (kept == map.metadata.end() || kept->second != settings || !map.metadata.contains(samples_key))
+  if (kept == map.metadata.end() || kept->second != settings || !map.metadata.contains(samples_key) ||
+      !map.metadata.contains(seconds_key))
     return std::nullopt;
   return map;
 }
@@ -104,10 +105,10 @@ radar::GroundMap traced_or_kept(const MeasuredScene& measured, const PlannedView
   const auto path = map_file(measured, view, seed, folder);
   auto kept = kept_map(path, settings_text(measured, view, plan, seed));
   if (kept && samples_of(*kept) == view.traced_samples) return *std::move(kept);
-  if (kept && samples_of(*kept) < view.traced_samples)
-    product::write_ground_map(path, traced_on(*kept, measured, view, plan, seed));
-  else
-    product::write_ground_map(path, traced(measured, view, plan, view.traced_samples, seed));
+  // A better map stays where it is.
+  if (kept && samples_of(*kept) > view.traced_samples) return traced(measured, view, plan, view.traced_samples, seed);
+  product::write_ground_map(path, kept ? traced_on(*kept, measured, view, plan, seed)
+                                       : traced(measured, view, plan, view.traced_samples, seed));
   // Read back, so that a run that traces and one that finds the map hold the same.
   return product::read_ground_map(path);
 }

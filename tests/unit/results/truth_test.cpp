@@ -55,6 +55,14 @@ TEST_F(TracedTruth, OfMoreRaysGoesOnFromTheRaysThatAreThere) {
   EXPECT_LT(squared_difference(more.first, more.second), 0.6 * squared_difference(few.first, few.second));
 }
 
+TEST_F(TracedTruth, OfFewerRaysLeavesTheBetterMapsWhereTheyAre) {
+  const Truth more = truth(8);
+  const Truth few = truth(2);
+  EXPECT_EQ(few.first.metadata.at("truth_samples_per_cell"), "2");
+  EXPECT_EQ(samples_kept(scene_, of_rays(2), plan_, folder_.path("truth")), 8U);
+  EXPECT_EQ(squared_difference(truth(8).first, more.first), 0.0);
+}
+
 TEST_F(TracedTruth, IsReadAgainAsItWasTraced) {
   const Truth traced = truth(2);
   const Truth again = truth(2);
