@@ -11,6 +11,7 @@
 #include "sigmascape/product/iq_file.h"
 #include "sigmascape/receiver/receiver_output.h"
 #include "sigmascape/simulate/coherent.h"
+#include "sigmascape/simulate/map_provenance.h"
 #include "sigmascape/simulate/scatterer_spacing.h"
 
 namespace sigmascape::cli {
@@ -18,7 +19,7 @@ namespace {
 
 /// What is in the pulses and where they come from. The map that is made beside them may have come about in another way,
 /// and what is said of that is not said here.
-Provenance words_of_pulses(const IqFiles& files, const IqRequest& request) {
+Provenance words_of_pulses(const IqFiles& files, const IqRequest& request, double frequency_hz) {
   const bool calibrated = files.unit == "V";
   Provenance words = request.origin;
   words["processing"] = "scatterers from terrain and atlas";
@@ -30,8 +31,7 @@ Provenance words_of_pulses(const IqFiles& files, const IqRequest& request) {
   words["crs"] = request.scene.frame.proj();
   words["seed"] = std::to_string(request.seed);
   words["dwell"] = std::to_string(request.dwell);
-  const auto& baked_with = request.atlas->description().settings;
-  if (const auto found = baked_with.find("seed"); found != baked_with.end()) words["atlas_seed"] = found->second;
+  simulate::tell_of_textures(request.atlas->description(), request.radar, frequency_hz, words);
   return words;
 }
 
@@ -83,7 +83,8 @@ void write_iq_files(const IqFiles& files, const IqRequest& request) {
                                                 .calibrated = files.unit == "V",
                                                 .threads = request.threads});
   warn_of(request.radar, receiver::output_warnings(history));
-  product::write_iq(files.file, product::iq_record(history, request.radar, words_of_pulses(files, request)));
+  product::write_iq(files.file,
+                    product::iq_record(history, request.radar, words_of_pulses(files, request, frequency_hz)));
 }
 
 }  // namespace sigmascape::cli

@@ -38,6 +38,7 @@
 #include "sigmascape/render/level_of_detail.h"
 #include "sigmascape/scene/scene_file.h"
 #include "sigmascape/simulate/coherent.h"
+#include "sigmascape/simulate/map_provenance.h"
 #include "sigmascape/simulate/map_question.h"
 #include "sigmascape/simulate/map_warnings.h"
 #include "sigmascape/simulate/mode_image.h"
@@ -87,16 +88,13 @@ Rendered traced(const RenderOptions& options, const scene::Scene& scene, const r
                         simulate::traced_image(scene, geometry, radar, grid.extent(), settings, counts, &progress)};
   rendered.seconds = watch.seconds();
   rendered.cost = {{"paths", counts.paths}, {"rays", counts.rays}};
-  rendered.provenance = {{"processing", "level of detail 0: path-traced"},
-                         {"seed", std::to_string(settings.seed)},
-                         {"dwell", std::to_string(settings.dwell)},
-                         {"samples_per_cell", std::to_string(settings.samples_per_cell)}};
+  rendered.provenance = simulate::provenance_of_traced(settings);
   return rendered;
 }
 
 /// What every file says of the scene and the moment.
 Provenance origin_of(const scene::Scene& scene, const std::string& hash, double time_s) {
-  Provenance origin{{"scene", scene.name}, {"scene_hash", hash}, {"time_s", fmt::format("{:g}", time_s)}};
+  Provenance origin{{"scene", scene.name}, {"scene_hash", hash}, {"time_s", fmt::format("{}", time_s)}};
   if (!scene.attribution.empty()) origin["attribution"] = scene.attribution;
   return origin;
 }
@@ -139,22 +137,18 @@ Rendered baked(const RenderOptions& options, const scene::Scene& scene, const at
   }
   render::RenderCounts counts;
   const Stopwatch watch;
-  Rendered rendered{.image = simulate::baked_image(
-                        textures, scene.terrain, radar, grid.extent(),
-                        {.level_of_detail = options.level_of_detail,
-                         .threads = options.trace.threads,
-                         .texture_frequency_hz = texture_frequency_hz(textures, radar, options.extrapolate),
-                         .targets = targets},
-                        counts, options.trace.dwell)};
+  const render::RenderSettings settings{
+      .level_of_detail = options.level_of_detail,
+      .threads = options.trace.threads,
+      .texture_frequency_hz = texture_frequency_hz(textures, radar, options.extrapolate),
+      .targets = targets};
+  Rendered rendered{.image = simulate::baked_image(textures, scene.terrain, radar, grid.extent(), settings, counts,
+                                                   options.trace.dwell)};
   rendered.seconds = watch.seconds();
   rendered.obstacles = obstacles_for_layers(options, textures);
   rendered.cost = {{"ground_samples", counts.ground_samples}, {"visible", counts.visible}};
-  rendered.provenance = {
-      {"processing", fmt::format("level of detail {}: from terrain and atlas", options.level_of_detail)},
-      {"seed", std::to_string(options.trace.seed)},
-      {"dwell", std::to_string(options.trace.dwell)}};
-  if (const auto seed = store.description().settings.find("seed"); seed != store.description().settings.end())
-    rendered.provenance["atlas_seed"] = seed->second;
+  rendered.provenance =
+      simulate::provenance_of_baked(store.description(), radar, settings, options.trace.seed, options.trace.dwell);
   return rendered;
 }
 

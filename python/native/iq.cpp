@@ -66,7 +66,7 @@ Described<Signal> made(Maker<Signal> make, UsualSpacing usual_spacing_m, const L
         targets};
     Words words = origin_words("scatterers from terrain and atlas", description.frame, description.name,
                                description.scene_hash, settings.seed);
-    words["time_s"] = fmt::format("{:g}", time_s);
+    words["time_s"] = fmt::format("{}", time_s);
     words["dwell"] = std::to_string(settings.dwell);
     words["look_side"] = simulate::look_side(radar, area);
     return {make(scene, radar, area, settings), radar, std::move(words)};

@@ -19,6 +19,7 @@
 #include "sigmascape/radar/radar_title.h"
 #include "sigmascape/radar/radar_warnings.h"
 #include "sigmascape/receiver/receive_chain.h"
+#include "sigmascape/simulate/map_provenance.h"
 #include "sigmascape/simulate/map_warnings.h"
 #include "sigmascape/simulate/mode_image.h"
 #include "sigmascape/simulate/placement.h"
@@ -91,12 +92,7 @@ Seen traced(const LoadedScene* scene, const Wish& wish, const simulate::TraceSet
   trace::TraceCounts counts;
   auto image = simulate::traced_image(scene->scene(), scene->geometry(), wish.radar, wish.grid.extent(), settings,
                                       counts, &progress);
-  return {std::move(image),
-          {},
-          {{"processing", "level of detail 0: path-traced"},
-           {"seed", std::to_string(settings.seed)},
-           {"dwell", std::to_string(settings.dwell)},
-           {"samples_per_cell", std::to_string(settings.samples_per_cell)}}};
+  return {std::move(image), {}, simulate::provenance_of_traced(settings)};
 }
 
 Seen coherent(const atlas::Atlas& textures, const Wish& wish, const LoadedScene* scene, int level_of_detail,
@@ -134,13 +130,9 @@ Seen baked(const LoadedAtlas* atlas, const Wish& wish, const render::RenderSetti
   render::RenderCounts counts;
   auto image = simulate::baked_image(atlas->textures(), *wish.ground.terrain, wish.radar, wish.grid.extent(), settings,
                                      counts, effort.dwell);
-  product::Provenance provenance{
-      {"processing", fmt::format("level of detail {}: from terrain and atlas", settings.level_of_detail)},
-      {"seed", std::to_string(effort.seed)},
-      {"dwell", std::to_string(effort.dwell)}};
-  const auto& baked_with = atlas->description().settings;
-  if (const auto found = baked_with.find("seed"); found != baked_with.end()) provenance["atlas_seed"] = found->second;
-  return {std::move(image), {}, std::move(provenance)};
+  return {std::move(image),
+          {},
+          simulate::provenance_of_baked(atlas->description(), wish.radar, settings, effort.seed, effort.dwell)};
 }
 
 /// Sees, and makes of it what `map_of(seen, wish)` does.
@@ -178,7 +170,7 @@ auto mapped(const std::shared_ptr<LoadedScene>& scene, const radar::RadarFile& r
                             scene.get());
     seen.provenance["scene"] = ground.name;
     seen.provenance["scene_hash"] = ground.hash;
-    seen.provenance["time_s"] = fmt::format("{:g}", effort.time_s);
+    seen.provenance["time_s"] = fmt::format("{}", effort.time_s);
     if (!ground.attribution.empty()) seen.provenance["attribution"] = ground.attribution;
     return product::described_map(map_of(seen, wish), radar, *ground.frame, seen.provenance);
   });

@@ -4,20 +4,19 @@
 #include <fmt/format.h>
 #include <optional>
 
-#include "sigmascape/base/units.h"
 #include "sigmascape/product/ground_projection.h"
 #include "sigmascape/product/software.h"
+#include "sigmascape/radar/azimuth_text.h"
 
 namespace sigmascape::product {
 namespace {
 
 /// From the middle of the map to the radar, clockwise from north; nothing where the radar stands over what is mapped.
-std::optional<double> azimuth_of_radar_deg(const radar::GroundGrid& grid, const radar::Radar& radar) {
+std::optional<double> azimuth_of_radar_rad(const radar::GroundGrid& grid, const radar::Radar& radar) {
   const Vec2d place{radar.position.x, radar.position.y};
   if (grid.extent().contains(place)) return std::nullopt;
   const Vec2d towards = place - grid.extent().centre();
-  const double azimuth_deg = deg_from_radians(std::atan2(towards.x, towards.y));
-  return azimuth_deg < 0.0 ? azimuth_deg + 360.0 : azimuth_deg;
+  return std::atan2(towards.x, towards.y);
 }
 
 template <typename Map>
@@ -26,8 +25,8 @@ void describe(Map& map, const radar::Radar& radar, const geo::LocalFrame& frame,
   map.metadata = provenance;
   map.metadata["radar"] = radar.name;
   map.metadata["radar_position_m"] = vector_text(radar.position);
-  if (const auto azimuth_deg = azimuth_of_radar_deg(map.grid, radar))
-    map.metadata[radar_azimuth_key] = fmt::format("{:.2f}", *azimuth_deg);
+  if (const auto azimuth_rad = azimuth_of_radar_rad(map.grid, radar))
+    map.metadata[radar_azimuth_key] = radar::azimuth_text_deg(*azimuth_rad, 2);
   map.metadata["radar_velocity_mps"] = vector_text(radar.velocity_mps);
   map.metadata.try_emplace("time_s", "0");
   map.metadata["software"] = software_name();
