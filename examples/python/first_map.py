@@ -19,7 +19,7 @@ scene = sigmascape.Scene.paper(scale=0.1)
 print(scene, "is", scene.extent_m[2] - scene.extent_m[0], "m wide and has", scene.info()["buildings"], "buildings")
 
 # %% A radar, and where it stands: seen from the middle of the scene, in the south-east, 20 degrees above the horizon.
-radar = sigmascape.Radar(name="first", frequency_hz=10e9, range_resolution_m=3.0, beam_width_deg=0.05, cell_m=3.0)
+radar = sigmascape.Radar(name="first", frequency_hz=10e9, range_resolution_m=3.0, beam_width_deg=0.065, cell_m=3.0)
 radar.see_from(azimuth_deg=130.0, elevation_deg=20.0, slant_range_m=4000.0)
 
 # %% The map as rays see it: slow and right.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <limits>
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
@@ -70,14 +71,12 @@ constexpr double least_cells = 0.96;
 void check_cells(const Radar& radar, Swath swath, double cell_m, std::vector<std::string>& warnings) {
   // Right below the radar any beam is narrow.
   const double nearest_m = std::max(swath.near_m, 0.5 * swath.far_m);
-  const double beam_m = antenna_pattern(radar).azimuth().two_way_width_rad() * nearest_m;
-  const double finest_m = std::min(beam_m, radar.range_resolution_m);
-  if (finest_m < least_cells * cell_m) {
-    warnings.push_back(
-        fmt::format("{} of {:.3g} m is narrower than the map's cells of {:g} m, and part of what stands between their "
-                    "centres is lost or counted twice; use cells of at most {:.3g} m",
-                    beam_m < radar.range_resolution_m ? "the beam" : "the pulse", finest_m, cell_m, finest_m));
-  }
+  const double beam_m = radar.mode == Mode::RealBeam ? antenna_pattern(radar).azimuth().two_way_width_rad() * nearest_m
+                                                     : std::numeric_limits<double>::infinity();
+  const bool is_beam = beam_m < radar.range_resolution_m;
+  if (auto warning =
+          narrower_than_cells(is_beam ? "the beam" : "the pulse", std::min(beam_m, radar.range_resolution_m), cell_m))
+    warnings.push_back(*std::move(warning));
 }
 
 }  // namespace
@@ -97,6 +96,14 @@ std::vector<std::string> radar_warnings(const Radar& radar, const RangeAzimuthGr
   check_eclipsing(radar, swath, warnings);
   check_cells(radar, swath, cell_m, warnings);
   return warnings;
+}
+
+std::optional<std::string> narrower_than_cells(std::string_view what, double width_m, double cell_m) {
+  if (width_m >= least_cells * cell_m) return std::nullopt;
+  return fmt::format(
+      "{} of {:.3g} m is narrower than the map's cells of {:g} m, and part of what stands between their "
+      "centres is lost or counted twice; use cells of at most {:.3g} m",
+      what, width_m, cell_m, width_m);
 }
 
 }  // namespace sigmascape::radar

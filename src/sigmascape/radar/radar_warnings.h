@@ -1,6 +1,8 @@
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sigmascape/radar/radar.h"
@@ -14,7 +16,11 @@ void check_earth(const Radar& radar, const std::string& file);
 
 /// What a radar engineer would object to before this radar maps these bins onto cells of `cell_m`, one sentence each:
 /// a swath longer than the unambiguous range, one outside the range gate, one in which the transmitter deafens the
-/// receiver, cells so coarse beside beam or pulse that more than 1 % of a point's power is lost between them.
+/// receiver, pulses, and beams of real-beam maps, that are `narrower_than_cells`.
 [[nodiscard]] std::vector<std::string> radar_warnings(const Radar& radar, const RangeAzimuthGrid& bins, double cell_m);
+
+/// A sentence where `what`, of this half-power width, is so narrow beside a map's cells that more than 1 % of a point's
+/// power is lost between them; nothing where it is not.
+[[nodiscard]] std::optional<std::string> narrower_than_cells(std::string_view what, double width_m, double cell_m);
 
 }  // namespace sigmascape::radar

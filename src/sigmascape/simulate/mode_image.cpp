@@ -4,7 +4,10 @@
 #include <fmt/format.h>
 
 #include "sigmascape/base/units.h"
+#include "sigmascape/radar/azimuth_text.h"
+#include "sigmascape/radar/radar_warnings.h"
 #include "sigmascape/radar/rectangle_parts.h"
+#include "sigmascape/simulate/map_provenance.h"
 #include "sigmascape/simulate/scatterer_spacing.h"
 
 namespace sigmascape::simulate {
@@ -64,6 +67,9 @@ ModePlan mode_plan(const ModeRequest& request) {
   const Vec3d aim = middle_of(request.grid, request.terrain);
   ModePlan planned{.plan = radar::coherent_plan(request.radar, aim), .warnings = {}};
   planned.warnings = radar::plan_warnings(request.radar, planned.plan, request.grid.extent(), aim.z);
+  if (auto warning =
+          radar::narrower_than_cells("the image across range", planned.plan.along_resolution_m, request.grid.cell_m))
+    planned.warnings.push_back(*std::move(warning));
   return planned;
 }
 
@@ -84,15 +90,18 @@ ModeImage mode_image(const ModeRequest& request, const radar::CoherentPlan& plan
 }
 
 std::map<std::string, std::string> source_of(const ModeRequest& request) {
-  return {{"processing", fmt::format("level of detail {}: coherent, from terrain and atlas", request.level_of_detail)},
-          {"mode", word_for(request.radar.mode)},
-          {"look_side", look_side(request.radar, request.grid.extent())},
-          {"antenna_pattern", request.radar.processing.antenna_pattern ? "left in" : "none"},
-          {"thermal_noise", request.radar.processing.thermal_noise ? "in it" : "none"},
-          {"wind_mps", fmt::format("{:g}", request.windblown ? request.radar.wind_mps : 0.0)},
-          {"targets", std::to_string(request.targets.size())},
-          {"seed", std::to_string(request.seed)},
-          {"dwell", std::to_string(request.dwell)}};
+  std::map<std::string, std::string> words{
+      {"processing", fmt::format("level of detail {}: coherent, from terrain and atlas", request.level_of_detail)},
+      {"mode", word_for(request.radar.mode)},
+      {"look_side", look_side(request.radar, request.grid.extent())},
+      {"antenna_pattern", request.radar.processing.antenna_pattern ? "left in" : "none"},
+      {"thermal_noise", request.radar.processing.thermal_noise ? "in it" : "none"},
+      {"wind_mps", fmt::format("{:g}", request.windblown ? request.radar.wind_mps : 0.0)},
+      {"targets", std::to_string(request.targets.size())},
+      {"seed", std::to_string(request.seed)},
+      {"dwell", std::to_string(request.dwell)}};
+  tell_of_frequency(request.radar, request.texture_frequency_hz, words);
+  return words;
 }
 
 std::map<std::string, double> numbers_of_one_look(const radar::CoherentPlan& plan) {
@@ -109,7 +118,7 @@ std::map<std::string, std::string> provenance_of(const ModeRequest& request, con
   words["along_resolution_m"] = fmt::format("{:.4g}", plan.along_resolution_m);
   words["angle_off_course_deg"] = fmt::format("{:.4g}", deg_from_radians(plan.squint_rad));
   if (const auto azimuth_rad = beam_azimuth_rad(request.radar, request.grid.extent()))
-    words["beam_azimuth_deg"] = fmt::format("{:.3f}", deg_from_radians(wrapped_azimuth(*azimuth_rad)));
+    words["beam_azimuth_deg"] = radar::azimuth_text_deg(*azimuth_rad, 3);
   if (request.radar.earth_refraction)
     words["earth_refraction"] = fmt::format("{:.6g}", *request.radar.earth_refraction);
   return words;

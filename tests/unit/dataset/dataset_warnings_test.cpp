@@ -92,7 +92,7 @@ TEST(DatasetWarnings, AreNoneOfTheExampleOfSanFrancisco) {
   EXPECT_THAT(warnings(), IsEmpty());
   ASSERT_TRUE(spec.radar_ranges.beam_width_rad);
   spec.radar_ranges.beam_width_rad.reset();
-  EXPECT_THAT(warnings(), ElementsAre(HasSubstr("the beam of 2.8")))
+  EXPECT_THAT(warnings(), ElementsAre(HasSubstr("the beam of 3.46 m")))
       << "that of the radar file, sharper than the cells";
 }
 

@@ -25,5 +25,18 @@ TEST(WarningsOfCells, BeginWherePowerIsLost) {
   EXPECT_THAT(warnings_of_pulse(2.0, 4.0), ::testing::ElementsAre(HasSubstr("use cells of at most 2 m")));
 }
 
+// Coherent modes sharpen the beam: not its width counts there, but that of what is made of it.
+TEST(WarningsOfCells, AskForTheBeamInRealBeamMapsAlone) {
+  const RangeAzimuthGrid bins{.first_range_m = 20e3, .range_step_m = 10.0, .ranges = 100};
+  Radar radar{.range_resolution_m = 4.0,
+              .beam_width_rad = 1e-4,
+              .waveform = {.pulse_length_s = 1e-7, .pulse_repetition_hz = 1000.0}};
+  EXPECT_THAT(radar_warnings(radar, bins, 4.0), ::testing::ElementsAre(HasSubstr("the beam of 1.4")));
+  radar.mode = Mode::Spotlight;
+  EXPECT_THAT(radar_warnings(radar, bins, 4.0), ::testing::IsEmpty());
+  EXPECT_EQ(narrower_than_cells("the image", 4.0, 4.0), std::nullopt);
+  EXPECT_THAT(narrower_than_cells("the image", 0.3, 4.0).value_or(""), HasSubstr("the image of 0.3 m is narrower"));
+}
+
 }  // namespace
 }  // namespace sigmascape::radar
