@@ -1,5 +1,6 @@
-// What the coherent half costs, in processor time of one thread: 10,000 targets a frame in the power mode, scatterers
-// of the lattice, complex bins beside the fixed-point bins of the power mode, and focused images.
+// What the receiver costs, in processor time of one thread: 10,000 targets a frame, scatterers of the lattice, complex
+// bins beside the fixed-point bins of the power mode, and focused images.
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <ctime>
@@ -7,6 +8,8 @@
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "figures.h"
 
 #include "sigmascape/base/hash.h"
 #include "sigmascape/radar/scatterer_lattice.h"
@@ -21,6 +24,8 @@
 namespace {
 
 using namespace sigmascape;  // NOLINT: a program of its own
+using bench::Figures;
+using bench::prove;
 
 /// Best processor time of several runs, in seconds.
 template <typename Work>
@@ -32,10 +37,6 @@ double seconds_of(const Work& work) {
     best = std::min(best, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
   }
   return best;
-}
-
-void print(std::string_view name, double value, std::string_view unit) {
-  fmt::print("{{\"name\": \"{}\", \"value\": {:.4g}, \"unit\": \"{}\"}}\n", name, value, unit);
 }
 
 double unit(std::uint64_t i, int dimension) {
@@ -56,7 +57,7 @@ std::vector<radar::Target> moving_targets() {
   return targets;
 }
 
-void measure_targets() {
+void measure_targets(Figures& figures) {
   radar::Radar radar;
   radar.position = {0.0, -20'000.0, 5000.0};
   // A frame of about 1000 ranges by 500 azimuths.
@@ -65,18 +66,19 @@ void measure_targets() {
   const std::vector<radar::Target> targets = moving_targets();
   const std::vector<Vec3d> corners{
       {-5000.0, 0.0, 0.0}, {5000.0, 0.0, 0.0}, {-5000.0, 10'000.0, 0.0}, {5000.0, 10'000.0, 0.0}};
+  const auto first = receiver::target_echoes(targets, radar, {0.0, 0, 0});
+  prove(first.size() == targets.size(), "every target echoes once a frame");
   receiver::RangeAzimuthReceiver receiver(radar, receiver::grid_covering(radar, corners));
   std::uint64_t frame = 0;
-  print("10,000 targets to echoes",
-        1e3 * seconds_of([&] {
-          (void)receiver::target_echoes(targets, radar, {0.1 * static_cast<double>(frame), frame++, 0});
-        }),
-        "ms");
-  print("10,000 targets to echoes and into the bins",
-        1e3 * seconds_of([&] {
-          receiver.add(receiver::target_echoes(targets, radar, {0.1, frame++, 0}));
-        }),
-        "ms");
+  figures.add("receiver.targets.echoes",
+              1e3 * seconds_of([&] {
+                (void)receiver::target_echoes(targets, radar, {0.1 * static_cast<double>(frame), frame++, 0});
+              }),
+              "ms");
+  figures.add("receiver.targets.power_map", 1e3 * seconds_of([&] {
+                                              receiver.add(receiver::target_echoes(targets, radar, {0.1, frame++, 0}));
+                                            }),
+              "ms");
 }
 
 /// A response of Taylor's window at two bins a cell in range, and of a Gaussian beam across.
@@ -88,36 +90,37 @@ receiver::TargetFrameBins with_responses(receiver::TargetFrameBins bins) {
   return bins;
 }
 
-void measure_live_targets() {
+void measure_live_targets(Figures& figures) {
   const std::vector<radar::Target> targets = moving_targets();
   const receiver::TargetFrameBins plain{.beams = 512, .ranges = 512, .beam_step_rad = 1e-3, .range_step_m = 20.0};
   const receiver::TargetFramePose pose{
       .position = {0.0, -20'000.0, 5000.0}, .first_azimuth_rad = -0.256, .first_range_m = 20'400.0};
   for (const bool responses : {false, true}) {
     const receiver::TargetFrameBins bins = responses ? with_responses(plain) : plain;
-    const std::string how = responses
-                                ? fmt::format("with a response of {} by {} bins", bins.across.taps(), bins.along.taps())
-                                : "shared between four bins";
+    const std::string how =
+        responses ? fmt::format("response_of_{}_by_{}", bins.across.taps(), bins.along.taps()) : "shared";
     receiver::TargetFrame frame(bins);
     std::vector<float> powers(4 * bins.beams * bins.ranges);
     std::vector<std::complex<float>> amplitudes(4 * bins.beams * bins.ranges);
+    frame.look(targets, pose, {0.0, 0, 0});
+    prove(frame.seen() > 0 && frame.seen() <= targets.size(), "a frame sees some targets and none twice");
     std::uint64_t number = 0;
     const auto look = [&] { frame.look(targets, pose, {0.1 * static_cast<double>(number), number++, 0}); };
-    print("10,000 targets looked at for a live frame", 1e3 * seconds_of(look), "ms");
-    print("10,000 targets into a live frame of powers, " + how, 1e3 * seconds_of([&] {
-                                                                  look();
-                                                                  frame.add_powers(0, bins.beams, powers);
-                                                                }),
-          "ms");
-    print("10,000 targets into a live frame of I/Q, " + how, 1e3 * seconds_of([&] {
-                                                               look();
-                                                               frame.add_amplitudes(0, bins.beams, amplitudes);
-                                                             }),
-          "ms");
+    figures.add("receiver.live_targets.look", 1e3 * seconds_of(look), "ms");
+    figures.add("receiver.live_targets.powers." + how, 1e3 * seconds_of([&] {
+                                                         look();
+                                                         frame.add_powers(0, bins.beams, powers);
+                                                       }),
+                "ms");
+    figures.add("receiver.live_targets.iq." + how, 1e3 * seconds_of([&] {
+                                                     look();
+                                                     frame.add_amplitudes(0, bins.beams, amplitudes);
+                                                   }),
+                "ms");
   }
 }
 
-void measure_lattice() {
+void measure_lattice(Figures& figures) {
   constexpr std::size_t count = 1 << 20, row = 1024;
   std::vector<std::int32_t> columns(count), rows(count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -132,41 +135,59 @@ void measure_lattice() {
         lattice.values_of({&columns[i], row}, {&rows[i], row}, 0, radar::Draw::First, re, im);
       }
     });
-    print(fmt::format("scatterer, {} levels tied, scattered cells", levels), 1e9 * seconds / count, "ns");
+    figures.add(fmt::format("receiver.scatterer.{}_levels", levels), 1e9 * seconds / count, "ns");
   }
   const radar::ScattererLattice lattice({.seed = 1, .cell_m = 1.0, .levels = 8});
   std::vector<radar::ComplexPair> block;
-  print("scatterer, 8 levels tied, whole blocks", 1e9 * seconds_of([&] {
-                                                    lattice.block({0, 0}, 0, 7, radar::Draw::First, block);
-                                                  }) / (128.0 * 128.0),
-        "ns");
+  lattice.block({0, 0}, 0, 7, radar::Draw::First, block);
+  double power = 0.0;
+  for (const radar::ComplexPair& value : block) power += value.re * value.re + value.im * value.im;
+  // Of exponentially distributed powers, of which levels tie some together: as sure as a tenth of their number, at
+  // least.
+  const auto values = static_cast<double>(block.size());
+  prove(std::abs(power / values - 1.0) < 5.0 / std::sqrt(0.1 * values), "scatterers have unit mean power");
+  figures.add("receiver.scatterer.8_levels_block", 1e9 * seconds_of([&] {
+                                                     lattice.block({0, 0}, 0, 7, radar::Draw::First, block);
+                                                   }) / (128.0 * 128.0),
+              "ns");
 }
 
-void measure_bins() {
+void measure_bins(Figures& figures) {
   constexpr std::size_t count = 1 << 19, side = 1024;
   std::vector<receiver::PlacedAmplitude> placed;
   for (std::uint64_t i = 0; i < count; ++i) {
-    placed.push_back({unit(i, 0) * side, unit(i, 1) * side, {{1.0F, 0.5F}, {0.3F, 0.1F}, {0.1F, 0.0F}}});
+    placed.push_back(
+        {1.0 + unit(i, 0) * (side - 2.0), 1.0 + unit(i, 1) * (side - 2.0), {{1.0F, 0.5F}, {0.3F, 0.1F}, {0.1F, 0.0F}}});
   }
+  double all_m2 = 0.0;
+  receiver::PowerBins proof(side, side);
+  for (const auto& echo : placed) {
+    const radar::Channels rcs_m2 = radar::power_of(echo.amplitude);
+    all_m2 += rcs_m2.vv;
+    proof.add_shared(echo.column, echo.row, rcs_m2);
+  }
+  prove(std::abs(proof.total()[0] / all_m2 - 1.0) < 1e-4, "fixed-point bins keep the power of all echoes");
   receiver::CoherentBins coherent(side, side);
-  print("complex bins, an echo", 1e9 * seconds_of([&] { coherent.add(placed, 1); }) / count, "ns");
+  figures.add("receiver.complex_bins.echo", 1e9 * seconds_of([&] { coherent.add(placed, 1); }) / count, "ns");
   receiver::PowerBins power(side, side);
-  print("fixed-point bins, an echo", 1e9 * seconds_of([&] {
-                                       for (const auto& echo : placed)
-                                         power.add_shared(echo.column, echo.row, radar::power_of(echo.amplitude));
-                                     }) / count,
-        "ns");
+  figures.add("receiver.power_bins.echo", 1e9 * seconds_of([&] {
+                                            for (const auto& echo : placed)
+                                              power.add_shared(echo.column, echo.row, radar::power_of(echo.amplitude));
+                                          }) / count,
+              "ns");
   const receiver::ResponseAxis axis{.bins = side, .band = 511, .window = {}, .periodic = true};
   receiver::ResponsePlane plane(axis, axis);
-  print("exact responses, a point", 1e9 * seconds_of([&] { plane.add(placed, 1); }) / count, "ns");
-  print("image of 1024 by 1024 bins, three polarizations", 1e3 * seconds_of([&] { (void)plane.bins({}, 1); }), "ms");
+  figures.add("receiver.responses.point", 1e9 * seconds_of([&] { plane.add(placed, 1); }) / count, "ns");
+  figures.add("receiver.responses.image", 1e3 * seconds_of([&] { (void)plane.bins({}, 1); }), "ms");
 }
 
 }  // namespace
 
-int main() {
-  measure_targets();
-  measure_live_targets();
-  measure_lattice();
-  measure_bins();
+int main(int count, char** words) {
+  const auto arguments = bench::Arguments::parsed(count, words);
+  Figures figures(arguments.out);
+  measure_targets(figures);
+  measure_live_targets(figures);
+  measure_lattice(figures);
+  measure_bins(figures);
 }
