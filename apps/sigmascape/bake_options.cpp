@@ -9,6 +9,7 @@
 #include "threads_option.h"
 #include "word_option.h"
 
+#include "sigmascape/atlas/aspect_grid.h"
 #include "sigmascape/atlas/patch_grid.h"
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
@@ -71,7 +72,7 @@ void BakeOptions::add_texels_and_looks(Command command) {
       .check(patch_side());
   command.add_option("--azimuths", azimuths, "number of azimuths, evenly spaced from north")
       .capture_default_str()
-      .check(count_within(1, 3600));
+      .check(count_within(1U, atlas::most_azimuths));
   command.add_option("--elevations-deg", elevations_deg, "grazing angles")
       .delimiter(',')
       .capture_default_str()
@@ -128,8 +129,7 @@ void BakeOptions::add_what_stands(Command command) {
 bake::BakeSettings BakeOptions::settings() const {
   bake::BakeSettings settings;
   settings.aspects = {};
-  for (unsigned i = 0; i < azimuths; ++i)
-    settings.aspects.azimuths_rad.push_back(radians_from_deg(360.0 * i / azimuths));
+  settings.aspects.azimuths_rad = atlas::even_azimuths(azimuths);
   for (const double elevation : ascending(elevations_deg, "--elevations-deg", "°"))
     settings.aspects.elevations_rad.push_back(radians_from_deg(elevation));
   for (const double frequency : ascending(frequencies_ghz, "--frequencies-ghz", " GHz"))

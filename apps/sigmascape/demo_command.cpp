@@ -17,6 +17,7 @@
 #include "sigmascape/product/attribution_line.h"
 #include "sigmascape/product/comparison_page.h"
 #include "sigmascape/product/ground_map_file.h"
+#include "sigmascape/product/json_text.h"
 #include "sigmascape/product/legend.h"
 #include "sigmascape/product/png_file.h"
 #include "sigmascape/radar/radar_file.h"
@@ -133,7 +134,7 @@ class Demo {
                         {"already", bake_report_.already},
                         {"seconds", bake_seconds_},
                         {"rays", bake_report_.counts.rays}};
-    geo::write_atomically(folder_ / "comparison.json", summary_.dump(2) + "\n");
+    geo::write_atomically(folder_ / "comparison.json", product::json_text(summary_, 2));
     summary_["page"] = (folder_ / "index.html").string();
     output.finish(fmt::format("{}: {}{} baked in {:.1f} s\n{}\nOpen {}", scene_.name,
                               counted(bake_report_.looks, "look", "looks"), already_in_words(), bake_seconds_, text_,

@@ -53,7 +53,7 @@ void add_layer_options(Command command, LayerFiles& files) {
   command
       .add_option("--layers", files.names,
                   "layers over the map's cells: shadow, layover, incidence, range, class, height; at level of detail 0 "
-                  "also bounce1, bounce2, ... (sigma0 by number of bounces) and multibounce (part of the power that "
+                  "also bounce1 to bounce9 (sigma0 by number of bounces) and multibounce (part of the power that "
                   "came over more than one), of --polarization or else the radar file's")
       .delimiter(',');
   command.add_option("--layers-out", files.file, "GeoTIFF to write them to, a band for each");
@@ -66,6 +66,7 @@ void check(const LayerFiles& files, int level_of_detail) {
   product::check_layer_name(files.file);
   (void)shapes_in(files.names);
   for (const std::string& name : files.names) {
+    if (std::ranges::count(files.names, name) > 1) throw Error("--layers", "names " + name + " twice", "name it once");
     if (level_of_detail > 0 && dataset::tells_bounces(name))
       throw Error("layer \"" + name + "\"", "is not in an atlas, where all bounces are one sum", "use --lod 0");
   }

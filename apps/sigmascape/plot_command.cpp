@@ -9,6 +9,7 @@
 #include "polarization_option.h"
 
 #include "sigmascape/base/error.h"
+#include "sigmascape/base/file_ending.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/geo/coordinate_transform.h"
 #include "sigmascape/product/ground_map_file.h"
@@ -91,7 +92,7 @@ std::vector<double> amplitudes_of(const PlotOptions& options) {
 }
 
 void plot_histogram(const PlotOptions& options, const Output& output) {
-  const bool is_iq = options.input.ends_with(".npy");
+  const bool is_iq = file_ending(options.input) == ".npy";
   const std::vector<double> values = is_iq ? amplitudes_of(options) : powers_of(options);
   if (values.empty()) throw Error(options.input, "has no cells with power there", "choose another --area");
   const Histogram histogram =

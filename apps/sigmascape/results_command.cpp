@@ -14,6 +14,7 @@
 #include "threads_option.h"
 
 #include "sigmascape/geo/atomic_file.h"
+#include "sigmascape/product/json_text.h"
 
 namespace sigmascape::cli {
 namespace {
@@ -65,7 +66,7 @@ void run_results(const ResultsOptions& options, const Output& output) {
                                .sections = report.figures,
                                .attribution = report.attribution};
   std::ranges::move(results_sections(report.rows), std::back_inserter(page.sections));
-  geo::write_atomically(folder / "results.json", json.dump(2) + "\n");
+  geo::write_atomically(folder / "results.json", product::json_text(json, 2));
   product::write_comparison_page(folder / "index.html", page);
   if (!options.page.empty()) {
     write_page(options.page, report, folder);

@@ -9,6 +9,7 @@
 #include "parts.h"
 #include "python_progress.h"
 
+#include "sigmascape/atlas/aspect_grid.h"
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
 
@@ -31,8 +32,7 @@ bool is_second(const char* name, const std::string& word, const char* first, con
 
 bake::BakeSettings with_axes(bake::BakeSettings settings, const BakeArguments& arguments) {
   settings.aspects = {};
-  for (unsigned i = 0; i < arguments.azimuths; ++i)
-    settings.aspects.azimuths_rad.push_back(radians_from_deg(360.0 * i / arguments.azimuths));
+  settings.aspects.azimuths_rad = atlas::even_azimuths(arguments.azimuths);
   for (const double elevation : arguments.elevations_deg)
     settings.aspects.elevations_rad.push_back(radians_from_deg(elevation));
   for (const double frequency : arguments.frequencies_ghz) settings.aspects.frequencies_hz.push_back(frequency * 1e9);

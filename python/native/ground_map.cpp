@@ -1,3 +1,4 @@
+#include <cmath>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
@@ -7,6 +8,8 @@
 #include "parts.h"
 #include "polarization.h"
 
+#include "sigmascape/base/error.h"
+#include "sigmascape/base/file_ending.h"
 #include "sigmascape/product/ground_map_file.h"
 #include "sigmascape/product/legend.h"
 #include "sigmascape/product/map_file.h"
@@ -23,7 +26,7 @@ using radar::GroundMap;
 
 void save(const GroundMap& map, const std::filesystem::path& path, bool db, const std::string& polarization,
           double span_db, const std::optional<double>& top_db) {
-  if (path.extension() != ".png")
+  if (file_ending(path) != ".png")
     return product::write_map(path, map, db ? product::MapScale::Decibels : product::MapScale::Linear);
   auto picture = product::with_legend(product::picture_of(
       map, {.polarization = polarization_from(polarization), .span_db = span_db, .top_db = top_db}));
@@ -33,6 +36,7 @@ void save(const GroundMap& map, const std::filesystem::path& path, bool db, cons
 
 py::array_t<float> decibels(const GroundMap& map, const std::string& polarization, double floor_db) {
   const radar::Polarization wanted = polarization_from(polarization);
+  if (std::isnan(floor_db)) throw Error("floor_db", "is not a number", "give the darkest value in dB");
   py::array_t<float> result({map.grid.rows, map.grid.columns});
   float* db = result.mutable_data();
   for (const Channels& cell : map.sigma0.values()) {

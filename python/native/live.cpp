@@ -121,6 +121,8 @@ void add_live(py::module_& module) {
                                "that made it: others, forked ones too, make their own.")
       .def(py::init(
                [](const std::filesystem::path& folder, double frequency_ghz, std::size_t cache_mib, unsigned loaders) {
+                 if (cache_mib > std::numeric_limits<std::size_t>::max() >> 20U)
+                   throw Error("cache_mib", "is more than any memory", "give what pages may take, in MiB");
                  return long_call([&] {
                    return std::make_unique<Held<LiveGround>>(
                        "LiveGround", LiveGround::open(folder, frequency_ghz * 1e9,

@@ -74,6 +74,9 @@ TEST_F(BadInput, TwoOptionsMayNotNameOneFile) {
               HasSubstr("--power: names ./map.tif, as --out does; give each of them a file of its own"));
   EXPECT_THAT(said_to("render radar.toml --scene none.toml --png a.png --ppi x/../a.png"),
               HasSubstr("--ppi: names x/../a.png, as --png does"));
+  EXPECT_THAT(said_to("render radar.toml --scene none.toml --out map.npy --snr map.NPY"),
+              HasSubstr("--snr: names map.NPY, as --out does"))
+      << "both would have map.json beside them";
   EXPECT_THAT(said_to("render radar.toml --scene none.toml --out map.tif --power power.tif"), HasSubstr("none.toml"));
 }
 
@@ -97,6 +100,8 @@ TEST_F(BadInput, WhatAMapCannotBeIsRefusedBeforeItIsTraced) {
   EXPECT_THAT(said_of("--snr power.bin"), HasSubstr("power.bin: would not be known for a NumPy file"));
   EXPECT_THAT(said_of("--video video.tif"), HasSubstr("video.tif: would not be known for a NumPy file"));
   EXPECT_THAT(said_of("--snr power.npy --polarization sum"), HasSubstr("cannot give the sum of polarizations"));
+  EXPECT_THAT(said_of("--layers shadow,range,shadow --layers-out layers.tif"),
+              HasSubstr("--layers: names shadow twice"));
   EXPECT_THAT(said_of("--layers shadow --layers-out layers.png"), HasSubstr("layers.png: would not be known for"));
   EXPECT_THAT(said_to("results --small --finer-samples 1 --out results"), HasSubstr("--finer-samples: is 1"));
   EXPECT_THAT(said_to("results --small --measured none.json --out results"), HasSubstr("none.json: cannot be read"));

@@ -167,7 +167,13 @@ def test_ctrl_c_ends_a_bake_that_calls_no_python(tmp_path):
 
 
 def test_a_bake_of_no_looks_is_refused(scene, tmp_path):
-    for none in (dict(azimuths=0), dict(elevations_deg=[]), dict(frequencies_ghz=[])):
-        with pytest.raises(sigmascape.Error, match="has no values"):
+    empty, numberless = "has no values", "give a number from 1 to 3600"
+    for none, words in (
+        (dict(azimuths=0), numberless),
+        (dict(azimuths=2**31), numberless),
+        (dict(elevations_deg=[]), empty),
+        (dict(frequencies_ghz=[]), empty),
+    ):
+        with pytest.raises(sigmascape.Error, match=words):
             sigmascape.bake(scene, tmp_path / "atlas", texel_m=2.0, patch_texels=256, samples=2, progress=False, **none)
     assert not (tmp_path / "atlas").exists()

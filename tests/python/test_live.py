@@ -53,6 +53,8 @@ def test_wrong_settings_are_refused(atlas):
         sigmascape.LiveRenderer(ground, content="colours")
     with pytest.raises(sigmascape.Error):
         sigmascape.LiveGround(atlas.folder, frequency_ghz=94.0)
+    with pytest.raises(sigmascape.Error, match="cache_mib: is more than any memory"):
+        sigmascape.LiveGround(atlas.folder, cache_mib=2**44)
     with pytest.raises(sigmascape.Error, match="y_m: is nan"):
         ground.height_at(0.0, float("nan"))
 

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "sigmascape/atlas/aspect_grid.h"
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/hash.h"
 #include "sigmascape/base/units.h"
@@ -55,7 +56,7 @@ std::string LookGrid::name() const {
 
 atlas::AspectGrid LookGrid::aspects() const {
   atlas::AspectGrid grid;
-  for (unsigned i = 0; i < azimuths; ++i) grid.azimuths_rad.push_back(radians_from_deg(360.0 * i / azimuths));
+  grid.azimuths_rad = atlas::even_azimuths(azimuths);
   for (const double elevation : elevations_deg) grid.elevations_rad.push_back(radians_from_deg(elevation));
   grid.frequencies_hz = {10e9};
   return grid;

@@ -106,9 +106,17 @@ radar::Look AspectGrid::look(LookIndex index) const {
   return {{azimuths_rad[azimuth], elevations_rad[elevation]}, frequencies_hz[frequency]};
 }
 
+std::vector<double> even_azimuths(unsigned count) {
+  if (count == 0 || count > most_azimuths)
+    throw Error("azimuths", fmt::format("are {}", count), fmt::format("give a number from 1 to {}", most_azimuths));
+  std::vector<double> azimuths_rad;
+  for (unsigned i = 0; i < count; ++i) azimuths_rad.push_back(radians_from_deg(360.0 * i / count));
+  return azimuths_rad;
+}
+
 AspectGrid paper_aspect_grid() {
   AspectGrid grid;
-  for (int i = 0; i < 8; ++i) grid.azimuths_rad.push_back(radians_from_deg(45.0 * i));
+  grid.azimuths_rad = even_azimuths(8);
   for (int i = 0; i < 5; ++i) grid.elevations_rad.push_back(radians_from_deg(5.0 + 8.0 * i));
   grid.frequencies_hz = {10e9};
   return grid;

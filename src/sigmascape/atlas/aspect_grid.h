@@ -32,6 +32,13 @@ struct AspectGrid {
   [[nodiscard]] radar::Look look(LookIndex index) const;
 };
 
+/// As many azimuths as an axis may have: one every tenth of a degree.
+inline constexpr unsigned most_azimuths = 3600;
+
+/// The azimuths axis of so many looks around, evenly spaced from north. Throws Error for none and for more than
+/// `most_azimuths`.
+[[nodiscard]] std::vector<double> even_azimuths(unsigned count);
+
 /// The looks of the paper: azimuths 0°, 45° … 315°, elevations 5°, 13°, 21°, 29°, 37°, at 10 GHz.
 [[nodiscard]] AspectGrid paper_aspect_grid();
 

@@ -103,6 +103,14 @@ Error TomlSection::fault(std::string_view key, const std::string& what, const st
   return Error(where(key), what, remedy);
 }
 
+Error TomlSection::missing(std::string_view key, const std::string& remedy) const {
+  for (const std::string& other : keys()) {
+    if (!table_->known.contains(other) && nearest_word(other, {std::string(key)}))
+      return fault(other, "is not a known key", fmt::format("did you mean {}?", key));
+  }
+  return fault(key, "is missing", remedy);
+}
+
 bool TomlSection::has(std::string_view key) const {
   table_->known.emplace(key);
   return find(*table_->table, key) != nullptr;
@@ -127,12 +135,7 @@ std::optional<std::string> TomlSection::optional_text(std::string_view key) cons
 
 std::string TomlSection::text(std::string_view key) const {
   if (auto value = optional_text(key)) return *value;
-  for (const std::string& other : keys()) {
-    if (!table_->known.contains(other) && nearest_word(other, {std::string(key)})) {
-      throw fault(other, "is not a known key", fmt::format("did you mean {}?", key));
-    }
-  }
-  throw fault(key, "is missing", "add it");
+  throw missing(key, "add it");
 }
 
 std::string TomlSection::text_or(std::string_view key, std::string fallback) const {
@@ -257,6 +260,11 @@ std::optional<TomlSection> TomlSection::section(std::string_view key) const {
   inner->place = fmt::format("{}{}{}", table_->place, table_->place.empty() ? "" : ".", key);
   inner->known.clear();
   return TomlSection(inner);
+}
+
+TomlSection TomlSection::required_section(std::string_view key) const {
+  if (auto found = section(key)) return *found;
+  throw missing(key, fmt::format("add a [{}] section", key));
 }
 
 std::vector<TomlSection> TomlSection::sections(std::string_view key) const {

@@ -62,6 +62,7 @@ class TomlSection {
   [[nodiscard]] std::optional<std::filesystem::path> optional_file(std::string_view key) const;
 
   [[nodiscard]] std::optional<TomlSection> section(std::string_view key) const;
+  [[nodiscard]] TomlSection required_section(std::string_view key) const;
   /// The tables of an array of tables ([[buildings]]), in order; empty when the key is absent.
   [[nodiscard]] std::vector<TomlSection> sections(std::string_view key) const;
 
@@ -72,6 +73,8 @@ class TomlSection {
 
  private:
   struct Table;
+  /// Of a text or a section: names a key that has not been read and is spelt nearly so, if there is one.
+  [[nodiscard]] Error missing(std::string_view key, const std::string& remedy) const;
   explicit TomlSection(std::shared_ptr<Table> table) : table_(std::move(table)) {}
   std::shared_ptr<Table> table_;
 };

@@ -232,11 +232,6 @@ void check_bounces(const TomlSection& section, const DatasetSpec& spec) {
   }
 }
 
-TomlSection required_section(const TomlSection& file, std::string_view key) {
-  if (auto section = file.section(key)) return *section;
-  throw file.fault(key, "is missing", fmt::format("add a [{}] section", key));
-}
-
 std::string text_of(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(file), {}};
@@ -277,7 +272,7 @@ void read_radar(const std::filesystem::path& path, DatasetSpec& spec) {
 
 DatasetSpec read_dataset_spec(const std::filesystem::path& path) {
   const TomlSection file = TomlSection::read_file(path);
-  const TomlSection section = required_section(file, "dataset");
+  const TomlSection section = file.required_section("dataset");
   DatasetSpec spec;
   spec.file = path;
   spec.text = text_of(path);
@@ -301,7 +296,7 @@ DatasetSpec read_dataset_spec(const std::filesystem::path& path) {
   read_products(section, spec);
   check_bounces(section, spec);
   section.refuse_unknown_keys();
-  read_view(required_section(file, "view"), spec);
+  read_view(file.required_section("view"), spec);
   if (const auto speckle = file.section("speckle")) {
     spec.looks = static_cast<std::size_t>(speckle->whole_number_or("looks", {0.0, 1000.0, "looks"}, 1));
     speckle->refuse_unknown_keys();

@@ -4,6 +4,7 @@
 #include <gdal_priv.h>
 
 #include "sigmascape/base/error.h"
+#include "sigmascape/base/file_ending.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/geo/atomic_file.h"
 #include "sigmascape/geo/gdal_memory_file.h"
@@ -97,7 +98,8 @@ GDALDatasetUniquePtr raster_in_memory(const GeoRaster& raster) {
 }  // namespace
 
 bool is_geotiff_name(const std::filesystem::path& path) {
-  return path.extension() == ".tif" || path.extension() == ".tiff";
+  const std::string ending = file_ending(path);
+  return ending == ".tif" || ending == ".tiff";
 }
 
 void write_geotiff(const std::filesystem::path& path, const GeoRaster& raster) {

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "sigmascape/product/json_text.h"
 #include "sigmascape/product/map_metrics.h"
 #include "sigmascape/product/metric_text.h"
 
@@ -53,7 +54,7 @@ std::string comparison_json(const MapComparison& comparison, const std::optional
                               {"shadow_db", comparison.options.shadow_db},
                               {"cells", rows_json(comparison)}};
   if (noise_floor) json["noise_floor"] = rows_json(*noise_floor);
-  return json.dump(2) + "\n";
+  return json_text(json, 2);
 }
 
 }  // namespace sigmascape::product

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "sigmascape/base/error.h"
+#include "sigmascape/base/file_ending.h"
 #include "sigmascape/product/iq_formats.h"
 #include "sigmascape/product/json_text.h"
 
@@ -64,7 +65,7 @@ void check_keys(const std::filesystem::path& path, const IqRecord& record) {
 }  // namespace
 
 void check_iq_name(const std::filesystem::path& path) {
-  if (!writers().contains(path.extension().string())) {
+  if (!writers().contains(file_ending(path))) {
     throw Error(path.string(), "is no kind of file that I/Q is written as",
                 "end the name in .npy, .npz, .h5 or .sigmf-meta");
   }
@@ -74,7 +75,7 @@ void write_iq(const std::filesystem::path& path, const IqRecord& record) {
   check_iq_name(path);
   check(path, record);
   check_keys(path, record);
-  writers().at(path.extension().string())(path, record);
+  writers().at(file_ending(path))(path, record);
 }
 
 std::string axis_name(const IqAxis& axis) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sigmascape/base/error.h"
+#include "sigmascape/base/file_ending.h"
 #include "sigmascape/geo/atomic_file.h"
 #include "sigmascape/geo/axis_units.h"
 #include "sigmascape/geo/geo_raster.h"
@@ -83,7 +84,7 @@ std::string archive_of(const MapView& map, MapScale scale, const std::string& wh
 void write_view(const std::filesystem::path& path, const MapView& map, MapScale scale) {
   check_map_name(path);
   if (geo::is_geotiff_name(path)) return write_map_geotiff(path, map, scale);
-  if (path.extension() == ".npz") return geo::write_atomically(path, archive_of(map, scale, path.string()));
+  if (file_ending(path) == ".npz") return geo::write_atomically(path, archive_of(map, scale, path.string()));
   const std::string description = description_of(map, scale), numbers = numbers_bytes(map, scale);
   geo::write_together({{std::filesystem::path(path).replace_extension(".json"), description}, {path, numbers}});
 }
@@ -91,7 +92,8 @@ void write_view(const std::filesystem::path& path, const MapView& map, MapScale 
 }  // namespace
 
 void check_map_name(const std::filesystem::path& path) {
-  if (geo::is_geotiff_name(path) || path.extension() == ".npy" || path.extension() == ".npz") return;
+  const std::string ending = file_ending(path);
+  if (geo::is_geotiff_name(path) || ending == ".npy" || ending == ".npz") return;
   throw Error(path.string(), "is no kind of file that maps are written as", "end the name in .tif, .npy or .npz");
 }
 

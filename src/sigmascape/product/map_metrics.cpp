@@ -95,6 +95,10 @@ void require_metres(const radar::GroundMap& map, const char* which) {
               "render it in a system that counts in metres, or in the scene's own");
 }
 
+void require_finite(double level_db, const char* which) {
+  if (!std::isfinite(level_db)) throw Error(which, fmt::format("is {:g}", level_db), "give a finite number of dB");
+}
+
 }  // namespace
 
 const CellComparison* MapComparison::at_cell(double cell_m) const {
@@ -107,6 +111,8 @@ MapComparison compare_maps(const radar::GroundMap& tested, const radar::GroundMa
   require_metres(tested, "the tested map");
   require_metres(truth, "the truth");
   require_same_cells(tested, truth);
+  require_finite(options.floor_db, "floor_db");
+  require_finite(options.shadow_db, "shadow_db");
   const bool usual = options.cells_m.empty();
   MapComparison comparison{options, {}};
   if (usual) comparison.options.cells_m = sizes_to_compare_at(truth.grid);

@@ -17,8 +17,8 @@ struct CompareOptions {
   /// cell, and of these for those that leave a cell to compare.
   std::vector<double> cells_m = {};
   radar::Polarization polarization = radar::Polarization::Sum;
-  double floor_db = -45.0;   ///< σ0 below this counts as this in correlation_db and rms_db
-  double shadow_db = -35.0;  ///< σ0 below this is shadow
+  double floor_db = -45.0;   ///< σ0 below this counts as this in correlation_db and rms_db; finite
+  double shadow_db = -35.0;  ///< σ0 below this is shadow; finite
 };
 
 /// How close the tested map a comes to the truth b at one cell size, over the cells that both maps saw wholly. With

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sigmascape/base/error.h"
+#include "sigmascape/base/file_ending.h"
 #include "sigmascape/geo/atomic_file.h"
 
 namespace sigmascape::product {
@@ -121,7 +122,7 @@ std::string world_file_text(const radar::GroundGrid& grid) {
 }
 
 void check_png_name(const std::filesystem::path& path) {
-  if (path.extension() != ".png")
+  if (file_ending(path) != ".png")
     throw Error(path.string(), "is no kind of file that maps are drawn into", "end the name in .png");
 }
 

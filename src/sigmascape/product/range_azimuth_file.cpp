@@ -5,6 +5,7 @@
 #include <span>
 
 #include "sigmascape/base/error.h"
+#include "sigmascape/base/file_ending.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/geo/atomic_file.h"
 #include "sigmascape/product/json_text.h"
@@ -33,7 +34,7 @@ std::string description(const radar::RangeAzimuthGrid& grid, const RangeAzimuthL
 }  // namespace
 
 void check_range_azimuth_name(const std::filesystem::path& path) {
-  if (path.extension() != ".npy")
+  if (file_ending(path) != ".npy")
     throw Error(path.string(), "would not be known for a NumPy file", "give a name that ends in .npy");
 }
 

@@ -38,7 +38,7 @@ struct Radar {
   std::string name = "radar";
   Vec3d position = {};  ///< local frame, height above mean sea level
   double frequency_hz = 10e9;
-  Polarization polarization = Polarization::VV;  ///< what pictures and comparisons show; maps hold all
+  Polarization polarization = Polarization::VV;  ///< what pictures and power products show; maps hold all
   double range_resolution_m = 2.0;               ///< half-power width of the pulse after compression
   double beam_width_rad = 0.01;                  ///< one-way half-power width of the real beam in azimuth
   Vec3d velocity_mps = {};                       ///< local frame

@@ -139,17 +139,12 @@ MapRequest map_of(const TomlSection& section) {
   return map;
 }
 
-TomlSection required_section(const TomlSection& file, std::string_view key) {
-  if (auto section = file.section(key)) return *section;
-  throw file.fault(key, "is missing", "add a [" + std::string(key) + "] section");
-}
-
 }  // namespace
 
 RadarFile read_radar_file(const std::filesystem::path& path, PlaceOfRadar need) {
   const TomlSection file = TomlSection::read_file(path);
-  RadarFile read = described_radar(file, required_section(file, "radar"));
-  if (need == PlaceOfRadar::Required || file.has("position")) read.place = place_of(required_section(file, "position"));
+  RadarFile read = described_radar(file, file.required_section("radar"));
+  if (need == PlaceOfRadar::Required || file.has("position")) read.place = place_of(file.required_section("position"));
   if (const auto map = file.section("map")) read.map = map_of(*map);
   file.refuse_unknown_keys();
   return read;

@@ -5,6 +5,7 @@
 #include <tiny_gltf.h>
 
 #include "sigmascape/base/error.h"
+#include "sigmascape/base/file_ending.h"
 #include "sigmascape/scene/imported_mesh.h"
 
 namespace sigmascape::scene {
@@ -187,7 +188,7 @@ ImportedMesh read_gltf(const std::filesystem::path& file) {
                         nullptr);
   tinygltf::Model model;
   std::string faults, warnings;
-  const bool binary = file.extension() == ".glb" || file.extension() == ".GLB";
+  const bool binary = file_ending(file) == ".glb";
   const bool loaded = binary ? loader.LoadBinaryFromFile(&model, &faults, &warnings, file.string())
                              : loader.LoadASCIIFromFile(&model, &faults, &warnings, file.string());
   if (!loaded) {

@@ -5,27 +5,21 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "sigmascape/base/file_ending.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/scene/vector_section.h"
 
 namespace sigmascape::scene {
 namespace {
 
-std::string lower_case_extension(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  std::ranges::transform(extension, extension.begin(),
-                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-  return extension;
-}
-
 bool is_gltf(const std::filesystem::path& file) {
-  const std::string extension = lower_case_extension(file);
-  return extension == ".gltf" || extension == ".glb";
+  const std::string ending = file_ending(file);
+  return ending == ".gltf" || ending == ".glb";
 }
 
 ImportedMesh read_file(const std::filesystem::path& file) {
   if (is_gltf(file)) return read_gltf(file);
-  if (lower_case_extension(file) == ".obj") return read_obj(file);
+  if (file_ending(file) == ".obj") return read_obj(file);
   throw Error(file.string(), "is neither glTF nor OBJ", "convert it to .gltf, .glb or .obj");
 }
 

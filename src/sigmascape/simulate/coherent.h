@@ -61,10 +61,10 @@ struct CoherentSettings {
                                                            const radar::Rectangle& area,
                                                            const CoherentSettings& settings);
 
-/// Stripmap SAR of the area, at the squint under which the radar sees its middle at time zero, in metres. All ground
-/// and every target are looked at from where the platform is as its beam passes over them, under the azimuth in which
-/// the middle is seen at time zero: aspect, grazing angle and shadows are those of that moment. Ground beyond the area
-/// takes part where its azimuth ambiguities fall into it.
+/// Stripmap SAR of the area, in metres, with the beam under the azimuth of a fixed scan, else under that in which the
+/// radar sees the middle of the area at time zero (radar/strip_beam.h). All ground and every target are looked at from
+/// where the platform is as its beam passes over them: aspect, grazing angle and shadows are those of that moment.
+/// Ground beyond the area takes part where its azimuth ambiguities fall into it.
 [[nodiscard]] radar::StripmapImage stripmap_image(const CoherentScene& scene, const radar::Radar& radar,
                                                   const radar::Rectangle& area, const CoherentSettings& settings);
 

@@ -41,6 +41,16 @@ TEST(AspectGrid, ThePaperHasFortyLooksAtTenGigahertz) {
   EXPECT_EQ(grid.frequencies_hz, std::vector<double>{10e9});
 }
 
+TEST(AspectGrid, AzimuthsAreSpreadEvenlyFromNorth) {
+  const auto azimuths_rad = even_azimuths(16);
+  ASSERT_EQ(azimuths_rad.size(), 16U);
+  for (std::size_t i = 0; i < 16; ++i)
+    EXPECT_DOUBLE_EQ(azimuths_rad[i], radians_from_deg(22.5 * static_cast<double>(i)));
+  EXPECT_EQ(even_azimuths(most_azimuths).size(), 3600U);
+  EXPECT_THROW(static_cast<void>(even_azimuths(0)), Error);
+  EXPECT_THROW(static_cast<void>(even_azimuths(most_azimuths + 1)), Error);
+}
+
 TEST(AspectGrid, LookAndIndexAreInverse) {
   const AspectGrid grid = two_frequencies();
   for (std::size_t f = 0; f < 2; ++f) {

@@ -97,7 +97,7 @@ TEST(MapFile, AFullDiskLeavesNoDescriptionWithoutNumbers) {
 
 TEST(MapFile, RefusesOtherEndings) {
   EXPECT_NE(message_of_error([] { check_map_name("map.jpg"); }).find(".tif, .npy or .npz"), std::string::npos);
-  for (const char* name : {"a.tif", "a.npy", "a.npz"}) check_map_name(name);
+  for (const char* name : {"a.tif", "a.npy", "a.npz", "A.TIF", "A.Npy", "A.NPZ"}) check_map_name(name);
 }
 
 TEST(NpyFile, ReadsWhatWasWrittenAndRefusesElse) {

@@ -4,6 +4,7 @@
 #include <functional>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "unit/product/made_up_map.h"
@@ -125,6 +126,14 @@ TEST(MapMetrics, BelowTheFloorAllIsEqual) {
   CompareOptions deep = at_cells({2.0});
   deep.floor_db = -65.0;
   EXPECT_NEAR(compare_maps(black, nearly_black, deep).at.front().rms_db, std::sqrt(0.75 * 25.0), 1e-4);
+}
+
+TEST(MapMetrics, LevelsThatAreNoNumbersAreRefused) {
+  const GroundMap map = map_of(4, 4, rough);
+  for (const double wrong : {std::nan(""), -std::numeric_limits<double>::infinity()}) {
+    EXPECT_THROW(static_cast<void>(compare_maps(map, map, {.floor_db = wrong})), Error) << wrong;
+    EXPECT_THROW(static_cast<void>(compare_maps(map, map, {.shadow_db = wrong})), Error) << wrong;
+  }
 }
 
 TEST(MapMetrics, UnseenCellsAreLeftOutWithTheirWholeBlock) {
