@@ -63,29 +63,33 @@ LayerStack traced(const LoadedScene& scene, const std::vector<std::string>& name
   return stack;
 }
 
-LayerStack swept(const LoadedScene& loaded, const std::vector<std::string>& names, const radar::Radar& radar,
-                 const radar::GroundGrid& grid, std::span<const radar::Target> targets, unsigned threads) {
+LayerStack swept(const LoadedScene& loaded, const LoadedAtlas* atlas, const std::vector<std::string>& names,
+                 const radar::Radar& radar, const radar::GroundGrid& grid, std::span<const radar::Target> targets,
+                 unsigned threads) {
   for (const std::string& name : names) {
     if (dataset::tells_bounces(name))
       throw Error("layer '" + name + "'", "is not known without rays, where all bounces are one sum", "use lod=0");
   }
   const scene::Scene& scene = loaded.scene();
-  const auto obstacles = scene::obstacles_of(scene, grid.cell_m);
+  const atlas::GroundLayers* baked = atlas != nullptr ? atlas->textures().ground_layers() : nullptr;
+  const radar::ObstacleMap obstacles = baked != nullptr ? baked->obstacles : scene::obstacles_of(scene, grid.cell_m);
   return simulate::swept_layers({&scene.terrain, &obstacles, &scene.ground, scene.materials.size()}, radar, grid,
                                 shapes_in(names), threads, targets);
 }
 
 LayerStack layers(const LoadedScene& scene, const radar::RadarFile& radar_file, const std::vector<std::string>& names,
-                  int lod, const std::vector<radar::TargetSource>& targets, std::uint32_t samples, int bounces,
+                  std::optional<int> lod, const std::shared_ptr<LoadedAtlas>& atlas,
+                  const std::vector<radar::TargetSource>& targets, std::uint32_t samples, int bounces,
                   std::uint64_t seed, double time_s, std::uint64_t dwell, unsigned threads,
                   const py::object& progress) {
   within("time_s", time_s, radar::bounds::moments_s);
   check_names(names);
-  checked_lod(lod);
+  const int level_of_detail = checked_lod(lod.value_or(atlas ? 1 : 0));
   const radar::RadarFile asked = radar_file;
   PythonProgress listener(progress);
   return long_call([&] {
     const scene::Scene& ground = scene.scene();
+    if (atlas && level_of_detail > 0) atlas->check_baked_from(scene);
     const auto radar = simulate::placed_radar(asked, ground.frame, ground.terrain, ground.extent, time_s);
     const auto grid = simulate::map_grid(asked.map, ground.extent);
     warn_of(radar, simulate::map_warnings(radar, asked.map, ground.terrain, ground.extent));
@@ -97,8 +101,8 @@ LayerStack layers(const LoadedScene& scene, const radar::RadarFile& radar_file, 
                                            .threads = threads,
                                            .targets = placed,
                                            .dwell = dwell};
-    LayerStack stack = lod == 0 ? traced(scene, names, radar, grid, settings, listener)
-                                : swept(scene, names, radar, grid, placed, threads);
+    LayerStack stack = level_of_detail == 0 ? traced(scene, names, radar, grid, settings, listener)
+                                            : swept(scene, atlas.get(), names, radar, grid, placed, threads);
     std::ranges::stable_sort(stack.layers, {},
                              [&](const radar::Layer& layer) { return std::ranges::find(names, layer.name); });
     stack.crs = ground.frame.proj();
@@ -165,16 +169,17 @@ void add_layers(py::module_& module) {
           },
           py::arg("path"), py::call_guard<WithoutGil>(),
           "Writes a GeoTIFF (.tif) with a band a layer, angles in degrees.");
-  module.def(
-      "layers", &layers, py::arg("scene"), py::arg("radar"), py::arg("names"), py::kw_only(), py::arg("lod") = 0,
-      py::arg("targets") = std::vector<radar::TargetSource>{}, py::arg("samples") = 16, py::arg("bounces") = 8,
-      py::arg("seed") = 1, py::arg("time_s") = 0.0, py::arg("dwell") = 0, py::arg("threads") = 0,
-      py::arg("progress") = py::none(),
-      "The Layers called `names` over the cells of the radar's map: 'shadow', 'layover', 'incidence', 'range',\n"
-      "'class', 'height', and at level of detail 0 'bounce1', 'bounce2', ... (sigma0 by number of bounces) and\n"
-      "'multibounce' (the part that came over more than one). lod: 0 asks rays over the full scene, 1 terrain\n"
-      "and obstacles. targets: of Target, whose boxes throw shadows, and which answer in the layers of bounces.\n"
-      "Other arguments as for render(); docs/datasets.md says what each layer is.");
+  module.def("layers", &layers, py::arg("scene"), py::arg("radar"), py::arg("names"), py::kw_only(),
+             py::arg("lod") = py::none(), py::arg("atlas") = nullptr,
+             py::arg("targets") = std::vector<radar::TargetSource>{}, py::arg("samples") = 16, py::arg("bounces") = 8,
+             py::arg("seed") = 1, py::arg("time_s") = 0.0, py::arg("dwell") = 0, py::arg("threads") = 0,
+             py::arg("progress") = py::none(),
+             "The Layers called `names` over the cells of the radar's map: 'shadow', 'layover', 'incidence', 'range',\n"
+             "'class', 'height', and at level of detail 0 'bounce1', 'bounce2', ... (sigma0 by number of bounces) and\n"
+             "'multibounce' (the part that came over more than one). lod: 0 asks rays over the full scene, 1 terrain\n"
+             "and obstacles; 1 with an atlas, whose obstacles these then are, so that shadows are those of its maps, "
+             "else 0. targets: of Target, whose boxes throw shadows, and which answer in the layers of bounces.\n"
+             "Other arguments as for render(); docs/datasets.md says what each layer is.");
   module.def(
       "class_names", [](const LoadedScene& scene) { return simulate::class_names(scene.scene()); }, py::arg("scene"),
       "Names of the numbers in the layer 'class', as a list.");

@@ -4,9 +4,12 @@
 #include <mutex>
 #include <optional>
 
+#include "loaded_scene.h"
+
 #include "sigmascape/atlas/atlas.h"
 #include "sigmascape/atlas/store.h"
 #include "sigmascape/atlas/terrain_file.h"
+#include "sigmascape/base/error.h"
 #include "sigmascape/terrain/height_field_file.h"
 
 namespace sigmascape::python {
@@ -28,6 +31,13 @@ class LoadedAtlas {
       terrain_ = terrain::read_height_field(atlas::vouched_terrain(store_, atlas::Scrutiny::Content));
     });
     return terrain_;
+  }
+
+  /// Throws Error unless it was made of this scene.
+  void check_baked_from(const LoadedScene& loaded) const {
+    if (description().scene_hash == loaded.hash()) return;
+    throw Error(store().folder().string(), "was baked from another scene than '" + loaded.scene().name + "'",
+                "bake this scene, or give the scene that the atlas was made from");
   }
 
  private:

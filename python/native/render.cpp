@@ -41,10 +41,7 @@ struct Ground {
 Ground ground_of(const LoadedScene* loaded, const LoadedAtlas* atlas) {
   if (loaded != nullptr) {
     const scene::Scene& scene = loaded->scene();
-    if (atlas != nullptr && atlas->description().scene_hash != loaded->hash()) {
-      throw Error(atlas->store().folder().string(), "was baked from another scene than '" + scene.name + "'",
-                  "bake this scene, or give the scene that the atlas was made from");
-    }
+    if (atlas != nullptr) atlas->check_baked_from(*loaded);
     return {scene.name, loaded->hash(), scene.attribution, &scene.frame, &scene.terrain, scene.extent};
   }
   if (atlas == nullptr) throw Error("scene", "is None, and so is atlas", "give a Scene, an Atlas, or both");

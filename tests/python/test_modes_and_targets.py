@@ -171,6 +171,15 @@ def test_layers_lie_on_the_map(scene, radar, lod, tmp_path):
         layers["layover"]
 
 
+def test_layers_beside_maps_of_an_atlas_take_its_obstacles(scene, atlas, radar):
+    of_atlas = sigmascape.layers(scene, radar, ["shadow"], atlas=atlas)["shadow"]
+    of_scene = sigmascape.layers(scene, radar, ["shadow"], lod=1)["shadow"]
+    assert (of_atlas > 0.5).sum() > 20
+    assert (np.abs(of_atlas - of_scene) < 0.5).mean() > 0.97
+    with pytest.raises(sigmascape.Error, match="was baked from another scene"):
+        sigmascape.layers(sigmascape.Scene.paper(scale=0.1), radar, ["shadow"], atlas=atlas)
+
+
 @pytest.mark.parametrize("lod", [0, 1])
 def test_targets_throw_their_shadows_in_layers(scene, radar, lod):
     names = ["shadow", "layover", "height", "class", "incidence", "range"]

@@ -55,7 +55,8 @@ TEST(MapTracer, ARadarHardlyAboveTheSceneIsRefused) {
     });
   };
   EXPECT_EQ(fault_from(200.0), "");
-  EXPECT_THAT(fault_from(1.0001), ::testing::HasSubstr("stands 1 m above the highest point of the scene: rays that"));
+  EXPECT_THAT(fault_from(1.0001),
+              ::testing::HasSubstr("stands 1 m above the highest point of the scene, and of the ground that answers"));
   EXPECT_THAT(fault_from(0.5), ::testing::HasSubstr("and the highest point of the scene at 70.0 m; place"));
 }
 
