@@ -102,7 +102,7 @@ radar::RangeAzimuthGrid grid_covering(const radar::Radar& radar, std::span<const
       .first_azimuth_rad = leftmost - spare_azimuth,
       .azimuth_step_rad = azimuth_step,
       .azimuths = static_cast<std::size_t>(std::ceil((rightmost - leftmost + 2.0 * spare_azimuth) / azimuth_step))};
-  if (goes_round) {
+  if (goes_round || static_cast<double>(grid.azimuths) * azimuth_step >= 2.0 * pi) {
     grid.azimuths = static_cast<std::size_t>(std::ceil(2.0 * pi / azimuth_step));
     grid.azimuth_step_rad = 2.0 * pi / static_cast<double>(grid.azimuths);
   }
