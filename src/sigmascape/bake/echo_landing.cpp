@@ -37,6 +37,10 @@ double EchoLanding::distance_on_relief(double range_m, Vec2d across) const {
   };
   double low = (-range_m - highest_m_ * sine_) / cosine_, high = (-range_m - lowest_m_ * sine_) / cosine_;
   double at_low = nearer_by(low), at_high = nearer_by(high);
+  // The lowest ground itself: of places before and upon a quay that have one range that at the foot of its wall, where
+  // what meets in the corner stands.
+  if (std::abs(at_high) < near_enough_m * cosine_) return high;
+  if (std::abs(at_low) < near_enough_m * cosine_) return low;
   int last_side = 0;
   for (int step = 0; step < most_steps && high - low > near_enough_m && at_high > at_low; ++step) {
     const double middle = (low * at_high - high * at_low) / (at_high - at_low);

@@ -9,27 +9,39 @@
 namespace sigmascape::bake {
 namespace {
 
-/// Texels of a patch at most so far away along either axis from one, in the order of their rows.
+/// Weights by the distance along an axis, from none on.
+constexpr std::array binomial{6.0, 4.0, 1.0};
+constexpr std::array even{1.0, 1.0};
+
+/// The weight between two texels of a line of `count`. At its ends the line is thought to go on as its mirror image, so
+/// that weights between two texels are the same both ways and those of a texel add up to the same everywhere.
+template <std::size_t count_of_weights>
+double weight_along(const std::array<double, count_of_weights>& weights, std::size_t i, std::size_t j,
+                    std::size_t count) {
+  const auto at = [&](std::size_t distance) { return distance < count_of_weights ? weights[distance] : 0.0; };
+  return at(i < j ? j - i : i - j) + at(i + j + 1) + at(2 * count - 1 - i - j);
+}
+
+/// Texels of a patch about one, in the order of their rows.
 class Around {
  public:
   Around(std::size_t columns, std::size_t rows) : columns_(columns), rows_(rows) {}
 
-  /// Calls `visit(column, row, across, down)` for each, the last two counted from the first of the whole neighbourhood.
-  template <typename Visit>
-  void each(std::size_t column, std::size_t row, std::size_t reach, const Visit& visit) const {
+  /// Calls `visit(column, row, weight)` for each that the weights reach.
+  template <std::size_t count, typename Visit>
+  void each(const std::array<double, count>& weights, std::size_t column, std::size_t row, const Visit& visit) const {
+    constexpr std::size_t reach = count - 1;
     const std::size_t last_row = std::min(row + reach, rows_ - 1), last_column = std::min(column + reach, columns_ - 1);
     for (std::size_t r = row - std::min(row, reach); r <= last_row; ++r) {
+      const double down = weight_along(weights, row, r, rows_);
       for (std::size_t c = column - std::min(column, reach); c <= last_column; ++c)
-        visit(c, r, c + reach - column, r + reach - row);
+        visit(c, r, down * weight_along(weights, column, c, columns_));
     }
   }
 
  private:
   std::size_t columns_, rows_;
 };
-
-constexpr std::size_t reach = 2;
-constexpr std::array<double, 2 * reach + 1> binomial{1.0, 4.0, 6.0, 4.0, 1.0};
 
 double power_of(const radar::Channels& texel) {
   return static_cast<double>(texel.power(radar::Polarization::Sum));
@@ -72,9 +84,9 @@ class Sharing {
   [[nodiscard]] double power(std::size_t column, std::size_t row) const { return power_of(texels_.power(column, row)); }
 
   [[nodiscard]] double part_lit_about(std::size_t column, std::size_t row) const {
-    int lit = 0;
-    around_.each(column, row, 1,
-                 [&](std::size_t c, std::size_t r, std::size_t, std::size_t) { lit += power(c, r) > 0.0; });
+    double lit = 0.0;
+    around_.each(even, column, row,
+                 [&](std::size_t c, std::size_t r, double weight) { lit += power(c, r) > 0.0 ? weight : 0.0; });
     return lit / 9.0;
   }
 
@@ -82,9 +94,8 @@ class Sharing {
     const double x = power(column, row);
     if (!(x > 0.0) || texels_.variance(column, row) <= 0.0) return {};
     Gift gift{.part = std::min(1.0, texels_.variance(column, row) / (x * x))};
-    around_.each(column, row, reach, [&](std::size_t c, std::size_t r, std::size_t across, std::size_t down) {
-      gift.weights += binomial[across] * binomial[down] * lit_about_(c, r);
-    });
+    around_.each(binomial, column, row,
+                 [&](std::size_t c, std::size_t r, double weight) { gift.weights += weight * lit_about_(c, r); });
     return gift;
   }
 
@@ -102,10 +113,10 @@ class Sharing {
       variance += part * part * texels_.variance(c, r);
     };
     bool changes = false;
-    around_.each(column, row, reach, [&](std::size_t c, std::size_t r, std::size_t across, std::size_t down) {
+    around_.each(binomial, column, row, [&](std::size_t c, std::size_t r, double weight) {
       const Gift& gift = gifts_(c, r);
       const double kept = c == column && r == row ? 1.0 - gift.part : 0.0;
-      const double given = gift.part > 0.0 ? gift.part * binomial[across] * binomial[down] * lit / gift.weights : 0.0;
+      const double given = gift.part > 0.0 ? gift.part * weight * lit / gift.weights : 0.0;
       changes = changes || given > 0.0;
       if (kept + given > 0.0) add(c, r, kept + given);
     });

@@ -19,7 +19,8 @@ struct NoisyTexels {
 ///     x'_i = w_i x_i + Σ_j k_ij (1 − w_j) x_j,   w_j = max(0, 1 − s_j²/x_j²)       docs/physics/estimator.md, Eq. (16)
 ///     k_ij = b_ij g_i / Σ_m b_mj g_m
 ///
-/// b the binomial weights 1 4 6 4 1 along either axis, g_i the part of the 3 × 3 texels about i that hold any power. A
+/// b the binomial weights 1 4 6 4 1 along either axis, g_i the part of the 3 × 3 texels about i that hold any power;
+/// both as if the patch went on beyond its rim as its mirror image, so that evenly lit ground stays even there. A
 /// texel's k add up to 1 within the patch, so that power is kept channel by channel. What is sure stays where it is:
 /// with more and more rays s/x goes to 0 and every x' to x.
 ///

@@ -12,7 +12,8 @@ class TerrainHorizon {
   /// `relief` must outlive this. Terrain is looked at every `step_m`.
   TerrainHorizon(const radar::Aspect& aspect, const terrain::HeightField& relief, double step_m);
 
-  /// The height above the ground up to which the terrain before a place hides what stands there.
+  /// The height above the ground up to which the terrain before a place hides what stands there. Beyond the end of the
+  /// terrain there is none.
   [[nodiscard]] double hidden_m(Vec2d place) const;
 
  private:
@@ -20,6 +21,7 @@ class TerrainHorizon {
   Vec2d step_;
   double fall_m_;  // of the line of sight, a step
   double highest_m_;
+  radar::Rectangle extent_;  // beyond which nothing hides
 };
 
 }  // namespace sigmascape::bake

@@ -51,6 +51,25 @@ TEST(EchoLanding, GroundOnHillsStandsWhereItIs) {
   }
 }
 
+// Before a wall that faces the radar, ground at its foot and ground upon it have one range; both are level here, so that
+// both are found at once.
+TEST(EchoLanding, BeforeAWallTheFootOfItIsTaken) {
+  constexpr double wall_m = 12.0;
+  terrain::HeightField quay{-400.0, 400.0, 2.0, Array2D<float>(401, 401)};
+  for (std::size_t row = 0; row < 401; ++row) {
+    for (std::size_t column = 0; column < 401; ++column) quay.height_m(column, row) = row < 200 ? wall_m : 0.0F;
+  }
+  for (const double elevation_deg : {21.0, 37.0, 53.0, 60.0}) {
+    const radar::Aspect aspect{pi, radians_from_deg(elevation_deg)};
+    const EchoLanding landing(aspect, quay);
+    for (const double before_m : {0.01, 0.3, 1.7, 3.1}) {
+      const Vec2d found = landing.place_of(echo_of({7.0, -before_m, 0.0}, aspect));
+      EXPECT_NEAR(found.x, 7.0, 0.02);
+      EXPECT_NEAR(found.y, -before_m, 0.02) << elevation_deg << "°";
+    }
+  }
+}
+
 TEST(EchoLanding, HeightLiesOverTowardsTheRadarByTheHeightTimesTheTangentOnLevelGround) {
   for (const double azimuth_deg : {0.0, 45.0, 130.0, 180.0, 270.0, 310.0}) {
     for (const double elevation_deg : {5.0, 37.0, 80.0}) {

@@ -110,9 +110,21 @@ TEST(NoiseSharing, APatchsEdgeKeepsItsPower) {
   put(texels, 0, side - 1, 64.0F, 64.0);
   const NoisyTexels shared = with_noise_shared(texels, 1);
   EXPECT_NEAR(total(shared)[0] / total(texels)[0], 1.0, 1e-6);
-  // In the corner four of nine are there to be lit; weights of the corner, an edge and the inside are as 4, 6 and 9.
-  EXPECT_NEAR(power(shared, 1, side - 1) / power(shared, 0, side - 1), 4.0 * 6.0 / (6.0 * 4.0), 1e-3);
-  EXPECT_NEAR(power(shared, 1, side - 2) / power(shared, 0, side - 1), 4.0 * 4.0 * 9.0 / (6.0 * 6.0 * 4.0), 1e-3);
+  // Mirrored at the rim, the weights from there on are 6 + 4, 4 + 1 and 1.
+  EXPECT_NEAR(power(shared, 0, side - 1), 64.0 * 100.0 / 256.0, 1e-2);
+  EXPECT_NEAR(power(shared, 1, side - 1), 64.0 * 50.0 / 256.0, 1e-2);
+  EXPECT_NEAR(power(shared, 1, side - 2), 64.0 * 25.0 / 256.0, 1e-2);
+  EXPECT_NEAR(power(shared, 2, side - 1), 64.0 * 10.0 / 256.0, 1e-2);
+}
+
+// No line of dark texels runs along the rim, which neighbouring patches would show as a seam.
+TEST(NoiseSharing, EvenlyLitGroundStaysEvenUpToTheRim) {
+  for (const double part_in_doubt : {0.25, 1.0}) {
+    NoisyTexels texels = evenly_lit(2.0F);
+    std::ranges::fill(texels.variance.values(), 4.0 * part_in_doubt);
+    const NoisyTexels shared = with_noise_shared(texels, 1);
+    for (const radar::Channels& texel : shared.power.values()) ASSERT_NEAR(texel.vv, 2.0F, 1e-5F) << part_in_doubt;
+  }
 }
 
 // Neither a texel that has given away what was in doubt nor one that got it is sure of the rest.
