@@ -286,8 +286,8 @@ void render(RenderOptions options, std::optional<radar::Polarization> polarizati
   const bool is_real_beam = !rendered.coherent;
   if (is_real_beam) {
     write_received(options.received, radar, rendered.image, look.polarization,
-                   receiver::noise_seed(options.trace.seed, options.trace.dwell), options.trace.threads,
-                   rendered.provenance);
+                   receiver::noise_seed(options.trace.seed, options.trace.dwell, look.polarization),
+                   options.trace.threads, rendered.provenance);
   }
   write_iq_files(options.iq,
                  {store ? &*store : nullptr, scene, targets, radar, grid.extent(), options.level_of_detail,

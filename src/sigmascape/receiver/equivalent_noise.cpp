@@ -11,6 +11,10 @@ std::uint64_t noise_seed(std::uint64_t seed, std::uint64_t dwell) {
   return hashed(seed, of_noise, dwell);
 }
 
+std::uint64_t noise_seed(std::uint64_t seed, std::uint64_t dwell, radar::Polarization polarization) {
+  return hashed(noise_seed(seed, dwell), static_cast<std::uint64_t>(polarization));
+}
+
 double EquivalentNoise::rcs_m2(double range_m, double pulses, double noise_bandwidth) const {
   return noise_bandwidth / (radar::signal_to_noise(radar_, 1.0, range_m) * pulses);
 }

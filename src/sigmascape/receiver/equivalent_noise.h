@@ -9,6 +9,8 @@ namespace sigmascape::receiver {
 /// By what the noise of one dwell is drawn: others of the same ground, whose speckle the seed alone draws, have other
 /// noise.
 [[nodiscard]] std::uint64_t noise_seed(std::uint64_t seed, std::uint64_t dwell);
+/// The same for one polarization received by itself: each has noise of its own.
+[[nodiscard]] std::uint64_t noise_seed(std::uint64_t seed, std::uint64_t dwell, radar::Polarization polarization);
 
 /// Thermal noise as an image in metres has it: what cross-section would give as much power.
 ///

@@ -68,9 +68,8 @@ class Column {
  private:
   void receive(std::size_t column, int pulse, std::span<std::complex<float>> volts) const {
     std::vector<std::complex<float>> white(volts.size() + filter_.size() - 1);
-    const std::uint64_t first =
-        hashed(static_cast<std::uint64_t>(column), static_cast<std::uint64_t>(pulse)) & ~std::uint64_t{0xffffffff};
-    add_noise(white, power_.noise_w, radar_.receiver.impedance_ohm, seed_, first);
+    const std::uint64_t of_pulse = hashed(seed_, std::uint64_t{column}, static_cast<std::uint64_t>(pulse));
+    add_noise(white, power_.noise_w, radar_.receiver.impedance_ohm, of_pulse);
     for (std::size_t row = 0; row < volts.size(); ++row) {
       const double range_m = middle_range_m(power_.grid, row);
       const double signal_w = static_cast<double>(power_.signal_w(column, row));
@@ -137,10 +136,9 @@ radar::ReceivedImage received_image(const radar::Radar& radar, const radar::Rang
   return received;
 }
 
-void add_noise(std::span<std::complex<float>> volts, double noise_w, double impedance_ohm, std::uint64_t seed,
-               std::uint64_t first) {
+void add_noise(std::span<std::complex<float>> volts, double noise_w, double impedance_ohm, std::uint64_t seed) {
   const auto amplitude = static_cast<float>(std::sqrt(noise_w * impedance_ohm));
-  for (std::size_t i = 0; i < volts.size(); ++i) volts[i] += amplitude * unit_noise(seed, first + i);
+  for (std::size_t i = 0; i < volts.size(); ++i) volts[i] += amplitude * unit_noise(seed, i);
 }
 
 std::uint64_t digitise(std::span<std::complex<float>> volts, const radar::AnalogToDigital& converter) {

@@ -32,10 +32,8 @@ struct ReceivedPower {
 [[nodiscard]] radar::ReceivedImage received_image(const radar::Radar& radar, const radar::RangeAzimuthImage& image);
 
 /// Adds complex Gaussian noise of mean power `noise_w` in `impedance_ohm` to voltages (root mean square), the real and
-/// imaginary part having half of it each. Independent from sample to sample; sample i of the span has the number
-/// `first + i` under `seed`, and always the same noise.
-void add_noise(std::span<std::complex<float>> volts, double noise_w, double impedance_ohm, std::uint64_t seed,
-               std::uint64_t first = 0);
+/// imaginary part having half of it each. Independent from sample to sample; of one seed always the same.
+void add_noise(std::span<std::complex<float>> volts, double noise_w, double impedance_ohm, std::uint64_t seed);
 
 /// Real and imaginary part after the converter: in steps, and saturated. Counts the samples that saturate.
 std::uint64_t digitise(std::span<std::complex<float>> volts, const radar::AnalogToDigital& converter);
