@@ -250,6 +250,13 @@ void check_real_beam(const std::filesystem::path& file, const radar::Radar& rada
   }
 }
 
+/// The beam of a sample points to the middle of its map, wherever that is seen from.
+void check_scan(const std::filesystem::path& file, const radar::Scan& scan) {
+  if (scan.kind == radar::ScanKind::Rotating || !scan.azimuth_rad) return;
+  throw Error(file.string() + ": scan.azimuth_deg", "is given, and a dataset's radar looks from many sides",
+              "leave it out, so that the beam points to the middle of each map, or name another radar file");
+}
+
 /// Of a radar file and of the tables that it names.
 std::string radar_hash(const std::filesystem::path& path) {
   Sha256 digest;
@@ -266,6 +273,7 @@ void read_radar(const std::filesystem::path& path, DatasetSpec& spec) {
   spec.radar = radar::read_radar_file(path, radar::PlaceOfRadar::Optional);
   spec.radar_hash = radar_hash(path);
   check_real_beam(path, spec.radar.radar);
+  check_scan(path, spec.radar.radar.scan);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <iterator>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <span>
 
@@ -156,12 +157,20 @@ double half_diagonal_m(const DatasetSpec& spec) {
   return static_cast<double>(spec.cells) * spec.cell_m / std::sqrt(2.0);
 }
 
-/// Whether a place lies on the map and not in shadow.
-bool is_lit(Vec2d place, const radar::GroundGrid& grid, const Array2D<float>& shadow) {
-  if (!grid.extent().contains(place)) return false;
-  const Vec2d cell = grid.cells_from(place);
-  return shadow(std::min(static_cast<std::size_t>(cell.x), grid.columns - 1),
-                std::min(static_cast<std::size_t>(cell.y), grid.rows - 1)) == 0.0F;
+/// Whether a place lies on the map where the radar looks, and not in shadow.
+bool is_lit(Vec2d place, const radar::GroundMap& map, const Array2D<float>& shadow) {
+  if (!map.grid.extent().contains(place)) return false;
+  const Vec2d cell = map.grid.cells_from(place);
+  const std::size_t column = std::min(static_cast<std::size_t>(cell.x), map.grid.columns - 1);
+  const std::size_t row = std::min(static_cast<std::size_t>(cell.y), map.grid.rows - 1);
+  return shadow(column, row) == 0.0F && !std::isnan(map.sigma0(column, row).vv);
+}
+
+/// Whether the gate is open when the echo of a place comes back, of the same pulse.
+bool is_within_gate(Vec3d place, const radar::Radar& radar) {
+  const double range_m = length(place - radar.position);
+  return range_m >= radar.receiver.first_range_m.value_or(0.0) &&
+         range_m <= radar.receiver.last_range_m.value_or(std::numeric_limits<double>::infinity());
 }
 
 }  // namespace
@@ -322,17 +331,17 @@ radar::LayerStack SampleMaker::labels(const radar::Radar& radar, const radar::Gr
 }
 
 std::vector<SampleTarget> SampleMaker::targets_of(const SamplePlan& plan, const radar::Radar& radar,
-                                                  const Array2D<float>& shadow) const {
+                                                  const radar::GroundMap& map, const Array2D<float>& shadow) const {
   std::vector<SampleTarget> targets;
   for (const PlannedTarget& planned : plan.targets) {
     const TargetClass& kind = spec_.targets[planned.target_class];
     const radar::Target point = target_of(planned, kind, scene_.terrain);
-    SampleTarget target{.planned = planned,
-                        .box = target_box(point.track.position_at(0.0), kind.size_m, radar, scene_.terrain, plan.grid)};
+    const Vec3d place = point.track.position_at(0.0);
+    SampleTarget target{.planned = planned, .box = target_box(place, kind.size_m, radar, scene_.terrain, plan.grid)};
     target.box.category = planned.target_class;
     target.box.track = planned.track;
-    target.is_seen = shows_in(spec_.polarizations, rcs_of(planned)) && is_lit(planned.position, plan.grid, shadow) &&
-                     target.box.width > 0.0;
+    target.is_seen = shows_in(spec_.polarizations, rcs_of(planned)) && is_lit(planned.position, map, shadow) &&
+                     is_within_gate(place, radar) && target.box.width > 0.0;
     targets.push_back(target);
   }
   return targets;
@@ -380,7 +389,7 @@ Sample SampleMaker::make(std::size_t index) const {
   sample.labels = labels(radar, plan.grid);
   sample.map.crs = sample.labels.crs = scene_.frame.proj();
 
-  sample.targets = targets_of(plan, radar, shadow_among(sample.labels)->values);
+  sample.targets = targets_of(plan, radar, sample.map, shadow_among(sample.labels)->values);
   sample.noise_sigma0 = noise_under(sample.map, plan);
   draw_speckle(sample.map, steady_sigma0(sample.targets, radar, image.grid, plan.grid),
                {.looks = spec_.looks, .noise = static_cast<float>(sample.noise_sigma0), .seed = plan.seed});

@@ -73,7 +73,7 @@ class SampleMaker {
   [[nodiscard]] radar::LayerStack labels(const radar::Radar& radar, const radar::GroundGrid& grid) const;
   /// Where the planned targets show, and whether the radar sees them: `shadow` is the map's own.
   [[nodiscard]] std::vector<SampleTarget> targets_of(const SamplePlan& plan, const radar::Radar& radar,
-                                                     const Array2D<float>& shadow) const;
+                                                     const radar::GroundMap& map, const Array2D<float>& shadow) const;
   /// Those of the scene's own targets that the radar sees.
   [[nodiscard]] std::vector<radar::Target> reflectors_seen(const radar::Radar& radar) const;
   /// σ0 of the seen targets and reflectors, which has no speckle; empty when none is seen.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sigmascape/radar/antenna_pattern.h"
+
 namespace sigmascape::dataset {
 namespace {
 
@@ -100,7 +102,7 @@ product::TargetBox target_box(Vec3d target, double size_m, const radar::Radar& r
   const GroundLine line(target, radar.position, terrain);
   const double middle_m = 0.5 * (stretch->near_m + stretch->far_m), along_m = stretch->far_m - stretch->near_m;
   // Sent and received over the same beam: its two-way half-power width.
-  const double across_m = radar.beam_width_rad * middle_m / std::sqrt(2.0);
+  const double across_m = radar::antenna_pattern(radar).azimuth().two_way_width_rad() * middle_m;
   const double sine = std::abs(line.outwards().x), cosine = std::abs(line.outwards().y);
   const double wide = (along_m * sine + across_m * cosine) / grid.cell_m;
   const double tall = (along_m * cosine + across_m * sine) / grid.cell_m;

@@ -53,6 +53,14 @@ TEST_F(DatasetSpecFile, RefusesRadarsOfOtherModes) {
                                        "a flat Earth"));
 }
 
+TEST_F(DatasetSpecFile, RefusesABeamThatPointsToOneSide) {
+  radar_ = "beam_width_deg = 2.0\n[scan]\nkind = \"sector\"\nazimuth_deg = 90\nsector_deg = 40\nrate_deg_per_s = 10\n";
+  EXPECT_THAT(fault_of("4"), HasSubstr("radar.toml: scan.azimuth_deg: is given, and a dataset's radar looks from many "
+                                       "sides; leave it out"));
+  radar_ = "beam_width_deg = 2.0\n[scan]\nkind = \"sector\"\nsector_deg = 40\nrate_deg_per_s = 10\n";
+  EXPECT_EQ(fault_of("4"), "");
+}
+
 TEST_F(DatasetSpecFile, RefusesASecondWidthOfAMeasuredBeam) {
   const std::string width = "[radar]\nbeam_width_deg = [1, 2]\n";
   EXPECT_EQ(fault_of("4", width), "");

@@ -166,5 +166,17 @@ TEST(TargetBox, IsEmptyForWhatNoGroundShows) {
   EXPECT_EQ(box.height, 0.0);
 }
 
+// Sent and received over a flat top the response is as wide as the top, not narrower by √2 as of a Gaussian.
+TEST(TargetBox, IsAsWideAsTheBeamIsSentAndReceived) {
+  const terrain::HeightField terrain = ridge(0.0);
+  radar::Radar radar = seeing_from(0.0, 20.0);
+  const Vec3d target = above(terrain, {0.0, 0.0}, 0.0);
+  const product::TargetBox gaussian = target_box(target, 0.0, radar, terrain, grid);
+  radar.antenna.azimuth = radar::TabulatedBeam{{{-0.6, 1e-4}, {-0.5, 1.0}, {0.5, 1.0}, {0.6, 1e-4}}};
+  const product::TargetBox flat = target_box(target, 0.0, radar, terrain, grid);
+  EXPECT_NEAR((flat.width - 1.0) / (gaussian.width - 1.0), 1.0075 * std::sqrt(2.0), 0.01);
+  EXPECT_NEAR(flat.height, gaussian.height, 0.1);
+}
+
 }  // namespace
 }  // namespace sigmascape::dataset
