@@ -11,11 +11,9 @@
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/file_ending.h"
 #include "sigmascape/product/ground_map_file.h"
-#include "sigmascape/product/legend.h"
 #include "sigmascape/product/map_file.h"
 #include "sigmascape/product/map_metrics.h"
-#include "sigmascape/product/picture.h"
-#include "sigmascape/product/png_file.h"
+#include "sigmascape/product/map_picture.h"
 
 namespace sigmascape::python {
 namespace {
@@ -28,10 +26,8 @@ void save(const GroundMap& map, const std::filesystem::path& path, bool db, cons
           double span_db, const std::optional<double>& top_db) {
   if (file_ending(path) != ".png")
     return product::write_map(path, map, db ? product::MapScale::Decibels : product::MapScale::Linear);
-  auto picture = product::with_legend(product::picture_of(
-      map, {.polarization = polarization_from(polarization), .span_db = span_db, .top_db = top_db}));
-  picture.metadata = map.metadata;
-  product::write_png(path, picture);
+  product::write_map_picture(path, map,
+                             {.polarization = polarization_from(polarization), .span_db = span_db, .top_db = top_db});
 }
 
 py::array_t<float> decibels(const GroundMap& map, const std::string& polarization, double floor_db) {

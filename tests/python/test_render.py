@@ -1,5 +1,7 @@
 import os
+import struct
 import subprocess
+import zlib
 
 import numpy as np
 import pytest
@@ -36,6 +38,20 @@ def test_a_baked_map_comes_near_the_traced_one(scene, atlas, radar):
     assert [(row.correlation_db, row.rms_db, row.l1) for row in same] == pytest.approx([(1.0, 0.0, 0.0)] * 2)
 
 
+def png_texts(content):
+    """By keyword, from tEXt and zTXt chunks."""
+    texts, place = {}, 8
+    while place < len(content):
+        length, kind = struct.unpack(">I4s", content[place : place + 8])
+        keyword, _, text = content[place + 8 : place + 8 + length].partition(b"\0")
+        if kind == b"zTXt":
+            texts[keyword.decode("latin-1")] = zlib.decompress(text[1:]).decode("latin-1")
+        if kind == b"tEXt":
+            texts[keyword.decode("latin-1")] = text.decode("latin-1")
+        place += 12 + length
+    return texts
+
+
 def test_a_saved_map_reads_back_the_same(atlas, radar, tmp_path):
     ground_map = sigmascape.render(None, radar, atlas=atlas)
     ground_map.save(tmp_path / "map.tif")
@@ -43,7 +59,10 @@ def test_a_saved_map_reads_back_the_same(atlas, radar, tmp_path):
     assert np.array_equal(again.sigma0, ground_map.sigma0, equal_nan=True)
     assert (again.metadata, again.crs, again.extent_m) == (ground_map.metadata, ground_map.crs, ground_map.extent_m)
     ground_map.save(tmp_path / "map.png", polarization="sum")
-    assert (tmp_path / "map.png").read_bytes().startswith(b"\x89PNG") and (tmp_path / "map.pgw").exists()
+    picture = (tmp_path / "map.png").read_bytes()
+    assert picture.startswith(b"\x89PNG") and (tmp_path / "map.pgw").exists()
+    texts = png_texts(picture)
+    assert texts["quantity"] == "sigma0 VV+HH+2HV [dB]" and "scale_top_db" in texts and "crs" in texts
     with pytest.raises(sigmascape.Error, match="map.jpg"):
         ground_map.save(tmp_path / "map.jpg")
 
