@@ -12,9 +12,9 @@
 namespace sigmascape::receiver {
 
 /// The bins that cover the given points of ground, finer than the radar resolves so that its responses can be laid over
-/// them: `oversampling` bins a resolution cell in range and in two-way azimuth. They go all round, once, when one of the
-/// points is straight below the radar and when beams aimed beside the points would take in a whole turn. Throws Error
-/// when they are too many to hold, or when the radar's scan never comes to them.
+/// them: `oversampling` bins a resolution cell in range and in two-way azimuth. They go all round, once, when one of
+/// the points is straight below the radar and when beams aimed beside the points would take in a whole turn. Throws
+/// Error when they are too many to hold, or when the radar's scan never comes to them.
 [[nodiscard]] radar::RangeAzimuthGrid grid_covering(const radar::Radar& radar, std::span<const Vec3d> points,
                                                     double oversampling = 2.0);
 
