@@ -94,9 +94,10 @@ slurmd -D -f "$SLURM_CONF" -N "$host" >"$run/slurmd_start.log" 2>&1 &
 pids+=($!)
 within 60 bash -c 'sinfo --noheader --format=%t | grep --quiet idle' || fail "the node did not become idle"
 
-# The landscape of the paper at a tenth of its side, in four patches.
+# The landscape of the paper at a tenth of its side, in four patches; with so many rays a task of four looks is still at work when its
+# first is seen to be done.
 printf '[paper]\nscale = 0.1\n' >"$run/scene.toml"
-bake=("$run/scene.toml" --texel-m 0.5 --patch-texels 256 --azimuths 4 --elevations-deg 30,40 --samples 2 --bounces 2)
+bake=("$run/scene.toml" --texel-m 0.5 --patch-texels 256 --azimuths 4 --elevations-deg 30,40 --samples 24 --bounces 2)
 
 submit() {
   env SIGMASCAPE="$sigmascape" sbatch --parsable --chdir="$run" --cpus-per-task=1 --mem=500 "$@" \
