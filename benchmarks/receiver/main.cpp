@@ -106,7 +106,7 @@ void measure_live_targets(Figures& figures) {
     prove(frame.seen() > 0 && frame.seen() <= targets.size(), "a frame sees some targets and none twice");
     std::uint64_t number = 0;
     const auto look = [&] { frame.look(targets, pose, {0.1 * static_cast<double>(number), number++, 0}); };
-    figures.add("receiver.live_targets.look", 1e3 * seconds_of(look), "ms");
+    figures.add("receiver.live_targets.look." + how, 1e3 * seconds_of(look), "ms");
     figures.add("receiver.live_targets.powers." + how, 1e3 * seconds_of([&] {
                                                          look();
                                                          frame.add_powers(0, bins.beams, powers);

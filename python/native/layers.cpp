@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <optional>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 #include <span>
@@ -72,8 +73,10 @@ LayerStack swept(const LoadedScene& loaded, const LoadedAtlas* atlas, const std:
   }
   const scene::Scene& scene = loaded.scene();
   const atlas::GroundLayers* baked = atlas != nullptr ? atlas->textures().ground_layers() : nullptr;
-  const radar::ObstacleMap obstacles = baked != nullptr ? baked->obstacles : scene::obstacles_of(scene, grid.cell_m);
-  return simulate::swept_layers({&scene.terrain, &obstacles, &scene.ground, scene.materials.size()}, radar, grid,
+  std::optional<radar::ObstacleMap> of_scene;
+  if (baked == nullptr) of_scene = scene::obstacles_of(scene, grid.cell_m);
+  const radar::ObstacleMap* obstacles = of_scene ? &*of_scene : &baked->obstacles;
+  return simulate::swept_layers({&scene.terrain, obstacles, &scene.ground, scene.materials.size()}, radar, grid,
                                 shapes_in(names), threads, targets);
 }
 

@@ -4,7 +4,6 @@
 #include <map>
 #include <string>
 
-#include "sigmascape/atlas/aspect_grid.h"
 #include "sigmascape/atlas/store.h"
 #include "sigmascape/radar/radar.h"
 #include "sigmascape/render/ground_renderer.h"

@@ -221,7 +221,6 @@ TEST(RangeAzimuthReceiver, WhatLeavesTheGateIsLost) {
   EXPECT_EQ(receiver.bins().overflows(), 0U);
 }
 
-// Right below itself a radar has all azimuths, and its last beam lies next to its first.
 TEST(GridCovering, TakesInNoMoreThanATurn) {
   radar::Radar radar = example_radar();
   radar.beam_width_rad = radians_from_deg(80.0);
@@ -230,6 +229,7 @@ TEST(GridCovering, TakesInNoMoreThanATurn) {
   EXPECT_NEAR(static_cast<double>(grid.azimuths) * grid.azimuth_step_rad, 2.0 * pi, 1e-9);
 }
 
+// Right below itself a radar has all azimuths, and its last beam lies next to its first.
 TEST(GridCovering, GoesAllRoundWhenTheRadarStandsOverAPoint) {
   radar::Radar radar = example_radar({10.0, -20.0, 300.0});
   radar.beam_width_rad = 0.05;
