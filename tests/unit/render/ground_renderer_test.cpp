@@ -162,10 +162,10 @@ TEST(GroundRenderer, AnAreaNarrowerThanABinKeepsItsPower) {
 }
 
 // Close beside the ground, a beam aimed beside it takes in a whole turn: no azimuth has two bins.
-TEST(GroundRenderer, BeamsOfAQuarterTurnCountGroundOnce) {
+TEST(GroundRenderer, VeryWideBeamsCountGroundOnce) {
   const ScratchFolder folder;
   const atlas::Atlas atlas = atlas_of(folder, {20.0}, [](Vec2d, const radar::Aspect&) { return 0.1; });
-  for (const double beam_deg : {30.0, 60.0, 90.0}) {
+  for (const double beam_deg : {30.0, 60.0, 120.0}) {
     radar::Radar radar = radar_seeing(0.0, 20.0);
     radar.position = {105.0, 105.0, 150.0};
     radar.beam_width_rad = radians_from_deg(beam_deg);
