@@ -252,6 +252,32 @@ TEST_F(Dataset, TargetsThatNoWrittenPolarizationShowsAreNotSeen) {
   EXPECT_EQ(seen("[\"HV\"]"), 0U) << "a target is drawn without a cross-section in HV";
 }
 
+TEST_F(Dataset, TargetsThatTheGateLeavesOutAreNotSeen) {
+  folder_->write("gate.toml",
+                 "[radar]\nfrequency_ghz = 10.0\nrange_resolution_m = 4.0\nbeam_width_deg = 0.023\n"
+                 "[position]\nslant_range_km = 15.0\nazimuth_deg = 130.0\nelevation_deg = 13.0\n"
+                 "[receiver]\nfirst_range_km = 14.48\nlast_range_km = 14.53\n");
+  const auto maker_with = [&](const std::string& radar) {
+    return dataset::SampleMaker(spec({.range = "[14.5, 14.5]", .number = "[60, 60]", .rcs_db = 70.0, .radar = radar}));
+  };
+  const dataset::SampleMaker open = maker_with("radar.toml"), gated = maker_with("gate.toml");
+  std::size_t seen = 0, seen_through_gate = 0;
+  for (std::size_t i = 0; i < 8; ++i) {
+    const dataset::Sample all = open.make(i), within = gated.make(i);
+    for (std::size_t k = 0; k < all.targets.size(); ++k) {
+      const Vec2d at = all.targets[k].planned.position;
+      const Vec3d place{at.x, at.y, open.scene().terrain.height_at(at) + 2.0};
+      const double range_m = length(place - all.radar_position);
+      EXPECT_EQ(within.targets[k].is_seen, all.targets[k].is_seen && range_m >= 14480.0 && range_m <= 14530.0)
+          << range_m;
+      seen += all.targets[k].is_seen ? 1 : 0;
+      seen_through_gate += within.targets[k].is_seen ? 1 : 0;
+    }
+  }
+  EXPECT_GT(seen_through_gate, 10U);
+  EXPECT_GT(seen, seen_through_gate + 10U);
+}
+
 TEST_F(Dataset, AStrongTargetIsTheBrightestCellAndLiesInItsBox) {
   const dataset::SampleMaker maker(spec({.rcs_db = 70.0}));
   std::size_t seen = 0;
