@@ -119,7 +119,15 @@ class PixelNet {
     return upper * (1.0 - v) + lower * v;
   }
 
-  [[nodiscard]] std::span<const Vec2d> knots() const { return knots_.values(); }
+  /// Among these lies every place that `at` may be asked for: to the east and south the knots reach a mesh beyond the
+  /// lattice, to the west and north the half spacing is added.
+  [[nodiscard]] std::vector<Vec2d> reached() const {
+    std::vector<Vec2d> places(knots_.values().begin(), knots_.values().end());
+    const auto mesh = static_cast<double>(stride_);
+    for (std::size_t i = 0; i < knots_.columns(); ++i) places.push_back(at(static_cast<double>(i) * mesh - 0.5, -0.5));
+    for (std::size_t j = 0; j < knots_.rows(); ++j) places.push_back(at(-0.5, static_cast<double>(j) * mesh - 0.5));
+    return places;
+  }
 
  private:
   std::size_t stride_;
@@ -346,7 +354,7 @@ Array2D<float> Raster::heights_on(const Lattice& lattice, const LocalFrame& fram
   const CoordinateTransform transform(source_->crs, frame, source_->name);
   const PixelNet net(lattice, transform, [this](std::span<Vec2d> knots) { source_->to_pixels(knots); });
   const Coverage coverage = source_->coverage();
-  auto window = read_window<float>(*source_->band, coverage, net.knots(), GDT_Float32, source_->name);
+  auto window = read_window<float>(*source_->band, coverage, net.reached(), GDT_Float32, source_->name);
   Array2D<float> heights(lattice.columns, lattice.rows, nan_height);
   if (window.value.empty()) return heights;
   const double to_metres = height_unit().metres;
@@ -375,7 +383,7 @@ Array2D<std::int32_t> Raster::classes_on(const Lattice& lattice, const LocalFram
   const CoordinateTransform transform(source_->crs, frame, source_->name);
   const PixelNet net(lattice, transform, [this](std::span<Vec2d> knots) { source_->to_pixels(knots); });
   const Coverage coverage = source_->coverage();
-  const auto window = read_window<std::int32_t>(*source_->band, coverage, net.knots(), GDT_Int32, source_->name);
+  const auto window = read_window<std::int32_t>(*source_->band, coverage, net.reached(), GDT_Int32, source_->name);
   Array2D<std::int32_t> classes(lattice.columns, lattice.rows, no_class);
   if (window.value.empty()) return classes;
   for (std::size_t row = 0; row < lattice.rows; ++row) {

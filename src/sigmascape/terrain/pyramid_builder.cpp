@@ -17,6 +17,8 @@ namespace sigmascape::terrain {
 namespace {
 
 constexpr auto cells = static_cast<std::int64_t>(HeightTile::cells);
+/// Rises when the same raster gives other heights on a coarser lattice, so that tiles of both are never mixed.
+constexpr int revision_of_means = 2;
 
 /// Nodes of one finished level, wherever they stand; remembers a few tiles.
 class LevelNodes {
@@ -335,6 +337,7 @@ PyramidBuild build_pyramid(const std::filesystem::path& folder, const TerrainSou
   hash.add(fmt::format("{} {} {} {} {} {}", source.raster.band, source.raster.crs, source.plausible.lowest_m,
                        source.plausible.highest_m, no_data_height_m, frame.proj()));
   if (const double unit_m = raster.height_unit().metres; unit_m != 1.0) hash.add(fmt::format(" {}", unit_m));
+  if (spacing_m > raster.cell_m()) hash.add(fmt::format(" means {}", revision_of_means));
   const PyramidHeading heading{layout, hash.hex_digest()};
   std::size_t asked = 0, without_height = 0;
   bool holds_heights = false, is_empty = false;

@@ -46,6 +46,26 @@ TEST(Raster, BilinearHeightsReproduceAPlaneExactly) {
   }
 }
 
+// Whatever lattice a place belongs to, the mean about it takes in the same cells: where tiles meet, so do their
+// heights.
+TEST(Raster, MeansOverCoarseCellsAreTheSameWhereverTheLatticeBegins) {
+  const ScratchFolder folder;
+  const auto plane = [](double x, double y) { return 0.3 * (x - 501'000.0) - 0.2 * (y - 4'795'400.0); };
+  const Raster raster({folder.write("plane.asc", utm.text(plane)), 1, "EPSG:25830"});
+  const Extent extent = raster.outline_in(frame).extent_inside();
+  const Lattice whole{extent.west_m + 10.0, extent.north_m - 10.0, 80.0, 9, 7};
+  const Lattice part{whole.west_m + 3.0 * 80.0, whole.north_m - 2.0 * 80.0, 80.0, 4, 4};
+  const auto in_whole = raster.heights_on(whole, frame), in_part = raster.heights_on(part, frame);
+  for (std::size_t row = 0; row < part.rows; ++row) {
+    for (std::size_t column = 0; column < part.columns; ++column) {
+      const Vec2d p = utm_position(
+          {part.west_m + 80.0 * static_cast<double>(column), part.north_m - 80.0 * static_cast<double>(row)});
+      EXPECT_NEAR(static_cast<double>(in_part(column, row)), plane(p.x, p.y), 0.01) << column << " " << row;
+      EXPECT_NEAR(in_part(column, row), in_whole(column + 3, row + 2), 1e-3F) << column << " " << row;
+    }
+  }
+}
+
 TEST(Raster, GeographicRasterIsNotTransposed) {
   const ScratchFolder folder;
   const AsciiGrid degrees{-3.0, 43.3, 0.0002, 120, 150};
