@@ -41,7 +41,13 @@ void parallel_for(std::size_t count, unsigned threads,
       static_cast<unsigned>(std::min<std::size_t>(thread_count(threads), std::max<std::size_t>(count, 1)));
   {
     std::vector<std::jthread> pool;
-    for (unsigned worker = 1; worker < helpers; ++worker) pool.emplace_back(work, worker);
+    for (unsigned worker = 1; worker < helpers; ++worker) {
+      try {
+        pool.emplace_back(work, worker);
+      } catch (const std::exception&) {
+        break;  // The system gives no more threads: those that there are do the work.
+      }
+    }
     work(0);
   }
   if (failure) std::rethrow_exception(failure);

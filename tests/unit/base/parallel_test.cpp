@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstdlib>
+#include <fstream>
 #include <gtest/gtest.h>
 #include <mutex>
 #include <set>
 #include <stdexcept>
+#include <sys/resource.h>
 #include <thread>
+#include <unistd.h>
 #include <vector>
 
 namespace sigmascape {
@@ -41,6 +45,24 @@ TEST(ParallelFor, WorkerNumbersTellThreadsApart) {
     }
     EXPECT_EQ(all.size(), used);
   }
+}
+
+// Address space for a few stacks more and no others.
+TEST(ParallelFor, MakesDoWithTheThreadsThatThereAre) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "sanitizers need more address space than a limit can leave";
+#endif
+  const auto all_done_in_little_room = [] {
+    std::size_t pages = 0;
+    std::ifstream("/proc/self/statm") >> pages;
+    const rlim_t room = pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)) + (rlim_t{64} << 20U);
+    const rlimit limit{room, room};
+    setrlimit(RLIMIT_AS, &limit);
+    std::atomic<int> done = 0;
+    parallel_for(1000, 200, [&](std::size_t, unsigned) { ++done; });
+    std::_Exit(done == 1000 ? 0 : 1);
+  };
+  EXPECT_EXIT(all_done_in_little_room(), ::testing::ExitedWithCode(0), "");
 }
 
 TEST(ParallelFor, ThrowsAgainWhatTheBodyThrew) {
