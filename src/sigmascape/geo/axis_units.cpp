@@ -49,6 +49,17 @@ double ground_metres_per_unit(const std::string& crs, Vec2d place) {
   return std::isfinite(metres) && metres > 0.0 ? metres : 1.0;
 }
 
+Vec2d way_at_azimuth(const std::string& crs, Vec2d place, double azimuth_rad) {
+  const Vec2d on_ground{std::sin(azimuth_rad), std::cos(azimuth_rad)};
+  if (!known_reference(crs)) return on_ground;
+  const GeographicPosition middle = place_on_globe(crs, place, "map");
+  std::array ends{on_ground * -50.0, on_ground * 50.0};
+  CoordinateTransform(crs, LocalFrame(middle.latitude_deg, middle.longitude_deg), "map").to_crs(ends);
+  const double turn = full_turn(crs);
+  const Vec2d way{on_turn_of(ends[1].x, ends[0].x, turn) - ends[0].x, ends[1].y - ends[0].y};
+  return length(way) > 0.0 ? way * (1.0 / length(way)) : on_ground;
+}
+
 double full_turn(const std::string& crs) {
   const auto reference = known_reference(crs);
   return reference && reference->IsGeographic() != 0 ? 2.0 * pi / reference->GetAngularUnits() : 0.0;

@@ -19,6 +19,11 @@ namespace sigmascape::geo {
 /// that stretches. 1 where the system is not known. Throws Error when it does not reach there.
 [[nodiscard]] double ground_metres_per_unit(const std::string& crs, Vec2d place);
 
+/// Where a way along the ground goes in x and y of the system, a unit vector, that leaves a place at an azimuth
+/// clockwise from true north. Straight at that azimuth where the system is not known. Throws Error when it does not
+/// reach there.
+[[nodiscard]] Vec2d way_at_azimuth(const std::string& crs, Vec2d place, double azimuth_rad);
+
 /// 360° of longitude in the unit of x; 0 where x is no longitude.
 [[nodiscard]] double full_turn(const std::string& crs);
 

@@ -50,6 +50,14 @@ void encode_geotiff(std::string_view what, GDALDataset& source, std::initializer
   // Whatever is still to be written is written now.
   copy.reset();
   if (QuietGdal::failed()) fail_to_encode(what);
+  // What the keys of GeoTIFF cannot say GDAL writes beside the file, where nobody would find it.
+  const std::string beside = std::string(into.name()) + ".aux.xml";
+  VSIStatBufL found{};
+  if (VSIStatL(beside.c_str(), &found) == 0) {
+    VSIUnlink(beside.c_str());
+    throw Error(std::string(what), "is in a coordinate reference system that GeoTIFF has no keys for",
+                "choose another one, or write .npy or .npz");
+  }
 }
 
 }  // namespace sigmascape::geo

@@ -9,7 +9,7 @@
 namespace sigmascape::product {
 
 /// Letters of 5 × 7 dots for the few words on legends and plots: digits, the Latin alphabet, common signs and σ, ψ, λ,
-/// °, ². Text is UTF-8; other characters are blank.
+/// °, ². Text is UTF-8; letters lose their accents, other characters are question marks.
 
 inline constexpr std::size_t glyph_height = 7;
 

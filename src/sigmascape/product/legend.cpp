@@ -97,14 +97,27 @@ void draw_scale_bar(Strip& strip, const Picture& picture) {
   strip.column += width + between_parts * dot;
 }
 
-void draw_north_arrow(Strip& strip) {
+/// Where an azimuth points in the picture, whichever way its coordinate system is turned in the middle of it.
+Vec2d way_in(const Picture& picture, double azimuth_rad) {
+  const auto crs = picture.metadata.find("crs");
+  return crs == picture.metadata.end() ? radar::horizontal_direction(azimuth_rad)
+                                       : geo::way_at_azimuth(crs->second, picture.grid.extent().centre(), azimuth_rad);
+}
+
+void draw_north_arrow(Strip& strip, Vec2d north) {
   const std::size_t width = arrow_width * strip.dot;
   if (!strip.has_room_for(width)) return;
   const std::size_t left = strip.pixels.columns() - margin * strip.dot - width;
-  const std::size_t height = bar_height * strip.dot;
-  for (std::size_t y = 0; y < height; ++y) {
-    const std::size_t span = std::max<std::size_t>(strip.dot, width * (y + 1) / height);
-    fill_rectangle(strip.pixels, {left + (width - span) / 2, strip.bar_row() + y, span, 1}, legend_ink);
+  const auto height = static_cast<double>(bar_height * strip.dot), half_width = 0.5 * static_cast<double>(width);
+  const double middle = half_width - 0.5, middle_row = 0.5 * height - 0.5;
+  // Turned, it takes as much room as it does upright: no more than its width.
+  for (std::size_t y = 0; y < bar_height * strip.dot; ++y) {
+    for (std::size_t x = 0; x < width; ++x) {
+      const Vec2d place{static_cast<double>(x) - middle, middle_row - static_cast<double>(y)};
+      const double from_tip = 0.5 * height - dot(place, north), aside = std::abs(place.x * north.y - place.y * north.x);
+      if (from_tip >= 0.0 && from_tip <= height && aside <= half_width * from_tip / height)
+        strip.pixels(left + x, strip.bar_row() + y) = legend_ink;
+    }
   }
   draw_text(strip.pixels, left + (width - text_width("N", strip.dot)) / 2, strip.text_row(), "N", strip.dot,
             legend_ink);
@@ -129,7 +142,7 @@ bool is_on_arrow(double along, double across, double length, double thickness) {
 }
 
 /// Left of the arrow to north: away from the radar, as its waves go and shadows fall.
-void draw_look_arrow(Strip& strip, double radar_azimuth_rad) {
+void draw_look_arrow(Strip& strip, Vec2d away) {
   const std::size_t width = text_width(look_word, strip.dot);
   const std::size_t north_arrow = (arrow_width + between_parts / 2) * strip.dot;
   if (!strip.has_room_for(width + north_arrow)) return;
@@ -138,7 +151,6 @@ void draw_look_arrow(Strip& strip, double radar_azimuth_rad) {
   const std::size_t side = look_arrow_length * strip.dot;
   const std::size_t first_column = left + (width - side) / 2;
   const std::size_t first_row = strip.text_row() - (gap - 1) * strip.dot - side;
-  const Vec2d away = radar::horizontal_direction(radar_azimuth_rad + pi);
   const double middle = 0.5 * static_cast<double>(side) - 0.5;
   for (std::size_t y = 0; y < side; ++y) {
     for (std::size_t x = 0; x < side; ++x) {
@@ -171,9 +183,9 @@ Picture with_legend(const Picture& picture, const LegendParts& parts) {
   Strip strip{framed.pixels, picture.pixels.rows(), dot, margin * dot};
   if (parts.colour_scale) draw_colour_bar(strip, picture);
   if (parts.scale_bar) draw_scale_bar(strip, picture);
-  if (parts.north_arrow) draw_north_arrow(strip);
+  if (parts.north_arrow) draw_north_arrow(strip, way_in(picture, 0.0));
   if (const auto azimuth_rad = radar_azimuth_rad(picture); azimuth_rad && parts.north_arrow)
-    draw_look_arrow(strip, *azimuth_rad);
+    draw_look_arrow(strip, way_in(picture, *azimuth_rad + pi));
   return framed;
 }
 

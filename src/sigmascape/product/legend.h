@@ -13,9 +13,9 @@ struct LegendParts {
 
 /// The picture with a strip below it: the colour scale with the decibels of its ends (and of the middle, of
 /// differences), a scale bar of a round length on the ground, an arrow the way the radar looks (where the picture's
-/// metadata have radar_azimuth_key) and one to true north. The ground keeps its pixels and its place. What does not fit
-/// beside one another into a narrow picture is left out, the radar's arrow first; a picture too narrow for a colour
-/// scale comes back as it is.
+/// metadata have radar_azimuth_key) and one to true north, both as its coordinate system has them in its middle. The
+/// ground keeps its pixels and its place. What does not fit beside one another into a narrow picture is left out, the
+/// radar's arrow first; a picture too narrow for a colour scale comes back as it is.
 [[nodiscard]] Picture with_legend(const Picture& picture, const LegendParts& parts = {});
 
 /// The longest of 1, 2, 5, 10, 20, … metres (and of 0.1, 0.2, 0.5, …) that is no longer than `longest_m`, which must be

@@ -118,7 +118,7 @@ std::string png_bytes(const Picture& picture) {
 
 std::string world_file_text(const radar::GroundGrid& grid) {
   const Vec2d centre = grid.centre_of(0, 0);
-  return fmt::format("{0:.10f}\n0\n0\n-{0:.10f}\n{1:.10f}\n{2:.10f}\n", grid.cell_m, centre.x, centre.y);
+  return fmt::format("{0:.15f}\n0\n0\n-{0:.15f}\n{1:.12f}\n{2:.12f}\n", grid.cell_m, centre.x, centre.y);
 }
 
 void check_png_name(const std::filesystem::path& path) {

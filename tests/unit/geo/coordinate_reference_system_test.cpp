@@ -5,6 +5,7 @@
 #include <string>
 
 #include "sigmascape/base/error.h"
+#include "sigmascape/base/units.h"
 #include "sigmascape/geo/axis_units.h"
 #include "sigmascape/geo/foot.h"
 #include "sigmascape/geo/local_frame.h"
@@ -27,6 +28,21 @@ TEST(CoordinateReferenceSystem, MayCountHeightsInAUnitOfTheirOwn) {
   EXPECT_DOUBLE_EQ(metres_per_vertical_unit("EPSG:4979").value(), 1.0);
   for (const char* without : {"EPSG:2263", "EPSG:4326", "EPSG:4978", "somewhere", ""})
     EXPECT_FALSE(metres_per_vertical_unit(without).has_value()) << without;
+}
+
+// In a polar stereographic system the pole is in the origin, and north is there from everywhere.
+TEST(CoordinateReferenceSystem, HasNorthSomewhere) {
+  for (const Vec2d place : {Vec2d{1e6, 0.0}, Vec2d{-2e6, 1.5e6}}) {
+    const Vec2d north = way_at_azimuth("EPSG:3413", place, 0.0), east = way_at_azimuth("EPSG:3413", place, pi / 2.0);
+    EXPECT_NEAR(north.x, -place.x / length(place), 1e-4);
+    EXPECT_NEAR(north.y, -place.y / length(place), 1e-4);
+    EXPECT_NEAR(dot(north, east), 0.0, 1e-4);
+    EXPECT_NEAR(north.x * east.y - north.y * east.x, -1.0, 1e-4);
+  }
+  // At 60° north a degree of longitude is half as long as one of latitude.
+  const Vec2d north_east = way_at_azimuth("EPSG:4326", {180.0, 60.0}, pi / 4.0);
+  EXPECT_NEAR(north_east.x / north_east.y, 2.0, 0.01);
+  EXPECT_NEAR(way_at_azimuth("somewhere", {}, pi / 2.0).x, 1.0, 1e-12);
 }
 
 TEST(CoordinateReferenceSystem, ALocalFrameHasAName) {

@@ -152,6 +152,18 @@ TEST_F(GeoRasterFile, ACrsThatIsNoneIsRefused) {
   EXPECT_THROW(write_geotiff(folder_ / "map.tif", raster), Error);
 }
 
+TEST_F(GeoRasterFile, ACrsThatTheFileCannotHoldIsRefused) {
+  GeoRaster raster = example_raster();
+  raster.placement.crs = "+proj=ob_tran +o_proj=longlat +o_lon_p=-162 +o_lat_p=39.25 +lon_0=180 +to_meter=0.0174532925";
+  try {
+    write_geotiff(folder_ / "map.tif", raster);
+    EXPECT_EQ(read_geotiff(folder_ / "map.tif").placement.crs, raster.placement.crs);
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("GeoTIFF has no keys for"), std::string::npos) << error.what();
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "map.tif"));
+  }
+}
+
 TEST_F(GeoRasterFile, AFileThatIsNoneIsRefused) {
   write_atomically(folder_ / "map.tif", "II*");
   EXPECT_THROW(static_cast<void>(read_geotiff(folder_ / "map.tif")), Error);

@@ -219,6 +219,29 @@ TEST(Legend, AnArrowPointsAwayFromTheRadar) {
   for (const char* none : {"", "above", "nan"}) EXPECT_EQ(ink_of_look_arrow(none)[0][0], 0) << none;
 }
 
+// Of a polar map, on its axis of x: north, where the pole is, lies to the left.
+TEST(Legend, NorthIsWhereTheCoordinateSystemHasIt) {
+  GroundMap map = map_of(300, 4, [](auto, auto) { return 1.0; });
+  const auto ink = [&] {
+    const Picture framed = with_legend(picture_of(map));
+    std::array<int, 2> halves{};
+    for (std::size_t y = 10; y < 18; ++y) {
+      for (std::size_t x = 0; x < 9; ++x)
+        if (x != 4 && framed.pixels(285 + x, y).red > 200) ++halves.at(x > 4 ? 1 : 0);
+    }
+    return halves;
+  };
+  const auto upright = ink();
+  EXPECT_GT(upright[0], 8);
+  EXPECT_EQ(upright[0], upright[1]);
+  map.crs = "EPSG:3413";
+  map.grid.west_m = 1e6;
+  map.grid.north_m = 0.0;
+  const auto turned = ink();
+  EXPECT_GT(turned[0], 2);
+  EXPECT_GT(turned[1], 2 * turned[0]) << "the tip is on the left";
+}
+
 TEST(Legend, RoundLengthsAreOneTwoAndFive) {
   EXPECT_DOUBLE_EQ(round_length_m(150.0), 100.0);
   EXPECT_DOUBLE_EQ(round_length_m(499.0), 200.0);
