@@ -192,6 +192,38 @@ TEST(AzimuthAmbiguity, falls_into_maps_from_beside_them) {
   EXPECT_GT(power(true), 0.0);
 }
 
+/// A ghost stands farther out than what casts it, here by λ² r f_p²/8V² and as much again for the slope of the sight:
+/// ground nearer to the track than the map has its ghosts in it, with the energy that a map of both shows there.
+TEST(AzimuthAmbiguity, falls_into_maps_from_before_their_near_edge) {
+  auto radar = thin_radar();
+  radar.position = {-range_m * std::cos(0.3), 0.0, range_m * std::sin(0.3)};
+  const double folded_m = wavelength * range_m * radar.waveform.pulse_repetition_hz / (2.0 * speed_mps);
+  const double outwards_m = 0.5 * folded_m * folded_m / range_m / std::cos(0.3);
+  const terrain::HeightField terrain{
+      .west_m = -300.0, .north_m = 1000.0, .spacing_m = 100.0, .height_m = Array2D<float>(7, 21, 0.0F)};
+  const double middle_m = -50.0 - 0.4 * outwards_m;
+  const render::Reflectivity patch = [=](Vec2d place, const radar::Aspect&) {
+    const bool is_in = std::abs(place.x - middle_m) < 4.0 && std::abs(place.y - folded_m) < 20.0;
+    const float sigma0 = is_in ? 1.0F : 0.0F;
+    return radar::Channels{sigma0, sigma0, 0.0F, 0.0F};
+  };
+  const auto energy_beyond = [&](double west_m) {
+    const auto image = simulate::stripmap_image({&terrain, patch}, radar, {west_m, -60.0, 50.0, 60.0},
+                                                {.along_resolution_m = 4.0, .scatterer_spacing_m = 2.0});
+    const double first_m = length(Vec3d{-50.0, 0.0, 0.0} - radar.position);
+    double sum = 0.0;
+    for (std::size_t row = 0; row < image.closest_range_m.bins; ++row) {
+      if (image.closest_range_m.middle_of(static_cast<double>(row) + 0.5) < first_m) continue;
+      for (std::size_t column = 0; column < image.along_m.bins; ++column)
+        sum += static_cast<double>(std::norm(image.amplitude_m(column, row).vv));
+    }
+    return sum;
+  };
+  const double with_both = energy_beyond(-50.0 - 2.0 * outwards_m), with_map_alone = energy_beyond(-50.0);
+  EXPECT_GT(with_both, 0.0);
+  EXPECT_NEAR(db_from_linear(with_map_alone / with_both), 0.0, 1.0);
+}
+
 /// What is 3 km above the sea is seen as what is not, from as high above it.
 TEST(AzimuthAmbiguity, goes_by_the_height_above_the_ground) {
   auto radar = thin_radar();

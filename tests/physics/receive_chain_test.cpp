@@ -223,10 +223,50 @@ TEST(RangeAzimuthReceiver, FoldsEchoesFromBeyondTheUnambiguousRange) {
     for (std::size_t i = 0; i < direct.rcs_m2.size(); ++i)
       ASSERT_NEAR(folded.rcs_m2.values()[i].vv, direct.rcs_m2.values()[i].vv, 2e-6F) << times;
   }
-  radar.receiver.first_range_m = 7e3;
-  radar.receiver.last_range_m = 7.9e3;
-  const auto gated = image_of(radar, grid, {point(8e3, 1.0)});
-  for (const auto& bin : gated.rcs_m2.values()) ASSERT_EQ(bin.vv, 0.0F);
+}
+
+// Between the bins' middles a map reads both: those beside the gate's ends are there.
+TEST(RangeAzimuthReceiver, KnowsNothingOutsideTheGate) {
+  radar::Radar radar = plain_radar();
+  const auto grid = bins_about(radar, 8e3);
+  const double first_m = 8e3 - 20.0, last_m = 8e3 + 10.0;
+  radar.receiver.first_range_m = first_m;
+  radar.receiver.last_range_m = last_m;
+  const auto is_known = [&](const radar::RangeAzimuthImage& image, double from_m, double to_m) {
+    for (std::size_t row = 0; row < grid.ranges; ++row) {
+      const double middle_m = grid.first_range_m + (static_cast<double>(row) + 0.5) * grid.range_step_m;
+      const bool is_open = middle_m > from_m - grid.range_step_m && middle_m < to_m + grid.range_step_m;
+      EXPECT_EQ(std::isnan(image.rcs_m2(0, row).vv), !is_open) << row;
+    }
+  };
+  is_known(image_of(radar, grid, {point(8e3, 1.0)}), first_m, last_m);
+  EXPECT_EQ(std::ranges::max(image_of(radar, grid, {point(last_m + 1.0, 1.0)}).rcs_m2.values(), {},
+                             [](const auto& bin) { return std::isnan(bin.vv) ? -1.0F : bin.vv; })
+                .vv,
+            0.0F);
+
+  // A receiver listens for one period of its pulses at most.
+  radar.receiver.last_range_m.reset();
+  radar.waveform.pulse_repetition_hz = speed_of_light_mps / (2.0 * 30.0);
+  is_known(image_of(radar, grid, {}), first_m, first_m + 30.0);
+}
+
+// The axis of a fixed beam lies between two columns, or on one: there a map has what it looks at.
+TEST(RangeAzimuthReceiver, SeesAlongAFixedBeam) {
+  radar::Radar radar = plain_radar();
+  const auto grid = bins_about(radar, 20e3);
+  for (const double part : {0.0, 0.3, 0.5, 0.9}) {
+    const double axis =
+        grid.first_azimuth_rad + (0.5 * static_cast<double>(grid.azimuths) + part) * grid.azimuth_step_rad;
+    radar.scan = {.kind = radar::ScanKind::Fixed, .azimuth_rad = axis};
+    const auto image = image_of(radar, grid, {point(20e3, 1.0)});
+    const double column = (axis - grid.first_azimuth_rad) / grid.azimuth_step_rad - 0.5;
+    const auto left = static_cast<std::size_t>(std::floor(column + 1e-9));
+    EXPECT_FALSE(std::isnan(image.rcs_m2(left, 0).vv)) << part;
+    EXPECT_FALSE(std::isnan(image.rcs_m2(left + 1, 0).vv)) << part;
+    EXPECT_TRUE(std::isnan(image.rcs_m2(left - 2, 0).vv)) << part;
+    EXPECT_TRUE(std::isnan(image.rcs_m2(left + 3, 0).vv)) << part;
+  }
 }
 
 TEST(RangeAzimuthReceiver, WeightsByTheElevationPatternTwice) {
@@ -257,7 +297,7 @@ TEST(RangeAzimuthReceiver, IsBlindWhereTheScanNeverComes) {
   const auto image = image_of(radar, grid, {point(20e3, 1.0)});
   for (std::size_t column = 0; column < grid.azimuths; ++column) {
     const double azimuth = grid.first_azimuth_rad + (static_cast<double>(column) + 0.5) * grid.azimuth_step_rad;
-    const bool inside = std::abs(azimuth) <= 2.0 * radar.beam_width_rad + 0.5 * grid.azimuth_step_rad;
+    const bool inside = std::abs(azimuth) <= 2.0 * radar.beam_width_rad + grid.azimuth_step_rad + 1e-12;
     EXPECT_EQ(std::isnan(image.rcs_m2(column, 0).vv), !inside) << column;
   }
 }

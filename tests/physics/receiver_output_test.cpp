@@ -124,6 +124,7 @@ TEST(ReceiverOutput, CountsWhatTheGreatestCodeFallsShortOf) {
   EXPECT_TRUE(radar::saturates(converter, 0.88));
   EXPECT_FALSE(radar::saturates(converter, -1.12));
   EXPECT_TRUE(radar::saturates(converter, -1.13));
+  EXPECT_FALSE(radar::saturates(converter, std::nan("")));
 }
 
 /// Even ground is recorded, lowered, and divided by what the file says of it: then each range has what it had.

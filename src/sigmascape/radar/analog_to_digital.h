@@ -24,9 +24,9 @@ namespace sigmascape::radar {
 }
 
 /// Whether no code stands for a voltage, rounded to steps: one beyond full scale, or less than half a step below it on
-/// the positive side, where there is a code less.
+/// the positive side, where there is a code less. What was never received, a NaN, does not.
 [[nodiscard]] inline bool saturates(const AnalogToDigital& converter, double volts) {
-  return code(converter, volts) != nearest_steps(converter, volts);
+  return !std::isnan(volts) && code(converter, volts) != nearest_steps(converter, volts);
 }
 
 /// The voltage that the code stands for.

@@ -18,6 +18,9 @@
 namespace sigmascape::receiver {
 namespace {
 
+/// Samples of noise that lie so many resolution cells apart have nothing in common, whatever the window.
+constexpr double cells_apart = 8.0;
+
 /// One draw a pulse, polarization and frequency.
 std::complex<float> gaussian(std::uint64_t key, std::size_t frequency) {
   const std::uint64_t words = hashed(key, frequency);
@@ -65,9 +68,12 @@ void add_thermal_noise(radar::PhaseHistory& history, const radar::Radar& radar, 
   if (history.unit != "V") {
     throw Error("thermal noise", "the record is in " + history.unit, "make it in volts, with calibrated_voltage");
   }
-  // Frequencies that fill a period a little longer than the gate, of which the band has its part.
+  // Frequencies that fill a period, of which the band has its part. The period is so much longer than the gate that its
+  // ends, which meet, have nothing in common.
   const double step_m = history.range_step_m;
-  const std::size_t samples = fast_length(history.samples.columns());
+  const double apart_m = cells_apart * speed_of_light_mps / (2.0 * history.bandwidth_hz);
+  const std::size_t samples =
+      fast_length(history.samples.columns() + static_cast<std::size_t>(std::ceil(apart_m / step_m)));
   const double band = static_cast<double>(samples) * step_m * 2.0 * history.bandwidth_hz / speed_of_light_mps;
   const auto kept = std::min(samples, static_cast<std::size_t>(std::llround(band)));
   const std::vector<double> window = radar::window_weights(radar.waveform.window, kept);

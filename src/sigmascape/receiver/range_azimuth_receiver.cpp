@@ -43,11 +43,12 @@ float interpolated(const std::vector<float>& gain, float sin_depression) {
   return std::lerp(gain[left], gain[left + 1], static_cast<float>(place - static_cast<double>(left)));
 }
 
-/// Whether the beam's axis comes to this column. The other modes make their own azimuths.
+/// Whether the beam's axis comes between the middles of this column and one beside it, of which a map reads both. The
+/// other modes make their own azimuths.
 bool looked_at(const radar::Radar& radar, const radar::RangeAzimuthGrid& grid, std::size_t column) {
   if (radar.mode != radar::Mode::RealBeam) return true;
   const double left = grid.first_azimuth_rad + static_cast<double>(column) * grid.azimuth_step_rad;
-  return radar::reaches(radar.scan, left + 0.5 * grid.azimuth_step_rad, 0.5 * grid.azimuth_step_rad);
+  return radar::reaches(radar.scan, left + 0.5 * grid.azimuth_step_rad, grid.azimuth_step_rad);
 }
 
 /// Bins to spare at the edges of what is mapped, so that responses fit: 4 to 16 resolution cells.
@@ -184,10 +185,18 @@ radar::RangeAzimuthImage RangeAzimuthReceiver::image() const {
   spread_responses(image, radar_);
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   for (std::size_t column = 0; column < grid_.azimuths; ++column) {
-    if (looked_at(radar_, grid_, column)) continue;
-    for (std::size_t row = 0; row < grid_.ranges; ++row) image.rcs_m2(column, row) = {nan, nan, nan, nan};
+    const bool looks_there = looked_at(radar_, grid_, column);
+    for (std::size_t row = 0; row < grid_.ranges; ++row) {
+      if (!looks_there || !is_within_gate(row)) image.rcs_m2(column, row) = {nan, nan, nan, nan};
+    }
   }
   return image;
+}
+
+bool RangeAzimuthReceiver::is_within_gate(std::size_t row) const {
+  const double middle_m = grid_.first_range_m + (static_cast<double>(row) + 0.5) * grid_.range_step_m;
+  const double last_m = std::min(gate_end_m_, gate_start_m_ + unambiguous_m_);
+  return middle_m > gate_start_m_ - grid_.range_step_m && middle_m < last_m + grid_.range_step_m;
 }
 
 }  // namespace sigmascape::receiver

@@ -40,7 +40,8 @@ class RangeAzimuthReceiver {
 
   [[nodiscard]] const PowerBins& bins() const { return bins_; }
   /// The bins after the responses of the compressed pulse and of the two-way beam; NaN in azimuths that the beam's axis
-  /// never comes to. Throws Error when a bin became brighter than its sum can hold.
+  /// never comes to and in ranges outside the gate, which closes an unambiguous range after its opening at the latest.
+  /// Throws Error when a bin became brighter than its sum can hold.
   [[nodiscard]] radar::RangeAzimuthImage image() const;
 
  private:
@@ -55,6 +56,8 @@ class RangeAzimuthReceiver {
   };
   /// Nothing of an echo from beyond the gate.
   [[nodiscard]] std::optional<Heard> heard(const radar::Echo& echo) const;
+  /// Whether the gate is open between the middles of this row and one beside it, of which a map reads both.
+  [[nodiscard]] bool is_within_gate(std::size_t row) const;
 
   radar::Radar radar_;
   radar::RangeAzimuthGrid grid_;

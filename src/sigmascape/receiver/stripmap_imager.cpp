@@ -49,6 +49,11 @@ GatedAxis closest_range_axis(radar::Radar radar, const RangeGate& gate, double s
   return gated_axis(radar, gate);
 }
 
+/// Along level ground, so far below the track, to what has this closest range.
+double over_ground_m(double closest_m, double height_m) {
+  return std::sqrt(std::max(closest_m * closest_m - height_m * height_m, 0.0));
+}
+
 radar::ImageAxis image_axis(const GatedAxis& axis) {
   return {axis.start_m + static_cast<double>(axis.guard) * axis.step_m, axis.step_m, axis.samples};
 }
@@ -141,17 +146,25 @@ std::vector<AzimuthAmbiguity> StripmapImager::ambiguities() const {
   std::vector<AzimuthAmbiguity> found;
   for (int order = -most; order <= most; ++order) {
     if (order == 0) continue;
-    AzimuthAmbiguity ambiguity{.order = order, .least_shift_m = 1e300, .most_shift_m = -1e300};
+    AzimuthAmbiguity ambiguity{.order = order,
+                               .least_shift_m = 1e300,
+                               .most_shift_m = -1e300,
+                               .least_outwards_m = 1e300,
+                               .most_outwards_m = -1e300};
     for (int part = 0; part < parts; ++part) {
       const Fold fold = fold_of(order, (part + 0.5) / parts - 0.5);
       const double voltage = ghost_voltage(fold, sine_depression);
       ambiguity.power += voltage * voltage / parts;
       if (std::abs(fold.observed) >= 1.0) continue;
+      const double stretch = std::sqrt((1.0 - fold.processed * fold.processed) / (1.0 - fold.observed * fold.observed));
       for (const double closest_m : {near_m, far_m}) {
         const double shift_m =
             closest_m / std::sqrt(1.0 - fold.observed * fold.observed) * (fold.processed - fold.observed);
         ambiguity.least_shift_m = std::min(ambiguity.least_shift_m, shift_m);
         ambiguity.most_shift_m = std::max(ambiguity.most_shift_m, shift_m);
+        const double outwards_m = over_ground_m(closest_m, height_m) - over_ground_m(closest_m / stretch, height_m);
+        ambiguity.least_outwards_m = std::min(ambiguity.least_outwards_m, outwards_m);
+        ambiguity.most_outwards_m = std::max(ambiguity.most_outwards_m, outwards_m);
       }
     }
     if (ambiguity.power > least_power) found.push_back(ambiguity);

@@ -37,6 +37,8 @@ struct AzimuthAmbiguity {
   double power = 0.0;          ///< of the ghost over that of the point itself
   double least_shift_m = 0.0;  ///< along the flight, from a point to its ghost, over the range gate
   double most_shift_m = 0.0;
+  double least_outwards_m = 0.0;  ///< over level ground, away from the track, likewise
+  double most_outwards_m = 0.0;
 };
 
 /// Stripmap SAR in the image domain: every point answers at its closest slant range and its place along the flight,

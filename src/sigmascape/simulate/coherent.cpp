@@ -46,6 +46,22 @@ void check_moves(const radar::Radar& radar) {
   }
 }
 
+/// A sector that is scanned passes over every place of it, and over no other. Of spotlights and strips the antenna is
+/// steered however it scans; what a fixed beam sees beside its axis its pattern tells.
+void check_sector_takes_in(const radar::Rectangle& area, const radar::Radar& radar) {
+  const Vec2d foot{radar.position.x, radar.position.y};
+  const bool is_steered = radar.mode == radar::Mode::Spotlight || radar.mode == radar::Mode::Stripmap;
+  if (radar.scan.kind != radar::ScanKind::Sector || is_steered || radar::nearest_m(area, foot) == 0.0) return;
+  const auto azimuth_rad = [&](Vec2d point) { return std::atan2(point.x - foot.x, point.y - foot.y); };
+  const double middle_rad = azimuth_rad(area.centre());
+  double half_width_rad = 0.0;
+  for (const Vec2d corner : radar::corners_of(area))
+    half_width_rad = std::max(half_width_rad, std::abs(turned_by_least(azimuth_rad(corner) - middle_rad)));
+  if (radar::reaches(radar.scan, middle_rad, half_width_rad + 0.5 * radar.beam_width_rad)) return;
+  throw Error(radar::title_of(radar), "never points to what is to be mapped",
+              fmt::format("let its scan take in azimuth {:.1f}°", deg_from_radians(wrapped_azimuth(middle_rad))));
+}
+
 /// A point of the local frame in the straight space under this radar.
 Vec3d bent(const radar::Radar& radar, Vec3d point) {
   return radar::earth_of(radar).bent(point, {radar.position.x, radar.position.y});
@@ -210,13 +226,23 @@ std::optional<double> azimuth_of_strip_beam(const radar::Radar& radar, const rad
 }
 
 /// The ground whose ghosts fall into an area.
-radar::Rectangle seen_as(const radar::Rectangle& area, const receiver::AzimuthAmbiguity& ambiguity, Vec3d direction) {
-  const auto spread = [&](double west_or_south, double east_or_north, double along) {
-    const double one = -along * ambiguity.least_shift_m, other = -along * ambiguity.most_shift_m;
-    return std::array{west_or_south + std::min(one, other), east_or_north + std::max(one, other)};
+radar::Rectangle seen_as(const radar::Rectangle& area, const receiver::AzimuthAmbiguity& ambiguity, Vec3d direction,
+                         Vec2d outwards) {
+  const auto spread = [&](double west_or_south, double east_or_north, double along, double out) {
+    const auto shifts = std::minmax({-along * ambiguity.least_shift_m, -along * ambiguity.most_shift_m});
+    const auto outward = std::minmax({-out * ambiguity.least_outwards_m, -out * ambiguity.most_outwards_m});
+    return std::array{west_or_south + shifts.first + outward.first, east_or_north + shifts.second + outward.second};
   };
-  const auto x = spread(area.west_m, area.east_m, direction.x), y = spread(area.south_m, area.north_m, direction.y);
+  const auto x = spread(area.west_m, area.east_m, direction.x, outwards.x);
+  const auto y = spread(area.south_m, area.north_m, direction.y, outwards.y);
   return {x[0], y[0], x[1], y[1]};
+}
+
+/// The level direction from the track of that course to the area.
+Vec2d away_from_track(const radar::Rectangle& area, Vec3d position, Vec3d direction) {
+  const Vec2d abeam{direction.y, -direction.x};
+  const double side = dot(area.centre() - Vec2d{position.x, position.y}, abeam) < 0.0 ? -1.0 : 1.0;
+  return abeam * (side / length(abeam));
 }
 
 radar::Rectangle joined(const radar::Rectangle& a, const radar::Rectangle& b) {
@@ -241,6 +267,7 @@ std::size_t pulses_in(const radar::Radar& radar, const CoherentSettings& setting
 receiver::DopplerImager doppler_imager(const CoherentScene& scene, const radar::Radar& radar,
                                        const radar::Rectangle& area, const CoherentSettings& asked) {
   check_moves(radar);
+  check_sector_takes_in(area, radar);
   const double across_m = resolution_of_interval_m(radar, local_middle_of(area, *scene.terrain), asked.interval_s);
   const CoherentSettings settings = spaced(asked, scatterer_spacing_m(radar, across_m));
   const radar::Vantage vantage(radar.position);
@@ -266,8 +293,9 @@ void add_ghosts(receiver::StripmapImager& imager, std::span<const receiver::Azim
                 const CoherentScene& scene, const radar::Radar& radar, const radar::Vantage& vantage,
                 const radar::Rectangle& area, const CoherentSettings& settings) {
   const Vec3d direction = normalized(radar.velocity_mps);
+  const Vec2d outwards = away_from_track(area, radar.position, direction);
   const auto ground_of = [&](const receiver::AzimuthAmbiguity& ambiguity) {
-    return radar::common_part(seen_as(area, ambiguity, direction), scene.terrain->extent());
+    return radar::common_part(seen_as(area, ambiguity, direction, outwards), scene.terrain->extent());
   };
   const auto has_ground = [](const radar::Rectangle& there) { return there.width_m() > 0.0 && there.height_m() > 0.0; };
   double sum_m2 = 0.0, all_m2 = 0.0;
@@ -353,6 +381,7 @@ void show_looks(const Imager& imager, const radar::Radar& radar, std::optional<d
 radar::PhaseHistory phase_history(const CoherentScene& scene, const radar::Radar& radar, const radar::Rectangle& area,
                                   const CoherentSettings& asked) {
   check_moves(radar);
+  check_sector_takes_in(area, radar);
   const double repetition_hz = radar.waveform.pulse_repetition_hz;
   const std::size_t count = pulses_in(radar, asked), before_now = count / 2;
   const double first_s = -static_cast<double>(before_now) / repetition_hz,

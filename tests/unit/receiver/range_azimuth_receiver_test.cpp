@@ -120,6 +120,8 @@ TEST(RangeAzimuthReceiver, EchoesOfOneAzimuthAreTheSameWhenAddedAtOnce) {
   double greatest = 0.0;
   for (std::size_t i = 0; i < a.rcs_m2.size(); ++i) {
     const auto one = static_cast<double>(a.rcs_m2.values()[i].hh), other = static_cast<double>(b.rcs_m2.values()[i].hh);
+    ASSERT_EQ(std::isnan(one), std::isnan(other));
+    if (std::isnan(one)) continue;  // beyond the gate
     greatest = std::max(greatest, one);
     ASSERT_NEAR(one, other, 1e-6 * one + 1e-9);
   }

@@ -285,6 +285,21 @@ TEST(Images, KnowWhereTheBeamPointsWhosePatternTheyKeep) {
   EXPECT_EQ(strip.beam_azimuth_rad, beam_azimuth_rad(radar, eastern));
 }
 
+TEST(Images, OfASectorThatIsNeverScannedAreRefused) {
+  const CoherentScene scene{&level, [](Vec2d, const radar::Aspect&) { return radar::Channels{}; }};
+  constexpr radar::Rectangle eastern{50.0, -50.0, 150.0, 50.0};
+  radar::Radar radar = looking_north(radar::Mode::DopplerBeamSharpening);
+  const auto fault_of = [&](double azimuth_rad) {
+    radar.scan = {.kind = radar::ScanKind::Sector, .azimuth_rad = azimuth_rad, .sector_width_rad = 0.1};
+    return message_of_error(
+        [&] { static_cast<void>(range_doppler_image(scene, radar, eastern, {.interval_s = 0.002})); });
+  };
+  EXPECT_EQ(fault_of(0.0), "");
+  EXPECT_THAT(fault_of(pi), ::testing::HasSubstr("never points to what is to be mapped"));
+  radar.mode = radar::Mode::Spotlight;
+  EXPECT_EQ(fault_of(pi), "");
+}
+
 /// Whatever the mode in the radar file, the beam of a strip passes over every place of it.
 TEST(Strip, IsAsBrightAtItsEndsAsInItsMiddle) {
   radar::Target bright;
