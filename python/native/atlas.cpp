@@ -13,6 +13,7 @@
 #include "text_with_file_names.h"
 
 #include "sigmascape/atlas/atlas_summary.h"
+#include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
 
@@ -93,6 +94,11 @@ py::array_t<float> sigma0_at(const LoadedAtlas& loaded, const Points& x_m, const
     const auto weights =
         textures.weights_for({radians_from_deg(azimuth_deg), radians_from_deg(elevation_deg)}, frequency_ghz * 1e9);
     for (std::size_t i = 0; i < count; ++i) out[i] = textures.sigma0_at({x[i], y[i]}, weights, level);
+    const atlas::GroundLayers* ground = textures.ground_layers();
+    if (ground == nullptr) return;
+    const radar::Aspect aspect{radians_from_deg(azimuth_deg), radians_from_deg(elevation_deg)};
+    for (std::size_t i = 0; i < count; ++i)
+      out[i] += ground->sigma0.sigma0_at({x[i], y[i]}, aspect, frequency_ghz * 1e9, level);
   });
   return result;
 }
@@ -186,9 +192,11 @@ void add_atlas(py::module_& module) {
            "but the bare ground's own.")
       .def("sigma0_at", &sigma0_at, py::arg("x_m"), py::arg("y_m"), py::kw_only(), py::arg("azimuth_deg"),
            py::arg("elevation_deg"), py::arg("frequency_ghz"), py::arg("level") = 0.0,
-           "sigma0 of the textures at points, interpolated in place, level and look (linear power): float32 [..., 4] "
-           "for\n"
-           "x_m and y_m of shape [...], within 1e7 m of the origin. 0 outside the atlas.")
+           "sigma0 at points, interpolated in place, level and look (linear power): float32 [..., 4] for x_m and y_m "
+           "of\n"
+           "shape [...], within 1e7 m of the origin. Of atlases that keep bare ground apart, as bake() makes them "
+           "unless\n"
+           "told otherwise, it is in it, unshadowed. 0 outside the atlas.")
       .def(
           "load", [](const LoadedAtlas& a) { long_call([&a] { (void)a.textures(); }); },
           "Reads all textures now rather than when first needed.")

@@ -1,4 +1,7 @@
 #include <fmt/format.h>
+#include <functional>
+#include <map>
+#include <optional>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
@@ -13,11 +16,13 @@
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/product/iq_file.h"
+#include "sigmascape/radar/coherent_plan.h"
 #include "sigmascape/radar/radar_bounds.h"
 #include "sigmascape/radar/radar_file.h"
 #include "sigmascape/receiver/receiver_output.h"
 #include "sigmascape/simulate/coherent.h"
 #include "sigmascape/simulate/map_warnings.h"
+#include "sigmascape/simulate/mode_image.h"
 #include "sigmascape/simulate/placement.h"
 #include "sigmascape/simulate/scatterer_spacing.h"
 
@@ -27,15 +32,26 @@ namespace {
 namespace py = pybind11;
 using Targets = std::vector<radar::TargetSource>;
 
+constexpr double usual_interval_s = 0.1;
+
 /// A recording or an image with what its file says about where it comes from.
 template <typename Signal>
 struct Described {
   Signal signal;
   radar::Radar radar;
   Words words;
+  std::map<std::string, double> numbers;
 
-  [[nodiscard]] product::IqRecord record() const { return product::iq_record(signal, radar, words); }
+  [[nodiscard]] product::IqRecord record() const {
+    product::IqRecord record = product::iq_record(signal, radar, words);
+    // What the signal knows itself, as the interval of its pulses, is nearer to the truth than a plan.
+    record.numbers.insert(numbers.begin(), numbers.end());
+    return record;
+  }
 };
+
+/// How a coherent mode makes an image of an area whose middle is `aim`; nothing for a recording.
+using Plan = std::function<std::optional<radar::CoherentPlan>(const radar::Radar&, Vec3d aim)>;
 
 template <typename Signal>
 using Maker = Signal (*)(const simulate::CoherentScene&, const radar::Radar&, const radar::Rectangle&,
@@ -46,7 +62,7 @@ using UsualSpacing = double (*)(const radar::Radar&, const radar::Rectangle&, co
                                 const simulate::CoherentSettings&);
 
 template <typename Signal>
-Described<Signal> made(Maker<Signal> make, UsualSpacing usual_spacing_m, const LoadedAtlas& atlas,
+Described<Signal> made(Maker<Signal> make, UsualSpacing usual_spacing_m, const Plan& plan_of, const LoadedAtlas& atlas,
                        const radar::RadarFile& radar_file, const Targets& given, double time_s,
                        simulate::CoherentSettings settings) {
   within("time_s", time_s, radar::bounds::moments_s);
@@ -59,6 +75,13 @@ Described<Signal> made(Maker<Signal> make, UsualSpacing usual_spacing_m, const L
     warn_of(radar, simulate::map_warnings(radar, asked.map, atlas.terrain(), description.extent));
     const auto targets =
         simulate::all_targets(nullptr, given, description.frame, atlas.terrain(), settings.seed, time_s);
+    const Vec2d middle = area.centre();
+    std::map<std::string, double> numbers;
+    if (const auto plan = plan_of(radar, {middle.x, middle.y, atlas.terrain().height_at(middle)})) {
+      settings.interval_s = plan->interval_s;
+      settings.along_resolution_m = plan->along_resolution_m / plan->looks;
+      numbers = simulate::numbers_of_one_look(*plan);
+    }
     if (settings.scatterer_spacing_m == 0.0)
       settings.scatterer_spacing_m = usual_spacing_m(radar, area, atlas.terrain(), settings);
     const simulate::CoherentScene scene{
@@ -69,7 +92,7 @@ Described<Signal> made(Maker<Signal> make, UsualSpacing usual_spacing_m, const L
     words["time_s"] = fmt::format("{}", time_s);
     words["dwell"] = std::to_string(settings.dwell);
     words["look_side"] = simulate::look_side(radar, area);
-    return {make(scene, radar, area, settings), radar, std::move(words)};
+    return {make(scene, radar, area, settings), radar, std::move(words), std::move(numbers)};
   });
 }
 
@@ -94,7 +117,8 @@ double spacing_of_strip_m(const radar::Radar& radar, const radar::Rectangle&, co
 Described<radar::PhaseHistory> phase_history(const LoadedAtlas& atlas, const radar::RadarFile& radar, double interval_s,
                                              const Targets& targets, bool calibrated, double scatterer_spacing_m,
                                              std::uint64_t seed, double time_s, std::uint64_t dwell, unsigned threads) {
-  auto pulses = made(&simulate::phase_history, &spacing_of_pulses_m, atlas, radar, targets, time_s,
+  const auto unplanned = [](const radar::Radar&, Vec3d) { return std::optional<radar::CoherentPlan>(); };
+  auto pulses = made(&simulate::phase_history, &spacing_of_pulses_m, unplanned, atlas, radar, targets, time_s,
                      {.interval_s = interval_s,
                       .scatterer_spacing_m = scatterer_spacing_m,
                       .seed = seed,
@@ -105,28 +129,45 @@ Described<radar::PhaseHistory> phase_history(const LoadedAtlas& atlas, const rad
   return pulses;
 }
 
+/// The radar's own mode, or one of these images as the given number asks for it, of one look.
+radar::CoherentPlan plan_with(radar::Radar radar, radar::Mode mode, std::optional<double> radar::Processing::*asked,
+                              double value, Vec3d aim) {
+  radar.mode = mode;
+  radar.processing = {};
+  radar.processing.*asked = value;
+  return radar::coherent_plan(radar, aim);
+}
+
 Described<radar::RangeDopplerImage> range_doppler(const LoadedAtlas& atlas, const radar::RadarFile& radar,
-                                                  double interval_s, const Targets& targets, double scatterer_spacing_m,
-                                                  std::uint64_t seed, double time_s, std::uint64_t dwell,
-                                                  unsigned threads) {
-  return made(&simulate::range_doppler_image, &spacing_of_sharpened_m, atlas, radar, targets, time_s,
-              {.interval_s = interval_s,
-               .scatterer_spacing_m = scatterer_spacing_m,
-               .seed = seed,
-               .dwell = dwell,
-               .threads = threads});
+                                                  std::optional<double> interval_s, const Targets& targets,
+                                                  double scatterer_spacing_m, std::uint64_t seed, double time_s,
+                                                  std::uint64_t dwell, unsigned threads) {
+  if (interval_s) within("interval_s", *interval_s, radar::bounds::intervals_s);
+  const Plan plan = [interval_s](const radar::Radar& placed, Vec3d aim) {
+    const bool has_mode = placed.mode == radar::Mode::DopplerBeamSharpening || placed.mode == radar::Mode::Spotlight;
+    if (has_mode && !interval_s) return radar::coherent_plan(placed, aim);
+    return plan_with(placed, has_mode ? placed.mode : radar::Mode::Spotlight, &radar::Processing::interval_s,
+                     interval_s.value_or(usual_interval_s), aim);
+  };
+  return made(&simulate::range_doppler_image, &spacing_of_sharpened_m, plan, atlas, radar, targets, time_s,
+              {.scatterer_spacing_m = scatterer_spacing_m, .seed = seed, .dwell = dwell, .threads = threads});
 }
 
 Described<radar::StripmapImage> stripmap(const LoadedAtlas& atlas, const radar::RadarFile& radar,
-                                         double along_resolution_m, const Targets& targets, double scatterer_spacing_m,
-                                         std::uint64_t seed, double time_s, std::uint64_t dwell, unsigned threads) {
-  return made(
-      &simulate::stripmap_image, &spacing_of_strip_m, atlas, radar, targets, time_s,
-      {.along_resolution_m = within("along_resolution_m", along_resolution_m, radar::bounds::along_resolutions_m),
-       .scatterer_spacing_m = scatterer_spacing_m,
-       .seed = seed,
-       .dwell = dwell,
-       .threads = threads});
+                                         std::optional<double> along_resolution_m, const Targets& targets,
+                                         double scatterer_spacing_m, std::uint64_t seed, double time_s,
+                                         std::uint64_t dwell, unsigned threads) {
+  if (along_resolution_m) within("along_resolution_m", *along_resolution_m, radar::bounds::along_resolutions_m);
+  const Plan plan = [along_resolution_m](const radar::Radar& placed, Vec3d aim) {
+    if (along_resolution_m)
+      return plan_with(placed, radar::Mode::Stripmap, &radar::Processing::along_resolution_m, *along_resolution_m, aim);
+    radar::Radar strip = placed;
+    strip.mode = radar::Mode::Stripmap;
+    if (placed.mode != radar::Mode::Stripmap) strip.processing = {};
+    return radar::coherent_plan(strip, aim);
+  };
+  return made(&simulate::stripmap_image, &spacing_of_strip_m, plan, atlas, radar, targets, time_s,
+              {.scatterer_spacing_m = scatterer_spacing_m, .seed = seed, .dwell = dwell, .threads = threads});
 }
 
 /// What all kinds have in common; `samples` finds the array in the signal.
@@ -182,9 +223,10 @@ void add_iq(py::module_& module) {
              "complex64 [closest range, along track, 3]: VV, HH, HV (= VH); shares the image's memory.",
              &radar::StripmapImage::amplitude_m);
   module.def(
-      "phase_history", &phase_history, py::arg("atlas"), py::arg("radar"), py::kw_only(), py::arg("interval_s") = 0.1,
-      py::arg("targets") = Targets{}, py::arg("calibrated") = false, py::arg("scatterer_spacing_m") = 0.0,
-      py::arg("seed") = 1, py::arg("time_s") = 0.0, py::arg("dwell") = 0, py::arg("threads") = 0,
+      "phase_history", &phase_history, py::arg("atlas"), py::arg("radar"), py::kw_only(),
+      py::arg("interval_s") = usual_interval_s, py::arg("targets") = Targets{}, py::arg("calibrated") = false,
+      py::arg("scatterer_spacing_m") = 0.0, py::arg("seed") = 1, py::arg("time_s") = 0.0, py::arg("dwell") = 0,
+      py::arg("threads") = 0,
       "The pulses of one interval over the radar's area: a PhaseHistory. The radar must move (velocity_mps).\n\n"
       "interval_s: about time zero, when the radar is at its position. targets: of Target. calibrated: volts at the\n"
       "receiver's output with thermal noise, and through time control and converter where the radar file has them,\n"
@@ -193,16 +235,22 @@ void add_iq(py::module_& module) {
       "one. seed: of speckle, targets and noise.\n"
       "time_s: moment, s; radar and targets have moved so long since time zero. dwell: which look at the same ground\n"
       "this is; each has noise and fluctuating targets of its own, and all the same speckle.");
-  module.def("range_doppler", &range_doppler, py::arg("atlas"), py::arg("radar"), py::kw_only(),
-             py::arg("interval_s") = 0.1, py::arg("targets") = Targets{}, py::arg("scatterer_spacing_m") = 0.0,
-             py::arg("seed") = 1, py::arg("time_s") = 0.0, py::arg("dwell") = 0, py::arg("threads") = 0,
-             "Doppler beam sharpening or spotlight SAR of the radar's area: a RangeDopplerImage. Arguments as for\n"
-             "phase_history(). render() with the radar's mode set lays such an image onto the ground.");
-  module.def("stripmap", &stripmap, py::arg("atlas"), py::arg("radar"), py::kw_only(),
-             py::arg("along_resolution_m") = 1.0, py::arg("targets") = Targets{}, py::arg("scatterer_spacing_m") = 0.0,
-             py::arg("seed") = 1, py::arg("time_s") = 0.0, py::arg("dwell") = 0, py::arg("threads") = 0,
-             "Stripmap SAR of the radar's area: a StripmapImage. along_resolution_m: half-power width along the\n"
-             "flight. Other arguments as for phase_history().");
+  module.def(
+      "range_doppler", &range_doppler, py::arg("atlas"), py::arg("radar"), py::kw_only(),
+      py::arg("interval_s") = py::none(), py::arg("targets") = Targets{}, py::arg("scatterer_spacing_m") = 0.0,
+      py::arg("seed") = 1, py::arg("time_s") = 0.0, py::arg("dwell") = 0, py::arg("threads") = 0,
+      "Doppler beam sharpening or spotlight SAR of the radar's area: a RangeDopplerImage.\n\n"
+      "interval_s: over which pulses are added up; None for that of the radar's mode, all its looks together, as\n"
+      "render() lays them onto the ground, and for 0.1 where it makes no such images. Other arguments as for\n"
+      "phase_history().");
+  module.def(
+      "stripmap", &stripmap, py::arg("atlas"), py::arg("radar"), py::kw_only(),
+      py::arg("along_resolution_m") = py::none(), py::arg("targets") = Targets{}, py::arg("scatterer_spacing_m") = 0.0,
+      py::arg("seed") = 1, py::arg("time_s") = 0.0, py::arg("dwell") = 0, py::arg("threads") = 0,
+      "Stripmap SAR of the radar's area: a StripmapImage.\n\n"
+      "along_resolution_m: half-power width along the flight; None for that of the radar's mode, of all its\n"
+      "looks together, or else the coarser of what the beam gives and range_resolution_m. Other arguments as for\n"
+      "phase_history().");
 }
 
 }  // namespace sigmascape::python

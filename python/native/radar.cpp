@@ -161,7 +161,7 @@ void add_radar(py::module_& module) {
       .def_property(
           "pulse_repetition_hz", [](const RadarFile& f) { return f.radar.waveform.pulse_repetition_hz; },
           [](RadarFile& f, double value) {
-            f.radar.waveform.pulse_repetition_hz = within("pulse_repetition_hz", value, bounds::pulse_repetitions_hz);
+            radar::set_pulse_repetition(f, within("pulse_repetition_hz", value, bounds::pulse_repetitions_hz));
           })
       .def_property(
           "cell_m", [](const RadarFile& f) { return f.map.cell_m; }, &set_cell_m, "Side of the map's cells.")

@@ -52,6 +52,21 @@ def test_sigma0_at_the_middle_of_a_texel_is_the_texel(atlas):
     assert found.any()
 
 
+def test_sigma0_at_bare_ground_is_that_of_the_ground(tmp_path):
+    """Whether it is baked into textures or kept apart from them, it is the same where nothing shadows or stands on it."""
+    landscape = sigmascape.Scene.paper(scale=0.1)
+    x, y = np.meshgrid(np.arange(5.0, 195.0, 4.0), np.arange(5.0, 195.0, 4.0))
+
+    def sigma0(shadows):
+        sigmascape.bake(landscape, tmp_path / shadows, azimuths=4, elevations_deg=[15.0, 35.0], frequencies_ghz=[10.0], texel_m=2.0,
+                        patch_texels=256, samples=8, shadows=shadows, progress=False)
+        return sigmascape.Atlas(tmp_path / shadows).sigma0_at(x, y, azimuth_deg=90.0, elevation_deg=35.0, frequency_ghz=10.0)[..., 0]
+
+    apart, within = sigma0("run-time"), sigma0("baked")
+    same = (apart > 0.0) & np.isclose(apart, within, rtol=0.1)
+    assert same.mean() > 0.1, "of a landscape with a forest, a town and water"
+
+
 def test_a_look_that_was_not_baked_is_refused(atlas):
     with pytest.raises(sigmascape.Error, match="elevation_deg"):
         atlas.texture((0, 0), azimuth_deg=0.0, elevation_deg=20.0, frequency_ghz=10.0)

@@ -68,6 +68,29 @@ def test_pulses_hold_the_targets(atlas, flying):
     assert 10 * np.log10(power[middle].max()) == pytest.approx(70.0, abs=1.5)
 
 
+def test_images_have_what_the_mode_asks_for(atlas, flying):
+    flying.mode = "spotlight"
+    flying.looks, flying.along_resolution_m = 4, 2.0
+    ground = sigmascape.render(None, flying, atlas=atlas)
+    image = sigmascape.range_doppler(atlas, flying)
+    assert image.metadata["interval_s"] == pytest.approx(float(ground.metadata["interval_s"]), rel=1e-3)
+    assert image.metadata["along_resolution_m"] == pytest.approx(0.5, rel=1e-3)
+    assert 0.0 < image.metadata["angle_off_course_deg"] < 180.0
+    shorter = sigmascape.range_doppler(atlas, flying, interval_s=0.01)
+    assert shorter.metadata["interval_s"] == pytest.approx(0.01) and shorter.metadata["looks"] == 1.0
+    assert shorter.metadata["along_resolution_m"] > 2.0
+    flying.mode, flying.looks, flying.along_resolution_m = "stripmap", 2, 4.0
+    strip = sigmascape.stripmap(atlas, flying)
+    assert strip.metadata["along_resolution_m"] == pytest.approx(2.0, rel=1e-3) and strip.metadata["interval_s"] > 0.0
+    assert sigmascape.stripmap(atlas, flying, along_resolution_m=3.0).metadata["along_resolution_m"] == pytest.approx(3.0)
+
+
+def test_a_pulse_leaves_the_receiver_half_of_the_time(flying):
+    with pytest.raises(sigmascape.Error, match="pulse_repetition_hz: is 1e"):
+        flying.range_resolution_m = 100.0
+        flying.pulse_repetition_hz = 1e6
+
+
 def test_a_stripmap_image_has_its_axes(atlas, flying, tmp_path):
     flying.mode = "stripmap"
     target = sigmascape.Target((-20.0, -30.0), rcs_dbsm=70.0, height_m=0.0)

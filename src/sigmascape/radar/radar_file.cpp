@@ -11,6 +11,7 @@
 #include "sigmascape/radar/polarization_words.h"
 #include "sigmascape/radar/radar_bounds.h"
 #include "sigmascape/radar/radar_file_sections.h"
+#include "sigmascape/radar/range_ambiguity.h"
 #include "sigmascape/radar/range_response.h"
 
 namespace sigmascape::radar {
@@ -183,8 +184,31 @@ void set_range_resolution(RadarFile& file, double resolution_m) {
     throw Error("range_resolution_m", too_fine(file.radar, resolution_m),
                 fmt::format("give more than {:.6g}", finest_m));
   }
-  if (file.has_shortest_pulse) waveform.pulse_length_s = 1.0 / bandwidth_of(resolution_m, waveform.window);
+  if (file.has_shortest_pulse) {
+    const double pulse_length_s = 1.0 / bandwidth_of(resolution_m, waveform.window);
+    if (const double longest_s = longest_pulse_s(waveform.pulse_repetition_hz); pulse_length_s > longest_s) {
+      throw Error("range_resolution_m",
+                  fmt::format("is {:g}, whose shortest pulse leaves the receiver less than half of the time between "
+                              "pulses",
+                              resolution_m),
+                  fmt::format("give at most {:.6g}, or first a lower pulse_repetition_hz",
+                              range_resolution_of(1.0 / longest_s, waveform.window)));
+    }
+    waveform.pulse_length_s = pulse_length_s;
+  }
   file.radar.range_resolution_m = resolution_m;
+}
+
+void set_pulse_repetition(RadarFile& file, double repetition_hz) {
+  Waveform& waveform = file.radar.waveform;
+  if (waveform.pulse_length_s > longest_pulse_s(repetition_hz)) {
+    throw Error("pulse_repetition_hz",
+                fmt::format("is {:g}, at which a pulse of {:g} µs leaves the receiver less than half of the time "
+                            "between pulses",
+                            repetition_hz, waveform.pulse_length_s * 1e6),
+                fmt::format("give at most {:.6g}", 0.5 / waveform.pulse_length_s));
+  }
+  waveform.pulse_repetition_hz = repetition_hz;
 }
 
 void set_frequency(RadarFile& file, double frequency_hz) {

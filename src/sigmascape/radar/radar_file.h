@@ -61,8 +61,12 @@ void set_beam_width(RadarFile& file, double width_rad);
 
 /// Makes the compressed pulse so wide, at half power, as the file would be read with another `range_resolution_m`: a
 /// pulse that is as short as can be goes with it. Throws Error where a pulse of the stated length has not the bandwidth
-/// for it, and where the carrier has no room for it.
+/// for it, where the shortest one is too long for the repetition, and where the carrier has no room for it.
 void set_range_resolution(RadarFile& file, double resolution_m);
+
+/// Sends so many pulses a second. Throws Error where the pulse leaves the receiver less than half of the time between
+/// them.
+void set_pulse_repetition(RadarFile& file, double repetition_hz);
 
 /// Puts the radar at another carrier. Throws Error where that has no room for the bandwidth of the pulse.
 void set_frequency(RadarFile& file, double frequency_hz);

@@ -19,6 +19,10 @@ double apparent_range_m(double range_m, double first_range_m, double pulse_repet
   return range_m - times_around(range_m, first_range_m, pulse_repetition_hz) * unambiguous_range_m(pulse_repetition_hz);
 }
 
+double longest_pulse_s(double pulse_repetition_hz) {
+  return 0.5 / pulse_repetition_hz;
+}
+
 double uneclipsed_part(double range_m, double pulse_length_s, double pulse_repetition_hz) {
   const double interval_s = 1.0 / pulse_repetition_hz;
   const double delay_s = 2.0 * range_m / speed_of_light_mps;
