@@ -54,13 +54,13 @@ void write_received(const ReceivedFiles& files, const radar::Radar& radar, const
   if (files.snr.empty() && files.video.empty()) return;
   auto received = receiver::received_power(radar, image, polarization);
   product::RangeAzimuthLabel label{.quantity = "signal-to-noise ratio of one pulse, linear power",
+                                   .radar_position = radar.position,
                                    .numbers = {{"noise_w", received.noise_w},
                                                {"frequency_hz", radar.frequency_hz},
                                                {"impedance_ohm", radar.receiver.impedance_ohm}},
                                    .words = provenance};
   label.words["radar"] = radar.name;
   label.words["polarization"] = product::polarization_name(polarization);
-  label.words["radar_position_m"] = product::vector_text(radar.position);
   label.words["software"] = product::software_name();
   if (!files.video.empty()) {
     const auto detected = receiver::detected_image(radar, received, seed, threads);

@@ -6,6 +6,7 @@
 
 #include "sigmascape/base/units.h"
 #include "sigmascape/product/software.h"
+#include "sigmascape/product/told_numbers.h"
 #include "sigmascape/radar/noise.h"
 #include "sigmascape/radar/radar_equation.h"
 
@@ -146,6 +147,7 @@ IqRecord iq_record(const radar::PhaseHistory& history, const radar::Radar& radar
     record.platform.push_back(pulse.platform);
     if (pulse.beam_azimuth_rad) record.beam_azimuth_rad.push_back(*pulse.beam_azimuth_rad);
   }
+  record.numbers.merge(numbers_taken_from(record.words));
   describe(record, radar);
   if (record.unit == "V") {
     describe_calibration(record, radar);
@@ -170,6 +172,7 @@ IqRecord iq_record(const radar::RangeDopplerImage& image, const radar::Radar& ra
                               {"range_cell_m", image.range_cell_m},
                               {"doppler_cell_hz", image.doppler_cell_hz}},
                   .words = std::move(words)};
+  record.numbers.merge(numbers_taken_from(record.words));
   describe_image(record, image.beam_azimuth_rad, radar);
   return record;
 }
@@ -189,6 +192,7 @@ IqRecord iq_record(const radar::StripmapImage& image, const radar::Radar& radar,
                               {"closest_range_cell_m", image.closest_range_cell_m},
                               {"along_cell_m", image.along_cell_m}},
                   .words = std::move(words)};
+  record.numbers.merge(numbers_taken_from(record.words));
   describe_image(record, image.beam_azimuth_rad, radar);
   return record;
 }

@@ -5,13 +5,15 @@
 #include <string>
 
 #include "sigmascape/base/array2d.h"
+#include "sigmascape/base/vec.h"
 #include "sigmascape/radar/range_azimuth_image.h"
 
 namespace sigmascape::product {
 
 /// What a range-azimuth file holds besides its numbers.
 struct RangeAzimuthLabel {
-  std::string quantity;  ///< "signal-to-noise ratio of one pulse, linear power"
+  std::string quantity;       ///< "signal-to-noise ratio of one pulse, linear power"
+  Vec3d radar_position = {};  ///< east, north and up in the scene's frame, m
   std::map<std::string, double> numbers;
   std::map<std::string, std::string> words;
 };

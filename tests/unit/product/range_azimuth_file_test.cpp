@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <iterator>
+#include <nlohmann/json.hpp>
 
 #include "full_disk.h"
 #include "scratch_folder.h"
@@ -42,7 +43,10 @@ TEST(RangeAzimuthFile, IsTheFormatThatNumpyDocuments) {
   Array2D<float> bins(3, 2);
   for (std::size_t i = 0; i < bins.size(); ++i) bins.values()[i] = static_cast<float>(i) + 0.5F;
   write_range_azimuth(folder.path("snr.npy"), grid, bins,
-                      {.quantity = "made up", .numbers = {{"noise_w", 1e-12}}, .words = {}});
+                      {.quantity = "made up",
+                       .radar_position = {1.5, -2.25, 300.0},
+                       .numbers = {{"noise_w", 1e-12}},
+                       .words = {{"time_s", "-2.5"}, {"seed", "7"}, {"dwell", "the first"}}});
 
   const std::string bytes = bytes_of(folder.path("snr.npy"));
   ASSERT_EQ(bytes.substr(0, 8), std::string("\x93NUMPY\x01\x00", 8));
@@ -60,7 +64,12 @@ TEST(RangeAzimuthFile, IsTheFormatThatNumpyDocuments) {
   EXPECT_THAT(json, HasSubstr("\"quantity\": \"made up\""));
   EXPECT_THAT(json, HasSubstr("\"range_step_m\": 2.5"));
   EXPECT_THAT(json, HasSubstr("where bin 0 begins; its middle lies half a step further"));
-  EXPECT_THAT(json, HasSubstr("\"noise_w\": 1e-12"));
+  const auto told = nlohmann::json::parse(json);
+  EXPECT_EQ(told.at("noise_w"), 1e-12);
+  EXPECT_EQ(told.at("radar_position_m"), nlohmann::json({1.5, -2.25, 300.0}));
+  EXPECT_EQ(told.at("time_s"), -2.5);
+  EXPECT_EQ(told.at("seed"), "7");
+  EXPECT_EQ(told.at("dwell"), "the first");
 }
 
 TEST(RangeAzimuthFile, WantsItsExtension) {
