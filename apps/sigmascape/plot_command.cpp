@@ -2,6 +2,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <utility>
 
 #include "command.h"
 #include "number_within.h"
@@ -93,6 +94,11 @@ std::vector<double> amplitudes_of(const PlotOptions& options) {
 
 void plot_histogram(const PlotOptions& options, const Output& output) {
   const bool is_iq = file_ending(options.input) == ".npy";
+  for (const auto& [option, is_given] :
+       {std::pair{"--area", !options.area_m.empty()}, {"--looks", options.looks != 1.0}}) {
+    if (is_iq && is_given)
+      throw Error(option, fmt::format("is of ground maps, and {} holds I/Q", options.input), "leave it out");
+  }
   const std::vector<double> values = is_iq ? amplitudes_of(options) : powers_of(options);
   if (values.empty()) throw Error(options.input, "has no cells with power there", "choose another --area");
   const Histogram histogram =

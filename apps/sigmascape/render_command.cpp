@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <fmt/format.h>
 #include <limits>
@@ -204,15 +205,12 @@ void check_files(const RenderOptions& options) {
                                                  {"--slant-image", options.iq.slant_image}}));
 }
 
-/// All the work would be for a line of text.
-void warn_of_no_file(const RenderOptions& options) {
-  for (const std::string& file :
-       {options.map_file, options.power_file, options.picture_file, options.scopes.ppi, options.scopes.b_scope,
-        options.layers.file, options.received.snr, options.received.video, options.iq.file, options.iq.slant_image}) {
-    if (!file.empty()) return;
-  }
-  if (!options.explain)
-    fmt::print(stderr, "warning: no file is written; name one with --out, --png or another option\n");
+bool writes_a_file(const RenderOptions& options) {
+  const std::array files{&options.map_file,      &options.power_file,     &options.picture_file,
+                         &options.scopes.ppi,    &options.scopes.b_scope, &options.layers.file,
+                         &options.received.snr,  &options.received.video, &options.iq.file,
+                         &options.iq.slant_image};
+  return std::ranges::any_of(files, [](const std::string* file) { return !file->empty(); });
 }
 
 /// The radar of the file, whose polarization an option may have changed.
@@ -268,7 +266,8 @@ void render(RenderOptions options, std::optional<radar::Polarization> polarizati
   const auto radar = simulate::placed_radar(radar_file, scene.frame, scene.terrain, scene.extent, options.time_s);
   const auto grid = simulate::map_grid(radar_file.map, scene.extent);
   check_coherent(options, radar);
-  warn_of_no_file(options);
+  if (!options.explain && !writes_a_file(options))
+    fmt::print(stderr, "warning: no file is written; name one with --out, --png or another option\n");
   warn_of_scene(scene);
   warn_of(radar, simulate::map_warnings(radar, radar_file.map, scene.terrain, scene.extent));
   const std::string hash = scene::scene_hash(scene);
@@ -278,6 +277,9 @@ void render(RenderOptions options, std::optional<radar::Polarization> polarizati
           ? render::explained(render::choose_detail(
                 simulate::map_question(scene, radar, grid, store ? &*store : nullptr), {.rule = options.detail_rule}))
           : "";
+  // Nothing is to be made where advice is all that is asked for.
+  if (options.explain && !writes_a_file(options))
+    return output.finish("The resolution cell asks for " + advice, {{"advised_detail", advice}});
   const Provenance origin = origin_of(scene, hash, options.time_s);
   Rendered rendered = options.level_of_detail == 0 ? traced(options, scene, radar, grid)
                                                    : baked(options, scene, *store, radar, grid, targets, origin);

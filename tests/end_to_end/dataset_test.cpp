@@ -172,6 +172,16 @@ TEST_F(Dataset, GoesOnWithTheSameRadarAndAtlasOnly) {
 }
 
 // Lots of three samples each, of which another run is at the second.
+TEST_F(Dataset, NeverGoesIntoAnAtlasNorAnAtlasIntoIt) {
+  const dataset::SampleMaker maker(spec({}));
+  EXPECT_EQ(message_of_error([&] { made(maker, folder_->path("atlas")); }),
+            folder_->path("atlas").string() + ": holds an atlas; choose an empty folder");
+  EXPECT_FALSE(fs::exists(folder_->path("atlas") / "dataset.json"));
+  made(maker, folder_->path("samples"), {.index = 0, .count = 20});
+  EXPECT_EQ(message_of_error([&] { bake_into("samples", 1); }),
+            folder_->path("samples").string() + ": holds a dataset; choose an empty folder");
+}
+
 TEST_F(Dataset, RefusesToMakeWhatAnotherRunIsMaking) {
   const dataset::SampleMaker maker(spec({}));
   const fs::path folder = folder_->path("two_runs");

@@ -132,6 +132,11 @@ TEST_F(Plots, HistogramsOfSpeckleFollowTheirDensities) {
       EXPECT_NEAR(value_at(measured, x), density(x), 0.06);
     }
   }
+  for (const char* option : {"--area 0,0,64,64", "--looks 2"})
+    EXPECT_NE(run("histogram '" + folder_.path("iq.npy").string() + "' " + option + " --out '" +
+                  folder_.path("no.svg").string() + "'"),
+              0)
+        << option;
   const Json part = drawn("histogram '" + folder_.path("map.tif").string() + "' --area 0,0,64,64");
   EXPECT_EQ(part.at("samples"), 64 * 64);
 }

@@ -104,6 +104,8 @@ HalfTexture encoded_as(const AtlasDescription& description, const MipChain& chai
 
 Store Store::create(const std::filesystem::path& folder, const AtlasDescription& description) {
   if (auto store = find(folder, description)) return *std::move(store);
+  if (std::filesystem::exists(folder / "dataset.json"))
+    throw Error(folder.string(), "holds a dataset", "choose an empty folder");
   // Another process may have been faster, with another atlas: who comes second takes what is there or is refused.
   static_cast<void>(geo::write_if_absent(folder / collection_name, collection_text(description)));
   Store store = open(folder);

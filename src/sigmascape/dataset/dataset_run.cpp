@@ -73,6 +73,8 @@ std::string difference(const Json& begun, const Json& mine) {
 void claim_folder(const SampleMaker& maker, const fs::path& folder) {
   const fs::path file = folder / "dataset.json";
   const Json mine = identity_of(maker);
+  if (!fs::exists(file) && fs::exists(folder / "collection.json"))
+    throw Error(folder.string(), "holds an atlas", "choose an empty folder");
   if (!fs::exists(file) && geo::write_if_absent(file, mine.dump(1) + "\n")) return;
   std::ifstream stream(file, std::ios::binary);
   const Json begun = Json::parse(stream, nullptr, false);

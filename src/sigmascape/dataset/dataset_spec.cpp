@@ -31,9 +31,10 @@ std::string remedy_of_turned_ends(double first, double last, Interval allowed) {
 }
 
 Range range_of(const TomlSection& section, std::string_view key, Interval allowed) {
+  constexpr const char* remedy = "give its least and its greatest number, as in [10, 20]";
+  if (!section.has(key)) throw section.fault(key, "is missing", remedy);
   const auto ends = section.numbers(key, allowed);
-  if (ends.size() != 2)
-    throw section.fault(key, "is not a range", "give its least and its greatest number, as in [10, 20]");
+  if (ends.size() != 2) throw section.fault(key, "is not a range", remedy);
   if (ends[0] > ends[1])
     throw section.fault(key, fmt::format("begins at {} and ends before that, at {}", ends[0], ends[1]),
                         remedy_of_turned_ends(ends[0], ends[1], allowed));
@@ -66,7 +67,8 @@ void read_products(const TomlSection& section, DatasetSpec& spec) {
   spec.cells = static_cast<std::size_t>(section.whole_number_or("cells", {8, 8192, "cells"}, 256));
   spec.cell_m = section.number_or("cell_m", radar::bounds::cells_m, 2.0);
   auto words = different_words(section, "polarizations");
-  if (words.empty()) words = {"VV"};
+  if (!section.has("polarizations")) words = {"VV"};
+  if (words.empty()) throw section.fault("polarizations", "names none", "choose among VV, HH, HV and sum");
   for (const std::string& word : words) spec.polarizations.push_back(polarization_of(section, word));
   spec.is_half = section.choice_or("numbers", {"float32", "float16"}, "float32") == "float16";
   spec.in_decibels = section.choice_or("scale", {"linear", "db"}, "linear") == "db";

@@ -11,6 +11,7 @@
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/pattern_table.h"
 #include "sigmascape/radar/radar_bounds.h"
+#include "sigmascape/radar/range_ambiguity.h"
 #include "sigmascape/radar/range_response.h"
 
 namespace sigmascape::radar {
@@ -98,6 +99,7 @@ void read_elevation(const TomlSection& section, Antenna& antenna) {
                                {"elevation_side_lobe_db", "taylor"},
                                {"elevation_taylor_terms", "taylor"},
                                {"steepest_depression_deg", "cosecant-squared"}});
+  if (shape == "even") refuse_key_of_shape(section, "tilt_deg", "elevation_shape", shape);
   if (shape == "even" || shape == "table") {
     refuse_key_of_shape(section, "elevation_width_deg", "elevation_shape", shape);
   } else {
@@ -231,9 +233,9 @@ void read_waveform(const TomlSection& section, Radar& radar) {
                                     waveform.pulse_length_s * 1e6, bandwidth_hz / 1e6),
                         fmt::format("give at least {:.6g}", 1e6 / bandwidth_hz));
   }
-  if (waveform.pulse_length_s * waveform.pulse_repetition_hz > 0.5) {
+  if (const double longest_s = longest_pulse_s(waveform.pulse_repetition_hz); waveform.pulse_length_s > longest_s) {
     throw section.fault("pulse_length_us", "leaves the receiver less than half of the time between pulses",
-                        fmt::format("give at most {:g}", 0.5e6 / waveform.pulse_repetition_hz));
+                        fmt::format("give at most {:g}", longest_s * 1e6));
   }
   section.refuse_unknown_keys();
 }

@@ -25,6 +25,7 @@ Channels rcs_of_section(const TomlSection& section) {
     hh = power("hh");
     hv = power("hv");
     table->refuse_unknown_keys();
+    if (vv + hh + hv == 0.0) throw section.fault("rcs_dbsm", "names no channel", "give at least one of vv, hh and hv");
   }
   const double sign = section.choice_or("bounces", {"odd", "even"}, "odd") == "odd" ? 1.0 : -1.0;
   return {static_cast<float>(vv), static_cast<float>(hh), static_cast<float>(hv),

@@ -1,11 +1,30 @@
 #include "sigmascape/scene/scene_extent.h"
 
+#include <cmath>
+#include <fmt/format.h>
+
+#include "sigmascape/base/error.h"
+
 namespace sigmascape::scene {
 namespace {
 
 constexpr Interval latitudes{-89.0, 89.0, "degrees"};
 constexpr Interval longitudes{-360.0, 360.0, "degrees"};
 constexpr Interval metres{-1e6, 1e6, "m"};
+
+/// Of a scene's middle from its origin: lengths are too long there by x²/2R², a thousandth, as at the rim of a UTM
+/// zone.
+constexpr double farthest_from_origin_m = 300e3;
+
+void check_scale(const ScenePlace& place, Vec2d middle) {
+  if (length(middle) <= farthest_from_origin_m) return;
+  const std::string distance =
+      std::isfinite(length(middle)) ? fmt::format("{:.0f} km", length(middle) / 1e3) : "half the Earth";
+  throw Error(place.where + ".origin_lat_deg",
+              fmt::format("lies {} from the middle of the scene, where its frame is out of scale", distance),
+              fmt::format("give latitude and longitude of a place within {:.0f} km, or leave both out",
+                          farthest_from_origin_m / 1e3));
+}
 
 void read_extent(const TomlSection& section, ScenePlace& place) {
   const bool in_degrees =
@@ -31,7 +50,7 @@ void read_extent(const TomlSection& section, ScenePlace& place) {
 }  // namespace
 
 ScenePlace read_scene_place(const TomlSection& section) {
-  ScenePlace place;
+  ScenePlace place{.where = section.where(), .origin = {}, .extent_m = {}, .extent_deg = {}};
   const auto latitude_deg = section.optional_number("origin_lat_deg", latitudes);
   const auto longitude_deg = section.optional_number("origin_lon_deg", longitudes);
   if (latitude_deg.has_value() != longitude_deg.has_value()) {
@@ -43,9 +62,13 @@ ScenePlace read_scene_place(const TomlSection& section) {
 }
 
 geo::LocalFrame frame_of(const ScenePlace& place, const geo::RasterBand& terrain) {
-  const geo::GeographicPosition origin = place.origin       ? *place.origin
-                                         : place.extent_deg ? place.extent_deg->centre()
-                                                            : geo::Raster(terrain).centre();
+  if (place.origin) {
+    const geo::LocalFrame frame(place.origin->latitude_deg, place.origin->longitude_deg);
+    const auto extent = extent_in(place, frame);
+    check_scale(place, extent ? extent->centre() : geo::position_in_frame(frame, geo::Raster(terrain).centre()));
+    return frame;
+  }
+  const geo::GeographicPosition origin = place.extent_deg ? place.extent_deg->centre() : geo::Raster(terrain).centre();
   return {origin.latitude_deg, origin.longitude_deg};
 }
 

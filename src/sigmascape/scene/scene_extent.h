@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "sigmascape/base/toml_reader.h"
 #include "sigmascape/geo/coordinate_transform.h"
@@ -20,6 +21,7 @@ struct GeographicBox {
 
 /// Where a scene lies, as its file states it.
 struct ScenePlace {
+  std::string where;  ///< the section, for messages
   std::optional<geo::GeographicPosition> origin;
   std::optional<radar::Rectangle> extent_m;
   std::optional<GeographicBox> extent_deg;
@@ -29,7 +31,8 @@ struct ScenePlace {
 [[nodiscard]] ScenePlace read_scene_place(const TomlSection& section);
 
 /// The scene's frame: about the stated origin, else the middle of a stated box in degrees, else the middle of the
-/// terrain.
+/// terrain. Throws Error when the middle of what is then the scene lies so far from a stated origin that the frame is
+/// out of scale there.
 [[nodiscard]] geo::LocalFrame frame_of(const ScenePlace& place, const geo::RasterBand& terrain);
 
 /// The stated extent in the frame; of a box in degrees, the rectangle about its four sides' middles. Nothing when none

@@ -124,6 +124,10 @@ SceneDescription read_description(const std::filesystem::path& toml) {
   if (!terrain)
     throw Error(toml.string() + ": terrain", "is missing", "add [terrain] with file = the path of an elevation raster");
   described.terrain = read_terrain_section(*terrain, limit);
+  if (described.terrain.water && !described.land_cover.raster) {
+    throw terrain->fault("water_level_m", "levels nothing without land_cover.file, which says where water is",
+                         "add [land_cover] with its file, or leave it out");
+  }
   return described;
 }
 
@@ -160,6 +164,14 @@ void add_terrain(Scene& scene, const SceneDescription& described) {
   scene.extent = scene.terrain.extent();
 }
 
+void note_level_without_water(Scene& scene, const SceneDescription& described, const WaterLevel& level) {
+  FlawTally tally;
+  tally.mistake(fmt::format("water level that levels nothing: no water of the land cover lies within {:g} m of it",
+                            level.within_m),
+                fmt::format("{:g} m", level.level_m));
+  tally.settle(described.terrain.source.raster.file.string(), 1, described.terrain.limit, scene.remarks);
+}
+
 }  // namespace
 
 Scene read_scene(const std::filesystem::path& toml) {
@@ -171,7 +183,8 @@ Scene read_scene(const std::filesystem::path& toml) {
   add_terrain(scene, described);
   const WaterMask water = add_land_cover(scene, described.land_cover);
   if (const auto& level = described.terrain.water) {
-    level_water(scene.terrain, scene.ground.grid, water, level->level_m, level->within_m);
+    const std::size_t levelled = level_water(scene.terrain, scene.ground.grid, water, level->level_m, level->within_m);
+    if (levelled == 0) note_level_without_water(scene, described, *level);
   }
   // Objects stand on the terrain, so they come after it is finished; roads paint the ground before anything needs to
   // know it.

@@ -4,12 +4,14 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/interruption.h"
 #include "sigmascape/base/machine_memory.h"
+#include "sigmascape/geo/coordinate_transform.h"
 #include "sigmascape/terrain/fitting_spacing.h"
 
 namespace sigmascape::terrain {
@@ -82,6 +84,17 @@ void require_room(const radar::Rectangle& wanted, double spacing_m, const Terrai
                           fitting_spacing_m(spacing_m, bytes, memory)));
 }
 
+/// "-3.008 to -2.966 east and 43.297 to 43.328 north": where the raster lies.
+std::string degrees_of(const geo::Raster& raster) {
+  const geo::GeographicPosition middle = raster.centre();
+  const geo::LocalFrame about(middle.latitude_deg, middle.longitude_deg);
+  const geo::Extent around = raster.outline_in(about).extent_around();
+  const auto south_west = geo::place_on_globe(about, {around.west_m, around.south_m});
+  const auto north_east = geo::place_on_globe(about, {around.east_m, around.north_m});
+  return fmt::format("{:.3f} to {:.3f} east and {:.3f} to {:.3f} north", south_west.longitude_deg,
+                     north_east.longitude_deg, south_west.latitude_deg, north_east.latitude_deg);
+}
+
 }  // namespace
 
 std::size_t fill_holes(Array2D<float>& heights) {
@@ -131,9 +144,11 @@ ReadTerrain read_terrain(const TerrainSource& source, const geo::LocalFrame& fra
   const bool overlap = wanted->west_m < available.east_m && wanted->east_m > available.west_m &&
                        wanted->south_m < available.north_m && wanted->north_m > available.south_m;
   if (!overlap) {
-    throw Error(name, "does not overlap the scene's extent",
-                fmt::format("move the extent into {:.0f} to {:.0f} m east and {:.0f} to {:.0f} m north of the origin",
-                            available.west_m, available.east_m, available.south_m, available.north_m));
+    throw Error(
+        name, "does not overlap the scene's extent",
+        fmt::format("move the extent into {:.0f} to {:.0f} m east and {:.0f} to {:.0f} m north of the origin, "
+                    "in degrees {}",
+                    available.west_m, available.east_m, available.south_m, available.north_m, degrees_of(raster)));
   }
 
   const double spacing_m = source.spacing_m.value_or(raster.cell_m());

@@ -33,6 +33,12 @@ TEST_F(DatasetSpecFile, TakesWholeNumbersOfSamples) {
   EXPECT_THAT(fault_of("0"), HasSubstr("dataset.count: is 0; give a number from 1"));
 }
 
+TEST_F(DatasetSpecFile, SaysWhichRangeIsMissing) {
+  EXPECT_THAT(fault_of("4", "[[targets]]\nname = \"car\"\nnumber = [1, 2]\n"),
+              HasSubstr("rcs_dbsm: is missing; give its least and its greatest number, as in [10, 20]"));
+  EXPECT_THAT(fault_of("4\npolarizations = []"), HasSubstr("dataset.polarizations: names none; choose among VV"));
+}
+
 TEST_F(DatasetSpecFile, KeepsSequencesWithinReach) {
   EXPECT_EQ(fault_of("4", "[sequence]\nframes = 4\ninterval_s = 2\nspeed_mps = [100, 200]\n"), "");
   EXPECT_THAT(fault_of("4", "[sequence]\nframes = 4\ninterval_s = 10\nspeed_mps = [0, 40000]\n"),

@@ -348,6 +348,8 @@ TEST_F(RadarFileTest, BadAntennasAndScansAreRefused) {
   EXPECT_THAT(fault_of(cosecant + "steepest_depression_deg = 40\n"),
               HasSubstr(": antenna.tilt_deg: does not point below"));
   EXPECT_THAT(fault_of(cosecant + "steepest_depression_deg = 4\ntilt_deg = -5\n"), HasSubstr("give more than 5"));
+  EXPECT_THAT(fault_of(simple + "[antenna]\ntilt_deg = -5\n"),
+              HasSubstr(": antenna.tilt_deg: means nothing where elevation_shape is \"even\""));
   EXPECT_THAT(fault_of(simple + "[antenna]\nelevation_shape = \"gaussian\"\n"),
               HasSubstr(": antenna.elevation_width_deg: is missing"));
   EXPECT_THAT(fault_of(simple + "[scan]\nkind = \"sector\"\nrate_deg_per_s = 3\n"),
@@ -411,6 +413,23 @@ TEST_F(RadarFileTest, AnotherRangeResolutionIsThatOfAnotherFile) {
   EXPECT_THAT(message_of_error([&] { set_range_resolution(stated, 40.0); }),
               HasSubstr("range_resolution_m: is 40, coarser than a pulse of 0.1 µs can be; give at most 1"));
   EXPECT_EQ(stated.radar.range_resolution_m, 2.0);
+}
+
+// Whatever the file would be refused with is refused afterwards too.
+TEST_F(RadarFileTest, PulsesLeaveTheReceiverHalfOfTheTime) {
+  RadarFile file = read(simple + "[waveform]\npulse_length_us = 20\npulse_repetition_hz = 1000\n");
+  set_pulse_repetition(file, 25e3);
+  EXPECT_EQ(file.radar.waveform.pulse_repetition_hz, 25e3);
+  EXPECT_THAT(
+      message_of_error([&] { set_pulse_repetition(file, 30e3); }),
+      HasSubstr("pulse_repetition_hz: is 30000, at which a pulse of 20 µs leaves the receiver less than half of "
+                "the time between pulses; give at most 25000"));
+  EXPECT_EQ(file.radar.waveform.pulse_repetition_hz, 25e3);
+
+  RadarFile shortest = read(simple);
+  set_pulse_repetition(shortest, 1e6);
+  EXPECT_THAT(message_of_error([&] { set_range_resolution(shortest, 100.0); }),
+              HasSubstr("range_resolution_m: is 100, whose shortest pulse leaves the receiver less than half"));
 }
 
 TEST(RealBeams, LookOverAFlatEarth) {

@@ -24,6 +24,11 @@ class TargetFile : public ::testing::Test {
 
 const std::string plain = "[[targets]]\nposition_m = [1, 2]\nrcs_dbsm = 10\n";
 
+TEST_F(TargetFile, RefusesACrossSectionOfNoChannel) {
+  EXPECT_THAT(fault_of("[[targets]]\nposition_m = [1, 2]\nrcs_dbsm = {}\n"),
+              HasSubstr("rcs_dbsm: names no channel; give at least one of vv, hh and hv"));
+}
+
 TEST_F(TargetFile, ReadsWhatStandsAndWhatMoves) {
   const auto targets = read(
       "[[targets]]\nname = \"lorry\"\nposition_m = [10, -20]\nheading_deg = 90\nspeed_mps = 8\nclimb_mps = 1\n"

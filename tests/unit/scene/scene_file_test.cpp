@@ -57,6 +57,27 @@ TEST(SceneFile, WaterFarFromTheLevelStaysWhereItIs) {
   EXPECT_NEAR(scene.terrain.height_at({350.0, 300.0}), 25.0, 0.2);
 }
 
+TEST(SceneFile, AWaterLevelThatLevelsNothingMakesARemark) {
+  const MadeUpPlace place;
+  EXPECT_TRUE(place.read().remarks.empty());
+  const Scene scene = place.read("water_classes = [77]\n");
+  ASSERT_FALSE(scene.remarks.empty());
+  EXPECT_TRUE(std::ranges::any_of(scene.remarks, [](const Remark& remark) {
+    return remark.is_likely_a_mistake && remark.what.find("water level that levels nothing") != std::string::npos;
+  }));
+}
+
+// Latitude and longitude in the wrong order put the origin on the other side of the Earth.
+TEST(SceneFile, AnOriginFarFromTheSceneIsRefused) {
+  const MadeUpPlace place;
+  EXPECT_NO_THROW(static_cast<void>(place.read("", "[scene]\norigin_lat_deg = 43.3\norigin_lon_deg = -2.9\n")));
+  EXPECT_THAT(message_of_error([&] {
+                static_cast<void>(place.read("", "[scene]\norigin_lat_deg = -2.98\norigin_lon_deg = 43.3\n"));
+              }),
+              AllOf(HasSubstr("scene.origin_lat_deg: lies "), HasSubstr(" km from the middle of the scene"),
+                    HasSubstr("give latitude and longitude of a place within 300 km")));
+}
+
 TEST(SceneFile, ExtentAndSpacingAreAsWanted) {
   const MadeUpPlace place;
   const Scene scene = place.read("", "[scene]\nextent = {west_m = -100, south_m = -50, east_m = 200, north_m = 150}\n");
