@@ -178,7 +178,7 @@ TEST_F(Dataset, NeverGoesIntoAnAtlasNorAnAtlasIntoIt) {
             folder_->path("atlas").string() + ": holds an atlas; choose an empty folder");
   EXPECT_FALSE(fs::exists(folder_->path("atlas") / "dataset.json"));
   made(maker, folder_->path("samples"), {.index = 0, .count = 20});
-  EXPECT_EQ(message_of_error([&] { bake_into("samples", 1); }),
+  EXPECT_EQ(message_of_error([&] { bake_into("samples", 2); }),
             folder_->path("samples").string() + ": holds a dataset; choose an empty folder");
 }
 

@@ -224,7 +224,7 @@ class Modes : public ::testing::Test {
     EXPECT_EQ(volts["antenna_pattern"], "left in");
     EXPECT_EQ(volts["thermal_noise"], "in it");
     EXPECT_EQ(volts["processing"], "scatterers from terrain and atlas");
-    EXPECT_EQ(volts["targets"], "1");
+    EXPECT_EQ(volts["targets"], 1.0);
     EXPECT_EQ(metres["antenna_pattern"], "none");
     EXPECT_EQ(metres["thermal_noise"], "none");
     for (const char* of_the_map : {"looks", "along_resolution_m", "angle_off_course_deg", "mode"})

@@ -108,9 +108,9 @@ void draw_north_arrow(Strip& strip, Vec2d north) {
   const std::size_t width = arrow_width * strip.dot;
   if (!strip.has_room_for(width)) return;
   const std::size_t left = strip.pixels.columns() - margin * strip.dot - width;
-  const auto height = static_cast<double>(bar_height * strip.dot), half_width = 0.5 * static_cast<double>(width);
-  const double middle = half_width - 0.5, middle_row = 0.5 * height - 0.5;
-  // Turned, it takes as much room as it does upright: no more than its width.
+  // So much longer than it is wide that its tip is known from its corners when it is turned.
+  const auto height = static_cast<double>(bar_height * strip.dot), half_width = 0.35 * height;
+  const double middle = 0.5 * static_cast<double>(width) - 0.5, middle_row = 0.5 * height - 0.5;
   for (std::size_t y = 0; y < bar_height * strip.dot; ++y) {
     for (std::size_t x = 0; x < width; ++x) {
       const Vec2d place{static_cast<double>(x) - middle, middle_row - static_cast<double>(y)};

@@ -232,7 +232,7 @@ TEST(Legend, NorthIsWhereTheCoordinateSystemHasIt) {
     return halves;
   };
   const auto upright = ink();
-  EXPECT_GT(upright[0], 8);
+  EXPECT_GT(upright[0], 4);
   EXPECT_EQ(upright[0], upright[1]);
   map.crs = "EPSG:3413";
   map.grid.west_m = 1e6;
