@@ -25,7 +25,9 @@
 
 #include "sigmascape/atlas/store.h"
 #include "sigmascape/base/error.h"
+#include "sigmascape/base/file_ending.h"
 #include "sigmascape/base/units.h"
+#include "sigmascape/geo/coordinate_reference_system.h"
 #include "sigmascape/geo/coordinate_transform.h"
 #include "sigmascape/product/iq_file.h"
 #include "sigmascape/product/map_file.h"
@@ -213,6 +215,14 @@ bool writes_a_file(const RenderOptions& options) {
   return std::ranges::any_of(files, [](const std::string* file) { return !file->empty(); });
 }
 
+void check_crs(const RenderOptions& options, const geo::LocalFrame& frame) {
+  if (options.crs.empty()) return;
+  static_cast<void>(geo::CoordinateTransform(options.crs, frame, "--crs"));
+  for (const std::string& file : {options.map_file, options.power_file, options.layers.file}) {
+    if (file_ending(file) == ".tif") return geo::require_geotiff_keys(options.crs, "--crs");
+  }
+}
+
 /// The radar of the file, whose polarization an option may have changed.
 radar::RadarFile radar_file_of(const RenderOptions& options, std::optional<radar::Polarization> polarization) {
   radar::RadarFile file = radar::read_radar_file(options.radar);
@@ -256,7 +266,7 @@ void render(RenderOptions options, std::optional<radar::Polarization> polarizati
   const auto look = look_of(options, radar_file.radar.polarization);
   check(options.received, look.polarization);
   const scene::Scene scene = scene::read_scene(options.scene);
-  if (!options.crs.empty()) static_cast<void>(geo::CoordinateTransform(options.crs, scene.frame, "--crs"));
+  check_crs(options, scene.frame);
   const auto added =
       options.targets.empty() ? std::vector<radar::TargetSource>() : radar::read_target_file(options.targets);
   const std::vector<radar::Target> targets =

@@ -97,8 +97,11 @@ py::array_t<float> sigma0_at(const LoadedAtlas& loaded, const Points& x_m, const
     const atlas::GroundLayers* ground = textures.ground_layers();
     if (ground == nullptr) return;
     const radar::Aspect aspect{radians_from_deg(azimuth_deg), radians_from_deg(elevation_deg)};
-    for (std::size_t i = 0; i < count; ++i)
-      out[i] += ground->sigma0.sigma0_at({x[i], y[i]}, aspect, frequency_ghz * 1e9, level);
+    const radar::Rectangle& extent = loaded.description().extent;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (extent.contains({x[i], y[i]}))
+        out[i] += ground->sigma0.sigma0_at({x[i], y[i]}, aspect, frequency_ghz * 1e9, level);
+    }
   });
   return result;
 }

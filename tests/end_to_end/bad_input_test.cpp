@@ -194,6 +194,16 @@ TEST_F(BadInput, WordsThatNoCommandOrOptionIsCalledAreToldWithTheNearest) {
   EXPECT_THAT(said_to("render radar.toml --scene town.toml --top-db -30"), StartsWith("sigmascape: radar.toml"));
 }
 
+// Before anything is traced: at this many rays it would take hours.
+TEST_F(BadInput, SystemsThatAGeoTiffCannotTellAreRefusedAtOnce) {
+  write_radar();
+  write_made_scene(folder_.path("town"), 120, 120);
+  EXPECT_THAT(
+      said_to("render radar.toml --scene town/scene.toml --lod 0 --samples 100000 --crs EPSG:8857 --out map.tif"),
+      HasSubstr("--crs: is in a coordinate reference system that GeoTIFF has no keys for; choose another one"));
+  EXPECT_FALSE(is_there("map.tif"));
+}
+
 TEST_F(BadInput, MapsThatNobodyKeepsAreMadeWithAWarning) {
   write_radar();
   write_made_scene(folder_.path("town"), 120, 120);

@@ -171,7 +171,6 @@ TEST_F(Dataset, GoesOnWithTheSameRadarAndAtlasOnly) {
   EXPECT_NE(begun().find("begun with another radar file and atlas;"), std::string::npos) << begun();
 }
 
-// Lots of three samples each, of which another run is at the second.
 TEST_F(Dataset, NeverGoesIntoAnAtlasNorAnAtlasIntoIt) {
   const dataset::SampleMaker maker(spec({}));
   EXPECT_EQ(message_of_error([&] { made(maker, folder_->path("atlas")); }),
@@ -182,6 +181,7 @@ TEST_F(Dataset, NeverGoesIntoAnAtlasNorAnAtlasIntoIt) {
             folder_->path("samples").string() + ": holds a dataset; choose an empty folder");
 }
 
+// Lots of three samples each, of which another run is at the second.
 TEST_F(Dataset, RefusesToMakeWhatAnotherRunIsMaking) {
   const dataset::SampleMaker maker(spec({}));
   const fs::path folder = folder_->path("two_runs");

@@ -158,10 +158,17 @@ void read_radar_ranges(const TomlSection& section, DatasetSpec& spec) {
   }
   const double coarsest_m = radar::coarsest_range_resolution_m(spec.radar);
   if (spec.radar_ranges.range_resolution_m && spec.radar_ranges.range_resolution_m->highest > coarsest_m) {
-    throw section.fault("range_resolution_m",
-                        fmt::format("reaches {:g} m, coarser than the radar file's waveform.pulse_length_us can be",
-                                    spec.radar_ranges.range_resolution_m->highest),
-                        fmt::format("stay within {:.6g} m, or leave the length of the pulse out", coarsest_m));
+    const double reached_m = spec.radar_ranges.range_resolution_m->highest;
+    if (spec.radar.has_shortest_pulse)
+      throw section.fault("range_resolution_m",
+                          fmt::format("reaches {:g} m, too long a pulse for the radar file's "
+                                      "waveform.pulse_repetition_hz",
+                                      reached_m),
+                          fmt::format("stay within {:.6g} m, or send fewer pulses a second", coarsest_m));
+    throw section.fault(
+        "range_resolution_m",
+        fmt::format("reaches {:g} m, coarser than the radar file's waveform.pulse_length_us can be", reached_m),
+        fmt::format("stay within {:.6g} m, or leave the length of the pulse out", coarsest_m));
   }
   check_room_for_band(section, spec);
   section.refuse_unknown_keys();

@@ -1,5 +1,7 @@
 #include "sigmascape/geo/coordinate_reference_system.h"
 
+#include "sigmascape/geo/gdal_memory_file.h"
+#include "sigmascape/geo/geotiff_encoding.h"
 #include "sigmascape/geo/quiet_gdal.h"
 #include "sigmascape/geo/spatial_reference.h"
 
@@ -18,6 +20,13 @@ bool is_same_crs(const std::string& a, const std::string& b) {
 
 std::string wkt2_from(const std::string& crs) {
   return wkt2_from(reference_from(crs, "CRS"));
+}
+
+void require_geotiff_keys(const std::string& crs, const std::string& where) {
+  const QuietGdal quiet;
+  const auto one_cell = floats_in_memory(where, 1, 1, 1, {0.0, 0.0, 1.0, crs}, {});
+  const GdalMemoryFile file;
+  encode_geotiff(where, *one_cell, {}, file);
 }
 
 }  // namespace sigmascape::geo

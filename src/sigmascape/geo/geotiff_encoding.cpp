@@ -56,7 +56,7 @@ void encode_geotiff(std::string_view what, GDALDataset& source, std::initializer
   if (VSIStatL(beside.c_str(), &found) == 0) {
     VSIUnlink(beside.c_str());
     throw Error(std::string(what), "is in a coordinate reference system that GeoTIFF has no keys for",
-                "choose another one, or write .npy or .npz");
+                "choose another one");
   }
 }
 

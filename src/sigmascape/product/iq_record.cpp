@@ -200,6 +200,8 @@ IqRecord iq_record(const radar::StripmapImage& image, const radar::Radar& radar,
 IqRecord iq_record(const radar::RangeAzimuthGrid& grid, std::span<const std::complex<float>> amplitudes_m,
                    const radar::Motion& platform, double frequency_hz, std::map<std::string, std::string> words) {
   words["software"] = software_name();
+  std::map<std::string, double> numbers = numbers_taken_from(words);
+  numbers.insert({{"frequency_hz", frequency_hz}, {"range_step_m", grid.range_step_m}});
   return {.kind = "live frame",
           .unit = "m",
           .quantity = amplitude_words,
@@ -210,7 +212,7 @@ IqRecord iq_record(const radar::RangeAzimuthGrid& grid, std::span<const std::com
           .polarizations = {"VV", "HH", "HV", "VH"},
           .samples = amplitudes_m,
           .platform = {platform},
-          .numbers = {{"frequency_hz", frequency_hz}, {"range_step_m", grid.range_step_m}},
+          .numbers = std::move(numbers),
           .words = std::move(words)};
 }
 

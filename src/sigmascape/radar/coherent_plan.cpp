@@ -147,8 +147,8 @@ void plan_strip(const Radar& radar, const Sight& sight, CoherentPlan& plan) {
     throw Error(title_of(radar),
                 fmt::format("cannot map a strip to {:g} m along the flight with {} looks of a beam of {:.3g}°",
                             plan.along_resolution_m, plan.looks, deg_from_radians(radar.beam_width_rad)),
-                fmt::format("give mode.along_resolution_m of at least {:.3g}, fewer looks or a wider beam",
-                            rounded_up(finest_m)));
+                fmt::format("give mode.along_resolution_m of at least {:.3g}{} or a wider beam", rounded_up(finest_m),
+                            plan.looks > 1 ? ", fewer looks" : ""));
   }
   // Band over Doppler rate, which the whole speed and the angle in space decide.
   const double sine = std::sin(plan.squint_rad);
@@ -186,7 +186,8 @@ double doppler_of_hz(const Radar& radar, Vec3d place) {
 CoherentPlan coherent_plan(const Radar& radar, Vec3d aim) {
   const double speed_mps = length(radar.velocity_mps);
   if (!(speed_mps > 0.0))
-    throw Error(title_of(radar), "stands still", "give platform.speed_mps: coherent modes live from motion");
+    throw Error(title_of(radar), "stands still",
+                "give it a velocity, platform.speed_mps: coherent modes live from motion");
   const Sight sight = sight_of(radar, radar.mode == Mode::Stripmap ? way_as_passed(radar, aim) : aim - radar.position);
   CoherentPlan plan{.looks = radar.processing.looks,
                     .squint_rad = std::acos(

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <initializer_list>
-#include <limits>
+#include <string>
 
 #include "sigmascape/base/toml_reader.h"
 #include "sigmascape/base/units.h"
@@ -33,6 +33,13 @@ bool states(const TomlSection& file, std::string_view section, std::string_view 
 std::string too_fine(const Radar& radar, double resolution_m) {
   return fmt::format("is {:g}, which takes {:.6g} MHz about {:g} GHz, a band that reaches down to no frequency at all",
                      resolution_m, bandwidth_of(resolution_m, radar.waveform.window) / 1e6, radar.frequency_hz / 1e9);
+}
+
+/// So that what is advised is not refused.
+double cut_to_six_digits(double value) {
+  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 5.0);
+  constexpr double rounding = 1e-9;
+  return std::floor(value / unit + rounding) * unit;
 }
 
 /// All that a file says of the radar itself, and nothing of place and map.
@@ -162,9 +169,10 @@ void set_beam_width(RadarFile& file, double width_rad) {
 }
 
 double coarsest_range_resolution_m(const RadarFile& file) {
-  if (file.has_shortest_pulse) return std::numeric_limits<double>::infinity();
   const Waveform& waveform = file.radar.waveform;
-  return range_resolution_of(1.0 / waveform.pulse_length_s, waveform.window);
+  const double longest_s =
+      file.has_shortest_pulse ? longest_pulse_s(waveform.pulse_repetition_hz) : waveform.pulse_length_s;
+  return range_resolution_of(1.0 / longest_s, waveform.window);
 }
 
 double finest_range_resolution_m(const Radar& radar) {
@@ -175,27 +183,19 @@ void set_range_resolution(RadarFile& file, double resolution_m) {
   Waveform& waveform = file.radar.waveform;
   const double coarsest_m = coarsest_range_resolution_m(file);
   if (resolution_m > coarsest_m * (1.0 + 1e-9)) {
-    throw Error(
-        "range_resolution_m",
-        fmt::format("is {:g}, coarser than a pulse of {:g} µs can be", resolution_m, waveform.pulse_length_s * 1e6),
-        fmt::format("give at most {:.6g}", coarsest_m));
+    const std::string fault =
+        file.has_shortest_pulse
+            ? fmt::format("is {:g}, whose shortest pulse leaves the receiver less than half of the time between pulses",
+                          resolution_m)
+            : fmt::format("is {:g}, coarser than a pulse of {:g} µs can be", resolution_m,
+                          waveform.pulse_length_s * 1e6);
+    throw Error("range_resolution_m", fault, fmt::format("give at most {:.6g}", cut_to_six_digits(coarsest_m)));
   }
   if (const double finest_m = finest_range_resolution_m(file.radar); resolution_m <= finest_m) {
     throw Error("range_resolution_m", too_fine(file.radar, resolution_m),
                 fmt::format("give more than {:.6g}", finest_m));
   }
-  if (file.has_shortest_pulse) {
-    const double pulse_length_s = 1.0 / bandwidth_of(resolution_m, waveform.window);
-    if (const double longest_s = longest_pulse_s(waveform.pulse_repetition_hz); pulse_length_s > longest_s) {
-      throw Error("range_resolution_m",
-                  fmt::format("is {:g}, whose shortest pulse leaves the receiver less than half of the time between "
-                              "pulses",
-                              resolution_m),
-                  fmt::format("give at most {:.6g}, or first a lower pulse_repetition_hz",
-                              range_resolution_of(1.0 / longest_s, waveform.window)));
-    }
-    waveform.pulse_length_s = pulse_length_s;
-  }
+  if (file.has_shortest_pulse) waveform.pulse_length_s = 1.0 / bandwidth_of(resolution_m, waveform.window);
   file.radar.range_resolution_m = resolution_m;
 }
 
@@ -206,7 +206,7 @@ void set_pulse_repetition(RadarFile& file, double repetition_hz) {
                 fmt::format("is {:g}, at which a pulse of {:g} µs leaves the receiver less than half of the time "
                             "between pulses",
                             repetition_hz, waveform.pulse_length_s * 1e6),
-                fmt::format("give at most {:.6g}", 0.5 / waveform.pulse_length_s));
+                fmt::format("give at most {:.6g}", cut_to_six_digits(0.5 / waveform.pulse_length_s)));
   }
   waveform.pulse_repetition_hz = repetition_hz;
 }

@@ -51,8 +51,8 @@ struct RadarFile {
 /// measured beam, whose table has the width.
 void set_beam_width(RadarFile& file, double width_rad);
 
-/// The widest that the compressed pulse can be at half power: what a pulse of the stated length is without being coded;
-/// infinite where the pulse is as short as can be.
+/// The widest that the compressed pulse can be at half power: what a pulse of the stated length is without being coded,
+/// or of the longest that the repetition allows where the pulse is as short as can be.
 [[nodiscard]] double coarsest_range_resolution_m(const RadarFile& file);
 
 /// The half-power width that the compressed pulse must exceed: that of a band about its carrier which begins at no

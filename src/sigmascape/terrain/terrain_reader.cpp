@@ -84,15 +84,21 @@ void require_room(const radar::Rectangle& wanted, double spacing_m, const Terrai
                           fitting_spacing_m(spacing_m, bytes, memory)));
 }
 
-/// "-3.008 to -2.966 east and 43.297 to 43.328 north": where the raster lies.
-std::string degrees_of(const geo::Raster& raster) {
+/// ", in degrees -3.008 to -2.966 east and 43.297 to 43.328 north", where the raster lies; nothing of one so large that
+/// no box about its middle tells.
+std::string in_degrees(const geo::Raster& raster) {
+  constexpr double largest_m = 200e3;
   const geo::GeographicPosition middle = raster.centre();
   const geo::LocalFrame about(middle.latitude_deg, middle.longitude_deg);
   const geo::Extent around = raster.outline_in(about).extent_around();
+  if (!(std::max(around.east_m - around.west_m, around.north_m - around.south_m) < largest_m)) return "";
   const auto south_west = geo::place_on_globe(about, {around.west_m, around.south_m});
   const auto north_east = geo::place_on_globe(about, {around.east_m, around.north_m});
-  return fmt::format("{:.3f} to {:.3f} east and {:.3f} to {:.3f} north", south_west.longitude_deg,
-                     north_east.longitude_deg, south_west.latitude_deg, north_east.latitude_deg);
+  // Across 180° longitudes count on.
+  const double east_deg =
+      north_east.longitude_deg + (north_east.longitude_deg < south_west.longitude_deg ? 360.0 : 0.0);
+  return fmt::format(", in degrees {:.3f} to {:.3f} east and {:.3f} to {:.3f} north", south_west.longitude_deg,
+                     east_deg, south_west.latitude_deg, north_east.latitude_deg);
 }
 
 }  // namespace
@@ -146,9 +152,8 @@ ReadTerrain read_terrain(const TerrainSource& source, const geo::LocalFrame& fra
   if (!overlap) {
     throw Error(
         name, "does not overlap the scene's extent",
-        fmt::format("move the extent into {:.0f} to {:.0f} m east and {:.0f} to {:.0f} m north of the origin, "
-                    "in degrees {}",
-                    available.west_m, available.east_m, available.south_m, available.north_m, degrees_of(raster)));
+        fmt::format("move the extent into {:.0f} to {:.0f} m east and {:.0f} to {:.0f} m north of the origin{}",
+                    available.west_m, available.east_m, available.south_m, available.north_m, in_degrees(raster)));
   }
 
   const double spacing_m = source.spacing_m.value_or(raster.cell_m());

@@ -430,6 +430,8 @@ TEST_F(RadarFileTest, PulsesLeaveTheReceiverHalfOfTheTime) {
   set_pulse_repetition(shortest, 1e6);
   EXPECT_THAT(message_of_error([&] { set_range_resolution(shortest, 100.0); }),
               HasSubstr("range_resolution_m: is 100, whose shortest pulse leaves the receiver less than half"));
+  set_range_resolution(shortest, coarsest_range_resolution_m(shortest));
+  EXPECT_NEAR(shortest.radar.waveform.pulse_length_s, 0.5e-6, 1e-12);
 }
 
 TEST(RealBeams, LookOverAFlatEarth) {
