@@ -17,6 +17,8 @@ namespace {
 
 void warn(const std::string& text) {
   const WithGil gil;
+  // Shown by that module, a warning lets Ctrl-C through; what Python has inside for want of it swallows it.
+  py::module_::import("warnings");
   if (PyErr_WarnFormat(PyExc_UserWarning, 1, "%U", text_with_file_names(text).ptr()) != 0)
     throw py::error_already_set();
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "sigmascape/base/error.h"
+#include "sigmascape/base/interruption.h"
 #include "sigmascape/base/parallel.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/target_shadows.h"
@@ -105,8 +106,15 @@ std::vector<radar::Scatterer> ground_scatterers(const terrain::HeightField& terr
       rows[index].push_back({point, polarized(lattice.drawn({column, row}, request.level), mean)});
     }
   });
+  std::size_t count = 0;
+  for (const auto& row : rows) count += row.size();
   std::vector<radar::Scatterer> all;
-  for (const auto& row : rows) all.insert(all.end(), row.begin(), row.end());
+  all.reserve(count);
+  for (auto& row : rows) {
+    Interruption::heed();
+    all.insert(all.end(), row.begin(), row.end());
+    row = {};
+  }
   return all;
 }
 
