@@ -6,6 +6,7 @@
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
+#include "sigmascape/radar/advised_number.h"
 #include "sigmascape/radar/doppler.h"
 #include "sigmascape/radar/radar_title.h"
 #include "sigmascape/radar/rectangle_distances.h"
@@ -69,29 +70,22 @@ double finest_of_any_interval_m(const Radar& radar) {
   return cells_of_width(radar) * wavelength_m(radar.frequency_hz) / 4.0;
 }
 
-/// In three digits, and no more, or no less, than the value.
-double three_digits_of(double value, double (*rounded)(double)) {
-  const double step = std::pow(10.0, std::floor(std::log10(value)) - 2.0);
-  return rounded(value / step) * step;
-}
-double rounded_up(double value) {
-  return three_digits_of(value, [](double steps) { return std::ceil(steps); });
-}
-double rounded_down(double value) {
-  return three_digits_of(value, [](double steps) { return std::floor(steps); });
-}
+/// Of what is advised.
+constexpr int digits = 3;
 
 /// What would not be refused of the key that asks for this width.
 std::string advice_for_coarser(const Radar& radar, double width_m, double interval_s, double finest_m) {
   const double too_fine = finest_m / width_m;
   const std::string fewer_looks = radar.processing.looks > 1 ? " or fewer looks" : "";
   if (radar.processing.interval_s)
-    return fmt::format("give mode.interval_s of less than {:g}{}", rounded_down(interval_s / too_fine), fewer_looks);
+    return fmt::format("give mode.interval_s of less than {:g}{}", rounded_down(interval_s / too_fine, digits),
+                       fewer_looks);
   if (radar.mode == Mode::DopplerBeamSharpening) {
     const double sharpening = radar.processing.sharpening.value_or(usual_sharpening);
-    return fmt::format("give mode.sharpening of less than {:g}{}", rounded_down(sharpening / too_fine), fewer_looks);
+    return fmt::format("give mode.sharpening of less than {:g}{}", rounded_down(sharpening / too_fine, digits),
+                       fewer_looks);
   }
-  return fmt::format("give mode.along_resolution_m of more than {:g}{}", rounded_up(finest_m), fewer_looks);
+  return fmt::format("give mode.along_resolution_m of more than {:g}{}", rounded_up(finest_m, digits), fewer_looks);
 }
 
 void plan_interval(const Radar& radar, const Sight& sight, CoherentPlan& plan) {
@@ -147,8 +141,8 @@ void plan_strip(const Radar& radar, const Sight& sight, CoherentPlan& plan) {
     throw Error(title_of(radar),
                 fmt::format("cannot map a strip to {:g} m along the flight with {} looks of a beam of {:.3g}°",
                             plan.along_resolution_m, plan.looks, deg_from_radians(radar.beam_width_rad)),
-                fmt::format("give mode.along_resolution_m of at least {:.3g}{} or a wider beam", rounded_up(finest_m),
-                            plan.looks > 1 ? ", fewer looks" : ""));
+                fmt::format("give mode.along_resolution_m of at least {:.3g}{} or a wider beam",
+                            rounded_up(finest_m, digits), plan.looks > 1 ? ", fewer looks" : ""));
   }
   // Band over Doppler rate, which the whole speed and the angle in space decide.
   const double sine = std::sin(plan.squint_rad);

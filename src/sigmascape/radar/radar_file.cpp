@@ -8,6 +8,7 @@
 
 #include "sigmascape/base/toml_reader.h"
 #include "sigmascape/base/units.h"
+#include "sigmascape/radar/advised_number.h"
 #include "sigmascape/radar/polarization_words.h"
 #include "sigmascape/radar/radar_bounds.h"
 #include "sigmascape/radar/radar_file_sections.h"
@@ -35,11 +36,10 @@ std::string too_fine(const Radar& radar, double resolution_m) {
                      resolution_m, bandwidth_of(resolution_m, radar.waveform.window) / 1e6, radar.frequency_hz / 1e9);
 }
 
-/// So that what is advised is not refused.
-double cut_to_six_digits(double value) {
-  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 5.0);
-  constexpr double rounding = 1e-9;
-  return std::floor(value / unit + rounding) * unit;
+/// What is advised, in six digits; a number that is whole in decimals is not rounded down for its last bits.
+double advised(double most) {
+  constexpr double rounding = 1e-14;
+  return rounded_down(most * (1.0 + rounding), 6);
 }
 
 /// All that a file says of the radar itself, and nothing of place and map.
@@ -189,7 +189,7 @@ void set_range_resolution(RadarFile& file, double resolution_m) {
                           resolution_m)
             : fmt::format("is {:g}, coarser than a pulse of {:g} µs can be", resolution_m,
                           waveform.pulse_length_s * 1e6);
-    throw Error("range_resolution_m", fault, fmt::format("give at most {:.6g}", cut_to_six_digits(coarsest_m)));
+    throw Error("range_resolution_m", fault, fmt::format("give at most {:.6g}", advised(coarsest_m)));
   }
   if (const double finest_m = finest_range_resolution_m(file.radar); resolution_m <= finest_m) {
     throw Error("range_resolution_m", too_fine(file.radar, resolution_m),
@@ -206,7 +206,7 @@ void set_pulse_repetition(RadarFile& file, double repetition_hz) {
                 fmt::format("is {:g}, at which a pulse of {:g} µs leaves the receiver less than half of the time "
                             "between pulses",
                             repetition_hz, waveform.pulse_length_s * 1e6),
-                fmt::format("give at most {:.6g}", cut_to_six_digits(0.5 / waveform.pulse_length_s)));
+                fmt::format("give at most {:.6g}", advised(0.5 / waveform.pulse_length_s)));
   }
   waveform.pulse_repetition_hz = repetition_hz;
 }

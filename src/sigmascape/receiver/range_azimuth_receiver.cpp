@@ -7,6 +7,7 @@
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
+#include "sigmascape/radar/never_scanned.h"
 #include "sigmascape/radar/radar_title.h"
 #include "sigmascape/radar/range_ambiguity.h"
 #include "sigmascape/receiver/bin_response.h"
@@ -69,8 +70,7 @@ void check(const radar::Radar& radar, const radar::RangeAzimuthGrid& grid) {
     if (looked_at(radar, grid, column)) return;
   }
   const double middle = grid.first_azimuth_rad + 0.5 * static_cast<double>(grid.azimuths) * grid.azimuth_step_rad;
-  throw Error(radar::title_of(radar), "never points to what is to be mapped",
-              fmt::format("let its scan take in azimuth {:.1f}°", deg_from_radians(wrapped_azimuth(middle))));
+  throw radar::never_scanned(radar, middle);
 }
 
 }  // namespace

@@ -18,6 +18,7 @@
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/doppler.h"
 #include "sigmascape/radar/look.h"
+#include "sigmascape/radar/never_scanned.h"
 #include "sigmascape/radar/radar_title.h"
 #include "sigmascape/radar/rectangle_distances.h"
 #include "sigmascape/radar/rectangle_parts.h"
@@ -58,8 +59,7 @@ void check_sector_takes_in(const radar::Rectangle& area, const radar::Radar& rad
   for (const Vec2d corner : radar::corners_of(area))
     half_width_rad = std::max(half_width_rad, std::abs(turned_by_least(azimuth_rad(corner) - middle_rad)));
   if (radar::reaches(radar.scan, middle_rad, half_width_rad + 0.5 * radar.beam_width_rad)) return;
-  throw Error(radar::title_of(radar), "never points to what is to be mapped",
-              fmt::format("let its scan take in azimuth {:.1f}°", deg_from_radians(wrapped_azimuth(middle_rad))));
+  throw radar::never_scanned(radar, middle_rad);
 }
 
 /// A point of the local frame in the straight space under this radar.
