@@ -354,8 +354,8 @@ class Modes : public ::testing::Test {
 
 /// From files to maps: every mode puts what stands where it is and shifts what moves by −r ṙ/V along the flight.
 TEST_F(Modes, MapTheGroundAndTheTargets) {
-  ASSERT_EQ(run(fmt::format("bake '{}' --out '{}' --azimuths 2 --elevations-deg 20 --samples 4", scene_.string(),
-                            folder_.path("atlas").string())),
+  ASSERT_EQ(run(fmt::format("bake '{}' --out '{}' --patch-texels 256 --azimuths 2 --elevations-deg 20 --samples 4",
+                            scene_.string(), folder_.path("atlas").string())),
             0)
       << printed();
   struct Case {

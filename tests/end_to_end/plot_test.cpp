@@ -145,9 +145,9 @@ TEST_F(Plots, HistogramsOfSpeckleFollowTheirDensities) {
 TEST_F(Plots, APlaceOfAnAtlasAnswersByAspect) {
   const auto scene = write_made_scene(folder_.path("scene"), 160, 160);
   const std::string atlas = folder_.path("atlas").string();
-  ASSERT_EQ(
-      run(fmt::format("bake '{}' --out '{}' --azimuths 4 --elevations-deg 10,30 --samples 2", scene.string(), atlas)),
-      0)
+  ASSERT_EQ(run(fmt::format("bake '{}' --out '{}' --patch-texels 256 --azimuths 4 --elevations-deg 10,30 --samples 2",
+                            scene.string(), atlas)),
+            0)
       << told();
   // Between two rows of houses, of which the nearest stands 20 m away.
   const Json over_azimuth = drawn("aspects '" + atlas + "' --at=-10,21");
