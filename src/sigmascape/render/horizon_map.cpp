@@ -165,6 +165,19 @@ struct Horizon {
   }
 };
 
+/// Optical depth of what stands at a step on a line of sight under `slope`.
+double crown_depth_on(const Steps& steps, std::size_t i, double step_m, double slope) {
+  const PackedObstacle packed = steps.obstacle[i];
+  if (!(steps.distance_m[i] > 0.0F) || steps.slope[i] == no_ground || packed.crown_top == 0) return 0.0;
+  const radar::Obstacle obstacle = packed.unpacked();
+  const double above_ground_m =
+      (slope - static_cast<double>(steps.slope[i])) * static_cast<double>(steps.distance_m[i]);
+  if (above_ground_m <= static_cast<double>(obstacle.crown_base_m) ||
+      above_ground_m >= static_cast<double>(obstacle.crown_top_m))
+    return 0.0;
+  return static_cast<double>(obstacle.crown_extinction_per_m) * step_m * std::hypot(1.0, slope);
+}
+
 /// Between which slopes the radar sees ground along the whole of a sweep.
 CrownDepth::Range slopes_of_ground(const HorizonGrid& grid, Vec3d radar, const Occluders& occluders,
                                    const LeadSteps& lead) {
@@ -251,6 +264,33 @@ void HorizonMap::reset(const HorizonGrid& grid, bool with_obstacles) {
   if (solid_slopes_.size() < nodes) solid_slopes_.resize(nodes);
   if (through_.size() < nodes) through_.resize(nodes);
   for (auto& depths : depths_) depths.resize(std::max<std::size_t>(depths.size(), 2 * grid.distances));
+}
+
+double HorizonMap::through_from(std::size_t azimuth, std::size_t node, double slope, Vec3d radar,
+                                const Occluders& occluders) const {
+  // As long as the line of sight is above all that stands, there is nothing to walk through.
+  const double over_all_m = radar.z - static_cast<double>(highest_m_of(occluders) + occluders.tallest_m);
+  if (over_all_m > 0.0 && slope >= 0.0) return 1.0;
+  const double clear_m = over_all_m > 0.0 ? over_all_m / -slope : 0.0;
+  Walk walk(grid_, azimuth, radar, occluders);
+  double depth = 0.0;
+  const auto walk_through = [&](const terrain::TerrainView& ground, const ObstacleMosaic& obstacles, double first_m,
+                                double length_m, std::size_t count) {
+    const double clear_strides = std::clamp((clear_m - first_m) / length_m, 0.0, static_cast<double>(count));
+    const auto left_out = static_cast<std::size_t>(clear_strides);
+    walk.over(ground, &obstacles, first_m + static_cast<double>(left_out) * length_m, length_m, count - left_out,
+              [&](std::size_t, std::size_t i) { depth += crown_depth_on(walk.steps(), i, length_m, slope); });
+  };
+  const LeadSteps lead = lead_of(grid_, radar, occluders);
+  const ObstacleMosaic& before = obstacles_before(occluders);
+  const Strides to_near(lead.step_m, before);
+  walk_through(ground_before(occluders), before, lead.from_m - 0.5 * (lead.step_m - to_near.length_m), to_near.length_m,
+               lead.count * to_near.a_step);
+  const Strides within(grid_.step_m, *occluders.obstacles);
+  walk_through(occluders.terrain, *occluders.obstacles,
+               grid_.near_m - static_cast<double>(within.a_step - 1) * within.length_m, within.length_m,
+               (node + 1) * within.a_step);
+  return std::exp(-depth);
 }
 
 void HorizonMap::sweep(std::size_t azimuth, Vec3d radar, const Occluders& occluders, unsigned worker) {

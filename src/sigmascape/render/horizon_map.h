@@ -69,6 +69,10 @@ class HorizonMap {
   [[nodiscard]] const float* solid_slopes(std::size_t azimuth) const { return row_of(solid_slopes_, azimuth); }
   /// What comes through crowns from the ground of each node, 0 to 1; null without obstacles.
   [[nodiscard]] const float* through(std::size_t azimuth) const { return row_of(through_, azimuth); }
+  /// What comes through crowns from a point over a node, under `slope` from the radar: walked for this point alone,
+  /// from where its line of sight may meet the first of them. `radar` and `occluders` as of the sweep.
+  [[nodiscard]] double through_from(std::size_t azimuth, std::size_t node, double slope, Vec3d radar,
+                                    const Occluders& occluders) const;
 
  private:
   class Walk;

@@ -384,7 +384,7 @@ void LiveRenderer::look_at_targets(const Pose& pose, Beams beams, const DetailBl
   const TargetSight sight{.levels = {{{horizon_of_[0], occluders_of_[0], 1.0F - next_share},
                                       {horizon_of_[1], occluders_of_[1], next_share}}},
                           .sectors = sectors_,
-                          .radar_height_m = pose.position.z};
+                          .radar = pose.position};
   TargetCount count(settings_, beams.first, beams.end - beams.first);
   targets_.look(
       pose.targets,

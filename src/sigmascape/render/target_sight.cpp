@@ -14,7 +14,7 @@ double part_seen_at(const TargetSight& sight, const TargetSight::Level& level,
   // Straight below the radar nothing stands in between.
   if (!(target.distance_m > 0.0)) return 1.0;
   const HorizonGrid& grid = level.horizon->grid();
-  const double radar_height_m = sight.radar_height_m;
+  const double radar_height_m = sight.radar.z;
   const auto slope_of = [&](double height_m) {
     return (height_m - radar_height_m) / target.distance_m - grid.drop_per_square_m * target.distance_m;
   };
@@ -25,11 +25,11 @@ double part_seen_at(const TargetSight& sight, const TargetSight::Level& level,
   const auto node =
       static_cast<std::size_t>(std::clamp((target.distance_m - grid.near_m) / grid.step_m, 0.0, last_node));
   const auto azimuth = static_cast<std::size_t>(left);
-  const auto between = [part](float on_left, float on_right) {
-    return (1.0 - part) * static_cast<double>(on_left) + part * static_cast<double>(on_right);
-  };
+  const auto between = [part](double on_left, double on_right) { return (1.0 - part) * on_left + part * on_right; };
   const HorizonMap& horizon = *level.horizon;
-  const double ridges = between(horizon.slopes(azimuth)[node], horizon.slopes(azimuth + 1)[node]) - doubt;
+  const double ridges = between(static_cast<double>(horizon.slopes(azimuth)[node]),
+                                static_cast<double>(horizon.slopes(azimuth + 1)[node])) -
+                        doubt;
   double slope = slope_of(target.position.z);
   if (slope < ridges) {
     // Hidden where it was put; but on the ground of this frame it may be seen.
@@ -40,8 +40,11 @@ double part_seen_at(const TargetSight& sight, const TargetSight::Level& level,
     if (slope < ridges) return 0.0;
   }
   if (horizon.solid_slopes(azimuth) == nullptr) return 1.0;
+  const bool is_on_ground = slope <= ridges + 2.0 * doubt;
   const auto through = [&](std::size_t at) {
-    return slope + doubt >= static_cast<double>(horizon.solid_slopes(at)[node]) ? horizon.through(at)[node] : 0.0F;
+    if (slope + doubt < static_cast<double>(horizon.solid_slopes(at)[node])) return 0.0;
+    if (is_on_ground) return static_cast<double>(horizon.through(at)[node]);
+    return horizon.through_from(at, node, slope, sight.radar, level.occluders[sight.sectors.of_edge(at)]);
   };
   return between(through(azimuth), through(azimuth + 1));
 }

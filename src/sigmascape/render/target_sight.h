@@ -18,10 +18,10 @@ struct TargetSight {
   };
   std::array<Level, 2> levels = {};
   TerrainSectors sectors = {};
-  double radar_height_m = 0.0;
+  Vec3d radar = {};
 
-  /// The part of a target's power that gets through. A target does not stand below the ground of the frame, which may
-  /// be coarser than that on which it was put.
+  /// The part of a target's power that gets through: what stands below its own line of sight hides none of it. A target
+  /// does not stand below the ground of the frame, which may be coarser than that on which it was put.
   [[nodiscard]] float part_seen(const receiver::TargetFrame::Seen& target) const;
 };
 

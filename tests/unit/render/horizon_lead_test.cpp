@@ -147,6 +147,31 @@ TEST_F(LeadTest, WhatStandsBeforeTheFirstNodeHidesInLongStepsAsInShortOnes) {
   }
 }
 
+/// A wood 100 m deep, 20 m high and open up to 2 m hides what stands behind it by as much of it as lies in between.
+TEST_F(LeadTest, CrownsHideWhatStandsHigherByTheWayThroughThemAlone) {
+  const MadeObstacles wood = made([](Vec2d p) {
+    const double distance_m = length(p - Vec2d{radar.x, radar.y});
+    return distance_m > 5100.0 && distance_m < 5200.0 ? radar::Obstacle{0.0F, 2.0F, 20.0F, 0.01F} : radar::Obstacle{};
+  });
+  static const terrain::HeightField field{
+      .west_m = -5000.0, .north_m = 5000.0, .spacing_m = 100.0, .height_m = Array2D<float>(101, 101, 0.0F)};
+  const Occluders occluders{.terrain = terrain::view_of(field), .obstacles = &wood.mosaic(), .tallest_m = 20.0F};
+  HorizonMap map(grid());
+  map.reset(grid(), true);
+  constexpr std::size_t azimuth = 100, node = 100;
+  map.sweep(azimuth, radar, occluders);
+  const double distance_m = grid().near_m + grid().step_m * static_cast<double>(node);
+  const auto through = [&](double height_m) {
+    return map.through_from(azimuth, node, (height_m - radar.z) / distance_m, radar, occluders);
+  };
+  EXPECT_NEAR(through(0.0), static_cast<double>(map.through(azimuth)[node]), 0.03);
+  EXPECT_NEAR(through(5.0), std::exp(-1.0), 0.03);
+  // 120 m − 104.2 m · d / 5400 m comes down to 20 m at 5182 m, 18 m before the end of the wood.
+  EXPECT_NEAR(through(15.8), std::exp(-0.18), 0.03);
+  EXPECT_EQ(through(25.0), 1.0);
+  EXPECT_EQ(through(130.0), 1.0);
+}
+
 TEST_F(LeadTest, AMapOfNoLengthBelowTheRadarHasNoLead) {
   HorizonGrid grid = LeadTest::grid();
   grid.near_m = grid.step_m = 0.0;
