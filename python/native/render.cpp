@@ -142,6 +142,8 @@ auto mapped(const std::shared_ptr<LoadedScene>& scene, const radar::RadarFile& r
   const int level_of_detail = checked_lod(effort.lod.value_or(atlas ? 1 : 0));
   PythonProgress listener(progress);
   return long_call([&] {
+    if (scene == nullptr && level_of_detail == 0)
+      throw Error("scene", "is None, and level of detail 0 traces it", "give a Scene, or lod=1 with an Atlas");
     const Ground ground = ground_of(scene.get(), level_of_detail > 0 ? atlas.get() : nullptr);
     const auto radar = simulate::placed_radar(asked, *ground.frame, *ground.terrain, ground.extent, effort.time_s);
     radar::check_earth(radar, radar::title_of(radar));
