@@ -142,10 +142,13 @@ std::string found_on_grid(const std::vector<ResultsRow>& rows, const ResultsRow&
 /// How far the best maps are from traced ones, and what keeps them there.
 std::string found_of_the_best(const Best& best, const std::vector<ResultsRow>& rows) {
   std::string text = fmt::format("The best maps, *{}*, differ by {}", name_of(*best.of_all), closeness(*best.of_all));
-  if (best.paper_alike != nullptr && best.paper_alike != best.of_all)
+  const std::string on_grid = found_on_grid(rows, *best.of_all);
+  if (best.paper_alike != nullptr && best.paper_alike != best.of_all) {
     text +=
-        fmt::format(", where the paper's method from as many directions differs by {},", rms_text(*best.paper_alike));
-  text += found_on_grid(rows, *best.of_all);
+        fmt::format(", where the paper's method from as many directions differs by {}", rms_text(*best.paper_alike));
+    if (!on_grid.empty()) text += ",";
+  }
+  text += on_grid;
   if (const auto limit = largest_limit(*best.of_all, rows)) {
     text += fmt::format("; what keeps them from the truth most is {}", limit->name);
     if (limit->share) text += fmt::format(", about {:.0f} % of their squared error", 100.0 * *limit->share);
@@ -226,9 +229,10 @@ std::string combinations_table(const ResultsPlan& plan, const std::vector<Result
   std::string text = fmt::format("Medians over {} held-out views at {:.0f} m cells; seconds are of the processor.\n\n",
                                  best->paper->views, summary_cell_m);
   text += way_heads;
-  text += fmt::format("| *truth* | one traced map against another, {} rays a cell | {} | | | {:.2f} |\n",
-                      best->paper->rays.text(), metrics_text(best->paper->at_cell(summary_cell_m)->floor_median),
-                      best->paper->trace_seconds);
+  const TracedRays& rays = best->paper->rays;
+  text += fmt::format("| *truth* | one traced map against another, {} rays a cell | {} | | | {:.2f}{} |\n", rays.text(),
+                      metrics_text(best->paper->at_cell(summary_cell_m)->floor_median), best->paper->trace_seconds,
+                      rays.most > rays.fewest ? fmt::format(" with {}", rays.fewest) : "");
   std::vector<const ResultsRow*> told;
   for (const auto& [what, row] : lines) {
     if (row == nullptr || std::ranges::find(told, row) != told.end()) continue;

@@ -185,6 +185,8 @@ ResultsPlan results_plan(const ResultsOptions& options) {
        {std::pair("--samples", plan.baked_samples), {"--finer-samples", plan.finer_samples}}) {
     if (rays < 2) throw Error(option, fmt::format("is {}", rays), "give at least 2, which tell the noise of a texel");
   }
+  if (plan.traced_samples == 0)
+    throw Error("--traced-samples", "is 0", "give at least 1: without rays there is no map to hold against");
   plan.bounces = options.bounces;
   plan.seed = options.seed;
   plan.threads = options.threads;
