@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "sigmascape/base/error.h"
+#include "sigmascape/scene/face_triangles.h"
 #include "sigmascape/scene/imported_mesh.h"
 
 namespace sigmascape::scene {
@@ -102,9 +103,14 @@ ImportedMesh read_obj(const std::filesystem::path& file) {
   if (!stream) throw Error(file.string(), "cannot be read", "check that it is a readable file");
   check_vertices(text.str(), file);
   tinyobj::ObjReader reader;
+  // Its own triangles of faces that are not convex do not fill them.
+  tinyobj::ObjReaderConfig faces_as_they_are;
+  faces_as_they_are.triangulate = false;
   const NumberedMaterials numbered = with_numbered_materials(text.str());
-  if (!reader.ParseFromString("mtllib names\n" + numbered.text, numbered.file())) {
-    throw Error(file.string(), fmt::format("is not a Wavefront OBJ file ({})", reader.Error()), "export it again");
+  if (!reader.ParseFromString("mtllib names\n" + numbered.text, numbered.file(), faces_as_they_are)) {
+    std::string_view reason = reader.Error();
+    reason.remove_suffix(reason.size() - (reason.find_last_not_of(" \r\n") + 1));
+    throw Error(file.string(), fmt::format("is not a Wavefront OBJ file ({})", reason), "export it again");
   }
 
   ImportedMesh mesh;
@@ -113,22 +119,36 @@ ImportedMesh read_obj(const std::filesystem::path& file) {
     mesh.vertices.push_back(Vec3<tinyobj::real_t>{coordinates[i], coordinates[i + 1], coordinates[i + 2]}.to<double>());
   }
   for (const tinyobj::shape_t& shape : reader.GetShapes()) {
-    for (std::size_t face = 0; 3 * face + 2 < shape.mesh.indices.size(); ++face) {
-      std::array<std::uint32_t, 3> triangle{};
-      for (std::size_t corner = 0; corner < 3; ++corner) {
-        const int index = shape.mesh.indices[3 * face + corner].vertex_index;
+    std::size_t first = 0;
+    for (std::size_t face = 0; face < shape.mesh.num_face_vertices.size(); ++face) {
+      const auto face_name = [&] {
+        return fmt::format("face {}{}", face + 1, shape.name.empty() ? "" : " of " + shape.name);
+      };
+      std::vector<std::uint32_t> numbers;
+      std::vector<Vec3d> corners;
+      for (std::size_t corner = 0; corner < shape.mesh.num_face_vertices[face]; ++corner) {
+        const int index = shape.mesh.indices[first + corner].vertex_index;
         if (index < 0 || static_cast<std::size_t>(index) >= mesh.vertices.size()) {
           throw Error(file.string(),
-                      fmt::format("face {}{} names vertex {} of {}", face + 1,
-                                  shape.name.empty() ? "" : " of " + shape.name, index + 1, mesh.vertices.size()),
+                      fmt::format("{} names vertex {} of {}", face_name(), index + 1, mesh.vertices.size()),
                       "export it again");
         }
-        triangle[corner] = static_cast<std::uint32_t>(index);
+        numbers.push_back(static_cast<std::uint32_t>(index));
+        corners.push_back(mesh.vertices[static_cast<std::size_t>(index)]);
+      }
+      first += numbers.size();
+      const auto triangles = triangles_of_face(corners);
+      if (!triangles) {
+        throw Error(file.string(), fmt::format("{} has an outline that crosses or meets itself", face_name()),
+                    "export it as triangles");
       }
       const int material = shape.mesh.material_ids[face];
-      mesh.triangles.push_back(triangle);
-      mesh.materials.push_back(
-          mesh.material_index(material < 0 ? "" : numbered.names[static_cast<std::size_t>(material)]));
+      const auto of_material =
+          mesh.material_index(material < 0 ? "" : numbered.names[static_cast<std::size_t>(material)]);
+      for (const auto& [a, b, c] : *triangles) {
+        mesh.triangles.push_back({numbers[a], numbers[b], numbers[c]});
+        mesh.materials.push_back(of_material);
+      }
     }
   }
   return mesh;

@@ -1,8 +1,11 @@
 #include "sigmascape/scene/mesh_reader.h"
 
+#include <cmath>
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <utility>
+#include <vector>
 
 #include "scratch_folder.h"
 
@@ -41,6 +44,57 @@ TEST(ObjMesh, ReadsNumbersInEveryUsualSpelling) {
   ASSERT_EQ(mesh.vertices.size(), 3U);
   EXPECT_EQ(mesh.vertices[0], (Vec3d{1.5, -2.0, 30.0}));
   EXPECT_NEAR(mesh.vertices[1].z, -1e-3, 1e-9);
+}
+
+/// The vector area of all triangles, and the sum of their areas.
+std::pair<Vec3d, double> areas_of(const ImportedMesh& mesh) {
+  Vec3d together{};
+  double sum_m2 = 0.0;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const Vec3d area = 0.5 * cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a]);
+    together += area;
+    sum_m2 += length(area);
+  }
+  return {together, sum_m2};
+}
+
+/// Roofs of an L, a U and an arrowhead, wherever they lie and whichever way they are turned.
+TEST(ObjMesh, FacesThatAreNotConvexAreFilledExactly) {
+  const ScratchFolder folder;
+  struct Case {
+    std::vector<Vec2d> outline;
+    double area_m2;
+  };
+  const std::vector<Case> cases{{{{0, 0}, {20, 0}, {20, 10}, {10, 10}, {10, 20}, {0, 20}}, 300.0},
+                                {{{0, 0}, {30, 0}, {30, 20}, {20, 20}, {20, 10}, {10, 10}, {10, 20}, {0, 20}}, 500.0},
+                                {{{0, 0}, {10, 5}, {0, 10}, {8, 5}}, 10.0}};
+  for (const auto& [outline, area_m2] : cases) {
+    for (const Vec2d place : {Vec2d{0, 0}, Vec2d{-50, 20}, Vec2d{40, -70}}) {
+      for (std::size_t first = 0; first < outline.size(); ++first) {
+        for (const bool backwards : {false, true}) {
+          std::string text, face = "f";
+          for (std::size_t i = 0; i < outline.size(); ++i) {
+            const std::size_t at = (first + (backwards ? outline.size() - i : i)) % outline.size();
+            text += fmt::format("v {} {} {}\n", place.x + outline[at].x, place.y + outline[at].y,
+                                7.0 + 0.5 * outline[at].x);
+            face += fmt::format(" {}", i + 1);
+          }
+          const auto mesh = read_obj(folder.write("roof.obj", text + face + "\n"));
+          const auto [together, sum_m2] = areas_of(mesh);
+          EXPECT_EQ(mesh.triangles.size(), outline.size() - 2);
+          EXPECT_NEAR(sum_m2, area_m2 * std::hypot(1.0, 0.5), 1e-3);
+          EXPECT_NEAR(together.z, backwards ? -area_m2 : area_m2, 1e-3);
+        }
+      }
+    }
+  }
+}
+
+TEST(ObjMesh, FacesThatCrossThemselvesAreRefused) {
+  const ScratchFolder folder;
+  const auto file = folder.write("bow.obj", "v 0 0 0\nv 3 0 0\nv 0 1 0\nv 2 1 0\nf 1 2 3 4\n");
+  EXPECT_THAT(message_of_error([&] { static_cast<void>(read_obj(file)); }),
+              HasSubstr("face 1 has an outline that crosses or meets itself; export it as triangles"));
 }
 
 TEST(ObjMesh, NumbersThatCannotBeReadNameTheirLine) {
