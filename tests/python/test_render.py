@@ -70,6 +70,8 @@ def test_a_saved_map_reads_back_the_same(atlas, radar, tmp_path):
 def test_wrong_arguments_are_refused(scene, atlas, radar):
     with pytest.raises(sigmascape.Error, match="atlas"):
         sigmascape.render(scene, radar, lod=1)
+    with pytest.raises(sigmascape.Error, match="scene: is None, and level of detail 0 traces it"):
+        sigmascape.render(None, radar, atlas=atlas, lod=0)
     with pytest.raises(sigmascape.Error, match="another scene"):
         sigmascape.render(sigmascape.Scene.simple(side_m=100.0), radar, atlas=atlas)
     radar.area_m = (1e6, 1e6, 1.1e6, 1.1e6)

@@ -135,8 +135,18 @@ double nearest_occluder_m(const HorizonGrid& grid, Vec3d radar, const Occluders&
 /// slip through.
 struct Strides {
   std::size_t a_step;
-  double length_m;
+  double length_m, first_m = 0.0;
 
+  /// Of the steps before the map's first node: each is cut about its middle.
+  Strides(const LeadSteps& lead, const ObstacleMosaic& obstacles) : Strides(lead.step_m, obstacles) {
+    first_m = lead.from_m - 0.5 * (lead.step_m - length_m);
+  }
+  /// Of the map's own: the last stride of each is at its node.
+  Strides(const HorizonGrid& grid, const ObstacleMosaic& obstacles) : Strides(grid.step_m, obstacles) {
+    first_m = grid.near_m - static_cast<double>(a_step - 1) * length_m;
+  }
+
+ private:
   Strides(double step_m, const ObstacleMosaic& obstacles)
       : a_step(static_cast<std::size_t>(std::max(std::ceil(step_m / obstacles.grid().cell_m), 1.0))),
         length_m(step_m / static_cast<double>(a_step)) {}
@@ -266,33 +276,6 @@ void HorizonMap::reset(const HorizonGrid& grid, bool with_obstacles) {
   for (auto& depths : depths_) depths.resize(std::max<std::size_t>(depths.size(), 2 * grid.distances));
 }
 
-double HorizonMap::through_from(std::size_t azimuth, std::size_t node, double slope, Vec3d radar,
-                                const Occluders& occluders) const {
-  // As long as the line of sight is above all that stands, there is nothing to walk through.
-  const double over_all_m = radar.z - static_cast<double>(highest_m_of(occluders) + occluders.tallest_m);
-  if (over_all_m > 0.0 && slope >= 0.0) return 1.0;
-  const double clear_m = over_all_m > 0.0 ? over_all_m / -slope : 0.0;
-  Walk walk(grid_, azimuth, radar, occluders);
-  double depth = 0.0;
-  const auto walk_through = [&](const terrain::TerrainView& ground, const ObstacleMosaic& obstacles, double first_m,
-                                double length_m, std::size_t count) {
-    const double clear_strides = std::clamp((clear_m - first_m) / length_m, 0.0, static_cast<double>(count));
-    const auto left_out = static_cast<std::size_t>(clear_strides);
-    walk.over(ground, &obstacles, first_m + static_cast<double>(left_out) * length_m, length_m, count - left_out,
-              [&](std::size_t, std::size_t i) { depth += crown_depth_on(walk.steps(), i, length_m, slope); });
-  };
-  const LeadSteps lead = lead_of(grid_, radar, occluders);
-  const ObstacleMosaic& before = obstacles_before(occluders);
-  const Strides to_near(lead.step_m, before);
-  walk_through(ground_before(occluders), before, lead.from_m - 0.5 * (lead.step_m - to_near.length_m), to_near.length_m,
-               lead.count * to_near.a_step);
-  const Strides within(grid_.step_m, *occluders.obstacles);
-  walk_through(occluders.terrain, *occluders.obstacles,
-               grid_.near_m - static_cast<double>(within.a_step - 1) * within.length_m, within.length_m,
-               (node + 1) * within.a_step);
-  return std::exp(-depth);
-}
-
 void HorizonMap::sweep(std::size_t azimuth, Vec3d radar, const Occluders& occluders, unsigned worker) {
   if (occluders.obstacles == nullptr || !with_obstacles_) {
     sweep_ground(azimuth, radar, occluders);
@@ -324,19 +307,17 @@ void HorizonMap::sweep_obstacles(std::size_t azimuth, Vec3d radar, const Occlude
                     slopes_of_ground(grid_, radar, occluders, lead));
   Horizon horizon;
   const ObstacleMosaic& before = obstacles_before(occluders);
-  const Strides to_near(lead.step_m, before);
-  walk.over(ground_before(occluders), &before, lead.from_m - 0.5 * (lead.step_m - to_near.length_m), to_near.length_m,
-            lead.count * to_near.a_step,
+  const Strides to_near(lead, before);
+  walk.over(ground_before(occluders), &before, to_near.first_m, to_near.length_m, lead.count * to_near.a_step,
             [&](std::size_t, std::size_t i) { horizon.pass(steps, i, to_near.length_m, crowns); });
 
   const ObstacleMosaic& obstacles = *occluders.obstacles;
-  const Strides within(grid_.step_m, obstacles);
-  const double first_m = grid_.near_m - static_cast<double>(within.a_step - 1) * within.length_m;
+  const Strides within(grid_, obstacles);
   float* const slopes = slopes_.data() + azimuth * stride_;
   float* const solid_slopes = solid_slopes_.data() + azimuth * stride_;
   float* const through = through_.data() + azimuth * stride_;
   float transmission = 1.0F;
-  walk.over(occluders.terrain, &obstacles, first_m, within.length_m, grid_.distances * within.a_step,
+  walk.over(occluders.terrain, &obstacles, within.first_m, within.length_m, grid_.distances * within.a_step,
             [&](std::size_t stride, std::size_t i) {
               horizon.pass(steps, i, within.length_m, crowns);
               if (stride % within.a_step != within.a_step - 1) return;
@@ -347,6 +328,30 @@ void HorizonMap::sweep_obstacles(std::size_t azimuth, Vec3d radar, const Occlude
               solid_slopes[k] = horizon.solid;
               through[k] = transmission;
             });
+}
+
+double HorizonMap::through_from(std::size_t azimuth, std::size_t node, double slope, Vec3d radar,
+                                const Occluders& occluders) const {
+  // As long as the line of sight is above all that stands, there is nothing to walk through.
+  const double over_all_m = radar.z - static_cast<double>(highest_m_of(occluders) + occluders.tallest_m);
+  if (over_all_m > 0.0 && slope >= 0.0) return 1.0;
+  const double clear_m = over_all_m > 0.0 ? over_all_m / -slope : 0.0;
+  Walk walk(grid_, azimuth, radar, occluders);
+  double depth = 0.0;
+  const auto walk_through = [&](const terrain::TerrainView& ground, const ObstacleMosaic& obstacles,
+                                const Strides& strides, std::size_t steps) {
+    const std::size_t count = steps * strides.a_step;
+    const auto left_out = static_cast<std::size_t>(
+        std::clamp((clear_m - strides.first_m) / strides.length_m, 0.0, static_cast<double>(count)));
+    walk.over(ground, &obstacles, strides.first_m + static_cast<double>(left_out) * strides.length_m, strides.length_m,
+              count - left_out,
+              [&](std::size_t, std::size_t i) { depth += crown_depth_on(walk.steps(), i, strides.length_m, slope); });
+  };
+  const LeadSteps lead = lead_of(grid_, radar, occluders);
+  const ObstacleMosaic& before = obstacles_before(occluders);
+  walk_through(ground_before(occluders), before, {lead, before}, lead.count);
+  walk_through(occluders.terrain, *occluders.obstacles, {grid_, *occluders.obstacles}, node + 1);
+  return std::exp(-depth);
 }
 
 }  // namespace sigmascape::render

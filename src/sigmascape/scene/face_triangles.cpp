@@ -17,19 +17,22 @@ Vec3d twice_vector_area(std::span<const Vec3d> corners) {
   return sum;
 }
 
-/// The corners in the plane of the face, counter-clockwise.
+/// The corners, counter-clockwise, as seen along the axis that the face lies most across.
 geo::Ring flattened(std::span<const Vec3d> corners, Vec3d normal) {
-  const Vec3d least_along = std::abs(normal.x) < std::abs(normal.y)
-                                ? (std::abs(normal.x) < std::abs(normal.z) ? Vec3d{1, 0, 0} : Vec3d{0, 0, 1})
-                                : (std::abs(normal.y) < std::abs(normal.z) ? Vec3d{0, 1, 0} : Vec3d{0, 0, 1});
-  const Vec3d across = normalized(cross(least_along, normal)), up = cross(normal, across);
+  const double x = std::abs(normal.x), y = std::abs(normal.y), z = std::abs(normal.z);
   geo::Ring ring;
-  for (const Vec3d& corner : corners) ring.push_back({dot(corner - corners[0], across), dot(corner - corners[0], up)});
+  for (const Vec3d& corner : corners) {
+    const Vec3d p = corner - corners[0];
+    ring.push_back(z >= x && z >= y ? Vec2d{p.x, p.y} : y >= x ? Vec2d{p.z, p.x} : Vec2d{p.y, p.z});
+  }
+  if (geo::signed_area_m2(ring) < 0.0) {
+    for (Vec2d& point : ring) point = {point.y, point.x};
+  }
   return ring;
 }
 
 double twice_area(Vec2d a, Vec2d b, Vec2d c) {
-  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+  return cross(b - a, c - a);
 }
 
 /// Triangles from the first corner to each edge.
@@ -57,10 +60,11 @@ std::uint32_t corner_at(const geo::Ring& ring, Vec2d point) {
 std::optional<std::vector<FaceTriangle>> triangles_of_face(std::span<const Vec3d> corners) {
   const Vec3d area = twice_vector_area(corners);
   if (corners.size() <= 3 || !(length(area) > 0.0)) return fan_of(corners.size());
-  const geo::Ring ring = flattened(corners, normalized(area));
+  const geo::Ring ring = flattened(corners, area);
   if (sees_all_edges(ring)) return fan_of(corners.size());
 
   std::vector<FaceTriangle> triangles;
+  const double wanted = 2.0 * geo::signed_area_m2(ring);
   double filled = 0.0;
   try {
     for (const auto& [a, b, c] : geo::triangulated({ring, {}})) {
@@ -71,7 +75,7 @@ std::optional<std::vector<FaceTriangle>> triangles_of_face(std::span<const Vec3d
     return std::nullopt;
   }
   constexpr double rounding = 1e-6;
-  if (std::abs(filled - length(area)) > rounding * length(area)) return std::nullopt;
+  if (std::abs(filled - wanted) > rounding * wanted) return std::nullopt;
   return triangles;
 }
 

@@ -118,14 +118,16 @@ ImportedMesh read_obj(const std::filesystem::path& file) {
   for (std::size_t i = 0; i + 2 < coordinates.size(); i += 3) {
     mesh.vertices.push_back(Vec3<tinyobj::real_t>{coordinates[i], coordinates[i + 1], coordinates[i + 2]}.to<double>());
   }
+  std::vector<std::uint32_t> numbers;
+  std::vector<Vec3d> corners;
   for (const tinyobj::shape_t& shape : reader.GetShapes()) {
     std::size_t first = 0;
     for (std::size_t face = 0; face < shape.mesh.num_face_vertices.size(); ++face) {
       const auto face_name = [&] {
         return fmt::format("face {}{}", face + 1, shape.name.empty() ? "" : " of " + shape.name);
       };
-      std::vector<std::uint32_t> numbers;
-      std::vector<Vec3d> corners;
+      numbers.clear();
+      corners.clear();
       for (std::size_t corner = 0; corner < shape.mesh.num_face_vertices[face]; ++corner) {
         const int index = shape.mesh.indices[first + corner].vertex_index;
         if (index < 0 || static_cast<std::size_t>(index) >= mesh.vertices.size()) {

@@ -52,6 +52,12 @@ class LeadTest : public testing::Test {
                                        static_cast<double>(azimuth) * grid().azimuth_step_rad);
   }
 
+  static terrain::TerrainView level_ground() {
+    static const terrain::HeightField field{
+        .west_m = -5000.0, .north_m = 5000.0, .spacing_m = 100.0, .height_m = Array2D<float>(101, 101, 0.0F)};
+    return terrain::view_of(field);
+  }
+
   /// Of the ground under the bins, where nothing stands, the part that is hidden along each direction.
   static std::vector<double> hidden_exactly(const ObstacleMosaic& obstacles) {
     std::vector<double> hidden;
@@ -71,16 +77,12 @@ class LeadTest : public testing::Test {
   }
   /// The same as a map has it that is walked in so many steps up to its first node, over these squares.
   static std::vector<double> hidden_by(const ObstacleMosaic& before, std::size_t steps) {
-    static const terrain::HeightField field{
-        .west_m = -5000.0, .north_m = 5000.0, .spacing_m = 100.0, .height_m = Array2D<float>(101, 101, 0.0F)};
     HorizonGrid grid = LeadTest::grid();
     grid.before_near = steps;
     ObstacleMosaic nothing;
     nothing.reset(patches, {});
-    const Occluders occluders{.terrain = terrain::view_of(field),
-                              .obstacles = &nothing,
-                              .tallest_m = 20.0F,
-                              .obstacles_before_near = &before};
+    const Occluders occluders{
+        .terrain = level_ground(), .obstacles = &nothing, .tallest_m = 20.0F, .obstacles_before_near = &before};
     HorizonMap map(grid);
     map.reset(grid, true);
     std::vector<double> hidden;
@@ -153,9 +155,7 @@ TEST_F(LeadTest, CrownsHideWhatStandsHigherByTheWayThroughThemAlone) {
     const double distance_m = length(p - Vec2d{radar.x, radar.y});
     return distance_m > 5100.0 && distance_m < 5200.0 ? radar::Obstacle{0.0F, 2.0F, 20.0F, 0.01F} : radar::Obstacle{};
   });
-  static const terrain::HeightField field{
-      .west_m = -5000.0, .north_m = 5000.0, .spacing_m = 100.0, .height_m = Array2D<float>(101, 101, 0.0F)};
-  const Occluders occluders{.terrain = terrain::view_of(field), .obstacles = &wood.mosaic(), .tallest_m = 20.0F};
+  const Occluders occluders{.terrain = level_ground(), .obstacles = &wood.mosaic(), .tallest_m = 20.0F};
   HorizonMap map(grid());
   map.reset(grid(), true);
   constexpr std::size_t azimuth = 100, node = 100;
@@ -175,9 +175,7 @@ TEST_F(LeadTest, CrownsHideWhatStandsHigherByTheWayThroughThemAlone) {
 TEST_F(LeadTest, AMapOfNoLengthBelowTheRadarHasNoLead) {
   HorizonGrid grid = LeadTest::grid();
   grid.near_m = grid.step_m = 0.0;
-  static const terrain::HeightField field{
-      .west_m = -5000.0, .north_m = 5000.0, .spacing_m = 100.0, .height_m = Array2D<float>(101, 101, 0.0F)};
-  EXPECT_EQ(lead_of(grid, radar, {.terrain = terrain::view_of(field)}).count, 0U);
+  EXPECT_EQ(lead_of(grid, radar, {.terrain = level_ground()}).count, 0U);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <vector>
 
@@ -105,6 +106,26 @@ TEST_F(LiveTargetsTest, OnlyTerrainHidesThemHoweverCoarse) {
     EXPECT_NEAR(seen(0.0, 31.0).power_m2, 10.0, 0.1) << bin_m;
     EXPECT_EQ(seen(-90.0, 1.0).seen, 0U) << bin_m;
     EXPECT_NEAR(seen(-90.0, 40.0).power_m2, 10.0, 0.1) << bin_m;
+  }
+}
+
+TEST_F(LiveTargetsTest, CrownsDimThemByTheWayThatTheirOwnLineGoesThroughThem) {
+  const ScratchFolder folder;
+  constexpr float top_m = 15.0F, extinction_per_m = 0.02F;
+  ExampleGround wood = level_ground();
+  wood.bare_sigma0 = wood.sigma0;
+  wood.obstacle = [](Vec2d) { return radar::Obstacle{0.0F, 0.5F, top_m, extinction_per_m}; };
+  const auto ground = wood.over(wood.store(folder.path("atlas")));
+  ExampleView view;
+  view.bin_m = 8.0;
+  for (const double height_m : {2.0, 8.0, 60.0, 200.0}) {
+    const std::vector<radar::Target> targets{standing(view.target, height_m)};
+    const double way_m =
+        std::max(static_cast<double>(top_m) - height_m, 0.0) / std::sin(radians_from_deg(view.elevation_deg));
+    const Added added = added_by(targets, ground, view);
+    const double through = std::exp(-static_cast<double>(extinction_per_m) * way_m);
+    EXPECT_NEAR(added.power_m2 / (10.0 * through), 1.0, 0.08) << height_m << " m";
+    EXPECT_EQ(added.seen, 1U) << height_m << " m";
   }
 }
 

@@ -67,7 +67,7 @@ TEST(ResultsCombinations, TableHasThePapersOursFromItsLooksTheBestInItsBytesAndT
                 "| ours, the same looks; best in the paper's bytes | ours, on its own ground, 8 × 5 | 0.900 | 6.00 |"),
             HasSubstr("| best of all | ours, on its own ground, 16 × 6 | 0.900 | 5.00 |"),
             HasSubstr("| *truth* | one traced map against another, 1024 to 6144 rays a cell | 0.900 | 2.00 |"),
-            Not(HasSubstr("as many looks as the best"))));
+            HasSubstr(" | | | 0.00 with 1024 |"), Not(HasSubstr("as many looks as the best"))));
   ResultsCase paper = rows[0].of;
   paper.grid = rows[2].of.grid;
   rows.push_back(made_row(paper, 7.0, 0.7, 5000));
@@ -127,6 +127,7 @@ TEST(ResultsCombinations, VerdictHasThePapersMethodFromAsManyLooksBesideTheBest)
   ResultsCase best = rows[2].of, paper = rows[0].of;
   paper.grid = best.grid;
   rows.push_back(made_row(paper, 7.0, 0.7, 5000));
+  EXPECT_THAT(verdict(plan, rows), HasSubstr(" differs by 7.00 dB; what keeps them"));
   best.kind = paper.kind = ViewKind::OnGrid;
   rows.push_back(made_row(best, 1.5, 0.1));
   rows.push_back(made_row(paper, 2.2, 0.1));

@@ -5,6 +5,7 @@
 
 #include "made_rows.h"
 
+#include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
 
 namespace sigmascape::cli {
@@ -27,6 +28,14 @@ TEST(ResultsPlan, TellsGridsOfAsManyLooksApart) {
   const ResultsPlan plan = made_plan();
   EXPECT_EQ(plan.paper_grid().name(), "8 × 5");
   EXPECT_EQ(plan.even_in_cotangent().name(), "8 × 5 in cot ψ");
+}
+
+TEST(ResultsPlan, WantsRaysOfWhatIsHeldAgainst) {
+  ResultsOptions options;
+  options.traced_samples = 0;
+  EXPECT_THROW(static_cast<void>(results_plan(options)), Error);
+  options.traced_samples = 1;
+  EXPECT_NO_THROW(static_cast<void>(results_plan(options)));
 }
 
 }  // namespace
