@@ -94,10 +94,11 @@ void make_pyramid(const std::string& folder, const Output& output) {
                  {"because", json_of(made.hindrances)}});
 }
 
-/// Null where no look is done.
+/// Null where no look is done in which anything answers.
 nlohmann::ordered_json errors_of(const atlas::AtlasSummary& summary) {
-  if (summary.looks_done == 0) return {{"smallest", nullptr}, {"median", nullptr}, {"largest", nullptr}};
-  return {{"smallest", summary.error.smallest}, {"median", summary.error.median}, {"largest", summary.error.largest}};
+  if (!summary.error) return {{"smallest", nullptr}, {"median", nullptr}, {"largest", nullptr}};
+  return {
+      {"smallest", summary.error->smallest}, {"median", summary.error->median}, {"largest", summary.error->largest}};
 }
 
 nlohmann::ordered_json summary_of(const atlas::AtlasDescription& atlas, const atlas::AtlasSummary& summary) {
@@ -127,6 +128,13 @@ nlohmann::ordered_json summary_of(const atlas::AtlasDescription& atlas, const at
           {"attribution", atlas.attribution}};
 }
 
+std::string error_text(const atlas::AtlasSummary& summary) {
+  if (summary.looks_done == 0) return "none yet";
+  if (!summary.error) return "none, for nothing returns";
+  return fmt::format("{:.1f} % in the median look, {:.1f} % to {:.1f} %", 100 * summary.error->median,
+                     100 * summary.error->smallest, 100 * summary.error->largest);
+}
+
 std::string text_of(const atlas::AtlasDescription& atlas, const atlas::AtlasSummary& summary) {
   std::string text = fmt::format("{}\n", atlas.name);
   const auto line = [&text](std::string_view name, const std::string& value) {
@@ -147,10 +155,7 @@ std::string text_of(const atlas::AtlasDescription& atlas, const atlas::AtlasSumm
                    summary.pyramid_done, summary.pyramid_textures));
   line("size",
        fmt::format("{}, {} a look", size_text(static_cast<double>(summary.bytes)), size_text(summary.bytes_per_look)));
-  line("texel error", summary.looks_done == 0
-                          ? "none yet"
-                          : fmt::format("{:.1f} % in the median look, {:.1f} % to {:.1f} %", 100 * summary.error.median,
-                                        100 * summary.error.smallest, 100 * summary.error.largest));
+  line("texel error", error_text(summary));
   if (summary.above_target) {
     line("above target", fmt::format("{:.1f} % of the texels that return anything", 100 * *summary.above_target));
   }
@@ -198,7 +203,10 @@ void build_terrain(const std::string& folder, const terrain::TerrainSource& sour
   const auto pyramid = std::filesystem::path(folder) / atlas::terrain_pyramid_name;
   // Two at once would take each other's unfinished files for those of other heights.
   const bake::Claims claims(folder);
-  const auto claim = claims.take(bake::terrain_claim(store.description()), bake::Claims::Wait::UntilFree);
+  TerminalProgress progress;
+  const bake::Claims::Claim claim = claims.take(bake::terrain_claim(store.description()), [&progress] {
+    progress.waiting("terrain", "a bake that makes that of the atlas");
+  });
   const terrain::PyramidBuild build = terrain::build_pyramid(
       pyramid, source, frame, {raster.west_m, raster.south_m, raster.east_m, raster.north_m}, no_data_height_m);
   const terrain::TerrainPyramid built = terrain::open_pyramid(pyramid, 0);

@@ -37,9 +37,10 @@ std::string text_of(const Baked& baked) {
       fmt::format("{} in {} ({} already there", counted(report.looks, "look", "looks"), baked.folder, report.already);
   if (report.elsewhere > 0) text += fmt::format(", {} baked by another process", report.elsewhere);
   text += fmt::format("), {:.1f} s", baked.seconds);
-  if (const auto error = report.relative_standard_error) {
-    text += fmt::format(", {:.1f} million rays, texel error {:.0f} %", static_cast<double>(report.counts.rays) / 1e6,
-                        100.0 * *error);
+  if (report.looks > report.already + report.elsewhere) {
+    const auto error = report.relative_standard_error;
+    text += fmt::format(", {:.1f} million rays, {}", static_cast<double>(report.counts.rays) / 1e6,
+                        error ? fmt::format("texel error {:.0f} %", 100.0 * *error) : "nothing returns");
   }
   if (const auto part = report.above_target.part())
     text += fmt::format(", {:.0f} % of texels above the target", 100.0 * *part);

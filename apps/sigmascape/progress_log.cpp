@@ -35,6 +35,7 @@ ProgressLog::~ProgressLog() {
 void ProgressLog::advanced(std::string_view task, double done, double total, std::string_view unit) {
   if (task != task_) last_done_ = -1.0;
   task_ = task;
+  unit_ = unit;
   rate_.advanced(task, done, total);
   if (unit == "looks") {
     looks_done_ = done;
@@ -43,25 +44,30 @@ void ProgressLog::advanced(std::string_view task, double done, double total, std
   const bool finished_one = done == std::floor(done) && done != last_done_;
   if (!finished_one && rate_.seconds() - last_seconds_ < longest_silence_s) return;
   last_done_ = done;
-  last_seconds_ = rate_.seconds();
-  write_line(unit);
+  write_line();
 }
 
 void ProgressLog::measured(std::string_view, std::string_view quantity, double value) {
   rate_.measured(quantity, value);
 }
 
-void ProgressLog::write_line(std::string_view unit) {
-  const nlohmann::ordered_json line{{"task", task_},
-                                    {"done", rate_.done()},
-                                    {"total", rate_.total()},
-                                    {"unit", unit},
-                                    {"looks_done", number_or_null(looks_done_)},
-                                    {"looks_total", number_or_null(looks_total_)},
-                                    {"rays_per_second", number_or_null(rate_.rays_a_second())},
-                                    {"relative_standard_error", number_or_null(rate_.relative_standard_error())},
-                                    {"seconds", rate_.seconds()},
-                                    {"seconds_left", number_or_null(rate_.seconds_left())}};
+void ProgressLog::waiting(std::string_view, std::string_view what) {
+  if (rate_.seconds() - last_seconds_ >= longest_silence_s) write_line(what);
+}
+
+void ProgressLog::write_line(std::string_view waits_for) {
+  last_seconds_ = rate_.seconds();
+  nlohmann::ordered_json line{{"task", task_},
+                              {"done", rate_.done()},
+                              {"total", rate_.total()},
+                              {"unit", unit_},
+                              {"looks_done", number_or_null(looks_done_)},
+                              {"looks_total", number_or_null(looks_total_)},
+                              {"rays_per_second", number_or_null(rate_.rays_a_second())},
+                              {"relative_standard_error", number_or_null(rate_.relative_standard_error())},
+                              {"seconds", rate_.seconds()},
+                              {"seconds_left", number_or_null(rate_.seconds_left())}};
+  if (!waits_for.empty()) line["waits_for"] = waits_for;
   const std::string text = line.dump() + "\n";
   const bool is_written = std::fwrite(text.data(), 1, text.size(), file_) == text.size() && std::fflush(file_) == 0;
   if (is_written) {

@@ -12,8 +12,9 @@
 namespace sigmascape::cli {
 
 /// Writes the progress of a bake for machines: a JSON object a line, flushed line by line, when a stage of it begins,
-/// at each look or other unit that is finished, and every ten seconds within long ones. How many looks are there stands
-/// in every line, whatever the stage.
+/// at each look or other unit that is finished, and every ten seconds within long ones. How many looks are there, as
+/// far as that is known, stands in every line, whatever the stage; what the work waits for in those written while it
+/// does.
 class ProgressLog final : public ProgressListener {
  public:
   /// Adds to a file that is there: a share that starts again goes on in its log. Throws Error when it cannot be
@@ -29,14 +30,16 @@ class ProgressLog final : public ProgressListener {
   /// Throws Error when not even the first line can be written.
   void advanced(std::string_view task, double done, double total, std::string_view unit) override;
   void measured(std::string_view task, std::string_view quantity, double value) override;
+  void waiting(std::string_view task, std::string_view what) override;
 
  private:
-  void write_line(std::string_view unit);
+  /// Nothing is waited for where `waits_for` is empty.
+  void write_line(std::string_view waits_for = {});
 
   std::filesystem::path file_name_;
   std::FILE* file_;
   ProgressRate rate_;
-  std::string task_;
+  std::string task_, unit_;
   std::optional<double> looks_done_, looks_total_;
   double last_done_ = -1.0, last_seconds_ = 0.0;
   bool has_lines_ = false, is_whole_ = true;
@@ -53,6 +56,10 @@ class ProgressToTwo final : public ProgressListener {
   void measured(std::string_view task, std::string_view quantity, double value) override {
     first_.measured(task, quantity, value);
     second_.measured(task, quantity, value);
+  }
+  void waiting(std::string_view task, std::string_view what) override {
+    first_.waiting(task, what);
+    second_.waiting(task, what);
   }
 
  private:

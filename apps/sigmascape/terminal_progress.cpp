@@ -39,12 +39,22 @@ void TerminalProgress::advanced(std::string_view task, double done, double total
   unit_ = unit;
   rate_.advanced(task, done, total);
   if (done >= total) return erase_line();
-  const auto now = Clock::now();
   const auto left = rate_.seconds_left();
-  if (!left || now - shown_ < (is_terminal_ ? refresh_time : log_time)) return;
-  if (is_terminal_ && rate_.seconds() < quiet_seconds) return;
-  shown_ = now;
-  fmt::print(stderr, "{}{}{}", is_terminal_ ? "\r\033[K" : "", line(*left), is_terminal_ ? "" : "\n");
+  if (left && may_show()) show(line(*left));
+}
+
+void TerminalProgress::waiting(std::string_view task, std::string_view what) {
+  if (may_show()) show(fmt::format("{}: waits for {}", task, what));
+}
+
+bool TerminalProgress::may_show() const {
+  if (is_terminal_ && rate_.seconds() < quiet_seconds) return false;
+  return Clock::now() - shown_ >= (is_terminal_ ? refresh_time : log_time);
+}
+
+void TerminalProgress::show(const std::string& line) {
+  shown_ = Clock::now();
+  fmt::print(stderr, "{}{}{}", is_terminal_ ? "\r\033[K" : "", line, is_terminal_ ? "" : "\n");
   std::fflush(stderr);
   line_shown_ = is_terminal_;
 }

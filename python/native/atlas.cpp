@@ -118,7 +118,7 @@ py::dict info_of(const LoadedAtlas& loaded) {
   info["looks"] = summary.looks;
   info["looks_done"] = summary.looks_done;
   info["bytes"] = summary.bytes;
-  info["relative_standard_error"] = summary.looks_done > 0 ? py::object(py::float_(summary.error.median)) : py::none();
+  info["relative_standard_error"] = summary.error ? py::object(py::float_(summary.error->median)) : py::none();
   info["settings"] = description.settings;
   info["scene_hash"] = description.scene_hash;
   info["attribution"] = description.attribution;

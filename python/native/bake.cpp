@@ -76,7 +76,7 @@ void add_bake(py::module_& module) {
       .def_property_readonly("rays", [](const BakeReport& r) { return r.counts.rays; })
       .def_property_readonly("paths", [](const BakeReport& r) { return r.counts.paths; })
       .def_readonly("relative_standard_error", &BakeReport::relative_standard_error,
-                    "Of a texel, root mean square over what was baked; None when nothing was.")
+                    "Of a texel, root mean square over what was baked and returns anything; None when nothing did.")
       .def("__repr__", [](const BakeReport& r) {
         return py::str("<sigmascape.BakeReport looks={} already={} rays={}>").format(r.looks, r.already, r.counts.rays);
       });

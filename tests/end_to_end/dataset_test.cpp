@@ -189,7 +189,7 @@ TEST_F(Dataset, RefusesToMakeWhatAnotherRunIsMaking) {
   const auto said = [&](dataset::DatasetShare share) { return message_of_error([&] { made(maker, folder, share); }); };
   {
     const bake::Claims other(folder);
-    const auto claim = other.take(1, bake::Claims::Wait::No);
+    const auto claim = other.take_if_free(1);
     ASSERT_TRUE(claim);
     EXPECT_EQ(said({}), folder.string() +
                             ": is being filled with the same samples by another run; wait until that has "
@@ -199,7 +199,7 @@ TEST_F(Dataset, RefusesToMakeWhatAnotherRunIsMaking) {
   }
   EXPECT_TRUE(made(maker, folder).is_complete);
   const bake::Claims other(folder);
-  const auto claim = other.take(1, bake::Claims::Wait::No);
+  const auto claim = other.take_if_free(1);
   EXPECT_EQ(said({}), "") << "nothing of it is lacking";
 }
 

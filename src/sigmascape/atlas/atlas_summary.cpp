@@ -28,10 +28,10 @@ std::uint64_t bytes_in(const std::filesystem::path& folder) {
   return bytes;
 }
 
-AtlasSummary::Spread spread_of(std::vector<double> errors) {
-  if (errors.empty()) return {};
+std::optional<AtlasSummary::Spread> spread_of(std::vector<double> errors) {
+  if (errors.empty()) return std::nullopt;
   std::ranges::sort(errors);
-  return {errors.front(), errors[errors.size() / 2], errors.back()};
+  return AtlasSummary::Spread{errors.front(), errors[errors.size() / 2], errors.back()};
 }
 
 void count_pyramid(const Store& store, AtlasSummary& summary) {
@@ -72,7 +72,7 @@ AtlasSummary summary_of(const Store& store) {
     if (!record) continue;
     ++summary.looks_done;
     summary.bytes_per_look += static_cast<double>(record->size_bytes);
-    errors.push_back(record->relative_standard_error);
+    if (record->relative_standard_error) errors.push_back(*record->relative_standard_error);
     above_target += record->above_target.value_or(TexelsAboveTarget{});
   }
   summary.bytes_per_look /= static_cast<double>(std::max<std::size_t>(summary.looks_done, 1));

@@ -18,10 +18,12 @@ struct AtlasSummary {
   std::size_t pyramid_done = 0;      ///< of these
   std::uint64_t bytes = 0;           ///< of everything in the folder
   double bytes_per_look = 0.0;       ///< mean size of the textures of patches
-  /// Relative standard error of a level-0 texel's total power, root mean square over a patch: over all looks done.
   struct Spread {
     double smallest = 0.0, median = 0.0, largest = 0.0;
-  } error;
+  };
+  /// Relative standard error of a level-0 texel's total power, root mean square over a patch: over all looks done in
+  /// which anything answers; nothing when there is none.
+  std::optional<Spread> error;
   /// Part of the texels that return anything whose error is above the target of the bake, over the looks whose items
   /// tell; nothing when none does, as without a target.
   std::optional<double> above_target;

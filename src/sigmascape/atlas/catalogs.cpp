@@ -8,6 +8,7 @@
 #include "sigmascape/atlas/stac_catalog.h"
 #include "sigmascape/atlas/texture_file.h"
 #include "sigmascape/geo/atomic_file.h"
+#include "sigmascape/geo/is_absent.h"
 
 namespace sigmascape::atlas {
 namespace {
@@ -67,7 +68,7 @@ void make_catalogs_over(const std::filesystem::path& folder, const AtlasDescript
   const PyramidTiles places(description.patches, description.extent);
   for (std::optional<PyramidTile> place = tile; place; place = places.parent_of(*place)) {
     const std::filesystem::path file = folder / catalog_path(*place);
-    if (!std::filesystem::exists(file)) geo::write_atomically(file, catalog_text(description, *place));
+    if (geo::is_absent(file)) geo::write_atomically(file, catalog_text(description, *place));
   }
 }
 
@@ -91,7 +92,7 @@ std::vector<StoreFault> mend_catalogs(const Store& store, Scrutiny scrutiny,
   const auto mend = [&](std::optional<StoreFault> fault, const std::string& right) {
     if (!fault) return;
     const std::filesystem::path file = store.folder() / fault->file;
-    fault->is_absent = fault->is_absent || (!had_catalogs && !std::filesystem::exists(file));
+    fault->is_absent = fault->is_absent || (!had_catalogs && geo::is_absent(file));
     geo::write_atomically(file, right);
     mended.push_back(std::move(*fault));
   };

@@ -205,9 +205,8 @@ std::string fault_by_place(const Json& item, const std::filesystem::path& file) 
   return there == here ? "" : fmt::format("is of {} and stands in the place of {}", there, here);
 }
 
-/// The settings by which a look was baked, as far as its item tells.
+/// The settings by which a look was baked, as far as an item tells that does not hold them all.
 std::map<std::string, std::string> settings_told_by(const Json& properties) {
-  if (properties.contains(settings)) return properties.at(settings).get<std::map<std::string, std::string>>();
   std::map<std::string, std::string> told;
   if (properties.contains("sigmascape:seed")) told["seed"] = properties.at("sigmascape:seed").dump();
   if (properties.contains("sigmascape:simd")) told["simd"] = properties.at("sigmascape:simd").get<std::string>();
@@ -216,6 +215,25 @@ std::map<std::string, std::string> settings_told_by(const Json& properties) {
 
 std::string of_another_bake(std::string_view name, const std::string& there, const std::string& here) {
   return fmt::format("is of another bake: {} is {} there and {} in the collection", name, there, here);
+}
+
+/// What tells that a look was baked by other settings than those of this atlas; empty when nothing does. A setting that
+/// only one of the two has differs too: an atlas tells of none that it was baked without.
+std::string fault_by_settings(const Json& properties, const std::map<std::string, std::string>& here) {
+  const bool tells_all = properties.contains(settings);
+  const auto there =
+      tells_all ? properties.at(settings).get<std::map<std::string, std::string>>() : settings_told_by(properties);
+  std::map<std::string, std::string> names = there;
+  if (tells_all) names.insert(here.begin(), here.end());
+  names.erase(std::string(physics_revision_setting));
+  for (const auto& [name, ignored] : names) {
+    const auto one = there.find(name), other = here.find(name);
+    const bool is_there = one != there.end(), is_here = other != here.end();
+    if (is_there && is_here && one->second == other->second) continue;
+    if (!tells_all && !is_here) continue;
+    return of_another_bake(name, is_there ? one->second : "not given", is_here ? other->second : "not given");
+  }
+  return "";
 }
 
 /// What tells that an item is of a look that names of files take for one of this atlas; empty when nothing does.
@@ -269,11 +287,8 @@ std::string fault_by_origin(const Json& properties, const AtlasDescription& desc
   const std::string physics = properties.value(physics_revision, "1");
   if (physics != description.physics_revision())
     return of_another_bake(physics_revision_setting, physics, description.physics_revision());
-  for (const auto& [name, there] : settings_told_by(properties)) {
-    const auto here = description.settings.find(name);
-    if (here != description.settings.end() && here->second != there) return of_another_bake(name, there, here->second);
-  }
-  std::string fault = fault_by_look(properties, description.aspects);
+  std::string fault = fault_by_settings(properties, description.settings);
+  if (fault.empty()) fault = fault_by_look(properties, description.aspects);
   if (fault.empty()) fault = fault_by_digits(properties, description);
   return fault.empty() ? fault_by_texel(properties, description.patches) : fault;
 }
@@ -321,6 +336,8 @@ std::optional<TextureRecord> record_from(const Json& properties) {
       is("sigmascape:above_target", &Json::is_number_unsigned)) {
     record.above_target = {properties.at("sigmascape:lit_texels").get<std::uint64_t>(),
                            properties.at("sigmascape:above_target").get<std::uint64_t>()};
+    // Items of a former kind tell an error of none where nothing answers.
+    if (record.above_target->lit == 0) record.relative_standard_error = std::nullopt;
   }
   if (is("sigmascape:tallest_m", &Json::is_number)) {
     record.tallest_m = properties.at("sigmascape:tallest_m").get<float>();
@@ -346,7 +363,6 @@ std::string item_text(const AtlasDescription& description, const Unit& unit, con
       {settings, Json(description.settings)},
       {"sigmascape:seed", facts.seed},
       {"sigmascape:samples_per_texel", facts.samples_per_texel},
-      {"sigmascape:relative_standard_error", facts.relative_standard_error},
       {"sigmascape:simd", facts.simd},
       {"sigmascape:counts", Json(facts.counts)},
       {"sigmascape:scale", record.scale},
@@ -356,6 +372,7 @@ std::string item_text(const AtlasDescription& description, const Unit& unit, con
       {"sigmascape:sha256", record.sha256},
       {"sigmascape:attribution", description.attribution},
   });
+  if (facts.relative_standard_error) properties["sigmascape:relative_standard_error"] = *facts.relative_standard_error;
   if (facts.above_target) {
     properties["sigmascape:lit_texels"] = facts.above_target->lit;
     properties["sigmascape:above_target"] = facts.above_target->above;

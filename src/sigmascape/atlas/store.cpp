@@ -18,6 +18,7 @@
 #include "sigmascape/base/error.h"
 #include "sigmascape/geo/atomic_file.h"
 #include "sigmascape/geo/geo_raster.h"
+#include "sigmascape/geo/is_absent.h"
 
 namespace sigmascape::atlas {
 namespace {
@@ -83,8 +84,9 @@ void check_texels(const Array2D<radar::Channels>& texels, std::size_t side, cons
 void check_same(const Store& store, const AtlasDescription& description) {
   const auto differs = difference(store.description(), description);
   if (!differs) return;
-  throw Error((store.folder() / collection_name).string(), fmt::format("holds another atlas: {}", *differs),
-              "choose another folder, or remove this one to bake anew");
+  throw Error(
+      (store.folder() / collection_name).string(), fmt::format("holds another atlas: {}", *differs),
+      fmt::format("choose another folder, or remove {} with all that it holds to bake anew", store.folder().string()));
 }
 
 }  // namespace
@@ -104,8 +106,6 @@ HalfTexture encoded_as(const AtlasDescription& description, const MipChain& chai
 
 Store Store::create(const std::filesystem::path& folder, const AtlasDescription& description) {
   if (auto store = find(folder, description)) return *std::move(store);
-  if (std::filesystem::exists(folder / "dataset.json"))
-    throw Error(folder.string(), "holds a dataset", "choose an empty folder");
   // Another process may have been faster, with another atlas: who comes second takes what is there or is refused.
   static_cast<void>(geo::write_if_absent(folder / collection_name, collection_text(description)));
   Store store = open(folder);
@@ -116,7 +116,11 @@ Store Store::create(const std::filesystem::path& folder, const AtlasDescription&
 std::optional<Store> Store::find(const std::filesystem::path& folder, const AtlasDescription& description) {
   check_description(description);
   const std::filesystem::path file = folder / collection_name;
-  if (is_nothing_there(text_of(file).error)) return std::nullopt;
+  if (is_nothing_there(text_of(file).error)) {
+    if (!geo::is_absent(folder / "dataset.json"))
+      throw Error(folder.string(), "holds a dataset", "choose an empty folder");
+    return std::nullopt;
+  }
   Store store = open(folder);
   check_same(store, description);
   return store;

@@ -71,9 +71,11 @@ struct AtlasDescription {
 /// How one (patch, look) came about: goes into its item, so that a reading can be traced back.
 struct BakeFacts {
   std::uint64_t seed = 0;
-  double samples_per_texel = 0.0;        ///< mean
-  double relative_standard_error = 0.0;  ///< of the total power of a level-0 texel, root mean square over the patch
-  std::string simd;                      ///< the instruction set that the numbers were made with
+  double samples_per_texel = 0.0;  ///< mean
+  /// Of the total power of a level-0 texel, root mean square over those of the patch that return anything; nothing
+  /// where none does, or where nothing was sampled.
+  std::optional<double> relative_standard_error = {};
+  std::string simd;                                    ///< the instruction set that the numbers were made with
   std::map<std::string, std::uint64_t> counts;         ///< what was skipped or lost on the way, by name
   std::optional<TexelsAboveTarget> above_target = {};  ///< of a bake that aimed at a standard error
 };

@@ -15,6 +15,7 @@
 #include "sigmascape/atlas/pyramid.h"
 #include "sigmascape/atlas/terrain_file.h"
 #include "sigmascape/atlas/texture_file.h"
+#include "sigmascape/atlas/texture_name.h"
 #include "sigmascape/bake/claims.h"
 #include "sigmascape/bake/error_target.h"
 #include "sigmascape/bake/ground_baker.h"
@@ -95,9 +96,18 @@ class BakeRun {
     }
     std::vector<OpenJob> held_by_others;
     for (const OpenJob& job : open) {
-      if (!bake_job(job, Claims::Wait::No)) held_by_others.push_back(job);
+      const auto claim = claims_.take_if_free(job.number);
+      if (!claim) {
+        held_by_others.push_back(job);
+        continue;
+      }
+      bake_job(job);
     }
-    for (const OpenJob& job : held_by_others) bake_job(job, Claims::Wait::UntilFree);
+    for (const OpenJob& job : held_by_others) {
+      const Claims::Claim claim =
+          claims_.take(job.number, [&] { progress_.waiting("bake", at_work_on(jobs_[job.number])); });
+      bake_job(job);
+    }
     make_levels_above();
     mend_catalogs();
     report_.relative_standard_error = mean_error();
@@ -144,10 +154,8 @@ class BakeRun {
         std::ranges::count_if(job.looks, [&](atlas::LookIndex look) { return !is_done(job, look); }));
   }
 
-  /// False when another process is at it.
-  bool bake_job(const OpenJob& open, Claims::Wait wait) {
-    const auto claim = claims_.take(open.number, wait);
-    if (!claim) return false;
+  /// With its claim in hand. Looks that another process has baked since are there already.
+  void bake_job(const OpenJob& open) {
     const Job job = jobs_[open.number];
     const std::size_t missing = missing_looks(job);
     if (missing > 0) {
@@ -157,7 +165,11 @@ class BakeRun {
     report_.elsewhere += open.missing - std::min(missing, open.missing);
     done_ += open.missing;
     tell_progress();
-    return true;
+  }
+
+  [[nodiscard]] std::string at_work_on(const Job& job) const {
+    const radar::Look look = store_.description().aspects.look(job.looks.front());
+    return fmt::format("another process that is at {} of {}", atlas::look_name(look), atlas::patch_name(job.patch));
   }
 
   void bake_and_write(const Job& job, std::size_t counting_for) {
@@ -172,17 +184,19 @@ class BakeRun {
   void write(atlas::PatchIndex patch, atlas::LookIndex number, const BakedLook& look) {
     if (auto fault = atlas::texture_fault(store_, store_.texture_path(patch, number), share_.scrutiny))
       note(std::move(*fault));
-    const double error = look.relative_standard_error;
     const auto above_target = texels_above_target(look, settings_.sampling);
     store_.write(patch, number, look.sigma0,
                  {.seed = settings_.seed,
                   .samples_per_texel = look.samples_per_texel,
-                  .relative_standard_error = error,
+                  .relative_standard_error = look.relative_standard_error,
                   .simd = trace::simd_setting(),
                   .counts = {},
                   .above_target = above_target},
                  look.relative_errors);
-    squared_errors_ += error * error;
+    if (const auto error = look.relative_standard_error) {
+      squared_errors_ += *error * *error;
+      ++lit_;
+    }
     report_.above_target += above_target.value_or(atlas::TexelsAboveTarget{});
     ++baked_;
   }
@@ -201,7 +215,9 @@ class BakeRun {
   void make_terrain(const scene::Scene& scene) {
     if (!atlas::terrain_fault(store_, share_.scrutiny) && pyramid_faults(scene).empty()) return;
     // Two at once would take each other's unfinished files for those of other heights.
-    const auto claim = claims_.take(terrain_claim(store_.description()), Claims::Wait::UntilFree);
+    const Claims::Claim claim = claims_.take(terrain_claim(store_.description()), [this] {
+      progress_.waiting("bake", "another process that makes the terrain");
+    });
     make_heights(scene);
     make_pyramid(scene);
   }
@@ -224,8 +240,9 @@ class BakeRun {
 
   [[nodiscard]] std::filesystem::path pyramid_folder() const { return store_.folder() / atlas::terrain_pyramid_name; }
 
-  /// What is wrong with the terrain's tiles. Those that were made from other heights, by `sigmascape atlas terrain`,
-  /// are left as they are; without a heading that can be understood nothing tells of what heights they are.
+  /// What is wrong with the terrain's tiles. Those that `sigmascape atlas terrain` made, from a raster, are left as
+  /// they are; those that a bake made of another scene are not this atlas'. Without a heading that can be understood
+  /// nothing tells of what heights they are.
   [[nodiscard]] std::vector<atlas::StoreFault> pyramid_faults(const scene::Scene& scene) const {
     const auto as_of_atlas = [](const terrain::PyramidFault& fault, bool is_absent) {
       return atlas::StoreFault{atlas::terrain_pyramid_name / fault.file, fault.what, is_absent};
@@ -233,12 +250,13 @@ class BakeRun {
     const std::filesystem::path folder = pyramid_folder();
     if (const auto fault = terrain::heading_fault(folder))
       return {as_of_atlas(*fault, !terrain::holds_pyramid(folder))};
+    const geo::LocalFrame& frame = store_.description().frame;
+    if (!terrain::holds_pyramid_of(folder, scene.terrain, frame)) {
+      if (!terrain::holds_pyramid_of_a_field(folder)) return {};
+      return {as_of_atlas({terrain::heading_name, "is of other heights than the scene's"}, false)};
+    }
     const bool is_read = share_.scrutiny == atlas::Scrutiny::Content;
-    std::vector<terrain::PyramidFault> found;
-    if (!is_read) found = terrain::missing_files(folder);
-    if (!is_read && found.empty()) return {};
-    if (!terrain::holds_pyramid_of(folder, scene.terrain, store_.description().frame)) return {};
-    if (is_read) found = terrain::verify_pyramid(folder, store_.description().frame);
+    const auto found = is_read ? terrain::verify_pyramid(folder, frame) : terrain::missing_files(folder);
     std::vector<atlas::StoreFault> faults;
     for (const terrain::PyramidFault& fault : found) faults.push_back(as_of_atlas(fault, false));
     return faults;
@@ -254,7 +272,7 @@ class BakeRun {
   void tell_progress() {
     if (baked_ > 0) {
       progress_.measured("bake", "rays", static_cast<double>(report_.counts.rays));
-      progress_.measured("bake", "relative_standard_error", *mean_error());
+      if (const auto error = mean_error()) progress_.measured("bake", "relative_standard_error", *error);
     }
     progress_.advanced("bake", static_cast<double>(done_), static_cast<double>(report_.looks), "looks");
   }
@@ -284,8 +302,8 @@ class BakeRun {
   }
 
   [[nodiscard]] std::optional<double> mean_error() const {
-    if (baked_ == 0) return std::nullopt;
-    return std::sqrt(squared_errors_ / static_cast<double>(baked_));
+    if (lit_ == 0) return std::nullopt;
+    return std::sqrt(squared_errors_ / static_cast<double>(lit_));
   }
 
   const LookBaker& baker_;
@@ -297,6 +315,7 @@ class BakeRun {
   Claims claims_;
   BakeReport report_;
   std::size_t done_ = 0, baked_ = 0;
+  std::size_t lit_ = 0;  // of the baked looks: those in which anything answers
   double squared_errors_ = 0.0;
 };
 

@@ -29,7 +29,7 @@ struct BakeReport {
   std::size_t pyramid = 0;    ///< textures written of the pyramid above the patches
   trace::TraceCounts counts;
   std::size_t geometry_bytes = 0;  ///< of the largest structures for rays that were needed at a time
-  /// Root mean square over the baked looks of a level-0 texel's; nothing when none was baked.
+  /// Root mean square of a level-0 texel's over the baked looks in which anything answers; nothing when none was baked.
   std::optional<double> relative_standard_error = {};
   /// Texels of the baked looks that missed the target of the bake; none are counted when it had no target.
   atlas::TexelsAboveTarget above_target = {};

@@ -40,16 +40,20 @@ Claims::Claim::~Claim() {
   if (claims_ != nullptr) set_lock(claims_->descriptor_, job_, F_UNLCK);
 }
 
-std::optional<Claims::Claim> Claims::take(std::size_t job, Wait wait) const {
+std::optional<Claims::Claim> Claims::take_if_free(std::size_t job) const {
+  if (set_lock(descriptor_, job, F_WRLCK)) return Claim(this, job);
+  const bool held_by_another = errno == EAGAIN || errno == EACCES;
+  return held_by_another ? std::nullopt : std::optional(Claim(nullptr, job));
+}
+
+Claims::Claim Claims::take(std::size_t job, const std::function<void()>& while_waiting) const {
   // Asked for again and again rather than slept on, so that who waits can be told to stop.
-  while (!set_lock(descriptor_, job, F_WRLCK)) {
-    const bool held_by_another = errno == EAGAIN || errno == EACCES;
-    if (!held_by_another) return Claim(nullptr, job);
-    if (wait == Wait::No) return std::nullopt;
+  for (;;) {
+    if (auto claim = take_if_free(job)) return *std::move(claim);
+    if (while_waiting) while_waiting();
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
     Interruption::heed();
   }
-  return Claim(this, job);
 }
 
 std::size_t terrain_claim(const atlas::AtlasDescription& description) {

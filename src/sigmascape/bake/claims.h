@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <utility>
 
@@ -18,8 +19,6 @@ namespace sigmascape::bake {
 /// Bakes and `sigmascape atlas terrain` alike make the terrain with its claim in hand.
 class Claims {
  public:
-  enum class Wait { No, UntilFree };
-
   /// The right to do one job, given back when it goes out of scope.
   class Claim {
    public:
@@ -41,9 +40,11 @@ class Claims {
   Claims(const Claims&) = delete;
   Claims& operator=(const Claims&) = delete;
 
-  /// Claims job number `job`; nothing when another has it and waiting is not wanted. Throws Interrupted when this
-  /// thread is told to stop while it waits.
-  [[nodiscard]] std::optional<Claim> take(std::size_t job, Wait wait) const;
+  /// Claims job number `job`; nothing when another has it.
+  [[nodiscard]] std::optional<Claim> take_if_free(std::size_t job) const;
+  /// Claims job number `job`, if another has it as soon as it is free, and calls `while_waiting`, if given, many times
+  /// a second until then. Throws Interrupted when this thread is told to stop while it waits.
+  [[nodiscard]] Claim take(std::size_t job, const std::function<void()>& while_waiting = {}) const;
 
  private:
   int descriptor_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fmt/format.h>
 #include <span>
 #include <utility>
 #include <vector>
@@ -117,7 +118,10 @@ class GroundRun {
     };
     tell();
     for (const std::size_t number : numbers) {
-      const auto claim = claims.take(first_claim + number, Claims::Wait::UntilFree);
+      const Claims::Claim claim = claims.take(first_claim + number, [&] {
+        progress_.waiting(
+            "ground", fmt::format("another process that is at the ground of {}", atlas::patch_name(patches[number])));
+      });
       remove_leftovers(store_, ground_, patches[number]);
       bake_patch(patches[number]);
       patches_.push_back(patches[number]);
@@ -138,8 +142,9 @@ class GroundRun {
       if (!fault) continue;
       if (sigma0_[index].empty()) sigma0_[index] = sigma0_of(scene_, description, index);
       if (shares.empty()) shares = shares_of(scene_.ground, scene_.materials.size(), texels);
-      ground_.write(patch, index, mixed(shares, sigma0_[index], texels),
-                    {.seed = 0, .samples_per_texel = 0, .relative_standard_error = 0.0, .simd = "none", .counts = {}});
+      ground_.write(
+          patch, index, mixed(shares, sigma0_[index], texels),
+          {.seed = 0, .samples_per_texel = 0, .relative_standard_error = std::nullopt, .simd = "none", .counts = {}});
       note(std::move(*fault), folder());
     }
   }

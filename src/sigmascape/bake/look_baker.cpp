@@ -70,7 +70,7 @@ Array2D<float> relative_errors(const NoisyTexels& texels) {
   return errors;
 }
 
-double root_mean_square_of_lit(const Array2D<float>& errors, const Array2D<radar::Channels>& sigma0) {
+std::optional<double> root_mean_square_of_lit(const Array2D<float>& errors, const Array2D<radar::Channels>& sigma0) {
   double sum = 0.0;
   std::size_t lit = 0;
   for (std::size_t i = 0; i < errors.size(); ++i) {
@@ -78,7 +78,7 @@ double root_mean_square_of_lit(const Array2D<float>& errors, const Array2D<radar
     sum += static_cast<double>(errors.values()[i]) * static_cast<double>(errors.values()[i]);
     ++lit;
   }
-  return lit > 0 ? std::sqrt(sum / static_cast<double>(lit)) : 0.0;
+  return lit > 0 ? std::optional(std::sqrt(sum / static_cast<double>(lit))) : std::nullopt;
 }
 
 }  // namespace

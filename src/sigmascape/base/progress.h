@@ -15,6 +15,9 @@ class ProgressListener {
   /// How the work called `task` goes beside that: `quantity` is now `value`. A bake tells of "rays" traced so far and
   /// of the "relative_standard_error" of a texel, root mean square over what it has baked.
   virtual void measured(std::string_view /*task*/, std::string_view /*quantity*/, double /*value*/) {}
+  /// The work called `task` cannot go on before `what` ("another process that is at patch_+000_+000"): told many times
+  /// a second until it does.
+  virtual void waiting(std::string_view /*task*/, std::string_view /*what*/) {}
 };
 
 /// Listens to nothing.

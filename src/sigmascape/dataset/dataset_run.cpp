@@ -245,7 +245,7 @@ FoundShare claimed_share(const SampleMaker& maker, const fs::path& folder, const
   for (std::size_t number = share.index; number < lots; number += share.count) {
     const std::size_t count = count_of_lot(maker.spec(), number);
     found.samples += count;
-    auto claim = claims.take(number, bake::Claims::Wait::No);
+    auto claim = claims.take_if_free(number);
     if (is_made(maker, folder, number)) {
       found.already += count;
       continue;

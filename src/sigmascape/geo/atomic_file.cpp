@@ -30,7 +30,8 @@ bool is_full(int error) {
 
 [[noreturn]] void fail(const std::filesystem::path& path, int error) {
   throw Error(path.string(), fmt::format("cannot be written ({})", std::strerror(error)),
-              error == EFBIG   ? "let files grow larger (ulimit -f) or choose another disk"
+              error == EISDIR  ? "remove the folder that stands under this name"
+              : error == EFBIG ? "let files grow larger (ulimit -f) or choose another disk"
               : is_full(error) ? "free some space or choose another disk"
                                : "choose a folder that exists and may be written to");
 }

@@ -274,7 +274,7 @@ Raster::Raster(const RasterBand& wanted) : source_(std::make_unique<Source>()) {
   if (source.crs.empty()) source.crs = source.dataset->GetProjectionRef();
   if (source.crs.empty()) {
     throw Error(source.name, "carries no coordinate reference system",
-                "state it with the key crs, for example crs = \"EPSG:25830\", or write it into the file with "
+                "state it, such as EPSG:25830, with the key crs or the option --crs, or write it into the file with "
                 "gdal_edit.py -a_srs");
   }
   const std::string where = wanted.crs.empty() ? source.name : source.name + ": crs";

@@ -121,7 +121,7 @@ TileSummary joined_with_children(TileKey key, TileSummary joined, const Array2D<
 
 /// Whether a folder holds the pyramid of these heights, finished or begun by the name of its heading.
 bool holds(const std::filesystem::path& folder, std::string_view name, const PyramidHeading& heading) {
-  if (!std::filesystem::exists(folder / name)) return false;
+  if (geo::is_absent(folder / name)) return false;
   try {
     return read_heading(folder / name).is_of_heights_of(heading);
   } catch (const Error&) {
@@ -131,7 +131,7 @@ bool holds(const std::filesystem::path& folder, std::string_view name, const Pyr
 
 /// First what makes it count, then what is left of it; nothing that others put there.
 void remove_pyramid(const std::filesystem::path& folder) {
-  if (!std::filesystem::exists(folder)) return;
+  if (geo::is_absent(folder)) return;
   std::filesystem::remove(folder / heading_name);
   std::filesystem::remove(folder / unfinished_heading_name);
   std::vector<std::filesystem::path> levels;
@@ -144,7 +144,7 @@ void remove_pyramid(const std::filesystem::path& folder) {
 /// A tile that is there, whole and in its place.
 std::shared_ptr<const HeightTile> whole_tile(const std::filesystem::path& folder, const PyramidLayout& layout,
                                              const std::string& crs, TileKey key) {
-  if (!std::filesystem::exists(tile_path(folder, key))) return nullptr;
+  if (geo::is_absent(tile_path(folder, key))) return nullptr;
   try {
     return read_tile_in_place(folder, layout, crs, key);
   } catch (const Error&) {
@@ -201,17 +201,24 @@ std::size_t build_tiles_on_disk(const std::filesystem::path& folder, const Pyram
 
 std::size_t build_on_disk(const std::filesystem::path& folder, const PyramidHeading& heading,
                           const geo::LocalFrame& frame, const FinestHeights& finest) {
-  const std::filesystem::path site = building_site(folder, heading);
-  const std::size_t written = build_tiles_on_disk(site, heading, frame, finest);
-  if (site != folder) move_pyramid(site, folder);
-  return written;
+  try {
+    const std::filesystem::path site = building_site(folder, heading);
+    const std::size_t written = build_tiles_on_disk(site, heading, frame, finest);
+    if (site != folder) move_pyramid(site, folder);
+    return written;
+  } catch (const std::filesystem::filesystem_error& failure) {
+    throw Error(failure.path1().string(), fmt::format("cannot be replaced ({})", failure.code().message()),
+                "let the terrain's tiles be in a folder that may be read and written to");
+  }
 }
 
 PyramidHeading heading_of(const HeightField& field, const geo::LocalFrame& frame) {
   Sha256 hash;
   hash.add_values(field.height_m.values());
   hash.add(fmt::format("{} {} {} {}", field.west_m, field.north_m, field.spacing_m, frame.proj()));
-  return {PyramidLayout::covering(field.extent(), field.spacing_m), hash.hex_digest()};
+  return {.layout = PyramidLayout::covering(field.extent(), field.spacing_m),
+          .source_hash = hash.hex_digest(),
+          .is_of_field = true};
 }
 
 /// What is wrong with one of the files of a folder, if anything; `read` throws Error when it is not as it was written.
@@ -380,6 +387,10 @@ std::size_t build_pyramid(const std::filesystem::path& folder, const HeightField
 
 bool holds_pyramid(const std::filesystem::path& folder) {
   return !geo::is_absent(folder / heading_name);
+}
+
+bool holds_pyramid_of_a_field(const std::filesystem::path& folder) {
+  return !heading_fault(folder) && read_heading(folder / heading_name).is_of_field;
 }
 
 bool holds_pyramid_of(const std::filesystem::path& folder, const HeightField& field, const geo::LocalFrame& frame) {

@@ -50,6 +50,9 @@ std::size_t build_pyramid(const std::filesystem::path& folder, const HeightField
 
 /// Whether a folder holds the heading of a finished pyramid, whatever that is like.
 [[nodiscard]] bool holds_pyramid(const std::filesystem::path& folder);
+/// Whether it says that it was made from a field in memory, as bakes make it, rather than from a raster. Those of a
+/// former kind do not say.
+[[nodiscard]] bool holds_pyramid_of_a_field(const std::filesystem::path& folder);
 /// Whether it was made from this field.
 [[nodiscard]] bool holds_pyramid_of(const std::filesystem::path& folder, const HeightField& field,
                                     const geo::LocalFrame& frame);

@@ -21,6 +21,9 @@
 namespace sigmascape::terrain {
 namespace {
 
+/// What headings say of pyramids that were made from a field in memory.
+constexpr std::string_view from_field = "height field";
+
 constexpr auto cells = static_cast<std::int64_t>(HeightTile::cells);
 
 /// Of a tile and its place, so that one tile does not pass for another.
@@ -182,6 +185,7 @@ PyramidHeading read_heading(const std::filesystem::path& file_name) {
                                     static_cast<std::uint32_t>(file.number("tiles_down", count))},
                          .source_hash = file.text("source_hash"),
                          .index_sha256 = file.texts("index_sha256")};
+  heading.is_of_field = file.optional_text("made_from") == from_field;
   const auto recorded = file.optional_text("heading_sha256");
   file.refuse_unknown_keys();
   const std::size_t indexes = heading.index_sha256.size();
@@ -196,6 +200,7 @@ void write_heading(const std::filesystem::path& file_name, const PyramidHeading&
       "west_m = {:.17g}\nnorth_m = {:.17g}\nspacing_m = {:.17g}\ntiles_across = {}\n"
       "tiles_down = {}\nsource_hash = \"{}\"\n",
       layout.west_m, layout.north_m, layout.spacing_m, layout.tiles_across, layout.tiles_down, heading.source_hash);
+  if (heading.is_of_field) text += fmt::format("made_from = \"{}\"\n", from_field);
   if (!heading.index_sha256.empty())
     text += fmt::format("index_sha256 = [\n  \"{}\",\n]\n", fmt::join(heading.index_sha256, "\",\n  \""));
   geo::write_atomically(file_name, sealed(std::move(text)));

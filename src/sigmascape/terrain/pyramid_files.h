@@ -17,6 +17,7 @@ struct PyramidHeading {
   std::string source_hash;
   /// SHA-256 of the index of each level; none while the pyramid is unfinished, nor in those of a former kind.
   std::vector<std::string> index_sha256 = {};
+  bool is_of_field = false;  ///< made from a field in memory, not from a raster; those of a former kind do not tell
 
   /// Whether it is of the same heights, from which the indexes follow.
   [[nodiscard]] bool is_of_heights_of(const PyramidHeading& other) const {

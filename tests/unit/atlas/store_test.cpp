@@ -395,7 +395,15 @@ TEST_F(StoreTest, AnItemOfAnotherBakeDoesNotCount) {
                 static_cast<void>(store.read({0, 0}, 0));
               }),
               HasSubstr("is of another bake: samples is 32 there and 64 in the collection"));
-  rewrite_item(item, "\"samples\": \"32\"", "\"samples\": \"64\"");
+  // What only one of the two knows is another setting as well.
+  rewrite_item(item, "\"samples\": \"32\"", "\"samples\": \"64\", \"noise\": \"shared\"");
+  EXPECT_THAT(message_of([&] {
+                static_cast<void>(store.read({0, 0}, 0));
+              }),
+              HasSubstr("is of another bake: noise is shared there and not given in the collection"));
+  rewrite_item(item, "\"samples\": \"64\", \"noise\"", "\"noise\"");
+  EXPECT_FALSE(store.is_done({0, 0}, 0));
+  rewrite_item(item, "\"noise\": \"shared\"", "\"samples\": \"64\"");
   EXPECT_TRUE(store.is_done({0, 0}, 0));
   rewrite_item(item, "\"sigmascape:scene_hash\": \"0123abcd\"", "\"sigmascape:scene_hash\": \"ffff\"");
   EXPECT_THAT(message_of([&] {

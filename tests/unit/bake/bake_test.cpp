@@ -7,6 +7,7 @@
 #include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <set>
 #include <string>
 #include <thread>
 #include <utility>
@@ -14,10 +15,12 @@
 
 #include "scratch_folder.h"
 
+#include "sigmascape/atlas/atlas_summary.h"
 #include "sigmascape/atlas/store.h"
 #include "sigmascape/bake/claims.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/scene/solid_mesh.h"
+#include "sigmascape/terrain/pyramid_builder.h"
 
 namespace sigmascape::bake {
 namespace {
@@ -59,6 +62,16 @@ BakeReport baked(const scene::Scene& scene, const BakeSettings& settings, const 
   SilentProgress silent;
   return bake(scene, settings, folder, silent);
 }
+
+/// Takes down what is waited for, each once.
+class WaitedFor final : public ProgressListener {
+ public:
+  void advanced(std::string_view, double, double, std::string_view) override {}
+  void waiting(std::string_view task, std::string_view what) override {
+    told.insert(std::string(task) + ": " + std::string(what));
+  }
+  std::set<std::string> told;
+};
 
 TEST(Bake, BareConstantGammaGroundIsGammaTimesSine) {
   const ScratchFolder folder;
@@ -249,11 +262,12 @@ TEST(Bake, WaitsForTheTerrainThatAnotherIsAt) {
   copy("terrain.tif");
   const std::size_t jobs = 2, patches = 1;
   BakeReport report;
+  WaitedFor waits;
   {
     const Claims claims(folder.path("a"));
-    auto claim = claims.take(jobs + patches, Claims::Wait::No);
+    auto claim = claims.take_if_free(jobs + patches);
     ASSERT_TRUE(claim);
-    const std::jthread other([&] { report = baked(scene, settings, folder.path("a")); });
+    const std::jthread other([&] { report = bake(scene, settings, folder.path("a"), waits); });
     std::this_thread::sleep_for(std::chrono::milliseconds(300));
     EXPECT_FALSE(std::filesystem::exists(folder.path("a") / "terrain.json")) << "it did not wait";
     EXPECT_FALSE(std::filesystem::exists(folder.path("a") / "terrain"));
@@ -262,7 +276,48 @@ TEST(Bake, WaitsForTheTerrainThatAnotherIsAt) {
     const Claims::Claim given_back = std::move(*claim);
   }
   EXPECT_THAT(words_of(report.mended), ::testing::IsEmpty());
+  EXPECT_THAT(waits.told, ::testing::ElementsAre("bake: another process that makes the terrain"));
   EXPECT_EQ(difference_of(files_of(folder.path("a")), files_of(folder.path("whole"))), "");
+}
+
+TEST(Bake, TellsWhichLookAnotherIsAt) {
+  const ScratchFolder folder;
+  const scene::Scene scene = bare_scene(20.0);
+  const BakeSettings settings = small_bake({40.0});
+  static_cast<void>(atlas::Store::create(folder.path("a"), description_of(scene, settings)));
+  WaitedFor waits;
+  {
+    const Claims claims(folder.path("a"));
+    auto claim = claims.take_if_free(1);
+    ASSERT_TRUE(claim);
+    const std::jthread other([&] { static_cast<void>(bake(scene, settings, folder.path("a"), waits)); });
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    const Claims::Claim given_back = std::move(*claim);
+  }
+  EXPECT_THAT(waits.told,
+              ::testing::ElementsAre("bake: another process that is at az130.0_el40.0_f10.000GHz of patch_+000_+000"));
+}
+
+// Who removes the collection alone keeps what is below it, which may be of another scene.
+TEST(Bake, TilesOfTheTerrainOfAnotherSceneAreMadeAnew) {
+  const ScratchFolder folder;
+  baked(bare_scene(20.0), small_bake({40.0}), folder.path("a"));
+  std::filesystem::remove(folder.path("a") / "collection.json");
+  scene::Scene higher = bare_scene(20.0);
+  higher.terrain.height_m = Array2D<float>(2, 2, 150.0F);
+  const BakeReport report = baked(higher, small_bake({40.0}), folder.path("a"));
+  EXPECT_THAT(words_of(report.mended),
+              ::testing::Contains("terrain/pyramid.toml is of other heights than the scene's"));
+  EXPECT_TRUE(terrain::holds_pyramid_of(folder.path("a") / "terrain", higher.terrain, higher.frame));
+}
+
+TEST(Bake, ATerrainFolderThatIsAFileIsToldPlainly) {
+  const ScratchFolder folder;
+  std::filesystem::create_directories(folder.path("a"));
+  std::ofstream(folder.path("a") / "terrain") << "not a folder";
+  EXPECT_THAT(message_of_error([&] { baked(bare_scene(20.0), small_bake({40.0}), folder.path("a")); }),
+              ::testing::AllOf(::testing::HasSubstr("a/terrain"), ::testing::HasSubstr("(Not a directory)"),
+                               ::testing::Not(::testing::HasSubstr("filesystem"))));
 }
 
 // Six digits would not tell these from one another.
@@ -327,6 +382,19 @@ TEST(Bake, APatchWithNothingInItIsBlackAndDone) {
     for (std::size_t column = 128; column < 256; ++column) ASSERT_EQ(texels(column, row).vv, 0.0F);
   }
   EXPECT_TRUE(std::isfinite(report.relative_standard_error.value()));
+}
+
+// What is not there is not known to no percent.
+TEST(Bake, WhereNothingReturnsThereIsNoError) {
+  const ScratchFolder folder;
+  scene::Scene black = bare_scene(100.0);
+  black.materials.front().model = scatter::LambertParameters{0.0, {0.1, 0.5}};
+  const BakeReport report = baked(black, small_bake(), folder.path("a"));
+  EXPECT_GT(report.counts.rays, 0U);
+  EXPECT_FALSE(report.relative_standard_error);
+  const auto summary = atlas::summary_of(atlas::Store::open(folder.path("a")));
+  EXPECT_EQ(summary.looks_done, 4U);
+  EXPECT_FALSE(summary.error);
 }
 
 TEST(Bake, OtherSettingsAreRefusedNamingTheDifference) {

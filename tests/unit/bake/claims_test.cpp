@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <utility>
 
 #include "scratch_folder.h"
 
@@ -16,12 +17,12 @@ TEST(Claims, AJobIsClaimedOnceUntilGivenBack) {
   const ScratchFolder folder;
   const Claims one(folder.path("")), two(folder.path(""));
   {
-    const auto claim = one.take(5, Claims::Wait::No);
+    const auto claim = one.take_if_free(5);
     ASSERT_TRUE(claim);
-    EXPECT_FALSE(two.take(5, Claims::Wait::No));
-    EXPECT_TRUE(two.take(6, Claims::Wait::No));
+    EXPECT_FALSE(two.take_if_free(5));
+    EXPECT_TRUE(two.take_if_free(6));
   }
-  EXPECT_TRUE(two.take(5, Claims::Wait::No));
+  EXPECT_TRUE(two.take_if_free(5));
   EXPECT_EQ(std::filesystem::file_size(folder.path(".claims")), 0U);
 }
 
@@ -32,16 +33,19 @@ TEST(Claims, EndWithAKilledProcess) {
   const pid_t child = ::fork();
   if (child == 0) {
     const Claims claims(folder.path(""));
-    const auto claim = claims.take(0, Claims::Wait::No);
+    const auto claim = claims.take_if_free(0);
     static_cast<void>(::write(ready[1], "x", 1) == 1);
     while (true) ::pause();
   }
   char byte = 0;
   ASSERT_EQ(::read(ready[0], &byte, 1), 1);
   const Claims claims(folder.path(""));
-  EXPECT_FALSE(claims.take(0, Claims::Wait::No));
-  ::kill(child, SIGKILL);
-  EXPECT_TRUE(claims.take(0, Claims::Wait::UntilFree));
+  EXPECT_FALSE(claims.take_if_free(0));
+  bool is_killed = false;
+  const Claims::Claim claim = claims.take(0, [&] {
+    if (!std::exchange(is_killed, true)) ::kill(child, SIGKILL);
+  });
+  EXPECT_TRUE(is_killed) << "who waits is told of it";
   ::waitpid(child, nullptr, 0);
   ::close(ready[0]);
   ::close(ready[1]);
@@ -50,15 +54,15 @@ TEST(Claims, EndWithAKilledProcess) {
 TEST(Claims, WhoWaitsCanBeToldToStop) {
   const ScratchFolder folder;
   const Claims one(folder.path("")), two(folder.path(""));
-  const auto claim = one.take(5, Claims::Wait::No);
+  const auto claim = one.take_if_free(5);
   const Interruption interruption([] { return true; });
-  EXPECT_THROW(static_cast<void>(two.take(5, Claims::Wait::UntilFree)), Interrupted);
+  EXPECT_THROW(static_cast<void>(two.take(5)), Interrupted);
 }
 
 // A folder that cannot be written to stands for a file system that cannot lock.
 TEST(Claims, WhereThereAreNoLocksWorkGoesOn) {
   const Claims claims("/nowhere");
-  EXPECT_TRUE(claims.take(0, Claims::Wait::No));
+  EXPECT_TRUE(claims.take_if_free(0));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "sigmascape/bake/plan.h"
 
 #include <filesystem>
+#include <fstream>
 #include <gtest/gtest.h>
 #include <vector>
 
@@ -101,6 +102,15 @@ TEST(BakePlan, OfWhatIsThereNothingIsLeft) {
   EXPECT_EQ(done.cells, 0.0);
   EXPECT_EQ(done.seconds, 0.0);
   EXPECT_GT(done.bytes, 0.0);
+}
+
+TEST(BakePlan, IsRefusedWhereTheBakeWouldBe) {
+  const ScratchFolder folder;
+  std::filesystem::create_directories(folder.path("a"));
+  std::ofstream(folder.path("a") / "dataset.json") << "{}";
+  EXPECT_EQ(
+      message_of_error([&] { static_cast<void>(plan(scene_with_tower(100.0), settings_with(2), folder.path("a"))); }),
+      folder.path("a").string() + ": holds a dataset; choose an empty folder");
 }
 
 }  // namespace
