@@ -25,6 +25,7 @@
 #include "sigmascape/geo/atomic_file.h"
 #include "sigmascape/terrain/height_field_file.h"
 #include "sigmascape/terrain/pyramid_builder.h"
+#include "sigmascape/terrain/pyramid_files.h"
 #include "sigmascape/trace/simd_setting.h"
 
 namespace sigmascape::bake {
