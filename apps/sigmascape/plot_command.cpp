@@ -13,6 +13,7 @@
 #include "sigmascape/base/file_ending.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/geo/coordinate_transform.h"
+#include "sigmascape/geo/geo_raster.h"
 #include "sigmascape/product/ground_map_file.h"
 #include "sigmascape/product/npy_file.h"
 #include "sigmascape/product/plot_file.h"
@@ -94,6 +95,10 @@ std::vector<double> amplitudes_of(const PlotOptions& options) {
 
 void plot_histogram(const PlotOptions& options, const Output& output) {
   const bool is_iq = file_ending(options.input) == ".npy";
+  if (!is_iq && !geo::is_geotiff_name(options.input)) {
+    throw Error(options.input, "is neither a ground map nor I/Q that can be read",
+                "give a map that ends in .tif or I/Q that ends in .npy");
+  }
   for (const auto& [option, is_given] :
        {std::pair{"--area", !options.area_m.empty()}, {"--looks", options.looks != 1.0}}) {
     if (is_iq && is_given)

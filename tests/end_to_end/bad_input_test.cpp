@@ -274,6 +274,9 @@ TEST_F(BadInput, RadarsBeyondTheHorizonOfEverythingAreRefused) {
 TEST_F(BadInput, FoldersAndAbsentFilesAreNamed) {
   EXPECT_THAT(said_to("render . --scene none.toml"), HasSubstr("is a folder; give the path of a TOML file"));
   EXPECT_THAT(said_to("plot histogram none.tif --out plot.svg"), HasSubstr("none.tif: the file does not exist"));
+  EXPECT_THAT(
+      said_to("plot histogram pulses.h5 --out plot.svg"),
+      HasSubstr("pulses.h5: is neither a ground map nor I/Q that can be read; give a map that ends in .tif or"));
 }
 
 TEST_F(BadInput, FrequenciesThatAMaterialIsNotKnownForAreRefusedBeforeTheFirstSample) {

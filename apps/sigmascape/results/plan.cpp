@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 #include "sigmascape/atlas/aspect_grid.h"
@@ -18,13 +19,16 @@ constexpr double resolution_m = 2.0;
 constexpr double lowest_elevation_deg = 3.0, highest_elevation_deg = 40.0;
 constexpr std::uint64_t held_out_stream = 0x76696577;  // keeps the views' numbers apart from those of the rays
 
-/// A view on the first grid, so that all grids hold it; neighbours in the list differ in both angles.
+/// A view on the first grid, so that all grids hold it; neighbours in the list differ in both angles, and none comes
+/// twice before all have come.
 PlannedView view_on(const ResultsPlan& plan, std::size_t index) {
   const LookGrid& grid = plan.grids.front();
   const std::size_t azimuth = (3 + 5 * index) % grid.azimuths;
+  const std::size_t period = std::lcm(std::size_t{grid.azimuths}, grid.elevations_deg.size());
+  const std::size_t elevation = (index + index / period) % grid.elevations_deg.size();
   return {.kind = ViewKind::OnGrid,
           .azimuth_deg = 360.0 * static_cast<double>(azimuth) / grid.azimuths,
-          .elevation_deg = grid.elevations_deg[index % grid.elevations_deg.size()],
+          .elevation_deg = grid.elevations_deg[elevation],
           .traced_samples = plan.traced_samples_of(ViewKind::OnGrid)};
 }
 
@@ -187,6 +191,10 @@ ResultsPlan results_plan(const ResultsOptions& options) {
   }
   if (plan.traced_samples == 0)
     throw Error("--traced-samples", "is 0", "give at least 1: without rays there is no map to hold against");
+  const std::size_t on_first_grid = plan.grids.front().azimuths * plan.grids.front().elevations_deg.size();
+  const std::size_t on_grid = options.on_grid.value_or(options.small ? 3 : 8);
+  if (on_grid > on_first_grid)
+    throw Error("--on-grid", fmt::format("is {}", on_grid), fmt::format("the first grid has {} looks", on_first_grid));
   plan.bounces = options.bounces;
   plan.seed = options.seed;
   plan.threads = options.threads;
@@ -195,7 +203,7 @@ ResultsPlan results_plan(const ResultsOptions& options) {
                  .azimuth_deg = 130.0,
                  .elevation_deg = 8.6,
                  .traced_samples = plan.traced_samples_of(ViewKind::Paper)}};
-  for (std::size_t i = 0; i < options.on_grid.value_or(options.small ? 3 : 8); ++i) {
+  for (std::size_t i = 0; i < on_grid; ++i) {
     plan.views.push_back(view_on(plan, i));
     plan.views.back().is_repeated = i < options.repeated;
   }

@@ -332,11 +332,15 @@ FeatureCensus for_each_feature(const VectorSource& source, const LocalFrame& fra
   require_columns(*dataset, source);
   std::vector<WantedLayer> layers = wanted_layers(*dataset, source);
   UnknownTags unknown_tags(layers);
-  FeatureWalk walk(*dataset, std::move(layers));
   const bool osm = is_osm(*dataset);
   LayerTransforms transforms(source, frame);
   FeatureCensus census;
   std::set<std::string> names;
+  for (const WantedLayer& wanted : layers) {
+    for (std::string& column : column_names(*wanted.layer)) names.insert(std::move(column));
+  }
+  names.erase(packed_tags);
+  FeatureWalk walk(*dataset, std::move(layers));
   std::size_t of_this_kind = 0, of_other_kinds = 0;
 
   const QuietGdal quiet;

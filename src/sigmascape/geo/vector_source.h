@@ -42,8 +42,9 @@ struct Feature {
 
 /// What is known of a file once all its features have been seen.
 struct FeatureCensus {
-  std::size_t features = 0;                  ///< that have a place in the frame
-  std::vector<std::string> attribute_names;  ///< all that occur, sorted
+  std::size_t features = 0;  ///< that have a place in the frame
+  /// All that features have and the columns of their layers, which may be empty throughout; sorted.
+  std::vector<std::string> attribute_names;
   std::size_t nowhere = 0;    ///< features without geometry or with coordinates that have no place in the frame
   std::string first_nowhere;  ///< by its id, and its coordinates if it has any
   /// Names in the condition that are no column of a layer and no tag of a feature that was asked, sorted: they were

@@ -20,7 +20,7 @@ nlohmann::ordered_json rows_json(const MapComparison& comparison) {
   auto rows = nlohmann::ordered_json::array();
   for (const CellComparison& row : comparison.at) {
     nlohmann::ordered_json object{{"cell_m", row.cell_m}};
-    for (const MetricColumn& column : metric_columns) object[column.key] = row.*column.value;
+    for (const MetricColumn& column : metric_columns) object[column.key] = metric_of(column, row);
     rows.push_back(std::move(object));
   }
   return rows;

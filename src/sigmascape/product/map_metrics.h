@@ -74,7 +74,7 @@ struct MapComparison {
 ///      "cells": [{"cell_m": …, "correlation_db": …, "rms_db": …, "bias_db": …, "l1": …, "shadow_iou": …}, …],
 ///      "noise_floor": [the same rows, where one is given]}
 ///
-/// A number that is not defined is null.
+/// A number that is not defined is null, and the overlap of fewer than `least_shadow_cells`.
 [[nodiscard]] std::string comparison_json(const MapComparison& comparison,
                                           const std::optional<MapComparison>& noise_floor = std::nullopt);
 

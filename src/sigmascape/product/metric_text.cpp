@@ -1,13 +1,18 @@
 #include "sigmascape/product/metric_text.h"
 
+#include <limits>
+
 #include "sigmascape/product/number_text.h"
 
 namespace sigmascape::product {
 
-std::string metric_text(const MetricColumn& column, const CellComparison& comparison, const char* none) {
+double metric_of(const MetricColumn& column, const CellComparison& comparison) {
   const bool is_of_few = column.value == &CellComparison::shadow_iou && comparison.shadow_cells < least_shadow_cells;
-  if (is_of_few) return none;
-  const double value = comparison.*column.value;
+  return is_of_few ? std::numeric_limits<double>::quiet_NaN() : comparison.*column.value;
+}
+
+std::string metric_text(const MetricColumn& column, const CellComparison& comparison, const char* none) {
+  const double value = metric_of(column, comparison);
   return column.with_sign ? signed_text(value, column.decimals, none) : number_text(value, column.decimals, none);
 }
 

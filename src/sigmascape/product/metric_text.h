@@ -25,8 +25,10 @@ inline constexpr std::array<MetricColumn, 5> metric_columns = {{
     {"shadow_iou", "shadow IoU", &CellComparison::shadow_iou, 3, false},
 }};
 
-/// The metric of a comparison; `none` where it is not a number, and of an overlap of fewer than `least_shadow_cells`.
-/// What rounds to nothing has no sign.
+/// The metric of a comparison as it may be told: not a number for an overlap of fewer than `least_shadow_cells`.
+[[nodiscard]] double metric_of(const MetricColumn& column, const CellComparison& comparison);
+
+/// The same in words; `none` where it is not a number. What rounds to nothing has no sign.
 [[nodiscard]] std::string metric_text(const MetricColumn& column, const CellComparison& comparison, const char* none);
 
 }  // namespace sigmascape::product

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fmt/format.h>
 #include <limits>
 #include <vector>
 
+#include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/product/block_mean.h"
 #include "sigmascape/product/same_cells.h"
@@ -32,6 +34,10 @@ std::vector<Fourfold> cells_seen_by_all(const RepeatedMap& tested, const Repeate
     if (std::ranges::any_of(powers, [](double power) { return std::isnan(power); })) continue;
     for (double& value : powers) value = db_from_linear(std::max(value, floor));
     cells.push_back(powers);
+  }
+  if (cells.empty()) {
+    throw Error("maps to compare", fmt::format("no cell of {:g} m was seen wholly by all four", cell_m),
+                "compare maps of the same ground, or at smaller cells");
   }
   return cells;
 }

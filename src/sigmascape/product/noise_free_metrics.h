@@ -37,8 +37,8 @@ struct NoiseFreeComparison {
 /// correlation of a faulty map comes out somewhat too high.
 ///
 /// The correlation is NaN where a covariance of repeated maps is not positive. It can exceed 1, by chance. The options'
-/// cell sizes and shadow are not asked for. Throws Error when grids or frames differ, and when the cell is no multiple
-/// of the maps'.
+/// cell sizes and shadow are not asked for. Throws Error when grids or frames differ, when the cell is no multiple of
+/// the maps', and when no cell is left that all four saw.
 [[nodiscard]] NoiseFreeComparison compare_without_noise(const RepeatedMap& tested, const RepeatedMap& truth,
                                                         double cell_m, const CompareOptions& options = {});
 

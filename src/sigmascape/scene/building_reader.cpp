@@ -105,9 +105,8 @@ std::size_t collect_footprints(Scene& scene, const BuildingSource& source, std::
       footprints.push_back({std::move(shape), *height, wall, roof, source_number, std::move(feature.id)});
     }
   });
-  for (const auto& attribute : {source.height_attribute, source.levels_attribute}) {
-    if (attribute) require_attribute(census, *attribute, source.where);
-  }
+  require_attribute(census, source.height_attribute, source.vector, source.where + ".height_attribute");
+  require_attribute(census, source.levels_attribute, source.vector, source.where + ".levels_attribute");
   if (inside == 0) {
     for (const std::string& kind : {all_outside, all_beneath}) tally.leaves_nothing(kind);
   }

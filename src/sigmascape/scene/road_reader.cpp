@@ -134,9 +134,8 @@ void add_roads(Scene& scene, const RoadSource& source, const WaterMask& water) {
       if (flow) flow->fill(line, *width, water);
     }
   });
-  for (const auto& attribute : {source.width_attribute, source.class_attribute}) {
-    if (attribute) require_attribute(census, *attribute, source.where);
-  }
+  require_attribute(census, source.width_attribute, source.vector, source.where + ".width_attribute");
+  require_attribute(census, source.class_attribute, source.vector, source.where + ".class_attribute");
   if (inside == 0) tally.leaves_nothing(outside);
   tell_of_census(census, source.vector, tally);
   tally.settle(source.vector.file.string(), census.features + census.nowhere, source.limit, scene.remarks);

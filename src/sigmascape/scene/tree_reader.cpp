@@ -142,9 +142,8 @@ void add_trees(Scene& scene, const TreeSource& source, const WaterMask& water) {
                                  .scale = tree_scale(static_cast<float>(*height), static_cast<float>(crown))});
     }
   });
-  for (const auto& attribute : {source.height_attribute, source.crown_radius_attribute}) {
-    if (attribute) require_attribute(census, *attribute, source.where);
-  }
+  require_attribute(census, source.height_attribute, source.vector, source.where + ".height_attribute");
+  require_attribute(census, source.crown_radius_attribute, source.vector, source.where + ".crown_radius_attribute");
   if (inside == 0) tally.leaves_nothing(outside);
   tell_of_census(census, source.vector, tally);
   tally.settle(source.vector.file.string(), inside + census.nowhere, source.limit, scene.remarks);

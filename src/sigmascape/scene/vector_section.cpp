@@ -90,12 +90,13 @@ void tell_of_census(const geo::FeatureCensus& census, const geo::VectorSource& s
                 source.where.empty() ? "has none" : fmt::format("none meets where = \"{}\"", source.where));
 }
 
-void require_attribute(const geo::FeatureCensus& census, const std::string& attribute, const std::string& where) {
+void require_attribute(const geo::FeatureCensus& census, const std::optional<std::string>& attribute,
+                       const geo::VectorSource& source, const std::string& where) {
   const auto& names = census.attribute_names;
-  if (census.features == 0 || std::ranges::find(names, attribute) != names.end()) return;
-  const auto nearest = nearest_word(attribute, names);
+  if (!attribute || census.features == 0 || std::ranges::find(names, *attribute) != names.end()) return;
+  const auto nearest = nearest_word(*attribute, names);
   throw Error(
-      where, fmt::format("no feature has the attribute '{}'", attribute),
+      where, fmt::format("no feature of {} has the attribute '{}'", source.file.filename().string(), *attribute),
       nearest ? fmt::format("did you mean {}?", *nearest) : fmt::format("use one of {}", fmt::join(names, ", ")));
 }
 

@@ -42,7 +42,9 @@ void tell_of_doubtful_comma(const geo::Feature& feature, const std::optional<std
 /// condition that names a tag of which the file knows nothing.
 void tell_of_census(const geo::FeatureCensus& census, const geo::VectorSource& source, FlawTally& tally);
 
-/// Throws Error when no feature carries the attribute that a key names.
-void require_attribute(const geo::FeatureCensus& census, const std::string& attribute, const std::string& where);
+/// Throws Error when a file knows nothing of the attribute that the key at `where` names, if it names one. A column in
+/// which nothing stands is known.
+void require_attribute(const geo::FeatureCensus& census, const std::optional<std::string>& attribute,
+                       const geo::VectorSource& source, const std::string& where);
 
 }  // namespace sigmascape::scene

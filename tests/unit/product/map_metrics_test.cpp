@@ -285,6 +285,12 @@ TEST(MapMetrics, TableSaysNoOverlapOfFewCellsInShadow) {
   EXPECT_EQ(compare_maps(with_shadow(3), with_shadow(12), at_cells({2.0})).at.front().shadow_cells, 12U);
   EXPECT_THAT(iou_text(least_shadow_cells), testing::HasSubstr("1.000\nVV"));
   EXPECT_THAT(iou_text(least_shadow_cells - 1), testing::HasSubstr(" -\nVV"));
+  const auto iou_json = [&](std::size_t cells) {
+    const GroundMap map = with_shadow(cells);
+    return nlohmann::json::parse(comparison_json(compare_maps(map, map, at_cells({2.0}))))["cells"][0]["shadow_iou"];
+  };
+  EXPECT_EQ(iou_json(least_shadow_cells), 1.0);
+  EXPECT_TRUE(iou_json(least_shadow_cells - 1).is_null());
 }
 
 TEST(BlockMean, LeavesOutWhatFillsNoBlock) {

@@ -100,6 +100,12 @@ TEST(NoiseFreeMetrics, MapsOfOneSceneFromAsManyRaysAgreeHoweverFewEchoesTheyGot)
   EXPECT_NEAR(faulty.rms_db, 3.0 / std::sqrt(3.0), 0.1);
 }
 
+TEST(NoiseFreeMetrics, WithoutACellThatAllSawNothingIsSaid) {
+  const GroundMap map = map_of(4, 4, [](auto, auto) { return 1.0; });
+  const GroundMap blind = map_of(4, 4, [](auto, auto) { return static_cast<double>(radar::unseen_power); });
+  EXPECT_THROW(static_cast<void>(compare_without_noise({map, blind}, {map, map}, 2.0, vv)), Error);
+}
+
 TEST(NoiseFreeMetrics, NoiseAloneHasNoCorrelationToSpeakOf) {
   const auto noise = [](std::uint64_t stream) {
     return map_of(4, 4, [=](auto c, auto r) { return power(10.0 * even(stream, c, r)); });

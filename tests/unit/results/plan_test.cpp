@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <gtest/gtest.h>
+#include <set>
+#include <utility>
 
 #include "made_rows.h"
 
@@ -36,6 +38,19 @@ TEST(ResultsPlan, WantsRaysOfWhatIsHeldAgainst) {
   EXPECT_THROW(static_cast<void>(results_plan(options)), Error);
   options.traced_samples = 1;
   EXPECT_NO_THROW(static_cast<void>(results_plan(options)));
+}
+
+TEST(ResultsPlan, LooksAtNoViewOfTheGridTwice) {
+  ResultsOptions options;
+  options.held_out = 0;
+  options.on_grid = 32;  // all of 8 × 4
+  std::set<std::pair<double, double>> views;
+  for (const PlannedView& view : results_plan(options).views) {
+    if (view.kind == ViewKind::OnGrid) views.insert({view.azimuth_deg, view.elevation_deg});
+  }
+  EXPECT_EQ(views.size(), 32U);
+  options.on_grid = 33;
+  EXPECT_THROW(static_cast<void>(results_plan(options)), Error);
 }
 
 }  // namespace

@@ -184,7 +184,8 @@ TEST_F(BadInput, NegativeTreeHeightNamesFileAndFeature) {
 TEST_F(BadInput, MisspeltAttributeSuggestsTheRightOne) {
   place_.write_houses(MadeUpPlace::house(0, 0, 9, 9, "\"height_m\":5"));
   EXPECT_THAT(place_.fault("[[buildings]]\nfile = \"houses.geojson\"\nheight_attribute = \"hieght_m\"\n"),
-              HasSubstr("no feature has the attribute 'hieght_m'; did you mean height_m?"));
+              HasSubstr("buildings[1].height_attribute: no feature of houses.geojson has the attribute 'hieght_m'; did "
+                        "you mean height_m?"));
 }
 
 TEST_F(BadInput, UnknownMaterialSuggestsTheNearest) {

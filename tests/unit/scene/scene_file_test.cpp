@@ -246,6 +246,14 @@ TEST(SceneFile, DecimalCommasCountAndDoubtfulOnesAreTold) {
   EXPECT_THAT(told->first, HasSubstr("feature 1 (1,234)"));
 }
 
+TEST(SceneFile, AColumnThatIsEmptyThroughoutIsThere) {
+  const MadeUpPlace place;
+  place.write_houses(MadeUpPlace::house(-20, 0, 0, 20, R"("h":null)"));
+  const Scene scene = place.read(houses_section + "default_height_m = 7\n");
+  ASSERT_EQ(scene.buildings.items.size(), 1U);
+  EXPECT_EQ(top_m(scene, 0), 7.0F);
+}
+
 TEST(SceneFile, TreesStandOnTheTerrainAndNotInWater) {
   const MadeUpPlace place;
   place.write("trees.csv",
