@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -17,6 +18,7 @@
 #include "sigmascape/base/sha256.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/dataset/dataset_run.h"
+#include "sigmascape/dataset/sample_files.h"
 #include "sigmascape/geo/geo_raster.h"
 #include "sigmascape/scene/scene_file.h"
 
@@ -260,6 +262,49 @@ TEST_F(Dataset, TargetsThatNoWrittenPolarizationShowsAreNotSeen) {
   EXPECT_GT(seen("[\"VV\"]"), 0U);
   EXPECT_EQ(seen("[\"HV\", \"sum\"]"), seen("[\"VV\"]"));
   EXPECT_EQ(seen("[\"HV\"]"), 0U) << "a target is drawn without a cross-section in HV";
+}
+
+// Behind crowns a part of a target's power comes through, and far enough above them all of it, whatever hides the
+// ground.
+TEST_F(Dataset, TargetsAreSeenAlongTheirOwnLinesOfSight) {
+  const auto targets_at = [&](double height_m) {
+    dataset::DatasetSpec asked = spec({.elevation = "[9, 9]", .number = "[60, 60]", .rcs_db = 70.0});
+    asked.targets.front().height_m = height_m;
+    std::vector<dataset::SampleTarget> all;
+    const dataset::SampleMaker maker(asked);
+    for (std::size_t i = 0; i < 3; ++i) std::ranges::move(maker.make(i).targets, std::back_inserter(all));
+    return all;
+  };
+  const auto low = targets_at(2.0), high = targets_at(200.0);
+  const auto is_weakened = [](const dataset::SampleTarget& target) {
+    return target.part_seen > 1e-3 && target.part_seen < 0.9;
+  };
+  EXPECT_GT(std::ranges::count_if(low, is_weakened), 5);
+  EXPECT_TRUE(std::ranges::any_of(low, [](const auto& target) { return target.part_seen == 0.0; }));
+  for (const auto& target : low) {
+    if (target.is_seen) EXPECT_GE(target.part_seen, dataset::least_part_seen);
+  }
+  EXPECT_TRUE(std::ranges::all_of(high, [](const auto& target) { return target.part_seen == 1.0; }));
+}
+
+TEST_F(Dataset, PicturesShowTargetsInAPolarizationThatHasThem) {
+  const auto pictured = [&](const char* polarizations) {
+    return dataset::pictured_polarization(spec({.more = fmt::format("polarizations = {}\n", polarizations)}));
+  };
+  EXPECT_EQ(pictured("[\"HV\", \"HH\", \"VV\"]"), radar::Polarization::HH);
+  EXPECT_EQ(pictured("[\"VV\", \"HV\"]"), radar::Polarization::VV);
+  EXPECT_EQ(pictured("[\"HV\"]"), radar::Polarization::HV);
+}
+
+// Whoever removes the file that refuses another specification does not get the samples of the first as those of the
+// other.
+TEST_F(Dataset, LotsOfAnotherDatasetDoNotCount) {
+  const fs::path folder = folder_->path("adopted");
+  made(dataset::SampleMaker(spec({})), folder);
+  fs::remove(folder / "dataset.json");
+  EXPECT_EQ(made(dataset::SampleMaker(spec({})), folder).already, count);
+  fs::remove(folder / "dataset.json");
+  EXPECT_EQ(made(dataset::SampleMaker(spec({.snr = "[20, 20]"})), folder).already, 0U);
 }
 
 TEST_F(Dataset, TargetsThatTheGateLeavesOutAreNotSeen) {

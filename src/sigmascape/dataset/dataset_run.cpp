@@ -57,6 +57,10 @@ Json identity_of(const SampleMaker& maker) {
           {"spec", maker.spec().text}};
 }
 
+std::string digest_of_identity(const SampleMaker& maker) {
+  return sha256_of(identity_of(maker).dump());
+}
+
 /// What a dataset was begun with that is another one now: "scene and atlas".
 std::string difference(const Json& begun, const Json& mine) {
   constexpr std::array<std::pair<const char*, const char*>, 4> parts{{{"spec_sha256", "specification"},
@@ -103,7 +107,10 @@ bool are_whole(const Json& files, const fs::path& folder) {
 bool is_made(const SampleMaker& maker, const fs::path& folder, std::size_t number) {
   std::ifstream stream(index_path(folder, number), std::ios::binary);
   const Json index = Json::parse(stream, nullptr, false);
+  const std::string identity = digest_of_identity(maker);
   try {
+    // Those of a former kind do not say of which dataset they are.
+    if (index.value("dataset_sha256", identity) != identity) return false;
     const Json& samples = index.at("samples");
     if (samples.size() != count_of_lot(maker.spec(), number)) return false;
     if (!std::ranges::all_of(samples, [](const Json& sample) { return sample.at("boxes").is_array(); })) return false;
@@ -135,7 +142,7 @@ class Lot {
   }
 
   void write() {
-    Json index{{"samples", entries_}};
+    Json index{{"dataset_sha256", digest_of_identity(maker_)}, {"samples", entries_}};
     if (maker_.spec().arrangement == Arrangement::WebDataset) index["tar"] = write_tar();
     const fs::path path = index_path(folder_, number_);
     if (fs::exists(path.parent_path())) geo::remove_leftovers(path.parent_path(), path.filename().string());
@@ -156,7 +163,7 @@ class Lot {
     }
     entries_[k] = {{"sample", sample_number}, {"files", listed}, {"boxes", boxes}};
     if (sample_number < sheet_samples) {
-      const auto picture = product::picture_of(sample.map, {.polarization = maker_.spec().polarizations.front()});
+      const auto picture = product::picture_of(sample.map, {.polarization = pictured_polarization(maker_.spec())});
       entries_[k]["thumbnail"] = hex_of(product::thumbnail(picture, sheet_side));
     }
     if (maker_.spec().arrangement == Arrangement::WebDataset) {

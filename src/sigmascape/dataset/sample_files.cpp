@@ -69,6 +69,7 @@ Json target_json(const DatasetSpec& spec, const SampleTarget& target) {
           {"velocity_mps", {target.planned.velocity_mps.x, target.planned.velocity_mps.y}},
           {"track", target.planned.track},
           {"rcs_dbsm", rounded(db_from_linear(target.planned.rcs_m2), 1e-6)},
+          {"part_seen", rounded(target.part_seen, 1e-9)},
           {"is_seen", target.is_seen},
           {"bbox", {target.box.x, target.box.y, target.box.width, target.box.height}}};
 }
@@ -131,13 +132,21 @@ std::string_view word_of(radar::Polarization polarization) {
   return "sum";
 }
 
+radar::Polarization pictured_polarization(const DatasetSpec& spec) {
+  const auto shows_targets = [&](radar::Polarization of) {
+    return spec.targets.empty() || target_channels(1.0).power(of) > 0.0F;
+  };
+  const auto found = std::ranges::find_if(spec.polarizations, shows_targets);
+  return found == spec.polarizations.end() ? spec.polarizations.front() : *found;
+}
+
 std::vector<SampleFile> sample_files(const DatasetSpec& spec, const Sample& sample) {
   std::vector<SampleFile> files{{"map.npy", map_bytes(spec, sample.map)}};
   for (const radar::Layer& layer : sample.labels.layers) files.push_back({layer.name + ".npy", label_bytes(layer)});
   files.push_back({"metadata.json", metadata_of(spec, sample).dump(1) + "\n"});
   if (spec.with_preview) {
     files.push_back({"preview.png", product::png_bytes(product::picture_of(
-                                        sample.map, {.polarization = spec.polarizations.front()}))});
+                                        sample.map, {.polarization = pictured_polarization(spec)}))});
   }
   return files;
 }

@@ -16,6 +16,10 @@ struct SampleFile {
 /// as bytes, angles in degrees), what it shows and how it was made as JSON, and a picture of it.
 [[nodiscard]] std::vector<SampleFile> sample_files(const DatasetSpec& spec, const Sample& sample);
 
+/// In which polarization samples are pictured: the first that is written, and where there are targets the first of
+/// those in which they have a cross-section.
+[[nodiscard]] radar::Polarization pictured_polarization(const DatasetSpec& spec);
+
 /// "VV", "sum": as the spec's file calls it.
 [[nodiscard]] std::string_view word_of(radar::Polarization polarization);
 

@@ -113,17 +113,12 @@ std::shared_ptr<const radar::ObstacleMap> obstacles_for(const atlas::Atlas& atla
   return std::make_shared<const radar::ObstacleMap>(scene::obstacles_of(scene, cell_m));
 }
 
-radar::Channels rcs_of(const PlannedTarget& planned) {
-  const auto rcs = static_cast<float>(planned.rcs_m2);
-  return {rcs, rcs, 0.0F, rcs};
-}
-
 radar::Target target_of(const PlannedTarget& planned, const TargetClass& kind, const terrain::HeightField& terrain) {
   return {.name = kind.name,
           .track = radar::Track::straight(
               {planned.position.x, planned.position.y, terrain.height_at(planned.position) + kind.height_m},
               {planned.velocity_mps.x, planned.velocity_mps.y, 0.0}),
-          .rcs_m2 = rcs_of(planned)};
+          .rcs_m2 = target_channels(planned.rcs_m2)};
 }
 
 double mean_vv(const radar::GroundMap& map) {
@@ -144,10 +139,6 @@ double noise_under(const radar::GroundMap& map, const SamplePlan& plan) {
   return 0.0;
 }
 
-auto shadow_among(radar::LayerStack& labels) {
-  return std::ranges::find(labels.layers, "shadow", &radar::Layer::name);
-}
-
 /// Whether anything of a cross-section shows in the polarizations that are written.
 bool shows_in(std::span<const radar::Polarization> written, const radar::Channels& rcs_m2) {
   return std::ranges::any_of(written, [&](radar::Polarization of) { return rcs_m2.power(of) > 0.0F; });
@@ -157,13 +148,13 @@ double half_diagonal_m(const DatasetSpec& spec) {
   return static_cast<double>(spec.cells) * spec.cell_m / std::sqrt(2.0);
 }
 
-/// Whether a place lies on the map where the radar looks, and not in shadow.
-bool is_lit(Vec2d place, const radar::GroundMap& map, const Array2D<float>& shadow) {
+/// Whether a place lies on the map where the radar looks.
+bool is_looked_at(Vec2d place, const radar::GroundMap& map) {
   if (!map.grid.extent().contains(place)) return false;
   const Vec2d cell = map.grid.cells_from(place);
   const std::size_t column = std::min(static_cast<std::size_t>(cell.x), map.grid.columns - 1);
   const std::size_t row = std::min(static_cast<std::size_t>(cell.y), map.grid.rows - 1);
-  return shadow(column, row) == 0.0F && !std::isnan(map.sigma0(column, row).vv);
+  return !std::isnan(map.sigma0(column, row).vv);
 }
 
 /// Whether the gate is open when the echo of a place comes back, of the same pulse.
@@ -174,6 +165,11 @@ bool is_within_gate(Vec3d place, const radar::Radar& radar) {
 }
 
 }  // namespace
+
+radar::Channels target_channels(double rcs_m2) {
+  const auto rcs = static_cast<float>(rcs_m2);
+  return {rcs, rcs, 0.0F, rcs};
+}
 
 SampleMaker::SampleMaker(const DatasetSpec& spec)
     : spec_(spec),
@@ -199,6 +195,7 @@ SampleMaker::SampleMaker(const DatasetSpec& spec)
     obstacles_ = obstacles_for(*atlas_, scene_, spec_.cell_m);
     for (const radar::Obstacle& obstacle : obstacles_->obstacles.values())
       tallest_m_ = std::max(tallest_m_, static_cast<double>(obstacle.top_m()));
+    highest_m_ = simulate::highest_m_of(scene_.terrain, obstacles_.get());
   }
   check_radars();
   check_views();
@@ -320,18 +317,15 @@ radar::RangeAzimuthImage SampleMaker::ground_image(const radar::Radar& radar, co
 }
 
 radar::LayerStack SampleMaker::labels(const radar::Radar& radar, const radar::GroundGrid& grid) const {
-  std::vector<simulate::LayerKind> kinds = spec_.layers;
-  // Which targets are seen is told by the shadows.
-  if (std::ranges::find(kinds, simulate::LayerKind::Shadow) == kinds.end()) {
-    kinds.push_back(simulate::LayerKind::Shadow);
-  }
+  const std::vector<simulate::LayerKind>& kinds = spec_.layers;
+  if (kinds.empty()) return {.grid = grid};
   if (geometry_) return simulate::traced_layers(scene_, *geometry_, radar, grid, kinds, 1);
   return simulate::swept_layers(
       {&scene_.terrain, obstacles_.get(), &scene_.ground, scene_.materials.size(), tallest_m_}, radar, grid, kinds, 1);
 }
 
 std::vector<SampleTarget> SampleMaker::targets_of(const SamplePlan& plan, const radar::Radar& radar,
-                                                  const radar::GroundMap& map, const Array2D<float>& shadow) const {
+                                                  const radar::GroundMap& map, const PartSeen& part_seen) const {
   std::vector<SampleTarget> targets;
   for (const PlannedTarget& planned : plan.targets) {
     const TargetClass& kind = spec_.targets[planned.target_class];
@@ -340,31 +334,35 @@ std::vector<SampleTarget> SampleMaker::targets_of(const SamplePlan& plan, const 
     SampleTarget target{.planned = planned, .box = target_box(place, kind.size_m, radar, scene_.terrain, plan.grid)};
     target.box.category = planned.target_class;
     target.box.track = planned.track;
-    target.is_seen = shows_in(spec_.polarizations, rcs_of(planned)) && is_lit(planned.position, map, shadow) &&
-                     is_within_gate(place, radar) && target.box.width > 0.0;
+    target.part_seen = part_seen(place);
+    target.is_seen = target.part_seen >= least_part_seen &&
+                     shows_in(spec_.polarizations, target_channels(planned.rcs_m2)) &&
+                     is_looked_at(planned.position, map) && is_within_gate(place, radar) && target.box.width > 0.0;
     targets.push_back(target);
   }
   return targets;
 }
 
-std::vector<radar::Target> SampleMaker::reflectors_seen(const radar::Radar& radar) const {
-  if (reflectors_.empty()) return {};
-  const auto seen_by = [&](const auto& part_seen_of) { return simulate::seen_targets(reflectors_, 0.0, part_seen_of); };
+SampleMaker::PartSeen SampleMaker::part_seen_from(const radar::Radar& radar) const {
   if (!geometry_) {
-    const simulate::Surroundings surroundings{.terrain = scene_.terrain, .obstacles = obstacles_.get()};
-    return seen_by([&](Vec3d place) { return simulate::part_seen(surroundings, radar.position, place); });
+    return [this, from = radar.position](Vec3d point) {
+      return simulate::part_seen({.terrain = scene_.terrain, .obstacles = obstacles_.get(), .highest_m = highest_m_},
+                                 from, point);
+    };
   }
-  const auto surfaces = trace::surface_models(scene_, radar.frequency_hz);
-  return seen_by([&](Vec3d place) { return simulate::part_seen(*geometry_, surfaces, radar.position, place); });
+  return [this, from = radar.position, surfaces = trace::surface_models(scene_, radar.frequency_hz)](Vec3d point) {
+    return simulate::part_seen(*geometry_, surfaces, from, point);
+  };
 }
 
-Array2D<radar::Channels> SampleMaker::steady_sigma0(const std::vector<SampleTarget>& targets, const radar::Radar& radar,
-                                                    const radar::RangeAzimuthGrid& bins,
+Array2D<radar::Channels> SampleMaker::steady_sigma0(const std::vector<SampleTarget>& targets, const PartSeen& part_seen,
+                                                    const radar::Radar& radar, const radar::RangeAzimuthGrid& bins,
                                                     const radar::GroundGrid& grid) const {
-  std::vector<radar::Target> seen = reflectors_seen(radar);
+  std::vector<radar::Target> seen = simulate::seen_targets(reflectors_, 0.0, part_seen);
   for (const SampleTarget& target : targets) {
-    if (!target.is_seen) continue;
-    seen.push_back(target_of(target.planned, spec_.targets[target.planned.target_class], scene_.terrain));
+    if (!(target.part_seen > 0.0)) continue;
+    const TargetClass& kind = spec_.targets[target.planned.target_class];
+    seen.push_back(radar::weakened(target_of(target.planned, kind, scene_.terrain), target.part_seen));
   }
   if (seen.empty()) return {};
   radar::RangeAzimuthImage image{bins, radar.position, Array2D<radar::Channels>(bins.azimuths, bins.ranges)};
@@ -389,13 +387,12 @@ Sample SampleMaker::make(std::size_t index) const {
   sample.labels = labels(radar, plan.grid);
   sample.map.crs = sample.labels.crs = scene_.frame.proj();
 
-  sample.targets = targets_of(plan, radar, sample.map, shadow_among(sample.labels)->values);
+  const PartSeen part_seen = part_seen_from(radar);
+  sample.targets = targets_of(plan, radar, sample.map, part_seen);
   sample.noise_sigma0 = noise_under(sample.map, plan);
-  draw_speckle(sample.map, steady_sigma0(sample.targets, radar, image.grid, plan.grid),
+  draw_speckle(sample.map, steady_sigma0(sample.targets, part_seen, radar, image.grid, plan.grid),
                {.looks = spec_.looks, .noise = static_cast<float>(sample.noise_sigma0), .seed = plan.seed});
 
-  if (std::ranges::find(spec_.layers, simulate::LayerKind::Shadow) == spec_.layers.end())
-    sample.labels.layers.erase(shadow_among(sample.labels));
   std::ranges::move(bounces, std::back_inserter(sample.labels.layers));
   return sample;
 }

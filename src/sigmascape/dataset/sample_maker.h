@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -9,6 +10,7 @@
 #include "sigmascape/dataset/dataset_spec.h"
 #include "sigmascape/dataset/sample_plan.h"
 #include "sigmascape/product/coco.h"
+#include "sigmascape/radar/channels.h"
 #include "sigmascape/radar/ground_map.h"
 #include "sigmascape/radar/layer_stack.h"
 #include "sigmascape/radar/look.h"
@@ -19,10 +21,17 @@
 
 namespace sigmascape::dataset {
 
+/// What a target returns: as much in VV as in HH, and nothing in HV.
+[[nodiscard]] radar::Channels target_channels(double rcs_m2);
+
+/// What shows less of its power than this, 10 dB down, has no box.
+inline constexpr double least_part_seen = 0.1;
+
 /// A target as it came out: where its echo lies, if the radar sees it.
 struct SampleTarget {
   PlannedTarget planned;
-  bool is_seen = false;
+  double part_seen = 0.0;  ///< of its power, that comes past hills, houses and crowns
+  bool is_seen = false;    ///< at least `least_part_seen` of it, and some of its response on the map
   product::TargetBox box;  ///< cut to the map
 };
 
@@ -55,9 +64,9 @@ class SampleMaker {
 
   /// Sample number `index`, a pure function of spec and index. Uses the calling thread alone.
   ///
-  /// Targets stand on the ground wherever the spec lets them; those whose ground the radar does not see do not answer,
-  /// and nor do those without a cross-section in the polarizations that are written. A box holds the target's size and
-  /// the half-power widths of its response, where its range lays them.
+  /// Targets stand on the ground wherever the spec lets them and answer with what the radar sees of them along their
+  /// own line of sight (simulate::part_seen). A box holds the target's size and the half-power widths of its response,
+  /// where its range lays them.
   [[nodiscard]] Sample make(std::size_t index) const;
 
  private:
@@ -71,14 +80,17 @@ class SampleMaker {
   [[nodiscard]] radar::RangeAzimuthImage ground_image(const radar::Radar& radar, const SamplePlan& plan,
                                                       std::vector<radar::Layer>& bounces) const;
   [[nodiscard]] radar::LayerStack labels(const radar::Radar& radar, const radar::GroundGrid& grid) const;
-  /// Where the planned targets show, and whether the radar sees them: `shadow` is the map's own.
+  /// What comes past hills, houses and crowns of the power of a point.
+  using PartSeen = std::function<double(Vec3d point)>;
+  [[nodiscard]] PartSeen part_seen_from(const radar::Radar& radar) const;
+  /// Where the planned targets show, and what the radar sees of them.
   [[nodiscard]] std::vector<SampleTarget> targets_of(const SamplePlan& plan, const radar::Radar& radar,
-                                                     const radar::GroundMap& map, const Array2D<float>& shadow) const;
-  /// Those of the scene's own targets that the radar sees.
-  [[nodiscard]] std::vector<radar::Target> reflectors_seen(const radar::Radar& radar) const;
-  /// σ0 of the seen targets and reflectors, which has no speckle; empty when none is seen.
+                                                     const radar::GroundMap& map, const PartSeen& part_seen) const;
+  /// σ0 of what is seen of the targets and of the scene's reflectors, which has no speckle; empty where that is
+  /// nothing.
   [[nodiscard]] Array2D<radar::Channels> steady_sigma0(const std::vector<SampleTarget>& targets,
-                                                       const radar::Radar& radar, const radar::RangeAzimuthGrid& bins,
+                                                       const PartSeen& part_seen, const radar::Radar& radar,
+                                                       const radar::RangeAzimuthGrid& bins,
                                                        const radar::GroundGrid& grid) const;
 
   DatasetSpec spec_;
@@ -91,6 +103,7 @@ class SampleMaker {
   std::vector<atlas::Atlas> bounce_atlases_;  // of at most one bounce, at most two, …: as many as are asked for
   std::shared_ptr<const radar::ObstacleMap> obstacles_;  // of levels of detail from 1 on
   double tallest_m_ = 0.0;                               // of them
+  double highest_m_ = 0.0;                               // of the terrain with them
   std::optional<trace::SceneGeometry> geometry_;         // of level of detail 0
 };
 

@@ -19,9 +19,9 @@ radar::Radar radar_of(const DatasetSpec& spec, const SamplePlan& plan, const ter
   if (spec.radar_ranges.beam_width_rad) radar::set_beam_width(drawn, plan.beam_width_rad);
   radar::Radar& radar = drawn.radar;
   radar.velocity_mps = {plan.flight_mps.x, plan.flight_mps.y, 0.0};
-  radar.position =
-      radar::position_seeing(middle_of(plan, terrain), plan.azimuth_rad, plan.elevation_rad, plan.slant_range_m) +
-      radar.velocity_mps * plan.time_s;
+  radar.position = radar::position_seeing(middle_of(plan, terrain), plan.azimuth_rad, plan.elevation_rad,
+                                          plan.slant_range_m, radar::earth_of(radar)) +
+                   radar.velocity_mps * plan.time_s;
   return drawn.radar;
 }
 

@@ -79,6 +79,12 @@ bool reaches_in(double middle, double length, double cells) {
   return middle + length / 2.0 > 0.0 && middle - length / 2.0 < cells;
 }
 
+/// By an azimuth, clockwise.
+Vec2d turned(Vec2d v, double azimuth_rad) {
+  const double sine = std::sin(azimuth_rad), cosine = std::cos(azimuth_rad);
+  return {v.x * cosine + v.y * sine, v.y * cosine - v.x * sine};
+}
+
 }  // namespace
 
 std::optional<ShownStretch> shown_stretch(Vec3d target, const radar::Radar& radar, const terrain::HeightField& terrain,
@@ -102,11 +108,14 @@ product::TargetBox target_box(Vec3d target, double size_m, const radar::Radar& r
   const GroundLine line(target, radar.position, terrain);
   const double middle_m = 0.5 * (stretch->near_m + stretch->far_m), along_m = stretch->far_m - stretch->near_m;
   // Sent and received over the same beam: its two-way half-power width.
-  const double across_m = radar::antenna_pattern(radar).azimuth().two_way_width_rad() * middle_m;
+  const auto [before_rad, behind_rad] = radar::antenna_pattern(radar).azimuth().two_way_half_power_rad();
+  const double across_m = (behind_rad - before_rad) * middle_m;
   const double sine = std::abs(line.outwards().x), cosine = std::abs(line.outwards().y);
   const double wide = (along_m * sine + across_m * cosine) / grid.cell_m;
   const double tall = (along_m * cosine + across_m * sine) / grid.cell_m;
-  const Vec2d cell = grid.cells_from(line.place(middle_m));
+  // A beam that peaks to one side of its axis shows the target when the axis is on the other.
+  const Vec2d foot{radar.position.x, radar.position.y};
+  const Vec2d cell = grid.cells_from(foot + turned(line.place(middle_m) - foot, -0.5 * (before_rad + behind_rad)));
   const auto columns = static_cast<double>(grid.columns), rows = static_cast<double>(grid.rows);
   // Of a response beyond the map's edge the room about it alone would leave a sliver of a box, with no echo in it.
   if (!reaches_in(cell.x, wide, columns) || !reaches_in(cell.y, tall, rows)) return {};

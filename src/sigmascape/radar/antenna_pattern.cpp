@@ -90,8 +90,11 @@ double AntennaCut::voltage(double offset_rad) const {
   return std::abs(amplitude) < floor_voltage_ ? std::copysign(floor_voltage_, amplitude) : amplitude;
 }
 
-double AntennaCut::two_way_width_rad() const {
-  if (std::holds_alternative<GaussianBeam>(shape_)) return width_rad_ / std::numbers::sqrt2;
+std::pair<double, double> AntennaCut::two_way_half_power_rad() const {
+  if (std::holds_alternative<GaussianBeam>(shape_)) {
+    const double half_rad = 0.5 * (width_rad_ / std::numbers::sqrt2);
+    return {-half_rad, half_rad};
+  }
   const double limit = std::min(pi, 2.0 * width_rad_);
   double peak_offset_rad = 0.0;
   if (const auto* table = std::get_if<TabulatedBeam>(&shape_))
@@ -99,7 +102,7 @@ double AntennaCut::two_way_width_rad() const {
   const auto towards = [&](double side) {
     return falling_through(0.5, limit, [&](double offset) { return two_way_power(peak_offset_rad + side * offset); });
   };
-  return towards(-1.0) + towards(1.0);
+  return {peak_offset_rad - towards(-1.0), peak_offset_rad + towards(1.0)};
 }
 
 double AntennaCut::silent_beyond_rad() const {

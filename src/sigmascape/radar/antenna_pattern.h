@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -68,9 +69,14 @@ class AntennaCut {
     const double one_way = power(offset_rad);
     return one_way * one_way;
   }
-  /// Full width at which the two-way power, the square of the one-way power, is half of its peak. The peak of a
-  /// measured cut may lie off the axis.
-  [[nodiscard]] double two_way_width_rad() const;
+  /// The offsets, one to either side of the peak, at which the two-way power, the square of the one-way power, is half
+  /// of it. The peak of a measured cut may lie off the axis.
+  [[nodiscard]] std::pair<double, double> two_way_half_power_rad() const;
+  /// From one to the other.
+  [[nodiscard]] double two_way_width_rad() const {
+    const auto [below_rad, above_rad] = two_way_half_power_rad();
+    return above_rad - below_rad;
+  }
   /// Beyond this offset to either side the two-way power is nothing at all, too small for a double; infinite where it
   /// never is.
   [[nodiscard]] double silent_beyond_rad() const;

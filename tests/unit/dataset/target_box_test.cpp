@@ -97,6 +97,21 @@ TEST(TargetBox, LiesBeforeWhatStandsHigh) {
   EXPECT_NEAR(box.y + box.height / 2.0, 128.0 + 20.0 * std::tan(radians_from_deg(30.0)), 0.1);
 }
 
+// Where the beam peaks clockwise of its axis, the target shows when the axis has not come to it yet.
+TEST(TargetBox, LiesWhereABeamThatPeaksOffItsAxisShowsTheTarget) {
+  const auto plain = ridge(0.0);
+  radar::Radar radar = seeing_from(140.0, 30.0);
+  radar.beam_width_rad = 2e-3;
+  radar.antenna.azimuth =
+      radar::TabulatedBeam{{{-2.0, 1e-6}, {4.5, 1e-6}, {5.0, 0.5}, {5.5, 1.0}, {6.0, 0.5}, {6.5, 1e-6}}};
+  const Vec3d target = above(plain, {5.0, -10.0}, 3.0);
+  const auto box = target_box(target, 0.0, radar, plain, grid);
+  const auto map = response(target, radar, plain);
+  EXPECT_EQ(brightest(map, box), brightest(map, {.width = 256.0, .height = 256.0}));
+  const double off_m = std::hypot(box.x + box.width / 2.0 - 133.0, box.y + box.height / 2.0 - 138.0) * grid.cell_m;
+  EXPECT_NEAR(off_m, 5.5 * 2e-3 * 5000.0 * std::cos(radians_from_deg(30.0)), 3.0);
+}
+
 /// Holds the stretch and the box of a target against all ground of its azimuth and against the map of its response.
 /// False when the box is empty: the target is laid over to beyond the map.
 bool holds_nearest_response(Vec3d target, const radar::Radar& radar, const terrain::HeightField& terrain) {
