@@ -28,6 +28,7 @@ template <typename Drawer>
 struct DrawnLive {
   std::size_t beams;
   std::uint64_t seed;
+  double frequency_hz;
   Words words;
   geo::LocalFrame frame;
   std::shared_ptr<LoadedScene> scene;  ///< whose point targets answer besides those that are set; null: none
@@ -82,7 +83,8 @@ HeldFrame drawn(const pybind11::object& self, const render::Pose& pose, const Dr
                        .turns = &held.turns(),
                        .number = live.frames,
                        .newest = &live.frames,
-                       .words = live.words};
+                       .words = live.words,
+                       .frequency_hz = live.frequency_hz};
     });
   });
   frame.renderer = self;

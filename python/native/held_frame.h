@@ -19,6 +19,7 @@ struct HeldFrame {
   std::uint64_t number;         ///< among the renderer's frames
   const std::uint64_t* newest;  ///< number of the one that the renderer's bins hold, for whoever has the turn
   Words words;                  ///< where it comes from, for files
+  double frequency_hz;          ///< of its phases
 };
 
 }  // namespace sigmascape::python

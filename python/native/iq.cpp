@@ -66,6 +66,7 @@ Described<Signal> made(Maker<Signal> make, UsualSpacing usual_spacing_m, const P
                        const radar::RadarFile& radar_file, const Targets& given, double time_s,
                        simulate::CoherentSettings settings) {
   within("time_s", time_s, radar::bounds::moments_s);
+  settings.moment_s = time_s;
   if (settings.scatterer_spacing_m != 0.0) positive("scatterer_spacing_m", settings.scatterer_spacing_m);
   const radar::RadarFile asked = radar_file;
   return long_call([&]() -> Described<Signal> {
@@ -73,6 +74,8 @@ Described<Signal> made(Maker<Signal> make, UsualSpacing usual_spacing_m, const P
     const auto radar = simulate::placed_radar(asked, description.frame, atlas.terrain(), description.extent, time_s);
     const auto area = simulate::map_grid(asked.map, description.extent).extent();
     warn_of(radar, simulate::map_warnings(radar, asked.map, atlas.terrain(), description.extent));
+    if constexpr (std::is_same_v<Signal, radar::PhaseHistory>)
+      warn_of(radar, simulate::recording_warnings(radar, area, atlas.terrain(), settings.calibrated));
     const auto targets =
         simulate::all_targets(nullptr, given, description.frame, atlas.terrain(), settings.seed, time_s);
     const Vec2d middle = area.centre();
@@ -88,7 +91,7 @@ Described<Signal> made(Maker<Signal> make, UsualSpacing usual_spacing_m, const P
         &atlas.terrain(), render::reflectivity_of(atlas.textures(), radar.frequency_hz, settings.scatterer_spacing_m),
         targets};
     Words words = origin_words("scatterers from terrain and atlas", description.frame, description.name,
-                               description.scene_hash, settings.seed);
+                               description.scene_hash, description.attribution, settings.seed);
     words["time_s"] = fmt::format("{}", time_s);
     words["dwell"] = std::to_string(settings.dwell);
     words["look_side"] = simulate::look_side(radar, area);

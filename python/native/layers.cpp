@@ -114,6 +114,7 @@ LayerStack layers(const LoadedScene& scene, const radar::RadarFile& radar_file, 
                       {"scene_hash", scene.hash()},
                       {"classes", fmt::format("{}", fmt::join(simulate::class_names(ground), ", "))},
                       {"time_s", fmt::format("{}", time_s)}};
+    if (!ground.attribution.empty()) stack.metadata["attribution"] = ground.attribution;
     if (std::ranges::any_of(names, dataset::tells_bounces))
       stack.metadata["bounce_polarization"] = product::polarization_name(radar.polarization);
     return stack;

@@ -1,3 +1,6 @@
+#include <cmath>
+#include <fmt/format.h>
+#include <optional>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
@@ -9,7 +12,6 @@
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/product/iq_file.h"
-#include "sigmascape/radar/radar_bounds.h"
 #include "sigmascape/render/live_renderer.h"
 
 namespace sigmascape::python {
@@ -29,15 +31,17 @@ std::unique_ptr<Held<GroundRenderer>> made_renderer(const Held<LiveGround>& held
       settings_from(content, beams, ranges, beam_step_rad, range_step_m, cells_per_bin, seed, threads, refraction);
   const std::shared_ptr<LiveGround>& ground = held.here();
   const atlas::AtlasDescription& atlas = ground->description();
-  std::shared_ptr<GroundRenderer> made(new GroundRenderer{
-      .beams = beams,
-      .seed = seed,
-      .words = origin_words("live frame from terrain and atlas", atlas.frame, atlas.name, atlas.scene_hash, seed),
-      .frame = atlas.frame,
-      .scene = nullptr,
-      .ground = ground->terrain(),
-      .drawer = {ground, settings},
-      .targets = {}});
+  std::shared_ptr<GroundRenderer> made(
+      new GroundRenderer{.beams = beams,
+                         .seed = seed,
+                         .frequency_hz = ground->frequency_hz(),
+                         .words = origin_words("live frame from terrain and atlas", atlas.frame, atlas.name,
+                                               atlas.scene_hash, atlas.attribution, seed),
+                         .frame = atlas.frame,
+                         .scene = nullptr,
+                         .ground = ground->terrain(),
+                         .drawer = {ground, settings},
+                         .targets = {}});
   return std::make_unique<Held<GroundRenderer>>("LiveRenderer", std::move(made));
 }
 
@@ -50,8 +54,12 @@ py::object numbers_of(const HeldFrame& held, std::span<const Number> numbers) {
 }
 
 /// The bins are the renderer's: nobody is to draw into them meanwhile.
-void save(const HeldFrame& held, const std::filesystem::path& path, double frequency_ghz) {
-  within("frequency_ghz", frequency_ghz, radar::bounds::frequencies_ghz);
+void save(const HeldFrame& held, const std::filesystem::path& path, std::optional<double> frequency_ghz) {
+  const double own_ghz = held.frequency_hz / 1e9;
+  constexpr double as_rounded = 1e-9;
+  if (frequency_ghz && !(std::abs(*frequency_ghz - own_ghz) <= as_rounded * own_ghz))
+    throw Error("frequency_ghz", fmt::format("is {:g}, and the frame is of {:g}", *frequency_ghz, own_ghz),
+                "leave it out");
   if (held.frame.amplitudes_m.empty())
     throw Error(path.string(), "cannot hold powers", "make the renderer with content='amplitudes'");
   const std::scoped_lock turn(*held.turns);
@@ -60,7 +68,7 @@ void save(const HeldFrame& held, const std::filesystem::path& path, double frequ
                 "save each frame before the next is drawn");
   product::write_iq(
       path, product::iq_record(held.frame.grid, held.frame.amplitudes_m, {held.pose.position, held.pose.velocity_mps},
-                               frequency_ghz * 1e9, held.words));
+                               held.frequency_hz, held.words));
 }
 
 template <typename Class>
@@ -82,9 +90,10 @@ void add_frame(py::module_& module) {
       .def_property_readonly(
           "powers_m2", [](const HeldFrame& f) { return numbers_of(f, f.frame.powers_m2); },
           "float32 [beam, range, 4]: VV, HH, HV, Re VV HH* in m^2. None when amplitudes were asked for.")
-      .def("save", &save, py::arg("path"), py::kw_only(), py::arg("frequency_ghz"), py::call_guard<WithoutGil>(),
+      .def("save", &save, py::arg("path"), py::kw_only(), py::arg("frequency_ghz") = py::none(),
+           py::call_guard<WithoutGil>(),
            "Writes the amplitudes as .npy (with .json), .npz, .h5 or .sigmf-meta, before the renderer draws its next\n"
-           "frame; docs/iq_files.md.")
+           "frame; docs/iq_files.md. A frequency that is not the frame's own is refused.")
       .def_property_readonly("first_range_m", [](const HeldFrame& f) { return f.frame.grid.first_range_m; })
       .def_property_readonly("range_step_m", [](const HeldFrame& f) { return f.frame.grid.range_step_m; })
       .def_property_readonly("first_azimuth_rad", [](const HeldFrame& f) { return f.frame.grid.first_azimuth_rad; })

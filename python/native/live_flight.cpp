@@ -23,16 +23,17 @@ std::unique_ptr<Held<SceneFlight>> made_flight(std::shared_ptr<LoadedScene> scen
   const simulate::LiveFlightSettings flight{.tracing = {.rays_per_cell = rays_per_cell, .max_bounces = bounces}};
   const auto& loaded = *scene;
   const scene::Scene& seen = loaded.scene();
-  std::shared_ptr<SceneFlight> made(new SceneFlight{
-      .beams = beams,
-      .seed = seed,
-      .words =
-          origin_words("live frame, path-traced or from terrain and atlas", seen.frame, seen.name, loaded.hash(), seed),
-      .frame = seen.frame,
-      .scene = std::move(scene),
-      .ground = seen.terrain,
-      .drawer = {seen, loaded.geometry(), ground.here(), settings, flight},
-      .targets = simulate::targets_of(seen)});
+  std::shared_ptr<SceneFlight> made(
+      new SceneFlight{.beams = beams,
+                      .seed = seed,
+                      .frequency_hz = ground.here()->frequency_hz(),
+                      .words = origin_words("live frame, path-traced or from terrain and atlas", seen.frame, seen.name,
+                                            loaded.hash(), seen.attribution, seed),
+                      .frame = seen.frame,
+                      .scene = std::move(scene),
+                      .ground = seen.terrain,
+                      .drawer = {seen, loaded.geometry(), ground.here(), settings, flight},
+                      .targets = simulate::targets_of(seen)});
   return std::make_unique<Held<SceneFlight>>("LiveFlight", std::move(made));
 }
 

@@ -106,6 +106,7 @@ Seen coherent(const atlas::Atlas& textures, const Wish& wish, const LoadedScene*
                                       .level_of_detail = level_of_detail,
                                       .seed = effort.seed,
                                       .dwell = effort.dwell,
+                                      .moment_s = effort.time_s,
                                       .threads = effort.threads};
   const auto [plan, warnings] = simulate::mode_plan(request);
   warn_of(wish.radar, warnings);

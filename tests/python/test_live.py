@@ -81,14 +81,14 @@ def test_a_frame_is_saved_before_the_next_is_drawn(atlas, tmp_path):
     second.save(tmp_path / "second.npy", frequency_ghz=10.0)
 
 
-def test_a_frame_is_saved_with_a_frequency_of_radars(atlas, tmp_path):
+def test_a_frame_is_saved_with_its_own_frequency(atlas, tmp_path):
     frame = renderer_of(atlas).render(PLACE, **POSE)
-    frame.save(tmp_path / "frame.npy", frequency_ghz=10.0)
+    frame.save(tmp_path / "frame.npy")
     assert np.array_equal(np.load(tmp_path / "frame.npy"), frame.amplitudes_m)
     told = json.loads((tmp_path / "frame.json").read_text())
     assert told["scene"] == "simple scene" and told["seed"] == "1" and "+proj=tmerc" in told["crs"]
-    assert told["scene_hash"] == sigmascape.Scene.simple(side_m=96.0).hash
-    for wrong in (float("nan"), 0.0, 1e10):
+    assert told["scene_hash"] == sigmascape.Scene.simple(side_m=96.0).hash and told["frequency_hz"] == 10e9
+    for wrong in (float("nan"), 0.0, 35.0):
         with pytest.raises(sigmascape.Error, match="frequency_ghz: is"):
             frame.save(tmp_path / "wrong.npy", frequency_ghz=wrong)
     assert not (tmp_path / "wrong.npy").exists()

@@ -1,3 +1,5 @@
+import json
+
 import numpy as np
 import pytest
 
@@ -62,3 +64,13 @@ def test_wrong_settings_are_refused(scene):
         tracer_of(scene, rays_per_cell=0)
     with pytest.raises(sigmascape.Error, match="above the scene"):
         tracer_of(scene).render((0.0, -100.0, 1.0), first_azimuth_rad=-0.02, first_range_m=90.0)
+
+
+def test_files_say_whom_to_credit(tmp_path, radar):
+    (tmp_path / "scene.toml").write_text('attribution = "(c) Somebody, CC BY 4.0"\n[paper]\nscale = 0.05\n')
+    scene = sigmascape.Scene(tmp_path / "scene.toml")
+    tracer_of(scene, rays_per_cell=1).render(PLACE, **POSE).save(tmp_path / "frame.npy")
+    assert json.loads((tmp_path / "frame.json").read_text())["attribution"] == "(c) Somebody, CC BY 4.0"
+    layers = sigmascape.layers(scene, radar, ["shadow"])
+    layers.save(tmp_path / "layers.tif")
+    assert b"(c) Somebody, CC BY 4.0" in (tmp_path / "layers.tif").read_bytes()
