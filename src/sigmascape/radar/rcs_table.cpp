@@ -110,6 +110,30 @@ struct Reader {
   }
 };
 
+/// What is told of one side alone, as of a ship that is alike on both, would be drawn straight across the other.
+void check_all_round(const std::vector<double>& azimuths_rad, const std::filesystem::path& path) {
+  constexpr double widest_in_steps = 2.5;
+  if (azimuths_rad.size() < 3) return;
+  double first_gap = azimuths_rad.front() + 2.0 * pi - azimuths_rad.back(), widest = first_gap, second = 0.0;
+  double from = azimuths_rad.back(), to = azimuths_rad.front();
+  for (std::size_t i = 1; i < azimuths_rad.size(); ++i) {
+    const double gap = azimuths_rad[i] - azimuths_rad[i - 1];
+    if (gap > widest) {
+      second = widest;
+      widest = gap;
+      from = azimuths_rad[i - 1];
+      to = azimuths_rad[i];
+    } else {
+      second = std::max(second, gap);
+    }
+  }
+  if (widest <= widest_in_steps * second) return;
+  throw Error(
+      path.string(),
+      fmt::format("tells nothing between azimuths of {:g}° and {:g}°", deg_from_radians(from), deg_from_radians(to)),
+      fmt::format("tell it all round, in steps of at most {:g}°", widest_in_steps * deg_from_radians(second)));
+}
+
 Channels channels_of(const Row& row) {
   const double vv = linear_from_db(*row[Vv]), hh = linear_from_db(*row[Hh]);
   const double correlation = row[Correlation].value_or(1.0);
@@ -191,6 +215,7 @@ RcsTable read_rcs_table(const std::filesystem::path& path) {
                 fmt::format("holds {} of the {} combinations of its angles and frequencies", entries.size(), whole),
                 "give every azimuth with every elevation and frequency");
   }
+  check_all_round(table.azimuths_rad, path);
   return table;
 }
 

@@ -22,8 +22,9 @@ struct RcsTable {
 ///     azimuth_deg, elevation_deg, frequency_ghz, vv_dbsm, hh_dbsm, hv_dbsm, vv_hh_correlation
 ///
 /// in any order; elevation, frequency, HV and the correlation (−1 … 1; 1 when absent) may be left out. Every azimuth
-/// must come with every elevation and frequency, once. Lines that begin with # are remarks. Throws Error, naming file
-/// and line.
+/// must come with every elevation and frequency, once, and azimuths must go all round: no gap among three or more is
+/// wider than two and a half times the next widest. Lines that begin with # are remarks. Throws Error, naming file and
+/// line.
 [[nodiscard]] RcsTable read_rcs_table(const std::filesystem::path& path);
 
 }  // namespace sigmascape::radar

@@ -74,6 +74,9 @@ TEST_F(RcsTableFile, says_in_which_line_it_is_wrong) {
               HasSubstr("holds 2 of the 4 combinations"));
   EXPECT_THAT(fault_of("azimuth_deg, vv_dbsm, hh_dbsm, vv_hh_correlation\n0, 1, 2, 1.5\n"),
               HasSubstr("vv_hh_correlation is 1.5"));
+  EXPECT_THAT(fault_of("azimuth_deg, vv_dbsm, hh_dbsm\n0, 4, 4\n45, 4, 4\n90, 7, 7\n135, 4, 4\n180, 4, 4\n"),
+              HasSubstr("ship.csv: tells nothing between azimuths of 180° and 0°; tell it all round"));
+  EXPECT_EQ(fault_of("azimuth_deg, vv_dbsm, hh_dbsm\n0, 4, 4\n45, 4, 4\n90, 7, 7\n180, 4, 4\n270, 7, 7\n"), "");
   EXPECT_THROW((void)read_rcs_table(folder_.path("nowhere.csv")), Error);
   EXPECT_THROW((void)read_rcs_table(folder_.path(".")), Error);
 }
