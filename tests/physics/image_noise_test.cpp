@@ -128,6 +128,38 @@ TEST(ImageNoise, of_a_strip_goes_with_the_third_power_of_range) {
                             0.3, "dBm²", "as above"});
 }
 
+/// A band of seven tenths of a Gaussian beam, whose edges the processor lifts by 1/g².
+TEST(ImageNoise, of_a_strip_is_lifted_as_the_pattern_is_evened_out) {
+  const auto terrain = level_ground(1000.0);
+  auto radar = looking_north(radar::Mode::Stripmap);
+  radar.processing.thermal_noise = true;
+  radar.waveform.window = {.shape = radar::WindowShape::Rectangular};
+  constexpr double resolution_m = 0.5;
+  const double band_per_m = radar::WindowResponse(radar.waveform.window).half_power_width() / resolution_m;
+  const double half_sine = band_per_m * wavelength_m(radar.frequency_hz) / 4.0;
+  const double cosine_depression = std::cos(radians_from_deg(20.0));
+  const auto azimuth_of = [&](double sine) { return std::atan(std::tan(std::asin(sine)) / cosine_depression); };
+  radar.beam_width_rad = 2.0 * azimuth_of(half_sine) / 0.7;
+  const auto rows_of = [&](const radar::Radar& of) {
+    const auto image = simulate::stripmap_image({&terrain, even(0.0F)}, of, {-60.0, -100.0, 60.0, 100.0},
+                                                {.along_resolution_m = resolution_m, .scatterer_spacing_m = 20.0});
+    const auto row = static_cast<std::size_t>(image.closest_range_m.place_of(8000.0));
+    return db_from_linear(mean_of_rows(image.amplitude_m, row - 8, row + 8));
+  };
+  double lift = 0.0;
+  constexpr int parts = 1000;
+  for (int part = 0; part < parts; ++part) {
+    const double widths = azimuth_of(half_sine * (2.0 * (part + 0.5) / parts - 1.0)) / radar.beam_width_rad;
+    lift += std::exp(8.0 * std::log(2.0) * widths * widths) / parts;
+  }
+  auto wide = radar;
+  wide.beam_width_rad *= 20.0;
+  EXPECT_NEAR(db_from_linear(lift), 1.08, 0.01);
+  validation::expect_close({group, "noise of a strip whose band is 0.7 beams over that in a wide beam",
+                            db_from_linear(lift), rows_of(radar) - rows_of(wide), 0.05, "dB",
+                            "mean of 1/g⁴ over the band"});
+}
+
 /// With all that an image can have in it, the bytes are those of one thread for any number of them.
 TEST(ImageNoise, and_all_else_does_not_depend_on_threads) {
   const auto terrain = level_ground(1000.0);

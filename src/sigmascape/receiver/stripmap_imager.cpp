@@ -135,13 +135,32 @@ double StripmapImager::ghost_voltage(const Fold& fold, double sine_depression) c
   return fold.window * pattern_.voltage(fold.observed, fold.processed, sine_depression);
 }
 
+/// Of the ground that is passed at this range.
+double StripmapImager::sine_depression_at(double closest_m) const {
+  return std::min(0.99, std::abs(frame_.platform.position.z - strip_.ground_m) / closest_m);
+}
+
+/// By how much the processor that evens out the pattern over its band raises the noise there, whose power has the
+/// window alone: the mean of w²/g⁴ over that of w². docs/physics/doppler.md, Eq. (12a).
+double StripmapImager::noise_lift(double closest_m) const {
+  constexpr int parts = 64;
+  const double axis = std::sin(strip_.squint_rad), sine_depression = sine_depression_at(closest_m);
+  double lift = 0.0;
+  for (int part = 0; part < parts; ++part) {
+    const Fold fold = fold_of(0, (part + 0.5) / parts - 0.5);
+    const double voltage = fold.window * pattern_.voltage(axis, fold.processed, sine_depression);
+    lift += voltage * voltage / parts;
+  }
+  return lift;
+}
+
 std::vector<AzimuthAmbiguity> StripmapImager::ambiguities() const {
   constexpr double least_power = 1e-6;
   constexpr int parts = 64;
   const double near_m = frame_.closest_range_m.first,
                far_m = frame_.closest_range_m.middle_of(static_cast<double>(range_.samples));
   const double height_m = std::abs(frame_.platform.position.z - strip_.ground_m);
-  const double sine_depression = std::min(0.99, height_m / (0.5 * (near_m + far_m)));
+  const double sine_depression = sine_depression_at(0.5 * (near_m + far_m));
   const int most = static_cast<int>(4.0 * speed_mps_ / (wavelength_m(frame_.frequency_hz) * repetition_hz_)) + 1;
   std::vector<AzimuthAmbiguity> found;
   for (int order = -most; order <= most; ++order) {
@@ -238,14 +257,14 @@ void StripmapImager::add(std::span<const radar::Target> targets, int order) {
 }
 
 void StripmapImager::add(const EquivalentNoise& noise) {
-  const double cosine = std::cos(strip_.squint_rad);
-  noise_ = {.power =
-                [noise, cosine, pulses_a_metre = processing().pulses_a_metre(), closest_m = frame_.closest_range_m,
-                 bandwidth = response_.noise_bandwidth()](std::size_t row) {
-                  const double range_m = closest_m.middle_of(static_cast<double>(row) + 0.5) / cosine;
-                  return noise.rcs_m2(range_m, pulses_a_metre * range_m, bandwidth);
-                },
-            .seed = noise.seed()};
+  const double cosine = std::cos(strip_.squint_rad), pulses_a_metre = processing().pulses_a_metre();
+  std::vector<double> powers(range_.samples);
+  for (std::size_t row = 0; row < powers.size(); ++row) {
+    const double closest_m = frame_.closest_range_m.middle_of(static_cast<double>(row) + 0.5);
+    const double range_m = closest_m / cosine;
+    powers[row] = noise.rcs_m2(range_m, pulses_a_metre * range_m, response_.noise_bandwidth()) * noise_lift(closest_m);
+  }
+  noise_ = {.power = [powers = std::move(powers)](std::size_t row) { return powers[row]; }, .seed = noise.seed()};
 }
 
 radar::StripmapImage StripmapImager::image(const Subband& part, unsigned threads) const {
