@@ -60,8 +60,10 @@ struct Radar {
 /// What `earth_refraction` says.
 [[nodiscard]] CurvedEarth earth_of(const Radar& radar);
 
-/// Where a radar stands that sees `target` from `azimuth_rad`, `elevation_rad` above the horizontal, at
-/// `slant_range_m`.
-[[nodiscard]] Vec3d position_seeing(Vec3d target, double azimuth_rad, double elevation_rad, double slant_range_m);
+/// Where a radar stands that sees `target` from `azimuth_rad`, `elevation_rad` above the horizontal at the target, at
+/// `slant_range_m`: over a round Earth so that slant range and grazing angle of that Earth are these
+/// (docs/physics/curved_earth.md, Eq. (7)).
+[[nodiscard]] Vec3d position_seeing(Vec3d target, double azimuth_rad, double elevation_rad, double slant_range_m,
+                                    const CurvedEarth& earth = CurvedEarth::flat());
 
 }  // namespace sigmascape::radar

@@ -10,7 +10,8 @@ TargetShadows::TargetShadows(std::span<const Target> targets, double time_s, Vec
   for (const Target& target : targets) add(target, time_s);
 }
 
-TargetShadows::TargetShadows(std::span<const Target> targets, const Vantage& vantage) : vantage_(vantage) {
+TargetShadows::TargetShadows(std::span<const Target> targets, const Vantage& vantage, const CurvedEarth& earth)
+    : vantage_(vantage), earth_(earth) {
   for (const Target& target : targets) add(target, vantage.time_s_for(target));
 }
 
@@ -22,7 +23,7 @@ void TargetShadows::add(const Target& target, double time_s) {
   const Vec2d away = middle - Vec2d{radar.x, radar.y};
   const double distance_m = length(away), half_m = box->half_diagonal_m();
   const Vec2d towards = distance_m > 0.0 ? away * (1.0 / distance_m) : Vec2d{0.0, 1.0};
-  casting_.push_back({*box, towards, distance_m - half_m, half_m});
+  casting_.push_back({box->lowered(earth_.drop_m(distance_m)), towards, distance_m - half_m, half_m});
 }
 
 bool TargetShadows::may_hide(const Casting& casting, Vec2d place, Vec2d away) const {
@@ -43,6 +44,7 @@ bool TargetShadows::hide(Vec3d place) const {
   const Vec2d foot{place.x, place.y};
   const Vec3d radar = vantage_.place_for(foot);
   const Vec2d away = foot - Vec2d{radar.x, radar.y};
+  place.z -= earth_.drop_m(length(away));
   return std::ranges::any_of(casting_, [&](const Casting& casting) {
     return may_hide(casting, foot, away) && casting.box.hides(radar, place);
   });

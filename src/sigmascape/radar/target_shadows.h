@@ -14,8 +14,9 @@ namespace sigmascape::radar {
 class TargetShadows {
  public:
   TargetShadows(std::span<const Target> targets, double time_s, Vec3d radar_position);
-  /// Each at the time at which it is looked at.
-  TargetShadows(std::span<const Target> targets, const Vantage& vantage);
+  /// Each at the time at which it is looked at, over this Earth.
+  TargetShadows(std::span<const Target> targets, const Vantage& vantage,
+                const CurvedEarth& earth = CurvedEarth::flat());
 
   [[nodiscard]] bool empty() const { return casting_.empty(); }
   /// Whether a target stands between a place and the radar.
@@ -23,7 +24,7 @@ class TargetShadows {
 
  private:
   struct Casting {
-    ShadowBox box;
+    ShadowBox box;              ///< so much lower as the Earth has fallen away there
     Vec2d towards;              ///< unit vector over the ground from the radar to the target
     double nearest_m = 0.0;     ///< over the ground
     double half_width_m = 0.0;  ///< across that direction, at the target
@@ -32,6 +33,7 @@ class TargetShadows {
   [[nodiscard]] bool may_hide(const Casting& casting, Vec2d place, Vec2d away) const;
 
   Vantage vantage_;
+  CurvedEarth earth_ = CurvedEarth::flat();
   std::vector<Casting> casting_;
 };
 

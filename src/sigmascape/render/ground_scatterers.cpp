@@ -89,7 +89,7 @@ std::vector<radar::Scatterer> ground_scatterers(const terrain::HeightField& terr
   const std::int32_t south = first_of(area.south_m), north = first_of(area.north_m);
   const SeenSigma0 sigma0_seen =
       std::visit([&](const auto& source) { return seen(source, terrain, request, side_m); }, sigma0);
-  const radar::TargetShadows shadows(targets, request.vantage);
+  const radar::TargetShadows shadows(targets, request.vantage, request.earth);
   const auto cell_area = static_cast<float>(side_m * side_m);
 
   std::vector<std::vector<radar::Scatterer>> rows(static_cast<std::size_t>(std::max(0, north - south)));

@@ -21,11 +21,12 @@ struct Placer {
   const geo::LocalFrame& frame;
   const terrain::HeightField& terrain;
   const radar::Rectangle& extent;
+  radar::CurvedEarth earth;
 
   Vec3d operator()(const radar::SeenFrom& seen) const {
     const Vec2d target = seen.target.value_or(extent.centre());
     return radar::position_seeing({target.x, target.y, terrain.height_at(target)}, seen.azimuth_rad, seen.elevation_rad,
-                                  seen.slant_range_m);
+                                  seen.slant_range_m, earth);
   }
   Vec3d operator()(const radar::LocalPlace& place) const { return place.position; }
   Vec3d operator()(const radar::GeographicPlace& place) const {
@@ -63,7 +64,8 @@ struct TargetPlacer {
 radar::Radar placed_radar(const radar::RadarFile& file, const geo::LocalFrame& frame,
                           const terrain::HeightField& terrain, const radar::Rectangle& extent, double time_s) {
   radar::Radar radar = file.radar;
-  radar.position = std::visit(Placer{frame, terrain, extent}, file.place) + radar.velocity_mps * time_s;
+  radar.position =
+      std::visit(Placer{frame, terrain, extent, radar::earth_of(radar)}, file.place) + radar.velocity_mps * time_s;
   const Vec2d away = Vec2d{radar.position.x, radar.position.y} - extent.centre();
   if (!(length(away) <= furthest_m)) {
     throw Error(radar::title_of(radar),

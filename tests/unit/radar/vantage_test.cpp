@@ -101,6 +101,20 @@ TEST(TargetShadows, OfAStripAreWhereAMoverIsThen) {
   EXPECT_FALSE(shadows.hide({300.0, 20.0, 0.0}));
 }
 
+/// h / tan ψ long, ψ the grazing angle of that Earth: from 100 km at 1° a flat one would make it 429 m.
+TEST(TargetShadows, OverARoundEarthAreAsLongAsTheGrazingAngleSays) {
+  Target box = moving({0.0, 0.0, 5.0}, {});
+  box.size_m = {10.0, 10.0, 10.0};
+  const std::vector<Target> targets{box};
+  const CurvedEarth earth;
+  const Vantage far_off(position_seeing({}, pi, radians_from_deg(1.0), 100e3, earth));
+  const TargetShadows round(targets, far_off, earth), flat(targets, far_off);
+  const double end_m = 5.0 + 10.0 / std::tan(radians_from_deg(1.0));
+  EXPECT_TRUE(round.hide({0.0, end_m - 5.0, 0.0}));
+  EXPECT_FALSE(round.hide({0.0, end_m + 5.0, 0.0}));
+  EXPECT_FALSE(flat.hide({0.0, end_m - 5.0, 0.0}));
+}
+
 TEST(Vantage, OfARadarIsThatOfItsMode) {
   Radar radar;
   radar.position = {100.0, -500.0, 300.0};
