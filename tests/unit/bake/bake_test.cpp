@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <condition_variable>
 #include <filesystem>
 #include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <mutex>
 #include <set>
 #include <string>
 #include <thread>
@@ -68,9 +70,21 @@ class WaitedFor final : public ProgressListener {
  public:
   void advanced(std::string_view, double, double, std::string_view) override {}
   void waiting(std::string_view task, std::string_view what) override {
-    told.insert(std::string(task) + ": " + std::string(what));
+    const std::scoped_lock lock(guard_);
+    told_.insert(std::string(task) + ": " + std::string(what));
+    is_told_.notify_all();
   }
-  std::set<std::string> told;
+  /// What has been told, as soon as there is anything.
+  [[nodiscard]] std::set<std::string> told() {
+    std::unique_lock lock(guard_);
+    is_told_.wait_for(lock, std::chrono::minutes(1), [&] { return !told_.empty(); });
+    return told_;
+  }
+
+ private:
+  std::mutex guard_;
+  std::condition_variable is_told_;
+  std::set<std::string> told_;
 };
 
 TEST(Bake, BareConstantGammaGroundIsGammaTimesSine) {
@@ -268,7 +282,7 @@ TEST(Bake, WaitsForTheTerrainThatAnotherIsAt) {
     auto claim = claims.take_if_free(jobs + patches);
     ASSERT_TRUE(claim);
     const std::jthread other([&] { report = bake(scene, settings, folder.path("a"), waits); });
-    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    EXPECT_THAT(waits.told(), ::testing::ElementsAre("bake: another process that makes the terrain"));
     EXPECT_FALSE(std::filesystem::exists(folder.path("a") / "terrain.json")) << "it did not wait";
     EXPECT_FALSE(std::filesystem::exists(folder.path("a") / "terrain"));
     copy("terrain.json");
@@ -276,7 +290,6 @@ TEST(Bake, WaitsForTheTerrainThatAnotherIsAt) {
     const Claims::Claim given_back = std::move(*claim);
   }
   EXPECT_THAT(words_of(report.mended), ::testing::IsEmpty());
-  EXPECT_THAT(waits.told, ::testing::ElementsAre("bake: another process that makes the terrain"));
   EXPECT_EQ(difference_of(files_of(folder.path("a")), files_of(folder.path("whole"))), "");
 }
 
@@ -291,11 +304,10 @@ TEST(Bake, TellsWhichLookAnotherIsAt) {
     auto claim = claims.take_if_free(1);
     ASSERT_TRUE(claim);
     const std::jthread other([&] { static_cast<void>(bake(scene, settings, folder.path("a"), waits)); });
-    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    EXPECT_THAT(waits.told(), ::testing::ElementsAre(
+                                  "bake: another process that is at az130.0_el40.0_f10.000GHz of patch_+000_+000"));
     const Claims::Claim given_back = std::move(*claim);
   }
-  EXPECT_THAT(waits.told,
-              ::testing::ElementsAre("bake: another process that is at az130.0_el40.0_f10.000GHz of patch_+000_+000"));
 }
 
 // Who removes the collection alone keeps what is below it, which may be of another scene.
