@@ -42,6 +42,7 @@ CoherentMap coherent_map(const CoherentRequest& request) {
       .level_of_detail = request.level_of_detail,
       .seed = request.seed,
       .dwell = request.dwell,
+      .moment_s = request.moment_s,
       .threads = request.threads};
   const auto [plan, warnings] = simulate::mode_plan(wanted);
   for (const std::string& warning : warnings)

@@ -25,6 +25,7 @@ struct CoherentRequest {
   int level_of_detail = 1;
   const std::vector<radar::Target>& targets;
   std::uint64_t seed = 1, dwell = 0;
+  double moment_s = 0.0;  ///< as in simulate::CoherentSettings
   unsigned threads = 0;
   const Provenance& origin;     ///< what every file says of the scene and the moment
   std::string slant_file = {};  ///< for the complex image in slant geometry, of one look; none when empty

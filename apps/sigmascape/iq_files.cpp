@@ -12,6 +12,7 @@
 #include "sigmascape/receiver/receiver_output.h"
 #include "sigmascape/simulate/coherent.h"
 #include "sigmascape/simulate/map_provenance.h"
+#include "sigmascape/simulate/map_warnings.h"
 #include "sigmascape/simulate/scatterer_spacing.h"
 
 namespace sigmascape::cli {
@@ -75,11 +76,14 @@ void write_iq_files(const IqFiles& files, const IqRequest& request) {
   const simulate::CoherentScene scene{
       &request.scene.terrain, render::AtlasReflectivity{&textures, frequency_hz, level}, request.targets,
       request.radar.wind_mps > 0.0 ? simulate::windblown_of(request.scene) : simulate::Windblown{}};
+  warn_of(request.radar,
+          simulate::recording_warnings(request.radar, request.area, request.scene.terrain, files.unit == "V"));
   const auto history = simulate::phase_history(scene, request.radar, request.area,
                                                {.interval_s = files.interval_s,
                                                 .scatterer_spacing_m = spacing_m,
                                                 .seed = request.seed,
                                                 .dwell = request.dwell,
+                                                .moment_s = request.moment_s,
                                                 .calibrated = files.unit == "V",
                                                 .threads = request.threads});
   warn_of(request.radar, receiver::output_warnings(history));

@@ -35,6 +35,7 @@ struct IqRequest {
   int level_of_detail = 0;  ///< of the map beside them
   bool extrapolate = false;
   std::uint64_t seed = 1, dwell = 0;
+  double moment_s = 0.0;  ///< as in simulate::CoherentSettings
   unsigned threads = 0;
   const Provenance& origin;  ///< what every file says of the scene and the moment
 };

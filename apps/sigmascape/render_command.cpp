@@ -130,7 +130,7 @@ Rendered baked(const RenderOptions& options, const scene::Scene& scene, const at
   const atlas::Atlas textures = atlas::load_atlas(store);
   if (radar.mode != radar::Mode::RealBeam) {
     auto made = coherent_map({scene, textures, radar, texture_frequency_hz(textures, radar, options.extrapolate), grid,
-                              options.level_of_detail, targets, options.trace.seed, options.trace.dwell,
+                              options.level_of_detail, targets, options.trace.seed, options.trace.dwell, options.time_s,
                               options.trace.threads, origin, options.iq.slant_image});
     return {.coherent = std::move(made.map),
             .seconds = made.seconds,
@@ -301,9 +301,9 @@ void render(RenderOptions options, std::optional<radar::Polarization> polarizati
                    receiver::noise_seed(options.trace.seed, options.trace.dwell, look.polarization),
                    options.trace.threads, rendered.provenance);
   }
-  write_iq_files(options.iq,
-                 {store ? &*store : nullptr, scene, targets, radar, grid.extent(), options.level_of_detail,
-                  options.extrapolate, options.trace.seed, options.trace.dwell, options.trace.threads, origin});
+  write_iq_files(options.iq, {store ? &*store : nullptr, scene, targets, radar, grid.extent(), options.level_of_detail,
+                              options.extrapolate, options.trace.seed, options.trace.dwell, options.time_s,
+                              options.trace.threads, origin});
   write_maps(options, scene, radar, grid, rendered, look);
   if (is_real_beam) write_scopes(options.scopes, radar, rendered.image, look, rendered.provenance);
 

@@ -26,6 +26,7 @@
 #include "sigmascape/radar/vantage.h"
 #include "sigmascape/radar/windblown_vegetation.h"
 #include "sigmascape/receiver/calibrated_voltage.h"
+#include "sigmascape/receiver/carrier_phase.h"
 #include "sigmascape/receiver/doppler_imager.h"
 #include "sigmascape/receiver/pattern_gain.h"
 #include "sigmascape/receiver/pulse_receiver.h"
@@ -65,6 +66,24 @@ void check_sector_takes_in(const radar::Rectangle& area, const radar::Radar& rad
 /// A point of the local frame in the straight space under this radar.
 Vec3d bent(const radar::Radar& radar, Vec3d point) {
   return radar::earth_of(radar).bent(point, {radar.position.x, radar.position.y});
+}
+
+/// A radar may stand lower than a ridge, but not in the ground, nor lower than all of it.
+void check_over_ground(const radar::Radar& radar, const terrain::HeightField& terrain) {
+  const Vec2d foot{radar.position.x, radar.position.y};
+  const bool is_above_scene = terrain.extent().contains(foot);
+  double ground_m = std::numeric_limits<double>::infinity();
+  if (is_above_scene) {
+    ground_m = terrain.height_at(foot);
+  } else {
+    for (const Vec3d corner : radar::corners_of(terrain.extent(), static_cast<double>(terrain.lowest_m())))
+      ground_m = std::min(ground_m, bent(radar, corner).z);
+  }
+  if (radar.position.z > ground_m) return;
+  throw Error(radar::title_of(radar),
+              fmt::format("stands at {:.1f} m, and the {} at {:.1f} m", radar.position.z,
+                          is_above_scene ? "ground under it" : "lowest ground of the scene", ground_m),
+              "place it higher: altitudes count from mean sea level");
 }
 
 /// The middle of the area in the local frame.
@@ -114,7 +133,8 @@ receiver::RangeGate gate_over(const radar::Radar& radar, const radar::Rectangle&
     return length(bent(radar, point) - (radar.position + velocity * time_s));
   };
   const auto closest_m = [&](Vec3d point) {
-    const double abeam_s = dot(bent(radar, point) - radar.position, velocity) / dot(velocity, velocity);
+    const double speed2 = dot(velocity, velocity);
+    const double abeam_s = speed2 > 0.0 ? dot(bent(radar, point) - radar.position, velocity) / speed2 : 0.0;
     return range_m(point, std::clamp(abeam_s, from_s, to_s));
   };
   const auto farthest_m = [&](Vec3d point) { return std::max(range_m(point, from_s), range_m(point, to_s)); };
@@ -127,17 +147,23 @@ receiver::RangeGate gate_over(const radar::Radar& radar, const radar::Rectangle&
   return gate_over(radar, {least_m, most_m}, oversampling);
 }
 
-/// Gives each scatterer of a plant the velocity that is drawn for its place.
+/// Gives each scatterer of a plant the velocity that is drawn for its place, and the phase to which that has brought it
+/// by the moment of time zero.
 void blow_on(std::vector<radar::Scatterer>& scatterers, const Windblown& windblown, const radar::Radar& radar,
              const CoherentSettings& settings) {
   const radar::WindblownVegetation leaves(radar.wind_mps, radar.frequency_hz);
+  const double wavelength = wavelength_m(radar.frequency_hz);
   constexpr std::size_t chunk = 4096;
   parallel_for((scatterers.size() + chunk - 1) / chunk, settings.threads, [&](std::size_t part, unsigned) {
     for (std::size_t i = part * chunk; i < std::min(scatterers.size(), (part + 1) * chunk); ++i) {
       const Vec3d place = scatterers[i].position;
       if (!windblown({place.x, place.y})) continue;
-      scatterers[i].range_rate_mps = leaves.range_rate_mps(
+      const float rate_mps = leaves.range_rate_mps(
           hashed(settings.seed, std::bit_cast<std::uint64_t>(place.x), std::bit_cast<std::uint64_t>(place.y)));
+      scatterers[i].range_rate_mps = rate_mps;
+      if (settings.moment_s == 0.0 || rate_mps == 0.0F) continue;
+      const double gone_m = static_cast<double>(rate_mps) * settings.moment_s;
+      scatterers[i].amplitude_m = scatterers[i].amplitude_m * receiver::carrier_phase(gone_m, wavelength);
     }
   });
 }
@@ -267,6 +293,7 @@ std::size_t pulses_in(const radar::Radar& radar, const CoherentSettings& setting
 receiver::DopplerImager doppler_imager(const CoherentScene& scene, const radar::Radar& radar,
                                        const radar::Rectangle& area, const CoherentSettings& asked) {
   check_moves(radar);
+  check_over_ground(radar, *scene.terrain);
   check_sector_takes_in(area, radar);
   const double across_m = resolution_of_interval_m(radar, local_middle_of(area, *scene.terrain), asked.interval_s);
   const CoherentSettings settings = spaced(asked, scatterer_spacing_m(radar, across_m));
@@ -323,6 +350,7 @@ void add_ghosts(receiver::StripmapImager& imager, std::span<const receiver::Azim
 receiver::StripmapImager stripmap_imager(const CoherentScene& scene, const radar::Radar& radar,
                                          const radar::Rectangle& area, const CoherentSettings& asked) {
   check_moves(radar);
+  check_over_ground(radar, *scene.terrain);
   const CoherentSettings settings = spaced(asked, scatterer_spacing_m(radar, asked.along_resolution_m));
   const radar::Vantage vantage = radar::vantage_of_strip(radar, area.centre());
   const Vec3d direction = normalized(radar.velocity_mps);
@@ -380,7 +408,9 @@ void show_looks(const Imager& imager, const radar::Radar& radar, std::optional<d
 
 radar::PhaseHistory phase_history(const CoherentScene& scene, const radar::Radar& radar, const radar::Rectangle& area,
                                   const CoherentSettings& asked) {
-  check_moves(radar);
+  // What stands still can record; but a strip is what a beam passes over.
+  if (radar.mode == radar::Mode::Stripmap) check_moves(radar);
+  check_over_ground(radar, *scene.terrain);
   check_sector_takes_in(area, radar);
   const double repetition_hz = radar.waveform.pulse_repetition_hz;
   const std::size_t count = pulses_in(radar, asked), before_now = count / 2;

@@ -36,6 +36,8 @@ struct CoherentSettings {
   double scatterer_spacing_m = 0.0;
   std::uint64_t seed = 1;   ///< of speckle, targets and noise
   std::uint64_t dwell = 0;  ///< by which fluctuating targets and noise are drawn anew, and speckle is not
+  /// When time zero is, on the clock by which leaves move: their phases go on from one recording to the next.
+  double moment_s = 0.0;
   /// Volts at the receiver's output, with antenna, radar equation, thermal noise and, where the radar has them,
   /// sensitivity time control and converter, instead of metres without.
   bool calibrated = false;
@@ -43,20 +45,23 @@ struct CoherentSettings {
 };
 
 /// The pulses of one interval, before any processing: I and Q, at the radar's pulse repetition frequency, over the gate
-/// that `area` or the radar file asks for. The beam keeps the azimuth of a scan that fixes one. Otherwise, and as a
-/// spotlight in any case, it follows the middle of the area, or with Mode::Stripmap keeps the direction that it has at
-/// time zero. Ground and targets are seen where terrain and what the atlas knows to stand there let them, as at time
-/// zero, or with Mode::Stripmap as for `stripmap_image`. Cost goes with pulses × scatterers.
+/// that `area` or the radar file asks for. They hold the echoes of the ground of the area and of all targets; what lies
+/// beside the area, in the beam or in the gate, is not in them. The beam keeps the azimuth of a scan that fixes one.
+/// Otherwise, and as a spotlight in any case, it follows the middle of the area, or with Mode::Stripmap keeps the
+/// direction that it has at time zero. Ground and targets are seen where terrain and what the atlas knows to stand
+/// there let them, as at time zero, or with Mode::Stripmap as for `stripmap_image`. Cost goes with pulses × scatterers.
 ///
-/// Throws Error when the radar does not move, the interval holds less than two pulses, the gate is longer than the
-/// unambiguous range, or the area has too many scatterers.
+/// Throws Error when the radar stands within the ground or lower than all of it, with Mode::Stripmap when it does not
+/// move, and when the interval holds less than two pulses, the gate is longer than the unambiguous range, or the area
+/// has too many scatterers.
 [[nodiscard]] radar::PhaseHistory phase_history(const CoherentScene& scene, const radar::Radar& radar,
                                                 const radar::Rectangle& area, const CoherentSettings& settings);
 
 /// Doppler beam sharpening or spotlight SAR of the area as a focused image in slant range and Doppler, in metres.
 /// `radar.processing` says whether with the antenna's pattern and with noise. The beam of a spotlight points
 /// to the middle of the area, and so does that of a scan of one direction which does not say where; a scanning one is
-/// taken to pass over every place. Throws Error when the interval holds less than two pulses.
+/// taken to pass over every place. Throws Error when the radar does not move, or stands within the ground or lower than
+/// all of it, and when the interval holds less than two pulses.
 [[nodiscard]] radar::RangeDopplerImage range_doppler_image(const CoherentScene& scene, const radar::Radar& radar,
                                                            const radar::Rectangle& area,
                                                            const CoherentSettings& settings);
@@ -64,7 +69,8 @@ struct CoherentSettings {
 /// Stripmap SAR of the area, in metres, with the beam under the azimuth of a fixed scan, else under that in which the
 /// radar sees the middle of the area at time zero (radar/strip_beam.h). All ground and every target are looked at from
 /// where the platform is as its beam passes over them: aspect, grazing angle and shadows are those of that moment.
-/// Ground beyond the area takes part where its azimuth ambiguities fall into it.
+/// Ground beyond the area takes part where its azimuth ambiguities fall into it. Throws Error when the radar does not
+/// move, or stands within the ground or lower than all of it.
 [[nodiscard]] radar::StripmapImage stripmap_image(const CoherentScene& scene, const radar::Radar& radar,
                                                   const radar::Rectangle& area, const CoherentSettings& settings);
 

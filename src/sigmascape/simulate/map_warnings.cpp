@@ -1,10 +1,17 @@
 #include "sigmascape/simulate/map_warnings.h"
 
+#include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <limits>
+#include <optional>
 #include <utility>
 
+#include "sigmascape/base/units.h"
 #include "sigmascape/radar/radar_warnings.h"
+#include "sigmascape/radar/rectangle_distances.h"
+#include "sigmascape/radar/rectangle_parts.h"
 #include "sigmascape/simulate/placement.h"
 #include "sigmascape/simulate/simulate.h"
 
@@ -23,6 +30,63 @@ std::vector<std::string> cut_sides(const radar::Rectangle& asked, const radar::R
   return sides;
 }
 
+/// The angles under which something is seen.
+struct AngleSpan {
+  double least_rad = std::numeric_limits<double>::infinity(), most_rad = -least_rad;
+
+  void take_in(double angle_rad) {
+    least_rad = std::min(least_rad, angle_rad);
+    most_rad = std::max(most_rad, angle_rad);
+  }
+  /// The nearest of them to an angle.
+  [[nodiscard]] double nearest(double angle_rad) const { return std::clamp(angle_rad, least_rad, most_rad); }
+};
+
+constexpr double least_two_way_power = 0.01;
+
+/// A pattern with its peak left at the horizon is the usual reason.
+std::optional<std::string> beam_above_or_below(const radar::Radar& radar, const radar::Rectangle& area,
+                                               const terrain::HeightField& terrain) {
+  const radar::AntennaPattern pattern = radar::antenna_pattern(radar);
+  if (pattern.elevation().even()) return std::nullopt;
+  const Vec2d foot{radar.position.x, radar.position.y};
+  AngleSpan elevations;
+  const auto take_in = [&](Vec2d place) {
+    const Vec3d away = radar::earth_of(radar).bent({place.x, place.y, terrain.height_at(place)}, foot) - radar.position;
+    elevations.take_in(std::atan2(away.z, std::hypot(away.x, away.y)));
+  };
+  std::ranges::for_each(radar::corners_of(area), take_in);
+  take_in(area.centre());
+  take_in(radar::nearest_point(area, foot));
+  const double power = pattern.elevation().two_way_power(elevations.nearest(pattern.tilt_rad()) - pattern.tilt_rad());
+  if (power >= least_two_way_power) return std::nullopt;
+  return fmt::format(
+      "the beam points to an elevation of {:.3g}° (antenna.tilt_deg), and what is mapped lies at {:.3g}° to {:.3g}°, "
+      "where "
+      "echoes are at least {:.0f} dB weaker than at its peak",
+      deg_from_radians(pattern.tilt_rad()), deg_from_radians(elevations.least_rad),
+      deg_from_radians(elevations.most_rad), -db_from_linear(std::max(power, 1e-30)));
+}
+
+/// Real-beam maps of what is never scanned are refused, spotlights are steered, and the beam of a strip passes.
+std::optional<std::string> beam_beside(const radar::Radar& radar, const radar::Rectangle& area) {
+  const bool keeps_azimuth = radar.mode == radar::Mode::DopplerBeamSharpening &&
+                             radar.scan.kind == radar::ScanKind::Fixed && radar.scan.azimuth_rad;
+  const Vec2d foot{radar.position.x, radar.position.y};
+  if (!keeps_azimuth || radar::nearest_m(area, foot) == 0.0) return std::nullopt;
+  AngleSpan offsets;
+  for (const Vec2d corner : radar::corners_of(area)) {
+    const Vec2d away = corner - foot;
+    offsets.take_in(turned_by_least(std::atan2(away.x, away.y) - *radar.scan.azimuth_rad));
+  }
+  if (radar::antenna_pattern(radar).azimuth().two_way_power(offsets.nearest(0.0)) >= least_two_way_power)
+    return std::nullopt;
+  return fmt::format(
+      "the beam points to {:.4g}° (scan.azimuth_deg), and what is mapped lies {:.3g}° to {:.3g}° beside it",
+      deg_from_radians(wrapped_azimuth(*radar.scan.azimuth_rad)), deg_from_radians(offsets.least_rad),
+      deg_from_radians(offsets.most_rad));
+}
+
 }  // namespace
 
 std::vector<std::string> map_warnings(const radar::Radar& radar, const radar::MapRequest& request,
@@ -34,6 +98,38 @@ std::vector<std::string> map_warnings(const radar::Radar& radar, const radar::Ma
     warnings.push_back(
         fmt::format("the map's area reaches beyond the scene, {}, and is cut off there; {} x {} cells of it are left",
                     fmt::join(sides, " and "), grid.columns, grid.rows));
+  }
+  if (auto missed = beam_above_or_below(radar, grid.extent(), terrain)) warnings.push_back(*std::move(missed));
+  if (auto missed = beam_beside(radar, grid.extent())) warnings.push_back(*std::move(missed));
+  return warnings;
+}
+
+std::vector<std::string> recording_warnings(const radar::Radar& radar, const radar::Rectangle& area,
+                                            const terrain::HeightField& terrain, bool calibrated) {
+  std::vector<std::string> warnings;
+  const Vec2d foot{radar.position.x, radar.position.y}, away = area.centre() - foot;
+  const double distance_m = length(away);
+  const double beam_m = radar::antenna_pattern(radar).azimuth().two_way_width_rad() * distance_m;
+  if (calibrated && distance_m > 0.0) {
+    const double across_m = (std::abs(away.y) * area.width_m() + std::abs(away.x) * area.height_m()) / distance_m;
+    if (across_m < beam_m) {
+      warnings.push_back(fmt::format(
+          "the beam is {:.4g} m wide where what is mapped is {:.4g} m across, and pulses hold the echoes of "
+          "mapped ground alone; map all that the beam sees to record clutter of its full strength",
+          beam_m, across_m));
+    }
+  }
+  const radar::RangeAzimuthGrid bins = bins_for(radar, area, terrain);
+  const double near_m = bins.first_range_m,
+               far_m = bins.first_range_m + static_cast<double>(bins.ranges) * bins.range_step_m;
+  const double opens_m = radar.receiver.first_range_m.value_or(near_m),
+               closes_m = radar.receiver.last_range_m.value_or(far_m);
+  const double spare_m = 0.1 * (far_m - near_m);
+  if (opens_m < near_m - spare_m || closes_m > far_m + spare_m) {
+    warnings.push_back(fmt::format(
+        "the range gate from {:.5g} to {:.5g} km is wider than what is mapped, {:.5g} to {:.5g} km away, and "
+        "pulses hold the echoes of mapped ground alone",
+        opens_m / 1e3, closes_m / 1e3, near_m / 1e3, far_m / 1e3));
   }
   return warnings;
 }

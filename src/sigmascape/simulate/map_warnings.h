@@ -10,10 +10,16 @@
 namespace sigmascape::simulate {
 
 /// What whoever asks for this map should know before it is made, one sentence each: what radar::radar_warnings objects
-/// to, and an area of which map_grid() leaves a cell or more out since `extent`, which the scene covers, ends before
-/// it. Throws Error as map_grid() does.
+/// to, an area of which map_grid() leaves a cell or more out since `extent`, which the scene covers, ends before it,
+/// and a beam that points so far above, below or beside what is mapped that all of it lies 20 dB or more under its
+/// peak, both ways. Throws Error as map_grid() does.
 [[nodiscard]] std::vector<std::string> map_warnings(const radar::Radar& radar, const radar::MapRequest& request,
                                                     const terrain::HeightField& terrain,
                                                     const radar::Rectangle& extent);
+
+/// What whoever records pulses of this area should know: that what lies beside it is not in them (`phase_history`),
+/// where the half-power beam of a `calibrated` recording is wider, or a range gate that the radar states.
+[[nodiscard]] std::vector<std::string> recording_warnings(const radar::Radar& radar, const radar::Rectangle& area,
+                                                          const terrain::HeightField& terrain, bool calibrated);
 
 }  // namespace sigmascape::simulate

@@ -43,6 +43,7 @@ Prepared prepared(const ModeRequest& request, const radar::CoherentPlan& plan) {
                        .scatterer_spacing_m = spacing_m,
                        .seed = request.seed,
                        .dwell = request.dwell,
+                       .moment_s = request.moment_s,
                        .threads = request.threads},
           .area = with_rim(request.grid.extent(), 2.0 * std::max(radar.range_resolution_m, plan.along_resolution_m))};
 }

@@ -27,6 +27,7 @@ struct ModeRequest {
   int level_of_detail = 1;
   std::uint64_t seed = 1;
   std::uint64_t dwell = 0;  ///< as in CoherentSettings
+  double moment_s = 0.0;    ///< likewise
   unsigned threads = 0;
 };
 

@@ -1,7 +1,9 @@
 #include "sigmascape/simulate/coherent.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <complex>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <vector>
@@ -152,6 +154,61 @@ TEST(Pulses, AreRefusedBeforeTheGroundIsLookedAt) {
   };
   EXPECT_THAT(message_of_error(record), HasSubstr("range gate"));
   EXPECT_THAT(asked.places, ::testing::IsEmpty());
+}
+
+TEST(Pulses, AreRecordedFromARadarThatStandsStill) {
+  radar::Radar radar = looking_north(radar::Mode::RealBeam);
+  radar.velocity_mps = {};
+  const auto history = pulses_of(radar, {.interval_s = 0.002});
+  float best = 0.0F;
+  for (const auto& sample : history.samples.row(1)) best = std::max(best, std::norm(sample.vv));
+  EXPECT_NEAR(db_from_linear(static_cast<double>(best)), 79.2, 0.9);
+  radar.mode = radar::Mode::Stripmap;
+  EXPECT_THAT(message_of_error([&] { static_cast<void>(pulses_of(radar, {.interval_s = 0.002})); }),
+              HasSubstr("stands still"));
+}
+
+/// A height above the ground that was taken for one above the sea is the usual reason.
+TEST(Pulses, AndImagesAreRefusedFromWithinTheGround) {
+  const terrain::HeightField high{
+      .west_m = -1000.0, .north_m = 1000.0, .spacing_m = 50.0, .height_m = Array2D<float>(41, 41, 500.0F)};
+  const CoherentScene scene{&high, [](Vec2d, const radar::Aspect&) { return radar::Channels{}; }};
+  radar::Radar radar = looking_north(radar::Mode::Spotlight);
+  const auto told = [&](Vec3d position) {
+    radar.position = position;
+    return std::array{
+        message_of_error([&] { static_cast<void>(phase_history(scene, radar, area, {.interval_s = 0.002})); }),
+        message_of_error([&] { static_cast<void>(range_doppler_image(scene, radar, area, {.interval_s = 0.1})); }),
+        message_of_error([&] { static_cast<void>(stripmap_image(scene, radar, area, {})); })};
+  };
+  EXPECT_THAT(told({0.0, -800.0, 300.0}), ::testing::Each(HasSubstr("and the ground under it at 500.0 m")));
+  EXPECT_THAT(told({0.0, -8000.0, 300.0}), ::testing::Each(HasSubstr("and the lowest ground of the scene at 500.0 m")));
+  EXPECT_THAT(told({0.0, -800.0, 510.0}), ::testing::Each(::testing::IsEmpty()));
+}
+
+/// Seen from a place that does not move, what one recording holds at half a second another one of that moment begins
+/// with.
+TEST(Pulses, HaveLeavesThatMoveOnFromRecordingToRecording) {
+  radar::Radar radar = looking_north(radar::Mode::RealBeam);
+  radar.velocity_mps = {};
+  radar.wind_mps = 10.0;
+  radar.waveform.pulse_repetition_hz = 10.0;
+  const render::Reflectivity even = [](Vec2d, const radar::Aspect&) { return radar::Channels{1.0F, 1.0F, 0.0F, 1.0F}; };
+  const CoherentScene scene{&level, even, {}, [](Vec2d) { return true; }};
+  const auto recorded = [&](double moment_s) {
+    return phase_history(scene, radar, area, {.interval_s = 2.0, .scatterer_spacing_m = 5.0, .moment_s = moment_s});
+  };
+  const auto first = recorded(0.0), later = recorded(0.5);
+  const auto differs_by = [&](std::size_t pulse, std::size_t of_later) {
+    double difference = 0.0, power = 0.0;
+    for (std::size_t i = 0; i < first.samples.columns(); ++i) {
+      difference += std::norm(std::complex<double>(first.samples(i, pulse).vv - later.samples(i, of_later).vv));
+      power += std::norm(std::complex<double>(first.samples(i, pulse).vv));
+    }
+    return difference / power;
+  };
+  EXPECT_LT(differs_by(15, 10), 1e-6);
+  EXPECT_GT(differs_by(10, 10), 0.1);
 }
 
 TEST(Pulses, AreOfTheScatterersOfTheirMap) {

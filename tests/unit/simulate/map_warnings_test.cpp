@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "sigmascape/base/error.h"
+#include "sigmascape/base/units.h"
 
 namespace sigmascape::simulate {
 namespace {
@@ -37,6 +38,54 @@ TEST(MapWarnings, AreNoneWhereNoCellIsMissing) {
   EXPECT_THAT(warnings_of_area(std::nullopt), IsEmpty());
   EXPECT_THAT(warnings_of_area(extent), IsEmpty());
   EXPECT_THAT(warnings_of_area(radar::Rectangle{-505, -505, 505, 505}), IsEmpty());
+}
+
+/// 3 km high and 20 km to the south of what is mapped, which lies 8.3 to 8.7° below the horizon.
+radar::Radar with_elevation_beam(double tilt_deg) {
+  radar::Radar radar{.range_resolution_m = 10.0,
+                     .beam_width_rad = 0.01,
+                     .waveform = {.pulse_length_s = 1e-7, .pulse_repetition_hz = 1000.0}};
+  radar.position = {0, -20e3, 3e3};
+  radar.antenna.elevation = radar::GaussianBeam{};
+  radar.antenna.elevation_width_rad = radians_from_deg(3.0);
+  radar.antenna.tilt_rad = radians_from_deg(tilt_deg);
+  return radar;
+}
+
+const terrain::HeightField level{-500, 500, 1000, Array2D<float>(2, 2, 0.0F)};
+
+TEST(MapWarnings, TellOfABeamThatPointsOverTheMap) {
+  const auto warnings = [&](const radar::Radar& radar) { return map_warnings(radar, {.cell_m = 10.0}, level, extent); };
+  EXPECT_THAT(warnings(with_elevation_beam(-8.5)), IsEmpty());
+  EXPECT_THAT(warnings(with_elevation_beam(-5.0)), IsEmpty()) << "−17 dB both ways";
+  EXPECT_THAT(
+      warnings(with_elevation_beam(0.0)),
+      ElementsAre(::testing::AllOf(::testing::StartsWith("the beam points to an elevation of 0° (antenna.tilt_deg), "
+                                                         "and what is mapped lies at -8.75° to -8.33°"),
+                                   // 2 · 12.04 dB (8.33°/3°)²
+                                   ::testing::EndsWith("at least 186 dB weaker than at its peak"))));
+}
+
+TEST(MapWarnings, TellOfAFixedBeamThatPointsBesideTheMap) {
+  radar::Radar radar = with_elevation_beam(-8.5);
+  radar.mode = radar::Mode::DopplerBeamSharpening;
+  radar.scan = {.kind = radar::ScanKind::Fixed, .azimuth_rad = radians_from_deg(1.0)};
+  EXPECT_THAT(map_warnings(radar, {.cell_m = 10.0}, level, extent), IsEmpty());
+  radar.scan.azimuth_rad = radians_from_deg(90.0);
+  EXPECT_THAT(
+      map_warnings(radar, {.cell_m = 10.0}, level, extent),
+      ElementsAre(::testing::StartsWith("the beam points to 90° (scan.azimuth_deg), and what is mapped lies -91")));
+}
+
+TEST(RecordingWarnings, TellOfWhatIsNotInThePulses) {
+  radar::Radar radar = with_elevation_beam(-8.5);
+  const auto told = [&](bool calibrated) { return recording_warnings(radar, extent, level, calibrated); };
+  EXPECT_THAT(told(true), IsEmpty());
+  radar.beam_width_rad = 0.1;  // 0.1/√2 both ways, of 20 km
+  EXPECT_THAT(told(false), IsEmpty());
+  EXPECT_THAT(told(true), ElementsAre(::testing::StartsWith("the beam is 1414 m wide where what is mapped is 1000 m")));
+  radar.receiver.first_range_m = 15e3;
+  EXPECT_THAT(told(false), ElementsAre(::testing::StartsWith("the range gate from 15 to 20.")));
 }
 
 TEST(MapWarnings, RefuseAnAreaOutside) {
