@@ -318,7 +318,7 @@ radar::RangeAzimuthImage SampleMaker::ground_image(const radar::Radar& radar, co
 
 radar::LayerStack SampleMaker::labels(const radar::Radar& radar, const radar::GroundGrid& grid) const {
   const std::vector<simulate::LayerKind>& kinds = spec_.layers;
-  if (kinds.empty()) return {.grid = grid};
+  if (kinds.empty()) return {grid, {}, {}, {}};
   if (geometry_) return simulate::traced_layers(scene_, *geometry_, radar, grid, kinds, 1);
   return simulate::swept_layers(
       {&scene_.terrain, obstacles_.get(), &scene_.ground, scene_.materials.size(), tallest_m_}, radar, grid, kinds, 1);

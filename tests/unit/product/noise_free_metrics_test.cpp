@@ -102,7 +102,7 @@ TEST(NoiseFreeMetrics, MapsOfOneSceneFromAsManyRaysAgreeHoweverFewEchoesTheyGot)
 
 TEST(NoiseFreeMetrics, WithoutACellThatAllSawNothingIsSaid) {
   const GroundMap map = map_of(4, 4, [](auto, auto) { return 1.0; });
-  const GroundMap blind = map_of(4, 4, [](auto, auto) { return static_cast<double>(radar::unseen_power); });
+  const GroundMap blind = map_of(4, 4, [](auto, auto) { return static_cast<double>(unseen_power); });
   EXPECT_THROW(static_cast<void>(compare_without_noise({map, blind}, {map, map}, 2.0, vv)), Error);
 }
 

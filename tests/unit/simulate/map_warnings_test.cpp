@@ -55,7 +55,9 @@ radar::Radar with_elevation_beam(double tilt_deg) {
 const terrain::HeightField level{-500, 500, 1000, Array2D<float>(2, 2, 0.0F)};
 
 TEST(MapWarnings, TellOfABeamThatPointsOverTheMap) {
-  const auto warnings = [&](const radar::Radar& radar) { return map_warnings(radar, {.cell_m = 10.0}, level, extent); };
+  const auto warnings = [&](const radar::Radar& radar) {
+    return map_warnings(radar, {.area = std::nullopt, .cell_m = 10.0}, level, extent);
+  };
   EXPECT_THAT(warnings(with_elevation_beam(-8.5)), IsEmpty());
   EXPECT_THAT(warnings(with_elevation_beam(-5.0)), IsEmpty()) << "−17 dB both ways";
   EXPECT_THAT(
@@ -70,10 +72,10 @@ TEST(MapWarnings, TellOfAFixedBeamThatPointsBesideTheMap) {
   radar::Radar radar = with_elevation_beam(-8.5);
   radar.mode = radar::Mode::DopplerBeamSharpening;
   radar.scan = {.kind = radar::ScanKind::Fixed, .azimuth_rad = radians_from_deg(1.0)};
-  EXPECT_THAT(map_warnings(radar, {.cell_m = 10.0}, level, extent), IsEmpty());
+  EXPECT_THAT(map_warnings(radar, {.area = std::nullopt, .cell_m = 10.0}, level, extent), IsEmpty());
   radar.scan.azimuth_rad = radians_from_deg(90.0);
   EXPECT_THAT(
-      map_warnings(radar, {.cell_m = 10.0}, level, extent),
+      map_warnings(radar, {.area = std::nullopt, .cell_m = 10.0}, level, extent),
       ElementsAre(::testing::StartsWith("the beam points to 90° (scan.azimuth_deg), and what is mapped lies -91")));
 }
 
