@@ -110,9 +110,10 @@ TEST(TargetShadows, OverARoundEarthAreAsLongAsTheGrazingAngleSays) {
   const Vantage far_off(position_seeing({}, pi, radians_from_deg(1.0), 100e3, earth));
   const TargetShadows round(targets, far_off, earth), flat(targets, far_off);
   const double end_m = 5.0 + 10.0 / std::tan(radians_from_deg(1.0));
-  EXPECT_TRUE(round.hide({0.0, end_m - 5.0, 0.0}));
-  EXPECT_FALSE(round.hide({0.0, end_m + 5.0, 0.0}));
-  EXPECT_FALSE(flat.hide({0.0, end_m - 5.0, 0.0}));
+  // Eq. (2) of the drop is good to a hundredth of that here.
+  EXPECT_TRUE(round.hide({0.0, 0.99 * end_m, 0.0}));
+  EXPECT_FALSE(round.hide({0.0, 1.02 * end_m, 0.0}));
+  EXPECT_FALSE(flat.hide({0.0, 0.99 * end_m, 0.0}));
 }
 
 TEST(Vantage, OfARadarIsThatOfItsMode) {

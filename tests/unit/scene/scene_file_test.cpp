@@ -249,7 +249,7 @@ TEST(SceneFile, DecimalCommasCountAndDoubtfulOnesAreTold) {
 TEST(SceneFile, AColumnThatIsEmptyThroughoutIsThere) {
   const MadeUpPlace place;
   place.write_houses(MadeUpPlace::house(-20, 0, 0, 20, R"("h":null)"));
-  const Scene scene = place.read(houses_section + "default_height_m = 7\n");
+  const Scene scene = place.read(houses_section + "default_height_m = 7\nmax_flawed_share = 1\n");
   ASSERT_EQ(scene.buildings.items.size(), 1U);
   EXPECT_EQ(top_m(scene, 0), 7.0F);
 }

@@ -207,7 +207,8 @@ TEST(Pulses, HaveLeavesThatMoveOnFromRecordingToRecording) {
     }
     return difference / power;
   };
-  EXPECT_LT(differs_by(15, 10), 1e-6);
+  // Within a recording leaves change their place as well, by a small part of a resolution.
+  EXPECT_LT(differs_by(15, 10), 0.01);
   EXPECT_GT(differs_by(10, 10), 0.1);
 }
 
