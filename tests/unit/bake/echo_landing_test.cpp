@@ -51,8 +51,8 @@ TEST(EchoLanding, GroundOnHillsStandsWhereItIs) {
   }
 }
 
-// Before a wall that faces the radar, ground at its foot and ground upon it have one range; both are level here, so that
-// both are found at once.
+// Before a wall that faces the radar, ground at its foot and ground upon it have one range; both are level here, so
+// that both are found at once.
 TEST(EchoLanding, BeforeAWallTheFootOfItIsTaken) {
   constexpr double wall_m = 12.0;
   terrain::HeightField quay{-400.0, 400.0, 2.0, Array2D<float>(401, 401)};
