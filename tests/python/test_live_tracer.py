@@ -67,8 +67,10 @@ def test_wrong_settings_are_refused(scene):
 
 
 def test_files_say_whom_to_credit(tmp_path, radar):
-    (tmp_path / "scene.toml").write_text('attribution = "(c) Somebody, CC BY 4.0"\n[paper]\nscale = 0.05\n')
-    scene = sigmascape.Scene(tmp_path / "scene.toml")
+    (tmp_path / "dem.asc").write_text("ncols 60\nnrows 60\nxllcorner 500000\nyllcorner 4800000\ncellsize 4\n" + ("0 " * 60 + "\n") * 60)
+    (tmp_path / "scene.toml").write_text('[scene]\nattribution = "(c) Somebody, CC BY 4.0"\n'
+                                         '[terrain]\nfile = "dem.asc"\ncrs = "EPSG:25830"\n')
+    scene = sigmascape.Scene.read(tmp_path / "scene.toml")
     tracer_of(scene, rays_per_cell=1).render(PLACE, **POSE).save(tmp_path / "frame.npy")
     assert json.loads((tmp_path / "frame.json").read_text())["attribution"] == "(c) Somebody, CC BY 4.0"
     layers = sigmascape.layers(scene, radar, ["shadow"])
