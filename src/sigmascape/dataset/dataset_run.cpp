@@ -104,10 +104,9 @@ bool are_whole(const Json& files, const fs::path& folder) {
 }
 
 /// Whether a lot stands in the folder with all its files. What an index no longer tells counts as lost.
-bool is_made(const SampleMaker& maker, const fs::path& folder, std::size_t number) {
+bool is_made(const SampleMaker& maker, const std::string& identity, const fs::path& folder, std::size_t number) {
   std::ifstream stream(index_path(folder, number), std::ios::binary);
   const Json index = Json::parse(stream, nullptr, false);
-  const std::string identity = digest_of_identity(maker);
   try {
     // Those of a former kind do not say of which dataset they are.
     if (index.value("dataset_sha256", identity) != identity) return false;
@@ -246,14 +245,14 @@ struct FoundShare {
 
 /// Two runs that make the same lot come to the same bytes, in the time of two: whoever finds a lot that he lacks in
 /// another's hands stops. Where a file system cannot lock, nobody does.
-FoundShare claimed_share(const SampleMaker& maker, const fs::path& folder, const DatasetShare& share, std::size_t lots,
-                         const bake::Claims& claims) {
+FoundShare claimed_share(const SampleMaker& maker, const std::string& identity, const fs::path& folder,
+                         const DatasetShare& share, std::size_t lots, const bake::Claims& claims) {
   FoundShare found;
   for (std::size_t number = share.index; number < lots; number += share.count) {
     const std::size_t count = count_of_lot(maker.spec(), number);
     found.samples += count;
     auto claim = claims.take_if_free(number);
-    if (is_made(maker, folder, number)) {
+    if (is_made(maker, identity, folder, number)) {
       found.already += count;
       continue;
     }
@@ -281,7 +280,8 @@ DatasetReport make_dataset(const SampleMaker& maker, const fs::path& folder, con
   claim_folder(maker, folder);
   const std::size_t size = maker.spec().samples_per_shard, lots = (maker.spec().count + size - 1) / size;
   const bake::Claims claims(folder);
-  const FoundShare found = claimed_share(maker, folder, share, lots, claims);
+  const std::string identity = digest_of_identity(maker);
+  const FoundShare found = claimed_share(maker, identity, folder, share, lots, claims);
   DatasetReport report{.samples = found.samples, .already = found.already};
   const auto tell = [&](std::size_t made) {
     progress.advanced("dataset", static_cast<double>(report.already + made), static_cast<double>(report.samples),
@@ -297,7 +297,7 @@ DatasetReport make_dataset(const SampleMaker& maker, const fs::path& folder, con
   tell(wanted.samples());
   report.is_complete = true;
   for (std::size_t number = 0; number < lots; ++number)
-    report.is_complete = report.is_complete && is_made(maker, folder, number);
+    report.is_complete = report.is_complete && is_made(maker, identity, folder, number);
   if (report.is_complete) write_summary(maker, folder, lots);
   return report;
 }

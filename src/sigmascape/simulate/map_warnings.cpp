@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "sigmascape/base/units.h"
+#include "sigmascape/radar/azimuth_span.h"
 #include "sigmascape/radar/radar_warnings.h"
 #include "sigmascape/radar/rectangle_distances.h"
 #include "sigmascape/radar/rectangle_parts.h"
@@ -62,8 +63,7 @@ std::optional<std::string> beam_above_or_below(const radar::Radar& radar, const 
   if (power >= least_two_way_power) return std::nullopt;
   return fmt::format(
       "the beam points to an elevation of {:.3g}° (antenna.tilt_deg), and what is mapped lies at {:.3g}° to {:.3g}°, "
-      "where "
-      "echoes are at least {:.0f} dB weaker than at its peak",
+      "where echoes are at least {:.0f} dB weaker than at its peak",
       deg_from_radians(pattern.tilt_rad()), deg_from_radians(elevations.least_rad),
       deg_from_radians(elevations.most_rad), -db_from_linear(std::max(power, 1e-30)));
 }
@@ -73,12 +73,10 @@ std::optional<std::string> beam_beside(const radar::Radar& radar, const radar::R
   const bool keeps_azimuth = radar.mode == radar::Mode::DopplerBeamSharpening &&
                              radar.scan.kind == radar::ScanKind::Fixed && radar.scan.azimuth_rad;
   const Vec2d foot{radar.position.x, radar.position.y};
-  if (!keeps_azimuth || radar::nearest_m(area, foot) == 0.0) return std::nullopt;
-  AngleSpan offsets;
-  for (const Vec2d corner : radar::corners_of(area)) {
-    const Vec2d away = corner - foot;
-    offsets.take_in(turned_by_least(std::atan2(away.x, away.y) - *radar.scan.azimuth_rad));
-  }
+  if (!keeps_azimuth || area.contains(foot)) return std::nullopt;
+  const radar::AzimuthSpan span = radar::azimuths_of(area, foot);
+  const double middle_rad = turned_by_least(span.middle_rad - *radar.scan.azimuth_rad);
+  const AngleSpan offsets{middle_rad + span.left_rad, middle_rad + span.right_rad};
   if (radar::antenna_pattern(radar).azimuth().two_way_power(offsets.nearest(0.0)) >= least_two_way_power)
     return std::nullopt;
   return fmt::format(
