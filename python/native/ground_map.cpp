@@ -22,16 +22,19 @@ namespace py = pybind11;
 using radar::Channels;
 using radar::GroundMap;
 
-void save(const GroundMap& map, const std::filesystem::path& path, bool db, const std::string& polarization,
-          double span_db, const std::optional<double>& top_db) {
-  if (file_ending(path) != ".png")
+void save(const GroundMap& map, const std::filesystem::path& path, bool db,
+          const std::optional<std::string>& polarization, double span_db, const std::optional<double>& top_db) {
+  if (product::is_map_name(path))
     return product::write_map(path, map, db ? product::MapScale::Decibels : product::MapScale::Linear);
-  product::write_map_picture(path, map,
-                             {.polarization = polarization_from(polarization), .span_db = span_db, .top_db = top_db});
+  if (file_ending(path) != ".png") {
+    throw Error(path.string(), "is no kind of file that maps are saved as", "end the name in .tif, .npy, .npz or .png");
+  }
+  product::write_map_picture(
+      path, map, {.polarization = polarization_from(polarization, map.metadata), .span_db = span_db, .top_db = top_db});
 }
 
-py::array_t<float> decibels(const GroundMap& map, const std::string& polarization, double floor_db) {
-  const radar::Polarization wanted = polarization_from(polarization);
+py::array_t<float> decibels(const GroundMap& map, const std::optional<std::string>& polarization, double floor_db) {
+  const radar::Polarization wanted = polarization_from(polarization, map.metadata);
   if (std::isnan(floor_db)) throw Error("floor_db", "is not a number", "give the darkest value in dB");
   py::array_t<float> result({map.grid.rows, map.grid.columns});
   float* db = result.mutable_data();
@@ -93,13 +96,14 @@ void add_ground_map(py::module_& module) {
           "float32 [row, column, 4]: VV, HH, HV (= VH), Re<S_VV S_HH*>.")
       .def_readwrite("metadata", &GroundMap::metadata,
                      "Where the map comes from, text by name. Assign a dict to change it.")
-      .def("db", &decibels, py::arg("polarization") = "vv", py::kw_only(), py::arg("floor_db") = -60.0,
-           "10 lg sigma0, float32 [row, column]; not darker than `floor_db`, NaN where the radar did not look.")
-      .def("save", &save, py::arg("path"), py::kw_only(), py::arg("db") = false, py::arg("polarization") = "vv",
+      .def("db", &decibels, py::arg("polarization") = py::none(), py::kw_only(), py::arg("floor_db") = -60.0,
+           "10 lg sigma0, float32 [row, column]; not darker than `floor_db`, NaN where the radar did not look.\n"
+           "polarization: None for the radar's, which the metadata tell.")
+      .def("save", &save, py::arg("path"), py::kw_only(), py::arg("db") = false, py::arg("polarization") = py::none(),
            py::arg("span_db") = 50.0, py::arg("top_db") = py::none(), py::call_guard<WithoutGil>(),
            "Writes a cloud-optimised GeoTIFF (.tif: sigma0, CRS, metadata), NumPy files (.npy with .json, .npz), or a\n"
            "picture with its legend and world file (.png). db: sigma0 in decibels instead of linear; the other\n"
-           "arguments are for pictures.")
+           "arguments are for pictures. polarization: None for the radar's.")
       .def("__repr__", [](const GroundMap& m) {
         return py::str("<sigmascape.GroundMap {} x {} cells of {:g} m>")
             .format(m.grid.rows, m.grid.columns, m.grid.cell_m);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <map>
+#include <optional>
 #include <string>
 
 #include "sigmascape/base/error.h"
@@ -13,11 +15,13 @@ inline radar::Polarization polarization_from(const std::string& word) {
   throw Error("polarization", "is '" + word + "'", "give 'vv', 'hh', 'hv', 'vh' or 'sum'");
 }
 
-inline std::string word_of(radar::Polarization polarization) {
-  for (const auto& [word, meant] : radar::polarization_words()) {
-    if (meant == polarization) return word;
-  }
-  return "";
+/// The one that is asked for, and where none is that of the radar that made the map with these metadata; VV where they
+/// do not tell.
+inline radar::Polarization polarization_from(const std::optional<std::string>& asked,
+                                             const std::map<std::string, std::string>& map_metadata) {
+  if (asked) return polarization_from(*asked);
+  const auto of_radar = map_metadata.find("polarization");
+  return of_radar == map_metadata.end() ? radar::Polarization::VV : polarization_from(of_radar->second);
 }
 
 }  // namespace sigmascape::python

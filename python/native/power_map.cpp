@@ -18,8 +18,8 @@ namespace py = pybind11;
 using radar::Channels;
 using radar::PowerMap;
 
-py::array_t<float> decibel_watts(const PowerMap& map, const std::string& polarization) {
-  const radar::Polarization wanted = polarization_from(polarization);
+py::array_t<float> decibel_watts(const PowerMap& map, const std::optional<std::string>& polarization) {
+  const radar::Polarization wanted = polarization_from(polarization, map.metadata);
   if (wanted == radar::Polarization::Sum)
     throw Error("polarization", "is 'sum', which no receiver has", "give 'vv', 'hh', 'hv' or 'vh'");
   py::array_t<float> result({map.grid.rows, map.grid.columns});
@@ -44,9 +44,10 @@ void add_power_map(py::module_& module) {
           py::call_guard<WithoutGil>(), "Reads a GeoTIFF that save() or `sigmascape render --power` wrote.")
       .def_readonly("noise_w", &PowerMap::noise_w, "Mean noise beside the signal, in W: k T0 B F, the same everywhere.")
       .def_readonly("metadata", &PowerMap::metadata, "Where the map comes from, text by name.")
-      .def(
-          "dbw", &decibel_watts, py::arg("polarization") = "vv",
-          "10 lg of the power over 1 W, float32 [row, column]; not darker than -300, NaN where the radar did not look.")
+      .def("dbw", &decibel_watts, py::arg("polarization") = py::none(),
+           "10 lg of the power over 1 W, float32 [row, column]; not darker than -300, NaN where the radar did not "
+           "look.\n"
+           "polarization: None for the radar's, which must not be 'sum'.")
       .def(
           "save",
           [](const PowerMap& map, const std::filesystem::path& path, bool db) {

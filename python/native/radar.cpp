@@ -148,9 +148,9 @@ void add_radar(py::module_& module) {
           "One-way half-power width of the real beam in azimuth. The antenna's gain goes with it where the radar file\n"
           "states none. Not to be set where the file names a table of the beam.")
       .def_property(
-          "polarization", [](const RadarFile& f) { return word_of(f.radar.polarization); },
+          "polarization", [](const RadarFile& f) { return radar::polarization_word(f.radar.polarization); },
           [](RadarFile& f, const std::string& word) { f.radar.polarization = polarization_from(word); },
-          "What pictures show; maps hold all: 'vv', 'hh', 'hv', 'vh' or 'sum'.")
+          "What pictures and decibels show unless told otherwise; maps hold all: 'vv', 'hh', 'hv', 'vh' or 'sum'.")
       .def_property(
           "velocity_mps", [](const RadarFile& f) { return tuple_of(f.radar.velocity_mps); },
           [](RadarFile& f, const Triple& v) {

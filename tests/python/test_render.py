@@ -1,3 +1,4 @@
+import copy
 import os
 import struct
 import subprocess
@@ -63,8 +64,21 @@ def test_a_saved_map_reads_back_the_same(atlas, radar, tmp_path):
     assert picture.startswith(b"\x89PNG") and (tmp_path / "map.pgw").exists()
     texts = png_texts(picture)
     assert texts["quantity"] == "sigma0 VV+HH+2HV [dB]" and "scale_top_db" in texts and "crs" in texts
-    with pytest.raises(sigmascape.Error, match="map.jpg"):
+    with pytest.raises(sigmascape.Error, match=r"map.jpg: is no kind of file .* \.png"):
         ground_map.save(tmp_path / "map.jpg")
+
+
+def test_maps_show_the_polarization_of_their_radar(atlas, radar, tmp_path):
+    horizontal = copy.copy(radar)
+    horizontal.polarization = "hh"
+    ground_map = sigmascape.render(None, horizontal, atlas=atlas)
+    assert ground_map.metadata["polarization"] == "hh"
+    assert not np.array_equal(ground_map.db("hh"), ground_map.db("vv"), equal_nan=True)
+    assert np.array_equal(ground_map.db(), ground_map.db("hh"), equal_nan=True)
+    ground_map.save(tmp_path / "map.png")
+    assert png_texts((tmp_path / "map.png").read_bytes())["quantity"] == "sigma0 HH [dB]"
+    power = sigmascape.received_power(None, horizontal, atlas=atlas)
+    assert np.array_equal(power.dbw(), power.dbw("hh"), equal_nan=True)
 
 
 def test_wrong_arguments_are_refused(scene, atlas, radar):

@@ -91,9 +91,13 @@ void write_view(const std::filesystem::path& path, const MapView& map, MapScale 
 
 }  // namespace
 
-void check_map_name(const std::filesystem::path& path) {
+bool is_map_name(const std::filesystem::path& path) {
   const std::string ending = file_ending(path);
-  if (geo::is_geotiff_name(path) || ending == ".npy" || ending == ".npz") return;
+  return geo::is_geotiff_name(path) || ending == ".npy" || ending == ".npz";
+}
+
+void check_map_name(const std::filesystem::path& path) {
+  if (is_map_name(path)) return;
   throw Error(path.string(), "is no kind of file that maps are written as", "end the name in .tif, .npy or .npz");
 }
 

@@ -31,6 +31,9 @@ void write_map(const std::filesystem::path& path, const radar::GroundMap& map, M
 /// write_power_map.
 void write_map(const std::filesystem::path& path, const radar::PowerMap& map, MapScale scale = MapScale::Linear);
 
+/// Whether `write_map` knows what to write under this name.
+[[nodiscard]] bool is_map_name(const std::filesystem::path& path);
+
 /// Throws Error when `write_map` would not know what to write under this name: for asking before the work.
 void check_map_name(const std::filesystem::path& path);
 

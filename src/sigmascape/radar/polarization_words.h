@@ -17,4 +17,12 @@ namespace sigmascape::radar {
   return words;
 }
 
+/// The word of a polarization: "vv" to "vh", "sum".
+[[nodiscard]] inline std::string polarization_word(Polarization polarization) {
+  for (const auto& [word, meant] : polarization_words()) {
+    if (meant == polarization) return word;
+  }
+  return {};
+}
+
 }  // namespace sigmascape::radar
