@@ -72,8 +72,9 @@ std::optional<double> metres_from_text(std::string_view text, double metres_per_
   if (text.front() != '\'' || text.back() != '"') return std::nullopt;
   text.remove_prefix(1);
   text.remove_suffix(1);
+  if (text.starts_with('-')) text.remove_prefix(1);
   const auto inches = take_number(text);
-  if (!inches || !text.empty()) return std::nullopt;
+  if (!inches || !text.empty() || *inches < 0.0 || *inches >= 12.0) return std::nullopt;
   return *number * geo::foot_m + *inches * inch_m;
 }
 

@@ -1,9 +1,12 @@
 #include "sigmascape/scene/vector_section.h"
 
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <string_view>
 
+#include "sigmascape/base/small_letters.h"
 #include "sigmascape/geo/length_unit.h"
 #include "sigmascape/scene/attribute_number.h"
 #include "sigmascape/scene/partner_key.h"
@@ -51,8 +54,9 @@ std::string explained(const std::string& condition, const std::string& unknown_t
 }  // namespace
 
 bool is_said_of(const geo::Feature& feature, const std::string& attribute) {
+  static constexpr std::array<std::string_view, 6> noes{"", "no", "n", "false", "f", "0"};
   const auto said = feature.attribute(attribute);
-  return said && *said != "" && *said != "no" && *said != "F" && *said != "false" && *said != "0";
+  return said && std::ranges::find(noes, in_small_letters(*said)) == noes.end();
 }
 
 std::optional<double> number_in(const geo::Feature& feature, const std::optional<std::string>& attribute,

@@ -13,6 +13,7 @@ TEST(AttributeNumber, ReadsMetresAndFeetAsPeopleWriteThem) {
   EXPECT_DOUBLE_EQ(*metres_from_text("100 ft"), 30.48);
   EXPECT_DOUBLE_EQ(*metres_from_text("10'"), 3.048);
   EXPECT_NEAR(*metres_from_text("5'6\""), 1.6764, 1e-9);
+  EXPECT_NEAR(*metres_from_text("5'-6\""), 1.6764, 1e-9);
 }
 
 TEST(AttributeNumber, CountsPlainNumbersAloneInTheStatedUnit) {
@@ -52,6 +53,7 @@ TEST(AttributeNumber, DoesNotGuessWhatACommaParts) {
 }
 
 TEST(AttributeNumber, RefusesWhatIsNoLength) {
+  EXPECT_FALSE(metres_from_text("5'12\"")) << "a foot has twelve inches";
   for (const char* text : {"", "tall", "12 storeys", "3;4", "nan", "5'x\"", "inf"})
     EXPECT_FALSE(metres_from_text(text)) << text;
 }
