@@ -1,5 +1,6 @@
 #include "sigmascape/scene/facet_area.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -38,6 +39,12 @@ std::uint64_t edge_between(std::uint64_t a, std::uint64_t b) {
   return a < b ? hashed(a, b) : hashed(b, a);
 }
 
+/// The same for triangles between three corners, either way round.
+std::uint64_t between(std::array<std::uint64_t, 3> corners) {
+  std::ranges::sort(corners);
+  return hashed(corners[0], corners[1], corners[2]);
+}
+
 /// Twice the area times the unit normal.
 Vec3f doubled_area(const Mesh& mesh, const std::array<std::uint32_t, 3>& triangle) {
   const Vec3f a = mesh.vertices[triangle[0]];
@@ -57,10 +64,17 @@ std::vector<float> facet_areas_m2(const Mesh& mesh) {
   for (std::uint32_t t = 0; t < count; ++t) doubled[t] = doubled_area(mesh, mesh.triangles[t]);
 
   Groups faces(count);
+  // Meshes that are to be seen from both sides hold each triangle twice: it is one face of one area.
+  std::unordered_map<std::uint64_t, std::uint32_t> first_between;
   std::unordered_multimap<std::uint64_t, std::uint32_t> at_edge;
   for (std::uint32_t t = 0; t < count; ++t) {
     std::array<std::uint64_t, 3> corner{};
     for (std::size_t i = 0; i < 3; ++i) corner[i] = place_of(mesh.vertices[mesh.triangles[t][i]]);
+    if (const auto [first, is_first] = first_between.emplace(between(corner), t); !is_first) {
+      faces.join(t, first->second);
+      doubled[t] = {};
+      continue;
+    }
     for (std::size_t i = 0; i < 3; ++i) {
       const std::uint64_t edge = edge_between(corner[i], corner[(i + 1) % 3]);
       const auto [first, last] = at_edge.equal_range(edge);

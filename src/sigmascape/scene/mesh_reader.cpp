@@ -29,8 +29,9 @@ const scatter::Material& counterpart(const std::string& name, const MeshSource& 
                                      const MaterialTable& materials) {
   if (const auto listed = source.material_by_name.find(name); listed != source.material_by_name.end())
     return listed->second;
-  const std::string plain = name.starts_with("itu_") ? name.substr(4) : name;
-  if (materials.knows(plain)) return materials.material(plain, source.where);
+  if (materials.knows(name)) return materials.material(name, source.where);
+  if (const std::string plain = name.starts_with("itu_") ? name.substr(4) : ""; materials.knows(plain))
+    return materials.material(plain, source.where);
   if (source.material) return *source.material;
   throw Error(
       source.where, fmt::format("the material '{}' of {} has no counterpart", name, source.file.string()),

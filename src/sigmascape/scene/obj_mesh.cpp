@@ -1,9 +1,13 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <fstream>
 #include <limits>
+#include <optional>
+#include <span>
 #include <sstream>
 #include <string_view>
 #include <tiny_obj_loader.h>
@@ -35,38 +39,6 @@ std::string_view next_word(std::string_view& line) {
   return word;
 }
 
-/// The text with materials by number, for the loader ends their names at the first blank.
-struct NumberedMaterials {
-  std::string text;
-  std::vector<std::string> names;
-
-  /// A material file that merely names them all: the loader forgets what it finds in no such file.
-  [[nodiscard]] std::string file() const {
-    std::string file;
-    for (std::size_t number = 0; number < names.size(); ++number) file += fmt::format("newmtl {}\n", number);
-    return file;
-  }
-};
-
-NumberedMaterials with_numbered_materials(std::string_view text) {
-  NumberedMaterials numbered;
-  while (!text.empty()) {
-    const std::string_view line = next_line(text);
-    std::string_view name = line;
-    if (next_word(name) != "usemtl" || name.find_first_not_of(blanks) == std::string_view::npos) {
-      numbered.text += fmt::format("{}\n", line);
-      continue;
-    }
-    name.remove_prefix(name.find_first_not_of(blanks));
-    name = name.substr(0, name.find(" #"));
-    name = name.substr(0, name.find_last_not_of(blanks) + 1);
-    const auto known = std::ranges::find(numbered.names, name);
-    numbered.text += fmt::format("usemtl {}\n", known - numbered.names.begin());
-    if (known == numbered.names.end()) numbered.names.emplace_back(name);
-  }
-  return numbered;
-}
-
 /// Whether a word is one number that single precision, in which the loader counts, can hold.
 bool is_coordinate(std::string_view word) {
   if (word.starts_with('+')) word.remove_prefix(1);
@@ -94,65 +66,112 @@ void check_vertices(std::string_view text, const std::filesystem::path& file) {
   }
 }
 
+/// The name that a line states: neither the blanks around it nor a remark after it.
+std::string name_in(std::string_view words) {
+  words.remove_prefix(std::min(words.find_first_not_of(blanks), words.size()));
+  words = words.substr(0, words.find(" #"));
+  return std::string(words.substr(0, words.find_last_not_of(blanks) + 1));
+}
+
+/// Adds the faces of a file to a mesh that has all the file's vertices.
+class ObjFaces {
+ public:
+  ObjFaces(const std::filesystem::path& file, ImportedMesh& mesh) : file_(file.string()), mesh_(mesh) {}
+
+  void pass_vertex() { ++passed_; }
+  void begin_object(std::string name) {
+    object_ = std::move(name);
+    number_ = 0;
+  }
+  void begin_material(std::string name) {
+    material_ = std::move(name);
+    of_material_.reset();
+  }
+  void add(std::span<const tinyobj::index_t> corners) {
+    ++number_;
+    if (corners.size() < 3) return;
+    numbers_.clear();
+    places_.clear();
+    for (const tinyobj::index_t& corner : corners) {
+      numbers_.push_back(vertex_of(corner.vertex_index));
+      places_.push_back(mesh_.vertices[numbers_.back()]);
+    }
+    const auto triangles = triangles_of_face(places_);
+    if (!triangles) {
+      throw Error(file_, fmt::format("{} has an outline that crosses or meets itself", face_name()),
+                  "export it as triangles");
+    }
+    if (!of_material_) of_material_ = mesh_.material_index(material_);
+    for (const auto& [a, b, c] : *triangles) {
+      mesh_.triangles.push_back({numbers_[a], numbers_[b], numbers_[c]});
+      mesh_.materials.push_back(*of_material_);
+    }
+  }
+
+ private:
+  [[nodiscard]] std::string face_name() const {
+    return fmt::format("face {}{}", number_, object_.empty() ? "" : " of " + object_);
+  }
+
+  /// Files count vertices from 1, or backwards from the last one before the face.
+  [[nodiscard]] std::uint32_t vertex_of(int written) const {
+    const std::int64_t index = written < 0 ? passed_ + written : std::int64_t{written} - 1;
+    if (index < 0 || index >= static_cast<std::int64_t>(mesh_.vertices.size())) {
+      throw Error(file_, fmt::format("{} names vertex {} of {}", face_name(), written, mesh_.vertices.size()),
+                  "export it again");
+    }
+    return static_cast<std::uint32_t>(index);
+  }
+
+  std::string file_;
+  ImportedMesh& mesh_;
+  std::string object_, material_;
+  std::optional<std::size_t> of_material_;  ///< where a face of it has been met
+  std::int64_t passed_ = 0;                 ///< vertices before this line
+  std::size_t number_ = 0;                  ///< of the object's faces
+  std::vector<std::uint32_t> numbers_;
+  std::vector<Vec3d> places_;
+};
+
+void add_vertices(const std::string& text, ImportedMesh& mesh) {
+  tinyobj::callback_t met;
+  met.vertex_cb = [](void* vertices, float x, float y, float z, float) {
+    static_cast<std::vector<Vec3d>*>(vertices)->push_back(Vec3f{x, y, z}.to<double>());
+  };
+  std::istringstream stream(text);
+  tinyobj::LoadObjWithCallback(stream, met, &mesh.vertices);
+}
+
+void add_faces(const std::string& text, ObjFaces& faces) {
+  tinyobj::callback_t met;
+  met.vertex_cb = [](void* to, float, float, float, float) { static_cast<ObjFaces*>(to)->pass_vertex(); };
+  met.object_cb = [](void* to, const char* name) { static_cast<ObjFaces*>(to)->begin_object(name_in(name)); };
+  met.group_cb = [](void* to, const char** names, int count) {
+    const std::span<const char*> words(names, static_cast<std::size_t>(count));
+    static_cast<ObjFaces*>(to)->begin_object(fmt::format("{}", fmt::join(words, " ")));
+  };
+  met.usemtl_cb = [](void* to, const char* name, int) { static_cast<ObjFaces*>(to)->begin_material(name_in(name)); };
+  met.index_cb = [](void* to, tinyobj::index_t* corners, int count) {
+    static_cast<ObjFaces*>(to)->add({corners, static_cast<std::size_t>(count)});
+  };
+  std::istringstream stream(text);
+  tinyobj::LoadObjWithCallback(stream, met, &faces);
+}
+
 }  // namespace
 
 ImportedMesh read_obj(const std::filesystem::path& file) {
   std::ifstream stream(file);
-  std::ostringstream text;
-  text << stream.rdbuf();
+  std::ostringstream buffer;
+  buffer << stream.rdbuf();
   if (!stream) throw Error(file.string(), "cannot be read", "check that it is a readable file");
-  check_vertices(text.str(), file);
-  tinyobj::ObjReader reader;
-  // Its own triangles of faces that are not convex do not fill them.
-  tinyobj::ObjReaderConfig faces_as_they_are;
-  faces_as_they_are.triangulate = false;
-  const NumberedMaterials numbered = with_numbered_materials(text.str());
-  if (!reader.ParseFromString("mtllib names\n" + numbered.text, numbered.file(), faces_as_they_are)) {
-    std::string_view reason = reader.Error();
-    reason.remove_suffix(reason.size() - (reason.find_last_not_of(" \r\n") + 1));
-    throw Error(file.string(), fmt::format("is not a Wavefront OBJ file ({})", reason), "export it again");
-  }
-
+  const std::string text = buffer.str();
+  check_vertices(text, file);
   ImportedMesh mesh;
-  const auto& coordinates = reader.GetAttrib().vertices;
-  for (std::size_t i = 0; i + 2 < coordinates.size(); i += 3) {
-    mesh.vertices.push_back(Vec3<tinyobj::real_t>{coordinates[i], coordinates[i + 1], coordinates[i + 2]}.to<double>());
-  }
-  std::vector<std::uint32_t> numbers;
-  std::vector<Vec3d> corners;
-  for (const tinyobj::shape_t& shape : reader.GetShapes()) {
-    std::size_t first = 0;
-    for (std::size_t face = 0; face < shape.mesh.num_face_vertices.size(); ++face) {
-      const auto face_name = [&] {
-        return fmt::format("face {}{}", face + 1, shape.name.empty() ? "" : " of " + shape.name);
-      };
-      numbers.clear();
-      corners.clear();
-      for (std::size_t corner = 0; corner < shape.mesh.num_face_vertices[face]; ++corner) {
-        const int index = shape.mesh.indices[first + corner].vertex_index;
-        if (index < 0 || static_cast<std::size_t>(index) >= mesh.vertices.size()) {
-          throw Error(file.string(),
-                      fmt::format("{} names vertex {} of {}", face_name(), index + 1, mesh.vertices.size()),
-                      "export it again");
-        }
-        numbers.push_back(static_cast<std::uint32_t>(index));
-        corners.push_back(mesh.vertices[static_cast<std::size_t>(index)]);
-      }
-      first += numbers.size();
-      const auto triangles = triangles_of_face(corners);
-      if (!triangles) {
-        throw Error(file.string(), fmt::format("{} has an outline that crosses or meets itself", face_name()),
-                    "export it as triangles");
-      }
-      const int material = shape.mesh.material_ids[face];
-      const auto of_material =
-          mesh.material_index(material < 0 ? "" : numbered.names[static_cast<std::size_t>(material)]);
-      for (const auto& [a, b, c] : *triangles) {
-        mesh.triangles.push_back({numbers[a], numbers[b], numbers[c]});
-        mesh.materials.push_back(of_material);
-      }
-    }
-  }
+  // The loader's own shapes hold no face of more than 255 corners; line by line it has no such limit.
+  add_vertices(text, mesh);
+  ObjFaces faces(file, mesh);
+  add_faces(text, faces);
   return mesh;
 }
 

@@ -29,6 +29,16 @@ TEST(FacetArea, DoesNotDependOnTheTriangulation) {
   for (const float area : facet_areas_m2(wall)) EXPECT_NEAR(area, 32.0F, 1e-3F);
 }
 
+// As exported to be seen from both sides.
+TEST(FacetArea, APanelThatIsThereTwiceIsOneFace) {
+  Mesh panel;
+  const std::array<Vec3f, 4> front{{{0, 0, 0}, {2, 0, 0}, {2, 0, 3}, {0, 0, 3}}},
+      back{{{0, 0, 0}, {0, 0, 3}, {2, 0, 3}, {2, 0, 0}}};
+  append_facet(panel, front, 0);
+  append_facet(panel, back, 0);
+  for (const float area : facet_areas_m2(panel)) EXPECT_NEAR(area, 6.0F, 1e-4F);
+}
+
 TEST(FacetArea, FacesOfOnePlaneThatDoNotTouchStayApart) {
   Mesh tiles;
   const std::array<Vec3f, 4> here{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}},

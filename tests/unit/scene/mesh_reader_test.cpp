@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -93,6 +94,39 @@ TEST(ObjMesh, FacesThatAreNotConvexAreFilledExactly) {
         }
       }
     }
+  }
+}
+
+// The loader's own lists hold no face of more than 255 corners.
+TEST(ObjMesh, FacesMayHaveAnyNumberOfCorners) {
+  const ScratchFolder folder;
+  constexpr int corners = 300;
+  std::string text, roof = "o tank\nf";
+  for (const double z : {0.0, 5.0}) {
+    for (int i = 0; i < corners; ++i) {
+      const double angle = 2.0 * std::numbers::pi * i / corners;
+      text += fmt::format("v {} {} {}\n", 10.0 * std::cos(angle), 10.0 * std::sin(angle), z);
+    }
+  }
+  for (int i = 0; i < corners; ++i) roof += fmt::format(" {}", i + 1 + corners);
+  const auto mesh = read_obj(folder.write("tank.obj", text + roof + "\nf 1 2 302 301\n"));
+  ASSERT_EQ(mesh.triangles.size(), corners - 2U + 2U);
+  const double wall_m2 = 5.0 * 20.0 * std::sin(std::numbers::pi / corners);
+  const double roof_m2 = 0.5 * corners * 100.0 * std::sin(2.0 * std::numbers::pi / corners);
+  EXPECT_NEAR(areas_of(mesh).second, roof_m2 + wall_m2, 1e-3);
+}
+
+TEST(ObjMesh, CornersAreCountedFromTheFirstVertexOrBackFromTheLast) {
+  const ScratchFolder folder;
+  const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\n";
+  const auto mesh = read_obj(folder.write("both.obj", square + "f -3 -2 -1\nv 5 5 5\nf 1 2 4\n"));
+  using Triangle = std::array<std::uint32_t, 3>;
+  EXPECT_THAT(mesh.triangles, ElementsAre(Triangle{0, 1, 2}, Triangle{0, 1, 3}));
+  for (const auto& [corner, said] : {std::pair{"-4", "face 1 of shed names vertex -4 of 3"},
+                                     {"0", "face 1 of shed names vertex 0 of 3"},
+                                     {"4", "face 1 of shed names vertex 4 of 3"}}) {
+    const auto file = folder.write("bad.obj", fmt::format("{}o shed\nf 1 2 {}\n", square, corner));
+    EXPECT_THAT(message_of_error([&] { static_cast<void>(read_obj(file)); }), HasSubstr(said));
   }
 }
 
