@@ -52,6 +52,28 @@ struct TrafficFlow::Stream {
   std::uint64_t key = 0;
 };
 
+/// The room that a vehicle takes of its line.
+struct TrafficFlow::Standing {
+  double middle_m = 0.0;  ///< along the line
+  double offset_m = 0.0;  ///< to the right of it
+  VehicleSize size;
+
+  [[nodiscard]] double half_m() const { return static_cast<double>(size.length_m) / 2.0; }
+  [[nodiscard]] double end_m() const { return middle_m + half_m(); }
+  [[nodiscard]] bool is_within(const Standing& other) const {
+    return std::abs(middle_m - other.middle_m) < half_m() + other.half_m() &&
+           std::abs(offset_m - other.offset_m) < static_cast<double>(size.width_m + other.size.width_m) / 2.0;
+  }
+  /// Moves it on until it stands in none of those.
+  void move_past(const StandingByEnd& others) {
+    const auto longest_m = static_cast<double>(vehicle_size(VehicleKind::Truck).length_m);
+    for (auto near = others.upper_bound(middle_m - half_m()); near != others.end(); ++near) {
+      if (near->first - longest_m > end_m()) return;
+      if (is_within(near->second)) middle_m = near->first + gap_m + half_m();
+    }
+  }
+};
+
 Traffic read_traffic(const TomlSection& section, const MaterialTable& materials) {
   Traffic traffic;
   traffic.moving_per_km = section.number_or("moving_per_km", {0.0, 500.0, "vehicles per km"}, 0.0);
@@ -75,31 +97,39 @@ TrafficFlow::TrafficFlow(Scene& scene, const Traffic& traffic) : scene_(scene), 
 
 void TrafficFlow::fill(std::span<const Vec2d> line, double width_m, const WaterMask& water) {
   const std::uint64_t key = hashed(traffic_.seed, lines_++);
-  const double lane_m = width_m / 4.0, kerb_m = width_m / 2.0 - 1.1;
+  const double lane_m = width_m / 4.0, kerb_m = std::max(0.0, width_m / 2.0 - 1.1);
   const double side = traffic_.drive_on_left ? -1.0 : 1.0;
-  fill(line, {traffic_.moving_per_km / 2.0, side * lane_m, true, traffic_.speed_mps, hashed(key, 1)}, water);
-  fill(line, {traffic_.moving_per_km / 2.0, -side * lane_m, false, traffic_.speed_mps, hashed(key, 2)}, water);
-  fill(line, {traffic_.parked_per_km / 2.0, side * kerb_m, true, 0.0, hashed(key, 3)}, water);
-  fill(line, {traffic_.parked_per_km / 2.0, -side * kerb_m, false, 0.0, hashed(key, 4)}, water);
+  const double moving_per_km = traffic_.moving_per_km / 2.0, parked_per_km = traffic_.parked_per_km / 2.0;
+  StandingByEnd standing;
+  fill(line, {parked_per_km, side * kerb_m, true, 0.0, hashed(key, 3)}, water, standing);
+  fill(line, {parked_per_km, -side * kerb_m, false, 0.0, hashed(key, 4)}, water, standing);
+  fill(line, {moving_per_km, side * lane_m, true, traffic_.speed_mps, hashed(key, 1)}, water, standing);
+  fill(line, {moving_per_km, -side * lane_m, false, traffic_.speed_mps, hashed(key, 2)}, water, standing);
 }
 
-void TrafficFlow::fill(std::span<const Vec2d> line, const Stream& stream, const WaterMask& water) {
+void TrafficFlow::fill(std::span<const Vec2d> line, const Stream& stream, const WaterMask& water,
+                       StandingByEnd& standing) {
   if (stream.per_km <= 0.0 || line.size() < 2) return;
   const double end_m = length_of(line), mean_m = 1000.0 / stream.per_km;
   double distance_m = 0.0, last_half_m = 0.0;
   for (std::uint64_t number = 0;; ++number) {
     const std::uint64_t draw = hashed(stream.key, number);
     const std::size_t kind = kind_drawn(mixed(draw));
-    const double half_m = static_cast<double>(vehicle_size(static_cast<VehicleKind>(kind)).length_m) / 2.0;
+    const VehicleSize size = vehicle_size(static_cast<VehicleKind>(kind));
+    const double half_m = static_cast<double>(size.length_m) / 2.0;
     const double free_m = -mean_m * std::log1p(-static_cast<double>(unit_float(draw)));
     distance_m += std::max(free_m, number == 0 ? half_m : last_half_m + gap_m + half_m);
     last_half_m = half_m;
+    Standing vehicle{distance_m, stream.offset_m, size};
+    vehicle.move_past(standing);
+    distance_m = vehicle.middle_m;
     if (distance_m + half_m > end_m) return;
 
     const auto [position, along] = station_at(line, distance_m);
     const Vec2d place = position + Vec2d{along.y, -along.x} * stream.offset_m;
     const Vec2d heading = stream.along_line ? along : along * -1.0;
     if (!scene_.extent.contains(place) || in_water(scene_.ground.grid, water, place)) continue;
+    standing.emplace(vehicle.end_m(), vehicle);
     scene_.instances.push_back({.prototype = prototype_[kind],
                                 .x_m = static_cast<float>(place.x),
                                 .y_m = static_cast<float>(place.y),

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <span>
 
 #include "sigmascape/base/toml_reader.h"
@@ -28,7 +29,8 @@ struct Traffic {
 ///
 /// Places are drawn from the seed and the line's number: the distance between one vehicle and the next is exponential
 /// about the density's mean, but never less than a vehicle's length and a gap. Moving vehicles keep to the middle of
-/// their half of the road, parked ones to its edge. None stands in water or outside the scene.
+/// their half of the road, parked ones to its edge. None stands in water or outside the scene, nor within another of
+/// its line: where a road is too narrow for both, a moving vehicle is moved on past the parked ones beside it.
 class TrafficFlow {
  public:
   /// Adds the vehicle meshes to the scene.
@@ -37,7 +39,9 @@ class TrafficFlow {
 
  private:
   struct Stream;
-  void fill(std::span<const Vec2d> line, const Stream& stream, const WaterMask& water);
+  struct Standing;
+  using StandingByEnd = std::multimap<double, Standing>;  ///< by how far along the line they reach
+  void fill(std::span<const Vec2d> line, const Stream& stream, const WaterMask& water, StandingByEnd& standing);
 
   Scene& scene_;
   Traffic traffic_;

@@ -159,6 +159,7 @@ TEST(SceneFile, BuildingsUndergroundAreNotRaised) {
   EXPECT_FALSE(raised(R"("building:levels":"0","building:levels:underground":"2")"));
   EXPECT_FALSE(raised(R"("is_underground":true)")) << "as Overture Maps has it";
   EXPECT_TRUE(raised(R"("location":"outdoor","is_underground":false)"));
+  EXPECT_TRUE(raised(R"("is_underground":"False")")) << "as tables say it";
   EXPECT_TRUE(raised(R"("layer":"-1")")) << "something passes over it";
   EXPECT_TRUE(raised(R"("building:levels:underground":"2")")) << "a cellar";
   EXPECT_TRUE(raised(R"("building:levels":"4","building:levels:underground":"2")"));
@@ -424,6 +425,48 @@ TEST(SceneFile, TrafficHasTheStatedDensityAndKeepsToItsSide) {
   }
   EXPECT_EQ(scene_hash(scene), scene_hash(place.read(section)));
   EXPECT_NE(scene_hash(scene), scene_hash(place.read(section + "seed = 2\n")));
+}
+
+// On a road of six metres a lane and the cars along its kerb need the same room.
+TEST(SceneFile, NoVehicleStandsWithinAnother) {
+  const MadeUpPlace place;
+  place.write("roads.geojson", one_road);
+  const Scene scene = place.read(
+      "[[roads]]\nfile = \"roads.geojson\"\nwidth_m = 6\n[roads.traffic]\nmoving_per_km = 60\nparked_per_km = 120\n");
+  std::vector<radar::Rectangle> taken;  // the road runs from west to east
+  std::size_t moving = 0;
+  for (const Instance& vehicle : scene.instances) {
+    float half_length_m = 0.0F, half_width_m = 0.0F;
+    for (const Vec3f vertex : scene.prototypes[vehicle.prototype].vertices) {
+      half_length_m = std::max(half_length_m, std::abs(vertex.y));
+      half_width_m = std::max(half_width_m, std::abs(vertex.x));
+    }
+    taken.push_back({static_cast<double>(vehicle.x_m - half_length_m), static_cast<double>(vehicle.y_m - half_width_m),
+                     static_cast<double>(vehicle.x_m + half_length_m),
+                     static_cast<double>(vehicle.y_m + half_width_m)});
+    moving += vehicle.speed_mps > 0.0F ? 1 : 0;
+  }
+  EXPECT_GT(moving, 10U);
+  EXPECT_GT(taken.size() - moving, 50U);
+  for (std::size_t a = 0; a < taken.size(); ++a) {
+    for (std::size_t b = 0; b < a; ++b) {
+      const bool apart = taken[a].east_m < taken[b].west_m || taken[b].east_m < taken[a].west_m ||
+                         taken[a].north_m < taken[b].south_m || taken[b].north_m < taken[a].south_m;
+      EXPECT_TRUE(apart) << "vehicles " << b << " and " << a;
+    }
+  }
+}
+
+TEST(SceneFile, AMaterialOfTheFileComesBeforeTheLibrarysOfAShorterName) {
+  const MadeUpPlace place;
+  place.write("mast.obj", "v 0 0 0\nv 1 0 0\nv 0 0 9\nusemtl itu_metal\nf 1 2 3\nusemtl itu_old\nf 1 3 2\n");
+  const Scene scene = place.read(
+      "[[meshes]]\nfile = \"mast.obj\"\npositions_m = [[10, 20]]\n[materials.itu_metal]\nbase = \"concrete\"\n"
+      "[materials.itu_old]\nbase = \"brick\"\n");
+  ASSERT_EQ(scene.instances.size(), 1U);
+  const Mesh& mast = scene.prototypes[scene.instances[0].prototype];
+  EXPECT_EQ(scene.materials[mast.materials[0]].name, "itu_metal");
+  EXPECT_EQ(scene.materials[mast.materials[1]].name, "itu_old");
 }
 
 TEST(SceneFile, MeshesStandWhereTheyShouldWithTheirMaterials) {
