@@ -128,6 +128,11 @@ struct CrownParameters {
   bool shares_gaps = true;
   Depolarization depolarization{0.1, 0.5};  ///< of leaves that are not stated as mirrors
 
+  /// By which echoes from beyond fall off, the way there and back together.
+  [[nodiscard]] constexpr double two_way_extinction_per_m() const {
+    return shares_gaps ? extinction_per_m : 2.0 * extinction_per_m;
+  }
+
   friend constexpr bool operator==(const CrownParameters&, const CrownParameters&) = default;
 };
 

@@ -249,7 +249,7 @@ class Standing {
   }
   [[nodiscard]] StandingCrown crown_of(const Crown& crown, const scatter::CrownParameters& medium) const {
     return {place_of(crown.shape.centre), scaled_by(crown.shape.radii_m), cos_yaw_, sin_yaw_,
-            medium.extinction_per_m * static_cast<double>(crown.extinction_scale(size_))};
+            medium.two_way_extinction_per_m() * static_cast<double>(crown.extinction_scale(size_))};
   }
 
  private:

@@ -66,7 +66,7 @@ double part_seen(const trace::SceneGeometry& geometry, const std::vector<scatter
   crowns.begin(surfaces);
   const Vec3f from = (start - geometry.origin()).to<float>();
   if (geometry.occluded(from, normalized(way).to<float>(), crowns, distance_m)) return 0.0;
-  return std::exp(-static_cast<double>(crowns.optical_depth(distance_m)));
+  return std::exp(-static_cast<double>(crowns.optical_depth(distance_m) + crowns.return_depth(distance_m)));
 }
 
 }  // namespace sigmascape::simulate

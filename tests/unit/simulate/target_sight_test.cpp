@@ -7,6 +7,8 @@
 #include "physics/level_scene.h"
 
 #include "sigmascape/base/units.h"
+#include "sigmascape/scene/obstacle_raster.h"
+#include "sigmascape/scene/solid_mesh.h"
 
 namespace sigmascape::simulate {
 namespace {
@@ -112,6 +114,28 @@ TEST(TargetSight, of_rays_reaches_points_that_lie_on_the_ground) {
       EXPECT_EQ(part_seen(geometry, surfaces, point + radar_at(40.0), dug_in), 1.0) << ground << " " << i;
       EXPECT_EQ(part_seen({scene.terrain}, point + radar_at(40.0), dug_in), 1.0) << ground << " " << i;
     }
+  }
+}
+
+/// Straight down through 8 m of a crown: as the ground beneath, by e^(−κ · 8 m), and once more on the way back where
+/// the medium has no gaps to share. Obstacles say the same.
+TEST(TargetSight, of_rays_fades_in_crowns) {
+  const double kappa = 0.2;
+  for (const bool shares_gaps : {true, false}) {
+    auto scene = physics_test::level_scene(scatter::Material{.name = "ground", .model = {}, .source = {}}, 400.0);
+    const scatter::CrownParameters leaves{.extinction_per_m = kappa, .shares_gaps = shares_gaps};
+    const auto medium = scene.material_index({.name = "leaves", .model = leaves, .source = {}});
+    scene.prototypes.push_back(scene::wall_mesh(0.001F, 0.001F, 0));
+    scene.crowns.push_back({.prototype = 0, .shape = {{0.0F, 0.0F, 6.0F}, {10.0F, 10.0F, 4.0F}}, .medium = medium});
+    scene.instances.push_back({.x_m = 0.0F, .y_m = 0.0F});
+    const trace::SceneGeometry geometry(scene, trace::Footing::Terrain);
+    const auto surfaces = trace::surface_models(scene, 10e9);
+    const double ground_m = scene.terrain.height_at({0.0, 0.0}), ways = shares_gaps ? 1.0 : 2.0;
+    EXPECT_NEAR(part_seen(geometry, surfaces, {0.0, 0.0, ground_m + 400.0}, {0.0, 0.0, ground_m}),
+                std::exp(-ways * kappa * 8.0), 1e-3);
+    const auto obstacles = scene::obstacles_of(scene, {-20.0, 20.0, 1.0, 40, 40});
+    EXPECT_NEAR(static_cast<double>(obstacles.at({0.5, 0.5}).crown_extinction_per_m), ways * kappa,
+                0.02 * ways * kappa);
   }
 }
 
