@@ -11,7 +11,7 @@ bool read_constant(const TomlSection& section, scatter::Permittivity& permittivi
   const auto conductivity = section.optional_number("conductivity_s_per_m", {0.0, 1e9, "S/m"});
   if (!relative && !conductivity) return false;
   const auto* stated = std::get_if<scatter::PowerLawPermittivity>(&permittivity.law());
-  if (!relative && (stated == nullptr || stated->a == scatter::PowerLawPermittivity{}.a))
+  if (!relative && (stated == nullptr || *stated == scatter::PowerLawPermittivity{}))
     throw section.fault("conductivity_s_per_m", "is stated without a permittivity to go with it",
                         "state permittivity as well");
   scatter::PowerLawPermittivity law = stated != nullptr ? *stated : scatter::PowerLawPermittivity{};

@@ -110,6 +110,7 @@ TEST_F(MaterialReader, MirrorsSayWhatTheyAreOf) {
   EXPECT_THROW(read("model = \"cook_torrance\"\nconductivity_s_per_m = 5\n"), Error);
   EXPECT_THROW(read("base = \"sea_water\"\nconductivity_s_per_m = 5\n"), Error);
   EXPECT_NO_THROW(read("base = \"concrete\"\nconductivity_s_per_m = 0.5\n"));
+  EXPECT_NO_THROW(read("base = \"metal\"\nconductivity_s_per_m = 1e6\n"));
 }
 
 // A permittivity of one's own is not bound by where the base was measured.
