@@ -67,15 +67,18 @@ inline render::LiveSettings settings_from(const std::string& content, std::size_
           .refraction = refraction};
 }
 
-/// What `draw` makes of the pose with the drawer behind `self`, for which others wait their turn.
-template <typename Drawer, typename Draw>
-HeldFrame drawn(const pybind11::object& self, const render::Pose& pose, const Draw& draw) {
+/// What `draw` makes of the pose with the drawer behind `self`, for which others wait their turn. What `check` or the
+/// pose itself refuses leaves the bins to the last frame.
+template <typename Drawer, typename Check, typename Draw>
+HeldFrame drawn(const pybind11::object& self, const render::Pose& pose, const Check& check, const Draw& draw) {
   const auto& held = self.cast<const Held<DrawnLive<Drawer>>&>();
   // A copy of what is told about the bins, taken before the next caller's frame is.
   HeldFrame frame = long_call([&] {
     return held.in_turn([&](DrawnLive<Drawer>& live) {
       render::Pose with_targets = pose;
       with_targets.targets = live.targets;
+      check(live);
+      render::check(with_targets, "live frame");
       ++live.frames;
       return HeldFrame{.frame = draw(live, with_targets),
                        .pose = pose,
@@ -108,7 +111,7 @@ void bind_drawing(pybind11::class_<Held<DrawnLive<Drawer>>>& binding, const char
         return drawn<Drawer>(
             self,
             pose_from(position_m, first_azimuth_rad, first_range_m, velocity_mps, {time_s, dwell_number, pulse_number}),
-            [](auto& live, const render::Pose& pose) { return live.drawer.render(pose); });
+            [](const auto&) {}, [](auto& live, const render::Pose& pose) { return live.drawer.render(pose); });
       },
       position, by_keyword, azimuth, range, velocity, time, dwell, pulse, of_render);
   binding.def(
@@ -119,10 +122,8 @@ void bind_drawing(pybind11::class_<Held<DrawnLive<Drawer>>>& binding, const char
         return drawn<Drawer>(
             self,
             pose_from(position_m, first_azimuth_rad, first_range_m, velocity_mps, {time_s, dwell_number, pulse_number}),
-            [&](auto& live, const render::Pose& pose) {
-              render::check_step(first_beam, count, live.beams);
-              return live.drawer.scan(pose, first_beam, count);
-            });
+            [&](const auto& live) { render::check_step(first_beam, count, live.beams); },
+            [&](auto& live, const render::Pose& pose) { return live.drawer.scan(pose, first_beam, count); });
       },
       position, by_keyword, azimuth, range, py::arg("first_beam"), py::arg("count"), velocity, time, dwell, pulse,
       of_scan);

@@ -78,6 +78,10 @@ def test_a_frame_is_saved_before_the_next_is_drawn(atlas, tmp_path):
     with pytest.raises(sigmascape.Error, match="again.npy: .*save each frame before the next is drawn"):
         first.save(tmp_path / "again.npy", frequency_ghz=10.0)
     assert not (tmp_path / "again.npy").exists()
+    for refused in (lambda: renderer.scan(PLACE, **POSE, first_beam=3, count=0),
+                    lambda: renderer.render((np.nan, 0.0, 0.0), **POSE)):
+        with pytest.raises(sigmascape.Error):
+            refused()
     second.save(tmp_path / "second.npy", frequency_ghz=10.0)
 
 

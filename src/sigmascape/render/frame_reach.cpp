@@ -18,11 +18,11 @@ double far_range_m(const LiveSettings& settings, const Pose& pose) {
   return pose.first_range_m + static_cast<double>(settings.ranges) * settings.range_step_m;
 }
 
-FrameReach reach_between(SlantRanges ranges, const Pose& pose, double lowest_m, double highest_m,
+FrameReach reach_between(SlantRanges ranges, const Pose& pose, double near_height_m, double highest_m,
                          const radar::CurvedEarth& earth) {
   // Nothing is farther for its slant range than what is as high as the radar.
   const double far_height_m = std::min(highest_m, pose.position.z);
-  return {radar::distance_of_range_m(earth, pose.position.z, lowest_m, ranges.near_m),
+  return {radar::distance_of_range_m(earth, pose.position.z, near_height_m, ranges.near_m),
           radar::distance_of_range_m(earth, pose.position.z, far_height_m, ranges.far_m)};
 }
 
@@ -34,10 +34,12 @@ FrameReach frame_reach(const LiveSettings& settings, const Pose& pose, double lo
 }
 
 FrameReach sharing_reach(const LiveSettings& settings, const Pose& pose, double lowest_m, double highest_m,
-                         const radar::CurvedEarth& earth) {
-  const double half_m = 0.5 * settings.range_step_m;
+                         double highest_near_m, const radar::CurvedEarth& earth) {
+  const double half_m = 0.5 * settings.range_step_m, z = pose.position.z;
+  // Of one slant range what differs most from the radar in height is nearest.
+  const double near_height_m = highest_near_m - z > z - lowest_m ? highest_near_m : lowest_m;
   return reach_between({std::max(pose.first_range_m - half_m, 0.0), far_range_m(settings, pose) + half_m}, pose,
-                       lowest_m, highest_m, earth);
+                       near_height_m, highest_m, earth);
 }
 
 radar::Rectangle ground_under(Vec2d radar, double first_azimuth_rad, double width_rad, FrameReach reach) {

@@ -8,14 +8,16 @@
 
 namespace sigmascape::render {
 
-/// Where all that is in a frame's bins lies, for ground between two heights: what is in the first bin lies no nearer,
-/// and what is in the last no farther (docs/physics/curved_earth.md, Eq. (4)).
+/// Where all that is in a frame's bins lies, for ground between two heights: the lowest of the first bin, and what is
+/// in the last no farther (docs/physics/curved_earth.md, Eq. (4)).
 [[nodiscard]] FrameReach frame_reach(const LiveSettings& settings, const Pose& pose, double lowest_m, double highest_m,
                                      const radar::CurvedEarth& earth);
 
-/// The same of all ground that has a share in the bins: half a bin farther at either end.
+/// Between it all ground lies that has a share in the bins: from half a bin before them to half a bin beyond. Of what
+/// is within the first bin's range the highest is `highest_near_m`: where that stands higher above the radar than the
+/// lowest below it, it is met first.
 [[nodiscard]] FrameReach sharing_reach(const LiveSettings& settings, const Pose& pose, double lowest_m,
-                                       double highest_m, const radar::CurvedEarth& earth);
+                                       double highest_m, double highest_near_m, const radar::CurvedEarth& earth);
 
 /// The smallest rectangle about the ground between two directions and two distances from a place. The sector may be a
 /// whole turn wide.

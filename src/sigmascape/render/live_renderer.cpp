@@ -238,9 +238,12 @@ void LiveRenderer::fill(const Pose& pose, Beams beams) {
 
 void LiveRenderer::prepare(const Pose& pose) {
   const double far_range_m = pose.first_range_m + static_cast<double>(settings_.ranges) * settings_.range_step_m;
-  bounds_ = ground_->terrain().bounds_over(ground_under({pose.position.x, pose.position.y}, pose.first_azimuth_rad,
-                                                        settings_.beam_step_rad * static_cast<double>(settings_.beams),
-                                                        {0.0, far_range_m}));
+  const auto bounds_within = [&](double range_m) {
+    return ground_->terrain().bounds_over(ground_under({pose.position.x, pose.position.y}, pose.first_azimuth_rad,
+                                                       settings_.beam_step_rad * static_cast<double>(settings_.beams),
+                                                       {0.0, range_m}));
+  };
+  bounds_ = bounds_within(far_range_m);
   const auto lowest_m = static_cast<double>(bounds_.lowest_m), highest_m = static_cast<double>(bounds_.highest_m);
   if (settings_.visibility.method == VisibilityMethod::Rasterization && !(pose.position.z > highest_m)) {
     throw Error(
@@ -250,7 +253,9 @@ void LiveRenderer::prepare(const Pose& pose) {
   }
   const radar::CurvedEarth earth{.refraction = settings_.refraction};
   under_bins_ = frame_reach(settings_, pose, lowest_m, highest_m, earth);
-  const auto [near_m, far_m] = sharing_reach(settings_, pose, lowest_m, highest_m, earth);
+  const double highest_near_m =
+      highest_m > pose.position.z ? static_cast<double>(bounds_within(pose.first_range_m).highest_m) : highest_m;
+  const auto [near_m, far_m] = sharing_reach(settings_, pose, lowest_m, highest_m, highest_near_m, earth);
   HorizonGrid grid;
   grid.first_azimuth_rad = pose.first_azimuth_rad;
   grid.azimuth_step_rad = settings_.beam_step_rad;
@@ -447,10 +452,11 @@ void LiveRenderer::look_ahead_at_pages(const PageCache::View& there, const Pose&
   const HorizonGrid& grid = this->grid();
   const Vec3d radar = pose.position + pose.velocity_mps * seconds_ahead;
   const double ground_m = 0.5 * static_cast<double>(bounds_.lowest_m + bounds_.highest_m);
-  for (std::size_t done = 0; done < ahead; done += group) {
-    const std::size_t here = std::min(group, ahead - done);
-    const double azimuth =
-        pose.first_azimuth_rad + static_cast<double>((first + done) % settings_.beams) * settings_.beam_step_rad;
+  for (std::size_t done = 0, here = 0; done < ahead; done += here) {
+    const std::size_t beam = (first + done) % settings_.beams;
+    // Beyond the last beam lies what no beam looks at, unless they go all round.
+    here = std::min({group, ahead - done, settings_.beams - beam});
+    const double azimuth = pose.first_azimuth_rad + static_cast<double>(beam) * settings_.beam_step_rad;
     const Sector sector(azimuth, static_cast<double>(here) * settings_.beam_step_rad, grid.near_m, far_m());
     add_forecast({there, ground_->stand_in()}, ground_->pages().source(), {radar, sector, level, ground_m}, wanted_);
   }
