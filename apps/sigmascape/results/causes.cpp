@@ -75,10 +75,12 @@ std::vector<Contrast> causes(const ResultsPlan& plan, ViewKind kind) {
                   fmt::format("ours on its own ground, own look: {} rays a texel against {}", plan.baked_samples,
                               plan.finer_samples),
                   from_own_look(Method::OwnGround, plan.baked_samples), finer});
-  list.push_back({"texel size",
-                  fmt::format("the same from {} rays: texels of {:.2f} m against {:.2f} m", plan.finer_samples,
-                              plan.texel_m, plan.texel_m / 2.0),
-                  finer, from_own_look(Method::OwnGround, plan.samples_of_finer_texels(), finer_texels_change)});
+  list.push_back(
+      {"texel size",
+       fmt::format("the same from as many rays a square metre, {} and {} a texel: texels of {:.2f} m against "
+                   "{:.2f} m",
+                   plan.finer_samples, plan.samples_of_finer_texels(), plan.texel_m, plan.texel_m / 2.0),
+       finer, from_own_look(Method::OwnGround, plan.samples_of_finer_texels(), finer_texels_change)});
   ResultsCase levelled = paper;
   levelled.scene = "level";
   list.push_back({"flat-ground shadows and layover on slopes",

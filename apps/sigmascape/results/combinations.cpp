@@ -56,21 +56,24 @@ std::string limit_of(const ResultsRow& row, const std::vector<ResultsRow>& rows)
   if (both->way_is_closer()) {
     return fmt::format(
                "*{}* comes closer to the truth, {:.2f} dB RMS, than a texture baked for the view itself with as many "
-               "rays (its own look), {:.2f} dB: it blends several looks, whose noise averages. So what limits it most "
-               "is {}; how much of its error missing angles are, these numbers do not tell. ",
-               name_of(row), way.rms_db, own.rms_db, largest_limit(row, rows)->name) +
+               "rays (its own look), {:.2f} dB: it blends several looks, whose noise averages. How much of its error "
+               "missing angles are, and how much noise, these numbers do not tell. ",
+               name_of(row), way.rms_db, own.rms_db) +
            by_l1;
   }
   const ErrorParts parts = both->parts();
   const auto percent = [&](double db2) { return 100.0 * db2 / parts.all_db2; };
+  const bool is_missing_angles = share_of_missing_angles(row, rows).has_value();
   return fmt::format(
-             "What limits *{}* most is {}. Its RMS error is {:.2f} dB; from a texture baked for the view itself (its "
-             "own look), where no angle is missing, {:.2f} dB are left; two traced maps differ by {:.2f} dB, and half "
-             "of that is left in their mean. So of the squared error missing angles are {:.0f} %, the truth's noise "
-             "{:.0f} %, and the bake's noise, texels and mips the remaining {:.0f} %: roughly, for these are medians, "
-             "and blending looks averages some of their noise. ",
-             name_of(row), largest_limit(row, rows)->name, way.rms_db, own.rms_db, both->way->floor_median.rms_db,
-             percent(parts.missing_angles_db2), percent(parts.truth_noise_db2), percent(parts.rest_db2)) +
+             "{}*{}*{} RMS error is {:.2f} dB; from a texture baked for the view itself (its own look), where no angle "
+             "is missing, {:.2f} dB are left; two traced maps differ by {:.2f} dB, and half of that is left in their "
+             "mean. So of the squared error missing angles are at least {:.0f} %, the truth's noise {:.0f} %, and the "
+             "bake's noise, texels and mips at most the remaining {:.0f} %: roughly, for these are medians, and "
+             "blending looks averages noise that the own look has in full. ",
+             is_missing_angles ? "What limits " : "The error of ", name_of(row),
+             is_missing_angles ? " most is missing angles. Its" : " has several causes. Its", way.rms_db, own.rms_db,
+             both->way->floor_median.rms_db, percent(parts.missing_angles_db2), percent(parts.truth_noise_db2),
+             percent(parts.rest_db2)) +
          by_l1;
 }
 
@@ -149,9 +152,10 @@ std::string found_of_the_best(const Best& best, const std::vector<ResultsRow>& r
     if (!on_grid.empty()) text += ",";
   }
   text += on_grid;
-  if (const auto limit = largest_limit(*best.of_all, rows)) {
-    text += fmt::format("; what keeps them from the truth most is {}", limit->name);
-    if (limit->share) text += fmt::format(", about {:.0f} % of their squared error", 100.0 * *limit->share);
+  if (const auto share = share_of_missing_angles(*best.of_all, rows)) {
+    text +=
+        fmt::format("; what keeps them from the truth most is missing angles, at least {:.0f} % of their squared error",
+                    100.0 * *share);
   }
   return text + ". ";
 }
@@ -197,21 +201,12 @@ double most_correlation(double traced_correlation) {
   return std::sqrt(2.0 * traced_correlation / (1.0 + traced_correlation));
 }
 
-std::optional<Limit> largest_limit(const ResultsRow& row, const std::vector<ResultsRow>& rows) {
+std::optional<double> share_of_missing_angles(const ResultsRow& row, const std::vector<ResultsRow>& rows) {
   const auto both = with_own_look(row, rows);
-  if (!both) return std::nullopt;
-  constexpr const char* noise = "the bake's noise, with its texels and mips";
-  if (both->way_is_closer()) return Limit{noise, std::nullopt};
+  if (!both || both->way_is_closer()) return std::nullopt;
   const ErrorParts parts = both->parts();
-  struct Part {
-    const char* name;
-    double db2;
-  };
-  const Part list[] = {{"missing angles", parts.missing_angles_db2},
-                       {"the truth's own noise", parts.truth_noise_db2},
-                       {noise, parts.rest_db2}};
-  const Part& most = *std::ranges::max_element(list, {}, &Part::db2);
-  return Limit{most.name, most.db2 / parts.all_db2};
+  if (parts.missing_angles_db2 < std::max(parts.truth_noise_db2, parts.rest_db2)) return std::nullopt;
+  return parts.missing_angles_db2 / parts.all_db2;
 }
 
 std::string combinations_table(const ResultsPlan& plan, const std::vector<ResultsRow>& rows) {

@@ -78,7 +78,7 @@ std::string words_of_numbers() {
       "polarizations, VV + HH + 2·HV. **ψ** is the angle of the line of sight above the horizontal, **γ** = σ0 / sin "
       "ψ.\n"
       "- The **truth** of a view is the mean of two path-traced maps of the full scene. Rows *truth* hold these two "
-      "against one another: their noise, below which nothing can be told.\n"
+      "against one another: half of their difference is left in the mean, and below that half nothing can be told.\n"
       "- **Correlation** and **RMS** are of σ0 in dB, cell by cell, none taken below {:g} dB. **Bias** is the map's "
       "total power over the truth's in dB, positive where the map is too bright. **Relative L1** is the sum of all |σ0 "
       "− true σ0| over the sum of true σ0: 0 is "
@@ -169,8 +169,11 @@ std::string how_it_was_measured(const ResultsReport& report) {
   return text +
          fmt::format(
              "All times are processor time, summed over all threads, on {}; what else the machine does is not "
-             "in them, and the wall clock shows less where several threads share the work. The time of a map is "
-             "that of one rendered by itself, from the atlas in memory to a map of the ground. Live frames, pose "
+             "in them, and the wall clock shows less where several threads share the work. The time of a bake is "
+             "that of its textures: the ground kept apart and the heights of what stands on it, made once for all "
+             "looks, are not in it. The time of a map is that of one rendered by itself, from the atlas in memory to "
+             "powers in range and azimuth; the paper's method goes over what terrain there is behind the square as "
+             "well, ours ends with the square. Live frames, pose "
              "after pose from an atlas that stays open, have a renderer and times of their own: {}.\n\n",
              report.machine, report.links.to("live frames", "docs/live.md"));
 }

@@ -10,6 +10,7 @@
 
 #include "number_or_null.h"
 
+#include "sigmascape/bake/bake_settings.h"
 #include "sigmascape/base/error.h"
 #include "sigmascape/geo/atomic_file.h"
 #include "sigmascape/trace/simd_setting.h"
@@ -260,12 +261,12 @@ nlohmann::ordered_json settings_of_views(const ResultsPlan& plan, const std::str
   Json grids = Json::array();
   for (const LookGrid& grid : plan.grids) grids.push_back(grid.name());
   const product::CompareOptions compare;
-  return {{"form", form_of_views},        {"scene", scene},
-          {"side_m", plan.side_m()},      {"rim_m", plan.rim_m()},
-          {"grids", std::move(grids)},    {"baked_samples", plan.baked_samples},
-          {"bounces", plan.bounces},      {"seed", plan.seed},
-          {"floor_db", compare.floor_db}, {"shadow_db", compare.shadow_db},
-          {"simd", trace::simd_setting()}};
+  return {{"form", form_of_views},         {"scene", scene},
+          {"side_m", plan.side_m()},       {"rim_m", plan.rim_m()},
+          {"grids", std::move(grids)},     {"baked_samples", plan.baked_samples},
+          {"bounces", plan.bounces},       {"seed", plan.seed},
+          {"floor_db", compare.floor_db},  {"shadow_db", compare.shadow_db},
+          {"simd", trace::simd_setting()}, {"physics", bake::physics_revision}};
 }
 
 }  // namespace sigmascape::cli

@@ -64,7 +64,8 @@ std::string without_noise_section(const ResultsReport& report) {
   if (rows.empty()) return {};
   return fmt::format(
              "### Without noise\n\nHow much of this is noise, and how much a fault that more rays do not mend? Views "
-             "that were baked were baked once more, from another seed: {}. From two bakes and two traced maps the "
+             "on the grid were baked as looks of their own twice, from two seeds: {}. From two bakes and two traced "
+             "maps the "
              "noise "
              "of both can be taken out (`product/noise_free_metrics.h` has the equations). {}easured, and so. With {} "
              "rays a texel, as many as the truth has a cell, a bake without fault would come to a correlation of 1 and "

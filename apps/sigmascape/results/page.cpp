@@ -78,7 +78,7 @@ std::string settings_text(const ResultsReport& report) {
   return fmt::format(
              "## Settings\n\n"
              "- {} rays a texel of {:.2f} m, {} where stated. Each method is baked once, from its finest grid; coarser "
-             "grids are looks of the same bake, and the one in cot ψ has its own\n"
+             "grids are looks of the same bake; the one in cot ψ and the one whose texels share noise have their own\n"
              "- {} rays a 2 m cell in each of the two traced maps of a view, {} where it was baked\n"
              "- {} bounces, seed {}, 10 GHz\n",
              plan.baked_samples, ResultsPlan::texel_m, plan.finer_samples, rays_of(ViewKind::HeldOut),
