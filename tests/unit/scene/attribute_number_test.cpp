@@ -13,7 +13,7 @@ TEST(AttributeNumber, ReadsMetresAndFeetAsPeopleWriteThem) {
   EXPECT_DOUBLE_EQ(*metres_from_text("100 ft"), 30.48);
   EXPECT_DOUBLE_EQ(*metres_from_text("10'"), 3.048);
   EXPECT_NEAR(*metres_from_text("5'6\""), 1.6764, 1e-9);
-  EXPECT_NEAR(*metres_from_text("5'-6\""), 1.6764, 1e-9);
+  EXPECT_NEAR(metres_from_text("5'-6\"").value_or(0.0), 1.6764, 1e-9);
 }
 
 TEST(AttributeNumber, CountsPlainNumbersAloneInTheStatedUnit) {
