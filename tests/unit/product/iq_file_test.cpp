@@ -230,8 +230,8 @@ TEST(IqFile, TellsWhereTheBeamPointedWhosePatternIsInAnImage) {
     SCOPED_TRACE(record.kind);
     for (const std::string& ending : endings) write_iq(folder.path("image" + ending), record);
     EXPECT_EQ(json_of(folder.path("image.json")).at("beam_azimuth_rad"), nlohmann::json({0.25}));
-    for (const auto& capture : json_of(folder.path("image.sigmf-meta")).at("captures"))
-      EXPECT_EQ(capture.at("sigmascape:beam_azimuth_rad"), 0.25);
+    const auto described = json_of(folder.path("image.sigmf-meta"));
+    for (const auto& capture : described.at("captures")) EXPECT_EQ(capture.at("sigmascape:beam_azimuth_rad"), 0.25);
   }
   doppler.beam_azimuth_rad.reset();
   EXPECT_TRUE(iq_record(doppler, radar).beam_azimuth_rad.empty()) << "of a beam that scans";
