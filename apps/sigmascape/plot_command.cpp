@@ -5,7 +5,6 @@
 #include <fmt/ranges.h>
 #include <iterator>
 #include <utility>
-#include <variant>
 
 #include "command.h"
 #include "number_within.h"
@@ -59,16 +58,14 @@ void finish(const PlotOptions& options, const product::Plot& plot, const Output&
 std::vector<scatter::Material> wanted_materials(const PlotOptions& options) {
   std::vector<scatter::Material> materials, known;
   if (!options.scene.empty()) known = scene::read_scene(options.scene).materials;
-  const auto is_medium = [](const scatter::Material& material) {
-    return std::holds_alternative<scatter::CrownParameters>(material.model);
-  };
   for (const std::string& name : options.materials) {
     const auto of_scene = std::ranges::find(known, name, &scatter::Material::name);
     materials.push_back(of_scene != known.end() ? *of_scene : scatter::library_material(name));
-    if (is_medium(materials.back()))
+    if (materials.back().is_medium())
       throw Error("MATERIAL", fmt::format("{} is of tree crowns, no surface", name), "name a material of a surface");
   }
-  if (materials.empty()) std::ranges::remove_copy_if(known, std::back_inserter(materials), is_medium);
+  if (materials.empty())
+    std::ranges::remove_copy_if(known, std::back_inserter(materials), &scatter::Material::is_medium);
   return materials;
 }
 

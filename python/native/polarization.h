@@ -5,6 +5,7 @@
 #include <string>
 
 #include "sigmascape/base/error.h"
+#include "sigmascape/product/described_map.h"
 #include "sigmascape/radar/polarization_words.h"
 
 namespace sigmascape::python {
@@ -20,7 +21,7 @@ inline radar::Polarization polarization_from(const std::string& word) {
 inline radar::Polarization polarization_from(const std::optional<std::string>& asked,
                                              const std::map<std::string, std::string>& map_metadata) {
   if (asked) return polarization_from(*asked);
-  const auto of_radar = map_metadata.find("polarization");
+  const auto of_radar = map_metadata.find(product::polarization_key);
   return of_radar == map_metadata.end() ? radar::Polarization::VV : polarization_from(of_radar->second);
 }
 

@@ -24,14 +24,6 @@ double expected_rcs(const radar::RangeAzimuthGrid& grid, std::size_t range, doub
   return gamma * height_m / middle * (far * far - near * near) / 2.0 * grid.azimuth_step_rad;
 }
 
-double vv_of_range(const Frame& frame, std::size_t range) {
-  double sum = 0.0;
-  for (std::size_t beam = 2; beam + 2 < frame.grid.azimuths; ++beam) {
-    sum += static_cast<double>(frame.powers_m2[(beam * frame.grid.ranges + range) * 4]);
-  }
-  return sum;
-}
-
 /// The worst of all bands of ranges, away from the ends that have no ground beyond.
 double worst_db(const Frame& frame, double height_m) {
   constexpr std::size_t band = 14;

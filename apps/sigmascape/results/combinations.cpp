@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
+#include <optional>
 
 #include "results/columns.h"
 #include "words.h"
@@ -34,6 +35,13 @@ struct WithOwnLook {
     return error_parts(way->median.rms_db, own->median.rms_db, way->floor_median.rms_db);
   }
   [[nodiscard]] bool way_is_closer() const { return way->median.rms_db <= own->median.rms_db; }
+  /// How much of the squared error missing angles are at least, where they are most of it; nothing where they may not
+  /// be. No other part is named so: a way blends several looks, whose noise averages, and the own look has all of it.
+  [[nodiscard]] std::optional<double> share_of_missing_angles() const {
+    const ErrorParts of = parts();
+    if (way_is_closer() || of.missing_angles_db2 < std::max(of.truth_noise_db2, of.rest_db2)) return std::nullopt;
+    return of.missing_angles_db2 / of.all_db2;
+  }
 };
 
 std::optional<WithOwnLook> with_own_look(const ResultsRow& row, const std::vector<ResultsRow>& rows) {
@@ -63,17 +71,17 @@ std::string limit_of(const ResultsRow& row, const std::vector<ResultsRow>& rows)
   }
   const ErrorParts parts = both->parts();
   const auto percent = [&](double db2) { return 100.0 * db2 / parts.all_db2; };
-  const bool is_missing_angles = share_of_missing_angles(row, rows).has_value();
+  const std::string cause = both->share_of_missing_angles()
+                                ? fmt::format("What limits *{}* most is missing angles.", name_of(row))
+                                : fmt::format("The error of *{}* has several causes.", name_of(row));
   return fmt::format(
-             "{}*{}*{} RMS error is {:.2f} dB; from a texture baked for the view itself (its own look), where no angle "
+             "{} Its RMS error is {:.2f} dB; from a texture baked for the view itself (its own look), where no angle "
              "is missing, {:.2f} dB are left; two traced maps differ by {:.2f} dB, and half of that is left in their "
              "mean. So of the squared error missing angles are at least {:.0f} %, the truth's noise {:.0f} %, and the "
              "bake's noise, texels and mips at most the remaining {:.0f} %: roughly, for these are medians, and "
              "blending looks averages noise that the own look has in full. ",
-             is_missing_angles ? "What limits " : "The error of ", name_of(row),
-             is_missing_angles ? " most is missing angles. Its" : " has several causes. Its", way.rms_db, own.rms_db,
-             both->way->floor_median.rms_db, percent(parts.missing_angles_db2), percent(parts.truth_noise_db2),
-             percent(parts.rest_db2)) +
+             cause, way.rms_db, own.rms_db, both->way->floor_median.rms_db, percent(parts.missing_angles_db2),
+             percent(parts.truth_noise_db2), percent(parts.rest_db2)) +
          by_l1;
 }
 
@@ -152,7 +160,8 @@ std::string found_of_the_best(const Best& best, const std::vector<ResultsRow>& r
     if (!on_grid.empty()) text += ",";
   }
   text += on_grid;
-  if (const auto share = share_of_missing_angles(*best.of_all, rows)) {
+  const auto both = with_own_look(*best.of_all, rows);
+  if (const auto share = both ? both->share_of_missing_angles() : std::nullopt) {
     text +=
         fmt::format("; what keeps them from the truth most is missing angles, at least {:.0f} % of their squared error",
                     100.0 * *share);
@@ -199,14 +208,6 @@ ErrorParts error_parts(double rms_db, double own_look_rms_db, double traced_rms_
 
 double most_correlation(double traced_correlation) {
   return std::sqrt(2.0 * traced_correlation / (1.0 + traced_correlation));
-}
-
-std::optional<double> share_of_missing_angles(const ResultsRow& row, const std::vector<ResultsRow>& rows) {
-  const auto both = with_own_look(row, rows);
-  if (!both || both->way_is_closer()) return std::nullopt;
-  const ErrorParts parts = both->parts();
-  if (parts.missing_angles_db2 < std::max(parts.truth_noise_db2, parts.rest_db2)) return std::nullopt;
-  return parts.missing_angles_db2 / parts.all_db2;
 }
 
 std::string combinations_table(const ResultsPlan& plan, const std::vector<ResultsRow>& rows) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,11 +41,6 @@ struct ErrorParts {
 
 /// Markdown: what limits each of these.
 [[nodiscard]] std::string limits_section(const ResultsPlan& plan, const std::vector<ResultsRow>& rows);
-
-/// How much of a way's squared error missing angles are at least, where they are most of it; nothing where they may not
-/// be, or its method has no looks of the views' own. No other part is named so: a way blends several looks, whose noise
-/// averages, and the own look has all of it.
-[[nodiscard]] std::optional<double> share_of_missing_angles(const ResultsRow& row, const std::vector<ResultsRow>& rows);
 
 /// What is found, in three sentences: how far our maps and the paper's are from traced ones at held-out views, from the
 /// paper's looks; how far the best are, there and at views that were baked, and what keeps them there; what a map

@@ -65,9 +65,8 @@ std::string without_noise_section(const ResultsReport& report) {
   return fmt::format(
              "### Without noise\n\nHow much of this is noise, and how much a fault that more rays do not mend? Views "
              "on the grid were baked as looks of their own twice, from two seeds: {}. From two bakes and two traced "
-             "maps the "
-             "noise "
-             "of both can be taken out (`product/noise_free_metrics.h` has the equations). {}easured, and so. With {} "
+             "maps the noise of both can be taken out (`product/noise_free_metrics.h` has the equations). {}easured, "
+             "and so. With {} "
              "rays a texel, as many as the truth has a cell, a bake without fault would come to a correlation of 1 and "
              "an RMS of 0 dB; with fewer its RMS stays above. A fault that noise buries is not found, so that these "
              "correlations come out somewhat too high, the more so the noisier the maps: made examples of 0.95 come "

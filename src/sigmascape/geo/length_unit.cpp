@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "sigmascape/base/small_letters.h"
 #include "sigmascape/geo/foot.h"
 
 namespace sigmascape::geo {
@@ -15,10 +16,9 @@ namespace {
 std::string plainly_spelled(std::string_view name) {
   std::string plain;
   for (const char c : name) {
-    if (std::string_view(" .-_").find(c) == std::string_view::npos)
-      plain += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (std::string_view(" .-_").find(c) == std::string_view::npos) plain += c;
   }
-  return plain;
+  return in_small_letters(std::move(plain));
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ void describe(Map& map, const radar::Radar& radar, const geo::LocalFrame& frame,
   map.metadata.try_emplace("time_s", "0");
   map.metadata["software"] = software_name();
   map.metadata["frequency_hz"] = fmt::format("{:.0f}", radar.frequency_hz);
-  map.metadata["polarization"] = radar::polarization_word(radar.polarization);
+  map.metadata[polarization_key] = radar::polarization_word(radar.polarization);
   map.metadata["range_resolution_m"] = fmt::format("{}", radar.range_resolution_m);
   map.metadata["beam_width_rad"] = fmt::format("{:.6g}", radar.beam_width_rad);
 }

@@ -19,6 +19,9 @@ using Provenance = std::map<std::string, std::string>;
 /// radars over what they map there is none.
 inline constexpr const char* radar_azimuth_key = "radar_azimuth_deg";
 
+/// The entry that says by its word in which polarization a map's radar, or a picture, shows what it sees.
+inline constexpr const char* polarization_key = "polarization";
+
 /// A place of the radar or its velocity, as products tell it.
 [[nodiscard]] std::string vector_text(Vec3d vector);
 

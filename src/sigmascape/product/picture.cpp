@@ -10,6 +10,7 @@
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/product/block_mean.h"
+#include "sigmascape/product/described_map.h"
 #include "sigmascape/product/low_pass.h"
 #include "sigmascape/product/map_metrics.h"
 #include "sigmascape/radar/polarization_words.h"
@@ -101,7 +102,7 @@ Picture picture_of(const radar::GroundMap& map, const PictureOptions& options) {
   Picture picture =
       painted(map, levels, options.scale, top_db - options.span_db, top_db, options.magnification, unseen);
   picture.metadata["quantity"] = fmt::format("sigma0 {} [dB]", polarization_name(options.polarization));
-  picture.metadata["polarization"] = radar::polarization_word(options.polarization);
+  picture.metadata[polarization_key] = radar::polarization_word(options.polarization);
   picture.metadata["low_pass_cells"] = fmt::format("{}", options.low_pass_cells);
   return picture;
 }
@@ -122,7 +123,7 @@ Picture difference_picture(const radar::GroundMap& tested, const radar::GroundMa
   Picture picture = painted(truth, ratio_db, ColourScale::Diverging, -options.span_db / 2.0, options.span_db / 2.0,
                             options.magnification, unseen_colour);
   picture.metadata["quantity"] = fmt::format("tested over truth, {} [dB]", polarization_name(options.polarization));
-  picture.metadata["polarization"] = radar::polarization_word(options.polarization);
+  picture.metadata[polarization_key] = radar::polarization_word(options.polarization);
   return picture;
 }
 

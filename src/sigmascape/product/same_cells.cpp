@@ -31,6 +31,7 @@ void require_same_cells(const radar::GroundMap& tested, const radar::GroundMap& 
 std::size_t block_factor(double cell_m, const radar::GroundGrid& grid) {
   const double factor = cell_m / grid.cell_m;
   const double whole = std::round(factor);
+  // More cells than a side of any map has, few enough for a whole number.
   constexpr double largest = 1e9;
   return whole >= 1.0 && whole <= largest && std::abs(factor - whole) < 1e-6 * whole ? static_cast<std::size_t>(whole)
                                                                                      : 0;

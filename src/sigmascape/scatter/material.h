@@ -147,6 +147,9 @@ struct Material {
   bool verified = true;  ///< false where no source for the constants has been seen; carried into metadata and reports
   double lowest_frequency_hz = 0.0;
   double highest_frequency_hz = 1e12;
+
+  /// Of tree crowns: no surface is made of it.
+  [[nodiscard]] bool is_medium() const { return std::holds_alternative<CrownParameters>(model); }
 };
 
 /// Where a material's constants hold: its own limits and those of its model or law of permittivity together, from low

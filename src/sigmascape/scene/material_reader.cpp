@@ -191,7 +191,7 @@ bool MaterialTable::knows(const std::string& name) const {
 
 const scatter::Material& MaterialTable::material(const std::string& name, const std::string& where) const {
   const scatter::Material& surface = found(name, where);
-  if (std::holds_alternative<scatter::CrownParameters>(surface.model))
+  if (surface.is_medium())
     throw Error(where, fmt::format("'{}' is the medium of a tree's crown, of which no surface is made", name),
                 "name it with crown_material in [[trees]], or give another material here");
   return surface;
@@ -199,7 +199,7 @@ const scatter::Material& MaterialTable::material(const std::string& name, const 
 
 const scatter::Material& MaterialTable::crown(const std::string& name, const std::string& where) const {
   const scatter::Material& medium = found(name, where);
-  if (!std::holds_alternative<scatter::CrownParameters>(medium.model))
+  if (!medium.is_medium())
     throw Error(where, fmt::format("'{}' is the material of a surface, not the medium of a crown", name),
                 "name a material of model crown");
   return medium;

@@ -29,9 +29,8 @@ const scatter::Material& counterpart(const std::string& name, const MeshSource& 
                                      const MaterialTable& materials) {
   if (const auto listed = source.material_by_name.find(name); listed != source.material_by_name.end())
     return listed->second;
-  if (materials.knows(name)) return materials.material(name, source.where);
-  if (const std::string plain = name.starts_with("itu_") ? name.substr(4) : ""; materials.knows(plain))
-    return materials.material(plain, source.where);
+  for (const std::string& known : {name, name.starts_with("itu_") ? name.substr(4) : name})
+    if (materials.knows(known)) return materials.material(known, source.where);
   if (source.material) return *source.material;
   throw Error(
       source.where, fmt::format("the material '{}' of {} has no counterpart", name, source.file.string()),

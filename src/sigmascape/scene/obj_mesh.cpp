@@ -31,9 +31,13 @@ std::string_view next_line(std::string_view& text) {
   return line;
 }
 
+void skip_blanks(std::string_view& line) {
+  line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
+}
+
 /// Takes the first word, none at the end, off a line.
 std::string_view next_word(std::string_view& line) {
-  line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
+  skip_blanks(line);
   const std::string_view word = line.substr(0, line.find_first_of(blanks));
   line.remove_prefix(word.size());
   return word;
@@ -68,7 +72,7 @@ void check_vertices(std::string_view text, const std::filesystem::path& file) {
 
 /// The name that a line states: neither the blanks around it nor a remark after it.
 std::string name_in(std::string_view words) {
-  words.remove_prefix(std::min(words.find_first_not_of(blanks), words.size()));
+  skip_blanks(words);
   words = words.substr(0, words.find(" #"));
   return std::string(words.substr(0, words.find_last_not_of(blanks) + 1));
 }

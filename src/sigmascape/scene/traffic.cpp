@@ -115,15 +115,15 @@ void TrafficFlow::fill(std::span<const Vec2d> line, const Stream& stream, const 
   for (std::uint64_t number = 0;; ++number) {
     const std::uint64_t draw = hashed(stream.key, number);
     const std::size_t kind = kind_drawn(mixed(draw));
-    const VehicleSize size = vehicle_size(static_cast<VehicleKind>(kind));
-    const double half_m = static_cast<double>(size.length_m) / 2.0;
+    Standing vehicle{.offset_m = stream.offset_m, .size = vehicle_size(static_cast<VehicleKind>(kind))};
+    const double half_m = vehicle.half_m();
     const double free_m = -mean_m * std::log1p(-static_cast<double>(unit_float(draw)));
     distance_m += std::max(free_m, number == 0 ? half_m : last_half_m + gap_m + half_m);
     last_half_m = half_m;
-    Standing vehicle{distance_m, stream.offset_m, size};
+    vehicle.middle_m = distance_m;
     vehicle.move_past(standing);
     distance_m = vehicle.middle_m;
-    if (distance_m + half_m > end_m) return;
+    if (vehicle.end_m() > end_m) return;
 
     const auto [position, along] = station_at(line, distance_m);
     const Vec2d place = position + Vec2d{along.y, -along.x} * stream.offset_m;

@@ -57,12 +57,7 @@ TEST(FrameReach, FirstBinsHoldSlopesThatRiseAboveTheRadar) {
   pose.first_range_m = 900.0;
   LiveRenderer renderer(ground, settings);
   const Frame& frame = settled_frame(renderer, *ground, pose);
-  const auto of_range = [&](std::size_t range) {
-    double sum = 0.0;
-    for (std::size_t beam = 4; beam < 12; ++beam)
-      sum += static_cast<double>(frame.powers_m2[(beam * settings.ranges + range) * 4]);
-    return sum;
-  };
+  const auto of_range = [&](std::size_t range) { return vv_of_range(frame, range, 4); };
   double mean = 0.0;
   for (std::size_t range = 0; range < settings.ranges; ++range)
     mean += of_range(range) / static_cast<double>(settings.ranges);
@@ -92,12 +87,7 @@ TEST(FrameReach, NoBinIsDarkForTheEarthsCurvature) {
   pose.first_range_m = earth.slant_range_m(height_m, 0.0, distance_m) - 16.0 * settings.range_step_m;
   LiveRenderer renderer(ground, settings);
   const Frame& frame = settled_frame(renderer, *ground, pose);
-  const auto of_range = [&](std::size_t range) {
-    double sum = 0.0;
-    for (std::size_t beam = 4; beam < 12; ++beam)
-      sum += static_cast<double>(frame.powers_m2[(beam * settings.ranges + range) * 4]);
-    return sum;
-  };
+  const auto of_range = [&](std::size_t range) { return vv_of_range(frame, range, 4); };
   ASSERT_GT(of_range(16), 0.0);
   for (std::size_t range = 0; range < settings.ranges; ++range)
     EXPECT_NEAR(of_range(range) / of_range(16), 1.0, 0.1) << range;
@@ -116,12 +106,7 @@ TEST(FrameReach, TheFirstBinAndTheLastHoldAsMuchOfEvenGroundAsTheOthers) {
   settings.cells_per_bin = 3.0;
   LiveRenderer renderer(ground, settings);
   const Frame& frame = settled_frame(renderer, *ground, view.pose());
-  const auto of_range = [&](std::size_t range) {
-    double sum = 0.0;
-    for (std::size_t beam = 2; beam + 2 < view.beams; ++beam)
-      sum += static_cast<double>(frame.powers_m2[(beam * view.ranges + range) * 4]);
-    return sum;
-  };
+  const auto of_range = [&](std::size_t range) { return vv_of_range(frame, range); };
   for (const std::size_t range : {std::size_t{0}, view.ranges - 1})
     EXPECT_NEAR(db_from_linear(of_range(range) / of_range(view.ranges / 2)), 0.0, 0.15) << range;
 }

@@ -144,6 +144,14 @@ inline const Frame& settled_frame(LiveRenderer& renderer, LiveGround& ground, co
   return renderer.render(pose);
 }
 
+/// VV of all bins of a range together, but of so many beams at either side.
+inline double vv_of_range(const Frame& frame, std::size_t range, std::size_t left_out = 2) {
+  double sum = 0.0;
+  for (std::size_t beam = left_out; beam + left_out < frame.grid.azimuths; ++beam)
+    sum += static_cast<double>(frame.powers_m2[(beam * frame.grid.ranges + range) * 4]);
+  return sum;
+}
+
 /// γ sin ψ in VV, a half of it in HH, a tenth in HV, VV and HH correlated by 0.6.
 inline radar::Channels constant_gamma(double gamma, const radar::Look& look) {
   const auto vv = static_cast<float>(gamma * std::sin(look.aspect.elevation_rad));
