@@ -170,6 +170,10 @@ std::string text_of(const atlas::AtlasDescription& atlas, const atlas::AtlasSumm
 
 /// Live frames look at the atlas' own ground first of all.
 void check_overlap(const terrain::TerrainSource& source, const geo::Extent& raster, const radar::Rectangle& extent) {
+  if (raster.empty()) {
+    throw Error(source.raster.file.string(), "reaches too far for terrain of all of it",
+                "cut it to the surroundings of the atlas, for example with gdal_translate -projwin");
+  }
   if (raster.west_m < extent.east_m && raster.east_m > extent.west_m && raster.south_m < extent.north_m &&
       raster.north_m > extent.south_m) {
     return;

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <gdal_priv.h>
+#include <limits>
 #include <ogr_spatialref.h>
 #include <system_error>
 #include <utility>
@@ -25,6 +26,7 @@ namespace sigmascape::geo {
 namespace {
 
 constexpr float nan_height = std::numeric_limits<float>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 GDALDatasetUniquePtr open_raster(const std::filesystem::path& file) {
   if (is_absent(file)) throw Error(file.string(), "the file does not exist", "correct the path of the raster");
@@ -41,11 +43,11 @@ GDALDatasetUniquePtr open_raster(const std::filesystem::path& file) {
 /// What a raster covers, in pixels.
 struct Coverage {
   int columns = 0, rows = 0;
-  bool goes_round = false;  ///< its last column lies next to its first
+  int round = 0;  ///< columns to a turn of the globe, where it goes all the way round; some repeat their first column
 
   [[nodiscard]] bool holds(Vec2d pixel) const {
     constexpr double slack = 1e-3;
-    return (goes_round || (pixel.x >= -slack && pixel.x <= columns + slack)) && pixel.y >= -slack &&
+    return (round > 0 || (pixel.x >= -slack && pixel.x <= columns + slack)) && pixel.y >= -slack &&
            pixel.y <= rows + slack;
   }
 };
@@ -70,8 +72,9 @@ struct Raster::Source {
   }
   [[nodiscard]] Vec2d middle() const { return crs_position(columns() / 2.0, rows() / 2.0); }
   [[nodiscard]] Coverage coverage() const {
-    const double cell = std::abs(crs_from_pixel[1]), turn = cell * columns();
-    return {columns(), rows(), full_turn > 0.0 && std::abs(turn - full_turn) < 0.5 * cell};
+    const double turn = full_turn / std::abs(crs_from_pixel[1]);
+    const bool goes_round = full_turn > 0.0 && columns() > turn - 0.5;
+    return {columns(), rows(), goes_round ? static_cast<int>(std::lround(turn)) : 0};
   }
   /// Replaces positions in the CRS by positions in pixels. Longitudes come as −180° to 180°, whatever turn the raster
   /// counts them in: one of them is taken on the turn of the raster, the others on that of this one, for they are
@@ -88,6 +91,23 @@ struct Raster::Source {
 };
 
 namespace {
+
+/// Points of a lattice that lie side by side.
+struct Block {
+  std::size_t column = 0, row = 0, columns = 0, rows = 0;
+};
+
+/// Positions from the least to the greatest; none while they are the other way round.
+struct PixelBox {
+  Vec2d least{infinity, infinity}, greatest{-infinity, -infinity};
+
+  void take_in(Vec2d pixel) {
+    if (!std::isfinite(pixel.x) || !std::isfinite(pixel.y)) return;
+    least = {std::min(least.x, pixel.x), std::min(least.y, pixel.y)};
+    greatest = {std::max(greatest.x, pixel.x), std::max(greatest.y, pixel.y)};
+  }
+  [[nodiscard]] bool empty() const { return !(least.x <= greatest.x && least.y <= greatest.y); }
+};
 
 /// Positions in source pixels at the points of a lattice: exact on a net of at most 100 m mesh and linear between,
 /// where no projection bends by more than a millimetre.
@@ -119,22 +139,53 @@ class PixelNet {
     return upper * (1.0 - v) + lower * v;
   }
 
-  /// Among these lies every place that `at` may be asked for: to the east and south the knots reach a mesh beyond the
-  /// lattice, to the west and north the half spacing is added.
-  [[nodiscard]] std::vector<Vec2d> reached() const {
-    std::vector<Vec2d> places(knots_.values().begin(), knots_.values().end());
-    const auto mesh = static_cast<double>(stride_);
-    for (std::size_t i = 0; i < knots_.columns(); ++i) places.push_back(at(static_cast<double>(i) * mesh - 0.5, -0.5));
-    for (std::size_t j = 0; j < knots_.rows(); ++j) places.push_back(at(-0.5, static_cast<double>(j) * mesh - 0.5));
-    return places;
+  /// What `at` may be asked for at the points of a block and half a spacing round them.
+  [[nodiscard]] PixelBox box_of(const Block& block) const {
+    // Between neighbouring lines of knots no position lies beyond those at the corners.
+    PixelBox box;
+    for (const double row : lines_across(block.row, block.rows)) {
+      for (const double column : lines_across(block.column, block.columns)) box.take_in(at(column, row));
+    }
+    return box;
   }
 
  private:
+  /// The ends of a stretch of points, half a spacing beyond them, and the lines of knots between.
+  [[nodiscard]] std::vector<double> lines_across(std::size_t first, std::size_t count) const {
+    std::vector<double> lines{static_cast<double>(first) - 0.5};
+    for (std::size_t knot = (first + stride_ - 1) / stride_ * stride_; knot < first + count; knot += stride_)
+      lines.push_back(static_cast<double>(knot));
+    lines.push_back(static_cast<double>(first + count) - 0.5);
+    return lines;
+  }
+
   std::size_t stride_;
   Array2D<Vec2d> knots_;
 };
 
-/// The part of a band that a lattice touches, in memory.
+/// A part of a band, in its cells.
+struct Part {
+  int first_column = 0, first_row = 0, columns = 0, rows = 0;
+
+  [[nodiscard]] double cells() const { return static_cast<double>(columns) * static_cast<double>(rows); }
+};
+
+/// The part that holds a box and the neighbours of what lies in it.
+Part part_around(const PixelBox& box, const Coverage& coverage) {
+  if (box.empty()) return {};
+  const double west = std::floor(box.least.x - 2.0), east = std::ceil(box.greatest.x + 2.0);
+  const double north = std::floor(box.least.y - 2.0), south = std::ceil(box.greatest.y + 2.0);
+  const auto within = [](double position, int count) {
+    return static_cast<int>(std::clamp(position, 0.0, static_cast<double>(count)));
+  };
+  const int first_row = within(north, coverage.rows), rows = within(south, coverage.rows) - first_row;
+  // Columns of a raster that goes round are counted on beyond its ends.
+  if (coverage.round > 0) return {static_cast<int>(west), first_row, within(east - west, coverage.round), rows};
+  const int first_column = within(west, coverage.columns);
+  return {first_column, first_row, within(east, coverage.columns) - first_column, rows};
+}
+
+/// A part of a band, in memory.
 template <typename T>
 struct Window {
   int first_column = 0, first_row = 0;
@@ -152,27 +203,9 @@ struct Window {
 };
 
 template <typename T>
-Window<T> read_window(GDALRasterBand& band, const Coverage& coverage, std::span<const Vec2d> corners, GDALDataType type,
+Window<T> read_window(GDALRasterBand& band, const Coverage& coverage, const Part& part, GDALDataType type,
                       const std::string& name) {
-  const auto [columns, rows, goes_round] = coverage;
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  double west = infinity, east = -infinity, north = infinity, south = -infinity;
-  for (const Vec2d& corner : corners) {
-    if (!std::isfinite(corner.x) || !std::isfinite(corner.y)) continue;
-    west = std::min(west, std::floor(corner.x - 2.0));
-    east = std::max(east, std::ceil(corner.x + 2.0));
-    north = std::min(north, std::floor(corner.y - 2.0));
-    south = std::max(south, std::ceil(corner.y + 2.0));
-  }
-  const auto within = [](double position, int count) {
-    return static_cast<int>(std::clamp(position, 0.0, static_cast<double>(count)));
-  };
-  const int first_row = within(north, rows), height = within(south, rows) - first_row;
-  // Columns of a raster that goes round are counted on beyond its ends.
-  const int first_column = goes_round && west < infinity ? static_cast<int>(west) : within(west, columns);
-  const int width = goes_round && west < infinity ? within(east - west, columns) : within(east, columns) - first_column;
-  if (width <= 0 || height <= 0) return {};
-
+  const auto [first_column, first_row, width, height] = part;
   Window<T> window;
   window.first_column = first_column;
   window.first_row = first_row;
@@ -191,8 +224,9 @@ Window<T> read_window(GDALRasterBand& band, const Coverage& coverage, std::span<
                          &extra) == CE_None;
   };
   for (int done = 0, piece = 0; done < width && is_read; done += piece) {
-    const int column = ((first_column + done) % columns + columns) % columns;
-    piece = std::min(width - done, columns - column);
+    const int turn = coverage.round > 0 ? coverage.round : coverage.columns;
+    const int column = ((first_column + done) % turn + turn) % turn;
+    piece = std::min(width - done, turn - column);
     is_read =
         read(band, column, piece, &window.value.values()[static_cast<std::size_t>(done)], type) &&
         read(*band.GetMaskBand(), column, piece, &window.valid.values()[static_cast<std::size_t>(done)], GDT_Byte);
@@ -202,6 +236,31 @@ Window<T> read_window(GDALRasterBand& band, const Coverage& coverage, std::span<
     throw Error(name, fmt::format("its cells cannot be read ({})", QuietGdal::complaint()), "replace the damaged file");
   }
   return window;
+}
+
+/// Calls `fill(block, part)` for blocks that make up a lattice, with the part of the band that each touches. Blocks are
+/// halved until their parts hold so few cells that a lattice takes no more memory from a fine raster than from a coarse
+/// one.
+template <typename Fill>
+void for_each_block(const Block& block, const PixelNet& net, const Coverage& coverage, const Fill& fill) {
+  constexpr double most_cells = 1 << 22;
+  const auto part_of = [&](const Block& piece) { return part_around(net.box_of(piece), coverage); };
+  const Part part = part_of(block);
+  if (part.columns <= 0 || part.rows <= 0) return;
+  if (part.cells() <= most_cells || block.columns * block.rows == 1) {
+    fill(block, part);
+    return;
+  }
+  const auto [column, row, columns, rows] = block;
+  const std::array north_and_south{Block{column, row, columns, rows / 2},
+                                   Block{column, row + rows / 2, columns, rows - rows / 2}};
+  const std::array west_and_east{Block{column, row, columns / 2, rows},
+                                 Block{column + columns / 2, row, columns - columns / 2, rows}};
+  const auto cells_of = [&](const auto& halves) { return part_of(halves[0]).cells() + part_of(halves[1]).cells(); };
+  // Rasters are stored in rows more often than not, unless parts that lie slantwise make the other halves much smaller.
+  constexpr double much = 1.2;
+  const bool by_rows = columns == 1 || (rows > 1 && cells_of(north_and_south) <= much * cells_of(west_and_east));
+  for (const Block& half : by_rows ? north_and_south : west_and_east) for_each_block(half, net, coverage, fill);
 }
 
 /// Bilinear between cell centres. Cells without data take no part; where the nearest one has none, neither has the
@@ -240,6 +299,18 @@ float mean_over_cell(const Window<float>& window, const PixelNet& net, std::size
     }
   }
   return found > 0 ? static_cast<float>(sum / found) : nan_height;
+}
+
+/// Calls `visit(column, row, pixel)` for the points of a block that the raster covers.
+template <typename Visit>
+void for_each_point(const Block& block, const PixelNet& net, const Coverage& coverage, const Visit& visit) {
+  for (std::size_t row = block.row; row < block.row + block.rows; ++row) {
+    Interruption::heed();
+    for (std::size_t column = block.column; column < block.column + block.columns; ++column) {
+      const Vec2d pixel = net.at(static_cast<double>(column), static_cast<double>(row));
+      if (coverage.holds(pixel)) visit(column, row, pixel);
+    }
+  }
 }
 
 /// Throws Error when a CRS of degrees is stated for numbers that cannot be latitudes.
@@ -318,6 +389,7 @@ double Raster::cell_m() const {
 }
 
 RasterOutline Raster::outline_in(const LocalFrame& frame) const {
+  if (source_->coverage().round > 0) return {};
   constexpr int steps = 1024;
   const double columns = source_->columns(), rows = source_->rows();
   std::vector<Vec2d> left, right, top, bottom;
@@ -354,28 +426,24 @@ Array2D<float> Raster::heights_on(const Lattice& lattice, const LocalFrame& fram
   const CoordinateTransform transform(source_->crs, frame, source_->name);
   const PixelNet net(lattice, transform, [this](std::span<Vec2d> knots) { source_->to_pixels(knots); });
   const Coverage coverage = source_->coverage();
-  auto window = read_window<float>(*source_->band, coverage, net.reached(), GDT_Float32, source_->name);
   Array2D<float> heights(lattice.columns, lattice.rows, nan_height);
-  if (window.value.empty()) return heights;
   const double to_metres = height_unit().metres;
   const double scale = source_->band->GetScale() * to_metres, offset = source_->band->GetOffset() * to_metres;
-  for (std::size_t i = 0; i < window.value.size(); ++i) {
-    float& height = window.value.values()[i];
-    height = static_cast<float>(static_cast<double>(height) * scale + offset);
-    const bool believed =
-        height >= static_cast<float>(plausible.lowest_m) && height <= static_cast<float>(plausible.highest_m);
-    if (!believed) window.valid.values()[i] = 0;
-  }
   const int samples = std::clamp(static_cast<int>(std::lround(lattice.spacing_m / cell_m())), 1, 16);
-  for (std::size_t row = 0; row < lattice.rows; ++row) {
-    Interruption::heed();
-    for (std::size_t column = 0; column < lattice.columns; ++column) {
-      const Vec2d pixel = net.at(static_cast<double>(column), static_cast<double>(row));
-      if (!coverage.holds(pixel)) continue;
+  for_each_block({0, 0, lattice.columns, lattice.rows}, net, coverage, [&](const Block& block, const Part& part) {
+    auto window = read_window<float>(*source_->band, coverage, part, GDT_Float32, source_->name);
+    for (std::size_t i = 0; i < window.value.size(); ++i) {
+      float& height = window.value.values()[i];
+      height = static_cast<float>(static_cast<double>(height) * scale + offset);
+      const bool believed =
+          height >= static_cast<float>(plausible.lowest_m) && height <= static_cast<float>(plausible.highest_m);
+      if (!believed) window.valid.values()[i] = 0;
+    }
+    for_each_point(block, net, coverage, [&](std::size_t column, std::size_t row, Vec2d pixel) {
       heights(column, row) =
           samples == 1 ? bilinear(window, pixel) : mean_over_cell(window, net, column, row, samples, coverage);
-    }
-  }
+    });
+  });
   return heights;
 }
 
@@ -383,18 +451,14 @@ Array2D<std::int32_t> Raster::classes_on(const Lattice& lattice, const LocalFram
   const CoordinateTransform transform(source_->crs, frame, source_->name);
   const PixelNet net(lattice, transform, [this](std::span<Vec2d> knots) { source_->to_pixels(knots); });
   const Coverage coverage = source_->coverage();
-  const auto window = read_window<std::int32_t>(*source_->band, coverage, net.reached(), GDT_Int32, source_->name);
   Array2D<std::int32_t> classes(lattice.columns, lattice.rows, no_class);
-  if (window.value.empty()) return classes;
-  for (std::size_t row = 0; row < lattice.rows; ++row) {
-    Interruption::heed();
-    for (std::size_t column = 0; column < lattice.columns; ++column) {
-      const Vec2d pixel = net.at(static_cast<double>(column), static_cast<double>(row));
-      if (!coverage.holds(pixel)) continue;
+  for_each_block({0, 0, lattice.columns, lattice.rows}, net, coverage, [&](const Block& block, const Part& part) {
+    const auto window = read_window<std::int32_t>(*source_->band, coverage, part, GDT_Int32, source_->name);
+    for_each_point(block, net, coverage, [&](std::size_t column, std::size_t row, Vec2d pixel) {
       const std::size_t i = window.column_of(pixel.x), j = window.row_of(pixel.y);
       if (window.valid(i, j) != 0) classes(column, row) = window.value(i, j);
-    }
-  }
+    });
+  });
   return classes;
 }
 

@@ -53,7 +53,7 @@ class Raster {
   [[nodiscard]] GeographicPosition centre() const;
   /// The shorter side of the cell at the centre, on the ground.
   [[nodiscard]] double cell_m() const;
-  /// Its edges in a frame.
+  /// Its edges in a frame; empty for one that goes round the globe, which has none.
   [[nodiscard]] RasterOutline outline_in(const LocalFrame& frame) const;
 
   /// What is stated of it, else what the band says, else what the vertical axis of its coordinate reference system

@@ -18,6 +18,12 @@ bool by_y(Vec2d a, Vec2d b) {
   return a.y < b.y;
 }
 
+/// Without the points that have no place in the frame, such as those beyond a pole.
+std::vector<Vec2d> placed(std::vector<Vec2d> edge) {
+  std::erase_if(edge, [](Vec2d point) { return !std::isfinite(point.x) || !std::isfinite(point.y); });
+  return edge;
+}
+
 Vec2d middle_of(const std::vector<Vec2d>& edge) {
   return edge[edge.size() / 2];
 }
@@ -71,6 +77,10 @@ Extent largest_about_middle(const RasterOutline& outline) {
 
 RasterOutline RasterOutline::of(std::vector<Vec2d> one, std::vector<Vec2d> opposite, std::vector<Vec2d> other,
                                 std::vector<Vec2d> opposite_other) {
+  for (auto* edge : {&one, &opposite, &other, &opposite_other}) {
+    *edge = placed(std::move(*edge));
+    if (edge->empty()) return {};
+  }
   const Vec2d across = middle_of(opposite) - middle_of(one);
   if (std::abs(across.y) > std::abs(across.x)) {
     std::swap(one, other);
@@ -82,6 +92,7 @@ RasterOutline RasterOutline::of(std::vector<Vec2d> one, std::vector<Vec2d> oppos
 }
 
 Extent RasterOutline::extent_inside() const {
+  if (empty()) return {};
   // A rectangle that fits a raster along the frame but for a hundredth stays the one between its edges, which need not
   // lie alike about the middle.
   constexpr double worth_it = 1.01;
@@ -90,6 +101,7 @@ Extent RasterOutline::extent_inside() const {
 }
 
 Extent RasterOutline::extent_around() const {
+  if (empty()) return {-infinity, -infinity, infinity, infinity};
   Extent around{infinity, infinity, -infinity, -infinity};
   for (const auto* edge : edges_of(*this)) {
     const auto [westmost, eastmost] = std::ranges::minmax_element(*edge, by_x);

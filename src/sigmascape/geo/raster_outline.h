@@ -12,14 +12,17 @@ struct RasterOutline {
   std::vector<Vec2d> west, east, south, north;
 
   /// From opposite edges, in any order: a raster may be stored south up, east first or on its side, and the edges are
-  /// told apart by where they lie.
+  /// told apart by where they lie. Points that are not finite are left out; where an edge has no other, as one
+  /// beyond a pole, nothing is known of the outline and it is empty.
   static RasterOutline of(std::vector<Vec2d> one, std::vector<Vec2d> opposite, std::vector<Vec2d> other,
                           std::vector<Vec2d> opposite_other);
 
+  [[nodiscard]] bool empty() const { return west.empty(); }
+
   /// The largest rectangle of the frame's own directions that was found inside: between the innermost points of the
-  /// edges, or about the middle where edges run so slantwise that this is more.
+  /// edges, or about the middle where edges run so slantwise that this is more. None of an empty outline.
   [[nodiscard]] Extent extent_inside() const;
-  /// The smallest that holds all of it.
+  /// The smallest that holds all of it; the whole plane around an empty outline.
   [[nodiscard]] Extent extent_around() const;
 };
 

@@ -153,10 +153,12 @@ std::shared_ptr<const HeightTile> whole_tile(const std::filesystem::path& folder
 }
 
 /// Where a pyramid is built: in its folder, or beside it while the folder holds a finished one of other heights, which
-/// stays until it can be replaced. The name is always the same, so that what was interrupted goes on.
+/// stays until it can be replaced. The name is always the same, so that what was interrupted goes on, be it while the
+/// finished one takes the other's place.
 std::filesystem::path building_site(const std::filesystem::path& folder, const PyramidHeading& heading) {
-  if (heading_fault(folder) || holds(folder, heading_name, heading)) return folder;
-  return folder.parent_path() / fmt::format(".{}.unfinished", folder.filename().string());
+  if (holds(folder, heading_name, heading)) return folder;
+  const auto beside = folder.parent_path() / fmt::format(".{}.unfinished", folder.filename().string());
+  return holds(beside, heading_name, heading) || !heading_fault(folder) ? beside : folder;
 }
 
 /// Everything that is at `site` but its heading, and that last, so that the pyramid never counts for more than it is.

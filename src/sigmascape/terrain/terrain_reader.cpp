@@ -17,7 +17,7 @@
 namespace sigmascape::terrain {
 namespace {
 
-/// What reading takes of memory for every height: the height, and what the raster has under it meanwhile.
+/// What reading takes of memory for every height: the height, and what filling and smoothing have of it meanwhile.
 constexpr double bytes_a_height = 12.0;
 
 std::size_t count_holes(const Array2D<float>& heights) {
@@ -144,6 +144,9 @@ ReadTerrain read_terrain(const TerrainSource& source, const geo::LocalFrame& fra
   const geo::RasterOutline outline = raster.outline_in(frame);
   if (!wanted) {
     const geo::Extent inside = outline.extent_inside();
+    if (inside.empty()) {
+      throw Error(name, "reaches too far for a scene of all of it", "state the extent of the scene");
+    }
     wanted = radar::Rectangle{inside.west_m, inside.south_m, inside.east_m, inside.north_m};
   }
   const geo::Extent available = outline.extent_around();

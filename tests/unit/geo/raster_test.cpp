@@ -2,9 +2,11 @@
 
 #include <cmath>
 #include <filesystem>
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <limits>
+#include <sys/resource.h>
 
 #include "scratch_folder.h"
 #include "unit/geo/ascii_grid.h"
@@ -120,19 +122,75 @@ TEST(Raster, LongitudesMayBeCountedFromAnywhere) {
 // Its seam lies where its longitudes begin, and a place across it is a place like others.
 TEST(Raster, ThatGoesRoundTheGlobeHasNoSeam) {
   const ScratchFolder folder;
-  const AsciiGrid globe{-180.0, -90.0, 0.5, 720, 360};
-  const Raster raster(
-      {folder.write("globe.asc", globe.text([](double x, double y) { return 100.0 * std::cos(x * M_PI / 180.0) + y; })),
-       1, "EPSG:4326"});
-  for (const double longitude_deg : {180.0, 179.9, 0.0}) {
-    const LocalFrame there(10.0, longitude_deg);
-    const auto heights = raster.heights_on({-60e3, 60e3, 2000.0, 61, 61}, there);
-    const auto classes = raster.classes_on({-60e3, 60e3, 2000.0, 61, 61}, there);
-    for (std::size_t i = 0; i < 61; i += 5) {
-      const auto place = place_on_globe(there, {-60e3 + 2000.0 * static_cast<double>(i), 0.0});
-      EXPECT_NEAR(heights(i, 30), 100.0 * std::cos(place.longitude_deg * M_PI / 180.0) + place.latitude_deg, 0.1);
-      EXPECT_NE(classes(i, 30), no_class);
+  // One of cells between the poles, and one of cells centred on them that repeats its first column as its last.
+  for (const AsciiGrid& globe : {AsciiGrid{-180.0, -90.0, 0.5, 720, 360}, {-180.25, -90.25, 0.5, 721, 361}}) {
+    const Raster raster({folder.write("globe.asc", globe.text([](double x, double y) {
+                           return 100.0 * std::cos(x * M_PI / 180.0) + y;
+                         })),
+                         1, "EPSG:4326"});
+    for (const double longitude_deg : {180.0, 179.9, 0.0}) {
+      const LocalFrame there(10.0, longitude_deg);
+      EXPECT_TRUE(raster.outline_in(there).empty());
+      const auto heights = raster.heights_on({-60e3, 60e3, 2000.0, 61, 61}, there);
+      const auto classes = raster.classes_on({-60e3, 60e3, 2000.0, 61, 61}, there);
+      for (std::size_t i = 0; i < 61; ++i) {
+        const auto place = place_on_globe(there, {-60e3 + 2000.0 * static_cast<double>(i), 0.0});
+        EXPECT_NEAR(heights(i, 30), 100.0 * std::cos(place.longitude_deg * M_PI / 180.0) + place.latitude_deg, 0.1);
+        EXPECT_NE(classes(i, 30), no_class);
+      }
     }
+  }
+}
+
+long peak_memory_kib() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_maxrss;
+}
+
+// 36 million cells of 1 m, which took 180 MB at once, as they are commonly stored and turned by 45°.
+TEST(Raster, FineCellsUnderACoarseLatticeAreReadPieceByPiece) {
+  const ScratchFolder folder;
+  folder.write("coarse.asc", AsciiGrid{0.0, 0.0, 1.0, 15, 15}.text(
+                                 [](double x, double y) { return std::floor(x) + 100 * std::floor(y); }));
+  const Vec2d middle = utm_position({137.0, 71.0});
+  for (const Vec2d east : {Vec2d{1.0, 0.0}, Vec2d{std::sqrt(0.5), std::sqrt(0.5)}}) {
+    const Vec2d corner = middle - Vec2d{east.x + east.y, east.y - east.x} * 3000.0;
+    const std::string placed =
+        fmt::format("{}, {}, {}, {}, {}, {}", corner.x, east.x, east.y, corner.y, east.y, -east.x);
+    const auto file = folder.write("fine.vrt", R"(<VRTDataset rasterXSize="6000" rasterYSize="6000">
+      <SRS>EPSG:25830</SRS><GeoTransform>)" + placed +
+                                                   R"(</GeoTransform>
+      <VRTRasterBand dataType="Float32" band="1"><SimpleSource>
+      <SourceFilename relativeToVRT="1">coarse.asc</SourceFilename><SourceBand>1</SourceBand>
+      <SrcRect xOff="0" yOff="0" xSize="15" ySize="15"/><DstRect xOff="0" yOff="0" xSize="6000" ySize="6000"/>
+      </SimpleSource></VRTRasterBand></VRTDataset>)");
+    const Raster raster({file, 1, ""});
+    const Lattice lattice{-3000.0, 3000.0, 300.0, 21, 21};
+    const long before_kib = peak_memory_kib();
+    const auto classes = raster.classes_on(lattice, frame);
+    const auto heights = raster.heights_on(lattice, frame);
+    EXPECT_LT(peak_memory_kib() - before_kib, 100'000);
+    std::size_t covered = 0;
+    for (std::size_t row = 0; row < lattice.rows; ++row) {
+      for (std::size_t column = 0; column < lattice.columns; ++column) {
+        const Vec2d point{lattice.west_m + 300.0 * static_cast<double>(column),
+                          lattice.north_m - 300.0 * static_cast<double>(row)};
+        const Vec2d away = utm_position(point) - corner;
+        const double right = (away.x * east.x + away.y * east.y) / 400.0,
+                     down = (away.x * east.y - away.y * east.x) / 400.0;
+        if (std::min(right, down) < 0.0 || std::max(right, down) > 15.0) {
+          EXPECT_EQ(classes(column, row), no_class);
+          continue;
+        }
+        ++covered;
+        EXPECT_EQ(classes(column, row), static_cast<int>(right) + 100 * (14 - static_cast<int>(down)));
+        if ((row + column) % 10 != 0) continue;
+        const double alone = raster.heights_on({point.x, point.y, 300.0, 1, 1}, frame)(0, 0);
+        EXPECT_NEAR(heights(column, row), alone, 1e-3 * alone + 0.01);
+      }
+    }
+    EXPECT_GT(covered, 300U);
   }
 }
 

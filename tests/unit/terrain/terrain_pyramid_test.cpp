@@ -426,6 +426,19 @@ TEST_F(PyramidOnDisk, StaysUntilOtherHeightsAreWhole) {
   EXPECT_FALSE(std::filesystem::exists(folder_.path(".pyramid.unfinished")));
 }
 
+// Killed while the other heights' tiles were being removed, whose heading goes first.
+TEST_F(PyramidOnDisk, TakesItsPlaceWhenThatWasInterrupted) {
+  for (float& height : field_.height_m.values()) height += 1.0F;
+  build_pyramid(folder_.path(".pyramid.unfinished"), field_, {43.0, -3.0});
+  std::filesystem::remove(tile("pyramid.toml"));
+  std::filesystem::remove_all(tile("level_1"));
+  EXPECT_EQ(build_pyramid(folder_.path("pyramid"), field_, {43.0, -3.0}), 0U);
+  EXPECT_THAT(verify_pyramid(folder_.path("pyramid"), {43.0, -3.0}), ::testing::IsEmpty());
+  EXPECT_EQ(open_pyramid(folder_.path("pyramid"), 100 * HeightTile::bytes).load({0, 0, 0})->height_m[0],
+            field_.height_m(0, 0));
+  EXPECT_FALSE(std::filesystem::exists(folder_.path(".pyramid.unfinished")));
+}
+
 TEST_F(PyramidOnDisk, VerificationNamesWhatIsMissingOrDamaged) {
   EXPECT_THAT(verify_pyramid(folder_.path("pyramid"), {43.0, -3.0}), ::testing::IsEmpty());
   std::filesystem::remove(tile("level_1/2_1.tif"));

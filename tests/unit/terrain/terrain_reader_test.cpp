@@ -74,6 +74,23 @@ TEST_F(TerrainReader, ExtentWithoutOverlapIsAnErrorThatSaysWhereTheTerrainIs) {
               HasSubstr("does not overlap the scene's extent; move the extent into"));
 }
 
+// Of cells between the poles, and of cells centred on them that repeats its first column, as global relief is stored.
+TEST_F(TerrainReader, AGlobeIsTerrainOfAnyExtent) {
+  for (const geo::AsciiGrid& globe : {geo::AsciiGrid{-180.0, -90.0, 1.0, 360, 180}, {-180.5, -90.5, 1.0, 361, 181}}) {
+    TerrainSource whole;
+    whole.raster = {folder_.write("globe.asc", globe.text([](double, double y) { return 10.0 * y; })), 1, "EPSG:4326"};
+    whole.spacing_m = 1000.0;
+    for (const double longitude_deg : {-180.0, -2.986, 91.0}) {
+      const geo::LocalFrame there(43.312, longitude_deg);
+      const auto read = read_terrain(whole, there, radar::Rectangle{-20e3, -20e3, 20e3, 20e3});
+      EXPECT_EQ(read.filled_nodes, 0U);
+      EXPECT_NEAR(static_cast<double>(read.field.height_m(20, 20)), 433.12, 0.1);
+    }
+    EXPECT_THAT(message_of_error([&] { static_cast<void>(read_terrain(whole, frame, std::nullopt)); }),
+                HasSubstr("globe.asc: reaches too far for a scene of all of it; state the extent"));
+  }
+}
+
 TEST_F(TerrainReader, MoreHeightsThanMemoryHoldsAreAnErrorThatSaysWhatSpacingWouldDo) {
   TerrainSource fine = source([](double, double) { return 1.0; });
   fine.spacing_m = 0.1;
