@@ -15,6 +15,7 @@
 #include "sigmascape/atlas/texture_file.h"
 #include "sigmascape/atlas/texture_name.h"
 #include "sigmascape/bake/claims.h"
+#include "sigmascape/bake/ground_elevations.h"
 #include "sigmascape/bake/job.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/geo/atomic_file.h"
@@ -24,16 +25,6 @@
 
 namespace sigmascape::bake {
 namespace {
-
-/// Elevations of the ground's σ0. Between them γ is blended, of which that of natural ground hardly changes; what is
-/// smooth and answers at steep incidence alone is met on slopes.
-std::vector<double> ground_elevations_rad() {
-  std::vector<double> elevations;
-  for (const double degrees : {2.0, 5.0, 10.0, 20.0, 30.0, 45.0, 60.0, 75.0, 88.0}) {
-    elevations.push_back(radians_from_deg(degrees));
-  }
-  return elevations;
-}
 
 /// σ0 of every material, lying level.
 std::vector<radar::Channels> sigma0_of(const scene::Scene& scene, const atlas::AtlasDescription& description,
@@ -91,7 +82,8 @@ class GroundRun {
         shard_(shard),
         scrutiny_(scrutiny),
         progress_(progress),
-        ground_(atlas::create_ground_store(store, ground_elevations_rad(), &mended_)),
+        ground_(atlas::create_ground_store(
+            store, ground_elevations_rad(scene, store.description().aspects.frequencies_hz), &mended_)),
         looks_(static_cast<atlas::LookIndex>(ground_.description().aspects.look_count())),
         sigma0_(looks_) {}
 
@@ -117,15 +109,25 @@ class GroundRun {
                          "patches");
     };
     tell();
-    for (const std::size_t number : numbers) {
-      const Claims::Claim claim = claims.take(first_claim + number, [&] {
-        progress_.waiting(
-            "ground", fmt::format("another process that is at the ground of {}", atlas::patch_name(patches[number])));
-      });
+    const auto bake_number = [&](std::size_t number) {
       remove_leftovers(store_, ground_, patches[number]);
       bake_patch(patches[number]);
       patches_.push_back(patches[number]);
       tell();
+    };
+    // Several processes that are not told apart by shards go on side by side; what another is at comes last.
+    std::vector<std::size_t> held_by_others;
+    for (const std::size_t number : numbers) {
+      const auto claim = claims.take_if_free(first_claim + number);
+      if (claim) bake_number(number);
+      if (!claim) held_by_others.push_back(number);
+    }
+    for (const std::size_t number : held_by_others) {
+      const Claims::Claim claim = claims.take(first_claim + number, [&] {
+        progress_.waiting(
+            "ground", fmt::format("another process that is at the ground of {}", atlas::patch_name(patches[number])));
+      });
+      bake_number(number);
     }
   }
 
