@@ -1,6 +1,7 @@
 #include "sigmascape/render/reflecting_ground.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace sigmascape::render {
 namespace {
@@ -46,10 +47,21 @@ Vec3d ReflectingGround::towards_radar(Vec3d point) const {
   return normalized(away);
 }
 
+double ReflectingGround::upright_sine(Vec2d place, Vec3d towards) const {
+  const double lowest_rad = atlas_->aspects().elevations_rad.front(), lowest_sine = std::sin(lowest_rad);
+  if (towards.z >= lowest_sine) return towards.z;
+  const Vec3d normal = terrain_->normal_at(place);
+  const double ahead = normal.x * towards.x + normal.y * towards.y, across = std::hypot(towards.x, towards.y);
+  const double lowest_local = ahead / across * std::cos(lowest_rad) + normal.z * lowest_sine;
+  if (!(lowest_local > 0.0)) return towards.z;
+  const double lit_as_lowest = std::clamp(dot(normal, towards) / lowest_local, 0.0, 1.0);
+  return std::max(towards.z, lowest_sine * lit_as_lowest);
+}
+
 radar::Channels ReflectingGround::of_textures(Vec2d place, Vec3d towards, double to_radar_rad,
                                               Looks::Cursor& cursor) const {
   if (slope_ == SlopeModel::Upright) {
-    cursor.turn_to(*atlas_, to_radar_rad, towards.z, frequency_hz_);
+    cursor.turn_to(*atlas_, to_radar_rad, upright_sine(place, towards), frequency_hz_);
     return atlas_->sigma0_at(place, cursor.weights, level_);
   }
   const Vec3d normal = terrain_->normal_at(place);

@@ -100,6 +100,11 @@ class ReflectingGround {
   }
   /// Unit vector to the radar from a point, above the horizontal that the point has on the curved Earth.
   [[nodiscard]] Vec3d towards_radar(Vec3d point) const;
+  /// Sine of the elevation at which what stands upright is looked up: that above the horizontal. Below the lowest baked
+  /// one, where γ is held, it is what gives that look as much less as the slope has less of the beam: a hillside goes
+  /// on to answer where level ground is grazed, and to a radar that stands lower than itself.
+  /// docs/decisions/0150-below-the-lowest-look.md
+  [[nodiscard]] double upright_sine(Vec2d place, Vec3d towards) const;
   [[nodiscard]] radar::Channels of_textures(Vec2d place, Vec3d towards, double to_radar_rad,
                                             Looks::Cursor& cursor) const;
   [[nodiscard]] radar::Channels of_bare_ground(Vec2d place, Vec3d towards, Looks::Cursor& cursor) const;

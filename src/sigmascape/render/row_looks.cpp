@@ -257,6 +257,18 @@ void add_two_frequencies(const GroundLooks& looks, const CornerWeights& weights,
   add_blocks<2>(looks, weights, count, returned);
 }
 
+/// How far a texel lies below the radar over its own horizontal, which is tilted away from the radar's by the angle
+/// between their verticals.
+[[gnu::always_inline]] inline float below_radar(const LatticeRow& row, std::size_t i, float tilt) {
+  return row.below_m[i] - tilt * row.ground_m[i] * row.ground_m[i];
+}
+
+/// How far the plane of a texel's slope falls from there to under the radar.
+[[gnu::always_inline]] inline float fall_under_radar(const LatticeRow& row, std::size_t i) {
+  return static_cast<float>(row.east_m[i]) * row.slope_east[i] +
+         static_cast<float>(row.north_m[i]) * row.slope_north[i];
+}
+
 /// Numbers in the order of floats: vector units compare integers in any order. Its own inverse.
 std::int32_t ordered(std::int32_t bits) {
   return bits ^ ((bits >> 31) & 0x7fffffff);
@@ -276,15 +288,26 @@ Extremes extremes(const float* values, std::size_t count) {
 }  // namespace
 
 SIGMASCAPE_VECTOR_TARGETS
+void hold_lowest_look(LatticeRow& row, const RowGeometry& geometry, float lowest_cotangent, float lowest_sine) {
+  const auto tilt = static_cast<float>(2.0 * geometry.drop_per_square_m);
+  for (std::size_t i = 0; i < row.count; ++i) {
+    // How far the radar, and one over the same place at the lowest elevation, stand above the plane of the slope.
+    const float under = fall_under_radar(row, i), ground = row.ground_m[i];
+    const float rise = below_radar(row, i, tilt) + under, lowest_rise = ground / lowest_cotangent + under;
+    const float lit_as_lowest = greater(rise, 0.0F) * ground / (static_cast<float>(row.range_m[i]) * lowest_rise);
+    const float sine = lowest_rise > 0.0F ? lesser(lit_as_lowest / lowest_cotangent, lowest_sine) : 0.0F;
+    row.sine[i] = row.cotangent[i] > lowest_cotangent ? greater(row.sine[i], sine) : row.sine[i];
+  }
+}
+
+SIGMASCAPE_VECTOR_TARGETS
 Extremes face(LatticeRow& row, const RowGeometry& geometry, float area_m2) {
   const auto tilt = static_cast<float>(2.0 * geometry.drop_per_square_m);
   constexpr float none = 1e30F;
   for (std::size_t i = 0; i < row.count; ++i) {
     const float east = row.slope_east[i], north = row.slope_north[i];
-    const auto x = static_cast<float>(row.east_m[i]), y = static_cast<float>(row.north_m[i]);
     const float square = 1.0F + east * east + north * north;
-    // The horizontal at the texel is tilted away from the radar's by the angle between their verticals.
-    const float rise = row.below_m[i] - tilt * row.ground_m[i] * row.ground_m[i] + x * east + y * north;
+    const float rise = below_radar(row, i, tilt) + fall_under_radar(row, i);
     const float stretch = std::sqrt(square);
     const float sine = rise / (stretch * static_cast<float>(row.range_m[i]));
     const bool faces = sine > 1e-6F;

@@ -15,6 +15,11 @@ struct Extremes {
 [[nodiscard]] Extremes cotangent_extremes(const LatticeRow& row);
 [[nodiscard]] Extremes beam_extremes(const LatticeRow& row);
 
+/// Below the lowest baked elevation γ is held, as it is over a slope: makes `sine` what gives that look as much less as
+/// the slope has less of the beam, where that is more than over level ground (ReflectingGround::upright_sine). To be
+/// called where the ground's slope is known, before `blend`.
+void hold_lowest_look(LatticeRow& row, const RowGeometry& geometry, float lowest_cotangent, float lowest_sine);
+
 /// Looks that lie about the aspect of a stretch of texels.
 struct BlendOf {
   TexelBlocks blocks;

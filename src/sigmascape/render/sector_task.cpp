@@ -207,7 +207,10 @@ void SectorTask::fill_stretch(const Place& place, std::size_t count) {
   locate(row_, geometry_);
   report_.lit += light(row_, horizon());
   report_.lit -= shadows_.shade(row_, place.first_column);
-  if (apart) light_apart_from(ground);
+  if (apart) {
+    light_apart_from(ground);
+    hold_lowest_look(row_, geometry_, aspects().cotangents()[0], aspects().sine(0));
+  }
   const auto area_m2 = static_cast<float>(texel_m_ * texel_m_) * share_;
   Shortfall shortfall = blend_by_aspect(place, area_m2);
   if (apart) shortfall.join(add_bare_ground(place, area_m2), count);

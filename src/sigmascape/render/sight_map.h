@@ -10,7 +10,7 @@ namespace sigmascape::render {
 /// What of every place of an area a radar sees, reckoned once along azimuths for places in any order.
 class SightMap {
  public:
-  /// Azimuths and steps are `step_m` apart at the far end of the area. The radar may not stand above the area.
+  /// Azimuths and steps are `step_m` apart at the far end of the area.
   SightMap(const ReflectingGround& ground, Vec3d radar_position, const radar::Rectangle& terrain_extent,
            const radar::Rectangle& area, double step_m, unsigned threads);
 

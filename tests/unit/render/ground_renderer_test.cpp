@@ -10,6 +10,7 @@
 #include "sigmascape/base/hash.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/receiver/range_azimuth_receiver.h"
+#include "sigmascape/render/reflecting_ground.h"
 
 namespace sigmascape::render {
 namespace {
@@ -298,6 +299,33 @@ TEST(GroundRenderer, TiltedModelFollowsTheLocalSlope) {
   const double expected =
       std::sin(radians_from_deg(30.0)) / std::cos(radians_from_deg(10.0)) / std::sin(radians_from_deg(20.0));
   EXPECT_NEAR(db_from_linear(total(SlopeModel::Tilted) / total(SlopeModel::Upright) / expected), 0.0, 0.1);
+}
+
+// Below it γ is held over the slope as it is over level ground.
+TEST(ReflectingGround, AHillsideGoesOnToAnswerBelowTheLowestLook) {
+  const ScratchFolder folder;
+  constexpr double lowest_deg = 5.0;
+  const atlas::Atlas atlas = atlas_of(folder, {lowest_deg, 20.0}, constant_gamma);
+  const auto sine = [](double degrees) { return std::sin(radians_from_deg(degrees)); };
+  const Vec3d point{256.0, 256.0, 0.0};
+  for (const double slope_deg : {-10.0, 0.0, 20.0}) {  // rising northward
+    terrain::HeightField plane = level_terrain();
+    const auto rise = static_cast<float>(256.0 * std::tan(radians_from_deg(slope_deg)));
+    for (const std::size_t column : {0U, 1U}) {
+      plane.height_m(column, 0) = rise;
+      plane.height_m(column, 1) = -rise;
+    }
+    for (const double elevation_deg : {-8.0, 1.0, 4.9, 5.0, 7.0}) {
+      const Vec3d to_south = radar::direction_to_radar({pi, radians_from_deg(elevation_deg)});
+      const ReflectingGround ground(atlas, plane, point + to_south * 5000.0, 10e9, 0.0);
+      ReflectingGround::Looks looks;
+      const double found = static_cast<double>(ground.sigma0(point, pi, {.ground = 1.0, .hidden_m = 0.0}, looks).vv);
+      const double level = gamma * std::max(0.0, sine(elevation_deg));
+      const double of_slope = gamma * sine(lowest_deg) * sine(elevation_deg + slope_deg) / sine(lowest_deg + slope_deg);
+      const double expected = slope_deg > 0.0 && elevation_deg < lowest_deg ? of_slope : level;
+      EXPECT_NEAR(found, expected, 2e-3 * expected) << slope_deg << "° seen from " << elevation_deg << "°";
+    }
+  }
 }
 
 TEST(GroundRenderer, OtherFrequenciesAreRefused) {

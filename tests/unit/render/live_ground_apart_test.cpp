@@ -54,7 +54,8 @@ std::vector<double> expected_rcs(const ExampleView& view, const radar::RangeAzim
 TEST(LiveGroundApart, BareGroundAnswersWithItsOwnAngleAndAreaAtEveryRange) {
   for (const double slope_deg : {-6.0, 0.0, 10.0}) {
     const ScratchFolder folder;
-    const ExampleGround example = bare_ground(slope_deg);
+    ExampleGround example = bare_ground(slope_deg);
+    if (slope_deg == 10.0) example.ground_elevations_deg = {0.2, 89.0};  // as bakes keep it of constant γ
     const auto ground = example.over(example.store(folder.path("atlas")));
     for (const double elevation_deg : {8.6, 21.0}) {
       ExampleView view;
@@ -183,6 +184,32 @@ TEST(LiveGroundApart, ObjectsKeepTheirEcho) {
     }
   }
   EXPECT_NEAR(db_from_linear(sum / wanted), 0.0, 0.05);
+}
+
+// From under the lowest baked look, 5°, and from lower than the hillside itself: that look, less as the slope is.
+TEST(LiveGroundApart, ObjectsOnAHillsideAnswerToALowRadar) {
+  constexpr double slope_deg = 20.0, lowest_deg = 5.0;
+  const ScratchFolder folder;
+  ExampleGround example = bare_ground(slope_deg);
+  example.bare_sigma0 = black;
+  example.sigma0 = [](const radar::Look& look) { return constant_gamma(3.0 * gamma, look); };
+  const auto ground = example.over(example.store(folder.path("atlas")));
+  for (const double elevation_deg : {1.0, -3.0}) {
+    ExampleView view;
+    view.azimuth_deg = 180.0;
+    view.elevation_deg = elevation_deg;
+    LiveRenderer renderer(ground, view.settings(FrameContent::Powers));
+    const Frame& frame = settled_frame(renderer, *ground, view.pose());
+    const auto bare = expected_rcs(view, frame.grid, std::tan(radians_from_deg(slope_deg)), 2);
+    const double of_bare = 3.0 * std::sin(radians_from_deg(lowest_deg)) * std::cos(radians_from_deg(slope_deg)) /
+                           std::sin(radians_from_deg(lowest_deg + slope_deg));
+    double sum = 0.0, wanted = 0.0;
+    for (std::size_t r = 4; r + 4 < view.ranges; ++r) {
+      wanted += of_bare * bare[r];
+      sum += vv_of_range(frame, r);
+    }
+    EXPECT_NEAR(db_from_linear(sum / wanted), 0.0, 0.05) << elevation_deg;
+  }
 }
 
 TEST(LiveGroundApart, WhatRisesAboveARidgeIsSeen) {

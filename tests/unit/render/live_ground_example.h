@@ -36,6 +36,7 @@ struct ExampleGround {
   /// Set: the atlas keeps the ground apart; its textures hold objects alone, `bare_sigma0` is the ground's own σ0 and
   /// what stands on it is what `obstacle` says of the way from the middle.
   std::function<radar::Channels(const radar::Look&)> bare_sigma0 = nullptr;
+  std::vector<double> ground_elevations_deg = {2.0, 5.0, 10.0, 20.0, 45.0, 88.0};
   std::function<radar::Obstacle(Vec2d)> obstacle = [](Vec2d) { return radar::Obstacle{}; };
 
   [[nodiscard]] double side_m() const { return 256.0 * texel_m * patches_a_side; }
@@ -89,7 +90,7 @@ struct ExampleGround {
 
   void write_ground(const atlas::Store& store) const {
     std::vector<double> elevations;
-    for (const double degrees : {2.0, 5.0, 10.0, 20.0, 45.0, 88.0}) elevations.push_back(radians_from_deg(degrees));
+    for (const double degrees : ground_elevations_deg) elevations.push_back(radians_from_deg(degrees));
     const atlas::Store ground = atlas::create_ground_store(store, elevations);
     write(ground, bare_sigma0);
     atlas::Pyramid(ground).make_above(ground.units());
