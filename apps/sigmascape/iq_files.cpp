@@ -36,6 +36,15 @@ Provenance words_of_pulses(const IqFiles& files, const IqRequest& request, doubl
   return words;
 }
 
+simulate::CoherentSettings settings_of(const IqFiles& files, const IqRequest& request) {
+  return {.interval_s = files.interval_s,
+          .seed = request.seed,
+          .dwell = request.dwell,
+          .moment_s = request.moment_s,
+          .calibrated = files.unit == "V",
+          .threads = request.threads};
+}
+
 }  // namespace
 
 void add_iq_options(Command command, IqFiles& files) {
@@ -54,8 +63,8 @@ void add_iq_options(Command command, IqFiles& files) {
       .check(one_of({"m", "V"}));
 }
 
-double texture_frequency_hz(const atlas::Atlas& textures, const radar::Radar& radar, bool extrapolate) {
-  const auto& baked_hz = textures.aspects().frequencies_hz;
+double texture_frequency_hz(const atlas::AspectGrid& aspects, const radar::Radar& radar, bool extrapolate) {
+  const auto& baked_hz = aspects.frequencies_hz;
   return extrapolate ? std::clamp(radar.frequency_hz, baked_hz.front(), baked_hz.back()) : radar.frequency_hz;
 }
 
@@ -65,11 +74,17 @@ void check(const IqFiles& files, bool has_atlas) {
   if (!has_atlas) throw Error("--iq", "needs an atlas", "name with --atlas the one that `sigmascape bake` made");
 }
 
+void check(const IqFiles& files, const IqRequest& request) {
+  if (files.file.empty()) return;
+  const atlas::AspectGrid& aspects = request.atlas->description().aspects;
+  atlas::check_frequency(aspects, texture_frequency_hz(aspects, request.radar, request.extrapolate));
+  simulate::check_recording(request.radar, request.area, request.scene.terrain, settings_of(files, request));
+}
+
 void write_iq_files(const IqFiles& files, const IqRequest& request) {
   if (files.file.empty()) return;
   const atlas::Atlas textures = atlas::load_atlas(*request.atlas);
-  const double frequency_hz = texture_frequency_hz(textures, request.radar, request.extrapolate);
-  textures.check_frequency(frequency_hz);
+  const double frequency_hz = texture_frequency_hz(textures.aspects(), request.radar, request.extrapolate);
   const double spacing_m =
       simulate::pulse_scatterer_spacing_m(request.radar, request.area, request.scene.terrain, files.interval_s);
   const double level = std::max(request.level_of_detail - 1.0, textures.level_for(spacing_m));
@@ -78,14 +93,9 @@ void write_iq_files(const IqFiles& files, const IqRequest& request) {
       request.radar.wind_mps > 0.0 ? simulate::windblown_of(request.scene) : simulate::Windblown{}};
   warn_of(request.radar,
           simulate::recording_warnings(request.radar, request.area, request.scene.terrain, files.unit == "V"));
-  const auto history = simulate::phase_history(scene, request.radar, request.area,
-                                               {.interval_s = files.interval_s,
-                                                .scatterer_spacing_m = spacing_m,
-                                                .seed = request.seed,
-                                                .dwell = request.dwell,
-                                                .moment_s = request.moment_s,
-                                                .calibrated = files.unit == "V",
-                                                .threads = request.threads});
+  simulate::CoherentSettings settings = settings_of(files, request);
+  settings.scatterer_spacing_m = spacing_m;
+  const auto history = simulate::phase_history(scene, request.radar, request.area, settings);
   warn_of(request.radar, receiver::output_warnings(history));
   product::write_iq(files.file,
                     product::iq_record(history, request.radar, words_of_pulses(files, request, frequency_hz)));

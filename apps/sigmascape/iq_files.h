@@ -7,6 +7,7 @@
 #include "command_parser.h"
 #include "map_files.h"
 
+#include "sigmascape/atlas/aspect_grid.h"
 #include "sigmascape/atlas/atlas.h"
 #include "sigmascape/atlas/store.h"
 #include "sigmascape/radar/radar.h"
@@ -40,12 +41,17 @@ struct IqRequest {
   const Provenance& origin;  ///< what every file says of the scene and the moment
 };
 
-/// The frequency at which the atlas is asked for this radar: the radar's own or, when extrapolation is wanted, the
-/// nearest that was baked.
-[[nodiscard]] double texture_frequency_hz(const atlas::Atlas& textures, const radar::Radar& radar, bool extrapolate);
+/// The frequency at which an atlas of these directions is asked for this radar: the radar's own or, when extrapolation
+/// is wanted, the nearest that was baked.
+[[nodiscard]] double texture_frequency_hz(const atlas::AspectGrid& aspects, const radar::Radar& radar,
+                                          bool extrapolate);
 
 /// Throws Error when pulses are asked for under a name that no kind of file has, or without an atlas.
 void check(const IqFiles& files, bool has_atlas);
+
+/// Throws Error when the radar cannot record what is asked for, or the atlas lacks its frequency: before a map is made
+/// beside the pulses, which may take long.
+void check(const IqFiles& files, const IqRequest& request);
 
 /// Writes the pulses that the radar records of the area, if they were asked for.
 void write_iq_files(const IqFiles& files, const IqRequest& request);

@@ -29,6 +29,7 @@
 #include "sigmascape/base/units.h"
 #include "sigmascape/geo/coordinate_reference_system.h"
 #include "sigmascape/geo/coordinate_transform.h"
+#include "sigmascape/geo/geo_raster.h"
 #include "sigmascape/product/iq_file.h"
 #include "sigmascape/product/map_file.h"
 #include "sigmascape/product/png_file.h"
@@ -91,7 +92,7 @@ Rendered traced(const RenderOptions& options, const scene::Scene& scene, const r
                         simulate::traced_image(scene, geometry, radar, grid.extent(), settings, counts, &progress)};
   rendered.seconds = watch.seconds();
   rendered.cost = {{"paths", counts.paths}, {"rays", counts.rays}};
-  rendered.provenance = simulate::provenance_of_traced(settings);
+  rendered.provenance = simulate::provenance_of_traced(settings, scene);
   return rendered;
 }
 
@@ -129,9 +130,10 @@ Rendered baked(const RenderOptions& options, const scene::Scene& scene, const at
                const Provenance& origin) {
   const atlas::Atlas textures = atlas::load_atlas(store);
   if (radar.mode != radar::Mode::RealBeam) {
-    auto made = coherent_map({scene, textures, radar, texture_frequency_hz(textures, radar, options.extrapolate), grid,
-                              options.level_of_detail, targets, options.trace.seed, options.trace.dwell, options.time_s,
-                              options.trace.threads, origin, options.iq.slant_image});
+    auto made =
+        coherent_map({scene, textures, radar, texture_frequency_hz(textures.aspects(), radar, options.extrapolate),
+                      grid, options.level_of_detail, targets, options.trace.seed, options.trace.dwell, options.time_s,
+                      options.trace.threads, origin, options.iq.slant_image});
     return {.coherent = std::move(made.map),
             .seconds = made.seconds,
             .cost = std::move(made.cost),
@@ -143,7 +145,7 @@ Rendered baked(const RenderOptions& options, const scene::Scene& scene, const at
   const render::RenderSettings settings{
       .level_of_detail = options.level_of_detail,
       .threads = options.trace.threads,
-      .texture_frequency_hz = texture_frequency_hz(textures, radar, options.extrapolate),
+      .texture_frequency_hz = texture_frequency_hz(textures.aspects(), radar, options.extrapolate),
       .targets = targets};
   Rendered rendered{.image = simulate::baked_image(textures, scene.terrain, radar, grid.extent(), settings, counts,
                                                    options.trace.dwell)};
@@ -215,11 +217,12 @@ bool writes_a_file(const RenderOptions& options) {
   return std::ranges::any_of(files, [](const std::string* file) { return !file->empty(); });
 }
 
-void check_crs(const RenderOptions& options, const geo::LocalFrame& frame) {
+void check_crs(const RenderOptions& options, const geo::LocalFrame& frame, const radar::GroundGrid& grid) {
   if (options.crs.empty()) return;
   static_cast<void>(geo::CoordinateTransform(options.crs, frame, "--crs"));
+  static_cast<void>(product::reprojected(grid, frame, options.crs));
   for (const std::string& file : {options.map_file, options.power_file, options.layers.file}) {
-    if (file_ending(file) == ".tif") return geo::require_geotiff_keys(options.crs, "--crs");
+    if (geo::is_geotiff_name(file)) return geo::require_geotiff_keys(options.crs, "--crs");
   }
 }
 
@@ -266,7 +269,6 @@ void render(RenderOptions options, std::optional<radar::Polarization> polarizati
   const auto look = look_of(options, radar_file.radar.polarization);
   check(options.received, look.polarization);
   const scene::Scene scene = scene::read_scene(options.scene);
-  check_crs(options, scene.frame);
   const auto added =
       options.targets.empty() ? std::vector<radar::TargetSource>() : radar::read_target_file(options.targets);
   const std::vector<radar::Target> targets =
@@ -275,6 +277,7 @@ void render(RenderOptions options, std::optional<radar::Polarization> polarizati
   options.trace.targets = std::span(targets).subspan(scene.point_targets.size());
   const auto radar = simulate::placed_radar(radar_file, scene.frame, scene.terrain, scene.extent, options.time_s);
   const auto grid = simulate::map_grid(radar_file.map, scene.extent);
+  check_crs(options, scene.frame, grid);
   check_coherent(options, radar);
   if (!options.explain && !writes_a_file(options))
     fmt::print(stderr, "warning: no file is written; name one with --out, --png or another option\n");
@@ -291,6 +294,20 @@ void render(RenderOptions options, std::optional<radar::Polarization> polarizati
   if (options.explain && !writes_a_file(options))
     return output.finish("The resolution cell asks for " + advice, {{"advised_detail", advice}});
   const Provenance origin = origin_of(scene, hash, options.time_s);
+  const radar::Rectangle area = grid.extent();
+  const IqRequest pulses{store ? &*store : nullptr,
+                         scene,
+                         targets,
+                         radar,
+                         area,
+                         options.level_of_detail,
+                         options.extrapolate,
+                         options.trace.seed,
+                         options.trace.dwell,
+                         options.time_s,
+                         options.trace.threads,
+                         origin};
+  check(options.iq, pulses);
   Rendered rendered = options.level_of_detail == 0 ? traced(options, scene, radar, grid)
                                                    : baked(options, scene, *store, radar, grid, targets, origin);
   rendered.provenance.insert(origin.begin(), origin.end());
@@ -301,11 +318,9 @@ void render(RenderOptions options, std::optional<radar::Polarization> polarizati
                    receiver::noise_seed(options.trace.seed, options.trace.dwell, look.polarization),
                    options.trace.threads, rendered.provenance);
   }
-  write_iq_files(options.iq, {store ? &*store : nullptr, scene, targets, radar, grid.extent(), options.level_of_detail,
-                              options.extrapolate, options.trace.seed, options.trace.dwell, options.time_s,
-                              options.trace.threads, origin});
   write_maps(options, scene, radar, grid, rendered, look);
   if (is_real_beam) write_scopes(options.scopes, radar, rendered.image, look, rendered.provenance);
+  write_iq_files(options.iq, pulses);
 
   nlohmann::ordered_json summary{{"map", options.map_file},         {"power", options.power_file},
                                  {"picture", options.picture_file}, {"level_of_detail", options.level_of_detail},

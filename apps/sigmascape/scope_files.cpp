@@ -13,10 +13,14 @@ namespace sigmascape::cli {
 namespace {
 
 /// The bins of a narrow sector are a hundred times as many in range as in azimuth: each is drawn so wide that the
-/// picture is half as wide as it is tall, and the other way round.
+/// picture is half as wide as it is tall, and the other way round; but no wider than is looked at, or a picture of many
+/// bins would be of many more pixels.
 radar::GroundMap drawn_out(const radar::GroundMap& bins) {
-  const std::size_t across = std::max<std::size_t>(1, bins.grid.rows / (2 * bins.grid.columns)),
-                    down = std::max<std::size_t>(1, bins.grid.columns / (2 * bins.grid.rows));
+  constexpr std::size_t widest = 2048;
+  const auto times = [&](std::size_t count, std::size_t other) {
+    return std::max<std::size_t>(1, std::min(other / 2, widest) / count);
+  };
+  const std::size_t across = times(bins.grid.columns, bins.grid.rows), down = times(bins.grid.rows, bins.grid.columns);
   radar::GroundMap wide = bins;
   wide.grid.columns *= across;
   wide.grid.rows *= down;

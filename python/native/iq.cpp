@@ -230,7 +230,7 @@ void add_iq(py::module_& module) {
       py::arg("interval_s") = usual_interval_s, py::arg("targets") = Targets{}, py::arg("calibrated") = false,
       py::arg("scatterer_spacing_m") = 0.0, py::arg("seed") = 1, py::arg("time_s") = 0.0, py::arg("dwell") = 0,
       py::arg("threads") = 0,
-      "The pulses of one interval over the radar's area: a PhaseHistory. The radar must move (velocity_mps).\n\n"
+      "The pulses of one interval over the radar's area: a PhaseHistory. A strip needs a radar that moves.\n\n"
       "interval_s: about time zero, when the radar is at its position. targets: of Target. calibrated: volts at the\n"
       "receiver's output with thermal noise, and through time control and converter where the radar file has them,\n"
       "instead of metres. scatterer_spacing_m: side of the cells that hold a scatterer each; 0 for half of what the\n"

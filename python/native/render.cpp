@@ -89,7 +89,7 @@ Seen traced(const LoadedScene* scene, const Wish& wish, const simulate::TraceSet
   trace::TraceCounts counts;
   auto image = simulate::traced_image(scene->scene(), scene->geometry(), wish.radar, wish.grid.extent(), settings,
                                       counts, &progress);
-  return {std::move(image), {}, simulate::provenance_of_traced(settings)};
+  return {std::move(image), {}, simulate::provenance_of_traced(settings, scene->scene())};
 }
 
 Seen coherent(const atlas::Atlas& textures, const Wish& wish, const LoadedScene* scene, int level_of_detail,

@@ -68,7 +68,7 @@ void write_iq_npz(const std::filesystem::path& path, const IqRecord& record) {
                                 vectors_entry(velocities_name, platform_numbers(record, &radar::Motion::velocity_mps))};
   if (!record.beam_azimuth_rad.empty()) entries.push_back(numbers_entry(beam_name, record.beam_azimuth_rad));
   entries.push_back(words_entry("description_json", iq_description(record)));
-  geo::write_atomically(path, zip_bytes(entries, path.string()));
+  geo::write_atomically(path, zip_bytes(entries, path.string(), "write HDF5 or SigMF"));
 }
 
 }  // namespace sigmascape::product

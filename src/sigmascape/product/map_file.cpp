@@ -78,7 +78,7 @@ std::string archive_of(const MapView& map, MapScale scale, const std::string& wh
                     axis_entry("x_" + place, corner.x, map.grid.cell_m, map.grid.columns),
                     axis_entry("y_" + place, corner.y, -map.grid.cell_m, map.grid.rows),
                     words_entry("description_json", description_of(map, scale))},
-                   where);
+                   where, "write GeoTIFF (.tif) or .npy");
 }
 
 void write_view(const std::filesystem::path& path, const MapView& map, MapScale scale) {

@@ -148,6 +148,11 @@ radar::GroundMap reprojected(const radar::GroundMap& map, const geo::LocalFrame&
           .metadata = with_frame(map.metadata, frame)};
 }
 
+radar::GroundGrid reprojected(const radar::GroundGrid& grid, const geo::LocalFrame& frame, const std::string& crs,
+                              std::optional<double> cell) {
+  return turned_grid(grid, transform_to(crs, frame), crs, cell);
+}
+
 radar::PowerMap reprojected(const radar::PowerMap& map, const geo::LocalFrame& frame, const std::string& crs,
                             std::optional<double> cell) {
   const auto transform = transform_to(crs, frame);

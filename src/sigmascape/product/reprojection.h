@@ -19,6 +19,10 @@ namespace sigmascape::product {
 [[nodiscard]] radar::GroundMap reprojected(const radar::GroundMap& map, const geo::LocalFrame& frame,
                                            const std::string& crs, std::optional<double> cell = {});
 
+/// The cells that such a map has of one of these, to know beforehand. Throws Error likewise.
+[[nodiscard]] radar::GroundGrid reprojected(const radar::GroundGrid& grid, const geo::LocalFrame& frame,
+                                            const std::string& crs, std::optional<double> cell = {});
+
 /// The same for layers; classes and masks are those of the nearest cell.
 [[nodiscard]] radar::LayerStack reprojected(const radar::LayerStack& stack, const geo::LocalFrame& frame,
                                             const std::string& crs, std::optional<double> cell = {});

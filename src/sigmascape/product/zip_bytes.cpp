@@ -34,10 +34,10 @@ std::string facts(const ZipEntry& entry) {
 
 }  // namespace
 
-std::string zip_bytes(const std::vector<ZipEntry>& entries, const std::string& where) {
+std::string zip_bytes(const std::vector<ZipEntry>& entries, const std::string& where, const std::string& instead) {
   std::size_t size = 22;
   for (const ZipEntry& entry : entries) size += entry.content.size() + 2 * entry.name.size() + 76;
-  if (size > UINT32_MAX) throw Error(where, "would be larger than 4 GiB", "write HDF5 or SigMF");
+  if (size > UINT32_MAX) throw Error(where, "would be larger than 4 GiB", instead);
 
   std::string bytes, directory;
   bytes.reserve(size);

@@ -404,23 +404,39 @@ void show_looks(const Imager& imager, const radar::Radar& radar, std::optional<d
   for (std::size_t look = 0; look < looks; ++look) visit(image_of(imager, radar, azimuth_rad, {look, looks}, threads));
 }
 
+/// What records pulses, and which.
+struct Recording {
+  receiver::PulseReceiver receiver;
+  receiver::PulseTrain train;
+};
+
+Recording recording(const radar::Radar& radar, const radar::Rectangle& area, const terrain::HeightField& terrain,
+                    const CoherentSettings& settings) {
+  // What stands still can record; but a strip is what a beam passes over.
+  if (radar.mode == radar::Mode::Stripmap) check_moves(radar);
+  check_over_ground(radar, terrain);
+  check_sector_takes_in(area, radar);
+  const double repetition_hz = radar.waveform.pulse_repetition_hz;
+  const std::size_t count = pulses_in(radar, settings), before_now = count / 2;
+  const double first_s = -static_cast<double>(before_now) / repetition_hz,
+               last_s = static_cast<double>(count - before_now) / repetition_hz;
+  Recording recording{
+      receiver::PulseReceiver(radar, gate_over(radar, area, terrain, pulse_oversampling, first_s, last_s)),
+      {.first_time_s = first_s, .count = count, .repetition_hz = repetition_hz, .dwell = settings.dwell}};
+  recording.receiver.check(recording.train, machine_memory_bytes());
+  return recording;
+}
+
 }  // namespace
+
+void check_recording(const radar::Radar& radar, const radar::Rectangle& area, const terrain::HeightField& terrain,
+                     const CoherentSettings& settings) {
+  static_cast<void>(recording(radar, area, terrain, settings));
+}
 
 radar::PhaseHistory phase_history(const CoherentScene& scene, const radar::Radar& radar, const radar::Rectangle& area,
                                   const CoherentSettings& asked) {
-  // What stands still can record; but a strip is what a beam passes over.
-  if (radar.mode == radar::Mode::Stripmap) check_moves(radar);
-  check_over_ground(radar, *scene.terrain);
-  check_sector_takes_in(area, radar);
-  const double repetition_hz = radar.waveform.pulse_repetition_hz;
-  const std::size_t count = pulses_in(radar, asked), before_now = count / 2;
-  const double first_s = -static_cast<double>(before_now) / repetition_hz,
-               last_s = static_cast<double>(count - before_now) / repetition_hz;
-  const receiver::PulseReceiver receiver(radar,
-                                         gate_over(radar, area, *scene.terrain, pulse_oversampling, first_s, last_s));
-  const receiver::PulseTrain train{
-      .first_time_s = first_s, .count = count, .repetition_hz = repetition_hz, .dwell = asked.dwell};
-  receiver.check(train, machine_memory_bytes());
+  const auto [receiver, train] = recording(radar, area, *scene.terrain, asked);
   const CoherentSettings settings =
       spaced(asked, pulse_scatterer_spacing_m(radar, area, *scene.terrain, asked.interval_s));
   const radar::Vantage vantage = radar::vantage_of(radar, area.centre());

@@ -44,6 +44,12 @@ struct CoherentSettings {
   unsigned threads = 0;
 };
 
+/// Throws Error when the radar stands within the ground or lower than all of it, with Mode::Stripmap when it does not
+/// move, and when the interval holds less than two pulses or more than memory, or the gate over the area is longer than
+/// the unambiguous range: before much else is made.
+void check_recording(const radar::Radar& radar, const radar::Rectangle& area, const terrain::HeightField& terrain,
+                     const CoherentSettings& settings);
+
 /// The pulses of one interval, before any processing: I and Q, at the radar's pulse repetition frequency, over the gate
 /// that `area` or the radar file asks for. They hold the echoes of the ground of the area and of all targets; what lies
 /// beside the area, in the beam or in the gate, is not in them. The beam keeps the azimuth of a scan that fixes one.
@@ -51,9 +57,7 @@ struct CoherentSettings {
 /// direction that it has at time zero. Ground and targets are seen where terrain and what the atlas knows to stand
 /// there let them, as at time zero, or with Mode::Stripmap as for `stripmap_image`. Cost goes with pulses × scatterers.
 ///
-/// Throws Error when the radar stands within the ground or lower than all of it, with Mode::Stripmap when it does not
-/// move, and when the interval holds less than two pulses, the gate is longer than the unambiguous range, or the area
-/// has too many scatterers.
+/// Throws Error as `check_recording` does, and when the area has too many scatterers.
 [[nodiscard]] radar::PhaseHistory phase_history(const CoherentScene& scene, const radar::Radar& radar,
                                                 const radar::Rectangle& area, const CoherentSettings& settings);
 

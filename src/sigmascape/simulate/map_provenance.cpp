@@ -4,13 +4,13 @@
 
 namespace sigmascape::simulate {
 
-std::map<std::string, std::string> provenance_of_traced(const TraceSettings& settings) {
+std::map<std::string, std::string> provenance_of_traced(const TraceSettings& settings, const scene::Scene& scene) {
   return {{"processing", "level of detail 0: path-traced"},
           {"seed", std::to_string(settings.seed)},
           {"dwell", std::to_string(settings.dwell)},
           {"samples_per_cell", std::to_string(settings.samples_per_cell)},
           {"bounces", std::to_string(settings.max_bounces)},
-          {"targets", std::to_string(settings.targets.size())}};
+          {"targets", std::to_string(scene.point_targets.size() + settings.targets.size())}};
 }
 
 std::map<std::string, std::string> provenance_of_baked(const atlas::AtlasDescription& atlas, const radar::Radar& radar,

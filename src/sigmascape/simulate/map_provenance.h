@@ -12,8 +12,9 @@
 namespace sigmascape::simulate {
 
 /// What a file says of how its map was made, for others to make it again: the way, seeds, rays, and how many targets
-/// were added to those of the scene. Radar and place are told by others.
-[[nodiscard]] std::map<std::string, std::string> provenance_of_traced(const TraceSettings& settings);
+/// it shows, those of the scene and others. Radar and place are told by others.
+[[nodiscard]] std::map<std::string, std::string> provenance_of_traced(const TraceSettings& settings,
+                                                                      const scene::Scene& scene);
 
 /// The same of a real-beam map from an atlas; with the textures' frequency where the radar has another.
 [[nodiscard]] std::map<std::string, std::string> provenance_of_baked(const atlas::AtlasDescription& atlas,

@@ -7,11 +7,14 @@ namespace {
 
 TEST(MapProvenance, TellsWhatMakesTracedMapsDiffer) {
   const std::vector<radar::Target> targets(2);
-  const auto words = provenance_of_traced({.samples_per_cell = 9, .max_bounces = 3, .seed = 7, .targets = targets});
+  scene::Scene scene;
+  scene.point_targets.resize(3);
+  const auto words =
+      provenance_of_traced({.samples_per_cell = 9, .max_bounces = 3, .seed = 7, .targets = targets}, scene);
   EXPECT_EQ(words.at("samples_per_cell"), "9");
   EXPECT_EQ(words.at("bounces"), "3");
   EXPECT_EQ(words.at("seed"), "7");
-  EXPECT_EQ(words.at("targets"), "2");
+  EXPECT_EQ(words.at("targets"), "5");
 }
 
 TEST(MapProvenance, NamesTheTexturesFrequencyWhereTheRadarHasAnother) {
