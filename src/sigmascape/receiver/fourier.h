@@ -4,10 +4,12 @@
 #include <cstddef>
 #include <memory>
 #include <span>
+#include <vector>
 
 namespace sigmascape::receiver {
 
-/// Fourier transforms of one length, not scaled. Const, and without state of its own: many threads may share one.
+/// Fourier transforms of one length, not scaled, any of which takes about as long as others of its size. Const, and
+/// without state of its own: many threads may share one.
 class Fourier {
  public:
   enum class Direction { Forward, Backward };  ///< exp(−2πi …) and exp(+2πi …)
@@ -17,7 +19,9 @@ class Fourier {
   void transform(std::span<const std::complex<float>> from, std::span<std::complex<float>> to) const;
 
  private:
+  struct Chirp;
   std::shared_ptr<const void> plan_;
+  std::shared_ptr<const Chirp> chirp_;  ///< instead, for lengths with a large prime factor
 };
 
 /// The smallest length not below this one that transforms fast: no prime factors but 2, 3 and 5.
