@@ -284,6 +284,23 @@ std::size_t holes_within(const Array2D<float>& heights, const geo::Lattice& tile
   return holes;
 }
 
+/// Beyond an extent, where the last tiles reach past it, ground goes on as high as at its edge: a plain at another
+/// height would end it in a cliff.
+void go_on_beyond(const radar::Rectangle& extent, const geo::Lattice& tile, Array2D<float>& heights) {
+  const auto last_within = [&](double length_m, std::size_t count) {
+    const auto steps = static_cast<std::size_t>(std::max(0.0, length_m / tile.spacing_m + 1e-6));
+    return std::min(steps, count - 1);
+  };
+  const std::size_t last_column = last_within(extent.east_m - tile.west_m, heights.columns()),
+                    last_row = last_within(tile.north_m - extent.south_m, heights.rows());
+  for (std::size_t row = 0; row < heights.rows(); ++row) {
+    for (std::size_t column = 0; column < heights.columns(); ++column) {
+      if (row > last_row || column > last_column)
+        heights(column, row) = heights(std::min(column, last_column), std::min(row, last_row));
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<Array2D<TileSummary>> build_tiles(const PyramidLayout& layout, const FinestHeights& finest,
@@ -347,13 +364,15 @@ PyramidBuild build_pyramid(const std::filesystem::path& folder, const TerrainSou
                        source.plausible.highest_m, no_data_height_m, frame.proj()));
   if (const double unit_m = raster.height_unit().metres; unit_m != 1.0) hash.add(fmt::format(" {}", unit_m));
   if (spacing_m > raster.cell_m()) hash.add(fmt::format(" means {}", revision_of_means));
+  if (layout.extent() != extent) hash.add(fmt::format(" goes on beyond {} {}", extent.east_m, extent.south_m));
   const PyramidHeading heading{layout, hash.hex_digest()};
   std::size_t asked = 0, without_height = 0;
   bool holds_heights = false, is_empty = false;
   const auto nodes_of = [&](TileKey key) {
     const radar::Rectangle tile = layout.extent_of(key);
     const geo::Lattice lattice{tile.west_m, tile.north_m, spacing_m, HeightTile::nodes, HeightTile::nodes};
-    const Array2D<float> heights = raster.heights_on(lattice, frame, source.plausible);
+    Array2D<float> heights = raster.heights_on(lattice, frame, source.plausible);
+    go_on_beyond(extent, lattice, heights);
     std::vector<float> nodes(heights.values().begin(), heights.values().end());
     holds_heights = holds_heights || std::ranges::any_of(nodes, [](float height) { return !std::isnan(height); });
     is_empty = ++asked == std::size_t{layout.tiles_across} * layout.tiles_down && !holds_heights;

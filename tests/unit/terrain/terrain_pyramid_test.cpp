@@ -611,6 +611,22 @@ TEST(PyramidFromRaster, IsMadeAnewWhenAPartOfAMosaicHasChanged) {
   }
 }
 
+// 100 × 80 cells of 10 m are less than a tile of 256 nodes.
+TEST(PyramidFromRaster, GoesOnBeyondTheRasterAsHighAsAtItsEdge) {
+  const ScratchFolder folder;
+  const geo::AsciiGrid grid{500'600.0, 4'795'000.0, 10.0, 100, 80};
+  TerrainSource source;
+  source.raster = {folder.write("heights.asc", grid.text([](double, double) { return 500.0; })), 1, "EPSG:25830"};
+  const geo::LocalFrame frame(43.312, -2.986);
+  const radar::Rectangle extent = read_terrain(source, frame, std::nullopt).field.extent();
+  EXPECT_EQ(build_pyramid(folder.path("pyramid"), source, frame, extent).nodes_without_height, 0U);
+  TerrainPyramid pyramid = open_pyramid(folder.path("pyramid"), 100 * HeightTile::bytes);
+  EXPECT_GT(pyramid.layout().extent().width_m(), extent.width_m() + 1000.0);
+  const auto tile = pyramid.load({0, 0, 0});
+  for (const float height : tile->height_m) ASSERT_EQ(height, 500.0F);
+  EXPECT_EQ(pyramid.summary({0, 0, 0}).lowest_m, 500.0F);
+}
+
 // A void of 100 m × 60 m, which nobody wants to find as a pit at sea level without having been told.
 TEST(PyramidFromRaster, CountsNodesWithoutHeight) {
   const ScratchFolder folder;
