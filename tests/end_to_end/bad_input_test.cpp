@@ -145,7 +145,7 @@ TEST_F(BadInput, TexelsOfAnotherSizeThanTheSceneAreRefusedBeforeTheWork) {
     EXPECT_THAT(said_to(fmt::format("bake scene/scene.toml --out atlas --texel-m 0.01 --patch-texels 16384 "
                                     "--frequencies-ghz 1,2,3,4,5,6,7,8,9,10,11,12{}",
                                     plan)),
-                AllOf(HasSubstr("a patch of 16384 × 16384 texels at 12 frequencies is summed up in 258 GB"),
+                AllOf(HasSubstr("a patch of 16384 × 16384 texels at 12 frequencies takes 258 GB"),
                       HasSubstr("use fewer texels a patch")));
   }
   EXPECT_FALSE(is_there("atlas"));
@@ -240,6 +240,13 @@ TEST_F(BadInput, WhatADemoCannotMapIsRefusedBeforeItIsBaked) {
                 "[radar]\nfrequency_ghz = 10\nrange_resolution_m = 4\nbeam_width_deg = 0.1\n"
                 "[position]\nazimuth_deg = 180\nelevation_deg = 20\nslant_range_km = 5\n[map]\ncell_m = 500\n");
   EXPECT_THAT(said_of("--radar coarse.toml"), HasSubstr("and cells of 500 m; make cell_m smaller"));
+  folder_.write("spotlight.toml",
+                "[radar]\nfrequency_ghz = 10\nrange_resolution_m = 4\nbeam_width_deg = 0.1\n"
+                "[platform]\nspeed_mps = 100\n[mode]\nkind = \"spotlight\"\n"
+                "[position]\nazimuth_deg = 180\nelevation_deg = 20\nslant_range_km = 5\n");
+  EXPECT_THAT(said_of("--radar spotlight.toml"),
+              HasSubstr("spotlight.toml: mode.kind: is spotlight, and the demo compares real-beam maps"));
+  EXPECT_THAT(said_of("--scale 0.5"), HasSubstr("--scale"));
   EXPECT_FALSE(is_there("demo"));
 }
 

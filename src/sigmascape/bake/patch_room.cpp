@@ -8,6 +8,7 @@
 #include "sigmascape/base/machine_memory.h"
 #include "sigmascape/radar/rectangle_parts.h"
 #include "sigmascape/receiver/ground_accumulator.h"
+#include "sigmascape/scene/obstacle_raster.h"
 #include "sigmascape/trace/launch.h"
 #include "sigmascape/trace/multibounce_reach.h"
 #include "sigmascape/trace/scene_heights.h"
@@ -46,20 +47,23 @@ double cells_of_a_patch(const scene::Scene& scene, const BakeSettings& settings)
   return std::max(cells_seen_from(lowest_rad), cells_seen_from(highest_rad));
 }
 
-double bytes_of_sums(const BakeSettings& settings) {
+double bytes_of_texels(const scene::Scene& scene, const BakeSettings& settings) {
   constexpr auto of_sums = static_cast<double>(receiver::GroundAccumulator::bytes_a_cell);
   const double texels = std::pow(static_cast<double>(settings.patches.texels_per_side), 2);
   // What came over several surfaces is summed up by itself as well where its noise is to be shared.
   const double sums = settings.noise == Noise::Shared ? 2.0 : 1.0;
-  return texels * static_cast<double>(settings.aspects.frequencies_hz.size()) * sums * of_sums;
+  const bool has_relief =
+      footing_of(settings) == trace::Footing::Terrain && scene.terrain.lowest_m() != scene.terrain.highest_m();
+  return texels * (static_cast<double>(settings.aspects.frequencies_hz.size()) * sums * of_sums +
+                   (has_relief ? scene::obstacle_raster_bytes_a_cell : 0.0));
 }
 
 void check_room(const scene::Scene& scene, const BakeSettings& settings, double memory_bytes) {
-  if (const double sums = bytes_of_sums(settings); sums > memory_bytes) {
+  if (const double texels = bytes_of_texels(scene, settings); texels > memory_bytes) {
     throw Error("bake settings",
-                fmt::format("what comes back to a patch of {0} × {0} texels at {1} frequencies is summed up in {2:.3g} "
-                            "GB of memory, and there are {3:.3g}",
-                            settings.patches.texels_per_side, settings.aspects.frequencies_hz.size(), sums / 1e9,
+                fmt::format("a patch of {0} × {0} texels at {1} frequencies takes {2:.3g} GB of memory, and there are "
+                            "{3:.3g}",
+                            settings.patches.texels_per_side, settings.aspects.frequencies_hz.size(), texels / 1e9,
                             memory_bytes / 1e9),
                 "use fewer texels a patch");
   }

@@ -104,6 +104,9 @@ struct Foliage {
   double area_m2 = 0.0, base_m = 0.0, top_m = 0.0;
 };
 
+static_assert(points_per_side * points_per_side * sizeof(float) + sizeof(Foliage) + sizeof(radar::Obstacle) ==
+              static_cast<std::size_t>(obstacle_raster_bytes_a_cell));
+
 class FoliageRaster {
  public:
   explicit FoliageRaster(const radar::GroundGrid& cells) : cells_(cells), foliage_(cells.columns, cells.rows) {}

@@ -17,7 +17,10 @@ namespace sigmascape::scene {
 ///
 /// for surfaces of all orientations alike show half their area on the mean of all directions (Cauchy).
 /// Throws Interrupted when this thread is told to stop (base/interruption.h): large scenes on fine cells take a minute.
+/// Takes `obstacle_raster_bytes_a_cell` of memory meanwhile.
 [[nodiscard]] radar::ObstacleMap obstacles_of(const Scene& scene, const radar::GroundGrid& grid);
+
+inline constexpr double obstacle_raster_bytes_a_cell = 140.0;
 
 /// The same over all of the scene, in cells from its north-western corner on.
 [[nodiscard]] radar::ObstacleMap obstacles_of(const Scene& scene, double cell_m);

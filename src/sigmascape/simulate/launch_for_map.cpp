@@ -1,8 +1,10 @@
 #include "sigmascape/simulate/launch_for_map.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 #include "sigmascape/base/error.h"
+#include "sigmascape/base/machine_memory.h"
 #include "sigmascape/radar/radar_title.h"
 
 namespace sigmascape::simulate {
@@ -15,11 +17,15 @@ double start_height_m(const trace::SceneGeometry& geometry) {
   return geometry.highest_m() + clearance_m;
 }
 
-/// Lists of so many cells take some 16 GiB.
-constexpr double most_aimed_cells = 0x1p30;
+/// As many as cells are numbered with, and as memory has room for while rays that find nothing are spared: a list, one
+/// that grew beyond it and one of what is kept.
+double most_aimed_cells() {
+  constexpr double most_numbered = 0x1p30, lists = 3.0;
+  return std::min(most_numbered, machine_memory_bytes() / (lists * static_cast<double>(sizeof(trace::LaunchCell))));
+}
 
 void check_aim(const radar::Radar& radar, double highest_m, double cells) {
-  if (cells > most_aimed_cells) {
+  if (const double most = most_aimed_cells(); cells > most) {
     throw Error(
         radar::title_of(radar),
         fmt::format("stands {:.3g} m above the highest point of the scene, and of the ground that answers in the "
@@ -27,7 +33,7 @@ void check_aim(const radar::Radar& radar, double highest_m, double cells) {
                     "{:.2g} cells are to be aimed at",
                     radar.position.z - highest_m, cells),
         fmt::format("map larger cells or less ground, with a narrower beam or from higher up, for at most {:.2g}",
-                    most_aimed_cells));
+                    most));
   }
 }
 

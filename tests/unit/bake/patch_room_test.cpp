@@ -55,11 +55,14 @@ TEST(PatchRoom, PatchesOfSoManyTexelsThatMemoryRunsOutAreRefused) {
   BakeSettings settings = settings_of(0.5);
   settings.patches.texels_per_side = 16384;
   settings.aspects.frequencies_hz = {1e9, 3e9, 10e9};
-  EXPECT_EQ(bytes_of_sums(settings), 16384.0 * 16384.0 * 3.0 * 80.0);
+  scene::Scene scene = scene::simple_scene();  // on level ground
+  EXPECT_EQ(bytes_of_texels(scene, settings), 16384.0 * 16384.0 * 3.0 * 80.0);
   EXPECT_THAT(
-      message_of_error([&] { check_room(scene::simple_scene(), settings, 24e9); }),
-      testing::AllOf(testing::HasSubstr("a patch of 16384 × 16384 texels at 3 frequencies is summed up in 64.4"),
+      message_of_error([&] { check_room(scene, settings, 24e9); }),
+      testing::AllOf(testing::HasSubstr("a patch of 16384 × 16384 texels at 3 frequencies takes 64.4 GB of memory"),
                      testing::HasSubstr("use fewer texels a patch")));
+  scene.terrain.height_m(0, 0) += 1.0F;
+  EXPECT_EQ(bytes_of_texels(scene, settings), 16384.0 * 16384.0 * (3.0 * 80.0 + 140.0));
 }
 
 TEST(BakeSettings, PatchesFitIntoALocalFrame) {
