@@ -166,6 +166,15 @@ TEST_F(Dataset, GoesOnWithTheSameRadarAndAtlasOnly) {
   radar_of_width(0.023);
   EXPECT_EQ(begun(), "");
 
+  std::string told;
+  std::getline(std::ifstream(folder_->path("begun") / "dataset.json"), told, '\0');
+  std::string older = told;
+  older.replace(older.find("\"revision\": "), 13, "\"revision\": 1");
+  folder_->write("begun/dataset.json", older);
+  EXPECT_NE(begun().find("begun with another version of the program;"), std::string::npos) << begun();
+  folder_->write("begun/dataset.json", told);
+  EXPECT_EQ(begun(), "");
+
   fs::remove_all(folder_->path("changing_atlas"));
   bake_into("changing_atlas", 3);
   EXPECT_NE(begun().find("holds another dataset: begun with another atlas;"), std::string::npos) << begun();

@@ -25,9 +25,9 @@ constexpr std::uint64_t first_seed = 1001, second_seed = 1002;
 /// All that decides a map but the number of its rays.
 std::string settings_text(const MeasuredScene& measured, const PlannedView& view, const ResultsPlan& plan,
                           std::uint64_t seed) {
-  return fmt::format("scene {}, azimuth {} deg, elevation {} deg, {} km, {} bounces, seed {}, {}",
-                     scene::scene_hash(measured.scene), view.azimuth_deg, view.elevation_deg, view.slant_range_m / 1e3,
-                     plan.bounces, seed, trace::simd_setting());
+  return fmt::format("scene {}{}, azimuth {} deg, elevation {} deg, {} km, {} bounces, seed {}, {}",
+                     scene::scene_hash(measured.scene), scene::targets_hash(measured.scene), view.azimuth_deg,
+                     view.elevation_deg, view.slant_range_m / 1e3, plan.bounces, seed, trace::simd_setting());
 }
 
 std::filesystem::path map_file(const MeasuredScene& measured, const PlannedView& view, std::uint64_t seed,

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "sigmascape/bake/bake_settings.h"
 #include "sigmascape/bake/claims.h"
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/parallel.h"
@@ -22,6 +23,7 @@
 #include "sigmascape/geo/atomic_file.h"
 #include "sigmascape/product/contact_sheet.h"
 #include "sigmascape/product/tar_archive.h"
+#include "sigmascape/trace/simd_setting.h"
 
 namespace sigmascape::dataset {
 namespace {
@@ -46,11 +48,21 @@ std::string hex_of(const Array2D<std::uint8_t>& pixels) {
   return text;
 }
 
-/// What a dataset is told apart by.
+/// By which revision of the program samples are made. To be raised by one with every change after which the same
+/// specification, scene and atlas give other images or labels than before: datasets that were begun before are refused
+/// then, rather than gone on with half and half.
+constexpr int samples_revision = 2;
+
+/// What a dataset is told apart by. Where samples are traced, they depend on the vector units.
 Json identity_of(const SampleMaker& maker) {
+  const bool is_traced = maker.spec().level_of_detail == 0;
   return {{"format", "sigmascape dataset 1"},
+          {"revision", samples_revision},
+          {"physics_revision", is_traced ? Json(bake::physics_revision) : Json()},
+          {"simd", is_traced ? Json(trace::simd_setting()) : Json()},
           {"spec_sha256", sha256_of(maker.spec().text)},
           {"scene_hash", maker.scene_hash()},
+          {"targets_sha256", maker.targets_hash()},
           {"radar_sha256", maker.spec().radar_hash},
           {"atlas_sha256", maker.atlas_hashes()},
           {"samples", maker.spec().count},
@@ -63,8 +75,12 @@ std::string digest_of_identity(const SampleMaker& maker) {
 
 /// What a dataset was begun with that is another one now: "scene and atlas".
 std::string difference(const Json& begun, const Json& mine) {
-  constexpr std::array<std::pair<const char*, const char*>, 4> parts{{{"spec_sha256", "specification"},
+  constexpr std::array<std::pair<const char*, const char*>, 8> parts{{{"revision", "version of the program"},
+                                                                      {"physics_revision", "version of the physics"},
+                                                                      {"simd", "kind of vector unit"},
+                                                                      {"spec_sha256", "specification"},
                                                                       {"scene_hash", "scene"},
+                                                                      {"targets_sha256", "targets in the scene"},
                                                                       {"radar_sha256", "radar file"},
                                                                       {"atlas_sha256", "atlas"}}};
   std::vector<std::string> differing;
@@ -108,8 +124,7 @@ bool is_made(const SampleMaker& maker, const std::string& identity, const fs::pa
   std::ifstream stream(index_path(folder, number), std::ios::binary);
   const Json index = Json::parse(stream, nullptr, false);
   try {
-    // Those of a former kind do not say of which dataset they are.
-    if (index.value("dataset_sha256", identity) != identity) return false;
+    if (index.value("dataset_sha256", "") != identity) return false;
     const Json& samples = index.at("samples");
     if (samples.size() != count_of_lot(maker.spec(), number)) return false;
     if (!std::ranges::all_of(samples, [](const Json& sample) { return sample.at("boxes").is_array(); })) return false;

@@ -175,6 +175,7 @@ SampleMaker::SampleMaker(const DatasetSpec& spec)
     : spec_(spec),
       scene_(scene::read_scene(spec.scene)),
       scene_hash_(scene::scene_hash(scene_)),
+      targets_hash_(scene::targets_hash(scene_)),
       reflectors_(simulate::targets_of(scene_)),
       centres_(centres_of(spec, scene_.extent)) {
   scene_.point_targets.clear();  // speckle is of the ground alone

@@ -59,6 +59,7 @@ class SampleMaker {
   [[nodiscard]] const DatasetSpec& spec() const { return spec_; }
   [[nodiscard]] const scene::Scene& scene() const { return scene_; }
   [[nodiscard]] const std::string& scene_hash() const { return scene_hash_; }
+  [[nodiscard]] const std::string& targets_hash() const { return targets_hash_; }
   /// SHA-256 of what the atlases say of themselves, the bounces' after the other; none at level of detail 0.
   [[nodiscard]] const std::vector<std::string>& atlas_hashes() const { return atlas_hashes_; }
 
@@ -94,8 +95,8 @@ class SampleMaker {
                                                        const radar::GroundGrid& grid) const;
 
   DatasetSpec spec_;
-  scene::Scene scene_;                     // without its point targets
-  std::string scene_hash_;                 // with them
+  scene::Scene scene_;  // without its point targets
+  std::string scene_hash_, targets_hash_;
   std::vector<radar::Target> reflectors_;  // the scene's point targets
   radar::Rectangle centres_;
   std::optional<atlas::Atlas> atlas_;

@@ -252,6 +252,12 @@ std::string scene_hash(const Scene& scene) {
     sha.add_value(b.vertex_count);
     sha.add_value(b.footing_m);
   }
+  return sha.hex_digest();
+}
+
+std::string targets_hash(const Scene& scene) {
+  if (scene.point_targets.empty()) return "";
+  Sha256 sha;
   for (const PointTarget& t : scene.point_targets) {
     for (const double value : {t.position.x, t.position.y, t.height_m}) sha.add_value(value);
     for (const float value : {t.rcs_m2.vv, t.rcs_m2.hh, t.rcs_m2.hv, t.rcs_m2.re_vvhh}) sha.add_value(value);

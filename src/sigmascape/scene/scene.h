@@ -148,6 +148,9 @@ void shift(Scene& scene, Vec2d offset);
 [[nodiscard]] radar::Rectangle occupied_extent(const Scene& scene);
 
 /// A digest of everything that affects how the scene scatters: the same for equal scenes, another after any change.
+/// Point targets have their own: maps show them, but textures do not hold them.
 [[nodiscard]] std::string scene_hash(const Scene& scene);
+/// A digest of its point targets; empty where it has none.
+[[nodiscard]] std::string targets_hash(const Scene& scene);
 
 }  // namespace sigmascape::scene
