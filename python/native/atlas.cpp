@@ -108,7 +108,7 @@ py::array_t<float> sigma0_at(const LoadedAtlas& loaded, const Points& x_m, const
 
 py::dict info_of(const LoadedAtlas& loaded) {
   const atlas::AtlasDescription& description = loaded.description();
-  const atlas::AtlasSummary summary = atlas::summary_of(loaded.store());
+  const atlas::AtlasSummary summary = long_call([&] { return atlas::summary_of(loaded.store()); });
   py::dict info;
   info["name"] = description.name;
   info["crs"] = description.frame.proj();

@@ -19,7 +19,6 @@ namespace {
 
 namespace py = pybind11;
 using render::LiveGround;
-using Release = py::call_guard<WithoutGil>;
 
 using GroundRenderer = DrawnLive<render::LiveRenderer>;
 
@@ -27,6 +26,8 @@ std::unique_ptr<Held<GroundRenderer>> made_renderer(const Held<LiveGround>& held
                                                     std::size_t beams, std::size_t ranges, double beam_step_rad,
                                                     double range_step_m, double cells_per_bin, std::uint64_t seed,
                                                     unsigned threads, double refraction) {
+  // Until it is made, not while Python writes down what it is: its table of instances is the GIL's.
+  const WithoutGil working;
   const auto settings =
       settings_from(content, beams, ranges, beam_step_rad, range_step_m, cells_per_bin, seed, threads, refraction);
   const std::shared_ptr<LiveGround>& ground = held.here();
@@ -163,7 +164,7 @@ void add_live(py::module_& module) {
               py::arg("beams") = settings.beams, py::arg("ranges") = settings.ranges,
               py::arg("beam_step_rad") = settings.beam_step_rad, py::arg("range_step_m") = settings.range_step_m,
               py::arg("cells_per_bin") = settings.cells_per_bin, py::arg("seed") = settings.seed,
-              py::arg("threads") = 0, py::arg("refraction") = settings.refraction, Release(),
+              py::arg("threads") = 0, py::arg("refraction") = settings.refraction,
               "content: 'amplitudes' (I/Q with speckle) or 'powers' (their mean). refraction: k of the k-Earth, 0.1 at "
               "least.");
   bind_drawing(

@@ -18,6 +18,8 @@ std::unique_ptr<Held<SceneFlight>> made_flight(std::shared_ptr<LoadedScene> scen
                                                double range_step_m, double cells_per_bin, std::uint64_t seed,
                                                unsigned threads, double refraction, std::uint32_t rays_per_cell,
                                                int bounces) {
+  // Until it is made, not while Python writes down what it is: its table of instances is the GIL's.
+  const WithoutGil working;
   const auto settings =
       settings_from(content, beams, ranges, beam_step_rad, range_step_m, cells_per_bin, seed, threads, refraction);
   const simulate::LiveFlightSettings flight{.tracing = {.rays_per_cell = rays_per_cell, .max_bounces = bounces}};
@@ -59,7 +61,7 @@ void add_live_flight(py::module_& module) {
            py::arg("beam_step_rad") = settings.beam_step_rad, py::arg("range_step_m") = settings.range_step_m,
            py::arg("cells_per_bin") = settings.cells_per_bin, py::arg("seed") = settings.seed, py::arg("threads") = 0,
            py::arg("refraction") = settings.refraction, py::arg("rays_per_cell") = tracing.rays_per_cell,
-           py::arg("bounces") = tracing.max_bounces, py::call_guard<WithoutGil>(),
+           py::arg("bounces") = tracing.max_bounces,
            "rays_per_cell, bounces: of traced frames, as in LiveTracer. The rest as in LiveRenderer.")
       .def_property_readonly(
           "textured_share",

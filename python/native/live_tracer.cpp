@@ -18,6 +18,8 @@ std::unique_ptr<Held<SceneTracer>> made_tracer(std::shared_ptr<LoadedScene> scen
                                                double range_step_m, double cells_per_bin, std::uint64_t seed,
                                                unsigned threads, double refraction, double frequency_ghz,
                                                std::uint32_t rays_per_cell, int bounces, double lattice_m) {
+  // Until it is made, not while Python writes down what it is: its table of instances is the GIL's.
+  const WithoutGil working;
   const auto settings =
       settings_from(content, beams, ranges, beam_step_rad, range_step_m, cells_per_bin, seed, threads, refraction);
   const auto& loaded = *scene;
@@ -52,7 +54,7 @@ void add_live_tracer(py::module_& module) {
       py::arg("cells_per_bin") = settings.cells_per_bin, py::arg("seed") = settings.seed, py::arg("threads") = 0,
       py::arg("refraction") = settings.refraction, py::arg("frequency_ghz") = tracing.frequency_hz / 1e9,
       py::arg("rays_per_cell") = tracing.rays_per_cell, py::arg("bounces") = tracing.max_bounces,
-      py::arg("lattice_m") = tracing.lattice_m, py::call_guard<WithoutGil>(),
+      py::arg("lattice_m") = tracing.lattice_m,
       "rays_per_cell: that each call adds. lattice_m: side of the finest cells of the scatterers; with that of an\n"
       "atlas' texels both levels draw the same ones. The rest as in LiveRenderer.");
   bind_drawing(

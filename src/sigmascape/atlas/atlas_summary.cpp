@@ -10,6 +10,7 @@
 #include "sigmascape/atlas/pyramid.h"
 #include "sigmascape/atlas/stac_item.h"
 #include "sigmascape/atlas/texture_file.h"
+#include "sigmascape/base/interruption.h"
 
 namespace sigmascape::atlas {
 namespace {
@@ -65,6 +66,7 @@ AtlasSummary summary_of(const Store& store) {
   std::vector<double> errors;
   TexelsAboveTarget above_target;
   for (std::size_t number = 0; number < summary.looks; ++number) {
+    Interruption::heed();
     const PatchIndex patch = patches[number / look_count];
     const auto look = static_cast<LookIndex>(number % look_count);
     if (!store.is_done(patch, look)) continue;
