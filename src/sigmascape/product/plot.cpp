@@ -33,7 +33,9 @@ class Axis {
     const bool zero_below = from_zero && !is_logarithmic && values.lowest >= 0.0;
     low_ = scaled(zero_below ? 0.0 : values.lowest);
     high_ = scaled(values.highest);
-    if (!(high_ > low_)) high_ = low_ + 1.0;
+    // Of numbers that differ by their rounding alone there is nothing to mark between.
+    const double size = std::max(std::abs(low_), std::abs(high_));
+    if (!(high_ - low_ > 1e-9 * size)) high_ = low_ + std::max(1.0, 1e-3 * size);
     const double spare = 0.04 * (high_ - low_);
     high_ += spare;
     low_ -= zero_below ? 0.0 : spare;

@@ -57,6 +57,17 @@ TEST(Plot, AxesOfDecibelsNeedNotHoldZero) {
   EXPECT_FALSE(zero_y(with_points({{1.0, -20.0}, {2.0, -25.0}})));
 }
 
+// Steps so small that a mark and the next are the same number would be marked without end.
+TEST(Plot, ALineIsLevelWhereItsNumbersDifferByTheirRoundingAlone) {
+  for (const double level : {0.3, -13.0, 1e17}) {
+    const double next = std::nextafter(level, 1e30);
+    const auto dots = marks_of<Dot>(drawing_of(with_points({{0.0, level}, {1.0, next}, {2.0, level}})));
+    ASSERT_EQ(dots.size(), 3U) << level;
+    EXPECT_NEAR(dots[0].centre.y, dots[1].centre.y, 1.0) << level;
+    EXPECT_LT(marks_of<Words>(drawing_of(with_points({{0.0, level}, {1.0, next}}))).size(), 60U) << level;
+  }
+}
+
 TEST(Plot, NumbersThatAreNotFiniteBreakTheLine) {
   Plot plot = with_points({{0.0, 1.0}, {1.0, 2.0}, {2.0, std::nan("")}, {3.0, 2.0}, {4.0, 1.0}});
   plot.series[0].dots = false;
