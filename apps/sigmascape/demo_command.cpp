@@ -5,6 +5,7 @@
 #include "command.h"
 #include "map_files.h"
 #include "number_within.h"
+#include "received_files.h"
 #include "scene_warnings.h"
 #include "stopwatch.h"
 #include "terminal_progress.h"
@@ -12,6 +13,7 @@
 
 #include "sigmascape/atlas/aspect_grid.h"
 #include "sigmascape/atlas/store.h"
+#include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/geo/atomic_file.h"
 #include "sigmascape/product/attribution_line.h"
@@ -21,8 +23,11 @@
 #include "sigmascape/product/legend.h"
 #include "sigmascape/product/png_file.h"
 #include "sigmascape/radar/radar_file.h"
+#include "sigmascape/radar/radar_warnings.h"
 #include "sigmascape/scene/paper_scene.h"
 #include "sigmascape/scene/scene_file.h"
+#include "sigmascape/simulate/map_warnings.h"
+#include "sigmascape/simulate/mode_image.h"
 #include "sigmascape/simulate/placement.h"
 #include "sigmascape/simulate/simulate.h"
 
@@ -69,7 +74,14 @@ class Demo {
   /// What would only be found out after the bake.
   void check(const View& view) const {
     const auto radar = simulate::placed_radar(view.radar, scene_.frame, scene_.terrain, scene_.extent);
+    if (radar.mode != radar::Mode::RealBeam) {
+      throw Error(options_.radar + ": mode.kind",
+                  fmt::format("is {}, and the demo compares real-beam maps", simulate::word_for(radar.mode)),
+                  "take the [mode] out of the radar file, or name another radar file");
+    }
+    radar::check_earth(radar, options_.radar);
     static_cast<void>(simulate::map_grid(view.radar.map, scene_.extent));
+    warn_of(radar, simulate::map_warnings(radar, view.radar.map, scene_.terrain, scene_.extent));
     atlas::check_frequency(options_.bake.settings().aspects, radar.frequency_hz);
   }
 
@@ -237,10 +249,13 @@ void add_demo_command(Command app, Output& output) {
   auto options = std::make_shared<DemoOptions>();
   options->bake.usual_samples = 12;
   options->bake.patch_texels = 256;
-  command.add_option("--scene", options->scene, "scene file (TOML); by default a small version of the paper's scene");
+  const auto scene = command.add_option("--scene", options->scene,
+                                        "scene file (TOML); by default a small version of the paper's scene");
   command.add_option("--radar", options->radar, "radar file (TOML); by default the paper's view and a baked one");
   command.add_option("--out", options->folder, "folder for pictures, maps and the page").capture_default_str();
-  command.add_option("--scale", options->scale, "size of the paper's scene, 1 being 2 km").capture_default_str();
+  command.add_option("--scale", options->scale, "size of the paper's scene, 1 being 2 km")
+      .capture_default_str()
+      .excludes(scene);
   command.add_option("--traced-samples", options->traced_samples, "rays a cell of the traced map")
       .capture_default_str()
       .check(count_within<std::uint32_t>(1, 1U << 24U));

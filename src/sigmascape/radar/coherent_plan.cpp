@@ -114,6 +114,25 @@ void plan_interval(const Radar& radar, const Sight& sight, CoherentPlan& plan) {
   plan.along_resolution_m = std::min(width_m, width_on_course_m(radar, sight, plan.interval_s));
 }
 
+/// What a radar file is not read with, and a radar may be given attribute by attribute.
+void check_processing(const Radar& radar) {
+  const Processing& asked = radar.processing;
+  const bool sharpens = radar.mode == Mode::DopplerBeamSharpening, strips = radar.mode == Mode::Stripmap;
+  const auto refuse_idle = [&](bool is_idle, const char* name) {
+    if (is_idle)
+      throw Error(title_of(radar), fmt::format("has {}, which means nothing in its mode", name), "leave it out");
+  };
+  refuse_idle(strips && asked.interval_s.has_value(), "interval_s");
+  refuse_idle(sharpens && asked.along_resolution_m.has_value(), "along_resolution_m");
+  refuse_idle(!sharpens && asked.sharpening.has_value(), "sharpening");
+  if (asked.interval_s && (asked.along_resolution_m || asked.sharpening)) {
+    throw Error(title_of(radar),
+                fmt::format("has interval_s and {}, which say the same thing",
+                            asked.sharpening ? "sharpening" : "along_resolution_m"),
+                "leave out one of them");
+  }
+}
+
 /// The sine of the angle ahead of broadside at which the point is seen as one edge of the beam passes it. The beam
 /// keeps its azimuth, and the point is seen less or more steeply the earlier or later it is passed.
 double sine_at_edge(const Radar& radar, Vec3d away, double edge_rad) {
@@ -182,6 +201,7 @@ CoherentPlan coherent_plan(const Radar& radar, Vec3d aim) {
   if (!(speed_mps > 0.0))
     throw Error(title_of(radar), "stands still",
                 "give it a velocity, platform.speed_mps: coherent modes live from motion");
+  check_processing(radar);
   const Sight sight = sight_of(radar, radar.mode == Mode::Stripmap ? way_as_passed(radar, aim) : aim - radar.position);
   CoherentPlan plan{.looks = radar.processing.looks,
                     .squint_rad = std::acos(

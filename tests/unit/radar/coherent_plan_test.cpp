@@ -51,6 +51,22 @@ TEST(CoherentPlan, IntervalsGiveTheWantedResolution) {
   EXPECT_NEAR(coherent_plan(radar, place_at(90.0)).along_resolution_m, cells * 0.03 * 10e3 / (2.0 * 200.0), 1e-3);
 }
 
+TEST(CoherentPlan, WhatContradictsItselfOrMeansNothingIsRefused) {
+  Radar radar = flying_north(Mode::Spotlight);
+  const auto fault = [&] { return message_of_error([&] { static_cast<void>(coherent_plan(radar, place_at(90.0))); }); };
+  radar.processing.along_resolution_m = 0.75;
+  EXPECT_EQ(fault(), "");
+  radar.processing.interval_s = 0.1;
+  EXPECT_THAT(fault(), HasSubstr("has interval_s and along_resolution_m, which say the same thing; leave out one"));
+  radar.processing.along_resolution_m.reset();
+  EXPECT_EQ(fault(), "");
+  radar.processing.sharpening = 48.0;
+  EXPECT_THAT(fault(), HasSubstr("has sharpening, which means nothing in its mode"));
+  radar.processing.sharpening.reset();
+  radar.mode = Mode::Stripmap;
+  EXPECT_THAT(fault(), HasSubstr("has interval_s, which means nothing in its mode"));
+}
+
 /// Level ground 10 km away, so far off the nose on the map and seen at this depression from the origin.
 Vec3d ground_at(double off_course_deg, double depression_deg) {
   const double ground_m = 10e3 * std::cos(radians_from_deg(depression_deg)), off = radians_from_deg(off_course_deg);
