@@ -94,11 +94,11 @@ TEST(WindblownVegetation, spectrum_of_pulses_is_exponential) {
   EXPECT_NEAR(db_from_linear(left / right), 0.0, 1.0);
 }
 
-TEST(Windblown, is_what_is_called_a_plant) {
+TEST(Windblown, is_what_stands_for_plants) {
   for (const char* const plant : {"grass", "crops", "ulaby_dobson_trees_unverified", "billingsley_forest", "farmland"})
-    EXPECT_TRUE(simulate::is_plant_cover(plant)) << plant;
+    EXPECT_TRUE(scatter::library_material(plant).plants) << plant;
   for (const char* const other : {"forest_floor", "asphalt", "concrete", "water", "bare_soil"})
-    EXPECT_FALSE(simulate::is_plant_cover(other)) << other;
+    EXPECT_FALSE(scatter::library_material(other).plants) << other;
 }
 
 /// In an image with Doppler, leaves smear along the flight what stands still is sharp in.

@@ -144,6 +144,7 @@ struct Material {
   std::string name;
   Model model;
   std::string source;    ///< where the constants come from
+  bool plants = false;   ///< whether it stands for plants, which wind moves, and not what lies beneath trees
   bool verified = true;  ///< false where no source for the constants has been seen; carried into metadata and reports
   double lowest_frequency_hz = 0.0;
   double highest_frequency_hz = 1e12;
@@ -158,6 +159,10 @@ struct Material {
 
 /// The materials that are known by name; docs/physics/materials.md lists them with their constants and sources.
 [[nodiscard]] const std::vector<Material>& material_library();
+
+/// Whether such ground is a cover of plants.
+[[nodiscard]] bool is_plant_cover(TerrainClass terrain);
+[[nodiscard]] bool is_plant_cover(BillingsleyTerrain terrain);
 
 /// The library's material of that name. Throws Error, listing the known names, when there is none.
 [[nodiscard]] const Material& library_material(std::string_view name);

@@ -88,16 +88,21 @@ Material land(std::string name, double gamma_db, Depolarization depolarization, 
           .highest_frequency_hz = 40e9};
 }
 
+Material plants(Material material) {
+  material.plants = true;
+  return material;
+}
+
 std::vector<Material> constant_gamma_land() {
   const std::string quoted = "γ at 10 GHz as commonly quoted after Long and Nathanson; not checked against the books";
   const std::string barton = "γ as commonly quoted after Barton; not checked against the book";
   return {
       land("asphalt", -25.0, smooth, quoted + " (smooth)", false),
       land("flatland", -20.0, soil, "MathWorks surfaceReflectivity: −20 dB represents flatland", true),
-      land("grass", -15.0, vegetation, quoted + " (farmland)", false),
-      land("crops", -15.0, vegetation, quoted + " (farmland)", false),
-      land("shrubs", -13.0, vegetation, quoted + " (between farmland and wooded hill)", false),
-      land("forest", -10.0, vegetation, quoted + " (wooded hill)", false),
+      plants(land("grass", -15.0, vegetation, quoted + " (farmland)", false)),
+      plants(land("crops", -15.0, vegetation, quoted + " (farmland)", false)),
+      plants(land("shrubs", -13.0, vegetation, quoted + " (between farmland and wooded hill)", false)),
+      plants(land("forest", -10.0, vegetation, quoted + " (wooded hill)", false)),
       land("forest_floor", -20.0, vegetation, "flatland (MathWorks surfaceReflectivity), shaded by its trees", true),
       land("bare_soil", -18.0, soil, quoted + " (between flatland and farmland)", false),
       land("sand", -25.0, soil, quoted + " (smooth)", false),
@@ -105,10 +110,10 @@ std::vector<Material> constant_gamma_land() {
       land("water", -40.0, smooth, quoted + " (sea state 3); calm inland water is darker still", false),
       land("urban", -5.0, vegetation, "Barton's urban γ by the MathWorks landreflectivity example (0.1082 at 20°)",
            true),
-      land("farmland", -15.0, vegetation, barton, false),
+      plants(land("farmland", -15.0, vegetation, barton, false)),
       land("desert", -15.0, soil, barton, false),
       land("rolling_hills", -12.0, vegetation, barton, false),
-      land("wooded_hills", -10.0, vegetation, barton, false),
+      plants(land("wooded_hills", -10.0, vegetation, barton, false)),
       land("mountains", -5.0, soil, barton, false),
   };
 }
@@ -136,6 +141,7 @@ void append_tabulated_land(std::vector<Material>& materials, const NamedClass& n
                        .model = parameters,
                        .source = table + (unverified ? "with rows that were not checked against the book"
                                                      : "rows as transcribed in DartsTST.jl"),
+                       .plants = is_plant_cover(named.terrain),
                        .verified = !unverified,
                        .lowest_frequency_hz = bands.front().lowest_hz,
                        .highest_frequency_hz = bands.back().highest_hz});
@@ -148,6 +154,7 @@ Material low_angle_land(std::string name, BillingsleyTerrain terrain) {
           .source =
               "mean σ0 F⁴: Billingsley 2002, interim model, as transcribed in a public C++ implementation; "
               "cross-polarization assumed",
+          .plants = is_plant_cover(terrain),
           .lowest_frequency_hz = frequencies.lowest_hz,
           .highest_frequency_hz = frequencies.highest_hz};
 }
@@ -199,6 +206,15 @@ std::vector<Material> made_library() {
 }
 
 }  // namespace
+
+bool is_plant_cover(TerrainClass terrain) {
+  return terrain == TerrainClass::Grass || terrain == TerrainClass::Shrubs ||
+         terrain == TerrainClass::ShortVegetation || terrain == TerrainClass::Trees;
+}
+
+bool is_plant_cover(BillingsleyTerrain terrain) {
+  return terrain != BillingsleyTerrain::Desert;
+}
 
 const std::vector<Material>& material_library() {
   static const std::vector<Material> library = made_library();

@@ -81,17 +81,9 @@ class Crowns {
 
 }  // namespace
 
-bool is_plant_cover(std::string_view material) {
-  constexpr std::array plants{"grass",  "crops",      "shrubs", "forest", "farmland",
-                              "wooded", "vegetation", "trees",  "rural"};
-  if (material.find("forest_floor") != std::string_view::npos) return false;
-  return std::ranges::any_of(plants,
-                             [&](std::string_view plant) { return material.find(plant) != std::string_view::npos; });
-}
-
 Windblown windblown_of(const scene::Scene& scene) {
   std::vector<bool> plants;
-  for (const auto& material : scene.materials) plants.push_back(is_plant_cover(material.name));
+  for (const auto& material : scene.materials) plants.push_back(material.plants);
   return [&scene, plants, crowns = std::make_shared<const Crowns>(scene)](Vec2d point) {
     return plants[scene.ground.at(point)] || crowns->over(point);
   };

@@ -10,12 +10,8 @@ namespace sigmascape::simulate {
 /// Whether what grows at a point moves in the wind. Called from several threads at once.
 using Windblown = std::function<bool(Vec2d point)>;
 
-/// By the scene, wherever in it: under crowns of trees and on ground whose material is a plant cover. The scene must
+/// By the scene, wherever in it: under crowns of trees and on ground whose material stands for plants. The scene must
 /// outlive it. Crowns are looked for where and when they are first asked for, 2 km square at a time.
 [[nodiscard]] Windblown windblown_of(const scene::Scene& scene);
-
-/// Whether a material of this name stands for plants: grass, crops, shrubs, forest and farmland of any model, but not
-/// what lies beneath trees.
-[[nodiscard]] bool is_plant_cover(std::string_view material);
 
 }  // namespace sigmascape::simulate

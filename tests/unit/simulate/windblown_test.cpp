@@ -12,10 +12,11 @@ scene::Scene place_with_sheets(std::initializer_list<Vec2f> places) {
   scene::Scene scene;
   scene.extent = {-5000.0, -3000.0, 5000.0, 3000.0};
   scene.terrain = {-5000.0, 3000.0, 10000.0, Array2D<float>(2, 2, 0.0F)};
-  const auto material = [&](const char* name) {
-    return scene.material_index({.name = name, .model = scatter::LambertParameters{0.5, {0.1, 0.5}}, .source = {}});
+  const auto material = [&](const char* name, bool plants) {
+    return scene.material_index(
+        {.name = name, .model = scatter::LambertParameters{0.5, {0.1, 0.5}}, .source = {}, .plants = plants});
   };
-  const scene::MaterialIndex meadow = material("grass"), bare = material("concrete");
+  const scene::MaterialIndex meadow = material("meadow", true), bare = material("grass pavers", false);
   scene.ground = {{-5000.0, 3000.0, 6000.0, 2, 1}, Array2D<scene::MaterialIndex>(2, 1, bare)};
   scene.ground.material(0, 0) = meadow;
   scene.prototypes.push_back({.name = "sheet",
