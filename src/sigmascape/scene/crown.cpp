@@ -104,8 +104,9 @@ double effective_extinction_per_m(const Mesh& mesh, MaterialIndex leaf, const El
 }
 
 bool makes_crowns(const scatter::Material& leaf) {
-  return std::holds_alternative<scatter::CookTorranceParameters>(leaf.model) ||
-         std::holds_alternative<scatter::LambertParameters>(leaf.model);
+  const auto* mirrors = std::get_if<scatter::CookTorranceParameters>(&leaf.model);
+  if (mirrors != nullptr) return mirrors->scattering_coefficient == 0.0 && !mirrors->multiple_scatter;
+  return std::holds_alternative<scatter::LambertParameters>(leaf.model);
 }
 
 scatter::Material crown_material(const scatter::Material& leaf, double extinction_per_m) {

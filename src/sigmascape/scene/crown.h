@@ -23,8 +23,7 @@ namespace sigmascape::scene {
 /// material: less than the even one where leaves crowd. docs/physics/vegetation.md, Eq. (9).
 [[nodiscard]] double effective_extinction_per_m(const Mesh& mesh, MaterialIndex leaf, const Ellipsoid& crown);
 
-/// Whether crowns can be made of leaves of that material: of a facet surface or Lambert's, of which it is known how
-/// much they scatter.
+/// Whether crowns can be made of leaves of that material: of mirrors or of Lambert's, and of no mixture of the two.
 [[nodiscard]] bool makes_crowns(const scatter::Material& leaf);
 
 /// The medium of that extinction which scatters as leaves of a material do. Throws Error for those that make none.

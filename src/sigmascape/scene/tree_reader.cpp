@@ -99,8 +99,9 @@ TreeSource read_tree_source(const TomlSection& section, const MaterialTable& mat
     } else if (!makes_crowns(source.leaf)) {
       throw section.fault(
           "leaf_material",
-          fmt::format("'{}' has no albedo that is known, so that no crowns can be made of it", source.leaf.name),
-          "use a material of model cook_torrance or lambert, or name a crown_material");
+          fmt::format("'{}' is of no leaves that crowns can be made of", source.leaf.name),
+          "use a material of model lambert, or of cook_torrance without scattering_coefficient and multi_scatter, or "
+          "name a crown_material");
     }
   }
   refuse_without(section, "crown_material", "kind = \"crowns\"", source.kind == CrownKind::Medium);

@@ -118,14 +118,18 @@ TEST_F(BadInput, SpacingThatMakesMoreHeightsThanMemoryHolds) {
                     HasSubstr("choose a spacing of ")));
 }
 
-TEST_F(BadInput, LeavesWithoutAnAlbedoMakeNoCrowns) {
+TEST_F(BadInput, LeavesThatMixMirrorsOrAreNoneMakeNoCrowns) {
   place_.write("trees.csv", "x,y,h\n501100,4795500,12\n");
   const std::string trees =
       "[[trees]]\nfile = \"trees.csv\"\ncrs = \"EPSG:25830\"\nx = \"x\"\ny = \"y\"\nheight_attribute = \"h\"\n"
       "leaf_material = \"grass\"\n";
   EXPECT_THAT(place_.fault(trees + "kind = \"crowns\"\n"),
-              AllOf(HasSubstr("place.toml: trees[1].leaf_material: 'grass' has no albedo that is known"),
+              AllOf(HasSubstr("place.toml: trees[1].leaf_material: 'grass' is of no leaves that crowns can be made of"),
                     HasSubstr("name a crown_material")));
+  const std::string mixed = trees.substr(0, trees.find("leaf_material")) +
+                            "kind = \"crowns\"\nleaf_material = \"wet\"\n"
+                            "[materials.wet]\nbase = \"leaf\"\nscattering_coefficient = 0.5\n";
+  EXPECT_THAT(place_.fault(mixed), HasSubstr("'wet' is of no leaves that crowns can be made of"));
   EXPECT_EQ(place_.fault(trees), "") << "of leaves as triangles";
 }
 
