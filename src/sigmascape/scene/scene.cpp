@@ -109,7 +109,9 @@ MaterialIndex MaterialMap::at(Vec2d point) const {
 }
 
 MaterialIndex Scene::material_index(const scatter::Material& material) {
-  const auto known = std::ranges::find(materials, material.name, &scatter::Material::name);
+  const auto known = std::ranges::find_if(materials, [&](const scatter::Material& other) {
+    return other.name == material.name && other.model == material.model;
+  });
   if (known != materials.end()) return static_cast<MaterialIndex>(known - materials.begin());
   if (materials.size() > 255)
     throw Error("scene " + name, "more than 256 materials", "share materials between objects");
@@ -195,6 +197,17 @@ double tallest_object_m(const Scene& scene) {
     tallest = std::max(tallest, instance.lift_m + instance.scale.z * prototype_top[instance.prototype]);
   }
   return tallest;
+}
+
+std::vector<bool> used_materials(const Scene& scene) {
+  std::vector<bool> used(scene.materials.size(), false);
+  for (const MaterialIndex material : scene.ground.material.values()) used[material] = true;
+  for (const MaterialIndex material : scene.buildings.mesh.materials) used[material] = true;
+  for (const Mesh& mesh : scene.prototypes) {
+    for (const MaterialIndex material : mesh.materials) used[material] = true;
+  }
+  for (const Crown& crown : scene.crowns) used[crown.medium] = true;
+  return used;
 }
 
 radar::Rectangle occupied_extent(const Scene& scene) {

@@ -141,6 +141,9 @@ void shift(Scene& scene, Vec2d offset);
 /// How far each prototype of a scene reaches from its origin over the ground, unscaled, its crown included.
 [[nodiscard]] std::vector<float> prototype_radii_m(const Scene& scene);
 
+/// Which of its materials something is made of, the ground included.
+[[nodiscard]] std::vector<bool> used_materials(const Scene& scene);
+
 /// Height of the tallest thing above its ground, in metres: what decides how far shadows and layover reach.
 [[nodiscard]] double tallest_object_m(const Scene& scene);
 

@@ -38,7 +38,17 @@ struct EchoList {
 std::vector<scatter::SurfaceModel> surface_models(const scene::Scene& scene, double frequency_hz) {
   std::vector<scatter::SurfaceModel> models;
   models.reserve(scene.materials.size());
-  for (const auto& material : scene.materials) models.emplace_back(material, frequency_hz);
+  std::vector<bool> used;
+  for (const auto& material : scene.materials) {
+    const auto known = scatter::known_frequencies(material);
+    const bool is_known = std::ranges::any_of(known, [&](const scatter::FrequencyRange& range) {
+      return frequency_hz >= range.lowest_hz && frequency_hz <= range.highest_hz;
+    });
+    if (!is_known && used.empty()) used = scene::used_materials(scene);
+    // Of what lies nowhere, as the material of classes that a raster lacks, no ray asks anything.
+    const bool stands_in = !is_known && !known.empty() && !used[models.size()];
+    models.emplace_back(material, stands_in ? known.front().lowest_hz : frequency_hz);
+  }
   return models;
 }
 
