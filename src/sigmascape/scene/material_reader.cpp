@@ -61,11 +61,13 @@ struct ConstantsReader {
     land.terrain = chosen(section, "terrain", terrain_classes, land.terrain);
     land.unverified_rows = section.flag_or("unverified_rows", land.unverified_rows);
     if (land.unverified_rows) material.verified = false;
+    material.plants = scatter::is_plant_cover(land.terrain);
     leave_frequencies_to_the_model();
     read_depolarization(section, land.depolarization);
   }
   void operator()(scatter::BillingsleyParameters& land) const {
     land.terrain = chosen(section, "terrain", billingsley_terrains, land.terrain);
+    material.plants = scatter::is_plant_cover(land.terrain);
     leave_frequencies_to_the_model();
     read_depolarization(section, land.depolarization);
   }
@@ -81,8 +83,9 @@ struct ConstantsReader {
     read_depolarization(section, sea.depolarization);
   }
   void operator()(scatter::CookTorranceParameters& mirrors) const {
+    const scatter::Permittivity before = mirrors.permittivity;
     if (read_permittivity(section, mirrors.permittivity)) {
-      leave_frequencies_to_the_model();
+      if (!keeps_a_law(before)) leave_frequencies_to_the_model();
     } else if (section.has("model")) {
       throw section.fault("permittivity", "is missing, without which nothing is reflected",
                           "give permittivity, permittivity_law, or a table water, soil or plant");
@@ -90,6 +93,7 @@ struct ConstantsReader {
     mirrors.alpha = section.number_or("alpha", {0.001, 2.0, ""}, mirrors.alpha);
     mirrors.scattering_coefficient =
         section.number_or("scattering_coefficient", {0.0, 1.0, ""}, mirrors.scattering_coefficient);
+    if (mirrors.scattering_coefficient == 0.0) refuse_depolarization("without a scattering_coefficient");
     read_depolarization(section, mirrors.depolarization);
     mirrors.distribution = chosen(section, "distribution", distributions, mirrors.distribution);
     mirrors.masking = chosen(section, "masking", maskings, mirrors.masking);
@@ -99,18 +103,34 @@ struct ConstantsReader {
     if (const auto db_per_m = section.optional_number("extinction_db_per_m", {0.0, 100.0, "dB/m"}))
       crown.extinction_per_m = std::log(linear_from_db(*db_per_m));
     crown.albedo = section.number_or("albedo", {0.0, 1.0, ""}, crown.albedo);
-    scatter::Permittivity leaf;
+    scatter::Permittivity leaf = crown.leaf.value_or(scatter::Permittivity());
     if (read_permittivity(section, leaf)) {
       if (section.has("albedo"))
         throw Error(section.where("albedo"), "is stated beside the permittivity of the leaves, which decides it",
                     "leave one of them out");
       crown.leaf = leaf;
     }
+    if (crown.leaf) refuse_depolarization("beside the permittivity of the leaves, which are mirrors");
     crown.shares_gaps = section.flag_or("shares_gaps", crown.shares_gaps);
     read_depolarization(section, crown.depolarization);
   }
 
  private:
+  /// Of what leaves diffusely, where nothing does.
+  void refuse_depolarization(std::string_view where_idle) const {
+    for (const char* key : {"cross_ratio_db", "vv_hh_correlation"}) {
+      if (section.has(key)) throw section.fault(key, fmt::format("means nothing {}", where_idle), "leave it out");
+    }
+  }
+  /// Whether the half of the base's power law that the section leaves as it is changes with frequency: it is known
+  /// where the base was measured and nowhere else.
+  [[nodiscard]] bool keeps_a_law(const scatter::Permittivity& base) const {
+    const auto* law = std::get_if<scatter::PowerLawPermittivity>(&base.law());
+    if (law == nullptr || section.has("permittivity_law")) return false;
+    const bool has_real = section.has("permittivity"), has_conductivity = section.has("conductivity_s_per_m");
+    return (has_conductivity && !has_real && law->b != 0.0) ||
+           (has_real && !has_conductivity && law->c != 0.0 && law->d != 0.0);
+  }
   /// What is stated anew is known where its law or table is, not where the base material was.
   void leave_frequencies_to_the_model() const {
     material.lowest_frequency_hz = scatter::FrequencyRange{}.lowest_hz;
@@ -172,6 +192,7 @@ scatter::Material read_material(const TomlSection& section, const std::string& n
   material.name = name;
   material.source = section.text_or("source", fmt::format("scene file, {}", section.where()));
   std::visit(ConstantsReader{section, material}, material.model);
+  material.plants = section.flag_or("plants", material.plants);
   section.refuse_unknown_keys();
   return material;
 }
@@ -187,6 +208,14 @@ MaterialTable::MaterialTable(const TomlSection& root) {
 
 bool MaterialTable::knows(const std::string& name) const {
   return own_.contains(name) || find_in_library(name) != nullptr;
+}
+
+std::vector<std::string> MaterialTable::unasked() const {
+  std::vector<std::string> names;
+  for (const auto& [name, unused] : own_) {
+    if (!asked_.contains(name)) names.push_back(name);
+  }
+  return names;
 }
 
 const scatter::Material& MaterialTable::material(const std::string& name, const std::string& where) const {
@@ -206,7 +235,10 @@ const scatter::Material& MaterialTable::crown(const std::string& name, const std
 }
 
 const scatter::Material& MaterialTable::found(const std::string& name, const std::string& where) const {
-  if (const auto own = own_.find(name); own != own_.end()) return own->second;
+  if (const auto own = own_.find(name); own != own_.end()) {
+    asked_.insert(name);
+    return own->second;
+  }
   if (const scatter::Material* known = find_in_library(name)) return *known;
   std::vector<std::string> names;
   for (const auto& [own_name, unused] : own_) names.push_back(own_name);

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
+#include <vector>
 
 #include "sigmascape/base/toml_reader.h"
 #include "sigmascape/scatter/material.h"
@@ -16,6 +18,8 @@ class MaterialTable {
   explicit MaterialTable(const TomlSection& root);
 
   [[nodiscard]] bool knows(const std::string& name) const;
+  /// Those of the file that nobody has asked for yet.
+  [[nodiscard]] std::vector<std::string> unasked() const;
   /// Throws Error at `where`, with the nearest known name, when neither has it.
   [[nodiscard]] const scatter::Material& material(const std::string& name, const std::string& where) const;
   /// The same for the medium of a tree's crown, which `material` refuses.
@@ -28,6 +32,7 @@ class MaterialTable {
   [[nodiscard]] const scatter::Material& found(const std::string& name, const std::string& where) const;
 
   std::map<std::string, scatter::Material> own_;
+  mutable std::set<std::string> asked_;
 };
 
 }  // namespace sigmascape::scene

@@ -6,6 +6,13 @@
 namespace sigmascape::scene {
 namespace {
 
+/// The law that the base states, whose constants stay where nothing is said of them, or that law's own.
+template <typename Law>
+Law begun_with(const scatter::Permittivity& permittivity) {
+  const Law* stated = std::get_if<Law>(&permittivity.law());
+  return stated != nullptr ? *stated : Law{};
+}
+
 bool read_constant(const TomlSection& section, scatter::Permittivity& permittivity) {
   const auto relative = section.optional_number("permittivity", {1.0, 1e6, ""});
   const auto conductivity = section.optional_number("conductivity_s_per_m", {0.0, 1e9, "S/m"});
@@ -33,17 +40,18 @@ bool read_power_law(const TomlSection& section, scatter::Permittivity& permittiv
 bool read_water(const TomlSection& section, scatter::Permittivity& permittivity) {
   const auto water = section.section("water");
   if (!water) return false;
-  const double temperature_c = water->number_or("temperature_c", {-4.0, 40.0, "°C"}, 20.0);
-  const double salinity = water->number_or("salinity_g_per_kg", {0.0, 40.0, "g/kg"}, 0.0);
+  auto law = begun_with<scatter::WaterPermittivity>(permittivity);
+  law.temperature_c = water->number_or("temperature_c", {-4.0, 40.0, "°C"}, law.temperature_c);
+  law.salinity_g_per_kg = water->number_or("salinity_g_per_kg", {0.0, 40.0, "g/kg"}, law.salinity_g_per_kg);
   water->refuse_unknown_keys();
-  permittivity = scatter::WaterPermittivity{temperature_c, salinity};
+  permittivity = law;
   return true;
 }
 
 bool read_soil(const TomlSection& section, scatter::Permittivity& permittivity) {
   const auto soil = section.section("soil");
   if (!soil) return false;
-  scatter::SoilPermittivity law;
+  auto law = begun_with<scatter::SoilPermittivity>(permittivity);
   law.sand_percent = soil->number_or("sand_percent", {1.0, 98.0, "%"}, law.sand_percent);
   law.clay_percent = soil->number_or("clay_percent", {1.0, 98.0, "%"}, law.clay_percent);
   law.volumetric_moisture = soil->number_or("moisture", {0.01, 0.5, ""}, law.volumetric_moisture);
@@ -58,7 +66,7 @@ bool read_soil(const TomlSection& section, scatter::Permittivity& permittivity) 
 bool read_plant(const TomlSection& section, scatter::Permittivity& permittivity) {
   const auto plant = section.section("plant");
   if (!plant) return false;
-  scatter::VegetationPermittivity law;
+  auto law = begun_with<scatter::VegetationPermittivity>(permittivity);
   law.gravimetric_moisture = plant->number_or("moisture", {0.0, 0.7, ""}, law.gravimetric_moisture);
   law.salinity_g_per_kg = plant->number_or("salinity_g_per_kg", {0.0, 40.0, "g/kg"}, law.salinity_g_per_kg);
   plant->refuse_unknown_keys();

@@ -172,6 +172,13 @@ void note_level_without_water(Scene& scene, const SceneDescription& described, c
   tally.settle(described.terrain.source.raster.file.string(), 1, described.terrain.limit, scene.remarks);
 }
 
+void note_unused_materials(Scene& scene, const MaterialTable& materials, const std::filesystem::path& toml) {
+  FlawTally tally;
+  for (const std::string& name : materials.unasked())
+    tally.mistake("materials of the file that nothing is made of", fmt::format("[materials.{}]", name));
+  tally.settle(toml.string(), 1, {}, scene.remarks);
+}
+
 }  // namespace
 
 Scene read_scene(const std::filesystem::path& toml) {
@@ -193,6 +200,7 @@ Scene read_scene(const std::filesystem::path& toml) {
   for (const TreeSource& trees : described.trees) add_trees(scene, trees, water);
   for (const MeshSource& mesh : described.meshes) add_mesh(scene, mesh, described.materials);
   for (const PointTargetSource& target : described.point_targets) add_point_target(scene, target);
+  note_unused_materials(scene, described.materials, toml);
   return scene;
 }
 

@@ -1,6 +1,7 @@
 #include "sigmascape/scene/material_reader.h"
 
 #include <cmath>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "scratch_folder.h"
@@ -11,6 +12,8 @@
 
 namespace sigmascape::scene {
 namespace {
+
+using ::testing::HasSubstr;
 
 class MaterialReader : public testing::Test {
  protected:
@@ -113,11 +116,48 @@ TEST_F(MaterialReader, MirrorsSayWhatTheyAreOf) {
   EXPECT_NO_THROW(read("base = \"metal\"\nconductivity_s_per_m = 1e6\n"));
 }
 
+TEST_F(MaterialReader, WhatIsNotSaidStaysTheBases) {
+  const auto at_10_ghz = [&](const std::string& lines) {
+    return model<scatter::CookTorranceParameters>(lines).permittivity.relative_at(10e9);
+  };
+  EXPECT_NEAR(at_10_ghz("base = \"leaf_drying\"\nplant = {salinity_g_per_kg = 20}\n").real(), 5.7, 0.2);
+  EXPECT_NEAR(at_10_ghz("base = \"sandy_loam_dry\"\nsoil = {temperature_c = 10}\n").real(), 6.3, 0.2);
+  const auto cold_sea = model<scatter::CookTorranceParameters>("base = \"sea_water\"\nwater = {temperature_c = 5}\n");
+  EXPECT_EQ(cold_sea.permittivity, scatter::Permittivity(scatter::WaterPermittivity{5.0, 35.0}));
+}
+
+TEST_F(MaterialReader, DepolarizationOfNothingDiffuseIsRefused) {
+  const std::string crown = "model = \"crown\"\nextinction_db_per_m = 2\n";
+  for (const char* key : {"cross_ratio_db = -6\n", "vv_hh_correlation = 0.5\n"}) {
+    const auto said_of = [&](const std::string& lines) {
+      return message_of_error([&] { static_cast<void>(read(lines + key)); });
+    };
+    EXPECT_THAT(said_of("base = \"leaf\"\n"), HasSubstr("means nothing without a scattering_coefficient"));
+    EXPECT_THAT(said_of(crown + "permittivity = 20\n"), HasSubstr("means nothing beside the permittivity"));
+    EXPECT_EQ(said_of("base = \"leaf\"\nscattering_coefficient = 0.5\n"), "");
+    EXPECT_THAT(said_of(crown), HasSubstr("is the medium of a tree's crown")) << "read, but no surface";
+  }
+}
+
+TEST_F(MaterialReader, PlantsAreWhatTheBaseIsOrTheSectionSays) {
+  EXPECT_TRUE(read("base = \"crops\"\n").plants);
+  EXPECT_FALSE(read("base = \"asphalt\"\n").plants);
+  EXPECT_FALSE(read("base = \"forest_floor\"\n").plants);
+  EXPECT_TRUE(read("model = \"ulaby_dobson\"\nterrain = \"trees\"\n").plants);
+  EXPECT_FALSE(read("base = \"billingsley_forest\"\nterrain = \"desert\"\n").plants);
+  EXPECT_TRUE(read("model = \"constant_gamma\"\ngamma_db = -14\nplants = true\n").plants);
+}
+
 // A permittivity of one's own is not bound by where the base was measured.
 TEST_F(MaterialReader, NewPermittivityDropsTheBasesFrequencies) {
   EXPECT_EQ(read("base = \"wet_ground\"\n").highest_frequency_hz, 10e9);
   EXPECT_EQ(scatter::known_frequencies(read("base = \"wet_ground\"\nsoil = {moisture = 0.4}\n")).front().highest_hz,
             37e9);
+  // What is left of a law that changes with frequency is known no further than before.
+  EXPECT_EQ(read("base = \"wet_ground\"\nconductivity_s_per_m = 0.1\n").highest_frequency_hz, 10e9);
+  EXPECT_EQ(read("base = \"concrete\"\npermittivity = 6\n").lowest_frequency_hz, 1e9);
+  EXPECT_GT(read("base = \"concrete\"\npermittivity = 6\nconductivity_s_per_m = 0.1\n").highest_frequency_hz, 1e11);
+  EXPECT_GT(read("base = \"metal\"\nconductivity_s_per_m = 1e6\n").highest_frequency_hz, 1e11);
 }
 
 }  // namespace

@@ -57,6 +57,17 @@ TEST(SceneFile, WaterFarFromTheLevelStaysWhereItIs) {
   EXPECT_NEAR(scene.terrain.height_at({350.0, 300.0}), 25.0, 0.2);
 }
 
+TEST(SceneFile, AMaterialThatNothingIsMadeOfMakesARemark) {
+  const MadeUpPlace place;
+  const Scene scene = place.read(
+      "nodata_material = \"mine\"\n[materials.mine]\nbase = \"sand\"\n"
+      "[materials.conrete]\nbase = \"concrete\"\n");
+  ASSERT_EQ(scene.remarks.size(), 1U);
+  EXPECT_TRUE(scene.remarks.front().is_likely_a_mistake);
+  EXPECT_EQ(scene.remarks.front().what, "materials of the file that nothing is made of");
+  EXPECT_THAT(scene.remarks.front().first, HasSubstr("[materials.conrete]"));
+}
+
 TEST(SceneFile, AWaterLevelThatLevelsNothingMakesARemark) {
   const MadeUpPlace place;
   EXPECT_TRUE(place.read().remarks.empty());
