@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <string_view>
 
 #include "sigmascape/base/vec.h"
 
@@ -33,8 +34,11 @@ struct Look {
 /// To which side of its course a radar looks at a place, on the map: "left" or "right", or "neither" when the place
 /// lies on the line of the course or the radar stands still.
 [[nodiscard]] inline const char* look_side(Vec3d velocity_mps, Vec3d away) {
-  const double leftwards = velocity_mps.x * away.y - velocity_mps.y * away.x;
+  const double leftwards = cross(Vec2d{velocity_mps.x, velocity_mps.y}, Vec2d{away.x, away.y});
   return leftwards > 0.0 ? "left" : leftwards < 0.0 ? "right" : "neither";
+}
+[[nodiscard]] inline bool looks_left(Vec3d velocity_mps, Vec3d away) {
+  return std::string_view(look_side(velocity_mps, away)) == "left";
 }
 
 }  // namespace sigmascape::radar

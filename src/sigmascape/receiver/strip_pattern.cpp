@@ -12,16 +12,16 @@ double azimuth_of(double sine, double cosine_depression) {
 
 }  // namespace
 
-StripPattern::StripPattern(const radar::AntennaCut& azimuth, double squint_rad)
-    : azimuth_(azimuth), sine_squint_(std::sin(squint_rad)) {}
+StripPattern::StripPattern(const radar::AntennaCut& azimuth, double squint_rad, bool looks_left)
+    : azimuth_(azimuth), sine_squint_(std::sin(squint_rad)), clockwise_(looks_left ? 1.0 : -1.0) {}
 
 double StripPattern::voltage(double sine_seen, double sine_believed, double sine_depression) const {
   if (!(std::abs(sine_seen) < 1.0 && std::abs(sine_believed) < 1.0)) return 0.0;
   const double cosine = std::sqrt(1.0 - sine_depression * sine_depression);
   const double axis = azimuth_of(sine_squint_, cosine);
   // One-way power is two-way voltage.
-  const double there = azimuth_.power(azimuth_of(sine_seen, cosine) - axis),
-               here = azimuth_.power(azimuth_of(sine_believed, cosine) - axis);
+  const double there = azimuth_.power(clockwise_ * (azimuth_of(sine_seen, cosine) - axis)),
+               here = azimuth_.power(clockwise_ * (azimuth_of(sine_believed, cosine) - axis));
   return here > 0.0 ? there / here : 0.0;
 }
 

@@ -13,15 +13,16 @@ namespace sigmascape::receiver {
 /// anything.
 class StripPattern {
  public:
-  /// `squint_rad`: of the beam's axis, ahead of broadside.
-  StripPattern(const radar::AntennaCut& azimuth, double squint_rad);
+  /// `squint_rad`: of the beam's axis, ahead of broadside. Patterns turn clockwise, as what is ahead does to the left
+  /// of the flight and not to its right.
+  StripPattern(const radar::AntennaCut& azimuth, double squint_rad, bool looks_left);
 
   /// By the sines of both angles ahead of broadside, and of the depression.
   [[nodiscard]] double voltage(double sine_seen, double sine_believed, double sine_depression) const;
 
  private:
   radar::AntennaCut azimuth_;
-  double sine_squint_;
+  double sine_squint_, clockwise_;
 };
 
 }  // namespace sigmascape::receiver

@@ -81,7 +81,7 @@ StripmapImager::StripmapImager(const radar::Radar& radar, const radar::Motion& p
       band_per_m_(band_per_m(strip)),
       repetition_hz_(radar.waveform.pulse_repetition_hz),
       direction_(normalized(platform.velocity_mps)),
-      pattern_(radar::antenna_pattern(radar).azimuth(), strip.squint_rad),
+      pattern_(radar::antenna_pattern(radar).azimuth(), strip.squint_rad, strip.looks_left),
       response_(strip.window),
       window_terms_(radar::cosine_terms(strip.window)),
       plane_(along_.axis, range_.axis) {

@@ -26,6 +26,7 @@ struct Strip {
   radar::Window window = {};  ///< over the processed Doppler band
   double oversampling = 1.5;  ///< bins a resolution cell, at least 1
   double squint_rad = 0.0;    ///< of the beam, ahead of broadside
+  bool looks_left = false;    ///< of the flight
   double ground_m = 0.0;      ///< height of what is mapped, above mean sea level
   std::uint64_t dwell = 0;    ///< by which fluctuating targets are drawn
 };
