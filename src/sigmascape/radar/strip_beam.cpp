@@ -59,4 +59,10 @@ Vec3d way_as_passed(const Radar& radar, Vec3d middle) {
   return way - radar.velocity_mps * (cross({way.x, way.y}, direction) / cross(course, direction));
 }
 
+Radar as_it_passes(const Radar& radar, Vec3d middle) {
+  Radar then = radar;
+  if (radar.mode == Mode::Stripmap) then.position = middle - way_as_passed(radar, middle);
+  return then;
+}
+
 }  // namespace sigmascape::radar

@@ -21,4 +21,7 @@ namespace sigmascape::radar {
 /// fixed beam is at time zero. Throws Error where a fixed one straddles the course or looks to its other side.
 [[nodiscard]] Vec3d way_as_passed(const Radar& radar, Vec3d middle);
 
+/// The radar where it is then; one that maps no strips as it is. Throws Error likewise.
+[[nodiscard]] Radar as_it_passes(const Radar& radar, Vec3d middle);
+
 }  // namespace sigmascape::radar

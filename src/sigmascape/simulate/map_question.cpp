@@ -5,6 +5,7 @@
 
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/radar/coherent_plan.h"
+#include "sigmascape/radar/strip_beam.h"
 #include "sigmascape/scene/mesh_counts.h"
 
 namespace sigmascape::simulate {
@@ -13,7 +14,7 @@ render::DetailQuestion map_question(const scene::Scene& scene, const radar::Rada
                                     const atlas::Store* store) {
   const Vec2d centre = grid.extent().centre();
   const Vec3d aim{centre.x, centre.y, scene.terrain.height_at(centre)};
-  const Vec3d away = radar.position - aim;
+  const Vec3d away = radar::as_it_passes(radar, aim).position - aim;
   const bool real_beam = radar.mode == radar::Mode::RealBeam;
   render::DetailQuestion question;
   question.range_resolution_m = radar.range_resolution_m;

@@ -8,11 +8,13 @@
 #include <optional>
 #include <utility>
 
+#include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/azimuth_span.h"
 #include "sigmascape/radar/radar_warnings.h"
 #include "sigmascape/radar/rectangle_distances.h"
 #include "sigmascape/radar/rectangle_parts.h"
+#include "sigmascape/radar/strip_beam.h"
 #include "sigmascape/simulate/placement.h"
 #include "sigmascape/simulate/simulate.h"
 
@@ -85,19 +87,30 @@ std::optional<std::string> beam_beside(const radar::Radar& radar, const radar::R
       deg_from_radians(offsets.most_rad));
 }
 
+/// A strip is seen from where the platform is as its beam passes over it. Of one that passes over nothing others tell.
+radar::Radar as_it_maps(const radar::Radar& radar, const radar::Rectangle& area, const terrain::HeightField& terrain) {
+  const Vec2d middle = area.centre();
+  try {
+    return radar::as_it_passes(radar, {middle.x, middle.y, terrain.height_at(middle)});
+  } catch (const Error&) {
+    return radar;
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> map_warnings(const radar::Radar& radar, const radar::MapRequest& request,
                                       const terrain::HeightField& terrain, const radar::Rectangle& extent) {
   const radar::GroundGrid grid = map_grid(request, extent);
-  auto warnings = radar::radar_warnings(radar, bins_for(radar, grid.extent(), terrain), grid.cell_m);
+  const radar::Radar mapping = as_it_maps(radar, grid.extent(), terrain);
+  auto warnings = radar::radar_warnings(mapping, bins_for(mapping, grid.extent(), terrain), grid.cell_m);
   const auto sides = cut_sides(request.area.value_or(extent), extent, request.cell_m);
   if (!sides.empty()) {
     warnings.push_back(
         fmt::format("the map's area reaches beyond the scene, {}, and is cut off there; {} x {} cells of it are left",
                     fmt::join(sides, " and "), grid.columns, grid.rows));
   }
-  if (auto missed = beam_above_or_below(radar, grid.extent(), terrain)) warnings.push_back(*std::move(missed));
+  if (auto missed = beam_above_or_below(mapping, grid.extent(), terrain)) warnings.push_back(*std::move(missed));
   if (auto missed = beam_beside(radar, grid.extent())) warnings.push_back(*std::move(missed));
   return warnings;
 }
