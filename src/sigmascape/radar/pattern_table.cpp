@@ -1,14 +1,18 @@
 #include "sigmascape/radar/pattern_table.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <fmt/format.h>
 #include <fstream>
-#include <sstream>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
+#include "sigmascape/radar/csv_lines.h"
 
 namespace sigmascape::radar {
 namespace {
@@ -17,24 +21,32 @@ struct Row {
   double offset_deg = 0.0, gain_db = 0.0;
 };
 
+/// A finite one, with a plus before it or not.
+std::optional<double> number_of(std::string_view text) {
+  if (text.starts_with('+')) text.remove_prefix(1);
+  double value = 0.0;
+  const auto [stopped, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool is_whole = fault == std::errc{} && stopped == text.data() + text.size() && std::isfinite(value);
+  return is_whole ? std::optional(value) : std::nullopt;
+}
+
 std::vector<Row> rows_of(const std::filesystem::path& file) {
   std::ifstream stream(file);
   if (!stream || std::filesystem::is_directory(file))
     throw Error(file.string(), "cannot be read", "name a CSV file of offset_deg,gain_db");
   std::vector<Row> rows;
-  std::string line;
-  for (int number = 1; std::getline(stream, line); ++number) {
-    if (line.empty() || line.starts_with('#') || (number == 1 && line.starts_with("offset_deg"))) continue;
-    std::istringstream words(line);
-    Row row;
-    char comma = 0;
+  bool may_be_names = true;
+  for_each_csv_line(stream, [&](const std::string& line, std::size_t number) {
+    const std::vector<std::string> fields = csv_fields(line);
+    if (std::exchange(may_be_names, false) && fields.front() == "offset_deg") return;
     const std::string where = fmt::format("{}:{}", file.string(), number);
-    if (!(words >> row.offset_deg >> comma >> row.gain_db) || comma != ',')
+    const auto offset_deg = number_of(fields.front()), gain_db = number_of(fields.back());
+    if (fields.size() != 2 || !offset_deg || !gain_db)
       throw Error(where, fmt::format("\"{}\" is not a pair of numbers", line), "give offset_deg,gain_db");
-    if (!rows.empty() && row.offset_deg <= rows.back().offset_deg)
+    if (!rows.empty() && *offset_deg <= rows.back().offset_deg)
       throw Error(where, "does not lie beyond the line before it", "sort the lines by increasing offset_deg");
-    rows.push_back(row);
-  }
+    rows.push_back({*offset_deg, *gain_db});
+  });
   return rows;
 }
 

@@ -12,6 +12,7 @@
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
+#include "sigmascape/radar/csv_lines.h"
 
 namespace sigmascape::radar {
 namespace {
@@ -37,19 +38,6 @@ Part part_of_circle(const std::vector<double>& axis, double value) {
   return {axis.size() - 1, 0, static_cast<float>(into / gap)};
 }
 
-std::vector<std::string> fields_of(const std::string& line) {
-  std::vector<std::string> fields;
-  std::size_t begin = 0;
-  while (begin <= line.size()) {
-    const std::size_t comma = std::min(line.find(',', begin), line.size());
-    const std::string field = line.substr(begin, comma - begin);
-    const std::size_t first = field.find_first_not_of(" \t\r"), last = field.find_last_not_of(" \t\r");
-    fields.push_back(first == std::string::npos ? "" : field.substr(first, last - first + 1));
-    begin = comma + 1;
-  }
-  return fields;
-}
-
 // Of the columns below. Decibels reach from nothing to what a float holds as power.
 struct Allowed {
   double lowest, highest;
@@ -69,7 +57,7 @@ struct Reader {
   [[nodiscard]] std::string at_line(std::size_t line) const { return fmt::format("{}, line {}", path.string(), line); }
 
   void read_names(const std::string& line, std::size_t number) {
-    for (const std::string& field : fields_of(line)) {
+    for (const std::string& field : csv_fields(line)) {
       const auto* const found = std::find(std::begin(names), std::end(names), field);
       if (found == std::end(names)) {
         throw Error(at_line(number), "has an unknown column \"" + field + "\"",
@@ -86,7 +74,7 @@ struct Reader {
   }
 
   [[nodiscard]] Row read_row(const std::string& line, std::size_t number) const {
-    const auto fields = fields_of(line);
+    const auto fields = csv_fields(line);
     if (fields.size() != columns.size()) {
       throw Error(at_line(number), fmt::format("has {} fields", fields.size()),
                   fmt::format("give {}, one a column", columns.size()));
@@ -176,14 +164,8 @@ RcsTable read_rcs_table(const std::filesystem::path& path) {
     double stated_azimuth_deg;
   };
   std::map<std::array<double, 3>, Entry> entries;
-  std::string line;
-  for (std::size_t number = 1; std::getline(file, line); ++number) {
-    const std::size_t first = line.find_first_not_of(" \t\r");
-    if (first == std::string::npos || line[first] == '#') continue;
-    if (reader.columns.empty()) {
-      reader.read_names(line, number);
-      continue;
-    }
+  for_each_csv_line(file, [&](const std::string& line, std::size_t number) {
+    if (reader.columns.empty()) return reader.read_names(line, number);
     const Row row = reader.read_row(line, number);
     const std::array<double, 3> key{row[Frequency].value_or(0.0) * 1e9, radians_from_deg(row[Elevation].value_or(0.0)),
                                     wrapped_azimuth(radians_from_deg(*row[Azimuth]))};
@@ -195,7 +177,7 @@ RcsTable read_rcs_table(const std::filesystem::path& path) {
                   fmt::format("tells a second time what is returned at an azimuth of {:g}°", *row[Azimuth]),
                   "give each azimuth, elevation and frequency once; whole turns make no difference");
     }
-  }
+  });
   if (entries.empty()) throw Error(path.string(), "holds no cross-sections", "give at least one line of numbers");
 
   RcsTable table;

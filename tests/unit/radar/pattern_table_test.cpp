@@ -48,6 +48,20 @@ TEST(PatternTable, FaultsAreToldWithTheirLine) {
 }
 
 // A beam whose peak lies off the axis is as wide as one whose peak does not.
+// As spreadsheets and measuring programs write them.
+TEST(PatternTable, MarksRemarksAndBlankLinesAreNoNumbers) {
+  const ScratchFolder folder;
+  const auto read = [&](const std::string& text) { return read_pattern_table(folder.write("cut.csv", text)); };
+  const std::size_t plain = read("-2,-20\n0,0\n2,-20\n").beam.samples.size();
+  EXPECT_EQ(plain, 3U);
+  EXPECT_EQ(read("\xef\xbb\xbfoffset_deg,gain_db\r\n-2,-20\r\n\r\n0,0\r\n2,+0.5\r\n4,-20\r\n").beam.samples.size(), 4U);
+  EXPECT_EQ(read("# measured\noffset_deg,gain_db\n -2 , -20\n0,0\n  \n2,-20\n").beam.samples.size(), plain);
+  for (const char* junk : {"-2,-20 dB", "-2,-20,1", "-2,5,-20", "-2", "a,b"})
+    EXPECT_THAT(message_of_error([&] { static_cast<void>(read(std::string(junk) + "\n0,0\n2,-20\n")); }),
+                HasSubstr("is not a pair of numbers"))
+        << junk;
+}
+
 TEST(PatternTable, WidthIsThatAboutThePeak) {
   ScratchFolder folder;
   const AntennaCut made(GaussianBeam{}, radians_from_deg(4.0));
