@@ -196,6 +196,8 @@ std::optional<double> read_antenna(const std::optional<TomlSection>& section, Ra
     antenna.side_lobe_floor = linear_from_db(*floor_db);
   std::optional<double> efficiency;
   if (const auto gain_dbi = section->optional_number("gain_dbi", {-10.0, 80.0, "dB over isotropic"})) {
+    if (section->has("efficiency"))
+      throw section->fault("efficiency", "means nothing beside gain_dbi, which holds it", "leave out one of them");
     antenna.gain = linear_from_db(*gain_dbi);
   } else {
     efficiency = section->number_or("efficiency", {0.01, 1.0, "of the power"}, 1.0);

@@ -18,6 +18,8 @@ std::variant<Channels, RcsTable> read_rcs(const TomlSection& section) {
   if (!section.has("rcs_csv")) return rcs_of_section(section);
   if (section.has("rcs_dbsm"))
     throw section.fault("rcs_csv", "and rcs_dbsm both give the cross-section", "leave out one of them");
+  if (section.has("bounces"))
+    throw section.fault("bounces", "means nothing beside rcs_csv, which gives VV and HH as they are", "leave it out");
   return read_rcs_table(section.file("rcs_csv"));
 }
 
@@ -73,7 +75,7 @@ void read_motion(const TomlSection& section, TargetSource& source) {
                            section.number_or("climb_mps", {-1000.0, 1000.0, "m/s"}, 0.0)};
     return;
   }
-  for (const char* key : {"position_m", "position_lat_lon_deg", "speed_mps", "climb_mps"}) {
+  for (const char* key : {"position_m", "position_lat_lon_deg", "height_m", "altitude_m", "speed_mps", "climb_mps"}) {
     if (section.has(key)) throw section.fault(key, "and way_points both say how it moves", "leave out one of them");
   }
   for (const TomlSection& leg : legs) {

@@ -368,6 +368,11 @@ TEST_F(RadarFileTest, GainFollowsFromTheBeam) {
   EXPECT_NEAR(radar.antenna.gain / (16.0 * std::numbers::ln2 / (theta * phi)), 1.0, 0.002);
 }
 
+TEST_F(RadarFileTest, AGainHoldsItsEfficiency) {
+  EXPECT_THAT(fault_of(radar_section + position_section + "[antenna]\ngain_dbi = 33\nefficiency = 0.6\n"),
+              HasSubstr("antenna.efficiency: means nothing beside gain_dbi, which holds it"));
+}
+
 // What is changed afterwards is what the file would have been read to say.
 TEST_F(RadarFileTest, AnotherBeamWidthIsThatOfAnotherFile) {
   const auto file_of = [&](double width_deg, const std::string& antenna) {

@@ -1,5 +1,6 @@
 #include "sigmascape/radar/target_file.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <numbers>
@@ -84,6 +85,14 @@ TEST_F(TargetFile, FaultsNameFileAndKey) {
   EXPECT_THAT(fault_of("[[targets]]\nposition_lat_lon_deg = [143, 3]\nrcs_dbsm = 0\n"), HasSubstr("latitude first"));
   EXPECT_THAT(fault_of(plain + "[[targets.way_points]]\ntime_s = 0\nposition_m = [0, 0]\n"),
               HasSubstr("position_m: and way_points both"));
+  for (const char* key : {"height_m", "altitude_m"}) {
+    EXPECT_THAT(fault_of(fmt::format("[[targets]]\nrcs_dbsm = 1\n{} = 5\n[[targets.way_points]]\ntime_s = 1\n"
+                                     "position_m = [0, 0]\n",
+                                     key)),
+                HasSubstr(std::string(key) + ": and way_points both"));
+  }
+  EXPECT_THAT(fault_of("[[targets]]\nposition_m = [0, 0]\nrcs_csv = \"car.csv\"\nbounces = \"even\"\n"),
+              HasSubstr("bounces: means nothing beside rcs_csv"));
   EXPECT_THAT(fault_of("[[targets]]\nrcs_dbsm = 1\n[[targets.way_points]]\ntime_s = 1\nposition_m = [0, 0]\n"
                        "[[targets.way_points]]\ntime_s = 1\nposition_m = [0, 1]\n"),
               HasSubstr("time_s: is not later"));
