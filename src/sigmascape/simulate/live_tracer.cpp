@@ -138,6 +138,7 @@ void LiveTracer::begin(const render::Pose& pose) {
     frame_.powers_m2 = bins_;
   }
   look_ = look_of(pose);
+  lattice_level_ = lattice_level(look_);
   if (look_.ground.is_empty()) return;
   if (const double cells = cells_in(look_.ground.area, look_); cells > tracing_.most_cells) {
     throw Error(name, fmt::format("is to trace {:.2g} cells of {:.3g} m", cells, lattice_cell_m(look_)),
@@ -255,8 +256,12 @@ double LiveTracer::widest_cell_beams() const {
 int LiveTracer::lattice_level(const Look& look) const {
   const render::DetailQuestion bins = render::question_of_bins(settings_, look.near_m, look.far_m - look.near_m);
   const double sample_m = std::min(bins.range_resolution_m, bins.cross_range_m) / bins.samples_per_cell;
-  return static_cast<int>(std::clamp(std::floor(std::log2(sample_m / tracing_.lattice_m)), 0.0,
-                                     static_cast<double>(coarsest_lattice_level)));
+  // A level is left when another is right by a quarter of one: all scatterers change with it.
+  constexpr double sticks = 0.25;
+  const double wanted = std::log2(sample_m / tracing_.lattice_m);
+  const bool stays = lattice_level_ && wanted >= *lattice_level_ - sticks && wanted < *lattice_level_ + 1.0 + sticks;
+  return stays ? *lattice_level_
+               : static_cast<int>(std::clamp(std::floor(wanted), 0.0, static_cast<double>(coarsest_lattice_level)));
 }
 
 render::DetailQuestion LiveTracer::question(const render::Pose& pose) const {

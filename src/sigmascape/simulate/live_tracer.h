@@ -139,6 +139,7 @@ class LiveTracer {
   // Of the pose in hand.
   std::optional<Vec3d> position_;
   Look look_;
+  std::optional<int> lattice_level_;
   std::vector<radar::ShadowBox> boxes_;
   std::vector<Step> steps_;
 

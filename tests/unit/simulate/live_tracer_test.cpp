@@ -361,6 +361,35 @@ TEST_F(LiveTracerTest, ScatterersStayWhileRaysAreAdded) {
   EXPECT_GT(cross.real() / std::sqrt(aa * bb), 0.9);
 }
 
+// All scatterers change with the level of the lattice, which the width of the beams asks for.
+TEST_F(LiveTracerTest, APoseToAndFroKeepsItsScatterers) {
+  const auto pose_at = [&](double times) {
+    const auto bins = bins_.settings(FrameContent::Powers);
+    render::Pose pose = bins_.pose();
+    pose.position = radar::position_seeing({}, pi, elevation_rad, times * slant_range_m);
+    pose.first_range_m = times * slant_range_m - 0.5 * static_cast<double>(bins_.count) * bins.range_step_m;
+    return pose;
+  };
+  render::LiveSettings settings = bins_.settings(FrameContent::Powers);
+  settings.range_step_m *= 3.0;
+  settings.beam_step_rad *= 2.0;
+  const auto cells_at = [&](LiveTracer& live, double times) {
+    return static_cast<double>(live.render(pose_at(times)).report.cells);
+  };
+  const auto cells_alone = [&](double times) {
+    LiveTracer fresh = tracer(settings);
+    return cells_at(fresh, times);
+  };
+  double times = 0.9;
+  while (times < 1.2 && cells_alone(times + 0.02) > 0.5 * cells_alone(times)) times += 0.02;
+  ASSERT_LT(times, 1.2) << "no level changes on the way";
+  LiveTracer live = tracer(settings);
+  const double before = cells_at(live, times);
+  EXPECT_GT(cells_at(live, times + 0.02), 0.9 * before);
+  EXPECT_GT(cells_at(live, times), 0.9 * before);
+  EXPECT_LT(cells_at(live, 1.5 * times), 0.9 * before) << "a level on";
+}
+
 TEST_F(LiveTracerTest, TheErrorIsWhatTwoFramesDifferByAndFallsAsRaysAreAdded) {
   render::LiveSettings settings = bins_.settings(FrameContent::Powers);
   LiveTracer one = tracer(settings, 16);
