@@ -1,10 +1,12 @@
 """Builds the extension module with CMake, so that `pip install .` needs no other description of the build."""
 
+import os
 import pathlib
 import re
 import shutil
 import subprocess
 import sys
+import sysconfig
 
 from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
@@ -18,8 +20,8 @@ class CMakeBuild(build_ext):
         generator = ["-G", "Ninja"] if shutil.which("ninja") else []
         subprocess.run(["cmake", "-S", root, "-B", folder, *generator, "-DCMAKE_BUILD_TYPE=Release", "-DSIGMASCAPE_TESTS=OFF",
                         "-DSIGMASCAPE_PYTHON=ON", f"-DPython_EXECUTABLE={sys.executable}"], check=True)
-        subprocess.run(["cmake", "--build", folder, "--parallel", "--target", "sigmascape_python"], check=True)
-        built = next((folder / "python" / "sigmascape").glob("_native*"))
+        subprocess.run(["cmake", "--build", folder, "--parallel", str(os.cpu_count()), "--target", "sigmascape_python"], check=True)
+        built = folder / "python" / "sigmascape" / f"_native{sysconfig.get_config_var('EXT_SUFFIX')}"
         target = pathlib.Path(self.get_ext_fullpath(extension.name))
         target.parent.mkdir(parents=True, exist_ok=True)
         shutil.copy2(built, target)
