@@ -92,6 +92,7 @@ void make_pyramid(const std::string& folder, const Output& output) {
                  {"written", made.written},
                  {"left_out", made.left_out},
                  {"because", json_of(made.hindrances)}});
+  if (made.left_out > 0) end_with(1);
 }
 
 /// Null where no look is done in which anything answers.
@@ -280,7 +281,9 @@ void add_atlas_command(Command app, Output& output) {
       "differs",
       "verify out/bilbao_atlas")
       .callback([folder, &output] { verify(*folder, output); });
-  subcommand("pyramid", "Make what is missing of the levels above the patches, from the patches that are there",
+  subcommand("pyramid",
+             "Make what is missing of the levels above the patches, from the patches that are there; ends with 1 if "
+             "not all can be",
              "pyramid out/bilbao_atlas")
       .callback([folder, &output] { make_pyramid(*folder, output); });
   add_terrain_command(subcommand("terrain",

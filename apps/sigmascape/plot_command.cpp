@@ -13,6 +13,7 @@
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/file_ending.h"
+#include "sigmascape/base/toml_reader.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/geo/coordinate_transform.h"
 #include "sigmascape/geo/geo_raster.h"
@@ -20,6 +21,7 @@
 #include "sigmascape/product/npy_file.h"
 #include "sigmascape/product/plot_file.h"
 #include "sigmascape/radar/radar_file.h"
+#include "sigmascape/scene/material_reader.h"
 #include "sigmascape/scene/scene_file.h"
 
 namespace sigmascape::cli {
@@ -56,16 +58,16 @@ void finish(const PlotOptions& options, const product::Plot& plot, const Output&
 }
 
 std::vector<scatter::Material> wanted_materials(const PlotOptions& options) {
-  std::vector<scatter::Material> materials, known;
-  if (!options.scene.empty()) known = scene::read_scene(options.scene).materials;
-  for (const std::string& name : options.materials) {
-    const auto of_scene = std::ranges::find(known, name, &scatter::Material::name);
-    materials.push_back(of_scene != known.end() ? *of_scene : scatter::library_material(name));
-    if (materials.back().is_medium())
-      throw Error("MATERIAL", fmt::format("{} is of tree crowns, no surface", name), "name a material of a surface");
+  std::vector<scatter::Material> materials;
+  if (options.materials.empty()) {
+    const auto used = scene::read_scene(options.scene).materials;
+    std::ranges::remove_copy_if(used, std::back_inserter(materials), &scatter::Material::is_medium);
+    return materials;
   }
-  if (materials.empty())
-    std::ranges::remove_copy_if(known, std::back_inserter(materials), &scatter::Material::is_medium);
+  // Those of the file whether something is made of them or not.
+  const scene::MaterialTable known =
+      options.scene.empty() ? scene::MaterialTable() : scene::MaterialTable(TomlSection::read_file(options.scene));
+  for (const std::string& name : options.materials) materials.push_back(known.material(name, "MATERIAL"));
   return materials;
 }
 

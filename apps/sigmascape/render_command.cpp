@@ -188,6 +188,26 @@ void check_coherent(const RenderOptions& options, const radar::Radar& radar) {
   refuse("--b-scope", options.scopes.b_scope);
 }
 
+/// What may be written, by option and by the word that a summary has for it.
+struct Written {
+  const char* option;
+  const char* word;
+  const std::string& file;
+};
+
+std::array<Written, 10> files_of(const RenderOptions& options) {
+  return {{{"--out", "map", options.map_file},
+           {"--power", "power", options.power_file},
+           {"--png", "picture", options.picture_file},
+           {"--ppi", "ppi", options.scopes.ppi},
+           {"--b-scope", "b_scope", options.scopes.b_scope},
+           {"--layers-out", "layers", options.layers.file},
+           {"--snr", "snr", options.received.snr},
+           {"--video", "video", options.received.video},
+           {"--iq", "iq", options.iq.file},
+           {"--slant-image", "slant_image", options.iq.slant_image}}};
+}
+
 /// What names alone tell, before the work.
 void check_files(const RenderOptions& options) {
   check(options.layers, options.level_of_detail);
@@ -197,24 +217,13 @@ void check_files(const RenderOptions& options) {
     if (!map.empty()) product::check_map_name(map);
   for (const std::string& picture : {options.picture_file, options.scopes.ppi, options.scopes.b_scope})
     if (!picture.empty()) product::check_png_name(picture);
-  check_files_to_write(std::to_array<NamedFile>({{"--out", options.map_file},
-                                                 {"--power", options.power_file},
-                                                 {"--png", options.picture_file},
-                                                 {"--ppi", options.scopes.ppi},
-                                                 {"--b-scope", options.scopes.b_scope},
-                                                 {"--layers-out", options.layers.file},
-                                                 {"--snr", options.received.snr},
-                                                 {"--video", options.received.video},
-                                                 {"--iq", options.iq.file},
-                                                 {"--slant-image", options.iq.slant_image}}));
+  std::vector<NamedFile> named;
+  for (const Written& written : files_of(options)) named.push_back({written.option, written.file});
+  check_files_to_write(named);
 }
 
 bool writes_a_file(const RenderOptions& options) {
-  const std::array files{&options.map_file,      &options.power_file,     &options.picture_file,
-                         &options.scopes.ppi,    &options.scopes.b_scope, &options.layers.file,
-                         &options.received.snr,  &options.received.video, &options.iq.file,
-                         &options.iq.slant_image};
-  return std::ranges::any_of(files, [](const std::string* file) { return !file->empty(); });
+  return std::ranges::any_of(files_of(options), [](const Written& written) { return !written.file.empty(); });
 }
 
 void check_crs(const RenderOptions& options, const geo::LocalFrame& frame, const radar::GroundGrid& grid) {
@@ -322,10 +331,12 @@ void render(RenderOptions options, std::optional<radar::Polarization> polarizati
   if (is_real_beam) write_scopes(options.scopes, radar, rendered.image, look, rendered.provenance);
   write_iq_files(options.iq, pulses);
 
-  nlohmann::ordered_json summary{{"map", options.map_file},         {"power", options.power_file},
-                                 {"picture", options.picture_file}, {"level_of_detail", options.level_of_detail},
-                                 {"columns", grid.columns},         {"rows", grid.rows},
-                                 {"seconds", rendered.seconds}};
+  nlohmann::ordered_json summary;
+  for (const Written& written : files_of(options)) summary[written.word] = written.file;
+  summary.update({{"level_of_detail", options.level_of_detail},
+                  {"columns", grid.columns},
+                  {"rows", grid.rows},
+                  {"seconds", rendered.seconds}});
   summary.update(rendered.cost);
   if (options.explain) summary["advised_detail"] = advice;
   output.finish(fmt::format("{}{} x {} cells of {} m at level of detail {} in {:.3f} s",

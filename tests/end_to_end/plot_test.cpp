@@ -72,6 +72,12 @@ TEST_F(Plots, Sigma0OverGrazingAngleIsTheMaterialsLaw) {
                 0.02);
   }
   EXPECT_EQ(plot.at("series").size(), 2U);
+  // Of the file, before anything is made of it.
+  const auto file = folder_.write("own.toml",
+                                  "[terrain]\nfile = \"none.tif\"\n[materials.urban]\nbase = \"urban\"\n"
+                                  "gamma_db = -15\n[materials.mine]\nbase = \"grass\"\n");
+  const Json own = drawn("sigma0 urban mine --frequency-ghz 10 --scene '" + file.string() + "'");
+  EXPECT_NEAR(value_at(own.at("series")[0], 30.0), -15.0 + db_from_linear(0.5), 0.02);
   EXPECT_EQ(run("plot sigma0 gras --out x.svg"), 1);
   EXPECT_NE(told().find("grass"), std::string::npos) << told();
 }
