@@ -207,10 +207,7 @@ void SectorTask::fill_stretch(const Place& place, std::size_t count) {
   locate(row_, geometry_);
   report_.lit += light(row_, horizon());
   report_.lit -= shadows_.shade(row_, place.first_column);
-  if (apart) {
-    light_apart_from(ground);
-    hold_lowest_look(row_, geometry_, aspects().cotangents()[0], aspects().sine(0));
-  }
+  if (apart) light_apart_from(ground);
   const auto area_m2 = static_cast<float>(texel_m_ * texel_m_) * share_;
   Shortfall shortfall = blend_by_aspect(place, area_m2);
   if (apart) shortfall.join(add_bare_ground(place, area_m2), count);
@@ -367,6 +364,9 @@ std::uint32_t SectorTask::azimuth_cell_at(float beam) const {
 SectorTask::Shortfall SectorTask::blend_by_aspect(const Place& place, float area_m2) {
   Shortfall shortfall;
   const Extremes cotangent = cotangent_extremes(row_);
+  const float lowest_cotangent = aspects().cotangents().front();
+  if (ground_aspects() != nullptr && cotangent.greatest > lowest_cotangent)
+    hold_lowest_look(row_, geometry_, lowest_cotangent, aspects().sine(0));
   const bool one_elevation = aspects().elevation_cell(cotangent.least) == aspects().elevation_cell(cotangent.greatest);
   const Extremes beams = beam_extremes(row_);
   std::size_t begin = 0;
