@@ -256,10 +256,11 @@ double LiveTracer::widest_cell_beams() const {
 int LiveTracer::lattice_level(const Look& look) const {
   const render::DetailQuestion bins = render::question_of_bins(settings_, look.near_m, look.far_m - look.near_m);
   const double sample_m = std::min(bins.range_resolution_m, bins.cross_range_m) / bins.samples_per_cell;
-  // A level is left when another is right by a quarter of one: all scatterers change with it.
+  // All scatterers change with the level, so that a finer one, of four times the cells, waits until it is right by a
+  // quarter of a level.
   constexpr double sticks = 0.25;
   const double wanted = std::log2(sample_m / tracing_.lattice_m);
-  const bool stays = lattice_level_ && wanted >= *lattice_level_ - sticks && wanted < *lattice_level_ + 1.0 + sticks;
+  const bool stays = lattice_level_ && wanted >= *lattice_level_ - sticks && wanted < *lattice_level_ + 1.0;
   return stays ? *lattice_level_
                : static_cast<int>(std::clamp(std::floor(wanted), 0.0, static_cast<double>(coarsest_lattice_level)));
 }

@@ -24,6 +24,7 @@ struct LiveTraceSettings {
   std::uint32_t rays_per_cell = 8;
   int max_bounces = 8;
   /// Side of the finest lattice cells, doubled for a frame until its bins tell cells apart no more (cells_per_bin).
+  /// After wider bins finer cells wait until they are right by a quarter of a doubling, for all scatterers change then.
   /// With the texel of an atlas a frame's cells are those of render::LiveRenderer over it and hold the same scatterers.
   /// Bins finer than the finest cells share scatterers.
   double lattice_m = 0.25;
@@ -38,7 +39,7 @@ struct LiveTraceSettings {
 /// While pose and shadows of targets stay as they are each call adds rays to those before, so that the picture becomes
 /// clearer; FrameReport says how many there are and how well they know the power. Another pose begins anew, with rays
 /// that are keyed on the ground: what is left of their noise does not flicker. Bytes depend neither on the number of
-/// threads nor on how rays are spread over calls.
+/// threads nor on how rays are spread over calls, and on poses before in that alone which cells those left.
 ///
 /// Speckle is that of LiveRenderer: one scatterer a cell of the lattice, whose power is that of all echoes that land
 /// there for one who knows the ground alone. docs/decisions/0099-speckle-of-traced-frames.md.
