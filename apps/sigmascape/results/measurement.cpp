@@ -89,7 +89,7 @@ atlas::AspectGrid grid_of_view(const PlannedView& view) {
 MeasuredViews kept_views(const ResultsPlan& plan, const scene::Scene& scene, const std::filesystem::path& file,
                          const std::filesystem::path& measured) {
   std::filesystem::create_directories(file.parent_path());
-  MeasuredViews kept(file, settings_of_views(plan, scene::scene_hash(scene)));
+  MeasuredViews kept(file, settings_of_views(plan, scene::scene_hash(scene) + scene::targets_hash(scene)));
   kept.go_on();
   if (!measured.empty()) kept.take_over(measured);
   return kept;

@@ -85,7 +85,9 @@ std::string difference(const Json& begun, const Json& mine) {
                                                                       {"atlas_sha256", "atlas"}}};
   std::vector<std::string> differing;
   for (const auto& [key, word] : parts) {
-    if (begun.value(key, Json()) != mine.at(key)) differing.emplace_back(word);
+    // What an older version did not tell is not another one now.
+    const bool is_told = begun.contains(key) || std::string_view(key) == "revision";
+    if (is_told && begun.value(key, Json()) != mine.at(key)) differing.emplace_back(word);
   }
   return fmt::format("{}", fmt::join(differing, " and "));
 }
