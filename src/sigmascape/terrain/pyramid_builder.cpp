@@ -284,8 +284,8 @@ std::size_t holes_within(const Array2D<float>& heights, const geo::Lattice& tile
   return holes;
 }
 
-/// Beyond an extent, where the last tiles reach past it, ground goes on as high as at its edge: a plain at another
-/// height would end it in a cliff.
+/// Beyond an extent, where the last tiles reach past it and the raster has no heights either, ground goes on as high as
+/// at the extent's edge: a plain at another height would end it in a cliff.
 void go_on_beyond(const radar::Rectangle& extent, const geo::Lattice& tile, Array2D<float>& heights) {
   const auto last_within = [&](double length_m, std::size_t count) {
     const auto steps = static_cast<std::size_t>(std::max(0.0, length_m / tile.spacing_m + 1e-6));
@@ -295,7 +295,7 @@ void go_on_beyond(const radar::Rectangle& extent, const geo::Lattice& tile, Arra
                     last_row = last_within(tile.north_m - extent.south_m, heights.rows());
   for (std::size_t row = 0; row < heights.rows(); ++row) {
     for (std::size_t column = 0; column < heights.columns(); ++column) {
-      if (row > last_row || column > last_column)
+      if ((row > last_row || column > last_column) && std::isnan(heights(column, row)))
         heights(column, row) = heights(std::min(column, last_column), std::min(row, last_row));
     }
   }
