@@ -11,7 +11,7 @@ namespace sigmascape::bake {
 
 /// Bytes of memory that the texels of a patch take: sums at all frequencies, for what is baked is kept for every texel
 /// until the last ray, and over relief beside them what stands on the texels, by which the terrain's shadows are taken
-/// out.
+/// out; or before them, where the ground is kept apart, what stands there alone.
 [[nodiscard]] double bytes_of_texels(const scene::Scene& scene, const BakeSettings& settings);
 
 /// Throws Error when the list of these cells, or these texels, alone take more than so many bytes of memory. Nothing of

@@ -61,6 +61,11 @@ TEST(PatchRoom, PatchesOfSoManyTexelsThatMemoryRunsOutAreRefused) {
       message_of_error([&] { check_room(scene, settings, 24e9); }),
       testing::AllOf(testing::HasSubstr("a patch of 16384 × 16384 texels at 3 frequencies takes 64.4 GB of memory"),
                      testing::HasSubstr("use fewer texels a patch")));
+  BakeSettings of_one = settings;
+  of_one.aspects.frequencies_hz = {10e9};
+  EXPECT_EQ(bytes_of_texels(scene, of_one), 16384.0 * 16384.0 * 140.0) << "obstacles, before any look";
+  of_one.shadows = Shadows::Baked;
+  EXPECT_EQ(bytes_of_texels(scene, of_one), 16384.0 * 16384.0 * 80.0);
   scene.terrain.height_m(0, 0) += 1.0F;
   EXPECT_EQ(bytes_of_texels(scene, settings), 16384.0 * 16384.0 * (3.0 * 80.0 + 140.0));
 }
