@@ -143,8 +143,20 @@ class PixelNet {
   [[nodiscard]] PixelBox box_of(const Block& block) const {
     // Between neighbouring lines of knots no position lies beyond those at the corners.
     PixelBox box;
+    bool has_gaps = false;
     for (const double row : lines_across(block.row, block.rows)) {
-      for (const double column : lines_across(block.column, block.columns)) box.take_in(at(column, row));
+      for (const double column : lines_across(block.column, block.columns)) {
+        const Vec2d pixel = at(column, row);
+        has_gaps = has_gaps || !std::isfinite(pixel.x) || !std::isfinite(pixel.y);
+        box.take_in(pixel);
+      }
+    }
+    if (!has_gaps) return box;
+    // Beside a knot that has no position `at` tells nothing of the next one, to which positions on its other side
+    // reach.
+    for (std::size_t j = block.row / stride_; j <= (block.row + block.rows) / stride_; ++j) {
+      for (std::size_t i = block.column / stride_; i <= (block.column + block.columns) / stride_; ++i)
+        box.take_in(knots_(i, j));
     }
     return box;
   }

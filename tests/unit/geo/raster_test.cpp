@@ -142,6 +142,12 @@ TEST(Raster, ThatGoesRoundTheGlobeHasNoSeam) {
   }
 }
 
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool memory_is_ours = false;  // sanitizers keep for a while what was given back
+#else
+constexpr bool memory_is_ours = true;
+#endif
+
 long peak_memory_kib() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -170,7 +176,7 @@ TEST(Raster, FineCellsUnderACoarseLatticeAreReadPieceByPiece) {
     const long before_kib = peak_memory_kib();
     const auto classes = raster.classes_on(lattice, frame);
     const auto heights = raster.heights_on(lattice, frame);
-    EXPECT_LT(peak_memory_kib() - before_kib, 100'000);
+    EXPECT_TRUE(!memory_is_ours || peak_memory_kib() - before_kib < 100'000);
     std::size_t covered = 0;
     for (std::size_t row = 0; row < lattice.rows; ++row) {
       for (std::size_t column = 0; column < lattice.columns; ++column) {
