@@ -110,16 +110,17 @@ bool makes_crowns(const scatter::Material& leaf) {
 }
 
 scatter::Material crown_material(const scatter::Material& leaf, double extinction_per_m) {
+  if (!makes_crowns(leaf)) {
+    throw Error("leaf material " + leaf.name, "is of no leaves that crowns can be made of", leaves_of_crowns);
+  }
   scatter::CrownParameters crown;
   crown.extinction_per_m = extinction_per_m;
   if (const auto* mirrors = std::get_if<scatter::CookTorranceParameters>(&leaf.model)) {
     crown.leaf = mirrors->permittivity;
-  } else if (const auto* lambert = std::get_if<scatter::LambertParameters>(&leaf.model)) {
-    crown.albedo = lambert->albedo;
-    crown.depolarization = lambert->depolarization;
   } else {
-    throw Error("leaf material " + leaf.name, "its albedo is not known, so that no crown can be made of it",
-                "use a material of model cook_torrance or lambert, or name a crown_material");
+    const auto& lambert = std::get<scatter::LambertParameters>(leaf.model);
+    crown.albedo = lambert.albedo;
+    crown.depolarization = lambert.depolarization;
   }
   return {.name = "crown of " + leaf.name,
           .model = crown,

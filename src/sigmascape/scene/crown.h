@@ -25,6 +25,10 @@ namespace sigmascape::scene {
 
 /// Whether crowns can be made of leaves of that material: of mirrors or of Lambert's, and of no mixture of the two.
 [[nodiscard]] bool makes_crowns(const scatter::Material& leaf);
+/// What to do where they cannot.
+inline constexpr const char* leaves_of_crowns =
+    "use a material of model lambert, or of cook_torrance without scattering_coefficient and multi_scatter, or name a "
+    "crown_material";
 
 /// The medium of that extinction which scatters as leaves of a material do. Throws Error for those that make none.
 [[nodiscard]] scatter::Material crown_material(const scatter::Material& leaf, double extinction_per_m);

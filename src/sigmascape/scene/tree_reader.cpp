@@ -97,11 +97,9 @@ TreeSource read_tree_source(const TomlSection& section, const MaterialTable& mat
     if (const auto crown = section.optional_text("crown_material")) {
       source.crown = materials.crown(*crown, section.where("crown_material"));
     } else if (!makes_crowns(source.leaf)) {
-      throw section.fault(
-          "leaf_material",
-          fmt::format("'{}' is of no leaves that crowns can be made of", source.leaf.name),
-          "use a material of model lambert, or of cook_torrance without scattering_coefficient and multi_scatter, or "
-          "name a crown_material");
+      throw section.fault("leaf_material",
+                          fmt::format("'{}' is of no leaves that crowns can be made of", source.leaf.name),
+                          leaves_of_crowns);
     }
   }
   refuse_without(section, "crown_material", "kind = \"crowns\"", source.kind == CrownKind::Medium);
