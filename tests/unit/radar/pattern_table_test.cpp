@@ -47,7 +47,6 @@ TEST(PatternTable, FaultsAreToldWithTheirLine) {
               HasSubstr("none.csv: cannot be read"));
 }
 
-// A beam whose peak lies off the axis is as wide as one whose peak does not.
 // As spreadsheets and measuring programs write them.
 TEST(PatternTable, MarksRemarksAndBlankLinesAreNoNumbers) {
   const ScratchFolder folder;
@@ -62,6 +61,7 @@ TEST(PatternTable, MarksRemarksAndBlankLinesAreNoNumbers) {
         << junk;
 }
 
+// A beam whose peak lies off the axis is as wide as one whose peak does not.
 TEST(PatternTable, WidthIsThatAboutThePeak) {
   ScratchFolder folder;
   const AntennaCut made(GaussianBeam{}, radians_from_deg(4.0));
