@@ -1,8 +1,12 @@
 #pragma once
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <istream>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace sigmascape::radar {
@@ -31,6 +35,15 @@ void for_each_csv_line(std::istream& stream, const Visit& visit) {
     begin = comma + 1;
   }
   return fields;
+}
+
+/// The finite number that a field is, all of it; nothing where it is none.
+[[nodiscard]] inline std::optional<double> csv_number(std::string_view field) {
+  double value = 0.0;
+  const char* const end = field.data() + field.size();
+  const auto [stopped, fault] = std::from_chars(field.data(), end, value);
+  const bool is_number = fault == std::errc{} && stopped == end && std::isfinite(value);
+  return is_number ? std::optional(value) : std::nullopt;
 }
 
 }  // namespace sigmascape::radar

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cmath>
-#include <string_view>
 
 #include "sigmascape/base/vec.h"
 
@@ -31,14 +30,16 @@ struct Look {
   return {horizontal.x * cos_elevation, horizontal.y * cos_elevation, std::sin(aspect.elevation_rad)};
 }
 
+/// The part of the way to a place that lies to the left of a radar's course, on the map, times its speed.
+[[nodiscard]] inline double leftwards(Vec3d velocity_mps, Vec3d away) {
+  return cross(Vec2d{velocity_mps.x, velocity_mps.y}, Vec2d{away.x, away.y});
+}
+
 /// To which side of its course a radar looks at a place, on the map: "left" or "right", or "neither" when the place
 /// lies on the line of the course or the radar stands still.
 [[nodiscard]] inline const char* look_side(Vec3d velocity_mps, Vec3d away) {
-  const double leftwards = cross(Vec2d{velocity_mps.x, velocity_mps.y}, Vec2d{away.x, away.y});
-  return leftwards > 0.0 ? "left" : leftwards < 0.0 ? "right" : "neither";
-}
-[[nodiscard]] inline bool looks_left(Vec3d velocity_mps, Vec3d away) {
-  return std::string_view(look_side(velocity_mps, away)) == "left";
+  const double left = leftwards(velocity_mps, away);
+  return left > 0.0 ? "left" : left < 0.0 ? "right" : "neither";
 }
 
 }  // namespace sigmascape::radar

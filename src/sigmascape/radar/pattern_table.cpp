@@ -1,7 +1,6 @@
 #include "sigmascape/radar/pattern_table.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <fmt/format.h>
 #include <fstream>
@@ -21,13 +20,9 @@ struct Row {
   double offset_deg = 0.0, gain_db = 0.0;
 };
 
-/// A finite one, with a plus before it or not.
-std::optional<double> number_of(std::string_view text) {
-  if (text.starts_with('+')) text.remove_prefix(1);
-  double value = 0.0;
-  const auto [stopped, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool is_whole = fault == std::errc{} && stopped == text.data() + text.size() && std::isfinite(value);
-  return is_whole ? std::optional(value) : std::nullopt;
+/// With a plus before it or not.
+std::optional<double> number_of(std::string_view field) {
+  return csv_number(field.substr(field.starts_with('+') ? 1 : 0));
 }
 
 std::vector<Row> rows_of(const std::filesystem::path& file) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <fmt/format.h>
 #include <fstream>
@@ -81,14 +80,11 @@ struct Reader {
     }
     Row row;
     for (std::size_t i = 0; i < fields.size(); ++i) {
-      double value = 0.0;
-      const char* const end = fields[i].data() + fields[i].size();
-      const auto [stopped, fault] = std::from_chars(fields[i].data(), end, value);
-      if (fault != std::errc{} || stopped != end || !std::isfinite(value)) {
+      const auto value = csv_number(fields[i]);
+      if (!value)
         throw Error(at_line(number), fmt::format("{} is \"{}\"", names[columns[i]], fields[i]), "give a number");
-      }
       const auto [lowest, highest] = allowed[columns[i]];
-      if (value < lowest || value > highest) {
+      if (*value < lowest || *value > highest) {
         throw Error(at_line(number), fmt::format("{} is {}", names[columns[i]], fields[i]),
                     fmt::format("give a number from {:g} to {:g}", lowest, highest));
       }

@@ -372,7 +372,7 @@ receiver::StripmapImager stripmap_imager(const CoherentScene& scene, const radar
                                    .window = radar.waveform.window,
                                    .oversampling = image_oversampling,
                                    .squint_rad = squint_rad,
-                                   .looks_left = radar::looks_left(radar.velocity_mps, aim - radar.position),
+                                   .looks_left = radar::leftwards(radar.velocity_mps, aim - radar.position) > 0.0,
                                    .ground_m = aim.z,
                                    .dwell = settings.dwell},
                                   gate, image_gain(radar, {}));
