@@ -31,6 +31,9 @@ struct FrequencyRange {
   double highest_hz = 1e12;
 
   friend constexpr bool operator==(const FrequencyRange&, const FrequencyRange&) = default;
+  [[nodiscard]] constexpr bool holds(double frequency_hz) const {
+    return frequency_hz >= lowest_hz && frequency_hz <= highest_hz;
+  }
 };
 
 /// How a homogeneous material answers an electric field, over frequency: one of several laws.

@@ -40,9 +40,9 @@ double greatest_albedo(const Material& material, const ModelMaker::Model& model,
 
 void require_known_frequency(const Material& material, double frequency_hz) {
   std::vector<std::string> known;
-  for (const auto& [lowest_hz, highest_hz] : known_frequencies(material)) {
-    if (frequency_hz >= lowest_hz && frequency_hz <= highest_hz) return;
-    known.push_back(fmt::format("{:g} to {:g} GHz", lowest_hz / 1e9, highest_hz / 1e9));
+  for (const FrequencyRange& range : known_frequencies(material)) {
+    if (range.holds(frequency_hz)) return;
+    known.push_back(fmt::format("{:g} to {:g} GHz", range.lowest_hz / 1e9, range.highest_hz / 1e9));
   }
   throw Error("material " + material.name, fmt::format("its constants do not hold at {:g} GHz", frequency_hz / 1e9),
               known.empty() ? std::string("use another material, since its model knows none of its frequencies")

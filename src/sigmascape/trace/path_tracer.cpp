@@ -41,9 +41,7 @@ std::vector<scatter::SurfaceModel> surface_models(const scene::Scene& scene, dou
   std::vector<bool> used;
   for (const auto& material : scene.materials) {
     const auto known = scatter::known_frequencies(material);
-    const bool is_known = std::ranges::any_of(known, [&](const scatter::FrequencyRange& range) {
-      return frequency_hz >= range.lowest_hz && frequency_hz <= range.highest_hz;
-    });
+    const bool is_known = std::ranges::any_of(known, [&](const auto& range) { return range.holds(frequency_hz); });
     if (!is_known && used.empty()) used = scene::used_materials(scene);
     // Of what lies nowhere, as the material of classes that a raster lacks, no ray asks anything.
     const bool stands_in = !is_known && !known.empty() && !used[models.size()];
