@@ -13,7 +13,6 @@
 
 #include "sigmascape/atlas/aspect_grid.h"
 #include "sigmascape/atlas/store.h"
-#include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/geo/atomic_file.h"
 #include "sigmascape/product/attribution_line.h"
@@ -74,11 +73,7 @@ class Demo {
   /// What would only be found out after the bake.
   void check(const View& view) const {
     const auto radar = simulate::placed_radar(view.radar, scene_.frame, scene_.terrain, scene_.extent);
-    if (radar.mode != radar::Mode::RealBeam) {
-      throw Error(options_.radar + ": mode.kind",
-                  fmt::format("is {}, and the demo compares real-beam maps", simulate::word_for(radar.mode)),
-                  "take the [mode] out of the radar file, or name another radar file");
-    }
+    simulate::require_real_beam(radar, options_.radar, "the demo compares real-beam maps");
     radar::check_earth(radar, options_.radar);
     static_cast<void>(simulate::map_grid(view.radar.map, scene_.extent));
     warn_of(radar, simulate::map_warnings(radar, view.radar.map, scene_.terrain, scene_.extent));

@@ -248,11 +248,7 @@ std::string text_of(const std::filesystem::path& path) {
 
 /// What would do nothing: datasets are of real-beam maps, over a flat Earth.
 void check_real_beam(const std::filesystem::path& file, const radar::Radar& radar) {
-  if (radar.mode != radar::Mode::RealBeam) {
-    throw Error(file.string() + ": mode.kind",
-                fmt::format("is {}, and datasets are made of real-beam maps", simulate::word_for(radar.mode)),
-                "take the [mode] out of the radar file, or name another radar file");
-  }
+  simulate::require_real_beam(radar, file.string(), "datasets are made of real-beam maps");
   if (radar.earth_refraction) {
     throw Error(file.string() + ": radar.earth_refraction", "is given, and real-beam maps are made over a flat Earth",
                 "leave it out, or name another radar file");

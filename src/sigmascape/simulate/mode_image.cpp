@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/azimuth_text.h"
 #include "sigmascape/radar/radar_warnings.h"
@@ -62,6 +63,12 @@ const char* word_for(radar::Mode mode) {
       return "spotlight";
   }
   return "";
+}
+
+void require_real_beam(const radar::Radar& radar, const std::string& file, std::string_view what_serves) {
+  if (radar.mode == radar::Mode::RealBeam) return;
+  throw Error(file + ": mode.kind", fmt::format("is {}, and {}", word_for(radar.mode), what_serves),
+              "take the [mode] out of the radar file, or name another radar file");
 }
 
 ModePlan mode_plan(const ModeRequest& request) {

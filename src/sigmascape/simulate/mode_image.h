@@ -5,6 +5,7 @@
 #include <map>
 #include <span>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -66,5 +67,9 @@ void mode_looks(const ModeRequest& request, const radar::CoherentPlan& plan,
 
 /// The mode as radar files spell it.
 [[nodiscard]] const char* word_for(radar::Mode mode);
+
+/// Throws Error when a radar file's mode is another than a real beam, which is all that serves: "datasets are made of
+/// real-beam maps".
+void require_real_beam(const radar::Radar& radar, const std::string& file, std::string_view what_serves);
 
 }  // namespace sigmascape::simulate
