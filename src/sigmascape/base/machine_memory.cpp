@@ -17,7 +17,7 @@ std::optional<double> control_group_memory_bytes(const std::filesystem::path& ro
   while (true) {
     double bytes = 0.0;  // "max" is no number
     if (std::ifstream(group / "memory.max") >> bytes) least = std::min(bytes, least.value_or(bytes));
-    if (group == root || !group.has_relative_path() || group.native().size() <= root.native().size()) return least;
+    if (group.native().size() <= root.native().size()) return least;
     group = group.parent_path();
   }
 }

@@ -235,8 +235,8 @@ Window<T> read_window(GDALRasterBand& band, const Coverage& coverage, const Part
     return from.RasterIO(GF_Read, column, first_row, piece, height, to, piece, height, as, bytes, bytes * width,
                          &extra) == CE_None;
   };
+  const int turn = coverage.round > 0 ? coverage.round : coverage.columns;
   for (int done = 0, piece = 0; done < width && is_read; done += piece) {
-    const int turn = coverage.round > 0 ? coverage.round : coverage.columns;
     const int column = ((first_column + done) % turn + turn) % turn;
     piece = std::min(width - done, turn - column);
     is_read =

@@ -18,12 +18,6 @@ bool by_y(Vec2d a, Vec2d b) {
   return a.y < b.y;
 }
 
-/// Without the points that have no place in the frame, such as those beyond a pole.
-std::vector<Vec2d> placed(std::vector<Vec2d> edge) {
-  std::erase_if(edge, [](Vec2d point) { return !std::isfinite(point.x) || !std::isfinite(point.y); });
-  return edge;
-}
-
 Vec2d middle_of(const std::vector<Vec2d>& edge) {
   return edge[edge.size() / 2];
 }
@@ -78,7 +72,7 @@ Extent largest_about_middle(const RasterOutline& outline) {
 RasterOutline RasterOutline::of(std::vector<Vec2d> one, std::vector<Vec2d> opposite, std::vector<Vec2d> other,
                                 std::vector<Vec2d> opposite_other) {
   for (auto* edge : {&one, &opposite, &other, &opposite_other}) {
-    *edge = placed(std::move(*edge));
+    std::erase_if(*edge, [](Vec2d point) { return !std::isfinite(point.x) || !std::isfinite(point.y); });
     if (edge->empty()) return {};
   }
   const Vec2d across = middle_of(opposite) - middle_of(one);

@@ -103,7 +103,7 @@ struct ConstantsReader {
     if (const auto db_per_m = section.optional_number("extinction_db_per_m", {0.0, 100.0, "dB/m"}))
       crown.extinction_per_m = std::log(linear_from_db(*db_per_m));
     crown.albedo = section.number_or("albedo", {0.0, 1.0, ""}, crown.albedo);
-    scatter::Permittivity leaf = {};
+    scatter::Permittivity leaf;
     if (read_permittivity(section, leaf)) {
       if (section.has("albedo"))
         throw Error(section.where("albedo"), "is stated beside the permittivity of the leaves, which decides it",
