@@ -80,8 +80,8 @@ bench: packages ## Measure on this machine, on the paper's scene: hours. JSON li
 
 lint: packages ## Check formatting and run the static analysis
 	$(call sources,src apps tests) | xargs clang-format --dry-run -Werror
-	$(call configure,release)
-	run-clang-tidy -quiet -p build/release -j $(JOBS) '^$(CURDIR)/(src|apps)/'
+	cmake --preset release -B build/lint -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON
+	run-clang-tidy -quiet -p build/lint -j $(JOBS) '^$(CURDIR)/(src|apps)/'
 
 clean: ## Remove everything that was built or made
 	rm -rf build out

@@ -1,5 +1,6 @@
 #include "sigmascape/product/contact_sheet.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "sigmascape/base/error.h"

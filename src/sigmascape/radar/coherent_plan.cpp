@@ -240,7 +240,7 @@ std::vector<std::string> plan_warnings(const Radar& radar, const CoherentPlan& p
         deg_from_radians(plan.blind_wedge_rad)));
   }
   if (on_both_sides) {
-    warnings.push_back(
+    warnings.emplace_back(
         "what is mapped lies on both sides of the course, and left and right have the same Doppler and fall onto one "
         "another; map one side");
   }

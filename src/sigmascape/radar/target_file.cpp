@@ -1,5 +1,6 @@
 #include "sigmascape/radar/target_file.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <fmt/format.h>

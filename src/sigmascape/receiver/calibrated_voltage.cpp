@@ -1,5 +1,6 @@
 #include "sigmascape/receiver/calibrated_voltage.h"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <utility>

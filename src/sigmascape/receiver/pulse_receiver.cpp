@@ -1,5 +1,6 @@
 #include "sigmascape/receiver/pulse_receiver.h"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <fmt/format.h>

@@ -31,6 +31,9 @@ class PulseReceiver {
   /// Throws Error when the gate is empty or sampled too thinly.
   PulseReceiver(const radar::Radar& radar, const RangeGate& gate);
 
+  /// Of each pulse.
+  [[nodiscard]] std::size_t samples() const { return range_.samples; }
+
   /// Throws Error when the gate is wider than the unambiguous range of these pulses, or when their samples take more
   /// than so much memory. receive() asks the first itself; this is for who has much to make before it.
   void check(const PulseTrain& train, double memory_bytes) const;

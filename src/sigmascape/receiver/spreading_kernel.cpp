@@ -1,5 +1,6 @@
 #include "sigmascape/receiver/spreading_kernel.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "sigmascape/base/units.h"

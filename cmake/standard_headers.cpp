@@ -1,0 +1,1 @@
+// Holds no code: the headers that nearly every file of the rooms reads are precompiled with it.
