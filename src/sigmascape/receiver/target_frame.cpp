@@ -69,8 +69,8 @@ TargetFrame::Placed TargetFrame::placed(const radar::Target& target, const Targe
   const double distance_m = std::sqrt(away.x * away.x + away.y * away.y);
   const double range_m = pose.earth.slant_range_m(pose.position.z, position.z, distance_m);
   const double range = (range_m - pose.first_range_m) * ranges_per_m_;
-  const double most_taps = static_cast<double>(PointResponse::most_taps);
-  if (!(range > -most_taps && range < static_cast<double>(bins_.ranges) + most_taps)) return found;
+  const auto farthest_taps = static_cast<double>(PointResponse::most_taps);
+  if (!(range > -farthest_taps && range < static_cast<double>(bins_.ranges) + farthest_taps)) return found;
 
   // Azimuths are counted from the middle of the frame, so that none is a turn away.
   const double beam =
@@ -78,8 +78,11 @@ TargetFrame::Placed TargetFrame::placed(const radar::Target& target, const Targe
       angle_of(away.x * middle.x + away.y * middle.y, away.x * middle.y - away.y * middle.x, distance_m) *
           beams_per_rad_;
   const PointResponse::Place across = bins_.across.place_of(beam), along = bins_.along.place_of(range);
-  const auto taps = static_cast<std::ptrdiff_t>(bins_.across.taps());
-  if (across.first_bin <= -taps || across.first_bin >= static_cast<std::ptrdiff_t>(bins_.beams)) return found;
+  const auto lies_within = [](const PointResponse& response, const PointResponse::Place& place, std::size_t bins) {
+    return place.first_bin > -static_cast<std::ptrdiff_t>(response.taps()) &&
+           place.first_bin < static_cast<std::ptrdiff_t>(bins);
+  };
+  if (!lies_within(bins_.across, across, bins_.beams) || !lies_within(bins_.along, along, bins_.ranges)) return found;
 
   const float seen = sight ? sight({position, distance_m, beam}) : 1.0F;
   if (!(seen > 0.0F)) return found;

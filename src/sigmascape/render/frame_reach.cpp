@@ -42,6 +42,24 @@ FrameReach sharing_reach(const LiveSettings& settings, const Pose& pose, double 
                        near_height_m, highest_m, earth);
 }
 
+std::size_t horizon_distances(const LiveSettings& settings) {
+  return 2 * (settings.ranges + 1);
+}
+
+std::size_t azimuths_a_beam(const LiveSettings& settings, FrameReach reach, double terrain_spacing_m) {
+  constexpr double most = 32.0;
+  constexpr std::size_t most_nodes = 1U << 24U;
+  const std::size_t distances = horizon_distances(settings);
+  const double along_m = (reach.far_m - reach.near_m) / static_cast<double>(distances);
+  const double across_m = 0.5 * (reach.near_m + reach.far_m) * settings.beam_step_rad;
+  if (across_m <= terrain_spacing_m) return 1;
+  // By powers of two, so that they seldom change along a flight, and then by little.
+  const double wanted = std::clamp(across_m / std::max(along_m, terrain_spacing_m), 2.0, most);
+  auto lines = static_cast<std::size_t>(std::exp2(std::ceil(std::log2(wanted))));
+  while (lines > 1 && settings.beams * lines > most_nodes / distances) lines /= 2;
+  return lines;
+}
+
 radar::Rectangle ground_under(Vec2d radar, double first_azimuth_rad, double width_rad, FrameReach reach) {
   // A sector is less than half a turn wide.
   const int parts = static_cast<int>(width_rad / (pi / 2.0)) + 1;
@@ -55,7 +73,10 @@ radar::Rectangle ground_under(Vec2d radar, double first_azimuth_rad, double widt
   return {radar.x + box.west_m, radar.y + box.south_m, radar.x + box.east_m, radar.y + box.north_m};
 }
 
-DetailQuestion question_of_bins(const LiveSettings& settings, double near_m, double length_m) {
+DetailQuestion question_of_bins(const LiveSettings& settings, FrameReach level_ground) {
+  // Bins that all ground is farther away than look at so much of it below the radar, none of which answers in them.
+  constexpr double least_m = 1.0;
+  const double near_m = level_ground.near_m, length_m = std::max(level_ground.far_m - near_m, least_m);
   DetailQuestion question;
   // Bins lie along the slant range; what they are on the ground follows from where they begin and end.
   question.range_resolution_m = length_m / static_cast<double>(settings.ranges);

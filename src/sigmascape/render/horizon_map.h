@@ -55,6 +55,8 @@ class HorizonMap {
   /// Keeps its memory as long as the new grid needs no more of it.
   void reset(const HorizonGrid& grid, bool with_obstacles);
   [[nodiscard]] const HorizonGrid& grid() const { return grid_; }
+  /// Where the azimuths are those of the edges of so many beams, and of lines between them.
+  [[nodiscard]] std::size_t azimuths_a_beam(std::size_t beams) const { return (grid_.azimuths - 1) / beams; }
 
   /// Sweeps outwards along one direction. Directions may be swept by different threads, each with a number of its own.
   void sweep(std::size_t azimuth, Vec3d radar, const Occluders& occluders, unsigned worker = 0);

@@ -252,17 +252,20 @@ void LiveRenderer::prepare(const Pose& pose) {
         "fly higher, or take the horizon sweep");
   }
   const radar::CurvedEarth earth{.refraction = settings_.refraction};
-  under_bins_ = frame_reach(settings_, pose, lowest_m, highest_m, earth);
+  const double middle_m = 0.5 * (lowest_m + highest_m);
+  halfway_up_ = frame_reach(settings_, pose, middle_m, middle_m, earth);
   const double highest_near_m =
       highest_m > pose.position.z ? static_cast<double>(bounds_within(pose.first_range_m).highest_m) : highest_m;
-  const auto [near_m, far_m] = sharing_reach(settings_, pose, lowest_m, highest_m, highest_near_m, earth);
+  FrameReach reach = sharing_reach(settings_, pose, lowest_m, highest_m, highest_near_m, earth);
+  reach.far_m = std::max(reach.far_m, reach.near_m + least_reach_m);
+  const std::size_t a_beam = azimuths_a_beam(settings_, reach, ground_->terrain().pyramid().layout().spacing_m);
   HorizonGrid grid;
   grid.first_azimuth_rad = pose.first_azimuth_rad;
-  grid.azimuth_step_rad = settings_.beam_step_rad;
-  grid.azimuths = settings_.beams + 1;
-  grid.near_m = near_m;
-  grid.distances = 2 * (settings_.ranges + 1);
-  grid.step_m = std::max(far_m - near_m, least_reach_m) / static_cast<double>(grid.distances);
+  grid.azimuth_step_rad = settings_.beam_step_rad / static_cast<double>(a_beam);
+  grid.azimuths = settings_.beams * a_beam + 1;
+  grid.near_m = reach.near_m;
+  grid.distances = horizon_distances(settings_);
+  grid.step_m = (reach.far_m - reach.near_m) / static_cast<double>(grid.distances);
   grid.drop_per_square_m = 0.5 * earth.curvature_per_m();
   for (VisibleGround& ground : visible_) ground.reset(grid, ground_->obstacles() != nullptr);
 
@@ -276,17 +279,15 @@ void LiveRenderer::prepare(const Pose& pose) {
 }
 
 radar::Rectangle LiveRenderer::under(Beams beams, Vec3d radar, double near_m, double far_m) const {
-  const HorizonGrid& edges = grid();
-  const double first_rad = edges.first_azimuth_rad + edges.azimuth_step_rad * static_cast<double>(beams.first);
-  return ground_under({radar.x, radar.y}, first_rad,
-                      edges.azimuth_step_rad * static_cast<double>(beams.end - beams.first), {near_m, far_m});
+  const double step_rad = settings_.beam_step_rad;
+  return ground_under({radar.x, radar.y}, grid().first_azimuth_rad + step_rad * static_cast<double>(beams.first),
+                      step_rad * static_cast<double>(beams.end - beams.first), {near_m, far_m});
 }
 
 GroundSector LiveRenderer::sector_of(Vec3d radar, double near_m, double far_m) const {
-  const HorizonGrid& beams = grid();
   return {{radar.x, radar.y},
-          beams.first_azimuth_rad,
-          beams.azimuth_step_rad * static_cast<double>(settings_.beams),
+          grid().first_azimuth_rad,
+          settings_.beam_step_rad * static_cast<double>(settings_.beams),
           near_m,
           far_m};
 }
@@ -369,16 +370,18 @@ void LiveRenderer::find_visible_ground(const FrameViews& there, const Pose& pose
     // Where beams go round, targets beside the first have a share in the last, and the other way round.
     if (!radar::goes_round(settings_.beams, settings_.beam_step_rad) || beams.first == beams.end) continue;
     const std::size_t last = settings_.beams;
-    if (beams.end == last) find_along_edges(pose, which, {0, std::min<std::size_t>(2, first_edge)});
-    if (beams.first == 0) find_along_edges(pose, which, {std::max(end, last - 1), last + 1});
+    if (beams.end == last && first_edge > 0) find_along_edges(pose, which, {0, 2});
+    if (beams.first == 0 && end <= last) find_along_edges(pose, which, {last - 1, last + 1});
   }
 }
 
 void LiveRenderer::find_along_edges(const Pose& pose, std::size_t which, Beams edges) {
+  const std::size_t a_beam = visible_[which].horizon().azimuths_a_beam(settings_.beams);
   for (std::size_t sector = 0; sector < sectors_.count(); ++sector) {
     const bool is_last = sector + 1 == sectors_.count();
-    const std::size_t from = std::max(edges.first, sectors_.first_edge(sector));
-    const std::size_t to = std::min(edges.end, sectors_.first_edge(sector + 1) + (is_last ? 1 : 0));
+    const std::size_t from = a_beam * std::max(edges.first, sectors_.first_edge(sector));
+    const std::size_t to =
+        std::min(a_beam * (edges.end - 1) + 1, a_beam * sectors_.first_edge(sector + 1) + (is_last ? 1 : 0));
     if (from < to) visible_[which].find(from, to - from, pose.position, occluders_[which][sector], team_);
   }
 }
@@ -389,6 +392,7 @@ void LiveRenderer::look_at_targets(const Pose& pose, Beams beams, const DetailBl
   const TargetSight sight{.levels = {{{horizon_of_[0], occluders_of_[0], 1.0F - next_share},
                                       {horizon_of_[1], occluders_of_[1], next_share}}},
                           .sectors = sectors_,
+                          .azimuths_a_beam = horizon_of_[0]->azimuths_a_beam(settings_.beams),
                           .radar = pose.position};
   TargetCount count(settings_, beams.first, beams.end - beams.first);
   targets_.look(
@@ -463,9 +467,7 @@ void LiveRenderer::look_ahead_at_pages(const PageCache::View& there, const Pose&
 }
 
 DetailBlend LiveRenderer::next_levels() {
-  const auto [near_m, far_m] = under_bins_;
-  DetailQuestion question =
-      with_ground(question_of_bins(settings_, near_m, std::max(far_m - near_m, least_reach_m)), *ground_);
+  DetailQuestion question = with_ground(question_of_bins(settings_, halfway_up_), *ground_);
   // Live frames come from the atlas however small they are.
   question.tallest_object_m = 0.0;
   question.area_m2 = std::numeric_limits<double>::infinity();

@@ -122,7 +122,8 @@ struct Frame {
 /// bins can tell apart, so that their number does not depend on how far the radar sees. When the level that this asks
 /// for changes along a flight path, the two are drawn together for 30 frames, textures over the terrain that belongs to
 /// them, each with its share of the power. No loader is waited for and no other renderer, and once the pages of a view
-/// are there nothing is allocated. The result does not depend on the number of threads.
+/// are there nothing is allocated, but for lines of sight that beams take which have become wider. The result does not
+/// depend on the number of threads.
 class LiveRenderer {
  public:
   LiveRenderer(std::shared_ptr<LiveGround> ground, const LiveSettings& settings);
@@ -160,7 +161,8 @@ class LiveRenderer {
   void add_targets(std::size_t first_beam, std::size_t count);
   /// For the beams, and their edges, over the terrain of each level of detail in use.
   void find_visible_ground(const FrameViews& there, const Pose& pose, Beams beams, const DetailBlend& levels);
-  /// Along edges of beams, from the first to before the end, over the terrain of one level of detail in use.
+  /// Along edges of beams, from the first to before the end, and the lines between them, over the terrain of one level
+  /// of detail in use.
   void find_along_edges(const Pose& pose, std::size_t which, Beams edges);
   /// What hides ground, sector by sector.
   using SectorOccluders = std::array<Occluders, TerrainSectors::most>;
@@ -190,7 +192,7 @@ class LiveRenderer {
   radar::ScattererLattice lattice_;
   WorkerTeam team_;
   terrain::HeightBounds bounds_;  // of the ground that the frame looks at
-  FrameReach under_bins_;         // what levels of detail follow from
+  FrameReach halfway_up_;         // of bins on ground of the middle height; levels of detail follow from it
   std::array<VisibleGround, 2> visible_;
   TerrainSectors sectors_;
   std::array<SectorOccluders, 2> occluders_;  // of the two levels of detail

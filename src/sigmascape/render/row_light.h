@@ -6,7 +6,7 @@
 
 namespace sigmascape::render {
 
-/// A horizon map as a row reads it: slopes [azimuth][distance], azimuth 0 at the left edge of beam 0 and one a beam.
+/// A horizon map as a row reads it: slopes [azimuth][distance], azimuth 0 at the left edge of beam 0.
 struct Horizon {
   const float* slopes = nullptr;
   const float* solid_slopes = nullptr;  ///< of the tops of solid obstacles; null where none stand apart
@@ -14,6 +14,7 @@ struct Horizon {
   std::size_t azimuths = 0, distances = 0;
   std::size_t stride = 0;   ///< from one azimuth to the next
   float first_beam = 0.0F;  ///< of the row's sector
+  float per_beam = 1.0F;    ///< azimuths
   float near_m = 0.0F, per_step = 1.0F;
 };
 

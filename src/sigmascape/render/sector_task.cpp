@@ -261,6 +261,7 @@ Horizon SectorTask::horizon() const {
           .distances = grid.distances,
           .stride = horizon_->stride(),
           .first_beam = static_cast<float>(first_beam_),
+          .per_beam = static_cast<float>(horizon_->azimuths_a_beam(parts_.settings.beams)),
           .near_m = static_cast<float>(grid.near_m),
           .per_step = static_cast<float>(1.0 / grid.step_m)};
 }

@@ -19,7 +19,7 @@ double part_seen_at(const TargetSight& sight, const TargetSight::Level& level,
     return (height_m - radar_height_m) / target.distance_m - grid.drop_per_square_m * target.distance_m;
   };
   const auto last_left = static_cast<double>(grid.azimuths - 2), last_node = static_cast<double>(grid.distances - 1);
-  const double across = std::clamp(target.beam, 0.0, last_left + 1.0);
+  const double across = std::clamp(target.beam * static_cast<double>(sight.azimuths_a_beam), 0.0, last_left + 1.0);
   const double left = std::min(std::floor(across), last_left), part = across - left;
   // Ground under the target itself hides it no more than ground hides itself.
   const auto node =
@@ -27,13 +27,16 @@ double part_seen_at(const TargetSight& sight, const TargetSight::Level& level,
   const auto azimuth = static_cast<std::size_t>(left);
   const auto between = [part](double on_left, double on_right) { return (1.0 - part) * on_left + part * on_right; };
   const HorizonMap& horizon = *level.horizon;
+  const auto occluders_at = [&](std::size_t at) -> const Occluders& {
+    return level.occluders[sight.sectors.of_edge(at / sight.azimuths_a_beam)];
+  };
   const double ridges = between(static_cast<double>(horizon.slopes(azimuth)[node]),
                                 static_cast<double>(horizon.slopes(azimuth + 1)[node])) -
                         doubt;
   double slope = slope_of(target.position.z);
   if (slope < ridges) {
     // Hidden where it was put; but on the ground of this frame it may be seen.
-    const Occluders& occluders = level.occluders[sight.sectors.of_edge(azimuth)];
+    const Occluders& occluders = occluders_at(azimuth);
     const double ground_m = terrain::height_at(occluders.terrain, {target.position.x, target.position.y}) -
                             static_cast<double>(occluders.lowered_m);
     slope = std::max(slope, slope_of(ground_m));
@@ -44,7 +47,7 @@ double part_seen_at(const TargetSight& sight, const TargetSight::Level& level,
   const auto through = [&](std::size_t at) {
     if (slope + doubt < static_cast<double>(horizon.solid_slopes(at)[node])) return 0.0;
     if (is_on_ground) return static_cast<double>(horizon.through(at)[node]);
-    return horizon.through_from(at, node, slope, sight.radar, level.occluders[sight.sectors.of_edge(at)]);
+    return horizon.through_from(at, node, slope, sight.radar, occluders_at(at));
   };
   return between(through(azimuth), through(azimuth + 1));
 }

@@ -18,6 +18,7 @@ struct TargetSight {
   };
   std::array<Level, 2> levels = {};
   TerrainSectors sectors = {};
+  std::size_t azimuths_a_beam = 1;  ///< of the horizons
   Vec3d radar = {};
 
   /// The part of a target's power that gets through: what stands below its own line of sight hides none of it. A target

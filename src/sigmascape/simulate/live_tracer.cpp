@@ -206,8 +206,14 @@ LiveTracer::Look LiveTracer::look_of(const render::Pose& pose) const {
 LiveTracer::Look LiveTracer::look_from(Vec3d radar, const render::Pose& pose) const {
   render::Pose from = pose;
   from.position = radar;
-  const auto [near_m, far_m] = render::frame_reach(settings_, from, lowest_m_, highest_m_, radar::CurvedEarth::flat());
-  Look look{.radar = radar, .near_m = near_m, .far_m = far_m, .ground = {}};
+  const double middle_m = 0.5 * (lowest_m_ + highest_m_);
+  constexpr auto straight = radar::CurvedEarth::flat();
+  const auto [near_m, far_m] = render::frame_reach(settings_, from, lowest_m_, highest_m_, straight);
+  Look look{.radar = radar,
+            .near_m = near_m,
+            .far_m = far_m,
+            .halfway_up = render::frame_reach(settings_, from, middle_m, middle_m, straight),
+            .ground = {}};
   look.ground = footprint(look, pose, {0, settings_.beams}, half_a_beam);
   return look;
 }
@@ -254,7 +260,7 @@ double LiveTracer::widest_cell_beams() const {
 }
 
 int LiveTracer::lattice_level(const Look& look) const {
-  const render::DetailQuestion bins = render::question_of_bins(settings_, look.near_m, look.far_m - look.near_m);
+  const render::DetailQuestion bins = render::question_of_bins(settings_, look.halfway_up);
   const double sample_m = std::min(bins.range_resolution_m, bins.cross_range_m) / bins.samples_per_cell;
   // All scatterers change with the level, so that a finer one, of four times the cells, waits until it is right by a
   // quarter of a level.
@@ -268,8 +274,8 @@ int LiveTracer::lattice_level(const Look& look) const {
 render::DetailQuestion LiveTracer::question(const render::Pose& pose) const {
   render::check(pose, name);
   const Look look = look_of(pose);
-  render::DetailQuestion question = render::question_of_bins(settings_, look.near_m, look.far_m - look.near_m);
-  const double middle_m = 0.5 * (look.near_m + look.far_m);
+  render::DetailQuestion question = render::question_of_bins(settings_, look.halfway_up);
+  const double middle_m = 0.5 * (look.halfway_up.near_m + look.halfway_up.far_m);
   question.grazing_rad = std::atan2(look.radar.z - 0.5 * (lowest_m_ + highest_m_), middle_m);
   question.range_resolution_m *= std::cos(question.grazing_rad);
   question.tallest_object_m = tallest_m_;

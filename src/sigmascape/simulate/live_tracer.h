@@ -100,7 +100,8 @@ class LiveTracer {
   struct Look {
     Vec3d radar;  ///< from where lines of sight are straight
     double near_m = 0.0, far_m = 0.0;
-    Footprint ground;  ///< of all beams
+    render::FrameReach halfway_up;  ///< where bins lie on ground of one height, between the lowest and the highest
+    Footprint ground;               ///< of all beams
   };
   /// Beams that are traced together, call after call.
   struct Step {
