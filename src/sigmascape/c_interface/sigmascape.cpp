@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 #include <exception>
+#include <map>
 #include <memory>
 #include <new>
 #include <span>
@@ -166,13 +167,19 @@ void check(const sigmascape_target& target, const std::string& where) {
   }
 }
 
-Target target_from(const sigmascape_target& from, std::size_t number) {
+/// Tables by their files, each of which is read once however many targets name it.
+using RcsTables = std::map<std::string, sigmascape::radar::RcsTable>;
+
+Target target_from(const sigmascape_target& from, std::size_t number, RcsTables& tables) {
   const std::string where = "target " + std::to_string(number);
   check(from, where);
   Target target;
   target.track = track_from(from, where);
   if (from.rcs_table != nullptr) {
-    target.rcs_m2 = sigmascape::radar::read_rcs_table(from.rcs_table);
+    auto known = tables.find(from.rcs_table);
+    if (known == tables.end())
+      known = tables.emplace(from.rcs_table, sigmascape::radar::read_rcs_table(from.rcs_table)).first;
+    target.rcs_m2 = known->second;
   } else {
     target.rcs_m2 = sigmascape::radar::Channels{from.rcs_m2[0], from.rcs_m2[1], from.rcs_m2[2], from.rcs_m2[3]};
   }
@@ -348,7 +355,8 @@ int sigmascape_set_targets(sigmascape_renderer* renderer, const sigmascape_targe
     if (count > 0) (void)given(targets, "targets");
     std::vector<Target> made;
     if (renderer->scene) made = sigmascape::simulate::targets_of(renderer->scene->scene);
-    for (std::size_t i = 0; i < count; ++i) made.push_back(target_from(targets[i], i));
+    RcsTables tables;
+    for (std::size_t i = 0; i < count; ++i) made.push_back(target_from(targets[i], i, tables));
     renderer->targets = std::move(made);
     return 0;
   });

@@ -7,6 +7,7 @@
  * null or a number other than 0, and sigmascape_last_error says why.
  *
  * The ground may be shared by any number of renderers on any threads at once; a renderer is for one caller at a time.
+ * A child that was forked off has the threads of neither: open and make there what is used there.
  * Structs that are handed in are best begun with zeros, `= {0}`, so that what a later version adds has its default. */
 
 #include <stddef.h>
