@@ -8,6 +8,7 @@
 
 #include "sigmascape/atlas/atlas.h"
 #include "sigmascape/base/error.h"
+#include "sigmascape/base/machine_memory.h"
 #include "sigmascape/product/iq_file.h"
 #include "sigmascape/receiver/receiver_output.h"
 #include "sigmascape/simulate/coherent.h"
@@ -78,7 +79,10 @@ void check(const IqFiles& files, const IqRequest& request) {
   if (files.file.empty()) return;
   const atlas::AspectGrid& aspects = request.atlas->description().aspects;
   atlas::check_frequency(aspects, texture_frequency_hz(aspects, request.radar, request.extrapolate));
-  simulate::check_recording(request.radar, request.area, request.scene.terrain, settings_of(files, request));
+  const std::size_t samples =
+      simulate::check_recording(request.radar, request.area, request.scene.terrain, settings_of(files, request));
+  constexpr std::size_t polarizations = 3;
+  product::check_iq_size(files.file, samples * polarizations, machine_memory_bytes());
 }
 
 void write_iq_files(const IqFiles& files, const IqRequest& request) {
@@ -91,8 +95,8 @@ void write_iq_files(const IqFiles& files, const IqRequest& request) {
   const simulate::CoherentScene scene{
       &request.scene.terrain, render::AtlasReflectivity{&textures, frequency_hz, level}, request.targets,
       request.radar.wind_mps > 0.0 ? simulate::windblown_of(request.scene) : simulate::Windblown{}};
-  warn_of(request.radar,
-          simulate::recording_warnings(request.radar, request.area, request.scene.terrain, files.unit == "V"));
+  warn_of(request.radar, simulate::recording_warnings(request.radar, request.area, request.scene.terrain,
+                                                      files.unit == "V", request.targets));
   simulate::CoherentSettings settings = settings_of(files, request);
   settings.scatterer_spacing_m = spacing_m;
   const auto history = simulate::phase_history(scene, request.radar, request.area, settings);

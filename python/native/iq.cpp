@@ -74,10 +74,10 @@ Described<Signal> made(Maker<Signal> make, UsualSpacing usual_spacing_m, const P
     const auto radar = simulate::placed_radar(asked, description.frame, atlas.terrain(), description.extent, time_s);
     const auto area = simulate::map_grid(asked.map, description.extent).extent();
     warn_of(radar, simulate::map_warnings(radar, asked.map, atlas.terrain(), description.extent));
-    if constexpr (std::is_same_v<Signal, radar::PhaseHistory>)
-      warn_of(radar, simulate::recording_warnings(radar, area, atlas.terrain(), settings.calibrated));
     const auto targets =
         simulate::all_targets(nullptr, given, description.frame, atlas.terrain(), settings.seed, time_s);
+    if constexpr (std::is_same_v<Signal, radar::PhaseHistory>)
+      warn_of(radar, simulate::recording_warnings(radar, area, atlas.terrain(), settings.calibrated, targets));
     const Vec2d middle = area.centre();
     std::map<std::string, double> numbers;
     if (const auto plan = plan_of(radar, {middle.x, middle.y, atlas.terrain().height_at(middle)})) {

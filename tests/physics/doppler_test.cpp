@@ -334,7 +334,7 @@ TEST(Mover, that_goes_along_is_smeared_over_more_than_twice_its_way) {
 }
 
 TEST(Smear, keeps_power_and_follows_the_left_over_phase) {
-  for (const double cells : {0.01, 3.0, 40.0, -40.0}) {
+  for (const double cells : {0.01, 3.0, 40.0, -40.0, 20'000.0}) {
     const double interval_s = 0.5;
     const auto parts = receiver::smeared(cells / (interval_s * interval_s), interval_s);
     double power = 0.0;
@@ -413,6 +413,35 @@ TEST(Stripmap, answers_points_with_the_exact_response) {
     validation::expect_close({group, "stripmap half-power width", 1.0,
                               half_power_bins(image.amplitude_m) * image.along_m.step, 0.02, "m", "nominal"});
     EXPECT_NEAR(peak.power, 1.0, 0.01);
+  }
+}
+
+/// Wherever along a squinted strip they stand: −4πrf/c of the closest range.
+TEST(Stripmap, gives_targets_at_rest_the_phase_of_the_ground) {
+  const auto radar = even_band_radar(2.0);
+  const double squint = 0.1;
+  for (const double along_m : {-20.0, 0.0, 10.0}) {
+    const Vec3d place{std::sqrt(1e8 - 16e6), along_m, 0.0};
+    const auto phase_of = [&](const auto& points) {
+      receiver::StripmapImager imager(radar, {{0.0, 0.0, 4000.0}, {0.0, 90.0, 0.0}},
+                                      {.first_along_m = -60.0,
+                                       .last_along_m = 60.0,
+                                       .resolution_m = 1.0,
+                                       .window = even,
+                                       .oversampling = 16.0,
+                                       .squint_rad = squint},
+                                      {9'950.0, 10'050.0, 16.0});
+      imager.add(points);
+      const auto image = imager.image();
+      const Peak peak = brightest(image.amplitude_m);
+      return std::arg(image.amplitude_m(static_cast<std::size_t>(peak.column), static_cast<std::size_t>(peak.row)).vv);
+    };
+    radar::Target target;
+    target.track = radar::Track::straight(place);
+    target.rcs_m2 = radar::Channels{1.0F, 1.0F, 0.0F, 1.0F};
+    const double of_target = phase_of(std::vector<radar::Target>{target});
+    const double of_ground = phase_of(std::vector<radar::Scatterer>{point_at(place)});
+    EXPECT_NEAR(std::remainder(of_target - of_ground, 2.0 * pi), 0.0, 0.1) << along_m;
   }
 }
 

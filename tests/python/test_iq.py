@@ -271,8 +271,8 @@ def test_scatterers_are_as_fine_as_what_the_pulses_tell_apart(atlas, moving_rada
                                          (sigmascape.range_doppler, 0.01, True), (sigmascape.range_doppler, 0.4, False)]:
         usual = record(atlas, moving_radar, interval_s=interval_s).samples
         assert np.array_equal(usual, record(atlas, moving_radar, interval_s=interval_s, scatterer_spacing_m=1.5).samples) == by_range
-    strip = sigmascape.stripmap(atlas, moving_radar, along_resolution_m=1.2).samples
-    assert np.array_equal(strip, sigmascape.stripmap(atlas, moving_radar, along_resolution_m=1.2, scatterer_spacing_m=0.6).samples)
+    strip = sigmascape.stripmap(atlas, moving_radar, along_resolution_m=1.5).samples
+    assert np.array_equal(strip, sigmascape.stripmap(atlas, moving_radar, along_resolution_m=1.5, scatterer_spacing_m=0.75).samples)
 
 
 def test_a_later_moment_is_what_has_moved_there(scene, atlas, moving_radar):

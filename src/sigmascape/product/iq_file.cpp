@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <complex>
+#include <cstdint>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <string_view>
@@ -68,6 +70,23 @@ void check_iq_name(const std::filesystem::path& path) {
   if (!writers().contains(file_ending(path))) {
     throw Error(path.string(), "is no kind of file that I/Q is written as",
                 "end the name in .npy, .npz, .h5 or .sigmf-meta");
+  }
+}
+
+void check_iq_size(const std::filesystem::path& path, std::size_t samples, double memory_bytes) {
+  const std::string ending = file_ending(path);
+  const double bytes = static_cast<double>(samples) * sizeof(std::complex<float>);
+  // Its directory and the axes take little beside them.
+  if (ending == ".npz" && bytes > 0.999 * UINT32_MAX)
+    throw Error(path.string(), "would be larger than 4 GiB", "write HDF5 or SigMF");
+  // As they are received and as they are recorded; NumPy's file is put together before it is written, an archive twice.
+  const double copies = ending == ".npz" ? 4.0 : ending == ".npy" ? 3.0 : 2.0;
+  if (copies * bytes > memory_bytes) {
+    throw Error(
+        path.string(),
+        fmt::format("holds {:.3g} GB of samples, which take {:.3g} GB of memory to write, and there are {:.3g}",
+                    bytes / 1e9, copies * bytes / 1e9, memory_bytes / 1e9),
+        copies > 2.0 ? "write HDF5 or SigMF, or record less" : "record a shorter interval or a shorter range gate");
   }
 }
 

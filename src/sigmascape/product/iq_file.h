@@ -22,6 +22,10 @@ void write_iq(const std::filesystem::path& path, const IqRecord& record);
 /// Throws Error when `write_iq` would not know what to write under this name: for asking before the work.
 void check_iq_name(const std::filesystem::path& path);
 
+/// Throws Error when that many samples, all polarizations counted, are more than a file of this name holds, or than
+/// memory does while they are written: before the work, too.
+void check_iq_size(const std::filesystem::path& path, std::size_t samples, double memory_bytes);
+
 /// Everything that the record says besides its samples and the places on its axes, as JSON.
 [[nodiscard]] std::string iq_description(const IqRecord& record);
 

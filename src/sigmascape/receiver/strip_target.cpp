@@ -159,16 +159,17 @@ std::optional<Believed> middle_of(const Band& band, const Subband& part) {
   return std::nullopt;
 }
 
-/// `turns_a_metre`: of the phase by which places along a squinted strip differ.
+/// `turns_beside`: of the phase by which the place of this part of a squinted strip differs from that of the whole
+/// target, so that parts at several places add up.
 Series series_of(const StripTarget& target, const Band& band, const Subband& part, const Believed& about,
-                 double turns_a_metre) {
+                 double turns_beside) {
   const std::size_t samples = band.size();
   std::vector<std::complex<float>> left_over(samples);
   for (std::size_t n = 0; n < samples; ++n) {
     const double place = part_of_band(n, samples), weight = part.weight(place);
     if (!band[n] || weight == 0.0) continue;
-    const double turns = band[n]->turns - target.turns_of_rest(place, about.along_m, about.closest_range_m) +
-                         turns_a_metre * about.along_m;
+    const double turns =
+        band[n]->turns - target.turns_of_rest(place, about.along_m, about.closest_range_m) + turns_beside;
     left_over[n] = std::complex<float>(
         std::polar(band[n]->voltage * weight / static_cast<double>(samples), 2.0 * pi * std::remainder(turns, 1.0)));
   }
@@ -241,13 +242,14 @@ std::vector<StripPart> strip_parts(const radar::Target& target, const StripProce
   if (by_pulse || !changes_by_pulse) fluctuate(band, target, processing.dwell, by_pulse);
 
   const double turns_a_metre = -2.0 * std::sin(processing.squint_rad) / processing.wavelength_m;
+  const auto whole = middle_of(band, {});
   std::vector<Series> all;
   float brightest = 0.0F;
   for (std::size_t number = 0; number < static_cast<std::size_t>(subbands); ++number) {
     const Subband part{number, static_cast<std::size_t>(subbands)};
     const auto about = middle_of(band, part);
-    if (!about) return {};
-    all.push_back(series_of(strip, band, part, *about, turns_a_metre));
+    if (!about || !whole) return {};
+    all.push_back(series_of(strip, band, part, *about, turns_a_metre * (about->along_m - whole->along_m)));
     for (const std::complex<float> point : all.back().points) brightest = std::max(brightest, std::norm(point));
   }
   std::vector<StripPart> parts;

@@ -69,11 +69,7 @@ Reflectivity reflectivity_of(const atlas::Atlas& atlas, double frequency_hz, dou
   return AtlasReflectivity{&atlas, frequency_hz, atlas.level_for(cell_m)};
 }
 
-std::vector<radar::Scatterer> ground_scatterers(const terrain::HeightField& terrain, const Reflectivity& sigma0,
-                                                const radar::ScattererLattice& lattice, const ScattererRequest& request,
-                                                std::span<const radar::Target> targets) {
-  const double side_m = lattice.cell_m(request.level);
-  const radar::Rectangle& area = request.area;
+void check_scatterers(const radar::Rectangle& area, double side_m) {
   if (!(area.width_m() > 0.0 && area.height_m() > 0.0) ||
       area.width_m() / side_m * (area.height_m() / side_m) > most_cells) {
     throw Error("ground scatterers",
@@ -83,6 +79,14 @@ std::vector<radar::Scatterer> ground_scatterers(const terrain::HeightField& terr
                             "or an image of coarser resolution",
                             most_cells));
   }
+}
+
+std::vector<radar::Scatterer> ground_scatterers(const terrain::HeightField& terrain, const Reflectivity& sigma0,
+                                                const radar::ScattererLattice& lattice, const ScattererRequest& request,
+                                                std::span<const radar::Target> targets) {
+  const double side_m = lattice.cell_m(request.level);
+  const radar::Rectangle& area = request.area;
+  check_scatterers(area, side_m);
   // Cells belong to the area whole or not at all, by their middle: neighbouring areas share none.
   const auto first_of = [side_m](double edge_m) { return static_cast<std::int32_t>(std::ceil(edge_m / side_m - 0.5)); };
   const std::int32_t west = first_of(area.west_m), east = first_of(area.east_m);

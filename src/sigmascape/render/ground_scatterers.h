@@ -43,12 +43,15 @@ struct ScattererRequest {
   radar::CurvedEarth earth = radar::CurvedEarth::flat();  ///< for sight and aspect; places are in the local frame
 };
 
+/// Throws Error when the area has more than 2²⁷ cells of this side: for asking before the work.
+void check_scatterers(const radar::Rectangle& area, double side_m);
+
 /// The scatterers of all ground in the area that the radar sees over the terrain: one a cell of the lattice, with the
 /// cross-section σ0 · (area of the cell) in the mean, as the power mode has it (ReflectingGround). Ordered by rows from
 /// the south. Ground behind a target's box is left out: its shadow, which stays where it is however the target's echo
 /// is moved.
 ///
-/// Throws Error when the area has more than 2²⁷ cells.
+/// Throws Error as `check_scatterers` does.
 [[nodiscard]] std::vector<radar::Scatterer> ground_scatterers(const terrain::HeightField& terrain,
                                                               const Reflectivity& sigma0,
                                                               const radar::ScattererLattice& lattice,

@@ -97,9 +97,10 @@ Vec3d middle_of(const radar::Rectangle& area, const terrain::HeightField& terrai
   return bent(radar, local_middle_of(area, terrain));
 }
 
-/// The ranges, or what else `measure` gives, that the area spans between its lowest and highest ground.
+/// The ranges, or what else `measure` gives, that the area spans between its lowest and highest ground, seen from a
+/// place.
 template <typename Measure>
-std::array<double, 2> span_of(const radar::Rectangle& area, const terrain::HeightField& terrain, Vec2d nearest,
+std::array<double, 2> span_of(const radar::Rectangle& area, const terrain::HeightField& terrain, Vec3d place,
                               const Measure& measure) {
   double least = std::numeric_limits<double>::infinity(), most = -least;
   const auto take_in = [&](Vec3d point) {
@@ -107,8 +108,10 @@ std::array<double, 2> span_of(const radar::Rectangle& area, const terrain::Heigh
     least = std::min(least, value);
     most = std::max(most, value);
   };
-  const Vec2d inside = radar::nearest_point(area, nearest);
-  for (const double height : {static_cast<double>(terrain.lowest_m()), static_cast<double>(terrain.highest_m())}) {
+  const Vec2d inside = radar::nearest_point(area, {place.x, place.y});
+  const auto lowest_m = static_cast<double>(terrain.lowest_m()), highest_m = static_cast<double>(terrain.highest_m());
+  // Ground as high as the radar is nearer than what lies above and below.
+  for (const double height : {lowest_m, std::clamp(place.z, lowest_m, highest_m), highest_m}) {
     std::ranges::for_each(radar::corners_of(area, height), take_in);
     take_in({inside.x, inside.y, height});
   }
@@ -122,6 +125,13 @@ receiver::RangeGate gate_over(const radar::Radar& radar, std::array<double, 2> r
   const auto &first_m = radar.receiver.first_range_m, &last_m = radar.receiver.last_range_m;
   return {first_m ? *first_m * over_slant : std::max(0.0, ranges_m[0] - spare_m),
           last_m ? *last_m * over_slant : ranges_m[1] + spare_m, oversampling};
+}
+
+/// A place of the antenna, at the height of what is as high as it where the area is nearest to it.
+Vec3d as_high_as(const radar::Radar& radar, Vec3d antenna, const radar::Rectangle& area) {
+  const Vec2d nearest = radar::nearest_point(area, {antenna.x, antenna.y});
+  const double drop_m = -bent(radar, {nearest.x, nearest.y, 0.0}).z;
+  return {antenna.x, antenna.y, antenna.z + drop_m};
 }
 
 /// Of the ranges that the area spans at time zero, or while the radar flies past from one time to another.
@@ -141,8 +151,8 @@ receiver::RangeGate gate_over(const radar::Radar& radar, const radar::Rectangle&
   double least_m = std::numeric_limits<double>::infinity(), most_m = 0.0;
   for (const double time_s : {from_s, 0.0, to_s}) {
     const Vec3d foot = radar.position + velocity * time_s;
-    least_m = std::min(least_m, span_of(area, terrain, {foot.x, foot.y}, closest_m)[0]);
-    most_m = std::max(most_m, span_of(area, terrain, {foot.x, foot.y}, farthest_m)[1]);
+    least_m = std::min(least_m, span_of(area, terrain, as_high_as(radar, foot, area), closest_m)[0]);
+    most_m = std::max(most_m, span_of(area, terrain, foot, farthest_m)[1]);
   }
   return gate_over(radar, {least_m, most_m}, oversampling);
 }
@@ -358,7 +368,7 @@ receiver::StripmapImager stripmap_imager(const CoherentScene& scene, const radar
   const auto closest = [&](Vec3d point) {
     return length(bent(radar, point) - radar.position - direction * along(point));
   };
-  const Vec2d here{radar.position.x, radar.position.y};
+  const Vec3d here = as_high_as(radar, radar.position, area);
   const auto along_m = span_of(area, *scene.terrain, here, along);
   const Vec3d aim = middle_of(area, *scene.terrain, radar);
   const double squint_rad = squint_of(radar, aim);
@@ -430,9 +440,12 @@ Recording recording(const radar::Radar& radar, const radar::Rectangle& area, con
 
 }  // namespace
 
-void check_recording(const radar::Radar& radar, const radar::Rectangle& area, const terrain::HeightField& terrain,
-                     const CoherentSettings& settings) {
-  static_cast<void>(recording(radar, area, terrain, settings));
+std::size_t check_recording(const radar::Radar& radar, const radar::Rectangle& area,
+                            const terrain::HeightField& terrain, const CoherentSettings& asked) {
+  const auto [receiver, train] = recording(radar, area, terrain, asked);
+  const double spacing_m = pulse_scatterer_spacing_m(radar, area, terrain, asked.interval_s);
+  render::check_scatterers(area, spaced(asked, spacing_m).scatterer_spacing_m);
+  return train.count * receiver.samples();
 }
 
 radar::PhaseHistory phase_history(const CoherentScene& scene, const radar::Radar& radar, const radar::Rectangle& area,

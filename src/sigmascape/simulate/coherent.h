@@ -46,9 +46,10 @@ struct CoherentSettings {
 
 /// Throws Error when the radar stands within the ground or lower than all of it, with Mode::Stripmap when it does not
 /// move, and when the interval holds less than two pulses or more than memory, or the gate over the area is longer than
-/// the unambiguous range: before much else is made.
-void check_recording(const radar::Radar& radar, const radar::Rectangle& area, const terrain::HeightField& terrain,
-                     const CoherentSettings& settings);
+/// the unambiguous range, or the area has too many scatterers: before much else is made. Returns how many samples of
+/// every polarization there will be.
+std::size_t check_recording(const radar::Radar& radar, const radar::Rectangle& area,
+                            const terrain::HeightField& terrain, const CoherentSettings& settings);
 
 /// The pulses of one interval, before any processing: I and Q, at the radar's pulse repetition frequency, over the gate
 /// that `area` or the radar file asks for. They hold the echoes of the ground of the area and of all targets; what lies
@@ -57,7 +58,7 @@ void check_recording(const radar::Radar& radar, const radar::Rectangle& area, co
 /// direction that it has at time zero. Ground and targets are seen where terrain and what the atlas knows to stand
 /// there let them, as at time zero, or with Mode::Stripmap as for `stripmap_image`. Cost goes with pulses × scatterers.
 ///
-/// Throws Error as `check_recording` does, and when the area has too many scatterers.
+/// Throws Error as `check_recording` does.
 [[nodiscard]] radar::PhaseHistory phase_history(const CoherentScene& scene, const radar::Radar& radar,
                                                 const radar::Rectangle& area, const CoherentSettings& settings);
 

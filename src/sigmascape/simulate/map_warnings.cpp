@@ -12,6 +12,7 @@
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/azimuth_span.h"
 #include "sigmascape/radar/radar_warnings.h"
+#include "sigmascape/radar/range_ambiguity.h"
 #include "sigmascape/radar/rectangle_distances.h"
 #include "sigmascape/radar/rectangle_parts.h"
 #include "sigmascape/radar/strip_beam.h"
@@ -47,29 +48,6 @@ struct AngleSpan {
 
 constexpr double least_two_way_power = 0.01;
 
-/// A pattern with its peak left at the horizon is the usual reason.
-std::optional<std::string> beam_above_or_below(const radar::Radar& radar, const radar::Rectangle& area,
-                                               const terrain::HeightField& terrain) {
-  const radar::AntennaPattern pattern = radar::antenna_pattern(radar);
-  if (pattern.elevation().even()) return std::nullopt;
-  const Vec2d foot{radar.position.x, radar.position.y};
-  AngleSpan elevations;
-  const auto take_in = [&](Vec2d place) {
-    const Vec3d away = radar::earth_of(radar).bent({place.x, place.y, terrain.height_at(place)}, foot) - radar.position;
-    elevations.take_in(std::atan2(away.z, std::hypot(away.x, away.y)));
-  };
-  std::ranges::for_each(radar::corners_of(area), take_in);
-  take_in(area.centre());
-  take_in(radar::nearest_point(area, foot));
-  const double power = pattern.elevation().two_way_power(elevations.nearest(pattern.tilt_rad()) - pattern.tilt_rad());
-  if (power >= least_two_way_power) return std::nullopt;
-  return fmt::format(
-      "the beam points to an elevation of {:.3g}° (antenna.tilt_deg), and what is mapped lies at {:.3g}° to {:.3g}°, "
-      "where echoes are at least {:.0f} dB weaker than at its peak",
-      deg_from_radians(pattern.tilt_rad()), deg_from_radians(elevations.least_rad),
-      deg_from_radians(elevations.most_rad), -db_from_linear(std::max(power, 1e-30)));
-}
-
 /// Real-beam maps of what is never scanned are refused, spotlights are steered, and the beam of a strip passes.
 std::optional<std::string> beam_beside(const radar::Radar& radar, const radar::Rectangle& area) {
   const bool keeps_azimuth = radar.mode == radar::Mode::DopplerBeamSharpening &&
@@ -97,7 +75,53 @@ radar::Radar as_it_maps(const radar::Radar& radar, const radar::Rectangle& area,
   }
 }
 
+/// Of targets whose echoes fall outside a range gate, however often they fold.
+std::optional<std::string> targets_outside(const radar::Radar& radar, std::span<const radar::Target> targets,
+                                           double opens_m, double closes_m) {
+  const double unambiguous_m = radar::unambiguous_range_m(radar.waveform.pulse_repetition_hz);
+  const double spare_m = 2.0 * radar.range_resolution_m;
+  std::size_t outside = 0;
+  double first_m = 0.0;
+  for (const radar::Target& target : targets) {
+    const Vec3d place =
+        radar::earth_of(radar).bent(target.track.position_at(0.0), {radar.position.x, radar.position.y});
+    const double range_m = length(place - radar.position);
+    const double beyond_m = std::remainder(range_m - 0.5 * (opens_m + closes_m), unambiguous_m);
+    if (std::abs(beyond_m) <= 0.5 * (closes_m - opens_m) + spare_m) continue;
+    if (outside++ == 0) first_m = range_m;
+  }
+  if (outside == 0) return std::nullopt;
+  return fmt::format(
+      "of {} targets {} answer from outside the range gate from {:.5g} to {:.5g} km, the first from {:.5g} km, and "
+      "pulses "
+      "hold nothing of them; receiver.first_range_km and last_range_km widen the gate",
+      targets.size(), outside, opens_m / 1e3, closes_m / 1e3, first_m / 1e3);
+}
+
 }  // namespace
+
+std::optional<std::string> beam_above_or_below(const radar::Radar& radar, const radar::Rectangle& area,
+                                               const terrain::HeightField& terrain) {
+  const radar::AntennaPattern pattern = radar::antenna_pattern(radar);
+  if (pattern.elevation().even()) return std::nullopt;
+  const Vec2d foot{radar.position.x, radar.position.y};
+  AngleSpan elevations;
+  const auto take_in = [&](Vec2d place) {
+    const Vec3d away = radar::earth_of(radar).bent({place.x, place.y, terrain.height_at(place)}, foot) - radar.position;
+    elevations.take_in(std::atan2(away.z, std::hypot(away.x, away.y)));
+  };
+  std::ranges::for_each(radar::corners_of(area), take_in);
+  take_in(area.centre());
+  take_in(radar::nearest_point(area, foot));
+  const double power = pattern.elevation().two_way_power(elevations.nearest(pattern.tilt_rad()) - pattern.tilt_rad());
+  // A pattern with its peak left at the horizon is the usual reason.
+  if (power >= least_two_way_power) return std::nullopt;
+  return fmt::format(
+      "the beam points to an elevation of {:.3g}° (antenna.tilt_deg), and what is mapped lies at {:.3g}° to {:.3g}°, "
+      "where echoes are at least {:.0f} dB weaker than at its peak",
+      deg_from_radians(pattern.tilt_rad()), deg_from_radians(elevations.least_rad),
+      deg_from_radians(elevations.most_rad), -db_from_linear(std::max(power, 1e-30)));
+}
 
 std::vector<std::string> map_warnings(const radar::Radar& radar, const radar::MapRequest& request,
                                       const terrain::HeightField& terrain, const radar::Rectangle& extent) {
@@ -116,7 +140,8 @@ std::vector<std::string> map_warnings(const radar::Radar& radar, const radar::Ma
 }
 
 std::vector<std::string> recording_warnings(const radar::Radar& radar, const radar::Rectangle& area,
-                                            const terrain::HeightField& terrain, bool calibrated) {
+                                            const terrain::HeightField& terrain, bool calibrated,
+                                            std::span<const radar::Target> targets) {
   std::vector<std::string> warnings;
   const Vec2d foot{radar.position.x, radar.position.y}, away = area.centre() - foot;
   const double distance_m = length(away);
@@ -142,6 +167,7 @@ std::vector<std::string> recording_warnings(const radar::Radar& radar, const rad
         "pulses hold the echoes of mapped ground alone",
         opens_m / 1e3, closes_m / 1e3, near_m / 1e3, far_m / 1e3));
   }
+  if (auto missed = targets_outside(radar, targets, opens_m, closes_m)) warnings.push_back(*std::move(missed));
   return warnings;
 }
 

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "sigmascape/radar/radar.h"
 #include "sigmascape/radar/radar_file.h"
+#include "sigmascape/radar/target.h"
 #include "sigmascape/terrain/height_field.h"
 
 namespace sigmascape::simulate {
@@ -17,9 +20,16 @@ namespace sigmascape::simulate {
                                                     const terrain::HeightField& terrain,
                                                     const radar::Rectangle& extent);
 
+/// Of a beam whose pattern leaves all that lies in an area 20 dB or more under its peak, both ways, since it points
+/// above or below it.
+[[nodiscard]] std::optional<std::string> beam_above_or_below(const radar::Radar& radar, const radar::Rectangle& area,
+                                                             const terrain::HeightField& terrain);
+
 /// What whoever records pulses of this area should know: that what lies beside it is not in them (`phase_history`),
-/// where the half-power beam of a `calibrated` recording is wider, or a range gate that the radar states.
+/// where the half-power beam of a `calibrated` recording is wider, or a range gate that the radar states; and which
+/// targets answer from outside the gate.
 [[nodiscard]] std::vector<std::string> recording_warnings(const radar::Radar& radar, const radar::Rectangle& area,
-                                                          const terrain::HeightField& terrain, bool calibrated);
+                                                          const terrain::HeightField& terrain, bool calibrated,
+                                                          std::span<const radar::Target> targets = {});
 
 }  // namespace sigmascape::simulate

@@ -1,6 +1,7 @@
 #include "sigmascape/simulate/scatterer_spacing.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -32,7 +33,10 @@ std::optional<double> resolution_of_mode_m(const radar::Radar& radar, Vec3d midd
 }  // namespace
 
 double scatterer_spacing_m(const radar::Radar& radar, double across_resolution_m) {
-  return std::min(radar.range_resolution_m, across_resolution_m) / 2.0;
+  constexpr double rungs_a_halving = 8.0;
+  constexpr double slack = 1e-6;  // what is on a rung but for rounding stays there
+  const double halvings = std::log2(std::max(radar.range_resolution_m / across_resolution_m, 1.0));
+  return radar.range_resolution_m / 2.0 * std::exp2(-std::ceil(rungs_a_halving * halvings - slack) / rungs_a_halving);
 }
 
 double resolution_of_interval_m(const radar::Radar& radar, Vec3d place, double interval_s) {

@@ -9,7 +9,9 @@ namespace sigmascape::simulate {
 
 /// Side of the cells of which each holds a scatterer, and of the texels by which they are told how bright they are:
 /// half of what is told apart at the finest, in range or across it. With coarser cells there would be bins in which
-/// none lies (docs/physics/speckle.md).
+/// none lies (docs/physics/speckle.md). What is told apart across follows from where the radar stands: there the side
+/// is the next smaller one of a ladder, half a range cell times 2^(−k/8), so that a radar a little farther on, or a
+/// second antenna beside it, finds the same scatterers.
 [[nodiscard]] double scatterer_spacing_m(const radar::Radar& radar, double across_resolution_m);
 
 /// Half-power width across range at a place of what is made of all pulses of an interval, as `coherent_plan` has it

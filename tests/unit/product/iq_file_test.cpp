@@ -7,6 +7,8 @@
 
 #include "scratch_folder.h"
 
+#include "sigmascape/base/error.h"
+
 namespace sigmascape::product {
 namespace {
 
@@ -67,6 +69,15 @@ TEST(IqFile, HasEveryKindUnderEveryEnding) {
       EXPECT_GT(std::filesystem::file_size(file), 100U);
     }
   }
+}
+
+/// An archive holds 4 GiB, and what is put together before it is written takes memory once more.
+TEST(IqFile, TellsBeforeTheWorkWhatIsTooLarge) {
+  constexpr std::size_t many = 600'000'000;
+  EXPECT_NO_THROW(check_iq_size("pulses.h5", many, 10e9));
+  EXPECT_THROW(check_iq_size("pulses.npz", many, 1e12), Error);
+  EXPECT_THROW(check_iq_size("pulses.npy", many, 10e9), Error);
+  EXPECT_NO_THROW(check_iq_size("pulses.npy", many, 15e9));
 }
 
 TEST(IqFile, TellsBesideAnArrayWhereItsSamplesStand) {

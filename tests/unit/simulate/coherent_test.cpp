@@ -95,6 +95,21 @@ TEST(Pulses, AreRecordedWhereTheAreaIsAtEachOfThem) {
   }
 }
 
+/// A helicopter among hills: what is as high as it, on the near edge, is nearer than the valley and the ridge.
+TEST(Pulses, AreRecordedFromGroundAsHighAsTheRadar) {
+  terrain::HeightField hills = level;
+  for (float& height : hills.height_m.values()) height = 500.0F;
+  hills.height_m(0, 0) = 200.0F;
+  hills.height_m(40, 0) = 900.0F;
+  radar::Radar radar = looking_north(radar::Mode::Spotlight);
+  radar.position = {0.0, -950.0, 501.0};
+  radar.range_resolution_m = 1.0;
+  const auto history = phase_history({&hills, [](Vec2d, const radar::Aspect&) { return radar::Channels{}; }}, radar,
+                                     area, {.interval_s = 0.002});
+  EXPECT_LE(history.first_range_m, 900.0);
+  EXPECT_GT(history.first_range_m, 880.0);
+}
+
 /// Ground is as far from the squinted antenna as its gate says.
 TEST(Strip, OfASquintedAntennaKeepsToTheGateOfItsReceiver) {
   radar::Radar radar = looking_north(radar::Mode::Stripmap);
@@ -140,7 +155,8 @@ TEST(Pulses, HaveScatterersForWhatTheyCanBeProcessedTo) {
   static_cast<void>(phase_history({&level, asked.field()}, radar, area, {.interval_s = 2.0, .threads = 1}));
   const double across_m = resolution_of_interval_m(radar, {}, 2.0);
   EXPECT_LT(across_m, 1.0);
-  EXPECT_NEAR(static_cast<double>(asked.places.size()) * across_m * across_m / 4.0, 100.0 * 100.0, 300.0);
+  const double side_m = scatterer_spacing_m(radar, across_m);
+  EXPECT_NEAR(static_cast<double>(asked.places.size()) * side_m * side_m, 100.0 * 100.0, 300.0);
 }
 
 /// What takes minutes comes after what may be refused.

@@ -3,9 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <optional>
+#include <vector>
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
+#include "sigmascape/radar/range_ambiguity.h"
 
 namespace sigmascape::simulate {
 namespace {
@@ -88,6 +90,23 @@ TEST(RecordingWarnings, TellOfWhatIsNotInThePulses) {
   EXPECT_THAT(told(true), ElementsAre(::testing::StartsWith("the beam is 1414 m wide where what is mapped is 1000 m")));
   radar.receiver.first_range_m = 15e3;
   EXPECT_THAT(told(false), ElementsAre(::testing::StartsWith("the range gate from 15 to 20.")));
+}
+
+TEST(RecordingWarnings, TellOfTargetsOutsideTheGate) {
+  radar::Radar radar = with_elevation_beam(-8.5);
+  radar.waveform.pulse_repetition_hz = 1000.0;
+  const auto told = [&](Vec3d place) {
+    radar::Target target;
+    target.track = radar::Track::straight(place);
+    const std::vector<radar::Target> targets{target};
+    return recording_warnings(radar, extent, level, false, targets);
+  };
+  EXPECT_THAT(told({0.0, 0.0, 10.0}), IsEmpty());
+  const Vec3d before = radar.position * 0.5;
+  EXPECT_THAT(told(before), ElementsAre(::testing::StartsWith("of 1 targets 1 answer from outside the range gate")));
+  // An ambiguous range behind what is mapped.
+  const Vec3d away = normalized(Vec3d{} - radar.position);
+  EXPECT_THAT(told(away * radar::unambiguous_range_m(1000.0)), IsEmpty());
 }
 
 TEST(MapWarnings, RefuseAnAreaOutside) {

@@ -30,9 +30,18 @@ double of_pulses_m(const radar::Radar& radar, double interval_s) {
   return pulse_scatterer_spacing_m(radar, area, level, interval_s);
 }
 
+/// The next rung of the ladder.
+void expect_rung_below(double spacing_m, double most_m) {
+  EXPECT_LE(spacing_m, most_m * (1.0 + 1e-6));
+  EXPECT_GT(spacing_m, most_m * std::exp2(-1.0 / 8.0));
+}
+
 TEST(ScattererSpacing, IsHalfOfWhatIsToldApartAtTheFinest) {
   const radar::Radar radar = coarse_in_range();
-  EXPECT_DOUBLE_EQ(scatterer_spacing_m(radar, 1.0), 0.5);
+  expect_rung_below(scatterer_spacing_m(radar, 1.0), 0.5);
+  EXPECT_DOUBLE_EQ(scatterer_spacing_m(radar, 3.75), 1.875);
+  EXPECT_DOUBLE_EQ(scatterer_spacing_m(radar, 3.75 * (1.0 - 1e-12)), 1.875);
+  EXPECT_DOUBLE_EQ(scatterer_spacing_m(radar, 15.0), 7.5);
   EXPECT_DOUBLE_EQ(scatterer_spacing_m(radar, 40.0), 7.5);
 }
 
@@ -41,9 +50,24 @@ TEST(ScattererSpacing, OfPulsesIsThatOfTheirInterval) {
   const radar::Radar radar = coarse_in_range();
   const double width = radar::WindowResponse(radar.waveform.window).half_power_width();
   const double wavelength = wavelength_m(radar.frequency_hz);
-  EXPECT_NEAR(of_pulses_m(radar, 1.0), 0.5 * width * wavelength * 8000.0 / 200.0, 1e-9);
+  expect_rung_below(of_pulses_m(radar, 1.0), 0.5 * width * wavelength * 8000.0 / 200.0);
   EXPECT_DOUBLE_EQ(of_pulses_m(radar, 0.01), 7.5);
-  EXPECT_NEAR(of_pulses_m(radar, 5000.0), 0.5 * width * wavelength / 4.0, 1e-9);
+  expect_rung_below(of_pulses_m(radar, 5000.0), 0.5 * width * wavelength / 4.0);
+}
+
+/// 60 m farther on and half a metre beside, broadside and ahead of it.
+TEST(ScattererSpacing, OfPulsesIsTheSameFromALittleFartherOn) {
+  for (const double behind_m : {0.0, 2500.0}) {
+    radar::Radar radar = coarse_in_range();
+    radar.position.x -= behind_m;
+    const double here_m = of_pulses_m(radar, 0.5);
+    ASSERT_LT(here_m, 7.5);
+    for (const Vec3d apart : {Vec3d{60.0, 0.0, 0.0}, {0.5, 0.0, 0.0}}) {
+      radar::Radar other = radar;
+      other.position = radar.position + apart;
+      EXPECT_EQ(of_pulses_m(other, 0.5), here_m) << behind_m << " " << apart.x;
+    }
+  }
 }
 
 TEST(ScattererSpacing, OfPulsesIsThatOfTheMapTheyBelongTo) {
