@@ -29,6 +29,12 @@ std::string QuietGdal::complaint() {
   return message.empty() ? "no reason was given" : message;
 }
 
+std::string QuietGdal::complaint_beside() {
+  const std::string message = complaint();
+  const bool says_no_more = !failed() || message.find("not recognized as") != std::string::npos;
+  return says_no_more ? "" : fmt::format(" ({})", message);
+}
+
 void register_gdal_drivers() {
   static std::once_flag once;
   std::call_once(once, [] { GDALAllRegister(); });

@@ -19,6 +19,8 @@ class QuietGdal {
   [[nodiscard]] static bool failed();
   /// What GDAL said last, in one line.
   [[nodiscard]] static std::string complaint();
+  /// The same in brackets, to follow a sentence of our own; nothing where it would say no more than that.
+  [[nodiscard]] static std::string complaint_beside();
 
  private:
   CPLErrorStateBackuper outer_;

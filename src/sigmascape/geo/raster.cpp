@@ -34,7 +34,7 @@ GDALDatasetUniquePtr open_raster(const std::filesystem::path& file) {
   register_gdal_drivers();
   GDALDatasetUniquePtr dataset(GDALDataset::Open(file.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY));
   if (!dataset) {
-    throw Error(file.string(), "is not a raster that GDAL can read",
+    throw Error(file.string(), "is not a raster that GDAL can read" + QuietGdal::complaint_beside(),
                 "give a GeoTIFF, DTED, HGT or another GDAL raster");
   }
   return dataset;
@@ -347,6 +347,10 @@ Raster::Raster(const RasterBand& wanted) : source_(std::make_unique<Source>()) {
   Source& source = *source_;
   source.name = wanted.file.string();
   source.dataset = open_raster(wanted.file);
+  if (source.dataset->GetRasterCount() == 0) {
+    throw Error(source.name, "has no bands of its own, as files of several rasters have none",
+                "take the one that is wanted out of it with gdal_translate, and give that");
+  }
   if (wanted.band < 1 || wanted.band > source.dataset->GetRasterCount()) {
     throw Error(source.name, fmt::format("has no band {}", wanted.band),
                 fmt::format("choose a band from 1 to {}", source.dataset->GetRasterCount()));

@@ -40,7 +40,7 @@ GDALDatasetUniquePtr open_vector(const VectorSource& source) {
   GDALDatasetUniquePtr dataset(
       GDALDataset::Open(name.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, nullptr, options.List(), nullptr));
   if (!dataset) {
-    throw Error(name, "is not vector data that OGR can read",
+    throw Error(name, "is not vector data that OGR can read" + QuietGdal::complaint_beside(),
                 "give GeoJSON, GeoPackage, Shapefile, OSM PBF, CSV or another OGR source");
   }
   return dataset;
@@ -339,7 +339,7 @@ FeatureCensus for_each_feature(const VectorSource& source, const LocalFrame& fra
   for (const WantedLayer& wanted : layers) {
     for (std::string& column : column_names(*wanted.layer)) names.insert(std::move(column));
   }
-  names.erase(packed_tags);
+  census.has_free_tags = names.erase(packed_tags) > 0 || osm;
   FeatureWalk walk(*dataset, std::move(layers));
   std::size_t of_this_kind = 0, of_other_kinds = 0;
 

@@ -45,6 +45,8 @@ struct FeatureCensus {
   std::size_t features = 0;  ///< that have a place in the frame
   /// All that features have and the columns of their layers, which may be empty throughout; sorted.
   std::vector<std::string> attribute_names;
+  /// Whether features carry tags of OpenStreetMap that are no columns: none of a name may carry one by chance.
+  bool has_free_tags = false;
   std::size_t nowhere = 0;    ///< features without geometry or with coordinates that have no place in the frame
   std::string first_nowhere;  ///< by its id, and its coordinates if it has any
   /// Names in the condition that are no column of a layer and no tag of a feature that was asked, sorted: they were

@@ -105,13 +105,13 @@ std::size_t collect_footprints(Scene& scene, const BuildingSource& source, std::
       footprints.push_back({std::move(shape), *height, wall, roof, source_number, std::move(feature.id)});
     }
   });
-  require_attribute(census, source.height_attribute, source.vector, source.where + ".height_attribute");
-  require_attribute(census, source.levels_attribute, source.vector, source.where + ".levels_attribute");
+  require_attribute(census, source.height_attribute, source.vector, source.where + ".height_attribute", tally);
+  require_attribute(census, source.levels_attribute, source.vector, source.where + ".levels_attribute", tally);
   if (inside == 0) {
     for (const std::string& kind : {all_outside, all_beneath}) tally.leaves_nothing(kind);
   }
-  tell_of_census(census, source.vector, tally);
-  return inside + census.nowhere;
+  settle_census(census, source.vector, source.limit, scene.remarks);
+  return inside;
 }
 
 }  // namespace

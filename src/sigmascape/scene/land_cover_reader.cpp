@@ -5,7 +5,10 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <set>
+#include <variant>
 
+#include "sigmascape/base/machine_memory.h"
+#include "sigmascape/geo/coordinate_transform.h"
 #include "sigmascape/scene/partner_key.h"
 #include "sigmascape/scene/vector_section.h"
 
@@ -48,14 +51,25 @@ std::int32_t class_code(const TomlSection& classes, const std::string& key) {
   return code;
 }
 
+constexpr std::int32_t world_cover_water = 80;
+
+/// Whether trees stand in it and roads are laid on it as little as on the sea.
+bool is_water(const scatter::Material& material) {
+  return material.name == "water" || std::holds_alternative<scatter::NrlSeaParameters>(material.model) ||
+         std::holds_alternative<scatter::GitSeaParameters>(material.model);
+}
+
 constexpr double most_cells = 1e9;
+constexpr double bytes_a_cell = sizeof(std::int32_t) + sizeof(MaterialIndex) + sizeof(std::uint8_t);
 
 radar::GroundGrid material_grid(const radar::Rectangle& extent, double cell_m, const std::string& name) {
   const double columns = std::ceil(extent.width_m() / cell_m - 1e-6),
                rows = std::ceil(extent.height_m() / cell_m - 1e-6);
-  if (columns * rows > most_cells) {
-    throw Error(name, fmt::format("would make {:.2g} cells of {:g} m", columns * rows, cell_m),
-                "choose a larger cell_m in [land_cover]");
+  const double cells = columns * rows, fit = std::min(most_cells, machine_memory_bytes() / bytes_a_cell);
+  if (cells > fit) {
+    throw Error(name, fmt::format("would make {:.2g} cells of {:g} m", cells, cell_m),
+                fmt::format("choose a cell_m of {:.3g} or more in [land_cover], for cells that memory holds",
+                            cell_m * std::sqrt(cells / fit) * 1.01));
   }
   return {extent.west_m, extent.north_m, cell_m, static_cast<std::size_t>(columns), static_cast<std::size_t>(rows)};
 }
@@ -87,6 +101,10 @@ std::map<std::int32_t, MaterialIndex> materials_of(const CellsOfClass& cells, co
     const auto listed = source.materials.find(code);
     if (listed != source.materials.end()) {
       materials[code] = scene.material_index(listed->second);
+      if (source.built_in.contains(code)) {
+        tally.note("cells of classes that [land_cover.classes] does not list, given the materials of ESA WorldCover",
+                   fmt::format("class {}, {}", code, listed->second.name), count);
+      }
     } else if (code == geo::no_class) {
       tally.note("cells of land cover without data, given the nodata material", source.nodata.name, count);
     } else {
@@ -123,6 +141,8 @@ LandCoverSource read_land_cover_source(const TomlSection& section, const Materia
                                     section.text_or("crs", "")};
   }
   for (const char* key : {"band", "crs"}) refuse_without(section, key, "file", source.raster.has_value());
+  if (source.raster && !source.raster->crs.empty())
+    geo::require_known_reference(source.raster->crs, section.where("crs"));
   source.cell_m = section.optional_number("cell_m", {0.05, 10000.0, "m"});
   source.nodata = materials.named_by(section, "nodata_material", "grass");
   source.limit = read_flaw_limit(section, limit);
@@ -133,14 +153,21 @@ LandCoverSource read_land_cover_source(const TomlSection& section, const Materia
         materials.material(material_name(entry, scatter_as, objects), "the built-in class table");
   }
   if (const auto classes = section.section("classes")) {
+    for (const WorldCoverClass& entry : world_cover) source.built_in.insert(entry.code);
     for (const std::string& key : classes->keys()) {
-      source.materials[class_code(*classes, key)] = materials.material(classes->text(key), classes->where(key));
+      const std::int32_t code = class_code(*classes, key);
+      source.materials[code] = materials.material(classes->text(key), classes->where(key));
+      source.built_in.erase(code);
+      if (is_water(source.materials[code])) source.water_classes.push_back(code);
     }
   }
-  for (const double code : section.numbers("water_classes", {-1e9, 1e9, ""})) {
-    source.water_classes.push_back(static_cast<std::int32_t>(code));
+  if (section.has("water_classes")) {
+    source.water_classes.clear();
+    for (const double code : section.numbers("water_classes", {-1e9, 1e9, ""}))
+      source.water_classes.push_back(static_cast<std::int32_t>(code));
+  } else if (is_water(source.materials[world_cover_water])) {
+    source.water_classes.push_back(world_cover_water);
   }
-  if (!section.has("water_classes")) source.water_classes = {80};
   section.refuse_unknown_keys();
   return source;
 }

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "sigmascape/base/toml_reader.h"
@@ -25,6 +26,7 @@ struct LandCoverSource {
   std::optional<double> cell_m;           ///< by default the raster's own cell, or the terrain's spacing
   std::map<std::int32_t, scatter::Material> materials;
   scatter::Material nodata;
+  std::set<std::int32_t> built_in;  ///< classes beside a table of the file's own that it does not list
   std::vector<std::int32_t> water_classes;
   FlawLimit limit;
 };

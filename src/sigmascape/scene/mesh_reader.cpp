@@ -153,10 +153,7 @@ void add_mesh(Scene& scene, const MeshSource& source, const MaterialTable& mater
   if (inside == 0) of_places.leaves_nothing(outside);
   of_places.settle(source.file.string(), places.positions.size(), source.limit, scene.remarks);
   if (const auto& points = source.placements.points) {
-    FlawTally of_points;
-    tell_of_census(places.of_file, *points, of_points);
-    of_points.settle(points->file.string(), places.of_file.features + places.of_file.nowhere, source.limit,
-                     scene.remarks);
+    settle_census(places.of_file, *points, source.limit, scene.remarks);
   }
 }
 

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <map>
+#include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -198,21 +201,38 @@ Corners corners_of(const std::array<std::uint32_t, 3>& triangle, const std::vect
   return {vertices[triangle[0]], vertices[triangle[1]], vertices[triangle[2]]};
 }
 
-/// Whether a mesh stands for a body rather than for leaves, if it does not state which: at most half of its edges are
-/// open, which belong to an odd number of triangles. Houses and cars are often drawn without their underside or with
-/// gaps; of a leaf, a card of one or two triangles, nearly all edges are open.
-bool is_solid(const Mesh& mesh) {
-  if (mesh.is_solid) return *mesh.is_solid;
-  using Point = std::array<float, 3>;
-  std::map<std::pair<Point, Point>, std::size_t> triangles_of_edge;
-  const auto point = [&](std::uint32_t index) {
-    const Vec3f& vertex = mesh.vertices[index];
-    return Point{vertex.x, vertex.y, vertex.z};
-  };
+using Triangles = std::vector<std::array<std::uint32_t, 3>>;
+using Point = std::array<float, 3>;
+
+Point point_of(const Mesh& mesh, std::uint32_t index) {
+  const Vec3f& vertex = mesh.vertices[index];
+  return {vertex.x, vertex.y, vertex.z};
+}
+
+/// Each face once: meshes that are to be seen from both sides hold it twice.
+Triangles faces_of(const Mesh& mesh) {
+  std::set<std::array<Point, 3>> known;
+  Triangles faces;
   for (const auto& triangle : mesh.triangles) {
     Interruption::heed();
+    std::array<Point, 3> corners{};
+    std::ranges::transform(triangle, corners.begin(), [&](std::uint32_t index) { return point_of(mesh, index); });
+    std::ranges::sort(corners);
+    if (known.insert(corners).second) faces.push_back(triangle);
+  }
+  return faces;
+}
+
+/// Whether a mesh of such faces stands for a body rather than for leaves, if it does not state which: at most half of
+/// its edges are open, which belong to an odd number of faces. Houses and cars are often drawn without their underside
+/// or with gaps; of a leaf, a card of one or two triangles, nearly all edges are open.
+bool is_solid(const Mesh& mesh, const Triangles& faces) {
+  if (mesh.is_solid) return *mesh.is_solid;
+  std::map<std::pair<Point, Point>, std::size_t> triangles_of_edge;
+  for (const auto& triangle : faces) {
+    Interruption::heed();
     for (std::size_t i = 0; i < 3; ++i) {
-      const Point a = point(triangle[i]), b = point(triangle[(i + 1) % 3]);
+      const Point a = point_of(mesh, triangle[i]), b = point_of(mesh, triangle[(i + 1) % 3]);
       ++triangles_of_edge[std::minmax(a, b)];
     }
   }
@@ -267,9 +287,17 @@ class Standing {
   double cos_yaw_, sin_yaw_;
 };
 
+/// What a prototype hides by.
+struct Shape {
+  Triangles faces;
+  bool is_solid;
+
+  explicit Shape(const Mesh& mesh) : faces(faces_of(mesh)), is_solid(scene::is_solid(mesh, faces)) {}
+};
+
 void add_instances(const Scene& scene, const radar::Rectangle& area, RoofRaster& roofs, FoliageRaster& foliage) {
-  std::vector<bool> solid;  // [prototype]
-  for (const Mesh& mesh : scene.prototypes) solid.push_back(is_solid(mesh));
+  // Large meshes take long to look through, and most stand elsewhere.
+  std::vector<std::optional<Shape>> shapes(scene.prototypes.size());
   const std::vector<float> reaches_m = prototype_radii_m(scene);
   std::vector<Vec3d> vertices;
   for (const Instance& instance : scene.instances) {
@@ -279,12 +307,14 @@ void add_instances(const Scene& scene, const radar::Rectangle& area, RoofRaster&
         static_cast<double>(reaches_m[instance.prototype] * std::max(instance.scale.x, instance.scale.y));
     const radar::Rectangle near{area.west_m - reach, area.south_m - reach, area.east_m + reach, area.north_m + reach};
     if (!near.contains({instance.x_m, instance.y_m})) continue;
+    auto& shape = shapes[instance.prototype];
+    if (!shape) shape.emplace(mesh);
     const Standing standing(instance, scene.terrain);
     vertices.clear();
     for (const Vec3f& vertex : mesh.vertices) vertices.push_back(standing.place_of(vertex));
-    for (const auto& triangle : mesh.triangles) {
+    for (const auto& triangle : shape->faces) {
       const Corners corners = corners_of(triangle, vertices);
-      if (solid[instance.prototype]) {
+      if (shape->is_solid) {
         roofs.add(corners, scene.terrain);
       } else {
         foliage.add(corners, scene.terrain);

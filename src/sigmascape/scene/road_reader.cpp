@@ -24,6 +24,18 @@ const std::map<std::string, double> usual_width_m = {
     {"living_street", 5.0}, {"service", 4.0},       {"busway", 7.0},      {"pedestrian", 5.0},
 };
 
+/// As OpenStreetMap draws them, each carriageway by a line of its own.
+const std::map<std::string, double> usual_carriageway_m = {{"motorway", 11.0}, {"trunk", 7.0}};
+
+/// As OpenStreetMap tells by `oneway`.
+Way way_of(const geo::Feature& feature) {
+  const auto said = feature.attribute("oneway");
+  if (said && (*said == "-1" || *said == "reverse")) return Way::Against;
+  return is_said_of(feature, "oneway") ? Way::Along : Way::Both;
+}
+
+constexpr const char* without_width = "roads of a class without a width, left out";
+
 std::optional<double> width_m(const geo::Feature& feature, const RoadSource& source, FlawTally& tally) {
   if (source.width_attribute) {
     const auto stated = number_in(feature, source.width_attribute, source.metres_per_plain_number);
@@ -32,10 +44,12 @@ std::optional<double> width_m(const geo::Feature& feature, const RoadSource& sou
   }
   if (source.class_attribute) {
     const auto name = feature.attribute(*source.class_attribute);
+    const auto half = name ? source.carriageway_m_by_class.find(*name) : source.carriageway_m_by_class.end();
+    if (half != source.carriageway_m_by_class.end() && way_of(feature) != Way::Both) return half->second;
     const auto known = name ? source.width_m_by_class.find(*name) : source.width_m_by_class.end();
     if (known != source.width_m_by_class.end()) return known->second;
   }
-  if (!source.width_m) tally.note("roads of a class without a width, left out", feature.id);
+  if (!source.width_m) tally.note(without_width, feature.id);
   return source.width_m;
 }
 
@@ -94,8 +108,12 @@ RoadSource read_road_source(const TomlSection& section, const MaterialTable& mat
   source.metres_per_plain_number = read_metres_per_plain_number(section, {"width_attribute"});
   source.class_attribute = section.optional_text("class_attribute");
   source.width_m_by_class = usual_width_m;
+  source.carriageway_m_by_class = usual_carriageway_m;
   if (const auto widths = section.section("width_m_by_class")) {
-    for (const std::string& name : widths->keys()) source.width_m_by_class[name] = widths->number(name, width_range);
+    for (const std::string& name : widths->keys()) {
+      source.width_m_by_class[name] = widths->number(name, width_range);
+      source.carriageway_m_by_class.erase(name);
+    }
   }
   source.width_m = section.optional_number("width_m", width_range);
   source.paving = materials.named_by(section, "material", "asphalt");
@@ -131,13 +149,16 @@ void add_roads(Scene& scene, const RoadSource& source, const WaterMask& water) {
     tally.note(outside, feature.id, is_inside ? 0 : 1);
     for (const auto& line : feature.lines) {
       pave(scene.ground, water, line, *width / 2.0, paving);
-      if (flow) flow->fill(line, *width, water);
+      if (flow) flow->fill(line, *width, way_of(feature), water);
     }
   });
-  require_attribute(census, source.width_attribute, source.vector, source.where + ".width_attribute");
-  require_attribute(census, source.class_attribute, source.vector, source.where + ".class_attribute");
-  if (inside == 0) tally.leaves_nothing(outside);
-  tell_of_census(census, source.vector, tally);
+  require_attribute(census, source.width_attribute, source.vector, source.where + ".width_attribute", tally);
+  require_attribute(census, source.class_attribute, source.vector, source.where + ".class_attribute", tally);
+  if (inside == 0) {
+    for (const std::string& kind : {outside, std::string(without_width)}) tally.leaves_nothing(kind);
+    for (const auto& [attribute, kind] : hidings) tally.leaves_nothing(kind);
+  }
+  settle_census(census, source.vector, source.limit, scene.remarks);
   tally.settle(source.vector.file.string(), census.features + census.nowhere, source.limit, scene.remarks);
 }
 

@@ -22,7 +22,8 @@ struct RoadSource {
   std::optional<std::string> width_attribute, class_attribute;
   double metres_per_plain_number = 1.0;  ///< of widths without a unit of their own
   std::map<std::string, double> width_m_by_class;
-  std::optional<double> width_m;  ///< of those without; when absent they are left out
+  std::map<std::string, double> carriageway_m_by_class;  ///< of those whose lines of one way are half a road
+  std::optional<double> width_m;                         ///< of those without; when absent they are left out
   scatter::Material paving;
   std::optional<Traffic> traffic;
   FlawLimit limit;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sigmascape/base/toml_reader.h"
+#include "sigmascape/geo/coordinate_transform.h"
 #include "sigmascape/scene/building_reader.h"
 #include "sigmascape/scene/land_cover_reader.h"
 #include "sigmascape/scene/material_reader.h"
@@ -55,6 +56,7 @@ TerrainSection read_terrain_section(const TomlSection& section, const FlawLimit&
   terrain::TerrainSource& source = terrain.source;
   source.raster = {section.file("file"), static_cast<int>(section.whole_number_or("band", {1, 10000, ""}, 1)),
                    section.text_or("crs", "")};
+  if (!source.raster.crs.empty()) geo::require_known_reference(source.raster.crs, section.where("crs"));
   if (section.has("unit")) source.raster.unit = section.choice_or("unit", {"m", "cm", "ft", "us-ft"}, "m");
   source.where = section.where();
   source.spacing_m = section.optional_number("spacing_m", {0.1, 10000.0, "m"});

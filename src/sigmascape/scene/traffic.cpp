@@ -95,16 +95,17 @@ TrafficFlow::TrafficFlow(Scene& scene, const Traffic& traffic) : scene_(scene), 
   }
 }
 
-void TrafficFlow::fill(std::span<const Vec2d> line, double width_m, const WaterMask& water) {
+void TrafficFlow::fill(std::span<const Vec2d> line, double width_m, Way way, const WaterMask& water) {
   const std::uint64_t key = hashed(traffic_.seed, lines_++);
   const double lane_m = width_m / 4.0, kerb_m = std::max(0.0, width_m / 2.0 - 1.1);
   const double side = traffic_.drive_on_left ? -1.0 : 1.0;
   const double moving_per_km = traffic_.moving_per_km / 2.0, parked_per_km = traffic_.parked_per_km / 2.0;
+  const bool ours = way != Way::Against, theirs = way == Way::Along;  // along the line, on either side of it
   StandingByEnd standing;
-  fill(line, {parked_per_km, side * kerb_m, true, 0.0, hashed(key, 3)}, water, standing);
-  fill(line, {parked_per_km, -side * kerb_m, false, 0.0, hashed(key, 4)}, water, standing);
-  fill(line, {moving_per_km, side * lane_m, true, traffic_.speed_mps, hashed(key, 1)}, water, standing);
-  fill(line, {moving_per_km, -side * lane_m, false, traffic_.speed_mps, hashed(key, 2)}, water, standing);
+  fill(line, {parked_per_km, side * kerb_m, ours, 0.0, hashed(key, 3)}, water, standing);
+  fill(line, {parked_per_km, -side * kerb_m, theirs, 0.0, hashed(key, 4)}, water, standing);
+  fill(line, {moving_per_km, side * lane_m, ours, traffic_.speed_mps, hashed(key, 1)}, water, standing);
+  fill(line, {moving_per_km, -side * lane_m, theirs, traffic_.speed_mps, hashed(key, 2)}, water, standing);
 }
 
 void TrafficFlow::fill(std::span<const Vec2d> line, const Stream& stream, const WaterMask& water,

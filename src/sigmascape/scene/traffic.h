@@ -22,6 +22,9 @@ struct Traffic {
   scatter::Material body;
 };
 
+/// Which way the moving vehicles of a line go.
+enum class Way { Both, Along, Against };
+
 /// Reads the table `traffic` of a [[roads]].
 [[nodiscard]] Traffic read_traffic(const TomlSection& section, const MaterialTable& materials);
 
@@ -29,13 +32,14 @@ struct Traffic {
 ///
 /// Places are drawn from the seed and the line's number: the distance between one vehicle and the next is exponential
 /// about the density's mean, but never less than a vehicle's length and a gap. Moving vehicles keep to the middle of
-/// their half of the road, parked ones to its edge. None stands in water or outside the scene, nor within another of
-/// its line: where a road is too narrow for both, a moving vehicle is moved on past the parked ones beside it.
+/// their half of the road, parked ones to its edge; of a road of one way both halves go that way. None stands in water
+/// or outside the scene, nor within another of its line: where a road is too narrow for both, a moving vehicle is moved
+/// on past the parked ones beside it.
 class TrafficFlow {
  public:
   /// Adds the vehicle meshes to the scene.
   TrafficFlow(Scene& scene, const Traffic& traffic);
-  void fill(std::span<const Vec2d> line, double width_m, const WaterMask& water);
+  void fill(std::span<const Vec2d> line, double width_m, Way way, const WaterMask& water);
 
  private:
   struct Stream;

@@ -141,11 +141,12 @@ void add_trees(Scene& scene, const TreeSource& source, const WaterMask& water) {
                                  .scale = tree_scale(static_cast<float>(*height), static_cast<float>(crown))});
     }
   });
-  require_attribute(census, source.height_attribute, source.vector, source.where + ".height_attribute");
-  require_attribute(census, source.crown_radius_attribute, source.vector, source.where + ".crown_radius_attribute");
+  require_attribute(census, source.height_attribute, source.vector, source.where + ".height_attribute", tally);
+  require_attribute(census, source.crown_radius_attribute, source.vector, source.where + ".crown_radius_attribute",
+                    tally);
   if (inside == 0) tally.leaves_nothing(outside);
-  tell_of_census(census, source.vector, tally);
-  tally.settle(source.vector.file.string(), inside + census.nowhere, source.limit, scene.remarks);
+  settle_census(census, source.vector, source.limit, scene.remarks);
+  tally.settle(source.vector.file.string(), inside, source.limit, scene.remarks);
 }
 
 }  // namespace sigmascape::scene

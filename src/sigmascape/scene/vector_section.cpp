@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <string_view>
 
 #include "sigmascape/base/small_letters.h"
+#include "sigmascape/geo/coordinate_transform.h"
 #include "sigmascape/geo/length_unit.h"
 #include "sigmascape/scene/attribute_number.h"
 #include "sigmascape/scene/partner_key.h"
@@ -20,6 +22,7 @@ geo::VectorSource read_vector_source(const TomlSection& section, geo::GeometryKi
   source.layer = section.text_or("layer", "");
   source.where = section.text_or("where", "");
   source.crs = section.text_or("crs", "");
+  if (!source.crs.empty()) geo::require_known_reference(source.crs, section.where("crs"));
   source.x_column = section.text_or("x", "");
   source.y_column = section.text_or("y", "");
   if (source.x_column.empty() != source.y_column.empty()) {
@@ -51,12 +54,19 @@ std::string explained(const std::string& condition, const std::string& unknown_t
   return nearest ? fmt::format("{} (did you mean {}?)", condition_text, *nearest) : condition_text;
 }
 
+/// As tables write a number that is 0: "0", "0.000", "-0.0".
+bool is_zero(const std::string& text) {
+  double number = 1.0;
+  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return fault == std::errc() && end == text.data() + text.size() && number == 0.0;
+}
+
 }  // namespace
 
 bool is_said_of(const geo::Feature& feature, const std::string& attribute) {
-  static constexpr std::array<std::string_view, 6> noes{"", "no", "n", "false", "f", "0"};
+  static constexpr std::array<std::string_view, 5> noes{"", "no", "n", "false", "f"};
   const auto said = feature.attribute(attribute);
-  return said && std::ranges::find(noes, in_small_letters(*said)) == noes.end();
+  return said && std::ranges::find(noes, in_small_letters(*said)) == noes.end() && !is_zero(*said);
 }
 
 std::optional<double> number_in(const geo::Feature& feature, const std::optional<std::string>& attribute,
@@ -83,22 +93,31 @@ void tell_of_doubtful_comma(const geo::Feature& feature, const std::optional<std
              fmt::format("{} ({})", feature.id, *text));
 }
 
-void tell_of_census(const geo::FeatureCensus& census, const geo::VectorSource& source, FlawTally& tally) {
+void settle_census(const geo::FeatureCensus& census, const geo::VectorSource& source, const FlawLimit& limit,
+                   std::vector<Remark>& remarks) {
+  FlawTally tally;
   tally.flaw("features without usable coordinates, left out", census.first_nowhere, census.nowhere);
   for (const std::string& tag : census.unknown_tags) {
     tally.mistake(fmt::format("conditions on the tag {}, which no feature carries", tag),
                   explained(source.where, tag, census.attribute_names));
   }
-  if (census.features > 0 || census.nowhere > 0) return;
-  tally.mistake("files without a feature that is asked for, of which nothing is used",
-                source.where.empty() ? "has none" : fmt::format("none meets where = \"{}\"", source.where));
+  if (census.features == 0 && census.nowhere == 0) {
+    tally.mistake("files without a feature that is asked for, of which nothing is used",
+                  source.where.empty() ? "has none" : fmt::format("none meets where = \"{}\"", source.where));
+  }
+  tally.settle(source.file.string(), census.features + census.nowhere, limit, remarks);
 }
 
 void require_attribute(const geo::FeatureCensus& census, const std::optional<std::string>& attribute,
-                       const geo::VectorSource& source, const std::string& where) {
+                       const geo::VectorSource& source, const std::string& where, FlawTally& tally) {
   const auto& names = census.attribute_names;
   if (!attribute || census.features == 0 || std::ranges::find(names, *attribute) != names.end()) return;
   const auto nearest = nearest_word(*attribute, names);
+  if (census.has_free_tags) {
+    const std::string meant = nearest ? fmt::format(" (did you mean {}?)", *nearest) : "";
+    tally.mistake("tags that no feature carries, as though all had been left out", *attribute + meant);
+    return;
+  }
   throw Error(
       where, fmt::format("no feature of {} has the attribute '{}'", source.file.filename().string(), *attribute),
       nearest ? fmt::format("did you mean {}?", *nearest) : fmt::format("use one of {}", fmt::join(names, ", ")));

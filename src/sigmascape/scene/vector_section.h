@@ -38,13 +38,15 @@ void refuse_negative(double value, const geo::Feature& feature, const std::strin
 /// Tallies a number in an attribute that was passed over because of its doubtful comma.
 void tell_of_doubtful_comma(const geo::Feature& feature, const std::optional<std::string>& attribute, FlawTally& tally);
 
-/// Tallies what may be wrong with any file: features without usable coordinates, or none at all that is asked for, or a
-/// condition that names a tag of which the file knows nothing.
-void tell_of_census(const geo::FeatureCensus& census, const geo::VectorSource& source, FlawTally& tally);
+/// Remarks what may be wrong with any file: features without usable coordinates, or none at all that is asked for, or a
+/// condition that names a tag of which the file knows nothing. Throws Error as FlawTally does, when more of all
+/// features of the file have no place than the limit says.
+void settle_census(const geo::FeatureCensus& census, const geo::VectorSource& source, const FlawLimit& limit,
+                   std::vector<Remark>& remarks);
 
 /// Throws Error when a file knows nothing of the attribute that the key at `where` names, if it names one. A column in
-/// which nothing stands is known.
+/// which nothing stands is known. Of tags of OpenStreetMap, which anything may lack, that is a likely mistake.
 void require_attribute(const geo::FeatureCensus& census, const std::optional<std::string>& attribute,
-                       const geo::VectorSource& source, const std::string& where);
+                       const geo::VectorSource& source, const std::string& where, FlawTally& tally);
 
 }  // namespace sigmascape::scene

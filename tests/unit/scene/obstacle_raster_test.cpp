@@ -77,6 +77,20 @@ TEST(ObstacleRaster, OpenMeshesArePorousByTheirArea) {
   EXPECT_NEAR(sheet.crown_extinction_per_m, 0.25, 1e-5);
 }
 
+/// As leaves are exported that are to be seen from both sides.
+TEST(ObstacleRaster, SheetsThatAreThereTwiceArePorousOnce) {
+  Scene scene = empty_scene();
+  scene.prototypes.push_back({.name = "sheet",
+                              .vertices = {{-1, 0, 3}, {1, 0, 3}, {1, 0, 7}, {-1, 0, 7}},
+                              .triangles = {{0, 1, 2}, {0, 2, 3}, {2, 1, 0}, {3, 2, 0}},
+                              .materials = {0, 0, 0, 0}});
+  scene.instances.push_back({.x_m = 5.0F, .y_m = 5.0F});
+  const auto map = obstacles_of(scene, cells);
+  const radar::Obstacle sheet = map.at({5.0, 5.0});
+  EXPECT_EQ(sheet.solid_top_m, 0.0F);
+  EXPECT_NEAR(sheet.crown_extinction_per_m, 0.25, 1e-5);
+}
+
 TEST(ObstacleRaster, WhatIsStatedOfAMeshCountsInsteadOfItsEdges) {
   Scene scene = empty_scene();
   Mesh roof{.name = "roof",
@@ -142,21 +156,18 @@ TEST(ObstacleRaster, MeshesMayReachHoweverFarBeyondTheCells) {
   EXPECT_EQ(map.at({-9.5, 0.0}), radar::Obstacle{});
 }
 
-// Each loop by itself: over buildings, prototypes and instances where there are no cells, over cells where nothing
-// stands.
+// Each loop by itself: over buildings and instances where there are no cells, over cells where nothing stands.
 TEST(ObstacleRaster, CanBeToldToStop) {
   constexpr radar::GroundGrid no_cells{-10.0, 10.0, 2.0, 0, 0};
   const Scene nothing = empty_scene();
-  Scene building = empty_scene(), prototype = empty_scene(), instance = empty_scene();
+  Scene building = empty_scene(), instance = empty_scene();
   building.buildings.mesh = box_mesh({4.0F, 4.0F, 7.0F}, 0);
-  prototype.prototypes.push_back(box_mesh({4.0F, 4.0F, 7.0F}, 0));
   instance.prototypes.push_back({.name = "nothing", .vertices = {}, .triangles = {}, .materials = {}});
   instance.instances.push_back({});
   EXPECT_NO_THROW((void)obstacles_of(instance, no_cells));
   const Interruption stop([] { return true; });
   EXPECT_NO_THROW((void)obstacles_of(nothing, no_cells)) << "there is no loop to end";
   EXPECT_THROW((void)obstacles_of(building, no_cells), Interrupted);
-  EXPECT_THROW((void)obstacles_of(prototype, no_cells), Interrupted);
   EXPECT_THROW((void)obstacles_of(instance, no_cells), Interrupted);
   EXPECT_THROW((void)obstacles_of(nothing, cells), Interrupted);
 }

@@ -5,17 +5,21 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <tuple>
 #include <utility>
 #include <variant>
 
 #include "unit/scene/made_up_place.h"
 
+#include "sigmascape/base/units.h"
+#include "sigmascape/scene/scene_warnings.h"
 #include "sigmascape/scene/tree_mesh.h"
 
 namespace sigmascape::scene {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 const std::string houses_section = "[[buildings]]\nfile = \"houses.geojson\"\nheight_attribute = \"h\"\n";
@@ -305,6 +309,29 @@ TEST(SceneFile, RoadsArePavedStripsOfTheirWidth) {
   EXPECT_EQ(material_at(scene, {-450.0, 100.0}), "grass");
 }
 
+/// Each carriageway of a motorway is a line of OpenStreetMap's, on which nobody comes the other way.
+TEST(SceneFile, RoadsOfOneWayAreHalfAMotorwayAndAllGoThatWay) {
+  const MadeUpPlace place;
+  for (const auto& [way, eastwards, westwards] :
+       {std::tuple("no", true, true), {"yes", true, false}, {"-1", false, true}}) {
+    std::string road = one_road;
+    road.replace(road.find("\"primary\""), 9, fmt::format("\"motorway\",\"oneway\":\"{}\"", way));
+    place.write("roads.geojson", road);
+    const Scene scene = place.read(
+        "cell_m = 1\n[[roads]]\nfile = \"roads.geojson\"\nclass_attribute = \"highway\"\n"
+        "[roads.traffic]\nmoving_per_km = 60\n");
+    EXPECT_EQ(material_at(scene, {0.0, 108.0}), eastwards && westwards ? "asphalt" : "grass") << way;
+    EXPECT_EQ(material_at(scene, {0.0, 104.0}), "asphalt") << way;
+    const auto goes = [&](double yaw_rad) {
+      return std::ranges::any_of(scene.instances, [&](const Instance& vehicle) {
+        return std::abs(std::remainder(static_cast<double>(vehicle.yaw_rad) - yaw_rad, 2.0 * pi)) < 0.1;
+      });
+    };
+    EXPECT_EQ(goes(pi / 2.0), eastwards) << way;
+    EXPECT_EQ(goes(-pi / 2.0), westwards) << way;
+  }
+}
+
 TEST(SceneFile, PlainWidthsOfRoadsAreInTheStatedUnit) {
   const MadeUpPlace place;
   std::string road = one_road;
@@ -318,14 +345,45 @@ TEST(SceneFile, PlainWidthsOfRoadsAreInTheStatedUnit) {
 
 TEST(SceneFile, RoadsInTunnelsAreNotPaved) {
   const MadeUpPlace place;
-  for (const auto& [tunnel, material] : {std::pair{"yes", "grass"}, {"building_passage", "grass"}, {"no", "asphalt"}}) {
+  for (const auto& [tunnel, material] : {std::pair{"yes", "grass"},
+                                         {"building_passage", "grass"},
+                                         {"no", "asphalt"},
+                                         {"0.000000000000000", "asphalt"},
+                                         {"1.000", "grass"}}) {
     std::string road = one_road;
     road.replace(road.find("\"primary\""), 9, std::string("\"primary\",\"tunnel\":\"") + tunnel + "\"");
     place.write("roads.geojson", road);
     const Scene scene = place.read("cell_m = 1\n[[roads]]\nfile = \"roads.geojson\"\nwidth_m = 20\n");
     EXPECT_EQ(material_at(scene, {0.0, 100.0}), material) << tunnel;
     EXPECT_EQ(remark_count(scene, "roads in tunnels"), material == std::string("grass") ? 1U : 0U) << tunnel;
+    // Where all of them are, the file was hardly meant to be like that.
+    EXPECT_EQ(warnings_of(scene).empty(), material == std::string("asphalt")) << tunnel;
   }
+}
+
+/// A list of a whole city: 3 % of it is without a place, and more than that than lies in the scene.
+TEST(SceneFile, FeaturesWithoutAPlaceAreAShareOfTheWholeFile) {
+  const MadeUpPlace place;
+  std::string trees = "x,y,h\n";
+  for (int i = 0; i < 20; ++i) trees += fmt::format("{},4795500,10\n", 501100 + 10 * i);
+  for (int i = 0; i < 950; ++i) trees += "590000,4795500,10\n";
+  for (int i = 0; i < 30; ++i) trees += ",,10\n";
+  place.write("trees.csv", trees);
+  const Scene scene = place.read(trees_section);
+  EXPECT_EQ(scene.instances.size(), 20U);
+  EXPECT_EQ(remark_count(scene, "features without usable coordinates"), 30U);
+  EXPECT_NE(place.fault(trees_section + "max_flawed_share = 0.02\n"), "");
+}
+
+/// Codes of another table than ESA WorldCover's, whose water is water and whose other codes keep what is built in.
+TEST(SceneFile, TablesOfLandCoverOfTheirOwnTellWhatIsWater) {
+  const MadeUpPlace place;
+  place.write("trees.csv", "x,y,h\n501100,4795500,10\n");
+  const Scene scene =
+      place.read("[land_cover.classes]\n30 = \"water\"\n80 = \"crops\"\n" + trees_section + "max_flawed_share = 1\n");
+  EXPECT_EQ(scene.instances.size(), 0U);
+  EXPECT_GT(remark_count(scene, "classes that [land_cover.classes] does not list"), 0U);
+  EXPECT_EQ(remark_count(place.read(), "does not list"), 0U);
 }
 
 TEST(SceneFile, RoadsUnderCoverAreNotPaved) {
@@ -507,6 +565,26 @@ TEST(SceneFile, MeshesAreSolidAsStated) {
   EXPECT_EQ(porous.prototypes.back().is_solid, false);
   EXPECT_NE(scene_hash(silent), scene_hash(solid));
   EXPECT_NE(scene_hash(porous), scene_hash(solid));
+}
+
+/// A village of which nobody has told the heights.
+TEST(SceneFile, TagsOfOpenStreetMapThatNothingCarriesAreLikelyMistakes) {
+  const MadeUpPlace place;
+  place.write("roads.osm", mapped_ways);
+  const Scene scene = place.read("[[roads]]\nfile = \"roads.osm\"\nwidth_m = 20\nwidth_attribute = \"width\"\n");
+  EXPECT_THAT(warnings_of(scene), ElementsAre(AllOf(HasSubstr("tags that no feature carries"), HasSubstr("width"))));
+  place.write("roads.geojson", one_road);
+  EXPECT_THAT(place.fault("[[roads]]\nfile = \"roads.geojson\"\nwidth_m = 20\nwidth_attribute = \"width\"\n"),
+              HasSubstr("has the attribute 'width'"));
+}
+
+/// Before the raster is opened, and whether a feature comes or not.
+TEST(SceneFile, UnknownReferencesAreRefusedBeforeAnythingIsRead) {
+  const MadeUpPlace place;
+  place.write("heights.asc", "no raster");
+  place.write("roads.geojson", one_road);
+  EXPECT_THAT(place.fault("[[roads]]\nfile = \"roads.geojson\"\nwidth_m = 20\ncrs = \"EPSG:999999\"\n"),
+              HasSubstr("roads[1].crs"));
 }
 
 TEST(SceneFile, MeshesWithoutUsableCoordinatesAreCounted) {
