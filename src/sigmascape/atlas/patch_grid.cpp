@@ -37,9 +37,12 @@ PatchIndex PatchBlock::operator[](std::size_t number) const {
 
 PatchBlock PatchGrid::block_over(const radar::Rectangle& rectangle) const {
   if (!(rectangle.width_m() > 0.0 && rectangle.height_m() > 0.0)) return {};
-  const int columns_end = static_cast<int>(std::ceil(rectangle.east_m / side_m()));
-  const int rows_end = static_cast<int>(std::ceil(rectangle.north_m / side_m()));
-  return {patch_at({rectangle.west_m, rectangle.south_m}), {columns_end - 1, rows_end - 1}};
+  // Sides of decimal texels are no binary fractions: what ends on a patch's edge but for rounding ends there.
+  constexpr double slack = 1e-9;
+  const auto begins_in = [&](double edge_m) { return static_cast<int>(std::floor(edge_m / side_m() + slack)); };
+  const auto ends_before = [&](double edge_m) { return static_cast<int>(std::ceil(edge_m / side_m() - slack)); };
+  return {{begins_in(rectangle.west_m), begins_in(rectangle.south_m)},
+          {ends_before(rectangle.east_m) - 1, ends_before(rectangle.north_m) - 1}};
 }
 
 std::vector<PatchIndex> PatchGrid::covering(const radar::Rectangle& rectangle) const {

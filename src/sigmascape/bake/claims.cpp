@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <chrono>
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <thread>
 #include <unistd.h>
 
@@ -27,10 +28,13 @@ bool set_lock(int descriptor, std::size_t byte, short type) {
   return result == 0;
 }
 
+int open_claims(const std::filesystem::path& file) {
+  return ::open(file.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0666);
+}
+
 }  // namespace
 
-Claims::Claims(const std::filesystem::path& folder)
-    : descriptor_(::open((folder / ".claims").c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0666)) {}
+Claims::Claims(const std::filesystem::path& folder) : file_(folder / ".claims"), descriptor_(open_claims(file_)) {}
 
 Claims::~Claims() {
   if (descriptor_ >= 0) ::close(descriptor_);
@@ -46,11 +50,24 @@ std::optional<Claims::Claim> Claims::take_if_free(std::size_t job) const {
   return held_by_another ? std::nullopt : std::optional(Claim(nullptr, job));
 }
 
+void Claims::renew_if_deleted() const {
+  struct stat held {
+  }, there{};
+  if (::fstat(descriptor_, &held) != 0) return;
+  if (::stat(file_.c_str(), &there) == 0 && there.st_ino == held.st_ino && there.st_dev == held.st_dev) return;
+  const int renewed = open_claims(file_);
+  if (renewed < 0) return;
+  ::dup3(renewed, descriptor_, O_CLOEXEC);
+  ::close(renewed);
+}
+
 Claims::Claim Claims::take(std::size_t job, const std::function<void()>& while_waiting) const {
+  constexpr std::size_t turns_a_second = 50;
   // Asked for again and again rather than slept on, so that who waits can be told to stop.
-  for (;;) {
+  for (std::size_t turn = 1;; ++turn) {
     if (auto claim = take_if_free(job)) return *std::move(claim);
     if (while_waiting) while_waiting();
+    if (turn % turns_a_second == 0) renew_if_deleted();
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
     Interruption::heed();
   }

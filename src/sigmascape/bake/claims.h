@@ -13,8 +13,9 @@ namespace sigmascape::bake {
 /// Keeps processes that bake into one folder at once from doing the same job twice.
 ///
 /// Each job, after them the ground of each patch, and last the terrain, is a byte of the empty file ".claims" in that
-/// folder, and whoever bakes it holds a lock on that byte. Locks end with the process that holds them, however it ends,
-/// so none can be left behind. Nothing depends on them but time: where a file system cannot lock, or keeps the locks of
+/// folder, and whoever bakes it holds a lock on that byte. Locks end with the process that holds them, however it ends.
+/// Only a server of NFS 3 keeps those of a machine that died until that is back: then the file may be deleted, and who
+/// waits notices. Nothing depends on them but time: where a file system cannot lock, or keeps the locks of
 /// each host to itself, a job may be baked twice, to the same bytes.
 /// Bakes and `sigmascape atlas terrain` alike make the terrain with its claim in hand.
 class Claims {
@@ -47,6 +48,10 @@ class Claims {
   [[nodiscard]] Claim take(std::size_t job, const std::function<void()>& while_waiting = {}) const;
 
  private:
+  /// Goes over to the file that lies there now, when it is another than that whose bytes are asked for.
+  void renew_if_deleted() const;
+
+  std::filesystem::path file_;
   int descriptor_;
 };
 

@@ -18,10 +18,12 @@ EchoLanding::EchoLanding(const radar::Aspect& aspect)
       sine_(std::sin(aspect.elevation_rad)),
       cosine_(std::cos(aspect.elevation_rad)) {}
 
-EchoLanding::EchoLanding(const radar::Aspect& aspect, const terrain::HeightField& relief) : EchoLanding(aspect) {
+EchoLanding::EchoLanding(const radar::Aspect& aspect, const terrain::HeightField& relief, double lowest_m,
+                         double highest_m)
+    : EchoLanding(aspect) {
   relief_ = &relief;
-  lowest_m_ = relief.lowest_m();
-  highest_m_ = relief.highest_m();
+  lowest_m_ = lowest_m;
+  highest_m_ = highest_m;
 }
 
 Vec2d EchoLanding::place_of(const radar::Echo& echo) const {

@@ -22,8 +22,8 @@ class EchoLanding {
  public:
   /// On the level ground h = 0.
   explicit EchoLanding(const radar::Aspect& aspect);
-  /// On relief, which must outlive this.
-  EchoLanding(const radar::Aspect& aspect, const terrain::HeightField& relief);
+  /// On relief between two heights, which must outlive this.
+  EchoLanding(const radar::Aspect& aspect, const terrain::HeightField& relief, double lowest_m, double highest_m);
 
   [[nodiscard]] Vec2d place_of(const radar::Echo& echo) const;
 

@@ -88,6 +88,8 @@ LookBaker::LookBaker(const scene::Scene& scene, const BakeSettings& settings)
       settings_(settings),
       footing_(footing_of(scene, settings)),
       heights_(trace::heights_of(scene, footing_)),
+      lowest_ground_m_(static_cast<double>(scene.terrain.lowest_m())),
+      highest_ground_m_(static_cast<double>(scene.terrain.highest_m())),
       occupied_(scene::occupied_extent(scene)),
       tallest_m_(scene::tallest_object_m(scene)),
       surfaces_(trace::surface_models(scene, settings.aspects.frequencies_hz)) {}
@@ -120,14 +122,15 @@ trace::Surroundings LookBaker::surroundings_of(const radar::GroundGrid& texels) 
 }
 
 Array2D<float> LookBaker::terrain_gains(const radar::GroundGrid& texels, const radar::Aspect& aspect) const {
-  const TerrainHorizon horizon(aspect, scene_.terrain, std::min(texels.cell_m, scene_.terrain.spacing_m));
+  const TerrainHorizon horizon(aspect, scene_.terrain, highest_ground_m_,
+                               std::min(texels.cell_m, scene_.terrain.spacing_m));
   if (!tops_ || tops_->grid != texels) tops_ = tops_of(texels);
   Array2D<float> gains(texels.columns, texels.rows);
   parallel_for(texels.rows, thread_count(settings_.threads), [&](std::size_t row, unsigned) {
     for (std::size_t column = 0; column < texels.columns; ++column) {
       const Vec2d place = texels.centre_of(column, row);
       const auto top_m = static_cast<double>(tops_->top_m(column, row));
-      gains(column, row) = static_cast<float>(gain_of(terrain::part_above(horizon.hidden_m(place), top_m)));
+      gains(column, row) = static_cast<float>(gain_of(terrain::part_above(horizon.hidden_m(place, top_m), top_m)));
     }
   });
   return gains;
@@ -175,7 +178,8 @@ std::vector<BakedLook> LookBaker::bake(const radar::GroundGrid& texels, const tr
   }
   const unsigned workers = thread_count(settings_.threads);
   const bool has_relief = footing_ == trace::Footing::Terrain;
-  const EchoLanding landing = has_relief ? EchoLanding(aspect, scene_.terrain) : EchoLanding(aspect);
+  const EchoLanding landing =
+      has_relief ? EchoLanding(aspect, scene_.terrain, lowest_ground_m_, highest_ground_m_) : EchoLanding(aspect);
   std::vector<TileSampler> samplers(workers, TileSampler(settings_.sampling, settings_.shadows, landing, sums));
   trace::TileProgress tiles(progress, "bake", "look", 0.0, 1.0, 1.0, area.tiles());
   const auto counts = tracer.trace_tiles(area, workers, [&](trace::TilePaths& tile, unsigned worker) {

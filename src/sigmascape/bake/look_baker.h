@@ -67,6 +67,7 @@ class LookBaker {
   const BakeSettings& settings_;
   trace::Footing footing_;
   trace::SceneHeights heights_;
+  double lowest_ground_m_, highest_ground_m_;  // of all terrain: what takes long to find is found once for all jobs
   radar::Rectangle occupied_;
   double tallest_m_;
   trace::SpectralSurfaces surfaces_;

@@ -16,6 +16,7 @@
 #include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
+#include <utility>
 #include <vector>
 
 #include "sigmascape/base/error.h"
@@ -47,6 +48,8 @@ class OpenFile {
   OpenFile& operator=(const OpenFile&) = delete;
 
   [[nodiscard]] bool is_open() const { return descriptor_ >= 0; }
+  /// Network file systems tell only then of quotas and full disks.
+  [[nodiscard]] bool close() { return ::close(std::exchange(descriptor_, -1)) == 0; }
   [[nodiscard]] bool flush_to_disk() const { return ::fsync(descriptor_) == 0; }
   /// Zero or the number of the error.
   [[nodiscard]] int take_room(std::uintmax_t bytes) const {
@@ -194,8 +197,8 @@ class FormerFile {
 };
 
 void flush_file(const std::filesystem::path& temporary, const std::filesystem::path& final_path) {
-  const OpenFile file(::open(temporary.c_str(), O_RDWR | O_CLOEXEC));
-  if (!file.is_open() || !file.flush_to_disk()) fail(final_path, errno);
+  OpenFile file(::open(temporary.c_str(), O_RDWR | O_CLOEXEC));
+  if (!file.is_open() || !file.flush_to_disk() || !file.close()) fail(final_path, errno);
 }
 
 /// File systems that cannot keep room free are believed to have it.
@@ -213,8 +216,8 @@ void flush_folder(const std::filesystem::path& folder) {
 }
 
 void fill(const std::filesystem::path& temporary, const std::filesystem::path& final_path, std::string_view content) {
-  const OpenFile file(::open(temporary.c_str(), O_WRONLY | O_CLOEXEC));
-  if (!file.is_open() || !file.write_all(content)) fail(final_path, errno);
+  OpenFile file(::open(temporary.c_str(), O_WRONLY | O_CLOEXEC));
+  if (!file.is_open() || !file.write_all(content) || !file.flush_to_disk() || !file.close()) fail(final_path, errno);
 }
 
 void make_folder(const std::filesystem::path& path) {
@@ -245,7 +248,11 @@ void write_atomically(const std::filesystem::path& path, std::uintmax_t room_byt
 }
 
 void write_atomically(const std::filesystem::path& path, std::string_view content) {
-  write_atomically(path, [&](const std::filesystem::path& temporary) { fill(temporary, path, content); });
+  make_folder(path);
+  TemporaryFile temporary(path);
+  fill(temporary.path(), path, content);
+  temporary.rename_to(path);
+  flush_folder(path.parent_path());
 }
 
 bool write_if_absent(const std::filesystem::path& path, std::string_view content) {

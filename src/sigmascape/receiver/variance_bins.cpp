@@ -21,7 +21,9 @@ void VarianceBins::add(std::size_t bin, double variance_m4) {
   std::size_t size = 0;
   while (size + 1 < sizes && variance_m4 >= known_sizes[size].end_m4) ++size;
   const double units = std::min(variance_m4, known_sizes.back().end_m4) * known_sizes[size].units_per_m4;
-  std::atomic_ref(sums_[bin][size]).fetch_add(std::llrint(units), std::memory_order_relaxed);
+  // What is noisy at all is not said to be exact, however dark it is.
+  const long long whole = variance_m4 > 0.0 ? std::max(std::llrint(units), 1LL) : 0;
+  std::atomic_ref(sums_[bin][size]).fetch_add(whole, std::memory_order_relaxed);
 }
 
 double VarianceBins::sum(std::size_t bin) const {

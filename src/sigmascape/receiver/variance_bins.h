@@ -10,9 +10,9 @@ namespace sigmascape::receiver {
 /// Sums variances of cross-sections, m⁴, from any number of threads, with a result that does not depend on their order.
 ///
 /// Integers again, as in PowerBins, but squares span twice the decades. So every bin has four sums, each of variances
-/// of one size in units of its own: the finest is 2⁻⁵³ m⁴, whose root is 1.1e-8 m², and from the next size on a
-/// variance is told to 1 part in 64 or better. A part's standard deviation s is no larger than the part's total power,
-/// so that
+/// of one size in units of its own: the finest is 2⁻⁵³ m⁴, whose root is 1.1e-8 m² and to which less than half of it is
+/// rounded up, and from the next size on a variance is told to 1 part in 64 or better. A part's standard deviation s is
+/// no larger than the part's total power, so that
 ///
 ///     Σ s² ≤ max s · Σ s ≤ max s · 2²⁸ m²
 ///

@@ -56,6 +56,9 @@ TEST(PatchGrid, ARectangleOfWholePatchesNeedsNoMore) {
   const PatchGrid grid{1.0, 256};
   EXPECT_EQ(grid.covering({-256.0, 0.0, 256.0, 256.0}).size(), 2U);
   EXPECT_TRUE(grid.covering({5.0, 5.0, 5.0, 9.0}).empty());
+  // Sides that are no binary fractions.
+  EXPECT_EQ((PatchGrid{0.1, 256}.covering({76.8, 76.8, 102.4, 102.4}).size()), 1U);
+  EXPECT_EQ((PatchGrid{0.3, 256}.covering({0.0, 0.0, 691.2, 76.8}).size()), 9U);
 }
 
 TEST(PatchGrid, TheLatticeDoesNotDependOnWhatIsCovered) {

@@ -51,6 +51,16 @@ TEST(Claims, EndWithAKilledProcess) {
   ::close(ready[1]);
 }
 
+/// As whoever knows does that the machine is gone whose locks a server still keeps.
+TEST(Claims, WhoWaitsNoticesThatTheirFileWasDeleted) {
+  const ScratchFolder folder;
+  const Claims gone(folder.path("")), waits(folder.path(""));
+  const auto held = gone.take_if_free(5);
+  const Claims::Claim claim = waits.take(5, [&] { std::filesystem::remove(folder.path(".claims")); });
+  EXPECT_TRUE(std::filesystem::exists(folder.path(".claims")));
+  EXPECT_FALSE(Claims(folder.path("")).take_if_free(5)) << "it holds the claim in the file that others find";
+}
+
 TEST(Claims, WhoWaitsCanBeToldToStop) {
   const ScratchFolder folder;
   const Claims one(folder.path("")), two(folder.path(""));

@@ -36,12 +36,16 @@ radar::Echo echo_of(Vec3d point, const radar::Aspect& aspect) {
   return {.range_m = -dot(point, to_radar), .cross = -point.x * towards.y + point.y * towards.x, .rcs_m2 = {}};
 }
 
+EchoLanding landing_on(const radar::Aspect& aspect, const terrain::HeightField& relief) {
+  return {aspect, relief, static_cast<double>(relief.lowest_m()), static_cast<double>(relief.highest_m())};
+}
+
 TEST(EchoLanding, GroundOnHillsStandsWhereItIs) {
   const terrain::HeightField relief = hills();
   for (const double elevation_deg : {5.0, 21.0, 37.0}) {
     for (const double azimuth_deg : {0.0, 77.0, 135.0, 260.0}) {
       const radar::Aspect aspect{radians_from_deg(azimuth_deg), radians_from_deg(elevation_deg)};
-      const EchoLanding landing(aspect, relief);
+      const EchoLanding landing = landing_on(aspect, relief);
       for (const Vec2d place : {Vec2d{3.0, -20.0}, {151.0, 133.0}, {-230.0, 90.0}}) {
         const Vec2d found = landing.place_of(echo_of({place.x, place.y, relief.height_at(place)}, aspect));
         EXPECT_NEAR(found.x, place.x, 0.05) << azimuth_deg << "° " << elevation_deg << "°";
@@ -61,7 +65,7 @@ TEST(EchoLanding, BeforeAWallTheFootOfItIsTaken) {
   }
   for (const double elevation_deg : {21.0, 37.0, 53.0, 60.0}) {
     const radar::Aspect aspect{pi, radians_from_deg(elevation_deg)};
-    const EchoLanding landing(aspect, quay);
+    const EchoLanding landing = landing_on(aspect, quay);
     for (const double before_m : {0.01, 0.3, 1.7, 3.1}) {
       const Vec2d found = landing.place_of(echo_of({7.0, -before_m, 0.0}, aspect));
       EXPECT_NEAR(found.x, 7.0, 0.02);
@@ -89,7 +93,7 @@ TEST(EchoLanding, HeightLiesOverUntilItMeetsTheSlope) {
   const radar::Aspect from_north{0.0, radians_from_deg(30.0)};
   for (const double slope : {-0.4, -0.1, 0.2, 0.5}) {
     const terrain::HeightField relief = northward_slope(slope);
-    const EchoLanding landing(from_north, relief);
+    const EchoLanding landing = landing_on(from_north, relief);
     const double top_m = 6.0, y = 10.0;
     const Vec2d place = landing.place_of(echo_of({7.0, y, slope * y + top_m}, from_north));
     EXPECT_NEAR(place.x, 7.0, 1e-9);

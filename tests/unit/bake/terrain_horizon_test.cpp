@@ -18,7 +18,7 @@ terrain::HeightField ridge() {
 constexpr double tangent = 0.2;
 
 TerrainHorizon seen_from(double azimuth_deg, const terrain::HeightField& field) {
-  return {{radians_from_deg(azimuth_deg), std::atan(tangent)}, field, 2.0};
+  return {{radians_from_deg(azimuth_deg), std::atan(tangent)}, field, static_cast<double>(field.highest_m()), 2.0};
 }
 
 TEST(TerrainHorizon, HidesWhatStandsBelowTheLineOfSightOverARidge) {
@@ -27,6 +27,9 @@ TEST(TerrainHorizon, HidesWhatStandsBelowTheLineOfSightOverARidge) {
   // The line over the ridge falls by a fifth of the way: 60 m behind it is 8 m above the ground, 110 m behind below.
   EXPECT_NEAR(from_north.hidden_m({0.0, 40.0}), 8.0, 0.01);
   EXPECT_DOUBLE_EQ(from_north.hidden_m({0.0, -10.0}), 0.0);
+  // What is no taller than 3 m is hidden altogether, which is all that is asked.
+  EXPECT_GE(from_north.hidden_m({0.0, 40.0}, 3.0), 3.0);
+  EXPECT_NEAR(from_north.hidden_m({0.0, 40.0}, 20.0), 8.0, 0.01);
 }
 
 TEST(TerrainHorizon, HidesNothingBeforeARidgeOrAlongIt) {

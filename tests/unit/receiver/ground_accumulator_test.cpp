@@ -53,6 +53,10 @@ TEST(GroundAccumulator, VariancesOfManyPartsOfAnySizeAddUp) {
     const double expected = parts * deviation_m2 * deviation_m2 / (0.25 * 0.25);
     EXPECT_NEAR(accumulator.sigma0_variances()(7, 0), expected, 0.01 * expected) << deviation_m2;
   }
+  // What is smaller than what sums tell is at least not said to be nothing.
+  GroundAccumulator darkest(grid);
+  for (int i = 0; i < 100; ++i) darkest.add(7, {}, 1e-20);
+  EXPECT_GE(darkest.sigma0_variances()(7, 0), 100.0 * 1e-20 * 16.0);
   // The brightest that powers hold: four parts of VV + HH + 2 HV = 2²⁶ m², each from one sample alone.
   GroundAccumulator brightest(grid);
   for (int i = 0; i < 4; ++i) brightest.add(7, {}, std::exp2(52.0));
