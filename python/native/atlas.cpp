@@ -66,8 +66,10 @@ py::list levels_of(const py::object& self) {
   py::list levels;
   for (std::size_t level = 0; level < halves.levels.size(); ++level) {
     const auto side = static_cast<py::ssize_t>(halves.side >> level);
-    levels.append(array_view(py::dtype("float16"), halves.levels[level].data(), {side, side, radar::Channels::count},
-                             {}, self, Access::ReadWrite));
+    const std::vector<py::ssize_t> shape{side, side, radar::Channels::count};
+    const auto& numbers = halves.levels[level];
+    levels.append(array_view(py::dtype("float16"), numbers.data(), shape, strides_of(shape, sizeof(numbers[0])), self,
+                             Access::ReadWrite));
   }
   return levels;
 }
@@ -137,7 +139,8 @@ void add_texture(py::module_& module) {
       module, "Texture", "The stored sigma0 of one patch from one look: half floats times `scale`.")
       .def_property_readonly("levels", &levels_of,
                              "float16 [row, column, 4] of each level, the finest first, north up: VV, HH, HV,\n"
-                             "Re<S_VV S_HH*>. Share the texture's memory.")
+                             "Re<S_VV S_HH*>. Share the texture's memory. `sigma0` scales them: multiplied as halves,\n"
+                             "small numbers vanish.")
       .def_readonly("scale", &atlas::HalfTexture::scale, "sigma0, linear, of a stored 1: a power of two.")
       .def(
           "sigma0",

@@ -1,8 +1,10 @@
 #include "sigmascape/dataset/bounce_labels.h"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <utility>
 
+#include "sigmascape/base/error.h"
 #include "sigmascape/product/ground_projection.h"
 
 namespace sigmascape::dataset {
@@ -49,7 +51,13 @@ std::vector<radar::Layer> traced_bounce_layers(std::span<const std::string> name
                                                const radar::GroundGrid& grid, const simulate::TraceSettings& settings,
                                                ProgressListener* progress, radar::RangeAzimuthImage* image) {
   std::size_t orders = 2;
-  for (const std::string& name : names) orders = std::max(orders, bounce_order(name) + 1);
+  for (const std::string& name : names) {
+    if (bounce_order(name) > static_cast<std::size_t>(settings.max_bounces)) {
+      throw Error(name, fmt::format("asks for more bounces than are traced, which are {}", settings.max_bounces),
+                  "trace as many bounces, or leave the layer out");
+    }
+    orders = std::max(orders, bounce_order(name) + 1);
+  }
   trace::TraceCounts counts;
   const auto images =
       simulate::traced_bounces(scene, geometry, radar, grid.extent(), settings, orders, counts, progress);

@@ -28,7 +28,8 @@ inline constexpr std::string_view multibounce = "multibounce";
 
 /// Those layers among `names` that tell bounces apart, in their order: σ0 of what came back over k surfaces in the
 /// radar's own polarization, and the part of several bounces. By rays, laid onto the ground as the map is.
-/// `image`, when given, gets the sum of all orders, which is the image that `simulate::traced_image` would have made.
+/// Throws Error for a k of more bounces than the settings trace. `image`, when given, gets the sum of all orders, which
+/// is the image that `simulate::traced_image` would have made.
 [[nodiscard]] std::vector<radar::Layer> traced_bounce_layers(
     std::span<const std::string> names, const scene::Scene& scene, const trace::SceneGeometry& geometry,
     const radar::Radar& radar, const radar::GroundGrid& grid, const simulate::TraceSettings& settings,

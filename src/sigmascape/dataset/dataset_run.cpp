@@ -4,6 +4,7 @@
 #include <array>
 #include <atomic>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <fstream>
 #include <iterator>
 #include <map>
@@ -198,11 +199,20 @@ class Lot {
 
   Json write_tar() {
     product::TarArchive tar;
-    for (std::size_t k = 0; k < count_; ++k) {
-      for (const SampleFile& file : contents_[k]) tar.add(sample_name(first_ + k) + "." + file.name, file.bytes);
-      contents_[k].clear();
+    std::size_t files = 0, size = 0;
+    for (const auto& of_sample : contents_) {
+      files += of_sample.size();
+      for (const SampleFile& file : of_sample) size += file.bytes.size();
     }
-    const std::string name = tar_name(number_), bytes = tar.bytes();
+    tar.make_room(files, size);
+    for (std::size_t k = 0; k < count_; ++k) {
+      for (SampleFile& file : contents_[k]) {
+        tar.add(sample_name(first_ + k) + "." + file.name, file.bytes);
+        // Pieces may be of gigabytes: what is in the archive need not be there twice.
+        std::exchange(file.bytes, {});
+      }
+    }
+    const std::string name = tar_name(number_), bytes = std::move(tar).bytes();
     geo::remove_leftovers(folder_, name);
     geo::write_atomically(folder_ / name, bytes);
     return file_json(name, bytes);

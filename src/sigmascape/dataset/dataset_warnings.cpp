@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 #include <optional>
 
+#include "sigmascape/base/units.h"
 #include "sigmascape/dataset/sample_plan.h"
 #include "sigmascape/dataset/sample_radar.h"
 #include "sigmascape/radar/radar_warnings.h"
+#include "sigmascape/simulate/map_warnings.h"
 #include "sigmascape/simulate/simulate.h"
 
 namespace sigmascape::dataset {
@@ -65,11 +67,23 @@ Ends ends_of(const DatasetSpec& spec, const terrain::HeightField& terrain, const
   return ends;
 }
 
+/// The samples seen from the lowest and from the highest.
+std::vector<SamplePlan> lowest_and_highest(const DatasetSpec& spec, const Ends& ends, const radar::Rectangle& centres) {
+  if (flies(spec.sequence)) return {ends.nearest().plan, ends.farthest().plan};
+  std::vector<SamplePlan> plans;
+  for (const double elevation_rad : {spec.elevation_rad.lowest, spec.elevation_rad.highest}) {
+    plans.push_back(plan_of(spec, centres, 0));
+    plans.back().elevation_rad = elevation_rad;
+  }
+  return plans;
+}
+
 }  // namespace
 
 std::vector<std::string> dataset_warnings(const DatasetSpec& spec, const terrain::HeightField& terrain,
                                           const radar::Rectangle& scene_extent) {
-  const Ends ends = ends_of(spec, terrain, centres_of(spec, scene_extent));
+  const radar::Rectangle centres = centres_of(spec, scene_extent);
+  const Ends ends = ends_of(spec, terrain, centres);
   std::vector<std::string> warnings;
   const auto add = [&](const FarSample& sample, double cell_m) {
     const SamplePlan plan = with_finest_radar(sample.plan, spec.radar_ranges);
@@ -81,6 +95,12 @@ std::vector<std::string> dataset_warnings(const DatasetSpec& spec, const terrain
   add(ends.nearest(), spec.cell_m);
   // Farther away a beam is only wider, and cells are not asked about again.
   if (ends.farthest().slant_range_m > ends.nearest().slant_range_m) add(ends.farthest(), 0.0);
+  for (const SamplePlan& plan : lowest_and_highest(spec, ends, centres)) {
+    auto missed = simulate::beam_above_or_below(radar_of(spec, plan, terrain), plan.grid.extent(), terrain);
+    if (!missed) continue;
+    warnings.push_back(fmt::format("of maps seen under {:.3g}°, {}", deg_from_radians(plan.elevation_rad), *missed));
+    break;
+  }
   return warnings;
 }
 

@@ -303,9 +303,11 @@ radar::RangeAzimuthImage SampleMaker::ground_image(const radar::Radar& radar, co
         baked_bounce_layers(spec_.bounce_layers, image, up_to, scene_.terrain, plan.grid, spec_.polarizations.front());
     return image;
   }
-  const simulate::TraceSettings settings{
+  simulate::TraceSettings settings{
       .cell_m = spec_.cell_m, .samples_per_cell = spec_.samples_per_cell, .seed = plan.seed, .threads = 1};
   if (!spec_.bounce_layers.empty()) {
+    for (const std::string& name : spec_.bounce_layers)
+      settings.max_bounces = std::max(settings.max_bounces, static_cast<int>(bounce_order(name)));
     radar::Radar shown = radar;
     shown.polarization = spec_.polarizations.front();
     radar::RangeAzimuthImage image;

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstring>
 #include <fmt/format.h>
+#include <utility>
 
 #include "sigmascape/base/error.h"
 
@@ -60,8 +61,13 @@ void TarArchive::add(std::string_view name, std::string_view content) {
   blocks_.append((block - content.size() % block) % block, '\0');
 }
 
-std::string TarArchive::bytes() const {
-  return blocks_ + std::string(2 * block, '\0');
+void TarArchive::make_room(std::size_t entries, std::size_t content_bytes) {
+  blocks_.reserve(content_bytes + (2 * entries + 2) * block);
+}
+
+std::string TarArchive::bytes() && {
+  blocks_.append(2 * block, '\0');
+  return std::move(blocks_);
 }
 
 }  // namespace sigmascape::product

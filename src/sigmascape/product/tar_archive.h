@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -11,8 +12,10 @@ class TarArchive {
  public:
   /// Throws Error when the name is longer than 100 characters or the content than 8 GiB.
   void add(std::string_view name, std::string_view content);
-  /// The whole file, with the blocks of zeros that end it.
-  [[nodiscard]] std::string bytes() const;
+  /// For so many entries of so much content together: whoever knows them beforehand has them in memory but once.
+  void make_room(std::size_t entries, std::size_t content_bytes);
+  /// The whole file, with the blocks of zeros that end it. Leaves nothing behind.
+  [[nodiscard]] std::string bytes() &&;
 
  private:
   std::string blocks_;

@@ -1,13 +1,17 @@
 #include "sigmascape/base/interruption.h"
 
 #include <atomic>
+#include <chrono>
 #include <gtest/gtest.h>
 #include <stdexcept>
+#include <thread>
 
 #include "sigmascape/base/parallel.h"
 
 namespace sigmascape {
 namespace {
+
+using namespace std::chrono_literals;
 
 /// A loop that only an interruption ends: indices for years.
 void endless(std::atomic<std::size_t>& done, unsigned threads) {
@@ -34,6 +38,28 @@ TEST(Interruption, ReachesLoopsWithinLoopsOnOtherThreads) {
     return ++asked > 1;
   });
   EXPECT_THROW(parallel_for(4, 4, [&](std::size_t, unsigned) { endless(done, 1); }), Interrupted);
+}
+
+/// Who asks has nothing left to do, and another is at a piece that takes minutes.
+TEST(Interruption, IsHeardWhileOthersAreAtTheLastPieces) {
+  const auto begun = std::chrono::steady_clock::now();
+  const Interruption interruption([&] { return std::chrono::steady_clock::now() - begun > 100ms; });
+  const auto asking = std::this_thread::get_id();
+  std::atomic<bool> is_other_at_work{false};
+  EXPECT_THROW(parallel_for(2, 2,
+                            [&](std::size_t, unsigned) {
+                              if (std::this_thread::get_id() == asking) {
+                                while (!is_other_at_work) std::this_thread::sleep_for(1ms);
+                                return;
+                              }
+                              is_other_at_work = true;
+                              while (std::chrono::steady_clock::now() - begun < 20s) {
+                                std::this_thread::sleep_for(1ms);
+                                Interruption::heed();
+                              }
+                            }),
+               Interrupted);
+  EXPECT_LT(std::chrono::steady_clock::now() - begun, 10s);
 }
 
 TEST(Interruption, PassesOnWhatTheQuestionThrows) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+#include "sigmascape/base/error.h"
 #include "sigmascape/scene/paper_scene.h"
 
 namespace sigmascape::dataset {
@@ -38,6 +39,9 @@ TEST(BounceLabels, SayNothingWhereTheRadarDoesNotLook) {
   ASSERT_EQ(traced.size(), 3U);
   EXPECT_GT(unseen_in_all(traced), 100U);
   EXPECT_LT(unseen_in_all(traced), 476U);
+  simulate::TraceSettings short_paths = settings;
+  short_paths.max_bounces = 1;
+  EXPECT_THROW(static_cast<void>(traced_bounce_layers(names, scene, geometry, radar, grid, short_paths)), Error);
 
   // As of bakes with one bounce and with two.
   trace::TraceCounts counts;

@@ -61,6 +61,17 @@ TEST(DatasetWarnings, AreOfTheFinestBeamAndPulseThatMayBeDrawn) {
                           "twice; use cells of at most 2.5 m"));
 }
 
+/// A pattern whose peak was left at the horizon.
+TEST(DatasetWarnings, AreOfABeamThatPointsOverTheMaps) {
+  DatasetSpec spec = example();
+  spec.radar.radar.antenna.elevation = radar::GaussianBeam{};
+  spec.radar.radar.antenna.elevation_width_rad = radians_from_deg(4.0);
+  EXPECT_THAT(warnings_of(spec),
+              ElementsAre(StartsWith("of maps seen under 11.5°, the beam points to an elevation of")));
+  spec.radar.radar.antenna.tilt_rad = -0.25;
+  EXPECT_THAT(warnings_of(spec), IsEmpty());
+}
+
 TEST(DatasetWarnings, AreOfTheNearestMapsAndTellOfTheFarthestWhatIsWrongThere) {
   DatasetSpec spec = example();
   spec.slant_range_m = {10e3, 20e3};

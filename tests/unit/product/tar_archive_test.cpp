@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <utility>
 
 #include "scratch_folder.h"
 
@@ -15,8 +16,10 @@ TEST(TarArchive, IsUnpackedByTar) {
   const std::string content(1300, 'x');
   tar.add("000001.map.npy", content);
   tar.add("000001.metadata.json", "{}\n");
-  folder.write("a.tar", tar.bytes());
-  EXPECT_EQ(tar.bytes().size() % 512, 0U);
+  tar.make_room(2, content.size() + 3);
+  const std::string bytes = std::move(tar).bytes();
+  EXPECT_EQ(bytes.size() % 512, 0U);
+  folder.write("a.tar", bytes);
   ASSERT_EQ(std::system(fmt::format("cd '{0}' && tar -xf a.tar", folder.path("").string()).c_str()), 0);
   std::filesystem::remove(folder.path("a.tar"));
   const std::map<std::string, std::string> expected{{"000001.map.npy", content}, {"000001.metadata.json", "{}\n"}};
