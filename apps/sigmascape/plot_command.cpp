@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <iterator>
+#include <numeric>
 #include <utility>
 
 #include "command.h"
@@ -113,7 +114,8 @@ void plot_histogram(const PlotOptions& options, const Output& output) {
       throw Error(option, fmt::format("is of ground maps, and {} holds I/Q", options.input), "leave it out");
   }
   const std::vector<double> values = is_iq ? amplitudes_of(options) : powers_of(options);
-  if (values.empty()) throw Error(options.input, "has no cells with power there", "choose another --area");
+  if (values.empty() || !(std::accumulate(values.begin(), values.end(), 0.0) > 0.0))
+    throw Error(options.input, "has no cells with power there", "choose another --area");
   const Histogram histogram =
       is_iq ? amplitude_histogram(values, options.bins) : power_histogram(values, options.looks, options.bins);
   finish(options, histogram.plot, output,

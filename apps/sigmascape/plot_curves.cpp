@@ -48,12 +48,13 @@ void add_response(PlotSeries& series, double reach, double label_scale, const Re
   for (auto& point : series.points) point.second = std::max(point.second, highest - deepest_db);
 }
 
-/// Densities of values over bins from 0 to `highest`; what lies above is counted but not shown.
+/// Densities of values over bins from 0 to `highest`; what lies above or, as resampled maps have it beside bright
+/// points, below is counted but not shown.
 PlotSeries densities(std::span<const double> values, double unit, double highest, std::size_t bins) {
   std::vector<std::size_t> counts(bins, 0);
   for (const double value : values) {
     const double place = value / unit / highest * static_cast<double>(bins);
-    if (place < static_cast<double>(bins)) ++counts[static_cast<std::size_t>(place)];
+    if (place >= 0.0 && place < static_cast<double>(bins)) ++counts[static_cast<std::size_t>(place)];
   }
   PlotSeries series{.name = "measured"};
   const double width = highest / static_cast<double>(bins);
@@ -180,7 +181,8 @@ Plot aspect_plot(const atlas::Atlas& atlas, Vec2d point, double frequency_hz, ra
   for (const double fixed_rad : over_elevation ? baked.azimuths_rad : baked.elevations_rad) {
     PlotSeries& series = plot.series.emplace_back(curve(fmt::format(
         "{} {:g}°", over_elevation ? "azimuth" : "elevation", std::round(deg_from_radians(fixed_rad) * 1e3) / 1e3)));
-    const int first = over_elevation ? 1 : 0, last = over_elevation ? 60 : 360;
+    const auto highest = static_cast<int>(std::ceil(deg_from_radians(baked.elevations_rad.back())));
+    const int first = over_elevation ? 1 : 0, last = over_elevation ? std::max(60, highest) : 360;
     for (int degree = first; degree <= last; ++degree) {
       const double angle_rad = radians_from_deg(degree);
       const radar::Aspect aspect =

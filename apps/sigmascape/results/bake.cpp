@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "results/processor_time.h"
@@ -33,12 +34,21 @@ class BakeTimer final : public ProgressListener {
     // Textures come in order; those that an earlier run baked are passed over at once and keep their time.
     const bool is_whole = task == "bake" && done == std::floor(done);
     if (is_whole && done > static_cast<double>(seconds_.size())) {
-      // Of those that another run baked, or one that ended before it could write, no time is known.
-      seconds_.resize(static_cast<std::size_t>(done) - 1, unknown);
-      seconds_.push_back(watch_.seconds());
+      // Of those that another run baked, or one that ended before it could write, no time is known: they are said to be
+      // done before the first of this run.
+      const auto count = static_cast<std::size_t>(done);
+      if (done_ && done == *done_ + 1.0) {
+        seconds_.resize(count - 1, unknown);
+        seconds_.push_back(watch_.seconds());
+      } else {
+        seconds_.resize(count, unknown);
+      }
       geo::write_atomically(file_, nlohmann::json(seconds_).dump());
     }
-    if (is_whole) watch_ = {};
+    if (is_whole) {
+      watch_ = {};
+      done_ = done;
+    }
     next_.advanced(task, done, total, unit);
   }
 
@@ -59,6 +69,7 @@ class BakeTimer final : public ProgressListener {
   std::filesystem::path file_;
   ProgressListener& next_;
   ProcessorStopwatch watch_;
+  std::optional<double> done_;  ///< what was whole last
   std::vector<double> seconds_;
 };
 

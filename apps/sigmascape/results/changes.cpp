@@ -1,6 +1,7 @@
 #include "results/changes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -42,6 +43,10 @@ Worth worth_of(const MeasuredContrast& more) {
 }
 
 std::string worth_text(const char* what, const LookGrid& grid, const Worth& worth) {
+  if (worth.fall_db < 0.0) {
+    return fmt::format("More {}, {} looks, add {} dB to the RMS error, for {} MB more. ", what, grid.name(),
+                       number_text(-worth.fall_db, 2), number_text(worth.rise_mb, 2));
+  }
   return fmt::format("More {}, {} looks, take {} dB off the RMS error for {} MB more: {} dB a megabyte. ", what,
                      grid.name(), number_text(worth.fall_db, 2), number_text(worth.rise_mb, 2),
                      number_text(worth.db_a_megabyte(), 3));
@@ -61,17 +66,19 @@ std::string next_grid_text(const LookGrid& next, const MeasuredContrast& finer) 
   return fmt::format(
       "`sigmascape bake` takes {} looks by default. {} looks (`--azimuths {} --elevations-deg {:g}`) take {:.1f} times "
       "the bytes, {} instead of {} MB, and {:.1f} times the processor time of the bake, {:.0f} instead of {:.0f} s, "
-      "for an RMS error of {:.2f} instead of {:.2f} dB, {:.0f} % less; a frame takes {:.0f} instead of {:.0f} ms. ",
+      "for an RMS error of {:.2f} instead of {:.2f} dB, {:.0f} % {}; a frame takes {:.0f} instead of {:.0f} ms. ",
       default_grid().name(), next.name(), next.azimuths, fmt::join(next.elevations_deg, ","),
       times(after.store_bytes, before.store_bytes), megabytes(after.store_bytes), megabytes(before.store_bytes),
       times(after.bake_seconds, before.bake_seconds), after.bake_seconds, before.bake_seconds, finer_rms_db, rms_db,
-      100.0 * (1.0 - finer_rms_db / rms_db), finer.with->render_ms, finer.without->render_ms);
+      100.0 * std::abs(1.0 - finer_rms_db / rms_db), finer_rms_db > rms_db ? "more" : "less", finer.with->render_ms,
+      finer.without->render_ms);
 }
 
 /// Which looks to add first: those that take more off for a megabyte, or both where it is nearly the same.
-std::string choice_text(const ResultsPlan& plan, const Worth& elevations, const Worth& azimuths) {
+std::string choice_text(const ResultsPlan& plan, const Worth& elevations, const Worth& azimuths, const Worth& both) {
   constexpr double clearly = 2.0;  // times as much
   const std::string default_name = default_grid().name(), next = plan.next_grid().name();
+  if (both.fall_db < least_fall_db) return fmt::format("The choice: {}; more looks bring nothing here.", default_name);
   std::string first = fmt::format("elevations and azimuths together, {}", next);
   const double by_azimuths = std::max(azimuths.db_a_megabyte(), 0.0);
   const double by_elevations = std::max(elevations.db_a_megabyte(), 0.0);
@@ -162,7 +169,7 @@ std::string worth_of_looks(const ResultsPlan& plan, const std::vector<ResultsRow
   const Worth of_elevations = worth_of(*elevations), of_azimuths = worth_of(*azimuths);
   return worth_text("elevations", plan.more_elevations(), of_elevations) +
          worth_text("azimuths", plan.more_azimuths(), of_azimuths) + next_grid_text(plan.next_grid(), *both) +
-         choice_text(plan, of_elevations, of_azimuths);
+         choice_text(plan, of_elevations, of_azimuths, worth_of(*both));
 }
 
 std::string changes_section(const ResultsPlan& plan, const std::vector<ResultsRow>& rows) {

@@ -50,7 +50,9 @@ std::string costs_section(const ResultsReport& report) {
   const TracedRays rays = traced_rays(plan, report.rows, plan.scene_name(), ViewKind::HeldOut);
   return fmt::format(
              "## Bytes and time\n\nMedians over the held-out views, processor time on {}; {} rays a texel, {} rays a "
-             "2 m cell of one traced map{}. The store is what lies on disk, of ours compressed. In memory are textures "
+             "2 m cell of one traced map{}. The store is what a map reads from disk, of ours compressed; the standard "
+             "errors beside it, about a fifth more, are "
+             "not counted. In memory are textures "
              "with their mips, as far as they lie within the {:.0f} m that are mapped (an atlas is loaded by whole "
              "patches, which reach beyond), and, to trace, the scene's acceleration structures.\n\n",
              report.machine, plan.baked_samples, rays.fewest,

@@ -65,13 +65,6 @@ std::string correlation_beside(double least, double correlation) {
                      mark(correlation >= least));
 }
 
-/// Of a texel: a number, or what decides about it.
-std::string rays_text(std::uint32_t samples) {
-  if (samples != 0) return fmt::format("{}", samples);
-  const bake::Sampling adaptive;
-  return fmt::format("to {:g} dB, at most {}", adaptive.target_db, adaptive.most_samples);
-}
-
 /// How well two traced maps of a view agree, which bounds what can be shown of any method.
 std::string truth_aim(const ResultsReport& report, const std::string& scene, ViewKind kind) {
   const product::CellComparison* floor = noise_floor(report.plan, report.rows, scene, kind);
@@ -145,6 +138,12 @@ std::string cells_of_every_grid(const ResultsReport& report) {
 
 }  // namespace
 
+std::string rays_text(std::uint32_t samples) {
+  if (samples != 0) return fmt::format("{}", samples);
+  const bake::Sampling adaptive;
+  return fmt::format("to {:g} dB, at most {}", adaptive.target_db, adaptive.most_samples);
+}
+
 std::string summary_section(const ResultsReport& report) {
   const ResultsPlan& plan = report.plan;
   const SceneColumn scene(plan);
@@ -185,8 +184,10 @@ std::string aims_section(const ResultsReport& report) {
   const SceneColumn scene(plan);
   std::string text = fmt::format(
       "## What was aimed at, and what came out\n\nAims are set for views that were baked, and for the truth at all "
-      "views; numbers are medians at {:.0f} m cells. Rows with {} rays are from the {} grid, others from a bake of the "
-      "view's own look. *Rays where the noise is* are what `sigmascape bake` takes by itself. An aim that {} rays miss "
+      "views; numbers are medians at {:.0f} m cells. The first row of a method, with {} rays, is from the {} grid, the "
+      "others "
+      "from a bake of the view's own look. *Rays where the noise is* are what `sigmascape bake` takes by itself. An "
+      "aim that {} rays miss "
       "and {} reach is missed because of the bake's noise; what more is gained by narrower texels was lost to {}.\n\n",
       summary_cell_m, plan.baked_samples, plan.paper_grid().name(), plan.baked_samples, plan.finer_samples,
       report.links.to("their width", "docs/decisions/0118-texels-and-cells.md"));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "results/page.h"
@@ -15,6 +16,9 @@ namespace sigmascape::cli {
 
 /// Markdown: the paper's grid at every size of cells, and folded away every grid.
 [[nodiscard]] std::string cell_section(const ResultsReport& report);
+
+/// Rays a texel: a number, or, for none, what decides about it.
+[[nodiscard]] std::string rays_text(std::uint32_t samples);
 
 /// Markdown: the same of ours by level of detail.
 [[nodiscard]] std::string detail_section(const ResultsReport& report);

@@ -157,7 +157,8 @@ std::string how_it_was_measured(const ResultsReport& report) {
       "along the edges is not compared, because what lies beyond echoes into it: {}.\n\n",
       product::software_name(), report.command_line, plan.rim_m(),
       plan.scene_file.empty() ? "there, bare ground goes on level for 300 m"
-                              : "there, the place goes on with all that stands on it");
+                              : "there, the place goes on with all that stands on it as far as the scene file "
+                                "reaches, and beyond that bare ground level for 300 m");
   if (plan.has_level_ground()) {
     text +=
         "*hills* is the scene as it is. *level* is the same with all its ground at height zero, from views that were "

@@ -187,9 +187,10 @@ std::optional<std::string> difference(const Json& kept, const Json& wanted) {
   return std::nullopt;
 }
 
-/// Whether two views are one but for the rays of their traced maps.
-bool is_same_place(PlannedView one, const PlannedView& other) {
-  one.traced_samples = other.traced_samples;
+/// Whether two views are one but for the rays of their traced maps. On the grid, where looks are baked again with as
+/// many rays, those of other rays are other views.
+bool is_same_view(PlannedView one, const PlannedView& other) {
+  if (one.kind != ViewKind::OnGrid) one.traced_samples = other.traced_samples;
   return one == other;
 }
 
@@ -210,14 +211,12 @@ void MeasuredViews::go_on() {
 
 void MeasuredViews::take_over(const std::filesystem::path& other) {
   read(other);
-  write();
 }
 
 const MeasuredView* MeasuredViews::find(const std::string& scene, const PlannedView& view) const {
   const auto found = std::ranges::find_if(views_, [&](const MeasuredView& measured) {
-    return measured.scene == scene && is_same_place(measured.view, view) &&
-           (view.kind == ViewKind::OnGrid ? measured.view.traced_samples == view.traced_samples
-                                          : measured.view.traced_samples >= view.traced_samples);
+    return measured.scene == scene && is_same_view(measured.view, view) &&
+           measured.view.traced_samples >= view.traced_samples;
   });
   return found == views_.end() ? nullptr : &*found;
 }
@@ -230,7 +229,7 @@ const MeasuredView& MeasuredViews::add(MeasuredView view) {
 
 void MeasuredViews::put(MeasuredView view) {
   std::erase_if(views_, [&](const MeasuredView& other) {
-    return other.scene == view.scene && is_same_place(other.view, view.view);
+    return other.scene == view.scene && is_same_view(other.view, view.view);
   });
   views_.push_back(std::move(view));
 }

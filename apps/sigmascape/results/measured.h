@@ -29,17 +29,18 @@ class MeasuredViews {
   /// Takes over what another run has kept. Throws Error when it cannot be read or was measured with other settings,
   /// naming the first that differs.
   void take_over(const std::filesystem::path& other);
+  /// Writes the file, in which what was taken over is kept from then on, once nothing speaks against writing there.
+  void write() const;
 
   /// What was measured of that view with as many rays or more, or nullptr; it stays until a view is added. Of views on
   /// the grid, whose looks are baked again with the rays of their truth, with as many alone.
   [[nodiscard]] const MeasuredView* find(const std::string& scene, const PlannedView& view) const;
-  /// Adds a view, in place of the same with fewer rays, and writes the file.
+  /// Adds a view, in place of the same with fewer rays, or on the grid with as many, and writes the file.
   const MeasuredView& add(MeasuredView view);
 
  private:
   void read(const std::filesystem::path& file);
   void put(MeasuredView view);
-  void write() const;
 
   std::filesystem::path file_;
   nlohmann::ordered_json settings_;

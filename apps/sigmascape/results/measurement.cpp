@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <limits>
 #include <tuple>
 
@@ -207,6 +208,8 @@ void Measurement::compare_all() {
     // Level ground tells what hills add; missing angles would hide that.
     if (level_ && view.kind == ViewKind::OnGrid) all.emplace_back(&*level_, view.from_afar());
   }
+  // The bakes have found that the folder is of this scene.
+  kept_.write();
   std::size_t done = 0;
   for (const auto& [measured, view] : all) {
     compare_once(*measured, view);

@@ -89,7 +89,7 @@ std::string settings_text(const ResultsReport& report) {
          elevation_remark(plan) + "\n\n<details>\n<summary>All views</summary>\n\n" + view_table(plan) +
          "\n</details>\n\n"
          "[measured.json](measured.json) holds the numbers of every view; `sigmascape results --measured` goes on from "
-         "them.\n";
+         "them, where the physics that it was measured with is still the program's.\n";
 }
 
 }  // namespace
@@ -120,8 +120,8 @@ std::vector<product::PageSection> results_sections(const std::vector<ResultsRow>
           {"truth against truth", metrics_text(cell->floor_median, cell->floor_worst, row.views)});
     }
     sections.back().facts.push_back(
-        {fmt::format("{}{}{}, {}, {} rays, LOD {}", text_of(row.of.method), row.of.change.empty() ? "" : ", ",
-                     row.of.change, row.of.grid, row.of.baked_samples, row.of.level_of_detail),
+        {fmt::format("{}{}{}, {}, rays: {}, LOD {}", text_of(row.of.method), row.of.change.empty() ? "" : ", ",
+                     row.of.change, row.of.grid, rays_text(row.of.baked_samples), row.of.level_of_detail),
          fmt::format("{}; {} MB, {:.0f} s", metrics_text(cell->median, cell->worst, row.views),
                      megabytes(row.atlas.store_bytes), row.atlas.bake_seconds)});
   }

@@ -52,6 +52,15 @@ TEST(ResultsChanges, ChooseWhatTakesClearlyMoreOffForAMegabyteFirst) {
   EXPECT_THAT(worth_of_looks(plan, made_rows(plan, 5.6, 4.0)), HasSubstr("elevations and azimuths together, 16 × 6"));
 }
 
+TEST(ResultsChanges, ChooseNoLooksThatMakeMapsWorse) {
+  const ResultsPlan plan = made_plan();
+  auto rows = made_rows(plan, 6.2, 6.1);
+  rows.back() = made_row(rows.back().of, 6.3, 0.5, 25'000'000);
+  const std::string text = worth_of_looks(plan, rows);
+  EXPECT_THAT(text, AllOf(HasSubstr("More azimuths, 16 × 5 looks, add 0.10 dB to the RMS error"), HasSubstr("5 % more"),
+                          HasSubstr("more looks bring nothing here")));
+}
+
 TEST(ResultsChanges, SayOfEachWhetherItWasKept) {
   const ResultsPlan plan = made_plan();
   for (const Change& change : changes(plan)) EXPECT_FALSE(change.kept.empty()) << change.contrast.name;

@@ -1,5 +1,6 @@
 #include "results/measured.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <gmock/gmock.h>
@@ -100,6 +101,7 @@ TEST_F(MeasuredViewsTest, AnotherRunsAreTakenOverAndKept) {
   MeasuredViews here = views("here.json");
   here.add(made_view(plan_, plan_.views.back()));
   here.take_over(folder_.path("other.json"));
+  here.write();
   MeasuredViews again = views("here.json");
   again.go_on();
   EXPECT_NE(again.find(plan_.scene_name(), plan_.views.front()), nullptr);
@@ -149,6 +151,20 @@ TEST_F(MeasuredViewsTest, OfTwoRunsEachViewIsThatWithMoreRays) {
     ASSERT_NE(found, nullptr);
     EXPECT_EQ(found->view.traced_samples, finer.traced_samples);
   }
+}
+
+/// On the grid, where looks are baked again with as many rays, each number of rays is a measurement of its own.
+TEST_F(MeasuredViewsTest, OfTwoRunsViewsOnTheGridAreKeptFromBoth) {
+  const auto place = std::ranges::find(plan_.views, ViewKind::OnGrid, &PlannedView::kind);
+  ASSERT_NE(place, plan_.views.end());
+  PlannedView finer = *place;
+  finer.traced_samples *= 5;
+  MeasuredViews few = views("few.json"), many = views("many.json");
+  few.add(made_view(plan_, *place));
+  many.add(made_view(plan_, finer));
+  many.take_over(folder_.path("few.json"));
+  EXPECT_NE(many.find(plan_.scene_name(), finer), nullptr);
+  EXPECT_NE(many.find(plan_.scene_name(), *place), nullptr);
 }
 
 TEST_F(MeasuredViewsTest, WhatDoesNotFitIsRefusedOrWrittenOver) {
