@@ -214,7 +214,8 @@ void narrow_to(LaunchArea& area, const HeardSector& heard) {
     const double begun = (heard.radar.z - area.top_height_m) / (heard.radar.z - area.plane_height_m);
     const double aim_range_m = length(away), first_range_m = begun * aim_range_m;
     if (aim_range_m < nearest_m || first_range_m > farthest_m) return true;
-    const double heard_m = std::clamp(aim_range_m, heard.near_range_m, heard.far_range_m);
+    // The nearest that is heard of it lies least beside the sector.
+    const double heard_m = std::min(std::max(first_range_m, heard.near_range_m - area.reach.before_m), aim_range_m);
     return !heard.is_heard_from(heard.radar + away * (heard_m / aim_range_m), area.reach, spare_m);
   });
 }
