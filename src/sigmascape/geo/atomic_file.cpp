@@ -215,6 +215,7 @@ void flush_folder(const std::filesystem::path& folder) {
   if (opened.is_open()) static_cast<void>(opened.flush_to_disk());
 }
 
+/// Writes all of a file and flushes it.
 void fill(const std::filesystem::path& temporary, const std::filesystem::path& final_path, std::string_view content) {
   OpenFile file(::open(temporary.c_str(), O_WRONLY | O_CLOEXEC));
   if (!file.is_open() || !file.write_all(content) || !file.flush_to_disk() || !file.close()) fail(final_path, errno);
@@ -227,16 +228,24 @@ void make_folder(const std::filesystem::path& path) {
   if (error) fail(path, error.value());
 }
 
+/// Lays a file down under a name of its own, all of it on the disk, and then under its final one.
+template <typename Lay>
+void put_in_place(const std::filesystem::path& path, const Lay& lay) {
+  make_folder(path);
+  TemporaryFile temporary(path);
+  lay(temporary.path());
+  temporary.rename_to(path);
+  flush_folder(path.parent_path());
+}
+
 }  // namespace
 
 void write_atomically(const std::filesystem::path& path,
                       const std::function<void(const std::filesystem::path& temporary)>& writer) {
-  make_folder(path);
-  TemporaryFile temporary(path);
-  writer(temporary.path());
-  flush_file(temporary.path(), path);
-  temporary.rename_to(path);
-  flush_folder(path.parent_path());
+  put_in_place(path, [&](const std::filesystem::path& temporary) {
+    writer(temporary);
+    flush_file(temporary, path);
+  });
 }
 
 void write_atomically(const std::filesystem::path& path, std::uintmax_t room_bytes,
@@ -248,18 +257,13 @@ void write_atomically(const std::filesystem::path& path, std::uintmax_t room_byt
 }
 
 void write_atomically(const std::filesystem::path& path, std::string_view content) {
-  make_folder(path);
-  TemporaryFile temporary(path);
-  fill(temporary.path(), path, content);
-  temporary.rename_to(path);
-  flush_folder(path.parent_path());
+  put_in_place(path, [&](const std::filesystem::path& temporary) { fill(temporary, path, content); });
 }
 
 bool write_if_absent(const std::filesystem::path& path, std::string_view content) {
   make_folder(path);
   TemporaryFile temporary(path);
   fill(temporary.path(), path, content);
-  flush_file(temporary.path(), path);
   if (!temporary.take_free_name(path)) return false;
   flush_folder(path.parent_path());
   return true;
@@ -271,7 +275,6 @@ void write_together(const std::vector<FileContent>& files) {
     make_folder(path);
     const TemporaryFile& temporary = temporaries.emplace_back(path);
     fill(temporary.path(), path, content);
-    flush_file(temporary.path(), path);
   }
   std::deque<FormerFile> former;
   for (const FileContent& file : files) former.emplace_back(file.path);
