@@ -26,6 +26,11 @@ FrameReach reach_between(SlantRanges ranges, const Pose& pose, double near_heigh
           radar::distance_of_range_m(earth, pose.position.z, far_height_m, ranges.far_m)};
 }
 
+/// Bins that all ground is farther away than look at so much of it below the radar, none of which answers in them.
+FrameReach a_metre_at_least(FrameReach reach) {
+  return {reach.near_m, std::max(reach.far_m, reach.near_m + 1.0)};
+}
+
 }  // namespace
 
 FrameReach frame_reach(const LiveSettings& settings, const Pose& pose, double lowest_m, double highest_m,
@@ -38,8 +43,9 @@ FrameReach sharing_reach(const LiveSettings& settings, const Pose& pose, double 
   const double half_m = 0.5 * settings.range_step_m, z = pose.position.z;
   // Of one slant range what differs most from the radar in height is nearest.
   const double near_height_m = highest_near_m - z > z - lowest_m ? highest_near_m : lowest_m;
-  return reach_between({std::max(pose.first_range_m - half_m, 0.0), far_range_m(settings, pose) + half_m}, pose,
-                       near_height_m, highest_m, earth);
+  return a_metre_at_least(
+      reach_between({std::max(pose.first_range_m - half_m, 0.0), far_range_m(settings, pose) + half_m}, pose,
+                    near_height_m, highest_m, earth));
 }
 
 std::size_t horizon_distances(const LiveSettings& settings) {
@@ -74,9 +80,8 @@ radar::Rectangle ground_under(Vec2d radar, double first_azimuth_rad, double widt
 }
 
 DetailQuestion question_of_bins(const LiveSettings& settings, FrameReach level_ground) {
-  // Bins that all ground is farther away than look at so much of it below the radar, none of which answers in them.
-  constexpr double least_m = 1.0;
-  const double near_m = level_ground.near_m, length_m = std::max(level_ground.far_m - near_m, least_m);
+  const auto [near_m, far_m] = a_metre_at_least(level_ground);
+  const double length_m = far_m - near_m;
   DetailQuestion question;
   // Bins lie along the slant range; what they are on the ground follows from where they begin and end.
   question.range_resolution_m = length_m / static_cast<double>(settings.ranges);

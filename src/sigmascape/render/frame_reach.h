@@ -15,7 +15,7 @@ namespace sigmascape::render {
 
 /// Between it all ground lies that has a share in the bins: from half a bin before them to half a bin beyond. Of what
 /// is within the first bin's range the highest is `highest_near_m`: where that stands higher above the radar than the
-/// lowest below it, it is met first.
+/// lowest below it, it is met first. A metre long at least.
 [[nodiscard]] FrameReach sharing_reach(const LiveSettings& settings, const Pose& pose, double lowest_m,
                                        double highest_m, double highest_near_m, const radar::CurvedEarth& earth);
 

@@ -40,8 +40,6 @@ constexpr double widest_beam_rad = pi / 4.0;
 constexpr double hairs_breadth_rad = 1e-6;
 /// Sides of a picture of the terrain: a tile of it, and 4 GiB.
 constexpr std::size_t least_picture_px = TerrainRaster::tile_side, most_picture_px = 1U << 15U;
-/// Bins that all ground is farther away than look at so much of it below the radar, none of which answers in them.
-constexpr double least_reach_m = 1.0;
 
 /// How far back a sweep begins follows from these, and with that where obstacles before the bins are laid out: for all
 /// sectors at once.
@@ -256,8 +254,7 @@ void LiveRenderer::prepare(const Pose& pose) {
   halfway_up_ = frame_reach(settings_, pose, middle_m, middle_m, earth);
   const double highest_near_m =
       highest_m > pose.position.z ? static_cast<double>(bounds_within(pose.first_range_m).highest_m) : highest_m;
-  FrameReach reach = sharing_reach(settings_, pose, lowest_m, highest_m, highest_near_m, earth);
-  reach.far_m = std::max(reach.far_m, reach.near_m + least_reach_m);
+  const FrameReach reach = sharing_reach(settings_, pose, lowest_m, highest_m, highest_near_m, earth);
   const std::size_t a_beam = azimuths_a_beam(settings_, reach, ground_->terrain().pyramid().layout().spacing_m);
   HorizonGrid grid;
   grid.first_azimuth_rad = pose.first_azimuth_rad;
