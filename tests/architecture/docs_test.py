@@ -7,9 +7,10 @@ README leads somewhere; every source file that a page names in `room/file.h` for
 may tell of what is gone; every page of docs/results that says by which line it was made says the line by which `make results` would make it, and
 every picture beside it is on it.
 """
-import pathlib
 import re
 import sys
+
+from told_faults import tell
 
 PAGE = re.compile(r"\bdocs/[\w./-]+?\.md\b")
 NUMBERS = r"(Eqs?\.(?:\s*(?:\(\w+\)|,|–|-|and|to))+)"
@@ -156,16 +157,12 @@ def pictures_on_no_page(root):
                 yield f"{picture.relative_to(root)}: the page beside it does not show it"
 
 
-def main():
-    root = pathlib.Path(sys.argv[1])
+def faults(root):
     checks = (missing_pages, missing_equations, equations_of_one_number, missing_members, missing_sources, broken_links, pages_of_other_lines,
               pictures_on_no_page)
-    found = [fault for check in checks for fault in check(root)]
-    for fault in found:
-        print(fault)
-    print(f"documentation: {len(found)} fault(s)")
-    return 1 if found else 0
+    for check in checks:
+        yield from check(root)
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(tell("documentation", faults))

@@ -6,9 +6,10 @@ headers, would be the first to know. What a file includes through headers of the
 include of one another does not.
 """
 import functools
-import pathlib
 import re
 import sys
+
+from told_faults import tell
 
 # By what names a header is known to be needed. std::size_t, std::move and their like come with nearly any of them.
 NAMES = {
@@ -71,13 +72,5 @@ def faults(root):
                 yield f"{path.relative_to(root)}: {use.group(0)} without #include <{header}>"
 
 
-def main():
-    found = list(faults(pathlib.Path(sys.argv[1])))
-    for fault in found:
-        print(fault)
-    print(f"includes: {len(found)} fault(s)")
-    return 1 if found else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(tell("includes", faults))

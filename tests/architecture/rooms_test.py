@@ -4,9 +4,10 @@
 Also holds that GDAL, GEOS and PROJ are known in geo alone and Embree in trace alone, that no type is defined twice in a room, and
 that no file or folder is a drawer without a meaning.
 """
-import pathlib
 import re
 import sys
+
+from told_faults import tell
 
 OUTSIDE = {
     "geo": re.compile(r"<(gdal|ogr|cpl_|geos|proj)"),
@@ -64,13 +65,5 @@ def faults(root):
                     yield f"{where}: only {owner} may include {line.split()[1]}"
 
 
-def main():
-    found = list(faults(pathlib.Path(sys.argv[1])))
-    for fault in found:
-        print(fault)
-    print(f"room table: {len(found)} fault(s)")
-    return 1 if found else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(tell("room table", faults))

@@ -381,18 +381,24 @@ TEST(Stripmap, keeps_its_band_of_targets_that_change_by_pulse) {
   EXPECT_LT(far, 1e-3);
 }
 
+/// 120 m of ground 10 km away, from 4 km up.
+receiver::StripmapImager finely_sampled_strip(const radar::Radar& radar, double squint_rad) {
+  return {radar,
+          {{0.0, 0.0, 4000.0}, {0.0, 90.0, 0.0}},
+          {.first_along_m = -60.0,
+           .last_along_m = 60.0,
+           .resolution_m = 1.0,
+           .window = even,
+           .oversampling = 16.0,
+           .squint_rad = squint_rad},
+          {9'950.0, 10'050.0, 16.0}};
+}
+
 TEST(Stripmap, answers_points_with_the_exact_response) {
   const auto radar = even_band_radar(2.0);
   for (const double squint_deg : {0.0, 30.0}) {
     const double squint = radians_from_deg(squint_deg);
-    receiver::StripmapImager imager(radar, {{0.0, 0.0, 4000.0}, {0.0, 90.0, 0.0}},
-                                    {.first_along_m = -60.0,
-                                     .last_along_m = 60.0,
-                                     .resolution_m = 1.0,
-                                     .window = even,
-                                     .oversampling = 16.0,
-                                     .squint_rad = squint},
-                                    {9'950.0, 10'050.0, 16.0});
+    receiver::StripmapImager imager = finely_sampled_strip(radar, squint);
     const Vec3d place{std::sqrt(1e8 - 16e6), 12.34, 0.0};
     const std::vector<radar::Scatterer> point{point_at(place)};
     imager.add(point);
@@ -423,14 +429,7 @@ TEST(Stripmap, gives_targets_at_rest_the_phase_of_the_ground) {
   for (const double along_m : {-20.0, 0.0, 10.0}) {
     const Vec3d place{std::sqrt(1e8 - 16e6), along_m, 0.0};
     const auto phase_of = [&](const auto& points) {
-      receiver::StripmapImager imager(radar, {{0.0, 0.0, 4000.0}, {0.0, 90.0, 0.0}},
-                                      {.first_along_m = -60.0,
-                                       .last_along_m = 60.0,
-                                       .resolution_m = 1.0,
-                                       .window = even,
-                                       .oversampling = 16.0,
-                                       .squint_rad = squint},
-                                      {9'950.0, 10'050.0, 16.0});
+      receiver::StripmapImager imager = finely_sampled_strip(radar, squint);
       imager.add(points);
       const auto image = imager.image();
       const Peak peak = brightest(image.amplitude_m);
