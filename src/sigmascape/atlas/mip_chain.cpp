@@ -10,15 +10,8 @@ float mean(float a, float b, float c, float d) {
   return static_cast<float>((static_cast<double>(a) + b + (static_cast<double>(c) + d)) / 4.0);
 }
 
-/// Level 0 and those that `halve` makes one from the other.
-template <typename Texel>
-std::vector<Array2D<Texel>> chain_of(Array2D<Texel> level_0, std::size_t smallest_side,
-                                     Array2D<Texel> (*halve)(const Array2D<Texel>&)) {
-  std::vector<Array2D<Texel>> chain;
-  chain.push_back(std::move(level_0));
-  while (chain.back().columns() > smallest_side && chain.back().columns() % 2 == 0)
-    chain.push_back(halve(chain.back()));
-  return chain;
+bool goes_on(std::size_t side, std::size_t smallest_side) {
+  return side > smallest_side && side % 2 == 0;
 }
 
 }  // namespace
@@ -42,11 +35,21 @@ Array2D<radar::Channels> area_mean(const Array2D<radar::Channels>& finer) {
 }
 
 MipChain mip_chain(Array2D<radar::Channels> level_0, std::size_t smallest_side) {
-  return chain_of(std::move(level_0), smallest_side, area_mean);
+  MipChain chain;
+  chain.push_back(std::move(level_0));
+  while (goes_on(chain.back().columns(), smallest_side)) chain.push_back(area_mean(chain.back()));
+  return chain;
 }
 
-ObstacleChain mip_chain(Array2D<radar::Obstacle> level_0, std::size_t smallest_side) {
-  return chain_of(std::move(level_0), smallest_side, radar::halved);
+ObstacleChain mip_chain(radar::ObstacleMap level, std::size_t smallest_side) {
+  ObstacleChain chain;
+  while (goes_on(level.obstacles.columns(), smallest_side)) {
+    radar::ObstacleMap coarser = radar::halved(level);
+    chain.push_back(std::move(level.obstacles));
+    level = std::move(coarser);
+  }
+  chain.push_back(std::move(level.obstacles));
+  return chain;
 }
 
 }  // namespace sigmascape::atlas

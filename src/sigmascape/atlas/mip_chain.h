@@ -22,6 +22,6 @@ using ObstacleChain = std::vector<Array2D<radar::Obstacle>>;
 /// Level 0 and all levels below it down to `smallest_side` texels, each from the one before it without rounding
 /// between.
 [[nodiscard]] MipChain mip_chain(Array2D<radar::Channels> level_0, std::size_t smallest_side);
-[[nodiscard]] ObstacleChain mip_chain(Array2D<radar::Obstacle> level_0, std::size_t smallest_side);
+[[nodiscard]] ObstacleChain mip_chain(radar::ObstacleMap level, std::size_t smallest_side);
 
 }  // namespace sigmascape::atlas

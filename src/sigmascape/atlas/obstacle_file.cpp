@@ -40,9 +40,9 @@ float tallest_m(const HalfTexture& texture) {
 }
 
 /// The levels are made before anything is rounded. Nothing in the file or `below` it is higher than the item says.
-void write_levels(const Store& atlas, const PyramidTile& tile, const Array2D<radar::Obstacle>& finest,
-                  const std::string& made_from, float tallest_below_m) {
-  const HalfTexture halves = encoded(mip_chain(finest, tile_side));
+void write_levels(const Store& atlas, const PyramidTile& tile, radar::ObstacleMap finest, const std::string& made_from,
+                  float tallest_below_m) {
+  const HalfTexture halves = encoded(mip_chain(std::move(finest), tile_side));
   const std::filesystem::path file = obstacles_path(tile);
   write_texture(atlas, tile, file, halves, obstacle_bands, [&](TextureRecord record) {
     record.made_from = made_from;
@@ -66,7 +66,12 @@ class ObstacleLayer final : public PyramidLayer {
     for (const auto& quarter : quarters) {
       if (quarter) tallest_below_m = std::max(tallest_below_m, quarter->record.tallest_m.value_or(0.0F));
     }
-    write_levels(atlas_, tile, radar::halved(joined(quarters, decoded_obstacles)), made_from, tallest_below_m);
+    radar::GroundGrid texels = texels_of(atlas_.description().patches, tile);
+    texels.cell_m /= 2.0;
+    texels.columns *= 2;
+    texels.rows *= 2;
+    write_levels(atlas_, tile, radar::halved({texels, joined(quarters, decoded_obstacles)}), made_from,
+                 tallest_below_m);
   }
 
  private:
@@ -92,7 +97,7 @@ std::optional<StoreFault> obstacles_fault(const Store& atlas, PatchIndex patch, 
 void write_obstacles(const Store& atlas, PatchIndex patch, const radar::ObstacleMap& map) {
   const PyramidTile tile{0, patch};
   check_texels(map, atlas.description().patches.texels_of(patch), atlas.folder() / obstacles_path(tile));
-  write_levels(atlas, tile, map.obstacles, "", 0.0F);
+  write_levels(atlas, tile, map, "", 0.0F);
 }
 
 Array2D<radar::Obstacle> read_obstacles(const Store& atlas, PatchIndex patch) {

@@ -54,10 +54,11 @@ double bytes_of_texels(const scene::Scene& scene, const BakeSettings& settings) 
   const double sums = settings.noise == Noise::Shared ? 2.0 : 1.0;
   const bool has_relief =
       footing_of(settings) == trace::Footing::Terrain && scene.terrain.lowest_m() != scene.terrain.highest_m();
-  constexpr double of_obstacles = scene::obstacle_raster_bytes_a_cell;
-  const double of_looks = static_cast<double>(settings.aspects.frequencies_hz.size()) * sums * of_sums;
+  const std::size_t side = settings.patches.texels_per_side;
+  const double of_obstacles = scene::obstacle_raster_bytes({0.0, 0.0, settings.patches.texel_m, side, side});
+  const double of_looks = texels * static_cast<double>(settings.aspects.frequencies_hz.size()) * sums * of_sums;
   const double of_ground = settings.shadows == Shadows::RunTime ? of_obstacles : 0.0;
-  return texels * std::max(of_looks + (has_relief ? of_obstacles : 0.0), of_ground);
+  return std::max(of_looks + (has_relief ? of_obstacles : 0.0), of_ground);
 }
 
 void check_room(const scene::Scene& scene, const BakeSettings& settings, double memory_bytes) {

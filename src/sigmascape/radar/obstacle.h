@@ -23,12 +23,11 @@ struct Obstacle {
 
 /// What stands for four obstacles of neighbouring squares on the square that they form: for solids the height that
 /// keeps the shadowed area (the greatest of each row along the line of sight, meant over rows; and that meant over both
-/// ways of looking), for crowns the mean extinction between mean base and top, each weighted by its extinction.
+/// ways of looking), for crowns the extinction between mean base and mean top, weighted by their depths upwards, with
+/// which as much passes as between the four (lines_across.h), meant over looking along rows, columns and upwards. Each
+/// of the four is `side_m` wide.
 [[nodiscard]] Obstacle merged(const Obstacle& north_west, const Obstacle& north_east, const Obstacle& south_west,
-                              const Obstacle& south_east);
-
-/// Half the columns and rows, each square what stands for the four it covers. Columns and rows must be even.
-[[nodiscard]] Array2D<Obstacle> halved(const Array2D<Obstacle>& finer);
+                              const Obstacle& south_east, double side_m);
 
 /// The obstacles of an area, square by square.
 struct ObstacleMap {
@@ -38,5 +37,8 @@ struct ObstacleMap {
   /// What stands at a point; nothing outside the grid.
   [[nodiscard]] Obstacle at(Vec2d point) const { return value_at(grid, obstacles, point); }
 };
+
+/// Half the columns and rows, each square what stands for the four it covers. Columns and rows must be even.
+[[nodiscard]] ObstacleMap halved(const ObstacleMap& finer);
 
 }  // namespace sigmascape::radar

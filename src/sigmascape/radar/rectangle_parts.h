@@ -22,4 +22,10 @@ namespace sigmascape::radar {
           std::min(a.north_m, b.north_m)};
 }
 
+/// Whether they have a point in common, be it of their edges.
+[[nodiscard]] constexpr bool meet(const Rectangle& a, const Rectangle& b) {
+  const Rectangle common = common_part(a, b);
+  return common.east_m >= common.west_m && common.north_m >= common.south_m;
+}
+
 }  // namespace sigmascape::radar

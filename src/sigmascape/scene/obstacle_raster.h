@@ -10,17 +10,19 @@ namespace sigmascape::scene {
 /// Buildings are solid, and so are instances of meshes that are stated to be or, where nothing is stated, of which at
 /// most half of the edges are open (belong to an odd number of triangles): a cell of which they cover half or more has
 /// the height of their highest roof there. Instances of other meshes, such as trees with their leaves, are porous:
-/// their surface, spread evenly over the space between the lowest and the highest of it that stands over the cell,
-/// gives an extinction of
+/// their surface over parts of a cell, at most 0.4 m wide on cells of up to 8 m, gives these an extinction of
 ///
-///     κ = A / (2 · cell area · (top − base))
+///     κ = A / (2 · area · (top − base))
 ///
-/// for surfaces of all orientations alike show half their area on the mean of all directions (Cauchy).
+/// between the lowest and the highest of it, for surfaces of all orientations alike show half their area on the mean of
+/// all directions (Cauchy); and the cell has the extinction by which as much passes as on lines through its parts
+/// (radar/lines_across.h, docs/physics/vegetation.md). Cells beyond 2 m are merged from
+/// four or sixteen smaller ones.
 /// Throws Interrupted when this thread is told to stop (base/interruption.h): large scenes on fine cells take a minute.
-/// Takes `obstacle_raster_bytes_a_cell` of memory meanwhile.
+/// Takes `obstacle_raster_bytes` of memory meanwhile.
 [[nodiscard]] radar::ObstacleMap obstacles_of(const Scene& scene, const radar::GroundGrid& grid);
 
-inline constexpr double obstacle_raster_bytes_a_cell = 140.0;
+[[nodiscard]] double obstacle_raster_bytes(const radar::GroundGrid& grid);
 
 /// The same over all of the scene, in cells from its north-western corner on.
 [[nodiscard]] radar::ObstacleMap obstacles_of(const Scene& scene, double cell_m);

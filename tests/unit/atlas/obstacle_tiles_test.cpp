@@ -94,11 +94,14 @@ class ObstacleTilesTest : public ::testing::Test {
 };
 
 // What the merging rule makes of them in closed form: a wall of one texel is 3/4 as high on squares twice as large, a
-// tower half; a tree keeps base and top and loses 3/4 of its extinction. All are halves.
+// tower half; a tree keeps base and top, and of the larger square half of the lines across and three quarters of those
+// upwards miss it.
 TEST_F(ObstacleTilesTest, LevelsWithinPatchesAndAboveFollowTheMergingRule) {
   fill(wall_tower_and_tree);
   const ObstacleTiles tiles(atlas_);
   ASSERT_EQ(tiles.levels(), 4U) << "two of patches, two above them";
+  auto kappa = static_cast<double>(tree.crown_extinction_per_m);
+  const auto height_m = static_cast<double>(tree.crown_top_m - tree.crown_base_m);
   for (std::size_t level = 0; level < tiles.levels(); ++level) {
     const auto k = static_cast<float>(level);
     for (const double y : {-400.0, -100.0, 300.0}) {
@@ -108,7 +111,11 @@ TEST_F(ObstacleTilesTest, LevelsWithinPatchesAndAboveFollowTheMergingRule) {
     const radar::Obstacle grove = at(tiles, level, tree_at);
     EXPECT_EQ(grove.crown_base_m, tree.crown_base_m) << level;
     EXPECT_EQ(grove.crown_top_m, tree.crown_top_m) << level;
-    EXPECT_EQ(grove.crown_extinction_per_m, tree.crown_extinction_per_m * std::pow(0.25F, k)) << level;
+    EXPECT_NEAR(grove.crown_extinction_per_m, kappa, 1e-3 * kappa) << level;
+    const double side_m = texel_side_m(atlas_.description().patches, level);
+    kappa = (2.0 * -std::log((1.0 + std::exp(-kappa * side_m)) / 2.0) / (2.0 * side_m) +
+             -std::log((3.0 + std::exp(-kappa * height_m)) / 4.0) / height_m) /
+            3.0;
     EXPECT_EQ(at(tiles, level, {700.5, -300.5}), radar::Obstacle{}) << "not mirrored";
   }
   EXPECT_EQ(tiles.damaged(), 0U);

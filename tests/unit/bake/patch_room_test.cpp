@@ -7,6 +7,7 @@
 #include "scratch_folder.h"
 
 #include "sigmascape/base/units.h"
+#include "sigmascape/scene/obstacle_raster.h"
 #include "sigmascape/scene/simple_scene.h"
 #include "sigmascape/trace/launch.h"
 #include "sigmascape/trace/scene_heights.h"
@@ -63,11 +64,16 @@ TEST(PatchRoom, PatchesOfSoManyTexelsThatMemoryRunsOutAreRefused) {
                      testing::HasSubstr("use fewer texels a patch")));
   BakeSettings of_one = settings;
   of_one.aspects.frequencies_hz = {10e9};
-  EXPECT_EQ(bytes_of_texels(scene, of_one), 16384.0 * 16384.0 * 140.0) << "obstacles, before any look";
-  of_one.shadows = Shadows::Baked;
+  EXPECT_EQ(bytes_of_texels(scene, of_one), 16384.0 * 16384.0 * 80.0) << "obstacles before any look take less";
+  BakeSettings small = of_one;
+  small.patches = {2.0, 256};
+  EXPECT_NEAR(bytes_of_texels(scene, small), 7.4e6, 0.1e6) << "obstacles, before any look";
+  of_one.shadows = small.shadows = Shadows::Baked;
   EXPECT_EQ(bytes_of_texels(scene, of_one), 16384.0 * 16384.0 * 80.0);
+  EXPECT_EQ(bytes_of_texels(scene, small), 256.0 * 256.0 * 80.0);
   scene.terrain.height_m(0, 0) += 1.0F;
-  EXPECT_EQ(bytes_of_texels(scene, settings), 16384.0 * 16384.0 * (3.0 * 80.0 + 140.0));
+  EXPECT_EQ(bytes_of_texels(scene, settings),
+            16384.0 * 16384.0 * 3.0 * 80.0 + scene::obstacle_raster_bytes({0.0, 0.0, 0.5, 16384, 16384}));
 }
 
 TEST(BakeSettings, PatchesFitIntoALocalFrame) {

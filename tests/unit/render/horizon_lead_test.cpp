@@ -43,7 +43,7 @@ class LeadTest : public testing::Test {
               const auto at = [&](double east, double north) {
                 return fine.at(p + Vec2d{east * quarter_m, north * quarter_m}).unpacked();
               };
-              return radar::merged(at(-1.0, 1.0), at(1.0, 1.0), at(-1.0, -1.0), at(1.0, -1.0));
+              return radar::merged(at(-1.0, 1.0), at(1.0, 1.0), at(-1.0, -1.0), at(1.0, -1.0), fine.grid().cell_m);
             }};
   }
 
