@@ -1,5 +1,6 @@
 #include "sigmascape/receiver/ground_accumulator.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -48,7 +49,12 @@ Array2D<radar::Channels> GroundAccumulator::sigma0() const {
 Array2D<double> GroundAccumulator::sigma0_variances() const {
   Array2D<double> variances(grid_.columns, grid_.rows);
   const double area_m2 = grid_.cell_area_m2();
-  for (std::size_t i = 0; i < variances.size(); ++i) variances.values()[i] = variances_.sum(i) / (area_m2 * area_m2);
+  const Array2D<radar::Channels> powers = sigma0();
+  for (std::size_t i = 0; i < variances.size(); ++i) {
+    // Of dark cells variances are rounded up to more than they can be.
+    const auto power = static_cast<double>(powers.values()[i].power(radar::Polarization::Sum));
+    variances.values()[i] = std::min(variances_.sum(i) / (area_m2 * area_m2), power * power);
+  }
   return variances;
 }
 

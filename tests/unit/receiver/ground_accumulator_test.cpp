@@ -49,18 +49,33 @@ TEST(GroundAccumulator, VariancesOfManyPartsOfAnySizeAddUp) {
   for (const double deviation_m2 : {1e-7, 1e-5, 1e-3, 0.1, 3.9, 31.0, 1e3, 1e4}) {
     GroundAccumulator accumulator(grid);
     constexpr int parts = 5000;
-    for (int i = 0; i < parts; ++i) accumulator.add(7, {}, deviation_m2 * deviation_m2);
+    for (int i = 0; i < parts; ++i)
+      accumulator.add(7, {static_cast<float>(deviation_m2), 0.0F, 0.0F, 0.0F}, deviation_m2 * deviation_m2);
     const double expected = parts * deviation_m2 * deviation_m2 / (0.25 * 0.25);
     EXPECT_NEAR(accumulator.sigma0_variances()(7, 0), expected, 0.01 * expected) << deviation_m2;
   }
   // What is smaller than what sums tell is at least not said to be nothing.
   GroundAccumulator darkest(grid);
-  for (int i = 0; i < 100; ++i) darkest.add(7, {}, 1e-20);
+  for (int i = 0; i < 100; ++i) darkest.add(7, {1e-9F, 0.0F, 0.0F, 0.0F}, 1e-20);
   EXPECT_GE(darkest.sigma0_variances()(7, 0), 100.0 * 1e-20 * 16.0);
   // The brightest that powers hold: four parts of VV + HH + 2 HV = 2²⁶ m², each from one sample alone.
   GroundAccumulator brightest(grid);
-  for (int i = 0; i < 4; ++i) brightest.add(7, {}, std::exp2(52.0));
+  for (int i = 0; i < 4; ++i) {
+    constexpr float part_m2 = 0.999F * 0x1p24F;
+    brightest.add(7, {part_m2, part_m2, part_m2, 0.0F}, std::exp2(52.0));
+  }
   EXPECT_NEAR(brightest.sigma0_variances()(7, 0) / (4.0 * std::exp2(52.0) * 16.0), 1.0, 1e-6);
+}
+
+// One sample of many found it: what it may be is not more than once what it is.
+TEST(GroundAccumulator, DeviationsAreNoLargerThanThePower) {
+  for (const float power_m2 : {1e-8F, 1e-12F, 1e-18F}) {
+    GroundAccumulator accumulator(grid);
+    const auto deviation_m2 = static_cast<double>(power_m2);
+    accumulator.add(7, {power_m2, 0.0F, 0.0F, 0.0F}, deviation_m2 * deviation_m2);
+    const auto power = static_cast<double>(accumulator.sigma0()(7, 0).vv);
+    EXPECT_NEAR(std::sqrt(accumulator.sigma0_variances()(7, 0)), power, 0.1 * power) << power_m2;
+  }
 }
 
 }  // namespace
