@@ -98,7 +98,7 @@ void MapTracer::trace_shares(std::span<const LaunchShare> shares, std::uint64_t 
       if (watcher) tell(watcher, tile);
       const auto multiplied = stands_for_itself ? std::vector<radar::Echo>() : times(factor, tile.echoes);
       add(unhidden.among(stands_for_itself ? tile.echoes : multiplied, tile.worker));
-      tiles.tile_done(tile.worker);
+      if (tile.completes_tile) tiles.tile_done(tile.worker);
     };
     counts += tracer.trace(launch_, cells[i], {0, samples, samples}, settings_.threads, sink);
   }

@@ -57,6 +57,14 @@ SpectralSurfaces surface_models(const scene::Scene& scene, std::span<const doubl
   return surfaces;
 }
 
+namespace {
+
+/// Paths of a tile that are followed together: enough for wide packets, few enough that however many samples a cell has
+/// take no more memory.
+constexpr std::size_t most_starts = 16384;
+
+}  // namespace
+
 SampleRange samples_for(const LaunchCell& cell, const SampleRange& samples, std::uint64_t seed) {
   const double share = static_cast<double>(cell.share);
   const double lot = static_cast<double>(
@@ -89,22 +97,29 @@ TraceCounts PathTracer::trace(const LaunchArea& area, std::span<const LaunchCell
   std::vector<std::vector<EchoList>> lists(thread_count(threads), std::vector<EchoList>(surfaces_.size()));
   return trace_tiles(area, cells, threads, [&](TilePaths& tile, unsigned worker) {
     std::vector<PathStart> starts;
+    const auto follow = [&](bool completes_tile) {
+      tile.follow(starts);
+      for (std::size_t f = 0; f < surfaces_.size(); ++f) {
+        EchoList& list = lists[worker][f];
+        list.take(tile, f, starts, samples.of);
+        sink({.echoes = list.echoes,
+              .amplitudes_m = list.amplitudes_m,
+              .frequency = f,
+              .worker = worker,
+              .starts = starts,
+              .paths = &tile,
+              .completes_tile = completes_tile});
+      }
+      starts.clear();
+    };
     for (const LaunchCell& cell : tile.cells()) {
       const SampleRange of_cell = samples_for(cell, samples, seed_);
-      for (std::uint32_t sample = 0; sample < of_cell.count; ++sample)
+      for (std::uint32_t sample = 0; sample < of_cell.count; ++sample) {
+        if (starts.size() == most_starts) follow(false);
         starts.push_back({.cell = cell, .sequence = 0, .sample = of_cell.first + sample});
+      }
     }
-    tile.follow(starts);
-    for (std::size_t f = 0; f < surfaces_.size(); ++f) {
-      EchoList& list = lists[worker][f];
-      list.take(tile, f, starts, samples.of);
-      sink({.echoes = list.echoes,
-            .amplitudes_m = list.amplitudes_m,
-            .frequency = f,
-            .worker = worker,
-            .starts = starts,
-            .paths = &tile});
-    }
+    follow(true);
   });
 }
 

@@ -88,9 +88,11 @@ struct TileEchoes {
   /// The paths one by one, for who wants to know which brought what: `paths->echoes(frequency, k)` of start k.
   std::span<const PathStart> starts = {};
   const TilePaths* paths = nullptr;
+  bool completes_tile = true;  ///< nothing more comes of this tile and frequency
 };
 
-/// Takes the echoes of one tile, one frequency after another; called from several threads at once.
+/// Takes the echoes of one tile, one frequency after another, of many samples part by part; called from several threads
+/// at once.
 using TileSink = std::function<void(const TileEchoes& tile)>;
 /// The same for a tracer of one frequency; one of several gives their echoes without telling them apart.
 using EchoSink = std::function<void(std::span<const radar::Echo>, unsigned worker)>;

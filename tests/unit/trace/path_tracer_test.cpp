@@ -209,6 +209,35 @@ TEST(PathTracer, PathsCountTwiceWhereTheirReversalsAreNotLaunched) {
   EXPECT_NEAR(double_bounce({0, -20, 20, 20}) / both, 1.0, 0.02);
 }
 
+// Of 256 cells with 200 samples each no list is made as a whole; of a quarter of the samples it is.
+TEST(PathTracer, ManySamplesOfATileComeInPartsAndAreTheSame) {
+  const scene::Scene scene = plain_scene(0.4);
+  const SceneGeometry geometry(scene, Footing::LevelPlane);
+  const PathTracer tracer(geometry, surface_models(scene, 10e9), from_south, {}, 1);
+  const LaunchArea launch = launch_area(from_south, {-16, -16, 16, 16}, 2.0, 0.0, 1.0, {});
+  std::size_t parts = 0, ends = 0;
+  const auto echoes_of_samples = [&](SampleRange samples) {
+    std::vector<radar::Echo> echoes;
+    tracer.trace(launch, samples, 1, [&](const TileEchoes& tile) {
+      ++parts;
+      ends += tile.completes_tile ? 1U : 0U;
+      echoes.insert(echoes.end(), tile.echoes.begin(), tile.echoes.end());
+    });
+    return echoes;
+  };
+  const auto all = sorted(echoes_of_samples({0, 200, 200}));
+  EXPECT_EQ(ends, launch.tiles());
+  EXPECT_GT(parts, launch.tiles());
+  std::vector<radar::Echo> quarters;
+  for (const std::uint32_t first : {0U, 50U, 100U, 150U}) {
+    const auto some = echoes_of_samples({first, 50, 200});
+    quarters.insert(quarters.end(), some.begin(), some.end());
+  }
+  quarters = sorted(std::move(quarters));
+  ASSERT_EQ(all.size(), quarters.size());
+  for (std::size_t i = 0; i < all.size(); ++i) ASSERT_EQ(as_tuple(all[i]), as_tuple(quarters[i])) << i;
+}
+
 TEST(PathTracer, TerrainLiftedByAnyHeightScattersAlike) {
   scene::Scene low = plain_scene(0.4), high = plain_scene(0.4, 12.0F);
   const auto shifted_area = [](const scene::Scene& scene) { return echoes_of(scene, {.footing = Footing::Terrain}); };
