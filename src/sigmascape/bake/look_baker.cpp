@@ -110,7 +110,9 @@ trace::SceneGeometry& LookBaker::geometry_about(const radar::GroundGrid& texels)
 trace::Surroundings LookBaker::surroundings_of(const radar::GroundGrid& texels) const {
   const auto [lowest_rad, highest_rad] = std::ranges::minmax(settings_.aspects.elevations_rad);
   const radar::Rectangle target = radar::common_part(texels.extent(), scene_.extent);
-  const double late_m = trace::late_by_m(tallest_m_, trace::Viewpoint::distant({0.0, lowest_rad}), target);
+  double late_m = 0.0;
+  for (const double elevation_rad : {lowest_rad, highest_rad})
+    late_m = std::max(late_m, trace::late_by_m(tallest_m_, trace::Viewpoint::distant({0.0, elevation_rad}), target));
   // Paths begin at what lies over to where they may begin, and cells are launched by whole tiles.
   const double layover_m = (heights_.highest_m - heights_.lowest_m) * std::tan(highest_rad);
   const double tile_m = settings_.patches.texel_m * trace::tile_side_cells;

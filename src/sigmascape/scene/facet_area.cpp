@@ -46,9 +46,9 @@ std::uint64_t between(std::array<std::uint64_t, 3> corners) {
 }
 
 /// Twice the area times the unit normal.
-Vec3f doubled_area(const Mesh& mesh, const std::array<std::uint32_t, 3>& triangle) {
-  const Vec3f a = mesh.vertices[triangle[0]];
-  return cross(mesh.vertices[triangle[1]] - a, mesh.vertices[triangle[2]] - a);
+Vec3f doubled_area(const std::vector<Vec3f>& vertices, const std::array<std::uint32_t, 3>& triangle) {
+  const Vec3f a = vertices[triangle[0]];
+  return cross(vertices[triangle[1]] - a, vertices[triangle[2]] - a);
 }
 
 bool are_parallel(Vec3f a, Vec3f b) {
@@ -59,9 +59,13 @@ bool are_parallel(Vec3f a, Vec3f b) {
 }  // namespace
 
 std::vector<float> facet_areas_m2(const Mesh& mesh) {
+  return facet_areas_m2(mesh, mesh.vertices);
+}
+
+std::vector<float> facet_areas_m2(const Mesh& mesh, const std::vector<Vec3f>& vertices) {
   const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
   std::vector<Vec3f> doubled(count);
-  for (std::uint32_t t = 0; t < count; ++t) doubled[t] = doubled_area(mesh, mesh.triangles[t]);
+  for (std::uint32_t t = 0; t < count; ++t) doubled[t] = doubled_area(vertices, mesh.triangles[t]);
 
   Groups faces(count);
   // Meshes that are to be seen from both sides hold each triangle twice: it is one face of one area.
@@ -69,7 +73,7 @@ std::vector<float> facet_areas_m2(const Mesh& mesh) {
   std::unordered_multimap<std::uint64_t, std::uint32_t> at_edge;
   for (std::uint32_t t = 0; t < count; ++t) {
     std::array<std::uint64_t, 3> corner{};
-    for (std::size_t i = 0; i < 3; ++i) corner[i] = place_of(mesh.vertices[mesh.triangles[t][i]]);
+    for (std::size_t i = 0; i < 3; ++i) corner[i] = place_of(vertices[mesh.triangles[t][i]]);
     if (const auto [first, is_first] = first_between.emplace(between(corner), t); !is_first) {
       faces.join(t, first->second);
       doubled[t] = {};

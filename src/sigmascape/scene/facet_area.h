@@ -12,5 +12,7 @@ namespace sigmascape::scene {
 ///
 /// Diffraction widens what a flat face reflects by its size; how a modeller cut it into triangles must not matter.
 [[nodiscard]] std::vector<float> facet_areas_m2(const Mesh& mesh);
+/// The same of a mesh whose vertices stand in these places: of buildings on their footings.
+[[nodiscard]] std::vector<float> facet_areas_m2(const Mesh& mesh, const std::vector<Vec3f>& vertices);
 
 }  // namespace sigmascape::scene

@@ -45,7 +45,7 @@ std::map<Square, std::vector<std::uint32_t>> by_squares(const FaceQuads& quads, 
 }  // namespace
 
 BuildingBlocks building_blocks(const scene::Buildings& buildings, const std::vector<Vec3f>& vertices) {
-  const FaceQuads all = face_quads(buildings.mesh);
+  const FaceQuads all = face_quads(buildings.mesh, vertices);
   BuildingBlocks result;
   std::vector<std::uint32_t> number_in_block(vertices.size());
   for (const auto& [square, quads] : by_squares(all, squares_of(buildings, vertices))) {

@@ -25,7 +25,11 @@ std::optional<Quad> joined(const Triangle& a, const Triangle& b) {
 }  // namespace
 
 FaceQuads face_quads(const scene::Mesh& mesh) {
-  const std::vector<float> areas_m2 = scene::facet_areas_m2(mesh);
+  return face_quads(mesh, mesh.vertices);
+}
+
+FaceQuads face_quads(const scene::Mesh& mesh, const std::vector<Vec3f>& vertices) {
+  const std::vector<float> areas_m2 = scene::facet_areas_m2(mesh, vertices);
   FaceQuads quads;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const Triangle& triangle = mesh.triangles[t];

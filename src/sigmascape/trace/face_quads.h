@@ -24,6 +24,8 @@ struct FaceQuads {
   std::vector<FaceTraits> traits;                     ///< one a quad
 };
 
+/// Of the mesh as it stands, or with its vertices in other places.
 [[nodiscard]] FaceQuads face_quads(const scene::Mesh& mesh);
+[[nodiscard]] FaceQuads face_quads(const scene::Mesh& mesh, const std::vector<Vec3f>& vertices);
 
 }  // namespace sigmascape::trace

@@ -25,10 +25,12 @@ double lowest_sine_of_grazing(const Viewpoint& viewpoint, const radar::Rectangle
   return sine;
 }
 
+/// What comes late by so much of slant range lands by that over cos ψ behind.
 double late_when_seen_under(double sine_of_grazing, double tallest_m) {
-  // A radar that stands lower than some of the ground sees it under no angle.
-  return sine_of_grazing > 0.0 ? std::clamp(tallest_m / sine_of_grazing, least_m, farthest_bounce_m)
-                               : farthest_bounce_m;
+  // A radar that stands lower than some of the ground sees it under no angle, and from above all lands far behind.
+  const double cosine = std::sqrt(std::max(0.0, 1.0 - sine_of_grazing * sine_of_grazing));
+  if (sine_of_grazing <= 0.0 || tallest_m > farthest_bounce_m * sine_of_grazing * cosine) return farthest_bounce_m;
+  return std::max(least_m, tallest_m / (sine_of_grazing * cosine));
 }
 
 }  // namespace

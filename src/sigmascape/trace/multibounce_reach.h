@@ -32,8 +32,9 @@ struct MultibounceReach {
 /// The reach for echoes that land in `target`.
 ///
 /// What comes in over the tallest thing of height H and keeps its slope, as between upright mirrors, has met the ground
-/// after H cot ψ and is above everything after as much again; half that way, H / sin ψ, is what its echo is late by.
-/// Surfaces that scatter send more steeply and less steeply as well: so it is a length to go by, not a bound.
+/// after H cot ψ and is above everything after as much again; half that way, H / sin ψ, is what its echo is late by,
+/// and it lands by that over cos ψ behind. Surfaces that scatter send more steeply and less steeply as well: so it is a
+/// length to go by, not a bound.
 [[nodiscard]] MultibounceReach multibounce_reach(const scene::Scene& scene, const Viewpoint& viewpoint,
                                                  const radar::Rectangle& target);
 /// The same over a scene of that tallest thing that occupies that extent, for who asks often.

@@ -1,6 +1,7 @@
 #include "sigmascape/trace/building_blocks.h"
 
 #include <gtest/gtest.h>
+#include <utility>
 
 #include "plain_scene.h"
 
@@ -52,6 +53,28 @@ TEST(BuildingBlocks, EveryFaceIsInOneBlockAndNoBuildingInTwo) {
   EXPECT_EQ(faces, 6U * side * side);
   EXPECT_EQ(squares.traits.size(), faces);
   EXPECT_EQ(vertices, mesh.vertices.size()) << "none is kept twice";
+}
+
+// A row of houses of one height on a hill, wall to wall: each roof ends at the next step.
+TEST(BuildingBlocks, RoofsOnOtherFootingsAreFacesOfTheirOwn) {
+  scene::Scene scene = plain_scene();
+  const scene::MaterialIndex brick = scene.material_index(lambert("brick", 0.3));
+  scene::Mesh& all = scene.buildings.mesh;
+  for (int i = 0; i < 3; ++i) {
+    const scene::Mesh house = scene::box_mesh({10.0F, 10.0F, 8.0F}, brick);
+    const auto first = static_cast<std::uint32_t>(all.vertices.size());
+    for (const Vec3f& v : house.vertices) all.vertices.push_back({v.x + 10.0F * static_cast<float>(i), v.y, v.z});
+    for (const auto& [a, b, c] : house.triangles) all.triangles.push_back({first + a, first + b, first + c});
+    all.materials.insert(all.materials.end(), house.materials.begin(), house.materials.end());
+    scene.buildings.items.push_back(
+        {first, static_cast<std::uint32_t>(house.vertices.size()), 3.0F * static_cast<float>(i)});
+  }
+  for (const auto& [footing, area_m2] : {std::pair(Footing::Terrain, 100.0F), {Footing::LevelPlane, 300.0F}}) {
+    const SceneGeometry geometry(scene, footing);
+    SurfaceHit hit;
+    ASSERT_TRUE(geometry.intersect({11.0F, 2.0F, 200.0F}, {0, 0, -1}, hit));
+    EXPECT_NEAR(hit.inverse_facet_area_per_m2 * area_m2, 1.0F, 1e-4F);
+  }
 }
 
 TEST(BuildingBlocks, EveryHouseStandsWhereItStood) {

@@ -32,6 +32,19 @@ TEST(GroundRoom, GroundThatDoesNotFitWithWhatRaysNeedIsAnErrorThatSaysWhatWouldD
   EXPECT_NEAR(std::stod(fault.substr(fault.find(proposal) + proposal.size())), 20.5, 0.6) << "twice the 10 m, about";
 }
 
+// Coarser heights would not help: those of half as many do not take less than the cells of the land cover alone.
+TEST(GroundRoom, LandCoverThatIsTooFineIsToldByItsOwnKey) {
+  scene::Scene scene = plain_scene();
+  scene.ground.grid = {-100.0, 100.0, 0.2, 1000, 1000};
+  scene.ground.material = Array2D<scene::MaterialIndex>(1000, 1000, 0);
+  const double of_cells = 1e6 * static_cast<double>(sizeof(scene::MaterialIndex));
+  const auto heights = static_cast<double>(scene.terrain.height_m.size());
+  EXPECT_EQ(fault_of(scene, Surroundings::everything().place, of_cells + 41.0 * heights), "");
+  EXPECT_THAT(fault_of(scene, Surroundings::everything().place, 0.5 * of_cells),
+              AllOf(HasSubstr("its 1000 × 1000 cells of land cover of 0.2 m take"),
+                    HasSubstr("choose a cell_m of 0.4 or more in [land_cover]")));
+}
+
 TEST(GroundRoom, IsThatOfThePartThatRaysAreTracedOver) {
   const scene::Scene scene = plain_scene();
   const auto heights = static_cast<double>(scene.terrain.height_m.size());

@@ -92,8 +92,9 @@ TEST(MultibounceReach, FollowsHeightAndSlope) {
   const auto before = [&](double elevation_deg) {
     return multibounce_reach(scene, Viewpoint::distant({0.0, radians_from_deg(elevation_deg)}), place).before_m;
   };
-  EXPECT_NEAR(before(30.0), 80.0, 1e-9);
-  EXPECT_NEAR(before(90.0), 40.0, 1e-9);
+  EXPECT_NEAR(before(30.0), 80.0 / std::cos(radians_from_deg(30.0)), 1e-9);
+  EXPECT_NEAR(before(45.0), 80.0, 1e-9);
+  EXPECT_EQ(before(89.0), 1024.0);
   EXPECT_EQ(before(1.0), 1024.0);
   EXPECT_EQ(multibounce_reach(plain_scene(0.0), Viewpoint::distant(from_south), place).before_m, 32.0);
 }
@@ -108,9 +109,9 @@ TEST(MultibounceReach, OfARadarAtAPlaceFollowsItsHeightAboveTheGround) {
     return multibounce_reach(scene, Viewpoint::located({10.0, -4010.0, radar_m}), place).before_m;
   };
   // Farthest away are the northern corners, by 4020 m northwards and 20 m aside at most.
-  const double farthest_m = std::sqrt(4020.0 * 4020.0 + 20.0 * 20.0 + 1000.0 * 1000.0);
-  EXPECT_NEAR(before(0.0F, 1000.0), 40.0 * farthest_m / 1000.0, 1e-6);
-  EXPECT_NEAR(before(2000.0F, 1000.0), 40.0 * farthest_m / 1000.0, 1e-6);
+  const double over_ground_m = std::hypot(4020.0, 20.0), square_m2 = over_ground_m * over_ground_m + 1e6;
+  EXPECT_NEAR(before(0.0F, 1000.0), 40.0 * square_m2 / (1000.0 * over_ground_m), 1e-6);
+  EXPECT_NEAR(before(2000.0F, 1000.0), 40.0 * square_m2 / (1000.0 * over_ground_m), 1e-6);
   // One that stands lower than the ground sees none of it, be it far away or not.
   EXPECT_EQ(before(2000.0F, -10.0), 1024.0);
 }
