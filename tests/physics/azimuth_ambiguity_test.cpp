@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <gtest/gtest.h>
@@ -121,6 +122,46 @@ TEST(AzimuthAmbiguity, is_where_and_what_a_processor_makes_of_thin_pulses) {
     EXPECT_NEAR(of_pulses.along_m, there_m, 10.0);
     // And there is none half way.
     EXPECT_LT(from_image(image, 0.5 * there_m, 60.0).energy, 0.05 * of_image.energy);
+  }
+}
+
+/// Of a wide beam a ghost comes from far off: what is seen at the range r k λ f_p/2v ahead of where it is believed.
+TEST(AzimuthAmbiguity, of_wide_beams_comes_from_where_the_range_says) {
+  constexpr double p_band_m = 0.7, height_m = 3e3, near_m = 10.4e3, far_m = 10.9e3;
+  radar::Radar radar = thin_radar();
+  radar.frequency_hz = speed_of_light_mps / p_band_m;
+  radar.beam_width_rad = radians_from_deg(40.0);
+  radar.range_resolution_m = 5.0;
+  radar.waveform.pulse_repetition_hz = 150.0;
+  const receiver::StripmapImager imager(
+      radar, {{0.0, 0.0, height_m}, radar.velocity_mps},
+      {.first_along_m = -250.0, .last_along_m = 250.0, .resolution_m = 10.0, .window = radar.waveform.window},
+      {near_m, far_m, 1.5});
+  std::size_t first_ghosts = 0;
+  for (const receiver::AzimuthAmbiguity& ghost : imager.ambiguities()) {
+    if (std::abs(ghost.order) != 1) continue;
+    ++first_ghosts;
+    const double ahead = ghost.order * p_band_m * 150.0 / (2.0 * speed_mps);
+    const auto [least, most] = std::minmax({-ahead * near_m, -ahead * far_m});
+    EXPECT_NEAR(ghost.least_shift_m, least, 0.02 * std::abs(least)) << ghost.order;
+    EXPECT_NEAR(ghost.most_shift_m, most, 0.02 * std::abs(most)) << ghost.order;
+  }
+  EXPECT_EQ(first_ghosts, 2U);
+}
+
+/// A gate that opens at the radar holds nothing before the ground below it.
+TEST(AzimuthAmbiguity, of_a_gate_from_nought_begins_at_the_ground) {
+  radar::Radar radar = thin_radar();
+  radar.waveform.pulse_repetition_hz = 1200.0;
+  radar.range_resolution_m = 3.0;
+  const auto imager = [&](double first_m) {
+    return receiver::StripmapImager(radar, {{0.0, 0.0, 3e3}, radar.velocity_mps},
+                                    {.first_along_m = -50.0, .last_along_m = 50.0, .resolution_m = 3.0},
+                                    {first_m, 12.1e3, 1.5});
+  };
+  EXPECT_NO_THROW((void)imager(0.0));
+  for (const receiver::AzimuthAmbiguity& ghost : imager(0.0).ambiguities()) {
+    EXPECT_TRUE(std::isfinite(ghost.least_shift_m) && std::isfinite(ghost.most_outwards_m)) << ghost.order;
   }
 }
 

@@ -93,7 +93,7 @@ StripmapImager::StripmapImager(const radar::Radar& radar, const radar::Motion& p
   frame_.closest_range_cell_m =
       speed_of_light_mps / (2.0 * range_.bandwidth_hz) * radar::WindowResponse(radar.waveform.window).noise_bandwidth();
   frame_.along_cell_m = radar::WindowResponse(strip.window).noise_bandwidth() / band_per_m(strip);
-  const double near_m = frame_.closest_range_m.first / std::cos(strip.squint_rad),
+  const double near_m = nearest_ground_m() / std::cos(strip.squint_rad),
                pulses = processing().pulses_a_metre() * near_m;
   if (!(pulses >= 2.0)) {
     throw Error(
@@ -102,6 +102,11 @@ StripmapImager::StripmapImager(const radar::Radar& radar, const radar::Motion& p
                     pulses, near_m, repetition_hz_),
         fmt::format("send at least {:.3g} a second", 2.0 / pulses * repetition_hz_));
   }
+}
+
+/// The gate may open before any ground answers.
+double StripmapImager::nearest_ground_m() const {
+  return std::max(frame_.closest_range_m.first, std::abs(frame_.platform.position.z - strip_.ground_m));
 }
 
 StripProcessing StripmapImager::processing() const {
@@ -157,8 +162,8 @@ double StripmapImager::noise_lift(double closest_m) const {
 std::vector<AzimuthAmbiguity> StripmapImager::ambiguities() const {
   constexpr double least_power = 1e-6;
   constexpr int parts = 64;
-  const double near_m = frame_.closest_range_m.first,
-               far_m = frame_.closest_range_m.middle_of(static_cast<double>(range_.samples));
+  const double near_m = nearest_ground_m(),
+               far_m = std::max(near_m, frame_.closest_range_m.middle_of(static_cast<double>(range_.samples)));
   const double height_m = std::abs(frame_.platform.position.z - strip_.ground_m);
   const double sine_depression = sine_depression_at(0.5 * (near_m + far_m));
   const int most = static_cast<int>(4.0 * speed_mps_ / (wavelength_m(frame_.frequency_hz) * repetition_hz_)) + 1;
@@ -177,8 +182,9 @@ std::vector<AzimuthAmbiguity> StripmapImager::ambiguities() const {
       if (std::abs(fold.observed) >= 1.0) continue;
       const double stretch = std::sqrt((1.0 - fold.processed * fold.processed) / (1.0 - fold.observed * fold.observed));
       for (const double closest_m : {near_m, far_m}) {
-        const double shift_m =
-            closest_m / std::sqrt(1.0 - fold.observed * fold.observed) * (fold.processed - fold.observed);
+        // At the range at which the ghost's source is seen, which has the image's closest range where it is believed.
+        const double range_m = closest_m / std::sqrt(1.0 - fold.processed * fold.processed);
+        const double shift_m = range_m * (fold.processed - fold.observed);
         ambiguity.least_shift_m = std::min(ambiguity.least_shift_m, shift_m);
         ambiguity.most_shift_m = std::max(ambiguity.most_shift_m, shift_m);
         const double outwards_m = over_ground_m(closest_m, height_m) - over_ground_m(closest_m / stretch, height_m);
