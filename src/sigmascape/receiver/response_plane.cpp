@@ -8,6 +8,7 @@
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/hash.h"
+#include "sigmascape/base/machine_memory.h"
 #include "sigmascape/base/parallel.h"
 #include "sigmascape/radar/complex_gaussian.h"
 
@@ -44,9 +45,10 @@ void to_bins_along_rows(const ResponseTransform& across, const Array2D<std::comp
   });
 }
 
-/// The first of two axes, whose bins memory can hold: all that is needed on the way to them takes some 190 bytes each.
+/// The first of two axes, whose bins memory can hold with all that is needed on the way to them.
 const ResponseAxis& held_with(const ResponseAxis& columns, const ResponseAxis& rows) {
-  constexpr double most_bins = 0x1p26;
+  constexpr double bytes_a_bin = 190.0;
+  const double most_bins = std::min(0x1p26, machine_memory_bytes() / bytes_a_bin);
   if (static_cast<double>(columns.bins) * static_cast<double>(rows.bins) > most_bins) {
     throw Error(
         "coherent image", fmt::format("would have {} by {} bins", columns.bins, rows.bins),

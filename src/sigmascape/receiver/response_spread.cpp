@@ -22,7 +22,9 @@ bool is_dark(std::span<const radar::Channels> row) {
 /// where the row goes round comes in at the other end. Bins are many, and memory for another image of them would cost
 /// more than the sums do: here and below only what is overwritten before its turn is kept elsewhere.
 void spread_along_rows(Bins& bins, const std::vector<float>& weights, bool goes_round) {
-  const std::size_t reach = weights.size() / 2, columns = bins.columns();
+  const std::size_t whole = weights.size() / 2, columns = bins.columns();
+  // Beyond the other end of a row that does not go round there is nothing to come from.
+  const std::size_t reach = goes_round ? whole : std::min(whole, std::max<std::size_t>(columns, 1) - 1);
   // The row, and what lies beyond its ends as far as a bin spreads.
   std::vector<radar::Channels> from(columns + 2 * reach);
   for (std::size_t row = 0; row < bins.rows(); ++row) {
@@ -35,7 +37,8 @@ void spread_along_rows(Bins& bins, const std::vector<float>& weights, bool goes_
     }
     std::ranges::fill(to, radar::Channels{});
     for (std::size_t k = 0; k <= 2 * reach; ++k) {
-      for (std::size_t column = 0; column < columns; ++column) to[column] += from[column + k] * weights[k];
+      for (std::size_t column = 0; column < columns; ++column)
+        to[column] += from[column + k] * weights[whole - reach + k];
     }
   }
 }

@@ -8,6 +8,7 @@
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/interruption.h"
+#include "sigmascape/base/machine_memory.h"
 #include "sigmascape/base/parallel.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/target_shadows.h"
@@ -19,7 +20,14 @@
 namespace sigmascape::render {
 namespace {
 
-constexpr double most_cells = 0x1p27;
+/// A scatterer, and where an image that is made of it has it, twice.
+constexpr double bytes_a_cell = 136.0;
+static_assert(sizeof(radar::Scatterer) == 56);
+
+/// That numbers and memory can hold.
+double most_cells() {
+  return std::min(0x1p27, machine_memory_bytes() / bytes_a_cell);
+}
 
 double azimuth_to(Vec3d radar, Vec3d point) {
   return std::atan2(radar.x - point.x, radar.y - point.y);
@@ -71,13 +79,13 @@ Reflectivity reflectivity_of(const atlas::Atlas& atlas, double frequency_hz, dou
 
 void check_scatterers(const radar::Rectangle& area, double side_m) {
   if (!(area.width_m() > 0.0 && area.height_m() > 0.0) ||
-      area.width_m() / side_m * (area.height_m() / side_m) > most_cells) {
+      area.width_m() / side_m * (area.height_m() / side_m) > most_cells()) {
     throw Error("ground scatterers",
                 fmt::format("an area of {:.0f} m by {:.0f} m in cells of {} m is asked for", area.width_m(),
                             area.height_m(), side_m),
                 fmt::format("give an area of at most {:.0f} cells, or larger cells by pulses over a shorter interval "
                             "or an image of coarser resolution",
-                            most_cells));
+                            most_cells()));
   }
 }
 
