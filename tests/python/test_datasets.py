@@ -23,7 +23,7 @@ def spec(tmp_path):
 
 
 def test_cells_too_coarse_for_the_finest_beam_are_told_of_once(spec, tmp_path):
-    with pytest.warns(UserWarning, match="radar mapper: in maps 15 km away the beam of 2.0. m is narrower than the map's cells of 4 m") as told:
+    with pytest.warns(UserWarning, match="radar mapper: in maps 15 km away the beam of 1.9. m is narrower than the map's cells of 4 m") as told:
         assert sigmascape.make_dataset(spec(4.0), tmp_path / "coarse", progress=False).is_complete
     assert len(told) == 1
     with warnings.catch_warnings():

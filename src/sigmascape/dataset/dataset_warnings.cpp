@@ -89,7 +89,8 @@ std::vector<std::string> dataset_warnings(const DatasetSpec& spec, const terrain
     const SamplePlan plan = with_finest_radar(sample.plan, spec.radar_ranges);
     const radar::Radar radar = radar_of(spec, plan, terrain);
     const auto bins = simulate::bins_for(radar, plan.grid.extent(), terrain);
-    for (const std::string& warning : radar::radar_warnings(radar, bins, cell_m))
+    for (const std::string& warning :
+         radar::radar_warnings(radar, bins, cell_m, radar.position.z - terrain.height_at(plan.grid.extent().centre())))
       warnings.push_back(fmt::format("in maps {:.4g} km away {}", sample.slant_range_m / 1e3, warning));
   };
   add(ends.nearest(), spec.cell_m);

@@ -202,6 +202,7 @@ CoherentPlan coherent_plan(const Radar& radar, Vec3d aim) {
     throw Error(title_of(radar), "stands still",
                 "give it a velocity, platform.speed_mps: coherent modes live from motion");
   check_processing(radar);
+  aim = earth_of(radar).bent(aim, {radar.position.x, radar.position.y});
   const Sight sight = sight_of(radar, radar.mode == Mode::Stripmap ? way_as_passed(radar, aim) : aim - radar.position);
   CoherentPlan plan{.looks = radar.processing.looks,
                     .squint_rad = std::acos(

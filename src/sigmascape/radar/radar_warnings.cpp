@@ -1,6 +1,7 @@
 #include "sigmascape/radar/radar_warnings.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <limits>
 
@@ -23,7 +24,9 @@ void check_unambiguous(const Radar& radar, Swath swath, std::vector<std::string>
         fmt::format("the swath of {:.4g} km is longer than the unambiguous range of {:.4g} km at a pulse repetition "
                     "frequency of {:g} Hz, {}; use at most {:.4g} Hz",
                     length_m / 1e3, unambiguous_m / 1e3, prf_hz,
-                    radar.mode == Mode::RealBeam ? "and folds over" : "which pulses show and maps of this mode do not",
+                    radar.mode == Mode::RealBeam               ? "and folds over"
+                    : radar.receiver.first_range_m.has_value() ? "which pulses show and maps of this mode do not"
+                                                               : "which maps of this mode do not show",
                     speed_of_light_mps / (2.0 * length_m)));
   }
 }
@@ -42,18 +45,20 @@ void check_gate(const Radar& radar, Swath swath, std::vector<std::string>& warni
 
 void check_eclipsing(const Radar& radar, Swath swath, std::vector<std::string>& warnings) {
   constexpr int places = 400;
-  int deaf = 0;
+  const double own_pulse_m = 0.5 * speed_of_light_mps * radar.waveform.pulse_length_s;
+  int deaf = 0, deaf_by_own = 0;
   for (int k = 0; k < places; ++k) {
     const double range_m = swath.near_m + (swath.far_m - swath.near_m) * (k + 0.5) / places;
-    if (uneclipsed_part(range_m, radar.waveform.pulse_length_s, radar.waveform.pulse_repetition_hz) < 0.5) ++deaf;
+    if (uneclipsed_part(range_m, radar.waveform.pulse_length_s, radar.waveform.pulse_repetition_hz) >= 0.5) continue;
+    ++(range_m < own_pulse_m ? deaf_by_own : deaf);
   }
-  if (deaf > 0) {
-    warnings.push_back(
-        fmt::format("over {:.0f} % of the swath the receiver is deaf for more than half of the echo "
-                    "while the next pulse is sent; use another pulse repetition frequency or a shorter "
-                    "pulse",
-                    100.0 * deaf / places));
-  }
+  const auto warn = [&](int of_places, const char* cause) {
+    if (of_places == 0) return;
+    warnings.push_back(fmt::format("over {:.0f} % of the swath the receiver is deaf for more than half of the echo {}",
+                                   100.0 * of_places / places, cause));
+  };
+  warn(deaf_by_own, "while the pulse itself is sent; use a shorter pulse");
+  warn(deaf, "while the next pulse is sent; use another pulse repetition frequency or a shorter pulse");
 }
 
 /// The narrowest response over the side of a map's cells of which no power is lost between them. Cells read the bins at
@@ -68,14 +73,19 @@ void check_eclipsing(const Radar& radar, Swath swath, std::vector<std::string>& 
 /// 1.3 % at 1, 1 % at 1.2.
 constexpr double least_cells = 0.96;
 
-void check_cells(const Radar& radar, Swath swath, double cell_m, std::vector<std::string>& warnings) {
-  // Right below the radar any beam is narrow.
-  const double nearest_m = std::max(swath.near_m, 0.5 * swath.far_m);
+/// Over ground that lies `below_m` lower than the radar.
+void check_cells(const Radar& radar, Swath swath, double below_m, double cell_m, std::vector<std::string>& warnings) {
+  const auto over_ground_m = [below_m](double range_m) {
+    return std::sqrt(std::max(0.0, range_m * range_m - below_m * below_m));
+  };
+  // Right below the radar any beam is narrow, and the pulse nowhere as narrow as at the far edge.
+  const double nearest_m = over_ground_m(std::max(swath.near_m, 0.5 * swath.far_m)),
+               farthest_m = over_ground_m(swath.far_m);
   const double beam_m = radar.mode == Mode::RealBeam ? antenna_pattern(radar).azimuth().two_way_width_rad() * nearest_m
                                                      : std::numeric_limits<double>::infinity();
-  const bool is_beam = beam_m < radar.range_resolution_m;
-  if (auto warning =
-          narrower_than_cells(is_beam ? "the beam" : "the pulse", std::min(beam_m, radar.range_resolution_m), cell_m))
+  const double pulse_m = radar.range_resolution_m * swath.far_m / std::max(farthest_m, radar.range_resolution_m);
+  const bool is_beam = beam_m < pulse_m;
+  if (auto warning = narrower_than_cells(is_beam ? "the beam" : "the pulse", std::min(beam_m, pulse_m), cell_m))
     warnings.push_back(*std::move(warning));
 }
 
@@ -87,14 +97,15 @@ void check_earth(const Radar& radar, const std::string& file) {
               "leave it out, or choose another [mode]");
 }
 
-std::vector<std::string> radar_warnings(const Radar& radar, const RangeAzimuthGrid& bins, double cell_m) {
+std::vector<std::string> radar_warnings(const Radar& radar, const RangeAzimuthGrid& bins, double cell_m,
+                                        double below_m) {
   const Swath swath{std::max(0.0, bins.first_range_m),
                     bins.first_range_m + static_cast<double>(bins.ranges) * bins.range_step_m};
   std::vector<std::string> warnings;
   check_unambiguous(radar, swath, warnings);
   check_gate(radar, swath, warnings);
   check_eclipsing(radar, swath, warnings);
-  check_cells(radar, swath, cell_m, warnings);
+  check_cells(radar, swath, below_m, cell_m, warnings);
   return warnings;
 }
 

@@ -16,8 +16,10 @@ void check_earth(const Radar& radar, const std::string& file);
 
 /// What a radar engineer would object to before this radar maps these bins onto cells of `cell_m`, one sentence each:
 /// a swath longer than the unambiguous range, one outside the range gate, one in which the transmitter deafens the
-/// receiver, pulses, and beams of real-beam maps, that are `narrower_than_cells`.
-[[nodiscard]] std::vector<std::string> radar_warnings(const Radar& radar, const RangeAzimuthGrid& bins, double cell_m);
+/// receiver, pulses, and beams of real-beam maps, that on ground `below_m` lower than the radar are
+/// `narrower_than_cells`.
+[[nodiscard]] std::vector<std::string> radar_warnings(const Radar& radar, const RangeAzimuthGrid& bins, double cell_m,
+                                                      double below_m = 0.0);
 
 /// A sentence where `what`, of this half-power width, is so narrow beside a map's cells that more than 1 % of a point's
 /// power is lost between them; nothing where it is not.

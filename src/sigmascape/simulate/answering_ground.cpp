@@ -30,10 +30,12 @@ double reach_of_beam_rad(const radar::Radar& radar) {
   return static_cast<double>(steps) * step_rad;
 }
 
-/// Where a range resolution and a beam's width reach farthest over the ground: its corners, and the point nearest to
-/// the radar, where ranges change least.
+/// Where a range resolution and a beam's width reach farthest over the ground: its corners, and of each edge the point
+/// nearest to the radar, where ranges change least.
 std::vector<Vec2d> places_at_edge(const radar::Rectangle& area, Vec2d foot) {
-  std::vector<Vec2d> places{radar::nearest_point(area, foot)};
+  const Vec2d nearest = radar::nearest_point(area, foot);
+  std::vector<Vec2d> places{
+      {area.west_m, nearest.y}, {area.east_m, nearest.y}, {nearest.x, area.south_m}, {nearest.x, area.north_m}};
   for (const Vec2d corner : radar::corners_of(area)) places.push_back(corner);
   return places;
 }
@@ -48,11 +50,13 @@ radar::Rectangle answering_ground(const radar::Radar& radar, const radar::Rectan
   for (const Vec2d place : places_at_edge(area, foot)) {
     const Vec2d away = place - foot;
     const double distance_m = length(away);
-    if (distance_m == 0.0) continue;
-    const double range_m = std::hypot(distance_m, radar.position.z);
-    const double along_m = range_resolutions_beside * radar.range_resolution_m * range_m / distance_m;
+    const double height_m = radar.position.z,
+                 range_m = std::hypot(distance_m, height_m) + range_resolutions_beside * radar.range_resolution_m;
+    // Right below the radar the ground goes far while the range hardly grows, whatever the direction.
+    const double along_m = std::sqrt(range_m * range_m - height_m * height_m) - distance_m;
     const double across_m = reach_rad * distance_m;
-    const Vec2d outwards{std::abs(away.x) / distance_m, std::abs(away.y) / distance_m};
+    const Vec2d outwards =
+        distance_m > 0.0 ? Vec2d{std::abs(away.x) / distance_m, std::abs(away.y) / distance_m} : Vec2d{1.0, 1.0};
     const double east_m = outwards.x * along_m + outwards.y * across_m;
     const double north_m = outwards.y * along_m + outwards.x * across_m;
     // Never less than the area itself, wherever the extent ends.

@@ -18,8 +18,8 @@ render::DetailQuestion map_question(const scene::Scene& scene, const radar::Rada
   const bool real_beam = radar.mode == radar::Mode::RealBeam;
   render::DetailQuestion question;
   question.range_resolution_m = radar.range_resolution_m;
-  question.cross_range_m =
-      real_beam ? radar.beam_width_rad * length(away) : radar::coherent_plan(radar, aim).along_resolution_m;
+  question.cross_range_m = real_beam ? radar.beam_width_rad * std::hypot(away.x, away.y)
+                                     : radar::coherent_plan(radar, aim).along_resolution_m;
   question.grazing_rad = std::asin(away.z / length(away));
   question.tallest_object_m = scene::tallest_object_m(scene);
   question.triangles_per_m2 = scene::triangles_per_m2(scene);

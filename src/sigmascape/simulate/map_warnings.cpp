@@ -127,7 +127,12 @@ std::vector<std::string> map_warnings(const radar::Radar& radar, const radar::Ma
                                       const terrain::HeightField& terrain, const radar::Rectangle& extent) {
   const radar::GroundGrid grid = map_grid(request, extent);
   const radar::Radar mapping = as_it_maps(radar, grid.extent(), terrain);
-  auto warnings = radar::radar_warnings(mapping, bins_for(mapping, grid.extent(), terrain), grid.cell_m);
+  const auto earth = radar.mode == radar::Mode::RealBeam ? radar::CurvedEarth::flat() : radar::earth_of(mapping);
+  const Vec2d centre = grid.extent().centre();
+  const Vec3d ground =
+      earth.bent({centre.x, centre.y, terrain.height_at(centre)}, {mapping.position.x, mapping.position.y});
+  auto warnings = radar::radar_warnings(mapping, bins_for(mapping, grid.extent(), terrain, earth), grid.cell_m,
+                                        mapping.position.z - ground.z);
   const auto sides = cut_sides(request.area.value_or(extent), extent, request.cell_m);
   if (!sides.empty()) {
     warnings.push_back(
@@ -155,7 +160,7 @@ std::vector<std::string> recording_warnings(const radar::Radar& radar, const rad
           beam_m, across_m));
     }
   }
-  const radar::RangeAzimuthGrid bins = bins_for(radar, area, terrain);
+  const radar::RangeAzimuthGrid bins = bins_for(radar, area, terrain, radar::earth_of(radar));
   const double near_m = bins.first_range_m,
                far_m = bins.first_range_m + static_cast<double>(bins.ranges) * bins.range_step_m;
   const double opens_m = radar.receiver.first_range_m.value_or(near_m),

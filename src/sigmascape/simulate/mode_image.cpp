@@ -1,12 +1,15 @@
 #include "sigmascape/simulate/mode_image.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
+#include <limits>
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/azimuth_text.h"
 #include "sigmascape/radar/radar_warnings.h"
+#include "sigmascape/radar/rectangle_distances.h"
 #include "sigmascape/radar/rectangle_parts.h"
 #include "sigmascape/simulate/map_provenance.h"
 #include "sigmascape/simulate/scatterer_spacing.h"
@@ -19,9 +22,31 @@ Vec3d middle_of(const radar::GroundGrid& grid, const terrain::HeightField& terra
   return {centre.x, centre.y, terrain.height_at(centre)};
 }
 
-/// The map's area and what beside it answers in its outermost cells.
-radar::Rectangle with_rim(const radar::Rectangle& area, double rim_m) {
-  return radar::widened(area, rim_m);
+/// Over the ground from where ranges count to the nearest of the area: from the radar's foot, of a strip from the line
+/// below the flight.
+double nearest_ground_m(const radar::Radar& radar, const radar::Rectangle& area) {
+  const Vec2d foot{radar.position.x, radar.position.y};
+  if (radar.mode != radar::Mode::Stripmap) return length(radar::nearest_point(area, foot) - foot);
+  const Vec2d course{radar.velocity_mps.x, radar.velocity_mps.y};
+  const Vec2d beside = Vec2d{course.y, -course.x} * (1.0 / length(course));
+  double least_m = std::numeric_limits<double>::infinity(), most_m = -least_m;
+  for (const Vec2d corner : radar::corners_of(area)) {
+    least_m = std::min(least_m, dot(corner - foot, beside));
+    most_m = std::max(most_m, dot(corner - foot, beside));
+  }
+  return std::max({0.0, least_m, -most_m});
+}
+
+/// By how much the ground that answers in a map's outermost cells reaches beyond them: two resolution cells, and where
+/// a step of slant range is long on the ground as far as that many of slant range reach.
+double rim_m(const ModeRequest& request, const radar::CoherentPlan& plan) {
+  const radar::Radar& radar = request.radar;
+  const double below_m = radar.position.z - middle_of(request.grid, request.terrain).z;
+  const double ground_m = nearest_ground_m(radar, request.grid.extent());
+  const double nearer_m = std::hypot(ground_m, below_m) - 2.0 * radar.range_resolution_m;
+  const double range_rim_m = ground_m - std::sqrt(std::max(0.0, nearer_m * nearer_m - below_m * below_m));
+  return std::max(
+      {2.0 * radar.range_resolution_m, 2.0 * plan.along_resolution_m, nearer_m > 0.0 ? range_rim_m : ground_m});
 }
 
 /// What the makers of images ask for.
@@ -46,7 +71,7 @@ Prepared prepared(const ModeRequest& request, const radar::CoherentPlan& plan) {
                        .dwell = request.dwell,
                        .moment_s = request.moment_s,
                        .threads = request.threads},
-          .area = with_rim(request.grid.extent(), 2.0 * std::max(radar.range_resolution_m, plan.along_resolution_m))};
+          .area = radar::widened(request.grid.extent(), rim_m(request, plan))};
 }
 
 }  // namespace

@@ -16,16 +16,17 @@
 namespace sigmascape::simulate {
 
 radar::RangeAzimuthGrid bins_for(const radar::Radar& radar, const radar::Rectangle& area,
-                                 const terrain::HeightField& terrain) {
+                                 const terrain::HeightField& terrain, const radar::CurvedEarth& earth) {
+  const Vec2d foot{radar.position.x, radar.position.y};
   // Of a straight edge that faces the radar the middle is nearer than its ends.
-  const Vec2d nearest = radar::nearest_point(area, {radar.position.x, radar.position.y});
+  const Vec2d nearest = radar::nearest_point(area, foot);
   std::array<Vec3d, 10> points;
   std::size_t count = 0;
   for (const double height : {static_cast<double>(terrain.lowest_m()), static_cast<double>(terrain.highest_m())}) {
     for (const double x : {area.west_m, area.east_m}) {
-      for (const double y : {area.south_m, area.north_m}) points[count++] = {x, y, height};
+      for (const double y : {area.south_m, area.north_m}) points[count++] = earth.bent({x, y, height}, foot);
     }
-    points[count++] = {nearest.x, nearest.y, height};
+    points[count++] = earth.bent({nearest.x, nearest.y, height}, foot);
   }
   return receiver::grid_covering(radar, points);
 }

@@ -29,9 +29,10 @@ struct TraceSettings {
   std::uint64_t dwell = 0;  ///< by which fluctuating targets are drawn
 };
 
-/// The receive bins for a radar that maps `area`.
+/// The receive bins for a radar that maps `area`; a real beam does so over a flat Earth.
 [[nodiscard]] radar::RangeAzimuthGrid bins_for(const radar::Radar& radar, const radar::Rectangle& area,
-                                               const terrain::HeightField& terrain);
+                                               const terrain::HeightField& terrain,
+                                               const radar::CurvedEarth& earth = radar::CurvedEarth::flat());
 
 /// LOD 0: the whole scene on its terrain, path-traced, into the bins. Point targets answer where the scene lets them be
 /// seen.

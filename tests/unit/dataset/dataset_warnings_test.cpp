@@ -50,15 +50,15 @@ TEST(DatasetWarnings, AreOfTheFinestBeamAndPulseThatMayBeDrawn) {
   DatasetSpec spec = example();
   EXPECT_THAT(warnings_of(spec), IsEmpty());
   spec.radar_ranges.beam_width_rad = {radians_from_deg(0.011), radians_from_deg(0.03)};
-  EXPECT_THAT(warnings_of(spec), ElementsAre(StartsWith("in maps 15 km away the beam of 2.0")));
+  EXPECT_THAT(warnings_of(spec), ElementsAre(StartsWith("in maps 15 km away the beam of 1.97")));
   spec.radar_ranges.beam_width_rad = {radians_from_deg(0.023), radians_from_deg(0.03)};
   EXPECT_THAT(warnings_of(spec), IsEmpty());
   spec.radar.has_shortest_pulse = true;
   spec.radar_ranges.range_resolution_m = {2.5, 8.0};
   EXPECT_THAT(warnings_of(spec),
-              ElementsAre("in maps 15 km away the pulse of 2.5 m is narrower than the map's cells of "
+              ElementsAre("in maps 15 km away the pulse of 2.55 m is narrower than the map's cells of "
                           "4 m, and part of what stands between their centres is lost or counted "
-                          "twice; use cells of at most 2.5 m"));
+                          "twice; use cells of at most 2.55 m"));
 }
 
 /// A pattern whose peak was left at the horizon.
@@ -103,7 +103,7 @@ TEST(DatasetWarnings, AreNoneOfTheExampleOfSanFrancisco) {
   EXPECT_THAT(warnings(), IsEmpty());
   ASSERT_TRUE(spec.radar_ranges.beam_width_rad);
   spec.radar_ranges.beam_width_rad.reset();
-  EXPECT_THAT(warnings(), ElementsAre(HasSubstr("the beam of 3.46 m")))
+  EXPECT_THAT(warnings(), ElementsAre(HasSubstr("the beam of 3.37 m")))
       << "that of the radar file, sharper than the cells";
 }
 

@@ -38,5 +38,16 @@ TEST(WarningsOfCells, AskForTheBeamInRealBeamMapsAlone) {
   EXPECT_THAT(narrower_than_cells("the image", 0.3, 4.0).value_or(""), HasSubstr("the image of 0.3 m is narrower"));
 }
 
+// A pulse of 60 µs lasts until 9 km.
+TEST(WarningsOfEclipsing, TellTheOwnPulseFromTheNext) {
+  Radar radar{.range_resolution_m = 10.0,
+              .beam_width_rad = 0.1,
+              .waveform = {.pulse_length_s = 60e-6, .pulse_repetition_hz = 1000.0}};
+  EXPECT_THAT(radar_warnings(radar, {.first_range_m = 2e3, .range_step_m = 10.0, .ranges = 100}, 4.0),
+              ::testing::ElementsAre(HasSubstr("while the pulse itself is sent; use a shorter pulse")));
+  EXPECT_THAT(radar_warnings(radar, {.first_range_m = 148e3, .range_step_m = 10.0, .ranges = 100}, 4.0),
+              ::testing::ElementsAre(HasSubstr("while the next pulse is sent; use another pulse repetition")));
+}
+
 }  // namespace
 }  // namespace sigmascape::radar

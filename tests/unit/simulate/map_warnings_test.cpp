@@ -12,6 +12,7 @@
 namespace sigmascape::simulate {
 namespace {
 
+using ::testing::Each;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
@@ -79,6 +80,40 @@ TEST(MapWarnings, TellOfAFixedBeamThatPointsBesideTheMap) {
   EXPECT_THAT(
       map_warnings(radar, {.area = std::nullopt, .cell_m = 10.0}, level, extent),
       ElementsAre(::testing::StartsWith("the beam points to 90° (scan.azimuth_deg), and what is mapped lies -91")));
+}
+
+// Seen from 75° above 6 m of beam along the line of sight are 1.6 m on the ground; 2 m of pulse at 65° are 4.7 m.
+TEST(MapWarnings, MeasureBeamAndPulseOnTheGround) {
+  const auto warnings = [&](double elevation_deg, double beam_rad, double pulse_m, double cell_m) {
+    radar::Radar radar{.range_resolution_m = pulse_m,
+                       .beam_width_rad = beam_rad,
+                       .waveform = {.pulse_length_s = 1e-7, .pulse_repetition_hz = 1000.0}};
+    radar.position = radar::position_seeing({0, 0, 0}, 0.0, radians_from_deg(elevation_deg), 10e3);
+    return map_warnings(radar, {.area = radar::Rectangle{-100, -100, 100, 100}, .cell_m = cell_m}, level, extent);
+  };
+  EXPECT_THAT(warnings(75.0, 8.6e-4, 10.0, 6.0), ElementsAre(::testing::StartsWith("the beam of 1.")));
+  EXPECT_THAT(warnings(15.0, 8.6e-4, 10.0, 6.0), IsEmpty());
+  EXPECT_THAT(warnings(65.0, 0.02, 2.0, 4.0), IsEmpty());
+  EXPECT_THAT(warnings(15.0, 0.02, 2.0, 4.0), ElementsAre(::testing::StartsWith("the pulse of 2.0")));
+}
+
+// 900 km away under 40° the ground is 21 km farther on a sphere than on a plane.
+TEST(MapWarnings, KnowTheEarthThatPulsesDo) {
+  radar::Radar radar = with_elevation_beam(-40.0);
+  radar.antenna.elevation = {};
+  radar.waveform.pulse_repetition_hz = 3000.0;
+  radar.mode = radar::Mode::Spotlight;
+  radar.earth_refraction = 1.0;
+  radar.position = radar::position_seeing({0, 0, 0}, 0.0, radians_from_deg(40.0), 900e3, radar::earth_of(radar));
+  radar.receiver.first_range_m = 898e3;
+  radar.receiver.last_range_m = 902e3;
+  EXPECT_THAT(map_warnings(radar, {.area = std::nullopt, .cell_m = 10.0}, level, extent),
+              Each(::testing::Not(::testing::HasSubstr("holds nothing"))));
+  radar::Target target;
+  target.track = radar::Track::straight({0.0, 0.0, 1.0});
+  const std::vector<radar::Target> targets{target};
+  EXPECT_THAT(recording_warnings(radar, extent, level, false, targets),
+              Each(::testing::Not(::testing::HasSubstr("targets"))));
 }
 
 TEST(RecordingWarnings, TellOfWhatIsNotInThePulses) {
