@@ -22,6 +22,7 @@
 #include "sigmascape/bake/claims.h"
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
+#include "sigmascape/geo/coordinate_transform.h"
 #include "sigmascape/geo/raster.h"
 #include "sigmascape/terrain/pyramid_builder.h"
 
@@ -141,8 +142,9 @@ std::string text_of(const atlas::AtlasDescription& atlas, const atlas::AtlasSumm
   const auto line = [&text](std::string_view name, const std::string& value) {
     text += fmt::format("  {:<18}{}\n", name, value);
   };
+  const geo::GeographicPosition middle = geo::place_on_globe(atlas.frame, atlas.extent.centre());
   line("extent", fmt::format("{:.0f} m x {:.0f} m about {:.5f} N, {:.5f} E", atlas.extent.width_m(),
-                             atlas.extent.height_m(), atlas.frame.latitude_deg(), atlas.frame.longitude_deg()));
+                             atlas.extent.height_m(), middle.latitude_deg, middle.longitude_deg));
   line("patches", fmt::format("{} of {} x {} texels of {:g} m", summary.patches, atlas.patches.texels_per_side,
                               atlas.patches.texels_per_side, atlas.patches.texel_m));
   line("azimuths", fmt::format("{:g}°", fmt::join(degrees(atlas.aspects.azimuths_rad), "°, ")));

@@ -3,10 +3,12 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstdint>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <optional>
+#include <type_traits>
 
 namespace sigmascape::cli {
 
@@ -75,9 +77,31 @@ void Command::require_subcommand(int count) const {
   of_->require_subcommand(count);
 }
 
+namespace {
+
+template <typename Variable>
+constexpr bool is_whole_number = std::is_integral_v<Variable>;
+template <typename Number>
+constexpr bool is_whole_number<std::optional<Number>> = std::is_integral_v<Number>;
+
+/// "010" as "10": CLI11 would take it for octal.
+std::string without_leading_zeros(std::string& word) {
+  const std::size_t first = word.find_first_not_of('0');
+  if (first == std::string::npos) {
+    word = "0";
+  } else if (std::isdigit(static_cast<unsigned char>(word[first])) != 0) {
+    word.erase(0, first);
+  }
+  return {};
+}
+
+}  // namespace
+
 template <typename Variable>
 Option Command::add_option(const std::string& name, Variable& variable, const std::string& description) const {
-  return Option(*of_->add_option(name, variable, description));
+  CLI::Option* const option = of_->add_option(name, variable, description);
+  if constexpr (is_whole_number<Variable>) option->transform(CLI::Validator(without_leading_zeros, ""));
+  return Option(*option);
 }
 
 Option Command::add_option_function(const std::string& name, const std::function<void(const std::string&)>& take,
@@ -110,6 +134,8 @@ template Option Command::add_option(const std::string&, std::uint64_t&, const st
 template Option Command::add_option(const std::string&, std::optional<double>&, const std::string&) const;
 template Option Command::add_option(const std::string&, std::optional<std::uint32_t>&, const std::string&) const;
 template Option Command::add_option(const std::string&, std::array<double, 2>&, const std::string&) const;
+template Option Command::add_option(const std::string&, std::optional<std::array<double, 4>>&,
+                                    const std::string&) const;
 template Option Command::add_option(const std::string&, std::vector<std::string>&, const std::string&) const;
 template Option Command::add_option(const std::string&, std::vector<double>&, const std::string&) const;
 

@@ -1,13 +1,9 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
 #include <span>
 #include <string>
-
-#include "sigmascape/base/error.h"
-#include "sigmascape/base/file_ending.h"
-#include "sigmascape/geo/atomic_file.h"
+#include <vector>
 
 namespace sigmascape::cli {
 
@@ -17,25 +13,9 @@ struct NamedFile {
   const std::string& file;
 };
 
-/// The file, under the name that all have which share their companions with it: "map.NPY" and "map.npy" both have
-/// map.json beside them.
-[[nodiscard]] inline std::filesystem::path name_for_all_cases(const std::filesystem::path& file) {
-  return std::filesystem::absolute(file).lexically_normal().replace_extension(file_ending(file));
-}
-
-/// What can be told of files before the work that fills them. Throws Error for one that cannot be written where it is
-/// to lie, and when two options name one file, of which the second would take the place of the first.
-inline void check_files_to_write(std::span<const NamedFile> files) {
-  std::map<std::filesystem::path, const char*> taken;
-  for (const NamedFile& named : files) {
-    if (named.file.empty()) continue;
-    geo::check_place_for(named.file);
-    const auto [other, is_new] = taken.emplace(name_for_all_cases(named.file), named.option);
-    if (!is_new) {
-      throw Error(named.option, "names " + named.file + ", as " + other->second + " does",
-                  "give each of them a file of its own");
-    }
-  }
-}
+/// What can be told of files, and of those that are written beside them, before the work that fills them. Throws Error
+/// for one that cannot be written where it is to lie, that is among `read`, the files that the work is made from, or
+/// that another option names as well, of which the second would take the place of the first.
+void check_files_to_write(std::span<const NamedFile> files, const std::vector<std::filesystem::path>& read);
 
 }  // namespace sigmascape::cli

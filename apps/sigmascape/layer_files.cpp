@@ -53,13 +53,14 @@ void add_layer_options(Command command, LayerFiles& files) {
   command
       .add_option("--layers", files.names,
                   "layers over the map's cells: shadow, layover, incidence, range, class, height; at level of detail 0 "
-                  "also bounce1 to bounce9 (sigma0 by number of bounces) and multibounce (part of the power that "
+                  "also bounce1 to bounce9 (sigma0 by number of bounces, no more than --bounces) and multibounce (part "
+                  "of the power that "
                   "came over more than one), of --polarization or else the radar file's")
       .delimiter(',');
   command.add_option("--layers-out", files.file, "GeoTIFF to write them to, a band for each");
 }
 
-void check(const LayerFiles& files, int level_of_detail) {
+void check(const LayerFiles& files, int level_of_detail, int max_bounces) {
   if (files.names.empty() && files.file.empty()) return;
   if (files.names.empty()) throw Error("--layers", "is missing beside --layers-out", "name the layers to write");
   if (files.file.empty()) throw Error("--layers-out", "is missing beside --layers", "name the file to write");
@@ -69,6 +70,9 @@ void check(const LayerFiles& files, int level_of_detail) {
     if (std::ranges::count(files.names, name) > 1) throw Error("--layers", "names " + name + " twice", "name it once");
     if (level_of_detail > 0 && dataset::tells_bounces(name))
       throw Error("layer \"" + name + "\"", "is not in an atlas, where all bounces are one sum", "use --lod 0");
+    if (dataset::bounce_order(name) > static_cast<std::size_t>(max_bounces))
+      throw Error("layer \"" + name + "\"", fmt::format("is of more bounces than are traced, {}", max_bounces),
+                  "raise --bounces");
   }
 }
 

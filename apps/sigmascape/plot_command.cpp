@@ -31,7 +31,7 @@ namespace {
 struct PlotOptions {
   std::string out, input, scene;
   std::vector<std::string> materials;
-  std::vector<double> area_m;
+  std::optional<std::array<double, 4>> area_m;
   std::array<double, 2> at{};
   double frequency_ghz = 10.0, looks = 1.0, reach_deg = 10.0, widths = 8.0;
   std::size_t bins = 50;
@@ -76,7 +76,7 @@ std::vector<double> powers_of(const PlotOptions& options) {
   const radar::GroundMap map = product::read_ground_map(options.input);
   const radar::Rectangle all = map.grid.extent();
   const auto& a = options.area_m;
-  const radar::Rectangle area = a.empty() ? all : radar::Rectangle{a[0], a[1], a[2], a[3]};
+  const radar::Rectangle area = a ? radar::Rectangle{(*a)[0], (*a)[1], (*a)[2], (*a)[3]} : all;
   std::vector<double> powers;
   for (std::size_t row = 0; row < map.grid.rows; ++row) {
     for (std::size_t column = 0; column < map.grid.columns; ++column) {
@@ -109,7 +109,7 @@ void plot_histogram(const PlotOptions& options, const Output& output) {
                 "give a map that ends in .tif or I/Q that ends in .npy");
   }
   for (const auto& [option, is_given] :
-       {std::pair{"--area", !options.area_m.empty()}, {"--looks", options.looks != 1.0}}) {
+       {std::pair{"--area", options.area_m.has_value()}, {"--looks", options.looks != 1.0}}) {
     if (is_iq && is_given)
       throw Error(option, fmt::format("is of ground maps, and {} holds I/Q", options.input), "leave it out");
   }
@@ -204,8 +204,7 @@ void add_plot_command(Command app, Output& output) {
   histogram.add_option("FILE", options->input, "ground map (GeoTIFF from render) or pulses (.npy from render --iq)")
       .required();
   histogram.add_option("--area", options->area_m, "part of a map: west, south, east, north in metres of its frame")
-      .delimiter(',')
-      .expected(4);
+      .delimiter(',');
   histogram.add_option("--looks", options->looks, "looks of the map: more than one follow Gamma")
       .capture_default_str()
       .check(number_within(0.5, 1000.0));

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include "sigmascape/base/error.h"
+#include "sigmascape/base/units.h"
 #include "sigmascape/product/ground_projection.h"
 #include "sigmascape/product/map_metrics.h"
 #include "sigmascape/product/range_azimuth_file.h"
+#include "sigmascape/product/receiver_output.h"
 #include "sigmascape/product/software.h"
 #include "sigmascape/radar/radar_title.h"
 #include "sigmascape/receiver/receive_chain.h"
@@ -66,7 +68,10 @@ void write_received(const ReceivedFiles& files, const radar::Radar& radar, const
     const auto detected = receiver::detected_image(radar, received, seed, threads);
     product::RangeAzimuthLabel video = label;
     video.quantity = video_quantity(radar.receiver.detector);
-    video.numbers["saturated_samples"] = static_cast<double>(detected.saturated);
+    video.numbers["gain_db"] = db_from_linear(radar.receiver.gain);
+    video.numbers["pulses_integrated"] = radar.receiver.pulses_integrated;
+    video.numbers.merge(product::output_numbers(radar.receiver.sensitivity_time_control,
+                                                radar.receiver.analog_to_digital, detected.saturated));
     product::write_range_azimuth(files.video, detected.grid, detected.video, video);
   }
   if (!files.snr.empty()) {

@@ -210,7 +210,7 @@ std::array<Written, 10> files_of(const RenderOptions& options) {
 
 /// What names alone tell, before the work.
 void check_files(const RenderOptions& options) {
-  check(options.layers, options.level_of_detail);
+  check(options.layers, options.level_of_detail, options.trace.max_bounces);
   check(options.received);
   check(options.iq, !options.atlas.empty());
   for (const std::string& map : {options.map_file, options.power_file})
@@ -219,7 +219,13 @@ void check_files(const RenderOptions& options) {
     if (!picture.empty()) product::check_png_name(picture);
   std::vector<NamedFile> named;
   for (const Written& written : files_of(options)) named.push_back({written.option, written.file});
-  check_files_to_write(named);
+  std::vector<std::filesystem::path> read;
+  for (const std::string& toml : {options.scene, options.radar, options.targets}) {
+    if (!std::filesystem::is_regular_file(toml)) continue;  // told when it is read
+    const auto named_there = TomlSection::read_file(toml).named_files();
+    read.insert(read.end(), named_there.begin(), named_there.end());
+  }
+  check_files_to_write(named, read);
 }
 
 bool writes_a_file(const RenderOptions& options) {
@@ -250,9 +256,10 @@ product::PictureOptions look_of(const RenderOptions& options, radar::Polarizatio
   return look;
 }
 
-/// The map as GeoTIFF, arrays and picture, and the power and the layers over its cells.
-void write_maps(const RenderOptions& options, const scene::Scene& scene, const radar::Radar& radar,
-                const radar::GroundGrid& grid, Rendered& rendered, const product::PictureOptions& look) {
+/// The map as GeoTIFF, arrays and picture, and the power and the layers over its cells. The cells of the map as
+/// written.
+radar::GroundGrid write_maps(const RenderOptions& options, const scene::Scene& scene, const radar::Radar& radar,
+                             const radar::GroundGrid& grid, Rendered& rendered, const product::PictureOptions& look) {
   auto map = rendered.coherent
                  ? described_map(std::move(*rendered.coherent), radar, scene.frame, rendered.provenance)
                  : described_map(rendered.image, radar, scene.terrain, grid, scene.frame, rendered.provenance);
@@ -270,6 +277,7 @@ void write_maps(const RenderOptions& options, const scene::Scene& scene, const r
                 .obstacles = rendered.obstacles ? &*rendered.obstacles : nullptr,
                 .trace = options.trace});
   if (!options.picture_file.empty()) write_map_picture(options.picture_file, map, look);
+  return map.grid;
 }
 
 void render(RenderOptions options, std::optional<radar::Polarization> polarization, const Output& output) {
@@ -327,21 +335,23 @@ void render(RenderOptions options, std::optional<radar::Polarization> polarizati
                    receiver::noise_seed(options.trace.seed, options.trace.dwell, look.polarization),
                    options.trace.threads, rendered.provenance);
   }
-  write_maps(options, scene, radar, grid, rendered, look);
+  const radar::GroundGrid cells = write_maps(options, scene, radar, grid, rendered, look);
   if (is_real_beam) write_scopes(options.scopes, radar, rendered.image, look, rendered.provenance);
   write_iq_files(options.iq, pulses);
 
   nlohmann::ordered_json summary;
   for (const Written& written : files_of(options)) summary[written.word] = written.file;
   summary.update({{"level_of_detail", options.level_of_detail},
-                  {"columns", grid.columns},
-                  {"rows", grid.rows},
+                  {"columns", cells.columns},
+                  {"rows", cells.rows},
                   {"seconds", rendered.seconds}});
   summary.update(rendered.cost);
   if (options.explain) summary["advised_detail"] = advice;
-  output.finish(fmt::format("{}{} x {} cells of {} m at level of detail {} in {:.3f} s",
-                            options.explain ? "The resolution cell asks for " + advice : "", grid.columns, grid.rows,
-                            grid.cell_m, options.level_of_detail, rendered.seconds),
+  const std::string size = options.crs.empty() ? fmt::format("of {} m", cells.cell_m)
+                                               : fmt::format("in {}, from cells of {} m,", options.crs, grid.cell_m);
+  output.finish(fmt::format("{}{} x {} cells {} at level of detail {} in {:.3f} s",
+                            options.explain ? "The resolution cell asks for " + advice : "", cells.columns, cells.rows,
+                            size, options.level_of_detail, rendered.seconds),
                 summary);
 }
 

@@ -4,6 +4,7 @@
 
 #include "command.h"
 
+#include "sigmascape/geo/coordinate_transform.h"
 #include "sigmascape/scene/mesh_counts.h"
 #include "sigmascape/scene/scene_file.h"
 #include "sigmascape/trace/scene_geometry.h"
@@ -55,8 +56,9 @@ std::string text_of(const scene::Scene& scene, const scene::MeshCounts& counts, 
   const auto line = [&text](std::string_view name, const std::string& value) {
     text += fmt::format("  {:<16}{}\n", name, value);
   };
+  const geo::GeographicPosition middle = geo::place_on_globe(scene.frame, scene.extent.centre());
   line("extent", fmt::format("{:.0f} m x {:.0f} m about {:.5f} N, {:.5f} E", scene.extent.width_m(),
-                             scene.extent.height_m(), scene.frame.latitude_deg(), scene.frame.longitude_deg()));
+                             scene.extent.height_m(), middle.latitude_deg, middle.longitude_deg));
   line("terrain", fmt::format("{} x {} heights every {:.2f} m, {:.1f} to {:.1f} m", scene.terrain.height_m.columns(),
                               scene.terrain.height_m.rows(), scene.terrain.spacing_m, scene.terrain.lowest_m(),
                               scene.terrain.highest_m()));

@@ -75,9 +75,36 @@ TEST_F(BadInput, TwoOptionsMayNotNameOneFile) {
   EXPECT_THAT(said_to("render radar.toml --scene none.toml --png a.png --ppi x/../a.png"),
               HasSubstr("--ppi: names x/../a.png, as --png does"));
   EXPECT_THAT(said_to("render radar.toml --scene none.toml --out map.npy --snr map.NPY"),
-              HasSubstr("--snr: names map.NPY, as --out does"))
-      << "both would have map.json beside them";
+              HasSubstr("--snr: names map.NPY, which has map.json beside it, as --out does"));
+  std::filesystem::create_directory(folder_.path("d"));
+  std::filesystem::create_directory_symlink("d", folder_.path("link"));
+  EXPECT_THAT(said_to("render radar.toml --scene none.toml --out d/map.tif --power link/map.tif"),
+              HasSubstr("--power: names link/map.tif, as --out does"));
   EXPECT_THAT(said_to("render radar.toml --scene none.toml --out map.tif --power power.tif"), HasSubstr("none.toml"));
+}
+
+TEST_F(BadInput, WhatAMapIsMadeFromIsNotWrittenOver) {
+  write_radar();
+  folder_.write("town.json", "{}");
+  folder_.write("dem.tif", "heights");
+  folder_.write("town.toml", "[terrain]\nfile = \"dem.tif\"\n[[buildings]]\nfile = \"town.json\"\n");
+  EXPECT_THAT(said_to("render radar.toml --scene town.toml --out ./dem.tif"),
+              HasSubstr("--out: names ./dem.tif, a file that this is made from; give it a file of its own"));
+  EXPECT_THAT(said_to("render radar.toml --scene town.toml --out town.npy"),
+              HasSubstr("--out: names town.npy, which has town.json beside it, a file that this is made from"));
+  EXPECT_THAT(said_to("render radar.toml --scene town.toml --out map.npy"), Not(HasSubstr("is made from")));
+}
+
+// In a shell, seq -w and printf %03d write numbers like this.
+TEST_F(BadInput, LeadingZerosMakeNoOtherNumber) {
+  write_radar();
+  EXPECT_THAT(said_to("render radar.toml --scene none.toml --seed 08 --samples 0010 --out map.tif"),
+              HasSubstr("none.toml: the file does not exist"));
+  EXPECT_THAT(said_to("render radar.toml --scene none.toml --bounces 0256 --out map.tif"),
+              HasSubstr("--bounces: is 256; give a whole number from 1 to 255"));
+  EXPECT_THAT(said_to("render radar.toml --scene none.toml --bounces 0 --out map.tif"), HasSubstr("--bounces: is 0;"));
+  EXPECT_THAT(said_to("render radar.toml --scene none.toml --bounces 2 --layers bounce3 --layers-out a.tif"),
+              HasSubstr("layer \"bounce3\": is of more bounces than are traced, 2; raise --bounces"));
 }
 
 TEST_F(BadInput, FilesThatCannotBeWrittenAreRefusedBeforeTheWork) {

@@ -92,6 +92,32 @@ TomlSection TomlSection::read_file(const std::filesystem::path& file) {
   }
 }
 
+namespace {
+
+void add_files_named_in(const toml::node& node, const std::filesystem::path& folder,
+                        std::vector<std::filesystem::path>& files) {
+  if (const auto* const table = node.as_table()) {
+    for (const auto& [key, value] : *table) add_files_named_in(value, folder, files);
+  } else if (const auto* const array = node.as_array()) {
+    for (const toml::node& value : *array) add_files_named_in(value, folder, files);
+  } else if (const auto word = node.value<std::string>()) {
+    try {
+      const std::filesystem::path path = expanded_path(*word, folder, "");
+      std::error_code ignored;
+      if (std::filesystem::is_regular_file(path, ignored)) files.push_back(path);
+    } catch (const Error&) {  // names no file
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<std::filesystem::path> TomlSection::named_files() const {
+  std::vector<std::filesystem::path> files{table_->file};
+  add_files_named_in(*table_->table, table_->file.parent_path(), files);
+  return files;
+}
+
 std::string TomlSection::where() const {
   return table_->place.empty() ? table_->file.string() : fmt::format("{}: {}", table_->file.string(), table_->place);
 }

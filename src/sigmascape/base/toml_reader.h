@@ -34,6 +34,9 @@ class TomlSection {
   /// File and this table's own place in it.
   [[nodiscard]] std::string where() const;
 
+  /// The TOML file and those that exist of what words of the table, whatever their keys, name as a file.
+  [[nodiscard]] std::vector<std::filesystem::path> named_files() const;
+
   [[nodiscard]] bool has(std::string_view key) const;
   [[nodiscard]] bool is_table(std::string_view key) const;
   [[nodiscard]] std::vector<std::string> keys() const;

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "sigmascape/base/units.h"
+#include "sigmascape/product/receiver_output.h"
 #include "sigmascape/product/software.h"
 #include "sigmascape/product/told_numbers.h"
 #include "sigmascape/radar/noise.h"
@@ -110,19 +111,6 @@ void describe_calibration(IqRecord& record, const radar::Radar& radar) {
   record.numbers["atmosphere_db_per_km"] = db_from_linear(std::exp(1e3 * radar.atmosphere_per_m));
 }
 
-/// What the receiver did to volts before they were recorded.
-void describe_output(IqRecord& record, const radar::PhaseHistory& history) {
-  if (const auto& control = history.sensitivity_time_control) {
-    record.numbers["stc_full_gain_range_m"] = control->full_gain_range_m;
-    record.numbers["stc_exponent"] = control->exponent;
-  }
-  if (const auto& converter = history.analog_to_digital) {
-    record.numbers["adc_bits"] = converter->bits;
-    record.numbers["adc_full_scale_v"] = converter->full_scale_v;
-    record.numbers["saturated_samples"] = static_cast<double>(history.saturated);
-  }
-}
-
 }  // namespace
 
 IqRecord iq_record(const radar::PhaseHistory& history, const radar::Radar& radar,
@@ -151,7 +139,8 @@ IqRecord iq_record(const radar::PhaseHistory& history, const radar::Radar& radar
   describe(record, radar);
   if (record.unit == "V") {
     describe_calibration(record, radar);
-    describe_output(record, history);
+    record.numbers.merge(
+        output_numbers(history.sensitivity_time_control, history.analog_to_digital, history.saturated));
     describe_antenna(record, radar);
   }
   return record;

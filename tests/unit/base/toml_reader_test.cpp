@@ -30,6 +30,17 @@ TEST_F(TomlReader, WhatIsNoTableIsToldAsOneThatStandsThere) {
               EndsWith("scene.extent: is [ 1, 2 ]; write it as a table, extent = {…}"));
 }
 
+TEST_F(TomlReader, TellsTheFilesThatItNames) {
+  folder_.write("dem.tif", "");
+  folder_.write("town.json", "");
+  const auto found = section(
+                         "name = \"none\"\n[terrain]\nfile = \"dem.tif\"\n[[buildings]]\nfile = [\"town.json\"]\n"
+                         "[[buildings]]\nfile = \"${NOT_SET_ANYWHERE}/a.json\"\n")
+                         .named_files();
+  EXPECT_THAT(found, testing::UnorderedElementsAre(folder_.path("scene.toml"), folder_.path("town.json"),
+                                                   folder_.path("dem.tif")));
+}
+
 TEST_F(TomlReader, ReadsEveryKindOfValue) {
   const auto root = section(
       "name = \"a\"\nn = 3\nx = 2.5\non = true\nlist = [1, 2]\npairs = [[1, 2.5]]\nwords = [\"p\"]\n[t]\ny = "

@@ -1,0 +1,58 @@
+#include "files_to_write.h"
+
+#include <algorithm>
+#include <array>
+#include <fmt/format.h>
+#include <map>
+#include <system_error>
+#include <utility>
+
+#include "sigmascape/base/error.h"
+#include "sigmascape/base/file_ending.h"
+#include "sigmascape/geo/atomic_file.h"
+
+namespace sigmascape::cli {
+namespace {
+
+/// The file and what lies beside it: product/map_file.h, png_file.h, iq_sigmf.h.
+std::vector<std::filesystem::path> with_companion(const std::filesystem::path& file) {
+  constexpr std::array<std::pair<const char*, const char*>, 3> companions{
+      {{".npy", ".json"}, {".png", ".pgw"}, {".sigmf-meta", ".sigmf-data"}}};
+  std::vector<std::filesystem::path> files{file};
+  for (const auto& [ending, companion] : companions) {
+    if (file_ending(file) == ending) files.push_back(std::filesystem::path(file).replace_extension(companion));
+  }
+  return files;
+}
+
+/// One path for all that name the same file, links in folders among them.
+std::filesystem::path known_path(const std::filesystem::path& file) {
+  std::error_code fault;
+  const std::filesystem::path absolute = std::filesystem::absolute(file).lexically_normal();
+  const std::filesystem::path folder = std::filesystem::weakly_canonical(absolute.parent_path(), fault);
+  return (fault ? absolute.parent_path() : folder) / absolute.filename();
+}
+
+}  // namespace
+
+void check_files_to_write(std::span<const NamedFile> files, const std::vector<std::filesystem::path>& read) {
+  std::map<std::filesystem::path, const char*> taken;
+  for (const auto& [option, file] : files) {
+    if (file.empty()) continue;
+    for (const std::filesystem::path& written : with_companion(file)) {
+      geo::check_place_for(written);
+      const std::string names = written == file
+                                    ? fmt::format("names {}", file)
+                                    : fmt::format("names {}, which has {} beside it", file, written.string());
+      std::error_code ignored;
+      if (std::ranges::any_of(read,
+                              [&](const auto& other) { return std::filesystem::equivalent(written, other, ignored); }))
+        throw Error(option, names + ", a file that this is made from", "give it a file of its own");
+      const auto [other, is_new] = taken.emplace(known_path(written), option);
+      if (!is_new)
+        throw Error(option, fmt::format("{}, as {} does", names, other->second), "give each of them a file of its own");
+    }
+  }
+}
+
+}  // namespace sigmascape::cli
