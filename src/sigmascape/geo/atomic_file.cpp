@@ -295,6 +295,13 @@ void check_place_for(const std::filesystem::path& path) {
   while (!std::filesystem::exists(above, ignored) && above != above.parent_path()) above = above.parent_path();
   if (!std::filesystem::is_directory(above, ignored)) fail(path, ENOTDIR);
   if (::access(above.c_str(), W_OK | X_OK) != 0) fail(path, errno);
+  const auto longest = ::pathconf(above.c_str(), _PC_NAME_MAX);
+  const std::size_t beside = temporary_name_for(path).filename().string().size();
+  if (longest > 0 && beside > static_cast<std::size_t>(longest)) {
+    const std::size_t own = path.filename().string().size(), spare = static_cast<std::size_t>(longest) - (beside - own);
+    throw Error(path.string(), fmt::format("has a name of {} bytes, and there can be {} at most", own, spare),
+                "give it a shorter name");
+  }
 }
 
 void remove_leftovers(const std::filesystem::path& folder, std::string_view beginning) {

@@ -42,7 +42,8 @@ struct FileContent {
 void write_together(const std::vector<FileContent>& files);
 
 /// Throws Error when such a file cannot be written there as things stand, for callers with long work before it: where
-/// `path` is a folder, or the first of its parents that exists is none or may not be written to. Writes nothing.
+/// `path` is a folder or its name too long, or the first of its parents that exists is none or may not be written to.
+/// Writes nothing.
 void check_place_for(const std::filesystem::path& path);
 
 /// Removes from `folder` the temporary files that killed writers left of files whose names begin with `beginning`, as

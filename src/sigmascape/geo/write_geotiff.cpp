@@ -112,6 +112,9 @@ void write_geotiff(const std::filesystem::path& path, const GeoRaster& raster) {
                   "BIGTIFF=IF_SAFER", "COPY_SRC_OVERVIEWS=YES", "NUM_THREADS=1"},
                  file);
   write_atomically(path, file.bytes());
+  // What others noted of the file that lay there, statistics above all, does not hold of this one.
+  std::error_code ignored;
+  std::filesystem::remove(path.string() + ".aux.xml", ignored);
 }
 
 }  // namespace sigmascape::geo

@@ -10,6 +10,7 @@
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/geo/axis_units.h"
+#include "sigmascape/geo/coordinate_reference_system.h"
 #include "sigmascape/geo/coordinate_transform.h"
 
 namespace sigmascape::product {
@@ -87,8 +88,11 @@ Value value_at(const radar::GroundGrid& grid, const Array2D<Value>& values, Vec2
          values(c, next_r) * ((1.0F - u) * v) + values(next_c, next_r) * (u * v);
 }
 
-radar::GroundGrid turned_grid(const radar::GroundGrid& grid, const geo::CoordinateTransform& transform,
-                              const std::string& crs, std::optional<double> cell) {
+/// The same cells where they keep their size in the frame that they are in already.
+radar::GroundGrid turned_grid(const radar::GroundGrid& grid, const geo::LocalFrame& frame,
+                              const geo::CoordinateTransform& transform, const std::string& crs,
+                              std::optional<double> cell) {
+  if (cell.value_or(grid.cell_m) == grid.cell_m && geo::is_same_crs(crs, frame.proj())) return grid;
   std::vector<Vec2d> outline = outline_of(grid.extent());
   transform.to_crs(outline);
   if (std::ranges::any_of(outline, [](Vec2d p) { return std::isnan(p.x) || std::isnan(p.y); })) {
@@ -107,13 +111,15 @@ radar::GroundGrid turned_grid(const radar::GroundGrid& grid, const geo::Coordina
                 "choose one that is made for the place");
   }
   if (!(side > 0.0)) throw Error("cell of the map", fmt::format("{} is no size", side), "give a positive one");
-  return {box.west_m, box.north_m, side, static_cast<std::size_t>(std::ceil(box.width_m() / side)),
-          static_cast<std::size_t>(std::ceil(box.height_m() / side))};
+  // The last cells may reach beyond the map, but by no rounding.
+  const auto cells_over = [side](double length) { return static_cast<std::size_t>(std::ceil(length / side - 1e-6)); };
+  return {box.west_m, box.north_m, side, cells_over(box.width_m()), cells_over(box.height_m())};
 }
 
 template <typename Value>
 Array2D<Value> turned(const radar::GroundGrid& grid, const Array2D<Value>& values, const radar::GroundGrid& turned_grid,
                       const geo::CoordinateTransform& transform, Reading reading) {
+  if (turned_grid == grid) return values;
   Array2D<Value> turned(turned_grid.columns, turned_grid.rows);
   std::vector<Vec2d> places(turned_grid.columns);
   for (std::size_t row = 0; row < turned_grid.rows; ++row) {
@@ -141,7 +147,7 @@ geo::CoordinateTransform transform_to(const std::string& crs, const geo::LocalFr
 radar::GroundMap reprojected(const radar::GroundMap& map, const geo::LocalFrame& frame, const std::string& crs,
                              std::optional<double> cell) {
   const auto transform = transform_to(crs, frame);
-  const radar::GroundGrid grid = turned_grid(map.grid, transform, crs, cell);
+  const radar::GroundGrid grid = turned_grid(map.grid, frame, transform, crs, cell);
   return {.grid = grid,
           .sigma0 = turned(map.grid, map.sigma0, grid, transform, Reading::Bilinear),
           .crs = crs,
@@ -150,13 +156,13 @@ radar::GroundMap reprojected(const radar::GroundMap& map, const geo::LocalFrame&
 
 radar::GroundGrid reprojected(const radar::GroundGrid& grid, const geo::LocalFrame& frame, const std::string& crs,
                               std::optional<double> cell) {
-  return turned_grid(grid, transform_to(crs, frame), crs, cell);
+  return turned_grid(grid, frame, transform_to(crs, frame), crs, cell);
 }
 
 radar::PowerMap reprojected(const radar::PowerMap& map, const geo::LocalFrame& frame, const std::string& crs,
                             std::optional<double> cell) {
   const auto transform = transform_to(crs, frame);
-  const radar::GroundGrid grid = turned_grid(map.grid, transform, crs, cell);
+  const radar::GroundGrid grid = turned_grid(map.grid, frame, transform, crs, cell);
   return {.grid = grid,
           .power_w = turned(map.grid, map.power_w, grid, transform, Reading::Bilinear),
           .noise_w = map.noise_w,
@@ -167,7 +173,7 @@ radar::PowerMap reprojected(const radar::PowerMap& map, const geo::LocalFrame& f
 radar::LayerStack reprojected(const radar::LayerStack& stack, const geo::LocalFrame& frame, const std::string& crs,
                               std::optional<double> cell) {
   const auto transform = transform_to(crs, frame);
-  const radar::GroundGrid grid = turned_grid(stack.grid, transform, crs, cell);
+  const radar::GroundGrid grid = turned_grid(stack.grid, frame, transform, crs, cell);
   radar::LayerStack result{.grid = grid, .layers = {}, .crs = crs, .metadata = with_frame(stack.metadata, frame)};
   for (const radar::Layer& layer : stack.layers) {
     const Reading reading = layer.unit.empty() ? Reading::Nearest : Reading::Bilinear;

@@ -164,6 +164,8 @@ TEST_F(AtomicFile, PlacesWhereNothingCanLieAreToldBeforeTheWork) {
   EXPECT_NO_THROW(check_place_for(folder_ / "file"));
   EXPECT_NO_THROW(check_place_for(folder_ / "new" / "deeper" / "a.txt"));
   EXPECT_NO_THROW(check_place_for("a.txt"));
+  EXPECT_NO_THROW(check_place_for(folder_ / std::string(150, 'a')));
+  EXPECT_THROW(check_place_for(folder_ / std::string(250, 'a')), Error) << "another name is longer meanwhile";
   EXPECT_EQ(files(), 1U) << "the check writes nothing";
 }
 

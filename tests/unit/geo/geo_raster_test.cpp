@@ -90,6 +90,13 @@ TEST_F(GeoRasterFile, NothingIsLeftBesideTheFile) {
   EXPECT_EQ(files, 1U);
 }
 
+TEST_F(GeoRasterFile, StatisticsOfTheFileBeforeAreNotKept) {
+  write_geotiff(folder_ / "map.tif", example_raster());
+  std::ofstream(folder_ / "map.tif.aux.xml") << "<PAMDataset/>";
+  write_geotiff(folder_ / "map.tif", example_raster());
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "map.tif.aux.xml"));
+}
+
 TEST_F(GeoRasterFile, EqualRastersGiveEqualBytes) {
   write_geotiff(folder_ / "a.tif", example_raster());
   write_geotiff(folder_ / "b.tif", example_raster());

@@ -52,6 +52,23 @@ TEST_P(Reprojection, KeepsEveryPlaceWhereItIs) {
 INSTANTIATE_TEST_SUITE_P(Systems, Reprojection, testing::Values("EPSG:25830", "EPSG:4326", "EPSG:3857"));
 
 // Where the radar is told to be is in that frame still.
+// Cells of 0.3 m have no exact sum.
+TEST(Reprojection, IntoTheMapsOwnFrameLeavesItAsItIs) {
+  radar::GroundMap map = map_of_a_slope();
+  map.grid = {-1000.1, 999.7, 0.3, 100, 100};
+  map.sigma0(3, 4) = radar::Channels{NAN, NAN, NAN, NAN};
+  const radar::GroundMap same = reprojected(map, bilbao, bilbao.proj());
+  EXPECT_EQ(same.grid, map.grid);
+  for (std::size_t row = 0; row < 100; ++row) {
+    for (std::size_t column = 0; column < 100; ++column) {
+      if (column == 3 && row == 4) continue;
+      ASSERT_EQ(same.sigma0(column, row), map.sigma0(column, row));
+    }
+  }
+  EXPECT_TRUE(std::isnan(same.sigma0(3, 4).vv));
+  EXPECT_EQ(reprojected(map, bilbao, bilbao.proj(), 0.6).grid.columns, 50U);
+}
+
 TEST(Reprojection, NamesTheFrameThatItCameFrom) {
   radar::GroundMap map = map_of_a_slope();
   map.metadata = {{"radar_position_m", "1.00 2.00 3.00"}};
