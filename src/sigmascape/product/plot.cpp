@@ -14,6 +14,17 @@ constexpr Rgba colours[] = {{0x00, 0x72, 0xb2}, {0xd5, 0x5e, 0x00}, {0x00, 0x9e,
                             {0xcc, 0x79, 0xa7}, {0xe6, 0x9f, 0x00}, {0x56, 0xb4, 0xe9}};
 constexpr Rgba grid_grey{0xdd, 0xdd, 0xdd};
 
+/// Of the i-th series. When all have been taken they come again darker, and then lighter.
+Rgba colour_of(std::size_t i) {
+  Rgba colour = colours[i % std::size(colours)];
+  const std::size_t round = i / std::size(colours) % 3;
+  for (std::uint8_t* part : {&colour.red, &colour.green, &colour.blue}) {
+    if (round == 1) *part = static_cast<std::uint8_t>(*part / 2);
+    if (round == 2) *part = static_cast<std::uint8_t>(255 - (255 - *part) / 2);
+  }
+  return colour;
+}
+
 struct Extent {
   double lowest = std::numeric_limits<double>::infinity();
   double highest = -std::numeric_limits<double>::infinity();
@@ -46,31 +57,46 @@ class Axis {
     return start_ + (end_ - start_) * (scaled(value) - low_) / (high_ - low_);
   }
 
-  [[nodiscard]] std::vector<double> marks() const { return is_logarithmic_ ? logarithmic_marks() : even_marks(); }
+  struct Mark {
+    double value;
+    std::string text;
+  };
+
+  [[nodiscard]] std::vector<Mark> marks() const { return is_logarithmic_ ? logarithmic_marks() : even_marks(); }
 
  private:
   [[nodiscard]] double scaled(double value) const { return is_logarithmic_ ? std::log10(value) : value; }
 
-  [[nodiscard]] std::vector<double> logarithmic_marks() const {
-    std::vector<double> marks;
+  [[nodiscard]] std::vector<Mark> logarithmic_marks() const {
+    std::vector<Mark> marks;
     // Over many decades powers of ten alone have room.
     const bool is_wide = high_ - low_ > 3.5;
     for (int exponent = -12; exponent <= 12; ++exponent) {
       for (const double mantissa : {1.0, 2.0, 5.0}) {
         const double value = mantissa * std::pow(10.0, exponent);
         if (is_wide && mantissa > 1.0) continue;
-        if (scaled(value) >= low_ && scaled(value) <= high_) marks.push_back(value);
+        if (scaled(value) >= low_ && scaled(value) <= high_) marks.push_back({value, fmt::format("{:g}", value)});
       }
     }
     return marks;
   }
 
-  [[nodiscard]] std::vector<double> even_marks() const {
-    std::vector<double> marks;
+  [[nodiscard]] std::vector<Mark> even_marks() const {
+    std::vector<Mark> marks;
     const double rough = (high_ - low_) / 5.0, magnitude = std::pow(10.0, std::floor(std::log10(rough)));
     const double step = rough / magnitude < 1.5 ? magnitude : rough / magnitude < 3.5 ? 2 * magnitude : 5 * magnitude;
-    for (double k = std::ceil(low_ / step); k * step <= high_; k += 1.0) marks.push_back(k * step + 0.0);  // and no −0
+    for (double k = std::ceil(low_ / step); k * step <= high_; k += 1.0) {
+      const double value = k * step + 0.0;  // and no −0
+      marks.push_back({value, text_of(value, step)});
+    }
     return marks;
+  }
+
+  /// With as many digits as tell one mark from the next.
+  [[nodiscard]] std::string text_of(double value, double step) const {
+    const bool is_handy = std::max(std::abs(low_), std::abs(high_)) < 1e6 && step > 0.9e-6;
+    if (!is_handy) return fmt::format("{:.10g}", value);
+    return fmt::format("{:.{}f}", value, std::max(0, static_cast<int>(-std::floor(std::log10(step) + 1e-9))));
   }
 
   bool is_logarithmic_;
@@ -88,7 +114,7 @@ class PlotDrawer {
 
   Drawing drawn() {
     frame();
-    for (std::size_t i = 0; i < plot_.series.size(); ++i) series(plot_.series[i], colours[i % std::size(colours)]);
+    for (std::size_t i = 0; i < plot_.series.size(); ++i) series(plot_.series[i], colour_of(i));
     legend();
     return std::move(drawing_);
   }
@@ -115,15 +141,15 @@ class PlotDrawer {
 
   void frame() {
     const double foot = drawing_.height - bottom, end = drawing_.width - right;
-    for (const double mark : x_.marks()) {
+    for (const auto& [mark, text] : x_.marks()) {
       const double place = x_.place_of(mark);
       drawing_.marks.emplace_back(Stroke{{{place, top}, {place, foot}}, grid_grey, 1.0});
-      words({place, foot + 16}, Anchor::Middle, fmt::format("{:g}", mark));
+      words({place, foot + 16}, Anchor::Middle, text);
     }
-    for (const double mark : y_.marks()) {
+    for (const auto& [mark, text] : y_.marks()) {
       const double place = y_.place_of(mark);
       drawing_.marks.emplace_back(Stroke{{{left, place}, {end, place}}, grid_grey, 1.0});
-      words({left - 6, place + 4}, Anchor::End, fmt::format("{:.3g}", mark));
+      words({left - 6, place + 4}, Anchor::End, text);
     }
     words({(left + end) / 2, drawing_.height - 16}, Anchor::Middle, plot_.x_label);
     words({left, 20}, Anchor::Start, plot_.title);
@@ -148,26 +174,39 @@ class PlotDrawer {
     end_stroke();
   }
 
+  /// Side by side where there are more names than fit above one another; of so many that even these do not, every
+  /// other, or third and so on.
   void legend() {
-    // In that corner below the points, or above them, which comes near fewest of them.
-    const double rows = 16.0 * static_cast<double>(plot_.series.size());
+    constexpr double row = 16.0, spare = 10.0;
     const double foot = drawing_.height - bottom, end = drawing_.width - right;
+    std::vector<std::size_t> named;
     std::size_t longest = 0;
-    for (const PlotSeries& series : plot_.series) longest = std::max(longest, series.name.size());
-    const double width = 30.0 + 6.5 * static_cast<double>(longest);
-    Vec2d best{left, foot - rows - 10.0};
-    std::size_t fewest = std::numeric_limits<std::size_t>::max();
-    for (const Vec2d corner :
-         {best, Vec2d{end - width, foot - rows - 10.0}, Vec2d{end - width, top}, Vec2d{left, top}}) {
-      const std::size_t covered = points_within(corner, {width, rows + 10.0});
-      if (covered < fewest) fewest = covered, best = corner;
-    }
-    double line = best.y + 16.0;
     for (std::size_t i = 0; i < plot_.series.size(); ++i) {
       if (plot_.series[i].name.empty()) continue;
-      drawing_.marks.emplace_back(Dot{{best.x + 12, line - 4}, 4.0, colours[i % std::size(colours)]});
-      words({best.x + 22, line}, Anchor::Start, plot_.series[i].name);
-      line += 16.0;
+      named.push_back(i);
+      longest = std::max(longest, plot_.series[i].name.size());
+    }
+    if (named.empty()) return;
+    const double width = 30.0 + 6.5 * static_cast<double>(longest);
+    const auto most_rows = static_cast<std::size_t>((foot - top - spare) / row);
+    const auto most_columns = std::max<std::size_t>(1, static_cast<std::size_t>((end - left) / width));
+    const std::size_t every = (named.size() - 1) / (most_rows * most_columns) + 1;
+    const std::size_t shown = (named.size() - 1) / every + 1;
+    const std::size_t columns = (shown - 1) / most_rows + 1, rows = (shown - 1) / columns + 1;
+
+    // In that corner below the points, or above them, which comes near fewest of them.
+    const Vec2d size{width * static_cast<double>(columns), row * static_cast<double>(rows) + spare};
+    Vec2d best{left, foot - size.y};
+    std::size_t fewest = std::numeric_limits<std::size_t>::max();
+    for (const Vec2d corner : {best, Vec2d{end - size.x, foot - size.y}, Vec2d{end - size.x, top}, Vec2d{left, top}}) {
+      const std::size_t covered = points_within(corner, size);
+      if (covered < fewest) fewest = covered, best = corner;
+    }
+    for (std::size_t k = 0; k < shown; ++k) {
+      const std::size_t i = named[k * every];
+      const Vec2d at = best + Vec2d{width * static_cast<double>(k / rows), row * static_cast<double>(k % rows + 1)};
+      drawing_.marks.emplace_back(Dot{{at.x + 12, at.y - 4}, 4.0, colour_of(i)});
+      words({at.x + 22, at.y}, Anchor::Start, plot_.series[i].name);
     }
   }
 

@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <set>
+#include <string>
+#include <utility>
 
 #include "scratch_folder.h"
 
@@ -55,6 +59,48 @@ TEST(Plot, AxesOfDecibelsNeedNotHoldZero) {
   plot.y_from_zero = false;
   EXPECT_FALSE(zero_y(plot));
   EXPECT_FALSE(zero_y(with_points({{1.0, -20.0}, {2.0, -25.0}})));
+}
+
+TEST(Plot, MarksHaveDigitsThatTellThemApart) {
+  for (const auto& [low, high] :
+       {std::pair(28.3001, 28.3042), {1000.0, 1010.0}, {0.0, 1.0}, {-13.0, 12.0}, {0.0, 3e7}}) {
+    Plot plot = with_points({{0.0, low}, {1.0, high}});
+    plot.y_from_zero = false;
+    std::set<std::string> texts;
+    std::size_t marks = 0;
+    for (const Words& words : marks_of<Words>(drawing_of(plot))) {
+      if (words.anchor != Anchor::End) continue;
+      ++marks;
+      texts.insert(words.text);
+      EXPECT_NEAR(std::stod(words.text), (low + high) / 2.0, 0.6 * (high - low));
+    }
+    EXPECT_GE(marks, 3U) << low;
+    EXPECT_EQ(texts.size(), marks) << low;
+  }
+}
+
+TEST(Plot, NamesOfAnyNumberOfSeriesStandWithinTheFrame) {
+  for (const std::size_t count : {1UL, 8UL, 36UL, 400UL}) {
+    Plot plot;
+    for (std::size_t i = 0; i < count; ++i)
+      plot.series.push_back({.name = fmt::format("azimuth {}", i),
+                             .points = {{0.0, 1.0 * static_cast<double>(i)}, {1.0, 2.0}},
+                             .joined = true});
+    const Drawing drawing = drawing_of(plot);
+    std::set<std::pair<double, double>> places;
+    std::set<std::string> names;
+    for (const Words& words : marks_of<Words>(drawing)) {
+      if (!words.text.starts_with("azimuth")) continue;
+      names.insert(words.text);
+      places.insert({words.at.x, words.at.y});
+      EXPECT_GE(words.at.y, 30.0);
+      EXPECT_LE(words.at.y, drawing.height - 50.0);
+      EXPECT_GE(words.at.x, 60.0);
+      EXPECT_LE(words.at.x, drawing.width - 60.0);
+    }
+    EXPECT_EQ(places.size(), names.size()) << "none over another";
+    EXPECT_GE(names.size(), std::min<std::size_t>(count, 36U));
+  }
 }
 
 // Steps so small that a mark and the next are the same number would be marked without end.
