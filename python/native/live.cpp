@@ -119,7 +119,8 @@ void add_frame(py::module_& module) {
       "Of a traced frame: rays a cell that it is made of.");
   binding.def_property_readonly(
       "median_error_db", [](const HeldFrame& f) { return f.frame.report.median_error_db; },
-      "Of a traced frame: standard error of a bin's mean power, in the median over the bins that answer.");
+      "Of a traced frame: standard error of a bin's mean power, in the median over the bins that answer; infinite\n"
+      "while too few rays tell.");
 }
 
 }  // namespace

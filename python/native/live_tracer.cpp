@@ -45,8 +45,10 @@ void add_live_tracer(py::module_& module) {
   py::class_<Held<SceneTracer>> binding(
       module, "LiveTracer",
       "Level of detail 0 of live frames: the whole scene, path-traced, in the bins of LiveRenderer and with its\n"
-      "speckle. For small areas. While the pose stays the same each call adds rays to those before. Threads and\n"
-      "processes share it as they do a LiveRenderer.");
+      "speckle. For small areas: a frame fails for a radar that is less than a metre above the scene's highest\n"
+      "point, and for bins that look at more than 2**24 cells of the lattice or too flatly, where a LiveFlight shows\n"
+      "textures. While the pose stays the same each call adds rays to those before. Threads and processes share it\n"
+      "as they do a LiveRenderer.");
   binding.def(
       py::init(&made_tracer), py::arg("scene").none(false), py::kw_only(), py::arg("content") = "amplitudes",
       py::arg("beams") = settings.beams, py::arg("ranges") = settings.ranges,

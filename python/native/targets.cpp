@@ -114,7 +114,8 @@ TargetSource made(const Pair& position_m, const std::string& name, double rcs_db
 
 void add_targets(py::module_& module) {
   py::class_<TargetSource>(module, "Target",
-                           "A point that answers on its own: a vehicle, a ship, a reflector. Maps are of time zero.")
+                           "A point that answers on its own: a vehicle, a ship, a reflector. Maps are of the\n"
+                           "moment time_s, zero when nothing is said.")
       .def(py::init(&made), py::arg("position_m") = Pair{}, py::kw_only(), py::arg("name") = "target",
            py::arg("rcs_dbsm") = 10.0, py::arg("hv_dbsm") = py::none(), py::arg("bounces") = "odd",
            py::arg("height_m") = py::none(), py::arg("altitude_m") = py::none(), py::arg("speed_mps") = 0.0,

@@ -8,7 +8,8 @@
  *
  * The ground may be shared by any number of renderers on any threads at once; a renderer is for one caller at a time.
  * A child that was forked off has the threads of neither: open and make there what is used there.
- * Structs that are handed in are best begun with zeros, `= {0}`, so that what a later version adds has its default. */
+ * Poses and targets are best begun with zeros, `= {0}`, settings and tracing with sigmascape_default_settings() and
+ * sigmascape_default_tracing(), so that what a later version adds has its default. */
 
 #include <stddef.h>
 #include <stdint.h>
@@ -90,13 +91,14 @@ typedef struct sigmascape_frame {
   const float* powers_m2;    /* [beam][range][VV, HH, HV, Re VV HH*]; one of the two is null */
   size_t cells, lit;         /* lattice cells looked at, and seen by the radar */
   size_t coarse, dark;       /* cells shown more coarsely than wanted, for pages were not there yet, and not at all:
-                                outside the atlas, or where its coarsest level cannot be read */
+                                outside the atlas, or where its two coarsest levels cannot be read */
   size_t level;              /* of the textures, 0 the finest */
   double terrain_error_m;    /* by how much the terrain that hides may be wrong, for finer tiles were not there */
   size_t coarse_obstacles;   /* tiles of what stands on the ground, coarser than the bins ask for */
   size_t targets;            /* that stand in the bins and are seen, by a step's beams of a scan */
   uint64_t rays_per_cell;    /* of a traced frame: that it is made of; 0 of one from textures */
-  double median_error_db;    /* of a traced frame: standard error of a bin's mean power, in the median over the bins */
+  double median_error_db;    /* of a traced frame: standard error of a bin's mean power, in the median over the bins;
+                                infinite while too few rays tell */
 } sigmascape_frame;
 
 typedef struct sigmascape_renderer sigmascape_renderer;
@@ -127,7 +129,9 @@ typedef struct sigmascape_tracing {
 sigmascape_tracing sigmascape_default_tracing(void);
 
 /* A renderer that traces the whole scene into such bins, level of detail 0, for small areas: it takes poses and targets
- * as others do and gives such frames. Null when the settings make no sense. */
+ * as others do and gives such frames. Null when the settings make no sense. A frame fails for a radar that is less than
+ * a metre above the scene's highest point, and for bins that look at more than 2^24 cells of the lattice or too flatly;
+ * a flight shows textures then. */
 sigmascape_renderer* sigmascape_make_tracer(sigmascape_scene* scene, const sigmascape_settings* settings,
                                             const sigmascape_tracing* tracing);
 /* Whether the resolution cell asks for tracing where the tracer's scene is at hand: 0, the level of detail that is
