@@ -189,7 +189,7 @@ void FoliageRaster::add_piece(const Corners& piece, const terrain::HeightField& 
 }
 
 void FoliageRaster::add_surface(std::size_t column, std::size_t row, const Foliage& more) {
-  if (more.area_m2 == 0.0) return;
+  if (more.area_m2 == 0.0 || more.top_m <= 0.0) return;  // nothing, or below the ground
   row -= parts_.first_row;
   Foliage& foliage = foliage_(column, row);
   const double base_m = std::max(0.0, more.base_m);
@@ -199,11 +199,12 @@ void FoliageRaster::add_surface(std::size_t column, std::size_t row, const Folia
   is_there_(column / parts_per_side_, row / parts_per_side_) = 1;
 }
 
-/// As thick as a part is wide at least: of a sheet, lines between those that are laid would pass above or below it.
+/// As thick as a part is wide at least: of a sheet, lines between those that are laid would pass above or below it. Not
+/// of what lies on the ground, which hides nothing.
 Foliage FoliageRaster::foliage_of(std::size_t column, std::size_t row) const {
   Foliage part = foliage_(column, row - parts_.first_row);
   const double least_m = std::min(parts_.grid.cell_m, part_m);
-  if (const double lacking_m = least_m - (part.top_m - part.base_m); lacking_m > 0.0) {
+  if (const double lacking_m = least_m - (part.top_m - part.base_m); lacking_m > 0.0 && part.top_m > least_m / 2.0) {
     part.base_m = std::max(0.0, part.base_m - lacking_m / 2.0);
     part.top_m += lacking_m / 2.0;
   }

@@ -138,6 +138,26 @@ TEST(ObstacleRaster, SheetsHideWhatLiesBelowThemHoweverTheyAreTilted) {
   }
 }
 
+TEST(ObstacleRaster, WhatLiesOnOrBelowTheGroundHidesNothing) {
+  for (const float lift_m : {0.0F, -1.0F, -30.0F}) {
+    Scene scene = empty_scene();
+    scene.prototypes.push_back({.name = "carpet",
+                                .vertices = {{-8, -8, 0}, {8, -8, 0}, {8, 8, 0}, {-8, 8, 0}},
+                                .triangles = {{0, 1, 2}, {0, 2, 3}},
+                                .materials = {0, 0}});
+    scene.prototypes.push_back(tree_mesh(TreeForm::Conifer, {0, 1}, 1));
+    scene.instances.push_back({.prototype = 0, .lift_m = lift_m});
+    scene.instances.push_back({.prototype = 1, .lift_m = -30.0F});
+    for (const double cell_m : {0.5, 2.0}) {
+      const auto count = static_cast<std::size_t>(20.0 / cell_m);
+      const auto map = obstacles_of(scene, {-10.0, 10.0, cell_m, count, count});
+      EXPECT_TRUE(std::ranges::all_of(map.obstacles.values(),
+                                      [](const radar::Obstacle& cell) { return cell == radar::Obstacle{}; }))
+          << lift_m << ", " << cell_m;
+    }
+  }
+}
+
 // A bush of 0.3 m in a wide cell, and surfaces without area, which are nowhere.
 TEST(ObstacleRaster, SmallCrownsAreFoundAndNothingIsNot) {
   Scene scene = empty_scene();
