@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fmt/format.h>
 
+#include "sigmascape/base/error.h"
 #include "sigmascape/base/parallel.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/echo.h"
+#include "sigmascape/radar/radar_title.h"
 #include "sigmascape/receiver/range_azimuth_receiver.h"
 
 namespace sigmascape::render {
@@ -219,6 +222,12 @@ radar::RangeAzimuthImage paper_image(const PaperTextures& textures, const terrai
                                      const radar::Radar& radar, const radar::Rectangle& area,
                                      const radar::RangeAzimuthGrid& grid, const PaperLookUp& look_up,
                                      unsigned threads) {
+  if (!(radar.position.z > terrain.highest_m())) {
+    throw Error(
+        radar::title_of(radar),
+        fmt::format("stands at {:.1f} m, and the highest ground at {:.1f} m", radar.position.z, terrain.highest_m()),
+        "place the radar above the ground: the paper's camera looks down on all of it");
+  }
   const radar::Rectangle ground = terrain.extent();
   const Vec2d place{radar.position.x, radar.position.y};
   const Vec2d nearest{std::clamp(place.x, ground.west_m, ground.east_m),

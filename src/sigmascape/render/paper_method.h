@@ -68,7 +68,8 @@ class PaperTextures {
 /// plane, two a range bin and one on the centre of every azimuth bin: the paper's oblique camera, whose pixels cover
 /// the same ground and, from afar, the same solid angle. It takes the first terrain that it meets, looks σ0 up at the
 /// angles of the line of sight, at the mip that a graphics card would choose, makes radiance of it, and adds what that
-/// comes to in the pixel's solid angle to the bin at its true slant range.
+/// comes to in the pixel's solid angle to the bin at its true slant range. Throws Error for a radar that does not stand
+/// above all of the terrain.
 [[nodiscard]] radar::RangeAzimuthImage paper_image(const PaperTextures& textures, const terrain::HeightField& terrain,
                                                    const radar::Radar& radar, const radar::Rectangle& area,
                                                    const radar::RangeAzimuthGrid& grid, const PaperLookUp& look_up = {},

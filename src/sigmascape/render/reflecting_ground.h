@@ -67,7 +67,8 @@ class ReflectingGround {
   template <typename Visit>
   void walk(double azimuth_rad, double near_m, double far_m, double step_m, const Visit& visit) const {
     terrain::ObstacleSweep line_of_sight(radar_position_.z);
-    // What hides is looked at in strides that no obstacle is narrower than; every so many a place is visited.
+    // What hides is looked at in strides that no obstacle and no crest is narrower than; every so many a place is
+    // visited.
     const std::size_t strides = strides_in(step_m);
     const double stride_m = step_m / static_cast<double>(strides);
     terrain::GroundProfile profile(*terrain_, ground_ != nullptr ? &ground_->obstacles : nullptr);
@@ -95,8 +96,9 @@ class ReflectingGround {
  private:
   /// An odd number, so that one of them is the middle.
   [[nodiscard]] std::size_t strides_in(double step_m) const {
-    if (ground_ == nullptr) return 1;
-    return 2 * static_cast<std::size_t>(step_m / ground_->obstacles.grid.cell_m) + 1;
+    const double narrowest_m =
+        ground_ != nullptr ? std::min(ground_->obstacles.grid.cell_m, terrain_->spacing_m) : terrain_->spacing_m;
+    return 2 * static_cast<std::size_t>(step_m / narrowest_m) + 1;
   }
   /// Unit vector to the radar from a point, above the horizontal that the point has on the curved Earth.
   [[nodiscard]] Vec3d towards_radar(Vec3d point) const;

@@ -146,13 +146,17 @@ class SweptMasks {
       : lines_(std::move(lines)), masks_(lines_.steps, lines_.lines) {
     parallel_for(lines_.lines, threads, [&](std::size_t index, unsigned) {
       const SweptLine line = lines_.line(index);
-      LineSweep(ground, shadows, line.platform.z, lines_.step_m)
+      const std::size_t strides = lines_.strides;
+      const double stride_m = lines_.step_m / static_cast<double>(strides);
+      LineSweep(ground, shadows, line.platform.z, stride_m)
           .sweep({.origin = {line.platform.x, line.platform.y},
                   .direction = line.direction,
                   .near_m = lines_.near_m,
-                  .step_m = lines_.step_m,
-                  .count = lines_.steps},
-                 [&](std::size_t step, const Masks& masks) { masks_(step, index) = masks; });
+                  .step_m = stride_m,
+                  .count = lines_.steps * strides},
+                 [&](std::size_t stride, const Masks& masks) {
+                   if (stride % strides == strides / 2) masks_(stride / strides, index) = masks;
+                 });
     });
   }
 

@@ -26,6 +26,13 @@ std::size_t steps_over(const CoarseGround& ground, double platform_m, double nea
   return static_cast<std::size_t>(std::ceil((std::min(terrain_end_m, end_m) - near_m) / step_m)) + 1;
 }
 
+/// Of which none is wider than half a square of what stands on the ground, or than the terrain's spacing.
+std::size_t strides_in(double step_m, const CoarseGround& ground) {
+  double widest_m = ground.terrain->spacing_m;
+  if (ground.obstacles != nullptr) widest_m = std::min(widest_m, 0.5 * ground.obstacles->grid.cell_m);
+  return 2 * static_cast<std::size_t>(std::ceil(0.5 * (step_m / widest_m - 1.0) - 1e-9)) + 1;
+}
+
 SweptLines lines_about(const CoarseGround& ground, Vec3d platform, const radar::GroundGrid& grid) {
   const Vec2d here{platform.x, platform.y};
   const radar::Rectangle area = grid.extent(), all = ground.terrain->extent();
@@ -35,7 +42,8 @@ SweptLines lines_about(const CoarseGround& ground, Vec3d platform, const radar::
   const double turn_rad = step_m / far_m, first_rad = azimuths.middle_rad - half_rad;
   SweptLines swept{.lines = static_cast<std::size_t>(std::ceil(2.0 * half_rad / turn_rad)) + 1,
                    .near_m = radar::nearest_m(all, here),
-                   .step_m = step_m};
+                   .step_m = step_m,
+                   .strides = strides_in(step_m, ground)};
   swept.steps = steps_over(ground, platform.z, swept.near_m, far_m, radar::farthest_m(all, here), step_m);
   swept.line = [=](std::size_t index) -> SweptLine {
     return {platform, radar::horizontal_direction(first_rad + static_cast<double>(index) * turn_rad)};
@@ -55,7 +63,9 @@ SweptLines lines_under(const CoarseGround& ground, const radar::PassingBeam& bea
   const radar::Rectangle area = grid.extent(), all = ground.terrain->extent();
   const auto distance_of = [&](Vec2d point) { return beam.distance_m(point); };
   const double far_m = radar::span_over(area, distance_of)[1], step_m = grid.cell_m / steps_per_cell;
-  SweptLines swept{.step_m = step_m, .sees = [beam](Vec2d point) { return beam.looks_to(point); }};
+  SweptLines swept{.step_m = step_m, .strides = strides_in(step_m, ground), .sees = [beam](Vec2d point) {
+                     return beam.looks_to(point);
+                   }};
   if (far_m < 0.0) return swept;
   const std::array<double, 2> across_m = radar::span_over(area, [&](Vec2d point) { return beam.across_m(point); });
   const std::array<double, 2> terrain_m = radar::span_over(all, distance_of);

@@ -20,6 +20,7 @@ struct SweptLine {
 struct SweptLines {
   std::size_t lines = 0, steps = 0;
   double near_m = 0.0, step_m = 0.0;  ///< of the steps along each, over the ground from the platform
+  std::size_t strides = 1;  ///< an odd number that a step is gone over in, so that nothing that stands there is missed
   std::function<SweptLine(std::size_t)> line = {};
   /// Where a point lies among them: in steps from `near_m`, and in lines of which each is at its number.
   std::function<Vec2d(Vec2d)> place_of = {};

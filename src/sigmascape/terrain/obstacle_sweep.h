@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -29,10 +30,12 @@ struct Sight {
 /// Walks outwards from an observer along one azimuth over ground with obstacles and tells what is seen of each place.
 ///
 /// A line of sight is named by its slope. Ground is hidden by terrain and solid things whose slope is steeper; through
-/// a crown that reaches from one slope to another, e^−κs of it is seen, s the way of the line of sight within. As only
-/// ground at or above the horizon is seen at all, slopes of interest only rise: each crown enters and leaves the sum of
-/// optical depths once, so that a walk takes time in proportion to its length times the logarithm of the crowns that
-/// are in the way at once.
+/// a crown that reaches from one slope to another, e^−κs of it is seen, s the way of the line of sight within. A crown
+/// is taken in pieces over which a line of sight falls by no more than half its height, half of them before the middle
+/// of a step, so that the ground there is hidden by what of its own crown lies before it. As only ground at or above
+/// the horizon is seen at all, slopes of interest only rise: each crown enters and leaves the sum of optical depths
+/// once, so that a walk takes time in proportion to its length times the logarithm of the crowns that are in the way at
+/// once.
 class ObstacleSweep {
  public:
   explicit ObstacleSweep(double observer_height_m) : observer_height_m_(observer_height_m) {}
@@ -54,6 +57,9 @@ class ObstacleSweep {
   /// Optical depths are whole multiples of this, so that what a crown adds it takes away again.
   static constexpr double depth_unit = 1e-6;
 
+  /// Beyond, what is so flat beside a step is met by too few lines.
+  static constexpr double most_pieces_a_half = 8.0;
+
   /// One part in 10¹³ comes through; what is less counts as nothing, and nobody looks up what the ground there returns.
   static constexpr double deepest = 30.0;
 
@@ -68,10 +74,16 @@ class ObstacleSweep {
     const double base = slope + static_cast<double>(obstacle.crown_base_m) / distance_m;
     const double top = slope + static_cast<double>(obstacle.crown_top_m) / distance_m;
     if (top <= horizon_) return;
-    const double way_m = step_m * std::sqrt(1.0 + slope * slope);
+    const double height_m = static_cast<double>(obstacle.crown_top_m) - static_cast<double>(obstacle.crown_base_m);
+    const double falls = step_m * std::abs(slope) / std::max(height_m, 1e-3);  // by half the height in half a step
+    const int pieces = 2 * static_cast<int>(std::clamp(std::ceil(falls), 1.0, most_pieces_a_half));
+    const double piece_m = step_m / pieces, way_m = piece_m * std::sqrt(1.0 + slope * slope);
     const auto depth = std::llround(static_cast<double>(obstacle.crown_extinction_per_m) * way_m / depth_unit);
-    bases_.push({base, depth});
-    tops_.push({top, depth});
+    for (int piece = 0; piece < pieces; ++piece) {
+      const double nearer = distance_m / (distance_m + (piece + 0.5) * piece_m - 0.5 * step_m);
+      bases_.push({base * nearer, depth});
+      tops_.push({top * nearer, depth});
+    }
   }
 
   double transmission_at(double slope) {

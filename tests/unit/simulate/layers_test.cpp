@@ -1,12 +1,14 @@
 #include "sigmascape/simulate/layers.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <gtest/gtest.h>
 
 #include "physics/level_scene.h"
 #include "scratch_folder.h"
 
+#include "sigmascape/base/hash.h"
 #include "sigmascape/scene/obstacle_raster.h"
 #include "sigmascape/simulate/simulate.h"
 
@@ -341,6 +343,34 @@ TEST(TracedBounces, AddUpToTheMap) {
     multiple += vv(1);
   }
   EXPECT_GT(multiple, 0.0) << "wall and ground make double bounces";
+}
+
+/// Houses of 6 m on a sixth of all blocks of 8 m, seen under 10°: h tan ψ is a metre, less than steps of coarse cells.
+TEST(SweptLayers, MasksTellOfTheGroundWhateverTheCells) {
+  const scene::Scene level = physics_test::level_scene(lambert("ground"), 512.0);
+  radar::ObstacleMap town{{-256.0, 256.0, 2.0, 256, 256}, Array2D<radar::Obstacle>(256, 256)};
+  for (std::size_t row = 0; row < 256; ++row) {
+    for (std::size_t column = 0; column < 256; ++column) {
+      if (hashed(column / 4, row / 4) % 6 == 0) town.obstacles(column, row).solid_top_m = 6.0F;
+    }
+  }
+  const CoarseGround ground{&level.terrain, &town, &level.ground, level.materials.size()};
+  const auto means = [&](double side_m) {
+    const auto count = static_cast<std::size_t>(400.0 / side_m);
+    const auto stack = swept_layers(ground, radar_in_the_south(10.0), {-200.0, 200.0, side_m, count, count},
+                                    std::vector{LayerKind::Shadow, LayerKind::Layover}, 1, {});
+    std::array<double, 2> shares{};
+    for (std::size_t k = 0; k < 2; ++k)
+      shares[k] = static_cast<double>(set_cells(stack.layers[k].values)) / static_cast<double>(count * count);
+    return shares;
+  };
+  const auto fine = means(1.0);
+  ASSERT_GT(fine[1], 0.1);
+  for (const double side_m : {4.0, 8.0, 16.0}) {
+    const auto coarse = means(side_m);
+    EXPECT_NEAR(coarse[0], fine[0], 0.06) << side_m;
+    EXPECT_NEAR(coarse[1], fine[1], 0.06) << side_m;
+  }
 }
 
 }  // namespace

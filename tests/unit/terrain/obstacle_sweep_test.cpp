@@ -1,8 +1,11 @@
 #include "sigmascape/terrain/obstacle_sweep.h"
 
+#include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 
 #include "sigmascape/base/hash.h"
+#include "sigmascape/base/units.h"
 
 namespace sigmascape::terrain {
 namespace {
@@ -43,6 +46,35 @@ TEST(ObstacleSweep, CrownsLetAPartThrough) {
     const double first = std::max(0.0, past_m - 10.0 / tangent), last = std::min(wide_m, past_m - 2.0 / tangent);
     const double way_m = past_m < 0.0 ? 0.0 : std::max(0.0, last - first) * std::sqrt(1.0 + tangent * tangent);
     EXPECT_NEAR(sight.ground, std::exp(-0.2 * way_m), 0.2 * 3.0 * step_m) << past_m;
+  }
+}
+
+// Within plants that stand everywhere, however low and however steeply they are looked at, e^−κh/sin ψ of the ground is
+// seen.
+TEST(ObstacleSweep, EvenPlantsHideTheirGroundWhateverTheStep) {
+  for (const radar::Obstacle& plants :
+       {radar::Obstacle{.crown_base_m = 0.2F, .crown_top_m = 2.0F, .crown_extinction_per_m = 0.5F},
+        {.crown_base_m = 0.0F, .crown_top_m = 2.0F, .crown_extinction_per_m = 0.5F},
+        {.crown_base_m = 2.0F, .crown_top_m = 8.0F, .crown_extinction_per_m = 0.15F}}) {
+    for (const double elevation_deg : {10.0, 30.0, 45.0, 60.0}) {
+      for (const double step_m : {1.0, 2.0, 4.0}) {
+        const double psi = radians_from_deg(elevation_deg), middle_m = 2000.0 / std::tan(psi);
+        ObstacleSweep sweep(2000.0);
+        double seen = 0.0;
+        int places = 0;
+        for (double d = middle_m - 100.0; d < middle_m + 40.0; d += step_m) {
+          const Sight sight = sweep.advance(d, 0.0, plants, step_m);
+          if (d < middle_m) continue;
+          seen += sight.ground;
+          ++places;
+        }
+        const double depth =
+            static_cast<double>(plants.crown_extinction_per_m * (plants.crown_top_m - plants.crown_base_m)) /
+            std::sin(psi);
+        EXPECT_NEAR(std::log(seen / places), -depth, std::max(0.3, 0.08 * depth))
+            << plants.crown_base_m << " m, " << elevation_deg << "°, " << step_m << " m";
+      }
+    }
   }
 }
 
