@@ -8,9 +8,9 @@
 namespace sigmascape::trace {
 
 /// By how far echoes of several bounces that land in `target` may land behind their beginnings where the tallest thing
-/// is so tall: H / (sin ψ cos ψ) at the lowest grazing angle (trace::multibounce_reach says why), but no less than
-/// between slopes of bare ground
-/// and no more than a kilometre. On ground at height zero, which is all the same to a radar at infinity.
+/// is so tall (trace::multibounce_reach says why): no less than between slopes of bare ground, no more than a
+/// kilometre, and the most of the corners and the place nearest to the radar. On ground at height zero, which is all
+/// the same to a radar at infinity.
 [[nodiscard]] double late_by_m(double tallest_m, const Viewpoint& viewpoint, const radar::Rectangle& target);
 /// The same on terrain: a radar at a place sees high ground more flatly than the sea.
 [[nodiscard]] double late_by_m(double tallest_m, const Viewpoint& viewpoint, const radar::Rectangle& target,

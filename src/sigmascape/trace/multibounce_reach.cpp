@@ -14,34 +14,37 @@ constexpr double least_m = 32.0;
 /// Of the distance before. Ends that lie apart across the line of sight are apart along it, too.
 constexpr double part_beside = 0.5;
 
-/// Of level ground at height zero where there is no terrain, which from infinitely far away is seen as any other.
-double lowest_sine_of_grazing(const Viewpoint& viewpoint, const radar::Rectangle& target,
-                              const terrain::HeightField* terrain) {
-  double sine = 1.0;
-  for (const Vec2d corner : radar::corners_of(target)) {
-    const double height_m = terrain != nullptr ? terrain->height_at(corner) : 0.0;
-    sine = std::min(sine, viewpoint.direction_from({corner.x, corner.y, height_m}).z);
-  }
-  return sine;
+/// Of what lands at a place.
+double late_at(Vec3d place, double tallest_m, const Viewpoint& viewpoint) {
+  const double sine_of_grazing = viewpoint.direction_from(place).z;
+  // A radar that stands lower than some of the ground sees it under no angle.
+  if (sine_of_grazing <= 0.0) return farthest_bounce_m;
+  return std::clamp(viewpoint.nearer_before_m(place, tallest_m / sine_of_grazing), least_m, farthest_bounce_m);
 }
 
-/// What comes late by so much of slant range lands by that over cos ψ behind.
-double late_when_seen_under(double sine_of_grazing, double tallest_m) {
-  // A radar that stands lower than some of the ground sees it under no angle, and from above all lands far behind.
-  const double cosine = std::sqrt(std::max(0.0, 1.0 - sine_of_grazing * sine_of_grazing));
-  if (sine_of_grazing <= 0.0 || tallest_m > farthest_bounce_m * sine_of_grazing * cosine) return farthest_bounce_m;
-  return std::max(least_m, tallest_m / (sine_of_grazing * cosine));
+/// The most of the corners and of the place nearest to the radar. On level ground at height zero where there is no
+/// terrain, which from infinitely far away is seen as any other.
+double late_over(const radar::Rectangle& target, double tallest_m, const Viewpoint& viewpoint,
+                 const terrain::HeightField* terrain) {
+  double late_m = 0.0;
+  const auto take_in = [&](Vec2d place) {
+    const double height_m = terrain != nullptr ? terrain->height_at(place) : 0.0;
+    late_m = std::max(late_m, late_at({place.x, place.y, height_m}, tallest_m, viewpoint));
+  };
+  std::ranges::for_each(radar::corners_of(target), take_in);
+  take_in(viewpoint.nearest_point(target));
+  return late_m;
 }
 
 }  // namespace
 
 double late_by_m(double tallest_m, const Viewpoint& viewpoint, const radar::Rectangle& target) {
-  return late_when_seen_under(lowest_sine_of_grazing(viewpoint, target, nullptr), tallest_m);
+  return late_over(target, tallest_m, viewpoint, nullptr);
 }
 
 double late_by_m(double tallest_m, const Viewpoint& viewpoint, const radar::Rectangle& target,
                  const terrain::HeightField& terrain) {
-  return late_when_seen_under(lowest_sine_of_grazing(viewpoint, target, &terrain), tallest_m);
+  return late_over(target, tallest_m, viewpoint, &terrain);
 }
 
 double farthest_beginning_m(double late_m) {

@@ -85,4 +85,11 @@ Vec2d Viewpoint::shadow_on_plane(Vec3d point, double height_m) const {
   return {point.x + steps * to_radar.x, point.y + steps * to_radar.y};
 }
 
+double Viewpoint::nearer_before_m(Vec3d place, double late_m) const {
+  if (is_distant_) return late_m / horizontal_;
+  const double height_m = position_.z - place.z, range_m = std::max(0.0, range_of(place) - late_m);
+  return std::hypot(position_.x - place.x, position_.y - place.y) -
+         std::sqrt(std::max(0.0, range_m * range_m - height_m * height_m));
+}
+
 }  // namespace sigmascape::trace

@@ -47,6 +47,10 @@ class Viewpoint {
   /// How far before a point, along the level towards the radar, its echo lands on the plane at `height_m` below it.
   [[nodiscard]] double landing_before_m(Vec3d point, double height_m) const;
 
+  /// How far before a place, along the level towards the radar, what is nearer by `late_m` of range lies: no farther
+  /// than right below the radar.
+  [[nodiscard]] double nearer_before_m(Vec3d place, double late_m) const;
+
   /// The beam that a ray stands for which is aimed at `aim` for `area_m2` of the launch plane: its solid angle, or its
   /// cross-section in m² when the radar is at infinity.
   [[nodiscard]] double beam_of(Vec3d aim, double area_m2) const {

@@ -109,11 +109,21 @@ TEST(MultibounceReach, OfARadarAtAPlaceFollowsItsHeightAboveTheGround) {
     return multibounce_reach(scene, Viewpoint::located({10.0, -4010.0, radar_m}), place).before_m;
   };
   // Farthest away are the northern corners, by 4020 m northwards and 20 m aside at most.
-  const double over_ground_m = std::hypot(4020.0, 20.0), square_m2 = over_ground_m * over_ground_m + 1e6;
-  EXPECT_NEAR(before(0.0F, 1000.0), 40.0 * square_m2 / (1000.0 * over_ground_m), 1e-6);
-  EXPECT_NEAR(before(2000.0F, 1000.0), 40.0 * square_m2 / (1000.0 * over_ground_m), 1e-6);
+  const double over_ground_m = std::hypot(4020.0, 20.0), range_m = std::hypot(over_ground_m, 1000.0);
+  const double nearer_m = range_m - 40.0 * range_m / 1000.0;
+  const double expected_m = over_ground_m - std::sqrt(nearer_m * nearer_m - 1e6);
+  EXPECT_NEAR(before(0.0F, 1000.0), expected_m, 1e-6);
+  EXPECT_NEAR(before(2000.0F, 1000.0), expected_m, 1e-6);
   // One that stands lower than the ground sees none of it, be it far away or not.
   EXPECT_EQ(before(2000.0F, -10.0), 1024.0);
+}
+
+// 40 m of range are all of the ground between a place and the foot of a radar that is nearly above it, and no more.
+TEST(MultibounceReach, EndsBelowTheRadar) {
+  scene::Scene scene = plain_scene(0.0);
+  add_box(scene, {10, 10, 40}, {0, 0}, 0.5);
+  const auto reach = multibounce_reach(scene, Viewpoint::located({0.0, -90.0, 1000.0}), {-10, -10, 10, 10});
+  EXPECT_NEAR(reach.before_m, std::hypot(10.0, 100.0), 1e-6);
 }
 
 TEST(MultibounceReach, EndsWhereNothingStands) {
