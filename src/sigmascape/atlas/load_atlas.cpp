@@ -8,6 +8,7 @@
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/atlas/half_texture.h"
 #include "sigmascape/base/error.h"
+#include "sigmascape/base/machine_memory.h"
 #include "sigmascape/base/parallel.h"
 
 namespace sigmascape::atlas {
@@ -88,8 +89,25 @@ class AtlasLoader {
     return files;
   }
 
+  void check_room(std::size_t places, std::size_t looks) const {
+    double texels = 0.0;
+    for (std::size_t level = atlas_.finest_level_; level <= atlas_.coarsest_level(); ++level) {
+      const auto side = static_cast<double>(atlas_.patches_.texels_per_side >> level);
+      texels += side * side;
+    }
+    const double bytes = static_cast<double>(places) * texels * static_cast<double>(looks * channels * sizeof(Half));
+    if (const double memory_bytes = machine_memory_bytes(); bytes > memory_bytes) {
+      throw Error(
+          store_.folder().string(),
+          fmt::format("holds textures of {} patches and {} looks that take {:.3g} GB of memory, and there are {:.3g}",
+                      places, looks, bytes / 1e9, memory_bytes / 1e9),
+          "bake what is mapped into an atlas of its own, or take live frames, which read what they look at");
+    }
+  }
+
   void make_room() {
     const std::size_t looks = atlas_.aspects_.look_count();
+    check_room(static_cast<std::size_t>(atlas_.patch_columns_) * static_cast<std::size_t>(atlas_.patch_rows_), looks);
     atlas_.patch_table_.resize(static_cast<std::size_t>(atlas_.patch_columns_) *
                                static_cast<std::size_t>(atlas_.patch_rows_));
     for (Atlas::Patch& patch : atlas_.patch_table_) {
