@@ -542,7 +542,7 @@ TEST(DatasetCommand, WarnsOfItsSceneAndOfCellsThatAreTooCoarse) {
   };
   EXPECT_EQ(times_said("warning: scene: files without a feature that is asked for, of which nothing is used: 1"), 1U)
       << printed;
-  EXPECT_EQ(times_said("warning: radar: in maps 15 km away the beam of 1.89 m is narrower than the map's cells of 8 m"),
+  EXPECT_EQ(times_said("warning: radar: in maps 15 km away the beam of 1.9 m is narrower than the map's cells of 8 m"),
             1U)
       << printed;
   EXPECT_EQ(times_said("in maps "), 1U) << printed;

@@ -28,7 +28,7 @@ def test_cells_too_coarse_for_the_finest_beam_are_told_of_once(spec, tmp_path):
     assert len(told) == 1
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        assert sigmascape.make_dataset(spec(2.0), tmp_path / "fine", progress=False).is_complete
+        assert sigmascape.make_dataset(spec(1.9), tmp_path / "fine", progress=False).is_complete
 
 
 def test_a_warning_that_is_made_an_error_comes_before_the_work(spec, tmp_path):

@@ -90,7 +90,7 @@ std::vector<std::string> dataset_warnings(const DatasetSpec& spec, const terrain
     const radar::Radar radar = radar_of(spec, plan, terrain);
     const auto bins = simulate::bins_for(radar, plan.grid.extent(), terrain);
     for (const std::string& warning :
-         radar::radar_warnings(radar, bins, cell_m, radar.position.z - terrain.height_at(plan.grid.extent().centre())))
+         radar::radar_warnings(radar, bins, simulate::mapped_ground(radar, plan.grid.extent(), terrain), cell_m))
       warnings.push_back(fmt::format("in maps {:.4g} km away {}", sample.slant_range_m / 1e3, warning));
   };
   add(ends.nearest(), spec.cell_m);

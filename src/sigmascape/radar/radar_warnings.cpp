@@ -73,17 +73,13 @@ void check_eclipsing(const Radar& radar, Swath swath, std::vector<std::string>& 
 /// 1.3 % at 1, 1 % at 1.2.
 constexpr double least_cells = 0.96;
 
-/// Over ground that lies `below_m` lower than the radar.
-void check_cells(const Radar& radar, Swath swath, double below_m, double cell_m, std::vector<std::string>& warnings) {
-  const auto over_ground_m = [below_m](double range_m) {
-    return std::sqrt(std::max(0.0, range_m * range_m - below_m * below_m));
-  };
-  // Right below the radar any beam is narrow, and the pulse nowhere as narrow as at the far edge.
-  const double nearest_m = over_ground_m(std::max(swath.near_m, 0.5 * swath.far_m)),
-               farthest_m = over_ground_m(swath.far_m);
+void check_cells(const Radar& radar, const MappedGround& ground, double cell_m, std::vector<std::string>& warnings) {
+  // Right below the radar any beam is narrow, and the pulse is nowhere as narrow as at the far edge.
+  const double nearest_m = std::max(ground.nearest_m, 0.5 * ground.farthest_m);
   const double beam_m = radar.mode == Mode::RealBeam ? antenna_pattern(radar).azimuth().two_way_width_rad() * nearest_m
                                                      : std::numeric_limits<double>::infinity();
-  const double pulse_m = radar.range_resolution_m * swath.far_m / std::max(farthest_m, radar.range_resolution_m);
+  const double pulse_m = radar.range_resolution_m * std::hypot(ground.farthest_m, ground.below_m) /
+                         std::max(ground.farthest_m, radar.range_resolution_m);
   const bool is_beam = beam_m < pulse_m;
   if (auto warning = narrower_than_cells(is_beam ? "the beam" : "the pulse", std::min(beam_m, pulse_m), cell_m))
     warnings.push_back(*std::move(warning));
@@ -97,15 +93,15 @@ void check_earth(const Radar& radar, const std::string& file) {
               "leave it out, or choose another [mode]");
 }
 
-std::vector<std::string> radar_warnings(const Radar& radar, const RangeAzimuthGrid& bins, double cell_m,
-                                        double below_m) {
+std::vector<std::string> radar_warnings(const Radar& radar, const RangeAzimuthGrid& bins, const MappedGround& ground,
+                                        double cell_m) {
   const Swath swath{std::max(0.0, bins.first_range_m),
                     bins.first_range_m + static_cast<double>(bins.ranges) * bins.range_step_m};
   std::vector<std::string> warnings;
   check_unambiguous(radar, swath, warnings);
   check_gate(radar, swath, warnings);
   check_eclipsing(radar, swath, warnings);
-  check_cells(radar, swath, below_m, cell_m, warnings);
+  check_cells(radar, ground, cell_m, warnings);
   return warnings;
 }
 

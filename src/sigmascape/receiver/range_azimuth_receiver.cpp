@@ -58,9 +58,7 @@ double room_for(const BinResponse& response, double oversampling) {
                     16.0 * oversampling);
 }
 
-/// Throws when the bins are too many, or when the beam never comes to those that hold what is mapped, `spare` columns
-/// from the edges.
-void check(const radar::Radar& radar, const radar::RangeAzimuthGrid& grid, std::size_t spare) {
+void check(const radar::Radar& radar, const radar::RangeAzimuthGrid& grid) {
   if (static_cast<double>(grid.ranges) * static_cast<double>(grid.azimuths) > most_bins) {
     throw Error(
         radar::title_of(radar),
@@ -68,7 +66,7 @@ void check(const radar::Radar& radar, const radar::RangeAzimuthGrid& grid, std::
                     radar.range_resolution_m, deg_from_radians(radar.beam_width_rad), grid.ranges, grid.azimuths),
         fmt::format("widen the pulse or the beam, or map less, for at most {:.1e} bins", most_bins));
   }
-  for (std::size_t column = spare; column + spare < grid.azimuths; ++column) {
+  for (std::size_t column = 0; column < grid.azimuths; ++column) {
     if (looked_at(radar, grid, column)) return;
   }
   const double middle = grid.first_azimuth_rad + 0.5 * static_cast<double>(grid.azimuths) * grid.azimuth_step_rad;
@@ -105,14 +103,11 @@ radar::RangeAzimuthGrid grid_covering(const radar::Radar& radar, std::span<const
       .first_azimuth_rad = leftmost - spare_azimuth,
       .azimuth_step_rad = azimuth_step,
       .azimuths = static_cast<std::size_t>(std::ceil((rightmost - leftmost + 2.0 * spare_azimuth) / azimuth_step))};
-  // Cells at the edges read a column beyond them.
-  auto spare_columns = static_cast<std::size_t>(std::max(1.0, spare_azimuth / azimuth_step)) - 1;
   if (goes_round || static_cast<double>(grid.azimuths) * azimuth_step >= 2.0 * pi) {
-    spare_columns = 0;
     grid.azimuths = static_cast<std::size_t>(std::ceil(2.0 * pi / azimuth_step));
     grid.azimuth_step_rad = 2.0 * pi / static_cast<double>(grid.azimuths);
   }
-  check(radar, grid, spare_columns);
+  check(radar, grid);
   return grid;
 }
 

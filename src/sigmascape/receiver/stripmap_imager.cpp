@@ -106,7 +106,8 @@ StripmapImager::StripmapImager(const radar::Radar& radar, const radar::Motion& p
 
 /// The gate may open before any ground answers.
 double StripmapImager::nearest_ground_m() const {
-  return std::max(frame_.closest_range_m.first, std::abs(frame_.platform.position.z - strip_.ground_m));
+  return std::max(frame_.closest_range_m.first,
+                  std::abs(frame_.platform.position.z - strip_.ground_m) - strip_.relief_m);
 }
 
 StripProcessing StripmapImager::processing() const {

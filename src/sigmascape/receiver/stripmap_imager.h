@@ -28,6 +28,7 @@ struct Strip {
   double squint_rad = 0.0;    ///< of the beam, ahead of broadside
   bool looks_left = false;    ///< of the flight
   double ground_m = 0.0;      ///< height of what is mapped, above mean sea level
+  double relief_m = 0.0;      ///< by how much some of the ground may be higher
   std::uint64_t dwell = 0;    ///< by which fluctuating targets are drawn
 };
 

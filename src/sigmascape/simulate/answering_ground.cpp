@@ -50,10 +50,13 @@ radar::Rectangle answering_ground(const radar::Radar& radar, const radar::Rectan
   for (const Vec2d place : places_at_edge(area, foot)) {
     const Vec2d away = place - foot;
     const double distance_m = length(away);
-    const double height_m = radar.position.z,
-                 range_m = std::hypot(distance_m, height_m) + range_resolutions_beside * radar.range_resolution_m;
-    // Right below the radar the ground goes far while the range hardly grows, whatever the direction.
-    const double along_m = std::sqrt(range_m * range_m - height_m * height_m) - distance_m;
+    const double height_m = radar.position.z, range_m = std::hypot(distance_m, height_m),
+                 spare_m = range_resolutions_beside * radar.range_resolution_m;
+    const auto ground_m = [height_m](double of_range_m) {
+      return of_range_m > height_m ? std::sqrt(of_range_m * of_range_m - height_m * height_m) : 0.0;
+    };
+    // Towards the radar, which is farther, and where it stands within the area away from it.
+    const double along_m = std::max(distance_m - ground_m(range_m - spare_m), ground_m(range_m + spare_m) - distance_m);
     const double across_m = reach_rad * distance_m;
     const Vec2d outwards =
         distance_m > 0.0 ? Vec2d{std::abs(away.x) / distance_m, std::abs(away.y) / distance_m} : Vec2d{1.0, 1.0};

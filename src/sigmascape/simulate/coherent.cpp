@@ -51,16 +51,8 @@ void check_moves(const radar::Radar& radar) {
 /// A sector that is scanned passes over every place of it, and over no other. Of spotlights and strips the antenna is
 /// steered however it scans; what a fixed beam sees beside its axis its pattern tells.
 void check_sector_takes_in(const radar::Rectangle& area, const radar::Radar& radar) {
-  const Vec2d foot{radar.position.x, radar.position.y};
   const bool is_steered = radar.mode == radar::Mode::Spotlight || radar.mode == radar::Mode::Stripmap;
-  if (radar.scan.kind != radar::ScanKind::Sector || is_steered || radar::nearest_m(area, foot) == 0.0) return;
-  const auto azimuth_rad = [&](Vec2d point) { return std::atan2(point.x - foot.x, point.y - foot.y); };
-  const double middle_rad = azimuth_rad(area.centre());
-  double half_width_rad = 0.0;
-  for (const Vec2d corner : radar::corners_of(area))
-    half_width_rad = std::max(half_width_rad, std::abs(turned_by_least(azimuth_rad(corner) - middle_rad)));
-  if (radar::reaches(radar.scan, middle_rad, half_width_rad + 0.5 * radar.beam_width_rad)) return;
-  throw radar::never_scanned(radar, middle_rad);
+  if (radar.scan.kind == radar::ScanKind::Sector && !is_steered) radar::require_scanned(radar, area);
 }
 
 /// A point of the local frame in the straight space under this radar.
@@ -384,6 +376,7 @@ receiver::StripmapImager stripmap_imager(const CoherentScene& scene, const radar
                                    .squint_rad = squint_rad,
                                    .looks_left = radar::leftwards(radar.velocity_mps, aim - radar.position) > 0.0,
                                    .ground_m = aim.z,
+                                   .relief_m = std::max(0.0, scene.terrain->highest_m() - aim.z),
                                    .dwell = settings.dwell},
                                   gate, image_gain(radar, {}));
   if (radar.processing.thermal_noise)

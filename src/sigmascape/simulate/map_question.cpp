@@ -1,5 +1,6 @@
 #include "sigmascape/simulate/map_question.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -16,10 +17,13 @@ render::DetailQuestion map_question(const scene::Scene& scene, const radar::Rada
   const Vec3d aim{centre.x, centre.y, scene.terrain.height_at(centre)};
   const Vec3d away = radar::as_it_passes(radar, aim).position - aim;
   const bool real_beam = radar.mode == radar::Mode::RealBeam;
+  // From above the middle a beam is as wide as halfway to the corners.
+  const double distance_m =
+      std::max(std::hypot(away.x, away.y), 0.25 * std::hypot(grid.extent().width_m(), grid.extent().height_m()));
   render::DetailQuestion question;
   question.range_resolution_m = radar.range_resolution_m;
-  question.cross_range_m = real_beam ? radar.beam_width_rad * std::hypot(away.x, away.y)
-                                     : radar::coherent_plan(radar, aim).along_resolution_m;
+  question.cross_range_m =
+      real_beam ? radar.beam_width_rad * distance_m : radar::coherent_plan(radar, aim).along_resolution_m;
   question.grazing_rad = std::asin(away.z / length(away));
   question.tallest_object_m = scene::tallest_object_m(scene);
   question.triangles_per_m2 = scene::triangles_per_m2(scene);

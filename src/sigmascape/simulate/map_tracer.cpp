@@ -5,6 +5,7 @@
 
 #include "sigmascape/base/hash.h"
 #include "sigmascape/base/parallel.h"
+#include "sigmascape/radar/never_scanned.h"
 #include "sigmascape/receiver/range_azimuth_receiver.h"
 #include "sigmascape/receiver/target_echoes.h"
 #include "sigmascape/simulate/answering_ground.h"
@@ -56,6 +57,7 @@ MapTracer::MapTracer(const scene::Scene& scene, const trace::SceneGeometry& geom
       launch_(launch_for_map(scene, geometry, radar, answering_ground(radar, area, scene.extent), settings.cell_m)),
       bins_(bins_for(radar, area, scene.terrain)),
       surfaces_(trace::surface_models(scene, radar.frequency_hz)) {
+  radar::require_scanned(radar, area);
   for (std::size_t order = 0; order < orders; ++order)
     receivers_.push_back(std::make_unique<receiver::RangeAzimuthReceiver>(radar_, bins_));
 }

@@ -123,16 +123,20 @@ std::optional<std::string> beam_above_or_below(const radar::Radar& radar, const 
       deg_from_radians(elevations.most_rad), -db_from_linear(std::max(power, 1e-30)));
 }
 
+radar::MappedGround mapped_ground(const radar::Radar& radar, const radar::Rectangle& area,
+                                  const terrain::HeightField& terrain, const radar::CurvedEarth& earth) {
+  const Vec2d foot{radar.position.x, radar.position.y}, centre = area.centre();
+  const Vec3d middle = earth.bent({centre.x, centre.y, terrain.height_at(centre)}, foot);
+  return {radar::nearest_m(area, foot), radar::farthest_m(area, foot), std::max(0.0, radar.position.z - middle.z)};
+}
+
 std::vector<std::string> map_warnings(const radar::Radar& radar, const radar::MapRequest& request,
                                       const terrain::HeightField& terrain, const radar::Rectangle& extent) {
   const radar::GroundGrid grid = map_grid(request, extent);
   const radar::Radar mapping = as_it_maps(radar, grid.extent(), terrain);
   const auto earth = radar.mode == radar::Mode::RealBeam ? radar::CurvedEarth::flat() : radar::earth_of(mapping);
-  const Vec2d centre = grid.extent().centre();
-  const Vec3d ground =
-      earth.bent({centre.x, centre.y, terrain.height_at(centre)}, {mapping.position.x, mapping.position.y});
-  auto warnings = radar::radar_warnings(mapping, bins_for(mapping, grid.extent(), terrain, earth), grid.cell_m,
-                                        mapping.position.z - ground.z);
+  auto warnings = radar::radar_warnings(mapping, bins_for(mapping, grid.extent(), terrain, earth),
+                                        mapped_ground(mapping, grid.extent(), terrain, earth), grid.cell_m);
   const auto sides = cut_sides(request.area.value_or(extent), extent, request.cell_m);
   if (!sides.empty()) {
     warnings.push_back(

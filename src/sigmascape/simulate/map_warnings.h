@@ -7,10 +7,16 @@
 
 #include "sigmascape/radar/radar.h"
 #include "sigmascape/radar/radar_file.h"
+#include "sigmascape/radar/radar_warnings.h"
 #include "sigmascape/radar/target.h"
 #include "sigmascape/terrain/height_field.h"
 
 namespace sigmascape::simulate {
+
+/// Where an area lies, for radar_warnings.
+[[nodiscard]] radar::MappedGround mapped_ground(const radar::Radar& radar, const radar::Rectangle& area,
+                                                const terrain::HeightField& terrain,
+                                                const radar::CurvedEarth& earth = radar::CurvedEarth::flat());
 
 /// What whoever asks for this map should know before it is made, one sentence each: what radar::radar_warnings objects
 /// to, an area of which map_grid() leaves a cell or more out since `extent`, which the scene covers, ends before it,

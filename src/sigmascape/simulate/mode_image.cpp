@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <limits>
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
@@ -22,19 +21,18 @@ Vec3d middle_of(const radar::GroundGrid& grid, const terrain::HeightField& terra
   return {centre.x, centre.y, terrain.height_at(centre)};
 }
 
-/// Over the ground from where ranges count to the nearest of the area: from the radar's foot, of a strip from the line
-/// below the flight.
-double nearest_ground_m(const radar::Radar& radar, const radar::Rectangle& area) {
+/// Over the ground from where ranges count to the nearest edge of the area, from outside or within: from the radar's
+/// foot, of a strip from the line below the flight.
+double nearest_edge_m(const radar::Radar& radar, const radar::Rectangle& area) {
   const Vec2d foot{radar.position.x, radar.position.y};
-  if (radar.mode != radar::Mode::Stripmap) return length(radar::nearest_point(area, foot) - foot);
+  if (radar.mode != radar::Mode::Stripmap) {
+    if (!area.contains(foot)) return radar::nearest_m(area, foot);
+    return std::min({foot.x - area.west_m, area.east_m - foot.x, foot.y - area.south_m, area.north_m - foot.y});
+  }
   const Vec2d course{radar.velocity_mps.x, radar.velocity_mps.y};
   const Vec2d beside = Vec2d{course.y, -course.x} * (1.0 / length(course));
-  double least_m = std::numeric_limits<double>::infinity(), most_m = -least_m;
-  for (const Vec2d corner : radar::corners_of(area)) {
-    least_m = std::min(least_m, dot(corner - foot, beside));
-    most_m = std::max(most_m, dot(corner - foot, beside));
-  }
-  return std::max({0.0, least_m, -most_m});
+  const auto [left_m, right_m] = radar::span_over(area, [&](Vec2d place) { return dot(place - foot, beside); });
+  return std::min(std::abs(left_m), std::abs(right_m));
 }
 
 /// By how much the ground that answers in a map's outermost cells reaches beyond them: two resolution cells, and where
@@ -42,11 +40,13 @@ double nearest_ground_m(const radar::Radar& radar, const radar::Rectangle& area)
 double rim_m(const ModeRequest& request, const radar::CoherentPlan& plan) {
   const radar::Radar& radar = request.radar;
   const double below_m = radar.position.z - middle_of(request.grid, request.terrain).z;
-  const double ground_m = nearest_ground_m(radar, request.grid.extent());
-  const double nearer_m = std::hypot(ground_m, below_m) - 2.0 * radar.range_resolution_m;
-  const double range_rim_m = ground_m - std::sqrt(std::max(0.0, nearer_m * nearer_m - below_m * below_m));
-  return std::max(
-      {2.0 * radar.range_resolution_m, 2.0 * plan.along_resolution_m, nearer_m > 0.0 ? range_rim_m : ground_m});
+  const double edge_m = nearest_edge_m(radar, request.grid.extent()), range_m = std::hypot(edge_m, below_m);
+  const auto ground_m = [below_m](double of_range_m) {
+    return of_range_m > below_m ? std::sqrt(of_range_m * of_range_m - below_m * below_m) : 0.0;
+  };
+  const double spare_m = 2.0 * radar.range_resolution_m;
+  return std::max({spare_m, 2.0 * plan.along_resolution_m, edge_m - ground_m(range_m - spare_m),
+                   ground_m(range_m + spare_m) - edge_m});
 }
 
 /// What the makers of images ask for.

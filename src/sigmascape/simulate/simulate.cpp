@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sigmascape/atlas/ground_layers.h"
+#include "sigmascape/radar/never_scanned.h"
 #include "sigmascape/radar/rectangle_distances.h"
 #include "sigmascape/receiver/range_azimuth_receiver.h"
 #include "sigmascape/simulate/answering_ground.h"
@@ -52,6 +53,7 @@ radar::RangeAzimuthImage baked_image(const atlas::Atlas& atlas, const terrain::H
                                      const render::RenderSettings& settings, render::RenderCounts& counts,
                                      std::uint64_t dwell) {
   check_above(radar, terrain.highest_m());
+  radar::require_scanned(radar, area);
   const radar::Rectangle answering = answering_ground(radar, area, terrain.extent());
   auto image =
       render::GroundRenderer(atlas, terrain).render(radar, answering, bins_for(radar, area, terrain), settings, counts);

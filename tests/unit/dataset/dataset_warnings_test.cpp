@@ -103,7 +103,7 @@ TEST(DatasetWarnings, AreNoneOfTheExampleOfSanFrancisco) {
   EXPECT_THAT(warnings(), IsEmpty());
   ASSERT_TRUE(spec.radar_ranges.beam_width_rad);
   spec.radar_ranges.beam_width_rad.reset();
-  EXPECT_THAT(warnings(), ElementsAre(HasSubstr("the beam of 3.37 m")))
+  EXPECT_THAT(warnings(), ElementsAre(HasSubstr("the beam of 3.38 m")))
       << "that of the radar file, sharper than the cells";
 }
 

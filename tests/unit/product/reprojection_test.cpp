@@ -51,7 +51,6 @@ TEST_P(Reprojection, KeepsEveryPlaceWhereItIs) {
 
 INSTANTIATE_TEST_SUITE_P(Systems, Reprojection, testing::Values("EPSG:25830", "EPSG:4326", "EPSG:3857"));
 
-// Where the radar is told to be is in that frame still.
 // Cells of 0.3 m have no exact sum.
 TEST(Reprojection, IntoTheMapsOwnFrameLeavesItAsItIs) {
   radar::GroundMap map = map_of_a_slope();
@@ -69,6 +68,7 @@ TEST(Reprojection, IntoTheMapsOwnFrameLeavesItAsItIs) {
   EXPECT_EQ(reprojected(map, bilbao, bilbao.proj(), 0.6).grid.columns, 50U);
 }
 
+// Where the radar is told to be is in that frame still.
 TEST(Reprojection, NamesTheFrameThatItCameFrom) {
   radar::GroundMap map = map_of_a_slope();
   map.metadata = {{"radar_position_m", "1.00 2.00 3.00"}};

@@ -464,7 +464,9 @@ TEST(ExampleRadars, AreReadAndHearTheGround) {
     const RangeAzimuthGrid bins{.first_range_m = 0.8 * seen.slant_range_m,
                                 .range_step_m = step_m,
                                 .ranges = static_cast<std::size_t>(0.4 * seen.slant_range_m / step_m)};
-    EXPECT_THAT(radar_warnings(file.radar, bins, file.map.cell_m), ::testing::IsEmpty()) << entry.path();
+    EXPECT_THAT(radar_warnings(file.radar, bins, {bins.first_range_m, bins.first_range_m, 0.0}, file.map.cell_m),
+                ::testing::IsEmpty())
+        << entry.path();
   }
   EXPECT_EQ(count, 7);
 }
@@ -478,33 +480,35 @@ class RadarWarnings : public ::testing::Test {
 };
 
 TEST_F(RadarWarnings, NameTheUnambiguousRange) {
-  const auto warnings = radar_warnings(radar_, swath(31e3, 71e3), 10.0);
+  const auto warnings = radar_warnings(radar_, swath(31e3, 71e3), {31e3, 71e3, 0.0}, 10.0);
   ASSERT_FALSE(warnings.empty());
   EXPECT_THAT(warnings.front(), HasSubstr("the swath of 40 km is longer than the unambiguous range of 29.98 km"));
   EXPECT_THAT(warnings.front(), HasSubstr("use at most 3747 Hz"));
-  EXPECT_THAT(radar_warnings(radar_, swath(31e3, 51e3), 10.0), ::testing::IsEmpty());
+  EXPECT_THAT(radar_warnings(radar_, swath(31e3, 51e3), {31e3, 51e3, 0.0}, 10.0), ::testing::IsEmpty());
 }
 
 TEST_F(RadarWarnings, TellOfDeafRangesGatesAndCells) {
   radar_.waveform.pulse_length_s = 40e-6;
-  EXPECT_THAT(radar_warnings(radar_, swath(20e3, 40e3), 10.0),
+  EXPECT_THAT(radar_warnings(radar_, swath(20e3, 40e3), {20e3, 40e3, 0.0}, 10.0),
               ::testing::ElementsAre(HasSubstr("the receiver is deaf")));
   radar_.waveform.pulse_length_s = 1e-6;
   radar_.receiver.last_range_m = 18e3;
-  EXPECT_THAT(radar_warnings(radar_, swath(20e3, 25e3), 10.0), ::testing::ElementsAre(HasSubstr("holds nothing")));
+  EXPECT_THAT(radar_warnings(radar_, swath(20e3, 25e3), {20e3, 25e3, 0.0}, 10.0),
+              ::testing::ElementsAre(HasSubstr("holds nothing")));
   radar_.receiver.last_range_m.reset();
   radar_.beam_width_rad = 1e-4;
-  EXPECT_THAT(radar_warnings(radar_, swath(20e3, 25e3), 10.0),
+  EXPECT_THAT(radar_warnings(radar_, swath(20e3, 25e3), {20e3, 25e3, 0.0}, 10.0),
               ::testing::ElementsAre(HasSubstr("the beam of 1.41 m is narrower than the map's cells")));
 }
 
 TEST_F(RadarWarnings, SayNothingOfTheBeamRightBelowTheRadar) {
-  EXPECT_THAT(radar_warnings(radar_, swath(0.0, 20e3), 10.0), ::testing::Each(::testing::Not(HasSubstr("narrower"))));
+  EXPECT_THAT(radar_warnings(radar_, swath(0.0, 20e3), {0.0, 20e3, 0.0}, 10.0),
+              ::testing::Each(::testing::Not(HasSubstr("narrower"))));
 }
 
 TEST_F(RadarWarnings, TellOpeningAndClosingOfAGateBeyondTheSwath) {
   radar_.receiver.first_range_m = 100e3;
-  EXPECT_THAT(radar_warnings(radar_, swath(20e3, 25e3), 10.0),
+  EXPECT_THAT(radar_warnings(radar_, swath(20e3, 25e3), {20e3, 25e3, 0.0}, 10.0),
               ::testing::ElementsAre(HasSubstr("the range gate from 100 to 130 km holds nothing")));
 }
 

@@ -35,24 +35,6 @@ radar::Echo echo_at(const radar::Radar& radar, Vec3d point) {
   return {.range_m = length(away), .cross = std::atan2(away.x, away.y), .rcs_m2 = {1.0F, 2.0F, 0.5F, -1.0F}};
 }
 
-// What is mapped spans 2.87° to either side. Bins reach farther, for responses: what only they hold is on no map.
-TEST(RangeAzimuthGrid, IsRefusedWhereTheBeamNeverComesToWhatIsMapped) {
-  radar::Radar radar = example_radar();
-  radar.beam_width_rad = radians_from_deg(3.0);
-  radar.scan.kind = radar::ScanKind::Fixed;
-  for (const double azimuth_deg : {-2.5, 0.0, 2.5}) {
-    radar.scan.azimuth_rad = radians_from_deg(azimuth_deg);
-    EXPECT_NO_THROW((void)grid_covering(radar, square(500.0))) << azimuth_deg;
-  }
-  for (const double azimuth_deg : {-8.0, 5.0, 12.0, 90.0}) {
-    radar.scan.azimuth_rad = radians_from_deg(azimuth_deg);
-    EXPECT_THAT(message_of_error([&] { (void)grid_covering(radar, square(500.0)); }), testing::HasSubstr("never"))
-        << azimuth_deg;
-  }
-  radar.scan = {};
-  EXPECT_NO_THROW((void)grid_covering(radar, std::vector<Vec3d>{{0.0, 0.0, 0.0}})) << "one place alone";
-}
-
 /// A response sampled at offsets from the point that answers, and its width at half of the power at no offset.
 class Response {
  public:

@@ -91,8 +91,10 @@ TEST(MapWarnings, MeasureBeamAndPulseOnTheGround) {
     radar.position = radar::position_seeing({0, 0, 0}, 0.0, radians_from_deg(elevation_deg), 10e3);
     return map_warnings(radar, {.area = radar::Rectangle{-100, -100, 100, 100}, .cell_m = cell_m}, level, extent);
   };
-  EXPECT_THAT(warnings(75.0, 8.6e-4, 10.0, 6.0), ElementsAre(::testing::StartsWith("the beam of 1.")));
+  EXPECT_THAT(warnings(75.0, 8.6e-4, 10.0, 6.0), ElementsAre(::testing::StartsWith("the beam of 1.51 m")));
   EXPECT_THAT(warnings(15.0, 8.6e-4, 10.0, 6.0), IsEmpty());
+  EXPECT_THAT(warnings(75.0, 8.6e-4, 40.0, 6.0), ElementsAre(::testing::StartsWith("the beam of 1.51 m")));
+  EXPECT_THAT(warnings(88.0, 0.5, 8.0, 4.0), IsEmpty());
   EXPECT_THAT(warnings(65.0, 0.02, 2.0, 4.0), IsEmpty());
   EXPECT_THAT(warnings(15.0, 0.02, 2.0, 4.0), ElementsAre(::testing::StartsWith("the pulse of 2.0")));
 }
