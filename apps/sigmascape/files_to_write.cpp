@@ -33,6 +33,14 @@ std::filesystem::path known_path(const std::filesystem::path& file) {
   return (fault ? absolute.parent_path() : folder) / absolute.filename();
 }
 
+/// Whether it is that file, or lies in that folder.
+bool is_of(const std::filesystem::path& file, const std::filesystem::path& other) {
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(other, ignored)) return std::filesystem::equivalent(file, other, ignored);
+  const std::filesystem::path folder = std::filesystem::weakly_canonical(other, ignored), known = known_path(file);
+  return std::ranges::mismatch(folder, known).in1 == folder.end();
+}
+
 }  // namespace
 
 void check_files_to_write(std::span<const NamedFile> files, const std::vector<std::filesystem::path>& read) {
@@ -44,10 +52,8 @@ void check_files_to_write(std::span<const NamedFile> files, const std::vector<st
       const std::string names = written == file
                                     ? fmt::format("names {}", file)
                                     : fmt::format("names {}, which has {} beside it", file, written.string());
-      std::error_code ignored;
-      if (std::ranges::any_of(read,
-                              [&](const auto& other) { return std::filesystem::equivalent(written, other, ignored); }))
-        throw Error(option, names + ", a file that this is made from", "give it a file of its own");
+      if (std::ranges::any_of(read, [&](const auto& other) { return is_of(written, other); }))
+        throw Error(option, names + ", of what this is made from", "give it a file of its own");
       const auto [other, is_new] = taken.emplace(known_path(written), option);
       if (!is_new)
         throw Error(option, fmt::format("{}, as {} does", names, other->second), "give each of them a file of its own");

@@ -14,8 +14,8 @@ struct NamedFile {
 };
 
 /// What can be told of files, and of those that are written beside them, before the work that fills them. Throws Error
-/// for one that cannot be written where it is to lie, that is among `read`, the files that the work is made from, or
-/// that another option names as well, of which the second would take the place of the first.
+/// for one that cannot be written where it is to lie, that is or lies in one of `read`, the files and folders that the
+/// work is made from, or that another option names as well, of which the second would take the place of the first.
 void check_files_to_write(std::span<const NamedFile> files, const std::vector<std::filesystem::path>& read);
 
 }  // namespace sigmascape::cli

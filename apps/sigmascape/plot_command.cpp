@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -31,7 +32,7 @@ namespace {
 struct PlotOptions {
   std::string out, input, scene;
   std::vector<std::string> materials;
-  std::optional<std::array<double, 4>> area_m;
+  std::string area_m;
   std::array<double, 2> at{};
   double frequency_ghz = 10.0, looks = 1.0, reach_deg = 10.0, widths = 8.0;
   std::size_t bins = 50;
@@ -72,11 +73,23 @@ std::vector<scatter::Material> wanted_materials(const PlotOptions& options) {
   return materials;
 }
 
+radar::Rectangle area_of(const std::string& word) {
+  std::array<double, 4> sides{};
+  const char *at = word.data(), *const end = at + word.size();
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    if (i > 0 && (at == end || *at++ != ',')) break;
+    const auto [stopped, fault] = std::from_chars(at, end, sides[i]);
+    if (fault != std::errc{} || !std::isfinite(sides[i])) break;
+    at = stopped;
+    if (i + 1 == sides.size() && at == end) return {sides[0], sides[1], sides[2], sides[3]};
+  }
+  throw Error("--area", "is " + word, "give west, south, east and north in metres, with commas between: -200,-200,0,0");
+}
+
 std::vector<double> powers_of(const PlotOptions& options) {
   const radar::GroundMap map = product::read_ground_map(options.input);
   const radar::Rectangle all = map.grid.extent();
-  const auto& a = options.area_m;
-  const radar::Rectangle area = a ? radar::Rectangle{(*a)[0], (*a)[1], (*a)[2], (*a)[3]} : all;
+  const radar::Rectangle area = options.area_m.empty() ? all : area_of(options.area_m);
   std::vector<double> powers;
   for (std::size_t row = 0; row < map.grid.rows; ++row) {
     for (std::size_t column = 0; column < map.grid.columns; ++column) {
@@ -109,7 +122,7 @@ void plot_histogram(const PlotOptions& options, const Output& output) {
                 "give a map that ends in .tif or I/Q that ends in .npy");
   }
   for (const auto& [option, is_given] :
-       {std::pair{"--area", options.area_m.has_value()}, {"--looks", options.looks != 1.0}}) {
+       {std::pair{"--area", !options.area_m.empty()}, {"--looks", options.looks != 1.0}}) {
     if (is_iq && is_given)
       throw Error(option, fmt::format("is of ground maps, and {} holds I/Q", options.input), "leave it out");
   }
@@ -203,8 +216,7 @@ void add_plot_command(Command app, Output& output) {
                  "histogram map.tif --area=-200,-200,0,0 --out histogram.svg");
   histogram.add_option("FILE", options->input, "ground map (GeoTIFF from render) or pulses (.npy from render --iq)")
       .required();
-  histogram.add_option("--area", options->area_m, "part of a map: west, south, east, north in metres of its frame")
-      .delimiter(',');
+  histogram.add_option("--area", options->area_m, "part of a map: west,south,east,north in metres of its frame");
   histogram.add_option("--looks", options->looks, "looks of the map: more than one follow Gamma")
       .capture_default_str()
       .check(number_within(0.5, 1000.0));

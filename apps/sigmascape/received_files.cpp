@@ -70,6 +70,7 @@ void write_received(const ReceivedFiles& files, const radar::Radar& radar, const
     video.quantity = video_quantity(radar.receiver.detector);
     video.numbers["gain_db"] = db_from_linear(radar.receiver.gain);
     video.numbers["pulses_integrated"] = radar.receiver.pulses_integrated;
+    video.numbers["saturated_samples"] = static_cast<double>(detected.saturated);
     video.numbers.merge(product::output_numbers(radar.receiver.sensitivity_time_control,
                                                 radar.receiver.analog_to_digital, detected.saturated));
     product::write_range_azimuth(files.video, detected.grid, detected.video, video);

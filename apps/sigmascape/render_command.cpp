@@ -221,10 +221,12 @@ void check_files(const RenderOptions& options) {
   for (const Written& written : files_of(options)) named.push_back({written.option, written.file});
   std::vector<std::filesystem::path> read;
   for (const std::string& toml : {options.scene, options.radar, options.targets}) {
-    if (!std::filesystem::is_regular_file(toml)) continue;  // told when it is read
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(toml, ignored)) continue;  // told when it is read
     const auto named_there = TomlSection::read_file(toml).named_files();
     read.insert(read.end(), named_there.begin(), named_there.end());
   }
+  if (!options.atlas.empty()) read.emplace_back(options.atlas);
   check_files_to_write(named, read);
 }
 

@@ -89,9 +89,9 @@ TEST_F(BadInput, WhatAMapIsMadeFromIsNotWrittenOver) {
   folder_.write("dem.tif", "heights");
   folder_.write("town.toml", "[terrain]\nfile = \"dem.tif\"\n[[buildings]]\nfile = \"town.json\"\n");
   EXPECT_THAT(said_to("render radar.toml --scene town.toml --out ./dem.tif"),
-              HasSubstr("--out: names ./dem.tif, a file that this is made from; give it a file of its own"));
+              HasSubstr("--out: names ./dem.tif, of what this is made from; give it a file of its own"));
   EXPECT_THAT(said_to("render radar.toml --scene town.toml --out town.npy"),
-              HasSubstr("--out: names town.npy, which has town.json beside it, a file that this is made from"));
+              HasSubstr("--out: names town.npy, which has town.json beside it, of what this is made from"));
   EXPECT_THAT(said_to("render radar.toml --scene town.toml --out map.npy"), Not(HasSubstr("is made from")));
 }
 
