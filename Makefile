@@ -3,15 +3,18 @@
 JOBS ?= $(shell nproc)
 CCACHE := $(shell command -v ccache 2> /dev/null)
 
-# What includes precompiled headers is not kept by ccache.
-configure = cmake --preset $(1) $(if $(CCACHE),-DCMAKE_CXX_COMPILER_LAUNCHER=$(CCACHE) -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON)
+# All is said each time, for CMake remembers what it was told last. What includes precompiled headers is not kept by ccache.
+configure = cmake --preset $(1) -DSIGMASCAPE_BENCHMARKS=$(or $(2),OFF) \
+	-DCMAKE_CXX_COMPILER_LAUNCHER=$(CCACHE) -DCMAKE_DISABLE_PRECOMPILE_HEADERS=$(if $(CCACHE),ON,OFF)
 build = cmake --build build/$(1) --parallel $(JOBS)
 run_tests = ctest --test-dir build/$(1) --parallel $(JOBS) --output-on-failure
 sanitized = tools/with_sanitizer_options
 sources = find $(1) -name '*.cpp' -o -name '*.h'
 
 .DEFAULT_GOAL := help
-.PHONY: help packages demo results results-small test test-long test-asan test-tsan test-all validation bench lint clean
+# Targets share folders, and each uses all cores by itself.
+.NOTPARALLEL:
+.PHONY: help packages packages-build demo results results-small test test-long test-asan test-tsan test-all validation bench lint clean
 
 help: ## Say what can be made
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-14s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -19,14 +22,17 @@ help: ## Say what can be made
 packages: ## Install the Debian packages that are missing
 	@tools/install_packages
 
-demo: packages ## Build, then make the demo's maps and page under out/demo
+packages-build:
+	@tools/install_packages build
+
+demo: packages-build ## Build, then make the demo's maps and page under out/demo
 	$(call configure,release)
 	$(call build,release) --target sigmascape_cli
 	build/release/apps/sigmascape/sigmascape demo --out out/demo
 
 measure = build/release/apps/sigmascape/sigmascape results
 
-results-small: packages ## Measure how close baked maps come to traced ones, small: a quarter of an hour on two cores
+results-small: packages-build ## Measure how close baked maps come to traced ones, small: a quarter of an hour on two cores
 	$(call configure,release)
 	$(call build,release) --target sigmascape_cli
 	$(measure) --small --out out/results_small
@@ -38,7 +44,7 @@ RESULTS_ITU ?= --scale 0.2 --held-out 24 --on-grid 3 --repeated 1 --samples 64 -
 RESULTS_BILBAO ?= --small --scale 0.2 --held-out 24 --on-grid 3 --repeated 1 --samples 64 --traced-samples 768 --most-traced-samples 1536 --finer-samples 768
 RESULTS_SAN_FRANCISCO ?= --small --scale 0.2 --held-out 24 --on-grid 3 --repeated 1 --samples 32 --traced-samples 768 --finer-samples 512
 
-results: packages ## Measure as docs/results was, on real places too, and write it anew: ten hours on two cores, goes on where it was broken off
+results: packages-build ## Measure as docs/results was, on real places too, and write it anew: ten hours on two cores, goes on where it was broken off
 	$(call configure,release)
 	$(call build,release) --target sigmascape_cli
 	$(measure) $(RESULTS_PAPER) --out out/results/paper --page docs/results/README.md
@@ -69,11 +75,11 @@ validation: packages ## Write docs/physics/validation.md: every case, expected a
 	$(call configure,release)
 	$(call build,release)
 	mkdir -p out && rm -f out/validation.jsonl
-	SIGMASCAPE_VALIDATION_RECORDS=$(CURDIR)/out/validation.jsonl $(call run_tests,release) --label-exclude '^(long|python)$$'
+	SIGMASCAPE_VALIDATION_RECORDS="$(CURDIR)/out/validation.jsonl" $(call run_tests,release) --label-exclude '^(long|python)$$'
 	tools/validation_table out/validation.jsonl docs/physics/validation.md
 
-bench: packages ## Measure on this machine, on the paper's scene: hours. JSON lines under out/bench
-	$(call configure,release) -DSIGMASCAPE_BENCHMARKS=ON
+bench: packages-build ## Measure on this machine, on the paper's scene: hours. JSON lines under out/bench
+	$(call configure,release,ON)
 	$(call build,release) --target benchmarks --target sigmascape_python_package
 	for program in build/release/benchmarks/bench_*; do $$program --out out/bench/$${program##*bench_}.jsonl || exit 1; done
 	PYTHONPATH=build/release/python /usr/bin/python3 benchmarks/python/overhead.py --out out/bench/python.jsonl
@@ -81,7 +87,7 @@ bench: packages ## Measure on this machine, on the paper's scene: hours. JSON li
 lint: packages ## Check formatting and run the static analysis
 	$(call sources,src apps tests) | xargs clang-format --dry-run -Werror
 	cmake --preset release -B build/lint -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON
-	run-clang-tidy -quiet -p build/lint -j $(JOBS) '^$(CURDIR)/(src|apps)/'
+	run-clang-tidy -quiet -p build/lint -j $(JOBS) '/(src|apps)/sigmascape/'
 
 clean: ## Remove everything that was built or made
 	rm -rf build out
