@@ -8,6 +8,7 @@
 #include "sigmascape/radar/look.h"
 #include "sigmascape/render/crown_depth.h"
 #include "sigmascape/render/lesser_greater.h"
+#include "sigmascape/terrain/obstacle_sweep.h"
 
 namespace sigmascape::render {
 namespace {
@@ -170,8 +171,16 @@ struct Horizon {
     if (packed.solid_top > 0) solid = greater(solid, slope + obstacle.solid_top_m * per_distance);
     const float top = slope + obstacle.crown_top_m * per_distance;
     if (packed.crown_top == 0 || top <= steepest) return;
-    const float way_m = static_cast<float>(step_m) * std::sqrt(1.0F + slope * slope);
-    crowns.add(slope + obstacle.crown_base_m * per_distance, top, obstacle.crown_extinction_per_m * way_m);
+    const float base = slope + obstacle.crown_base_m * per_distance;
+    const int pieces = terrain::crown_pieces(step_m * static_cast<double>(std::abs(slope)),
+                                             static_cast<double>(obstacle.crown_top_m - obstacle.crown_base_m));
+    const float piece_m = static_cast<float>(step_m) / static_cast<float>(pieces);
+    const float depth = obstacle.crown_extinction_per_m * piece_m * std::sqrt(1.0F + slope * slope);
+    for (int piece = 0; piece < pieces; ++piece) {
+      const float beyond_m = (static_cast<float>(piece) + 0.5F) * piece_m - 0.5F * static_cast<float>(step_m);
+      const float nearer = steps.distance_m[i] / (steps.distance_m[i] + beyond_m);
+      crowns.add(base * nearer, top * nearer, depth);
+    }
   }
 };
 
@@ -182,10 +191,8 @@ double crown_depth_on(const Steps& steps, std::size_t i, double step_m, double s
   const radar::Obstacle obstacle = packed.unpacked();
   const double above_ground_m =
       (slope - static_cast<double>(steps.slope[i])) * static_cast<double>(steps.distance_m[i]);
-  if (above_ground_m <= static_cast<double>(obstacle.crown_base_m) ||
-      above_ground_m >= static_cast<double>(obstacle.crown_top_m))
-    return 0.0;
-  return static_cast<double>(obstacle.crown_extinction_per_m) * step_m * std::hypot(1.0, slope);
+  const double part = terrain::part_within(obstacle, above_ground_m, 0.5 * step_m * std::abs(slope));
+  return part * static_cast<double>(obstacle.crown_extinction_per_m) * step_m * std::hypot(1.0, slope);
 }
 
 /// Between which slopes the radar sees ground along the whole of a sweep.

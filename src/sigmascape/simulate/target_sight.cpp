@@ -6,6 +6,7 @@
 
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/simulate/ground_met.h"
+#include "sigmascape/terrain/obstacle_sweep.h"
 #include "sigmascape/trace/crown_crossings.h"
 
 namespace sigmascape::simulate {
@@ -49,8 +50,9 @@ double part_seen(const Surroundings& surroundings, Vec3d radar_position, Vec3d p
     if (obstacles == nullptr) continue;
     const radar::Obstacle obstacle = obstacles->at(under);
     if (above_m < static_cast<double>(obstacle.solid_top_m)) return 0.0;
-    if (above_m < static_cast<double>(obstacle.crown_top_m) && above_m > static_cast<double>(obstacle.crown_base_m))
-      depth += static_cast<double>(obstacle.crown_extinction_per_m) * step_m * std::hypot(1.0, rise);
+    if (obstacle.crown_top_m > 0.0F)
+      depth += terrain::part_within(obstacle, above_m, 0.5 * step_m * std::abs(rise)) *
+               static_cast<double>(obstacle.crown_extinction_per_m) * step_m * std::hypot(1.0, rise);
   }
   return std::exp(-depth);
 }

@@ -27,6 +27,23 @@ struct Sight {
   return hidden_m < top_m ? 1.0 - hidden_m / top_m : 0.0;
 }
 
+/// In how many pieces of one length a crown so high is taken that is gone over in a stride in which a line of sight
+/// falls by so much: in none of them by more than half the height; and half of them lie before the middle.
+[[nodiscard]] inline int crown_pieces(double fall_m, double height_m) {
+  // Beyond, what is so flat beside a stride is met by too few lines.
+  constexpr double most_a_half = 8.0;
+  return 2 * static_cast<int>(std::clamp(std::ceil(fall_m / std::max(height_m, 1e-3)), 1.0, most_a_half));
+}
+
+/// The part, from 0 to 1, of a stride on which a line of sight is within a crown: so high above the ground in the
+/// middle of it, and by so much lower at its far end than there.
+[[nodiscard]] inline double part_within(const radar::Obstacle& obstacle, double above_m, double half_fall_m) {
+  const auto base_m = static_cast<double>(obstacle.crown_base_m), top_m = static_cast<double>(obstacle.crown_top_m);
+  if (half_fall_m < 1e-6) return above_m > base_m && above_m < top_m ? 1.0 : 0.0;
+  const double lowest_m = std::max(above_m - half_fall_m, base_m), highest_m = std::min(above_m + half_fall_m, top_m);
+  return std::max(0.0, highest_m - lowest_m) / (2.0 * half_fall_m);
+}
+
 /// Walks outwards from an observer along one azimuth over ground with obstacles and tells what is seen of each place.
 ///
 /// A line of sight is named by its slope. Ground is hidden by terrain and solid things whose slope is steeper; through
@@ -57,9 +74,6 @@ class ObstacleSweep {
   /// Optical depths are whole multiples of this, so that what a crown adds it takes away again.
   static constexpr double depth_unit = 1e-6;
 
-  /// Beyond, what is so flat beside a step is met by too few lines.
-  static constexpr double most_pieces_a_half = 8.0;
-
   /// One part in 10¹³ comes through; what is less counts as nothing, and nobody looks up what the ground there returns.
   static constexpr double deepest = 30.0;
 
@@ -75,8 +89,7 @@ class ObstacleSweep {
     const double top = slope + static_cast<double>(obstacle.crown_top_m) / distance_m;
     if (top <= horizon_) return;
     const double height_m = static_cast<double>(obstacle.crown_top_m) - static_cast<double>(obstacle.crown_base_m);
-    const double falls = step_m * std::abs(slope) / std::max(height_m, 1e-3);  // by half the height in half a step
-    const int pieces = 2 * static_cast<int>(std::clamp(std::ceil(falls), 1.0, most_pieces_a_half));
+    const int pieces = crown_pieces(step_m * std::abs(slope), height_m);
     const double piece_m = step_m / pieces, way_m = piece_m * std::sqrt(1.0 + slope * slope);
     const auto depth = std::llround(static_cast<double>(obstacle.crown_extinction_per_m) * way_m / depth_unit);
     for (int piece = 0; piece < pieces; ++piece) {

@@ -308,8 +308,7 @@ TEST(LiveGroundApart, TheHorizonMapSeesWhatAnExactWalkSees) {
     }
     EXPECT_GT(exactly_seen, 2000.0) << radar_height_m;
     EXPECT_NEAR(seen / exactly_seen, 1.0, 0.01) << radar_height_m;
-    // The map takes a crown by whole steps, the walk in pieces.
-    EXPECT_LT(error / exactly_seen, 0.04) << radar_height_m;
+    EXPECT_LT(error / exactly_seen, 0.03) << radar_height_m;
   }
 }
 

@@ -78,6 +78,16 @@ TEST(ObstacleSweep, EvenPlantsHideTheirGroundWhateverTheStep) {
   }
 }
 
+TEST(PartWithinACrown, IsThatOfTheStride) {
+  const radar::Obstacle crown{.crown_base_m = 2.0F, .crown_top_m = 10.0F, .crown_extinction_per_m = 0.2F};
+  EXPECT_EQ(part_within(crown, 5.0, 0.0), 1.0);
+  EXPECT_EQ(part_within(crown, 1.0, 0.0), 0.0);
+  EXPECT_NEAR(part_within(crown, 5.0, 1.0), 1.0, 1e-12);
+  EXPECT_NEAR(part_within(crown, 2.0, 1.0), 0.5, 1e-12);
+  EXPECT_NEAR(part_within(crown, 6.0, 16.0), 0.25, 1e-12);
+  EXPECT_NEAR(part_within(crown, 14.0, 3.0), 0.0, 1e-12);
+}
+
 TEST(ObstacleSweep, WhatACrownAddsItTakesAway) {
   ObstacleSweep sweep(500.0);
   for (std::uint64_t i = 0; i < 400; ++i) {
