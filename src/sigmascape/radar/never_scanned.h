@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cmath>
 #include <fmt/format.h>
 
 #include "sigmascape/base/error.h"

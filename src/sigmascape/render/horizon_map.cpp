@@ -174,13 +174,11 @@ struct Horizon {
     const float base = slope + obstacle.crown_base_m * per_distance;
     const int pieces = terrain::crown_pieces(step_m * static_cast<double>(std::abs(slope)),
                                              static_cast<double>(obstacle.crown_top_m - obstacle.crown_base_m));
-    const float piece_m = static_cast<float>(step_m) / static_cast<float>(pieces);
-    const float depth = obstacle.crown_extinction_per_m * piece_m * std::sqrt(1.0F + slope * slope);
-    for (int piece = 0; piece < pieces; ++piece) {
-      const float beyond_m = (static_cast<float>(piece) + 0.5F) * piece_m - 0.5F * static_cast<float>(step_m);
-      const float nearer = steps.distance_m[i] / (steps.distance_m[i] + beyond_m);
-      crowns.add(base * nearer, top * nearer, depth);
-    }
+    const auto stride_m = static_cast<float>(step_m);
+    const float way_m = stride_m / static_cast<float>(pieces) * std::sqrt(1.0F + slope * slope);
+    const float depth = obstacle.crown_extinction_per_m * way_m;
+    terrain::for_each_piece(pieces, steps.distance_m[i], stride_m,
+                            [&](float nearer) { crowns.add(base * nearer, top * nearer, depth); });
   }
 };
 

@@ -40,11 +40,11 @@ struct RasterWindow {
     };
     const Vec2d first = grid.cells_from({rectangle.west_m, rectangle.north_m}),
                 last = grid.cells_from({rectangle.east_m, rectangle.south_m});
-    const std::size_t end_row = first_row + rows;
-    for (std::size_t row = within(first.y, first_row, end_row); row < within(last.y + 1.0, first_row, end_row); ++row) {
-      for (std::size_t column = within(first.x, 0, grid.columns); column < within(last.x + 1.0, 0, grid.columns);
-           ++column)
-        visit(column, row);
+    const std::size_t north = within(first.y, first_row, first_row + rows),
+                      south = within(last.y + 1.0, first_row, first_row + rows),
+                      west = within(first.x, 0, grid.columns), east = within(last.x + 1.0, 0, grid.columns);
+    for (std::size_t row = north; row < south; ++row) {
+      for (std::size_t column = west; column < east; ++column) visit(column, row);
     }
   }
 };

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sigmascape/radar/antenna_pattern.h"
+#include "sigmascape/radar/distance_of_range.h"
 #include "sigmascape/radar/rectangle_distances.h"
 #include "sigmascape/receiver/bin_response.h"
 
@@ -53,7 +54,7 @@ radar::Rectangle answering_ground(const radar::Radar& radar, const radar::Rectan
     const double height_m = radar.position.z, range_m = std::hypot(distance_m, height_m),
                  spare_m = range_resolutions_beside * radar.range_resolution_m;
     const auto ground_m = [height_m](double of_range_m) {
-      return of_range_m > height_m ? std::sqrt(of_range_m * of_range_m - height_m * height_m) : 0.0;
+      return radar::distance_of_range_m(radar::CurvedEarth::flat(), height_m, 0.0, std::max(of_range_m, 0.0));
     };
     // Towards the radar, which is farther, and where it stands within the area away from it.
     const double along_m = std::max(distance_m - ground_m(range_m - spare_m), ground_m(range_m + spare_m) - distance_m);

@@ -7,6 +7,7 @@
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/azimuth_text.h"
+#include "sigmascape/radar/distance_of_range.h"
 #include "sigmascape/radar/radar_warnings.h"
 #include "sigmascape/radar/rectangle_distances.h"
 #include "sigmascape/radar/rectangle_parts.h"
@@ -42,7 +43,7 @@ double rim_m(const ModeRequest& request, const radar::CoherentPlan& plan) {
   const double below_m = radar.position.z - middle_of(request.grid, request.terrain).z;
   const double edge_m = nearest_edge_m(radar, request.grid.extent()), range_m = std::hypot(edge_m, below_m);
   const auto ground_m = [below_m](double of_range_m) {
-    return of_range_m > below_m ? std::sqrt(of_range_m * of_range_m - below_m * below_m) : 0.0;
+    return radar::distance_of_range_m(radar::CurvedEarth::flat(), below_m, 0.0, std::max(of_range_m, 0.0));
   };
   const double spare_m = 2.0 * radar.range_resolution_m;
   return std::max({spare_m, 2.0 * plan.along_resolution_m, edge_m - ground_m(range_m - spare_m),

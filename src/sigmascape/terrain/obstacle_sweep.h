@@ -35,6 +35,17 @@ struct Sight {
   return 2 * static_cast<int>(std::clamp(std::ceil(fall_m / std::max(height_m, 1e-3)), 1.0, most_a_half));
 }
 
+/// Calls `visit(nearer)` for the middle of each piece of a stride around `distance_m`, outwards: the slope to what
+/// stands in the middle of the stride, times `nearer`, is that to the same height there.
+template <typename Number, typename Visit>
+void for_each_piece(int pieces, Number distance_m, Number stride_m, const Visit& visit) {
+  const Number piece_m = stride_m / static_cast<Number>(pieces), half = static_cast<Number>(0.5);
+  for (int piece = 0; piece < pieces; ++piece) {
+    const Number beyond_m = (static_cast<Number>(piece) + half) * piece_m - half * stride_m;
+    visit(distance_m / (distance_m + beyond_m));
+  }
+}
+
 /// The part, from 0 to 1, of a stride on which a line of sight is within a crown: so high above the ground in the
 /// middle of it, and by so much lower at its far end than there.
 [[nodiscard]] inline double part_within(const radar::Obstacle& obstacle, double above_m, double half_fall_m) {
@@ -90,13 +101,12 @@ class ObstacleSweep {
     if (top <= horizon_) return;
     const double height_m = static_cast<double>(obstacle.crown_top_m) - static_cast<double>(obstacle.crown_base_m);
     const int pieces = crown_pieces(step_m * std::abs(slope), height_m);
-    const double piece_m = step_m / pieces, way_m = piece_m * std::sqrt(1.0 + slope * slope);
+    const double way_m = step_m / pieces * std::sqrt(1.0 + slope * slope);
     const auto depth = std::llround(static_cast<double>(obstacle.crown_extinction_per_m) * way_m / depth_unit);
-    for (int piece = 0; piece < pieces; ++piece) {
-      const double nearer = distance_m / (distance_m + (piece + 0.5) * piece_m - 0.5 * step_m);
+    for_each_piece(pieces, distance_m, step_m, [&](double nearer) {
       bases_.push({base * nearer, depth});
       tops_.push({top * nearer, depth});
-    }
+    });
   }
 
   double transmission_at(double slope) {
