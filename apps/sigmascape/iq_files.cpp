@@ -87,7 +87,7 @@ void check(const IqFiles& files, const IqRequest& request) {
 
 void write_iq_files(const IqFiles& files, const IqRequest& request) {
   if (files.file.empty()) return;
-  const atlas::Atlas textures = atlas::load_atlas(*request.atlas);
+  const atlas::Atlas textures = atlas::load_atlas(*request.atlas, {.reading = atlas::Reading::AsAsked});
   const double frequency_hz = texture_frequency_hz(textures.aspects(), request.radar, request.extrapolate);
   const double spacing_m =
       simulate::pulse_scatterer_spacing_m(request.radar, request.area, request.scene.terrain, files.interval_s);

@@ -139,7 +139,7 @@ void plot_histogram(const PlotOptions& options, const Output& output) {
 
 void plot_aspects(const PlotOptions& options, const Output& output) {
   const auto store = atlas::Store::open(options.input);
-  const atlas::Atlas textures = atlas::load_atlas(store);
+  const atlas::Atlas textures = atlas::load_atlas(store, {.reading = atlas::Reading::AsAsked});
   const Vec2d point = options.is_latitude_longitude
                           ? geo::position_in_frame(store.description().frame, {options.at[0], options.at[1]})
                           : Vec2d{options.at[0], options.at[1]};
@@ -151,6 +151,7 @@ void plot_aspects(const PlotOptions& options, const Output& output) {
   }
   const double frequency_hz = options.frequency_ghz * 1e9;
   textures.check_frequency(frequency_hz);
+  textures.prepare({point.x, point.y, point.x, point.y}, 0.0);
   finish(options, aspect_plot(textures, point, frequency_hz, options.polarization, options.over == "elevation"), output,
          {{"x_m", point.x}, {"y_m", point.y}});
 }

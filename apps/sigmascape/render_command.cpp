@@ -42,6 +42,7 @@
 #include "sigmascape/render/level_of_detail.h"
 #include "sigmascape/scene/scene_file.h"
 #include "sigmascape/simulate/coherent.h"
+#include "sigmascape/simulate/looks_of_map.h"
 #include "sigmascape/simulate/map_provenance.h"
 #include "sigmascape/simulate/map_question.h"
 #include "sigmascape/simulate/map_warnings.h"
@@ -128,8 +129,13 @@ std::optional<radar::ObstacleMap> obstacles_for_layers(const RenderOptions& opti
 Rendered baked(const RenderOptions& options, const scene::Scene& scene, const atlas::Store& store,
                const radar::Radar& radar, const radar::GroundGrid& grid, const std::vector<radar::Target>& targets,
                const Provenance& origin) {
-  const atlas::Atlas textures = atlas::load_atlas(store);
-  if (radar.mode != radar::Mode::RealBeam) {
+  const bool is_real_beam = radar.mode == radar::Mode::RealBeam;
+  const atlas::Atlas textures = atlas::load_atlas(
+      store, {.aspects = is_real_beam
+                             ? simulate::looks_of_map(store.description().aspects, radar, grid.extent(), scene.terrain)
+                             : atlas::AspectSelection{},
+              .reading = atlas::Reading::AsAsked});
+  if (!is_real_beam) {
     auto made =
         coherent_map({scene, textures, radar, texture_frequency_hz(textures.aspects(), radar, options.extrapolate),
                       grid, options.level_of_detail, targets, options.trace.seed, options.trace.dwell, options.time_s,

@@ -74,6 +74,13 @@ py::list levels_of(const py::object& self) {
   return levels;
 }
 
+/// A rectangle that holds all the points.
+radar::Rectangle bounds_of(const double* x_m, const double* y_m, std::size_t count) {
+  const auto [west, east] = std::minmax_element(x_m, x_m + count);
+  const auto [south, north] = std::minmax_element(y_m, y_m + count);
+  return {*west, *south, *east, *north};
+}
+
 using Points = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
 py::array_t<float> sigma0_at(const LoadedAtlas& loaded, const Points& x_m, const Points& y_m, double azimuth_deg,
@@ -93,6 +100,7 @@ py::array_t<float> sigma0_at(const LoadedAtlas& loaded, const Points& x_m, const
   long_call([&] {
     const atlas::Atlas& textures = loaded.textures();
     textures.check_frequency(frequency_ghz * 1e9);
+    if (count > 0) textures.prepare(bounds_of(x, y, count), level);
     const auto weights =
         textures.weights_for({radians_from_deg(azimuth_deg), radians_from_deg(elevation_deg)}, frequency_ghz * 1e9);
     for (std::size_t i = 0; i < count; ++i) out[i] = textures.sigma0_at({x[i], y[i]}, weights, level);
@@ -204,7 +212,7 @@ void add_atlas(py::module_& module) {
            "unless\n"
            "told otherwise, it is in it, unshadowed. 0 outside the atlas.")
       .def(
-          "load", [](const LoadedAtlas& a) { long_call([&a] { (void)a.textures(); }); },
+          "load", [](const LoadedAtlas& a) { long_call([&a] { a.textures().prepare(a.description().extent, 0.0); }); },
           "Reads all textures now rather than when first needed.")
       .def("info", &info_of, "What is there, how large and how noisy it is, as a dict.")
       .def("__repr__", [](const LoadedAtlas& a) {

@@ -14,7 +14,8 @@
 
 namespace sigmascape::python {
 
-/// An atlas on the disk; its textures and terrain are read when a call first needs them, and kept.
+/// An atlas on the disk; its terrain is read when a call first needs it, and of its textures what calls ask for, and
+/// kept.
 class LoadedAtlas {
  public:
   explicit LoadedAtlas(const std::filesystem::path& folder) : store_(atlas::Store::open(folder)) {}
@@ -23,7 +24,8 @@ class LoadedAtlas {
   [[nodiscard]] const atlas::AtlasDescription& description() const { return store_.description(); }
 
   [[nodiscard]] const atlas::Atlas& textures() const {
-    std::call_once(textures_read_, [this] { textures_.emplace(atlas::load_atlas(store_)); });
+    std::call_once(textures_read_,
+                   [this] { textures_.emplace(atlas::load_atlas(store_, {.reading = atlas::Reading::AsAsked})); });
     return *textures_;
   }
   [[nodiscard]] const terrain::HeightField& terrain() const {

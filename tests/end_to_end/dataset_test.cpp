@@ -567,6 +567,7 @@ TEST(DatasetOfHouses, KnowsWhatPartCameOverSeveralSurfaces) {
       "layers = [\"class\", \"bounce1\", \"multibounce\"]\n"
       "[view]\nazimuth_deg = [180, 180]\nelevation_deg = [21, 21]\nslant_range_km = [15, 15]\n[speckle]\nlooks = 0\n");
   const dataset::SampleMaker maker(dataset::read_dataset_spec(file));
+  const dataset::Sample sample = maker.make(0);
   settings.seed = 5;
   fs::remove_all(folder.path("first_bounce"));
   bake::bake(scene::read_scene(scene), settings, folder.path("first_bounce"), silent);
@@ -574,7 +575,6 @@ TEST(DatasetOfHouses, KnowsWhatPartCameOverSeveralSurfaces) {
               dataset::SampleMaker(dataset::read_dataset_spec(file));
             }).find("first_bounce: was baked with seed 5, and the atlas with 1; bake it with all options"),
             std::string::npos);
-  const dataset::Sample sample = maker.make(0);
   ASSERT_EQ(sample.labels.layers.back().name, "multibounce");
   const auto& classes = sample.labels.layers.front().values;
   const auto solid = static_cast<float>(simulate::class_names(maker.scene()).size() - 2);

@@ -8,7 +8,7 @@
 
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/atlas/texel_blend.h"
-#include "sigmascape/base/error.h"
+#include "sigmascape/radar/rectangle_parts.h"
 
 namespace sigmascape::atlas {
 namespace {
@@ -31,10 +31,7 @@ int whole_below(double value) {
 }  // namespace
 
 std::size_t Atlas::memory_bytes() const {
-  std::size_t bytes = 0;
-  for (const Patch& patch : patch_table_) {
-    for (const std::vector<Half>& level : patch.levels) bytes += level.size() * sizeof(Half);
-  }
+  std::size_t bytes = table_->memory_bytes();
   if (ground_layers_) {
     bytes +=
         ground_layers_->sigma0.memory_bytes() + ground_layers_->obstacles.obstacles.size() * sizeof(radar::Obstacle);
@@ -42,10 +39,28 @@ std::size_t Atlas::memory_bytes() const {
   return bytes;
 }
 
-const Atlas::Patch* Atlas::patch_at(int column, int row) const {
+const PatchTexels* Atlas::patch_at(int column, int row, std::size_t level) const {
   if (column < 0 || column >= patch_columns_ || row < 0 || row >= patch_rows_) return nullptr;
-  return &patch_table_[static_cast<std::size_t>(row) * static_cast<std::size_t>(patch_columns_) +
-                       static_cast<std::size_t>(column)];
+  const PatchTexels* patch =
+      patches_in_memory_ + static_cast<std::size_t>(row) * static_cast<std::size_t>(patch_columns_) + column;
+  return patch->levels[level - finest_level_].empty() ? nullptr : patch;
+}
+
+void Atlas::prepare(const radar::Rectangle& area, double level) const {
+  const double within = drawn_to_levels(level);
+  const auto finer = static_cast<std::size_t>(within);
+  // Readings blend the texels about a point of this level and the next.
+  const double texel_m = patches_.texel_m * std::exp2(std::ceil(within));
+  const double side_m = patches_.side_m();
+  const radar::Rectangle whole{north_west_.x * side_m, (north_west_.y + 1 - patch_rows_) * side_m,
+                               (north_west_.x + patch_columns_) * side_m, (north_west_.y + 1) * side_m};
+  table_->read(patches_.block_over(radar::common_part(radar::widened(area, texel_m), whole)), finer);
+  if (ground_layers_) ground_layers_->sigma0.prepare(area, level);
+}
+
+void Atlas::check_whole() const {
+  table_->check_whole();
+  if (ground_layers_) ground_layers_->sigma0.check_whole();
 }
 
 bool Atlas::covers(Vec2d point_m) const {
@@ -82,7 +97,7 @@ radar::Channels Atlas::at_level(Vec2d point_m, const AspectWeights& weights, std
 
   TexelParts parts;
   std::array<std::array<float, 8>, 4> stored;  // one a patch
-  const Patch* scaled_for = nullptr;
+  const PatchTexels* scaled_for = nullptr;
   const Half* looks_of_patch = nullptr;
   float total = 0.0F;
   for (int corner = 0; corner < 4; ++corner) {
@@ -91,7 +106,7 @@ radar::Channels Atlas::at_level(Vec2d point_m, const AspectWeights& weights, std
     const float part = (right == 1 ? u : 1.0F - u) * (below == 1 ? v : 1.0F - v);
     const int texel_column = column + right;
     const int texel_row = row + below;
-    const Patch* patch = patch_at(texel_column >> log2_side, texel_row >> log2_side);
+    const PatchTexels* patch = patch_at(texel_column >> log2_side, texel_row >> log2_side, level);
     if (part == 0.0F || patch == nullptr) continue;
     const std::size_t n = parts.count;
     const bool is_another = patch != scaled_for;

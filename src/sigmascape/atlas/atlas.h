@@ -5,16 +5,18 @@
 #include <vector>
 
 #include "sigmascape/atlas/aspect_grid.h"
-#include "sigmascape/atlas/half.h"
 #include "sigmascape/atlas/patch_grid.h"
+#include "sigmascape/atlas/patch_table.h"
 #include "sigmascape/atlas/store.h"
 #include "sigmascape/base/vec.h"
 #include "sigmascape/radar/channels.h"
+#include "sigmascape/radar/ground_grid.h"
 #include "sigmascape/radar/look.h"
 
 namespace sigmascape::atlas {
 
 struct GroundLayers;
+struct LoadOptions;
 
 /// Reflectivity textures in memory: σ0 (linear, per horizontal area) of any ground point from any look.
 ///
@@ -43,6 +45,15 @@ class Atlas {
   /// two levels.
   [[nodiscard]] double level_for(double cell_side_m) const;
 
+  /// Reads what is not in memory yet of what readings at `level` of points within `area` come to: for atlases that are
+  /// read as they are asked for (LoadOptions), which know nothing elsewhere. What was read is kept. Any number of
+  /// threads may ask at once, and read where they have asked before. Throws Error as load_atlas does.
+  void prepare(const radar::Rectangle& area, double level) const;
+
+  /// Throws Error when any texture that it may be asked for is missing or not as long as its item says: better at once
+  /// than when hours of work come to it.
+  void check_whole() const;
+
   /// See atlas::weights_for. Do this once for all points that are seen under nearly the same aspect.
   [[nodiscard]] AspectWeights weights_for(const radar::Aspect& aspect, double frequency_hz) const {
     return atlas::weights_for(aspects_, aspect, frequency_hz);
@@ -58,16 +69,11 @@ class Atlas {
   }
 
  private:
-  friend class AtlasLoader;
-
-  /// All looks of all channels of a texel stand together: [row][column][look][channel].
-  struct Patch {
-    std::vector<std::vector<Half>> levels;
-    std::vector<float> scales;  ///< a look: what its halves are multiplied by
-  };
+  friend Atlas load_atlas(const Store& store, const LoadOptions& options);
 
   Atlas() = default;
-  [[nodiscard]] const Patch* patch_at(int column, int row) const;
+  /// Nothing where there is none, and where this level of it was not asked for.
+  [[nodiscard]] const PatchTexels* patch_at(int column, int row, std::size_t level) const;
   [[nodiscard]] double drawn_to_levels(double level) const;
   [[nodiscard]] radar::Channels at_level(Vec2d point_m, const AspectWeights& weights, std::size_t level) const;
 
@@ -78,8 +84,15 @@ class Atlas {
   PatchIndex north_west_;
   int patch_columns_ = 0;
   int patch_rows_ = 0;
-  std::vector<Patch> patch_table_;  ///< [row][column] from the north-west
+  std::shared_ptr<PatchTable> table_;
+  const PatchTexels* patches_in_memory_ = nullptr;  ///< the table's, [row][column] from the north-west
   std::shared_ptr<const GroundLayers> ground_layers_;
+};
+
+/// When the textures of an atlas are read.
+enum class Reading {
+  AtOnce,   ///< all that the options leave
+  AsAsked,  ///< those that Atlas::prepare is asked for: a map of a small part of a large atlas takes no more
 };
 
 struct LoadOptions {
@@ -89,10 +102,12 @@ struct LoadOptions {
   unsigned threads = 0;  ///< 0: one a hardware thread
   /// Leave out the other looks: the atlas is then as one baked on that coarser grid.
   AspectSelection aspects = {};
+  Reading reading = Reading::AtOnce;
 };
 
-/// Reads a store into memory. Throws Error when a wanted texture is not there (the bake is not finished) or is not as
-/// its item says, and when the options name levels or looks that the store does not have.
+/// Reads a store into memory, at once or as it is asked for. Throws Error when a wanted texture is not there (the bake
+/// is not finished) or is not as its item says, when they take more memory than there is, and when the options name
+/// levels or looks that the store does not have.
 [[nodiscard]] Atlas load_atlas(const Store& store, const LoadOptions& options = {});
 
 }  // namespace sigmascape::atlas

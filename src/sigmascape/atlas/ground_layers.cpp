@@ -108,7 +108,10 @@ GroundLayers load_ground_layers(const Store& atlas, const LoadOptions& options) 
   const Store ground = open_ground_store(atlas);
   radar::ObstacleMap obstacles = load_obstacles(atlas);
   radar::AnsweringTops tops = radar::answering_tops(obstacles, from_afar(atlas.description()));
-  return {load_atlas(ground, {.finest_level = options.finest_level, .threads = options.threads, .aspects = {}}),
+  return {load_atlas(ground, {.finest_level = options.finest_level,
+                              .threads = options.threads,
+                              .aspects = {},
+                              .reading = options.reading}),
           std::move(obstacles), std::move(tops)};
 }
 

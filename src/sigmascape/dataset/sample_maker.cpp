@@ -105,6 +105,13 @@ std::string description_hash(const atlas::Store& store) {
   return sha256_of(atlas::described(store.description()).dump());
 }
 
+/// Whole, and read as samples come to it.
+atlas::Atlas opened_atlas(const atlas::Store& store) {
+  atlas::Atlas atlas = atlas::load_atlas(store, {.reading = atlas::Reading::AsAsked});
+  atlas.check_whole();
+  return atlas;
+}
+
 std::shared_ptr<const radar::ObstacleMap> obstacles_for(const atlas::Atlas& atlas, const scene::Scene& scene,
                                                         double cell_m) {
   if (atlas.ground_layers() != nullptr) {
@@ -183,14 +190,14 @@ SampleMaker::SampleMaker(const DatasetSpec& spec)
     geometry_.emplace(scene_, trace::Footing::Terrain);
   } else {
     const auto store = opened_store(spec_, *spec_.atlas, "atlas", scene_hash_);
-    atlas_ = atlas::load_atlas(store);
+    atlas_ = opened_atlas(store);
     atlas_hashes_.push_back(description_hash(store));
     std::size_t bounces = 0;
     for (const std::string& name : spec_.bounce_layers) bounces = std::max(bounces, bounces_to_know(name));
     check_tells_orders(spec_, bounces, store.description());
     for (std::size_t most = 1; most <= bounces; ++most) {
       const auto fewer = opened_bounces(spec_, most, scene_hash_, store.description());
-      bounce_atlases_.push_back(atlas::load_atlas(fewer));
+      bounce_atlases_.push_back(opened_atlas(fewer));
       atlas_hashes_.push_back(description_hash(fewer));
     }
     obstacles_ = obstacles_for(*atlas_, scene_, spec_.cell_m);

@@ -93,6 +93,7 @@ radar::RangeAzimuthImage GroundRenderer::render(const radar::Radar& radar, const
   const double cell_m = std::min(radar.range_resolution_m, radar.beam_width_rad * near_of_map_m);
   // Two texels a resolution cell: what is finer the receiver would only average away.
   const double level = std::max(settings.level_of_detail - 1.0, atlas_->level_for(cell_m / 2.0));
+  atlas_->prepare(area, level);
 
   receiver::RangeAzimuthReceiver receiver(radar, grid);
   const ReflectingGround ground(*atlas_, *terrain_, radar.position, frequency_hz, level, settings.slope);

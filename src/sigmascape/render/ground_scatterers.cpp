@@ -11,6 +11,7 @@
 #include "sigmascape/base/machine_memory.h"
 #include "sigmascape/base/parallel.h"
 #include "sigmascape/base/units.h"
+#include "sigmascape/radar/rectangle_parts.h"
 #include "sigmascape/radar/target_shadows.h"
 #include "sigmascape/render/line_of_sight.h"
 #include "sigmascape/render/reflecting_ground.h"
@@ -51,6 +52,8 @@ SeenSigma0 seen(const ReflectivityField& field, const terrain::HeightField& terr
 SeenSigma0 seen(const AtlasReflectivity& textures, const terrain::HeightField& terrain, const ScattererRequest& request,
                 double side_m) {
   const Vec2d middle = request.area.centre();
+  // Scatterers lie anywhere within their cells.
+  textures.atlas->prepare(radar::widened(request.area, side_m), textures.level);
   const ReflectingGround ground(*textures.atlas, terrain, request.vantage.place_for(middle), textures.frequency_hz,
                                 textures.level, SlopeModel::Upright, request.earth);
   // What hides is known no finer than its cells: two steps a cell find its edges.

@@ -271,6 +271,52 @@ TEST_F(AtlasTest, OnlySelectedLooksNeedToBeThere) {
   EXPECT_THROW(static_cast<void>(load_atlas(store, {.aspects = {.azimuths = {1}, .elevations = {}}})), Error);
 }
 
+/// Of four patches those alone that a point's texels lie on, at the levels that are asked for; finer ones when they
+/// are.
+TEST_F(AtlasTest, WhatIsReadAsAskedIsWhatWouldBeReadAtOnce) {
+  const Store store = store_of(four_patches(), [](Vec2d point, const radar::Look& look) {
+    return exact(static_cast<std::size_t>(1000.5 + point.x + 7.0 * point.y + 40.0 * look.aspect.elevation_rad));
+  });
+  const Atlas whole = load_atlas(store);
+  const Atlas asked = load_atlas(store, {.reading = Reading::AsAsked});
+  EXPECT_EQ(asked.memory_bytes(), 0U);
+  const AspectWeights weights = whole.weights_for({1.0, radians_from_deg(7.0)}, 10e9);
+  const auto expect_same = [&](const radar::Rectangle& area, double level) {
+    for (const double x : {area.west_m, area.east_m}) {
+      for (const double y : {area.south_m, area.north_m})
+        EXPECT_EQ(asked.sigma0_at({x, y}, weights, level), whole.sigma0_at({x, y}, weights, level)) << x << " " << y;
+    }
+  };
+  const radar::Rectangle within{40.0, 40.0, 200.0, 200.0};
+  asked.prepare(within, 3.5);
+  EXPECT_LT(asked.memory_bytes() * 4 * 60, whole.memory_bytes());
+  expect_same(within, 3.5);
+  EXPECT_EQ(asked.sigma0_at({100.0, 100.0}, weights, 0.0), radar::Channels{});
+  asked.prepare(within, 0.0);
+  EXPECT_EQ(asked.memory_bytes() * 4, whole.memory_bytes());
+  expect_same(within, 0.0);
+  const radar::Rectangle at_the_border{0.25, 40.0, 200.0, 200.0};
+  asked.prepare(at_the_border, 0.0);
+  EXPECT_EQ(asked.memory_bytes() * 2, whole.memory_bytes());
+  expect_same(at_the_border, 0.0);
+  asked.prepare({-1e9, -1e9, 1e9, 1e9}, 0.0);
+  EXPECT_EQ(asked.memory_bytes(), whole.memory_bytes());
+  asked.prepare({1e4, 1e4, 2e4, 2e4}, 0.0);
+}
+
+TEST_F(AtlasTest, WhatIsNotAskedForNeedNotBeThere) {
+  const Store store = store_of(four_patches(), [](Vec2d, const radar::Look&) {
+    return radar::Channels{1.0F, 1.0F, 1.0F, 1.0F};
+  });
+  std::filesystem::remove(folder_ / store.texture_path({-1, -1}, 2));
+  const Atlas atlas = load_atlas(store, {.reading = Reading::AsAsked});
+  EXPECT_NO_THROW(atlas.prepare({40.0, 40.0, 200.0, 200.0}, 0.0));
+  EXPECT_THROW(atlas.prepare({-200.0, -200.0, 200.0, 200.0}, 0.0), Error);
+  EXPECT_THROW(atlas.check_whole(), Error);
+  const AspectWeights weights = atlas.weights_for({1.0, radians_from_deg(7.0)}, 10e9);
+  EXPECT_GT(atlas.sigma0_at({100.0, 100.0}, weights, 0.0).vv, 0.5F);
+}
+
 TEST_F(AtlasTest, SelectionsThatAreNotOnTheAxesAreRefused) {
   const AspectGrid grid = paper_aspect_grid();
   EXPECT_THROW(static_cast<void>(selected_grid(grid, {.azimuths = {8}, .elevations = {}})), Error);
