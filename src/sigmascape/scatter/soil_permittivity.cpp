@@ -11,7 +11,8 @@ namespace {
 /// The conductivity of soil water, a relaxation at 1.35 GHz between two values that texture gives, S/m.
 std::complex<double> effective_conductivity(const SoilPermittivity& soil, double f_ghz) {
   const double density = soil.bulk_density();
-  const double low = 0.0467 + 0.2204 * density - 0.004111 * soil.sand_percent - 0.006614 * soil.clay_percent;
+  // The Recommendation prints the part of clay with the other sign; Peplinski et al., whom it follows, have it so.
+  const double low = 0.0467 + 0.2204 * density - 0.004111 * soil.sand_percent + 0.006614 * soil.clay_percent;
   const double high = -1.645 + 1.939 * density - 0.0225622 * soil.sand_percent + 0.01594 * soil.clay_percent;
   const double x = f_ghz / 1.35;
   const double relaxing = (low - high) / (1.0 + x * x);
@@ -34,7 +35,7 @@ std::complex<double> SoilPermittivity::relative_at(double frequency_hz) const {
   const double pores = (specific_gravity - density) / (specific_gravity * volumetric_moisture);
   const std::complex<double> conduction = effective_conductivity(*this, f_ghz) * (18.0 / f_ghz * pores);
   const std::complex<double> water = WaterPermittivity{temperature_c}.relative_at(frequency_hz);
-  // In dry clay the fit takes more away at low frequencies than the water has; no less than vacuum is left.
+  // In dry clay the fit may take more away than the water has; no less than vacuum is left.
   const double water_real = std::max(1.0, water.real() + conduction.real());
   const double water_loss = -water.imag() + conduction.imag();
 
