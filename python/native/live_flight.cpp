@@ -18,10 +18,12 @@ std::unique_ptr<Held<SceneFlight>> made_flight(std::shared_ptr<LoadedScene> scen
                                                double range_step_m, double cells_per_bin, std::uint64_t seed,
                                                unsigned threads, double refraction, std::uint32_t rays_per_cell,
                                                int bounces) {
-  // Until it is made, not while Python writes down what it is: its table of instances is the GIL's.
-  const WithoutGil working;
   const auto settings =
       settings_from(content, beams, ranges, beam_step_rad, range_step_m, cells_per_bin, seed, threads, refraction);
+  // What rays meet takes longest to build, and is built where signals are heard.
+  long_call([&] { static_cast<void>(scene->geometry()); });
+  // Until it is made, not while Python writes down what it is: its table of instances is the GIL's.
+  const WithoutGil working;
   const simulate::LiveFlightSettings flight{.tracing = {.rays_per_cell = rays_per_cell, .max_bounces = bounces}};
   const auto& loaded = *scene;
   const scene::Scene& seen = loaded.scene();

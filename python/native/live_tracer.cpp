@@ -2,6 +2,7 @@
 
 #include "drawn_live.h"
 #include "gil.h"
+#include "long_call.h"
 #include "parts.h"
 
 #include "sigmascape/render/level_of_detail.h"
@@ -18,10 +19,12 @@ std::unique_ptr<Held<SceneTracer>> made_tracer(std::shared_ptr<LoadedScene> scen
                                                double range_step_m, double cells_per_bin, std::uint64_t seed,
                                                unsigned threads, double refraction, double frequency_ghz,
                                                std::uint32_t rays_per_cell, int bounces, double lattice_m) {
-  // Until it is made, not while Python writes down what it is: its table of instances is the GIL's.
-  const WithoutGil working;
   const auto settings =
       settings_from(content, beams, ranges, beam_step_rad, range_step_m, cells_per_bin, seed, threads, refraction);
+  // What rays meet takes longest to build, and is built where signals are heard.
+  long_call([&] { static_cast<void>(scene->geometry()); });
+  // Until it is made, not while Python writes down what it is: its table of instances is the GIL's.
+  const WithoutGil working;
   const auto& loaded = *scene;
   const scene::Scene& seen = loaded.scene();
   std::shared_ptr<SceneTracer> made(new SceneTracer{

@@ -39,6 +39,12 @@ std::string as_written(const toml::node& node) {
   return text.str();
 }
 
+/// A number, whole ones beyond 2^53 to the nearest double: toml++ gives none of these as a double.
+double number_in(const toml::node& number) {
+  if (const auto whole = number.as_integer()) return static_cast<double>(whole->get());
+  return *number.value<double>();
+}
+
 std::string content_of(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(stream), {}};
@@ -182,7 +188,7 @@ std::optional<double> TomlSection::optional_number(std::string_view key, Interva
   if (!has(key)) return std::nullopt;
   const toml::node& node = *find(*table_->table, key);
   if (!node.is_number()) throw fault(key, fmt::format("is {}", as_written(node)), range_text(allowed));
-  const double value = *node.value<double>();
+  const double value = number_in(node);
   if (!(value >= allowed.lowest && value <= allowed.highest))
     throw fault(key, fmt::format("is {:g}", value), range_text(allowed));
   return value;
@@ -230,7 +236,7 @@ std::vector<double> TomlSection::numbers(std::string_view key, Interval allowed)
   const toml::array* array = node.as_array();
   if (array == nullptr) throw fault(key, fmt::format("is {}", as_written(node)), "give a list of numbers");
   for (const toml::node& element : *array) {
-    const double value = element.is_number() ? *element.value<double>() : allowed.lowest - 1.0;
+    const double value = element.is_number() ? number_in(element) : allowed.lowest - 1.0;
     if (!(value >= allowed.lowest && value <= allowed.highest)) {
       throw fault(key, fmt::format("holds {}", as_written(element)), range_text(allowed));
     }
@@ -242,7 +248,7 @@ std::vector<double> TomlSection::numbers(std::string_view key, Interval allowed)
 std::vector<std::array<double, 2>> TomlSection::pairs(std::string_view key) const {
   if (!has(key)) return {};
   const toml::node& node = *find(*table_->table, key);
-  const auto is_finite = [](const toml::node& n) { return n.is_number() && std::isfinite(*n.value<double>()); };
+  const auto is_finite = [](const toml::node& n) { return n.is_number() && std::isfinite(number_in(n)); };
   const auto is_pair = [&](const toml::node& n) {
     return n.is_array() && n.as_array()->size() == 2 && is_finite(*n.as_array()->get(0)) &&
            is_finite(*n.as_array()->get(1));
@@ -254,7 +260,7 @@ std::vector<std::array<double, 2>> TomlSection::pairs(std::string_view key) cons
                 "give a list of pairs of numbers such as [[10, 20], [30, 40]]");
   }
   for (const toml::node& pair : *array) {
-    values.push_back({*pair.as_array()->get(0)->value<double>(), *pair.as_array()->get(1)->value<double>()});
+    values.push_back({number_in(*pair.as_array()->get(0)), number_in(*pair.as_array()->get(1))});
   }
   return values;
 }

@@ -208,6 +208,16 @@ SampleMaker::SampleMaker(const DatasetSpec& spec)
   check_radars();
   check_views();
   check_flights();
+  check_classes();
+}
+
+/// Labels of classes are bytes.
+void SampleMaker::check_classes() const {
+  const std::size_t classes = simulate::class_names(scene_).size();
+  if (classes <= 256 || std::ranges::find(spec_.layers, simulate::LayerKind::Class) == spec_.layers.end()) return;
+  throw Error(spec_.file.string() + ": dataset.layers",
+              fmt::format("asks for class, and the scene has {} classes, where files hold 256", classes),
+              "leave it out, or give the scene fewer materials");
 }
 
 void SampleMaker::check_radars() const {

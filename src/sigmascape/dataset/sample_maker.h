@@ -74,6 +74,7 @@ class SampleMaker {
   void check_views() const;
   /// What `check_views` asks of the first frame, of the others of every sequence.
   void check_flights() const;
+  void check_classes() const;
   void check_frame(const SamplePlan& plan) const;
   void check_radars() const;
   void check_materials(const Range& frequencies_hz) const;

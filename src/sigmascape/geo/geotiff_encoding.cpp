@@ -21,7 +21,14 @@ GDALDatasetUniquePtr floats_in_memory(std::string_view what, int columns, int ro
   GDALDatasetUniquePtr dataset(gdal_driver("MEM").Create("", columns, rows, bands, GDT_Float32, nullptr));
   if (!dataset) fail_to_encode(what);
   place(*dataset, placement);
-  for (const auto& [key, value] : metadata) dataset->SetMetadataItem(key.c_str(), value.c_str());
+  for (const auto& [key, value] : metadata) {
+    // GDAL keeps "key=value", and reads a key up to the first sign.
+    if (key.empty() || key.find('=') != std::string::npos) {
+      throw Error(std::string(what), fmt::format("has the metadata key '{}', which a GeoTIFF cannot hold", key),
+                  "name it without an equals sign");
+    }
+    dataset->SetMetadataItem(key.c_str(), value.c_str());
+  }
   return dataset;
 }
 

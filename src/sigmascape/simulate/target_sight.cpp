@@ -36,7 +36,19 @@ double part_seen(const Surroundings& surroundings, Vec3d radar_position, Vec3d p
   const double rise = way.z / distance_m;
   const Vec2d direction{way.x / distance_m, way.y / distance_m};
   const double step_m = obstacles != nullptr ? std::min(obstacles->grid.cell_m, terrain.spacing_m) : terrain.spacing_m;
+  const auto depth_within = [rise](const radar::Obstacle& obstacle, double above_m, double length_m) {
+    if (!(obstacle.crown_top_m > 0.0F)) return 0.0;
+    return terrain::part_within(obstacle, above_m, 0.5 * length_m * std::abs(rise)) *
+           static_cast<double>(obstacle.crown_extinction_per_m) * length_m * std::hypot(1.0, rise);
+  };
   double depth = 0.0;
+  if (obstacles != nullptr && terrain.extent().contains(place)) {
+    // Of its own square what lies between the point and the first step.
+    const radar::Obstacle own = obstacles->at(place);
+    const double above_m = point.z - terrain.height_at(place);
+    if (above_m < static_cast<double>(own.solid_top_m)) return 0.0;
+    depth += depth_within(own, above_m + 0.25 * step_m * rise, 0.5 * step_m);
+  }
   for (double d = step_m; d < distance_m; d += step_m) {
     const double height_m = point.z + d * rise - 0.5 * earth.curvature_per_m() * d * (distance_m - d);
     if (rise >= 0.0 && height_m > highest_m && earth.curvature_per_m() == 0.0) break;
@@ -50,9 +62,7 @@ double part_seen(const Surroundings& surroundings, Vec3d radar_position, Vec3d p
     if (obstacles == nullptr) continue;
     const radar::Obstacle obstacle = obstacles->at(under);
     if (above_m < static_cast<double>(obstacle.solid_top_m)) return 0.0;
-    if (obstacle.crown_top_m > 0.0F)
-      depth += terrain::part_within(obstacle, above_m, 0.5 * step_m * std::abs(rise)) *
-               static_cast<double>(obstacle.crown_extinction_per_m) * step_m * std::hypot(1.0, rise);
+    depth += depth_within(obstacle, above_m, step_m);
   }
   return std::exp(-depth);
 }

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
+#include <mutex>
 #include <span>
 #include <utility>
 
 #include "sigmascape/base/error.h"
+#include "sigmascape/base/interruption.h"
 #include "sigmascape/base/machine_memory.h"
 #include "sigmascape/trace/ground_room.h"
 #include "sigmascape/trace/ground_within.h"
@@ -106,6 +109,35 @@ void add_to_sum(void* sum, ssize_t bytes) {
   static_cast<std::atomic<std::int64_t>*>(sum)->fetch_add(bytes);
 }
 
+/// Embree's question whether to go on, asked of any of its threads while it builds: until the work that the building
+/// belongs to is told to stop.
+class WantedEnd {
+ public:
+  static bool goes_on(void* wanted_end, double) { return static_cast<WantedEnd*>(wanted_end)->goes_on(); }
+
+  /// Nothing may be thrown through Embree.
+  void rethrow() {
+    if (thrown_) std::rethrow_exception(thrown_);
+  }
+
+ private:
+  bool goes_on() {
+    if (interruption_ == nullptr) return true;
+    const std::scoped_lock lock(guard_);
+    if (thrown_) return false;
+    try {
+      interruption_->poll();
+    } catch (...) {
+      thrown_ = std::current_exception();
+    }
+    return !thrown_;
+  }
+
+  Interruption* const interruption_ = Interruption::current();
+  std::mutex guard_;
+  std::exception_ptr thrown_;
+};
+
 }  // namespace
 
 void SceneStructures::build(const scene::Scene& scene, Footing on, const Surroundings& around) {
@@ -129,7 +161,7 @@ void SceneStructures::build(const scene::Scene& scene, Footing on, const Surroun
   add_buildings(scene.buildings, around);
   add_prototypes(scene.prototypes);
   add_instances(scene, around);
-  rtcCommitScene(top);
+  commit(top);
   check();
 }
 
@@ -138,6 +170,14 @@ SceneStructures::~SceneStructures() {
   for (RTCScene block : building_blocks) rtcReleaseScene(block);
   if (top != nullptr) rtcReleaseScene(top);
   if (device != nullptr) rtcReleaseDevice(device);
+}
+
+void SceneStructures::commit(RTCScene scene) {
+  WantedEnd end;
+  rtcSetSceneProgressMonitorFunction(scene, &WantedEnd::goes_on, &end);
+  rtcCommitScene(scene);
+  rtcSetSceneProgressMonitorFunction(scene, nullptr, nullptr);
+  end.rethrow();
 }
 
 void SceneStructures::check() const {
@@ -242,7 +282,7 @@ void SceneStructures::add(const BuildingBlock& block) {
   RTCGeometry geometry = quads(block.corners, block.vertices);
   rtcAttachGeometry(own, geometry);
   rtcReleaseGeometry(geometry);
-  rtcCommitScene(own);
+  commit(own);
   const auto [x, y, z] = block.place;
   add_instance(own, {1.0F, 0.0F, 0.0F, 0.0F, 1.0F, 0.0F, 0.0F, 0.0F, 1.0F, x, y, z},
                {.faces = building_faces.data() + block.first_face});
@@ -267,8 +307,8 @@ void SceneStructures::add_prototypes(const std::vector<scene::Mesh>& meshes) {
     for (scene::Crown& crown : crowns) {
       if (crown.prototype == prototypes.size()) attach_crown(prototype, crown);
     }
-    rtcCommitScene(prototype);
     prototypes.push_back(prototype);
+    commit(prototype);
     prototype_faces.push_back(std::move(faces.traits));
   }
 }

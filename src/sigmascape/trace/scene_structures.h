@@ -78,6 +78,8 @@ struct SceneStructures {
 
  private:
   void check() const;
+  /// Throws Interrupted when the work is told to stop.
+  void commit(RTCScene scene);
   void open_device();
   [[nodiscard]] RTCGeometry quads(const std::vector<std::array<std::uint32_t, 4>>& corners,
                                   const std::vector<Vec3f>& vertices) const;

@@ -73,6 +73,20 @@ TEST_F(TomlReader, NumbersThatAreNotWholeAreToldAsTheyAre) {
   }
 }
 
+TEST_F(TomlReader, WholeNumbersThatNoDoubleHoldsAreNumbersAllTheSame) {
+  const Interval narrow{0, 1000, ""}, wide{0, 1e19, ""};
+  for (const std::string written : {"9007199254740993", "6148914691236517205", "9223372036854775807"}) {
+    EXPECT_THAT(message_of_error([&] { static_cast<void>(section("n = " + written).number("n", narrow)); }),
+                HasSubstr("give a number from 0 to 1000"));
+    EXPECT_THAT(message_of_error([&] { static_cast<void>(section("n = " + written).whole_number_or("n", narrow, 1)); }),
+                HasSubstr("give a number from 0 to 1000"));
+    EXPECT_THAT(message_of_error([&] { static_cast<void>(section("n = [" + written + "]").numbers("n", narrow)); }),
+                HasSubstr("give a number from 0 to 1000"));
+    EXPECT_EQ(section("n = " + written).number("n", wide), std::stod(written));
+    EXPECT_EQ(section("n = [[1, " + written + "]]").pairs("n").front()[1], std::stod(written));
+  }
+}
+
 TEST_F(TomlReader, PlacesWithinListsNameTheWholeWay) {
   const auto inner = section("[[r]]\n[[r]]\n[[r.s]]\n[[r.s]]\nx = 1").sections("r")[1].sections("s")[1];
   EXPECT_THAT(inner.where("x"), EndsWith("scene.toml: r[2].s[2].x"));

@@ -153,6 +153,17 @@ TEST_F(GeoRasterFile, BandsOfDifferentSizeAreRefusedByName) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "map.tif"));
 }
 
+// GDAL would read "a=b", "c" back as "a", "b=c".
+TEST_F(GeoRasterFile, KeysThatWouldBeReadAsOthersAreRefused) {
+  GeoRaster raster = example_raster();
+  raster.metadata = {{"a=b", "c"}};
+  EXPECT_THROW(write_geotiff(folder_ / "map.tif", raster), Error);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "map.tif"));
+  raster.metadata = {{"a", "b=c"}};
+  write_geotiff(folder_ / "map.tif", raster);
+  EXPECT_EQ(read_geotiff(folder_ / "map.tif").metadata.at("a"), "b=c");
+}
+
 TEST_F(GeoRasterFile, ACrsThatIsNoneIsRefused) {
   GeoRaster raster = example_raster();
   raster.placement.crs = "somewhere";

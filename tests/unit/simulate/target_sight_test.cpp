@@ -64,6 +64,27 @@ TEST(TargetSight, ends_at_a_house_that_is_taller_than_the_line) {
   EXPECT_EQ(part_seen({level, &tall}, radar, {0.0, 50.0, 5.0}), 1.0);
 }
 
+TEST(TargetSight, is_not_had_from_within_a_house) {
+  const auto level = ground(false);
+  const auto houses = block_of({.solid_top_m = 12.0F});
+  // Just behind the wall that faces the radar, in the middle, and on the roof.
+  for (const double north_m : {39.5, 38.5, 30.0}) {
+    EXPECT_EQ(part_seen({level, &houses}, radar_at(45.0), {0.0, north_m, 7.0}), 0.0) << north_m;
+    EXPECT_EQ(part_seen({level, &houses}, radar_at(45.0), {0.0, north_m, 17.5}), 1.0) << north_m;
+  }
+}
+
+TEST(TargetSight, is_dimmed_by_the_crown_that_it_stands_in) {
+  const auto level = ground(false);
+  const auto crowns = block_of({.crown_base_m = 0.0F, .crown_top_m = 50.0F, .crown_extinction_per_m = 0.1F});
+  const double cosine = std::cos(radians_from_deg(10.0));
+  // To the edge at 40 m, whatever the steps: in the middle of a square of 2 m and of that at the edge.
+  for (const double north_m : {31.0, 39.0})
+    EXPECT_NEAR(part_seen({level, &crowns}, radar_at(10.0), {0.0, north_m, 6.0}),
+                std::exp(-0.1 * (40.0 - north_m) / cosine), 1e-3)
+        << north_m;
+}
+
 /// Looking for it takes as long as the map is large, and targets are many.
 TEST(TargetSight, finds_what_is_highest_once_for_all_targets) {
   const auto ridge = ground(true);

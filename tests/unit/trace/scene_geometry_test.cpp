@@ -5,7 +5,9 @@
 #include "plain_scene.h"
 
 #include "sigmascape/base/hash.h"
+#include "sigmascape/base/interruption.h"
 #include "sigmascape/radar/look.h"
+#include "sigmascape/scene/paper_scene.h"
 #include "sigmascape/scene/solid_mesh.h"
 
 namespace sigmascape::trace {
@@ -31,6 +33,16 @@ TEST(SceneGeometry, LevelPlaneLiesAtZeroWhateverTheTerrain) {
   EXPECT_EQ(hit.normal, (Vec3f{0, 0, 1}));
   EXPECT_EQ(geometry.lowest_m(), 0.0);
   EXPECT_EQ(geometry.highest_m(), 0.0);
+}
+
+TEST(SceneGeometry, IsNotBuiltToItsEndWhenToldToStop) {
+  const scene::Scene scene = scene::paper_scene({.scale = 0.1});
+  {
+    const Interruption goes_on([] { return false; });
+    EXPECT_NO_THROW(SceneGeometry(scene, Footing::Terrain));
+  }
+  const Interruption stops([] { return true; });
+  EXPECT_THROW(SceneGeometry(scene, Footing::Terrain), Interrupted);
 }
 
 TEST(SceneGeometry, LevelPlaneIsMissedFromBelowAndUpwards) {
