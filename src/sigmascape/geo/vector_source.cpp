@@ -19,6 +19,7 @@
 #include "sigmascape/geo/heeding_progress.h"
 #include "sigmascape/geo/is_absent.h"
 #include "sigmascape/geo/osm_tags.h"
+#include "sigmascape/geo/polygon_overlay.h"
 #include "sigmascape/geo/quiet_gdal.h"
 #include "sigmascape/geo/spatial_reference.h"
 #include "sigmascape/geo/tag_condition.h"
@@ -168,6 +169,23 @@ std::vector<Vec2d> positions_of(const OGRSimpleCurve& line) {
   return positions;
 }
 
+Polygon polygon_of(const OGRPolygon& area) {
+  Polygon polygon;
+  for (const OGRLinearRing* ring : area) {
+    (ring == area.getExteriorRing() ? polygon.outer : polygon.holes.emplace_back()) = positions_of(*ring);
+  }
+  return polygon;
+}
+
+/// Whether a geometry is made of faces in space, as are buildings with walls and roofs, and terrain.
+bool has_faces(const OGRGeometry& geometry) {
+  const OGRwkbGeometryType type = wkbFlatten(geometry.getGeometryType());
+  if (OGR_GT_IsSubClassOf(type, wkbGeometryCollection) == FALSE)
+    return OGR_GT_IsSubClassOf(type, wkbPolyhedralSurface) != FALSE;
+  const OGRGeometryCollection& parts = *geometry.toGeometryCollection();
+  return std::any_of(parts.begin(), parts.end(), [](const OGRGeometry* part) { return has_faces(*part); });
+}
+
 void append_geometry(const OGRGeometry& geometry, GeometryKind kind, Feature& feature) {
   const OGRwkbGeometryType type = wkbFlatten(geometry.getGeometryType());
   if (type == wkbPoint && kind == GeometryKind::Points) {
@@ -175,13 +193,11 @@ void append_geometry(const OGRGeometry& geometry, GeometryKind kind, Feature& fe
     if (point.IsEmpty() == FALSE) feature.points.push_back({point.getX(), point.getY()});
   } else if (type == wkbLineString && kind == GeometryKind::Lines) {
     feature.lines.push_back(positions_of(*geometry.toLineString()));
-  } else if (type == wkbPolygon && kind == GeometryKind::Areas) {
-    Polygon polygon;
-    for (const OGRLinearRing* ring : geometry.toPolygon()) {
-      (ring == geometry.toPolygon()->getExteriorRing() ? polygon.outer : polygon.holes.emplace_back()) =
-          positions_of(*ring);
-    }
+  } else if ((type == wkbPolygon || type == wkbTriangle) && kind == GeometryKind::Areas) {
+    Polygon polygon = polygon_of(*geometry.toPolygon());
     if (!polygon.outer.empty()) feature.polygons.push_back(std::move(polygon));
+  } else if (OGR_GT_IsSubClassOf(type, wkbPolyhedralSurface) != FALSE) {
+    for (const OGRPolygon* face : *geometry.toPolyhedralSurface()) append_geometry(*face, kind, feature);
   } else if (OGR_GT_IsSubClassOf(type, wkbGeometryCollection) != FALSE) {
     for (const OGRGeometry* part : geometry.toGeometryCollection()) append_geometry(*part, kind, feature);
   } else if (OGR_GT_IsNonLinear(type) != FALSE) {
@@ -213,6 +229,16 @@ bool bring_to_frame(Feature& feature, const CoordinateTransform& transform) {
     }
   }
   return good;
+}
+
+/// What faces cover of the ground, seen from above: walls nothing, a floor and the roof over it the same. As they are
+/// where all stand upright.
+std::vector<Polygon> ground_plan_of(std::vector<Polygon> faces) {
+  Polygons seen;
+  for (const Polygon& face : faces) {
+    for (Polygon& part : repaired(face).polygons) seen.push_back(std::move(part));
+  }
+  return seen.empty() ? std::move(faces) : united_all(seen);
 }
 
 void read_attributes(const OGRFeature& row, Feature& feature) {
@@ -367,6 +393,7 @@ FeatureCensus for_each_feature(const VectorSource& source, const LocalFrame& fra
       if (census.nowhere++ == 0) census.first_nowhere = named_nowhere(feature.id, geometry);
       continue;
     }
+    if (has_faces(*geometry)) feature.polygons = ground_plan_of(std::move(feature.polygons));
     ++census.features;
     const QuietGdal apart;  // what a visitor asks of GDAL is no fault of the file
     visit(std::move(feature));

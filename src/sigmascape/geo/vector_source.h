@@ -35,7 +35,8 @@ struct Feature {
   std::map<std::string, std::string> attributes;
   std::vector<Vec2d> points;
   std::vector<std::vector<Vec2d>> lines;
-  std::vector<Polygon> polygons;  ///< as found: not necessarily valid
+  /// As found: not necessarily valid. Of faces in space (surfaces of polyhedra, TINs) what they cover of the ground.
+  std::vector<Polygon> polygons;
 
   [[nodiscard]] std::optional<std::string> attribute(const std::string& name) const;
 };

@@ -12,18 +12,6 @@
 namespace sigmascape::scene {
 namespace {
 
-double lowest_along(const geo::Ring& ring, const terrain::HeightField& terrain) {
-  double lowest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Vec2d from = ring[i], edge = ring[(i + 1) % ring.size()] - from;
-    const int steps = 1 + static_cast<int>(length(edge) / terrain.spacing_m);
-    for (int step = 0; step < steps; ++step) {
-      lowest = std::min(lowest, terrain.height_at(from + edge * (static_cast<double>(step) / steps)));
-    }
-  }
-  return lowest;
-}
-
 /// Adds the walls over one ring; the area lies to the left of each edge, so the outward side is to the right.
 void append_walls(Mesh& mesh, const geo::Ring& ring, float top_m, MaterialIndex material) {
   const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
@@ -43,8 +31,21 @@ void append_walls(Mesh& mesh, const geo::Ring& ring, float top_m, MaterialIndex 
 
 }  // namespace
 
-void append_building(Buildings& buildings, const geo::Polygon& outline, double height_m, MaterialIndex wall,
-                     MaterialIndex roof, const terrain::HeightField& terrain) {
+double footing_of(const geo::Polygon& outline, const terrain::HeightField& terrain) {
+  const geo::Ring& ring = outline.outer;
+  double lowest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Vec2d from = ring[i], edge = ring[(i + 1) % ring.size()] - from;
+    const int steps = 1 + static_cast<int>(length(edge) / terrain.spacing_m);
+    for (int step = 0; step < steps; ++step) {
+      lowest = std::min(lowest, terrain.height_at(from + edge * (static_cast<double>(step) / steps)));
+    }
+  }
+  return lowest;
+}
+
+void append_building(Buildings& buildings, const geo::Polygon& outline, double height_m, double footing_m,
+                     MaterialIndex wall, MaterialIndex roof) {
   Mesh& mesh = buildings.mesh;
   const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
   std::map<std::pair<double, double>, std::uint32_t> top_vertex;
@@ -62,8 +63,8 @@ void append_building(Buildings& buildings, const geo::Polygon& outline, double h
     mesh.triangles.push_back(corners);
     mesh.materials.push_back(roof);
   }
-  buildings.items.push_back({first, static_cast<std::uint32_t>(mesh.vertices.size()) - first,
-                             static_cast<float>(lowest_along(outline.outer, terrain))});
+  buildings.items.push_back(
+      {first, static_cast<std::uint32_t>(mesh.vertices.size()) - first, static_cast<float>(footing_m)});
 }
 
 }  // namespace sigmascape::scene

@@ -7,8 +7,11 @@
 namespace sigmascape::scene {
 
 /// Adds a building with upright walls and a flat roof: two vertices a corner, walls facing outward (into courtyards as
-/// well), the roof upward. It stands on the lowest terrain along its outline.
-void append_building(Buildings& buildings, const geo::Polygon& outline, double height_m, MaterialIndex wall,
-                     MaterialIndex roof, const terrain::HeightField& terrain);
+/// well), the roof upward. `height_m` is above its footing.
+void append_building(Buildings& buildings, const geo::Polygon& outline, double height_m, double footing_m,
+                     MaterialIndex wall, MaterialIndex roof);
+
+/// The lowest terrain along the outline of a building, on which it stands.
+[[nodiscard]] double footing_of(const geo::Polygon& outline, const terrain::HeightField& terrain);
 
 }  // namespace sigmascape::scene

@@ -20,12 +20,9 @@ std::optional<double> stated_height_m(const geo::Feature& feature, const Buildin
     refuse_negative(*height, feature, *source.height_attribute, source.vector);
     if (*height >= height_range.lowest && *height <= height_range.highest) return height;
   }
-  if (const auto levels = number_in(feature, source.levels_attribute)) {
-    refuse_negative(*levels, feature, *source.levels_attribute, source.vector);
-    if (*levels > 0.0 && *levels * source.metres_per_level <= height_range.highest)
-      return *levels * source.metres_per_level;
-  }
-  return std::nullopt;
+  const double height_of_levels_m = number_in(feature, source.levels_attribute).value_or(0.0) * source.metres_per_level;
+  return height_of_levels_m > 0.0 && height_of_levels_m <= height_range.highest ? std::optional(height_of_levels_m)
+                                                                                : std::nullopt;
 }
 
 /// Whether a feature's attribute is a number above 0.
@@ -34,13 +31,22 @@ bool counts_some(const geo::Feature& feature, const std::string& attribute) {
   return count && *count > 0.0;
 }
 
+/// Whether it is one below 0.
+bool counts_down(const geo::Feature& feature, const std::optional<std::string>& attribute) {
+  const auto count = number_in(feature, attribute);
+  return count && *count < 0.0;
+}
+
 /// Whether nothing of a building stands above the ground, as OpenStreetMap and Overture Maps tell: it lies underground
-/// outright, or has levels beneath the ground, none above and no height. A layer below 0 alone says only that something
-/// passes over it.
+/// outright, or has levels beneath the ground, none above and no height. Some count those below from the ground down,
+/// as -1. A layer below 0 alone says only that something passes over it.
 bool is_underground(const geo::Feature& feature, const BuildingSource& source) {
   if (feature.attribute("location") == "underground" || is_said_of(feature, "is_underground")) return true;
-  return number_in(feature, "building:levels") == 0.0 && counts_some(feature, "building:levels:underground") &&
-         !counts_some(feature, "roof:levels") && !stated_height_m(feature, source);
+  const bool goes_down = counts_down(feature, source.levels_attribute) || counts_down(feature, "building:levels");
+  const bool has_cellars_alone = number_in(feature, "building:levels") == 0.0 &&
+                                 counts_some(feature, "building:levels:underground") &&
+                                 !counts_some(feature, "roof:levels");
+  return (goes_down || has_cellars_alone) && !stated_height_m(feature, source);
 }
 
 /// Height of a building, or nothing when it is to be left out.
@@ -49,9 +55,11 @@ std::optional<double> height_m(const geo::Feature& feature, const BuildingSource
   tell_of_doubtful_comma(feature, source.height_attribute, tally);
   if (const auto stated = stated_height_m(feature, source)) return stated;
   tell_of_doubtful_comma(feature, source.levels_attribute, tally);
-  tally.flaw(source.default_height_m ? fmt::format("buildings without a height, given {:g} m", *source.default_height_m)
-                                     : "buildings without a height, left out",
-             feature.id);
+  if (source.default_height_m) {
+    tally.note(fmt::format("buildings without a height, given {:g} m", *source.default_height_m), feature.id);
+  } else {
+    tally.flaw("buildings without a height, left out", feature.id);
+  }
   return source.default_height_m;
 }
 
@@ -102,7 +110,7 @@ std::size_t collect_footprints(Scene& scene, const BuildingSource& source, std::
       return;
     }
     if (const auto height = height_m(feature, source, tally)) {
-      footprints.push_back({std::move(shape), *height, wall, roof, source_number, std::move(feature.id)});
+      footprints.push_back({std::move(shape), *height, wall, roof, source_number, std::move(feature.id), {}});
     }
   });
   require_attribute(census, source.height_attribute, source.vector, source.where + ".height_attribute", tally);
@@ -150,7 +158,8 @@ void add_buildings(Scene& scene, const std::vector<BuildingSource>& sources) {
   for (const Footprint& footprint : without_overlaps(std::move(footprints), tallies)) {
     Interruption::heed();
     for (const geo::Polygon& outline : footprint.shape) {
-      append_building(scene.buildings, outline, footprint.height_m, footprint.wall, footprint.roof, scene.terrain);
+      append_building(scene.buildings, outline, footprint.height_m,
+                      footing_of(whole_of(outline, footprint), scene.terrain), footprint.wall, footprint.roof);
     }
   }
   for (std::size_t i = 0; i < sources.size(); ++i) {

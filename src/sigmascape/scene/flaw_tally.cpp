@@ -28,8 +28,8 @@ void FlawTally::settle(const std::string& where, std::size_t total, const FlawLi
     const bool too_many = static_cast<double>(remark.count) > limit.max_share * static_cast<double>(total);
     if (is_flaw && (limit.strict || too_many)) {
       throw Error(first, fmt::format("the first of {} {} (of {} in all)", remark.count, remark.what, total),
-                  limit.strict ? "correct the data, or set strict = false to go on without them"
-                               : "correct the data, or raise max_flawed_share to go on without them");
+                  limit.strict ? "correct the data, or set strict = false to put up with them"
+                               : "correct the data, or raise max_flawed_share to put up with them");
     }
     remarks.push_back({remark.what, remark.count, first, remark.is_likely_a_mistake});
   }

@@ -21,7 +21,7 @@ class FlawTally {
   void flaw(const std::string& kind, const std::string& which, std::size_t count = 1) {
     if (count > 0) add(kind, which, count, true);
   }
-  /// Something left out by rights, such as what lies outside the scene.
+  /// Something left out by rights, such as what lies outside the scene, or stood in for as the scene file says.
   void note(const std::string& kind, const std::string& which, std::size_t count = 1) {
     if (count > 0) add(kind, which, count, false);
   }

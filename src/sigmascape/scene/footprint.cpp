@@ -112,6 +112,7 @@ std::vector<Footprint> without_overlaps(std::vector<Footprint> footprints, std::
     const std::size_t a = groups.first_of(one), b = groups.first_of(other);
     if (a == b) continue;
     const auto [winner, loser] = goes_first(footprints, a, b) ? std::pair(a, b) : std::pair(b, a);
+    cut[loser].uncut = footprints[loser].shape;
     cut[loser].shape = geo::subtracted(cut[loser].shape, footprints[winner].shape);
     changed[loser] = true;
   }
@@ -122,6 +123,12 @@ std::vector<Footprint> without_overlaps(std::vector<Footprint> footprints, std::
   }
   std::erase_if(cut, [](const Footprint& footprint) { return footprint.shape.empty(); });
   return cut;
+}
+
+const geo::Polygon& whole_of(const geo::Polygon& piece, const Footprint& footprint) {
+  if (footprint.uncut.empty()) return piece;
+  return *std::ranges::max_element(
+      footprint.uncut, {}, [&](const geo::Polygon& whole) { return geo::area_m2(geo::intersected({whole}, {piece})); });
 }
 
 }  // namespace sigmascape::scene

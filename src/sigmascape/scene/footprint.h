@@ -18,6 +18,7 @@ struct Footprint {
   MaterialIndex wall = 0, roof = 0;
   std::size_t source = 0;  ///< which of the scene's building files it comes from
   std::string id;
+  geo::Polygons uncut{};  ///< the shape before taller ones cut it; empty where none did
 };
 
 /// Makes footprints share no ground, because a wall inside another building would make a dihedral that is not there. Of
@@ -25,5 +26,8 @@ struct Footprint {
 /// one. What a cut leaves that is less than 1 m² or 0.2 m across is dropped. Every footprint that changed is counted in
 /// its source's tally.
 [[nodiscard]] std::vector<Footprint> without_overlaps(std::vector<Footprint> footprints, std::span<FlawTally> tallies);
+
+/// What a polygon of a footprint's shape was before it was cut: all pieces of it are one building, under one roof.
+[[nodiscard]] const geo::Polygon& whole_of(const geo::Polygon& piece, const Footprint& footprint);
 
 }  // namespace sigmascape::scene

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <fmt/format.h>
@@ -42,6 +43,9 @@ Placement placement_of(const tinygltf::Node& node) {
   return placement;
 }
 
+/// Of the mesh of a node in several places at once.
+constexpr const char* instancing = "EXT_mesh_gpu_instancing";
+
 template <typename T>
 T value_at(const unsigned char* bytes) {
   T value;
@@ -80,10 +84,54 @@ class GltfReader {
     const tinygltf::Node& node = checked(model_.nodes, index, "node");
     const Placement placement = parent.then(placement_of(node));
     if (node.mesh >= 0) {
-      for (const tinygltf::Primitive& part : checked(model_.meshes, node.mesh, "mesh").primitives)
-        add_primitive(part, placement);
+      const auto& parts = checked(model_.meshes, node.mesh, "mesh").primitives;
+      for (const Placement& instance : instances_of(node)) {
+        for (const tinygltf::Primitive& part : parts) add_primitive(part, placement.then(instance));
+      }
     }
     for (const int child : node.children) add_node(child, placement, depth + 1);
+  }
+
+  /// Where the mesh of a node stands within the node: once at its origin, or wherever the extension says.
+  [[nodiscard]] std::vector<Placement> instances_of(const tinygltf::Node& node) const {
+    const auto extension = node.extensions.find(instancing);
+    if (extension == node.extensions.end() || !extension->second.Has("attributes")) return {Placement{}};
+    const tinygltf::Value& attributes = extension->second.Get("attributes");
+    const auto translations = vectors_in(attributes, "TRANSLATION", TINYGLTF_TYPE_VEC3),
+               rotations = vectors_in(attributes, "ROTATION", TINYGLTF_TYPE_VEC4),
+               scales = vectors_in(attributes, "SCALE", TINYGLTF_TYPE_VEC3);
+    const std::size_t count = std::max({std::size_t{1}, translations.size(), rotations.size(), scales.size()});
+    const auto fits = [count](const auto& vectors) { return vectors.empty() || vectors.size() == count; };
+    if (!fits(translations) || !fits(rotations) || !fits(scales)) {
+      throw damaged(fmt::format("its node '{}' has instances with fewer of one attribute than of another", node.name));
+    }
+    std::vector<Placement> instances;
+    for (std::size_t i = 0; i < count; ++i) {
+      tinygltf::Node instance;
+      if (!translations.empty()) instance.translation = translations[i];
+      if (!rotations.empty()) instance.rotation = rotations[i];
+      if (!scales.empty()) instance.scale = scales[i];
+      instances.push_back(placement_of(instance));
+    }
+    return instances;
+  }
+
+  /// The vectors of an attribute of instances; none where it is not stated.
+  [[nodiscard]] std::vector<std::vector<double>> vectors_in(const tinygltf::Value& attributes, const char* name,
+                                                            int type) const {
+    if (!attributes.Has(name)) return {};
+    const tinygltf::Accessor& accessor = checked(model_.accessors, attributes.Get(name).GetNumberAsInt(), "accessor");
+    if (accessor.componentType != TINYGLTF_COMPONENT_TYPE_FLOAT || accessor.type != type) {
+      throw damaged(fmt::format("its {} states {} by other numbers than floats", instancing, name));
+    }
+    const auto size = static_cast<std::size_t>(tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(type)));
+    const auto [first, stride] = elements_of(accessor, size * sizeof(float));
+    std::vector<std::vector<double>> vectors(accessor.count, std::vector<double>(size));
+    for (std::size_t i = 0; i < accessor.count; ++i) {
+      for (std::size_t k = 0; k < size; ++k)
+        vectors[i][k] = static_cast<double>(value_at<float>(first + i * stride + k * sizeof(float)));
+    }
+    return vectors;
   }
 
   void add_primitive(const tinygltf::Primitive& part, const Placement& placement) {
@@ -195,8 +243,10 @@ ImportedMesh read_gltf(const std::filesystem::path& file) {
     std::string first = faults.substr(0, faults.find('\n'));
     throw Error(file.string(), fmt::format("is not a glTF file ({})", first), "export it again as glTF 2.0");
   }
-  if (!model.extensionsRequired.empty()) {
-    throw Error(file.string(), fmt::format("requires {}", fmt::join(model.extensionsRequired, ", ")),
+  std::vector<std::string>& required = model.extensionsRequired;
+  std::erase(required, instancing);
+  if (!required.empty()) {
+    throw Error(file.string(), fmt::format("requires {}", fmt::join(required, ", ")),
                 "export it again without these extensions (without mesh compression)");
   }
   return GltfReader(model, file.string()).read();

@@ -53,10 +53,18 @@ std::int32_t class_code(const TomlSection& classes, const std::string& key) {
 
 constexpr std::int32_t world_cover_water = 80;
 
-/// Whether trees stand in it and roads are laid on it as little as on the sea.
-bool is_water(const scatter::Material& material) {
+/// By its name, its model of a sea, or its mirrors of water.
+bool is_water_itself(const scatter::Material& material) {
+  const auto* mirrors = std::get_if<scatter::CookTorranceParameters>(&material.model);
   return material.name == "water" || std::holds_alternative<scatter::NrlSeaParameters>(material.model) ||
-         std::holds_alternative<scatter::GitSeaParameters>(material.model);
+         std::holds_alternative<scatter::GitSeaParameters>(material.model) ||
+         (mirrors != nullptr && std::holds_alternative<scatter::WaterPermittivity>(mirrors->permittivity.law()));
+}
+
+/// Whether trees stand in it and roads are laid on it as little as on the sea: as it is, or as what it starts from.
+bool is_water(const scatter::Material& material, const MaterialTable& materials) {
+  const auto base = materials.base_of(material.name);
+  return is_water_itself(material) || (base && is_water_itself(scatter::library_material(*base)));
 }
 
 constexpr double most_cells = 1e9;
@@ -158,14 +166,14 @@ LandCoverSource read_land_cover_source(const TomlSection& section, const Materia
       const std::int32_t code = class_code(*classes, key);
       source.materials[code] = materials.material(classes->text(key), classes->where(key));
       source.built_in.erase(code);
-      if (is_water(source.materials[code])) source.water_classes.push_back(code);
+      if (is_water(source.materials[code], materials)) source.water_classes.push_back(code);
     }
   }
   if (section.has("water_classes")) {
     source.water_classes.clear();
     for (const double code : section.numbers("water_classes", {-1e9, 1e9, ""}))
       source.water_classes.push_back(static_cast<std::int32_t>(code));
-  } else if (is_water(source.materials[world_cover_water])) {
+  } else if (is_water(source.materials[world_cover_water], materials)) {
     source.water_classes.push_back(world_cover_water);
   }
   section.refuse_unknown_keys();

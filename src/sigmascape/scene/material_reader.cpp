@@ -162,8 +162,8 @@ std::vector<std::string> model_names() {
 }
 
 /// A material of the library. Throws Error, and tells of one of the file's `own` that it cannot be a base.
-const scatter::Material& base_of(const TomlSection& section, const std::string& name,
-                                 const std::vector<std::string>& own) {
+const scatter::Material& stated_base(const TomlSection& section, const std::string& name,
+                                     const std::vector<std::string>& own) {
   if (find_in_library(name) == nullptr && std::ranges::find(own, name) != own.end()) {
     throw section.fault("base", fmt::format("names '{}' of the same file, and takes names of the library only", name),
                         "name the library material that both start from, and state the constants again");
@@ -184,7 +184,7 @@ scatter::Material read_material(const TomlSection& section, const std::string& n
   }
   scatter::Material material;
   if (base) {
-    material = base_of(section, *base, own);
+    material = stated_base(section, *base, own);
   } else {
     const std::string model = section.choice_or("model", model_names(), "");
     material.model = std::ranges::find(models(), model, &NamedModel::name)->model;
@@ -203,11 +203,20 @@ MaterialTable::MaterialTable(const TomlSection& root) {
   const auto materials = root.section("materials");
   if (!materials) return;
   const std::vector<std::string> names = materials->keys();
-  for (const std::string& name : names) own_[name] = read_material(*materials->section(name), name, names);
+  for (const std::string& name : names) {
+    const TomlSection section = *materials->section(name);
+    own_[name] = read_material(section, name, names);
+    if (const auto base = section.optional_text("base")) bases_[name] = *base;
+  }
 }
 
 bool MaterialTable::knows(const std::string& name) const {
   return own_.contains(name) || find_in_library(name) != nullptr;
+}
+
+std::optional<std::string> MaterialTable::base_of(const std::string& name) const {
+  const auto found = bases_.find(name);
+  return found == bases_.end() ? std::nullopt : std::optional(found->second);
 }
 
 std::vector<std::string> MaterialTable::unasked() const {

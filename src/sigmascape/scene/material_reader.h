@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -18,6 +19,8 @@ class MaterialTable {
   explicit MaterialTable(const TomlSection& root);
 
   [[nodiscard]] bool knows(const std::string& name) const;
+  /// The library material that one of the file's own starts from; nothing of others.
+  [[nodiscard]] std::optional<std::string> base_of(const std::string& name) const;
   /// Those of the file that nobody has asked for yet.
   [[nodiscard]] std::vector<std::string> unasked() const;
   /// Throws Error at `where`, with the nearest known name, when neither has it.
@@ -32,6 +35,7 @@ class MaterialTable {
   [[nodiscard]] const scatter::Material& found(const std::string& name, const std::string& where) const;
 
   std::map<std::string, scatter::Material> own_;
+  std::map<std::string, std::string> bases_;  ///< of those that have one
   mutable std::set<std::string> asked_;
 };
 

@@ -11,6 +11,7 @@
 #include <sstream>
 #include <string_view>
 #include <tiny_obj_loader.h>
+#include <utility>
 #include <vector>
 
 #include "sigmascape/base/error.h"
@@ -33,6 +34,37 @@ std::string_view next_line(std::string_view& text) {
 
 void skip_blanks(std::string_view& line) {
   line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
+}
+
+/// Takes the backslash off the end of a line that goes on in the next one; whether it does. A remark ends with its
+/// line, whatever that ends on.
+bool take_continuation(std::string_view& line) {
+  std::string_view words = line.substr(0, line.find_last_not_of('\r') + 1);
+  if (!words.ends_with('\\')) return false;
+  words.remove_suffix(1);
+  const std::string_view cut = words;
+  skip_blanks(words);
+  if (words.starts_with('#') || words.find(" #") != words.npos) return false;
+  line = cut;
+  return true;
+}
+
+/// The text with every line whole that is continued over several, and as many empty lines after it, so that those that
+/// follow keep their numbers.
+std::string with_whole_lines(std::string_view text) {
+  std::string whole;
+  whole.reserve(text.size() + 1);
+  for (std::size_t lines = 1; !text.empty(); ++lines) {
+    std::string_view line = next_line(text);
+    const bool goes_on = take_continuation(line);
+    whole += line;
+    if (goes_on && !text.empty()) {
+      whole += ' ';
+    } else {
+      whole.append(std::exchange(lines, 0), '\n');
+    }
+  }
+  return whole;
 }
 
 /// Takes the first word, none at the end, off a line.
@@ -169,7 +201,7 @@ ImportedMesh read_obj(const std::filesystem::path& file) {
   std::ostringstream buffer;
   buffer << stream.rdbuf();
   if (!stream) throw Error(file.string(), "cannot be read", "check that it is a readable file");
-  const std::string text = buffer.str();
+  const std::string text = with_whole_lines(buffer.str());
   check_vertices(text, file);
   ImportedMesh mesh;
   // The loader's own shapes hold no face of more than 255 corners; line by line it has no such limit.

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "sigmascape/base/interruption.h"
+#include "sigmascape/base/small_letters.h"
 #include "sigmascape/radar/rectangle_parts.h"
 #include "sigmascape/scene/vector_section.h"
 
@@ -27,16 +28,36 @@ const std::map<std::string, double> usual_width_m = {
 /// As OpenStreetMap draws them, each carriageway by a line of its own.
 const std::map<std::string, double> usual_carriageway_m = {{"motorway", 11.0}, {"trunk", 7.0}};
 
-/// As OpenStreetMap tells by `oneway`.
-Way way_of(const geo::Feature& feature) {
+/// What `oneway` says in OpenStreetMap and tables made of it. Tables of Geofabrik's write B, F and T in capitals for
+/// both ways, forwards and backwards; small f and t are false and true, as databases write them. Where the way changes
+/// with the hour, or from one vehicle to the next, there is traffic both ways.
+const std::map<std::string, Way> way_said{
+    {"no", Way::Both},   {"false", Way::Both},      {"n", Way::Both},           {"f", Way::Both},
+    {"B", Way::Both},    {"reversible", Way::Both}, {"alternating", Way::Both}, {"", Way::Both},
+    {"yes", Way::Along}, {"true", Way::Along},      {"y", Way::Along},          {"t", Way::Along},
+    {"F", Way::Along},   {"T", Way::Against},       {"reverse", Way::Against},
+};
+
+/// Of a road that says nothing, or nothing that is known, both ways.
+Way way_of(const geo::Feature& feature, FlawTally& tally) {
   const auto said = feature.attribute("oneway");
-  if (said && (*said == "-1" || *said == "reverse")) return Way::Against;
-  return is_said_of(feature, "oneway") ? Way::Along : Way::Both;
+  if (!said) return Way::Both;
+  for (const std::string& word : {*said, in_small_letters(*said)}) {
+    if (const auto known = way_said.find(word); known != way_said.end()) return known->second;
+  }
+  const auto number = number_in(feature, "oneway");
+  if (number == 1.0) return Way::Along;
+  if (number == -1.0) return Way::Against;
+  if (number != 0.0) {
+    tally.note("roads whose oneway is of no known meaning, taken for both ways",
+               fmt::format("{} ({})", feature.id, *said));
+  }
+  return Way::Both;
 }
 
 constexpr const char* without_width = "roads of a class without a width, left out";
 
-std::optional<double> width_m(const geo::Feature& feature, const RoadSource& source, FlawTally& tally) {
+std::optional<double> width_m(const geo::Feature& feature, Way way, const RoadSource& source, FlawTally& tally) {
   if (source.width_attribute) {
     const auto stated = number_in(feature, source.width_attribute, source.metres_per_plain_number);
     if (stated && *stated >= width_range.lowest && *stated <= width_range.highest) return stated;
@@ -45,7 +66,7 @@ std::optional<double> width_m(const geo::Feature& feature, const RoadSource& sou
   if (source.class_attribute) {
     const auto name = feature.attribute(*source.class_attribute);
     const auto half = name ? source.carriageway_m_by_class.find(*name) : source.carriageway_m_by_class.end();
-    if (half != source.carriageway_m_by_class.end() && way_of(feature) != Way::Both) return half->second;
+    if (half != source.carriageway_m_by_class.end() && way != Way::Both) return half->second;
     const auto known = name ? source.width_m_by_class.find(*name) : source.width_m_by_class.end();
     if (known != source.width_m_by_class.end()) return known->second;
   }
@@ -141,7 +162,8 @@ void add_roads(Scene& scene, const RoadSource& source, const WaterMask& water) {
       tally.note(hiding->second, feature.id);
       return;
     }
-    const auto width = width_m(feature, source, tally);
+    const Way way = way_of(feature, tally);
+    const auto width = width_m(feature, way, source, tally);
     if (!width) return;
     const bool is_inside = std::ranges::any_of(
         feature.lines, [&](const auto& line) { return reaches_into(scene.extent, line, *width / 2.0); });
@@ -149,7 +171,7 @@ void add_roads(Scene& scene, const RoadSource& source, const WaterMask& water) {
     tally.note(outside, feature.id, is_inside ? 0 : 1);
     for (const auto& line : feature.lines) {
       pave(scene.ground, water, line, *width / 2.0, paving);
-      if (flow) flow->fill(line, *width, way_of(feature), water);
+      if (flow) flow->fill(line, *width, way, water);
     }
   });
   require_attribute(census, source.width_attribute, source.vector, source.where + ".width_attribute", tally);

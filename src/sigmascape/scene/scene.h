@@ -78,8 +78,8 @@ struct Instance {
 struct Building {
   std::uint32_t first_vertex = 0;
   std::uint32_t vertex_count = 0;
-  float footing_m =
-      0.0F;  ///< terrain height under the lowest corner: what z = 0 of its vertices stands for on the terrain
+  float footing_m = 0.0F;  ///< terrain height under its lowest corner, or that of the whole of which it is a piece:
+                           ///< what z = 0 of its vertices stands for on the terrain
 };
 
 /// All buildings in one mesh; vertex z is the height above the building's own footing.

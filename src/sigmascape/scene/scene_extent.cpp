@@ -18,6 +18,14 @@ constexpr double farthest_from_origin_m = 300e3;
 
 void check_scale(const ScenePlace& place, Vec2d middle) {
   if (length(middle) <= farthest_from_origin_m) return;
+  if (place.extent_m) {
+    throw Error(place.where + ".extent",
+                fmt::format("has its middle {:.0f} km from {}, where the frame is out of scale", length(middle) / 1e3,
+                            place.origin ? "the origin" : "the origin, which is the middle of the terrain"),
+                fmt::format("state it in metres from an origin_lat_deg and origin_lon_deg within {:.0f} km of it, or "
+                            "in degrees without an origin",
+                            farthest_from_origin_m / 1e3));
+  }
   const std::string distance =
       std::isfinite(length(middle)) ? fmt::format("{:.0f} km", length(middle) / 1e3) : "half the Earth";
   throw Error(place.where + ".origin_lat_deg",
@@ -62,14 +70,14 @@ ScenePlace read_scene_place(const TomlSection& section) {
 }
 
 geo::LocalFrame frame_of(const ScenePlace& place, const geo::RasterBand& terrain) {
-  if (place.origin) {
-    const geo::LocalFrame frame(place.origin->latitude_deg, place.origin->longitude_deg);
-    const auto extent = extent_in(place, frame);
-    check_scale(place, extent ? extent->centre() : geo::position_in_frame(frame, geo::Raster(terrain).centre()));
-    return frame;
-  }
-  const geo::GeographicPosition origin = place.extent_deg ? place.extent_deg->centre() : geo::Raster(terrain).centre();
-  return {origin.latitude_deg, origin.longitude_deg};
+  const geo::GeographicPosition origin = place.origin       ? *place.origin
+                                         : place.extent_deg ? place.extent_deg->centre()
+                                                            : geo::Raster(terrain).centre();
+  const geo::LocalFrame frame(origin.latitude_deg, origin.longitude_deg);
+  const auto extent = extent_in(place, frame);
+  if (extent) check_scale(place, extent->centre());
+  if (!extent && place.origin) check_scale(place, geo::position_in_frame(frame, geo::Raster(terrain).centre()));
+  return frame;
 }
 
 std::optional<radar::Rectangle> extent_in(const ScenePlace& place, const geo::LocalFrame& frame) {

@@ -31,8 +31,8 @@ struct ScenePlace {
 [[nodiscard]] ScenePlace read_scene_place(const TomlSection& section);
 
 /// The scene's frame: about the stated origin, else the middle of a stated box in degrees, else the middle of the
-/// terrain. Throws Error when the middle of what is then the scene lies so far from a stated origin that the frame is
-/// out of scale there.
+/// terrain. Throws Error when the middle of what is then the scene lies so far from the origin that the frame is out of
+/// scale there.
 [[nodiscard]] geo::LocalFrame frame_of(const ScenePlace& place, const geo::RasterBand& terrain);
 
 /// The stated extent in the frame; of a box in degrees, the rectangle about its four sides' middles. Nothing when none

@@ -147,23 +147,24 @@ std::optional<PaperSceneOptions> read_paper_options(const TomlSection& root) {
   return options;
 }
 
-void add_terrain(Scene& scene, const SceneDescription& described) {
+/// Returns which of its nodes had no height and were filled.
+terrain::NodeMask add_terrain(Scene& scene, const SceneDescription& described) {
   const auto& [source, water, limit] = described.terrain;
   scene.frame = frame_of(described.place, source.raster);
-  auto [field, filled, unit_is_guess] =
-      terrain::read_terrain(source, scene.frame, extent_in(described.place, scene.frame));
+  terrain::ReadTerrain read = terrain::read_terrain(source, scene.frame, extent_in(described.place, scene.frame));
   const std::string which = fmt::format("band {}", source.raster.band);
   FlawTally tally;
-  if (unit_is_guess) {
+  if (read.unit_is_guess) {
     tally.mistake(
         "terrain without a unit of heights on a map in feet, taken to be in metres "
         "([terrain] unit = \"ft\" or \"us-ft\" says otherwise)",
         which);
   }
-  tally.flaw("terrain nodes without data or with implausible heights, interpolated", which, filled);
-  tally.settle(source.raster.file.string(), field.height_m.size(), limit, scene.remarks);
-  scene.terrain = std::move(field);
+  tally.flaw("terrain nodes without data or with implausible heights, interpolated", which, read.filled_nodes);
+  tally.settle(source.raster.file.string(), read.field.height_m.size(), limit, scene.remarks);
+  scene.terrain = std::move(read.field);
   scene.extent = scene.terrain.extent();
+  return std::move(read.filled);
 }
 
 void note_level_without_water(Scene& scene, const SceneDescription& described, const WaterLevel& level) {
@@ -189,10 +190,11 @@ Scene read_scene(const std::filesystem::path& toml) {
   Scene scene;
   scene.name = described.name;
   scene.attribution = described.attribution;
-  add_terrain(scene, described);
+  const terrain::NodeMask filled = add_terrain(scene, described);
   const WaterMask water = add_land_cover(scene, described.land_cover);
   if (const auto& level = described.terrain.water) {
-    const std::size_t levelled = level_water(scene.terrain, scene.ground.grid, water, level->level_m, level->within_m);
+    const std::size_t levelled =
+        level_water(scene.terrain, filled, scene.ground.grid, water, level->level_m, level->within_m);
     if (levelled == 0) note_level_without_water(scene, described, *level);
   }
   // Objects stand on the terrain, so they come after it is finished; roads paint the ground before anything needs to

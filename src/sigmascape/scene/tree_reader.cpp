@@ -15,6 +15,7 @@ namespace {
 /// Taller than any tree that grows (116 m), with some room for its measurement.
 constexpr double tallest_tree_m = 125.0;
 constexpr double widest_crown_m = 40.0;
+constexpr double usual_crown_radius_per_height = 0.3;
 
 std::optional<double> height_m(const geo::Feature& feature, const TreeSource& source, FlawTally& tally) {
   if (!source.height_attribute) return source.default_height_m;
@@ -22,19 +23,26 @@ std::optional<double> height_m(const geo::Feature& feature, const TreeSource& so
   if (stated) refuse_negative(*stated, feature, *source.height_attribute, source.vector);
   if (stated && *stated > 0.0 && *stated <= tallest_tree_m) return stated;
   tell_of_doubtful_comma(feature, source.height_attribute, tally);
-  tally.flaw(source.default_height_m ? fmt::format("trees without a height, given {:g} m", *source.default_height_m)
-                                     : "trees without a height, left out",
-             feature.id);
+  if (source.default_height_m) {
+    tally.note(fmt::format("trees without a height, given {:g} m", *source.default_height_m), feature.id);
+  } else {
+    tally.flaw("trees without a height, left out", feature.id);
+  }
   return source.default_height_m;
 }
 
 double crown_radius_m(const geo::Feature& feature, const TreeSource& source, double height_m, FlawTally& tally) {
-  const double usual = source.crown_radius_per_height * height_m;
+  const double usual = source.crown_radius_per_height.value_or(usual_crown_radius_per_height) * height_m;
   if (!source.crown_radius_attribute) return usual;
   const auto stated = number_in(feature, source.crown_radius_attribute, source.metres_per_plain_number);
   if (stated && *stated > 0.0 && *stated <= widest_crown_m) return *stated;
   tell_of_doubtful_comma(feature, source.crown_radius_attribute, tally);
-  tally.flaw("trees without a crown radius, given the usual one", feature.id);
+  if (source.crown_radius_per_height) {
+    tally.note(fmt::format("trees without a crown radius, given {:g} of their height", *source.crown_radius_per_height),
+               feature.id);
+  } else {
+    tally.flaw("trees without a crown radius, given the usual one", feature.id);
+  }
   return usual;
 }
 
@@ -80,8 +88,7 @@ TreeSource read_tree_source(const TomlSection& section, const MaterialTable& mat
   source.metres_per_plain_number =
       read_metres_per_plain_number(section, {"height_attribute", "crown_radius_attribute"});
   source.default_height_m = section.optional_number("default_height_m", {0.1, tallest_tree_m, "m"});
-  source.crown_radius_per_height =
-      section.number_or("crown_radius_per_height", {0.02, 2.0, ""}, source.crown_radius_per_height);
+  source.crown_radius_per_height = section.optional_number("crown_radius_per_height", {0.02, 2.0, ""});
   for (const std::string& form : section.texts("prototypes")) {
     if (form != "broadleaf" && form != "conifer") {
       throw section.fault("prototypes", fmt::format("names '{}'", form), "choose among broadleaf, conifer");

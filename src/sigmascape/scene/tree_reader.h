@@ -26,9 +26,9 @@ struct TreeSource {
   geo::VectorSource vector;
   std::string where;  ///< the section, as errors name it
   std::optional<std::string> height_attribute, crown_radius_attribute;
-  double metres_per_plain_number = 1.0;    ///< of heights and crown radii without a unit of their own
-  std::optional<double> default_height_m;  ///< of those without; when absent they are left out
-  double crown_radius_per_height = 0.3;    ///< of those without a crown radius
+  double metres_per_plain_number = 1.0;           ///< of heights and crown radii without a unit of their own
+  std::optional<double> default_height_m;         ///< of those without; when absent they are left out
+  std::optional<double> crown_radius_per_height;  ///< of those without a crown radius; when absent, the usual
   CrownKind kind = CrownKind::Leaves;
   std::vector<TreeForm> forms;
   std::size_t variants = 4;  ///< different trees of each form

@@ -31,7 +31,7 @@ namespace sigmascape::scene {
 [[nodiscard]] std::optional<double> number_in(const geo::Feature& feature, const std::optional<std::string>& attribute,
                                               double metres_per_plain_number = 1.0);
 
-/// Throws Error for a height, or a count of levels, below 0, which quotes the attribute as the feature has it.
+/// Throws Error for a height below 0, which quotes the attribute as the feature has it.
 void refuse_negative(double value, const geo::Feature& feature, const std::string& attribute,
                      const geo::VectorSource& source);
 

@@ -24,6 +24,13 @@ std::size_t count_holes(const Array2D<float>& heights) {
   return static_cast<std::size_t>(std::ranges::count_if(heights.values(), [](float h) { return std::isnan(h); }));
 }
 
+NodeMask holes_in(const Array2D<float>& heights) {
+  NodeMask holes(heights.columns(), heights.rows());
+  std::ranges::transform(heights.values(), holes.values().begin(),
+                         [](float h) -> std::uint8_t { return std::isnan(h) ? 1 : 0; });
+  return holes;
+}
+
 /// Half as many nodes a side, each the mean of the up to four it stands for that have a height.
 Array2D<float> halved(const Array2D<float>& fine) {
   Array2D<float> coarse((fine.columns() + 1) / 2, (fine.rows() + 1) / 2);
@@ -179,8 +186,11 @@ ReadTerrain read_terrain(const TerrainSource& source, const geo::LocalFrame& fra
     throw Error(name,
                 fmt::format("{:.0f} % of the scene's terrain has no height between {:g} and {:g} m", 100.0 * share,
                             source.plausible.lowest_m, source.plausible.highest_m),
-                "give terrain that covers the extent, or make the extent smaller");
+                holes == heights.size() ? "give terrain that covers the extent"
+                                        : "give terrain that covers the extent, make the extent smaller, or raise "
+                                          "max_flawed_share to have the rest interpolated");
   }
+  result.filled = holes_in(heights);
   result.filled_nodes = fill_holes(heights);
   if (source.smooth_within_m > 0.0) smooth_within(heights, source.smooth_within_m);
   result.field = {wanted->west_m, wanted->north_m, spacing_m, std::move(heights)};

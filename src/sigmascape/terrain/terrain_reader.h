@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -21,9 +22,13 @@ struct TerrainSource {
   double largest_hole_share = 0.5;  ///< of nodes without data, beyond which the terrain is refused
 };
 
+/// Which nodes of a height field are of some kind, [column, row].
+using NodeMask = Array2D<std::uint8_t>;
+
 struct ReadTerrain {
   HeightField field;
   std::size_t filled_nodes = 0;  ///< had no data, or no plausible ones, and were interpolated
+  NodeMask filled;               ///< which those are
   bool unit_is_guess = false;    ///< as geo::HeightUnit has it
 };
 

@@ -43,6 +43,26 @@ TEST(VectorSource, ReadsPolygonsWithHolesAndAttributes) {
   EXPECT_LT(signed_area_m2(hall.polygons[0].holes[0]), 0.0);
 }
 
+// A block with floor, roof and a wall, a roof of two triangles, and one triangle alone.
+TEST(VectorSource, FacesInSpaceAreWhatTheyCoverOfTheGround) {
+  const ScratchFolder folder;
+  const auto file = folder.write("faces.csv",
+                                 "WKT,h\n"
+                                 "\"POLYHEDRALSURFACE Z (((7 45 0,7 45.001 0,7.001 45.001 0,7.001 45 0,7 45 0)),"
+                                 "((7 45 9,7.001 45 9,7.001 45.001 9,7 45.001 9,7 45 9)),"
+                                 "((7 45 0,7.001 45 0,7.001 45 9,7 45 9,7 45 0)))\",9\n"
+                                 "\"TIN Z (((7 45 3,7.001 45 3,7.001 45.001 3,7 45 3)),"
+                                 "((7 45 3,7.001 45.001 3,7 45.001 3,7 45 3)))\",8\n"
+                                 "\"TRIANGLE ((7 45,7.001 45,7.001 45.001,7 45))\",7\n");
+  const auto found = read_features({.file = file, .crs = "EPSG:4326"}, frame);
+  ASSERT_EQ(found.size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    ASSERT_EQ(found[i].polygons.size(), 1U) << i;
+    EXPECT_NEAR(area_m2(found[i].polygons), 111.1 * 78.8 * (i == 2 ? 0.5 : 1.0), 20.0) << i;
+  }
+  EXPECT_EQ(found[1].attribute("h"), "8");
+}
+
 TEST(VectorSource, TableOfCoordinatesNeedsACrsAndItsColumns) {
   const ScratchFolder folder;
   const auto file = folder.write("trees.csv", "east,north,height\n7.001,45.0,12\n7.0,45.001,8\n");

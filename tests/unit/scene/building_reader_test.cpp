@@ -65,6 +65,21 @@ TEST(WithoutOverlaps, TallerBuildingInsideALowerOneLeavesAHole) {
   EXPECT_NEAR(total_area_m2(result), 100.0, 1e-6);
 }
 
+// Two blocks of one feature, the first in two pieces about a tower.
+TEST(WithoutOverlaps, PiecesKnowTheWholeThatTheyWereCutFrom) {
+  std::array<FlawTally, 1> tally;
+  Footprint blocks = footprint(box(0, 0, 30, 10), 5.0);
+  blocks.shape.push_back(box(100, 0, 110, 10));
+  const auto result = without_overlaps({blocks, footprint(box(10, -5, 20, 15), 9.0)}, tally);
+  ASSERT_EQ(result.size(), 2U);
+  ASSERT_EQ(result[0].shape.size(), 3U);
+  for (const geo::Polygon& piece : result[0].shape) {
+    EXPECT_NEAR(geo::area_m2(piece), 100.0, 1e-6);
+    EXPECT_NEAR(geo::area_m2(whole_of(piece, result[0])), piece.outer.front().x < 50.0 ? 300.0 : 100.0, 1e-6);
+  }
+  EXPECT_EQ(&whole_of(result[1].shape[0], result[1]), &result[1].shape[0]) << "nothing cut it";
+}
+
 TEST(WithoutOverlaps, NeighboursWallToWallStayTwo) {
   std::array<FlawTally, 1> tally;
   const auto result = without_overlaps({footprint(box(0, 0, 10, 10), 8.0), footprint(box(10, 0, 20, 10), 8.0)}, tally);
@@ -86,9 +101,8 @@ double enclosed_volume_m3(const Mesh& mesh) {
 TEST(BuildingExtrusion, WallsAndRoofFaceOutwardAndCourtyardsStayOpen) {
   geo::Polygon yard = box(0, 0, 20, 10);
   yard.holes = {{{5, 3}, {5, 7}, {15, 7}, {15, 3}}};
-  const terrain::HeightField flat{-100.0, 100.0, 10.0, Array2D<float>(21, 21, 3.0F)};
   Buildings buildings;
-  append_building(buildings, yard, 6.0, 1, 2, flat);
+  append_building(buildings, yard, 6.0, 3.0, 1, 2);
   // The floor lies in z = 0 and adds nothing to the sum.
   EXPECT_NEAR(enclosed_volume_m3(buildings.mesh), (200.0 - 40.0) * 6.0, 1e-3);
   EXPECT_EQ(buildings.mesh.vertices.size(), 16U);
@@ -96,14 +110,12 @@ TEST(BuildingExtrusion, WallsAndRoofFaceOutwardAndCourtyardsStayOpen) {
   EXPECT_EQ(std::ranges::count(buildings.mesh.materials, MaterialIndex{1}), 16);
 }
 
-TEST(BuildingExtrusion, StandsOnTheLowestGroundAlongItsOutline) {
+TEST(BuildingExtrusion, TheFootingIsTheLowestGroundAlongTheOutline) {
   terrain::HeightField slope{0.0, 100.0, 10.0, Array2D<float>(11, 11)};
   for (std::size_t row = 0; row < 11; ++row) {
     for (std::size_t column = 0; column < 11; ++column) slope.height_m(column, row) = static_cast<float>(column);
   }
-  Buildings buildings;
-  append_building(buildings, box(30, 30, 60, 60), 6.0, 0, 0, slope);
-  EXPECT_NEAR(static_cast<double>(buildings.items.at(0).footing_m), 3.0, 1e-5);
+  EXPECT_NEAR(footing_of(box(30, 30, 60, 60), slope), 3.0, 1e-5);
 }
 
 }  // namespace

@@ -130,6 +130,22 @@ TEST(ObjMesh, CornersAreCountedFromTheFirstVertexOrBackFromTheLast) {
   }
 }
 
+TEST(ObjMesh, LinesThatEndOnABackslashGoOnInTheNext) {
+  const ScratchFolder folder;
+  for (const char* const end : {"\n", "\r\n"}) {
+    const std::string on = std::string("\\") + end;
+    const auto mesh =
+        read_obj(folder.write("house.obj", std::string("# by C:\\") + end + "v 0 0 0" + end + "v 10 " + on + "0 0" +
+                                               end + "v 10 10 0" + end + "v 5 15 0" + end + "v 0 10 0" + end +
+                                               "f 1 2 " + on + " 3" + on + " 4 5" + end + "f 1 2 3" + on));
+    EXPECT_EQ(mesh.vertices.size(), 5U);
+    EXPECT_EQ(mesh.triangles.size(), 4U);
+    EXPECT_NEAR(areas_of(mesh).second, 125.0 + 50.0, 1e-3);
+  }
+  const auto file = folder.write("bad.obj", "v 0 \\\n0 \\\n0\nv abc 1 0\n");
+  EXPECT_THAT(message_of_error([&] { static_cast<void>(read_obj(file)); }), HasSubstr("bad.obj:4: 'v abc 1 0'"));
+}
+
 TEST(ObjMesh, FacesThatCrossThemselvesAreRefused) {
   const ScratchFolder folder;
   const auto file = folder.write("bow.obj", "v 0 0 0\nv 3 0 0\nv 0 1 0\nv 2 1 0\nf 1 2 3 4\n");
@@ -164,6 +180,36 @@ TEST(GltfMesh, AppliesNodeTransforms) {
   EXPECT_EQ(mesh.vertices[1], (Vec3d{12, 0, 0}));
   EXPECT_EQ(mesh.vertices[2], (Vec3d{10, 2, 4}));
   EXPECT_THAT(mesh.material_names, ElementsAre("metal"));
+}
+
+/// The same triangle twice within its node: as it is, and moved by (5, 0, 0) and turned by 90° about z.
+const char* const gltf_instances =
+    R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"extensionsUsed":["EXT_mesh_gpu_instancing"],
+"nodes":[{"mesh":0,"translation":[10,0,0],"scale":[2,2,2],
+"extensions":{"EXT_mesh_gpu_instancing":{"attributes":{"TRANSLATION":1,"ROTATION":2}}}}],
+"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
+"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,2]},
+{"bufferView":1,"componentType":5126,"count":2,"type":"VEC3"},{"bufferView":2,"componentType":5126,"count":2,"type":"VEC4"}],
+"bufferViews":[{"buffer":0,"byteLength":36},{"buffer":0,"byteOffset":36,"byteLength":24},
+{"buffer":0,"byteOffset":60,"byteLength":32}],
+"buffers":[{"byteLength":92,"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAABAAAAAAAAAAAAAAAAAAACgQAAAAAAAAAAAAAAAAAAAAAAAAAAAAACAPwAAAAAAAAAA8wQ1P/MENT8="}]})";
+
+TEST(GltfMesh, StandsWhereverItsNodeHasInstances) {
+  const ScratchFolder folder;
+  std::string text = gltf_instances;
+  for (const char* const listed : {"extensionsUsed", "extensionsRequired"}) {
+    text.replace(text.find("extensionsUsed"), 14, listed);
+    const auto mesh = read_gltf(folder.write("twice.gltf", text));
+    ASSERT_EQ(mesh.vertices.size(), 6U);
+    EXPECT_EQ(mesh.triangles.size(), 2U);
+    EXPECT_EQ(mesh.vertices[1], (Vec3d{12, 0, 0}));
+    EXPECT_NEAR(length(mesh.vertices[3] - Vec3d{20, 0, 0}), 0.0, 1e-5);
+    EXPECT_NEAR(length(mesh.vertices[4] - Vec3d{20, 2, 0}), 0.0, 1e-5);
+    EXPECT_NEAR(length(mesh.vertices[5] - Vec3d{18, 0, 4}), 0.0, 1e-5);
+  }
+  text.replace(text.find("\"count\":2"), 9, "\"count\":1");
+  EXPECT_THAT(message_of_error([&] { static_cast<void>(read_gltf(folder.write("odd.gltf", text))); }),
+              HasSubstr("has instances with fewer of one attribute than of another"));
 }
 
 TEST(GltfMesh, RefusesDamagedFiles) {

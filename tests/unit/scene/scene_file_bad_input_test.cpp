@@ -158,7 +158,9 @@ TEST_F(BadInput, HolesInTheTerrainAreFilledAndToldButNotWhenMostIsMissing) {
   EXPECT_THAT(place_.fault("", "[scene]\nstrict = true\n"),
               HasSubstr("terrain nodes without data or with implausible heights"));
   place_.write("heights.asc", holed(501'500.0));
-  EXPECT_THAT(place_.fault(""), HasSubstr("% of the scene's terrain has no height between -500 and 9000 m"));
+  EXPECT_THAT(place_.fault(""), AllOf(HasSubstr("% of the scene's terrain has no height between -500 and 9000 m"),
+                                      HasSubstr("raise max_flawed_share")));
+  EXPECT_EQ(place_.fault("", "[scene]\nmax_flawed_share = 1\n"), "");
 }
 
 TEST_F(BadInput, PlausibleHeightsRunUpwards) {
@@ -248,9 +250,46 @@ TEST_F(BadInput, FlawsAreMendedCountedAndNamedButNotWhenStrictOrCommon) {
   EXPECT_EQ(scene.buildings.items.size(), 4U);
   ASSERT_EQ(remark_count(scene, "self-crossing footprints"), 1U);
   EXPECT_THAT(scene.remarks.back().first, HasSubstr("houses.geojson: layer houses, feature 2"));
-  EXPECT_THAT(place_.fault(houses_section, "[scene]\nstrict = true\n"),
-              AllOf(HasSubstr("feature 2: the first of 1 self-crossing"), HasSubstr("strict = false")));
+  EXPECT_THAT(
+      place_.fault(houses_section, "[scene]\nstrict = true\n"),
+      AllOf(HasSubstr("feature 2: the first of 1 self-crossing"), HasSubstr("set strict = false to put up with them")));
   EXPECT_THAT(place_.fault(houses_section + "max_flawed_share = 0.3\n"), HasSubstr("raise max_flawed_share"));
+}
+
+// What a file states for those that lack it is meant to be so, even of most; what nobody states is made up.
+TEST_F(BadInput, HeightsAndCrownsThatAreMissingAreFlawsWhereNothingIsStatedInstead) {
+  place_.write_houses(MadeUpPlace::house(0, 0, 9, 9, "\"h\":null") + "," +
+                      MadeUpPlace::house(20, 0, 29, 9, "\"h\":null") + "," +
+                      MadeUpPlace::house(40, 0, 49, 9, "\"h\":5"));
+  EXPECT_THAT(place_.fault(houses_section), HasSubstr("the first of 2 buildings without a height, left out"));
+  EXPECT_EQ(place_.fault(houses_section + "default_height_m = 6\n", "[scene]\nstrict = true\n"), "");
+  EXPECT_EQ(remark_count(place_.read(houses_section + "default_height_m = 6\n"), "without a height, given 6 m"), 2U);
+
+  place_.write("trees.csv", "x,y,h,r\n501100,4795500,,\n501200,4795500,,\n501300,4795500,9,3\n");
+  const std::string trees =
+      "[[trees]]\nfile = \"trees.csv\"\ncrs = \"EPSG:25830\"\nx = \"x\"\ny = \"y\"\nheight_attribute = \"h\"\n";
+  const std::string with_crowns = trees + "default_height_m = 8\ncrown_radius_attribute = \"r\"\n";
+  EXPECT_THAT(place_.fault(trees), HasSubstr("the first of 2 trees without a height, left out"));
+  EXPECT_THAT(place_.fault(with_crowns),
+              AllOf(HasSubstr("the first of 2 trees without a crown radius, given the usual one"),
+                    HasSubstr("raise max_flawed_share to put up with them")));
+  EXPECT_EQ(place_.fault(with_crowns + "crown_radius_per_height = 0.2\n", "[scene]\nstrict = true\n"), "");
+  const Scene scene = place_.read(with_crowns + "crown_radius_per_height = 0.2\n");
+  EXPECT_EQ(remark_count(scene, "trees without a height, given 8 m"), 2U);
+  EXPECT_EQ(remark_count(scene, "trees without a crown radius, given 0.2 of their height"), 2U);
+}
+
+// 300 km and more away nothing has its true size, whatever the distance is counted from.
+TEST_F(BadInput, ExtentsInMetresFarFromTheirOrigin) {
+  const std::string extent = "extent = {west_m = 850000, south_m = 0, east_m = 852000, north_m = 2000}\n";
+  const auto remedy = AllOf(HasSubstr("state it in metres from an origin_lat_deg and origin_lon_deg within 300 km"),
+                            HasSubstr("or in degrees without an origin"));
+  EXPECT_THAT(
+      place_.fault("", "[scene]\n" + extent),
+      AllOf(HasSubstr("scene.extent: has its middle 851 km from the origin, which is the middle of the terrain"),
+            remedy));
+  EXPECT_THAT(place_.fault("", "[scene]\norigin_lat_deg = 43.3\norigin_lon_deg = -2.9\n" + extent),
+              AllOf(HasSubstr("scene.extent: has its middle 851 km from the origin, where"), remedy));
 }
 
 TEST_F(BadInput, PointTargetOutsideTheScene) {

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "unit/scene/made_up_place.h"
 
@@ -19,6 +20,7 @@ namespace sigmascape::scene {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::DoubleNear;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
@@ -53,6 +55,22 @@ TEST(SceneFile, WaterIsLevelUpToItsShore) {
     }
   }
   EXPECT_GT(cells, 1500U);
+}
+
+// An elevation model may hold nothing of the sea, and cliffs before it. A lake in the hills is of the same class.
+TEST(SceneFile, SeaWithoutHeightsIsLevelledUnderCliffsAndALakeInTheHillsIsNot) {
+  const MadeUpPlace place;
+  const auto is_lake = [](double x, double y) { return std::hypot(x - 501'000.0, y - 4'795'650.0) < 50.0; };
+  const auto is_sea = [](double y) { return y < MadeUpPlace::shore_m; };
+  place.write("heights.asc", MadeUpPlace::grid.text([&](double x, double y) {
+    return is_sea(y) || is_lake(x, y) ? std::nan("") : 40.0 + 0.05 * (y - MadeUpPlace::shore_m);
+  }));
+  place.write("cover.asc",
+              MadeUpPlace::grid.text([&](double x, double y) { return is_sea(y) || is_lake(x, y) ? 80.0 : 30.0; }));
+  const Scene scene = place.read();
+  for (const double y_m : {-390.0, -300.0, -225.0}) EXPECT_EQ(scene.terrain.height_at({100.0, y_m}), 0.0) << y_m;
+  EXPECT_NEAR(scene.terrain.height_at({0.0, 0.0}), 50.0, 0.2);
+  EXPECT_NEAR(scene.terrain.height_at({-100.0, 250.0}), 62.5, 1.0);
 }
 
 TEST(SceneFile, WaterFarFromTheLevelStaysWhereItIs) {
@@ -184,6 +202,30 @@ TEST(SceneFile, BuildingsUndergroundAreNotRaised) {
   EXPECT_EQ(place.read(houses_section).buildings.items.size(), 1U) << "with a height that is stated";
 }
 
+// OpenStreetMap has some buildings whose levels are counted from the ground down.
+TEST(SceneFile, BuildingsOfLevelsBelowZeroAreUnderground) {
+  const MadeUpPlace place;
+  place.write_houses(MadeUpPlace::house(-20, 0, 0, 20, R"("h":null,"building:levels":"-1")") + "," +
+                     MadeUpPlace::house(40, 0, 60, 20, R"("h":"4","building:levels":"-1")") + "," +
+                     MadeUpPlace::house(80, 0, 99, 20, R"("h":null,"building:levels":"2")"));
+  for (const char* const levels : {"levels_attribute = \"building:levels\"\n", ""}) {
+    const Scene scene = place.read(houses_section + levels + "default_height_m = 7\n");
+    EXPECT_EQ(scene.buildings.items.size(), 2U) << "those of a height or of levels above the ground";
+    EXPECT_EQ(remark_count(scene, "buildings underground, left out"), 1U);
+  }
+}
+
+// On a slope of 5 % a roof that a tower stands through is as level as one that nothing stands through.
+TEST(SceneFile, PiecesOfABuildingStandOnTheGroundOfTheWhole) {
+  const MadeUpPlace place;
+  place.write_houses(MadeUpPlace::house(0, -100, 20, 100, R"("h":6)") + "," +
+                     MadeUpPlace::house(-5, -10, 25, 10, R"("h":20)"));
+  const Scene scene = place.read(houses_section + "max_flawed_share = 1\n");
+  std::vector<double> footings_m;
+  for (const Building& building : scene.buildings.items) footings_m.push_back(static_cast<double>(building.footing_m));
+  EXPECT_THAT(footings_m, ElementsAre(DoubleNear(5.0, 0.1), DoubleNear(5.0, 0.1), DoubleNear(9.5, 0.1)));
+}
+
 TEST(SceneFile, AFileOfBuildingsUndergroundAloneMakesARemark) {
   const MadeUpPlace place;
   place.write_houses(MadeUpPlace::house(-20, 0, 0, 20, R"("h":9,"location":"underground")"));
@@ -265,7 +307,7 @@ TEST(SceneFile, DecimalCommasCountAndDoubtfulOnesAreTold) {
 TEST(SceneFile, AColumnThatIsEmptyThroughoutIsThere) {
   const MadeUpPlace place;
   place.write_houses(MadeUpPlace::house(-20, 0, 0, 20, R"("h":null)"));
-  const Scene scene = place.read(houses_section + "default_height_m = 7\nmax_flawed_share = 1\n");
+  const Scene scene = place.read(houses_section + "default_height_m = 7\n");
   ASSERT_EQ(scene.buildings.items.size(), 1U);
   EXPECT_EQ(top_m(scene, 0), 7.0F);
 }
@@ -312,8 +354,17 @@ TEST(SceneFile, RoadsArePavedStripsOfTheirWidth) {
 /// Each carriageway of a motorway is a line of OpenStreetMap's, on which nobody comes the other way.
 TEST(SceneFile, RoadsOfOneWayAreHalfAMotorwayAndAllGoThatWay) {
   const MadeUpPlace place;
-  for (const auto& [way, eastwards, westwards] :
-       {std::tuple("no", true, true), {"yes", true, false}, {"-1", false, true}}) {
+  for (const auto& [way, eastwards, westwards] : {std::tuple("no", true, true),
+                                                  {"yes", true, false},
+                                                  {"-1", false, true},
+                                                  {"reverse", false, true},
+                                                  {"reversible", true, true},
+                                                  {"alternating", true, true},
+                                                  {"1.000", true, false},
+                                                  {"f", true, true},
+                                                  {"B", true, true},
+                                                  {"F", true, false},
+                                                  {"T", false, true}}) {
     std::string road = one_road;
     road.replace(road.find("\"primary\""), 9, fmt::format("\"motorway\",\"oneway\":\"{}\"", way));
     place.write("roads.geojson", road);
@@ -329,6 +380,18 @@ TEST(SceneFile, RoadsOfOneWayAreHalfAMotorwayAndAllGoThatWay) {
     };
     EXPECT_EQ(goes(pi / 2.0), eastwards) << way;
     EXPECT_EQ(goes(-pi / 2.0), westwards) << way;
+  }
+}
+
+TEST(SceneFile, OneWaysOfNoKnownMeaningAreTold) {
+  const MadeUpPlace place;
+  for (const auto& [way, told] : {std::pair{"sometimes", 1U}, {"2", 1U}, {"no", 0U}, {"False", 0U}, {"0", 0U}}) {
+    std::string road = one_road;
+    road.replace(road.find("\"primary\""), 9, fmt::format("\"motorway\",\"oneway\":\"{}\"", way));
+    place.write("roads.geojson", road);
+    const Scene scene = place.read("cell_m = 1\n[[roads]]\nfile = \"roads.geojson\"\nclass_attribute = \"highway\"\n");
+    EXPECT_EQ(remark_count(scene, "roads whose oneway is of no known meaning, taken for both ways"), told) << way;
+    EXPECT_EQ(material_at(scene, {0.0, 108.0}), "asphalt") << way;
   }
 }
 
@@ -384,6 +447,25 @@ TEST(SceneFile, TablesOfLandCoverOfTheirOwnTellWhatIsWater) {
   EXPECT_EQ(scene.instances.size(), 0U);
   EXPECT_GT(remark_count(scene, "classes that [land_cover.classes] does not list"), 0U);
   EXPECT_EQ(remark_count(place.read(), "does not list"), 0U);
+}
+
+TEST(SceneFile, WaterOfAnyMaterialIsWater) {
+  const MadeUpPlace place;
+  place.write("trees.csv", "x,y,h\n501100,4795500,10\n501100,4795100,10\n");
+  const auto is_water = [&](const std::string& material, const std::string& its_section = "") {
+    const Scene scene = place.read("[land_cover.classes]\n80 = \"" + material + "\"\n" + trees_section + its_section);
+    EXPECT_EQ(material_at(scene, {0.0, -350.0}), material);
+    const bool levelled = scene.terrain.height_at({0.0, -350.0}) == 0.0;
+    EXPECT_EQ(remark_count(scene, "trees standing in water"), levelled ? 1U : 0U) << material;
+    return levelled;
+  };
+  EXPECT_TRUE(is_water("sea_water"));
+  EXPECT_TRUE(is_water("fresh_water"));
+  EXPECT_TRUE(is_water("calm", "[materials.calm]\nbase = \"water\"\ngamma_db = -45\n"));
+  EXPECT_TRUE(is_water("salty", "[materials.salty]\nbase = \"fresh_water\"\nwater = {salinity_g_per_kg = 9}\n"));
+  EXPECT_TRUE(is_water("own", "[materials.own]\nmodel = \"cook_torrance\"\nwater = {}\n"));
+  EXPECT_FALSE(is_water("wet", "[materials.wet]\nmodel = \"cook_torrance\"\nsoil = {moisture = 0.4}\n"));
+  EXPECT_FALSE(is_water("crops"));
 }
 
 TEST(SceneFile, RoadsUnderCoverAreNotPaved) {

@@ -1,5 +1,6 @@
 #include "sigmascape/terrain/terrain_reader.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,7 +14,9 @@
 namespace sigmascape::terrain {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 constexpr geo::AsciiGrid grid{500'600.0, 4'795'000.0, 10.0, 100, 80};
 const geo::LocalFrame frame(43.312, -2.986);
@@ -46,6 +49,8 @@ TEST_F(TerrainReader, FillsAHoleFromItsEdge) {
                    }),
                    frame, std::nullopt);
   EXPECT_NEAR(static_cast<double>(holed.filled_nodes), M_PI * 36.0, 12.0);
+  EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(holed.filled.values(), 1)), holed.filled_nodes);
+  EXPECT_EQ(holed.filled(holed.filled.columns() / 2, holed.filled.rows() / 2), 1);
   for (std::size_t i = 0; i < whole.field.height_m.size(); ++i) {
     ASSERT_NEAR(static_cast<double>(holed.field.height_m.values()[i]),
                 static_cast<double>(whole.field.height_m.values()[i]), 0.6);
@@ -54,8 +59,12 @@ TEST_F(TerrainReader, FillsAHoleFromItsEdge) {
 
 TEST_F(TerrainReader, MostlyMissingTerrainIsAnError) {
   const auto mostly = source([](double x, double) { return x < 500'800.0 ? 5.0 : std::nan(""); });
-  EXPECT_THAT(message_of_error([&] { static_cast<void>(read_terrain(mostly, frame, std::nullopt)); }),
-              HasSubstr("% of the scene's terrain has no height between"));
+  EXPECT_THAT(
+      message_of_error([&] { static_cast<void>(read_terrain(mostly, frame, std::nullopt)); }),
+      AllOf(HasSubstr("% of the scene's terrain has no height between"), HasSubstr("or raise max_flawed_share")));
+  const auto nowhere = source([](double, double) { return std::nan(""); });
+  EXPECT_THAT(message_of_error([&] { static_cast<void>(read_terrain(nowhere, frame, std::nullopt)); }),
+              AllOf(HasSubstr("100 % of the scene's terrain"), Not(HasSubstr("max_flawed_share"))));
 }
 
 TEST_F(TerrainReader, ImplausibleHeightsCountAsMissing) {
