@@ -133,23 +133,30 @@ double nearest_occluder_m(const HorizonGrid& grid, Vec3d radar, const Occluders&
 }
 
 /// Steps are cut into strides no wider than the squares that obstacles stand on: what is narrower than a step must not
-/// slip through.
+/// slip through. Where nothing stands anywhere they are whole.
 struct Strides {
   std::size_t a_step;
   double length_m, first_m = 0.0;
 
   /// Of the steps before the map's first node: each is cut about its middle.
-  Strides(const LeadSteps& lead, const ObstacleMosaic& obstacles) : Strides(lead.step_m, obstacles) {
-    first_m = lead.from_m - 0.5 * (lead.step_m - length_m);
+  static Strides to_near(const LeadSteps& lead, const Occluders& occluders) {
+    Strides strides(lead.step_m, obstacles_before(occluders), occluders.tallest_m);
+    strides.first_m = lead.from_m - 0.5 * (lead.step_m - strides.length_m);
+    return strides;
   }
   /// Of the map's own: the last stride of each is at its node.
-  Strides(const HorizonGrid& grid, const ObstacleMosaic& obstacles) : Strides(grid.step_m, obstacles) {
-    first_m = grid.near_m - static_cast<double>(a_step - 1) * length_m;
+  static Strides within(const HorizonGrid& grid, const Occluders& occluders) {
+    Strides strides(grid.step_m, *occluders.obstacles, occluders.tallest_m);
+    strides.first_m = grid.near_m - static_cast<double>(strides.a_step - 1) * strides.length_m;
+    return strides;
   }
+  /// Those of the map's first step that lie before its node where steps before it have gone over them.
+  [[nodiscard]] std::size_t passed(const LeadSteps& lead) const { return lead.count > 0 ? a_step - 1 : 0; }
 
  private:
-  Strides(double step_m, const ObstacleMosaic& obstacles)
-      : a_step(static_cast<std::size_t>(std::max(std::ceil(step_m / obstacles.grid().cell_m), 1.0))),
+  Strides(double step_m, const ObstacleMosaic& obstacles, float tallest_m)
+      : a_step(tallest_m > 0.0F ? static_cast<std::size_t>(std::max(std::ceil(step_m / obstacles.grid().cell_m), 1.0))
+                                : 1),
         length_m(step_m / static_cast<double>(a_step)) {}
 };
 
@@ -158,8 +165,8 @@ struct Horizon {
   float steepest = no_ground;  ///< of ground
   float solid = no_ground;     ///< of solid tops
 
-  /// Goes over a step of `step_m`, the ground under it and what stands there.
-  void pass(const Steps& steps, std::size_t i, double step_m, CrownDepth& crowns) {
+  /// Goes over a step of `step_m`, the ground under it and what stands there, its crowns unless others have.
+  void pass(const Steps& steps, std::size_t i, double step_m, CrownDepth* crowns) {
     // Where the map begins below the radar, strides of its first step lie behind it.
     if (!(steps.distance_m[i] > 0.0F)) return;
     const float slope = steps.slope[i];
@@ -170,7 +177,7 @@ struct Horizon {
     const float per_distance = 1.0F / steps.distance_m[i];
     if (packed.solid_top > 0) solid = greater(solid, slope + obstacle.solid_top_m * per_distance);
     const float top = slope + obstacle.crown_top_m * per_distance;
-    if (packed.crown_top == 0 || top <= steepest) return;
+    if (crowns == nullptr || packed.crown_top == 0 || top <= steepest) return;
     const float base = slope + obstacle.crown_base_m * per_distance;
     const int pieces = terrain::crown_pieces(step_m * static_cast<double>(std::abs(slope)),
                                              static_cast<double>(obstacle.crown_top_m - obstacle.crown_base_m));
@@ -178,7 +185,7 @@ struct Horizon {
     const float way_m = stride_m / static_cast<float>(pieces) * std::sqrt(1.0F + slope * slope);
     const float depth = obstacle.crown_extinction_per_m * way_m;
     terrain::for_each_piece(pieces, steps.distance_m[i], stride_m,
-                            [&](float nearer) { crowns.add(base * nearer, top * nearer, depth); });
+                            [&](float nearer) { crowns->add(base * nearer, top * nearer, depth); });
   }
 };
 
@@ -193,14 +200,12 @@ double crown_depth_on(const Steps& steps, std::size_t i, double step_m, double s
   return part * static_cast<double>(obstacle.crown_extinction_per_m) * step_m * std::hypot(1.0, slope);
 }
 
-/// Between which slopes the radar sees ground along the whole of a sweep.
-CrownDepth::Range slopes_of_ground(const HorizonGrid& grid, Vec3d radar, const Occluders& occluders,
-                                   const LeadSteps& lead) {
-  const double far_m = grid.near_m + static_cast<double>(grid.distances) * grid.step_m;
-  const double nearest_m = std::max(std::min(lead.from_m, grid.near_m), 1.0);
-  const double over_highest_m = static_cast<double>(highest_m_of(occluders)) - radar.z;
-  return {.lowest_slope = (lowest_m_of(occluders) - radar.z) / nearest_m - grid.drop_per_square_m * far_m,
-          .highest_slope = over_highest_m / (over_highest_m > 0.0 ? nearest_m : far_m)};
+/// Of the line of sight to the top of what is solid at a step.
+double solid_slope_at(const Steps& steps, std::size_t i) {
+  const PackedObstacle packed = steps.obstacle[i];
+  if (!(steps.distance_m[i] > 0.0F) || steps.slope[i] == no_ground || packed.solid_top == 0)
+    return static_cast<double>(no_ground);
+  return static_cast<double>(steps.slope[i] + packed.unpacked().solid_top_m / steps.distance_m[i]);
 }
 
 }  // namespace
@@ -278,7 +283,7 @@ void HorizonMap::reset(const HorizonGrid& grid, bool with_obstacles) {
   if (!with_obstacles) return;
   if (solid_slopes_.size() < nodes) solid_slopes_.resize(nodes);
   if (through_.size() < nodes) through_.resize(nodes);
-  for (auto& depths : depths_) depths.resize(std::max<std::size_t>(depths.size(), 2 * grid.distances));
+  for (auto& depths : depths_) depths.resize(std::max(depths.size(), grid.distances));
 }
 
 void HorizonMap::sweep(std::size_t azimuth, Vec3d radar, const Occluders& occluders, unsigned worker) {
@@ -305,30 +310,32 @@ void HorizonMap::sweep_ground(std::size_t azimuth, Vec3d radar, const Occluders&
 }
 
 void HorizonMap::sweep_obstacles(std::size_t azimuth, Vec3d radar, const Occluders& occluders, unsigned worker) {
+  // How the ground rises says where the edges of crowns are met.
+  sweep_ground(azimuth, radar, occluders);
+  float* const slopes = slopes_.data() + azimuth * stride_;
+  CrownDepth crowns(std::span(depths_[worker]).first(grid_.distances), std::span(slopes, grid_.distances));
+
   Walk walk(grid_, azimuth, radar, occluders);
   const Steps& steps = walk.steps();
   const LeadSteps lead = lead_of(grid_, radar, occluders);
-  CrownDepth crowns(std::span(depths_[worker]).first(2 * grid_.distances),
-                    slopes_of_ground(grid_, radar, occluders, lead));
   Horizon horizon;
-  const ObstacleMosaic& before = obstacles_before(occluders);
-  const Strides to_near(lead, before);
-  walk.over(ground_before(occluders), &before, to_near.first_m, to_near.length_m, lead.count * to_near.a_step,
-            [&](std::size_t, std::size_t i) { horizon.pass(steps, i, to_near.length_m, crowns); });
+  const Strides to_near = Strides::to_near(lead, occluders);
+  walk.over(ground_before(occluders), &obstacles_before(occluders), to_near.first_m, to_near.length_m,
+            lead.count * to_near.a_step,
+            [&](std::size_t, std::size_t i) { horizon.pass(steps, i, to_near.length_m, &crowns); });
 
-  const ObstacleMosaic& obstacles = *occluders.obstacles;
-  const Strides within(grid_, obstacles);
-  float* const slopes = slopes_.data() + azimuth * stride_;
+  const Strides within = Strides::within(grid_, occluders);
   float* const solid_slopes = solid_slopes_.data() + azimuth * stride_;
   float* const through = through_.data() + azimuth * stride_;
   float transmission = 1.0F;
-  walk.over(occluders.terrain, &obstacles, within.first_m, within.length_m, grid_.distances * within.a_step,
+  walk.over(occluders.terrain, occluders.obstacles, within.first_m, within.length_m, grid_.distances * within.a_step,
             [&](std::size_t stride, std::size_t i) {
-              horizon.pass(steps, i, within.length_m, crowns);
+              horizon.pass(steps, i, within.length_m, stride < within.passed(lead) ? nullptr : &crowns);
               if (stride % within.a_step != within.a_step - 1) return;
               const std::size_t k = stride / within.a_step;
+              crowns.meet(k);
               // Ground behind a ridge is not seen whatever stands in between.
-              if (steps.slope[i] >= horizon.steepest) transmission = crowns.transmission_at(horizon.steepest);
+              if (steps.slope[i] >= horizon.steepest) transmission = crowns.transmission();
               slopes[k] = horizon.steepest;
               solid_slopes[k] = horizon.solid;
               through[k] = transmission;
@@ -344,19 +351,37 @@ double HorizonMap::through_from(std::size_t azimuth, std::size_t node, double sl
   Walk walk(grid_, azimuth, radar, occluders);
   double depth = 0.0;
   const auto walk_through = [&](const terrain::TerrainView& ground, const ObstacleMosaic& obstacles,
-                                const Strides& strides, std::size_t steps) {
-    const std::size_t count = steps * strides.a_step;
-    const auto left_out = static_cast<std::size_t>(
-        std::clamp((clear_m - strides.first_m) / strides.length_m, 0.0, static_cast<double>(count)));
+                                const Strides& strides, std::size_t first, std::size_t end) {
+    const auto left_out = static_cast<std::size_t>(std::clamp((clear_m - strides.first_m) / strides.length_m,
+                                                              static_cast<double>(first), static_cast<double>(end)));
     walk.over(ground, &obstacles, strides.first_m + static_cast<double>(left_out) * strides.length_m, strides.length_m,
-              count - left_out,
+              end - left_out,
               [&](std::size_t, std::size_t i) { depth += crown_depth_on(walk.steps(), i, strides.length_m, slope); });
   };
   const LeadSteps lead = lead_of(grid_, radar, occluders);
-  const ObstacleMosaic& before = obstacles_before(occluders);
-  walk_through(ground_before(occluders), before, {lead, before}, lead.count);
-  walk_through(occluders.terrain, *occluders.obstacles, {grid_, *occluders.obstacles}, node + 1);
+  const Strides to_near = Strides::to_near(lead, occluders), within = Strides::within(grid_, occluders);
+  walk_through(ground_before(occluders), obstacles_before(occluders), to_near, 0, lead.count * to_near.a_step);
+  walk_through(occluders.terrain, *occluders.obstacles, within, within.passed(lead), (node + 1) * within.a_step);
   return std::exp(-depth);
+}
+
+double HorizonMap::through_beyond(std::size_t azimuth, std::size_t node, double distance_m, double slope, Vec3d radar,
+                                  const Occluders& occluders) const {
+  const Strides strides = Strides::within(grid_, occluders);
+  const double node_m = grid_.near_m + static_cast<double>(node) * grid_.step_m;
+  // A stride reaches half its length to either side of its middle, the node's as well.
+  const double rest_m = distance_m - node_m - 0.5 * strides.length_m;
+  if (!(rest_m > 0.0 && strides.length_m > 0.0)) return 1.0;
+  Walk walk(grid_, azimuth, radar, occluders);
+  double depth = 0.0;
+  bool is_behind_solid = false;
+  walk.over(occluders.terrain, occluders.obstacles, node_m + strides.length_m, strides.length_m,
+            static_cast<std::size_t>(std::ceil(rest_m / strides.length_m)), [&](std::size_t number, std::size_t i) {
+              const double part = std::min(rest_m / strides.length_m - static_cast<double>(number), 1.0);
+              depth += part * crown_depth_on(walk.steps(), i, strides.length_m, slope);
+              is_behind_solid = is_behind_solid || (part >= 0.5 && slope < solid_slope_at(walk.steps(), i));
+            });
+  return is_behind_solid ? 0.0 : std::exp(-depth);
 }
 
 }  // namespace sigmascape::render

@@ -75,6 +75,10 @@ class HorizonMap {
   /// from where its line of sight may meet the first of them. `radar` and `occluders` as of the sweep.
   [[nodiscard]] double through_from(std::size_t azimuth, std::size_t node, double slope, Vec3d radar,
                                     const Occluders& occluders) const;
+  /// The same on the way from a node to a point so far away that lies before the next one; nothing where something
+  /// solid there rises above the line of sight.
+  [[nodiscard]] double through_beyond(std::size_t azimuth, std::size_t node, double distance_m, double slope,
+                                      Vec3d radar, const Occluders& occluders) const;
 
  private:
   class Walk;

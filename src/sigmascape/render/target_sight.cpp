@@ -46,8 +46,10 @@ double part_seen_at(const TargetSight& sight, const TargetSight::Level& level,
   const bool is_on_ground = slope <= ridges + 2.0 * doubt;
   const auto through = [&](std::size_t at) {
     if (slope + doubt < static_cast<double>(horizon.solid_slopes(at)[node])) return 0.0;
-    if (is_on_ground) return static_cast<double>(horizon.through(at)[node]);
-    return horizon.through_from(at, node, slope, sight.radar, occluders_at(at));
+    const Occluders& occluders = occluders_at(at);
+    const double to_node = is_on_ground ? static_cast<double>(horizon.through(at)[node])
+                                        : horizon.through_from(at, node, slope, sight.radar, occluders);
+    return to_node * horizon.through_beyond(at, node, target.distance_m, slope + doubt, sight.radar, occluders);
   };
   return between(through(azimuth), through(azimuth + 1));
 }

@@ -172,6 +172,60 @@ TEST_F(LeadTest, CrownsHideWhatStandsHigherByTheWayThroughThemAlone) {
   EXPECT_EQ(through(130.0), 1.0);
 }
 
+/// Also where the radar flies below the top of a hill somewhere else.
+TEST_F(LeadTest, CrownsHideGroundHoweverHighTheTerrainIsElsewhere) {
+  const MadeObstacles wood = made([](Vec2d p) {
+    const double distance_m = length(p - Vec2d{radar.x, radar.y});
+    return distance_m > 5100.0 && distance_m < 5200.0 ? radar::Obstacle{0.0F, 2.0F, 20.0F, 0.01F} : radar::Obstacle{};
+  });
+  constexpr std::size_t azimuth = 100, behind = 75;
+  for (const float highest_m : {0.0F, 115.0F, 125.0F, 500.0F}) {
+    terrain::TerrainView ground = level_ground();
+    ground.highest_m = highest_m;
+    const Occluders occluders{.terrain = ground, .obstacles = &wood.mosaic(), .tallest_m = 20.0F};
+    HorizonMap map(grid());
+    map.reset(grid(), true);
+    map.sweep(azimuth, radar, occluders);
+    // From 5300 m the line of sight is 4.5 to 2.3 m above the ground within the wood.
+    EXPECT_NEAR(map.through(azimuth)[behind], std::exp(-1.0), 0.02) << highest_m;
+    EXPECT_EQ(map.through(azimuth)[20], 1.0F) << highest_m;
+  }
+}
+
+/// A point is hidden by what stands before it, wherever between two nodes it lies.
+TEST_F(LeadTest, WhatStandsBetweenANodeAndAPointHidesIt) {
+  const auto seen = [](const MadeObstacles& obstacles, double first_m, double distance_m, double height_m) {
+    HorizonGrid coarse = grid();
+    coarse.near_m = first_m;
+    coarse.step_m = 40.0;
+    coarse.distances = 20;
+    const Occluders occluders{.terrain = level_ground(), .obstacles = &obstacles.mosaic(), .tallest_m = 20.0F};
+    HorizonMap map(coarse);
+    map.reset(coarse, true);
+    constexpr std::size_t azimuth = 100;
+    map.sweep(azimuth, radar, occluders);
+    const auto node = static_cast<std::size_t>((distance_m - first_m) / coarse.step_m);
+    const double slope = (height_m - radar.z) / distance_m;
+    if (slope < static_cast<double>(map.solid_slopes(azimuth)[node])) return 0.0;
+    return map.through_from(azimuth, node, slope, radar, occluders) *
+           map.through_beyond(azimuth, node, distance_m, slope, radar, occluders);
+  };
+  const auto between = [](double near_m, double far_m, const radar::Obstacle& obstacle) {
+    return made([=](Vec2d p) {
+      const double distance_m = length(p - Vec2d{radar.x, radar.y});
+      return distance_m > near_m && distance_m < far_m ? obstacle : radar::Obstacle{};
+    });
+  };
+  const MadeObstacles wood = between(5100.0, 5200.0, {0.0F, 0.0F, 20.0F, 0.02F}),
+                      house = between(5160.0, 5172.0, {.solid_top_m = 12.0F});
+  for (double first_m = 4960.0; first_m < 5000.0; first_m += 3.0) {
+    EXPECT_NEAR(seen(wood, first_m, 5175.0, 5.0), std::exp(-0.02 * 75.0), 0.03) << first_m;
+    EXPECT_EQ(seen(house, first_m, 5178.0, 1.0), 0.0) << first_m;
+    EXPECT_EQ(seen(house, first_m, 5178.0, 20.0), 1.0) << first_m;
+    EXPECT_EQ(seen(house, first_m, 5155.0, 1.0), 1.0) << first_m;
+  }
+}
+
 TEST_F(LeadTest, AMapOfNoLengthBelowTheRadarHasNoLead) {
   HorizonGrid grid = LeadTest::grid();
   grid.near_m = grid.step_m = 0.0;
