@@ -12,8 +12,6 @@
 namespace sigmascape::atlas {
 namespace {
 
-constexpr int pyramid_bits = 10;
-
 std::filesystem::path path_of(const Store& store, const PyramidTile& tile, LookIndex look) {
   return folder_of(tile) / store.texture_path(tile.south_west, look).filename();
 }

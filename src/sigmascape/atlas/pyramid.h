@@ -11,6 +11,9 @@
 
 namespace sigmascape::atlas {
 
+/// Of the mantissas of its texels: nothing is left out for their noise.
+inline constexpr int pyramid_bits = 10;
+
 /// The levels of σ0 that are coarser than one tile a patch, so that a wide view opens few files.
 ///
 /// Each texel is the area mean of σ0 of the four it covers one level below, rounded to the nearest half of ten bits;

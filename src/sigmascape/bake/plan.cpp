@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "sigmascape/atlas/error_texture.h"
+#include "sigmascape/atlas/half_texture.h"
+#include "sigmascape/atlas/pyramid.h"
 #include "sigmascape/atlas/pyramid_tiles.h"
 #include "sigmascape/atlas/texture_file.h"
 #include "sigmascape/bake/bake.h"
@@ -22,8 +24,9 @@ namespace {
 /// What a trial at one elevation gave.
 struct Trial {
   double seconds_per_cell = 0.0;  // of all frequencies together
-  // Of one frequency, compressed; of all levels σ0, of the finest its standard errors.
-  double sigma0_bytes_per_texel = 0.0, error_bytes_per_texel = 0.0;
+  // Of one frequency, compressed; of all levels of patches σ0, of the finest its standard errors, and σ0 above patches,
+  // where nothing is left out for its noise.
+  double sigma0_bytes_per_texel = 0.0, error_bytes_per_texel = 0.0, bytes_per_texel_above = 0.0;
 };
 
 /// The trials of a plan: bakes pieces of the scene into memory.
@@ -73,9 +76,14 @@ class Trials {
     const auto sigma0 = atlas::texture_bytes(halves, atlas::sigma0_bands, texels, description_).size();
     const auto errors =
         atlas::error_texture_bytes(look.relative_errors, look.sigma0, texels, description_, scene_.name).size();
+    const atlas::MipChain chain{look.sigma0};
+    const auto above =
+        atlas::texture_bytes(atlas::encoded(chain, atlas::fitting_scale(look.sigma0), atlas::pyramid_bits),
+                             atlas::sigma0_bands, texels, description_)
+            .size();
     const auto count = static_cast<double>(look.sigma0.size());
     return {taken.count() / std::max(cells, 1.0), static_cast<double>(sigma0) / count,
-            static_cast<double>(errors) / count};
+            static_cast<double>(errors) / count, static_cast<double>(above) / count};
   }
 
   const scene::Scene& scene_;
@@ -148,12 +156,13 @@ BakePlan plan(const scene::Scene& scene, const BakeSettings& settings, const std
   plan.jobs = jobs.size();
   plan.patches = plan.jobs / (azimuths * found.size());
   const PatchTexels texels(settings.patches);
-  const double sigma0_texels = texels.all_levels + texels_above(description) / static_cast<double>(plan.patches);
+  const double above = texels_above(description) / static_cast<double>(plan.patches);
   std::vector<std::vector<std::size_t>> open(found.size());  // numbers of jobs, by elevation
   for (std::size_t number = 0; number < jobs.size(); ++number) {
     const std::size_t elevation = number / azimuths % found.size();
     const Trial& trial = found[elevation];
-    const double bytes = (trial.sigma0_bytes_per_texel * sigma0_texels + trial.error_bytes_per_texel * texels.finest) *
+    const double bytes = (trial.sigma0_bytes_per_texel * texels.all_levels + trial.bytes_per_texel_above * above +
+                          trial.error_bytes_per_texel * texels.finest) *
                          static_cast<double>(jobs.looks_per_job());
     plan.bytes += bytes;
     if (!shard.has(number)) continue;
