@@ -94,6 +94,7 @@ struct Imaged {
 struct StripOf {
   double first_along_m = -400.0, last_along_m = 400.0, along_resolution_m = resolution_m;
   int order = 0;
+  double squint_rad = 0.0;
 };
 
 Imaged imaged(const radar::Radar& radar, const radar::Target& target, const StripOf& strip = {}) {
@@ -102,28 +103,32 @@ Imaged imaged(const radar::Radar& radar, const radar::Target& target, const Stri
                                    .last_along_m = strip.last_along_m,
                                    .resolution_m = strip.along_resolution_m,
                                    .window = even,
-                                   .oversampling = 6.0},
+                                   .oversampling = 6.0,
+                                   .squint_rad = strip.squint_rad},
                                   {range_m - 60.0, range_m + 60.0, 6.0});
   imager.add({&target, 1}, strip.order);
   return {imager.image()};
 }
 
 /// What the textbook makes of the pulses themselves, at the brightest place about one.
-Peak focused(const radar::Radar& radar, const radar::Target& target, double about_along_m, double about_range_m) {
+Peak focused(const radar::Radar& radar, const radar::Target& target, double about_along_m, double about_range_m,
+             double squint_rad = 0.0) {
   const double speed_mps = length(radar.velocity_mps), repetition_hz = radar.waveform.pulse_repetition_hz;
   const radar::AntennaCut beam = radar::antenna_pattern(radar).azimuth();
-  const receiver::PulseReceiver receiver(radar, {range_m - 60.0, range_m + 120.0, 8.0});
-  const auto voltage = [&beam](const radar::Pulse& pulse, Vec3d position, double) {
+  const double slant_range_m = range_m / std::cos(squint_rad);
+  const receiver::PulseReceiver receiver(radar, {slant_range_m - 60.0, slant_range_m + 120.0, 8.0});
+  const auto voltage = [&](const radar::Pulse& pulse, Vec3d position, double) {
     const Vec3d away = position - pulse.platform.position;
-    return static_cast<float>(beam.power(std::atan2(away.y, away.x)));
+    return static_cast<float>(beam.power(std::atan2(away.y, away.x) - squint_rad));
   };
   const double half_s = (0.5 * wavelength / resolution_m * range_m) / speed_mps;
+  const double middle_s = (about_along_m - range_m * std::tan(squint_rad)) / speed_mps;
   const auto history = receiver.receive(radar::Track::straight({}, radar.velocity_mps),
-                                        {.first_time_s = about_along_m / speed_mps - half_s,
+                                        {.first_time_s = middle_s - half_s,
                                          .count = static_cast<std::size_t>(2.0 * half_s * repetition_hz),
                                          .repetition_hz = repetition_hz},
                                         {}, {&target, 1}, voltage);
-  const TextbookStrip processor{wavelength, speed_mps, band_hz(speed_mps, resolution_m), beam};
+  const TextbookStrip processor{wavelength, speed_mps, band_hz(speed_mps, resolution_m), beam, squint_rad};
   Peak found;
   for (double r = about_range_m - 3.0; r <= about_range_m + 3.0; r += 1.0) {
     for (double s = about_along_m - 2.0; s <= about_along_m + 2.0; s += 0.25) {
@@ -255,6 +260,38 @@ TEST(StripMover, GhostsFromFarAheadAreSeenUnderTheirAzimuths) {
     const auto found = std::ranges::find(ghosts, order, &receiver::AzimuthAmbiguity::order);
     ASSERT_NE(found, ghosts.end()) << order;
     EXPECT_NEAR(db_from_linear(found->power / expected), 0.0, 0.1) << order;
+  }
+}
+
+/// What is seen under `sine` and believed at place 0 and closest range `range_m` of a strip of this squint.
+radar::Target believed_at_zero(double squint_rad, double speed_mps, double sine, double along_mps) {
+  const double seen_m = range_m / std::cos(squint_rad), time_s = -seen_m * std::sin(squint_rad) / speed_mps;
+  return mover({seen_m * std::sqrt(1.0 - sine * sine), speed_mps * time_s + seen_m * sine - along_mps * time_s, 0.0},
+               {0.0, along_mps, 0.0});
+}
+
+/// Parts of the band that see it at several closest ranges add up to what the pulses give: with the phase that a point
+/// at rest has at each of them. A wavelength of range is 2 (1 − cos φ) turns there.
+TEST(StripMover, OfASquintedStripHoldsTogetherAcrossRanges) {
+  const double speed_mps = 100.0, squint_rad = radians_from_deg(20.0), sine = std::sin(squint_rad);
+  const auto expect_focus = [&](const std::string& name, const radar::Radar& radar, const radar::Target& target,
+                                int order) {
+    const Peak image = imaged(radar, target, {.order = order, .squint_rad = squint_rad}).peak();
+    const Peak pulses = focused(radar, target, image.along_m, image.closest_range_m, squint_rad);
+    validation::expect_close({group, "power of " + name, db_from_linear(pulses.power), db_from_linear(image.power), 0.7,
+                              "dB", "back-projected pulses, pattern undone"});
+  };
+  auto wide = radar_flying(speed_mps, 1200.0);
+  wide.beam_width_rad = radians_from_deg(12.0);
+  const double along_mps = -10.0, closing_mps = speed_mps * sine;
+  expect_focus("a mover of -10 m/s along the flight, squint 20°", wide,
+               believed_at_zero(squint_rad, speed_mps, closing_mps / (speed_mps - along_mps), along_mps), 0);
+  auto fine = radar_flying(speed_mps, 150.0);
+  fine.range_resolution_m = 1.0;
+  for (const int order : {-1, 1}) {
+    const double folded = order * wavelength * fine.waveform.pulse_repetition_hz / (2.0 * speed_mps);
+    expect_focus("a ghost of order " + std::to_string(order) + ", squint 20°", fine,
+                 believed_at_zero(squint_rad, speed_mps, sine + folded, 0.0), order);
   }
 }
 

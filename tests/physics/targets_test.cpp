@@ -241,6 +241,30 @@ TEST(CalibratedPulses, tell_in_their_file_what_leads_back_to_square_metres) {
                    .numbers.contains("impedance_ohm"));
 }
 
+/// An echo that comes back 53.4 µs after its pulse meets the next one 60 µs after it, at the range from which it comes
+/// and at that into which it folds.
+TEST(CalibratedPulses, tell_in_their_file_what_the_transmitter_deafens) {
+  auto radar = looking_north(3.0);
+  radar.waveform.pulse_length_s = 20e-6;
+  const std::vector<radar::Target> targets{target_of(10.0F, {})};
+  for (const auto& [interval_s, gate_opens_m] : {std::pair{60e-6, 7900.0}, {45e-6, 7900.0}, {45e-6, 1150.0}}) {
+    radar.waveform.pulse_repetition_hz = 1.0 / interval_s;
+    const receiver::PulseReceiver receiver(radar, {gate_opens_m, gate_opens_m + 200.0, 4.0});
+    const auto history = receiver.receive(radar::Track::straight(radar.position, radar.velocity_mps),
+                                          {.count = 1, .repetition_hz = 1.0 / interval_s}, {}, targets,
+                                          receiver::calibrated_voltage(radar, receiver::towards({})));
+    double brightest = 0.0;
+    for (const auto& sample : history.samples.values()) brightest = std::max<double>(brightest, std::abs(sample.vv));
+    const auto numbers = product::iq_record(history, radar).numbers;
+    const double heard =
+        radar::uneclipsed_part(8000.0, numbers.at("pulse_length_s"), numbers.at("pulse_repetition_hz"));
+    EXPECT_LT(heard, 0.5);
+    const double one_square_metre = heard * numbers.at("volts_from_1_m2_at_1_km") / 64.0 *
+                                    std::pow(10.0, -numbers.at("atmosphere_db_per_km") * 7.0 / 10.0);
+    EXPECT_NEAR(std::pow(brightest / one_square_metre, 2.0), 10.0, 0.25) << interval_s << ", " << gate_opens_m;
+  }
+}
+
 TEST(CalibratedPulses, carry_noise_of_kTBF_with_the_band_of_the_pulse) {
   const auto radar = looking_north(3.0);
   const receiver::PulseReceiver receiver(radar, {7000.0, 9000.0, 2.0});

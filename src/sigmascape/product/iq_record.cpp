@@ -108,6 +108,8 @@ void describe_calibration(IqRecord& record, const radar::Radar& radar) {
   record.numbers["impedance_ohm"] = radar.receiver.impedance_ohm;
   record.numbers["noise_power_w"] = radar::noise_power_w(radar) * radar.receiver.gain;
   record.numbers["volts_from_1_m2_at_1_km"] = radar::received_voltage_v(radar, 1.0, 1e3);
+  // While a pulse is sent the receiver is deaf, which weakens echoes by what the true range and this length tell.
+  record.numbers["pulse_length_s"] = radar.waveform.pulse_length_s;
   record.numbers["atmosphere_db_per_km"] = db_from_linear(std::exp(1e3 * radar.atmosphere_per_m));
 }
 

@@ -69,6 +69,22 @@ struct CurvedEarth {
             point.z * (1.0 - 2.0 * sine * sine) - distance_m * sine * half_sinc};
   }
 
+  /// What a velocity of the local frame at a point is there: the derivative of `bent` along it
+  /// (docs/physics/curved_earth.md, Eq. (9)).
+  [[nodiscard]] Vec3d turned(Vec3d velocity, Vec3d point, Vec2d foot) const {
+    const double c = curvature_per_m();
+    if (c == 0.0) return velocity;
+    const Vec2d away{point.x - foot.x, point.y - foot.y};
+    const double distance_m = std::sqrt(away.x * away.x + away.y * away.y), angle = c * distance_m;
+    const Vec2d outwards = distance_m > 0.0 ? away * (1.0 / distance_m) : Vec2d{};
+    const double sine = std::sin(angle), cosine = std::cos(angle), stretch = 1.0 + c * point.z;
+    const double sideways = stretch * (angle < 1e-9 ? 1.0 : sine / angle);
+    const double receding = velocity.x * outwards.x + velocity.y * outwards.y;
+    const double along = receding * (stretch * cosine - sideways) + velocity.z * sine;
+    return {velocity.x * sideways + outwards.x * along, velocity.y * sideways + outwards.y * along,
+            velocity.z * cosine - receding * stretch * sine};
+  }
+
   /// Sine of the grazing angle: of the ray's angle above the horizontal at the point, not of the depression angle at
   /// the radar (docs/physics/curved_earth.md, Eq. (5)). Negative beyond the horizon.
   [[nodiscard]] double sin_grazing(double radar_height_m, double point_height_m, double distance_m) const {

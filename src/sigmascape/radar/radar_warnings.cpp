@@ -35,12 +35,18 @@ void check_gate(const Radar& radar, Swath swath, std::vector<std::string>& warni
   const double opens_m = radar.receiver.first_range_m.value_or(swath.near_m);
   const double until_next_pulse_m = opens_m + unambiguous_range_m(radar.waveform.pulse_repetition_hz);
   const double closes_m = std::min(radar.receiver.last_range_m.value_or(until_next_pulse_m), until_next_pulse_m);
-  if (opens_m > swath.far_m || closes_m < swath.near_m) {
-    warnings.push_back(
-        fmt::format("the range gate from {:.4g} to {:.4g} km holds nothing of what is mapped, {:.4g} to "
-                    "{:.4g} km away",
-                    opens_m / 1e3, closes_m / 1e3, swath.near_m / 1e3, swath.far_m / 1e3));
-  }
+  if (opens_m <= swath.far_m && closes_m >= swath.near_m) return;
+  // Maps know echoes by where they come from, pulses by where they fold to.
+  const double gate_m = 0.5 * (opens_m + closes_m), swath_m = 0.5 * (swath.near_m + swath.far_m);
+  const double folds_by_m = folded_near_m(swath_m, gate_m, radar.waveform.pulse_repetition_hz) - swath_m;
+  const bool folds_in = opens_m <= swath.far_m + folds_by_m && closes_m >= swath.near_m + folds_by_m;
+  const std::string but_folded = folds_in
+                                     ? fmt::format(", but in pulses, where it folds to {:.4g} to {:.4g} km",
+                                                   (swath.near_m + folds_by_m) / 1e3, (swath.far_m + folds_by_m) / 1e3)
+                                     : "";
+  warnings.push_back(
+      fmt::format("the range gate from {:.4g} to {:.4g} km holds nothing of what is mapped, {:.4g} to {:.4g} km away{}",
+                  opens_m / 1e3, closes_m / 1e3, swath.near_m / 1e3, swath.far_m / 1e3, but_folded));
 }
 
 void check_eclipsing(const Radar& radar, Swath swath, std::vector<std::string>& warnings) {

@@ -21,8 +21,9 @@ struct MappedGround {
 };
 
 /// What a radar engineer would object to before this radar maps these bins onto cells of `cell_m`, one sentence each:
-/// a swath longer than the unambiguous range, one outside the range gate, one in which the transmitter deafens the
-/// receiver, pulses, and beams of real-beam maps, that on the ground are `narrower_than_cells`.
+/// a swath longer than the unambiguous range, one outside the range gate, be it that pulses fold it in, one in which
+/// the transmitter deafens the receiver, pulses, and beams of real-beam maps, that on the ground are
+/// `narrower_than_cells`.
 [[nodiscard]] std::vector<std::string> radar_warnings(const Radar& radar, const RangeAzimuthGrid& bins,
                                                       const MappedGround& ground, double cell_m);
 

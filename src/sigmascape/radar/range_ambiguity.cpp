@@ -19,6 +19,10 @@ double apparent_range_m(double range_m, double first_range_m, double pulse_repet
   return range_m - times_around(range_m, first_range_m, pulse_repetition_hz) * unambiguous_range_m(pulse_repetition_hz);
 }
 
+double folded_near_m(double range_m, double about_m, double pulse_repetition_hz) {
+  return about_m + std::remainder(range_m - about_m, unambiguous_range_m(pulse_repetition_hz));
+}
+
 double longest_pulse_s(double pulse_repetition_hz) {
   return 0.5 / pulse_repetition_hz;
 }

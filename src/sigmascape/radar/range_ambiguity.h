@@ -7,6 +7,9 @@ namespace sigmascape::radar {
 /// Where an echo from `range_m` appears to a receiver that takes every echo for one between `first_range_m` and an
 /// unambiguous range beyond it.
 [[nodiscard]] double apparent_range_m(double range_m, double first_range_m, double pulse_repetition_hz);
+/// Where pulses show an echo from `range_m` nearest to `about_m`: a multiple of the unambiguous range beside where it
+/// comes from.
+[[nodiscard]] double folded_near_m(double range_m, double about_m, double pulse_repetition_hz);
 /// How many unambiguous ranges lie between where the echo comes from and where it appears: 1 is second time around.
 [[nodiscard]] int times_around(double range_m, double first_range_m, double pulse_repetition_hz);
 /// The longest pulse that may be sent so often: it leaves the receiver half of the time between pulses.

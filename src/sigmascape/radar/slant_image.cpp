@@ -5,7 +5,8 @@
 namespace sigmascape::radar {
 
 Vec2d RangeDopplerImage::place_of(const Motion& in_frame) const {
-  const Motion seen{earth.bent(in_frame.position, {platform.position.x, platform.position.y}), in_frame.velocity_mps};
+  const Vec2d foot{platform.position.x, platform.position.y};
+  const Motion seen{earth.bent(in_frame.position, foot), earth.turned(in_frame.velocity_mps, in_frame.position, foot)};
   const double frequency = radar::doppler_hz(range_rate_mps(platform, seen), wavelength_m(frequency_hz));
   const double half_bin = 0.5 * doppler_hz.step;
   const double folded = folded_hz(frequency, doppler_hz.first - half_bin, pulse_repetition_hz);

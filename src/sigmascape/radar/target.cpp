@@ -7,28 +7,52 @@
 #include "sigmascape/radar/shadow_box.h"
 
 namespace sigmascape::radar {
+namespace {
+
+/// Of a place above the target's own horizontal.
+double elevation_of(Vec3d seen_from, const Target& target, Vec3d position, const CurvedEarth& earth) {
+  const Vec3d away = seen_from - position;
+  const double distance_m = std::hypot(away.x, away.y);
+  if (earth.curvature_per_m() > 0.0 && distance_m > 0.0)
+    return std::asin(std::clamp(earth.sin_grazing(seen_from.z, position.z, distance_m), -1.0, 1.0));
+  const double above_m = dot(away, target.up);
+  return std::atan2(above_m, length(away - target.up * above_m));
+}
+
+}  // namespace
 
 double heading_of(const Target& target, double time_s) {
   const Vec3d velocity = target.track.velocity_at(time_s);
-  const bool moves = velocity.x != 0.0 || velocity.y != 0.0;
-  return moves ? std::atan2(velocity.x, velocity.y) : target.heading_rad;
+  // Along its own horizontal; what is left of a climb straight up is rounding.
+  const Vec3d level = velocity - target.up * dot(velocity, target.up);
+  const bool moves = std::hypot(level.x, level.y) > 1e-9 * length(velocity);
+  return moves ? std::atan2(level.x, level.y) : target.heading_rad;
 }
 
 Motion motion_of(const Target& target, double time_s) {
   return {target.track.position_at(time_s), target.track.velocity_at(time_s)};
 }
 
-Channels mean_rcs_of(const Target& target, Vec3d seen_from, double frequency_hz, double time_s) {
+Target bent(Target target, const CurvedEarth& earth, Vec2d foot, double time_s) {
+  const Vec3d position = target.track.position_at(time_s);
+  target.up = earth.turned({0.0, 0.0, 1.0}, position, foot);
+  target.track = target.track.bent(earth, foot, time_s);
+  return target;
+}
+
+Channels mean_rcs_of(const Target& target, Vec3d seen_from, double frequency_hz, double time_s,
+                     const CurvedEarth& earth) {
   if (const auto* const constant = std::get_if<Channels>(&target.rcs_m2)) return *constant;
-  const Vec3d away = seen_from - target.track.position_at(time_s);
+  const Vec3d position = target.track.position_at(time_s), away = seen_from - position;
   const double azimuth = std::atan2(away.x, away.y) - heading_of(target, time_s);
-  const double elevation = std::atan2(away.z, std::hypot(away.x, away.y));
+  const double elevation = elevation_of(seen_from, target, position, earth);
   return std::get<RcsTable>(target.rcs_m2).at({{azimuth, elevation}, frequency_hz});
 }
 
-Channels rcs_of(const Target& target, Vec3d seen_from, double frequency_hz, const Moment& moment) {
+Channels rcs_of(const Target& target, Vec3d seen_from, double frequency_hz, const Moment& moment,
+                const CurvedEarth& earth) {
   const auto factor = static_cast<float>(fluctuation(target.fluctuation, target.seed, moment.dwell, moment.pulse));
-  return mean_rcs_of(target, seen_from, frequency_hz, moment.time_s) * factor;
+  return mean_rcs_of(target, seen_from, frequency_hz, moment.time_s, earth) * factor;
 }
 
 Target weakened(Target target, double part) {

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "sigmascape/radar/complex_channels.h"
+#include "sigmascape/radar/curved_earth.h"
 #include "sigmascape/radar/doppler.h"
 #include "sigmascape/radar/rcs_table.h"
 #include "sigmascape/radar/swerling.h"
@@ -25,6 +26,9 @@ struct Target {
   /// Length along its heading, width and height of a box about its foot that keeps the radar from seeing the ground
   /// behind it; without, it casts no shadow. Its foot is half the height below the phase centre.
   Vec3d size_m = {};
+  /// Its own vertical in the frame of its track, from which elevations count: another one where that is a straight
+  /// space over an Earth that curves.
+  Vec3d up = {0.0, 0.0, 1.0};
 };
 
 /// When a target is looked at: fluctuation of cases 1 and 3 goes by dwells, that of 2 and 4 by pulses within them.
@@ -38,10 +42,16 @@ struct Moment {
 /// Where its nose points, clockwise from true north.
 [[nodiscard]] double heading_of(const Target& target, double time_s);
 
-/// Cross-section as seen from a place, the mean of its fluctuation.
-[[nodiscard]] Channels mean_rcs_of(const Target& target, Vec3d seen_from, double frequency_hz, double time_s);
+/// The target in the straight space under a foot, place, velocity and vertical right at that time.
+[[nodiscard]] Target bent(Target target, const CurvedEarth& earth, Vec2d foot, double time_s);
+
+/// Cross-section as seen from a place, the mean of its fluctuation. `earth`: over which rays come where place and track
+/// are of the local frame; in a straight space they are straight.
+[[nodiscard]] Channels mean_rcs_of(const Target& target, Vec3d seen_from, double frequency_hz, double time_s,
+                                   const CurvedEarth& earth = CurvedEarth::flat());
 /// The same at a moment, fluctuation included.
-[[nodiscard]] Channels rcs_of(const Target& target, Vec3d seen_from, double frequency_hz, const Moment& moment);
+[[nodiscard]] Channels rcs_of(const Target& target, Vec3d seen_from, double frequency_hz, const Moment& moment,
+                              const CurvedEarth& earth = CurvedEarth::flat());
 
 /// The same target with so small a part of its cross-section, however that is given.
 [[nodiscard]] Target weakened(Target target, double part);

@@ -29,9 +29,11 @@ Track Track::through(std::vector<WayPoint> way_points, std::string_view where) {
   return track;
 }
 
-Track Track::shifted(Vec3d by_m) const {
+Track Track::bent(const CurvedEarth& earth, Vec2d foot, double time_s) const {
+  const Vec3d here = position_at(time_s), there = earth.bent(here, foot);
   Track track = *this;
-  for (WayPoint& point : track.way_points_) point.position = point.position + by_m;
+  for (WayPoint& point : track.way_points_) point.position = there + earth.turned(point.position - here, here, foot);
+  track.velocity_mps_ = earth.turned(velocity_mps_, here, foot);
   return track;
 }
 

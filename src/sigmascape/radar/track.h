@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sigmascape/base/vec.h"
+#include "sigmascape/radar/curved_earth.h"
 
 namespace sigmascape::radar {
 
@@ -24,8 +25,9 @@ class Track {
   /// Throws Error, naming `where`, when there is no way-point or times do not increase.
   [[nodiscard]] static Track through(std::vector<WayPoint> way_points, std::string_view where = "track");
 
-  /// The same way, elsewhere.
-  [[nodiscard]] Track shifted(Vec3d by_m) const;
+  /// The same way in the straight space under a foot, turned like the ground that it has below it at that time: place
+  /// and velocity of that time are right, and as nearly those of other times as the Earth is flat over the way between.
+  [[nodiscard]] Track bent(const CurvedEarth& earth, Vec2d foot, double time_s) const;
   /// The same motion, with that moment as time zero.
   [[nodiscard]] Track counted_from(double time_s) const;
 

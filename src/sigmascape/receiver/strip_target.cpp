@@ -159,17 +159,24 @@ std::optional<Believed> middle_of(const Band& band, const Subband& part) {
   return std::nullopt;
 }
 
-/// `turns_beside`: of the phase by which the place of this part of a squinted strip differs from that of the whole
-/// target, so that parts at several places add up.
+/// Turns of the phase by which a place of a squinted strip differs from another one. Images have −2 r_c/λ at every
+/// place; a point at rest has that of the middle of the band, −2 (r_c cos φ + s sin φ)/λ.
+double turns_beside(const Believed& other, const Believed& about, const StripProcessing& processing) {
+  const double along_m = about.along_m - other.along_m, outwards_m = about.closest_range_m - other.closest_range_m;
+  return 2.0 * ((1.0 - std::cos(processing.squint_rad)) * outwards_m - std::sin(processing.squint_rad) * along_m) /
+         processing.wavelength_m;
+}
+
+/// `turns_of_place`: those beside the place of the whole target, so that parts at several places add up.
 Series series_of(const StripTarget& target, const Band& band, const Subband& part, const Believed& about,
-                 double turns_beside) {
+                 double turns_of_place) {
   const std::size_t samples = band.size();
   std::vector<std::complex<float>> left_over(samples);
   for (std::size_t n = 0; n < samples; ++n) {
     const double place = part_of_band(n, samples), weight = part.weight(place);
     if (!band[n] || weight == 0.0) continue;
     const double turns =
-        band[n]->turns - target.turns_of_rest(place, about.along_m, about.closest_range_m) + turns_beside;
+        band[n]->turns - target.turns_of_rest(place, about.along_m, about.closest_range_m) + turns_of_place;
     left_over[n] = std::complex<float>(
         std::polar(band[n]->voltage * weight / static_cast<double>(samples), 2.0 * pi * std::remainder(turns, 1.0)));
   }
@@ -241,7 +248,6 @@ std::vector<StripPart> strip_parts(const radar::Target& target, const StripProce
   Band band = band_of(strip, fold, samples);
   if (by_pulse || !changes_by_pulse) fluctuate(band, target, processing.dwell, by_pulse);
 
-  const double turns_a_metre = -2.0 * std::sin(processing.squint_rad) / processing.wavelength_m;
   const auto whole = middle_of(band, {});
   std::vector<Series> all;
   float brightest = 0.0F;
@@ -249,7 +255,7 @@ std::vector<StripPart> strip_parts(const radar::Target& target, const StripProce
     const Subband part{number, static_cast<std::size_t>(subbands)};
     const auto about = middle_of(band, part);
     if (!about || !whole) return {};
-    all.push_back(series_of(strip, band, part, *about, turns_a_metre * (about->along_m - whole->along_m)));
+    all.push_back(series_of(strip, band, part, *about, turns_beside(*whole, *about, processing)));
     for (const std::complex<float> point : all.back().points) brightest = std::max(brightest, std::norm(point));
   }
   std::vector<StripPart> parts;

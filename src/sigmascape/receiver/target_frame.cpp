@@ -86,7 +86,7 @@ TargetFrame::Placed TargetFrame::placed(const radar::Target& target, const Targe
 
   const float seen = sight ? sight({position, distance_m, beam}) : 1.0F;
   if (!(seen > 0.0F)) return found;
-  const radar::Channels rcs = radar::rcs_of(target, pose.position, bins_.frequency_hz, moment) * seen;
+  const radar::Channels rcs = radar::rcs_of(target, pose.position, bins_.frequency_hz, moment, pose.earth) * seen;
   const radar::ComplexChannels amplitude =
       radar::steady_amplitude(rcs) * carrier_phase(range_m, wavelength_m(bins_.frequency_hz));
   return {.amplitude_m = {amplitude.vv.real(), amplitude.vv.imag(), amplitude.hh.real(), amplitude.hh.imag(),

@@ -198,11 +198,12 @@ std::vector<radar::Target> targets_seen(const CoherentScene& scene, const radar:
   const Surroundings surroundings{*scene.terrain, obstacles_of(scene.sigma0), radar::earth_of(radar)};
   std::vector<radar::Target> seen;
   for (const radar::Target& target : scene.targets) {
-    const Vec3d position = target.track.position_at(vantage.time_s_for(target));
+    const double time_s = vantage.time_s_for(target);
+    const Vec3d position = target.track.position_at(time_s);
     const double part = part_seen(surroundings, vantage.place_for({position.x, position.y}), position);
     if (!(part > 0.0)) continue;
-    seen.push_back(radar::weakened(target, part));
-    seen.back().track = target.track.shifted(bent(radar, position) - position);
+    seen.push_back(radar::bent(radar::weakened(target, part), radar::earth_of(radar),
+                               {radar.position.x, radar.position.y}, time_s));
   }
   return seen;
 }

@@ -169,12 +169,18 @@ std::vector<std::string> recording_warnings(const radar::Radar& radar, const rad
                far_m = bins.first_range_m + static_cast<double>(bins.ranges) * bins.range_step_m;
   const double opens_m = radar.receiver.first_range_m.value_or(near_m),
                closes_m = radar.receiver.last_range_m.value_or(far_m);
+  const double middle_m = 0.5 * (near_m + far_m), prf_hz = radar.waveform.pulse_repetition_hz;
+  const double folds_by_m = radar::folded_near_m(middle_m, 0.5 * (opens_m + closes_m), prf_hz) - middle_m;
   const double spare_m = 0.1 * (far_m - near_m);
-  if (opens_m < near_m - spare_m || closes_m > far_m + spare_m) {
+  if (opens_m < near_m + folds_by_m - spare_m || closes_m > far_m + folds_by_m + spare_m) {
+    const std::string folded =
+        std::abs(folds_by_m) > 0.5 * radar::unambiguous_range_m(prf_hz)
+            ? fmt::format(" and folded to {:.5g} to {:.5g} km", (near_m + folds_by_m) / 1e3, (far_m + folds_by_m) / 1e3)
+            : "";
     warnings.push_back(fmt::format(
-        "the range gate from {:.5g} to {:.5g} km is wider than what is mapped, {:.5g} to {:.5g} km away, and "
+        "the range gate from {:.5g} to {:.5g} km is wider than what is mapped, {:.5g} to {:.5g} km away{}, and "
         "pulses hold the echoes of mapped ground alone",
-        opens_m / 1e3, closes_m / 1e3, near_m / 1e3, far_m / 1e3));
+        opens_m / 1e3, closes_m / 1e3, near_m / 1e3, far_m / 1e3, folded));
   }
   if (auto missed = targets_outside(radar, targets, opens_m, closes_m)) warnings.push_back(*std::move(missed));
   return warnings;

@@ -48,6 +48,21 @@ TEST(CurvedEarth, RangeAndGrazingAngleAreThoseOfTheTriangleWithTheEarthsCentre) 
   }
 }
 
+TEST(CurvedEarth, TurnsVelocitiesAsPlacesMoveInTheStraightSpace) {
+  constexpr Vec2d foot{300.0, -700.0};
+  constexpr double step_s = 0.01;
+  for (const Vec3d place : {Vec3d{100e3, 20e3, 3000.0}, Vec3d{300.0, 40e3, 10.0}, Vec3d{-9e3, -700.0, 9000.0}}) {
+    for (const Vec3d velocity : {Vec3d{250.0, 0.0, 0.0}, Vec3d{-80.0, 170.0, -12.0}, Vec3d{0.0, 0.0, 30.0}}) {
+      const Vec3d moved =
+          standard.bent(place + velocity * step_s, foot) - standard.bent(place - velocity * step_s, foot);
+      EXPECT_LT(length(standard.turned(velocity, place, foot) - moved * (0.5 / step_s)), 1e-6);
+    }
+  }
+  const Vec3d anything{3.0, 4.0, 5.0};
+  EXPECT_EQ(CurvedEarth::flat().turned(anything, {1e5, 0.0, 0.0}, foot), anything);
+  EXPECT_LT(length(standard.turned(anything, {foot.x, foot.y, 0.0}, foot) - anything), 1e-12);
+}
+
 TEST(CurvedEarth, AtTheHorizonTheGrazingAngleIsZero) {
   const double horizon = standard.horizon_m(1000.0);
   EXPECT_GT(standard.sin_grazing(1000.0, 0.0, horizon - 100.0), 0.0);

@@ -512,5 +512,18 @@ TEST_F(RadarWarnings, TellOpeningAndClosingOfAGateBeyondTheSwath) {
               ::testing::ElementsAre(HasSubstr("the range gate from 100 to 130 km holds nothing")));
 }
 
+/// At 5000 Hz 24.8 to 25.4 km fold by 29.98 km.
+TEST_F(RadarWarnings, TellWhereEchoesFoldIntoAGateBeyondTheSwath) {
+  radar_.receiver.first_range_m = 54e3;
+  radar_.receiver.last_range_m = 56e3;
+  EXPECT_THAT(radar_warnings(radar_, swath(24.8e3, 25.4e3), {24.8e3, 25.4e3, 0.0}, 10.0),
+              ::testing::ElementsAre(HasSubstr("holds nothing of what is mapped, 24.8 to 25.4 km away, but in pulses, "
+                                               "where it folds to 54.78 to 55.38 km")));
+  radar_.receiver.first_range_m = 57e3;
+  radar_.receiver.last_range_m = 58e3;
+  EXPECT_THAT(radar_warnings(radar_, swath(24.8e3, 25.4e3), {24.8e3, 25.4e3, 0.0}, 10.0),
+              ::testing::ElementsAre(::testing::EndsWith("24.8 to 25.4 km away")));
+}
+
 }  // namespace
 }  // namespace sigmascape::radar

@@ -22,6 +22,13 @@ TEST(RangeAmbiguity, FoldsIntoTheIntervalAfterTheGateOpens) {
   EXPECT_EQ(times_around(2e3, 18e3, 10e3), -2);
 }
 
+TEST(RangeAmbiguity, FoldsToTheNearestOfAllPlacesInATrain) {
+  const double fold_m = unambiguous_range_m(10e3);
+  EXPECT_DOUBLE_EQ(folded_near_m(20e3, 18e3, 10e3), 20e3);
+  EXPECT_NEAR(folded_near_m(20e3, 4e3, 10e3), 20e3 - fold_m, 1e-9);
+  EXPECT_NEAR(folded_near_m(2e3, 33e3, 10e3), 2e3 + 2.0 * fold_m, 1e-9);
+}
+
 // A pulse of 10 µs is 1499 m long: from a third of that range a third of the echo is heard.
 TEST(RangeAmbiguity, EclipsedNearThePulsesOnly) {
   const double pulse_m = speed_of_light_mps * 10e-6 / 2.0, fold_m = unambiguous_range_m(1000.0);

@@ -39,6 +39,25 @@ TEST(Track, counts_from_another_moment) {
   }
 }
 
+/// Range rates of straight tracks and of legs, against those of every place bent on its own.
+TEST(Track, bent_has_the_range_rate_of_the_curved_earth) {
+  constexpr CurvedEarth earth;
+  constexpr Vec2d foot{0.0, 0.0};
+  constexpr Vec3d radar{0.0, 0.0, 10e3};
+  constexpr double step_s = 0.01, time_s = 15.0;
+  const Track straight = Track::straight({100e3, 5e3, 2000.0}, {250.0, -40.0, 8.0});
+  const Track legs = Track::through({{10.0, {100e3, 5e3, 2000.0}}, {20.0, {102e3, 5e3, 2100.0}}, {30.0, {0, 0, 0}}});
+  for (const Track& track : {straight, legs}) {
+    const auto range_m = [&](double at_s) { return length(earth.bent(track.position_at(at_s), foot) - radar); };
+    const Track bent = track.bent(earth, foot, time_s);
+    const Vec3d away = bent.position_at(time_s) - radar;
+    EXPECT_NEAR(length(away), range_m(time_s), 1e-6);
+    const double expected_mps = (range_m(time_s + step_s) - range_m(time_s - step_s)) / (2.0 * step_s);
+    EXPECT_NEAR(dot(bent.velocity_at(time_s), normalized(away)), expected_mps, 1e-4);
+    EXPECT_GT(std::abs(dot(track.velocity_at(time_s), normalized(away)) - expected_mps), 0.1) << "left unturned";
+  }
+}
+
 TEST(Track, refuses_way_points_out_of_order) {
   EXPECT_THROW((void)Track::through({}), Error);
   EXPECT_THROW((void)Track::through({{1.0, {}}, {1.0, {1.0, 0.0, 0.0}}}), Error);
@@ -61,6 +80,31 @@ TEST(Target, answers_by_the_aspect_from_its_nose) {
   target.track = Track::straight({});
   target.heading_rad = 0.0;
   EXPECT_NEAR(rcs_of(target, {0.0, 1000.0, 0.0}, 10e9, {}).vv, 1.0, 1e-4);
+}
+
+/// At 100 km the radar stands 0.67° lower over the target's horizontal than the target lies below the radar's, whether
+/// that is reckoned in the local frame or in the straight space, and the nose points where it did.
+TEST(Target, answers_by_the_elevation_over_its_own_horizontal) {
+  constexpr CurvedEarth earth;
+  constexpr Vec3d radar{0.0, 0.0, 10e3}, place{0.0, 100e3, 500.0};
+  RcsTable table;
+  table.azimuths_rad = {0.0, pi};
+  table.elevations_rad = {0.0, radians_from_deg(10.0)};
+  table.frequencies_hz = {10e9};
+  const Channels none{}, of_ten{10.0F, 10.0F, 0.0F, 10.0F};
+  table.rcs_m2 = {none, none, of_ten, of_ten};  // as many square metres as degrees
+  Target target;
+  target.rcs_m2 = table;
+  const double expected_deg = deg_from_radians(std::asin(earth.sin_grazing(radar.z, place.z, 100e3)));
+  ASSERT_LT(expected_deg, deg_from_radians(std::atan2(9500.0, 100e3)) - 0.3);
+  for (const Vec3d velocity : {Vec3d{}, Vec3d{200.0, 0.0, 0.0}, Vec3d{0.0, 0.0, -50.0}}) {
+    target.track = Track::straight(place, velocity);
+    target.heading_rad = 0.5;
+    EXPECT_NEAR(rcs_of(target, radar, 10e9, {}, earth).vv, expected_deg, 1e-3);
+    const Target seen = bent(target, earth, {radar.x, radar.y}, 0.0);
+    EXPECT_NEAR(rcs_of(seen, radar, 10e9, {}).vv, expected_deg, 1e-3);
+    EXPECT_NEAR(heading_of(seen, 0.0), heading_of(target, 0.0), 1e-9);
+  }
 }
 
 TEST(Target, keeps_power_and_correlation_in_its_amplitude) {

@@ -135,6 +135,28 @@ TEST_P(TargetFrameOf, bytes_do_not_depend_on_threads_or_pieces) {
   }
 }
 
+/// Elevations of a table are those over the target's own horizontal.
+TEST_P(TargetFrameOf, a_table_is_read_at_the_grazing_angle_of_the_curved_earth) {
+  const TargetFrameBins bins = bins_of(GetParam());
+  TargetFrame frame(bins);
+  TargetFramePose far = pose;
+  far.earth = {};
+  far.first_range_m = 98e3;
+  radar::RcsTable table;
+  table.azimuths_rad = {0.0, pi};
+  table.elevations_rad = {0.0, radians_from_deg(10.0)};
+  table.frequencies_hz = {frequency_hz};
+  const radar::Channels of_ten{10.0F, 10.0F, 0.0F, 10.0F};
+  table.rcs_m2 = {{}, {}, of_ten, of_ten};  // as many square metres as degrees
+  radar::Target target;
+  target.rcs_m2 = table;
+  target.track = radar::Track::straight({pose.position.x, pose.position.y + 100e3, 20.0});
+  frame.look({&target, 1}, far, {});
+  const auto powers = powers_of(frame, bins);
+  const Moments seen = moments_of(bins, [&](std::size_t bin) { return static_cast<double>(powers[bin]); });
+  EXPECT_NEAR(seen.power, deg_from_radians(std::asin(far.earth.sin_grazing(4000.0, 20.0, 100e3))), 1e-3);
+}
+
 INSTANTIATE_TEST_SUITE_P(SharedAndResponse, TargetFrameOf, ::testing::Bool());
 
 /// None of ten thousand is left out for being weak.

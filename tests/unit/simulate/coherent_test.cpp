@@ -95,6 +95,40 @@ TEST(Pulses, AreRecordedWhereTheAreaIsAtEachOfThem) {
   }
 }
 
+/// Over the curved Earth a mover's range changes as the bent places of its way say, and images look for it at
+/// that Doppler.
+TEST(Pulses, HaveMoversOfTheRangeRateThatTheCurvedEarthGivesThem) {
+  radar::Radar radar = looking_north(radar::Mode::Spotlight);
+  radar.position = {0.0, -80e3, 9000.0};
+  radar.earth_refraction = 4.0 / 3.0;
+  radar::Target mover;
+  mover.track = radar::Track::straight({0.0, 0.0, 1.0}, {30.0, 250.0, 0.0});
+  mover.rcs_m2 = radar::Channels{1e8F, 1e8F, 0.0F, 1e8F};
+  const std::vector<radar::Target> targets{mover};
+  const CoherentScene scene{&level, [](Vec2d, const radar::Aspect&) { return radar::Channels{}; }, targets};
+  const radar::CurvedEarth earth = radar::earth_of(radar);
+  const auto range_m = [&](double time_s) {
+    return length(earth.bent(mover.track.position_at(time_s), {radar.position.x, radar.position.y}) -
+                  (radar.position + radar.velocity_mps * time_s));
+  };
+  const auto brightest = [](const auto& row) {
+    return std::ranges::max(row, {}, [](const radar::ComplexChannels& sample) { return std::norm(sample.vv); }).vv;
+  };
+  const auto history = phase_history(scene, radar, area, {.interval_s = 0.02});
+  const std::size_t last = history.samples.rows() - 1;
+  const double first_s = history.pulses.front().time_s, last_s = history.pulses.back().time_s;
+  const double turns = 2.0 * (range_m(last_s) - range_m(first_s)) / wavelength_m(radar.frequency_hz);
+  const double measured = std::arg(brightest(history.samples.row(0)) * std::conj(brightest(history.samples.row(last))));
+  EXPECT_NEAR(std::remainder(measured / (2.0 * pi) - turns, 1.0), 0.0, 0.05);
+
+  const auto image = range_doppler_image(scene, radar, area, {.interval_s = 0.5});
+  const double rate_mps = (range_m(0.01) - range_m(-0.01)) / 0.02;
+  const double doppler_hz = -2.0 * rate_mps / wavelength_m(radar.frequency_hz);
+  const double seen_hz =
+      image.doppler_hz.middle_of(image.place_of({mover.track.position_at(0.0), mover.track.velocity_at(0.0)}).x);
+  EXPECT_NEAR(std::remainder(seen_hz - doppler_hz, radar.waveform.pulse_repetition_hz), 0.0, 1.0);
+}
+
 /// A helicopter among hills: what is as high as it, on the near edge, is nearer than the valley and the ridge.
 TEST(Pulses, AreRecordedFromGroundAsHighAsTheRadar) {
   terrain::HeightField hills = level;

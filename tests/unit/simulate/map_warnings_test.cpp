@@ -129,6 +129,20 @@ TEST(RecordingWarnings, TellOfWhatIsNotInThePulses) {
   EXPECT_THAT(told(false), ElementsAre(::testing::StartsWith("the range gate from 15 to 20.")));
 }
 
+/// 20.2 km away, the area folds by 15 km at 10 kHz: a gate of 4.7 to 5.8 km is as long as its echoes, one from 3 km
+/// not.
+TEST(RecordingWarnings, KnowIntoWhichGateEchoesFold) {
+  radar::Radar radar = with_elevation_beam(-8.5);
+  radar.waveform.pulse_repetition_hz = 10e3;
+  radar.receiver.first_range_m = 4.7e3;
+  radar.receiver.last_range_m = 5.8e3;
+  EXPECT_THAT(recording_warnings(radar, extent, level, false), IsEmpty());
+  radar.receiver.first_range_m = 3e3;
+  EXPECT_THAT(recording_warnings(radar, extent, level, false),
+              ElementsAre(::testing::AllOf(::testing::StartsWith("the range gate from 3 to 5.8 km is wider"),
+                                           ::testing::HasSubstr("km away and folded to 4.7"))));
+}
+
 TEST(RecordingWarnings, TellOfTargetsOutsideTheGate) {
   radar::Radar radar = with_elevation_beam(-8.5);
   radar.waveform.pulse_repetition_hz = 1000.0;
