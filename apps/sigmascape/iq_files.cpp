@@ -48,20 +48,23 @@ simulate::CoherentSettings settings_of(const IqFiles& files, const IqRequest& re
 
 }  // namespace
 
-void add_iq_options(Command command, IqFiles& files) {
+std::vector<MannerOption> add_iq_options(Command command, IqFiles& files) {
   command.add_option("--iq", files.file,
                      "pulses as complex numbers to write, from the atlas (.npy, .npz, .h5 or .sigmf-meta)");
-  command.add_option("--interval-s", files.interval_s, "time over which --iq records pulses")
-      .capture_default_str()
-      .check(number_within(1e-6, 1e4));
+  const auto interval = command.add_option("--interval-s", files.interval_s, "time over which --iq records pulses")
+                            .capture_default_str()
+                            .check(number_within(1e-6, 1e4));
   command.add_option("--slant-image", files.slant_image,
                      "complex image of a coherent mode in slant geometry to write (endings as for --iq)");
-  command
-      .add_option("--iq-unit", files.unit,
-                  "of --iq: V, behind the antenna and with the receiver's thermal noise, or m, the root of "
-                  "cross-sections without")
-      .capture_default_str()
-      .check(one_of({"m", "V"}));
+  const auto unit =
+      command
+          .add_option("--iq-unit", files.unit,
+                      "of --iq: V, behind the antenna and with the receiver's thermal noise, or m, the root of "
+                      "cross-sections without")
+          .capture_default_str()
+          .check(one_of({"m", "V"}));
+  const auto has_pulses = [&files] { return !files.file.empty(); };
+  return {{interval, "--interval-s", "--iq", has_pulses}, {unit, "--iq-unit", "--iq", has_pulses}};
 }
 
 double texture_frequency_hz(const atlas::AspectGrid& aspects, const radar::Radar& radar, bool extrapolate) {

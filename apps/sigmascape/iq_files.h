@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "command_parser.h"
+#include "idle_options.h"
 #include "map_files.h"
 
 #include "sigmascape/atlas/aspect_grid.h"
@@ -24,7 +25,8 @@ struct IqFiles {
   std::string slant_image;
 };
 
-void add_iq_options(Command command, IqFiles& files);
+/// Returns those that are of --iq alone.
+[[nodiscard]] std::vector<MannerOption> add_iq_options(Command command, IqFiles& files);
 
 /// What the atlas, the scene's terrain and the radar make of it.
 struct IqRequest {

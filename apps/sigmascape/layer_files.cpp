@@ -12,14 +12,23 @@
 #include "sigmascape/product/reprojection.h"
 #include "sigmascape/scene/obstacle_raster.h"
 #include "sigmascape/simulate/layers.h"
+#include "sigmascape/simulate/mode_image.h"
 
 namespace sigmascape::cli {
 namespace {
 
+simulate::LayerKind shape_in(const std::string& name) {
+  try {
+    return simulate::layer_kind(name);
+  } catch (const Error& unknown) {
+    throw Error("--layers", unknown.what(), "at level of detail 0 there are bounce1 to bounce9 and multibounce too");
+  }
+}
+
 std::vector<simulate::LayerKind> shapes_in(const std::vector<std::string>& names) {
   std::vector<simulate::LayerKind> kinds;
   for (const std::string& name : names) {
-    if (!dataset::tells_bounces(name)) kinds.push_back(simulate::layer_kind(name));
+    if (!dataset::tells_bounces(name)) kinds.push_back(shape_in(name));
   }
   return kinds;
 }
@@ -60,7 +69,7 @@ void add_layer_options(Command command, LayerFiles& files) {
   command.add_option("--layers-out", files.file, "GeoTIFF to write them to, a band for each");
 }
 
-void check(const LayerFiles& files, int level_of_detail, int max_bounces) {
+void check(const LayerFiles& files, int max_bounces) {
   if (files.names.empty() && files.file.empty()) return;
   if (files.names.empty()) throw Error("--layers", "is missing beside --layers-out", "name the layers to write");
   if (files.file.empty()) throw Error("--layers-out", "is missing beside --layers", "name the file to write");
@@ -68,12 +77,23 @@ void check(const LayerFiles& files, int level_of_detail, int max_bounces) {
   (void)shapes_in(files.names);
   for (const std::string& name : files.names) {
     if (std::ranges::count(files.names, name) > 1) throw Error("--layers", "names " + name + " twice", "name it once");
-    if (level_of_detail > 0 && dataset::tells_bounces(name))
-      throw Error("layer \"" + name + "\"", "is not in an atlas, where all bounces are one sum", "use --lod 0");
     if (dataset::bounce_order(name) > static_cast<std::size_t>(max_bounces))
       throw Error("layer \"" + name + "\"", fmt::format("is of more bounces than are traced, {}", max_bounces),
                   "raise --bounces");
   }
+}
+
+void check(const LayerFiles& files, int level_of_detail, radar::Mode mode) {
+  const auto told = std::ranges::find_if(files.names, dataset::tells_bounces);
+  if (told == files.names.end()) return;
+  const std::string where = "layer \"" + *told + "\"";
+  if (mode != radar::Mode::RealBeam) {
+    throw Error(where,
+                fmt::format("is not in an atlas, where all bounces are one sum, and {} has no other source",
+                            simulate::word_for(mode)),
+                "leave it out, take the [mode] out of the radar file, or trace it by Python's sigmascape.layers");
+  }
+  if (level_of_detail > 0) throw Error(where, "is not in an atlas, where all bounces are one sum", "use --lod 0");
 }
 
 void write_layers(const LayerFiles& files, const scene::Scene& scene, const radar::Radar& radar,

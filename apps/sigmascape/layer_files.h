@@ -21,9 +21,11 @@ struct LayerFiles {
 
 void add_layer_options(Command command, LayerFiles& files);
 
-/// Throws Error when a layer is not known or not to be had at this level of detail or of so few bounces, or when file
-/// or names are missing.
-void check(const LayerFiles& files, int level_of_detail, int max_bounces);
+/// Throws Error when a layer is not known or not to be had of so few bounces, or when file or names are missing.
+void check(const LayerFiles& files, int max_bounces);
+
+/// Throws Error when a layer is not to be had at this level of detail or in this mode.
+void check(const LayerFiles& files, int level_of_detail, radar::Mode mode);
 
 /// Where layers come from: rays over the full scene, or with an atlas what levels of detail from 1 on know. Behind the
 /// boxes of the trace's targets the radar sees nothing, in either.

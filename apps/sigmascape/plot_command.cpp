@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 #include <iterator>
 #include <numeric>
+#include <tuple>
 #include <utility>
 
 #include "command.h"
@@ -61,6 +62,8 @@ void finish(const PlotOptions& options, const product::Plot& plot, const Output&
 
 std::vector<scatter::Material> wanted_materials(const PlotOptions& options) {
   std::vector<scatter::Material> materials;
+  if (options.materials.empty() && options.scene.empty())
+    throw Error("MATERIAL", "is missing", "name materials, or a scene with --scene");
   if (options.materials.empty()) {
     const auto used = scene::read_scene(options.scene).materials;
     std::ranges::remove_copy_if(used, std::back_inserter(materials), &scatter::Material::is_medium);
@@ -73,6 +76,16 @@ std::vector<scatter::Material> wanted_materials(const PlotOptions& options) {
   return materials;
 }
 
+radar::Rectangle with_ends_in_order(const radar::Rectangle& area) {
+  for (const auto& [lower, lower_m, upper, upper_m] :
+       {std::tuple("west", area.west_m, "east", area.east_m), {"south", area.south_m, "north", area.north_m}}) {
+    if (lower_m > upper_m)
+      throw Error("--area", fmt::format("has {} at {:g} m and {} at {:g} m", lower, lower_m, upper, upper_m),
+                  "exchange the two: the order is west, south, east, north");
+  }
+  return area;
+}
+
 radar::Rectangle area_of(const std::string& word) {
   std::array<double, 4> sides{};
   const char *at = word.data(), *const end = at + word.size();
@@ -81,7 +94,7 @@ radar::Rectangle area_of(const std::string& word) {
     const auto [stopped, fault] = std::from_chars(at, end, sides[i]);
     if (fault != std::errc{} || !std::isfinite(sides[i])) break;
     at = stopped;
-    if (i + 1 == sides.size() && at == end) return {sides[0], sides[1], sides[2], sides[3]};
+    if (i + 1 == sides.size() && at == end) return with_ends_in_order({sides[0], sides[1], sides[2], sides[3]});
   }
   throw Error("--area", "is " + word, "give west, south, east and north in metres, with commas between: -200,-200,0,0");
 }
@@ -180,7 +193,8 @@ void add_plot_command(Command app, Output& output) {
   add_polarization_option(sigma0, options->polarization);
   sigma0.callback([options, &output] {
     const auto materials = wanted_materials(*options);
-    if (materials.empty()) throw Error("MATERIAL", "is missing", "name a material, or a scene with --scene");
+    if (materials.empty())
+      throw Error(options->scene, "is made of no material that has a surface", "name materials to plot");
     finish(*options, sigma0_plot(materials, options->frequency_ghz * 1e9, options->polarization), output);
   });
 

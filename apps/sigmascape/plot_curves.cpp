@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/base/units.h"
@@ -18,7 +19,7 @@ using product::PlotSeries;
 
 /// σ0 of no more than this, −80 dB, is none.
 constexpr double least_power = 1e-8;
-/// What lies deeper is not drawn: zeros of a response have no decibels.
+/// What lies so far below the highest point is not drawn: about zeros of a response decibels go down without end.
 constexpr double deepest_db = 80.0;
 
 PlotSeries curve(std::string name) {
@@ -40,12 +41,31 @@ void add_response(PlotSeries& series, double reach, double label_scale, const Re
   for (int i = -steps; i <= steps; ++i) {
     const double offset = reach * i / steps;
     const double power = response(offset);
-    const double db = power > 0.0 ? db_from_linear(power) : -1e9;
-    series.points.emplace_back(offset * label_scale, db);
+    series.points.emplace_back(offset * label_scale, power > 0.0 ? db_from_linear(power) : std::nan(""));
   }
-  double highest = -1e9;
-  for (const auto& point : series.points) highest = std::max(highest, point.second);
-  for (auto& point : series.points) point.second = std::max(point.second, highest - deepest_db);
+}
+
+/// The same plot, drawn from `deepest_db` below its highest point on and over all its places, drawn or not.
+Plot down_to_floor(Plot plot) {
+  double highest = -std::numeric_limits<double>::infinity();
+  for (const PlotSeries& series : plot.series) {
+    for (const auto& point : series.points)
+      if (point.second > highest) highest = point.second;
+  }
+  plot.y_floor = highest - deepest_db;
+  const auto& places = plot.series.front().points;
+  plot.x_ends = {places.front().first, places.back().first};
+  return plot;
+}
+
+double sigma0_db(double power) {
+  return power > least_power ? db_from_linear(power) : std::nan("");
+}
+
+/// A curve that none is left to draw of is told by its name, or it would be missed.
+void name_what_is_not_seen(PlotSeries& series) {
+  if (std::ranges::none_of(series.points, [](const auto& point) { return std::isfinite(point.second); }))
+    series.name += fmt::format(" (below {:.0f} dB)", db_from_linear(least_power));
 }
 
 /// Densities of values over bins from 0 to `highest`; what lies above or, as resampled maps have it beside bright
@@ -89,8 +109,7 @@ double sigma0_db(const atlas::Atlas& atlas, Vec2d point, const radar::Aspect& as
   radar::Channels sigma0 = atlas.sigma0_at(point, aspect, frequency_hz, 0.0);
   if (const atlas::GroundLayers* ground = atlas.ground_layers())
     sigma0 += ground->sigma0.sigma0_at(point, aspect, frequency_hz, 0.0);
-  const auto power = static_cast<double>(sigma0.power(polarization));
-  return power > least_power ? db_from_linear(power) : std::nan("");
+  return sigma0_db(static_cast<double>(sigma0.power(polarization)));
 }
 
 }  // namespace
@@ -98,14 +117,16 @@ double sigma0_db(const atlas::Atlas& atlas, Vec2d point, const radar::Aspect& as
 Plot sigma0_plot(std::span<const scatter::Material> materials, double frequency_hz, radar::Polarization polarization) {
   Plot plot = decibel_plot(fmt::format("{} at {:g} GHz", product::polarization_name(polarization), frequency_hz / 1e9),
                            "grazing angle [°]", "σ0 [dB]");
+  plot.x_ends = {0.5, 89.5};
   for (const scatter::Material& material : materials) {
     const scatter::SurfaceModel surface(material, frequency_hz);
     PlotSeries& series = plot.series.emplace_back(curve(material.name + (material.verified ? "" : " (not verified)")));
     for (double grazing_deg = 0.5; grazing_deg < 90.0; grazing_deg += 0.5) {
       const auto power =
           static_cast<double>(scatter::surface_sigma0(surface, radians_from_deg(grazing_deg)).power(polarization));
-      series.points.emplace_back(grazing_deg, power > least_power ? db_from_linear(power) : std::nan(""));
+      series.points.emplace_back(grazing_deg, sigma0_db(power));
     }
+    name_what_is_not_seen(series);
   }
   return plot;
 }
@@ -118,7 +139,7 @@ Plot antenna_plot(const radar::Radar& radar, double reach_rad) {
                [&](double offset) { return pattern.gain(offset, pattern.tilt_rad()); });
   add_response(plot.series.emplace_back(curve("elevation")), reach_rad, deg_from_radians(1.0),
                [&](double offset) { return pattern.gain(0.0, pattern.tilt_rad() + offset); });
-  return plot;
+  return down_to_floor(std::move(plot));
 }
 
 Plot range_response_plot(const radar::Radar& radar, double widths) {
@@ -127,7 +148,7 @@ Plot range_response_plot(const radar::Radar& radar, double widths) {
                            "power [dB below the peak]");
   add_response(plot.series.emplace_back(curve("compressed pulse")), widths * radar.range_resolution_m, 1.0,
                [&](double offset_m) { return response.power(offset_m); });
-  return plot;
+  return down_to_floor(std::move(plot));
 }
 
 Plot azimuth_response_plot(const radar::Radar& radar, double widths) {
@@ -136,7 +157,7 @@ Plot azimuth_response_plot(const radar::Radar& radar, double widths) {
                            "power [dB below the peak]");
   add_response(plot.series.emplace_back(curve("two-way beam")), widths * radar.beam_width_rad, deg_from_radians(1.0),
                [&](double offset) { return pattern.azimuth().two_way_power(offset); });
-  return plot;
+  return down_to_floor(std::move(plot));
 }
 
 Histogram power_histogram(std::span<const double> powers, double looks, std::size_t bins) {
@@ -178,17 +199,19 @@ Plot aspect_plot(const atlas::Atlas& atlas, Vec2d point, double frequency_hz, ra
   Plot plot =
       decibel_plot(fmt::format("{} at x {:g} m, y {:g} m", product::polarization_name(polarization), point.x, point.y),
                    over_elevation ? "elevation [°]" : "azimuth [°]", "σ0 [dB]");
+  const auto highest = static_cast<int>(std::ceil(deg_from_radians(baked.elevations_rad.back())));
+  const int first = over_elevation ? 1 : 0, last = over_elevation ? std::max(60, highest) : 360;
+  plot.x_ends = {first, last};
   for (const double fixed_rad : over_elevation ? baked.azimuths_rad : baked.elevations_rad) {
     PlotSeries& series = plot.series.emplace_back(curve(fmt::format(
         "{} {:g}°", over_elevation ? "azimuth" : "elevation", std::round(deg_from_radians(fixed_rad) * 1e3) / 1e3)));
-    const auto highest = static_cast<int>(std::ceil(deg_from_radians(baked.elevations_rad.back())));
-    const int first = over_elevation ? 1 : 0, last = over_elevation ? std::max(60, highest) : 360;
     for (int degree = first; degree <= last; ++degree) {
       const double angle_rad = radians_from_deg(degree);
       const radar::Aspect aspect =
           over_elevation ? radar::Aspect{fixed_rad, angle_rad} : radar::Aspect{wrapped_azimuth(angle_rad), fixed_rad};
       series.points.emplace_back(degree, sigma0_db(atlas, point, aspect, frequency_hz, polarization));
     }
+    name_what_is_not_seen(series);
   }
   return plot;
 }

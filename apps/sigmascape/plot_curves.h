@@ -16,6 +16,9 @@ namespace sigmascape::cli {
 [[nodiscard]] product::Plot sigma0_plot(std::span<const scatter::Material> materials, double frequency_hz,
                                         radar::Polarization polarization);
 
+// Pictures of responses end 80 dB below their highest point; their numbers go on, and are not finite where nothing
+// comes back.
+
 /// One-way gain of both cuts through the beam's axis, dB over isotropic, out to `reach_rad` on either side.
 [[nodiscard]] product::Plot antenna_plot(const radar::Radar& radar, double reach_rad);
 

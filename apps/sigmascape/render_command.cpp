@@ -9,6 +9,7 @@
 #include "coherent_render.h"
 #include "command.h"
 #include "files_to_write.h"
+#include "idle_options.h"
 #include "iq_files.h"
 #include "layer_files.h"
 #include "map_files.h"
@@ -113,8 +114,10 @@ std::optional<atlas::Store> atlas_of(const RenderOptions& options, const std::st
   if (options.atlas.empty()) return std::nullopt;
   auto store = atlas::Store::open(options.atlas);
   if (store.description().scene_hash != scene_hash) {
-    throw Error(options.atlas, "was baked from another scene than " + options.scene,
-                "bake this scene, or name the scene that the atlas was made from");
+    throw Error(options.atlas,
+                fmt::format("was baked from another scene than {}, or by a program that reads that file otherwise",
+                            options.scene),
+                "bake this scene with this program, or name the scene that the atlas was made from");
   }
   return store;
 }
@@ -216,7 +219,7 @@ std::array<Written, 10> files_of(const RenderOptions& options) {
 
 /// What names alone tell, before the work.
 void check_files(const RenderOptions& options) {
-  check(options.layers, options.level_of_detail, options.trace.max_bounces);
+  check(options.layers, options.trace.max_bounces);
   check(options.received);
   check(options.iq, !options.atlas.empty());
   for (const std::string& map : {options.map_file, options.power_file})
@@ -232,7 +235,10 @@ void check_files(const RenderOptions& options) {
     const auto named_there = TomlSection::read_file(toml).named_files();
     read.insert(read.end(), named_there.begin(), named_there.end());
   }
-  if (!options.atlas.empty()) read.emplace_back(options.atlas);
+  // A folder that is no atlas has nothing to lose, and is told when it is opened.
+  std::error_code ignored;
+  if (const std::filesystem::path atlas = options.atlas; std::filesystem::exists(atlas / "collection.json", ignored))
+    read.push_back(atlas);
   check_files_to_write(named, read);
 }
 
@@ -293,6 +299,7 @@ void render(RenderOptions options, std::optional<radar::Polarization> polarizati
   const auto radar_file = radar_file_of(options, polarization);
   const auto look = look_of(options, radar_file.radar.polarization);
   check(options.received, look.polarization);
+  check(options.layers, options.level_of_detail, radar_file.radar.mode);
   const scene::Scene scene = scene::read_scene(options.scene);
   const auto added =
       options.targets.empty() ? std::vector<radar::TargetSource>() : radar::read_target_file(options.targets);
@@ -392,28 +399,35 @@ void add_render_command(Command app, Output& output) {
   command.add_option("--power", options->power_file,
                      "mean power of one pulse at the antenna's terminals to write, over the ground map's cells, in W "
                      "(.tif, .npy, .npz)");
-  command.add_flag("--db", options->in_decibels, "write maps in dB, power in dBW, instead of linear");
+  const auto decibels =
+      command.add_flag("--db", options->in_decibels, "write maps in dB, power in dBW, instead of linear");
   command.add_option("--png", options->picture_file, "picture to write");
-  command.add_option("--style", options->style, "grey or scope").capture_default_str().check(one_of({"grey", "scope"}));
-  command.add_option("--span-db", options->span_db, "span of the picture from dark to bright")
-      .capture_default_str()
-      .check(number_within(0.01, 1000.0));
-  command.add_option("--top-db", options->top_db, "sigma0 shown brightest; by default that of the brightest few cells")
-      .check(number_within(-1000.0, 1000.0));
+  const auto style = command.add_option("--style", options->style, "grey or scope")
+                         .capture_default_str()
+                         .check(one_of({"grey", "scope"}));
+  const auto span = command.add_option("--span-db", options->span_db, "span of the picture from dark to bright")
+                        .capture_default_str()
+                        .check(number_within(0.01, 1000.0));
+  const auto top =
+      command
+          .add_option("--top-db", options->top_db, "sigma0 shown brightest; by default that of the brightest few cells")
+          .check(number_within(-1000.0, 1000.0));
   const auto stated = add_polarization_option(command, *polarization);
   command.add_option("--crs", options->crs, "coordinate system of maps and layers: EPSG code, PROJ string or WKT");
-  add_scope_options(command, options->scopes);
+  const auto up = add_scope_options(command, options->scopes);
   add_received_options(command, options->received);
   add_layer_options(command, options->layers);
-  add_iq_options(command, options->iq);
+  const auto of_pulses = add_iq_options(command, options->iq);
   command.add_flag("--extrapolate", options->extrapolate,
                    "at a frequency that was not baked, use the nearest that was");
-  command.add_option("--samples", options->trace.samples_per_cell, "rays a map cell, at level of detail 0")
-      .capture_default_str()
-      .check(count_within(1, 1 << 24));
-  command.add_option("--bounces", options->trace.max_bounces, "surfaces a path may meet, at level of detail 0")
-      .capture_default_str()
-      .check(count_within(1, 255));
+  const auto samples =
+      command.add_option("--samples", options->trace.samples_per_cell, "rays a map cell, at level of detail 0")
+          .capture_default_str()
+          .check(count_within(1, 1 << 24));
+  const auto bounces =
+      command.add_option("--bounces", options->trace.max_bounces, "surfaces a path may meet, at level of detail 0")
+          .capture_default_str()
+          .check(count_within(1, 255));
   add_seed_option(command, options->trace.seed,
                   "names the random numbers: rays at level of detail 0, speckle of coherent modes");
   command
@@ -437,8 +451,22 @@ void add_render_command(Command app, Output& output) {
       "scope\n"
       "  sigmascape render radar.toml --scene town.toml --layers shadow,layover,bounce1,bounce2 --layers-out "
       "layers.tif");
-  command.callback([level, stated, options, polarization, &output] {
+  const auto has_map = [options] { return !options->map_file.empty() || !options->power_file.empty(); };
+  const auto has_picture = [options] {
+    return !options->picture_file.empty() || !options->scopes.ppi.empty() || !options->scopes.b_scope.empty();
+  };
+  const auto is_traced = [options] { return options->level_of_detail == 0; };
+  std::vector<MannerOption> manners = of_pulses;
+  manners.insert(manners.end(), {up,
+                                 {decibels, "--db", "--out or --power", has_map},
+                                 {style, "--style", "--png, --ppi or --b-scope", has_picture},
+                                 {span, "--span-db", "--png, --ppi or --b-scope", has_picture},
+                                 {top, "--top-db", "--png, --ppi or --b-scope", has_picture},
+                                 {samples, "--samples", "--lod 0", is_traced},
+                                 {bounces, "--bounces", "--lod 0", is_traced}});
+  command.callback([level, stated, manners, options, polarization, &output] {
     if (!level.is_given()) options->level_of_detail = options->atlas.empty() ? 0 : 1;
+    refuse_idle(manners);
     render(*options, stated.is_given() ? std::optional(*polarization) : std::nullopt, output);
   });
 }

@@ -57,8 +57,10 @@ std::string text_of(const scene::Scene& scene, const scene::MeshCounts& counts, 
     text += fmt::format("  {:<16}{}\n", name, value);
   };
   const geo::GeographicPosition middle = geo::place_on_globe(scene.frame, scene.extent.centre());
-  line("extent", fmt::format("{:.0f} m x {:.0f} m about {:.5f} N, {:.5f} E", scene.extent.width_m(),
-                             scene.extent.height_m(), middle.latitude_deg, middle.longitude_deg));
+  line("extent", fmt::format("x {:.1f} to {:.1f} m, y {:.1f} to {:.1f} m", scene.extent.west_m, scene.extent.east_m,
+                             scene.extent.south_m, scene.extent.north_m));
+  line("size", fmt::format("{:.0f} m x {:.0f} m about {:.5f} N, {:.5f} E", scene.extent.width_m(),
+                           scene.extent.height_m(), middle.latitude_deg, middle.longitude_deg));
   line("terrain", fmt::format("{} x {} heights every {:.2f} m, {:.1f} to {:.1f} m", scene.terrain.height_m.columns(),
                               scene.terrain.height_m.rows(), scene.terrain.spacing_m, scene.terrain.lowest_m(),
                               scene.terrain.highest_m()));
@@ -66,6 +68,7 @@ std::string text_of(const scene::Scene& scene, const scene::MeshCounts& counts, 
                                  scene.ground.grid.cell_m));
   line("buildings", fmt::format("{}", scene.buildings.items.size()));
   line("instances", fmt::format("{} of {} prototypes", scene.instances.size(), scene.prototypes.size()));
+  line("point targets", fmt::format("{}", scene.point_targets.size()));
   if (const auto count = moving(scene); count > 0)
     line("with a speed", fmt::format("{}, which are seen at rest: movers come from a targets file", count));
   line("tallest object", fmt::format("{:.1f} m", scene::tallest_object_m(scene)));

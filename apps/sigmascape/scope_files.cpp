@@ -42,12 +42,14 @@ void write_scope(const std::string& file, radar::GroundMap bins, const product::
 
 }  // namespace
 
-void add_scope_options(Command command, ScopeFiles& files) {
+MannerOption add_scope_options(Command command, ScopeFiles& files) {
   command.add_option("--ppi", files.ppi, "picture of the sector as a plan position indicator shows it");
   command.add_option("--b-scope", files.b_scope, "picture of range over azimuth");
-  command.add_option("--up", files.up, "what is at the top of the plan position indicator: north or heading")
-      .capture_default_str()
-      .check(one_of({"north", "heading"}));
+  const auto up =
+      command.add_option("--up", files.up, "what is at the top of the plan position indicator: north or heading")
+          .capture_default_str()
+          .check(one_of({"north", "heading"}));
+  return {up, "--up", "--ppi", [&files] { return !files.ppi.empty(); }};
 }
 
 void write_scopes(const ScopeFiles& files, const radar::Radar& radar, const radar::RangeAzimuthImage& image,

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "command_parser.h"
+#include "idle_options.h"
 #include "map_files.h"
 
 #include "sigmascape/product/picture.h"
@@ -16,7 +17,8 @@ struct ScopeFiles {
   std::string ppi, b_scope, up = "north";
 };
 
-void add_scope_options(Command command, ScopeFiles& files);
+/// Returns that which is of --ppi alone.
+[[nodiscard]] MannerOption add_scope_options(Command command, ScopeFiles& files);
 
 /// Writes the pictures that were asked for, painted as `look` says, with what `provenance` tells of the image.
 void write_scopes(const ScopeFiles& files, const radar::Radar& radar, const radar::RangeAzimuthImage& image,

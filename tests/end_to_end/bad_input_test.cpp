@@ -129,6 +129,8 @@ TEST_F(BadInput, WhatAMapCannotBeIsRefusedBeforeItIsTraced) {
   EXPECT_THAT(said_of("--snr power.npy --polarization sum"), HasSubstr("cannot give the sum of polarizations"));
   EXPECT_THAT(said_of("--layers shadow,range,shadow --layers-out layers.tif"),
               HasSubstr("--layers: names shadow twice"));
+  EXPECT_THAT(said_of("--layers bounce --layers-out layers.tif"),
+              HasSubstr("class, height; at level of detail 0 there are bounce1 to bounce9 and multibounce too"));
   EXPECT_THAT(said_of("--layers shadow --layers-out layers.png"), HasSubstr("layers.png: would not be known for"));
   EXPECT_THAT(said_to("results --small --finer-samples 1 --out results"), HasSubstr("--finer-samples: is 1"));
   EXPECT_THAT(said_to("results --small --measured none.json --out results"), HasSubstr("none.json: cannot be read"));
@@ -193,6 +195,45 @@ TEST_F(BadInput, OptionsThatContradictOneAnotherAreRefused) {
               HasSubstr("--bounces: is 100; give a whole number from 1 to 64"));
 }
 
+TEST_F(BadInput, OptionsOfWhatIsNotMadeAreRefused) {
+  write_radar();
+  const auto said_of = [&](const std::string& options) {
+    return said_to("render radar.toml --scene none.toml " + options);
+  };
+  EXPECT_THAT(said_of("--interval-s 1"),
+              HasSubstr("--interval-s: is of --iq, which is not asked for; name it or leave this out"));
+  EXPECT_THAT(said_of("--iq-unit m --out map.tif"), HasSubstr("--iq-unit: is of --iq, "));
+  for (const char* look : {"--style grey", "--span-db 40", "--top-db -30"}) {
+    EXPECT_THAT(said_of(fmt::format("{} --out map.tif", look)), HasSubstr("is of --png, --ppi or --b-scope, "));
+    for (const char* picture : {"--png", "--ppi", "--b-scope"})
+      EXPECT_THAT(said_of(fmt::format("{} {} map.png", look, picture)), HasSubstr("none.toml"));
+  }
+  EXPECT_THAT(said_of("--up heading --png map.png"), HasSubstr("--up: is of --ppi, "));
+  EXPECT_THAT(said_of("--db --png map.png"), HasSubstr("--db: is of --out or --power, "));
+  EXPECT_THAT(said_of("--db --power power.tif"), HasSubstr("none.toml"));
+  for (const char* traced : {"--samples 4", "--bounces 2"}) {
+    EXPECT_THAT(said_of(fmt::format("{} --atlas atlas --out map.tif", traced)), HasSubstr("is of --lod 0, "));
+    EXPECT_THAT(said_of(fmt::format("{} --atlas atlas --lod 0 --out map.tif", traced)), HasSubstr("none.toml"));
+  }
+}
+
+// At level 0 these modes have no map, so that it is no way out.
+TEST_F(BadInput, LayersOfBouncesAreRefusedByModeAndLevel) {
+  write_radar();
+  const auto said_of = [&](const std::string& radar) {
+    return said_to(
+        fmt::format("render {} --scene none.toml --atlas atlas --layers bounce1 --layers-out layers.tif", radar));
+  };
+  EXPECT_THAT(said_of("radar.toml"), HasSubstr("layer \"bounce1\": is not in an atlas, where all bounces are one sum; "
+                                               "use --lod 0"));
+  folder_.write("spotlight.toml",
+                "[radar]\nfrequency_ghz = 10\nrange_resolution_m = 4\nbeam_width_deg = 0.1\n"
+                "[position]\nazimuth_deg = 180\nelevation_deg = 20\nslant_range_km = 5\n"
+                "[platform]\nspeed_mps = 100\nheading_deg = 90\n[mode]\nkind = \"spotlight\"\n");
+  EXPECT_THAT(said_of("spotlight.toml"),
+              AllOf(HasSubstr("spotlight"), HasSubstr("sigmascape.layers"), Not(HasSubstr("--lod 0"))));
+}
+
 TEST_F(BadInput, WordsThatAnOptionDoesNotKnowAreToldWithThoseThatItKnows) {
   EXPECT_THAT(said_to("bake none.toml --out atlas --shadows x"),
               HasSubstr("--shadows: is x; choose among baked, run-time"));
@@ -218,7 +259,8 @@ TEST_F(BadInput, WordsThatNoCommandOrOptionIsCalledAreToldWithTheNearest) {
               StartsWith("-out: is no option of plot sigma0; did you mean --out?"));
   EXPECT_THAT(said_to("scene info town.toml --by-the-way"),
               StartsWith("--by-the-way: is no option of scene info; choose among those that --help tells"));
-  EXPECT_THAT(said_to("render radar.toml --scene town.toml --top-db -30"), StartsWith("sigmascape: radar.toml"));
+  EXPECT_THAT(said_to("render radar.toml --scene town.toml --png map.png --top-db -30"),
+              StartsWith("sigmascape: radar.toml"));
 }
 
 // Before anything is traced: at this many rays it would take hours.
@@ -262,7 +304,9 @@ TEST_F(BadInput, WhatADemoCannotMapIsRefusedBeforeItIsBaked) {
                 "[radar]\nfrequency_ghz = 10\nrange_resolution_m = 4\nbeam_width_deg = 0.1\n"
                 "[position]\nazimuth_deg = 180\nelevation_deg = 20\nslant_range_km = 5\n"
                 "[map]\nwest_m = 500\nsouth_m = 500\neast_m = 600\nnorth_m = 600\n");
-  EXPECT_THAT(said_of("--radar elsewhere.toml"), HasSubstr("map area: has no cell in common with the scene"));
+  EXPECT_THAT(said_of("--radar elsewhere.toml"),
+              AllOf(HasSubstr("map area: has no cell in common with the scene"),
+                    HasSubstr("scene's extent, x -100.0 to 100.0 m, y -100.0 to 100.0 m")));
   folder_.write("coarse.toml",
                 "[radar]\nfrequency_ghz = 10\nrange_resolution_m = 4\nbeam_width_deg = 0.1\n"
                 "[position]\nazimuth_deg = 180\nelevation_deg = 20\nslant_range_km = 5\n[map]\ncell_m = 500\n");
@@ -294,6 +338,8 @@ TEST_F(BadInput, AnAtlasAsksForItsLevelOfDetail) {
   const auto scene = write_made_scene(folder_.path("scene"), 200.0, 200.0);
   EXPECT_THAT(said_to(fmt::format("render radar.toml --scene '{}' --atlas none", scene.string())),
               HasSubstr("none/collection.json: is not there"));
+  EXPECT_THAT(said_to(fmt::format("render radar.toml --scene '{}' --atlas . --out map.tif", scene.string())),
+              HasSubstr("collection.json: is not there"));
 }
 
 TEST_F(BadInput, RadarsBeyondTheHorizonOfEverythingAreRefused) {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <fmt/format.h>
@@ -78,6 +79,8 @@ TEST_F(Plots, Sigma0OverGrazingAngleIsTheMaterialsLaw) {
                                   "gamma_db = -15\n[materials.mine]\nbase = \"grass\"\n");
   const Json own = drawn("sigma0 urban mine --frequency-ghz 10 --scene '" + file.string() + "'");
   EXPECT_NEAR(value_at(own.at("series")[0], 30.0), -15.0 + db_from_linear(0.5), 0.02);
+  EXPECT_EQ(run("plot sigma0 --out x.svg"), 1);
+  EXPECT_NE(told().find("MATERIAL: is missing; name materials, or a scene with --scene"), std::string::npos) << told();
   EXPECT_EQ(run("plot sigma0 gras --out x.svg"), 1);
   EXPECT_NE(told().find("grass"), std::string::npos) << told();
 }
@@ -100,6 +103,8 @@ TEST_F(Plots, ResponsesAreThoseOfPulseAndBeam) {
   EXPECT_NEAR(value_at(pulse, 2.0 / 0.8859 * 1.4303), -13.26, 0.02);
   const Json beam = drawn("response '" + radar_file() + "' --along azimuth --widths 2").at("series")[0];
   EXPECT_NEAR(value_at(beam, 0.5), -6.0206, 0.002);
+  // The numbers go on where the picture ends, 80 dB below the peak.
+  EXPECT_NEAR(value_at(beam, 2.0), 16.0 * -6.0206, 0.05);
 }
 
 TEST_F(Plots, HistogramsOfSpeckleFollowTheirDensities) {
@@ -143,6 +148,8 @@ TEST_F(Plots, HistogramsOfSpeckleFollowTheirDensities) {
                   folder_.path("no.svg").string() + "'"),
               0)
         << option;
+  EXPECT_EQ(run("plot histogram '" + folder_.path("map.tif").string() + "' --area 64,0,0,64 --out x.svg"), 1);
+  EXPECT_NE(told().find("--area: has west at 64 m and east at 0 m; exchange the two"), std::string::npos) << told();
   const Json part = drawn("histogram '" + folder_.path("map.tif").string() + "' --area 0,0,64,64");
   EXPECT_EQ(part.at("samples"), 64 * 64);
 }
@@ -164,6 +171,12 @@ TEST_F(Plots, APlaceOfAnAtlasAnswersByAspect) {
   const Json over_elevation = drawn("aspects '" + atlas + "' --at=-10,21 --over elevation", "png");
   EXPECT_EQ(over_elevation.at("series").size(), 4U);
   EXPECT_NEAR(value_at(over_elevation.at("series")[1], 30.0), value_at(high, 90.0), 0.01);
+  // A curve that there is nothing to draw of is told beside its name.
+  const Json crossed = drawn("aspects '" + atlas + "' --at=-10,21 --polarization hv");
+  for (const Json& series : crossed.at("series")) {
+    const bool is_seen = std::ranges::any_of(series.at("y"), [](const Json& y) { return y.is_number(); });
+    EXPECT_EQ(series.at("name").get<std::string>().ends_with(" (below -80 dB)"), !is_seen) << series.at("name");
+  }
   EXPECT_EQ(run("plot aspects '" + atlas + "' --at 900,0 --out x.svg"), 1);
   EXPECT_NE(told().find("lies outside the atlas"), std::string::npos) << told();
 }

@@ -54,7 +54,7 @@ void draw(product::Picture& picture, const Label& label) {
   }
   constexpr std::size_t dot_size = 2, rim = 3;
   const std::size_t width = product::text_width(label.text, dot_size) + 2 * rim;
-  const std::size_t height = product::glyph_height * dot_size + 2 * rim;
+  const std::size_t height = (product::glyph_height + product::glyph_depth) * dot_size + 2 * rim;
   const auto [line_end, middle] = pixel(to);
   const std::size_t column = !label.is_left_of_line ? line_end : line_end - std::min(line_end, width);
   const std::size_t row = middle - std::min(middle, height / 2);

@@ -22,12 +22,13 @@ constexpr Interval anywhere_m{-1e7, 1e7, "m"};
 constexpr Interval bearings_deg{-360.0, 720.0, "degrees clockwise from north"};
 constexpr double farthest_km = 1000.0;
 
-/// How a range is to be written whose first end is the greater: of bearings one across north may be meant.
+/// How a range is to be written whose first end is the greater: of bearings one across north may be meant, or all.
 std::string remedy_of_turned_ends(double first, double last, Interval allowed) {
   const std::string turned = "put the smaller number first";
   if (allowed.unit != bearings_deg.unit) return turned;
-  return fmt::format("write [{:g}, {:g}] for what leads across north, or else {}", first,
-                     last + 360.0 * std::ceil((first - last) / 360.0), turned);
+  const double next_last = last + 360.0 * std::ceil((first - last) / 360.0);
+  if (next_last == first) return fmt::format("write [{:g}, {:g}] for all bearings", last, last + 360.0);
+  return fmt::format("write [{:g}, {:g}] for what leads across north, or else {}", first, next_last, turned);
 }
 
 Range range_of(const TomlSection& section, std::string_view key, Interval allowed) {

@@ -16,7 +16,8 @@ constexpr std::size_t advance = glyph_width + 1;
 
 struct Glyph {
   char32_t letter;
-  std::array<std::uint8_t, glyph_height> rows;  ///< five bits each, the leftmost dot first
+  /// Five bits each, the leftmost dot first; those below the base line only of letters that reach there.
+  std::array<std::uint8_t, glyph_height + glyph_depth> rows;
 };
 
 constexpr Glyph glyphs[] = {
@@ -67,15 +68,15 @@ constexpr Glyph glyphs[] = {
     {U'c', {0b00000, 0b00000, 0b01110, 0b10001, 0b10000, 0b10001, 0b01110}},
     {U'e', {0b00000, 0b00000, 0b01110, 0b10001, 0b11111, 0b10000, 0b01110}},
     {U'f', {0b00110, 0b01001, 0b01000, 0b11100, 0b01000, 0b01000, 0b01000}},
-    {U'g', {0b00000, 0b01101, 0b10011, 0b10001, 0b01111, 0b00001, 0b11110}},
+    {U'g', {0b00000, 0b00000, 0b01111, 0b10001, 0b10001, 0b10001, 0b01111, 0b00001, 0b01110}},
     {U'h', {0b10000, 0b10000, 0b10110, 0b11001, 0b10001, 0b10001, 0b10001}},
     {U'i', {0b00100, 0b00000, 0b01100, 0b00100, 0b00100, 0b00100, 0b01110}},
-    {U'j', {0b00010, 0b00000, 0b00110, 0b00010, 0b00010, 0b10010, 0b01100}},
+    {U'j', {0b00010, 0b00000, 0b00110, 0b00010, 0b00010, 0b00010, 0b00010, 0b10010, 0b01100}},
     {U'l', {0b01100, 0b00100, 0b00100, 0b00100, 0b00100, 0b00100, 0b01110}},
     {U'n', {0b00000, 0b00000, 0b10110, 0b11001, 0b10001, 0b10001, 0b10001}},
     {U'o', {0b00000, 0b00000, 0b01110, 0b10001, 0b10001, 0b10001, 0b01110}},
-    {U'p', {0b00000, 0b11110, 0b10001, 0b10001, 0b11110, 0b10000, 0b10000}},
-    {U'q', {0b00000, 0b01111, 0b10001, 0b10001, 0b01111, 0b00001, 0b00001}},
+    {U'p', {0b00000, 0b00000, 0b11110, 0b10001, 0b10001, 0b10001, 0b11110, 0b10000, 0b10000}},
+    {U'q', {0b00000, 0b00000, 0b01111, 0b10001, 0b10001, 0b10001, 0b01111, 0b00001, 0b00001}},
     {U'r', {0b00000, 0b00000, 0b10110, 0b11001, 0b10000, 0b10000, 0b10000}},
     {U's', {0b00000, 0b00000, 0b01111, 0b10000, 0b01110, 0b00001, 0b11110}},
     {U't', {0b01000, 0b01000, 0b11100, 0b01000, 0b01000, 0b01001, 0b00110}},
@@ -83,7 +84,7 @@ constexpr Glyph glyphs[] = {
     {U'v', {0b00000, 0b00000, 0b10001, 0b10001, 0b10001, 0b01010, 0b00100}},
     {U'w', {0b00000, 0b00000, 0b10001, 0b10001, 0b10101, 0b10101, 0b01010}},
     {U'x', {0b00000, 0b00000, 0b10001, 0b01010, 0b00100, 0b01010, 0b10001}},
-    {U'y', {0b00000, 0b10001, 0b10001, 0b10001, 0b01111, 0b00001, 0b01110}},
+    {U'y', {0b00000, 0b00000, 0b10001, 0b10001, 0b10001, 0b10001, 0b01111, 0b00001, 0b01110}},
     {U'z', {0b00000, 0b00000, 0b11111, 0b00010, 0b00100, 0b01000, 0b11111}},
     {U',', {0b00000, 0b00000, 0b00000, 0b00000, 0b01100, 0b00100, 0b01000}},
     {U':', {0b00000, 0b01100, 0b01100, 0b00000, 0b01100, 0b01100, 0b00000}},
@@ -138,7 +139,7 @@ const Glyph* glyph_of(char32_t letter) {
 
 void draw_glyph(Array2D<Rgba>& pixels, std::size_t column, std::size_t row, const Glyph& glyph, std::size_t dot_size,
                 Rgba ink) {
-  for (std::size_t y = 0; y < glyph_height; ++y) {
+  for (std::size_t y = 0; y < glyph_height + glyph_depth; ++y) {
     for (std::size_t x = 0; x < glyph_width; ++x) {
       if (((glyph.rows[y] >> (glyph_width - 1 - x)) & 1U) == 0) continue;
       fill_rectangle(pixels, {column + x * dot_size, row + y * dot_size, dot_size, dot_size}, ink);

@@ -8,10 +8,12 @@
 
 namespace sigmascape::product {
 
-/// Letters of 5 × 7 dots for the few words on legends and plots: digits, the Latin alphabet, common signs and σ, ψ, λ,
-/// °, ². Text is UTF-8; letters lose their accents, other characters are question marks.
+/// Letters of 5 × 7 dots, and two more for what hangs below the base line, for the few words on legends and plots:
+/// digits, the Latin alphabet, common signs and σ, ψ, λ, °, ². Text is UTF-8; letters lose their accents, other
+/// characters are question marks.
 
-inline constexpr std::size_t glyph_height = 7;
+inline constexpr std::size_t glyph_height = 7;  ///< dots above the base line
+inline constexpr std::size_t glyph_depth = 2;   ///< dots below it
 
 /// Width of a text in pixels, every dot `dot_size` pixels wide.
 [[nodiscard]] std::size_t text_width(std::string_view text, std::size_t dot_size);

@@ -23,6 +23,11 @@ struct Dot {
   double radius = 3.5;
   Rgba ink;
 };
+/// A rectangle by its upper left corner.
+struct Patch {
+  Vec2d corner, size;
+  Rgba ink;  ///< whose alpha says how much of what is below it is covered
+};
 struct Words {
   Vec2d at;  ///< on the base line
   Anchor anchor = Anchor::Start;
@@ -30,11 +35,11 @@ struct Words {
   bool upwards = false;  ///< written from bottom to top
 };
 
-/// Strokes, dots and words on white paper, later ones over earlier ones. Places count from the upper left, x to the
-/// right and y downwards.
+/// Strokes, dots, patches and words on white paper, later ones over earlier ones. Places count from the upper left, x
+/// to the right and y downwards.
 struct Drawing {
   double width = 640.0, height = 400.0;
-  std::vector<std::variant<Stroke, Dot, Words>> marks;
+  std::vector<std::variant<Stroke, Dot, Patch, Words>> marks;
 };
 
 /// As an SVG picture that stands alone.

@@ -27,11 +27,19 @@ class Brush {
   void operator()(const Dot& mark) const {
     line(mark.centre * scale_, mark.centre * scale_, mark.radius * scale_, mark.ink);
   }
+  void operator()(const Patch& patch) const {
+    const Vec2d first = patch.corner * scale_, end = (patch.corner + patch.size) * scale_;
+    for (double y = std::round(first.y); y < std::round(end.y); y += 1.0) {
+      for (double x = std::round(first.x); x < std::round(end.x); x += 1.0)
+        put({x, y}, patch.ink, patch.ink.alpha / 255.0);
+    }
+  }
   void operator()(const Words& words) const {
     const auto dot_size = static_cast<std::size_t>(scale_);
-    Array2D<Rgba> strip(std::max<std::size_t>(1, text_width(words.text, dot_size)), glyph_height * dot_size, paper);
+    Array2D<Rgba> strip(std::max<std::size_t>(1, text_width(words.text, dot_size)),
+                        (glyph_height + glyph_depth) * dot_size, paper);
     draw_text(strip, 0, 0, words.text, dot_size, black);
-    const double width = static_cast<double>(strip.columns()), height = static_cast<double>(strip.rows());
+    const auto width = static_cast<double>(strip.columns()), height = static_cast<double>(glyph_height * dot_size);
     const double before = words.anchor == Anchor::Start ? 0.0 : words.anchor == Anchor::Middle ? width / 2.0 : width;
     const Vec2d at = words.at * scale_;
     for (std::size_t row = 0; row < strip.rows(); ++row) {

@@ -39,6 +39,11 @@ struct SvgWriter {
     return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\" fill=\"{}\"/>\n", dot.centre.x, dot.centre.y,
                        dot.radius, colour(dot.ink));
   }
+  std::string operator()(const Patch& patch) const {
+    return fmt::format(
+        "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"{}\" fill-opacity=\"{:.2f}\"/>\n",
+        patch.corner.x, patch.corner.y, patch.size.x, patch.size.y, colour(patch.ink), patch.ink.alpha / 255.0);
+  }
   std::string operator()(const Words& words) const {
     const std::string place =
         words.upwards ? fmt::format("transform=\"translate({:.1f} {:.1f}) rotate(-90)\"", words.at.x, words.at.y)

@@ -28,7 +28,7 @@ constexpr std::size_t gap = 3;
 constexpr std::size_t between_parts = 24;
 constexpr std::size_t arrow_width = 9;
 constexpr std::size_t look_arrow_length = 13;
-constexpr const char* look_word = "radar";
+constexpr const char* look_word = "look";
 constexpr std::size_t strip_height = 2 * margin + bar_height + gap + glyph_height;
 
 /// The strip below the picture and how far it is filled.
@@ -141,7 +141,7 @@ bool is_on_arrow(double along, double across, double length, double thickness) {
   return along <= tip && std::abs(across) <= 0.7 * (tip - along);
 }
 
-/// Left of the arrow to north: away from the radar, as its waves go and shadows fall.
+/// Left of the arrow to north: the direction of look, away from the radar, as its waves go and shadows fall.
 void draw_look_arrow(Strip& strip, Vec2d away) {
   const std::size_t width = text_width(look_word, strip.dot);
   const std::size_t north_arrow = (arrow_width + between_parts / 2) * strip.dot;

@@ -13,6 +13,8 @@ constexpr double left = 64, right = 16, top = 36, bottom = 56;
 constexpr Rgba colours[] = {{0x00, 0x72, 0xb2}, {0xd5, 0x5e, 0x00}, {0x00, 0x9e, 0x73},
                             {0xcc, 0x79, 0xa7}, {0xe6, 0x9f, 0x00}, {0x56, 0xb4, 0xe9}};
 constexpr Rgba grid_grey{0xdd, 0xdd, 0xdd};
+/// Names are read over it, and curves beneath it are still made out.
+constexpr Rgba behind_names{0xff, 0xff, 0xff, 0xd9};
 
 /// Of the i-th series. When all have been taken they come again darker, and then lighter.
 Rgba colour_of(std::size_t i) {
@@ -107,8 +109,7 @@ class PlotDrawer {
  public:
   explicit PlotDrawer(const Plot& plot)
       : plot_(plot),
-        x_(extent_of(&std::pair<double, double>::first), left, drawing_.width - right, plot.x_is_logarithmic,
-           plot.x_from_zero),
+        x_(x_extent(), left, drawing_.width - right, plot.x_is_logarithmic, plot.x_from_zero),
         y_(extent_of(&std::pair<double, double>::second), drawing_.height - bottom, top, plot.y_is_logarithmic,
            plot.y_from_zero) {}
 
@@ -122,7 +123,7 @@ class PlotDrawer {
  private:
   [[nodiscard]] bool is_shown(const std::pair<double, double>& point) const {
     const bool is_finite = std::isfinite(point.first) && std::isfinite(point.second);
-    return is_finite && (!plot_.x_is_logarithmic || point.first > 0.0) &&
+    return is_finite && point.second >= plot_.y_floor && (!plot_.x_is_logarithmic || point.first > 0.0) &&
            (!plot_.y_is_logarithmic || point.second > 0.0);
   }
   [[nodiscard]] Extent extent_of(double std::pair<double, double>::*coordinate) const {
@@ -131,6 +132,15 @@ class PlotDrawer {
       for (const auto& point : series.points) {
         if (is_shown(point)) extent.add(point.*coordinate);
       }
+    }
+    return extent;
+  }
+
+  [[nodiscard]] Extent x_extent() const {
+    Extent extent = extent_of(&std::pair<double, double>::first);
+    if (plot_.x_ends) {
+      extent.add(plot_.x_ends->first);
+      extent.add(plot_.x_ends->second);
     }
     return extent;
   }
@@ -202,6 +212,7 @@ class PlotDrawer {
       const std::size_t covered = points_within(corner, size);
       if (covered < fewest) fewest = covered, best = corner;
     }
+    drawing_.marks.emplace_back(Patch{best, size, behind_names});
     for (std::size_t k = 0; k < shown; ++k) {
       const std::size_t i = named[k * every];
       const Vec2d at = best + Vec2d{width * static_cast<double>(k / rows), row * static_cast<double>(k % rows + 1)};

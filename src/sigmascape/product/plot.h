@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,10 +23,13 @@ struct Plot {
   bool y_is_logarithmic = false;
   bool x_from_zero = true;  ///< the axis begins at zero even when no point comes near it; not when logarithmic
   bool y_from_zero = true;
+  std::optional<std::pair<double, double>> x_ends = {};  ///< the axis holds both, whether points come near them or not
+  double y_floor = -std::numeric_limits<double>::infinity();  ///< what lies lower is not drawn
   std::vector<PlotSeries> series = {};
 };
 
-/// A picture of 640 × 400 units. Points with a number that is not finite are left out, and break lines.
+/// A picture of 640 × 400 units. Points with a number that is not finite, and those below the floor, are
+/// left out and break lines.
 [[nodiscard]] Drawing drawing_of(const Plot& plot);
 
 /// The plot as an SVG picture that stands alone.

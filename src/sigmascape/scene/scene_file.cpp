@@ -147,8 +147,13 @@ std::optional<PaperSceneOptions> read_paper_options(const TomlSection& root) {
   return options;
 }
 
-/// Returns which of its nodes had no height and were filled.
-terrain::NodeMask add_terrain(Scene& scene, const SceneDescription& described) {
+/// Where the terrain had no heights and was filled.
+struct FilledGround {
+  terrain::NodeMask nodes;
+  geo::Extent around_raster;
+};
+
+FilledGround add_terrain(Scene& scene, const SceneDescription& described) {
   const auto& [source, water, limit] = described.terrain;
   scene.frame = frame_of(described.place, source.raster);
   terrain::ReadTerrain read = terrain::read_terrain(source, scene.frame, extent_in(described.place, scene.frame));
@@ -164,7 +169,47 @@ terrain::NodeMask add_terrain(Scene& scene, const SceneDescription& described) {
   tally.settle(source.raster.file.string(), read.field.height_m.size(), limit, scene.remarks);
   scene.terrain = std::move(read.field);
   scene.extent = scene.terrain.extent();
-  return std::move(read.filled);
+  return {std::move(read.filled), read.around_raster};
+}
+
+/// More of the terrain than this is no hole or two any more.
+constexpr double notable_share_of_holes = 0.03;
+
+/// Slopes and shadows of ground that nobody measured are made up: told where the extent is hardly meant to reach
+/// beyond the raster, and where holes are large. Water that was laid flat needs no heights.
+void note_made_up_ground(Scene& scene, const SceneDescription& described, const FilledGround& filled) {
+  const terrain::HeightField& terrain = scene.terrain;
+  const geo::Extent& raster = filled.around_raster;
+  std::size_t beyond = 0, within = 0;
+  for (std::size_t row = 0; row < filled.nodes.rows(); ++row) {
+    for (std::size_t column = 0; column < filled.nodes.columns(); ++column) {
+      const bool is_water = described.terrain.water &&
+                            terrain.height_m(column, row) == static_cast<float>(described.terrain.water->level_m);
+      if (filled.nodes(column, row) == 0 || is_water) continue;
+      const double x = terrain.west_m + static_cast<double>(column) * terrain.spacing_m,
+                   y = terrain.north_m - static_cast<double>(row) * terrain.spacing_m;
+      const bool is_within = x >= raster.west_m && x <= raster.east_m && y >= raster.south_m && y <= raster.north_m;
+      ++(is_within ? within : beyond);
+    }
+  }
+  const auto share = [&](std::size_t nodes) {
+    return static_cast<double>(nodes) / static_cast<double>(filled.nodes.size());
+  };
+  FlawTally tally;
+  const std::string which = fmt::format("band {}", described.terrain.source.raster.band);
+  if (beyond > 0) {
+    tally.mistake(fmt::format("extent that reaches beyond the raster of heights, whose edge {:.2g} % of the terrain is "
+                              "made up from",
+                              100.0 * share(beyond)),
+                  which);
+  }
+  if (share(within) > notable_share_of_holes) {
+    tally.mistake(fmt::format("raster of heights with holes, whose edges {:.2g} % of the terrain is made up from",
+                              100.0 * share(within)),
+                  which);
+  }
+  tally.settle(described.terrain.source.raster.file.string(), filled.nodes.size(), described.terrain.limit,
+               scene.remarks);
 }
 
 void note_level_without_water(Scene& scene, const SceneDescription& described, const WaterLevel& level) {
@@ -190,13 +235,14 @@ Scene read_scene(const std::filesystem::path& toml) {
   Scene scene;
   scene.name = described.name;
   scene.attribution = described.attribution;
-  const terrain::NodeMask filled = add_terrain(scene, described);
+  const FilledGround filled = add_terrain(scene, described);
   const WaterMask water = add_land_cover(scene, described.land_cover);
   if (const auto& level = described.terrain.water) {
     const std::size_t levelled =
-        level_water(scene.terrain, filled, scene.ground.grid, water, level->level_m, level->within_m);
+        level_water(scene.terrain, filled.nodes, scene.ground.grid, water, level->level_m, level->within_m);
     if (levelled == 0) note_level_without_water(scene, described, *level);
   }
+  note_made_up_ground(scene, described, filled);
   // Objects stand on the terrain, so they come after it is finished; roads paint the ground before anything needs to
   // know it.
   for (const RoadSource& roads : described.roads) add_roads(scene, roads, water);

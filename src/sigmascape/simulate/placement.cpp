@@ -89,7 +89,8 @@ radar::GroundGrid map_grid(const radar::MapRequest& request, const radar::Rectan
                   "make cell_m smaller, or the area larger");
     }
     throw Error("map area", "has no cell in common with the scene",
-                "choose an area within the extent that `sigmascape scene info` prints");
+                fmt::format("choose an area within the scene's extent, x {:.1f} to {:.1f} m, y {:.1f} to {:.1f} m",
+                            extent.west_m, extent.east_m, extent.south_m, extent.north_m));
   }
   return {west, north, request.cell_m, static_cast<std::size_t>(columns), static_cast<std::size_t>(rows)};
 }

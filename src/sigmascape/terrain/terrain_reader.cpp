@@ -177,6 +177,9 @@ ReadTerrain read_terrain(const TerrainSource& source, const geo::LocalFrame& fra
                 "choose a smaller spacing_m or a larger extent");
   }
   ReadTerrain result;
+  const double cell_m = raster.cell_m();
+  result.around_raster = {available.west_m - cell_m, available.south_m - cell_m, available.east_m + cell_m,
+                          available.north_m + cell_m};
   result.unit_is_guess = raster.height_unit().is_guess;
   Array2D<float> heights =
       raster.heights_on({wanted->west_m, wanted->north_m, spacing_m, columns, rows}, frame, source.plausible);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "sigmascape/geo/lattice.h"
 #include "sigmascape/geo/local_frame.h"
 #include "sigmascape/geo/raster.h"
 #include "sigmascape/radar/ground_grid.h"
@@ -29,6 +30,7 @@ struct ReadTerrain {
   HeightField field;
   std::size_t filled_nodes = 0;  ///< had no data, or no plausible ones, and were interpolated
   NodeMask filled;               ///< which those are
+  geo::Extent around_raster;     ///< the smallest that holds the raster, and a cell more on every side
   bool unit_is_guess = false;    ///< as geo::HeightUnit has it
 };
 

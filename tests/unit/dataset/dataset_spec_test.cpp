@@ -107,6 +107,7 @@ TEST_F(DatasetSpecFile, TellsHowToWriteBearingsAcrossNorth) {
                                              "[350, 370] for what leads across north, or else put the smaller number "
                                              "first"));
   EXPECT_THAT(course("[10, -20]"), HasSubstr("write [10, 340] for"));
+  EXPECT_THAT(course("[360, 0]"), HasSubstr("ends before that, at 0; write [0, 360] for all bearings"));
   EXPECT_EQ(course("[350, 370]"), "");
   EXPECT_THAT(fault_of("4", "[noise]\nsnr_db = [20, 10]\n"),
               HasSubstr("noise.snr_db: begins at 20 and ends before that, at 10; put the smaller number first"));

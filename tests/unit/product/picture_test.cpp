@@ -203,7 +203,7 @@ std::array<std::array<int, 2>, 2> ink_of_look_arrow(const std::string& radar_azi
   std::array<std::array<int, 2>, 2> ink{};
   for (std::size_t y = 0; y < 13; ++y) {
     for (std::size_t x = 0; x < 13; ++x) {
-      if (x != 6 && y != 6 && framed.pixels(251 + x, 6 + y).red > 200) ++ink[y / 7][x / 7];
+      if (x != 6 && y != 6 && framed.pixels(255 + x, 6 + y).red > 200) ++ink[y / 7][x / 7];
     }
   }
   return ink;

@@ -122,6 +122,59 @@ TEST(Plot, NumbersThatAreNotFiniteBreakTheLine) {
   EXPECT_EQ(curves, 2U);
 }
 
+TEST(Plot, WhatLiesBelowTheFloorIsLeftOutAndBreaksTheLine) {
+  Plot plot = with_points({{0.0, -10.0}, {1.0, 0.0}, {2.0, -300.0}, {3.0, -5.0}, {4.0, -10.0}});
+  plot.y_floor = -80.0;
+  const Drawing drawing = drawing_of(plot);
+  EXPECT_EQ(marks_of<Dot>(drawing).size(), 4U);
+  std::size_t curves = 0;
+  for (const Stroke& stroke : marks_of<Stroke>(drawing)) curves += stroke.width > 1.0 ? 1 : 0;
+  EXPECT_EQ(curves, 2U);
+  for (const Words& words : marks_of<Words>(drawing)) EXPECT_NE(words.text, "-100") << "the axis ends above it";
+}
+
+TEST(Plot, TheAxisReachesAsFarAsAskedWhereverPointsAre) {
+  Plot plot = with_points({{100.0, 1.0}, {120.0, 2.0}, {360.0, std::nan("")}});
+  plot.x_from_zero = false;
+  plot.x_ends = {0.0, 360.0};
+  std::set<std::string> marks;
+  for (const Words& words : marks_of<Words>(drawing_of(plot))) {
+    if (words.anchor == Anchor::Middle) marks.insert(words.text);
+  }
+  EXPECT_TRUE(marks.contains("0"));
+  EXPECT_TRUE(marks.contains("300"));
+}
+
+TEST(Plot, NamesStandOnPaperOfTheirOwn) {
+  Plot plot = with_points({{0.0, 0.0}, {1.0, 1.0}});
+  plot.series[0].name = "diagonal";
+  const Drawing drawing = drawing_of(plot);
+  const auto patches = marks_of<Patch>(drawing);
+  ASSERT_EQ(patches.size(), 1U);
+  const Vec2d end = patches[0].corner + patches[0].size;
+  for (const Words& words : marks_of<Words>(drawing)) {
+    if (words.text != "diagonal") continue;
+    EXPECT_GT(words.at.x, patches[0].corner.x);
+    EXPECT_LT(words.at.x, end.x);
+    EXPECT_GT(words.at.y, patches[0].corner.y);
+    EXPECT_LT(words.at.y, end.y);
+  }
+  EXPECT_TRUE(std::holds_alternative<Words>(drawing.marks.back())) << "and not beneath it";
+}
+
+TEST(Drawing, PatchesCoverAsMuchAsTheirAlphaSays) {
+  Drawing drawing{.width = 20.0, .height = 10.0, .marks = {}};
+  drawing.marks.emplace_back(Patch{{5.0, 2.0}, {10.0, 6.0}, {0, 0, 0, 255}});
+  drawing.marks.emplace_back(Patch{{5.0, 2.0}, {5.0, 6.0}, {255, 255, 255, 51}});
+  const Picture picture = picture_of(drawing, 1);
+  EXPECT_EQ(picture.pixels(4, 5).red, 255);
+  EXPECT_EQ(picture.pixels(5, 5).red, 51);
+  EXPECT_EQ(picture.pixels(12, 5).red, 0);
+  EXPECT_EQ(picture.pixels(12, 8).red, 255);
+  EXPECT_NE(svg_of(drawing).find("width=\"5.0\" height=\"6.0\" fill=\"#ffffff\" fill-opacity=\"0.20\""),
+            std::string::npos);
+}
+
 TEST(Drawing, ShowsInkWhereAMarkIsAndPaperElsewhere) {
   Drawing drawing{.width = 40.0, .height = 20.0, .marks = {}};
   const Rgba ink{200, 0, 0, 255}, white{255, 255, 255, 255};
@@ -162,6 +215,27 @@ TEST(BitmapFont, HasEveryLetterThatPlotsUse) {
     EXPECT_GT(inked, 1) << letter;
   }
   EXPECT_EQ(text_width("σ0 [°]", 1), text_width("s0 [o]", 1)) << "letters, not bytes, take room";
+}
+
+TEST(BitmapFont, SmallLettersWithATailHangBelowTheBaseLineAndAreNotCapitals) {
+  const auto drawn = [](char letter) {
+    Array2D<Rgba> pixels(5, glyph_height + glyph_depth, {255, 255, 255, 255});
+    draw_text(pixels, 0, 0, std::string(1, letter), 1, {0, 0, 0, 255});
+    return pixels;
+  };
+  const auto ink_in_rows = [](const Array2D<Rgba>& pixels, std::size_t first, std::size_t end) {
+    int ink = 0;
+    for (std::size_t row = first; row < end; ++row) {
+      for (std::size_t column = 0; column < pixels.columns(); ++column) ink += pixels(column, row).red == 0 ? 1 : 0;
+    }
+    return ink;
+  };
+  for (const char letter : {'g', 'p', 'q', 'y'}) {
+    EXPECT_EQ(ink_in_rows(drawn(letter), 0, 2), 0) << letter << " begins where x does";
+    EXPECT_GT(ink_in_rows(drawn(letter), glyph_height, glyph_height + glyph_depth), 1) << letter;
+  }
+  for (const char letter : {'P', 'x', '9'})
+    EXPECT_EQ(ink_in_rows(drawn(letter), glyph_height, glyph_height + glyph_depth), 0) << letter;
 }
 
 TEST(PlotFile, IsSvgOrPngByItsName) {

@@ -69,8 +69,41 @@ TEST(SceneFile, SeaWithoutHeightsIsLevelledUnderCliffsAndALakeInTheHillsIsNot) {
               MadeUpPlace::grid.text([&](double x, double y) { return is_sea(y) || is_lake(x, y) ? 80.0 : 30.0; }));
   const Scene scene = place.read();
   for (const double y_m : {-390.0, -300.0, -225.0}) EXPECT_EQ(scene.terrain.height_at({100.0, y_m}), 0.0) << y_m;
+  EXPECT_EQ(remark_count(scene, "made up from"), 0U) << "the sea is level, and the lake small";
   EXPECT_NEAR(scene.terrain.height_at({0.0, 0.0}), 50.0, 0.2);
   EXPECT_NEAR(scene.terrain.height_at({-100.0, 250.0}), 62.5, 1.0);
+}
+
+std::vector<std::string> likely_mistakes(const Scene& scene) {
+  std::vector<std::string> found;
+  for (const Remark& remark : scene.remarks)
+    if (remark.is_likely_a_mistake) found.push_back(remark.what);
+  return found;
+}
+
+TEST(SceneFile, AnExtentBeyondTheRasterIsLikelyAMistake) {
+  const MadeUpPlace place;
+  const auto with_extent_to = [&](double east_m) {
+    return place.read("", fmt::format("[scene]\n"
+                                      "extent = {{west_m = 0, south_m = -300, east_m = {}, north_m = 100}}\n",
+                                      east_m));
+  };
+  EXPECT_THAT(likely_mistakes(with_extent_to(400.0)), ::testing::IsEmpty());
+  EXPECT_THAT(likely_mistakes(with_extent_to(700.0)),
+              ::testing::Contains(HasSubstr("extent that reaches beyond the raster of heights")));
+}
+
+TEST(SceneFile, LargeHolesOfTheTerrainAreLikelyAMistakeAndSmallOnesAreNot) {
+  const MadeUpPlace place;
+  const auto with_hole_of = [&](double radius_m) {
+    place.write("heights.asc", MadeUpPlace::grid.text([&](double x, double y) {
+      return std::hypot(x - 501'100.0, y - 4'795'500.0) < radius_m ? std::nan("") : 40.0;
+    }));
+    return place.read();
+  };
+  // Of 0.8 km²: 1 % and 9 %.
+  EXPECT_EQ(remark_count(with_hole_of(50.0), "with holes"), 0U);
+  EXPECT_THAT(likely_mistakes(with_hole_of(150.0)), ::testing::Contains(HasSubstr("raster of heights with holes")));
 }
 
 TEST(SceneFile, WaterFarFromTheLevelStaysWhereItIs) {
