@@ -22,10 +22,10 @@ GDALDatasetUniquePtr floats_in_memory(std::string_view what, int columns, int ro
   if (!dataset) fail_to_encode(what);
   place(*dataset, placement);
   for (const auto& [key, value] : metadata) {
-    // GDAL keeps "key=value", and reads a key up to the first sign.
-    if (key.empty() || key.find('=') != std::string::npos) {
+    // GDAL keeps "key=value", and reads a key up to the first equals sign or colon.
+    if (key.empty() || key.find_first_of("=:") != std::string::npos) {
       throw Error(std::string(what), fmt::format("has the metadata key '{}', which a GeoTIFF cannot hold", key),
-                  "name it without an equals sign");
+                  "name it without equals signs and colons");
     }
     dataset->SetMetadataItem(key.c_str(), value.c_str());
   }

@@ -124,6 +124,7 @@ class GltfReader {
     if (accessor.componentType != TINYGLTF_COMPONENT_TYPE_FLOAT || accessor.type != type) {
       throw damaged(fmt::format("its {} states {} by other numbers than floats", instancing, name));
     }
+    if (accessor.count == 0) throw damaged(fmt::format("its {} states no {}", instancing, name));
     const auto size = static_cast<std::size_t>(tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(type)));
     const auto [first, stride] = elements_of(accessor, size * sizeof(float));
     std::vector<std::vector<double>> vectors(accessor.count, std::vector<double>(size));

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <optional>
 #include <vector>
 
 namespace sigmascape::scene {
@@ -43,13 +43,15 @@ NodeMask nodes_under(const WaterMask& water, const radar::GroundGrid& grid, cons
 
 /// Water without heights of its own, in one piece.
 struct Pool {
-  std::vector<std::size_t> nodes;  ///< numbers of those, row by row
-  bool reaches_edge = false;       ///< of the terrain
-  double lowest_shore_m = std::numeric_limits<double>::infinity();
+  std::vector<std::size_t> nodes;        ///< numbers of those, row by row
+  bool reaches_edge = false;             ///< of the terrain
+  std::optional<double> lowest_shore_m;  ///< of ground with heights
 };
 
-/// The pool about a node; what is in it is taken off those that are `left` of all nodes of `pools`.
-Pool pool_about(std::size_t first, const NodeMask& pools, NodeMask& left, const Array2D<float>& heights) {
+/// The pool about a node; what is in it is taken off those that are `left` of all nodes of `pools`. Of its shore what
+/// was filled tells nothing.
+Pool pool_about(std::size_t first, const NodeMask& pools, const NodeMask& filled, NodeMask& left,
+                const Array2D<float>& heights) {
   Pool pool;
   const auto take = [&](std::size_t node) {
     left.values()[node] = 0;
@@ -64,7 +66,10 @@ Pool pool_about(std::size_t first, const NodeMask& pools, NodeMask& left, const 
     for (std::size_t j = down.first; j <= down.last; ++j) {
       for (std::size_t i = across.first; i <= across.last; ++i) {
         if (left(i, j) != 0) take(j * pools.columns() + i);
-        if (pools(i, j) == 0) pool.lowest_shore_m = std::min(pool.lowest_shore_m, static_cast<double>(heights(i, j)));
+        if (filled(i, j) == 0) {
+          const auto shore_m = static_cast<double>(heights(i, j));
+          pool.lowest_shore_m = std::min(pool.lowest_shore_m.value_or(shore_m), shore_m);
+        }
       }
     }
   }
@@ -78,7 +83,7 @@ std::vector<Pool> pools_in(const NodeMask& under_water, const NodeMask& filled, 
   NodeMask left = pools;
   std::vector<Pool> found;
   for (std::size_t node = 0; node < left.size(); ++node) {
-    if (left.values()[node] != 0) found.push_back(pool_about(node, pools, left, heights));
+    if (left.values()[node] != 0) found.push_back(pool_about(node, pools, filled, left, heights));
   }
   return found;
 }
@@ -94,7 +99,7 @@ std::size_t level_water(terrain::HeightField& terrain, const NodeMask& filled, c
     if (std::abs(static_cast<double>(heights.values()[i]) - level_m) > within_m) levelled.values()[i] = 0;
   }
   for (const Pool& pool : pools) {
-    if (!pool.reaches_edge && pool.lowest_shore_m > level_m + within_m) continue;
+    if (!pool.reaches_edge && pool.lowest_shore_m.value_or(level_m) > level_m + within_m) continue;
     for (const std::size_t node : pool.nodes) levelled.values()[node] = 1;
   }
   std::size_t moved = 0;

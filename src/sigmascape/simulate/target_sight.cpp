@@ -10,6 +10,12 @@
 #include "sigmascape/trace/crown_crossings.h"
 
 namespace sigmascape::simulate {
+namespace {
+
+/// What stands exactly on a roof is not in the house, however heights are rounded.
+constexpr double hair_m = 1e-3;
+
+}  // namespace
 
 double highest_m_of(const terrain::HeightField& terrain, const radar::ObstacleMap* obstacles) {
   float tallest_m = 0.0F;
@@ -46,7 +52,7 @@ double part_seen(const Surroundings& surroundings, Vec3d radar_position, Vec3d p
     // Of its own square what lies between the point and the first step.
     const radar::Obstacle own = obstacles->at(place);
     const double above_m = point.z - terrain.height_at(place);
-    if (above_m < static_cast<double>(own.solid_top_m)) return 0.0;
+    if (above_m + hair_m < static_cast<double>(own.solid_top_m)) return 0.0;
     depth += depth_within(own, above_m + 0.25 * step_m * rise, 0.5 * step_m);
   }
   for (double d = step_m; d < distance_m; d += step_m) {

@@ -140,7 +140,7 @@ TEST(RecordingWarnings, KnowIntoWhichGateEchoesFold) {
   radar.receiver.first_range_m = 3e3;
   EXPECT_THAT(recording_warnings(radar, extent, level, false),
               ElementsAre(::testing::AllOf(::testing::StartsWith("the range gate from 3 to 5.8 km is wider"),
-                                           ::testing::HasSubstr("km away and folded to 4.7"))));
+                                           ::testing::HasSubstr("km away and folded to 4.67"))));
 }
 
 TEST(RecordingWarnings, TellOfTargetsOutsideTheGate) {
