@@ -48,10 +48,9 @@ struct Pool {
   std::optional<double> lowest_shore_m;  ///< of ground with heights
 };
 
-/// The pool about a node; what is in it is taken off those that are `left` of all nodes of `pools`. Of its shore what
-/// was filled tells nothing.
-Pool pool_about(std::size_t first, const NodeMask& pools, const NodeMask& filled, NodeMask& left,
-                const Array2D<float>& heights) {
+/// The pool about a node; what is in it is taken off those that are `left` of all pools' nodes. Of its shore what was
+/// filled tells nothing.
+Pool pool_about(std::size_t first, const NodeMask& filled, NodeMask& left, const Array2D<float>& heights) {
   Pool pool;
   const auto take = [&](std::size_t node) {
     left.values()[node] = 0;
@@ -59,13 +58,13 @@ Pool pool_about(std::size_t first, const NodeMask& pools, const NodeMask& filled
   };
   take(first);
   for (std::size_t at = 0; at < pool.nodes.size(); ++at) {
-    const std::size_t column = pool.nodes[at] % pools.columns(), row = pool.nodes[at] / pools.columns();
-    const NodeRange across{std::max<std::size_t>(column, 1) - 1, std::min(column + 1, pools.columns() - 1)},
-        down{std::max<std::size_t>(row, 1) - 1, std::min(row + 1, pools.rows() - 1)};
+    const std::size_t column = pool.nodes[at] % left.columns(), row = pool.nodes[at] / left.columns();
+    const NodeRange across{std::max<std::size_t>(column, 1) - 1, std::min(column + 1, left.columns() - 1)},
+        down{std::max<std::size_t>(row, 1) - 1, std::min(row + 1, left.rows() - 1)};
     pool.reaches_edge = pool.reaches_edge || across.last - across.first < 2 || down.last - down.first < 2;
     for (std::size_t j = down.first; j <= down.last; ++j) {
       for (std::size_t i = across.first; i <= across.last; ++i) {
-        if (left(i, j) != 0) take(j * pools.columns() + i);
+        if (left(i, j) != 0) take(j * left.columns() + i);
         if (filled(i, j) == 0) {
           const auto shore_m = static_cast<double>(heights(i, j));
           pool.lowest_shore_m = std::min(pool.lowest_shore_m.value_or(shore_m), shore_m);
@@ -77,13 +76,12 @@ Pool pool_about(std::size_t first, const NodeMask& pools, const NodeMask& filled
 }
 
 std::vector<Pool> pools_in(const NodeMask& under_water, const NodeMask& filled, const Array2D<float>& heights) {
-  NodeMask pools(under_water.columns(), under_water.rows());
-  std::ranges::transform(under_water.values(), filled.values(), pools.values().begin(),
+  NodeMask left(under_water.columns(), under_water.rows());
+  std::ranges::transform(under_water.values(), filled.values(), left.values().begin(),
                          [](auto under, auto hole) -> std::uint8_t { return under != 0 && hole != 0 ? 1 : 0; });
-  NodeMask left = pools;
   std::vector<Pool> found;
   for (std::size_t node = 0; node < left.size(); ++node) {
-    if (left.values()[node] != 0) found.push_back(pool_about(node, pools, filled, left, heights));
+    if (left.values()[node] != 0) found.push_back(pool_about(node, filled, left, heights));
   }
   return found;
 }
