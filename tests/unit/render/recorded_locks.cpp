@@ -4,6 +4,8 @@
 #include <array>
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
+#include <mutex>
 
 #if !defined(__SANITIZE_THREAD__) && !defined(__SANITIZE_ADDRESS__)
 #include <dlfcn.h>
@@ -14,10 +16,12 @@
 namespace sigmascape::render {
 namespace {
 
-struct Locked {
-  std::atomic<const void*> mutex{nullptr};
-  std::atomic<bool> by_caller{false};
-};
+// A mutex's address, whose lowest bit says that the caller locked it: one word, so that who is preempted while he writes
+// leaves no mutex under another's name.
+using Locked = std::atomic<std::uintptr_t>;
+constexpr std::uintptr_t by_caller_bit = 1;
+static_assert(alignof(std::mutex) > by_caller_bit);
+
 std::array<Locked, 1U << 20U> locked;
 std::atomic<std::size_t> count{0};
 std::atomic<bool> is_recording{false};
@@ -28,8 +32,7 @@ void record(const void* mutex) {
   if (!is_recording) return;
   const std::size_t place = count.fetch_add(1);
   if (place >= locked.size()) return;
-  locked[place].by_caller = is_caller;
-  locked[place].mutex = mutex;
+  locked[place] = reinterpret_cast<std::uintptr_t>(mutex) | (is_caller ? by_caller_bit : 0U);
 }
 #endif
 
@@ -53,9 +56,11 @@ LockedMutexes locked_during(const std::function<void()>& work) {
   LockedMutexes result;
   const std::size_t last = std::min(count.load(), locked.size());
   for (std::size_t place = 0; place < last; ++place) {
-    (locked[place].by_caller ? result.by_caller : result.by_others).insert(locked[place].mutex);
+    const std::uintptr_t entry = locked[place].exchange(0);
+    if (entry == 0) continue;  // claimed, and not yet written
+    auto& mutexes = (entry & by_caller_bit) != 0 ? result.by_caller : result.by_others;
+    mutexes.insert(reinterpret_cast<const void*>(entry & ~by_caller_bit));
   }
-  result.by_others.erase(nullptr);  // recorded while this was read
   return result;
 }
 
