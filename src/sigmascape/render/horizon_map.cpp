@@ -179,13 +179,16 @@ struct Horizon {
     const float top = slope + obstacle.crown_top_m * per_distance;
     if (crowns == nullptr || packed.crown_top == 0 || top <= steepest) return;
     const float base = slope + obstacle.crown_base_m * per_distance;
-    const int pieces = terrain::crown_pieces(step_m * static_cast<double>(std::abs(slope)),
-                                             static_cast<double>(obstacle.crown_top_m - obstacle.crown_base_m));
-    const auto stride_m = static_cast<float>(step_m);
-    const float way_m = stride_m / static_cast<float>(pieces) * std::sqrt(1.0F + slope * slope);
-    const float depth = obstacle.crown_extinction_per_m * way_m;
-    terrain::for_each_piece(pieces, steps.distance_m[i], stride_m,
-                            [&](float nearer) { crowns->add(base * nearer, top * nearer, depth); });
+    CrownOverStride crown{.distance_m = steps.distance_m[i],
+                          .stride_m = static_cast<float>(step_m),
+                          .base_slope = base,
+                          .top_slope = top};
+    if (!crowns->comes_upon(crown)) return;
+    crown.pieces = terrain::crown_pieces(step_m * static_cast<double>(std::abs(slope)),
+                                         static_cast<double>(obstacle.crown_top_m - obstacle.crown_base_m));
+    const float way_m = crown.stride_m / static_cast<float>(crown.pieces) * std::sqrt(1.0F + slope * slope);
+    crown.depth_a_piece = obstacle.crown_extinction_per_m * way_m;
+    crowns->add(crown);
   }
 };
 

@@ -32,7 +32,9 @@ struct Sight {
 [[nodiscard]] inline int crown_pieces(double fall_m, double height_m) {
   // Beyond, what is so flat beside a stride is met by too few lines.
   constexpr double most_a_half = 8.0;
-  return 2 * static_cast<int>(std::clamp(std::ceil(fall_m / std::max(height_m, 1e-3)), 1.0, most_a_half));
+  const double wanted = std::clamp(fall_m / std::max(height_m, 1e-3), 1.0, most_a_half);
+  const auto whole = static_cast<int>(wanted);
+  return 2 * (static_cast<double>(whole) < wanted ? whole + 1 : whole);
 }
 
 /// Calls `visit(nearer)` for the middle of each piece of a stride around `distance_m`, outwards: the slope to what
