@@ -6,6 +6,7 @@
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/machine_memory.h"
 #include "sigmascape/radar/radar_title.h"
+#include "sigmascape/trace/rings_in_sight.h"
 
 namespace sigmascape::simulate {
 namespace {
@@ -37,6 +38,10 @@ void check_aim(const radar::Radar& radar, double highest_m, double cells) {
   }
 }
 
+double cells_of(const trace::LaunchArea& outline) {
+  return trace::aimed_area_m2(outline) / (outline.cell_m * outline.cell_m);
+}
+
 }  // namespace
 
 bool stands_above(double radar_m, double highest_m) {
@@ -52,11 +57,12 @@ void check_above(const radar::Radar& radar, double highest_m) {
   }
 }
 
-double aimed_cells(const trace::SceneGeometry& geometry, const trace::Viewpoint& viewpoint,
-                   const radar::Rectangle& area, double cell_m, const trace::MultibounceReach& reach) {
-  const radar::Rectangle aimed =
-      trace::aimed_extent(viewpoint, area, geometry.lowest_m(), start_height_m(geometry), reach);
-  return aimed.width_m() * aimed.height_m() / (cell_m * cell_m);
+double aimed_cells(const scene::Scene& scene, const trace::SceneGeometry& geometry, const trace::Viewpoint& viewpoint,
+                   const radar::Rectangle& area, double cell_m, const trace::MultibounceReach& reach, double enough) {
+  auto outline = trace::launch_outline(viewpoint, area, cell_m, geometry.lowest_m(), start_height_m(geometry), reach);
+  if (const double cells = cells_of(outline); cells <= enough) return cells;
+  outline.highest_m = trace::RingsInSight(outline, scene, geometry.footing()).highest_m();
+  return cells_of(outline);
 }
 
 trace::LaunchArea launch_for_map(const scene::Scene& scene, const trace::SceneGeometry& geometry,
@@ -64,9 +70,13 @@ trace::LaunchArea launch_for_map(const scene::Scene& scene, const trace::SceneGe
   check_above(radar, geometry.highest_m());
   const auto viewpoint = trace::Viewpoint::located(radar.position);
   const trace::MultibounceReach reach = trace::multibounce_reach(scene, viewpoint, area);
-  check_aim(radar, geometry.highest_m(), aimed_cells(geometry, viewpoint, area, cell_m, reach));
-  auto launch = trace::launch_area(viewpoint, area, cell_m, geometry.lowest_m(), start_height_m(geometry), reach);
-  trace::spare_rays(launch, scene, geometry.footing());
+  auto launch = trace::launch_outline(viewpoint, area, cell_m, geometry.lowest_m(), start_height_m(geometry), reach);
+  const trace::RingsInSight sight(launch, scene, geometry.footing());
+  // A hill far away is not met where paths begin that count.
+  launch.highest_m = sight.highest_m();
+  check_aim(radar, geometry.highest_m(), cells_of(launch));
+  trace::list_cells(launch);
+  trace::spare_rays(launch, sight);
   return launch;
 }
 

@@ -12,10 +12,12 @@ namespace sigmascape::simulate {
 /// Throws Error for a radar that does not stand above what is so high.
 void check_above(const radar::Radar& radar, double highest_m);
 
-/// How many cells trace::aimed_extent holds for a map of `area`: they grow without end where the radar stands hardly
-/// above the highest point of the scene, which it must stand above.
-[[nodiscard]] double aimed_cells(const trace::SceneGeometry& geometry, const trace::Viewpoint& viewpoint,
-                                 const radar::Rectangle& area, double cell_m, const trace::MultibounceReach& reach);
+/// How many cells trace::aimed_area_m2 holds for a map of `area`: they grow without end where the radar stands hardly
+/// above the highest that such a map meets. It must stand above the scene. What the map meets is looked for only where
+/// more than `enough` would lie below the highest point of the scene.
+[[nodiscard]] double aimed_cells(const scene::Scene& scene, const trace::SceneGeometry& geometry,
+                                 const trace::Viewpoint& viewpoint, const radar::Rectangle& area, double cell_m,
+                                 const trace::MultibounceReach& reach, double enough);
 
 /// From where rays go out for a map of `area`: the same for all passes over it. Throws Error for a radar that does not
 /// stand above the scene, and for one so little above it that a list of the cells to aim at would be endless.

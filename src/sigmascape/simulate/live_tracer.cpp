@@ -247,7 +247,8 @@ double LiveTracer::cells_aimed_at(const Look& look) const {
   const auto viewpoint = trace::Viewpoint::located(look.radar);
   const radar::Rectangle& area = look.ground.area;
   const double late_m = trace::late_by_m(tallest_m_, viewpoint, area, scene_.terrain);
-  return aimed_cells(geometry_, viewpoint, area, lattice_cell_m(look), trace::reach_of_late(late_m, occupied_));
+  return aimed_cells(scene_, geometry_, viewpoint, area, lattice_cell_m(look), trace::reach_of_late(late_m, occupied_),
+                     most_aimed_per_traced * tracing_.most_cells);
 }
 
 double LiveTracer::widest_cell_beams() const {

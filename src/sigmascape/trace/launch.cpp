@@ -3,29 +3,21 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "sigmascape/base/units.h"
-#include "sigmascape/radar/ground_stretch.h"
 #include "sigmascape/radar/rectangle_distances.h"
-#include "sigmascape/radar/rectangle_parts.h"
-#include "sigmascape/trace/height_bounds.h"
+#include "sigmascape/trace/launch_tiles.h"
+#include "sigmascape/trace/level_part.h"
+#include "sigmascape/trace/rings_in_sight.h"
 
 namespace sigmascape::trace {
 namespace {
 
 constexpr std::int32_t tile = tile_side_cells;
-
-/// The horizontal part of a direction, of unit length; nothing straight up.
-Vec2d level_part(Vec3d direction) {
-  // Asked once a path: std::hypot would take several times as long to no gain, all being of order one.
-  const double horizontal = std::sqrt(direction.x * direction.x + direction.y * direction.y);
-  return horizontal > 0.0 ? Vec2d{direction.x / horizontal, direction.y / horizontal} : Vec2d{};
-}
 
 /// The target and all places so far before and beside it where anything may begin.
 LaunchRing ring_about(const Viewpoint& viewpoint, const radar::Rectangle& target, double plane_height_m,
@@ -62,98 +54,6 @@ std::vector<LaunchRing> rings_about(const Viewpoint& viewpoint, const radar::Rec
   return rings;
 }
 
-/// A rectangle of the plane, and where lines of sight come down that pass over it below the top.
-///
-/// Seen from the radar the plane is stretched outwards, by ever less than in proportion with the distance, and what
-/// lies nearer in azimuth to an axis goes farther along it: an edge goes farthest at a corner, or straight before the
-/// radar.
-radar::Rectangle with_what_is_behind(const Viewpoint& viewpoint, const radar::Rectangle& over, double plane_height_m,
-                                     double top_height_m) {
-  radar::Rectangle all = over;
-  const Vec2d nearest = viewpoint.nearest_point(over);
-  const auto take_in = [&](Vec2d place) {
-    const Vec3d landing{place.x, place.y, plane_height_m};
-    const Vec2d aim =
-        place - level_part(viewpoint.direction_from(landing)) * viewpoint.aim_behind_landing_m(landing, top_height_m);
-    all = {std::min(all.west_m, aim.x), std::min(all.south_m, aim.y), std::max(all.east_m, aim.x),
-           std::max(all.north_m, aim.y)};
-  };
-  std::ranges::for_each(radar::corners_of(over), take_in);
-  for (const double x : {over.west_m, over.east_m}) take_in({x, nearest.y});
-  for (const double y : {over.south_m, over.north_m}) take_in({nearest.x, y});
-  return all;
-}
-
-/// Tells from which ring paths can begin that a square's rays lead to.
-class RingsInSight {
- public:
-  RingsInSight(const LaunchArea& area, const scene::Scene& scene, Footing footing)
-      : area_(area),
-        reach_m_(std::numbers::sqrt2 / 2.0 * area.grain_m()),
-        region_(region()),
-        bounds_(scene, footing, region_, std::max(least_square_m, 2.0 * reach_m_)) {}
-
-  /// The innermost; none when the rays come to no place where paths begin that count.
-  [[nodiscard]] std::optional<std::size_t> innermost(Vec2d centre) const {
-    const Vec3d to_radar = area_.viewpoint.direction_from({centre.x, centre.y, area_.plane_height_m});
-    const double horizontal = std::sqrt(to_radar.x * to_radar.x + to_radar.y * to_radar.y);
-    const double slope = to_radar.z / horizontal;
-    if (!(slope < steepest)) return 0;
-    // Squares reach as far as `reach_m_` about their centres, and a step stands for half its length before and after:
-    // both together are less than a square of the bounds, as far as one speaks for. Rays of a square rise nearly alike.
-    const double step_m = 0.5 * bounds_.square_m(), slack_m = (0.5 * step_m + 3.0 * reach_m_) * slope + 1.0;
-    const Vec2d towards{to_radar.x / horizontal, to_radar.y / horizontal};
-    const double until_m = (static_cast<double>(bounds_.highest_m()) + slack_m - area_.plane_height_m) / slope;
-    const radar::GroundStretch stretch = radar::stretch_within(region_, centre, towards);
-    const double end_m = std::min(stretch.end_m, until_m);
-    std::optional<std::size_t> innermost;
-    for (double way = stretch.begin_m; way < end_m + step_m; way += step_m) {
-      const Vec2d place = centre + towards * way;
-      const HeightBounds::Interval* heights = bounds_.around(place);
-      if (heights == nullptr) continue;
-      const double height = area_.plane_height_m + way * slope;
-      if (height - slack_m > static_cast<double>(heights->highest_m) ||
-          height + slack_m < static_cast<double>(heights->lowest_m)) {
-        continue;
-      }
-      const double layover_m =
-          area_.viewpoint.landing_before_m({place.x, place.y, height + slack_m}, area_.plane_height_m);
-      const std::size_t ring = ring_of(place, towards, layover_m, 0.5 * step_m + reach_m_);
-      innermost = std::min(innermost.value_or(ring), ring);
-      if (innermost == 0) break;
-    }
-    return innermost;
-  }
-
- private:
-  static constexpr double least_square_m = 16.0;
-  /// Rays from nearly straight above meet what is below them.
-  static constexpr double steepest = 20.0;
-
-  /// In which what stands there lands at the innermost; the outermost where in none, for its rim is part of it.
-  [[nodiscard]] std::size_t ring_of(Vec2d place, Vec2d towards, double layover_m, double about_m) const {
-    std::size_t ring = 0;
-    while (ring + 1 < area_.rings.size() && !area_.rings[ring].meets(place, towards, layover_m, about_m)) {
-      ++ring;
-    }
-    return ring;
-  }
-
-  /// Where vertices stand whose echoes can land where paths begin, and a little more.
-  [[nodiscard]] radar::Rectangle region() const {
-    const radar::Rectangle reached = widened(area_.rings.back().upright(), area_.counting_rim_m());
-    const Vec2d nearest = area_.viewpoint.nearest_point(reached);
-    const double behind_m =
-        area_.viewpoint.point_behind_landing_m({nearest.x, nearest.y, area_.plane_height_m}, area_.top_height_m);
-    return radar::widened(reached, behind_m + least_square_m + 2.0 * reach_m_);
-  }
-
-  const LaunchArea& area_;
-  double reach_m_;
-  radar::Rectangle region_;
-  HeightBounds bounds_;
-};
-
 float share_in(std::size_t ring) {
   return std::ldexp(1.0F, -static_cast<int>(ring));
 }
@@ -171,8 +71,7 @@ std::optional<std::size_t> ring_below_sight(const LaunchArea& area, Vec2d centre
 
 }  // namespace
 
-void spare_rays(LaunchArea& area, const scene::Scene& scene, Footing footing) {
-  const RingsInSight sight(area, scene, footing);
+void spare_rays(LaunchArea& area, const RingsInSight& sight) {
   std::vector<LaunchCell> kept;
   // Cells of a square follow one another.
   const auto side = static_cast<std::size_t>(area.grain), square = side * side;
@@ -191,6 +90,10 @@ void spare_rays(LaunchArea& area, const scene::Scene& scene, Footing footing) {
     }
   }
   area.cells = std::move(kept);
+}
+
+void spare_rays(LaunchArea& area, const scene::Scene& scene, Footing footing) {
+  spare_rays(area, RingsInSight(area, scene, footing));
 }
 
 bool HeardSector::is_heard_from(Vec3d point, const MultibounceReach& reach, double spare_m) const {
@@ -256,51 +159,74 @@ double LaunchArea::whole_cells() const {
   return sum;
 }
 
-radar::Rectangle aimed_extent(const Viewpoint& viewpoint, const radar::Rectangle& target, double plane_height_m,
-                              double top_height_m, const MultibounceReach& reach) {
-  return with_what_is_behind(viewpoint, ring_about(viewpoint, target, plane_height_m, reach).upright(), plane_height_m,
-                             top_height_m);
+double aimed_area_m2(const LaunchArea& outline) {
+  constexpr int steps = 1024;
+  const LaunchRing& ring = outline.rings.back();
+  const Vec2d middle = outline.target.centre();
+  struct Side {
+    Vec2d edge, aim;
+  };
+  const auto side_at = [&](int step) {
+    const double angle = 2.0 * pi * step / steps;
+    const Vec2d outwards{std::cos(angle), std::sin(angle)};
+    const Vec2d edge = middle + outwards * ring.stretch(middle, outwards, 0.0).end_m;
+    const Vec3d landing{edge.x, edge.y, outline.plane_height_m};
+    return Side{edge, edge - level_part(outline.viewpoint.direction_from(landing)) *
+                                 outline.viewpoint.aim_behind_landing_m(landing, outline.highest_m)};
+  };
+  const auto cross = [](Vec2d a, Vec2d b) { return a.x * b.y - a.y * b.x; };
+  double twice_m2 = 0.0;
+  Side last = side_at(0);
+  for (int step = 1; step <= steps; ++step) {
+    const Side side = side_at(step % steps);
+    twice_m2 += cross(last.edge - middle, side.edge - middle);
+    // What looks away from the radar sweeps over what lies behind; what faces it sweeps over the ring itself,
+    // clockwise.
+    twice_m2 += std::max(0.0, cross(side.aim - last.edge, side.edge - last.aim));
+    last = side;
+  }
+  return 0.5 * twice_m2;
 }
 
-LaunchArea launch_area(const Viewpoint& viewpoint, const radar::Rectangle& target, double cell_m, double plane_height_m,
-                       double top_height_m, const MultibounceReach& reach, int grain) {
-  LaunchArea area{.cell_m = cell_m,
-                  .plane_height_m = plane_height_m,
-                  .top_height_m = top_height_m,
-                  .grain = grain,
-                  .cells = {},
-                  .viewpoint = viewpoint,
-                  .target = target,
-                  .reach = reach,
-                  .rings = rings_about(viewpoint, target, plane_height_m, reach),
-                  .shares = {}};
-  const radar::Rectangle aimed =
-      radar::widened(with_what_is_behind(viewpoint, radar::widened(area.rings.back().upright(), area.rim_m()),
-                                         plane_height_m, top_height_m),
-                     cell_m * grain);
-  // Tiles of the lattice, and squares of a tile.
-  const double tile_m = cell_m * tile;
-  const auto tile_at = [tile_m](double metres) { return static_cast<std::int32_t>(std::floor(metres / tile_m)); };
-  const std::int32_t west = tile_at(aimed.west_m), east = tile_at(aimed.east_m);
-  const std::int32_t south = tile_at(aimed.south_m), north = tile_at(aimed.north_m);
-  const std::int32_t squares = tile / grain;
-  area.shares = LaunchShares(west * squares, south * squares, static_cast<std::size_t>((east - west + 1) * squares),
-                             static_cast<std::size_t>((north - south + 1) * squares));
-  for (std::int32_t tj = south; tj <= north; ++tj) {
-    for (std::int32_t ti = west; ti <= east; ++ti) {
-      for (std::int32_t j = tj * squares; j < (tj + 1) * squares; ++j) {
-        for (std::int32_t i = ti * squares; i < (ti + 1) * squares; ++i) {
-          // Cells of a square get the same answer.
-          const auto ring = ring_below_sight(area, Vec2d{i + 0.5, j + 0.5} * area.grain_m());
-          if (!ring) continue;
-          area.shares.set(i, j, share_in(*ring));
-          for (std::int32_t y = j * grain; y < (j + 1) * grain; ++y) {
-            for (std::int32_t x = i * grain; x < (i + 1) * grain; ++x) area.cells.push_back({x, y, share_in(*ring)});
-          }
+LaunchArea launch_outline(const Viewpoint& viewpoint, const radar::Rectangle& target, double cell_m,
+                          double plane_height_m, double top_height_m, const MultibounceReach& reach, int grain) {
+  return {.cell_m = cell_m,
+          .plane_height_m = plane_height_m,
+          .top_height_m = top_height_m,
+          .highest_m = top_height_m,
+          .grain = grain,
+          .cells = {},
+          .viewpoint = viewpoint,
+          .target = target,
+          .reach = reach,
+          .rings = rings_about(viewpoint, target, plane_height_m, reach),
+          .shares = {}};
+}
+
+void list_cells(LaunchArea& outline) {
+  const std::vector<LaunchTile> tiles = tiles_aimed_at(outline);
+  const std::int32_t grain = outline.grain, squares = tile / grain;
+  outline.shares = LaunchShares(tiles, squares);
+  outline.cells.clear();
+  for (const auto& [ti, tj] : tiles) {
+    for (std::int32_t j = tj * squares; j < (tj + 1) * squares; ++j) {
+      for (std::int32_t i = ti * squares; i < (ti + 1) * squares; ++i) {
+        // Cells of a square get the same answer.
+        const auto ring = ring_below_sight(outline, Vec2d{i + 0.5, j + 0.5} * outline.grain_m());
+        if (!ring) continue;
+        outline.shares.set(i, j, share_in(*ring));
+        for (std::int32_t y = j * grain; y < (j + 1) * grain; ++y) {
+          for (std::int32_t x = i * grain; x < (i + 1) * grain; ++x) outline.cells.push_back({x, y, share_in(*ring)});
         }
       }
     }
   }
+}
+
+LaunchArea launch_area(const Viewpoint& viewpoint, const radar::Rectangle& target, double cell_m, double plane_height_m,
+                       double top_height_m, const MultibounceReach& reach, int grain) {
+  LaunchArea area = launch_outline(viewpoint, target, cell_m, plane_height_m, top_height_m, reach, grain);
+  list_cells(area);
   return area;
 }
 

@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
-#include "sigmascape/base/array2d.h"
 #include "sigmascape/radar/ground_grid.h"
 #include "sigmascape/scene/scene.h"
 #include "sigmascape/trace/launch_ring.h"
+#include "sigmascape/trace/launch_shares.h"
 #include "sigmascape/trace/multibounce_reach.h"
 #include "sigmascape/trace/scene_geometry.h"
 #include "sigmascape/trace/viewpoint.h"
@@ -42,33 +42,12 @@ struct HeardSector {
   [[nodiscard]] bool is_heard_from(Vec3d point, const MultibounceReach& reach, double spare_m) const;
 };
 
-/// LaunchCell::share, square by square.
-class LaunchShares {
- public:
-  LaunchShares() = default;
-  /// Squares from that one on, of which none is launched yet.
-  LaunchShares(std::int32_t first_i, std::int32_t first_j, std::size_t columns, std::size_t rows)
-      : first_i_(first_i), first_j_(first_j), shares_(columns, rows, 0.0F) {}
-
-  void set(std::int32_t i, std::int32_t j, float share) { shares_(column(i), row(j)) = share; }
-  [[nodiscard]] float at(std::int32_t i, std::int32_t j) const {
-    // Of what lies before the first the number is too large as well.
-    return column(i) < shares_.columns() && row(j) < shares_.rows() ? shares_(column(i), row(j)) : 0.0F;
-  }
-
- private:
-  [[nodiscard]] std::size_t column(std::int32_t i) const { return static_cast<std::uint32_t>(i - first_i_); }
-  [[nodiscard]] std::size_t row(std::int32_t j) const { return static_cast<std::uint32_t>(j - first_j_); }
-
-  std::int32_t first_i_ = 0, first_j_ = 0;
-  Array2D<float> shares_;
-};
-
 /// From which cells echoes can come that land in an area of interest.
 struct LaunchArea {
   double cell_m = 1.0;
   double plane_height_m = 0.0;    ///< height of the plane aimed at
   double top_height_m = 0.0;      ///< rays start at this height, above everything
+  double highest_m = 0.0;         ///< paths that count begin no higher: cells are listed for these
   int grain = 1;                  ///< squares of so many cells a side are launched all or not at all
   std::vector<LaunchCell> cells;  ///< in tiles of 16 × 16, for the sake of caches
 
@@ -103,23 +82,21 @@ struct LaunchArea {
   std::optional<HeardSector> heard = {};  ///< of the area of interest, where the radar does not hear all of it
 };
 
-/// Follows the rays of an area down to what stands there. Takes out the grains from which no path begins that counts:
-/// whose rays pass above all that stands where such paths begin, or only get there where they would be below it. Where
-/// all that rays can meet lands in an outer ring, they get that ring's share; an area of one ring brings back the same
-/// to the last bit.
-void spare_rays(LaunchArea& area, const scene::Scene& scene, Footing footing);
+/// The outline of a launch area, whose cells are still to be listed. See launch_area.
+[[nodiscard]] LaunchArea launch_outline(const Viewpoint& viewpoint, const radar::Rectangle& target, double cell_m,
+                                        double plane_height_m, double top_height_m, const MultibounceReach& reach,
+                                        int grain = 1);
 
-/// Takes out of an area of a radar at a place what does not come to be heard: the cells whose rays pass beside the
-/// sector and what lies within reach of it, and all paths that begin there (LaunchArea::counts_from).
-void narrow_to(LaunchArea& area, const HeardSector& heard);
+/// How much of the plane the rays of an outline are aimed at: where paths that land in the target may begin, and behind
+/// that along the lines of sight as far as these pass below the highest. Without end where the radar stands hardly
+/// above it.
+[[nodiscard]] double aimed_area_m2(const LaunchArea& outline);
 
-/// The least upright rectangle that holds what rays for such a target are aimed at: the target, where paths that land
-/// there may begin, and behind both as far as their lines of sight stay below the top. Without end where the radar
-/// stands hardly above the top.
-[[nodiscard]] radar::Rectangle aimed_extent(const Viewpoint& viewpoint, const radar::Rectangle& target,
-                                            double plane_height_m, double top_height_m, const MultibounceReach& reach);
+/// Lists the cells of an outline whose aimed_area_m2 is no more than some 2³⁰ of them. Below the top some come with
+/// them whose rays meet what counts no more.
+void list_cells(LaunchArea& outline);
 
-/// The launch area for echoes that land in `target`, whose aimed_extent counts in cells must fit into 32 bits.
+/// The launch area for echoes that land in `target`, whose aimed_area_m2 is no more than some 2³⁰ cells.
 ///
 /// A surface at height h above the plane is hit by rays aimed h cot ψ behind it and lands h tan ψ before it, so aim
 /// points reach h_max (cot ψ + tan ψ) behind the target, each along its own line of sight where the radar has a place.
@@ -129,5 +106,18 @@ void narrow_to(LaunchArea& area, const HeardSector& heard);
 [[nodiscard]] LaunchArea launch_area(const Viewpoint& viewpoint, const radar::Rectangle& target, double cell_m,
                                      double plane_height_m, double top_height_m, const MultibounceReach& reach,
                                      int grain = 1);
+
+class RingsInSight;
+
+/// Follows the rays of an area down to what stands there. Takes out the grains from which no path begins that counts:
+/// whose rays pass above all that stands where such paths begin, or only get there where they would be below it. Where
+/// all that rays can meet lands in an outer ring, they get that ring's share; an area of one ring brings back the same
+/// to the last bit.
+void spare_rays(LaunchArea& area, const RingsInSight& sight);
+void spare_rays(LaunchArea& area, const scene::Scene& scene, Footing footing);
+
+/// Takes out of an area of a radar at a place what does not come to be heard: the cells whose rays pass beside the
+/// sector and what lies within reach of it, and all paths that begin there (LaunchArea::counts_from).
+void narrow_to(LaunchArea& area, const HeardSector& heard);
 
 }  // namespace sigmascape::trace

@@ -24,11 +24,16 @@ class LaunchRing {
 
   /// Whether the way of that length from `start` along a unit vector comes within `spare_m` of it.
   [[nodiscard]] bool meets(Vec2d start, Vec2d direction, double length_m, double spare_m) const {
+    const radar::GroundStretch within = stretch(start, direction, spare_m);
+    // Lengths of nothing come rounded to less than that from far away.
+    return within.begin_m <= std::min(within.end_m, std::max(length_m, 0.0));
+  }
+  /// The part of the way from `start` along a unit vector that comes within `spare_m` of it.
+  [[nodiscard]] radar::GroundStretch stretch(Vec2d start, Vec2d direction, double spare_m) const {
     const radar::GroundStretch a = radar::stretch_within(radar::widened(upright_, spare_m), start, direction);
     const radar::GroundStretch b =
         radar::stretch_within(radar::widened(turned_, spare_m), turned(start), turned(direction));
-    // Lengths of nothing come rounded to less than that from far away.
-    return std::max(a.begin_m, b.begin_m) <= std::min({a.end_m, b.end_m, std::max(length_m, 0.0)});
+    return {std::max(a.begin_m, b.begin_m), std::min(a.end_m, b.end_m)};
   }
   /// Whether a place lies no farther than `spare_m` from it: so does whatever way begins there.
   [[nodiscard]] bool contains(Vec2d place, double spare_m) const {

@@ -30,6 +30,8 @@ class Viewpoint {
   /// Sine of the angle below the radar's horizontal from which an echo between two surface points arrives; 0 when the
   /// radar is at infinity. See radar::Echo::sin_depression.
   [[nodiscard]] double sin_depression_of(Vec3d first, Vec3d last) const;
+  /// Whether it is higher than that, as at infinity.
+  [[nodiscard]] bool stands_above(double height_m) const { return is_distant_ || position_.z > height_m; }
   /// The point of a level rectangle that is nearest to the radar; its centre when the radar is at infinity.
   [[nodiscard]] Vec2d nearest_point(const radar::Rectangle& rectangle) const;
   /// The point of the plane at `height_m` behind `point`, on the line from the radar through it.

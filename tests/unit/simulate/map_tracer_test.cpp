@@ -60,5 +60,27 @@ TEST(MapTracer, ARadarHardlyAboveTheSceneIsRefused) {
   EXPECT_THAT(fault_from(0.5), ::testing::HasSubstr("and the highest point of the scene at 70.0 m; place"));
 }
 
+// Past the mast's top rays come down millions of kilometres behind, and meet nothing of it where paths to the map
+// begin.
+TEST(MapTracer, WhatIsHighElsewhereIsNotAimedPast) {
+  const scatter::Material ground{.name = "ground", .model = scatter::LambertParameters{0.5, {0.0, 1.0}}, .source = {}};
+  scene::Scene scene = physics_test::level_scene(ground, 4096.0);
+  scene.prototypes.push_back(scene::box_mesh({8.0F, 6.0F, 70.0F}, 0));
+  scene.instances.push_back({.prototype = 0, .x_m = 0.0F, .y_m = 1900.0F});
+  const trace::SceneGeometry geometry(scene, trace::Footing::Terrain);
+  radar::Radar radar;
+  radar.range_resolution_m = 8.0;
+  radar.beam_width_rad = 8.0 / 5e3;
+  radar.position = {0.0, -5000.0, geometry.highest_m() + 1.0001};
+  const radar::Rectangle area{-32.0, -32.0, 32.0, 32.0};
+  const MapTracer tracer(scene, geometry, radar, area, {.cell_m = 4.0, .threads = 2});
+  const auto& cells = tracer.launch().cells;
+  const double farthest_m = 4.0 * (std::ranges::max(cells, {}, &trace::LaunchCell::j).j + 1);
+  EXPECT_GT(farthest_m, area.north_m);
+  EXPECT_LT(farthest_m, 700.0);  // 5 km of 1 m below 71 m, what the beam takes in and tiles
+  const auto far_behind = trace::launch_outline(tracer.launch().viewpoint, area, 4.0, 0.0, 71.0, {});
+  EXPECT_GT(trace::aimed_area_m2(far_behind), 1e12);
+}
+
 }  // namespace
 }  // namespace sigmascape::simulate

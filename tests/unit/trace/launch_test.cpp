@@ -145,17 +145,49 @@ TEST(LaunchArea, LaunchesNothingBeforeTheTargetAndLittleBeside) {
 TEST(LaunchArea, AimsAtTheTargetAndBehindItAlone) {
   const double elevation = radians(10.0);
   const double reach_m = top_m / std::tan(elevation) + top_m * std::tan(elevation);
-  const radar::Rectangle aimed = aimed_extent(Viewpoint::distant({radians(180.0), elevation}), target, 0.0, top_m, {});
-  EXPECT_NEAR(aimed.south_m, target.south_m, 1e-9);
-  EXPECT_NEAR(aimed.north_m, target.north_m + reach_m, 1e-6);
-  EXPECT_NEAR(aimed.west_m, target.west_m, 1e-6);
-  EXPECT_NEAR(aimed.east_m, target.east_m, 1e-6);
+  const LaunchArea distant =
+      launch_outline(Viewpoint::distant({radians(180.0), elevation}), target, 1.0, 0.0, top_m, {});
+  // Of lines of sight along its edges, and askew over them: as wide as the target looks from there, times the reach.
+  EXPECT_NEAR(aimed_area_m2(distant), target.width_m() * (target.height_m() + reach_m), 1e-3 * aimed_area_m2(distant));
+  const LaunchArea askew = launch_outline(Viewpoint::distant({radians(230.0), elevation}), target, 1.0, 0.0, top_m, {});
+  const double looks_wide_m = target.width_m() * std::cos(radians(50.0)) + target.height_m() * std::sin(radians(50.0));
+  EXPECT_NEAR(aimed_area_m2(askew), target.width_m() * target.height_m() + looks_wide_m * reach_m,
+              3e-3 * aimed_area_m2(askew));
   // Seen from a place the shadow of the top over the far edge is longer by the ratio of heights: similar triangles.
   const Vec3d radar{0.0, -2000.0, 80.0};
-  const radar::Rectangle behind = aimed_extent(Viewpoint::located(radar), target, 0.0, top_m, {});
+  const LaunchArea behind = launch_area(Viewpoint::located(radar), target, 4.0, 0.0, top_m, {});
   const double far_m = target.north_m - radar.y, stands_m = std::sqrt(far_m * far_m + 80.0 * 80.0 - 20.0 * 20.0);
-  EXPECT_NEAR(behind.north_m, radar.y + stands_m * 80.0 / 20.0, 1e-6);
-  EXPECT_NEAR(behind.south_m, target.south_m, 1e-9);
+  const double end_m = radar.y + stands_m * 80.0 / 20.0;
+  EXPECT_TRUE(covers(behind, {0.0, end_m - 6.0}));
+  EXPECT_FALSE(covers(behind, {0.0, end_m + 26.0}));  // four times the rim
+  EXPECT_FALSE(covers(behind, {0.0, target.south_m - 9.0}));
+}
+
+// Cells are listed in a rim of one about what rays are aimed at.
+TEST(LaunchArea, AimsAtAsManyCellsAsItLists) {
+  for (const Landing& landing : viewpoints()) {
+    const LaunchArea area = launch_area(landing.viewpoint, target, 2.0, 0.0, top_m, {24.0, 16.0});
+    const double listed_m2 = static_cast<double>(area.cells.size()) * 4.0;
+    EXPECT_LT(aimed_area_m2(area), listed_m2) << description(landing);
+    EXPECT_GT(aimed_area_m2(area), 0.95 * listed_m2) << description(landing);
+  }
+}
+
+// Below 900 m the strip is fifteen times as long. Askew to the lattice the rectangle about it would be larger still.
+TEST(LaunchArea, ListsNoMoreThanWhatLiesBehindTheHighestThatCounts) {
+  for (const double azimuth_deg : {90.0, 130.0, 135.0}) {
+    const auto viewpoint = Viewpoint::distant({radians(azimuth_deg), radians(2.0)});
+    LaunchArea outline = launch_outline(viewpoint, target, 4.0, 0.0, 900.0, {});
+    outline.highest_m = top_m;
+    list_cells(outline);
+    const LaunchArea low = launch_area(viewpoint, target, 4.0, 0.0, top_m, {});
+    // Whole tiles of 64 m, and some about them.
+    const double across_m = std::hypot(target.width_m(), target.height_m()) + 6.0 * 64.0;
+    const double along_m = top_m / std::tan(radians(2.0)) + top_m * std::tan(radians(2.0)) + across_m;
+    EXPECT_LT(static_cast<double>(outline.cells.size()), across_m * along_m / 16.0) << azimuth_deg;
+    for (const LaunchCell& cell : low.cells)
+      ASSERT_TRUE(covers(outline, Vec2d{cell.i + 0.5, cell.j + 0.5} * 4.0)) << azimuth_deg;
+  }
 }
 
 // Echoes of several bounces land behind where they begin, and midway across.
