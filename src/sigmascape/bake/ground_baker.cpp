@@ -82,8 +82,7 @@ class GroundRun {
         shard_(shard),
         scrutiny_(scrutiny),
         progress_(progress),
-        ground_(atlas::create_ground_store(
-            store, ground_elevations_rad(scene, store.description().aspects.frequencies_hz), &mended_)),
+        ground_(atlas::create_ground_store(store, ground_elevations_rad(scene, store.description().aspects), &mended_)),
         looks_(static_cast<atlas::LookIndex>(ground_.description().aspects.look_count())),
         sigma0_(looks_) {}
 

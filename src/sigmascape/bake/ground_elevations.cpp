@@ -3,21 +3,42 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <set>
+#include <string>
 
-#include "sigmascape/atlas/aspect_grid.h"
+#include "sigmascape/atlas/texture_name.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/scatter/surface_sigma0.h"
 
 namespace sigmascape::bake {
 namespace {
 
+/// Elevations are chosen for all frequencies at once.
+constexpr double any_hz = 1e9;
+
+/// An elevation to choose, and how far off what is read there may be without it.
+struct Candidate {
+  double elevation_rad = 0.0;
+  double tolerance_db = ground_tolerance_db;
+};
+
 /// Close enough that no σ0 bends by much between two of them: elevations to choose from, ascending. Tenths of degrees,
-/// which names of files tell (atlas::look_name).
-std::vector<double> candidates_rad() {
-  std::vector<double> candidates;
-  for (int tenths = 2; tenths <= 890; tenths += tenths < 30 ? 1 : 2)
-    candidates.push_back(radians_from_deg(tenths / 10.0));
+/// which names of files tell, or in place of them what looks were baked at.
+std::vector<Candidate> candidates_beside(const std::vector<double>& baked_rad) {
+  std::map<std::string, Candidate> by_name;  // of which the higher elevation's is the later
+  const auto add = [&](double elevation_rad, double tolerance_db) {
+    by_name.try_emplace(atlas::look_name({{0.0, elevation_rad}, any_hz}), Candidate{elevation_rad, tolerance_db});
+  };
+  constexpr int lowest_tenths = 2, highest_tenths = 890;
+  for (const double elevation_rad : baked_rad) {
+    const double degrees = deg_from_radians(elevation_rad);
+    if (degrees > lowest_tenths / 10.0 && degrees < highest_tenths / 10.0) add(elevation_rad, at_looks_tolerance_db);
+  }
+  for (int tenths = lowest_tenths; tenths <= highest_tenths; tenths += tenths < 30 ? 1 : 2)
+    add(radians_from_deg(tenths / 10.0), ground_tolerance_db);
+  std::vector<Candidate> candidates;
+  for (const auto& [name, candidate] : by_name) candidates.push_back(candidate);
   return candidates;
 }
 
@@ -25,14 +46,14 @@ std::vector<double> candidates_rad() {
 using Curve = std::vector<radar::Channels>;
 
 std::vector<Curve> curves_of_ground(const scene::Scene& scene, const std::vector<double>& frequencies_hz,
-                                    const std::vector<double>& candidates) {
+                                    const std::vector<Candidate>& candidates) {
   const auto& laid = scene.ground.material.values();
   std::vector<Curve> curves;
   for (const scene::MaterialIndex material : std::set(laid.begin(), laid.end())) {
     for (const double frequency_hz : frequencies_hz) {
       const scatter::SurfaceModel surface(scene.materials[material], frequency_hz);
       Curve& curve = curves.emplace_back();
-      for (const double elevation_rad : candidates) curve.push_back(surface_sigma0(surface, elevation_rad));
+      for (const Candidate& candidate : candidates) curve.push_back(surface_sigma0(surface, candidate.elevation_rad));
     }
   }
   return curves;
@@ -48,43 +69,44 @@ double distance_db(const radar::Channels& one, const radar::Channels& other) {
   return std::max({distance_db(one.vv, other.vv), distance_db(one.hh, other.hh), distance_db(one.hv, other.hv)});
 }
 
-/// Chooses among the candidates as lines are simplified: where what is read between two chosen ones is furthest from
-/// what is true, the candidate there is chosen as well, until all of it is close enough.
+/// Chooses among the candidates as lines are simplified: from each chosen one as far as what is read on the way is
+/// close enough to what is true.
 class Choice {
  public:
-  Choice(const std::vector<double>& candidates, const std::vector<Curve>& curves)
+  Choice(const std::vector<Candidate>& candidates, const std::vector<Curve>& curves)
       : candidates_(candidates), curves_(curves) {}
 
   [[nodiscard]] std::vector<double> chosen() const {
-    std::vector<double> chosen{candidates_.front()};
-    refine(0, candidates_.size() - 1, chosen);
+    std::vector<double> chosen{candidates_.front().elevation_rad};
+    for (std::size_t last = 0; last + 1 < candidates_.size();) {
+      last = farthest_from(last);
+      chosen.push_back(candidates_[last].elevation_rad);
+    }
     return chosen;
   }
 
  private:
-  /// Appends what is needed after the first of two candidates up to the last.
-  void refine(std::size_t first, std::size_t last, std::vector<double>& chosen) const {
-    double worst_db = 0.0;
-    std::size_t worst = first;
-    for (std::size_t between = first + 1; between < last; ++between) {
-      if (const double away_db = distance_at(first, between, last); away_db > worst_db) {
-        worst_db = away_db;
-        worst = between;
-      }
+  [[nodiscard]] std::size_t farthest_from(std::size_t first) const {
+    // The farther, the more what is read sags: by bisection.
+    std::size_t close = first + 1, too_far = candidates_.size();
+    while (close + 1 < too_far) {
+      const std::size_t middle = (close + too_far) / 2;
+      (is_close_between(first, middle) ? close : too_far) = middle;
     }
-    if (worst_db > ground_tolerance_db) {
-      refine(first, worst, chosen);
-      refine(worst, last, chosen);
-    } else {
-      chosen.push_back(candidates_[last]);
+    return close;
+  }
+
+  [[nodiscard]] bool is_close_between(std::size_t first, std::size_t last) const {
+    for (std::size_t between = last - 1; between > first; --between) {
+      if (distance_at(first, between, last) > candidates_[between].tolerance_db) return false;
     }
+    return true;
   }
 
   [[nodiscard]] double distance_at(std::size_t first, std::size_t between, std::size_t last) const {
-    constexpr double any_hz = 1e9;
     const std::array ends{first, last};
-    const atlas::AspectGrid grid{{0.0}, {candidates_[first], candidates_[last]}, {any_hz}};
-    const auto weights = atlas::weights_for(grid, {0.0, candidates_[between]}, any_hz);
+    const atlas::AspectGrid grid{{0.0}, {candidates_[first].elevation_rad, candidates_[last].elevation_rad}, {any_hz}};
+    const auto weights = atlas::weights_for(grid, {0.0, candidates_[between].elevation_rad}, any_hz);
     double furthest_db = 0.0;
     for (const Curve& curve : curves_) {
       radar::Channels read;
@@ -94,15 +116,15 @@ class Choice {
     return furthest_db;
   }
 
-  const std::vector<double>& candidates_;
+  const std::vector<Candidate>& candidates_;
   const std::vector<Curve>& curves_;
 };
 
 }  // namespace
 
-std::vector<double> ground_elevations_rad(const scene::Scene& scene, const std::vector<double>& frequencies_hz) {
-  const std::vector<double> candidates = candidates_rad();
-  const std::vector<Curve> curves = curves_of_ground(scene, frequencies_hz, candidates);
+std::vector<double> ground_elevations_rad(const scene::Scene& scene, const atlas::AspectGrid& looks) {
+  const std::vector<Candidate> candidates = candidates_beside(looks.elevations_rad);
+  const std::vector<Curve> curves = curves_of_ground(scene, looks.frequencies_hz, candidates);
   return Choice(candidates, curves).chosen();
 }
 

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <fmt/format.h>
 #include <utility>
 
 #include "sigmascape/bake/echo_landing.h"
 #include "sigmascape/bake/noise_sharing.h"
-#include "sigmascape/bake/patch_sums.h"
 #include "sigmascape/bake/terrain_horizon.h"
 #include "sigmascape/bake/tile_sampler.h"
 #include "sigmascape/base/error.h"
@@ -33,6 +33,18 @@ double gain_of(double part_seen) {
 trace::Footing footing_of(const scene::Scene& scene, const BakeSettings& settings) {
   const bool is_level = scene.terrain.lowest_m() == scene.terrain.highest_m();
   return is_level ? trace::Footing::LevelPlane : footing_of(settings);
+}
+
+/// 1 for texels that anything comes back from, at any frequency, 0 for others.
+Array2D<std::uint8_t> answering_texels(const radar::GroundGrid& texels, const std::vector<PatchSums>& sums) {
+  Array2D<std::uint8_t> answering(texels.columns, texels.rows);
+  for (const PatchSums& of_frequency : sums) {
+    const Array2D<radar::Channels> power = of_frequency.all.sigma0();
+    for (std::size_t i = 0; i < power.size(); ++i) {
+      if (power.values()[i] != radar::Channels{}) answering.values()[i] = 1;
+    }
+  }
+  return answering;
 }
 
 /// With the terrain's shadow taken out.
@@ -89,10 +101,11 @@ LookBaker::LookBaker(const scene::Scene& scene, const BakeSettings& settings)
       footing_(footing_of(scene, settings)),
       heights_(trace::heights_of(scene, footing_)),
       lowest_ground_m_(static_cast<double>(scene.terrain.lowest_m())),
-      highest_ground_m_(static_cast<double>(scene.terrain.highest_m())),
       occupied_(scene::occupied_extent(scene)),
       tallest_m_(scene::tallest_object_m(scene)),
-      surfaces_(trace::surface_models(scene, settings.aspects.frequencies_hz)) {}
+      surfaces_(trace::surface_models(scene, settings.aspects.frequencies_hz)) {
+  if (footing_ == trace::Footing::Terrain) highest_ground_.emplace(scene.terrain);
+}
 
 trace::SceneGeometry& LookBaker::geometry_about(const radar::GroundGrid& texels) const {
   trace::Surroundings around = surroundings_of(texels);
@@ -123,13 +136,16 @@ trace::Surroundings LookBaker::surroundings_of(const radar::GroundGrid& texels) 
           .lowest_m = heights_.lowest_m};
 }
 
-Array2D<float> LookBaker::terrain_gains(const radar::GroundGrid& texels, const radar::Aspect& aspect) const {
-  const TerrainHorizon horizon(aspect, scene_.terrain, highest_ground_m_,
+Array2D<float> LookBaker::terrain_gains(const radar::GroundGrid& texels, const std::vector<PatchSums>& sums,
+                                        const radar::Aspect& aspect) const {
+  const TerrainHorizon horizon(aspect, scene_.terrain, *highest_ground_,
                                std::min(texels.cell_m, scene_.terrain.spacing_m));
   if (!tops_ || tops_->grid != texels) tops_ = tops_of(texels);
-  Array2D<float> gains(texels.columns, texels.rows);
+  const Array2D<std::uint8_t> answering = answering_texels(texels, sums);
+  Array2D<float> gains(texels.columns, texels.rows, 1.0F);
   parallel_for(texels.rows, thread_count(settings_.threads), [&](std::size_t row, unsigned) {
     for (std::size_t column = 0; column < texels.columns; ++column) {
+      if (answering(column, row) == 0) continue;
       const Vec2d place = texels.centre_of(column, row);
       const auto top_m = static_cast<double>(tops_->top_m(column, row));
       gains(column, row) = static_cast<float>(gain_of(terrain::part_above(horizon.hidden_m(place, top_m), top_m)));
@@ -180,8 +196,9 @@ std::vector<BakedLook> LookBaker::bake(const radar::GroundGrid& texels, const tr
   }
   const unsigned workers = thread_count(settings_.threads);
   const bool has_relief = footing_ == trace::Footing::Terrain;
-  const EchoLanding landing =
-      has_relief ? EchoLanding(aspect, scene_.terrain, lowest_ground_m_, highest_ground_m_) : EchoLanding(aspect);
+  const EchoLanding landing = has_relief
+                                  ? EchoLanding(aspect, scene_.terrain, lowest_ground_m_, highest_ground_->highest_m())
+                                  : EchoLanding(aspect);
   std::vector<TileSampler> samplers(workers, TileSampler(settings_.sampling, settings_.shadows, landing, sums));
   trace::TileProgress tiles(progress, "bake", "look", 0.0, 1.0, 1.0, area.tiles());
   const auto counts = tracer.trace_tiles(area, workers, [&](trace::TilePaths& tile, unsigned worker) {
@@ -190,7 +207,7 @@ std::vector<BakedLook> LookBaker::bake(const radar::GroundGrid& texels, const tr
   });
 
   std::vector<BakedLook> looks;
-  const Array2D<float> gains = has_relief ? terrain_gains(texels, aspect) : Array2D<float>();
+  const Array2D<float> gains = has_relief ? terrain_gains(texels, sums, aspect) : Array2D<float>();
   for (const PatchSums& of_frequency : sums) {
     if (of_frequency.all.bins().overflows() > 0) {
       throw Error(fmt::format("bake of the patch at ({:.0f}, {:.0f}) m, azimuth {:.1f}°, elevation {:.1f}°",

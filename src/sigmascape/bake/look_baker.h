@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "sigmascape/bake/bake_settings.h"
+#include "sigmascape/bake/highest_ground.h"
+#include "sigmascape/bake/patch_sums.h"
 #include "sigmascape/base/array2d.h"
 #include "sigmascape/base/progress.h"
 #include "sigmascape/radar/answering_tops.h"
@@ -58,8 +60,9 @@ class LookBaker {
 
  private:
   [[nodiscard]] trace::Surroundings surroundings_of(const radar::GroundGrid& texels) const;
-  /// What each texel is multiplied by to take the terrain's shadow on it out.
-  [[nodiscard]] Array2D<float> terrain_gains(const radar::GroundGrid& texels, const radar::Aspect& aspect) const;
+  /// What each texel is multiplied by to take the terrain's shadow on it out; 1 where nothing comes back.
+  [[nodiscard]] Array2D<float> terrain_gains(const radar::GroundGrid& texels, const std::vector<PatchSums>& sums,
+                                             const radar::Aspect& aspect) const;
   /// Of these texels, with regard to what stands about them.
   [[nodiscard]] radar::AnsweringTops tops_of(const radar::GroundGrid& texels) const;
 
@@ -67,7 +70,9 @@ class LookBaker {
   const BakeSettings& settings_;
   trace::Footing footing_;
   trace::SceneHeights heights_;
-  double lowest_ground_m_, highest_ground_m_;  // of all terrain: what takes long to find is found once for all jobs
+  // Of all terrain: what takes long to find is found once for all jobs.
+  double lowest_ground_m_;
+  std::optional<HighestGround> highest_ground_;  // of relief
   radar::Rectangle occupied_;
   double tallest_m_;
   trace::SpectralSurfaces surfaces_;
