@@ -2,12 +2,14 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <ogr_spatialref.h>
 
 #include "sigmascape/base/units.h"
 #include "sigmascape/geo/coordinate_transform.h"
 #include "sigmascape/geo/foot.h"
+#include "sigmascape/geo/quiet_gdal.h"
 #include "sigmascape/geo/spatial_reference.h"
 
 namespace sigmascape::geo {
@@ -15,6 +17,29 @@ namespace {
 
 bool is_unit(double given, double unit) {
   return std::abs(given - unit) < 1e-9 * unit;
+}
+
+/// How far a turn reaches in x of a projection, from longitudes about its central meridian; 0 where x does not grow
+/// evenly with them, or with latitude as well.
+double turn_of_projection(const OGRSpatialReference& projected) {
+  const QuietGdal quiet;
+  const std::unique_ptr<OGRSpatialReference> unprojected(projected.CloneGeogCS());
+  if (!unprojected) return 0.0;
+  unprojected->SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  const std::unique_ptr<OGRCoordinateTransformation> projection(
+      OGRCreateCoordinateTransformation(unprojected.get(), &projected));
+  if (!projection) return 0.0;
+  const double degree = radians_from_deg(1.0) / unprojected->GetAngularUnits();
+  const auto x_at = [&](double degrees_east, double latitude_deg) {
+    double x = (projected.GetNormProjParm(SRS_PP_CENTRAL_MERIDIAN) + degrees_east) * degree, y = latitude_deg * degree;
+    return projection->Transform(1, &x, &y) != 0 ? x : std::numeric_limits<double>::quiet_NaN();
+  };
+  const double middle = x_at(0.0, 0.0), quarter = x_at(90.0, 0.0) - middle;
+  const auto is_even = [&](double degrees_east, double latitude_deg) {
+    return std::abs(x_at(degrees_east, latitude_deg) - middle - degrees_east / 90.0 * quarter) <
+           1e-9 * std::abs(quarter);
+  };
+  return is_even(-170.0, 0.0) && is_even(45.0, 0.0) && is_even(90.0, 60.0) ? 4.0 * std::abs(quarter) : 0.0;
 }
 
 }  // namespace
@@ -63,6 +88,13 @@ Vec2d way_at_azimuth(const std::string& crs, Vec2d place, double azimuth_rad) {
 double full_turn(const std::string& crs) {
   const auto reference = known_reference(crs);
   return reference && reference->IsGeographic() != 0 ? 2.0 * pi / reference->GetAngularUnits() : 0.0;
+}
+
+double turn_of_x(const std::string& crs) {
+  const double turn = full_turn(crs);
+  const auto reference = known_reference(crs);
+  if (turn > 0.0 || !reference || reference->IsProjected() == 0) return turn;
+  return turn_of_projection(*reference);
 }
 
 double on_turn_of(double x, double other, double full_turn) {

@@ -27,6 +27,10 @@ namespace sigmascape::geo {
 /// 360° of longitude in the unit of x; 0 where x is no longitude.
 [[nodiscard]] double full_turn(const std::string& crs);
 
+/// How far 360° of longitude reach in x, where x grows evenly with longitude and with nothing else: where it is the
+/// longitude, and in cylindrical projections about an upright axis, as Mercator's. 0 in all others.
+[[nodiscard]] double turn_of_x(const std::string& crs);
+
 /// The same longitude, counted by whole turns more or less so that it is nearest to another. With a turn of 0 it stays
 /// what it is.
 [[nodiscard]] double on_turn_of(double x, double other, double full_turn);

@@ -14,6 +14,7 @@ class LocalFrame {
   LocalFrame() = default;
   LocalFrame(double latitude_deg, double longitude_deg) : latitude_deg_(latitude_deg), longitude_deg_(longitude_deg) {}
 
+  friend bool operator==(const LocalFrame&, const LocalFrame&) = default;
   [[nodiscard]] double latitude_deg() const { return latitude_deg_; }
   [[nodiscard]] double longitude_deg() const { return longitude_deg_; }
 

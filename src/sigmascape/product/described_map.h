@@ -15,9 +15,12 @@ namespace sigmascape::product {
 /// Where a product comes from, as it goes into its metadata.
 using Provenance = std::map<std::string, std::string>;
 
-/// The entry, in degrees clockwise from north, that says where a map's radar stands, as seen from the map's middle. Of
-/// radars over what they map there is none.
+/// The entry, in degrees clockwise from the frame's north, that says where a map's radar stands, as seen from the map's
+/// middle. Of radars over what they map there is none.
 inline constexpr const char* radar_azimuth_key = "radar_azimuth_deg";
+
+/// The entry that names the frame of what is told of a radar, of maps in another coordinate system.
+inline constexpr const char* local_frame_key = "local_frame";
 
 /// The entry that says by its word in which polarization a map's radar, or a picture, shows what it sees.
 inline constexpr const char* polarization_key = "polarization";

@@ -11,6 +11,8 @@
 
 #include "sigmascape/base/units.h"
 #include "sigmascape/geo/axis_units.h"
+#include "sigmascape/geo/coordinate_transform.h"
+#include "sigmascape/geo/local_frame.h"
 #include "sigmascape/product/bitmap_font.h"
 #include "sigmascape/product/described_map.h"
 #include "sigmascape/product/legend_look.h"
@@ -123,7 +125,25 @@ void draw_north_arrow(Strip& strip, Vec2d north) {
             legend_ink);
 }
 
-/// Where the picture says that its radar stands, seen from its middle.
+Vec2d position_in(const std::string& crs, geo::GeographicPosition place) {
+  Vec2d position;
+  geo::CoordinateTransform(crs, geo::LocalFrame(place.latitude_deg, place.longitude_deg), "map").to_crs({&position, 1});
+  return position;
+}
+
+/// What azimuth true north has, in the middle of the picture, in the frame that its map was made in: the picture's own
+/// system where no other is told.
+double north_of_frame_rad(const Picture& picture) {
+  const auto crs = picture.metadata.find("crs"), told = picture.metadata.find(local_frame_key);
+  if (crs == picture.metadata.end()) return 0.0;
+  Vec2d middle = picture.grid.extent().centre();
+  const std::string& frame = told == picture.metadata.end() ? crs->second : told->second;
+  if (frame != crs->second) middle = position_in(frame, geo::place_on_globe(crs->second, middle, "map"));
+  const Vec2d north = geo::way_at_azimuth(frame, middle, 0.0);
+  return std::atan2(north.x, north.y);
+}
+
+/// Where the picture says that its radar stands, seen from its middle: clockwise from the north of its map's frame.
 std::optional<double> radar_azimuth_rad(const Picture& picture) {
   const auto told = picture.metadata.find(radar_azimuth_key);
   if (told == picture.metadata.end()) return std::nullopt;
@@ -185,7 +205,7 @@ Picture with_legend(const Picture& picture, const LegendParts& parts) {
   if (parts.scale_bar) draw_scale_bar(strip, picture);
   if (parts.north_arrow) draw_north_arrow(strip, way_in(picture, 0.0));
   if (const auto azimuth_rad = radar_azimuth_rad(picture); azimuth_rad && parts.north_arrow)
-    draw_look_arrow(strip, way_in(picture, *azimuth_rad + pi));
+    draw_look_arrow(strip, way_in(picture, *azimuth_rad - north_of_frame_rad(picture) + pi));
   return framed;
 }
 

@@ -26,8 +26,8 @@ std::string description(const radar::RangeAzimuthGrid& grid, const RangeAzimuthL
       {"azimuth_step_deg", deg_from_radians(grid.azimuth_step_rad)},
       {"azimuths", grid.azimuths},
       {"edges",
-       "first_range_m, of slant range, and first_azimuth_deg, clockwise from true "
-       "north, are where bin 0 begins; its middle lies half a step further"},
+       "first_range_m, of slant range, and first_azimuth_deg, clockwise from the "
+       "frame's north, are where bin 0 begins; its middle lies half a step further"},
       {"radar_position_m", {label.radar_position.x, label.radar_position.y, label.radar_position.z}}};
   std::map<std::string, std::string> words = label.words;
   std::map<std::string, double> numbers = label.numbers;
@@ -49,7 +49,7 @@ void write_range_azimuth(const std::filesystem::path& path, const radar::RangeAz
   check_range_azimuth_name(path);
   const std::array<std::size_t, 2> shape{bins.rows(), bins.columns()};
   const std::string words = description(grid, label), numbers = npy_bytes("<f4", shape, std::as_bytes(bins.values()));
-  geo::write_together({{std::filesystem::path(path).replace_extension(".json"), words}, {path, numbers}});
+  geo::write_together({{geo::companion_of(path, ".json"), words}, {path, numbers}});
 }
 
 }  // namespace sigmascape::product

@@ -12,6 +12,7 @@
 #include "sigmascape/geo/axis_units.h"
 #include "sigmascape/geo/coordinate_reference_system.h"
 #include "sigmascape/geo/coordinate_transform.h"
+#include "sigmascape/product/described_map.h"
 
 namespace sigmascape::product {
 namespace {
@@ -134,7 +135,7 @@ Array2D<Value> turned(const radar::GroundGrid& grid, const Array2D<Value>& value
 /// Positions that are told, as the radar's, stay in the local frame, which the system of the map no longer names.
 std::map<std::string, std::string> with_frame(std::map<std::string, std::string> metadata,
                                               const geo::LocalFrame& frame) {
-  metadata["local_frame"] = frame.proj();
+  metadata[local_frame_key] = frame.proj();
   return metadata;
 }
 

@@ -11,10 +11,11 @@
 
 namespace sigmascape::radar {
 
-/// What is wrong where the beam's axis never comes to what is mapped, which lies under this azimuth.
+/// What is wrong where the beam's axis never comes to what is mapped, which lies under this azimuth of the frame.
 [[nodiscard]] inline Error never_scanned(const Radar& radar, double azimuth_rad) {
   return {title_of(radar), "never points to what is to be mapped",
-          fmt::format("let its scan take in azimuth {:.1f}°", deg_from_radians(wrapped_azimuth(azimuth_rad)))};
+          fmt::format("let its scan take in azimuth {:.1f}°",
+                      deg_from_radians(wrapped_azimuth(azimuth_rad - radar.north_rad)))};
 }
 
 /// Throws never_scanned when the beam's axis comes no nearer to any of an area than half a beam's width.

@@ -16,7 +16,7 @@ namespace sigmascape::radar {
 struct Pulse {
   double time_s = 0.0;
   Motion platform;
-  /// Where the beam's axis pointed, clockwise from true north, if the record has the antenna in it.
+  /// Where the beam's axis pointed, clockwise from the frame's north, if the record has the antenna in it.
   std::optional<double> beam_azimuth_rad = {};
 };
 

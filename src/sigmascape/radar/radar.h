@@ -33,7 +33,9 @@ struct Processing {
 /// A mapping radar as one value: where it is and how it goes, and all that shapes what it receives.
 ///
 /// Widths are half-power widths: `range_resolution_m` and the waveform's window give the bandwidth (`bandwidth_of`),
-/// `beam_width_rad` and the antenna's shapes give the pattern (`antenna_pattern`).
+/// `beam_width_rad` and the antenna's shapes give the pattern (`antenna_pattern`). Neither changes the antenna's gain
+/// nor the pulse's length: in a Radar that is filled in by hand these are constants until they are set, and powers go
+/// by them. `read_radar_file` has them follow (radar_file.h).
 struct Radar {
   std::string name = "radar";
   Vec3d position = {};  ///< local frame, height above mean sea level
@@ -42,7 +44,7 @@ struct Radar {
   double range_resolution_m = 2.0;               ///< half-power width of the pulse after compression
   double beam_width_rad = 0.01;                  ///< one-way half-power width of the real beam in azimuth
   Vec3d velocity_mps = {};                       ///< local frame
-  double heading_rad = 0.0;                      ///< where the platform's nose points, clockwise from true north
+  double heading_rad = 0.0;  ///< where the platform's nose points, clockwise from north, as `scan` has it
   Antenna antenna = {};
   Scan scan = {};
   Waveform waveform = {};
@@ -53,6 +55,9 @@ struct Radar {
   std::optional<double> earth_refraction = {};
   double wind_mps = 0.0;          ///< that moves leaves, as pulses and images with Doppler see; 0: none
   double atmosphere_per_m = 0.0;  ///< what air and rain take on the way, one way: power falls as exp(−α r)
+  /// The azimuth in the frame of the north from which the radar's file states azimuths: of true north where it is, if
+  /// it stands on the globe.
+  double north_rad = 0.0;
 };
 
 [[nodiscard]] AntennaPattern antenna_pattern(const Radar& radar);

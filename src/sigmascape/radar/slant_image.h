@@ -33,8 +33,8 @@ struct RangeDopplerImage {
   double frequency_hz = 0.0;
   double interval_s = 0.0;
   double pulse_repetition_hz = 0.0;
-  /// Where the axis of the beam pointed in the middle of the interval, clockwise from true north, if the antenna's
-  /// pattern is in the image and the beam stayed on one azimuth or place.
+  /// Where the axis of the beam pointed in the middle of the interval, clockwise from the frame's north, if the
+  /// antenna's pattern is in the image and the beam stayed on one azimuth or place.
   std::optional<double> beam_azimuth_rad = {};
   /// ∫|h|² of the two responses: even ground has σ0 times the area of this cell in a bin, in the mean.
   double range_cell_m = 0.0, doppler_cell_hz = 0.0;
@@ -53,8 +53,8 @@ struct StripmapImage {
   Array2D<ComplexChannels> amplitude_m;  ///< [along, closest range]
   Motion platform;
   double squint_rad = 0.0;  ///< of the beam, ahead of broadside
-  /// Where the axis of the beam pointed all along the strip, clockwise from true north, if the antenna's pattern is in
-  /// the image.
+  /// Where the axis of the beam pointed all along the strip, clockwise from the frame's north, if the antenna's pattern
+  /// is in the image.
   std::optional<double> beam_azimuth_rad = {};
   double frequency_hz = 0.0;
   double closest_range_cell_m = 0.0, along_cell_m = 0.0;  ///< as above

@@ -7,8 +7,8 @@
 
 namespace sigmascape::radar {
 
-/// Where the scan fixes the beam of a strip, clockwise from true north. Nothing where it does not: then the beam keeps
-/// the azimuth in which it sees the middle of what is mapped at time zero.
+/// Where the scan fixes the beam of a strip, clockwise from the frame's north. Nothing where it does not: then the beam
+/// keeps the azimuth in which it sees the middle of what is mapped at time zero.
 [[nodiscard]] std::optional<double> fixed_strip_azimuth_rad(const Radar& radar);
 
 /// Where that beam points over the ground; a unit vector, zero where it would be straight down.

@@ -9,7 +9,7 @@
 
 namespace sigmascape::receiver {
 
-/// Where the beam's axis points, clockwise from true north, when a pulse is sent.
+/// Where the beam's axis points, clockwise from the frame's north, when a pulse is sent.
 using BeamAzimuth = std::function<double(const radar::Pulse& pulse)>;
 
 /// The axis follows a point of the ground, as in a spotlight.

@@ -4,11 +4,15 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <iterator>
+#include <string>
 #include <utility>
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/hash.h"
+#include "sigmascape/base/units.h"
+#include "sigmascape/geo/axis_units.h"
 #include "sigmascape/geo/coordinate_transform.h"
+#include "sigmascape/geo/geodesic.h"
 #include "sigmascape/radar/radar_title.h"
 
 namespace sigmascape::simulate {
@@ -17,23 +21,66 @@ namespace {
 /// As far as a radar file lets a radar be from what it sees.
 constexpr double furthest_m = 1e6;
 
+/// Where a radar stands, and what azimuth true north has there in the frame, for what it measures from that.
+struct Stand {
+  Vec3d position;
+  double north_rad = 0.0;
+};
+
+double azimuth_of(Vec2d way) {
+  return std::atan2(way.x, way.y);
+}
+
+/// Over the scene it stands where the frame has its place, a mast on its own hill. Beside it, at the distance and
+/// azimuth of its geodesic from the scene's middle, so that it sees the scene from where it does: the frame is true to
+/// scale and angle about the scene, and bends straight lines that go far. The azimuth of the way back at the radar
+/// tells what true north is there.
+Stand on_globe(const radar::GeographicPlace& place, const geo::LocalFrame& frame, const radar::Rectangle& extent) {
+  const Vec2d middle = extent.centre();
+  const geo::GeographicPosition there{place.latitude_deg, place.longitude_deg},
+      here = geo::place_on_globe(frame, middle);
+  const std::string crs = frame.proj();
+  const geo::Geodesic out = geo::geodesic_between(here, there);
+  const Vec2d projected = geo::position_in_frame(frame, there), way = geo::way_at_azimuth(crs, middle, out.azimuth_rad),
+              local = extent.contains(projected)
+                          ? projected
+                          : middle + way * (out.length_m / geo::ground_metres_per_unit(crs, middle));
+  constexpr double has_direction_m = 1.0;
+  const double north_rad = out.length_m > has_direction_m
+                               ? azimuth_of(middle - local) - geo::geodesic_between(there, here).azimuth_rad
+                               : azimuth_of(geo::way_at_azimuth(crs, middle, 0.0));
+  return {{local.x, local.y, place.altitude_m}, turned_by_least(north_rad)};
+}
+
 struct Placer {
   const geo::LocalFrame& frame;
   const terrain::HeightField& terrain;
   const radar::Rectangle& extent;
   radar::CurvedEarth earth;
 
-  Vec3d operator()(const radar::SeenFrom& seen) const {
+  Stand operator()(const radar::SeenFrom& seen) const {
     const Vec2d target = seen.target.value_or(extent.centre());
-    return radar::position_seeing({target.x, target.y, terrain.height_at(target)}, seen.azimuth_rad, seen.elevation_rad,
-                                  seen.slant_range_m, earth);
+    return {radar::position_seeing({target.x, target.y, terrain.height_at(target)}, seen.azimuth_rad,
+                                   seen.elevation_rad, seen.slant_range_m, earth)};
   }
-  Vec3d operator()(const radar::LocalPlace& place) const { return place.position; }
-  Vec3d operator()(const radar::GeographicPlace& place) const {
-    const Vec2d local = geo::position_in_frame(frame, {place.latitude_deg, place.longitude_deg});
-    return {local.x, local.y, place.altitude_m};
+  Stand operator()(const radar::LocalPlace& place) const { return {place.position}; }
+  Stand operator()(const radar::Unplaced&) const {
+    throw Error("position of the radar", "is not stated",
+                "give its file a [position], or in Python call see_from or stand_at first");
   }
+  Stand operator()(const radar::GeographicPlace& place) const { return on_globe(place, frame, extent); }
 };
+
+/// Turns what a radar measures from true north to what it is in the frame.
+void turn_to_frame(radar::Radar& radar, double north_rad) {
+  radar.north_rad = north_rad;
+  if (north_rad == 0.0) return;
+  const double sine = std::sin(north_rad), cosine = std::cos(north_rad);
+  const Vec3d v = radar.velocity_mps;
+  radar.velocity_mps = {v.x * cosine + v.y * sine, v.y * cosine - v.x * sine, v.z};
+  radar.heading_rad += north_rad;
+  if (radar.scan.azimuth_rad) *radar.scan.azimuth_rad += north_rad;
+}
 
 /// Puts the places of one target where they are.
 struct TargetPlacer {
@@ -64,8 +111,9 @@ struct TargetPlacer {
 radar::Radar placed_radar(const radar::RadarFile& file, const geo::LocalFrame& frame,
                           const terrain::HeightField& terrain, const radar::Rectangle& extent, double time_s) {
   radar::Radar radar = file.radar;
-  radar.position =
-      std::visit(Placer{frame, terrain, extent, radar::earth_of(radar)}, file.place) + radar.velocity_mps * time_s;
+  const Stand stand = std::visit(Placer{frame, terrain, extent, radar::earth_of(radar)}, file.place);
+  turn_to_frame(radar, stand.north_rad);
+  radar.position = stand.position + radar.velocity_mps * time_s;
   const Vec2d away = Vec2d{radar.position.x, radar.position.y} - extent.centre();
   if (!(length(away) <= furthest_m)) {
     throw Error(radar::title_of(radar),

@@ -14,7 +14,10 @@
 
 namespace sigmascape::simulate {
 
-/// The radar of a file, put where it stands over this terrain, or where it has flown to by `time_s`.
+/// The radar of a file, put where it stands over this terrain, or where it has flown to by `time_s`. One on the globe
+/// lies where the frame has its place, if that is within the extent, else at its distance and azimuth from the middle
+/// of the extent, and its course, heading and scan, stated from true north where it is, become azimuths of the frame
+/// (Radar::north_rad). All others state these in the frame.
 /// `extent` is what the scene covers. Throws Error when it would stand more than 1000 km from there.
 [[nodiscard]] radar::Radar placed_radar(const radar::RadarFile& file, const geo::LocalFrame& frame,
                                         const terrain::HeightField& terrain, const radar::Rectangle& extent,

@@ -2,11 +2,16 @@
 
 #include <array>
 #include <cmath>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <string>
 
 #include "unit/product/made_up_map.h"
 
 #include "sigmascape/base/error.h"
+#include "sigmascape/base/units.h"
+#include "sigmascape/geo/coordinate_transform.h"
+#include "sigmascape/geo/local_frame.h"
 #include "sigmascape/product/described_map.h"
 #include "sigmascape/product/legend.h"
 
@@ -196,8 +201,10 @@ TEST(Legend, NamesTheMiddleOfDifferences) {
 }
 
 /// Pixels of ink in the squares of the arrow that says whence the radar looks: [top, bottom][left, right].
-std::array<std::array<int, 2>, 2> ink_of_look_arrow(const std::string& radar_azimuth_deg) {
-  Picture picture = picture_of(map_of(300, 4, [](auto, auto) { return 1.0; }));
+std::array<std::array<int, 2>, 2> ink_of_look_arrow(const std::string& radar_azimuth_deg,
+                                                    const GroundMap& map = map_of(300, 4,
+                                                                                  [](auto, auto) { return 1.0; })) {
+  Picture picture = picture_of(map);
   if (!radar_azimuth_deg.empty()) picture.metadata[radar_azimuth_key] = radar_azimuth_deg;
   const Picture framed = with_legend(picture);
   std::array<std::array<int, 2>, 2> ink{};
@@ -217,6 +224,36 @@ TEST(Legend, AnArrowPointsAwayFromTheRadar) {
   EXPECT_GT(north[1][0] + north[1][1], 2 * (north[0][0] + north[0][1]));
   EXPECT_GT(south_east[0][0], south_east[1][1]);
   for (const char* none : {"", "above", "nan"}) EXPECT_EQ(ink_of_look_arrow(none)[0][0], 0) << none;
+}
+
+/// A map about the west's end of the 60th parallel of a frame: true north lies 14° from the frame's, tan 60° tanh(x/R).
+GroundMap map_of_turned_north() {
+  GroundMap map = map_of(300, 4, [](auto, auto) { return 1.0; });
+  map.crs = geo::LocalFrame(60.0, 0.0).proj();
+  map.grid.west_m = 900e3;
+  map.grid.north_m = 0.0;
+  return map;
+}
+
+// That is stated in the frame, whose north need not be the true one.
+TEST(Legend, TheArrowAwayFromTheRadarIsAsTheFrameHasIt) {
+  const auto upright = ink_of_look_arrow("0.00");
+  EXPECT_EQ(upright[1][0], upright[1][1]);
+  EXPECT_EQ(ink_of_look_arrow("0.00", map_of_turned_north()), upright);
+}
+
+// In a map in another system, a frame about its own middle, that is turned back by what true north is turned there.
+TEST(Legend, TheArrowAwayFromTheRadarIsTurnedWithTheMap) {
+  const GroundMap in_frame = map_of_turned_north();
+  const geo::GeographicPosition middle = geo::place_on_globe(in_frame.crs, in_frame.grid.extent().centre(), "map");
+  GroundMap map = map_of(300, 4, [](auto, auto) { return 1.0; });
+  map.crs = geo::LocalFrame(middle.latitude_deg, middle.longitude_deg).proj();
+  map.grid.west_m = -300.0;
+  map.grid.north_m = 4.0;
+  map.metadata[local_frame_key] = in_frame.crs;
+  const double turned_deg = deg_from_radians(std::atan(std::tan(radians_from_deg(60.0)) * std::tanh(900.3 / 6371.0)));
+  EXPECT_NE(ink_of_look_arrow("0.00", map), ink_of_look_arrow("0.00"));
+  EXPECT_EQ(ink_of_look_arrow(fmt::format("{}", 90.0 - turned_deg), map), ink_of_look_arrow("90.00"));
 }
 
 // Of a polar map, on its axis of x: north, where the pole is, lies to the left.
