@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,6 +9,7 @@
 
 #include "command.h"
 #include "number_within.h"
+#include "standard_error.h"
 #include "terminal_progress.h"
 #include "word_option.h"
 #include "words.h"
@@ -24,6 +24,7 @@
 #include "sigmascape/base/units.h"
 #include "sigmascape/geo/coordinate_transform.h"
 #include "sigmascape/geo/raster.h"
+#include "sigmascape/terrain/extent_about.h"
 #include "sigmascape/terrain/pyramid_builder.h"
 
 namespace sigmascape::cli {
@@ -171,42 +172,41 @@ std::string text_of(const atlas::AtlasDescription& atlas, const atlas::AtlasSumm
   return text;
 }
 
-/// Live frames look at the atlas' own ground first of all.
-void check_overlap(const terrain::TerrainSource& source, const geo::Extent& raster, const radar::Rectangle& extent) {
-  if (raster.empty()) {
-    throw Error(source.raster.file.string(), "reaches too far for terrain of all of it",
-                "cut it to the surroundings of the atlas, for example with gdal_translate -projwin");
-  }
-  if (raster.west_m < extent.east_m && raster.east_m > extent.west_m && raster.south_m < extent.north_m &&
-      raster.north_m > extent.south_m) {
-    return;
-  }
-  throw Error(source.raster.file.string(),
-              fmt::format("lies {:.0f} to {:.0f} m east and {:.0f} to {:.0f} m north of the atlas' origin, and nowhere "
-                          "over the atlas",
-                          raster.west_m, raster.east_m, raster.south_m, raster.north_m),
-              fmt::format("give terrain over {:.0f} to {:.0f} m east and {:.0f} to {:.0f} m north", extent.west_m,
-                          extent.east_m, extent.south_m, extent.north_m));
+/// Where there can be terrain. Live frames look at the atlas' own ground first of all.
+radar::Rectangle extent_of_terrain(const terrain::TerrainSource& source, const geo::Raster& heights,
+                                   const geo::LocalFrame& frame, const radar::Rectangle& atlas) {
+  if (const auto about = terrain::extent_about(heights, frame, atlas))
+    return {about->west_m, about->south_m, about->east_m, about->north_m};
+  const geo::Extent around = heights.outline_in(frame).extent_around();
+  const std::string place = std::isfinite(around.east_m)
+                                ? fmt::format(
+                                      "{:.0f} to {:.0f} m east and {:.0f} to {:.0f} m north of the atlas' "
+                                      "origin, and ",
+                                      around.west_m, around.east_m, around.south_m, around.north_m)
+                                : "";
+  throw Error(source.raster.file.string(), fmt::format("lies {}nowhere over the atlas", place),
+              fmt::format("give terrain over {:.0f} to {:.0f} m east and {:.0f} to {:.0f} m north", atlas.west_m,
+                          atlas.east_m, atlas.south_m, atlas.north_m));
 }
 
 /// Before the work, which may be long.
 void warn_of_guessed_unit(const terrain::TerrainSource& source, const geo::Raster& heights) {
   if (!heights.height_unit().is_guess) return;
-  fmt::print(stderr,
-             "warning: {}: states no unit of heights on a map in feet, taken to be in metres; --unit ft or us-ft says "
-             "otherwise\n",
-             source.raster.file.string());
+  warn(fmt::format(
+      "{}: states no unit of heights on a map in feet, taken to be in metres; --unit ft or us-ft says otherwise",
+      source.raster.file.string()));
 }
 
-/// Heights from a raster that reach as far as it does, in tiles beside the atlas.
-void build_terrain(const std::string& folder, const terrain::TerrainSource& source, double no_data_height_m,
+/// Heights from a raster about the atlas, in tiles beside it.
+void build_terrain(const std::string& folder, terrain::TerrainSource source, double no_data_height_m,
                    const Output& output) {
   const atlas::Store store = atlas::Store::open(folder);
   const geo::LocalFrame& frame = store.description().frame;
   const geo::Raster heights(source.raster);
-  const geo::Extent raster = heights.outline_in(frame).extent_inside();
-  check_overlap(source, raster, store.description().extent);
+  const radar::Rectangle reach = extent_of_terrain(source, heights, frame, store.description().extent);
   warn_of_guessed_unit(source, heights);
+  // Cells of degrees are of other sizes at the far ends of what the raster reaches.
+  if (!source.spacing_m) source.spacing_m = heights.cell_m(frame, store.description().extent.centre());
   const auto pyramid = std::filesystem::path(folder) / atlas::terrain_pyramid_name;
   // Two at once would take each other's unfinished files for those of other heights.
   const bake::Claims claims(folder);
@@ -214,8 +214,7 @@ void build_terrain(const std::string& folder, const terrain::TerrainSource& sour
   const bake::Claims::Claim claim = claims.take(bake::terrain_claim(store.description()), [&progress] {
     progress.waiting("terrain", "a bake that makes that of the atlas");
   });
-  const terrain::PyramidBuild build = terrain::build_pyramid(
-      pyramid, source, frame, {raster.west_m, raster.south_m, raster.east_m, raster.north_m}, no_data_height_m);
+  const terrain::PyramidBuild build = terrain::build_pyramid(pyramid, source, frame, reach, no_data_height_m);
   const terrain::TerrainPyramid built = terrain::open_pyramid(pyramid, 0);
   const terrain::PyramidLayout& layout = built.layout();
   const radar::Rectangle extent = layout.extent();
@@ -247,7 +246,9 @@ void add_terrain_command(Command added, const std::shared_ptr<std::string>& fold
   added.add_option("--crs", source->raster.crs, "instead of the raster's own coordinate system");
   add_word_option(added, "--unit", source->raster.unit, {{"m", "m"}, {"cm", "cm"}, {"ft", "ft"}, {"us-ft", "us-ft"}},
                   "unit of heights, instead of the raster's own");
-  added.add_option("--spacing", *spacing_m, "metres between heights; the raster's own cell if not given")
+  added
+      .add_option("--spacing", *spacing_m,
+                  "metres between heights; the raster's own cell in the atlas' middle if not given")
       .check(number_within(0.01, 1e5));
   added.add_option("--no-data-height", *no_data_height_m, "height in metres where the raster has none")
       .capture_default_str()

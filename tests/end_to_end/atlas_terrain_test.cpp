@@ -1,3 +1,4 @@
+#include <cmath>
 #include <cstdlib>
 #include <fmt/format.h>
 #include <fstream>
@@ -89,6 +90,44 @@ TEST_F(AtlasTerrain, IsMadeVerifiedAndMended) {
   ASSERT_EQ(add_terrain(heights), 0) << told();
   EXPECT_EQ(Json::parse(told()).at("written"), 2);
   EXPECT_EQ(verify(), 0) << told();
+}
+
+// The largest rectangle in a raster of Europe lies hundreds of kilometres north of Bilbao.
+TEST_F(AtlasTerrain, MayComeFromARasterOfAContinentOrTheGlobe) {
+  const auto level = [](double, double) { return 100.0; };
+  const std::string europe =
+      folder_.write("europe.asc", geo::AsciiGrid{-25.0, 34.0, 0.5, 140, 76}.text(level)).string();
+  const double half_turn_m = 6378137.0 * M_PI;
+  const std::string globe =
+      folder_
+          .write("globe.asc",
+                 geo::AsciiGrid{-half_turn_m, -0.5 * half_turn_m, half_turn_m / 100.0, 200, 100}.text(level))
+          .string();
+  for (const std::string& raster : {europe + "' --crs 'EPSG:4326", globe + "' --crs 'EPSG:3857"}) {
+    ASSERT_EQ(run(fmt::format("atlas terrain '{}' '{}' --spacing 20000 --json", atlas_.string(), raster)), 0) << told();
+    const Json made = Json::parse(told());
+    EXPECT_EQ(made.at("nodes_without_height"), 0);
+    for (const std::size_t west_or_south : {0, 1}) {
+      EXPECT_LT(made.at("extent_m").at(west_or_south), -300e3);
+      EXPECT_GT(made.at("extent_m").at(west_or_south + 2), 300e3);
+    }
+  }
+}
+
+// Of a raster of degrees that reaches far to the south: there its cells are wider by the ratio of the cosines of
+// latitude, in the middle of what it reaches by a fifth. The place's cell is 0.05° by N cos φ, N = a / √(1 − e² sin²
+// φ).
+TEST_F(AtlasTerrain, IsAsFineAsTheRasterIsInTheAtlas) {
+  const std::string south =
+      folder_.write("south.asc", geo::AsciiGrid{-6.0, 15.0, 0.05, 120, 600}.text([](double, double) { return 100.0; }))
+          .string();
+  ASSERT_EQ(run(fmt::format("atlas terrain '{}' '{}' --crs EPSG:4326 --json", atlas_.string(), south)), 0) << told();
+  const Json made = Json::parse(told());
+  EXPECT_LT(made.at("extent_m").at(1), -2000e3) << "or there is nothing to tell apart";
+  const double latitude_rad = 43.312 * M_PI / 180.0, sine = std::sin(latitude_rad);
+  const double expected_m =
+      0.05 * M_PI / 180.0 * 6378137.0 * std::cos(latitude_rad) / std::sqrt(1.0 - 0.00669438 * sine * sine);
+  EXPECT_NEAR(made.at("spacing_m").get<double>(), expected_m, 2e-3 * expected_m);
 }
 
 TEST_F(AtlasTerrain, OneIsCountedAsOne) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -35,6 +36,15 @@ struct GeoRaster {
 void write_geotiff(const std::filesystem::path& path, const GeoRaster& raster);
 /// Whether a file of that name is known for a GeoTIFF: .tif or .tiff.
 [[nodiscard]] bool is_geotiff_name(const std::filesystem::path& path);
+
+/// Where the cells of a raster lie and how many there are.
+struct RasterCells {
+  RasterPlacement placement;
+  std::size_t columns = 0, rows = 0;
+};
+
+/// Those of a north-up GeoTIFF with square cells, whose numbers are not read. Throws Error as read_geotiff.
+[[nodiscard]] RasterCells read_cells(const std::filesystem::path& path);
 
 /// Reads every band of a north-up GeoTIFF with square cells as float; a band's scale and offset are applied. Throws
 /// Error when the file cannot be read whole, is not north up or has no CRS. `placement.crs` is the file's CRS as WKT2.

@@ -9,6 +9,7 @@
 #include <gdal_priv.h>
 #include <limits>
 #include <ogr_spatialref.h>
+#include <optional>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -19,6 +20,7 @@
 #include "sigmascape/geo/heeding_progress.h"
 #include "sigmascape/geo/is_absent.h"
 #include "sigmascape/geo/length_unit.h"
+#include "sigmascape/geo/pixel_net.h"
 #include "sigmascape/geo/quiet_gdal.h"
 #include "sigmascape/geo/spatial_reference.h"
 
@@ -63,7 +65,17 @@ struct Raster::Source {
   std::array<double, 6> crs_from_pixel{};
   std::array<double, 6> pixel_from_crs{};
   double full_turn = 0.0;
+  std::optional<LocalFrame> latest_frame;
+  std::optional<CoordinateTransform> latest_transform;
 
+  /// The way to a frame and back, which takes far longer to find than to go: it is kept until another is asked for.
+  [[nodiscard]] const CoordinateTransform& transform_to(const LocalFrame& frame) {
+    if (!latest_transform || *latest_frame != frame) {
+      latest_transform.emplace(crs, frame, name);
+      latest_frame = frame;
+    }
+    return *latest_transform;
+  }
   [[nodiscard]] int columns() const { return dataset->GetRasterXSize(); }
   [[nodiscard]] int rows() const { return dataset->GetRasterYSize(); }
   [[nodiscard]] Vec2d crs_position(double column, double row) const {
@@ -88,92 +100,14 @@ struct Raster::Source {
       p = {g[0] + x * g[1] + p.y * g[2], g[3] + x * g[4] + p.y * g[5]};
     }
   }
+  [[nodiscard]] Vec2d pixel_at(const LocalFrame& frame, Vec2d place) {
+    transform_to(frame).to_crs({&place, 1});
+    to_pixels({&place, 1});
+    return place;
+  }
 };
 
 namespace {
-
-/// Points of a lattice that lie side by side.
-struct Block {
-  std::size_t column = 0, row = 0, columns = 0, rows = 0;
-};
-
-/// Positions from the least to the greatest; none while they are the other way round.
-struct PixelBox {
-  Vec2d least{infinity, infinity}, greatest{-infinity, -infinity};
-
-  void take_in(Vec2d pixel) {
-    if (!std::isfinite(pixel.x) || !std::isfinite(pixel.y)) return;
-    least = {std::min(least.x, pixel.x), std::min(least.y, pixel.y)};
-    greatest = {std::max(greatest.x, pixel.x), std::max(greatest.y, pixel.y)};
-  }
-  [[nodiscard]] bool empty() const { return !(least.x <= greatest.x && least.y <= greatest.y); }
-};
-
-/// Positions in source pixels at the points of a lattice: exact on a net of at most 100 m mesh and linear between,
-/// where no projection bends by more than a millimetre.
-class PixelNet {
- public:
-  template <typename ToPixels>
-  PixelNet(const Lattice& lattice, const CoordinateTransform& transform, const ToPixels& to_pixels)
-      : stride_(std::clamp<std::size_t>(static_cast<std::size_t>(100.0 / lattice.spacing_m), 1, 64)),
-        knots_(lattice.columns / stride_ + 2, lattice.rows / stride_ + 2) {
-    const double step_m = lattice.spacing_m * static_cast<double>(stride_);
-    for (std::size_t row = 0; row < knots_.rows(); ++row) {
-      for (std::size_t column = 0; column < knots_.columns(); ++column) {
-        knots_(column, row) = {lattice.west_m + static_cast<double>(column) * step_m,
-                               lattice.north_m - static_cast<double>(row) * step_m};
-      }
-    }
-    transform.to_crs(knots_.values());
-    to_pixels(knots_.values());
-  }
-
-  /// At a place between the lattice points, which may lie half a spacing outside them.
-  [[nodiscard]] Vec2d at(double column, double row) const {
-    const double across = column / static_cast<double>(stride_), down = row / static_cast<double>(stride_);
-    const auto i = static_cast<std::size_t>(std::clamp(across, 0.0, static_cast<double>(knots_.columns() - 2)));
-    const auto j = static_cast<std::size_t>(std::clamp(down, 0.0, static_cast<double>(knots_.rows() - 2)));
-    const double u = across - static_cast<double>(i), v = down - static_cast<double>(j);
-    const Vec2d upper = knots_(i, j) * (1.0 - u) + knots_(i + 1, j) * u;
-    const Vec2d lower = knots_(i, j + 1) * (1.0 - u) + knots_(i + 1, j + 1) * u;
-    return upper * (1.0 - v) + lower * v;
-  }
-
-  /// What `at` may be asked for at the points of a block and half a spacing round them.
-  [[nodiscard]] PixelBox box_of(const Block& block) const {
-    // Between neighbouring lines of knots no position lies beyond those at the corners.
-    PixelBox box;
-    bool has_gaps = false;
-    for (const double row : lines_across(block.row, block.rows)) {
-      for (const double column : lines_across(block.column, block.columns)) {
-        const Vec2d pixel = at(column, row);
-        has_gaps = has_gaps || !std::isfinite(pixel.x) || !std::isfinite(pixel.y);
-        box.take_in(pixel);
-      }
-    }
-    if (!has_gaps) return box;
-    // Beside a knot that has no position `at` tells nothing of the next one, to which positions on its other side
-    // reach.
-    for (std::size_t j = block.row / stride_; j <= (block.row + block.rows) / stride_; ++j) {
-      for (std::size_t i = block.column / stride_; i <= (block.column + block.columns) / stride_; ++i)
-        box.take_in(knots_(i, j));
-    }
-    return box;
-  }
-
- private:
-  /// The ends of a stretch of points, half a spacing beyond them, and the lines of knots between.
-  [[nodiscard]] std::vector<double> lines_across(std::size_t first, std::size_t count) const {
-    std::vector<double> lines{static_cast<double>(first) - 0.5};
-    for (std::size_t knot = (first + stride_ - 1) / stride_ * stride_; knot < first + count; knot += stride_)
-      lines.push_back(static_cast<double>(knot));
-    lines.push_back(static_cast<double>(first + count) - 0.5);
-    return lines;
-  }
-
-  std::size_t stride_;
-  Array2D<Vec2d> knots_;
-};
 
 /// A part of a band, in its cells.
 struct Part {
@@ -252,27 +186,28 @@ Window<T> read_window(GDALRasterBand& band, const Coverage& coverage, const Part
 
 /// Calls `fill(block, part)` for blocks that make up a lattice, with the part of the band that each touches. Blocks are
 /// halved until their parts hold so few cells that a lattice takes no more memory from a fine raster than from a coarse
-/// one.
+/// one, and where the net is torn until they are points.
 template <typename Fill>
-void for_each_block(const Block& block, const PixelNet& net, const Coverage& coverage, const Fill& fill) {
+void for_each_block(const LatticeBlock& block, const PixelNet& net, const Coverage& coverage, const Fill& fill) {
   constexpr double most_cells = 1 << 22;
-  const auto part_of = [&](const Block& piece) { return part_around(net.box_of(piece), coverage); };
+  const auto part_of = [&](const LatticeBlock& piece) { return part_around(net.box_of(piece), coverage); };
+  const bool is_point = block.columns * block.rows == 1, is_torn = !is_point && net.is_torn(block);
   const Part part = part_of(block);
-  if (part.columns <= 0 || part.rows <= 0) return;
-  if (part.cells() <= most_cells || block.columns * block.rows == 1) {
+  if (!is_torn && (part.columns <= 0 || part.rows <= 0)) return;
+  if (is_point || (!is_torn && part.cells() <= most_cells)) {
     fill(block, part);
     return;
   }
   const auto [column, row, columns, rows] = block;
-  const std::array north_and_south{Block{column, row, columns, rows / 2},
-                                   Block{column, row + rows / 2, columns, rows - rows / 2}};
-  const std::array west_and_east{Block{column, row, columns / 2, rows},
-                                 Block{column + columns / 2, row, columns - columns / 2, rows}};
+  const std::array north_and_south{LatticeBlock{column, row, columns, rows / 2},
+                                   LatticeBlock{column, row + rows / 2, columns, rows - rows / 2}};
+  const std::array west_and_east{LatticeBlock{column, row, columns / 2, rows},
+                                 LatticeBlock{column + columns / 2, row, columns - columns / 2, rows}};
   const auto cells_of = [&](const auto& halves) { return part_of(halves[0]).cells() + part_of(halves[1]).cells(); };
   // Rasters are stored in rows more often than not, unless parts that lie slantwise make the other halves much smaller.
   constexpr double much = 1.2;
   const bool by_rows = columns == 1 || (rows > 1 && cells_of(north_and_south) <= much * cells_of(west_and_east));
-  for (const Block& half : by_rows ? north_and_south : west_and_east) for_each_block(half, net, coverage, fill);
+  for (const LatticeBlock& half : by_rows ? north_and_south : west_and_east) for_each_block(half, net, coverage, fill);
 }
 
 /// Bilinear between cell centres. Cells without data take no part; where the nearest one has none, neither has the
@@ -292,6 +227,16 @@ float bilinear(const Window<float>& window, Vec2d pixel) {
     }
   }
   return weight_sum > 0.0 ? static_cast<float>(sum / weight_sum) : nan_height;
+}
+
+/// How many cells of the raster a step of the lattice crosses at a point, whose position is `pixel`, in the direction
+/// in which it crosses more. It tells by the place alone: where tiles meet, their heights are means over the same
+/// samples.
+int cells_across(const PixelNet& net, std::size_t column, std::size_t row, Vec2d pixel) {
+  constexpr double most = 16.0;
+  const auto x = static_cast<double>(column), y = static_cast<double>(row);
+  const double cells = 2.0 * std::max(length(net.at(x + 0.5, y) - pixel), length(net.at(x, y + 0.5) - pixel));
+  return cells > 1.0 ? static_cast<int>(std::lround(std::min(cells, most))) : 1;
 }
 
 /// Mean of n × n bilinear samples spread over the lattice cell around a point.
@@ -315,7 +260,7 @@ float mean_over_cell(const Window<float>& window, const PixelNet& net, std::size
 
 /// Calls `visit(column, row, pixel)` for the points of a block that the raster covers.
 template <typename Visit>
-void for_each_point(const Block& block, const PixelNet& net, const Coverage& coverage, const Visit& visit) {
+void for_each_point(const LatticeBlock& block, const PixelNet& net, const Coverage& coverage, const Visit& visit) {
   for (std::size_t row = block.row; row < block.row + block.rows; ++row) {
     Interruption::heed();
     for (std::size_t column = block.column; column < block.column + block.columns; ++column) {
@@ -372,7 +317,7 @@ Raster::Raster(const RasterBand& wanted) : source_(std::make_unique<Source>()) {
                 "georeference it, for example with gdal_translate -a_ullr");
   }
   require_latitudes(source.crs_from_pixel, source.columns(), source.rows(), source.crs, where);
-  source.full_turn = full_turn(source.crs);
+  source.full_turn = turn_of_x(source.crs);
 }
 
 Raster::~Raster() = default;
@@ -394,14 +339,21 @@ GeographicPosition Raster::centre() const {
   return place_on_globe(source_->crs, source_->middle(), source_->name);
 }
 
-double Raster::cell_m() const {
-  const auto [latitude_deg, longitude_deg] = centre();
-  const CoordinateTransform transform(source_->crs, LocalFrame(latitude_deg, longitude_deg), source_->name);
-  const double column = source_->columns() / 2.0, row = source_->rows() / 2.0;
+double Raster::cell_m(const LocalFrame& frame, Vec2d place) const {
+  const CoordinateTransform& transform = source_->transform_to(frame);
+  const Vec2d pixel = source_->pixel_at(frame, place);
+  const auto cell_at = [](double position, int count) {
+    return std::isfinite(position) ? std::clamp(std::floor(position), 0.0, count - 1.0) : count / 2.0;
+  };
+  const double column = cell_at(pixel.x, source_->columns()), row = cell_at(pixel.y, source_->rows());
   std::array corners{source_->crs_position(column, row), source_->crs_position(column + 1.0, row),
                      source_->crs_position(column, row + 1.0)};
   transform.to_frame(corners);
   return std::min(length(corners[1] - corners[0]), length(corners[2] - corners[0]));
+}
+
+bool Raster::covers(const LocalFrame& frame, Vec2d place) const {
+  return source_->coverage().holds(source_->pixel_at(frame, place));
 }
 
 RasterOutline Raster::outline_in(const LocalFrame& frame) const {
@@ -416,7 +368,7 @@ RasterOutline Raster::outline_in(const LocalFrame& frame) const {
     top.push_back(source_->crs_position(t * columns, 0.0));
     bottom.push_back(source_->crs_position(t * columns, rows));
   }
-  const CoordinateTransform transform(source_->crs, frame, source_->name);
+  const CoordinateTransform& transform = source_->transform_to(frame);
   for (auto* edge : {&left, &right, &top, &bottom}) transform.to_frame(*edge);
   return RasterOutline::of(std::move(left), std::move(right), std::move(bottom), std::move(top));
 }
@@ -439,42 +391,44 @@ HeightUnit Raster::height_unit() const {
 }
 
 Array2D<float> Raster::heights_on(const Lattice& lattice, const LocalFrame& frame, PlausibleHeights plausible) const {
-  const CoordinateTransform transform(source_->crs, frame, source_->name);
-  const PixelNet net(lattice, transform, [this](std::span<Vec2d> knots) { source_->to_pixels(knots); });
+  const PixelNet net(lattice, source_->transform_to(frame),
+                     [this](std::span<Vec2d> knots) { source_->to_pixels(knots); });
   const Coverage coverage = source_->coverage();
   Array2D<float> heights(lattice.columns, lattice.rows, nan_height);
   const double to_metres = height_unit().metres;
   const double scale = source_->band->GetScale() * to_metres, offset = source_->band->GetOffset() * to_metres;
-  const int samples = std::clamp(static_cast<int>(std::lround(lattice.spacing_m / cell_m())), 1, 16);
-  for_each_block({0, 0, lattice.columns, lattice.rows}, net, coverage, [&](const Block& block, const Part& part) {
-    auto window = read_window<float>(*source_->band, coverage, part, GDT_Float32, source_->name);
-    for (std::size_t i = 0; i < window.value.size(); ++i) {
-      float& height = window.value.values()[i];
-      height = static_cast<float>(static_cast<double>(height) * scale + offset);
-      const bool believed =
-          height >= static_cast<float>(plausible.lowest_m) && height <= static_cast<float>(plausible.highest_m);
-      if (!believed) window.valid.values()[i] = 0;
-    }
-    for_each_point(block, net, coverage, [&](std::size_t column, std::size_t row, Vec2d pixel) {
-      heights(column, row) =
-          samples == 1 ? bilinear(window, pixel) : mean_over_cell(window, net, column, row, samples, coverage);
-    });
-  });
+  for_each_block(
+      {0, 0, lattice.columns, lattice.rows}, net, coverage, [&](const LatticeBlock& block, const Part& part) {
+        auto window = read_window<float>(*source_->band, coverage, part, GDT_Float32, source_->name);
+        for (std::size_t i = 0; i < window.value.size(); ++i) {
+          float& height = window.value.values()[i];
+          height = static_cast<float>(static_cast<double>(height) * scale + offset);
+          const bool believed =
+              height >= static_cast<float>(plausible.lowest_m) && height <= static_cast<float>(plausible.highest_m);
+          if (!believed) window.valid.values()[i] = 0;
+        }
+        for_each_point(block, net, coverage, [&](std::size_t column, std::size_t row, Vec2d pixel) {
+          const int samples = cells_across(net, column, row, pixel);
+          heights(column, row) =
+              samples == 1 ? bilinear(window, pixel) : mean_over_cell(window, net, column, row, samples, coverage);
+        });
+      });
   return heights;
 }
 
 Array2D<std::int32_t> Raster::classes_on(const Lattice& lattice, const LocalFrame& frame) const {
-  const CoordinateTransform transform(source_->crs, frame, source_->name);
-  const PixelNet net(lattice, transform, [this](std::span<Vec2d> knots) { source_->to_pixels(knots); });
+  const PixelNet net(lattice, source_->transform_to(frame),
+                     [this](std::span<Vec2d> knots) { source_->to_pixels(knots); });
   const Coverage coverage = source_->coverage();
   Array2D<std::int32_t> classes(lattice.columns, lattice.rows, no_class);
-  for_each_block({0, 0, lattice.columns, lattice.rows}, net, coverage, [&](const Block& block, const Part& part) {
-    const auto window = read_window<std::int32_t>(*source_->band, coverage, part, GDT_Int32, source_->name);
-    for_each_point(block, net, coverage, [&](std::size_t column, std::size_t row, Vec2d pixel) {
-      const std::size_t i = window.column_of(pixel.x), j = window.row_of(pixel.y);
-      if (window.valid(i, j) != 0) classes(column, row) = window.value(i, j);
-    });
-  });
+  for_each_block(
+      {0, 0, lattice.columns, lattice.rows}, net, coverage, [&](const LatticeBlock& block, const Part& part) {
+        const auto window = read_window<std::int32_t>(*source_->band, coverage, part, GDT_Int32, source_->name);
+        for_each_point(block, net, coverage, [&](std::size_t column, std::size_t row, Vec2d pixel) {
+          const std::size_t i = window.column_of(pixel.x), j = window.row_of(pixel.y);
+          if (window.valid(i, j) != 0) classes(column, row) = window.value(i, j);
+        });
+      });
   return classes;
 }
 

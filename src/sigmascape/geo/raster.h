@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sigmascape/base/array2d.h"
+#include "sigmascape/base/vec.h"
 #include "sigmascape/geo/coordinate_transform.h"
 #include "sigmascape/geo/lattice.h"
 #include "sigmascape/geo/local_frame.h"
@@ -38,7 +39,8 @@ struct PlausibleHeights {
 /// What a class raster reads where it has no class.
 inline constexpr std::int32_t no_class = std::numeric_limits<std::int32_t>::min();
 
-/// One band of a georeferenced raster of any format that GDAL reads, open for sampling in a local frame.
+/// One band of a georeferenced raster of any format that GDAL reads, open for sampling in a local frame. One thread at
+/// a time may ask it, as GDAL has it.
 class Raster {
  public:
   /// Throws Error when the file is missing, no raster, lacks the band, or carries neither CRS nor georeference.
@@ -51,8 +53,11 @@ class Raster {
   /// beside it that say more of it, as far as these are files on disk.
   [[nodiscard]] std::vector<std::filesystem::path> files() const;
   [[nodiscard]] GeographicPosition centre() const;
-  /// The shorter side of the cell at the centre, on the ground.
-  [[nodiscard]] double cell_m() const;
+  /// The shorter side of the cell at a place of a frame, in metres there; of the nearest one, where the raster does not
+  /// reach.
+  [[nodiscard]] double cell_m(const LocalFrame& frame, Vec2d place) const;
+  /// Whether a place of a frame lies in it, be there data or none.
+  [[nodiscard]] bool covers(const LocalFrame& frame, Vec2d place) const;
   /// Its edges in a frame; empty for one that goes round the globe, which has none.
   [[nodiscard]] RasterOutline outline_in(const LocalFrame& frame) const;
 
@@ -60,7 +65,7 @@ class Raster {
   /// says, else metres. Throws Error for a unit that is not known.
   [[nodiscard]] HeightUnit height_unit() const;
   /// Bilinear heights in metres, [column, row] of the lattice; NaN outside the raster and where it holds no data. Where
-  /// the lattice is coarser than the raster, the mean over the lattice cell. Values in feet, or in
+  /// the lattice is coarser than the raster is there, the mean over the lattice cell. Values in feet, or in
   /// whatever else their unit is, become metres; the vertical datum stays whatever it is. Throws Error for a unit that
   /// is not known.
   [[nodiscard]] Array2D<float> heights_on(const Lattice& lattice, const LocalFrame& frame,

@@ -22,6 +22,15 @@ struct RasterOutline {
   /// The largest rectangle of the frame's own directions that was found inside: between the innermost points of the
   /// edges, or about the middle where edges run so slantwise that this is more. None of an empty outline.
   [[nodiscard]] Extent extent_inside() const;
+  /// The largest within `limit`, or nearly, that holds another and has no point of the edges inside but for those in
+  /// that one: grown from a rectangle inside, it lies inside. `limit` itself in an empty outline.
+  [[nodiscard]] Extent extent_holding(const Extent& held, const Extent& limit) const;
+  /// With points on the straight lines between neighbouring ones besides, so far apart at most where the lines lie in a
+  /// rectangle: a small one may lie between two points of the outline of a wide raster.
+  [[nodiscard]] RasterOutline with_points_in(const Extent& within, double spacing_m) const;
+  /// The farthest that two neighbouring points of the edges lie apart, of those in a rectangle: so far a corner of one
+  /// without such points may reach out between two.
+  [[nodiscard]] double spacing_m(const Extent& within) const;
   /// The smallest that holds all of it; the whole plane around an empty outline.
   [[nodiscard]] Extent extent_around() const;
 };

@@ -63,19 +63,29 @@ std::map<std::string, std::string> metadata_of(GDALDataset& dataset) {
   return metadata;
 }
 
+GDALDatasetUniquePtr opened(const std::filesystem::path& path) {
+  register_gdal_drivers();
+  const std::array<const char*, 2> drivers{"GTiff", nullptr};
+  GDALDatasetUniquePtr dataset(
+      GDALDataset::Open(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers.data(), nullptr, nullptr));
+  if (dataset) return dataset;
+  if (is_absent(path)) throw Error(path.string(), "the file does not exist", "correct the path");
+  throw Error(path.string(), fmt::format("cannot be opened as GeoTIFF ({})", QuietGdal::complaint()),
+              "check the path and the format");
+}
+
 }  // namespace
+
+RasterCells read_cells(const std::filesystem::path& path) {
+  const QuietGdal quiet;
+  const GDALDatasetUniquePtr dataset = opened(path);
+  return {placement_of(path, *dataset), static_cast<std::size_t>(dataset->GetRasterXSize()),
+          static_cast<std::size_t>(dataset->GetRasterYSize())};
+}
 
 GeoRaster read_geotiff(const std::filesystem::path& path) {
   const QuietGdal quiet;
-  register_gdal_drivers();
-  const std::array<const char*, 2> drivers{"GTiff", nullptr};
-  const GDALDatasetUniquePtr dataset(
-      GDALDataset::Open(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers.data(), nullptr, nullptr));
-  if (!dataset) {
-    if (is_absent(path)) throw Error(path.string(), "the file does not exist", "correct the path");
-    throw Error(path.string(), fmt::format("cannot be opened as GeoTIFF ({})", QuietGdal::complaint()),
-                "check the path and the format");
-  }
+  const GDALDatasetUniquePtr dataset = opened(path);
   GeoRaster raster;
   raster.placement = placement_of(path, *dataset);
   raster.metadata = metadata_of(*dataset);

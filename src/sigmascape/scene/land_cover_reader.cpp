@@ -190,8 +190,8 @@ WaterMask add_land_cover(Scene& scene, const LandCoverSource& source) {
   const std::string name = source.raster ? source.raster->file.string() : "[land_cover]";
   std::optional<geo::Raster> raster;
   if (source.raster) raster.emplace(*source.raster);
-  const radar::GroundGrid grid =
-      material_grid(scene.extent, source.cell_m.value_or(raster ? raster->cell_m() : scene.terrain.spacing_m), name);
+  const double own_cell_m = raster ? raster->cell_m(scene.frame, scene.extent.centre()) : scene.terrain.spacing_m;
+  const radar::GroundGrid grid = material_grid(scene.extent, source.cell_m.value_or(own_cell_m), name);
   scene.ground.grid = grid;
   scene.ground.material = Array2D<MaterialIndex>(grid.columns, grid.rows, scene.material_index(source.nodata));
   if (!raster) return {grid.columns, grid.rows, 0};

@@ -17,8 +17,8 @@ namespace sigmascape::terrain {
 namespace {
 
 constexpr auto cells = static_cast<std::int64_t>(HeightTile::cells);
-/// Rises when the same raster gives other heights on a coarser lattice, so that tiles of both are never mixed.
-constexpr int revision_of_means = 2;
+/// Rises when the same raster gives other heights, so that tiles of both are never mixed.
+constexpr int revision_of_heights = 3;
 
 /// Nodes of one finished level, wherever they stand; remembers a few tiles.
 class LevelNodes {
@@ -350,7 +350,7 @@ TerrainPyramid pyramid_in_memory(const HeightField& field) {
 PyramidBuild build_pyramid(const std::filesystem::path& folder, const TerrainSource& source,
                            const geo::LocalFrame& frame, const radar::Rectangle& extent, double no_data_height_m) {
   const geo::Raster raster(source.raster);
-  const double spacing_m = source.spacing_m.value_or(raster.cell_m());
+  const double spacing_m = source.spacing_m.value_or(raster.cell_m(frame, extent.centre()));
   const auto layout = PyramidLayout::covering(extent, spacing_m);
   if (std::max(layout.tiles_across, layout.tiles_down) > most_tiles_a_side) {
     throw Error(source.raster.file.string(),
@@ -363,7 +363,7 @@ PyramidBuild build_pyramid(const std::filesystem::path& folder, const TerrainSou
   hash.add(fmt::format("{} {} {} {} {} {}", source.raster.band, source.raster.crs, source.plausible.lowest_m,
                        source.plausible.highest_m, no_data_height_m, frame.proj()));
   if (const double unit_m = raster.height_unit().metres; unit_m != 1.0) hash.add(fmt::format(" {}", unit_m));
-  if (spacing_m > raster.cell_m()) hash.add(fmt::format(" means {}", revision_of_means));
+  hash.add(fmt::format(" revision {}", revision_of_heights));
   if (layout.extent() != extent) hash.add(fmt::format(" goes on beyond {} {}", extent.east_m, extent.south_m));
   const PyramidHeading heading{layout, hash.hex_digest()};
   std::size_t asked = 0, without_height = 0;

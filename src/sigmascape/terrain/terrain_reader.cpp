@@ -76,6 +76,16 @@ void relax(Array2D<float>& heights, Node node, const Limit& limited) {
   height = limited(height + over_relaxation * (neighbour_mean(heights, node) - height));
 }
 
+/// Calls `visit` for the holes of some rows, row by row.
+template <typename Visit>
+void for_each_hole(const NodeMask& is_hole, const std::vector<std::size_t>& rows, const Visit& visit) {
+  for (const std::size_t row : rows) {
+    for (std::size_t column = 0; column < is_hole.columns(); ++column) {
+      if (is_hole(column, row) != 0) visit(Node{column, row});
+    }
+  }
+}
+
 /// Throws Error, which names a spacing that would do, when reading the heights of a rectangle takes more memory than
 /// there is.
 void require_room(const radar::Rectangle& wanted, double spacing_m, const TerrainSource& source) {
@@ -113,19 +123,19 @@ std::string in_degrees(const geo::Raster& raster) {
 std::size_t fill_holes(Array2D<float>& heights) {
   const std::size_t holes = count_holes(heights);
   if (holes == 0 || holes == heights.size()) return holes;
+  const NodeMask is_hole = holes_in(heights);
   Array2D<float> coarse = halved(heights);
   fill_holes(coarse);
-  std::vector<Node> filled;
+  // A list of the holes themselves would take several times as much memory as heights that are mostly holes.
+  std::vector<std::size_t> rows;
   for (std::size_t row = 0; row < heights.rows(); ++row) {
-    for (std::size_t column = 0; column < heights.columns(); ++column) {
-      if (!std::isnan(heights(column, row))) continue;
-      heights(column, row) = coarse(column / 2, row / 2);
-      filled.push_back({column, row});
-    }
+    if (std::ranges::find(is_hole.row(row), 1) != is_hole.row(row).end()) rows.push_back(row);
   }
+  for_each_hole(is_hole, rows,
+                [&](Node node) { heights(node.column, node.row) = coarse(node.column / 2, node.row / 2); });
   for (int sweep = 0; sweep < 30; ++sweep) {
     Interruption::heed();
-    for (const Node& node : filled) relax(heights, node, [](float height) { return height; });
+    for_each_hole(is_hole, rows, [&](Node node) { relax(heights, node, [](float height) { return height; }); });
   }
   return holes;
 }
@@ -166,7 +176,7 @@ ReadTerrain read_terrain(const TerrainSource& source, const geo::LocalFrame& fra
                     available.west_m, available.east_m, available.south_m, available.north_m, in_degrees(raster)));
   }
 
-  const double spacing_m = source.spacing_m.value_or(raster.cell_m());
+  const double cell_m = raster.cell_m(frame, wanted->centre()), spacing_m = source.spacing_m.value_or(cell_m);
   require_room(*wanted, spacing_m, source);
   const auto columns = static_cast<std::size_t>(wanted->width_m() / spacing_m + 1e-6) + 1;
   const auto rows = static_cast<std::size_t>(wanted->height_m() / spacing_m + 1e-6) + 1;
@@ -177,7 +187,6 @@ ReadTerrain read_terrain(const TerrainSource& source, const geo::LocalFrame& fra
                 "choose a smaller spacing_m or a larger extent");
   }
   ReadTerrain result;
-  const double cell_m = raster.cell_m();
   result.around_raster = {available.west_m - cell_m, available.south_m - cell_m, available.east_m + cell_m,
                           available.north_m + cell_m};
   result.unit_is_guess = raster.height_unit().is_guess;

@@ -45,6 +45,21 @@ TEST(CoordinateReferenceSystem, HasNorthSomewhere) {
   EXPECT_NEAR(way_at_azimuth("somewhere", {}, pi / 2.0).x, 1.0, 1e-12);
 }
 
+// Mercator's x is the semi-major axis times the longitude, an equirectangular one's that of its true parallel as well;
+// on a globe of 1000 m so is Miller's. Where meridians are bent, or parallels are as long as they are, there is no such
+// turn.
+TEST(CoordinateReferenceSystem, TurnsRoundAnUprightCylinderInX) {
+  constexpr double equator_m = 2.0 * pi * 6378137.0;
+  for (const char* mercator : {"EPSG:3857", "EPSG:3395", "+proj=merc +lon_0=150 +datum=WGS84"})
+    EXPECT_NEAR(turn_of_x(mercator), equator_m, 1e-3) << mercator;
+  EXPECT_NEAR(turn_of_x("+proj=merc +lon_0=-100 +datum=WGS84 +units=us-ft"), equator_m / us_survey_foot_m, 1e-2);
+  EXPECT_NEAR(turn_of_x("+proj=eqc +lat_ts=60 +R=1000"), pi * 1000.0, 1e-6);
+  EXPECT_NEAR(turn_of_x("+proj=mill +R=1000"), 2.0 * pi * 1000.0, 1e-6);
+  EXPECT_NEAR(turn_of_x("EPSG:4326"), 360.0, 1e-9);
+  for (const char* another : {"EPSG:25830", "EPSG:3413", "+proj=sinu +R=6371007.181", "+proj=robin", "somewhere"})
+    EXPECT_EQ(turn_of_x(another), 0.0) << another;
+}
+
 TEST(CoordinateReferenceSystem, ALocalFrameHasAName) {
   const LocalFrame frame(43.26, -2.93);
   EXPECT_EQ(frame.title(), "Sigmascape local transverse Mercator at 43.26 N, 2.93 W");

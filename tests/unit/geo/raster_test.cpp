@@ -1,5 +1,6 @@
 #include "sigmascape/geo/raster.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
@@ -83,7 +84,7 @@ TEST(Raster, GeographicRasterIsNotTransposed) {
   EXPECT_NEAR(raster.centre().latitude_deg, 43.315, 1e-6);
   EXPECT_NEAR(raster.centre().longitude_deg, -2.988, 1e-6);
   // 0.0002° is 22.2 m northward and cos 43.3° of that eastward.
-  EXPECT_NEAR(raster.cell_m(), 22.26 * std::cos(43.315 * M_PI / 180.0), 0.05);
+  EXPECT_NEAR(raster.cell_m(frame, {0.0, 300.0}), 22.26 * std::cos(43.315 * M_PI / 180.0), 0.05);
 }
 
 /// Heights of a raster in degrees that rise eastward and northward, about a frame's origin.
@@ -140,6 +141,112 @@ TEST(Raster, ThatGoesRoundTheGlobeHasNoSeam) {
       }
     }
   }
+}
+
+/// Half the globe's girth in web Mercator, EPSG:3857: π of the semi-major axis.
+constexpr double half_turn_m = 6378137.0 * M_PI;
+
+TEST(Raster, ThatGoesRoundTheGlobeInMercatorHasNoSeamEither) {
+  const ScratchFolder folder;
+  const AsciiGrid globe{-half_turn_m, -0.5 * half_turn_m, half_turn_m / 200.0, 400, 200};
+  const Raster raster(
+      {folder.write("globe.asc", globe.text([](double x, double) { return 400.0 * std::cos(x / half_turn_m * M_PI); })),
+       1, "EPSG:3857"});
+  for (const double longitude_deg : {180.0, -179.9, 90.0}) {
+    const LocalFrame there(10.0, longitude_deg);
+    EXPECT_TRUE(raster.outline_in(there).empty());
+    const Lattice across{-3e3, 3e3, 10.0, 601, 3};
+    const auto heights = raster.heights_on(across, there);
+    const auto classes = raster.classes_on(across, there);
+    for (std::size_t i = 0; i < across.columns; ++i) {
+      const auto place = place_on_globe(there, {-3e3 + 10.0 * static_cast<double>(i), 3e3});
+      // A chord of 1.8° lies less than 1 - cos 0.9° below the curve.
+      ASSERT_NEAR(heights(i, 0), 400.0 * std::cos(place.longitude_deg * M_PI / 180.0), 0.1);
+      ASSERT_NE(classes(i, 0), no_class);
+    }
+  }
+}
+
+TEST(Raster, MercatorMayBeCountedOnBeyondTheGlobe) {
+  const ScratchFolder folder;
+  const LocalFrame there(10.0, 180.0);
+  const AsciiGrid counted_on{half_turn_m - 50e3, 1.0e6, 1000.0, 100, 300};
+  const Raster raster(
+      {folder.write("on.asc", counted_on.text([](double x, double) { return 0.01 * (x - half_turn_m); })), 1,
+       "EPSG:3857"});
+  const Lattice across{-40e3, 0.0, 1000.0, 81, 1};
+  const auto heights = raster.heights_on(across, there);
+  for (std::size_t i = 0; i < across.columns; ++i) {
+    double east_deg = place_on_globe(there, {-40e3 + 1000.0 * static_cast<double>(i), 0.0}).longitude_deg - 180.0;
+    east_deg -= 360.0 * std::round(east_deg / 360.0);
+    EXPECT_NEAR(heights(i, 0), 0.01 * east_deg / 180.0 * half_turn_m, 0.1) << i;
+  }
+}
+
+// Its two ends meet at 180° of longitude, but x is not the same at both for any turn: between knots on both sides of it
+// there is nothing to interpolate. Of a point on it the mean over 1 km lies 250 m of x lower than the ridge there.
+TEST(Raster, MapsThatEndAtAMeridianAreReadOnBothSidesOfIt) {
+  const ScratchFolder folder;
+  const std::string sinusoidal = "+proj=sinu +lon_0=0 +R=6371007.181 +units=m +no_defs";
+  const AsciiGrid globe{-20.1e6, -10.05e6, 100e3, 402, 201};
+  const Raster raster(
+      {folder.write("globe.asc", globe.text([](double x, double) { return 1e-4 * std::abs(x); })), 1, sinusoidal});
+  const LocalFrame there(10.0, 180.0);
+  const CoordinateTransform transform(sinusoidal, there, "test");
+  for (const Lattice& across :
+       {Lattice{-250.0, 50.0, 10.0, 51, 11}, {-25.0, 0.0, 3.0, 17, 1}, {-3e3, 2e3, 1e3, 7, 5}}) {
+    const auto heights = raster.heights_on(across, there);
+    const auto classes = raster.classes_on(across, there);
+    for (std::size_t row = 0; row < across.rows; ++row) {
+      for (std::size_t column = 0; column < across.columns; ++column) {
+        Vec2d place{across.west_m + across.spacing_m * static_cast<double>(column),
+                    across.north_m - across.spacing_m * static_cast<double>(row)};
+        transform.to_crs({&place, 1});
+        ASSERT_NEAR(heights(column, row), 1e-4 * std::abs(place.x), 0.03) << column << " " << row;
+        ASSERT_NEAR(classes(column, row), 1e-4 * std::abs(place.x), 5.1) << column << " " << row;
+      }
+    }
+  }
+}
+
+TEST(Raster, AnswersInWhateverFrameItIsAskedIn) {
+  const ScratchFolder folder;
+  const auto file = folder.write("slope.asc", utm.text([](double x, double y) { return 0.1 * (x - 5e5) + 1e-5 * y; }));
+  const Raster raster({file, 1, "EPSG:25830"});
+  const Lattice lattice{100.0, -100.0, 10.0, 20, 20};
+  for (const LocalFrame& asked : {frame, LocalFrame(43.311, -2.987), frame, LocalFrame(43.312, -2.987)}) {
+    const auto heights = raster.heights_on(lattice, asked),
+               afresh = Raster({file, 1, "EPSG:25830"}).heights_on(lattice, asked);
+    EXPECT_TRUE(std::ranges::equal(heights.values(), afresh.values()));
+    EXPECT_FALSE(std::isnan(heights(10, 10)));
+  }
+}
+
+// A web-Mercator cell is M cos φ / a of its size northward and N cos φ / a eastward, where M and N are the radii of
+// curvature along the meridian and across it.
+TEST(Raster, CellsAreAsLargeAsTheyAreWhereTheyAreRead) {
+  const ScratchFolder folder;
+  const AsciiGrid strip{-5e3, 0.0, 1000.0, 10, 9000};
+  const auto stripes = [](double, double y) { return std::fmod(std::floor(y / 1000.0), 2.0) == 0.0 ? 0.0 : 40.0; };
+  const Raster raster({folder.write("strip.asc", strip.text(stripes)), 1, "EPSG:3857"});
+  const double a = 6378137.0, e2 = 0.00669437999;
+  for (const double latitude_deg : {1.0, 35.0, 60.0}) {
+    const double phi = latitude_deg * M_PI / 180.0;
+    const double meridian = a * (1.0 - e2) / std::pow(1.0 - e2 * std::sin(phi) * std::sin(phi), 1.5);
+    EXPECT_NEAR(raster.cell_m(LocalFrame(latitude_deg, 0.0), {}), 1000.0 * meridian * std::cos(phi) / a, 0.2);
+    // The same place from a frame elsewhere, whose lengths are longer there by x²/2R², 0.03 %.
+    const LocalFrame aside(latitude_deg, 2.0 / std::cos(phi));
+    EXPECT_NEAR(raster.cell_m(aside, position_in_frame(aside, {latitude_deg, 0.0})),
+                1000.0 * meridian * std::cos(phi) / a, 1.0);
+  }
+  // Two cells of 500 m to a step of 1 km at 60 N, and one to a step at the equator.
+  const auto range_of = [&](double latitude_deg) {
+    const auto heights = raster.heights_on({0.0, 8e3, 1000.0, 1, 17}, LocalFrame(latitude_deg, 0.0));
+    const auto [lowest, highest] = std::ranges::minmax(heights.values());
+    return highest - lowest;
+  };
+  EXPECT_LT(range_of(60.0), 3.0F);
+  EXPECT_GT(range_of(1.0), 10.0F);
 }
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
