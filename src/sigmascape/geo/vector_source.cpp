@@ -1,6 +1,7 @@
 #include "sigmascape/geo/vector_source.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cpl_error.h>
 #include <cpl_string.h>
@@ -10,6 +11,7 @@
 #include <iterator>
 #include <ogrsf_frmts.h>
 #include <set>
+#include <string_view>
 #include <tuple>
 #include <utility>
 
@@ -66,6 +68,11 @@ void require_columns(GDALDataset& dataset, const VectorSource& source) {
   }
 }
 
+/// Of a tag given as "key" or "key=value".
+std::string key_of(const std::string& tag) {
+  return tag.substr(0, tag.find('='));
+}
+
 bool is_osm(GDALDataset& dataset) {
   return std::string(dataset.GetDriverName()) == "OSM";
 }
@@ -82,10 +89,15 @@ std::optional<std::string> condition_fault(OGRLayer& layer, const std::string& c
 /// In which OGR packs the tags of OpenStreetMap that have no column of their own, as do the files that it converts.
 constexpr const char* packed_tags = "other_tags";
 
+/// In which converters keep what OpenStreetMap itself calls a feature: OGR, Overpass and osmium, QuickOSM, OSMnx.
+constexpr std::array<const char*, 5> osm_identities{"osm_id", "osm_way_id", "@id", "full_id", "osmid"};
+
 /// A layer, and what its features are still to be asked when OGR cannot ask it by itself.
 struct WantedLayer {
   OGRLayer* layer = nullptr;
   std::unique_ptr<TagCondition> condition{};
+  bool has_packed_tags = false;
+  bool has_column_of_tag = false;  ///< that is asked for
 };
 
 /// Leaves only what meets the condition to be read or asked; nothing, or why it does not fit.
@@ -146,6 +158,9 @@ std::vector<WantedLayer> wanted_layers(GDALDataset& dataset, const VectorSource&
       continue;
     }
     WantedLayer wanted{layer};
+    const auto columns = column_names(*layer);
+    wanted.has_packed_tags = std::ranges::find(columns, packed_tags) != columns.end();
+    wanted.has_column_of_tag = std::ranges::find(columns, key_of(source.osm_tag)) != columns.end();
     const auto fault = source.where.empty() ? std::nullopt : condition_fault(wanted, source.where);
     if (fault) condition_faults.push_back(*fault);
     if (!fault) layers.push_back(std::move(wanted));
@@ -322,9 +337,64 @@ class FeatureWalk {
 /// Whether a feature carries a tag given as "key", with any value but "no", or as "key=value".
 bool carries_tag(const Feature& feature, const std::string& tag) {
   const auto equals = tag.find('=');
-  const auto value = feature.attribute(tag.substr(0, equals));
+  const auto value = feature.attribute(key_of(tag));
   return value && (equals == std::string::npos ? *value != "no" : *value == tag.substr(equals + 1));
 }
+
+/// Whether a feature has the name that OpenStreetMap itself gives it, in a column of a converter's or as "way/123".
+bool has_osm_identity(const Feature& feature) {
+  if (std::ranges::any_of(osm_identities, [&](const char* column) { return feature.attributes.contains(column); }))
+    return true;
+  const std::string id = feature.attribute("id").value_or("");
+  return id.starts_with("node/") || id.starts_with("way/") || id.starts_with("relation/");
+}
+
+/// Whether a feature of a file converted from OpenStreetMap shows that it is of there, with the tag asked for if it had
+/// it: its layer packs tags that have no column, and its own can be read, or has a column for this one beside the names
+/// of OpenStreetMap's features. Columns of other data may be called `building` and mean what they will.
+bool is_of_osm(const Feature& feature, const WantedLayer& wanted) {
+  return wanted.has_packed_tags ? !feature.attributes.contains(packed_tags)
+                                : wanted.has_column_of_tag && has_osm_identity(feature);
+}
+
+/// Chooses by the tag that is asked for, and counts for the census what goes without it.
+class TagChoice {
+ public:
+  TagChoice(const std::string& tag, bool osm_file) : tag_(tag), osm_file_(osm_file) {}
+
+  /// Whether a feature is passed over for want of the tag.
+  bool leaves_out(const Feature& feature, const WantedLayer& wanted) {
+    if (tag_.empty() || carries_tag(feature, tag_)) return false;
+    if (osm_file_) return true;
+    if (!is_of_osm(feature, wanted)) return false;
+    count(feature, untagged_);
+    return true;
+  }
+
+  /// Of a feature that is handed over.
+  void take(const Feature& feature, const WantedLayer& wanted) {
+    if (tag_.empty() || osm_file_) return;
+    if (carries_tag(feature, tag_)) {
+      any_tagged_ = true;
+    } else if (wanted.has_packed_tags || wanted.has_column_of_tag) {
+      count(feature, taken_);
+    }
+  }
+
+  void tell(FeatureCensus& census) const {
+    census.untagged = untagged_;
+    if (any_tagged_) census.taken_untagged = taken_;
+  }
+
+ private:
+  static void count(const Feature& feature, FeatureCount& of) {
+    if (of.count++ == 0) of.first = feature.id;
+  }
+
+  const std::string& tag_;
+  bool osm_file_, any_tagged_ = false;
+  FeatureCount untagged_, taken_;
+};
 
 std::string_view word_for(GeometryKind kind) {
   return kind == GeometryKind::Points ? "a point" : kind == GeometryKind::Lines ? "a line" : "an area";
@@ -359,6 +429,7 @@ FeatureCensus for_each_feature(const VectorSource& source, const LocalFrame& fra
   std::vector<WantedLayer> layers = wanted_layers(*dataset, source);
   UnknownTags unknown_tags(layers);
   const bool osm = is_osm(*dataset);
+  TagChoice tags(source.osm_tag, osm);
   LayerTransforms transforms(source, frame);
   FeatureCensus census;
   std::set<std::string> names;
@@ -383,7 +454,7 @@ FeatureCensus for_each_feature(const VectorSource& source, const LocalFrame& fra
     }
     ++of_this_kind;
     read_attributes(*row, feature);
-    if (osm && !source.osm_tag.empty() && !carries_tag(feature, source.osm_tag)) continue;
+    if (tags.leaves_out(feature, *wanted)) continue;
     if (wanted->condition) {
       unknown_tags.look_at(feature.attributes);
       if (!wanted->condition->is_met_by(*row, feature.attributes)) continue;
@@ -395,6 +466,7 @@ FeatureCensus for_each_feature(const VectorSource& source, const LocalFrame& fra
     }
     if (has_faces(*geometry)) feature.polygons = ground_plan_of(std::move(feature.polygons));
     ++census.features;
+    tags.take(feature, *wanted);
     const QuietGdal apart;  // what a visitor asks of GDAL is no fault of the file
     visit(std::move(feature));
   }
@@ -410,6 +482,7 @@ FeatureCensus for_each_feature(const VectorSource& source, const LocalFrame& fra
                 "choose another layer or file");
   }
   census.unknown_tags = unknown_tags.left();
+  tags.tell(census);
   census.attribute_names.assign(names.begin(), names.end());
   return census;
 }

@@ -25,7 +25,7 @@ struct VectorSource {
   std::string where{};                 ///< condition on attributes in OGR's SQL ("floors > 2"); empty: all
   std::string crs{};                   ///< overrides the file's own when not empty
   std::string x_column{}, y_column{};  ///< of a table without geometry
-  std::string osm_tag{};  ///< of an OpenStreetMap file, only what carries this tag, as "key" or "key=value"
+  std::string osm_tag{};  ///< of OpenStreetMap's features, only what carries this tag, as "key" or "key=value"
 };
 
 /// One thing on the map, in the local frame. Of the three geometries, only that of the kind asked for is filled.
@@ -41,6 +41,12 @@ struct Feature {
   [[nodiscard]] std::optional<std::string> attribute(const std::string& name) const;
 };
 
+/// How many features are so, and the first of them by its id.
+struct FeatureCount {
+  std::size_t count = 0;
+  std::string first;
+};
+
 /// What is known of a file once all its features have been seen.
 struct FeatureCensus {
   std::size_t features = 0;  ///< that have a place in the frame
@@ -53,6 +59,11 @@ struct FeatureCensus {
   /// Names in the condition that are no column of a layer and no tag of a feature that was asked, sorted: they were
   /// NULL for all of them, be it that they are misspelled or that nothing has them. None when no feature was asked.
   std::vector<std::string> unknown_tags;
+  /// Of a file converted from OpenStreetMap: what was passed over, since it does not carry the tag that is asked for.
+  FeatureCount untagged;
+  /// What was handed over without the tag, for nothing says that it is of OpenStreetMap, though its layer has a column
+  /// of that name and other features carry it.
+  FeatureCount taken_untagged;
 };
 
 /// Hands over the features of the wanted kind one by one, so that a file of a whole country needs no more memory than

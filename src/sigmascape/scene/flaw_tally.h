@@ -26,8 +26,8 @@ class FlawTally {
     if (count > 0) add(kind, which, count, false);
   }
   /// Something that a file is hardly meant to be like: a note of which those are warned who work with the scene.
-  void mistake(const std::string& kind, const std::string& which) {
-    add(kind, which, 1, false).is_likely_a_mistake = true;
+  void mistake(const std::string& kind, const std::string& which, std::size_t count = 1) {
+    if (count > 0) add(kind, which, count, false).is_likely_a_mistake = true;
   }
 
   /// Says of what was noted of a kind, if anything was, that it is all that the source holds: likely a mistake.

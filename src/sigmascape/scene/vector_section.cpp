@@ -54,6 +54,25 @@ std::string explained(const std::string& condition, const std::string& unknown_t
   return nearest ? fmt::format("{} (did you mean {}?)", condition_text, *nearest) : condition_text;
 }
 
+/// The condition on a tag, given as "key" or "key=value", that whoever has it meets.
+std::string condition_on(const std::string& tag) {
+  const auto equals = tag.find('=');
+  return equals == std::string::npos ? fmt::format("{0} <> '' AND {0} <> 'no'", tag)
+                                     : fmt::format("{} = '{}'", tag.substr(0, equals), tag.substr(equals + 1));
+}
+
+/// Of features without the tag that is asked of OpenStreetMap's: how many were left out, and how many were not, unless
+/// a condition on the tag says that this is meant.
+void tell_of_untagged(const geo::FeatureCensus& census, const geo::VectorSource& source, FlawTally& tally) {
+  tally.note(fmt::format("features of OpenStreetMap without the tag {}, left out", source.osm_tag),
+             census.untagged.first, census.untagged.count);
+  if (source.where.find(source.osm_tag.substr(0, source.osm_tag.find('='))) != std::string::npos) return;
+  tally.mistake(fmt::format("features without the tag {} that others of the file carry, taken all the same "
+                            "(where = \"{}\" leaves them out)",
+                            source.osm_tag, condition_on(source.osm_tag)),
+                census.taken_untagged.first, census.taken_untagged.count);
+}
+
 /// As tables write a number that is 0: "0", "0.000", "-0.0".
 bool is_zero(const std::string& text) {
   double number = 1.0;
@@ -101,6 +120,7 @@ void settle_census(const geo::FeatureCensus& census, const geo::VectorSource& so
     tally.mistake(fmt::format("conditions on the tag {}, which no feature carries", tag),
                   explained(source.where, tag, census.attribute_names));
   }
+  tell_of_untagged(census, source, tally);
   if (census.features == 0 && census.nowhere == 0) {
     tally.mistake("files without a feature that is asked for, of which nothing is used",
                   source.where.empty() ? "has none" : fmt::format("none meets where = \"{}\"", source.where));

@@ -39,8 +39,8 @@ void refuse_negative(double value, const geo::Feature& feature, const std::strin
 void tell_of_doubtful_comma(const geo::Feature& feature, const std::optional<std::string>& attribute, FlawTally& tally);
 
 /// Remarks what may be wrong with any file: features without usable coordinates, or none at all that is asked for, or a
-/// condition that names a tag of which the file knows nothing. Throws Error as FlawTally does, when more of all
-/// features of the file have no place than the limit says.
+/// condition that names a tag of which the file knows nothing, or features without the tag that others have. Throws
+/// Error as FlawTally does, when more of all features of the file have no place than the limit says.
 void settle_census(const geo::FeatureCensus& census, const geo::VectorSource& source, const FlawLimit& limit,
                    std::vector<Remark>& remarks);
 

@@ -207,6 +207,93 @@ TEST(VectorSource, FilesConvertedFromOpenStreetMapHaveItsTagsToo) {
   EXPECT_TRUE(read_features(source, frame).empty()) << "which is no lack of points";
 }
 
+/// What a converter makes of an extract: a house, a lawn, a house that is none and another whose tags are packed.
+std::filesystem::path converted_town(const ScratchFolder& folder, const char* driver, const std::string& name) {
+  const auto file = folder.path(name);
+  GDALDatasetUniquePtr data(gdal_driver(driver).Create(file.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+  const OGRSpatialReference globe = reference_from("EPSG:4326", name);
+  OGRLayer& layer = *data->CreateLayer("multipolygons", const_cast<OGRSpatialReference*>(&globe), wkbPolygon);
+  const std::vector<std::string> columns{"osm_way_id", "building", "landuse", "other_tags"};
+  for (const std::string& column : columns) {
+    OGRFieldDefn text(column.c_str(), OFTString);
+    EXPECT_EQ(layer.CreateField(&text), OGRERR_NONE);
+  }
+  const std::vector<std::vector<const char*>> rows{{"10", "yes", nullptr, R"("height"=>"17")"},
+                                                   {"11", nullptr, "grass", nullptr},
+                                                   {"12", "no", nullptr, nullptr},
+                                                   {"13", nullptr, nullptr, R"("building"=>"house")"}};
+  for (const auto& row : rows) {
+    const OGRFeatureUniquePtr feature(OGRFeature::CreateFeature(layer.GetLayerDefn()));
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      if (row[i] != nullptr) feature->SetField(columns[i].c_str(), row[i]);
+    }
+    OGRGeometry* area = nullptr;
+    EXPECT_EQ(OGRGeometryFactory::createFromWkt("POLYGON ((7 45,7.001 45,7.001 45.001,7 45))", nullptr, &area),
+              OGRERR_NONE);
+    feature->SetGeometryDirectly(area);
+    EXPECT_EQ(layer.CreateFeature(feature.get()), OGRERR_NONE);
+  }
+  return file;
+}
+
+TEST(VectorSource, OfFilesConvertedFromOpenStreetMapOnlyWhatCarriesTheTagIsTaken) {
+  const ScratchFolder folder;
+  for (const auto& [driver, name] : {std::pair{"GPKG", "town.gpkg"}, std::pair{"GeoJSON", "town.geojson"}}) {
+    const VectorSource source{.file = converted_town(folder, driver, name), .osm_tag = "building"};
+    std::vector<std::string> ways;
+    const auto census = for_each_feature(
+        source, frame, [&](const Feature& feature) { ways.push_back(feature.attribute("osm_way_id").value_or("")); });
+    EXPECT_EQ(ways, (std::vector<std::string>{"10", "13"})) << driver;
+    EXPECT_EQ(census.untagged.count, 2U) << driver;
+    EXPECT_EQ(census.taken_untagged.count, 0U) << driver;
+    EXPECT_EQ(read_features({.file = source.file}, frame).size(), 4U) << driver << ", no tag is asked for";
+  }
+}
+
+/// Points with these properties, all at one place.
+std::filesystem::path points(const ScratchFolder& folder, const std::vector<std::string>& properties) {
+  std::string features;
+  for (const std::string& of_one : properties) {
+    features += (features.empty() ? "" : ",") + (R"({"type":"Feature","properties":{)" + of_one) +
+                R"(},"geometry":{"type":"Point","coordinates":[7.0,45.0]}})";
+  }
+  return folder.write("points.geojson", R"({"type":"FeatureCollection","features":[)" + features + "]}");
+}
+
+TEST(VectorSource, OpenStreetMapIsKnownByTheNamesOfItsFeaturesToo) {
+  const ScratchFolder folder;
+  const auto taken = [&](const std::vector<std::string>& properties) {
+    return read_features({.file = points(folder, properties), .kind = GeometryKind::Points, .osm_tag = "natural=tree"},
+                         frame)
+        .size();
+  };
+  // As OGR writes them, Overpass, QuickOSM, OSMnx and osmtogeojson.
+  for (const std::string id :
+       {R"("osm_id":"1")", R"("@id":"node/1")", R"("full_id":"n1")", R"("osmid":1)", R"("id":"node/1")"}) {
+    EXPECT_EQ(taken({id + R"(,"natural":"tree")", id + R"(,"amenity":"cafe")", id + R"(,"natural":"peak")"}), 1U) << id;
+  }
+  EXPECT_EQ(taken({R"("osm_id":"1","fclass":"tree")", R"("osm_id":"2","fclass":"tree")"}), 2U) << "Geofabrik's tables";
+  EXPECT_EQ(taken({R"("other_tags":"\"natural\"=>\"tree\"")", R"("other_tags":"\"amenity\"=>\"cafe\"")"}), 1U);
+}
+
+// A column of other data may be called as a tag is and be empty, wholly or in part, or mean something else.
+TEST(VectorSource, ColumnsOfOtherDataAreNoTags) {
+  const ScratchFolder folder;
+  const auto census_of = [&](const std::vector<std::string>& properties) {
+    return for_each_feature({.file = points(folder, properties), .kind = GeometryKind::Points, .osm_tag = "building"},
+                            frame, [](const Feature&) {});
+  };
+  const auto empty = census_of({R"("building":null,"id":1)", R"("building":null,"id":2)"});
+  EXPECT_EQ(empty.features, 2U);
+  EXPECT_EQ(empty.taken_untagged.count, 0U) << "says nothing";
+  const auto partly = census_of({R"("building":"church")", R"("building":null)", R"("building":"no")"});
+  EXPECT_EQ(partly.features, 3U);
+  EXPECT_EQ(partly.untagged.count, 0U);
+  EXPECT_EQ(partly.taken_untagged.count, 2U);
+  EXPECT_EQ(partly.taken_untagged.first, "layer points, feature 1");
+  EXPECT_EQ(census_of({R"("h":3)", R"("h":4)"}).taken_untagged.count, 0U);
+}
+
 TEST(VectorSource, ConditionChoosesFeaturesAndMustFit) {
   const ScratchFolder folder;
   const auto file = folder.write("t.csv", "x,y,height\n7,45,12\n7,45,-8\n");

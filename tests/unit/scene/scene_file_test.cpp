@@ -574,6 +574,39 @@ TEST(SceneFile, ConditionsOnTagsThatNothingCarriesMakeRemarks) {
   EXPECT_TRUE(scene_where("highway = 'primary' AND lanes = '2'").remarks.empty());
 }
 
+TEST(SceneFile, FeaturesWithoutTheTagOfOthersMakeARemarkUnlessTheConditionTells) {
+  const MadeUpPlace place;
+  place.write_houses(MadeUpPlace::house(-20, 0, 20, 40, R"("h":12.5,"building":"yes")") + "," +
+                     MadeUpPlace::house(100, 0, 140, 40, R"("h":12.5,"building":"no")") + "," +
+                     MadeUpPlace::house(200, 0, 240, 40, R"("h":12.5,"landuse":"grass")"));
+  const auto remark_on = [&](const std::string& more) {
+    const Scene scene = place.read(houses_section + more);
+    const auto found = std::ranges::find_if(scene.remarks, [](const Remark& remark) {
+      return remark.what.starts_with("features without the tag building");
+    });
+    return found == scene.remarks.end() ? Remark{} : *found;
+  };
+  const Remark told = remark_on("");
+  EXPECT_EQ(told.count, 2U);
+  EXPECT_TRUE(told.is_likely_a_mistake);
+  EXPECT_THAT(told.what, HasSubstr("(where = \"building <> '' AND building <> 'no'\" leaves them out)"));
+  EXPECT_THAT(told.first, HasSubstr("houses.geojson: layer houses, feature 1"));
+  EXPECT_EQ(remark_on("where = \"building <> '' AND building <> 'no'\"\n").count, 0U);
+  EXPECT_EQ(place.read(houses_section + "where = \"building <> '' AND building <> 'no'\"\n").buildings.items.size(),
+            1U);
+  EXPECT_EQ(remark_on("where = \"building IS NULL OR h > 0\"\n").count, 0U) << "meant so";
+}
+
+TEST(SceneFile, LawnsOfAConvertedExtractAreNoBuildings) {
+  const MadeUpPlace place;
+  place.write_houses(MadeUpPlace::house(-20, 0, 20, 40, R"("osm_way_id":"1","h":12.5,"building":"yes")") + "," +
+                     MadeUpPlace::house(-300, -300, 300, 300, R"("osm_way_id":"2","landuse":"grass")"));
+  const Scene scene = place.read(houses_section + "default_height_m = 6\n");
+  EXPECT_EQ(remark_count(scene, "features of OpenStreetMap without the tag building, left out"), 1U);
+  EXPECT_TRUE(warnings_of(scene).empty());
+  EXPECT_EQ(scene.buildings.items.size(), 1U);
+}
+
 TEST(SceneFile, FilesWithoutWhatIsAskedForMakeARemark) {
   const MadeUpPlace place;
   place.write_houses(MadeUpPlace::house(-20, 0, 20, 40, R"("h":12.5)"));
