@@ -1,14 +1,12 @@
 #include "coherent_render.h"
 
-#include <cstdio>
-#include <fmt/format.h>
 #include <utility>
 
+#include "received_files.h"
 #include "stopwatch.h"
 
 #include "sigmascape/product/iq_file.h"
 #include "sigmascape/product/slant_projection.h"
-#include "sigmascape/radar/radar_title.h"
 #include "sigmascape/simulate/mode_image.h"
 
 namespace sigmascape::cli {
@@ -45,8 +43,7 @@ CoherentMap coherent_map(const CoherentRequest& request) {
       .moment_s = request.moment_s,
       .threads = request.threads};
   const auto [plan, warnings] = simulate::mode_plan(wanted);
-  for (const std::string& warning : warnings)
-    fmt::print(stderr, "warning: {}: {}\n", radar::title_of(request.radar), warning);
+  warn_of(request.radar, warnings);
   const Stopwatch watch;
   product::LooksOnGround looks(request.scene.terrain, request.grid, request.threads);
   simulate::mode_looks(wanted, plan, [&](const simulate::ModeImage& look) {

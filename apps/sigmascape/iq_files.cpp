@@ -1,10 +1,13 @@
 #include "iq_files.h"
 
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
 
 #include "number_within.h"
 #include "received_files.h"
+#include "stopwatch.h"
+#include "terminal_progress.h"
 
 #include "sigmascape/atlas/atlas.h"
 #include "sigmascape/base/error.h"
@@ -14,6 +17,7 @@
 #include "sigmascape/simulate/coherent.h"
 #include "sigmascape/simulate/map_provenance.h"
 #include "sigmascape/simulate/map_warnings.h"
+#include "sigmascape/simulate/recording_interval.h"
 #include "sigmascape/simulate/scatterer_spacing.h"
 
 namespace sigmascape::cli {
@@ -33,12 +37,14 @@ Provenance words_of_pulses(const IqFiles& files, const IqRequest& request, doubl
   words["crs"] = request.scene.frame.proj();
   words["seed"] = std::to_string(request.seed);
   words["dwell"] = std::to_string(request.dwell);
+  simulate::tell_of_mode(request.radar, request.area, request.scene.terrain, words);
   simulate::tell_of_textures(request.atlas->description(), request.radar, frequency_hz, words);
   return words;
 }
 
 simulate::CoherentSettings settings_of(const IqFiles& files, const IqRequest& request) {
-  return {.interval_s = files.interval_s,
+  return {.interval_s =
+              simulate::recording_interval_s(files.interval_s, request.radar, request.area, request.scene.terrain),
           .seed = request.seed,
           .dwell = request.dwell,
           .moment_s = request.moment_s,
@@ -46,13 +52,41 @@ simulate::CoherentSettings settings_of(const IqFiles& files, const IqRequest& re
           .threads = request.threads};
 }
 
+/// What whoever records this should know.
+void warn_of_recording(const IqFiles& files, const IqRequest& request, const simulate::CoherentSettings& settings) {
+  const terrain::HeightField& terrain = request.scene.terrain;
+  warn_of(request.radar, simulate::interval_warnings(files.interval_s, request.radar, request.area, terrain));
+  warn_of(request.radar,
+          simulate::recording_warnings(request.radar, request.area, terrain, settings.calibrated, request.targets));
+  if (!settings.calibrated) return;
+  if (const auto missed = simulate::scan_beside(request.radar, request.area, settings.interval_s, settings.moment_s))
+    warn_of(request.radar, std::array{*missed});
+}
+
+RecordedPulses told(const radar::PhaseHistory& history, double pulse_repetition_hz, double seconds) {
+  const std::size_t pulses = history.samples.rows(), samples = history.samples.columns();
+  const double first_m = history.first_range_m,
+               last_m = first_m + history.range_step_m * static_cast<double>(samples - 1),
+               interval_s = static_cast<double>(pulses) / pulse_repetition_hz;
+  return {.words = fmt::format("{} pulses x {} samples, from {:.6g} to {:.6g} km over {:.4g} s, in {:.3f} s", pulses,
+                               samples, first_m / 1e3, last_m / 1e3, interval_s, seconds),
+          .numbers = {{"pulses", pulses},
+                      {"pulse_samples", samples},
+                      {"pulse_first_range_m", first_m},
+                      {"pulse_last_range_m", last_m},
+                      {"pulse_interval_s", interval_s},
+                      {"pulse_seconds", seconds}}};
+}
+
 }  // namespace
 
 std::vector<MannerOption> add_iq_options(Command command, IqFiles& files) {
   command.add_option("--iq", files.file,
                      "pulses as complex numbers to write, from the atlas (.npy, .npz, .h5 or .sigmf-meta)");
-  const auto interval = command.add_option("--interval-s", files.interval_s, "time over which --iq records pulses")
-                            .capture_default_str()
+  const auto interval = command
+                            .add_option("--interval-s", files.interval_s,
+                                        "time over which --iq records pulses; when nothing is said that of the "
+                                        "radar's mode, of a strip until all of it is passed, of a real beam 0.1")
                             .check(number_within(1e-6, 1e4));
   command.add_option("--slant-image", files.slant_image,
                      "complex image of a coherent mode in slant geometry to write (endings as for --iq)");
@@ -82,30 +116,33 @@ void check(const IqFiles& files, const IqRequest& request) {
   if (files.file.empty()) return;
   const atlas::AspectGrid& aspects = request.atlas->description().aspects;
   atlas::check_frequency(aspects, texture_frequency_hz(aspects, request.radar, request.extrapolate));
-  const std::size_t samples =
-      simulate::check_recording(request.radar, request.area, request.scene.terrain, settings_of(files, request));
+  const simulate::CoherentSettings settings = settings_of(files, request);
+  const std::size_t samples = simulate::check_recording(request.radar, request.area, request.scene.terrain, settings);
   constexpr std::size_t polarizations = 3;
   product::check_iq_size(files.file, samples * polarizations, machine_memory_bytes());
+  warn_of_recording(files, request, settings);
 }
 
-void write_iq_files(const IqFiles& files, const IqRequest& request) {
-  if (files.file.empty()) return;
+std::optional<RecordedPulses> write_iq_files(const IqFiles& files, const IqRequest& request) {
+  if (files.file.empty()) return std::nullopt;
   const atlas::Atlas textures = atlas::load_atlas(*request.atlas, {.reading = atlas::Reading::AsAsked});
   const double frequency_hz = texture_frequency_hz(textures.aspects(), request.radar, request.extrapolate);
-  const double spacing_m =
-      simulate::pulse_scatterer_spacing_m(request.radar, request.area, request.scene.terrain, files.interval_s);
-  const double level = std::max(request.level_of_detail - 1.0, textures.level_for(spacing_m));
+  TerminalProgress progress;
+  simulate::CoherentSettings settings = settings_of(files, request);
+  settings.progress = &progress;
+  settings.scatterer_spacing_m =
+      simulate::pulse_scatterer_spacing_m(request.radar, request.area, request.scene.terrain, settings.interval_s);
+  const double level = std::max(request.level_of_detail - 1.0, textures.level_for(settings.scatterer_spacing_m));
   const simulate::CoherentScene scene{
       &request.scene.terrain, render::AtlasReflectivity{&textures, frequency_hz, level}, request.targets,
       request.radar.wind_mps > 0.0 ? simulate::windblown_of(request.scene) : simulate::Windblown{}};
-  warn_of(request.radar, simulate::recording_warnings(request.radar, request.area, request.scene.terrain,
-                                                      files.unit == "V", request.targets));
-  simulate::CoherentSettings settings = settings_of(files, request);
-  settings.scatterer_spacing_m = spacing_m;
+  const Stopwatch watch;
   const auto history = simulate::phase_history(scene, request.radar, request.area, settings);
+  const double seconds = watch.seconds();
   warn_of(request.radar, receiver::output_warnings(history));
   product::write_iq(files.file,
                     product::iq_record(history, request.radar, words_of_pulses(files, request, frequency_hz)));
+  return told(history, request.radar.waveform.pulse_repetition_hz, seconds);
 }
 
 }  // namespace sigmascape::cli

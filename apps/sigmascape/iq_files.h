@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,7 +22,7 @@ namespace sigmascape::cli {
 /// Which I/Q is to be written; an empty name asks for none.
 struct IqFiles {
   std::string file;
-  double interval_s = 0.1;
+  std::optional<double> interval_s;  ///< that of the radar's mode when absent (simulate::recording_interval_s)
   std::string unit = "m";
   std::string slant_image;
 };
@@ -52,10 +54,16 @@ struct IqRequest {
 void check(const IqFiles& files, bool has_atlas);
 
 /// Throws Error when the radar cannot record what is asked for, or the atlas lacks its frequency: before a map is made
-/// beside the pulses, which may take long.
+/// beside the pulses, which may take long. Says then on standard error what whoever records this should know.
 void check(const IqFiles& files, const IqRequest& request);
 
+/// What was recorded, for the summary.
+struct RecordedPulses {
+  std::string words;
+  nlohmann::ordered_json numbers;
+};
+
 /// Writes the pulses that the radar records of the area, if they were asked for.
-void write_iq_files(const IqFiles& files, const IqRequest& request);
+std::optional<RecordedPulses> write_iq_files(const IqFiles& files, const IqRequest& request);
 
 }  // namespace sigmascape::cli

@@ -1,9 +1,11 @@
+#include <array>
 #include <fmt/format.h>
 #include <functional>
 #include <map>
 #include <optional>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
+#include <span>
 
 #include "array_view.h"
 #include "gil.h"
@@ -24,6 +26,7 @@
 #include "sigmascape/simulate/map_warnings.h"
 #include "sigmascape/simulate/mode_image.h"
 #include "sigmascape/simulate/placement.h"
+#include "sigmascape/simulate/recording_interval.h"
 #include "sigmascape/simulate/scatterer_spacing.h"
 
 namespace sigmascape::python {
@@ -31,8 +34,6 @@ namespace {
 
 namespace py = pybind11;
 using Targets = std::vector<radar::TargetSource>;
-
-constexpr double usual_interval_s = 0.1;
 
 /// A recording or an image with what its file says about where it comes from.
 template <typename Signal>
@@ -61,10 +62,22 @@ using Maker = Signal (*)(const simulate::CoherentScene&, const radar::Radar&, co
 using UsualSpacing = double (*)(const radar::Radar&, const radar::Rectangle&, const terrain::HeightField&,
                                 const simulate::CoherentSettings&);
 
+void warn_of_recording(const radar::Radar& radar, const radar::Rectangle& area, const terrain::HeightField& terrain,
+                       std::span<const radar::Target> targets, std::optional<double> asked_s,
+                       const simulate::CoherentSettings& settings) {
+  warn_of(radar, simulate::interval_warnings(asked_s, radar, area, terrain));
+  warn_of(radar, simulate::recording_warnings(radar, area, terrain, settings.calibrated, targets));
+  if (!settings.calibrated) return;
+  if (const auto missed = simulate::scan_beside(radar, area, settings.interval_s, settings.moment_s))
+    warn_of(radar, std::array{*missed});
+}
+
+/// Of a recording `recorded_s` is how long it is to be, which follows from the radar's mode where it is left out.
 template <typename Signal>
 Described<Signal> made(Maker<Signal> make, UsualSpacing usual_spacing_m, const Plan& plan_of, const LoadedAtlas& atlas,
                        const radar::RadarFile& radar_file, const Targets& given, double time_s,
-                       simulate::CoherentSettings settings) {
+                       simulate::CoherentSettings settings, std::optional<double> recorded_s = {}) {
+  constexpr bool has_cells = !std::is_same_v<Signal, radar::PhaseHistory>;
   within("time_s", time_s, radar::bounds::moments_s);
   settings.moment_s = time_s;
   if (settings.scatterer_spacing_m != 0.0) positive("scatterer_spacing_m", settings.scatterer_spacing_m);
@@ -73,11 +86,14 @@ Described<Signal> made(Maker<Signal> make, UsualSpacing usual_spacing_m, const P
     const atlas::AtlasDescription& description = atlas.description();
     const auto radar = simulate::placed_radar(asked, description.frame, atlas.terrain(), description.extent, time_s);
     const auto area = simulate::map_grid(asked.map, description.extent).extent();
-    warn_of(radar, simulate::map_warnings(radar, asked.map, atlas.terrain(), description.extent));
+    warn_of(radar, (has_cells ? simulate::map_warnings : simulate::area_warnings)(radar, asked.map, atlas.terrain(),
+                                                                                  description.extent));
     const auto targets =
         simulate::all_targets(nullptr, given, description.frame, atlas.terrain(), settings.seed, time_s);
-    if constexpr (std::is_same_v<Signal, radar::PhaseHistory>)
-      warn_of(radar, simulate::recording_warnings(radar, area, atlas.terrain(), settings.calibrated, targets));
+    if constexpr (!has_cells) {
+      settings.interval_s = simulate::recording_interval_s(recorded_s, radar, area, atlas.terrain());
+      warn_of_recording(radar, area, atlas.terrain(), targets, recorded_s, settings);
+    }
     const Vec2d middle = area.centre();
     std::map<std::string, double> numbers;
     if (const auto plan = plan_of(radar, {middle.x, middle.y, atlas.terrain().height_at(middle)})) {
@@ -95,6 +111,7 @@ Described<Signal> made(Maker<Signal> make, UsualSpacing usual_spacing_m, const P
     words["time_s"] = fmt::format("{}", time_s);
     words["dwell"] = std::to_string(settings.dwell);
     words["look_side"] = simulate::look_side(radar, area);
+    if constexpr (!has_cells) simulate::tell_of_mode(radar, area, atlas.terrain(), words);
     return {make(scene, radar, area, settings), radar, std::move(words), std::move(numbers)};
   });
 }
@@ -117,17 +134,18 @@ double spacing_of_strip_m(const radar::Radar& radar, const radar::Rectangle&, co
   return simulate::scatterer_spacing_m(radar, settings.along_resolution_m);
 }
 
-Described<radar::PhaseHistory> phase_history(const LoadedAtlas& atlas, const radar::RadarFile& radar, double interval_s,
-                                             const Targets& targets, bool calibrated, double scatterer_spacing_m,
-                                             std::uint64_t seed, double time_s, std::uint64_t dwell, unsigned threads) {
+Described<radar::PhaseHistory> phase_history(const LoadedAtlas& atlas, const radar::RadarFile& radar,
+                                             std::optional<double> interval_s, const Targets& targets, bool calibrated,
+                                             double scatterer_spacing_m, std::uint64_t seed, double time_s,
+                                             std::uint64_t dwell, unsigned threads) {
   const auto unplanned = [](const radar::Radar&, Vec3d) { return std::optional<radar::CoherentPlan>(); };
   auto pulses = made(&simulate::phase_history, &spacing_of_pulses_m, unplanned, atlas, radar, targets, time_s,
-                     {.interval_s = interval_s,
-                      .scatterer_spacing_m = scatterer_spacing_m,
+                     {.scatterer_spacing_m = scatterer_spacing_m,
                       .seed = seed,
                       .dwell = dwell,
                       .calibrated = calibrated,
-                      .threads = threads});
+                      .threads = threads},
+                     interval_s);
   warn_of(pulses.radar, receiver::output_warnings(pulses.signal));
   return pulses;
 }
@@ -150,7 +168,7 @@ Described<radar::RangeDopplerImage> range_doppler(const LoadedAtlas& atlas, cons
     const bool has_mode = placed.mode == radar::Mode::DopplerBeamSharpening || placed.mode == radar::Mode::Spotlight;
     if (has_mode && !interval_s) return radar::coherent_plan(placed, aim);
     return plan_with(placed, has_mode ? placed.mode : radar::Mode::Spotlight, &radar::Processing::interval_s,
-                     interval_s.value_or(usual_interval_s), aim);
+                     interval_s.value_or(simulate::usual_interval_s), aim);
   };
   return made(&simulate::range_doppler_image, &spacing_of_sharpened_m, plan, atlas, radar, targets, time_s,
               {.scatterer_spacing_m = scatterer_spacing_m, .seed = seed, .dwell = dwell, .threads = threads});
@@ -171,6 +189,16 @@ Described<radar::StripmapImage> stripmap(const LoadedAtlas& atlas, const radar::
   };
   return made(&simulate::stripmap_image, &spacing_of_strip_m, plan, atlas, radar, targets, time_s,
               {.scatterer_spacing_m = scatterer_spacing_m, .seed = seed, .dwell = dwell, .threads = threads});
+}
+
+/// [place, xyz] of the motions on the slow axis: one of each pulse, or one of an image.
+py::array_t<double> vectors_of(const std::vector<radar::Motion>& platform, Vec3d radar::Motion::*member) {
+  const std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(platform.size()), 3};
+  py::array_t<double> array(shape, strides_of(shape, sizeof(double)));
+  double* number = array.mutable_data();
+  for (const radar::Motion& motion : platform)
+    for (const double component : {(motion.*member).x, (motion.*member).y, (motion.*member).z}) *number++ = component;
+  return array;
 }
 
 /// What all kinds have in common; `samples` finds the array in the signal.
@@ -195,6 +223,33 @@ void add_signal(py::module_& module, const char* name, const char* doc, const ch
             return axes;
           },
           "Where the samples stand along the first two axes: float64 arrays by name and unit, in order.")
+      .def_property_readonly(
+          "platform_position_m",
+          [](const Held& held) { return vectors_of(held.record().platform, &radar::Motion::position); },
+          "Where the antenna was at each pulse, or of an image in the middle of its interval: float64 [place, xyz] in\n"
+          "the local frame, over the k-Earth in its straight space.")
+      .def_property_readonly(
+          "platform_velocity_mps",
+          [](const Held& held) { return vectors_of(held.record().platform, &radar::Motion::velocity_mps); },
+          "How fast it went there: float64 [place, xyz].")
+      .def_property_readonly(
+          "beam_azimuth_rad",
+          [](const Held& held) -> py::object {
+            const auto azimuths_rad = held.record().beam_azimuth_rad;
+            if (azimuths_rad.empty()) return py::none();
+            return copied_array(azimuths_rad);
+          },
+          "Where the beam's axis then pointed, clockwise from the frame's north: float64 [place]. None where the\n"
+          "samples have no pattern of the antenna in them, or the axis passes over every place.")
+      .def_property_readonly(
+          "cuts",
+          [](const Held& held) {
+            py::dict cuts;
+            for (const product::IqAxis& column : held.record().cuts)
+              cuts[py::str(column.name + "_" + column.unit)] = copied_array(column.values);
+            return cuts;
+          },
+          "Of a measured antenna whose pattern is in the samples the columns of its table: float64 arrays by name.")
       .def_property_readonly(
           "metadata",
           [](const Held& held) {
@@ -227,13 +282,15 @@ void add_iq(py::module_& module) {
              &radar::StripmapImage::amplitude_m);
   module.def(
       "phase_history", &phase_history, py::arg("atlas"), py::arg("radar"), py::kw_only(),
-      py::arg("interval_s") = usual_interval_s, py::arg("targets") = Targets{}, py::arg("calibrated") = false,
+      py::arg("interval_s") = py::none(), py::arg("targets") = Targets{}, py::arg("calibrated") = false,
       py::arg("scatterer_spacing_m") = 0.0, py::arg("seed") = 1, py::arg("time_s") = 0.0, py::arg("dwell") = 0,
       py::arg("threads") = 0,
       "The pulses of one interval over the radar's area: a PhaseHistory. A strip needs a radar that moves.\n\n"
-      "interval_s: about time zero, when the radar is at its position. targets: of Target. calibrated: volts at the\n"
-      "receiver's output with thermal noise, and through time control and converter where the radar file has them,\n"
-      "instead of metres. scatterer_spacing_m: side of the cells that hold a scatterer each; 0 for half of what the\n"
+      "interval_s: about time zero, when the radar is at its position; None for that of the radar's mode, of a strip\n"
+      "until the beam has passed over all of the area, and for 0.1 with a real beam. targets: of Target. calibrated:\n"
+      "volts at the receiver's output with thermal noise, and through time control and converter where the radar file\n"
+      "has them, instead of metres. scatterer_spacing_m: side of the cells that hold a scatterer each; 0 for half of "
+      "what the\n"
       "pulses tell apart at the finest, in range or across it, and for the cells of its map where radar.mode makes\n"
       "one. seed: of speckle, targets and noise.\n"
       "time_s: moment, s; radar and targets have moved so long since time zero. dwell: which look at the same ground\n"

@@ -10,7 +10,10 @@ import pytest
 
 import sigmascape
 
-h5py = pytest.importorskip("h5py")
+
+@pytest.fixture(scope="session")
+def h5py():
+    return pytest.importorskip("h5py")
 
 
 @pytest.fixture(scope="module")
@@ -84,7 +87,7 @@ def test_numpy_files_read_back_the_same(pulses, tmp_path):
     assert json.loads(archive["description_json"].tobytes())["radar"] == "mover"
 
 
-def test_hdf5_opens_with_plain_h5py(pulses, tmp_path):
+def test_hdf5_opens_with_plain_h5py(h5py, pulses, tmp_path):
     pulses.save(tmp_path / "pulses.h5")
     with h5py.File(tmp_path / "pulses.h5") as file:
         for number, name in enumerate(["VV", "HH", "HV"]):
@@ -102,7 +105,7 @@ def test_hdf5_opens_with_plain_h5py(pulses, tmp_path):
                         "polarizations": "VV, HH, HV"}
 
 
-def test_pulses_in_volts_say_where_the_beam_pointed(atlas, moving_radar, pulses, tmp_path):
+def test_pulses_in_volts_say_where_the_beam_pointed(h5py, atlas, moving_radar, pulses, tmp_path):
     volts = sigmascape.phase_history(atlas, moving_radar, interval_s=0.02, calibrated=True)
     volts.save(tmp_path / "volts.npz")
     archive = np.load(tmp_path / "volts.npz")
@@ -117,7 +120,66 @@ def test_pulses_in_volts_say_where_the_beam_pointed(atlas, moving_radar, pulses,
     assert "beam_azimuth_rad" not in np.load(tmp_path / "metres.npz")
 
 
-def test_hdf5_keeps_to_what_matlab_reads(pulses, tmp_path):
+def test_motion_and_beam_are_arrays_in_memory_too(atlas, moving_radar, pulses, tmp_path):
+    """What a file holds of them, without one."""
+    volts = sigmascape.phase_history(atlas, moving_radar, interval_s=0.02, calibrated=True)
+    for signal in [volts, pulses, sigmascape.range_doppler(atlas, moving_radar, interval_s=0.05),
+                   sigmascape.stripmap(atlas, moving_radar, along_resolution_m=3.0)]:
+        signal.save(tmp_path / "saved.npz")
+        archive = np.load(tmp_path / "saved.npz")
+        for name in ["platform_position_m", "platform_velocity_mps"]:
+            assert np.array_equal(getattr(signal, name), archive[name])
+        assert (signal.beam_azimuth_rad is not None) == (signal is volts)
+    assert volts.platform_position_m.shape == (40, 3) and volts.platform_velocity_mps[7].tolist() == [120.0, 5.0, 0.0]
+    east_m, north_m, _ = volts.platform_position_m.T
+    assert volts.beam_azimuth_rad == pytest.approx(np.arctan2(-east_m, -north_m), abs=1e-9)
+
+
+def test_an_interval_that_is_left_out_is_that_of_the_mode(atlas, moving_radar):
+    usual = sigmascape.phase_history(atlas, moving_radar)
+    assert usual.metadata["interval_s"] == pytest.approx(0.1) and usual.metadata["radar_mode"] == "real-beam"
+    spotlight = sigmascape.Radar(range_resolution_m=3.0, beam_width_deg=1.0, cell_m=2.0)
+    spotlight.see_from(azimuth_deg=180.0, elevation_deg=15.0, slant_range_m=2500.0)
+    spotlight.velocity_mps, spotlight.pulse_repetition_hz = (120.0, 5.0, 0.0), 2000.0
+    spotlight.mode, spotlight.interval_s = "spotlight", 0.04
+    planned = sigmascape.phase_history(atlas, spotlight)
+    assert len(planned.samples) == 80
+    assert planned.metadata["radar_mode"] == "spotlight" and planned.metadata["mode_interval_s"] == 0.04
+    with pytest.warns(UserWarning, match="pulses are recorded for 0.01 s, and the spotlight of this radar adds up 0.04 s"):
+        assert len(sigmascape.phase_history(atlas, spotlight, interval_s=0.01).samples) == 20
+
+
+def test_the_table_of_a_measured_antenna_is_in_memory_and_in_files(h5py, atlas, tmp_path):
+    (tmp_path / "cut.csv").write_text("offset_deg,gain_db\n-4,5\n-1.5,20\n0.25,30\n1,24\n6,-10\n")
+    (tmp_path / "radar.toml").write_text("""
+[radar]
+frequency_ghz = 10.0
+range_resolution_m = 3.0
+[antenna]
+azimuth_shape = "table"
+azimuth_csv = "cut.csv"
+[position]
+azimuth_deg = 180.0
+elevation_deg = 15.0
+slant_range_km = 2.5
+""")
+    radar = sigmascape.Radar.read(tmp_path / "radar.toml")
+    volts = sigmascape.phase_history(atlas, radar, interval_s=0.01, calibrated=True)
+    assert list(volts.cuts) == ["azimuth_offset_deg", "azimuth_gain_dB"]
+    assert volts.cuts["azimuth_offset_deg"] == pytest.approx([-4.0, -1.5, 0.25, 1.0, 6.0])
+    # Of gains only differences matter: they are relative to the peak.
+    assert volts.cuts["azimuth_gain_dB"] == pytest.approx([-25.0, -10.0, 0.0, -6.0, -40.0], abs=1e-9)
+    volts.save(tmp_path / "volts.npz")
+    volts.save(tmp_path / "volts.h5")
+    archive = np.load(tmp_path / "volts.npz")
+    with h5py.File(tmp_path / "volts.h5") as file:
+        for name, unit in [("azimuth_offset", "deg"), ("azimuth_gain", "dB")]:
+            assert np.array_equal(file[name], volts.cuts[f"{name}_{unit}"]) and file[name].attrs["units"].decode() == unit
+            assert np.array_equal(archive[f"{name}_{unit}"], volts.cuts[f"{name}_{unit}"])
+    assert sigmascape.phase_history(atlas, radar, interval_s=0.01).cuts == {}
+
+
+def test_hdf5_keeps_to_what_matlab_reads(h5py, pulses, tmp_path):
     """Names are identifiers of at most 63 letters, texts have a fixed length, numbers are doubles: h5readatt and h5read know no more."""
     pulses.save(tmp_path / "pulses.h5")
     with h5py.File(tmp_path / "pulses.h5") as file:
@@ -158,7 +220,7 @@ def test_equal_recordings_give_equal_bytes(pulses, tmp_path, ending):
     assert digests[0] == digests[1]
 
 
-def test_focused_images_and_live_frames_are_written_too(atlas, moving_radar, tmp_path):
+def test_focused_images_and_live_frames_are_written_too(h5py, atlas, moving_radar, tmp_path):
     image = sigmascape.range_doppler(atlas, moving_radar, interval_s=0.05)
     image.save(tmp_path / "image.h5")
     with h5py.File(tmp_path / "image.h5") as file:
@@ -226,7 +288,7 @@ cell_m = 5.0
 
 
 @pytest.mark.parametrize("kind", ["spotlight", "stripmap", "doppler-beam-sharpening"])
-def test_slant_images_say_the_same_under_every_ending(small_place, tmp_path, kind):
+def test_slant_images_say_the_same_under_every_ending(h5py, small_place, tmp_path, kind):
     (tmp_path / "radar.toml").write_text((small_place / "radar.toml").read_text() + f"[mode]\nkind = \"{kind}\"\nlooks = 2\n")
     for ending in ["npy", "npz", "h5", "sigmf-meta"]:
         subprocess.run([os.environ["SIGMASCAPE_CLI"], "render", tmp_path / "radar.toml", "--scene", small_place / "scene.toml", "--atlas",

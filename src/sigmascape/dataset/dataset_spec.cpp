@@ -248,8 +248,7 @@ std::string text_of(const std::filesystem::path& path) {
 }
 
 /// What would do nothing: datasets are of real-beam maps, over a flat Earth.
-void check_real_beam(const std::filesystem::path& file, const radar::Radar& radar) {
-  simulate::require_real_beam(radar, file.string(), "datasets are made of real-beam maps");
+void check_earth(const std::filesystem::path& file, const radar::Radar& radar) {
   if (radar.earth_refraction) {
     throw Error(file.string() + ": radar.earth_refraction", "is given, and real-beam maps are made over a flat Earth",
                 "leave it out, or name another radar file");
@@ -276,9 +275,10 @@ std::string radar_hash(const std::filesystem::path& path) {
 }
 
 void read_radar(const std::filesystem::path& path, DatasetSpec& spec) {
+  simulate::require_real_beam(path, "datasets are made of real-beam maps");
   spec.radar = radar::read_radar_file(path, radar::PlaceOfRadar::Optional);
   spec.radar_hash = radar_hash(path);
-  check_real_beam(path, spec.radar.radar);
+  check_earth(path, spec.radar.radar);
   check_scan(path, spec.radar.radar.scan);
 }
 

@@ -133,6 +133,7 @@ void write_file(const std::filesystem::path& path, const IqRecord& record) {
   write_vectors(file, "platform_position", "m", platform_numbers(record, &radar::Motion::position));
   write_vectors(file, "platform_velocity", "m/s", platform_numbers(record, &radar::Motion::velocity_mps));
   if (!record.beam_azimuth_rad.empty()) write_numbers(file, "beam_azimuth", "rad", record.beam_azimuth_rad);
+  for (const IqAxis& column : record.cuts) write_numbers(file, column.name, column.unit, column.values);
   for (std::size_t i = 0; i < record.polarizations.size(); ++i) write_polarization(file, record, i);
 }
 
@@ -143,7 +144,9 @@ std::uintmax_t most_bytes(const IqRecord& record) {
   const std::uintmax_t axes = (record.slow.values.size() + record.fast.values.size()) * sizeof(double);
   const std::uintmax_t platform = record.platform.size() * sizeof(record.platform[0]);
   const std::uintmax_t beam = record.beam_azimuth_rad.size() * sizeof(double);
-  return samples + axes + platform + beam + said_about_them;
+  std::uintmax_t cuts = 0;
+  for (const IqAxis& column : record.cuts) cuts += column.values.size() * sizeof(double);
+  return samples + axes + platform + beam + cuts + said_about_them;
 }
 
 }  // namespace

@@ -50,6 +50,7 @@ std::string description_with_places(const IqRecord& record) {
   add_vectors(positions_name, &radar::Motion::position);
   add_vectors(velocities_name, &radar::Motion::velocity_mps);
   if (!record.beam_azimuth_rad.empty()) json[beam_name] = record.beam_azimuth_rad;
+  for (const IqAxis& column : record.cuts) json[axis_name(column)] = column.values;
   return json.dump() + "\n";
 }
 
@@ -57,7 +58,7 @@ std::string description_with_places(const IqRecord& record) {
 
 void write_iq_npy(const std::filesystem::path& path, const IqRecord& record) {
   const std::string description = description_with_places(record), samples = samples_bytes(record);
-  geo::write_together({{std::filesystem::path(path).replace_extension(".json"), description}, {path, samples}});
+  geo::write_together({{geo::companion_of(path, ".json"), description}, {path, samples}});
 }
 
 void write_iq_npz(const std::filesystem::path& path, const IqRecord& record) {
@@ -67,6 +68,7 @@ void write_iq_npz(const std::filesystem::path& path, const IqRecord& record) {
                                 vectors_entry(positions_name, platform_numbers(record, &radar::Motion::position)),
                                 vectors_entry(velocities_name, platform_numbers(record, &radar::Motion::velocity_mps))};
   if (!record.beam_azimuth_rad.empty()) entries.push_back(numbers_entry(beam_name, record.beam_azimuth_rad));
+  for (const IqAxis& column : record.cuts) entries.push_back(numbers_entry(axis_name(column), column.values));
   entries.push_back(words_entry("description_json", iq_description(record)));
   geo::write_atomically(path, zip_bytes(entries, path.string(), "write HDF5 or SigMF"));
 }

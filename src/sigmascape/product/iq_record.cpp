@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <optional>
+#include <utility>
 #include <variant>
 
 #include "sigmascape/base/units.h"
@@ -62,10 +63,25 @@ std::string described_taper(IqRecord& record, const std::string& prefix, const r
   return "";
 }
 
-std::string described_beam(IqRecord& record, const std::string& prefix, const radar::BeamShape& beam) {
+/// The columns of the table that a radar file names, gains relative to their peak: of them only differences matter.
+void describe_table(IqRecord& record, const std::string& prefix, const radar::TabulatedBeam& beam, double width_rad) {
+  IqAxis offsets{prefix + "offset", "deg", {}}, gains{prefix + "gain", "dB", {}};
+  for (const radar::TabulatedBeam::Sample& sample : beam.samples) {
+    offsets.values.push_back(deg_from_radians(sample.offset * width_rad));
+    gains.values.push_back(db_from_linear(sample.power));
+  }
+  record.cuts.push_back(std::move(offsets));
+  record.cuts.push_back(std::move(gains));
+}
+
+std::string described_beam(IqRecord& record, const std::string& prefix, const radar::BeamShape& beam,
+                           double width_rad) {
   if (std::holds_alternative<radar::EvenBeam>(beam)) return "even";
   if (std::holds_alternative<radar::GaussianBeam>(beam)) return "gaussian";
-  if (std::holds_alternative<radar::TabulatedBeam>(beam)) return "table";
+  if (const auto* table = std::get_if<radar::TabulatedBeam>(&beam)) {
+    describe_table(record, prefix, *table, width_rad);
+    return "table";
+  }
   if (const auto* cosecant = std::get_if<radar::CosecantSquaredBeam>(&beam)) {
     record.numbers["steepest_depression_rad"] = cosecant->steepest_depression_rad;
     return "cosecant-squared";
@@ -76,8 +92,9 @@ std::string described_beam(IqRecord& record, const std::string& prefix, const ra
 /// Of an antenna whose pattern is in the samples: its cuts, and where it points in elevation.
 void describe_antenna(IqRecord& record, const radar::Radar& radar) {
   const radar::Antenna& antenna = radar.antenna;
-  record.words["azimuth_shape"] = described_beam(record, "azimuth_", antenna.azimuth);
-  record.words["elevation_shape"] = described_beam(record, "elevation_", antenna.elevation);
+  record.words["azimuth_shape"] = described_beam(record, "azimuth_", antenna.azimuth, radar.beam_width_rad);
+  record.words["elevation_shape"] =
+      described_beam(record, "elevation_", antenna.elevation, antenna.elevation_width_rad);
   if (!std::holds_alternative<radar::EvenBeam>(antenna.elevation))
     record.numbers["elevation_width_rad"] = antenna.elevation_width_rad;
   record.numbers["tilt_rad"] = antenna.tilt_rad;

@@ -31,6 +31,7 @@ struct IqRecord {
   std::span<const std::complex<float>> samples;   ///< [slow][fast][polarization]
   std::vector<radar::Motion> platform;            ///< one for each place on the slow axis, or one for all
   std::vector<double> beam_azimuth_rad = {};      ///< of the axis, clockwise from north, as many as platforms, or none
+  std::vector<IqAxis> cuts = {};                  ///< of a measured antenna: offsets, and gains at as many of them
   std::map<std::string, double> numbers = {};     ///< with their units in their names
   std::map<std::string, std::string> words = {};  ///< where it comes from; no key of `numbers` again
 };

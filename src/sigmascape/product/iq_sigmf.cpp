@@ -25,6 +25,7 @@ Json global_of(const IqRecord& record) {
   }
   const Json description = Json::parse(iq_description(record));
   for (const auto& [key, value] : description.items()) global["sigmascape:" + key] = value;
+  for (const IqAxis& column : record.cuts) global["sigmascape:" + axis_name(column)] = column.values;
   global["sigmascape:fast_first"] = record.fast.values.front();
   global["sigmascape:fast_count"] = record.fast.values.size();
   if (record.fast.values.size() > 1) {
@@ -57,7 +58,7 @@ void write_iq_sigmf(const std::filesystem::path& path, const IqRecord& record) {
   const Json meta{{"global", global_of(record)}, {"captures", captures_of(record)}, {"annotations", Json::array()}};
   const std::string words = json_text(meta, 2);
   const auto bytes = std::as_bytes(record.samples);
-  geo::write_together({{std::filesystem::path(path).replace_extension(".sigmf-data"),
+  geo::write_together({{geo::companion_of(path, ".sigmf-data"),
                         std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size())},
                        {path, words}});
 }

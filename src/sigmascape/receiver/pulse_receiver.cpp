@@ -1,6 +1,7 @@
 #include "sigmascape/receiver/pulse_receiver.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <complex>
 #include <fmt/format.h>
@@ -64,7 +65,7 @@ void PulseReceiver::check(const PulseTrain& train, double memory_bytes) const {
 radar::PhaseHistory PulseReceiver::receive(const radar::Track& platform, const PulseTrain& train,
                                            std::span<const radar::Scatterer> ground,
                                            std::span<const radar::Target> targets, const VoltageGain& gain,
-                                           unsigned threads) const {
+                                           unsigned threads, ProgressListener* progress) const {
   check(train, std::numeric_limits<double>::infinity());
   const double unambiguous_m = radar::unambiguous_range_m(train.repetition_hz), step_m = range_.step_m;
   radar::PhaseHistory history{.frequency_hz = frequency_hz_,
@@ -78,8 +79,13 @@ radar::PhaseHistory PulseReceiver::receive(const radar::Track& platform, const P
     const double time_s = train.first_time_s + static_cast<double>(n) / train.repetition_hz;
     history.pulses.push_back({time_s, {platform.position_at(time_s), platform.velocity_at(time_s)}});
   }
+  std::atomic<std::size_t> done{0};
+  const auto tell = [&](std::size_t pulses) {
+    if (progress == nullptr) return;
+    progress->advanced("record", static_cast<double>(pulses), static_cast<double>(train.count), "pulses");
+  };
   // A pulse belongs to one thread, and its points are added in the order in which they came.
-  parallel_for(train.count, threads, [&](std::size_t n, unsigned) {
+  parallel_for(train.count, threads, [&](std::size_t n, unsigned worker) {
     const radar::Pulse& pulse = history.pulses[n];
     const std::size_t fine = transform_.fine_samples();
     Line line{std::vector<radar::ComplexChannels>(fine + 2 * Line::margin)};
@@ -108,7 +114,10 @@ radar::PhaseHistory PulseReceiver::receive(const radar::Track& platform, const P
       transform_.to_bins(band, bins);
       for (std::size_t m = 0; m < range_.samples; ++m) of(history.samples(m, n)) = bins[m + range_.guard];
     }
+    const std::size_t pulses = done.fetch_add(1, std::memory_order_relaxed) + 1;
+    if (worker == 0) tell(pulses);
   });
+  tell(train.count);
   return history;
 }
 

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "sigmascape/base/progress.h"
 #include "sigmascape/radar/phase_history.h"
 #include "sigmascape/radar/radar.h"
 #include "sigmascape/radar/scatterer.h"
@@ -39,11 +40,11 @@ class PulseReceiver {
   void check(const PulseTrain& train, double memory_bytes) const;
 
   /// The record of pulses from a platform on a track. Same numbers for any number of threads. Amplitudes are metres,
-  /// the square root of cross-sections, or, with a gain, volts.
+  /// the square root of cross-sections, or, with a gain, volts. `progress` hears of pulses as they are done.
   [[nodiscard]] radar::PhaseHistory receive(const radar::Track& platform, const PulseTrain& train,
                                             std::span<const radar::Scatterer> ground,
                                             std::span<const radar::Target> targets, const VoltageGain& gain = {},
-                                            unsigned threads = 0) const;
+                                            unsigned threads = 0, ProgressListener* progress = nullptr) const;
 
  private:
   struct Line;

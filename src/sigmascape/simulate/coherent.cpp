@@ -33,6 +33,7 @@
 #include "sigmascape/receiver/receiver_output.h"
 #include "sigmascape/receiver/stripmap_imager.h"
 #include "sigmascape/receiver/target_echoes.h"
+#include "sigmascape/simulate/recorded_beam.h"
 #include "sigmascape/simulate/scatterer_spacing.h"
 
 namespace sigmascape::simulate {
@@ -213,24 +214,11 @@ double squint_of(const radar::Radar& radar, Vec3d aim) {
   return std::asin(dot(normalized(radar::way_as_passed(radar, aim)), normalized(radar.velocity_mps)));
 }
 
-/// Where the antenna points that the radar file fixes, if it does. Spotlights are steered whatever the scan.
-std::optional<double> fixed_azimuth_rad(const radar::Radar& radar) {
-  const bool fixed = radar.scan.kind == radar::ScanKind::Fixed && radar.mode != radar::Mode::Spotlight;
-  return fixed ? radar.scan.azimuth_rad : std::nullopt;
-}
-
-receiver::BeamAzimuth beam_of(const radar::Radar& radar, Vec3d aim) {
-  if (const auto azimuth_rad = fixed_azimuth_rad(radar)) return receiver::fixed_at(*azimuth_rad);
-  if (radar.mode != radar::Mode::Stripmap) return receiver::towards(aim);
-  const Vec3d away = aim - radar.position;
-  return receiver::abeam(std::atan2(away.x, away.y) - std::atan2(radar.velocity_mps.x, radar.velocity_mps.y));
-}
-
 /// Of a sharpened or spotlight image; none where it passes over every place as it scans, or as that of a strip does.
 receiver::BeamAzimuth beam_of_image(const radar::Radar& radar, Vec3d aim) {
   const bool scans = radar.scan.kind != radar::ScanKind::Fixed;
   if (radar.mode == radar::Mode::Stripmap || (radar.mode == radar::Mode::DopplerBeamSharpening && scans)) return {};
-  return beam_of(radar, aim);
+  return steered_beam(radar, aim);
 }
 
 /// What the pattern leaves of an image made in metres, or nothing where that is not asked for.
@@ -450,13 +438,12 @@ radar::PhaseHistory phase_history(const CoherentScene& scene, const radar::Radar
   const radar::Vantage vantage = radar::vantage_of(radar, area.centre());
   const auto ground = scatterers_of(scene, radar, vantage, area, settings);
   const auto targets = targets_seen(scene, radar, vantage);
+  const receiver::BeamAzimuth beam = recorded_beam(radar, middle_of(area, *scene.terrain, radar), settings.moment_s);
   const receiver::VoltageGain gain =
-      settings.calibrated ? receiver::calibrated_voltage(radar, beam_of(radar, middle_of(area, *scene.terrain, radar)))
-                          : receiver::VoltageGain{};
+      settings.calibrated ? receiver::calibrated_voltage(radar, beam) : receiver::VoltageGain{};
   auto history = receiver.receive(radar::Track::straight(radar.position, radar.velocity_mps), train, ground, targets,
-                                  gain, settings.threads);
+                                  gain, settings.threads, settings.progress);
   if (settings.calibrated) {
-    const receiver::BeamAzimuth beam = beam_of(radar, middle_of(area, *scene.terrain, radar));
     for (radar::Pulse& pulse : history.pulses) pulse.beam_azimuth_rad = beam(pulse);
     receiver::add_thermal_noise(history, radar, receiver::noise_seed(settings.seed, settings.dwell), settings.threads);
     receiver::bring_to_output(history, radar, settings.threads);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 
+#include "sigmascape/base/progress.h"
 #include "sigmascape/radar/ground_grid.h"
 #include "sigmascape/radar/phase_history.h"
 #include "sigmascape/radar/radar.h"
@@ -36,12 +37,13 @@ struct CoherentSettings {
   double scatterer_spacing_m = 0.0;
   std::uint64_t seed = 1;   ///< of speckle, targets and noise
   std::uint64_t dwell = 0;  ///< by which fluctuating targets and noise are drawn anew, and speckle is not
-  /// When time zero is, on the clock by which leaves move: their phases go on from one recording to the next.
+  /// When time zero is, on the clock by which leaves move and scans turn: both go on from one recording to the next.
   double moment_s = 0.0;
   /// Volts at the receiver's output, with antenna, radar equation, thermal noise and, where the radar has them,
   /// sensitivity time control and converter, instead of metres without.
   bool calibrated = false;
   unsigned threads = 0;
+  ProgressListener* progress = nullptr;  ///< hears of pulses as they are recorded; images tell nothing
 };
 
 /// Throws Error when the radar stands within the ground or lower than all of it, with Mode::Stripmap when it does not
@@ -53,10 +55,9 @@ std::size_t check_recording(const radar::Radar& radar, const radar::Rectangle& a
 
 /// The pulses of one interval, before any processing: I and Q, at the radar's pulse repetition frequency, over the gate
 /// that `area` or the radar file asks for. They hold the echoes of the ground of the area and of all targets; what lies
-/// beside the area, in the beam or in the gate, is not in them. The beam keeps the azimuth of a scan that fixes one.
-/// Otherwise, and as a spotlight in any case, it follows the middle of the area, or with Mode::Stripmap keeps the
-/// direction that it has at time zero. Ground and targets are seen where terrain and what the atlas knows to stand
-/// there let them, as at time zero, or with Mode::Stripmap as for `stripmap_image`. Cost goes with pulses × scatterers.
+/// beside the area, in the beam or in the gate, is not in them. The axis of the beam is that of `recorded_beam`. Ground
+/// and targets are seen where terrain and what the atlas knows to stand there let them, as at time zero, or with
+/// Mode::Stripmap as for `stripmap_image`. Cost goes with pulses × scatterers.
 ///
 /// Throws Error as `check_recording` does.
 [[nodiscard]] radar::PhaseHistory phase_history(const CoherentScene& scene, const radar::Radar& radar,
@@ -89,8 +90,8 @@ void stripmap_looks(const CoherentScene& scene, const radar::Radar& radar, const
                     const std::function<void(const radar::StripmapImage&)>& visit);
 
 /// Where the axis of the beam points whose pattern the image of the radar's mode keeps: in the middle of the interval,
-/// of a strip all along it, clockwise from true north. Nothing where the image keeps no pattern, and where a scanning
-/// beam passes over every place.
+/// of a strip all along it, clockwise from the frame's north. Nothing where the image keeps no pattern, and where a
+/// scanning beam passes over every place.
 [[nodiscard]] std::optional<double> beam_azimuth_rad(const radar::Radar& radar, const radar::Rectangle& area);
 
 /// To which side of its course the radar looks at an area (radar::look_side).

@@ -17,6 +17,7 @@
 #include "sigmascape/radar/rectangle_parts.h"
 #include "sigmascape/radar/strip_beam.h"
 #include "sigmascape/simulate/placement.h"
+#include "sigmascape/simulate/recorded_beam.h"
 #include "sigmascape/simulate/simulate.h"
 
 namespace sigmascape::simulate {
@@ -61,7 +62,7 @@ std::optional<std::string> beam_beside(const radar::Radar& radar, const radar::R
     return std::nullopt;
   return fmt::format(
       "the beam points to {:.4g}° (scan.azimuth_deg), and what is mapped lies {:.3g}° to {:.3g}° beside it",
-      deg_from_radians(wrapped_azimuth(*radar.scan.azimuth_rad)), deg_from_radians(offsets.least_rad),
+      deg_from_radians(wrapped_azimuth(*radar.scan.azimuth_rad - radar.north_rad)), deg_from_radians(offsets.least_rad),
       deg_from_radians(offsets.most_rad));
 }
 
@@ -130,13 +131,17 @@ radar::MappedGround mapped_ground(const radar::Radar& radar, const radar::Rectan
   return {radar::nearest_m(area, foot), radar::farthest_m(area, foot), std::max(0.0, radar.position.z - middle.z)};
 }
 
-std::vector<std::string> map_warnings(const radar::Radar& radar, const radar::MapRequest& request,
-                                      const terrain::HeightField& terrain, const radar::Rectangle& extent) {
+namespace {
+
+/// Cells of nothing are narrower than everything.
+std::vector<std::string> warnings_for_cells(const radar::Radar& radar, const radar::MapRequest& request,
+                                            const terrain::HeightField& terrain, const radar::Rectangle& extent,
+                                            double cell_m) {
   const radar::GroundGrid grid = map_grid(request, extent);
   const radar::Radar mapping = as_it_maps(radar, grid.extent(), terrain);
   const auto earth = radar.mode == radar::Mode::RealBeam ? radar::CurvedEarth::flat() : radar::earth_of(mapping);
   auto warnings = radar::radar_warnings(mapping, bins_for(mapping, grid.extent(), terrain, earth),
-                                        mapped_ground(mapping, grid.extent(), terrain, earth), grid.cell_m);
+                                        mapped_ground(mapping, grid.extent(), terrain, earth), cell_m);
   const auto sides = cut_sides(request.area.value_or(extent), extent, request.cell_m);
   if (!sides.empty()) {
     warnings.push_back(
@@ -146,6 +151,43 @@ std::vector<std::string> map_warnings(const radar::Radar& radar, const radar::Ma
   if (auto missed = beam_above_or_below(mapping, grid.extent(), terrain)) warnings.push_back(*std::move(missed));
   if (auto missed = beam_beside(radar, grid.extent())) warnings.push_back(*std::move(missed));
   return warnings;
+}
+
+}  // namespace
+
+std::vector<std::string> map_warnings(const radar::Radar& radar, const radar::MapRequest& request,
+                                      const terrain::HeightField& terrain, const radar::Rectangle& extent) {
+  return warnings_for_cells(radar, request, terrain, extent, map_grid(request, extent).cell_m);
+}
+
+std::vector<std::string> area_warnings(const radar::Radar& radar, const radar::MapRequest& request,
+                                       const terrain::HeightField& terrain, const radar::Rectangle& extent) {
+  return warnings_for_cells(radar, request, terrain, extent, 0.0);
+}
+
+std::optional<std::string> scan_beside(const radar::Radar& radar, const radar::Rectangle& area, double interval_s,
+                                       double moment_s) {
+  const Vec2d foot{radar.position.x, radar.position.y};
+  if (!scans_as_it_records(radar) || area.contains(foot)) return std::nullopt;
+  const Vec2d middle = area.centre();
+  const receiver::BeamAzimuth beam = recorded_beam(radar, {middle.x, middle.y, 0.0}, moment_s);
+  const radar::AzimuthSpan span = radar::azimuths_of(area, foot);
+  const radar::AntennaPattern pattern = radar::antenna_pattern(radar);
+  // Steps of a quarter of the beam, or the pulses where those are fewer.
+  const double steps = 1.0 + std::min(4.0 * radar.scan.rate_rad_per_s * interval_s / radar.beam_width_rad,
+                                      radar.waveform.pulse_repetition_hz * interval_s);
+  for (double step = 0.0; step <= steps; ++step) {
+    const double time_s = interval_s * (step / steps - 0.5);
+    const double middle_rad = turned_by_least(span.middle_rad - beam({.time_s = time_s, .platform = {}}));
+    const AngleSpan offsets{middle_rad + span.left_rad, middle_rad + span.right_rad};
+    if (pattern.azimuth().two_way_power(offsets.nearest(0.0)) >= least_two_way_power) return std::nullopt;
+  }
+  return fmt::format(
+      "the beam scans elsewhere, {:.4g}° in the middle, while pulses are recorded for {:.3g} s, and what is mapped "
+      "lies at {:.4g}°, where echoes are at least 20 dB weaker than at its peak; record at another moment or for "
+      "longer, or leave out scan.azimuth_deg",
+      deg_from_radians(wrapped_azimuth(beam({}) - radar.north_rad)), interval_s,
+      deg_from_radians(wrapped_azimuth(span.middle_rad - radar.north_rad)));
 }
 
 std::vector<std::string> recording_warnings(const radar::Radar& radar, const radar::Rectangle& area,

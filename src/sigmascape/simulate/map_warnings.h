@@ -26,6 +26,11 @@ namespace sigmascape::simulate {
                                                     const terrain::HeightField& terrain,
                                                     const radar::Rectangle& extent);
 
+/// The same but for what is said of the map's cells: for pulses of what it maps, which have none.
+[[nodiscard]] std::vector<std::string> area_warnings(const radar::Radar& radar, const radar::MapRequest& request,
+                                                     const terrain::HeightField& terrain,
+                                                     const radar::Rectangle& extent);
+
 /// Of a beam whose pattern leaves all that lies in an area 20 dB or more under its peak, both ways, since it points
 /// above or below it.
 [[nodiscard]] std::optional<std::string> beam_above_or_below(const radar::Radar& radar, const radar::Rectangle& area,
@@ -37,5 +42,10 @@ namespace sigmascape::simulate {
 [[nodiscard]] std::vector<std::string> recording_warnings(const radar::Radar& radar, const radar::Rectangle& area,
                                                           const terrain::HeightField& terrain, bool calibrated,
                                                           std::span<const radar::Target> targets = {});
+
+/// Of a real beam that scans while pulses in volts are recorded for so long about `moment_s`, and does not come so near
+/// to the area meanwhile that any of it is less than 20 dB under its peak, both ways.
+[[nodiscard]] std::optional<std::string> scan_beside(const radar::Radar& radar, const radar::Rectangle& area,
+                                                     double interval_s, double moment_s);
 
 }  // namespace sigmascape::simulate

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
-#include "sigmascape/base/error.h"
+#include "sigmascape/base/toml_reader.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/azimuth_text.h"
 #include "sigmascape/radar/distance_of_range.h"
@@ -91,10 +91,17 @@ const char* word_for(radar::Mode mode) {
   return "";
 }
 
-void require_real_beam(const radar::Radar& radar, const std::string& file, std::string_view what_serves) {
-  if (radar.mode == radar::Mode::RealBeam) return;
-  throw Error(file + ": mode.kind", fmt::format("is {}, and {}", word_for(radar.mode), what_serves),
-              "take the [mode] out of the radar file, or name another radar file");
+void require_real_beam(const std::filesystem::path& radar_file, std::string_view what_serves) {
+  const auto section = TomlSection::read_file(radar_file).section("mode");
+  if (!section) return;
+  const std::string real_beam = word_for(radar::Mode::RealBeam);
+  const std::string kind = section->choice_or("kind",
+                                              {real_beam, word_for(radar::Mode::DopplerBeamSharpening),
+                                               word_for(radar::Mode::Stripmap), word_for(radar::Mode::Spotlight)},
+                                              real_beam);
+  if (kind == real_beam) return;
+  throw section->fault("kind", fmt::format("is {}, and {}", kind, what_serves),
+                       "take the [mode] out of the radar file, or name another radar file");
 }
 
 ModePlan mode_plan(const ModeRequest& request) {

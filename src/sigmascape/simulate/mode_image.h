@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <span>
@@ -69,7 +70,7 @@ void mode_looks(const ModeRequest& request, const radar::CoherentPlan& plan,
 [[nodiscard]] const char* word_for(radar::Mode mode);
 
 /// Throws Error when a radar file's mode is another than a real beam, which is all that serves: "datasets are made of
-/// real-beam maps".
-void require_real_beam(const radar::Radar& radar, const std::string& file, std::string_view what_serves);
+/// real-beam maps". For asking before the file is read as a whole, which has demands of its own on other modes.
+void require_real_beam(const std::filesystem::path& radar_file, std::string_view what_serves);
 
 }  // namespace sigmascape::simulate

@@ -52,6 +52,9 @@ TEST_F(DatasetSpecFile, RefusesRadarsOfOtherModes) {
   EXPECT_THAT(
       fault_of("4"),
       HasSubstr("radar.toml: mode.kind: is spotlight, and datasets are made of real-beam maps; take the [mode]"));
+  radar_ = "beam_width_deg = 2.0\n[mode]\nkind = \"spotlight\"\n";
+  EXPECT_THAT(fault_of("4"), HasSubstr("radar.toml: mode.kind: is spotlight, and datasets are made"))
+      << "whose platform would have to move";
   radar_ = "beam_width_deg = 2.0\n[mode]\nkind = \"real-beam\"\n";
   EXPECT_EQ(fault_of("4"), "");
   radar_ = "beam_width_deg = 2.0\nearth_refraction = 1.333\n";

@@ -8,6 +8,7 @@
 #include "scratch_folder.h"
 
 #include "sigmascape/base/error.h"
+#include "sigmascape/radar/pattern_table.h"
 
 namespace sigmascape::product {
 namespace {
@@ -118,6 +119,20 @@ TEST(IqFile, KeepsNumbersAsTheyAre) {
 }
 
 /// Samples a second are c/(2 Δr) over slant range and nothing over metres of another kind.
+TEST(IqFile, ThroughALinkWhatBelongsTogetherLiesTogether) {
+  const ScratchFolder folder;
+  const auto history = two_pulses();
+  const IqRecord record = iq_record(history, moving_radar());
+  for (const auto& [ending, companion] : {std::pair{".npy", ".json"}, {".sigmf-meta", ".sigmf-data"}}) {
+    const std::string latest = "latest", today = "there/today";
+    std::filesystem::create_symlink(today + ending, folder.path(latest + ending));
+    write_iq(folder.path(latest + ending), record);
+    EXPECT_TRUE(std::filesystem::exists(folder.path(today + ending)));
+    EXPECT_TRUE(std::filesystem::exists(folder.path(today + companion)));
+    EXPECT_FALSE(std::filesystem::exists(folder.path(latest + companion)));
+  }
+}
+
 TEST(IqFile, HasASampleRateOverSlantRangeAlone) {
   const ScratchFolder folder;
   const auto global_of = [&](const IqRecord& record) {
@@ -207,6 +222,32 @@ TEST(IqFile, DescribesTheAntennaThatIsInTheSamples) {
   radar.antenna.elevation = radar::EvenBeam{};
   EXPECT_EQ(iq_record(history, radar).words.at("elevation_shape"), "even");
   EXPECT_FALSE(iq_record(history, radar).numbers.contains("elevation_width_rad"));
+}
+
+/// What a radar file names as azimuth_csv comes back, gains relative to their peak, and nothing of it in metres.
+TEST(IqFile, HoldsTheTableOfAMeasuredAntenna) {
+  const ScratchFolder folder;
+  const auto table =
+      radar::read_pattern_table(folder.write("cut.csv", "offset_deg,gain_db\n-4,5\n-1.5,20\n0.25,30\n1,24\n6,-10\n"));
+  radar::Radar radar = moving_radar();
+  radar.antenna.azimuth = table.beam;
+  radar.beam_width_rad = table.half_power_width_rad;
+  auto history = two_pulses();
+  EXPECT_TRUE(iq_record(history, radar).cuts.empty());
+  history.unit = "V";
+  const IqRecord record = iq_record(history, radar);
+  EXPECT_EQ(record.words.at("azimuth_shape"), "table");
+  for (const std::string& ending : endings) write_iq(folder.path("pulses" + ending), record);
+  const auto told = json_of(folder.path("pulses.json"));
+  const auto global = json_of(folder.path("pulses.sigmf-meta")).at("global");
+  const std::vector<double> offsets_deg{-4.0, -1.5, 0.25, 1.0, 6.0}, gains_db{-25.0, -10.0, 0.0, -6.0, -40.0};
+  for (std::size_t i = 0; i < offsets_deg.size(); ++i) {
+    EXPECT_NEAR(told.at("azimuth_offset_deg").at(i).get<double>(), offsets_deg[i], 1e-12);
+    EXPECT_NEAR(told.at("azimuth_gain_dB").at(i).get<double>(), gains_db[i], 1e-9);
+  }
+  EXPECT_EQ(global.at("sigmascape:azimuth_offset_deg"), told.at("azimuth_offset_deg"));
+  EXPECT_EQ(global.at("sigmascape:azimuth_gain_dB"), told.at("azimuth_gain_dB"));
+  EXPECT_FALSE(told.contains("elevation_offset_deg"));
 }
 
 TEST(IqFile, TellsOfEachPulseWhereTheBeamPointed) {

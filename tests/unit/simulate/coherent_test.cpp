@@ -206,6 +206,24 @@ TEST(Pulses, AreRefusedBeforeTheGroundIsLookedAt) {
   EXPECT_THAT(asked.places, ::testing::IsEmpty());
 }
 
+/// Hears how many of how many are done.
+struct Counting final : ProgressListener {
+  double done = 0.0, total = 0.0;
+  void advanced(std::string_view, double now, double of, std::string_view) override {
+    EXPECT_GE(now, done);
+    done = now;
+    total = of;
+  }
+};
+
+TEST(Pulses, TellHowManyAreRecorded) {
+  Counting counting;
+  static_cast<void>(
+      pulses_of(looking_north(radar::Mode::RealBeam), {.interval_s = 0.02, .threads = 1, .progress = &counting}));
+  EXPECT_EQ(counting.total, 40.0);
+  EXPECT_EQ(counting.done, 40.0);
+}
+
 TEST(Pulses, AreRecordedFromARadarThatStandsStill) {
   radar::Radar radar = looking_north(radar::Mode::RealBeam);
   radar.velocity_mps = {};
@@ -365,6 +383,52 @@ TEST(Volts, FollowTheMiddleOtherwise) {
   radar.mode = radar::Mode::RealBeam;
   radar.scan.kind = radar::ScanKind::Rotating;
   EXPECT_NEAR(brightest_db(radar), on_axis_db, 1e-3);
+}
+
+/// The powers of the brightest samples of the first pulses after time zero, in dB, and where the beam then points.
+struct Heard {
+  std::vector<double> decibels, azimuths_deg;
+};
+
+Heard heard_while_scanning(const radar::Scan& scan, double interval_s, double moment_s = 0.0) {
+  radar::Radar radar = looking_north(radar::Mode::RealBeam);
+  radar.velocity_mps = {};
+  radar.waveform.pulse_repetition_hz = 30.0;
+  radar.scan = scan;
+  const auto history = pulses_of(radar, {.interval_s = interval_s, .moment_s = moment_s, .calibrated = true});
+  Heard heard;
+  for (std::size_t n = history.samples.rows() / 2; n < history.samples.rows(); ++n) {
+    float best = 0.0F;
+    for (const auto& sample : history.samples.row(n)) best = std::max(best, std::norm(sample.vv));
+    heard.decibels.push_back(db_from_linear(static_cast<double>(best)));
+    heard.azimuths_deg.push_back(
+        deg_from_radians(std::remainder(history.pulses[n].beam_azimuth_rad.value(), 2.0 * pi)));
+  }
+  return heard;
+}
+
+/// At 30°/s and 30 pulses a second a degree a pulse, half of the beam's width: 6.02 dB out and back by it, and four
+/// times that by two. A sector of 4° is swept to its right end, back over the middle to the left one.
+TEST(Volts, FollowARealBeamThatScans) {
+  const radar::Scan sector{.kind = radar::ScanKind::Sector,
+                           .sector_width_rad = radians_from_deg(4.0),
+                           .rate_rad_per_s = radians_from_deg(30.0)};
+  const Heard heard = heard_while_scanning(sector, 0.6);
+  const std::vector<double> expected_deg{0.0, 1.0, 2.0, 1.0, 0.0, -1.0, -2.0, -1.0, 0.0};
+  ASSERT_EQ(heard.azimuths_deg.size(), expected_deg.size());
+  for (std::size_t n = 0; n < expected_deg.size(); ++n) {
+    EXPECT_NEAR(heard.azimuths_deg[n], expected_deg[n], 1e-6) << n;
+    EXPECT_NEAR(heard.decibels[n] - heard.decibels[0], -6.0206 * expected_deg[n] * expected_deg[n], 0.1) << n;
+  }
+}
+
+/// Of a stated azimuth the scan goes on from recording to recording; else it comes to the middle in each of them.
+TEST(Volts, HaveTheScanOfTheirMoment) {
+  radar::Scan turning{.kind = radar::ScanKind::Rotating, .rate_rad_per_s = radians_from_deg(30.0)};
+  EXPECT_NEAR(heard_while_scanning(turning, 0.2, 4.0).azimuths_deg.at(1), 1.0, 1e-6);
+  turning.azimuth_rad = radians_from_deg(359.0);
+  EXPECT_NEAR(heard_while_scanning(turning, 0.2).azimuths_deg.at(1), 0.0, 1e-6);
+  EXPECT_NEAR(heard_while_scanning(turning, 0.2, 4.0).azimuths_deg.at(1), 120.0, 1e-6);
 }
 
 /// Where the axis of the beam points whose pattern is in them, if it keeps to a place or an azimuth.

@@ -118,6 +118,35 @@ TEST(MapWarnings, KnowTheEarthThatPulsesDo) {
               Each(::testing::Not(::testing::HasSubstr("targets"))));
 }
 
+/// Pulses have no cells: the beam of 28 m is narrower than those of 100 m, and the cut side is told all the same.
+TEST(AreaWarnings, SayNothingOfCells) {
+  const radar::Radar radar = with_elevation_beam(-8.5);
+  const radar::MapRequest request{.area = radar::Rectangle{-500, -500, 500, 700}, .cell_m = 100.0};
+  const auto of_map = map_warnings(radar, request, level, extent);
+  EXPECT_THAT(of_map, ElementsAre(::testing::HasSubstr("narrower than the map's cells of 100 m"),
+                                  ::testing::HasSubstr("200 m in the north")));
+  EXPECT_THAT(area_warnings(radar, request, level, extent), ElementsAre(of_map.back()));
+}
+
+/// The area is 2.9° wide; the sector is swept from its middle to the right.
+TEST(RecordingWarnings, TellOfAScanThatIsElsewhere) {
+  radar::Radar radar = with_elevation_beam(-8.5);
+  const auto told = [&](std::optional<double> azimuth_deg, double interval_s, double moment_s) {
+    radar.scan = {.kind = radar::ScanKind::Sector,
+                  .sector_width_rad = radians_from_deg(40.0),
+                  .rate_rad_per_s = radians_from_deg(30.0)};
+    if (azimuth_deg) radar.scan.azimuth_rad = radians_from_deg(*azimuth_deg);
+    return scan_beside(radar, extent, interval_s, moment_s);
+  };
+  EXPECT_FALSE(told(std::nullopt, 0.1, 0.5));
+  EXPECT_FALSE(told(0.0, 0.1, 0.0));
+  EXPECT_THAT(told(0.0, 0.1, 0.5).value(), ::testing::StartsWith("the beam scans elsewhere, 15° in the middle"));
+  EXPECT_FALSE(told(0.0, 1.0, 0.5)) << "at 0 s it points to the middle";
+  EXPECT_FALSE(told(-15.0, 0.1, 0.5));
+  radar.mode = radar::Mode::Spotlight;
+  EXPECT_FALSE(told(0.0, 0.1, 0.5));
+}
+
 TEST(RecordingWarnings, TellOfWhatIsNotInThePulses) {
   radar::Radar radar = with_elevation_beam(-8.5);
   const auto told = [&](bool calibrated) { return recording_warnings(radar, extent, level, calibrated); };
