@@ -12,9 +12,11 @@
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/radar_equation.h"
 #include "sigmascape/radar/range_ambiguity.h"
+#include "sigmascape/radar/range_response.h"
 #include "sigmascape/receiver/bin_response.h"
 #include "sigmascape/receiver/calibrated_voltage.h"
 #include "sigmascape/receiver/range_azimuth_receiver.h"
+#include "sigmascape/receiver/target_echoes.h"
 #include "sigmascape/simulate/simulate.h"
 
 namespace sigmascape::receiver {
@@ -81,6 +83,34 @@ TEST(ReceivedPower, OfAPointIsTheRadarEquation) {
               0.1, "dBW", "radar equation");
   expect_case("its signal-to-noise ratio", db_from_linear(radar::signal_to_noise(radar, 10.0, 20e3)),
               db_from_linear(brightest(received.signal_w) / received.noise_w), 0.1, "dB", "radar equation");
+}
+
+/// The compressed pulse of a Hamming window over 2BΔr/c, the spectrum 0.54 + 0.46 cos transformed, relative to its
+/// peak.
+double hamming_power(double t) {
+  const auto sinc = [](double x) { return x == 0.0 ? 1.0 : std::sin(pi * x) / (pi * x); };
+  const double voltage = sinc(t) + 0.23 / 0.54 * (sinc(t - 1.0) + sinc(t + 1.0));
+  return voltage * voltage;
+}
+
+// Wherever between the middles of bins a target lies, each bin has what pulse and beam make of it that far away; of a
+// Gaussian beam the two-way power at φ is 2^(−8 (φ/θ)²).
+TEST(ReceivedPower, OfATargetBetweenBinsIsTheRadarEquationAtItsOffset) {
+  const radar::Radar radar = plain_radar();
+  const auto grid = bins_about(radar, 20e3);
+  const double bandwidth_hz = radar::bandwidth_of(radar.range_resolution_m, radar.waveform.window);
+  for (const auto& [along, across] : {std::pair(0.0, 0.0), {0.25, 0.0}, {0.5, 0.0}, {0.0, 0.5}, {-0.5, 0.5}}) {
+    const double offset_m = along * grid.range_step_m, offset_rad = across * grid.azimuth_step_rad;
+    const radar::Echo target = point(20e3 + offset_m, 10.0, offset_rad);
+    radar::RangeAzimuthImage image{grid, radar.position, Array2D<radar::Channels>(grid.azimuths, grid.ranges)};
+    add_echoes(image, radar, {&target, 1});
+    const auto received = received_power(radar, image, radar::Polarization::VV);
+    const double expected = radar::received_power_w(radar, 10.0, 20e3) * radar::compression_gain(radar) *
+                            hamming_power(2.0 * bandwidth_hz * offset_m / speed_of_light_mps) *
+                            std::exp2(-8.0 * std::pow(offset_rad / radar.beam_width_rad, 2.0));
+    expect_case("target off a bin's middle, power there", db_from_linear(expected),
+                db_from_linear(static_cast<double>(received.signal_w(40, 40))), 0.1, "dBW", "radar equation");
+  }
 }
 
 // The radar equation takes the gain of the peak, wherever the measured beam has it.

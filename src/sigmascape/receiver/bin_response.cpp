@@ -46,4 +46,35 @@ BinResponse azimuth_response(const radar::Radar& radar, double azimuth_step_rad)
   return sampled(reach, 1e-5, [&](int k) { return pattern.azimuth().two_way_power(k * azimuth_step_rad); });
 }
 
+PlacedResponse::Weights PlacedResponse::at(double place) const {
+  // The nearest bin is always among them, at most half a bin away.
+  const double nearest = std::floor(place), first = nearest - reach_, last = nearest + reach_;
+  std::vector<double> powers;
+  double sum = 0.0;
+  for (double bin = first; bin <= last; ++bin) {
+    powers.push_back(power_(place - (bin + 0.5)));
+    sum += powers.back();
+  }
+  Weights weights{static_cast<std::ptrdiff_t>(first), std::vector<float>(powers.size(), 0.0F)};
+  // A response much narrower than the bins may be nothing at the middles of all.
+  if (!(sum > 0.0)) {
+    weights.of_bins[static_cast<std::size_t>(reach_)] = 1.0F;
+    return weights;
+  }
+  for (std::size_t k = 0; k < powers.size(); ++k) weights.of_bins[k] = static_cast<float>(powers[k] / sum);
+  return weights;
+}
+
+PlacedResponse placed_range_response(const radar::Radar& radar, double range_step_m) {
+  const auto pulse = radar::RangeResponse::of_width(radar.range_resolution_m, radar.waveform.window);
+  return {[pulse, range_step_m](double offset_bins) { return pulse.power(offset_bins * range_step_m); },
+          range_response(radar, range_step_m).weights.size() / 2};
+}
+
+PlacedResponse placed_azimuth_response(const radar::Radar& radar, double azimuth_step_rad) {
+  const auto beam = radar::antenna_pattern(radar).azimuth();
+  return {[beam, azimuth_step_rad](double offset_bins) { return beam.two_way_power(offset_bins * azimuth_step_rad); },
+          azimuth_response(radar, azimuth_step_rad).weights.size() / 2};
+}
+
 }  // namespace sigmascape::receiver

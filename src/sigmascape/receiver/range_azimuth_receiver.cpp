@@ -16,41 +16,9 @@
 namespace sigmascape::receiver {
 namespace {
 
-// Of the elevation pattern's table: so many to its half-power width, within what cache and memory bear.
-constexpr double elevation_steps_a_width = 256.0, fewest_elevation_steps = 0x1p12, most_elevation_steps = 0x1p20;
 constexpr double most_bins = 0x1p27;
 /// An azimuth so near the middle of a column, in columns, is there: what is left is rounding.
 constexpr double middle_of_column = 1e-6;
-
-/// Two-way relative gain at evenly spaced depression angles from −90° to 90°; empty for an antenna that does not tell
-/// elevations apart.
-std::vector<float> gain_over_depression(const radar::Radar& radar) {
-  const auto pattern = radar::antenna_pattern(radar);
-  if (pattern.elevation().even()) return {};
-  const double wanted = std::ceil(elevation_steps_a_width * pi / radar.antenna.elevation_width_rad);
-  const double steps = std::clamp(wanted, fewest_elevation_steps, most_elevation_steps);
-  std::vector<float> gain;
-  for (double k = 0.0; k <= steps; ++k) {
-    const double elevation = pi * (0.5 - k / steps);
-    gain.push_back(static_cast<float>(pattern.elevation().two_way_power(elevation - pattern.tilt_rad())));
-  }
-  return gain;
-}
-
-float interpolated(const std::vector<float>& gain, float sin_depression) {
-  const double depression_rad = std::asin(std::clamp(static_cast<double>(sin_depression), -1.0, 1.0));
-  const double place = (depression_rad / pi + 0.5) * static_cast<double>(gain.size() - 1);
-  const auto left = std::min(static_cast<std::size_t>(place), gain.size() - 2);
-  return std::lerp(gain[left], gain[left + 1], static_cast<float>(place - static_cast<double>(left)));
-}
-
-/// Whether the beam's axis comes between the middles of this column and one beside it, of which a map reads both. The
-/// other modes make their own azimuths.
-bool looked_at(const radar::Radar& radar, const radar::RangeAzimuthGrid& grid, std::size_t column) {
-  if (radar.mode != radar::Mode::RealBeam) return true;
-  const double left = grid.first_azimuth_rad + static_cast<double>(column) * grid.azimuth_step_rad;
-  return radar::reaches(radar.scan, left + 0.5 * grid.azimuth_step_rad, grid.azimuth_step_rad);
-}
 
 /// Bins to spare at the edges of what is mapped, so that responses fit: 4 to 16 resolution cells.
 double room_for(const BinResponse& response, double oversampling) {
@@ -112,41 +80,15 @@ radar::RangeAzimuthGrid grid_covering(const radar::Radar& radar, std::span<const
 }
 
 RangeAzimuthReceiver::RangeAzimuthReceiver(const radar::Radar& radar, const radar::RangeAzimuthGrid& grid)
-    : radar_(radar),
-      grid_(grid),
-      gain_over_depression_(gain_over_depression(radar)),
-      gate_start_m_(radar.receiver.first_range_m.value_or(grid.first_range_m)),
-      gate_end_m_(radar.receiver.last_range_m.value_or(std::numeric_limits<double>::infinity())),
-      unambiguous_m_(radar::unambiguous_range_m(radar.waveform.pulse_repetition_hz)),
-      bins_(grid.azimuths, grid.ranges) {}
-
-std::optional<RangeAzimuthReceiver::Heard> RangeAzimuthReceiver::heard(const radar::Echo& echo) const {
-  double range_m = echo.range_m;
-  radar::Channels rcs_m2 = echo.rcs_m2;
-  if (range_m < gate_start_m_ || range_m >= gate_start_m_ + unambiguous_m_) {
-    range_m = radar::apparent_range_m(echo.range_m, gate_start_m_, radar_.waveform.pulse_repetition_hz);
-    const double nearer = range_m / echo.range_m;
-    const double through_air = std::exp(-2.0 * radar_.atmosphere_per_m * (echo.range_m - range_m));
-    rcs_m2 = rcs_m2 * static_cast<float>(nearer * nearer * nearer * nearer * through_air);
-  }
-  if (range_m > gate_end_m_) return std::nullopt;
-  if (!gain_over_depression_.empty()) rcs_m2 = rcs_m2 * interpolated(gain_over_depression_, echo.sin_depression);
-  return Heard{(range_m - grid_.first_range_m) / grid_.range_step_m, rcs_m2};
-}
-
-double RangeAzimuthReceiver::column_of(double azimuth_rad) const {
-  const double middle_rad =
-      grid_.first_azimuth_rad + 0.5 * static_cast<double>(grid_.azimuths) * grid_.azimuth_step_rad;
-  return (middle_rad + turned_by_least(azimuth_rad - middle_rad) - grid_.first_azimuth_rad) / grid_.azimuth_step_rad;
-}
+    : radar_(radar), grid_(grid), places_(radar, grid), bins_(grid.azimuths, grid.ranges) {}
 
 void RangeAzimuthReceiver::add(std::span<const radar::Echo> echoes) {
   const bool goes_round = grid_.goes_round();
   const auto turn = static_cast<double>(grid_.azimuths);
   for (const radar::Echo& echo : echoes) {
-    const auto at = heard(echo);
+    const auto at = places_.heard(echo);
     if (!at) continue;
-    const double column = column_of(echo.cross);
+    const double column = places_.column_of(echo.cross);
     bins_.add_shared(column, at->row, at->rcs_m2);
     if (!goes_round) continue;
     // The share of the bin at the other end.
@@ -156,12 +98,12 @@ void RangeAzimuthReceiver::add(std::span<const radar::Echo> echoes) {
 }
 
 void RangeAzimuthReceiver::add_at_azimuth(double azimuth_rad, std::span<const radar::Echo> echoes) {
-  const double place = column_of(azimuth_rad) - 0.5;
+  const double place = places_.column_of(azimuth_rad) - 0.5;
   const double left = std::floor(place + middle_of_column);
   const double right_share = place - left < middle_of_column ? 0.0 : place - left;
   PowerLine in_left(grid_.ranges), in_right(right_share > 0.0 ? grid_.ranges : 0);
   for (const radar::Echo& echo : echoes) {
-    const auto at = heard(echo);
+    const auto at = places_.heard(echo);
     if (!at) continue;
     in_left.add_shared(at->row, at->rcs_m2 * static_cast<float>(1.0 - right_share));
     if (right_share > 0.0) in_right.add_shared(at->row, at->rcs_m2 * static_cast<float>(right_share));
@@ -183,20 +125,8 @@ radar::RangeAzimuthImage RangeAzimuthReceiver::image() const {
   }
   radar::RangeAzimuthImage image{grid_, radar_.position, bins_.sums()};
   spread_responses(image, radar_);
-  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-  for (std::size_t column = 0; column < grid_.azimuths; ++column) {
-    const bool looks_there = looked_at(radar_, grid_, column);
-    for (std::size_t row = 0; row < grid_.ranges; ++row) {
-      if (!looks_there || !is_within_gate(row)) image.rcs_m2(column, row) = {nan, nan, nan, nan};
-    }
-  }
+  places_.blank_unheard(image);
   return image;
-}
-
-bool RangeAzimuthReceiver::is_within_gate(std::size_t row) const {
-  const double middle_m = grid_.first_range_m + (static_cast<double>(row) + 0.5) * grid_.range_step_m;
-  const double last_m = std::min(gate_end_m_, gate_start_m_ + unambiguous_m_);
-  return middle_m > gate_start_m_ - grid_.range_step_m && middle_m < last_m + grid_.range_step_m;
 }
 
 }  // namespace sigmascape::receiver

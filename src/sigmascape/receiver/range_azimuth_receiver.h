@@ -1,12 +1,11 @@
 #pragma once
 
-#include <optional>
 #include <span>
-#include <vector>
 
 #include "sigmascape/radar/echo.h"
 #include "sigmascape/radar/radar.h"
 #include "sigmascape/radar/range_azimuth_image.h"
+#include "sigmascape/receiver/echo_places.h"
 #include "sigmascape/receiver/power_bins.h"
 
 namespace sigmascape::receiver {
@@ -45,24 +44,12 @@ class RangeAzimuthReceiver {
   [[nodiscard]] radar::RangeAzimuthImage image() const;
 
  private:
-  /// Of an azimuth, in units of columns.
-  [[nodiscard]] double column_of(double azimuth_rad) const;
   /// Nothing for a column beyond the bins; where these go all round, columns do.
   void add_line(double column, const PowerLine& line);
-  /// Where in range the receiver hears an echo, in units of bins, and how strongly.
-  struct Heard {
-    double row = 0.0;
-    radar::Channels rcs_m2;
-  };
-  /// Nothing of an echo from beyond the gate.
-  [[nodiscard]] std::optional<Heard> heard(const radar::Echo& echo) const;
-  /// Whether the gate is open between the middles of this row and one beside it, of which a map reads both.
-  [[nodiscard]] bool is_within_gate(std::size_t row) const;
 
   radar::Radar radar_;
   radar::RangeAzimuthGrid grid_;
-  std::vector<float> gain_over_depression_;
-  double gate_start_m_, gate_end_m_, unambiguous_m_;
+  EchoPlaces places_;
   PowerBins bins_;
 };
 

@@ -21,8 +21,9 @@ namespace sigmascape::receiver {
 [[nodiscard]] std::vector<radar::Scatterer> target_scatterers(std::span<const radar::Target> targets,
                                                               const radar::Radar& radar, const radar::Moment& moment);
 
-/// Adds echoes to an image of the radar's bins, however bright they are: where the units of PowerBins cannot hold them
-/// they are summed in units so much coarser that they fit.
+/// Adds echoes to an image of the radar's bins, however bright they are, each with the responses of pulse and beam
+/// about its own place: a bin has what the radar equation gives at the offset of its middle from the point. The sums of
+/// what RangeAzimuthReceiver shares between bins first are the same, its responses a little wider.
 void add_echoes(radar::RangeAzimuthImage& image, const radar::Radar& radar, std::span<const radar::Echo> echoes);
 
 }  // namespace sigmascape::receiver

@@ -50,5 +50,52 @@ TEST(AddEchoes, HoldsTargetsOfAnyBrightness) {
   }
 }
 
+// Half a bin beyond the last azimuth lies the edge of the first: both have the same, and nothing is lost.
+TEST(AddEchoes, ComesInAtTheOtherEndWhereBinsGoRound) {
+  radar::Radar radar;
+  radar.position = {0.0, 0.0, 3000.0};
+  radar.beam_width_rad = 0.1;
+  const std::vector<Vec3d> about{{-500, -500, 0}, {500, 500, 0}, {0, 0, 0}};
+  const radar::RangeAzimuthGrid bins = grid_covering(radar, about);
+  ASSERT_TRUE(bins.goes_round());
+  const radar::Echo echo{.range_m = 3020.0, .cross = bins.first_azimuth_rad, .rcs_m2 = {2.0F, 1.0F, 0.5F, -1.0F}};
+  radar::RangeAzimuthImage image{bins, radar.position, Array2D<radar::Channels>(bins.azimuths, bins.ranges)};
+  add_echoes(image, radar, {&echo, 1});
+  radar::Channels sum;
+  for (const radar::Channels& bin : image.rcs_m2.values()) sum += bin;
+  EXPECT_NEAR(sum.vv, 2.0F, 1e-4F);
+  EXPECT_NEAR(sum.re_vvhh, -1.0F, 1e-4F);
+  for (std::size_t row = 0; row < bins.ranges; ++row) {
+    for (std::size_t k = 0; k < 3; ++k)
+      EXPECT_NEAR(image.rcs_m2(k, row).hv, image.rcs_m2(bins.azimuths - 1 - k, row).hv, 1e-6F) << k << ", " << row;
+  }
+}
+
+// What a table of the beam has to the right of its axis is met when the axis stands to the left, as of the ground.
+TEST(AddEchoes, SpreadAsTheGroundDoes) {
+  radar::Radar radar;
+  radar.position = {0.0, -8000.0, 3000.0};
+  radar::TabulatedBeam aside;
+  for (double offset = -3.0; offset <= 3.0; offset += 0.05)
+    aside.samples.push_back({offset, std::exp2(-4.0 * std::pow(offset - 0.5, 2.0))});
+  radar.antenna.azimuth = aside;
+  const std::vector<Vec3d> corners{{-60, -60, 0}, {60, -60, 0}, {60, 60, 0}, {-60, 60, 0}};
+  const radar::RangeAzimuthGrid bins = grid_covering(radar, corners);
+  // In the middle of a bin, where sharing changes nothing.
+  const auto middle = [](double first, double step, std::size_t count) {
+    return first + (std::floor(static_cast<double>(count) / 2.0) + 0.5) * step;
+  };
+  const radar::Echo echo{.range_m = middle(bins.first_range_m, bins.range_step_m, bins.ranges),
+                         .cross = middle(bins.first_azimuth_rad, bins.azimuth_step_rad, bins.azimuths),
+                         .rcs_m2 = {1.0F, 1.0F, 0.0F, 1.0F}};
+  radar::RangeAzimuthImage image{bins, radar.position, Array2D<radar::Channels>(bins.azimuths, bins.ranges)};
+  add_echoes(image, radar, {&echo, 1});
+  RangeAzimuthReceiver receiver(radar, bins);
+  receiver.add({&echo, 1});
+  const auto of_ground = receiver.image();
+  for (std::size_t i = 0; i < image.rcs_m2.size(); ++i)
+    EXPECT_NEAR(image.rcs_m2.values()[i].vv, of_ground.rcs_m2.values()[i].vv, 1e-6F) << i;
+}
+
 }  // namespace
 }  // namespace sigmascape::receiver
