@@ -1,3 +1,5 @@
+#include <cmath>
+#include <fmt/format.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
@@ -100,6 +102,48 @@ RadarFile made(const std::string& name, double frequency_hz, double range_resolu
   return file;
 }
 
+/// A word as TOML quotes it.
+std::string quoted(const std::string& word) {
+  std::string text = "\"";
+  for (const char letter : word) {
+    if (static_cast<unsigned char>(letter) < 0x20 || letter == '"' || letter == '\\') {
+      text += fmt::format("\\u{:04x}", static_cast<unsigned>(letter));
+    } else {
+      text += letter;
+    }
+  }
+  return text + '"';
+}
+
+/// A key's value as a file would state it. NumPy's numbers are numbers.
+std::string stated(const std::string& key, const py::handle& value) {
+  if (py::isinstance<py::bool_>(value)) return value.cast<bool>() ? "true" : "false";
+  if (py::isinstance<py::str>(value)) return quoted(value.cast<std::string>());
+  if (py::hasattr(value, "__fspath__")) return quoted(py::str(value.attr("__fspath__")()).cast<std::string>());
+  if (PyIndex_Check(value.ptr()) != 0) return py::str(py::int_(py::reinterpret_borrow<py::object>(value)));
+  if (py::hasattr(value, "__float__"))
+    return fmt::format("{}", py::float_(py::reinterpret_borrow<py::object>(value)).cast<double>());
+  throw Error(key, fmt::format("is of type {}", std::string(py::str(py::type::of(value).attr("__name__")))),
+              "give a number, a text, a path, True or False");
+}
+
+/// What a file states that has these keys, by section.
+std::string text_of(const py::dict& sections) {
+  std::string text;
+  for (const auto& [section, keys] : sections) {
+    const std::string name = py::str(section);
+    if (!py::isinstance<py::dict>(keys))
+      throw Error(name, "is no section",
+                  "give {\"radar\": {\"frequency_ghz\": 10.0, ...}, ...}, as a radar file has it");
+    text += fmt::format("[{}]\n", quoted(name));
+    for (const auto& [key, value] : py::reinterpret_borrow<py::dict>(keys)) {
+      const std::string word = py::str(key);
+      if (!value.is_none()) text += fmt::format("{} = {}\n", quoted(word), stated(name + "." + word, value));
+    }
+  }
+  return text;
+}
+
 void see_from(RadarFile& file, double azimuth_deg, double elevation_deg, double slant_range_m,
               const std::optional<std::array<double, 2>>& target_m) {
   radar::SeenFrom seen{radians_from_deg(within("azimuth_deg", azimuth_deg, -1e6, 1e6)),
@@ -125,6 +169,99 @@ void optional_number(Class& binding, const char* name, std::optional<double> rad
       doc);
 }
 
+/// A number of the file's bounds.
+template <typename Get, typename Set>
+void number(py::class_<RadarFile>& binding, const char* name, const Interval& allowed, Get get, Set set,
+            const char* doc) {
+  binding.def_property(
+      name, get, [name, allowed, set](RadarFile& f, double value) { set(f, within(name, value, allowed)); }, doc);
+}
+
+/// The same of powers in decibels.
+template <typename Member>
+void decibels(py::class_<RadarFile>& binding, const char* name, const Interval& allowed, Member member,
+              const char* doc) {
+  number(
+      binding, name, allowed, [member](const RadarFile& f) { return db_from_linear(f.radar.receiver.*member); },
+      [member](RadarFile& f, double db) { f.radar.receiver.*member = linear_from_db(db); }, doc);
+}
+
+void flag(py::class_<RadarFile>& binding, const char* name, bool radar::Processing::*member, const char* doc) {
+  binding.def_property(
+      name, [member](const RadarFile& f) { return f.radar.processing.*member; },
+      [member](RadarFile& f, bool value) { f.radar.processing.*member = value; }, doc);
+}
+
+/// Opens or closes the range gate, which closes after it opens.
+void set_gate(RadarFile& file, const char* name, std::optional<double> radar::Receiver::*end,
+              const std::optional<double>& range_m) {
+  constexpr double m_per_km = 1e3;
+  radar::Receiver receiver = file.radar.receiver;
+  receiver.*end = range_m ? std::optional(within(name, *range_m, bounds::gate_ranges_km, m_per_km)) : std::nullopt;
+  if (receiver.last_range_m && *receiver.last_range_m <= receiver.first_range_m.value_or(0.0)) {
+    throw Error(name, fmt::format("is {:g}, and the gate closes before it opens", *range_m),
+                "give a first_range_m below last_range_m");
+  }
+  file.radar.receiver = receiver;
+}
+
+void gate_range(py::class_<RadarFile>& binding, const char* name, std::optional<double> radar::Receiver::*end,
+                const char* doc) {
+  binding.def_property(
+      name, [end](const RadarFile& f) { return f.radar.receiver.*end; },
+      [name, end](RadarFile& f, const std::optional<double>& range_m) { set_gate(f, name, end, range_m); }, doc);
+}
+
+void add_antenna_and_pulse(py::class_<RadarFile>& binding) {
+  number(
+      binding, "gain_dbi", bounds::gains_dbi, [](const RadarFile& f) { return db_from_linear(f.radar.antenna.gain); },
+      [](RadarFile& f, double dbi) { radar::set_antenna_gain(f, linear_from_db(dbi)); },
+      "Gain of the antenna at its peak, one way over isotropic. Set, it goes with the beam no longer.");
+  number(
+      binding, "tilt_deg", bounds::tilts_deg,
+      [](const RadarFile& f) { return deg_from_radians(f.radar.antenna.tilt_rad); },
+      [](RadarFile& f, double deg) { radar::set_tilt(f, radians_from_deg(deg)); },
+      "Of the peak above the horizontal; negative looks down. Not of a beam that is even in elevation.");
+  number(
+      binding, "peak_power_w", bounds::peak_powers_w, [](const RadarFile& f) { return f.radar.waveform.peak_power_w; },
+      [](RadarFile& f, double value) { f.radar.waveform.peak_power_w = value; }, "Of the transmitter.");
+  constexpr double s_per_us = 1e-6;
+  number(
+      binding, "pulse_length_s",
+      {bounds::pulse_lengths_us.lowest * s_per_us, bounds::pulse_lengths_us.highest * s_per_us, "s"},
+      [](const RadarFile& f) { return f.radar.waveform.pulse_length_s; }, &radar::set_pulse_length,
+      "Of the transmitted pulse. Set, it goes with the range resolution no longer.");
+}
+
+void add_receiver(py::class_<RadarFile>& binding) {
+  decibels(binding, "losses_db", bounds::losses_db, &radar::Receiver::losses, "Of the whole system.");
+  decibels(binding, "noise_figure_db", bounds::noise_figures_db, &radar::Receiver::noise_figure, "Of the receiver.");
+  decibels(binding, "receiver_gain_db", bounds::receiver_gains_db, &radar::Receiver::gain,
+           "From the antenna's terminals to the converter: gain_db of the file's [receiver].");
+  gate_range(binding, "first_range_m", &radar::Receiver::first_range_m,
+             "Where the range gate opens; None: with what is mapped.");
+  gate_range(binding, "last_range_m", &radar::Receiver::last_range_m,
+             "Where the range gate closes; None: with what is mapped.");
+}
+
+void add_surroundings(py::class_<RadarFile>& binding) {
+  number(
+      binding, "atmosphere_db_per_km", bounds::atmospheres_db_per_km,
+      [](const RadarFile& f) { return db_from_linear(std::exp(f.radar.atmosphere_per_m * 1e3)); },
+      [](RadarFile& f, double db) { f.radar.atmosphere_per_m = std::log(linear_from_db(db)) / 1e3; },
+      "What air and rain take on the way, one way.");
+  number(
+      binding, "wind_mps", bounds::winds_mps, [](const RadarFile& f) { return f.radar.wind_mps; },
+      [](RadarFile& f, double value) { f.radar.wind_mps = value; }, "That moves leaves, as Doppler sees them.");
+  binding.def_property(
+      "earth_refraction", [](const RadarFile& f) { return f.radar.earth_refraction; },
+      [](RadarFile& f, const std::optional<double>& k) {
+        if (k) within("earth_refraction", *k, bounds::refractions);
+        f.radar.earth_refraction = k;
+      },
+      "k of the k-Earth under coherent maps and pulses; None: flat.");
+}
+
 }  // namespace
 
 void add_radar(py::module_& module) {
@@ -137,8 +274,24 @@ void add_radar(py::module_& module) {
            py::arg("range_resolution_m") = 2.0, py::arg("beam_width_deg") = 0.5, py::arg("polarization") = "vv",
            py::arg("cell_m") = 2.0, "All else is what a radar file leaves out: the gain follows from the beam.")
       .def_static(
-          "read", [](const std::filesystem::path& path) { return radar::read_radar_file(path); }, py::arg("path"),
-          "Reads a radar file (TOML).")
+          "read",
+          [](const std::filesystem::path& path) { return radar::read_radar_file(path, radar::PlaceOfRadar::Optional); },
+          py::arg("path"), "Reads a radar file (TOML). Without its [position] the radar is yet to be placed.")
+      .def_static(
+          "parse",
+          [](const std::string& text, const std::optional<std::filesystem::path>& folder) {
+            return radar::read_radar_text(text, folder.value_or("") / "radar text", radar::PlaceOfRadar::Optional);
+          },
+          py::arg("text"), py::kw_only(), py::arg("folder") = py::none(),
+          "The same of the text of a radar file. Files that it names lie in `folder`, or where the program runs.")
+      .def_static(
+          "from_keys",
+          [](const py::dict& sections, const std::optional<std::filesystem::path>& folder) {
+            return radar::read_radar_text(text_of(sections), folder.value_or("") / "radar keys",
+                                          radar::PlaceOfRadar::Optional);
+          },
+          py::arg("sections"), py::kw_only(), py::arg("folder") = py::none(),
+          "The same of the keys themselves, {section: {key: value}}; what is None is left out.")
       .def_property(
           "name", [](const RadarFile& f) { return f.radar.name; },
           [](RadarFile& f, const std::string& name) { f.radar.name = name; })
@@ -156,7 +309,8 @@ void add_radar(py::module_& module) {
           [](RadarFile& f, const Triple& v) {
             f.radar.velocity_mps = vec_of(all_within("velocity_mps", v, -fastest_mps, fastest_mps));
           },
-          "East, north, up.")
+          "East, north, up: by true north at the radar while its file's latitude and longitude place it, else in the\n"
+          "local frame.")
       .def_property("mode", &mode_word, &set_mode, "'real-beam', 'doppler-beam-sharpening', 'stripmap' or 'spotlight'.")
       .def_property(
           "pulse_repetition_hz", [](const RadarFile& f) { return f.radar.waveform.pulse_repetition_hz; },
@@ -177,11 +331,16 @@ void add_radar(py::module_& module) {
           [](RadarFile& f, const Triple& position) {
             f.place = radar::LocalPlace{vec_of(all_within("position_m", position, -furthest_m, furthest_m))};
           },
-          py::arg("position_m"), "Puts the radar at x, y of the local frame and an altitude above mean sea level.")
-      .def("see_from", &see_from, py::kw_only(), py::arg("azimuth_deg"), py::arg("elevation_deg"),
-           py::arg("slant_range_m"), py::arg("target_m") = py::none(),
-           "Puts the radar where the ground point `target_m` (x, y; None: the middle of the scene) sees it: azimuth\n"
-           "clockwise from true north, elevation above the horizontal.")
+          py::arg("position_m"),
+          "Puts the radar at x, y of the local frame and an altitude above mean sea level. Its velocity, heading and\n"
+          "scan are then of the frame too: of a radar that its file places by latitude and longitude they are by true\n"
+          "north, and position_over with this after it turns them by the angle between the two norths.")
+      .def(
+          "see_from", &see_from, py::kw_only(), py::arg("azimuth_deg"), py::arg("elevation_deg"),
+          py::arg("slant_range_m"), py::arg("target_m") = py::none(),
+          "Puts the radar where the ground point `target_m` (x, y; None: the middle of the scene) sees it: azimuth\n"
+          "clockwise from the frame's north, elevation above the horizontal. Azimuths of the radar itself are then of\n"
+          "the frame as well, as after stand_at.")
       .def(
           "position_over",
           [](const RadarFile& f, const LoadedScene& loaded, double time_s) {
@@ -190,7 +349,7 @@ void add_radar(py::module_& module) {
             return tuple_of(simulate::placed_radar(f, scene.frame, scene.terrain, scene.extent, time_s).position);
           },
           py::arg("scene"), py::arg("time_s") = 0.0,
-          "Where the radar is over a scene at a moment: x, y, altitude in metres.")
+          "Where the radar is over a scene at a moment: x, y of the local frame and altitude, in metres.")
       .def("__copy__", [](const RadarFile& f) { return RadarFile(f); })
       .def(
           "__deepcopy__", [](const RadarFile& f, const py::dict&) { return RadarFile(f); }, py::arg("memo"))
@@ -201,6 +360,14 @@ void add_radar(py::module_& module) {
                   "Half-power width across range that spotlight and stripmap process to; None: as fine as in range.");
   optional_number(binding, "sharpening", &radar::Processing::sharpening, bounds::sharpenings,
                   "By what factor Doppler beam sharpening narrows the beam; None: 16.");
+  flag(binding, "ambiguities", &radar::Processing::ambiguities, "Strips show ghosts of what folds over azimuth.");
+  flag(binding, "antenna_pattern", &radar::Processing::antenna_pattern,
+       "Maps of coherent modes keep the pattern of the beam.");
+  flag(binding, "thermal_noise", &radar::Processing::thermal_noise,
+       "Maps of coherent modes have the receiver's noise.");
+  add_antenna_and_pulse(binding);
+  add_receiver(binding);
+  add_surroundings(binding);
   binding.def_property(
       "looks", [](const RadarFile& f) { return f.radar.processing.looks; },
       [](RadarFile& f, int looks) {

@@ -31,6 +31,40 @@ def test_a_view_outlives_the_name_of_its_scene():
     assert np.all(heights == 0.0)
 
 
+def test_grids_of_a_scene_say_where_its_arrays_lie(tmp_path):
+    """A slope that rises by 0.1 to the east and 0.03 to the north, which heights between nodes keep to; land cover that differs in the
+    four quarters."""
+    frame = "+proj=tmerc +lat_0=43 +lon_0=-3 +k=1 +x_0=0 +y_0=0 +datum=WGS84 +units=m"
+
+    def slope_m(x, y):
+        return 100.0 + 0.1 * x + 0.03 * y
+
+    def written(name, west, south, cell, rows):
+        head = f"ncols {len(rows[0])}\nnrows {len(rows)}\nxllcorner {west}\nyllcorner {south}\ncellsize {cell}\n"
+        (tmp_path / name).write_text(head + "\n".join(" ".join(map(str, row)) for row in rows) + "\n")
+
+    # A row of cells from the north, of which each is as high as its middle.
+    written("heights.asc", -200, -300, 20, [[slope_m(-190 + 20 * j, 290 - 20 * i) for j in range(25)] for i in range(30)])
+    written("cover.asc", -200, -300, 50, [[30] * 5 + [40] * 5] * 4 + [[60] * 5 + [80] * 5] * 8)
+    (tmp_path / "place.toml").write_text(
+        "[scene]\norigin_lat_deg = 43\norigin_lon_deg = -3\nextent = {west_m = -150, south_m = -250, east_m = 210, north_m = 190}\n"
+        f"[terrain]\nfile = \"heights.asc\"\ncrs = \"{frame}\"\n[land_cover]\nfile = \"cover.asc\"\ncrs = \"{frame}\"\n")
+    scene = sigmascape.Scene.read(tmp_path / "place.toml")
+    assert scene.origin_deg == pytest.approx((43.0, -3.0), abs=1e-9)
+    west, north, spacing = scene.terrain_grid_m
+    assert spacing == pytest.approx(20.0, abs=1e-6)
+    rows, columns = scene.terrain_m.shape
+    for i, j in [(1, 2), (rows - 3, 4), (5, columns - 2)]:
+        x, y = west + j * spacing, north - i * spacing
+        assert scene.terrain_m[i, j] == pytest.approx(slope_m(x, y), abs=1e-3)
+        assert scene.height_at(x, y) == pytest.approx(float(scene.terrain_m[i, j]), abs=1e-3)
+    west, north, cell = scene.ground_grid_m
+    names = [material["name"] for material in scene.info()["materials"]]
+    for place, name in [((-100.0, 150.0), "grass"), ((120.0, 130.0), "crops"), ((-60.0, -130.0), "bare_soil"), ((150.0, 20.0), "water")]:
+        i, j = int((north - place[1]) / cell), int((place[0] - west) / cell)
+        assert names[scene.ground_material[i, j]] == name
+
+
 def test_the_radar_stands_where_it_is_seen_from(scene):
     radar = sigmascape.Radar()
     radar.see_from(azimuth_deg=90.0, elevation_deg=30.0, slant_range_m=2000.0, target_m=(10.0, -5.0))
@@ -48,6 +82,104 @@ def test_attributes_of_a_radar_are_read_back():
     other.mode, other.velocity_mps, other.area_m = "stripmap", (0.0, 100.0, 0.0), (0.0, 0.0, 10.0, 20.0)
     assert (other.mode, other.velocity_mps, other.area_m) == ("stripmap", (0.0, 100.0, 0.0), (0.0, 0.0, 10.0, 20.0))
     assert radar.mode == "real-beam" and radar.area_m is None
+
+
+RADAR_TEXT = """[radar]
+frequency_ghz = 9.5
+range_resolution_m = 3.0
+beam_width_deg = 1.5
+wind_mps = 4.0
+[antenna]
+elevation_shape = "gaussian"
+elevation_width_deg = 10.0
+tilt_deg = -20.0
+[waveform]
+peak_power_w = 2500.0
+pulse_length_us = 5.0
+[receiver]
+losses_db = 3.0
+stc_full_gain_range_km = 12.0
+[scan]
+kind = "fixed"
+azimuth_deg = 30.0
+"""
+
+
+def test_a_radar_is_read_from_a_text_and_from_its_keys_as_from_a_file(tmp_path):
+    (tmp_path / "radar.toml").write_text(RADAR_TEXT)
+    keys = {"radar": {"name": None, "frequency_ghz": 9.5, "range_resolution_m": np.float32(3.0), "beam_width_deg": 1.5, "wind_mps": np.int64(4)},
+            "antenna": {"elevation_shape": "gaussian", "elevation_width_deg": 10, "tilt_deg": -20.0},
+            "waveform": {"peak_power_w": 2500.0, "pulse_length_us": 5.0},
+            "receiver": {"losses_db": 3.0, "stc_full_gain_range_km": 12.0},
+            "scan": {"kind": "fixed", "azimuth_deg": 30.0}}
+    for radar in (sigmascape.Radar.read(tmp_path / "radar.toml"), sigmascape.Radar.parse(RADAR_TEXT), sigmascape.Radar.from_keys(keys)):
+        assert (radar.frequency_hz, radar.range_resolution_m, radar.wind_mps, radar.peak_power_w) == (9.5e9, 3.0, 4.0, 2500.0)
+        assert (radar.tilt_deg, radar.losses_db, radar.pulse_length_s) == pytest.approx((-20.0, 3.0, 5e-6))
+
+
+def test_files_that_the_keys_of_a_radar_name_lie_in_the_folder(tmp_path, monkeypatch):
+    (tmp_path / "cut.csv").write_text(TABLE)
+    keys = {"radar": {"frequency_ghz": 10.0, "range_resolution_m": 4.0}, "antenna": {"azimuth_shape": "table", "azimuth_csv": "cut.csv"}}
+    # -3 dB, of decibels that are linear between 0 at 0° and -3 at 2°, and the same to the left.
+    width_deg = pytest.approx(4.0, abs=0.02)
+    assert sigmascape.Radar.from_keys(keys, folder=tmp_path).beam_width_deg == width_deg
+    with pytest.raises(sigmascape.Error, match="antenna.azimuth_csv"):
+        sigmascape.Radar.from_keys(keys)
+    keys["antenna"]["azimuth_csv"] = tmp_path / "cut.csv"
+    assert sigmascape.Radar.from_keys(keys).beam_width_deg == width_deg
+    keys["antenna"]["azimuth_csv"] = "cut.csv"
+    monkeypatch.chdir(tmp_path)
+    assert sigmascape.Radar.from_keys(keys).beam_width_deg == width_deg
+
+
+def test_texts_in_keys_of_a_radar_are_kept_letter_by_letter():
+    name = 'a "b" \\ c\n\t#é'
+    assert sigmascape.Radar.from_keys({"radar": {"name": name, "frequency_ghz": 10.0, "range_resolution_m": 4.0, "beam_width_deg": 1.0}}).name == name
+
+
+def test_a_radar_without_a_position_says_so_where_one_is_needed(scene):
+    radar = sigmascape.Radar.parse(RADAR_TEXT)
+    with pytest.raises(sigmascape.Error, match="position of the radar: is not stated; .* call see_from or stand_at"):
+        radar.position_over(scene)
+    with pytest.raises(sigmascape.Error, match="position of the radar: is not stated"):
+        sigmascape.render(scene, radar)
+    radar.stand_at((0.0, 0.0, 900.0))
+    assert radar.position_over(scene) == (0.0, 0.0, 900.0)
+
+
+def test_numbers_of_antenna_pulse_and_receiver_are_attributes():
+    radar = sigmascape.Radar.parse(RADAR_TEXT)
+    # Of a Gaussian beam 10° wide the gain is half, horizontally, when it looks 5° down.
+    radar.gain_dbi, radar.tilt_deg = 30.0, -5.0
+    assert gain_db(radar) == pytest.approx(30.0 - 10.0 * np.log10(2.0), abs=1e-3)
+    radar.beam_width_deg = 0.5
+    assert radar.gain_dbi == pytest.approx(30.0), "stated, it goes with the beam no longer"
+    for name, value in {"tilt_deg": -7.0, "peak_power_w": 1e5, "pulse_length_s": 1e-5, "losses_db": 2.0, "noise_figure_db": 4.0, "receiver_gain_db": 60.0,
+                        "first_range_m": 2000.0, "last_range_m": 9000.0, "atmosphere_db_per_km": 0.1, "wind_mps": 8.0, "earth_refraction": 4.0 / 3.0,
+                        "ambiguities": False, "antenna_pattern": True, "thermal_noise": True}.items():
+        setattr(radar, name, value)
+        assert getattr(radar, name) == pytest.approx(value), name
+    radar.first_range_m = radar.earth_refraction = None
+    assert (radar.first_range_m, radar.earth_refraction) == (None, None)
+    radar.range_resolution_m = 5.0
+    assert radar.pulse_length_s == 1e-5, "stated, it goes with the resolution no longer"
+
+
+def test_received_power_goes_with_transmitter_losses_and_air(atlas):
+    """The radar equation: P_t, 1/L, and e^(-2 α r) at the map's range."""
+    def power(**attributes):
+        radar = sigmascape.Radar(range_resolution_m=4.0, beam_width_deg=2.0)
+        radar.see_from(azimuth_deg=180.0, elevation_deg=15.0, slant_range_m=2500.0)
+        for name, value in attributes.items():
+            setattr(radar, name, value)
+        vv = sigmascape.received_power(None, radar, atlas=atlas).vv.astype(float)
+        return vv[tuple(size // 2 for size in vv.shape)]
+
+    plain = power()
+    assert power(peak_power_w=20e3) / plain == pytest.approx(2.0, rel=1e-4)
+    assert power(losses_db=10.0) / plain == pytest.approx(0.1, rel=1e-4)
+    # 4 dB/km over twice 2.5 km: 20 dB, and 8 dB a kilometre that the cell lies off the middle.
+    assert 10 * np.log10(power(atmosphere_db_per_km=4.0) / plain) == pytest.approx(-20.0, abs=0.2)
 
 
 def test_settings_that_hold_radars_and_targets_copy_deeply():
@@ -156,6 +288,16 @@ def test_the_width_of_a_measured_beam_is_its_tables(tmp_path):
     (lambda: setattr(sigmascape.Radar(), "interval_s", 1e9), "interval_s: is 1000000000; give a number from 0.0001 to 1000"),
     (lambda: setattr(sigmascape.Radar(), "area_m", (float("nan"),) * 4), "area_m: is nan"),
     (lambda: setattr(sigmascape.Radar(), "area_m", (10.0, 0.0, 0.0, 10.0)), "area_m: reaches from 10 m to 0 m east and from 0 m to 10 m north"),
+    (lambda: setattr(sigmascape.Radar(), "tilt_deg", -5.0), "tilt_deg: is -5, which means nothing to a beam that is even in elevation"),
+    (lambda: setattr(sigmascape.Radar(), "wind_mps", 41.0), "wind_mps: is 41; give a number from 0 to 40"),
+    (lambda: setattr(sigmascape.Radar(), "pulse_length_s", 1e-9), "pulse_length_s: is 1e-09; give .*, of a pulse that is not coded, to 0.0005"),
+    (lambda: setattr(sigmascape.Radar(), "last_range_m", 0.0), "last_range_m: is 0, and the gate closes before it opens"),
+    (lambda: setattr(sigmascape.Radar(), "gain_dbi", 81.0), "gain_dbi: is 81; give a number from -10 to 80"),
+    (lambda: sigmascape.Radar.parse("[radar"), "radar text:1: is not TOML"),
+    (lambda: sigmascape.Radar.parse("[radar]\nfrequency_ghz = 10.0\n"), "radar text: radar.range_resolution_m: is missing"),
+    (lambda: sigmascape.Radar.from_keys({"radar": {"frequency_ghz": "ten"}}), "radar keys: radar.frequency_ghz: "),
+    (lambda: sigmascape.Radar.from_keys({"radar": {"frequency_ghz": [10.0]}}), "radar.frequency_ghz: is of type list; give a number"),
+    (lambda: sigmascape.Radar.from_keys({"frequency_ghz": 10.0}), "frequency_ghz: is no section; give"),
     (lambda: sigmascape.Target((float("nan"), 0.0)), "position_m: is nan"),
     (lambda: sigmascape.Target(rcs_dbsm=float("inf")), "rcs_dbsm: is inf; give a number from -100 to 100"),
     (lambda: sigmascape.Target(size_m=(1.0, -2.0, 3.0)), "size_m: is -2"),

@@ -85,7 +85,10 @@ TomlSection TomlSection::read_file(const std::filesystem::path& file) {
                 "give the path of a TOML file");
   }
   // Read here: the parser tells of a file that it may not open as of one with a fault in line 0.
-  const std::string text = content_of(file);
+  return read_text(content_of(file), file);
+}
+
+TomlSection TomlSection::read_text(const std::string& text, const std::filesystem::path& file) {
   try {
     auto table = std::make_shared<Table>();
     table->root = std::make_shared<const toml::table>(toml::parse(text, file.string()));

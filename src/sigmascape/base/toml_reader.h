@@ -28,6 +28,8 @@ class TomlSection {
  public:
   /// The root table of a file. Throws Error when the file is missing or cannot be read, or is not TOML, with the line.
   [[nodiscard]] static TomlSection read_file(const std::filesystem::path& file);
+  /// The same of the text of a file, by whose name errors go and in whose folder the files that it names lie.
+  [[nodiscard]] static TomlSection read_text(const std::string& text, const std::filesystem::path& file);
 
   /// File and full key, as errors name them: "bilbao.toml: terrain.spacing_m".
   [[nodiscard]] std::string where(std::string_view key) const;

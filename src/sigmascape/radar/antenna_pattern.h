@@ -47,7 +47,9 @@ struct Antenna {
   BeamShape elevation = EvenBeam{};
   double elevation_width_rad = 0.1;  ///< one-way half-power width; without meaning for EvenBeam
   double tilt_rad = 0.0;             ///< elevation of the peak above the horizontal: negative looks down
-  double gain = 1000.0;              ///< one-way power gain at the peak over an isotropic antenna, losses included
+  /// One-way power gain at the peak over an isotropic antenna, losses included. A constant, whatever the beam's widths
+  /// are: `directivity` tells what follows from them, which is what a radar file takes unless it states the gain.
+  double gain = 1000.0;
   /// Nowhere is the power gain of a cut lower, relative to its peak, than this: the average of far side lobes.
   double side_lobe_floor = 0.0;
 };

@@ -30,6 +30,12 @@ bool states(const TomlSection& file, std::string_view section, std::string_view 
   return found && found->has(key);
 }
 
+/// Whether the antenna's beam is read from a table, which has a width of its own.
+bool has_measured_beam(const TomlSection& file) {
+  const auto antenna = file.section("antenna");
+  return antenna && (antenna->has("azimuth_csv") || antenna->text_or("azimuth_shape", "") == "table");
+}
+
 /// What is wrong with a resolution whose band reaches below the frequency zero.
 std::string too_fine(const Radar& radar, double resolution_m) {
   return fmt::format("is {:g}, which takes {:.6g} MHz about {:g} GHz, a band that reaches down to no frequency at all",
@@ -52,13 +58,13 @@ RadarFile described_radar(const TomlSection& file, const TomlSection& section) {
   radar.range_resolution_m = states(file, "waveform", "bandwidth_mhz")
                                  ? section.number_or("range_resolution_m", bounds::range_resolutions_m, 0.0)
                                  : section.number("range_resolution_m", bounds::range_resolutions_m);
-  radar.beam_width_rad = radians_from_deg(states(file, "antenna", "azimuth_csv")
-                                              ? section.number_or("beam_width_deg", bounds::beam_widths_deg, 0.0)
-                                              : section.number("beam_width_deg", bounds::beam_widths_deg));
-  radar.earth_refraction = section.optional_number("earth_refraction", {0.1, 1e3, ": k of the k-Earth, 4/3 as a rule"});
-  radar.wind_mps = section.number_or("wind_mps", {0.0, 40.0, "m/s"}, 0.0);
+  radar.beam_width_rad =
+      radians_from_deg(has_measured_beam(file) ? section.number_or("beam_width_deg", bounds::beam_widths_deg, 0.0)
+                                               : section.number("beam_width_deg", bounds::beam_widths_deg));
+  radar.earth_refraction = section.optional_number("earth_refraction", bounds::refractions);
+  radar.wind_mps = section.number_or("wind_mps", bounds::winds_mps, 0.0);
   radar.atmosphere_per_m =
-      std::log(linear_from_db(section.number_or("atmosphere_db_per_km", {0.0, 50.0, "dB/km, one way"}, 0.0))) / 1e3;
+      std::log(linear_from_db(section.number_or("atmosphere_db_per_km", bounds::atmospheres_db_per_km, 0.0))) / 1e3;
   section.refuse_unknown_keys();
 
   if (const auto waveform = file.section("waveform")) {
@@ -99,9 +105,9 @@ void refuse_other_places(const TomlSection& section, std::initializer_list<std::
       fmt::format("leave it out, or {}", ways_to_say_where));
 }
 
-std::variant<SeenFrom, LocalPlace, GeographicPlace> place_of(const TomlSection& section) {
-  const auto altitude_m = [&] { return section.number("altitude_m", {1.0, 1e6, "m above mean sea level"}); };
-  std::variant<SeenFrom, LocalPlace, GeographicPlace> place;
+Place place_of(const TomlSection& section) {
+  const auto altitude_m = [&] { return section.number("altitude_m", {-500.0, 1e6, "m above mean sea level"}); };
+  Place place;
   if (has_any(section, {"azimuth_deg", "elevation_deg", "slant_range_km"})) {
     refuse_other_places(section, {"azimuth_deg", "elevation_deg", "slant_range_km"},
                         {"latitude_deg", "longitude_deg", "east_m", "north_m", "altitude_m"});
@@ -147,15 +153,30 @@ MapRequest map_of(const TomlSection& section) {
   return map;
 }
 
-}  // namespace
-
-RadarFile read_radar_file(const std::filesystem::path& path, PlaceOfRadar need) {
-  const TomlSection file = TomlSection::read_file(path);
+RadarFile radar_in(const TomlSection& file, PlaceOfRadar need) {
   RadarFile read = described_radar(file, file.required_section("radar"));
-  if (need == PlaceOfRadar::Required || file.has("position")) read.place = place_of(file.required_section("position"));
+  const bool is_placed = need == PlaceOfRadar::Required || file.has("position");
+  read.place = is_placed ? place_of(file.required_section("position")) : Unplaced{};
   if (const auto map = file.section("map")) read.map = map_of(*map);
   file.refuse_unknown_keys();
   return read;
+}
+
+/// Of an antenna whose gain follows from its beam.
+void follow_beam(RadarFile& file) {
+  Radar& radar = file.radar;
+  if (file.antenna_efficiency)
+    radar.antenna.gain = *file.antenna_efficiency * directivity(radar.antenna, radar.beam_width_rad);
+}
+
+}  // namespace
+
+RadarFile read_radar_file(const std::filesystem::path& path, PlaceOfRadar need) {
+  return radar_in(TomlSection::read_file(path), need);
+}
+
+RadarFile read_radar_text(const std::string& text, const std::filesystem::path& name, PlaceOfRadar need) {
+  return radar_in(TomlSection::read_text(text, name), need);
 }
 
 void set_beam_width(RadarFile& file, double width_rad) {
@@ -165,7 +186,41 @@ void set_beam_width(RadarFile& file, double width_rad) {
                 "give the file another table, or another azimuth_shape");
   }
   radar.beam_width_rad = width_rad;
-  if (file.antenna_efficiency) radar.antenna.gain = *file.antenna_efficiency * directivity(radar.antenna, width_rad);
+  follow_beam(file);
+}
+
+void set_antenna_gain(RadarFile& file, double gain) {
+  file.radar.antenna.gain = gain;
+  file.antenna_efficiency.reset();
+}
+
+void set_tilt(RadarFile& file, double tilt_rad) {
+  Antenna& antenna = file.radar.antenna;
+  const auto fault = [&](const std::string& what, const std::string& remedy) {
+    return Error("tilt_deg", fmt::format("is {:g}, {}", deg_from_radians(tilt_rad), what), remedy);
+  };
+  if (std::holds_alternative<EvenBeam>(antenna.elevation))
+    throw fault("which means nothing to a beam that is even in elevation", "give the radar an elevation_shape");
+  if (const auto* cosecant = std::get_if<CosecantSquaredBeam>(&antenna.elevation);
+      cosecant != nullptr && !(tilt_rad < 0.0 && -tilt_rad < cosecant->steepest_depression_rad)) {
+    throw fault("where no cosecant-squared beam has its peak",
+                fmt::format("give a negative angle above {:g}", -deg_from_radians(cosecant->steepest_depression_rad)));
+  }
+  antenna.tilt_rad = tilt_rad;
+  follow_beam(file);
+}
+
+void set_pulse_length(RadarFile& file, double length_s) {
+  Waveform& waveform = file.radar.waveform;
+  const double shortest_s = 1.0 / bandwidth_of(file.radar.range_resolution_m, waveform.window),
+               longest_s = longest_pulse_s(waveform.pulse_repetition_hz);
+  if (!(length_s >= shortest_s * (1.0 - 1e-9) && length_s <= longest_s)) {
+    throw Error("pulse_length_s", fmt::format("is {:g}", length_s),
+                fmt::format("give {:.6g}, of a pulse that is not coded, to {:.6g}, half of the time between pulses",
+                            shortest_s, longest_s));
+  }
+  waveform.pulse_length_s = length_s;
+  file.has_shortest_pulse = false;
 }
 
 double coarsest_range_resolution_m(const RadarFile& file) {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <variant>
 
 #include "sigmascape/radar/ground_grid.h"
@@ -29,6 +30,11 @@ struct GeographicPlace {
   double altitude_m = 0.0;
 };
 
+/// Left to whoever reads the file, or yet to be said.
+struct Unplaced {};
+
+using Place = std::variant<SeenFrom, LocalPlace, GeographicPlace, Unplaced>;
+
 /// What the radar maps and how finely: a rectangle of the local frame (the scene's extent when absent) in square cells.
 struct MapRequest {
   std::optional<Rectangle> area;
@@ -38,7 +44,7 @@ struct MapRequest {
 /// A radar file as read: everything but the scene that it will look at.
 struct RadarFile {
   Radar radar;  ///< its position is yet to be resolved from `place`
-  std::variant<SeenFrom, LocalPlace, GeographicPlace> place;
+  Place place;
   MapRequest map;
   /// Of an antenna whose gain follows from the shape of its beam; none where the gain itself is stated.
   std::optional<double> antenna_efficiency = {};
@@ -50,6 +56,18 @@ struct RadarFile {
 /// `beam_width_deg`: a gain that follows from the beam goes with it, one that is stated stays. Throws Error for a
 /// measured beam, whose table has the width.
 void set_beam_width(RadarFile& file, double width_rad);
+
+/// States the antenna's gain at the peak, one way over isotropic: it follows from the beam no longer.
+void set_antenna_gain(RadarFile& file, double gain);
+
+/// Points the peak so far above the horizontal; a gain that follows from the beam goes with it. Throws Error for a beam
+/// that is even in elevation, and for a cosecant-squared one whose peak would lie above the horizontal or steeper than
+/// it reaches.
+void set_tilt(RadarFile& file, double tilt_rad);
+
+/// States the pulse's length. Throws Error where that has not the bandwidth, and where it leaves the receiver less than
+/// half of the time between pulses.
+void set_pulse_length(RadarFile& file, double length_s);
 
 /// The widest that the compressed pulse can be at half power: what a pulse of the stated length is without being coded,
 /// or of the longest that the repetition allows where the pulse is as short as can be.
@@ -77,5 +95,9 @@ enum class PlaceOfRadar { Required, Optional };
 /// Reads a radar file; docs/radar_file.md lists its keys. Throws Error, naming file and key, for what is missing,
 /// unknown or out of range.
 [[nodiscard]] RadarFile read_radar_file(const std::filesystem::path& path, PlaceOfRadar need = PlaceOfRadar::Required);
+
+/// The same of the text of such a file. Errors call it by its name, in whose folder the files that it names lie.
+[[nodiscard]] RadarFile read_radar_text(const std::string& text, const std::filesystem::path& name,
+                                        PlaceOfRadar need = PlaceOfRadar::Required);
 
 }  // namespace sigmascape::radar

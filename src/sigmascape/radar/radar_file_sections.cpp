@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "sigmascape/base/units.h"
+#include "sigmascape/radar/advised_number.h"
 #include "sigmascape/radar/pattern_table.h"
 #include "sigmascape/radar/radar_bounds.h"
 #include "sigmascape/radar/range_ambiguity.h"
@@ -92,8 +93,7 @@ CosecantSquaredBeam cosecant_of(const TomlSection& section, double tilt_rad) {
 void read_elevation(const TomlSection& section, Antenna& antenna) {
   const std::string shape = section.choice_or(
       "elevation_shape", {"even", "gaussian", "uniform", "cosine", "taylor", "cosecant-squared", "table"}, "even");
-  antenna.tilt_rad =
-      radians_from_deg(section.number_or("tilt_deg", {-90.0, 90.0, "degrees above the horizontal"}, 0.0));
+  antenna.tilt_rad = radians_from_deg(section.number_or("tilt_deg", bounds::tilts_deg, 0.0));
   refuse_keys_of_other_shapes(section, "elevation_shape", shape,
                               {{"elevation_csv", "table"},
                                {"elevation_side_lobe_db", "taylor"},
@@ -114,7 +114,7 @@ double power_of_db(const TomlSection& section, std::string_view key, Interval al
 }
 
 std::optional<double> metres_of_km(const TomlSection& section, std::string_view key) {
-  const auto km = section.optional_number(key, {0.0, 10'000.0, "km"});
+  const auto km = section.optional_number(key, bounds::gate_ranges_km);
   return km ? std::optional(*km * 1e3) : std::nullopt;
 }
 
@@ -164,6 +164,21 @@ void read_processing(const TomlSection& section, const std::string& kind, Radar&
   }
 }
 
+/// No pulse of the bandwidth is short enough for a repetition at which the shortest is not.
+void require_time_for_shortest_pulse(const TomlSection& section, const Waveform& waveform, double bandwidth_hz) {
+  const double repetition_hz = waveform.pulse_repetition_hz, least_hz = 1.0 / longest_pulse_s(repetition_hz);
+  if (bandwidth_hz >= least_hz) return;
+  const std::string of_pulse = section.has("bandwidth_mhz")
+                                   ? fmt::format("a bandwidth_mhz of at least {:.6g}", rounded_up(least_hz / 1e6, 6))
+                                   : fmt::format("a radar.range_resolution_m of at most {:.6g}",
+                                                 rounded_down(range_resolution_of(least_hz, waveform.window), 6));
+  throw section.fault("pulse_repetition_hz",
+                      fmt::format("is {:g}, at which the shortest pulse of a band of {:g} MHz, {:g} µs, leaves the "
+                                  "receiver less than half of the time between pulses",
+                                  repetition_hz, bandwidth_hz / 1e6, 1e6 / bandwidth_hz),
+                      fmt::format("give at most {:.6g}, or {}", rounded_down(0.5 * bandwidth_hz, 6), of_pulse));
+}
+
 }  // namespace
 
 void read_platform(const TomlSection& section, Radar& radar) {
@@ -187,7 +202,7 @@ std::optional<double> read_antenna(const std::optional<TomlSection>& section, Ra
   refuse_keys_of_other_shapes(
       *section, "azimuth_shape", shape,
       {{"azimuth_csv", "table"}, {"azimuth_side_lobe_db", "taylor"}, {"azimuth_taylor_terms", "taylor"}});
-  if (shape == "table" && radar.beam_width_rad > 0.0)
+  if (shape == "table" && section->has("azimuth_csv") && radar.beam_width_rad > 0.0)
     throw section->fault("azimuth_csv", "and radar.beam_width_deg both give the beam its width",
                          "leave out one of them");
   antenna.azimuth = beam_of(*section, "azimuth", shape, radar.beam_width_rad);
@@ -195,7 +210,7 @@ std::optional<double> read_antenna(const std::optional<TomlSection>& section, Ra
   if (const auto floor_db = section->optional_number("side_lobe_floor_db", {-200.0, -10.0, "dB below the peak"}))
     antenna.side_lobe_floor = linear_from_db(*floor_db);
   std::optional<double> efficiency;
-  if (const auto gain_dbi = section->optional_number("gain_dbi", {-10.0, 80.0, "dB over isotropic"})) {
+  if (const auto gain_dbi = section->optional_number("gain_dbi", bounds::gains_dbi)) {
     if (section->has("efficiency"))
       throw section->fault("efficiency", "means nothing beside gain_dbi, which holds it", "leave out one of them");
     antenna.gain = linear_from_db(*gain_dbi);
@@ -225,10 +240,11 @@ void read_waveform(const TomlSection& section, Radar& radar) {
     radar.range_resolution_m = range_resolution_of(*bandwidth_mhz * 1e6, waveform.window);
   }
   const double bandwidth_hz = bandwidth_of(radar.range_resolution_m, waveform.window);
-  waveform.peak_power_w = section.number_or("peak_power_w", {1e-6, 1e9, "W"}, waveform.peak_power_w);
+  waveform.peak_power_w = section.number_or("peak_power_w", bounds::peak_powers_w, waveform.peak_power_w);
   waveform.pulse_repetition_hz =
       section.number_or("pulse_repetition_hz", bounds::pulse_repetitions_hz, waveform.pulse_repetition_hz);
-  waveform.pulse_length_s = section.number_or("pulse_length_us", {1e-4, 1e5, "µs"}, 1e6 / bandwidth_hz) * 1e-6;
+  require_time_for_shortest_pulse(section, waveform, bandwidth_hz);
+  waveform.pulse_length_s = section.number_or("pulse_length_us", bounds::pulse_lengths_us, 1e6 / bandwidth_hz) * 1e-6;
   if (waveform.pulse_length_s * bandwidth_hz < 1.0 - 1e-9) {
     throw section.fault("pulse_length_us",
                         fmt::format("is {:g}, too short a pulse to have its bandwidth of {:g} MHz",
@@ -244,9 +260,9 @@ void read_waveform(const TomlSection& section, Radar& radar) {
 
 void read_receiver(const TomlSection& section, Radar& radar) {
   Receiver& receiver = radar.receiver;
-  receiver.losses = power_of_db(section, "losses_db", {0.0, 60.0, "dB"}, receiver.losses);
-  receiver.noise_figure = power_of_db(section, "noise_figure_db", {0.0, 40.0, "dB"}, receiver.noise_figure);
-  receiver.gain = power_of_db(section, "gain_db", {-60.0, 200.0, "dB"}, receiver.gain);
+  receiver.losses = power_of_db(section, "losses_db", bounds::losses_db, receiver.losses);
+  receiver.noise_figure = power_of_db(section, "noise_figure_db", bounds::noise_figures_db, receiver.noise_figure);
+  receiver.gain = power_of_db(section, "gain_db", bounds::receiver_gains_db, receiver.gain);
   receiver.impedance_ohm = section.number_or("impedance_ohm", {1.0, 1e4, "Ω"}, receiver.impedance_ohm);
   receiver.first_range_m = metres_of_km(section, "first_range_km");
   receiver.last_range_m = metres_of_km(section, "last_range_km");

@@ -75,6 +75,15 @@ TEST_F(RadarFileTest, ReadsTheOtherPlaces) {
   EXPECT_EQ(std::get<GeographicPlace>(earth).altitude_m, 9000.0);
 }
 
+// The shore of the Dead Sea lies 430 m below sea level, and radars stand on it.
+TEST_F(RadarFileTest, RadarsMayStandInADepression) {
+  const auto local = read(radar_section + "[position]\neast_m = 1\nnorth_m = 2\naltitude_m = -380\n").place;
+  EXPECT_EQ(std::get<LocalPlace>(local).position.z, -380.0);
+  const auto earth =
+      read(radar_section + "[position]\nlatitude_deg = 31.5\nlongitude_deg = 35.5\naltitude_m = -380\n").place;
+  EXPECT_EQ(std::get<GeographicPlace>(earth).altitude_m, -380.0);
+}
+
 TEST_F(RadarFileTest, MissingSectionsAreNamed) {
   EXPECT_EQ(fault_of(position_section), ": radar: is missing; add a [radar] section");
   EXPECT_EQ(fault_of(radar_section), ": position: is missing; add a [position] section");
@@ -162,8 +171,8 @@ TEST_F(RadarFileTest, OutOfRangeNamesTheUnit) {
       ": radar.frequency_ghz: is 9.6e+09; give a number from 0.1 to 300 GHz");
   EXPECT_EQ(fault_of(radar_section + "[position]\nazimuth_deg = 130\nelevation_deg = 0\nslant_range_km = 20\n"),
             ": position.elevation_deg: is 0; give a number from 0.5 to 89 degrees");
-  EXPECT_EQ(fault_of(radar_section + "[position]\neast_m = 0\nnorth_m = 0\naltitude_m = -3\n"),
-            ": position.altitude_m: is -3; give a number from 1 to 1e+06 m above mean sea level");
+  EXPECT_EQ(fault_of(radar_section + "[position]\neast_m = 0\nnorth_m = 0\naltitude_m = -501\n"),
+            ": position.altitude_m: is -501; give a number from -500 to 1e+06 m above mean sea level");
   EXPECT_THAT(fault_of(radar_section + position_section + "[map]\ncell_m = 0\n"), HasSubstr(": map.cell_m: is 0;"));
 }
 
@@ -275,6 +284,39 @@ TEST_F(RadarFileTest, TakesTheWidthOfAMeasuredBeam) {
   EXPECT_NEAR(deg_from_radians(radar.beam_width_rad), 4.0, 1e-6);
   EXPECT_THAT(fault_of(simple + "[antenna]\nazimuth_shape = \"table\"\nazimuth_csv = \"cut.csv\"\n"),
               HasSubstr(": antenna.azimuth_csv: and radar.beam_width_deg both give the beam its width"));
+}
+
+// Whether the file has a beam_width_deg or not: neither having it nor leaving it out would help.
+TEST_F(RadarFileTest, AMeasuredBeamWithoutItsTableLacksTheTable) {
+  const std::string lacking = "[antenna]\nazimuth_shape = \"table\"\n", fault = ": antenna.azimuth_csv: is missing";
+  EXPECT_THAT(fault_of(simple + lacking), ::testing::StartsWith(fault));
+  EXPECT_THAT(fault_of("[radar]\nfrequency_ghz = 9.6\nrange_resolution_m = 3\n" + position_section + lacking),
+              ::testing::StartsWith(fault));
+}
+
+// 500 m are some 0.4 MHz or 2.6 µs, and at 200 kHz a pulse may be 2.5 µs long.
+TEST_F(RadarFileTest, RepetitionsThatLeaveNoTimeForTheShortestPulseAreRefused) {
+  const auto with = [](const std::string& resolution_m, const std::string& waveform) {
+    return "[radar]\nfrequency_ghz = 9.6\nbeam_width_deg = 1\nrange_resolution_m = " + resolution_m + "\n" +
+           position_section + "[waveform]\n" + waveform;
+  };
+  for (const std::string pulse : {"", "pulse_length_us = 2.5\n", "pulse_length_us = 5\n"}) {
+    const std::string fault = fault_of(with("500", "pulse_repetition_hz = 200000\n" + pulse));
+    EXPECT_THAT(fault,
+                AllOf(::testing::StartsWith(": waveform.pulse_repetition_hz: is 200000, at which the shortest pulse"),
+                      HasSubstr("give at most "), HasSubstr("or a radar.range_resolution_m of at most ")));
+    // What is advised does.
+    const auto advised_after = [&](const std::string& words) {
+      return fmt::format("{}", std::stod(fault.substr(fault.find(words) + words.size())));
+    };
+    const std::string repetition_hz = advised_after("give at most "),
+                      resolution_m = advised_after("a radar.range_resolution_m of at most ");
+    EXPECT_NO_THROW(static_cast<void>(read(with("500", "pulse_repetition_hz = " + repetition_hz + "\n"))));
+    EXPECT_NO_THROW(static_cast<void>(read(with(resolution_m, "pulse_repetition_hz = 200000\n"))));
+  }
+  EXPECT_THAT(fault_of(without_resolution + "[waveform]\nbandwidth_mhz = 0.3\npulse_repetition_hz = 200000\n"),
+              HasSubstr("3.33333 µs, leaves the receiver less than half of the time between pulses; give at most "
+                        "150000, or a bandwidth_mhz of at least 0.4"));
 }
 
 TEST_F(RadarFileTest, BadWaveformsAreRefused) {
@@ -523,6 +565,46 @@ TEST_F(RadarWarnings, TellWhereEchoesFoldIntoAGateBeyondTheSwath) {
   radar_.receiver.last_range_m = 58e3;
   EXPECT_THAT(radar_warnings(radar_, swath(24.8e3, 25.4e3), {24.8e3, 25.4e3, 0.0}, 10.0),
               ::testing::ElementsAre(::testing::EndsWith("24.8 to 25.4 km away")));
+}
+
+TEST_F(RadarFileTest, IsReadFromItsTextToo) {
+  const std::string text =
+      "[radar]\nfrequency_ghz = 9.6\nrange_resolution_m = 3.0\n[antenna]\nazimuth_shape = \"table\"\n"
+      "azimuth_csv = \"cut.csv\"\n";
+  folder_.write("cut.csv", "offset_deg,gain_db\n-4,10\n0,30\n4,10\n");
+  const RadarFile read = read_radar_text(text, folder_.path("text"), PlaceOfRadar::Optional);
+  EXPECT_DOUBLE_EQ(read.radar.frequency_hz, 9.6e9);
+  EXPECT_TRUE(std::holds_alternative<Unplaced>(read.place));
+  EXPECT_THAT(message_of_error([&] { static_cast<void>(read_radar_text(text, "text")); }),
+              HasSubstr("text: antenna.azimuth_csv"));
+  EXPECT_THAT(message_of_error([&] { static_cast<void>(read_radar_text(text, folder_.path("text"))); }),
+              HasSubstr("text: position"));
+}
+
+// A gain that follows from the beam is that of the file which states the tilt, and what is stated stays.
+TEST_F(RadarFileTest, TiltAndPulseAreSetAsTheFileWouldHaveThem) {
+  const auto text = [](double tilt_deg) {
+    return fmt::format(
+        "[radar]\nfrequency_ghz = 9.6\nrange_resolution_m = 3.0\nbeam_width_deg = 1.0\n[antenna]\n"
+        "elevation_shape = \"cosecant-squared\"\nelevation_width_deg = 4.0\n"
+        "steepest_depression_deg = 40.0\ntilt_deg = {:g}\n",
+        tilt_deg);
+  };
+  const auto read = [&](double tilt_deg) { return read_radar_text(text(tilt_deg), "x", PlaceOfRadar::Optional); };
+  RadarFile file = read(-3.0);
+  set_tilt(file, radians_from_deg(-10.0));
+  EXPECT_DOUBLE_EQ(file.radar.antenna.gain, read(-10.0).radar.antenna.gain);
+  EXPECT_NE(file.radar.antenna.gain, read(-3.0).radar.antenna.gain);
+  for (const double wrong_deg : {1.0, -40.0, -41.0})
+    EXPECT_THAT(message_of_error([&] { set_tilt(file, radians_from_deg(wrong_deg)); }), HasSubstr("tilt_deg: is"));
+  EXPECT_NEAR(deg_from_radians(file.radar.antenna.tilt_rad), -10.0, 1e-12);
+  set_antenna_gain(file, 500.0);
+  set_tilt(file, radians_from_deg(-5.0));
+  EXPECT_EQ(file.radar.antenna.gain, 500.0) << "stated";
+  set_pulse_length(file, 4e-6);
+  set_range_resolution(file, 6.0);
+  EXPECT_EQ(file.radar.waveform.pulse_length_s, 4e-6) << "stated";
+  EXPECT_THAT(message_of_error([&] { set_pulse_length(file, 1e-9); }), HasSubstr("pulse_length_s: is 1e-09; give"));
 }
 
 }  // namespace
