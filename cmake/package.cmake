@@ -12,3 +12,13 @@ configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/sigmascape-config.cmake.
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/sigmascape-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/sigmascape-config.cmake ${PROJECT_BINARY_DIR}/sigmascape-config-version.cmake
               ${CMAKE_CURRENT_LIST_DIR}/dependencies.cmake DESTINATION ${package_folder})
+
+# The C interface as one library for what loads it as it runs: ctypes of Python, C#, MATLAB. Nothing else can be seen of it.
+add_library(sigmascape_shared SHARED $<TARGET_OBJECTS:sigmascape_c_interface>)
+set(exports ${CMAKE_CURRENT_LIST_DIR}/c_interface_exports.map)
+set_target_properties(sigmascape_shared PROPERTIES
+  OUTPUT_NAME sigmascape_c LINKER_LANGUAGE CXX LINK_DEPENDS ${exports}
+  VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+target_link_libraries(sigmascape_shared PRIVATE sigmascape_c_interface sigmascape_options)
+target_link_options(sigmascape_shared PRIVATE LINKER:--version-script=${exports})
+install(TARGETS sigmascape_shared LIBRARY DESTINATION lib)

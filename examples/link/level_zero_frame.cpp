@@ -13,6 +13,7 @@
 #include "sigmascape/product/picture.h"
 #include "sigmascape/product/png_file.h"
 #include "sigmascape/product/scope_layout.h"
+#include "sigmascape/radar/curved_earth.h"
 #include "sigmascape/radar/radar.h"
 #include "sigmascape/render/detail_of_ground.h"
 #include "sigmascape/render/frame_image.h"
@@ -40,7 +41,9 @@ render::LiveSettings settings_for(const scene::Scene& scene, render::FrameConten
 render::Pose pose_over(const scene::Scene& scene, const render::LiveSettings& settings) {
   const Vec2d middle = scene.extent.centre();
   const Vec3d target{middle.x, middle.y, scene.terrain.height_at(middle)};
-  return {.position = radar::position_seeing(target, azimuth_rad, elevation_rad, slant_range_m),
+  // The renderer's Earth is round; aimed over a flat one, a radar farther away would look past the scene.
+  const radar::CurvedEarth earth{.refraction = settings.refraction};
+  return {.position = radar::position_seeing(target, azimuth_rad, elevation_rad, slant_range_m, earth),
           .first_azimuth_rad = azimuth_rad + pi - 0.5 * static_cast<double>(settings.beams) * settings.beam_step_rad,
           .first_range_m = slant_range_m - 0.5 * static_cast<double>(settings.ranges) * settings.range_step_m};
 }

@@ -1,5 +1,5 @@
-/* Renders one frame of an atlas and prints its mean power: what a program in C does for live frames from textures. Scans,
- * and scenes with their tracers and flights, are in the header.
+/* Renders one frame of an atlas and prints its mean power: what a program in C does for live frames from textures.
+ * Scans, and scenes with their tracers and flights, are in the header.
  *
  *   live ATLAS EAST NORTH     the atlas that `sigmascape bake` wrote, and the place to look at, metres of its frame */
 
@@ -31,11 +31,13 @@ int main(int argc, char** argv) {
     return 1;
   }
 
-  /* The radar is 5 km south of the place, a quarter of that high, and looks north. */
+  /* The radar is 5 km south of the place, a quarter of that high, and looks north. The Earth curves down to the place,
+   * by 1.5 m here and by 590 m from 100 km: over a flat one the bins would lie beside it. */
   const double east = atof(argv[2]), north = atof(argv[3]), away = 5000.0, height = 1250.0;
+  const double below = height + away * away / (2.0 * settings.refraction * 6371008.8);
   sigmascape_pose pose = {.position_m = {east, north - away, height}};
   pose.first_azimuth_rad = -0.5 * (double)settings.beams * settings.beam_step_rad;
-  pose.first_range_m = sqrt(away * away + height * height) - 0.5 * (double)settings.ranges * settings.range_step_m;
+  pose.first_range_m = sqrt(away * away + below * below) - 0.5 * (double)settings.ranges * settings.range_step_m;
 
   /* A reflector of 1000 m2 on the place, a hundred metres up. */
   sigmascape_target reflector = {.position_m = {east, north, 100.0}, .rcs_m2 = {1000.0F, 1000.0F, 0.0F, 1000.0F}};

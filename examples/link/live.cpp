@@ -6,6 +6,7 @@
 #include <exception>
 #include <iostream>
 
+#include "sigmascape/radar/curved_earth.h"
 #include "sigmascape/radar/radar.h"
 #include "sigmascape/render/live_renderer.h"
 
@@ -18,9 +19,12 @@ void render_once(const char* atlas, sigmascape::Vec3d target) {
   LiveRenderer renderer(ground, settings);
 
   const double south_rad = 3.14159265, elevation_rad = 0.245, slant_range_m = 5154.0;
-  const Pose pose{.position = sigmascape::radar::position_seeing(target, south_rad, elevation_rad, slant_range_m),
-                  .first_azimuth_rad = -0.5 * static_cast<double>(settings.beams) * settings.beam_step_rad,
-                  .first_range_m = slant_range_m - 0.5 * static_cast<double>(settings.ranges) * settings.range_step_m};
+  // The renderer's Earth is round; aimed over a flat one, a radar far away would look past the target.
+  const sigmascape::radar::CurvedEarth earth{.refraction = settings.refraction};
+  const Pose pose{
+      .position = sigmascape::radar::position_seeing(target, south_rad, elevation_rad, slant_range_m, earth),
+      .first_azimuth_rad = -0.5 * static_cast<double>(settings.beams) * settings.beam_step_rad,
+      .first_range_m = slant_range_m - 0.5 * static_cast<double>(settings.ranges) * settings.range_step_m};
   renderer.render(pose);
   // A simulator would go on with what is there and have the rest a frame later.
   ground->wait_until_loaded();

@@ -8,6 +8,7 @@
 #include "drawn_live.h"
 #include "gil.h"
 #include "given_number.h"
+#include "long_call.h"
 #include "parts.h"
 
 #include "sigmascape/base/error.h"
@@ -72,6 +73,11 @@ void save(const HeldFrame& held, const std::filesystem::path& path, std::optiona
                                held.frequency_hz, held.words));
 }
 
+/// Whoever has the turn may be at a long frame.
+void save_in_turn(const HeldFrame& held, const std::filesystem::path& path, std::optional<double> frequency_ghz) {
+  long_call([&] { save(held, path, frequency_ghz); });
+}
+
 template <typename Class>
 void count(Class& binding, const char* name, std::size_t render::FrameReport::*member, const char* doc) {
   binding.def_property_readonly(
@@ -91,8 +97,7 @@ void add_frame(py::module_& module) {
       .def_property_readonly(
           "powers_m2", [](const HeldFrame& f) { return numbers_of(f, f.frame.powers_m2); },
           "float32 [beam, range, 4]: VV, HH, HV, Re VV HH* in m^2. None when amplitudes were asked for.")
-      .def("save", &save, py::arg("path"), py::kw_only(), py::arg("frequency_ghz") = py::none(),
-           py::call_guard<WithoutGil>(),
+      .def("save", &save_in_turn, py::arg("path"), py::kw_only(), py::arg("frequency_ghz") = py::none(),
            "Writes the amplitudes as .npy (with .json), .npz, .h5 or .sigmf-meta, before the renderer draws its next\n"
            "frame; docs/iq_files.md. A frequency that is not the frame's own is refused.")
       .def_property_readonly("first_range_m", [](const HeldFrame& f) { return f.frame.grid.first_range_m; })
@@ -110,6 +115,9 @@ void add_frame(py::module_& module) {
   binding.def_property_readonly(
       "terrain_error_m", [](const HeldFrame& f) { return f.frame.report.terrain_error_m; },
       "By how much the terrain that hides may be wrong, for finer tiles were not there yet or cannot be had.");
+  binding.def_property_readonly(
+      "below_ground_m", [](const HeldFrame& f) { return f.frame.report.below_ground_m; },
+      "By how much the radar lies below the ground, as far as the terrain that is there tells for sure; 0 above it.");
   count(
       binding, "coarse_obstacles", &Report::coarse_obstacles,
       "Tiles of what stands on the ground that are coarser than the bins ask for, for finer ones were not there yet,\n"
@@ -151,7 +159,32 @@ void add_live(py::module_& module) {
           [](const Held<LiveGround>& g, double x, double y) {
             return g.here()->terrain().height_at(checked_place(x, y));
           },
-          py::arg("x_m"), py::arg("y_m"));
+          py::arg("x_m"), py::arg("y_m"))
+      .def_property_readonly(
+          "extent_m",
+          [](const Held<LiveGround>& g) {
+            const radar::Rectangle& e = g.here()->description().extent;
+            return py::make_tuple(e.west_m, e.south_m, e.east_m, e.north_m);
+          },
+          "What the atlas covers: west, south, east, north.")
+      .def_property_readonly(
+          "crs", [](const Held<LiveGround>& g) { return g.here()->description().frame.proj(); },
+          "The local frame as a PROJ string.")
+      .def(
+          "place_in_frame",
+          [](const Held<LiveGround>& g, double latitude_deg, double longitude_deg) {
+            const Vec2d place = g.here()->place_in_frame({latitude_deg, longitude_deg});
+            return py::make_tuple(place.x, place.y);
+          },
+          py::arg("latitude_deg"), py::arg("longitude_deg"),
+          "Where a place on the globe, WGS 84, lies in the local frame: x, y.")
+      .def(
+          "place_on_globe",
+          [](const Held<LiveGround>& g, double x_m, double y_m) {
+            const auto place = g.here()->place_on_globe({x_m, y_m});
+            return py::make_tuple(place.latitude_deg, place.longitude_deg);
+          },
+          py::arg("x_m"), py::arg("y_m"), "Where a place of the local frame lies on the globe: latitude, longitude.");
 
   add_frame(module);
 

@@ -21,7 +21,7 @@ TEST(LevelZeroFrame, TheExampleShowsBothLevelsOfAnySceneAndItsAtlas) {
   const ScratchFolder folder;
   const auto scene = write_made_scene(folder.path("town"), 120.0, 120.0);
   const auto atlas = folder.path("atlas"), picture = folder.path("levels.png"), told = folder.path("told");
-  ASSERT_EQ(run(fmt::format("'{}' bake '{}' --out '{}' --patch-texels 256 --azimuths 4 --elevations-deg 5 13 "
+  ASSERT_EQ(run(fmt::format("'{}' bake '{}' --out '{}' --patch-texels 256 --azimuths 4 --elevations-deg 5,13 "
                             "--samples 2 --json > '{}'",
                             SIGMASCAPE_CLI, scene.string(), atlas.string(), told.string())),
             0);

@@ -205,6 +205,7 @@ void copy(const sigmascape::render::Frame& from, sigmascape_frame& to) {
   to.targets = from.report.targets;
   to.rays_per_cell = from.report.rays_per_cell;
   to.median_error_db = from.report.median_error_db;
+  to.below_ground_m = from.report.below_ground_m;
 }
 
 /// What both kinds of settings call by one name, for taking it over from either.
@@ -262,6 +263,52 @@ sigmascape_ground* sigmascape_open_ground(const char* atlas_folder, double frequ
 
 void sigmascape_close_ground(sigmascape_ground* ground) {
   delete ground;
+}
+
+int sigmascape_place_in_frame(const sigmascape_ground* ground, double latitude_deg, double longitude_deg,
+                              double height_m, double position_m[3]) {
+  return guarded(1, [&] {
+    (void)given(position_m, "position_m");
+    const auto place = given(ground, "ground").ground->place_in_frame({latitude_deg, longitude_deg});
+    position_m[0] = place.x;
+    position_m[1] = place.y;
+    position_m[2] = height_m;
+    return 0;
+  });
+}
+
+int sigmascape_place_on_globe(const sigmascape_ground* ground, const double position_m[3], double* latitude_deg,
+                              double* longitude_deg, double* height_m) {
+  return guarded(1, [&] {
+    (void)given(position_m, "position_m");
+    const auto place = given(ground, "ground").ground->place_on_globe({position_m[0], position_m[1]});
+    if (latitude_deg != nullptr) *latitude_deg = place.latitude_deg;
+    if (longitude_deg != nullptr) *longitude_deg = place.longitude_deg;
+    if (height_m != nullptr) *height_m = position_m[2];
+    return 0;
+  });
+}
+
+int sigmascape_extent(const sigmascape_ground* ground, sigmascape_rectangle* extent) {
+  return guarded(1, [&] {
+    (void)given(extent, "extent");
+    const sigmascape::radar::Rectangle& covered = given(ground, "ground").ground->description().extent;
+    *extent = {covered.west_m, covered.south_m, covered.east_m, covered.north_m};
+    return 0;
+  });
+}
+
+int sigmascape_ground_height(const sigmascape_ground* ground, double x_m, double y_m, double* height_m) {
+  return guarded(1, [&] {
+    (void)given(height_m, "height_m");
+    const sigmascape::render::LiveTerrain& terrain = std::as_const(*given(ground, "ground").ground).terrain();
+    if (!terrain.pyramid().layout().extent().contains({x_m, y_m})) {
+      throw sigmascape::Error("place", "at (" + std::to_string(x_m) + ", " + std::to_string(y_m) + ") m has no terrain",
+                              "give one within the terrain beside the atlas");
+    }
+    *height_m = terrain.height_at({x_m, y_m});
+    return 0;
+  });
 }
 
 int sigmascape_wait_for_pages(sigmascape_ground* ground) {

@@ -31,6 +31,28 @@ typedef struct sigmascape_ground sigmascape_ground;
 sigmascape_ground* sigmascape_open_ground(const char* atlas_folder, double frequency_hz, size_t cache_bytes);
 /* Renderers that still use the ground keep it. Null is allowed. */
 void sigmascape_close_ground(sigmascape_ground* ground);
+
+/* Where a place on the globe, WGS 84 in degrees, lies in the atlas' local frame: what poses and targets are given in.
+ * The height above mean sea level passes through. Returns 0 when all went well, and otherwise leaves `position_m`: for
+ * a place that is nowhere on the globe or too far away for the frame. Looks up what PROJ knows each time: for what has
+ * to be placed once. */
+int sigmascape_place_in_frame(const sigmascape_ground* ground, double latitude_deg, double longitude_deg,
+                              double height_m, double position_m[3]);
+/* The other way round. What is null is not told. */
+int sigmascape_place_on_globe(const sigmascape_ground* ground, const double position_m[3], double* latitude_deg,
+                              double* longitude_deg, double* height_m);
+
+/* Metres of the local frame. */
+typedef struct sigmascape_rectangle {
+  double west_m, south_m, east_m, north_m;
+} sigmascape_rectangle;
+
+/* What the atlas covers. Its terrain may reach farther. Returns 0 when all went well. */
+int sigmascape_extent(const sigmascape_ground* ground, sigmascape_rectangle* extent);
+/* Height of the ground above mean sea level, of the finest terrain; reads a tile if need be. Returns 0 when all went
+ * well, and otherwise leaves `height_m`: for a place beyond the tiles of terrain. */
+int sigmascape_ground_height(const sigmascape_ground* ground, double x_m, double y_m, double* height_m);
+
 /* Returns when all pages and all terrain that frames have asked for are there, or cannot be had. For whoever would
  * rather wait than see less; renderers on other threads that go on asking make it longer. Returns 0 when all went
  * well. */
@@ -99,6 +121,8 @@ typedef struct sigmascape_frame {
   uint64_t rays_per_cell;    /* of a traced frame: that it is made of; 0 of one from textures */
   double median_error_db;    /* of a traced frame: standard error of a bin's mean power, in the median over the bins;
                                 infinite while too few rays tell */
+  double below_ground_m;     /* by how much the radar lies below the ground, as far as the terrain that is there tells
+                                for sure; 0 above it */
 } sigmascape_frame;
 
 typedef struct sigmascape_renderer sigmascape_renderer;

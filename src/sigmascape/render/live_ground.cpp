@@ -1,7 +1,9 @@
 #include "sigmascape/render/live_ground.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
+#include <limits>
 #include <utility>
 
 #include "sigmascape/atlas/ground_layers.h"
@@ -20,6 +22,12 @@ constexpr std::size_t tile_part = 32, window_part = 8, obstacle_part = 8, stand_
 std::unique_ptr<LiveObstacles> obstacles_of(const atlas::Store& store, const CacheOptions& options) {
   if (!atlas::keeps_ground_apart(store)) return nullptr;
   return std::make_unique<LiveObstacles>(store, options.budget_bytes / obstacle_part, options.scrutiny);
+}
+
+/// As far from a frame's origin as a radar may stand; false for what is no number.
+bool is_within_reach(Vec2d place) {
+  constexpr double furthest_m = 1e7;
+  return std::abs(place.x) <= furthest_m && std::abs(place.y) <= furthest_m;
 }
 
 /// What is not for pages.
@@ -96,6 +104,36 @@ std::shared_ptr<LiveGround> LiveGround::open(const std::filesystem::path& atlas_
                                              const CacheOptions& options) {
   const atlas::Store store = atlas::Store::open(atlas_folder);
   return std::make_shared<LiveGround>(store, terrain_beside(store, options), frequency_hz, options);
+}
+
+Vec2d LiveGround::place_in_frame(geo::GeographicPosition place) const {
+  if (!(std::abs(place.latitude_deg) <= 90.0) || !(std::abs(place.longitude_deg) <= 360.0)) {
+    throw Error("place",
+                fmt::format("lies at latitude {:g}°, longitude {:g}°", place.latitude_deg, place.longitude_deg),
+                "give degrees of WGS 84, north and east of 0 positive");
+  }
+  const Vec2d position = geo::position_in_frame(description().frame, place);
+  if (!is_within_reach(position)) {
+    throw Error("place",
+                fmt::format("lies at latitude {:g}°, longitude {:g}°, and the atlas' frame about {:g}°, {:g}° does not "
+                            "reach there",
+                            place.latitude_deg, place.longitude_deg, description().frame.latitude_deg(),
+                            description().frame.longitude_deg()),
+                "give a place nearer to the atlas");
+  }
+  return position;
+}
+
+geo::GeographicPosition LiveGround::place_on_globe(Vec2d place) const {
+  const geo::GeographicPosition on_globe = is_within_reach(place)
+                                               ? geo::place_on_globe(description().frame, place)
+                                               : geo::GeographicPosition{std::numeric_limits<double>::quiet_NaN(), 0.0};
+  if (!std::isfinite(on_globe.latitude_deg) || !std::isfinite(on_globe.longitude_deg)) {
+    throw Error("place",
+                fmt::format("at ({:g}, {:g}) m of the atlas' frame lies nowhere on the globe", place.x, place.y),
+                "give metres east and north of the frame's origin");
+  }
+  return on_globe;
 }
 
 void LiveGround::wait_until_loaded() {

@@ -4,6 +4,8 @@
 #include <memory>
 
 #include "sigmascape/atlas/store.h"
+#include "sigmascape/base/vec.h"
+#include "sigmascape/geo/coordinate_transform.h"
 #include "sigmascape/render/ground_page.h"
 #include "sigmascape/render/live_obstacles.h"
 #include "sigmascape/render/live_terrain.h"
@@ -44,6 +46,11 @@ class LiveGround {
   [[nodiscard]] const LiveObstacles* obstacles() const { return obstacles_.get(); }
   [[nodiscard]] const atlas::AspectCells& aspects() const { return pages_.source().aspects(); }
   [[nodiscard]] const atlas::AtlasDescription& description() const { return pages_.source().description(); }
+  /// Where a place on the globe lies in the atlas' frame, in which poses and targets are. Throws Error for one that is
+  /// nowhere on the globe, or so far away that the frame does not reach it.
+  [[nodiscard]] Vec2d place_in_frame(geo::GeographicPosition place) const;
+  /// And where a place of the frame lies on the globe. Throws Error for one that lies nowhere.
+  [[nodiscard]] geo::GeographicPosition place_on_globe(Vec2d place) const;
   /// Of the levels that the store has.
   [[nodiscard]] std::size_t coarsest_level() const { return pages_.source().levels() - 1; }
   /// Returns when everything that frames have asked for is there or cannot be: for callers who would rather wait than

@@ -61,6 +61,18 @@ void make_bounds_alike(std::span<Occluders> sectors) {
   }
 }
 
+/// Of terrain that is summed up tile by tile, so that nothing is read for it.
+void check_above_ground(const terrain::TerrainPyramid& terrain, Vec3d radar) {
+  const Vec2d foot{radar.x, radar.y};
+  if (!terrain.layout().extent().contains(foot)) return;
+  const float lowest_m = terrain.bounds_over({foot.x, foot.y, foot.x, foot.y}).lowest_m;
+  if (radar.z < static_cast<double>(lowest_m)) {
+    throw Error("live renderer",
+                fmt::format("stands at {:g} m, below all ground there, which begins at {:g} m", radar.z, lowest_m),
+                "fly higher");
+  }
+}
+
 bool lies_within(Vec3d vector, double most) {
   return std::abs(vector.x) <= most && std::abs(vector.y) <= most && std::abs(vector.z) <= most;
 }
@@ -235,6 +247,7 @@ void LiveRenderer::fill(const Pose& pose, Beams beams) {
 }
 
 void LiveRenderer::prepare(const Pose& pose) {
+  check_above_ground(ground_->terrain().pyramid(), pose.position);
   const double far_range_m = pose.first_range_m + static_cast<double>(settings_.ranges) * settings_.range_step_m;
   const auto bounds_within = [&](double range_m) {
     return ground_->terrain().bounds_over(ground_under({pose.position.x, pose.position.y}, pose.first_azimuth_rad,
@@ -305,14 +318,18 @@ Occluders LiveRenderer::terrain_of(std::size_t sector, const TerrainWindows::Vie
       terrain.surface(there, level_within, under(beams, radar, from_m, far_m()), wanted_terrain_);
   Occluders occluders{.terrain = within.view, .lowered_m = within.above_pages_m};
   float error_m = within.error_m;
+  double& below_ground_m = frame_.report.below_ground_m;
+  if (from_m == 0.0) below_ground_m = std::max(below_ground_m, terrain.depth_below(within, level_within, radar));
   if (!in_one && grid().near_m > grid().step_m) {
     // Nearer ground is walked over in longer steps; nodes half as far apart keep its ridges.
     const double step_m = grid().near_m / static_cast<double>(grid().before_near);
-    const LiveTerrain::Surface before = terrain.surface(there, std::max(level_within, terrain.level_for(step_m / 4.0)),
-                                                        under(beams, radar, 0.0, grid().near_m), wanted_terrain_);
+    const int level_before = std::max(level_within, terrain.level_for(step_m / 4.0));
+    const LiveTerrain::Surface before =
+        terrain.surface(there, level_before, under(beams, radar, 0.0, grid().near_m), wanted_terrain_);
     occluders.before_near = before.view;
     occluders.lowered_m = std::max(occluders.lowered_m, before.above_pages_m);
     error_m = std::max(error_m, before.error_m);
+    below_ground_m = std::max(below_ground_m, terrain.depth_below(before, level_before, radar));
   }
   frame_.report.terrain_error_m = std::max(frame_.report.terrain_error_m, static_cast<double>(error_m));
   return occluders;

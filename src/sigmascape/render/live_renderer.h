@@ -93,6 +93,9 @@ struct FrameReport {
   /// several obstacles together. 0 when nothing was lacking, and where the textures hold the shadows.
   std::size_t coarse_obstacles = 0;
   std::size_t targets = 0;  ///< of those of the pose that stand in the bins and are seen, by a step's beams of a scan
+  /// By how much the radar lies below the ground, as far as the terrain that is there tells for sure: it sees little or
+  /// nothing then. 0 above it. A radar that is deeper than all terrain about it is refused.
+  double below_ground_m = 0.0;
   /// Of a frame that was traced (simulate::LiveTracer): rays a cell that it is made of; 0 of one from textures.
   std::uint64_t rays_per_cell = 0;
   /// And the standard error of a bin's mean power, 10 lg(1 + s/P), in the median over the bins that answer to at
@@ -129,7 +132,8 @@ class LiveRenderer {
   LiveRenderer(std::shared_ptr<LiveGround> ground, const LiveSettings& settings);
   ~LiveRenderer();
 
-  /// All beams. Throws Error for a pose that `check` refuses, and then leaves the frame as it was.
+  /// All beams. Throws Error for a pose that `check` refuses and for a radar below the lowest ground of the tile of
+  /// terrain that it is over, and then leaves the frame as it was.
   const Frame& render(const Pose& pose);
   /// Beams first … first + count − 1 anew, the others as they were: one step of a scanning antenna. Theirs is the pose
   /// with which they were drawn, although the frame's grid is that of the last one: an antenna turns by its beams,

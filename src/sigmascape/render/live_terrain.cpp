@@ -28,6 +28,13 @@ int LiveTerrain::level_for(double texel_m) const {
   return terrain_level_for(texel_m, pyramid_->layout().spacing_m, pyramid_->levels());
 }
 
+terrain::TerrainWindow LiveTerrain::window_over(const radar::Rectangle& area, double texel_m,
+                                                std::size_t most_nodes_a_side) const {
+  terrain::TerrainWindow window(most_nodes_a_side, terrain::WindowSlopes::None);
+  (void)window.fill(*pyramid_, area, level_for(texel_m), terrain::TileWait::Load);
+  return window;
+}
+
 LiveTerrain::GroundUnderCells LiveTerrain::ground_under(const radar::GroundGrid& cells) const {
   const int level = level_for(cells.cell_m);
   // Between nodes that stand wide apart the ground is rounder than the facets that they span.
@@ -121,6 +128,15 @@ LiveTerrain::Surface LiveTerrain::surface(const TerrainWindows::View& there, int
   surface.view.lowest_m = bounds.lowest_m - window->error_m;
   surface.view.highest_m = bounds.highest_m + window->error_m;
   return surface;
+}
+
+double LiveTerrain::depth_below(const Surface& surface, int level, Vec3d point) const {
+  const Vec2d foot{point.x, point.y};
+  if (!pyramid_->layout().extent().contains(foot)) return 0.0;
+  const float of_level = pyramid_->summary_over({foot.x, foot.y, foot.x, foot.y}, level).error_m;
+  const double lowest_m =
+      terrain::height_at(surface.view, foot) - static_cast<double>(std::max(surface.error_m, of_level));
+  return std::max(lowest_m - point.z, 0.0);
 }
 
 }  // namespace sigmascape::render

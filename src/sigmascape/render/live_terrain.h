@@ -9,6 +9,7 @@
 #include "sigmascape/render/terrain_windows.h"
 #include "sigmascape/terrain/terrain_pyramid.h"
 #include "sigmascape/terrain/terrain_view.h"
+#include "sigmascape/terrain/terrain_window.h"
 
 namespace sigmascape::render {
 
@@ -28,6 +29,10 @@ class LiveTerrain {
   }
   /// Level 0; reads a tile if need be.
   [[nodiscard]] double height_at(Vec2d point) const;
+  /// Heights over an area, of the level that belongs to texels of a size or of the finest whose nodes are no more than
+  /// the square of so many. Reads tiles.
+  [[nodiscard]] terrain::TerrainWindow window_over(const radar::Rectangle& area, double texel_m,
+                                                   std::size_t most_nodes_a_side) const;
 
   /// Heights at the centres of cells, [row][column], north up, of the level that belongs to their size. Reads tiles;
   /// gives back what of them cannot be had, so that coarser ones stand in.
@@ -47,6 +52,9 @@ class LiveTerrain {
   /// `wanted`, as far as its memory goes. The surface lives as long as `there`.
   [[nodiscard]] Surface surface(const TerrainWindows::View& there, int level, const radar::Rectangle& area,
                                 std::vector<WindowWish>& wanted) const;
+  /// By how much a point lies below the ground for sure, as a surface of `level` that reaches to it tells with what it
+  /// may be wrong by; 0 above it, and beyond the terrain. Reads nothing.
+  [[nodiscard]] double depth_below(const Surface& surface, int level, Vec3d point) const;
   [[nodiscard]] TerrainWindows& windows() { return windows_; }
 
   [[nodiscard]] const terrain::TerrainPyramid& pyramid() const { return *pyramid_; }

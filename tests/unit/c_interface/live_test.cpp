@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -7,13 +8,19 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <limits>
+#include <numeric>
+#include <vector>
 
 #include "scratch_folder.h"
 #include "unit/c_interface/said_in_c.h"
 #include "unit/render/live_ground_example.h"
 
 #include "sigmascape/atlas/terrain_file.h"
+#include "sigmascape/base/error.h"
+#include "sigmascape/base/units.h"
 #include "sigmascape/c_interface/sigmascape.h"
+#include "sigmascape/radar/target.h"
+#include "sigmascape/simulate/live_tracer.h"
 #include "sigmascape/terrain/height_field_file.h"
 #include "sigmascape/terrain/pyramid_builder.h"
 
@@ -38,7 +45,9 @@ class LiveFromC : public testing::Test {
 
 TEST_F(LiveFromC, GivesTheFrameOfTheCppInterface) {
   const render::ExampleView view;
-  const render::LiveSettings wanted = view.settings(render::FrameContent::Amplitudes);
+  render::LiveSettings wanted = view.settings(render::FrameContent::Amplitudes);
+  wanted.seed = 5;
+  wanted.cells_per_bin = 1.0;
   const auto shared = render::LiveGround::open(atlas(), 10e9);
   render::LiveRenderer expected(shared, wanted);
   expected.render(view.pose());
@@ -134,6 +143,150 @@ TEST_F(LiveFromC, TargetsAnswer) {
   EXPECT_EQ(power(&seen), alone);
   sigmascape_free_renderer(renderer);
   sigmascape_close_ground(ground);
+}
+
+TEST_F(LiveFromC, DefaultsAreThoseOfTheCppInterface) {
+  const render::LiveSettings live;
+  const sigmascape_settings settings = sigmascape_default_settings();
+  EXPECT_EQ(settings.content == SIGMASCAPE_AMPLITUDES, live.content == render::FrameContent::Amplitudes);
+  EXPECT_EQ(settings.beams, live.beams);
+  EXPECT_EQ(settings.ranges, live.ranges);
+  EXPECT_EQ(settings.beam_step_rad, live.beam_step_rad);
+  EXPECT_EQ(settings.range_step_m, live.range_step_m);
+  EXPECT_EQ(settings.cells_per_bin, live.cells_per_bin);
+  EXPECT_EQ(settings.seed, live.seed);
+  EXPECT_EQ(settings.threads, live.threads);
+  EXPECT_EQ(settings.refraction, live.refraction);
+
+  const simulate::LiveTraceSettings traced;
+  const sigmascape_tracing tracing = sigmascape_default_tracing();
+  EXPECT_EQ(tracing.frequency_hz, traced.frequency_hz);
+  EXPECT_EQ(tracing.rays_per_cell, traced.rays_per_cell);
+  EXPECT_EQ(tracing.max_bounces, traced.max_bounces);
+  EXPECT_EQ(tracing.lattice_m, traced.lattice_m);
+}
+
+/// A target of 100 m² in the middle of the example's view, and what frames have more by it than the ground alone.
+class OneTargetFromC {
+ public:
+  OneTargetFromC(const std::string& atlas, const render::ExampleView& view) : pose(said_in_c(view.pose())) {
+    target.position_m[0] = view.target.x;
+    target.position_m[1] = view.target.y;
+    target.position_m[2] = 2.0;
+    target.rcs_m2[0] = 100.0F;
+    ground_ = sigmascape_open_ground(atlas.c_str(), 10e9, 0);
+    sigmascape_settings settings = said_in_c(view.settings(render::FrameContent::Powers));
+    settings.content = SIGMASCAPE_POWERS;
+    renderer_ = sigmascape_make_renderer(ground_, &settings);
+    if (renderer_ == nullptr) throw Error("C interface", sigmascape_last_error(), "see the test");
+    frame();
+    EXPECT_EQ(sigmascape_wait_for_pages(ground_), 0);
+    alone_ = vv();
+  }
+  ~OneTargetFromC() {
+    sigmascape_free_renderer(renderer_);
+    sigmascape_close_ground(ground_);
+  }
+  OneTargetFromC(const OneTargetFromC&) = delete;
+  OneTargetFromC& operator=(const OneTargetFromC&) = delete;
+
+  /// VV of every bin [beam][range] over that of the ground.
+  std::vector<double> added() {
+    EXPECT_EQ(sigmascape_set_targets(renderer_, &target, 1), 0) << sigmascape_last_error();
+    std::vector<double> powers = vv();
+    for (std::size_t i = 0; i < powers.size(); ++i) powers[i] -= alone_[i];
+    return powers;
+  }
+  double added_m2() {
+    const std::vector<double> powers = added();
+    return std::accumulate(powers.begin(), powers.end(), 0.0);
+  }
+
+  sigmascape_target target = {};
+  sigmascape_pose pose;
+
+ private:
+  sigmascape_frame frame() {
+    sigmascape_frame made = {};
+    EXPECT_EQ(sigmascape_render(renderer_, &pose, &made), 0) << sigmascape_last_error();
+    return made;
+  }
+  std::vector<double> vv() {
+    const sigmascape_frame made = frame();
+    std::vector<double> powers;
+    for (std::size_t i = 0; i < made.beams * made.ranges; ++i)
+      powers.push_back(static_cast<double>(made.powers_m2[4 * i]));
+    return powers;
+  }
+
+  sigmascape_ground* ground_ = nullptr;
+  sigmascape_renderer* renderer_ = nullptr;
+  std::vector<double> alone_;
+};
+
+TEST_F(LiveFromC, TargetsFluctuateByTheirCaseSeedDwellAndPulse) {
+  const render::ExampleView view;
+  OneTargetFromC one(atlas(), view);
+  const auto at = [&](std::uint64_t dwell, std::uint64_t pulse) {
+    one.pose.dwell = dwell;
+    one.pose.pulse = pulse;
+    return one.added_m2();
+  };
+  one.target.seed = 7;
+  EXPECT_NEAR(at(3, 0), 100.0, 0.1);
+  for (const int by_dwell : {1, 3}) {
+    one.target.swerling = by_dwell;
+    EXPECT_NEAR(at(3, 5) / at(3, 0), 1.0, 1e-6) << by_dwell;
+    EXPECT_GT(std::abs(at(4, 0) / at(3, 0) - 1.0), 0.01) << by_dwell;
+  }
+  for (const int by_pulse : {2, 4}) {
+    one.target.swerling = by_pulse;
+    EXPECT_GT(std::abs(at(3, 5) / at(3, 0) - 1.0), 0.01) << by_pulse;
+    EXPECT_GT(std::abs(at(4, 0) / at(3, 0) - 1.0), 0.01) << by_pulse;
+  }
+  // As the same target of the C++ interface does, which is held to the distributions elsewhere.
+  for (const int swerling : {0, 1, 2, 3, 4}) {
+    radar::Target same;
+    same.track = radar::Track::straight(Vec3d{view.target.x, view.target.y, 2.0});
+    same.rcs_m2 = radar::Channels{100.0F, 0.0F, 0.0F, 0.0F};
+    same.fluctuation = static_cast<radar::Swerling>(swerling);
+    for (const std::uint64_t seed : {7U, 8U}) {
+      one.target.swerling = swerling;
+      one.target.seed = same.seed = seed;
+      const auto rcs = radar::rcs_of(same, view.pose().position, 10e9, {.time_s = 0.0, .dwell = 9, .pulse = 2});
+      EXPECT_NEAR(at(9, 2) / static_cast<double>(rcs.vv), 1.0, 1e-3) << swerling << ", seed " << seed;
+    }
+  }
+}
+
+TEST_F(LiveFromC, TargetsMoveByTheirVelocity) {
+  // Seen from the east under 13°, and so coming nearer.
+  const render::ExampleView view{.azimuth_deg = 90.0};
+  OneTargetFromC one(atlas(), view);
+  one.target.velocity_mps[0] = 30.0;
+  const auto mean_range_m = [&](double time_s) {
+    one.pose.time_s = time_s;
+    const std::vector<double> powers = one.added();
+    double sum = 0.0, moment = 0.0;
+    for (std::size_t i = 0; i < powers.size(); ++i) {
+      sum += powers[i];
+      moment += powers[i] * static_cast<double>(i % view.ranges);
+    }
+    return moment / sum * view.settings(render::FrameContent::Powers).range_step_m;
+  };
+  EXPECT_NEAR(mean_range_m(0.0) - mean_range_m(5.0), 150.0 * std::cos(radians_from_deg(13.0)), 1.0);
+}
+
+TEST_F(LiveFromC, TablesTurnWithTheHeading) {
+  const std::string table = folder_->path("long.csv").string();
+  std::ofstream(table) << "azimuth_deg, vv_dbsm, hh_dbsm\n0, 20, 20\n90, 0, 0\n180, 20, 20\n270, 0, 0\n";
+  const render::ExampleView view;
+  OneTargetFromC one(atlas(), view);
+  one.target.rcs_table = table.c_str();
+  one.target.heading_rad = radians_from_deg(view.azimuth_deg);
+  EXPECT_NEAR(one.added_m2(), 100.0, 0.5);
+  one.target.heading_rad += radians_from_deg(90.0);
+  EXPECT_NEAR(one.added_m2(), 1.0, 0.02);
 }
 
 TEST_F(LiveFromC, SaysWhatIsWrong) {

@@ -12,6 +12,8 @@ inline sigmascape_settings said_in_c(const render::LiveSettings& wanted) {
   settings.ranges = wanted.ranges;
   settings.beam_step_rad = wanted.beam_step_rad;
   settings.range_step_m = wanted.range_step_m;
+  settings.cells_per_bin = wanted.cells_per_bin;
+  settings.seed = wanted.seed;
   settings.refraction = wanted.refraction;
   return settings;
 }

@@ -287,6 +287,42 @@ TEST_F(LiveTargetsTest, ABoxDarkensItsShadowAndNothingElse) {
   EXPECT_GE(static_cast<double>(live.bins), 0.7 * covered);
 }
 
+TEST_F(LiveTargetsTest, ABoxFarOverTheEarthShadesByItsOwnHorizontal) {
+  // From 2334.7 m a place 100 km away at sea level is seen under 1° (the triangle with the centre of the Earth of 4/3
+  // radius), though it lies 1.67° below the radar: 10 m hide 10/tan 1° = 573 m; over a flat Earth, under 1.34°, 428 m.
+  constexpr double distance_m = 100e3, height_m = 2334.7;
+  const auto ground = level_ground().over(*store_);
+  const Vec2d place = ExampleGround{}.middle() + Vec2d{0.0, -300.0};
+  LiveSettings settings;
+  settings.content = FrameContent::Powers;
+  settings.beams = 96;
+  settings.ranges = 110;
+  settings.beam_step_rad = 8.0 / distance_m;
+  settings.range_step_m = 8.0;
+  settings.threads = 2;
+  Pose pose;
+  pose.position = {place.x, place.y - distance_m, height_m};
+  pose.first_azimuth_rad = -48.0 * settings.beam_step_rad;
+  pose.first_range_m = radar::CurvedEarth{}.slant_range_m(height_m, 0.0, distance_m) - 100.0;
+  const Vec3d size{10.0, 300.0, 10.0};
+  const std::vector<radar::Target> targets{box_at(place, size)};
+  LiveRenderer renderer(ground, settings);
+  const auto power_m2 = [&] {
+    const Frame& frame = settled_frame(renderer, *ground, pose);
+    EXPECT_EQ(frame.report.dark, 0U);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < frame.powers_m2.size(); i += 4) sum += static_cast<double>(frame.powers_m2[i]);
+    return sum;
+  };
+  const double open = power_m2();
+  pose.targets = targets;
+  const double shaded = power_m2();
+  // As much of the frame's ground as the power that is gone: all of it returns the same, nearly.
+  const double frame_m2 = distance_m * settings.beam_step_rad * 96.0 * settings.range_step_m * 110.0;
+  const double shadow_m = (open - shaded) / open * frame_m2 / size.y - size.x;
+  EXPECT_NEAR(shadow_m / (10.0 / std::tan(radians_from_deg(1.0))), 1.0, 0.03);
+}
+
 TEST_F(LiveTargetsTest, ShadowsAreThoseOfTheOfflineMap) {
   const ExampleGround example = level_ground();
   const auto ground = example.over(*store_);

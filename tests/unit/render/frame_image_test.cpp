@@ -1,0 +1,146 @@
+#include "sigmascape/render/frame_image.h"
+
+#include <cmath>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <numbers>
+#include <vector>
+
+#include "live_ground_example.h"
+
+#include "sigmascape/base/error.h"
+#include "sigmascape/radar/echo.h"
+#include "sigmascape/receiver/range_azimuth_receiver.h"
+
+namespace sigmascape::render {
+namespace {
+
+constexpr double tilt_deg = -15.0, width_deg = 6.0, height_m = 3000.0;
+
+/// Resolves two bins of OneBin in range and in azimuth.
+radar::Radar radar_with(radar::BeamShape elevation) {
+  radar::Radar radar;
+  radar.position = {0.0, 0.0, height_m};
+  radar.range_resolution_m = 20.0;
+  radar.beam_width_rad = 0.02;
+  radar.antenna.elevation = std::move(elevation);
+  radar.antenna.elevation_width_rad = radians_from_deg(width_deg);
+  radar.antenna.tilt_rad = radians_from_deg(tilt_deg);
+  return radar;
+}
+
+/// A frame of which one bin holds power, its middle `range_m` away and due north.
+class OneBin {
+ public:
+  explicit OneBin(double range_m, double power_m2 = 1000.0) : powers_(std::size_t{21 * 21 * 4}, 0.0F) {
+    powers_[(10 * 21 + 10) * 4] = static_cast<float>(power_m2);
+    frame_.grid = {range_m - 10.5 * 10.0, 10.0, 21, -10.5 * 0.01, 0.01, 21};
+    frame_.powers_m2 = powers_;
+    pose_.position = {0.0, 0.0, height_m};
+  }
+  [[nodiscard]] const Frame& frame() const { return frame_; }
+  [[nodiscard]] const Pose& pose() const { return pose_; }
+
+  /// By how much the beam's elevation weakens it, both ways.
+  [[nodiscard]] double lost_db(const GroundHeight& ground, const radar::CurvedEarth& earth) const {
+    const auto peak = [&](const radar::Radar& radar) {
+      return static_cast<double>(image_of(frame_, pose_, radar, ground, earth).rcs_m2(10, 10).vv);
+    };
+    return db_from_linear(peak(radar_with(radar::GaussianBeam{})) / peak(radar_with(radar::EvenBeam{})));
+  }
+
+ private:
+  std::vector<float> powers_;
+  Frame frame_;
+  Pose pose_;
+};
+
+/// Twice 10 lg exp(−4 ln 2 (φ/θ)²).
+double gaussian_db(double elevation_rad) {
+  const double widths = (elevation_rad - radians_from_deg(tilt_deg)) / radians_from_deg(width_deg);
+  return -80.0 * std::numbers::ln2 * std::numbers::log10e * widths * widths;
+}
+
+GroundHeight level(double ground_m) {
+  return [ground_m](Vec2d) { return ground_m; };
+}
+
+TEST(FrameImage, BinsHaveTheGainInElevationTowardsLevelGround) {
+  for (const double below_deg : {12.0, 15.0, 20.0}) {
+    for (const double ground_m : {0.0, 800.0}) {
+      const double range_m = (height_m - ground_m) / std::sin(radians_from_deg(below_deg));
+      EXPECT_NEAR(OneBin(range_m).lost_db(level(ground_m), radar::CurvedEarth::flat()),
+                  gaussian_db(radians_from_deg(-below_deg)), 0.01)
+          << below_deg << "° below, over ground at " << ground_m << " m";
+    }
+  }
+}
+
+TEST(FrameImage, GroundThatRisesIsMetNearer) {
+  // Where h = d/10 and d² + (H − h)² = r², d solves (1 + 1/100) d² − H d/5 + H² − r² = 0.
+  const double slope = 0.1, range_m = 9000.0, a = 1.0 + slope * slope, b = -2.0 * slope * height_m,
+               c = height_m * height_m - range_m * range_m;
+  const double distance_m = (-b + std::sqrt(b * b - 4.0 * a * c)) / (2.0 * a);
+  const double below_m = height_m - slope * distance_m;
+  EXPECT_NEAR(OneBin(range_m).lost_db([&](Vec2d place) { return slope * place.y; }, radar::CurvedEarth::flat()),
+              gaussian_db(-std::asin(below_m / range_m)), 0.01);
+  EXPECT_GT(std::asin(height_m / range_m) - std::asin(below_m / range_m), radians_from_deg(5.0)) << "it tells";
+}
+
+TEST(FrameImage, TheSeaLiesLowerOverARoundEarth) {
+  // Law of cosines at the radar, between the middle of the Earth and the sea's surface.
+  const radar::CurvedEarth earth{.refraction = 4.0 / 3.0};
+  const double radius_m = 1.0 / earth.curvature_per_m(), centre_m = radius_m + height_m, range_m = 120e3;
+  const double sin_below = (range_m * range_m + centre_m * centre_m - radius_m * radius_m) / (2.0 * range_m * centre_m);
+  const double expected_db = gaussian_db(-std::asin(sin_below));
+  EXPECT_NEAR(OneBin(range_m).lost_db(level(0.0), earth), expected_db, 0.01);
+  EXPECT_GT(std::abs(gaussian_db(-std::asin(height_m / range_m)) - expected_db), 0.5) << "the Earth tells";
+}
+
+TEST(FrameImage, BinsAreWeightedAsOfflineMapsWeightEchoes) {
+  const double range_m = height_m / std::sin(radians_from_deg(19.0));
+  const OneBin bin(range_m);
+  const radar::Radar radar = radar_with(radar::CosecantSquaredBeam{});
+  receiver::RangeAzimuthReceiver receiver(radar, bin.frame().grid);
+  const std::vector<radar::Echo> echoes{{.range_m = range_m,
+                                         .cross = 0.0,
+                                         .rcs_m2 = {1000.0F, 0.0F, 0.0F, 0.0F},
+                                         .bounces = 1,
+                                         .sin_depression = static_cast<float>(height_m / range_m)}};
+  receiver.add(echoes);
+  const auto offline = receiver.image();
+  const auto live = image_of(bin.frame(), bin.pose(), radar, level(0.0), radar::CurvedEarth::flat());
+  for (const auto& [beam, range] : {std::pair{10U, 10U}, {9U, 10U}, {10U, 12U}}) {
+    EXPECT_NEAR(live.rcs_m2(beam, range).vv / offline.rcs_m2(beam, range).vv, 1.0F, 1e-3F) << beam << ", " << range;
+  }
+}
+
+TEST(FrameImage, AnAntennaThatTellsElevationsApartAsksForTheGround) {
+  const OneBin bin(9000.0);
+  try {
+    (void)image_of(bin.frame(), bin.pose(), radar_with(radar::GaussianBeam{}));
+    FAIL() << "bins do not say how far below the radar they are";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("ground_below"));
+  }
+  EXPECT_NO_THROW((void)image_of(bin.frame(), bin.pose(), radar_with(radar::EvenBeam{})));
+}
+
+TEST(FrameImage, TheGroundBelowAFrameIsItsTerrain) {
+  // An even slope is the same at all levels of the terrain.
+  ExampleGround example;
+  example.sigma0 = [](const radar::Look& look) { return constant_gamma(0.1, look); };
+  example.height_m = [](Vec2d way) { return 100.0 + 0.1 * way.x - 0.05 * way.y; };
+  const ScratchFolder folder;
+  const atlas::Store store = example.store(folder.path("atlas"));
+  const auto ground = example.over(store);
+  const ExampleView view;
+  LiveRenderer renderer(ground, view.settings(FrameContent::Powers));
+  const Frame& frame = renderer.render(view.pose());
+  const GroundHeight below = ground_below(frame, view.pose(), *ground);
+  for (const Vec2d way : {Vec2d{0.0, 0.0}, {217.0, -133.0}, {-300.0, 250.0}})
+    EXPECT_NEAR(below(example.middle() + way), example.height_m(way), 1e-2) << way.x;
+}
+
+}  // namespace
+}  // namespace sigmascape::render
