@@ -29,8 +29,14 @@ class WithGil {
   std::optional<pybind11::gil_scoped_acquire> gil_;
 };
 
+/// Whether Python ends the threads that want the GIL. Needs no GIL.
+[[nodiscard]] bool python_has_ended();
+
+/// Whether this is Python's main thread, the only one that hears signals. Needs no GIL.
+[[nodiscard]] bool is_main_thread();
+
 /// Lets the work of daemon threads come to its end, or to where it heeds an Interruption, before the process takes down
-/// what they work with. To be called once.
-void end_after_work_without_gil();
+/// what they work with, and notes which is the main thread. To be called once, with the GIL.
+void look_after_threads();
 
 }  // namespace sigmascape::python

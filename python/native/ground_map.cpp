@@ -1,4 +1,5 @@
 #include <cmath>
+#include <map>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
@@ -14,6 +15,7 @@
 #include "sigmascape/product/map_file.h"
 #include "sigmascape/product/map_metrics.h"
 #include "sigmascape/product/map_picture.h"
+#include "sigmascape/product/map_view.h"
 
 namespace sigmascape::python {
 namespace {
@@ -24,13 +26,20 @@ using radar::GroundMap;
 
 void save(const GroundMap& map, const std::filesystem::path& path, bool db,
           const std::optional<std::string>& polarization, double span_db, const std::optional<double>& top_db) {
-  if (product::is_map_name(path))
-    return product::write_map(path, map, db ? product::MapScale::Decibels : product::MapScale::Linear);
+  // Others may assign metadata while this writes without the GIL.
+  const std::map<std::string, std::string> metadata = map.metadata;
+  const WithoutGil released;
+  if (product::is_map_name(path)) {
+    const product::MapView view{map.grid, map.sigma0, map.crs, metadata, product::sigma0_quantity()};
+    return product::write_map(path, view, db ? product::MapScale::Decibels : product::MapScale::Linear);
+  }
   if (file_ending(path) != ".png") {
     throw Error(path.string(), "is no kind of file that maps are saved as", "end the name in .tif, .npy, .npz or .png");
   }
+  const GroundMap pictured{map.grid, map.sigma0, map.crs, metadata};
   product::write_map_picture(
-      path, map, {.polarization = polarization_from(polarization, map.metadata), .span_db = span_db, .top_db = top_db});
+      path, pictured,
+      {.polarization = polarization_from(polarization, metadata), .span_db = span_db, .top_db = top_db});
 }
 
 py::array_t<float> decibels(const GroundMap& map, const std::optional<std::string>& polarization, double floor_db) {
@@ -100,7 +109,7 @@ void add_ground_map(py::module_& module) {
            "10 lg sigma0, float32 [row, column]; not darker than `floor_db`, NaN where the radar did not look.\n"
            "polarization: None for the radar's, which the metadata tell.")
       .def("save", &save, py::arg("path"), py::kw_only(), py::arg("db") = false, py::arg("polarization") = py::none(),
-           py::arg("span_db") = 50.0, py::arg("top_db") = py::none(), py::call_guard<WithoutGil>(),
+           py::arg("span_db") = 50.0, py::arg("top_db") = py::none(),
            "Writes a cloud-optimised GeoTIFF (.tif: sigma0, CRS, metadata), NumPy files (.npy with .json, .npz), or a\n"
            "picture with its legend and world file (.png). db: sigma0 in decibels instead of linear; the other\n"
            "arguments are for pictures. polarization: None for the radar's.")

@@ -34,7 +34,7 @@ PYBIND11_MODULE(_native, module) {
       "and what would be right.";
   error_class = error.release();
   pybind11::register_exception_translator(&raise_error);
-  python::end_after_work_without_gil();
+  python::look_after_threads();
   python::add_scene(module);
   python::add_targets(module);
   python::add_radar(module);

@@ -2,14 +2,20 @@
 
 #include <algorithm>
 #include <bit>
+#include <chrono>
 #include <fmt/format.h>
 #include <iterator>
+#include <mutex>
 #include <numeric>
+#include <pthread.h>
+#include <thread>
+#include <unistd.h>
 #include <utility>
 
 #include "sigmascape/atlas/half_texture.h"
 #include "sigmascape/atlas/texture_file.h"
 #include "sigmascape/base/error.h"
+#include "sigmascape/base/interruption.h"
 #include "sigmascape/base/machine_memory.h"
 #include "sigmascape/base/parallel.h"
 #include "sigmascape/radar/channels.h"
@@ -18,6 +24,36 @@ namespace sigmascape::atlas {
 namespace {
 
 constexpr std::size_t channels = radar::Channels::count;
+
+/// Of all tables: held as long as one is looked through or filled, never while files are read.
+std::mutex looking_and_filling;
+
+/// Forks wait for it, so that a child finds it free and no table half filled.
+[[maybe_unused]] const int kept_from_forks = ::pthread_atfork(
+    [] { looking_and_filling.lock(); }, [] { looking_and_filling.unlock(); }, [] { looking_and_filling.unlock(); });
+
+/// The turn of one who reads. A child that was forked off has none of the threads that had one, and does not wait.
+class Turn {
+ public:
+  explicit Turn(std::atomic<pid_t>& taken_in) : taken_in_(taken_in) {
+    while (!is_had()) {
+      Interruption::heed();
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+  }
+  ~Turn() { taken_in_ = 0; }
+  Turn(const Turn&) = delete;
+  Turn& operator=(const Turn&) = delete;
+
+ private:
+  bool is_had() {
+    pid_t before = taken_in_;
+    return before != here_ && taken_in_.compare_exchange_strong(before, here_);
+  }
+
+  const pid_t here_ = ::getpid();
+  std::atomic<pid_t>& taken_in_;
+};
 
 /// Goes on below the stored levels, from 256 texels a side down to one. Means are not brighter than the brightest, so
 /// the scale fits on.
@@ -65,6 +101,7 @@ std::vector<std::size_t> PatchTable::missing(const PatchBlock& wanted, std::size
            patch.y <= wanted.north_east.y;
   };
   std::vector<std::size_t> numbers;
+  const std::scoped_lock lock(looking_and_filling);
   for (std::size_t number = 0; number < patches_.size(); ++number) {
     if (is_wanted(block_[number]) && patches_[number].levels[first].empty()) numbers.push_back(number);
   }
@@ -75,6 +112,7 @@ std::vector<std::size_t> PatchTable::missing(const PatchBlock& wanted, std::size
 void PatchTable::check_whole(const std::vector<std::size_t>& numbers) const {
   std::vector<StoreFault> faults;
   for (const std::size_t number : numbers) {
+    Interruption::heed();
     for (const LookIndex look : looks_) {
       if (auto fault = texture_fault(store_, store_.texture_path(block_[number], look), Scrutiny::Size))
         faults.push_back(std::move(*fault));
@@ -107,8 +145,10 @@ void PatchTable::check_room(const std::vector<std::size_t>& numbers, std::size_t
 }
 
 void PatchTable::read(const PatchBlock& wanted, std::size_t from_level) {
-  const std::scoped_lock lock(reading_);
   const std::size_t first = std::max(from_level, finest_level_) - finest_level_;
+  if (missing(wanted, first).empty()) return;
+  const Turn turn(read_in_);
+  // Whoever had the turn before may have read it.
   const std::vector<std::size_t> numbers = missing(wanted, first);
   if (numbers.empty()) return;
   check_whole(numbers);
@@ -134,6 +174,11 @@ void PatchTable::read(const PatchBlock& wanted, std::size_t from_level) {
       if (!patch.levels[level].empty()) place(texture.levels[finest_level_ + level], patch.levels[level], look, looks);
     }
   });
+  fill(numbers, fresh, first);
+}
+
+void PatchTable::fill(const std::vector<std::size_t>& numbers, std::vector<PatchTexels>& fresh, std::size_t first) {
+  const std::scoped_lock lock(looking_and_filling);
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     PatchTexels& patch = patches_[numbers[i]];
     if (patch.scales.empty()) patch.scales = std::move(fresh[i].scales);
@@ -145,6 +190,7 @@ void PatchTable::read(const PatchBlock& wanted, std::size_t from_level) {
 
 std::size_t PatchTable::memory_bytes() const {
   std::size_t bytes = 0;
+  const std::scoped_lock lock(looking_and_filling);
   for (const PatchTexels& patch : patches_) {
     for (const std::vector<Half>& level : patch.levels) bytes += level.size() * sizeof(Half);
   }
