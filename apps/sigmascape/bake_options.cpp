@@ -73,11 +73,11 @@ void BakeOptions::add_texels_and_looks(Command command) {
   command.add_option("--azimuths", azimuths, "number of azimuths, evenly spaced from north")
       .capture_default_str()
       .check(count_within(1U, atlas::most_azimuths));
-  command.add_option("--elevations-deg", elevations_deg, "grazing angles")
+  command.add_option("--elevations-deg", elevations_deg, "grazing angles, with commas between")
       .delimiter(',')
       .capture_default_str()
       .check(elevation_deg());
-  command.add_option("--frequencies-ghz", frequencies_ghz, "frequencies")
+  command.add_option("--frequencies-ghz", frequencies_ghz, "frequencies, with commas between")
       .delimiter(',')
       .capture_default_str()
       .check(number_within(1e-3, 1e3));

@@ -43,6 +43,8 @@ Option Option::check(const Validator& validator) const {
 
 Option Option::delimiter(char between) const {
   of_->delimiter(between);
+  // A vector would take all words that follow, those that stand by themselves too.
+  of_->allow_extra_args(false);
   return *this;
 }
 

@@ -36,7 +36,7 @@ class Option {
   Option capture_default_str() const;
   Option default_str(const std::string& text) const;
   Option check(const Validator& validator) const;
-  /// Between the values of one word.
+  /// Between the values of a word. A list is one word.
   Option delimiter(char between) const;
   /// So many values.
   Option expected(int values) const;

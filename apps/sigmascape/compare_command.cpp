@@ -38,8 +38,8 @@ void add_compare_command(Command app, Output& output) {
                      "the truth traced again with another seed: how close two of them come");
   command
       .add_option("--cells-m", options->compare.cells_m,
-                  "cell sizes to average to before comparing; when nothing is said 2, 4, 8, 16 and 32 where the maps' "
-                  "cells go into them, else 1 to 16 times these")
+                  "cell sizes to average to before comparing, with commas between; when nothing is said 2, 4, 8, 16 "
+                  "and 32 where the maps' cells go into them, else 1 to 16 times these")
       .delimiter(',');
   command.add_option("--floor-db", options->compare.floor_db, "darker cells count as this dark")
       .capture_default_str()

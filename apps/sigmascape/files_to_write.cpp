@@ -20,17 +20,17 @@ std::vector<std::filesystem::path> with_companion(const std::filesystem::path& f
       {{".npy", ".json"}, {".png", ".pgw"}, {".sigmf-meta", ".sigmf-data"}}};
   std::vector<std::filesystem::path> files{file};
   for (const auto& [ending, companion] : companions) {
-    if (file_ending(file) == ending) files.push_back(std::filesystem::path(file).replace_extension(companion));
+    if (file_ending(file) == ending) files.push_back(geo::companion_of(file, companion));
   }
   return files;
 }
 
-/// One path for all that name the same file, links in folders among them.
+/// One path for all that name the same file, by links too.
 std::filesystem::path known_path(const std::filesystem::path& file) {
   std::error_code fault;
-  const std::filesystem::path absolute = std::filesystem::absolute(file).lexically_normal();
+  const std::filesystem::path absolute = std::filesystem::absolute(geo::end_of_links(file));
   const std::filesystem::path folder = std::filesystem::weakly_canonical(absolute.parent_path(), fault);
-  return (fault ? absolute.parent_path() : folder) / absolute.filename();
+  return fault ? absolute.lexically_normal() : folder / absolute.filename();
 }
 
 /// Whether it is that file, or lies in that folder.

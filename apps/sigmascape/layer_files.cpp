@@ -61,10 +61,10 @@ std::vector<radar::Layer> bounce_layers(const std::vector<std::string>& names, c
 void add_layer_options(Command command, LayerFiles& files) {
   command
       .add_option("--layers", files.names,
-                  "layers over the map's cells: shadow, layover, incidence, range, class, height; at level of detail 0 "
-                  "also bounce1 to bounce9 (sigma0 by number of bounces, no more than --bounces) and multibounce (part "
-                  "of the power that "
-                  "came over more than one), of --polarization or else the radar file's")
+                  "layers over the map's cells, with commas between: shadow, layover, incidence, range, class, height; "
+                  "at level of detail 0 also bounce1 to bounce9 (sigma0 by number of bounces, no more than --bounces) "
+                  "and multibounce (part of the power that came over more than one), of --polarization or else the "
+                  "radar file's")
       .delimiter(',');
   command.add_option("--layers-out", files.file, "GeoTIFF to write them to, a band for each");
 }

@@ -7,15 +7,19 @@
 #include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <iostream>
 #include <new>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <unistd.h>
 #include <vector>
 
 #include "command.h"
+#include "standard_error.h"
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/toml_reader.h"
@@ -143,7 +147,10 @@ int run(int argc, char** argv) {
   } catch (const CLI::RuntimeError& ended) {
     return ended.get_exit_code();
   } catch (const CLI::ParseError& wrong_use) {
-    return app.exit(wrong_use) == 0 ? 0 : 2;
+    std::ostringstream said;
+    const int code = app.exit(wrong_use, std::cout, said) == 0 ? 0 : 2;
+    say(said.str());
+    return code;
   }
   return 0;
 }
@@ -161,9 +168,18 @@ void end_by_signals_as_first_process() {
     static_cast<void>(std::signal(signal, [](int by) { std::_Exit(128 + by); }));
 }
 
+/// A stream that was closed before the start leaves its number to the first file that is opened: a warning would go
+/// into a map. What is written under a number that is held for reading fails, as it does on a closed stream.
+void hold_numbers_of_closed_streams() {
+  int held = ::open("/dev/null", O_RDONLY);
+  while (held >= 0 && held <= STDERR_FILENO) held = ::open("/dev/null", O_RDONLY);
+  if (held >= 0) ::close(held);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  hold_numbers_of_closed_streams();
   end_by_signals_as_first_process();
   // A file that may not grow further is told of by the failed write, as a full disk is, and not by the end of this.
   static_cast<void>(std::signal(SIGXFSZ, SIG_IGN));
@@ -172,15 +188,12 @@ int main(int argc, char** argv) {
     sigmascape::cli::flush_standard_output();  // of help, which CLI11 prints
     return code;
   } catch (const std::bad_alloc&) {
-    std::fputs(
+    sigmascape::cli::say(
         "sigmascape: memory: there is not enough of it; ask for a smaller area, coarser cells, a shorter interval or "
-        "fewer threads\n",
-        stderr);
+        "fewer threads\n");
     return 1;
   } catch (const std::exception& failure) {
-    std::fputs("sigmascape: ", stderr);
-    std::fputs(failure.what(), stderr);
-    std::fputs("\n", stderr);
+    for (const char* part : {"sigmascape: ", failure.what(), "\n"}) sigmascape::cli::say(part);
     return 1;
   }
 }

@@ -114,6 +114,7 @@ std::vector<double> powers_of(const PlotOptions& options) {
   return powers;
 }
 
+/// Zeros are of the spread: what a converter rounded away, or ground that nothing returns from.
 std::vector<double> amplitudes_of(const PlotOptions& options) {
   const auto array = product::read_complex_npy(options.input);
   const std::size_t channels = array.shape.size() == 3 ? array.shape[2] : 1;
@@ -123,7 +124,7 @@ std::vector<double> amplitudes_of(const PlotOptions& options) {
   std::vector<double> amplitudes;
   for (std::size_t i = channel; i < array.numbers.size(); i += channels) {
     const auto amplitude = static_cast<double>(std::abs(array.numbers[i]));
-    if (amplitude > 0.0 && std::isfinite(amplitude)) amplitudes.push_back(amplitude);
+    if (std::isfinite(amplitude)) amplitudes.push_back(amplitude);
   }
   return amplitudes;
 }
@@ -141,7 +142,8 @@ void plot_histogram(const PlotOptions& options, const Output& output) {
   }
   const std::vector<double> values = is_iq ? amplitudes_of(options) : powers_of(options);
   if (values.empty() || !(std::accumulate(values.begin(), values.end(), 0.0) > 0.0))
-    throw Error(options.input, "has no cells with power there", "choose another --area");
+    throw Error(options.input, is_iq ? "has no samples with power" : "has no cells with power there",
+                is_iq ? "choose another --polarization or recording" : "choose another --area");
   const Histogram histogram =
       is_iq ? amplitude_histogram(values, options.bins) : power_histogram(values, options.looks, options.bins);
   finish(options, histogram.plot, output,

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "standard_error.h"
+
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/product/ground_projection.h"
@@ -89,7 +91,7 @@ radar::PowerMap received_map(const radar::Radar& radar, const radar::RangeAzimut
 }
 
 void warn_of(const radar::Radar& radar, std::span<const std::string> warnings) {
-  for (const std::string& warning : warnings) fmt::print(stderr, "warning: {}: {}\n", radar::title_of(radar), warning);
+  for (const std::string& warning : warnings) warn(fmt::format("{}: {}", radar::title_of(radar), warning));
 }
 
 }  // namespace sigmascape::cli

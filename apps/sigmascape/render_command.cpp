@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <limits>
 #include <map>
 #include <optional>
@@ -19,6 +20,7 @@
 #include "scene_warnings.h"
 #include "scope_files.h"
 #include "seed_option.h"
+#include "standard_error.h"
 #include "stopwatch.h"
 #include "terminal_progress.h"
 #include "threads_option.h"
@@ -246,6 +248,14 @@ bool writes_a_file(const RenderOptions& options) {
   return std::ranges::any_of(files_of(options), [](const Written& written) { return !written.file.empty(); });
 }
 
+/// Where pulses alone are asked for there is no map beside them: it would take its time, and it wants the radar to
+/// stand higher.
+bool makes_map(const RenderOptions& options) {
+  return options.iq.file.empty() || std::ranges::any_of(files_of(options), [&](const Written& written) {
+           return &written.file != &options.iq.file && !written.file.empty();
+         });
+}
+
 void check_crs(const RenderOptions& options, const geo::LocalFrame& frame, const radar::GroundGrid& grid) {
   if (options.crs.empty()) return;
   static_cast<void>(geo::CoordinateTransform(options.crs, frame, "--crs"));
@@ -294,6 +304,40 @@ radar::GroundGrid write_maps(const RenderOptions& options, const scene::Scene& s
   return map.grid;
 }
 
+/// What of the work is told when it is done.
+struct Told {
+  std::string words;
+  nlohmann::ordered_json numbers;
+};
+
+/// Makes the map and writes all that is asked for of it.
+Told made_map(const RenderOptions& options, const scene::Scene& scene, const atlas::Store* store,
+              const radar::Radar& radar, const radar::GroundGrid& grid, const std::vector<radar::Target>& targets,
+              const Provenance& origin, const product::PictureOptions& look) {
+  Rendered rendered = options.level_of_detail == 0 ? traced(options, scene, radar, grid)
+                                                   : baked(options, scene, *store, radar, grid, targets, origin);
+  rendered.provenance.insert(origin.begin(), origin.end());
+  const bool is_real_beam = !rendered.coherent;
+  if (is_real_beam) {
+    write_received(options.received, radar, rendered.image, look.polarization,
+                   receiver::noise_seed(options.trace.seed, options.trace.dwell, look.polarization),
+                   options.trace.threads, rendered.provenance);
+  }
+  const radar::GroundGrid cells = write_maps(options, scene, radar, grid, rendered, look);
+  if (is_real_beam) write_scopes(options.scopes, radar, rendered.image, look, rendered.provenance);
+  Told told{.words = {},
+            .numbers = {{"level_of_detail", options.level_of_detail},
+                        {"columns", cells.columns},
+                        {"rows", cells.rows},
+                        {"seconds", rendered.seconds}}};
+  told.numbers.update(rendered.cost);
+  const std::string size = options.crs.empty() ? fmt::format("of {} m", cells.cell_m)
+                                               : fmt::format("in {}, from cells of {} m,", options.crs, grid.cell_m);
+  told.words = fmt::format("{} x {} cells {} at level of detail {} in {:.3f} s", cells.columns, cells.rows, size,
+                           options.level_of_detail, rendered.seconds);
+  return told;
+}
+
 void render(RenderOptions options, std::optional<radar::Polarization> polarization, const Output& output) {
   check_files(options);
   const auto radar_file = radar_file_of(options, polarization);
@@ -310,11 +354,13 @@ void render(RenderOptions options, std::optional<radar::Polarization> polarizati
   const auto radar = simulate::placed_radar(radar_file, scene.frame, scene.terrain, scene.extent, options.time_s);
   const auto grid = simulate::map_grid(radar_file.map, scene.extent);
   check_crs(options, scene.frame, grid);
-  check_coherent(options, radar);
+  const bool has_map = makes_map(options);
+  if (has_map) check_coherent(options, radar);
   if (!options.explain && !writes_a_file(options))
-    fmt::print(stderr, "warning: no file is written; name one with --out, --png or another option\n");
+    warn("no file is written; name one with --out, --png or another option");
   warn_of_scene(scene);
-  warn_of(radar, simulate::map_warnings(radar, radar_file.map, scene.terrain, scene.extent));
+  warn_of(radar, (has_map ? simulate::map_warnings : simulate::area_warnings)(radar, radar_file.map, scene.terrain,
+                                                                              scene.extent));
   const std::string hash = scene::scene_hash(scene);
   const std::optional<atlas::Store> store = atlas_of(options, hash);
   const std::string advice =
@@ -340,34 +386,22 @@ void render(RenderOptions options, std::optional<radar::Polarization> polarizati
                          options.trace.threads,
                          origin};
   check(options.iq, pulses);
-  Rendered rendered = options.level_of_detail == 0 ? traced(options, scene, radar, grid)
-                                                   : baked(options, scene, *store, radar, grid, targets, origin);
-  rendered.provenance.insert(origin.begin(), origin.end());
-
-  const bool is_real_beam = !rendered.coherent;
-  if (is_real_beam) {
-    write_received(options.received, radar, rendered.image, look.polarization,
-                   receiver::noise_seed(options.trace.seed, options.trace.dwell, look.polarization),
-                   options.trace.threads, rendered.provenance);
-  }
-  const radar::GroundGrid cells = write_maps(options, scene, radar, grid, rendered, look);
-  if (is_real_beam) write_scopes(options.scopes, radar, rendered.image, look, rendered.provenance);
-  write_iq_files(options.iq, pulses);
-
   nlohmann::ordered_json summary;
   for (const Written& written : files_of(options)) summary[written.word] = written.file;
-  summary.update({{"level_of_detail", options.level_of_detail},
-                  {"columns", cells.columns},
-                  {"rows", cells.rows},
-                  {"seconds", rendered.seconds}});
-  summary.update(rendered.cost);
+  std::vector<std::string> words;
+  if (has_map) {
+    const Told map = made_map(options, scene, pulses.atlas, radar, grid, targets, origin, look);
+    summary.update(map.numbers);
+    words.push_back(map.words);
+  }
+  if (const auto recorded = write_iq_files(options.iq, pulses)) {
+    summary.update(recorded->numbers);
+    words.push_back(recorded->words);
+  }
   if (options.explain) summary["advised_detail"] = advice;
-  const std::string size = options.crs.empty() ? fmt::format("of {} m", cells.cell_m)
-                                               : fmt::format("in {}, from cells of {} m,", options.crs, grid.cell_m);
-  output.finish(fmt::format("{}{} x {} cells {} at level of detail {} in {:.3f} s",
-                            options.explain ? "The resolution cell asks for " + advice : "", cells.columns, cells.rows,
-                            size, options.level_of_detail, rendered.seconds),
-                summary);
+  output.finish(
+      fmt::format("{}{}", options.explain ? "The resolution cell asks for " + advice : "", fmt::join(words, "; ")),
+      summary);
 }
 
 }  // namespace
@@ -413,13 +447,14 @@ void add_render_command(Command app, Output& output) {
           .add_option("--top-db", options->top_db, "sigma0 shown brightest; by default that of the brightest few cells")
           .check(number_within(-1000.0, 1000.0));
   const auto stated = add_polarization_option(command, *polarization);
-  command.add_option("--crs", options->crs, "coordinate system of maps and layers: EPSG code, PROJ string or WKT");
+  const auto crs =
+      command.add_option("--crs", options->crs, "coordinate system of maps and layers: EPSG code, PROJ string or WKT");
   const auto up = add_scope_options(command, options->scopes);
   add_received_options(command, options->received);
   add_layer_options(command, options->layers);
   const auto of_pulses = add_iq_options(command, options->iq);
-  command.add_flag("--extrapolate", options->extrapolate,
-                   "at a frequency that was not baked, use the nearest that was");
+  const auto extrapolate = command.add_flag("--extrapolate", options->extrapolate,
+                                            "at a frequency that was not baked, use the nearest that was");
   const auto samples =
       command.add_option("--samples", options->trace.samples_per_cell, "rays a map cell, at level of detail 0")
           .capture_default_str()
@@ -455,13 +490,19 @@ void add_render_command(Command app, Output& output) {
   const auto has_picture = [options] {
     return !options->picture_file.empty() || !options->scopes.ppi.empty() || !options->scopes.b_scope.empty();
   };
+  const auto has_cells = [options, has_map] {
+    return has_map() || !options->picture_file.empty() || !options->layers.file.empty();
+  };
   const auto is_traced = [options] { return options->level_of_detail == 0; };
+  const auto asks_atlas = [options] { return options->level_of_detail > 0 || !options->iq.file.empty(); };
   std::vector<MannerOption> manners = of_pulses;
   manners.insert(manners.end(), {up,
                                  {decibels, "--db", "--out or --power", has_map},
                                  {style, "--style", "--png, --ppi or --b-scope", has_picture},
                                  {span, "--span-db", "--png, --ppi or --b-scope", has_picture},
                                  {top, "--top-db", "--png, --ppi or --b-scope", has_picture},
+                                 {crs, "--crs", "--out, --power, --png or --layers-out", has_cells},
+                                 {extrapolate, "--extrapolate", "--lod 1 and up and of --iq", asks_atlas},
                                  {samples, "--samples", "--lod 0", is_traced},
                                  {bounces, "--bounces", "--lod 0", is_traced}});
   command.callback([level, stated, manners, options, polarization, &output] {

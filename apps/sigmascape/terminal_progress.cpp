@@ -1,9 +1,9 @@
 #include "terminal_progress.h"
 
-#include <cstdio>
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "standard_error.h"
 #include "words.h"
 
 namespace sigmascape::cli {
@@ -20,7 +20,7 @@ TerminalProgress::~TerminalProgress() {
 }
 
 void TerminalProgress::erase_line() {
-  if (line_shown_) fmt::print(stderr, "\r\033[K");
+  if (line_shown_) say("\r\033[K");
   line_shown_ = false;
 }
 
@@ -54,8 +54,7 @@ bool TerminalProgress::may_show() const {
 
 void TerminalProgress::show(const std::string& line) {
   shown_ = Clock::now();
-  fmt::print(stderr, "{}{}{}", is_terminal_ ? "\r\033[K" : "", line, is_terminal_ ? "" : "\n");
-  std::fflush(stderr);
+  say(is_terminal_ ? "\r\033[K" + line : line + "\n");
   line_shown_ = is_terminal_;
 }
 

@@ -154,6 +154,23 @@ TEST_F(Plots, HistogramsOfSpeckleFollowTheirDensities) {
   EXPECT_EQ(part.at("samples"), 64 * 64);
 }
 
+// One sample of ten is one and the rest none: the mean is p = 0.1 and the variance p − p², nine times the mean squared.
+TEST_F(Plots, ZerosAreOfTheSpreadOfIq) {
+  const auto recording = [&](float last) {
+    std::vector<std::complex<float>> samples(10);
+    samples.back() = {0.0F, last};
+    const std::array<std::size_t, 3> shape{10, 1, 1};
+    return folder_.write("iq.npy", product::npy_bytes("<c8", shape, std::as_bytes(std::span(samples)))).string();
+  };
+  const Json amplitudes = drawn("histogram '" + recording(1.0F) + "'");
+  EXPECT_EQ(amplitudes.at("samples"), 10);
+  EXPECT_NEAR(amplitudes.at("mean").get<double>(), 0.1, 1e-12);
+  EXPECT_NEAR(amplitudes.at("deviation_over_mean").get<double>(), 3.0, 1e-12);
+  EXPECT_EQ(run("plot histogram '" + recording(0.0F) + "' --out x.svg"), 1);
+  EXPECT_NE(told().find("iq.npy: has no samples with power; choose another --polarization"), std::string::npos)
+      << told();
+}
+
 // Level grass with houses: open ground answers alike from everywhere, as sin ψ goes.
 TEST_F(Plots, APlaceOfAnAtlasAnswersByAspect) {
   const auto scene = write_made_scene(folder_.path("scene"), 160, 160);

@@ -171,10 +171,10 @@ ItemPlace place_of(const AtlasDescription& description, const PyramidTile& tile)
           fmt::format("./{}", catalog_name)};
 }
 
-/// Beside the collection.
-ItemPlace beside_collection(const AtlasDescription& description) {
+/// Beside the collection, of a file of these cells.
+ItemPlace beside_collection(const AtlasDescription& description, const radar::GroundGrid& cells) {
   const std::string collection = fmt::format("./{}", collection_name);
-  return {Footprint(description, whole_grid(description)), collection, collection};
+  return {Footprint(description, cells), collection, collection};
 }
 
 constexpr const char* own_hash = "sigmascape:item_sha256";
@@ -420,12 +420,12 @@ std::string obstacles_item_text(const AtlasDescription& description, const Pyram
                  {{"obstacles", asset}});
 }
 
-std::string terrain_item_text(const AtlasDescription& description, const TextureRecord& record) {
+std::string terrain_item_text(const AtlasDescription& description, const radar::GroundGrid& cells,
+                              const TextureRecord& record) {
   Json properties = timeless();
-  properties["proj:code"] = nullptr;
-  properties["proj:wkt2"] = geo::wkt2_from(description.frame.proj());
+  properties.update(place_properties(description, cells));
   properties.update(file_properties(description, record));
-  return item_of("terrain", description, beside_collection(description), place_extensions(), properties,
+  return item_of("terrain", description, beside_collection(description, cells), place_extensions(), properties,
                  {{"terrain", file_asset(terrain_name, "Heights of the ground in metres, orthometric", cloud_optimised,
                                          "data", record)}});
 }

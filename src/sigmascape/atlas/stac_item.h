@@ -7,6 +7,7 @@
 
 #include "sigmascape/atlas/pyramid_tiles.h"
 #include "sigmascape/atlas/store.h"
+#include "sigmascape/radar/ground_grid.h"
 
 namespace sigmascape::atlas {
 
@@ -48,7 +49,9 @@ struct TextureRecord {
                                               const std::filesystem::path& file, const TextureRecord& record);
 
 /// The item of the heights of the whole scene, to stand beside them in the folder of the store (atlas/terrain_file.h).
-[[nodiscard]] std::string terrain_item_text(const AtlasDescription& description, const TextureRecord& record);
+/// Their cells lie as the scene's terrain does, and need not be those of patches.
+[[nodiscard]] std::string terrain_item_text(const AtlasDescription& description, const radar::GroundGrid& cells,
+                                            const TextureRecord& record);
 
 /// What an item that was read records of its file, or what is wrong with it, "was altered: …".
 struct FoundItem {

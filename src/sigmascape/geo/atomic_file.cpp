@@ -230,7 +230,8 @@ void make_folder(const std::filesystem::path& path) {
 
 /// Lays a file down under a name of its own, all of it on the disk, and then under its final one.
 template <typename Lay>
-void put_in_place(const std::filesystem::path& path, const Lay& lay) {
+void put_in_place(const std::filesystem::path& named, const Lay& lay) {
+  const std::filesystem::path path = end_of_links(named);
   make_folder(path);
   TemporaryFile temporary(path);
   lay(temporary.path());
@@ -239,6 +240,29 @@ void put_in_place(const std::filesystem::path& path, const Lay& lay) {
 }
 
 }  // namespace
+
+std::filesystem::path end_of_links(const std::filesystem::path& path) {
+  constexpr int most_links = 40;  // as many in a row as Linux follows
+  std::filesystem::path end = path;
+  for (int followed = 0; followed <= most_links; ++followed) {
+    std::error_code is_no_link;
+    const std::filesystem::path target = std::filesystem::read_symlink(end, is_no_link);
+    if (is_no_link) return end;
+    end = end.parent_path() / target;
+  }
+  throw Error(path.string(), "is a symbolic link that leads nowhere but to links", "remove it or name another file");
+}
+
+std::filesystem::path companion_of(const std::filesystem::path& path, const std::string& ending) {
+  const std::filesystem::path end = end_of_links(path);
+  std::filesystem::path companion = end;
+  companion.replace_extension(ending);
+  if (companion == end) {
+    throw Error(path.string(), fmt::format("leads to {}, where what belongs beside it would lie", end.string()),
+                fmt::format("let it lead to a name that ends in {}", path.extension().string()));
+  }
+  return companion;
+}
 
 void write_atomically(const std::filesystem::path& path,
                       const std::function<void(const std::filesystem::path& temporary)>& writer) {
@@ -260,7 +284,8 @@ void write_atomically(const std::filesystem::path& path, std::string_view conten
   put_in_place(path, [&](const std::filesystem::path& temporary) { fill(temporary, path, content); });
 }
 
-bool write_if_absent(const std::filesystem::path& path, std::string_view content) {
+bool write_if_absent(const std::filesystem::path& named, std::string_view content) {
+  const std::filesystem::path path = end_of_links(named);
   make_folder(path);
   TemporaryFile temporary(path);
   fill(temporary.path(), path, content);
@@ -269,7 +294,9 @@ bool write_if_absent(const std::filesystem::path& path, std::string_view content
   return true;
 }
 
-void write_together(const std::vector<FileContent>& files) {
+void write_together(const std::vector<FileContent>& named) {
+  std::vector<FileContent> files;
+  for (const auto& [path, content] : named) files.push_back({end_of_links(path), content});
   std::deque<TemporaryFile> temporaries;
   for (const auto& [path, content] : files) {
     make_folder(path);
@@ -288,7 +315,8 @@ void write_together(const std::vector<FileContent>& files) {
   for (const FileContent& file : files) flush_folder(file.path.parent_path());
 }
 
-void check_place_for(const std::filesystem::path& path) {
+void check_place_for(const std::filesystem::path& named) {
+  const std::filesystem::path path = end_of_links(named);
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) throw Error(path.string(), "is a folder", "name a file");
   std::filesystem::path above = std::filesystem::absolute(path).parent_path();

@@ -3,12 +3,22 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <string>
 #include <string_view>
 #include <vector>
 
 namespace sigmascape::geo {
 
-/// Puts a file under its final name only when it is whole.
+/// The file that a name stands for: the name itself, or what it leads to where it is a symbolic link, whether something
+/// is there or not. Throws Error where links go round.
+[[nodiscard]] std::filesystem::path end_of_links(const std::filesystem::path& path);
+
+/// What lies beside a file under its name but for the ending, of which `ending` has the dot: beside what a symbolic
+/// link leads to, where its content goes. Throws Error where that has this ending itself.
+[[nodiscard]] std::filesystem::path companion_of(const std::filesystem::path& path, const std::string& ending);
+
+/// Puts a file under its final name only when it is whole. Where the name is a symbolic link, that is the name at the
+/// end of it, and the link stays.
 ///
 /// Creates the parent folders, reserves an empty file under a name of its own in the same folder, lets `writer` fill
 /// it, flushes it to the disk, renames it over `path` and flushes the folder. When anything fails, a full disk

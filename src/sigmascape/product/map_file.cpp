@@ -81,14 +81,6 @@ std::string archive_of(const MapView& map, MapScale scale, const std::string& wh
                    where, "write GeoTIFF (.tif) or .npy");
 }
 
-void write_view(const std::filesystem::path& path, const MapView& map, MapScale scale) {
-  check_map_name(path);
-  if (geo::is_geotiff_name(path)) return write_map_geotiff(path, map, scale);
-  if (file_ending(path) == ".npz") return geo::write_atomically(path, archive_of(map, scale, path.string()));
-  const std::string description = description_of(map, scale), numbers = numbers_bytes(map, scale);
-  geo::write_together({{std::filesystem::path(path).replace_extension(".json"), description}, {path, numbers}});
-}
-
 }  // namespace
 
 bool is_map_name(const std::filesystem::path& path) {
@@ -101,12 +93,20 @@ void check_map_name(const std::filesystem::path& path) {
   throw Error(path.string(), "is no kind of file that maps are written as", "end the name in .tif, .npy or .npz");
 }
 
+void write_map(const std::filesystem::path& path, const MapView& map, MapScale scale) {
+  check_map_name(path);
+  if (geo::is_geotiff_name(path)) return write_map_geotiff(path, map, scale);
+  if (file_ending(path) == ".npz") return geo::write_atomically(path, archive_of(map, scale, path.string()));
+  const std::string description = description_of(map, scale), numbers = numbers_bytes(map, scale);
+  geo::write_together({{geo::companion_of(path, ".json"), description}, {path, numbers}});
+}
+
 void write_map(const std::filesystem::path& path, const radar::GroundMap& map, MapScale scale) {
-  write_view(path, view_of(map), scale);
+  write_map(path, view_of(map), scale);
 }
 
 void write_map(const std::filesystem::path& path, const radar::PowerMap& map, MapScale scale) {
-  write_view(path, view_of(map), scale);
+  write_map(path, view_of(map), scale);
 }
 
 }  // namespace sigmascape::product

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "sigmascape/product/map_view.h"
 #include "sigmascape/radar/ground_map.h"
 #include "sigmascape/radar/power_map.h"
 
@@ -30,6 +31,9 @@ void write_map(const std::filesystem::path& path, const radar::GroundMap& map, M
 /// The same for received power: VV, HH and HV alone, in W or dBW; in .npz as `power_w` or `power_dbw`. As GeoTIFF see
 /// write_power_map.
 void write_map(const std::filesystem::path& path, const radar::PowerMap& map, MapScale scale = MapScale::Linear);
+
+/// The same for a map of either whose parts lie in different places.
+void write_map(const std::filesystem::path& path, const MapView& map, MapScale scale = MapScale::Linear);
 
 /// Whether `write_map` knows what to write under this name.
 [[nodiscard]] bool is_map_name(const std::filesystem::path& path);

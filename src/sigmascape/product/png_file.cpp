@@ -129,7 +129,7 @@ void check_png_name(const std::filesystem::path& path) {
 void write_png(const std::filesystem::path& path, const Picture& picture) {
   const std::string bytes = png_bytes(picture);
   const std::string world = world_file_text(picture.grid);
-  geo::write_together({{std::filesystem::path(path).replace_extension(".pgw"), world}, {path, bytes}});
+  geo::write_together({{geo::companion_of(path, ".pgw"), world}, {path, bytes}});
 }
 
 }  // namespace sigmascape::product

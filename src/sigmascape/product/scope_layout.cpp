@@ -2,17 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "sigmascape/base/units.h"
-#include "sigmascape/base/vec.h"
+#include "sigmascape/product/pixel_means.h"
 
 namespace sigmascape::product {
 namespace {
 
 using radar::Channels;
-
-constexpr float unseen = std::numeric_limits<float>::quiet_NaN();
 
 /// Horizontal area of a bin of range row `range` on level ground, as docs/physics/receiver.md, Eq. (2) has it.
 double bin_area_m2(const radar::RangeAzimuthGrid& grid, double range) {
@@ -22,28 +19,6 @@ double bin_area_m2(const radar::RangeAzimuthGrid& grid, double range) {
 Channels sigma0_of(const radar::RangeAzimuthImage& image, std::size_t azimuth, std::size_t range) {
   const double area_m2 = bin_area_m2(image.grid, static_cast<double>(range) + 0.5);
   return image.rcs_m2(azimuth, range) * static_cast<float>(1.0 / area_m2);
-}
-
-/// Bilinear between the centres of the bins, in units of bins; held at the outer ones, but where azimuths go round.
-Channels sigma0_at(const radar::RangeAzimuthImage& image, double azimuth, double range) {
-  const auto neighbours = [](double position, std::size_t count) {
-    const double held = std::clamp(position - 0.5, 0.0, static_cast<double>(count - 1));
-    const auto first = std::min(static_cast<std::size_t>(held), count > 1 ? count - 2 : 0);
-    return std::pair{first, static_cast<float>(held - static_cast<double>(first))};
-  };
-  const std::size_t azimuths = image.grid.azimuths;
-  auto [a, u] = neighbours(azimuth, azimuths);
-  const auto [r, v] = neighbours(range, image.grid.ranges);
-  std::size_t next_a = std::min(a + 1, azimuths - 1);
-  const std::size_t next_r = std::min(r + 1, image.grid.ranges - 1);
-  const double past_last = azimuth - 0.5 - static_cast<double>(azimuths - 1);
-  if (image.grid.goes_round() && (azimuth < 0.5 || past_last > 0.0)) {
-    a = azimuths - 1;
-    next_a = 0;
-    u = static_cast<float>(azimuth < 0.5 ? azimuth + 0.5 : past_last);
-  }
-  return sigma0_of(image, a, r) * ((1.0F - u) * (1.0F - v)) + sigma0_of(image, next_a, r) * (u * (1.0F - v)) +
-         sigma0_of(image, a, next_r) * ((1.0F - u) * v) + sigma0_of(image, next_a, next_r) * (u * v);
 }
 
 /// The smallest box about the sector, x to the right and y upwards when `up_rad` is at the top.
@@ -76,19 +51,7 @@ radar::GroundMap ppi(const radar::RangeAzimuthImage& image, const PpiOptions& op
   const double cell_m = std::max(box.width_m(), box.height_m()) / static_cast<double>(options.longer_side);
   map.grid = {box.west_m, box.north_m, cell_m, static_cast<std::size_t>(std::ceil(box.width_m() / cell_m)),
               static_cast<std::size_t>(std::ceil(box.height_m() / cell_m))};
-  map.sigma0 = Array2D<Channels>(map.grid.columns, map.grid.rows, {unseen, unseen, unseen, unseen});
-  for (std::size_t row = 0; row < map.grid.rows; ++row) {
-    for (std::size_t column = 0; column < map.grid.columns; ++column) {
-      const Vec2d place = map.grid.centre_of(column, row);
-      const double range = (length(place) - bins.first_range_m) / bins.range_step_m;
-      const double turned = std::atan2(place.x, place.y) + options.up_rad;
-      const double azimuth = wrapped_azimuth(turned - bins.first_azimuth_rad) / bins.azimuth_step_rad;
-      if (range < 0.0 || range >= static_cast<double>(bins.ranges) || azimuth >= static_cast<double>(bins.azimuths)) {
-        continue;
-      }
-      map.sigma0(column, row) = sigma0_at(image, azimuth, range);
-    }
-  }
+  map.sigma0 = pixel_means(image, map.grid, options.up_rad);
   return map;
 }
 

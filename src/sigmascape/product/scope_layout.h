@@ -16,7 +16,8 @@ struct PpiOptions {
 /// Plan position indicator: the sector as seen from above, range outwards from the radar, in σ0. No terrain comes in:
 /// points lie at their slant range.
 ///
-/// Bilinear between bins, in linear power; NaN outside the sector. `grid` of the map is a box about the sector in
+/// Pixels are means of what they cover, bilinear between bins, in linear power (pixel_means.h); NaN outside the sector.
+/// `grid` of the map is a box about the sector in
 /// metres from the radar, its rows pointing to `up_rad`; it has no coordinate system.
 [[nodiscard]] radar::GroundMap ppi(const radar::RangeAzimuthImage& image, const PpiOptions& options = {});
 

@@ -21,6 +21,7 @@
 #include "sigmascape/atlas/terrain_file.h"
 #include "sigmascape/atlas/texture_file.h"
 #include "sigmascape/base/error.h"
+#include "sigmascape/geo/geo_raster.h"
 
 namespace sigmascape::atlas {
 namespace {
@@ -43,10 +44,20 @@ class VerifyTest : public testing::Test {
       const radar::GroundGrid texels = description.patches.texels_of(patch);
       write_obstacles(atlas, patch, {texels, Array2D<radar::Obstacle>(texels.columns, texels.rows)});
     }
-    std::ofstream(folder_ / terrain_name) << "heights";
+    write_heights(description.frame);
     vouch_for_terrain(atlas);
   }
   void TearDown() override { fs::remove_all(folder_); }
+
+  /// So many and so different that a byte in the middle of the file is of one of them.
+  void write_heights(const geo::LocalFrame& frame) const {
+    Array2D<float> heights(100, 100);
+    for (std::size_t i = 0; i < heights.size(); ++i) heights.values()[i] = static_cast<float>(i * i % 997);
+    geo::write_geotiff(folder_ / terrain_name, {.placement = {-500.0, 500.0, 10.0, frame.proj()},
+                                                .bands = {{"HEIGHT_M", heights}},
+                                                .nodata = {},
+                                                .metadata = {}});
+  }
 
   static void fill(const Store& store) {
     for (const Unit& unit : store.units()) store.write(unit.patch, unit.look, example_texels(512, unit.look), {});

@@ -144,6 +144,70 @@ TEST_F(AtomicFile, OfFilesThatBelongTogetherTheFormerOnesStandAgain) {
   EXPECT_EQ(files(), 2U) << "neither a new name nor a temporary one";
 }
 
+// As with a shell's `>`: a picture that is published under a link is the new one wherever it is looked at.
+TEST_F(AtomicFile, LinksStayAndWhatTheyLeadToIsWritten) {
+  const auto there = folder_ / "there", link = folder_ / "link", first = folder_ / "first";
+  std::filesystem::create_directories(there);
+  write_atomically(there / "a.txt", "old");
+  std::filesystem::create_symlink("there/a.txt", link);
+  std::filesystem::create_symlink(link, first);
+  const auto expect_written = [&](const char* content) {
+    EXPECT_TRUE(std::filesystem::is_symlink(first) && std::filesystem::is_symlink(link));
+    EXPECT_FALSE(std::filesystem::is_symlink(there / "a.txt"));
+    EXPECT_EQ(content_of(there / "a.txt"), content);
+    EXPECT_EQ(content_of(first), content);
+    EXPECT_EQ(files(), 3U) << "nothing is left beside them";
+  };
+  write_atomically(first, "one");
+  expect_written("one");
+  write_atomically(first, [&](const std::filesystem::path& temporary) {
+    EXPECT_TRUE(std::filesystem::equivalent(temporary.parent_path(), there)) << "another folder may be another disk";
+    std::ofstream(temporary) << "two";
+  });
+  expect_written("two");
+  write_together({{first, "three"}, {there / "b.txt", "x"}});
+  expect_written("three");
+  EXPECT_FALSE(write_if_absent(first, "four"));
+  expect_written("three");
+  // What stood there stands there again when the other cannot be written.
+  std::filesystem::create_directories(there / "occupied" / "folder");
+  EXPECT_THROW(write_together({{first, "five"}, {there / "occupied", "x"}}), Error);
+  expect_written("three");
+}
+
+TEST_F(AtomicFile, LinksThatLeadToNothingYetAreWrittenToWhereTheyLead) {
+  const auto link = folder_ / "link", target = folder_ / "there" / "a.txt";
+  std::filesystem::create_symlink("there/a.txt", link);
+  EXPECT_NO_THROW(check_place_for(link));
+  EXPECT_TRUE(write_if_absent(link, "one"));
+  EXPECT_EQ(content_of(target), "one");
+  std::filesystem::remove(target);
+  write_atomically(link, "two");
+  EXPECT_EQ(content_of(target), "two");
+  EXPECT_TRUE(std::filesystem::is_symlink(link));
+}
+
+TEST_F(AtomicFile, WhatLiesBesideAFileLiesBesideWhatItsLinkLeadsTo) {
+  EXPECT_EQ(companion_of(folder_ / "map.npy", ".json"), folder_ / "map.json");
+  std::filesystem::create_symlink("there/today.npy", folder_ / "latest.npy");
+  EXPECT_EQ(companion_of(folder_ / "latest.npy", ".json"), folder_ / "there" / "today.json");
+  // There the one would take the place of the other.
+  std::filesystem::create_symlink("there/map.json", folder_ / "astray.npy");
+  EXPECT_THROW(static_cast<void>(companion_of(folder_ / "astray.npy", ".json")), Error);
+}
+
+TEST_F(AtomicFile, PlacesAreThoseThatLinksLeadTo) {
+  write_atomically(folder_ / "file", "x");
+  std::filesystem::create_symlink("file/a.txt", folder_ / "below_a_file");
+  std::filesystem::create_symlink(".", folder_ / "to_a_folder");
+  std::filesystem::create_symlink("round", folder_ / "round");
+  for (const char* name : {"below_a_file", "to_a_folder", "round"}) {
+    EXPECT_THROW(check_place_for(folder_ / name), Error) << name;
+    EXPECT_THROW(write_atomically(folder_ / name, "x"), Error) << name;
+    EXPECT_TRUE(std::filesystem::is_symlink(folder_ / name)) << name;
+  }
+}
+
 TEST_F(AtomicFile, AFolderThatCannotBeMadeIsNamed) {
   write_atomically(folder_ / "file", "x");
   try {

@@ -56,10 +56,24 @@ TEST(AttributionLine, HasALetterForEachLetter) {
   EXPECT_FALSE(is_equal("a & b; \"c\"!", "a   b   c  "));
 }
 
-TEST(AttributionLine, IsLeftOutWhereThereIsNoneOrNoRoom) {
+// Who must be credited is credited in pictures of any width, to the last letter.
+TEST(AttributionLine, FitsNarrowPicturesToo) {
+  const std::string text = "© OpenStreetMap contributors, https://www.openstreetmap.org/copyright";
+  const std::size_t letters = bright_pixels_below(with_attribution(picture_with(text, 800)), 20);
+  for (const std::size_t columns : {300U, 150U, 80U, 56U, 30U, 1U}) {
+    const Picture plain = picture_with(text, columns), attributed = with_attribution(plain);
+    EXPECT_EQ(bright_pixels_below(attributed, 20), letters) << columns;
+    EXPECT_EQ(attributed.pixels.columns(), std::max<std::size_t>(columns, 56)) << "eight letters of six, and margins";
+    EXPECT_EQ(attributed.grid, plain.grid);
+    for (std::size_t row = 0; row < 20; ++row) {
+      const auto ground = attributed.pixels.row(row).first(columns);
+      ASSERT_TRUE(std::ranges::equal(ground, plain.pixels.row(row))) << columns;
+    }
+  }
+}
+
+TEST(AttributionLine, IsLeftOutWhereThereIsNone) {
   EXPECT_EQ(with_attribution(picture_with("", 200)).pixels.rows(), 20U);
-  EXPECT_EQ(with_attribution(picture_with("Survey of Places", 30)).pixels.rows(), 20U);
-  EXPECT_EQ(with_attribution(picture_with("Survey of Places", 4)).pixels.rows(), 20U);
   Picture unnamed = picture_with("Survey", 200);
   unnamed.metadata.clear();
   EXPECT_EQ(with_attribution(unnamed).pixels.rows(), 20U);
@@ -68,7 +82,8 @@ TEST(AttributionLine, IsLeftOutWhereThereIsNoneOrNoRoom) {
 TEST(AttributionLine, BreaksBetweenWords) {
   EXPECT_THAT(broken_into_lines("one two three", 7), ElementsAre("one two", "three"));
   EXPECT_THAT(broken_into_lines("one two three", 6), ElementsAre("one", "two", "three"));
-  EXPECT_THAT(broken_into_lines("a longest b", 3), ElementsAre("a", "longest", "b"));
+  EXPECT_THAT(broken_into_lines("a longest b", 3), ElementsAre("a", "lon", "ges", "t b"));
+  EXPECT_THAT(broken_into_lines("Łódź élève", 4), ElementsAre("Łódź", "élèv", "e")) << "letters, not bytes";
   EXPECT_THAT(broken_into_lines("", 5), IsEmpty());
 }
 

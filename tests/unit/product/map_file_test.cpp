@@ -95,6 +95,22 @@ TEST(MapFile, AFullDiskLeavesNoDescriptionWithoutNumbers) {
   EXPECT_EQ(difference_of(files_of(folder.path("")), {}), "");
 }
 
+// Beside the link the description would be lost, and numbers of one scale would lie beside words of another.
+TEST(MapFile, ThroughALinkNumbersAndDescriptionStayTogether) {
+  const ScratchFolder folder;
+  std::filesystem::create_directory(folder.path("maps"));
+  write_map(folder.path("maps/today.npy"), small_map(), MapScale::Linear);
+  write_map(folder.path("decibels.npy"), small_map(), MapScale::Decibels);
+  std::filesystem::create_symlink("maps/today.npy", folder.path("latest.npy"));
+  write_map(folder.path("latest.npy"), small_map(), MapScale::Decibels);
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.path("latest.npy")));
+  EXPECT_FALSE(std::filesystem::exists(folder.path("latest.json")));
+  for (const char* ending : {".npy", ".json"}) {
+    EXPECT_EQ(text_of(folder.path(std::string("maps/today") + ending)),
+              text_of(folder.path(std::string("decibels") + ending)));
+  }
+}
+
 TEST(MapFile, RefusesOtherEndings) {
   EXPECT_NE(message_of_error([] { check_map_name("map.jpg"); }).find(".tif, .npy or .npz"), std::string::npos);
   for (const char* name : {"a.tif", "a.npy", "a.npz", "A.TIF", "A.Npy", "A.NPZ"}) check_map_name(name);

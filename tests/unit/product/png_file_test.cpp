@@ -120,6 +120,15 @@ TEST(PngFile, WorldFileNamesTheCentreOfTheUpperLeftPixel) {
   EXPECT_THAT(numbers, testing::ElementsAre(2.0, 0.0, 0.0, -2.0, 101.0, 199.0));
 }
 
+TEST(PngFile, ThroughALinkTheWorldFileLiesBesideThePicture) {
+  const ScratchFolder folder;
+  std::filesystem::create_symlink("maps/today.png", folder.path("latest.png"));
+  write_png(folder.path("latest.png"), small_picture());
+  EXPECT_TRUE(std::filesystem::exists(folder.path("maps/today.png")));
+  EXPECT_TRUE(std::filesystem::exists(folder.path("maps/today.pgw")));
+  EXPECT_FALSE(std::filesystem::exists(folder.path("latest.pgw")));
+}
+
 TEST(PngFile, EqualPicturesGiveEqualBytes) {
   EXPECT_EQ(png_bytes(small_picture()), png_bytes(small_picture()));
 }

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace sigmascape::cli {
+
+// What is said beside the work is of no weight for it: where standard error cannot be written, as on a full disk or
+// when its terminal or whoever reads it is gone, it is lost and the work goes on.
+
+/// Writes a text to standard error as it is, at once.
+void say(std::string_view text) noexcept;
+
+/// "warning: …" on a line of its own.
+void warn(const std::string& what);
+
+}  // namespace sigmascape::cli
