@@ -8,6 +8,7 @@
 #include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "end_to_end/made_scene.h"
 #include "end_to_end/process.h"
@@ -437,6 +438,48 @@ TEST_F(Dataset, TracksFollowTargetsFromFrameToFrame) {
   EXPECT_EQ(first.plan.targets[0].rcs_m2, last.plan.targets[0].rcs_m2);
 }
 
+/// Over the cells that the radar sees.
+double sum_of(const radar::GroundMap& map, float radar::Channels::*channel) {
+  double sum = 0.0;
+  for (const radar::Channels& cell : map.sigma0.values())
+    sum += std::isnan(cell.vv) ? 0.0 : static_cast<double>(cell.*channel);
+  return sum;
+}
+
+double mean_of(const radar::GroundMap& map, float radar::Channels::*channel) {
+  const auto unseen =
+      std::ranges::count_if(map.sigma0.values(), [](const radar::Channels& cell) { return std::isnan(cell.vv); });
+  return sum_of(map, channel) / (static_cast<double>(map.sigma0.size()) - static_cast<double>(unseen));
+}
+
+// Powers of ground and noise add in the mean, in every polarization; 64 looks, all of one speckle, leave 2 % of doubt.
+TEST_F(Dataset, HasTheNoiseThatItIsToldOf) {
+  const auto sample = [&](std::size_t looks, std::optional<double> snr_db, std::optional<double> noise_sigma0_db) {
+    dataset::DatasetSpec of = spec({.number = "[0, 0]", .looks = looks});
+    const auto just = [](std::optional<double> db) {
+      return db ? std::optional<dataset::Range>({*db, *db}) : std::nullopt;
+    };
+    of.snr_db = just(snr_db);
+    of.noise_sigma0_db = just(noise_sigma0_db);
+    return dataset::SampleMaker(of).make(2);
+  };
+  const dataset::Sample mean = sample(0, {}, {}), clean = sample(64, {}, {});
+  EXPECT_EQ(clean.noise_sigma0, 0.0);
+  const double ground = mean_of(mean.map, &radar::Channels::vv), drawn = mean_of(clean.map, &radar::Channels::vv);
+  ASSERT_GT(ground, 0.0);
+
+  const dataset::Sample as_strong = sample(64, 0.0, {});
+  EXPECT_NEAR(as_strong.noise_sigma0 / ground, 1.0, 1e-5);
+  EXPECT_NEAR(mean_of(as_strong.map, &radar::Channels::vv) / drawn, 2.0, 0.1);
+  EXPECT_NEAR(sample(0, 10.0, {}).noise_sigma0 / ground, 0.1, 1e-6);
+
+  const dataset::Sample stated = sample(64, {}, -20.0);
+  EXPECT_NEAR(stated.noise_sigma0, 0.01, 1e-9);
+  for (const auto channel : {&radar::Channels::vv, &radar::Channels::hh, &radar::Channels::hv}) {
+    EXPECT_NEAR(mean_of(stated.map, channel) - mean_of(clean.map, channel), 0.01, 5e-4);
+  }
+}
+
 TEST_F(Dataset, RefusesWhatCannotBeWithTheReason) {
   const auto message = [&](const Wish& wish, const std::string& layer = "") {
     return message_of_error([&] { dataset::SampleMaker maker(spec(wish, layer)); });
@@ -679,11 +722,7 @@ TEST(DatasetOfATarget, ShowsItSteadyAtEveryLevelOfDetail) {
             "[speckle]\nlooks = 1\n");
     const dataset::SampleMaker maker(dataset::read_dataset_spec(file));
     std::array<double, 4> sums{};
-    for (std::size_t i = 0; i < sums.size(); ++i) {
-      const dataset::Sample sample = maker.make(i);
-      for (const radar::Channels& cell : sample.map.sigma0.values())
-        sums.at(i) += std::isnan(cell.vv) ? 0.0 : static_cast<double>(cell.vv);
-    }
+    for (std::size_t i = 0; i < sums.size(); ++i) sums.at(i) = sum_of(maker.make(i).map, &radar::Channels::vv);
     std::ranges::sort(sums);
     return sums;
   };
@@ -692,6 +731,31 @@ TEST(DatasetOfATarget, ShowsItSteadyAtEveryLevelOfDetail) {
   EXPECT_NEAR(baked.front() / traced.front(), 1.0, 0.05);
   EXPECT_LT(baked.back() / baked.front(), 1.1);
   EXPECT_LT(traced.back() / traced.front(), 1.1);
+}
+
+// What a target adds to all cells together is its cross-section: σ0 times their area.
+TEST(DatasetOfATarget, HasTheCrossSectionOfItsClass) {
+  const ScratchFolder folder;
+  const auto scene = write_made_scene(folder.path("place"), 200, 200);
+  folder.write("radar.toml", radar_in_the_south);
+  SilentProgress silent;
+  bake::bake(scene::read_scene(scene), seen_from_the_south(2), folder.path("atlas"), silent);
+  const auto power_m2 = [&](int number, double rcs_db) {
+    const auto file = folder.write(
+        "spec.toml",
+        fmt::format("[dataset]\nscene = \"place/scene.toml\"\natlas = \"atlas\"\nradar = \"radar.toml\"\ncount = 1\n"
+                    "cells = 64\ncell_m = 2.0\n[view]\nazimuth_deg = [180, 180]\nelevation_deg = [21, 21]\n"
+                    "slant_range_km = [15, 15]\ntarget_east_m = [0, 0]\ntarget_north_m = [0, 0]\n[speckle]\nlooks = 0\n"
+                    "[[targets]]\nname = \"reflector\"\nnumber = [{0}, {0}]\nrcs_dbsm = [{1}, {1}]\nheight_m = 30.0\n"
+                    "east_m = [21, 21]\nnorth_m = [13, 13]\n",
+                    number, rcs_db));
+    const dataset::Sample sample = dataset::SampleMaker(dataset::read_dataset_spec(file)).make(0);
+    for (const dataset::SampleTarget& target : sample.targets) EXPECT_EQ(target.part_seen, 1.0);
+    return sum_of(sample.map, &radar::Channels::vv) * sample.map.grid.cell_m * sample.map.grid.cell_m;
+  };
+  const double ground = power_m2(0, 50.0);
+  EXPECT_NEAR((power_m2(1, 50.0) - ground) / 1e5, 1.0, 0.05);
+  EXPECT_NEAR((power_m2(1, 60.0) - ground) / 1e6, 1.0, 0.05);
 }
 
 }  // namespace

@@ -76,38 +76,52 @@ class Modes : public ::testing::Test {
     EXPECT_NEAR(std::stod(map().metadata.at("interval_s")) / std::stod(ka.metadata.at("interval_s")), 3.4, 0.01);
   }
 
+  /// The largest |VV| of the first pulse of a NumPy file.
+  [[nodiscard]] double largest_of_the_first_pulse(const std::string& name, std::size_t ranges) const {
+    std::ifstream stream(folder_.path(name), std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+    const std::size_t header = 10 + static_cast<unsigned char>(bytes[8]) + 256U * static_cast<unsigned char>(bytes[9]);
+    std::vector<std::complex<float>> pulse(3 * ranges);
+    std::memcpy(pulse.data(), &bytes.at(header), pulse.size() * sizeof(pulse[0]));
+    double most = 0.0;
+    for (std::size_t i = 0; i < ranges; ++i) most = std::max(most, static_cast<double>(std::abs(pulse[3 * i])));
+    return most;
+  }
+
+  /// What a point of 80 dBsm at (−20, 10, 10) m answers with by docs/iq_files.md and the file's own words: 10⁴ m, and
+  /// in volts V₁ √σ (1 km/r)² times the pattern of the Gaussian beam, both ways, so far from its axis.
+  static double expected_answer(const nlohmann::json& said) {
+    if (said["unit"] == "m") return 1e4;
+    const auto at = said["platform_position_m"][0].get<std::array<double, 3>>();
+    const double east_m = -20.0 - at[0], north_m = 10.0 - at[1];
+    const double range_km = 1e-3 * std::hypot(east_m, north_m, 10.0 - at[2]);
+    const double off_axis = (std::atan2(east_m, north_m) - said["beam_azimuth_rad"][0].get<double>()) /
+                            (0.5 * said["beam_width_rad"].get<double>());
+    return said["volts_from_1_m2_at_1_km"].get<double>() * 1e4 / (range_km * range_km) *
+           std::pow(0.5, off_axis * off_axis);
+  }
+
   /// Pulses on the command line have the targets in them, in metres or in volts with noise.
   void expect_volts_of_targets() const {
     folder_.write("radar.toml", radar_text(""));
     folder_.write("targets.toml", "[[targets]]\nposition_m = [-20, 10]\nheight_m = 0\nrcs_dbsm = 80\n");
     for (const std::string unit : {"m", "V"}) {
-      const auto file = folder_.path("pulses_" + unit + ".npy");
+      SCOPED_TRACE(unit);
       ASSERT_EQ(
           run(fmt::format(
               "render '{}' --scene '{}' --atlas '{}' --targets '{}' --lod 1 --iq '{}' --interval-s 0.002 --iq-unit {}",
               folder_.path("radar.toml").string(), scene_.string(), folder_.path("atlas").string(),
-              folder_.path("targets.toml").string(), file.string(), unit)),
+              folder_.path("targets.toml").string(), folder_.path("pulses.npy").string(), unit)),
           0)
           << printed();
-      std::ifstream stream(file, std::ios::binary);
-      const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-      const std::size_t header =
-          10 + static_cast<unsigned char>(bytes[8]) + 256U * static_cast<unsigned char>(bytes[9]);
-      float most = 0.0F;
-      for (std::size_t at = header; at + 4 <= bytes.size(); at += 4) {
-        float number = 0.0F;
-        std::memcpy(&number, &bytes[at], 4);
-        most = std::max(most, std::abs(number));
-      }
-      // 80 dBsm are 10⁴ m, of which the larger of I and Q is 0.7 at least and the place between samples takes a little;
-      // in volts of the default radar it is a thousandth of that.
-      if (unit == "m") {
-        EXPECT_GT(most, 5e3F);
-        EXPECT_LT(most, 1.1e4F);
-      } else {
-        EXPECT_GT(most, 0.0F);
-        EXPECT_LT(most, 100.0F);
-      }
+      const auto said = json("pulses.json");
+      ASSERT_EQ(said["unit"], unit);
+      const double most = largest_of_the_first_pulse("pulses.npy", said["slant_range_m"].size());
+      // The nearest sample lies up to 0.61 m beside the target, where the response, 2 m wide at half its power, has
+      // fallen by 1.1 dB.
+      const double above_db = 2.0 * db_from_linear(most / expected_answer(said));
+      EXPECT_GT(above_db, -1.3);
+      EXPECT_LT(above_db, 0.1);
     }
   }
 
@@ -231,6 +245,43 @@ class Modes : public ::testing::Test {
       EXPECT_FALSE(volts.contains(of_the_map)) << of_the_map;
     for (const char* of_every_file : {"scene", "scene_hash", "crs", "seed", "software"})
       EXPECT_TRUE(volts.contains(of_every_file)) << of_every_file;
+  }
+
+  /// Pulses by themselves: no map is made beside them, which would refuse a radar as low as the roofs, and nothing is
+  /// said of its cells. Left out, the interval is that of the mode, and a shorter one is told.
+  void expect_pulses_without_a_map() const {
+    const auto record = [&](const std::string& mode, const std::string& options) {
+      std::string text = radar_text(mode);
+      const auto begin = text.find("azimuth_deg"), end = text.find("[map]");
+      text.replace(begin, end - begin, "east_m = 0\nnorth_m = -500\naltitude_m = 17\n");
+      folder_.write("low.toml", text);
+      return run(fmt::format("render '{}' --scene '{}' --atlas '{}' --iq '{}' {}", folder_.path("low.toml").string(),
+                             scene_.string(), folder_.path("atlas").string(), folder_.path("low.npy").string(),
+                             options));
+    };
+    EXPECT_EQ(record("", "--lod 0 --png '" + folder_.path("map.png").string() + "'"), 1);
+    EXPECT_NE(printed().find("stands at 17.0 m, and the highest point of the scene at"), std::string::npos)
+        << printed();
+    ASSERT_EQ(record("", ""), 0) << printed();
+    EXPECT_NE(printed().find("200 pulses x "), std::string::npos) << printed();
+    EXPECT_NE(printed().find(" over 0.1 s, in "), std::string::npos) << printed();
+    EXPECT_EQ(printed().find("cells"), std::string::npos) << printed();
+    ASSERT_EQ(record("[mode]\nkind = \"spotlight\"\ninterval_s = 0.04\n", "--json"), 0) << printed();
+    const auto told = nlohmann::json::parse(printed().substr(printed().find('{')));
+    const auto said = json("low.json");
+    EXPECT_EQ(told["pulses"], 80);
+    EXPECT_EQ(told["pulse_samples"], said["slant_range_m"].size());
+    EXPECT_EQ(told["pulse_first_range_m"], said["slant_range_m"].front());
+    EXPECT_NEAR(told["pulse_last_range_m"].get<double>(), said["slant_range_m"].back().get<double>(), 1e-6);
+    EXPECT_FALSE(told.contains("columns"));
+    EXPECT_EQ(said["interval_s"], 0.04);
+    EXPECT_EQ(said["mode_interval_s"], 0.04);
+    EXPECT_EQ(said["radar_mode"], "spotlight");
+    ASSERT_EQ(record("[mode]\nkind = \"spotlight\"\ninterval_s = 0.04\n", "--interval-s 0.01"), 0) << printed();
+    EXPECT_NE(printed().find("pulses are recorded for 0.01 s, and the spotlight of this radar adds up 0.04 s"),
+              std::string::npos)
+        << printed();
+    EXPECT_EQ(json("low.json")["mode_interval_s"], 0.04);
   }
 
   /// What is drawn, as the noise of the detector and fluctuating targets, can be drawn again.
@@ -406,6 +457,7 @@ TEST_F(Modes, MapTheGroundAndTheTargets) {
   expect_slant_images_of_one_look();
   expect_patterns_to_say_where_the_beam_points();
   expect_pulses_to_speak_of_themselves();
+  expect_pulses_without_a_map();
   expect_what_is_drawn_to_name_its_seed();
   expect_an_empty_gate_to_name_its_key();
   expect_the_choice_of_detail_to_be_explained();

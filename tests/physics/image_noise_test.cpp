@@ -1,4 +1,5 @@
 #include <cmath>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <vector>
 
@@ -223,6 +224,43 @@ TEST(ImagePattern, darkens_what_the_beam_looks_past) {
   radar::Radar fixed = looking_north(radar::Mode::DopplerBeamSharpening);
   fixed.scan.kind = radar::ScanKind::Fixed;
   EXPECT_NEAR(fall_db(fixed), -6.02, 0.2);
+}
+
+/// A target 20° down, under a beam of 4° whose peak is on it, half a width above or below it, or in the sky.
+TEST(ImagePattern, counts_elevation_in_all_modes) {
+  const auto terrain = level_ground(1000.0);
+  radar::Target target;
+  target.track = radar::Track::straight({0.0, 0.0, 0.0});
+  target.rcs_m2 = radar::Channels{100.0F, 100.0F, 0.0F, 100.0F};
+  const std::vector<radar::Target> targets{target};
+  const simulate::CoherentScene scene{&terrain, even(0.0F), targets};
+  const radar::Rectangle area{-40.0, -40.0, 40.0, 40.0};
+  const auto energy = [&](radar::Radar radar, const radar::BeamShape& elevation, double tilt_deg) {
+    radar.processing.antenna_pattern = true;
+    radar.antenna.elevation = elevation;
+    radar.antenna.elevation_width_rad = radians_from_deg(4.0);
+    radar.antenna.tilt_rad = radians_from_deg(tilt_deg);
+    const simulate::CoherentSettings settings{.interval_s = 0.2, .along_resolution_m = 4.0};
+    const auto bins = radar.mode == radar::Mode::Stripmap
+                          ? simulate::stripmap_image(scene, radar, area, settings).amplitude_m
+                          : simulate::range_doppler_image(scene, radar, area, settings).amplitude_m;
+    double sum = 0.0;
+    for (const auto& bin : bins.values()) sum += static_cast<double>(std::norm(bin.vv));
+    return sum;
+  };
+  for (const auto& [mode, name] : {std::pair{radar::Mode::Spotlight, "spotlight"},
+                                   {radar::Mode::DopplerBeamSharpening, "sharpened image"},
+                                   {radar::Mode::Stripmap, "strip"}}) {
+    const auto radar = looking_north(mode);
+    const double peak = energy(radar, radar::EvenBeam{}, 0.0);
+    ASSERT_GT(peak, 0.0) << name;
+    for (const auto& [tilt_deg, expected_db] : {std::pair{-20.0, 0.0}, {-18.0, -6.02}, {-22.0, -6.02}}) {
+      validation::expect_close({group, fmt::format("{}, place 20° down, beam of 4° tilted by {}°", name, tilt_deg),
+                                expected_db, db_from_linear(energy(radar, radar::GaussianBeam{}, tilt_deg) / peak),
+                                0.02, "dB", "half power, out and back"});
+    }
+    EXPECT_EQ(energy(radar, radar::GaussianBeam{}, 20.0), 0.0) << name;
+  }
 }
 
 }  // namespace

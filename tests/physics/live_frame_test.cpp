@@ -10,6 +10,7 @@
 
 #include "sigmascape/receiver/receive_chain.h"
 #include "sigmascape/render/frame_image.h"
+#include "sigmascape/render/row_looks.h"
 #include "sigmascape/render/row_places.h"
 
 namespace sigmascape::render {
@@ -184,6 +185,53 @@ TEST(LiveFrame, GroundAHundredKilometresAwayLiesBelowTheTangent) {
                             .source = "d²/(2 k R), k = 4/3"});
 }
 
+/// Sine of the grazing angle of sea level, from the triangle with the centre of the Earth of 4/3 radius: its sides are
+/// the line of sight, k R and k R + h.
+double sine_by_triangle(double height_m, double distance_m) {
+  constexpr double foot_m = 4.0 / 3.0 * 6'371'008.8;
+  const double top_m = foot_m + height_m;
+  const double sight_m =
+      std::sqrt(top_m * top_m + foot_m * foot_m - 2.0 * top_m * foot_m * std::cos(distance_m / foot_m));
+  return (top_m * top_m - foot_m * foot_m - sight_m * sight_m) / (2.0 * foot_m * sight_m);
+}
+
+TEST(LiveFrame, GroundFarAwayFacesTheRadarByItsOwnHorizontal) {
+  EXPECT_NEAR(sine_by_triangle(1000.0, 100e3), 0.004113, 1e-6);
+  for (const double distance_m : {50e3, 100e3}) {
+    for (const double slope : {0.0, 0.01}) {
+      auto row = std::make_unique<LatticeRow>();
+      row->count = 1;
+      row->north_m[0] = distance_m;
+      row->slope_north[0] = static_cast<float>(slope);
+      row->ground_lit[0] = 1.0F;
+      const RowGeometry geometry{.radar_height_m = 1000.0,
+                                 .drop_per_square_m = 0.5 * radar::CurvedEarth{}.curvature_per_m()};
+      locate(*row, geometry);
+      (void)face(*row, geometry, 1.0F);
+      // Rising away from the radar.
+      const double sine = std::sin(std::asin(sine_by_triangle(1000.0, distance_m)) + std::atan(slope));
+      const auto expect_sine = [&](const char* what, float measured) {
+        validation::expect_close(
+            {.group = "Live frames",
+             .name = fmt::format("{} {} km away, slope {}, seen from 1 km: sine of its grazing angle", what,
+                                 1e-3 * distance_m, slope),
+             .expected = sine,
+             .measured = static_cast<double>(measured),
+             .tolerance = 2e-6,
+             .unit = "1",
+             .source = "triangle with the centre of the Earth, k = 4/3"});
+      };
+      expect_sine("bare ground", row->local_sine[0]);
+      // What stands there and was looked up at 2°, the lowest elevation, has as much less of the beam as the ground.
+      const double lowest = radians_from_deg(2.0);
+      const double lowest_sine = std::sin(lowest + std::atan(slope));
+      hold_lowest_look(*row, geometry, static_cast<float>(1.0 / std::tan(lowest)),
+                       static_cast<float>(std::sin(lowest)));
+      expect_sine("what stands on ground", row->sine[0] * static_cast<float>(lowest_sine / std::sin(lowest)));
+    }
+  }
+}
+
 /// Mean sine of the grazing angle of a band of ranges, as the power tells it.
 double sine_of_band(const Frame& frame, std::size_t first, std::size_t count) {
   double power = 0.0, area = 0.0;
@@ -196,48 +244,109 @@ double sine_of_band(const Frame& frame, std::size_t first, std::size_t count) {
   return power / (gamma * area);
 }
 
-TEST(LiveFrame, TheSeaEndsAtTheHorizon) {
-  const ScratchFolder folder;
-  ExampleGround sea = level_ground(false);
-  sea.texel_m = 256.0;
-  sea.patches_a_side = 3;
-  sea.terrain_spacing_m = 1000.0;
-  const atlas::Store store = sea.store(folder.path("atlas"));
-  atlas::Pyramid(store).make_above(store.units());
-  const auto ground = sea.over(store);
+constexpr double radar_height_m = 1000.0;
+
+/// 205 km of sea, of which a radar near the southern edge looks north.
+struct Sea {
+  explicit Sea(bool apart) : example(level_ground(apart)) {
+    example.texel_m = 400.0;
+    // The sea is the same from everywhere; few looks are soon written.
+    example.elevations_deg = {5.0, 37.0};
+    example.ground_elevations_deg = {2.0, 45.0};
+    example.terrain_spacing_m = 1000.0;
+    const atlas::Store store = example.store(folder.path("atlas"));
+    atlas::Pyramid(store).make_above(store.units());
+    ground = example.over(store);
+    settings.content = FrameContent::Powers;
+    settings.beams = 44;
+    settings.ranges = 100;
+    settings.beam_step_rad = 0.01;
+    settings.range_step_m = 400.0;
+    settings.cells_per_bin = 1.0;
+  }
+
+  [[nodiscard]] Pose pose(double first_range_m) const {
+    Pose pose;
+    pose.position = {example.middle().x, 5e3, radar_height_m};
+    pose.first_azimuth_rad = -22.0 * settings.beam_step_rad;
+    pose.first_range_m = first_range_m;
+    return pose;
+  }
+
+  ScratchFolder folder;
+  ExampleGround example;
+  std::shared_ptr<LiveGround> ground;
   LiveSettings settings;
-  settings.content = FrameContent::Powers;
-  settings.beams = 44;
-  settings.ranges = 100;
-  settings.beam_step_rad = 0.01;
-  settings.range_step_m = 400.0;
-  settings.cells_per_bin = 1.0;
-  Pose pose;
-  pose.position = {sea.middle().x, 5e3, 1000.0};
-  pose.first_azimuth_rad = -22.0 * settings.beam_step_rad;
-  pose.first_range_m = 110e3;
-  LiveRenderer renderer(ground, settings);
-  const Frame& frame = settled_frame(renderer, *ground, pose);
+};
+
+void expect_the_sea_to_end(bool apart) {
+  Sea sea(apart);
+  const Pose pose = sea.pose(110e3);
+  LiveRenderer renderer(sea.ground, sea.settings);
+  const Frame& frame = settled_frame(renderer, *sea.ground, pose);
   ASSERT_EQ(frame.report.dark, 0U);
 
   // γ sin ψ falls in a straight line, nearly, and to nothing where the line of sight touches the sea.
   constexpr std::size_t near = 20, far = 36, band = 12;
   const double near_sine = sine_of_band(frame, near, band), far_sine = sine_of_band(frame, far, band);
-  const double far_middle_m = pose.first_range_m + (static_cast<double>(far) + band / 2.0) * settings.range_step_m;
-  const double step_m = static_cast<double>(far - near) * settings.range_step_m;
-  const double end_m = far_middle_m + far_sine * step_m / (near_sine - far_sine);
-  validation::expect_close({.group = "Live frames",
-                            .name = "horizon of the sea from 1 km, where its power runs out",
-                            .expected = 130.3,
-                            .measured = 1e-3 * end_m,
-                            .tolerance = 0.5,
-                            .unit = "km",
-                            .source = "√(2 k R h), k = 4/3"});
+  const double step_m = sea.settings.range_step_m;
+  const double far_middle_m = pose.first_range_m + (static_cast<double>(far) + band / 2.0) * step_m;
+  const double end_m = far_middle_m + far_sine * static_cast<double>(far - near) * step_m / (near_sine - far_sine);
+  validation::expect_close(
+      {.group = "Live frames",
+       .name = fmt::format("horizon of the sea{} from 1 km, where its power runs out", apart ? ", kept apart," : ""),
+       .expected = 130.3,
+       .measured = 1e-3 * end_m,
+       .tolerance = 0.5,
+       .unit = "km",
+       .source = "√(2 k R h), k = 4/3"});
   EXPECT_LT(sine_of_band(frame, 60, band), 1e-2 * near_sine);
 
-  settings.refraction = 1e9;
-  LiveRenderer flat(ground, settings);
-  EXPECT_GT(sine_of_band(settled_frame(flat, *ground, pose), 60, band), 0.9 * 1000.0 / 137e3);
+  // On the way there.
+  for (const double distance_m : {50e3, 100e3}) {
+    const double first_range_m = distance_m - 46.0 * step_m;
+    const Frame& nearer = settled_frame(renderer, *sea.ground, sea.pose(first_range_m));
+    validation::expect_close({.group = "Live frames",
+                              .name = fmt::format("sea{} {} km away, power over that of ψ = 90°",
+                                                  apart ? ", kept apart," : "", 1e-3 * distance_m),
+                              .expected = db_from_linear(sine_by_triangle(radar_height_m, distance_m)),
+                              .measured = db_from_linear(sine_of_band(nearer, 40, band)),
+                              .tolerance = 0.05,
+                              .unit = "dB",
+                              .source = "γ sin ψ, triangle with the centre of the Earth, k = 4/3"});
+  }
+
+  sea.settings.refraction = 1e9;
+  LiveRenderer flat(sea.ground, sea.settings);
+  EXPECT_GT(sine_of_band(settled_frame(flat, *sea.ground, pose), 60, band), 0.9 * radar_height_m / 137e3);
+}
+
+TEST(LiveFrame, TheSeaEndsAtTheHorizon) {
+  expect_the_sea_to_end(false);
+}
+
+TEST(LiveFrame, TheSeaKeptApartEndsAtTheHorizon) {
+  expect_the_sea_to_end(true);
+}
+
+// Beyond the horizon at 130.3 km the sea hides what is lower than (d − 130.3 km)²/(2 k R): at 150 km 22.7 m.
+TEST(LiveFrame, TheSeaHidesTheFeetOfWhatIsBeyondTheHorizon) {
+  const Sea sea(false);
+  Pose pose = sea.pose(140e3);
+  const auto seen = [&](double height_m, double refraction) {
+    radar::Target mast;
+    mast.track = radar::Track::straight(Vec3d{pose.position.x, pose.position.y + 150e3, height_m});
+    mast.rcs_m2 = radar::Channels{1e4F, 1e4F, 0.0F, 0.0F};
+    const std::vector<radar::Target> targets{mast};
+    LiveSettings settings = sea.settings;
+    settings.refraction = refraction;
+    LiveRenderer looking(sea.ground, settings);
+    pose.targets = targets;
+    return settled_frame(looking, *sea.ground, pose).report.targets;
+  };
+  EXPECT_EQ(seen(20.0, 4.0 / 3.0), 0U);
+  EXPECT_EQ(seen(25.5, 4.0 / 3.0), 1U);
+  EXPECT_EQ(seen(20.0, 1e9), 1U);
 }
 
 }  // namespace

@@ -73,6 +73,33 @@ TEST(Water, SeaAtTwentyDegrees) {
   }
 }
 
+// Terms of these fits vanish, or nearly so, at 35 g/kg or without salt.
+TEST(Water, BrackishAndCold) {
+  const char* source = "ITU-R P.527-4 evaluated independently";
+  const WaterPermittivity brackish{20.0, 10.0}, icy_sea{0.0, 35.0};
+  expect_permittivity("brackish water, 20 °C, 10 g/kg", brackish, 1.3, {77.08, -26.66}, 0.005, source);
+  expect_permittivity("brackish water, 20 °C, 10 g/kg", brackish, 10.0, {59.29, -34.21}, 0.005, source);
+  expect_permittivity("sea water, 0 °C, 35 g/kg", icy_sea, 1.3, {76.67, -49.83}, 0.005, source);
+  expect_permittivity("sea water, 0 °C, 35 g/kg", icy_sea, 10.0, {40.44, -41.55}, 0.005, source);
+  expect_permittivity("pure water, 0 °C", WaterPermittivity{0.0, 0.0}, 10.0, {41.93, -40.75}, 0.005, source);
+}
+
+TEST(Water, ConductsByTheScaleOfPracticalSalinity) {
+  struct Row {
+    double temperature_c, salinity_g_per_kg, expected;
+  };
+  for (const Row& row : {Row{20.0, 10.0, 1.5336}, Row{10.0, 20.0, 2.2938}, Row{0.0, 35.0, 2.9036}}) {
+    validation::expect_close(
+        {.group = "Permittivity",
+         .name = fmt::format("water, {} °C, {} g/kg, conductivity", row.temperature_c, row.salinity_g_per_kg),
+         .expected = row.expected,
+         .measured = WaterPermittivity{row.temperature_c, row.salinity_g_per_kg}.ionic_conductivity_s_per_m(),
+         .tolerance = 1e-4,
+         .unit = "S/m",
+         .source = "Practical Salinity Scale 1978, solved for conductivity, 4.2914 S/m at 15 °C and 35"});
+  }
+}
+
 TEST(Water, WithoutSaltDoesNotConduct) {
   EXPECT_EQ((WaterPermittivity{10.0, 0.0}.ionic_conductivity_s_per_m()), 0.0);
 }

@@ -1,5 +1,6 @@
 #include <cmath>
 #include <complex>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <string>
 #include <utility>
@@ -344,6 +345,27 @@ TEST(CornerReflectors, AreWhatSentinel1IsCalibratedWith) {
   // A triangular trihedral shows the area of a hexagon, a square one three times as much.
   EXPECT_NEAR(radar::square_trihedral_rcs_m2(1.0, wavelength) / radar::triangular_trihedral_rcs_m2(1.0, wavelength),
               9.0, 1e-12);
+}
+
+/// Half a width above or below its peak a beam has lost 3 dB out and 3 dB back; a peak above the horizontal hears
+/// nothing of the ground.
+TEST(CalibratedPulses, have_the_elevation_cut_of_the_antenna) {
+  const radar::Pulse pulse{0.0, {looking_north(3.0).position, {100.0, 0.0, 0.0}}};
+  const auto volts = [&](const radar::BeamShape& elevation, double tilt_deg) {
+    auto radar = looking_north(3.0);
+    radar.antenna.elevation = elevation;
+    radar.antenna.elevation_width_rad = radians_from_deg(4.0);
+    radar.antenna.tilt_rad = radians_from_deg(tilt_deg);
+    return static_cast<double>(receiver::calibrated_voltage(radar, receiver::towards({}))(pulse, {}, 8000.0));
+  };
+  const double even = volts(radar::EvenBeam{}, 0.0);
+  ASSERT_GT(even, 0.0);
+  for (const auto& [tilt_deg, expected_db] : {std::pair{-20.0, 0.0}, {-18.0, -6.02}, {-22.0, -6.02}}) {
+    validation::expect_close({group, fmt::format("pulses of a place 20° down, beam of 4° tilted by {}°", tilt_deg),
+                              expected_db, 2.0 * db_from_linear(volts(radar::GaussianBeam{}, tilt_deg) / even), 0.01,
+                              "dB", "half power, out and back"});
+  }
+  EXPECT_EQ(volts(radar::GaussianBeam{}, 20.0), 0.0);
 }
 
 /// Leaves that the wind moves towards the radar, straight below it, are heard like those that stand.

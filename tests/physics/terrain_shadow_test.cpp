@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
@@ -34,7 +35,7 @@ scene::Scene bare(terrain::HeightField field) {
 
 struct Place {
   const char* name;
-  const char* file;
+  const char* file;  ///< of real terrain; null: hills made up
   geo::LocalFrame frame;
   double spacing_m, smooth_within_m, half_m;
 };
@@ -43,7 +44,42 @@ std::filesystem::path file_of(const Place& place) {
   return end_to_end::data_folder() / place.file;
 }
 
+bool is_missing(const Place& place) {
+  return place.file != nullptr && !std::filesystem::exists(file_of(place));
+}
+
+/// Waves of lengths that have nothing in common, across one another, and so no two hills alike; they sink towards the
+/// edge, beyond which tracer and sweep each go on in their own way.
+double hills_m(Vec2d at, double half_m) {
+  struct Wave {
+    double height_m, length_m, azimuth_deg;
+  };
+  double sum_m = -0.4 * std::max(0.0, std::max(std::abs(at.x), std::abs(at.y)) - 0.75 * half_m);
+  for (const Wave& wave : {Wave{60.0, 907.0, 20.0}, {35.0, 613.0, 118.0}, {20.0, 311.0, 61.0}, {3.0, 127.0, 160.0}}) {
+    const Vec2d along = radar::horizontal_direction(radians_from_deg(wave.azimuth_deg));
+    sum_m += wave.height_m * std::cos(2.0 * pi / wave.length_m * dot(along, at));
+  }
+  return sum_m;
+}
+
+terrain::HeightField made_up_hills(const Place& place) {
+  const auto nodes = static_cast<std::size_t>(2.0 * place.half_m / place.spacing_m) + 1;
+  terrain::HeightField field{.west_m = -place.half_m,
+                             .north_m = place.half_m,
+                             .spacing_m = place.spacing_m,
+                             .height_m = Array2D<float>(nodes, nodes)};
+  for (std::size_t row = 0; row < nodes; ++row) {
+    for (std::size_t column = 0; column < nodes; ++column) {
+      const Vec2d node{field.west_m + static_cast<double>(column) * field.spacing_m,
+                       field.north_m - static_cast<double>(row) * field.spacing_m};
+      field.height_m(column, row) = static_cast<float>(hills_m(node, place.half_m));
+    }
+  }
+  return field;
+}
+
 scene::Scene bare_ground_of(const Place& place) {
+  if (place.file == nullptr) return bare(made_up_hills(place));
   terrain::TerrainSource source;
   source.raster = {file_of(place), 1, ""};
   source.spacing_m = place.spacing_m;
@@ -55,7 +91,7 @@ scene::Scene bare_ground_of(const Place& place) {
 /// Terrain shadows as the renderer finds them against the path tracer's own shadow rays, over the same flat Earth: the
 /// tracer knows no curvature.
 void expect_like_shadow_rays(const Place& place, double elevation_deg, render::VisibilityMethod method) {
-  if (!std::filesystem::exists(file_of(place))) GTEST_SKIP() << file_of(place) << " is not there; set SIGMASCAPE_DATA";
+  if (is_missing(place)) GTEST_SKIP() << file_of(place) << " is not there; set SIGMASCAPE_DATA";
   const scene::Scene scene = bare_ground_of(place);
   const trace::SceneGeometry geometry(scene, trace::Footing::Terrain);
   const trace::FlushDenormals flush;
@@ -115,6 +151,12 @@ void expect_like_shadow_rays(const Place& place, double elevation_deg, render::V
 const Place bilbao{"Bilbao", "bilbao/dem_5m_utm30n.tif", {43.312, -2.986}, 5.0, 0.5, 1400.0};
 const Place san_francisco{"San Francisco", "san_francisco/dem_3dep_1arcsec_4326.tif", {37.79, -122.41}, 20.0, 0.0,
                           3000.0};
+const Place hills{"made-up hills", nullptr, {}, 5.0, 0.0, 1000.0};
+
+TEST(TerrainShadow, OfMadeUpHillsIsThatOfThePathTracer) {
+  expect_like_shadow_rays(hills, 6.0, render::VisibilityMethod::HorizonSweep);
+  expect_like_shadow_rays(hills, 6.0, render::VisibilityMethod::Rasterization);
+}
 
 TEST(TerrainShadow, OfBilbaoIsThatOfThePathTracer) {
   expect_like_shadow_rays(bilbao, 8.6, render::VisibilityMethod::HorizonSweep);
@@ -144,7 +186,7 @@ atlas::Store gamma_store(const std::filesystem::path& folder, double gamma, doub
 /// A live frame over real terrain against the same sum over the same scatterers, each of which a shadow ray of the path
 /// tracer lets pass or not.
 void expect_frame_like_shadow_rays(const Place& place, double elevation_deg) {
-  if (!std::filesystem::exists(file_of(place))) GTEST_SKIP() << file_of(place) << " is not there; set SIGMASCAPE_DATA";
+  if (is_missing(place)) GTEST_SKIP() << file_of(place) << " is not there; set SIGMASCAPE_DATA";
   const scene::Scene scene = bare_ground_of(place);
   const trace::SceneGeometry geometry(scene, trace::Footing::Terrain);
   const trace::FlushDenormals flush;
@@ -236,6 +278,10 @@ void expect_frame_like_shadow_rays(const Place& place, double elevation_deg) {
                             .tolerance = 4.0,
                             .unit = "%",
                             .source = "occlusion by the path tracer's rays"});
+}
+
+TEST(TerrainShadow, OfLiveFramesOverMadeUpHillsIsThatOfThePathTracer) {
+  expect_frame_like_shadow_rays(hills, 6.0);
 }
 
 TEST(TerrainShadow, OfLiveFramesOverBilbaoIsThatOfThePathTracer) {

@@ -77,8 +77,52 @@ inline constexpr Curve curves[] = {
     {Class::WetSnow, Band::C, Channel::VV, {-9.388, -12.814, -15.109, -17.163, -19.026, -20.684, -22.126}},
 };
 
+// The same of the rows that were not checked against the book.
+inline constexpr Curve unverified_curves[] = {
+    {Class::Soil, Band::X, Channel::HH, {0.763, -3.170, -6.773, -9.963, -12.663, -14.811, -16.353}},
+    {Class::Soil, Band::X, Channel::HV, {-13.408, -16.354, -18.237, -19.561, -20.891, -22.749, -25.518}},
+    {Class::Soil, Band::X, Channel::VV, {-4.542, -7.513, -9.102, -10.158, -11.523, -13.822, -17.313}},
+    {Class::Soil, Band::Ku, Channel::HH, {-3.992, -7.588, -10.541, -12.583, -13.764, -14.436, -15.121}},
+    {Class::Soil, Band::Ku, Channel::VV, {-1.015, -3.816, -6.471, -8.590, -10.131, -11.435, -12.976}},
+    {Class::Trees, Band::X, Channel::HH, {-8.850, -9.575, -10.404, -11.303, -12.234, -13.158, -14.038}},
+    {Class::Trees, Band::X, Channel::VV, {-8.556, -9.329, -10.403, -11.645, -12.900, -14.013, -14.843}},
+    {Class::Grass, Band::X, Channel::HH, {-2.231, -5.861, -9.153, -11.485, -12.750, -13.443, -14.330}},
+    {Class::Grass, Band::X, Channel::HV, {-10.013, -16.870, -18.141, -18.463, -18.647, -18.833, -19.047}},
+    {Class::Grass, Band::X, Channel::VV, {-3.045, -7.581, -11.269, -13.511, -14.305, -14.291, -14.406}},
+    {Class::Grass, Band::Ku, Channel::HH, {-3.664, -6.801, -9.256, -11.114, -12.482, -13.486, -14.264}},
+    {Class::Grass, Band::Ku, Channel::VV, {-3.396, -7.259, -10.682, -13.135, -14.248, -14.223, -13.796}},
+    {Class::Grass, Band::Ka, Channel::HH, {-6.630, -6.681, -7.553, -9.053, -10.537, -11.370, -11.379}},
+    {Class::Grass, Band::Ka, Channel::VV, {-7.332, -7.308, -8.029, -9.409, -10.887, -11.829, -11.983}},
+    {Class::Shrubs, Band::S, Channel::HH, {-6.331, -10.900, -14.107, -16.292, -17.732, -18.682, -19.358}},
+    {Class::Shrubs, Band::S, Channel::HV, {-19.397, -20.474, -21.577, -22.712, -23.884, -25.099, -26.360}},
+    {Class::Shrubs, Band::S, Channel::VV, {-6.431, -11.059, -13.715, -14.839, -15.339, -16.116, -17.535}},
+    {Class::Shrubs, Band::X, Channel::HH, {-3.390, -5.603, -7.557, -9.096, -10.336, -11.586, -13.124}},
+    {Class::Shrubs, Band::X, Channel::VV, {-3.505, -5.833, -7.597, -8.849, -9.979, -11.440, -13.424}},
+    {Class::Shrubs, Band::Ku, Channel::HH, {-2.566, -4.680, -6.316, -7.457, -8.418, -9.625, -11.310}},
+    {Class::Shrubs, Band::Ku, Channel::VV, {-2.152, -4.264, -5.975, -7.276, -8.429, -9.780, -11.514}},
+    {Class::ShortVegetation, Band::X, Channel::HH, {-3.071, -5.656, -8.009, -9.767, -10.967, -12.018, -13.412}},
+    {Class::ShortVegetation, Band::X, Channel::HV, {-15.717, -16.387, -15.851, -15.680, -16.206, -17.088, -17.703}},
+    {Class::ShortVegetation, Band::X, Channel::VV, {-3.303, -6.241, -8.676, -10.239, -11.159, -12.095, -13.668}},
+    {Class::ShortVegetation, Band::Ku, Channel::HH, {-2.725, -5.206, -7.264, -8.654, -9.585, -10.572, -12.069}},
+    {Class::ShortVegetation, Band::Ku, Channel::HV, {-15.106, -14.715, -13.492, -12.714, -13.007, -14.174, -15.384}},
+    {Class::ShortVegetation, Band::Ku, Channel::VV, {-2.334, -4.907, -7.324, -9.080, -10.122, -10.886, -11.984}},
+    {Class::ShortVegetation, Band::Ka, Channel::HH, {-6.173, -6.588, -7.181, -8.001, -9.090, -10.486, -12.217}},
+    {Class::ShortVegetation, Band::Ka, Channel::VV, {-6.991, -7.110, -7.455, -8.102, -9.115, -10.548, -12.440}},
+    {Class::DrySnow, Band::X, Channel::HH, {-6.226, -8.210, -8.952, -10.360, -12.442, -14.728, -16.647}},
+    {Class::DrySnow, Band::X, Channel::HV, {-0.438, -12.023, -13.332, -14.627, -17.210, -20.229, -22.359}},
+    {Class::DrySnow, Band::X, Channel::VV, {-3.793, -6.139, -7.800, -10.138, -12.795, -15.049, -16.254}},
+    {Class::DrySnow, Band::Ku, Channel::HH, {-3.566, -5.782, -6.640, -7.639, -9.028, -10.831, -13.027}},
+    {Class::DrySnow, Band::Ku, Channel::HV, {-6.418, -9.605, -11.024, -12.660, -15.039, -17.421, -18.648}},
+    {Class::DrySnow, Band::Ku, Channel::VV, {-1.617, -4.261, -5.613, -6.978, -8.502, -10.124, -11.739}},
+    {Class::WetSnow, Band::X, Channel::HH, {-7.480, -11.274, -14.128, -16.442, -18.202, -19.373, -19.931}},
+    {Class::WetSnow, Band::X, Channel::HV, {-12.125, -15.859, -18.593, -20.887, -22.749, -24.149, -25.064}},
+    {Class::WetSnow, Band::X, Channel::VV, {-6.631, -10.142, -12.860, -15.110, -16.880, -18.138, -18.862}},
+};
+
 inline constexpr const char* ulaby_dobson_source =
     "Ulaby and Dobson 1989, rows transcribed in DartsTST.jl, evaluated independently";
+inline constexpr const char* unverified_source =
+    "attributed to Ulaby and Dobson 1989, not checked against the book, evaluated independently";
 
 inline double frequency_in(Band band) {
   switch (band) {
@@ -88,14 +132,18 @@ inline double frequency_in(Band band) {
       return 3.0e9;
     case Band::C:
       return 5.405e9;
+    case Band::Ku:
+      return 15e9;
+    case Band::Ka:
+      return 35e9;
     default:
       return 10e9;
   }
 }
 
 inline std::string name_of(const Curve& curve) {
-  constexpr const char* terrains[] = {"soil", "grass", "shrubs", "short vegetation", "dry snow", "wet snow"};
-  constexpr const char* bands[] = {"L", "S", "C"};
+  constexpr const char* terrains[] = {"soil", "grass", "shrubs", "short vegetation", "dry snow", "wet snow", "trees"};
+  constexpr const char* bands[] = {"L", "S", "C", "X", "Ku", "Ka"};
   constexpr const char* channels[] = {"HH", "HV", "VV"};
   return fmt::format("{} {} {}", terrains[static_cast<int>(curve.terrain)], bands[static_cast<int>(curve.band)],
                      channels[static_cast<int>(curve.channel)]);
@@ -104,7 +152,7 @@ inline std::string name_of(const Curve& curve) {
 inline const scatter::UlabyDobsonRow& row_of(const Curve& curve) {
   const auto& rows = scatter::ulaby_dobson_table();
   return *std::ranges::find_if(rows, [&](const scatter::UlabyDobsonRow& row) {
-    return row.verified && row.terrain == curve.terrain && row.band == curve.band && row.channel == curve.channel;
+    return row.terrain == curve.terrain && row.band == curve.band && row.channel == curve.channel;
   });
 }
 

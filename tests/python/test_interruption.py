@@ -73,8 +73,7 @@ def test_ctrl_c_ends(name, atlas, tmp_path):
     assert told == "interrupted\n"
 
 
-def test_ctrl_c_ends_the_reading_of_a_large_scene(tmp_path):
-    gdal = pytest.importorskip("osgeo.gdal")
+def test_ctrl_c_ends_the_reading_of_a_large_scene(gdal, tmp_path):
     side = 3000
     raster = gdal.GetDriverByName("GTiff").Create(str(tmp_path / "dem.tif"), side, side, 1, gdal.GDT_Float32)
     raster.SetGeoTransform((500_000.0, 10.0, 0.0, 4_800_000.0, 0.0, -10.0))

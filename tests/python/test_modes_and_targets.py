@@ -139,21 +139,69 @@ def test_targets_fluctuate_each_for_itself(atlas, radar):
         maps = [sigmascape.render(None, radar, atlas=atlas, targets=given, seed=run) for given in (targets, [])]
         return np.nansum(maps[0].vv.astype(float)) - np.nansum(maps[1].vv.astype(float))
 
+    # Cells read the responses where their middles happen to lie in them.
     one, other = (12.0, -8.0), (-20.0, -30.0)
-    assert added([one, other]) != pytest.approx(2.0 * added([one]), rel=0.05)
-    assert added([one, other], seed=7) == pytest.approx(2.0 * added([one], seed=7), rel=0.05)
+    assert added([one, other]) != pytest.approx(2.0 * added([one]), rel=0.15)
+    assert added([one, other], seed=7) == pytest.approx(2.0 * added([one], seed=7), rel=0.15)
     assert added([one], run=2) != pytest.approx(added([one]), rel=0.05)
     assert added([one], run=2, seed=7) == pytest.approx(added([one], seed=7), rel=0.05)
 
 
-def test_wind_is_told_where_it_blows(scene, atlas, tmp_path):
-    (tmp_path / "radar.toml").write_text(
-        "[radar]\nfrequency_ghz = 10\nrange_resolution_m = 4\nbeam_width_deg = 1\nwind_mps = 8\n[mode]\nkind = \"spotlight\"\n"
-        "[position]\nazimuth_deg = 180\nelevation_deg = 15\nslant_range_km = 2.4\n[platform]\nspeed_mps = 100\nheading_deg = 90\n"
-        "[waveform]\npulse_repetition_hz = 4000\n[map]\ncell_m = 2\n")
-    radar = sigmascape.Radar.read(tmp_path / "radar.toml")
-    assert sigmascape.render(None, radar, atlas=atlas).metadata["wind_mps"] == "0"
-    assert sigmascape.render(scene, radar, atlas=atlas).metadata["wind_mps"] == "8"
+@pytest.fixture
+def blown_upon(tmp_path):
+    """A radar that flies past in so much wind and tells 2 m apart."""
+    def made(wind_mps):
+        (tmp_path / "radar.toml").write_text(
+            f"[radar]\nfrequency_ghz = 10\nrange_resolution_m = 2\nbeam_width_deg = 1\nwind_mps = {wind_mps}\n"
+            "[mode]\nkind = \"spotlight\"\nalong_resolution_m = 2\n[position]\nazimuth_deg = 180\nelevation_deg = 15\n"
+            "slant_range_km = 2.4\n[platform]\nspeed_mps = 100\nheading_deg = 90\n[waveform]\npulse_repetition_hz = 4000\n"
+            "[map]\ncell_m = 2\n")
+        return sigmascape.Radar.read(tmp_path / "radar.toml")
+    return made
+
+
+def test_wind_is_told_where_it_blows(scene, atlas, blown_upon):
+    windy = blown_upon(8)
+    assert sigmascape.render(None, windy, atlas=atlas).metadata["wind_mps"] == "0"
+    assert sigmascape.render(scene, windy, atlas=atlas).metadata["wind_mps"] == "8"
+
+
+def test_wind_moves_grass_and_leaves_concrete(scene, atlas, blown_upon, tmp_path):
+    """At 10 GHz a quarter of grass stands still in a wind of 8 m/s, and the rest is shifted, by 2400 m 0.175 m/s / 100 m/s = 4 m in the
+    mean (docs/physics/speckle.md, Eq. 9): another speckle of the same power."""
+    calm, windy = blown_upon(0), blown_upon(8)
+    assert np.array_equal(*(sigmascape.render(scene, radar, atlas=atlas).sigma0 for radar in (calm, windy)), equal_nan=True)
+    meadow = sigmascape.Scene.simple(side_m=160.0, ground_material="grass")
+    sigmascape.bake(meadow, tmp_path / "atlas", azimuths=4, elevations_deg=[15.0], texel_m=1.0, patch_texels=256, samples=4, progress=False)
+    grown = sigmascape.Atlas(tmp_path / "atlas")
+    # Before the objects, and away from the edges across which grass is shifted out of the map.
+    before = (slice(56, -4), slice(8, -8))
+    still, moved = (np.array([sigmascape.render(meadow, radar, atlas=grown, seed=seed).vv[before] for seed in range(1, 5)], dtype=float)
+                    for radar in (calm, windy))
+    assert np.corrcoef(still.ravel(), moved.ravel())[0, 1] < 0.5
+    assert 10.0 * np.log10(moved.mean() / still.mean()) == pytest.approx(0.0, abs=0.3)
+    without = [sigmascape.render(None, radar, atlas=grown).sigma0 for radar in (calm, windy)]
+    assert np.array_equal(*without, equal_nan=True)
+
+
+@pytest.mark.parametrize("lod", [0, 1])
+def test_maps_of_a_later_moment_are_of_what_has_moved(scene, atlas, flying, lod):
+    """In 5 s a lorry of 8 m/s goes 40 m to the west, and the radar 500 m to the east."""
+    flying.beam_width_deg = 0.05
+    lorry = sigmascape.Target((30.0, -36.0), heading_deg=270.0, speed_mps=8.0, height_m=0.0, rcs_dbsm=60.0)
+    options = dict(lod=lod, atlas=atlas, targets=[lorry], samples=4, bounces=1, progress=False)
+
+    def radar_m(metadata):
+        return np.array([float(word) for word in metadata["radar_position_m"].split()])
+
+    then = sigmascape.render(scene, flying, time_s=5.0, **options)
+    assert brightest(then) == pytest.approx((-10.0, -36.0), abs=2.0)
+    assert then.metadata["time_s"] == "5"
+    now = sigmascape.render(scene, flying, **options)
+    assert radar_m(then.metadata) - radar_m(now.metadata) == pytest.approx(np.array([500.0, 0.0, 0.0]), abs=0.02)
+    power = sigmascape.received_power(scene, flying, time_s=5.0, **options)
+    assert brightest(power) == pytest.approx((-10.0, -36.0), abs=2.0)
+    assert radar_m(power.metadata) == pytest.approx(radar_m(then.metadata)) and power.metadata["time_s"] == "5"
 
 
 @pytest.mark.parametrize("names, options, words", [

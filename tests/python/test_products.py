@@ -10,11 +10,6 @@ import pytest
 
 import sigmascape
 
-gdal = pytest.importorskip("osgeo.gdal")
-validator = pytest.importorskip("osgeo_utils.samples.validate_cloud_optimized_geotiff")
-osr = pytest.importorskip("osgeo.osr")
-gdal.UseExceptions()
-
 RADAR = """
 [radar]
 name = "mapper"
@@ -56,13 +51,14 @@ def made(tmp_path_factory):
 
 
 @pytest.mark.parametrize("name", ["map.tif", "map_db.tif", "utm.tif", "layers.tif", "power.tif", "power_db.tif", "power_utm.tif"])
-def test_gdal_finds_no_fault_with_cloud_optimised_files(made, name):
+def test_gdal_finds_no_fault_with_cloud_optimised_files(gdal, made, name):
+    validator = pytest.importorskip("osgeo_utils.samples.validate_cloud_optimized_geotiff")
     warnings, errors, _ = validator.validate(str(made / name), full_check=True)
     assert errors == [] and warnings == []
     assert gdal.Open(str(made / name)).GetRasterBand(1).GetOverviewCount() >= 1
 
 
-def test_decibels_are_those_of_the_linear_map(made):
+def test_decibels_are_those_of_the_linear_map(gdal, made):
     linear, db = gdal.Open(str(made / "map.tif")), gdal.Open(str(made / "map_db.tif"))
     assert [linear.GetRasterBand(b + 1).GetDescription() for b in range(4)] == ["VV", "HH", "HV", "RE_VVHH"]
     assert [db.GetRasterBand(b + 1).GetDescription() for b in range(3)] == ["VV", "HH", "HV"] and db.RasterCount == 3
@@ -94,7 +90,8 @@ def test_numpy_files_have_the_numbers_of_the_geotiff(made):
 
 @pytest.mark.parametrize("name", ["map.tif", "map_db.tif", "utm.tif", "layers.tif", "map.npz", "map.png", "power.tif", "power_utm.tif",
                                   "power.npz"])
-def test_metadata_tell_where_a_product_comes_from(made, name):
+def test_metadata_tell_where_a_product_comes_from(gdal, made, name):
+    osr = pytest.importorskip("osgeo.osr")
     if name.endswith(".npz"):
         told = json.loads(np.load(made / name)["description_json"].tobytes())
     else:
@@ -110,7 +107,7 @@ def test_metadata_tell_where_a_product_comes_from(made, name):
     assert [float(word) for word in told["radar_velocity_mps"].split()] == pytest.approx([77.13, 91.93, 0.0], abs=0.01)
 
 
-def test_power_is_in_watts_and_in_decibels_over_one(made):
+def test_power_is_in_watts_and_in_decibels_over_one(gdal, made):
     watts, dbw = gdal.Open(str(made / "power.tif")), gdal.Open(str(made / "power_db.tif"))
     assert watts.RasterCount == dbw.RasterCount == 3
     for number, name in enumerate(["VV", "HH", "HV"], 1):
@@ -158,7 +155,7 @@ def test_python_receives_what_the_command_line_does(made, tmp_path):
         sigmascape.received_power(scene, radar)
 
 
-def test_orders_of_bounces_are_layers_of_the_command_line_too(made):
+def test_orders_of_bounces_are_layers_of_the_command_line_too(gdal, made):
     layers, whole = gdal.Open(str(made / "layers.tif")), sigmascape.GroundMap.read(made / "map.tif").vv
     names = [layers.GetRasterBand(b + 1).GetDescription() for b in range(layers.RasterCount)]
     assert names == ["shadow", "class", "bounce1", "bounce2", "multibounce"]
@@ -169,7 +166,7 @@ def test_orders_of_bounces_are_layers_of_the_command_line_too(made):
     assert layers.GetMetadataItem("bounce_polarization") == "VV" and layers.GetMetadataItem("classes")
 
 
-def test_orders_of_bounces_are_of_the_polarization_that_is_asked_for(made):
+def test_orders_of_bounces_are_of_the_polarization_that_is_asked_for(gdal, made):
     sigmascape_cli("render", made / "radar.toml", "--scene", made / "scene.toml", "--samples", 1, "--bounces", 2, "--polarization", "hv",
                    "--layers", "bounce1,bounce2", "--layers-out", made / "layers_hv.tif")
     layers, whole = gdal.Open(str(made / "layers_hv.tif")), sigmascape.GroundMap.read(made / "map.tif")
@@ -179,7 +176,7 @@ def test_orders_of_bounces_are_of_the_polarization_that_is_asked_for(made):
     assert layers.GetMetadataItem("bounce_polarization") == "HV"
 
 
-def test_targets_of_the_command_line_throw_their_shadows_in_layers_too(made):
+def test_targets_of_the_command_line_throw_their_shadows_in_layers_too(gdal, made):
     (made / "targets.toml").write_text('[[targets]]\nname = "hall"\nposition_m = [100, 100]\nrcs_dbsm = 0\nsize_m = [20, 20, 40]\n')
 
     def shadow_of(name, *options):
@@ -193,7 +190,7 @@ def test_targets_of_the_command_line_throw_their_shadows_in_layers_too(made):
     assert np.all(less <= layover)
 
 
-def test_a_picture_lies_where_its_world_file_says(made):
+def test_a_picture_lies_where_its_world_file_says(gdal, made):
     lines = [float(line) for line in (made / "map.pgw").read_text().split()]
     tif = sigmascape.GroundMap.read(made / "map.tif")
     assert lines == [0.5, 0.0, 0.0, -0.5, tif.west_m + 0.25, tif.north_m - 0.25]

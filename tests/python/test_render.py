@@ -1,4 +1,5 @@
 import copy
+import json
 import os
 import struct
 import subprocess
@@ -37,6 +38,29 @@ def test_a_baked_map_comes_near_the_traced_one(scene, atlas, radar):
     assert near[0].correlation_db > 0.8 and abs(near[0].bias_db) < 3.0
     same = sigmascape.compare(traced, traced, cells_m=[2.0, 4.0])
     assert [(row.correlation_db, row.rms_db, row.l1) for row in same] == pytest.approx([(1.0, 0.0, 0.0)] * 2)
+
+
+def test_a_comparison_is_of_the_first_map_against_the_second(atlas, radar, tmp_path):
+    """Of twice the power: 10 lg 2 = 3.010 dB too bright and wrong by once the truth; the other way round -3.010 dB and half of it."""
+    truth, doubled = (sigmascape.render(None, radar, atlas=atlas) for _ in range(2))
+    doubled.sigma0[...] *= 2.0
+    truth.save(tmp_path / "map.tif")
+    doubled.save(tmp_path / "doubled.tif")
+
+    def told(*files):
+        command = [os.environ["SIGMASCAPE_CLI"], "compare", *files, "--json", "--cells-m", "4"]
+        return json.loads(subprocess.run(command, check=True, capture_output=True, cwd=tmp_path).stdout)
+
+    for maps, files, bias_db, l1 in [((doubled, truth), ("doubled.tif", "map.tif"), 3.0103, 1.0),
+                                     ((truth, doubled), ("map.tif", "doubled.tif"), -3.0103, 0.5)]:
+        [ours], report = sigmascape.compare(*maps, cells_m=[4.0]), told(*files, "--noise-floor", files[1])
+        [theirs], [floor] = report["cells"], report["noise_floor"]
+        for found in [(ours.cell_m, ours.bias_db, ours.l1), (theirs["cell_m"], theirs["bias_db"], theirs["l1"])]:
+            assert found == pytest.approx((4.0, bias_db, l1), abs=1e-3)
+        # The truth traced again is held against the truth too.
+        assert (floor["bias_db"], floor["l1"]) == pytest.approx((0.0, 0.0), abs=1e-6)
+    assert told("map.tif", "map.tif", "--noise-floor", "doubled.tif")["noise_floor"][0]["bias_db"] == pytest.approx(3.0103, abs=1e-3)
+    assert "noise_floor" not in told("doubled.tif", "map.tif")
 
 
 def png_texts(content):
