@@ -29,31 +29,81 @@ class GroundAlong {
         outwards_(radar::horizontal_direction(azimuth_rad)),
         ground_(ground),
         earth_(earth),
-        height_m_(ground(foot_)) {}
+        distance_m_(nearest_m()) {}
 
-  /// Height and distance follow from each other. Where ground lies over other ground any of its places will do: their
-  /// elevations differ by no more than their heights over the range.
+  /// Where ground lies over other ground any of its places will do: their elevations differ by no more than their
+  /// heights over the range.
   double elevation_rad(double range_m) {
-    constexpr int most_steps = 8;
-    constexpr double close_enough_m = 0.01;
-    double distance_m = 0.0;
-    for (int step = 0; step < most_steps; ++step) {
-      distance_m = radar::distance_of_range_m(earth_, radar_.z, height_m_, range_m);
-      const double before_m = height_m_;
-      height_m_ = ground_(foot_ + outwards_ * distance_m);
-      if (std::abs(height_m_ - before_m) < close_enough_m) break;
-    }
-    const Vec2d place = foot_ + outwards_ * distance_m;
-    const double rise_m = earth_.bent({place.x, place.y, height_m_}, foot_).z - radar_.z;
+    distance_m_ = next_m(distance_m_, range_m);
+    const Vec2d place = foot_ + outwards_ * distance_m_;
+    const double rise_m = earth_.bent({place.x, place.y, ground_(place)}, foot_).z - radar_.z;
     return std::asin(std::clamp(rise_m / range_m, -1.0, 1.0));
   }
 
  private:
+  static constexpr double near_enough_m = 1e-3;
+
+  [[nodiscard]] double height_m(double distance_m) const { return ground_(foot_ + outwards_ * distance_m); }
+  [[nodiscard]] double range_m(double distance_m) const {
+    return earth_.slant_range_m(radar_.z, height_m(distance_m), distance_m);
+  }
+
+  /// Where the ground is nearest: straight below, unless it rises ahead by more than it recedes.
+  [[nodiscard]] double nearest_m() const {
+    constexpr int places = 64;
+    const double depth_m = range_m(0.0);
+    double nearest_m = 0.0, least_m = depth_m;
+    for (int place = 1; place < places; ++place) {
+      const double distance_m = depth_m * place / places, there_m = range_m(distance_m);
+      if (there_m >= least_m) continue;
+      nearest_m = distance_m;
+      least_m = there_m;
+    }
+    return nearest_m;
+  }
+
+  /// A place of that range beyond one of less; that one where it is no less. However steep the ground, one lies between
+  /// it and whatever is farther away, whereas height and distance found from each other in turn run off at steep looks.
+  [[nodiscard]] double next_m(double near_m, double wanted_m) const {
+    double near_by_m = range_m(near_m) - wanted_m;
+    if (near_by_m >= 0.0) return near_m;
+    double far_m =
+        std::max(radar::distance_of_range_m(earth_, radar_.z, height_m(near_m), wanted_m), near_m + near_enough_m);
+    double far_by_m = range_m(far_m) - wanted_m;
+    // Along the sea half a circle is the longest way between two points, and less than twice their range.
+    for (double step_m = far_m - near_m; far_by_m < 0.0 && far_m < 2.0 * wanted_m; step_m *= 2.0) {
+      near_m = far_m;
+      near_by_m = far_by_m;
+      far_m += 2.0 * step_m;
+      far_by_m = range_m(far_m) - wanted_m;
+    }
+    return between_m(near_m, near_by_m, far_m, far_by_m, wanted_m);
+  }
+
+  /// Regula falsi in its Illinois form. `near_by_m`, `far_by_m`: by how much the two are farther away than is wanted.
+  [[nodiscard]] double between_m(double near_m, double near_by_m, double far_m, double far_by_m,
+                                 double wanted_m) const {
+    constexpr int most_steps = 40;
+    if (far_by_m < near_enough_m) return far_m;
+    int last_side = 0;
+    for (int step = 0; step < most_steps && far_m - near_m > near_enough_m; ++step) {
+      const double middle_m = (near_m * far_by_m - far_m * near_by_m) / (far_by_m - near_by_m);
+      const double middle_by_m = range_m(middle_m) - wanted_m;
+      if (std::abs(middle_by_m) < near_enough_m) return middle_m;
+      const int side = middle_by_m > 0.0 ? 1 : -1;
+      (side > 0 ? far_m : near_m) = middle_m;
+      (side > 0 ? far_by_m : near_by_m) = middle_by_m;
+      if (side == last_side) (side > 0 ? near_by_m : far_by_m) *= 0.5;
+      last_side = side;
+    }
+    return 0.5 * (near_m + far_m);
+  }
+
   Vec3d radar_;
   Vec2d foot_, outwards_;
   const GroundHeight& ground_;
   const radar::CurvedEarth& earth_;
-  double height_m_;  // of the range before, where the search for the next begins
+  double distance_m_;  // of the range before, where the search for the next begins
 };
 
 /// As receiver::RangeAzimuthReceiver weights echoes before their responses are laid over the bins.

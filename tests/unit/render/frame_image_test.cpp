@@ -1,5 +1,6 @@
 #include "sigmascape/render/frame_image.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -56,8 +57,8 @@ class OneBin {
 };
 
 /// Twice 10 lg exp(−4 ln 2 (φ/θ)²).
-double gaussian_db(double elevation_rad) {
-  const double widths = (elevation_rad - radians_from_deg(tilt_deg)) / radians_from_deg(width_deg);
+double gaussian_db(double elevation_rad, double beam_tilt_deg = tilt_deg) {
+  const double widths = (elevation_rad - radians_from_deg(beam_tilt_deg)) / radians_from_deg(width_deg);
   return -80.0 * std::numbers::ln2 * std::numbers::log10e * widths * widths;
 }
 
@@ -85,6 +86,100 @@ TEST(FrameImage, GroundThatRisesIsMetNearer) {
   EXPECT_NEAR(OneBin(range_m).lost_db([&](Vec2d place) { return slope * place.y; }, radar::CurvedEarth::flat()),
               gaussian_db(-std::asin(below_m / range_m)), 0.01);
   EXPECT_GT(std::asin(height_m / range_m) - std::asin(below_m / range_m), radians_from_deg(5.0)) << "it tells";
+}
+
+/// Two hundred bins of 5 m due north, in which the radar tells each from the next.
+class FineBins {
+ public:
+  explicit FineBins(double middle_m) : powers_(std::size_t{bins * 4}, 0.0F) {
+    for (std::size_t bin = 0; bin < bins; ++bin) powers_[4 * bin] = 1.0F;
+    frame_.grid = {middle_m - 0.5 * bins * bin_m, bin_m, bins, -0.005, 0.01, 1};
+    frame_.powers_m2 = powers_;
+    pose_.position = {0.0, 0.0, height_m};
+  }
+  [[nodiscard]] double range_m(std::size_t bin) const {
+    return frame_.grid.first_range_m + (static_cast<double>(bin) + 0.5) * bin_m;
+  }
+  /// By how much the beam's elevation weakens each, both ways.
+  [[nodiscard]] std::vector<double> lost_db(const GroundHeight& ground, double beam_tilt_deg) const {
+    const auto image = [&](radar::BeamShape elevation) {
+      radar::Radar radar = radar_with(std::move(elevation));
+      radar.range_resolution_m = 0.01;
+      radar.beam_width_rad = 1e-4;
+      radar.antenna.tilt_rad = radians_from_deg(beam_tilt_deg);
+      return image_of(frame_, pose_, radar, ground, radar::CurvedEarth::flat());
+    };
+    const auto weighted = image(radar::GaussianBeam{}), even = image(radar::EvenBeam{});
+    std::vector<double> lost;
+    for (std::size_t bin = 0; bin < bins; ++bin) {
+      const double left = static_cast<double>(weighted.rcs_m2(0, bin).vv) / static_cast<double>(even.rcs_m2(0, bin).vv);
+      lost.push_back(db_from_linear(left));
+    }
+    return lost;
+  }
+
+  static constexpr std::size_t bins = 200;
+
+ private:
+  static constexpr double bin_m = 5.0;
+  std::vector<float> powers_;
+  Frame frame_;
+  Pose pose_;
+};
+
+/// Elevations of all ground due north that is as far away, over a flat Earth: where range passes it between steps of a
+/// metre, by bisection.
+std::vector<double> elevations_at(double range_m, const GroundHeight& ground) {
+  const auto farther_by = [&](double north_m) {
+    return std::hypot(north_m, height_m - ground({0.0, north_m})) - range_m;
+  };
+  std::vector<double> elevations;
+  for (double near_m = 0.0; near_m < range_m; near_m += 1.0) {
+    const bool near_is_farther = farther_by(near_m) > 0.0;
+    if ((farther_by(near_m + 1.0) > 0.0) == near_is_farther) continue;
+    double low_m = near_m, high_m = near_m + 1.0;
+    for (int halving = 0; halving < 40; ++halving) {
+      const double middle_m = 0.5 * (low_m + high_m);
+      ((farther_by(middle_m) > 0.0) == near_is_farther ? low_m : high_m) = middle_m;
+    }
+    elevations.push_back(std::asin((ground({0.0, low_m}) - height_m) / range_m));
+  }
+  return elevations;
+}
+
+/// Of each bin that holds ground: how far its loss is from that of the nearest to it among its places.
+std::vector<double> errors_db(const FineBins& bins, const GroundHeight& ground, double beam_tilt_deg) {
+  const std::vector<double> lost = bins.lost_db(ground, beam_tilt_deg);
+  std::vector<double> errors;
+  for (std::size_t bin = 0; bin < FineBins::bins; ++bin) {
+    std::vector<double> of_places;
+    for (const double elevation_rad : elevations_at(bins.range_m(bin), ground))
+      of_places.push_back(std::abs(lost[bin] - gaussian_db(elevation_rad, beam_tilt_deg)));
+    if (!of_places.empty()) errors.push_back(std::ranges::min(of_places));
+  }
+  return errors;
+}
+
+TEST(FrameImage, SteepLooksEndAtGroundThatHasTheRange) {
+  // A step from height to distance and back makes its error tan(slope) tan(depression) times as large: 0.63 times at
+  // 20° and 60°, in the middle of the bins, and more than once in nearer ones. Over ground that rises by more than
+  // range grows, ranges have several places.
+  for (const double slope_deg : {10.0, 20.0, 30.0}) {
+    const double wave_m = 1000.0, amplitude_m = std::tan(radians_from_deg(slope_deg)) * wave_m / (2.0 * pi);
+    const GroundHeight waves = [&](Vec2d place) { return amplitude_m * std::sin(2.0 * pi * place.y / wave_m); };
+    const FineBins bins(height_m / std::sin(radians_from_deg(60.0)));
+    const std::vector<double> errors = errors_db(bins, waves, -60.0);
+    EXPECT_GT(errors.size(), FineBins::bins * 3 / 4) << slope_deg;
+    EXPECT_LT(std::ranges::max(errors), 0.1) << slope_deg;
+  }
+}
+
+TEST(FrameImage, GroundAheadMayBeNearerThanWhatIsStraightBelow) {
+  // A table 2500 m high, whose edge, 600 m ahead, is 781 m away.
+  const GroundHeight table = [](Vec2d place) { return std::clamp(50.0 * (place.y - 550.0), 0.0, 2500.0); };
+  const std::vector<double> errors = errors_db(FineBins(1500.0), table, -20.0);
+  EXPECT_EQ(errors.size(), FineBins::bins);
+  EXPECT_LT(std::ranges::max(errors), 0.1);
 }
 
 TEST(FrameImage, TheSeaLiesLowerOverARoundEarth) {
