@@ -193,7 +193,8 @@ void add_live(py::module_& module) {
       module, "LiveRenderer",
       "The live radar picture of a wide area: hand it a pose, get what the receiver has in its bins.\n"
       "It never waits for pages; what was not there in time is shown from a coarser level. Calls of several threads\n"
-      "queue up, and a process that was forked off the one that made it makes its own.");
+      "queue up, and a process that was forked off the one that made it makes its own.\n"
+      "A radar below all ground of the tile of terrain under it raises Error, and the frame stays as it was.");
   binding.def(py::init(&made_renderer), py::arg("ground"), py::kw_only(), py::arg("content") = "amplitudes",
               py::arg("beams") = settings.beams, py::arg("ranges") = settings.ranges,
               py::arg("beam_step_rad") = settings.beam_step_rad, py::arg("range_step_m") = settings.range_step_m,
@@ -201,12 +202,12 @@ void add_live(py::module_& module) {
               py::arg("threads") = 0, py::arg("refraction") = settings.refraction,
               "content: 'amplitudes' (I/Q with speckle) or 'powers' (their mean). refraction: k of the k-Earth, 0.1 at "
               "least.");
-  bind_drawing(
-      binding,
-      "A Frame of all beams. position_m: x, y of the local frame, altitude above mean sea level.\n"
-      "first_azimuth_rad: left edge of beam 0, clockwise from north. first_range_m: near edge of range bin 0.\n"
-      "velocity_mps: says which ground to fetch ahead of time. time_s, dwell, pulse: of the targets.",
-      "Renders `count` beams from `first_beam` anew and leaves the others: one step of a scanning antenna.");
+  bind_drawing(binding,
+               "A Frame of all beams. position_m: x, y of the local frame, altitude above mean sea level.\n"
+               "first_azimuth_rad: left edge of beam 0, clockwise from the frame's north.\n"
+               "first_range_m: near edge of range bin 0. velocity_mps: says which ground to fetch ahead of time.\n"
+               "time_s, dwell, pulse: of the targets.",
+               "Renders `count` beams from `first_beam` anew and leaves the others: one step of a scanning antenna.");
 }
 
 }  // namespace sigmascape::python

@@ -56,7 +56,8 @@ void add_live_flight(py::module_& module) {
       module, "LiveFlight",
       "Live frames along a flight path at the level of detail that they need: traced as by LiveTracer where a small\n"
       "area is looked at closely, from the textures of an atlas of the same scene elsewhere. One gives way to the\n"
-      "other over some frames, so that no step shows. Threads and processes share it as they do a LiveRenderer.");
+      "other over some frames, so that no step shows. Poses that LiveRenderer refuses are refused where textures are\n"
+      "drawn. Threads and processes share it as they do a LiveRenderer.");
   binding
       .def(py::init(&made_flight), py::arg("scene").none(false), py::arg("ground"), py::kw_only(),
            py::arg("content") = "amplitudes", py::arg("beams") = settings.beams, py::arg("ranges") = settings.ranges,

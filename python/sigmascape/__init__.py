@@ -25,9 +25,10 @@
 
 Scenes come from scene files, or are made up (Scene.simple, Scene.paper). LiveGround and LiveRenderer make radar frames for
 simulators as I/Q, LiveTracer those of small areas from the whole scene, LiveFlight whichever of the two a pose needs. The
-local frame has x east and y north in metres; heights are above mean sea level; azimuths count clockwise from true north;
-maps are [row, column] with row 0 the northernmost; sigma0 is linear. Names say their unit. Long calls let other Python
-threads run and end on Ctrl-C. What cannot be used raises sigmascape.Error, which says why.
+local frame has x east and y north in metres; heights are above mean sea level; azimuths count clockwise from the frame's
+north, which is true at its origin; maps are [row, column] with row 0 the northernmost; sigma0 is linear. Names say their
+unit. Long calls let other Python threads run and end on Ctrl-C. What cannot be used raises sigmascape.Error, which says
+why.
 """
 
 from ._native import (

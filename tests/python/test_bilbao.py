@@ -7,10 +7,6 @@ import subprocess
 import numpy as np
 import pytest
 
-gdal = pytest.importorskip("osgeo.gdal")
-osr = pytest.importorskip("osgeo.osr")
-gdal.UseExceptions()
-
 SOURCES = pathlib.Path(os.environ["SIGMASCAPE_SOURCE_DIR"])
 DATA = pathlib.Path(os.environ.get("SIGMASCAPE_DATA") or SOURCES / "../shared/data")
 COVER = DATA / "bilbao" / "landcover_2p5m_utm30n_wc.tif"
@@ -33,14 +29,20 @@ cell_m = 5.0
 """
 
 
-def system(text):
+@pytest.fixture
+def osr(gdal):
+    from osgeo import osr
+    return osr
+
+
+def system(osr, text):
     reference = osr.SpatialReference()
     reference.SetFromUserInput(text)
     reference.SetAxisMappingStrategy(osr.OAMS_TRADITIONAL_GIS_ORDER)
     return reference
 
 
-def shoreline():
+def shoreline(gdal):
     """Points between water and open grass, with the step from water to land: (east, north, step east, step north)."""
     raster = gdal.Open(str(COVER))
     west, cell, _, north, _, _ = raster.GetGeoTransform()
@@ -60,10 +62,10 @@ def shoreline():
     return np.array(points)
 
 
-def offset_of_shore_m(tif, points):
+def offset_of_shore_m(gdal, osr, tif, points):
     """Where from water to land the map passes half the land's power, metres inland of the land cover's border."""
     raster = gdal.Open(str(tif))
-    to_map = osr.CoordinateTransformation(system("EPSG:25830"), system(raster.GetProjection()))
+    to_map = osr.CoordinateTransformation(system(osr, "EPSG:25830"), system(osr, raster.GetProjection()))
     west, cell, _, north, _, _ = raster.GetGeoTransform()
     power = raster.GetRasterBand(1).ReadAsArray()
     steps = np.arange(-REACH_M + 2.5, REACH_M, 1.25)
@@ -83,16 +85,16 @@ def offset_of_shore_m(tif, points):
 
 
 @pytest.mark.skipif(not COVER.exists(), reason=f"the folder bilbao is not in {DATA}; set SIGMASCAPE_DATA")
-def test_the_river_is_where_the_land_cover_has_it(tmp_path):
+def test_the_river_is_where_the_land_cover_has_it(gdal, osr, tmp_path):
     (tmp_path / "radar.toml").write_text(RADAR)
     command = [os.environ["SIGMASCAPE_CLI"], "render", tmp_path / "radar.toml", "--scene", SOURCES / "examples/bilbao/bilbao.toml",
                "--samples", "4", "--bounces", "1"]
     environment = os.environ | {"SIGMASCAPE_DATA": str(DATA.resolve())}
-    points = shoreline()
+    points = shoreline(gdal)
     for name, options in [("local.tif", []), ("utm.tif", ["--crs", "EPSG:25830"])]:
         subprocess.run([*command, *options, "--out", tmp_path / name], check=True, env=environment)
         towards = [(1, 0), (-1, 0), (0, 1), (0, -1)]
-        offsets = [offset_of_shore_m(tmp_path / name, points[(points[:, 2] == e) & (points[:, 3] == n)]) for e, n in towards]
+        offsets = [offset_of_shore_m(gdal, osr, tmp_path / name, points[(points[:, 2] == e) & (points[:, 3] == n)]) for e, n in towards]
         print(name, "offsets by direction of the land:", dict(zip(towards, np.round(offsets, 2))))
         # Half a cell for the picking of the nearest cell, half for the land cover's own cells; banks some metres tall.
         assert np.abs(offsets).max() < 5.0

@@ -17,7 +17,7 @@ using LookIndex = std::uint32_t;
 
 /// The looks that are baked: every azimuth with every elevation at every frequency. Each axis ascends.
 struct AspectGrid {
-  std::vector<double> azimuths_rad;    ///< in [0, 2π), clockwise from true north; the axis closes on itself
+  std::vector<double> azimuths_rad;    ///< in [0, 2π), clockwise from the frame's north; the axis closes on itself
   std::vector<double> elevations_rad;  ///< in (0, π/2]
   std::vector<double> frequencies_hz;
 

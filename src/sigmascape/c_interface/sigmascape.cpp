@@ -35,6 +35,12 @@ using sigmascape::simulate::LiveFlight;
 using sigmascape::simulate::LiveTracer;
 using sigmascape::simulate::LiveTraceSettings;
 
+// Programs hold these by value and load the library as it runs: who changes one raises the minor version of the
+// project, by which the library's name keeps programs from it that were built before.
+static_assert(sizeof(sigmascape_rectangle) == 32 && sizeof(sigmascape_settings) == 72 &&
+              sizeof(sigmascape_tracing) == 24 && sizeof(sigmascape_pose) == 88 && sizeof(sigmascape_way_point) == 32 &&
+              sizeof(sigmascape_target) == 136 && sizeof(sigmascape_frame) == 120);
+
 struct sigmascape_ground {
   std::shared_ptr<LiveGround> ground;
 };

@@ -2,14 +2,16 @@
 #define SIGMASCAPE_C_INTERFACE_SIGMASCAPE_H
 
 /* The live renderer for programs written in C, or in anything that calls C: open the ground, make a renderer, hand it
- * poses and targets, read frames. Angles are radians, azimuth clockwise from true north; positions are metres of the
- * atlas' local frame (x east, y north, z above mean sea level). No exception crosses this interface: what fails returns
- * null or a number other than 0, and sigmascape_last_error says why.
+ * poses and targets, read frames. Angles are radians, azimuth clockwise from the frame's north, which is true at its
+ * origin (docs/live.md); positions are metres of the atlas' local frame (x east, y north, z above mean sea level). No
+ * exception crosses this interface: what fails returns null or a number other than 0, and sigmascape_last_error says
+ * why.
  *
  * The ground may be shared by any number of renderers on any threads at once; a renderer is for one caller at a time.
  * A child that was forked off has the threads of neither: open and make there what is used there.
  * Poses and targets are best begun with zeros, `= {0}`, settings and tracing with sigmascape_default_settings() and
- * sigmascape_default_tracing(), so that what a later version adds has its default. */
+ * sigmascape_default_tracing(), so that what a later version adds has its default. Structures grow with the minor
+ * version alone, which the shared library's name bears: a program that was linked to one loads no other. */
 
 #include <stddef.h>
 #include <stdint.h>
@@ -99,7 +101,7 @@ typedef struct sigmascape_target {
   size_t way_point_count;
   float rcs_m2[4];       /* VV, HH, HV, Re VV HH*, which is no larger than sqrt(VV HH) */
   const char* rcs_table; /* instead of rcs_m2: a file of cross-sections by aspect (docs/target_file.md); null: none */
-  double heading_rad;    /* of the table's nose while the target stands, clockwise from true north */
+  double heading_rad;    /* of the table's nose while the target stands, clockwise from the frame's north */
   int swerling;          /* 0 steady, 1 to 4 fluctuating */
   uint64_t seed;         /* of its fluctuation; give every target its own */
   double size_m[3];      /* length along its heading, width, height of a box that hides the ground behind it; the phase
@@ -180,7 +182,8 @@ int sigmascape_set_targets(sigmascape_renderer* renderer, const sigmascape_targe
  * A step that goes beyond the last beam ends there; one that begins there, or of no beam, is refused. An antenna turns
  * by the beams of its steps, while first_azimuth_rad stays: beams that are left lie where they were drawn.
  * What is counted in a frame is then counted of those beams. The frame's arrays live until the next call with this
- * renderer. Returns 0 when all went well. */
+ * renderer. A radar that textures would show from below all ground of the tile of terrain under it is refused, between
+ * valid poses too. Returns 0 when all went well, and otherwise leaves `frame`. */
 int sigmascape_render(sigmascape_renderer* renderer, const sigmascape_pose* pose, sigmascape_frame* frame);
 int sigmascape_scan(sigmascape_renderer* renderer, const sigmascape_pose* pose, size_t first_beam, size_t count,
                     sigmascape_frame* frame);

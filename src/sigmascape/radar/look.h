@@ -8,7 +8,7 @@ namespace sigmascape::radar {
 
 /// From where a ground point is seen: the direction from the point to the radar.
 struct Aspect {
-  double azimuth_rad = 0.0;    ///< clockwise from true north
+  double azimuth_rad = 0.0;    ///< clockwise from the frame's north
   double elevation_rad = 0.0;  ///< grazing angle: above the horizontal
 };
 

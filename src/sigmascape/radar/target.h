@@ -21,7 +21,7 @@ struct Target {
   /// velocity, or along `heading_rad` while it stands.
   std::variant<Channels, RcsTable> rcs_m2;
   Swerling fluctuation = Swerling::Case0;
-  double heading_rad = 0.0;  ///< clockwise from true north
+  double heading_rad = 0.0;  ///< clockwise from the frame's north
   std::uint64_t seed = 0;    ///< of its fluctuation; give every target its own
   /// Length along its heading, width and height of a box about its foot that keeps the radar from seeing the ground
   /// behind it; without, it casts no shadow. Its foot is half the height below the phase centre.
@@ -39,7 +39,7 @@ struct Moment {
 };
 
 [[nodiscard]] Motion motion_of(const Target& target, double time_s);
-/// Where its nose points, clockwise from true north.
+/// Where its nose points, clockwise from the frame's north.
 [[nodiscard]] double heading_of(const Target& target, double time_s);
 
 /// The target in the straight space under a foot, place, velocity and vertical right at that time.
