@@ -29,17 +29,15 @@ void save(const GroundMap& map, const std::filesystem::path& path, bool db,
   // Others may assign metadata while this writes without the GIL.
   const std::map<std::string, std::string> metadata = map.metadata;
   const WithoutGil released;
+  const product::MapView view{map.grid, map.sigma0, map.crs, metadata, product::sigma0_quantity()};
   if (product::is_map_name(path)) {
-    const product::MapView view{map.grid, map.sigma0, map.crs, metadata, product::sigma0_quantity()};
     return product::write_map(path, view, db ? product::MapScale::Decibels : product::MapScale::Linear);
   }
   if (file_ending(path) != ".png") {
     throw Error(path.string(), "is no kind of file that maps are saved as", "end the name in .tif, .npy, .npz or .png");
   }
-  const GroundMap pictured{map.grid, map.sigma0, map.crs, metadata};
   product::write_map_picture(
-      path, pictured,
-      {.polarization = polarization_from(polarization, metadata), .span_db = span_db, .top_db = top_db});
+      path, view, {.polarization = polarization_from(polarization, metadata), .span_db = span_db, .top_db = top_db});
 }
 
 py::array_t<float> decibels(const GroundMap& map, const std::optional<std::string>& polarization, double floor_db) {

@@ -6,7 +6,7 @@
 
 namespace sigmascape::product {
 
-void write_map_picture(const std::filesystem::path& path, const radar::GroundMap& map, const PictureOptions& options) {
+void write_map_picture(const std::filesystem::path& path, const MapView& map, const PictureOptions& options) {
   write_png(path, with_attribution(with_legend(picture_of(map, options))));
 }
 

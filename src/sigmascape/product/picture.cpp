@@ -22,8 +22,8 @@ void require(bool holds, const std::string& where, const std::string& what, cons
   if (!holds) throw Error(where, what, remedy);
 }
 
-void check(const radar::GroundMap& map, const PictureOptions& options) {
-  require(!map.sigma0.empty(), "picture", "the map has no cells", "render a map of at least one cell");
+void check(const MapView& map, const PictureOptions& options) {
+  require(!map.cells.empty(), "picture", "the map has no cells", "render a map of at least one cell");
   require(!options.top_db || std::isfinite(*options.top_db), "picture top", "is no finite number of dB",
           "give the sigma0 that is to be shown brightest");
   require(options.span_db > 0.0 && std::isfinite(options.span_db), "picture span",
@@ -35,8 +35,8 @@ void check(const radar::GroundMap& map, const PictureOptions& options) {
           fmt::format("is {}", options.top_percentile), "give a number above 0 and up to 100");
 }
 
-Array2D<double> smoothed_power(const radar::GroundMap& map, const PictureOptions& options) {
-  return low_pass(block_mean(map, options.polarization, 1), options.low_pass_cells);
+Array2D<double> smoothed_power(const MapView& map, const PictureOptions& options) {
+  return low_pass(block_mean(map.cells, options.polarization, 1), options.low_pass_cells);
 }
 
 double percentile_db(const Array2D<double>& power, double percentile) {
@@ -59,8 +59,8 @@ radar::GroundGrid magnified(radar::GroundGrid grid, unsigned magnification) {
 }
 
 /// Paints levels in dB; NaN means unseen.
-Picture painted(const radar::GroundMap& map, const Array2D<double>& level_db, ColourScale scale, double bottom_db,
-                double top_db, unsigned magnification, Rgba unseen) {
+Picture painted(const MapView& map, const Array2D<double>& level_db, ColourScale scale, double bottom_db, double top_db,
+                unsigned magnification, Rgba unseen) {
   Picture picture;
   picture.grid = magnified(map.grid, magnification);
   picture.scale = scale;
@@ -87,11 +87,12 @@ PictureOptions scope_look() {
 }
 
 double percentile_top_db(const radar::GroundMap& map, const PictureOptions& options) {
-  check(map, options);
-  return percentile_db(smoothed_power(map, options), options.top_percentile);
+  const MapView view = view_of(map);
+  check(view, options);
+  return percentile_db(smoothed_power(view, options), options.top_percentile);
 }
 
-Picture picture_of(const radar::GroundMap& map, const PictureOptions& options) {
+Picture picture_of(const MapView& map, const PictureOptions& options) {
   check(map, options);
   Array2D<double> levels = smoothed_power(map, options);
   const double top_db = options.top_db ? *options.top_db : percentile_db(levels, options.top_percentile);
@@ -109,7 +110,7 @@ Picture picture_of(const radar::GroundMap& map, const PictureOptions& options) {
 
 Picture difference_picture(const radar::GroundMap& tested, const radar::GroundMap& truth,
                            const DifferenceOptions& options) {
-  check(truth, {.span_db = options.span_db, .magnification = options.magnification});
+  check(view_of(truth), {.span_db = options.span_db, .magnification = options.magnification});
   require(tested.grid == truth.grid, "difference picture", "the two maps have different grids",
           "render both onto the same grid");
   const double floor = linear_from_db(options.floor_db);
@@ -120,8 +121,8 @@ Picture difference_picture(const radar::GroundMap& tested, const radar::GroundMa
     ratio_db.values()[i] = std::isnan(a) || std::isnan(b) ? std::numeric_limits<double>::quiet_NaN()
                                                           : db_from_linear(std::max(a, floor) / std::max(b, floor));
   }
-  Picture picture = painted(truth, ratio_db, ColourScale::Diverging, -options.span_db / 2.0, options.span_db / 2.0,
-                            options.magnification, unseen_colour);
+  Picture picture = painted(view_of(truth), ratio_db, ColourScale::Diverging, -options.span_db / 2.0,
+                            options.span_db / 2.0, options.magnification, unseen_colour);
   picture.metadata["quantity"] = fmt::format("tested over truth, {} [dB]", polarization_name(options.polarization));
   picture.metadata[polarization_key] = radar::polarization_word(options.polarization);
   return picture;

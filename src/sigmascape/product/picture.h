@@ -6,6 +6,7 @@
 
 #include "sigmascape/base/array2d.h"
 #include "sigmascape/product/colour_scale.h"
+#include "sigmascape/product/map_view.h"
 #include "sigmascape/radar/ground_map.h"
 
 namespace sigmascape::product {
@@ -39,8 +40,11 @@ struct PictureOptions {
 
 /// σ0 in dB over a span that ends at the top, bottom at the scale's low end. Unseen cells are dark blue or transparent;
 /// cells without power are at the low end. Throws Error when the span is not positive, the top not finite, the
-/// percentile not in (0, 100], the magnification zero, the low-pass negative or the map empty.
-[[nodiscard]] Picture picture_of(const radar::GroundMap& map, const PictureOptions& options = {});
+/// percentile not in (0, 100], the magnification zero, the low-pass negative or the map empty. A view is one of σ0.
+[[nodiscard]] Picture picture_of(const MapView& map, const PictureOptions& options = {});
+[[nodiscard]] inline Picture picture_of(const radar::GroundMap& map, const PictureOptions& options = {}) {
+  return picture_of(view_of(map), options);
+}
 
 /// The level, in dB, below which `top_percentile` of the map's seen cells with power lie: the top that picture_of takes
 /// by itself. 0 dB when no cell has power.
