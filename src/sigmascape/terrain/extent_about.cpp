@@ -7,6 +7,7 @@
 
 #include "sigmascape/base/array2d.h"
 #include "sigmascape/base/vec.h"
+#include "sigmascape/radar/rectangle_parts.h"
 
 namespace sigmascape::terrain {
 namespace {
@@ -15,8 +16,9 @@ constexpr double seen_from_the_air_m = 300e3;
 /// Where lengths in the frame are too long by a third already.
 constexpr double farthest_m = 5000e3;
 
-geo::Extent widened(const radar::Rectangle& rectangle, double by_m) {
-  return {rectangle.west_m - by_m, rectangle.south_m - by_m, rectangle.east_m + by_m, rectangle.north_m + by_m};
+geo::Extent extent_within(const radar::Rectangle& wanted, double by_m) {
+  const radar::Rectangle wide = radar::widened(wanted, by_m);
+  return {wide.west_m, wide.south_m, wide.east_m, wide.north_m};
 }
 
 geo::Extent common(const geo::Extent& a, const geo::Extent& b) {
@@ -67,7 +69,8 @@ std::optional<geo::Extent> covered_piece(const geo::Raster& raster, const geo::L
 geo::RasterOutline refined_about(const geo::RasterOutline& outline, const radar::Rectangle& wanted) {
   constexpr double share = 1.0 / 64.0;
   const double side_m = std::max(wanted.width_m(), wanted.height_m());
-  return outline.with_points_in(widened(wanted, 0.5 * side_m), share * std::min(wanted.width_m(), wanted.height_m()));
+  return outline.with_points_in(extent_within(wanted, 0.5 * side_m),
+                                share * std::min(wanted.width_m(), wanted.height_m()));
 }
 
 /// What a larger rectangle must hold of one: one that touches a bow on a side could not be made longer along it without
@@ -84,10 +87,10 @@ std::optional<geo::Extent> extent_about(const geo::Raster& raster, const geo::Lo
                                         const radar::Rectangle& wanted) {
   const auto piece = covered_piece(raster, frame, wanted);
   const geo::RasterOutline plain = raster.outline_in(frame), outline = refined_about(plain, wanted);
-  const geo::Extent inside = plain.extent_inside(), all = widened(wanted, 0.0);
+  const geo::Extent inside = plain.extent_inside(), all = extent_within(wanted, 0.0);
   if (!piece) return common(inside, all).empty() ? std::nullopt : std::optional(inside);
-  if (outline.empty()) return widened(wanted, reach_of_globe_m);
-  const geo::Extent near = widened(wanted, seen_from_the_air_m), far = widened(wanted, farthest_m);
+  if (outline.empty()) return extent_within(wanted, reach_of_globe_m);
+  const geo::Extent near = extent_within(wanted, seen_from_the_air_m), far = extent_within(wanted, farthest_m);
   const geo::Extent of_wanted = outline.extent_holding(*piece, all),
                     held = of_wanted == all ? all : without_rim(of_wanted),
                     of_near = outline.extent_holding(held, near);

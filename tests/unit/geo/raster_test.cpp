@@ -7,8 +7,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <limits>
-#include <sys/resource.h>
 
+#include "peak_memory.h"
 #include "scratch_folder.h"
 #include "unit/geo/ascii_grid.h"
 
@@ -247,18 +247,6 @@ TEST(Raster, CellsAreAsLargeAsTheyAreWhereTheyAreRead) {
   };
   EXPECT_LT(range_of(60.0), 3.0F);
   EXPECT_GT(range_of(1.0), 10.0F);
-}
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool memory_is_ours = false;  // sanitizers keep for a while what was given back
-#else
-constexpr bool memory_is_ours = true;
-#endif
-
-long peak_memory_kib() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return usage.ru_maxrss;
 }
 
 // 36 million cells of 1 m, which took 180 MB at once, as they are commonly stored and turned by 45°.

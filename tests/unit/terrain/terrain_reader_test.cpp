@@ -5,8 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <limits>
-#include <sys/resource.h>
 
+#include "peak_memory.h"
 #include "scratch_folder.h"
 #include "unit/geo/ascii_grid.h"
 
@@ -129,18 +129,6 @@ TEST_F(TerrainReader, RoomForReadingIsEnough) {
   };
   EXPECT_THAT(fault_at(15.0), HasSubstr("counts heights in 'fathom'"));
   EXPECT_THAT(fault_at(10.0), HasSubstr("GB of memory to read"));
-}
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool memory_is_ours = false;  // sanitizers keep for a while what was given back
-#else
-constexpr bool memory_is_ours = true;
-#endif
-
-long peak_memory_kib() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return usage.ru_maxrss;
 }
 
 // A list of holes took 16 bytes and more for each, which were not reckoned with.
