@@ -16,6 +16,12 @@ namespace sigmascape::radar {
   return {r.west_m + by.x, r.south_m + by.y, r.east_m + by.x, r.north_m + by.y};
 }
 
+/// The least rectangle that holds one and a point.
+[[nodiscard]] constexpr Rectangle with_point(const Rectangle& r, Vec2d point) {
+  return {std::min(r.west_m, point.x), std::min(r.south_m, point.y), std::max(r.east_m, point.x),
+          std::max(r.north_m, point.y)};
+}
+
 /// What two rectangles have in common: one whose east lies west of its west, or north south, where that is nothing.
 [[nodiscard]] constexpr Rectangle common_part(const Rectangle& a, const Rectangle& b) {
   return {std::max(a.west_m, b.west_m), std::max(a.south_m, b.south_m), std::min(a.east_m, b.east_m),

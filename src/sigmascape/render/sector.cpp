@@ -62,9 +62,7 @@ Sector::Stretches Sector::along_row(double north_m) const {
 radar::Rectangle Sector::bounds() const {
   radar::Rectangle box{1e300, 1e300, -1e300, -1e300};
   const auto include = [&box](double azimuth_rad, double distance_m) {
-    const Vec2d point = radar::horizontal_direction(azimuth_rad) * distance_m;
-    box = {std::min(box.west_m, point.x), std::min(box.south_m, point.y), std::max(box.east_m, point.x),
-           std::max(box.north_m, point.y)};
+    box = radar::with_point(box, radar::horizontal_direction(azimuth_rad) * distance_m);
   };
   for (const double azimuth : {first_azimuth_rad_, first_azimuth_rad_ + width_rad_}) {
     include(azimuth, near_m_);

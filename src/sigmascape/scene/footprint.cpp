@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "sigmascape/base/interruption.h"
+#include "sigmascape/radar/rectangle_parts.h"
 
 namespace sigmascape::scene {
 namespace {
@@ -23,10 +24,7 @@ radar::Rectangle bounds_of(const geo::Polygons& shape) {
   constexpr double inf = std::numeric_limits<double>::infinity();
   radar::Rectangle box{inf, inf, -inf, -inf};
   for (const geo::Polygon& polygon : shape) {
-    for (const Vec2d& corner : polygon.outer) {
-      box = {std::min(box.west_m, corner.x), std::min(box.south_m, corner.y), std::max(box.east_m, corner.x),
-             std::max(box.north_m, corner.y)};
-    }
+    for (const Vec2d& corner : polygon.outer) box = radar::with_point(box, corner);
   }
   return box;
 }

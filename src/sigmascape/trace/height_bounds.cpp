@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "sigmascape/radar/rectangle_parts.h"
+
 namespace sigmascape::trace {
 namespace {
 
@@ -109,8 +111,7 @@ void HeightBounds::add_buildings(const scene::Buildings& buildings, Footing foot
     const float foot = footing == Footing::Terrain ? building.footing_m : 0.0F;
     for (std::uint32_t i = 0; i < building.vertex_count; ++i) {
       const Vec3f& v = buildings.mesh.vertices[building.first_vertex + i];
-      const auto x = static_cast<double>(v.x), y = static_cast<double>(v.y);
-      box = {std::min(box.west_m, x), std::min(box.south_m, y), std::max(box.east_m, x), std::max(box.north_m, y)};
+      box = radar::with_point(box, {static_cast<double>(v.x), static_cast<double>(v.y)});
       widen(heights, {foot + v.z, foot + v.z});
     }
     if (building.vertex_count > 0) add_box(box, heights);

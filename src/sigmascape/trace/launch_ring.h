@@ -18,8 +18,8 @@ class LaunchRing {
   explicit LaunchRing(Vec2d towards) : towards_(towards) {}
 
   void take_in(Vec2d place) {
-    widen(upright_, place);
-    widen(turned_, turned(place));
+    upright_ = radar::with_point(upright_, place);
+    turned_ = radar::with_point(turned_, turned(place));
   }
 
   /// Whether the way of that length from `start` along a unit vector comes within `spare_m` of it.
@@ -47,11 +47,6 @@ class LaunchRing {
   [[nodiscard]] Vec2d turned(Vec2d v) const {
     return {v.x * towards_.y - v.y * towards_.x, v.x * towards_.x + v.y * towards_.y};
   }
-  static void widen(radar::Rectangle& r, Vec2d place) {
-    r = {std::min(r.west_m, place.x), std::min(r.south_m, place.y), std::max(r.east_m, place.x),
-         std::max(r.north_m, place.y)};
-  }
-
   Vec2d towards_;
   radar::Rectangle upright_{far, far, -far, -far}, turned_{far, far, -far, -far};
 };

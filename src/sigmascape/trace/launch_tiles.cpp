@@ -26,8 +26,7 @@ radar::Rectangle with_what_is_behind(const Viewpoint& viewpoint, const radar::Re
     const Vec3d landing{place.x, place.y, plane_height_m};
     const Vec2d aim =
         place - level_part(viewpoint.direction_from(landing)) * viewpoint.aim_behind_landing_m(landing, top_height_m);
-    all = {std::min(all.west_m, aim.x), std::min(all.south_m, aim.y), std::max(all.east_m, aim.x),
-           std::max(all.north_m, aim.y)};
+    all = radar::with_point(all, aim);
   };
   std::ranges::for_each(radar::corners_of(over), take_in);
   for (const double x : {over.west_m, over.east_m}) take_in({x, nearest.y});
