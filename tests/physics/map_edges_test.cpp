@@ -138,5 +138,48 @@ TEST(MapEdges, LobesBesideTheAxisHaveTheirGround) {
   expect_part_of_the_whole(baked(scene, folder), scene, radar, part);
 }
 
+/// A plane about the origin that falls towards the north.
+scene::Scene slope_of_constant_gamma(double slope_deg) {
+  scene::Scene scene = ground_of_constant_gamma();
+  const auto rise_m = static_cast<float>(0.5 * side_m * std::tan(radians_from_deg(slope_deg)));
+  for (const std::size_t column : {0U, 1U}) {
+    scene.terrain.height_m(column, 0) = -rise_m;
+    scene.terrain.height_m(column, 1) = rise_m;
+  }
+  return scene;
+}
+
+double total_m2(const radar::RangeAzimuthImage& image) {
+  double sum_m2 = 0.0;
+  for (const radar::Channels& bin : image.rcs_m2.values()) sum_m2 += static_cast<double>(bin.vv);
+  return sum_m2;
+}
+
+// Traced terrain goes on level beyond its edges, for walls to stand before, and is not of the scene: beside a slope it
+// lies in ranges of its own.
+TEST(MapEdges, NothingAnswersFromBesideTheScene) {
+  for (const auto& [slope_deg, seen_from_deg] : {std::pair{0.0, 20.0}, std::pair{25.0, 20.0}, std::pair{25.0, 75.0}}) {
+    const scene::Scene scene = slope_of_constant_gamma(slope_deg);
+    const trace::SceneGeometry geometry(scene, trace::Footing::Terrain);
+    radar::Radar radar;
+    const double psi = radians_from_deg(seen_from_deg), tilt = radians_from_deg(slope_deg);
+    radar.position = radar::position_seeing({}, 0.0, psi, 200e3);
+    radar.range_resolution_m = 4.0;
+    radar.beam_width_rad = 8.0 / 200e3;
+    trace::TraceCounts counts;
+    const auto image = simulate::traced_image(scene, geometry, radar, radar::widened(scene.extent, 100.0),
+                                              {.cell_m = 4.0, .samples_per_cell = 16}, counts);
+    validation::expect_close(
+        {.group = "From scene to map",
+         .name = fmt::format("power of all of a slope of {:g}° traced from {:g}°", slope_deg, seen_from_deg),
+         .expected = 0.0,
+         .measured = db_from_linear(total_m2(image) /
+                                    (gamma * side_m * side_m * (std::sin(psi) + std::cos(psi) * std::tan(tilt)))),
+         .tolerance = 0.03,
+         .unit = "dB over γ sin of the grazing angle, times the true area",
+         .source = "definition of constant gamma"});
+  }
+}
+
 }  // namespace
 }  // namespace sigmascape::physics_test

@@ -24,9 +24,11 @@ constexpr float survival_per_power = 1.0F;
 /// Tells the lots of cells from other numbers that are made of seed and cell.
 constexpr std::uint32_t lot_of_cell = 0x107;
 
-void tell(const RayWatcher& watcher, const trace::TileEchoes& tile) {
-  for (std::size_t start = 0; start < tile.starts.size(); ++start)
-    watcher(tile.starts[start].cell, tile.paths->echoes(tile.frequency, start), tile.worker);
+void tell(const RayWatcher& watcher, const trace::TileEchoes& tile, UnhiddenEchoes& unhidden) {
+  for (std::size_t start = 0; start < tile.starts.size(); ++start) {
+    const auto echoes = unhidden.among(tile.paths->echoes(tile.frequency, start), tile.worker);
+    watcher(tile.starts[start].cell, echoes, tile.worker);
+  }
 }
 
 std::vector<radar::Echo> times(float factor, std::span<const radar::Echo> echoes) {
@@ -91,13 +93,13 @@ void MapTracer::trace_shares(std::span<const LaunchShare> shares, std::uint64_t 
   SilentProgress silent;
   trace::TileProgress tiles(progress != nullptr ? *progress : silent, "trace", "% of the map", 0.0, 100.0, 100.0,
                             tile_count);
-  UnhiddenEchoes unhidden(settings_.targets, radar_.position, thread_count(settings_.threads));
+  UnhiddenEchoes unhidden(scene_.extent, settings_.targets, radar_.position, thread_count(settings_.threads));
   for (std::size_t i = 0; i < shares.size(); ++i) {
     const std::uint32_t samples = shares[i].samples_per_cell;
     const bool stands_for_itself = shares[i].one_in == 1;
     const auto factor = static_cast<float>(shares[i].one_in);
     const auto sink = [&](const trace::TileEchoes& tile) {
-      if (watcher) tell(watcher, tile);
+      if (watcher) tell(watcher, tile, unhidden);
       const auto multiplied = stands_for_itself ? std::vector<radar::Echo>() : times(factor, tile.echoes);
       add(unhidden.among(stands_for_itself ? tile.echoes : multiplied, tile.worker));
       if (tile.completes_tile) tiles.tile_done(tile.worker);

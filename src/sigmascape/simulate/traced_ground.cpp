@@ -59,7 +59,7 @@ std::size_t TracedGround::answering() const {
 }
 
 void TracedGround::add_passes(std::uint64_t count, std::span<const radar::Target> targets, double time_s) {
-  UnhiddenEchoes unhidden(targets, view_.radar, thread_count(view_.threads), time_s);
+  UnhiddenEchoes unhidden(view_.scene.extent, targets, view_.radar, thread_count(view_.threads), time_s);
   for (std::uint64_t pass = 0; pass < count; ++pass) add_pass(unhidden);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace sigmascape::simulate {
 
@@ -12,17 +13,23 @@ Vec3d place_of(const radar::Echo& echo, Vec3d radar_position) {
          Vec3d{over_ground_m * std::sin(echo.cross), over_ground_m * std::cos(echo.cross), -echo.range_m * down};
 }
 
-UnhiddenEchoes::UnhiddenEchoes(std::span<const radar::Target> targets, Vec3d radar_position, unsigned workers,
-                               double time_s)
-    : shadows_(targets, time_s, radar_position), radar_position_(radar_position), kept_(workers) {}
+UnhiddenEchoes::UnhiddenEchoes(const radar::Rectangle& extent, std::span<const radar::Target> targets,
+                               Vec3d radar_position, unsigned workers, double time_s)
+    : extent_(extent), shadows_(targets, time_s, radar_position), radar_position_(radar_position), kept_(workers) {}
+
+bool UnhiddenEchoes::is_left_out(const radar::Echo& echo) const {
+  if (shadows_.empty() && !echo.from_ground) return false;
+  const Vec3d place = place_of(echo, radar_position_);
+  return (echo.from_ground && !extent_.contains({place.x, place.y})) || shadows_.hide(place);
+}
 
 std::span<const radar::Echo> UnhiddenEchoes::among(std::span<const radar::Echo> echoes, unsigned worker) {
-  if (shadows_.empty()) return echoes;
+  const auto first = std::ranges::find_if(echoes, [&](const radar::Echo& echo) { return is_left_out(echo); });
+  if (first == echoes.end()) return echoes;
   std::vector<radar::Echo>& kept = kept_[worker];
-  kept.clear();
-  for (const radar::Echo& echo : echoes) {
-    if (!shadows_.hide(place_of(echo, radar_position_))) kept.push_back(echo);
-  }
+  kept.assign(echoes.begin(), first);
+  std::copy_if(first + 1, echoes.end(), std::back_inserter(kept),
+               [&](const radar::Echo& echo) { return !is_left_out(echo); });
   return kept;
 }
 

@@ -26,12 +26,11 @@ void RayPacket::set_lengths(float length_m) {
   std::ranges::fill(query.ray.tfar, length_m);
 }
 
-SIGMASCAPE_VECTOR_TARGETS [[gnu::flatten]] void set_lengths_to_plane(RayPacket& packet) {
+SIGMASCAPE_VECTOR_TARGETS [[gnu::flatten]] void set_lengths_to(const LevelPlane& plane, RayPacket& packet) {
   RTCRay16& ray = packet.query.ray;
   for (std::size_t i = 0; i < lane_count; ++i) {
-    const float distance_m = -ray.org_z[i] / ray.dir_z[i];
-    const bool meets_plane = ray.dir_z[i] < 0.0F && ray.org_z[i] > 0.0F;
-    ray.tfar[i] = meets_plane ? distance_m : std::numeric_limits<float>::infinity();
+    ray.tfar[i] = plane.distance_m({ray.org_x[i], ray.org_y[i], ray.org_z[i]},
+                                   {ray.dir_x[i], ray.dir_y[i], ray.dir_z[i]});
   }
 }
 

@@ -4,6 +4,7 @@
 #include <embree3/rtcore.h>
 
 #include "sigmascape/base/lanes.h"
+#include "sigmascape/trace/level_plane.h"
 #include "sigmascape/trace/placement.h"
 #include "sigmascape/trace/ray.h"
 
@@ -43,8 +44,8 @@ struct RayPacket {
   void set_lengths(float length_m);
 };
 
-/// Rays go to the plane z = 0 at most, where they come down to it from above, and else without end.
-void set_lengths_to_plane(RayPacket& packet);
+/// Rays go to the plane at most where they meet it, and else without end.
+void set_lengths_to(const LevelPlane& plane, RayPacket& packet);
 
 /// How the instances that sixteen rays have met stand in the world, and the areas of their faces before that.
 struct PlacementLanes {

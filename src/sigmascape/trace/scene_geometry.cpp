@@ -124,11 +124,6 @@ bool SceneGeometry::occluded(Vec3f ray_origin, Vec3f direction, CrownCrossings& 
   return occluded(Ray{ray_origin, direction}, &crowns, length_m);
 }
 
-float SceneStructures::plane_distance_m(const Ray& ray) const {
-  const bool meets_plane = footing == Footing::LevelPlane && ray.direction.z < 0.0F && ray.origin.z > 0.0F;
-  return meets_plane ? -ray.origin.z / ray.direction.z : far_away;
-}
-
 void SceneStructures::hit_plane(const Ray& ray, float distance_m, SurfaceHit& hit) const {
   hit.position = ray.origin + ray.direction * distance_m;
   hit.position.z = 0.0F;
@@ -262,7 +257,7 @@ void SceneGeometry::intersect(std::span<const Ray> rays, std::span<SurfaceHit> h
       rays.size(), [&](std::size_t i) -> const Ray& { return rays[number_of(i)]; },
       [&](RayPacket& packet, std::size_t lanes, std::size_t first) {
         if (s.footing == Footing::LevelPlane)
-          set_lengths_to_plane(packet);
+          set_lengths_to(s.level_plane, packet);
         else
           packet.set_lengths(far_away);
         rtcIntersect16(packet.valid, s.top, &context.embree, &packet.query);

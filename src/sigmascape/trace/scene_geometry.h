@@ -34,7 +34,7 @@ struct SceneStructures;
 /// Everything is held relative to `origin()`, the centre of the scene's extent at height zero, so that single precision
 /// suffices. Trees, vehicles and other instances share one acceleration structure a prototype. Crowns that are media
 /// are crossed, never hit. The level plane is intersected in closed form (no cracks); terrain is a robustly traversed
-/// grid that is only hit from above and goes on for 300 m beyond its edges.
+/// grid that is only hit from above. Either goes on for 300 m beyond the edges of the scene's terrain.
 class SceneGeometry {
  public:
   /// Throws Error when the terrain and what rays need over it take more memory than this machine has.

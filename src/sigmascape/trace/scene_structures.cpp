@@ -157,6 +157,8 @@ void SceneStructures::build(const scene::Scene& scene, Footing on, const Surroun
   if (footing == Footing::Terrain) {
     rtcSetSceneFlags(top, RTC_SCENE_FLAG_ROBUST);
     add_terrain(ground_within(scene.terrain, within));
+  } else {
+    level_plane = plane_within(radar::widened(scene.terrain.extent(), rim_m));
   }
   add_buildings(scene.buildings, around);
   add_prototypes(scene.prototypes);
@@ -200,6 +202,13 @@ void SceneStructures::open_device() {
         return true;
       },
       &memory);
+}
+
+LevelPlane SceneStructures::plane_within(const radar::Rectangle& part) const {
+  return {.west_m = static_cast<float>(part.west_m - origin.x),
+          .south_m = static_cast<float>(part.south_m - origin.y),
+          .east_m = static_cast<float>(part.east_m - origin.x),
+          .north_m = static_cast<float>(part.north_m - origin.y)};
 }
 
 RTCGeometry SceneStructures::quads(const std::vector<std::array<std::uint32_t, 4>>& corners,

@@ -6,6 +6,7 @@
 
 #include "sigmascape/trace/building_blocks.h"
 #include "sigmascape/trace/face_quads.h"
+#include "sigmascape/trace/level_plane.h"
 #include "sigmascape/trace/placement.h"
 #include "sigmascape/trace/ray_packet.h"
 #include "sigmascape/trace/scene_geometry.h"
@@ -59,6 +60,7 @@ struct SceneStructures {
   std::vector<FaceTraits> building_faces;
   Vec3d origin;
   Footing footing = Footing::LevelPlane;
+  LevelPlane level_plane;  ///< without extent on terrain
   double lowest_m = 0.0, highest_m = 0.0;
   RayLog* log = nullptr;
 
@@ -66,7 +68,9 @@ struct SceneStructures {
     return ground.at({position.x + origin.x, position.y + origin.y});
   }
   /// Where a ray meets the level plane; far away where it does not.
-  [[nodiscard]] float plane_distance_m(const Ray& ray) const;
+  [[nodiscard]] float plane_distance_m(const Ray& ray) const {
+    return level_plane.distance_m(ray.origin, ray.direction);
+  }
   [[nodiscard]] bool meet(const Ray& ray, const Found& found, SurfaceHit& hit) const;
   /// The same for the first so many rays of a packet; `number_of(lane)` says which they are.
   template <typename NumberOf>
@@ -81,6 +85,7 @@ struct SceneStructures {
   /// Throws Interrupted when the work is told to stop.
   void commit(RTCScene scene);
   void open_device();
+  [[nodiscard]] LevelPlane plane_within(const radar::Rectangle& part) const;
   [[nodiscard]] RTCGeometry quads(const std::vector<std::array<std::uint32_t, 4>>& corners,
                                   const std::vector<Vec3f>& vertices) const;
   void attach(RTCGeometry geometry, const Part& part);

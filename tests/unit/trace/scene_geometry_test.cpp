@@ -45,6 +45,29 @@ TEST(SceneGeometry, IsNotBuiltToItsEndWhenToldToStop) {
   EXPECT_THROW(SceneGeometry(scene, Footing::Terrain), Interrupted);
 }
 
+// What is baked on the plane meets the ground that is traced, and no more.
+TEST(SceneGeometry, LevelPlaneEndsWhereLevelTerrainDoes) {
+  const scene::Scene scene = plain_scene(0.5, 0.0F, {1000.0, 2000.0});
+  const SceneGeometry plane(scene, Footing::LevelPlane), terrain(scene, Footing::Terrain);
+  std::vector<Ray> rays;
+  for (const double beyond_m : {-1.0, 299.0, 301.0, 5000.0}) {
+    for (const Vec2d side : {Vec2d{1.0, 0.3}, {-1.0, -0.8}, {0.1, 1.0}, {-0.5, -1.0}}) {
+      const Vec3d foot{side.x * (100.0 + beyond_m), side.y * (100.0 + beyond_m), 0.0};
+      const Vec3f start{3.0F, -7.0F, 40.0F};
+      rays.push_back({start, towards(start, foot.to<float>())});
+      for (const auto* geometry : {&plane, &terrain}) {
+        SurfaceHit hit;
+        EXPECT_EQ(geometry->intersect(rays.back().origin, rays.back().direction, hit), beyond_m < 300.0)
+            << foot.x << ", " << foot.y;
+      }
+    }
+  }
+  std::vector<SurfaceHit> hits(rays.size());
+  std::vector<std::uint8_t> meets(rays.size());
+  plane.intersect(rays, hits, meets);
+  for (std::size_t i = 0; i < rays.size(); ++i) EXPECT_EQ(meets[i] == 1, i < rays.size() / 2) << i;
+}
+
 TEST(SceneGeometry, LevelPlaneIsMissedFromBelowAndUpwards) {
   const SceneGeometry geometry(plain_scene(), Footing::LevelPlane);
   SurfaceHit hit;
