@@ -148,6 +148,29 @@ TEST(GroundRenderer, EveryLevelKeepsThePower) {
   }
 }
 
+// Wherever the bins begin, which follow the edges of the area, and however the map lies over the texture.
+TEST(GroundRenderer, ALoneBrightTexelKeepsItsPower) {
+  const ScratchFolder folder;
+  const atlas::Atlas atlas = atlas_of(folder, {20.0}, [](Vec2d p, const radar::Aspect&) {
+    return std::abs(p.x - 257.0) < 1.0 && std::abs(p.y - 255.0) < 1.0 ? 100.0 : 0.0;
+  });
+  for (const double resolution_m : {4.0, 6.0, 9.0, 24.0}) {
+    for (const double beam_m : {resolution_m, 150.0}) {
+      for (const double azimuth_deg : {0.0, 12.0, 45.0}) {
+        radar::Radar radar = radar_seeing(azimuth_deg, 20.0);
+        radar.range_resolution_m = resolution_m;
+        radar.beam_width_rad = beam_m / 20e3;
+        for (double shift_m = 0.0; shift_m < 8.0; shift_m += 1.1) {
+          const Rendered map =
+              rendered(atlas, level_terrain(), radar, {}, {206.0 + shift_m, 206.0 - 0.3 * shift_m, 306, 306});
+          EXPECT_NEAR(db_from_linear(map.total() / 400.0), 0.0, 0.06)
+              << resolution_m << " m by " << beam_m << " m from " << azimuth_deg << "°, moved by " << shift_m << " m";
+        }
+      }
+    }
+  }
+}
+
 // However few bins hold it, and whether or not the middle of one falls on it.
 TEST(GroundRenderer, AnAreaNarrowerThanABinKeepsItsPower) {
   const ScratchFolder folder;
