@@ -11,19 +11,21 @@
 #include <memory>
 #include <mutex>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "sigmascape/bake/bake_settings.h"
 #include "sigmascape/bake/claims.h"
 #include "sigmascape/base/error.h"
+#include "sigmascape/base/interruption.h"
 #include "sigmascape/base/parallel.h"
 #include "sigmascape/base/sha256.h"
 #include "sigmascape/dataset/dataset_summary.h"
+#include "sigmascape/dataset/lot_tar.h"
 #include "sigmascape/dataset/sample_files.h"
 #include "sigmascape/geo/atomic_file.h"
 #include "sigmascape/product/contact_sheet.h"
-#include "sigmascape/product/tar_archive.h"
 #include "sigmascape/trace/simd_setting.h"
 
 namespace sigmascape::dataset {
@@ -52,7 +54,7 @@ std::string hex_of(const Array2D<std::uint8_t>& pixels) {
 /// By which revision of the program samples are made. To be raised by one with every change after which the same
 /// specification, scene and atlas give other images or labels than before: datasets that were begun before are refused
 /// then, rather than gone on with half and half.
-constexpr int samples_revision = 2;
+constexpr int samples_revision = 3;
 
 /// What a dataset is told apart by. Where samples are traced, they depend on the vector units.
 Json identity_of(const SampleMaker& maker) {
@@ -149,8 +151,9 @@ class Lot {
         number_(number),
         first_(number * maker.spec().samples_per_shard),
         count_(count_of_lot(maker.spec(), number)),
-        entries_(count_),
-        contents_(count_) {}
+        entries_(count_) {
+    if (maker.spec().arrangement == Arrangement::WebDataset) tar_.emplace(folder / tar_name(number), first_);
+  }
 
   /// Makes one of its samples. True for the last that was lacking: the lot is to be written then.
   bool make_one(std::size_t k) {
@@ -160,10 +163,11 @@ class Lot {
 
   void write() {
     Json index{{"dataset_sha256", digest_of_identity(maker_)}, {"samples", entries_}};
-    if (maker_.spec().arrangement == Arrangement::WebDataset) index["tar"] = write_tar();
-    const fs::path path = index_path(folder_, number_);
-    if (fs::exists(path.parent_path())) geo::remove_leftovers(path.parent_path(), path.filename().string());
-    geo::write_atomically(path, index.dump(1) + "\n");
+    if (tar_) {
+      const LotTar::Written tar = tar_->put_in_place();
+      index["tar"] = {{"name", tar_name(number_)}, {"bytes", tar.bytes}, {"sha256", tar.sha256}};
+    }
+    geo::write_atomically(index_path(folder_, number_), index.dump(1) + "\n");
   }
 
  private:
@@ -183,8 +187,8 @@ class Lot {
       const auto picture = product::picture_of(sample.map, {.polarization = pictured_polarization(maker_.spec())});
       entries_[k]["thumbnail"] = hex_of(product::thumbnail(picture, sheet_side));
     }
-    if (maker_.spec().arrangement == Arrangement::WebDataset) {
-      contents_[k] = std::move(files);
+    if (tar_) {
+      tar_->add(sample_number, std::move(files));
     } else {
       write_folder(sample_number, files);
     }
@@ -197,32 +201,11 @@ class Lot {
     for (const SampleFile& file : files) geo::write_atomically(folder / file.name, file.bytes);
   }
 
-  Json write_tar() {
-    product::TarArchive tar;
-    std::size_t files = 0, size = 0;
-    for (const auto& of_sample : contents_) {
-      files += of_sample.size();
-      for (const SampleFile& file : of_sample) size += file.bytes.size();
-    }
-    tar.make_room(files, size);
-    for (std::size_t k = 0; k < count_; ++k) {
-      for (SampleFile& file : contents_[k]) {
-        tar.add(sample_name(first_ + k) + "." + file.name, file.bytes);
-        // Pieces may be of gigabytes: what is in the archive need not be there twice.
-        std::exchange(file.bytes, {});
-      }
-    }
-    const std::string name = tar_name(number_), bytes = std::move(tar).bytes();
-    geo::remove_leftovers(folder_, name);
-    geo::write_atomically(folder_ / name, bytes);
-    return file_json(name, bytes);
-  }
-
   const SampleMaker& maker_;
   const fs::path& folder_;
   std::size_t number_, first_, count_;
   std::vector<Json> entries_;
-  std::vector<std::vector<SampleFile>> contents_;
+  std::optional<LotTar> tar_;  // of samples that go into one
   std::atomic<std::size_t> made_{0};
 };
 
@@ -276,6 +259,7 @@ FoundShare claimed_share(const SampleMaker& maker, const std::string& identity, 
                          const DatasetShare& share, std::size_t lots, const bake::Claims& claims) {
   FoundShare found;
   for (std::size_t number = share.index; number < lots; number += share.count) {
+    Interruption::heed();
     const std::size_t count = count_of_lot(maker.spec(), number);
     found.samples += count;
     auto claim = claims.take_if_free(number);
@@ -291,6 +275,14 @@ FoundShare claimed_share(const SampleMaker& maker, const std::string& identity, 
     found.lacking.push_back(number);
   }
   return found;
+}
+
+/// Of runs that were killed while they wrote tar files and indices. Once for all lots, for a folder of many takes long
+/// to be listed.
+void remove_leftovers(const fs::path& folder) {
+  geo::remove_leftovers(folder, "");
+  if (const fs::path indices = index_path(folder, 0).parent_path(); fs::exists(indices))
+    geo::remove_leftovers(indices, "");
 }
 
 void check(const DatasetShare& share) {
@@ -309,6 +301,7 @@ DatasetReport make_dataset(const SampleMaker& maker, const fs::path& folder, con
   const bake::Claims claims(folder);
   const std::string identity = digest_of_identity(maker);
   const FoundShare found = claimed_share(maker, identity, folder, share, lots, claims);
+  if (!found.lacking.empty()) remove_leftovers(folder);
   DatasetReport report{.samples = found.samples, .already = found.already};
   const auto tell = [&](std::size_t made) {
     progress.advanced("dataset", static_cast<double>(report.already + made), static_cast<double>(report.samples),
@@ -323,8 +316,10 @@ DatasetReport make_dataset(const SampleMaker& maker, const fs::path& folder, con
   });
   tell(wanted.samples());
   report.is_complete = true;
-  for (std::size_t number = 0; number < lots; ++number)
+  for (std::size_t number = 0; number < lots; ++number) {
+    Interruption::heed();
     report.is_complete = report.is_complete && is_made(maker, identity, folder, number);
+  }
   if (report.is_complete) write_summary(maker, folder, lots);
   return report;
 }

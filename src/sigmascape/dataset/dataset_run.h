@@ -25,7 +25,8 @@ struct DatasetReport {
 ///
 /// Samples come in lots of `samples_per_shard`, of which a process makes one after the other; a lot is there when its
 /// file in `index` is. A run that was broken off goes on with the lot it was at. Equal specs give equal bytes for any
-/// threads, shares and interruptions. Memory does not grow with the number of samples until the last files are written.
+/// threads, shares and interruptions. In memory are the samples that are being made, of tar files those that wait for
+/// one before them, and of the lots that are being made what their indices tell.
 ///
 /// Throws Error when another dataset is in the folder, or one begun with another radar file or atlas, when another run,
 /// in whatever process, is making some of these samples there, or when a file cannot be written.

@@ -12,6 +12,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <fstream>
+#include <memory>
 #include <string>
 #include <sys/stat.h>
 #include <system_error>
@@ -292,6 +293,35 @@ bool write_if_absent(const std::filesystem::path& named, std::string_view conten
   if (!temporary.take_free_name(path)) return false;
   flush_folder(path.parent_path());
   return true;
+}
+
+struct GrowingFile::Parts {
+  explicit Parts(const std::filesystem::path& final_path)
+      : path(final_path), temporary(path), file(::open(temporary.path().c_str(), O_WRONLY | O_CLOEXEC)) {
+    if (!file.is_open()) fail(path, errno);
+  }
+
+  std::filesystem::path path;
+  TemporaryFile temporary;
+  OpenFile file;
+};
+
+GrowingFile::GrowingFile(const std::filesystem::path& named) {
+  const std::filesystem::path path = end_of_links(named);
+  make_folder(path);
+  parts_ = std::make_unique<Parts>(path);
+}
+
+GrowingFile::~GrowingFile() = default;
+
+void GrowingFile::append(std::string_view piece) {
+  if (!parts_->file.write_all(piece)) fail(parts_->path, errno);
+}
+
+void GrowingFile::put_in_place() {
+  if (!parts_->file.flush_to_disk() || !parts_->file.close()) fail(parts_->path, errno);
+  parts_->temporary.rename_to(parts_->path);
+  flush_folder(parts_->path.parent_path());
 }
 
 void write_together(const std::vector<FileContent>& named) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -40,6 +41,24 @@ void write_atomically(const std::filesystem::path& path, std::string_view conten
 /// any number of threads and processes that write the same path at once one is told true, on network file systems too.
 /// Only where a file system has neither second names nor renaming without replacing may two come through.
 [[nodiscard]] bool write_if_absent(const std::filesystem::path& path, std::string_view content);
+
+/// The same for content that comes piece by piece, of which no more than a piece is in memory. A file that is destroyed
+/// before `put_in_place` leaves nothing.
+class GrowingFile {
+ public:
+  explicit GrowingFile(const std::filesystem::path& path);
+  ~GrowingFile();
+  GrowingFile(const GrowingFile&) = delete;
+  GrowingFile& operator=(const GrowingFile&) = delete;
+
+  void append(std::string_view piece);
+  /// Once, when nothing is to come any more.
+  void put_in_place();
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
 
 struct FileContent {
   std::filesystem::path path;

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstring>
 #include <fmt/format.h>
-#include <utility>
+#include <string>
 
 #include "sigmascape/base/error.h"
 
@@ -56,18 +56,13 @@ void TarArchive::add(std::string_view name, std::string_view content) {
   header[type_place] = '0';
   put(header, magic_field, std::string_view("ustar\00000", 8));
   put(header, sum_field, fmt::format("{:06o}{} ", sum_of(header), '\0'));
-  blocks_.append(header.data(), header.size());
-  blocks_.append(content);
-  blocks_.append((block - content.size() % block) % block, '\0');
+  write_({header.data(), header.size()});
+  write_(content);
+  write_(std::string((block - content.size() % block) % block, '\0'));
 }
 
-void TarArchive::make_room(std::size_t entries, std::size_t content_bytes) {
-  blocks_.reserve(content_bytes + (2 * entries + 2) * block);
-}
-
-std::string TarArchive::bytes() && {
-  blocks_.append(2 * block, '\0');
-  return std::move(blocks_);
+void TarArchive::end() {
+  write_(std::string(2 * block, '\0'));
 }
 
 }  // namespace sigmascape::product

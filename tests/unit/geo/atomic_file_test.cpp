@@ -53,6 +53,31 @@ TEST_F(AtomicFile, HoldsWhatWasWrittenAndNothingElseIsLeft) {
   EXPECT_EQ(files(), 1U);
 }
 
+TEST_F(AtomicFile, GrowsUnderAnotherNameUntilItIsWhole) {
+  write_atomically(folder_ / "a.txt", "before");
+  {
+    GrowingFile broken_off(folder_ / "a.txt");
+    broken_off.append("half of it");
+    EXPECT_EQ(content_of(folder_ / "a.txt"), "before");
+    EXPECT_EQ(files(), 2U);
+  }
+  EXPECT_EQ(content_of(folder_ / "a.txt"), "before");
+  EXPECT_EQ(files(), 1U);
+  GrowingFile whole(folder_ / "deep" / "a.txt");
+  for (const char* piece : {"one", " and ", "two"}) whole.append(piece);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "deep" / "a.txt"));
+  whole.put_in_place();
+  EXPECT_EQ(content_of(folder_ / "deep" / "a.txt"), "one and two");
+}
+
+TEST_F(AtomicFile, ThatGrowsTellsOfAFullDisk) {
+  const FullDisk full(1000);
+  GrowingFile file(folder_ / "a.txt");
+  file.append(std::string(900, 'x'));
+  EXPECT_THROW(file.append(std::string(900, 'x')), Error);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "a.txt"));
+}
+
 TEST_F(AtomicFile, MakesTheFoldersOnItsWay) {
   write_atomically(folder_ / "deep" / "er" / "a.txt", "x");
   EXPECT_EQ(content_of(folder_ / "deep" / "er" / "a.txt"), "x");
