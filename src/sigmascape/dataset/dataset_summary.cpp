@@ -6,14 +6,16 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
-#include <utility>
+#include <string_view>
 #include <vector>
 
 #include "sigmascape/base/error.h"
+#include "sigmascape/base/interruption.h"
 #include "sigmascape/dataset/sample_files.h"
 #include "sigmascape/geo/atomic_file.h"
+#include "sigmascape/product/coco.h"
 #include "sigmascape/product/contact_sheet.h"
-#include "sigmascape/product/json_text.h"
+#include "sigmascape/product/json_stream.h"
 #include "sigmascape/product/png_file.h"
 
 namespace sigmascape::dataset {
@@ -24,11 +26,22 @@ using Json = nlohmann::ordered_json;
 
 /// What an index tells of a lot, gone through to the end before anything of it is used.
 struct LotTold {
-  std::vector<product::CocoImage> images;
+  struct SampleBoxes {
+    std::size_t sample = 0;
+    std::vector<product::TargetBox> boxes;
+  };
+  std::vector<SampleBoxes> boxes;
   std::vector<Array2D<std::uint8_t>> thumbnails;
   Json samples = Json::array();
   Json tar;  ///< null where samples are in folders
   std::size_t bytes = 0;
+};
+
+/// Of all lots together.
+struct Totals {
+  std::size_t bytes = 0, boxes = 0;
+  std::vector<Array2D<std::uint8_t>> thumbnails;
+  Json tars = Json::array();
 };
 
 Array2D<std::uint8_t> pixels_of(const std::string& hex) {
@@ -45,25 +58,27 @@ std::string pictured_file(const DatasetSpec& spec, std::size_t sample) {
                                                   : sample_name(sample) + "." + file;
 }
 
-product::CocoImage image_of(const DatasetSpec& spec, const Json& entry) {
-  const auto sample = entry.at("sample").get<std::size_t>();
-  product::CocoImage image{.id = sample,
-                           .file_name = pictured_file(spec, sample),
-                           .columns = spec.cells,
-                           .rows = spec.cells,
-                           .boxes = {},
-                           .video = sample / spec.sequence.frames,
-                           .frame = sample % spec.sequence.frames};
-  for (const Json& box : entry.at("boxes"))
-    image.boxes.push_back(
-        {box.at(0).get<std::size_t>(), box.at(1), box.at(2), box.at(3), box.at(4), box.at(5).get<std::size_t>()});
-  return image;
+product::CocoImage image_of(const DatasetSpec& spec, std::size_t sample) {
+  return {.id = sample,
+          .file_name = pictured_file(spec, sample),
+          .columns = spec.cells,
+          .rows = spec.cells,
+          .video = sample / spec.sequence.frames,
+          .frame = sample % spec.sequence.frames};
 }
 
-LotTold told_by(const DatasetSpec& spec, const Json& index) {
+std::vector<product::TargetBox> boxes_of(const Json& entry) {
+  std::vector<product::TargetBox> boxes;
+  for (const Json& box : entry.at("boxes"))
+    boxes.push_back(
+        {box.at(0).get<std::size_t>(), box.at(1), box.at(2), box.at(3), box.at(4), box.at(5).get<std::size_t>()});
+  return boxes;
+}
+
+LotTold told_by(const Json& index) {
   LotTold told;
   for (const Json& entry : index.at("samples")) {
-    told.images.push_back(image_of(spec, entry));
+    told.boxes.push_back({entry.at("sample").get<std::size_t>(), boxes_of(entry)});
     if (entry.contains("thumbnail")) told.thumbnails.push_back(pixels_of(entry.at("thumbnail")));
     for (const Json& file : entry.at("files")) told.bytes += file.at("bytes").get<std::size_t>();
     told.samples.push_back({{"sample", entry.at("sample")}, {"files", entry.at("files")}});
@@ -72,18 +87,76 @@ LotTold told_by(const DatasetSpec& spec, const Json& index) {
   return told;
 }
 
-LotTold told_of(const DatasetSpec& spec, const fs::path& folder, std::size_t lot) {
+LotTold told_of(const fs::path& folder, std::size_t lot) {
+  Interruption::heed();
   const fs::path path = index_path(folder, lot);
   const Error damaged(path.string(), "is damaged",
                       "remove the file and run its share again, which makes its samples anew");
   std::ifstream stream(path);
   try {
-    return told_by(spec, Json::parse(stream));
+    return told_by(Json::parse(stream));
   } catch (const Json::exception&) {
     throw damaged;
   } catch (const std::invalid_argument&) {  // pixels that are no numbers
     throw damaged;
   }
+}
+
+product::CocoSubject subject_of(const SampleMaker& maker) {
+  product::CocoSubject subject{.categories = {},
+                               .has_videos = maker.spec().sequence.frames > 1,
+                               .description = fmt::format("radar images of {}", maker.scene().name),
+                               .contributor = maker.scene().attribution};
+  for (const TargetClass& target : maker.spec().targets) subject.categories.push_back(target.name);
+  return subject;
+}
+
+Totals write_annotations(const SampleMaker& maker, const fs::path& folder, std::size_t lots) {
+  const DatasetSpec& spec = maker.spec();
+  geo::GrowingFile file(folder / "annotations.json");
+  product::CocoWriter coco(subject_of(maker), [&](std::string_view piece) { file.append(piece); });
+  for (std::size_t sample = 0; sample < spec.count; ++sample) {
+    Interruption::heed();
+    coco.add_image(image_of(spec, sample));
+  }
+  Totals totals;
+  for (std::size_t lot = 0; lot < lots; ++lot) {
+    LotTold told = told_of(folder, lot);
+    for (const auto& [sample, boxes] : told.boxes) {
+      coco.add_boxes(image_of(spec, sample), boxes);
+      totals.boxes += boxes.size();
+    }
+    std::ranges::move(told.thumbnails, std::back_inserter(totals.thumbnails));
+    if (!told.tar.is_null()) totals.tars.push_back(told.tar);
+    totals.bytes += told.bytes;
+  }
+  coco.end();
+  file.put_in_place();
+  return totals;
+}
+
+void write_manifest(const SampleMaker& maker, const fs::path& folder, std::size_t lots, const Totals& totals) {
+  const DatasetSpec& spec = maker.spec();
+  geo::GrowingFile file(folder / "manifest.json");
+  product::JsonStream json([&](std::string_view piece) { file.append(piece); });
+  json.member("format", "sigmascape dataset 1");
+  json.member("scene", maker.scene().name);
+  json.member("scene_hash", maker.scene_hash());
+  json.member("attribution", maker.scene().attribution);
+  json.member("count", spec.count);
+  json.member("seed", spec.seed);
+  json.member("bytes", totals.bytes);
+  json.member("boxes", totals.boxes);
+  json.member("classes", simulate::class_names(maker.scene()));
+  if (!totals.tars.empty()) json.member("tars", totals.tars);
+  json.begin_list("samples");
+  for (std::size_t lot = 0; lot < lots; ++lot) {
+    const LotTold told = told_of(folder, lot);
+    for (const Json& sample : told.samples) json.element(sample);
+  }
+  json.end_list();
+  json.end();
+  file.put_in_place();
 }
 
 }  // namespace
@@ -101,41 +174,11 @@ fs::path index_path(const fs::path& folder, std::size_t lot) {
 }
 
 void write_summary(const SampleMaker& maker, const fs::path& folder, std::size_t lots) {
-  const DatasetSpec& spec = maker.spec();
-  product::CocoBoxes boxes;
-  boxes.has_videos = spec.sequence.frames > 1;
-  boxes.description = fmt::format("radar images of {}", maker.scene().name);
-  boxes.contributor = maker.scene().attribution;
-  for (const TargetClass& target : spec.targets) boxes.categories.push_back(target.name);
-  std::vector<Array2D<std::uint8_t>> thumbnails;
-  Json samples = Json::array(), tars = Json::array();
-  std::size_t bytes = 0;
-  for (std::size_t lot = 0; lot < lots; ++lot) {
-    LotTold told = told_of(spec, folder, lot);
-    std::ranges::move(told.images, std::back_inserter(boxes.images));
-    std::ranges::move(told.thumbnails, std::back_inserter(thumbnails));
-    for (Json& sample : told.samples) samples.push_back(std::move(sample));
-    if (!told.tar.is_null()) tars.push_back(std::move(told.tar));
-    bytes += told.bytes;
-  }
-  std::size_t annotations = 0;
-  for (const product::CocoImage& image : boxes.images) annotations += image.boxes.size();
-  Json manifest{{"format", "sigmascape dataset 1"},
-                {"scene", maker.scene().name},
-                {"scene_hash", maker.scene_hash()},
-                {"attribution", maker.scene().attribution},
-                {"count", spec.count},
-                {"seed", spec.seed},
-                {"bytes", bytes},
-                {"boxes", annotations},
-                {"classes", simulate::class_names(maker.scene())}};
-  if (!tars.empty()) manifest["tars"] = tars;
-  manifest["samples"] = samples;
   // What runs that were killed while they wrote these may have left.
   geo::remove_leftovers(folder, "");
-  geo::write_atomically(folder / "annotations.json", product::coco_json(boxes));
-  geo::write_atomically(folder / "contact_sheet.png", product::png_bytes(product::contact_sheet(thumbnails)));
-  geo::write_atomically(folder / "manifest.json", product::json_text(manifest, 1));
+  const Totals totals = write_annotations(maker, folder, lots);
+  geo::write_atomically(folder / "contact_sheet.png", product::png_bytes(product::contact_sheet(totals.thumbnails)));
+  write_manifest(maker, folder, lots, totals);
 }
 
 }  // namespace sigmascape::dataset

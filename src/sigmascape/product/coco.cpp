@@ -1,52 +1,71 @@
 #include "sigmascape/product/coco.h"
 
 #include <fmt/format.h>
-#include <map>
-#include <nlohmann/json.hpp>
-#include <set>
 #include <utility>
-
-#include "sigmascape/product/json_text.h"
 
 namespace sigmascape::product {
 
-std::string coco_json(const CocoBoxes& boxes) {
-  using Json = nlohmann::ordered_json;
-  Json images = Json::array(), annotations = Json::array(), categories = Json::array();
-  for (std::size_t i = 0; i < boxes.categories.size(); ++i)
-    categories.push_back({{"id", i + 1}, {"name", boxes.categories[i]}, {"supercategory", "target"}});
-  std::map<std::pair<std::size_t, std::size_t>, std::size_t> tracks;
-  std::set<std::size_t> known_videos;
-  Json videos = Json::array();
-  for (const CocoImage& image : boxes.images) {
-    images.push_back(
-        {{"id", image.id}, {"file_name", image.file_name}, {"width", image.columns}, {"height", image.rows}});
-    if (boxes.has_videos) {
-      images.back()["video_id"] = image.video;
-      images.back()["frame_id"] = image.frame;
-      if (known_videos.insert(image.video).second)
-        videos.push_back({{"id", image.video}, {"name", fmt::format("{:06}", image.video)}});
-    }
-    for (const TargetBox& box : image.boxes) {
-      annotations.push_back({{"id", annotations.size() + 1},
-                             {"image_id", image.id},
-                             {"category_id", box.category + 1},
-                             {"bbox", {box.x, box.y, box.width, box.height}},
-                             {"area", box.width * box.height},
-                             {"iscrowd", 0}});
-      if (boxes.has_videos)
-        annotations.back()["track_id"] = tracks.try_emplace({image.video, box.track}, tracks.size() + 1).first->second;
-    }
+using Json = JsonStream::Json;
+
+CocoWriter::CocoWriter(CocoSubject subject, JsonStream::Sink write)
+    : subject_(std::move(subject)), json_(std::move(write)) {
+  Json info{{"description", subject_.description}};
+  if (!subject_.contributor.empty()) info["contributor"] = subject_.contributor;
+  json_.member("info", info);
+  json_.member("licenses", Json::array());
+  json_.begin_list("images");
+}
+
+void CocoWriter::add_image(const CocoImage& image) {
+  Json told{{"id", image.id}, {"file_name", image.file_name}, {"width", image.columns}, {"height", image.rows}};
+  if (subject_.has_videos) {
+    told["video_id"] = image.video;
+    told["frame_id"] = image.frame;
+    if (videos_.empty() || videos_.back() != image.video) videos_.push_back(image.video);
   }
-  Json info{{"description", boxes.description}};
-  if (!boxes.contributor.empty()) info["contributor"] = boxes.contributor;
-  Json json{{"info", info},
-            {"licenses", Json::array()},
-            {"images", images},
-            {"annotations", annotations},
-            {"categories", categories}};
-  if (boxes.has_videos) json["videos"] = videos;
-  return json_text(json, 1);
+  json_.element(told);
+}
+
+void CocoWriter::begin_boxes() {
+  if (std::exchange(are_images_told_, true)) return;
+  json_.end_list();
+  json_.begin_list("annotations");
+}
+
+void CocoWriter::add_boxes(const CocoImage& image, const std::vector<TargetBox>& boxes) {
+  begin_boxes();
+  for (const TargetBox& box : boxes) {
+    Json told{{"id", ++boxes_},
+              {"image_id", image.id},
+              {"category_id", box.category + 1},
+              {"bbox", {box.x, box.y, box.width, box.height}},
+              {"area", box.width * box.height},
+              {"iscrowd", 0}};
+    if (subject_.has_videos) told["track_id"] = track_id(image, box);
+    json_.element(told);
+  }
+}
+
+std::size_t CocoWriter::track_id(const CocoImage& image, const TargetBox& box) {
+  if (std::exchange(tracked_video_, image.video) != image.video) track_ids_.clear();
+  const auto [found, is_new] = track_ids_.try_emplace(box.track, tracks_ + 1);
+  if (is_new) ++tracks_;
+  return found->second;
+}
+
+void CocoWriter::end() {
+  begin_boxes();
+  json_.end_list();
+  json_.begin_list("categories");
+  for (std::size_t i = 0; i < subject_.categories.size(); ++i)
+    json_.element({{"id", i + 1}, {"name", subject_.categories[i]}, {"supercategory", "target"}});
+  json_.end_list();
+  if (subject_.has_videos) {
+    json_.begin_list("videos");
+    for (const std::size_t video : videos_) json_.element({{"id", video}, {"name", fmt::format("{:06}", video)}});
+    json_.end_list();
+  }
+  json_.end();
 }
 
 }  // namespace sigmascape::product

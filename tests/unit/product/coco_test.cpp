@@ -2,29 +2,29 @@
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <string>
 
 namespace sigmascape::product {
 namespace {
 
-/// Two videos of two frames; a target of the first leaves, and another stays.
-CocoBoxes example() {
-  return {
-      .categories = {"car", "ship"},
-      .images =
-          {{.id = 0,
-            .file_name = "a",
-            .columns = 8,
-            .rows = 8,
-            .boxes = {{0, 1, 2, 3, 4, 0}, {1, 0, 0, 2, 2, 1}},
-            .video = 0,
-            .frame = 0},
-           {.id = 1, .file_name = "b", .columns = 8, .rows = 8, .boxes = {{1, 1, 0, 2, 2, 1}}, .video = 0, .frame = 1},
-           {.id = 2, .file_name = "c", .columns = 8, .rows = 8, .boxes = {{0, 5, 5, 1, 1, 0}}, .video = 1, .frame = 0}},
-      .has_videos = true};
+/// Two videos of two frames and one; a target of the first leaves, and another stays.
+nlohmann::json example(CocoSubject subject) {
+  subject.categories = {"car", "ship"};
+  const CocoImage first{.id = 0, .file_name = "a", .columns = 8, .rows = 8, .video = 0, .frame = 0},
+      second{.id = 1, .file_name = "b", .columns = 8, .rows = 8, .video = 0, .frame = 1},
+      third{.id = 2, .file_name = "c", .columns = 8, .rows = 8, .video = 1, .frame = 0};
+  std::string text;
+  CocoWriter coco(subject, [&](std::string_view piece) { text += piece; });
+  for (const CocoImage& image : {first, second, third}) coco.add_image(image);
+  coco.add_boxes(first, {{0, 1, 2, 3, 4, 0}, {1, 0, 0, 2, 2, 1}});
+  coco.add_boxes(second, {{1, 1, 0, 2, 2, 1}});
+  coco.add_boxes(third, {{0, 5, 5, 1, 1, 0}});
+  coco.end();
+  return nlohmann::json::parse(text);
 }
 
 TEST(Coco, TracksAreOneNumberThroughAVideoAndAnotherInTheNext) {
-  const auto json = nlohmann::json::parse(coco_json(example()));
+  const auto json = example({.categories = {}, .has_videos = true});
   ASSERT_EQ(json.at("videos").size(), 2U);
   EXPECT_EQ(json.at("images")[1].at("video_id"), 0);
   EXPECT_EQ(json.at("images")[1].at("frame_id"), 1);
@@ -39,10 +39,10 @@ TEST(Coco, TracksAreOneNumberThroughAVideoAndAnotherInTheNext) {
 
 // COCO's own reader, pycocotools, copies `info` when it loads results, and some of its releases fail without.
 TEST(Coco, HasAllThatReadersAskFor) {
-  CocoBoxes boxes = example();
-  boxes.description = "radar images of a town";
-  boxes.contributor = "© OpenStreetMap contributors";
-  const auto json = nlohmann::json::parse(coco_json(boxes));
+  const auto json = example({.categories = {},
+                             .has_videos = true,
+                             .description = "radar images of a town",
+                             .contributor = "© OpenStreetMap contributors"});
   EXPECT_EQ(json.at("info").at("description"), "radar images of a town");
   EXPECT_EQ(json.at("info").at("contributor"), "© OpenStreetMap contributors");
   EXPECT_TRUE(json.at("licenses").is_array());
@@ -51,23 +51,29 @@ TEST(Coco, HasAllThatReadersAskFor) {
 
 // A scene without a name of its own is called after its file, whose name may be in Latin-1.
 TEST(Coco, WordsThatAreNotUtf8AreWrittenAllTheSame) {
-  CocoBoxes boxes = example();
-  boxes.description = "radar images of caf\xe9";
-  boxes.contributor =
-      "Oficina de Catastro de C\xe1"
-      "diz";
-  const auto json = nlohmann::json::parse(coco_json(boxes));
+  const auto json = example({.categories = {},
+                             .has_videos = true,
+                             .description = "radar images of caf\xe9",
+                             .contributor = "Oficina de Catastro de C\xe1"
+                                            "diz"});
   EXPECT_EQ(json.at("info").at("description"), "radar images of caf\ufffd");
   EXPECT_EQ(json.at("info").at("contributor"), "Oficina de Catastro de C\ufffddiz");
   EXPECT_EQ(json.at("annotations").size(), 4U);
 }
 
 TEST(Coco, WithoutVideosThereAreNoTracks) {
-  CocoBoxes boxes = example();
-  boxes.has_videos = false;
-  const auto json = nlohmann::json::parse(coco_json(boxes));
+  const auto json = example({.categories = {}, .has_videos = false});
   EXPECT_FALSE(json.contains("videos"));
   EXPECT_FALSE(json.at("annotations")[0].contains("track_id"));
+}
+
+// Readers ask for the lists, whether anything is in them or not.
+TEST(Coco, OfNoImagesHasEmptyLists) {
+  std::string text;
+  CocoWriter coco({}, [&](std::string_view piece) { text += piece; });
+  coco.end();
+  const auto json = nlohmann::json::parse(text);
+  for (const char* list : {"images", "annotations", "categories"}) EXPECT_EQ(json.at(list), nlohmann::json::array());
 }
 
 }  // namespace
