@@ -6,9 +6,11 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <span>
+#include <string>
 
 #include "sigmascape/atlas/half.h"
 #include "sigmascape/base/units.h"
+#include "sigmascape/dataset/speckle.h"
 #include "sigmascape/product/npy_bytes.h"
 #include "sigmascape/product/picture.h"
 #include "sigmascape/product/png_file.h"
@@ -63,15 +65,32 @@ double rounded(double value, double step) {
 }
 
 Json target_json(const DatasetSpec& spec, const SampleTarget& target) {
-  return {{"class", spec.targets[target.planned.target_class].name},
+  const TargetClass& kind = spec.targets[target.planned.target_class];
+  return {{"class", kind.name},
           {"east_m", target.planned.position.x},
           {"north_m", target.planned.position.y},
           {"velocity_mps", {target.planned.velocity_mps.x, target.planned.velocity_mps.y}},
+          {"size_m", kind.size_m},
+          {"height_m", kind.height_m},
           {"track", target.planned.track},
           {"rcs_dbsm", rounded(db_from_linear(target.planned.rcs_m2), 1e-6)},
           {"part_seen", rounded(target.part_seen, 1e-9)},
           {"is_seen", target.is_seen},
           {"bbox", {target.box.x, target.box.y, target.box.width, target.box.height}}};
+}
+
+/// Of a map's cells those in which the receiver did not listen.
+double part_without_data(const radar::GroundMap& map) {
+  const auto without = std::ranges::count_if(map.sigma0.values(), [](const auto& cell) { return std::isnan(cell.vv); });
+  return static_cast<double>(without) / static_cast<double>(map.sigma0.size());
+}
+
+/// Of each polarization that is written, in their order.
+Json noise_json(const DatasetSpec& spec, double noise_sigma0) {
+  Json noise = Json::array();
+  for (const radar::Polarization polarization : spec.polarizations)
+    noise.push_back(static_cast<double>(even_noise(1.0F).power(polarization)) * noise_sigma0);
+  return noise;
 }
 
 Json metadata_of(const DatasetSpec& spec, const Sample& sample) {
@@ -102,16 +121,19 @@ Json metadata_of(const DatasetSpec& spec, const Sample& sample) {
             {"range_resolution_m", plan.range_resolution_m},
             {"beam_width_deg", deg_from_radians(plan.beam_width_rad)},
             {"level_of_detail", spec.level_of_detail},
+            {"part_without_data", rounded(part_without_data(sample.map), 1e-9)},
+            {"looks", spec.looks},
             {"speckle", spec.looks == 0 ? "none: mean power"
                                         : fmt::format("{} look{}, independent from cell to cell", spec.looks,
                                                       spec.looks == 1 ? "" : "s")},
-            {"seed", plan.seed},
+            // Of 64 bits, more than numbers of JSON keep in many a reader.
+            {"seed", std::to_string(plan.seed)},
             {"software", product::software_name()},
             {"scene_hash", sample.scene_hash},
             {"layers", layers},
             {"targets", targets}};
   if (plan.snr_db) json["snr_db"] = *plan.snr_db;
-  if (plan.snr_db || plan.noise_sigma0_db) json["noise_sigma0"] = sample.noise_sigma0;
+  if (plan.snr_db || plan.noise_sigma0_db) json["noise_sigma0"] = noise_json(spec, sample.noise_sigma0);
   return json;
 }
 

@@ -56,7 +56,7 @@ struct LookDraws {
 
 void draw_speckle(radar::GroundMap& map, const Array2D<radar::Channels>& targets, const SpeckleSettings& settings) {
   const std::size_t looks = std::max<std::size_t>(1, settings.looks);
-  const radar::Channels of_noise{settings.noise, settings.noise, settings.noise, 0.0F};
+  const radar::Channels of_noise = even_noise(settings.noise);
   Array2D<radar::Channels> sums(map.grid.columns, map.grid.rows);
   for (std::size_t look = 0; look < looks; ++look) {
     LookDraws draws(hashed(settings.seed, look), map.grid.columns);

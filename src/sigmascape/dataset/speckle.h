@@ -7,6 +7,11 @@
 
 namespace sigmascape::dataset {
 
+/// Noise of the same σ0 in VV, HH and HV, which makes four times as much in `Sum`.
+[[nodiscard]] constexpr radar::Channels even_noise(float sigma0) {
+  return {sigma0, sigma0, sigma0, 0.0F};
+}
+
 struct SpeckleSettings {
   std::size_t looks = 1;  ///< averaged; 0 keeps the mean power of the ground
   float noise = 0.0F;     ///< mean power of the receiver's noise as σ0, the same in every cell and polarization
