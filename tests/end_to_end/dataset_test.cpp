@@ -16,6 +16,7 @@
 
 #include "sigmascape/bake/bake.h"
 #include "sigmascape/bake/claims.h"
+#include "sigmascape/base/interruption.h"
 #include "sigmascape/base/sha256.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/dataset/dataset_run.h"
@@ -340,6 +341,31 @@ TEST_F(Dataset, TargetsThatTheGateLeavesOutAreNotSeen) {
   }
   EXPECT_GT(seen_through_gate, 10U);
   EXPECT_GT(seen, seen_through_gate + 10U);
+}
+
+// Maps of 192 m a side, 14 to 15 km away: 136 m from their middles to their corners, and hills.
+TEST_F(Dataset, RefusesAGateThatIsShutOverEveryMap) {
+  const auto said = [&](const char* gate) {
+    folder_->write("shut.toml", std::string("[radar]\nfrequency_ghz = 10.0\nrange_resolution_m = 4.0\n"
+                                            "beam_width_deg = 0.023\n[receiver]\n") +
+                                    gate);
+    return message_of_error([&] { dataset::SampleMaker maker(spec({.radar = "shut.toml"})); });
+  };
+  EXPECT_EQ(said("first_range_km = 14.4\nlast_range_km = 14.5\n"), "") << "open to neither end, but between them";
+  EXPECT_EQ(said("last_range_km = 14.1\n"), "");
+  EXPECT_EQ(said("first_range_km = 14.9\n"), "");
+  const std::string shut = "spec.toml: view.slant_range_km: leads to maps from 13.8";
+  EXPECT_NE(said("last_range_km = 13\n").find(shut), std::string::npos) << said("last_range_km = 13\n");
+  EXPECT_NE(said("first_range_km = 15.5\n").find("range gate is open from 15.5 to "), std::string::npos);
+}
+
+// What is there already is looked through by no parallel loop, and told together by none.
+TEST_F(Dataset, IsToldToStopWhileItLooksThroughWhatIsThere) {
+  const dataset::SampleMaker maker(spec({.number = "[0, 0]"}));
+  const fs::path folder = folder_->path("looked_through");
+  EXPECT_TRUE(made(maker, folder).is_complete);
+  const Interruption at_once([] { return true; });
+  EXPECT_THROW(made(maker, folder), Interrupted);
 }
 
 TEST_F(Dataset, AStrongTargetIsTheBrightestCellAndLiesInItsBox) {

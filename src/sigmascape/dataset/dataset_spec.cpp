@@ -12,6 +12,7 @@
 #include "sigmascape/base/units.h"
 #include "sigmascape/dataset/bounce_labels.h"
 #include "sigmascape/radar/radar_bounds.h"
+#include "sigmascape/scene/partner_key.h"
 #include "sigmascape/simulate/mode_image.h"
 
 namespace sigmascape::dataset {
@@ -197,6 +198,7 @@ TargetClass target_class(const TomlSection& section) {
                             radians_from_deg(1.0)),
       .east_m = optional_range(section, "east_m", anywhere_m),
       .north_m = optional_range(section, "north_m", anywhere_m)};
+  if (target.name.empty()) throw section.fault("name", "is empty", "give the class a name");
   if (target.number.lowest != std::floor(target.number.lowest) ||
       target.number.highest != std::floor(target.number.highest)) {
     throw section.fault("number", "is not in whole targets", "give two whole numbers");
@@ -229,6 +231,9 @@ void read_bounce_atlases(const TomlSection& section, DatasetSpec& spec) {
 }
 
 void check_bounces(const TomlSection& section, const DatasetSpec& spec) {
+  const std::string partner = spec.level_of_detail == 0 ? "atlas" : "a layer of bounces";
+  for (const char* key : {"first_bounce_atlas", "bounce_atlases"})
+    scene::refuse_without(section, key, partner, spec.level_of_detail > 0 && !spec.bounce_layers.empty());
   if (spec.level_of_detail == 0) return;
   for (const std::string& name : spec.bounce_layers) {
     const std::size_t needed = bounces_to_know(name);
@@ -240,6 +245,18 @@ void check_bounces(const TomlSection& section, const DatasetSpec& spec) {
                                   "order, or trace with level_of_detail = 0",
                                   needed));
   }
+}
+
+/// Each has a file in the index, and a run looks through all of them before it begins.
+void check_lots(const TomlSection& section, const DatasetSpec& spec) {
+  // Each is a lock while it is lacking, and the time that these take goes with their square.
+  constexpr std::size_t most_lots = 50'000;
+  const std::size_t fewest_samples = (spec.count + most_lots - 1) / most_lots;
+  if (spec.samples_per_shard >= fewest_samples) return;
+  throw section.fault("samples_per_shard",
+                      fmt::format("is {}, which makes more than {} pieces of {} samples", spec.samples_per_shard,
+                                  most_lots, spec.count),
+                      fmt::format("give {} or more, or ask for fewer samples in count", fewest_samples));
 }
 
 std::string text_of(const std::filesystem::path& path) {
@@ -307,8 +324,12 @@ DatasetSpec read_dataset_spec(const std::filesystem::path& path) {
   read_bounce_atlases(section, spec);
   spec.samples_per_cell =
       static_cast<std::uint32_t>(section.whole_number_or("samples_per_cell", {1.0, 65536.0, "rays"}, 16));
+  if (spec.atlas && section.has("samples_per_cell"))
+    throw section.fault("samples_per_cell", "stands beside atlas, with which no rays are traced",
+                        "leave one of the two out");
   read_products(section, spec);
   check_bounces(section, spec);
+  check_lots(section, spec);
   section.refuse_unknown_keys();
   read_view(file.required_section("view"), spec);
   if (const auto speckle = file.section("speckle")) {

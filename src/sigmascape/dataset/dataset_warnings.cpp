@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <optional>
 
+#include "sigmascape/base/interruption.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/dataset/sample_plan.h"
 #include "sigmascape/dataset/sample_radar.h"
@@ -60,6 +61,7 @@ Ends ends_of(const DatasetSpec& spec, const terrain::HeightField& terrain, const
   }
   const std::size_t frames = spec.sequence.frames;
   for (std::size_t first = 0; first < spec.count; first += frames) {
+    Interruption::heed();
     const SamplePlan begin = plan_of(spec, centres, first);
     for (const std::size_t frame : {std::size_t{0}, nearest_frame(spec, begin, terrain), frames - 1})
       ends.add(plan_of(spec, centres, first + frame));

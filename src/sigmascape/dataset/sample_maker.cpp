@@ -12,6 +12,7 @@
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/atlas/stac_description.h"
 #include "sigmascape/base/error.h"
+#include "sigmascape/base/interruption.h"
 #include "sigmascape/base/sha256.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/dataset/bounce_labels.h"
@@ -19,6 +20,7 @@
 #include "sigmascape/dataset/speckle.h"
 #include "sigmascape/dataset/target_box.h"
 #include "sigmascape/product/ground_projection.h"
+#include "sigmascape/radar/range_ambiguity.h"
 #include "sigmascape/receiver/target_echoes.h"
 #include "sigmascape/scene/obstacle_raster.h"
 #include "sigmascape/scene/scene_file.h"
@@ -207,6 +209,7 @@ SampleMaker::SampleMaker(const DatasetSpec& spec)
   }
   check_radars();
   check_views();
+  check_gate();
   check_flights();
   check_classes();
 }
@@ -272,10 +275,32 @@ void SampleMaker::check_views() const {
   }
 }
 
+/// A gate that is open to some of the maps is warned of where it is shut (dataset_warnings.h).
+void SampleMaker::check_gate() const {
+  const auto &first_m = spec_.radar.radar.receiver.first_range_m, &last_m = spec_.radar.radar.receiver.last_range_m;
+  constexpr double never = std::numeric_limits<double>::infinity();
+  const double unambiguous_m = radar::unambiguous_range_m(spec_.radar.radar.waveform.pulse_repetition_hz);
+  const double opens_m = first_m.value_or(0.0);
+  const double closes_m = std::min(last_m.value_or(never), first_m ? opens_m + unambiguous_m : never);
+  const double flown_m =
+      spec_.sequence.speed_mps.highest * spec_.sequence.interval_s * static_cast<double>(spec_.sequence.frames - 1);
+  const double relief_m = scene_.terrain.highest_m() - scene_.terrain.lowest_m();
+  const double about_m = flown_m + std::hypot(half_diagonal_m(spec_), relief_m);
+  const double nearest_m = std::max(0.0, spec_.slant_range_m.lowest - about_m);
+  const double farthest_m = spec_.slant_range_m.highest + about_m;
+  if (opens_m <= farthest_m && closes_m >= nearest_m) return;
+  throw Error(spec_.file.string() + ": view.slant_range_km",
+              fmt::format("leads to maps from {:.5g} to {:.5g} km away, and the radar file's range gate is open from "
+                          "{:.5g} to {:.5g} km",
+                          nearest_m / 1e3, farthest_m / 1e3, opens_m / 1e3, closes_m / 1e3),
+              "stay where the gate is open, or move it by receiver.first_range_km and last_range_km");
+}
+
 void SampleMaker::check_flights() const {
   const std::size_t frames = spec_.sequence.frames;
   if (!flies(spec_.sequence)) return;
   for (std::size_t first = 0; first < spec_.count; first += frames) {
+    Interruption::heed();
     const SamplePlan begin = plan_of(spec_, centres_, first);
     // Level flight: the middle of the map is seen steepest from the frame that is nearest to it, flattest from an end.
     check_frame(plan_of(spec_, centres_, first + nearest_frame(spec_, begin, scene_.terrain)));

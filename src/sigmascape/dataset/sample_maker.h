@@ -45,7 +45,7 @@ struct Sample {
   radar::GroundMap map;
   radar::LayerStack labels;
   std::vector<SampleTarget> targets;
-  double noise_sigma0 = 0.0;
+  double noise_sigma0 = 0.0;  ///< in each of VV, HH and HV
 };
 
 /// Scene and atlas made ready for the samples of one spec. Threads may make samples at once.
@@ -53,7 +53,8 @@ class SampleMaker {
  public:
   /// Throws Error when a file cannot be read, the atlas is of another scene, or the spec's ranges are impossible with
   /// them: elevations or frequency that were not baked, orders of bounces that these bakes do not tell, maps larger
-  /// than the scene, a radar that would stand in the scene or over the map, or come there in a sequence.
+  /// than the scene, a radar that would stand in the scene or over the map, or come there in a sequence, a range gate
+  /// that is shut over every map.
   explicit SampleMaker(const DatasetSpec& spec);
 
   [[nodiscard]] const DatasetSpec& spec() const { return spec_; }
@@ -72,6 +73,7 @@ class SampleMaker {
 
  private:
   void check_views() const;
+  void check_gate() const;
   /// What `check_views` asks of the first frame, of the others of every sequence.
   void check_flights() const;
   void check_classes() const;

@@ -142,7 +142,10 @@ TEST_F(DatasetSpecFile, TakesNoTwoClassesOfOneName) {
 }
 
 TEST_F(DatasetSpecFile, FillsVariablesIntoThePathsOfAllAtlases) {
-  const std::string bounces = "4\nbounce_atlases = [\"${SIGMASCAPE_NO_SUCH_NAME:-once}/of\", \"twice\"]";
+  std::filesystem::create_directories(folder_.path("atlas"));
+  const std::string bounces =
+      "4\natlas = \"atlas\"\nlayers = [\"bounce2\"]\n"
+      "bounce_atlases = [\"${SIGMASCAPE_NO_SUCH_NAME:-once}/of\", \"twice\"]";
   EXPECT_THAT(fault_of(bounces), HasSubstr("dataset.bounce_atlases: the folder " + folder_.path("once/of").string() +
                                            " does not exist; correct the path"));
   std::filesystem::create_directories(folder_.path("once/of"));
@@ -150,8 +153,39 @@ TEST_F(DatasetSpecFile, FillsVariablesIntoThePathsOfAllAtlases) {
   EXPECT_EQ(fault_of(bounces), "");
   EXPECT_THAT(read_dataset_spec(folder_.path("spec.toml")).bounce_atlases,
               ::testing::ElementsAre(folder_.path("once/of"), folder_.path("twice")));
-  EXPECT_THAT(fault_of("4\nbounce_atlases = [\"${SIGMASCAPE_NO_SUCH_NAME}\"]"),
+  EXPECT_THAT(fault_of("4\natlas = \"atlas\"\nbounce_atlases = [\"${SIGMASCAPE_NO_SUCH_NAME}\"]"),
               HasSubstr("bounce_atlases: the environment variable SIGMASCAPE_NO_SUCH_NAME is not set"));
+}
+
+TEST_F(DatasetSpecFile, TakesNoKeyThatWouldDoNothing) {
+  for (const char* atlas : {"atlas", "first"}) std::filesystem::create_directories(folder_.path(atlas));
+  const std::string baked = "4\natlas = \"atlas\"\n", first = "first_bounce_atlas = \"first\"\n",
+                    list = "bounce_atlases = [\"first\"]\n", layers = "layers = [\"bounce1\"]\n";
+  EXPECT_EQ(fault_of(baked + first + layers), "");
+  EXPECT_EQ(fault_of(baked + list + layers), "");
+  EXPECT_THAT(fault_of(baked + first), HasSubstr("dataset.first_bounce_atlas: stands without a layer of bounces; add a "
+                                                 "layer of bounces or remove it"));
+  EXPECT_THAT(fault_of(baked + list + "layers = [\"shadow\"]\n"),
+              HasSubstr("dataset.bounce_atlases: stands without a layer of bounces"));
+  EXPECT_THAT(fault_of("4\n" + first + layers), HasSubstr("dataset.first_bounce_atlas: stands without atlas"));
+  EXPECT_THAT(fault_of("4\n" + list + layers), HasSubstr("dataset.bounce_atlases: stands without atlas"));
+  EXPECT_EQ(fault_of("4\nsamples_per_cell = 8"), "");
+  EXPECT_THAT(fault_of(baked + "samples_per_cell = 8"),
+              HasSubstr("dataset.samples_per_cell: stands beside atlas, with which no rays are traced; leave one of"));
+}
+
+TEST_F(DatasetSpecFile, TakesNoClassWithoutAName) {
+  EXPECT_THAT(fault_of("4", "[[targets]]\nname = \"\"\nnumber = [1, 2]\nrcs_dbsm = [10, 20]\n"),
+              HasSubstr("name: is empty; give the class a name"));
+}
+
+TEST_F(DatasetSpecFile, KeepsThePiecesToFiftyThousand) {
+  EXPECT_EQ(fault_of("100000000\nsamples_per_shard = 2000"), "");
+  EXPECT_EQ(fault_of("50000\nsamples_per_shard = 1"), "");
+  EXPECT_THAT(fault_of("100000000\nsamples_per_shard = 1999"),
+              HasSubstr("dataset.samples_per_shard: is 1999, which makes more than 50000 pieces of 100000000 samples; "
+                        "give 2000 or more, or ask for fewer samples in count"));
+  EXPECT_THAT(fault_of("50001\nsamples_per_shard = 1"), HasSubstr("give 2 or more"));
 }
 
 // Which parts of a radar are the same is told by the bytes of its file and of its tables.
