@@ -79,9 +79,16 @@ class HorizonMap {
   /// solid there rises above the line of sight.
   [[nodiscard]] double through_beyond(std::size_t azimuth, std::size_t node, double distance_m, double slope,
                                       Vec3d radar, const Occluders& occluders) const;
+  /// Whether ground that no node stands on hides a point under `slope` which the nodes do not: a crest lies between
+  /// them here and on one of them there. `across`: the point's azimuth in directions of the map. Goes over the ground
+  /// on its own line of sight, where that comes nearer to what the nodes beside it know than the terrain may rise
+  /// between them; hardly any other point takes longer for it.
+  [[nodiscard]] bool rises_between(double across, double distance_m, double slope, Vec3d radar,
+                                   const Occluders& occluders) const;
 
  private:
   class Walk;
+  class Crests;
 
   /// Over ground on which nothing stands, or only in the textures.
   void sweep_ground(std::size_t azimuth, Vec3d radar, const Occluders& occluders);

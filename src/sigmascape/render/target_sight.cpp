@@ -33,14 +33,22 @@ double part_seen_at(const TargetSight& sight, const TargetSight::Level& level,
   const double ridges = between(static_cast<double>(horizon.slopes(azimuth)[node]),
                                 static_cast<double>(horizon.slopes(azimuth + 1)[node])) -
                         doubt;
-  double slope = slope_of(target.position.z);
-  if (slope < ridges) {
-    // Hidden where it was put; but on the ground of this frame it may be seen.
+  const auto slope_on_ground = [&] {
     const Occluders& occluders = occluders_at(azimuth);
     const double ground_m = terrain::height_at(occluders.terrain, {target.position.x, target.position.y}) -
                             static_cast<double>(occluders.lowered_m);
-    slope = std::max(slope, slope_of(ground_m));
-    if (slope < ridges) return 0.0;
+    return slope_of(ground_m);
+  };
+  const auto lies_behind_crest = [&](double slope) {
+    return horizon.rises_between(across, target.distance_m, slope, sight.radar, occluders_at(azimuth));
+  };
+  double slope = slope_of(target.position.z);
+  if (slope < ridges || lies_behind_crest(slope)) {
+    // Hidden where it was put; but on the ground of this frame it may be seen.
+    const double on_ground = slope_on_ground();
+    if (!(on_ground > slope)) return 0.0;
+    slope = on_ground;
+    if (slope < ridges || lies_behind_crest(slope)) return 0.0;
   }
   if (horizon.solid_slopes(azimuth) == nullptr) return 1.0;
   const bool is_on_ground = slope <= ridges + 2.0 * doubt;

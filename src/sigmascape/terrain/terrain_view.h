@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 #include "sigmascape/terrain/height_field.h"
@@ -35,6 +36,8 @@ struct TerrainView {
   std::span<const PackedSlope> slope = {};  ///< [row][column]
   float lowest_m = 0.0F;                    ///< bounds of the heights that are asked for; they may be wider
   float highest_m = 0.0F;
+  /// Rise over distance along any line over the heights is no more; infinite where nobody has asked.
+  float steepest = std::numeric_limits<float>::infinity();
 
   /// How many columns east and rows south of the lattice's first node a point lies.
   [[nodiscard]] Vec2d nodes_to(Vec2d point) const {

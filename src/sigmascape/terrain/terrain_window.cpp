@@ -11,6 +11,18 @@ std::int16_t packed(float slope) {
   return static_cast<std::int16_t>(std::lround(std::clamp(slope * PackedSlope::steps_per_unit, -most, most)));
 }
 
+/// A bilinear surface is nowhere steeper along its lattice than its edges are.
+float steepest_of(std::span<const float> height_m, std::size_t columns, double spacing_m) {
+  float eastward_m = 0.0F, southward_m = 0.0F;
+  for (std::size_t first = 0; first < height_m.size(); first += columns) {
+    for (std::size_t i = first + 1; i < first + columns; ++i)
+      eastward_m = std::max(eastward_m, std::abs(height_m[i] - height_m[i - 1]));
+    for (std::size_t i = first; first > 0 && i < first + columns; ++i)
+      southward_m = std::max(southward_m, std::abs(height_m[i] - height_m[i - columns]));
+  }
+  return std::hypot(eastward_m, southward_m) / static_cast<float>(spacing_m);
+}
+
 /// The tiles of a level that an area touches; beyond the edge the nearest.
 std::vector<TileKey> tiles_over(const PyramidLayout& layout, const radar::Rectangle& area, int level) {
   const double side_m = layout.spacing_at(level) * static_cast<double>(HeightTile::cells);
@@ -131,6 +143,7 @@ WindowReport TerrainWindow::fill(TerrainPyramid& pyramid, const radar::Rectangle
   const auto [lowest, highest] = std::ranges::minmax_element(filled);
   placement_.lowest_m = *lowest;
   placement_.highest_m = *highest;
+  placement_.steepest = steepest_of(filled, placement_.columns, placement_.spacing_m);
   if (slopes_ == WindowSlopes::Formed) form_slopes();
   return report;
 }

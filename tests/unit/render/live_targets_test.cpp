@@ -109,6 +109,79 @@ TEST_F(LiveTargetsTest, OnlyTerrainHidesThemHoweverCoarse) {
   }
 }
 
+// Drawn terrain may be coarser than that on which targets were put, and lie above them.
+TEST_F(LiveTargetsTest, GroundThatIsDrawnTooHighBuriesNoTarget) {
+  ExampleGround slope = level_ground();
+  for (const double rise : {0.0, 0.1}) {
+    slope.height_m = [rise](Vec2d p) { return rise * p.y; };
+    const auto ground = slope.over(*store_);
+    ExampleView view;
+    view.azimuth_deg = 180.0;
+    view.elevation_deg = 3.0;
+    view.slant_range_m = 8000.0;
+    view.bin_m = 16.0;
+    view.beams = 16;
+    view.ranges = 20;
+    LiveSettings settings = view.settings(FrameContent::Powers);
+    settings.range_step_m = 75.0;
+    LiveRenderer renderer(ground, settings);
+    Pose pose = view.pose();
+    pose.first_range_m = view.slant_range_m - 750.0;
+    settled_frame(renderer, *ground, pose);
+    for (const double buried_m : {0.0, 0.05, 0.3, 2.0}) {
+      std::vector<radar::Target> targets;
+      for (double ahead_m = -200.0; ahead_m < 200.0; ahead_m += 7.3) {
+        const Vec2d place = view.target + Vec2d{0.2 * ahead_m, ahead_m};
+        targets.push_back(standing(place, slope.height_m(place) - buried_m));
+      }
+      pose.targets = targets;
+      EXPECT_EQ(renderer.render(pose).report.targets, targets.size()) << rise << ", " << buried_m << " m deep";
+    }
+  }
+}
+
+TEST_F(LiveTargetsTest, ARidgeHidesTheSameThingsInEveryFrameHoweverLongItsBinsAre) {
+  // 8 m wide at its top and as steep as 34°, between bins of 75 m; it crosses the beams straight and askew.
+  for (const double askew : {0.0, 0.3}) {
+    ExampleGround ridge = level_ground();
+    ridge.height_m = [askew](Vec2d p) {
+      return std::clamp(40.0 - (std::abs(p.y + askew * p.x) - 4.0) / 1.5, 0.0, 40.0);
+    };
+    const auto ground = ridge.over(*store_);
+    ExampleView view;
+    view.azimuth_deg = 180.0;
+    view.elevation_deg = 3.0;
+    view.slant_range_m = 8000.0;
+    view.bin_m = 16.0;
+    view.beams = 16;
+    view.ranges = 20;
+    LiveSettings settings = view.settings(FrameContent::Powers);
+    settings.range_step_m = 75.0;
+    LiveRenderer renderer(ground, settings);
+    Pose pose = view.pose();
+    pose.first_range_m = view.slant_range_m - 750.0;
+    settled_frame(renderer, *ground, pose);
+    for (const double distance_m : {70.0, 130.0, 400.0}) {
+      for (const double above_line_m : {-6.0, -3.0, 1.0}) {
+        std::size_t seen = 0, frames = 0;
+        for (double ahead_m = 0.0; ahead_m < 80.0; ahead_m += 2.9, ++frames) {
+          pose.position.y = view.pose().position.y + ahead_m;
+          // Over the farther edge of the top, which is the last to hide it. Drawn ridges, whose
+          // nodes are 16 m apart, lie up to three metres lower.
+          const Vec3d radar = pose.position;
+          const double to_edge_m = view.target.y + 4.0 - radar.y;
+          const double slope = (40.0 - radar.z) / to_edge_m;
+          const double height_m = radar.z + slope * (to_edge_m + distance_m) + above_line_m;
+          const std::vector<radar::Target> targets{standing({radar.x, radar.y + to_edge_m + distance_m}, height_m)};
+          pose.targets = targets;
+          seen += renderer.render(pose).report.targets;
+        }
+        EXPECT_EQ(seen, above_line_m > 0.0 ? frames : 0U) << askew << ", " << distance_m << ", " << above_line_m;
+      }
+    }
+  }
+}
+
 TEST_F(LiveTargetsTest, CrownsDimThemByTheWayThatTheirOwnLineGoesThroughThem) {
   const ScratchFolder folder;
   constexpr float top_m = 15.0F, extinction_per_m = 0.02F;
