@@ -109,11 +109,13 @@ void measure_live_targets(Figures& figures) {
     figures.add("receiver.live_targets.look." + how, 1e3 * seconds_of(look), "ms");
     figures.add("receiver.live_targets.powers." + how, 1e3 * seconds_of([&] {
                                                          look();
+                                                         frame.tell_apart(0, bins.beams);
                                                          frame.add_powers(0, bins.beams, powers);
                                                        }),
                 "ms");
     figures.add("receiver.live_targets.iq." + how, 1e3 * seconds_of([&] {
                                                      look();
+                                                     frame.tell_apart(0, bins.beams);
                                                      frame.add_amplitudes(0, bins.beams, amplitudes);
                                                    }),
                 "ms");

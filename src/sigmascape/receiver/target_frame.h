@@ -4,6 +4,7 @@
 #include <complex>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "sigmascape/radar/curved_earth.h"
 #include "sigmascape/radar/target.h"
 #include "sigmascape/receiver/point_response.h"
+#include "sigmascape/receiver/targets_by_beam.h"
 
 namespace sigmascape::receiver {
 
@@ -37,6 +39,7 @@ struct TargetFramePose {
 /// those of its beams to its own bins, after the ground:
 ///
 ///     targets.look(list, pose, moment, sight, &team);
+///     targets.tell_apart(0, beams);
 ///     team.run(sectors, [&](std::size_t s, unsigned) { fill_ground(s); targets.add_amplitudes(first(s), count, bins);
 ///     });
 ///
@@ -62,37 +65,59 @@ class TargetFrame {
   void look(std::span<const radar::Target> targets, const TargetFramePose& pose, const radar::Moment& moment,
             const Sight& sight = {}, WorkerTeam* team = nullptr);
 
+  /// From here on keeps apart what is added to beams first … first + count − 1, whose bins hold no targets yet, in
+  /// place of what it has kept of them; of other beams it keeps what it has. Left out, nothing of this look is kept.
+  void tell_apart(std::size_t first_beam, std::size_t count);
+  /// What was kept, complete once targets have been added to those beams; valid until the next `tell_apart`.
+  [[nodiscard]] TargetsApart apart() const { return by_beam_.all(); }
+
   /// How many stand in the frame and are seen.
   [[nodiscard]] std::size_t seen() const { return starts_.back(); }
 
   /// Adds what was looked at to beams first … first + count − 1. `amplitudes_m`: those of the whole frame,
   /// [beam][range] [VV, HH, HV, VH], metres, with the phase of the way out and back. May be called at once for beams
   /// that differ.
-  void add_amplitudes(std::size_t first_beam, std::size_t count, std::span<std::complex<float>> amplitudes_m) const;
+  void add_amplitudes(std::size_t first_beam, std::size_t count, std::span<std::complex<float>> amplitudes_m);
   /// The same in power: [beam][range][VV, HH, HV, Re VV·HH*], m².
-  void add_powers(std::size_t first_beam, std::size_t count, std::span<float> powers_m2) const;
+  void add_powers(std::size_t first_beam, std::size_t count, std::span<float> powers_m2);
 
  private:
   /// A target in its place: one line of cache.
   struct alignas(64) Placed {
+    static constexpr std::int32_t nowhere = std::numeric_limits<std::int32_t>::min();
+
     std::array<float, 6> amplitude_m;  // VV, HH, HV; real and imaginary parts
     std::array<float, 4> power_m2;
-    std::int32_t first_beam, first_range;
-    std::uint16_t beam_row, range_row;  // of the tables
-    bool is_seen;
+    std::int32_t first_beam = nowhere, first_range = 0;
+    float beams_on = 0.0F,
+          ranges_on = 0.0F;  // from the left edge of the first beam and the near one of the first range
+    float sin_depression = 0.0F;
+    std::uint16_t beam_row = 0, range_row = 0;  // of the tables
+
+    [[nodiscard]] bool is_seen() const { return first_beam != nowhere; }
   };
+  static_assert(sizeof(Placed) == 64);
 
   [[nodiscard]] Placed placed(const radar::Target& target, const TargetFramePose& pose, Vec2d middle,
                               const radar::Moment& moment, const Sight& sight) const;
   void sort();
   template <typename Content>
-  void add(std::size_t first_beam, std::size_t count, float* frame) const;
+  void add(std::size_t first_beam, std::size_t count, float* frame);
+  /// Of those that look was at, how many have a share in a beam.
+  [[nodiscard]] std::uint32_t sharing(std::size_t beam) const;
+  /// Keeps what tap `tap` across of a point brings to a beam, and what the bins in its row held before.
+  template <typename Content>
+  void keep(const Placed& point, std::size_t tap, std::size_t beam, const float* row);
 
   TargetFrameBins bins_;
   bool goes_round_;  // beam 0 lies next to the last one
   double ranges_per_m_, beams_per_rad_;
-  std::vector<Placed> found_, sorted_;  // as the targets were given; those seen, by first beam
-  std::vector<std::uint32_t> starts_;   // in `sorted_`, by first beam + taps − 1
+  std::vector<Placed> found_, sorted_;                    // as the targets were given; those seen, by first beam
+  std::vector<std::uint32_t> starts_;                     // in `sorted_`, by first beam + taps − 1
+  double first_azimuth_rad_ = 0.0, first_range_m_ = 0.0;  // of the last look
+  TargetsByBeam by_beam_;
+  TargetsByBeam::Room room_;                         // of the beams that are told apart
+  std::vector<std::uint32_t> next_kept_, kept_end_;  // of the echoes in it, by beam
 };
 
 }  // namespace sigmascape::receiver

@@ -4,13 +4,19 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
+#include <ranges>
+#include <tuple>
+#include <vector>
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/radar/complex_channels.h"
 #include "sigmascape/radar/distance_of_range.h"
+#include "sigmascape/radar/echo.h"
 #include "sigmascape/radar/look.h"
 #include "sigmascape/radar/radar_title.h"
+#include "sigmascape/receiver/echo_places.h"
 #include "sigmascape/receiver/response_spread.h"
+#include "sigmascape/receiver/target_echoes.h"
 #include "sigmascape/render/frame_reach.h"
 #include "sigmascape/terrain/terrain_view.h"
 #include "sigmascape/terrain/terrain_window.h"
@@ -20,7 +26,7 @@ namespace {
 
 constexpr std::size_t most_nodes_a_side = 2048;
 
-/// Elevation of the ground, seen from a radar, along one azimuth at growing slant ranges.
+/// How far below a radar the ground lies along one azimuth, at growing slant ranges.
 class GroundAlong {
  public:
   GroundAlong(Vec3d radar, double azimuth_rad, const GroundHeight& ground, const radar::CurvedEarth& earth)
@@ -31,13 +37,13 @@ class GroundAlong {
         earth_(earth),
         distance_m_(nearest_m()) {}
 
-  /// Where ground lies over other ground any of its places will do: their elevations differ by no more than their
-  /// heights over the range.
-  double elevation_rad(double range_m) {
+  /// As of radar::Echo. Where ground lies over other ground any of its places will do: they differ by no more than
+  /// their heights over the range.
+  double sin_depression(double range_m) {
     distance_m_ = next_m(distance_m_, range_m);
     const Vec2d place = foot_ + outwards_ * distance_m_;
     const double rise_m = earth_.bent({place.x, place.y, ground_(place)}, foot_).z - radar_.z;
-    return std::asin(std::clamp(rise_m / range_m, -1.0, 1.0));
+    return std::clamp(-rise_m / range_m, -1.0, 1.0);
   }
 
  private:
@@ -106,36 +112,105 @@ class GroundAlong {
   double distance_m_;  // of the range before, where the search for the next begins
 };
 
-/// As receiver::RangeAzimuthReceiver weights echoes before their responses are laid over the bins.
-void weight_by_elevation(radar::RangeAzimuthImage& image, const radar::AntennaPattern& antenna,
-                         const GroundHeight& ground, const radar::CurvedEarth& earth) {
+/// Leaves what is not targets. Where a bin is told several times the first that was told is put in last.
+void take_out_targets(radar::RangeAzimuthImage& image, const receiver::TargetsApart& targets) {
+  const std::size_t ranges = image.grid.ranges;
+  for (const auto& [bin, rcs_m2] : targets.bins | std::views::reverse)
+    image.rcs_m2(bin / ranges, bin % ranges) = rcs_m2;
+}
+
+/// Of targets, each once: what two beams of a step hold of one is put together again.
+std::vector<radar::Echo> echoes_of(const receiver::TargetsApart& targets) {
+  std::vector<radar::Echo> echoes;
+  echoes.reserve(targets.echoes.size());
+  for (const receiver::EchoInBeam& of_beam : targets.echoes) echoes.push_back(of_beam.echo);
+  const auto place = [](const radar::Echo& echo) { return std::tuple(echo.range_m, echo.cross, echo.sin_depression); };
+  std::ranges::stable_sort(echoes, {}, place);
+  std::size_t count = 0;
+  for (const radar::Echo& echo : echoes) {
+    if (count > 0 && place(echoes[count - 1]) == place(echo))
+      echoes[count - 1].rcs_m2 += echo.rcs_m2;
+    else
+      echoes[count++] = echo;
+  }
+  echoes.resize(count);
+  return echoes;
+}
+
+/// As receiver::RangeAzimuthReceiver hears echoes before their responses are laid over the bins, one from the middle of
+/// each bin. `ground_along(azimuth_rad)` gives how far below the radar, at growing ranges, they are.
+template <typename GroundAlongAzimuth>
+void hear(radar::RangeAzimuthImage& image, const receiver::EchoPlaces& places, GroundAlongAzimuth&& ground_along) {
+  constexpr double in_place = 1e-6;  // in bins; what is left is rounding
   const radar::RangeAzimuthGrid& grid = image.grid;
+  std::vector<radar::Channels> heard_by_beam(grid.ranges);
   for (std::size_t beam = 0; beam < grid.azimuths; ++beam) {
     const double azimuth_rad = grid.first_azimuth_rad + (static_cast<double>(beam) + 0.5) * grid.azimuth_step_rad;
-    GroundAlong along(image.radar_position, azimuth_rad, ground, earth);
+    auto sin_depression = ground_along(azimuth_rad);
+    std::ranges::fill(heard_by_beam, radar::Channels{});
+    const auto add = [&](double bin, const radar::Channels& rcs_m2) {
+      if (bin >= 0.0 && bin < static_cast<double>(grid.ranges)) heard_by_beam[static_cast<std::size_t>(bin)] += rcs_m2;
+    };
     for (std::size_t range = 0; range < grid.ranges; ++range) {
-      radar::Channels& bin = image.rcs_m2(beam, range);
-      if (bin == radar::Channels{}) continue;
+      const radar::Channels rcs_m2 = image.rcs_m2(beam, range);
+      if (rcs_m2 == radar::Channels{}) continue;
       const double range_m = grid.first_range_m + (static_cast<double>(range) + 0.5) * grid.range_step_m;
-      const double off_axis_rad = along.elevation_rad(range_m) - antenna.tilt_rad();
-      bin = bin * static_cast<float>(antenna.elevation().two_way_power(off_axis_rad));
+      const auto heard = places.heard({.range_m = range_m,
+                                       .cross = azimuth_rad,
+                                       .rcs_m2 = rcs_m2,
+                                       .bounces = 1,
+                                       .sin_depression = static_cast<float>(sin_depression(range_m))});
+      if (!heard) continue;
+      const double near = std::floor(heard->row - 0.5 + in_place), far_share = heard->row - 0.5 - near;
+      add(near, heard->rcs_m2 * static_cast<float>(1.0 - std::max(far_share, 0.0)));
+      if (far_share > in_place) add(near + 1.0, heard->rcs_m2 * static_cast<float>(far_share));
     }
+    for (std::size_t range = 0; range < grid.ranges; ++range) image.rcs_m2(beam, range) = heard_by_beam[range];
   }
+}
+
+/// That hears what the first bins hold, half of one before the frame's first range too, unless it says from where on.
+radar::Radar hearing_first_bins(radar::Radar radar, const radar::RangeAzimuthGrid& grid) {
+  if (!radar.receiver.first_range_m)
+    radar.receiver.first_range_m = std::max(grid.first_range_m - 0.5 * grid.range_step_m, 0.0);
+  return radar;
+}
+
+template <typename GroundAlongAzimuth>
+radar::RangeAzimuthImage heard_image(const Frame& frame, const Pose& pose, const radar::Radar& radar,
+                                     GroundAlongAzimuth&& ground_along) {
+  radar::RangeAzimuthImage image = image_of(frame, pose);
+  take_out_targets(image, frame.targets);
+  const receiver::EchoPlaces places(radar, image.grid);
+  hear(image, places, ground_along);
+  receiver::spread_responses(image, radar);
+  receiver::add_echoes(image, hearing_first_bins(radar, image.grid), echoes_of(frame.targets));
+  places.blank_unheard(image);
+  return image;
+}
+
+/// For antennas to which it is all the same.
+auto at_any_depression(double) {
+  return [](double) { return 0.0; };
 }
 
 }  // namespace
 
+radar::Channels power_of_bin(const Frame& frame, std::size_t bin) {
+  if (!frame.powers_m2.empty()) {
+    const auto power_m2 = frame.powers_m2.subspan(4 * bin, 4);
+    return {power_m2[0], power_m2[1], power_m2[2], power_m2[3]};
+  }
+  const auto amplitude_m = frame.amplitudes_m.subspan(4 * bin, 4);
+  return radar::power_of({amplitude_m[0], amplitude_m[1], amplitude_m[2]});
+}
+
 radar::RangeAzimuthImage image_of(const Frame& frame, const Pose& pose) {
-  const auto& [grid, amplitudes_m, powers_m2, report] = frame;
+  const radar::RangeAzimuthGrid& grid = frame.grid;
   radar::RangeAzimuthImage image{grid, pose.position, Array2D<radar::Channels>(grid.azimuths, grid.ranges)};
   for (std::size_t beam = 0; beam < grid.azimuths; ++beam) {
-    for (std::size_t range = 0; range < grid.ranges; ++range) {
-      const std::size_t first = 4 * (beam * grid.ranges + range);
-      image.rcs_m2(beam, range) =
-          powers_m2.empty()
-              ? radar::power_of({amplitudes_m[first], amplitudes_m[first + 1], amplitudes_m[first + 2]})
-              : radar::Channels{powers_m2[first], powers_m2[first + 1], powers_m2[first + 2], powers_m2[first + 3]};
-    }
+    for (std::size_t range = 0; range < grid.ranges; ++range)
+      image.rcs_m2(beam, range) = power_of_bin(frame, beam * grid.ranges + range);
   }
   return image;
 }
@@ -145,18 +220,17 @@ radar::RangeAzimuthImage image_of(const Frame& frame, const Pose& pose, const ra
     throw Error(radar::title_of(radar), "has an antenna that tells elevations apart, which bins do not",
                 "give the ground that they lie on too (render::ground_below), or an antenna that is even in elevation");
   }
-  radar::RangeAzimuthImage image = image_of(frame, pose);
-  receiver::spread_responses(image, radar);
-  return image;
+  return heard_image(frame, pose, radar, at_any_depression);
 }
 
 radar::RangeAzimuthImage image_of(const Frame& frame, const Pose& pose, const radar::Radar& radar,
                                   const GroundHeight& ground, const radar::CurvedEarth& earth) {
-  radar::RangeAzimuthImage image = image_of(frame, pose);
-  const radar::AntennaPattern antenna = radar::antenna_pattern(radar);
-  if (!antenna.elevation().even()) weight_by_elevation(image, antenna, ground, earth);
-  receiver::spread_responses(image, radar);
-  return image;
+  if (radar::antenna_pattern(radar).elevation().even()) return heard_image(frame, pose, radar, at_any_depression);
+  return heard_image(frame, pose, radar, [&](double azimuth_rad) {
+    return [along = GroundAlong(pose.position, azimuth_rad, ground, earth)](double range_m) mutable {
+      return along.sin_depression(range_m);
+    };
+  });
 }
 
 GroundHeight ground_below(const Frame& frame, const Pose& pose, const LiveGround& ground) {

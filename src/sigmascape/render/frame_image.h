@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 
 #include "sigmascape/base/vec.h"
+#include "sigmascape/radar/channels.h"
 #include "sigmascape/radar/curved_earth.h"
 #include "sigmascape/radar/radar.h"
 #include "sigmascape/radar/range_azimuth_image.h"
@@ -10,26 +12,35 @@
 
 namespace sigmascape::render {
 
+/// The power of one bin of a frame, beam · ranges + range: of amplitudes their squares.
+[[nodiscard]] radar::Channels power_of_bin(const Frame& frame, std::size_t bin);
+
 /// A frame as the image that pictures, scopes and ground maps are made from: powers as they are, of amplitudes their
 /// squares. `pose` is the frame's.
 [[nodiscard]] radar::RangeAzimuthImage image_of(const Frame& frame, const Pose& pose);
 
-/// The same with the compressed pulse and the beam of a radar laid over the bins, by the responses of offline maps
-/// (receiver/bin_response.h): what receiver::received_power takes. A point in the middle of a bin then has the watts of
-/// the radar equation there, however many bins a resolution cell has; even ground has them in either image.
+/// The same as a radar hears it, with its compressed pulse and its beam laid over the bins, by the responses of offline
+/// maps (receiver/bin_response.h): what receiver::received_power takes. A target has the watts of the radar equation
+/// there, wherever in a bin it lies and however many bins a resolution cell has; even ground has them in either image.
+/// Targets are added in power, also to frames of amplitudes. They are weakened as far as bins share them with what lies
+/// outside the frame.
+///
+/// Bins in azimuths that the radar's scan never comes to and in ranges outside its gate, which closes an unambiguous
+/// range after its opening at the latest, are NaN, as on offline maps; what the frame holds there folds into the gate,
+/// or is lost beyond its end. A gate that the radar does not state opens with the frame's first range.
 ///
 /// What lies outside the frame is not known: bins nearer to its edge than the response reaches lack what that would lay
-/// over them. Beams that go round have none. Powers are spread, also those of amplitudes, whose speckle is then weaker
-/// than in one pulse. Throws Error for an antenna that tells elevations apart: bins alone do not say how far below the
-/// radar their echoes are.
+/// over them, and nothing folds in from there. Beams that go round have no edges. Powers are spread, also those of
+/// amplitudes, whose speckle is then weaker than in one pulse. Throws Error for an antenna that tells elevations apart:
+/// bins alone do not say how far below the radar their ground is.
 [[nodiscard]] radar::RangeAzimuthImage image_of(const Frame& frame, const Pose& pose, const radar::Radar& radar);
 
 /// Height of the ground at a place of the local frame, above mean sea level.
 using GroundHeight = std::function<double(Vec2d)>;
 
 /// The same for any antenna: each bin has its two-way gain in elevation, relative to its peak, towards the ground in
-/// the middle of the bin (docs/physics/receiver.md), over the frame's Earth (LiveSettings::refraction). All that is in
-/// a bin has that gain: a target high in the air has the one of the ground that is as far away, not its own.
+/// the middle of the bin (docs/physics/receiver.md), over the frame's Earth (LiveSettings::refraction), and each target
+/// the one towards itself.
 [[nodiscard]] radar::RangeAzimuthImage image_of(const Frame& frame, const Pose& pose, const radar::Radar& radar,
                                                 const GroundHeight& ground, const radar::CurvedEarth& earth = {});
 

@@ -48,7 +48,8 @@ LiveFlight::LiveFlight(const scene::Scene& scene, const trace::SceneGeometry& ge
       tracer_(scene, geometry, settings, flight_.tracing),
       renderer_(ground_, settings),
       beams_(settings.beams),
-      numbers_a_beam_(4 * settings.ranges) {
+      numbers_a_beam_(4 * settings.ranges),
+      targets_(settings.ranges) {
   if (settings.content == render::FrameContent::Amplitudes)
     amplitudes_m_.resize(beams_ * numbers_a_beam_);
   else
@@ -110,6 +111,17 @@ void LiveFlight::blend(const render::Frame& traced, const render::Frame& texture
                      textured_share_, std::span(amplitudes_m_).subspan(first, count));
     frame_.amplitudes_m = amplitudes_m_;
   }
+  target_blend_.blend(traced, textured, textured_share_, first / numbers_a_beam_, count / numbers_a_beam_, targets_);
+  frame_.targets = targets_.all();
+}
+
+void LiveFlight::copy_targets(const render::Frame& shown, Part part) {
+  const std::size_t first_beam = part.first / numbers_a_beam_, count = part.count / numbers_a_beam_;
+  const auto [echoes, bins] = receiver::of_beams(shown.targets, first_beam, count, numbers_a_beam_ / 4);
+  const receiver::TargetsByBeam::Room room = targets_.renewed(first_beam, count, echoes.size(), bins.size());
+  std::ranges::copy(echoes, room.echoes.begin());
+  std::ranges::copy(bins, room.bins.begin());
+  frame_.targets = targets_.all();
 }
 
 void LiveFlight::copy(const render::Frame& shown, Part part) {
@@ -120,17 +132,22 @@ void LiveFlight::copy(const render::Frame& shown, Part part) {
     std::ranges::copy(shown.powers_m2.subspan(part.first, part.count), powers_m2_.begin() + first);
   else
     std::ranges::copy(shown.amplitudes_m.subspan(part.first, part.count), amplitudes_m_.begin() + first);
+  copy_targets(shown, part);
 }
 
 void LiveFlight::keep() {
-  if (amplitudes_m_.empty()) {
-    if (frame_.powers_m2.data() != powers_m2_.data()) std::ranges::copy(frame_.powers_m2, powers_m2_.begin());
+  const bool holds_powers = amplitudes_m_.empty();
+  const bool is_kept =
+      holds_powers ? frame_.powers_m2.data() == powers_m2_.data() : frame_.amplitudes_m.data() == amplitudes_m_.data();
+  if (is_kept) return;
+  if (holds_powers) {
+    std::ranges::copy(frame_.powers_m2, powers_m2_.begin());
     frame_.powers_m2 = powers_m2_;
   } else {
-    if (frame_.amplitudes_m.data() != amplitudes_m_.data())
-      std::ranges::copy(frame_.amplitudes_m, amplitudes_m_.begin());
+    std::ranges::copy(frame_.amplitudes_m, amplitudes_m_.begin());
     frame_.amplitudes_m = amplitudes_m_;
   }
+  copy_targets(frame_, {0, beams_ * numbers_a_beam_});
 }
 
 std::string LiveFlight::explained() const {

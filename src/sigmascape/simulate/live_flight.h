@@ -5,8 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "sigmascape/receiver/targets_by_beam.h"
 #include "sigmascape/render/live_renderer.h"
 #include "sigmascape/simulate/live_tracer.h"
+#include "sigmascape/simulate/target_blend.h"
 
 namespace sigmascape::simulate {
 
@@ -66,6 +68,8 @@ class LiveFlight {
   /// Both with their shares.
   void blend(const render::Frame& traced, const render::Frame& textured, Part part);
   void copy(const render::Frame& shown, Part part);
+  /// Takes the targets of what was shown over those beams.
+  void copy_targets(const render::Frame& shown, Part part);
   /// Takes what was shown last, wherever it lies, for what the beams of a step are to be put into.
   void keep();
 
@@ -80,6 +84,8 @@ class LiveFlight {
   // What was shown last, unless it lies where the tracer or the renderer has it.
   std::vector<float> powers_m2_;
   std::vector<std::complex<float>> amplitudes_m_;
+  receiver::TargetsByBeam targets_;
+  TargetBlend target_blend_;
   render::Frame frame_;
 };
 

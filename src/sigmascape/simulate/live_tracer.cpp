@@ -325,6 +325,8 @@ void LiveTracer::add_targets(const render::Pose& pose, Beams beams) {
                   return count.counted(target.beam, static_cast<float>(part));
                 });
   frame_.report.targets = count.seen_of(targets_.seen());
+  targets_.tell_apart(beams.first, beams.count);
+  frame_.targets = targets_.apart();
   if (settings_.content == render::FrameContent::Powers) {
     targets_.add_powers(beams.first, beams.count, bins_);
   } else {

@@ -1,5 +1,7 @@
 #include "sigmascape/receiver/target_frame.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <gtest/gtest.h>
@@ -50,12 +52,12 @@ std::vector<radar::Target> many_targets(std::uint64_t count) {
   return targets;
 }
 
-std::vector<float> powers_of(const TargetFrame& frame, const TargetFrameBins& bins) {
+std::vector<float> powers_of(TargetFrame& frame, const TargetFrameBins& bins) {
   std::vector<float> powers(4 * bins.beams * bins.ranges);
   frame.add_powers(0, bins.beams, powers);
   return powers;
 }
-std::vector<std::complex<float>> amplitudes_of(const TargetFrame& frame, const TargetFrameBins& bins) {
+std::vector<std::complex<float>> amplitudes_of(TargetFrame& frame, const TargetFrameBins& bins) {
   std::vector<std::complex<float>> amplitudes(4 * bins.beams * bins.ranges);
   frame.add_amplitudes(0, bins.beams, amplitudes);
   return amplitudes;
@@ -230,6 +232,69 @@ TEST(TargetFrame, keeps_the_phase_of_the_way) {
   EXPECT_NEAR(
       std::arg(near * std::polar(1.0F, static_cast<float>(std::remainder(4.0 * pi * range_m / wavelength, 2.0 * pi)))),
       0.0, 1e-2);
+}
+
+/// What is told apart of a frame: the echoes have together what the bins got, and the bins are what they were.
+TEST(TargetFrame, tells_apart_what_it_adds) {
+  for (const bool responses : {false, true}) {
+    for (const bool round : {false, true}) {
+      TargetFrameBins bins = bins_of(responses);
+      TargetFramePose from = pose;
+      if (round) bins.beam_step_rad = 2.0 * pi / static_cast<double>(bins.beams);
+      std::vector<radar::Target> targets = many_targets(500);
+      for (std::uint64_t i = 0; round && i < targets.size(); ++i)
+        targets[i] = target_at(2.0 * pi * static_cast<double>(unit_float(hashed(i, 1))),
+                               18'000.0 + 7.0 * static_cast<double>(i), 10.0F);
+      if (round) targets.push_back(target_at(pose.first_azimuth_rad + 0.1 * bins.beam_step_rad, 19'000.0, 10.0F));
+      TargetFrame frame(bins);
+      frame.look(targets, from, {});
+      frame.tell_apart(0, bins.beams);
+      std::vector<float> before(4 * bins.beams * bins.ranges);
+      for (std::size_t i = 0; i < before.size(); ++i) before[i] = unit_float(hashed(i, 5));
+      std::vector<float> powers = before;
+      for (std::size_t beam = 0; beam < bins.beams; beam += 20) frame.add_powers(beam, 20, powers);
+      double added = 0.0, echoed = 0.0;
+      for (std::size_t i = 0; i < powers.size(); i += 4)
+        added += static_cast<double>(powers[i]) - static_cast<double>(before[i]);
+      std::uint32_t last_beam = 0;
+      for (const EchoInBeam& of_beam : frame.apart().echoes) {
+        echoed += static_cast<double>(of_beam.echo.rcs_m2.vv);
+        EXPECT_GE(of_beam.beam, last_beam);
+        last_beam = of_beam.beam;
+        EXPECT_NEAR(static_cast<double>(of_beam.echo.sin_depression), 4000.0 / of_beam.echo.range_m, 1e-6);
+      }
+      EXPECT_GT(added, 1000.0);
+      EXPECT_NEAR(echoed / added, 1.0, 1e-5) << responses << round;
+      const auto bins_before = frame.apart().bins;
+      for (std::size_t i = bins_before.size(); i-- > 0;) {
+        const auto& [bin, rcs_m2] = bins_before[i];
+        const std::array of_bin{rcs_m2.vv, rcs_m2.hh, rcs_m2.hv, rcs_m2.re_vvhh};
+        std::ranges::copy(of_bin, powers.begin() + 4 * static_cast<std::ptrdiff_t>(bin));
+      }
+      EXPECT_EQ(powers, before);
+    }
+  }
+}
+
+TEST(TargetFrame, keeps_what_other_beams_hold) {
+  const TargetFrameBins bins = bins_of(false);
+  TargetFrame frame(bins);
+  std::vector<float> powers(4 * bins.beams * bins.ranges);
+  const auto draw = [&](const std::vector<radar::Target>& targets, std::size_t first, std::size_t count) {
+    frame.look(targets, pose, {});
+    frame.tell_apart(first, count);
+    frame.add_powers(first, count, powers);
+    std::vector<std::uint32_t> beams;
+    for (const EchoInBeam& of_beam : frame.apart().echoes) beams.push_back(of_beam.beam);
+    return beams;
+  };
+  // In beams 29 and 30 and in 69 and 70.
+  const std::vector<radar::Target> one{target_at(-0.02, 19'000.0, 10.0F)}, other{target_at(0.02, 19'000.0, 10.0F)};
+  EXPECT_EQ(draw(one, 0, 100), (std::vector<std::uint32_t>{29, 30}));
+  EXPECT_EQ(draw(other, 50, 20), (std::vector<std::uint32_t>{29, 30, 69}));
+  EXPECT_EQ(draw(other, 20, 10), (std::vector<std::uint32_t>{30, 69}));
+  EXPECT_EQ(draw(one, 60, 40), (std::vector<std::uint32_t>{30}));
+  EXPECT_EQ(draw({}, 0, 100), std::vector<std::uint32_t>{});
 }
 
 /// Ranges are those over the curved Earth: 200 km away on the sea, the point lies 2.4 km below the level plane.

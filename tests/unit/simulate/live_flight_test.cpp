@@ -11,6 +11,7 @@
 #include "physics/level_scene.h"
 #include "unit/render/live_ground_example.h"
 
+#include "sigmascape/render/frame_image.h"
 #include "sigmascape/simulate/frame_blend.h"
 
 namespace sigmascape::simulate {
@@ -131,6 +132,47 @@ TEST_F(LiveFlightTest, NoStepShowsWhereTracingEnds) {
       EXPECT_EQ(live.explained().find("on the way") != std::string::npos, share > 0.0 && share < 1.0);
     }
     EXPECT_EQ(share, 1.0);
+  }
+}
+
+TEST_F(LiveFlightTest, TargetsAreToldApartOnTheWayBetweenLevelsToo) {
+  for (const FrameContent content : {FrameContent::Powers, FrameContent::Amplitudes}) {
+    LiveFlight live = flight(content);
+    LiveTracer tracer(scene_, *geometry_, bins(content),
+                      {.frequency_hz = 10e9, .rays_per_cell = 2, .lattice_m = example_.texel_m});
+    render::LiveRenderer renderer(ground_, bins(content));
+    live.render(pose(1.9));
+    const Vec2d middle = example_.middle();
+    std::vector<radar::Target> targets(3);
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+      targets[i].track = radar::Track::straight(
+          Vec3d{middle.x + 7.0 * static_cast<double>(i), middle.y + 3.0, 100.0 * static_cast<double>(i)});
+      targets[i].rcs_m2 = radar::Channels{1e4F, 1e4F, 0.0F, 1e4F};
+    }
+    radar::Radar radar;
+    radar.range_resolution_m = 30.0;
+    radar.beam_width_rad = 2.0 * bins(content).beam_step_rad;
+    int between = 0;
+    for (int step = 0; step < 12; ++step) {
+      render::Pose here = pose(2.7 + 0.07 * step);
+      here.targets = targets;
+      renderer.render(here);
+      ground_->wait_until_loaded();
+      const auto textured = image_of(renderer.render(here), here, radar);
+      const auto traced = image_of(tracer.render(here), here, radar);
+      const auto shown =
+          image_of(step % 2 == 0 ? live.render(here) : live.scan(here, 0, bins(content).beams), here, radar);
+      const double share = live.textured_share();
+      between += share > 0.0 && share < 1.0 ? 1 : 0;
+      for (std::size_t i = 0; i < shown.rcs_m2.size(); ++i) {
+        const auto of = [i](const radar::RangeAzimuthImage& image) {
+          return static_cast<double>(image.rcs_m2.values()[i].vv);
+        };
+        const double wanted = (1.0 - share) * of(traced) + share * of(textured);
+        ASSERT_NEAR(of(shown), wanted, 1e-4 * wanted) << step << ", " << i;
+      }
+    }
+    EXPECT_EQ(between, frames_a_change - 1);
   }
 }
 
