@@ -118,6 +118,10 @@ void add_frame(py::module_& module) {
   binding.def_property_readonly(
       "below_ground_m", [](const HeldFrame& f) { return f.frame.report.below_ground_m; },
       "By how much the radar lies below the ground, as far as the terrain that is there tells for sure; 0 above it.");
+  binding.def_property_readonly(
+      "beams_a_cell", [](const HeldFrame& f) { return f.frame.report.beams_a_cell; },
+      "How many beams a cell is wide at the nearest ground, where they are narrowest; 1 where none is narrower than a\n"
+      "cell, 0 of a traced frame.");
   count(
       binding, "coarse_obstacles", &Report::coarse_obstacles,
       "Tiles of what stands on the ground that are coarser than the bins ask for, for finer ones were not there yet,\n"

@@ -11,8 +11,8 @@ namespace {
 
 /// Targets that one thread looks at before it takes more.
 constexpr std::size_t chunk = 256;
-/// A group looks at ground up to so many beams beyond its own, which it shares with them.
-constexpr double beams_beyond = 2.0;
+/// Beams by which shadows are taken to be wider than they are.
+constexpr double spare_beams = 1.0;
 /// Steeper than any line of sight.
 constexpr float wall = 1e30F;
 
@@ -62,7 +62,8 @@ std::optional<BoxShadow> shadow_of(const radar::Target& target, double time_s, c
   const double azimuth =
       wrapped_azimuth(std::atan2(away.x, away.y) - view.first_azimuth_rad - half_frame_rad + pi) - pi;
   const double beam = (azimuth + half_frame_rad) / view.beam_step_rad;
-  const double half_beams = (near_m > half_m ? std::atan2(half_m, near_m) : pi) / view.beam_step_rad + beams_beyond;
+  const double half_beams =
+      (near_m > half_m ? std::atan2(half_m, near_m) : pi) / view.beam_step_rad + view.beams_beside + spare_beams;
   BoxShadow shadow{
       .box = box, .sides = {}, .bounds = {}, .first_beam = beam - half_beams, .last_beam = beam + half_beams};
   enclose(shadow, corners_of(towards, near_m, far_m, half_m));

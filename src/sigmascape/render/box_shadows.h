@@ -39,8 +39,9 @@ class BoxShadows {
     Vec3d radar_position;
     double first_azimuth_rad = 0.0, beam_step_rad = 1e-3;
     std::size_t beams = 0;
-    std::size_t group = 64;  ///< beams that are filled together
-    double far_m = 0.0;      ///< over the ground, where the last bin ends
+    std::size_t group = 64;     ///< beams that are filled together
+    double beams_beside = 1.0;  ///< of a beam, whose ground has a share in it
+    double far_m = 0.0;         ///< over the ground, where the last bin ends
     double drop_per_square_m = 0.0;
     double lowest_m = 0.0;  ///< of the ground in view
   };

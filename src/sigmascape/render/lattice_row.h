@@ -16,6 +16,9 @@ struct BinShares {
   alignas(64) Of<std::int32_t> beam, range;  ///< the first of the two
   alignas(64) Of<std::int32_t> first;        ///< bin of both, where all four lie in the sector and the texel is lit
   alignas(64) Of<float> here_here, here_next, next_here, next_next;  ///< parts by beam and by range
+  // Of a texel that is wider than a beam, whose parts by range are the first two of the above.
+  alignas(64) Of<std::int32_t> last_beam;
+  alignas(64) Of<float> first_part, whole_part, last_part;  ///< of the first beam, each between, and the last
 };
 
 /// Up to a tile's row of neighbouring texels on their way through a frame: what is known of each, a plain array a
@@ -46,6 +49,12 @@ struct LatticeRow {
   alignas(64) Of<float> range_bin;        ///< slant range in units of bins
   alignas(64) Of<float> lit;              ///< 1 where the radar sees the texel, else 0; of objects a part
   alignas(64) Of<float> horizon;          ///< slope of the steepest line of sight to nearer ground
+
+  // Where texels are wider than beams.
+  double first_middle_east_m = 0.0, middle_north_m = 0.0;  ///< of the first texel, from the radar
+  bool may_span_beams = false;                             ///< whether some may be: only then is the rest filled
+  alignas(64) Of<float> beams_wide;                        ///< over how many beams a texel is spread, one at least
+  alignas(64) Of<float> middle_beam;                       ///< of those
 
   // Where the ground is kept apart from what stands on it.
   alignas(64) Of<float> slope_east, slope_north;      ///< of the ground: rise over distance

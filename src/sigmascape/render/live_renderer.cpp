@@ -13,6 +13,7 @@
 #include "sigmascape/render/detail_of_ground.h"
 #include "sigmascape/render/frame_reach.h"
 #include "sigmascape/render/page_forecast.h"
+#include "sigmascape/render/row_widths.h"
 #include "sigmascape/render/sector.h"
 #include "sigmascape/render/sector_task.h"
 #include "sigmascape/render/target_count.h"
@@ -197,6 +198,11 @@ void LiveRenderer::request() {
   has_asked_ = !wanted_.empty() || !wanted_terrain_.empty() || !wanted_obstacles_.empty();
 }
 
+double LiveRenderer::beams_a_cell(std::size_t level) const {
+  const double cell_m = atlas::texel_side_m(ground_->description().patches, level);
+  return std::max(width_from(halfway_up_.near_m, cell_m) / settings_.beam_step_rad, 1.0);
+}
+
 const Frame& LiveRenderer::render(const Pose& pose) {
   return scan(pose, 0, settings_.beams);
 }
@@ -217,7 +223,8 @@ void LiveRenderer::fill(const Pose& pose, Beams beams) {
                          obstacles != nullptr ? obstacles->cache().view() : LiveObstacles::Cache::View()};
   for (const auto& task : tasks_) task->begin_frame(there.pages, pose.targets.size());
   const DetailBlend levels = next_levels();
-  frame_.report = {.level = static_cast<std::size_t>((levels.next_share > 0.5 ? levels.next : levels.level) - 1)};
+  const auto level = static_cast<std::size_t>((levels.next_share > 0.5 ? levels.next : levels.level) - 1);
+  frame_.report = {.level = level, .beams_a_cell = beams_a_cell(level)};
   wanted_terrain_.clear();
   wanted_obstacles_.clear();
   find_visible_ground(there, pose, beams, levels);
@@ -372,9 +379,11 @@ void LiveRenderer::find_visible_ground(const FrameViews& there, const Pose& pose
   const bool alike = terrain_level(level) == terrain_level(next);
   horizon_of_ = {&visible_[0].horizon(), &visible_[alike ? 0 : 1].horizon()};
   occluders_of_ = {occluders_[0], occluders_[alike ? 0 : 1]};
-  // Tasks look half a beam beyond their own.
-  const std::size_t first_edge = beams.first - std::min<std::size_t>(beams.first, 1);
-  const std::size_t end = std::min(beams.end + 1, settings_.beams) + 1;
+  // Tasks look half a beam beyond their own, and farther where cells are wider than beams.
+  const double cell_m = atlas::texel_side_m(ground_->description().patches, std::max(level, next));
+  beams_beside_ = beams_beside(grid().near_m, cell_m, 1.0 / settings_.beam_step_rad);
+  const std::size_t first_edge = beams.first - std::min(beams.first, beams_beside_);
+  const std::size_t end = std::min(beams.end + beams_beside_, settings_.beams) + 1;
   const std::size_t surfaces = alike ? 1 : 2;
   for (std::size_t which = 0; which < surfaces; ++which)
     find_terrain(there.terrain, pose.position, which == 0 ? level : next, occluders_[which]);
@@ -419,6 +428,8 @@ void LiveRenderer::look_at_targets(const Pose& pose, Beams beams, const DetailBl
       [&](const receiver::TargetFrame::Seen& target) { return count.counted(target.beam, sight.part_seen(target)); },
       &team_);
   frame_.report.targets = count.seen_of(targets_.seen());
+  targets_.tell_apart(beams.first, beams.end - beams.first);
+  frame_.targets = targets_.apart();
 }
 
 void LiveRenderer::find_shadows_of_targets(const Pose& pose) {
@@ -428,6 +439,7 @@ void LiveRenderer::find_shadows_of_targets(const Pose& pose) {
                  .beam_step_rad = settings_.beam_step_rad,
                  .beams = settings_.beams,
                  .group = beams_together(settings_.beam_step_rad),
+                 .beams_beside = static_cast<double>(beams_beside_),
                  .far_m = far_m(),
                  .drop_per_square_m = grid().drop_per_square_m,
                  .lowest_m = static_cast<double>(bounds_.lowest_m)},

@@ -96,6 +96,9 @@ struct FrameReport {
   /// By how much the radar lies below the ground, as far as the terrain that is there tells for sure: it sees little or
   /// nothing then. 0 above it. A radar that is deeper than all terrain about it is refused.
   double below_ground_m = 0.0;
+  /// How many beams a cell is wide at the nearest ground in the bins, where beams are narrowest: what is told apart
+  /// across them there is so much coarser than they are. 1 where none is narrower than a cell, 0 of a traced frame.
+  double beams_a_cell = 0.0;
   /// Of a frame that was traced (simulate::LiveTracer): rays a cell that it is made of; 0 of one from textures.
   std::uint64_t rays_per_cell = 0;
   /// And the standard error of a bin's mean power, 10 lg(1 + s/P), in the median over the bins that answer to at
@@ -117,6 +120,8 @@ struct Frame {
   /// [beam][range][VV, HH, HV, Re VV·HH*], m². Empty when amplitudes were asked for.
   std::span<const float> powers_m2;
   FrameReport report;
+  /// What of it targets are: their echoes, each from its own place, and what the bins held before.
+  receiver::TargetsApart targets = {};
 };
 
 /// The live radar picture of a wide area: hand it a pose, get what the receiver has in its bins.
@@ -156,6 +161,8 @@ class LiveRenderer {
   void fill(const Pose& pose, Beams beams);
   /// The level of detail, or two while one gives way to the next.
   [[nodiscard]] DetailBlend next_levels();
+  /// What the report says of cells of that level of the textures.
+  [[nodiscard]] double beams_a_cell(std::size_t level) const;
   /// Asks for what the radar will see a second later, and for the beams that a scan comes to until then.
   void look_ahead(const FrameViews& there, const Pose& pose, Beams beams, std::size_t level);
   void look_ahead_at_pages(const PageCache::View& there, const Pose& pose, Beams beams, std::size_t level);
@@ -204,6 +211,8 @@ class LiveRenderer {
   std::array<ObstacleMosaic, 2> obstacles_before_;  // the bins
   std::array<const HorizonMap*, 2> horizon_of_;     // of the two levels of detail; the same when so is their terrain
   std::array<std::span<const Occluders>, 2> occluders_of_;  // sector by sector; the same when so is their terrain
+  // Beams away from a beam, whose ground has a share in it.
+  std::size_t beams_beside_ = 1;
   receiver::TargetFrame targets_;
   BoxShadows shadows_;
   DetailTransition transition_;

@@ -14,8 +14,8 @@ struct SectorBins {
   std::size_t stride = 0;  ///< bins from one beam to the next
 };
 
-/// Adds the amplitudes, eight numbers a bin (VV, HH, HV, VH, real and imaginary), shared between the four nearest bins
-/// by weights whose squares sum to one.
+/// Adds the amplitudes, eight numbers a bin (VV, HH, HV, VH, real and imaginary), shared between the four nearest bins,
+/// or those of all beams that a texel is wide, by weights whose squares sum to one.
 void deposit_amplitudes(LatticeRow& row, const SectorBins& sector);
 /// Adds the powers, four numbers a bin, shared by weights that sum to one.
 void deposit_powers(LatticeRow& row, const SectorBins& sector);

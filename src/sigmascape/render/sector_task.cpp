@@ -8,6 +8,7 @@
 #include "sigmascape/base/vector_targets.h"
 #include "sigmascape/radar/rectangle_parts.h"
 #include "sigmascape/render/row_scatterers.h"
+#include "sigmascape/render/row_widths.h"
 
 namespace sigmascape::render {
 
@@ -213,6 +214,7 @@ void SectorTask::fill_stretch(const Place& place, std::size_t count) {
   if (apart) shortfall.join(add_bare_ground(place, area_m2), count);
   report_.coarse += shortfall.coarse;
   report_.dark += shortfall.dark;
+  find_widths(row_, geometry_);
   if (parts_.settings.content == FrameContent::Powers) {
     deposit_powers(row_, bins_);
   } else {
@@ -230,6 +232,8 @@ void SectorTask::place_scatterers(const Place& place) {
   parts_.lattice.positions_of(first_cell_, static_cast<int>(level_), {row_.east_m.data(), reckoned},
                               {row_.north_m.data(), reckoned});
   move(row_, pose_->position.x, pose_->position.y);
+  row_.first_middle_east_m = (first_cell_.column + 0.5) * texel_m_ - pose_->position.x;
+  row_.middle_north_m = (first_cell_.row + 0.5) * texel_m_ - pose_->position.y;
 }
 
 bool SectorTask::hides_as_finely_as(const PageRow& ground) const {
