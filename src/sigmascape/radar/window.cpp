@@ -51,4 +51,13 @@ std::vector<double> window_weights(const Window& window, std::size_t count) {
   return weights;
 }
 
+double noise_bandwidth(const Window& window, std::size_t count) {
+  double sum = 0.0, squares = 0.0;
+  for (const double weight : window_weights(window, count)) {
+    sum += weight;
+    squares += weight * weight;
+  }
+  return static_cast<double>(count) * squares / (sum * sum);
+}
+
 }  // namespace sigmascape::radar

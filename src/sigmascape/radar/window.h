@@ -35,4 +35,8 @@ struct CosineTerm {
 /// w at the middles of `count` equal parts of the width.
 [[nodiscard]] std::vector<double> window_weights(const Window& window, std::size_t count);
 
+/// N Σw²/(Σw)² of so many weights: the width, in cells of 1/N of the band, over which their response answers evenly.
+/// That of the continuous window (WindowResponse::noise_bandwidth) from half a dozen on, one for a single one.
+[[nodiscard]] double noise_bandwidth(const Window& window, std::size_t count);
+
 }  // namespace sigmascape::radar

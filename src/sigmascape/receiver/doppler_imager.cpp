@@ -26,10 +26,6 @@ ResponseAxis doppler_axis(const CoherentInterval& interval) {
   return {.bins = fast_length(bins), .band = interval.pulses, .window = interval.window, .periodic = true};
 }
 
-double noise_bandwidth(const radar::Window& window) {
-  return radar::WindowResponse(window).noise_bandwidth();
-}
-
 }  // namespace
 
 DopplerImager::DopplerImager(const radar::Radar& radar, const radar::Track& platform, const CoherentInterval& interval,
@@ -47,8 +43,9 @@ DopplerImager::DopplerImager(const radar::Radar& radar, const radar::Track& plat
   const double centre_hz =
       radar::doppler_hz(radar::range_rate_mps(frame_.platform, {aim}), wavelength_m(radar.frequency_hz));
   frame_.doppler_hz = {centre_hz - static_cast<double>(middle_bin) * step_hz, step_hz, bins};
-  frame_.range_cell_m = speed_of_light_mps / (2.0 * range_.bandwidth_hz) * noise_bandwidth(radar.waveform.window);
-  frame_.doppler_cell_hz = noise_bandwidth(interval.window) / frame_.interval_s;
+  frame_.range_cell_m =
+      speed_of_light_mps / (2.0 * range_.bandwidth_hz) * radar::WindowResponse(radar.waveform.window).noise_bandwidth();
+  frame_.doppler_cell_hz = radar::noise_bandwidth(interval.window, interval.pulses) / frame_.interval_s;
   frame_.range_m = {range_.start_m + static_cast<double>(range_.guard) * range_.step_m, range_.step_m, range_.samples};
 }
 
@@ -99,7 +96,7 @@ void DopplerImager::add(std::span<const radar::Target> targets) {
 void DopplerImager::add(const EquivalentNoise& noise) {
   noise_ = {.power =
                 [noise, range_m = frame_.range_m, pulses = static_cast<double>(interval_.pulses),
-                 bandwidth = noise_bandwidth(interval_.window)](std::size_t row) {
+                 bandwidth = radar::noise_bandwidth(interval_.window, interval_.pulses)](std::size_t row) {
                   return noise.rcs_m2(range_m.middle_of(static_cast<double>(row) + 0.5), pulses, bandwidth);
                 },
             .seed = noise.seed()};

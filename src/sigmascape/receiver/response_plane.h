@@ -7,6 +7,7 @@
 
 #include "sigmascape/base/array2d.h"
 #include "sigmascape/radar/complex_channels.h"
+#include "sigmascape/radar/window.h"
 #include "sigmascape/receiver/response_axis.h"
 #include "sigmascape/receiver/row_bands.h"
 #include "sigmascape/receiver/spreading_kernel.h"
@@ -24,10 +25,14 @@ class ResponsePlane {
   ResponsePlane(const ResponseAxis& columns, const ResponseAxis& rows);
 
   [[nodiscard]] const ResponseAxis& columns() const { return columns_; }
-  /// How many times as wide as those of all of the band the resolution cells of a look are: as there are looks, and
-  /// more where the band does not divide by them.
+  /// How many times as wide as those of all of the band the resolution cells of a look are, by the noise bandwidth of
+  /// the weights that each has: as there are looks, and more where the band does not divide by them. A look of few
+  /// frequencies has a few samples of its window and another noise bandwidth than that.
   [[nodiscard]] double cells_of_a_look(std::size_t looks) const {
-    return static_cast<double>(columns_.band) / static_cast<double>(std::max<std::size_t>(1, columns_.band / looks));
+    const auto width = [this](std::size_t frequencies) {
+      return radar::noise_bandwidth(columns_.window, frequencies) / static_cast<double>(frequencies);
+    };
+    return width(std::max<std::size_t>(1, columns_.band / looks)) / width(columns_.band);
   }
 
   /// Adds amplitudes at places in units of bins.
