@@ -93,6 +93,14 @@ StripmapImager::StripmapImager(const radar::Radar& radar, const radar::Motion& p
   frame_.closest_range_cell_m =
       speed_of_light_mps / (2.0 * range_.bandwidth_hz) * radar::WindowResponse(radar.waveform.window).noise_bandwidth();
   frame_.along_cell_m = radar::WindowResponse(strip.window).noise_bandwidth() / band_per_m(strip);
+  const double band_hz = band_per_m_ * speed_mps_;
+  if (band_hz > repetition_hz_ * (1.0 + 1e-9)) {
+    throw Error(
+        "stripmap",
+        fmt::format("processes a Doppler band of {:.4g} Hz, wider than the pulse repetition frequency of {:g} Hz",
+                    band_hz, repetition_hz_),
+        "send more pulses or ask for a coarser resolution along the flight");
+  }
   const double near_m = nearest_ground_m() / std::cos(strip.squint_rad),
                pulses = processing().pulses_a_metre() * near_m;
   if (!(pulses >= 2.0)) {

@@ -50,7 +50,8 @@ struct AzimuthAmbiguity {
 /// after the other. docs/physics/doppler.md, Eqs. (5), (6), (13), (14).
 class StripmapImager {
  public:
-  /// `platform`: at time zero. Throws Error when gate or strip make no sense or the platform stands still.
+  /// `platform`: at time zero. Throws Error when gate or strip make no sense, the platform stands still, or the band
+  /// that the resolution takes is wider than the pulse repetition frequency.
   StripmapImager(const radar::Radar& radar, const radar::Motion& platform, const Strip& strip, const RangeGate& gate,
                  VoltageGain gain = {});
 
