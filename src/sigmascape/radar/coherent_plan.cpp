@@ -1,6 +1,7 @@
 #include "sigmascape/radar/coherent_plan.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -10,6 +11,7 @@
 #include "sigmascape/radar/doppler.h"
 #include "sigmascape/radar/radar_title.h"
 #include "sigmascape/radar/rectangle_distances.h"
+#include "sigmascape/radar/rectangle_parts.h"
 #include "sigmascape/radar/strip_beam.h"
 #include "sigmascape/radar/window_response.h"
 
@@ -88,6 +90,47 @@ std::string advice_for_coarser(const Radar& radar, double width_m, double interv
   return fmt::format("give mode.along_resolution_m of more than {:g}{}", rounded_up(finest_m, digits), fewer_looks);
 }
 
+/// Beyond this nobody flies straight, nor are pulses counted.
+constexpr double longest_interval_s = 1e4;
+
+void check_not_endless(const Radar& radar, double width_m, double interval_s) {
+  if (interval_s <= longest_interval_s) return;
+  throw Error(title_of(radar),
+              fmt::format("takes {:.3g} s to tell apart {:.3g} m across range at {:.3g} m/s", interval_s, width_m,
+                          std::hypot(radar.velocity_mps.x, radar.velocity_mps.y)),
+              "give a higher platform.speed_mps, or " +
+                  advice_for_coarser(radar, width_m, interval_s, width_m * interval_s / longest_interval_s));
+}
+
+/// What would have so many more pulses of the key that asks for this interval and width. Looks that are given up make
+/// way for others only where the interval is stated: else it goes with them.
+std::string advice_for_longer(const Radar& radar, double width_m, double interval_s, double more) {
+  if (radar.processing.interval_s) {
+    return fmt::format("give mode.interval_s of at least {:g}{}", rounded_up(interval_s * more, digits),
+                       radar.processing.looks > 1 ? ", fewer mode.looks" : "");
+  }
+  if (radar.mode == Mode::DopplerBeamSharpening) {
+    return fmt::format("give mode.sharpening of at least {:g}",
+                       rounded_up(radar.processing.sharpening.value_or(usual_sharpening) * more, digits));
+  }
+  return fmt::format("give mode.along_resolution_m of at most {:g}", rounded_down(width_m / more, digits));
+}
+
+/// The interval as pulses have it, the nearest in which every look has the same number of them.
+double in_whole_pulses_s(const Radar& radar, double width_m, double interval_s) {
+  const double repetition_hz = radar.waveform.pulse_repetition_hz, pulses = interval_s * repetition_hz;
+  const double looks = radar.processing.looks, fewest = std::max(2.0, looks);
+  if (std::round(pulses) < fewest) {
+    throw Error(
+        title_of(radar),
+        fmt::format("has {:.3g} pulse{} in an interval of {:.3g} s, at a pulse repetition frequency of {:g} Hz, and {}",
+                    pulses, pulses == 1.0 ? "" : "s", interval_s, repetition_hz,
+                    looks > 1.0 ? fmt::format("{:g} looks, each of which takes one", looks) : "Doppler takes two"),
+        advice_for_longer(radar, width_m, interval_s, fewest / pulses) + " or a higher waveform.pulse_repetition_hz");
+  }
+  return looks * std::max(1.0, std::round(pulses / looks)) / repetition_hz;
+}
+
 void plan_interval(const Radar& radar, const Sight& sight, CoherentPlan& plan) {
   const Processing& asked = radar.processing;
   if (!(sight.ground_range_m > 0.0)) {
@@ -101,17 +144,19 @@ void plan_interval(const Radar& radar, const Sight& sight, CoherentPlan& plan) {
       radar.mode == Mode::DopplerBeamSharpening
           ? radar.beam_width_rad * sight.ground_range_m / asked.sharpening.value_or(usual_sharpening)
           : asked.along_resolution_m.value_or(radar.range_resolution_m);
-  plan.interval_s = asked.interval_s.value_or(in_a_second_m / wanted_m);
-  const double width_m = in_a_second_m / plan.interval_s, finest_m = finest_of_any_interval_m(radar);
+  const double interval_s = asked.interval_s.value_or(in_a_second_m / wanted_m);
+  const double width_m = in_a_second_m / interval_s, finest_m = finest_of_any_interval_m(radar);
   if (width_m <= finest_m) {
     throw Error(
         title_of(radar),
         fmt::format("cannot map to {:.3g} m across range{} at a wavelength of {:.3g} m, however long it flies past",
                     width_m, plan.looks > 1 ? fmt::format(" with {} looks", plan.looks) : "",
                     wavelength_m(radar.frequency_hz)),
-        advice_for_coarser(radar, width_m, plan.interval_s, finest_m));
+        advice_for_coarser(radar, width_m, interval_s, finest_m));
   }
-  plan.along_resolution_m = std::min(width_m, width_on_course_m(radar, sight, plan.interval_s));
+  check_not_endless(radar, width_m, interval_s);
+  plan.interval_s = in_whole_pulses_s(radar, width_m, interval_s);
+  plan.along_resolution_m = std::min(in_a_second_m / plan.interval_s, width_on_course_m(radar, sight, plan.interval_s));
 }
 
 /// What a radar file is not read with, and a radar may be given attribute by attribute.
@@ -151,6 +196,25 @@ double finest_of_strip_m(const Radar& radar, const Sight& sight) {
   return cells_of_width(radar) * wavelength_m(radar.frequency_hz) / (2.0 * sines);
 }
 
+/// Pulses know Doppler up to their repetition frequency, and a band that is wider has every part of it twice.
+void check_band_is_known(const Radar& radar, double along_resolution_m) {
+  const double repetition_hz = radar.waveform.pulse_repetition_hz;
+  const double width_hz_m = cells_of_width(radar) * length(radar.velocity_mps);
+  const double band_hz = width_hz_m / along_resolution_m;
+  if (band_hz <= repetition_hz * (1.0 + 1e-9)) return;
+  throw Error(
+      title_of(radar),
+      fmt::format("maps a strip to {:.3g} m along the flight{} from a Doppler band of {:.4g} Hz, wider than the "
+                  "pulse repetition frequency of {:g} Hz, up to which pulses know Doppler",
+                  along_resolution_m,
+                  radar.processing.looks > 1 ? fmt::format(" with {} looks", radar.processing.looks) : "", band_hz,
+                  repetition_hz),
+      fmt::format("give mode.along_resolution_m of at least {:g}{} or waveform.pulse_repetition_hz of at least "
+                  "{:g}",
+                  rounded_up(width_hz_m / repetition_hz, digits),
+                  radar.processing.looks > 1 ? ", fewer mode.looks" : "", rounded_up(band_hz, digits)));
+}
+
 void plan_strip(const Radar& radar, const Sight& sight, CoherentPlan& plan) {
   if (!(sight.ground_range_m > 0.0) || beam_straddles_course(radar, sight))
     refuse_straight_ahead(radar, sight, "map ground farther to the side");
@@ -163,6 +227,7 @@ void plan_strip(const Radar& radar, const Sight& sight, CoherentPlan& plan) {
                 fmt::format("give mode.along_resolution_m of at least {:.3g}{} or a wider beam",
                             rounded_up(finest_m, digits), plan.looks > 1 ? ", fewer looks" : ""));
   }
+  check_band_is_known(radar, plan.along_resolution_m);
   // Band over Doppler rate, which the whole speed and the angle in space decide.
   const double sine = std::sin(plan.squint_rad);
   plan.interval_s = cells_of_width(radar) * wavelength_m(radar.frequency_hz) * sight.range_m /
@@ -188,6 +253,46 @@ void check_turn(const Radar& radar, const CoherentPlan& plan, Vec3d middle, std:
                   "pulses resolve {:.3g} m across range and not the {:.3g} m of this map; map more coarsely, or count "
                   "on a longer interval",
                   plan.interval_s, width_m, plan.along_resolution_m));
+}
+
+/// The angles off the course at which the Doppler of a range is so many half-power widths of a cell higher and lower
+/// than at the place: cos φ changes by as much to either side, and on the course it ends. Beyond half a repetition
+/// frequency Doppler comes back from the other side.
+std::array<double, 2> off_course_of_widths(const Radar& radar, const Sight& sight, double interval_s, double widths) {
+  const double change_hz =
+      std::min(widths * cells_of_width(radar) / interval_s, 0.5 * radar.waveform.pulse_repetition_hz);
+  const double change = change_hz * wavelength_m(radar.frequency_hz) * sight.range_m /
+                        (2.0 * sight.horizontal_speed_mps * sight.ground_range_m);
+  const double cosine = std::cos(sight.off_course_rad);
+  return {std::acos(std::min(1.0, cosine + change)), std::acos(std::max(-1.0, cosine - change))};
+}
+
+/// Each look in so few pulses answers in another shape than that of its window.
+void check_pulses(const Radar& radar, const CoherentPlan& plan, std::vector<std::string>& warnings) {
+  constexpr double few = 4.0;
+  const double pulses = plan.interval_s * radar.waveform.pulse_repetition_hz / plan.looks;
+  if (!(std::round(pulses) < few)) return;
+  warnings.push_back(
+      fmt::format("each look has {:.0f} pulse{}, too few for the resolution of {:.3g} m across range and for the side "
+                  "lobes of its window; use a longer mode.interval_s, fewer mode.looks or a higher "
+                  "waveform.pulse_repetition_hz",
+                  pulses, std::round(pulses) > 1.0 ? "s" : "", plan.along_resolution_m));
+}
+
+/// Across the line of sight, of a strip along the flight.
+void check_resolves(const Radar& radar, const CoherentPlan& plan, const Rectangle& area,
+                    std::vector<std::string>& warnings) {
+  const bool strips = radar.mode == Mode::Stripmap;
+  const Vec2d course{radar.velocity_mps.x, radar.velocity_mps.y};
+  const Vec2d away = area.centre() - Vec2d{radar.position.x, radar.position.y};
+  const Vec2d along = strips ? course : Vec2d{-away.y, away.x};
+  const auto [least_m, most_m] = span_over(area, [&](Vec2d place) { return dot(place, along) / length(along); });
+  if (!(plan.along_resolution_m > most_m - least_m)) return;
+  warnings.push_back(
+      fmt::format("the resolution of {:.3g} m across range is wider than what is mapped, {:.3g} m, and "
+                  "nothing of it is told apart; map more, or more finely{}",
+                  plan.along_resolution_m, most_m - least_m,
+                  strips ? " by mode.along_resolution_m" : " by a longer mode.interval_s or fewer mode.looks"));
 }
 
 double doppler_of_hz(const Radar& radar, Vec3d place) {
@@ -218,6 +323,24 @@ CoherentPlan coherent_plan(const Radar& radar, Vec3d aim) {
   return plan;
 }
 
+Rectangle answering_ground(const Radar& radar, const CoherentPlan& plan, const Rectangle& area, double height_m) {
+  constexpr double widths = 2.0;
+  const Vec2d foot{radar.position.x, radar.position.y};
+  const Vec2d course{radar.velocity_mps.x, radar.velocity_mps.y}, ahead = course * (1.0 / length(course));
+  Rectangle ground = area;
+  for (const Vec3d corner : corners_of(area, height_m)) {
+    const Sight sight = sight_of(radar, earth_of(radar).bent(corner, foot) - radar.position);
+    if (!(sight.ground_range_m > 0.0)) continue;
+    const Vec2d away = Vec2d{corner.x, corner.y} - foot;
+    const Vec2d beside = Vec2d{-ahead.y, ahead.x} * (cross(ahead, away) < 0.0 ? -1.0 : 1.0);
+    for (const double off_course : off_course_of_widths(radar, sight, plan.interval_s, widths)) {
+      const Vec2d direction = ahead * std::cos(off_course) + beside * std::sin(off_course);
+      ground = with_point(ground, foot + direction * length(away));
+    }
+  }
+  return ground;
+}
+
 std::vector<std::string> plan_warnings(const Radar& radar, const CoherentPlan& plan, const Rectangle& area,
                                        double height_m) {
   std::vector<std::string> warnings;
@@ -237,7 +360,8 @@ std::vector<std::string> plan_warnings(const Radar& radar, const CoherentPlan& p
   if (radar.mode != Mode::Stripmap && (on_both_sides || off_the_line < plan.blind_wedge_rad)) {
     warnings.push_back(fmt::format(
         "part of what is mapped lies in the blind wedge about the course, within {:.3g}° of it, where it is no "
-        "sharper than the real beam; map ground farther to the side or use a longer mode.interval_s",
+        "sharper than the real beam, and σ0 does not hold there and close beside; map ground farther to the side or "
+        "use a longer mode.interval_s",
         deg_from_radians(plan.blind_wedge_rad)));
   }
   if (on_both_sides) {
@@ -247,18 +371,12 @@ std::vector<std::string> plan_warnings(const Radar& radar, const CoherentPlan& p
   }
   const Vec2d centre = area.centre();
   const Vec3d middle{centre.x, centre.y, height_m};
-  if (radar.mode != Mode::Stripmap) check_turn(radar, plan, middle, warnings);
+  check_resolves(radar, plan, area, warnings);
+  if (radar.mode == Mode::Stripmap) return warnings;
+  check_turn(radar, plan, middle, warnings);
+  check_pulses(radar, plan, warnings);
   const double prf_hz = radar.waveform.pulse_repetition_hz, middle_hz = doppler_of_hz(radar, middle);
-  if (radar.mode == Mode::Stripmap) {
-    const double width = WindowResponse(radar.waveform.window).half_power_width();
-    const double band_hz = plan.looks * width * length(radar.velocity_mps) / plan.along_resolution_m;
-    if (band_hz > prf_hz) {
-      warnings.push_back(fmt::format(
-          "the processed Doppler band of {:.4g} Hz is wider than the pulse repetition "
-          "frequency of {:g} Hz and folds over; send more pulses or ask for a coarser mode.along_resolution_m",
-          band_hz, prf_hz));
-    }
-  } else if (most_hz - least_hz > prf_hz) {
+  if (most_hz - least_hz > prf_hz) {
     warnings.push_back(
         fmt::format("the Doppler of what is mapped spans {:.4g} Hz, more than the pulse repetition "
                     "frequency of {:g} Hz, and folds over; map less or send more pulses",

@@ -11,7 +11,8 @@ namespace sigmascape::radar {
 /// How a coherent mode maps an area: what the radar file leaves open is filled in.
 struct CoherentPlan {
   int looks = 1;
-  double interval_s = 0.0;          ///< of all looks together; with stripmap that for which a point is processed
+  /// Of all looks together, as many whole pulses in each; with stripmap that for which a point is processed.
+  double interval_s = 0.0;
   double along_resolution_m = 0.0;  ///< half-power width across range in the middle of the area, on the finished map
   /// Of the middle of the area, off the direction of flight, in space: at time zero or, of a strip, as its beam passes.
   double squint_rad = 0.0;
@@ -30,15 +31,25 @@ inline constexpr double usual_sharpening = 16.0;
 ///   - stripmap to δ ≥ w n λ/(2 |sin φ₁ − sin φ₂|), what the Doppler band between the edges of the beam gives; the
 ///     coarser of that and the range resolution when left open.       docs/physics/doppler.md, Eqs. (3), (4), (5a)
 ///
+/// T is taken to the nearest that gives every look the same number of pulses, and δ is what that T resolves.
+///
 /// Throws Error when the radar stands still, when the middle lies so near the course, ahead or behind, that the beam
 /// straddles it and no interval is stated, when it lies straight below, when a strip's fixed beam never passes over it
-/// (radar/strip_beam.h), when stripmap is asked for more than the beam gives, and when the others are for w n λ/4 or
-/// less, which no flight resolves (Eq. 3b).
+/// (radar/strip_beam.h), when stripmap is asked for more than the beam gives or for a Doppler band wider than the pulse
+/// repetition frequency, and when the others are for w n λ/4 or less, which no flight resolves (Eq. 3b), take more than
+/// 10000 s, or have less than two pulses or one a look.
 [[nodiscard]] CoherentPlan coherent_plan(const Radar& radar, Vec3d aim);
 
+/// The least rectangle that holds an area at this height and the ground across range from its corners that answers in
+/// its outermost cells of range and Doppler: what is within two half-power widths of them. Towards the course, where
+/// cells widen, that is farther than in the middle, and it ends on the course.
+[[nodiscard]] Rectangle answering_ground(const Radar& radar, const CoherentPlan& plan, const Rectangle& area,
+                                         double height_m);
+
 /// What a radar engineer would object to before this plan maps an area at this height, one sentence each: ground in the
-/// blind wedge, ground on both sides of the track, an interval in which the line of sight turns so far that pulses
-/// would resolve 5 % less than the plan says, Doppler that folds or goes round the end of the image's axis.
+/// blind wedge, ground on both sides of the track, a resolution across range that is wider than the area, an interval
+/// in which the line of sight turns so far that pulses would resolve 5 % less than the plan says, looks of less than
+/// four pulses, Doppler that folds or goes round the end of the image's axis.
 [[nodiscard]] std::vector<std::string> plan_warnings(const Radar& radar, const CoherentPlan& plan,
                                                      const Rectangle& area, double height_m);
 

@@ -33,6 +33,7 @@
 #include "sigmascape/receiver/receiver_output.h"
 #include "sigmascape/receiver/stripmap_imager.h"
 #include "sigmascape/receiver/target_echoes.h"
+#include "sigmascape/simulate/doppler_rim.h"
 #include "sigmascape/simulate/recorded_beam.h"
 #include "sigmascape/simulate/scatterer_spacing.h"
 
@@ -171,14 +172,17 @@ void blow_on(std::vector<radar::Scatterer>& scatterers, const Windblown& windblo
   });
 }
 
+/// `rim`: around what is mapped of the area, if only a part of it is.
 std::vector<radar::Scatterer> scatterers_of(const CoherentScene& scene, const radar::Radar& radar,
                                             const radar::Vantage& vantage, const radar::Rectangle& area,
-                                            const CoherentSettings& settings) {
+                                            const CoherentSettings& settings, const DopplerRim* rim = nullptr) {
   const radar::ScattererLattice lattice({.seed = settings.seed, .cell_m = settings.scatterer_spacing_m, .levels = 1});
   auto scatterers = render::ground_scatterers(
       *scene.terrain, scene.sigma0, lattice,
       {.vantage = vantage, .area = area, .level = 0, .threads = settings.threads, .earth = radar::earth_of(radar)},
       scene.targets);
+  if (rim)
+    std::erase_if(scatterers, [&](const radar::Scatterer& scatterer) { return !rim->takes_part(scatterer.position); });
   if (radar.wind_mps > 0.0 && scene.windblown) blow_on(scatterers, scene.windblown, radar, settings);
   if (radar.earth_refraction) {
     for (radar::Scatterer& scatterer : scatterers) scatterer.position = bent(radar, scatterer.position);
@@ -285,11 +289,12 @@ receiver::DopplerImager doppler_imager(const CoherentScene& scene, const radar::
                                        const radar::Rectangle& area, const CoherentSettings& asked) {
   check_moves(radar);
   check_over_ground(radar, *scene.terrain);
-  check_sector_takes_in(area, radar);
-  const double across_m = resolution_of_interval_m(radar, local_middle_of(area, *scene.terrain), asked.interval_s);
+  const radar::Rectangle mapped = asked.mapped.value_or(area);
+  check_sector_takes_in(mapped, radar);
+  const double across_m = resolution_of_interval_m(radar, local_middle_of(mapped, *scene.terrain), asked.interval_s);
   const CoherentSettings settings = spaced(asked, scatterer_spacing_m(radar, across_m));
   const radar::Vantage vantage(radar.position);
-  const Vec3d aim = middle_of(area, *scene.terrain, radar);
+  const Vec3d aim = middle_of(mapped, *scene.terrain, radar);
   receiver::DopplerImager imager(radar, radar::Track::straight(radar.position, radar.velocity_mps),
                                  {.middle_time_s = 0.0,
                                   .pulses = pulses_in(radar, settings),
@@ -301,7 +306,8 @@ receiver::DopplerImager doppler_imager(const CoherentScene& scene, const radar::
                                  image_gain(radar, beam_of_image(radar, aim)));
   if (radar.processing.thermal_noise)
     imager.add(receiver::EquivalentNoise(radar, receiver::noise_seed(settings.seed, settings.dwell)));
-  imager.add(scatterers_of(scene, radar, vantage, area, settings), settings.threads);
+  const DopplerRim rim(radar, mapped, area);
+  imager.add(scatterers_of(scene, radar, vantage, area, settings, settings.mapped ? &rim : nullptr), settings.threads);
   imager.add(targets_seen(scene, radar, vantage));
   return imager;
 }
@@ -463,8 +469,8 @@ const char* look_side(const radar::Radar& radar, const radar::Rectangle& area) {
 void range_doppler_looks(const CoherentScene& scene, const radar::Radar& radar, const radar::Rectangle& area,
                          const CoherentSettings& settings, std::size_t looks,
                          const std::function<void(const radar::RangeDopplerImage&)>& visit) {
-  show_looks(doppler_imager(scene, radar, area, settings), radar, azimuth_of_image_beam(radar, area), looks,
-             settings.threads, visit);
+  const auto azimuth_rad = azimuth_of_image_beam(radar, settings.mapped.value_or(area));
+  show_looks(doppler_imager(scene, radar, area, settings), radar, azimuth_rad, looks, settings.threads, visit);
 }
 
 void stripmap_looks(const CoherentScene& scene, const radar::Radar& radar, const radar::Rectangle& area,
@@ -476,8 +482,8 @@ void stripmap_looks(const CoherentScene& scene, const radar::Radar& radar, const
 
 radar::RangeDopplerImage range_doppler_image(const CoherentScene& scene, const radar::Radar& radar,
                                              const radar::Rectangle& area, const CoherentSettings& settings) {
-  return image_of(doppler_imager(scene, radar, area, settings), radar, azimuth_of_image_beam(radar, area), {},
-                  settings.threads);
+  const auto azimuth_rad = azimuth_of_image_beam(radar, settings.mapped.value_or(area));
+  return image_of(doppler_imager(scene, radar, area, settings), radar, azimuth_rad, {}, settings.threads);
 }
 
 radar::StripmapImage stripmap_image(const CoherentScene& scene, const radar::Radar& radar, const radar::Rectangle& area,

@@ -39,6 +39,10 @@ struct CoherentSettings {
   std::uint64_t dwell = 0;  ///< by which fluctuating targets and noise are drawn anew, and speckle is not
   /// When time zero is, on the clock by which leaves move and scans turn: both go on from one recording to the next.
   double moment_s = 0.0;
+  /// Of a range–Doppler image, the part of the area that is to be right, about whose middle the Doppler axis lies and
+  /// the beam points: of the ground around it nothing is there that would fold onto it (DopplerRim). Without it that is
+  /// all of the area, which folds as it may.
+  std::optional<radar::Rectangle> mapped = {};
   /// Volts at the receiver's output, with antenna, radar equation, thermal noise and, where the radar has them,
   /// sensitivity time control and converter, instead of metres without.
   bool calibrated = false;

@@ -36,18 +36,26 @@ double nearest_edge_m(const radar::Radar& radar, const radar::Rectangle& area) {
   return std::min(std::abs(left_m), std::abs(right_m));
 }
 
-/// By how much the ground that answers in a map's outermost cells reaches beyond them: two resolution cells, and where
-/// a step of slant range is long on the ground as far as that many of slant range reach.
-double rim_m(const ModeRequest& request, const radar::CoherentPlan& plan) {
+/// By how much the ground that answers in a map's outermost cells reaches beyond them along range: two resolution
+/// cells, and where a step of slant range is long on the ground as far as that many of slant range reach.
+double range_rim_m(const ModeRequest& request, double below_m) {
   const radar::Radar& radar = request.radar;
-  const double below_m = radar.position.z - middle_of(request.grid, request.terrain).z;
   const double edge_m = nearest_edge_m(radar, request.grid.extent()), range_m = std::hypot(edge_m, below_m);
   const auto ground_m = [below_m](double of_range_m) {
     return radar::distance_of_range_m(radar::CurvedEarth::flat(), below_m, 0.0, std::max(of_range_m, 0.0));
   };
   const double spare_m = 2.0 * radar.range_resolution_m;
-  return std::max({spare_m, 2.0 * plan.along_resolution_m, edge_m - ground_m(range_m - spare_m),
-                   ground_m(range_m + spare_m) - edge_m});
+  return std::max({spare_m, edge_m - ground_m(range_m - spare_m), ground_m(range_m + spare_m) - edge_m});
+}
+
+/// The map with the ground around it that answers in its outermost cells.
+radar::Rectangle with_rim(const ModeRequest& request, const radar::CoherentPlan& plan) {
+  const double height_m = middle_of(request.grid, request.terrain).z;
+  const double along_range_m = range_rim_m(request, request.radar.position.z - height_m);
+  const radar::Rectangle map = request.grid.extent();
+  if (request.radar.mode == radar::Mode::Stripmap)
+    return radar::widened(map, std::max(along_range_m, 2.0 * plan.along_resolution_m));
+  return radar::widened(radar::answering_ground(request.radar, plan, map, height_m), along_range_m);
 }
 
 /// What the makers of images ask for.
@@ -71,8 +79,9 @@ Prepared prepared(const ModeRequest& request, const radar::CoherentPlan& plan) {
                        .seed = request.seed,
                        .dwell = request.dwell,
                        .moment_s = request.moment_s,
+                       .mapped = request.grid.extent(),
                        .threads = request.threads},
-          .area = radar::widened(request.grid.extent(), rim_m(request, plan))};
+          .area = with_rim(request, plan)};
 }
 
 }  // namespace

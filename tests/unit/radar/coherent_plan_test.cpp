@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "scratch_folder.h"
@@ -40,8 +41,10 @@ TEST(CoherentPlan, IntervalsGiveTheWantedResolution) {
   radar.processing.sharpening = 20.0;
   radar.processing.looks = 4;
   const auto sharpened = coherent_plan(radar, place_at(30.0));
-  EXPECT_NEAR(sharpened.interval_s, cells * 4.0 * 0.03 / (2.0 * 200.0 * radians_from_deg(2.0) / 20.0 * 0.5), 3e-4);
-  EXPECT_NEAR(sharpened.along_resolution_m, 10e3 * radians_from_deg(2.0) / 20.0, 1e-9);
+  // 304.5 pulses, of which every look has 76.
+  EXPECT_NEAR(sharpened.interval_s, cells * 4.0 * 0.03 / (2.0 * 200.0 * radians_from_deg(2.0) / 20.0 * 0.5), 1e-3);
+  EXPECT_DOUBLE_EQ(sharpened.interval_s, 0.304);
+  EXPECT_NEAR(sharpened.along_resolution_m, 10e3 * radians_from_deg(2.0) / 20.0 * 304.55 / 304.0, 1e-3);
   EXPECT_NEAR(sharpened.squint_rad, radians_from_deg(30.0), 1e-12);
 
   radar = flying_north(Mode::Spotlight);
@@ -96,10 +99,11 @@ TEST(CoherentPlan, ResolvesOnTheGroundHoweverSteeplyItLooksAndClimbs) {
         radar.velocity_mps = {0.0, 200.0, climb_mps};
         const CoherentPlan plan = coherent_plan(radar, aim);
         EXPECT_NEAR(cells_apart(radar, aim, plan), cells, 2e-3) << off_course_deg << ' ' << climb_mps;
-        EXPECT_NEAR(plan.along_resolution_m,
-                    mode == Mode::Spotlight ? radar.range_resolution_m
-                                            : radar.beam_width_rad * std::hypot(aim.x, aim.y) / usual_sharpening,
-                    1e-9);
+        const double wanted_m = mode == Mode::Spotlight
+                                    ? radar.range_resolution_m
+                                    : radar.beam_width_rad * std::hypot(aim.x, aim.y) / usual_sharpening;
+        const double pulses = plan.interval_s * radar.waveform.pulse_repetition_hz;
+        EXPECT_NEAR(plan.along_resolution_m / wanted_m, 1.0, 0.51 / pulses);
       }
     }
   }
@@ -190,6 +194,142 @@ TEST(CoherentPlan, NoIntervalResolvesLessThanAllSidesGive) {
   EXPECT_THAT(refused(radar), ::testing::EndsWith("give mode.sharpening of less than 1570"));
   radar.processing.sharpening = 1570.0;
   EXPECT_EQ(refused(radar), "");
+}
+
+/// At 1000 Hz and 45° off the nose, 30 km · 0.8859/(2 · 200 · T · sin 45°).
+TEST(CoherentPlan, EveryLookHasAsManyWholePulses) {
+  Radar radar = flying_north(Mode::Spotlight);
+  const auto plan = [&](double interval_s, int looks) {
+    radar.processing.interval_s = interval_s;
+    radar.processing.looks = looks;
+    return coherent_plan(radar, place_at(45.0));
+  };
+  for (const auto& [asked_s, looks, pulses] :
+       {std::tuple{0.1, 1, 100.0}, {0.0016, 1, 2.0}, {0.0333, 1, 33.0}, {0.0333, 4, 32.0}, {0.035, 4, 36.0}}) {
+    const CoherentPlan made = plan(asked_s, looks);
+    EXPECT_DOUBLE_EQ(made.interval_s, pulses / 1000.0);
+    EXPECT_NEAR(made.along_resolution_m * pulses / 1000.0, looks * cells * 300.0 / (400.0 * std::sqrt(0.5)), 1e-3);
+  }
+}
+
+TEST(CoherentPlan, LooksWithoutPulsesAreRefusedByTheKeysThatGiveThem) {
+  Radar radar = flying_north(Mode::Spotlight);
+  const auto refused = [&] {
+    return message_of_error([&] { static_cast<void>(coherent_plan(radar, place_at(90.0))); });
+  };
+  radar.processing.interval_s = 0.01;
+  radar.processing.looks = 100;
+  EXPECT_EQ(refused(),
+            "radar: has 10 pulses in an interval of 0.01 s, at a pulse repetition frequency of 1000 Hz, and 100 looks, "
+            "each of which takes one; give mode.interval_s of at least 0.1, fewer mode.looks or a higher "
+            "waveform.pulse_repetition_hz");
+  radar.processing.interval_s = 0.1;
+  EXPECT_EQ(refused(), "");
+  radar.processing.interval_s = 0.001;
+  radar.processing.looks = 1;
+  EXPECT_THAT(refused(), HasSubstr("has 1 pulse in an interval of 0.001 s, at a pulse repetition frequency of 1000 Hz, "
+                                   "and Doppler takes two; give mode.interval_s of at least 0.002 or a higher"));
+
+  // Of what follows from a resolution there are as few pulses a look whatever the looks.
+  radar.waveform.pulse_repetition_hz = 1.0;
+  radar.processing.interval_s.reset();
+  radar.processing.along_resolution_m = 10.0;
+  radar.processing.looks = 3;
+  EXPECT_THAT(refused(), ::testing::EndsWith("give mode.along_resolution_m of at most 0.664 or a higher "
+                                             "waveform.pulse_repetition_hz"));
+  radar.processing.along_resolution_m = 0.664;
+  EXPECT_EQ(refused(), "");
+  radar.mode = Mode::DopplerBeamSharpening;
+  radar.processing.along_resolution_m.reset();
+  const std::string message = refused();
+  ASSERT_THAT(message, HasSubstr("give mode.sharpening of at least "));
+  radar.processing.sharpening = std::stod(message.substr(message.find("at least ") + 9));
+  EXPECT_EQ(refused(), "");
+}
+
+TEST(CoherentPlan, WhatWouldTakeHoursIsRefusedByTheKeysThatMakeItLong) {
+  Radar radar = flying_north(Mode::Spotlight);
+  radar.velocity_mps = {0.0, 0.001, 0.0};
+  const auto refused = [&] {
+    return message_of_error([&] { static_cast<void>(coherent_plan(radar, place_at(90.0))); });
+  };
+  // 0.8859 · 0.03 m · 10 km/(2 · 0.001 m/s · 2 m).
+  EXPECT_EQ(refused(),
+            "radar: takes 6.64e+04 s to tell apart 2 m across range at 0.001 m/s; give a higher "
+            "platform.speed_mps, or give mode.along_resolution_m of more than 13.3");
+  radar.processing.along_resolution_m = 13.3;
+  EXPECT_EQ(refused(), "");
+}
+
+TEST(CoherentPlan, WarnsOfLooksOfFewPulses) {
+  Radar radar = flying_north(Mode::Spotlight);
+  const Rectangle area{9000.0, -1000.0, 11000.0, 1000.0};
+  const auto warnings = [&](double interval_s) {
+    radar.processing.interval_s = interval_s;
+    radar.processing.looks = 2;
+    return plan_warnings(radar, coherent_plan(radar, place_at(90.0)), area, 0.0);
+  };
+  EXPECT_THAT(warnings(0.002), ::testing::Contains(HasSubstr("each look has 1 pulse, too few")));
+  EXPECT_THAT(warnings(0.006), ::testing::Contains(HasSubstr("each look has 3 pulses, too few")));
+  EXPECT_THAT(warnings(0.008), ::testing::Not(::testing::Contains(HasSubstr("too few"))));
+}
+
+/// 0.8859 · 0.03 m · 10 km/(2 · 200 m/s · 0.01 s) are 66 m.
+TEST(CoherentPlan, WarnsOfAResolutionWiderThanTheMap) {
+  Radar radar = flying_north(Mode::Spotlight);
+  radar.processing.interval_s = 0.01;
+  const CoherentPlan plan = coherent_plan(radar, place_at(90.0));
+  EXPECT_THAT(
+      plan_warnings(radar, plan, {9900.0, -30.0, 10100.0, 30.0}, 0.0),
+      ::testing::ElementsAre(HasSubstr("the resolution of 66.4 m across range is wider than what is mapped, 60 m")));
+  EXPECT_THAT(plan_warnings(radar, plan, {9990.0, -40.0, 10010.0, 40.0}, 0.0), ::testing::IsEmpty());
+}
+
+/// Two half-power widths of Doppler from each corner, and no farther than the course.
+TEST(CoherentPlan, GroundAnswersInTheOutermostCellsAsFarAsTheyReachInDoppler) {
+  Radar radar = flying_north(Mode::DopplerBeamSharpening);
+  radar.velocity_mps = {0.0, 200.0, -10.0};
+  const double height_m = -3000.0;
+  const auto place = [&](double off_course_deg, double ground_range_m) {
+    const double off = radians_from_deg(off_course_deg);
+    return Vec3d{ground_range_m * std::sin(off), ground_range_m * std::cos(off), height_m};
+  };
+  const auto frequency_hz = [&](Vec3d at) {
+    return doppler_hz(range_rate_mps({radar.position, radar.velocity_mps}, {at}), wavelength_m(radar.frequency_hz));
+  };
+  const CoherentPlan plan = coherent_plan(radar, place(20.0, 9000.0));
+  const double two_widths_hz = 2.0 * cells / plan.interval_s;
+  // One point as an area: the ground reaches along the arc of its range to both sides.
+  const Vec3d corner = place(12.0, 9000.0);
+  const Rectangle ground = answering_ground(radar, plan, {corner.x, corner.y, corner.x, corner.y}, height_m);
+  const auto on_arc_east = [&](double x) { return Vec3d{x, std::sqrt(9000.0 * 9000.0 - x * x), height_m}; };
+  EXPECT_NEAR(frequency_hz(on_arc_east(ground.west_m)) - frequency_hz(corner), two_widths_hz, 1e-3 * two_widths_hz);
+  EXPECT_NEAR(frequency_hz(corner) - frequency_hz(on_arc_east(ground.east_m)), two_widths_hz, 1e-3 * two_widths_hz);
+  EXPECT_GT(corner.x - ground.west_m, 3.0 * plan.along_resolution_m) << "cells are wider there than in the middle";
+  const Vec3d near_course = place(0.3, 9000.0);
+  EXPECT_NEAR(
+      answering_ground(radar, plan, {near_course.x, near_course.y, near_course.x, near_course.y}, height_m).west_m, 0.0,
+      1e-6);
+}
+
+/// 0.8859 · 200 m/s / 0.381 m are 465 Hz of the beam.
+TEST(CoherentPlan, AStripsBandIsNoWiderThanPulsesKnowDoppler) {
+  Radar radar = flying_north(Mode::Stripmap);
+  radar.range_resolution_m = 0.1;
+  const auto refused = [&] {
+    return message_of_error([&] { static_cast<void>(coherent_plan(radar, place_at(90.0))); });
+  };
+  radar.waveform.pulse_repetition_hz = 466.0;
+  EXPECT_EQ(refused(), "");
+  radar.waveform.pulse_repetition_hz = 400.0;
+  EXPECT_EQ(refused(),
+            "radar: maps a strip to 0.381 m along the flight from a Doppler band of 465.4 Hz, wider than the pulse "
+            "repetition frequency of 400 Hz, up to which pulses know Doppler; give mode.along_resolution_m of at least "
+            "0.443 or waveform.pulse_repetition_hz of at least 466");
+  radar.processing.along_resolution_m = 0.443;
+  EXPECT_EQ(refused(), "");
+  radar.processing.looks = 2;
+  EXPECT_THAT(refused(), HasSubstr("with 2 looks"));
 }
 
 TEST(CoherentPlan, WarnsWhereTheLineOfSightTurnsFar) {

@@ -45,9 +45,9 @@ TEST(MapQuestion, AcrossTheLineOfSightAModeIsAsSharpAsItIsPlannedToBe) {
   };
   const double ground_range_m = slant_range_m * std::cos(radians_from_deg(10.0));
   EXPECT_NEAR(cross_range_m(Mode::RealBeam), 0.02 * ground_range_m, 1e-6);
-  // What they take where the radar file leaves it open.
-  EXPECT_NEAR(cross_range_m(Mode::DopplerBeamSharpening), 0.02 * ground_range_m / radar::usual_sharpening, 1e-6);
-  EXPECT_NEAR(cross_range_m(Mode::Spotlight), radar_of(Mode::Spotlight).range_resolution_m, 1e-6);
+  // What they take where the radar file leaves it open, as far as whole pulses give it.
+  EXPECT_NEAR(cross_range_m(Mode::DopplerBeamSharpening), 0.02 * ground_range_m / radar::usual_sharpening, 0.05);
+  EXPECT_NEAR(cross_range_m(Mode::Spotlight), radar_of(Mode::Spotlight).range_resolution_m, 0.002);
   EXPECT_NEAR(cross_range_m(Mode::Stripmap), radar_of(Mode::Stripmap).range_resolution_m, 1e-6);
 }
 
