@@ -119,9 +119,8 @@ TEST_F(HeardFrame, ATargetHasTheGainInElevationTowardsItselfHoweverHighItFlies) 
 TEST_F(HeardFrame, ATargetJustBeforeTheFirstRangeFadesAsItDoesInTheBins) {
   const auto peak = [&](double range) {
     const std::vector<radar::Target> targets{target(24.5, range, 0.0, 1e4F)};
-    float greatest = 0.0F;
-    for (const radar::Channels& bin : heard(targets, radar()).rcs_m2.values()) greatest = std::max(greatest, bin.vv);
-    return greatest;
+    const radar::RangeAzimuthImage image = heard(targets, radar());
+    return std::ranges::max(image.rcs_m2.values(), {}, &radar::Channels::vv).vv;
   };
   const float within = peak(8.5);
   for (const double before : {0.05, 0.2, 0.4}) {
