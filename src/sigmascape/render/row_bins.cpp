@@ -124,10 +124,6 @@ template <typename Numbers>
     return;
   }
   if (shares.first[i] == dark) return;
-  if (shares.first[i] == wide) {
-    share_among_beams(sector, shares, i, numbers);
-    return;
-  }
   const auto first_beam = static_cast<std::int32_t>(sector.first_beam);
   const auto beams = static_cast<std::int32_t>(sector.end_beam), ranges = static_cast<std::int32_t>(sector.ranges);
   const auto add_within = [&](std::int32_t beam, std::int32_t range, const Numbers& part) {
@@ -142,6 +138,24 @@ template <typename Numbers>
   add_within(beam + 1, range + 1, numbers * shares.next_next[i]);
 }
 
+/// Adds all texels of a row; `numbers_of(i)` are those of one. Most rows have none that is wider than a beam, and are
+/// not asked for each.
+template <typename NumbersOf>
+[[gnu::always_inline]] inline void share_row(const SectorBins& sector, const LatticeRow& row,
+                                             const NumbersOf& numbers_of) {
+  const BinShares& shares = row.shares;
+  if (!row.may_span_beams) {
+    for (std::size_t i = 0; i < row.count; ++i) share(sector, shares, i, numbers_of(i));
+    return;
+  }
+  for (std::size_t i = 0; i < row.count; ++i) {
+    if (shares.first[i] == wide)
+      share_among_beams(sector, shares, i, numbers_of(i));
+    else
+      share(sector, shares, i, numbers_of(i));
+  }
+}
+
 }  // namespace
 
 SIGMASCAPE_VECTOR_TARGETS
@@ -150,18 +164,17 @@ void deposit_amplitudes(LatticeRow& row, const SectorBins& sector) {
   if (row.may_span_beams) find_wide_shares(row);
   take_roots(row.shares, row.whole_vectors());
   if (row.may_span_beams) take_wide_roots(row.shares, row.whole_vectors());
-  for (std::size_t i = 0; i < row.count; ++i) {
-    share(sector, row.shares, i, *reinterpret_cast<const EightNumbers*>(&row.amplitudes[8 * i]));
-  }
+  share_row(sector, row, [&row] [[gnu::always_inline]] (std::size_t i) -> const EightNumbers& {
+    return *reinterpret_cast<const EightNumbers*>(&row.amplitudes[8 * i]);
+  });
 }
 
 void deposit_powers(LatticeRow& row, const SectorBins& sector) {
   find_shares(row, sector);
   if (row.may_span_beams) find_wide_shares(row);
-  const auto& p = row.returned;
-  for (std::size_t i = 0; i < row.count; ++i) {
-    share(sector, row.shares, i, FourNumbers{p[0][i], p[1][i], p[2][i], p[3][i]});
-  }
+  share_row(sector, row, [&p = row.returned] [[gnu::always_inline]] (std::size_t i) {
+    return FourNumbers{p[0][i], p[1][i], p[2][i], p[3][i]};
+  });
 }
 
 }  // namespace sigmascape::render
