@@ -109,25 +109,42 @@ TEST_F(LiveTargetsTest, OnlyTerrainHidesThemHoweverCoarse) {
   }
 }
 
+/// Settled frames from the south under 3°, 8 km away, of bins that are much longer than the terrain's nodes lie apart.
+struct LongBins {
+  explicit LongBins(const std::shared_ptr<LiveGround>& ground) : renderer(ground, settings()), pose(view.pose()) {
+    pose.first_range_m = view.slant_range_m - 750.0;
+    settled_frame(renderer, *ground, pose);
+  }
+
+  ExampleView view = [] {
+    ExampleView from_afar;
+    from_afar.azimuth_deg = 180.0;
+    from_afar.elevation_deg = 3.0;
+    from_afar.slant_range_m = 8000.0;
+    from_afar.bin_m = 16.0;
+    from_afar.beams = 16;
+    from_afar.ranges = 20;
+    return from_afar;
+  }();
+  LiveRenderer renderer;
+  Pose pose;
+
+ private:
+  [[nodiscard]] LiveSettings settings() const {
+    LiveSettings settings = view.settings(FrameContent::Powers);
+    settings.range_step_m = 75.0;
+    return settings;
+  }
+};
+
 // Drawn terrain may be coarser than that on which targets were put, and lie above them.
 TEST_F(LiveTargetsTest, GroundThatIsDrawnTooHighBuriesNoTarget) {
   ExampleGround slope = level_ground();
   for (const double rise : {0.0, 0.1}) {
     slope.height_m = [rise](Vec2d p) { return rise * p.y; };
     const auto ground = slope.over(*store_);
-    ExampleView view;
-    view.azimuth_deg = 180.0;
-    view.elevation_deg = 3.0;
-    view.slant_range_m = 8000.0;
-    view.bin_m = 16.0;
-    view.beams = 16;
-    view.ranges = 20;
-    LiveSettings settings = view.settings(FrameContent::Powers);
-    settings.range_step_m = 75.0;
-    LiveRenderer renderer(ground, settings);
-    Pose pose = view.pose();
-    pose.first_range_m = view.slant_range_m - 750.0;
-    settled_frame(renderer, *ground, pose);
+    LongBins bins(ground);
+    auto& [view, renderer, pose] = bins;
     for (const double buried_m : {0.0, 0.05, 0.3, 2.0}) {
       std::vector<radar::Target> targets;
       for (double ahead_m = -200.0; ahead_m < 200.0; ahead_m += 7.3) {
@@ -148,19 +165,8 @@ TEST_F(LiveTargetsTest, ARidgeHidesTheSameThingsInEveryFrameHoweverLongItsBinsAr
       return std::clamp(40.0 - (std::abs(p.y + askew * p.x) - 4.0) / 1.5, 0.0, 40.0);
     };
     const auto ground = ridge.over(*store_);
-    ExampleView view;
-    view.azimuth_deg = 180.0;
-    view.elevation_deg = 3.0;
-    view.slant_range_m = 8000.0;
-    view.bin_m = 16.0;
-    view.beams = 16;
-    view.ranges = 20;
-    LiveSettings settings = view.settings(FrameContent::Powers);
-    settings.range_step_m = 75.0;
-    LiveRenderer renderer(ground, settings);
-    Pose pose = view.pose();
-    pose.first_range_m = view.slant_range_m - 750.0;
-    settled_frame(renderer, *ground, pose);
+    LongBins bins(ground);
+    auto& [view, renderer, pose] = bins;
     for (const double distance_m : {70.0, 130.0, 400.0}) {
       for (const double above_line_m : {-6.0, -3.0, 1.0}) {
         std::size_t seen = 0, frames = 0;

@@ -71,6 +71,11 @@ class LiveFlightTest : public testing::Test {
   [[nodiscard]] LiveFlight flight(FrameContent content) const {
     return {scene_, *geometry_, ground_, bins(content), settings()};
   }
+  /// As a flight has it.
+  [[nodiscard]] LiveTracer tracer(FrameContent content) const {
+    return {
+        scene_, *geometry_, bins(content), {.frequency_hz = 10e9, .rays_per_cell = 2, .lattice_m = example_.texel_m}};
+  }
 
   ScratchFolder folder_;
   render::ExampleGround example_;
@@ -102,8 +107,7 @@ TEST_F(LiveFlightTest, RefusesTheAtlasOfAnotherScene) {
 TEST_F(LiveFlightTest, NoStepShowsWhereTracingEnds) {
   for (const FrameContent content : {FrameContent::Powers, FrameContent::Amplitudes}) {
     LiveFlight live = flight(content);
-    LiveTracer tracer(scene_, *geometry_, bins(content),
-                      {.frequency_hz = 10e9, .rays_per_cell = 2, .lattice_m = example_.texel_m});
+    LiveTracer tracer = this->tracer(content);
     render::LiveRenderer renderer(ground_, bins(content));
     live.render(pose(1.9));
     EXPECT_EQ(live.textured_share(), 0.0);
@@ -138,8 +142,7 @@ TEST_F(LiveFlightTest, NoStepShowsWhereTracingEnds) {
 TEST_F(LiveFlightTest, TargetsAreToldApartOnTheWayBetweenLevelsToo) {
   for (const FrameContent content : {FrameContent::Powers, FrameContent::Amplitudes}) {
     LiveFlight live = flight(content);
-    LiveTracer tracer(scene_, *geometry_, bins(content),
-                      {.frequency_hz = 10e9, .rays_per_cell = 2, .lattice_m = example_.texel_m});
+    LiveTracer tracer = this->tracer(content);
     render::LiveRenderer renderer(ground_, bins(content));
     live.render(pose(1.9));
     const Vec2d middle = example_.middle();
@@ -198,8 +201,7 @@ TEST_F(LiveFlightTest, AScanFillsTheFrameBeamByBeam) {
 TEST_F(LiveFlightTest, AScanPassesFromTracingToTexturesStepByStep) {
   const render::Pose near = pose(1.9), far = pose(3.0);
   for (const FrameContent content : {FrameContent::Powers, FrameContent::Amplitudes}) {
-    LiveTracer tracer(scene_, *geometry_, bins(content),
-                      {.frequency_hz = 10e9, .rays_per_cell = 2, .lattice_m = example_.texel_m});
+    LiveTracer tracer = this->tracer(content);
     render::LiveRenderer renderer(ground_, bins(content));
     renderer.render(far);
     ground_->wait_until_loaded();
@@ -243,8 +245,7 @@ TEST_F(LiveFlightTest, WhatIsInUseIsKeptNearWhereTheChoiceChanges) {
 
 TEST_F(LiveFlightTest, WhatCannotBeTracedIsShownFromTextures) {
   LiveFlight live = flight(FrameContent::Powers);
-  const LiveTracer tracer(scene_, *geometry_, bins(FrameContent::Powers),
-                          {.frequency_hz = 10e9, .rays_per_cell = 2, .lattice_m = example_.texel_m});
+  const LiveTracer tracer = this->tracer(FrameContent::Powers);
   const render::Pose above = pose(1.3);
   live.render(above);
   ASSERT_EQ(live.textured_share(), 0.0);
