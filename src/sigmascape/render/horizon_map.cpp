@@ -479,14 +479,12 @@ class HorizonMap::Crests {
     const Steps& steps = walk_->steps();
     walk_->over(ground, nullptr, first_m, step_m, static_cast<std::size_t>((to_m - first_m) / step_m) + 1,
                 [&](std::size_t, std::size_t i) {
-                  is_found = is_found || static_cast<double>(steps.slope[i]) > slope_ + in_doubt;
+                  is_found = is_found || static_cast<double>(steps.slope[i]) > slope_ + slope_doubt;
                 });
     return is_found;
   }
 
   static constexpr double places_a_cell = 2.0;
-  /// Single precision leaves this much doubt in a slope.
-  static constexpr double in_doubt = 1e-6;
 
   const HorizonGrid& grid_;
   Vec3d radar_;
@@ -499,9 +497,7 @@ class HorizonMap::Crests {
 bool HorizonMap::rises_between(double across, double distance_m, double slope, Vec3d radar,
                                const Occluders& occluders) const {
   Crests crests(*this, across, slope, radar, occluders);
-  const auto last_node = static_cast<double>(grid_.distances - 1);
-  const auto node = static_cast<std::size_t>(std::clamp((distance_m - grid_.near_m) / grid_.step_m, 0.0, last_node));
-  return crests.lie_within(node, distance_m) || crests.lie_before(distance_m);
+  return crests.lie_within(grid_.node_before(distance_m), distance_m) || crests.lie_before(distance_m);
 }
 
 }  // namespace sigmascape::render

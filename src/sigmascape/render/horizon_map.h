@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -22,8 +23,17 @@ struct HorizonGrid {
   std::size_t before_near = 256;
   double drop_per_square_m = 0.0;  ///< 1/(2 k R), see radar::CurvedEarth
 
+  /// The last node that is no farther; the first before it, the last beyond all.
+  [[nodiscard]] std::size_t node_before(double distance_m) const {
+    return static_cast<std::size_t>(
+        std::clamp((distance_m - near_m) / step_m, 0.0, static_cast<double>(distances - 1)));
+  }
+
   friend bool operator==(const HorizonGrid&, const HorizonGrid&) = default;
 };
+
+/// Single precision leaves this much doubt in a slope.
+inline constexpr double slope_doubt = 1e-6;
 
 /// What hides ground.
 struct Occluders {

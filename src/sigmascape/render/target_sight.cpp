@@ -6,9 +6,6 @@
 namespace sigmascape::render {
 namespace {
 
-/// Single precision leaves this much doubt in a slope.
-constexpr double doubt = 1e-6;
-
 double part_seen_at(const TargetSight& sight, const TargetSight::Level& level,
                     const receiver::TargetFrame::Seen& target) {
   // Straight below the radar nothing stands in between.
@@ -18,12 +15,11 @@ double part_seen_at(const TargetSight& sight, const TargetSight::Level& level,
   const auto slope_of = [&](double height_m) {
     return (height_m - radar_height_m) / target.distance_m - grid.drop_per_square_m * target.distance_m;
   };
-  const auto last_left = static_cast<double>(grid.azimuths - 2), last_node = static_cast<double>(grid.distances - 1);
+  const auto last_left = static_cast<double>(grid.azimuths - 2);
   const double across = std::clamp(target.beam * static_cast<double>(sight.azimuths_a_beam), 0.0, last_left + 1.0);
   const double left = std::min(std::floor(across), last_left), part = across - left;
   // Ground under the target itself hides it no more than ground hides itself.
-  const auto node =
-      static_cast<std::size_t>(std::clamp((target.distance_m - grid.near_m) / grid.step_m, 0.0, last_node));
+  const std::size_t node = grid.node_before(target.distance_m);
   const auto azimuth = static_cast<std::size_t>(left);
   const auto between = [part](double on_left, double on_right) { return (1.0 - part) * on_left + part * on_right; };
   const HorizonMap& horizon = *level.horizon;
@@ -32,7 +28,7 @@ double part_seen_at(const TargetSight& sight, const TargetSight::Level& level,
   };
   const double ridges = between(static_cast<double>(horizon.slopes(azimuth)[node]),
                                 static_cast<double>(horizon.slopes(azimuth + 1)[node])) -
-                        doubt;
+                        slope_doubt;
   const auto slope_on_ground = [&] {
     const Occluders& occluders = occluders_at(azimuth);
     const double ground_m = terrain::height_at(occluders.terrain, {target.position.x, target.position.y}) -
@@ -51,13 +47,13 @@ double part_seen_at(const TargetSight& sight, const TargetSight::Level& level,
     if (slope < ridges || lies_behind_crest(slope)) return 0.0;
   }
   if (horizon.solid_slopes(azimuth) == nullptr) return 1.0;
-  const bool is_on_ground = slope <= ridges + 2.0 * doubt;
+  const bool is_on_ground = slope <= ridges + 2.0 * slope_doubt;
   const auto through = [&](std::size_t at) {
-    if (slope + doubt < static_cast<double>(horizon.solid_slopes(at)[node])) return 0.0;
+    if (slope + slope_doubt < static_cast<double>(horizon.solid_slopes(at)[node])) return 0.0;
     const Occluders& occluders = occluders_at(at);
     const double to_node = is_on_ground ? static_cast<double>(horizon.through(at)[node])
                                         : horizon.through_from(at, node, slope, sight.radar, occluders);
-    return to_node * horizon.through_beyond(at, node, target.distance_m, slope + doubt, sight.radar, occluders);
+    return to_node * horizon.through_beyond(at, node, target.distance_m, slope + slope_doubt, sight.radar, occluders);
   };
   return between(through(azimuth), through(azimuth + 1));
 }
