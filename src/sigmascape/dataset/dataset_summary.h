@@ -19,8 +19,8 @@ inline constexpr std::size_t sheet_samples = 36, sheet_side = 64;
 [[nodiscard]] std::filesystem::path index_path(const std::filesystem::path& folder, std::size_t lot);
 
 /// Writes what is told of all samples together, from the index of every lot: manifest.json, annotations.json and
-/// contact_sheet.png. Goes through the indices lot by lot, with one of them at a time in memory. Throws Error when an index
-/// cannot be read.
+/// contact_sheet.png. Goes through the indices lot by lot, with one of them at a time in memory. Throws Error when an
+/// index cannot be read.
 void write_summary(const SampleMaker& maker, const std::filesystem::path& folder, std::size_t lots);
 
 }  // namespace sigmascape::dataset

@@ -13,9 +13,9 @@ namespace sigmascape::simulate {
 /// Where a direct echo comes from; for one of several bounces where it seems to stand.
 [[nodiscard]] Vec3d place_of(const radar::Echo& echo, Vec3d radar_position);
 
-/// The echoes of a scene that no target's box keeps from the radar. One of several bounces is judged by where it seems to
-/// stand. The ground that carries the terrain on beyond the scene's extent (trace::SceneGeometry) is there for walls to
-/// stand before: it reflects onto them, but sends nothing back of its own.
+/// The echoes of a scene that no target's box keeps from the radar. One of several bounces is judged by where it seems
+/// to stand. The ground that carries the terrain on beyond the scene's extent (trace::SceneGeometry) is there for walls
+/// to stand before: it reflects onto them, but sends nothing back of its own.
 class UnhiddenEchoes {
  public:
   UnhiddenEchoes(const radar::Rectangle& extent, std::span<const radar::Target> targets, Vec3d radar_position,

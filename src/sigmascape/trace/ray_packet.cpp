@@ -29,8 +29,8 @@ void RayPacket::set_lengths(float length_m) {
 SIGMASCAPE_VECTOR_TARGETS [[gnu::flatten]] void set_lengths_to(const LevelPlane& plane, RayPacket& packet) {
   RTCRay16& ray = packet.query.ray;
   for (std::size_t i = 0; i < lane_count; ++i) {
-    ray.tfar[i] = plane.distance_m({ray.org_x[i], ray.org_y[i], ray.org_z[i]},
-                                   {ray.dir_x[i], ray.dir_y[i], ray.dir_z[i]});
+    ray.tfar[i] =
+        plane.distance_m({ray.org_x[i], ray.org_y[i], ray.org_z[i]}, {ray.dir_x[i], ray.dir_y[i], ray.dir_z[i]});
   }
 }
 

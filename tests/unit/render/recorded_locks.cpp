@@ -16,8 +16,8 @@
 namespace sigmascape::render {
 namespace {
 
-// A mutex's address, whose lowest bit says that the caller locked it: one word, so that who is preempted while he writes
-// leaves no mutex under another's name.
+// A mutex's address, whose lowest bit says that the caller locked it: one word, so that who is preempted while he
+// writes leaves no mutex under another's name.
 using Locked = std::atomic<std::uintptr_t>;
 constexpr std::uintptr_t by_caller_bit = 1;
 static_assert(alignof(std::mutex) > by_caller_bit);
