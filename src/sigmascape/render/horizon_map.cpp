@@ -110,21 +110,16 @@ const ObstacleMosaic& obstacles_before(const Occluders& occluders) {
   return occluders.obstacles_before_near != nullptr ? *occluders.obstacles_before_near : *occluders.obstacles;
 }
 
-/// Of the ground before the first node and beyond, as low as it may be.
-double lowest_m_of(const Occluders& occluders) {
-  const float lowest_m = std::min(occluders.terrain.lowest_m, ground_before(occluders).lowest_m);
-  return static_cast<double>(lowest_m - occluders.lowered_m);
-}
-
-/// Of the ground before the first node and beyond.
-float highest_m_of(const Occluders& occluders) {
-  return std::max(occluders.terrain.highest_m, ground_before(occluders).highest_m);
+/// Of the ground before the first node and beyond, as low as it may be, and of what stands on it.
+terrain::HeightBounds bounds_of(const Occluders& occluders) {
+  const terrain::TerrainView &within = occluders.terrain, &before = ground_before(occluders);
+  return {std::min(within.lowest_m, before.lowest_m) - occluders.lowered_m,
+          std::max(within.highest_m, before.highest_m) + occluders.tallest_m};
 }
 
 /// No ground nearer than this can hide any of the map's.
-double nearest_occluder_m(const HorizonGrid& grid, Vec3d radar, const Occluders& occluders) {
-  const double lowest_m = lowest_m_of(occluders);
-  const auto highest_m = static_cast<double>(highest_m_of(occluders) + occluders.tallest_m);
+double nearest_occluder_m(const HorizonGrid& grid, Vec3d radar, const terrain::HeightBounds& bounds) {
+  const auto lowest_m = static_cast<double>(bounds.lowest_m), highest_m = static_cast<double>(bounds.highest_m);
   const auto clear_of = [&](double distance_m) {
     // A chord runs below the ground's level by no more than its sagitta.
     const double margin_m = radar.z - highest_m - 0.25 * grid.drop_per_square_m * distance_m * distance_m;
@@ -215,7 +210,11 @@ double solid_slope_at(const Steps& steps, std::size_t i) {
 }  // namespace
 
 LeadSteps lead_of(const HorizonGrid& grid, Vec3d radar, const Occluders& occluders) {
-  const double clear_m = nearest_occluder_m(grid, radar, occluders);
+  return lead_of(grid, radar, bounds_of(occluders));
+}
+
+LeadSteps lead_of(const HorizonGrid& grid, Vec3d radar, const terrain::HeightBounds& bounds) {
+  const double clear_m = nearest_occluder_m(grid, radar, bounds);
   const double step_m = std::max((grid.near_m - clear_m) / static_cast<double>(grid.before_near), grid.step_m);
   // Nothing lies between the radar and a map that begins below it, however short its steps.
   if (!(step_m > 0.0)) return {grid.near_m, grid.step_m, 0};
@@ -352,7 +351,7 @@ void HorizonMap::sweep_obstacles(std::size_t azimuth, Vec3d radar, const Occlude
 double HorizonMap::through_from(std::size_t azimuth, std::size_t node, double slope, Vec3d radar,
                                 const Occluders& occluders) const {
   // As long as the line of sight is above all that stands, there is nothing to walk through.
-  const double over_all_m = radar.z - static_cast<double>(highest_m_of(occluders) + occluders.tallest_m);
+  const double over_all_m = radar.z - static_cast<double>(bounds_of(occluders).highest_m);
   if (over_all_m > 0.0 && slope >= 0.0) return 1.0;
   const double clear_m = over_all_m > 0.0 ? over_all_m / -slope : 0.0;
   Walk walk(grid_, azimuth, radar, occluders);

@@ -6,6 +6,7 @@
 
 #include "sigmascape/base/vec.h"
 #include "sigmascape/render/obstacle_mosaic.h"
+#include "sigmascape/terrain/terrain_pyramid.h"
 #include "sigmascape/terrain/terrain_view.h"
 
 namespace sigmascape::render {
@@ -54,6 +55,8 @@ struct LeadSteps {
   std::size_t count = 0;
 };
 [[nodiscard]] LeadSteps lead_of(const HorizonGrid& grid, Vec3d radar, const Occluders& occluders);
+/// The same of all that may hide the map's ground, known by its bounds alone.
+[[nodiscard]] LeadSteps lead_of(const HorizonGrid& grid, Vec3d radar, const terrain::HeightBounds& bounds);
 
 /// The steepest line of sight to the ground met so far, for every direction and distance: what a point must rise above
 /// to be seen. Where obstacles stand on the ground, the steepest to solid tops besides, and what part of the ground's

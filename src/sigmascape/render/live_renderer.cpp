@@ -309,6 +309,11 @@ GroundSector LiveRenderer::sector_of(Vec3d radar, double near_m, double far_m) c
           far_m};
 }
 
+terrain::HeightBounds LiveRenderer::bounds_with_obstacles() const {
+  const LiveObstacles* const obstacles = ground_->obstacles();
+  return {bounds_.lowest_m, bounds_.highest_m + (obstacles != nullptr ? obstacles->tallest_m() : 0.0F)};
+}
+
 int LiveRenderer::terrain_level(std::size_t level) const {
   return ground_->terrain().level_for(atlas::texel_side_m(ground_->description().patches, level));
 }
@@ -327,12 +332,13 @@ Occluders LiveRenderer::terrain_of(std::size_t sector, const TerrainWindows::Vie
   float error_m = within.error_m;
   double& below_ground_m = frame_.report.below_ground_m;
   if (from_m == 0.0) below_ground_m = std::max(below_ground_m, terrain.depth_below(within, level_within, radar));
-  if (!in_one && grid().near_m > grid().step_m) {
+  const LeadSteps lead = lead_of(grid(), radar, bounds_with_obstacles());
+  if (!in_one && lead.count > 0) {
     // Nearer ground is walked over in longer steps; nodes half as far apart keep its ridges.
-    const double step_m = grid().near_m / static_cast<double>(grid().before_near);
-    const int level_before = std::max(level_within, terrain.level_for(step_m / 4.0));
+    const int level_before = std::max(level_within, terrain.level_for(lead.step_m / 4.0));
+    const double before_from_m = std::max(lead.from_m - lead.step_m, 0.0);
     const LiveTerrain::Surface before =
-        terrain.surface(there, level_before, under(beams, radar, 0.0, grid().near_m), wanted_terrain_);
+        terrain.surface(there, level_before, under(beams, radar, before_from_m, grid().near_m), wanted_terrain_);
     occluders.before_near = before.view;
     occluders.lowered_m = std::max(occluders.lowered_m, before.above_pages_m);
     error_m = std::max(error_m, before.error_m);

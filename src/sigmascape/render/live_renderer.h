@@ -194,6 +194,8 @@ class LiveRenderer {
     return {sectors_.first_edge(sector), sectors_.first_edge(sector + 1)};
   }
   [[nodiscard]] GroundSector sector_of(Vec3d radar, double near_m, double far_m) const;
+  /// Of the ground that the frame looks at and of what stands on it.
+  [[nodiscard]] terrain::HeightBounds bounds_with_obstacles() const;
   /// A sweep's first step ends at the first node.
   [[nodiscard]] double swept_from_m() const { return std::max(grid().near_m - grid().step_m, 0.0); }
   [[nodiscard]] double far_m() const { return grid().near_m + grid().step_m * static_cast<double>(grid().distances); }
