@@ -107,8 +107,8 @@ void add_curves(py::module_& module) {
         return mapped(offset_m, [&](double offset) { return db_from_linear(response.power(offset)); });
       },
       py::arg("radar"), py::arg("offset_m"),
-      "Power of the compressed pulse at offsets of slant range from a point, dB below its peak: float64 of the shape\n"
-      "of offset_m.");
+      "Power of the compressed pulse at offsets of slant range from a point, dB relative to its peak, negative beside\n"
+      "it: float64 of the shape of offset_m.");
   module.def("plot", &plot, py::arg("path"), py::arg("series"), py::kw_only(), py::arg("title") = "",
              py::arg("x_label") = "", py::arg("y_label") = "", py::arg("dots") = false, py::arg("log_x") = false,
              "Draws curves into an .svg or .png: `series` is a dict of name: (x, y). dots: unjoined points.");

@@ -100,10 +100,18 @@ void add_frame(py::module_& module) {
       .def("save", &save_in_turn, py::arg("path"), py::kw_only(), py::arg("frequency_ghz") = py::none(),
            "Writes the amplitudes as .npy (with .json), .npz, .h5 or .sigmf-meta, before the renderer draws its next\n"
            "frame; docs/iq_files.md. A frequency that is not the frame's own is refused.")
-      .def_property_readonly("first_range_m", [](const HeldFrame& f) { return f.frame.grid.first_range_m; })
-      .def_property_readonly("range_step_m", [](const HeldFrame& f) { return f.frame.grid.range_step_m; })
-      .def_property_readonly("first_azimuth_rad", [](const HeldFrame& f) { return f.frame.grid.first_azimuth_rad; })
-      .def_property_readonly("beam_step_rad", [](const HeldFrame& f) { return f.frame.grid.azimuth_step_rad; });
+      .def_property_readonly(
+          "first_range_m", [](const HeldFrame& f) { return f.frame.grid.first_range_m; },
+          "Near edge of range bin 0, slant range in m.")
+      .def_property_readonly(
+          "range_step_m", [](const HeldFrame& f) { return f.frame.grid.range_step_m; },
+          "Slant range from bin to bin, m.")
+      .def_property_readonly(
+          "first_azimuth_rad", [](const HeldFrame& f) { return f.frame.grid.first_azimuth_rad; },
+          "Left edge of beam 0, clockwise from the frame's north.")
+      .def_property_readonly(
+          "beam_step_rad", [](const HeldFrame& f) { return f.frame.grid.azimuth_step_rad; },
+          "Azimuth from beam to beam, clockwise.");
   using Report = render::FrameReport;
   count(binding, "cells", &Report::cells, "Lattice cells looked at.");
   count(binding, "lit", &Report::lit, "Of them seen by the radar.");
@@ -153,7 +161,9 @@ void add_live(py::module_& module) {
                  });
                }),
            py::arg("folder"), py::kw_only(), py::arg("frequency_ghz") = 10.0, py::arg("cache_mib") = 512,
-           py::arg("loaders") = 1)
+           py::arg("loaders") = 1,
+           "folder: of the atlas, with its terrain. frequency_ghz: of the renderers over it. cache_mib: what pages,\n"
+           "terrain and obstacles may take together, MiB. loaders: threads that read and decode.")
       .def(
           "wait", [](const Held<LiveGround>& ground) { long_call([&] { ground.here()->wait_until_loaded(); }); },
           "Returns when all pages and all terrain that frames have asked for are there.")
@@ -163,7 +173,8 @@ void add_live(py::module_& module) {
           [](const Held<LiveGround>& g, double x, double y) {
             return g.here()->terrain().height_at(checked_place(x, y));
           },
-          py::arg("x_m"), py::arg("y_m"))
+          py::arg("x_m"), py::arg("y_m"),
+          "Height of the finest ground at a place of the local frame, m above mean sea level. May read a tile.")
       .def_property_readonly(
           "extent_m",
           [](const Held<LiveGround>& g) {

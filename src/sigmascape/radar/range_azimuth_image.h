@@ -34,7 +34,9 @@ struct RangeAzimuthGrid {
 struct RangeAzimuthImage {
   RangeAzimuthGrid grid;
   Vec3d radar_position;
-  Array2D<Channels> rcs_m2;  ///< [azimuth, range]: cross-section of all that answers in the bin, linear
+  /// [azimuth, range]: cross-section of all that answers in the bin, linear. In `values()` azimuths run fastest, ranges
+  /// slowest: the other way round than the bins of a live frame.
+  Array2D<Channels> rcs_m2;
 };
 
 }  // namespace sigmascape::radar

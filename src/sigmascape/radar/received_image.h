@@ -11,7 +11,7 @@ namespace sigmascape::radar {
 struct ReceivedImage {
   RangeAzimuthGrid grid;
   Vec3d radar_position;
-  Array2D<Channels> power_w;  ///< [azimuth, range], W
+  Array2D<Channels> power_w;  ///< [azimuth, range], W; in `values()` azimuths run fastest
   double noise_w = 0.0;       ///< mean noise beside it, the same in every bin
 };
 

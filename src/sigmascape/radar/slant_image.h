@@ -28,7 +28,7 @@ struct ImageAxis {
 struct RangeDopplerImage {
   ImageAxis range_m;
   ImageAxis doppler_hz;                  ///< one pulse repetition frequency: what lies outside is folded in
-  Array2D<ComplexChannels> amplitude_m;  ///< [Doppler, range]
+  Array2D<ComplexChannels> amplitude_m;  ///< [Doppler, range]; in `values()` Doppler runs fastest
   Motion platform;                       ///< in the middle of the interval
   double frequency_hz = 0.0;
   double interval_s = 0.0;
@@ -50,7 +50,7 @@ struct RangeDopplerImage {
 struct StripmapImage {
   ImageAxis closest_range_m;
   ImageAxis along_m;                     ///< from where the platform is at `platform`
-  Array2D<ComplexChannels> amplitude_m;  ///< [along, closest range]
+  Array2D<ComplexChannels> amplitude_m;  ///< [along, closest range]; in `values()` places along run fastest
   Motion platform;
   double squint_rad = 0.0;  ///< of the beam, ahead of broadside
   /// Where the axis of the beam pointed all along the strip, clockwise from the frame's north, if the antenna's pattern

@@ -15,6 +15,7 @@ namespace sigmascape::receiver {
 struct ReceivedPower {
   radar::RangeAzimuthGrid grid;
   /// [azimuth, range], W: a compressed pulse with the beam's axis in the bin's middle and the receiver sampling there.
+  /// In `values()` azimuths run fastest, ranges slowest: the other way round than the bins of a live frame.
   Array2D<float> signal_w;
   double noise_w = 0.0;  ///< k T₀ B F, the same in every bin
 };
@@ -44,7 +45,7 @@ std::uint64_t digitise(std::span<std::complex<float>> volts, const radar::Analog
 /// What leaves the receiver for one realisation of the noise.
 struct DetectedImage {
   radar::RangeAzimuthGrid grid;
-  Array2D<float> video;  ///< [azimuth, range]; V, V² or dB over one V², by the detector
+  Array2D<float> video;  ///< [azimuth, range], azimuths running fastest; V, V² or dB over one V², by the detector
   std::uint64_t saturated = 0;
 };
 

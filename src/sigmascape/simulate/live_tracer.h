@@ -42,7 +42,9 @@ struct LiveTraceSettings {
 /// threads nor on how rays are spread over calls, and on poses before in that alone which cells those left.
 ///
 /// Speckle is that of LiveRenderer: one scatterer a cell of the lattice, whose power is that of all echoes that land
-/// there for one who knows the ground alone. docs/decisions/0099-speckle-of-traced-frames.md.
+/// there for one who knows the ground alone. docs/decisions/0099-speckle-of-traced-frames.md. Across, a scatterer is
+/// shared between two beams, however many its cell is wide: where beams are narrower than cells, I/Q is spots with dark
+/// beams between them, right in the mean alone. LiveRenderer lets a cell answer in all beams over it.
 ///
 /// The Earth curves away from the middle of the area that the bins look at; about it ground is taken to be flat, which
 /// 2 km from there is wrong by a quarter of a metre. Ground outside the scene's extent does not answer. Point targets
