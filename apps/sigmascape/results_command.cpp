@@ -57,6 +57,7 @@ void run_results(const ResultsOptions& options, const Output& output) {
                              .links = PageLinks(path_within(options.page)),
                              .vertices = vertices_within_extent(scene),
                              .tracing_memory_bytes = measurement.scene().geometry.memory_bytes(),
+                             .patches = plan.bake_settings(Method::OwnGround).patches.covering(scene.extent).size(),
                              .views = measurement.results(),
                              .rows = rows_of(measurement.results()),
                              .figures = paper_figures(measurement, plan, folder)};

@@ -44,14 +44,15 @@ std::string metrics_text(const product::CellComparison& cell) {
                      signed_text(cell.bias_db, 2), number_text(cell.l1, 3), number_text(cell.shadow_iou, 2));
 }
 
-std::string metrics_text(const product::CellComparison& median, const product::CellComparison& worst,
-                         std::size_t views) {
+std::string metrics_text(const product::CellComparison& median, const product::CellComparison& worst, std::size_t views,
+                         std::size_t shadow_views) {
   if (views == 1) return metrics_text(median);
-  return fmt::format("{} | {} | {} | {} | {}", with_worst(median.correlation_db, worst.correlation_db, 3, number_text),
-                     with_worst(median.rms_db, worst.rms_db, 2, number_text),
-                     with_worst(median.bias_db, worst.bias_db, 2, signed_text),
-                     with_worst(median.l1, worst.l1, 3, number_text),
-                     with_worst(median.shadow_iou, worst.shadow_iou, 2, number_text));
+  const std::string of_fewer = shadow_views > 0 && shadow_views < views ? fmt::format(" of {}", shadow_views) : "";
+  return fmt::format(
+      "{} | {} | {} | {} | {}{}", with_worst(median.correlation_db, worst.correlation_db, 3, number_text),
+      with_worst(median.rms_db, worst.rms_db, 2, number_text),
+      with_worst(median.bias_db, worst.bias_db, 2, signed_text), with_worst(median.l1, worst.l1, 3, number_text),
+      with_worst(median.shadow_iou, worst.shadow_iou, 2, number_text), of_fewer);
 }
 
 std::string error_text(const product::CellComparison& cell) {

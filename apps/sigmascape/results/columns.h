@@ -26,9 +26,10 @@ inline constexpr const char* metric_rules = "---:|---:|---:|---:|---:";
 
 /// The cells below metric_heads.
 [[nodiscard]] std::string metrics_text(const product::CellComparison& cell);
-/// The same over several views: medians and, in brackets, the worst values; of one view its own.
+/// The same over several views: medians and, in brackets, the worst values; of one view its own. Where the overlap of
+/// shadows is of fewer views their number stands behind it.
 [[nodiscard]] std::string metrics_text(const product::CellComparison& median, const product::CellComparison& worst,
-                                       std::size_t views);
+                                       std::size_t views, std::size_t shadow_views);
 /// Cells of correlation, RMS, L1 and IoU alone.
 [[nodiscard]] std::string error_text(const product::CellComparison& cell);
 

@@ -25,6 +25,20 @@ struct MeasuredContrast {
 /// Nothing where one of the two was not measured.
 [[nodiscard]] std::optional<MeasuredContrast> measured(const Contrast& contrast, const std::vector<ResultsRow>& rows);
 
+/// What an error falls by from one case to another, view by view: a difference of medians may be of different views.
+struct PairedFall {
+  std::size_t views = 0;   ///< that both cases were measured at
+  std::size_t better = 0;  ///< of these, at which the error falls
+  double mean = 0.0;       ///< of each view's own fall; 0 without views
+};
+
+/// At summary_cell_m.
+[[nodiscard]] PairedFall fall_between(const ResultsRow& from, const ResultsRow& to,
+                                      double product::CellComparison::*error);
+
+/// "-0.48 | 6 of 24": of the RMS of dB; dashes without views.
+[[nodiscard]] std::string fall_text(const PairedFall& fall);
+
 /// The first line of a table of contrasts: what two traced maps of the views differ by, and cells that stay empty. No
 /// line without such views.
 [[nodiscard]] std::string truth_line(const ResultsPlan& plan, const std::vector<ResultsRow>& rows, ViewKind kind,

@@ -27,6 +27,16 @@ std::string cost_table(const ResultsReport& report, const TracedRays& rays) {
   return text;
 }
 
+/// Where the square lies on several patches their bakes are dearer than one of the square.
+std::string patches_text(const ResultsReport& report) {
+  if (report.patches < 2) return {};
+  return fmt::format(
+      "Times of bakes are not of the same area: the square lies on {} patches of {:.0f} m, and ours bakes each by "
+      "itself, with all around it that lies over or echoes into it, as it bakes landscapes of any size; the paper's "
+      "method bakes the square at once.\n\n",
+      report.patches, report.plan.bake_settings(Method::OwnGround).patches.side_m());
+}
+
 std::string vertices_text(const ResultsReport& report) {
   const auto [terrain, objects] = report.vertices;
   const auto all = static_cast<double>(terrain + objects);
@@ -57,7 +67,7 @@ std::string costs_section(const ResultsReport& report) {
              "patches, which reach beyond), and, to trace, the scene's acceleration structures.\n\n",
              report.machine, plan.baked_samples, rays.fewest,
              rays.most > rays.fewest ? ", in proportion where a view has more" : "", plan.side_m()) +
-         cost_table(report, rays) + "\n" + vertices_text(report);
+         cost_table(report, rays) + "\n" + patches_text(report) + vertices_text(report);
 }
 
 }  // namespace sigmascape::cli

@@ -49,41 +49,60 @@ struct SummaryLine {
 SummaryLine line_of(const ResultsRow& row, const ResultsCell& cell) {
   return {row.of,
           row.views,
-          metrics_text(cell.median, cell.worst, row.views),
+          metrics_text(cell.median, cell.worst, row.views, cell.shadow_views),
           row.of.grid,
           megabytes(row.atlas.store_bytes),
           fmt::format("{:.0f}", row.atlas.bake_seconds)};
 }
 
-const char* mark(bool reached) {
-  return reached ? "reached" : "missed";
+/// At how many of so many views an aim is reached.
+struct Reached {
+  std::size_t views = 0, of = 0;
+};
+
+/// "reached, 2 of 3".
+std::string mark(bool median_reaches, const Reached& reached) {
+  return fmt::format("{}, {} of {}", median_reaches ? "reached" : "missed", reached.views, reached.of);
 }
 
 /// Three cells: a correlation, its aim, and whether it was reached.
-std::string correlation_beside(double least, double correlation) {
+std::string correlation_beside(double least, double correlation, const Reached& reached) {
   return fmt::format("{} | {:.2f} | {}", number_text(correlation, decimals_that_tell(correlation, least, 3)), least,
-                     mark(correlation >= least));
+                     mark(correlation >= least, reached));
+}
+
+/// The views of a row whose number, without its sign, is no less or no more than an aim.
+Reached views_with(const ResultsRow& row, double product::CellComparison::*number, auto reaches) {
+  const auto does = [&](const ResultsAtView& view) { return reaches(std::abs(view.tested.*number)); };
+  return {static_cast<std::size_t>(std::ranges::count_if(row.at_views, does)), row.at_views.size()};
 }
 
 /// How well two traced maps of a view agree, which bounds what can be shown of any method.
 std::string truth_aim(const ResultsReport& report, const std::string& scene, ViewKind kind) {
   const product::CellComparison* floor = noise_floor(report.plan, report.rows, scene, kind);
   if (floor == nullptr) return {};
+  const ResultsRow& row = *baseline_row(report.plan, report.rows, scene, kind);
   return fmt::format("|{} {} | *truth*, {} rays a cell | | | {} | {} | | |\n", SceneColumn(report.plan).cell(scene),
                      text_of(kind), traced_rays(report.plan, report.rows, scene, kind).text(),
-                     correlation_beside(least_agreement, floor->correlation_db), signed_text(floor->bias_db, 2));
+                     correlation_beside(least_agreement, floor->correlation_db, {row.agreeing_views, row.views}),
+                     signed_text(floor->bias_db, 2));
 }
 
 /// A row beside its aims.
 std::string aim_line(const ResultsReport& report, const ResultsRow& row, const ResultsCell& cell, double least) {
   constexpr double most_bias_db = 0.3;
-  const double bias_db = cell.median.bias_db, size_db = std::abs(bias_db);
+  const double bias_db = cell.median.bias_db;
+  const Reached correlating = views_with(row, &product::CellComparison::correlation_db,
+                                         [least](double correlation) { return correlation >= least; });
+  const Reached unbiased =
+      views_with(row, &product::CellComparison::bias_db, [](double size_db) { return size_db <= most_bias_db; });
   return fmt::format(
-      "|{} {} | {}{}{} | {} | {:.1f} | {} | {} | ±{:g} | {} |\n", SceneColumn(report.plan).cell(row.of.scene),
+      "|{} {} | {}{}{} | {} | {:.1f} | {} | {} ({}) | ±{:g} | {} |\n", SceneColumn(report.plan).cell(row.of.scene),
       text_of(row.of.kind), text_of(row.of.method), row.of.change.empty() ? "" : ", ", row.of.change,
       rays_text(row.of.baked_samples), row.atlas.bake_seconds / static_cast<double>(row.atlas.looks),
-      correlation_beside(least, cell.median.correlation_db),
-      signed_text(bias_db, decimals_that_tell(most_bias_db, size_db, 2)), most_bias_db, mark(size_db <= most_bias_db));
+      correlation_beside(least, cell.median.correlation_db, correlating),
+      signed_text(bias_db, decimals_that_tell(most_bias_db, std::abs(bias_db), 2)), signed_text(cell.worst.bias_db, 2),
+      most_bias_db, mark(2 * unbiased.views > unbiased.of, unbiased));
 }
 
 /// Views that were baked, from the grid as it is measured, from the same looks with rays where the noise is, as they
@@ -119,9 +138,9 @@ std::string cell_heads() {
 std::string lines_by_cell(const ResultsRow& row) {
   std::string text;
   for (const ResultsCell& cell : row.cells) {
-    text +=
-        fmt::format("| {} | {} | {} | {:.0f} | {} | {} |\n", text_of(row.of.kind), text_of(row.of.method), row.of.grid,
-                    cell.median.cell_m, metrics_text(cell.median, cell.worst, row.views), floor_and_cost(cell, row));
+    text += fmt::format("| {} | {} | {} | {:.0f} | {} | {} |\n", text_of(row.of.kind), text_of(row.of.method),
+                        row.of.grid, cell.median.cell_m,
+                        metrics_text(cell.median, cell.worst, row.views, cell.shadow_views), floor_and_cost(cell, row));
   }
   return text;
 }
@@ -150,7 +169,9 @@ std::string summary_section(const ResultsReport& report) {
   std::string text =
       fmt::format(
           "## Every method and grid of looks, at {:.0f} m cells\n\nMedians over the views, whose number stands behind "
-          "their kind, and in brackets the worst. Grids that hold the same looks for all these views share a row.\n\n"
+          "their kind, and in brackets the worst. Grids from which all numbers are the same, for they hold the same "
+          "looks "
+          "of these views, share a row.\n\n"
           "|{} views | method | looks | {} | store [MB] | bake [s] |\n",
           summary_cell_m, scene.head(), metric_heads) +
       fmt::format("|{}---|---|---|{}|---:|---:|\n", scene.rule(), metric_rules);
@@ -161,7 +182,8 @@ std::string summary_section(const ResultsReport& report) {
     if (cell == nullptr || !is_plain(row, plan) || is_side_grid(row, plan)) continue;
     const std::string group = row.of.scene + text_of(row.of.kind);
     if (group != last) {
-      lines.push_back({row.of, row.views, metrics_text(cell->floor_median, cell->floor_worst, row.views)});
+      lines.push_back(
+          {row.of, row.views, metrics_text(cell->floor_median, cell->floor_worst, row.views, cell->shadow_views)});
     }
     last = group;
     const SummaryLine line = line_of(row, *cell);
@@ -186,10 +208,11 @@ std::string aims_section(const ResultsReport& report) {
       "## What was aimed at, and what came out\n\nAims are set for views that were baked, and for the truth at all "
       "views; numbers are medians at {:.0f} m cells. The first row of a method, with {} rays, is from the {} grid, the "
       "others "
-      "from a bake of the view's own look. *Rays where the noise is* are what `sigmascape bake` takes by itself. An "
-      "aim that {} rays miss "
-      "and {} reach is missed because of the bake's noise; what more is gained by narrower texels was lost to {}.\n\n",
-      summary_cell_m, plan.baked_samples, plan.paper_grid().name(), plan.baked_samples, plan.finer_samples,
+      "from a bake of the view's own look. *Rays where the noise is* are what `sigmascape bake` takes by itself. "
+      "Whether an aim is reached is of the median, of the bias's size where that is aimed at; behind it stands at how "
+      "many of the views it is, and beside the bias in brackets the worst. What {} rays bring beside {} was lost to "
+      "noise, and what narrower texels bring beside these to {}.\n\n",
+      summary_cell_m, plan.baked_samples, plan.paper_grid().name(), plan.finer_samples, plan.baked_samples,
       report.links.to("their width", "docs/decisions/0118-texels-and-cells.md"));
   text += fmt::format("|{} views | method | rays a texel | bake of a look [s] | ", scene.head()) +
           "correlation of dB | aim | | bias [dB] | aim | |\n";
@@ -236,7 +259,8 @@ std::string detail_section(const ResultsReport& report) {
         const ResultsCell* cell = row->at_cell(cell_m);
         if (cell == nullptr) continue;
         text += fmt::format("| {} | {} | {:.0f} | {} | {} |\n", level, text_of(kind), cell_m,
-                            metrics_text(cell->median, cell->worst, row->views), floor_and_cost(*cell, *row));
+                            metrics_text(cell->median, cell->worst, row->views, cell->shadow_views),
+                            floor_and_cost(*cell, *row));
       }
     }
   }

@@ -191,7 +191,7 @@ product::PageSection scene_section(const Measurement& measurement, const Results
   write(optical, optical_view(measured.scene, measured.geometry, pixels_wide, plan.threads));
   write(materials, ground.picture);
   product::PageSection section{
-      .heading = "Figures 5 and 6: the scene",
+      .heading = ground.classes > 1 ? "Figures 5 and 6: the scene" : "Figure 5: the scene",
       .figures = {
           {optical,
            "Surfaces in the colours of their materials, from above, lit from the south-east, where the radar stands"}}};
@@ -200,7 +200,8 @@ product::PageSection scene_section(const Measurement& measurement, const Results
   } else {
     section.paragraphs.push_back(
         "The ground is of one material: " +
-        measured.scene.materials[measured.scene.ground.at(measured.scene.extent.centre())].name + ".");
+        measured.scene.materials[measured.scene.ground.at(measured.scene.extent.centre())].name +
+        ", so that there is nothing to show in Figure 6.");
   }
   return section;
 }

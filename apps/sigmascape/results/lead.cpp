@@ -78,7 +78,8 @@ std::string words_of_numbers() {
       "polarizations, VV + HH + 2·HV. **ψ** is the angle of the line of sight above the horizontal, **γ** = σ0 / sin "
       "ψ.\n"
       "- The **truth** of a view is the mean of two path-traced maps of the full scene. Rows *truth* hold these two "
-      "against one another: half of their difference is left in the mean, and below that half nothing can be told.\n"
+      "against one another: at least half of their difference is left in the mean, and below that half nothing can be "
+      "told.\n"
       "- **Correlation** and **RMS** are of σ0 in dB, cell by cell, none taken below {:g} dB. **Bias** is the map's "
       "total power over the truth's in dB, positive where the map is too bright. **Relative L1** is the sum of all |σ0 "
       "− true σ0| over the sum of true σ0: 0 is "
@@ -114,8 +115,9 @@ std::string noise_floor_text(const ResultsReport& report) {
   std::string text = fmt::format(
       "The two traced maps of a view differ in their random numbers alone. Baked maps are held against their mean, "
       "which has half the variance of either's noise. So a baked map without any fault or noise would still show half "
-      "of the RMS and of the relative L1 in the row *truth*, and a correlation of √(2ρ/(1 + ρ)), where ρ is the one in "
-      "that row. Nothing better can be shown. At {:.0f} m cells this is:\n\n",
+      "of the RMS and of the relative L1 in the row *truth*, more where rare bright paths are most of the noise, and a "
+      "correlation of √(2ρ/(1 + ρ)), where ρ is the one in that row. Nothing better can be shown. At {:.0f} m cells "
+      "this is:\n\n",
       summary_cell_m);
   for (const ViewKind kind : {ViewKind::OnGrid, ViewKind::HeldOut}) {
     const product::CellComparison* floor = noise_floor(report.plan, report.rows, report.plan.scene_name(), kind);

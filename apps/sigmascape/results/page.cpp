@@ -42,6 +42,9 @@ std::string grid_list(const ResultsPlan& plan) {
   for (const LookGrid& grid : grids)
     text += fmt::format("- {}: azimuths every {:g}°, elevations {}°\n", grid.name(), 360.0 / grid.azimuths,
                         fmt::join(grid.elevations_deg, "°, "));
+  if (!plan.has_finest_grid())
+    text += fmt::format("- {}, which a page may have besides: left out, for its bake takes longest\n",
+                        ResultsPlan::finest_grid().name());
   return text;
 }
 
@@ -74,15 +77,18 @@ std::string figures_text(const std::vector<product::PageSection>& sections, cons
 
 std::string settings_text(const ResultsReport& report) {
   const ResultsPlan& plan = report.plan;
+  constexpr std::uint32_t papers_samples = 100;
   const auto rays_of = [&](ViewKind kind) { return traced_rays(plan, report.rows, plan.scene_name(), kind).text(); };
   return fmt::format(
              "## Settings\n\n"
-             "- {} rays a texel of {:.2f} m, {} where stated. Each method is baked once, from its finest grid; coarser "
+             "- {} rays a texel of {:.2f} m{}, {} where stated. Each method is baked once, from its finest grid; "
+             "coarser "
              "grids are looks of the same bake; the one in cot ψ and the one whose texels share noise have their own\n"
              "- {} rays a 2 m cell in each of the two traced maps of a view, {} where it was baked\n"
              "- {} bounces, seed {}, 10 GHz\n",
-             plan.baked_samples, ResultsPlan::texel_m, plan.finer_samples, rays_of(ViewKind::HeldOut),
-             rays_of(ViewKind::OnGrid), plan.bounces, plan.seed) +
+             plan.baked_samples, ResultsPlan::texel_m,
+             plan.baked_samples == papers_samples ? "" : fmt::format(" (the paper has {})", papers_samples),
+             plan.finer_samples, rays_of(ViewKind::HeldOut), rays_of(ViewKind::OnGrid), plan.bounces, plan.seed) +
          grid_list(plan) +
          "\nHeld-out views are drawn from the seed, azimuth evenly over the circle and elevation evenly over 3° to "
          "40°; the view of the paper's picture stands by itself." +
@@ -117,12 +123,12 @@ std::vector<product::PageSection> results_sections(const std::vector<ResultsRow>
                           .paragraphs = {"Correlation of dB, RMS dB, bias in dB, relative L1, shadow IoU; store and "
                                          "processor time of the bake."}});
       sections.back().facts.push_back(
-          {"truth against truth", metrics_text(cell->floor_median, cell->floor_worst, row.views)});
+          {"truth against truth", metrics_text(cell->floor_median, cell->floor_worst, row.views, cell->shadow_views)});
     }
     sections.back().facts.push_back(
         {fmt::format("{}{}{}, {}, rays: {}, LOD {}", text_of(row.of.method), row.of.change.empty() ? "" : ", ",
                      row.of.change, row.of.grid, rays_text(row.of.baked_samples), row.of.level_of_detail),
-         fmt::format("{}; {} MB, {:.0f} s", metrics_text(cell->median, cell->worst, row.views),
+         fmt::format("{}; {} MB, {:.0f} s", metrics_text(cell->median, cell->worst, row.views, cell->shadow_views),
                      megabytes(row.atlas.store_bytes), row.atlas.bake_seconds)});
   }
   return sections;

@@ -27,6 +27,7 @@ struct ResultsReport {
   PageLinks links;
   VertexCounts vertices;                 ///< of which maps from textures keep those of the terrain alone
   std::size_t tracing_memory_bytes = 0;  ///< of the full scene's acceleration structures
+  std::size_t patches = 1;               ///< of the atlas that the square lies on
   std::vector<ViewResult> views;
   std::vector<ResultsRow> rows;
   std::vector<product::PageSection> figures;

@@ -75,7 +75,8 @@ Plot by_cell(const ResultsReport& report) {
   Plot plot{.title = "Error of held-out views by cell size, the " + report.plan.paper_grid().name() + " grid",
             .x_label = "cell [m]",
             .y_label = "RMS [dB]",
-            .x_is_logarithmic = true};
+            .x_is_logarithmic = true,
+            .x_marks = {2.0, 4.0, 8.0, 16.0, 32.0}};
   PlotSeries floor{.name = noise_floor_name, .joined = true};
   for (const Method method : methods) {
     const ResultsRow* row = find_row(report.rows, {.scene = report.plan.scene_name(),

@@ -179,7 +179,7 @@ ResultsPlan results_plan(const ResultsOptions& options) {
   plan.scene_file = options.scene_file;
   if (!options.around_m.empty()) plan.around_m = {options.around_m[0], options.around_m[1]};
   plan.grids = {{8, {5, 13, 21, 29}}, {8, {5, 13, 21, 29, 37}}, {16, {5, 9, 13, 21, 29, 37}}};
-  if (!options.small) plan.grids.push_back({32, {3, 5, 7, 9, 13, 21, 29, 37}});
+  if (!options.small) plan.grids.push_back(ResultsPlan::finest_grid());
   plan.baked_samples = options.baked_samples.value_or(options.small ? 64 : 100);
   plan.traced_samples = options.traced_samples.value_or(options.small ? 256 : 1024);
   plan.most_traced_samples = std::max(plan.traced_samples, options.most_traced_samples.value_or(0));

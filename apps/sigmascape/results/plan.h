@@ -114,6 +114,9 @@ struct ResultsPlan {
   [[nodiscard]] const LookGrid& paper_grid() const { return grids[1]; }
   /// The grid after it.
   [[nodiscard]] const LookGrid& next_grid() const { return grids[2]; }
+  /// The finest grid that a measurement may have; one that is to take minutes goes without.
+  [[nodiscard]] static LookGrid finest_grid() { return {32, {3, 5, 7, 9, 13, 21, 29, 37}}; }
+  [[nodiscard]] bool has_finest_grid() const { return grids.size() > 3; }
   /// The paper's grid with the elevations, or the azimuths, of the one after it.
   [[nodiscard]] LookGrid more_elevations() const { return {paper_grid().azimuths, next_grid().elevations_deg}; }
   [[nodiscard]] LookGrid more_azimuths() const { return {next_grid().azimuths, paper_grid().elevations_deg}; }

@@ -143,6 +143,15 @@ double median_trace_seconds(const std::vector<const ViewResult*>& views, std::ui
   return median(seconds);
 }
 
+std::vector<ResultsAtView> each_of(const std::vector<const ViewResult*>& views) {
+  std::vector<ResultsAtView> each;
+  for (const ViewResult* view : views) {
+    const CellComparison* cell = view->comparison.at_cell(summary_cell_m);
+    if (cell != nullptr) each.push_back({view->view.azimuth_deg, view->view.elevation_deg, *cell});
+  }
+  return each;
+}
+
 ResultsRow row_of(const std::vector<const ViewResult*>& views) {
   const TracedRays rays = rays_of(views);
   ResultsRow row{.of = views.front()->of,
@@ -154,6 +163,7 @@ ResultsRow row_of(const std::vector<const ViewResult*>& views) {
                  .trace_seconds = median_trace_seconds(views, rays.fewest),
                  .render_ms = median_of(views, &ViewResult::render_ms),
                  .cells = {},
+                 .at_views = each_of(views),
                  .by_level = sum_of(views, &ViewResult::by_level),
                  .noise_by_level = sum_of(views, &ViewResult::noise_by_level),
                  .without_noise = without_noise_of(views)};
@@ -161,7 +171,8 @@ ResultsRow row_of(const std::vector<const ViewResult*>& views) {
     const std::vector<ViewCell> cells = at_cells(views, size.cell_m);
     if (cells.empty()) continue;
     const MedianAndWorst values = over_views(cells, &ViewCell::tested), noise = over_views(cells, &ViewCell::floor);
-    row.cells.push_back({values.median, values.worst, noise.median, noise.worst});
+    row.cells.push_back({values.median, values.worst, noise.median, noise.worst,
+                         static_cast<std::size_t>(std::ranges::count_if(cells, &ViewCell::has_shadows))});
   }
   return row;
 }

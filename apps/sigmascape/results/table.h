@@ -84,6 +84,13 @@ struct ViewResult {
 struct ResultsCell {
   product::CellComparison median, worst;
   product::CellComparison floor_median, floor_worst;
+  std::size_t shadow_views = 0;  ///< that the overlap of shadows is of
+};
+
+/// A case at one view, at summary_cell_m.
+struct ResultsAtView {
+  double azimuth_deg = 0.0, elevation_deg = 0.0;
+  product::CellComparison tested;
 };
 
 /// What is left at summary_cell_m without noise, beside what was measured: medians over the views that were repeated.
@@ -109,6 +116,7 @@ struct ResultsRow {
   double trace_seconds = 0.0;  ///< median over the views, of so many rays as the view with the fewest has
   double render_ms = 0.0;      ///< median over the views
   std::vector<ResultsCell> cells;
+  std::vector<ResultsAtView> at_views;
   std::vector<product::LevelError> by_level, noise_by_level;  ///< sums over the views
   ResultsWithoutNoise without_noise = {};
 

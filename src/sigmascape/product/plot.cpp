@@ -40,8 +40,8 @@ struct Extent {
 /// One axis: from numbers to places, with round numbers to mark.
 class Axis {
  public:
-  Axis(Extent values, double start, double end, bool is_logarithmic, bool from_zero)
-      : is_logarithmic_(is_logarithmic), start_(start), end_(end) {
+  Axis(Extent values, double start, double end, bool is_logarithmic, bool from_zero, std::vector<double> marked = {})
+      : is_logarithmic_(is_logarithmic), marked_(std::move(marked)), start_(start), end_(end) {
     if (!std::isfinite(values.lowest)) values = {1.0, 1.0};
     const bool zero_below = from_zero && !is_logarithmic && values.lowest >= 0.0;
     low_ = scaled(zero_below ? 0.0 : values.lowest);
@@ -64,10 +64,22 @@ class Axis {
     std::string text;
   };
 
-  [[nodiscard]] std::vector<Mark> marks() const { return is_logarithmic_ ? logarithmic_marks() : even_marks(); }
+  [[nodiscard]] std::vector<Mark> marks() const {
+    if (!marked_.empty()) return given_marks();
+    return is_logarithmic_ ? logarithmic_marks() : even_marks();
+  }
 
  private:
   [[nodiscard]] double scaled(double value) const { return is_logarithmic_ ? std::log10(value) : value; }
+
+  [[nodiscard]] std::vector<Mark> given_marks() const {
+    std::vector<Mark> marks;
+    for (const double value : marked_) {
+      if (holds(value) && scaled(value) >= low_ && scaled(value) <= high_)
+        marks.push_back({value, fmt::format("{:g}", value)});
+    }
+    return marks;
+  }
 
   [[nodiscard]] std::vector<Mark> logarithmic_marks() const {
     std::vector<Mark> marks;
@@ -102,6 +114,7 @@ class Axis {
   }
 
   bool is_logarithmic_;
+  std::vector<double> marked_;
   double low_ = 0.0, high_ = 1.0, start_, end_;
 };
 
@@ -109,7 +122,7 @@ class PlotDrawer {
  public:
   explicit PlotDrawer(const Plot& plot)
       : plot_(plot),
-        x_(x_extent(), left, drawing_.width - right, plot.x_is_logarithmic, plot.x_from_zero),
+        x_(x_extent(), left, drawing_.width - right, plot.x_is_logarithmic, plot.x_from_zero, plot.x_marks),
         y_(extent_of(&std::pair<double, double>::second), drawing_.height - bottom, top, plot.y_is_logarithmic,
            plot.y_from_zero) {}
 

@@ -23,6 +23,7 @@ struct Plot {
   bool y_is_logarithmic = false;
   bool x_from_zero = true;  ///< the axis begins at zero even when no point comes near it; not when logarithmic
   bool y_from_zero = true;
+  std::vector<double> x_marks = {};                      ///< where the axis is marked; empty: at round numbers
   std::optional<std::pair<double, double>> x_ends = {};  ///< the axis holds both, whether points come near them or not
   double y_floor = -std::numeric_limits<double>::infinity();  ///< what lies lower is not drawn
   std::vector<PlotSeries> series = {};

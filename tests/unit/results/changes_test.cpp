@@ -1,6 +1,8 @@
 #include "results/changes.h"
 
+#include <algorithm>
 #include <gmock/gmock.h>
+#include <tuple>
 
 #include "bake_options.h"
 #include "made_rows.h"
@@ -69,6 +71,24 @@ TEST(ResultsChanges, SayOfEachWhetherItWasKept) {
   bound.change = renormalized_change;
   rows.push_back(made_row(bound, 5.0, 0.4, 10'000'000));
   EXPECT_THAT(changes_table(plan, rows), HasSubstr("| a bound: needs the map from 16 × 6 |"));
+}
+
+// Two medians may be of different views: what a change brings is told view by view.
+TEST(ResultsChanges, AreWeighedViewByView) {
+  const ResultsPlan plan = made_plan();
+  ResultsRow before = made_row(made_case(plan, Method::LevelGround, ViewKind::HeldOut), 5.0, 0.5);
+  ResultsRow after = made_row(made_case(plan, Method::OwnGround, ViewKind::HeldOut), 6.0, 0.5);
+  for (const auto& [view, before_db, after_db] : {std::tuple(0U, 2.0, 1.9), {1U, 5.0, 6.1}, {2U, 5.0, 4.9}}) {
+    before.at_views[view].tested.rms_db = before_db;
+    after.at_views[view].tested.rms_db = after_db;
+  }
+  before.at_views.pop_back();
+  std::ranges::reverse(after.at_views);
+  const PairedFall fall = fall_between(before, after, &product::CellComparison::rms_db);
+  EXPECT_EQ(fall.views, 3U) << "of a view that only one was measured at there is no difference";
+  EXPECT_EQ(fall.better, 2U);
+  EXPECT_NEAR(fall.mean, -0.3, 1e-12);
+  EXPECT_THAT(changes_table(plan, {before, after}), HasSubstr("| -0.30 | 2 of 3 | kept, costs here |\n"));
 }
 
 TEST(ResultsChanges, SayOfWhatWasKeptWhereItPaysLittle) {

@@ -37,8 +37,10 @@ TEST(ResultsColumns, WorstValuesStandInBracketsWhereViewsAreSeveral) {
   product::CellComparison worst = median;
   worst.rms_db = 3.0;
   worst.shadow_iou = not_defined;
-  EXPECT_EQ(metrics_text(median, worst, 2), "0.900 (0.900) | 2.00 (3.00) | 0.00 (0.00) | 0.100 (0.100) | 0.50 (–)");
-  EXPECT_EQ(metrics_text(median, worst, 1), "0.900 | 2.00 | 0.00 | 0.100 | 0.50");
+  EXPECT_EQ(metrics_text(median, worst, 2, 2), "0.900 (0.900) | 2.00 (3.00) | 0.00 (0.00) | 0.100 (0.100) | 0.50 (–)");
+  EXPECT_EQ(metrics_text(median, worst, 24, 5),
+            "0.900 (0.900) | 2.00 (3.00) | 0.00 (0.00) | 0.100 (0.100) | 0.50 (–) of 5");
+  EXPECT_EQ(metrics_text(median, worst, 1, 1), "0.900 | 2.00 | 0.00 | 0.100 | 0.50");
 }
 
 TEST(ResultsColumns, ScenesAreToldApartWhereThereAreTwo) {

@@ -23,7 +23,9 @@ inline ResultsRow made_row(const ResultsCase& of, double rms_db, double l1, std:
       .cell_m = summary_cell_m, .correlation_db = 0.9, .rms_db = rms_db, .l1 = l1, .shadow_iou = 0.5};
   product::CellComparison floor = cell;
   floor.rms_db = 2.0;
-  row.cells = {{cell, cell, floor, floor}};
+  row.cells = {{cell, cell, floor, floor, row.views}};
+  for (std::size_t view = 0; view < row.views; ++view)
+    row.at_views.push_back({.azimuth_deg = 10.0 * static_cast<double>(view), .elevation_deg = 20.0, .tested = cell});
   return row;
 }
 

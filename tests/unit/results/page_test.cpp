@@ -24,6 +24,7 @@ ResultsReport made_report(bool is_a_place) {
                        .links = PageLinks("docs/results/itu/README.md"),
                        .vertices = {.terrain = 100, .objects = 900},
                        .tracing_memory_bytes = 1'000'000,
+                       .patches = 4,
                        .views = {},
                        .rows = {},
                        .figures = {{.heading = "Figures 5 and 6: the scene", .figures = {{"a.png", "above"}}}}};
@@ -139,6 +140,29 @@ TEST(ResultsPage, PlotsHaveTheLeastErrorThatCanBeShown) {
     for (const auto& [x, rms_db] : floor.points)
       EXPECT_EQ(rms_db, 1.0) << name << ", half of what two traced maps differ by";
   }
+}
+
+TEST(ResultsPage, SaysAtHowManyViewsAnAimIsReached) {
+  ResultsReport report = made_report(true);
+  ResultsRow& ours = report.rows[3];
+  ASSERT_EQ(ours.of, made_case(report.plan, Method::OwnGround, ViewKind::OnGrid));
+  ours.cells.front().median.correlation_db = 0.955;
+  ours.cells.front().worst.bias_db = 1.31;
+  for (const auto& [view, correlation, bias_db] :
+       {std::tuple(0U, 0.93, 1.31), {1U, 0.95, -0.67}, {2U, 0.96, 0.3}, {3U, 0.97, -0.4}}) {
+    ours.at_views[view].tested.correlation_db = correlation;
+    ours.at_views[view].tested.bias_db = bias_db;
+  }
+  EXPECT_THAT(results_markdown(report),
+              HasSubstr("| 0.955 | 0.95 | reached, 3 of 4 | 0.00 (+1.31) | ±0.3 | missed, 1 of 4 |"))
+      << "biases of opposite signs do not make up for one another";
+}
+
+TEST(ResultsPage, SaysWhereBakesAreOfMorePatchesThanOne) {
+  EXPECT_THAT(results_markdown(made_report(true)), HasSubstr("the square lies on 4 patches of 500 m"));
+  ResultsReport one = made_report(true);
+  one.patches = 1;
+  EXPECT_THAT(results_markdown(one), Not(HasSubstr("patches of 500 m")));
 }
 
 TEST(ResultsPage, SaysNoOverlapOfFewCellsInShadow) {
