@@ -118,12 +118,20 @@ terrain::HeightBounds bounds_of(const Occluders& occluders) {
 }
 
 /// No ground nearer than this can hide any of the map's.
+///
+/// Over the round Earth the line of sight from the radar's height H to ground of height h at the distance d runs, x
+/// from the radar, H − x ((H − h)/d + q (d − x)) high, with q = 1/(2 k R) (docs/physics/curved_earth.md, Eq. (2)). For
+/// the lowest h this is the first x at which it comes down to the highest of all that stands there. How steeply it
+/// sets out, (H − h)/d + q d, is greatest at one of the map's two ends: that line comes down nearest.
 double nearest_occluder_m(const HorizonGrid& grid, Vec3d radar, const terrain::HeightBounds& bounds) {
-  const auto lowest_m = static_cast<double>(bounds.lowest_m), highest_m = static_cast<double>(bounds.highest_m);
+  const double above_lowest_m = radar.z - static_cast<double>(bounds.lowest_m);
+  const double above_highest_m = radar.z - static_cast<double>(bounds.highest_m);
+  if (above_highest_m <= 0.0) return 0.0;
   const auto clear_of = [&](double distance_m) {
-    // A chord runs below the ground's level by no more than its sagitta.
-    const double margin_m = radar.z - highest_m - 0.25 * grid.drop_per_square_m * distance_m * distance_m;
-    return margin_m <= 0.0 ? 0.0 : distance_m * margin_m / (radar.z - lowest_m);
+    const double drop = grid.drop_per_square_m, fall = above_lowest_m / distance_m + drop * distance_m;
+    // Of q x² − (fall) x + (H − highest) = 0, in a form that holds for q = 0 too.
+    const double under_root = std::max(fall * fall - 4.0 * drop * above_highest_m, 0.0);
+    return 2.0 * above_highest_m / (fall + std::sqrt(under_root));
   };
   return std::min(clear_of(grid.near_m), clear_of(grid.near_m + static_cast<double>(grid.distances) * grid.step_m));
 }
