@@ -22,6 +22,12 @@ std::array<float, 8> stored_weights(const AspectWeights& weights, const std::vec
   return product;
 }
 
+/// What the next texel has in a point so far on the way from one's middle to its: nothing and all on the outer quarters
+/// of the way, rising evenly over its half about the edge between them.
+float share_of_next(double way) {
+  return std::clamp(2.0F * static_cast<float>(way) - 0.5F, 0.0F, 1.0F);
+}
+
 /// The floor, where there is no instruction for it.
 int whole_below(double value) {
   const auto towards_zero = static_cast<int>(value);
@@ -92,8 +98,7 @@ radar::Channels Atlas::at_level(Vec2d point_m, const AspectWeights& weights, std
   const double across = (point_m.x - north_west_.x * side_m) / texel_m - 0.5;
   const double down = ((north_west_.y + 1) * side_m - point_m.y) / texel_m - 0.5;
   const int column = whole_below(across), row = whole_below(down);
-  const auto u = static_cast<float>(across - column);
-  const auto v = static_cast<float>(down - row);
+  const float u = share_of_next(across - column), v = share_of_next(down - row);
 
   TexelParts parts;
   std::array<std::array<float, 8>, 4> stored;  // one a patch

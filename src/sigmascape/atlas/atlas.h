@@ -59,9 +59,10 @@ class Atlas {
     return atlas::weights_for(aspects_, aspect, frequency_hz);
   }
 
-  /// σ0 at a point: bilinear between the centres of the four nearest texels, across the borders of patches, and linear
-  /// between two levels. `level` is drawn to the levels there are. Where a neighbouring patch is not there the other
-  /// texels stand in for its own.
+  /// σ0 at a point: each texel's own, blended with its neighbours' over half a texel about the edges between them,
+  /// across the borders of patches too (docs/decisions/0163-texels-blend-over-half-their-width.md), and linear between
+  /// two levels. `level` is drawn to the levels there are. Where a neighbouring patch is not there the other texels
+  /// stand in for its own.
   [[nodiscard]] radar::Channels sigma0_at(Vec2d point_m, const AspectWeights& weights, double level) const;
   [[nodiscard]] radar::Channels sigma0_at(Vec2d point_m, const radar::Aspect& aspect, double frequency_hz,
                                           double level) const {

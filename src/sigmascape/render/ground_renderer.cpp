@@ -22,8 +22,8 @@ constexpr double most_samples_a_side = 32.0;
 /// are shared linearly between bins.
 constexpr double fewest_samples_outwards = 2.0;
 
-/// Samples along the side of the finest texel that is read. Between texels reflectivity runs linearly, a tent over two
-/// of them: samples that lie 1/n of a texel apart, n whole, sum it without error along its axes.
+/// Samples along the side of the finest texel that is read. What a texel shows is as wide as itself, with edges of half
+/// its width: samples that lie 1/n of a texel apart, n whole, sum it without error along its axes.
 constexpr double samples_a_texel = 2.0;
 /// Of those that lie across a strip in every step; it is wider where bins hold many texels.
 constexpr double most_places_across = 8.0;

@@ -136,19 +136,46 @@ TEST_F(AtlasTest, BelowTheLowestElevationPowerGoesWithTheSine) {
   EXPECT_EQ(sigma0(60.0).vv, 1.0F);
 }
 
-/// A ramp is linear, so bilinear interpolation must return it, across borders as within.
+/// A coordinate as texels of that width show it: their middles, with steps over half a texel about the edges.
+double in_steps(double coordinate_m, double texel_m) {
+  const double way = coordinate_m / texel_m - 0.5, before = std::floor(way);
+  return texel_m * (before + 0.5 + std::clamp(2.0 * (way - before) - 0.5, 0.0, 1.0));
+}
+
 TEST_F(AtlasTest, BordersBetweenPatchesDoNotShow) {
   const auto ramp = [](Vec2d p) { return static_cast<float>(4.0 + (p.x + 2.0 * p.y) / 512.0); };
   const Atlas atlas = load_atlas(store_of(four_patches(), [&](Vec2d point, const radar::Look&) {
     return radar::Channels{ramp(point), 0.0F, 0.0F, 0.0F};
   }));
   const AspectWeights weights = atlas.weights_for({0.0, radians_from_deg(5.0)}, 10e9);
-  for (const double level : {0.0, 0.5, 1.0, 2.0, 4.3}) {
+  for (const double level : {0.0, 1.0, 2.0, 4.0}) {
+    const double texel_m = std::exp2(level);
     for (double offset = -20.0; offset <= 20.0; offset += 0.37) {
       for (const Vec2d point : {Vec2d{offset, 33.3}, Vec2d{-71.1, offset}, Vec2d{offset, offset}}) {
-        ASSERT_NEAR(atlas.sigma0_at(point, weights, level).vv, ramp(point), 4e-3F) << level << " " << offset;
+        const Vec2d shown{in_steps(point.x, texel_m), in_steps(point.y, texel_m)};
+        ASSERT_NEAR(atlas.sigma0_at(point, weights, level).vv, ramp(shown), 4e-3F) << level << " " << offset;
       }
     }
+  }
+}
+
+// Power that is read evenly over the ground is the texels' own, wherever the reading begins.
+TEST_F(AtlasTest, ReadTwiceATexelKeepsALoneTexelsPower) {
+  const Atlas atlas = load_atlas(store_of(four_patches(), [](Vec2d point, const radar::Look&) {
+    return radar::Channels{point == Vec2d{20.5, 30.5} ? 8.0F : 0.0F, 0.0F, 0.0F, 0.0F};
+  }));
+  const AspectWeights weights = atlas.weights_for({0.0, radians_from_deg(5.0)}, 10e9);
+  for (const double from : {0.0, 0.1, 0.23, 0.37}) {
+    float sum = 0.0F, widest = 0.0F;
+    for (double y = 26.0 + from; y < 35.0; y += 0.5) {
+      for (double x = 16.0 + from; x < 25.0; x += 0.5) {
+        const float here = atlas.sigma0_at({x, y}, weights, 0.0).vv;
+        sum += here;
+        if (here > 0.0F) widest = std::max(widest, static_cast<float>(std::abs(x - 20.5)));
+      }
+    }
+    EXPECT_NEAR(sum * 0.25F, 8.0F, 1e-3F) << from;
+    EXPECT_LT(widest, 0.75F) << from << ": it reaches no farther than a quarter of a texel beyond its edges";
   }
 }
 
