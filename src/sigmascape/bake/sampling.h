@@ -28,7 +28,8 @@ struct Sampling {
   [[nodiscard]] double relative_target() const { return linear_from_db(target_db) - 1.0; }
 };
 
-/// All rays of a cell are asked for at once: as many as this need 20 MiB a thread.
+/// What all rays of a cell bring is summed up at once: of as many as this it needs some 100 MiB a thread, and 50 more
+/// for each frequency but the first.
 inline constexpr std::uint32_t most_samples_a_cell = 1U << 20U;
 
 /// What a target may be.

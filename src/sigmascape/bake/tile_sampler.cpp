@@ -5,16 +5,13 @@
 #include <cstdlib>
 
 #include "sigmascape/base/units.h"
+#include "sigmascape/trace/tile_tracer.h"
 
 namespace sigmascape::bake {
 namespace {
 
 /// Cells whose pilots have a say in a cell's number of samples are at most this many away along either axis.
 constexpr int neighbourhood = 2;
-
-/// Cells are traced together until they have about so many paths: enough to keep the tracer's packets full, few enough
-/// to stay in the caches.
-constexpr std::size_t paths_at_once = 8192;
 
 /// A pair, or there is no telling how far off their mean is.
 constexpr std::uint32_t fewest_samples = 2;
@@ -37,7 +34,8 @@ TileSampler::TileSampler(const Sampling& sampling, Shadows shadows, const EchoLa
       floor_(linear_from_db(sampling.floor_db)),
       pilots_(patch.size()),
       pilot_echoes_(patch.size()),
-      pilot_ends_(patch.size()) {}
+      pilot_ends_(patch.size()),
+      cell_echoes_(patch.size()) {}
 
 void TileSampler::sample(trace::TilePaths& tile, double cell_area_m2) {
   const auto cells = tile.cells();
@@ -57,7 +55,7 @@ void TileSampler::sample(trace::TilePaths& tile, double cell_area_m2) {
 double TileSampler::keep_landed(const trace::TilePaths& tile, std::size_t frequency, std::size_t start,
                                 std::vector<Landed>& landed) const {
   double power = 0.0;
-  for (const radar::Echo& echo : tile.echoes(frequency, start)) {
+  for (const radar::Echo& echo : tile.echoes(frequency, start - followed_.first)) {
     if (ground_apart_ && echo.from_ground) continue;
     power += static_cast<double>(echo.rcs_m2.power(radar::Polarization::Sum));
     if (const auto texel = patch_[frequency].all.cell_at(landing_.place_of(echo)))
@@ -69,6 +67,7 @@ double TileSampler::keep_landed(const trace::TilePaths& tile, std::size_t freque
 void TileSampler::trace_pilots(trace::TilePaths& tile) {
   starts_.clear();
   for (const trace::LaunchCell& cell : tile.cells()) ask_for(cell, 0, pilot_samples);
+  followed_ = {0, starts_.size()};
   tile.follow(starts_);
   for (std::size_t f = 0; f < patch_.size(); ++f) {
     pilots_[f].clear();
@@ -118,8 +117,7 @@ void TileSampler::trace_cells(trace::TilePaths& tile, std::uint32_t pilots) {
   const auto cells = tile.cells();
   std::size_t in_all = 0;
   for (const std::uint32_t samples : samples_) in_all += samples;
-  const std::size_t parts = std::max(std::size_t{1}, (in_all + paths_at_once / 2) / paths_at_once);
-  const std::size_t a_part = in_all / parts;
+  const std::size_t a_part = in_all / trace::waves_of(in_all);
   std::vector<std::size_t> ends;  // of each cell's starts
   for (std::size_t first = 0; first < cells.size(); first += ends.size()) {
     starts_.clear();
@@ -129,28 +127,43 @@ void TileSampler::trace_cells(trace::TilePaths& tile, std::uint32_t pilots) {
       ask_for(cells[cell], pilots, samples_[cell]);
       ends.push_back(starts_.size());
     }
-    tile.follow(starts_);
+    followed_ = {};
     for (std::size_t i = 0; i < ends.size(); ++i)
-      add_to_patch(tile, first + i, {i == 0 ? 0 : ends[i - 1], ends[i]}, pilots > 0);
+      trace_cell(tile, first + i, {i == 0 ? 0 : ends[i - 1], ends[i]}, pilots > 0);
   }
+}
+
+void TileSampler::trace_cell(trace::TilePaths& tile, std::size_t cell, Range starts, bool has_pilots) {
+  for (std::size_t f = 0; f < patch_.size(); ++f) {
+    cell_echoes_[f].clear();
+    if (!has_pilots) continue;
+    const auto begin = pilot_echoes_[f].begin();
+    cell_echoes_[f].assign(begin + static_cast<std::ptrdiff_t>(cell == 0 ? 0 : pilot_ends_[f][cell - 1]),
+                           begin + static_cast<std::ptrdiff_t>(pilot_ends_[f][cell]));
+  }
+  for (std::size_t start = starts.first; start < starts.end;) {
+    if (start == followed_.end) follow_next(tile);
+    const std::size_t end = std::min(starts.end, followed_.end);
+    for (std::size_t f = 0; f < patch_.size(); ++f) {
+      for (std::size_t i = start; i < end; ++i) keep_landed(tile, f, i, cell_echoes_[f]);
+    }
+    start = end;
+  }
+  for (std::size_t f = 0; f < patch_.size(); ++f)
+    cell_sum_.add(cell_echoes_[f], SamplePairs(samples_[cell]), patch_[f]);
+}
+
+void TileSampler::follow_next(trace::TilePaths& tile) {
+  // The waves that the tracer would make of them all: no path goes in other company, and echoes of a wave take memory.
+  const std::size_t parts = trace::waves_of(starts_.size()),
+                    part = (followed_.end * parts + starts_.size() - 1) / starts_.size();
+  followed_ = {followed_.end, (part + 1) * starts_.size() / parts};
+  tile.follow(std::span(starts_).subspan(followed_.first, followed_.end - followed_.first));
 }
 
 void TileSampler::ask_for(const trace::LaunchCell& cell, std::uint32_t first, std::uint32_t end) {
   for (std::uint32_t sample = first; sample < end; ++sample)
     starts_.push_back({.cell = cell, .sequence = 0, .sample = sample});
-}
-
-void TileSampler::add_to_patch(const trace::TilePaths& tile, std::size_t cell, Range starts, bool has_pilots) {
-  for (std::size_t f = 0; f < patch_.size(); ++f) {
-    cell_echoes_.clear();
-    if (has_pilots) {
-      const auto begin = pilot_echoes_[f].begin();
-      cell_echoes_.assign(begin + static_cast<std::ptrdiff_t>(cell == 0 ? 0 : pilot_ends_[f][cell - 1]),
-                          begin + static_cast<std::ptrdiff_t>(pilot_ends_[f][cell]));
-    }
-    for (std::size_t start = starts.first; start < starts.end; ++start) keep_landed(tile, f, start, cell_echoes_);
-    cell_sum_.add(cell_echoes_, SamplePairs(samples_[cell]), patch_[f]);
-  }
 }
 
 }  // namespace sigmascape::bake

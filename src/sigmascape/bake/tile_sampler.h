@@ -44,8 +44,11 @@ class TileSampler {
   void trace_cells(trace::TilePaths& tile, std::uint32_t pilots);
   /// The samples from `first` up to before `end` of one cell.
   void ask_for(const trace::LaunchCell& cell, std::uint32_t first, std::uint32_t end);
-  void add_to_patch(const trace::TilePaths& tile, std::size_t cell, Range starts, bool has_pilots);
-  /// Keeps what a start brought that lands in the patch, and returns the power of all of it.
+  /// Follows the starts of one cell, and adds what they and its pilots bring to the patch.
+  void trace_cell(trace::TilePaths& tile, std::size_t cell, Range starts, bool has_pilots);
+  /// Some of those asked for, from where the last ended: of many a part, or what they bring would take much memory.
+  void follow_next(trace::TilePaths& tile);
+  /// Keeps what a start that was followed last brought that lands in the patch, and returns the power of all of it.
   double keep_landed(const trace::TilePaths& tile, std::size_t frequency, std::size_t start,
                      std::vector<Landed>& landed) const;
 
@@ -56,11 +59,12 @@ class TileSampler {
   double target_;                                     // relative standard error
   double floor_;                                      // σ0
   std::vector<std::uint32_t> samples_;                // [cell]: how many
-  std::vector<trace::PathStart> starts_;              // asked for and not yet traced
+  std::vector<trace::PathStart> starts_;              // asked for
+  Range followed_;                                    // of these last
   std::vector<std::vector<Pilot>> pilots_;            // [frequency][cell]
   std::vector<std::vector<Landed>> pilot_echoes_;     // [frequency], cell by cell
   std::vector<std::vector<std::size_t>> pilot_ends_;  // [frequency][cell]: one past the cell's last
-  std::vector<Landed> cell_echoes_;
+  std::vector<std::vector<Landed>> cell_echoes_;      // [frequency]
   CellSum cell_sum_;
 };
 

@@ -11,9 +11,6 @@
 namespace sigmascape::trace {
 namespace {
 
-/// About so many: enough that even the few that live long fill packets, and not too many for the caches.
-constexpr std::size_t paths_at_once = 8192;
-
 /// From the block before the first vertex, which has no other use for it.
 constexpr std::uint32_t hero_choice = 0;
 /// Far from the blocks of all vertices.
@@ -43,8 +40,7 @@ TileTracer::TileTracer(const SceneGeometry& geometry, const SpectralSurfaces& su
 
 void TileTracer::follow(std::span<const PathStart> starts) {
   for (EchoesByStart& list : echoes_) list.begin(starts.size());
-  // All alike, lest a few that are left over go alone.
-  const std::size_t waves = std::max(std::size_t{1}, (starts.size() + paths_at_once / 2) / paths_at_once);
+  const std::size_t waves = waves_of(starts.size());
   for (std::size_t wave = 0; wave < waves; ++wave) {
     const std::size_t first = wave * starts.size() / waves, end = (wave + 1) * starts.size() / waves;
     follow_together(starts.subspan(first, end - first), first);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -17,6 +19,15 @@
 #include "sigmascape/trace/wave_lanes.h"
 
 namespace sigmascape::trace {
+
+/// Paths go together in waves of about so many: enough that even the few that live long fill packets, and not too many
+/// for the caches.
+inline constexpr std::size_t paths_at_once = 8192;
+
+/// How many waves so many paths go in, all alike, lest a few that are left over go alone.
+[[nodiscard]] constexpr std::size_t waves_of(std::size_t paths) {
+  return std::max(std::size_t{1}, (paths + paths_at_once / 2) / paths_at_once);
+}
 
 /// Follows the paths of one tile after another on one thread, many at a time: all go from vertex to vertex together, so
 /// that rays are traced in packets and surfaces answer sixteen waves at once. What a path brings back does not depend
