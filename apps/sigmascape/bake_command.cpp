@@ -77,7 +77,10 @@ std::string text_of(const bake::BakePlan& plan, bake::Shadows shadows) {
   const bool is_whole = plan.jobs_of_share == plan.jobs;
   std::string text = fmt::format("{}, {} of a patch and an aspect each", counted(plan.patches, "patch", "patches"),
                                  counted(plan.jobs, "job", "jobs"));
-  if (!is_whole) text += fmt::format(", {} of them in this share", plan.jobs_of_share);
+  if (!is_whole) {
+    text += fmt::format(", {} of them in this share, {} of {}", plan.jobs_of_share,
+                        plan.has_whole_patches ? "all" : "some", counted(plan.patches_of_share, "patch", "patches"));
+  }
   text += fmt::format(
       "\n{} to bake, {} already there\n"
       "{:.1f} million cells to send rays to, gutters around the patches included\n"
@@ -97,6 +100,8 @@ nlohmann::ordered_json json_of(const bake::BakePlan& plan) {
   return {{"patches", plan.patches},
           {"jobs", plan.jobs},
           {"jobs_of_share", plan.jobs_of_share},
+          {"patches_of_share", plan.patches_of_share},
+          {"has_whole_patches", plan.has_whole_patches},
           {"looks", plan.looks},
           {"already", plan.already},
           {"cells", plan.cells},

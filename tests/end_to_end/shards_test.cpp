@@ -404,6 +404,8 @@ TEST_F(Shards, APlanWritesNothingAndCountsRight) {
   EXPECT_EQ(share.at("looks"), 4);
   EXPECT_EQ(share.at("jobs"), 16);
   EXPECT_EQ(share.at("jobs_of_share"), 4);
+  EXPECT_EQ(share.at("patches_of_share"), 4);
+  EXPECT_EQ(share.at("has_whole_patches"), false);
   EXPECT_NEAR(share.at("bytes_of_share").get<double>(), share.at("bytes").get<double>() / 4.0, 1.0);
   const Ended other = baked("whole", "--plan --seed 2");
   EXPECT_EQ(other.code, 1);

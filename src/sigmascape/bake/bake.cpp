@@ -20,6 +20,7 @@
 #include "sigmascape/bake/error_target.h"
 #include "sigmascape/bake/ground_baker.h"
 #include "sigmascape/bake/job.h"
+#include "sigmascape/bake/job_share.h"
 #include "sigmascape/bake/look_baker.h"
 #include "sigmascape/bake/patch_room.h"
 #include "sigmascape/geo/atomic_file.h"
@@ -82,6 +83,7 @@ class BakeRun {
         share_(share),
         progress_(progress),
         jobs_(store.description()),
+        share_of_jobs_(jobs_, share.shard),
         claims_(store.folder()) {}
 
   BakeReport report(const scene::Scene& scene) {
@@ -129,11 +131,11 @@ class BakeRun {
   /// Jobs of the share of which some look is not there. Counts the looks that are.
   [[nodiscard]] std::vector<OpenJob> open_jobs() {
     for (std::size_t number = 0; number < jobs_.size(); ++number)
-      report_.looks += share_.shard.has(number) ? jobs_.looks_per_job() : 0;
+      report_.looks += share_of_jobs_.has(number) ? jobs_.looks_per_job() : 0;
     std::vector<OpenJob> open;
     std::size_t looked_at = 0;
     for (std::size_t number = 0; number < jobs_.size(); ++number) {
-      if (!share_.shard.has(number)) continue;
+      if (!share_of_jobs_.has(number)) continue;
       const std::size_t missing = missing_looks(jobs_[number]);
       report_.already += jobs_.looks_per_job() - missing;
       if (missing > 0) open.push_back({number, missing});
@@ -291,7 +293,7 @@ class BakeRun {
     for (std::size_t aspect = 0; aspect < jobs_.aspects(); ++aspect) {
       std::vector<atlas::PatchIndex> patches;
       for (std::size_t number = aspect; number < jobs_.size(); number += jobs_.aspects()) {
-        if (share_.shard.has(number)) patches.push_back(jobs_[number].patch);
+        if (share_of_jobs_.has(number)) patches.push_back(jobs_[number].patch);
       }
       for (const atlas::LookIndex look : jobs_[aspect].looks) {
         report_.pyramid += pyramid.make_above(patches, look, share_.scrutiny, &notes);
@@ -313,6 +315,7 @@ class BakeRun {
   const BakeShare& share_;
   ProgressListener& progress_;
   JobList jobs_;
+  JobShare share_of_jobs_;
   Claims claims_;
   BakeReport report_;
   std::size_t done_ = 0, baked_ = 0;

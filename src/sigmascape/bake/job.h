@@ -22,6 +22,7 @@ class JobList {
   explicit JobList(const atlas::AtlasDescription& atlas);
 
   [[nodiscard]] std::size_t size() const { return patches_.size() * aspects(); }
+  [[nodiscard]] const atlas::PatchBlock& patches() const { return patches_; }
   [[nodiscard]] std::size_t looks_per_job() const { return axes_.frequencies_hz.size(); }
   /// Jobs of one patch: jobs with equal remainders on division by it are of one aspect.
   [[nodiscard]] std::size_t aspects() const { return axes_.azimuths_rad.size() * axes_.elevations_rad.size(); }

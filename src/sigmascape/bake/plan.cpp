@@ -13,6 +13,7 @@
 #include "sigmascape/atlas/texture_file.h"
 #include "sigmascape/bake/bake.h"
 #include "sigmascape/bake/job.h"
+#include "sigmascape/bake/job_share.h"
 #include "sigmascape/bake/look_baker.h"
 #include "sigmascape/bake/patch_room.h"
 #include "sigmascape/base/hash.h"
@@ -153,11 +154,13 @@ BakePlan plan(const scene::Scene& scene, const BakeSettings& settings, const std
   plan.probe_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   const JobList jobs(description);
   const std::size_t azimuths = settings.aspects.azimuths_rad.size();
+  const JobShare share(jobs, shard);
   plan.jobs = jobs.size();
   plan.patches = plan.jobs / (azimuths * found.size());
   const PatchTexels texels(settings.patches);
   const double above = texels_above(description) / static_cast<double>(plan.patches);
   std::vector<std::vector<std::size_t>> open(found.size());  // numbers of jobs, by elevation
+  std::size_t last_patch = plan.patches;                     // of the share, none as yet
   for (std::size_t number = 0; number < jobs.size(); ++number) {
     const std::size_t elevation = number / azimuths % found.size();
     const Trial& trial = found[elevation];
@@ -165,8 +168,10 @@ BakePlan plan(const scene::Scene& scene, const BakeSettings& settings, const std
                           trial.error_bytes_per_texel * texels.finest) *
                          static_cast<double>(jobs.looks_per_job());
     plan.bytes += bytes;
-    if (!shard.has(number)) continue;
+    if (!share.has(number)) continue;
     ++plan.jobs_of_share;
+    if (number / jobs.aspects() != last_patch) ++plan.patches_of_share;
+    last_patch = number / jobs.aspects();
     plan.bytes_of_share += bytes;
     const Job job = jobs[number];
     const std::size_t there = looks_there(store, job);
@@ -174,6 +179,7 @@ BakePlan plan(const scene::Scene& scene, const BakeSettings& settings, const std
     plan.already += there;
     if (there < job.looks.size()) open[elevation].push_back(number);
   }
+  plan.has_whole_patches = plan.jobs_of_share == plan.patches_of_share * jobs.aspects();
   for (std::size_t elevation = 0; elevation < found.size(); ++elevation) {
     const std::vector<std::size_t> counted = some_of(open[elevation]);
     if (counted.empty()) continue;

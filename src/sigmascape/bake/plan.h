@@ -12,11 +12,13 @@ namespace sigmascape::bake {
 /// What a bake would come to.
 struct BakePlan {
   std::size_t patches = 0;
-  std::size_t jobs = 0;           ///< patches times aspects: what can be shared out
-  std::size_t jobs_of_share = 0;  ///< of these
-  std::size_t looks = 0;          ///< (patch, look) pairs of the share
-  std::size_t already = 0;        ///< of these in the folder
-  double cells = 0.0;             ///< launch cells of the looks that are not there, gutters included
+  std::size_t jobs = 0;              ///< patches times aspects: what can be shared out
+  std::size_t jobs_of_share = 0;     ///< of these
+  std::size_t patches_of_share = 0;  ///< of which these are some or all: the share makes what rays need for each
+  bool has_whole_patches = false;    ///< whether they are all
+  std::size_t looks = 0;             ///< (patch, look) pairs of the share
+  std::size_t already = 0;           ///< of these in the folder
+  double cells = 0.0;                ///< launch cells of the looks that are not there, gutters included
   /// Jobs whose cells were counted: all of which a look is missing, but of many at one elevation 64, spread evenly over
   /// them, which stand for the others.
   std::size_t jobs_counted = 0;

@@ -13,9 +13,9 @@ struct Shard {
 
   friend constexpr bool operator==(const Shard&, const Shard&) = default;
 
-  /// Whether job number `job` is in this share. Jobs are dealt like cards, each round beginning one place further:
-  /// neighbouring jobs differ in azimuth, those some way apart in elevation, on which their time depends most, and
-  /// without the shift a share could get the same elevation of every patch.
+  /// Whether job number `job` is in this share, where jobs are dealt one by one. It is done like cards, each round
+  /// beginning one place further: neighbouring jobs differ in azimuth, those some way apart in elevation, on which
+  /// their time depends most, and without the shift a share could get the same elevation of every patch.
   [[nodiscard]] constexpr bool has(std::size_t job) const { return (job + job / count) % count == index; }
 };
 

@@ -66,8 +66,12 @@ TEST(BakePlan, CountsTheCellsOfEachOfAFewJobs) {
   EXPECT_NEAR(whole.cells, cells, 1e-9 * cells);
 
   double of_shares = 0.0;
-  for (std::size_t index = 0; index < 5; ++index)
-    of_shares += plan(scene, settings, folder.path("none"), {.index = index, .count = 5}).cells;
+  for (std::size_t index = 0; index < 5; ++index) {
+    const BakePlan share = plan(scene, settings, folder.path("none"), {.index = index, .count = 5});
+    EXPECT_GE(share.patches_of_share, 3U) << "of all four some";
+    EXPECT_FALSE(share.has_whole_patches);
+    of_shares += share.cells;
+  }
   EXPECT_NEAR(of_shares, cells, 1e-9 * cells);
   EXPECT_FALSE(std::filesystem::exists(folder.path("none")));
 }
@@ -80,6 +84,8 @@ TEST(BakePlan, OfManyJobsSomeStandForTheOthers) {
   const BakePlan many = plan(scene, settings, folder.path("none"));
   EXPECT_EQ(many.jobs, 25U * 8U * 2U);
   EXPECT_EQ(many.looks, many.jobs);
+  EXPECT_EQ(many.patches_of_share, 25U);
+  EXPECT_TRUE(many.has_whole_patches);
   EXPECT_EQ(many.jobs_counted, 2U * 64U);
   const double cells = all_cells(scene, settings);
   EXPECT_NEAR(many.cells, cells, 0.05 * cells);
