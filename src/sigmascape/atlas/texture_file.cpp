@@ -80,7 +80,8 @@ FoundTexture found_alone(const Store& store, const std::filesystem::path& textur
     static_cast<void>(std::filesystem::file_size(store.folder() / texture, error));
     if (is_nothing_there(error)) return {{}, StoreFault{texture, "is missing", true}};
     return {{},
-            StoreFault{item_path(texture), "is missing, so the file that it vouches for does not count",
+            StoreFault{item_path(texture),
+                       "is missing, so the file that it vouches for does not count: unfinished, or it was removed",
                        is_just_written(store.folder() / texture)}};
   }
   if (!item->record) return {{}, StoreFault{item_path(texture), item->fault}};
