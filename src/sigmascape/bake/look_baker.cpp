@@ -114,7 +114,7 @@ trace::SceneGeometry& LookBaker::geometry_about(const radar::GroundGrid& texels)
     around = trace::Surroundings::everything();
   if (!local_ || local_->around != around) {
     local_.reset();  // before the next takes memory
-    local_.emplace(around, trace::SceneGeometry(scene_, footing_, around));
+    local_.emplace(around, trace::SceneGeometry(scene_, footing_, around, heights_));
     geometry_bytes_ = std::max(geometry_bytes_, local_->geometry.memory_bytes());
   }
   return local_->geometry;

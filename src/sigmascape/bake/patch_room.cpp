@@ -20,8 +20,7 @@ namespace {
 double cells_at(const scene::Scene& scene, const trace::SceneHeights& heights, double texel_m,
                 const radar::Rectangle& target, const radar::Aspect& aspect) {
   constexpr double along_a_side = 256.0;
-  const auto [lowest_m, highest_m] = heights;
-  const double top_m = highest_m + 1.0;
+  const double lowest_m = heights.lowest_m, top_m = heights.highest_m + 1.0;
   const auto viewpoint = trace::Viewpoint::distant(aspect);
   const trace::MultibounceReach reach = trace::multibounce_reach(scene, viewpoint, target);
   const double slope = std::tan(aspect.elevation_rad);

@@ -119,35 +119,44 @@ struct Strips {
   [[nodiscard]] std::size_t first_row(std::size_t strip) const { return strip * rows_each; }
   [[nodiscard]] std::size_t rows(std::size_t strip) const { return std::min(rows_each, grid.rows - first_row(strip)); }
 
-  /// Calls `visit(strip)` for those for which what lies there counts: on them, or on the squares next to them.
+  /// Where what lies counts for any: on them, or on the squares next to them.
+  [[nodiscard]] radar::Rectangle place() const { return radar::widened(grid.extent(), grid.cell_m); }
+
+  /// Calls `visit(strip)` for those for which what lies there counts.
   template <typename Visit>
-  void for_each_with(const radar::Rectangle& place, const Visit& visit) const {
-    if (!radar::meet(place, radar::widened(grid.extent(), grid.cell_m))) return;
+  void for_each_with(const radar::Rectangle& part, const Visit& visit) const {
+    if (!radar::meet(part, place())) return;
     const auto strip_from = [&](double rows, std::size_t most) {
       return static_cast<std::size_t>(
           std::clamp(std::floor(rows / static_cast<double>(rows_each)), 0.0, static_cast<double>(most)));
     };
-    const double north = grid.cells_from({place.west_m, place.north_m}).y - 1.0,
-                 south = grid.cells_from({place.west_m, place.south_m}).y + 1.0;
+    const double north = grid.cells_from({part.west_m, part.north_m}).y - 1.0,
+                 south = grid.cells_from({part.west_m, part.south_m}).y + 1.0;
     const std::size_t end = std::min(strip_from(south, count()) + 1, count());
     for (std::size_t strip = strip_from(north, count()); strip < end; ++strip) visit(strip);
   }
 };
+
+/// Numbers of the buildings that reach into a place: of a large scene few.
+std::vector<std::uint32_t> buildings_within(const Buildings& buildings, const radar::Rectangle& place) {
+  std::vector<std::uint32_t> numbers;
+  for (std::uint32_t number = 0; number < buildings.items.size(); ++number) {
+    Interruption::heed();
+    if (radar::meet(extent_of(buildings, buildings.items[number]), place)) numbers.push_back(number);
+  }
+  return numbers;
+}
 
 /// What stands on each strip of a grid.
 class Standing {
  public:
   Standing(const Scene& scene, const Strips& strips)
       : scene_(scene), building_faces_(strips.count()), instances_(strips.count()), shapes_(scene.prototypes.size()) {
-    for (const Vec3f& vertex : scene.buildings.mesh.vertices) building_vertices_.push_back(vertex.to<double>());
-    for (const Building& building : scene.buildings.items) {
-      for (std::uint32_t i = 0; i < building.vertex_count; ++i)
-        building_vertices_[building.first_vertex + i].z += static_cast<double>(building.footing_m);
-    }
-    for (const auto& triangle : scene.buildings.mesh.triangles) {
-      Interruption::heed();
-      strips.for_each_with(plan_of(corners_of(triangle, building_vertices_)),
-                           [&](std::size_t strip) { building_faces_[strip].push_back(triangle); });
+    const std::vector<std::uint32_t> near = buildings_within(scene.buildings, strips.place());
+    if (near.size() == scene.buildings.items.size()) {
+      add_buildings(scene.buildings, strips);
+    } else {
+      add_buildings(part_of(scene.buildings, near), strips);
     }
     const std::vector<float> reaches_m = prototype_radii_m(scene);
     for (const Instance& instance : scene.instances) {
@@ -195,6 +204,19 @@ class Standing {
   }
 
  private:
+  void add_buildings(const Buildings& buildings, const Strips& strips) {
+    for (const Vec3f& vertex : buildings.mesh.vertices) building_vertices_.push_back(vertex.to<double>());
+    for (const Building& building : buildings.items) {
+      for (std::uint32_t i = 0; i < building.vertex_count; ++i)
+        building_vertices_[building.first_vertex + i].z += static_cast<double>(building.footing_m);
+    }
+    for (const auto& triangle : buildings.mesh.triangles) {
+      Interruption::heed();
+      strips.for_each_with(plan_of(corners_of(triangle, building_vertices_)),
+                           [&](std::size_t strip) { building_faces_[strip].push_back(triangle); });
+    }
+  }
+
   const Scene& scene_;
   std::vector<Vec3d> building_vertices_;
   std::vector<Triangles> building_faces_;

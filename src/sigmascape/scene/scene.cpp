@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/sha256.h"
@@ -142,6 +143,18 @@ Buildings part_of(const Buildings& buildings, std::span<const std::uint32_t> num
     part.mesh.materials.push_back(all.materials[t]);
   }
   return part;
+}
+
+radar::Rectangle extent_of(const Buildings& buildings, const Building& building) {
+  constexpr float far = std::numeric_limits<float>::infinity();
+  float west = far, south = far, east = -far, north = -far;
+  for (const Vec3f& vertex : std::span(buildings.mesh.vertices).subspan(building.first_vertex, building.vertex_count)) {
+    west = std::min(west, vertex.x);
+    south = std::min(south, vertex.y);
+    east = std::max(east, vertex.x);
+    north = std::max(north, vertex.y);
+  }
+  return {west, south, east, north};
 }
 
 void shift(Scene& scene, Vec2d offset) {

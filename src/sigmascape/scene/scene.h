@@ -100,6 +100,9 @@ struct PointTarget {
 /// what belongs to no building nothing.
 [[nodiscard]] Buildings part_of(const Buildings& buildings, std::span<const std::uint32_t> numbers);
 
+/// The least rectangle that holds a building; of no vertices one that meets nothing.
+[[nodiscard]] radar::Rectangle extent_of(const Buildings& buildings, const Building& building);
+
 /// Something that was left out or mended while reading a scene.
 struct Remark {
   std::string what;  ///< "self-crossing footprints repaired"

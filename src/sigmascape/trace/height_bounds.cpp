@@ -92,38 +92,35 @@ Interval HeightBounds::ground_in(const terrain::HeightField& field, std::size_t 
 
 void HeightBounds::add_instances(const scene::Scene& scene, Footing footing) {
   const std::vector<Hull> hulls = hulls_of(scene);
+  const radar::Rectangle extent = grid_.extent();
   for (const scene::Instance& instance : scene.instances) {
     const Hull& hull = hulls[instance.prototype];
     const double radius = static_cast<double>(hull.radius_m * std::max(instance.scale.x, instance.scale.y));
     const double x = static_cast<double>(instance.x_m), y = static_cast<double>(instance.y_m);
+    const radar::Rectangle box = radar::widened({x, y, x, y}, radius);
+    if (!radar::meet(box, extent)) continue;  // of a large scene nearly all, and to find their ground takes long
     const double ground = footing == Footing::Terrain ? scene.terrain.height_at({x, y}) : 0.0;
     const float foot = static_cast<float>(ground) + instance.lift_m;
-    add_box({x - radius, y - radius, x + radius, y + radius},
-            {foot + hull.heights.lowest_m * instance.scale.z, foot + hull.heights.highest_m * instance.scale.z});
+    add_box(box, {foot + hull.heights.lowest_m * instance.scale.z, foot + hull.heights.highest_m * instance.scale.z});
   }
 }
 
 void HeightBounds::add_buildings(const scene::Buildings& buildings, Footing footing) {
+  const radar::Rectangle extent = grid_.extent();
   for (const scene::Building& building : buildings.items) {
-    constexpr double far = std::numeric_limits<double>::infinity();
-    radar::Rectangle box{far, far, -far, -far};
+    const radar::Rectangle box = scene::extent_of(buildings, building);
+    if (!radar::meet(box, extent)) continue;
     Interval heights{endless, -endless};
     const float foot = footing == Footing::Terrain ? building.footing_m : 0.0F;
     for (std::uint32_t i = 0; i < building.vertex_count; ++i) {
       const Vec3f& v = buildings.mesh.vertices[building.first_vertex + i];
-      box = radar::with_point(box, {static_cast<double>(v.x), static_cast<double>(v.y)});
       widen(heights, {foot + v.z, foot + v.z});
     }
-    if (building.vertex_count > 0) add_box(box, heights);
+    add_box(box, heights);
   }
 }
 
 void HeightBounds::add_box(const radar::Rectangle& box, Interval heights) {
-  const radar::Rectangle extent = grid_.extent();
-  if (box.east_m < extent.west_m || box.west_m > extent.east_m || box.north_m < extent.south_m ||
-      box.south_m > extent.north_m) {
-    return;
-  }
   const Vec2d first = grid_.cells_from({box.west_m, box.north_m}), last = grid_.cells_from({box.east_m, box.south_m});
   for (std::size_t row = within(first.y, grid_.rows); row <= within(last.y, grid_.rows); ++row) {
     for (std::size_t column = within(first.x, grid_.columns); column <= within(last.x, grid_.columns); ++column)

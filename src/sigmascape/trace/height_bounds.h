@@ -26,6 +26,7 @@ class HeightBounds {
   [[nodiscard]] Interval ground_in(const terrain::HeightField& field, std::size_t column, std::size_t row) const;
   void add_instances(const scene::Scene& scene, Footing footing);
   void add_buildings(const scene::Buildings& buildings, Footing footing);
+  /// Of a box that meets the region.
   void add_box(const radar::Rectangle& box, Interval heights);
   /// Every square takes over what its neighbours hold.
   void grow();

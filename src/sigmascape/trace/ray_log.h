@@ -12,6 +12,7 @@ struct LoggedRay {
   float length_m = 0.0F;    ///< how far it was looked along
   bool asks_first = false;  ///< for the first surface, not merely whether there is any
   bool begins = false;      ///< the first of several that were asked for together
+  bool asks_again = false;  ///< from near by for what one before met far away: no ray of its own (TraceCounts::rays)
 };
 
 /// Rays in the order in which they were asked for, to be traced again with nothing else in between.

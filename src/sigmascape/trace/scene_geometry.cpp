@@ -7,6 +7,7 @@
 #include <xmmintrin.h>
 
 #include "sigmascape/trace/ray_sorter.h"
+#include "sigmascape/trace/scene_heights.h"
 #include "sigmascape/trace/scene_structures.h"
 
 namespace sigmascape::trace {
@@ -84,8 +85,12 @@ SceneGeometry::SceneGeometry(const scene::Scene& scene, Footing footing)
     : SceneGeometry(scene, footing, Surroundings::everything()) {}
 
 SceneGeometry::SceneGeometry(const scene::Scene& scene, Footing footing, const Surroundings& around)
+    : SceneGeometry(scene, footing, around, heights_of(scene, footing)) {}
+
+SceneGeometry::SceneGeometry(const scene::Scene& scene, Footing footing, const Surroundings& around,
+                             const SceneHeights& heights)
     : structures_(std::make_unique<SceneStructures>()) {
-  structures_->build(scene, footing, around);
+  structures_->build(scene, footing, around, heights);
 }
 
 SceneGeometry::~SceneGeometry() = default;
@@ -205,13 +210,15 @@ void SceneStructures::meet_again_from_nearby(RayPacket& packet, RayContext& cont
     any |= is_far;
   }
   if (!any) return;
+  bool begins = true;
   for (std::size_t lane = 0; lane < lane_count; ++lane) {
     if (packet.valid[lane] == 0) continue;
     const Ray rest = begun_nearby(packet.ray(lane), packet.query.ray.tfar[lane]);
     packet.set_ray(lane, rest);
     packet.query.ray.tfar[lane] = plane_distance_m(rest);
     packet.forget_hit(lane);
-    if (log != nullptr) log->push_back({rest, packet.query.ray.tfar[lane], true, true});
+    if (log != nullptr) log->push_back({rest, packet.query.ray.tfar[lane], true, begins, true});
+    begins = false;
   }
   rtcIntersect16(packet.valid, top, &context.embree, &packet.query);
 }
@@ -227,7 +234,8 @@ bool SceneGeometry::intersect(const Ray& ray, SurfaceHit& hit, CrownCrossings* c
   if (found.nothing() || found.distance_m <= longest_exact_m) return s.meet(ray, found, hit);
   const Ray rest = begun_nearby(ray, found.distance_m);
   query = query_along(rest, s.plane_distance_m(rest));
-  if (s.log != nullptr) s.log->push_back({.ray = rest, .length_m = query.ray.tfar, .asks_first = true});
+  if (s.log != nullptr)
+    s.log->push_back({.ray = rest, .length_m = query.ray.tfar, .asks_first = true, .asks_again = true});
   context.crowns = nullptr;  // they were noted on the whole way
   rtcIntersect1(s.top, &context.embree, &query);
   return s.meet(rest, found_by(query), hit);

@@ -27,6 +27,7 @@ struct SurfaceHit {
   bool is_ground = false;  ///< whether the terrain or the level plane was hit
 };
 
+struct SceneHeights;
 struct SceneStructures;
 
 /// A scene made ready for rays: the one place that knows Embree.
@@ -41,6 +42,8 @@ class SceneGeometry {
   SceneGeometry(const scene::Scene& scene, Footing footing);
   /// Of what matters alone to paths that begin in a place: memory goes by that, not by the scene.
   SceneGeometry(const scene::Scene& scene, Footing footing, const Surroundings& around);
+  /// The same with the scene's heights on that footing, which take a look at everything in it to find.
+  SceneGeometry(const scene::Scene& scene, Footing footing, const Surroundings& around, const SceneHeights& heights);
   ~SceneGeometry();
   SceneGeometry(SceneGeometry&&) noexcept;
   SceneGeometry& operator=(SceneGeometry&&) noexcept;

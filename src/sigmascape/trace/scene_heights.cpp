@@ -22,7 +22,10 @@ void take_in(SceneHeights& heights, const scene::Buildings& buildings, Footing f
 SceneHeights heights_of(const scene::Scene& scene, Footing footing) {
   SceneHeights heights;
   const bool on_terrain = footing == Footing::Terrain;
-  if (on_terrain) heights = {scene.terrain.lowest_m(), scene.terrain.highest_m()};
+  if (on_terrain) {
+    const double highest_ground_m = scene.terrain.highest_m();
+    heights = {scene.terrain.lowest_m(), highest_ground_m, highest_ground_m};
+  }
   take_in(heights, scene.buildings, footing);
   const std::vector<float> tops_m = scene::prototype_tops_m(scene);
   for (const scene::Instance& instance : scene.instances) {

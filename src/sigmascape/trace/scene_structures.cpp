@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 #include <exception>
 #include <mutex>
 #include <span>
@@ -12,7 +13,6 @@
 #include "sigmascape/base/machine_memory.h"
 #include "sigmascape/trace/ground_room.h"
 #include "sigmascape/trace/ground_within.h"
-#include "sigmascape/trace/scene_heights.h"
 
 namespace sigmascape::trace {
 namespace {
@@ -66,23 +66,43 @@ std::uint64_t spread(std::uint32_t number) {
   return bits;
 }
 
-/// Numbers of the scene's instances along a curve that keeps close together what stands close together: so does what is
-/// kept of them in memory, be they listed in any order.
-std::vector<std::uint32_t> neighbours_in_a_row(const scene::Scene& scene) {
+/// Where on a curve that keeps close together what stands close together.
+std::uint64_t place_on_curve(const scene::Instance& instance) {
   const auto steps_m = [](float place_m) {
     return static_cast<std::uint32_t>(static_cast<std::int32_t>(place_m)) ^ 0x80000000U;
   };
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> places;
-  places.reserve(scene.instances.size());
-  for (const scene::Instance& instance : scene.instances) {
-    const std::uint64_t place = spread(steps_m(instance.x_m)) | spread(steps_m(instance.y_m)) << 1U;
-    places.emplace_back(place, static_cast<std::uint32_t>(places.size()));
+  return spread(steps_m(instance.x_m)) | spread(steps_m(instance.y_m)) << 1U;
+}
+
+/// An instance that matters.
+struct HeldInstance {
+  std::uint64_t place;   // on that curve
+  std::uint32_t number;  // in the scene
+  float foot_m;          // height of its origin
+
+  friend auto operator<=>(const HeldInstance&, const HeldInstance&) = default;
+};
+
+/// Neighbours in a row, be they listed in any order in the scene: so they are kept in memory as well.
+std::vector<HeldInstance> instances_held(const scene::Scene& scene, Footing footing, const Surroundings& around,
+                                         double highest_m) {
+  const std::vector<float> tops = scene::prototype_tops_m(scene), radii = scene::prototype_radii_m(scene);
+  std::vector<HeldInstance> held;
+  for (std::uint32_t number = 0; number < scene.instances.size(); ++number) {
+    const scene::Instance& instance = scene.instances[number];
+    const Vec2d at{instance.x_m, instance.y_m};
+    const Vec3f k = instance.scale;
+    const auto radius_m = static_cast<double>(radii[instance.prototype] * std::max(k.x, k.y));
+    // Of a large scene nearly all would not matter were they as high as anything: their ground need not be found.
+    if (!around.hold(at, radius_m, highest_m)) continue;
+    const double base_m = footing == Footing::Terrain ? scene.terrain.height_at(at) : 0.0;
+    const float foot_m = static_cast<float>(base_m) + instance.lift_m;
+    const float top_m = foot_m + tops[instance.prototype] * k.z;
+    if (around.hold(at, radius_m, static_cast<double>(top_m)))
+      held.push_back({place_on_curve(instance), number, foot_m});
   }
-  std::ranges::sort(places);
-  std::vector<std::uint32_t> numbers;
-  numbers.reserve(places.size());
-  for (const auto& [place, number] : places) numbers.push_back(number);
-  return numbers;
+  std::ranges::sort(held);
+  return held;
 }
 
 /// Numbers of the buildings that matter.
@@ -93,14 +113,22 @@ std::vector<std::uint32_t> buildings_held(const scene::Buildings& buildings, Foo
     const scene::Building& building = buildings.items[number];
     const auto vertices = std::span(buildings.mesh.vertices).subspan(building.first_vertex, building.vertex_count);
     const Vec3f first = vertices.empty() ? Vec3f{} : vertices.front();
-    float radius_m = 0.0F, top_m = first.z;
+    float east_m = 0.0F, north_m = 0.0F, top_m = first.z;
     for (const Vec3f& vertex : vertices) {
-      radius_m = std::max(radius_m, std::hypot(vertex.x - first.x, vertex.y - first.y));
+      east_m = std::max(east_m, std::abs(vertex.x - first.x));
+      north_m = std::max(north_m, std::abs(vertex.y - first.y));
       top_m = std::max(top_m, vertex.z);
     }
     const float base_m = footing == Footing::Terrain ? building.footing_m : 0.0F;
-    if (around.hold({first.x, first.y}, static_cast<double>(radius_m), static_cast<double>(base_m + top_m)))
-      numbers.push_back(number);
+    const auto is_held = [&](float radius_m) {
+      return around.hold({first.x, first.y}, static_cast<double>(radius_m), static_cast<double>(base_m + top_m));
+    };
+    // No vertex is farther than the corners of a box about the first: so most are known not to matter.
+    if (!is_held(std::hypot(east_m, north_m))) continue;
+    float radius_m = 0.0F;
+    for (const Vec3f& vertex : vertices)
+      radius_m = std::max(radius_m, std::hypot(vertex.x - first.x, vertex.y - first.y));
+    if (is_held(radius_m)) numbers.push_back(number);
   }
   return numbers;
 }
@@ -140,14 +168,13 @@ class WantedEnd {
 
 }  // namespace
 
-void SceneStructures::build(const scene::Scene& scene, Footing on, const Surroundings& around) {
+void SceneStructures::build(const scene::Scene& scene, Footing on, const Surroundings& around,
+                            const SceneHeights& heights) {
   footing = on;
   crowns = scene.crowns;
-  const auto highest_ground_m = static_cast<double>(on == Footing::Terrain ? scene.terrain.highest_m() : 0.0F);
-  const radar::Rectangle within = around.reach(highest_ground_m);
+  const radar::Rectangle within = around.reach(heights.highest_ground_m);
   if (on == Footing::Terrain) require_room(scene, within, machine_memory_bytes());
   ground = ground_within(scene.ground, within);
-  const SceneHeights heights = heights_of(scene, footing);
   lowest_m = heights.lowest_m;
   highest_m = heights.highest_m;
   const Vec2d centre = scene.extent.centre();
@@ -265,8 +292,11 @@ void SceneStructures::add_terrain(const terrain::HeightField& field) {
 
 void SceneStructures::add_buildings(const scene::Buildings& source, const Surroundings& around) {
   const std::vector<std::uint32_t> held = buildings_held(source, footing, around);
-  const bool is_all = held.size() == source.items.size();
-  add_buildings(is_all ? source : scene::part_of(source, held));
+  if (held.size() == source.items.size()) {
+    add_buildings(source);
+  } else {
+    add_buildings(scene::part_of(source, held));
+  }
 }
 
 void SceneStructures::add_buildings(const scene::Buildings& source) {
@@ -341,15 +371,10 @@ void SceneStructures::attach_crown(RTCScene prototype, scene::Crown& crown) {
 }
 
 void SceneStructures::add_instances(const scene::Scene& scene, const Surroundings& around) {
-  const std::vector<float> tops = scene::prototype_tops_m(scene), radii = scene::prototype_radii_m(scene);
-  for (const std::uint32_t number : neighbours_in_a_row(scene)) {
+  for (const auto& [place, number, foot_m] : instances_held(scene, footing, around, highest_m)) {
     const scene::Instance& instance = scene.instances[number];
     const float c = std::cos(instance.yaw_rad), s = std::sin(instance.yaw_rad);
-    const double base = footing == Footing::Terrain ? scene.terrain.height_at({instance.x_m, instance.y_m}) : 0.0;
-    const float z = static_cast<float>(base) + instance.lift_m;
     const Vec3f k = instance.scale;
-    const float top_m = z + tops[instance.prototype] * k.z, radius_m = radii[instance.prototype] * std::max(k.x, k.y);
-    if (!around.hold({instance.x_m, instance.y_m}, static_cast<double>(radius_m), static_cast<double>(top_m))) continue;
     // Yaw turns clockwise.
     const std::array<float, 12> transform{k.x * c,
                                           -k.x * s,
@@ -362,7 +387,7 @@ void SceneStructures::add_instances(const scene::Scene& scene, const Surrounding
                                           k.z,
                                           static_cast<float>(instance.x_m - origin.x),
                                           static_cast<float>(instance.y_m - origin.y),
-                                          z};
+                                          foot_m};
     add_instance(prototypes[instance.prototype], transform,
                  {.faces = prototype_faces[instance.prototype].data(),
                   .placement = {.cos_yaw = c,

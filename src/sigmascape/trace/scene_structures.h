@@ -10,6 +10,7 @@
 #include "sigmascape/trace/placement.h"
 #include "sigmascape/trace/ray_packet.h"
 #include "sigmascape/trace/scene_geometry.h"
+#include "sigmascape/trace/scene_heights.h"
 #include "sigmascape/trace/surroundings.h"
 
 namespace sigmascape::trace {
@@ -46,7 +47,7 @@ struct SceneStructures {
   SceneStructures(const SceneStructures&) = delete;
   SceneStructures& operator=(const SceneStructures&) = delete;
 
-  void build(const scene::Scene& scene, Footing on, const Surroundings& around);
+  void build(const scene::Scene& scene, Footing on, const Surroundings& around, const SceneHeights& heights);
 
   std::atomic<std::int64_t> memory{0};
   RTCDevice device = nullptr;

@@ -28,11 +28,11 @@ double launched(const scene::Scene& scene, double texel_m) {
   const double side_m = std::min(64.0, settings.patches.side_m());
   const radar::Rectangle target{0.0, 0.0, side_m, side_m};
   const auto viewpoint = trace::Viewpoint::distant({0.0, settings.aspects.elevations_rad.front()});
-  const auto [lowest_m, highest_m] = trace::heights_of(scene, settings.footing);
+  const trace::SceneHeights heights = trace::heights_of(scene, settings.footing);
   const auto reach = trace::multibounce_reach(scene, viewpoint, target);
-  return static_cast<double>(
-      trace::launch_area(viewpoint, target, texel_m, lowest_m, highest_m + 1.0, reach, trace::tile_side_cells)
-          .cells.size());
+  return static_cast<double>(trace::launch_area(viewpoint, target, texel_m, heights.lowest_m, heights.highest_m + 1.0,
+                                                reach, trace::tile_side_cells)
+                                 .cells.size());
 }
 
 TEST(PatchRoom, CellsOfAPatchAreKnownWithoutLayingThemOut) {

@@ -286,6 +286,28 @@ TEST(SceneGeometry, ReplaysTheRaysThatItWasAsked) {
   EXPECT_EQ(geometry.replay(log), meet_box);
 }
 
+// Packets of sixteen: of far rays the second questions go together as well, sixteen and then four.
+TEST(SceneGeometry, ReplaysFarRaysInTheirPackets) {
+  scene::Scene scene = plain_scene();
+  scene.prototypes.push_back(scene::box_mesh({30, 8, 8}, 0));
+  scene.instances.push_back({.prototype = static_cast<std::uint32_t>(scene.prototypes.size() - 1)});
+  SceneGeometry geometry(scene, Footing::LevelPlane);
+  std::vector<Ray> rays;
+  for (int i = 0; i < 20; ++i) rays.push_back({{static_cast<float>(i) - 10.0F, 0.0F, 3000.0F}, {0, 0, -1}});
+  std::vector<SurfaceHit> hits(rays.size());
+  std::vector<std::uint8_t> meets(rays.size());
+  RayLog log;
+  geometry.log_to(&log);
+  geometry.intersect(rays, hits, meets, RayOrder::AsGiven);
+  SurfaceHit hit;
+  EXPECT_TRUE(geometry.intersect({0, 0, 3000}, {0, 0, -1}, hit));
+  geometry.log_to(nullptr);
+  EXPECT_EQ(log.size(), 42U);
+  EXPECT_EQ(std::ranges::count_if(log, &LoggedRay::asks_again), 21);
+  EXPECT_EQ(std::ranges::count_if(log, &LoggedRay::begins), 1 + 2);
+  EXPECT_EQ(geometry.replay(log), 42U);
+}
+
 /// Rays that start within the scene and fly every way.
 std::vector<Ray> rays_through_a_town(std::size_t count) {
   std::vector<Ray> rays;

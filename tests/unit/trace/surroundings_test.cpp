@@ -72,6 +72,17 @@ TEST(Surroundings, ARadarSeesOfThePlaceWhatItSeesOfTheWholeScene) {
   EXPECT_LT(hidden, 15'000U);
 }
 
+TEST(Surroundings, HeightsThatAreKnownAreNotFoundAgain) {
+  const Landscape land;
+  const SceneHeights known{land.heights.lowest_m - 3.0, land.heights.highest_m + 5.0, land.heights.highest_ground_m};
+  const SceneGeometry part(land.scene, Footing::Terrain, land.around, known);
+  EXPECT_EQ(part.lowest_m(), known.lowest_m);
+  EXPECT_EQ(part.highest_m(), known.highest_m);
+  EXPECT_EQ(part.memory_bytes(), land.part.memory_bytes()) << "what is held goes by its own height";
+  EXPECT_EQ(land.heights.highest_ground_m, land.scene.terrain.highest_m());
+  EXPECT_EQ(heights_of(land.scene, Footing::LevelPlane).highest_ground_m, 0.0);
+}
+
 TEST(Surroundings, RaysMeetNearThePlaceWhatTheyMeetInTheWholeScene) {
   const Landscape land;
   const radar::Rectangle near = radar::widened({0.0, 0.0, 0.0, 0.0}, 60.0 + land.around.near_m - 10.0);
