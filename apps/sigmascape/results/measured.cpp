@@ -23,7 +23,7 @@ using product::CellComparison;
 using product::LevelError;
 
 /// Raised when maps are made otherwise or more is measured of a view: what was kept before does not go with it.
-constexpr int form_of_views = 4;
+constexpr int form_of_views = 5;
 
 double number_in(const Json& json, double absent) {
   return json.is_null() ? absent : json.get<double>();

@@ -7,6 +7,7 @@
 #include "results/processor_time.h"
 
 #include "sigmascape/atlas/half.h"
+#include "sigmascape/bake/bake_settings.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/product/ground_map_file.h"
 #include "sigmascape/scene/scene.h"
@@ -47,8 +48,8 @@ radar::GroundMap PaperBake::baked_or_kept(const radar::Aspect& aspect, std::uint
                elevation_deg = deg_from_radians(aspect.elevation_rad);
   const auto path = folder_ / fmt::format("az{:06.2f}_el{:05.2f}_{}rays.tif", azimuth_deg, elevation_deg, samples);
   const std::string settings =
-      fmt::format("scene {}, azimuth {} deg, elevation {} deg, {} bounces, seed {}, {}", scene_hash_, azimuth_deg,
-                  elevation_deg, plan_.bounces, seed_, trace::simd_setting());
+      fmt::format("scene {}, azimuth {} deg, elevation {} deg, {} bounces, seed {}, {}, physics {}", scene_hash_,
+                  azimuth_deg, elevation_deg, plan_.bounces, seed_, trace::simd_setting(), bake::physics_revision);
   if (std::filesystem::exists(path)) {
     radar::GroundMap kept = product::read_ground_map(path);
     if (kept.metadata[settings_key] == settings) return kept;

@@ -8,6 +8,7 @@
 #include "map_files.h"
 #include "results/processor_time.h"
 
+#include "sigmascape/bake/bake_settings.h"
 #include "sigmascape/product/ground_map_file.h"
 #include "sigmascape/simulate/placement.h"
 #include "sigmascape/simulate/simulate.h"
@@ -25,9 +26,10 @@ constexpr std::uint64_t first_seed = 1001, second_seed = 1002;
 /// All that decides a map but the number of its rays.
 std::string settings_text(const MeasuredScene& measured, const PlannedView& view, const ResultsPlan& plan,
                           std::uint64_t seed) {
-  return fmt::format("scene {}{}, azimuth {} deg, elevation {} deg, {} km, {} bounces, seed {}, {}",
+  return fmt::format("scene {}{}, azimuth {} deg, elevation {} deg, {} km, {} bounces, seed {}, {}, physics {}",
                      scene::scene_hash(measured.scene), scene::targets_hash(measured.scene), view.azimuth_deg,
-                     view.elevation_deg, view.slant_range_m / 1e3, plan.bounces, seed, trace::simd_setting());
+                     view.elevation_deg, view.slant_range_m / 1e3, plan.bounces, seed, trace::simd_setting(),
+                     bake::physics_revision);
 }
 
 std::filesystem::path map_file(const MeasuredScene& measured, const PlannedView& view, std::uint64_t seed,
