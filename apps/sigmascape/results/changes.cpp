@@ -176,11 +176,10 @@ std::string worth_of_looks(const ResultsPlan& plan, const std::vector<ResultsRow
 std::string changes_section(const ResultsPlan& plan, const std::vector<ResultsRow>& rows) {
   return fmt::format(
       "## Cheap wins\n\nEach line makes one change to the method named beside it, from the {} grid where nothing else "
-      "is said; medians over the held-out views at {:.0f} m cells. What the RMS falls by is the mean of each view's "
-      "own "
-      "fall, and beside it stands at how many of the views it falls. *Kept*: `sigmascape bake` and `sigmascape render` "
-      "do "
-      "so by themselves; what is marked to pay little takes less than {} dB off the RMS here and was kept for other "
+      "is said; medians over the held-out views at {:.0f} m cells. What the RMS falls by is the mean of each "
+      "view's own fall, and beside it stands at how many of the views it falls. *Kept*: `sigmascape bake` and "
+      "`sigmascape render` do so by themselves; what is marked to pay little takes less than {} dB off the RMS here "
+      "and was kept for other "
       "reasons. *An option*: they do so when asked to. *MB* are of the store, *frame* is the processor time of a "
       "map. Power is kept without a change: looks are blended linearly in power, so that every area gets the blend of "
       "its powers. How elevations are best spaced depends on where views are: held-out ones are drawn evenly in "

@@ -55,6 +55,14 @@ std::string metrics_text(const product::CellComparison& median, const product::C
       with_worst(median.shadow_iou, worst.shadow_iou, 2, number_text), of_fewer);
 }
 
+std::string metrics_text(const ResultsRow& row, const ResultsCell& cell) {
+  return metrics_text(cell.median, cell.worst, row.views, cell.shadow_views);
+}
+
+std::string floor_text(const ResultsRow& row, const ResultsCell& cell) {
+  return metrics_text(cell.floor_median, cell.floor_worst, row.views, cell.shadow_views);
+}
+
 std::string error_text(const product::CellComparison& cell) {
   return fmt::format("{} | {} | {} | {}", number_text(cell.correlation_db, 3), number_text(cell.rms_db, 2),
                      number_text(cell.l1, 3), number_text(cell.shadow_iou, 2));

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "results/plan.h"
+#include "results/table.h"
 
 #include "sigmascape/product/map_metrics.h"
 
@@ -30,6 +31,10 @@ inline constexpr const char* metric_rules = "---:|---:|---:|---:|---:";
 /// shadows is of fewer views their number stands behind it.
 [[nodiscard]] std::string metrics_text(const product::CellComparison& median, const product::CellComparison& worst,
                                        std::size_t views, std::size_t shadow_views);
+/// The same of a row at one of its cell sizes.
+[[nodiscard]] std::string metrics_text(const ResultsRow& row, const ResultsCell& cell);
+/// The same of one traced map against another at the row's views.
+[[nodiscard]] std::string floor_text(const ResultsRow& row, const ResultsCell& cell);
 /// Cells of correlation, RMS, L1 and IoU alone.
 [[nodiscard]] std::string error_text(const product::CellComparison& cell);
 

@@ -49,7 +49,7 @@ struct SummaryLine {
 SummaryLine line_of(const ResultsRow& row, const ResultsCell& cell) {
   return {row.of,
           row.views,
-          metrics_text(cell.median, cell.worst, row.views, cell.shadow_views),
+          metrics_text(row, cell),
           row.of.grid,
           megabytes(row.atlas.store_bytes),
           fmt::format("{:.0f}", row.atlas.bake_seconds)};
@@ -139,8 +139,7 @@ std::string lines_by_cell(const ResultsRow& row) {
   std::string text;
   for (const ResultsCell& cell : row.cells) {
     text += fmt::format("| {} | {} | {} | {:.0f} | {} | {} |\n", text_of(row.of.kind), text_of(row.of.method),
-                        row.of.grid, cell.median.cell_m,
-                        metrics_text(cell.median, cell.worst, row.views, cell.shadow_views), floor_and_cost(cell, row));
+                        row.of.grid, cell.median.cell_m, metrics_text(row, cell), floor_and_cost(cell, row));
   }
   return text;
 }
@@ -182,8 +181,7 @@ std::string summary_section(const ResultsReport& report) {
     if (cell == nullptr || !is_plain(row, plan) || is_side_grid(row, plan)) continue;
     const std::string group = row.of.scene + text_of(row.of.kind);
     if (group != last) {
-      lines.push_back(
-          {row.of, row.views, metrics_text(cell->floor_median, cell->floor_worst, row.views, cell->shadow_views)});
+      lines.push_back({row.of, row.views, floor_text(row, *cell)});
     }
     last = group;
     const SummaryLine line = line_of(row, *cell);
@@ -258,8 +256,7 @@ std::string detail_section(const ResultsReport& report) {
       for (const double cell_m : {2.0, 8.0, 32.0}) {
         const ResultsCell* cell = row->at_cell(cell_m);
         if (cell == nullptr) continue;
-        text += fmt::format("| {} | {} | {:.0f} | {} | {} |\n", level, text_of(kind), cell_m,
-                            metrics_text(cell->median, cell->worst, row->views, cell->shadow_views),
+        text += fmt::format("| {} | {} | {:.0f} | {} | {} |\n", level, text_of(kind), cell_m, metrics_text(*row, *cell),
                             floor_and_cost(*cell, *row));
       }
     }

@@ -122,14 +122,13 @@ std::vector<product::PageSection> results_sections(const std::vector<ResultsRow>
       sections.push_back({.heading = heading,
                           .paragraphs = {"Correlation of dB, RMS dB, bias in dB, relative L1, shadow IoU; store and "
                                          "processor time of the bake."}});
-      sections.back().facts.push_back(
-          {"truth against truth", metrics_text(cell->floor_median, cell->floor_worst, row.views, cell->shadow_views)});
+      sections.back().facts.push_back({"truth against truth", floor_text(row, *cell)});
     }
     sections.back().facts.push_back(
         {fmt::format("{}{}{}, {}, rays: {}, LOD {}", text_of(row.of.method), row.of.change.empty() ? "" : ", ",
                      row.of.change, row.of.grid, rays_text(row.of.baked_samples), row.of.level_of_detail),
-         fmt::format("{}; {} MB, {:.0f} s", metrics_text(cell->median, cell->worst, row.views, cell->shadow_views),
-                     megabytes(row.atlas.store_bytes), row.atlas.bake_seconds)});
+         fmt::format("{}; {} MB, {:.0f} s", metrics_text(row, *cell), megabytes(row.atlas.store_bytes),
+                     row.atlas.bake_seconds)});
   }
   return sections;
 }

@@ -65,16 +65,17 @@ class Axis {
   };
 
   [[nodiscard]] std::vector<Mark> marks() const {
-    if (!marked_.empty()) return given_marks();
+    if (!marked_.empty()) return marks_at(marked_);
     return is_logarithmic_ ? logarithmic_marks() : even_marks();
   }
 
  private:
   [[nodiscard]] double scaled(double value) const { return is_logarithmic_ ? std::log10(value) : value; }
 
-  [[nodiscard]] std::vector<Mark> given_marks() const {
+  /// Those of the values that the axis reaches.
+  [[nodiscard]] std::vector<Mark> marks_at(const std::vector<double>& values) const {
     std::vector<Mark> marks;
-    for (const double value : marked_) {
+    for (const double value : values) {
       if (holds(value) && scaled(value) >= low_ && scaled(value) <= high_)
         marks.push_back({value, fmt::format("{:g}", value)});
     }
@@ -82,17 +83,15 @@ class Axis {
   }
 
   [[nodiscard]] std::vector<Mark> logarithmic_marks() const {
-    std::vector<Mark> marks;
+    std::vector<double> values;
     // Over many decades powers of ten alone have room.
     const bool is_wide = high_ - low_ > 3.5;
     for (int exponent = -12; exponent <= 12; ++exponent) {
       for (const double mantissa : {1.0, 2.0, 5.0}) {
-        const double value = mantissa * std::pow(10.0, exponent);
-        if (is_wide && mantissa > 1.0) continue;
-        if (scaled(value) >= low_ && scaled(value) <= high_) marks.push_back({value, fmt::format("{:g}", value)});
+        if (!is_wide || mantissa == 1.0) values.push_back(mantissa * std::pow(10.0, exponent));
       }
     }
-    return marks;
+    return marks_at(values);
   }
 
   [[nodiscard]] std::vector<Mark> even_marks() const {
